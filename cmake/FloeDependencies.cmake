@@ -1,0 +1,24 @@
+# Third-party libraries: found here, linked by the rooms that name them (docs/dependencies.md says why each).
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS C)
+pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl>=2.7)
+pkg_check_modules(FYAML REQUIRED IMPORTED_TARGET libfyaml>=0.7)
+pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
+pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson>=2.13)
+# The serial library by name: plain "hdf5" may be the MPI one where both are installed.
+pkg_check_modules(HDF5 IMPORTED_TARGET hdf5-serial)
+if(NOT HDF5_FOUND)
+    pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+endif()
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS nvecserial sunlinsolpcg sunlinsolspgmr sunlinsoldense sunmatrixdense
+    kinsol arkode cvode)
+
+# Short names for the rooms' LINK lists.
+set(FLOE_GSL PkgConfig::GSL)
+set(FLOE_FYAML PkgConfig::FYAML)
+set(FLOE_UDUNITS PkgConfig::UDUNITS)
+set(FLOE_JANSSON PkgConfig::JANSSON)
+set(FLOE_HDF5 PkgConfig::HDF5)
+set(FLOE_SUNDIALS SUNDIALS::nvecserial SUNDIALS::sunlinsolpcg SUNDIALS::sunlinsolspgmr SUNDIALS::sunlinsoldense
+    SUNDIALS::sunmatrixdense SUNDIALS::kinsol SUNDIALS::arkode SUNDIALS::cvode)

@@ -1,0 +1,160 @@
+# Rooms: each folder of src is an object library that sees the headers of itself and of the rooms on lower floors.
+# The compiler is the judge: a room's only floe include directory holds links to what it may see, and nothing else.
+
+# Floors, ground first; the rooms of one floor do not see each other.
+set(FLOE_FLOORS
+    "base math"
+    "grid geom material"
+    "coupling scene"
+    "mpm ice"
+    "sim"
+    "deck io verify"
+    "run"
+    "study"
+    "cli")
+string(REPLACE " " ";" FLOE_ALL_ROOMS "${FLOE_FLOORS}")
+
+# The rooms below `room`, in `out`.
+function(floe_rooms_below room out)
+    set(below "")
+    foreach(floor IN LISTS FLOE_FLOORS)
+        string(REPLACE " " ";" rooms "${floor}")
+        if(room IN_LIST rooms)
+            set(${out} "${below}" PARENT_SCOPE)
+            return()
+        endif()
+        list(APPEND below ${rooms})
+    endforeach()
+    message(FATAL_ERROR "floe: '${room}' is on no floor; see FLOE_FLOORS in cmake/FloeRoom.cmake")
+endfunction()
+
+# Fills `directory` with links to the named rooms and to the public headers; links of an earlier configure go first.
+function(floe_link_rooms directory)
+    file(REMOVE_RECURSE "${directory}")
+    file(MAKE_DIRECTORY "${directory}")
+    foreach(room IN LISTS ARGN)
+        file(CREATE_LINK "${CMAKE_SOURCE_DIR}/src/${room}" "${directory}/${room}" SYMBOLIC)
+    endforeach()
+    file(CREATE_LINK "${CMAKE_SOURCE_DIR}/include/floe" "${directory}/floe" SYMBOLIC)
+endfunction()
+
+# Every room at once, for the tests and the benchmarks.
+set(FLOE_ALL_ROOMS_DIR "${CMAKE_BINARY_DIR}/rooms/all")
+floe_link_rooms("${FLOE_ALL_ROOMS_DIR}" ${FLOE_ALL_ROOMS})
+
+# floe_room(name [LINK libraries...] [DEFINE definitions...] [BUILD_HEADER])
+# Makes the object library floe_<name> of src/<name>/*.c and src/<name>/*/*.c, generated registries included.
+# LINK: third-party libraries. DEFINE: instead of _POSIX_C_SOURCE=200809L. BUILD_HEADER: the room reads floe_build.h.
+# A room without a source file yet is no target, and nothing else notices.
+function(floe_room name)
+    cmake_parse_arguments(PARSE_ARGV 1 room "BUILD_HEADER" "" "LINK;DEFINE")
+    set_property(GLOBAL APPEND PROPERTY FLOE_LINK ${room_LINK})
+    if(FLOE_ROOMS AND NOT name IN_LIST FLOE_ROOMS)
+        return()
+    endif()
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${name}/*.c" "${CMAKE_SOURCE_DIR}/src/${name}/*/*.c")
+    get_property(generated GLOBAL PROPERTY FLOE_GENERATED_${name})
+    if(name STREQUAL "cli" AND NOT EXISTS "${CMAKE_SOURCE_DIR}/src/cli/main.c")
+        return()
+    endif()
+    if(NOT sources)
+        return()
+    endif()
+
+    floe_rooms_below(${name} below)
+    set(include_dir "${CMAKE_BINARY_DIR}/rooms/${name}")
+    floe_link_rooms("${include_dir}" ${name} ${below})
+
+    set(target floe_${name})
+    add_library(${target} OBJECT ${sources} ${generated})
+    target_include_directories(${target} PRIVATE "${include_dir}")
+    target_link_libraries(${target} PRIVATE floe_flags ${room_LINK})
+    if(NOT room_DEFINE)
+        set(room_DEFINE _POSIX_C_SOURCE=200809L)
+    endif()
+    target_compile_definitions(${target} PRIVATE ${room_DEFINE})
+    if(room_BUILD_HEADER)
+        target_include_directories(${target} PRIVATE "${FLOE_BUILD_HEADER_DIR}")
+        add_dependencies(${target} floe_build_header)
+    endif()
+    if(NOT name STREQUAL "cli")
+        set_property(GLOBAL APPEND PROPERTY FLOE_OBJECTS ${target})
+    endif()
+endfunction()
+
+# floe_registry(room prefix header type [SUBDIR dir]), before the room's floe_room.
+# One file adds one thing: every src/<room>/[dir/]<prefix>_<name>.c defines `const <type> <prefix>_<name>`, and the
+# generated source defines, in alphabetical order of the names,
+#     const <type> *const <prefix>_registry[];   const size_t <prefix>_registry_size;
+# The header declares these two (extern) and the type. Without the header nothing is generated.
+# Helpers that several such files share must not be named <prefix>_*.c.
+function(floe_registry room prefix header type)
+    cmake_parse_arguments(PARSE_ARGV 4 registry "" "SUBDIR" "")
+    set(directory "${CMAKE_SOURCE_DIR}/src/${room}")
+    if(registry_SUBDIR)
+        string(APPEND directory "/${registry_SUBDIR}")
+    endif()
+    file(GLOB found CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${header}")
+    file(GLOB sources CONFIGURE_DEPENDS "${directory}/${prefix}_*.c")
+    if(NOT found)
+        return()
+    endif()
+
+    set(declarations "")
+    set(entries "")
+    foreach(source IN LISTS sources)
+        get_filename_component(entry "${source}" NAME_WE)
+        string(APPEND declarations "extern const ${type} ${entry};\n")
+        string(APPEND entries "    &${entry},\n")
+    endforeach()
+    list(LENGTH sources size)
+    set(output "${CMAKE_BINARY_DIR}/generated/${room}/${prefix}_registry.c")
+    file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT "/* Generated from the names of the source files. */
+#include \"@header@\"
+
+#include <stddef.h>
+
+@declarations@
+/* The NULL at the end is not counted; it lets an empty registry be an array. */
+const @type@ *const @prefix@_registry[] = {
+@entries@    NULL,
+};
+const size_t @prefix@_registry_size = @size@;
+")
+    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${room} "${output}")
+endfunction()
+
+# libfloe, its public headers and pkg-config file; and floe_archive, the same objects for the executable and the tests.
+function(floe_library)
+    get_property(rooms GLOBAL PROPERTY FLOE_OBJECTS)
+    get_property(libraries GLOBAL PROPERTY FLOE_LINK)
+    list(REMOVE_DUPLICATES libraries)
+    set(objects "")
+    foreach(room IN LISTS rooms)
+        list(APPEND objects $<TARGET_OBJECTS:${room}>)
+    endforeach()
+
+    add_library(floe_archive STATIC ${objects})
+    target_link_libraries(floe_archive PUBLIC floe_flags ${libraries})
+
+    add_library(floe_shared SHARED ${objects})
+    set_target_properties(floe_shared PROPERTIES OUTPUT_NAME floe VERSION ${PROJECT_VERSION}
+        SOVERSION ${PROJECT_VERSION_MAJOR})
+    target_link_libraries(floe_shared PRIVATE floe_flags ${libraries})
+
+    install(TARGETS floe_shared LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(DIRECTORY "${CMAKE_SOURCE_DIR}/include/floe" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.h")
+    configure_file("${CMAKE_SOURCE_DIR}/cmake/floe.pc.in" "${CMAKE_BINARY_DIR}/floe.pc" @ONLY)
+    install(FILES "${CMAKE_BINARY_DIR}/floe.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# The command line, once it has a main.
+function(floe_executable)
+    if(NOT TARGET floe_cli)
+        return()
+    endif()
+    add_executable(floe $<TARGET_OBJECTS:floe_cli>)
+    target_link_libraries(floe PRIVATE floe_archive)
+    install(TARGETS floe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()

@@ -1,0 +1,32 @@
+/* Parameter tables: how materials, equations of state, shapes, bases and exact solutions say what they take.
+ * The deck reads, checks, defaults, lists and documents from these tables; nobody parses a parameter by hand. */
+#ifndef BASE_PARAM_H
+#define BASE_PARAM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum param_range {
+    PARAM_ANY,          /* any finite number */
+    PARAM_POSITIVE,     /* > 0 */
+    PARAM_NONNEGATIVE,  /* >= 0 */
+    PARAM_BETWEEN       /* lo <= x <= hi */
+} param_range;
+
+typedef struct param_spec {
+    const char *key;    /* name in the deck */
+    const char *unit;   /* SI unit in udunits2 spelling, "1" if none */
+    param_range range;
+    double lo, hi;      /* used by PARAM_BETWEEN */
+    double fallback;    /* default; NAN: required */
+    size_t offset;      /* of the first double in the parameter struct */
+    int count;          /* 1: a number; n > 1: a list of exactly n numbers; -3: a vector of the scene's dimension in double[3] */
+    const char *doc;    /* one line */
+} param_spec;
+
+/* true when x is finite and inside the range of the spec. */
+bool param_in_range(const param_spec *spec, double x);
+/* "a number > 0", "a number from 0 to 0.5": the words of an error message. Writes at most size bytes. */
+void param_describe_range(const param_spec *spec, char *text, size_t size);
+
+#endif

@@ -1,0 +1,9 @@
+/* Wall and CPU time. */
+#ifndef BASE_TIMER_H
+#define BASE_TIMER_H
+
+double wall_seconds(void); /* monotonic, from an arbitrary origin */
+double cpu_seconds(void);  /* of the process */
+long long peak_rss_bytes(void);
+
+#endif

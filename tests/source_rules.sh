@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Rules of the source that no compiler checks: no include that climbs out of its room, no file too long to hold in
+# the head, and each third-party library only in its rooms.
+set -u
+cd "${1:?usage: source_rules.sh SOURCE_DIRECTORY}" || exit 2
+failed=0
+
+# complain TEXT LINES: prints both if there are lines.
+complain() {
+    [ -z "$2" ] && return
+    printf '%s:\n%s\n' "$1" "$2"
+    failed=1
+}
+
+# only_in PATTERN ROOMS...: the include may occur in these rooms only.
+only_in() {
+    local pattern=$1 allowed
+    shift
+    allowed=$(printf '|^src/%s/' "$@")
+    complain "#include <$pattern...> belongs to: $*" \
+        "$(grep -rnE "#include <$pattern" src | grep -vE "${allowed#|}")"
+}
+
+complain 'an include must name its room, not climb ("room/x.h")' "$(grep -rnE '#include "\.\./' src include tests bench)"
+complain 'more than 700 lines: split the file' \
+    "$(find src include -name '*.[ch]' -exec awk 'END { if (NR > 700) print FILENAME ": " NR }' {} \;)"
+only_in 'gsl/' coupling geom material verify study
+only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)/' coupling mpm ice verify
+only_in 'hdf5' io
+only_in '(libfyaml|udunits)' deck
+only_in 'jansson' io study cli
+only_in 'argp' cli
+exit $failed
