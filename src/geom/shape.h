@@ -1,0 +1,42 @@
+/* Body shapes. One file adds one: shape_<name>.c ends in a const descriptor `shape_<name>`.
+ * Coordinates are double[3]; unused ones are ignored. */
+#ifndef GEOM_SHAPE_H
+#define GEOM_SHAPE_H
+
+#include "base/context.h"
+#include "base/param.h"
+
+#include <stdbool.h>
+
+typedef struct shape_model {
+    const char *name, *doc;
+    size_t param_size;
+    const param_spec *params;
+    size_t n_params;
+    int min_dim, max_dim;
+    /* Signed distance-like level (m): negative inside, zero on the surface, |grad| about 1 near it; never wrong in sign. */
+    double (*level)(const void *par, int dim, const double x[3]);
+    /* A bounding box of the inside; false when unbounded. */
+    bool (*bounds)(const void *par, int dim, double lo[3], double hi[3]);
+    /* Refuses impossible parameters (inner radius over outer): NULL if fine, else what is wrong. */
+    const char *(*check)(const void *par, int dim);
+} shape_model;
+
+extern const shape_model *const shape_registry[];
+extern const size_t shape_registry_size;
+const shape_model *shape_find(const char *name);
+
+/* A shape with its parameters: the union of `plus` less the union of `minus` is built by geom/region. */
+typedef struct shape {
+    const shape_model *model;
+    void *par; /* model->param_size bytes, owned by the scene */
+} shape;
+
+bool shape_inside(const shape *s, int dim, const double x[3]);
+
+/* Volume fraction and centroid of the part of the box [lo, hi] inside the shape, by adaptive subdivision to `depth` levels
+ * with a linear cut in the smallest boxes (error about h^2 4^-depth). centroid is that of the inside part (undefined for 0).
+ * weight_by_radius: volume elements carry r = x[0] (axisymmetric). */
+double shape_fraction(const shape *s, int dim, const double lo[3], const double hi[3], bool weight_by_radius, int depth, double centroid[3]);
+
+#endif

@@ -1,0 +1,42 @@
+/* Boundary conditions as data: one table (axis, side) -> kind and values; one loop applies a kind to a field. */
+#ifndef GRID_BC_H
+#define GRID_BC_H
+
+#include "grid/domain.h"
+
+typedef enum bc_kind {
+    BC_SYMMETRY,    /* mirror: normal velocity odd, everything else even; a slip wall is the same */
+    BC_SLIP,        /* impermeable, free tangential velocity */
+    BC_NO_SLIP,     /* impermeable, tangential velocity of the wall */
+    BC_PERIODIC,
+    BC_INLET,       /* fluids: density, velocity, temperature given; points: prescribed velocity */
+    BC_OUTLET,      /* fluids: zero gradient, face pressure given */
+    BC_VELOCITY,    /* points: prescribed velocity; fluids: moving impermeable wall */
+    BC_FREE         /* points: nothing is imposed; fluids: zero gradient (supersonic outlet) */
+} bc_kind;
+
+const char *bc_name(bc_kind kind); /* name in the deck: symmetry, slip, no_slip, periodic, inlet, outlet, velocity, free */
+
+typedef struct bc_side {
+    bc_kind kind;
+    double velocity[MESH_MAX_DIM];  /* m/s: of the wall, the inlet or the prescribed nodes */
+    double pressure;                /* Pa: outlet and inlet */
+    double temperature;             /* K: inlet, reservoir behind an outlet, wall */
+    int material;                   /* fluid that enters (index in the scene's materials) */
+} bc_side;
+
+typedef struct bc_table {
+    bc_side side[MESH_MAX_DIM][2];
+} bc_table;
+
+typedef enum bc_parity { BC_EVEN, BC_ODD } bc_parity;
+
+/* Fills the ghost cells of one array beyond one non-periodic side of a block by reflection about the wall:
+ * even copies, odd changes sign. All transverse ghosts are covered, so that sides applied axis by axis fill corners. */
+void bc_reflect(const block *b, int axis, mesh_side side, bc_parity parity, double *a);
+/* Fills the ghost cells with the value of the nearest owned cell. */
+void bc_extrapolate(const block *b, int axis, mesh_side side, double *a);
+/* Fills the ghost cells with a constant. */
+void bc_constant(const block *b, int axis, mesh_side side, double value, double *a);
+
+#endif

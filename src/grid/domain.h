@@ -1,0 +1,31 @@
+/* The only door from one block to another (design 4): ghosts, tile partials, point migration, ordered reductions.
+ * domain_local.c serves several blocks in one process; a message-passing domain can take its place behind the same door. */
+#ifndef GRID_DOMAIN_H
+#define GRID_DOMAIN_H
+
+#include "grid/field.h"
+#include "grid/mesh.h"
+
+typedef struct domain {
+    context *ctx;                       /* not owned */
+    const mesh *mesh;                   /* not owned */
+    fields *fields[MESH_MAX_BLOCKS];    /* owned; one set per block */
+} domain;
+
+floe_status domain_create(domain **out, context *ctx, const mesh *m);
+void domain_destroy(domain **d);
+
+/* Registers a field in every block. */
+floe_status domain_add(domain *d, field_id id, int instance);
+
+typedef enum fill_which { FILL_CURRENT, FILL_NEXT } fill_which;
+
+/* Copies owned values of cell or face fields into the ghost layers of neighbouring blocks, and around periodic axes;
+ * edges and corners included. Ghosts beyond a non-periodic side are left to grid/bc. */
+void domain_fill(domain *d, field_id id, int instance, fill_which which);
+
+/* Sum, minimum and maximum over tiles, in the order of global tile number, whatever the blocks: `partial` has one
+ * row of `count` values per global tile (row-major). */
+void domain_sum_tiles(const mesh *m, const double *partial, int count, double *sum);
+
+#endif

@@ -1,0 +1,99 @@
+/* The domain of one process: every block is at hand, so that an exchange is a copy. */
+#include "base/memory.h"
+#include "grid/domain.h"
+
+#include <string.h>
+
+floe_status domain_create(domain **out, context *ctx, const mesh *m)
+{
+    TRY(memory_new(ctx, out, 1, sizeof **out));
+    domain *d = *out;
+    d->ctx = ctx;
+    d->mesh = m;
+    for (int b = 0; b < m->n_blocks; ++b) {
+        const floe_status status = fields_create(&d->fields[b], ctx, &m->block[b]);
+        if (status != FLOE_OK) {
+            domain_destroy(out);
+            return status;
+        }
+    }
+    return FLOE_OK;
+}
+
+void domain_destroy(domain **d)
+{
+    if (!d || !*d) return;
+    for (int b = 0; b < MESH_MAX_BLOCKS; ++b) fields_destroy(&(*d)->fields[b]);
+    memory_free((*d)->ctx, d);
+}
+
+floe_status domain_add(domain *d, field_id id, int instance)
+{
+    for (int b = 0; b < d->mesh->n_blocks; ++b) TRY(fields_add(d->fields[b], id, instance));
+    return FLOE_OK;
+}
+
+static int max_int(int a, int b) { return a > b ? a : b; }
+static int min_int(int a, int b) { return a < b ? a : b; }
+
+/* Copies cells [lo, hi) (global, in the source's numbering) of `from` to `to`, whose numbering is shifted by `shift`. */
+static void copy_box(const mesh *m, const block *from, const double *source, const block *to, double *target,
+                     const int lo[MESH_MAX_DIM], const int hi[MESH_MAX_DIM], const int shift[MESH_MAX_DIM])
+{
+    const size_t row = (size_t)(hi[0] - lo[0]) * sizeof(double);
+    (void)m;
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j) {
+            const ptrdiff_t s = mesh_index(from, lo[0] - from->lo[0], j - from->lo[1], k - from->lo[2]);
+            const ptrdiff_t t =
+                mesh_index(to, lo[0] + shift[0] - to->lo[0], j + shift[1] - to->lo[1], k + shift[2] - to->lo[2]);
+            memcpy(target + t, source + s, row);
+        }
+}
+
+/* Copies what the shifted block `from` owns into the ghosts of `to`. */
+static void fill_from(const mesh *m, const block *from, const block *to, const int shift[MESH_MAX_DIM],
+                      const double *source, double *target)
+{
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bool inside = true;
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        const int ghost = a < m->dim ? MESH_GHOST : 0;
+        lo[a] = max_int(from->lo[a], to->lo[a] - ghost - shift[a]);
+        hi[a] = min_int(from->lo[a] + from->n[a], to->lo[a] + to->n[a] + ghost - shift[a]);
+        if (lo[a] >= hi[a]) return;
+        inside = inside && shift[a] == 0;
+    }
+    if (inside && from == to) return; /* a block's own cells are no ghosts of it */
+    copy_box(m, from, source, to, target, lo, hi, shift);
+}
+
+static void fill_component(const domain *d, field_id id, int instance, fill_which which, int comp)
+{
+    const mesh *m = d->mesh;
+    double *(*get)(const fields *, field_id, int, int) = which == FILL_NEXT ? field_next : field_get;
+    int reach[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) reach[a] = m->periodic[a] ? 1 : 0;
+    for (int t = 0; t < m->n_blocks; ++t)
+        for (int s = 0; s < m->n_blocks; ++s)
+            for (int z = -reach[2]; z <= reach[2]; ++z)
+                for (int y = -reach[1]; y <= reach[1]; ++y)
+                    for (int x = -reach[0]; x <= reach[0]; ++x)
+                        fill_from(m, &m->block[s], &m->block[t], (const int[]){x * m->n[0], y * m->n[1], z * m->n[2]},
+                                  get(d->fields[s], id, instance, comp), get(d->fields[t], id, instance, comp));
+}
+
+void domain_fill(domain *d, field_id id, int instance, fill_which which)
+{
+    if (d->mesh->n_blocks == 1 && !d->mesh->periodic[0] && !d->mesh->periodic[1] && !d->mesh->periodic[2]) return;
+    const int components = field_component_count(field_describe(id)->components, d->mesh->dim);
+    for (int c = 0; c < components; ++c) fill_component(d, id, instance, which, c);
+}
+
+void domain_sum_tiles(const mesh *m, const double *partial, int count, double *sum)
+{
+    const size_t tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    for (int c = 0; c < count; ++c) sum[c] = 0.0;
+    for (size_t t = 0; t < tiles; ++t)
+        for (int c = 0; c < count; ++c) sum[c] += partial[t * (size_t)count + (size_t)c];
+}

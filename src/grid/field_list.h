@@ -1,0 +1,69 @@
+/* Every field that floe can hold, on one page. A scene registers only the ones that a stage of its plan names
+ * (design 1.2), so a field that is not in the plan has no array.
+ *
+ * X(id, name, centring, components, unit, class, meaning)
+ *
+ * centring    POINT, NODE, CELL, FACE
+ * components  how many arrays, by the scene's dimension d:
+ *               SCALAR 1; VECTOR d; STRESS 1 (d=1), 4 (xx yy zz xy), 6 (d=3); GRADIENT d*d (row-major, du_i/dx_j),
+ *               DEFORM the deformation gradient: d*d, and F_zz (hoop or thickness) after it in 2-D; NORMAL 1 per axis of faces
+ * class       STATE double-buffered, checkpointed; FIXED set when points are seeded, moves only with their order,
+ *             checkpointed; SCRATCH rebuilt every step; DIAGNOSTIC written for output only
+ * Per-body (points), per-group (nodes) and per-material (cells) fields have one instance each: field_get(b, id, instance, comp). */
+#ifndef GRID_FIELD_LIST_H
+#define GRID_FIELD_LIST_H
+
+#define FIELD_LIST(X)                                                                                                  \
+    /* material points, instance: body */                                                                             \
+    X(P_ID, "id", POINT, SCALAR, "1", FIXED, "body << 40 | seeding ordinal, exact in a double's 53 bits")              \
+    X(P_MASS, "mass", POINT, SCALAR, "kg", FIXED, "m_p")                                                               \
+    X(P_VOLUME0, "initial_volume", POINT, SCALAR, "m3", FIXED, "V0_p")                                                 \
+    X(P_HALF, "half_width", POINT, VECTOR, "m", FIXED, "GIMP half width of the point's domain")                        \
+    X(P_POS, "position", POINT, VECTOR, "m", STATE, "x_p")                                                             \
+    X(P_VEL, "velocity", POINT, VECTOR, "m/s", STATE, "v_p at n-1/2 in pure MPM, n when coupled")                      \
+    X(P_F, "deformation_gradient", POINT, DEFORM, "1", STATE, "F_p")                                                   \
+    X(P_J, "volume_ratio", POINT, SCALAR, "1", STATE, "J_p = V/V0, for laws that need no F")                           \
+    X(P_STRESS, "stress", POINT, STRESS, "Pa", STATE, "Cauchy, tension positive, gauge to the reference pressure")     \
+    X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                                \
+    X(P_VISCOUS_PRESSURE, "artificial_pressure", POINT, SCALAR, "Pa", STATE, "q_p, compression positive")              \
+    X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")    \
+    X(P_TRACTION_FORCE, "traction_force", POINT, VECTOR, "N", FIXED, "unit-load nodal force direction of a loaded surface point") \
+    /* nodes, instance: velocity group */                                                                             \
+    X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                         \
+    X(N_MOMENTUM, "node_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "m_i v_i")                                         \
+    X(N_FORCE, "node_force", NODE, VECTOR, "N", SCRATCH, "f_i = internal + external + damping")                        \
+    X(N_VEL, "node_velocity", NODE, VECTOR, "m/s", SCRATCH, "v_i")                                                     \
+    X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                      \
+    X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH, "a_i = (v_i^L - v_i) / dt after boundary conditions") \
+    X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")      \
+    /* cells, instance: material */                                                                                   \
+    X(C_RHO, "density", CELL, SCALAR, "kg/m3", STATE, "rho^r: mass of material r per cell volume")                     \
+    X(C_VEL, "velocity", CELL, VECTOR, "m/s", STATE, "u^r")                                                            \
+    X(C_ENERGY, "internal_energy", CELL, SCALAR, "J/kg", STATE, "e^r")                                                 \
+    X(C_VOL, "specific_volume", CELL, SCALAR, "m3/kg", STATE, "v^r of the pure material; absent with one fluid")       \
+    X(C_TEMP, "temperature", CELL, SCALAR, "K", SCRATCH, "T^r")                                                        \
+    X(C_THETA, "volume_fraction", CELL, SCALAR, "1", SCRATCH, "theta^r = m^r v^r / TMV")                               \
+    X(C_SOUND, "sound_speed", CELL, SCALAR, "m/s", SCRATCH, "c^r")                                                     \
+    X(C_KAPPA, "compressibility", CELL, SCALAR, "1/Pa", SCRATCH, "kappa^r = v^r / c^r^2")                              \
+    X(C_MASS_L, "mass_lagrangian", CELL, SCALAR, "kg", SCRATCH, "m^r")                                                 \
+    X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH, "(m u)^r,L")                               \
+    X(C_ENERGY_L, "energy_lagrangian", CELL, SCALAR, "J", SCRATCH, "(m e)^r,L")                                        \
+    X(C_VOLUME_L, "volume_lagrangian", CELL, SCALAR, "m3", SCRATCH, "(m v)^r,L")                                       \
+    X(C_SOURCE, "momentum_source", CELL, VECTOR, "kg m/s", SCRATCH, "pressure-gradient impulse of step 8")             \
+    X(C_VELOCITY_CHANGE, "velocity_change", CELL, VECTOR, "m/s", SCRATCH, "dv_c handed back to the nodes")             \
+    /* cells, shared by all materials (instance 0) */                                                                 \
+    X(C_PRESSURE, "pressure", CELL, SCALAR, "Pa", STATE, "p equilibrium pressure; also the next Newton guess")         \
+    X(C_PRESSURE_ADVANCED, "pressure_advanced", CELL, SCALAR, "Pa", SCRATCH, "P = p + phi dP")                         \
+    X(C_DP, "pressure_increment", CELL, SCALAR, "Pa", SCRATCH, "dP by dilatation over the full step")                  \
+    X(C_TMV_RATIO, "material_volume_ratio", CELL, SCALAR, "1", SCRATCH, "TMV / V")                                     \
+    X(C_RHO_SUM, "density_sum", CELL, SCALAR, "kg/m3", SCRATCH, "sum of rho^r")                                        \
+    X(C_KAPPA_SUM, "compressibility_sum", CELL, SCALAR, "1/Pa", SCRATCH, "S = sum theta^r kappa^r")                    \
+    X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "phi of numerics 2.5: 1/2 smooth, 1 at a shock")            \
+    X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH, "1 where more than one material is present")                       \
+    /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                           \
+    X(F_VEL, "face_velocity", FACE, VECTOR, "m/s", SCRATCH, "u*^r: normal component on the lower face of each axis")   \
+    X(F_THETA, "face_volume_fraction", FACE, VECTOR, "1", SCRATCH, "theta^r,f averaged over the donor slab")           \
+    X(F_PRESSURE, "face_pressure", FACE, VECTOR, "Pa", SCRATCH, "P*")                                                  \
+    X(F_FLUX, "face_flux", FACE, VECTOR, "-", SCRATCH, "flux of the quantity in hand")
+
+#endif

@@ -1,0 +1,46 @@
+/* The ledger: nothing is silently lost (design 1.6). Every flux through a boundary, source, work and defect is entered; a
+ * drift is |Q - Q0 - entries| / max over time of the sum of |q| (design, conventions). Entries of a step are pending until
+ * it is committed, so that a rejected step leaves none. Sums are compensated. */
+#ifndef GRID_LEDGER_H
+#define GRID_LEDGER_H
+
+#include "base/context.h"
+
+typedef enum ledger_quantity {
+    LEDGER_MASS, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y, LEDGER_MOMENTUM_Z, LEDGER_ENERGY, LEDGER_QUANTITIES
+} ledger_quantity;
+
+typedef enum ledger_kind {
+    LEDGER_BOUNDARY,    /* through the sides of the domain, inward positive */
+    LEDGER_SOURCE,      /* heating, body forces, tractions, prescribed motion */
+    LEDGER_DAMPING,     /* taken by viscous damping and by FLIP/PIC blending, where it is known */
+    LEDGER_DEFECT,      /* floors, clamps, guards, deleted points */
+    LEDGER_KINDS
+} ledger_kind;
+
+typedef enum ledger_count {
+    COUNT_NEWTON_CELLS, COUNT_NEWTON_ITERATIONS, COUNT_NEWTON_FALLBACKS, COUNT_FLOORS, COUNT_ENERGY_GUARDS, COUNT_POINTS_LOST,
+    COUNT_SMALL_NODES, COUNT_REORDERS, LEDGER_COUNTS
+} ledger_count;
+
+typedef struct ledger_sum { double value, carry; } ledger_sum; /* compensated (Neumaier) */
+
+typedef struct ledger {
+    double initial[LEDGER_QUANTITIES];      /* Q0 */
+    double total[LEDGER_QUANTITIES];        /* Q now */
+    double scale[LEDGER_QUANTITIES];        /* max over time of sum |q| */
+    ledger_sum entry[LEDGER_QUANTITIES][LEDGER_KINDS];
+    double pending[LEDGER_QUANTITIES][LEDGER_KINDS];
+    long long count[LEDGER_COUNTS], pending_count[LEDGER_COUNTS];
+} ledger;
+
+void ledger_add(ledger *l, ledger_quantity q, ledger_kind kind, double amount);
+void ledger_tally(ledger *l, ledger_count what, long long n);
+void ledger_commit(ledger *l);  /* pending entries become part of the account */
+void ledger_discard(ledger *l); /* the step was rejected */
+/* Relative drift of a quantity; `sources_only` leaves nothing out: all four kinds count. */
+double ledger_drift(const ledger *l, ledger_quantity q);
+const char *ledger_quantity_name(ledger_quantity q);
+const char *ledger_count_name(ledger_count c);
+
+#endif

@@ -1,0 +1,83 @@
+/* ICE: cell-centred, multi-material, compressible flow on the cells (numerics 2; Guilkey et al. 2003; Kashiwa).
+ *
+ * ice_step.c spells out the fluid-only step; sim/coupled_step.c interleaves the same stages with those of the points.
+ * All stages work on every block of the domain, write scratch and next arrays only, and return FLOE_RETRY (with the cell,
+ * the material and the values in the message) where a smaller step may help. */
+#ifndef ICE_ICE_H
+#define ICE_ICE_H
+
+#include "coupling/exchange.h"
+#include "grid/ledger.h"
+#include "grid/stage.h"
+#include "scene/scene.h"
+
+enum { ICE_MAX_MATERIALS = SCENE_MAX_MATERIALS };
+
+/* A material as the cells see it. Instance r of the cell fields is material r of this list. */
+typedef struct ice_material {
+    int scene_material;     /* index in scene.material */
+    eos eos;                /* of a solid: its bulk response (eos "bulk") */
+    double shear_viscosity; /* Pa s */
+    double bulk_viscosity;  /* Pa s */
+    bool points;            /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
+} ice_material;
+
+/* What bounds the time step now. */
+typedef struct ice_limit { double dt; const char *reason; } ice_limit;
+
+typedef struct ice {
+    context *ctx;               /* not owned */
+    const scene *scene;         /* not owned */
+    const mesh *mesh;           /* not owned */
+    domain *domain;             /* not owned */
+    stage_list *stages;         /* not owned */
+    ledger *ledger;             /* not owned */
+    ice_material material[ICE_MAX_MATERIALS];
+    int n_materials;
+    bool multi;                 /* more than one material: volume fractions, specific volumes, Newton, exchange */
+    bool viscous;
+    bool pressurise;            /* some load adds energy to a fluid */
+    double gravity[3];          /* m/s2 */
+    exchange_table exchange;    /* K_rs and R_rs */
+    double time, dt;            /* s: of the step under way */
+    struct ice_work *work;      /* owned scratch (tile partials, row buffers) */
+} ice;
+
+/* Resolves the scene's fluids (and, with solids as points, their cell view) into *out; registers nothing. */
+floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l, bool with_points);
+void ice_destroy(ice **s);
+/* Registers the fields that the planned stages use (stages->uses) and allocates scratch. */
+floe_status ice_register(ice *s, domain *d);
+/* Sets cell states from the scene's bodies (exact fractions by geom) and the ambient; fluids are cut out where `taken`
+ * (volume fraction already taken by solids; per block, size of a cell array; NULL: none) leaves less room. */
+floe_status ice_initialise(ice *s, double *const *taken);
+
+/* The stages, in the order of numerics 5.1 (their names are the ones timed and listed). */
+floe_status ice_boundary_ghosts(ice *s);        /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
+floe_status ice_equilibrium_pressure(ice *s);   /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
+floe_status ice_face_velocity(ice *s);          /* 2.2: u*, exchange at faces */
+floe_status ice_pressure_increment(ice *s);     /* 2.3: dP, P, shock sensor; theta at faces */
+floe_status ice_face_pressure(ice *s);          /* 2.4 */
+floe_status ice_sources(ice *s);                /* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy (fluids); C_SOURCE (points) */
+floe_status ice_exchange(ice *s);               /* 2.9: momentum and heat between materials, mixed cells */
+floe_status ice_specific_volume(ice *s);        /* 2.10, 5.5 */
+floe_status ice_advect(ice *s);                 /* 2.11: next state of the fluids */
+
+/* The fluid-only step, a list of the above. */
+floe_status ice_step(ice *s);
+
+/* Largest stable step (2.14) from the current state and the last pressures. */
+floe_status ice_time_step(ice *s, ice_limit *out);
+
+/* Totals of the current state over owned cells of the fluids (not of materials carried by points), in tile order:
+ * mass, momentum, internal and kinetic energy by material. */
+typedef struct ice_totals {
+    double mass[ICE_MAX_MATERIALS], internal[ICE_MAX_MATERIALS], kinetic[ICE_MAX_MATERIALS];
+    double momentum[ICE_MAX_MATERIALS][3], momentum_scale[3]; /* scale: sum of |m u| */
+    double max_volume_defect; /* max |TMV/V - 1| */
+} ice_totals;
+floe_status ice_sum(ice *s, ice_totals *out);
+/* Volume-weighted mean pressure of a fluid over cells whose centre lies in a region (weights theta V). */
+floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure);
+
+#endif

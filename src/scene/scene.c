@@ -1,0 +1,90 @@
+#include "scene/scene.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Storage handed out by scene_allocate, freed with the scene. */
+typedef struct owned {
+    struct owned *next;
+    void *data;
+} owned;
+
+typedef struct scene_box {
+    scene scene; /* first, so that a scene pointer is a box pointer */
+    owned *owned;
+} scene_box;
+
+const char *coupling_name(scene_coupling coupling)
+{
+    static const char *const name[COUPLING_COUNT] = {"mpm", "ice", "ice-mpm"};
+    return name[coupling];
+}
+
+static void set_defaults(scene *s)
+{
+    s->mesh.dim = 2;
+    s->thickness = 1.0;
+    s->coupling = COUPLING_MPM;
+    s->ambient_material = -1;
+    strcpy(s->method.basis, "quadratic");
+    s->method.flip = 0.99;
+    s->method.conserve_energy = true;
+    s->method.exchange = 1e15;
+    s->method.volume_relaxation = 0.1;
+    s->time = (scene_time){.end = NAN,
+                           .cfl_mpm = 0.5,
+                           .cfl_ice = 0.5,
+                           .first_step = NAN,
+                           .max_step = NAN,
+                           .growth = 1.1,
+                           .fixed_step = NAN};
+    s->damping.end = INFINITY;
+    s->rest = (scene_rest){.ratio = 1e-6};
+    s->output = (scene_output){.interval = INFINITY, .history_interval = NAN, .checkpoint_interval = INFINITY};
+    s->verify.body = -1;
+    s->verify.material = -1;
+    s->verify.probe_pressure = NAN;
+}
+
+floe_status scene_create(scene **out, context *ctx)
+{
+    scene_box *box;
+    TRY(memory_new(ctx, &box, 1, sizeof *box));
+    box->scene.ctx = ctx;
+    set_defaults(&box->scene);
+    *out = &box->scene;
+    return FLOE_OK;
+}
+
+void scene_destroy(scene **s)
+{
+    if (!s || !*s) return;
+    scene_box *box = (scene_box *)*s;
+    context *ctx = box->scene.ctx;
+    while (box->owned) {
+        owned *next = box->owned->next;
+        memory_free(ctx, &box->owned->data);
+        memory_free(ctx, &box->owned);
+        box->owned = next;
+    }
+    memory_free(ctx, &box);
+    *s = NULL;
+}
+
+floe_status scene_allocate(scene *s, void *out, size_t size)
+{
+    scene_box *box = (scene_box *)s;
+    owned *entry;
+    TRY(memory_new(s->ctx, &entry, 1, sizeof *entry));
+    const floe_status status = memory_new(s->ctx, &entry->data, 1, size);
+    if (status != FLOE_OK) {
+        memory_free(s->ctx, &entry);
+        return status;
+    }
+    entry->next = box->owned;
+    box->owned = entry;
+    memcpy(out, &entry->data, sizeof entry->data);
+    return FLOE_OK;
+}

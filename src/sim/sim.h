@@ -1,0 +1,59 @@
+/* A simulation: scene -> facts -> plan -> steps. One object owns the mesh, the domain, both solvers and the ledger. */
+#ifndef SIM_SIM_H
+#define SIM_SIM_H
+
+#include "grid/ledger.h"
+#include "grid/stage.h"
+#include "ice/ice.h"
+#include "mpm/mpm.h"
+#include "scene/scene.h"
+
+typedef struct sim {
+    context *ctx;           /* not owned */
+    const scene *scene;     /* not owned */
+    scene_coupling coupling;
+    mesh mesh;
+    domain *domain;         /* owned */
+    stage_list stages;
+    ledger ledger;
+    mpm *mpm;               /* owned; NULL without points */
+    ice *ice;               /* owned; NULL without cells */
+    struct transfer *transfer; /* owned; NULL unless coupled */
+    double time;            /* s */
+    double dt;              /* s: the last accepted step, then the next one's proposal */
+    const char *dt_reason;  /* what limits it */
+    long steps, rejected;
+    double point_updates, cell_updates; /* so far */
+    double rest_since;      /* s: since when the solids have been at rest (scene.rest); INFINITY: they are not */
+    bool at_rest;
+} sim;
+
+/* Makes a simulation ready for its first step. */
+floe_status sim_create(sim **out, context *ctx, const scene *s, scene_coupling coupling);
+void sim_destroy(sim **s);
+
+/* One step that does not pass `until` (s): retried with smaller steps, at most ten times, then FLOE_DIVERGED; the state is then
+ * that of the last good step. */
+floe_status sim_step(sim *s, double until);
+
+/* Plan of a scene without running it: the stages, and the bytes that it would hold. */
+typedef struct sim_plan_info {
+    uint64_t mpm_bytes, ice_bytes, coupling_bytes; /* fields and tile partials */
+    size_t cells, points;
+    double predicted_steps, predicted_dt;
+    const char *dt_reason;
+} sim_plan_info;
+floe_status sim_plan(sim *s, sim_plan_info *out);
+
+/* Energies and momenta now (centred in time). J, kg, N s; times thickness or 2 pi as the design's conventions say. */
+typedef struct sim_totals {
+    double time;
+    double mass, kinetic, strain, internal;
+    double kinetic_solid;
+    double momentum[3];
+    ice_totals ice;
+    mpm_totals mpm;
+} sim_totals;
+floe_status sim_sum(sim *s, sim_totals *out);
+
+#endif
