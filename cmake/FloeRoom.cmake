@@ -145,6 +145,8 @@ function(floe_library)
     install(TARGETS floe_shared LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(DIRECTORY "${CMAKE_SOURCE_DIR}/include/floe" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
+    # The pkg-config file finds its prefix from its own place, so that an installed tree may be moved.
+    file(RELATIVE_PATH FLOE_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
     configure_file("${CMAKE_SOURCE_DIR}/cmake/floe.pc.in" "${CMAKE_BINARY_DIR}/floe.pc" @ONLY)
     install(FILES "${CMAKE_BINARY_DIR}/floe.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()

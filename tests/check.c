@@ -42,3 +42,12 @@ void check_fails_at(context *ctx, floe_status status, floe_status expected, cons
     }
     context_clear(ctx);
 }
+
+double check_random(uint64_t *seed, double lo, double hi)
+{
+    uint64_t z = *seed += UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    z ^= z >> 31;
+    return lo + (hi - lo) * ((double)(z >> 11) * 0x1.0p-53);
+}

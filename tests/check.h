@@ -25,6 +25,9 @@
 /* A condition with both its text and its place. */
 #define check_true(condition) _assert_true((uintmax_t)((condition) ? 1 : 0), #condition, __FILE__, __LINE__)
 
+/* The next of a repeatable sequence of numbers in [lo, hi); the seed is any number, and is advanced (splitmix64). */
+double check_random(uint64_t *seed, double lo, double hi);
+
 /* The functions behind the macros. */
 void check_close_at(double a, double b, double tol, const char *a_text, const char *b_text, const char *file, int line);
 void check_close_relative_at(double a, double b, double tol, const char *a_text, const char *b_text, const char *file,
