@@ -41,10 +41,10 @@ const char *status_text(floe_status status); /* the sentence of FLOE_STATUS_LIST
 int status_exit(floe_status status);         /* the exit status of the command line (design 6) */
 
 /* Returns from the calling function when `expression` is not FLOE_OK. */
-#define TRY(expression)                                                                                                \
-    do {                                                                                                               \
-        const floe_status try_status_ = (expression);                                                                  \
-        if (try_status_ != FLOE_OK) return try_status_;                                                                \
+#define TRY(expression)                                 \
+    do {                                                \
+        const floe_status try_status_ = (expression);   \
+        if (try_status_ != FLOE_OK) return try_status_; \
     } while (0)
 
 #endif

@@ -19,9 +19,9 @@ void memory_free(context *ctx, void *out);
 floe_status memory_string(context *ctx, char **out, const char *text);
 
 typedef struct memory_account {
-    uint64_t allocations;   /* made so far */
-    uint64_t live_bytes;    /* now */
-    uint64_t peak_bytes;    /* most so far */
+    uint64_t allocations; /* made so far */
+    uint64_t live_bytes;  /* now */
+    uint64_t peak_bytes;  /* most so far */
 } memory_account;
 
 memory_account memory_read_account(const context *ctx);

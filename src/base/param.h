@@ -7,21 +7,21 @@
 #include <stddef.h>
 
 typedef enum param_range {
-    PARAM_ANY,          /* any finite number */
-    PARAM_POSITIVE,     /* > 0 */
-    PARAM_NONNEGATIVE,  /* >= 0 */
-    PARAM_BETWEEN       /* lo <= x <= hi */
+    PARAM_ANY,         /* any finite number */
+    PARAM_POSITIVE,    /* > 0 */
+    PARAM_NONNEGATIVE, /* >= 0 */
+    PARAM_BETWEEN      /* lo <= x <= hi */
 } param_range;
 
 typedef struct param_spec {
-    const char *key;    /* name in the deck */
-    const char *unit;   /* SI unit in udunits2 spelling, "1" if none */
+    const char *key;  /* name in the deck */
+    const char *unit; /* SI unit in udunits2 spelling, "1" if none */
     param_range range;
-    double lo, hi;      /* used by PARAM_BETWEEN */
-    double fallback;    /* default; NAN: required */
-    size_t offset;      /* of the first double in the parameter struct */
-    int count;          /* 1: a number; n > 1: a list of exactly n numbers; -3: a vector of the scene's dimension in double[3] */
-    const char *doc;    /* one line */
+    double lo, hi;   /* used by PARAM_BETWEEN */
+    double fallback; /* default; NAN: required */
+    size_t offset;   /* of the first double in the parameter struct */
+    int count; /* 1: a number; n > 1: a list of exactly n numbers; -3: a vector of the scene's dimension in double[3] */
+    const char *doc; /* one line */
 } param_spec;
 
 /* true when x is finite and inside the range of the spec. */

@@ -304,30 +304,35 @@ static inline void symmetric_from_eigen(const double values[3], const double vec
 
 /* ---- exponential and polar decomposition ---- */
 
-/* The largest absolute row sum. */
+/* The largest absolute row sum; NaN if a component is. */
 static inline double tensor_row_norm(const double a[9])
 {
     double norm = 0.0;
     for (int i = 0; i < 3; i++) {
         const double sum = fabs(a[3 * i]) + fabs(a[3 * i + 1]) + fabs(a[3 * i + 2]);
-        if (!(sum <= norm)) norm = sum; /* keeps NaN */
+        if (!(sum <= norm) && !isnan(norm)) norm = sum;
     }
     return norm;
 }
 
 /* e = exp(a) - I for a row norm up to 1, to round-off of its own size: a small motion keeps all its digits.
- * The Taylor series to degree 18 (1/19! is below round-off), every power reduced to a^2, a and I by Cayley-Hamilton,
+ * The Taylor series, to the degree at which the next term is below round-off (1/19! for norm 1), every power reduced to a^2, a and I by Cayley-Hamilton,
  * a^3 = I1 a^2 - I2 a + I3, so that a term costs a few scalar operations and no product. Beyond norm 1 that reduction
  * would cancel (Moler and Van Loan, SIAM Review 45, 2003, method 8). */
 static inline void tensor_exp_minus_identity(const double a[9], double e[9])
 {
-    enum { DEGREE = 18 };
+    static const double inverse[19] = {0,        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,
+                                       1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13,
+                                       1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18};
+    const double norm = tensor_row_norm(a);
+    const int degree = norm <= 1e-2 ? 7 : norm <= 1e-1 ? 10 : 18;
     const double i1 = tensor_trace(a), i2 = tensor_second_invariant(a), i3 = tensor_det(a);
     /* a^k / k! = c2 a^2 + c1 a + c0 I; sums of each over k. The terms a and a^2/2 are added last. */
     double c2 = 0.5, c1 = 0.0, c0 = 0.0;
     double sum2 = 0.0, sum1 = 0.0, sum0 = 0.0;
-    for (int k = 3; k <= DEGREE; k++) {
-        const double next2 = (i1 * c2 + c1) / k, next1 = (c0 - i2 * c2) / k, next0 = i3 * c2 / k;
+    for (int k = 3; k <= degree; k++) {
+        const double next2 = (i1 * c2 + c1) * inverse[k], next1 = (c0 - i2 * c2) * inverse[k];
+        const double next0 = i3 * c2 * inverse[k];
         c2 = next2, c1 = next1, c0 = next0;
         sum2 += c2, sum1 += c1, sum0 += c0;
     }
@@ -348,7 +353,8 @@ static inline void tensor_exp(const double a[9], double e[9])
         return;
     }
     if (norm > 1.0) (void)frexp(norm, &squarings);
-    for (int k = 0; k < 9; k++) x[k] = ldexp(a[k], -squarings);
+    const double scale = norm > 1.0 ? ldexp(1.0, -squarings) : 1.0;
+    for (int k = 0; k < 9; k++) x[k] = scale * a[k];
     tensor_exp_minus_identity(x, e);
     /* (I + e)^2 = I + (2 e + e^2): I is added once, at the end, and e keeps the digits of what differs from it. */
     for (int n = 0; n < squarings; n++) {

@@ -69,8 +69,8 @@ static void writes_no_further_than_size(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(accepts_its_range),         cmocka_unit_test(refuses_what_is_not_finite),
-        cmocka_unit_test(refuses_unknown_range),     cmocka_unit_test(describes_its_range),
+        cmocka_unit_test(accepts_its_range),           cmocka_unit_test(refuses_what_is_not_finite),
+        cmocka_unit_test(refuses_unknown_range),       cmocka_unit_test(describes_its_range),
         cmocka_unit_test(writes_no_further_than_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -108,8 +108,8 @@ static void refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(solves_symmetric),       cmocka_unit_test(symmetric_reads_lower_triangle_only),
-        cmocka_unit_test(solves_general),         cmocka_unit_test(general_exchanges_rows),
+        cmocka_unit_test(solves_symmetric), cmocka_unit_test(symmetric_reads_lower_triangle_only),
+        cmocka_unit_test(solves_general),   cmocka_unit_test(general_exchanges_rows),
         cmocka_unit_test(refuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
