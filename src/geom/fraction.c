@@ -1,0 +1,219 @@
+/* The part of a box inside a shape. The box is halved along every axis where the surface may pass, `depth` times. The
+ * smallest boxes are cut into simplices (2 triangles, 6 tetrahedra), and each simplex by the linear function through the
+ * levels at its corners, exactly. */
+#include "geom/shape.h"
+
+#include <math.h>
+
+/* Integrals over the inside: of 1 and of x, or of r and of r x when weighted by the radius. */
+typedef struct moments {
+    double volume, first[3];
+} moments;
+
+typedef struct cutter {
+    const shape *s;
+    int dim;
+    bool weight_by_radius;
+    moments sum;
+} cutter;
+
+typedef struct vertex {
+    double x[3], level;
+} vertex;
+
+static void add_moments(cutter *c, double sign, const moments *m)
+{
+    c->sum.volume += sign * m->volume;
+    for (int k = 0; k < c->dim; k++) c->sum.first[k] += sign * m->first[k];
+}
+
+/* r over [lo, hi] has the mean r_c = (lo + hi)/2; r^2 the mean r_c^2 + (hi - lo)^2/12. */
+static moments box_moments(const cutter *c, const double lo[3], const double hi[3])
+{
+    moments m = {.volume = 1.0};
+    for (int k = 0; k < c->dim; k++) m.volume *= hi[k] - lo[k];
+    const double r = 0.5 * (lo[0] + hi[0]), width = hi[0] - lo[0];
+    if (c->weight_by_radius) m.volume *= r;
+    for (int k = 0; k < c->dim; k++) m.first[k] = m.volume * 0.5 * (lo[k] + hi[k]);
+    if (c->weight_by_radius) m.first[0] += m.volume / r * width * width / 12.0;
+    return m;
+}
+
+/* |det of the edges from corner 0| / dim!. */
+static double simplex_volume(int dim, const vertex *v)
+{
+    double e[3][3] = {{0.0}};
+    for (int a = 0; a < dim; a++) {
+        for (int k = 0; k < dim; k++) e[a][k] = v[a + 1].x[k] - v[0].x[k];
+    }
+    if (dim == 1) return fabs(e[0][0]);
+    if (dim == 2) return 0.5 * fabs(e[0][0] * e[1][1] - e[0][1] * e[1][0]);
+    return fabs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
+           6.0;
+}
+
+/* Over a simplex of d + 1 corners: the mean of x is that of the corners, and the mean of r x is
+ * [sum r x + (sum r)(sum x)] / [(d + 1)(d + 2)]. */
+static void add_simplex(cutter *c, double sign, const vertex *v)
+{
+    const int corners = c->dim + 1;
+    double sum[3] = {0.0}, product[3] = {0.0};
+    for (int a = 0; a < corners; a++) {
+        for (int k = 0; k < c->dim; k++) {
+            sum[k] += v[a].x[k];
+            product[k] += v[a].x[0] * v[a].x[k];
+        }
+    }
+    moments m = {.volume = simplex_volume(c->dim, v)};
+    if (c->weight_by_radius) {
+        for (int k = 0; k < c->dim; k++)
+            m.first[k] = m.volume * (product[k] + sum[0] * sum[k]) / (corners * (corners + 1.0));
+        m.volume *= sum[0] / corners;
+    } else {
+        for (int k = 0; k < c->dim; k++) m.first[k] = m.volume * sum[k] / corners;
+    }
+    add_moments(c, sign, &m);
+}
+
+/* Where the linear function is zero between `in` (level < 0) and `out` (level >= 0). */
+static vertex crossing(const cutter *c, const vertex *in, const vertex *out)
+{
+    const double t = in->level / (in->level - out->level);
+    vertex v = {.level = 0.0};
+    for (int k = 0; k < c->dim; k++) v.x[k] = in->x[k] + t * (out->x[k] - in->x[k]);
+    return v;
+}
+
+/* The corner simplex cut off at `apex`, whose side of the surface no other corner shares. */
+static void add_corner(cutter *c, double sign, const vertex *v, int apex)
+{
+    const bool apex_inside = v[apex].level < 0.0;
+    vertex cut[4];
+    for (int a = 0; a <= c->dim; a++) {
+        if (a == apex)
+            cut[a] = v[a];
+        else
+            cut[a] = apex_inside ? crossing(c, &v[apex], &v[a]) : crossing(c, &v[a], &v[apex]);
+    }
+    add_simplex(c, sign, cut);
+}
+
+/* A tetrahedron with corners i, j inside and k, l outside leaves a prism of triangles (i, ik, il) and (j, jk, jl). */
+static void add_prism(cutter *c, const vertex *i, const vertex *j, const vertex *k, const vertex *l)
+{
+    const vertex a[3] = {*i, crossing(c, i, k), crossing(c, i, l)};
+    const vertex b[3] = {*j, crossing(c, j, k), crossing(c, j, l)};
+    add_simplex(c, 1.0, (const vertex[4]){a[0], a[1], a[2], b[2]});
+    add_simplex(c, 1.0, (const vertex[4]){a[0], a[1], b[1], b[2]});
+    add_simplex(c, 1.0, (const vertex[4]){a[0], b[0], b[1], b[2]});
+}
+
+static void cut_simplex(cutter *c, const vertex *v)
+{
+    int in[4], out[4], n_in = 0, n_out = 0;
+    for (int a = 0; a <= c->dim; a++) {
+        if (v[a].level < 0.0)
+            in[n_in++] = a;
+        else
+            out[n_out++] = a;
+    }
+    if (n_in == 0) return;
+    if (n_out == 0) {
+        add_simplex(c, 1.0, v);
+    } else if (n_in == 1) {
+        add_corner(c, 1.0, v, in[0]);
+    } else if (n_out == 1) {
+        add_simplex(c, 1.0, v);
+        add_corner(c, -1.0, v, out[0]);
+    } else {
+        add_prism(c, &v[in[0]], &v[in[1]], &v[out[0]], &v[out[1]]);
+    }
+}
+
+/* Corner j of a box: bit k of j says which end along axis k. */
+static void box_corner(int dim, const double lo[3], const double hi[3], int j, double x[3])
+{
+    for (int k = 0; k < dim; k++) x[k] = (j >> k) & 1 ? hi[k] : lo[k];
+}
+
+/* The linear function through the corners of a chord lies on one side of a curved surface. Two thirds of the gap at the
+ * centre is its mean over the box for any quadratic level: taken off, the errors of neighbouring boxes cancel instead of
+ * adding up, and flat surfaces are still exact. A gap that is not small against the box is an edge or a corner of the
+ * shape, no curvature: it is left alone. */
+static double curvature_shift(const double *level, int corners, double centre, double size)
+{
+    double mean = 0.0;
+    for (int j = 0; j < corners; j++) mean += level[j];
+    const double gap = mean / corners - centre;
+    return fabs(gap) < 0.05 * size ? 2.0 / 3.0 * gap : 0.0;
+}
+
+/* Kuhn's division of a box: one simplex for each order of the axes, along the path of corners that adds axis by axis. */
+static void cut_box(cutter *c, const double lo[3], const double hi[3], double centre)
+{
+    static const int orders[6][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static const int n_orders[4] = {0, 1, 2, 6};
+    const int dim = c->dim, corners = 1 << dim;
+    vertex v[8];
+    double level[8];
+    for (int j = 0; j < corners; j++) {
+        box_corner(dim, lo, hi, j, v[j].x);
+        level[j] = c->s->model->level(c->s->par, dim, v[j].x);
+    }
+    const double shift = curvature_shift(level, corners, centre, hi[0] - lo[0]);
+    for (int j = 0; j < corners; j++) v[j].level = level[j] - shift;
+
+    for (int o = 0; o < n_orders[dim]; o++) {
+        vertex simplex[4];
+        int corner = 0;
+        simplex[0] = v[0];
+        for (int k = 0; k < dim; k++) {
+            corner |= 1 << orders[o][k];
+            simplex[k + 1] = v[corner];
+        }
+        cut_simplex(c, simplex);
+    }
+}
+
+/* |level| is at most the distance from the surface: a box whose half diagonal is shorter than it is all in or all out. */
+static void subdivide(cutter *c, const double lo[3], const double hi[3], int depth)
+{
+    double centre[3], diagonal2 = 0.0;
+    for (int k = 0; k < c->dim; k++) {
+        centre[k] = 0.5 * (lo[k] + hi[k]);
+        diagonal2 += (hi[k] - lo[k]) * (hi[k] - lo[k]);
+    }
+    const double level = c->s->model->level(c->s->par, c->dim, centre);
+    if (4.0 * level * level >= diagonal2) {
+        if (level > 0.0) return;
+        const moments all = box_moments(c, lo, hi);
+        add_moments(c, 1.0, &all);
+        return;
+    }
+    if (depth == 0) {
+        cut_box(c, lo, hi, level);
+        return;
+    }
+    for (int j = 0; j < 1 << c->dim; j++) {
+        double child_lo[3], child_hi[3];
+        for (int k = 0; k < c->dim; k++) {
+            child_lo[k] = (j >> k) & 1 ? centre[k] : lo[k];
+            child_hi[k] = (j >> k) & 1 ? hi[k] : centre[k];
+        }
+        subdivide(c, child_lo, child_hi, depth - 1);
+    }
+}
+
+double shape_fraction(const shape *s, int dim, const double lo[3], const double hi[3], bool weight_by_radius, int depth,
+                      double centroid[3])
+{
+    cutter c = {.s = s, .dim = dim, .weight_by_radius = weight_by_radius};
+    subdivide(&c, lo, hi, depth);
+    const moments all = box_moments(&c, lo, hi);
+    for (int k = 0; k < dim; k++) {
+        const double x = c.sum.volume > 0.0 ? c.sum.first[k] / c.sum.volume : 0.5 * (lo[k] + hi[k]);
+        centroid[k] = fmin(fmax(x, lo[k]), hi[k]); /* round-off of a sliver must not leave the box */
+    }
+    return fmax(c.sum.volume / all.volume, 0.0);
+}
