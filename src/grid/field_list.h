@@ -5,8 +5,8 @@
  *
  * centring    POINT, NODE, CELL, FACE
  * components  how many arrays, by the scene's dimension d:
- *               SCALAR 1; VECTOR d; STRESS 1 (d=1), 4 (xx yy zz xy), 6 (d=3); GRADIENT d*d (row-major, du_i/dx_j),
- *               DEFORM the deformation gradient: d*d, and F_zz (hoop or thickness) after it in 2-D; NORMAL 1 per axis of faces
+ *               SCALAR 1; VECTOR d; STRESS 3 (d=1: xx yy zz), 4 (d=2: xx yy zz xy), 6 (d=3); GRADIENT d*d (row-major, du_i/dx_j),
+ *               DEFORM the deformation gradient: 3 (d=1: xx yy zz), 5 (d=2: xx xy yx yy zz), 9 (d=3); NORMAL 1 per axis of faces
  * class       STATE double-buffered, checkpointed; FIXED set when points are seeded, moves only with their order,
  *             checkpointed; SCRATCH rebuilt every step; DIAGNOSTIC written for output only
  * Per-body (points), per-group (nodes) and per-material (cells) fields have one instance each: field_get(b, id, instance, comp). */
@@ -45,10 +45,10 @@
     X(C_THETA, "volume_fraction", CELL, SCALAR, "1", SCRATCH, "theta^r = m^r v^r / TMV")                               \
     X(C_SOUND, "sound_speed", CELL, SCALAR, "m/s", SCRATCH, "c^r")                                                     \
     X(C_KAPPA, "compressibility", CELL, SCALAR, "1/Pa", SCRATCH, "kappa^r = v^r / c^r^2")                              \
-    X(C_MASS_L, "mass_lagrangian", CELL, SCALAR, "kg", SCRATCH, "m^r")                                                 \
-    X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH, "(m u)^r,L")                               \
-    X(C_ENERGY_L, "energy_lagrangian", CELL, SCALAR, "J", SCRATCH, "(m e)^r,L")                                        \
-    X(C_VOLUME_L, "volume_lagrangian", CELL, SCALAR, "m3", SCRATCH, "(m v)^r,L")                                       \
+    X(C_VEL_L, "velocity_lagrangian", CELL, VECTOR, "m/s", SCRATCH, "u^r,L of fluids")                                 \
+    X(C_ENERGY_L, "energy_lagrangian", CELL, SCALAR, "J/kg", SCRATCH, "e^r,L of fluids")                               \
+    X(C_VOLUME_L, "specific_volume_lagrangian", CELL, SCALAR, "m3/kg", SCRATCH, "v^r,L of fluids")                     \
+    X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH, "(m u)^r,L of materials carried by points") \
     X(C_SOURCE, "momentum_source", CELL, VECTOR, "kg m/s", SCRATCH, "pressure-gradient impulse of step 8")             \
     X(C_VELOCITY_CHANGE, "velocity_change", CELL, VECTOR, "m/s", SCRATCH, "dv_c handed back to the nodes")             \
     /* cells, shared by all materials (instance 0) */                                                                 \
@@ -58,12 +58,14 @@
     X(C_TMV_RATIO, "material_volume_ratio", CELL, SCALAR, "1", SCRATCH, "TMV / V")                                     \
     X(C_RHO_SUM, "density_sum", CELL, SCALAR, "kg/m3", SCRATCH, "sum of rho^r")                                        \
     X(C_KAPPA_SUM, "compressibility_sum", CELL, SCALAR, "1/Pa", SCRATCH, "S = sum theta^r kappa^r")                    \
-    X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "phi of numerics 2.5: 1/2 smooth, 1 at a shock")            \
-    X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH, "1 where more than one material is present")                       \
+    X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "s: 0 smooth, 1 at a shock; phi = (1 + s) / 2")             \
+    X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")                 \
+    X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")      \
+    X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH, "number of materials present, plus 64 where one is carried by points") \
     /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                           \
     X(F_VEL, "face_velocity", FACE, VECTOR, "m/s", SCRATCH, "u*^r: normal component on the lower face of each axis")   \
     X(F_THETA, "face_volume_fraction", FACE, VECTOR, "1", SCRATCH, "theta^r,f averaged over the donor slab")           \
     X(F_PRESSURE, "face_pressure", FACE, VECTOR, "Pa", SCRATCH, "P*")                                                  \
-    X(F_FLUX, "face_flux", FACE, VECTOR, "-", SCRATCH, "flux of the quantity in hand")
+    X(F_FLUX, "volume_flux", FACE, VECTOR, "m/s", SCRATCH, "sum of theta^r,f u*^r: volume per area and time")
 
 #endif
