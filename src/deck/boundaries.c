@@ -1,0 +1,188 @@
+/* boundaries: {x: {lower: symmetry, upper: {outlet: {...}}}, y: periodic}, or one kind for every side. */
+#include "deck/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const key_spec inlet_keys[] = {
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .required = true, .doc = "of what enters"},
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, of what enters"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .required = true,
+     .doc = "of what enters"},
+    {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
+     .doc = "what enters"},
+};
+static const key_table inlet_table = TABLE(inlet_keys);
+
+static const key_spec outlet_keys[] = {
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, at the faces"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature),
+     .otherwise = "the temperature inside", .doc = "of the reservoir behind, should flow turn back"},
+};
+static const key_table outlet_table = TABLE(outlet_keys);
+
+static const key_spec no_slip_keys[] = {
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .otherwise = "0", .doc = "of the wall, along itself"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .otherwise = "an insulated wall",
+     .doc = "of the wall"},
+};
+static const key_table no_slip_table = TABLE(no_slip_keys);
+
+static const key_spec velocity_keys[] = {
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .required = true, .doc = "imposed"},
+};
+static const key_table velocity_table = TABLE(velocity_keys);
+
+static const variant side_list[] = {
+    {"symmetry", BC_SYMMETRY, NULL, "a mirror; the same as slip"},
+    {"slip", BC_SLIP, NULL, "an impermeable wall without friction"},
+    {"no_slip", BC_NO_SLIP, &no_slip_table, "an impermeable wall that carries the fluid along"},
+    {"periodic", BC_PERIODIC, NULL, "what leaves here enters at the opposite side"},
+    {"inlet", BC_INLET, &inlet_table, "a fluid enters"},
+    {"outlet", BC_OUTLET, &outlet_table, "a fluid leaves against a given pressure"},
+    {"velocity", BC_VELOCITY, &velocity_table, "points move as imposed; a moving wall for fluids"},
+    {"free", BC_FREE, NULL, "nothing is imposed"},
+};
+
+static void choose_side(void *field, int value)
+{
+    bc_side *side = field;
+    *side = (bc_side){.kind = (bc_kind)value, .temperature = NAN, .material = -1};
+}
+
+static int chosen_side(const void *field)
+{
+    return (int)((const bc_side *)field)->kind;
+}
+
+const variants boundary_kinds = {"boundary condition", side_list, sizeof side_list / sizeof side_list[0], choose_side,
+                                 chosen_side};
+
+const char *axis_name(const mesh_spec *spec, int axis)
+{
+    static const char *const cartesian[] = {"x", "y", "z"}, *const axisymmetric[] = {"r", "z"};
+    if (spec->geometry == MESH_AXISYMMETRIC) return axis < 2 ? axisymmetric[axis] : NULL;
+    return axis < 3 ? cartesian[axis] : NULL;
+}
+
+static const char *axis_candidate(const void *user, size_t i)
+{
+    const mesh_spec *spec = user;
+    return i < (size_t)spec->dim ? axis_name(spec, (int)i) : NULL;
+}
+
+static const char *side_candidate(const void *user, size_t i)
+{
+    (void)user;
+    static const char *const name[] = {"lower", "upper", NULL};
+    return i < 2 ? name[i] : NULL;
+}
+
+/* true for a kind by itself, or {kind: {keys}}. */
+static bool is_kind(const deck_node *node)
+{
+    if (node->kind == NODE_SCALAR) return true;
+    if (node->kind != NODE_MAP || node->n != 1) return false;
+    for (size_t i = 0; i < boundary_kinds.n; i++) {
+        if (strcmp(boundary_kinds.list[i].name, node->first->key) == 0) return true;
+    }
+    return false;
+}
+
+static floe_status read_axis(reader *r, deck_node *node, bc_side side[2])
+{
+    if (is_kind(node)) {
+        TRY(read_variant(r, &boundary_kinds, node, &side[0]));
+        side[1] = side[0];
+        return FLOE_OK;
+    }
+    if (node->kind != NODE_MAP) {
+        return bad(r, node, "a kind, or {lower: ..., upper: ...}", "boundary '%.60s' is a list", node->key);
+    }
+    for (deck_node *child = node->first; child; child = child->next) {
+        const bool lower = strcmp(child->key, "lower") == 0;
+        if (node_find(node, child->key) != child) {
+            TRY(bad_key(r, child, NULL, NULL, "duplicate key '%.80s' (first at line %d, column %d)", child->key,
+                        node_find(node, child->key)->key_at.line, node_find(node, child->key)->key_at.column));
+        } else if (!lower && strcmp(child->key, "upper") != 0) {
+            TRY(bad_name(r, child, true, "side", side_candidate, NULL));
+        } else {
+            TRY(read_variant(r, &boundary_kinds, child, &side[lower ? SIDE_LOWER : SIDE_UPPER]));
+        }
+    }
+    return FLOE_OK;
+}
+
+static void set_free(scene *s)
+{
+    for (int axis = 0; axis < MESH_MAX_DIM; axis++) {
+        for (int side = 0; side < 2; side++) choose_side(&s->bc.side[axis][side], BC_FREE);
+    }
+    const bool at_axis = s->mesh.geometry == MESH_AXISYMMETRIC && s->mesh.lower[0] == 0.0;
+    if (at_axis) choose_side(&s->bc.side[0][SIDE_LOWER], BC_SYMMETRY);
+}
+
+static int find_axis(const mesh_spec *spec, const char *name)
+{
+    for (int axis = 0; axis < spec->dim; axis++) {
+        const char *own = axis_name(spec, axis);
+        if (own && strcmp(own, name) == 0) return axis;
+    }
+    return -1;
+}
+
+static floe_status read_boundaries(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    (void)key;
+    scene *s = base;
+    set_free(s);
+    if (!node) return FLOE_OK;
+    if (is_kind(node)) {
+        bc_side side[2];
+        choose_side(&side[0], BC_FREE);
+        TRY(read_axis(r, node, side));
+        for (int axis = 0; axis < s->mesh.dim; axis++) s->bc.side[axis][0] = s->bc.side[axis][1] = side[0];
+        return FLOE_OK;
+    }
+    if (node->kind != NODE_MAP) return bad(r, node, custom_boundaries.form, "'boundaries' is a list");
+    for (deck_node *child = node->first; child; child = child->next) {
+        const int axis = find_axis(&s->mesh, child->key);
+        const deck_node *first = node_find(node, child->key);
+        if (first != child) {
+            TRY(bad_key(r, child, NULL, NULL, "duplicate key '%.80s' (first at line %d, column %d)", child->key,
+                        first->key_at.line, first->key_at.column));
+        } else if (axis < 0) {
+            TRY(bad_name(r, child, true, "axis", axis_candidate, &s->mesh));
+        } else {
+            TRY(read_axis(r, child, s->bc.side[axis]));
+        }
+    }
+    return FLOE_OK;
+}
+
+static void write_boundaries(writer *w, const key_spec *key, const void *base)
+{
+    const scene *s = base;
+    write_key_name(w, key->key);
+    text_print(&w->out, "\n");
+    w->indent++;
+    for (int axis = 0; axis < s->mesh.dim; axis++) {
+        write_key_name(w, axis_name(&s->mesh, axis));
+        text_print(&w->out, "\n");
+        w->indent++;
+        for (int side = 0; side < 2; side++) {
+            write_key_name(w, side == SIDE_LOWER ? "lower" : "upper");
+            write_variant(w, &boundary_kinds, &s->bc.side[axis][side]);
+        }
+        w->indent--;
+    }
+    w->indent--;
+}
+
+const custom_key custom_boundaries = {
+    .read = read_boundaries,
+    .write = write_boundaries,
+    .form = "{x: {lower: kind, upper: kind}, y: kind, ...} (r, z when axisymmetric), or one kind for every side",
+    .json = NULL,
+};

@@ -1,0 +1,28 @@
+/* Checks of what no single key shows. A check whose keys are already wrong keeps silent. Private to src/deck. */
+#ifndef DECK_CHECK_H
+#define DECK_CHECK_H
+
+#include "deck/schema.h"
+
+/* The node at a path of keys ("time", "end"), ending with NULL; NULL when the deck does not have it. */
+deck_node *node_path(deck_node *root, const char *const *key);
+/* The same, or its nearest ancestor that exists: where to point when the key is absent. */
+deck_node *nearest_path(deck_node *root, const char *const *key);
+#define PATH(...) ((const char *const[]){__VA_ARGS__, NULL})
+/* The node exists and no error was found in it. */
+bool is_clean(deck_node *root, const char *const *key);
+/* An error at a path: at the value if the key is there, else at the key of its nearest ancestor. */
+floe_status bad_at(reader *r, const char *const *path, const char *expected, const char *hint, const char *format, ...)
+    FLOE_PRINTF(5, 6);
+
+/* Does a coupling belong to runs_as? */
+bool scene_runs_as(const scene *s, scene_coupling coupling);
+bool scene_has_solids(const scene *s);
+
+/* check.c, check_bodies.c, check_verify.c */
+floe_status check_scene(reader *r);
+floe_status check_bodies(reader *r);
+floe_status check_loads(reader *r);
+floe_status check_verify(reader *r);
+
+#endif

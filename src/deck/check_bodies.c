@@ -1,0 +1,93 @@
+/* Bodies and loads against the rest of the scene. */
+#include "deck/check.h"
+
+#include <math.h>
+
+/* false when the inside of the shape lies wholly outside the domain. */
+static bool meets_domain(const scene *s, const shape *part)
+{
+    double lo[3] = {0}, hi[3] = {0};
+    if (!part->model || !part->model->bounds || !part->model->bounds(part->par, s->mesh.dim, lo, hi)) return true;
+    for (int axis = 0; axis < s->mesh.dim; axis++) {
+        if (!(hi[axis] > s->mesh.lower[axis] && lo[axis] < s->mesh.upper[axis])) return false;
+    }
+    return true;
+}
+
+static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_material *m)
+{
+    if (isnan(b->pressure) || !m->eos.model || b->pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
+    return bad_at(r, PATH("bodies", b->name, "pressure"), NULL, NULL,
+                  "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, b->pressure,
+                  m->eos.model->pressure_floor(m->eos.par));
+}
+
+/* What the cells of a coupled run need to know of a solid. */
+static floe_status check_solid_body(reader *r, const scene_body *b, const scene_material *m)
+{
+    if (!scene_runs_as(r->scene, COUPLING_ICE_MPM) || !is_clean(r->root, PATH("materials", m->name))) return FLOE_OK;
+    (void)b;
+    if (isnan(m->specific_heat)) {
+        return bad_at(r, PATH("materials", m->name, "specific_heat"), "specific_heat: a number > 0 in J/kg/K", NULL,
+                      "'ice-mpm' needs the specific heat of solid '%s'", m->name);
+    }
+    if (isnan(m->tension_switch) || m->tension_switch > 0.0 || !is_clean(r->root, PATH("ambient"))) return FLOE_OK;
+    return bad_at(r, PATH("materials", m->name, "tension_switch"), "tension_switch: a number > 0 in Pa", NULL,
+                  "solid '%s' needs a tension_switch, for the ambient pressure is not above zero", m->name);
+}
+
+static floe_status check_body(reader *r, const scene_body *b)
+{
+    const scene *s = r->scene;
+    if (!is_clean(r->root, PATH("bodies", b->name)) || b->material < 0) return FLOE_OK;
+    const scene_material *m = &s->material[b->material];
+    if (is_clean(r->root, PATH("domain")) && !meets_domain(s, &b->shape)) {
+        TRY(bad_at(r, PATH("bodies", b->name, "shape"), "a shape that meets the domain", NULL,
+                   "body '%s' lies outside the domain", b->name));
+    }
+    if (b->initial_from_exact && !node_path(r->root, PATH("verify", "exact"))) {
+        TRY(bad_at(r, PATH("bodies", b->name, "state"), "verify: {exact: {...}}", NULL,
+                   "body '%s' starts from the exact solution, and 'verify' names none", b->name));
+    }
+    return m->kind == MATERIAL_FLUID ? check_fluid_body(r, b, m) : check_solid_body(r, b, m);
+}
+
+floe_status check_bodies(reader *r)
+{
+    for (int i = 0; i < r->scene->n_bodies; i++) TRY(check_body(r, &r->scene->body[i]));
+    return FLOE_OK;
+}
+
+static const char *const load_names[] = {"pressurise", "heat", "traction", "body_force"};
+
+static floe_status check_load(reader *r, const scene_load *load)
+{
+    const scene *s = r->scene;
+    const char *kind = load_names[load->kind];
+    if (!is_clean(r->root, PATH("loads", load->name))) return FLOE_OK;
+    if (load->material >= 0 && s->material[load->material].kind == MATERIAL_SOLID) {
+        TRY(bad_at(r, PATH("loads", load->name, kind, "material"), "the name of a fluid", NULL, "'%s' is a solid",
+                   s->material[load->material].name));
+    }
+    const int body_material = load->body >= 0 ? s->body[load->body].material : -1;
+    if (load->kind == LOAD_TRACTION && body_material >= 0 && s->material[body_material].kind == MATERIAL_FLUID) {
+        TRY(bad_at(r, PATH("loads", load->name, kind, "body"), "the name of a solid body", NULL,
+                   "'%s' is a fluid: a traction acts on solids", s->body[load->body].name));
+    }
+    if (load->ramp > 0.0 && load->ramp_steps > 0) {
+        TRY(bad_at(r, PATH("loads", load->name, kind, "ramp_steps"), "one of ramp and ramp_steps", NULL,
+                   "the ramp is given as a time and as a number of steps"));
+    }
+    if (is_clean(r->root, PATH("domain")) && !meets_domain(s, &load->region)) {
+        const char *region = load->kind == LOAD_TRACTION ? "surface" : "region";
+        TRY(bad_at(r, PATH("loads", load->name, kind, region), "a shape that meets the domain", NULL,
+                   "load '%s' acts outside the domain", load->name));
+    }
+    return FLOE_OK;
+}
+
+floe_status check_loads(reader *r)
+{
+    for (int i = 0; i < r->scene->n_loads; i++) TRY(check_load(r, &r->scene->load[i]));
+    return FLOE_OK;
+}

@@ -1,0 +1,306 @@
+/* Keys whose form is their own. */
+#include "deck/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const choice coupling_choices[] = {
+    {"mpm", COUPLING_MPM, "fluids are material points, as solids are"},
+    {"ice", COUPLING_ICE, "fluids live in cells; no solids"},
+    {"ice-mpm", COUPLING_ICE_MPM, "fluids live in cells, solids are material points"},
+    {0},
+};
+
+static const char *choice_candidate(const void *user, size_t i)
+{
+    return ((const choice *)user)[i].name;
+}
+
+static const choice *find_choice(const choice *choices, const char *name)
+{
+    for (; choices->name; choices++) {
+        if (strcmp(choices->name, name) == 0) return choices;
+    }
+    return NULL;
+}
+
+/* ---- floe: 1 ---- */
+
+static floe_status read_version(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    (void)base;
+    if (!node) return FLOE_OK;
+    if (node->kind == NODE_SCALAR && strcmp(node->text, "1") == 0) return FLOE_OK;
+    char found[80];
+    node_describe(node, found, sizeof found);
+    return bad(r, node, custom_version.form, "'%s' is %s: this floe reads version 1 of the deck format", key->key, found);
+}
+
+static void write_version(writer *w, const key_spec *key, const void *base)
+{
+    (void)base;
+    write_key_name(w, key->key);
+    text_print(&w->out, " 1\n");
+}
+
+const custom_key custom_version = {read_version, write_version, "1", "{\"const\": 1}"};
+
+/* ---- runs_as: [mpm, ice-mpm] ---- */
+
+static floe_status read_runs_as(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene *s = base;
+    s->n_runs_as = 1;
+    s->runs_as[0] = s->coupling;
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_LIST || node->n == 0) {
+        char found[80];
+        node_describe(node, found, sizeof found);
+        return bad(r, node, custom_runs_as.form, "'%s' is %s", key->key, found);
+    }
+    s->n_runs_as = 0;
+    for (deck_node *item = node->first; item; item = item->next) {
+        const choice *c = item->kind == NODE_SCALAR ? find_choice(coupling_choices, item->text) : NULL;
+        bool twice = false;
+        for (int i = 0; c && i < s->n_runs_as; i++) twice = twice || (int)s->runs_as[i] == c->value;
+        if (!c) {
+            TRY(bad_name(r, item, false, "coupling", choice_candidate, coupling_choices));
+        } else if (twice) {
+            TRY(bad(r, item, NULL, "coupling '%s' is listed twice", c->name));
+        } else {
+            s->runs_as[s->n_runs_as++] = (scene_coupling)c->value;
+        }
+    }
+    return FLOE_OK;
+}
+
+static void write_runs_as(writer *w, const key_spec *key, const void *base)
+{
+    const scene *s = base;
+    write_key_name(w, key->key);
+    for (int i = 0; i < s->n_runs_as; i++) {
+        text_print(&w->out, "%s%s", i == 0 ? " [" : ", ", coupling_name(s->runs_as[i]));
+    }
+    text_print(&w->out, "]\n");
+}
+
+const custom_key custom_runs_as = {read_runs_as, write_runs_as, "a list of mpm, ice, ice-mpm",
+                                   "{\"type\": \"array\", \"items\": {\"enum\": [\"mpm\", \"ice\", \"ice-mpm\"]}}"};
+
+/* ---- domain.stress_state ---- */
+
+enum { ANY_STATE = 0, UNIAXIAL_STRAIN, UNIAXIAL_STRESS, PLANE_STRAIN, PLANE_STRESS };
+
+static const choice state_choices[] = {
+    {"full", ANY_STATE, NULL},
+    {"uniaxial_strain", UNIAXIAL_STRAIN, NULL},
+    {"uniaxial_stress", UNIAXIAL_STRESS, NULL},
+    {"plane_strain", PLANE_STRAIN, NULL},
+    {"plane_stress", PLANE_STRESS, NULL},
+    {0},
+};
+
+/* The state that holds in a scene when nothing is said; "full" is another name for it. */
+static int natural_state(const mesh_spec *spec)
+{
+    if (spec->dim == 1) return UNIAXIAL_STRAIN;
+    return spec->dim == 2 && spec->geometry == MESH_CARTESIAN ? PLANE_STRAIN : ANY_STATE;
+}
+
+static bool state_fits(const mesh_spec *spec, int state)
+{
+    switch (state) {
+    case ANY_STATE: return true;
+    case UNIAXIAL_STRAIN:
+    case UNIAXIAL_STRESS: return spec->dim == 1;
+    default: return spec->dim == 2 && spec->geometry == MESH_CARTESIAN;
+    }
+}
+
+static floe_status read_stress_state(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene *s = base;
+    s->stress_state = STRESS_FULL;
+    if (!node) return FLOE_OK;
+    const choice *c = node->kind == NODE_SCALAR ? find_choice(state_choices, node->text) : NULL;
+    if (!c) return bad_name(r, node, false, key->key, choice_candidate, state_choices);
+    if (!state_fits(&s->mesh, c->value)) {
+        const char *where = c->value == UNIAXIAL_STRAIN || c->value == UNIAXIAL_STRESS ? "1-D" : "2-D cartesian";
+        return bad(r, node, NULL, "'%s' is a state of %s scenes", c->name, where);
+    }
+    if (c->value == PLANE_STRESS) s->stress_state = STRESS_PLANE;
+    if (c->value == UNIAXIAL_STRESS) s->stress_state = STRESS_UNIAXIAL;
+    return FLOE_OK;
+}
+
+static void write_stress_state(writer *w, const key_spec *key, const void *base)
+{
+    const scene *s = base;
+    int state = natural_state(&s->mesh);
+    if (s->stress_state == STRESS_PLANE) state = PLANE_STRESS;
+    if (s->stress_state == STRESS_UNIAXIAL) state = UNIAXIAL_STRESS;
+    write_key_name(w, key->key);
+    text_print(&w->out, " %s\n", state_choices[state].name);
+}
+
+const custom_key custom_stress_state = {
+    read_stress_state, write_stress_state, "uniaxial_strain, uniaxial_stress, plane_strain, plane_stress or full",
+    "{\"enum\": [\"uniaxial_strain\", \"uniaxial_stress\", \"plane_strain\", \"plane_stress\", \"full\"]}"};
+
+/* ---- time.cfl: 0.5, or {mpm: 0.5, ice: 0.4} ---- */
+
+static const key_spec cfl_keys[] = {
+    {"mpm", KEY_NUMBER, NULL, WITHIN(1e-6, 1.0), AT(scene_time, cfl_mpm), .fallback = "0.5", .doc = "material points"},
+    {"ice", KEY_NUMBER, NULL, WITHIN(1e-6, 1.0), AT(scene_time, cfl_ice), .fallback = "0.5", .doc = "cells"},
+};
+static const key_table cfl_table = TABLE(cfl_keys);
+
+static floe_status read_cfl(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    (void)key;
+    scene_time *time = base;
+    if (!node || node->kind == NODE_MAP) return read_table(r, &cfl_table, node, base);
+    key_spec both = cfl_keys[0];
+    both.key = "cfl";
+    TRY(read_number(r, &both, node, &time->cfl_mpm));
+    time->cfl_ice = time->cfl_mpm;
+    return FLOE_OK;
+}
+
+static void write_cfl(writer *w, const key_spec *key, const void *base)
+{
+    write_key_name(w, key->key);
+    text_print(&w->out, "\n");
+    w->indent++;
+    write_table(w, &cfl_table, base);
+    w->indent--;
+}
+
+const custom_key custom_cfl = {read_cfl, write_cfl, "a number up to 1 for both solvers, or {mpm: number, ice: number}", NULL};
+
+/* ---- method.basis ---- */
+
+static const char *basis_candidate(const void *user, size_t i)
+{
+    const deck_catalogue *catalogue = user;
+    return catalogue && i < catalogue->n_basis ? catalogue->basis[i].name : NULL;
+}
+
+static floe_status read_basis(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    char *basis = (char *)base + key->offset;
+    if (!node) return FLOE_OK; /* scene_create has set the default */
+    if (node->kind == NODE_SCALAR) {
+        for (size_t i = 0; basis_candidate(r->catalogue, i); i++) {
+            if (strcmp(basis_candidate(r->catalogue, i), node->text) != 0) continue;
+            snprintf(basis, key->size, "%s", node->text);
+            return FLOE_OK;
+        }
+    }
+    return bad_name(r, node, false, "basis", basis_candidate, r->catalogue);
+}
+
+static void write_basis(writer *w, const key_spec *key, const void *base)
+{
+    write_key_name(w, key->key);
+    text_print(&w->out, " %s\n", (const char *)base + key->offset);
+}
+
+const custom_key custom_basis = {read_basis, write_basis, "the name of a basis", NULL};
+
+/* ---- verify.metrics: [eq13, l1_sigma_r] ---- */
+
+static const char *metric_candidate(const void *user, size_t i)
+{
+    const deck_catalogue *catalogue = user;
+    return catalogue && i < catalogue->n_metric ? catalogue->metric[i].name : NULL;
+}
+
+static bool metric_is_listed(const deck_catalogue *catalogue, const char *name)
+{
+    for (size_t i = 0; metric_candidate(catalogue, i); i++) {
+        if (strcmp(metric_candidate(catalogue, i), name) == 0) return true;
+    }
+    return false;
+}
+
+static floe_status read_metric(reader *r, deck_node *item, scene_verify *verify)
+{
+    if (item->kind != NODE_SCALAR || strlen(item->text) >= SCENE_NAME) {
+        return bad(r, item, "the name of a metric", "this is no name of a metric");
+    }
+    for (int i = 0; i < verify->n_metrics; i++) {
+        if (strcmp(verify->metric[i], item->text) == 0) return bad(r, item, NULL, "metric '%s' is listed twice", item->text);
+    }
+    const bool checked_later = r->catalogue && r->catalogue->check_metric; /* check_verify.c, with the whole scene */
+    if (!checked_later && !metric_is_listed(r->catalogue, item->text)) {
+        return bad_name(r, item, false, "metric", metric_candidate, r->catalogue);
+    }
+    if (verify->n_metrics == SCENE_MAX_METRICS) return bad(r, item, NULL, "more than %d metrics", SCENE_MAX_METRICS);
+    snprintf(verify->metric[verify->n_metrics++], SCENE_NAME, "%s", item->text);
+    return FLOE_OK;
+}
+
+static floe_status read_metrics(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_LIST) {
+        char found[80];
+        node_describe(node, found, sizeof found);
+        return bad(r, node, custom_metrics.form, "'%s' is %s", key->key, found);
+    }
+    for (deck_node *item = node->first; item; item = item->next) TRY(read_metric(r, item, base));
+    return FLOE_OK;
+}
+
+static void write_metrics(writer *w, const key_spec *key, const void *base)
+{
+    const scene_verify *verify = base;
+    if (verify->n_metrics == 0) return;
+    write_key_name(w, key->key);
+    for (int i = 0; i < verify->n_metrics; i++) text_print(&w->out, "%s%s", i == 0 ? " [" : ", ", verify->metric[i]);
+    text_print(&w->out, "]\n");
+}
+
+const custom_key custom_metrics = {read_metrics, write_metrics, "a list of names: [l1_density, ...]",
+                                   "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}"};
+
+/* ---- compare.axis: {domain.cell: [0.1, 0.05]} ---- */
+
+static floe_status read_axis(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_axis *axis = (scene_axis *)(void *)((char *)base + key->offset);
+    deck_node *list = node ? node->first : NULL;
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_MAP || node->n != 1 || list->kind != NODE_LIST || list->n == 0) {
+        return bad(r, node, custom_axis.form, "'axis' is not one key with a list of values");
+    }
+    if (list->n > SCENE_MAX_AXIS) return bad(r, list, NULL, "more than %d values", SCENE_MAX_AXIS);
+    if (strlen(list->key) >= sizeof axis->key) return bad_key(r, list, NULL, NULL, "the key is too long");
+    snprintf(axis->key, sizeof axis->key, "%s", list->key);
+    for (deck_node *item = list->first; item; item = item->next) {
+        if (item->kind != NODE_SCALAR || node_is_null(item) || strlen(item->text) >= sizeof axis->value[0]) {
+            return bad(r, item, "a number or a word", "a value of an axis");
+        }
+        snprintf(axis->value[axis->n_values++], sizeof axis->value[0], "%s", item->text);
+    }
+    return FLOE_OK;
+}
+
+static void write_axis(writer *w, const key_spec *key, const void *base)
+{
+    const scene_axis *axis = (const scene_axis *)(const void *)((const char *)base + key->offset);
+    if (axis->n_values == 0) return;
+    write_key_name(w, key->key);
+    text_print(&w->out, " {");
+    write_quoted(&w->out, axis->key);
+    for (int i = 0; i < axis->n_values; i++) {
+        text_print(&w->out, "%s", i == 0 ? ": [" : ", ");
+        write_quoted(&w->out, axis->value[i]);
+    }
+    text_print(&w->out, "]}\n");
+}
+
+const custom_key custom_axis = {read_axis, write_axis, "{key.of.the.deck: [value, value, ...]}",
+                                "{\"type\": \"object\", \"additionalProperties\": {\"type\": \"array\"}}"};

@@ -1,0 +1,71 @@
+/* Decks: from a YAML file to a scene and back, with every error at its place; and what the schema says about itself. */
+#ifndef DECK_DECK_H
+#define DECK_DECK_H
+
+#include "base/param.h"
+#include "scene/scene.h"
+
+/* What the deck takes from rooms that it cannot see, filled by the caller (once; nothing is owned by the deck). */
+typedef struct deck_exact {         /* an exact solution, as far as the deck needs it */
+    const char *name, *doc, *cite;
+    const param_spec *params;
+    size_t n_params, param_size;
+    int min_dim, max_dim;
+} deck_exact;
+
+typedef struct deck_name {
+    const char *name, *doc;
+} deck_name;
+
+typedef struct deck_catalogue {
+    const deck_exact *exact;
+    size_t n_exact;
+    const deck_name *basis;
+    size_t n_basis;
+    const deck_name *metric;        /* offered when a metric is unknown, and listed in the reference */
+    size_t n_metric;
+    /* NULL when `metric` is a name that can be measured, else why not; NULL function: only names of `metric` are known. */
+    const char *(*check_metric)(const char *metric, const scene *s);
+    /* FLOE_BAD_INPUT with the context's message when the parameters contradict each other; may be NULL. */
+    floe_status (*check_exact)(context *ctx, const char *name, const void *par, int dim);
+} deck_catalogue;
+
+/* `--set K=V` of the command line, in order: later ones win. */
+typedef struct deck_overrides {
+    const char *const *text;        /* "domain.cell=0.0125" */
+    size_t n;
+} deck_overrides;
+
+/* The errors of a load. Start with {0}; deck_report_free releases it. */
+typedef struct deck_report {
+    context *ctx;                   /* set by the load; not owned */
+    size_t count;                   /* errors */
+    char *text;                     /* all of them, ready to print; NULL when there is none */
+} deck_report;
+
+void deck_report_free(deck_report *report);
+
+/* Process-wide settings of the libraries behind decks; floe_init calls it once. */
+void deck_init(void);
+
+/* Reads the deck at `path`, applies `set` (may be NULL) and resolves it into a scene, which the caller owns.
+ * FLOE_BAD_INPUT: errors are in *report and the context's message counts them. FLOE_IO: the file cannot be read.
+ * Reentrant; touches nothing but its arguments. */
+floe_status deck_load(scene **out, context *ctx, const char *path, const deck_overrides *set,
+                      const deck_catalogue *catalogue, deck_report *report);
+/* The same from text in memory (text[length] is 0); `path` names it in messages and in the scene. */
+floe_status deck_load_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
+                           const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report);
+
+/* The texts below are counted memory that the caller frees with memory_free. */
+
+/* The resolved deck: every value explicit, SI, 17 digits. It loads again to the same scene. */
+floe_status deck_echo(char **text, const scene *s, const deck_catalogue *catalogue);
+/* The schema as Markdown: docs/deck.md. */
+floe_status deck_reference(char **text, context *ctx, const deck_catalogue *catalogue);
+/* The schema as a JSON schema (draft 7), for editors. */
+floe_status deck_json_schema(char **text, context *ctx, const deck_catalogue *catalogue);
+/* A commented deck to start from. */
+floe_status deck_starter(char **text, context *ctx, const char *name);
+
+#endif

@@ -1,0 +1,142 @@
+/* Registries as the reader sees them: shapes, laws of solids, equations of state, exact solutions. */
+#include "deck/parts.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static bool shape_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
+{
+    (void)catalogue;
+    if (i >= shape_registry_size) return false;
+    const shape_model *m = shape_registry[i];
+    *out = (model_entry){m->name, m->doc, "", m->params, m->n_params, m->param_size, m};
+    return true;
+}
+
+static void shape_store(void *field, const model_entry *entry, void *par)
+{
+    shape *s = field;
+    s->model = entry->model;
+    s->par = par;
+}
+
+static bool shape_fetch(const void *field, const char **name, const void **par)
+{
+    const shape *s = field;
+    if (!s->model) return false;
+    *name = s->model->name;
+    *par = s->par;
+    return true;
+}
+
+static const char *shape_check(const model_entry *entry, const void *par, int dim)
+{
+    const shape_model *m = entry->model;
+    if (m->min_dim > 0 && dim < m->min_dim) return "does not exist in a scene of so few dimensions";
+    if (m->max_dim > 0 && dim > m->max_dim) return "does not exist in a scene of so many dimensions";
+    return m->check ? m->check(par, dim) : NULL;
+}
+
+const model_family family_shape = {"shape", shape_get, shape_store, shape_fetch, shape_check};
+
+static bool law_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
+{
+    (void)catalogue;
+    if (i >= solid_registry_size) return false;
+    const solid_model *m = solid_registry[i];
+    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    return true;
+}
+
+static void law_store(void *field, const model_entry *entry, void *par)
+{
+    scene_material *m = field;
+    m->law = entry->model;
+    m->law_par = par;
+}
+
+static bool law_fetch(const void *field, const char **name, const void **par)
+{
+    const scene_material *m = field;
+    if (!m->law) return false;
+    *name = m->law->name;
+    *par = m->law_par;
+    return true;
+}
+
+/* Moduli that no stable isotropic solid has: nu outside (-1, 1/2) goes with K <= 0 or G < 0. */
+static const char *law_check(const model_entry *entry, const void *par, int dim)
+{
+    (void)dim;
+    const solid_model *m = entry->model;
+    if (!m->bulk_modulus || !m->shear_modulus) return NULL;
+    const double K = m->bulk_modulus(par), G = m->shear_modulus(par);
+    if (!(K > 0.0)) return "its bulk modulus is not positive: Poisson's ratio must be below 0.5";
+    if (!(G >= 0.0)) return "its shear modulus is negative: Poisson's ratio must be above -1";
+    const double nu = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));
+    return nu > -1.0 && nu <= 0.5 ? NULL : "Poisson's ratio is outside -1 ... 0.5";
+}
+
+const model_family family_law = {"law", law_get, law_store, law_fetch, law_check};
+
+static bool eos_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
+{
+    (void)catalogue;
+    if (i >= eos_registry_size) return false;
+    const eos_model *m = eos_registry[i];
+    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    return true;
+}
+
+static void eos_store(void *field, const model_entry *entry, void *par)
+{
+    eos *e = field;
+    e->model = entry->model;
+    e->par = par;
+}
+
+static bool eos_fetch(const void *field, const char **name, const void **par)
+{
+    const eos *e = field;
+    if (!e->model) return false;
+    *name = e->model->name;
+    *par = e->par;
+    return true;
+}
+
+const model_family family_eos = {"equation of state", eos_get, eos_store, eos_fetch, NULL};
+
+static bool exact_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
+{
+    if (!catalogue || i >= catalogue->n_exact) return false;
+    const deck_exact *m = &catalogue->exact[i];
+    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    return true;
+}
+
+static void exact_store(void *field, const model_entry *entry, void *par)
+{
+    scene_verify *v = field;
+    snprintf(v->exact, sizeof v->exact, "%s", entry->name);
+    v->exact_par = par;
+}
+
+static bool exact_fetch(const void *field, const char **name, const void **par)
+{
+    const scene_verify *v = field;
+    if (!v->exact[0]) return false;
+    *name = v->exact;
+    *par = v->exact_par;
+    return true;
+}
+
+static const char *exact_check(const model_entry *entry, const void *par, int dim)
+{
+    (void)par;
+    const deck_exact *m = entry->model;
+    if (m->min_dim > 0 && dim < m->min_dim) return "does not hold in a scene of so few dimensions";
+    if (m->max_dim > 0 && dim > m->max_dim) return "does not hold in a scene of so many dimensions";
+    return NULL;
+}
+
+const model_family family_exact = {"exact solution", exact_get, exact_store, exact_fetch, exact_check};

@@ -1,0 +1,67 @@
+/* Defaults that depend on more than one key. */
+#include "deck/parts.h"
+
+#include <math.h>
+
+enum { ROOM_TEMPERATURE = 300 }; /* K */
+
+static void finish_mesh(scene *s)
+{
+    for (int axis = 0; axis < s->mesh.dim; axis++) {
+        const bc_side *side = s->bc.side[axis];
+        s->mesh.periodic[axis] = side[SIDE_LOWER].kind == BC_PERIODIC && side[SIDE_UPPER].kind == BC_PERIODIC;
+    }
+}
+
+static void finish_materials(scene *s)
+{
+    for (int i = 0; i < s->n_materials; i++) {
+        scene_material *m = &s->material[i];
+        if (m->kind == MATERIAL_SOLID && isnan(m->tension_switch) && s->has_ambient) {
+            m->tension_switch = s->ambient_pressure;
+        }
+    }
+}
+
+static void finish_bodies(scene *s)
+{
+    for (int i = 0; i < s->n_bodies; i++) {
+        scene_body *b = &s->body[i];
+        for (int axis = s->mesh.dim; axis < MESH_MAX_DIM; axis++) b->per_cell[axis] = 1;
+        const bool solid = b->material >= 0 && s->material[b->material].kind == MATERIAL_SOLID;
+        if (!solid || !isnan(b->temperature)) continue;
+        b->temperature = s->has_ambient ? s->ambient_temperature : ROOM_TEMPERATURE;
+    }
+}
+
+/* The only fluid of the scene, -1 when there is none or a choice. */
+static int only_fluid(const scene *s)
+{
+    int found = -1;
+    for (int i = 0; i < s->n_materials; i++) {
+        if (s->material[i].kind != MATERIAL_FLUID) continue;
+        if (found >= 0) return -1;
+        found = i;
+    }
+    return found;
+}
+
+static void finish_inlets(scene *s)
+{
+    const int fluid = only_fluid(s);
+    for (int axis = 0; axis < s->mesh.dim; axis++) {
+        for (int i = 0; i < 2; i++) {
+            bc_side *side = &s->bc.side[axis][i];
+            if (side->kind == BC_INLET && side->material < 0) side->material = fluid;
+        }
+    }
+}
+
+floe_status finish_scene(reader *r)
+{
+    finish_mesh(r->scene);
+    finish_materials(r->scene);
+    finish_bodies(r->scene);
+    finish_inlets(r->scene);
+    return FLOE_OK;
+}

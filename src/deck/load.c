@@ -1,0 +1,173 @@
+/* deck_load: text, tree, overrides, tables, defaults, checks, report. */
+#include "deck/check.h"
+#include "deck/override.h"
+#include "deck/parts.h"
+
+#include "base/memory.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct deck_source {
+    context *ctx;
+    const char *path, *text;
+    size_t length;
+    const deck_catalogue *catalogue;
+    unit_book units;
+} deck_source;
+
+/* Parses the text and applies the overrides. NULL root: an error has been entered. */
+static floe_status make_tree(const deck_source *source, const deck_overrides *set, deck_arena *arena, error_list *errors,
+                             deck_node **root)
+{
+    parse_error error;
+    *root = NULL;
+    if (source->length > TREE_MAX_BYTES) {
+        return error_add(errors, (deck_place){0, 1, 1}, NULL, NULL, "the deck is larger than %d bytes", TREE_MAX_BYTES);
+    }
+    const floe_status status = parse_yaml(root, arena, 0, source->text, source->length, &error);
+    if (status == FLOE_BAD_INPUT) return error_add(errors, error.at, NULL, error.remedy, "%s", error.text);
+    TRY(status);
+    if (node_is_null(*root)) {
+        *root = NULL;
+        return error_add(errors, (deck_place){0, 1, 1}, "a map of keys, beginning with 'floe: 1'",
+                         "`floe new` writes a deck to start from", "the deck is empty");
+    }
+    return override_apply(*root, arena, set, errors);
+}
+
+/* Text to scene; faults of the deck go into `errors`, and the scene is then not to be used. */
+static floe_status resolve(deck_source *source, const deck_overrides *set, scene *s, deck_arena *arena, error_list *errors)
+{
+    deck_node *root;
+    TRY(make_tree(source, set, arena, errors, &root));
+    if (!root) return FLOE_OK;
+    reader r = {.ctx = source->ctx,
+                .scene = s,
+                .catalogue = source->catalogue,
+                .arena = arena,
+                .errors = errors,
+                .units = &source->units,
+                .root = root};
+    snprintf(s->path, sizeof s->path, "%s", source->path);
+    TRY(read_table(&r, &schema_deck, root, s));
+    if (root->kind != NODE_MAP) return FLOE_OK;
+    TRY(finish_scene(&r));
+    return check_scene(&r);
+}
+
+/* Tries one value of the compare axis; *count is the number of errors that it brings, `first` the first of them. */
+static floe_status try_value(deck_source *source, const deck_overrides *set, const char *assignment, deck_arena *arena,
+                             const char **first)
+{
+    const size_t n = set ? set->n : 0;
+    const char **text;
+    TRY(arena_new(arena, &text, (n + 1) * sizeof *text));
+    for (size_t i = 0; i < n; i++) text[i] = set->text[i];
+    text[n] = assignment;
+    const deck_overrides all = {text, n + 1};
+    error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = &all};
+    scene *s;
+    TRY(scene_create(&s, source->ctx));
+    const floe_status status = resolve(source, &all, s, arena, &errors);
+    scene_destroy(&s);
+    *first = error_first(&errors);
+    return status;
+}
+
+/* Every value of the compare axis must make a deck, for `compare` would find out an hour later. */
+static floe_status check_axis(deck_source *source, const deck_overrides *set, const scene *s, deck_arena *arena,
+                              error_list *errors)
+{
+    for (int i = 0; i < s->compare.n_values; i++) {
+        char *assignment;
+        const char *first;
+        const size_t size = sizeof s->compare.key + sizeof s->compare.value[0] + 2;
+        TRY(arena_new(arena, &assignment, size));
+        snprintf(assignment, size, "%s=%s", s->compare.key, s->compare.value[i]);
+        TRY(try_value(source, set, assignment, arena, &first));
+        if (!first) continue;
+        deck_node *root;
+        error_list ignored = {.arena = arena};
+        TRY(make_tree(source, set, arena, &ignored, &root));
+        const deck_node *list = nearest_path(root, PATH("compare", "axis", s->compare.key));
+        const deck_node *item = list->kind == NODE_LIST ? node_at(list, (size_t)i) : NULL;
+        TRY(error_add(errors, item ? item->at : list->at, NULL, NULL, "with %s: %s", assignment, first));
+    }
+    return FLOE_OK;
+}
+
+static floe_status write_report(const deck_source *source, const error_list *errors, deck_report *report)
+{
+    text_buffer out = {.ctx = source->ctx};
+    errors_print(errors, &out);
+    TRY(text_take(&out, &report->text));
+    report->count = errors->count;
+    return fail(source->ctx, FLOE_BAD_INPUT, "%s: %zu error%s", source->path, errors->count, errors->count == 1 ? "" : "s");
+}
+
+static floe_status load(scene *s, deck_source *source, const deck_overrides *set, deck_arena *arena, deck_report *report)
+{
+    error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = set};
+    TRY(resolve(source, set, s, arena, &errors));
+    if (errors.count == 0) TRY(check_axis(source, set, s, arena, &errors));
+    return errors.count == 0 ? FLOE_OK : write_report(source, &errors, report);
+}
+
+floe_status deck_load_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
+                           const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report)
+{
+    *out = NULL;
+    *report = (deck_report){.ctx = ctx};
+    deck_source source = {.ctx = ctx, .path = path, .text = text, .length = length, .catalogue = catalogue};
+    deck_arena arena = {.ctx = ctx};
+    scene *s;
+    TRY(scene_create(&s, ctx));
+    const floe_status status = load(s, &source, set, &arena, report);
+    units_close(&source.units);
+    arena_free(&arena);
+    if (status != FLOE_OK) {
+        scene_destroy(&s);
+        return status;
+    }
+    *out = s;
+    return FLOE_OK;
+}
+
+/* The whole file, one byte more than a deck may have at most; *text is counted memory. */
+static floe_status read_file(context *ctx, const char *path, char **text, size_t *length)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) return fail(ctx, FLOE_IO, "cannot open deck '%s': %s", path, strerror(errno));
+    floe_status status = memory_new(ctx, text, TREE_MAX_BYTES + 2, 1);
+    if (status == FLOE_OK) {
+        errno = 0;
+        *length = fread(*text, 1, TREE_MAX_BYTES + 1, file);
+        if (ferror(file)) {
+            status = fail(ctx, FLOE_IO, "cannot read deck '%s': %s", path, strerror(errno));
+            memory_free(ctx, text);
+        }
+    }
+    fclose(file);
+    return status;
+}
+
+floe_status deck_load(scene **out, context *ctx, const char *path, const deck_overrides *set,
+                      const deck_catalogue *catalogue, deck_report *report)
+{
+    char *text;
+    size_t length = 0;
+    *out = NULL;
+    *report = (deck_report){.ctx = ctx};
+    TRY(read_file(ctx, path, &text, &length));
+    const floe_status status = deck_load_text(out, ctx, path, text, length, set, catalogue, report);
+    memory_free(ctx, &text);
+    return status;
+}
+
+void deck_report_free(deck_report *report)
+{
+    if (report->ctx) memory_free(report->ctx, &report->text);
+    *report = (deck_report){0};
+}

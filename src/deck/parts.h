@@ -1,0 +1,27 @@
+/* Tables and custom keys that make up the schema, by file. Private to src/deck. */
+#ifndef DECK_PARTS_H
+#define DECK_PARTS_H
+
+#include "deck/schema.h"
+
+/* schema_items.c */
+extern const named_items items_materials, items_bodies, items_loads, items_probes;
+/* families.c */
+extern const model_family family_shape, family_law, family_eos, family_exact;
+/* boundaries.c */
+extern const custom_key custom_boundaries;
+extern const variants boundary_kinds;
+/* custom.c */
+extern const custom_key custom_version, custom_runs_as, custom_stress_state, custom_cfl, custom_metrics, custom_axis,
+    custom_basis;
+extern const choice coupling_choices[];
+
+/* true for an axis key of a boundary: "x", "r" ... */
+const char *axis_name(const mesh_spec *spec, int axis);
+bool material_is_fluid(const scene *s, const void *material);
+bool material_is_solid(const scene *s, const void *material);
+
+/* Fills what depends on more than one key: finish.c, after the tables and before the checks. */
+floe_status finish_scene(reader *r);
+
+#endif

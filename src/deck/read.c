@@ -1,0 +1,215 @@
+/* Reading by table: unknown, duplicate and missing keys, defaults, and the way from a key to its reader. */
+#include "deck/schema.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { WORDS = 512 };
+
+static floe_status enter(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
+                         const char *format, va_list arguments) FLOE_PRINTF(6, 0);
+
+static floe_status enter(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
+                         const char *format, va_list arguments)
+{
+    char message[WORDS];
+    vsnprintf(message, sizeof message, format, arguments);
+    for (deck_node *n = node; n; n = n->parent) n->bad = true;
+    return error_add(r->errors, at, expected, hint, "%s", message);
+}
+
+floe_status bad(reader *r, deck_node *node, const char *expected, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const floe_status status = enter(r, node, node->at, expected, NULL, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+floe_status bad_key(reader *r, deck_node *node, const char *expected, const char *hint, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const floe_status status = enter(r, node, node->key_at, expected, hint, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
+                     const char *(*candidate)(const void *user, size_t i), const void *user)
+{
+    char all[WORDS] = "";
+    size_t length = 0;
+    for (size_t i = 0; candidate(user, i); i++) {
+        const int n = snprintf(all + length, sizeof all - length, "%s%s", i > 0 ? ", " : "", candidate(user, i));
+        length += (size_t)n;
+        if (length >= sizeof all) {
+            memcpy(all + sizeof all - 4, "...", 4);
+            break;
+        }
+    }
+    const char *name = at_key ? node->key : node->text;
+    const char *nearest = nearest_name(name, candidate, user);
+    const char *start = nearest ? " (did you mean '" : "", *end = nearest ? "'?)" : "";
+    if (!nearest) nearest = "";
+    const char *expected = all[0] ? all : "none is defined in this deck";
+    if (at_key) return bad_key(r, node, expected, NULL, "unknown %s '%.80s'%s%s%s", noun, name, start, nearest, end);
+    return bad(r, node, expected, "unknown %s '%.80s'%s%s%s", noun, name, start, nearest, end);
+}
+
+static const char *key_name(const void *user, size_t i)
+{
+    const key_table *table = user;
+    return i < table->n ? table->key[i].key : NULL;
+}
+
+static const key_spec *find_key(const key_table *table, const char *name)
+{
+    for (size_t i = 0; i < table->n; i++) {
+        if (strcmp(table->key[i].key, name) == 0) return &table->key[i];
+    }
+    return NULL;
+}
+
+/* Unknown keys and second occurrences. */
+static floe_status check_keys(reader *r, const key_table *table, deck_node *map)
+{
+    for (deck_node *child = map->first; child; child = child->next) {
+        const deck_node *first = node_find(map, child->key);
+        if (first != child) {
+            TRY(bad_key(r, child, NULL, "remove one of the two", "duplicate key '%.80s' (first at line %d, column %d)",
+                        child->key, first->key_at.line, first->key_at.column));
+        } else if (!find_key(table, child->key)) {
+            TRY(bad_name(r, child, true, "key", key_name, table));
+        }
+    }
+    return FLOE_OK;
+}
+
+/* The default, read as if the deck said so. */
+static floe_status read_fallback(reader *r, const key_spec *key, void *base)
+{
+    deck_node node = {.kind = NODE_SCALAR, .text = key->fallback, .key = key->key};
+    return read_key(r, key, &node, base);
+}
+
+static floe_status read_absent(reader *r, const key_spec *key, deck_node *map, void *base)
+{
+    if (key->required && map) {
+        char form[WORDS / 2], expected[WORDS];
+        describe_expected(key, r->scene->mesh.dim, form, sizeof form);
+        snprintf(expected, sizeof expected, "%s: %s (%s)", key->key, form, key->doc);
+        const char *quote = map->key ? "'" : "", *name = map->key ? map->key : "the deck";
+        return bad_key(r, map, expected, NULL, "missing key '%s' in %s%.60s%s", key->key, quote, name, quote);
+    }
+    if (key->fallback) return read_fallback(r, key, base);
+    if (key->type == KEY_MAP && !key->present) {
+        return read_table(r, key->table, NULL, (char *)base + key->offset);
+    }
+    if (key->type == KEY_CUSTOM) return key->custom->read(r, key, NULL, base);
+    return FLOE_OK;
+}
+
+floe_status read_table(reader *r, const key_table *table, deck_node *map, void *base)
+{
+    if (map && map->kind != NODE_MAP) {
+        char found[80];
+        node_describe(map, found, sizeof found);
+        return bad(r, map, "a map: {key: value, ...}", "'%.60s' is %s, not a map", map->key ? map->key : "the deck",
+                   found);
+    }
+    if (map) TRY(check_keys(r, table, map));
+    for (size_t i = 0; i < table->n; i++) {
+        const key_spec *key = &table->key[i];
+        deck_node *node = node_find(map, key->key);
+        const bool applies = !key->applies || key->applies(r->scene, base);
+        if (node && !applies) {
+            TRY(bad_key(r, node, NULL, NULL, "'%s' belongs to %s", key->key, key->belongs));
+        } else if (node) {
+            TRY(read_key(r, key, node, base));
+        } else if (applies) {
+            TRY(read_absent(r, key, map, base));
+        }
+    }
+    return FLOE_OK;
+}
+
+static floe_status read_map(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    if (key->present) {
+        const bool given = true;
+        memcpy((char *)base + key->present - 1, &given, sizeof given);
+    }
+    return read_table(r, key->table, node, (char *)base + key->offset);
+}
+
+floe_status read_key(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    if (node_is_null(node) && key->type != KEY_MODEL && key->type != KEY_TEXT) {
+        char expected[WORDS];
+        describe_expected(key, r->scene->mesh.dim, expected, sizeof expected);
+        return bad_key(r, node, expected, NULL, "'%s' has no value", key->key);
+    }
+    switch (key->type) {
+    case KEY_MAP: return read_map(r, key, node, base);
+    case KEY_NAMED: return read_named(r, key, node, base);
+    case KEY_MODEL: return read_model(r, key, node, base);
+    case KEY_VARIANT: return read_variant(r, key->variants, node, (char *)base + key->offset);
+    case KEY_CUSTOM: return key->custom->read(r, key, node, base);
+    default: return read_scalar(r, key, node, base);
+    }
+}
+
+static bool is_name(const char *text)
+{
+    const size_t length = strlen(text);
+    const char *letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    const char *others = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789-";
+    return length > 0 && length < SCENE_NAME && strchr(letters, text[0]) && strspn(text, others) == length;
+}
+
+static floe_status read_item(reader *r, const key_spec *key, deck_node *node, char *item)
+{
+    const named_items *items = key->items;
+    snprintf(item, SCENE_NAME, "%s", node->key);
+    if (items->begin) TRY(items->begin(r, node, item));
+    if (items->table) {
+        TRY(read_table(r, items->table, node, item));
+    } else if (items->variants) {
+        TRY(read_variant(r, items->variants, node, item));
+    } else {
+        TRY(read_key(r, items->value, node, item));
+    }
+    return items->end ? items->end(r, node, item) : FLOE_OK;
+}
+
+floe_status read_named(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    const named_items *items = key->items;
+    if (node->kind != NODE_MAP) {
+        char found[80];
+        node_describe(node, found, sizeof found);
+        return bad(r, node, "name: {...}, one entry for each", "'%s' is %s, not a map of names", key->key, found);
+    }
+    int count = 0;
+    for (deck_node *child = node->first; child; child = child->next) {
+        const deck_node *first = node_find(node, child->key);
+        if (first != child) {
+            TRY(bad_key(r, child, NULL, NULL, "duplicate %s '%.80s' (first at line %d, column %d)", items->noun,
+                        child->key, first->key_at.line, first->key_at.column));
+        } else if (!is_name(child->key)) {
+            TRY(bad_key(r, child, "letters, digits, '_' and '-', a letter first, at most 63", NULL,
+                        "'%.80s' cannot be the name of a %s", child->key, items->noun));
+        } else if ((size_t)count == items->most) {
+            return bad_key(r, child, NULL, NULL, "too many entries in '%s': at most %zu", key->key, items->most);
+        } else {
+            char *item = (char *)base + key->offset + (size_t)count * items->item_size;
+            count++;
+            memcpy((char *)base + items->count_offset, &count, sizeof count);
+            TRY(read_item(r, key, child, item));
+        }
+    }
+    return FLOE_OK;
+}

@@ -1,0 +1,188 @@
+/* One-key maps: a model of a registry with its parameters, and a variant with its keys. */
+#include "deck/schema.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+key_spec key_of_param(const param_spec *param)
+{
+    key_spec key = {.key = param->key,
+                    .unit = param->unit,
+                    .range = param->range,
+                    .lo = param->lo,
+                    .hi = param->hi,
+                    .offset = param->offset,
+                    .required = isnan(param->fallback),
+                    .doc = param->doc};
+    if (param->count == 1) {
+        key.type = KEY_NUMBER;
+        key.size = sizeof(double);
+    } else if (param->count == -3) {
+        key.type = KEY_VECTOR;
+        key.size = 3 * sizeof(double);
+    } else {
+        key.type = KEY_NUMBERS;
+        key.size = (size_t)param->count * sizeof(double);
+    }
+    return key;
+}
+
+typedef struct family_names {
+    const model_family *family;
+    const deck_catalogue *catalogue;
+} family_names;
+
+static const char *family_name(const void *user, size_t i)
+{
+    const family_names *names = user;
+    model_entry entry;
+    return names->family->get(names->catalogue, i, &entry) ? entry.name : NULL;
+}
+
+static bool find_entry(reader *r, const model_family *family, const char *name, model_entry *entry)
+{
+    for (size_t i = 0; family->get(r->catalogue, i, entry); i++) {
+        if (strcmp(entry->name, name) == 0) return true;
+    }
+    return false;
+}
+
+static const char *param_name(const void *user, size_t i)
+{
+    const model_entry *entry = user;
+    return i < entry->n_params ? entry->params[i].key : NULL;
+}
+
+static bool has_param(const model_entry *entry, const char *name)
+{
+    for (size_t i = 0; i < entry->n_params; i++) {
+        if (strcmp(entry->params[i].key, name) == 0) return true;
+    }
+    return false;
+}
+
+static floe_status check_params(reader *r, const model_entry *entry, deck_node *map)
+{
+    for (deck_node *child = map->first; child; child = child->next) {
+        const deck_node *first = node_find(map, child->key);
+        if (first != child) {
+            TRY(bad_key(r, child, NULL, "remove one of the two", "duplicate key '%.80s' (first at line %d, column %d)",
+                        child->key, first->key_at.line, first->key_at.column));
+        } else if (!has_param(entry, child->key)) {
+            TRY(bad_name(r, child, true, "key", param_name, entry));
+        }
+    }
+    return FLOE_OK;
+}
+
+/* `named` stands for the model where it has no map of parameters. */
+static floe_status read_param(reader *r, const param_spec *param, deck_node *map, deck_node *named, char *par)
+{
+    const key_spec key = key_of_param(param);
+    deck_node *child = node_find(map, param->key);
+    if (child) return read_key(r, &key, child, par);
+    if (key.required) {
+        char form[256], expected[512];
+        describe_expected(&key, r->scene->mesh.dim, form, sizeof form);
+        snprintf(expected, sizeof expected, "%s: %s (%s)", param->key, form, param->doc);
+        return bad_key(r, named, expected, NULL, "missing key '%s' in '%.60s'", param->key,
+                       named->kind == NODE_SCALAR && !node_is_null(named) ? named->text : named->key);
+    }
+    double *field = (double *)(void *)(par + param->offset);
+    const int n = param->count == -3 ? 3 : param->count;
+    for (int i = 0; i < n; i++) field[i] = param->fallback;
+    return FLOE_OK;
+}
+
+static floe_status read_params(reader *r, const model_family *family, const model_entry *entry, deck_node *map,
+                               deck_node *named, void *field)
+{
+    char *par;
+    const size_t errors = r->errors->count;
+    TRY(scene_allocate(r->scene, &par, entry->param_size > 0 ? entry->param_size : 1));
+    if (map) TRY(check_params(r, entry, map));
+    for (size_t i = 0; i < entry->n_params; i++) TRY(read_param(r, &entry->params[i], map, named, par));
+    family->store(field, entry, par);
+    if (errors != r->errors->count || !family->check) return FLOE_OK;
+    const char *wrong = family->check(entry, par, r->scene->mesh.dim);
+    return wrong ? bad_key(r, named, NULL, NULL, "%s '%s': %s", family->noun, entry->name, wrong) : FLOE_OK;
+}
+
+/* The single entry of a one-key map, NULL after an error. */
+static floe_status find_single(reader *r, deck_node *node, const char *noun, deck_node **single)
+{
+    *single = NULL;
+    char found[80];
+    node_describe(node, found, sizeof found);
+    if (node->kind != NODE_MAP) {
+        return bad(r, node, "{name: {parameters}}", "'%.60s' is %s, not a %s", node->key ? node->key : noun, found, noun);
+    }
+    if (node->n != 1) {
+        deck_node *at = node->n > 1 ? node->first->next : node;
+        return bad_key(r, at, "{name: {parameters}}", NULL, "'%.60s' has %zu entries, one %s is needed",
+                       node->key ? node->key : noun, node->n, noun);
+    }
+    *single = node->first;
+    return FLOE_OK;
+}
+
+floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    const model_family *family = key->family;
+    const family_names names = {family, r->catalogue};
+    char *field = (char *)base + key->offset;
+    model_entry entry;
+    if (node->kind == NODE_SCALAR && !node_is_null(node)) {
+        if (!find_entry(r, family, node->text, &entry)) return bad_name(r, node, false, family->noun, family_name, &names);
+        return read_params(r, family, &entry, NULL, node, field);
+    }
+    deck_node *single;
+    TRY(find_single(r, node, family->noun, &single));
+    if (!single) return FLOE_OK;
+    if (!find_entry(r, family, single->key, &entry)) return bad_name(r, single, true, family->noun, family_name, &names);
+    if (single->kind != NODE_MAP && !node_is_null(single)) {
+        char found[80];
+        node_describe(single, found, sizeof found);
+        return bad(r, single, "{parameter: value, ...}", "'%.60s' is %s, not a map", single->key, found);
+    }
+    return read_params(r, family, &entry, single->kind == NODE_MAP ? single : NULL, single, field);
+}
+
+static const char *variant_name(const void *user, size_t i)
+{
+    const variants *kinds = user;
+    return i < kinds->n ? kinds->list[i].name : NULL;
+}
+
+static const variant *find_variant(const variants *kinds, const char *name)
+{
+    for (size_t i = 0; i < kinds->n; i++) {
+        if (strcmp(kinds->list[i].name, name) == 0) return &kinds->list[i];
+    }
+    return NULL;
+}
+
+floe_status read_variant(reader *r, const variants *kinds, deck_node *node, void *field)
+{
+    deck_node *single = NULL, *map = NULL;
+    const bool bare = node->kind == NODE_SCALAR && !node_is_null(node);
+    if (!bare) {
+        TRY(find_single(r, node, kinds->noun, &single));
+        if (!single) return FLOE_OK;
+        if (!node_is_null(single)) map = single;
+    }
+    const variant *kind = find_variant(kinds, bare ? node->text : single->key);
+    if (!kind) return bad_name(r, bare ? node : single, !bare, kinds->noun, variant_name, kinds);
+    kinds->choose(field, kind->value);
+    if (!kind->table) {
+        if (!map || (map->kind == NODE_MAP && map->n == 0)) return FLOE_OK;
+        return bad(r, map, NULL, "%s '%s' takes no keys", kinds->noun, kind->name);
+    }
+    /* Without a map of its own, an empty one stands where the name does: what is required is then missing there. */
+    deck_node empty = {.kind = NODE_MAP, .key = kind->name, .key_at = bare ? node->at : single ? single->key_at : node->at,
+                       .parent = node};
+    return read_table(r, kind->table, map ? map : &empty, field);
+}

@@ -1,0 +1,187 @@
+/* The deck from the top. Keys are read in the order of these tables: a key may rely on those before it. */
+#include "deck/parts.h"
+
+static const choice unit_choices[] = {
+    {"si", 0, "numbers are SI, or carry a unit"},
+    {"none", 1, "a dimensionless scene: no number carries a unit"},
+    {0},
+};
+
+static const choice geometry_choices[] = {
+    {"cartesian", MESH_CARTESIAN, "x, y, z"},
+    {"axisymmetric", MESH_AXISYMMETRIC, "r, z: 2-D about the axis r = 0"},
+    {0},
+};
+
+static const key_spec domain_keys[] = {
+    {"dim", KEY_WHOLE, WITHIN(1, 3), AT(scene, mesh.dim), .fallback = "2", .doc = "dimension of the scene"},
+    {"geometry", KEY_CHOICE, AT(scene, mesh.geometry), .fallback = "cartesian", .choices = geometry_choices,
+     .doc = "coordinates"},
+    {"stress_state", KEY_CUSTOM, AT(scene, stress_state), .custom = &custom_stress_state,
+     .otherwise = "uniaxial_strain in 1-D, plane_strain in 2-D, else full",
+     .doc = "what holds out of the plane of the scene, for material points"},
+    {"lower", KEY_VECTOR, "m", AT(scene, mesh.lower), .required = true, .doc = "lower corner of the domain"},
+    {"upper", KEY_VECTOR, "m", AT(scene, mesh.upper), .required = true, .doc = "upper corner of the domain"},
+    {"cell", KEY_SPREAD, "m", PARAM_POSITIVE, AT(scene, mesh.cell), .required = true,
+     .doc = "spacing h of the mesh; the extent must be a whole multiple of it"},
+    {"blocks", KEY_WHOLES, WITHIN(1, MESH_MAX_BLOCKS), AT(scene, mesh.blocks), .fallback = "1",
+     .doc = "blocks that the mesh is cut into along each axis; results do not depend on it"},
+    {"thickness", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene, thickness), .fallback = "1",
+     .doc = "depth of a 2-D scene, for masses and energies in the outputs"},
+};
+static const key_table domain_table = TABLE(domain_keys);
+
+static const key_spec ambient_keys[] = {
+    {"material", KEY_MATERIAL, AT(scene, ambient_material), .required = true, .doc = "a fluid"},
+    {"pressure", KEY_NUMBER, "Pa", AT(scene, ambient_pressure), .required = true, .doc = "absolute pressure"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene, ambient_temperature), .required = true,
+     .doc = "temperature"},
+};
+static const key_table ambient_table = TABLE(ambient_keys);
+
+static const key_spec damping_keys[] = {
+    {"rate", KEY_NUMBER, "1/s", PARAM_NONNEGATIVE, AT(scene_damping, rate), .fallback = "0",
+     .doc = "c of the force -c m v on nodes of material points"},
+    {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_damping, start), .fallback = "0", .doc = "damping begins"},
+    {"end", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_damping, end), .otherwise = "the end of the run",
+     .doc = "damping ends"},
+};
+static const key_table damping_table = TABLE(damping_keys);
+
+static const key_spec time_keys[] = {
+    {"end", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, end), .required = true, .doc = "time at which the run ends"},
+    {"cfl", KEY_CUSTOM, .custom = &custom_cfl, .otherwise = "0.5",
+     .doc = "fraction of the stability limit of each solver"},
+    {"first_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, first_step), .otherwise = "from the stability limit",
+     .doc = "first time step"},
+    {"max_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, max_step), .otherwise = "no limit",
+     .doc = "largest time step"},
+    {"growth", KEY_NUMBER, NULL, WITHIN(1.0, 10.0), AT(scene_time, growth), .fallback = "1.1",
+     .doc = "largest ratio of a step to the one before"},
+    {"max_steps", KEY_WHOLE, NULL, WITHIN(0, 2e9), AT(scene_time, max_steps), .fallback = "0",
+     .doc = "the run ends after that many steps; 0: no limit"},
+    {"fixed_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, fixed_step), .otherwise = "steps are adaptive",
+     .doc = "every step has this size"},
+};
+static const key_table time_table = TABLE(time_keys);
+
+static const key_spec stop_keys[] = {
+    {"kinetic_over_strain", KEY_NUMBER, NULL, PARAM_POSITIVE, AT(scene_rest, ratio), .fallback = "1e-6",
+     .doc = "at rest: kinetic energy of the solids at most this fraction of their strain energy"},
+    {"window", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_rest, window), .fallback = "0",
+     .doc = "it must stay so throughout this time"},
+    {"after", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_rest, after), .fallback = "0",
+     .doc = "not before this time (the end of the ramp)"},
+};
+static const key_table stop_table = TABLE(stop_keys);
+
+static const choice stress_choices[] = {
+    {"usl", STRESS_USL, "stress updated last"},
+    {"usf", STRESS_USF, "stress updated first"},
+    {"musl", STRESS_MUSL, "stress updated last, from velocities mapped again"},
+    {0},
+};
+static const choice centring_choices[] = {
+    {"auto", ICE_CENTRING_AUTO, "half where smooth, full at shocks"},
+    {"half", ICE_CENTRING_HALF, "second order in time"},
+    {"full", ICE_CENTRING_FULL, "first order in time"},
+    {0},
+};
+static const choice energy_choices[] = {
+    {"internal", 0, "internal energy is advanced, as in the papers"},
+    {"conserving", 1, "total energy is conserved to round-off"},
+    {0},
+};
+static const choice limiter_choices[] = {
+    {"default", ICE_LIMITER_DEFAULT, "second order, limited"},
+    {"none", ICE_LIMITER_NONE, "second order, for smooth flow"},
+    {"first_order", ICE_LIMITER_FIRST_ORDER, "upwind"},
+    {0},
+};
+
+static const key_spec method_keys[] = {
+    {"basis", KEY_CUSTOM, AT(scene_method, basis), .custom = &custom_basis, .otherwise = "quadratic",
+     .doc = "basis functions of the material points"},
+    {"stress", KEY_CHOICE, AT(scene_method, stress), .fallback = "usl", .choices = stress_choices,
+     .doc = "when stresses of points are updated in a step"},
+    {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip), .fallback = "0.99",
+     .doc = "share of FLIP in the velocity update of points; the rest is PIC"},
+    {"centring", KEY_CHOICE, AT(scene_method, centring), .fallback = "auto", .choices = centring_choices,
+     .doc = "time centring of the ICE pressure"},
+    {"energy", KEY_CHOICE, AT(scene_method, conserve_energy), .fallback = "conserving", .choices = energy_choices,
+     .doc = "energy that ICE advances"},
+    {"limiter", KEY_CHOICE, AT(scene_method, limiter), .fallback = "default", .choices = limiter_choices,
+     .doc = "advection of ICE"},
+    {"exchange", KEY_NUMBER, "kg m-3 s-1", WITHIN(0.0, 1e20), AT(scene_method, exchange), .fallback = "1e15",
+     .doc = "K of the momentum exchange between each pair of materials"},
+    {"heat_exchange", KEY_NUMBER, "W m-3 K-1", WITHIN(0.0, 1e30), AT(scene_method, heat_exchange), .fallback = "0",
+     .doc = "R of the heat exchange between each pair of materials"},
+    {"volume_relaxation", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, volume_relaxation), .fallback = "0.1",
+     .doc = "share of the volume defect of a cell that is taken back each step"},
+};
+static const key_table method_table = TABLE(method_keys);
+
+static const key_spec output_keys[] = {
+    {"interval", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene, output.interval), .otherwise = "first and last only",
+     .doc = "time between field snapshots"},
+    {"history_interval", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene, output.history_interval),
+     .otherwise = "interval / 50", .doc = "time between rows of history.csv"},
+    {"checkpoint_interval", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene, output.checkpoint_interval),
+     .otherwise = "at the end and on a signal", .doc = "wall time between checkpoints"},
+    {"probes", KEY_NAMED, AT(scene, probe), .items = &items_probes, .doc = "places whose state goes into history.csv"},
+};
+static const key_table output_table = TABLE(output_keys);
+
+static const key_spec verify_keys[] = {
+    {"exact", KEY_MODEL, .family = &family_exact, .required = true, .doc = "exact solution to compare with"},
+    {"metrics", KEY_CUSTOM, .custom = &custom_metrics, .otherwise = "none", .doc = "errors that are reported"},
+    {"body", KEY_BODY, AT(scene_verify, body), .otherwise = "all points of the material",
+     .doc = "whose points are measured"},
+    {"material", KEY_MATERIAL, AT(scene_verify, material), .otherwise = "the first fluid",
+     .doc = "whose cells are measured"},
+    {"region", KEY_MODEL, AT(scene_verify, region), .family = &family_shape, .otherwise = "everywhere",
+     .doc = "where it is measured"},
+    {"pressure", KEY_NUMBER, "Pa", PARAM_POSITIVE, AT(scene_verify, probe_pressure), .otherwise = "not used",
+     .doc = "P of eq13 and of the gas pressure's error, gauge"},
+};
+static const key_table verify_table = TABLE(verify_keys);
+
+static const key_spec compare_keys[] = {
+    {"axis", KEY_CUSTOM, AT(scene, compare), .custom = &custom_axis, .required = true,
+     .doc = "the key that `floe compare` varies, and its values"},
+};
+static const key_table compare_table = TABLE(compare_keys);
+
+static const key_spec deck_keys[] = {
+    {"floe", KEY_CUSTOM, .custom = &custom_version, .required = true, .doc = "version of the deck format: 1"},
+    {"title", KEY_TEXT, AT(scene, title), .otherwise = "none", .doc = "one line that names the scene"},
+    {"source", KEY_TEXT, AT(scene, source), .otherwise = "none", .doc = "where the scene comes from"},
+    {"units", KEY_CHOICE, AT(scene, dimensionless), .fallback = "si", .choices = unit_choices,
+     .doc = "whether numbers have units"},
+    {"coupling", KEY_CHOICE, AT(scene, coupling), .required = true, .choices = coupling_choices,
+     .doc = "how fluids are represented"},
+    {"runs_as", KEY_CUSTOM, .custom = &custom_runs_as, .otherwise = "[coupling]", .doc = "couplings that `floe compare` runs"},
+    {"reference_pressure", KEY_NUMBER, "Pa", AT(scene, reference_pressure), .fallback = "0",
+     .doc = "p_ref: material points carry stress relative to it"},
+    {"domain", KEY_MAP, .table = &domain_table, .required = true, .doc = "the mesh"},
+    {"materials", KEY_NAMED, AT(scene, material), .items = &items_materials, .required = true,
+     .doc = "what things are made of: physics, never a representation"},
+    {"ambient", KEY_MAP, .table = &ambient_table, .present = 1 + offsetof(scene, has_ambient),
+     .otherwise = "none; needed by ice-mpm, and by ice where bodies leave cells empty",
+     .doc = "the fluid that fills what no body fills"},
+    {"boundaries", KEY_CUSTOM, AT(scene, bc), .custom = &custom_boundaries,
+     .otherwise = "free (symmetry at the axis r = 0)", .doc = "conditions on the sides of the domain"},
+    {"bodies", KEY_NAMED, AT(scene, body), .items = &items_bodies, .doc = "regions filled with a material at the start"},
+    {"loads", KEY_NAMED, AT(scene, load), .items = &items_loads, .doc = "what acts on the scene from outside"},
+    {"damping", KEY_MAP, AT(scene, damping), .table = &damping_table, .doc = "damping of material points"},
+    {"time", KEY_MAP, AT(scene, time), .table = &time_table, .required = true, .doc = "time stepping"},
+    {"stop", KEY_MAP, AT(scene, rest), .table = &stop_table, .present = 1 + offsetof(scene, rest.enabled),
+     .otherwise = "the run goes on to time.end", .doc = "the run ends once the solids are at rest"},
+    {"method", KEY_MAP, AT(scene, method), .table = &method_table, .doc = "numerical method"},
+    {"output", KEY_MAP, .table = &output_table, .doc = "what is written"},
+    {"verify", KEY_MAP, AT(scene, verify), .table = &verify_table, .doc = "comparison with an exact solution"},
+    {"compare", KEY_MAP, .table = &compare_table, .doc = "the axis of `floe compare`"},
+    {"threads", KEY_WHOLE, NULL, WITHIN(0, 1024), AT(scene, threads), .fallback = "0",
+     .doc = "threads; 0: as OpenMP says. Results do not depend on it"},
+};
+const key_table schema_deck = TABLE(deck_keys);

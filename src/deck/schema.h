@@ -1,0 +1,175 @@
+/* The schema: tables of keys that drive reading, checking, defaults, the echo, the reference page and the JSON schema.
+ * Private to src/deck. */
+#ifndef DECK_SCHEMA_H
+#define DECK_SCHEMA_H
+
+#include "deck/errors.h"
+#include "deck/units.h"
+
+typedef enum key_type {
+    KEY_NUMBER,   /* double */
+    KEY_NUMBERS,  /* double[n]: a list of exactly n numbers, n from the size */
+    KEY_VECTOR,   /* double[3]: a list of the scene's dimension; one number when that is 1 */
+    KEY_SPREAD,   /* double[3]: a vector, or one number for every axis */
+    KEY_WHOLE,    /* int or long */
+    KEY_WHOLES,   /* int[3]: a list of the scene's dimension, or one whole number for every axis */
+    KEY_BOOL,
+    KEY_TEXT,     /* char[] */
+    KEY_CHOICE,   /* int, enum or bool: one of a list of words */
+    KEY_MATERIAL, /* int: index of a named material */
+    KEY_BODY,     /* int: index of a named body */
+    KEY_MAP,      /* a table of keys in a part of the struct */
+    KEY_NAMED,    /* name: item, name: item ... */
+    KEY_MODEL,    /* {name: {parameters}} of a registry */
+    KEY_VARIANT,  /* {kind: {keys}}, each kind with a table of its own */
+    KEY_CUSTOM
+} key_type;
+
+typedef struct key_spec key_spec;
+typedef struct reader reader;
+typedef struct writer writer;
+
+typedef struct key_table {
+    const key_spec *key;
+    size_t n;
+} key_table;
+#define TABLE(array) {(array), sizeof(array) / sizeof(array)[0]}
+
+typedef struct choice {
+    const char *name;
+    int value;
+    const char *doc;
+} choice;
+
+/* One kind of a KEY_VARIANT. */
+typedef struct variant {
+    const char *name;
+    int value;                /* handed to variants.choose */
+    const key_table *table;   /* NULL: the kind takes no keys */
+    const char *doc;
+} variant;
+
+typedef struct variants {
+    const char *noun;         /* "load" */
+    const variant *list;
+    size_t n;
+    void (*choose)(void *field, int value); /* sets the kind, and what goes with it */
+    int (*chosen)(const void *field);       /* value of the kind that is set */
+} variants;
+
+/* A model of a registry, as the reader needs it. */
+typedef struct model_entry {
+    const char *name, *doc, *cite;
+    const param_spec *params;
+    size_t n_params, param_size;
+    const void *model;
+} model_entry;
+
+typedef struct model_family {
+    const char *noun;         /* "shape" */
+    bool (*get)(const deck_catalogue *catalogue, size_t i, model_entry *out); /* false at the end */
+    void (*store)(void *field, const model_entry *entry, void *par);
+    bool (*fetch)(const void *field, const char **name, const void **par);    /* false: none is set */
+    /* Refuses impossible parameters: NULL if fine. May be NULL. */
+    const char *(*check)(const model_entry *entry, const void *par, int dim);
+} model_family;
+
+/* Items of a KEY_NAMED: the array lies at the key's offset and each item begins with its name. */
+typedef struct named_items {
+    const char *noun;                  /* "material" */
+    size_t item_size, count_offset;    /* count_offset: of the int that counts, from the same base as the key's offset */
+    size_t most;
+    const key_table *table;            /* one of table, variants, and value */
+    const variants *variants;
+    const key_spec *value;
+    /* Called before and after an item is read; may be NULL. */
+    floe_status (*begin)(reader *r, deck_node *node, void *item);
+    floe_status (*end)(reader *r, deck_node *node, void *item);
+} named_items;
+
+typedef struct custom_key {
+    floe_status (*read)(reader *r, const key_spec *key, deck_node *node, void *base); /* node NULL: absent */
+    void (*write)(writer *w, const key_spec *key, const void *base);
+    const char *form;                  /* what is written, for the reference and for messages */
+    const char *json;                  /* JSON schema of the value */
+} custom_key;
+
+struct key_spec {
+    const char *key;
+    key_type type;
+    const char *unit;                  /* SI, udunits2 spelling; NULL: no dimension */
+    param_range range;
+    double lo, hi;                     /* PARAM_BETWEEN */
+    size_t offset, size;               /* in the struct that the table describes; size 0: not stored */
+    bool required;
+    const char *fallback;              /* default, written as in a deck; NULL: the value is left alone */
+    const char *otherwise;             /* with no fallback: what holds when the key is absent, in words */
+    const char *doc;
+    const choice *choices;             /* KEY_CHOICE, ends with a NULL name */
+    const key_table *table;            /* KEY_MAP */
+    const named_items *items;          /* KEY_NAMED */
+    const variants *variants;          /* KEY_VARIANT */
+    const model_family *family;        /* KEY_MODEL */
+    const custom_key *custom;          /* KEY_CUSTOM */
+    size_t present;                    /* 1 + offset of a bool that says whether the key was given; 0: none */
+    /* Does the key belong to this item? NULL: always. `belongs` says to what, in words. */
+    bool (*applies)(const scene *s, const void *base);
+    const char *belongs;
+};
+
+#define AT(type, member) .offset = offsetof(type, member), .size = sizeof(((type *)0)->member)
+#define WITHIN(low, high) .range = PARAM_BETWEEN, .lo = (low), .hi = (high)
+
+extern const key_table schema_deck; /* of a scene: the whole deck */
+
+/* What a load carries from hand to hand. */
+struct reader {
+    context *ctx;
+    scene *scene;
+    const deck_catalogue *catalogue;
+    deck_arena *arena;
+    error_list *errors;
+    unit_book *units;
+    deck_node *root;
+};
+
+struct writer {
+    text_buffer out;
+    const scene *scene;
+    const deck_catalogue *catalogue;
+    int indent;
+};
+
+/* Reading. A fault of the deck is entered in the errors and FLOE_OK returned; other failures are returned. */
+floe_status read_table(reader *r, const key_table *table, deck_node *map, void *base);
+floe_status read_key(reader *r, const key_spec *key, deck_node *node, void *base);
+floe_status read_scalar(reader *r, const key_spec *key, deck_node *node, void *base);
+floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *base);
+floe_status read_variant(reader *r, const variants *kinds, deck_node *node, void *field);
+floe_status read_named(reader *r, const key_spec *key, deck_node *node, void *base);
+floe_status read_number(reader *r, const key_spec *key, deck_node *node, double *out);
+/* One parameter of a model as a key. */
+key_spec key_of_param(const param_spec *param);
+
+/* Enters an error at a node, and marks it bad. */
+floe_status bad(reader *r, deck_node *node, const char *expected, const char *format, ...) FLOE_PRINTF(4, 5);
+/* At the node's key, with a hint. */
+floe_status bad_key(reader *r, deck_node *node, const char *expected, const char *hint, const char *format, ...)
+    FLOE_PRINTF(5, 6);
+/* "a number > 0 in Pa": what a key takes. */
+void describe_expected(const key_spec *key, int dim, char *text, size_t size);
+/* An unknown name at a node, with the nearest known one and all of them as what was expected. */
+floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
+                     const char *(*candidate)(const void *user, size_t i), const void *user);
+/* Index of a named material or body, -1 if there is none. */
+int find_material(const scene *s, const char *name);
+int find_body(const scene *s, const char *name);
+
+/* Writing. */
+void write_table(writer *w, const key_table *table, const void *base);
+void write_key_name(writer *w, const char *key);
+void write_number(text_buffer *out, double x);
+void write_variant(writer *w, const variants *kinds, const void *field);
+void write_quoted(text_buffer *out, const char *text);
+
+#endif

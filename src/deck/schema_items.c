@@ -1,0 +1,272 @@
+/* Materials, bodies, loads and probes. */
+#include "deck/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- materials ---- */
+
+bool material_is_fluid(const scene *s, const void *material)
+{
+    (void)s;
+    return ((const scene_material *)material)->kind == MATERIAL_FLUID;
+}
+
+bool material_is_solid(const scene *s, const void *material)
+{
+    return !material_is_fluid(s, material);
+}
+
+static const char solids_only[] = "solids: materials with a 'law' and no 'eos'";
+static const char fluids_only[] = "fluids: materials with an 'eos' and no 'law'";
+
+static const key_spec viscosity_keys[] = {
+    {"shear", KEY_NUMBER, "Pa s", PARAM_NONNEGATIVE, AT(scene_material, shear_viscosity), .fallback = "0",
+     .doc = "shear viscosity"},
+    {"bulk", KEY_NUMBER, "Pa s", PARAM_NONNEGATIVE, AT(scene_material, bulk_viscosity), .fallback = "0",
+     .doc = "bulk viscosity lambda + 2 mu / 3"},
+};
+static const key_table viscosity_table = TABLE(viscosity_keys);
+
+static const key_spec artificial_keys[] = {
+    {"linear", KEY_NUMBER, NULL, WITHIN(0.0, 100.0), AT(scene_material, artificial_linear), .fallback = "0",
+     .doc = "A1, linear in the compression rate"},
+    {"quadratic", KEY_NUMBER, NULL, WITHIN(0.0, 100.0), AT(scene_material, artificial_quadratic), .fallback = "0",
+     .doc = "A2, quadratic in the compression rate"},
+};
+static const key_table artificial_table = TABLE(artificial_keys);
+
+static const key_spec material_keys[] = {
+    {"law", KEY_MODEL, .family = &family_law, .applies = material_is_solid, .belongs = solids_only,
+     .doc = "law of a solid: what it needs to be one"},
+    {"eos", KEY_MODEL, AT(scene_material, eos), .family = &family_eos, .applies = material_is_fluid,
+     .belongs = fluids_only, .doc = "equation of state of a fluid: what it needs to be one"},
+    {"density", KEY_NUMBER, "kg/m3", PARAM_POSITIVE, AT(scene_material, density), .required = true,
+     .applies = material_is_solid, .belongs = solids_only, .doc = "density at rest"},
+    {"specific_heat", KEY_NUMBER, "J/kg/K", PARAM_POSITIVE, AT(scene_material, specific_heat),
+     .applies = material_is_solid, .belongs = solids_only, .otherwise = "not used; needed by ice-mpm",
+     .doc = "specific heat at constant volume, for the cells' view of the solid"},
+    {"tension_switch", KEY_NUMBER, "Pa", PARAM_POSITIVE, AT(scene_material, tension_switch),
+     .applies = material_is_solid, .belongs = solids_only, .otherwise = "the ambient pressure",
+     .doc = "absolute pressure below which the cells' view of the solid switches to its tension branch"},
+    {"viscosity", KEY_MAP, .table = &viscosity_table, .applies = material_is_fluid, .belongs = fluids_only,
+     .doc = "viscosity of a fluid"},
+    {"artificial_viscosity", KEY_MAP, .table = &artificial_table,
+     .doc = "Wilkins' artificial viscosity of material points"},
+};
+static const key_table material_table = TABLE(material_keys);
+
+static floe_status begin_material(reader *r, deck_node *node, void *item)
+{
+    scene_material *m = item;
+    m->density = m->specific_heat = m->tension_switch = NAN;
+    m->kind = node_find(node, "eos") && !node_find(node, "law") ? MATERIAL_FLUID : MATERIAL_SOLID;
+    if (node->kind != NODE_MAP || node_find(node, "eos") || node_find(node, "law")) return FLOE_OK;
+    return bad_key(r, node, "law: {...} for a solid, or eos: {...} for a fluid", NULL,
+                   "material '%.60s' has neither 'law' nor 'eos'", node->key);
+}
+
+const named_items items_materials = {
+    .noun = "material",
+    .item_size = sizeof(scene_material),
+    .count_offset = offsetof(scene, n_materials),
+    .most = SCENE_MAX_MATERIALS,
+    .table = &material_table,
+    .begin = begin_material,
+};
+
+/* ---- bodies ---- */
+
+static bool body_is_fluid(const scene *s, const void *body)
+{
+    const int material = ((const scene_body *)body)->material;
+    return material < 0 || s->material[material].kind == MATERIAL_FLUID; /* unknown: no second error */
+}
+
+static const char fluid_bodies[] = "bodies made of a fluid";
+
+static const choice state_choices[] = {
+    {"given", 0, "by the keys of the body"},
+    {"exact", 1, "by the exact solution of `verify` at t = 0"},
+    {0},
+};
+static const choice seeding_choices[] = {
+    {"fitted", SEED_FITTED, "points fill the shape: each has the part of its sub-cell that is inside"},
+    {"lattice", SEED_LATTICE, "whole sub-cells whose centre is inside, as in the papers"},
+    {0},
+};
+
+static const key_spec body_keys[] = {
+    {"material", KEY_MATERIAL, AT(scene_body, material), .required = true, .doc = "what it is made of"},
+    {"shape", KEY_MODEL, AT(scene_body, shape), .family = &family_shape, .required = true, .doc = "where it is"},
+    {"velocity", KEY_VECTOR, "m/s", AT(scene_body, velocity), .otherwise = "0", .doc = "at the start"},
+    {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .applies = body_is_fluid, .belongs = fluid_bodies,
+     .doc = "absolute, at the start; a fluid needs two of pressure, temperature, density"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_body, temperature),
+     .otherwise = "solids: the ambient temperature, or 300", .doc = "at the start"},
+    {"density", KEY_NUMBER, "kg/m3", PARAM_POSITIVE, AT(scene_body, density), .applies = body_is_fluid,
+     .belongs = fluid_bodies, .doc = "at the start"},
+    {"state", KEY_CHOICE, AT(scene_body, initial_from_exact), .fallback = "given", .choices = state_choices,
+     .doc = "where the state at the start comes from"},
+    {"points", KEY_WHOLES, WITHIN(1, 16), AT(scene_body, per_cell), .fallback = "2",
+     .doc = "material points along each axis of a cell"},
+    {"seeding", KEY_CHOICE, AT(scene_body, seeding), .fallback = "fitted", .choices = seeding_choices,
+     .doc = "how points are placed"},
+    {"merge", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_body, merge), .fallback = "0.3",
+     .doc = "fitted seeding: a point with less than this fraction of a sub-cell joins its neighbour"},
+};
+static const key_table body_table = TABLE(body_keys);
+
+static floe_status begin_body(reader *r, deck_node *node, void *item)
+{
+    (void)r;
+    (void)node;
+    scene_body *b = item;
+    b->material = -1;
+    b->pressure = b->temperature = b->density = NAN;
+    return FLOE_OK;
+}
+
+/* Pressure from density and temperature, so that a body's state is always given with its pressure. */
+static void resolve_state(const scene_material *m, scene_body *b)
+{
+    double e, c2;
+    m->eos.model->energy(m->eos.par, 1, &b->density, &b->temperature, &e);
+    m->eos.model->pressure(m->eos.par, 1, &b->density, &e, &b->pressure, &c2);
+    b->temperature = NAN;
+}
+
+static floe_status end_body(reader *r, deck_node *node, void *item)
+{
+    scene_body *b = item;
+    if (b->material < 0 || node->bad || r->scene->material[b->material].kind == MATERIAL_SOLID) return FLOE_OK;
+    const int given = !isnan(b->pressure) + !isnan(b->temperature) + !isnan(b->density);
+    if (given == 3) {
+        return bad_key(r, node, "two of pressure, temperature, density", "the equation of state gives the third",
+                       "fluid body '%s' has pressure, temperature and density", b->name);
+    }
+    if (given < 2 && !b->initial_from_exact) {
+        return bad_key(r, node, "two of pressure, temperature, density; or 'state: exact'", NULL,
+                       "fluid body '%s' has no state", b->name);
+    }
+    if (given == 2 && isnan(b->pressure) && r->scene->material[b->material].eos.model) {
+        resolve_state(&r->scene->material[b->material], b);
+    }
+    return FLOE_OK;
+}
+
+const named_items items_bodies = {
+    .noun = "body",
+    .item_size = sizeof(scene_body),
+    .count_offset = offsetof(scene, n_bodies),
+    .most = SCENE_MAX_BODIES,
+    .table = &body_table,
+    .begin = begin_body,
+    .end = end_body,
+};
+
+/* ---- loads ---- */
+
+#define RAMP_KEYS                                                                                                      \
+    {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, start), .fallback = "0", .doc = "the load begins"},   \
+    {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, ramp), .fallback = "0",                                \
+     .doc = "time over which it grows from nothing, in proportion; 0: at once"},                                      \
+    {"ramp_steps", KEY_WHOLE, NULL, WITHIN(0, 1e9), AT(scene_load, ramp_steps), .fallback = "0",                       \
+     .doc = "steps over which it grows, instead of a time; 0: not used"},                                             \
+    {"hold", KEY_BOOL, AT(scene_load, hold), .fallback = "false"
+
+static const key_spec pressurise_keys[] = {
+    {"material", KEY_MATERIAL, AT(scene_load, material), .required = true, .doc = "the fluid that is heated"},
+    {"region", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .otherwise = "everywhere", .doc = "where"},
+    {"target", KEY_NUMBER, "Pa", PARAM_POSITIVE, AT(scene_load, target), .required = true,
+     .doc = "pressure to be reached, above reference_pressure"},
+    RAMP_KEYS, .doc = "true: the pressure is kept after the ramp; false: no energy is added any more"},
+};
+static const key_table pressurise_table = TABLE(pressurise_keys);
+
+static const key_spec heat_keys[] = {
+    {"material", KEY_MATERIAL, AT(scene_load, material), .required = true, .doc = "the fluid that is heated"},
+    {"region", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .otherwise = "everywhere", .doc = "where"},
+    {"power", KEY_NUMBER, "W/m3", AT(scene_load, target), .required = true, .doc = "power per volume"},
+    RAMP_KEYS, .doc = "true: the power stays on after the ramp; false: it is then off"},
+};
+static const key_table heat_table = TABLE(heat_keys);
+
+static const key_spec traction_keys[] = {
+    {"body", KEY_BODY, AT(scene_load, body), .required = true, .doc = "the body that is loaded"},
+    {"surface", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .required = true,
+     .doc = "the surface of this shape is loaded; the body lies on one side of it"},
+    {"pressure", KEY_NUMBER, "Pa", AT(scene_load, target), .required = true,
+     .doc = "normal pressure on it, above reference_pressure; compression positive"},
+    {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, start), .fallback = "0", .doc = "the load begins"},
+    {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, ramp), .fallback = "0",
+     .doc = "time over which it grows from nothing, in proportion; 0: at once"},
+};
+static const key_table traction_table = TABLE(traction_keys);
+
+static const key_spec gravity_keys[] = {
+    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .required = true, .doc = "of everything"},
+};
+static const key_table gravity_table = TABLE(gravity_keys);
+
+static const key_spec body_force_keys[] = {
+    {"body", KEY_BODY, AT(scene_load, body), .required = true, .doc = "the body that it acts on"},
+    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .required = true, .doc = "force per mass"},
+};
+static const key_table body_force_table = TABLE(body_force_keys);
+
+enum { GRAVITY = 100 }; /* a LOAD_BODY_FORCE on everything */
+
+static const variant load_list[] = {
+    {"pressurise", LOAD_PRESSURISE, &pressurise_table,
+     "energy into a fluid until its pressure has reached a target, along a ramp"},
+    {"heat", LOAD_HEAT, &heat_table, "energy into a fluid at a given power"},
+    {"traction", LOAD_TRACTION, &traction_table, "pressure on a surface of a body of material points"},
+    {"gravity", GRAVITY, &gravity_table, "acceleration of everything"},
+    {"body_force", LOAD_BODY_FORCE, &body_force_table, "force per mass on one body"},
+};
+
+static void choose_load(void *field, int value)
+{
+    scene_load *load = field;
+    load->kind = value == GRAVITY ? LOAD_BODY_FORCE : (load_kind)value;
+}
+
+static int chosen_load(const void *field)
+{
+    const scene_load *load = field;
+    return load->kind == LOAD_BODY_FORCE && load->body < 0 ? GRAVITY : (int)load->kind;
+}
+
+static const variants load_kinds = {"load", load_list, sizeof load_list / sizeof load_list[0], choose_load, chosen_load};
+
+static floe_status begin_load(reader *r, deck_node *node, void *item)
+{
+    (void)r;
+    (void)node;
+    scene_load *load = item;
+    load->material = load->body = -1;
+    return FLOE_OK;
+}
+
+const named_items items_loads = {
+    .noun = "load",
+    .item_size = sizeof(scene_load),
+    .count_offset = offsetof(scene, n_loads),
+    .most = SCENE_MAX_LOADS,
+    .variants = &load_kinds,
+    .begin = begin_load,
+};
+
+/* ---- probes ---- */
+
+static const key_spec probe_value = {"position", KEY_VECTOR, "m", AT(scene_probe, position), .doc = "a place"};
+
+const named_items items_probes = {
+    .noun = "probe",
+    .item_size = sizeof(scene_probe),
+    .count_offset = offsetof(scene, n_probes),
+    .most = SCENE_MAX_PROBES,
+    .value = &probe_value,
+};

@@ -1,0 +1,264 @@
+/* The echo: a scene written back through the tables that read it. */
+#include "deck/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void write_key_name(writer *w, const char *key)
+{
+    text_print(&w->out, "%*s%s:", 2 * w->indent, "", key);
+}
+
+/* The shortest of 15, 16 and 17 digits that reads back as the same double. */
+void write_number(text_buffer *out, double x)
+{
+    char text[40];
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, x);
+        if (strtod(text, NULL) == x) break;
+    }
+    text_print(out, "%s", text);
+}
+
+void write_quoted(text_buffer *out, const char *text)
+{
+    text_print(out, "\"");
+    for (; *text; text++) {
+        const unsigned char c = (unsigned char)*text;
+        if (c == '"' || c == '\\') {
+            text_print(out, "\\%c", c);
+        } else if (c < 0x20 || c == 0x7F) {
+            text_print(out, "\\x%02X", c);
+        } else {
+            text_append(out, text, 1);
+        }
+    }
+    text_print(out, "\"");
+}
+
+static void write_numbers(text_buffer *out, const double *x, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        text_print(out, "%s", i == 0 ? " [" : ", ");
+        write_number(out, x[i]);
+    }
+    text_print(out, "]\n");
+}
+
+static long load_whole(const key_spec *key, const void *field)
+{
+    int narrow;
+    long wide;
+    if (key->size == sizeof wide) {
+        memcpy(&wide, field, sizeof wide);
+        return wide;
+    }
+    memcpy(&narrow, field, sizeof narrow);
+    return narrow;
+}
+
+static const char *choice_of(const key_spec *key, const void *field)
+{
+    bool flag;
+    int value;
+    memcpy(&flag, field, sizeof flag);
+    if (key->size == sizeof flag) {
+        value = flag;
+    } else {
+        memcpy(&value, field, sizeof value);
+    }
+    for (const choice *c = key->choices; c->name; c++) {
+        if (c->value == value) return c->name;
+    }
+    return key->choices[0].name;
+}
+
+/* Nothing to write: the key was left out, and its absence means the same again. */
+static bool is_unset(const key_spec *key, const void *field)
+{
+    double x;
+    int index;
+    switch (key->type) {
+    case KEY_NUMBER:
+    case KEY_NUMBERS:
+    case KEY_VECTOR:
+    case KEY_SPREAD: memcpy(&x, field, sizeof x); return !isfinite(x);
+    case KEY_MATERIAL:
+    case KEY_BODY: memcpy(&index, field, sizeof index); return index < 0;
+    case KEY_TEXT: return *(const char *)field == '\0';
+    default: return false;
+    }
+}
+
+static void write_wholes(writer *w, const int *x)
+{
+    for (int i = 0; i < w->scene->mesh.dim; i++) text_print(&w->out, "%s%d", i == 0 ? " [" : ", ", x[i]);
+    text_print(&w->out, "]\n");
+}
+
+static void write_scalar(writer *w, const key_spec *key, const void *base)
+{
+    const char *field = (const char *)base + key->offset;
+    const double *number = (const double *)(const void *)field;
+    const size_t dim = (size_t)w->scene->mesh.dim;
+    if (is_unset(key, field)) return;
+    write_key_name(w, key->key);
+    switch (key->type) {
+    case KEY_NUMBER:
+        text_print(&w->out, " ");
+        write_number(&w->out, *number);
+        break;
+    case KEY_NUMBERS: write_numbers(&w->out, number, key->size / sizeof *number); return;
+    case KEY_VECTOR:
+    case KEY_SPREAD: write_numbers(&w->out, number, dim); return;
+    case KEY_WHOLES: write_wholes(w, (const int *)(const void *)field); return;
+    case KEY_WHOLE: text_print(&w->out, " %ld", load_whole(key, field)); break;
+    case KEY_BOOL: text_print(&w->out, " %s", *(const bool *)(const void *)field ? "true" : "false"); break;
+    case KEY_TEXT:
+        text_print(&w->out, " ");
+        write_quoted(&w->out, field);
+        break;
+    case KEY_CHOICE: text_print(&w->out, " %s", choice_of(key, field)); break;
+    case KEY_MATERIAL: text_print(&w->out, " %s", w->scene->material[*(const int *)(const void *)field].name); break;
+    case KEY_BODY: text_print(&w->out, " %s", w->scene->body[*(const int *)(const void *)field].name); break;
+    default: break;
+    }
+    text_print(&w->out, "\n");
+}
+
+static bool find_entry(writer *w, const model_family *family, const char *name, model_entry *entry)
+{
+    for (size_t i = 0; family->get(w->catalogue, i, entry); i++) {
+        if (strcmp(entry->name, name) == 0) return true;
+    }
+    return false;
+}
+
+static void write_model(writer *w, const key_spec *key, const void *base)
+{
+    const char *name;
+    const void *par;
+    model_entry entry;
+    if (!key->family->fetch((const char *)base + key->offset, &name, &par)) return;
+    if (!find_entry(w, key->family, name, &entry)) return;
+    write_key_name(w, key->key);
+    if (entry.n_params == 0) {
+        text_print(&w->out, " %s\n", name);
+        return;
+    }
+    text_print(&w->out, "\n");
+    w->indent++;
+    write_key_name(w, name);
+    text_print(&w->out, "\n");
+    w->indent++;
+    for (size_t i = 0; i < entry.n_params; i++) {
+        const key_spec param = key_of_param(&entry.params[i]);
+        write_scalar(w, &param, par);
+    }
+    w->indent -= 2;
+}
+
+/* After "key:", a table on lines of its own; " {}" when it has nothing to say. */
+static void write_nested(writer *w, const key_table *table, const void *base)
+{
+    text_print(&w->out, "\n");
+    const size_t before = w->out.length;
+    w->indent++;
+    write_table(w, table, base);
+    w->indent--;
+    if (w->out.length == before && w->out.status == FLOE_OK) {
+        w->out.length--;
+        text_print(&w->out, " {}\n");
+    }
+}
+
+void write_variant(writer *w, const variants *kinds, const void *field)
+{
+    const int value = kinds->chosen(field);
+    for (size_t i = 0; i < kinds->n; i++) {
+        const variant *kind = &kinds->list[i];
+        if (kind->value != value) continue;
+        if (!kind->table) {
+            text_print(&w->out, " %s\n", kind->name);
+            return;
+        }
+        text_print(&w->out, "\n");
+        w->indent++;
+        write_key_name(w, kind->name);
+        write_nested(w, kind->table, field);
+        w->indent--;
+    }
+}
+
+static void write_named(writer *w, const key_spec *key, const void *base)
+{
+    const named_items *items = key->items;
+    int count;
+    memcpy(&count, (const char *)base + items->count_offset, sizeof count);
+    if (count == 0) return;
+    write_key_name(w, key->key);
+    text_print(&w->out, "\n");
+    w->indent++;
+    for (int i = 0; i < count; i++) {
+        const char *item = (const char *)base + key->offset + (size_t)i * items->item_size;
+        if (items->value) {
+            key_spec value = *items->value;
+            value.key = item;
+            write_scalar(w, &value, item);
+            continue;
+        }
+        write_key_name(w, item);
+        if (items->table) {
+            write_nested(w, items->table, item);
+        } else {
+            write_variant(w, items->variants, item);
+        }
+    }
+    w->indent--;
+}
+
+static void write_map(writer *w, const key_spec *key, const void *base)
+{
+    bool present = true;
+    if (key->present) memcpy(&present, (const char *)base + key->present - 1, sizeof present);
+    if (!present) return;
+    const size_t start = w->out.length;
+    write_key_name(w, key->key);
+    text_print(&w->out, "\n");
+    const size_t before = w->out.length;
+    w->indent++;
+    write_table(w, key->table, (const char *)base + key->offset);
+    w->indent--;
+    if (w->out.length == before && w->out.status == FLOE_OK) {
+        w->out.length = start; /* nothing under it: as if it were not there */
+        w->out.data[start] = '\0';
+    }
+}
+
+void write_table(writer *w, const key_table *table, const void *base)
+{
+    for (size_t i = 0; i < table->n; i++) {
+        const key_spec *key = &table->key[i];
+        if (key->applies && !key->applies(w->scene, base)) continue;
+        switch (key->type) {
+        case KEY_MAP: write_map(w, key, base); break;
+        case KEY_NAMED: write_named(w, key, base); break;
+        case KEY_MODEL: write_model(w, key, base); break;
+        case KEY_VARIANT:
+            write_key_name(w, key->key);
+            write_variant(w, key->variants, (const char *)base + key->offset);
+            break;
+        case KEY_CUSTOM: key->custom->write(w, key, base); break;
+        default: write_scalar(w, key, base); break;
+        }
+    }
+}
+
+floe_status deck_echo(char **text, const scene *s, const deck_catalogue *catalogue)
+{
+    writer w = {.out = {.ctx = s->ctx}, .scene = s, .catalogue = catalogue};
+    write_table(&w, &schema_deck, s);
+    return text_take(&w.out, text);
+}
