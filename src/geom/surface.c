@@ -11,7 +11,10 @@ typedef struct cutter {
     double step; /* m, of differences */
 } cutter;
 
-static double level(const cutter *c, const double x[3]) { return c->shape->model->level(c->shape->par, c->grid->dim, x); }
+static double level(const cutter *c, const double x[3])
+{
+    return c->shape->model->level(c->shape->par, c->grid->dim, x);
+}
 
 static void gradient(const cutter *c, const double x[3], double g[3])
 {
@@ -98,7 +101,9 @@ static void cut_simplex(const cutter *c, const double corner[4][3])
 /* Simplices of the unit box by dimension, as corner numbers (bit a: upper along axis a): one segment, two triangles, six
  * tetrahedra about the diagonal. */
 static const int simplex[3][6][4] = {
-    {{0, 1}}, {{0, 1, 3}, {0, 2, 3}}, {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
+    {{0, 1}},
+    {{0, 1, 3}, {0, 2, 3}},
+    {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
 static const int simplices[3] = {1, 2, 6};
 
 static void cut_box(const cutter *c, const double lo[3], const double size[3])

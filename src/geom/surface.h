@@ -6,9 +6,9 @@
 
 /* One surface element. */
 typedef struct surface_element {
-    double x[3];        /* m, on the surface */
-    double normal[3];   /* unit, along the gradient of the level: out of the shape */
-    double area;        /* m2 (m in 2-D per metre, 1 in 1-D; per radian, times r, when axisymmetric) */
+    double x[3];      /* m, on the surface */
+    double normal[3]; /* unit, along the gradient of the level: out of the shape */
+    double area;      /* m2 (m in 2-D per metre, 1 in 1-D; per radian, times r, when axisymmetric) */
 } surface_element;
 
 typedef void surface_visitor(void *user, const surface_element *element);

@@ -5,24 +5,25 @@
 #include "grid/domain.h"
 
 typedef enum bc_kind {
-    BC_SYMMETRY,    /* mirror: normal velocity odd, everything else even; a slip wall is the same */
-    BC_SLIP,        /* impermeable, free tangential velocity */
-    BC_NO_SLIP,     /* impermeable, tangential velocity of the wall */
+    BC_SYMMETRY, /* mirror: normal velocity odd, everything else even; a slip wall is the same */
+    BC_SLIP,     /* impermeable, free tangential velocity */
+    BC_NO_SLIP,  /* impermeable, tangential velocity of the wall */
     BC_PERIODIC,
-    BC_INLET,       /* fluids: density, velocity, temperature given; points: prescribed velocity */
-    BC_OUTLET,      /* fluids: zero gradient, face pressure given */
-    BC_VELOCITY,    /* points: prescribed velocity; fluids: moving impermeable wall */
-    BC_FREE         /* points: nothing is imposed; fluids: zero gradient (supersonic outlet) */
+    BC_INLET,    /* fluids: density, velocity, temperature given; points: prescribed velocity */
+    BC_OUTLET,   /* fluids: zero gradient, face pressure given */
+    BC_VELOCITY, /* points: prescribed velocity; fluids: moving impermeable wall */
+    BC_FREE      /* points: nothing is imposed; fluids: zero gradient (supersonic outlet) */
 } bc_kind;
 
-const char *bc_name(bc_kind kind); /* name in the deck: symmetry, slip, no_slip, periodic, inlet, outlet, velocity, free */
+const char *
+bc_name(bc_kind kind); /* name in the deck: symmetry, slip, no_slip, periodic, inlet, outlet, velocity, free */
 
 typedef struct bc_side {
     bc_kind kind;
-    double velocity[MESH_MAX_DIM];  /* m/s: of the wall, the inlet or the prescribed nodes */
-    double pressure;                /* Pa: outlet and inlet */
-    double temperature;             /* K: inlet, reservoir behind an outlet, wall */
-    int material;                   /* fluid that enters (index in the scene's materials) */
+    double velocity[MESH_MAX_DIM]; /* m/s: of the wall, the inlet or the prescribed nodes */
+    double pressure;               /* Pa: outlet and inlet */
+    double temperature;            /* K: inlet, reservoir behind an outlet, wall */
+    int material;                  /* fluid that enters (index in the scene's materials) */
 } bc_side;
 
 typedef struct bc_table {

@@ -7,9 +7,11 @@
 #include "grid/mesh.h"
 
 typedef struct domain {
-    context *ctx;                       /* not owned */
-    const mesh *mesh;                   /* not owned */
-    fields *fields[MESH_MAX_BLOCKS];    /* owned; one set per block */
+    context *ctx;                    /* not owned */
+    const mesh *mesh;                /* not owned */
+    fields *fields[MESH_MAX_BLOCKS]; /* owned; one set per block */
+    double *partials;                /* owned; see domain_tile */
+    size_t partial_size;             /* doubles of one tile */
 } domain;
 
 floe_status domain_create(domain **out, context *ctx, const mesh *m);
@@ -23,6 +25,17 @@ typedef enum fill_which { FILL_CURRENT, FILL_NEXT } fill_which;
 /* Copies owned values of cell or face fields into the ghost layers of neighbouring blocks, and around periodic axes;
  * edges and corners included. Ghosts beyond a non-periodic side are left to grid/bc. */
 void domain_fill(domain *d, field_id id, int instance, fill_which which);
+
+/* Room for `size` doubles of node partials in every global tile: the private sums of a tile's points, which the blocks
+ * that see its nodes add up in global tile order. */
+floe_status domain_reserve_partials(domain *d, size_t size);
+/* The partials of a global tile. In another process's domain, tiles next to a block are valid after domain_share_partials. */
+double *domain_tile(const domain *d, int tile);
+void domain_share_partials(domain *d);
+
+/* Adds up the two images of every node near a periodic end (node 0 and n, -1 and n-1, 1 and n+1), low image first, and gives both
+ * the sum. One ghost layer of nodes is used. */
+void domain_fold_periodic(domain *d, field_id id, int instance);
 
 /* Sum, minimum and maximum over tiles, in the order of global tile number, whatever the blocks: `partial` has one
  * row of `count` values per global tile (row-major). */

@@ -24,6 +24,7 @@ void domain_destroy(domain **d)
 {
     if (!d || !*d) return;
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b) fields_destroy(&(*d)->fields[b]);
+    memory_free((*d)->ctx, &(*d)->partials);
     memory_free((*d)->ctx, d);
 }
 
@@ -33,8 +34,14 @@ floe_status domain_add(domain *d, field_id id, int instance)
     return FLOE_OK;
 }
 
-static int max_int(int a, int b) { return a > b ? a : b; }
-static int min_int(int a, int b) { return a < b ? a : b; }
+static int max_int(int a, int b)
+{
+    return a > b ? a : b;
+}
+static int min_int(int a, int b)
+{
+    return a < b ? a : b;
+}
 
 /* Copies cells [lo, hi) (global, in the source's numbering) of `from` to `to`, whose numbering is shifted by `shift`. */
 static void copy_box(const mesh *m, const block *from, const double *source, const block *to, double *target,
@@ -96,4 +103,70 @@ void domain_sum_tiles(const mesh *m, const double *partial, int count, double *s
     for (int c = 0; c < count; ++c) sum[c] = 0.0;
     for (size_t t = 0; t < tiles; ++t)
         for (int c = 0; c < count; ++c) sum[c] += partial[t * (size_t)count + (size_t)c];
+}
+
+floe_status domain_reserve_partials(domain *d, size_t size)
+{
+    const mesh *m = d->mesh;
+    const size_t tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    d->partial_size = size;
+    return memory_new(d->ctx, &d->partials, tiles * size, sizeof(double));
+}
+
+double *domain_tile(const domain *d, int tile)
+{
+    return d->partials + (size_t)tile * d->partial_size;
+}
+
+void domain_share_partials(domain *d)
+{
+    (void)d; /* one process: every tile is at hand */
+}
+
+/* Adds the three pairs of images of one row of nodes along a periodic axis of n cells (n of the upper block). */
+static void fold_row(double *low, double *high, ptrdiff_t stride, int n)
+{
+    for (int image = -1; image <= 1; ++image) {
+        double *a = low + image * stride, *b = high + (n + image) * stride;
+        const double sum = *a + *b;
+        *a = sum;
+        *b = sum;
+    }
+}
+
+static void fold_pair(const block *low, const block *high, int axis, double *a, double *b)
+{
+    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
+    for (int d = 0; d < low->dim; ++d) {
+        lo[d] = d == axis ? 0 : -1;
+        hi[d] = d == axis ? 1 : low->n[d] + 2;
+    }
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i)
+                fold_row(a + mesh_index(low, i, j, k), b + mesh_index(high, i, j, k), low->stride[axis], high->n[axis]);
+}
+
+/* The block at the upper end of the domain in the same row of blocks as `low`. */
+static int opposite(const mesh *m, const block *low, int axis)
+{
+    int cell[MESH_MAX_DIM] = {low->lo[0], low->lo[1], low->lo[2]};
+    cell[axis] = m->n[axis] - 1;
+    return mesh_block_of(m, cell);
+}
+
+void domain_fold_periodic(domain *d, field_id id, int instance)
+{
+    const mesh *m = d->mesh;
+    const int components = field_component_count(field_describe(id)->components, m->dim);
+    for (int axis = 0; axis < m->dim; ++axis) {
+        if (!m->periodic[axis]) continue;
+        for (int b = 0; b < m->n_blocks; ++b) {
+            if (!m->block[b].at_side[axis][SIDE_LOWER]) continue;
+            const int other = opposite(m, &m->block[b], axis);
+            for (int c = 0; c < components; ++c)
+                fold_pair(&m->block[b], &m->block[other], axis, field_get(d->fields[b], id, instance, c),
+                          field_get(d->fields[other], id, instance, c));
+        }
+    }
 }

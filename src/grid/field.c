@@ -16,7 +16,7 @@ enum {
 enum { STATE = FIELD_STATE, FIXED = FIELD_FIXED, SCRATCH = FIELD_SCRATCH, DIAGNOSTIC = FIELD_DIAGNOSTIC };
 
 static const field_info table[FIELD_COUNT] = {
-#define FIELD_ROW(id, name, centring, components, unit, class, meaning)                                                \
+#define FIELD_ROW(id, name, centring, components, unit, class, meaning) \
     [id] = {name, unit, meaning, (field_centring)(centring), (field_components)(components), (field_class)(class)},
     FIELD_LIST(FIELD_ROW)
 #undef FIELD_ROW
@@ -38,16 +38,19 @@ struct fields {
     entry entry[FIELD_COUNT][FIELD_MAX_INSTANCES];
 };
 
-const field_info *field_describe(field_id id) { return &table[id]; }
+const field_info *field_describe(field_id id)
+{
+    return &table[id];
+}
 
 int field_component_count(field_components components, int dim)
 {
     switch (components) {
     case FIELD_SCALAR: return 1;
     case FIELD_VECTOR: return dim;
-    case FIELD_STRESS: return dim == 1 ? 1 : dim == 2 ? 4 : 6;
+    case FIELD_STRESS: return dim == 1 ? 3 : dim == 2 ? 4 : 6;
     case FIELD_GRADIENT: return dim * dim;
-    case FIELD_DEFORM: return dim == 2 ? 5 : dim * dim;
+    case FIELD_DEFORM: return dim == 1 ? 3 : dim == 2 ? 5 : 9;
     }
     return 0;
 }
@@ -105,9 +108,15 @@ bool fields_has(const fields *f, field_id id, int instance)
     return instance >= 0 && instance < FIELD_MAX_INSTANCES && f->entry[id][instance].present;
 }
 
-double *field_get(const fields *f, field_id id, int instance, int comp) { return f->entry[id][instance].current[comp]; }
+double *field_get(const fields *f, field_id id, int instance, int comp)
+{
+    return f->entry[id][instance].current[comp];
+}
 
-double *field_next(const fields *f, field_id id, int instance, int comp) { return f->entry[id][instance].next[comp]; }
+double *field_next(const fields *f, field_id id, int instance, int comp)
+{
+    return f->entry[id][instance].next[comp];
+}
 
 void fields_commit(fields *f)
 {
@@ -151,7 +160,10 @@ floe_status fields_reserve_points(fields *f, int body, size_t capacity)
     return FLOE_OK;
 }
 
-size_t fields_point_capacity(const fields *f, int body) { return f->capacity[body]; }
+size_t fields_point_capacity(const fields *f, int body)
+{
+    return f->capacity[body];
+}
 
 void fields_permute_points(fields *f, int body, size_t n, const uint32_t *order)
 {
@@ -187,7 +199,8 @@ uint64_t fields_bytes(const fields *f, field_id first, field_id last)
     for (field_id id = first; id <= last; ++id)
         for (int i = 0; i < FIELD_MAX_INSTANCES; ++i)
             if (f->entry[id][i].present)
-                doubles += (uint64_t)components_of(f, id) * length_of(f, id, i) * (table[id].class == FIELD_STATE ? 2 : 1);
+                doubles +=
+                    (uint64_t)components_of(f, id) * length_of(f, id, i) * (table[id].class == FIELD_STATE ? 2 : 1);
     return doubles * sizeof(double);
 }
 

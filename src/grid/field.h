@@ -17,7 +17,13 @@ typedef enum field_id {
 } field_id;
 
 typedef enum field_centring { FIELD_POINT, FIELD_NODE, FIELD_CELL, FIELD_FACE } field_centring;
-typedef enum field_components { FIELD_SCALAR, FIELD_VECTOR, FIELD_STRESS, FIELD_GRADIENT, FIELD_DEFORM } field_components;
+typedef enum field_components {
+    FIELD_SCALAR,
+    FIELD_VECTOR,
+    FIELD_STRESS,
+    FIELD_GRADIENT,
+    FIELD_DEFORM
+} field_components;
 typedef enum field_class { FIELD_STATE, FIELD_FIXED, FIELD_SCRATCH, FIELD_DIAGNOSTIC } field_class;
 
 enum { FIELD_MAX_COMPONENTS = 9, FIELD_MAX_INSTANCES = 16 };

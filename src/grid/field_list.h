@@ -13,59 +13,63 @@
 #ifndef GRID_FIELD_LIST_H
 #define GRID_FIELD_LIST_H
 
-#define FIELD_LIST(X)                                                                                                  \
-    /* material points, instance: body */                                                                             \
-    X(P_ID, "id", POINT, SCALAR, "1", FIXED, "body << 40 | seeding ordinal, exact in a double's 53 bits")              \
-    X(P_MASS, "mass", POINT, SCALAR, "kg", FIXED, "m_p")                                                               \
-    X(P_VOLUME0, "initial_volume", POINT, SCALAR, "m3", FIXED, "V0_p")                                                 \
-    X(P_HALF, "half_width", POINT, VECTOR, "m", FIXED, "GIMP half width of the point's domain")                        \
-    X(P_POS, "position", POINT, VECTOR, "m", STATE, "x_p")                                                             \
-    X(P_VEL, "velocity", POINT, VECTOR, "m/s", STATE, "v_p at n-1/2 in pure MPM, n when coupled")                      \
-    X(P_F, "deformation_gradient", POINT, DEFORM, "1", STATE, "F_p")                                                   \
-    X(P_J, "volume_ratio", POINT, SCALAR, "1", STATE, "J_p = V/V0, for laws that need no F")                           \
-    X(P_STRESS, "stress", POINT, STRESS, "Pa", STATE, "Cauchy, tension positive, gauge to the reference pressure")     \
-    X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                                \
-    X(P_VISCOUS_PRESSURE, "artificial_pressure", POINT, SCALAR, "Pa", STATE, "q_p, compression positive")              \
-    X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")    \
-    X(P_TRACTION_FORCE, "traction_force", POINT, VECTOR, "N", FIXED, "unit-load nodal force direction of a loaded surface point") \
-    /* nodes, instance: velocity group */                                                                             \
-    X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                         \
-    X(N_MOMENTUM, "node_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "m_i v_i")                                         \
-    X(N_FORCE, "node_force", NODE, VECTOR, "N", SCRATCH, "f_i = internal + external + damping")                        \
-    X(N_VEL, "node_velocity", NODE, VECTOR, "m/s", SCRATCH, "v_i")                                                     \
-    X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                      \
-    X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH, "a_i = (v_i^L - v_i) / dt after boundary conditions") \
-    X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")      \
-    /* cells, instance: material */                                                                                   \
-    X(C_RHO, "density", CELL, SCALAR, "kg/m3", STATE, "rho^r: mass of material r per cell volume")                     \
-    X(C_VEL, "velocity", CELL, VECTOR, "m/s", STATE, "u^r")                                                            \
-    X(C_ENERGY, "internal_energy", CELL, SCALAR, "J/kg", STATE, "e^r")                                                 \
-    X(C_VOL, "specific_volume", CELL, SCALAR, "m3/kg", STATE, "v^r of the pure material; absent with one fluid")       \
-    X(C_TEMP, "temperature", CELL, SCALAR, "K", SCRATCH, "T^r")                                                        \
-    X(C_THETA, "volume_fraction", CELL, SCALAR, "1", SCRATCH, "theta^r = m^r v^r / TMV")                               \
-    X(C_SOUND, "sound_speed", CELL, SCALAR, "m/s", SCRATCH, "c^r")                                                     \
-    X(C_KAPPA, "compressibility", CELL, SCALAR, "1/Pa", SCRATCH, "kappa^r = v^r / c^r^2")                              \
-    X(C_VEL_L, "velocity_lagrangian", CELL, VECTOR, "m/s", SCRATCH, "u^r,L of fluids")                                 \
-    X(C_ENERGY_L, "energy_lagrangian", CELL, SCALAR, "J/kg", SCRATCH, "e^r,L of fluids")                               \
-    X(C_VOLUME_L, "specific_volume_lagrangian", CELL, SCALAR, "m3/kg", SCRATCH, "v^r,L of fluids")                     \
-    X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH, "(m u)^r,L of materials carried by points") \
-    X(C_SOURCE, "momentum_source", CELL, VECTOR, "kg m/s", SCRATCH, "pressure-gradient impulse of step 8")             \
-    X(C_VELOCITY_CHANGE, "velocity_change", CELL, VECTOR, "m/s", SCRATCH, "dv_c handed back to the nodes")             \
-    /* cells, shared by all materials (instance 0) */                                                                 \
-    X(C_PRESSURE, "pressure", CELL, SCALAR, "Pa", STATE, "p equilibrium pressure; also the next Newton guess")         \
-    X(C_PRESSURE_ADVANCED, "pressure_advanced", CELL, SCALAR, "Pa", SCRATCH, "P = p + phi dP")                         \
-    X(C_DP, "pressure_increment", CELL, SCALAR, "Pa", SCRATCH, "dP by dilatation over the full step")                  \
-    X(C_TMV_RATIO, "material_volume_ratio", CELL, SCALAR, "1", SCRATCH, "TMV / V")                                     \
-    X(C_RHO_SUM, "density_sum", CELL, SCALAR, "kg/m3", SCRATCH, "sum of rho^r")                                        \
-    X(C_KAPPA_SUM, "compressibility_sum", CELL, SCALAR, "1/Pa", SCRATCH, "S = sum theta^r kappa^r")                    \
-    X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "s: 0 smooth, 1 at a shock; phi = (1 + s) / 2")             \
-    X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")                 \
-    X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")      \
-    X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH, "number of materials present, plus 64 where one is carried by points") \
-    /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                           \
-    X(F_VEL, "face_velocity", FACE, VECTOR, "m/s", SCRATCH, "u*^r: normal component on the lower face of each axis")   \
-    X(F_THETA, "face_volume_fraction", FACE, VECTOR, "1", SCRATCH, "theta^r,f averaged over the donor slab")           \
-    X(F_PRESSURE, "face_pressure", FACE, VECTOR, "Pa", SCRATCH, "P*")                                                  \
+#define FIELD_LIST(X)                                                                                                \
+    /* material points, instance: body */                                                                            \
+    X(P_ID, "id", POINT, SCALAR, "1", FIXED, "body << 40 | seeding ordinal, exact in a double's 53 bits")            \
+    X(P_MASS, "mass", POINT, SCALAR, "kg", FIXED, "m_p")                                                             \
+    X(P_VOLUME0, "initial_volume", POINT, SCALAR, "m3", FIXED, "V0_p")                                               \
+    X(P_HALF, "half_width", POINT, VECTOR, "m", FIXED, "GIMP half width of the point's domain")                      \
+    X(P_POS, "position", POINT, VECTOR, "m", STATE, "x_p")                                                           \
+    X(P_VEL, "velocity", POINT, VECTOR, "m/s", STATE, "v_p at n-1/2 in pure MPM, n when coupled")                    \
+    X(P_F, "deformation_gradient", POINT, DEFORM, "1", STATE, "F_p")                                                 \
+    X(P_J, "volume_ratio", POINT, SCALAR, "1", STATE, "J_p = V/V0, for laws that need no F")                         \
+    X(P_STRESS, "stress", POINT, STRESS, "Pa", STATE, "Cauchy, tension positive, gauge to the reference pressure")   \
+    X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                              \
+    X(P_VISCOUS_PRESSURE, "artificial_pressure", POINT, SCALAR, "Pa", STATE, "q_p, compression positive")            \
+    X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
+    X(P_TRACTION_FORCE, "traction_force", POINT, VECTOR, "N", FIXED,                                                 \
+      "unit-load nodal force direction of a loaded surface point")                                                   \
+    /* nodes, instance: velocity group */                                                                            \
+    X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                       \
+    X(N_MOMENTUM, "node_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "m_i v_i")                                       \
+    X(N_FORCE, "node_force", NODE, VECTOR, "N", SCRATCH, "f_i = internal + external + damping")                      \
+    X(N_VEL, "node_velocity", NODE, VECTOR, "m/s", SCRATCH, "v_i")                                                   \
+    X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                    \
+    X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH,                                                   \
+      "a_i = (v_i^L - v_i) / dt after boundary conditions")                                                          \
+    X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")    \
+    /* cells, instance: material */                                                                                  \
+    X(C_RHO, "density", CELL, SCALAR, "kg/m3", STATE, "rho^r: mass of material r per cell volume")                   \
+    X(C_VEL, "velocity", CELL, VECTOR, "m/s", STATE, "u^r")                                                          \
+    X(C_ENERGY, "internal_energy", CELL, SCALAR, "J/kg", STATE, "e^r")                                               \
+    X(C_VOL, "specific_volume", CELL, SCALAR, "m3/kg", STATE, "v^r of the pure material; absent with one fluid")     \
+    X(C_TEMP, "temperature", CELL, SCALAR, "K", SCRATCH, "T^r")                                                      \
+    X(C_THETA, "volume_fraction", CELL, SCALAR, "1", SCRATCH, "theta^r = m^r v^r / TMV")                             \
+    X(C_SOUND, "sound_speed", CELL, SCALAR, "m/s", SCRATCH, "c^r")                                                   \
+    X(C_KAPPA, "compressibility", CELL, SCALAR, "1/Pa", SCRATCH, "kappa^r = v^r / c^r^2")                            \
+    X(C_VEL_L, "velocity_lagrangian", CELL, VECTOR, "m/s", SCRATCH, "u^r,L of fluids")                               \
+    X(C_ENERGY_L, "energy_lagrangian", CELL, SCALAR, "J/kg", SCRATCH, "e^r,L of fluids")                             \
+    X(C_VOLUME_L, "specific_volume_lagrangian", CELL, SCALAR, "m3/kg", SCRATCH, "v^r,L of fluids")                   \
+    X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH,                                          \
+      "(m u)^r,L of materials carried by points")                                                                    \
+    X(C_SOURCE, "momentum_source", CELL, VECTOR, "kg m/s", SCRATCH, "pressure-gradient impulse of step 8")           \
+    X(C_VELOCITY_CHANGE, "velocity_change", CELL, VECTOR, "m/s", SCRATCH, "dv_c handed back to the nodes")           \
+    /* cells, shared by all materials (instance 0) */                                                                \
+    X(C_PRESSURE, "pressure", CELL, SCALAR, "Pa", STATE, "p equilibrium pressure; also the next Newton guess")       \
+    X(C_PRESSURE_ADVANCED, "pressure_advanced", CELL, SCALAR, "Pa", SCRATCH, "P = p + phi dP")                       \
+    X(C_DP, "pressure_increment", CELL, SCALAR, "Pa", SCRATCH, "dP by dilatation over the full step")                \
+    X(C_TMV_RATIO, "material_volume_ratio", CELL, SCALAR, "1", SCRATCH, "TMV / V")                                   \
+    X(C_RHO_SUM, "density_sum", CELL, SCALAR, "kg/m3", SCRATCH, "sum of rho^r")                                      \
+    X(C_KAPPA_SUM, "compressibility_sum", CELL, SCALAR, "1/Pa", SCRATCH, "S = sum theta^r kappa^r")                  \
+    X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "s: 0 smooth, 1 at a shock; phi = (1 + s) / 2")           \
+    X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")               \
+    X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")    \
+    X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH,                                                                  \
+      "number of materials present, plus 64 where one is carried by points")                                         \
+    /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                         \
+    X(F_VEL, "face_velocity", FACE, VECTOR, "m/s", SCRATCH, "u*^r: normal component on the lower face of each axis") \
+    X(F_THETA, "face_volume_fraction", FACE, VECTOR, "1", SCRATCH, "theta^r,f averaged over the donor slab")         \
+    X(F_PRESSURE, "face_pressure", FACE, VECTOR, "Pa", SCRATCH, "P*")                                                \
     X(F_FLUX, "volume_flux", FACE, VECTOR, "m/s", SCRATCH, "sum of theta^r,f u*^r: volume per area and time")
 
 #endif

@@ -11,9 +11,15 @@ static void add_compensated(ledger_sum *sum, double amount)
     sum->value = total;
 }
 
-void ledger_add(ledger *l, ledger_quantity q, ledger_kind kind, double amount) { l->pending[q][kind] += amount; }
+void ledger_add(ledger *l, ledger_quantity q, ledger_kind kind, double amount)
+{
+    l->pending[q][kind] += amount;
+}
 
-void ledger_tally(ledger *l, ledger_count what, long long n) { l->pending_count[what] += n; }
+void ledger_tally(ledger *l, ledger_count what, long long n)
+{
+    l->pending_count[what] += n;
+}
 
 void ledger_commit(ledger *l)
 {

@@ -7,28 +7,42 @@
 #include "base/context.h"
 
 typedef enum ledger_quantity {
-    LEDGER_MASS, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y, LEDGER_MOMENTUM_Z, LEDGER_ENERGY, LEDGER_QUANTITIES
+    LEDGER_MASS,
+    LEDGER_MOMENTUM_X,
+    LEDGER_MOMENTUM_Y,
+    LEDGER_MOMENTUM_Z,
+    LEDGER_ENERGY,
+    LEDGER_QUANTITIES
 } ledger_quantity;
 
 typedef enum ledger_kind {
-    LEDGER_BOUNDARY,    /* through the sides of the domain, inward positive */
-    LEDGER_SOURCE,      /* heating, body forces, tractions, prescribed motion */
-    LEDGER_DAMPING,     /* taken by viscous damping and by FLIP/PIC blending, where it is known */
-    LEDGER_DEFECT,      /* floors, clamps, guards, deleted points */
+    LEDGER_BOUNDARY, /* through the sides of the domain, inward positive */
+    LEDGER_SOURCE,   /* heating, body forces, tractions, prescribed motion */
+    LEDGER_DAMPING,  /* taken by viscous damping and by FLIP/PIC blending, where it is known */
+    LEDGER_DEFECT,   /* floors, clamps, guards, deleted points */
     LEDGER_KINDS
 } ledger_kind;
 
 typedef enum ledger_count {
-    COUNT_NEWTON_CELLS, COUNT_NEWTON_ITERATIONS, COUNT_NEWTON_FALLBACKS, COUNT_FLOORS, COUNT_ENERGY_GUARDS, COUNT_POINTS_LOST,
-    COUNT_SMALL_NODES, COUNT_REORDERS, LEDGER_COUNTS
+    COUNT_NEWTON_CELLS,
+    COUNT_NEWTON_ITERATIONS,
+    COUNT_NEWTON_FALLBACKS,
+    COUNT_FLOORS,
+    COUNT_ENERGY_GUARDS,
+    COUNT_POINTS_LOST,
+    COUNT_SMALL_NODES,
+    COUNT_REORDERS,
+    LEDGER_COUNTS
 } ledger_count;
 
-typedef struct ledger_sum { double value, carry; } ledger_sum; /* compensated (Neumaier) */
+typedef struct ledger_sum {
+    double value, carry;
+} ledger_sum; /* compensated (Neumaier) */
 
 typedef struct ledger {
-    double initial[LEDGER_QUANTITIES];      /* Q0 */
-    double total[LEDGER_QUANTITIES];        /* Q now */
-    double scale[LEDGER_QUANTITIES];        /* max over time of sum |q| */
+    double initial[LEDGER_QUANTITIES]; /* Q0 */
+    double total[LEDGER_QUANTITIES];   /* Q now */
+    double scale[LEDGER_QUANTITIES];   /* max over time of sum |q| */
     ledger_sum entry[LEDGER_QUANTITIES][LEDGER_KINDS];
     double pending[LEDGER_QUANTITIES][LEDGER_KINDS];
     long long count[LEDGER_COUNTS], pending_count[LEDGER_COUNTS];

@@ -5,16 +5,17 @@
 
 static const char axis_name[MESH_MAX_DIM] = {'x', 'y', 'z'};
 
-/* Cells of a tile along each axis, by dimension: about 64 cells, so that a tile's node partials stay in the first cache. */
-static const int tile_cells[MESH_MAX_DIM][MESH_MAX_DIM] = {{64, 1, 1}, {8, 8, 1}, {4, 4, 4}};
-
-static int divide_up(int a, int b) { return (a + b - 1) / b; }
+static int divide_up(int a, int b)
+{
+    return (a + b - 1) / b;
+}
 
 static floe_status check_axis(context *ctx, const mesh_spec *spec, int axis, int *cells)
 {
     const double lower = spec->lower[axis], upper = spec->upper[axis], h = spec->cell[axis];
     if (!(h > 0.0) || !isfinite(h))
-        return fail(ctx, FLOE_BAD_INPUT, "the cell along %c is %g m; it must be a finite number > 0", axis_name[axis], h);
+        return fail(ctx, FLOE_BAD_INPUT, "the cell along %c is %g m; it must be a finite number > 0", axis_name[axis],
+                    h);
     if (!(upper > lower) || !isfinite(lower) || !isfinite(upper))
         return fail(ctx, FLOE_BAD_INPUT, "the domain along %c runs from %g to %g m; upper must lie above lower",
                     axis_name[axis], lower, upper);
@@ -39,12 +40,16 @@ static floe_status check_spec(context *ctx, const mesh_spec *spec)
     if (spec->geometry == MESH_AXISYMMETRIC && spec->dim != 2)
         return fail(ctx, FLOE_BAD_INPUT, "an axisymmetric domain has dim 2 (r, z), not %d", spec->dim);
     if (spec->geometry == MESH_AXISYMMETRIC && spec->lower[0] < 0.0)
-        return fail(ctx, FLOE_BAD_INPUT, "an axisymmetric domain cannot begin at r = %g m; use 0 or more", spec->lower[0]);
+        return fail(ctx, FLOE_BAD_INPUT, "an axisymmetric domain cannot begin at r = %g m; use 0 or more",
+                    spec->lower[0]);
     return FLOE_OK;
 }
 
 /* The first tile of block number b of `blocks` along an axis of `tiles`: as even as whole tiles allow. */
-static int first_tile(int tiles, int blocks, int b) { return (int)((long long)tiles * b / blocks); }
+static int first_tile(int tiles, int blocks, int b)
+{
+    return (int)((long long)tiles * b / blocks);
+}
 
 static void init_block(const mesh *m, const int coordinate[MESH_MAX_DIM], block *b)
 {
@@ -85,6 +90,21 @@ static void init_blocks(mesh *m)
             }
 }
 
+/* Ghosts reach two cells into the neighbour, so a block must be wider than that; so must a periodic domain. */
+static floe_status check_blocks(const mesh *m)
+{
+    for (int a = 0; a < m->dim; ++a) {
+        if (m->periodic[a] && m->n[a] < 4)
+            return fail(m->ctx, FLOE_BAD_INPUT, "a periodic axis needs at least 4 cells; %c has %d", axis_name[a],
+                        m->n[a]);
+        const int last = m->n[a] - (m->tiles[a] - 1) * m->tile[a];
+        if (m->blocks[a] == m->tiles[a] && m->blocks[a] > 1 && last < 4)
+            return fail(m->ctx, FLOE_BAD_INPUT, "the last of %d blocks along %c would have %d cells; use fewer blocks",
+                        m->blocks[a], axis_name[a], last);
+    }
+    return FLOE_OK;
+}
+
 floe_status mesh_init(mesh *out, context *ctx, const mesh_spec *spec)
 {
     memset(out, 0, sizeof *out);
@@ -97,7 +117,7 @@ floe_status mesh_init(mesh *out, context *ctx, const mesh_spec *spec)
         const bool used = a < spec->dim;
         out->n[a] = 1;
         out->h[a] = 1.0;
-        out->tile[a] = tile_cells[spec->dim - 1][a];
+        out->tile[a] = used ? mesh_tile_width(spec->dim) : 1;
         if (used) {
             TRY(check_axis(ctx, spec, a, &out->n[a]));
             out->lower[a] = spec->lower[a];
@@ -114,6 +134,7 @@ floe_status mesh_init(mesh *out, context *ctx, const mesh_spec *spec)
                         axis_name[a], out->tiles[a], out->tile[a], out->tiles[a]);
         n_blocks *= out->blocks[a];
     }
+    TRY(check_blocks(out));
     if (n_blocks > MESH_MAX_BLOCKS)
         return fail(ctx, FLOE_BAD_INPUT, "%lld blocks are more than the %d that floe holds", n_blocks, MESH_MAX_BLOCKS);
     init_blocks(out);
@@ -165,4 +186,7 @@ int mesh_block_of(const mesh *m, const int cell[MESH_MAX_DIM])
     return coordinate[0] + m->blocks[0] * (coordinate[1] + m->blocks[1] * coordinate[2]);
 }
 
-size_t mesh_cells(const mesh *m) { return (size_t)m->n[0] * (size_t)m->n[1] * (size_t)m->n[2]; }
+size_t mesh_cells(const mesh *m)
+{
+    return (size_t)m->n[0] * (size_t)m->n[1] * (size_t)m->n[2];
+}

@@ -13,26 +13,32 @@
 
 enum {
     MESH_MAX_DIM = 3,
-    MESH_GHOST = 2,     /* ghost layers of cells, nodes and faces on each side of a used axis */
+    MESH_GHOST = 2, /* ghost layers of cells, nodes and faces on each side of a used axis */
     MESH_MAX_BLOCKS = 64
 };
 
 typedef enum mesh_geometry {
     MESH_CARTESIAN,
-    MESH_AXISYMMETRIC   /* (r, z), r first; per radian inside (design, conventions) */
+    MESH_AXISYMMETRIC /* (r, z), r first; per radian inside (design, conventions) */
 } mesh_geometry;
 
 typedef enum mesh_side { SIDE_LOWER = 0, SIDE_UPPER = 1 } mesh_side;
 
+/* Cells of a tile along each used axis: about 64 cells, so that a tile's node partials stay in the first cache. */
+static inline int mesh_tile_width(int dim)
+{
+    return dim == 1 ? 64 : dim == 2 ? 8 : 4;
+}
+
 /* What a user asks for. */
 typedef struct mesh_spec {
-    int dim;                        /* 1, 2 or 3 */
-    mesh_geometry geometry;         /* MESH_AXISYMMETRIC only with dim 2 and lower[0] >= 0 */
-    double lower[MESH_MAX_DIM];     /* m, corner of the domain */
-    double upper[MESH_MAX_DIM];     /* m, upper - lower is a whole multiple of cell to 1e-9, or is refused */
-    double cell[MESH_MAX_DIM];      /* m, h per axis, > 0 */
+    int dim;                    /* 1, 2 or 3 */
+    mesh_geometry geometry;     /* MESH_AXISYMMETRIC only with dim 2 and lower[0] >= 0 */
+    double lower[MESH_MAX_DIM]; /* m, corner of the domain */
+    double upper[MESH_MAX_DIM]; /* m, upper - lower is a whole multiple of cell to 1e-9, or is refused */
+    double cell[MESH_MAX_DIM];  /* m, h per axis, > 0 */
     bool periodic[MESH_MAX_DIM];
-    int blocks[MESH_MAX_DIM];       /* blocks along each axis, >= 1; 0 means 1 */
+    int blocks[MESH_MAX_DIM]; /* blocks along each axis, >= 1; 0 means 1 */
 } mesh_spec;
 
 /* A block: cells [lo, lo + n) of the global index range.
@@ -40,7 +46,7 @@ typedef struct mesh_spec {
  * all have the linear index mesh_index(block, i, j, k); so arrays of every centring have `size` entries.
  * i, j, k are local (0 is the first owned cell) and run from -MESH_GHOST to n + MESH_GHOST (nodes, upper faces). */
 typedef struct block {
-    int id;                         /* position in mesh.block */
+    int id; /* position in mesh.block */
     int dim;
     int lo[MESH_MAX_DIM];           /* global index of the first owned cell */
     int n[MESH_MAX_DIM];            /* owned cells along each axis; 1 along unused axes */
@@ -54,15 +60,15 @@ typedef struct block {
 } block;
 
 typedef struct mesh {
-    context *ctx;                   /* not owned */
+    context *ctx; /* not owned */
     int dim;
     mesh_geometry geometry;
     double lower[MESH_MAX_DIM], upper[MESH_MAX_DIM]; /* m */
-    double h[MESH_MAX_DIM];         /* m, 1 along unused axes */
+    double h[MESH_MAX_DIM];                          /* m, 1 along unused axes */
     bool periodic[MESH_MAX_DIM];
-    int n[MESH_MAX_DIM];            /* cells of the whole mesh, 1 along unused axes */
-    int tile[MESH_MAX_DIM];         /* cells of a tile along each axis: 64 | 8x8 | 4x4x4; the last may be cut short */
-    int tiles[MESH_MAX_DIM];        /* tiles of the whole mesh */
+    int n[MESH_MAX_DIM];    /* cells of the whole mesh, 1 along unused axes */
+    int tile[MESH_MAX_DIM]; /* cells of a tile along each axis (mesh_tile_width; 1 unused); the last may be cut short */
+    int tiles[MESH_MAX_DIM]; /* tiles of the whole mesh */
     int blocks[MESH_MAX_DIM];
     int n_blocks;
     block block[MESH_MAX_BLOCKS];
@@ -78,8 +84,14 @@ static inline ptrdiff_t mesh_index(const block *b, int i, int j, int k)
 }
 
 /* Coordinate (m) of the global node index i along an axis; cell i spans [mesh_node(i), mesh_node(i + 1)]. */
-static inline double mesh_node(const mesh *m, int axis, int i) { return m->lower[axis] + i * m->h[axis]; }
-static inline double mesh_centre(const mesh *m, int axis, int i) { return m->lower[axis] + (i + 0.5) * m->h[axis]; }
+static inline double mesh_node(const mesh *m, int axis, int i)
+{
+    return m->lower[axis] + i * m->h[axis];
+}
+static inline double mesh_centre(const mesh *m, int axis, int i)
+{
+    return m->lower[axis] + (i + 0.5) * m->h[axis];
+}
 
 /* Volume of a cell (m3; per metre of depth in 2-D, per m2 in 1-D, per radian when axisymmetric), global i along axis 0. */
 double mesh_cell_volume(const mesh *m, int i);

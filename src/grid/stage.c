@@ -13,7 +13,10 @@ void stage_list_init(stage_list *list, context *ctx)
     list->running = -1;
 }
 
-void stage_list_destroy(stage_list *list) { memory_free(list->ctx, &list->checksum); }
+void stage_list_destroy(stage_list *list)
+{
+    memory_free(list->ctx, &list->checksum);
+}
 
 static void record_uses(stage_list *list, const stage_fields *f)
 {
@@ -47,7 +50,7 @@ static uint64_t checksum_of(const domain *d, field_id id)
         for (int i = 0; i < FIELD_MAX_INSTANCES; ++i) {
             if (!fields_has(d->fields[b], id, i)) continue;
             const size_t n = field_describe(id)->centring == FIELD_POINT ? fields_point_capacity(d->fields[b], i)
-                                                                          : d->mesh->block[b].size;
+                                                                         : d->mesh->block[b].size;
             for (int c = 0; c < components; ++c) {
                 const double *a = field_get(d->fields[b], id, i, c);
                 for (size_t k = 0; k < n; ++k) {

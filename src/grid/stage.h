@@ -23,15 +23,15 @@ typedef struct stage_fields {
 typedef struct stage_record {
     const char *name;
     stage_fields reads, writes;
-    double seconds;     /* wall time so far */
+    double seconds; /* wall time so far */
     long calls;
 } stage_record;
 
 typedef struct stage_list {
-    context *ctx;       /* not owned */
-    domain *domain;     /* not owned; NULL while planning */
-    bool planning;      /* record, do not run */
-    bool checking;      /* poison and check (debug builds) */
+    context *ctx;   /* not owned */
+    domain *domain; /* not owned; NULL while planning */
+    bool planning;  /* record, do not run */
+    bool checking;  /* poison and check (debug builds) */
     stage_record record[STAGE_MAX];
     int n;
     bool uses[FIELD_COUNT]; /* some planned stage reads or writes it */
@@ -41,18 +41,16 @@ typedef struct stage_list {
 } stage_list;
 
 #define ALWAYS true
-#define STAGE_FIELDS(...)                                                                                              \
-    ((stage_fields){.id = {__VA_ARGS__}, .n = (int)(sizeof((int[]){__VA_ARGS__}) / sizeof(int))})
+#define STAGE_FIELDS(...) ((stage_fields){.id = {__VA_ARGS__}, .n = (int)(sizeof((int[]){__VA_ARGS__}) / sizeof(int))})
 #define READS(...) STAGE_FIELDS(__VA_ARGS__)
 #define WRITES(...) STAGE_FIELDS(__VA_ARGS__)
 #define NOTHING STAGE_NONE
 /* A field that a stage touches only in some scenes. */
 #define WHEN(condition, id) ((condition) ? (int)(id) : STAGE_NONE)
 
-#define STAGE(s, when, function, reads, writes)                                                                        \
-    do {                                                                                                               \
-        if ((when) && stage_begin((s)->stages, #function, reads, writes))                                              \
-            TRY(stage_end((s)->stages, function(s)));                                                                  \
+#define STAGE(s, when, function, reads, writes)                                                                     \
+    do {                                                                                                            \
+        if ((when) && stage_begin((s)->stages, #function, reads, writes)) TRY(stage_end((s)->stages, function(s))); \
     } while (0)
 
 void stage_list_init(stage_list *list, context *ctx);

@@ -15,47 +15,51 @@ enum { MPM_MAX_GROUPS = 8 };
 
 /* Points of one body. Instance b of the point fields is body b of this list. */
 typedef struct mpm_body {
-    int scene_body;             /* index in scene.body */
+    int scene_body; /* index in scene.body */
     int scene_material;
     const solid_model *law;
     const void *law_par;
-    solid_fluid_par fluid_par;  /* law_par points here for fluids */
-    double specific_heat;       /* J/kg/K, of solids, for the cells' view */
+    solid_fluid_par fluid_par; /* law_par points here for fluids */
+    double specific_heat;      /* J/kg/K, of solids, for the cells' view */
     bool fluid;
-    int group;                  /* velocity field it moves in: instance of the node fields */
-    double reference_density;   /* kg/m3: of the densest initial state, for limits */
-    double artificial[2];       /* A1, A2 */
+    int group;                /* velocity field it moves in: instance of the node fields */
+    double reference_density; /* kg/m3: of the densest initial state, for limits */
+    double artificial[2];     /* A1, A2 */
 } mpm_body;
 
 /* Points of one body in one block: a view on the block's fields. */
 typedef struct mpm_points {
     size_t n;
-    size_t *tile_start;         /* block.n_tiles + 1 offsets, owned */
+    size_t *tile_start; /* block.n_tiles + 1 offsets, owned */
 } mpm_points;
 
-typedef struct mpm_limit { double dt; const char *reason; } mpm_limit;
+typedef struct mpm_limit {
+    double dt;
+    const char *reason;
+} mpm_limit;
 
 typedef struct mpm {
-    context *ctx;               /* not owned */
-    const scene *scene;         /* not owned */
-    const mesh *mesh;           /* not owned */
-    domain *domain;             /* not owned */
-    stage_list *stages;         /* not owned */
-    ledger *ledger;             /* not owned */
+    context *ctx;       /* not owned */
+    const scene *scene; /* not owned */
+    const mesh *mesh;   /* not owned */
+    domain *domain;     /* not owned */
+    stage_list *stages; /* not owned */
+    ledger *ledger;     /* not owned */
     const basis_model *basis;
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;
-    bool coupled;               /* cells hold the fluids: velocities at n, grid pressure on the points */
-    bool needs_F, has_energy, artificial, has_traction, damped;
+    bool coupled;                         /* cells hold the fluids: velocities at n, grid pressure on the points */
+    bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
-    double time;                /* s: at the start of the step */
-    double dt, dt_previous;     /* s; dt_previous 0 before the first step */
-    struct mpm_work *work;      /* owned: tile partials, kernel table */
+    double time;            /* s: at the start of the step */
+    double dt, dt_previous; /* s; dt_previous 0 before the first step */
+    struct mpm_work *work;  /* owned: tile partials, kernel table */
 } mpm;
 
 /* Resolves the scene's bodies into *out: all of them in pure MPM, those of solids when coupled. Registers nothing. */
-floe_status mpm_create(mpm **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l, bool coupled);
+floe_status mpm_create(mpm **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
+                       bool coupled);
 void mpm_destroy(mpm **s);
 /* Registers the fields that the planned stages use and allocates scratch. */
 floe_status mpm_register(mpm *s, domain *d);
@@ -63,13 +67,18 @@ floe_status mpm_register(mpm *s, domain *d);
 floe_status mpm_seed(mpm *s);
 
 /* Stages (numerics 4.1). */
-floe_status mpm_points_to_nodes(mpm *s);    /* m_i, m_i v_i; and f_i when nothing else will change the stress */
-floe_status mpm_node_velocity(mpm *s);      /* v_i, walls */
-floe_status mpm_stress_first(mpm *s);       /* USF: stress from v_i^n */
-floe_status mpm_node_force(mpm *s);         /* f_i = -sum V (sigma - p_p - q) grad S + external */
-floe_status mpm_node_update(mpm *s);        /* a_i, v_i^L, damping, walls */
-floe_status mpm_nodes_to_points(mpm *s);    /* v_p, x_p; USL: L_p, F, stress */
-floe_status mpm_remap_stress(mpm *s);       /* MUSL: updated momenta to nodes, then L_p, F, stress */
+floe_status mpm_points_to_nodes(mpm *s);   /* m_i, m_i v_i; and f_i when nothing else will change the stress */
+floe_status mpm_node_velocity(mpm *s);     /* v_i, walls */
+floe_status mpm_stress_first(mpm *s);      /* USF: stress from v_i^n */
+floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) grad S + external */
+floe_status mpm_node_update(mpm *s);       /* v_i^L with damping and walls */
+floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
+floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
+floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress */
+floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, then L_p, F, stress */
+
+/* Before the stages: the kick of the step, body forces. */
+floe_status mpm_begin_step(mpm *s);
 
 /* The points-only step, a list of the above. */
 floe_status mpm_step(mpm *s);
@@ -78,17 +87,21 @@ floe_status mpm_step(mpm *s);
  * between blocks, deals with points outside the mesh (reflected at walls within round-off, else deleted into the ledger). */
 floe_status mpm_commit(mpm *s);
 
+/* Sorts every block's points by tile, cell and id; for whoever has put points there (seeding, restart). */
+floe_status mpm_resort(mpm *s);
+
 /* Largest stable step (4.6) from the current state. */
 floe_status mpm_time_step(mpm *s, mpm_limit *out);
 
 /* Totals of the current points, in tile order. */
 typedef struct mpm_totals {
-    double mass[SCENE_MAX_BODIES], kinetic[SCENE_MAX_BODIES], strain[SCENE_MAX_BODIES], internal[SCENE_MAX_BODIES], volume[SCENE_MAX_BODIES];
+    double mass[SCENE_MAX_BODIES], kinetic[SCENE_MAX_BODIES], strain[SCENE_MAX_BODIES], internal[SCENE_MAX_BODIES],
+        volume[SCENE_MAX_BODIES];
     double momentum[SCENE_MAX_BODIES][3], momentum_scale[3];
 } mpm_totals;
 floe_status mpm_sum(mpm *s, mpm_totals *out);
 /* Volume-weighted mean of a fluid body's pressure over points inside a region (all where region->model is NULL). */
-floe_status mpm_mean_pressure(mpm *s, int scene_material, const shape *region, double *pressure);
+floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure);
 
 /* Number of points of a body over all blocks, and of all bodies. */
 size_t mpm_body_points(const mpm *s, int body);

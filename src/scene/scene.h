@@ -30,54 +30,63 @@ typedef enum material_kind { MATERIAL_SOLID, MATERIAL_FLUID } material_kind;
 typedef struct scene_material {
     char name[SCENE_NAME];
     material_kind kind;
-    double density;             /* kg/m3 of a solid at rest; unused for fluids */
-    double specific_heat;       /* J/kg/K of a solid, for the cells' view */
-    double tension_switch;      /* Pa > 0: a solid's eos switches to its tension branch below this (numerics 5.4) */
-    const solid_model *law;     /* solids; NULL for fluids */
+    double density;         /* kg/m3 of a solid at rest; unused for fluids */
+    double specific_heat;   /* J/kg/K of a solid, for the cells' view */
+    double tension_switch;  /* Pa > 0: a solid's eos switches to its tension branch below this (numerics 5.4) */
+    const solid_model *law; /* solids; NULL for fluids */
     void *law_par;
-    eos eos;                    /* fluids; model NULL for solids */
-    double shear_viscosity;     /* Pa s */
-    double bulk_viscosity;      /* Pa s */
-    double artificial_linear;   /* A1 of Wilkins' artificial viscosity, 0 switches it off (Y00 eq. 24) */
-    double artificial_quadratic;/* A2 */
+    eos eos;                     /* fluids; model NULL for solids */
+    double shear_viscosity;      /* Pa s */
+    double bulk_viscosity;       /* Pa s */
+    double artificial_linear;    /* A1 of Wilkins' artificial viscosity, 0 switches it off (Y00 eq. 24) */
+    double artificial_quadratic; /* A2 */
 } scene_material;
 
-/* Asked for a quantity at a place and t = 0; NAN where the exact solution does not give it. `quantity` is a verify quantity. */
-typedef double initial_function(void *user, int quantity, const double x[3]);
+/* Quantities that an initial state is asked for. */
+typedef enum initial_quantity {
+    INITIAL_DENSITY,
+    INITIAL_PRESSURE,
+    INITIAL_VELOCITY, /* by axis */
+    INITIAL_STRESS    /* by component, xx yy zz xy yz zx */
+} initial_quantity;
+
+/* The exact solution at t = 0, if the scene names one: asked for a quantity at a place; NAN where it does not give it. */
+typedef double initial_function(void *user, initial_quantity quantity, int component, const double x[3]);
 
 typedef struct scene_body {
     char name[SCENE_NAME];
-    int material;               /* index of scene.material */
+    int material; /* index of scene.material */
     shape shape;
-    double velocity[3];         /* m/s */
-    double pressure;            /* Pa absolute; fluids */
-    double temperature;         /* K */
-    double density;             /* kg/m3; fluids: NAN when given by pressure and temperature, else temperature is NAN */
-    bool initial_from_exact;    /* density, velocity, pressure or stress come from verify.exact at t = 0 */
-    int per_cell[3];            /* points along each axis of a cell */
+    double velocity[3];      /* m/s */
+    double pressure;         /* Pa absolute; fluids */
+    double temperature;      /* K */
+    double density;          /* kg/m3; fluids: NAN when given by pressure and temperature, else temperature is NAN */
+    bool initial_from_exact; /* density, velocity, pressure or stress come from verify.exact at t = 0 */
+    int per_cell[3];         /* points along each axis of a cell */
     seed_method seeding;
     double merge;
 } scene_body;
 
 typedef enum load_kind {
-    LOAD_PRESSURISE,    /* energy into a fluid inside a region until its pressure reaches target; follows a linear ramp */
-    LOAD_HEAT,          /* energy into a fluid inside a region at a given power density, W/m3 */
-    LOAD_TRACTION,      /* pressure (compression positive) on the surface of a shape that bounds a body, or a vector traction */
-    LOAD_BODY_FORCE     /* m/s2 on a body, or on everything (gravity) */
+    LOAD_PRESSURISE, /* energy into a fluid inside a region until its pressure reaches target; follows a linear ramp */
+    LOAD_HEAT,       /* energy into a fluid inside a region at a given power density, W/m3 */
+    LOAD_TRACTION, /* pressure (compression positive) on the surface of a shape that bounds a body, or a vector traction */
+    LOAD_BODY_FORCE /* m/s2 on a body, or on everything (gravity) */
 } load_kind;
 
 typedef struct scene_load {
     char name[SCENE_NAME];
     load_kind kind;
-    int material;       /* LOAD_PRESSURISE, LOAD_HEAT: which fluid */
-    int body;           /* LOAD_TRACTION, LOAD_BODY_FORCE: which body; -1 all */
-    shape region;       /* heat: where; traction: the surface of this shape is loaded (the body lies outside it or inside it) */
-    double start;       /* s */
-    double ramp;        /* s; 0 with ramp_steps > 0 means that many steps */
+    int material; /* LOAD_PRESSURISE, LOAD_HEAT: which fluid */
+    int body;     /* LOAD_TRACTION, LOAD_BODY_FORCE: which body; -1 all */
+    shape
+        region; /* heat: where; traction: the surface of this shape is loaded (the body lies outside it or inside it) */
+    double start; /* s */
+    double ramp;  /* s; 0 with ramp_steps > 0 means that many steps */
     long ramp_steps;
-    bool hold;          /* keep to the target after the ramp, until the end */
-    double target;      /* Pa (pressurise: gauge to reference_pressure; traction), W/m3 (heat) */
-    double vector[3];   /* m/s2 */
+    bool hold;        /* keep to the target after the ramp, until the end */
+    double target;    /* Pa (pressurise: gauge to reference_pressure; traction), W/m3 (heat) */
+    double vector[3]; /* m/s2 */
 } scene_load;
 
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
@@ -85,42 +94,42 @@ typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_F
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
 
 typedef struct scene_method {
-    char basis[SCENE_NAME];     /* linear, gimp, quadratic: basis_registry */
+    char basis[SCENE_NAME]; /* linear, gimp, quadratic: basis_registry */
     stress_scheme stress;
-    double flip;                /* 1 FLIP, 0 PIC; 0 to 1 */
-    ice_centring centring;      /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
-    bool conserve_energy;       /* numerics 2.8 */
+    double flip;           /* 1 FLIP, 0 PIC; 0 to 1 */
+    ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
+    bool conserve_energy;  /* numerics 2.8 */
     ice_limiter limiter;
-    double exchange;            /* K, kg/(m3 s), between all pairs; 0 to 1e20 */
-    double heat_exchange;       /* R, W/(m3 K) */
-    double volume_relaxation;   /* beta of numerics 5.5 */
+    double exchange;          /* K, kg/(m3 s), between all pairs; 0 to 1e20 */
+    double heat_exchange;     /* R, W/(m3 K) */
+    double volume_relaxation; /* beta of numerics 5.5 */
 } scene_method;
 
 typedef struct scene_time {
-    double end;                 /* s */
-    double cfl_mpm, cfl_ice;    /* fractions of the limits of numerics 4.6 and 2.14 */
-    double first_step;          /* s, NAN: from the CFL limit */
-    double max_step;            /* s, NAN: none */
-    double growth;              /* largest ratio of a step to the one before */
-    long max_steps;             /* 0: no limit */
-    double fixed_step;          /* s, NAN: adaptive */
+    double end;              /* s */
+    double cfl_mpm, cfl_ice; /* fractions of the limits of numerics 4.6 and 2.14 */
+    double first_step;       /* s, NAN: from the CFL limit */
+    double max_step;         /* s, NAN: none */
+    double growth;           /* largest ratio of a step to the one before */
+    long max_steps;          /* 0: no limit */
+    double fixed_step;       /* s, NAN: adaptive */
 } scene_time;
 
 typedef struct scene_damping {
-    double rate;                /* 1/s: force -rate m v on the points' nodes */
-    double start, end;          /* s; end may be INFINITY */
+    double rate;       /* 1/s: force -rate m v on the points' nodes */
+    double start, end; /* s; end may be INFINITY */
 } scene_damping;
 
 typedef struct scene_rest {
     bool enabled;
-    double ratio;               /* kinetic energy over strain energy of the solids */
-    double window;              /* s: must stay below throughout this time */
-    double after;               /* s: not before (the end of the ramp) */
+    double ratio;  /* kinetic energy over strain energy of the solids */
+    double window; /* s: must stay below throughout this time */
+    double after;  /* s: not before (the end of the ramp) */
 } scene_rest;
 
 typedef struct scene_probe {
     char name[SCENE_NAME];
-    double position[3];         /* m */
+    double position[3]; /* m */
 } scene_probe;
 
 typedef struct scene_output {
@@ -130,30 +139,30 @@ typedef struct scene_output {
 } scene_output;
 
 typedef struct scene_verify {
-    char exact[SCENE_NAME];     /* "" : none. Name in exact_registry */
-    void *exact_par;            /* its parameters */
+    char exact[SCENE_NAME]; /* "" : none. Name in exact_registry */
+    void *exact_par;        /* its parameters */
     char metric[SCENE_MAX_METRICS][SCENE_NAME];
     int n_metrics;
-    int body;                   /* whose points are measured; -1: all points or cells of `material` */
-    int material;               /* which cells are measured; -1: the first fluid */
-    shape region;               /* model NULL: everywhere */
-    double probe_pressure;      /* Pa: pressure P of eq. 13 and of the gas error, NAN if unused */
+    int body;              /* whose points are measured; -1: all points or cells of `material` */
+    int material;          /* which cells are measured; -1: the first fluid */
+    shape region;          /* model NULL: everywhere */
+    double probe_pressure; /* Pa: pressure P of eq. 13 and of the gas error, NAN if unused */
 } scene_verify;
 
-typedef struct scene_axis {     /* one axis of `compare` or `study` */
-    char key[128];              /* deck key */
+typedef struct scene_axis { /* one axis of `compare` or `study` */
+    char key[128];          /* deck key */
     char value[SCENE_MAX_AXIS][64];
     int n_values;
 } scene_axis;
 
 typedef struct scene {
-    context *ctx;               /* not owned */
+    context *ctx; /* not owned */
     char title[256], source[256], path[512];
     mesh_spec mesh;
-    double thickness;           /* m, of 2-D scenes in outputs */
-    stress_state stress_state;  /* of points */
-    bool dimensionless;         /* units: none */
-    double reference_pressure;  /* Pa */
+    double thickness;          /* m, of 2-D scenes in outputs */
+    stress_state stress_state; /* of points */
+    bool dimensionless;        /* units: none */
+    double reference_pressure; /* Pa */
     scene_coupling coupling;
     scene_coupling runs_as[COUPLING_COUNT];
     int n_runs_as;
@@ -175,10 +184,10 @@ typedef struct scene {
     scene_probe probe[SCENE_MAX_PROBES];
     int n_probes;
     scene_verify verify;
-    scene_axis compare;         /* axis of `floe compare` */
-    initial_function *initial;  /* set by the run when a body asks for it */
+    scene_axis compare;        /* axis of `floe compare` */
+    initial_function *initial; /* set by the run when a body asks for it */
     void *initial_user;
-    int threads;                /* 0: OpenMP's default */
+    int threads; /* 0: OpenMP's default */
 } scene;
 
 /* A scene with every default of the schema set and no materials or bodies. The caller owns it. */

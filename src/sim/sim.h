@@ -9,22 +9,22 @@
 #include "scene/scene.h"
 
 typedef struct sim {
-    context *ctx;           /* not owned */
-    const scene *scene;     /* not owned */
+    context *ctx;       /* not owned */
+    const scene *scene; /* not owned */
     scene_coupling coupling;
     mesh mesh;
-    domain *domain;         /* owned */
+    domain *domain; /* owned */
     stage_list stages;
     ledger ledger;
-    mpm *mpm;               /* owned; NULL without points */
-    ice *ice;               /* owned; NULL without cells */
+    mpm *mpm;                  /* owned; NULL without points */
+    ice *ice;                  /* owned; NULL without cells */
     struct transfer *transfer; /* owned; NULL unless coupled */
-    double time;            /* s */
-    double dt;              /* s: the last accepted step, then the next one's proposal */
-    const char *dt_reason;  /* what limits it */
+    double time;               /* s */
+    double dt;                 /* s: the last accepted step, then the next one's proposal */
+    const char *dt_reason;     /* what limits it */
     long steps, rejected;
     double point_updates, cell_updates; /* so far */
-    double rest_since;      /* s: since when the solids have been at rest (scene.rest); INFINITY: they are not */
+    double rest_since; /* s: since when the solids have been at rest (scene.rest); INFINITY: they are not */
     bool at_rest;
 } sim;
 
@@ -55,5 +55,14 @@ typedef struct sim_totals {
     mpm_totals mpm;
 } sim_totals;
 floe_status sim_sum(sim *s, sim_totals *out);
+/* Brings the ledger's totals and scales up to date. */
+floe_status sim_account(sim *s);
+/* Whether the solids have come to rest (scene.rest): sets rest_since and at_rest from the totals now. */
+floe_status sim_check_rest(sim *s, const sim_totals *t);
+
+/* The stages of one step, run or (while planning) recorded. */
+floe_status sim_run_stages(sim *s);
+/* The step that would be taken now (s), how many of its kind the run would need, and what limits it. */
+floe_status sim_predict(sim *s, double *dt, double *steps, const char **reason);
 
 #endif

@@ -1,31 +1,34 @@
 /* Bases: the shape functions that carry data between points and nodes (numerics 4.3). One file adds one:
  * basis_<name>.c ends in a const descriptor `basis_<name>`; the conformance battery covers it (partition of unity, linear
- * reproduction, gradients against differences, positivity, walls). The 1-D weights live in an always-inline body in
- * basis_1d.h, which the point kernels take as a literal argument. */
+ * reproduction, gradients against differences, positivity). The 1-D weights live in the always-inline body of
+ * basis_1d.h, which the point kernels take as a literal argument.
+ *
+ * A basis knows nothing of walls: points near one reach the ghost nodes beyond it, and the nodes are folded back
+ * (mpm/wall.h), which is the same as folding the shape functions (numerics 4.3) and leaves the kernels without branches. */
 #ifndef MPM_BASIS_BASIS_H
 #define MPM_BASIS_BASIS_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 typedef enum basis_kind { BASIS_LINEAR, BASIS_GIMP, BASIS_QUADRATIC, BASIS_KINDS } basis_kind;
 
-enum { BASIS_MAX_SUPPORT = 4 };
+enum { BASIS_MAX_SUPPORT = 3 };
 
 typedef struct basis_model {
     const char *name, *doc, *cite;
     basis_kind kind;
-    int support;        /* nodes along an axis that a point may reach */
-    int reach_lower;    /* nodes below the lower node of the point's cell */
-    int smoothness;     /* continuous derivatives */
-    /* Weights and derivatives (1/m) along one axis. xi: position in the cell in units of h, 0 <= xi < 1 (1 on the upper wall);
-     * half: half width in units of h (GIMP); wall_lower: cells between the point's cell and the lower wall (0: first cell), or a
-     * large number; wall_upper likewise; inv_h = 1/h. Entry k belongs to node cell - reach_lower + k. */
-    void (*weights)(double xi, double half, int wall_lower, int wall_upper, double inv_h, double *w, double *dw);
+    int support;    /* nodes along an axis that a point reaches */
+    int reach;      /* nodes that it may reach beyond its own cell on either side: 0 or 1 */
+    int smoothness; /* continuous derivatives */
+    /* Weights and derivatives (1/m) along one axis; returns the first node's offset from the lower node of the cell. xi:
+     * position in the cell in units of h, 0 <= xi <= 1; half: half width of the point's domain in units of h, 0 < half <= 1/2
+     * (read by GIMP only); inv_h = 1/h (1/m). */
+    int (*weights)(double xi, double half, double inv_h, double *w, double *dw);
 } basis_model;
 
 extern const basis_model *const basis_registry[];
 extern const size_t basis_registry_size;
+/* NULL if there is none of that name. */
 const basis_model *basis_find(const char *name);
 
 #endif

@@ -1,0 +1,10 @@
+#include "mpm/basis/basis.h"
+
+#include <string.h>
+
+const basis_model *basis_find(const char *name)
+{
+    for (size_t k = 0; k < basis_registry_size; ++k)
+        if (strcmp(basis_registry[k]->name, name) == 0) return basis_registry[k];
+    return NULL;
+}

@@ -1,0 +1,77 @@
+/* One-dimensional weights of every basis, inlined into the point kernels with `kind` a literal (numerics 4.3). */
+#ifndef MPM_BASIS_BASIS_1D_H
+#define MPM_BASIS_BASIS_1D_H
+
+#include "base/compiler.h"
+#include "mpm/basis/basis.h"
+
+#include <math.h>
+
+/* Nodes along an axis that a point reaches, and how far beyond its own cell. */
+FLOE_ALWAYS_INLINE int basis_support(const basis_kind kind)
+{
+    return kind == BASIS_LINEAR ? 2 : 3;
+}
+FLOE_ALWAYS_INLINE int basis_reach(const basis_kind kind)
+{
+    return kind == BASIS_LINEAR ? 0 : 1;
+}
+
+/* Linear: N = 1 - |xi|. */
+FLOE_ALWAYS_INLINE int basis_linear_1d(double xi, double inv_h, double *w, double *dw)
+{
+    w[0] = 1.0 - xi;
+    w[1] = xi;
+    dw[0] = -inv_h;
+    dw[1] = inv_h;
+    return 0;
+}
+
+/* Quadratic B-spline: 3/4 - d^2 within half a cell of the node, (3/2 - |d|)^2 / 2 to one and a half. */
+FLOE_ALWAYS_INLINE int basis_quadratic_1d(double xi, double inv_h, double *w, double *dw)
+{
+    const int first = xi < 0.5 ? -1 : 0;
+    const double d = xi - (first + 1);
+    w[0] = 0.5 * (0.5 - d) * (0.5 - d);
+    w[1] = 0.75 - d * d;
+    w[2] = 0.5 * (0.5 + d) * (0.5 + d);
+    dw[0] = (d - 0.5) * inv_h;
+    dw[1] = -2.0 * d * inv_h;
+    dw[2] = (d + 0.5) * inv_h;
+    return first;
+}
+
+/* GIMP (Bardenhagen and Kober 2004): the linear hat averaged over the point's domain of half width l. */
+FLOE_ALWAYS_INLINE void basis_gimp_node(double d, double l, double inv_h, double *w, double *dw)
+{
+    const double a = fabs(d), sign = d < 0.0 ? -1.0 : 1.0;
+    if (a < l) {
+        *w = 1.0 - (a * a + l * l) / (2.0 * l);
+        *dw = -d / l * inv_h;
+    } else if (a < 1.0 - l) {
+        *w = 1.0 - a;
+        *dw = -sign * inv_h;
+    } else if (a < 1.0 + l) {
+        *w = (1.0 + l - a) * (1.0 + l - a) / (4.0 * l);
+        *dw = -sign * (1.0 + l - a) / (2.0 * l) * inv_h;
+    } else {
+        *w = 0.0;
+        *dw = 0.0;
+    }
+}
+
+FLOE_ALWAYS_INLINE int basis_gimp_1d(double xi, double half, double inv_h, double *w, double *dw)
+{
+    const int first = xi < 0.5 ? -1 : 0;
+    for (int k = 0; k < 3; ++k) basis_gimp_node(xi - (first + k), half, inv_h, &w[k], &dw[k]);
+    return first;
+}
+
+FLOE_ALWAYS_INLINE int basis_1d(const basis_kind kind, double xi, double half, double inv_h, double *w, double *dw)
+{
+    if (kind == BASIS_LINEAR) return basis_linear_1d(xi, inv_h, w, dw);
+    if (kind == BASIS_QUADRATIC) return basis_quadratic_1d(xi, inv_h, w, dw);
+    return basis_gimp_1d(xi, half, inv_h, w, dw);
+}
+
+#endif

@@ -1,0 +1,174 @@
+/* From the scene to a set of bodies, fields and kernels. */
+#include "base/memory.h"
+#include "mpm/work.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+int mpm_thread(void)
+{
+    return omp_get_thread_num();
+}
+static int thread_count(void)
+{
+    return omp_get_max_threads();
+}
+#else
+int mpm_thread(void)
+{
+    return 0;
+}
+static int thread_count(void)
+{
+    return 1;
+}
+#endif
+
+/* Velocity fields: one for all points in pure MPM (no slip is inherent); one a solid material when the cells couple them. */
+static int group_of(const mpm *s, int material)
+{
+    if (!s->coupled) return 0;
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].scene_material == material) return s->body[b].group;
+    return s->n_groups;
+}
+
+static void resolve_body(mpm *s, int index)
+{
+    const scene *sc = s->scene;
+    mpm_body *b = &s->body[s->n_bodies];
+    b->scene_body = index;
+    b->scene_material = sc->body[index].material;
+    const scene_material *m = &sc->material[b->scene_material];
+    b->fluid = m->kind == MATERIAL_FLUID;
+    b->law = b->fluid ? &point_fluid : m->law;
+    b->fluid_par = (solid_fluid_par){m->eos, m->shear_viscosity, m->bulk_viscosity};
+    b->law_par = b->fluid ? (const void *)&b->fluid_par : m->law_par;
+    b->specific_heat = m->specific_heat;
+    b->artificial[0] = m->artificial_linear;
+    b->artificial[1] = m->artificial_quadratic;
+    b->group = group_of(s, b->scene_material);
+    if (b->group == s->n_groups) s->n_groups++;
+    if (s->n_groups == 0) s->n_groups = 1;
+    s->needs_F = s->needs_F || (b->law->needs & SOLID_NEEDS_F) != 0;
+    s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
+    s->artificial = s->artificial || b->artificial[0] > 0.0 || b->artificial[1] > 0.0;
+    s->n_bodies++;
+}
+
+static floe_status make_work(mpm *s)
+{
+    TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
+    struct mpm_work *w = s->work;
+    const mesh *m = s->mesh;
+    w->kernel = kernels_of(m->dim, m->geometry, s->basis->kind);
+    w->basis_1d = s->basis->weights;
+    w->reach = s->basis->reach;
+    w->window_nodes = 1;
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        w->window[a] = a < m->dim ? m->tile[a] + 1 + 2 * w->reach : 1;
+        w->window_nodes *= w->window[a];
+    }
+    for (int b = 0; b < SCENE_MAX_BODIES; ++b) w->body_group[b] = -1;
+    for (int b = 0; b < s->n_bodies; ++b) w->body_group[s->body[b].scene_body] = s->body[b].group;
+    const size_t tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    w->threads = thread_count();
+    TRY(memory_new(s->ctx, &w->active, tiles, sizeof *w->active));
+    TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
+    return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
+}
+
+static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool coupled)
+{
+    s->scene = sc;
+    s->mesh = m;
+    s->stages = stages;
+    s->ledger = l;
+    s->coupled = coupled;
+    s->basis = basis_find(sc->method.basis);
+    if (!s->basis) return fail(s->ctx, FLOE_BAD_INPUT, "there is no basis '%s'", sc->method.basis);
+    for (int b = 0; b < sc->n_bodies; ++b)
+        if (!coupled || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
+    if (s->n_groups > MPM_MAX_GROUPS)
+        return fail(s->ctx, FLOE_BAD_INPUT, "%d solid materials are more than the %d that a coupled run holds",
+                    s->n_groups, MPM_MAX_GROUPS);
+    return make_work(s);
+}
+
+floe_status mpm_create(mpm **out, context *ctx, const scene *sc, const mesh *m, stage_list *stages, ledger *l,
+                       bool coupled)
+{
+    TRY(memory_new(ctx, out, 1, sizeof **out));
+    (*out)->ctx = ctx;
+    const floe_status status = fill(*out, sc, m, stages, l, coupled);
+    if (status != FLOE_OK) mpm_destroy(out);
+    return status;
+}
+
+void mpm_destroy(mpm **s)
+{
+    if (!s || !*s) return;
+    context *ctx = (*s)->ctx;
+    if ((*s)->work) {
+        memory_free(ctx, &(*s)->work->active);
+        memory_free(ctx, &(*s)->work->tile_sum);
+        memory_free(ctx, &(*s)->work->batch);
+        memory_free(ctx, &(*s)->work->surface);
+        memory_free(ctx, &(*s)->work->surface_next);
+    }
+    memory_free(ctx, &(*s)->work);
+    for (int b = 0; b < MESH_MAX_BLOCKS; ++b)
+        for (int k = 0; k < SCENE_MAX_BODIES; ++k) memory_free(ctx, &(*s)->points[b][k].tile_start);
+    memory_free(ctx, s);
+}
+
+/* Whether a body holds a point field that some stage uses. */
+static bool body_holds(const mpm *s, const mpm_body *b, field_id id)
+{
+    (void)s;
+    if (id == P_F) return (b->law->needs & SOLID_NEEDS_F) != 0;
+    if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
+    if (id == P_VISCOUS_PRESSURE) return b->artificial[0] > 0.0 || b->artificial[1] > 0.0;
+    return true;
+}
+
+static floe_status register_field(mpm *s, field_id id)
+{
+    const field_centring centring = field_describe(id)->centring;
+    if (centring == FIELD_POINT)
+        for (int b = 0; b < s->n_bodies; ++b)
+            if (body_holds(s, &s->body[b], id)) TRY(domain_add(s->domain, id, b));
+    if (centring == FIELD_NODE)
+        for (int g = 0; g < (id == N_PRESSURE ? 1 : s->n_groups); ++g) TRY(domain_add(s->domain, id, g));
+    return FLOE_OK;
+}
+
+floe_status mpm_register(mpm *s, domain *d)
+{
+    s->domain = d;
+    for (int id = 0; id < FIELD_COUNT; ++id)
+        if (s->stages->uses[id]) TRY(register_field(s, (field_id)id));
+    const size_t components = 1 + 2 * (size_t)s->mesh->dim;
+    TRY(domain_reserve_partials(d, (size_t)s->work->window_nodes * components));
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int k = 0; k < s->n_bodies; ++k)
+            TRY(memory_new(s->ctx, &s->points[b][k].tile_start, (size_t)s->mesh->block[b].n_tiles + 1, sizeof(size_t)));
+    return FLOE_OK;
+}
+
+size_t mpm_body_points(const mpm *s, int body)
+{
+    size_t n = 0;
+    for (int b = 0; b < s->mesh->n_blocks; ++b) n += s->points[b][body].n;
+    return n;
+}
+
+size_t mpm_count(const mpm *s)
+{
+    size_t n = 0;
+    for (int body = 0; body < s->n_bodies; ++body) n += mpm_body_points(s, body);
+    return n;
+}

@@ -1,0 +1,161 @@
+/* The point kernels: one always-inline body each, instantiated on {1, 2, axisymmetric, 3} x basis with literal arguments. */
+#include "mpm/locate.h"
+
+/* Components of a point's stress that act in the plane of the nodes: T[a][b], symmetric, 3-D order xx yy zz xy yz zx. */
+FLOE_ALWAYS_INLINE void stress_matrix(const point_arrays *p, size_t k, double add, const int dim, double T[3][3])
+{
+    static const int row[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+    for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b) T[a][b] = p->stress[row[a][b]][k] + (a == b ? add : 0.0);
+}
+
+/* f_i = -V (sigma + p_p I - q I) . grad S + S m b (numerics 4.1); hoop term of numerics 4.5. */
+FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                     double *restrict out, const int dim, const bool axisymmetric,
+                                     const basis_kind kind, const bool momentum, const bool force)
+{
+    const int components = (momentum ? 1 + dim : 0) + (force ? dim : 0);
+    const int force_at = momentum ? 1 + dim : 0;
+    for (size_t k = start; k < end; ++k) {
+        const stencil s = locate(m, t, p, k, dim, kind);
+        const double mass = p->mass[k];
+        double mv[3] = {0}, T[3][3] = {{0}}, b[3] = {0}, hoop = 0.0;
+        if (momentum)
+            for (int a = 0; a < dim; ++a) mv[a] = mass * p->v[a][k];
+        if (force) {
+            const double minus_v = -p->volume0[k] * p->J[k];
+            const double add = (p->grid_pressure ? p->grid_pressure[k] : 0.0) - (p->q ? p->q[k] : 0.0);
+            stress_matrix(p, k, add, dim, T);
+            for (int a = 0; a < dim; ++a) {
+                b[a] = mass * p->acceleration[a];
+                for (int c = 0; c < dim; ++c) T[a][c] *= minus_v;
+            }
+            if (axisymmetric) hoop = minus_v * (p->stress[2][k] + add) / p->x[0][k];
+        }
+        FOR_STENCIL(s, dim, kind, {
+            double *restrict node = out + (ptrdiff_t)at * components;
+            if (momentum) {
+                node[0] += S * mass;
+                for (int a = 0; a < dim; ++a) node[1 + a] += S * mv[a];
+            }
+            if (force)
+                for (int a = 0; a < dim; ++a) {
+                    double f = S * (b[a] + (axisymmetric && a == 0 ? hoop : 0.0));
+                    for (int c = 0; c < dim; ++c) f += T[a][c] * G[c];
+                    node[force_at + a] += f;
+                }
+        });
+    }
+}
+
+/* v_p += sum S a kick blended with sum S v^L; x_p += dt sum S v^L (numerics 4.2). */
+FLOE_ALWAYS_INLINE void motion_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                    const double *restrict window, double kick, double dt, double flip,
+                                    const gather_result *out, const int dim, const basis_kind kind)
+{
+    for (size_t k = start; k < end; ++k) {
+        const stencil s = locate(m, t, p, k, dim, kind);
+        double v[3] = {0}, acceleration[3] = {0};
+        FOR_STENCIL(s, dim, kind, {
+            const double *restrict node = window + (ptrdiff_t)at * 2 * dim;
+            for (int a = 0; a < dim; ++a) {
+                v[a] += S * node[a];
+                acceleration[a] += S * node[dim + a];
+            }
+        });
+        for (int a = 0; a < dim; ++a) {
+            out->x_next[a][k] = p->x[a][k] + dt * v[a];
+            out->v_next[a][k] = flip * (p->v[a][k] + kick * acceleration[a]) + (1.0 - flip) * v[a];
+        }
+    }
+}
+
+/* L_p = sum v_i (x) grad S; L_hoop = sum S v_r / r (numerics 4.1, 4.5). Rows of L are counted from `start`. */
+FLOE_ALWAYS_INLINE void gradient_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                      const double *restrict window, const gather_result *out, const int dim,
+                                      const bool axisymmetric, const basis_kind kind)
+{
+    for (size_t k = start; k < end; ++k) {
+        const stencil s = locate(m, t, p, k, dim, kind);
+        double L[3][3] = {{0}}, radial = 0.0;
+        FOR_STENCIL(s, dim, kind, {
+            const double *restrict node = window + (ptrdiff_t)at * dim;
+            for (int a = 0; a < dim; ++a)
+                for (int c = 0; c < dim; ++c) L[a][c] += node[a] * G[c];
+            if (axisymmetric) radial += S * node[0];
+        });
+        for (int a = 0; a < dim; ++a)
+            for (int c = 0; c < dim; ++c) out->L[3 * a + c][k - start] = L[a][c];
+        if (axisymmetric) out->L[8][k - start] = radial / p->x[0][k];
+    }
+}
+
+FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                    const double *restrict window, double *restrict out, const int dim,
+                                    const basis_kind kind)
+{
+    for (size_t k = start; k < end; ++k) {
+        const stencil s = locate(m, t, p, k, dim, kind);
+        double sum = 0.0;
+        FOR_STENCIL(s, dim, kind, { sum += S * window[at]; });
+        out[k] = sum;
+    }
+}
+
+#define SCATTER(name, dim, axi, kind, momentum, force)                                                               \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, double *out) \
+    {                                                                                                                \
+        scatter_body(m, t, p, start, end, out, dim, axi, kind, momentum, force);                                     \
+    }
+
+#define INSTANTIATE(geometry, dim, axi, basis, kind)                                                                 \
+    SCATTER(momentum_##geometry##_##basis, dim, axi, kind, true, false)                                              \
+    SCATTER(force_##geometry##_##basis, dim, axi, kind, false, true)                                                 \
+    SCATTER(all_##geometry##_##basis, dim, axi, kind, true, true)                                                    \
+    static void motion_##geometry##_##basis(const mesh *m, const tile_box *t, const point_arrays *p, size_t start,   \
+                                            size_t end, const double *window, double kick, double dt, double flip,   \
+                                            const gather_result *out)                                                \
+    {                                                                                                                \
+        motion_body(m, t, p, start, end, window, kick, dt, flip, out, dim, kind);                                    \
+    }                                                                                                                \
+    static void gradient_##geometry##_##basis(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, \
+                                              size_t end, const double *window, double kick, double dt, double flip, \
+                                              const gather_result *out)                                              \
+    {                                                                                                                \
+        (void)kick, (void)dt, (void)flip;                                                                            \
+        gradient_body(m, t, p, start, end, window, out, dim, axi, kind);                                             \
+    }                                                                                                                \
+    static void sample_##geometry##_##basis(const mesh *m, const tile_box *t, const point_arrays *p, size_t start,   \
+                                            size_t end, const double *window, double *out)                           \
+    {                                                                                                                \
+        sample_body(m, t, p, start, end, window, out, dim, kind);                                                    \
+    }
+
+#define KERNELS(geometry, basis)                                                                          \
+    {                                                                                                     \
+        .scatter = {momentum_##geometry##_##basis, force_##geometry##_##basis, all_##geometry##_##basis}, \
+        .gather_motion = motion_##geometry##_##basis, .gather_gradient = gradient_##geometry##_##basis,   \
+        .sample = sample_##geometry##_##basis                                                             \
+    }
+
+#define ALL_BASES(X, geometry, dim, axi)        \
+    X(geometry, dim, axi, linear, BASIS_LINEAR) \
+    X(geometry, dim, axi, gimp, BASIS_GIMP)     \
+    X(geometry, dim, axi, quadratic, BASIS_QUADRATIC)
+
+ALL_BASES(INSTANTIATE, line, 1, false)
+ALL_BASES(INSTANTIATE, plane, 2, false)
+ALL_BASES(INSTANTIATE, axisymmetric, 2, true)
+ALL_BASES(INSTANTIATE, solid, 3, false)
+
+kernel_set kernels_of(int dim, mesh_geometry geometry, basis_kind kind)
+{
+    static const kernel_set table[4][BASIS_KINDS] = {
+        {KERNELS(line, linear), KERNELS(line, gimp), KERNELS(line, quadratic)},
+        {KERNELS(plane, linear), KERNELS(plane, gimp), KERNELS(plane, quadratic)},
+        {KERNELS(axisymmetric, linear), KERNELS(axisymmetric, gimp), KERNELS(axisymmetric, quadratic)},
+        {KERNELS(solid, linear), KERNELS(solid, gimp), KERNELS(solid, quadratic)},
+    };
+    const int row = dim == 1 ? 0 : dim == 3 ? 3 : geometry == MESH_AXISYMMETRIC ? 2 : 1;
+    return table[row][kind];
+}

@@ -1,0 +1,64 @@
+/* Where a point stands in its tile's window, and its weights there: inlined into every kernel. */
+#ifndef MPM_LOCATE_H
+#define MPM_LOCATE_H
+
+#include "mpm/basis/basis_1d.h"
+#include "mpm/work.h"
+
+/* Nodes of a tile's window along a used axis. */
+FLOE_ALWAYS_INLINE int window_width(const int dim, const basis_kind kind)
+{
+    return (dim == 1 ? 64 : dim == 2 ? 8 : 4) + 1 + 2 * basis_reach(kind);
+}
+
+typedef struct stencil {
+    double w[3][3], dw[3][3];
+    int node; /* of the window: the first node of the stencil */
+} stencil;
+
+/* The cell is clamped to the tile, so that round-off at a cell's face never leaves the window. */
+FLOE_ALWAYS_INLINE stencil locate(const mesh *m, const tile_box *t, const point_arrays *p, size_t k, const int dim,
+                                  const basis_kind kind)
+{
+    stencil s;
+    const int width = window_width(dim, kind);
+    s.node = 0;
+    int row = 1;
+    for (int a = 0; a < dim; ++a) {
+        const double inv_h = 1.0 / m->h[a];
+        const double at = (p->x[a][k] - m->lower[a]) * inv_h - t->first[a];
+        int cell = (int)at;
+        cell = cell < 0 ? 0 : cell >= t->cells[a] ? t->cells[a] - 1 : cell;
+        const double half = kind == BASIS_GIMP ? p->half[a][k] * inv_h : 0.5;
+        const int first = basis_1d(kind, at - cell, half, inv_h, s.w[a], s.dw[a]);
+        s.node += row * (cell + first + basis_reach(kind));
+        row *= width;
+    }
+    for (int a = dim; a < 3; ++a) {
+        s.w[a][0] = 1.0;
+        s.dw[a][0] = 0.0;
+    }
+    return s;
+}
+
+/* Loops over the nodes of a stencil: `body` sees `at` (index in the window), `S` (weight) and `G[3]` (its gradient, 1/m). */
+#define FOR_STENCIL(s, dim, kind, body)                                                                    \
+    do {                                                                                                   \
+        const int width_ = window_width(dim, kind), support_ = basis_support(kind);                        \
+        for (int kz_ = 0; kz_ < ((dim) > 2 ? support_ : 1); ++kz_)                                         \
+            for (int ky_ = 0; ky_ < ((dim) > 1 ? support_ : 1); ++ky_) {                                   \
+                const double wyz_ = (s).w[1][(dim) > 1 ? ky_ : 0] * (s).w[2][(dim) > 2 ? kz_ : 0];         \
+                const double gy_ = (dim) > 1 ? (s).dw[1][ky_] * (s).w[2][(dim) > 2 ? kz_ : 0] : 0.0;       \
+                const double gz_ = (dim) > 2 ? (s).w[1][ky_] * (s).dw[2][kz_] : 0.0;                       \
+                const int row_ = (s).node + width_ * (ky_ + width_ * kz_);                                 \
+                for (int kx_ = 0; kx_ < support_; ++kx_) {                                                 \
+                    const int at = row_ + kx_;                                                             \
+                    const double S = (s).w[0][kx_] * wyz_;                                                 \
+                    const double G[3] = {(s).dw[0][kx_] * wyz_, (s).w[0][kx_] * gy_, (s).w[0][kx_] * gz_}; \
+                    (void)S, (void)G;                                                                      \
+                    body                                                                                   \
+                }                                                                                          \
+            }                                                                                              \
+    } while (0)
+
+#endif

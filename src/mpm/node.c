@@ -1,0 +1,149 @@
+/* What happens at the nodes between the two passes over the points. */
+#include "mpm/work.h"
+
+#include <math.h>
+
+/* Nodes lighter than this fraction of the heaviest point take no force: f/m there is noise (numerics 4.4). */
+static const double small_node = 1e-9;
+
+/* Linear index range that covers the nodes of a block and one ghost layer: a whole-array loop is simplest and vectorises. */
+static size_t node_count(const mpm *s, int blk)
+{
+    return s->mesh->block[blk].size;
+}
+
+static void divide_momentum(const mpm *s, int blk, int group, field_id out)
+{
+    const fields *f = s->domain->fields[blk];
+    const double *restrict mass = field_get(f, N_MASS, group, 0);
+    const size_t n = node_count(s, blk);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const double *restrict momentum = field_get(f, N_MOMENTUM, group, c);
+        double *restrict v = field_get(f, out, group, c);
+#pragma omp parallel for simd schedule(static)
+        for (size_t k = 0; k < n; ++k) v[k] = mass[k] > 0.0 ? momentum[k] / mass[k] : 0.0;
+    }
+}
+
+floe_status mpm_node_velocity(mpm *s)
+{
+    for (int g = 0; g < s->n_groups; ++g) {
+        for (int b = 0; b < s->mesh->n_blocks; ++b) divide_momentum(s, b, g, N_VEL);
+        impose_walls(s, g, N_VEL);
+        extend_to_ghosts(s, g, N_VEL);
+    }
+    return FLOE_OK;
+}
+
+static bool damping_acts(const mpm *s)
+{
+    const scene_damping *d = &s->scene->damping;
+    return d->rate > 0.0 && s->time >= d->start && s->time < d->end;
+}
+
+/* v^L = (v + kick f/m) / (1 + rate kick): viscous damping is taken implicitly, so that any rate is stable. */
+static void advance_block(const mpm *s, int blk, int group)
+{
+    const fields *f = s->domain->fields[blk];
+    const double *restrict mass = field_get(f, N_MASS, group, 0);
+    const double kick = s->work->kick, floor = small_node * s->work->reference_mass;
+    const double damping = damping_acts(s) ? 1.0 / (1.0 + s->scene->damping.rate * kick) : 1.0;
+    const size_t n = node_count(s, blk);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const double *restrict momentum = field_get(f, N_MOMENTUM, group, c);
+        const double *restrict force = field_get(f, N_FORCE, group, c);
+        double *restrict v = field_get(f, N_VEL_L, group, c);
+#pragma omp parallel for simd schedule(static)
+        for (size_t k = 0; k < n; ++k) {
+            const double impulse = mass[k] > floor ? kick * force[k] : 0.0;
+            v[k] = mass[k] > 0.0 ? damping * (momentum[k] + impulse) / mass[k] : 0.0;
+        }
+    }
+}
+
+enum { SUM_DAMPED_MOMENTUM = 0, SUM_DAMPED_ENERGY = 3, SUM_LOST = 4, SUM_SMALL = 7, SUM_COUNT = 8 };
+
+/* What damping took and what the small-node rule dropped, on the nodes of one tile. */
+static void tile_losses(const mpm *s, int blk, int tile, int group, double taken)
+{
+    int global;
+    const block *b = &s->mesh->block[blk];
+    const tile_box t = tile_box_of(s->mesh, b, tile, &global);
+    const fields *f = s->domain->fields[blk];
+    const double *mass = field_get(f, N_MASS, group, 0);
+    const double floor = small_node * s->work->reference_mass;
+    double *sum = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
+    int end[MESH_MAX_DIM] = {1, 1, 1};
+    for (int a = 0; a < s->mesh->dim; ++a) /* the last tile owns the upper wall's nodes */
+        end[a] = t.cells[a] + (t.first[a] + t.cells[a] == s->mesh->n[a] ? 1 : 0);
+    for (int c = 0; c < SUM_COUNT; ++c) sum[c] = 0.0;
+    for (int k = 0; k < end[2]; ++k)
+        for (int j = 0; j < end[1]; ++j)
+            for (int i = 0; i < end[0]; ++i) {
+                const ptrdiff_t at =
+                    mesh_index(b, t.first[0] - b->lo[0] + i, t.first[1] - b->lo[1] + j, t.first[2] - b->lo[2] + k);
+                if (!(mass[at] > 0.0)) continue;
+                for (int c = 0; c < s->mesh->dim; ++c) {
+                    const double v = field_get(f, N_VEL_L, group, c)[at], lost = v * taken / (1.0 - taken);
+                    sum[SUM_DAMPED_MOMENTUM + c] -= mass[at] * lost;
+                    sum[SUM_DAMPED_ENERGY] -= 0.5 * mass[at] * lost * (2.0 * v + lost);
+                    if (mass[at] <= floor) sum[SUM_LOST + c] += s->work->kick * field_get(f, N_FORCE, group, c)[at];
+                }
+                if (mass[at] <= floor) sum[SUM_SMALL] += 1.0;
+            }
+}
+
+static void enter_losses(mpm *s, int group)
+{
+    const double rate = damping_acts(s) ? s->scene->damping.rate * s->work->kick : 0.0;
+    const double taken = rate / (1.0 + rate);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 8)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) tile_losses(s, b, t, group, taken);
+    }
+    double sum[MPM_TILE_SUMS];
+    domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, sum);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + c);
+        ledger_add(s->ledger, q, LEDGER_DAMPING, sum[SUM_DAMPED_MOMENTUM + c]);
+        ledger_add(s->ledger, q, LEDGER_DEFECT, -sum[SUM_LOST + c]);
+    }
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED_ENERGY]);
+    ledger_tally(s->ledger, COUNT_SMALL_NODES, (long long)sum[SUM_SMALL]);
+}
+
+floe_status mpm_node_update(mpm *s)
+{
+    for (int g = 0; g < s->n_groups; ++g) {
+        for (int b = 0; b < s->mesh->n_blocks; ++b) advance_block(s, b, g);
+        enter_losses(s, g);
+        impose_walls(s, g, N_VEL_L);
+    }
+    return FLOE_OK;
+}
+
+/* a = (v^L - v) / kick: whatever changed the nodes, walls and exchange included, reaches the points as one acceleration. */
+static void accelerate_block(const mpm *s, int blk, int group)
+{
+    const fields *f = s->domain->fields[blk];
+    const double *restrict mass = field_get(f, N_MASS, group, 0);
+    const double inv_kick = 1.0 / s->work->kick;
+    const size_t n = node_count(s, blk);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const double *restrict momentum = field_get(f, N_MOMENTUM, group, c);
+        const double *restrict v = field_get(f, N_VEL_L, group, c);
+        double *restrict a = field_get(f, N_ACCEL, group, c);
+#pragma omp parallel for simd schedule(static)
+        for (size_t k = 0; k < n; ++k) a[k] = mass[k] > 0.0 ? (v[k] - momentum[k] / mass[k]) * inv_kick : 0.0;
+    }
+}
+
+floe_status mpm_node_acceleration(mpm *s)
+{
+    for (int g = 0; g < s->n_groups; ++g) {
+        for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
+        extend_to_ghosts(s, g, N_VEL_L);
+        extend_to_ghosts(s, g, N_ACCEL);
+    }
+    return FLOE_OK;
+}

@@ -1,0 +1,101 @@
+/* Seeding: the points of every body, with their initial state. */
+#include "base/memory.h"
+#include "geom/seed.h"
+#include "mpm/work.h"
+#include "scene/state.h"
+
+#include <math.h>
+
+static seed_spec spec_of(const mpm *s, const scene_body *b)
+{
+    seed_spec spec = {.dim = s->mesh->dim,
+                      .axisymmetric = s->mesh->geometry == MESH_AXISYMMETRIC,
+                      .method = b->seeding,
+                      .merge = b->merge};
+    for (int a = 0; a < 3; ++a) {
+        spec.lower[a] = s->mesh->lower[a];
+        spec.h[a] = s->mesh->h[a];
+        spec.n[a] = s->mesh->n[a];
+        spec.per_cell[a] = b->per_cell[a];
+    }
+    return spec;
+}
+
+/* Density at rest and state of one point. Fluids: stress -(p - p_ref) I. */
+static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x[3], double volume)
+{
+    const fields *f = s->domain->fields[blk];
+    const mpm_body *b = &s->body[body];
+    double velocity[3], stress[6] = {0}, density = s->scene->material[b->scene_material].density;
+    if (b->fluid) {
+        fluid_state state;
+        TRY(body_fluid_state(s->scene, b->scene_body, x, &state, velocity));
+        density = state.density;
+        stress[0] = stress[1] = stress[2] = -(state.pressure - s->scene->reference_pressure);
+        field_get(f, P_ENERGY, body, 0)[k] = state.energy;
+    } else {
+        TRY(body_solid_state(s->scene, b->scene_body, x, velocity, stress));
+    }
+    field_get(f, P_MASS, body, 0)[k] = density * volume;
+    for (int a = 0; a < s->mesh->dim; ++a) field_get(f, P_VEL, body, a)[k] = velocity[a];
+    for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
+        field_get(f, P_STRESS, body, c)[k] = stress[c];
+    s->work->reference_mass = fmax(s->work->reference_mass, density * volume);
+    return FLOE_OK;
+}
+
+static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list, size_t n)
+{
+    static const int unit[3][3] = {{0, 1, 2}, {0, 3, 4}, {0, 4, 8}};
+    const fields *f = s->domain->fields[blk];
+    const int dim = s->mesh->dim;
+    /* Exact in a double: ids below 2^53. */
+    field_get(f, P_ID, body, 0)[k] = (double)(((unsigned long long)body << 40) | n);
+    field_get(f, P_VOLUME0, body, 0)[k] = list->volume[n];
+    field_get(f, P_J, body, 0)[k] = 1.0;
+    for (int a = 0; a < dim; ++a) {
+        field_get(f, P_POS, body, a)[k] = list->x[a][n];
+        if (fields_has(f, P_HALF, body)) field_get(f, P_HALF, body, a)[k] = list->half[a][n];
+    }
+    if (fields_has(f, P_F, body))
+        for (int a = 0; a < 3; ++a) field_get(f, P_F, body, unit[dim - 1][a])[k] = 1.0;
+}
+
+static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n)
+{
+    const int cell[3] = {list->cell[0][n], s->mesh->dim > 1 ? list->cell[1][n] : 0,
+                         s->mesh->dim > 2 ? list->cell[2][n] : 0};
+    const int blk = mesh_block_of(s->mesh, cell);
+    mpm_points *points = &s->points[blk][body];
+    TRY(fields_reserve_points(s->domain->fields[blk], body, points->n + 1));
+    set_shape(s, blk, body, points->n, list, n);
+    double x[3] = {0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = list->x[a][n];
+    TRY(set_state(s, blk, body, points->n, x, list->volume[n]));
+    points->n++;
+    return FLOE_OK;
+}
+
+static floe_status seed_body(mpm *s, int body, seed_list *list)
+{
+    const scene_body *b = &s->scene->body[s->body[body].scene_body];
+    const seed_spec spec = spec_of(s, b);
+    TRY(seed_shape(list, s->ctx, &b->shape, &spec));
+    if (list->n == 0)
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "body '%s' has no points: its shape lies outside the domain or between the points", b->name);
+    for (size_t n = 0; n < list->n; ++n) TRY(place_point(s, body, list, n));
+    return FLOE_OK;
+}
+
+floe_status mpm_seed(mpm *s)
+{
+    for (int body = 0; body < s->n_bodies; ++body) {
+        seed_list list = {0};
+        const floe_status status = seed_body(s, body, &list);
+        seed_list_free(s->ctx, &list);
+        TRY(status);
+    }
+    TRY(seed_surfaces(s));
+    return mpm_resort(s);
+}

@@ -1,0 +1,149 @@
+/* Strain, artificial viscosity, heating and the law, in batches of points unpacked to three dimensions. */
+#include "material/artificial_viscosity.h"
+#include "mpm/work.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Where the stored components of the deformation gradient go in a batch; those of stress keep their place. */
+static const int deform_slot[3][9] = {{0, 4, 8}, {0, 1, 3, 4, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
+
+void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch)
+{
+    const fields *f = s->domain->fields[blk];
+    const int dim = s->mesh->dim;
+    const size_t n = end - start, bytes = n * sizeof(double);
+    double *(*get)(const fields *, field_id, int, int) = next ? field_next : field_get;
+    const mpm_body *b = &s->body[body];
+    batch->n = n;
+    batch->dt = s->dt;
+    memcpy(batch->J, get(f, P_J, body, 0) + start, bytes);
+    memcpy(batch->J_old, batch->J, bytes);
+    for (int c = 0; c < field_component_count(FIELD_STRESS, dim); ++c)
+        memcpy(batch->stress[c], get(f, P_STRESS, body, c) + start, bytes);
+    if (b->law->needs & SOLID_NEEDS_F)
+        for (int c = 0; c < field_component_count(FIELD_DEFORM, dim); ++c)
+            memcpy(batch->F[deform_slot[dim - 1][c]], get(f, P_F, body, c) + start, bytes);
+    if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, get(f, P_ENERGY, body, 0) + start, bytes);
+    const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0);
+    for (size_t k = 0; k < n; ++k) batch->rho0[k] = mass[start + k] / volume[start + k];
+    if (fields_has(f, P_VISCOUS_PRESSURE, body))
+        memcpy(batch->q, get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
+    else
+        memset(batch->q, 0, bytes);
+}
+
+/* F <- (I + A + A^2/2) F with A = dt L, and J = det F: second order, and exact in volume to third. */
+static void advance_F(solid_batch *b)
+{
+    for (size_t k = 0; k < b->n; ++k) {
+        double A[9], B[9], F[9];
+        for (int c = 0; c < 9; ++c) A[c] = b->dt * b->L[c][k];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                double square = 0.0;
+                for (int l = 0; l < 3; ++l) square += A[3 * i + l] * A[3 * l + j];
+                B[3 * i + j] = (i == j ? 1.0 : 0.0) + A[3 * i + j] + 0.5 * square;
+            }
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                F[3 * i + j] = 0.0;
+                for (int l = 0; l < 3; ++l) F[3 * i + j] += B[3 * i + l] * b->F[3 * l + j][k];
+            }
+        for (int c = 0; c < 9; ++c) b->F[c][k] = F[c];
+        b->J[k] = F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
+                  F[2] * (F[3] * F[7] - F[4] * F[6]);
+    }
+}
+
+static void advance_J(solid_batch *b)
+{
+    for (size_t k = 0; k < b->n; ++k) b->J[k] = b->J_old[k] * exp(b->dt * (b->L[0][k] + b->L[4][k] + b->L[8][k]));
+}
+
+/* Wilkins' artificial viscosity over the step (Y00 eq. 24, with a pressure's units: numerics 9). */
+static void set_artificial(const mpm *s, const mpm_body *body, solid_batch *b)
+{
+    double c[SOLID_CHUNK], length = s->mesh->h[0];
+    for (int a = 1; a < s->mesh->dim; ++a) length = fmin(length, s->mesh->h[a]);
+    body->law->wave_speed(body->law_par, s->scene->reference_pressure, b, c);
+    for (size_t k = 0; k < b->n; ++k)
+        b->q[k] = artificial_pressure(b->rho0[k] / b->J[k], c[k], b->L[0][k] + b->L[4][k] + b->L[8][k], length,
+                                      body->artificial[0], body->artificial[1]);
+}
+
+static bool in_region(const mpm *s, const fields *f, int body, size_t k, const shape *region)
+{
+    double x[3] = {0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
+    return !region->model || shape_inside(region, s->mesh->dim, x);
+}
+
+/* Energy of the heating loads into points of a fluid: e += dp / (dp/de). Returns what was added (J). */
+static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batch *b)
+{
+    const mpm_body *m = &s->body[body];
+    const fields *f = s->domain->fields[blk];
+    const double *mass = field_get(f, P_MASS, body, 0);
+    double added = 0.0;
+    for (int l = 0; l < s->scene->n_loads; ++l) {
+        const scene_load *load = &s->scene->load[l];
+        if (s->work->heat_dp[l] == 0.0 || load->material != m->scene_material) continue;
+        double rho[SOLID_CHUNK], dpde[SOLID_CHUNK];
+        for (size_t k = 0; k < b->n; ++k) rho[k] = b->rho0[k] / b->J_old[k];
+        m->fluid_par.eos.model->dpde(m->fluid_par.eos.par, b->n, rho, b->energy, dpde);
+        for (size_t k = 0; k < b->n; ++k) {
+            if (!in_region(s, f, body, start + k, &load->region)) continue;
+            const double de = s->work->heat_dp[l] / dpde[k];
+            b->energy[k] += de;
+            added += de * mass[start + k];
+        }
+    }
+    return added;
+}
+
+static void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batch *b)
+{
+    const fields *f = s->domain->fields[blk];
+    const int dim = s->mesh->dim;
+    const size_t bytes = b->n * sizeof(double);
+    const mpm_body *m = &s->body[body];
+    memcpy(field_next(f, P_J, body, 0) + start, b->J, bytes);
+    for (int c = 0; c < field_component_count(FIELD_STRESS, dim); ++c)
+        memcpy(field_next(f, P_STRESS, body, c) + start, b->stress[c], bytes);
+    if (m->law->needs & SOLID_NEEDS_F)
+        for (int c = 0; c < field_component_count(FIELD_DEFORM, dim); ++c)
+            memcpy(field_next(f, P_F, body, c) + start, b->F[deform_slot[dim - 1][c]], bytes);
+    if (m->law->needs & SOLID_HAS_ENERGY) memcpy(field_next(f, P_ENERGY, body, 0) + start, b->energy, bytes);
+    if (fields_has(f, P_VISCOUS_PRESSURE, body))
+        memcpy(field_next(f, P_VISCOUS_PRESSURE, body, 0) + start, b->q, bytes);
+}
+
+/* Says which point is beyond the law. */
+static floe_status beyond_law(const mpm *s, int blk, int body, size_t point, const solid_batch *b, size_t k)
+{
+    const fields *f = s->domain->fields[blk];
+    double x[3] = {0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[point];
+    return fail(s->ctx, FLOE_RETRY,
+                "at t = %.6g s a point of body '%s' at (%g, %g, %g) is beyond its law %s: J = %g, energy %g J/kg",
+                s->time, s->scene->body[s->body[body].scene_body].name, x[0], x[1], x[2], s->body[body].law->name,
+                b->J[k], b->energy[k]);
+}
+
+floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *b, double *heat)
+{
+    const mpm_body *m = &s->body[body];
+    load_batch(s, blk, body, start, end, false, b);
+    if (m->law->needs & SOLID_NEEDS_F)
+        advance_F(b);
+    else
+        advance_J(b);
+    if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);
+    if (m->fluid) *heat += add_heat(s, blk, body, start, b);
+    const stress_state state = m->fluid ? STRESS_FULL : s->scene->stress_state;
+    const size_t bad = solid_stress_state(m->law, m->law_par, s->scene->reference_pressure, state, b);
+    if (bad) return beyond_law(s, blk, body, start + bad - 1, b, bad - 1);
+    store_batch(s, blk, body, start, b);
+    return FLOE_OK;
+}

@@ -1,0 +1,187 @@
+/* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (design 4). */
+#include "mpm/work.h"
+
+#include <string.h>
+
+tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *global_tile)
+{
+    tile_box t = {{0, 0, 0}, {1, 1, 1}};
+    int rest = tile_in_block;
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        const int tile = b->tile_lo[a] + rest % b->tiles[a];
+        rest /= b->tiles[a];
+        t.first[a] = tile * m->tile[a];
+        t.cells[a] = t.first[a] + m->tile[a] <= m->n[a] ? m->tile[a] : m->n[a] - t.first[a];
+    }
+    *global_tile = mesh_tile_of(m, t.first);
+    return t;
+}
+
+point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity)
+{
+    const fields *f = s->domain->fields[blk];
+    point_arrays p = {0};
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        p.x[a] = field_get(f, P_POS, body, a);
+        p.v[a] = next_velocity ? field_next(f, P_VEL, body, a) : field_get(f, P_VEL, body, a);
+        p.half[a] = field_get(f, P_HALF, body, a);
+    }
+    for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
+        p.stress[c] = next_stress ? field_next(f, P_STRESS, body, c) : field_get(f, P_STRESS, body, c);
+    p.mass = field_get(f, P_MASS, body, 0);
+    p.volume0 = field_get(f, P_VOLUME0, body, 0);
+    p.J = next_stress ? field_next(f, P_J, body, 0) : field_get(f, P_J, body, 0);
+    p.q = next_stress ? field_next(f, P_VISCOUS_PRESSURE, body, 0) : field_get(f, P_VISCOUS_PRESSURE, body, 0);
+    p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);
+    memcpy(p.acceleration, s->work->acceleration[body], sizeof p.acceleration);
+    return p;
+}
+
+static int components_of(scatter_mode mode, int dim)
+{
+    return (mode == SCATTER_FORCE ? 0 : 1 + dim) + (mode == SCATTER_MOMENTUM ? 0 : dim);
+}
+
+/* One tile's private sums. */
+static void scatter_tile(mpm *s, int group, int blk, int tile, scatter_mode mode, bool next_stress, bool next_velocity)
+{
+    int global;
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
+    double *out = domain_tile(s->domain, global);
+    const size_t size = (size_t)s->work->window_nodes * (size_t)components_of(mode, s->mesh->dim);
+    bool any = false;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *start = s->points[blk][body].tile_start;
+        if (s->body[body].group != group || start[tile] == start[tile + 1]) continue;
+        if (!any) memset(out, 0, size * sizeof(double));
+        any = true;
+        const point_arrays p = points_of(s, blk, body, next_stress, next_velocity);
+        s->work->kernel.scatter[mode](s->mesh, &box, &p, start[tile], start[tile + 1], out);
+    }
+    s->work->active[global] = any;
+}
+
+/* Tiles whose windows hold global node index g along an axis: at most two. */
+static void tiles_about(const mesh *m, int reach, int axis, int g, int *first, int *last)
+{
+    const int width = m->tile[axis];
+    if (axis >= m->dim) {
+        *first = *last = 0;
+        return;
+    }
+    const int above = g - width - reach;
+    *first = above <= 0 ? 0 : (above + width - 1) / width;
+    *last = (g + reach) / width;
+    if (*last > m->tiles[axis] - 1) *last = m->tiles[axis] - 1;
+}
+
+typedef struct node_target {
+    double *array[MPM_MAX_COMPONENTS];
+    int components;
+} node_target;
+
+static node_target target_of(const mpm *s, int blk, int group, scatter_mode mode)
+{
+    const fields *f = s->domain->fields[blk];
+    const int dim = s->mesh->dim;
+    node_target t = {.components = components_of(mode, dim)};
+    int c = 0;
+    if (mode != SCATTER_FORCE) {
+        t.array[c++] = field_get(f, N_MASS, group, 0);
+        for (int a = 0; a < dim; ++a) t.array[c++] = field_get(f, N_MOMENTUM, group, a);
+    }
+    if (mode != SCATTER_MOMENTUM)
+        for (int a = 0; a < dim; ++a) t.array[c++] = field_get(f, N_FORCE, group, a);
+    return t;
+}
+
+/* Adds the part of a tile's window row (global node j, k) that lies in a block's nodes. */
+static void add_row(const mpm *s, const block *b, const node_target *out, const int tile[3], int j, int k)
+{
+    const mesh *m = s->mesh;
+    const int reach = s->work->reach, *window = s->work->window;
+    const int x0 = tile[0] * m->tile[0] - reach;
+    const int lo = x0 > b->lo[0] - 1 ? x0 : b->lo[0] - 1;
+    const int end = x0 + window[0], top = b->lo[0] + b->n[0] + 2;
+    const int hi = end < top ? end : top;
+    const int row_j = m->dim > 1 ? j - (tile[1] * m->tile[1] - reach) : 0;
+    const int row_k = m->dim > 2 ? k - (tile[2] * m->tile[2] - reach) : 0;
+    const int number = tile[0] + m->tiles[0] * (tile[1] + m->tiles[1] * tile[2]);
+    if (!s->work->active[number]) return;
+    const double *from = domain_tile(s->domain, number) +
+                         ((ptrdiff_t)(row_k * window[1] + row_j) * window[0] + (lo - x0)) * (ptrdiff_t)out->components;
+    const ptrdiff_t to = mesh_index(b, lo - b->lo[0], j - b->lo[1], k - b->lo[2]);
+    for (int c = 0; c < out->components; ++c) {
+        double *restrict a = out->array[c] + to;
+        for (int i = 0; i < hi - lo; ++i) a[i] += from[i * out->components + c];
+    }
+}
+
+static void gather_row(const mpm *s, const block *b, const node_target *out, int j, int k)
+{
+    const mesh *m = s->mesh;
+    const int reach = s->work->reach;
+    int y0, y1, z0, z1, x0, x1, unused;
+    tiles_about(m, reach, 1, j, &y0, &y1);
+    tiles_about(m, reach, 2, k, &z0, &z1);
+    tiles_about(m, reach, 0, b->lo[0] - 1, &x0, &unused);
+    tiles_about(m, reach, 0, b->lo[0] + b->n[0] + 1, &unused, &x1);
+    const ptrdiff_t at = mesh_index(b, -1, j - b->lo[1], k - b->lo[2]);
+    for (int c = 0; c < out->components; ++c) memset(out->array[c] + at, 0, (size_t)(b->n[0] + 3) * sizeof(double));
+    for (int z = z0; z <= z1; ++z)
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x) add_row(s, b, out, (const int[]){x, y, z}, j, k);
+}
+
+/* Every node that a block sees (its own and one ghost layer) is the sum of its tiles' partials in global order. */
+static void gather_nodes(const mpm *s, int blk, int group, scatter_mode mode)
+{
+    const mesh *m = s->mesh;
+    const block *b = &m->block[blk];
+    const node_target out = target_of(s, blk, group, mode);
+    const int rows = m->dim > 1 ? b->n[1] + 3 : 1, planes = m->dim > 2 ? b->n[2] + 3 : 1;
+#pragma omp parallel for schedule(static) collapse(2)
+    for (int k = 0; k < planes; ++k)
+        for (int j = 0; j < rows; ++j)
+            gather_row(s, b, &out, m->dim > 1 ? b->lo[1] + j - 1 : 0, m->dim > 2 ? b->lo[2] + k - 1 : 0);
+}
+
+floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress, bool next_velocity)
+{
+    const mesh *m = s->mesh;
+    for (int b = 0; b < m->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 4)
+        for (int t = 0; t < m->block[b].n_tiles; ++t) scatter_tile(s, group, b, t, mode, next_stress, next_velocity);
+    }
+    domain_share_partials(s->domain);
+    for (int b = 0; b < m->n_blocks; ++b) gather_nodes(s, b, group, mode);
+    if (mode != SCATTER_FORCE) {
+        domain_fold_periodic(s->domain, N_MASS, group);
+        domain_fold_periodic(s->domain, N_MOMENTUM, group);
+    }
+    if (mode != SCATTER_MOMENTUM) {
+        scatter_surfaces(s, group);
+        domain_fold_periodic(s->domain, N_FORCE, group);
+    }
+    fold_walls(s, group, mode != SCATTER_FORCE, mode != SCATTER_MOMENTUM);
+    return FLOE_OK;
+}
+
+void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window)
+{
+    const mesh *m = s->mesh;
+    const block *b = &m->block[blk];
+    const int reach = s->work->reach, *size = s->work->window;
+    int nodes[MESH_MAX_DIM] = {1, 1, 1}, first[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = 0; a < m->dim; ++a) {
+        nodes[a] = t->cells[a] + 1 + 2 * reach;
+        first[a] = t->first[a] - reach - b->lo[a];
+    }
+    for (int k = 0; k < nodes[2]; ++k)
+        for (int j = 0; j < nodes[1]; ++j) {
+            const ptrdiff_t from = mesh_index(b, first[0], first[1] + j, first[2] + k);
+            double *to = window + (ptrdiff_t)((k * size[1] + j) * size[0]) * count;
+            for (int c = 0; c < count; ++c)
+                for (int i = 0; i < nodes[0]; ++i) to[i * count + c] = node[c][from + i];
+        }
+}

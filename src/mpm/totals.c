@@ -1,0 +1,168 @@
+/* Sums and limits over the current points: within tiles, then over tiles in order. */
+#include "mpm/work.h"
+
+#include <math.h>
+#include <string.h>
+
+/* One body's sums in one tile. */
+enum {
+    SUM_MASS,
+    SUM_KINETIC,
+    SUM_STRAIN,
+    SUM_INTERNAL,
+    SUM_VOLUME,
+    SUM_MOMENTUM,
+    SUM_SCALE = SUM_MOMENTUM + 3,
+    SUM_END = SUM_SCALE + 3
+};
+
+static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch, double *sum)
+{
+    const mpm_body *b = &s->body[body];
+    const fields *f = s->domain->fields[blk];
+    double psi[SOLID_CHUNK] = {0};
+    load_batch(s, blk, body, start, end, false, batch);
+    if (b->law->strain_energy) b->law->strain_energy(b->law_par, batch, psi);
+    const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0);
+    for (size_t k = start; k < end; ++k) {
+        double square = 0.0;
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double v = field_get(f, P_VEL, body, a)[k];
+            square += v * v;
+            sum[SUM_MOMENTUM + a] += mass[k] * v;
+            sum[SUM_SCALE + a] += mass[k] * fabs(v);
+        }
+        sum[SUM_MASS] += mass[k];
+        sum[SUM_KINETIC] += 0.5 * mass[k] * square;
+        sum[SUM_STRAIN] += volume[k] * psi[k - start];
+        if (b->law->needs & SOLID_HAS_ENERGY) sum[SUM_INTERNAL] += mass[k] * batch->energy[k - start];
+        sum[SUM_VOLUME] += volume[k] * batch->J[k - start];
+    }
+}
+
+static void sum_body(mpm *s, int body, double total[SUM_END])
+{
+    const size_t tiles = (size_t)s->mesh->tiles[0] * (size_t)s->mesh->tiles[1] * (size_t)s->mesh->tiles[2];
+    memset(s->work->tile_sum, 0, tiles * MPM_TILE_SUMS * sizeof(double));
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 4)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
+            int global;
+            tile_box_of(s->mesh, &s->mesh->block[b], t, &global);
+            const size_t *at = s->points[b][body].tile_start;
+            double *sum = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
+            for (size_t k = at[t]; k < at[t + 1]; k += SOLID_CHUNK)
+                sum_chunk(s, b, body, k, k + SOLID_CHUNK < at[t + 1] ? k + SOLID_CHUNK : at[t + 1],
+                          &s->work->batch[mpm_thread()], sum);
+        }
+    }
+    double all[MPM_TILE_SUMS];
+    domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, all);
+    memcpy(total, all, SUM_END * sizeof(double));
+}
+
+floe_status mpm_sum(mpm *s, mpm_totals *out)
+{
+    memset(out, 0, sizeof *out);
+    for (int b = 0; b < s->n_bodies; ++b) {
+        double sum[SUM_END];
+        sum_body(s, b, sum);
+        out->mass[b] = sum[SUM_MASS];
+        out->kinetic[b] = sum[SUM_KINETIC];
+        out->strain[b] = sum[SUM_STRAIN];
+        out->internal[b] = sum[SUM_INTERNAL];
+        out->volume[b] = sum[SUM_VOLUME];
+        for (int a = 0; a < 3; ++a) {
+            out->momentum[b][a] = sum[SUM_MOMENTUM + a];
+            out->momentum_scale[a] += sum[SUM_SCALE + a];
+        }
+    }
+    return FLOE_OK;
+}
+
+/* Volume and pressure times volume of a fluid's points inside a region, in one tile. */
+static void tile_pressure(const mpm *s, int blk, int tile, int body, const shape *region, double *sum)
+{
+    const fields *f = s->domain->fields[blk];
+    const size_t *at = s->points[blk][body].tile_start;
+    const double *volume = field_get(f, P_VOLUME0, body, 0), *J = field_get(f, P_J, body, 0);
+    const double *stress[3];
+    for (int c = 0; c < 3; ++c) stress[c] = field_get(f, P_STRESS, body, c);
+    for (size_t k = at[tile]; k < at[tile + 1]; ++k) {
+        double x[3] = {0};
+        for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
+        if (region && region->model && !shape_inside(region, s->mesh->dim, x)) continue;
+        sum[0] += volume[k] * J[k];
+        sum[1] -= volume[k] * J[k] * (stress[0][k] + stress[1][k] + stress[2][k]) / 3.0;
+    }
+}
+
+floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure)
+{
+    const size_t tiles = (size_t)s->mesh->tiles[0] * (size_t)s->mesh->tiles[1] * (size_t)s->mesh->tiles[2];
+    memset(s->work->tile_sum, 0, tiles * MPM_TILE_SUMS * sizeof(double));
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 8)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
+            int global;
+            tile_box_of(s->mesh, &s->mesh->block[b], t, &global);
+            for (int body = 0; body < s->n_bodies; ++body)
+                if (s->body[body].scene_material == material)
+                    tile_pressure(s, b, t, body, region, s->work->tile_sum + (size_t)global * MPM_TILE_SUMS);
+        }
+    }
+    double sum[MPM_TILE_SUMS];
+    domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, sum);
+    if (!(sum[0] > 0.0)) return fail(s->ctx, FLOE_BAD_INPUT, "a load's region holds no point of its fluid");
+    *pressure = sum[1] / sum[0] + s->scene->reference_pressure;
+    return FLOE_OK;
+}
+
+/* Largest rate (1/s) at which information or a point crosses cells, over a chunk: c |1/h| + sum |v| / h. */
+static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch)
+{
+    const mpm_body *b = &s->body[body];
+    const fields *f = s->domain->fields[blk];
+    double c[SOLID_CHUNK], inverse_square = 0.0, worst = 0.0;
+    load_batch(s, blk, body, start, end, false, batch);
+    b->law->wave_speed(b->law_par, s->scene->reference_pressure, batch, c);
+    for (int a = 0; a < s->mesh->dim; ++a) inverse_square += 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
+    const double diagonal = sqrt(inverse_square);
+    for (size_t k = start; k < end; ++k) {
+        /* Artificial viscosity shortens the step: its linear term is a wave speed, its quadratic one q over c. */
+        const double rho = batch->rho0[k - start] / batch->J[k - start];
+        const double speed = c[k - start] * (1.0 + 2.0 * b->artificial[0]) + 2.0 * sqrt(batch->q[k - start] / rho);
+        double rate = speed * diagonal;
+        for (int a = 0; a < s->mesh->dim; ++a) rate += fabs(field_get(f, P_VEL, body, a)[k]) / s->mesh->h[a];
+        if (!(rate <= worst)) worst = rate;
+    }
+    return worst;
+}
+
+floe_status mpm_time_step(mpm *s, mpm_limit *out)
+{
+    double worst = 0.0;
+    int limiting = 0;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        double rate = 0.0;
+        for (int b = 0; b < s->mesh->n_blocks; ++b) {
+            const size_t n = s->points[b][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;
+#pragma omp parallel for schedule(static) reduction(max : rate)
+            for (size_t k = 0; k < chunks; ++k) {
+                const size_t start = k * SOLID_CHUNK, end = start + SOLID_CHUNK < n ? start + SOLID_CHUNK : n;
+                const double r = chunk_rate(s, b, body, start, end, &s->work->batch[mpm_thread()]);
+                if (r > rate || isnan(r)) rate = isnan(r) ? (double)INFINITY : r;
+            }
+        }
+        if (rate > worst) {
+            worst = rate;
+            limiting = body;
+        }
+    }
+    if (!isfinite(worst))
+        return fail(s->ctx, FLOE_DIVERGED, "a wave speed or velocity of body '%s' is not finite at t = %.6g s",
+                    s->scene->body[s->body[limiting].scene_body].name, s->time);
+    out->dt = worst > 0.0 ? s->scene->time.cfl_mpm / worst : (double)INFINITY;
+    out->reason = s->scene->body[s->body[limiting].scene_body].name;
+    return FLOE_OK;
+}

@@ -1,0 +1,111 @@
+/* Private to the mpm room: kernels, their arguments, and scratch. */
+#ifndef MPM_WORK_H
+#define MPM_WORK_H
+
+#include "mpm/mpm.h"
+
+enum { MPM_MAX_COMPONENTS = 1 + 2 * MESH_MAX_DIM };
+
+/* A tile as the kernels see it. */
+typedef struct tile_box {
+    int first[MESH_MAX_DIM]; /* global cell of its corner */
+    int cells[MESH_MAX_DIM]; /* owned cells; the last tile of an axis may be cut short */
+} tile_box;
+
+/* Arrays of one body in one block, by component (SoA); NULL where the scene has no such field. */
+typedef struct point_arrays {
+    const double *x[3], *v[3], *half[3]; /* m, m/s, m */
+    const double *mass, *volume0, *J;    /* kg, m3, 1 */
+    const double *stress[6];             /* Pa, 1-D xx yy zz; 2-D xx yy zz xy; 3-D xx yy zz xy yz zx */
+    const double *q, *grid_pressure;     /* Pa */
+    double acceleration[3];              /* m/s2: body forces on this body */
+} point_arrays;
+
+/* Adds what points [start, end) give to the nodes of their tile's window, `out`: interleaved per node, mass and momentum
+ * (when asked for), then force (when asked for). */
+typedef void scatter_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                            double *out);
+
+/* Node data of a tile's window, interleaved per node: v^L then a. */
+typedef struct gather_result {
+    double *x_next[3], *v_next[3]; /* NULL: positions and velocities are left alone */
+    double *L[9];                  /* rows of a batch, from `start`; NULL: no gradient */
+} gather_result;
+typedef void gather_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                           const double *window, double kick, double dt, double flip, const gather_result *out);
+/* One scalar per node to the points: out[k] for k in [start, end). */
+typedef void sample_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                           const double *window, double *out);
+
+typedef enum scatter_mode { SCATTER_MOMENTUM, SCATTER_FORCE, SCATTER_ALL, SCATTER_MODES } scatter_mode;
+
+typedef struct kernel_set {
+    scatter_kernel *scatter[SCATTER_MODES];
+    gather_kernel *gather_motion;   /* x, v */
+    gather_kernel *gather_gradient; /* L */
+    sample_kernel *sample;
+} kernel_set;
+
+/* The kernels of a dimension, geometry and basis; chosen once. */
+kernel_set kernels_of(int dim, mesh_geometry geometry, basis_kind kind);
+
+/* Loaded surface points: massless, moved by the grid, each with an area vector (m2) and the load that acts on it. */
+typedef struct surface_point {
+    double x[3], area[3];
+    int load;
+} surface_point;
+
+struct mpm_work {
+    kernel_set kernel;
+    int window[MESH_MAX_DIM]; /* nodes of a tile's window along each axis */
+    int window_nodes;
+    int reach;                                                   /* nodes that the window begins before its tile */
+    int (*basis_1d)(double, double, double, double *, double *); /* weights of the basis along an axis */
+    int body_group[SCENE_MAX_BODIES];                            /* group of a scene body, -1: none of ours */
+    bool *active;                             /* per global tile: the group in hand has points there; owned */
+    double *tile_sum;                         /* per global tile, MPM_TILE_SUMS values; owned */
+    double kick;                              /* s: the time over which velocities are kicked */
+    double reference_mass;                    /* kg: heaviest point, for the small-node rule (numerics 4.4) */
+    double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
+    double heat_dp[SCENE_MAX_LOADS];          /* Pa: what each heating load adds to its fluid's pressure this step */
+    surface_point *surface, *surface_next;    /* owned */
+    size_t n_surface;
+    solid_batch *batch; /* one per thread; owned */
+    int threads;
+};
+
+enum { MPM_TILE_SUMS = 64 };
+
+tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *global_tile);
+/* Arrays of a body's current state in a block; `next_stress`, `next_velocity` take those from the next state instead. */
+point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity);
+
+/* Point-to-grid of one mode for a group: tile partials, then node fields in global tile order (p2g.c). */
+floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress, bool next_velocity);
+/* Copies the window of a tile from node arrays: `count` components interleaved (tile.c). */
+void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window);
+
+/* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */
+floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch, double *heat);
+/* Fills a batch with the current state of points [start, end) (stress.c). */
+void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch);
+
+/* Walls (wall.c): folding of sums into the nodes of the mesh, and what the walls make of velocities. */
+void fold_walls(mpm *s, int group, bool momentum, bool force);
+void impose_walls(mpm *s, int group, field_id velocity);
+void extend_to_ghosts(mpm *s, int group, field_id id);
+
+/* Loads (load.c). */
+floe_status seed_surfaces(mpm *s);
+void scatter_surfaces(mpm *s, int group);
+void move_surfaces(mpm *s, int group);
+void set_body_forces(mpm *s);
+floe_status set_heating(mpm *s);
+
+/* The calling thread's number, 0 without threads. */
+int mpm_thread(void);
+
+/* Order (sort.c). */
+floe_status sort_body(mpm *s, int blk, int body);
+
+#endif

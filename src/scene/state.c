@@ -1,0 +1,104 @@
+#include "scene/state.h"
+
+#include <math.h>
+
+/* e with p(rho, e) = p by Newton; pressure is linear in e for most equations of state, so that two passes do. */
+static bool energy_at_pressure(const eos *law, double rho, double p, double *e)
+{
+    double T = 300.0, now, c2, slope;
+    law->model->energy(law->par, 1, &rho, &T, e);
+    for (int k = 0; k < 50; ++k) {
+        law->model->pressure(law->par, 1, &rho, e, &now, &c2);
+        if (fabs(now - p) <= 1e-15 * fabs(p)) return true;
+        law->model->dpde(law->par, 1, &rho, e, &slope);
+        const double step = (p - now) / slope;
+        if (!isfinite(step)) return false;
+        *e += step;
+        if (fabs(step) <= 4e-16 * fabs(*e)) return true;
+    }
+    return false;
+}
+
+floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double temperature, double density,
+                           fluid_state *out)
+{
+    const eos_model *m = law->model;
+    double dvdp, c2, v;
+    *out = (fluid_state){density, NAN, temperature, pressure};
+    if (isnan(density)) {
+        if (pressure > m->pressure_floor(law->par)) {
+            m->volume(law->par, 1, &pressure, &temperature, &v, &dvdp);
+            out->density = 1.0 / v;
+        }
+        m->energy(law->par, 1, &out->density, &temperature, &out->energy);
+    } else if (isnan(temperature)) {
+        if (energy_at_pressure(law, density, pressure, &out->energy))
+            m->temperature(law->par, 1, &density, &out->energy, &out->temperature);
+    } else {
+        m->energy(law->par, 1, &density, &temperature, &out->energy);
+    }
+    if (isnan(pressure)) m->pressure(law->par, 1, &out->density, &out->energy, &out->pressure, &c2);
+    if (!(out->density > 0.0) || !isfinite(out->energy) || !(out->energy >= m->energy_floor(law->par, out->density)))
+        return fail(ctx, FLOE_BAD_INPUT,
+                    "equation of state %s has no state with pressure %g Pa, temperature %g K, density %g kg/m3",
+                    m->name, pressure, temperature, density);
+    return FLOE_OK;
+}
+
+/* Exact value of a quantity at t = 0, or `otherwise` where the exact solution has none. */
+static double initial(const scene *s, initial_quantity quantity, int component, const double x[3], double otherwise)
+{
+    const double value = s->initial ? s->initial(s->initial_user, quantity, component, x) : (double)NAN;
+    return isnan(value) ? otherwise : value;
+}
+
+floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3])
+{
+    const scene_body *b = &s->body[body];
+    double pressure = b->pressure, temperature = b->temperature, density = b->density;
+    for (int a = 0; a < 3; ++a) velocity[a] = b->velocity[a];
+    if (b->initial_from_exact) {
+        pressure = initial(s, INITIAL_PRESSURE, 0, x, pressure);
+        density = initial(s, INITIAL_DENSITY, 0, x, density);
+        if (!isnan(density)) temperature = (double)NAN;
+        for (int a = 0; a < 3; ++a) velocity[a] = initial(s, INITIAL_VELOCITY, a, x, velocity[a]);
+    }
+    return fluid_state_of(s->ctx, &s->material[b->material].eos, pressure, temperature, density, out);
+}
+
+floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6])
+{
+    const scene_body *b = &s->body[body];
+    for (int a = 0; a < 3; ++a) velocity[a] = b->velocity[a];
+    for (int c = 0; c < 6; ++c) stress[c] = 0.0;
+    if (!b->initial_from_exact) return FLOE_OK;
+    for (int a = 0; a < 3; ++a) velocity[a] = initial(s, INITIAL_VELOCITY, a, x, velocity[a]);
+    for (int c = 0; c < 6; ++c) stress[c] = initial(s, INITIAL_STRESS, c, x, 0.0);
+    return FLOE_OK;
+}
+
+double load_fraction(const scene_load *load, double t)
+{
+    if (t <= load->start) return 0.0;
+    return load->ramp > 0.0 ? fmin(1.0, (t - load->start) / load->ramp) : 1.0;
+}
+
+static double initial_pressure(const scene *s, const scene_load *load)
+{
+    for (int b = 0; b < s->n_bodies; ++b) {
+        fluid_state state;
+        double velocity[3];
+        if (s->body[b].material == load->material &&
+            body_fluid_state(s, b, (const double[3]){0.0, 0.0, 0.0}, &state, velocity) == FLOE_OK)
+            return state.pressure;
+    }
+    return s->has_ambient ? s->ambient_pressure : s->reference_pressure;
+}
+
+double load_scheduled_pressure(const scene *s, const scene_load *load, double t, double t_begin, bool *active)
+{
+    const double fraction = load_fraction(load, t);
+    *active = fraction > 0.0 && (load->hold || load_fraction(load, t_begin) < 1.0);
+    const double first = initial_pressure(s, load), last = s->reference_pressure + load->target;
+    return first + fraction * (last - first);
+}

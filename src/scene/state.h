@@ -1,0 +1,28 @@
+/* What both solvers ask of a scene's bodies and loads, so that a fluid on points and the same fluid on cells start and are
+ * driven alike. */
+#ifndef SCENE_STATE_H
+#define SCENE_STATE_H
+
+#include "scene/scene.h"
+
+/* State of a fluid from two of pressure (Pa), temperature (K), density (kg/m3); the third is NAN, and is solved for together with
+ * the internal energy (J/kg). FLOE_BAD_INPUT where the equation of state has no such state. */
+typedef struct fluid_state {
+    double density, energy, temperature, pressure;
+} fluid_state;
+floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double temperature, double density,
+                           fluid_state *out);
+
+/* Initial state of a fluid body at x: given in the deck, or by the exact solution at t = 0 (velocity included). */
+floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3]);
+
+/* Density and velocity, and stress (xx yy zz xy yz zx, Pa), of a solid body at x. */
+floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6]);
+
+/* Fraction of a load's ramp reached at time t: 0 before its start, 1 after the ramp. */
+double load_fraction(const scene_load *load, double t);
+/* LOAD_PRESSURISE: the absolute mean pressure that the fluid should have at time t; *active tells whether the load acts in the step
+ * that begins at t_begin. The ramp runs from the initial pressure of the fluid's first body inside the region. */
+double load_scheduled_pressure(const scene *s, const scene_load *load, double t, double t_begin, bool *active);
+
+#endif

@@ -1,0 +1,13 @@
+/* The coupled step: the stages of points and cells, interleaved (numerics 5.1). */
+#ifndef SIM_COUPLED_H
+#define SIM_COUPLED_H
+
+#include "sim/sim.h"
+
+floe_status transfer_create(struct transfer **out, sim *s);
+void transfer_destroy(struct transfer **t);
+floe_status coupled_step(sim *s);
+/* Initial state of both: points are seeded already; the cells get the fluids around them. */
+floe_status coupled_initialise(sim *s);
+
+#endif

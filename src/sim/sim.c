@@ -1,0 +1,121 @@
+/* From the scene to a simulation ready for its first step. */
+#include "sim/sim.h"
+
+#include "base/memory.h"
+#include "sim/coupled.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Facts of a scene under a coupling: which solvers it needs. */
+static bool needs_points(const scene *s, scene_coupling coupling)
+{
+    if (coupling == COUPLING_MPM) return true;
+    if (coupling == COUPLING_ICE) return false;
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->material[s->body[b].material].kind == MATERIAL_SOLID) return true;
+    return false;
+}
+
+static bool needs_cells(const scene *s, scene_coupling coupling)
+{
+    if (coupling == COUPLING_MPM) return false;
+    if (s->has_ambient) return true;
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->material[s->body[b].material].kind == MATERIAL_FLUID) return true;
+    return false;
+}
+
+static floe_status check_coupling(const sim *s)
+{
+    for (int b = 0; s->coupling == COUPLING_ICE && b < s->scene->n_bodies; ++b)
+        if (s->scene->material[s->scene->body[b].material].kind == MATERIAL_SOLID)
+            return fail(s->ctx, FLOE_BAD_INPUT,
+                        "body '%s' is a solid, which coupling ice cannot carry; use ice-mpm or mpm",
+                        s->scene->body[b].name);
+    if (s->scene->n_bodies == 0) return fail(s->ctx, FLOE_BAD_INPUT, "the scene has no bodies");
+    return FLOE_OK;
+}
+
+floe_status sim_run_stages(sim *s)
+{
+    if (s->mpm && s->ice) return coupled_step(s);
+    return s->mpm ? mpm_step(s->mpm) : ice_step(s->ice);
+}
+
+/* Walks the stage list without running it: that registers what the stages touch, and nothing else. */
+static floe_status make_plan(sim *s)
+{
+    s->stages.planning = true;
+    const floe_status status = sim_run_stages(s);
+    s->stages.planning = false;
+    return status;
+}
+
+static floe_status make_solvers(sim *s, const bool points, const bool cells)
+{
+    if (points) TRY(mpm_create(&s->mpm, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, cells));
+    if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points));
+    if (points && cells) TRY(transfer_create(&s->transfer, s));
+    TRY(make_plan(s));
+    TRY(domain_create(&s->domain, s->ctx, &s->mesh));
+    s->stages.domain = s->domain;
+    if (s->mpm) TRY(mpm_register(s->mpm, s->domain));
+    if (s->ice) TRY(ice_register(s->ice, s->domain));
+    return FLOE_OK;
+}
+
+static floe_status set_initial_state(sim *s)
+{
+    if (s->mpm) TRY(mpm_seed(s->mpm));
+    if (s->transfer) return coupled_initialise(s);
+    return s->ice ? ice_initialise(s->ice, NULL) : FLOE_OK;
+}
+
+/* The ledger's zero, and the scale of what is there. */
+static floe_status open_ledger(sim *s)
+{
+    TRY(sim_account(s));
+    memcpy(s->ledger.initial, s->ledger.total, sizeof s->ledger.initial);
+    ledger_discard(&s->ledger);
+    return FLOE_OK;
+}
+
+static floe_status fill(sim *s)
+{
+    TRY(check_coupling(s));
+    TRY(mesh_init(&s->mesh, s->ctx, &s->scene->mesh));
+    stage_list_init(&s->stages, s->ctx);
+#ifdef FLOE_DEBUG
+    s->stages.checking = true;
+#endif
+    TRY(make_solvers(s, needs_points(s->scene, s->coupling), needs_cells(s->scene, s->coupling)));
+    TRY(set_initial_state(s));
+    return open_ledger(s);
+}
+
+floe_status sim_create(sim **out, context *ctx, const scene *sc, scene_coupling coupling)
+{
+    TRY(memory_new(ctx, out, 1, sizeof **out));
+    sim *s = *out;
+    s->ctx = ctx;
+    s->scene = sc;
+    s->coupling = coupling;
+    s->dt_reason = "first step";
+    s->rest_since = INFINITY;
+    const floe_status status = fill(s);
+    if (status != FLOE_OK) sim_destroy(out);
+    return status;
+}
+
+void sim_destroy(sim **s)
+{
+    if (!s || !*s) return;
+    context *ctx = (*s)->ctx;
+    transfer_destroy(&(*s)->transfer);
+    ice_destroy(&(*s)->ice);
+    mpm_destroy(&(*s)->mpm);
+    domain_destroy(&(*s)->domain);
+    stage_list_destroy(&(*s)->stages);
+    memory_free(ctx, s);
+}

@@ -1,0 +1,130 @@
+/* Time steps: chosen, taken, and, where they go bad, taken again smaller (design 8). */
+#include "sim/sim.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MAX_REJECTIONS = 10 };
+static const double cut = 0.5; /* of the step, at each rejection */
+
+/* Names the tightest of the limits so far. */
+static void limit(double *dt, const char **reason, double candidate, const char *name)
+{
+    if (candidate < *dt) {
+        *dt = candidate;
+        *reason = name;
+    }
+}
+
+static floe_status stable_step(sim *s, double *dt, const char **reason)
+{
+    *dt = INFINITY;
+    *reason = "nothing";
+    if (s->mpm) {
+        mpm_limit l;
+        TRY(mpm_time_step(s->mpm, &l));
+        limit(dt, reason, l.dt, l.reason);
+    }
+    if (s->ice) {
+        ice_limit l;
+        TRY(ice_time_step(s->ice, &l));
+        limit(dt, reason, l.dt, l.reason);
+    }
+    return FLOE_OK;
+}
+
+static floe_status choose_step(sim *s, double until, double *dt, const char **reason)
+{
+    const scene_time *t = &s->scene->time;
+    if (!isnan(t->fixed_step)) {
+        *dt = t->fixed_step;
+        *reason = "fixed step";
+    } else {
+        TRY(stable_step(s, dt, reason));
+        if (s->steps == 0 && !isnan(t->first_step)) limit(dt, reason, t->first_step, "first step");
+        if (s->steps > 0) limit(dt, reason, t->growth * s->dt, "growth");
+        if (!isnan(t->max_step)) limit(dt, reason, t->max_step, "largest step");
+    }
+    /* The last steps before an output time share what is left, so that none of them is a sliver. */
+    const double left = until - s->time;
+    if (*dt >= left)
+        limit(dt, reason, left, "output time");
+    else if (isnan(t->fixed_step) && 2.0 * *dt > left)
+        limit(dt, reason, 0.5 * left, "output time");
+    if (!(*dt > 0.0) || !isfinite(*dt) || s->time + *dt == s->time)
+        return fail(s->ctx, FLOE_DIVERGED, "the time step has shrunk to %g s at t = %.6g s (limited by %s)", *dt,
+                    s->time, *reason);
+    return FLOE_OK;
+}
+
+static void set_step(sim *s, double dt)
+{
+    if (s->mpm) {
+        s->mpm->dt = dt;
+        s->mpm->time = s->time;
+    }
+    if (s->ice) {
+        s->ice->dt = dt;
+        s->ice->time = s->time;
+    }
+}
+
+/* Takes the step, cutting it while it is rejected; state is only written to next arrays, so that rejection is forgetting. */
+static floe_status take_step(sim *s, double *dt, const char **reason)
+{
+    char cause[CONTEXT_MESSAGE_SIZE] = "";
+    for (int tries = 0; tries <= MAX_REJECTIONS; ++tries) {
+        set_step(s, *dt);
+        const floe_status status = sim_run_stages(s);
+        if (status != FLOE_RETRY) return status;
+        ledger_discard(&s->ledger);
+        s->rejected++;
+        snprintf(cause, sizeof cause, "%s", context_message(s->ctx));
+        context_log(s->ctx, LOG_DETAIL, "step %ld at t = %.6g s rejected with dt = %.3g s: %s", s->steps + 1, s->time,
+                    *dt, cause);
+        context_clear(s->ctx);
+        *dt *= cut;
+        *reason = "rejected step";
+    }
+    return fail(s->ctx, FLOE_DIVERGED,
+                "the step at t = %.6g s was rejected %d times, down to dt = %.3g s; the last cause: %s", s->time,
+                MAX_REJECTIONS + 1, *dt, cause);
+}
+
+static floe_status commit(sim *s, double dt)
+{
+    for (int b = 0; b < s->mesh.n_blocks; ++b) fields_commit(s->domain->fields[b]);
+    if (s->mpm) {
+        s->point_updates += (double)mpm_count(s->mpm);
+        TRY(mpm_commit(s->mpm));
+    }
+    if (s->ice) s->cell_updates += (double)mesh_cells(&s->mesh);
+    ledger_commit(&s->ledger);
+    s->time += dt;
+    s->steps++;
+    return FLOE_OK;
+}
+
+floe_status sim_step(sim *s, double until)
+{
+    double dt;
+    const char *reason;
+    TRY(choose_step(s, until, &dt, &reason));
+    const bool last = dt == until - s->time;
+    const double full = dt;
+    TRY(take_step(s, &dt, &reason));
+    TRY(commit(s, dt));
+    if (last && dt == full) s->time = until; /* no round-off in an output time */
+    if (s->mpm) s->mpm->time = s->time;
+    /* A step shortened to meet an output time must not hold the next one back. */
+    if (strcmp(reason, "output time") != 0 || dt > s->dt) s->dt = dt;
+    s->dt_reason = reason;
+    return FLOE_OK;
+}
+
+floe_status sim_predict(sim *s, double *dt, double *steps, const char **reason)
+{
+    TRY(choose_step(s, s->scene->time.end, dt, reason));
+    *steps = ceil((s->scene->time.end - s->time) / *dt);
+    return FLOE_OK;
+}
