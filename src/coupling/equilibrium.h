@@ -1,0 +1,39 @@
+/* The equilibrium pressure of a mixed cell: the p at which its materials fill it (numerics 2.1; Guilkey et al. 2003, eq. 4),
+ *     F(p) = sum_r a_r v_r(p, T_r) - 1 = 0,    a_r = m_r / V (m_r / TMV with materials carried by points), T_r frozen.
+ *
+ * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is
+ * linear for an ideal gas beside an incompressible material; every iterate is kept inside a bracket made from the signs of
+ * F, and where Newton leaves it the geometric mean of the bracket is taken. It runs as a root solver of our own behind
+ * GSL's interface (gsl_root_fdfsolver), one a thread. */
+#ifndef COUPLING_EQUILIBRIUM_H
+#define COUPLING_EQUILIBRIUM_H
+
+#include "base/context.h"
+#include "material/eos.h"
+
+#include <stdbool.h>
+
+enum { EQUILIBRIUM_MAX = 16 };
+
+/* One mixed cell. Materials with a = 0 are left out; their v is not set. */
+typedef struct equilibrium_cell {
+    int n;
+    const eos *eos[EQUILIBRIUM_MAX];
+    double a[EQUILIBRIUM_MAX];      /* kg/m3 */
+    double T[EQUILIBRIUM_MAX];      /* K */
+    double p;                       /* Pa: guess in, pressure out */
+    double v[EQUILIBRIUM_MAX];      /* m3/kg at p, out */
+    double residual;                /* F(p), out */
+    int iterations;                 /* out */
+    int fallbacks;                  /* iterations that took the geometric mean, out */
+} equilibrium_cell;
+
+typedef struct equilibrium_solver equilibrium_solver;
+
+floe_status equilibrium_create(equilibrium_solver **out, context *ctx);
+void equilibrium_destroy(equilibrium_solver **s);
+/* Solves one cell. FLOE_RETRY, without a message of its own (the caller knows the cell), when 200 iterations do not do: the
+ * last iterate is in *cell. */
+floe_status equilibrium_solve(equilibrium_solver *s, equilibrium_cell *cell);
+
+#endif

@@ -1,0 +1,129 @@
+#include "coupling/exchange.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+/* Beyond this many times the largest mass a coupling adds nothing but cancellation (numerics 2.2). */
+static const double rigid = 1e12;
+
+/* The materials that take part: present and of finite mass. */
+typedef struct present {
+    int n;
+    int index[EXCHANGE_MAX];
+    double mass[EXCHANGE_MAX];
+    double total;   /* of the finite masses */
+    double largest;
+    int fixed;      /* a material of infinite mass, or -1 */
+} present;
+
+static present find_present(int n, const double *mass)
+{
+    present p = {.fixed = -1};
+    for (int r = 0; r < n; ++r) {
+        if (isinf(mass[r])) {
+            p.fixed = r;
+        } else if (mass[r] > 0.0) {
+            p.index[p.n] = r;
+            p.mass[p.n++] = mass[r];
+            p.total += mass[r];
+            p.largest = fmax(p.largest, mass[r]);
+        }
+    }
+    return p;
+}
+
+void exchange_couple(int n, exchange_matrix coefficient, const double *theta, double factor, exchange_matrix a)
+{
+    for (int r = 0; r < n; ++r)
+        for (int s = 0; s < n; ++s) a[r][s] = r == s ? 0.0 : factor * theta[r] * theta[s] * coefficient[r][s];
+}
+
+static double centre_of_mass(const present *p, const double *u)
+{
+    double sum = 0.0;
+    for (int k = 0; k < p->n; ++k) sum += p->mass[k] * u[p->index[k]];
+    return sum / p->total;
+}
+
+/* Two free materials in closed form: the difference decays, the centre stays. */
+static void relax_pair(const present *p, double a, double *u)
+{
+    const double m0 = p->mass[0], m1 = p->mass[1], total = m0 + m1;
+    const double cut = fmin(a, rigid * p->largest);
+    double *u0 = &u[p->index[0]], *u1 = &u[p->index[1]];
+    const double centre = (m0 * *u0 + m1 * *u1) / total;
+    const double difference = (*u0 - *u1) / (1.0 + cut * (1.0 / m0 + 1.0 / m1));
+    *u0 = centre + m1 / total * difference;
+    *u1 = centre - m0 / total * difference;
+}
+
+/* Lower triangle of diag(m) + A over the free materials, factored L D L^T in place without pivots: it is positive definite. */
+static void factor(const present *p, exchange_matrix a, int n, const double *mass, exchange_matrix f)
+{
+    const double most = rigid * p->largest;
+    for (int i = 0; i < p->n; ++i) {
+        const int r = p->index[i];
+        double row = p->mass[i];
+        for (int s = 0; s < n; ++s)
+            if (s != r && mass[s] > 0.0) row += fmin(a[r][s], most);
+        f[i][i] = row;
+        for (int k = 0; k < i; ++k) f[i][k] = -fmin(a[r][p->index[k]], most);
+    }
+    for (int j = 0; j < p->n; ++j) {
+        for (int k = 0; k < j; ++k) f[j][j] -= f[j][k] * f[j][k] * f[k][k];
+        for (int i = j + 1; i < p->n; ++i) {
+            for (int k = 0; k < j; ++k) f[i][j] -= f[i][k] * f[k][k] * f[j][k];
+            f[i][j] /= f[j][j];
+        }
+    }
+}
+
+static void substitute(int n, exchange_matrix f, double *y)
+{
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < i; ++k) y[i] -= f[i][k] * y[k];
+    for (int i = 0; i < n; ++i) y[i] /= f[i][i];
+    for (int i = n - 1; i >= 0; --i)
+        for (int k = i + 1; k < n; ++k) y[i] -= f[k][i] * y[k];
+}
+
+/* Deviations y from `reference`, in which (diag(m) + A) y = m (u - reference) + pull of the prescribed ones. */
+static void relax_column(const present *p, exchange_matrix a, exchange_matrix f, int n, const double *mass, double *u)
+{
+    const double reference = p->fixed >= 0 ? u[p->fixed] : centre_of_mass(p, u);
+    const double most = rigid * p->largest;
+    double y[EXCHANGE_MAX];
+    for (int i = 0; i < p->n; ++i) {
+        y[i] = p->mass[i] * (u[p->index[i]] - reference);
+        for (int s = 0; s < n; ++s)
+            if (isinf(mass[s])) y[i] += fmin(a[p->index[i]][s], most) * (u[s] - reference);
+    }
+    substitute(p->n, f, y);
+    double drift = 0.0;
+    for (int i = 0; i < p->n; ++i) drift += p->mass[i] * y[i];
+    drift = p->fixed >= 0 ? 0.0 : drift / p->total;
+    for (int i = 0; i < p->n; ++i) u[p->index[i]] = reference + (y[i] - drift);
+}
+
+static void fill_absent(const present *p, int n, const double *mass, double *u)
+{
+    if (p->n == 0 && p->fixed < 0) return;
+    const double mean = p->fixed >= 0 ? u[p->fixed] : centre_of_mass(p, u);
+    for (int r = 0; r < n; ++r)
+        if (!(mass[r] > 0.0)) u[r] = mean;
+}
+
+void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX])
+{
+    const present p = find_present(n, mass);
+    const bool pair = p.n == 2 && p.fixed < 0;
+    exchange_matrix f;
+    if (!pair && p.n + (p.fixed >= 0) > 1) factor(&p, a, n, mass, f);
+    for (int c = 0; c < columns; ++c) {
+        if (pair)
+            relax_pair(&p, a[p.index[0]][p.index[1]], value[c]);
+        else if (p.n > 0 && p.n + (p.fixed >= 0) > 1)
+            relax_column(&p, a, f, n, mass, value[c]);
+        fill_absent(&p, n, mass, value[c]);
+    }
+}

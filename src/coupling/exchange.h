@@ -1,0 +1,31 @@
+/* Momentum and heat exchange between the materials of one cell or face, implicit in time (numerics 2.2, 2.9).
+ *
+ * Materials r with masses m_r and values u_r are pulled together by a symmetric graph Laplacian,
+ *     m_r (u_r' - u_r) = sum_s a_rs (u_s' - u_r'),    a_rs = dt V theta_r theta_s K_rs >= 0,
+ * which is solved for the deviations from the common centre of mass, so that the sum of m u is kept to round-off for any
+ * strength of the coupling. Serves faces (normal component), cells (all components) and temperatures. */
+#ifndef COUPLING_EXCHANGE_H
+#define COUPLING_EXCHANGE_H
+
+#include <stddef.h>
+
+enum { EXCHANGE_MAX = 16 };
+
+/* Coefficients of all pairs; symmetric, diagonals unused. */
+typedef struct exchange_table {
+    int n;
+    double K[EXCHANGE_MAX][EXCHANGE_MAX]; /* kg/(m3 s), momentum */
+    double R[EXCHANGE_MAX][EXCHANGE_MAX]; /* W/(m3 K), heat */
+} exchange_table;
+
+typedef double exchange_matrix[EXCHANGE_MAX][EXCHANGE_MAX];
+
+/* a_rs = factor theta_r theta_s coefficient_rs, for r != s. `factor` is dt at a face, dt V in a cell. */
+void exchange_couple(int n, exchange_matrix coefficient, const double *theta, double factor, exchange_matrix a);
+
+/* Relaxes `columns` sets of values, value[column][material], in place.
+ * mass: m_r >= 0. 0: absent, receives the mean of the others, weighted by mass. INFINITY: prescribed, keeps its value.
+ * Couplings beyond 1e12 of the largest finite mass are cut to that: they are rigid already. */
+void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX]);
+
+#endif

@@ -1,0 +1,160 @@
+/* The equilibrium pressure over extreme mixtures (numerics 2.1) and the bookkeeping of its solver. */
+#include "check.h"
+
+#include "base/memory.h"
+#include "coupling/equilibrium.h"
+#include "material/solid.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { GAS, WATER, STEEL, MATERIALS };
+
+typedef struct trio {
+    context *ctx;
+    equilibrium_solver *solver;
+    eos eos[MATERIALS];
+} trio;
+
+/* Sets a parameter by its key. */
+static void set(eos *e, const char *key, double value)
+{
+    for (size_t k = 0; k < e->model->n_params; ++k)
+        if (strcmp(e->model->params[k].key, key) == 0) {
+            *(double *)((char *)e->par + e->model->params[k].offset) = value;
+            return;
+        }
+    check_true(!"the parameter exists");
+}
+
+static void make(trio *t, int r, const char *name)
+{
+    t->eos[r].model = eos_find(name);
+    assert_non_null(t->eos[r].model);
+    check_ok(t->ctx, memory_new(t->ctx, &t->eos[r].par, 1, t->eos[r].model->param_size));
+}
+
+static int setup(void **state)
+{
+    trio *t = calloc(1, sizeof *t);
+    t->ctx = context_create();
+    make(t, GAS, "ideal");
+    set(&t->eos[GAS], "gamma", 1.4);
+    set(&t->eos[GAS], "specific_heat", 717.5);
+    make(t, WATER, "stiffened");
+    set(&t->eos[WATER], "gamma", 4.4);
+    set(&t->eos[WATER], "p_inf", 6e8);
+    set(&t->eos[WATER], "specific_heat", 1000.0);
+    make(t, STEEL, "bulk");
+    set(&t->eos[STEEL], "density", 8900.0);
+    set(&t->eos[STEEL], "bulk_modulus", 117e9);
+    set(&t->eos[STEEL], "specific_heat", 400.0);
+    set(&t->eos[STEEL], "reference_pressure", 101325.0);
+    set(&t->eos[STEEL], "switch_pressure", 101325.0);
+    check_ok(t->ctx, equilibrium_create(&t->solver, t->ctx));
+    *state = t;
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    trio *t = *state;
+    equilibrium_destroy(&t->solver);
+    for (int r = 0; r < MATERIALS; ++r) memory_free(t->ctx, &t->eos[r].par);
+    context_destroy(&t->ctx);
+    free(t);
+    return 0;
+}
+
+/* A cell that is filled at pressure p with fractions theta at 300 K. */
+static equilibrium_cell mixture(const trio *t, const double *theta, double p)
+{
+    equilibrium_cell c = {.n = MATERIALS};
+    for (int r = 0; r < MATERIALS; ++r) {
+        double v, dvdp;
+        c.eos[r] = &t->eos[r];
+        c.T[r] = 300.0;
+        t->eos[r].model->volume(t->eos[r].par, 1, &p, &c.T[r], &v, &dvdp);
+        c.a[r] = theta[r] / v;
+    }
+    return c;
+}
+
+/* theta_gas 1e-12 to 1, the rest water, steel or both, p 1e-2 to 1e10 Pa, guesses 1e-6 to 1e12: no failure. The pressure that
+ * |F| < 1e-13 leaves open is |F| / |dF/dp|, which the stiffness of the mixture decides. */
+static void all_cases_converge(void **state)
+{
+    const trio *t = *state;
+    int cases = 0, worst = 0, fallbacks = 0;
+    for (int partner = 0; partner < 3; ++partner)
+        for (int e = -12; e <= 0; e += 2)
+            for (int lp = -2; lp <= 10; lp += 4)
+                for (int guess = -6; guess <= 12; guess += 9) {
+                    const double gas = pow(10.0, e), p = pow(10.0, lp);
+                    const double theta[MATERIALS] = {gas, partner == 0 ? 1.0 - gas : partner == 2 ? 0.5 * (1.0 - gas) : 0.0,
+                                                     partner == 1 ? 1.0 - gas : partner == 2 ? 0.5 * (1.0 - gas) : 0.0};
+                    equilibrium_cell c = mixture(t, theta, p);
+                    c.p = pow(10.0, guess);
+                    assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+                    double slope = 0.0;
+                    for (int r = 0; r < MATERIALS; ++r) {
+                        double v, dvdp;
+                        t->eos[r].model->volume(t->eos[r].par, 1, &p, &c.T[r], &v, &dvdp);
+                        slope -= c.a[r] * dvdp;
+                    }
+                    check_true(fabs(c.residual) < 1e-13 || fabs(c.p - p) <= 1e-14 * p);
+                    /* 2e-13: the tolerance and as much round-off in the sum of theta; half again for curvature. */
+                    check_close(c.p, p, 3e-13 / slope + 1e-12 * p);
+                    worst = c.iterations > worst ? c.iterations : worst;
+                    fallbacks += c.fallbacks;
+                    cases++;
+                }
+    printf("equilibrium: %d cases, worst %d iterations, %d geometric means\n", cases, worst, fallbacks);
+    assert_int_equal(cases, 252);
+    check_true(worst <= 60); /* measured 30-odd; 200 is the limit */
+}
+
+static void near_guess_is_quick(void **state)
+{
+    const trio *t = *state;
+    for (int e = -12; e <= 0; e += 2) {
+        const double gas = pow(10.0, e);
+        equilibrium_cell c = mixture(t, (const double[]){gas, 0.0, 1.0 - gas}, 1e5);
+        c.p = 1.2e5;
+        assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+        check_true(c.iterations <= 6); /* numerics 2.1 */
+    }
+}
+
+/* Water alone holds tension: the shifted variable lets p fall below zero. */
+static void water_in_tension(void **state)
+{
+    const trio *t = *state;
+    equilibrium_cell c = mixture(t, (const double[]){0.0, 1.0, 0.0}, -1e8);
+    c.p = 1e5;
+    assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+    check_close(c.p, -1e8, 1e-3);
+}
+
+/* A cell that cannot be filled gives its last iterate back. */
+static void hopeless_cell_is_refused(void **state)
+{
+    const trio *t = *state;
+    equilibrium_cell c = mixture(t, (const double[]){0.5, 0.0, 0.5}, 1e5);
+    c.T[GAS] = NAN;
+    c.p = 1e5;
+    assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_RETRY);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_cases_converge),
+        cmocka_unit_test(near_guess_is_quick),
+        cmocka_unit_test(water_in_tension),
+        cmocka_unit_test(hopeless_cell_is_refused),
+    };
+    return cmocka_run_group_tests(tests, setup, teardown);
+}

@@ -1,0 +1,119 @@
+/* Pointwise exchange: momentum to round-off for any coupling, the exact discrete decay, absent and prescribed materials. */
+#include "check.h"
+
+#include "coupling/exchange.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A number in [0, 1) from a small generator of our own: the same on every machine. */
+static double next(unsigned long long *seed)
+{
+    *seed = *seed * 6364136223846793005ull + 1442695040888963407ull;
+    return (double)(*seed >> 11) * 0x1p-53;
+}
+
+static void momentum_is_kept(void **state)
+{
+    (void)state;
+    const double strengths[] = {1.0, 1e15, 1e20};
+    unsigned long long seed = 7;
+    double worst = 0.0;
+    for (int s = 0; s < 3; ++s)
+        for (int n = 2; n <= 5; ++n)
+            for (int trial = 0; trial < 500; ++trial) {
+                double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[1][EXCHANGE_MAX], before = 0.0, after = 0.0, scale = 0.0;
+                exchange_matrix K, a;
+                for (int r = 0; r < n; ++r) {
+                    mass[r] = pow(10.0, 12.0 * next(&seed) - 6.0);
+                    theta[r] = next(&seed) / n;
+                    u[0][r] = 2e3 * next(&seed) - 1e3;
+                    before += mass[r] * u[0][r];
+                    scale += mass[r] * fabs(u[0][r]);
+                    for (int q = 0; q < n; ++q) K[r][q] = strengths[s];
+                }
+                exchange_couple(n, K, theta, 1e-6, a);
+                exchange_relax(n, mass, a, 1, u);
+                for (int r = 0; r < n; ++r) after += mass[r] * u[0][r];
+                check_true(isfinite(after));
+                worst = fmax(worst, fabs(after - before) / scale);
+            }
+    check_true(worst <= 1e-14);
+}
+
+/* tau = 1/[K theta1 theta2 (1/rho1 + 1/rho2)]: one implicit step leaves 1/(1 + dt/tau) of the difference (numerics 2.9). */
+static void decay_of_a_pair(void **state)
+{
+    (void)state;
+    const double rho[2] = {1.2, 1000.0}, theta[2] = {0.3, 0.7}, dt = 1e-3;
+    for (int e = -3; e <= 9; e += 3) {
+        exchange_matrix K = {{0.0}}, a;
+        K[0][1] = K[1][0] = pow(10.0, e);
+        double u[2][EXCHANGE_MAX] = {{10.0, -4.0}, {0.0, 3.0}};
+        exchange_couple(2, K, theta, dt, a);
+        exchange_relax(2, rho, a, 2, u);
+        const double rate = K[0][1] * theta[0] * theta[1] * (1.0 / rho[0] + 1.0 / rho[1]);
+        check_close(u[0][0] - u[0][1], 14.0 / (1.0 + dt * rate), 1e-13);
+        check_close(u[1][0] - u[1][1], -3.0 / (1.0 + dt * rate), 1e-13);
+    }
+}
+
+/* Three materials against the dense matrix: (diag(m) + A) u' = m u holds for the answer. */
+static void solution_satisfies_the_system(void **state)
+{
+    (void)state;
+    const double mass[3] = {1.0, 20.0, 0.05}, theta[3] = {0.2, 0.5, 0.3};
+    exchange_matrix K = {{0.0, 3.0, 5.0}, {3.0, 0.0, 11.0}, {5.0, 11.0, 0.0}}, a;
+    double u[1][EXCHANGE_MAX] = {{1.0, -2.0, 30.0}};
+    const double old[3] = {1.0, -2.0, 30.0};
+    exchange_couple(3, K, theta, 0.7, a);
+    exchange_relax(3, mass, a, 1, u);
+    for (int r = 0; r < 3; ++r) {
+        double pull = 0.0;
+        for (int s = 0; s < 3; ++s) pull += a[r][s] * (u[0][s] - u[0][r]);
+        check_close(mass[r] * (u[0][r] - old[r]), pull, 1e-13);
+    }
+}
+
+static void absent_material_gets_the_mean(void **state)
+{
+    (void)state;
+    const double mass[3] = {2.0, 0.0, 6.0}, theta[3] = {0.5, 0.0, 0.5};
+    exchange_matrix K = {{0.0, 1e20, 1e20}, {1e20, 0.0, 1e20}, {1e20, 1e20, 0.0}}, a;
+    double u[1][EXCHANGE_MAX] = {{4.0, 1e300, 8.0}};
+    exchange_couple(3, K, theta, 1e-6, a);
+    exchange_relax(3, mass, a, 1, u);
+    check_close(u[0][1], 7.0, 1e-14 * 7.0);
+    check_close(u[0][0], 7.0, 1e-9);
+
+    const double alone[2] = {0.0, 3.0};
+    double w[1][EXCHANGE_MAX] = {{9.0, 5.0}};
+    exchange_relax(2, alone, a, 1, w);
+    check_close(w[0][0], 5.0, 0.0);
+    check_close(w[0][1], 5.0, 0.0);
+}
+
+static void prescribed_material_keeps_its_value(void **state)
+{
+    (void)state;
+    const double mass[3] = {1.0, INFINITY, 0.0}, theta[3] = {0.4, 0.6, 0.0};
+    exchange_matrix K = {{0.0, 10.0, 0.0}, {10.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, a;
+    double u[1][EXCHANGE_MAX] = {{3.0, -1.0, 0.0}};
+    exchange_couple(3, K, theta, 0.5, a);
+    exchange_relax(3, mass, a, 1, u);
+    check_close(u[0][1], -1.0, 0.0);
+    check_close(u[0][0], -1.0 + 4.0 / (1.0 + a[0][1]), 1e-15 * 4.0);
+    check_close(u[0][2], -1.0, 0.0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(momentum_is_kept),
+        cmocka_unit_test(decay_of_a_pair),
+        cmocka_unit_test(solution_satisfies_the_system),
+        cmocka_unit_test(absent_material_gets_the_mean),
+        cmocka_unit_test(prescribed_material_keeps_its_value),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
