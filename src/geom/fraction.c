@@ -137,23 +137,63 @@ static void box_corner(int dim, const double lo[3], const double hi[3], int j, d
     for (int k = 0; k < dim; k++) x[k] = (j >> k) & 1 ? hi[k] : lo[k];
 }
 
-/* The linear function through the corners of a chord lies on one side of a curved surface. Two thirds of the gap at the
- * centre is its mean over the box for any quadratic level: taken off, the errors of neighbouring boxes cancel instead of
- * adding up, and flat surfaces are still exact. A gap that is not small against the box is an edge or a corner of the
- * shape, no curvature: it is left alone. */
-static double curvature_shift(const double *level, int corners, double centre, double size)
+/* The corner from which the box's main diagonal is drawn: that diagonal on which the linear function agrees best with the
+ * level at the centre, so that an edge or a corner of a shape that lies along the box's own is kept whole. */
+static int best_diagonal(const double *level, int corners, double centre)
 {
-    double mean = 0.0;
-    for (int j = 0; j < corners; j++) mean += level[j];
-    const double gap = mean / corners - centre;
-    return fabs(gap) < 0.05 * size ? 2.0 / 3.0 * gap : 0.0;
+    int best = 0;
+    double least = INFINITY;
+    for (int j = 0; j < corners / 2; j++) {
+        const double gap = fabs(0.5 * (level[j] + level[corners - 1 - j]) - centre);
+        if (gap < least) {
+            least = gap;
+            best = j;
+        }
+    }
+    return best;
 }
 
-/* Kuhn's division of a box: one simplex for each order of the axes, along the path of corners that adds axis by axis. */
-static void cut_box(cutter *c, const double lo[3], const double hi[3], double centre)
+/* Kuhn's division of a box into `n` simplices of equal volume: one for each order of the axes, along the path of corners
+ * that crosses axis by axis from one end of a main diagonal to the other. */
+typedef struct kuhn {
+    int n;
+    int corner[6][4];
+} kuhn;
+
+static kuhn kuhn_from(int dim, int start)
 {
     static const int orders[6][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     static const int n_orders[4] = {0, 1, 2, 6};
+    kuhn division = {.n = n_orders[dim]};
+    for (int o = 0; o < division.n; o++) {
+        int corner = start;
+        for (int k = 0; k <= dim; k++) {
+            division.corner[o][k] = corner;
+            if (k < dim) corner ^= 1 << orders[o][k];
+        }
+    }
+    return division;
+}
+
+/* The functions that are linear in each simplex lie on one side of a curved surface. What is taken off here is their mean
+ * less that of the level, (2 centre + mean of the corners)/3 for any quadratic: the errors of neighbouring boxes then
+ * cancel instead of adding up, and flat surfaces are still exact. Where the corners' mean is far from the centre the shape
+ * has an edge or a corner there, no curvature: it is left alone. */
+static double curvature_shift(const kuhn *division, int dim, const double *level, double centre, double size)
+{
+    const int corners = 1 << dim;
+    double corner_mean = 0.0, linear_mean = 0.0;
+    for (int j = 0; j < corners; j++) corner_mean += level[j] / corners;
+    if (!(fabs(corner_mean - centre) < 0.05 * size)) return 0.0;
+    for (int o = 0; o < division->n; o++) {
+        for (int k = 0; k <= dim; k++) linear_mean += level[division->corner[o][k]];
+    }
+    linear_mean /= division->n * (dim + 1);
+    return linear_mean - (2.0 * centre + corner_mean) / 3.0;
+}
+
+static void cut_box(cutter *c, const double lo[3], const double hi[3], double centre)
+{
     const int dim = c->dim, corners = 1 << dim;
     vertex v[8];
     double level[8];
@@ -161,17 +201,12 @@ static void cut_box(cutter *c, const double lo[3], const double hi[3], double ce
         box_corner(dim, lo, hi, j, v[j].x);
         level[j] = c->s->model->level(c->s->par, dim, v[j].x);
     }
-    const double shift = curvature_shift(level, corners, centre, hi[0] - lo[0]);
+    const kuhn division = kuhn_from(dim, best_diagonal(level, corners, centre));
+    const double shift = curvature_shift(&division, dim, level, centre, hi[0] - lo[0]);
     for (int j = 0; j < corners; j++) v[j].level = level[j] - shift;
-
-    for (int o = 0; o < n_orders[dim]; o++) {
+    for (int o = 0; o < division.n; o++) {
         vertex simplex[4];
-        int corner = 0;
-        simplex[0] = v[0];
-        for (int k = 0; k < dim; k++) {
-            corner |= 1 << orders[o][k];
-            simplex[k + 1] = v[corner];
-        }
+        for (int k = 0; k <= dim; k++) simplex[k] = v[division.corner[o][k]];
         cut_simplex(c, simplex);
     }
 }

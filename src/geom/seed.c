@@ -4,9 +4,10 @@
 
 #include <math.h>
 
-/* Halvings of a cut sub-cell, by dimension. With these a disc of 20 cells across and 2 points a cell has its area to
- * 1e-6 or better (tests/unit/test_geom_seed.c), at a cost of some 2^depth (2-D) or 4^depth (3-D) boxes a cut sub-cell. */
-static const int cut_depth[4] = {0, 40, 5, 3};
+/* Halvings of a cut sub-cell, by dimension: some 2^depth (2-D) or 4^depth (3-D) boxes a cut sub-cell. A disc of 20 cells
+ * across and 2 points a cell has its area to 1e-8, a ball its volume to 1e-7; edges and corners of a shape cost more
+ * (tests/unit/test_geom_seed.c). */
+static const int cut_depth[4] = {0, 40, 4, 3};
 
 /* Sub-cells with less than this share always join a neighbour: they are round-off of a surface along a cell face. */
 static const double least_share = 1e-9;

@@ -5,29 +5,29 @@
 #include "geom/shape.h"
 
 typedef enum seed_method {
-    SEED_LATTICE,   /* the papers': a point at the centre of each sub-cell whose centre is inside, with the whole sub-cell's volume */
-    SEED_FITTED     /* a point at the centroid of each sub-cell's inside part, with exactly that volume; slivers under `merge` of a
+    SEED_LATTICE, /* the papers': a point at the centre of each sub-cell whose centre is inside, with the whole sub-cell's volume */
+    SEED_FITTED /* a point at the centroid of each sub-cell's inside part, with exactly that volume; slivers under `merge` of a
                        sub-cell join their largest neighbour, keeping mass and first moments */
 } seed_method;
 
 typedef struct seed_spec {
     int dim;
-    bool axisymmetric;          /* volumes per radian: r dr dz */
-    double lower[3], h[3];      /* mesh corner and cell, m */
-    int n[3];                   /* cells of the whole mesh, 1 along unused axes */
-    int per_cell[3];            /* points along each axis of a cell, 1 to 8 */
+    bool axisymmetric;     /* volumes per radian: r dr dz */
+    double lower[3], h[3]; /* mesh corner and cell, m */
+    int n[3];              /* cells of the whole mesh, 1 along unused axes */
+    int per_cell[3];       /* points along each axis of a cell, 1 to 8 */
     seed_method method;
-    double merge;               /* fraction of a sub-cell, 0 to 1; 0.3 is usual */
+    double merge; /* fraction of a sub-cell, 0 to 1; 0.3 is usual */
 } seed_spec;
 
 /* Points in the order of global cells, then sub-cells (axis 0 fastest): independent of blocks. Arrays are counted memory
  * owned by the list; seed_list_free releases them. */
 typedef struct seed_list {
     size_t n;
-    double *x[3];       /* m; dim arrays are set */
-    double *volume;     /* m3 (design's per-metre and per-radian conventions) */
-    double *half[3];    /* m, half width of the sub-cell */
-    int *cell[3];       /* global cell along each axis */
+    double *x[3];    /* m; dim arrays are set */
+    double *volume;  /* m3 (design's per-metre and per-radian conventions) */
+    double *half[3]; /* m, half width of the sub-cell */
+    int *cell[3];    /* global cell along each axis */
 } seed_list;
 
 /* Fills *out for one shape. Only cells that meet the shape's bounds are visited. */

@@ -9,8 +9,8 @@
 #include "base/param.h"
 
 typedef struct eos_model {
-    const char *name;               /* in the deck: eos: {model: ideal, ...} */
-    const char *doc;                /* one line */
+    const char *name; /* in the deck: eos: {model: ideal, ...} */
+    const char *doc;  /* one line */
     const char *cite;
     size_t param_size;
     const param_spec *params;

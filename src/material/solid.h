@@ -15,21 +15,21 @@ enum { SOLID_CHUNK = 64, SOLID_MAX_HISTORY = 8 };
 
 /* Index order of 3x3 tensors: xx xy xz yx yy yz zx zy zz (row-major). Stress: xx yy zz xy yz zx. */
 typedef struct solid_batch {
-    size_t n;                                   /* points, <= SOLID_CHUNK */
-    double dt;                                  /* s */
-    double L[9][SOLID_CHUNK];                   /* 1/s, velocity gradient over the step */
-    double F[9][SOLID_CHUNK];                   /* deformation gradient at the end of the step (laws with SOLID_NEEDS_F) */
-    double J[SOLID_CHUNK], J_old[SOLID_CHUNK];  /* V/V0 at the end and the start of the step */
-    double rho0[SOLID_CHUNK];                   /* kg/m3: m_p / V0_p */
-    double stress[6][SOLID_CHUNK];              /* Pa: in at n, out at n+1; gauge to p_ref, tension positive */
-    double energy[SOLID_CHUNK];                 /* J/kg: in at n, out at n+1 (laws with SOLID_HAS_ENERGY) */
-    double q[SOLID_CHUNK];                      /* Pa: artificial viscous pressure over the step, compression positive (in) */
+    size_t n;                 /* points, <= SOLID_CHUNK */
+    double dt;                /* s */
+    double L[9][SOLID_CHUNK]; /* 1/s, velocity gradient over the step */
+    double F[9][SOLID_CHUNK]; /* deformation gradient at the end of the step (laws with SOLID_NEEDS_F) */
+    double J[SOLID_CHUNK], J_old[SOLID_CHUNK]; /* V/V0 at the end and the start of the step */
+    double rho0[SOLID_CHUNK];                  /* kg/m3: m_p / V0_p */
+    double stress[6][SOLID_CHUNK];             /* Pa: in at n, out at n+1; gauge to p_ref, tension positive */
+    double energy[SOLID_CHUNK];                /* J/kg: in at n, out at n+1 (laws with SOLID_HAS_ENERGY) */
+    double q[SOLID_CHUNK]; /* Pa: artificial viscous pressure over the step, compression positive (in) */
     double history[SOLID_MAX_HISTORY][SOLID_CHUNK];
 } solid_batch;
 
 typedef enum solid_needs {
-    SOLID_NEEDS_F = 1,      /* keep F; without it J alone is kept */
-    SOLID_HAS_ENERGY = 2    /* carries internal energy as state (fluids) */
+    SOLID_NEEDS_F = 1,   /* keep F; without it J alone is kept */
+    SOLID_HAS_ENERGY = 2 /* carries internal energy as state (fluids) */
 } solid_needs;
 
 typedef struct solid_model {
@@ -45,7 +45,7 @@ typedef struct solid_model {
     void (*wave_speed)(const void *par, double p_ref, const solid_batch *b, double *c);
     /* Strain energy per initial volume (J/m3) of the state, NULL if the law has none (fluids use `energy`). */
     void (*strain_energy)(const void *par, const solid_batch *b, double *psi);
-    /* Isothermal bulk modulus at rest (Pa) and density at rest (kg/m3): what the cells see of the solid (numerics 5.4). 0 for fluids. */
+    /* Isothermal bulk modulus at rest (Pa) and density at rest (kg/m3): what the cells see of the solid (eos_bulk.c). 0 for fluids. */
     double (*bulk_modulus)(const void *par);
     double (*shear_modulus)(const void *par);
 } solid_model;
@@ -55,15 +55,17 @@ extern const size_t solid_registry_size;
 const solid_model *solid_find(const char *name);
 
 typedef enum stress_state {
-    STRESS_FULL,            /* 3-D, plane strain, axisymmetric, uniaxial strain */
-    STRESS_PLANE,           /* sigma_zz = 0 by the choice of L_zz; F_zz is kept */
-    STRESS_UNIAXIAL         /* sigma_yy = sigma_zz = 0 */
+    STRESS_FULL,    /* 3-D, plane strain, axisymmetric, uniaxial strain */
+    STRESS_PLANE,   /* sigma_zz = 0 by the choice of L_zz; F_zz is kept */
+    STRESS_UNIAXIAL /* sigma_yy = sigma_zz = 0 */
 } stress_state;
 
 /* Runs the law under a stress state: for STRESS_PLANE and STRESS_UNIAXIAL it solves, point by point, for the free
- * stretch rates that make the free stresses vanish (secant iterations on the law itself; numerics 4 has no closed form
- * for every law). F and J of the batch are updated to match. Return value as solid_model.stress; also 1 + the point where the
- * iteration fails. */
+ * stretch rates that make the free stresses vanish (Broyden iterations on the law itself, two evaluations where it is
+ * linear in the step). In: L, F and J of the step, the free axes as they were carried so far (L_zz is normally 0, F_zz that
+ * of the step before). Out: a free axis a that stretches by exp(x) more has x/dt added to L_aa, and row a of F and J times
+ * exp(x). F_aa is updated for every law, whether it needs F or not. Return value as solid_model.stress; also 1 + the point
+ * where the iteration fails, and 1 for a law without moduli (a fluid has no such state). */
 size_t solid_stress_state(const solid_model *model, const void *par, double p_ref, stress_state state, solid_batch *b);
 
 /* The fluid law: an equation of state, a shear and a bulk viscosity, carried by points (York 2000 section 3.3: continuity
@@ -75,14 +77,14 @@ typedef struct solid_fluid_par {
 } solid_fluid_par;
 extern const solid_model point_fluid; /* not in the registry: made from a fluid material's eos and viscosity */
 
-/* The cells' view of a solid: bulk response with the tension branch of numerics 5.4. An eos like any other ("bulk"), built
+/* The cells' view of a solid: bulk response with a tension branch (eos_bulk.c). An eos like any other ("bulk"), built
  * from rho0, K, c_v, the reference pressure and the switch pressure. */
 typedef struct eos_bulk_par {
-    double density;             /* kg/m3 at p_ref */
-    double bulk_modulus;        /* Pa */
-    double specific_heat;       /* J/kg/K */
-    double reference_pressure;  /* Pa: where density holds; > 0 is not needed */
-    double switch_pressure;     /* Pa > 0: below it the tension branch */
+    double density;            /* kg/m3 at p_ref */
+    double bulk_modulus;       /* Pa */
+    double specific_heat;      /* J/kg/K */
+    double reference_pressure; /* Pa: where density holds; > 0 is not needed */
+    double switch_pressure;    /* Pa > 0: below it the tension branch */
 } eos_bulk_par;
 
 #endif

@@ -1,0 +1,149 @@
+/* Laws of solids against closed forms of their own. */
+#include "check.h"
+
+#include "material/solid.h"
+
+#include <math.h>
+#include <string.h>
+
+static double moduli[2] = {1e9, 4e8}; /* K, G */
+
+static void batch_start(solid_batch *b, double dt)
+{
+    memset(b, 0, sizeof *b);
+    b->n = 1;
+    b->dt = dt;
+    b->J[0] = b->J_old[0] = 1.0;
+    b->rho0[0] = 1000.0;
+    for (int k = 0; k < 9; k += 4) b->F[k][0] = 1.0;
+}
+
+/* Simple shear of gamma in n steps. */
+static void shear(const solid_model *law, double gamma, int n, solid_batch *b)
+{
+    batch_start(b, 1.0 / n);
+    b->L[1][0] = gamma;
+    for (int s = 1; s <= n; s++) {
+        b->F[1][0] = gamma * s / n;
+        assert_int_equal(law->stress(moduli, 0.0, b), 0);
+    }
+}
+
+/* The Jaumann rate in simple shear gives sigma_xy = G sin(gamma), sigma_xx = -sigma_yy = G (1 - cos(gamma)); the steps
+ * are second order. */
+static void test_jaumann_shear(void **state)
+{
+    (void)state;
+    const solid_model *law = solid_find("linear_elastic");
+    const double gamma = 1.2;
+    double before = 0.0;
+    for (int n = 10; n <= 80; n *= 2) {
+        solid_batch b;
+        shear(law, gamma, n, &b);
+        const double error =
+            fmax(fabs(b.stress[3][0] / moduli[1] - sin(gamma)), fabs(b.stress[0][0] / moduli[1] - (1.0 - cos(gamma))));
+        check_close(b.stress[0][0], -b.stress[1][0], 1e-12 * moduli[1]);
+        check_close(b.stress[2][0], 0.0, 0.0);
+        if (n > 10) check_close(log2(before / error), 2.0, 0.02);
+        before = error;
+    }
+}
+
+/* Neo-Hookean simple shear: sigma_xy = mu gamma, sigma_xx = mu gamma^2, J = 1. */
+static void test_neo_hookean_shear(void **state)
+{
+    (void)state;
+    solid_batch b;
+    shear(solid_find("neo_hookean"), 1.2, 3, &b);
+    check_close_relative(b.stress[3][0], 1.2 * moduli[1], 1e-14);
+    check_close_relative(b.stress[0][0], 1.44 * moduli[1], 1e-14);
+    check_close(b.stress[1][0], 0.0, 0.0);
+}
+
+/* Neo-Hookean uniaxial strain: P = mu (F - 1/F) + lambda ln F / F is the Cauchy stress there, and rho0 c^2 = F^2 dP/dF. */
+static void test_neo_hookean_uniaxial_strain(void **state)
+{
+    (void)state;
+    const solid_model *law = solid_find("neo_hookean");
+    const double lambda = moduli[0] - 2.0 / 3.0 * moduli[1], mu = moduli[1];
+    for (double F = 0.25; F < 4.0; F *= 1.3) {
+        solid_batch b;
+        double c;
+        batch_start(&b, 0.0);
+        b.F[0][0] = b.J[0] = F;
+        assert_int_equal(law->stress(moduli, 0.0, &b), 0);
+        check_close(b.stress[0][0], mu * (F - 1.0 / F) + lambda * log(F) / F, 1e-13 * (mu + lambda) / F);
+        law->wave_speed(moduli, 0.0, &b, &c);
+        const double slope = mu * (1.0 + 1.0 / (F * F)) + lambda * (1.0 - log(F)) / (F * F);
+        /* exact along the stretch; when pressed, waves across are faster by mu (1 - F^2) at most */
+        check_true(1000.0 * c * c >= F * F * slope * (1.0 - 1e-14));
+        check_true(1000.0 * c * c <= F * F * slope + 2.0 * mu);
+        if (F >= 1.0) check_close_relative(1000.0 * c * c, F * F * slope, 1e-13);
+    }
+}
+
+/* Neo-Hookean plane stress at a large stretch: the free stretch solves mu (s^2 - 1) + lambda ln(J) = 0. */
+static void test_neo_hookean_plane_stress(void **state)
+{
+    (void)state;
+    const double lambda = moduli[0] - 2.0 / 3.0 * moduli[1], mu = moduli[1];
+    solid_batch b;
+    batch_start(&b, 1e-3);
+    b.F[0][0] = 2.0;
+    b.F[4][0] = 1.5;
+    b.J[0] = 3.0;
+    assert_int_equal(solid_stress_state(solid_find("neo_hookean"), moduli, 0.0, STRESS_PLANE, &b), 0);
+    const double s = b.F[8][0];
+    check_close(mu * (s * s - 1.0) + lambda * log(3.0 * s), 0.0, 1e-12 * moduli[0]);
+    check_close_relative(b.J[0], 3.0 * s, 1e-14);
+    check_close_relative(b.L[8][0], log(s) / 1e-3, 1e-12);
+}
+
+/* A law that cannot be pressed to zero stress in a step of no length, or a stress that is no number, is reported. */
+static void test_stress_state_failure(void **state)
+{
+    (void)state;
+    solid_batch b;
+    batch_start(&b, 0.0);
+    b.stress[2][0] = 1e6;
+    assert_int_equal(solid_stress_state(solid_find("linear_elastic"), moduli, 0.0, STRESS_PLANE, &b), 1);
+    batch_start(&b, 1e-3);
+    b.n = 2;
+    b.J[1] = b.J_old[1] = 1.0;
+    b.L[0][1] = NAN;
+    assert_int_equal(solid_stress_state(solid_find("linear_elastic"), moduli, 0.0, STRESS_UNIAXIAL, &b), 2);
+}
+
+/* A thousand small steps of plane stress leave no stress behind. */
+static void test_plane_stress_does_not_drift(void **state)
+{
+    (void)state;
+    for (size_t m = 0; m < solid_registry_size; m++) {
+        solid_batch b;
+        batch_start(&b, 1e-6);
+        for (int s = 0; s < 1000; s++) {
+            b.L[0][0] = 1e-3;
+            b.L[8][0] = 0.0; /* the caller's F and J have not been stretched along z yet */
+            b.F[0][0] *= 1.0 + 1e-9;
+            b.J_old[0] = b.J[0];
+            b.J[0] *= 1.0 + 1e-9;
+            assert_int_equal(solid_stress_state(solid_registry[m], moduli, 0.0, STRESS_PLANE, &b), 0);
+        }
+        const double E = 9.0 * moduli[0] * moduli[1] / (3.0 * moduli[0] + moduli[1]), nu = 0.5 * E / moduli[1] - 1.0;
+        check_close(b.stress[2][0], 0.0, 1e-13 * moduli[0]);
+        check_close_relative(b.stress[0][0], E / (1.0 - nu * nu) * 1e-6, 1e-5);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_jaumann_shear),
+        cmocka_unit_test(test_neo_hookean_shear),
+        cmocka_unit_test(test_neo_hookean_uniaxial_strain),
+        cmocka_unit_test(test_neo_hookean_plane_stress),
+        cmocka_unit_test(test_stress_state_failure),
+        cmocka_unit_test(test_plane_stress_does_not_drift),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
