@@ -1,0 +1,112 @@
+/* A sprung piston on a column of compressible fluid, vibrating in its first mode. */
+#include "verify/internal.h"
+
+typedef struct piston_par {
+    double mass, stiffness, area, length, density, bulk_modulus, pressure, amplitude, phase, origin, axis;
+} piston_par;
+
+static const param_spec piston_params[] = {
+    PAR_POSITIVE(piston_par, mass, "kg", NAN, "mass of the piston"),
+    PAR_NONNEGATIVE(piston_par, stiffness, "N/m", NAN, "stiffness of the spring behind it, which has no mass"),
+    PAR_POSITIVE(piston_par, area, "m2", 1.0, "area of the piston"),
+    PAR_POSITIVE(piston_par, length, "m", NAN, "length of the fluid column at rest"),
+    PAR_POSITIVE(piston_par, density, "kg/m3", NAN, "density of the fluid at rest"),
+    PAR_POSITIVE(piston_par, bulk_modulus, "Pa", NAN, "isentropic bulk modulus of the fluid, rho c^2"),
+    PAR_ANY(piston_par, pressure, "Pa", 0.0, "pressure of the fluid at rest"),
+    PAR_ANY(piston_par, amplitude, "m", NAN, "amplitude of the piston's displacement, away from the fluid"),
+    PAR_ANY(piston_par, phase, "1", 0.0, "phase (radians) at t = 0; 0: at rest place and moving, pi/2: displaced"),
+    PAR_ANY(piston_par, origin, "m", 0.0, "the closed end of the column; the piston is at origin + length"),
+    PAR_BETWEEN(piston_par, axis, "1", 0.0, 2.0, 0.0, "the axis of the tube: 0, 1 or 2"),
+};
+
+typedef struct piston_constants {
+    double sound; /* m/s */
+    double omega; /* rad/s */
+} piston_constants;
+
+/* m omega^2 - K - rho c omega A cot(omega L/c) as a function of z = omega L/c, times sin(z)/z to stay finite on [0, pi]:
+ * one root there. */
+static double piston_residual(double z, void *user)
+{
+    const piston_par *p = user;
+    const double gas = p->bulk_modulus * p->area / p->length;
+    const double inertia = p->mass * p->bulk_modulus / (p->density * p->length * p->length);
+    const double sinc = z > 0.0 ? sin(z) / z : 1.0;
+    return (inertia * z * z - p->stiffness) * sinc - gas * cos(z);
+}
+
+static floe_status piston_prepare(context *ctx, const void *par, int dim, void *prepared)
+{
+    piston_par p = *(const piston_par *)par;
+    piston_constants *c = prepared;
+    TRY(check_axis(ctx, p.axis, dim));
+    c->sound = sqrt(p.bulk_modulus / p.density);
+    const double z = find_root(piston_residual, &p, 0.0, VERIFY_PI);
+    if (!isfinite(z)) return fail(ctx, FLOE_BAD_INPUT, "the piston has no frequency: check mass, stiffness and fluid");
+    c->omega = z * c->sound / p.length;
+    return FLOE_OK;
+}
+
+static double piston_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
+                           double t)
+{
+    (void)dim;
+    const piston_par *p = par;
+    const piston_constants *c = prepared;
+    const int axis = whole(p->axis);
+    const double k = c->omega / c->sound;
+    const double from = x[axis] - p->origin;
+    const bool fluid = from <= p->length;
+    const double clock = c->omega * t + p->phase;
+    const double scale = p->amplitude / sin(k * p->length);
+    const double shape = fluid ? scale * sin(k * from) : p->amplitude;
+    const double strain = scale * k * cos(k * from) * sin(clock);
+    if (is_displacement(quantity)) return along(quantity, EXACT_DISPLACEMENT_X, axis, shape * sin(clock));
+    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, shape * c->omega * cos(clock));
+    if (quantity == EXACT_PRESSURE && fluid) return p->pressure - p->bulk_modulus * strain;
+    if (quantity == EXACT_DENSITY && fluid) return p->density * (1.0 - strain);
+    return NAN;
+}
+
+static const exact_scalar piston_scalars[] = {
+    {"omega", "rad/s", "angular frequency of the first mode"},
+    {"period", "s", "period of the first mode"},
+};
+
+static double piston_scalar(const void *par, const void *prepared, size_t i, double t)
+{
+    (void)par;
+    (void)t;
+    const piston_constants *c = prepared;
+    return i == 0 ? c->omega : 2.0 * VERIFY_PI / c->omega;
+}
+
+static const piston_par york = {.mass = 0.1,
+                                .stiffness = 100.0,
+                                .area = 1.0,
+                                .length = 20.0,
+                                .density = 1e-4,
+                                .bulk_modulus = 1.58e6,
+                                .amplitude = 1e-4};
+
+const exact_model exact_piston = {
+    .name = "piston",
+    .doc = "sprung piston on a closed column of compressible fluid, first mode",
+    .cite = "York (1997), eq. 6.2; York, Sulsky & Schreyer (2000), section 4.2; Olson & Bathe (1983)",
+    .validity = "linear acoustics and a massless spring, x the place at rest: error of the order of amplitude/length. "
+                "Beyond the column x moves with the piston and has no pressure or density.",
+    .equations = EXACT_ORDINARY,
+    .param_size = sizeof(piston_par),
+    .params = piston_params,
+    .n_params = COUNT_OF(piston_params),
+    .min_dim = 1,
+    .max_dim = 3,
+    .provides = EXACT_DISPLACEMENTS | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) | EXACT_BIT(EXACT_DENSITY),
+    .scalars = piston_scalars,
+    .n_scalars = COUNT_OF(piston_scalars),
+    .sample = {.par = &york, .dim = 1, .lo = {0.0}, .hi = {20.0}, .t = 0.001},
+    .prepared_size = sizeof(piston_constants),
+    .prepare = piston_prepare,
+    .value = piston_value,
+    .scalar = piston_scalar,
+};

@@ -1,0 +1,75 @@
+#include "verify/internal.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+floe_status check_whole(context *ctx, const char *key, double x)
+{
+    if (x == floor(x)) return FLOE_OK;
+    return fail(ctx, FLOE_BAD_INPUT, "%s = %g: must be a whole number", key, x);
+}
+
+floe_status check_axis(context *ctx, double axis, int dim)
+{
+    TRY(check_whole(ctx, "axis", axis));
+    if (axis >= 0.0 && axis < dim) return FLOE_OK;
+    return fail(ctx, FLOE_BAD_INPUT, "axis = %g: must be 0 to %d, the scene has dimension %d", axis, dim - 1, dim);
+}
+
+double find_root(root_function *f, void *user, double lo, double hi)
+{
+    const double at_lo = f(lo, user);
+    const double at_hi = f(hi, user);
+    if (at_lo == 0.0) return lo;
+    if (at_hi == 0.0) return hi;
+    if (!(isfinite(at_lo) && isfinite(at_hi)) || (at_lo > 0.0) == (at_hi > 0.0)) return NAN;
+
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    if (solver == NULL) return NAN;
+    gsl_function function = {.function = f, .params = user};
+    int status = gsl_root_fsolver_set(solver, &function, lo, hi);
+    for (int i = 0; i < 500 && status == GSL_SUCCESS; i++) {
+        /* Brent's interval collapses onto the root once it is known to a few units of round-off. */
+        if (gsl_root_fsolver_x_lower(solver) == gsl_root_fsolver_x_upper(solver)) break;
+        status = gsl_root_fsolver_iterate(solver);
+    }
+    const double root = status == GSL_SUCCESS ? gsl_root_fsolver_root(solver) : (double)NAN;
+    gsl_root_fsolver_free(solver);
+    return root;
+}
+
+enum { IMAGES = 2 }; /* with width <= period/4 the first one left out is 10 standard deviations away: 2e-22 */
+
+double profile_value(const profile *f, double x)
+{
+    if (f->sine) return sin(2.0 * VERIFY_PI * (x - f->centre) / f->width);
+    double distance = x - f->centre;
+    if (!(f->period > 0.0)) return exp(-0.5 * distance * distance / (f->width * f->width));
+    distance -= f->period * round(distance / f->period);
+    double sum = 0.0;
+    for (int image = -IMAGES; image <= IMAGES; image++) {
+        const double s = (distance + image * f->period) / f->width;
+        sum += exp(-0.5 * s * s);
+    }
+    return sum;
+}
+
+double profile_largest_slope(const profile *f)
+{
+    return f->sine ? 2.0 * VERIFY_PI / f->width : exp(-0.5) / f->width;
+}
+
+floe_status profile_check(context *ctx, const profile *f)
+{
+    if (!(f->period > 0.0)) return FLOE_OK;
+    if (f->sine) {
+        const double waves = f->period / f->width;
+        if (fabs(waves - round(waves)) <= 1e-9 * waves) return FLOE_OK;
+        return fail(ctx, FLOE_BAD_INPUT, "period = %g m holds %g wavelengths of width = %g m: must be a whole number",
+                    f->period, waves, f->width);
+    }
+    if (f->width <= 0.25 * f->period) return FLOE_OK;
+    return fail(ctx, FLOE_BAD_INPUT,
+                "width = %g m: a Gaussian on a period of %g m must be at most a quarter of it wide", f->width,
+                f->period);
+}

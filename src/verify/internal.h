@@ -1,0 +1,101 @@
+/* What the files of this room share. Only src/verify includes this. */
+#ifndef VERIFY_INTERNAL_H
+#define VERIFY_INTERNAL_H
+
+#include "verify/exact.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#define VERIFY_PI 3.14159265358979323846
+
+/* Entries of a parameter table. `type` is the parameter struct, `field` its double and its key in the deck. */
+#define PAR_ANY(type, field, unit_, fallback_, doc_)                                                              \
+    {                                                                                                             \
+        .key = #field, .unit = unit_, .range = PARAM_ANY, .fallback = fallback_, .offset = offsetof(type, field), \
+        .count = 1, .doc = doc_                                                                                   \
+    }
+#define PAR_POSITIVE(type, field, unit_, fallback_, doc_)                                                              \
+    {                                                                                                                  \
+        .key = #field, .unit = unit_, .range = PARAM_POSITIVE, .fallback = fallback_, .offset = offsetof(type, field), \
+        .count = 1, .doc = doc_                                                                                        \
+    }
+#define PAR_NONNEGATIVE(type, field, unit_, fallback_, doc_)                             \
+    {                                                                                    \
+        .key = #field, .unit = unit_, .range = PARAM_NONNEGATIVE, .fallback = fallback_, \
+        .offset = offsetof(type, field), .count = 1, .doc = doc_                         \
+    }
+#define PAR_BETWEEN(type, field, unit_, lo_, hi_, fallback_, doc_)                                         \
+    {                                                                                                      \
+        .key = #field, .unit = unit_, .range = PARAM_BETWEEN, .lo = lo_, .hi = hi_, .fallback = fallback_, \
+        .offset = offsetof(type, field), .count = 1, .doc = doc_                                           \
+    }
+/* A vector of the scene's dimension, in double[3]. */
+#define PAR_VECTOR(type, field, unit_, range_, fallback_, doc_)                                                \
+    {                                                                                                          \
+        .key = #field, .unit = unit_, .range = range_, .fallback = fallback_, .offset = offsetof(type, field), \
+        .count = -3, .doc = doc_                                                                               \
+    }
+
+#define COUNT_OF(array) (sizeof(array) / sizeof((array)[0]))
+
+/* A parameter that stands for a whole number (an axis, a mode, a choice). */
+static inline int whole(double x)
+{
+    return (int)lround(x);
+}
+
+/* Errors: FLOE_BAD_INPUT unless x is a whole number. */
+floe_status check_whole(context *ctx, const char *key, double x);
+/* Errors: FLOE_BAD_INPUT unless the parameter `axis` is 0 ... dim - 1. */
+floe_status check_axis(context *ctx, double axis, int dim);
+
+/* `value` when the velocity (or displacement) component is `axis`, else 0. `first` is the enumerator of the x component. */
+static inline double along(exact_quantity quantity, exact_quantity first, int axis, double value)
+{
+    return (int)quantity - (int)first == axis ? value : 0.0;
+}
+
+static inline bool is_velocity(exact_quantity quantity)
+{
+    return quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z;
+}
+
+static inline bool is_displacement(exact_quantity quantity)
+{
+    return quantity >= EXACT_DISPLACEMENT_X && quantity <= EXACT_DISPLACEMENT_Z;
+}
+
+/* Internal energy (J/kg) and temperature (K) of a stiffened gas at (rho, p): e = (p + gamma p_inf)/((gamma - 1) rho),
+ * T = (p + p_inf)/((gamma - 1) c_v rho). c_v = 0 stands for "not given": NAN. p_inf = 0: an ideal gas. */
+static inline double gas_energy(double rho, double p, double gamma, double p_inf)
+{
+    return (p + gamma * p_inf) / ((gamma - 1.0) * rho);
+}
+
+static inline double gas_temperature(double rho, double p, double gamma, double p_inf, double heat_capacity)
+{
+    return heat_capacity > 0.0 ? (p + p_inf) / ((gamma - 1.0) * heat_capacity * rho) : (double)NAN;
+}
+
+typedef double root_function(double x, void *user);
+
+/* The root of f in [lo, hi] to round-off (Brent's method, GSL); f must change sign there. NAN when it does not, when an
+ * end is not finite, or when memory is out. */
+double find_root(root_function *f, void *user, double lo, double hi);
+
+/* The profile of a plane wave: a Gaussian exp(-s^2/2), s = (x - centre)/width, or a sine sin(2 pi (x - centre)/width). */
+typedef struct profile {
+    bool sine;
+    double centre; /* m */
+    double width;  /* m, > 0: standard deviation, or wavelength */
+    double period; /* m; 0: not periodic. Gaussians sum their images (exact to round-off for width <= period/4) */
+} profile;
+
+double profile_value(const profile *f, double x);
+/* The largest |f| and the largest |df/dx|, as upper bounds that are attained by the lone profile. */
+double profile_largest_slope(const profile *f);
+/* Errors: FLOE_BAD_INPUT when width does not fit the period. */
+floe_status profile_check(context *ctx, const profile *f);
+
+#endif

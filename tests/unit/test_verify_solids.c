@@ -1,0 +1,254 @@
+/* Exact solutions of solids and of the piston: boundary values, constitutive laws, published figures. */
+#include "check.h"
+
+#include "verify/exact.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+typedef struct fixture {
+    double par[32];
+    exact solution;
+} fixture;
+
+/* The model at its sample, with up to two parameters changed. */
+static void make(context *ctx, fixture *f, const char *name, int dim, const char *key, double value, const char *key2,
+                 double value2)
+{
+    const exact_model *model = exact_find(name);
+    check_true(model != NULL && model->param_size <= sizeof f->par);
+    memcpy(f->par, model->sample.par, model->param_size);
+    if (key != NULL) *exact_param(model, f->par, key) = value;
+    if (key2 != NULL) *exact_param(model, f->par, key2) = value2;
+    check_ok(ctx, exact_create(ctx, model, f->par, dim, &f->solution));
+}
+
+static double get(const fixture *f, exact_quantity quantity, double x, double y, double z)
+{
+    const double at[3] = {x, y, z};
+    return exact_value(&f->solution, quantity, at, 0.0);
+}
+
+static const double load = 19.4e6, bulk = 117e9, shear = 43.8e9;
+
+/* Guilkey et al. (2003): r 0.5 to 1, P = 19.4 MPa. */
+static void test_lame_values(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "lame", 2, NULL, 0.0, NULL, 0.0);
+    check_close(get(&f, EXACT_SIGMA_R, 0.5, 0.0, 0.0), -load, 1e-8);
+    check_close(get(&f, EXACT_SIGMA_R, 0.0, 1.0, 0.0), 0.0, 1e-8);
+    check_close(get(&f, EXACT_SIGMA_THETA, 0.0, -0.5, 0.0), 5.0 / 3.0 * load, 1e-7);
+    check_close(exact_scalar_value(&f.solution, "stress_sum", 0.0), 2.0 / 3.0 * load, 1e-8);
+    check_close(exact_scalar_value(&f.solution, "bore_displacement", 0.0), 0.5 * 3.2e-4, 0.5e-6);
+    check_close(get(&f, EXACT_STRESS_XX, 0.7, 0.0, 0.0), get(&f, EXACT_SIGMA_R, 0.7, 0.0, 0.0), 1e-8);
+    check_close(get(&f, EXACT_STRESS_YY, 0.7, 0.0, 0.0), get(&f, EXACT_SIGMA_THETA, 0.7, 0.0, 0.0), 1e-8);
+    const double shear_stress =
+        0.5 * (get(&f, EXACT_SIGMA_R, 0.5, 0.5, 0.0) - get(&f, EXACT_SIGMA_THETA, 0.5, 0.5, 0.0));
+    check_close(get(&f, EXACT_STRESS_XY, 0.5, 0.5, 0.0), shear_stress, 1e-8);
+    exact_destroy(ctx, &f.solution);
+
+    make(ctx, &f, "lame", 2, "outer_pressure", 5e6, "centre", 2.0);
+    check_close(get(&f, EXACT_SIGMA_R, 2.5, 0.0, 0.0), -load, 1e-8);
+    check_close(get(&f, EXACT_SIGMA_R, 2.0, 1.0, 0.0), -5e6, 1e-8);
+    exact_destroy(ctx, &f.solution);
+
+    make(ctx, &f, "lame", 2, "outer_pressure", load, NULL, 0.0); /* all round: hydrostatic in the plane */
+    check_close(get(&f, EXACT_SIGMA_THETA, 0.6, 0.3, 0.0), -load, 1e-8);
+    check_close(get(&f, EXACT_STRESS_XY, 0.6, 0.3, 0.0), 0.0, 1e-8);
+    exact_destroy(ctx, &f.solution);
+}
+
+/* Stress from the displacement's gradient by Hooke's law, at a place; `lame` in plane strain has no z displacement. */
+static void check_hooke(const fixture *f, const double at[3])
+{
+    static const exact_quantity component[3][3] = {{EXACT_STRESS_XX, EXACT_STRESS_XY, EXACT_STRESS_ZX},
+                                                   {EXACT_STRESS_XY, EXACT_STRESS_YY, EXACT_STRESS_YZ},
+                                                   {EXACT_STRESS_ZX, EXACT_STRESS_YZ, EXACT_STRESS_ZZ}};
+    const double h = 1e-4;
+    double gradient[3][3];
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            double sum = 0.0;
+            for (int k = -2; k <= 2; k++) {
+                static const double weight[5] = {1.0, -8.0, 0.0, 8.0, -1.0};
+                double x[3] = {at[0], at[1], at[2]};
+                x[j] += k * h;
+                sum += weight[k + 2] * get(f, (exact_quantity)(EXACT_DISPLACEMENT_X + i), x[0], x[1], x[2]);
+            }
+            gradient[i][j] = sum / (12.0 * h);
+        }
+    }
+    const double trace = gradient[0][0] + gradient[1][1] + gradient[2][2];
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double sigma =
+                (i == j ? (bulk - 2.0 / 3.0 * shear) * trace : 0.0) + shear * (gradient[i][j] + gradient[j][i]);
+            check_close(get(f, component[i][j], at[0], at[1], at[2]), sigma, 1e-7 * load);
+        }
+    }
+    check_close(get(f, EXACT_PRESSURE, at[0], at[1], at[2]), -bulk * trace, 1e-7 * load);
+}
+
+static void test_hooke(void **state)
+{
+    context *ctx = *state;
+    const double at[2][3] = {{0.6, 0.3, 0.0}, {-0.4, 0.55, 0.35}};
+    fixture f;
+    for (int i = 0; i < 2; i++) {
+        make(ctx, &f, "lame", 3, "outer_pressure", 3e6, NULL, 0.0);
+        check_hooke(&f, at[i]);
+        exact_destroy(ctx, &f.solution);
+        make(ctx, &f, "lame_sphere", 3, "outer_pressure", 3e6, NULL, 0.0);
+        check_hooke(&f, at[i]);
+        exact_destroy(ctx, &f.solution);
+    }
+}
+
+static void test_sphere_values(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "lame_sphere", 3, "outer_pressure", 2e6, NULL, 0.0);
+    check_close(get(&f, EXACT_SIGMA_R, 0.3, 0.0, 0.4), -load, 1e-7);
+    check_close(get(&f, EXACT_SIGMA_R, 0.0, 0.6, 0.8), -2e6, 1e-7);
+    exact_destroy(ctx, &f.solution);
+    make(ctx, &f, "lame_sphere", 2, NULL, 0.0, NULL, 0.0); /* (r, z): zz is the hoop stress */
+    check_close(get(&f, EXACT_STRESS_ZZ, 0.4, 0.3, 0.0), get(&f, EXACT_SIGMA_THETA, 0.4, 0.3, 0.0), 1e-8);
+    check_close(get(&f, EXACT_SIGMA_THETA, 0.4, 0.3, 0.0), load * (1.0 + 0.5 * 8.0) / 7.0, 1e-7);
+    exact_destroy(ctx, &f.solution);
+}
+
+static void test_annulus_refused(void **state)
+{
+    context *ctx = *state;
+    static const char *const names[] = {"lame", "lame_sphere"};
+    for (int i = 0; i < 2; i++) {
+        double par[32];
+        exact solution;
+        const exact_model *model = exact_find(names[i]);
+        memcpy(par, model->sample.par, model->param_size);
+        *exact_param(model, par, "inner_radius") = 1.0;
+        check_fails(ctx, exact_create(ctx, model, par, 2, &solution), FLOE_BAD_INPUT);
+    }
+}
+
+static void test_bar(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "standing_bar", 1, "mode", 1.0, "phase", 0.5 * pi);
+    const double sound = sqrt(1e6 / 1000.0);
+    check_close_relative(exact_scalar_value(&f.solution, "period", 0.0), 4.0 / sound, 1e-14);
+    check_close(get(&f, EXACT_DISPLACEMENT_X, 1.0, 0.0, 0.0), 1e-4, 1e-19);
+    check_close(get(&f, EXACT_STRESS_XX, 1.0, 0.0, 0.0), 0.0, 1e-13);
+    check_close(get(&f, EXACT_STRESS_XX, 0.0, 0.0, 0.0), 1e6 * 1e-4 * 0.5 * pi, 1e-11);
+    exact_destroy(ctx, &f.solution);
+    make(ctx, &f, "standing_bar", 1, "mode", 3.0, "free_end", 0.0);
+    check_close_relative(exact_scalar_value(&f.solution, "period", 0.0), 2.0 / (3.0 * sound), 1e-14);
+    check_close(get(&f, EXACT_VELOCITY_X, 1.0, 0.0, 0.0), 0.0, 1e-16);
+    exact_destroy(ctx, &f.solution);
+}
+
+/* Small strain: the force vanishes at the wave's own speed, the stress is (K + 4G/3) du/dX; large: as by hand. */
+static void test_bar_mms(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    double force[3];
+    const double x[3] = {0.25, 0.0, 0.0};
+    const double t = 0.01;
+    const double modulus = 1e6 + 4.0 / 3.0 * 4e5;
+    make(ctx, &f, "bar_mms", 1, "amplitude", 1e-7, NULL, 0.0);
+    exact_body_force(&f.solution, x, t, force);
+    const double clock = pi * sqrt(modulus / 1000.0) * t;
+    check_close(force[0], 0.0, 1e-6 * pi * pi * 1e-7 * modulus / 1000.0);
+    const double stress = exact_value(&f.solution, EXACT_STRESS_XX, x, t);
+    check_close_relative(stress, modulus * 1e-7 * pi * cos(0.25 * pi) * sin(clock), 1e-6);
+    exact_destroy(ctx, &f.solution);
+
+    make(ctx, &f, "bar_mms", 1, "amplitude", 0.1, NULL, 0.0);
+    const double stretch = 1.0 + 0.1 * pi * cos(0.25 * pi) * sin(clock);
+    const double lambda = 1e6 - 2.0 / 3.0 * 4e5;
+    check_close_relative(exact_value(&f.solution, EXACT_STRESS_XX, x, t),
+                         lambda * log(stretch) / stretch + 4e5 * (stretch - 1.0 / stretch), 1e-13);
+    check_close_relative(exact_value(&f.solution, EXACT_DENSITY, x, t), 1000.0 / stretch, 1e-13);
+    const double displacement = exact_value(&f.solution, EXACT_DISPLACEMENT_X, x, t);
+    exact_body_force(&f.solution, x, t, force);
+    check_close_relative(
+        force[0],
+        pi * pi * displacement *
+            (4e5 / 1000.0 - modulus / 1000.0 - (lambda * (log(stretch) - 1.0) - 4e5) / (1000.0 * stretch * stretch)),
+        1e-12);
+    exact_destroy(ctx, &f.solution);
+}
+
+static void check_piston_motion(const fixture *f, double mass)
+{
+    const double omega = exact_scalar_value(&f->solution, "omega", 0.0);
+    const double end[3] = {20.0, 0.0, 0.0};
+    const double t = 0.7e-3;
+    const double displacement = exact_value(&f->solution, EXACT_DISPLACEMENT_X, end, t);
+    const double push = exact_value(&f->solution, EXACT_PRESSURE, end, t);
+    /* m d2u/dt2 = p A - K u at the piston, with u harmonic */
+    check_close_relative(-mass * omega * omega * displacement, push - 100.0 * displacement, 1e-12);
+    const double wall[3] = {0.0, 0.0, 0.0};
+    check_close(exact_value(&f->solution, EXACT_DISPLACEMENT_X, wall, t), 0.0, 0.0);
+    const double beyond[3] = {25.0, 0.0, 0.0};
+    check_close(exact_value(&f->solution, EXACT_DISPLACEMENT_X, beyond, t), displacement, 1e-18);
+    check_true(isnan(exact_value(&f->solution, EXACT_PRESSURE, beyond, t)));
+    /* rho d2u/dt2 = -dp/dx in the fluid */
+    const double left[3] = {6.999, 0.0, 0.0}, middle[3] = {7.0, 0.0, 0.0}, right[3] = {7.001, 0.0, 0.0};
+    const double slope =
+        (exact_value(&f->solution, EXACT_PRESSURE, right, t) - exact_value(&f->solution, EXACT_PRESSURE, left, t)) /
+        0.002;
+    check_close_relative(-1e-4 * omega * omega * exact_value(&f->solution, EXACT_DISPLACEMENT_X, middle, t), -slope,
+                         1e-6);
+}
+
+/* York (1997), table 3 (886.2 and 281.2 rad/s there; 886.43 and 281.15 by solving his equation 6.2). */
+static void test_piston(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "piston", 1, "mass", 0.1, NULL, 0.0);
+    check_close(exact_scalar_value(&f.solution, "omega", 0.0), 886.43, 0.005);
+    check_close(exact_scalar_value(&f.solution, "period", 0.0), 0.0070882, 5e-8);
+    check_piston_motion(&f, 0.1);
+    exact_destroy(ctx, &f.solution);
+    make(ctx, &f, "piston", 1, "mass", 1.0, NULL, 0.0);
+    check_close(exact_scalar_value(&f.solution, "omega", 0.0), 281.15, 0.005);
+    check_close(exact_scalar_value(&f.solution, "period", 0.0), 0.0223479, 5e-8);
+    check_piston_motion(&f, 1.0);
+    exact_destroy(ctx, &f.solution);
+    /* heavy piston: the gas is a spring of rho c^2 A/L */
+    make(ctx, &f, "piston", 1, "mass", 1e6, NULL, 0.0);
+    check_close_relative(exact_scalar_value(&f.solution, "omega", 0.0), sqrt((100.0 + 1.58e6 / 20.0) / 1e6), 1e-6);
+    exact_destroy(ctx, &f.solution);
+}
+
+static int make_context(void **state)
+{
+    *state = context_create();
+    return *state == NULL;
+}
+
+static int drop_context(void **state)
+{
+    context *ctx = *state;
+    context_destroy(&ctx);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lame_values),     cmocka_unit_test(test_hooke), cmocka_unit_test(test_sphere_values),
+        cmocka_unit_test(test_annulus_refused), cmocka_unit_test(test_bar),   cmocka_unit_test(test_bar_mms),
+        cmocka_unit_test(test_piston),
+    };
+    return cmocka_run_group_tests_name("exact solids", tests, make_context, drop_context);
+}
