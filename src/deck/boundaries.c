@@ -17,8 +17,8 @@ static const key_table inlet_table = TABLE(inlet_keys);
 
 static const key_spec outlet_keys[] = {
     {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, at the faces"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature),
-     .otherwise = "the temperature inside", .doc = "of the reservoir behind, should flow turn back"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .otherwise = "the temperature inside",
+     .doc = "of the reservoir behind, should flow turn back"},
 };
 static const key_table outlet_table = TABLE(outlet_keys);
 

@@ -84,7 +84,8 @@ static floe_status check_mesh(reader *r)
                       spec->dim);
     }
     if (spec->geometry == MESH_AXISYMMETRIC && spec->lower[0] < 0.0) {
-        return bad_at(r, PATH("domain", "lower"), "a radius >= 0", NULL, "the domain begins at radius %g", spec->lower[0]);
+        return bad_at(r, PATH("domain", "lower"), "a radius >= 0", NULL, "the domain begins at radius %g",
+                      spec->lower[0]);
     }
     TRY(check_extent(r, &ok));
     if (!ok) return FLOE_OK;
@@ -106,15 +107,16 @@ static floe_status check_side(reader *r, int axis, int i)
     const char *name = axis_name(&s->mesh, axis), *end = i == SIDE_LOWER ? "lower" : "upper";
     const char *const *path = PATH("boundaries", name, end);
     if (side->kind == BC_PERIODIC && !s->mesh.periodic[axis]) {
-        return bad_at(r, path, "periodic on both sides, or on none", NULL, "one side of %s is periodic, the other is not",
-                      name);
+        return bad_at(r, path, "periodic on both sides, or on none", NULL,
+                      "one side of %s is periodic, the other is not", name);
     }
     if (side->kind == BC_PERIODIC && s->mesh.geometry == MESH_AXISYMMETRIC && axis == 0) {
         return bad_at(r, path, NULL, NULL, "a radius cannot be periodic");
     }
     if (side->kind != BC_INLET) return FLOE_OK;
     if (side->material < 0) {
-        return bad_at(r, path, "material: the name of a fluid", NULL, "the scene has no fluid, or several: which enters?");
+        return bad_at(r, path, "material: the name of a fluid", NULL,
+                      "the scene has no fluid, or several: which enters?");
     }
     if (s->material[side->material].kind == MATERIAL_FLUID) return FLOE_OK;
     return bad_at(r, path, "material: the name of a fluid", NULL, "'%s' is a solid and cannot flow in",
@@ -194,8 +196,9 @@ static floe_status check_ambient(reader *r)
         return bad_at(r, PATH("ambient", "material"), "the name of a fluid", NULL, "'%s' is a solid", m->name);
     }
     if (!m->eos.model || s->ambient_pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
-    return bad_at(r, PATH("ambient", "pressure"), NULL, NULL, "'%s' does not exist at %g Pa: its pressure is above %g Pa",
-                  m->name, s->ambient_pressure, m->eos.model->pressure_floor(m->eos.par));
+    return bad_at(r, PATH("ambient", "pressure"), NULL, NULL,
+                  "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, s->ambient_pressure,
+                  m->eos.model->pressure_floor(m->eos.par));
 }
 
 static floe_status check_time(reader *r)
@@ -203,12 +206,12 @@ static floe_status check_time(reader *r)
     const scene *s = r->scene;
     const scene_time *time = &s->time;
     if (is_clean(r->root, PATH("time")) && time->first_step > time->max_step) {
-        TRY(bad_at(r, PATH("time", "first_step"), "at most max_step", NULL, "the first step (%g s) is above max_step (%g s)",
-                   time->first_step, time->max_step));
+        TRY(bad_at(r, PATH("time", "first_step"), "at most max_step", NULL,
+                   "the first step (%g s) is above max_step (%g s)", time->first_step, time->max_step));
     }
     if (is_clean(r->root, PATH("damping")) && !(s->damping.end > s->damping.start)) {
-        TRY(bad_at(r, PATH("damping", "end"), "a time after 'start'", NULL, "damping ends (%g s) before it starts (%g s)",
-                   s->damping.end, s->damping.start));
+        TRY(bad_at(r, PATH("damping", "end"), "a time after 'start'", NULL,
+                   "damping ends (%g s) before it starts (%g s)", s->damping.end, s->damping.start));
     }
     if (is_clean(r->root, PATH("stop")) && is_clean(r->root, PATH("bodies")) && !scene_has_solids(s)) {
         TRY(bad_at(r, PATH("stop"), NULL, NULL, "'stop' waits for solids to come to rest, and the scene has none"));

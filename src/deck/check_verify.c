@@ -4,10 +4,62 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *metric_candidate(const void *user, size_t i)
+static const char *listed(const void *user, size_t i)
 {
-    const deck_catalogue *catalogue = user;
-    return i < catalogue->n_metric ? catalogue->metric[i].name : NULL;
+    const char *const *names = user;
+    return names[i];
+}
+
+/* "l1_X" and "density": "l1_density"; a pattern without an X is a name already. */
+static floe_status expand(deck_arena *arena, const char **out, const char *pattern, const char *quantity)
+{
+    const size_t stem = strlen(pattern) - 1, size = stem + strlen(quantity) + 1;
+    char *name;
+    TRY(arena_new(arena, &name, size));
+    snprintf(name, size, "%.*s%s", (int)stem, pattern, quantity);
+    *out = name;
+    return FLOE_OK;
+}
+
+static bool is_pattern(const char *name)
+{
+    const size_t length = strlen(name);
+    return length > 2 && strcmp(name + length - 2, "_X") == 0;
+}
+
+/* Every metric's name, with a NULL at the end. */
+static floe_status list_metrics(reader *r, const char ***names)
+{
+    const deck_catalogue *c = r->catalogue;
+    const char **name;
+    size_t n = 0;
+    TRY(arena_new(r->arena, &name, (c->n_metric * (c->n_quantity + 1) + 1) * sizeof *name));
+    for (size_t i = 0; i < c->n_metric; i++) {
+        if (!is_pattern(c->metric[i].name)) {
+            name[n++] = c->metric[i].name;
+            continue;
+        }
+        for (size_t q = 0; q < c->n_quantity; q++) {
+            TRY(expand(r->arena, &name[n++], c->metric[i].name, c->quantity[q].name));
+        }
+    }
+    *names = name;
+    return FLOE_OK;
+}
+
+static bool is_listed(const char *const *names, const char *name)
+{
+    for (; *names; names++) {
+        if (strcmp(*names, name) == 0) return true;
+    }
+    return false;
+}
+
+/* Takes the message of a check by another room out of the context. */
+static void take_message(context *ctx, char *message, size_t size)
+{
+    snprintf(message, size, "%s", context_message(ctx));
+    context_clear(ctx);
 }
 
 static floe_status check_exact(reader *r)
@@ -18,25 +70,29 @@ static floe_status check_exact(reader *r)
     const floe_status status = catalogue->check_exact(r->ctx, verify->exact, verify->exact_par, r->scene->mesh.dim);
     if (status != FLOE_BAD_INPUT) return status;
     char message[400];
-    snprintf(message, sizeof message, "%s", context_message(r->ctx));
-    context_clear(r->ctx);
+    take_message(r->ctx, message, sizeof message);
     return bad_at(r, PATH("verify", "exact"), NULL, NULL, "%s", message);
+}
+
+static floe_status check_metric(reader *r, const char **names, deck_node *item)
+{
+    const deck_catalogue *catalogue = r->catalogue;
+    if (!is_listed(names, item->text)) return bad_name(r, item, false, "metric", listed, names);
+    if (!catalogue->check_metric || r->errors->count > 0) return FLOE_OK; /* it sees sound scenes only */
+    const floe_status status = catalogue->check_metric(r->ctx, item->text, r->scene);
+    if (status != FLOE_BAD_INPUT) return status;
+    char message[400];
+    take_message(r->ctx, message, sizeof message);
+    return bad(r, item, NULL, "metric '%.60s': %s", item->text, message);
 }
 
 static floe_status check_metrics(reader *r)
 {
-    const deck_catalogue *catalogue = r->catalogue;
     deck_node *list = node_path(r->root, PATH("verify", "metrics"));
-    if (!catalogue || !catalogue->check_metric || !list || r->root->bad) return FLOE_OK;
-    for (deck_node *item = list->first; item; item = item->next) {
-        const char *why = catalogue->check_metric(item->text, r->scene);
-        if (!why) continue;
-        if (why[0] == '\0') {
-            TRY(bad_name(r, item, false, "metric", metric_candidate, catalogue));
-        } else {
-            TRY(bad(r, item, NULL, "metric '%.60s': %s", item->text, why));
-        }
-    }
+    if (!r->catalogue || !list || list->bad) return FLOE_OK;
+    const char **names;
+    TRY(list_metrics(r, &names));
+    for (deck_node *item = list->first; item; item = item->next) TRY(check_metric(r, names, item));
     return FLOE_OK;
 }
 

@@ -34,7 +34,8 @@ static floe_status read_version(reader *r, const key_spec *key, deck_node *node,
     if (node->kind == NODE_SCALAR && strcmp(node->text, "1") == 0) return FLOE_OK;
     char found[80];
     node_describe(node, found, sizeof found);
-    return bad(r, node, custom_version.form, "'%s' is %s: this floe reads version 1 of the deck format", key->key, found);
+    return bad(r, node, custom_version.form, "'%s' is %s: this floe reads version 1 of the deck format", key->key,
+               found);
 }
 
 static void write_version(writer *w, const key_spec *key, const void *base)
@@ -177,7 +178,8 @@ static void write_cfl(writer *w, const key_spec *key, const void *base)
     w->indent--;
 }
 
-const custom_key custom_cfl = {read_cfl, write_cfl, "a number up to 1 for both solvers, or {mpm: number, ice: number}", NULL};
+const custom_key custom_cfl = {read_cfl, write_cfl, "a number up to 1 for both solvers, or {mpm: number, ice: number}",
+                               NULL};
 
 /* ---- method.basis ---- */
 
@@ -211,31 +213,14 @@ const custom_key custom_basis = {read_basis, write_basis, "the name of a basis",
 
 /* ---- verify.metrics: [eq13, l1_sigma_r] ---- */
 
-static const char *metric_candidate(const void *user, size_t i)
-{
-    const deck_catalogue *catalogue = user;
-    return catalogue && i < catalogue->n_metric ? catalogue->metric[i].name : NULL;
-}
-
-static bool metric_is_listed(const deck_catalogue *catalogue, const char *name)
-{
-    for (size_t i = 0; metric_candidate(catalogue, i); i++) {
-        if (strcmp(metric_candidate(catalogue, i), name) == 0) return true;
-    }
-    return false;
-}
-
 static floe_status read_metric(reader *r, deck_node *item, scene_verify *verify)
 {
     if (item->kind != NODE_SCALAR || strlen(item->text) >= SCENE_NAME) {
         return bad(r, item, "the name of a metric", "this is no name of a metric");
     }
     for (int i = 0; i < verify->n_metrics; i++) {
-        if (strcmp(verify->metric[i], item->text) == 0) return bad(r, item, NULL, "metric '%s' is listed twice", item->text);
-    }
-    const bool checked_later = r->catalogue && r->catalogue->check_metric; /* check_verify.c, with the whole scene */
-    if (!checked_later && !metric_is_listed(r->catalogue, item->text)) {
-        return bad_name(r, item, false, "metric", metric_candidate, r->catalogue);
+        if (strcmp(verify->metric[i], item->text) == 0)
+            return bad(r, item, NULL, "metric '%s' is listed twice", item->text);
     }
     if (verify->n_metrics == SCENE_MAX_METRICS) return bad(r, item, NULL, "more than %d metrics", SCENE_MAX_METRICS);
     snprintf(verify->metric[verify->n_metrics++], SCENE_NAME, "%s", item->text);

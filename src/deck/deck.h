@@ -6,7 +6,7 @@
 #include "scene/scene.h"
 
 /* What the deck takes from rooms that it cannot see, filled by the caller (once; nothing is owned by the deck). */
-typedef struct deck_exact {         /* an exact solution, as far as the deck needs it */
+typedef struct deck_exact { /* an exact solution, as far as the deck needs it */
     const char *name, *doc, *cite;
     const param_spec *params;
     size_t n_params, param_size;
@@ -22,25 +22,28 @@ typedef struct deck_catalogue {
     size_t n_exact;
     const deck_name *basis;
     size_t n_basis;
-    const deck_name *metric;        /* offered when a metric is unknown, and listed in the reference */
+    const deck_name *metric; /* "eq13"; "l1_X" stands for one name with each quantity for X */
     size_t n_metric;
-    /* NULL when `metric` is a name that can be measured, else why not; NULL function: only names of `metric` are known. */
-    const char *(*check_metric)(const char *metric, const scene *s);
+    const deck_name *quantity;
+    size_t n_quantity;
+    /* FLOE_BAD_INPUT with the context's message when the scene cannot be measured so, a name that is none included; called
+     * with the whole scene. NULL: every name that `metric` gives can be measured. */
+    floe_status (*check_metric)(context *ctx, const char *metric, const scene *s);
     /* FLOE_BAD_INPUT with the context's message when the parameters contradict each other; may be NULL. */
     floe_status (*check_exact)(context *ctx, const char *name, const void *par, int dim);
 } deck_catalogue;
 
 /* `--set K=V` of the command line, in order: later ones win. */
 typedef struct deck_overrides {
-    const char *const *text;        /* "domain.cell=0.0125" */
+    const char *const *text; /* "domain.cell=0.0125" */
     size_t n;
 } deck_overrides;
 
 /* The errors of a load. Start with {0}; deck_report_free releases it. */
 typedef struct deck_report {
-    context *ctx;                   /* set by the load; not owned */
-    size_t count;                   /* errors */
-    char *text;                     /* all of them, ready to print; NULL when there is none */
+    context *ctx; /* set by the load; not owned */
+    size_t count; /* errors */
+    char *text;   /* all of them, ready to print; NULL when there is none */
 } deck_report;
 
 void deck_report_free(deck_report *report);

@@ -11,11 +11,11 @@ enum { ERRORS_SHOWN = 50 };
 typedef struct deck_error deck_error;
 
 typedef struct error_list {
-    deck_arena *arena;          /* not owned */
-    const char *path;           /* of the deck, as the user gave it */
-    const char *text;           /* of the deck */
-    const deck_overrides *set;  /* may be NULL */
-    deck_error *first;          /* sorted: the file from top to bottom, then --set in order */
+    deck_arena *arena;         /* not owned */
+    const char *path;          /* of the deck, as the user gave it */
+    const char *text;          /* of the deck */
+    const deck_overrides *set; /* may be NULL */
+    deck_error *first;         /* sorted: the file from top to bottom, then --set in order */
     size_t count;
 } error_list;
 

@@ -18,8 +18,8 @@ typedef struct deck_source {
 } deck_source;
 
 /* Parses the text and applies the overrides. NULL root: an error has been entered. */
-static floe_status make_tree(const deck_source *source, const deck_overrides *set, deck_arena *arena, error_list *errors,
-                             deck_node **root)
+static floe_status make_tree(const deck_source *source, const deck_overrides *set, deck_arena *arena,
+                             error_list *errors, deck_node **root)
 {
     parse_error error;
     *root = NULL;
@@ -38,7 +38,8 @@ static floe_status make_tree(const deck_source *source, const deck_overrides *se
 }
 
 /* Text to scene; faults of the deck go into `errors`, and the scene is then not to be used. */
-static floe_status resolve(deck_source *source, const deck_overrides *set, scene *s, deck_arena *arena, error_list *errors)
+static floe_status resolve(deck_source *source, const deck_overrides *set, scene *s, deck_arena *arena,
+                           error_list *errors)
 {
     deck_node *root;
     TRY(make_tree(source, set, arena, errors, &root));
@@ -104,10 +105,12 @@ static floe_status write_report(const deck_source *source, const error_list *err
     errors_print(errors, &out);
     TRY(text_take(&out, &report->text));
     report->count = errors->count;
-    return fail(source->ctx, FLOE_BAD_INPUT, "%s: %zu error%s", source->path, errors->count, errors->count == 1 ? "" : "s");
+    return fail(source->ctx, FLOE_BAD_INPUT, "%s: %zu error%s", source->path, errors->count,
+                errors->count == 1 ? "" : "s");
 }
 
-static floe_status load(scene *s, deck_source *source, const deck_overrides *set, deck_arena *arena, deck_report *report)
+static floe_status load(scene *s, deck_source *source, const deck_overrides *set, deck_arena *arena,
+                        deck_report *report)
 {
     error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = set};
     TRY(resolve(source, set, s, arena, &errors));

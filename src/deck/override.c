@@ -10,7 +10,7 @@ typedef struct override {
     error_list *errors;
     deck_place at;
     const char *key, *value;
-    deck_node *fresh;        /* the value's tree */
+    deck_node *fresh; /* the value's tree */
 } override;
 
 /* The child whose key is the longest beginning of `path` (keys may hold dots); *length is what it takes of the path. */
@@ -67,7 +67,8 @@ static floe_status step_list(override *o, deck_node *list, const char **path, de
     if (!child) {
         char expected[64];
         snprintf(expected, sizeof expected, "an index from 0 to %zu", list->n - (list->n > 0));
-        return error_add(o->errors, o->at, expected, NULL, "'%.*s' is no entry of a list of %zu", (int)length, *path, list->n);
+        return error_add(o->errors, o->at, expected, NULL, "'%.*s' is no entry of a list of %zu", (int)length, *path,
+                         list->n);
     }
     if ((*path)[length] == '\0') {
         node_replace(child, o->fresh);
@@ -89,8 +90,8 @@ static floe_status place_value(override *o, deck_node *root)
         } else if (node_is_null(node)) {
             node->kind = NODE_MAP; /* "materials:" without a value takes keys */
         } else {
-            return error_add(o->errors, o->at, NULL, NULL, "'%s' is a value: it has no '%s'", node->key ? node->key : "the deck",
-                             path);
+            return error_add(o->errors, o->at, NULL, NULL, "'%s' is a value: it has no '%s'",
+                             node->key ? node->key : "the deck", path);
         }
     }
     return FLOE_OK;

@@ -16,10 +16,10 @@ typedef struct parser {
     size_t nodes;
     deck_node *open[TREE_MAX_DEPTH]; /* maps and lists not yet closed */
     int depth;
-    const char *key;                 /* key read, its value awaited */
+    const char *key; /* key read, its value awaited */
     deck_place key_at;
     deck_node *root;
-    bool past_document;              /* the first document has ended */
+    bool past_document; /* the first document has ended */
     parse_error *error;
 } parser;
 
@@ -42,7 +42,8 @@ static floe_status refuse(parser *p, deck_place at, const char *text, const char
 static floe_status take_key(parser *p, struct fy_event *event, deck_place at)
 {
     if (event->type != FYET_SCALAR) {
-        return refuse(p, at, "a key of a map must be a name, not a map or a list", "quote the text that is meant to be the key");
+        return refuse(p, at, "a key of a map must be a name, not a map or a list",
+                      "quote the text that is meant to be the key");
     }
     size_t length = 0;
     const char *text = fy_token_get_text(event->scalar.value, &length);
@@ -101,7 +102,8 @@ static bool starts_value(const struct fy_event *event)
 static struct fy_token *decoration(const struct fy_event *event)
 {
     const struct fy_event_scalar_data *data = &event->scalar; /* the three share their first members */
-    if (event->type == FYET_MAPPING_START) return event->mapping_start.anchor ? event->mapping_start.anchor : event->mapping_start.tag;
+    if (event->type == FYET_MAPPING_START)
+        return event->mapping_start.anchor ? event->mapping_start.anchor : event->mapping_start.tag;
     if (event->type == FYET_SEQUENCE_START) {
         return event->sequence_start.anchor ? event->sequence_start.anchor : event->sequence_start.tag;
     }
@@ -110,7 +112,8 @@ static struct fy_token *decoration(const struct fy_event *event)
 
 static floe_status take_value(parser *p, struct fy_event *event, deck_place at)
 {
-    if (decoration(event)) return refuse(p, at, "anchors (&) and tags (!) are not used in decks", "write the value itself");
+    if (decoration(event))
+        return refuse(p, at, "anchors (&) and tags (!) are not used in decks", "write the value itself");
     if (p->depth > 0 && p->open[p->depth - 1]->kind == NODE_MAP && !p->key) return take_key(p, event, at);
     switch (event->type) {
     case FYET_MAPPING_START: return open_node(p, NODE_MAP, at);

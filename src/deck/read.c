@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WORDS = 512 };
+enum { WORDS = 512, NAMES_SHOWN = 24 };
 
 static floe_status enter(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
                          const char *format, va_list arguments) FLOE_PRINTF(6, 0);
@@ -42,13 +42,10 @@ floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
 {
     char all[WORDS] = "";
     size_t length = 0;
-    for (size_t i = 0; candidate(user, i); i++) {
-        const int n = snprintf(all + length, sizeof all - length, "%s%s", i > 0 ? ", " : "", candidate(user, i));
-        length += (size_t)n;
-        if (length >= sizeof all) {
-            memcpy(all + sizeof all - 4, "...", 4);
-            break;
-        }
+    for (size_t i = 0; candidate(user, i) && length < sizeof all; i++) {
+        const char *next = i < NAMES_SHOWN ? candidate(user, i) : "...";
+        length += (size_t)snprintf(all + length, sizeof all - length, "%s%s", i > 0 ? ", " : "", next);
+        if (i == NAMES_SHOWN) break;
     }
     const char *name = at_key ? node->key : node->text;
     const char *nearest = nearest_name(name, candidate, user);

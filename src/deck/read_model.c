@@ -118,7 +118,8 @@ static floe_status find_single(reader *r, deck_node *node, const char *noun, dec
     char found[80];
     node_describe(node, found, sizeof found);
     if (node->kind != NODE_MAP) {
-        return bad(r, node, "{name: {parameters}}", "'%.60s' is %s, not a %s", node->key ? node->key : noun, found, noun);
+        return bad(r, node, "{name: {parameters}}", "'%.60s' is %s, not a %s", node->key ? node->key : noun, found,
+                   noun);
     }
     if (node->n != 1) {
         deck_node *at = node->n > 1 ? node->first->next : node;
@@ -136,13 +137,15 @@ floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *ba
     char *field = (char *)base + key->offset;
     model_entry entry;
     if (node->kind == NODE_SCALAR && !node_is_null(node)) {
-        if (!find_entry(r, family, node->text, &entry)) return bad_name(r, node, false, family->noun, family_name, &names);
+        if (!find_entry(r, family, node->text, &entry))
+            return bad_name(r, node, false, family->noun, family_name, &names);
         return read_params(r, family, &entry, NULL, node, field);
     }
     deck_node *single;
     TRY(find_single(r, node, family->noun, &single));
     if (!single) return FLOE_OK;
-    if (!find_entry(r, family, single->key, &entry)) return bad_name(r, single, true, family->noun, family_name, &names);
+    if (!find_entry(r, family, single->key, &entry))
+        return bad_name(r, single, true, family->noun, family_name, &names);
     if (single->kind != NODE_MAP && !node_is_null(single)) {
         char found[80];
         node_describe(single, found, sizeof found);
@@ -182,7 +185,11 @@ floe_status read_variant(reader *r, const variants *kinds, deck_node *node, void
         return bad(r, map, NULL, "%s '%s' takes no keys", kinds->noun, kind->name);
     }
     /* Without a map of its own, an empty one stands where the name does: what is required is then missing there. */
-    deck_node empty = {.kind = NODE_MAP, .key = kind->name, .key_at = bare ? node->at : single ? single->key_at : node->at,
+    deck_node empty = {.kind = NODE_MAP,
+                       .key = kind->name,
+                       .key_at = bare     ? node->at
+                                 : single ? single->key_at
+                                          : node->at,
                        .parent = node};
     return read_table(r, kind->table, map ? map : &empty, field);
 }

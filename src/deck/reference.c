@@ -1,1 +1,200 @@
-#include "deck/deck.h"
+/* The schema as Markdown: the page docs/deck.md. */
+#include "deck/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct page {
+    text_buffer out;
+    const deck_catalogue *catalogue;
+} page;
+
+static bool has_unit(const key_spec *key)
+{
+    return key->unit && strcmp(key->unit, "1") != 0;
+}
+
+static void print_choices(page *p, const choice *choices)
+{
+    for (const choice *c = choices; c->name; c++) text_print(&p->out, "%s`%s`", c == choices ? "" : ", ", c->name);
+}
+
+/* What the key takes, for any dimension of the scene. */
+static void print_form(page *p, const key_spec *key)
+{
+    char range[128];
+    const param_spec spec = {.range = key->range, .lo = key->lo, .hi = key->hi};
+    param_describe_range(&spec, range, sizeof range);
+    switch (key->type) {
+    case KEY_NUMBER: text_print(&p->out, "%s", range); break;
+    case KEY_NUMBERS: text_print(&p->out, "a list of %zu, each %s", key->size / sizeof(double), range); break;
+    case KEY_VECTOR: text_print(&p->out, "a list, one for each axis: %s", range); break;
+    case KEY_SPREAD: text_print(&p->out, "%s, or a list with one for each axis", range); break;
+    case KEY_WHOLE: text_print(&p->out, "a whole number from %.0f to %.0f", key->lo, key->hi); break;
+    case KEY_WHOLES:
+        text_print(&p->out, "a whole number from %.0f to %.0f, or a list with one for each axis", key->lo, key->hi);
+        break;
+    case KEY_BOOL: text_print(&p->out, "`true`, `false`"); break;
+    case KEY_TEXT: text_print(&p->out, "text"); break;
+    case KEY_CHOICE: print_choices(p, key->choices); break;
+    case KEY_MATERIAL: text_print(&p->out, "the name of a material"); break;
+    case KEY_BODY: text_print(&p->out, "the name of a body"); break;
+    case KEY_MAP: text_print(&p->out, "a map, see below"); break;
+    case KEY_NAMED: text_print(&p->out, "`name: {...}` for each %s, see below", key->items->noun); break;
+    case KEY_MODEL: text_print(&p->out, "`{name: {...}}` of one %s", key->family->noun); break;
+    case KEY_VARIANT: text_print(&p->out, "`{kind: {...}}` of one %s", key->variants->noun); break;
+    case KEY_CUSTOM: text_print(&p->out, "%s", key->custom->form); break;
+    }
+    if (has_unit(key)) text_print(&p->out, " [%s]", key->unit);
+}
+
+static void print_default(page *p, const key_spec *key)
+{
+    if (key->required) {
+        text_print(&p->out, "**required**");
+    } else if (key->fallback) {
+        text_print(&p->out, "`%s`", key->fallback);
+    } else {
+        text_print(&p->out, "%s", key->otherwise ? key->otherwise : "");
+    }
+}
+
+static void print_doc(page *p, const key_spec *key)
+{
+    text_print(&p->out, "%s", key->doc ? key->doc : "");
+    if (key->type == KEY_CHOICE) {
+        for (const choice *c = key->choices; c->name; c++) {
+            if (c->doc) text_print(&p->out, "%s `%s`: %s", c == key->choices ? "." : ";", c->name, c->doc);
+        }
+    }
+    if (key->belongs) text_print(&p->out, " (%s only)", key->belongs);
+}
+
+static void print_head(page *p)
+{
+    text_print(&p->out, "\n| key | takes | default | meaning |\n|---|---|---|---|\n");
+}
+
+static void print_row(page *p, const key_spec *key)
+{
+    text_print(&p->out, "| `%s` | ", key->key);
+    print_form(p, key);
+    text_print(&p->out, " | ");
+    print_default(p, key);
+    text_print(&p->out, " | ");
+    print_doc(p, key);
+    text_print(&p->out, " |\n");
+}
+
+static void print_rows(page *p, const key_table *table)
+{
+    print_head(p);
+    for (size_t i = 0; i < table->n; i++) print_row(p, &table->key[i]);
+}
+
+static void print_params(page *p, const model_entry *entry)
+{
+    if (entry->n_params == 0) return;
+    print_head(p);
+    for (size_t i = 0; i < entry->n_params; i++) {
+        key_spec key = key_of_param(&entry->params[i]);
+        char fallback[32];
+        snprintf(fallback, sizeof fallback, "%g", entry->params[i].fallback);
+        if (!key.required) key.fallback = fallback;
+        print_row(p, &key);
+    }
+}
+
+static void print_family(page *p, const char *title, const model_family *family)
+{
+    text_print(&p->out, "\n## %s\n", title);
+    model_entry entry;
+    for (size_t i = 0; family->get(p->catalogue, i, &entry); i++) {
+        text_print(&p->out, "\n### %s\n\n%s%s%s%s\n", entry.name, entry.doc ? entry.doc : "",
+                   entry.cite && entry.cite[0] ? ". " : "", entry.cite ? entry.cite : "", ".");
+        print_params(p, &entry);
+    }
+}
+
+static void print_variants(page *p, const variants *kinds)
+{
+    for (size_t i = 0; i < kinds->n; i++) {
+        text_print(&p->out, "\n### %s\n\n%s.\n", kinds->list[i].name, kinds->list[i].doc);
+        if (kinds->list[i].table) print_rows(p, kinds->list[i].table);
+    }
+}
+
+static void print_names(page *p, const char *title, const deck_name *name, size_t n)
+{
+    text_print(&p->out, "\n## %s\n\n", title);
+    for (size_t i = 0; i < n; i++) text_print(&p->out, "* `%s`: %s\n", name[i].name, name[i].doc ? name[i].doc : "");
+}
+
+/* The maps below a table, each in a section of its own; `path` names where it hangs. */
+static void print_sections(page *p, const key_table *table, const char *path)
+{
+    for (size_t i = 0; i < table->n; i++) {
+        const key_spec *key = &table->key[i];
+        char name[128];
+        snprintf(name, sizeof name, "%s%s%s", path, path[0] ? "." : "", key->key);
+        if (key->type == KEY_MAP) {
+            text_print(&p->out, "\n## %s\n\n%s.\n", name, key->doc);
+            print_rows(p, key->table);
+            print_sections(p, key->table, name);
+        } else if (key->type == KEY_NAMED) {
+            text_print(&p->out, "\n## %s\n\n%s.\n", name, key->doc);
+            snprintf(name + strlen(name), sizeof name - strlen(name), ".NAME");
+            if (key->items->table) print_rows(p, key->items->table);
+            if (key->items->variants) print_variants(p, key->items->variants);
+            if (key->items->value)
+                text_print(&p->out, "\n`NAME: [x, y, z]`: a list, one number for each axis, in m.\n");
+            if (key->items->table) print_sections(p, key->items->table, name);
+        } else if (key->custom == &custom_boundaries) {
+            text_print(&p->out, "\n## %s\n\n%s: `%s`.\n", name, key->doc, key->custom->form);
+            print_variants(p, &boundary_kinds);
+        }
+    }
+}
+
+static const char preface[] =
+    "# The deck\n"
+    "\n"
+    "*Written by floe from the tables that read decks; do not edit.*\n"
+    "\n"
+    "A deck is one YAML file that describes a scene. `floe check DECK` reports every error in it, with its place. The "
+    "order\n"
+    "of keys does not matter.\n"
+    "\n"
+    "* **Numbers** are plain SI, or carry a unit after a space: `117 GPa`, `1.4 ms`, `8900 kg/m^3`, `20 degC`. The "
+    "unit must\n"
+    "  convert to the one in brackets below. `units: none` declares a dimensionless scene, in which no number carries "
+    "one.\n"
+    "  Octal, hexadecimal, `nan` and `inf` are refused.\n"
+    "* **Lists over the axes** have as many entries as `domain.dim`; in one dimension a number will do.\n"
+    "* **Models** (laws, equations of state, shapes, exact solutions) are written `{name: {parameter: value}}`.\n"
+    "* **Names** of materials, bodies, loads and probes are letters, digits, `_` and `-`, a letter first.\n"
+    "* `--set KEY=VALUE` replaces any key on the command line: `--set domain.cell=0.0125`,\n"
+    "  `--set materials.steel.law.linear_elastic.bulk_modulus='120 GPa'`, `--set domain.lower.0=-1` (list entries "
+    "count\n"
+    "  from 0). The value is YAML.\n"
+    "* Anchors, aliases, tags and several documents in one file are not used.\n"
+    "\n"
+    "## Top level\n";
+
+floe_status deck_reference(char **text, context *ctx, const deck_catalogue *catalogue)
+{
+    page p = {.out = {.ctx = ctx}, .catalogue = catalogue};
+    text_print(&p.out, "%s", preface);
+    print_rows(&p, &schema_deck);
+    print_sections(&p, &schema_deck, "");
+    print_family(&p, "Shapes", &family_shape);
+    print_family(&p, "Laws of solids", &family_law);
+    print_family(&p, "Equations of state", &family_eos);
+    print_family(&p, "Exact solutions", &family_exact);
+    if (catalogue && catalogue->n_basis > 0) print_names(&p, "Bases", catalogue->basis, catalogue->n_basis);
+    if (catalogue && catalogue->n_metric > 0) print_names(&p, "Metrics", catalogue->metric, catalogue->n_metric);
+    if (catalogue && catalogue->n_quantity > 0)
+        print_names(&p, "Quantities (the X of metrics)", catalogue->quantity, catalogue->n_quantity);
+    return text_take(&p.out, text);
+}

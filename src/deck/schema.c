@@ -49,7 +49,8 @@ static const key_spec damping_keys[] = {
 static const key_table damping_table = TABLE(damping_keys);
 
 static const key_spec time_keys[] = {
-    {"end", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, end), .required = true, .doc = "time at which the run ends"},
+    {"end", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, end), .required = true,
+     .doc = "time at which the run ends"},
     {"cfl", KEY_CUSTOM, .custom = &custom_cfl, .otherwise = "0.5",
      .doc = "fraction of the stability limit of each solver"},
     {"first_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, first_step), .otherwise = "from the stability limit",
@@ -160,7 +161,8 @@ static const key_spec deck_keys[] = {
      .doc = "whether numbers have units"},
     {"coupling", KEY_CHOICE, AT(scene, coupling), .required = true, .choices = coupling_choices,
      .doc = "how fluids are represented"},
-    {"runs_as", KEY_CUSTOM, .custom = &custom_runs_as, .otherwise = "[coupling]", .doc = "couplings that `floe compare` runs"},
+    {"runs_as", KEY_CUSTOM, .custom = &custom_runs_as, .otherwise = "[coupling]",
+     .doc = "couplings that `floe compare` runs"},
     {"reference_pressure", KEY_NUMBER, "Pa", AT(scene, reference_pressure), .fallback = "0",
      .doc = "p_ref: material points carry stress relative to it"},
     {"domain", KEY_MAP, .table = &domain_table, .required = true, .doc = "the mesh"},
@@ -171,7 +173,8 @@ static const key_spec deck_keys[] = {
      .doc = "the fluid that fills what no body fills"},
     {"boundaries", KEY_CUSTOM, AT(scene, bc), .custom = &custom_boundaries,
      .otherwise = "free (symmetry at the axis r = 0)", .doc = "conditions on the sides of the domain"},
-    {"bodies", KEY_NAMED, AT(scene, body), .items = &items_bodies, .doc = "regions filled with a material at the start"},
+    {"bodies", KEY_NAMED, AT(scene, body), .items = &items_bodies,
+     .doc = "regions filled with a material at the start"},
     {"loads", KEY_NAMED, AT(scene, load), .items = &items_loads, .doc = "what acts on the scene from outside"},
     {"damping", KEY_MAP, AT(scene, damping), .table = &damping_table, .doc = "damping of material points"},
     {"time", KEY_MAP, AT(scene, time), .table = &time_table, .required = true, .doc = "time stepping"},

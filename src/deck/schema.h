@@ -7,12 +7,12 @@
 #include "deck/units.h"
 
 typedef enum key_type {
-    KEY_NUMBER,   /* double */
-    KEY_NUMBERS,  /* double[n]: a list of exactly n numbers, n from the size */
-    KEY_VECTOR,   /* double[3]: a list of the scene's dimension; one number when that is 1 */
-    KEY_SPREAD,   /* double[3]: a vector, or one number for every axis */
-    KEY_WHOLE,    /* int or long */
-    KEY_WHOLES,   /* int[3]: a list of the scene's dimension, or one whole number for every axis */
+    KEY_NUMBER,  /* double */
+    KEY_NUMBERS, /* double[n]: a list of exactly n numbers, n from the size */
+    KEY_VECTOR,  /* double[3]: a list of the scene's dimension; one number when that is 1 */
+    KEY_SPREAD,  /* double[3]: a vector, or one number for every axis */
+    KEY_WHOLE,   /* int or long */
+    KEY_WHOLES,  /* int[3]: a list of the scene's dimension, or one whole number for every axis */
     KEY_BOOL,
     KEY_TEXT,     /* char[] */
     KEY_CHOICE,   /* int, enum or bool: one of a list of words */
@@ -33,7 +33,10 @@ typedef struct key_table {
     const key_spec *key;
     size_t n;
 } key_table;
-#define TABLE(array) {(array), sizeof(array) / sizeof(array)[0]}
+#define TABLE(array)                              \
+    {                                             \
+        (array), sizeof(array) / sizeof(array)[0] \
+    }
 
 typedef struct choice {
     const char *name;
@@ -44,13 +47,13 @@ typedef struct choice {
 /* One kind of a KEY_VARIANT. */
 typedef struct variant {
     const char *name;
-    int value;                /* handed to variants.choose */
-    const key_table *table;   /* NULL: the kind takes no keys */
+    int value;              /* handed to variants.choose */
+    const key_table *table; /* NULL: the kind takes no keys */
     const char *doc;
 } variant;
 
 typedef struct variants {
-    const char *noun;         /* "load" */
+    const char *noun; /* "load" */
     const variant *list;
     size_t n;
     void (*choose)(void *field, int value); /* sets the kind, and what goes with it */
@@ -66,20 +69,20 @@ typedef struct model_entry {
 } model_entry;
 
 typedef struct model_family {
-    const char *noun;         /* "shape" */
+    const char *noun;                                                         /* "shape" */
     bool (*get)(const deck_catalogue *catalogue, size_t i, model_entry *out); /* false at the end */
     void (*store)(void *field, const model_entry *entry, void *par);
-    bool (*fetch)(const void *field, const char **name, const void **par);    /* false: none is set */
+    bool (*fetch)(const void *field, const char **name, const void **par); /* false: none is set */
     /* Refuses impossible parameters: NULL if fine. May be NULL. */
     const char *(*check)(const model_entry *entry, const void *par, int dim);
 } model_family;
 
 /* Items of a KEY_NAMED: the array lies at the key's offset and each item begins with its name. */
 typedef struct named_items {
-    const char *noun;                  /* "material" */
-    size_t item_size, count_offset;    /* count_offset: of the int that counts, from the same base as the key's offset */
+    const char *noun;               /* "material" */
+    size_t item_size, count_offset; /* count_offset: of the int that counts, from the same base as the key's offset */
     size_t most;
-    const key_table *table;            /* one of table, variants, and value */
+    const key_table *table; /* one of table, variants, and value */
     const variants *variants;
     const key_spec *value;
     /* Called before and after an item is read; may be NULL. */
@@ -90,28 +93,28 @@ typedef struct named_items {
 typedef struct custom_key {
     floe_status (*read)(reader *r, const key_spec *key, deck_node *node, void *base); /* node NULL: absent */
     void (*write)(writer *w, const key_spec *key, const void *base);
-    const char *form;                  /* what is written, for the reference and for messages */
-    const char *json;                  /* JSON schema of the value */
+    const char *form; /* what is written, for the reference and for messages */
+    const char *json; /* JSON schema of the value */
 } custom_key;
 
 struct key_spec {
     const char *key;
     key_type type;
-    const char *unit;                  /* SI, udunits2 spelling; NULL: no dimension */
+    const char *unit; /* SI, udunits2 spelling; NULL: no dimension */
     param_range range;
-    double lo, hi;                     /* PARAM_BETWEEN */
-    size_t offset, size;               /* in the struct that the table describes; size 0: not stored */
+    double lo, hi;       /* PARAM_BETWEEN */
+    size_t offset, size; /* in the struct that the table describes; size 0: not stored */
     bool required;
-    const char *fallback;              /* default, written as in a deck; NULL: the value is left alone */
-    const char *otherwise;             /* with no fallback: what holds when the key is absent, in words */
+    const char *fallback;  /* default, written as in a deck; NULL: the value is left alone */
+    const char *otherwise; /* with no fallback: what holds when the key is absent, in words */
     const char *doc;
-    const choice *choices;             /* KEY_CHOICE, ends with a NULL name */
-    const key_table *table;            /* KEY_MAP */
-    const named_items *items;          /* KEY_NAMED */
-    const variants *variants;          /* KEY_VARIANT */
-    const model_family *family;        /* KEY_MODEL */
-    const custom_key *custom;          /* KEY_CUSTOM */
-    size_t present;                    /* 1 + offset of a bool that says whether the key was given; 0: none */
+    const choice *choices;      /* KEY_CHOICE, ends with a NULL name */
+    const key_table *table;     /* KEY_MAP */
+    const named_items *items;   /* KEY_NAMED */
+    const variants *variants;   /* KEY_VARIANT */
+    const model_family *family; /* KEY_MODEL */
+    const custom_key *custom;   /* KEY_CUSTOM */
+    size_t present;             /* 1 + offset of a bool that says whether the key was given; 0: none */
     /* Does the key belong to this item? NULL: always. `belongs` says to what, in words. */
     bool (*applies)(const scene *s, const void *base);
     const char *belongs;

@@ -61,7 +61,8 @@ static floe_status begin_material(reader *r, deck_node *node, void *item)
 {
     scene_material *m = item;
     m->density = m->specific_heat = m->tension_switch = NAN;
-    m->kind = node_find(node, "eos") && !node_find(node, "law") ? MATERIAL_FLUID : MATERIAL_SOLID;
+    const bool solid = node_find(node, "law") || (node_find(node, "density") && !node_find(node, "eos"));
+    m->kind = solid ? MATERIAL_SOLID : MATERIAL_FLUID;
     if (node->kind != NODE_MAP || node_find(node, "eos") || node_find(node, "law")) return FLOE_OK;
     return bad_key(r, node, "law: {...} for a solid, or eos: {...} for a fluid", NULL,
                    "material '%.60s' has neither 'law' nor 'eos'", node->key);
@@ -168,29 +169,44 @@ const named_items items_bodies = {
 
 /* ---- loads ---- */
 
-#define RAMP_KEYS                                                                                                      \
-    {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, start), .fallback = "0", .doc = "the load begins"},   \
-    {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, ramp), .fallback = "0",                                \
-     .doc = "time over which it grows from nothing, in proportion; 0: at once"},                                      \
-    {"ramp_steps", KEY_WHOLE, NULL, WITHIN(0, 1e9), AT(scene_load, ramp_steps), .fallback = "0",                       \
-     .doc = "steps over which it grows, instead of a time; 0: not used"},                                             \
-    {"hold", KEY_BOOL, AT(scene_load, hold), .fallback = "false"
+#define RAMP_KEYS                                                                                                    \
+    {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, start), .fallback = "0", .doc = "the load begins"}, \
+        {"ramp",                                                                                                     \
+         KEY_NUMBER,                                                                                                 \
+         "s",                                                                                                        \
+         PARAM_NONNEGATIVE,                                                                                          \
+         AT(scene_load, ramp),                                                                                       \
+         .fallback = "0",                                                                                            \
+         .doc = "time over which it grows from nothing, in proportion; 0: at once"},                                 \
+        {"ramp_steps",                                                                                               \
+         KEY_WHOLE,                                                                                                  \
+         NULL,                                                                                                       \
+         WITHIN(0, 1e9),                                                                                             \
+         AT(scene_load, ramp_steps),                                                                                 \
+         .fallback = "0",                                                                                            \
+         .doc = "steps over which it grows, instead of a time; 0: not used"},                                        \
+    {                                                                                                                \
+        "hold", KEY_BOOL, AT(scene_load, hold), .fallback = "false"
 
 static const key_spec pressurise_keys[] = {
     {"material", KEY_MATERIAL, AT(scene_load, material), .required = true, .doc = "the fluid that is heated"},
     {"region", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .otherwise = "everywhere", .doc = "where"},
     {"target", KEY_NUMBER, "Pa", PARAM_POSITIVE, AT(scene_load, target), .required = true,
      .doc = "pressure to be reached, above reference_pressure"},
-    RAMP_KEYS, .doc = "true: the pressure is kept after the ramp; false: no energy is added any more"},
-};
+    RAMP_KEYS,
+    .doc = "true: the pressure is kept after the ramp; false: no energy is added any more"},
+}
+;
 static const key_table pressurise_table = TABLE(pressurise_keys);
 
 static const key_spec heat_keys[] = {
     {"material", KEY_MATERIAL, AT(scene_load, material), .required = true, .doc = "the fluid that is heated"},
     {"region", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .otherwise = "everywhere", .doc = "where"},
     {"power", KEY_NUMBER, "W/m3", AT(scene_load, target), .required = true, .doc = "power per volume"},
-    RAMP_KEYS, .doc = "true: the power stays on after the ramp; false: it is then off"},
-};
+    RAMP_KEYS,
+    .doc = "true: the power stays on after the ramp; false: it is then off"},
+}
+;
 static const key_table heat_table = TABLE(heat_keys);
 
 static const key_spec traction_keys[] = {
@@ -239,7 +255,8 @@ static int chosen_load(const void *field)
     return load->kind == LOAD_BODY_FORCE && load->body < 0 ? GRAVITY : (int)load->kind;
 }
 
-static const variants load_kinds = {"load", load_list, sizeof load_list / sizeof load_list[0], choose_load, chosen_load};
+static const variants load_kinds = {"load", load_list, sizeof load_list / sizeof load_list[0], choose_load,
+                                    chosen_load};
 
 static floe_status begin_load(reader *r, deck_node *node, void *item)
 {

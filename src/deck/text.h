@@ -6,8 +6,8 @@
 #include "base/context.h"
 
 typedef struct text_buffer {
-    context *ctx;       /* not owned */
-    char *data;         /* counted memory; NULL while empty */
+    context *ctx; /* not owned */
+    char *data;   /* counted memory; NULL while empty */
     size_t length, capacity;
     floe_status status; /* FLOE_OK until memory is out */
 } text_buffer;

@@ -9,34 +9,34 @@
 #include <stddef.h>
 
 enum {
-    TREE_MAX_DEPTH = 24,       /* nested maps and lists */
-    TREE_MAX_NODES = 100000,   /* of one source */
-    TREE_MAX_BYTES = 1 << 20   /* of one source */
+    TREE_MAX_DEPTH = 24,     /* nested maps and lists */
+    TREE_MAX_NODES = 100000, /* of one source */
+    TREE_MAX_BYTES = 1 << 20 /* of one source */
 };
 
 typedef enum node_kind { NODE_SCALAR, NODE_LIST, NODE_MAP } node_kind;
 
 typedef struct deck_place {
-    int source;                /* 0: the deck file; n: the n-th --set (1 is the first) */
-    int line, column;          /* from 1; column counts characters */
+    int source;       /* 0: the deck file; n: the n-th --set (1 is the first) */
+    int line, column; /* from 1; column counts characters */
 } deck_place;
 
 typedef struct deck_node {
     node_kind kind;
-    bool quoted;               /* a scalar in quotes or a block */
-    bool bad;                  /* an error was found here or below */
-    const char *text;          /* scalars; "" when empty */
-    const char *key;           /* in a map: the key's text; NULL elsewhere */
-    deck_place key_at;         /* in a map */
-    deck_place at;             /* of the value */
+    bool quoted;       /* a scalar in quotes or a block */
+    bool bad;          /* an error was found here or below */
+    const char *text;  /* scalars; "" when empty */
+    const char *key;   /* in a map: the key's text; NULL elsewhere */
+    deck_place key_at; /* in a map */
+    deck_place at;     /* of the value */
     struct deck_node *parent, *first, *last, *next;
-    size_t n;                  /* children */
+    size_t n; /* children */
 } deck_node;
 
 typedef struct arena_chunk arena_chunk;
 
 typedef struct deck_arena {
-    context *ctx;              /* not owned */
+    context *ctx; /* not owned */
     arena_chunk *chunk;
 } deck_arena;
 
@@ -65,7 +65,7 @@ bool node_is_null(const deck_node *node);
 typedef struct parse_error {
     deck_place at;
     char text[256];
-    char remedy[160];          /* "" if there is none */
+    char remedy[160]; /* "" if there is none */
 } parse_error;
 floe_status parse_yaml(deck_node **root, deck_arena *arena, int source, const char *text, size_t length,
                        parse_error *error);

@@ -18,17 +18,19 @@ static bool open_book(unit_book *book, char *why)
 {
     if (!book->system) book->system = ut_read_xml(NULL);
     if (!book->system) {
-        snprintf(why, WHY_SIZE, "the unit database of udunits2 cannot be read (package libudunits2-data; UDUNITS2_XML_PATH)");
+        snprintf(why, WHY_SIZE,
+                 "the unit database of udunits2 cannot be read (package libudunits2-data; UDUNITS2_XML_PATH)");
     }
     return book->system != NULL;
 }
 
-static bool convert(const ut_unit *from_unit, const ut_unit *to_unit, double *x, const char *from, const char *to, char *why)
+static bool convert(const ut_unit *from_unit, const ut_unit *to_unit, double *x, const char *from, const char *to,
+                    char *why)
 {
     if (!ut_are_convertible(from_unit, to_unit)) {
         const bool none = strcmp(to, "1") == 0;
-        snprintf(why, WHY_SIZE, "unit '%.40s' does not fit: %s%s", from, none ? "the number has no dimension" : "it does not convert to ",
-                 none ? "" : to);
+        snprintf(why, WHY_SIZE, "unit '%.40s' does not fit: %s%s", from,
+                 none ? "the number has no dimension" : "it does not convert to ", none ? "" : to);
         return false;
     }
     cv_converter *converter = ut_get_converter((ut_unit *)from_unit, (ut_unit *)to_unit);
