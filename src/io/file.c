@@ -1,0 +1,261 @@
+#include "io/file.h"
+
+#include "base/memory.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef struct remedy {
+    int error;
+    const char *text;
+} remedy;
+
+static const remedy remedies[] = {
+    {ENOSPC, "the disk is full: free some space, or choose a folder on another disk with -o"},
+    {EDQUOT, "the quota is used up: remove files, or choose a folder on another disk with -o"},
+    {EFBIG, "the file would pass the size limit of the system or of `ulimit -f`"},
+    {EACCES, "no permission: make the folder and the file writable, or choose another folder with -o"},
+    {EPERM, "no permission: make the folder and the file writable, or choose another folder with -o"},
+    {EROFS, "the file system is read-only: choose another folder with -o"},
+    {ENOENT, "the file or its folder does not exist, or was removed meanwhile"},
+    {ENOTDIR, "a part of the path is a file, not a folder: choose another folder with -o"},
+    {EISDIR, "a folder stands where the file belongs: move it away, or choose another folder with -o"},
+    {EEXIST, "a file stands where the folder belongs: move it away, or choose another folder with -o"},
+    {ENAMETOOLONG, "the name is too long: choose a shorter folder with -o"},
+    {EMFILE, "too many open files: raise `ulimit -n`"},
+    {EIO, "the device reports an error: check the disk, or choose a folder on another one with -o"},
+};
+
+floe_status file_fail(context *ctx, const char *doing, const char *path, int error)
+{
+    const char *text = NULL;
+    for (size_t i = 0; i < sizeof remedies / sizeof remedies[0]; i++) {
+        if (remedies[i].error == error) text = remedies[i].text;
+    }
+    return fail(ctx, FLOE_IO, "%s '%s': %s%s%s%s", doing, path, strerror(error), text ? " (" : "", text ? text : "",
+                text ? ")" : "");
+}
+
+/* 0, or the error number. */
+static int write_all(int descriptor, const char *data, size_t size)
+{
+    while (size > 0) {
+        const ssize_t written = write(descriptor, data, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        if (written == 0) return ENOSPC;
+        data += written;
+        size -= (size_t)written;
+    }
+    return 0;
+}
+
+static int sync_descriptor(int descriptor)
+{
+    while (fsync(descriptor) != 0) {
+        if (errno != EINTR) return errno;
+    }
+    return 0;
+}
+
+/* The folder of a path, "." where it names none. Counted memory, owned by the caller. */
+static floe_status folder_of(context *ctx, char **folder, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    if (!slash) return memory_string(ctx, folder, ".");
+    TRY(memory_string(ctx, folder, path));
+    (*folder)[slash == path ? 1 : slash - path] = '\0';
+    return FLOE_OK;
+}
+
+floe_status folder_sync(context *ctx, const char *path)
+{
+    const int descriptor = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return file_fail(ctx, "cannot open the folder", path, errno);
+    const int error = sync_descriptor(descriptor);
+    (void)close(descriptor);
+    /* Some network file systems cannot sync a folder: nothing more can be done there. */
+    if (error != 0 && error != EINVAL && error != ENOTSUP) return file_fail(ctx, "cannot sync the folder", path, error);
+    return FLOE_OK;
+}
+
+static floe_status sync_folder_of(context *ctx, const char *path)
+{
+    char *folder;
+    TRY(folder_of(ctx, &folder, path));
+    const floe_status status = folder_sync(ctx, folder);
+    memory_free(ctx, &folder);
+    return status;
+}
+
+/* Writes, syncs and closes a new file. */
+static floe_status write_new(context *ctx, const char *path, const file_part *part, int parts)
+{
+    const int descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) return file_fail(ctx, "cannot create", path, errno);
+    int error = 0;
+    for (int i = 0; i < parts && error == 0; i++) error = write_all(descriptor, part[i].data, part[i].size);
+    if (error == 0) error = sync_descriptor(descriptor);
+    if (close(descriptor) != 0 && error == 0 && errno != EINTR) error = errno;
+    if (error == 0) return FLOE_OK;
+    (void)unlink(path);
+    return file_fail(ctx, "cannot write", path, error);
+}
+
+static floe_status replace_by(context *ctx, const char *path, const char *temporary)
+{
+    if (rename(temporary, path) != 0) {
+        const int error = errno;
+        (void)unlink(temporary);
+        return file_fail(ctx, "cannot rename a finished file to", path, error);
+    }
+    return sync_folder_of(ctx, path);
+}
+
+floe_status file_replace(context *ctx, const char *path, const file_part *part, int parts)
+{
+    const size_t size = strlen(path) + sizeof ".tmp";
+    char *temporary;
+    TRY(memory_new(ctx, &temporary, size, 1));
+    (void)snprintf(temporary, size, "%s.tmp", path);
+    floe_status status = write_new(ctx, temporary, part, parts);
+    if (status == FLOE_OK) status = replace_by(ctx, path, temporary);
+    memory_free(ctx, &temporary);
+    return status;
+}
+
+floe_status file_replace_text(context *ctx, const char *path, const char *text)
+{
+    const file_part part = {text, strlen(text)};
+    return file_replace(ctx, path, &part, 1);
+}
+
+/* 0, or the error number; the file may have become shorter meanwhile: *got says how much there was. */
+static int read_all(int descriptor, char *data, size_t size, size_t *got)
+{
+    *got = 0;
+    while (*got < size) {
+        const ssize_t n = read(descriptor, data + *got, size - *got);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return errno;
+        if (n == 0) return 0;
+        *got += (size_t)n;
+    }
+    return 0;
+}
+
+static floe_status read_descriptor(context *ctx, const char *path, int descriptor, char **data, size_t *size)
+{
+    struct stat about;
+    if (fstat(descriptor, &about) != 0) return file_fail(ctx, "cannot read", path, errno);
+    if (S_ISDIR(about.st_mode)) return fail(ctx, FLOE_IO, "cannot read '%s': it is a folder", path);
+    if (!S_ISREG(about.st_mode)) return fail(ctx, FLOE_IO, "cannot read '%s': it is not an ordinary file", path);
+    TRY(memory_new(ctx, data, (size_t)about.st_size + 1, 1));
+    const int error = read_all(descriptor, *data, (size_t)about.st_size, size);
+    if (error == 0) return FLOE_OK;
+    memory_free(ctx, data);
+    return file_fail(ctx, "cannot read", path, error);
+}
+
+floe_status file_read(context *ctx, const char *path, char **data, size_t *size)
+{
+    *data = NULL;
+    /* O_NONBLOCK: a named pipe must be refused, not waited for. */
+    const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return file_fail(ctx, "cannot open", path, errno);
+    size_t got = 0;
+    const floe_status status = read_descriptor(ctx, path, descriptor, data, &got);
+    (void)close(descriptor);
+    if (size) *size = got;
+    return status;
+}
+
+bool file_exists(const char *path)
+{
+    struct stat about;
+    return lstat(path, &about) == 0;
+}
+
+floe_status file_remove(context *ctx, const char *path)
+{
+    if (unlink(path) != 0 && errno != ENOENT) return file_fail(ctx, "cannot remove", path, errno);
+    return FLOE_OK;
+}
+
+static floe_status make_one(context *ctx, const char *path)
+{
+    struct stat about;
+    if (mkdir(path, 0777) == 0) return FLOE_OK;
+    const int error = errno;
+    if (stat(path, &about) == 0 && S_ISDIR(about.st_mode)) return FLOE_OK;
+    return file_fail(ctx, "cannot make the folder", path, error);
+}
+
+/* Makes each folder on the way down; `path` is changed and changed back. */
+static floe_status make_all(context *ctx, char *path)
+{
+    for (char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        const floe_status status = make_one(ctx, path);
+        *slash = '/';
+        TRY(status);
+    }
+    return make_one(ctx, path);
+}
+
+floe_status folder_make(context *ctx, const char *path)
+{
+    if (!path || !*path) return fail(ctx, FLOE_BAD_INPUT, "the name of the output folder is empty: give one with -o");
+    char *copy;
+    TRY(memory_string(ctx, &copy, path));
+    const floe_status status = make_all(ctx, copy);
+    memory_free(ctx, &copy);
+    TRY(status);
+    if (access(path, W_OK | X_OK) != 0) return file_fail(ctx, "cannot write into the folder", path, errno);
+    return FLOE_OK;
+}
+
+floe_status line_file_open(line_file *file, context *ctx, const char *path)
+{
+    *file = (line_file){.ctx = ctx, .descriptor = -1};
+    TRY(memory_string(ctx, &file->path, path));
+    file->descriptor = open(path, O_WRONLY | O_APPEND | O_CLOEXEC);
+    const off_t length = file->descriptor < 0 ? -1 : lseek(file->descriptor, 0, SEEK_END);
+    if (length < 0) {
+        const int error = errno;
+        line_file_close(file);
+        return file_fail(ctx, "cannot open for appending", path, error);
+    }
+    file->length = length;
+    return FLOE_OK;
+}
+
+floe_status line_file_append(line_file *file, const char *line, size_t size)
+{
+    const int error = write_all(file->descriptor, line, size);
+    if (error != 0) {
+        if (ftruncate(file->descriptor, file->length) != 0) {
+            context_log(file->ctx, LOG_WARNING, "'%s' may end in half a line: %s", file->path, strerror(errno));
+        }
+        return file_fail(file->ctx, "cannot append to", file->path, error);
+    }
+    file->length += (long long)size;
+    return FLOE_OK;
+}
+
+floe_status line_file_sync(line_file *file)
+{
+    const int error = sync_descriptor(file->descriptor);
+    return error == 0 ? FLOE_OK : file_fail(file->ctx, "cannot sync", file->path, error);
+}
+
+void line_file_close(line_file *file)
+{
+    if (!file->path) return;
+    if (file->descriptor >= 0) (void)close(file->descriptor);
+    memory_free(file->ctx, &file->path);
+    *file = (line_file){.descriptor = -1};
+}

@@ -1,0 +1,61 @@
+/* The little of HDF5 that floe uses: files that live in memory, arrays, texts and attributes, by absolute path.
+ * Only this room's .c files that include it see HDF5. HDF5 is not thread-safe: main thread only. */
+#ifndef IO_HDF_H
+#define IO_HDF_H
+
+#include "base/context.h"
+
+#include <hdf5.h>
+#include <stdint.h>
+
+enum { HDF_MAX_RANK = 4 };
+
+typedef enum hdf_type { HDF_DOUBLE, HDF_INT64 } hdf_type; /* in memory: double, int64_t */
+
+/* A file in memory. */
+typedef struct hdf_file {
+    context *ctx;     /* not owned */
+    const char *name; /* for messages; not owned */
+    hid_t id;         /* < 0: closed */
+} hdf_file;
+
+/* An array's extent; rank 0 is a single number. */
+typedef struct hdf_shape {
+    int rank;
+    size_t extent[HDF_MAX_RANK];
+} hdf_shape;
+
+/* Opens a new, empty file in memory. `name` is the path that it will have. */
+floe_status hdf_create(hdf_file *out, context *ctx, const char *name);
+/* Opens an image of `size` bytes for reading; HDF5 works on a copy of its own. */
+floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size);
+/* Closes the file; a closed one is fine. */
+void hdf_close(hdf_file *file);
+/* A copy of the file as it would be on disk. Counted memory, owned by the caller. */
+floe_status hdf_image(hdf_file *file, char **image, size_t *size);
+
+/* Writes an array, row-major; folders on the way are made. */
+floe_status hdf_write(hdf_file *file, const char *path, hdf_type type, hdf_shape shape, const void *data);
+/* The shape and number type of an array; FLOE_IO if there is none of that name or it is of another kind. */
+floe_status hdf_describe(hdf_file *file, const char *path, hdf_type *type, hdf_shape *shape);
+/* Reads an array that must have this shape and number type. */
+floe_status hdf_read(hdf_file *file, const char *path, hdf_type type, hdf_shape shape, void *data);
+bool hdf_has(hdf_file *file, const char *path);
+
+/* A text of fixed length. */
+floe_status hdf_write_text(hdf_file *file, const char *path, const char *text);
+/* The text, counted memory, owned by the caller. */
+floe_status hdf_read_text(hdf_file *file, const char *path, char **text);
+
+/* Attributes of the object at `path` ("/" is the file's root). */
+floe_status hdf_attribute_text(hdf_file *file, const char *path, const char *name, const char *text);
+floe_status hdf_attribute(hdf_file *file, const char *path, const char *name, hdf_type type, int count,
+                          const void *data);
+
+/* FLOE_IO: what floe was doing, and HDF5's innermost complaint on the same line. */
+floe_status hdf_fail(hdf_file *file, const char *doing, const char *path);
+
+/* Number of elements of a shape; 1 for rank 0. SIZE_MAX where it does not fit. */
+size_t hdf_count(hdf_shape shape);
+
+#endif

@@ -1,0 +1,180 @@
+#include "io/history_columns.h"
+
+#include "io/names.h"
+#include "io/probe.h"
+
+#include <math.h>
+
+/* A line under way. */
+typedef struct line {
+    const sim *s;
+    text_buffer *out;
+    bool names;  /* the first line, not a row */
+    int columns; /* so far */
+} line;
+
+static const char *comma(line *l)
+{
+    return l->columns++ > 0 ? "," : "";
+}
+
+static void add(line *l, const char *name, const char *unit, double value)
+{
+    if (l->names) {
+        text_append(l->out, "%s%s (%s)", comma(l), name, output_unit(l->s, unit));
+    } else {
+        text_append(l->out, "%s%.17g", comma(l), value);
+    }
+}
+
+static void add_count(line *l, const char *name, long value)
+{
+    if (l->names) {
+        text_append(l->out, "%s%s", comma(l), name);
+    } else {
+        text_append(l->out, "%s%ld", comma(l), value);
+    }
+}
+
+/* In quotes, without any inside. */
+static void add_words(line *l, const char *name, const char *words)
+{
+    text_append(l->out, "%s%s", comma(l), l->names ? name : "\"");
+    if (l->names) return;
+    for (; words && *words; words++) text_append(l->out, "%c", *words == '"' || *words == '\n' ? '\'' : *words);
+    text_append(l->out, "\"");
+}
+
+static void add_vector(line *l, const char *name, const char *unit, const double *value)
+{
+    static const char axis[] = "xyz", axis_rz[] = "rz";
+    const bool rz = l->s->mesh.geometry == MESH_AXISYMMETRIC;
+    for (int a = 0; a < l->s->mesh.dim; a++) {
+        char full[NAME_SIZE + 16];
+        (void)snprintf(full, sizeof full, "%s_%c", name, rz ? axis_rz[a] : axis[a]);
+        add(l, full, unit, value[a]);
+    }
+}
+
+/* What a material holds, cells and points together. */
+typedef struct holding {
+    double mass, kinetic, strain, internal, pressure;
+} holding;
+
+static holding holding_of(const sim *s, const sim_totals *t, int material)
+{
+    holding sum = {0};
+    const int bodies = s->mpm ? s->mpm->n_bodies : 0;
+    const int materials = s->ice ? s->ice->n_materials : 0;
+    for (int b = 0; b < bodies; b++) {
+        if (s->mpm->body[b].scene_material != material) continue;
+        sum.mass += t->mpm.mass[b];
+        sum.kinetic += t->mpm.kinetic[b];
+        sum.strain += t->mpm.strain[b];
+        sum.internal += t->mpm.internal[b];
+    }
+    for (int r = 0; r < materials; r++) {
+        if (s->ice->material[r].scene_material != material || s->ice->material[r].points) continue;
+        sum.mass += t->ice.mass[r];
+        sum.kinetic += t->ice.kinetic[r];
+        sum.internal += t->ice.internal[r];
+    }
+    return sum;
+}
+
+static void add_named(line *l, const char *quantity, const char *label, const char *unit, double value)
+{
+    char name[2 * NAME_SIZE];
+    (void)snprintf(name, sizeof name, "%s_%s", quantity, label);
+    add(l, name, unit, value);
+}
+
+static void add_material(line *l, int material, const history_row *row)
+{
+    const bool fluid = l->s->scene->material[material].kind == MATERIAL_FLUID;
+    char label[NAME_SIZE];
+    holding sum = {0};
+    material_label(l->s, material, label);
+    if (row) sum = holding_of(l->s, row->totals, material);
+    if (row && fluid) sum.pressure = row->mean_pressure ? row->mean_pressure[material] : (double)NAN;
+    add_named(l, "mass", label, "kg", sum.mass);
+    add_named(l, "kinetic", label, "J", sum.kinetic);
+    if (!fluid) add_named(l, "strain", label, "J", sum.strain);
+    if (fluid) add_named(l, "internal", label, "J", sum.internal);
+    if (fluid) add_named(l, "pressure", label, "Pa", sum.pressure);
+}
+
+static const char *unit_of(int quantity)
+{
+    if (quantity == LEDGER_MASS) return "kg";
+    return quantity == LEDGER_ENERGY ? "J" : "N s";
+}
+
+/* Momenta along axes that the scene does not have are left out. */
+static bool is_used(const sim *s, int quantity)
+{
+    const int axis = quantity - LEDGER_MOMENTUM_X;
+    return axis < 0 || axis >= MESH_MAX_DIM || axis < s->mesh.dim;
+}
+
+static void add_ledger(line *l)
+{
+    static const char *const kinds[LEDGER_KINDS] = {"boundary", "source", "damping", "defect"};
+    const ledger *account = &l->s->ledger;
+    const double factor = output_scale(l->s);
+    for (int q = 0; q < LEDGER_QUANTITIES; q++) {
+        const char *name = ledger_quantity_name((ledger_quantity)q);
+        if (is_used(l->s, q))
+            add_named(l, "drift", name, "1", l->names ? 0.0 : ledger_drift(account, (ledger_quantity)q));
+    }
+    for (int q = 0; q < LEDGER_QUANTITIES; q++) {
+        for (int k = 0; k < LEDGER_KINDS && is_used(l->s, q); k++) {
+            const ledger_sum *sum = &account->entry[q][k];
+            char quantity[NAME_SIZE];
+            (void)snprintf(quantity, sizeof quantity, "ledger_%s", ledger_quantity_name((ledger_quantity)q));
+            add_named(l, quantity, kinds[k], unit_of(q), factor * (sum->value + sum->carry));
+        }
+    }
+}
+
+static void add_probe(line *l, int n)
+{
+    const scene_probe *probe = &l->s->scene->probe[n];
+    const probe_value value = l->names ? (probe_value){0} : probe_read(l->s, probe->position);
+    char label[NAME_SIZE], velocity[NAME_SIZE + 16];
+    probe_label(l->s, n, label);
+    (void)snprintf(velocity, sizeof velocity, "%s_velocity", label);
+    add_named(l, label, "pressure", "Pa", value.pressure);
+    add_vector(l, velocity, "m/s", value.velocity);
+}
+
+static floe_status walk(const sim *s, const history_row *row, text_buffer *out)
+{
+    const sim_totals *t = row ? row->totals : NULL;
+    line l = {.s = s, .out = out, .names = !row};
+    add(&l, "time", "s", t ? t->time : 0.0);
+    add_count(&l, "steps", s->steps);
+    add_count(&l, "rejected_steps", s->rejected);
+    add(&l, "dt", "s", s->dt);
+    add_words(&l, "dt_limit", s->dt_reason);
+    add(&l, "mass", "kg", t ? t->mass : 0.0);
+    add_vector(&l, "momentum", "N s", t ? t->momentum : (const double[3]){0});
+    add(&l, "kinetic", "J", t ? t->kinetic : 0.0);
+    add(&l, "strain", "J", t ? t->strain : 0.0);
+    add(&l, "internal", "J", t ? t->internal : 0.0);
+    for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
+    add_ledger(&l);
+    for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);
+    text_append(out, "\n");
+    return out->status;
+}
+
+floe_status history_names(const sim *s, text_buffer *out)
+{
+    return walk(s, NULL, out);
+}
+
+floe_status history_values(const sim *s, const history_row *row, text_buffer *out)
+{
+    return walk(s, row, out);
+}

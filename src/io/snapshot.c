@@ -1,0 +1,309 @@
+#include "io/snapshot.h"
+
+#include "base/memory.h"
+#include "floe_build.h"
+#include "io/file.h"
+#include "io/hdf.h"
+#include "io/sealed.h"
+#include "io/sha256.h"
+#include "io/snapshot_content.h"
+#include "io/text.h"
+#include "io/xdmf.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SNAPSHOT_FORMAT = 1, FILE_NAME = 32 /* "fields/NNNNNN.h5" */ };
+
+struct snapshot_series {
+    context *ctx; /* not owned */
+    char *dir;    /* owned */
+    char deck_sha256[SHA256_TEXT];
+    text_buffer times; /* XDMF of the snapshots so far */
+    long count;        /* snapshots */
+    long next;         /* number of the next one */
+    double last_time;  /* s */
+};
+
+/* DIR/NAME, counted memory, owned by the caller. */
+static floe_status join(context *ctx, char **out, const char *dir, const char *name)
+{
+    const size_t size = strlen(dir) + strlen(name) + 2;
+    TRY(memory_new(ctx, out, size, 1));
+    (void)snprintf(*out, size, "%s/%s", dir, name);
+    return FLOE_OK;
+}
+
+/* The number of "NNNNNN.h5", -1 for other names. */
+static long number_of(const char *name)
+{
+    const size_t digits = strspn(name, "0123456789");
+    if (digits < 6 || digits > 12 || strcmp(name + digits, ".h5") != 0) return -1;
+    return strtol(name, NULL, 10);
+}
+
+/* What a kill has left behind. */
+static bool is_remnant(const char *name)
+{
+    const size_t digits = strspn(name, "0123456789");
+    return digits >= 6 && strcmp(name + digits, ".h5.tmp") == 0;
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    const long x = *(const long *)a;
+    const long y = *(const long *)b;
+    return (x > y) - (x < y);
+}
+
+typedef struct numbers {
+    long *number; /* counted memory */
+    size_t n, capacity;
+} numbers;
+
+static floe_status add_number(context *ctx, numbers *list, long number)
+{
+    if (list->n == list->capacity) {
+        const size_t capacity = 2 * list->capacity + 64;
+        TRY(memory_resize(ctx, &list->number, capacity, sizeof *list->number));
+        list->capacity = capacity;
+    }
+    list->number[list->n++] = number;
+    return FLOE_OK;
+}
+
+static floe_status take_entry(context *ctx, const char *folder, const char *name, numbers *list)
+{
+    const long number = number_of(name);
+    char *path;
+    if (number >= 0) return add_number(ctx, list, number);
+    if (!is_remnant(name)) return FLOE_OK;
+    TRY(join(ctx, &path, folder, name));
+    const floe_status status = file_remove(ctx, path);
+    memory_free(ctx, &path);
+    return status;
+}
+
+/* The numbers of the snapshots in a folder, in order; remnants are removed. */
+static floe_status list_numbers(context *ctx, const char *folder, numbers *list)
+{
+    DIR *directory = opendir(folder);
+    if (!directory) return file_fail(ctx, "cannot list the folder", folder, errno);
+    floe_status status = FLOE_OK;
+    const struct dirent *entry;
+    while (status == FLOE_OK && (entry = readdir(directory))) status = take_entry(ctx, folder, entry->d_name, list);
+    (void)closedir(directory);
+    if (list->n > 0) qsort(list->number, list->n, sizeof *list->number, compare_numbers);
+    return status;
+}
+
+/* The time of a snapshot and its part of the XDMF page. */
+static floe_status read_parts(hdf_file *hdf, double *time, char **page)
+{
+    TRY(hdf_read(hdf, "/time", HDF_DOUBLE, (hdf_shape){0}, time));
+    return hdf_read_text(hdf, "/xdmf", page);
+}
+
+static floe_status read_snapshot(context *ctx, const char *path, double *time, char **page)
+{
+    sealed_file file;
+    hdf_file hdf;
+    *page = NULL;
+    TRY(sealed_read(ctx, path, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, false, &file));
+    floe_status status = hdf_open(&hdf, ctx, path, file.image, file.size);
+    if (status == FLOE_OK) status = read_parts(&hdf, time, page);
+    hdf_close(&hdf);
+    sealed_free(ctx, &file);
+    return status;
+}
+
+/* A damaged snapshot must not keep a run from resuming: it is left where it is, out of the page, and said so. */
+static floe_status pass_over(snapshot_series *series, floe_status status)
+{
+    if (status != FLOE_IO) return status;
+    context_log(series->ctx, LOG_WARNING, "left out of fields.xdmf: %s", context_message(series->ctx));
+    context_clear(series->ctx);
+    return FLOE_OK;
+}
+
+static floe_status keep_or_remove(snapshot_series *series, const char *path, long number, double keep_until)
+{
+    double time = INFINITY;
+    char *page = NULL;
+    if (keep_until > -(double)INFINITY) {
+        const floe_status status = read_snapshot(series->ctx, path, &time, &page);
+        if (status != FLOE_OK) {
+            series->next = number + 1;
+            return pass_over(series, status);
+        }
+    }
+    if (!(time <= keep_until)) {
+        memory_free(series->ctx, &page);
+        return file_remove(series->ctx, path);
+    }
+    text_append(&series->times, "%s", page);
+    memory_free(series->ctx, &page);
+    series->count++;
+    series->next = number + 1;
+    series->last_time = time;
+    return series->times.status;
+}
+
+static void file_name(char name[FILE_NAME], long number)
+{
+    (void)snprintf(name, FILE_NAME, "fields/%06ld.h5", number);
+}
+
+static floe_status sort_out(snapshot_series *series, const numbers *list, double keep_until)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        char name[FILE_NAME];
+        char *path;
+        file_name(name, list->number[i]);
+        TRY(join(series->ctx, &path, series->dir, name));
+        const floe_status status = keep_or_remove(series, path, list->number[i], keep_until);
+        memory_free(series->ctx, &path);
+        TRY(status);
+    }
+    return FLOE_OK;
+}
+
+static floe_status write_page(snapshot_series *series)
+{
+    char *path;
+    TRY(join(series->ctx, &path, series->dir, "fields.xdmf"));
+    const floe_status status = xdmf_write(series->ctx, path, "floe", text_string(&series->times));
+    memory_free(series->ctx, &path);
+    return status;
+}
+
+static floe_status take_over_folder(snapshot_series *series, const char *folder, double keep_until)
+{
+    numbers list = {0};
+    TRY(folder_make(series->ctx, folder));
+    floe_status status = list_numbers(series->ctx, folder, &list);
+    if (status == FLOE_OK) status = sort_out(series, &list, keep_until);
+    if (status == FLOE_OK) status = folder_sync(series->ctx, folder);
+    memory_free(series->ctx, &list.number);
+    return status;
+}
+
+static floe_status take_over(snapshot_series *series, const char *dir, double keep_until)
+{
+    char *folder;
+    TRY(memory_string(series->ctx, &series->dir, dir));
+    TRY(join(series->ctx, &folder, dir, "fields"));
+    const floe_status status = take_over_folder(series, folder, keep_until);
+    memory_free(series->ctx, &folder);
+    TRY(status);
+    return write_page(series);
+}
+
+floe_status snapshot_open(snapshot_series **out, context *ctx, const char *dir, const char *deck, double keep_until)
+{
+    snapshot_series *series;
+    *out = NULL;
+    TRY(memory_new(ctx, &series, 1, sizeof *series));
+    series->ctx = ctx;
+    series->last_time = -INFINITY;
+    text_init(&series->times, ctx);
+    sha256_of_text(deck, series->deck_sha256);
+    const floe_status status = take_over(series, dir, keep_until);
+    if (status != FLOE_OK) snapshot_close(&series);
+    *out = series;
+    return status;
+}
+
+void snapshot_close(snapshot_series **s)
+{
+    if (!s || !*s) return;
+    context *ctx = (*s)->ctx;
+    text_free(&(*s)->times);
+    memory_free(ctx, &(*s)->dir);
+    memory_free(ctx, s);
+}
+
+static floe_status write_head(const snapshot_series *series, const sim *s, hdf_file *hdf)
+{
+    const int64_t schema = 1;
+    const int64_t step = s->steps;
+    const char *const text[][2] = {{"content", "floe snapshot"},
+                                   {"title", s->scene->title},
+                                   {"source", s->scene->source},
+                                   {"coupling", coupling_name(s->coupling)},
+                                   {"deck_sha256", series->deck_sha256},
+                                   {"floe_version", FLOE_VERSION},
+                                   {"floe_git", FLOE_GIT}};
+    for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) TRY(hdf_attribute_text(hdf, "/", text[i][0], text[i][1]));
+    TRY(hdf_attribute(hdf, "/", "schema", HDF_INT64, 1, &schema));
+    TRY(hdf_attribute(hdf, "/", "step", HDF_INT64, 1, &step));
+    TRY(hdf_attribute(hdf, "/", "time", HDF_DOUBLE, 1, &s->time));
+    TRY(hdf_write(hdf, "/time", HDF_DOUBLE, (hdf_shape){0}, &s->time));
+    return hdf_attribute_text(hdf, "/time", "unit", s->scene->dimensionless ? "1" : "s");
+}
+
+static floe_status fill(const snapshot_series *series, const sim *s, hdf_file *hdf, text_buffer *page, const char *name)
+{
+    TRY(write_head(series, s, hdf));
+    xdmf_begin_time(page, series->next, s->time);
+    TRY(snapshot_content(s, hdf, page, name));
+    xdmf_end(page);
+    TRY(page->status);
+    return hdf_write_text(hdf, "/xdmf", text_string(page));
+}
+
+static floe_status make_image(const snapshot_series *series, const sim *s, text_buffer *page, const char *name,
+                              char **image, size_t *size)
+{
+    hdf_file hdf;
+    TRY(hdf_create(&hdf, series->ctx, name));
+    floe_status status = fill(series, s, &hdf, page, name);
+    if (status == FLOE_OK) status = hdf_image(&hdf, image, size);
+    hdf_close(&hdf);
+    return status;
+}
+
+static floe_status write_file(const snapshot_series *series, const char *name, const char *image, size_t size)
+{
+    char *path;
+    TRY(join(series->ctx, &path, series->dir, name));
+    const floe_status status = sealed_write(series->ctx, path, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, image, size);
+    memory_free(series->ctx, &path);
+    return status;
+}
+
+floe_status snapshot_write(snapshot_series *series, const sim *s)
+{
+    char name[FILE_NAME];
+    char *image = NULL;
+    size_t size = 0;
+    text_buffer page;
+    text_init(&page, series->ctx);
+    file_name(name, series->next);
+    floe_status status = make_image(series, s, &page, name, &image, &size);
+    if (status == FLOE_OK) status = write_file(series, name, image, size);
+    memory_free(series->ctx, &image);
+    if (status == FLOE_OK) {
+        text_append(&series->times, "%s", text_string(&page));
+        status = series->times.status;
+    }
+    text_free(&page);
+    TRY(status);
+    series->count++;
+    series->next++;
+    series->last_time = s->time;
+    return write_page(series);
+}
+
+long snapshot_count(const snapshot_series *series)
+{
+    return series->count;
+}
+
+double snapshot_last_time(const snapshot_series *series)
+{
+    return series->last_time;
+}

@@ -1,0 +1,153 @@
+#include "base/memory.h"
+#include "io/file.h"
+#include "io/summary.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+/* The work of reading; once something is wrong, the rest does nothing. */
+typedef struct reader {
+    context *ctx;
+    const char *path;
+    floe_status status;
+} reader;
+
+static void complain(reader *r, const char *key, const char *expected)
+{
+    if (r->status == FLOE_OK) r->status = fail(r->ctx, FLOE_IO, "'%s': '%s' should be %s", r->path, key, expected);
+}
+
+static void get_text(reader *r, const json_t *object, const char *key, char *to, size_t size)
+{
+    const char *text = json_string_value(json_object_get(object, key));
+    if (!text) complain(r, key, "a text");
+    (void)snprintf(to, size, "%s", text ? text : "");
+}
+
+static double as_number(reader *r, const char *key, const json_t *value)
+{
+    if (json_is_null(value)) return NAN;
+    if (!json_is_number(value)) complain(r, key, "a number or null");
+    return json_number_value(value);
+}
+
+static double get_number(reader *r, const json_t *object, const char *key)
+{
+    return as_number(r, key, json_object_get(object, key));
+}
+
+static long long get_count(reader *r, const json_t *object, const char *key)
+{
+    const json_t *value = json_object_get(object, key);
+    if (!json_is_integer(value)) complain(r, key, "a whole number");
+    return json_integer_value(value);
+}
+
+static json_t *get_object(reader *r, const json_t *object, const char *key)
+{
+    json_t *value = json_object_get(object, key);
+    if (!json_is_object(value)) complain(r, key, "an object");
+    return value;
+}
+
+static void get_values(reader *r, const json_t *object, const char *key, summary_value *out, int room, int *n)
+{
+    const char *name;
+    json_t *value;
+    json_t *list = get_object(r, object, key);
+    *n = 0;
+    json_object_foreach(list, name, value)
+    {
+        if (*n == room) {
+            complain(r, key, "shorter");
+            return;
+        }
+        (void)snprintf(out[*n].name, sizeof out->name, "%s", name);
+        out[(*n)++].value = as_number(r, name, value);
+    }
+}
+
+static void get_counters(reader *r, const json_t *object, run_summary *out)
+{
+    const char *name;
+    json_t *value;
+    json_t *list = get_object(r, object, "counters");
+    json_object_foreach(list, name, value)
+    {
+        if (!json_is_integer(value)) complain(r, name, "a whole number");
+        if (r->status == FLOE_OK) r->status = summary_add_counter(out, r->ctx, name, json_integer_value(value));
+    }
+}
+
+static void get_memory(reader *r, const json_t *object, run_summary *out)
+{
+    const json_t *memory = get_object(r, object, "memory");
+    const json_t *bytes = get_object(r, memory, "field_bytes");
+    out->peak_rss_bytes = get_count(r, memory, "peak_rss_bytes");
+    out->field_bytes_mpm = get_count(r, bytes, "mpm");
+    out->field_bytes_ice = get_count(r, bytes, "ice");
+    out->field_bytes_coupling = get_count(r, bytes, "coupling");
+}
+
+static void get_conservation(reader *r, const json_t *object, run_summary *out)
+{
+    const json_t *drift = get_object(r, object, "conservation");
+    out->drift_mass = get_number(r, drift, "mass");
+    out->drift_momentum = get_number(r, drift, "momentum");
+    out->drift_energy = get_number(r, drift, "energy");
+}
+
+static void get_build(reader *r, const json_t *object, run_summary *out)
+{
+    const json_t *build = get_object(r, object, "floe");
+    get_text(r, build, "version", out->version, sizeof out->version);
+    get_text(r, build, "git", out->git, sizeof out->git);
+    get_text(r, build, "compiler", out->compiler, sizeof out->compiler);
+    get_text(r, build, "flags", out->flags, sizeof out->flags);
+    out->threads = get_count(r, build, "threads");
+}
+
+static void get_all(reader *r, const json_t *object, run_summary *out)
+{
+    if (get_count(r, object, "schema") != 1) complain(r, "schema", "1: another version of floe wrote this");
+    get_text(r, object, "deck", out->deck, sizeof out->deck);
+    get_text(r, object, "coupling", out->coupling, sizeof out->coupling);
+    get_text(r, object, "status", out->status, sizeof out->status);
+    out->time = get_number(r, object, "time");
+    out->steps = get_count(r, object, "steps");
+    out->rejected_steps = get_count(r, object, "rejected_steps");
+    out->wall_seconds = get_number(r, object, "wall_seconds");
+    get_values(r, object, "seconds_by_stage", out->seconds_by_stage, SUMMARY_MAX_STAGES, &out->n_stages);
+    out->cells = get_count(r, object, "cells");
+    out->points = get_count(r, object, "points");
+    out->cell_updates = get_number(r, object, "cell_updates");
+    out->point_updates = get_number(r, object, "point_updates");
+    get_memory(r, object, out);
+    get_conservation(r, object, out);
+    get_values(r, object, "errors", out->errors, SUMMARY_MAX_ERRORS, &out->n_errors);
+    get_counters(r, object, out);
+    get_build(r, object, out);
+}
+
+static floe_status parse(context *ctx, const char *path, const char *text, size_t size, run_summary *out)
+{
+    json_error_t error;
+    json_t *object = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+    if (!object) return fail(ctx, FLOE_IO, "%s:%d:%d: not JSON: %s", path, error.line, error.column, error.text);
+    reader r = {ctx, path, FLOE_OK};
+    get_all(&r, object, out);
+    json_decref(object);
+    return r.status;
+}
+
+floe_status summary_read(context *ctx, const char *path, run_summary *out)
+{
+    char *text;
+    size_t size;
+    *out = (run_summary){0};
+    TRY(file_read(ctx, path, &text, &size));
+    const floe_status status = parse(ctx, path, text, size, out);
+    memory_free(ctx, &text);
+    return status;
+}

@@ -1,0 +1,79 @@
+#include "io/summary.h"
+
+#include <math.h>
+
+/* Fields of the coupling: they exist only where points and cells meet. */
+static bool is_of_coupling(field_id id)
+{
+    return id == N_PRESSURE || id == C_VELOCITY_CHANGE || id == P_GRID_PRESSURE;
+}
+
+static void add_bytes(run_summary *r, field_id id, long long bytes)
+{
+    if (is_of_coupling(id)) {
+        r->field_bytes_coupling += bytes;
+    } else if (id < C_RHO) {
+        r->field_bytes_mpm += bytes;
+    } else {
+        r->field_bytes_ice += bytes;
+    }
+}
+
+static void set_bytes(run_summary *r, const sim *s)
+{
+    r->field_bytes_mpm = r->field_bytes_ice = r->field_bytes_coupling = 0;
+    for (int b = 0; b < s->mesh.n_blocks; b++) {
+        for (int id = 0; id < FIELD_COUNT; id++) {
+            add_bytes(r, (field_id)id, (long long)fields_bytes(s->domain->fields[b], (field_id)id, (field_id)id));
+        }
+    }
+}
+
+static void set_stages(run_summary *r, const sim *s)
+{
+    r->n_stages = s->stages.n;
+    for (int i = 0; i < s->stages.n; i++) {
+        (void)snprintf(r->seconds_by_stage[i].name, SUMMARY_NAME, "%s", s->stages.record[i].name);
+        r->seconds_by_stage[i].value = s->stages.record[i].seconds;
+    }
+}
+
+static void set_points(run_summary *r, const sim *s)
+{
+    const int bodies = s->mpm ? s->mpm->n_bodies : 0;
+    r->points = 0;
+    for (int b = 0; b < s->mesh.n_blocks; b++) {
+        for (int body = 0; body < bodies; body++) r->points += (long long)s->mpm->points[b][body].n;
+    }
+}
+
+static void set_drifts(run_summary *r, const sim *s)
+{
+    r->drift_mass = ledger_drift(&s->ledger, LEDGER_MASS);
+    r->drift_energy = ledger_drift(&s->ledger, LEDGER_ENERGY);
+    r->drift_momentum = 0.0;
+    for (int a = 0; a < s->mesh.dim; a++) {
+        const double drift = ledger_drift(&s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a));
+        /* A NaN is taken, and stays. */
+        if (!isnan(r->drift_momentum) && !(drift <= r->drift_momentum)) r->drift_momentum = drift;
+    }
+}
+
+floe_status summary_set_sim(run_summary *r, const sim *s)
+{
+    (void)snprintf(r->coupling, sizeof r->coupling, "%s", coupling_name(s->coupling));
+    r->time = s->time;
+    r->steps = s->steps;
+    r->rejected_steps = s->rejected;
+    r->cells = s->ice ? (long long)mesh_cells(&s->mesh) : 0;
+    r->cell_updates = s->cell_updates;
+    r->point_updates = s->point_updates;
+    set_stages(r, s);
+    set_points(r, s);
+    set_bytes(r, s);
+    set_drifts(r, s);
+    for (int c = 0; c < LEDGER_COUNTS; c++) {
+        TRY(summary_add_counter(r, s->ctx, ledger_count_name((ledger_count)c), s->ledger.count[c]));
+    }
+    return FLOE_OK;
+}

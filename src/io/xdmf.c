@@ -1,0 +1,101 @@
+#include "io/xdmf.h"
+
+#include "io/file.h"
+#include "io/names.h"
+
+#include <string.h>
+
+void xdmf_begin_time(text_buffer *page, long number, double time)
+{
+    text_append(page, "<Grid Name=\"%06ld\" GridType=\"Collection\" CollectionType=\"Spatial\">\n", number);
+    text_append(page, "<Time Value=\"%.17g\"/>\n", time);
+}
+
+/* Three numbers of a mesh in the order of XDMF: slowest axis first. */
+static void add_numbers(text_buffer *page, int axes, const double *value)
+{
+    text_append(page, "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"%d\">", axes);
+    for (int a = axes - 1; a >= 0; a--) text_append(page, "%.17g%s", value[a], a > 0 ? " " : "");
+    text_append(page, "</DataItem>\n");
+}
+
+void xdmf_begin_cells(text_buffer *page, const mesh *m)
+{
+    const int axes = m->dim == 3 ? 3 : 2;
+    /* An unused second axis is as thick as a cell along the first. */
+    const double origin[3] = {m->lower[0], m->dim == 1 ? 0.0 : m->lower[1], m->lower[2]};
+    const double spacing[3] = {m->h[0], m->dim == 1 ? m->h[0] : m->h[1], m->h[2]};
+    text_append(page, "<Grid Name=\"cells\" GridType=\"Uniform\">\n");
+    text_append(page, "<Topology TopologyType=\"%dDCoRectMesh\" Dimensions=\"", axes);
+    for (int a = axes - 1; a >= 0; a--) text_append(page, "%d%s", m->n[a] + 1, a > 0 ? " " : "");
+    text_append(page, "\"/>\n<Geometry GeometryType=\"%s\">\n", axes == 3 ? "ORIGIN_DXDYDZ" : "ORIGIN_DXDY");
+    add_numbers(page, axes, origin);
+    add_numbers(page, axes, spacing);
+    text_append(page, "</Geometry>\n");
+}
+
+static void add_item(text_buffer *page, const xdmf_array *array)
+{
+    text_append(page, "<DataItem Format=\"HDF\" NumberType=\"%s\" Precision=\"8\" Dimensions=\"",
+                array->integer ? "Int" : "Float");
+    for (int i = 0; i < array->rank; i++) text_append(page, "%s%zu", i > 0 ? " " : "", array->extent[i]);
+    text_append(page, "\">");
+    text_append_xml(page, array->file);
+    text_append(page, ":");
+    text_append_xml(page, array->path);
+    text_append(page, "</DataItem>\n");
+}
+
+void xdmf_begin_points(text_buffer *page, const char *body, size_t n, const xdmf_array *position)
+{
+    text_append(page, "<Grid Name=\"");
+    text_append_xml(page, body);
+    text_append(page, "\" GridType=\"Uniform\">\n");
+    text_append(page, "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%zu\" NodesPerElement=\"1\"/>\n", n);
+    text_append(page, "<Geometry GeometryType=\"XYZ\">\n");
+    add_item(page, position);
+    text_append(page, "</Geometry>\n");
+}
+
+void xdmf_add(text_buffer *page, const xdmf_array *array)
+{
+    char unit[NAME_SIZE];
+    unit_without_slash(array->unit, unit);
+    text_append(page, "<Attribute Name=\"");
+    text_append_xml(page, array->name);
+    if (strcmp(unit, "1") != 0) {
+        text_append(page, " (");
+        text_append_xml(page, unit);
+        text_append(page, ")");
+    }
+    text_append(page, "\" AttributeType=\"%s\" Center=\"%s\">\n", array->vector ? "Vector" : "Scalar",
+                array->on_points ? "Node" : "Cell");
+    text_append(page, "<Information Name=\"unit\" Value=\"");
+    text_append_xml(page, array->unit);
+    text_append(page, "\"/>\n<Information Name=\"meaning\" Value=\"");
+    text_append_xml(page, array->meaning);
+    text_append(page, "\"/>\n");
+    add_item(page, array);
+    text_append(page, "</Attribute>\n");
+}
+
+void xdmf_end(text_buffer *page)
+{
+    text_append(page, "</Grid>\n");
+}
+
+floe_status xdmf_write(context *ctx, const char *path, const char *title, const char *times)
+{
+    text_buffer head;
+    text_init(&head, ctx);
+    text_append(&head, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n");
+    text_append(&head, "<Information Name=\"schema\" Value=\"1\"/>\n<Grid Name=\"");
+    text_append_xml(&head, title && *title ? title : "floe");
+    text_append(&head, "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+    const char *tail = "</Grid>\n</Domain>\n</Xdmf>\n";
+    const file_part part[] = {{text_string(&head), head.length}, {times, strlen(times)}, {tail, strlen(tail)}};
+    floe_status status = head.status;
+    if (status == FLOE_OK) status = file_replace(ctx, path, part, 3);
+    text_free(&head);
+    return status;
+}

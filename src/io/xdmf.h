@@ -1,0 +1,36 @@
+/* XDMF: the page that tells ParaView and VisIt what lies where in the snapshots. Each snapshot carries its own part of it as
+ * text; fields.xdmf is these parts in a row. */
+#ifndef IO_XDMF_H
+#define IO_XDMF_H
+
+#include "grid/mesh.h"
+#include "io/text.h"
+
+/* One array of a snapshot, as an attribute of the grid that is open. */
+typedef struct xdmf_array {
+    const char *file; /* relative to the page */
+    const char *path; /* in the file */
+    const char *name;
+    const char *unit; /* udunits2 spelling; "1" if none */
+    const char *meaning;
+    bool on_points; /* else on cells */
+    bool vector;    /* 3 components, last axis of the array */
+    bool integer;   /* 64 bit, else double */
+    int rank;
+    const size_t *extent;
+} xdmf_array;
+
+/* A time: a collection that holds the grids that follow, up to xdmf_end. */
+void xdmf_begin_time(text_buffer *page, long number, double time);
+/* The grid of the cells: uniform; 1-D meshes are shown one cell thick. */
+void xdmf_begin_cells(text_buffer *page, const mesh *m);
+/* The grid of a body's n points; `position` is their coordinates (n x 3). */
+void xdmf_begin_points(text_buffer *page, const char *body, size_t n, const xdmf_array *position);
+void xdmf_add(text_buffer *page, const xdmf_array *array);
+/* Ends the innermost grid or collection. */
+void xdmf_end(text_buffer *page);
+
+/* Replaces the page by one that holds these times. */
+floe_status xdmf_write(context *ctx, const char *path, const char *title, const char *times);
+
+#endif

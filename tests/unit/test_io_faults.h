@@ -1,0 +1,62 @@
+/* Faults on order: the test program's own write, fsync and rename, which the linker prefers to those of the C library. The
+ * n-th call of any of them from fault_arm on fails, and all after it while `lasting`. */
+#ifndef TESTS_UNIT_TEST_IO_FAULTS_H
+#define TESTS_UNIT_TEST_IO_FAULTS_H
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+static struct {
+    int countdown; /* 0: none */
+    int error;
+    bool lasting;
+    bool fired;
+} fault;
+
+static inline void fault_arm(int n, int error, bool lasting)
+{
+    fault.countdown = n;
+    fault.error = error;
+    fault.lasting = lasting;
+    fault.fired = false;
+}
+
+static inline bool fault_strikes(void)
+{
+    if (fault.countdown == 0) return false;
+    if (fault.countdown > 1 && fault.countdown--) return false;
+    fault.fired = true;
+    if (!fault.lasting) fault.countdown = 0;
+    errno = fault.error;
+    return true;
+}
+
+/* A fault on a file that is being written leaves half of the bytes behind, as a full disk does. */
+ssize_t write(int descriptor, const void *data, size_t size)
+{
+    struct iovec part;
+    const bool strikes = descriptor > 2 && fault_strikes();
+    const void **base = (const void **)&part.iov_base;
+    *base = data;
+    part.iov_len = strikes ? size / 2 : size;
+    const ssize_t written = writev(descriptor, &part, 1);
+    if (!strikes) return written;
+    errno = fault.error;
+    return -1;
+}
+
+int fsync(int descriptor)
+{
+    return fault_strikes() ? -1 : fdatasync(descriptor);
+}
+
+int rename(const char *from, const char *to)
+{
+    return fault_strikes() ? -1 : renameat(AT_FDCWD, from, AT_FDCWD, to);
+}
+
+#endif
