@@ -41,13 +41,12 @@ static bool damping_acts(const mpm *s)
     return d->rate > 0.0 && s->time >= d->start && s->time < d->end;
 }
 
-/* v^L = (v + kick f/m) / (1 + rate kick): viscous damping is taken implicitly, so that any rate is stable. */
+/* v^L = v + kick f/m, from momenta (numerics 4.4). */
 static void advance_block(const mpm *s, int blk, int group)
 {
     const fields *f = s->domain->fields[blk];
     const double *restrict mass = field_get(f, N_MASS, group, 0);
     const double kick = s->work->kick, floor = small_node * s->work->reference_mass;
-    const double damping = damping_acts(s) ? 1.0 / (1.0 + s->scene->damping.rate * kick) : 1.0;
     const size_t n = node_count(s, blk);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const double *restrict momentum = field_get(f, N_MOMENTUM, group, c);
@@ -56,8 +55,20 @@ static void advance_block(const mpm *s, int blk, int group)
 #pragma omp parallel for simd schedule(static)
         for (size_t k = 0; k < n; ++k) {
             const double impulse = mass[k] > floor ? kick * force[k] : 0.0;
-            v[k] = mass[k] > 0.0 ? damping * (momentum[k] + impulse) / mass[k] : 0.0;
+            v[k] = mass[k] > 0.0 ? (momentum[k] + impulse) / mass[k] : 0.0;
         }
+    }
+}
+
+/* v^L <- v^L / (1 + rate kick): viscous damping is taken implicitly, so that any rate is stable. */
+static void damp_block(const mpm *s, int blk, int group)
+{
+    const double factor = 1.0 / (1.0 + s->scene->damping.rate * s->work->kick);
+    const size_t n = node_count(s, blk);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        double *restrict v = field_get(s->domain->fields[blk], N_VEL_L, group, c);
+#pragma omp parallel for simd schedule(static)
+        for (size_t k = 0; k < n; ++k) v[k] *= factor;
     }
 }
 
@@ -82,14 +93,13 @@ static void tile_losses(const mpm *s, int blk, int tile, int group, double taken
             for (int i = 0; i < end[0]; ++i) {
                 const ptrdiff_t at =
                     mesh_index(b, t.first[0] - b->lo[0] + i, t.first[1] - b->lo[1] + j, t.first[2] - b->lo[2] + k);
-                if (!(mass[at] > 0.0)) continue;
                 for (int c = 0; c < s->mesh->dim; ++c) {
                     const double v = field_get(f, N_VEL_L, group, c)[at], lost = v * taken / (1.0 - taken);
                     sum[SUM_DAMPED_MOMENTUM + c] -= mass[at] * lost;
                     sum[SUM_DAMPED_ENERGY] -= 0.5 * mass[at] * lost * (2.0 * v + lost);
                     if (mass[at] <= floor) sum[SUM_LOST + c] += s->work->kick * field_get(f, N_FORCE, group, c)[at];
                 }
-                if (mass[at] <= floor) sum[SUM_SMALL] += 1.0;
+                if (mass[at] > 0.0 && mass[at] <= floor) sum[SUM_SMALL] += 1.0;
             }
 }
 
@@ -116,8 +126,9 @@ floe_status mpm_node_update(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
         for (int b = 0; b < s->mesh->n_blocks; ++b) advance_block(s, b, g);
-        enter_losses(s, g);
         impose_walls(s, g, N_VEL_L);
+        for (int b = 0; damping_acts(s) && b < s->mesh->n_blocks; ++b) damp_block(s, b, g);
+        enter_losses(s, g);
     }
     return FLOE_OK;
 }
@@ -141,7 +152,9 @@ static void accelerate_block(const mpm *s, int blk, int group)
 floe_status mpm_node_acceleration(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
+        impose_walls(s, g, N_VEL_L); /* again: the exchange with the cells may have moved them */
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
+        enter_mirrors(s, g);
         extend_to_ghosts(s, g, N_VEL_L);
         extend_to_ghosts(s, g, N_ACCEL);
     }

@@ -24,6 +24,8 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
     if (b->law->needs & SOLID_NEEDS_F)
         for (int c = 0; c < field_component_count(FIELD_DEFORM, dim); ++c)
             memcpy(batch->F[deform_slot[dim - 1][c]], get(f, P_F, body, c) + start, bytes);
+    else /* a stress state moves the free stretches of F, whether they are kept or not */
+        for (size_t k = 0; k < n; ++k) batch->F[4][k] = batch->F[8][k] = 1.0;
     if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, get(f, P_ENERGY, body, 0) + start, bytes);
     const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0);
     for (size_t k = 0; k < n; ++k) batch->rho0[k] = mass[start + k] / volume[start + k];

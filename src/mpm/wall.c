@@ -20,7 +20,13 @@ static bool holds(const mpm *s, int axis, int side)
     return kind == BC_NO_SLIP || kind == BC_VELOCITY || kind == BC_INLET;
 }
 
-typedef void node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward);
+/* `owned`: the node is this block's own (a node on the seam of two blocks belongs to the upper one, as its cell does). */
+typedef void node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned);
+
+static bool owns(const block *b, int axis, int i)
+{
+    return axis >= b->dim || (i >= 0 && (i < b->n[axis] || (i == b->n[axis] && b->at_side[axis][SIDE_UPPER])));
+}
 
 /* Visits the nodes of a side's plane, transverse ghosts included. */
 static void visit_side(const block *b, int axis, int side, node_visitor *visit, void *user)
@@ -33,21 +39,23 @@ static void visit_side(const block *b, int axis, int side, node_visitor *visit, 
     const ptrdiff_t inward = side == SIDE_LOWER ? b->stride[axis] : -b->stride[axis];
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
-            for (int i = lo[0]; i < hi[0]; ++i) visit(user, mesh_index(b, i, j, k), inward);
+            for (int i = lo[0]; i < hi[0]; ++i)
+                visit(user, mesh_index(b, i, j, k), inward, owns(b, 0, i) && owns(b, 1, j) && owns(b, 2, k));
 }
 
+/* The ghost keeps what it received: it is the reaction of a mirror, which enter_mirrors enters. */
 typedef struct fold_rule {
     double *a;
     double on_wall, inside; /* what the wall node and the first inner node receive of the ghost */
 } fold_rule;
 
-static void fold_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+static void fold_node(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
 {
+    (void)owned;
     const fold_rule *r = user;
     const double ghost = r->a[at - inward];
     r->a[at] += r->on_wall * ghost;
     r->a[at + inward] += r->inside * ghost;
-    r->a[at - inward] = 0.0;
 }
 
 static void fold_array(const mpm *s, int blk, int axis, int side, bool normal, double *a)
@@ -83,8 +91,9 @@ typedef struct extend_rule {
     double on_wall, inside;
 } extend_rule;
 
-static void extend_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+static void extend_node(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
 {
+    (void)owned;
     const extend_rule *r = user;
     r->a[at - inward] = r->on_wall * r->a[at] + r->inside * r->a[at + inward];
 }
@@ -119,32 +128,13 @@ typedef struct wall_rule {
     int axis, side;
 } wall_rule;
 
-/* A node on the seam of two blocks belongs to the upper one, as its cell does. */
-static bool owns_node(const block *b, ptrdiff_t at)
-{
-    ptrdiff_t rest = at - b->origin;
-    for (int a = b->dim - 1; a >= 0; --a) {
-        ptrdiff_t i = (rest + MESH_GHOST * b->stride[a]) / b->stride[a] - MESH_GHOST;
-        /* The lower axes' offsets may be negative: they never reach half a stride. */
-        ptrdiff_t below = rest - i * b->stride[a];
-        if (a > 0 && below > b->stride[a] / 2) {
-            ++i;
-            below -= b->stride[a];
-        }
-        rest = below;
-        if (i < 0 || i > b->n[a] || (i == b->n[a] && !b->at_side[a][SIDE_UPPER])) return false;
-    }
-    return true;
-}
-
-static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
 {
     (void)inward;
     wall_rule *r = user;
-    const bool owned = r->mass && owns_node(r->b, at);
     for (int c = 0; c < r->b->dim; ++c) {
         if (!r->hold[c]) continue;
-        if (owned) {
+        if (owned && r->mass) {
             const double impulse = r->mass[at] * (r->target[c] - r->v[c][at]);
             r->impulse[c] += impulse;
             r->work += impulse * r->target[c];
@@ -176,4 +166,45 @@ void impose_walls(mpm *s, int group, field_id velocity)
             for (int side = 0; side < 2; ++side)
                 if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis])
                     impose_side(s, b, axis, side, group, velocity);
+}
+
+/* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the
+ * normal part comes back with the other sign. Per step, with acceleration a and velocity v of the first inner node, the points gain
+ * -2 [kick (f + m a) + (1 - flip)(p + m v)] more than the nodes did (the second term by the PIC blend alone). */
+typedef struct mirror_sum {
+    const double *mass, *force, *momentum, *acceleration;
+    const block *b;
+    double kick, pic, sum;
+} mirror_sum;
+
+static void add_mirror(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
+{
+    mirror_sum *r = user;
+    const ptrdiff_t ghost = at - inward, inner = at + inward;
+    if (!(r->mass[ghost] > 0.0) || !owned) return;
+    const double v = r->momentum[inner] / r->mass[inner];
+    r->sum -= 2.0 * (r->kick * (r->force[ghost] + r->mass[ghost] * r->acceleration[inner]) +
+                     r->pic * (r->momentum[ghost] + r->mass[ghost] * v));
+}
+
+static double mirror_impulse(const mpm *s, int blk, int axis, int side, int group)
+{
+    const fields *f = s->domain->fields[blk];
+    mirror_sum r = {.b = &s->mesh->block[blk], .kick = s->work->kick, .pic = 1.0 - s->scene->method.flip};
+    r.mass = field_get(f, N_MASS, group, 0);
+    r.force = field_get(f, N_FORCE, group, axis);
+    r.momentum = field_get(f, N_MOMENTUM, group, axis);
+    r.acceleration = field_get(f, N_ACCEL, group, axis);
+    visit_side(r.b, axis, side, add_mirror, &r);
+    return r.sum;
+}
+
+void enter_mirrors(mpm *s, int group)
+{
+    for (int b = 0; s->work->reach > 0 && b < s->mesh->n_blocks; ++b)
+        for (int axis = 0; axis < s->mesh->dim; ++axis)
+            for (int side = 0; side < 2; ++side)
+                if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis] && mirrors(s, axis, side))
+                    ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY,
+                               mirror_impulse(s, b, axis, side, group));
 }

@@ -94,6 +94,8 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
 void fold_walls(mpm *s, int group, bool momentum, bool force);
 void impose_walls(mpm *s, int group, field_id velocity);
 void extend_to_ghosts(mpm *s, int group, field_id id);
+void enter_mirrors(
+    mpm *s, int group); /* momentum that mirrors give: after accelerations are known, before ghosts are extended */
 
 /* Loads (load.c). */
 floe_status seed_surfaces(mpm *s);

@@ -1,0 +1,38 @@
+/* Between nodes and cells (numerics 5.1, 5.2): the one file that knows both centrings. It sees fields, and neither solver.
+ *
+ * The weight of node i in cell c is w_ci = 2^-d, doubled for each non-periodic side of the domain that the node lies on, since half
+ * of its cells are missing there: then the weights of every node sum to one over the cells of the domain, and what goes one way
+ * comes back the other way with the same weights, so that mass and momentum are conserved to round-off at every boundary. */
+#ifndef COUPLING_TRANSFER_H
+#define COUPLING_TRANSFER_H
+
+#include "grid/stage.h"
+
+enum { TRANSFER_MAX_PAIRS = 8 };
+
+/* A solid: its velocity group at the nodes and its material in the cells. */
+typedef struct transfer_pair {
+    int group, material;
+    double temperature; /* K, in the cells */
+} transfer_pair;
+
+typedef struct transfer {
+    context *ctx;       /* not owned */
+    const mesh *mesh;   /* not owned */
+    domain *domain;     /* not owned; set before the first stage runs */
+    stage_list *stages; /* not owned */
+    transfer_pair pair[TRANSFER_MAX_PAIRS];
+    int n_pairs;
+    double reference_pressure; /* Pa */
+} transfer;
+
+/* m_c = sum w m_i, u_c = sum w m_i v_i / m_c: C_RHO, C_VEL and C_TEMP of the solids, in owned cells. */
+floe_status transfer_nodes_to_cells(transfer *t);
+/* N_PRESSURE: P - p_ref averaged over the cells about each node (inside the domain). */
+floe_status transfer_pressure_to_nodes(transfer *t);
+/* C_MOMENTUM_L of the solids: sum w m_i v_i^L. */
+floe_status transfer_momentum_to_cells(transfer *t);
+/* v_i^L += sum w dv_c, from C_VELOCITY_CHANGE. */
+floe_status transfer_change_to_nodes(transfer *t);
+
+#endif
