@@ -65,7 +65,7 @@ static inline void fixture_scene(fixture *f)
     f->scene->thickness = 2.0;
     f->scene->reference_pressure = 1e5;
     f->scene->n_probes = 1;
-    f->scene->probe[0] = (scene_probe){.name = "middle", .position = {0.5, 0.5, 0.5}};
+    f->scene->probe[0] = (scene_probe){.name = "middle", .position = {0.55, 0.5, 0.5}};
 }
 
 static inline void fixture_add(fixture *f, field_id id, int instance)
