@@ -77,13 +77,12 @@ static floe_status check_exact(reader *r)
 static floe_status check_metric(reader *r, const char **names, deck_node *item)
 {
     const deck_catalogue *catalogue = r->catalogue;
-    if (!is_listed(names, item->text)) return bad_name(r, item, false, "metric", listed, names);
-    if (!catalogue->check_metric || r->errors->count > 0) return FLOE_OK; /* it sees sound scenes only */
-    const floe_status status = catalogue->check_metric(r->ctx, item->text, r->scene);
-    if (status != FLOE_BAD_INPUT) return status;
-    char message[400];
-    take_message(r->ctx, message, sizeof message);
-    return bad(r, item, NULL, "metric '%.60s': %s", item->text, message);
+    const char *why = is_listed(names, item->text) ? NULL : "";
+    if (catalogue->check_metric) why = catalogue->check_metric(item->text, r->scene);
+    if (!why) return FLOE_OK;
+    if (why[0] == '\0') return bad_name(r, item, false, "metric", listed, names);
+    if (r->errors->count > 0) return FLOE_OK; /* it may be a consequence */
+    return bad(r, item, NULL, "metric '%.60s': %s", item->text, why);
 }
 
 static floe_status check_metrics(reader *r)

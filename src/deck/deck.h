@@ -26,9 +26,9 @@ typedef struct deck_catalogue {
     size_t n_metric;
     const deck_name *quantity;
     size_t n_quantity;
-    /* FLOE_BAD_INPUT with the context's message when the scene cannot be measured so, a name that is none included; called
-     * with the whole scene. NULL: every name that `metric` gives can be measured. */
-    floe_status (*check_metric)(context *ctx, const char *metric, const scene *s);
+    /* NULL when the metric can be measured in the scene, "" when there is none of that name, else why it cannot be. NULL
+     * function: every name that `metric` gives can be measured. */
+    const char *(*check_metric)(const char *name, const scene *s);
     /* FLOE_BAD_INPUT with the context's message when the parameters contradict each other; may be NULL. */
     floe_status (*check_exact)(context *ctx, const char *name, const void *par, int dim);
 } deck_catalogue;

@@ -122,9 +122,19 @@ static floe_status take_value(parser *p, struct fy_event *event, deck_place at)
     }
 }
 
+/* libfyaml marks the text behind a star or an opening quote; the place of the value is the star or the quote. */
+static int marks_before_text(const struct fy_event *event)
+{
+    if (event->type == FYET_ALIAS) return 1;
+    if (event->type != FYET_SCALAR || !event->scalar.value) return 0;
+    const enum fy_scalar_style style = fy_token_scalar_style(event->scalar.value);
+    return style == FYSS_SINGLE_QUOTED || style == FYSS_DOUBLE_QUOTED;
+}
+
 static floe_status take_event(parser *p, struct fy_event *event)
 {
-    const deck_place at = place_of(p, fy_event_start_mark(event));
+    deck_place at = place_of(p, fy_event_start_mark(event));
+    if (at.column > 1) at.column -= marks_before_text(event);
     if (event->type == FYET_ALIAS) return refuse(p, at, "aliases (*) are not used in decks", "write the value itself");
     if (event->type == FYET_DOCUMENT_START && p->past_document) {
         return refuse(p, at, "a second document begins here", "a deck is one document: remove the line '---'");

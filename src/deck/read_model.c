@@ -78,6 +78,12 @@ static floe_status check_params(reader *r, const model_entry *entry, deck_node *
     return FLOE_OK;
 }
 
+/* The node holds the model's name by itself, as a value: "shape: everywhere". */
+static bool is_bare(const deck_node *named)
+{
+    return named->kind == NODE_SCALAR && !node_is_null(named);
+}
+
 /* `named` stands for the model where it has no map of parameters. */
 static floe_status read_param(reader *r, const param_spec *param, deck_node *map, deck_node *named, char *par)
 {
@@ -88,8 +94,8 @@ static floe_status read_param(reader *r, const param_spec *param, deck_node *map
         char form[256], expected[512];
         describe_expected(&key, r->scene->mesh.dim, form, sizeof form);
         snprintf(expected, sizeof expected, "%s: %s (%s)", param->key, form, param->doc);
-        return bad_key(r, named, expected, NULL, "missing key '%s' in '%.60s'", param->key,
-                       named->kind == NODE_SCALAR && !node_is_null(named) ? named->text : named->key);
+        if (is_bare(named)) return bad(r, named, expected, "missing key '%s' in '%.60s'", param->key, named->text);
+        return bad_key(r, named, expected, NULL, "missing key '%s' in '%.60s'", param->key, named->key);
     }
     double *field = (double *)(void *)(par + param->offset);
     const int n = param->count == -3 ? 3 : param->count;
@@ -108,7 +114,9 @@ static floe_status read_params(reader *r, const model_family *family, const mode
     family->store(field, entry, par);
     if (errors != r->errors->count || !family->check) return FLOE_OK;
     const char *wrong = family->check(entry, par, r->scene->mesh.dim);
-    return wrong ? bad_key(r, named, NULL, NULL, "%s '%s': %s", family->noun, entry->name, wrong) : FLOE_OK;
+    if (!wrong) return FLOE_OK;
+    if (is_bare(named)) return bad(r, named, NULL, "%s '%s': %s", family->noun, entry->name, wrong);
+    return bad_key(r, named, NULL, NULL, "%s '%s': %s", family->noun, entry->name, wrong);
 }
 
 /* The single entry of a one-key map, NULL after an error. */

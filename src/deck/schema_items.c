@@ -19,7 +19,7 @@ bool material_is_solid(const scene *s, const void *material)
 }
 
 static const char solids_only[] = "solids: materials with a 'law' and no 'eos'";
-static const char fluids_only[] = "fluids: materials with an 'eos' and no 'law'";
+static const char fluids_only[] = "fluids: materials with an 'eos'";
 
 static const key_spec viscosity_keys[] = {
     {"shear", KEY_NUMBER, "Pa s", PARAM_NONNEGATIVE, AT(scene_material, shear_viscosity), .fallback = "0",
@@ -61,7 +61,7 @@ static floe_status begin_material(reader *r, deck_node *node, void *item)
 {
     scene_material *m = item;
     m->density = m->specific_heat = m->tension_switch = NAN;
-    const bool solid = node_find(node, "law") || (node_find(node, "density") && !node_find(node, "eos"));
+    const bool solid = !node_find(node, "eos") && (node_find(node, "law") || node_find(node, "density"));
     m->kind = solid ? MATERIAL_SOLID : MATERIAL_FLUID;
     if (node->kind != NODE_MAP || node_find(node, "eos") || node_find(node, "law")) return FLOE_OK;
     return bad_key(r, node, "law: {...} for a solid, or eos: {...} for a fluid", NULL,

@@ -29,11 +29,11 @@ static floe_status test_check_exact(context *ctx, const char *name, const void *
     return FLOE_OK;
 }
 
-static floe_status test_check_metric(context *ctx, const char *name, const scene *s)
+static const char *test_check_metric(const char *name, const scene *s)
 {
     metric parsed;
-    (void)s;
-    return metric_parse(ctx, name, &parsed);
+    if (metric_parse(NULL, name, &parsed) != FLOE_OK) return "";
+    return parsed.kind == METRIC_EQ13 && !(s->verify.probe_pressure > 0.0) ? "needs verify.pressure" : NULL;
 }
 
 static void make_catalogue(catalogue_store *store)

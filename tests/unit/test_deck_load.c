@@ -1,0 +1,368 @@
+/* Decks that load: values, defaults, units, overrides, and the echo that loads to the same scene. */
+#include "unit/test_deck_common.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+
+typedef struct fixture {
+    context *ctx;
+    catalogue_store store;
+} fixture;
+
+static int set_up(void **state)
+{
+    static fixture f;
+    deck_init();
+    f.ctx = context_create();
+    make_catalogue(&f.store);
+    *state = &f;
+    return f.ctx ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    fixture *f = *state;
+    assert_int_equal(memory_read_account(f->ctx).live_bytes, 0);
+    context_destroy(&f->ctx);
+    return 0;
+}
+
+/* Loads a file of inputs/ with overrides; the report is printed when it fails. */
+static scene *load_input(fixture *f, const char *name, const char *const *set, size_t n)
+{
+    char path[512];
+    deck_report report;
+    scene *s;
+    const deck_overrides overrides = {set, n};
+    snprintf(path, sizeof path, "%s/inputs/%s", FLOE_SOURCE_DIR, name);
+    const floe_status status = deck_load(&s, f->ctx, path, &overrides, &f->store.catalogue, &report);
+    if (report.text) print_error("%s", report.text);
+    deck_report_free(&report);
+    check_ok(f->ctx, status);
+    return s;
+}
+
+static scene *load_text(fixture *f, const char *text)
+{
+    deck_report report;
+    scene *s;
+    const floe_status status =
+        deck_load_text(&s, f->ctx, "deck.yaml", text, strlen(text), NULL, &f->store.catalogue, &report);
+    if (report.text) print_error("%s", report.text);
+    deck_report_free(&report);
+    check_ok(f->ctx, status);
+    return s;
+}
+
+static char *echo(fixture *f, const scene *s)
+{
+    char *text;
+    check_ok(f->ctx, deck_echo(&text, s, &f->store.catalogue));
+    return text;
+}
+
+/* ---- values ---- */
+
+static void cylinder_has_its_values(void **state)
+{
+    fixture *f = *state;
+    scene *s = load_input(f, "pressurized_cylinder.yaml", NULL, 0);
+    assert_string_equal(s->title, "Pressurised thick cylinder");
+    assert_int_equal(s->coupling, COUPLING_ICE_MPM);
+    assert_int_equal(s->n_runs_as, 2);
+    assert_int_equal(s->runs_as[0], COUPLING_MPM);
+    assert_int_equal(s->mesh.dim, 2);
+    check_close(s->mesh.upper[1], 1.2, 0.0);
+    check_close(s->mesh.cell[1], 0.025, 0.0);
+    assert_int_equal(s->mesh.blocks[0], 1);
+    assert_int_equal(s->bc.side[0][SIDE_LOWER].kind, BC_SYMMETRY);
+    assert_int_equal(s->bc.side[1][SIDE_UPPER].kind, BC_OUTLET);
+    check_close(s->bc.side[1][SIDE_UPPER].pressure, 101325.0, 0.0);
+
+    assert_int_equal(s->n_materials, 2);
+    assert_int_equal(s->material[0].kind, MATERIAL_SOLID);
+    assert_string_equal(s->material[0].law->name, "linear_elastic");
+    check_close_relative(s->material[0].law->bulk_modulus(s->material[0].law_par), 117e9, 1e-15);
+    check_close_relative(s->material[0].law->shear_modulus(s->material[0].law_par), 43.8e9, 1e-15);
+    check_close(s->material[0].density, 8900.0, 0.0);
+    assert_int_equal(s->material[1].kind, MATERIAL_FLUID);
+    assert_string_equal(s->material[1].eos.model->name, "ideal");
+
+    check_true(s->has_ambient);
+    assert_int_equal(s->ambient_material, 1);
+    assert_int_equal(s->n_bodies, 2);
+    assert_string_equal(s->body[0].shape.model->name, "annulus");
+    assert_int_equal(s->body[0].per_cell[1], 2);
+    assert_int_equal(s->body[0].per_cell[2], 1);
+    check_close(s->body[0].temperature, 300.0, 0.0);
+    check_true(isnan(s->body[1].density));
+
+    assert_int_equal(s->n_loads, 1);
+    assert_int_equal(s->load[0].kind, LOAD_PRESSURISE);
+    check_close_relative(s->load[0].target, 19.4e6, 1e-15);
+    check_close_relative(s->load[0].ramp, 1.4e-3, 1e-15);
+    check_true(s->load[0].hold);
+    check_close(s->damping.rate, 1.2e4, 0.0);
+    check_true(isinf(s->damping.end));
+    check_true(s->rest.enabled);
+    check_close_relative(s->time.end, 0.01, 1e-15);
+    assert_string_equal(s->verify.exact, "lame");
+    assert_int_equal(s->verify.n_metrics, 3);
+    assert_int_equal(s->verify.body, 0);
+    assert_string_equal(s->compare.key, "domain.cell");
+    assert_int_equal(s->compare.n_values, 3);
+    scene_destroy(&s);
+}
+
+static const char small[] = "floe: 1\n"
+                            "coupling: mpm\n"
+                            "domain: {dim: 1, lower: 0, upper: 1, cell: 0.1}\n"
+                            "materials: {m: {density: 1, law: {linear_elastic: {bulk_modulus: 1, shear_modulus: 1}}}}\n"
+                            "bodies: {b: {material: m, shape: {box: {lower: 0, upper: 1}}}}\n"
+                            "time: {end: 1}\n";
+
+/* The schema's defaults are those of scene_create: a program that fills a scene by hand gets the same. */
+static void defaults_agree_with_scene_create(void **state)
+{
+    fixture *f = *state;
+    scene *s = load_text(f, small), *made;
+    check_ok(f->ctx, scene_create(&made, f->ctx));
+    check_close(s->thickness, made->thickness, 0.0);
+    check_close(s->reference_pressure, made->reference_pressure, 0.0);
+    assert_string_equal(s->method.basis, made->method.basis);
+    assert_int_equal(s->method.stress, made->method.stress);
+    check_close(s->method.flip, made->method.flip, 0.0);
+    assert_int_equal(s->method.centring, made->method.centring);
+    assert_int_equal(s->method.conserve_energy, made->method.conserve_energy);
+    assert_int_equal(s->method.limiter, made->method.limiter);
+    check_close(s->method.exchange, made->method.exchange, 0.0);
+    check_close(s->method.heat_exchange, made->method.heat_exchange, 0.0);
+    check_close(s->method.volume_relaxation, made->method.volume_relaxation, 0.0);
+    check_close(s->time.cfl_mpm, made->time.cfl_mpm, 0.0);
+    check_close(s->time.cfl_ice, made->time.cfl_ice, 0.0);
+    check_close(s->time.growth, made->time.growth, 0.0);
+    assert_int_equal(s->time.max_steps, made->time.max_steps);
+    check_true(isnan(s->time.first_step) && isnan(s->time.max_step) && isnan(s->time.fixed_step));
+    check_close(s->damping.rate, made->damping.rate, 0.0);
+    check_true(!s->rest.enabled && !s->has_ambient);
+    check_true(isinf(s->output.interval) && isnan(s->output.history_interval));
+    assert_int_equal(s->verify.body, made->verify.body);
+    assert_int_equal(s->verify.material, made->verify.material);
+    assert_int_equal(s->threads, made->threads);
+    assert_int_equal(s->n_runs_as, 1);
+    assert_int_equal(s->bc.side[0][0].kind, BC_FREE);
+    scene_destroy(&made);
+    scene_destroy(&s);
+}
+
+typedef struct number_case {
+    const char *assignment;
+    double si;
+} number_case;
+
+static void units_are_converted(void **state)
+{
+    fixture *f = *state;
+    static const number_case cases[] = {
+        {"bodies.bore.temperature=20 degC", 293.15}, {"bodies.bore.temperature=300", 300.0},
+        {"bodies.bore.temperature=+3.5e2 K", 350.0}, {"bodies.bore.temperature='540 degR'", 300.0},
+        {"bodies.bore.temperature=.3 kK", 300.0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        scene *s = load_input(f, "pressurized_cylinder.yaml", &cases[i].assignment, 1);
+        check_close_relative(s->body[1].temperature, cases[i].si, 1e-14);
+        scene_destroy(&s);
+    }
+}
+
+static void density_and_temperature_give_the_pressure(void **state)
+{
+    fixture *f = *state;
+    const char *set[] = {"bodies.bore={material: gas, shape: {ball: {radius: 0.5}}, density: 1.2, temperature: 300}"};
+    scene *s = load_input(f, "pressurized_cylinder.yaml", set, 1);
+    check_close_relative(s->body[1].pressure, 0.4 * 1.2 * 717.5 * 300.0, 1e-14);
+    check_close(s->body[1].density, 1.2, 0.0);
+    check_true(isnan(s->body[1].temperature));
+    scene_destroy(&s);
+}
+
+static void axes_are_r_and_z_when_axisymmetric(void **state)
+{
+    fixture *f = *state;
+    scene *s = load_text(f, "floe: 1\ncoupling: ice\n"
+                            "domain: {geometry: axisymmetric, lower: [0, 0], upper: [1, 2], cell: 0.5}\n"
+                            "materials: {g: {eos: {ideal: {specific_heat: 700}}}}\n"
+                            "boundaries: {z: periodic, r: {upper: {no_slip: {velocity: [0, 2]}}}}\n"
+                            "bodies: {b: {material: g, shape: {ball: {radius: 5}}, pressure: 1e5, temperature: 300}}\n"
+                            "time: {end: 1, cfl: {ice: 0.3}}\n");
+    assert_int_equal(s->mesh.geometry, MESH_AXISYMMETRIC);
+    assert_int_equal(s->bc.side[0][SIDE_LOWER].kind, BC_SYMMETRY);
+    assert_int_equal(s->bc.side[0][SIDE_UPPER].kind, BC_NO_SLIP);
+    check_close(s->bc.side[0][SIDE_UPPER].velocity[1], 2.0, 0.0);
+    check_true(s->mesh.periodic[1] && !s->mesh.periodic[0]);
+    check_close(s->time.cfl_ice, 0.3, 0.0);
+    check_close(s->time.cfl_mpm, 0.5, 0.0);
+    scene_destroy(&s);
+}
+
+/* ---- overrides ---- */
+
+static void overrides_reach_any_key(void **state)
+{
+    fixture *f = *state;
+    const char *set[] = {"domain.cell=0.05",
+                         "materials.steel.law.linear_elastic.bulk_modulus=120 GPa",
+                         "bodies.cylinder.points=[3, 4]",
+                         "domain.upper.1=1.5",
+                         "loads.heating.pressurise.hold=false",
+                         "damping.end=2 ms",
+                         "output.probes.centre=[0.1, 0.1]",
+                         "compare.axis.domain.cell=[0.1]",
+                         "domain.cell=0.1",
+                         "coupling=mpm"};
+    scene *s = load_input(f, "pressurized_cylinder.yaml", set, sizeof set / sizeof set[0]);
+    check_close(s->mesh.cell[0], 0.1, 0.0);
+    check_close(s->mesh.upper[1], 1.5, 0.0);
+    check_close_relative(s->material[0].law->bulk_modulus(s->material[0].law_par), 120e9, 1e-15);
+    assert_int_equal(s->body[0].per_cell[1], 4);
+    check_true(!s->load[0].hold);
+    check_close_relative(s->damping.end, 2e-3, 1e-15);
+    assert_int_equal(s->n_probes, 1);
+    assert_string_equal(s->probe[0].name, "centre");
+    assert_int_equal(s->compare.n_values, 1);
+    assert_int_equal(s->coupling, COUPLING_MPM);
+    scene_destroy(&s);
+}
+
+/* ---- echo ---- */
+
+static void check_round_trip(fixture *f, const scene *s)
+{
+    char *first = echo(f, s);
+    scene *again = load_text(f, first);
+    char *second = echo(f, again);
+    assert_string_equal(first, second);
+    /* What a table cannot show is plain data: it must have the same bytes. */
+    assert_memory_equal(&s->mesh, &again->mesh, sizeof s->mesh);
+    assert_memory_equal(&s->bc, &again->bc, sizeof s->bc);
+    assert_memory_equal(&s->method.exchange, &again->method.exchange, 3 * sizeof(double));
+    assert_memory_equal(&s->time, &again->time, sizeof s->time);
+    assert_memory_equal(&s->rest, &again->rest, sizeof s->rest);
+    assert_memory_equal(&s->output, &again->output, sizeof s->output);
+    for (int i = 0; i < s->n_bodies; i++) {
+        const shape *a = &s->body[i].shape, *b = &again->body[i].shape;
+        check_true(a->model == b->model);
+        assert_memory_equal(a->par, b->par, a->model->param_size);
+        assert_memory_equal(s->body[i].velocity, again->body[i].velocity, 6 * sizeof(double));
+    }
+    memory_free(f->ctx, &first);
+    memory_free(f->ctx, &second);
+    scene_destroy(&again);
+}
+
+static void every_input_loads_and_echoes(void **state)
+{
+    fixture *f = *state;
+    DIR *directory = opendir(FLOE_SOURCE_DIR "/inputs");
+    int found = 0;
+    assert_non_null(directory);
+    for (struct dirent *entry = readdir(directory); entry; entry = readdir(directory)) {
+        if (!strstr(entry->d_name, ".yaml")) continue;
+        scene *s = load_input(f, entry->d_name, NULL, 0);
+        check_round_trip(f, s);
+        scene_destroy(&s);
+        found++;
+    }
+    closedir(directory);
+    check_true(found >= 9);
+}
+
+static const char full[] =
+    "floe: 1\n"
+    "title: \"quotes \\\" and \\\\ and \\t\"\n"
+    "coupling: ice-mpm\n"
+    "domain: {dim: 2, stress_state: plane_stress, lower: [-0.1, 0], upper: [0.2, 0.3], cell: [0.1, 0.05], thickness: "
+    "0.3}\n"
+    "materials:\n"
+    "  s: {density: 1, law: {neo_hookean: {bulk_modulus: 3, shear_modulus: 1}}, specific_heat: 1.1}\n"
+    "  g: {eos: {stiffened: {gamma: 4.4, p_inf: 6e8, specific_heat: 1000}}, viscosity: {shear: 1e-3 Pa s}}\n"
+    "ambient: {material: g, pressure: 0.1 MPa, temperature: 281 K}\n"
+    "boundaries:\n"
+    "  x: {lower: {inlet: {velocity: [1, 0], pressure: 1 bar, temperature: 290}}, upper: {outlet: {pressure: 1 bar}}}\n"
+    "  y: {lower: {velocity: {velocity: [0, 0.1]}}, upper: no_slip}\n"
+    "bodies: {b: {material: s, shape: {ball: {radius: 0.1}}, velocity: [0.1, 0.2], seeding: lattice, points: [1, 3]}}\n"
+    "loads:\n"
+    "  a: {gravity: {acceleration: [0, -9.81]}}\n"
+    "  b: {body_force: {body: b, acceleration: [0.3, 0]}}\n"
+    "  c: {traction: {body: b, surface: {ball: {radius: 0.1}}, pressure: 3 kPa, start: 1 ms, ramp: 2 ms}}\n"
+    "  d: {heat: {material: g, power: 1 MW/m3, ramp_steps: 500, hold: true}}\n"
+    "damping: {rate: 0.1, start: 0.2, end: 0.3}\n"
+    "time: {end: 1 h, cfl: {mpm: 0.4, ice: 0.3}, first_step: 1 us, max_step: 1 ms, growth: 1.2, max_steps: 7}\n"
+    "stop: {}\n"
+    "method: {basis: gimp, stress: musl, flip: 0.9, centring: half, energy: internal, limiter: none, exchange: 1e-1}\n"
+    "output: {interval: 0.1, probes: {p: [0.1, 0.1], q: [0.2, 0.3]}}\n"
+    "threads: 3\n";
+
+static void echo_keeps_every_key(void **state)
+{
+    fixture *f = *state;
+    scene *s = load_text(f, full);
+    assert_string_equal(s->title, "quotes \" and \\ and \t");
+    assert_int_equal(s->stress_state, STRESS_PLANE);
+    assert_int_equal(s->bc.side[0][0].material, 1);
+    check_close(s->material[0].tension_switch, 1e5, 1e-9);
+    check_close(s->body[0].temperature, 281.0, 0.0);
+    check_true(!s->method.conserve_energy && s->rest.enabled);
+    assert_int_equal(s->load[0].body, -1);
+    assert_int_equal(s->load[1].body, 0);
+    assert_int_equal(s->load[3].ramp_steps, 500);
+    check_round_trip(f, s);
+    scene_destroy(&s);
+}
+
+/* ---- texts ---- */
+
+static void starter_loads(void **state)
+{
+    fixture *f = *state;
+    char *text;
+    check_ok(f->ctx, deck_starter(&text, f->ctx, "my \"scene\""));
+    scene *s = load_text(f, text);
+    assert_string_equal(s->title, "my _scene_");
+    memory_free(f->ctx, &text);
+    scene_destroy(&s);
+}
+
+static void reference_and_schema_name_every_key(void **state)
+{
+    fixture *f = *state;
+    char *page, *json;
+    check_ok(f->ctx, deck_reference(&page, f->ctx, &f->store.catalogue));
+    check_ok(f->ctx, deck_json_schema(&json, f->ctx, &f->store.catalogue));
+    static const char *const words[] = {"volume_relaxation", "linear_elastic", "annulus", "lame",
+                                        "no_slip",           "traction"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        assert_non_null(strstr(page, words[i]));
+        assert_non_null(strstr(json, words[i]));
+    }
+    memory_free(f->ctx, &page);
+    memory_free(f->ctx, &json);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(cylinder_has_its_values, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(defaults_agree_with_scene_create, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(units_are_converted, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(density_and_temperature_give_the_pressure, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(axes_are_r_and_z_when_axisymmetric, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(overrides_reach_any_key, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(every_input_loads_and_echoes, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(echo_keeps_every_key, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(starter_loads, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(reference_and_schema_name_every_key, set_up, tear_down),
+    };
+    return cmocka_run_group_tests_name("deck_load", tests, NULL, NULL);
+}
