@@ -151,6 +151,7 @@ bool hdf_has(hdf_file *file, const char *path)
 
 static floe_status open_set(hdf_file *file, const char *path, hid_t *set)
 {
+    *set = H5I_INVALID_HID;
     if (!hdf_has(file, path)) return fail(file->ctx, FLOE_IO, "'%s' holds no '%s'", file->name, path);
     *set = H5Dopen2(file->id, path, H5P_DEFAULT);
     return *set < 0 ? hdf_fail(file, "open", path) : FLOE_OK;

@@ -50,7 +50,7 @@ static void add_vector(line *l, const char *name, const char *unit, const double
     static const char axis[] = "xyz", axis_rz[] = "rz";
     const bool rz = l->s->mesh.geometry == MESH_AXISYMMETRIC;
     for (int a = 0; a < l->s->mesh.dim; a++) {
-        char full[NAME_SIZE + 16];
+        char full[2 * NAME_SIZE];
         (void)snprintf(full, sizeof full, "%s_%c", name, rz ? axis_rz[a] : axis[a]);
         add(l, full, unit, value[a]);
     }

@@ -35,7 +35,7 @@ static hdf_shape shape_of(const writer *w, bool vector)
     if (w->on_points) {
         extent.extent[extent.rank++] = w->points->n;
     } else {
-        if (m->dim == 3) extent.extent[extent.rank++] = (size_t)m->n[2];
+        extent.extent[extent.rank++] = (size_t)m->n[2];
         extent.extent[extent.rank++] = (size_t)m->n[1];
         extent.extent[extent.rank++] = (size_t)m->n[0];
     }
@@ -264,16 +264,35 @@ static floe_status add_derived(writer *w)
     return status;
 }
 
-/* Position first: it is the geometry of the grid. */
-static floe_status begin_points(writer *w, const char *label)
-{
-    static const array_spec spec = {.name = "position", .unit = "m", .meaning = "x_p", .vector = true};
+/* One array in the file, with what its description points at. */
+typedef struct written {
     char path[PATH_SIZE];
     hdf_shape extent;
     xdmf_array array;
+} written;
+
+/* Whole numbers: the points' ids, or their places in the list. */
+static floe_status write_numbers(writer *w, const array_spec *spec, bool ids, written *out)
+{
+    int64_t *number;
+    TRY(memory_new(w->s->ctx, &number, w->points->n, sizeof *number));
+    for (size_t i = 0; i < w->points->n; i++) number[i] = ids ? (int64_t)w->points->place[i].id : (int64_t)i;
+    const floe_status status = write_array(w, spec, number, out->path, &out->extent, &out->array);
+    memory_free(w->s->ctx, &number);
+    return status;
+}
+
+/* Index and position first: they are the topology and the geometry of the grid. */
+static floe_status begin_points(writer *w, const char *label)
+{
+    static const array_spec of_index = {
+        .name = "index", .unit = "1", .meaning = "place in the arrays of this file, for viewers", .integer = true};
+    static const array_spec of_position = {.name = "position", .unit = "m", .meaning = "x_p", .vector = true};
+    written index, position;
+    TRY(write_numbers(w, &of_index, false, &index));
     gather_vector(w, P_POS, w->points->body);
-    TRY(write_array(w, &spec, NULL, path, &extent, &array));
-    xdmf_begin_points(w->page, label, w->points->n, &array);
+    TRY(write_array(w, &of_position, NULL, position.path, &position.extent, &position.array));
+    xdmf_begin_points(w->page, label, &index.array, &position.array);
     return w->page->status;
 }
 
@@ -281,16 +300,10 @@ static floe_status add_id(writer *w)
 {
     static const array_spec spec = {
         .name = "id", .unit = "1", .meaning = "the point's number, for life", .integer = true};
-    char path[PATH_SIZE];
-    hdf_shape extent;
-    xdmf_array array;
-    int64_t *id;
-    TRY(memory_new(w->s->ctx, &id, w->points->n, sizeof *id));
-    for (size_t i = 0; i < w->points->n; i++) id[i] = (int64_t)w->points->place[i].id;
-    const floe_status status = write_array(w, &spec, id, path, &extent, &array);
-    if (status == FLOE_OK) xdmf_add(w->page, &array);
-    memory_free(w->s->ctx, &id);
-    return status;
+    written id;
+    TRY(write_numbers(w, &spec, true, &id));
+    xdmf_add(w->page, &id.array);
+    return w->page->status;
 }
 
 /* A body that has lost all its points has no grid: viewers stumble over empty ones. */

@@ -12,25 +12,28 @@ void xdmf_begin_time(text_buffer *page, long number, double time)
 }
 
 /* Three numbers of a mesh in the order of XDMF: slowest axis first. */
-static void add_numbers(text_buffer *page, int axes, const double *value)
+static void add_numbers(text_buffer *page, const double value[3])
 {
-    text_append(page, "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"%d\">", axes);
-    for (int a = axes - 1; a >= 0; a--) text_append(page, "%.17g%s", value[a], a > 0 ? " " : "");
-    text_append(page, "</DataItem>\n");
+    text_append(page, "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">");
+    text_append(page, "%.17g %.17g %.17g</DataItem>\n", value[2], value[1], value[0]);
 }
 
 void xdmf_begin_cells(text_buffer *page, const mesh *m)
 {
-    const int axes = m->dim == 3 ? 3 : 2;
-    /* An unused second axis is as thick as a cell along the first. */
-    const double origin[3] = {m->lower[0], m->dim == 1 ? 0.0 : m->lower[1], m->lower[2]};
-    const double spacing[3] = {m->h[0], m->dim == 1 ? m->h[0] : m->h[1], m->h[2]};
+    /* ParaView shows two-dimensional meshes in the wrong plane, and reads none of one node across. So an unused axis is a
+     * cell thick: y about 0; z below 0, so that the points lie on the face that one looks at. */
+    double origin[3] = {m->lower[0], -0.5 * m->h[0], -m->h[0]};
+    double spacing[3] = {m->h[0], m->h[0], m->h[0]};
+    for (int a = 0; a < m->dim; a++) {
+        origin[a] = m->lower[a];
+        spacing[a] = m->h[a];
+    }
     text_append(page, "<Grid Name=\"cells\" GridType=\"Uniform\">\n");
-    text_append(page, "<Topology TopologyType=\"%dDCoRectMesh\" Dimensions=\"", axes);
-    for (int a = axes - 1; a >= 0; a--) text_append(page, "%d%s", m->n[a] + 1, a > 0 ? " " : "");
-    text_append(page, "\"/>\n<Geometry GeometryType=\"%s\">\n", axes == 3 ? "ORIGIN_DXDYDZ" : "ORIGIN_DXDY");
-    add_numbers(page, axes, origin);
-    add_numbers(page, axes, spacing);
+    text_append(page, "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"%d %d %d\"/>\n", m->n[2] + 1, m->n[1] + 1,
+                m->n[0] + 1);
+    text_append(page, "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n");
+    add_numbers(page, origin);
+    add_numbers(page, spacing);
     text_append(page, "</Geometry>\n");
 }
 
@@ -46,13 +49,15 @@ static void add_item(text_buffer *page, const xdmf_array *array)
     text_append(page, "</DataItem>\n");
 }
 
-void xdmf_begin_points(text_buffer *page, const char *body, size_t n, const xdmf_array *position)
+void xdmf_begin_points(text_buffer *page, const char *body, const xdmf_array *index, const xdmf_array *position)
 {
     text_append(page, "<Grid Name=\"");
     text_append_xml(page, body);
     text_append(page, "\" GridType=\"Uniform\">\n");
-    text_append(page, "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%zu\" NodesPerElement=\"1\"/>\n", n);
-    text_append(page, "<Geometry GeometryType=\"XYZ\">\n");
+    text_append(page, "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%zu\" NodesPerElement=\"1\">\n",
+                index->extent[0]);
+    add_item(page, index);
+    text_append(page, "</Topology>\n<Geometry GeometryType=\"XYZ\">\n");
     add_item(page, position);
     text_append(page, "</Geometry>\n");
 }

@@ -22,10 +22,10 @@ typedef struct xdmf_array {
 
 /* A time: a collection that holds the grids that follow, up to xdmf_end. */
 void xdmf_begin_time(text_buffer *page, long number, double time);
-/* The grid of the cells: uniform; 1-D meshes are shown one cell thick. */
+/* The grid of the cells: uniform; axes that the mesh does not have are one cell thick. */
 void xdmf_begin_cells(text_buffer *page, const mesh *m);
-/* The grid of a body's n points; `position` is their coordinates (n x 3). */
-void xdmf_begin_points(text_buffer *page, const char *body, size_t n, const xdmf_array *position);
+/* The grid of a body's n points; `index` holds 0 to n - 1, which some readers ask for, `position` the coordinates (n x 3). */
+void xdmf_begin_points(text_buffer *page, const char *body, const xdmf_array *index, const xdmf_array *position);
 void xdmf_add(text_buffer *page, const xdmf_array *array);
 /* Ends the innermost grid or collection. */
 void xdmf_end(text_buffer *page);

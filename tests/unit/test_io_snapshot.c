@@ -89,7 +89,8 @@ static void check_topology(page *p, const xml_element *e)
         return;
     }
     const size_t axes = numbers_of(xml_get(e, "Dimensions"), n);
-    assert_string_equal(kind, axes == 3 ? "3DCoRectMesh" : "2DCoRectMesh");
+    assert_string_equal(kind, "3DCoRectMesh"); /* two-dimensional ones are shown in the wrong plane */
+    assert_int_equal(axes, 3);
     p->entries = 1;
     for (size_t i = 0; i < axes; i++) p->entries *= n[i] - 1;
 }
@@ -120,7 +121,8 @@ static void visit(void *user, const xml_element *open, int depth)
     }
     if (strcmp(e->name, "Grid") == 0 && strcmp(xml_get(e, "GridType"), "Uniform") == 0) p->grids++;
     if (strcmp(e->name, "DataItem") == 0 && strcmp(xml_get(e, "Format"), "HDF") == 0) {
-        check_item(p, e, strcmp(parent->name, "Geometry") == 0 ? "m" : NULL);
+        const bool geometry = strcmp(parent->name, "Geometry") == 0;
+        check_item(p, e, geometry ? "m" : strcmp(parent->name, "Topology") == 0 ? "1" : NULL);
         if (strcmp(parent->name, "Attribute") == 0) check_attribute_item(p, parent, e);
         p->arrays++;
     }
