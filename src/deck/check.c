@@ -36,8 +36,9 @@ floe_status bad_at(reader *r, const char *const *path, const char *expected, con
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    deck_node *node = nearest_path(r->root, path);
-    const bool there = node_path(r->root, path) == node && node->kind != NODE_MAP;
+    deck_node *node = node_path(r->root, path);
+    const bool there = node && node->kind != NODE_MAP;
+    if (!node) node = nearest_path(r->root, path);
     for (deck_node *n = node; n; n = n->parent) n->bad = true;
     return error_add(r->errors, there ? node->at : node->key_at, expected, hint, "%s", message);
 }
@@ -165,6 +166,8 @@ static floe_status check_coupling(reader *r, scene_coupling coupling)
         return bad(r, node, "ambient: {material: ..., pressure: ..., temperature: ...}",
                    "'ice-mpm' needs to know what surrounds the bodies: 'ambient' is missing");
     }
+    const deck_node *bodies = node_find(r->root, "bodies");
+    if (bodies && bodies->bad) return FLOE_OK; /* there may be more than could be read */
     if (coupling == COUPLING_MPM && s->n_bodies == 0) return bad(r, node, "bodies: {...}", "'mpm' needs a body");
     if (s->n_bodies == 0 && !s->has_ambient) return bad(r, node, "bodies: {...}", "the scene is empty");
     return FLOE_OK;
@@ -179,8 +182,6 @@ static floe_status check_couplings(reader *r)
         return bad_at(r, PATH("coupling"), "a coupling that 'runs_as' lists", NULL, "'runs_as' does not list '%s'",
                       coupling_name(s->coupling));
     }
-    const deck_node *bodies = node_find(r->root, "bodies");
-    if (bodies && bodies->bad) return FLOE_OK;
     for (int i = 0; i < s->n_runs_as; i++) TRY(check_coupling(r, s->runs_as[i]));
     return FLOE_OK;
 }

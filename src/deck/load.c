@@ -159,7 +159,7 @@ static floe_status read_file(context *ctx, const char *path, char **text, size_t
 floe_status deck_load(scene **out, context *ctx, const char *path, const deck_overrides *set,
                       const deck_catalogue *catalogue, deck_report *report)
 {
-    char *text;
+    char *text = NULL;
     size_t length = 0;
     *out = NULL;
     *report = (deck_report){.ctx = ctx};

@@ -197,6 +197,7 @@ floe_status parse_yaml(deck_node **root, deck_arena *arena, int source, const ch
     } else {
         status = take_events(&p);
     }
+    if (p.diag) fy_diag_reset_error(p.diag);
     if (p.fyp) fy_parser_destroy(p.fyp);
     if (p.diag) fy_diag_unref(p.diag);
     if (status != FLOE_OK) return status;

@@ -20,6 +20,14 @@ static void print_choices(page *p, const choice *choices)
     for (const choice *c = choices; c->name; c++) text_print(&p->out, "%s`%s`", c == choices ? "" : ", ", c->name);
 }
 
+/* A line of documentation as a sentence. */
+static void print_sentence(page *p, const char *text)
+{
+    if (!text || !text[0]) return;
+    const bool lower = text[0] >= 'a' && text[0] <= 'z';
+    text_print(&p->out, "%c%s.", lower ? text[0] - 'a' + 'A' : text[0], text + 1);
+}
+
 /* What the key takes, for any dimension of the scene. */
 static void print_form(page *p, const key_spec *key)
 {
@@ -68,7 +76,7 @@ static void print_doc(page *p, const key_spec *key)
             if (c->doc) text_print(&p->out, "%s `%s`: %s", c == key->choices ? "." : ";", c->name, c->doc);
         }
     }
-    if (key->belongs) text_print(&p->out, " (%s only)", key->belongs);
+    if (key->belongs) text_print(&p->out, " (%.*s only)", (int)strcspn(key->belongs, ":"), key->belongs);
 }
 
 static void print_head(page *p)
@@ -111,8 +119,10 @@ static void print_family(page *p, const char *title, const model_family *family)
     text_print(&p->out, "\n## %s\n", title);
     model_entry entry;
     for (size_t i = 0; family->get(p->catalogue, i, &entry); i++) {
-        text_print(&p->out, "\n### %s\n\n%s%s%s%s\n", entry.name, entry.doc ? entry.doc : "",
-                   entry.cite && entry.cite[0] ? ". " : "", entry.cite ? entry.cite : "", ".");
+        text_print(&p->out, "\n### %s\n\n", entry.name);
+        print_sentence(p, entry.doc);
+        if (entry.cite && entry.cite[0]) text_print(&p->out, " Source: %s.", entry.cite);
+        text_print(&p->out, "\n");
         print_params(p, &entry);
     }
 }
@@ -120,7 +130,9 @@ static void print_family(page *p, const char *title, const model_family *family)
 static void print_variants(page *p, const variants *kinds)
 {
     for (size_t i = 0; i < kinds->n; i++) {
-        text_print(&p->out, "\n### %s\n\n%s.\n", kinds->list[i].name, kinds->list[i].doc);
+        text_print(&p->out, "\n### %s\n\n", kinds->list[i].name);
+        print_sentence(p, kinds->list[i].doc);
+        text_print(&p->out, "\n");
         if (kinds->list[i].table) print_rows(p, kinds->list[i].table);
     }
 }
@@ -131,6 +143,13 @@ static void print_names(page *p, const char *title, const deck_name *name, size_
     for (size_t i = 0; i < n; i++) text_print(&p->out, "* `%s`: %s\n", name[i].name, name[i].doc ? name[i].doc : "");
 }
 
+static void print_title(page *p, const char *name, const char *doc)
+{
+    text_print(&p->out, "\n## %s\n\n", name);
+    print_sentence(p, doc);
+    text_print(&p->out, "\n");
+}
+
 /* The maps below a table, each in a section of its own; `path` names where it hangs. */
 static void print_sections(page *p, const key_table *table, const char *path)
 {
@@ -139,11 +158,11 @@ static void print_sections(page *p, const key_table *table, const char *path)
         char name[128];
         snprintf(name, sizeof name, "%s%s%s", path, path[0] ? "." : "", key->key);
         if (key->type == KEY_MAP) {
-            text_print(&p->out, "\n## %s\n\n%s.\n", name, key->doc);
+            print_title(p, name, key->doc);
             print_rows(p, key->table);
             print_sections(p, key->table, name);
         } else if (key->type == KEY_NAMED) {
-            text_print(&p->out, "\n## %s\n\n%s.\n", name, key->doc);
+            print_title(p, name, key->doc);
             snprintf(name + strlen(name), sizeof name - strlen(name), ".NAME");
             if (key->items->table) print_rows(p, key->items->table);
             if (key->items->variants) print_variants(p, key->items->variants);
@@ -151,7 +170,8 @@ static void print_sections(page *p, const key_table *table, const char *path)
                 text_print(&p->out, "\n`NAME: [x, y, z]`: a list, one number for each axis, in m.\n");
             if (key->items->table) print_sections(p, key->items->table, name);
         } else if (key->custom == &custom_boundaries) {
-            text_print(&p->out, "\n## %s\n\n%s: `%s`.\n", name, key->doc, key->custom->form);
+            print_title(p, name, key->doc);
+            text_print(&p->out, "\n    %s\n", key->custom->form);
             print_variants(p, &boundary_kinds);
         }
     }
