@@ -1,0 +1,73 @@
+/* The command line: main parses what comes before the command, each command its own arguments. */
+#ifndef CLI_CLI_H
+#define CLI_CLI_H
+
+#include "deck/deck.h"
+
+#include <argp.h>
+#include <signal.h>
+
+enum { CLI_MAX_SET = 128, CLI_PATH = 4096 };
+
+typedef struct cli {
+    context *ctx;                      /* not owned */
+    const volatile sig_atomic_t *stop; /* becomes non-zero on SIGINT or SIGTERM */
+    bool colour;                       /* standard error is a terminal */
+    bool quiet;                        /* the log's warnings are not shown */
+} cli;
+
+typedef struct cli_command {
+    const char *name;
+    const char *doc;
+    /* Carries out the command and returns the exit status (design 6); argv[0] is "floe NAME". */
+    int (*run)(cli *c, int argc, char **argv);
+} cli_command;
+
+extern const cli_command cli_commands[];
+extern const size_t cli_n_commands;
+/* NULL if there is none of that name. */
+const cli_command *cli_find(const char *name);
+
+int cmd_check(cli *c, int argc, char **argv);
+int cmd_plan(cli *c, int argc, char **argv);
+int cmd_run(cli *c, int argc, char **argv);
+int cmd_compare(cli *c, int argc, char **argv);
+int cmd_list(cli *c, int argc, char **argv);
+int cmd_new(cli *c, int argc, char **argv);
+
+/* A deck as the command line names it: file, --set and --coupling. */
+typedef struct cli_deck {
+    const char *path;
+    const char *set[CLI_MAX_SET];
+    size_t n_set;
+    char coupling[96]; /* "coupling=NAME", one of `set` */
+} cli_deck;
+
+/* Takes an argument that several commands share: the deck, --set (key 's'), --coupling (key 'c'). ARGP_ERR_UNKNOWN for others. */
+error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *state);
+/* Their entries for an argp table. */
+#define CLI_OPTION_SET                                                                                          \
+    {                                                                                                           \
+        "set", 's', "KEY=VALUE", 0, "Replace a key of the deck, as in --set domain.cell=0.0125 (repeatable)", 0 \
+    }
+#define CLI_OPTION_COUPLING                                                                                  \
+    {                                                                                                        \
+        "coupling", 'c', "NAME", 0, "How fluids are represented: mpm, ice, ice-mpm (default: the deck's)", 0 \
+    }
+
+/* Loads the deck into *out, which the caller owns; errors are printed. */
+floe_status cli_load(const cli *c, const cli_deck *d, scene **out);
+/* Prints the context's message as an error and returns the exit status that belongs to `status`. */
+int cli_fail(const cli *c, floe_status status);
+/* Prints "floe: error: ..." with the word in colour on a terminal. */
+void cli_error(const cli *c, const char *format, ...) FLOE_PRINTF(2, 3);
+/* A sink that prints warnings and errors; `user` is the cli. */
+void cli_sink(void *user, log_level level, const char *line);
+
+/* A number of an option, > 0; otherwise a usage error. */
+double cli_number(struct argp_state *state, const char *option, const char *arg);
+int cli_whole(struct argp_state *state, const char *option, const char *arg);
+/* The part of a path that names the deck: "a/sod.yaml" gives "sod". */
+void cli_stem(const char *path, char stem[CLI_PATH]);
+
+#endif

@@ -1,0 +1,8 @@
+#include "cli/cli.h"
+int cmd_plan(cli *c, int argc, char **argv)
+{
+    (void)c;
+    (void)argc;
+    (void)argv;
+    return 2;
+}

@@ -1,0 +1,82 @@
+/* floe run DECK */
+#include "cli/cli.h"
+#include "run/run.h"
+
+#include <string.h>
+
+typedef struct arguments {
+    cli_deck deck;
+    run_options options;
+    bool quiet;
+    char dir[CLI_PATH + 32];
+} arguments;
+
+enum { KEY_MAX_WALL = 1000, KEY_RESUME };
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    arguments *a = state->input;
+    switch (key) {
+    case 'o': a->options.dir = arg; return 0;
+    case 't': a->options.threads = cli_whole(state, "threads", arg); return 0;
+    case 'q': a->quiet = true; return 0;
+    case KEY_RESUME: a->options.resume = true; return 0;
+    case KEY_MAX_WALL: a->options.max_wall = cli_number(state, "max-wall", arg); return 0;
+    default: return cli_deck_option(&a->deck, key, arg, state);
+    }
+}
+
+static const struct argp_option options[] = {
+    {"output", 'o', "DIR", 0, "Folder of the results (default: out/DECK-COUPLING)", 0},
+    CLI_OPTION_COUPLING,
+    CLI_OPTION_SET,
+    {"threads", 't', "N", 0, "Threads; the results do not depend on it", 0},
+    {"resume", KEY_RESUME, NULL, 0, "Go on from the checkpoint in DIR, to the same bits as a run that was not stopped",
+     0},
+    {"max-wall", KEY_MAX_WALL, "S", 0, "Stop with a checkpoint after S seconds, as Ctrl-C does", 0},
+    {"quiet", 'q', NULL, 0, "No progress and no result on standard output", 0},
+    {0},
+};
+static const struct argp argp = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "DECK",
+    .doc = "Run a scene. DIR gets summary.json, history.csv, fields/ with fields.xdmf (for ParaView and VisIt), "
+           "checkpoint.h5, the resolved deck.yaml and run.log. Ctrl-C ends the run with a checkpoint.",
+};
+
+static void print_result(const run_summary *r, const char *dir)
+{
+    printf("%s: t = %.6g s, %lld steps (%lld rejected), %.3g s of wall time\n", r->status, r->time, r->steps,
+           r->rejected_steps, r->wall_seconds);
+    printf("drift: mass %.1e, momentum %.1e, energy %.1e\n", r->drift_mass, r->drift_momentum, r->drift_energy);
+    for (int i = 0; i < r->n_errors; i++) printf("%s: %.6g\n", r->errors[i].name, r->errors[i].value);
+    printf("results: %s (fields.xdmf opens in ParaView with its XDMF Reader)\n", dir);
+}
+
+int cmd_run(cli *c, int argc, char **argv)
+{
+    arguments a = {0};
+    run_summary summary;
+    scene *s;
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    floe_status status = cli_load(c, &a.deck, &s);
+    if (status != FLOE_OK) return cli_fail(c, status);
+    if (!a.options.dir) {
+        char stem[CLI_PATH];
+        cli_stem(a.deck.path, stem);
+        (void)snprintf(a.dir, sizeof a.dir, "out/%s-%s", stem, coupling_name(s->coupling));
+        a.options.dir = a.dir;
+    }
+    c->quiet = a.quiet;
+    a.options.stop = c->stop;
+    a.options.progress = a.quiet ? NULL : stderr;
+    a.options.sink = cli_sink;
+    a.options.sink_user = c;
+    a.options.sink_detail = LOG_WARNING;
+    status = run_scene(c->ctx, s, &a.options, &summary);
+    scene_destroy(&s);
+    if (status != FLOE_OK) return cli_fail(c, status);
+    if (!a.quiet) print_result(&summary, a.options.dir);
+    return 0;
+}

@@ -1,0 +1,130 @@
+/* What the commands share. */
+#include "cli/cli.h"
+
+#include "base/memory.h"
+#include "run/catalogue.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char *red(const cli *c)
+{
+    return c->colour ? "\033[1;31m" : "";
+}
+
+static const char *plain(const cli *c)
+{
+    return c->colour ? "\033[0m" : "";
+}
+
+void cli_error(const cli *c, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    (void)fprintf(stderr, "floe: %serror:%s ", red(c), plain(c));
+    (void)vfprintf(stderr, format, arguments);
+    (void)fprintf(stderr, "\n");
+    va_end(arguments);
+}
+
+int cli_fail(const cli *c, floe_status status)
+{
+    const char *message = context_message(c->ctx);
+    if (status == FLOE_INTERRUPTED) {
+        (void)fprintf(stderr, "floe: %s\n", message);
+    } else {
+        cli_error(c, "%s", message[0] ? message : status_text(status));
+    }
+    return status_exit(status);
+}
+
+void cli_sink(void *user, log_level level, const char *line)
+{
+    const cli *c = user;
+    if (level == LOG_ERROR) {
+        cli_error(c, "%s", line);
+    } else if (level == LOG_WARNING && !c->quiet) {
+        (void)fprintf(stderr, "floe: warning: %s\n", line);
+    }
+}
+
+/* The report of a deck, the word "error:" in colour on a terminal. */
+static void print_report(const cli *c, const char *text)
+{
+    static const char word[] = "error:";
+    for (const char *at = strstr(text, word); at; at = strstr(text, word)) {
+        (void)fprintf(stderr, "%.*s%s%s%s", (int)(at - text), text, red(c), word, plain(c));
+        text = at + strlen(word);
+    }
+    (void)fputs(text, stderr);
+}
+
+floe_status cli_load(const cli *c, const cli_deck *d, scene **out)
+{
+    const deck_overrides set = {d->set, d->n_set};
+    deck_catalogue *catalogue;
+    deck_report report = {0};
+    floe_status status = catalogue_create(&catalogue, c->ctx);
+    *out = NULL;
+    if (status == FLOE_OK) status = deck_load(out, c->ctx, d->path, &set, catalogue, &report);
+    if (report.text) print_report(c, report.text);
+    catalogue_destroy(c->ctx, &catalogue);
+    deck_report_free(&report);
+    return status;
+}
+
+error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *state)
+{
+    switch (key) {
+    case 's':
+        if (!strchr(arg, '=')) argp_error(state, "--set takes KEY=VALUE, not '%s'", arg);
+        if (d->n_set == CLI_MAX_SET) argp_error(state, "more than %d --set", CLI_MAX_SET);
+        d->set[d->n_set++] = arg;
+        return 0;
+    case 'c':
+        if (d->n_set == CLI_MAX_SET) argp_error(state, "more than %d --set", CLI_MAX_SET);
+        (void)snprintf(d->coupling, sizeof d->coupling, "coupling=%.80s", arg);
+        d->set[d->n_set++] = d->coupling;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (d->path) argp_error(state, "one deck at a time: '%s' is too much", arg);
+        d->path = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!d->path) argp_error(state, "which deck? (a YAML file; `floe new` writes one to start from)");
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+double cli_number(struct argp_state *state, const char *option, const char *arg)
+{
+    char *end;
+    errno = 0;
+    const double value = strtod(arg, &end);
+    if (end == arg || *end != '\0' || errno != 0 || !isfinite(value) || !(value > 0.0))
+        argp_error(state, "--%s takes a number > 0, not '%s'", option, arg);
+    return value;
+}
+
+int cli_whole(struct argp_state *state, const char *option, const char *arg)
+{
+    char *end;
+    errno = 0;
+    const long value = strtol(arg, &end, 10);
+    if (end == arg || *end != '\0' || errno != 0 || value < 1 || value > 1024)
+        argp_error(state, "--%s takes a whole number from 1 to 1024, not '%s'", option, arg);
+    return (int)value;
+}
+
+void cli_stem(const char *path, char stem[CLI_PATH])
+{
+    const char *slash = strrchr(path, '/');
+    (void)snprintf(stem, CLI_PATH, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(stem, '.');
+    if (dot && dot != stem) *dot = '\0';
+}

@@ -1,0 +1,138 @@
+/* floe COMMAND ...: finds the command and hands over. */
+#include "cli/cli.h"
+#include "deck/errors.h"
+#include "floe/floe.h"
+#include "floe_build.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+const cli_command cli_commands[] = {
+    {"check", "Validate a deck: every error, with its place", cmd_check},
+    {"plan", "Show stages, fields, memory and steps of a scene, without running it", cmd_plan},
+    {"run", "Run a scene", cmd_run},
+    {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare},
+    {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list},
+    {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new},
+};
+const size_t cli_n_commands = sizeof cli_commands / sizeof cli_commands[0];
+
+/* Set by the handler alone; the runs look at it between steps. */
+static volatile sig_atomic_t stop_signal = 0;
+
+static void on_signal(int number)
+{
+    stop_signal = number;
+}
+
+/* The first signal asks for an orderly end, a second one ends the program at once. */
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error to report, not an end */
+}
+
+const cli_command *cli_find(const char *name)
+{
+    for (size_t i = 0; i < cli_n_commands; i++) {
+        if (strcmp(cli_commands[i].name, name) == 0) return &cli_commands[i];
+    }
+    return NULL;
+}
+
+static const char *command_name(const void *user, size_t i)
+{
+    (void)user;
+    return i < cli_n_commands ? cli_commands[i].name : NULL;
+}
+
+/* What comes before the command. */
+typedef struct top {
+    const cli_command *command;
+    int first; /* index of the command in argv */
+} top;
+
+static error_t parse_top(int key, char *arg, struct argp_state *state)
+{
+    top *t = state->input;
+    if (key == ARGP_KEY_ARG) {
+        t->command = cli_find(arg);
+        if (!t->command) {
+            const char *near = nearest_name(arg, command_name, NULL);
+            argp_error(state, "unknown command '%s'%s%s%s", arg, near ? " (did you mean '" : "", near ? near : "",
+                       near ? "'?)" : "");
+        }
+        t->first = state->next - 1;
+        state->next = state->argc; /* the rest is the command's */
+        return 0;
+    }
+    if (key == ARGP_KEY_NO_ARGS) argp_usage(state);
+    return ARGP_ERR_UNKNOWN;
+}
+
+static char *list_commands(int key, const char *text, void *input)
+{
+    (void)input;
+    if (key != ARGP_KEY_HELP_POST_DOC) return (char *)text;
+    size_t size = 512;
+    for (size_t i = 0; i < cli_n_commands; i++) size += strlen(cli_commands[i].doc) + 32;
+    char *out = malloc(size);
+    if (!out) return (char *)text;
+    size_t at = (size_t)snprintf(out, size, "Commands:\n");
+    for (size_t i = 0; i < cli_n_commands; i++)
+        at += (size_t)snprintf(out + at, size - at, "  %-8s  %s\n", cli_commands[i].name, cli_commands[i].doc);
+    (void)snprintf(
+        out + at, size - at,
+        "\n`floe COMMAND --help` tells more. Exit status: 0 done; 2 bad usage or deck; 3 diverged; 4 input or "
+        "output failed; 5 interrupted, checkpoint written; 6 a required bar was missed.");
+    return out;
+}
+
+static const struct argp top_argp = {
+    .parser = parse_top,
+    .args_doc = "COMMAND [ARGUMENT...]",
+    .doc = "Fluid-structure interaction: an Eulerian multi-material fluid and material points on one mesh.\v",
+    .help_filter = list_commands,
+};
+
+static void print_version(FILE *stream, struct argp_state *state)
+{
+    (void)state;
+    (void)fprintf(stream, "floe %s (%s)\n%s, %s\n", FLOE_VERSION, FLOE_GIT, FLOE_COMPILER, FLOE_FLAGS);
+}
+
+static int carry_out(cli *c, const top *t, int argc, char **argv)
+{
+    char name[64];
+    (void)snprintf(name, sizeof name, "floe %s", t->command->name);
+    argv[t->first] = name;
+    context_set_sink(c->ctx, cli_sink, c, LOG_WARNING);
+    return t->command->run(c, argc - t->first, argv + t->first);
+}
+
+int main(int argc, char **argv)
+{
+    top t = {0};
+    argp_err_exit_status = status_exit(FLOE_BAD_INPUT);
+    argp_program_version_hook = print_version;
+    argp_parse(&top_argp, argc, argv, ARGP_IN_ORDER, NULL, &t);
+
+    cli c = {.ctx = context_create(), .stop = &stop_signal, .colour = isatty(STDERR_FILENO) != 0};
+    if (!c.ctx) {
+        (void)fprintf(stderr, "floe: no memory\n");
+        return status_exit(FLOE_NO_MEMORY);
+    }
+    catch_signals();
+    const floe_status ready = floe_init();
+    int status = ready == FLOE_OK ? carry_out(&c, &t, argc, argv) : cli_fail(&c, ready);
+    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
+        cli_error(&c, "cannot write to standard output");
+        status = status_exit(FLOE_IO);
+    }
+    context_destroy(&c.ctx);
+    return status;
+}

@@ -1,0 +1,252 @@
+/* The time loop of a run, and what happens at its ends. */
+#include "base/timer.h"
+#include "run/initial.h"
+#include "run/log.h"
+#include "run/measure.h"
+#include "run/output.h"
+#include "run/progress.h"
+#include "run/run.h"
+#include "run/schedule.h"
+#include "run/state_check.h"
+
+#include <math.h>
+#include <string.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+static int use_threads(int threads)
+{
+    if (threads > 0) omp_set_num_threads(threads);
+    return omp_get_max_threads();
+}
+#else
+static int use_threads(int threads)
+{
+    (void)threads;
+    return 1;
+}
+#endif
+
+enum { CHECKS_PER_WINDOW = 64, ROWS_PER_INTERVAL = 50 };
+
+typedef struct run {
+    context *ctx;               /* not owned */
+    scene *scene;               /* not owned */
+    const run_options *options; /* not owned */
+    exact solution;             /* owned */
+    sim *sim;                   /* owned */
+    run_output output;          /* owned */
+    run_log log;                /* owned */
+    progress progress;
+    double started;         /* wall clock at the start of this leg, s */
+    double earlier;         /* wall time of earlier legs, s */
+    double last_checkpoint; /* wall clock, s */
+    bool began;             /* outputs are open */
+} run;
+
+const char *run_status_name(floe_status status, bool at_rest)
+{
+    switch (status) {
+    case FLOE_OK: return at_rest ? "at_rest" : "done";
+    case FLOE_DIVERGED:
+    case FLOE_RETRY: return "diverged";
+    case FLOE_INTERRUPTED: return "interrupted";
+    default: return "failed";
+    }
+}
+
+static double wall_spent(const run *r)
+{
+    return r->earlier + wall_seconds() - r->started;
+}
+
+static floe_status checkpoint(run *r)
+{
+    r->last_checkpoint = wall_seconds();
+    return output_checkpoint(&r->output, r->sim, wall_spent(r));
+}
+
+static double history_interval(const scene *s)
+{
+    return isnan(s->output.history_interval) ? s->output.interval / ROWS_PER_INTERVAL : s->output.history_interval;
+}
+
+/* The time that the next step must not pass: that of a snapshot, or the end. */
+static double next_stop(const run *r)
+{
+    const double end = r->scene->time.end, interval = r->scene->output.interval;
+    const double next = schedule_next(r->sim->time, interval);
+    return next < end - 1e-9 * fmin(interval, end) ? next : end;
+}
+
+static bool is_finished(const run *r)
+{
+    const scene_time *t = &r->scene->time;
+    return r->sim->at_rest || !(r->sim->time < t->end) || (t->max_steps > 0 && r->sim->steps >= t->max_steps);
+}
+
+/* Rest is looked for often enough, yet not at every step: it costs a pass over the points. */
+static floe_status check_rest(run *r, double before)
+{
+    const scene_rest *rest = &r->scene->rest;
+    sim_totals totals;
+    if (!rest->enabled || !schedule_is_passed(before, r->sim->time, rest->window / CHECKS_PER_WINDOW)) return FLOE_OK;
+    TRY(sim_sum(r->sim, &totals));
+    return sim_check_rest(r->sim, &totals);
+}
+
+/* What is due at the time that a step from `before` has reached. Rows come with the first step past their time, snapshots at it. */
+static floe_status write_due(run *r, double before)
+{
+    const double now = r->sim->time;
+    if (schedule_is_passed(before, now, history_interval(r->scene))) TRY(output_row(&r->output, r->sim));
+    if (schedule_is_due(now, r->scene->output.interval)) TRY(output_snapshot(&r->output, r->sim));
+    if (wall_seconds() - r->last_checkpoint < r->scene->output.checkpoint_interval) return FLOE_OK;
+    return checkpoint(r);
+}
+
+/* Asked to stop: by a signal, or by the wall clock. */
+static bool must_stop(const run *r)
+{
+    if (r->options->stop && *r->options->stop) return true;
+    return r->options->max_wall > 0.0 && wall_seconds() - r->started >= r->options->max_wall;
+}
+
+static floe_status loop(run *r)
+{
+    while (!is_finished(r)) {
+        const double before = r->sim->time;
+        if (must_stop(r)) return FLOE_INTERRUPTED;
+        TRY(sim_step(r->sim, next_stop(r)));
+        TRY(check_rest(r, before));
+        TRY(write_due(r, before));
+        progress_show(&r->progress, r->sim);
+    }
+    return FLOE_OK;
+}
+
+/* The last row and snapshot, unless the time has them, the errors, and the checkpoint. */
+static floe_status finish(run *r, run_summary *out)
+{
+    char path[OUTPUT_PATH];
+    if (history_last_time(r->output.history) < r->sim->time) TRY(output_row(&r->output, r->sim));
+    if (snapshot_last_time(r->output.snapshots) < r->sim->time) TRY(output_snapshot(&r->output, r->sim));
+    TRY(checkpoint(r));
+    TRY(measure_errors(r->sim, &r->solution, out));
+    output_path(&r->output, "profile.csv", path);
+    return measure_profile(r->sim, &r->solution, path);
+}
+
+static floe_status interrupt(run *r)
+{
+    TRY(checkpoint(r));
+    return fail(r->ctx, FLOE_INTERRUPTED,
+                "stopped at t = %.6g s after %ld steps; a checkpoint was written: go on with --resume", r->sim->time,
+                r->sim->steps);
+}
+
+/* The state is that of the last good step; if even that is no good, an earlier checkpoint stays. */
+static floe_status diverge(run *r)
+{
+    char cause[CONTEXT_MESSAGE_SIZE];
+    (void)snprintf(cause, sizeof cause, "%.1900s", context_message(r->ctx));
+    context_clear(r->ctx);
+    const bool good = state_is_finite(r->sim);
+    if (good) TRY(checkpoint(r));
+    return fail(r->ctx, FLOE_DIVERGED, "%s; %s", cause,
+                good                                ? "the last good state is in checkpoint.h5"
+                : output_has_checkpoint(&r->output) ? "checkpoint.h5 holds an earlier state"
+                                                    : "there is no checkpoint");
+}
+
+static floe_status begin(run *r)
+{
+    const run_options *o = r->options;
+    TRY(initial_exact(r->scene, &r->solution));
+    initial_attach(r->scene, &r->solution);
+    TRY(sim_create(&r->sim, r->ctx, r->scene, r->scene->coupling));
+    TRY(o->resume ? output_resume(&r->output, r->sim, o->dir) : output_begin(&r->output, r->sim, o->dir));
+    r->began = true;
+    r->earlier = r->output.checkpoint.wall_seconds;
+    r->last_checkpoint = wall_seconds();
+    progress_begin(&r->progress, o->progress, o->label, r->sim);
+    return run_log_open(&r->log, r->ctx, o, &r->progress);
+}
+
+static void say_start(const run *r, int threads)
+{
+    const sim *s = r->sim;
+    context_log(r->ctx, LOG_INFO, "%s %s as %s: %zu points, %zu cells, %d thread%s, from t = %.6g s",
+                r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
+                s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",
+                s->time);
+}
+
+static floe_status start_outputs(run *r)
+{
+    if (r->options->resume) return FLOE_OK;
+    TRY(output_row(&r->output, r->sim));
+    return output_snapshot(&r->output, r->sim);
+}
+
+static floe_status carry_out(run *r, run_summary *out)
+{
+    TRY(start_outputs(r));
+    const floe_status status = loop(r);
+    if (status == FLOE_OK) return finish(r, out);
+    if (status == FLOE_INTERRUPTED) return interrupt(r);
+    return status == FLOE_DIVERGED ? diverge(r) : status;
+}
+
+static floe_status write_summary(run *r, run_summary *out, const char *status)
+{
+    char path[OUTPUT_PATH];
+    out->n_counters = 0;
+    out->wall_seconds = wall_spent(r);
+    out->peak_rss_bytes = peak_rss_bytes();
+    (void)snprintf(out->status, sizeof out->status, "%s", status);
+    TRY(summary_set_sim(out, r->sim));
+    output_path(&r->output, "summary.json", path);
+    return summary_write(r->ctx, path, out);
+}
+
+static floe_status run_with_outputs(run *r, run_summary *out)
+{
+    say_start(r, (int)out->threads);
+    TRY(write_summary(r, out, "running"));
+    const floe_status status = carry_out(r, out);
+    progress_clear(&r->progress);
+    const char *name = run_status_name(status, r->sim->at_rest);
+    /* What went wrong is for the caller to show: here it is only noted. */
+    context_log(r->ctx, LOG_INFO, "%s at t = %.6g s after %ld steps%s%s", name, r->sim->time, r->sim->steps,
+                status == FLOE_OK ? "" : ": ", context_message(r->ctx));
+    const floe_status written = write_summary(r, out, name);
+    return status != FLOE_OK ? status : written;
+}
+
+static void end(run *r)
+{
+    run_log_close(&r->log);
+    output_end(&r->output);
+    initial_detach(r->scene);
+    sim_destroy(&r->sim);
+    exact_destroy(r->ctx, &r->solution);
+}
+
+floe_status run_scene(context *ctx, scene *s, const run_options *options, run_summary *out)
+{
+    run r = {.ctx = ctx, .scene = s, .options = options, .started = wall_seconds()};
+    *out = (run_summary){0};
+    (void)snprintf(out->deck, sizeof out->deck, "%s", s->path);
+    (void)snprintf(out->coupling, sizeof out->coupling, "%s", coupling_name(s->coupling));
+    summary_set_build(out);
+    out->threads = use_threads(options->threads > 0 ? options->threads : s->threads);
+    floe_status status = begin(&r);
+    if (status == FLOE_OK) {
+        status = run_with_outputs(&r, out);
+    } else {
+        (void)snprintf(out->status, sizeof out->status, "%s", run_status_name(status, false));
+    }
+    end(&r);
+    return status;
+}

@@ -1,0 +1,42 @@
+#include "run/initial.h"
+
+#include <math.h>
+
+floe_status initial_exact(const scene *s, exact *out)
+{
+    *out = (exact){0};
+    if (s->verify.exact[0] == '\0') return FLOE_OK;
+    const exact_model *model = exact_find(s->verify.exact);
+    if (!model) return fail(s->ctx, FLOE_BAD_INPUT, "there is no exact solution '%s'", s->verify.exact);
+    return exact_create(s->ctx, model, s->verify.exact_par, s->mesh.dim, out);
+}
+
+/* The exact solution's name for what a body asks, EXACT_QUANTITY_COUNT if it has none. */
+static exact_quantity quantity_of(initial_quantity quantity, int component)
+{
+    switch (quantity) {
+    case INITIAL_DENSITY: return EXACT_DENSITY;
+    case INITIAL_PRESSURE: return EXACT_PRESSURE;
+    case INITIAL_VELOCITY: return (exact_quantity)(EXACT_VELOCITY_X + component);
+    case INITIAL_STRESS: return (exact_quantity)(EXACT_STRESS_XX + component);
+    }
+    return EXACT_QUANTITY_COUNT;
+}
+
+static double initial_value(void *user, initial_quantity quantity, int component, const double x[3])
+{
+    const exact_quantity which = quantity_of(quantity, component);
+    return exact_provides(user, which) ? exact_value(user, which, x, 0.0) : (double)NAN;
+}
+
+void initial_attach(scene *s, exact *solution)
+{
+    s->initial = solution->model ? initial_value : NULL;
+    s->initial_user = solution;
+}
+
+void initial_detach(scene *s)
+{
+    s->initial = NULL;
+    s->initial_user = NULL;
+}

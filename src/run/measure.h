@@ -1,0 +1,17 @@
+/* Errors of a run against its exact solution (design 6): nothing smoothed, no point or cell excluded inside the region. */
+#ifndef RUN_MEASURE_H
+#define RUN_MEASURE_H
+
+#include "io/summary.h"
+#include "run/samples.h"
+
+/* Adds the scene's metrics, measured on the present state, to the summary's errors; `solution` may be empty. Points are compared with point
+ * values, weighted by their volume; cells with exact averages over the cell, weighted by the volume that the material has in it.
+ * With verify.pressure also `rel_gas_pressure`, |p - p_ref - P| / P of the fluid that a load pressurises. */
+floe_status measure_errors(sim *s, const exact *solution, run_summary *r);
+
+/* Where the exact solution has a radial stress and the scene more than one dimension: DIR/profile.csv, the stresses of the row of points nearest the
+ * x axis through the solution's centre, in the order of r, beside the exact ones. Else nothing is done. */
+floe_status measure_profile(sim *s, const exact *solution, const char *path);
+
+#endif

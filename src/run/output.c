@@ -1,0 +1,146 @@
+#include "run/output.h"
+
+#include "base/memory.h"
+#include "io/file.h"
+#include "mpm/work.h"
+#include "run/catalogue.h"
+#include "run/pressure.h"
+
+#include <math.h>
+
+void output_path(const run_output *o, const char *name, char path[OUTPUT_PATH])
+{
+    (void)snprintf(path, OUTPUT_PATH, "%s/%s", o->dir, name);
+}
+
+/* What a resumed run may change is set to one value: end time, output schedule, threads, title; and what only `compare` reads. */
+static floe_status echo_identity(char **out, const scene *s, const deck_catalogue *catalogue)
+{
+    scene *plain;
+    TRY(memory_new(s->ctx, &plain, 1, sizeof *plain));
+    *plain = *s;
+    plain->title[0] = '\0';
+    plain->time.end = 1.0;
+    plain->time.max_steps = 0;
+    plain->output = (scene_output){INFINITY, NAN, INFINITY};
+    plain->threads = 0;
+    plain->compare.n_values = 0;
+    plain->runs_as[0] = s->coupling;
+    plain->n_runs_as = 1;
+    const floe_status status = deck_echo(out, plain, catalogue);
+    memory_free(s->ctx, &plain);
+    return status;
+}
+
+static floe_status echo(run_output *o, const scene *s)
+{
+    deck_catalogue *catalogue;
+    TRY(catalogue_create(&catalogue, o->ctx));
+    floe_status status = deck_echo(&o->deck, s, catalogue);
+    if (status == FLOE_OK) status = echo_identity(&o->identity, s, catalogue);
+    catalogue_destroy(o->ctx, &catalogue);
+    return status;
+}
+
+/* The places of loaded surface points are state that no field holds. */
+static void name_extra(run_output *o, const sim *s)
+{
+    if (!s->mpm || s->mpm->work->n_surface == 0) return;
+    o->extra = (checkpoint_extra){.name = "surface_position",
+                                  .data = s->mpm->work->surface[0].x,
+                                  .n = s->mpm->work->n_surface,
+                                  .components = 3,
+                                  .stride = sizeof(surface_point) / sizeof(double)};
+    o->checkpoint.extra = &o->extra;
+    o->checkpoint.n_extra = 1;
+}
+
+static floe_status prepare(run_output *o, const sim *s, const char *dir)
+{
+    *o = (run_output){.ctx = s->ctx, .dir = dir};
+    TRY(echo(o, s->scene));
+    o->checkpoint.deck = o->deck;
+    o->checkpoint.identity = o->identity;
+    name_extra(o, s);
+    return FLOE_OK;
+}
+
+static floe_status write_deck(const run_output *o)
+{
+    char path[OUTPUT_PATH];
+    output_path(o, "deck.yaml", path);
+    return file_replace_text(o->ctx, path, o->deck);
+}
+
+static floe_status open_series(run_output *o, const sim *s, double keep_until)
+{
+    char path[OUTPUT_PATH];
+    output_path(o, "history.csv", path);
+    TRY(history_open(&o->history, s, path, keep_until));
+    return snapshot_open(&o->snapshots, o->ctx, o->dir, o->deck, keep_until);
+}
+
+floe_status output_begin(run_output *o, sim *s, const char *dir)
+{
+    static const char *const earlier[] = {"checkpoint.h5", "profile.csv"};
+    char path[OUTPUT_PATH];
+    TRY(prepare(o, s, dir));
+    TRY(folder_make(o->ctx, dir));
+    TRY(write_deck(o));
+    for (size_t i = 0; i < sizeof earlier / sizeof earlier[0]; i++) {
+        output_path(o, earlier[i], path);
+        TRY(file_remove(o->ctx, path));
+    }
+    return open_series(o, s, -INFINITY);
+}
+
+floe_status output_resume(run_output *o, sim *s, const char *dir)
+{
+    char path[OUTPUT_PATH];
+    TRY(prepare(o, s, dir));
+    output_path(o, "checkpoint.h5", path);
+    TRY(checkpoint_read(s, path, &o->checkpoint));
+    TRY(write_deck(o));
+    return open_series(o, s, s->time);
+}
+
+void output_end(run_output *o)
+{
+    if (!o->ctx) return;
+    history_close(&o->history);
+    snapshot_close(&o->snapshots);
+    memory_free(o->ctx, &o->deck);
+    memory_free(o->ctx, &o->identity);
+}
+
+floe_status output_row(run_output *o, sim *s)
+{
+    sim_totals totals;
+    double pressure[SCENE_MAX_MATERIALS];
+    TRY(sim_account(s));
+    TRY(sim_sum(s, &totals));
+    for (int m = 0; m < s->scene->n_materials; m++) pressure[m] = mean_pressure(s, m);
+    return history_append(o->history, s, &(history_row){&totals, pressure});
+}
+
+floe_status output_snapshot(run_output *o, const sim *s)
+{
+    return snapshot_write(o->snapshots, s);
+}
+
+floe_status output_checkpoint(run_output *o, const sim *s, double wall)
+{
+    char path[OUTPUT_PATH];
+    output_path(o, "checkpoint.h5", path);
+    TRY(history_sync(o->history));
+    o->checkpoint.wall_seconds = wall;
+    name_extra(o, s); /* current and next places change roles */
+    return checkpoint_write(s, path, &o->checkpoint);
+}
+
+bool output_has_checkpoint(const run_output *o)
+{
+    char path[OUTPUT_PATH];
+    output_path(o, "checkpoint.h5", path);
+    return file_exists(path);
+}

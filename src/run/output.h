@@ -1,0 +1,41 @@
+/* The files of a run: history, snapshots, checkpoint, resolved deck (design 6). */
+#ifndef RUN_OUTPUT_H
+#define RUN_OUTPUT_H
+
+#include "deck/deck.h"
+#include "io/checkpoint.h"
+#include "io/history.h"
+#include "io/snapshot.h"
+
+enum { OUTPUT_PATH = 4096 };
+
+typedef struct run_output {
+    context *ctx;               /* not owned */
+    const char *dir;            /* not owned */
+    char *deck;                 /* the resolved deck, owned */
+    char *identity;             /* what must be the same on resume, owned */
+    history *history;           /* owned */
+    snapshot_series *snapshots; /* owned */
+    checkpoint_run checkpoint;
+    checkpoint_extra extra; /* the loaded surface points */
+} run_output;
+
+/* Takes over DIR for a run that is at its start. Earlier outputs go, once the folder is known to take new ones. */
+floe_status output_begin(run_output *o, sim *s, const char *dir);
+/* Sets `s` to DIR/checkpoint.h5 and goes on with the outputs that stand there up to its time. */
+floe_status output_resume(run_output *o, sim *s, const char *dir);
+/* Frees what *o owns; a zeroed one is fine. */
+void output_end(run_output *o);
+
+/* A row of the history, with the ledger brought up to date. */
+floe_status output_row(run_output *o, sim *s);
+/* A snapshot of the fields. */
+floe_status output_snapshot(run_output *o, const sim *s);
+/* The checkpoint; `wall` is the wall time spent so far (s), earlier legs included. */
+floe_status output_checkpoint(run_output *o, const sim *s, double wall);
+bool output_has_checkpoint(const run_output *o);
+
+/* DIR/NAME into path[OUTPUT_PATH]. */
+void output_path(const run_output *o, const char *name, char path[OUTPUT_PATH]);
+
+#endif

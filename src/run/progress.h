@@ -1,0 +1,28 @@
+/* Progress of a run: on a terminal one live line, elsewhere a plain line now and then. */
+#ifndef RUN_PROGRESS_H
+#define RUN_PROGRESS_H
+
+#include "sim/sim.h"
+
+#include <stdio.h>
+
+typedef struct progress {
+    FILE *file;        /* NULL: silent; not owned */
+    const char *label; /* not owned; NULL: none */
+    bool live;         /* a terminal */
+    bool shown;        /* a live line stands on the terminal */
+    double started;    /* wall clock, s */
+    double last;       /* wall clock of the last line, s */
+    double first_time; /* s of the scene, at the start */
+} progress;
+
+/* Begins at the present time of `s`. */
+void progress_begin(progress *p, FILE *file, const char *label, const sim *s);
+/* Shows where the run stands, if it is time to; cheap enough to be called after every step. */
+void progress_show(progress *p, const sim *s);
+/* Takes the live line away, so that other lines can be written. */
+void progress_clear(progress *p);
+/* The last line: `text`. */
+void progress_end(progress *p, const char *text);
+
+#endif

@@ -1,0 +1,123 @@
+/* Cells as samples. */
+#include "base/memory.h"
+#include "run/samples.h"
+
+#include <math.h>
+
+static floe_status gather(cell_samples *c, field_id id, int instance, int comp, double **out)
+{
+    TRY(memory_new(c->s->ctx, out, c->n, sizeof **out));
+    gather_cells(c->s, id, instance, comp, 1, *out);
+    return FLOE_OK;
+}
+
+static floe_status take(cell_samples *c)
+{
+    const fields *f = c->s->domain->fields[0];
+    TRY(gather(c, C_RHO, c->material, 0, &c->rho));
+    if (fields_has(f, C_ENERGY, c->material)) TRY(gather(c, C_ENERGY, c->material, 0, &c->energy));
+    if (fields_has(f, C_VOL, c->material)) TRY(gather(c, C_VOL, c->material, 0, &c->volume));
+    if (fields_has(f, C_PRESSURE, 0)) TRY(gather(c, C_PRESSURE, 0, 0, &c->pressure));
+    for (int a = 0; a < c->s->mesh.dim; a++) TRY(gather(c, C_VEL, c->material, a, &c->v[a]));
+    return FLOE_OK;
+}
+
+floe_status cell_samples_take(cell_samples *c, const sim *s, const exact *solution, int material)
+{
+    *c = (cell_samples){.s = s, .solution = solution, .material = material, .n = mesh_cells(&s->mesh)};
+    const floe_status status = take(c);
+    if (status != FLOE_OK) cell_samples_free(c);
+    return status;
+}
+
+void cell_samples_free(cell_samples *c)
+{
+    context *ctx = c->s->ctx;
+    memory_free(ctx, &c->rho);
+    memory_free(ctx, &c->energy);
+    memory_free(ctx, &c->pressure);
+    memory_free(ctx, &c->volume);
+    for (int a = 0; a < 3; a++) memory_free(ctx, &c->v[a]);
+}
+
+/* Cells in the order z, y, x, the last fastest. */
+static void index_of(const mesh *m, size_t i, int cell[3])
+{
+    cell[0] = (int)(i % (size_t)m->n[0]);
+    cell[1] = (int)(i / (size_t)m->n[0] % (size_t)m->n[1]);
+    cell[2] = (int)(i / (size_t)m->n[0] / (size_t)m->n[1]);
+}
+
+/* Volume fraction: mass per cell volume times the volume of a mass. */
+static double fraction(const cell_samples *c, size_t i)
+{
+    return c->volume ? c->rho[i] * c->volume[i] : 1.0;
+}
+
+static double density_at(const cell_samples *c, size_t i)
+{
+    return c->volume ? 1.0 / c->volume[i] : c->rho[i];
+}
+
+static double temperature_at(const cell_samples *c, size_t i)
+{
+    const eos *law = &c->s->ice->material[c->material].eos;
+    const double rho = density_at(c, i);
+    double T = NAN;
+    if (c->energy) law->model->temperature(law->par, 1, &rho, &c->energy[i], &T);
+    return T;
+}
+
+double cell_value(const cell_samples *c, exact_quantity quantity, size_t i)
+{
+    if (quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z) {
+        const int a = (int)(quantity - EXACT_VELOCITY_X);
+        return a < c->s->mesh.dim ? c->v[a][i] : 0.0;
+    }
+    switch (quantity) {
+    case EXACT_DENSITY: return density_at(c, i);
+    case EXACT_PRESSURE: return c->pressure ? c->pressure[i] : (double)NAN;
+    case EXACT_INTERNAL_ENERGY: return c->energy ? c->energy[i] : (double)NAN;
+    case EXACT_TEMPERATURE: return temperature_at(c, i);
+    case EXACT_VOLUME_FRACTION: return fraction(c, i);
+    default: return NAN;
+    }
+}
+
+static bool is_per_mass(exact_quantity quantity)
+{
+    return quantity == EXACT_INTERNAL_ENERGY || (quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z);
+}
+
+double cell_exact(const cell_samples *c, exact_quantity quantity, size_t i)
+{
+    const mesh *m = &c->s->mesh;
+    int cell[3], flags = EXACT_PLAIN;
+    double lo[3] = {0.0}, hi[3] = {0.0};
+    index_of(m, i, cell);
+    for (int a = 0; a < m->dim; a++) {
+        lo[a] = mesh_node(m, a, cell[a]);
+        hi[a] = mesh_node(m, a, cell[a] + 1);
+    }
+    if (m->geometry == MESH_AXISYMMETRIC) flags |= EXACT_RADIAL;
+    if (is_per_mass(quantity) && exact_provides(c->solution, EXACT_DENSITY)) flags |= EXACT_MASS_WEIGHTED;
+    return exact_cell_average(c->solution, quantity, lo, hi, c->s->time, flags);
+}
+
+double cell_weight(const cell_samples *c, size_t i)
+{
+    int cell[3];
+    index_of(&c->s->mesh, i, cell);
+    return fraction(c, i) * mesh_cell_volume(&c->s->mesh, cell[0]);
+}
+
+bool cell_inside(const cell_samples *c, const shape *region, size_t i)
+{
+    const mesh *m = &c->s->mesh;
+    int cell[3];
+    double x[3] = {0.0};
+    if (!region->model) return true;
+    index_of(m, i, cell);
+    for (int a = 0; a < m->dim; a++) x[a] = mesh_centre(m, a, cell[a]);
+    return shape_inside(region, m->dim, x);
+}

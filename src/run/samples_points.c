@@ -1,0 +1,211 @@
+/* Points as samples. */
+#include "base/memory.h"
+#include "run/samples.h"
+
+#include <math.h>
+#include <string.h>
+
+static const uint64_t ordinal_mask = (UINT64_C(1) << 40) - 1; /* of a point's id (design, conventions) */
+
+static floe_status gather(point_samples *p, field_id id, int comp, double **out)
+{
+    TRY(memory_new(p->s->ctx, out, p->list.n, sizeof **out));
+    gather_points(p->s, &p->list, id, comp, 1, *out);
+    return FLOE_OK;
+}
+
+static floe_status gather_motion(point_samples *p)
+{
+    const int dim = p->s->mesh.dim;
+    for (int a = 0; a < dim; a++) {
+        TRY(gather(p, P_POS, a, &p->x[a]));
+        TRY(gather(p, P_VEL, a, &p->v[a]));
+    }
+    for (int c = 0; c < field_component_count(FIELD_STRESS, dim); c++) TRY(gather(p, P_STRESS, c, &p->stress[c]));
+    return FLOE_OK;
+}
+
+/* Volume and density now, from those at the start. */
+static floe_status gather_volume(point_samples *p)
+{
+    double *J, *mass;
+    TRY(gather(p, P_VOLUME0, 0, &p->volume));
+    TRY(gather(p, P_MASS, 0, &p->density));
+    TRY(gather(p, P_J, 0, &J));
+    mass = p->density;
+    for (size_t i = 0; i < p->list.n; i++) {
+        p->volume[i] *= J[i];
+        p->density[i] = mass[i] / p->volume[i];
+    }
+    memory_free(p->s->ctx, &J);
+    return FLOE_OK;
+}
+
+static seed_spec spec_of(const mesh *m, const scene_body *b)
+{
+    seed_spec spec = {
+        .dim = m->dim, .axisymmetric = m->geometry == MESH_AXISYMMETRIC, .method = b->seeding, .merge = b->merge};
+    for (int a = 0; a < 3; a++) {
+        spec.lower[a] = m->lower[a];
+        spec.h[a] = m->h[a];
+        spec.n[a] = m->n[a];
+        spec.per_cell[a] = b->per_cell[a];
+    }
+    return spec;
+}
+
+/* Solutions of solids are given at the place before the load: seeding again tells it, for an id names its place in the seeding. */
+static floe_status find_start(point_samples *p)
+{
+    const sim *s = p->s;
+    const scene_body *b = &s->scene->body[s->mpm->body[p->body].scene_body];
+    const seed_spec spec = spec_of(&s->mesh, b);
+    seed_list seeds;
+    for (int a = 0; a < s->mesh.dim; a++) TRY(memory_new(s->ctx, &p->start[a], p->list.n, sizeof(double)));
+    TRY(seed_shape(&seeds, s->ctx, &b->shape, &spec));
+    for (size_t i = 0; i < p->list.n; i++) {
+        const uint64_t ordinal = p->list.place[i].id & ordinal_mask;
+        for (int a = 0; a < s->mesh.dim; a++) p->start[a][i] = ordinal < seeds.n ? seeds.x[a][ordinal] : (double)NAN;
+    }
+    seed_list_free(s->ctx, &seeds);
+    return FLOE_OK;
+}
+
+static floe_status take(point_samples *p)
+{
+    TRY(point_list_make(&p->list, p->s, p->body));
+    TRY(gather_motion(p));
+    TRY(gather_volume(p));
+    if (fields_has(p->s->domain->fields[0], P_ENERGY, p->body)) TRY(gather(p, P_ENERGY, 0, &p->energy));
+    return p->solution->model->equations == EXACT_SOLID ? find_start(p) : FLOE_OK;
+}
+
+floe_status point_samples_take(point_samples *p, const sim *s, const exact *solution, int body)
+{
+    *p = (point_samples){.s = s, .solution = solution, .body = body};
+    const floe_status status = take(p);
+    if (status != FLOE_OK) point_samples_free(p);
+    return status;
+}
+
+void point_samples_free(point_samples *p)
+{
+    context *ctx = p->s->ctx;
+    for (int a = 0; a < 3; a++) {
+        memory_free(ctx, &p->x[a]);
+        memory_free(ctx, &p->start[a]);
+        memory_free(ctx, &p->v[a]);
+    }
+    for (int c = 0; c < 6; c++) memory_free(ctx, &p->stress[c]);
+    memory_free(ctx, &p->volume);
+    memory_free(ctx, &p->density);
+    memory_free(ctx, &p->energy);
+    point_list_free(ctx, &p->list);
+}
+
+static void place(double *const from[3], int dim, size_t i, double x[3])
+{
+    for (int a = 0; a < 3; a++) x[a] = a < dim ? from[a][i] : 0.0;
+}
+
+static double stress_at(const point_samples *p, int c, size_t i)
+{
+    /* 1-D keeps xx yy zz, 2-D adds xy. */
+    return p->stress[c] ? p->stress[c][i] : 0.0;
+}
+
+/* The solution's centre; the origin if it has none. */
+static void centre_of(const exact *solution, double centre[3])
+{
+    /* exact_param gives a way to write; here it is read only. */
+    const double *value = exact_param(solution->model, (void *)solution->par, "centre");
+    for (int a = 0; a < 3; a++) centre[a] = value ? value[a] : 0.0;
+}
+
+/* Radial stress about the solution's centre, and the hoop stress: in the plane about an axis, or, of a sphere, the mean of the two
+ * tangential ones. */
+static void polar_stress(const point_samples *p, size_t i, double *radial, double *hoop)
+{
+    const bool sphere = strcmp(p->solution->model->name, "lame_sphere") == 0;
+    const int dim = p->s->mesh.dim, axes = sphere ? dim : dim < 2 ? dim : 2;
+    double x[3], centre[3], n[3] = {0.0}, square = 0.0;
+    place(p->start[0] ? p->start : p->x, dim, i, x);
+    centre_of(p->solution, centre);
+    for (int a = 0; a < axes; a++) {
+        n[a] = x[a] - centre[a];
+        square += n[a] * n[a];
+    }
+    for (int a = 0; a < axes; a++) n[a] /= sqrt(square);
+    const double xx = stress_at(p, 0, i), yy = stress_at(p, 1, i), zz = stress_at(p, 2, i);
+    const double xy = stress_at(p, 3, i), yz = stress_at(p, 4, i), zx = stress_at(p, 5, i);
+    *radial = n[0] * n[0] * xx + n[1] * n[1] * yy + n[2] * n[2] * zz +
+              2.0 * (n[0] * n[1] * xy + n[1] * n[2] * yz + n[2] * n[0] * zx);
+    *hoop = sphere ? 0.5 * (xx + yy + zz - *radial) : n[1] * n[1] * xx + n[0] * n[0] * yy - 2.0 * n[0] * n[1] * xy;
+}
+
+static double polar_value(const point_samples *p, exact_quantity quantity, size_t i)
+{
+    double radial, hoop;
+    polar_stress(p, i, &radial, &hoop);
+    return quantity == EXACT_SIGMA_R ? radial : hoop;
+}
+
+/* Absolute as fluids have it; solutions of solids are relative to the reference pressure. */
+static double pressure_at(const point_samples *p, size_t i)
+{
+    const double gauge = -(stress_at(p, 0, i) + stress_at(p, 1, i) + stress_at(p, 2, i)) / 3.0;
+    return p->solution->model->equations == EXACT_SOLID ? gauge : gauge + p->s->scene->reference_pressure;
+}
+
+static double temperature_at(const point_samples *p, size_t i)
+{
+    const mpm_body *b = &p->s->mpm->body[p->body];
+    double T = NAN;
+    if (b->fluid && p->energy)
+        b->fluid_par.eos.model->temperature(b->fluid_par.eos.par, 1, &p->density[i], &p->energy[i], &T);
+    return T;
+}
+
+double point_value(const point_samples *p, exact_quantity quantity, size_t i)
+{
+    const int dim = p->s->mesh.dim;
+    if (quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z) {
+        const int a = (int)(quantity - EXACT_VELOCITY_X);
+        return a < dim ? p->v[a][i] : 0.0;
+    }
+    if (quantity >= EXACT_STRESS_XX && quantity <= EXACT_STRESS_ZX)
+        return stress_at(p, (int)(quantity - EXACT_STRESS_XX), i);
+    if (quantity >= EXACT_DISPLACEMENT_X && quantity <= EXACT_DISPLACEMENT_Z) {
+        const int a = (int)(quantity - EXACT_DISPLACEMENT_X);
+        if (a >= dim) return 0.0;
+        return p->start[a] ? p->x[a][i] - p->start[a][i] : (double)NAN;
+    }
+    switch (quantity) {
+    case EXACT_DENSITY: return p->density[i];
+    case EXACT_PRESSURE: return pressure_at(p, i);
+    case EXACT_INTERNAL_ENERGY: return p->energy ? p->energy[i] : (double)NAN;
+    case EXACT_TEMPERATURE: return temperature_at(p, i);
+    case EXACT_SIGMA_R:
+    case EXACT_SIGMA_THETA: return polar_value(p, quantity, i);
+    default: return NAN;
+    }
+}
+
+double point_exact(const point_samples *p, exact_quantity quantity, size_t i)
+{
+    const sim *s = p->s;
+    const bool velocity = quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z;
+    double x[3], t = s->time;
+    place(p->start[0] ? p->start : p->x, s->mesh.dim, i, x);
+    /* In pure MPM velocities are those of half a step ago (design, conventions). */
+    if (velocity && !s->mpm->coupled) t -= 0.5 * s->mpm->dt_previous;
+    return exact_value(p->solution, quantity, x, t);
+}
+
+bool point_inside(const point_samples *p, const shape *region, size_t i)
+{
+    double x[3];
+    if (!region->model) return true;
+    place(p->x, p->s->mesh.dim, i, x);
+    return shape_inside(region, p->s->mesh.dim, x);
+}
