@@ -39,6 +39,7 @@ floe_status bad_at(reader *r, const char *const *path, const char *expected, con
     deck_node *node = node_path(r->root, path);
     const bool there = node && node->kind != NODE_MAP;
     if (!node) node = nearest_path(r->root, path);
+    if (!node) return fail(r->ctx, FLOE_INTERNAL, "a deck without a root was checked: %s", message);
     for (deck_node *n = node; n; n = n->parent) n->bad = true;
     return error_add(r->errors, there ? node->at : node->key_at, expected, hint, "%s", message);
 }

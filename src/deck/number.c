@@ -70,7 +70,8 @@ bool number_split(const char *text, double *x, const char **unit, char *why)
         return refuse(why, text, letter ? "has no space between number and unit" : "goes on after the number");
     }
     while (*rest == ' ') rest++;
-    if (isdigit((unsigned char)*rest) && !strchr(rest, '/')) return refuse(why, text, "goes on after the number");
+    if (isdigit((unsigned char)*rest) && strncmp(rest, "1/", 2) != 0)
+        return refuse(why, text, "goes on after the number");
     errno = 0;
     *x = strtod(text, NULL);
     if (!isfinite(*x)) return refuse(why, text, "is too large for a double");

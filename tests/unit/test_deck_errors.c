@@ -91,6 +91,7 @@ static const spoiled cases[] = {
     {"1e5, temperature: 300}\n", "0x10, temperature: 300}\n", "9:36", {"'0x10' is not a decimal number"}},
     {"8900", "0644", "7:20", {"'0644' starts with a zero"}},
     {"8900", "89_00", "7:20", {"'89_00' goes on after the number"}},
+    {"8900", "8900 2 kg/m3", "7:20", {"'8900 2 kg/m3' goes on after the number"}},
     {"8900", "8900kg", "7:20", {"has no space between number and unit"}},
     {"8900", ".inf", "7:20", {"'.inf' is not a finite number"}},
     {"8900", "-.NaN", "7:20", {"is not a finite number"}},
