@@ -67,11 +67,11 @@ static floe_status write_extra(const sim *s, hdf_file *hdf, const checkpoint_ext
 
 static floe_status write_manifest(const sim *s, hdf_file *hdf, const checkpoint_run *run)
 {
-    text_buffer manifest;
-    text_init(&manifest, s->ctx);
+    strbuf manifest;
+    strbuf_init(&manifest, s->ctx);
     floe_status status = checkpoint_manifest(s, run, &manifest);
-    if (status == FLOE_OK) status = hdf_write_text(hdf, "/manifest", text_string(&manifest));
-    text_free(&manifest);
+    if (status == FLOE_OK) status = hdf_write_text(hdf, "/manifest", strbuf_string(&manifest));
+    strbuf_free(&manifest);
     return status;
 }
 

@@ -219,11 +219,11 @@ static floe_status compare_text(hdf_file *hdf, const char *dataset, const char *
 
 static floe_status compare_manifest(const sim *s, hdf_file *hdf, const checkpoint_run *run)
 {
-    text_buffer manifest;
-    text_init(&manifest, s->ctx);
+    strbuf manifest;
+    strbuf_init(&manifest, s->ctx);
     floe_status status = checkpoint_manifest(s, run, &manifest);
-    if (status == FLOE_OK) status = compare_text(hdf, "/manifest", "scene", text_string(&manifest));
-    text_free(&manifest);
+    if (status == FLOE_OK) status = compare_text(hdf, "/manifest", "scene", strbuf_string(&manifest));
+    strbuf_free(&manifest);
     return status;
 }
 

@@ -247,33 +247,33 @@ floe_status checkpoint_visit_state(const sim *s, state_visitor *visit, void *use
 
 static floe_status append_array(void *user, const state_array *array)
 {
-    text_buffer *out = user;
-    text_append(out, "array %s\n", array->path);
+    strbuf *out = user;
+    strbuf_append(out, "array %s\n", array->path);
     return out->status;
 }
 
-static void append_mesh(const mesh *m, text_buffer *out)
+static void append_mesh(const mesh *m, strbuf *out)
 {
-    text_append(out, "mesh of %d dimensions, %s\n", m->dim,
-                m->geometry == MESH_AXISYMMETRIC ? "axisymmetric" : "cartesian");
+    strbuf_append(out, "mesh of %d dimensions, %s\n", m->dim,
+                  m->geometry == MESH_AXISYMMETRIC ? "axisymmetric" : "cartesian");
     for (int a = 0; a < m->dim; a++) {
-        text_append(out, "axis %d: %d cells of %.17g m from %.17g m, tiles of %d%s\n", a, m->n[a], m->h[a], m->lower[a],
-                    m->tile[a], m->periodic[a] ? ", periodic" : "");
+        strbuf_append(out, "axis %d: %d cells of %.17g m from %.17g m, tiles of %d%s\n", a, m->n[a], m->h[a],
+                      m->lower[a], m->tile[a], m->periodic[a] ? ", periodic" : "");
     }
 }
 
-static void append_parts(const sim *s, text_buffer *out)
+static void append_parts(const sim *s, strbuf *out)
 {
     const int bodies = s->mpm ? s->mpm->n_bodies : 0;
     const int materials = s->ice ? s->ice->n_materials : 0;
     for (int b = 0; b < bodies; b++) {
         const scene_body *body = &s->scene->body[s->mpm->body[b].scene_body];
-        text_append(out, "points %d: body '%s' of '%s'\n", b, body->name, s->scene->material[body->material].name);
+        strbuf_append(out, "points %d: body '%s' of '%s'\n", b, body->name, s->scene->material[body->material].name);
     }
     for (int r = 0; r < materials; r++) {
-        text_append(out, "cells %d: '%s'\n", r, s->scene->material[s->ice->material[r].scene_material].name);
+        strbuf_append(out, "cells %d: '%s'\n", r, s->scene->material[s->ice->material[r].scene_material].name);
     }
-    for (int i = 0; i < s->stages.n; i++) text_append(out, "stage %s\n", s->stages.record[i].name);
+    for (int i = 0; i < s->stages.n; i++) strbuf_append(out, "stage %s\n", s->stages.record[i].name);
 }
 
 void checkpoint_extra_path(char path[128], const checkpoint_extra *extra)
@@ -281,14 +281,14 @@ void checkpoint_extra_path(char path[128], const checkpoint_extra *extra)
     (void)snprintf(path, 128, "/extra/%s", extra->name);
 }
 
-floe_status checkpoint_manifest(const sim *s, const checkpoint_run *run, text_buffer *out)
+floe_status checkpoint_manifest(const sim *s, const checkpoint_run *run, strbuf *out)
 {
-    text_append(out, "coupling %s\n", coupling_name(s->coupling));
+    strbuf_append(out, "coupling %s\n", coupling_name(s->coupling));
     append_mesh(&s->mesh, out);
     append_parts(s, out);
     for (int i = 0; i < run->n_extra; i++) {
         const checkpoint_extra *extra = &run->extra[i];
-        text_append(out, "extra %s: %zu of %zu\n", extra->name, extra->n, extra->components);
+        strbuf_append(out, "extra %s: %zu of %zu\n", extra->name, extra->n, extra->components);
     }
     return checkpoint_visit_state(s, append_array, out);
 }

@@ -5,7 +5,7 @@
 
 #include "io/checkpoint.h"
 #include "io/hdf.h"
-#include "io/text.h"
+#include "io/strbuf.h"
 
 enum { CHECKPOINT_FORMAT = 1 };
 
@@ -49,7 +49,7 @@ void checkpoint_extra_path(char path[128], const checkpoint_extra *extra);
 
 /* Appends the manifest: mesh, coupling, bodies, materials, stages and arrays, one a line. Two simulations with the same
  * manifest can take each other's state. */
-floe_status checkpoint_manifest(const sim *s, const checkpoint_run *run, text_buffer *out);
+floe_status checkpoint_manifest(const sim *s, const checkpoint_run *run, strbuf *out);
 
 /* FLOE_OK if two texts are equal, else FLOE_BAD_INPUT showing the first line that differs; `what` names the texts. */
 floe_status checkpoint_compare(context *ctx, const char *path, const char *what, const char *in_file, const char *here);

@@ -199,8 +199,8 @@ static bool same_shape(hdf_shape a, hdf_shape b)
 
 floe_status hdf_read(hdf_file *file, const char *path, hdf_type type, hdf_shape shape, void *data)
 {
-    hdf_type has_type;
-    hdf_shape has_shape;
+    hdf_type has_type = HDF_DOUBLE;
+    hdf_shape has_shape = {0};
     hid_t set;
     TRY(hdf_describe(file, path, &has_type, &has_shape));
     if (has_type != type || !same_shape(has_shape, shape)) {

@@ -15,26 +15,26 @@ struct history {
 };
 
 /* The rows of `old` up to `keep_until`; half a row at the end is dropped. Rows are in the order of time. */
-static void keep_rows(history *h, const char *row, double keep_until, text_buffer *out)
+static void keep_rows(history *h, const char *row, double keep_until, strbuf *out)
 {
     for (const char *end = strchr(row, '\n'); end; end = strchr(row, '\n')) {
         char *number_end;
         const double time = strtod(row, &number_end);
         if (number_end == row || !(time <= keep_until)) return;
-        text_append(out, "%.*s", (int)(end + 1 - row), row);
+        strbuf_append(out, "%.*s", (int)(end + 1 - row), row);
         h->last_time = time;
         row = end + 1;
     }
 }
 
 /* Appends what is kept of the file to `out`, which holds the line of names. */
-static floe_status take_rows(history *h, const char *path, double keep_until, text_buffer *out)
+static floe_status take_rows(history *h, const char *path, double keep_until, strbuf *out)
 {
     char *old;
     if (!(keep_until > -(double)INFINITY) || !file_exists(path)) return FLOE_OK;
     TRY(file_read(h->ctx, path, &old, NULL));
     floe_status status = FLOE_OK;
-    if (strncmp(old, text_string(out), out->length) == 0) {
+    if (strncmp(old, strbuf_string(out), out->length) == 0) {
         keep_rows(h, old + out->length, keep_until, out);
         status = out->status;
     } else {
@@ -47,12 +47,12 @@ static floe_status take_rows(history *h, const char *path, double keep_until, te
 
 static floe_status begin(history *h, const sim *s, const char *path, double keep_until)
 {
-    text_buffer content;
-    text_init(&content, h->ctx);
+    strbuf content;
+    strbuf_init(&content, h->ctx);
     floe_status status = history_names(s, &content);
     if (status == FLOE_OK) status = take_rows(h, path, keep_until, &content);
-    if (status == FLOE_OK) status = file_replace_text(h->ctx, path, text_string(&content));
-    text_free(&content);
+    if (status == FLOE_OK) status = file_replace_text(h->ctx, path, strbuf_string(&content));
+    strbuf_free(&content);
     TRY(status);
     return line_file_open(&h->file, h->ctx, path);
 }
@@ -80,11 +80,11 @@ void history_close(history **h)
 
 floe_status history_append(history *h, const sim *s, const history_row *row)
 {
-    text_buffer values;
-    text_init(&values, h->ctx);
+    strbuf values;
+    strbuf_init(&values, h->ctx);
     floe_status status = history_values(s, row, &values);
-    if (status == FLOE_OK) status = line_file_append(&h->file, text_string(&values), values.length);
-    text_free(&values);
+    if (status == FLOE_OK) status = line_file_append(&h->file, strbuf_string(&values), values.length);
+    strbuf_free(&values);
     if (status == FLOE_OK) h->last_time = row->totals->time;
     return status;
 }

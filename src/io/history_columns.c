@@ -8,7 +8,7 @@
 /* A line under way. */
 typedef struct line {
     const sim *s;
-    text_buffer *out;
+    strbuf *out;
     bool names;  /* the first line, not a row */
     int columns; /* so far */
 } line;
@@ -21,33 +21,33 @@ static const char *comma(line *l)
 static void add(line *l, const char *name, const char *unit, double value)
 {
     if (l->names) {
-        text_append(l->out, "%s%s (%s)", comma(l), name, output_unit(l->s, unit));
+        strbuf_append(l->out, "%s%s (%s)", comma(l), name, output_unit(l->s, unit));
     } else {
-        text_append(l->out, "%s%.17g", comma(l), value);
+        strbuf_append(l->out, "%s%.17g", comma(l), value);
     }
 }
 
 static void add_count(line *l, const char *name, long value)
 {
     if (l->names) {
-        text_append(l->out, "%s%s", comma(l), name);
+        strbuf_append(l->out, "%s%s", comma(l), name);
     } else {
-        text_append(l->out, "%s%ld", comma(l), value);
+        strbuf_append(l->out, "%s%ld", comma(l), value);
     }
 }
 
 /* In quotes, without any inside. */
 static void add_words(line *l, const char *name, const char *words)
 {
-    text_append(l->out, "%s%s", comma(l), l->names ? name : "\"");
+    strbuf_append(l->out, "%s%s", comma(l), l->names ? name : "\"");
     if (l->names) return;
-    for (; words && *words; words++) text_append(l->out, "%c", *words == '"' || *words == '\n' ? '\'' : *words);
-    text_append(l->out, "\"");
+    for (; words && *words; words++) strbuf_append(l->out, "%c", *words == '"' || *words == '\n' ? '\'' : *words);
+    strbuf_append(l->out, "\"");
 }
 
 static void add_vector(line *l, const char *name, const char *unit, const double *value)
 {
-    static const char axis[] = "xyz", axis_rz[] = "rz";
+    static const char axis[] = "xyz", axis_rz[] = "rzt";
     const bool rz = l->s->mesh.geometry == MESH_AXISYMMETRIC;
     for (int a = 0; a < l->s->mesh.dim; a++) {
         char full[2 * NAME_SIZE];
@@ -148,8 +148,9 @@ static void add_probe(line *l, int n)
     add_vector(l, velocity, "m/s", value.velocity);
 }
 
-static floe_status walk(const sim *s, const history_row *row, text_buffer *out)
+static floe_status walk(const sim *s, const history_row *row, strbuf *out)
 {
+    static const double nothing[MESH_MAX_DIM];
     const sim_totals *t = row ? row->totals : NULL;
     line l = {.s = s, .out = out, .names = !row};
     add(&l, "time", "s", t ? t->time : 0.0);
@@ -158,23 +159,23 @@ static floe_status walk(const sim *s, const history_row *row, text_buffer *out)
     add(&l, "dt", "s", s->dt);
     add_words(&l, "dt_limit", s->dt_reason);
     add(&l, "mass", "kg", t ? t->mass : 0.0);
-    add_vector(&l, "momentum", "N s", t ? t->momentum : (const double[3]){0});
+    add_vector(&l, "momentum", "N s", t ? t->momentum : nothing);
     add(&l, "kinetic", "J", t ? t->kinetic : 0.0);
     add(&l, "strain", "J", t ? t->strain : 0.0);
     add(&l, "internal", "J", t ? t->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
     add_ledger(&l);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);
-    text_append(out, "\n");
+    strbuf_append(out, "\n");
     return out->status;
 }
 
-floe_status history_names(const sim *s, text_buffer *out)
+floe_status history_names(const sim *s, strbuf *out)
 {
     return walk(s, NULL, out);
 }
 
-floe_status history_values(const sim *s, const history_row *row, text_buffer *out)
+floe_status history_values(const sim *s, const history_row *row, strbuf *out)
 {
     return walk(s, row, out);
 }

@@ -3,10 +3,10 @@
 #define IO_HISTORY_COLUMNS_H
 
 #include "io/history.h"
-#include "io/text.h"
+#include "io/strbuf.h"
 
 /* Appends the line of names, or that of values, with its newline. `row` is not read for names. */
-floe_status history_names(const sim *s, text_buffer *out);
-floe_status history_values(const sim *s, const history_row *row, text_buffer *out);
+floe_status history_names(const sim *s, strbuf *out);
+floe_status history_values(const sim *s, const history_row *row, strbuf *out);
 
 #endif

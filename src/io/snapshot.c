@@ -7,7 +7,7 @@
 #include "io/sealed.h"
 #include "io/sha256.h"
 #include "io/snapshot_content.h"
-#include "io/text.h"
+#include "io/strbuf.h"
 #include "io/xdmf.h"
 
 #include <dirent.h>
@@ -22,10 +22,10 @@ struct snapshot_series {
     context *ctx; /* not owned */
     char *dir;    /* owned */
     char deck_sha256[SHA256_TEXT];
-    text_buffer times; /* XDMF of the snapshots so far */
-    long count;        /* snapshots */
-    long next;         /* number of the next one */
-    double last_time;  /* s */
+    strbuf times;     /* XDMF of the snapshots so far */
+    long count;       /* snapshots */
+    long next;        /* number of the next one */
+    double last_time; /* s */
 };
 
 /* DIR/NAME, counted memory, owned by the caller. */
@@ -144,7 +144,7 @@ static floe_status keep_or_remove(snapshot_series *series, const char *path, lon
         memory_free(series->ctx, &page);
         return file_remove(series->ctx, path);
     }
-    text_append(&series->times, "%s", page);
+    strbuf_append(&series->times, "%s", page);
     memory_free(series->ctx, &page);
     series->count++;
     series->next = number + 1;
@@ -175,7 +175,7 @@ static floe_status write_page(snapshot_series *series)
 {
     char *path;
     TRY(join(series->ctx, &path, series->dir, "fields.xdmf"));
-    const floe_status status = xdmf_write(series->ctx, path, "floe", text_string(&series->times));
+    const floe_status status = xdmf_write(series->ctx, path, "floe", strbuf_string(&series->times));
     memory_free(series->ctx, &path);
     return status;
 }
@@ -209,7 +209,7 @@ floe_status snapshot_open(snapshot_series **out, context *ctx, const char *dir, 
     TRY(memory_new(ctx, &series, 1, sizeof *series));
     series->ctx = ctx;
     series->last_time = -INFINITY;
-    text_init(&series->times, ctx);
+    strbuf_init(&series->times, ctx);
     sha256_of_text(deck, series->deck_sha256);
     const floe_status status = take_over(series, dir, keep_until);
     if (status != FLOE_OK) snapshot_close(&series);
@@ -221,7 +221,7 @@ void snapshot_close(snapshot_series **s)
 {
     if (!s || !*s) return;
     context *ctx = (*s)->ctx;
-    text_free(&(*s)->times);
+    strbuf_free(&(*s)->times);
     memory_free(ctx, &(*s)->dir);
     memory_free(ctx, s);
 }
@@ -245,18 +245,18 @@ static floe_status write_head(const snapshot_series *series, const sim *s, hdf_f
     return hdf_attribute_text(hdf, "/time", "unit", s->scene->dimensionless ? "1" : "s");
 }
 
-static floe_status fill(const snapshot_series *series, const sim *s, hdf_file *hdf, text_buffer *page, const char *name)
+static floe_status fill(const snapshot_series *series, const sim *s, hdf_file *hdf, strbuf *page, const char *name)
 {
     TRY(write_head(series, s, hdf));
     xdmf_begin_time(page, series->next, s->time);
     TRY(snapshot_content(s, hdf, page, name));
     xdmf_end(page);
     TRY(page->status);
-    return hdf_write_text(hdf, "/xdmf", text_string(page));
+    return hdf_write_text(hdf, "/xdmf", strbuf_string(page));
 }
 
-static floe_status make_image(const snapshot_series *series, const sim *s, text_buffer *page, const char *name,
-                              char **image, size_t *size)
+static floe_status make_image(const snapshot_series *series, const sim *s, strbuf *page, const char *name, char **image,
+                              size_t *size)
 {
     hdf_file hdf;
     TRY(hdf_create(&hdf, series->ctx, name));
@@ -280,17 +280,17 @@ floe_status snapshot_write(snapshot_series *series, const sim *s)
     char name[FILE_NAME];
     char *image = NULL;
     size_t size = 0;
-    text_buffer page;
-    text_init(&page, series->ctx);
+    strbuf page;
+    strbuf_init(&page, series->ctx);
     file_name(name, series->next);
     floe_status status = make_image(series, s, &page, name, &image, &size);
     if (status == FLOE_OK) status = write_file(series, name, image, size);
     memory_free(series->ctx, &image);
     if (status == FLOE_OK) {
-        text_append(&series->times, "%s", text_string(&page));
+        strbuf_append(&series->times, "%s", strbuf_string(&page));
         status = series->times.status;
     }
-    text_free(&page);
+    strbuf_free(&page);
     TRY(status);
     series->count++;
     series->next++;

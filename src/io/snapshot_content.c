@@ -14,7 +14,7 @@ enum { PATH_SIZE = 2 * NAME_SIZE + 16 };
 typedef struct writer {
     const sim *s;
     hdf_file *hdf;
-    text_buffer *page;
+    strbuf *page;
     const char *file;
     char group[NAME_SIZE + 16]; /* "/cells" or "/points/<body>" */
     bool on_points;
@@ -341,7 +341,7 @@ static floe_status write_points(writer *w, int body)
     return status;
 }
 
-floe_status snapshot_content(const sim *s, hdf_file *hdf, text_buffer *page, const char *file)
+floe_status snapshot_content(const sim *s, hdf_file *hdf, strbuf *page, const char *file)
 {
     writer w = {.s = s, .hdf = hdf, .page = page, .file = file};
     if (s->ice) TRY(with_buffer(&w, mesh_cells(&s->mesh), write_cells));

@@ -3,10 +3,10 @@
 #define IO_SNAPSHOT_CONTENT_H
 
 #include "io/hdf.h"
-#include "io/text.h"
+#include "io/strbuf.h"
 #include "sim/sim.h"
 
 /* Writes cells and points into the open file, and their grids into `page`, under the name `file` of the finished file. */
-floe_status snapshot_content(const sim *s, hdf_file *hdf, text_buffer *page, const char *file);
+floe_status snapshot_content(const sim *s, hdf_file *hdf, strbuf *page, const char *file);
 
 #endif

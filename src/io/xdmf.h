@@ -4,7 +4,7 @@
 #define IO_XDMF_H
 
 #include "grid/mesh.h"
-#include "io/text.h"
+#include "io/strbuf.h"
 
 /* One array of a snapshot, as an attribute of the grid that is open. */
 typedef struct xdmf_array {
@@ -21,14 +21,14 @@ typedef struct xdmf_array {
 } xdmf_array;
 
 /* A time: a collection that holds the grids that follow, up to xdmf_end. */
-void xdmf_begin_time(text_buffer *page, long number, double time);
+void xdmf_begin_time(strbuf *page, long number, double time);
 /* The grid of the cells: uniform; axes that the mesh does not have are one cell thick. */
-void xdmf_begin_cells(text_buffer *page, const mesh *m);
+void xdmf_begin_cells(strbuf *page, const mesh *m);
 /* The grid of a body's n points; `index` holds 0 to n - 1, which some readers ask for, `position` the coordinates (n x 3). */
-void xdmf_begin_points(text_buffer *page, const char *body, const xdmf_array *index, const xdmf_array *position);
-void xdmf_add(text_buffer *page, const xdmf_array *array);
+void xdmf_begin_points(strbuf *page, const char *body, const xdmf_array *index, const xdmf_array *position);
+void xdmf_add(strbuf *page, const xdmf_array *array);
 /* Ends the innermost grid or collection. */
-void xdmf_end(text_buffer *page);
+void xdmf_end(strbuf *page);
 
 /* Replaces the page by one that holds these times. */
 floe_status xdmf_write(context *ctx, const char *path, const char *title, const char *times);

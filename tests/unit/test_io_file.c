@@ -2,7 +2,7 @@
 #include "test_io_fixture.h"
 
 #include "io/sha256.h"
-#include "io/text.h"
+#include "io/strbuf.h"
 #include "test_io_faults.h"
 
 #include <sys/stat.h>
@@ -184,21 +184,21 @@ static void checksum_does_not_see_pieces(void **state)
 static void texts_grow(void **state)
 {
     place *p = *state;
-    text_buffer t;
-    text_init(&t, p->ctx);
-    assert_string_equal(text_string(&t), "");
-    for (int i = 0; i < 1000; i++) text_append(&t, "%d,", i % 10);
+    strbuf t;
+    strbuf_init(&t, p->ctx);
+    assert_string_equal(strbuf_string(&t), "");
+    for (int i = 0; i < 1000; i++) strbuf_append(&t, "%d,", i % 10);
     assert_int_equal(t.length, 2000);
-    text_free(&t);
-    text_append_xml(&t, "<a & \"b'\n>");
-    assert_string_equal(text_string(&t), "&lt;a &amp; &quot;b&apos; &gt;");
-    text_free(&t);
+    strbuf_free(&t);
+    strbuf_append_xml(&t, "<a & \"b'\n>");
+    assert_string_equal(strbuf_string(&t), "&lt;a &amp; &quot;b&apos; &gt;");
+    strbuf_free(&t);
     memory_inject_failure(p->ctx, 1);
-    text_append(&t, "lost");
+    strbuf_append(&t, "lost");
     memory_inject_failure(p->ctx, 0);
-    text_append(&t, "too late");
+    strbuf_append(&t, "too late");
     check_fails(p->ctx, t.status, FLOE_NO_MEMORY);
-    assert_string_equal(text_string(&t), "");
+    assert_string_equal(strbuf_string(&t), "");
 }
 
 int main(void)

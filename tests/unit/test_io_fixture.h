@@ -247,14 +247,15 @@ static inline void fixture_folder(char folder[FIXTURE_PATH])
 
 static inline void fixture_remove_folder(const char *folder)
 {
-    char command[FIXTURE_PATH + 32];
+    char command[4 * FIXTURE_PATH];
     (void)snprintf(command, sizeof command, "rm -rf '%s'", folder);
     assert_int_equal(system(command), 0);
 }
 
 static inline void fixture_path(char path[FIXTURE_PATH], const char *folder, const char *name)
 {
-    assert_true(snprintf(path, FIXTURE_PATH, "%s/%s", folder, name) < FIXTURE_PATH);
+    const int length = snprintf(path, FIXTURE_PATH, "%s/%s", folder, name);
+    assert_true(length > 0 && length < FIXTURE_PATH);
 }
 
 /* The bytes of a file; counted memory. */

@@ -110,7 +110,8 @@ static inline void xml_read(const char *text, xml_visitor *visit, void *user)
     int depth = -1;
     const char *at = text;
     assert_int_equal(strncmp(at, "<?xml ", 6), 0);
-    at = strstr(at, "?>") + 2;
+    while (strncmp(at, "?>", 2) != 0) assert_true(*at++ != '\0');
+    at += 2;
     do {
         if (depth < 0)
             xml_skip_blanks(&at);

@@ -1,0 +1,63 @@
+#include "io/strbuf.h"
+
+#include "base/memory.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+void strbuf_init(strbuf *t, context *ctx)
+{
+    *t = (strbuf){.ctx = ctx};
+}
+
+void strbuf_free(strbuf *t)
+{
+    memory_free(t->ctx, &t->data);
+    strbuf_init(t, t->ctx);
+}
+
+static bool make_room(strbuf *t, size_t more)
+{
+    if (t->status != FLOE_OK) return false;
+    const size_t needed = t->length + more + 1;
+    if (needed <= t->capacity) return true;
+    const size_t capacity = needed + needed / 2 + 256;
+    t->status = memory_resize(t->ctx, &t->data, capacity, 1);
+    if (t->status == FLOE_OK) t->capacity = capacity;
+    return t->status == FLOE_OK;
+}
+
+void strbuf_append(strbuf *t, const char *format, ...)
+{
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    const int length = vsnprintf(NULL, 0, format, arguments);
+    if (length < 0) {
+        t->status = fail(t->ctx, FLOE_INTERNAL, "a text could not be formatted: \"%.200s\"", format);
+    } else if (make_room(t, (size_t)length)) {
+        (void)vsnprintf(t->data + t->length, (size_t)length + 1, format, again);
+        t->length += (size_t)length;
+    }
+    va_end(again);
+    va_end(arguments);
+}
+
+void strbuf_append_xml(strbuf *t, const char *plain)
+{
+    for (; *plain; plain++) {
+        switch (*plain) {
+        case '&': strbuf_append(t, "&amp;"); break;
+        case '<': strbuf_append(t, "&lt;"); break;
+        case '>': strbuf_append(t, "&gt;"); break;
+        case '"': strbuf_append(t, "&quot;"); break;
+        case '\'': strbuf_append(t, "&apos;"); break;
+        default: strbuf_append(t, "%c", (unsigned char)*plain < ' ' ? ' ' : *plain);
+        }
+    }
+}
+
+const char *strbuf_string(const strbuf *t)
+{
+    return t->data ? t->data : "";
+}
