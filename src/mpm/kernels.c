@@ -17,7 +17,7 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
     const int components = (momentum ? 1 + dim : 0) + (force ? dim : 0);
     const int force_at = momentum ? 1 + dim : 0;
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(m, t, p, k, dim, kind);
+        const stencil s = locate(m, t, p, k, dim, kind, false);
         const double mass = p->mass[k];
         double mv[3] = {0}, T[3][3] = {{0}}, b[3] = {0}, hoop = 0.0;
         if (momentum)
@@ -41,9 +41,17 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
             if (force)
                 for (int a = 0; a < dim; ++a) {
                     double f = S * (b[a] + (axisymmetric && a == 0 ? hoop : 0.0));
-                    for (int c = 0; c < dim; ++c) f += T[a][c] * G[c];
+                    if (!p->centred)
+                        for (int c = 0; c < dim; ++c) f += T[a][c] * G[c];
                     node[force_at + a] += f;
                 }
+        });
+        if (!force || !p->centred) continue;
+        const stencil g = locate(m, t, p, k, dim, kind, true);
+        FOR_STENCIL(g, dim, kind, {
+            double *restrict node = out + (ptrdiff_t)at * components;
+            for (int a = 0; a < dim; ++a)
+                for (int c = 0; c < dim; ++c) node[force_at + a] += T[a][c] * G[c];
         });
     }
 }
@@ -54,7 +62,7 @@ FLOE_ALWAYS_INLINE void motion_body(const mesh *m, const tile_box *t, const poin
                                     const gather_result *out, const int dim, const basis_kind kind)
 {
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(m, t, p, k, dim, kind);
+        const stencil s = locate(m, t, p, k, dim, kind, false);
         double v[3] = {0}, acceleration[3] = {0};
         FOR_STENCIL(s, dim, kind, {
             const double *restrict node = window + (ptrdiff_t)at * 2 * dim;
@@ -76,7 +84,7 @@ FLOE_ALWAYS_INLINE void gradient_body(const mesh *m, const tile_box *t, const po
                                       const bool axisymmetric, const basis_kind kind)
 {
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(m, t, p, k, dim, kind);
+        const stencil s = locate(m, t, p, k, dim, kind, p->centred);
         double L[3][3] = {{0}}, radial = 0.0;
         FOR_STENCIL(s, dim, kind, {
             const double *restrict node = window + (ptrdiff_t)at * dim;
@@ -95,7 +103,7 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
                                     const basis_kind kind)
 {
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(m, t, p, k, dim, kind);
+        const stencil s = locate(m, t, p, k, dim, kind, false);
         double sum = 0.0;
         FOR_STENCIL(s, dim, kind, { sum += S * window[at]; });
         out[k] = sum;

@@ -78,7 +78,8 @@ static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_ba
 {
     double window[WINDOW_DOUBLES];
     int global;
-    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
+    tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
+    if (pass.stress) box.shared = shared_cells(s, blk, tile, &box);
     double *heat = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
     *heat = 0.0;
     for (int body = 0; body < s->n_bodies; ++body) {

@@ -5,7 +5,7 @@
 
 tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *global_tile)
 {
-    tile_box t = {{0, 0, 0}, {1, 1, 1}};
+    tile_box t = {.cells = {1, 1, 1}};
     int rest = tile_in_block;
     for (int a = 0; a < MESH_MAX_DIM; ++a) {
         const int tile = b->tile_lo[a] + rest % b->tiles[a];
@@ -15,6 +15,35 @@ tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *glob
     }
     *global_tile = mesh_tile_of(m, t.first);
     return t;
+}
+
+/* Bit of the cell of a tile that holds point k. */
+static uint64_t cell_bit(const mesh *m, const tile_box *t, const point_arrays *p, size_t k)
+{
+    int bit = 0, row = 1;
+    for (int a = 0; a < m->dim; ++a) {
+        const int cell = mesh_cell_of(m, a, p->x[a][k]) - t->first[a];
+        bit += row * (cell < 0 ? 0 : cell >= t->cells[a] ? t->cells[a] - 1 : cell);
+        row *= mesh_tile_width(m->dim);
+    }
+    return UINT64_C(1) << bit;
+}
+
+uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t)
+{
+    bool any[2] = {false, false};
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *at = s->points[blk][body].tile_start;
+        if (at[tile] < at[tile + 1]) any[s->body[body].fluid] = true;
+    }
+    uint64_t shared = 0;
+    for (int body = 0; any[0] && any[1] && body < s->n_bodies; ++body) {
+        if (s->body[body].fluid) continue;
+        const size_t *at = s->points[blk][body].tile_start;
+        const point_arrays p = points_of(s, blk, body, false, false);
+        for (size_t k = at[tile]; k < at[tile + 1]; ++k) shared |= cell_bit(s->mesh, t, &p, k);
+    }
+    return shared;
 }
 
 point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity)
@@ -32,6 +61,7 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     p.volume0 = field_get(f, P_VOLUME0, body, 0);
     p.J = next_stress ? field_next(f, P_J, body, 0) : field_get(f, P_J, body, 0);
     p.q = next_stress ? field_next(f, P_VISCOUS_PRESSURE, body, 0) : field_get(f, P_VISCOUS_PRESSURE, body, 0);
+    p.centred = s->body[body].fluid && s->basis->kind == BASIS_LINEAR;
     p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);
     memcpy(p.acceleration, s->work->acceleration[body], sizeof p.acceleration);
     return p;
@@ -46,7 +76,8 @@ static int components_of(scatter_mode mode, int dim)
 static void scatter_tile(mpm *s, int group, int blk, int tile, scatter_mode mode, bool next_stress, bool next_velocity)
 {
     int global;
-    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
+    tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
+    box.shared = shared_cells(s, blk, tile, &box);
     double *out = domain_tile(s->domain, global);
     const size_t size = (size_t)s->work->window_nodes * (size_t)components_of(mode, s->mesh->dim);
     bool any = false;

@@ -10,6 +10,7 @@ enum { MPM_MAX_COMPONENTS = 1 + 2 * MESH_MAX_DIM };
 typedef struct tile_box {
     int first[MESH_MAX_DIM]; /* global cell of its corner */
     int cells[MESH_MAX_DIM]; /* owned cells; the last tile of an axis may be cut short */
+    uint64_t shared;         /* bit of each of its (at most 64) cells that holds points of a solid */
 } tile_box;
 
 /* Arrays of one body in one block, by component (SoA); NULL where the scene has no such field. */
@@ -19,6 +20,7 @@ typedef struct point_arrays {
     const double *stress[6];             /* Pa, 1-D xx yy zz; 2-D xx yy zz xy; 3-D xx yy zz xy yz zx */
     const double *q, *grid_pressure;     /* Pa */
     double acceleration[3];              /* m/s2: body forces on this body */
+    bool centred;                        /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
 
 /* Adds what points [start, end) give to the nodes of their tile's window, `out`: interleaved per node, mass and momentum
@@ -76,6 +78,8 @@ struct mpm_work {
 
 enum { MPM_TILE_SUMS = 64 };
 
+/* The cells of a tile in which fluid points meet solid ones; 0 where the tile has only one kind. */
+uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t);
 tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *global_tile);
 /* Arrays of a body's current state in a block; `next_stress`, `next_velocity` take those from the next state instead. */
 point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity);
