@@ -25,6 +25,14 @@ typedef struct ice_material {
 /* What bounds the time step now. */
 typedef struct ice_limit { double dt; const char *reason; } ice_limit;
 
+/* A pressurise load that has begun. */
+typedef struct ice_ramp {
+    bool begun;
+    double pressure;            /* Pa: mean of the region when it began */
+    double time;                /* s: start of the step that it began in */
+    long step;                  /* that step */
+} ice_ramp;
+
 typedef struct ice {
     context *ctx;               /* not owned */
     const scene *scene;         /* not owned */
@@ -34,12 +42,16 @@ typedef struct ice {
     ledger *ledger;             /* not owned */
     ice_material material[ICE_MAX_MATERIALS];
     int n_materials;
+    bool with_points;           /* some material is carried by points */
     bool multi;                 /* more than one material: volume fractions, specific volumes, Newton, exchange */
     bool viscous;
     bool pressurise;            /* some load adds energy to a fluid */
     double gravity[3];          /* m/s2 */
     exchange_table exchange;    /* K_rs and R_rs */
     double time, dt;            /* s: of the step under way */
+    long step;                  /* committed steps so far, kept by the owner of the run (ramps counted in steps) */
+    ice_ramp ramp[SCENE_MAX_LOADS]; /* of pressurise loads; to be checkpointed */
+    eos_bulk_par bulk[ICE_MAX_MATERIALS]; /* parameters of the solids' cell view */
     struct ice_work *work;      /* owned scratch (tile partials, row buffers) */
 } ice;
 
@@ -48,8 +60,10 @@ floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, s
 void ice_destroy(ice **s);
 /* Registers the fields that the planned stages use (stages->uses) and allocates scratch. */
 floe_status ice_register(ice *s, domain *d);
-/* Sets cell states from the scene's bodies (exact fractions by geom) and the ambient; fluids are cut out where `taken`
- * (volume fraction already taken by solids; per block, size of a cell array; NULL: none) leaves less room. */
+/* Sets cell states from the scene's bodies (exact fractions by geom) and the ambient, which fills what is left; fluids are cut
+ * out where `taken` (volume fraction already taken by solids; per block, size of a cell array; NULL: none) leaves less room.
+ * Under gravity, fluids that are given by pressure and temperature at rest start as columns at rest: their pressure is then
+ * the one in the highest cells (against gravity), and follows p_j = p_j+1 + |g| h (rho_j + rho_j+1)/2 below (numerics 2.4). */
 floe_status ice_initialise(ice *s, double *const *taken);
 
 /* The stages, in the order of numerics 5.1 (their names are the ones timed and listed). */
@@ -59,6 +73,8 @@ floe_status ice_face_velocity(ice *s);          /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);     /* 2.3: dP, P, shock sensor; theta at faces */
 floe_status ice_face_pressure(ice *s);          /* 2.4 */
 floe_status ice_sources(ice *s);                /* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy (fluids); C_SOURCE (points) */
+/* With materials carried by points, between ice_sources and ice_exchange C_MOMENTUM_L of these must be set from the nodes
+ * (V rho^r u^L without C_SOURCE); ice_exchange adds C_SOURCE and leaves C_VELOCITY_CHANGE, the change by both. */
 floe_status ice_exchange(ice *s);               /* 2.9: momentum and heat between materials, mixed cells */
 floe_status ice_specific_volume(ice *s);        /* 2.10, 5.5 */
 floe_status ice_advect(ice *s);                 /* 2.11: next state of the fluids */
@@ -77,7 +93,9 @@ typedef struct ice_totals {
     double max_volume_defect; /* max |TMV/V - 1| */
 } ice_totals;
 floe_status ice_sum(ice *s, ice_totals *out);
-/* Volume-weighted mean pressure of a fluid over cells whose centre lies in a region (weights theta V). */
+/* The cells' material of a scene material, or -1. */
+int ice_material_of(const ice *s, int scene_material);
+/* Volume-weighted mean pressure of a fluid (index in s->material) over cells whose centre lies in a region (weights theta V). */
 floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure);
 
 #endif

@@ -1,0 +1,84 @@
+/* The working storage of advection (ice_advect.c), its layout, and what is done beside the sweep (ice_advect_side.c). */
+#ifndef ICE_ICE_ADVECT_H
+#define ICE_ICE_ADVECT_H
+
+#include "ice/ice_internal.h"
+
+/* Mass-specific quantities: u, e, and v with several materials. */
+enum { ADVECT_Q = 5 };
+#define ADVECT_COUNT(dim, multi) ((dim) + 1 + ((multi) ? 1 : 0))
+
+/* Rows of one slab each. Donor data of an axis: M, g, then N and H of each q. Fluxes: mass, each q, kinetic energy. */
+typedef struct ice_advect_buffers {
+    int dim;
+    double *q[3][ADVECT_Q];                         /* centred values, ring of three slabs */
+    double *along[MESH_MAX_DIM][2 * (ADVECT_Q + 1)]; /* donor data for faces inside the slab */
+    double *across[2][2 * (ADVECT_Q + 1)];          /* for faces to the next slab, ring of two */
+    double *flux[2][ADVECT_Q + 2];                  /* inside the slab, by axis */
+    double *flux_across[2][ADVECT_Q + 2];           /* through the slab's lower face, ring of two */
+    double *clip;                                   /* factor on what leaves slivers */
+} ice_advect_buffers;
+
+FLOE_ALWAYS_INLINE double least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+FLOE_ALWAYS_INLINE double most(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* Slab index 0 of a slab in the linear index of the block, and the slab index of local cell (0, k) in it: in 3-D a slab is a
+ * plane of rows k along axis 1. */
+FLOE_ALWAYS_INLINE ptrdiff_t ice_slab_start(const block *b, const int dim, int slab)
+{
+    return dim == 1 ? 0 : (slab + MESH_GHOST) * b->stride[dim - 1];
+}
+
+FLOE_ALWAYS_INLINE ptrdiff_t ice_slab_row(const block *b, const int dim, int k)
+{
+    return MESH_GHOST + (dim == 3 ? (k + MESH_GHOST) * b->stride[1] : 0);
+}
+
+FLOE_ALWAYS_INLINE int ice_slab_first(const int dim, int ghost)
+{
+    return dim == 3 ? -ghost : 0;
+}
+
+FLOE_ALWAYS_INLINE int ice_slab_last(const block *b, const int dim, int ghost)
+{
+    return dim == 3 ? b->n[1] + ghost : 1;
+}
+
+/* dt times the divergence of flux number f, per volume, at slab index t of local cell i. */
+FLOE_ALWAYS_INLINE double spread(const ice_advect_buffers *w, const ice_view *v, int f, int ring, ptrdiff_t t, ptrdiff_t i,
+                                 const int dim)
+{
+    double sum = v->upper0[i] * w->flux[0][f][t + 1] - v->lower0[i] * w->flux[0][f][t];
+    if (dim == 3) sum += (w->flux[1][f][t + v->b->stride[1]] - w->flux[1][f][t]) * v->inv_h[1];
+    if (dim > 1) sum += (w->flux_across[ring ^ 1][f][t] - w->flux_across[ring][f][t]) * v->inv_h[dim - 1];
+    return v->dt * sum;
+}
+
+/* Share of a cell's volume that leaves it in the step. */
+FLOE_ALWAYS_INLINE double ice_outflow(const ice_view *v, const ice_arrays *m, ptrdiff_t at, ptrdiff_t i, const int dim)
+{
+    double out = most(m->fu[0][at + 1], 0.0) * v->upper0[i] + most(-m->fu[0][at], 0.0) * v->lower0[i];
+    for (int a = 1; a < dim; ++a)
+        out += (most(m->fu[a][at + v->b->stride[a]], 0.0) + most(-m->fu[a][at], 0.0)) * v->inv_h[a];
+    return out * v->dt;
+}
+
+/* Doubles of one slab, and the division of a thread's buffer. */
+size_t ice_slab_size(const block *b);
+void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, int dim, bool multi);
+/* Where a sliver (theta < 1e-6) would lose more than it has, its outflow is cut to its content. */
+void ice_advect_clip(ice_advect_buffers *w, const ice_advect_job *job, int slab);
+/* Fluxes through open sides of the domain, into the tiles. */
+void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *job, int slab);
+void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *job, int slab);
+/* Counts bad and guarded cells of a row that was updated; the energy that guards made goes to the tiles. */
+void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int slab, int k, ice_advect_result *result);
+
+#endif

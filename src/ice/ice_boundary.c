@@ -1,0 +1,270 @@
+/* The sides of the domain: ghosts of cell fields, and what sides impose on faces (numerics 2.13). One table (axis, side) and
+ * one loop; a kind of side is a row of `rule_of`. */
+#include "ice/ice_internal.h"
+
+bool ice_is_wall(bc_kind kind)
+{
+    return kind == BC_SYMMETRY || kind == BC_SLIP || kind == BC_NO_SLIP;
+}
+
+/* What becomes of one array beyond a side. */
+typedef enum ghost_act { ACT_MIRROR, ACT_NEAREST, ACT_VALUE, ACT_ODD } ghost_act;
+typedef struct ghost_rule { ghost_act act; double value; } ghost_rule; /* ODD: 2 value - mirror */
+
+/* Ghosts beyond one side, with `value` added. */
+static void add_to_ghosts(const block *b, int axis, mesh_side side, double value, double *a)
+{
+    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
+    for (int d = 0; d < b->dim; ++d) {
+        lo[d] = -MESH_GHOST;
+        hi[d] = b->n[d] + MESH_GHOST;
+    }
+    lo[axis] = side == SIDE_LOWER ? -MESH_GHOST : b->n[axis];
+    hi[axis] = lo[axis] + MESH_GHOST;
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) a[mesh_index(b, i, j, k)] += value;
+}
+
+static void apply_rule(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
+{
+    switch (rule.act) {
+    case ACT_MIRROR: bc_reflect(b, axis, side, BC_EVEN, a); break;
+    case ACT_NEAREST: bc_extrapolate(b, axis, side, a); break;
+    case ACT_VALUE: bc_constant(b, axis, side, rule.value, a); break;
+    case ACT_ODD:
+        bc_reflect(b, axis, side, BC_ODD, a);
+        if (rule.value != 0.0) add_to_ghosts(b, axis, side, 2.0 * rule.value, a);
+        break;
+    }
+}
+
+static double reservoir_value(const ice *s, int axis, mesh_side side, int r, ice_ghost kind, bool *given)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const ice_reservoir *in = &s->work->reservoir[axis][side];
+    const bool enters = s->material[r].scene_material == wall->material;
+    *given = enters || kind == GHOST_DENSITY;
+    switch (kind) {
+    case GHOST_DENSITY: return enters ? in->rho : 0.0;
+    case GHOST_ENERGY: return in->e;
+    case GHOST_TEMPERATURE: return in->T;
+    default: return in->v;
+    }
+}
+
+static ghost_rule velocity_rule(const ice *s, int axis, mesh_side side, int component)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const bool normal = component == axis;
+    switch (wall->kind) {
+    case BC_SYMMETRY:
+    case BC_SLIP: return (ghost_rule){normal ? ACT_ODD : ACT_MIRROR, 0.0};
+    case BC_NO_SLIP:
+    case BC_VELOCITY:
+        if (normal) return (ghost_rule){ACT_ODD, wall->kind == BC_VELOCITY ? wall->velocity[component] : 0.0};
+        return (ghost_rule){s->viscous ? ACT_ODD : ACT_MIRROR, wall->velocity[component]};
+    case BC_INLET: return (ghost_rule){ACT_VALUE, wall->velocity[component]};
+    default: return (ghost_rule){ACT_NEAREST, 0.0};
+    }
+}
+
+static ghost_rule rule_of(const ice *s, int axis, mesh_side side, int r, int component, ice_ghost kind)
+{
+    const bc_kind side_kind = s->scene->bc.side[axis][side].kind;
+    const bool open = side_kind == BC_INLET || side_kind == BC_OUTLET || side_kind == BC_FREE;
+    if (kind == GHOST_VELOCITY) return velocity_rule(s, axis, side, component);
+    if (!open) return (ghost_rule){ACT_MIRROR, 0.0};
+    if (kind == GHOST_ZERO_OPEN) return (ghost_rule){ACT_VALUE, 0.0};
+    if (side_kind == BC_INLET && kind != GHOST_EVEN) {
+        bool given;
+        const double value = reservoir_value(s, axis, side, r, kind, &given);
+        if (given) return (ghost_rule){ACT_VALUE, value};
+    }
+    return (ghost_rule){ACT_NEAREST, 0.0};
+}
+
+void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
+{
+    const mesh *m = s->mesh;
+    const int components = field_component_count(field_describe(id)->components, m->dim);
+    domain_fill(s->domain, id, instance, which);
+    for (int block_id = 0; block_id < m->n_blocks; ++block_id) {
+        const block *b = &m->block[block_id];
+        const fields *f = s->domain->fields[block_id];
+        for (int c = 0; c < components; ++c) {
+            double *a = which == FILL_NEXT ? field_next(f, id, instance, c) : field_get(f, id, instance, c);
+            for (int axis = 0; axis < m->dim; ++axis)
+                for (int side = 0; side < 2; ++side)
+                    if (b->at_side[axis][side] && !m->periodic[axis])
+                        apply_rule(b, axis, (mesh_side)side, rule_of(s, axis, (mesh_side)side, instance, c, kind), a);
+        }
+    }
+}
+
+/* Beyond an outlet through which fluid comes back lies the side's reservoir: its density and energy enter. */
+static void fill_backflow(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const ice_reservoir *in = &s->work->reservoir[axis][side];
+    const bool enters = s->material[r].scene_material == wall->material;
+    const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
+    double *rho = field_get(f, C_RHO, r, 0), *e = field_get(f, C_ENERGY, r, 0), *vol = field_get(f, C_VOL, r, 0);
+    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
+    for (int d = 0; d < b->dim; ++d) {
+        lo[d] = -MESH_GHOST;
+        hi[d] = b->n[d] + MESH_GHOST;
+    }
+    lo[axis] = side == SIDE_LOWER ? -MESH_GHOST : b->n[axis];
+    hi[axis] = lo[axis] + MESH_GHOST;
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                if (!(inward * u[at] > 0.0)) continue;
+                rho[at] = enters ? in->rho : 0.0;
+                if (enters) e[at] = in->e;
+                if (enters && vol) vol[at] = in->v;
+            }
+}
+
+floe_status ice_boundary_ghosts(ice *s)
+{
+    const mesh *m = s->mesh;
+    for (int r = 0; r < s->n_materials; ++r) {
+        ice_fill_ghosts(s, C_RHO, r, FILL_CURRENT, GHOST_DENSITY);
+        ice_fill_ghosts(s, C_VEL, r, FILL_CURRENT, GHOST_VELOCITY);
+        if (!s->material[r].points) ice_fill_ghosts(s, C_ENERGY, r, FILL_CURRENT, GHOST_ENERGY);
+        if (s->material[r].points) ice_fill_ghosts(s, C_TEMP, r, FILL_CURRENT, GHOST_EVEN);
+        if (s->multi) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
+        for (int axis = 0; axis < m->dim; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                if (m->periodic[axis] || s->scene->bc.side[axis][side].kind != BC_OUTLET || s->material[r].points) continue;
+                if (!(s->work->reservoir[axis][side].rho > 0.0)) continue;
+                for (int id = 0; id < m->n_blocks; ++id)
+                    if (m->block[id].at_side[axis][side])
+                        fill_backflow(s, &m->block[id], s->domain->fields[id], axis, (mesh_side)side, r);
+            }
+    }
+    if (s->multi) ice_fill_ghosts(s, C_PRESSURE, 0, FILL_CURRENT, GHOST_EVEN);
+    return FLOE_OK;
+}
+
+/* One face on a side: the face's index, the owned cell beside it, and +1 where the axis points out of the domain. */
+typedef struct side_face { ptrdiff_t face, cell; int i, j, k; double outward; } side_face;
+typedef void side_visitor(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at);
+
+/* Visits the owned faces of every non-periodic side that the block touches. */
+static void visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit)
+{
+    const block *b = v->b;
+    for (int axis = 0; axis < b->dim; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            if (!b->at_side[axis][side] || s->mesh->periodic[axis]) continue;
+            int hi[MESH_MAX_DIM] = {b->n[0], b->n[1], b->n[2]}, lo[MESH_MAX_DIM] = {0, 0, 0};
+            lo[axis] = side == SIDE_LOWER ? 0 : b->n[axis] - 1;
+            hi[axis] = lo[axis] + 1;
+            for (int k = lo[2]; k < hi[2]; ++k)
+                for (int j = lo[1]; j < hi[1]; ++j)
+                    for (int i = lo[0]; i < hi[0]; ++i) {
+                        const ptrdiff_t cell = mesh_index(b, i, j, k);
+                        const ptrdiff_t face = side == SIDE_LOWER ? cell : cell + b->stride[axis];
+                        visit(s, v, axis, (mesh_side)side, r,
+                              (side_face){face, cell, i, j, k, side == SIDE_LOWER ? -1.0 : 1.0});
+                    }
+        }
+}
+
+/* Given pressure on the face: the same difference as inside, over half a cell. */
+static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const ice_arrays *m = &v->m[r];
+    const double phi = 0.5 * (1.0 + v->shock[at.cell]), given = s->scene->bc.side[axis][side].pressure;
+    const double room = s->multi ? m->theta[at.cell] : 1.0, mobility = m->rho[at.cell] > 0.0 ? room / m->rho[at.cell] : 0.0;
+    const double gradient = at.outward * (given - v->p[at.cell]) * 2.0 * v->inv_h[axis];
+    return m->u[axis][at.cell] + phi * v->dt * (v->gravity[axis] - mobility * gradient);
+}
+
+static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    double *face = v->m[r].fu[axis];
+    switch (wall->kind) {
+    case BC_SYMMETRY:
+    case BC_SLIP:
+    case BC_NO_SLIP: face[at.face] = 0.0; break;
+    case BC_VELOCITY:
+    case BC_INLET: face[at.face] = wall->velocity[axis]; break;
+    case BC_OUTLET: face[at.face] = outlet_velocity(s, v, axis, side, r, at); break;
+    default: break; /* free: as between equal cells */
+    }
+}
+
+void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r)
+{
+    visit_sides(s, v, r, set_velocity);
+}
+
+static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    (void)r;
+    if (wall->kind == BC_OUTLET)
+        v->fp[axis][at.face] = wall->pressure;
+    else if (wall->kind == BC_FREE)
+        v->fp[axis][at.face] = v->P[at.cell];
+    else
+        v->fp[axis][at.face] = v->P[at.cell] + 0.5 * at.outward * v->rho_sum[at.cell] * v->gravity[axis] * v->h[axis];
+}
+
+void ice_boundary_face_pressure(const ice *s, const ice_view *v)
+{
+    visit_sides(s, v, 0, set_pressure);
+}
+
+static void note_work(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    (void)r;
+    (void)side;
+    double *tile = ice_tile(s, v->b, at.i, at.j, at.k);
+    const int face_i = at.i + (axis == 0 && at.outward > 0.0);
+    const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
+    const double push = -at.outward * v->dt * area * v->fp[axis][at.face];
+    tile[TILE_ENERGY] += push * v->flux[axis][at.face];
+    /* Radial momentum is no sum of fluxes: it has no account. */
+    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC)) tile[TILE_MOMENTUM + axis] += push;
+}
+
+void ice_boundary_work(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        visit_sides(s, &v, 0, note_work);
+    }
+}
+
+/* Zero beyond the domain, where no outflow is to be known; the domain's own faces stay. */
+static void zero_outer_faces(const block *b, int axis, double *a)
+{
+    for (int k = b->dim > 2 ? -MESH_GHOST : 0; k < b->n[2] + (b->dim > 2 ? MESH_GHOST : 0); ++k)
+        for (int j = b->dim > 1 ? -MESH_GHOST : 0; j < b->n[1] + (b->dim > 1 ? MESH_GHOST : 0); ++j)
+            for (int i = -MESH_GHOST; i < b->n[0] + MESH_GHOST; ++i) {
+                const int at[MESH_MAX_DIM] = {i, j, k};
+                bool outside = false;
+                for (int d = 0; d < b->dim; ++d) {
+                    outside = outside || (at[d] < 0 && b->at_side[d][SIDE_LOWER]);
+                    outside = outside || (at[d] >= b->n[d] + (d == axis) && b->at_side[d][SIDE_UPPER]);
+                }
+                if (outside) a[mesh_index(b, i, j, k)] = 0.0;
+            }
+}
+
+void ice_fill_faces(const ice *s, field_id id, int instance)
+{
+    const mesh *m = s->mesh;
+    for (int block_id = 0; block_id < m->n_blocks; ++block_id)
+        for (int axis = 0; axis < m->dim; ++axis)
+            zero_outer_faces(&m->block[block_id], axis, field_get(s->domain->fields[block_id], id, instance, axis));
+    domain_fill(s->domain, id, instance, FILL_CURRENT);
+}

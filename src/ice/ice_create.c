@@ -1,0 +1,308 @@
+/* Making the ICE solver: which materials, which loads, which fields, which kernels. */
+#include "ice/ice_internal.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+int ice_thread(void)
+{
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
+}
+
+static int thread_count(void)
+{
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+/* Materials that bodies, the ambient and the sides bring in. */
+static void find_used(const scene *s, bool with_points, bool *used)
+{
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const int r = s->body[b].material;
+        used[r] = s->material[r].kind == MATERIAL_FLUID || with_points;
+    }
+    if (s->has_ambient) used[s->ambient_material] = true;
+    for (int a = 0; a < s->mesh.dim; ++a)
+        for (int side = 0; side < 2; ++side) {
+            const bc_side *wall = &s->bc.side[a][side];
+            const bool fluid = wall->material >= 0 && wall->material < s->n_materials &&
+                               s->material[wall->material].kind == MATERIAL_FLUID;
+            if (wall->kind == BC_INLET && fluid && !s->mesh.periodic[a]) used[wall->material] = true;
+        }
+}
+
+/* A solid as the cells see it: the bulk response of its law (numerics 5.4). */
+static floe_status view_of_solid(ice *s, const scene_material *m, ice_material *out, eos_bulk_par *par)
+{
+    const eos_model *bulk = eos_find("bulk");
+    if (!bulk) return fail(s->ctx, FLOE_INTERNAL, "the equation of state 'bulk' is not in the registry");
+    *par = (eos_bulk_par){.density = m->density,
+                          .bulk_modulus = m->law->bulk_modulus(m->law_par),
+                          .specific_heat = m->specific_heat > 0.0 ? m->specific_heat : 1.0,
+                          .reference_pressure = s->scene->reference_pressure,
+                          .switch_pressure = m->tension_switch};
+    *out = (ice_material){.eos = {bulk, par}, .points = true};
+    return FLOE_OK;
+}
+
+static floe_status resolve_materials(ice *s, bool with_points)
+{
+    const scene *whole = s->scene;
+    bool used[SCENE_MAX_MATERIALS] = {false};
+    find_used(whole, with_points, used);
+    for (int r = 0; r < whole->n_materials; ++r) {
+        if (!used[r]) continue;
+        const scene_material *m = &whole->material[r];
+        ice_material *out = &s->material[s->n_materials];
+        if (m->kind == MATERIAL_SOLID)
+            TRY(view_of_solid(s, m, out, &s->bulk[s->n_materials]));
+        else
+            *out = (ice_material){.eos = m->eos, .shear_viscosity = m->shear_viscosity, .bulk_viscosity = m->bulk_viscosity};
+        out->scene_material = r;
+        s->with_points = s->with_points || out->points;
+        s->viscous = s->viscous || out->shear_viscosity > 0.0 || out->bulk_viscosity > 0.0;
+        s->n_materials++;
+    }
+    if (s->n_materials == 0)
+        return fail(s->ctx, FLOE_BAD_INPUT, "no fluid is in the scene: give a body of a fluid, or `ambient`");
+    s->multi = s->n_materials > 1;
+    return FLOE_OK;
+}
+
+static void resolve_loads(ice *s)
+{
+    for (int l = 0; l < s->scene->n_loads; ++l) {
+        const scene_load *load = &s->scene->load[l];
+        if (load->kind == LOAD_PRESSURISE || load->kind == LOAD_HEAT) s->pressurise = true;
+        if (load->kind == LOAD_BODY_FORCE && load->body < 0)
+            for (int a = 0; a < s->mesh->dim; ++a) s->gravity[a] += load->vector[a];
+    }
+}
+
+static void resolve_exchange(ice *s)
+{
+    s->exchange.n = s->n_materials;
+    for (int r = 0; r < s->n_materials; ++r)
+        for (int q = 0; q < s->n_materials; ++q) {
+            s->exchange.K[r][q] = r == q ? 0.0 : s->scene->method.exchange;
+            s->exchange.R[r][q] = r == q ? 0.0 : s->scene->method.heat_exchange;
+        }
+}
+
+ice_reservoir ice_state_of(const eos *law, double p, double T, double rho)
+{
+    ice_reservoir out = {.rho = rho, .T = T};
+    if (isnan(rho)) {
+        double dvdp;
+        law->model->volume(law->par, 1, &p, &T, &out.v, &dvdp);
+        out.rho = 1.0 / out.v;
+        law->model->energy(law->par, 1, &out.rho, &T, &out.e);
+        return out;
+    }
+    /* e from p: Newton in e, for which pressure is linear in the laws at hand. */
+    out.v = 1.0 / rho;
+    out.e = law->model->energy_floor(law->par, rho);
+    for (int iteration = 0; iteration < 20; ++iteration) {
+        double here, c2, slope;
+        law->model->pressure(law->par, 1, &rho, &out.e, &here, &c2);
+        law->model->dpde(law->par, 1, &rho, &out.e, &slope);
+        const double change = (p - here) / slope;
+        out.e += change;
+        if (!(fabs(change) > 4.0 * DBL_EPSILON * fabs(out.e))) break;
+    }
+    law->model->temperature(law->par, 1, &rho, &out.e, &out.T);
+    return out;
+}
+
+/* What inlets bring, and what lies behind outlets that say so. */
+static void resolve_reservoirs(ice *s)
+{
+    for (int a = 0; a < s->mesh->dim; ++a)
+        for (int side = 0; side < 2; ++side) {
+            const bc_side *wall = &s->scene->bc.side[a][side];
+            if (wall->kind != BC_INLET && wall->kind != BC_OUTLET) continue;
+            const int r = ice_material_of(s, wall->material);
+            if (r < 0 || s->material[r].points || !(wall->temperature > 0.0)) continue;
+            s->work->reservoir[a][side] = ice_state_of(&s->material[r].eos, wall->pressure, wall->temperature, NAN);
+        }
+}
+
+/* The law's energy floor where it is the same for densities from 1e-6 to 1e6 kg/m3, else NAN. */
+static double constant_floor(const eos *law)
+{
+    const double a = law->model->energy_floor(law->par, 1e-6), b = law->model->energy_floor(law->par, 1.0),
+                 c = law->model->energy_floor(law->par, 1e6);
+    if (a == b && b == c) return a;
+    return NAN;
+}
+
+static void choose_kernels(ice *s)
+{
+    const int d = s->mesh->dim - 1, m = s->multi;
+    s->work->kernels = (ice_kernels){.sensor = ice_sensor_row[d][m],
+                                     .increment = ice_increment_row[d][m],
+                                     .limiter = ice_limiter_row[d],
+                                     .face_velocity = ice_face_velocity_row[d][m],
+                                     .face_theta = ice_face_theta_row[d],
+                                     .sources = ice_source_row_of[d][m],
+                                     .advect = ice_advect_of[d][m]};
+}
+
+static floe_status resolve(ice *s, bool with_points)
+{
+    TRY(resolve_materials(s, with_points));
+    resolve_loads(s);
+    resolve_exchange(s);
+    TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
+    s->work->threads = thread_count();
+    for (int r = 0; r < s->n_materials; ++r) s->work->energy_floor[r] = constant_floor(&s->material[r].eos);
+    resolve_reservoirs(s);
+    choose_kernels(s);
+    return FLOE_OK;
+}
+
+floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l, bool with_points)
+{
+    TRY(memory_new(ctx, out, 1, sizeof **out));
+    ice *made = *out;
+    made->ctx = ctx;
+    made->scene = s;
+    made->mesh = m;
+    made->stages = stages;
+    made->ledger = l;
+    const floe_status status = resolve(made, with_points);
+    if (status != FLOE_OK) ice_destroy(out);
+    return status;
+}
+
+static void destroy_work(context *ctx, ice_work **work)
+{
+    ice_work *w = *work;
+    if (!w) return;
+    for (int b = 0; b < MESH_MAX_BLOCKS; ++b) {
+        memory_free(ctx, &w->metric[b]);
+        memory_free(ctx, &w->mixed[b].at);
+    }
+    for (int l = 0; l < SCENE_MAX_LOADS; ++l)
+        for (int b = 0; b < MESH_MAX_BLOCKS; ++b) memory_free(ctx, &w->region[l][b].at);
+    for (int t = 0; t < w->threads; ++t) {
+        if (w->buffer) memory_free(ctx, &w->buffer[t]);
+        if (w->solver) equilibrium_destroy(&w->solver[t]);
+    }
+    memory_free(ctx, &w->buffer);
+    memory_free(ctx, &w->solver);
+    memory_free(ctx, &w->tile);
+    memory_free(ctx, work);
+}
+
+void ice_destroy(ice **s)
+{
+    if (!s || !*s) return;
+    context *ctx = (*s)->ctx;
+    destroy_work(ctx, &(*s)->work);
+    memory_free(ctx, s);
+}
+
+int ice_material_of(const ice *s, int wanted)
+{
+    for (int r = 0; r < s->n_materials; ++r)
+        if (s->material[r].scene_material == wanted) return r;
+    return -1;
+}
+
+/* Which materials a field has instances of. */
+typedef enum field_owner { OWNER_SHARED, OWNER_ALL, OWNER_FLUIDS, OWNER_POINTS } field_owner;
+
+static field_owner owner_of(field_id id)
+{
+    switch (id) {
+    case C_RHO:
+    case C_VEL:
+    case C_ENERGY:
+    case C_VOL:
+    case C_TEMP:
+    case C_THETA:
+    case C_SOUND:
+    case C_KAPPA:
+    case F_VEL:
+    case F_THETA: return OWNER_ALL;
+    case C_VEL_L:
+    case C_ENERGY_L:
+    case C_VOLUME_L: return OWNER_FLUIDS;
+    case C_SOURCE:
+    case C_MOMENTUM_L:
+    case C_VELOCITY_CHANGE: return OWNER_POINTS;
+    default: return OWNER_SHARED;
+    }
+}
+
+static floe_status register_fields(ice *s, domain *d)
+{
+    for (int id = 0; id < FIELD_COUNT; ++id) {
+        const field_centring centring = field_describe((field_id)id)->centring;
+        if (!s->stages->uses[id] || (centring != FIELD_CELL && centring != FIELD_FACE)) continue;
+        const field_owner owner = owner_of((field_id)id);
+        for (int r = 0; r < (owner == OWNER_SHARED ? 1 : s->n_materials); ++r) {
+            if ((owner == OWNER_FLUIDS && s->material[r].points) || (owner == OWNER_POINTS && !s->material[r].points)) continue;
+            TRY(domain_add(d, (field_id)id, r));
+        }
+    }
+    return FLOE_OK;
+}
+
+/* Volumes are positive in the ghosts beyond the axis too, which mirror the cells inside. */
+static floe_status make_metrics(ice *s)
+{
+    const mesh *m = s->mesh;
+    for (int id = 0; id < m->n_blocks; ++id) {
+        const block *b = &m->block[id];
+        const int run = b->n[0] + 2 * MESH_GHOST + 1;
+        TRY(memory_new(s->ctx, &s->work->metric[id], (size_t)run * 4, sizeof(double)));
+        double *metric = s->work->metric[id];
+        for (int i = 0; i < run; ++i) {
+            const int cell = b->lo[0] + i - MESH_GHOST;
+            const double volume = fabs(mesh_cell_volume(m, cell));
+            const bool plane = m->geometry == MESH_CARTESIAN;
+            metric[i] = plane ? 1.0 / m->h[0] : fabs(mesh_face_area(m, 0, cell)) / volume;
+            metric[run + i] = plane ? 1.0 / m->h[0] : fabs(mesh_face_area(m, 0, cell + 1)) / volume;
+            metric[2 * run + i] = volume;
+            metric[3 * run + i] = fabs(mesh_face_area(m, 0, cell));
+        }
+    }
+    return FLOE_OK;
+}
+
+static floe_status make_scratch(ice *s)
+{
+    ice_work *w = s->work;
+    const mesh *m = s->mesh;
+    w->tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    TRY(memory_new(s->ctx, &w->tile, w->tiles * TILE_VALUES, sizeof(double)));
+    TRY(memory_new(s->ctx, &w->buffer, (size_t)w->threads, sizeof *w->buffer));
+    const size_t row = 16 * ((size_t)m->n[0] + 8), sweep = ice_advect_buffer(s);
+    for (int t = 0; t < w->threads; ++t) TRY(memory_new(s->ctx, &w->buffer[t], row > sweep ? row : sweep, sizeof(double)));
+    if (!s->multi) return FLOE_OK;
+    TRY(memory_new(s->ctx, &w->solver, (size_t)w->threads, sizeof(equilibrium_solver *)));
+    for (int t = 0; t < w->threads; ++t) TRY(equilibrium_create(&w->solver[t], s->ctx));
+    return FLOE_OK;
+}
+
+floe_status ice_register(ice *s, domain *d)
+{
+    s->domain = d;
+    TRY(register_fields(s, d));
+    TRY(make_metrics(s));
+    return make_scratch(s);
+}

@@ -1,0 +1,147 @@
+/* Face velocities: numerics 2.2 with the centring of 2.5; Guilkey et al. 2003, step 3.
+ *
+ *     u* = [rho_L (u + A)_L + rho_R (u + A)_R] / (rho_L + rho_R) - phi dt v (p_R - p_L)/h + phi dt g
+ *        + (1 - s)/8 (u_L + u_R - u_LL - u_RR)
+ *
+ * with v = 2 theta_f / (rho_L + rho_R), which holds hydrostatic columns exactly (2.4), also of locked materials. A is the
+ * advective half step -dt/2 (u . grad) u, without which velocities of flows with |u| ~ c are first order in time; the last
+ * term gives the mean the accuracy of a linear reconstruction from both sides. Both vanish at shocks (s = 1). */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, int j, int k, const int dim, const bool multi)
+{
+    const ice_arrays *m = &v->m[r];
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
+    const double *restrict u[3] = {m->u[0], m->u[1], m->u[2]}, *restrict w = m->u[axis];
+    const double *restrict rho = m->rho, *restrict p = v->p, *restrict shock = v->shock, *restrict theta = m->theta;
+    double *restrict face = m->fu[axis];
+    const double push = v->dt * v->inv_h[axis], fall = v->dt * v->gravity[axis], sharpen = 0.125 * v->limit_hi;
+    double quarter[3];
+    ptrdiff_t st[3];
+    for (int a = 0; a < dim; ++a) {
+        quarter[a] = -0.25 * v->dt * v->inv_h[a] * v->limit_hi;
+        st[a] = v->b->stride[a];
+    }
+#pragma omp simd
+    for (ptrdiff_t i = 0; i < n; ++i) {
+        const ptrdiff_t R = base + i, L = R - step;
+        const double sum = rho[L] + rho[R], inverse = 1.0 / (multi ? sum + ICE_TINY : sum);
+        double left = 0.0, right = 0.0;
+        for (int a = 0; a < dim; ++a) {
+            left += quarter[a] * u[a][L] * (w[L + st[a]] - w[L - st[a]]);
+            right += quarter[a] * u[a][R] * (w[R + st[a]] - w[R - st[a]]);
+        }
+        const double phi = 0.5 + 0.25 * (shock[L] + shock[R]), smooth = 1.0 - (shock[L] > shock[R] ? shock[L] : shock[R]);
+        const double mean = rho[L] * (w[L] + (1.0 - shock[L]) * left) + rho[R] * (w[R] + (1.0 - shock[R]) * right);
+        const double room = multi ? theta[L] + theta[R] : 2.0;
+        face[R] = (mean - phi * push * room * (p[R] - p[L])) * inverse + phi * fall +
+                  sharpen * smooth * (w[L] + w[R] - w[L - step] - w[R + step]);
+    }
+}
+
+#define INSTANCE(d, m)                                                                                                 \
+    static void face_velocity_##d##_##m(const ice_view *v, int r, int axis, int j, int k)                              \
+    {                                                                                                                  \
+        face_velocity_row(v, r, axis, j, k, d, m);                                                                     \
+    }
+ICE_EACH(INSTANCE)
+ice_material_row *const ice_face_velocity_row[3][2] = ICE_TABLE(face_velocity);
+
+/* Momentum exchange at one face, normal component, with face masses mu = (rho_L + rho_R)/2 (numerics 2.2). */
+static void exchange_face(const ice *s, const ice_view *v, int axis, ptrdiff_t R)
+{
+    const ptrdiff_t L = R - v->b->stride[axis];
+    const int n = s->n_materials;
+    double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[1][EXCHANGE_MAX];
+    int present = 0;
+    for (int r = 0; r < n; ++r) {
+        const ice_arrays *m = &v->m[r];
+        theta[r] = 0.5 * (m->theta[L] + m->theta[R]);
+        mass[r] = theta[r] > 0.0 ? 0.5 * (m->rho[L] + m->rho[R]) : 0.0;
+        u[0][r] = m->fu[axis][R];
+        present += mass[r] > 0.0;
+    }
+    if (present < 2) return;
+    exchange_matrix a;
+    exchange_couple(n, ((ice *)s)->exchange.K, theta, v->dt, a);
+    exchange_relax(n, mass, a, 1, u);
+    for (int r = 0; r < n; ++r) v->m[r].fu[axis][R] = u[0][r];
+}
+
+static void exchange_rows(const ice *s, const ice_view *v, int axis)
+{
+    const ice_rows q = ice_rows_of(v->b, axis, 0);
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        const ptrdiff_t end = base + v->b->n[0] + (axis == 0);
+        for (ptrdiff_t R = base; R < end; ++R) exchange_face(s, v, axis, R);
+    }
+}
+
+static void velocity_rows(const ice *s, const ice_view *v, int r, int axis)
+{
+    const ice_rows q = ice_rows_of(v->b, axis, 0);
+    ice_material_row *row_kernel = s->work->kernels.face_velocity;
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < q.n; ++row) row_kernel(v, r, axis, ice_row_j(q, row), ice_row_k(q, row));
+}
+
+static void sensor_rows(const ice *s, const ice_view *v)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < q.n; ++row) s->work->kernels.sensor(v, ice_row_j(q, row), ice_row_k(q, row));
+}
+
+floe_status ice_face_velocity(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        sensor_rows(s, &v);
+    }
+    ice_fill_ghosts(s, C_SHOCK, 0, FILL_CURRENT, GHOST_EVEN);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        for (int axis = 0; axis < v.dim; ++axis) {
+            for (int r = 0; r < s->n_materials; ++r) velocity_rows(s, &v, r, axis);
+            if (s->multi) exchange_rows(s, &v, axis);
+        }
+        for (int r = 0; r < s->n_materials; ++r) ice_boundary_face_velocity(s, &v, r);
+    }
+    for (int r = 0; s->multi && r < s->n_materials; ++r) ice_fill_faces(s, F_VEL, r);
+    return FLOE_OK;
+}
+
+/* P* = (P_L/rho_L + P_R/rho_R) / (1/rho_L + 1/rho_R) (numerics 2.4; Guilkey et al. 2003, step 6). */
+static void face_pressure_row(const ice_view *v, int axis, int j, int k)
+{
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
+    const double *restrict P = v->P, *restrict rho = v->rho_sum;
+    double *restrict face = v->fp[axis];
+#pragma omp simd
+    for (ptrdiff_t i = 0; i < n; ++i) {
+        const ptrdiff_t R = base + i, L = R - step;
+        /* P_L plus a part of the difference: exact where P is uniform */
+        face[R] = P[L] + rho[L] / (rho[L] + rho[R]) * (P[R] - P[L]);
+    }
+}
+
+floe_status ice_face_pressure(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        for (int axis = 0; axis < v.dim; ++axis) {
+            const ice_rows q = ice_rows_of(v.b, axis, 0);
+#pragma omp parallel for schedule(static)
+            for (int row = 0; row < q.n; ++row) face_pressure_row(&v, axis, ice_row_j(q, row), ice_row_k(q, row));
+        }
+        ice_boundary_face_pressure(s, &v);
+    }
+    return FLOE_OK;
+}

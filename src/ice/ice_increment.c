@@ -1,0 +1,151 @@
+/* The pressure increment: numerics 2.3 with the centring of 2.5 and the bulk viscosity of 2.8 (iv); Guilkey et al. 2003,
+ * eq. 11.
+ *
+ *     dP = -(dt/V) sum_f A_f F / S,     F = sum_r theta^r,f u*^r
+ *     P  = p + phi dP - (1 - s) dt/2 (u . grad) p + q,     q = rho (c_q^2 du^2 + s c_l c |du|), du = V^(1/d) div u < 0
+ *
+ * C_DP keeps the full-step dP by dilatation alone. The advective term is the other half of A in ice_face.c. */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+static const double quadratic = 1.0, linear = 0.2;
+
+FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int dim, const bool multi)
+{
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    const double *restrict F[3] = {v->flux[0], v->flux[1], v->flux[2]}, *restrict u[3] = {v->mean[0], v->mean[1], v->mean[2]};
+    const double *restrict p = v->p, *restrict rho = v->rho_sum, *restrict kappa = v->kappa_sum, *restrict c = v->m[0].c;
+    const double *restrict shock = v->shock, *restrict lower0 = v->lower0, *restrict upper0 = v->upper0;
+    double *restrict dP = v->dP, *restrict P = v->P;
+    const double dt = v->dt, length = v->length;
+    double inv_h[3], quarter[3];
+    ptrdiff_t st[3];
+    for (int a = 0; a < dim; ++a) {
+        inv_h[a] = v->inv_h[a];
+        quarter[a] = -0.25 * v->dt * v->inv_h[a] * v->limit_hi;
+        st[a] = v->b->stride[a];
+    }
+#pragma omp simd
+    for (int i = 0; i < v->b->n[0]; ++i) {
+        const ptrdiff_t at = base + i;
+        double div = upper0[i] * F[0][at + 1] - lower0[i] * F[0][at];
+        for (int a = 1; a < dim; ++a) div += (F[a][at + st[a]] - F[a][at]) * inv_h[a];
+        double carried = 0.0;
+        for (int a = 0; a < dim; ++a) carried += quarter[a] * u[a][at] * (p[at + st[a]] - p[at - st[a]]);
+        const double stiffness = multi ? 1.0 / kappa[at] : rho[at] * c[at] * c[at];
+        const double speed = multi ? sqrt(stiffness / rho[at]) : c[at];
+        const double squeeze = div < 0.0 ? -length * div : 0.0, s = shock[at];
+        const double increment = -dt * div * stiffness;
+        dP[at] = increment;
+        P[at] = p[at] + 0.5 * (1.0 + s) * increment + (1.0 - s) * carried +
+                rho[at] * squeeze * (quadratic * squeeze + s * linear * speed);
+    }
+}
+
+#define INSTANCE(d, m)                                                                                                 \
+    static void increment_##d##_##m(const ice_view *v, int j, int k) { increment_row(v, j, k, d, m); }
+ICE_EACH(INSTANCE)
+ice_row *const ice_increment_row[3][2] = ICE_TABLE(increment);
+
+/* The common factor on the gradients of all volume fractions that keeps each inside its neighbours' values at the corners of
+ * the cell (numerics 2.11): the smallest of all materials, so that the fractions of a slab still add up to one. */
+FLOE_ALWAYS_INLINE void limiter_row(const ice_view *v, int j, int k, const int dim)
+{
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    double *restrict limiter = v->limiter;
+    const double lo = v->limit_lo, hi = v->limit_hi;
+    for (int i = -1; i <= v->b->n[0]; ++i) limiter[base + i] = hi;
+    for (int r = 0; r < v->n_materials; ++r) {
+        const double *restrict theta = v->m[r].theta;
+        for (int i = -1; i <= v->b->n[0]; ++i) {
+            const ptrdiff_t at = base + i;
+            double reach = 0.0, up = 0.0, down = 0.0;
+            for (int a = 0; a < dim; ++a) {
+                const double below = theta[at - v->b->stride[a]] - theta[at], above = theta[at + v->b->stride[a]] - theta[at];
+                reach += 0.25 * fabs(above - below);
+                up = fmax(up, fmax(below, above));
+                down = fmax(down, fmax(-below, -above));
+            }
+            const double factor = fmin(up, down) / (reach + ICE_TINY);
+            limiter[at] = fmin(limiter[at], fmax(lo, factor));
+        }
+    }
+}
+
+/* theta of the donor slab at faces normal to `axis`: its value at the slab's centroid, offset by the flow (numerics 2.3). */
+FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int k, const int dim)
+{
+    const ice_arrays *m = &v->m[r];
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k), step = v->b->stride[axis];
+    const double *restrict theta = m->theta, *restrict face = m->fu[axis], *restrict limiter = v->limiter;
+    double *restrict out = m->ft[axis], *restrict flux = v->flux[axis];
+    const double courant = v->dt * v->inv_h[axis];
+    for (ptrdiff_t R = base; R < base + v->b->n[0] + (axis == 0); ++R) {
+        const double w = face[R];
+        const ptrdiff_t D = w > 0.0 ? R - step : R;
+        double offset = 0.5 * ((w > 0.0 ? 0.5 : -0.5) - 0.5 * w * courant) * (theta[D + step] - theta[D - step]);
+        for (int a = 0; a < dim; ++a) {
+            const ptrdiff_t st = v->b->stride[a];
+            if (a != axis) offset -= 0.25 * v->dt * v->inv_h[a] * m->u[a][D] * (theta[D + st] - theta[D - st]);
+        }
+        const double value = theta[D] + limiter[D] * offset;
+        out[R] = value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
+        flux[R] = (r == 0 ? 0.0 : flux[R]) + out[R] * w;
+    }
+}
+
+#define THETA(d)                                                                                                       \
+    static void limiter_##d(const ice_view *v, int j, int k) { limiter_row(v, j, k, d); }                              \
+    static void theta_##d(const ice_view *v, int r, int axis, int j, int k) { theta_row(v, r, axis, j, k, d); }
+THETA(1)
+THETA(2)
+THETA(3)
+ice_row *const ice_limiter_row[3] = {limiter_1, limiter_2, limiter_3};
+ice_material_row *const ice_face_theta_row[3] = {theta_1, theta_2, theta_3};
+
+/* Volume fractions at faces and the volume flux that they make. */
+static void face_fractions(const ice *s, const ice_view *v)
+{
+    const ice_rows cells = ice_rows_of(v->b, -1, 1);
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < cells.n; ++row) s->work->kernels.limiter(v, ice_row_j(cells, row), ice_row_k(cells, row));
+    for (int axis = 0; axis < v->dim; ++axis) {
+        const ice_rows q = ice_rows_of(v->b, axis, 0);
+#pragma omp parallel for schedule(static)
+        for (int row = 0; row < q.n; ++row)
+            for (int r = 0; r < s->n_materials; ++r)
+                s->work->kernels.face_theta(v, r, axis, ice_row_j(q, row), ice_row_k(q, row));
+    }
+}
+
+/* The volume that is missing or in excess is taken back at the rate beta (numerics 5.5). */
+static void relax_volume(const ice *s, const ice_view *v)
+{
+    const double beta = s->scene->method.volume_relaxation;
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+            if (v->mixed[at] < 64.0) continue;
+            v->P[at] += 0.5 * (1.0 + v->shock[at]) * beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
+        }
+    }
+}
+
+floe_status ice_pressure_increment(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        if (s->multi) face_fractions(s, &v);
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+#pragma omp parallel for schedule(static)
+        for (int row = 0; row < q.n; ++row) s->work->kernels.increment(&v, ice_row_j(q, row), ice_row_k(q, row));
+        if (v.tmv) relax_volume(s, &v);
+    }
+    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_EVEN);
+    ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
+    return FLOE_OK;
+}

@@ -1,0 +1,173 @@
+/* The first state: fluids of bodies and of the ambient, cut by exact fractions; columns at rest under gravity. */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What one material brings into a cell, per cell volume. */
+typedef struct content { double fraction, mass, momentum[3], energy; } content;
+
+static void add_uniform(content *c, const eos *law, double fraction, double p, double T, double rho, const double *velocity)
+{
+    const ice_reservoir state = ice_state_of(law, p, T, rho);
+    double square = 0.0;
+    c->fraction += fraction;
+    c->mass += fraction * state.rho;
+    for (int a = 0; a < 3; ++a) {
+        c->momentum[a] += fraction * state.rho * velocity[a];
+        square += velocity[a] * velocity[a];
+    }
+    c->energy += fraction * state.rho * (state.e + 0.5 * square);
+}
+
+/* Three Gauss points an axis: the average of a smooth exact state to sixth order. */
+static void add_exact(const ice *s, content *c, const scene_body *body, const eos *law, double fraction, const double lo[3])
+{
+    static const double at[3] = {0.1127016653792583, 0.5, 0.8872983346207417}, weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    const scene *given = s->scene;
+    const int dim = s->mesh->dim;
+    for (int point = 0; point < (dim == 1 ? 3 : dim == 2 ? 9 : 27); ++point) {
+        double x[3] = {0.0, 0.0, 0.0}, share = fraction, velocity[3] = {0.0, 0.0, 0.0};
+        for (int a = 0, rest = point; a < dim; ++a, rest /= 3) {
+            x[a] = lo[a] + at[rest % 3] * s->mesh->h[a];
+            share *= weight[rest % 3];
+        }
+        if (s->mesh->geometry == MESH_AXISYMMETRIC) share *= x[0] / (lo[0] + 0.5 * s->mesh->h[0]);
+        double p = given->initial(given->initial_user, INITIAL_PRESSURE, 0, x), rho = given->initial(given->initial_user, INITIAL_DENSITY, 0, x);
+        if (isnan(p)) p = body->pressure;
+        if (isnan(rho)) rho = body->density;
+        for (int a = 0; a < dim; ++a) {
+            velocity[a] = given->initial(given->initial_user, INITIAL_VELOCITY, a, x);
+            if (isnan(velocity[a])) velocity[a] = body->velocity[a];
+        }
+        add_uniform(c, law, share, p, body->temperature, rho, velocity);
+    }
+}
+
+/* The bodies' and the ambient's contents of one cell; earlier bodies come first, and the ambient takes what is left. */
+static void fill_cell(const ice *s, const double lo[3], double room, content *contents)
+{
+    const scene *given = s->scene;
+    const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
+    double hi[3] = {0.0, 0.0, 0.0}, centroid[3];
+    for (int a = 0; a < s->mesh->dim; ++a) hi[a] = lo[a] + s->mesh->h[a];
+    for (int b = 0; b < given->n_bodies && room > 0.0; ++b) {
+        const scene_body *body = &given->body[b];
+        const int r = ice_material_of(s, body->material);
+        if (r < 0 || s->material[r].points) continue;
+        double fraction = shape_fraction(&body->shape, s->mesh->dim, lo, hi, radial, 5, centroid);
+        if (fraction > 1.0 - 1e-12) fraction = 1.0;
+        if (fraction > room) fraction = room;
+        if (!(fraction > 1e-12)) continue;
+        room -= fraction;
+        if (room < 1e-12) room = 0.0;
+        if (body->initial_from_exact && given->initial)
+            add_exact(s, &contents[r], body, &s->material[r].eos, fraction, lo);
+        else
+            add_uniform(&contents[r], &s->material[r].eos, fraction, body->pressure, body->temperature, body->density, body->velocity);
+    }
+    if (room > 0.0 && given->has_ambient) {
+        const int r = ice_material_of(s, given->ambient_material);
+        add_uniform(&contents[r], &s->material[r].eos, room, given->ambient_pressure, given->ambient_temperature, NAN,
+                    (const double[3]){0.0, 0.0, 0.0});
+    }
+}
+
+static void store(const ice *s, const ice_view *v, ptrdiff_t at, const content *contents)
+{
+    double filled = 0.0;
+    for (int r = 0; r < s->n_materials; ++r) filled += contents[r].fraction;
+    for (int r = 0; r < s->n_materials; ++r) {
+        if (s->material[r].points) continue;
+        const ice_arrays *m = &v->m[r];
+        const content *c = &contents[r];
+        /* One fluid fills the cells; what a body cuts short of a cell is round-off. */
+        const double share = s->multi ? 1.0 : filled;
+        m->rho[at] = c->mass > 0.0 ? c->mass / share : 0.0;
+        double square = 0.0;
+        for (int a = 0; a < v->dim; ++a) {
+            m->u[a][at] = c->mass > 0.0 ? c->momentum[a] / c->mass : 0.0;
+            square += m->u[a][at] * m->u[a][at];
+        }
+        m->e[at] = c->mass > 0.0 ? c->energy / c->mass - 0.5 * square : 0.0;
+        if (s->multi) m->vol[at] = c->mass > 0.0 ? c->fraction / c->mass : 0.0;
+    }
+}
+
+static floe_status initialise_block(const ice *s, const ice_view *v, const double *taken)
+{
+    const block *b = v->b;
+    for (int k = 0; k < b->n[2]; ++k)
+        for (int j = 0; j < b->n[1]; ++j)
+            for (int i = 0; i < b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                const double lo[3] = {mesh_node(s->mesh, 0, b->lo[0] + i), mesh_node(s->mesh, 1, b->lo[1] + j),
+                                      mesh_node(s->mesh, 2, b->lo[2] + k)};
+                content contents[ICE_MAX_MATERIALS];
+                memset(contents, 0, sizeof contents);
+                /* A cell that solids all but fill gets no fluid: a sliver would only take up their volume errors. */
+                const double room = taken ? 1.0 - taken[at] : 1.0;
+                fill_cell(s, lo, room < 1e-6 ? 0.0 : room > 1.0 - 1e-12 ? 1.0 : room, contents);
+                double filled = room < 1e-6 ? 1.0 : 0.0;
+                for (int r = 0; r < s->n_materials; ++r) filled += contents[r].fraction;
+                if (!(filled > 0.0)) {
+                    char place[160];
+                    ice_place(s, b, at, -1, place, sizeof place);
+                    return fail(s->ctx, FLOE_BAD_INPUT,
+                                "%s at (%g, %g, %g) is empty: no body covers it; give an `ambient`, or a body of fluid there", place,
+                                lo[0], lo[1], lo[2]);
+                }
+                store(s, v, at, contents);
+            }
+    return FLOE_OK;
+}
+
+/* The first guess at the equilibrium pressure: of any fluid in the cell by itself, else the ambient's. */
+static void guess_pressure(const ice *s, const ice_view *v, double *p)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    for (int row = 0; row < q.n; ++row)
+        for (int i = 0; i < v->b->n[0]; ++i) {
+            const ptrdiff_t at = mesh_index(v->b, i, ice_row_j(q, row), ice_row_k(q, row));
+            p[at] = s->scene->has_ambient ? s->scene->ambient_pressure : 1e5;
+            for (int r = 0; r < s->n_materials; ++r) {
+                const ice_arrays *m = &v->m[r];
+                if (s->material[r].points || !(m->rho[at] > 0.0)) continue;
+                const double rho = s->multi ? 1.0 / m->vol[at] : m->rho[at];
+                double c2;
+                s->material[r].eos.model->pressure(s->material[r].eos.par, 1, &rho, &m->e[at], &p[at], &c2);
+                break;
+            }
+        }
+}
+
+/* Specific volumes of solids at the first pressure, everywhere: the state that 2.10 carries on. */
+static void start_solid_volumes(const ice *s, const ice_view *v, const double *p)
+{
+    const block *b = v->b;
+    for (int r = 0; r < s->n_materials; ++r) {
+        if (!s->material[r].points) continue;
+        const eos *law = &s->material[r].eos;
+        for (int k = 0; k < b->n[2]; ++k)
+            for (int j = 0; j < b->n[1]; ++j)
+                for (int i = 0; i < b->n[0]; ++i) {
+                    const ptrdiff_t at = mesh_index(b, i, j, k);
+                    const double T = 300.0; /* the bulk response does not depend on it */
+                    double dvdp;
+                    law->model->volume(law->par, 1, &p[at], &T, &v->m[r].vol[at], &dvdp);
+                }
+    }
+}
+
+floe_status ice_initialise(ice *s, double *const *taken)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        TRY(initialise_block(s, &v, taken ? taken[id] : NULL));
+        double *p = field_get(s->domain->fields[id], C_PRESSURE, 0, 0);
+        guess_pressure(s, &v, p);
+        if (s->multi) start_solid_volumes(s, &v, p);
+    }
+    return ice_hydrostatic(s);
+}

@@ -1,0 +1,169 @@
+/* What the files of the ICE room share: the scratch of a run, a block as the kernels see it, and the kernel table. */
+#ifndef ICE_ICE_INTERNAL_H
+#define ICE_ICE_INTERNAL_H
+
+#include "coupling/equilibrium.h"
+#include "ice/ice.h"
+
+#include <float.h>
+
+/* Keeps 0/0 of absent material at 0 without a branch; far below any density, speed squared or compressibility. */
+#define ICE_TINY 1e-200
+
+/* A material's arrays in one block; NULL where the plan has no such field. Face arrays hold one axis each. */
+typedef struct ice_arrays {
+    double *rho, *u[3], *e, *vol;       /* current state; vol: incoming v */
+    double *v;                          /* equilibrated v of this step (lies in the next array of C_VOL) */
+    double *T, *theta, *c, *kappa;
+    double *fu[3], *ft[3];              /* u*, theta at faces */
+    double *ul[3], *el, *vl;            /* Lagrangian values */
+    double *rho1, *u1[3], *e1, *vol1;   /* next state; vol1 is v */
+    double *source[3], *mom[3], *dv[3]; /* materials carried by points */
+} ice_arrays;
+
+/* One block, ready for the kernels. With one fluid, rho_sum, mean and flux are that fluid's own rho, u and fu. */
+typedef struct ice_view {
+    const block *b;
+    int dim, n_materials;
+    double dt, h[3], inv_h[3], gravity[3];
+    /* Face area over cell volume along axis 0 at the lower and upper face of local cell i, from -2 to n + 1; 1/h if plane. */
+    const double *lower0, *upper0;
+    const double *volume;               /* m3 of local cell i along axis 0 */
+    const double *area0;                /* of its lower face along axis 0 */
+    double *p, *P, *dP, *shock, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv;
+    double *fp[3], *flux[3];
+    double base, slope;                 /* shock sensor: s = base + slope * sensor */
+    double limit_lo, limit_hi;          /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
+    double length;                      /* of the bulk viscosity: V^(1/d), m */
+    ice_arrays m[ICE_MAX_MATERIALS];
+} ice_view;
+
+/* Kernels work along axis 0 at local (j, k). Each has one always-inline body, instantiated for dimension 1, 2, 3 and for one
+ * fluid or several; the tables are indexed [dim - 1][multi]. */
+typedef void ice_row(const ice_view *v, int j, int k);
+typedef void ice_material_row(const ice_view *v, int r, int axis, int j, int k);
+typedef int ice_source_row(const ice *s, const ice_view *v, int j, int k); /* how many cells were guarded */
+typedef struct ice_advect_job ice_advect_job;
+typedef struct ice_advect_result { int bad, guarded; } ice_advect_result;
+typedef ice_advect_result ice_advect_slabs(const ice_advect_job *job);
+
+extern ice_row *const ice_sensor_row[3][2];
+extern ice_row *const ice_increment_row[3][2];
+extern ice_material_row *const ice_face_velocity_row[3][2];
+extern ice_material_row *const ice_face_theta_row[3];
+extern ice_row *const ice_limiter_row[3];
+extern ice_source_row *const ice_source_row_of[3][2];
+extern ice_advect_slabs *const ice_advect_of[3][2];
+
+/* Chosen once, when the scene is resolved. */
+typedef struct ice_kernels {
+    ice_row *sensor, *increment, *limiter;
+    ice_material_row *face_velocity, *face_theta;
+    ice_source_row *sources;
+    ice_advect_slabs *advect;
+} ice_kernels;
+
+#define ICE_TABLE(name) {{name##_1_0, name##_1_1}, {name##_2_0, name##_2_1}, {name##_3_0, name##_3_1}}
+#define ICE_EACH(X) X(1, 0) X(1, 1) X(2, 0) X(2, 1) X(3, 0) X(3, 1)
+
+/* Advection of one material over slabs [first, last) of a block: layers of cells along its slowest axis. */
+struct ice_advect_job {
+    const ice *s;
+    const ice_view *v;
+    int material, first, last;
+    bool conserve;          /* numerics 2.8 (iii) */
+    double energy_floor;    /* J/kg; -DBL_MAX where the law must be asked cell by cell */
+    double *buffer;         /* of the thread */
+};
+
+/* Where heat would leave less thermal energy than this share of the kinetic, it is not conserved (guard of numerics 2.8). */
+#define ICE_THERMAL_SHARE 1e-3
+
+/* Per tile: what a step gathers. */
+enum {
+    TILE_MASS,              /* advected through open sides, inward */
+    TILE_MOMENTUM,          /* three */
+    TILE_ENERGY = TILE_MOMENTUM + 3,
+    TILE_DEFECT,            /* J: energy that guards made or took */
+    TILE_MASS_DEFECT,       /* kg */
+    TILE_GUARDS,
+    TILE_NEWTON_CELLS,
+    TILE_NEWTON_ITERATIONS,
+    TILE_NEWTON_FALLBACKS,
+    TILE_SOURCE_ENERGY,     /* J: gravity's work */
+    TILE_SOURCE_MOMENTUM,   /* three */
+    TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 3, /* two, of whoever needs them, zero otherwise */
+    TILE_VALUES = TILE_SCRATCH + 2
+};
+
+/* State of the fluid that an inlet brings, or that lies behind an outlet. */
+typedef struct ice_reservoir { double rho, e, T, v; } ice_reservoir;
+
+typedef struct ice_mixed_list { ptrdiff_t *at; size_t n; } ice_mixed_list;
+
+typedef struct ice_work {
+    int threads;
+    ice_kernels kernels;
+    double *metric[MESH_MAX_BLOCKS];    /* lower0, upper0, volume, area0: four runs of n + 5 */
+    double *tile;                       /* TILE_VALUES of every global tile */
+    size_t tiles;
+    double **buffer;                    /* one a thread */
+    equilibrium_solver **solver;        /* one a thread; NULL with one fluid */
+    ice_mixed_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
+    ice_reservoir reservoir[MESH_MAX_DIM][2];
+    double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
+    ice_mixed_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
+} ice_work;
+
+/* Pressures and fractions of several materials in one block (numerics 2.1). */
+floe_status ice_mixture(ice *s, int block_id, const ice_view *v);
+/* Density and energy of a law at a pressure, and a temperature or a density (the other NAN). */
+ice_reservoir ice_state_of(const eos *law, double p, double T, double rho);
+int ice_thread(void);
+/* Columns at rest (numerics 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
+floe_status ice_hydrostatic(ice *s);
+
+void ice_view_make(const ice *s, int block_id, ice_view *v);
+
+/* How a field is continued into the ghosts beyond a side. */
+typedef enum ice_ghost {
+    GHOST_EVEN,         /* mirrored; nearest cell at open sides */
+    GHOST_ZERO_OPEN,    /* mirrored; zero at open sides */
+    GHOST_VELOCITY,     /* a vector: normal component odd at walls; the wall's or inlet's values */
+    GHOST_DENSITY, GHOST_ENERGY, GHOST_TEMPERATURE, GHOST_VOLUME /* as EVEN; the reservoir's value at inlets */
+} ice_ghost;
+void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind);
+/* Ghost faces of F_VEL, so that the outflow of ghost cells is known. */
+void ice_fill_faces(const ice *s, field_id id, int instance);
+bool ice_is_wall(bc_kind kind);
+/* Values that the sides impose on faces. */
+void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r);
+void ice_boundary_face_pressure(const ice *s, const ice_view *v);
+/* Momentum and work of the pressure on the sides, into the ledger. */
+void ice_boundary_work(ice *s);
+
+/* Rows of a block with `ghost` layers about it (negative axis: cells), or of the faces normal to `axis`. */
+typedef struct ice_rows { int j0, k0, nj, n; } ice_rows;
+ice_rows ice_rows_of(const block *b, int axis, int ghost);
+/* Owned rows that one thread must take together, so that no two meet in a tile: for loops that add to tiles. */
+int ice_rows_chunk(const ice *s, ice_rows q);
+static inline int ice_row_j(ice_rows q, int row) { return q.j0 + row % q.nj; }
+static inline int ice_row_k(ice_rows q, int row) { return q.k0 + row / q.nj; }
+
+/* The partials of the global tile that holds local cell (i, j, k) of block b. */
+double *ice_tile(const ice *s, const block *b, int i, int j, int k);
+void ice_clear_tiles(ice *s);
+/* Adds the tiles up in order and enters them in the ledger. */
+void ice_enter_tiles(ice *s);
+
+/* Viscous momentum and heat, added to the Lagrangian values. */
+void ice_viscous(ice *s, const ice_view *v);
+/* Loads (pressurise, heat) on the Lagrangian energies. */
+floe_status ice_apply_loads(ice *s);
+/* Doubles that one thread needs to advect. */
+size_t ice_advect_buffer(const ice *s);
+
+/* "cell (3, 4), material 0 (air)" for messages. */
+void ice_place(const ice *s, const block *b, ptrdiff_t at, int r, char *text, size_t size);
+
+#endif

@@ -1,0 +1,82 @@
+/* The time step (numerics 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
+ * where phi = 1, else 1; diffusion dt <= 1 / (2 nu sum h_i^-2); gravity dt <= (h/|g|)^1/2. Slivers (theta < 1e-6) are left out. */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+/* Largest 1/dt of signals and of diffusion. */
+typedef struct rates { double signal, diffusion; } rates;
+
+static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c)
+{
+    const double b = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points ? sqrt(2.0) : 1.0;
+    double speed = 0.0, inverse_square = 0.0;
+    for (int a = 0; a < v->dim; ++a) {
+        speed += fabs(v->m[r].u[a][at]) * v->inv_h[a];
+        inverse_square += v->inv_h[a] * v->inv_h[a];
+    }
+    const double viscosity = fmax(4.0 / 3.0 * s->material[r].shear_viscosity + s->material[r].bulk_viscosity, 0.0);
+    return (rates){speed + b * c * sqrt(inverse_square), 2.0 * viscosity / rho * inverse_square};
+}
+
+/* One row of one material: density of the pure material and sound speed from its current state. */
+static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, double *work, rates *most)
+{
+    const ice_arrays *m = &v->m[r];
+    const eos *law = &s->material[r].eos;
+    const size_t n = (size_t)v->b->n[0];
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    double *rho = work, *e = work + n, *p = work + 2 * n, *c2 = work + 3 * n;
+    for (size_t i = 0; i < n; ++i) {
+        const bool here = !s->multi || m->rho[base + (ptrdiff_t)i] * m->vol[base + (ptrdiff_t)i] > 1e-6;
+        rho[i] = s->multi ? 1.0 / m->vol[base + (ptrdiff_t)i] : m->rho[base + (ptrdiff_t)i];
+        if (!here) rho[i] = NAN;
+        e[i] = m->e[base + (ptrdiff_t)i];
+    }
+    law->model->pressure(law->par, n, rho, e, p, c2);
+    for (size_t i = 0; i < n; ++i) {
+        if (isnan(rho[i])) continue;
+        if (!(c2[i] > 0.0)) return false;
+        const rates x = cell_rates(s, v, r, base + (ptrdiff_t)i, rho[i], sqrt(c2[i]));
+        if (!isfinite(x.signal)) return false;
+        most->signal = fmax(most->signal, x.signal);
+        most->diffusion = fmax(most->diffusion, x.diffusion);
+    }
+    return true;
+}
+
+static bool block_rates(const ice *s, const ice_view *v, int r, rates *most)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    double signal = 0.0, diffusion = 0.0;
+    int bad = 0;
+#pragma omp parallel for schedule(static) reduction(max : signal, diffusion) reduction(+ : bad)
+    for (int row = 0; row < q.n; ++row) {
+        rates x = {0.0, 0.0};
+        bad += !row_rates(s, v, r, ice_row_j(q, row), ice_row_k(q, row), s->work->buffer[ice_thread()], &x);
+        signal = fmax(signal, x.signal);
+        diffusion = fmax(diffusion, x.diffusion);
+    }
+    most->signal = fmax(most->signal, signal);
+    most->diffusion = fmax(most->diffusion, diffusion);
+    return bad == 0;
+}
+
+floe_status ice_time_step(ice *s, ice_limit *out)
+{
+    rates most = {0.0, 0.0};
+    double gravity = 0.0;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        for (int a = 0; a < v.dim; ++a) gravity = fmax(gravity, fabs(s->gravity[a]) / v.h[a]);
+        for (int r = 0; r < s->n_materials; ++r)
+            if (!s->material[r].points && !block_rates(s, &v, r, &most))
+                return fail(s->ctx, FLOE_RETRY, "time step: a cell of material %d has no sound speed", r);
+    }
+    const double cfl = s->scene->time.cfl_ice;
+    *out = (ice_limit){cfl / most.signal, "sound and flow on the cells"};
+    if (!(most.diffusion * out->dt <= 1.0) && most.diffusion > 0.0) *out = (ice_limit){1.0 / most.diffusion, "viscosity on the cells"};
+    if (gravity > 0.0 && sqrt(1.0 / gravity) < out->dt) *out = (ice_limit){sqrt(1.0 / gravity), "gravity on the cells"};
+    return FLOE_OK;
+}

@@ -1,0 +1,149 @@
+/* Energy added to a fluid in a region: at a given power, or so that its mean pressure follows a ramp (pressurise). */
+#include "ice/ice_internal.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+static bool heats(const scene_load *load)
+{
+    return load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
+}
+
+/* Cells of a load's region: those whose centre lies inside. */
+static floe_status find_region(ice *s, int l, int id)
+{
+    const scene_load *load = &s->scene->load[l];
+    const block *b = &s->mesh->block[id];
+    ice_mixed_list *list = &s->work->region[l][id];
+    const size_t cells = (size_t)b->n[0] * (size_t)b->n[1] * (size_t)b->n[2];
+    TRY(memory_new(s->ctx, &list->at, cells, sizeof(ptrdiff_t)));
+    for (int k = 0; k < b->n[2]; ++k)
+        for (int j = 0; j < b->n[1]; ++j)
+            for (int i = 0; i < b->n[0]; ++i) {
+                const int cell[MESH_MAX_DIM] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
+                double x[3] = {0.0, 0.0, 0.0};
+                for (int a = 0; a < b->dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
+                if (!load->region.model || shape_inside(&load->region, b->dim, x)) list->at[list->n++] = mesh_index(b, i, j, k);
+            }
+    return FLOE_OK;
+}
+
+static floe_status find_regions(ice *s, int l)
+{
+    if (s->work->region[l][0].at) return FLOE_OK;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) TRY(find_region(s, l, id));
+    return FLOE_OK;
+}
+
+/* Local (i, j, k) of a linear index. */
+static void local_of(const block *b, ptrdiff_t at, int cell[MESH_MAX_DIM])
+{
+    cell[0] = cell[1] = cell[2] = 0;
+    for (int a = b->dim - 1; a >= 0; --a) {
+        cell[a] = (int)(at / b->stride[a]) - MESH_GHOST;
+        at %= b->stride[a];
+    }
+}
+
+/* Energy per volume that the fluid of one cell receives. */
+typedef double heat_function(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount);
+
+static double heat_by_power(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount)
+{
+    return amount * s->dt * (s->multi ? v->m[r].theta[at] : 1.0);
+}
+
+/* de = dp / (dp/de at constant density), times the mass. */
+static double heat_by_pressure(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount)
+{
+    const ice_arrays *m = &v->m[r];
+    const eos *law = &s->material[r].eos;
+    const double rho = s->multi ? 1.0 / m->v[at] : m->rho[at];
+    double slope;
+    law->model->dpde(law->par, 1, &rho, &m->e[at], &slope);
+    return m->rho[at] * amount / slope;
+}
+
+static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_mixed_list *list = &s->work->region[l][id];
+        for (size_t n = 0; n < list->n; ++n) {
+            const ptrdiff_t at = list->at[n];
+            if (!(v.m[r].rho[at] > 0.0)) continue;
+            int cell[MESH_MAX_DIM];
+            local_of(v.b, at, cell);
+            const double added = heat(s, &v, r, at, amount);
+            v.m[r].el[at] += added / v.m[r].rho[at];
+            ice_tile(s, v.b, cell[0], cell[1], cell[2])[TILE_SOURCE_ENERGY] += added * v.volume[cell[0]];
+        }
+    }
+}
+
+/* Mean pressure of the region at the start of the step, weighted by the fluid's volume. */
+static double mean_pressure(ice *s, int l, int r)
+{
+    double *tile = s->work->tile, sum[TILE_VALUES];
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_mixed_list *list = &s->work->region[l][id];
+        for (size_t n = 0; n < list->n; ++n) {
+            const ptrdiff_t at = list->at[n];
+            int cell[MESH_MAX_DIM];
+            local_of(v.b, at, cell);
+            const double weight = v.volume[cell[0]] * (s->multi ? v.m[r].theta[at] : 1.0);
+            double *t = ice_tile(s, v.b, cell[0], cell[1], cell[2]);
+            t[TILE_SCRATCH] += weight;
+            t[TILE_SCRATCH + 1] += weight * v.p[at];
+        }
+    }
+    domain_sum_tiles(s->mesh, tile, TILE_VALUES, sum);
+    for (size_t t = 0; t < s->work->tiles; ++t) tile[t * TILE_VALUES + TILE_SCRATCH] = tile[t * TILE_VALUES + TILE_SCRATCH + 1] = 0.0;
+    return sum[TILE_SCRATCH + 1] / sum[TILE_SCRATCH];
+}
+
+/* Share of the ramp that is done at the end of the step. */
+static double ramp_done(const ice *s, const scene_load *load, const ice_ramp *ramp)
+{
+    if (load->ramp_steps > 0) return fmin(1.0, (double)(s->step + 1 - ramp->step) / (double)load->ramp_steps);
+    return load->ramp > 0.0 ? fmin(1.0, (s->time + s->dt - load->start) / load->ramp) : 1.0;
+}
+
+/* Whether the ramp was already done at the start of the step. */
+static bool ramp_over(const ice *s, const scene_load *load, const ice_ramp *ramp)
+{
+    if (load->ramp_steps > 0) return s->step - ramp->step >= load->ramp_steps;
+    return s->time >= load->start + load->ramp && s->time > ramp->time;
+}
+
+static void pressurise(ice *s, int l, int r)
+{
+    const scene_load *load = &s->scene->load[l];
+    ice_ramp *ramp = &s->ramp[l];
+    const double mean = mean_pressure(s, l, r);
+    if (!ramp->begun) *ramp = (ice_ramp){.begun = true, .pressure = mean, .time = s->time, .step = s->step};
+    if (ramp_over(s, load, ramp) && !load->hold) return;
+    const double target = s->scene->reference_pressure + load->target;
+    const double scheduled = ramp->pressure + ramp_done(s, load, ramp) * (target - ramp->pressure);
+    add_heat(s, l, r, heat_by_pressure, scheduled - mean);
+}
+
+floe_status ice_apply_loads(ice *s)
+{
+    for (int l = 0; l < s->scene->n_loads && s->pressurise; ++l) {
+        const scene_load *load = &s->scene->load[l];
+        const int r = heats(load) ? ice_material_of(s, load->material) : -1;
+        if (r < 0 || s->material[r].points || !(s->time + s->dt > load->start)) continue;
+        TRY(find_regions(s, l));
+        if (load->kind == LOAD_PRESSURISE) {
+            pressurise(s, l, r);
+            continue;
+        }
+        if (!(load->ramp > 0.0) || load->hold || s->time < load->start + load->ramp) add_heat(s, l, r, heat_by_power, load->target);
+    }
+    return FLOE_OK;
+}

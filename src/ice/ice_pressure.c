@@ -1,0 +1,61 @@
+/* The equilibrium pressure stage (numerics 2.1; Guilkey et al. 2003, step 2) of one fluid: p = p(rho, e), in batches over rows.
+ * Several materials: ice_mixture.c. */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+/* Turns c^2 into c and says whether all is well: p finite, c^2 > 0. */
+static bool finish_row(const double *restrict p, double *restrict c, ptrdiff_t from, ptrdiff_t to)
+{
+    int bad = 0;
+#pragma omp simd reduction(+ : bad)
+    for (ptrdiff_t at = from; at < to; ++at) {
+        bad += !(c[at] > 0.0) || !(fabs(p[at]) <= DBL_MAX);
+        c[at] = sqrt(c[at]);
+    }
+    return bad == 0;
+}
+
+static floe_status explain(const ice *s, const ice_view *v)
+{
+    const ice_arrays *m = &v->m[0];
+    for (int k = 0; k < v->b->n[2]; ++k)
+        for (int j = 0; j < v->b->n[1]; ++j)
+            for (int i = 0; i < v->b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(v->b, i, j, k);
+                if (m->c[at] > 0.0 && fabs(v->p[at]) <= DBL_MAX) continue;
+                char place[160];
+                ice_place(s, v->b, at, 0, place, sizeof place);
+                return fail(s->ctx, FLOE_RETRY, "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
+                            "c = %g m/s", place, m->rho[at], m->e[at], v->p[at], m->c[at]);
+            }
+    return fail(s->ctx, FLOE_RETRY, "equation of state: a ghost cell has no sound speed");
+}
+
+static floe_status single_fluid(ice *s, const ice_view *v)
+{
+    const eos *law = &s->material[0].eos;
+    const ice_arrays *m = &v->m[0];
+    const ice_rows q = ice_rows_of(v->b, -1, MESH_GHOST);
+    int bad = 0;
+#pragma omp parallel for schedule(static) reduction(+ : bad)
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t from = mesh_index(v->b, -MESH_GHOST, ice_row_j(q, row), ice_row_k(q, row));
+        const ptrdiff_t n = v->b->n[0] + 2 * MESH_GHOST;
+        law->model->pressure(law->par, (size_t)n, m->rho + from, m->e + from, v->p + from, m->c + from);
+        bad += !finish_row(v->p, m->c, from, from + n);
+    }
+    return bad ? explain(s, v) : FLOE_OK;
+}
+
+floe_status ice_equilibrium_pressure(ice *s)
+{
+    if (s->multi) ice_clear_tiles(s);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        TRY(s->multi ? ice_mixture(s, id, &v) : single_fluid(s, &v));
+    }
+    if (s->multi) ice_enter_tiles(s);
+    return FLOE_OK;
+}

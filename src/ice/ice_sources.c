@@ -1,0 +1,200 @@
+/* Lagrangian values of the fluids: pressure and gravity (numerics 2.6), heat (2.7, 2.8), viscosity, loads; and the impulse of
+ * the pressure on materials carried by points. Guilkey et al. 2003, steps 8 and 9.
+ *
+ *     u^L = u - dt (theta/rho) grad P* + dt g
+ *     conserving:      heat Q = -dt sum_f A_f P* F - sum_r [|m u + D|^2 - |m u|^2] / (2 m), shared by f^r (2.8 i)
+ *     where it cannot: Q^r = theta^r kappa^r P dP per volume (2.7) */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+/* Pressure gradient impulse per volume and the work that faces do on the cell per volume. */
+typedef struct push { double impulse[3], work; } push;
+
+FLOE_ALWAYS_INLINE push push_of(const ice_view *v, ptrdiff_t at, ptrdiff_t i, const int dim)
+{
+    push q;
+    const double *fp = v->fp[0], *flux = v->flux[0];
+    q.impulse[0] = -v->dt * v->inv_h[0] * (fp[at + 1] - fp[at]);
+    q.work = v->lower0[i] * fp[at] * flux[at] - v->upper0[i] * fp[at + 1] * flux[at + 1];
+    for (int a = 1; a < dim; ++a) {
+        const ptrdiff_t up = at + v->b->stride[a];
+        q.impulse[a] = -v->dt * v->inv_h[a] * (v->fp[a][up] - v->fp[a][at]);
+        q.work += (v->fp[a][at] * v->flux[a][at] - v->fp[a][up] * v->flux[a][up]) * v->inv_h[a];
+    }
+    q.work *= v->dt;
+    return q;
+}
+
+/* One fluid. Returns how many cells fell back to 2.7. */
+FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve, double floor, const int dim)
+{
+    const ice_arrays *m = &v->m[0];
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    double *restrict el = m->el;
+    int guarded = 0;
+#pragma omp simd reduction(+ : guarded)
+    for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
+        const ptrdiff_t at = base + i;
+        const push f = push_of(v, at, i, dim);
+        const double rho = m->rho[at], inverse = 1.0 / rho, inv_c = 1.0 / m->c[at];
+        double kinetic = 0.0, gain = 0.0;
+        for (int a = 0; a < dim; ++a) {
+            const double u = m->u[a][at], du = f.impulse[a] * inverse;
+            gain += du * (u + 0.5 * du);
+            kinetic += 0.5 * (u + du) * (u + du);
+            m->ul[a][at] = u + du + v->dt * v->gravity[a];
+        }
+        const double conserving = m->e[at] + f.work * inverse - gain;
+        const double plain = m->e[at] + v->P[at] * v->dP[at] * (inverse * inverse * inv_c * inv_c);
+        const bool usable = conserve && conserving - floor > ICE_THERMAL_SHARE * kinetic;
+        guarded += conserve && !usable;
+        el[at] = usable ? conserving : plain;
+    }
+    return guarded;
+}
+
+/* Several materials. */
+FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve, const double *floor, const bool *points,
+                                 const int dim)
+{
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    int guarded = 0;
+    for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
+        const ptrdiff_t at = base + i;
+        const push f = push_of(v, at, i, dim);
+        double gain = 0.0;
+        for (int r = 0; r < v->n_materials; ++r) {
+            const ice_arrays *m = &v->m[r];
+            const double rho = m->rho[at], mobility = rho > 0.0 ? m->theta[at] / rho : 0.0;
+            for (int a = 0; a < dim; ++a) {
+                const double u = m->u[a][at], du = f.impulse[a] * mobility;
+                gain += rho * du * (u + 0.5 * du);
+                if (points[r])
+                    m->source[a][at] = f.impulse[a] * m->theta[at] * v->volume[i];
+                else
+                    m->ul[a][at] = u + du + v->dt * v->gravity[a];
+            }
+        }
+        const bool whole = conserve && v->mixed[at] < 64.0;
+        const double heat = f.work - gain, share = 1.0 / v->kappa_sum[at], plain = v->P[at] * v->dP[at];
+        bool usable = whole;
+        for (int r = 0; r < v->n_materials && usable; ++r) {
+            const ice_arrays *m = &v->m[r];
+            if (points[r] || !(m->rho[at] > 0.0)) continue;
+            double kinetic = 0.0;
+            for (int a = 0; a < dim; ++a) kinetic += 0.5 * m->ul[a][at] * m->ul[a][at];
+            const double e = m->e[at] + m->theta[at] * m->kappa[at] * share * heat / m->rho[at];
+            usable = e - floor[r] > ICE_THERMAL_SHARE * kinetic;
+        }
+        guarded += whole && !usable;
+        for (int r = 0; r < v->n_materials; ++r) {
+            const ice_arrays *m = &v->m[r];
+            if (points[r]) continue;
+            const double part = m->theta[at] * m->kappa[at] * (usable ? share * heat : plain);
+            m->el[at] = m->e[at] + (m->rho[at] > 0.0 ? part / m->rho[at] : 0.0);
+        }
+    }
+    return guarded;
+}
+
+/* Energy per volume of the pressure step that 2.7 made or lost in a cell. */
+static double pressure_defect(const ice *s, const ice_view *v, ptrdiff_t at, int i)
+{
+    double made = -push_of(v, at, i, v->dim).work;
+    for (int r = 0; r < s->n_materials; ++r) {
+        const ice_arrays *m = &v->m[r];
+        double square = 0.0;
+        if (s->material[r].points) continue;
+        for (int a = 0; a < v->dim; ++a) {
+            const double after = m->ul[a][at] - v->dt * v->gravity[a], before = m->u[a][at];
+            square += (after - before) * (after + before);
+        }
+        made += m->rho[at] * (m->el[at] - m->e[at] + 0.5 * square);
+    }
+    return made;
+}
+
+/* The row again, cell by cell: cells whose energy does not close are those that were guarded. */
+static void note_guards(const ice *s, const ice_view *v, int j, int k)
+{
+    for (int i = 0; i < v->b->n[0]; ++i) {
+        const ptrdiff_t at = mesh_index(v->b, i, j, k);
+        if (s->multi && v->mixed[at] >= 64.0) continue;
+        const double made = pressure_defect(s, v, at, i);
+        double scale = 0.0;
+        for (int r = 0; r < s->n_materials; ++r)
+            if (!s->material[r].points) scale += v->m[r].rho[at] * fabs(v->m[r].el[at]);
+        if (!(fabs(made) > 1e-13 * scale)) continue;
+        double *tile = ice_tile(s, v->b, i, j, k);
+        tile[TILE_DEFECT] += made * v->volume[i];
+        tile[TILE_GUARDS] += 1.0;
+    }
+}
+
+/* Gravity's momentum and work on the fluids, into the tiles. */
+static void note_gravity(const ice *s, const ice_view *v, int j, int k)
+{
+    for (int i = 0; i < v->b->n[0]; ++i) {
+        const ptrdiff_t at = mesh_index(v->b, i, j, k);
+        double *tile = ice_tile(s, v->b, i, j, k);
+        for (int r = 0; r < s->n_materials; ++r) {
+            if (s->material[r].points) continue;
+            const double mass = v->m[r].rho[at] * v->volume[i];
+            for (int a = 0; a < v->dim; ++a) {
+                const double du = v->dt * v->gravity[a];
+                tile[TILE_SOURCE_MOMENTUM + a] += mass * du;
+                tile[TILE_SOURCE_ENERGY] += mass * du * (v->m[r].ul[a][at] - 0.5 * du);
+            }
+        }
+    }
+}
+
+#define INSTANCE(d)                                                                                                    \
+    static int single_##d(const ice *s, const ice_view *v, int j, int k)                                               \
+    {                                                                                                                  \
+        const double floor = s->work->energy_floor[0];                                                                 \
+        return single_row(v, j, k, s->scene->method.conserve_energy, isnan(floor) ? 0.0 : floor, d);                   \
+    }                                                                                                                  \
+    static int multi_##d(const ice *s, const ice_view *v, int j, int k)                                                \
+    {                                                                                                                  \
+        bool points[ICE_MAX_MATERIALS];                                                                                \
+        double floor[ICE_MAX_MATERIALS];                                                                               \
+        for (int r = 0; r < s->n_materials; ++r) {                                                                     \
+            points[r] = s->material[r].points;                                                                         \
+            floor[r] = isnan(s->work->energy_floor[r]) ? 0.0 : s->work->energy_floor[r];                               \
+        }                                                                                                              \
+        return multi_row(v, j, k, s->scene->method.conserve_energy, floor, points, d);                                 \
+    }
+INSTANCE(1)
+INSTANCE(2)
+INSTANCE(3)
+ice_source_row *const ice_source_row_of[3][2] = {{single_1, multi_1}, {single_2, multi_2}, {single_3, multi_3}};
+
+static void source_rows(ice *s, const ice_view *v)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    const int chunk = ice_rows_chunk(s, q);
+    const bool gravity = s->gravity[0] != 0.0 || s->gravity[1] != 0.0 || s->gravity[2] != 0.0;
+#pragma omp parallel for schedule(static, chunk)
+    for (int row = 0; row < q.n; ++row) {
+        const int j = ice_row_j(q, row), k = ice_row_k(q, row);
+        if (s->work->kernels.sources(s, v, j, k) > 0) note_guards(s, v, j, k);
+        if (gravity) note_gravity(s, v, j, k);
+    }
+}
+
+floe_status ice_sources(ice *s)
+{
+    ice_clear_tiles(s);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        source_rows(s, &v);
+        if (s->viscous) ice_viscous(s, &v);
+    }
+    ice_boundary_work(s);
+    TRY(ice_apply_loads(s));
+    ice_enter_tiles(s);
+    return FLOE_OK;
+}

@@ -1,0 +1,123 @@
+/* Totals over the owned cells, in tile order (design 4), and the mean pressure of a region. */
+#include "ice/ice_internal.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SUM_MASS, SUM_INTERNAL, SUM_KINETIC, SUM_MOMENTUM, SUM_SCALE = SUM_MOMENTUM + 3, SUM_VALUES = SUM_SCALE + 3 };
+
+static void sum_row(const ice *s, const ice_view *v, int r, int j, int k, double *tile)
+{
+    const ice_arrays *m = &v->m[r];
+    for (int i = 0; i < v->b->n[0]; ++i) {
+        const ptrdiff_t at = mesh_index(v->b, i, j, k);
+        const int cell[MESH_MAX_DIM] = {v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k};
+        double *sum = tile + (size_t)mesh_tile_of(s->mesh, cell) * SUM_VALUES;
+        const double mass = m->rho[at] * v->volume[i];
+        sum[SUM_MASS] += mass;
+        sum[SUM_INTERNAL] += mass * m->e[at];
+        for (int a = 0; a < v->dim; ++a) {
+            const double u = m->u[a][at];
+            sum[SUM_KINETIC] += 0.5 * mass * u * u;
+            sum[SUM_MOMENTUM + a] += mass * u;
+            sum[SUM_SCALE + a] += fabs(mass * u);
+        }
+    }
+}
+
+static void sum_material(const ice *s, int r, double *tile, double *sum)
+{
+    memset(tile, 0, s->work->tiles * SUM_VALUES * sizeof(double));
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+        const int chunk = ice_rows_chunk(s, q);
+#pragma omp parallel for schedule(static, chunk)
+        for (int row = 0; row < q.n; ++row) sum_row(s, &v, r, ice_row_j(q, row), ice_row_k(q, row), tile);
+    }
+    domain_sum_tiles(s->mesh, tile, SUM_VALUES, sum);
+}
+
+/* Largest |TMV/V - 1|, from the last step's ratio. */
+static double volume_defect(const ice *s)
+{
+    double most = 0.0;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        if (!v.tmv) return 0.0;
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+        for (int row = 0; row < q.n; ++row)
+            for (int i = 0; i < v.b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(v.b, i, ice_row_j(q, row), ice_row_k(q, row));
+                if (v.tmv[at] > 0.0) most = fmax(most, fabs(v.tmv[at] - 1.0));
+            }
+    }
+    return most;
+}
+
+floe_status ice_sum(ice *s, ice_totals *out)
+{
+    memset(out, 0, sizeof *out);
+    double *tile;
+    TRY(memory_new(s->ctx, &tile, s->work->tiles * SUM_VALUES, sizeof(double)));
+    for (int r = 0; r < s->n_materials; ++r) {
+        if (s->material[r].points) continue;
+        double sum[SUM_VALUES];
+        sum_material(s, r, tile, sum);
+        out->mass[r] = sum[SUM_MASS];
+        out->internal[r] = sum[SUM_INTERNAL];
+        out->kinetic[r] = sum[SUM_KINETIC];
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            out->momentum[r][a] = sum[SUM_MOMENTUM + a];
+            out->momentum_scale[a] += sum[SUM_SCALE + a];
+        }
+    }
+    out->max_volume_defect = volume_defect(s);
+    memory_free(s->ctx, &tile);
+    return FLOE_OK;
+}
+
+/* Pressure of a fluid in a cell of the current state: of its law where it is alone, else the last equilibrium pressure. */
+static double cell_pressure(const ice *s, const ice_view *v, const double *p, int r, ptrdiff_t at)
+{
+    const ice_arrays *m = &v->m[r];
+    const eos *law = &s->material[r].eos;
+    for (int q = 0; q < s->n_materials; ++q)
+        if (q != r && v->m[q].rho[at] > 0.0) return p[at];
+    double pressure, c2;
+    law->model->pressure(law->par, 1, &m->rho[at], &m->e[at], &pressure, &c2);
+    return pressure;
+}
+
+floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure)
+{
+    double *tile, sum[2];
+    TRY(memory_new(s->ctx, &tile, s->work->tiles * 2, sizeof(double)));
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const double *p = field_get(s->domain->fields[id], C_PRESSURE, 0, 0);
+        for (int k = 0; k < v.b->n[2]; ++k)
+            for (int j = 0; j < v.b->n[1]; ++j)
+                for (int i = 0; i < v.b->n[0]; ++i) {
+                    const ptrdiff_t at = mesh_index(v.b, i, j, k);
+                    const int cell[MESH_MAX_DIM] = {v.b->lo[0] + i, v.b->lo[1] + j, v.b->lo[2] + k};
+                    double x[3] = {0.0, 0.0, 0.0};
+                    for (int a = 0; a < v.dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
+                    const ice_arrays *m = &v.m[material];
+                    if (!(m->rho[at] > 0.0) || (region && region->model && !shape_inside(region, v.dim, x))) continue;
+                    const double weight = v.volume[i] * (s->multi ? m->rho[at] * m->vol[at] : 1.0);
+                    double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, cell);
+                    t[0] += weight;
+                    t[1] += weight * cell_pressure(s, &v, p, material, at);
+                }
+    }
+    domain_sum_tiles(s->mesh, tile, 2, sum);
+    memory_free(s->ctx, &tile);
+    *pressure = sum[1] / sum[0];
+    return FLOE_OK;
+}

@@ -1,0 +1,131 @@
+/* The advection stage (numerics 2.11): ghosts of the Lagrangian values, the sweeps, and rejection. */
+#include "ice/ice_advect.h"
+
+#include <math.h>
+
+static void fill_lagrangian(const ice *s)
+{
+    for (int r = 0; r < s->n_materials; ++r) {
+        if (s->material[r].points) continue;
+        ice_fill_ghosts(s, C_VEL_L, r, FILL_CURRENT, GHOST_VELOCITY);
+        ice_fill_ghosts(s, C_ENERGY_L, r, FILL_CURRENT, GHOST_ENERGY);
+        if (s->multi) ice_fill_ghosts(s, C_VOLUME_L, r, FILL_CURRENT, GHOST_VOLUME);
+    }
+}
+
+/* Chunks are whole layers of tiles, so that no two threads meet in a tile; what they compute does not depend on them. */
+static ice_advect_result advect_block(ice *s, const ice_view *v, int r)
+{
+    const block *b = v->b;
+    const int slow = b->dim - 1, tile = s->mesh->tile[slow];
+    const int most_chunks = b->dim == 1 ? 1 : b->tiles[slow], chunks = s->work->threads < most_chunks ? s->work->threads : most_chunks;
+    const double floor = s->work->energy_floor[r];
+    int bad = 0, guarded = 0;
+#pragma omp parallel for schedule(static, 1) reduction(+ : bad, guarded)
+    for (int c = 0; c < chunks; ++c) {
+        const int first = most_chunks * c / chunks * tile, end = most_chunks * (c + 1) / chunks * tile;
+        const ice_advect_job job = {.s = s,
+                                    .v = v,
+                                    .material = r,
+                                    .first = first,
+                                    .last = end < b->n[slow] ? end : b->n[slow],
+                                    .conserve = s->scene->method.conserve_energy,
+                                    .energy_floor = isnan(floor) ? -DBL_MAX : floor,
+                                    .buffer = s->work->buffer[c]};
+        const ice_advect_result result = s->work->kernels.advect(&job);
+        bad += result.bad;
+        guarded += result.guarded;
+    }
+    return (ice_advect_result){bad, guarded};
+}
+
+/* What is wrong with the next state of a cell, or NULL. */
+static const char *fault_of(const ice *s, const ice_view *v, int r, ptrdiff_t at, int i)
+{
+    const ice_arrays *m = &v->m[r];
+    if (!(m->rho1[at] >= 0.0)) return "its mass would become negative or is no number";
+    if (s->multi && !(m->theta[at] > 1e-6)) return NULL;
+    if (!(ice_outflow(v, m, at, i, v->dim) <= 1.0)) return "more would flow out than it holds";
+    const eos *law = &s->material[r].eos;
+    if (!(m->rho1[at] > 0.0)) return NULL;
+    const double density = s->multi ? 1.0 / m->vol1[at] : m->rho1[at];
+    if (!(m->e1[at] > law->model->energy_floor(law->par, density))) return "its internal energy would fall below the law's floor";
+    return NULL;
+}
+
+/* The first faulty cell of the block, as a message. */
+static floe_status explain(const ice *s, const ice_view *v, int r)
+{
+    const block *b = v->b;
+    for (int k = 0; k < b->n[2]; ++k)
+        for (int j = 0; j < b->n[1]; ++j)
+            for (int i = 0; i < b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                const char *fault = fault_of(s, v, r, at, i);
+                if (!fault) continue;
+                char place[160];
+                ice_place(s, b, at, r, place, sizeof place);
+                return fail(s->ctx, FLOE_RETRY,
+                            "advection, %s: %s (density %g to %g kg/m3, internal energy %g to %g J/kg, outflow %g of the volume, "
+                            "step %g s)",
+                            place, fault, v->m[r].rho[at], v->m[r].rho1[at], v->m[r].e[at], v->m[r].e1[at],
+                            ice_outflow(v, &v->m[r], at, i, v->dim), s->dt);
+            }
+    return FLOE_OK;
+}
+
+/* Laws whose energy floor depends on density are asked cell by cell. */
+static bool below_floor(const ice *s, const ice_view *v, int r)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    int found = 0;
+#pragma omp parallel for schedule(static) reduction(+ : found)
+    for (int row = 0; row < q.n; ++row)
+        for (int i = 0; i < v->b->n[0]; ++i)
+            found += fault_of(s, v, r, mesh_index(v->b, i, ice_row_j(q, row), ice_row_k(q, row)), i) != NULL;
+    return found > 0;
+}
+
+/* What is left of a material below this share of a cell is dropped, into the ledger. */
+static const double least_fraction = 1e-14;
+
+static void drop_traces(ice *s, const ice_view *v, int r)
+{
+    const block *b = v->b;
+    const ice_arrays *m = &v->m[r];
+    for (int k = 0; k < b->n[2]; ++k)
+        for (int j = 0; j < b->n[1]; ++j)
+            for (int i = 0; i < b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                if (m->rho1[at] == 0.0) continue;
+                const double volume = m->rho1[at] * m->vol1[at];
+                if (volume >= least_fraction && m->vol1[at] > 0.0) continue;
+                double *tile = ice_tile(s, b, i, j, k), square = 0.0;
+                const double mass = m->rho1[at] * v->volume[i];
+                for (int a = 0; a < v->dim; ++a) {
+                    tile[TILE_MOMENTUM + a] -= 0.0;
+                    square += m->u1[a][at] * m->u1[a][at];
+                }
+                tile[TILE_MASS_DEFECT] -= mass;
+                tile[TILE_DEFECT] -= isfinite(m->e1[at] + square) ? mass * (m->e1[at] + 0.5 * square) : 0.0;
+                m->rho1[at] = 0.0;
+            }
+}
+
+floe_status ice_advect(ice *s)
+{
+    fill_lagrangian(s);
+    ice_clear_tiles(s);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        for (int r = 0; r < s->n_materials; ++r) {
+            if (s->material[r].points) continue;
+            const ice_advect_result result = advect_block(s, &v, r);
+            if (result.bad || (isnan(s->work->energy_floor[r]) && below_floor(s, &v, r))) TRY(explain(s, &v, r));
+            if (s->multi) drop_traces(s, &v, r);
+        }
+    }
+    ice_enter_tiles(s);
+    return FLOE_OK;
+}

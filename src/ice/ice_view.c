@@ -1,0 +1,81 @@
+/* A block's arrays and metrics, gathered for the kernels. */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+static void vector(const fields *f, double *(*get)(const fields *, field_id, int, int), field_id id, int instance, int dim,
+                   double *out[3])
+{
+    for (int a = 0; a < dim; ++a) out[a] = get(f, id, instance, a);
+}
+
+static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
+{
+    m->rho = field_get(f, C_RHO, r, 0);
+    m->e = field_get(f, C_ENERGY, r, 0);
+    m->vol = field_get(f, C_VOL, r, 0);
+    m->v = m->vol1 = field_next(f, C_VOL, r, 0);
+    m->rho1 = field_next(f, C_RHO, r, 0);
+    m->e1 = field_next(f, C_ENERGY, r, 0);
+    m->T = field_get(f, C_TEMP, r, 0);
+    m->theta = field_get(f, C_THETA, r, 0);
+    m->c = field_get(f, C_SOUND, r, 0);
+    m->kappa = field_get(f, C_KAPPA, r, 0);
+    m->el = field_get(f, C_ENERGY_L, r, 0);
+    m->vl = field_get(f, C_VOLUME_L, r, 0);
+    vector(f, field_get, C_VEL, r, dim, m->u);
+    vector(f, field_next, C_VEL, r, dim, m->u1);
+    vector(f, field_get, C_VEL_L, r, dim, m->ul);
+    vector(f, field_get, F_VEL, r, dim, m->fu);
+    vector(f, field_get, F_THETA, r, dim, m->ft);
+    vector(f, field_get, C_SOURCE, r, dim, m->source);
+    vector(f, field_get, C_MOMENTUM_L, r, dim, m->mom);
+    vector(f, field_get, C_VELOCITY_CHANGE, r, dim, m->dv);
+}
+
+static void gather_shared(const fields *f, bool multi, ice_view *v)
+{
+    const int dim = v->dim;
+    v->p = field_next(f, C_PRESSURE, 0, 0);
+    v->P = field_get(f, C_PRESSURE_ADVANCED, 0, 0);
+    v->dP = field_get(f, C_DP, 0, 0);
+    v->shock = field_get(f, C_SHOCK, 0, 0);
+    v->kappa_sum = field_get(f, C_KAPPA_SUM, 0, 0);
+    v->limiter = field_get(f, C_LIMITER, 0, 0);
+    v->mixed = field_get(f, C_MIXED, 0, 0);
+    v->tmv = field_get(f, C_TMV_RATIO, 0, 0);
+    vector(f, field_get, F_PRESSURE, 0, dim, v->fp);
+    v->rho_sum = multi ? field_get(f, C_RHO_SUM, 0, 0) : v->m[0].rho;
+    for (int a = 0; a < dim; ++a) {
+        v->mean[a] = multi ? field_get(f, C_VEL_MEAN, 0, a) : v->m[0].u[a];
+        v->flux[a] = multi ? field_get(f, F_FLUX, 0, a) : v->m[0].fu[a];
+    }
+}
+
+void ice_view_make(const ice *s, int block_id, ice_view *v)
+{
+    const mesh *m = s->mesh;
+    const scene_method *method = &s->scene->method;
+    const fields *f = s->domain->fields[block_id];
+    *v = (ice_view){.b = &m->block[block_id], .dim = m->dim, .n_materials = s->n_materials, .dt = s->dt};
+    double volume = 1.0;
+    for (int a = 0; a < 3; ++a) {
+        v->h[a] = m->h[a];
+        v->inv_h[a] = a < m->dim ? 1.0 / m->h[a] : 0.0;
+        v->gravity[a] = s->gravity[a];
+        volume *= m->h[a];
+    }
+    v->length = pow(volume, 1.0 / m->dim);
+    const int run = v->b->n[0] + 2 * MESH_GHOST + 1;
+    const double *metric = s->work->metric[block_id] + MESH_GHOST;
+    v->lower0 = metric;
+    v->upper0 = metric + run;
+    v->volume = metric + 2 * run;
+    v->area0 = metric + 3 * run;
+    v->base = method->centring == ICE_CENTRING_FULL ? 1.0 : 0.0;
+    v->slope = method->centring == ICE_CENTRING_AUTO ? 1.0 : 0.0;
+    v->limit_lo = method->limiter == ICE_LIMITER_NONE ? 1.0 : 0.0;
+    v->limit_hi = method->limiter == ICE_LIMITER_FIRST_ORDER ? 0.0 : 1.0;
+    for (int r = 0; r < s->n_materials; ++r) gather_material(f, r, m->dim, &v->m[r]);
+    gather_shared(f, s->multi, v);
+}
