@@ -13,7 +13,7 @@ void history_close(history **h);
 
 /* What a row needs that is not in the simulation. */
 typedef struct history_row {
-    const sim_totals *totals;    /* of sim_sum, as written */
+    const sim_totals *totals;    /* of sim_sum: per metre of depth or per radian; rows hold the whole */
     const double *mean_pressure; /* Pa, by scene material; only fluids are looked at, NAN where there is none */
 } history_row;
 

@@ -9,8 +9,9 @@
 typedef struct line {
     const sim *s;
     strbuf *out;
-    bool names;  /* the first line, not a row */
-    int columns; /* so far */
+    bool names;   /* the first line, not a row */
+    int columns;  /* so far */
+    double whole; /* output_scale: from a metre of depth or a radian to all of it */
 } line;
 
 static const char *comma(line *l)
@@ -96,11 +97,12 @@ static void add_material(line *l, int material, const history_row *row)
     holding sum = {0};
     material_label(l->s, material, label);
     if (row) sum = holding_of(l->s, row->totals, material);
+    const double whole = l->whole;
     if (row && fluid) sum.pressure = row->mean_pressure ? row->mean_pressure[material] : (double)NAN;
-    add_named(l, "mass", label, "kg", sum.mass);
-    add_named(l, "kinetic", label, "J", sum.kinetic);
-    if (!fluid) add_named(l, "strain", label, "J", sum.strain);
-    if (fluid) add_named(l, "internal", label, "J", sum.internal);
+    add_named(l, "mass", label, "kg", whole * sum.mass);
+    add_named(l, "kinetic", label, "J", whole * sum.kinetic);
+    if (!fluid) add_named(l, "strain", label, "J", whole * sum.strain);
+    if (fluid) add_named(l, "internal", label, "J", whole * sum.internal);
     if (fluid) add_named(l, "pressure", label, "Pa", sum.pressure);
 }
 
@@ -121,7 +123,6 @@ static void add_ledger(line *l)
 {
     static const char *const kinds[LEDGER_KINDS] = {"boundary", "source", "damping", "defect"};
     const ledger *account = &l->s->ledger;
-    const double factor = output_scale(l->s);
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         const char *name = ledger_quantity_name((ledger_quantity)q);
         if (is_used(l->s, q))
@@ -132,7 +133,7 @@ static void add_ledger(line *l)
             const ledger_sum *sum = &account->entry[q][k];
             char quantity[NAME_SIZE];
             (void)snprintf(quantity, sizeof quantity, "ledger_%s", ledger_quantity_name((ledger_quantity)q));
-            add_named(l, quantity, kinds[k], unit_of(q), factor * (sum->value + sum->carry));
+            add_named(l, quantity, kinds[k], unit_of(q), l->whole * (sum->value + sum->carry));
         }
     }
 }
@@ -150,19 +151,19 @@ static void add_probe(line *l, int n)
 
 static floe_status walk(const sim *s, const history_row *row, strbuf *out)
 {
-    static const double nothing[MESH_MAX_DIM];
-    const sim_totals *t = row ? row->totals : NULL;
-    line l = {.s = s, .out = out, .names = !row};
-    add(&l, "time", "s", t ? t->time : 0.0);
+    line l = {.s = s, .out = out, .names = !row, .whole = output_scale(s)};
+    double momentum[MESH_MAX_DIM] = {0};
+    for (int a = 0; a < MESH_MAX_DIM && row; a++) momentum[a] = l.whole * row->totals->momentum[a];
+    add(&l, "time", "s", row ? row->totals->time : 0.0);
     add_count(&l, "steps", s->steps);
     add_count(&l, "rejected_steps", s->rejected);
     add(&l, "dt", "s", s->dt);
     add_words(&l, "dt_limit", s->dt_reason);
-    add(&l, "mass", "kg", t ? t->mass : 0.0);
-    add_vector(&l, "momentum", "N s", t ? t->momentum : nothing);
-    add(&l, "kinetic", "J", t ? t->kinetic : 0.0);
-    add(&l, "strain", "J", t ? t->strain : 0.0);
-    add(&l, "internal", "J", t ? t->internal : 0.0);
+    add(&l, "mass", "kg", row ? l.whole * row->totals->mass : 0.0);
+    add_vector(&l, "momentum", "N s", momentum);
+    add(&l, "kinetic", "J", row ? l.whole * row->totals->kinetic : 0.0);
+    add(&l, "strain", "J", row ? l.whole * row->totals->strain : 0.0);
+    add(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
     add_ledger(&l);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);

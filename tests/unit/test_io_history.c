@@ -97,12 +97,12 @@ static void rows_parse_back(void **state)
     const char *next = cut(cut(text, &names), &values);
     assert_true(number_of(&names, &values, "time (s)") == 0.1);
     assert_true(number_of(&names, &values, "dt (s)") == 1.0 / 3.0);
-    assert_true(number_of(&names, &values, "mass (kg)") == 1.0 / 3.0);
-    assert_true(number_of(&names, &values, "momentum_y (N s)") == 6.0);
-    assert_true(number_of(&names, &values, "mass_steel (kg)") == 10.0);       /* points */
-    assert_true(number_of(&names, &values, "strain_soft___wet (J)") == 21.0); /* a name made plain */
-    assert_true(number_of(&names, &values, "mass_gas (kg)") == 32.0);         /* cells */
-    assert_true(number_of(&names, &values, "internal_gas (J)") == 42.0);
+    assert_true(number_of(&names, &values, "mass (kg)") == 2.0 / 3.0);
+    assert_true(number_of(&names, &values, "momentum_y (N s)") == 12.0);
+    assert_true(number_of(&names, &values, "mass_steel (kg)") == 20.0);       /* points */
+    assert_true(number_of(&names, &values, "strain_soft___wet (J)") == 42.0); /* a name made plain */
+    assert_true(number_of(&names, &values, "mass_gas (kg)") == 64.0);         /* cells */
+    assert_true(number_of(&names, &values, "internal_gas (J)") == 84.0);
     assert_true(number_of(&names, &values, "pressure_gas (Pa)") == 1.0e7 / 3.0);
     assert_true(number_of(&names, &values, "steps") == 1234.0);
     assert_true(number_of(&names, &values, "ledger_energy_source (J)") ==
