@@ -1,8 +1,7 @@
-/* Loads on points that act through their volume: body forces, energy. */
+/* Loads on points that act on their volume: body forces, energy. Those on surfaces: traction.c. */
 #include "mpm/work.h"
 #include "scene/state.h"
 
-#include <math.h>
 #include <string.h>
 
 void set_body_forces(mpm *s)

@@ -189,12 +189,13 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
     if (mode != SCATTER_FORCE) {
         domain_fold_periodic(s->domain, N_MASS, group);
         domain_fold_periodic(s->domain, N_MOMENTUM, group);
+        fold_walls(s, group, true, false);
     }
     if (mode != SCATTER_MOMENTUM) {
-        scatter_surfaces(s, group);
+        scatter_surfaces(s, group); /* they look at the masses */
         domain_fold_periodic(s->domain, N_FORCE, group);
+        fold_walls(s, group, false, true);
     }
-    fold_walls(s, group, mode != SCATTER_FORCE, mode != SCATTER_MOMENTUM);
     return FLOE_OK;
 }
 
