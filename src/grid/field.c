@@ -167,6 +167,7 @@ size_t fields_point_capacity(const fields *f, int body)
 
 void fields_permute_points(fields *f, int body, size_t n, const uint32_t *order)
 {
+    if (n == 0) return;
     for (int id = 0; id < FIELD_COUNT; ++id) {
         entry *e = &f->entry[id][body];
         if (table[id].centring != FIELD_POINT || !e->present || table[id].class == FIELD_SCRATCH) continue;

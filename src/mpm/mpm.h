@@ -80,6 +80,12 @@ floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, th
 /* Before the stages: the kick of the step, body forces. */
 floe_status mpm_begin_step(mpm *s);
 
+/* The stages above in their order, in the three runs between which the coupled step puts the cells: what the nodes weigh,
+ * what pushes them, how the points follow. */
+floe_status mpm_mass_stages(mpm *s);
+floe_status mpm_force_stages(mpm *s);
+floe_status mpm_motion_stages(mpm *s);
+
 /* The points-only step, a list of the above. */
 floe_status mpm_step(mpm *s);
 

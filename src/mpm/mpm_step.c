@@ -15,21 +15,49 @@ floe_status mpm_begin_step(mpm *s)
 #define POINT_STATE \
     P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE)
 
-floe_status mpm_step(mpm *s)
+static bool is_usf(const mpm *s)
 {
-    const bool usf = s->scene->method.stress == STRESS_USF, musl = s->scene->method.stress == STRESS_MUSL;
-    const bool gimp = s->basis->kind == BASIS_GIMP;
-    TRY(mpm_begin_step(s));
+    return s->scene->method.stress == STRESS_USF;
+}
+static bool is_musl(const mpm *s)
+{
+    return s->scene->method.stress == STRESS_MUSL;
+}
+
+floe_status mpm_mass_stages(mpm *s)
+{
+    const bool gimp = s->basis->kind == BASIS_GIMP, force = !s->coupled && !is_usf(s);
     STAGE(s, ALWAYS, mpm_points_to_nodes, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(gimp, P_HALF), POINT_STATE),
-          WRITES(N_MASS, N_MOMENTUM, WHEN(!usf, N_FORCE)));
+          WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
+    return FLOE_OK;
+}
+
+floe_status mpm_force_stages(mpm *s)
+{
+    const bool usf = is_usf(s), apart = s->coupled || usf;
     STAGE(s, usf, mpm_node_velocity, READS(N_MASS, N_MOMENTUM), WRITES(N_VEL));
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, POINT_STATE), WRITES(POINT_STATE));
-    STAGE(s, usf, mpm_node_force, READS(P_POS, POINT_STATE), WRITES(N_FORCE));
+    STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
+    return FLOE_OK;
+}
+
+floe_status mpm_motion_stages(mpm *s)
+{
+    const bool usl = !is_usf(s) && !is_musl(s);
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     STAGE(s, ALWAYS, mpm_nodes_to_points, READS(N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),
-          WRITES(P_POS, P_VEL, WHEN(!usf && !musl, P_STRESS), WHEN(!usf && !musl, P_J), WHEN(s->has_energy, P_ENERGY),
-                 WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE)));
-    STAGE(s, musl, mpm_remap_stress, READS(P_POS, P_VEL, POINT_STATE), WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
+          WRITES(P_POS, P_VEL, WHEN(usl, P_STRESS), WHEN(usl, P_J), WHEN(usl && s->has_energy, P_ENERGY),
+                 WHEN(usl && s->needs_F, P_F), WHEN(usl && s->artificial, P_VISCOUS_PRESSURE)));
+    STAGE(s, is_musl(s), mpm_remap_stress, READS(P_POS, P_VEL, POINT_STATE),
+          WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     return FLOE_OK;
+}
+
+floe_status mpm_step(mpm *s)
+{
+    TRY(mpm_begin_step(s));
+    TRY(mpm_mass_stages(s));
+    TRY(mpm_force_stages(s));
+    return mpm_motion_stages(s);
 }

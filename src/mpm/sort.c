@@ -44,7 +44,7 @@ static int key_of_point(const mesh *m, const block *b, const positions *p, size_
 
 static positions positions_of(const mpm *s, int blk, int body, bool next)
 {
-    positions p;
+    positions p = {{NULL}};
     for (int a = 0; a < s->mesh->dim; ++a)
         p.x[a] = next ? field_next(s->domain->fields[blk], P_POS, body, a)
                       : field_get(s->domain->fields[blk], P_POS, body, a);

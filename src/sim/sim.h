@@ -45,7 +45,8 @@ typedef struct sim_plan_info {
 } sim_plan_info;
 floe_status sim_plan(sim *s, sim_plan_info *out);
 
-/* Energies and momenta now (centred in time). J, kg, N s; times thickness or 2 pi as the design's conventions say. */
+/* Energies and momenta now. J, kg, N s per metre of depth in 2-D, per m2 in 1-D, per radian when axisymmetric: outputs multiply by
+ * the thickness or 2 pi. */
 typedef struct sim_totals {
     double time;
     double mass, kinetic, strain, internal;
