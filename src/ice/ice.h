@@ -79,6 +79,12 @@ floe_status ice_exchange(ice *s);               /* 2.9: momentum and heat betwee
 floe_status ice_specific_volume(ice *s);        /* 2.10, 5.5 */
 floe_status ice_advect(ice *s);                 /* 2.11: next state of the fluids */
 
+/* The stages in their order, in the three runs between which the coupled step puts the points: up to the Lagrangian sources,
+ * what materials do to each other, advection. */
+floe_status ice_pressure_stages(ice *s);
+floe_status ice_exchange_stages(ice *s);
+floe_status ice_advection_stages(ice *s);
+
 /* The fluid-only step, a list of the above. */
 floe_status ice_step(ice *s);
 

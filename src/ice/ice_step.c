@@ -1,34 +1,54 @@
 /* The fluid-only step, in the order of numerics 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12). */
 #include "ice/ice.h"
 
-floe_status ice_step(ice *s)
+floe_status ice_pressure_stages(ice *s)
 {
     const bool m = s->multi;
-    STAGE(s, ALWAYS, ice_boundary_ghosts,
-          READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_PRESSURE),
+    STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
           READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_PRESSURE, WHEN(m, C_TEMP)),
-          WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_THETA),
-                 WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN), WHEN(m, C_MIXED)));
+          WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
+                 WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
+                 WHEN(m, C_MIXED)));
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
           WRITES(F_VEL, C_SHOCK));
     STAGE(s, ALWAYS, ice_pressure_increment,
-          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
+          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
+                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
     STAGE(s, ALWAYS, ice_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)), WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sources,
-          READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE, WHEN(m, F_FLUX),
-                WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
+          READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
+                WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
           WRITES(C_VEL_L, C_ENERGY_L));
+    return FLOE_OK;
+}
+
+floe_status ice_exchange_stages(ice *s)
+{
+    const bool m = s->multi;
     STAGE(s, m, ice_exchange, READS(C_RHO, C_THETA, C_VOL, C_MIXED, C_VEL_L, C_ENERGY_L), WRITES(C_VEL_L, C_ENERGY_L));
-    STAGE(s, m, ice_specific_volume, READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_DP, C_TEMP, C_ENERGY, C_ENERGY_L), WRITES(C_VOLUME_L));
+    STAGE(s, m, ice_specific_volume, READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_DP, C_TEMP, C_ENERGY, C_ENERGY_L),
+          WRITES(C_VOLUME_L));
+    return FLOE_OK;
+}
+
+floe_status ice_advection_stages(ice *s)
+{
+    const bool m = s->multi;
     STAGE(s, ALWAYS, ice_advect,
-          READS(C_RHO, C_VEL, C_ENERGY, F_VEL, C_DP, C_SHOCK, C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L),
-                WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM)),
+          READS(C_RHO, C_VEL, C_ENERGY, F_VEL, C_DP, C_SHOCK, C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL),
+                WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM)),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L)));
     return FLOE_OK;
+}
+
+floe_status ice_step(ice *s)
+{
+    TRY(ice_pressure_stages(s));
+    TRY(ice_exchange_stages(s));
+    return ice_advection_stages(s);
 }

@@ -1,0 +1,96 @@
+/* The coupled step (numerics 5.1; Guilkey et al. 2003, section 2.4): stages of points and cells, interleaved on one mesh. */
+#include "sim/coupled.h"
+
+#include "base/memory.h"
+#include "coupling/transfer.h"
+
+#include <string.h>
+
+/* Temperature of a solid's cells (K): that of its first body. Heat is not carried by the points. */
+static double temperature_of(const scene *s, int material)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].material == material) return s->body[b].temperature;
+    return s->ambient_temperature;
+}
+
+/* One pair for every solid: its velocity group at the nodes, its material in the cells. */
+static floe_status make_pairs(transfer *t, const sim *s)
+{
+    for (int r = 0; r < s->ice->n_materials; ++r) {
+        if (!s->ice->material[r].points) continue;
+        for (int b = 0; b < s->mpm->n_bodies; ++b) {
+            if (s->mpm->body[b].scene_material != s->ice->material[r].scene_material) continue;
+            if (t->n_pairs == TRANSFER_MAX_PAIRS)
+                return fail(s->ctx, FLOE_BAD_INPUT, "more than %d solid materials cannot be coupled",
+                            TRANSFER_MAX_PAIRS);
+            t->pair[t->n_pairs++] =
+                (transfer_pair){s->mpm->body[b].group, r, temperature_of(s->scene, s->mpm->body[b].scene_material)};
+            break;
+        }
+    }
+    return FLOE_OK;
+}
+
+floe_status transfer_create(transfer **out, sim *s)
+{
+    TRY(memory_new(s->ctx, out, 1, sizeof **out));
+    transfer *t = *out;
+    t->ctx = s->ctx;
+    t->mesh = &s->mesh;
+    t->stages = &s->stages;
+    t->reference_pressure = s->scene->reference_pressure;
+    return make_pairs(t, s);
+}
+
+void transfer_destroy(transfer **t)
+{
+    if (t && *t) memory_free((*t)->ctx, t);
+}
+
+floe_status coupled_step(sim *s)
+{
+    mpm *p = s->mpm;
+    transfer *t = s->transfer;
+    TRY(mpm_begin_step(p));
+    TRY(mpm_mass_stages(p));
+    STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM), WRITES(C_RHO, C_VEL, C_TEMP));
+    TRY(ice_pressure_stages(s->ice));
+    STAGE(t, ALWAYS, transfer_pressure_to_nodes, READS(C_PRESSURE_ADVANCED), WRITES(N_PRESSURE));
+    STAGE(p, ALWAYS, mpm_grid_pressure, READS(N_PRESSURE, P_POS), WRITES(P_GRID_PRESSURE));
+    TRY(mpm_force_stages(p));
+    STAGE(t, ALWAYS, transfer_momentum_to_cells, READS(N_MASS, N_VEL_L), WRITES(C_MOMENTUM_L));
+    TRY(ice_exchange_stages(s->ice));
+    STAGE(t, ALWAYS, transfer_change_to_nodes, READS(C_VELOCITY_CHANGE, N_MASS, N_VEL_L), WRITES(N_VEL_L));
+    TRY(mpm_motion_stages(p));
+    TRY(ice_advection_stages(s->ice));
+    return FLOE_OK;
+}
+
+/* Volume fractions that the solids take of the cells at the start, in each block. */
+static floe_status taken_volume(sim *s, double *taken[MESH_MAX_BLOCKS])
+{
+    for (int b = 0; b < s->mesh.n_blocks; ++b) {
+        const block *bl = &s->mesh.block[b];
+        TRY(memory_new(s->ctx, &taken[b], bl->size, sizeof(double)));
+        for (int pair = 0; pair < s->transfer->n_pairs; ++pair) {
+            const int r = s->transfer->pair[pair].material;
+            const double *rho = field_get(s->domain->fields[b], C_RHO, r, 0);
+            const double density = s->scene->material[s->ice->material[r].scene_material].density;
+            for (size_t k = 0; k < bl->size; ++k) taken[b][k] += rho[k] / density;
+        }
+    }
+    return FLOE_OK;
+}
+
+floe_status coupled_initialise(sim *s)
+{
+    double *taken[MESH_MAX_BLOCKS] = {0};
+    s->transfer->domain = s->domain;
+    TRY(mpm_points_to_nodes(s->mpm));
+    TRY(transfer_nodes_to_cells(s->transfer));
+    floe_status status = taken_volume(s, taken);
+    if (status == FLOE_OK) status = ice_initialise(s->ice, taken);
+    for (int b = 0; b < MESH_MAX_BLOCKS; ++b) memory_free(s->ctx, &taken[b]);
+    return status;
+}
