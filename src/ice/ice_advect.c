@@ -23,8 +23,7 @@ FLOE_ALWAYS_INLINE void centre_slab(const ice_advect_buffers *w, const ice_view 
     const double *before[ADVECT_Q] = {m->u[0], m->u[1], m->u[2]}, *after[ADVECT_Q] = {m->ul[0], m->ul[1], m->ul[2]};
     before[dim] = m->e;
     after[dim] = m->el;
-    before[dim + 1] = multi ? m->v : NULL;
-    after[dim + 1] = m->vl;
+    before[dim + 1] = after[dim + 1] = m->vl; /* the next state's array holds v until it is overwritten: v^L alone */
     for (int q = 0; q < ADVECT_COUNT(dim, multi); ++q) {
         const double *restrict x0 = before[q] + start, *restrict x1 = after[q] + start, *restrict s = v->shock + start;
         double *restrict out = w->q[(slab + 3) % 3][q];

@@ -199,9 +199,11 @@ static void destroy_work(context *ctx, ice_work **work)
         for (int b = 0; b < MESH_MAX_BLOCKS; ++b) memory_free(ctx, &w->region[l][b].at);
     for (int t = 0; t < w->threads; ++t) {
         if (w->buffer) memory_free(ctx, &w->buffer[t]);
+        if (w->index) memory_free(ctx, &w->index[t]);
         if (w->solver) equilibrium_destroy(&w->solver[t]);
     }
     memory_free(ctx, &w->buffer);
+    memory_free(ctx, &w->index);
     memory_free(ctx, &w->solver);
     memory_free(ctx, &w->tile);
     memory_free(ctx, work);
@@ -295,7 +297,11 @@ static floe_status make_scratch(ice *s)
     for (int t = 0; t < w->threads; ++t) TRY(memory_new(s->ctx, &w->buffer[t], row > sweep ? row : sweep, sizeof(double)));
     if (!s->multi) return FLOE_OK;
     TRY(memory_new(s->ctx, &w->solver, (size_t)w->threads, sizeof(equilibrium_solver *)));
-    for (int t = 0; t < w->threads; ++t) TRY(equilibrium_create(&w->solver[t], s->ctx));
+    TRY(memory_new(s->ctx, &w->index, (size_t)w->threads, sizeof *w->index));
+    for (int t = 0; t < w->threads; ++t) {
+        TRY(equilibrium_create(&w->solver[t], s->ctx));
+        TRY(memory_new(s->ctx, &w->index[t], (size_t)m->n[0] + 8, sizeof(int)));
+    }
     return FLOE_OK;
 }
 

@@ -87,9 +87,6 @@ enum {
     TILE_DEFECT,            /* J: energy that guards made or took */
     TILE_MASS_DEFECT,       /* kg */
     TILE_GUARDS,
-    TILE_NEWTON_CELLS,
-    TILE_NEWTON_ITERATIONS,
-    TILE_NEWTON_FALLBACKS,
     TILE_SOURCE_ENERGY,     /* J: gravity's work */
     TILE_SOURCE_MOMENTUM,   /* three */
     TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 3, /* two, of whoever needs them, zero otherwise */
@@ -99,7 +96,7 @@ enum {
 /* State of the fluid that an inlet brings, or that lies behind an outlet. */
 typedef struct ice_reservoir { double rho, e, T, v; } ice_reservoir;
 
-typedef struct ice_mixed_list { ptrdiff_t *at; size_t n; } ice_mixed_list;
+typedef struct ice_cell_list { ptrdiff_t *at; size_t n; } ice_cell_list;
 
 typedef struct ice_work {
     int threads;
@@ -108,11 +105,12 @@ typedef struct ice_work {
     double *tile;                       /* TILE_VALUES of every global tile */
     size_t tiles;
     double **buffer;                    /* one a thread */
+    int **index;                        /* one a thread, a row long; NULL with one fluid */
     equilibrium_solver **solver;        /* one a thread; NULL with one fluid */
-    ice_mixed_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
+    ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     ice_reservoir reservoir[MESH_MAX_DIM][2];
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
-    ice_mixed_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
+    ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 
 /* Pressures and fractions of several materials in one block (numerics 2.1). */

@@ -15,7 +15,7 @@ static floe_status find_region(ice *s, int l, int id)
 {
     const scene_load *load = &s->scene->load[l];
     const block *b = &s->mesh->block[id];
-    ice_mixed_list *list = &s->work->region[l][id];
+    ice_cell_list *list = &s->work->region[l][id];
     const size_t cells = (size_t)b->n[0] * (size_t)b->n[1] * (size_t)b->n[2];
     TRY(memory_new(s->ctx, &list->at, cells, sizeof(ptrdiff_t)));
     for (int k = 0; k < b->n[2]; ++k)
@@ -70,7 +70,7 @@ static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
-        const ice_mixed_list *list = &s->work->region[l][id];
+        const ice_cell_list *list = &s->work->region[l][id];
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             if (!(v.m[r].rho[at] > 0.0)) continue;
@@ -90,7 +90,7 @@ static double mean_pressure(ice *s, int l, int r)
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
-        const ice_mixed_list *list = &s->work->region[l][id];
+        const ice_cell_list *list = &s->work->region[l][id];
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             int cell[MESH_MAX_DIM];

@@ -50,12 +50,10 @@ static floe_status single_fluid(ice *s, const ice_view *v)
 
 floe_status ice_equilibrium_pressure(ice *s)
 {
-    if (s->multi) ice_clear_tiles(s);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
         TRY(s->multi ? ice_mixture(s, id, &v) : single_fluid(s, &v));
     }
-    if (s->multi) ice_enter_tiles(s);
     return FLOE_OK;
 }

@@ -30,9 +30,6 @@ void ice_enter_tiles(ice *s)
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[TILE_SOURCE_ENERGY]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DEFECT, sum[TILE_DEFECT]);
     ledger_tally(s->ledger, COUNT_ENERGY_GUARDS, (long long)sum[TILE_GUARDS]);
-    ledger_tally(s->ledger, COUNT_NEWTON_CELLS, (long long)sum[TILE_NEWTON_CELLS]);
-    ledger_tally(s->ledger, COUNT_NEWTON_ITERATIONS, (long long)sum[TILE_NEWTON_ITERATIONS]);
-    ledger_tally(s->ledger, COUNT_NEWTON_FALLBACKS, (long long)sum[TILE_NEWTON_FALLBACKS]);
 }
 
 ice_rows ice_rows_of(const block *b, int axis, int ghost)

@@ -1,0 +1,125 @@
+/* Exchange of momentum and heat in mixed cells (numerics 2.9; Guilkey et al. 2003, step 10), the heat that the exchange makes
+ * (2.8 ii), and what it and the pressure do to materials carried by points (5.1). */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+/* One mixed cell: everything per cell volume. */
+typedef struct mixed_cell {
+    int n, dim;
+    double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[3][EXCHANGE_MAX];
+    double room; /* TMV / V */
+} mixed_cell;
+
+static void gather(const ice *s, const ice_view *v, ptrdiff_t at, double volume, mixed_cell *c)
+{
+    c->n = s->n_materials;
+    c->dim = v->dim;
+    c->room = v->tmv ? v->tmv[at] : 1.0;
+    for (int r = 0; r < c->n; ++r) {
+        const ice_arrays *m = &v->m[r];
+        c->mass[r] = m->rho[at];
+        c->theta[r] = m->theta[at];
+        for (int a = 0; a < v->dim; ++a) {
+            if (!s->material[r].points)
+                c->u[a][r] = m->ul[a][at];
+            else if (m->rho[at] > 0.0)
+                c->u[a][r] = (m->mom[a][at] + m->source[a][at]) / (m->rho[at] * volume);
+            else
+                c->u[a][r] = 0.0;
+        }
+    }
+}
+
+static double kinetic(const mixed_cell *c)
+{
+    double sum = 0.0;
+    for (int r = 0; r < c->n; ++r)
+        for (int a = 0; a < c->dim; ++a) sum += 0.5 * c->mass[r] * c->u[a][r] * c->u[a][r];
+    return sum;
+}
+
+/* Kinetic energy lost to the exchange becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out. */
+static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const mixed_cell *c, double lost)
+{
+    if (!s->scene->method.conserve_energy || v->mixed[at] >= 64.0 || !(lost > 0.0)) return;
+    double total = 0.0;
+    for (int r = 0; r < c->n; ++r) total += c->theta[r];
+    for (int r = 0; r < c->n; ++r)
+        if (c->mass[r] > 0.0) v->m[r].el[at] += lost * c->theta[r] / total / c->mass[r];
+}
+
+static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double volume)
+{
+    mixed_cell c;
+    gather(s, v, at, volume, &c);
+    const double before = kinetic(&c);
+    exchange_matrix a;
+    exchange_couple(c.n, s->exchange.K, c.theta, s->dt * c.room, a);
+    exchange_relax(c.n, c.mass, a, c.dim, c.u);
+    deposit(s, v, at, &c, before - kinetic(&c));
+    for (int r = 0; r < c.n; ++r)
+        for (int x = 0; x < c.dim; ++x) {
+            const ice_arrays *m = &v->m[r];
+            if (!s->material[r].points)
+                m->ul[x][at] = c.u[x][r];
+            else if (m->rho[at] > 0.0)
+                m->dv[x][at] = c.u[x][r] - m->mom[x][at] / (m->rho[at] * volume);
+        }
+}
+
+/* (diag(m c_v) + B) T; temperatures after the sources are T + (e^L - e)/c_v. */
+static void exchange_heat(ice *s, const ice_view *v, ptrdiff_t at)
+{
+    double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], T[1][EXCHANGE_MAX], cv[EXCHANGE_MAX], before[EXCHANGE_MAX];
+    for (int r = 0; r < s->n_materials; ++r) {
+        const ice_arrays *m = &v->m[r];
+        const eos *law = &s->material[r].eos;
+        const double density = 1.0 / m->v[at];
+        double alpha;
+        law->model->heat(law->par, 1, &density, &m->e[at], &cv[r], &alpha);
+        mass[r] = m->rho[at] * cv[r];
+        theta[r] = m->theta[at];
+        before[r] = T[0][r] = m->T[at] + (s->material[r].points ? 0.0 : (m->el[at] - m->e[at]) / cv[r]);
+    }
+    exchange_matrix a;
+    exchange_couple(s->n_materials, s->exchange.R, theta, s->dt * (v->tmv ? v->tmv[at] : 1.0), a);
+    exchange_relax(s->n_materials, mass, a, 1, T);
+    for (int r = 0; r < s->n_materials; ++r)
+        if (!s->material[r].points && v->m[r].rho[at] > 0.0) v->m[r].el[at] += cv[r] * (T[0][r] - before[r]);
+}
+
+/* Where a solid is alone, the pressure gradient is all that reaches its nodes. */
+static void lone_points(const ice *s, const ice_view *v, int r)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    const ice_arrays *m = &v->m[r];
+    (void)s;
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < q.n; ++row)
+        for (int i = 0; i < v->b->n[0]; ++i) {
+            const ptrdiff_t at = mesh_index(v->b, i, ice_row_j(q, row), ice_row_k(q, row));
+            const double mass = m->rho[at] * v->volume[i];
+            for (int a = 0; a < v->dim; ++a) m->dv[a][at] = mass > 0.0 ? m->source[a][at] / mass : 0.0;
+        }
+}
+
+floe_status ice_exchange(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_cell_list *list = &s->work->mixed[id];
+        const bool heat = s->scene->method.heat_exchange > 0.0;
+        for (int r = 0; r < s->n_materials; ++r)
+            if (s->material[r].points) lone_points(s, &v, r);
+#pragma omp parallel for schedule(static)
+        for (size_t n = 0; n < list->n; ++n) {
+            const ptrdiff_t at = list->at[n];
+            const ptrdiff_t i = v.dim > 1 ? at % v.b->stride[1] - MESH_GHOST : at - MESH_GHOST;
+            exchange_momentum(s, &v, at, v.volume[i]);
+            if (heat) exchange_heat(s, &v, at);
+        }
+    }
+    return FLOE_OK;
+}

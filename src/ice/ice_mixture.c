@@ -1,0 +1,276 @@
+/* The equilibrium pressure stage of several materials (numerics 2.1; Guilkey et al. 2003, step 2). Rows are taken in batches:
+ * the laws see the cells in which one material is alone, then those in which it is mixed or absent; only mixed cells are solved.
+ * Materials that are absent from a cell get the mean velocity and temperature of those present, and their law's v at p, so
+ * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */
+#include "ice/ice_internal.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+/* One row of cells, and the thread's storage. Index i counts cells from `from`. */
+typedef struct mixture_row {
+    ice *s;
+    const ice_view *v;
+    ptrdiff_t from;
+    int n;
+    const double *guess;            /* Pa: the last equilibrium pressure */
+    int *index;                     /* cells of a batch */
+    double *a, *b, *c, *d, *e;      /* values of a batch */
+    equilibrium_solver *solver;
+    long cells, iterations, fallbacks;
+} mixture_row;
+
+enum { WITH_POINTS = 64 };
+
+static int present_in(const mixture_row *q, ptrdiff_t at)
+{
+    return (int)q->v->mixed[at] & (WITH_POINTS - 1);
+}
+
+/* Numbers of materials, density sums, mean velocities, TMV. */
+static floe_status count_materials(const mixture_row *q)
+{
+    const ice_view *v = q->v;
+    for (ptrdiff_t at = q->from; at < q->from + q->n; ++at) {
+        double sum = 0.0, momentum[3] = {0.0, 0.0, 0.0}, volume = 0.0;
+        int count = 0, points = 0;
+        for (int r = 0; r < v->n_materials; ++r) {
+            const double rho = v->m[r].rho[at];
+            if (!(rho > 0.0)) continue;
+            count++;
+            if (q->s->material[r].points) points = WITH_POINTS;
+            sum += rho;
+            volume += rho * v->m[r].vol[at];
+            for (int a = 0; a < v->dim; ++a) momentum[a] += rho * v->m[r].u[a][at];
+        }
+        if (!(sum > 0.0)) {
+            char place[160];
+            ice_place(q->s, v->b, at, -1, place, sizeof place);
+            return fail(q->s->ctx, FLOE_RETRY, "equilibrium pressure: %s holds no material", place);
+        }
+        v->mixed[at] = count + points;
+        v->rho_sum[at] = sum;
+        for (int a = 0; a < v->dim; ++a) v->mean[a][at] = count == 1 ? 0.0 : momentum[a] / sum;
+        for (int r = 0; r < v->n_materials && count == 1; ++r)
+            if (v->m[r].rho[at] > 0.0)
+                for (int a = 0; a < v->dim; ++a) v->mean[a][at] = v->m[r].u[a][at];
+        if (v->tmv) v->tmv[at] = points ? volume : 1.0;
+    }
+    return FLOE_OK;
+}
+
+/* Density of the pure material at the start: alone, a fluid fills the cell; a solid takes the room of its v. */
+static double pure_density(const mixture_row *q, int r, ptrdiff_t at)
+{
+    const ice_arrays *m = &q->v->m[r];
+    return present_in(q, at) == 1 && !q->s->material[r].points ? m->rho[at] : 1.0 / m->vol[at];
+}
+
+static void set_temperatures(mixture_row *q, int r)
+{
+    const ice_arrays *m = &q->v->m[r];
+    const eos *law = &q->s->material[r].eos;
+    int n = 0;
+    for (int i = 0; i < q->n; ++i)
+        if (m->rho[q->from + i] > 0.0) q->index[n++] = i;
+    for (int k = 0; k < n; ++k) {
+        const ptrdiff_t at = q->from + q->index[k];
+        q->a[k] = pure_density(q, r, at);
+        q->b[k] = m->e[at];
+        q->c[k] = m->T[at];
+    }
+    if (q->s->material[r].points) { /* the points bring T, the law its e */
+        law->model->energy(law->par, (size_t)n, q->a, q->c, q->b);
+        for (int k = 0; k < n; ++k) m->e[q->from + q->index[k]] = q->b[k];
+        return;
+    }
+    law->model->temperature(law->par, (size_t)n, q->a, q->b, q->c);
+    for (int k = 0; k < n; ++k) m->T[q->from + q->index[k]] = q->c[k];
+}
+
+static void set_compressibility(const ice_arrays *m, ptrdiff_t at, double density, double c2)
+{
+    m->v[at] = 1.0 / density;
+    m->c[at] = sqrt(c2);
+    m->kappa[at] = 1.0 / (density * c2);
+}
+
+/* Cells in which material r is alone: p is its law's. */
+static floe_status set_pure(mixture_row *q, int r)
+{
+    const ice_arrays *m = &q->v->m[r];
+    const eos *law = &q->s->material[r].eos;
+    int n = 0;
+    for (int i = 0; i < q->n; ++i)
+        if (m->rho[q->from + i] > 0.0 && present_in(q, q->from + i) == 1) q->index[n++] = i;
+    for (int k = 0; k < n; ++k) {
+        const ptrdiff_t at = q->from + q->index[k];
+        q->a[k] = pure_density(q, r, at);
+        q->b[k] = m->e[at];
+    }
+    law->model->pressure(law->par, (size_t)n, q->a, q->b, q->c, q->d);
+    for (int k = 0; k < n; ++k) {
+        const ptrdiff_t at = q->from + q->index[k];
+        if (!(q->d[k] > 0.0) || !isfinite(q->c[k])) {
+            char place[160];
+            ice_place(q->s, q->v->b, at, r, place, sizeof place);
+            return fail(q->s->ctx, FLOE_RETRY, "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
+                        "c^2 = %g m2/s2", place, q->a[k], q->b[k], q->c[k], q->d[k]);
+        }
+        q->v->p[at] = q->c[k];
+        m->theta[at] = 1.0;
+        set_compressibility(m, at, q->a[k], q->d[k]);
+    }
+    return FLOE_OK;
+}
+
+static floe_status explain(const mixture_row *q, ptrdiff_t at, const equilibrium_cell *cell)
+{
+    char place[160], text[512];
+    int used = 0;
+    ice_place(q->s, q->v->b, at, -1, place, sizeof place);
+    for (int r = 0; r < cell->n && used < (int)sizeof text - 80; ++r)
+        used += snprintf(text + used, sizeof text - (size_t)used, " [%d] %.6g kg/m3 at %.6g K", r, cell->a[r], cell->T[r]);
+    return fail(q->s->ctx, FLOE_RETRY, "equilibrium pressure, %s: no pressure fills it after %d iterations (p = %g Pa, excess volume %g;%s)",
+                place, cell->iterations, cell->p, cell->residual, text);
+}
+
+static floe_status solve_mixed(mixture_row *q, ptrdiff_t at, bool owned)
+{
+    const ice_view *v = q->v;
+    equilibrium_cell cell = {.n = v->n_materials, .p = q->guess[at]};
+    const double share = v->mixed[at] >= WITH_POINTS ? 1.0 / v->tmv[at] : 1.0;
+    for (int r = 0; r < v->n_materials; ++r) {
+        cell.eos[r] = &q->s->material[r].eos;
+        cell.a[r] = v->m[r].rho[at] * share;
+        cell.T[r] = v->m[r].T[at];
+    }
+    if (equilibrium_solve(q->solver, &cell) != FLOE_OK) return explain(q, at, &cell);
+    v->p[at] = cell.p;
+    for (int r = 0; r < v->n_materials; ++r) v->m[r].theta[at] = cell.a[r] > 0.0 ? cell.a[r] * cell.v[r] : 0.0;
+    if (owned) {
+        q->cells++;
+        q->iterations += cell.iterations;
+        q->fallbacks += cell.fallbacks;
+    }
+    return FLOE_OK;
+}
+
+/* Temperature of those present, weighted by mass, and the mean velocity, for an absent material. */
+static void lend_state(const mixture_row *q, int r, ptrdiff_t at)
+{
+    const ice_view *v = q->v;
+    double heat = 0.0;
+    for (int k = 0; k < v->n_materials; ++k)
+        if (v->m[k].rho[at] > 0.0) heat += v->m[k].rho[at] * v->m[k].T[at];
+    v->m[r].T[at] = heat / v->rho_sum[at];
+    v->m[r].theta[at] = 0.0;
+    for (int a = 0; a < v->dim; ++a) v->m[r].u[a][at] = v->mean[a][at];
+}
+
+/* A pressure at which the law is defined: an absent gas beside a liquid in tension is lent a thin one. */
+static double defined_pressure(double p, double floor)
+{
+    return p > floor ? p : floor + 1e-3 * fabs(p) + DBL_MIN;
+}
+
+/* Cells in which material r is mixed or absent: v, c and kappa at (p, T). */
+static void set_others(mixture_row *q, int r)
+{
+    const ice_arrays *m = &q->v->m[r];
+    const eos *law = &q->s->material[r].eos;
+    const double floor = law->model->pressure_floor(law->par);
+    int n = 0;
+    for (int i = 0; i < q->n; ++i) {
+        const ptrdiff_t at = q->from + i;
+        const bool absent = !(m->rho[at] > 0.0);
+        if (!absent && present_in(q, at) == 1) continue;
+        if (absent) lend_state(q, r, at);
+        q->index[n] = i;
+        q->a[n] = defined_pressure(q->v->p[at], floor);
+        q->b[n] = m->T[at];
+        n++;
+    }
+    law->model->volume(law->par, (size_t)n, q->a, q->b, q->c, q->d);
+    for (int k = 0; k < n; ++k) q->a[k] = 1.0 / q->c[k];
+    law->model->energy(law->par, (size_t)n, q->a, q->b, q->c);
+    law->model->pressure(law->par, (size_t)n, q->a, q->c, q->d, q->e);
+    for (int k = 0; k < n; ++k) {
+        const ptrdiff_t at = q->from + q->index[k];
+        if (!(m->rho[at] > 0.0)) m->e[at] = q->c[k];
+        set_compressibility(m, at, q->a[k], q->e[k]);
+    }
+}
+
+static floe_status mix_row(mixture_row *q, bool owned_row)
+{
+    const ice_view *v = q->v;
+    TRY(count_materials(q));
+    for (int r = 0; r < v->n_materials; ++r) set_temperatures(q, r);
+    for (int r = 0; r < v->n_materials; ++r) TRY(set_pure(q, r));
+    for (int i = 0; i < q->n; ++i)
+        if (present_in(q, q->from + i) > 1)
+            TRY(solve_mixed(q, q->from + i, owned_row && i >= MESH_GHOST && i < q->n - MESH_GHOST));
+    for (int r = 0; r < v->n_materials; ++r) set_others(q, r);
+    for (ptrdiff_t at = q->from; at < q->from + q->n; ++at) {
+        double sum = 0.0;
+        for (int r = 0; r < v->n_materials; ++r) sum += v->m[r].theta[at] * v->m[r].kappa[at];
+        v->kappa_sum[at] = sum;
+    }
+    return FLOE_OK;
+}
+
+static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
+{
+    const int n = v->b->n[0] + 2 * MESH_GHOST;
+    double *buffer = s->work->buffer[ice_thread()];
+    return (mixture_row){.s = s,
+                         .v = v,
+                         .from = mesh_index(v->b, -MESH_GHOST, j, k),
+                         .n = n,
+                         .guess = field_get(s->domain->fields[id], C_PRESSURE, 0, 0),
+                         .index = s->work->index[ice_thread()],
+                         .a = buffer,
+                         .b = buffer + n,
+                         .c = buffer + 2 * n,
+                         .d = buffer + 3 * n,
+                         .e = buffer + 4 * n,
+                         .solver = s->work->solver[ice_thread()]};
+}
+
+/* Owned cells with several materials, in order. */
+static floe_status list_mixed(ice *s, const ice_view *v, int id)
+{
+    const block *b = v->b;
+    ice_cell_list *list = &s->work->mixed[id];
+    if (!list->at) TRY(memory_new(s->ctx, &list->at, (size_t)b->n[0] * (size_t)b->n[1] * (size_t)b->n[2], sizeof *list->at));
+    list->n = 0;
+    for (int k = 0; k < b->n[2]; ++k)
+        for (int j = 0; j < b->n[1]; ++j)
+            for (int i = 0; i < b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                if (((int)v->mixed[at] & (WITH_POINTS - 1)) > 1) list->at[list->n++] = at;
+            }
+    return FLOE_OK;
+}
+
+floe_status ice_mixture(ice *s, int block_id, const ice_view *v)
+{
+    const ice_rows rows = ice_rows_of(v->b, -1, MESH_GHOST);
+    long cells = 0, iterations = 0, fallbacks = 0;
+    int bad = 0;
+#pragma omp parallel for schedule(static) reduction(+ : cells, iterations, fallbacks, bad)
+    for (int row = 0; row < rows.n; ++row) {
+        const int j = ice_row_j(rows, row), k = ice_row_k(rows, row);
+        mixture_row q = row_of(s, v, block_id, j, k);
+        bad += mix_row(&q, j >= 0 && j < v->b->n[1] && k >= 0 && k < v->b->n[2]) != FLOE_OK;
+        cells += q.cells;
+        iterations += q.iterations;
+        fallbacks += q.fallbacks;
+    }
+    ledger_tally(s->ledger, COUNT_NEWTON_CELLS, cells);
+    ledger_tally(s->ledger, COUNT_NEWTON_ITERATIONS, iterations);
+    ledger_tally(s->ledger, COUNT_NEWTON_FALLBACKS, fallbacks);
+    return bad ? FLOE_RETRY : list_mixed(s, v, block_id);
+}

@@ -1,0 +1,59 @@
+/* Specific volumes after the Lagrangian step (numerics 2.10, 5.5; Guilkey et al. 2003, step 11):
+ *     (m v)^L = (m v) - V theta kappa dP,     dP = -D/S + beta (TMV/V - 1)/S,
+ * so that the sum over materials grows by V D exactly. kappa is isentropic and holds the heating by compression; the terms in
+ * alpha dT of exchange and loads change only how p divides the room in the next step, which its equilibrium does anew. */
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+/* Slivers may lose or gain no more than this factor in a step. */
+static const double most_change = 10.0;
+
+static bool row_volumes(const ice *s, const ice_view *v, int r, ptrdiff_t base)
+{
+    const ice_arrays *m = &v->m[r];
+    const double beta = s->scene->method.volume_relaxation;
+    double *out = s->material[r].points ? m->vol1 : m->vl;
+    bool good = true;
+    for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+        const double room = m->v[at];
+        if (!(m->rho[at] > 0.0)) {
+            out[at] = room;
+            continue;
+        }
+        double dP = v->dP[at];
+        if (v->tmv && v->mixed[at] >= 64.0) dP += beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
+        double next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
+        if (m->theta[at] < 1e-4 || s->material[r].points) next = fmin(fmax(next, room / most_change), room * most_change);
+        good = good && next > 0.0;
+        out[at] = next;
+    }
+    return good;
+}
+
+static floe_status explain(const ice *s, const ice_view *v, int r, ptrdiff_t base)
+{
+    for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+        if (s->material[r].points || !(v->m[r].rho[at] > 0.0) || v->m[r].vl[at] > 0.0) continue;
+        char place[160];
+        ice_place(s, v->b, at, r, place, sizeof place);
+        return fail(s->ctx, FLOE_RETRY, "specific volume, %s: it would become %g m3/kg (before %g, dP = %g Pa, theta = %g)", place,
+                    v->m[r].vl[at], v->m[r].v[at], v->dP[at], v->m[r].theta[at]);
+    }
+    return FLOE_OK;
+}
+
+floe_status ice_specific_volume(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+        for (int r = 0; r < s->n_materials; ++r)
+            for (int row = 0; row < q.n; ++row) {
+                const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
+                if (!row_volumes(s, &v, r, base)) TRY(explain(s, &v, r, base));
+            }
+    }
+    return FLOE_OK;
+}
