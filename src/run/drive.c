@@ -99,7 +99,10 @@ static floe_status check_rest(run *r, double before)
 static floe_status write_due(run *r, double before)
 {
     const double now = r->sim->time;
-    if (schedule_is_passed(before, now, history_interval(r->scene))) TRY(output_row(&r->output, r->sim));
+    if (schedule_is_passed(before, now, history_interval(r->scene))) {
+        TRY(output_row(&r->output, r->sim));
+        progress_account(&r->progress, &r->sim->ledger);
+    }
     if (schedule_is_due(now, r->scene->output.interval)) TRY(output_snapshot(&r->output, r->sim));
     if (wall_seconds() - r->last_checkpoint < r->scene->output.checkpoint_interval) return FLOE_OK;
     return checkpoint(r);
@@ -220,6 +223,8 @@ static floe_status run_with_outputs(run *r, run_summary *out)
     /* What went wrong is for the caller to show: here it is only noted. */
     context_log(r->ctx, LOG_INFO, "%s at t = %.6g s after %ld steps%s%s", name, r->sim->time, r->sim->steps,
                 status == FLOE_OK ? "" : ": ", context_message(r->ctx));
+    /* After the checkpoint, which a look at the account must not change. */
+    if (status != FLOE_OK) (void)sim_account(r->sim);
     const floe_status written = write_summary(r, out, name);
     return status != FLOE_OK ? status : written;
 }

@@ -1,8 +1,6 @@
 #include "run/measure.h"
 
 #include "base/memory.h"
-#include "io/file.h"
-#include "io/text.h"
 #include "run/pressure.h"
 #include "verify/metric.h"
 

@@ -1,7 +1,7 @@
 /* Stresses along the x axis beside the exact ones. */
 #include "base/memory.h"
 #include "io/file.h"
-#include "io/text.h"
+#include "io/strbuf.h"
 #include "run/measure.h"
 
 #include <math.h>
@@ -44,16 +44,16 @@ static void fill_row(const point_samples *p, const double centre[3], size_t i, p
 
 static floe_status write_rows(context *ctx, const char *path, profile_row *row, size_t n)
 {
-    text_buffer out;
-    text_init(&out, ctx);
-    text_append(&out, "x (m),y (m),r (m),sigma_r (Pa),sigma_theta (Pa),exact_sigma_r (Pa),exact_sigma_theta (Pa)\n");
+    strbuf out;
+    strbuf_init(&out, ctx);
+    strbuf_append(&out, "x (m),y (m),r (m),sigma_r (Pa),sigma_theta (Pa),exact_sigma_r (Pa),exact_sigma_theta (Pa)\n");
     qsort(row, n, sizeof *row, compare_rows);
     for (size_t i = 0; i < n; i++) {
-        text_append(&out, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", row[i].x[0], row[i].x[1], row[i].r, row[i].value[0],
-                    row[i].value[1], row[i].exact[0], row[i].exact[1]);
+        strbuf_append(&out, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", row[i].x[0], row[i].x[1], row[i].r, row[i].value[0],
+                      row[i].value[1], row[i].exact[0], row[i].exact[1]);
     }
-    const floe_status status = out.status == FLOE_OK ? file_replace_text(ctx, path, text_string(&out)) : out.status;
-    text_free(&out);
+    const floe_status status = out.status == FLOE_OK ? file_replace_text(ctx, path, strbuf_string(&out)) : out.status;
+    strbuf_free(&out);
     return status;
 }
 

@@ -10,7 +10,11 @@ static const double live_interval = 0.2, plain_interval = 5.0; /* s of wall time
 
 void progress_begin(progress *p, FILE *file, const char *label, const sim *s)
 {
-    *p = (progress){.file = file, .label = label, .started = wall_seconds(), .first_time = s->time};
+    *p = (progress){.file = file,
+                    .label = label,
+                    .started = wall_seconds(),
+                    .first_time = s->time,
+                    .drifts = ledger_quantity_name(LEDGER_MASS)};
     p->last = p->started;
     p->live = file && isatty(fileno(file));
 }
@@ -28,18 +32,15 @@ static void write_duration(double seconds, char text[32])
     }
 }
 
-/* The quantity whose account is the worst. */
-static double worst_drift(const ledger *l, const char **name)
+void progress_account(progress *p, const ledger *l)
 {
-    double worst = 0.0;
-    *name = ledger_quantity_name(LEDGER_MASS);
+    p->drift = 0.0;
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         const double drift = ledger_drift(l, (ledger_quantity)q);
-        if (!(drift > worst)) continue;
-        worst = drift;
-        *name = ledger_quantity_name((ledger_quantity)q);
+        if (drift <= p->drift) continue;
+        p->drift = drift;
+        p->drifts = ledger_quantity_name((ledger_quantity)q);
     }
-    return worst;
 }
 
 static void write_bar(double share, char bar[32])
@@ -56,14 +57,12 @@ static void write_line(const progress *p, const sim *s, double now, char *line, 
     const double end = s->scene->time.end;
     const double share = fmin(1.0, fmax(0.0, s->time / end));
     const double pace = (now - p->started) / (s->time - p->first_time); /* s of wall time per s of the scene */
-    const char *name;
-    const double drift = worst_drift(&s->ledger, &name);
     char bar[32] = "", left[32];
     write_duration((end - s->time) * pace, left);
     if (p->live) write_bar(share, bar);
     (void)snprintf(line, size, "%s%s%s%3.0f %%  t = %.4g s  step %ld  dt %.3g s (%s)  ETA %s  drift of %s %.1e",
                    p->label ? p->label : "", p->label ? "  " : "", bar, 100.0 * share, s->time, s->steps, s->dt,
-                   s->dt_reason, left, name, drift);
+                   s->dt_reason, left, p->drifts, p->drift);
 }
 
 void progress_show(progress *p, const sim *s)

@@ -7,17 +7,21 @@
 #include <stdio.h>
 
 typedef struct progress {
-    FILE *file;        /* NULL: silent; not owned */
-    const char *label; /* not owned; NULL: none */
-    bool live;         /* a terminal */
-    bool shown;        /* a live line stands on the terminal */
-    double started;    /* wall clock, s */
-    double last;       /* wall clock of the last line, s */
-    double first_time; /* s of the scene, at the start */
+    FILE *file;         /* NULL: silent; not owned */
+    const char *label;  /* not owned; NULL: none */
+    bool live;          /* a terminal */
+    bool shown;         /* a live line stands on the terminal */
+    double started;     /* wall clock, s */
+    double last;        /* wall clock of the last line, s */
+    double first_time;  /* s of the scene, at the start */
+    double drift;       /* the worst of the ledger, when it was last up to date */
+    const char *drifts; /* of what */
 } progress;
 
 /* Begins at the present time of `s`. */
 void progress_begin(progress *p, FILE *file, const char *label, const sim *s);
+/* Takes note of the ledger, which has just been brought up to date. */
+void progress_account(progress *p, const ledger *l);
 /* Shows where the run stands, if it is time to; cheap enough to be called after every step. */
 void progress_show(progress *p, const sim *s);
 /* Takes the live line away, so that other lines can be written. */
