@@ -90,15 +90,14 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
         }
     }
     const double *dP = v->dP + start, *shock = v->shock + start, *c = m->c + start;
-    const double *kappa = multi ? v->kappa_sum + start : NULL, *theta = multi ? m->theta + start : NULL, *clip = w->clip;
+    const double *kappa = multi ? v->kappa_sum + start : NULL, *common = multi ? v->limiter + start : NULL, *clip = w->clip;
     const double lo = v->limit_lo, hi = v->limit_hi;
     /* The rows of the buffers and of the fields do not overlap. */
 #pragma omp simd
     for (ptrdiff_t t = row - 1; t < row + v->b->n[0] + 1; ++t) {
         const double mass = rho[t];
         slope g = slope_of(rho, rho_lo, rho_hi, t, dim);
-        double f = limit(g.room, g.reach, lo, hi);
-        if (multi) f = theta[t] > 1e-6 ? f : 0.0;
+        const double f = multi ? common[t] : limit(g.room, g.reach, lo, hi);
         const double dilatation = multi ? -dP[t] * kappa[t] : -dP[t] / (mass * c[t] * c[t]);
         const double thin = 1.0 - 0.5 * hi * (1.0 - shock[t]) * dilatation;
         double fill = least(most(thin, 0.5), 1.5);

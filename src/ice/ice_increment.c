@@ -48,28 +48,34 @@ FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int
 ICE_EACH(INSTANCE)
 ice_row *const ice_increment_row[3][2] = ICE_TABLE(increment);
 
-/* The common factor on the gradients of all volume fractions that keeps each inside its neighbours' values at the corners of
- * the cell (numerics 2.11): the smallest of all materials, so that the fractions of a slab still add up to one. */
+/* Lowers the factor of a cell to what keeps one array inside its neighbours' values at the corners of the cell. */
+FLOE_ALWAYS_INLINE void lower_factor(const ice_view *v, const double *restrict x, ptrdiff_t base, const int dim)
+{
+    double *restrict limiter = v->limiter;
+    for (int i = -1; i <= v->b->n[0]; ++i) {
+        const ptrdiff_t at = base + i;
+        double reach = 0.0, up = 0.0, down = 0.0;
+        for (int a = 0; a < dim; ++a) {
+            const double below = x[at - v->b->stride[a]] - x[at], above = x[at + v->b->stride[a]] - x[at];
+            reach += 0.25 * fabs(above - below);
+            up = fmax(up, fmax(below, above));
+            down = fmax(down, fmax(-below, -above));
+        }
+        /* A difference of round-off limits nothing. */
+        const double factor = reach > 1e-14 * fabs(x[at]) ? fmin(up, down) / reach : 1.0;
+        limiter[at] = fmin(limiter[at], fmax(v->limit_lo, factor));
+    }
+}
+
+/* The common factor on the gradients of all volume fractions and partial densities (numerics 2.11): the smallest of all
+ * materials, so that the fractions of a slab add up to one, and where pure densities are uniform, the volumes too. */
 FLOE_ALWAYS_INLINE void limiter_row(const ice_view *v, int j, int k, const int dim)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
-    double *restrict limiter = v->limiter;
-    const double lo = v->limit_lo, hi = v->limit_hi;
-    for (int i = -1; i <= v->b->n[0]; ++i) limiter[base + i] = hi;
+    for (int i = -1; i <= v->b->n[0]; ++i) v->limiter[base + i] = v->limit_hi;
     for (int r = 0; r < v->n_materials; ++r) {
-        const double *restrict theta = v->m[r].theta;
-        for (int i = -1; i <= v->b->n[0]; ++i) {
-            const ptrdiff_t at = base + i;
-            double reach = 0.0, up = 0.0, down = 0.0;
-            for (int a = 0; a < dim; ++a) {
-                const double below = theta[at - v->b->stride[a]] - theta[at], above = theta[at + v->b->stride[a]] - theta[at];
-                reach += 0.25 * fabs(above - below);
-                up = fmax(up, fmax(below, above));
-                down = fmax(down, fmax(-below, -above));
-            }
-            const double factor = fmin(up, down) / (reach + ICE_TINY);
-            limiter[at] = fmin(limiter[at], fmax(lo, factor));
-        }
+        lower_factor(v, v->m[r].theta, base, dim);
+        if (v->m[r].ul[0]) lower_factor(v, v->m[r].rho, base, dim); /* not of materials carried by points */
     }
 }
 

@@ -7,13 +7,13 @@
 /* What one material brings into a cell, per cell volume. */
 typedef struct content { double fraction, mass, momentum[3], energy; } content;
 
-static void add_uniform(content *c, const eos *law, double fraction, double p, double T, double rho, const double *velocity)
+static void add_uniform(content *c, int dim, const eos *law, double fraction, double p, double T, double rho, const double *velocity)
 {
     const ice_reservoir state = ice_state_of(law, p, T, rho);
     double square = 0.0;
     c->fraction += fraction;
     c->mass += fraction * state.rho;
-    for (int a = 0; a < 3; ++a) {
+    for (int a = 0; a < dim; ++a) {
         c->momentum[a] += fraction * state.rho * velocity[a];
         square += velocity[a] * velocity[a];
     }
@@ -40,7 +40,7 @@ static void add_exact(const ice *s, content *c, const scene_body *body, const eo
             velocity[a] = given->initial(given->initial_user, INITIAL_VELOCITY, a, x);
             if (isnan(velocity[a])) velocity[a] = body->velocity[a];
         }
-        add_uniform(c, law, share, p, body->temperature, rho, velocity);
+        add_uniform(c, dim, law, share, p, body->temperature, rho, velocity);
     }
 }
 
@@ -64,11 +64,11 @@ static void fill_cell(const ice *s, const double lo[3], double room, content *co
         if (body->initial_from_exact && given->initial)
             add_exact(s, &contents[r], body, &s->material[r].eos, fraction, lo);
         else
-            add_uniform(&contents[r], &s->material[r].eos, fraction, body->pressure, body->temperature, body->density, body->velocity);
+            add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, fraction, body->pressure, body->temperature, body->density, body->velocity);
     }
     if (room > 0.0 && given->has_ambient) {
         const int r = ice_material_of(s, given->ambient_material);
-        add_uniform(&contents[r], &s->material[r].eos, room, given->ambient_pressure, given->ambient_temperature, NAN,
+        add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, room, given->ambient_pressure, given->ambient_temperature, NAN,
                     (const double[3]){0.0, 0.0, 0.0});
     }
 }
