@@ -86,7 +86,9 @@ enum {
     TILE_ENERGY = TILE_MOMENTUM + 3,
     TILE_DEFECT,            /* J: energy that guards made or took */
     TILE_MASS_DEFECT,       /* kg */
-    TILE_GUARDS,
+    TILE_MOMENTUM_DEFECT,   /* three */
+    TILE_GUARDS = TILE_MOMENTUM_DEFECT + 3,
+    TILE_FLOORS,
     TILE_SOURCE_ENERGY,     /* J: gravity's work */
     TILE_SOURCE_MOMENTUM,   /* three */
     TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 3, /* two, of whoever needs them, zero otherwise */

@@ -2,7 +2,8 @@
  * the pressure on materials carried by points. Guilkey et al. 2003, steps 8 and 9.
  *
  *     u^L = u - dt (theta/rho) grad P* + dt g
- *     conserving:      heat Q = -dt sum_f A_f P* F - sum_r [|m u + D|^2 - |m u|^2] / (2 m), shared by f^r (2.8 i)
+ *     conserving:      heat Q = -dt sum_f A_f P* F - sum_r D_p . (u + u^L)/2, D_p the pressure's impulse, shared by f^r (2.8 i);
+ *                      gravity's impulse D_g then does the work D_g . (u + u^L)/2, and a column at rest is not heated
  *     where it cannot: Q^r = theta^r kappa^r P dP per volume (2.7) */
 #include "ice/ice_internal.h"
 
@@ -40,10 +41,10 @@ FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve
         const double rho = m->rho[at], inverse = 1.0 / rho, inv_c = 1.0 / m->c[at];
         double kinetic = 0.0, gain = 0.0;
         for (int a = 0; a < dim; ++a) {
-            const double u = m->u[a][at], du = f.impulse[a] * inverse;
-            gain += du * (u + 0.5 * du);
-            kinetic += 0.5 * (u + du) * (u + du);
-            m->ul[a][at] = u + du + v->dt * v->gravity[a];
+            const double u = m->u[a][at], du = f.impulse[a] * inverse, next = u + (du + v->dt * v->gravity[a]);
+            gain += du * 0.5 * (u + next);
+            kinetic += 0.5 * next * next;
+            m->ul[a][at] = next;
         }
         const double conserving = m->e[at] + f.work * inverse - gain;
         const double plain = m->e[at] + v->P[at] * v->dP[at] * (inverse * inverse * inv_c * inv_c);
@@ -68,12 +69,12 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
             const ice_arrays *m = &v->m[r];
             const double rho = m->rho[at], mobility = rho > 0.0 ? m->theta[at] / rho : 0.0;
             for (int a = 0; a < dim; ++a) {
-                const double u = m->u[a][at], du = f.impulse[a] * mobility;
-                gain += rho * du * (u + 0.5 * du);
+                const double u = m->u[a][at], du = f.impulse[a] * mobility, next = u + (du + v->dt * v->gravity[a]);
+                gain += rho * du * 0.5 * (u + next);
                 if (points[r])
                     m->source[a][at] = f.impulse[a] * m->theta[at] * v->volume[i];
                 else
-                    m->ul[a][at] = u + du + v->dt * v->gravity[a];
+                    m->ul[a][at] = next;
             }
         }
         const bool whole = conserve && v->mixed[at] < 64.0;
@@ -107,8 +108,8 @@ static double pressure_defect(const ice *s, const ice_view *v, ptrdiff_t at, int
         double square = 0.0;
         if (s->material[r].points) continue;
         for (int a = 0; a < v->dim; ++a) {
-            const double after = m->ul[a][at] - v->dt * v->gravity[a], before = m->u[a][at];
-            square += (after - before) * (after + before);
+            const double after = m->ul[a][at], before = m->u[a][at];
+            square += (after - before - v->dt * v->gravity[a]) * (after + before);
         }
         made += m->rho[at] * (m->el[at] - m->e[at] + 0.5 * square);
     }
@@ -144,7 +145,7 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
             for (int a = 0; a < v->dim; ++a) {
                 const double du = v->dt * v->gravity[a];
                 tile[TILE_SOURCE_MOMENTUM + a] += mass * du;
-                tile[TILE_SOURCE_ENERGY] += mass * du * (v->m[r].ul[a][at] - 0.5 * du);
+                tile[TILE_SOURCE_ENERGY] += 0.5 * mass * du * (v->m[r].u[a][at] + v->m[r].ul[a][at]);
             }
         }
     }

@@ -25,10 +25,12 @@ void ice_enter_tiles(ice *s)
         const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + a);
         ledger_add(s->ledger, q, LEDGER_BOUNDARY, sum[TILE_MOMENTUM + a]);
         ledger_add(s->ledger, q, LEDGER_SOURCE, sum[TILE_SOURCE_MOMENTUM + a]);
+        ledger_add(s->ledger, q, LEDGER_DEFECT, sum[TILE_MOMENTUM_DEFECT + a]);
     }
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[TILE_ENERGY]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[TILE_SOURCE_ENERGY]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DEFECT, sum[TILE_DEFECT]);
+    ledger_tally(s->ledger, COUNT_FLOORS, (long long)sum[TILE_FLOORS]);
     ledger_tally(s->ledger, COUNT_ENERGY_GUARDS, (long long)sum[TILE_GUARDS]);
 }
 

@@ -86,10 +86,49 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
     return found > 0;
 }
 
-/* What is left of a material below this share of a cell is dropped, into the ledger. */
-static const double least_fraction = 1e-14;
+/* What is left of a material below the first share of a cell is dropped; below the second, what advection's round-off has left
+ * without a temperature is given the last one at the last pressure (numerics 6). Both are entered in the ledger. */
+static const double least_fraction = 1e-13, sliver = 1e-6;
 
-static void drop_traces(ice *s, const ice_view *v, int r)
+static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
+{
+    double square = 0.0;
+    for (int a = 0; a < dim; ++a) square += m->u1[a][at] * m->u1[a][at];
+    const double energy = m->rho1[at] * (m->e1[at] + 0.5 * square);
+    return isfinite(energy) ? energy : 0.0;
+}
+
+static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, double *tile)
+{
+    const ice_arrays *m = &v->m[r];
+    const double mass = m->rho1[at] * volume;
+    tile[TILE_MASS_DEFECT] -= mass;
+    for (int a = 0; a < v->dim; ++a)
+        if (isfinite(m->u1[a][at])) tile[TILE_MOMENTUM_DEFECT + a] -= mass * m->u1[a][at];
+    tile[TILE_DEFECT] -= total_energy(m, at, v->dim) * volume;
+    m->rho1[at] = 0.0;
+}
+
+static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double volume, double *tile)
+{
+    const ice_arrays *m = &v->m[r];
+    const eos *law = &s->material[r].eos;
+    double density = 1.0 / m->vol1[at], T;
+    law->model->temperature(law->par, 1, &density, &m->e1[at], &T);
+    if (T > 0.0 && m->vol1[at] > 0.0 && isfinite(T)) return;
+    if (!(m->T[at] > 0.0) || !(v->p[at] > law->model->pressure_floor(law->par))) {
+        drop(v, r, at, volume, tile);
+        return;
+    }
+    tile[TILE_DEFECT] -= total_energy(m, at, v->dim) * volume;
+    const ice_reservoir state = ice_state_of(law, v->p[at], m->T[at], (double)NAN);
+    m->vol1[at] = state.v;
+    m->e1[at] = state.e;
+    tile[TILE_DEFECT] += total_energy(m, at, v->dim) * volume;
+    tile[TILE_FLOORS] += 1.0;
+}
+
+static void tidy_slivers(const ice *s, const ice_view *v, int r)
 {
     const block *b = v->b;
     const ice_arrays *m = &v->m[r];
@@ -97,18 +136,13 @@ static void drop_traces(ice *s, const ice_view *v, int r)
         for (int j = 0; j < b->n[1]; ++j)
             for (int i = 0; i < b->n[0]; ++i) {
                 const ptrdiff_t at = mesh_index(b, i, j, k);
-                if (m->rho1[at] == 0.0) continue;
-                const double volume = m->rho1[at] * m->vol1[at];
-                if (volume >= least_fraction && m->vol1[at] > 0.0) continue;
-                double *tile = ice_tile(s, b, i, j, k), square = 0.0;
-                const double mass = m->rho1[at] * v->volume[i];
-                for (int a = 0; a < v->dim; ++a) {
-                    tile[TILE_MOMENTUM + a] -= 0.0;
-                    square += m->u1[a][at] * m->u1[a][at];
-                }
-                tile[TILE_MASS_DEFECT] -= mass;
-                tile[TILE_DEFECT] -= isfinite(m->e1[at] + square) ? mass * (m->e1[at] + 0.5 * square) : 0.0;
-                m->rho1[at] = 0.0;
+                const double fraction = m->rho1[at] * m->vol1[at];
+                if (m->rho1[at] == 0.0 || fraction >= sliver) continue;
+                double *tile = ice_tile(s, b, i, j, k);
+                if (fraction < least_fraction)
+                    drop(v, r, at, v->volume[i], tile);
+                else
+                    mend(s, v, r, at, v->volume[i], tile);
             }
 }
 
@@ -123,7 +157,7 @@ floe_status ice_advect(ice *s)
             if (s->material[r].points) continue;
             const ice_advect_result result = advect_block(s, &v, r);
             if (result.bad || (isnan(s->work->energy_floor[r]) && below_floor(s, &v, r))) TRY(explain(s, &v, r));
-            if (s->multi) drop_traces(s, &v, r);
+            if (s->multi) tidy_slivers(s, &v, r);
         }
     }
     ice_enter_tiles(s);
