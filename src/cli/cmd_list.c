@@ -1,8 +1,187 @@
+/* floe list [TOPIC]: what decks can name, from the registries. */
 #include "cli/cli.h"
+#include "cli/plan.h"
+#include "deck/errors.h"
+#include "geom/shape.h"
+#include "mpm/basis/basis.h"
+#include "verify/metric.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A default or "required", and the range. */
+static void print_param(const param_spec *p)
+{
+    char range[128], fallback[48] = "required";
+    param_describe_range(p, range, sizeof range);
+    if (!isnan(p->fallback)) (void)snprintf(fallback, sizeof fallback, "default %g", p->fallback);
+    const bool vector = p->count < 0;
+    printf("      %-22s %s%s%s, %s%s: %s\n", p->key, strcmp(p->unit, "1") == 0 ? "" : p->unit,
+           strcmp(p->unit, "1") == 0 ? "" : ", ", range, fallback, vector ? ", one for each axis" : "", p->doc);
+}
+
+static void print_entry(const char *name, const char *doc, const char *cite, const param_spec *params, size_t n)
+{
+    printf("  %s: %s\n", name, doc ? doc : "");
+    if (cite && cite[0]) printf("      [%s]\n", cite);
+    for (size_t i = 0; i < n; i++) print_param(&params[i]);
+}
+
+static void list_laws(void)
+{
+    for (size_t i = 0; i < solid_registry_size; i++) {
+        const solid_model *m = solid_registry[i];
+        print_entry(m->name, m->doc, m->cite, m->params, m->n_params);
+    }
+}
+
+static void list_eos(void)
+{
+    for (size_t i = 0; i < eos_registry_size; i++) {
+        const eos_model *m = eos_registry[i];
+        print_entry(m->name, m->doc, m->cite, m->params, m->n_params);
+    }
+}
+
+static void list_materials(void)
+{
+    printf("  A solid has a law, a fluid an equation of state (eos).\n\nlaws\n");
+    list_laws();
+    printf("\neos\n");
+    list_eos();
+}
+
+static void list_shapes(void)
+{
+    for (size_t i = 0; i < shape_registry_size; i++) {
+        const shape_model *m = shape_registry[i];
+        print_entry(m->name, m->doc, NULL, m->params, m->n_params);
+    }
+}
+
+static void list_bases(void)
+{
+    for (size_t i = 0; i < basis_registry_size; i++) {
+        const basis_model *m = basis_registry[i];
+        print_entry(m->name, m->doc, m->cite, NULL, 0);
+        printf("      %d nodes along an axis, %d continuous derivative%s\n", m->support, m->smoothness,
+               m->smoothness == 1 ? "" : "s");
+    }
+}
+
+static void print_provided(const exact_model *m)
+{
+    printf("      gives:");
+    for (int q = 0; q < EXACT_QUANTITY_COUNT; q++) {
+        if (m->provides & EXACT_BIT(q)) printf(" %s", exact_quantity_name((exact_quantity)q));
+    }
+    printf("\n      %d to %d dimensions; %s\n", m->min_dim, m->max_dim, m->validity);
+}
+
+static void list_exact(void)
+{
+    for (size_t i = 0; i < exact_registry_size; i++) {
+        const exact_model *m = exact_registry[i];
+        print_entry(m->name, m->doc, m->cite, m->params, m->n_params);
+        print_provided(m);
+    }
+}
+
+static void list_metrics(void)
+{
+    for (int k = 0; k < METRIC_COUNT; k++) {
+        const metric_description d = metric_describe((metric_kind)k);
+        printf("  %s: %s\n", d.name, d.doc);
+    }
+    printf("  rel_gas_pressure: |p - p_ref - P| / P of the fluid that a load pressurises, P verify.pressure; always "
+           "there\n");
+    printf("  No point or cell is excluded, nothing is smoothed; cells are compared with exact cell averages.\n  X:\n");
+    for (int q = 0; q < EXACT_QUANTITY_COUNT; q++) {
+        printf("      %-18s %-6s %s\n", exact_quantity_name((exact_quantity)q), exact_quantity_unit((exact_quantity)q),
+               exact_quantity_doc((exact_quantity)q));
+    }
+}
+
+static void list_boundaries(void)
+{
+    static const char *const doc[] = {
+        [BC_SYMMETRY] = "mirror: normal velocity odd, everything else even",
+        [BC_SLIP] = "impermeable, free tangential velocity",
+        [BC_NO_SLIP] = "impermeable, tangential velocity of the wall",
+        [BC_PERIODIC] = "both sides of an axis are one",
+        [BC_INLET] = "fluids: state and velocity given; points: prescribed velocity",
+        [BC_OUTLET] = "fluids: zero gradient, pressure given",
+        [BC_VELOCITY] = "points: prescribed velocity; fluids: moving impermeable wall",
+        [BC_FREE] = "points: nothing is imposed; fluids: zero gradient",
+    };
+    for (size_t k = 0; k < sizeof doc / sizeof doc[0]; k++) printf("  %-10s %s\n", bc_name((bc_kind)k), doc[k]);
+}
+
+static void list_fields(void)
+{
+    for (int id = 0; id < FIELD_COUNT; id++) {
+        const field_info *f = field_describe((field_id)id);
+        printf("  %-20s %-7s %-10s %-10s %s: %s\n", plan_field_id((field_id)id), plan_centring(f->centring),
+               plan_class(f->class), f->unit, f->name, f->meaning);
+    }
+}
+
+static const struct {
+    const char *name, *doc;
+    void (*print)(void);
+} topics[] = {
+    {"materials", "what things can be made of", list_materials},
+    {"eos", "equations of state of fluids", list_eos},
+    {"laws", "laws of solids", list_laws},
+    {"shapes", "shapes of bodies and regions", list_shapes},
+    {"bases", "basis functions of material points", list_bases},
+    {"exact", "exact solutions", list_exact},
+    {"metrics", "errors that can be measured", list_metrics},
+    {"boundaries", "conditions on the sides of the domain", list_boundaries},
+    {"fields", "fields that a scene may hold", list_fields},
+};
+enum { TOPICS = sizeof topics / sizeof topics[0] };
+
+static const char *topic_name(const void *user, size_t i)
+{
+    (void)user;
+    return i < TOPICS ? topics[i].name : NULL;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    int *chosen = state->input;
+    if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
+    for (int k = 0; k < TOPICS; k++) {
+        if (strcmp(topics[k].name, arg) == 0) {
+            *chosen = k;
+            return 0;
+        }
+    }
+    const char *near = nearest_name(arg, topic_name, NULL);
+    argp_error(state, "there is no list of '%s'%s%s%s", arg, near ? " (did you mean '" : "", near ? near : "",
+               near ? "'?)" : "");
+    return 0;
+}
+
+static const struct argp argp = {
+    .parser = parse,
+    .args_doc = "[TOPIC]",
+    .doc =
+        "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, laws, "
+        "shapes, bases, exact, metrics, boundaries, fields; without one the topics are listed.",
+};
+
 int cmd_list(cli *c, int argc, char **argv)
 {
+    int chosen = -1;
     (void)c;
-    (void)argc;
-    (void)argv;
-    return 2;
+    argp_parse(&argp, argc, argv, 0, NULL, &chosen);
+    if (chosen >= 0) {
+        printf("%s\n", topics[chosen].name);
+        topics[chosen].print();
+        return 0;
+    }
+    for (int k = 0; k < TOPICS; k++) printf("  %-10s  %s\n", topics[k].name, topics[k].doc);
+    return 0;
 }

@@ -1,8 +1,58 @@
+/* floe plan DECK: what a scene would do and hold. */
 #include "cli/cli.h"
+#include "cli/plan.h"
+#include "run/initial.h"
+
+typedef struct arguments {
+    cli_deck deck;
+    bool json;
+} arguments;
+
+enum { KEY_JSON = 1000 };
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    arguments *a = state->input;
+    if (key == KEY_JSON) {
+        a->json = true;
+        return 0;
+    }
+    return cli_deck_option(&a->deck, key, arg, state);
+}
+
+static const struct argp_option options[] = {
+    CLI_OPTION_COUPLING, CLI_OPTION_SET, {"json", KEY_JSON, NULL, 0, "Write JSON", 0}, {0}};
+static const struct argp argp = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "DECK",
+    .doc = "Show the stages of a step with what each reads and writes, the fields with their bytes, and the steps that "
+           "the run would need. Nothing is run or written.",
+};
+
+static floe_status plan_scene(cli *c, scene *s, bool json)
+{
+    exact solution;
+    plan p = {.scene = s};
+    TRY(initial_exact(s, &solution));
+    initial_attach(s, &solution);
+    floe_status status = sim_create(&p.sim, c->ctx, s, s->coupling);
+    if (status == FLOE_OK) status = sim_plan(p.sim, &p.info);
+    if (status == FLOE_OK) status = json ? plan_print_json(&p, stdout) : plan_print_text(&p, stdout);
+    sim_destroy(&p.sim);
+    initial_detach(s);
+    exact_destroy(c->ctx, &solution);
+    return status;
+}
+
 int cmd_plan(cli *c, int argc, char **argv)
 {
-    (void)c;
-    (void)argc;
-    (void)argv;
-    return 2;
+    arguments a = {0};
+    scene *s;
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    floe_status status = cli_load(c, &a.deck, &s);
+    if (status != FLOE_OK) return cli_fail(c, status);
+    status = plan_scene(c, s, a.json);
+    scene_destroy(&s);
+    return status == FLOE_OK ? 0 : cli_fail(c, status);
 }

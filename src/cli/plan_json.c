@@ -1,0 +1,78 @@
+#include "cli/plan.h"
+
+#include <jansson.h>
+
+static json_t *names_json(const stage_fields *list)
+{
+    json_t *names = json_array();
+    for (int k = 0; k < list->n; k++) {
+        if (list->id[k] != STAGE_NONE) json_array_append_new(names, json_string(plan_field_id((field_id)list->id[k])));
+    }
+    return names;
+}
+
+static json_t *stages_json(const stage_list *stages)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < stages->n; i++) {
+        const stage_record *r = &stages->record[i];
+        json_array_append_new(list, json_pack("{s:s, s:o, s:o}", "name", r->name, "reads", names_json(&r->reads),
+                                              "writes", names_json(&r->writes)));
+    }
+    return list;
+}
+
+static json_t *fields_json(const plan *p)
+{
+    json_t *list = json_array();
+    for (int id = 0; id < FIELD_COUNT; id++) {
+        const field_info *info = field_describe((field_id)id);
+        const int n = plan_field_instances(p, (field_id)id);
+        if (n == 0) continue;
+        json_array_append_new(list,
+                              json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:i, s:I}", "id", plan_field_id((field_id)id),
+                                        "name", info->name, "on", plan_centring(info->centring), "class",
+                                        plan_class(info->class), "unit", info->unit, "instances", n, "arrays",
+                                        n * field_component_count(info->components, p->sim->mesh.dim), "bytes",
+                                        (json_int_t)plan_field_bytes(p, (field_id)id)));
+    }
+    return list;
+}
+
+static json_t *bytes_json(const sim_plan_info *i)
+{
+    return json_pack("{s:I, s:I, s:I}", "mpm", (json_int_t)i->mpm_bytes, "ice", (json_int_t)i->ice_bytes, "coupling",
+                     (json_int_t)i->coupling_bytes);
+}
+
+static json_t *mesh_json(const mesh *m)
+{
+    json_t *list = json_array();
+    for (int a = 0; a < m->dim; a++) json_array_append_new(list, json_integer(m->n[a]));
+    return list;
+}
+
+static json_t *plan_json(const plan *p)
+{
+    const sim_plan_info *i = &p->info;
+    const sim *s = p->sim;
+    char geometry[64];
+    plan_geometry(p, geometry);
+    return json_pack("{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:f, s:f, s:s}", "schema", 1,
+                     "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim, "geometry",
+                     geometry, "mesh", mesh_json(&s->mesh), "cells", (json_int_t)i->cells, "points",
+                     (json_int_t)i->points, "basis", s->mpm ? s->mpm->basis->name : NULL, "cell_materials",
+                     s->ice ? s->ice->n_materials : 0, "stages", stages_json(&s->stages), "fields", fields_json(p),
+                     "bytes", bytes_json(i), "dt", i->predicted_dt, "steps", i->predicted_steps, "dt_limit",
+                     i->dt_reason);
+}
+
+floe_status plan_print_json(const plan *p, FILE *file)
+{
+    json_t *object = plan_json(p);
+    const bool fine = object && json_dumpf(object, file, JSON_INDENT(2) | JSON_REAL_PRECISION(17)) == 0;
+    json_decref(object);
+    if (!fine) return fail(p->sim->ctx, FLOE_IO, "cannot write the plan");
+    (void)fputc('\n', file);
+    return FLOE_OK;
+}
