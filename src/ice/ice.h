@@ -85,7 +85,11 @@ floe_status ice_pressure_stages(ice *s);
 floe_status ice_exchange_stages(ice *s);
 floe_status ice_advection_stages(ice *s);
 
-/* The fluid-only step, a list of the above. */
+/* The stages in three groups, between which the coupled step puts those of the points; ice_step is the three in a row. */
+floe_status ice_pressure_stages(ice *s);    /* ghosts to sources */
+floe_status ice_exchange_stages(ice *s);    /* exchange, specific volume */
+floe_status ice_advection_stages(ice *s);
+/* The fluid-only step. */
 floe_status ice_step(ice *s);
 
 /* Largest stable step (2.14) from the current state and the last pressures. */
