@@ -30,7 +30,7 @@ static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "Folder of the results (default: out/DECK-COUPLING)", 0},
     CLI_OPTION_COUPLING,
     CLI_OPTION_SET,
-    {"threads", 't', "N", 0, "Threads; the results do not depend on it", 0},
+    {"threads", 't', "N", 0, "Threads (default: what the scene can use); the results do not depend on it", 0},
     {"resume", KEY_RESUME, NULL, 0, "Go on from the checkpoint in DIR, to the same bits as a run that was not stopped",
      0},
     {"max-wall", KEY_MAX_WALL, "S", 0, "Stop with a checkpoint after S seconds, as Ctrl-C does", 0},

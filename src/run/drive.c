@@ -10,6 +10,7 @@
 #include "run/state_check.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #ifdef _OPENMP
@@ -27,7 +28,7 @@ static int use_threads(int threads)
 }
 #endif
 
-enum { CHECKS_PER_WINDOW = 64, ROWS_PER_INTERVAL = 50 };
+enum { CHECKS_PER_WINDOW = 64, ROWS_PER_INTERVAL = 50, WORK_PER_THREAD = 5000 /* points and cells */ };
 
 typedef struct run {
     context *ctx;               /* not owned */
@@ -53,6 +54,17 @@ const char *run_status_name(floe_status status, bool at_rest)
     case FLOE_INTERRUPTED: return "interrupted";
     default: return "failed";
     }
+}
+
+/* Threads that wait for each other cost more than they bring in a small scene: unless someone has named a number, it is what
+ * the scene can use. The results do not depend on it. */
+static int choose_threads(const run *r)
+{
+    const int named = r->options->threads > 0 ? r->options->threads : r->scene->threads;
+    const int most = use_threads(named);
+    const size_t work = (r->sim->mpm ? mpm_count(r->sim->mpm) : 0) + (r->sim->ice ? mesh_cells(&r->sim->mesh) : 0);
+    if (named > 0 || getenv("OMP_NUM_THREADS") || work / WORK_PER_THREAD + 1 >= (size_t)most) return most;
+    return use_threads((int)(work / WORK_PER_THREAD) + 1);
 }
 
 static double wall_spent(const run *r)
@@ -245,9 +257,11 @@ floe_status run_scene(context *ctx, scene *s, const run_options *options, run_su
     (void)snprintf(out->deck, sizeof out->deck, "%s", s->path);
     (void)snprintf(out->coupling, sizeof out->coupling, "%s", coupling_name(s->coupling));
     summary_set_build(out);
-    out->threads = use_threads(options->threads > 0 ? options->threads : s->threads);
+    /* Memory for each thread is made with the simulation. */
+    (void)use_threads(options->threads > 0 ? options->threads : s->threads);
     floe_status status = begin(&r);
     if (status == FLOE_OK) {
+        out->threads = choose_threads(&r);
         status = run_with_outputs(&r, out);
     } else {
         (void)snprintf(out->status, sizeof out->status, "%s", run_status_name(status, false));

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# floe check: good decks, and bad ones with every error at its place, status 2 and nothing written.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+decks=$FLOE_SOURCE/tests/cli/decks
+
+for deck in "$FLOE_SOURCE"/inputs/*.yaml; do
+    expect 0 "$FLOE" check "$deck"
+    has stdout 'deck is valid'
+done
+
+expect 2 "$FLOE" check "$decks/many_errors.yaml"
+has stderr "many_errors.yaml:4:48: error: unknown key 'cel'"
+has stderr "did you mean 'cell'?"
+has stderr 'many_errors.yaml:7:'
+has stderr 'many_errors.yaml:8:'
+has stderr 'many_errors.yaml:10:'
+has stderr 'many_errors.yaml:11:'
+[ ! -s stdout ] || fault 'errors belong to standard error'
+
+expect 2 "$FLOE" check "$decks/syntax.yaml"
+has stderr 'syntax.yaml:4:'
+expect 2 "$FLOE" check "$decks/impossible.yaml"
+has stderr 'impossible.yaml:5:'
+
+# The same errors stop a run before anything is written.
+expect 2 "$FLOE" run "$decks/many_errors.yaml" -o out
+expect 2 "$FLOE" compare "$decks/many_errors.yaml" -o out
+expect 2 "$FLOE" plan "$decks/many_errors.yaml"
+[ ! -e out ] || fault 'a bad deck has left a folder'
+
+expect 2 "$FLOE" check "$cylinder" --set domain.cel=0.1
+has stderr "did you mean 'cell'?"
+expect 2 "$FLOE" check "$cylinder" --set domain.cell
+has stderr 'KEY=VALUE'
+expect 2 "$FLOE" run "$cylinder" --coupling none
+expect 4 "$FLOE" check nowhere.yaml
+has stderr 'nowhere.yaml'

@@ -1,0 +1,60 @@
+# What the command-line tests share. Sourced: FLOE is the program, FLOE_SOURCE the source tree.
+set -euo pipefail
+# One thread, for tests run side by side; where more are meant, the test says so.
+export OMP_NUM_THREADS=1
+: "${FLOE:?the floe program}" "${FLOE_SOURCE:?the source tree}"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+cylinder=$FLOE_SOURCE/inputs/pressurized_cylinder.yaml
+# shellcheck disable=SC2034 # for the tests
+# The cylinder, coarse and as points: a run of a fraction of a second.
+tiny=("$cylinder" --coupling mpm --set domain.cell=0.1)
+
+fault() {
+    echo "FAILED: $*" >&2
+    [ -f stderr ] && sed 's/^/    stderr: /' stderr >&2
+    exit 1
+}
+
+# expect STATUS COMMAND...: runs the command with its output in ./stdout and ./stderr.
+expect() {
+    local wanted=$1 got=0
+    shift
+    "$@" >stdout 2>stderr || got=$?
+    [ "$got" -eq "$wanted" ] || fault "exit status $got instead of $wanted: $*"
+}
+
+# has FILE TEXT: the text occurs in the file.
+has() {
+    grep -qF -- "$2" "$1" || fault "'$2' is not in $1: $(head -c 600 "$1")"
+}
+
+# is_there PATH...
+is_there() {
+    local path
+    for path in "$@"; do
+        [ -s "$path" ] || fault "$path is not there, or empty"
+    done
+}
+
+# json FILE KEY: the first value of that key in a JSON file as floe writes it, without quotes and comma.
+json() {
+    sed -nE "s/^ *\"$2\": \"?([^\",]*)\"?,?\$/\\1/p" "$1" | head -n 1
+}
+
+# below VALUE LIMIT: both are numbers, and VALUE < LIMIT.
+below() {
+    awk -v a="$1" -v b="$2" 'BEGIN { exit !(a ~ /^[-+0-9.eE]+$/ && a + 0 < b + 0) }' || fault "'$1' is not below $2"
+}
+
+# same_results DIR DIR: the same history and snapshots, bit for bit.
+same_results() {
+    local file
+    cmp "$1/history.csv" "$2/history.csv" || fault "other histories"
+    [ "$(ls "$1/fields")" = "$(ls "$2/fields")" ] || fault "other snapshots"
+    for file in "$1"/fields/*.h5; do
+        cmp "$file" "$2/fields/${file##*/}" || fault "other bits in ${file##*/}"
+    done
+}

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Commands, options and their errors; list and new.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+
+expect 0 "$FLOE" --version
+has stdout 'floe '
+expect 0 "$FLOE" --help
+for command in check plan run compare list new; do
+    has stdout "$command"
+    expect 0 "$FLOE" "$command" --help
+    expect 2 "$FLOE" "$command" --no-such-option
+    expect 0 "$FLOE" --help
+done
+expect 2 "$FLOE"
+expect 2 "$FLOE" chek
+has stderr "did you mean 'check'?"
+expect 2 "$FLOE" run
+has stderr 'which deck?'
+expect 2 "$FLOE" run "$cylinder" --threads 0
+expect 2 "$FLOE" run "$cylinder" --max-wall soon
+expect 2 "$FLOE" compare "$cylinder" --axis domain.cell --quiet
+has stderr 'KEY=V1,V2'
+
+expect 0 "$FLOE" list
+for topic in materials eos laws shapes bases exact metrics boundaries fields; do
+    has stdout "$topic"
+    "$FLOE" list "$topic" >"list-$topic" || fault "list $topic"
+done
+has list-laws 'linear_elastic'
+has list-laws 'bulk_modulus'
+has list-eos 'ideal'
+has list-shapes 'annulus'
+has list-bases 'quadratic'
+has list-exact 'lame'
+has list-metrics 'eq13'
+has list-boundaries 'outlet'
+has list-fields 'P_STRESS'
+expect 2 "$FLOE" list metric
+has stderr "did you mean 'metrics'?"
+
+expect 0 "$FLOE" new 'A dam' -o dam.yaml
+has dam.yaml 'A dam'
+expect 0 "$FLOE" check dam.yaml
+expect 2 "$FLOE" new -o dam.yaml
+expect 0 "$FLOE" new --schema
+has stdout 'json-schema.org'
+expect 0 "$FLOE" new --reference
+has stdout '# The deck'
+expect 0 "$FLOE" new --completion bash
+bash -n stdout || fault 'the completion is no bash'
+expect 2 "$FLOE" new --completion zsh
+if [ -c /dev/full ]; then
+    got=0
+    "$FLOE" list >/dev/full 2>stderr || got=$?
+    [ "$got" -eq 4 ] || fault "a full standard output gives $got instead of 4"
+fi
