@@ -20,9 +20,9 @@ static int compare_rows(const void *a, const void *b)
 /* Whether a point belongs to the first row of sub-cells on either side of the axis. */
 static bool is_near_axis(const point_samples *p, const scene_body *b, const double centre[3], size_t i)
 {
-    for (int a = 1; a < p->s->mesh.dim; a++) {
+    for (int a = 1; a < MESH_MAX_DIM; a++) {
         const double row = p->s->mesh.h[a] / b->per_cell[a];
-        if (!(fabs(p->start[a][i] - centre[a]) < row * (1.0 - 1e-9))) return false;
+        if (a < p->s->mesh.dim && !(fabs(p->start[a][i] - centre[a]) < row * (1.0 - 1e-9))) return false;
     }
     return p->start[0][i] > centre[0];
 }
@@ -30,7 +30,8 @@ static bool is_near_axis(const point_samples *p, const scene_body *b, const doub
 static void fill_row(const point_samples *p, const double centre[3], size_t i, profile_row *row)
 {
     double square = 0.0;
-    for (int a = 0; a < p->s->mesh.dim; a++) {
+    for (int a = 0; a < MESH_MAX_DIM; a++) {
+        if (a >= p->s->mesh.dim) break;
         row->x[a] = p->start[a][i];
         square += (row->x[a] - centre[a]) * (row->x[a] - centre[a]);
     }

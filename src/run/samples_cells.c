@@ -48,6 +48,17 @@ static void index_of(const mesh *m, size_t i, int cell[3])
     cell[2] = (int)(i / (size_t)m->n[0] / (size_t)m->n[1]);
 }
 
+/* The corners of a cell; 0 along axes that the mesh does not have. */
+static void corners_of(const mesh *m, size_t i, double lo[3], double hi[3])
+{
+    int cell[3];
+    index_of(m, i, cell);
+    for (int a = 0; a < 3; a++) {
+        lo[a] = a < m->dim ? mesh_node(m, a, cell[a]) : 0.0;
+        hi[a] = a < m->dim ? mesh_node(m, a, cell[a] + 1) : 0.0;
+    }
+}
+
 /* Volume fraction: mass per cell volume times the volume of a mass. */
 static double fraction(const cell_samples *c, size_t i)
 {
@@ -92,13 +103,9 @@ static bool is_per_mass(exact_quantity quantity)
 double cell_exact(const cell_samples *c, exact_quantity quantity, size_t i)
 {
     const mesh *m = &c->s->mesh;
-    int cell[3], flags = EXACT_PLAIN;
-    double lo[3] = {0.0}, hi[3] = {0.0};
-    index_of(m, i, cell);
-    for (int a = 0; a < m->dim; a++) {
-        lo[a] = mesh_node(m, a, cell[a]);
-        hi[a] = mesh_node(m, a, cell[a] + 1);
-    }
+    int flags = EXACT_PLAIN;
+    double lo[3], hi[3];
+    corners_of(m, i, lo, hi);
     if (m->geometry == MESH_AXISYMMETRIC) flags |= EXACT_RADIAL;
     if (is_per_mass(quantity) && exact_provides(c->solution, EXACT_DENSITY)) flags |= EXACT_MASS_WEIGHTED;
     return exact_cell_average(c->solution, quantity, lo, hi, c->s->time, flags);
@@ -114,10 +121,9 @@ double cell_weight(const cell_samples *c, size_t i)
 bool cell_inside(const cell_samples *c, const shape *region, size_t i)
 {
     const mesh *m = &c->s->mesh;
-    int cell[3];
-    double x[3] = {0.0};
+    double lo[3], hi[3], x[3];
     if (!region->model) return true;
-    index_of(m, i, cell);
-    for (int a = 0; a < m->dim; a++) x[a] = mesh_centre(m, a, cell[a]);
+    corners_of(m, i, lo, hi);
+    for (int a = 0; a < 3; a++) x[a] = 0.5 * (lo[a] + hi[a]);
     return shape_inside(region, m->dim, x);
 }

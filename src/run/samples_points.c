@@ -128,14 +128,14 @@ static void polar_stress(const point_samples *p, size_t i, double *radial, doubl
 {
     const bool sphere = strcmp(p->solution->model->name, "lame_sphere") == 0;
     const int dim = p->s->mesh.dim, axes = sphere ? dim : dim < 2 ? dim : 2;
-    double x[3], centre[3], n[3] = {0.0}, square = 0.0;
+    double x[3], centre[3], n[3], square = 0.0;
     place(p->start[0] ? p->start : p->x, dim, i, x);
     centre_of(p->solution, centre);
-    for (int a = 0; a < axes; a++) {
-        n[a] = x[a] - centre[a];
+    for (int a = 0; a < 3; a++) {
+        n[a] = a < axes ? x[a] - centre[a] : 0.0;
         square += n[a] * n[a];
     }
-    for (int a = 0; a < axes; a++) n[a] /= sqrt(square);
+    for (int a = 0; a < 3; a++) n[a] /= sqrt(square);
     const double xx = stress_at(p, 0, i), yy = stress_at(p, 1, i), zz = stress_at(p, 2, i);
     const double xy = stress_at(p, 3, i), yz = stress_at(p, 4, i), zx = stress_at(p, 5, i);
     *radial = n[0] * n[0] * xx + n[1] * n[1] * yy + n[2] * n[2] * zz +
