@@ -11,6 +11,26 @@ FLOE_ALWAYS_INLINE int window_width(const int dim, const basis_kind kind)
     return (dim == 1 ? 64 : dim == 2 ? 8 : 4) + 1 + 2 * basis_reach(kind);
 }
 
+/* What of the mesh and the tile the kernels need, by value: nothing that they write can then alias it. */
+typedef struct tile_frame {
+    double lower[MESH_MAX_DIM], inv_h[MESH_MAX_DIM]; /* m, 1/m */
+    double first[MESH_MAX_DIM];
+    int cells[MESH_MAX_DIM];
+    uint64_t shared;
+} tile_frame;
+
+FLOE_ALWAYS_INLINE tile_frame frame_of(const mesh *m, const tile_box *t, const int dim)
+{
+    tile_frame f = {.shared = t->shared};
+    for (int a = 0; a < dim; ++a) {
+        f.lower[a] = m->lower[a];
+        f.inv_h[a] = 1.0 / m->h[a];
+        f.first[a] = t->first[a];
+        f.cells[a] = t->cells[a];
+    }
+    return f;
+}
+
 typedef struct stencil {
     double w[3][3], dw[3][3];
     int node; /* of the window: the first node of the stencil */
@@ -26,26 +46,26 @@ typedef struct stencil {
  * transpose. In cells shared with a solid the point's own place is taken, since the fluid fills but a part of them, and the
  * solid's inertia holds it (the centre there costs 28 for 25 % in the cylinder's stress at h = 0.1). The smooth bases
  * change slowly across a cell, and keep the point's own gradient. */
-FLOE_ALWAYS_INLINE stencil locate(const mesh *m, const tile_box *t, const point_arrays *p, size_t k, const int dim,
-                                  const basis_kind kind, bool centre)
+FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, size_t k, const int dim,
+                                  const basis_kind kind, const bool centre)
 {
     stencil s;
     const int width = window_width(dim, kind);
     double at[3];
     int cell[3], bit = 0, bit_row = 1;
     for (int a = 0; a < dim; ++a) {
-        at[a] = (p->x[a][k] - m->lower[a]) / m->h[a] - t->first[a];
+        at[a] = (p->x[a][k] - f->lower[a]) * f->inv_h[a] - f->first[a];
         cell[a] = (int)at[a];
-        cell[a] = cell[a] < 0 ? 0 : cell[a] >= t->cells[a] ? t->cells[a] - 1 : cell[a];
+        cell[a] = cell[a] < 0 ? 0 : cell[a] >= f->cells[a] ? f->cells[a] - 1 : cell[a];
         bit += bit_row * cell[a];
         bit_row *= width - 1 - 2 * basis_reach(kind);
     }
-    const bool centred = centre && !((t->shared >> bit) & 1);
+    const bool centred = centre && !((f->shared >> bit) & 1);
     s.node = 0;
     int row = 1;
     for (int a = 0; a < dim; ++a) {
-        const double inv_h = 1.0 / m->h[a], half = kind == BASIS_GIMP ? p->half[a][k] * inv_h : 0.5;
-        const int first = basis_1d(kind, centred ? 0.5 : at[a] - cell[a], half, inv_h, s.w[a], s.dw[a]);
+        const double half = kind == BASIS_GIMP ? p->half[a][k] * f->inv_h[a] : 0.5;
+        const int first = basis_1d(kind, centred ? 0.5 : at[a] - cell[a], half, f->inv_h[a], s.w[a], s.dw[a]);
         s.node += row * (cell[a] + first + basis_reach(kind));
         row *= width;
     }

@@ -46,7 +46,7 @@ floe_status mpm_motion_stages(mpm *s)
 {
     const bool usl = !is_usf(s) && !is_musl(s);
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
-    STAGE(s, ALWAYS, mpm_nodes_to_points, READS(N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),
+    STAGE(s, ALWAYS, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),
           WRITES(P_POS, P_VEL, WHEN(usl, P_STRESS), WHEN(usl, P_J), WHEN(usl && s->has_energy, P_ENERGY),
                  WHEN(usl && s->needs_F, P_F), WHEN(usl && s->artificial, P_VISCOUS_PRESSURE)));
     STAGE(s, is_musl(s), mpm_remap_stress, READS(P_POS, P_VEL, POINT_STATE),

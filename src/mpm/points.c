@@ -4,7 +4,10 @@
 
 #include <string.h>
 
-enum { WINDOW_DOUBLES = 1331 * 2 * MESH_MAX_DIM }; /* the largest window (7^3, 11^2 or 67 nodes) fits with room */
+enum {
+    MAX_GATHERED = 2 * MESH_MAX_DIM + 1,
+    WINDOW_DOUBLES = 343 * MAX_GATHERED /* the largest window has 7^3 nodes; others 11^2 and 67 */
+};
 
 floe_status mpm_points_to_nodes(mpm *s)
 {
@@ -31,23 +34,6 @@ static void node_arrays(const mpm *s, int blk, int group, field_id id, const dou
     for (int c = 0; c < s->mesh->dim; ++c) array[c] = field_get(s->domain->fields[blk], id, group, c);
 }
 
-static void move_tile(mpm *s, int blk, int body, const tile_box *t, size_t start, size_t end, double *window)
-{
-    const int dim = s->mesh->dim, group = s->body[body].group;
-    const double *node[2 * MESH_MAX_DIM];
-    node_arrays(s, blk, group, N_VEL_L, node);
-    node_arrays(s, blk, group, N_ACCEL, node + dim);
-    load_window(s, blk, t, node, 2 * dim, window);
-    const point_arrays p = points_of(s, blk, body, false, false);
-    gather_result out = {.L = {0}};
-    for (int a = 0; a < dim; ++a) {
-        out.x_next[a] = field_next(s->domain->fields[blk], P_POS, body, a);
-        out.v_next[a] = field_next(s->domain->fields[blk], P_VEL, body, a);
-    }
-    s->work->kernel.gather_motion(s->mesh, t, &p, start, end, window, s->work->kick, s->dt, s->scene->method.flip,
-                                  &out);
-}
-
 /* Rates that the kernel does not set: a stress state may have solved for them in the batch before. */
 static void clear_free_rates(const mpm *s, solid_batch *batch)
 {
@@ -56,20 +42,47 @@ static void clear_free_rates(const mpm *s, solid_batch *batch)
     if (s->mesh->dim == 1) memset(batch->L[4], 0, sizeof batch->L[4]);
 }
 
-static floe_status strain_tile(mpm *s, int blk, int body, const tile_box *t, size_t start, size_t end,
-                               field_id velocity, double *window, solid_batch *batch, double *heat)
+/* Loads what a pass reads of the nodes, in the order that the kernels expect. */
+static void load_pass(const mpm *s, int blk, int group, const tile_box *t, tile_pass pass, double *window)
 {
-    const double *node[MESH_MAX_DIM];
-    node_arrays(s, blk, s->body[body].group, velocity, node);
-    load_window(s, blk, t, node, s->mesh->dim, window);
-    const point_arrays p = points_of(s, blk, body, false, false);
+    const int dim = s->mesh->dim;
+    const double *node[MAX_GATHERED];
+    int count = dim;
+    node_arrays(s, blk, group, pass.velocity, node);
+    if (pass.motion) {
+        node_arrays(s, blk, group, N_ACCEL, node + dim);
+        count += dim;
+    }
+    if (gather_needs_mass(s->basis->kind, pass.motion, pass.stress))
+        node[count++] = field_get(s->domain->fields[blk], N_MASS, group, 0);
+    load_window(s, blk, t, node, count, window);
+}
+
+static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, solid_batch *batch)
+{
     gather_result out = {.L = {0}};
+    for (int a = 0; pass.motion && a < s->mesh->dim; ++a) {
+        out.x_next[a] = field_next(s->domain->fields[blk], P_POS, body, a);
+        out.v_next[a] = field_next(s->domain->fields[blk], P_VEL, body, a);
+    }
     for (int c = 0; c < 9; ++c) out.L[c] = batch->L[c];
-    for (size_t k = start; k < end; k += SOLID_CHUNK) {
-        const size_t stop = k + SOLID_CHUNK < end ? k + SOLID_CHUNK : end;
-        clear_free_rates(s, batch);
-        s->work->kernel.gather_gradient(s->mesh, t, &p, k, stop, window, 0.0, 0.0, 0.0, &out);
-        TRY(update_stress(s, blk, body, k, stop, batch, heat));
+    return out;
+}
+
+/* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
+static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
+                             const double *window, solid_batch *batch, double *heat)
+{
+    const point_arrays p = points_of(s, blk, body, false, false);
+    const gather_result out = result_of(s, blk, body, pass, batch);
+    const gather_step step = {s->work->kick, s->dt, s->scene->method.flip};
+    gather_kernel *gather =
+        s->work->kernel.gather[pass.motion ? (pass.stress ? GATHER_BOTH : GATHER_MOTION) : GATHER_GRADIENT];
+    for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
+        const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
+        if (pass.stress) clear_free_rates(s, batch);
+        gather(s->mesh, t, &p, k, stop, window, &step, &out);
+        if (pass.stress) TRY(update_stress(s, blk, body, k, stop, batch, heat));
     }
     return FLOE_OK;
 }
@@ -77,17 +90,18 @@ static floe_status strain_tile(mpm *s, int blk, int body, const tile_box *t, siz
 static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_batch *batch)
 {
     double window[WINDOW_DOUBLES];
-    int global;
+    int global, loaded = -1;
     tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
     if (pass.stress) box.shared = shared_cells(s, blk, tile, &box);
     double *heat = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
     *heat = 0.0;
     for (int body = 0; body < s->n_bodies; ++body) {
-        const size_t *at = s->points[blk][body].tile_start;
-        if (at[tile] == at[tile + 1]) continue;
-        if (pass.motion) move_tile(s, blk, body, &box, at[tile], at[tile + 1], window);
-        if (pass.stress)
-            TRY(strain_tile(s, blk, body, &box, at[tile], at[tile + 1], pass.velocity, window, batch, heat));
+        const size_t *range = s->points[blk][body].tile_start + tile;
+        const int group = s->body[body].group;
+        if (range[0] == range[1]) continue;
+        if (loaded != group) load_pass(s, blk, group, &box, pass, window);
+        loaded = group;
+        TRY(pass_body(s, blk, body, &box, range, pass, window, batch, heat));
     }
     return FLOE_OK;
 }

@@ -92,7 +92,7 @@ static void scatter_tile(mpm *s, int group, int blk, int tile, scatter_mode mode
     s->work->active[global] = any;
 }
 
-/* Tiles whose windows hold global node index g along an axis: at most two. */
+/* Tiles whose windows hold global node index g along an axis: at most two; none where first > last. */
 static void tiles_about(const mesh *m, int reach, int axis, int g, int *first, int *last)
 {
     const int width = m->tile[axis];
@@ -102,7 +102,7 @@ static void tiles_about(const mesh *m, int reach, int axis, int g, int *first, i
     }
     const int above = g - width - reach;
     *first = above <= 0 ? 0 : (above + width - 1) / width;
-    *last = (g + reach) / width;
+    *last = g + reach < 0 ? -1 : (g + reach) / width;
     if (*last > m->tiles[axis] - 1) *last = m->tiles[axis] - 1;
 }
 

@@ -2,6 +2,7 @@
 #ifndef MPM_WORK_H
 #define MPM_WORK_H
 
+#include "base/compiler.h"
 #include "mpm/mpm.h"
 
 enum { MPM_MAX_COMPONENTS = 1 + 2 * MESH_MAX_DIM };
@@ -28,13 +29,29 @@ typedef struct point_arrays {
 typedef void scatter_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                             double *out);
 
-/* Node data of a tile's window, interleaved per node: v^L then a. */
+/* What a gather writes. */
 typedef struct gather_result {
-    double *x_next[3], *v_next[3]; /* NULL: positions and velocities are left alone */
-    double *L[9];                  /* rows of a batch, from `start`; NULL: no gradient */
+    double *x_next[3], *v_next[3];
+    double *L[9]; /* rows of a batch, from `start` */
 } gather_result;
+
+typedef struct gather_step {
+    double kick, dt; /* s: the times over which velocities and positions are advanced */
+    double flip;
+} gather_step;
+
+typedef enum gather_mode { GATHER_MOTION, GATHER_GRADIENT, GATHER_BOTH, GATHER_MODES } gather_mode;
+
+/* From the nodes of a tile's window, interleaved per node (see gather_body), to points [start, end). */
 typedef void gather_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
-                           const double *window, double kick, double dt, double flip, const gather_result *out);
+                           const double *window, const gather_step *step, const gather_result *out);
+
+/* Light nodes matter (kernels.c) where the linear basis takes gradients of accelerated velocities. */
+FLOE_ALWAYS_INLINE bool gather_needs_mass(basis_kind kind, bool motion, bool gradient)
+{
+    return kind == BASIS_LINEAR && motion && gradient;
+}
+
 /* One scalar per node to the points: out[k] for k in [start, end). */
 typedef void sample_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                            const double *window, double *out);
@@ -43,8 +60,7 @@ typedef enum scatter_mode { SCATTER_MOMENTUM, SCATTER_FORCE, SCATTER_ALL, SCATTE
 
 typedef struct kernel_set {
     scatter_kernel *scatter[SCATTER_MODES];
-    gather_kernel *gather_motion;   /* x, v */
-    gather_kernel *gather_gradient; /* L */
+    gather_kernel *gather[GATHER_MODES];
     sample_kernel *sample;
 } kernel_set;
 
