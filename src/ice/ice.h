@@ -19,44 +19,40 @@ typedef struct ice_material {
     eos eos;                /* of a solid: its bulk response (eos "bulk") */
     double shear_viscosity; /* Pa s */
     double bulk_viscosity;  /* Pa s */
-    bool points;            /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
+    bool
+        points; /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
 } ice_material;
 
 /* What bounds the time step now. */
-typedef struct ice_limit { double dt; const char *reason; } ice_limit;
-
-/* A pressurise load that has begun. */
-typedef struct ice_ramp {
-    bool begun;
-    double pressure;            /* Pa: mean of the region when it began */
-    double time;                /* s: start of the step that it began in */
-    long step;                  /* that step */
-} ice_ramp;
+typedef struct ice_limit {
+    double dt;
+    const char *reason;
+} ice_limit;
 
 typedef struct ice {
-    context *ctx;               /* not owned */
-    const scene *scene;         /* not owned */
-    const mesh *mesh;           /* not owned */
-    domain *domain;             /* not owned */
-    stage_list *stages;         /* not owned */
-    ledger *ledger;             /* not owned */
+    context *ctx;       /* not owned */
+    const scene *scene; /* not owned */
+    const mesh *mesh;   /* not owned */
+    domain *domain;     /* not owned */
+    stage_list *stages; /* not owned */
+    ledger *ledger;     /* not owned */
     ice_material material[ICE_MAX_MATERIALS];
     int n_materials;
-    bool with_points;           /* some material is carried by points */
-    bool multi;                 /* more than one material: volume fractions, specific volumes, Newton, exchange */
+    bool with_points; /* some material is carried by points */
+    bool multi;       /* more than one material: volume fractions, specific volumes, Newton, exchange */
     bool viscous;
-    bool pressurise;            /* some load adds energy to a fluid */
-    double gravity[3];          /* m/s2 */
-    exchange_table exchange;    /* K_rs and R_rs */
-    double time, dt;            /* s: of the step under way */
-    long step;                  /* committed steps so far, kept by the owner of the run (ramps counted in steps) */
-    ice_ramp ramp[SCENE_MAX_LOADS]; /* of pressurise loads; to be checkpointed */
+    bool pressurise;         /* some load adds energy to a fluid */
+    double gravity[3];       /* m/s2 */
+    exchange_table exchange; /* K_rs and R_rs */
+    double time, dt;         /* s: of the step under way */
+    long step;               /* committed steps so far, kept by the owner of the run (ramps counted in steps) */
     eos_bulk_par bulk[ICE_MAX_MATERIALS]; /* parameters of the solids' cell view */
-    struct ice_work *work;      /* owned scratch (tile partials, row buffers) */
+    struct ice_work *work;                /* owned scratch (tile partials, row buffers) */
 } ice;
 
 /* Resolves the scene's fluids (and, with solids as points, their cell view) into *out; registers nothing. */
-floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l, bool with_points);
+floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
+                       bool with_points);
 void ice_destroy(ice **s);
 /* Registers the fields that the planned stages use (stages->uses) and allocates scratch. */
 floe_status ice_register(ice *s, domain *d);
@@ -67,17 +63,18 @@ floe_status ice_register(ice *s, domain *d);
 floe_status ice_initialise(ice *s, double *const *taken);
 
 /* The stages, in the order of numerics 5.1 (their names are the ones timed and listed). */
-floe_status ice_boundary_ghosts(ice *s);        /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
-floe_status ice_equilibrium_pressure(ice *s);   /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
-floe_status ice_face_velocity(ice *s);          /* 2.2: u*, exchange at faces */
-floe_status ice_pressure_increment(ice *s);     /* 2.3: dP, P, shock sensor; theta at faces */
-floe_status ice_face_pressure(ice *s);          /* 2.4 */
-floe_status ice_sources(ice *s);                /* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy (fluids); C_SOURCE (points) */
+floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
+floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
+floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
+floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
+floe_status ice_face_pressure(ice *s);        /* 2.4 */
+floe_status
+ice_sources(ice *s); /* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy (fluids); C_SOURCE (points) */
 /* With materials carried by points, between ice_sources and ice_exchange C_MOMENTUM_L of these must be set from the nodes
  * (V rho^r u^L without C_SOURCE); ice_exchange adds C_SOURCE and leaves C_VELOCITY_CHANGE, the change by both. */
-floe_status ice_exchange(ice *s);               /* 2.9: momentum and heat between materials, mixed cells */
-floe_status ice_specific_volume(ice *s);        /* 2.10, 5.5 */
-floe_status ice_advect(ice *s);                 /* 2.11: next state of the fluids */
+floe_status ice_exchange(ice *s);        /* 2.9: momentum and heat between materials, mixed cells */
+floe_status ice_specific_volume(ice *s); /* 2.10, 5.5 */
+floe_status ice_advect(ice *s);          /* 2.11: next state of the fluids */
 
 /* The stages in their order, in the three runs between which the coupled step puts the points: up to the Lagrangian sources,
  * what materials do to each other, advection. */
@@ -86,8 +83,8 @@ floe_status ice_exchange_stages(ice *s);
 floe_status ice_advection_stages(ice *s);
 
 /* The stages in three groups, between which the coupled step puts those of the points; ice_step is the three in a row. */
-floe_status ice_pressure_stages(ice *s);    /* ghosts to sources */
-floe_status ice_exchange_stages(ice *s);    /* exchange, specific volume */
+floe_status ice_pressure_stages(ice *s); /* ghosts to sources */
+floe_status ice_exchange_stages(ice *s); /* exchange, specific volume */
 floe_status ice_advection_stages(ice *s);
 /* The fluid-only step. */
 floe_status ice_step(ice *s);
@@ -100,7 +97,7 @@ floe_status ice_time_step(ice *s, ice_limit *out);
 typedef struct ice_totals {
     double mass[ICE_MAX_MATERIALS], internal[ICE_MAX_MATERIALS], kinetic[ICE_MAX_MATERIALS];
     double momentum[ICE_MAX_MATERIALS][3], momentum_scale[3]; /* scale: sum of |m u| */
-    double max_volume_defect; /* max |TMV/V - 1| */
+    double max_volume_defect;                                 /* max |TMV/V - 1| */
 } ice_totals;
 floe_status ice_sum(ice *s, ice_totals *out);
 /* The cells' material of a scene material, or -1. */

@@ -12,8 +12,8 @@
 
 /* A material's arrays in one block; NULL where the plan has no such field. Face arrays hold one axis each. */
 typedef struct ice_arrays {
-    double *rho, *u[3], *e, *vol;       /* current state; vol: incoming v */
-    double *v;                          /* equilibrated v of this step (lies in the next array of C_VOL) */
+    double *rho, *u[3], *e, *vol; /* current state; vol: incoming v */
+    double *v;                    /* equilibrated v of this step (lies in the next array of C_VOL) */
     double *T, *theta, *c, *kappa;
     double *fu[3], *ft[3];              /* u*, theta at faces */
     double *ul[3], *el, *vl;            /* Lagrangian values */
@@ -28,13 +28,13 @@ typedef struct ice_view {
     double dt, h[3], inv_h[3], gravity[3];
     /* Face area over cell volume along axis 0 at the lower and upper face of local cell i, from -2 to n + 1; 1/h if plane. */
     const double *lower0, *upper0;
-    const double *volume;               /* m3 of local cell i along axis 0 */
-    const double *area0;                /* of its lower face along axis 0 */
+    const double *volume; /* m3 of local cell i along axis 0 */
+    const double *area0;  /* of its lower face along axis 0 */
     double *p, *P, *dP, *shock, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv;
     double *fp[3], *flux[3];
-    double base, slope;                 /* shock sensor: s = base + slope * sensor */
-    double limit_lo, limit_hi;          /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
-    double length;                      /* of the bulk viscosity: V^(1/d), m */
+    double base, slope;        /* shock sensor: s = base + slope * sensor */
+    double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
+    double length;             /* of the bulk viscosity: V^(1/d), m */
     ice_arrays m[ICE_MAX_MATERIALS];
 } ice_view;
 
@@ -44,7 +44,9 @@ typedef void ice_row(const ice_view *v, int j, int k);
 typedef void ice_material_row(const ice_view *v, int r, int axis, int j, int k);
 typedef int ice_source_row(const ice *s, const ice_view *v, int j, int k); /* how many cells were guarded */
 typedef struct ice_advect_job ice_advect_job;
-typedef struct ice_advect_result { int bad, guarded; } ice_advect_result;
+typedef struct ice_advect_result {
+    int bad, guarded;
+} ice_advect_result;
 typedef ice_advect_result ice_advect_slabs(const ice_advect_job *job);
 
 extern ice_row *const ice_sensor_row[3][2];
@@ -63,7 +65,13 @@ typedef struct ice_kernels {
     ice_advect_slabs *advect;
 } ice_kernels;
 
-#define ICE_TABLE(name) {{name##_1_0, name##_1_1}, {name##_2_0, name##_2_1}, {name##_3_0, name##_3_1}}
+#define ICE_TABLE(name)                                     \
+    {                                                       \
+        {name##_1_0, name##_1_1}, {name##_2_0, name##_2_1}, \
+        {                                                   \
+            name##_3_0, name##_3_1                          \
+        }                                                   \
+    }
 #define ICE_EACH(X) X(1, 0) X(1, 1) X(2, 0) X(2, 1) X(3, 0) X(3, 1)
 
 /* Advection of one material over slabs [first, last) of a block: layers of cells along its slowest axis. */
@@ -71,9 +79,9 @@ struct ice_advect_job {
     const ice *s;
     const ice_view *v;
     int material, first, last;
-    bool conserve;          /* numerics 2.8 (iii) */
-    double energy_floor;    /* J/kg; -DBL_MAX where the law must be asked cell by cell */
-    double *buffer;         /* of the thread */
+    bool conserve;       /* numerics 2.8 (iii) */
+    double energy_floor; /* J/kg; -DBL_MAX where the law must be asked cell by cell */
+    double *buffer;      /* of the thread */
 };
 
 /* Where heat would leave less thermal energy than this share of the kinetic, it is not conserved (guard of numerics 2.8). */
@@ -81,37 +89,42 @@ struct ice_advect_job {
 
 /* Per tile: what a step gathers. */
 enum {
-    TILE_MASS,              /* advected through open sides, inward */
-    TILE_MOMENTUM,          /* three */
+    TILE_MASS,     /* advected through open sides, inward */
+    TILE_MOMENTUM, /* three */
     TILE_ENERGY = TILE_MOMENTUM + 3,
-    TILE_DEFECT,            /* J: energy that guards made or took */
-    TILE_MASS_DEFECT,       /* kg */
-    TILE_MOMENTUM_DEFECT,   /* three */
+    TILE_DEFECT,          /* J: energy that guards made or took */
+    TILE_MASS_DEFECT,     /* kg */
+    TILE_MOMENTUM_DEFECT, /* three */
     TILE_GUARDS = TILE_MOMENTUM_DEFECT + 3,
     TILE_FLOORS,
-    TILE_SOURCE_ENERGY,     /* J: gravity's work */
-    TILE_SOURCE_MOMENTUM,   /* three */
-    TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 3, /* two, of whoever needs them, zero otherwise */
-    TILE_VALUES = TILE_SCRATCH + 2
+    TILE_SOURCE_ENERGY,                      /* J: gravity's work */
+    TILE_SOURCE_MOMENTUM,                    /* three */
+    TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 3, /* three, of whoever needs them, zero otherwise */
+    TILE_VALUES = TILE_SCRATCH + 3
 };
 
 /* State of the fluid that an inlet brings, or that lies behind an outlet. */
-typedef struct ice_reservoir { double rho, e, T, v; } ice_reservoir;
+typedef struct ice_reservoir {
+    double rho, e, T, v;
+} ice_reservoir;
 
-typedef struct ice_cell_list { ptrdiff_t *at; size_t n; } ice_cell_list;
+typedef struct ice_cell_list {
+    ptrdiff_t *at;
+    size_t n;
+} ice_cell_list;
 
 typedef struct ice_work {
     int threads;
     ice_kernels kernels;
-    double *metric[MESH_MAX_BLOCKS];    /* lower0, upper0, volume, area0: four runs of n + 5 */
-    double *tile;                       /* TILE_VALUES of every global tile */
+    double *metric[MESH_MAX_BLOCKS]; /* lower0, upper0, volume, area0: four runs of n + 5 */
+    double *tile;                    /* TILE_VALUES of every global tile */
     size_t tiles;
-    double **buffer;                    /* one a thread */
-    int **index;                        /* one a thread, a row long; NULL with one fluid */
-    equilibrium_solver **solver;        /* one a thread; NULL with one fluid */
+    double **buffer;                      /* one a thread */
+    int **index;                          /* one a thread, a row long; NULL with one fluid */
+    equilibrium_solver **solver;          /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     ice_reservoir reservoir[MESH_MAX_DIM][2];
-    double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
+    double energy_floor[ICE_MAX_MATERIALS];                 /* J/kg where the law's floor is constant, else NAN */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 
@@ -127,10 +140,13 @@ void ice_view_make(const ice *s, int block_id, ice_view *v);
 
 /* How a field is continued into the ghosts beyond a side. */
 typedef enum ice_ghost {
-    GHOST_EVEN,         /* mirrored; nearest cell at open sides */
-    GHOST_ZERO_OPEN,    /* mirrored; zero at open sides */
-    GHOST_VELOCITY,     /* a vector: normal component odd at walls; the wall's or inlet's values */
-    GHOST_DENSITY, GHOST_ENERGY, GHOST_TEMPERATURE, GHOST_VOLUME /* as EVEN; the reservoir's value at inlets */
+    GHOST_EVEN,      /* mirrored; nearest cell at open sides */
+    GHOST_ZERO_OPEN, /* mirrored; zero at open sides */
+    GHOST_VELOCITY,  /* a vector: normal component odd at walls; the wall's or inlet's values */
+    GHOST_DENSITY,
+    GHOST_ENERGY,
+    GHOST_TEMPERATURE,
+    GHOST_VOLUME /* as EVEN; the reservoir's value at inlets */
 } ice_ghost;
 void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind);
 /* Ghost faces of F_VEL, so that the outflow of ghost cells is known. */
@@ -143,12 +159,20 @@ void ice_boundary_face_pressure(const ice *s, const ice_view *v);
 void ice_boundary_work(ice *s);
 
 /* Rows of a block with `ghost` layers about it (negative axis: cells), or of the faces normal to `axis`. */
-typedef struct ice_rows { int j0, k0, nj, n; } ice_rows;
+typedef struct ice_rows {
+    int j0, k0, nj, n;
+} ice_rows;
 ice_rows ice_rows_of(const block *b, int axis, int ghost);
 /* Owned rows that one thread must take together, so that no two meet in a tile: for loops that add to tiles. */
 int ice_rows_chunk(const ice *s, ice_rows q);
-static inline int ice_row_j(ice_rows q, int row) { return q.j0 + row % q.nj; }
-static inline int ice_row_k(ice_rows q, int row) { return q.k0 + row / q.nj; }
+static inline int ice_row_j(ice_rows q, int row)
+{
+    return q.j0 + row % q.nj;
+}
+static inline int ice_row_k(ice_rows q, int row)
+{
+    return q.k0 + row / q.nj;
+}
 
 /* The partials of the global tile that holds local cell (i, j, k) of block b. */
 double *ice_tile(const ice *s, const block *b, int i, int j, int k);

@@ -1,5 +1,9 @@
 /* The time step (numerics 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
- * where phi = 1, else 1; diffusion dt <= 1 / (2 nu sum h_i^-2); gravity dt <= (h/|g|)^1/2. Slivers (theta < 1e-6) are left out. */
+ * where phi = 1, else 1; diffusion dt <= 1 / (2 nu sum h_i^-2); gravity dt <= (h/|g|)^1/2. Slivers (theta < 1e-6) are left out.
+ *
+ * A fluid that is tied to the others of its cell faster than sound crosses the cell carries sound at Wood's speed of the mixture,
+ * not at its own: a hot sliver of gas beside a solid does not limit the step. All of it comes from the fluids' state alone (what
+ * they leave of a cell is the solids'), so that a resumed run takes the same steps. */
 #include "ice/ice_internal.h"
 
 #include <math.h>
@@ -19,25 +23,65 @@ static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, do
     return (rates){speed + b * c * sqrt(inverse_square), 2.0 * viscosity / rho * inverse_square};
 }
 
+/* What a cell holds of everything. */
+typedef struct mixture { double density, compressibility, tie; } mixture;
+
+static void add_share(mixture *m, double theta, double rho, double kappa)
+{
+    m->density += theta * rho;
+    m->compressibility += theta * kappa;
+}
+
+/* Seen from fluid r, of pure density rho and sound speed c. */
+static mixture mixture_about(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c)
+{
+    double free = 1.0;
+    mixture m = {0.0, 0.0, 0.0};
+    for (int q = 0; q < s->n_materials; ++q) {
+        const ice_arrays *a = &v->m[q];
+        if (s->material[q].points || !(a->rho[at] > 0.0)) continue;
+        const double theta = a->rho[at] * a->vol[at], density = 1.0 / a->vol[at];
+        double p, c2 = c * c;
+        if (q != r) s->material[q].eos.model->pressure(s->material[q].eos.par, 1, &density, &a->e[at], &p, &c2);
+        free -= theta;
+        add_share(&m, theta, density, 1.0 / (density * c2));
+        if (q != r) m.tie += s->exchange.K[r][q] * theta / rho;
+    }
+    for (int q = 0; q < s->n_materials && free > 0.0; ++q) {
+        if (!s->material[q].points) continue;
+        add_share(&m, free, s->bulk[q].density, 1.0 / s->bulk[q].bulk_modulus);
+        m.tie += s->exchange.K[r][q] * free / rho;
+        break;
+    }
+    return m;
+}
+
+static double signal_speed(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c)
+{
+    if (!s->multi || v->m[r].rho[at] * v->m[r].vol[at] > 1.0 - 1e-12) return c;
+    const mixture m = mixture_about(s, v, r, at, rho, c);
+    const double crossing = c / v->length;
+    return m.tie > 10.0 * crossing ? fmin(c, 1.0 / sqrt(m.density * m.compressibility)) : c;
+}
+
 /* One row of one material: density of the pure material and sound speed from its current state. */
 static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, double *work, rates *most)
 {
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
-    const size_t n = (size_t)v->b->n[0];
-    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0];
     double *rho = work, *e = work + n, *p = work + 2 * n, *c2 = work + 3 * n;
-    for (size_t i = 0; i < n; ++i) {
-        const bool here = !s->multi || m->rho[base + (ptrdiff_t)i] * m->vol[base + (ptrdiff_t)i] > 1e-6;
-        rho[i] = s->multi ? 1.0 / m->vol[base + (ptrdiff_t)i] : m->rho[base + (ptrdiff_t)i];
+    for (ptrdiff_t i = 0; i < n; ++i) {
+        const bool here = !s->multi || m->rho[base + i] * m->vol[base + i] > 1e-6;
+        rho[i] = s->multi ? 1.0 / m->vol[base + i] : m->rho[base + i];
+        e[i] = m->e[base + i];
         if (!here) rho[i] = NAN;
-        e[i] = m->e[base + (ptrdiff_t)i];
     }
-    law->model->pressure(law->par, n, rho, e, p, c2);
-    for (size_t i = 0; i < n; ++i) {
+    law->model->pressure(law->par, (size_t)n, rho, e, p, c2);
+    for (ptrdiff_t i = 0; i < n; ++i) {
         if (isnan(rho[i])) continue;
         if (!(c2[i] > 0.0)) return false;
-        const rates x = cell_rates(s, v, r, base + (ptrdiff_t)i, rho[i], sqrt(c2[i]));
+        const rates x = cell_rates(s, v, r, base + i, rho[i], signal_speed(s, v, r, base + i, rho[i], sqrt(c2[i])));
         if (!isfinite(x.signal)) return false;
         most->signal = fmax(most->signal, x.signal);
         most->diffusion = fmax(most->diffusion, x.diffusion);

@@ -2,6 +2,7 @@
 #include "ice/ice_internal.h"
 
 #include "base/memory.h"
+#include "scene/state.h"
 
 #include <math.h>
 
@@ -24,7 +25,8 @@ static floe_status find_region(ice *s, int l, int id)
                 const int cell[MESH_MAX_DIM] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
                 double x[3] = {0.0, 0.0, 0.0};
                 for (int a = 0; a < b->dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
-                if (!load->region.model || shape_inside(&load->region, b->dim, x)) list->at[list->n++] = mesh_index(b, i, j, k);
+                if (!load->region.model || shape_inside(&load->region, b->dim, x))
+                    list->at[list->n++] = mesh_index(b, i, j, k);
             }
     return FLOE_OK;
 }
@@ -54,15 +56,11 @@ static double heat_by_power(const ice *s, const ice_view *v, int r, ptrdiff_t at
     return amount * s->dt * (s->multi ? v->m[r].theta[at] : 1.0);
 }
 
-/* de = dp / (dp/de at constant density), times the mass. */
-static double heat_by_pressure(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount)
+/* The same energy per mass everywhere: a region heats evenly, and slivers of thin gas are not singled out. */
+static double heat_by_mass(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount)
 {
-    const ice_arrays *m = &v->m[r];
-    const eos *law = &s->material[r].eos;
-    const double rho = s->multi ? 1.0 / m->v[at] : m->rho[at];
-    double slope;
-    law->model->dpde(law->par, 1, &rho, &m->e[at], &slope);
-    return m->rho[at] * amount / slope;
+    (void)s;
+    return v->m[r].rho[at] * amount;
 }
 
 static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
@@ -83,53 +81,56 @@ static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
     }
 }
 
-/* Mean pressure of the region at the start of the step, weighted by the fluid's volume. */
-static double mean_pressure(ice *s, int l, int r)
+/* Mean pressure of the region at the start of the step, and the mean of dp/de at constant density, by the fluid's volume. */
+typedef struct region_means {
+    double pressure, slope;
+} region_means;
+
+static double pressure_slope(const ice *s, const ice_view *v, int r, ptrdiff_t at)
+{
+    const ice_arrays *m = &v->m[r];
+    const eos *law = &s->material[r].eos;
+    const double rho = s->multi ? 1.0 / m->v[at] : m->rho[at];
+    double slope;
+    law->model->dpde(law->par, 1, &rho, &m->e[at], &slope);
+    return slope;
+}
+
+static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at)
+{
+    int cell[MESH_MAX_DIM];
+    local_of(v->b, at, cell);
+    const double weight = v->volume[cell[0]] * (s->multi ? v->m[r].theta[at] : 1.0);
+    double *t = ice_tile(s, v->b, cell[0], cell[1], cell[2]) + TILE_SCRATCH;
+    if (!(weight > 0.0)) return;
+    t[0] += weight;
+    t[1] += weight * v->p[at];
+    t[2] += weight * pressure_slope(s, v, r, at);
+}
+
+static region_means means_of(ice *s, int l, int r)
 {
     double *tile = s->work->tile, sum[TILE_VALUES];
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
         const ice_cell_list *list = &s->work->region[l][id];
-        for (size_t n = 0; n < list->n; ++n) {
-            const ptrdiff_t at = list->at[n];
-            int cell[MESH_MAX_DIM];
-            local_of(v.b, at, cell);
-            const double weight = v.volume[cell[0]] * (s->multi ? v.m[r].theta[at] : 1.0);
-            double *t = ice_tile(s, v.b, cell[0], cell[1], cell[2]);
-            t[TILE_SCRATCH] += weight;
-            t[TILE_SCRATCH + 1] += weight * v.p[at];
-        }
+        for (size_t n = 0; n < list->n; ++n) add_means(s, &v, r, list->at[n]);
     }
     domain_sum_tiles(s->mesh, tile, TILE_VALUES, sum);
-    for (size_t t = 0; t < s->work->tiles; ++t) tile[t * TILE_VALUES + TILE_SCRATCH] = tile[t * TILE_VALUES + TILE_SCRATCH + 1] = 0.0;
-    return sum[TILE_SCRATCH + 1] / sum[TILE_SCRATCH];
-}
-
-/* Share of the ramp that is done at the end of the step. */
-static double ramp_done(const ice *s, const scene_load *load, const ice_ramp *ramp)
-{
-    if (load->ramp_steps > 0) return fmin(1.0, (double)(s->step + 1 - ramp->step) / (double)load->ramp_steps);
-    return load->ramp > 0.0 ? fmin(1.0, (s->time + s->dt - load->start) / load->ramp) : 1.0;
-}
-
-/* Whether the ramp was already done at the start of the step. */
-static bool ramp_over(const ice *s, const scene_load *load, const ice_ramp *ramp)
-{
-    if (load->ramp_steps > 0) return s->step - ramp->step >= load->ramp_steps;
-    return s->time >= load->start + load->ramp && s->time > ramp->time;
+    for (size_t t = 0; t < s->work->tiles; ++t)
+        for (int k = 0; k < 3; ++k) tile[t * TILE_VALUES + TILE_SCRATCH + k] = 0.0;
+    return (region_means){sum[TILE_SCRATCH + 1] / sum[TILE_SCRATCH], sum[TILE_SCRATCH + 2] / sum[TILE_SCRATCH]};
 }
 
 static void pressurise(ice *s, int l, int r)
 {
-    const scene_load *load = &s->scene->load[l];
-    ice_ramp *ramp = &s->ramp[l];
-    const double mean = mean_pressure(s, l, r);
-    if (!ramp->begun) *ramp = (ice_ramp){.begun = true, .pressure = mean, .time = s->time, .step = s->step};
-    if (ramp_over(s, load, ramp) && !load->hold) return;
-    const double target = s->scene->reference_pressure + load->target;
-    const double scheduled = ramp->pressure + ramp_done(s, load, ramp) * (target - ramp->pressure);
-    add_heat(s, l, r, heat_by_pressure, scheduled - mean);
+    bool active;
+    const load_step step = {s->time, s->time + s->dt, s->step};
+    const double scheduled = load_scheduled_pressure(s->scene, &s->scene->load[l], &step, &active);
+    if (!active) return;
+    const region_means mean = means_of(s, l, r);
+    add_heat(s, l, r, heat_by_mass, (scheduled - mean.pressure) / mean.slope);
 }
 
 floe_status ice_apply_loads(ice *s)
@@ -143,7 +144,8 @@ floe_status ice_apply_loads(ice *s)
             pressurise(s, l, r);
             continue;
         }
-        if (!(load->ramp > 0.0) || load->hold || s->time < load->start + load->ramp) add_heat(s, l, r, heat_by_power, load->target);
+        if (!(load->ramp > 0.0) || load->hold || s->time < load->start + load->ramp)
+            add_heat(s, l, r, heat_by_power, load->target);
     }
     return FLOE_OK;
 }

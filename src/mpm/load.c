@@ -4,6 +4,11 @@
 
 #include <string.h>
 
+double load_now(const mpm *s, const scene_load *load)
+{
+    return load_fraction(load, &(load_step){s->time, s->time, s->step - 1});
+}
+
 void set_body_forces(mpm *s)
 {
     memset(s->work->acceleration, 0, sizeof s->work->acceleration);
@@ -12,8 +17,7 @@ void set_body_forces(mpm *s)
         if (load->kind != LOAD_BODY_FORCE) continue;
         for (int b = 0; b < s->n_bodies; ++b)
             if (load->body < 0 || load->body == s->body[b].scene_body)
-                for (int a = 0; a < 3; ++a)
-                    s->work->acceleration[b][a] += load_fraction(load, s->time) * load->vector[a];
+                for (int a = 0; a < 3; ++a) s->work->acceleration[b][a] += load_now(s, load) * load->vector[a];
     }
 }
 
@@ -24,7 +28,8 @@ floe_status set_heating(mpm *s)
         s->work->heat_dp[l] = 0.0;
         if (s->coupled || load->kind != LOAD_PRESSURISE) continue;
         bool active;
-        const double scheduled = load_scheduled_pressure(s->scene, load, s->time + s->dt, s->time, &active);
+        const load_step step = {s->time, s->time + s->dt, s->step};
+        const double scheduled = load_scheduled_pressure(s->scene, load, &step, &active);
         if (!active) continue;
         double now;
         TRY(mpm_mean_pressure(s, load->material, &load->region, &now));

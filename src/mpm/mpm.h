@@ -54,6 +54,7 @@ typedef struct mpm {
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
     double time;            /* s: at the start of the step */
     double dt, dt_previous; /* s; dt_previous 0 before the first step */
+    long step;              /* committed steps so far, kept by the owner of the run */
     struct mpm_work *work;  /* owned: tile partials, kernel table */
 } mpm;
 

@@ -248,7 +248,7 @@ void scatter_surfaces(mpm *s, int group)
         const surface_point *p = &s->work->surface[k];
         const scene_load *load = &s->scene->load[p->load];
         if (s->work->body_group[load->body] != group) continue;
-        const double pressure = load->target * load_fraction(load, s->time);
+        const double pressure = load->target * load_now(s, load);
         const surface_stencil st = surface_locate(s, group, p);
         for (int b = 0; b < s->mesh->n_blocks; ++b) {
             surface_force f = {.dim = s->mesh->dim};
@@ -287,7 +287,7 @@ void move_surfaces(mpm *s, int group)
         for (int a = 0; a < v.dim; ++a) v.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
         const surface_stencil st = surface_locate(s, group, p);
         visit_stencil(&s->mesh->block[b], &st, add_velocity, &v);
-        const double pressure = load->target * load_fraction(load, s->time);
+        const double pressure = load->target * load_now(s, load);
         double power = 0.0;
         for (int a = 0; a < 3; ++a) {
             s->work->surface_next[k].x[a] = p->x[a] + s->dt * v.sum[a];

@@ -122,6 +122,7 @@ floe_status seed_surfaces(mpm *s);
 void scatter_surfaces(mpm *s, int group);
 void move_surfaces(mpm *s, int group);
 void set_body_forces(mpm *s);
+double load_now(const mpm *s, const scene_load *load); /* fraction of the load at the start of the step */
 floe_status set_heating(mpm *s);
 
 /* The calling thread's number, 0 without threads. */

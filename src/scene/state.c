@@ -77,10 +77,16 @@ floe_status body_solid_state(const scene *s, int body, const double x[3], double
     return FLOE_OK;
 }
 
-double load_fraction(const scene_load *load, double t)
+static double fraction_at(const scene_load *load, double t, long steps)
 {
     if (t <= load->start) return 0.0;
+    if (load->ramp_steps > 0) return fmin(1.0, (double)steps / (double)load->ramp_steps);
     return load->ramp > 0.0 ? fmin(1.0, (t - load->start) / load->ramp) : 1.0;
+}
+
+double load_fraction(const scene_load *load, const load_step *step)
+{
+    return fraction_at(load, step->t_end, step->step + 1);
 }
 
 static double initial_pressure(const scene *s, const scene_load *load)
@@ -95,10 +101,10 @@ static double initial_pressure(const scene *s, const scene_load *load)
     return s->has_ambient ? s->ambient_pressure : s->reference_pressure;
 }
 
-double load_scheduled_pressure(const scene *s, const scene_load *load, double t, double t_begin, bool *active)
+double load_scheduled_pressure(const scene *s, const scene_load *load, const load_step *step, bool *active)
 {
-    const double fraction = load_fraction(load, t);
-    *active = fraction > 0.0 && (load->hold || load_fraction(load, t_begin) < 1.0);
+    const double fraction = load_fraction(load, step);
+    *active = fraction > 0.0 && (load->hold || fraction_at(load, step->t, step->step) < 1.0);
     const double first = initial_pressure(s, load), last = s->reference_pressure + load->target;
     return first + fraction * (last - first);
 }

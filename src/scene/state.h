@@ -19,10 +19,17 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
 /* Density and velocity, and stress (xx yy zz xy yz zx, Pa), of a solid body at x. */
 floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6]);
 
-/* Fraction of a load's ramp reached at time t: 0 before its start, 1 after the ramp. */
-double load_fraction(const scene_load *load, double t);
-/* LOAD_PRESSURISE: the absolute mean pressure that the fluid should have at time t; *active tells whether the load acts in the step
- * that begins at t_begin. The ramp runs from the initial pressure of the fluid's first body inside the region. */
-double load_scheduled_pressure(const scene *s, const scene_load *load, double t, double t_begin, bool *active);
+/* A step, as loads see it: from t to t_end (s), the step-th since the start of the run (0 is the first). */
+typedef struct load_step {
+    double t, t_end;
+    long step;
+} load_step;
+
+/* Fraction of a load's ramp reached at the end of the step: 0 before its start, 1 after the ramp; by steps where ramp_steps is set. */
+double load_fraction(const scene_load *load, const load_step *step);
+/* LOAD_PRESSURISE: the absolute mean pressure (Pa) that the fluid should have at the end of the step; *active tells whether the
+ * load acts in it. The ramp runs from the initial pressure of the fluid's first body. It needs no memory, so that a resumed
+ * run goes on as it was. */
+double load_scheduled_pressure(const scene *s, const scene_load *load, const load_step *step, bool *active);
 
 #endif

@@ -62,10 +62,12 @@ static void set_step(sim *s, double dt)
     if (s->mpm) {
         s->mpm->dt = dt;
         s->mpm->time = s->time;
+        s->mpm->step = s->steps;
     }
     if (s->ice) {
         s->ice->dt = dt;
         s->ice->time = s->time;
+        s->ice->step = s->steps;
     }
 }
 
