@@ -153,7 +153,7 @@ floe_status measure_errors(sim *s, const exact *solution, run_summary *r)
     for (int i = 0; i < v->n_metrics && solution->model; i++) {
         const subject what = find_subject(s, solution);
         metric m;
-        double value;
+        double value = (double)NAN;
         TRY(metric_parse(s->ctx, v->metric[i], &m));
         TRY(m.kind == METRIC_EQ13 ? measure_eq13(&what, &value) : measure_norm(&what, &m, &value));
         TRY(summary_add_error(r, s->ctx, v->metric[i], value));
