@@ -14,8 +14,10 @@ cat <<END
 
 The numbers above, and all others, are in $results:
     compare.csv, compare.json    errors, orders and run times of each coupling
+    errors.svg                   errors against spacing and against run time
+    profile.svg, profile.csv     radial and hoop stress along the x axis, beside the exact solution
     */history.csv                energies, momentum and mass over time
-    */fields/fields.xdmf         the fields: in ParaView, File > Open, choose "XDMF Reader", press Apply,
+    */fields.xdmf                the fields: in ParaView, File > Open, choose "XDMF Reader", press Apply,
                                  and colour the points by stress and the cells by pressure
 The deck is $deck; change it, or set any key on the command line:
     build/release/floe compare $deck --set domain.cell=0.0125

@@ -28,7 +28,7 @@ static int use_threads(int threads)
 }
 #endif
 
-enum { CHECKS_PER_WINDOW = 64, ROWS_PER_INTERVAL = 50, WORK_PER_THREAD = 5000 /* points and cells */ };
+enum { CHECKS_PER_WINDOW = 64, ROWS_PER_INTERVAL = 50, WORK_PER_THREAD = 20000 /* points and cells */ };
 
 typedef struct run {
     context *ctx;               /* not owned */

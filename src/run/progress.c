@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 static const double live_interval = 0.2, plain_interval = 5.0; /* s of wall time between lines */
@@ -65,6 +66,14 @@ static void write_line(const progress *p, const sim *s, double now, char *line, 
                    s->dt_reason, left, p->drifts, p->drift);
 }
 
+/* A live line that is longer than the terminal is wide would leave its rest behind. */
+static void cut_to_width(FILE *file, char *line)
+{
+    struct winsize window;
+    if (ioctl(fileno(file), TIOCGWINSZ, &window) != 0 || window.ws_col < 2) return;
+    if (strlen(line) >= window.ws_col) line[window.ws_col - 1] = '\0';
+}
+
 void progress_show(progress *p, const sim *s)
 {
     if (!p->file) return;
@@ -73,6 +82,7 @@ void progress_show(progress *p, const sim *s)
     char line[512];
     p->last = now;
     write_line(p, s, now, line, sizeof line);
+    if (p->live) cut_to_width(p->file, line);
     (void)fprintf(p->file, p->live ? "\r%s\033[K" : "%s\n", line);
     (void)fflush(p->file);
     p->shown = p->live;

@@ -41,7 +41,7 @@ is_there() {
 
 # json FILE KEY: the first value of that key in a JSON file as floe writes it, without quotes and comma.
 json() {
-    sed -nE "s/^ *\"$2\": \"?([^\",]*)\"?,?\$/\\1/p" "$1" | head -n 1
+    sed -nE "s/^ *\"$2\": //p" "$1" | head -n 1 | sed -E 's/,$//; s/^"//; s/"$//'
 }
 
 # below VALUE LIMIT: both are numbers, and VALUE < LIMIT.
