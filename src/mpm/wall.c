@@ -181,8 +181,9 @@ static void add_mirror(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
 {
     mirror_sum *r = user;
     const ptrdiff_t ghost = at - inward, inner = at + inward;
-    if (!(r->mass[ghost] > 0.0) || !owned) return;
-    const double v = r->momentum[inner] / r->mass[inner];
+    if (!owned) return;
+    /* A ghost without mass may still have a surface's load. */
+    const double v = r->mass[inner] > 0.0 ? r->momentum[inner] / r->mass[inner] : 0.0;
     r->sum -= 2.0 * (r->kick * (r->force[ghost] + r->mass[ghost] * r->acceleration[inner]) +
                      r->pic * (r->momentum[ghost] + r->mass[ghost] * v));
 }

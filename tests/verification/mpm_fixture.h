@@ -14,6 +14,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 /* Functions that a test may leave unused. */
 #define FIXTURE static inline __attribute__((unused))
 
@@ -35,10 +39,21 @@ FIXTURE void set_param(const param_spec *params, size_t n, void *par, const char
     check_true(!"the parameter exists");
 }
 
-/* A scene of `dim` dimensions, a box [0, upper] of cells h, all sides free, FLIP 1, without growth limit. */
+FIXTURE void use_threads(int n)
+{
+#ifdef _OPENMP
+    omp_set_num_threads(n);
+#else
+    (void)n;
+#endif
+}
+
+/* A scene of `dim` dimensions, a box [0, upper] of cells h, all sides free, FLIP 1, without growth limit; one
+ * thread, since small scenes wait for each other on a busy machine. */
 FIXTURE void trial_begin(trial *t, int dim, const double upper[3], double h)
 {
     memset(t, 0, sizeof *t);
+    use_threads(1);
     t->ctx = context_create();
     check_ok(t->ctx, scene_create(&t->scene, t->ctx));
     scene *s = t->scene;
@@ -126,7 +141,7 @@ FIXTURE shape make_ball(trial *t, const double centre[3], double radius)
 }
 
 /* Also a shell in three dimensions, where the shape allows it. */
-FIXTURE shape make_annulus(trial *t, double inner, double outer)
+FIXTURE shape make_ring(trial *t, double inner, double outer)
 {
     shape s = make_shape(t, "annulus");
     for (int a = 0; a < 3; ++a) shape_number(&s, "centre", a, 0.0);

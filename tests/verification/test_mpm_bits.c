@@ -1,10 +1,6 @@
 /* The same bits for any blocks and threads: every point field, by id, after points have crossed cells, tiles and seams. */
 #include "mpm_fixture.h"
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 enum { STEPS = 250, MAX_POINTS = 2000, MAX_WORDS = 48 };
 
 typedef struct shot {
@@ -70,9 +66,7 @@ static shot run(const variant *v)
     b->velocity[0] = -0.4;
     scene_load *gravity = add_load(&t, LOAD_BODY_FORCE, 0);
     gravity->vector[1] = -0.3;
-#ifdef _OPENMP
-    omp_set_num_threads(v->threads);
-#endif
+    use_threads(v->threads);
     trial_start(&t);
     trial_steps(&t, STEPS);
     shot s = {.value = calloc(2 * MAX_POINTS, sizeof *s.value), .reorders = t.sim->ledger.count[COUNT_REORDERS]};
