@@ -1,7 +1,7 @@
 # What the command-line tests share. Sourced: FLOE is the program, FLOE_SOURCE the source tree.
 set -euo pipefail
 # One thread, for tests run side by side; where more are meant, the test says so.
-export OMP_NUM_THREADS=1
+export OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive
 : "${FLOE:?the floe program}" "${FLOE_SOURCE:?the source tree}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -34,7 +34,7 @@ same_results out again
 
 # One thread and two: the same bits.
 for threads in 1 2; do
-    expect 0 "$FLOE" run out/deck.yaml -o "threads-$threads" --threads "$threads" --quiet --set time.max_steps=100
+    expect 0 "$FLOE" run out/deck.yaml -o "threads-$threads" --threads "$threads" --quiet --set time.max_steps=30
     [ "$(json "threads-$threads/summary.json" threads)" = "$threads" ] || fault 'another number of threads'
 done
 same_results threads-1 threads-2
