@@ -66,8 +66,8 @@ static double shifted_df(double x, void *params)
 
 /* The solver "bracketed newton" for functions of x > 0 that fall through their root. */
 typedef struct bracketed_newton {
-    double f, df;   /* at the root so far */
-    double lo, hi;  /* f > 0 at lo, f < 0 at hi; 0 and infinity while unknown */
+    double f, df;  /* at the root so far */
+    double lo, hi; /* f > 0 at lo, f < 0 at hi; 0 and infinity while unknown */
     int fallbacks;
 } bracketed_newton;
 

@@ -19,13 +19,13 @@ enum { EQUILIBRIUM_MAX = 16 };
 typedef struct equilibrium_cell {
     int n;
     const eos *eos[EQUILIBRIUM_MAX];
-    double a[EQUILIBRIUM_MAX];      /* kg/m3 */
-    double T[EQUILIBRIUM_MAX];      /* K */
-    double p;                       /* Pa: guess in, pressure out */
-    double v[EQUILIBRIUM_MAX];      /* m3/kg at p, out */
-    double residual;                /* F(p), out */
-    int iterations;                 /* out */
-    int fallbacks;                  /* iterations that took the geometric mean, out */
+    double a[EQUILIBRIUM_MAX]; /* kg/m3 */
+    double T[EQUILIBRIUM_MAX]; /* K */
+    double p;                  /* Pa: guess in, pressure out */
+    double v[EQUILIBRIUM_MAX]; /* m3/kg at p, out */
+    double residual;           /* F(p), out */
+    int iterations;            /* out */
+    int fallbacks;             /* iterations that took the geometric mean, out */
 } equilibrium_cell;
 
 typedef struct equilibrium_solver equilibrium_solver;

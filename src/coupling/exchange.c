@@ -11,9 +11,9 @@ typedef struct present {
     int n;
     int index[EXCHANGE_MAX];
     double mass[EXCHANGE_MAX];
-    double total;   /* of the finite masses */
+    double total; /* of the finite masses */
     double largest;
-    int fixed;      /* a material of infinite mass, or -1 */
+    int fixed; /* a material of infinite mass, or -1 */
 } present;
 
 static present find_present(int n, const double *mass)

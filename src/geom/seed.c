@@ -59,7 +59,8 @@ static uint64_t sub_cell_key(const sub_grid *g, sub_cell c)
 static double sub_face(const sub_grid *g, int axis, int at)
 {
     const int per = g->per[axis];
-    return g->spec->lower[axis] + g->spec->h[axis] * (at / per + (double)(at % per) / per);
+    const int cell = at / per;
+    return g->spec->lower[axis] + g->spec->h[axis] * (cell + (double)(at % per) / per);
 }
 
 static void sub_cell_box(const sub_grid *g, sub_cell c, double lo[3], double hi[3])

@@ -30,7 +30,8 @@ FLOE_ALWAYS_INLINE void centre_slab(const ice_advect_buffers *w, const ice_view 
         for (int k = ice_slab_first(dim, 2); k < ice_slab_last(v->b, dim, 2); ++k) {
             const ptrdiff_t row = ice_slab_row(v->b, dim, k);
 #pragma omp simd
-            for (ptrdiff_t t = row - 2; t < row + v->b->n[0] + 2; ++t) out[t] = x1[t] - 0.5 * (1.0 - s[t]) * (x1[t] - x0[t]);
+            for (ptrdiff_t t = row - 2; t < row + v->b->n[0] + 2; ++t)
+                out[t] = x1[t] - 0.5 * (1.0 - s[t]) * (x1[t] - x0[t]);
         }
     }
 }
@@ -44,10 +45,12 @@ FLOE_ALWAYS_INLINE double limit(double room, double reach, double lo, double hi)
 
 /* Half the central difference along each axis, the sum of their halves (how far a corner lies from the centre) and the
  * smaller of the rises to the highest and the falls to the lowest neighbour. */
-typedef struct slope { double g[3], reach, room; } slope;
+typedef struct slope {
+    double g[3], reach, room;
+} slope;
 
-FLOE_ALWAYS_INLINE slope slope_of(const double *centre, const double *const *lower, const double *const *upper, ptrdiff_t t,
-                                  const int dim)
+FLOE_ALWAYS_INLINE slope slope_of(const double *centre, const double *const *lower, const double *const *upper,
+                                  ptrdiff_t t, const int dim)
 {
     slope s = {.reach = 0.0};
     double up = 0.0, down = 0.0;
@@ -64,8 +67,8 @@ FLOE_ALWAYS_INLINE slope slope_of(const double *centre, const double *const *low
 }
 
 /* Donor data of one row of a slab. */
-FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v, int r, int slab, ptrdiff_t row, const int dim,
-                                  const bool multi)
+FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v, int r, int slab, ptrdiff_t row,
+                                  const int dim, const bool multi)
 {
     const ice_arrays *m = &v->m[r];
     const int slow = dim - 1, nq = ADVECT_COUNT(dim, multi), ring = (slab + 2) & 1;
@@ -90,7 +93,8 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
         }
     }
     const double *dP = v->dP + start, *shock = v->shock + start, *c = m->c + start;
-    const double *kappa = multi ? v->kappa_sum + start : NULL, *common = multi ? v->limiter + start : NULL, *clip = w->clip;
+    const double *kappa = multi ? v->kappa_sum + start : NULL, *common = multi ? v->limiter + start : NULL,
+                 *clip = w->clip;
     const double lo = v->limit_lo, hi = v->limit_hi;
     /* The rows of the buffers and of the fields do not overlap. */
 #pragma omp simd
@@ -171,7 +175,8 @@ FLOE_ALWAYS_INLINE int update_row(const ice_advect_buffers *w, const ice_view *v
 #pragma omp simd reduction(+ : bad)
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = start + i, t = row + i;
-        const double mass = m->rho[at], next = mass - spread(w, v, 0, ring, t, i, dim), inverse = 1.0 / (next + ICE_TINY);
+        const double mass = m->rho[at], next = mass - spread(w, v, 0, ring, t, i, dim),
+                     inverse = 1.0 / (next + ICE_TINY);
         double old_kinetic = 0.0, kinetic = 0.0;
         for (int a = 0; a < dim; ++a) {
             const double u = m->ul[a][at], u1 = (mass * u - spread(w, v, 1 + a, ring, t, i, dim)) * inverse;
@@ -197,7 +202,8 @@ FLOE_ALWAYS_INLINE int update_row(const ice_advect_buffers *w, const ice_view *v
 FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int dim, const bool multi)
 {
     const ice_view *v = job->v;
-    const int r = job->material, slow = dim - 1, rows_lo = ice_slab_first(dim, 0), rows_hi = ice_slab_last(v->b, dim, 0);
+    const int r = job->material, slow = dim - 1, rows_lo = ice_slab_first(dim, 0),
+              rows_hi = ice_slab_last(v->b, dim, 0);
     ice_advect_buffers w;
     ice_advect_divide(&w, job->buffer, v->b, dim, multi);
     ice_advect_result result = {0, 0};
@@ -228,8 +234,8 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
         for (int a = 0; a < (dim > 1 ? dim - 1 : 1); ++a)
             for (int k = rows_lo; k < rows_hi + (a == 1); ++k) {
                 const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-                flux_row(v->m[r].fu[a] + start, v->dt * v->inv_h[a], w.along[a], w.along[a], v->b->stride[a], w.flux[a], row,
-                         row + v->b->n[0] + (a == 0), dim, multi);
+                flux_row(v->m[r].fu[a] + start, v->dt * v->inv_h[a], w.along[a], w.along[a], v->b->stride[a], w.flux[a],
+                         row, row + v->b->n[0] + (a == 0), dim, multi);
             }
         ice_advect_tally_along(&w, job, slab);
         if (dim == 1 && update_row(&w, v, job, 0, ice_slab_row(v->b, dim, 0), dim, multi))
@@ -238,7 +244,10 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
     return result;
 }
 
-#define INSTANCE(d, m)                                                                                                 \
-    static ice_advect_result advect_##d##_##m(const ice_advect_job *job) { return sweep(job, d, m); }
+#define INSTANCE(d, m)                                                   \
+    static ice_advect_result advect_##d##_##m(const ice_advect_job *job) \
+    {                                                                    \
+        return sweep(job, d, m);                                         \
+    }
 ICE_EACH(INSTANCE)
 ice_advect_slabs *const ice_advect_of[3][2] = ICE_TABLE(advect);

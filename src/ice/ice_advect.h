@@ -11,12 +11,12 @@ enum { ADVECT_Q = 5 };
 /* Rows of one slab each. Donor data of an axis: M, g, then N and H of each q. Fluxes: mass, each q, kinetic energy. */
 typedef struct ice_advect_buffers {
     int dim;
-    double *q[3][ADVECT_Q];                         /* centred values, ring of three slabs */
+    double *q[3][ADVECT_Q];                          /* centred values, ring of three slabs */
     double *along[MESH_MAX_DIM][2 * (ADVECT_Q + 1)]; /* donor data for faces inside the slab */
-    double *across[2][2 * (ADVECT_Q + 1)];          /* for faces to the next slab, ring of two */
-    double *flux[2][ADVECT_Q + 2];                  /* inside the slab, by axis */
-    double *flux_across[2][ADVECT_Q + 2];           /* through the slab's lower face, ring of two */
-    double *clip;                                   /* factor on what leaves slivers */
+    double *across[2][2 * (ADVECT_Q + 1)];           /* for faces to the next slab, ring of two */
+    double *flux[2][ADVECT_Q + 2];                   /* inside the slab, by axis */
+    double *flux_across[2][ADVECT_Q + 2];            /* through the slab's lower face, ring of two */
+    double *clip;                                    /* factor on what leaves slivers */
 } ice_advect_buffers;
 
 FLOE_ALWAYS_INLINE double least(double a, double b)
@@ -52,8 +52,8 @@ FLOE_ALWAYS_INLINE int ice_slab_last(const block *b, const int dim, int ghost)
 }
 
 /* dt times the divergence of flux number f, per volume, at slab index t of local cell i. */
-FLOE_ALWAYS_INLINE double spread(const ice_advect_buffers *w, const ice_view *v, int f, int ring, ptrdiff_t t, ptrdiff_t i,
-                                 const int dim)
+FLOE_ALWAYS_INLINE double spread(const ice_advect_buffers *w, const ice_view *v, int f, int ring, ptrdiff_t t,
+                                 ptrdiff_t i, const int dim)
 {
     double sum = v->upper0[i] * w->flux[0][f][t + 1] - v->lower0[i] * w->flux[0][f][t];
     if (dim == 3) sum += (w->flux[1][f][t + v->b->stride[1]] - w->flux[1][f][t]) * v->inv_h[1];
@@ -79,6 +79,7 @@ void ice_advect_clip(ice_advect_buffers *w, const ice_advect_job *job, int slab)
 void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *job, int slab);
 void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *job, int slab);
 /* Counts bad and guarded cells of a row that was updated; the energy that guards made goes to the tiles. */
-void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int slab, int k, ice_advect_result *result);
+void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int slab, int k,
+                     ice_advect_result *result);
 
 #endif

@@ -13,7 +13,8 @@ size_t ice_slab_size(const block *b)
 static size_t rows_of(int dim, bool multi)
 {
     const int nq = ADVECT_COUNT(dim, multi), inside = dim == 3 ? 2 : 1, across = dim > 1 ? 2 : 0;
-    return (size_t)(3 * nq + (inside + across) * 2 * (nq + 1) + (inside + across) * (nq + 2) + 1);
+    const int rows = 3 * nq + (inside + across) * 2 * (nq + 1) + (inside + across) * (nq + 2) + 1;
+    return (size_t)rows;
 }
 
 size_t ice_advect_buffer(const ice *s)
@@ -72,7 +73,8 @@ void ice_advect_clip(ice_advect_buffers *w, const ice_advect_job *job, int slab)
 }
 
 /* Enters what row-wise fluxes carry into a cell's tile; sign +1 where the face normal points inward. */
-static void tally(const ice_advect_job *job, double *const *flux, ptrdiff_t t, double area, double sign, int i, int j, int k)
+static void tally(const ice_advect_job *job, double *const *flux, ptrdiff_t t, double area, double sign, int i, int j,
+                  int k)
 {
     const ice *s = job->s;
     const int dim = job->v->dim, nq = ADVECT_COUNT(dim, s->multi);
@@ -98,7 +100,8 @@ void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *
 {
     const ice_view *v = job->v;
     const int dim = v->dim, slow = dim - 1, n = v->b->n[slow];
-    const bool lower = slab == 0 && open_side(job, slow, SIDE_LOWER), upper = slab == n && open_side(job, slow, SIDE_UPPER);
+    const bool lower = slab == 0 && open_side(job, slow, SIDE_LOWER),
+               upper = slab == n && open_side(job, slow, SIDE_UPPER);
     if (!lower && !upper) return;
     const int inside = lower ? 0 : n - 1;
     for (int k = ice_slab_first(dim, 0); k < ice_slab_last(v->b, dim, 0); ++k) {
@@ -126,14 +129,14 @@ void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *j
         if (!open_side(job, 1, (mesh_side)side)) continue;
         const int face = side == SIDE_LOWER ? 0 : v->b->n[1];
         for (int i = 0; i < n0; ++i)
-            tally(job, w->flux[1], ice_slab_row(v->b, dim, face) + i, face_area(v, 1, i), side == SIDE_LOWER ? 1.0 : -1.0, i,
-                  side == SIDE_LOWER ? 0 : v->b->n[1] - 1, slab);
+            tally(job, w->flux[1], ice_slab_row(v->b, dim, face) + i, face_area(v, 1, i),
+                  side == SIDE_LOWER ? 1.0 : -1.0, i, side == SIDE_LOWER ? 0 : v->b->n[1] - 1, slab);
     }
 }
 
 /* Energy per volume that the update of a cell has made out of nothing: what the guard left out. */
-static double defect_of(const ice_advect_buffers *w, const ice_advect_job *job, int slab, ptrdiff_t start, ptrdiff_t row,
-                        ptrdiff_t i)
+static double defect_of(const ice_advect_buffers *w, const ice_advect_job *job, int slab, ptrdiff_t start,
+                        ptrdiff_t row, ptrdiff_t i)
 {
     const ice_view *v = job->v;
     const ice_arrays *m = &v->m[job->material];

@@ -9,7 +9,10 @@ bool ice_is_wall(bc_kind kind)
 
 /* What becomes of one array beyond a side. */
 typedef enum ghost_act { ACT_MIRROR, ACT_NEAREST, ACT_VALUE, ACT_ODD } ghost_act;
-typedef struct ghost_rule { ghost_act act; double value; } ghost_rule; /* ODD: 2 value - mirror */
+typedef struct ghost_rule {
+    ghost_act act;
+    double value;
+} ghost_rule; /* ODD: 2 value - mirror */
 
 /* Ghosts beyond one side, with `value` added. */
 static void add_to_ghosts(const block *b, int axis, mesh_side side, double value, double *a)
@@ -139,7 +142,8 @@ floe_status ice_boundary_ghosts(ice *s)
         if (s->multi) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
         for (int axis = 0; axis < m->dim; ++axis)
             for (int side = 0; side < 2; ++side) {
-                if (m->periodic[axis] || s->scene->bc.side[axis][side].kind != BC_OUTLET || s->material[r].points) continue;
+                if (m->periodic[axis] || s->scene->bc.side[axis][side].kind != BC_OUTLET || s->material[r].points)
+                    continue;
                 if (!(s->work->reservoir[axis][side].rho > 0.0)) continue;
                 for (int id = 0; id < m->n_blocks; ++id)
                     if (m->block[id].at_side[axis][side])
@@ -151,7 +155,11 @@ floe_status ice_boundary_ghosts(ice *s)
 }
 
 /* One face on a side: the face's index, the owned cell beside it, and +1 where the axis points out of the domain. */
-typedef struct side_face { ptrdiff_t face, cell; int i, j, k; double outward; } side_face;
+typedef struct side_face {
+    ptrdiff_t face, cell;
+    int i, j, k;
+    double outward;
+} side_face;
 typedef void side_visitor(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at);
 
 /* Visits the owned faces of every non-periodic side that the block touches. */
@@ -180,7 +188,8 @@ static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_si
 {
     const ice_arrays *m = &v->m[r];
     const double phi = 0.5 * (1.0 + v->shock[at.cell]), given = s->scene->bc.side[axis][side].pressure;
-    const double room = s->multi ? m->theta[at.cell] : 1.0, mobility = m->rho[at.cell] > 0.0 ? room / m->rho[at.cell] : 0.0;
+    const double room = s->multi ? m->theta[at.cell] : 1.0,
+                 mobility = m->rho[at.cell] > 0.0 ? room / m->rho[at.cell] : 0.0;
     const double gradient = at.outward * (given - v->p[at.cell]) * 2.0 * v->inv_h[axis];
     return m->u[axis][at.cell] + phi * v->dt * (v->gravity[axis] - mobility * gradient);
 }

@@ -69,7 +69,8 @@ static floe_status resolve_materials(ice *s, bool with_points)
         if (m->kind == MATERIAL_SOLID)
             TRY(view_of_solid(s, m, out, &s->bulk[s->n_materials]));
         else
-            *out = (ice_material){.eos = m->eos, .shear_viscosity = m->shear_viscosity, .bulk_viscosity = m->bulk_viscosity};
+            *out = (ice_material){
+                .eos = m->eos, .shear_viscosity = m->shear_viscosity, .bulk_viscosity = m->bulk_viscosity};
         out->scene_material = r;
         s->with_points = s->with_points || out->points;
         s->viscous = s->viscous || out->shear_viscosity > 0.0 || out->bulk_viscosity > 0.0;
@@ -173,7 +174,8 @@ static floe_status resolve(ice *s, bool with_points)
     return FLOE_OK;
 }
 
-floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l, bool with_points)
+floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
+                       bool with_points)
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     ice *made = *out;
@@ -257,7 +259,8 @@ static floe_status register_fields(ice *s, domain *d)
         if (!s->stages->uses[id] || (centring != FIELD_CELL && centring != FIELD_FACE)) continue;
         const field_owner owner = owner_of((field_id)id);
         for (int r = 0; r < (owner == OWNER_SHARED ? 1 : s->n_materials); ++r) {
-            if ((owner == OWNER_FLUIDS && s->material[r].points) || (owner == OWNER_POINTS && !s->material[r].points)) continue;
+            if ((owner == OWNER_FLUIDS && s->material[r].points) || (owner == OWNER_POINTS && !s->material[r].points))
+                continue;
             TRY(domain_add(d, (field_id)id, r));
         }
     }
@@ -294,7 +297,8 @@ static floe_status make_scratch(ice *s)
     TRY(memory_new(s->ctx, &w->tile, w->tiles * TILE_VALUES, sizeof(double)));
     TRY(memory_new(s->ctx, &w->buffer, (size_t)w->threads, sizeof *w->buffer));
     const size_t row = 16 * ((size_t)m->n[0] + 8), sweep = ice_advect_buffer(s);
-    for (int t = 0; t < w->threads; ++t) TRY(memory_new(s->ctx, &w->buffer[t], row > sweep ? row : sweep, sizeof(double)));
+    for (int t = 0; t < w->threads; ++t)
+        TRY(memory_new(s->ctx, &w->buffer[t], row > sweep ? row : sweep, sizeof(double)));
     if (!s->multi) return FLOE_OK;
     TRY(memory_new(s->ctx, &w->solver, (size_t)w->threads, sizeof(equilibrium_solver *)));
     TRY(memory_new(s->ctx, &w->index, (size_t)w->threads, sizeof *w->index));

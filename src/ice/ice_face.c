@@ -10,7 +10,8 @@
 
 #include <math.h>
 
-FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, int j, int k, const int dim, const bool multi)
+FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, int j, int k, const int dim,
+                                          const bool multi)
 {
     const ice_arrays *m = &v->m[r];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
@@ -33,7 +34,8 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
             left += quarter[a] * u[a][L] * (w[L + st[a]] - w[L - st[a]]);
             right += quarter[a] * u[a][R] * (w[R + st[a]] - w[R - st[a]]);
         }
-        const double phi = 0.5 + 0.25 * (shock[L] + shock[R]), smooth = 1.0 - (shock[L] > shock[R] ? shock[L] : shock[R]);
+        const double phi = 0.5 + 0.25 * (shock[L] + shock[R]),
+                     smooth = 1.0 - (shock[L] > shock[R] ? shock[L] : shock[R]);
         const double mean = rho[L] * (w[L] + (1.0 - shock[L]) * left) + rho[R] * (w[R] + (1.0 - shock[R]) * right);
         const double room = multi ? theta[L] + theta[R] : 2.0;
         face[R] = (mean - phi * push * room * (p[R] - p[L])) * inverse + phi * fall +
@@ -41,10 +43,10 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
     }
 }
 
-#define INSTANCE(d, m)                                                                                                 \
-    static void face_velocity_##d##_##m(const ice_view *v, int r, int axis, int j, int k)                              \
-    {                                                                                                                  \
-        face_velocity_row(v, r, axis, j, k, d, m);                                                                     \
+#define INSTANCE(d, m)                                                                    \
+    static void face_velocity_##d##_##m(const ice_view *v, int r, int axis, int j, int k) \
+    {                                                                                     \
+        face_velocity_row(v, r, axis, j, k, d, m);                                        \
     }
 ICE_EACH(INSTANCE)
 ice_material_row *const ice_face_velocity_row[3][2] = ICE_TABLE(face_velocity);

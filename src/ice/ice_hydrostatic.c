@@ -32,12 +32,17 @@ static int gravity_axis(const ice *s)
 }
 
 /* A cell of the mesh, in whichever block it lies. */
-typedef struct place { const block *b; const fields *f; ptrdiff_t at; } place;
+typedef struct place {
+    const block *b;
+    const fields *f;
+    ptrdiff_t at;
+} place;
 
 static place find(const ice *s, const int cell[MESH_MAX_DIM])
 {
     const block *b = &s->mesh->block[mesh_block_of(s->mesh, cell)];
-    return (place){b, s->domain->fields[b->id], mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2])};
+    return (place){b, s->domain->fields[b->id],
+                   mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2])};
 }
 
 /* Densities of a cell at pressure p with its fractions and temperatures; returns their sum. Sets state when asked to. */
@@ -66,7 +71,8 @@ static void composition(const ice *s, place c, double *theta, double *T)
         if (s->material[r].points || !(rho > 0.0)) continue;
         const double pure = s->multi ? 1.0 / field_get(c.f, C_VOL, r, 0)[c.at] : rho;
         theta[r] = rho / pure;
-        s->material[r].eos.model->temperature(s->material[r].eos.par, 1, &pure, &field_get(c.f, C_ENERGY, r, 0)[c.at], &T[r]);
+        s->material[r].eos.model->temperature(s->material[r].eos.par, 1, &pure, &field_get(c.f, C_ENERGY, r, 0)[c.at],
+                                              &T[r]);
     }
 }
 

@@ -14,8 +14,10 @@ static const double quadratic = 1.0, linear = 0.2;
 FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int dim, const bool multi)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
-    const double *restrict F[3] = {v->flux[0], v->flux[1], v->flux[2]}, *restrict u[3] = {v->mean[0], v->mean[1], v->mean[2]};
-    const double *restrict p = v->p, *restrict rho = v->rho_sum, *restrict kappa = v->kappa_sum, *restrict c = v->m[0].c;
+    const double *restrict F[3] = {v->flux[0], v->flux[1], v->flux[2]}, *restrict u[3] = {v->mean[0], v->mean[1],
+                                                                                          v->mean[2]};
+    const double *restrict p = v->p, *restrict rho = v->rho_sum, *restrict kappa = v->kappa_sum,
+                           *restrict c = v->m[0].c;
     const double *restrict shock = v->shock, *restrict lower0 = v->lower0, *restrict upper0 = v->upper0;
     double *restrict dP = v->dP, *restrict P = v->P;
     const double dt = v->dt, length = v->length;
@@ -43,8 +45,11 @@ FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int
     }
 }
 
-#define INSTANCE(d, m)                                                                                                 \
-    static void increment_##d##_##m(const ice_view *v, int j, int k) { increment_row(v, j, k, d, m); }
+#define INSTANCE(d, m)                                               \
+    static void increment_##d##_##m(const ice_view *v, int j, int k) \
+    {                                                                \
+        increment_row(v, j, k, d, m);                                \
+    }
 ICE_EACH(INSTANCE)
 ice_row *const ice_increment_row[3][2] = ICE_TABLE(increment);
 
@@ -101,9 +106,15 @@ FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int
     }
 }
 
-#define THETA(d)                                                                                                       \
-    static void limiter_##d(const ice_view *v, int j, int k) { limiter_row(v, j, k, d); }                              \
-    static void theta_##d(const ice_view *v, int r, int axis, int j, int k) { theta_row(v, r, axis, j, k, d); }
+#define THETA(d)                                                            \
+    static void limiter_##d(const ice_view *v, int j, int k)                \
+    {                                                                       \
+        limiter_row(v, j, k, d);                                            \
+    }                                                                       \
+    static void theta_##d(const ice_view *v, int r, int axis, int j, int k) \
+    {                                                                       \
+        theta_row(v, r, axis, j, k, d);                                     \
+    }
 THETA(1)
 THETA(2)
 THETA(3)

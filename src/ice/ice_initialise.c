@@ -5,9 +5,12 @@
 #include <string.h>
 
 /* What one material brings into a cell, per cell volume. */
-typedef struct content { double fraction, mass, momentum[3], energy; } content;
+typedef struct content {
+    double fraction, mass, momentum[3], energy;
+} content;
 
-static void add_uniform(content *c, int dim, const eos *law, double fraction, double p, double T, double rho, const double *velocity)
+static void add_uniform(content *c, int dim, const eos *law, double fraction, double p, double T, double rho,
+                        const double *velocity)
 {
     const ice_reservoir state = ice_state_of(law, p, T, rho);
     double square = 0.0;
@@ -21,9 +24,11 @@ static void add_uniform(content *c, int dim, const eos *law, double fraction, do
 }
 
 /* Three Gauss points an axis: the average of a smooth exact state to sixth order. */
-static void add_exact(const ice *s, content *c, const scene_body *body, const eos *law, double fraction, const double lo[3])
+static void add_exact(const ice *s, content *c, const scene_body *body, const eos *law, double fraction,
+                      const double lo[3])
 {
-    static const double at[3] = {0.1127016653792583, 0.5, 0.8872983346207417}, weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    static const double at[3] = {0.1127016653792583, 0.5, 0.8872983346207417},
+                        weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     const scene *given = s->scene;
     const int dim = s->mesh->dim;
     for (int point = 0; point < (dim == 1 ? 3 : dim == 2 ? 9 : 27); ++point) {
@@ -33,7 +38,8 @@ static void add_exact(const ice *s, content *c, const scene_body *body, const eo
             share *= weight[rest % 3];
         }
         if (s->mesh->geometry == MESH_AXISYMMETRIC) share *= x[0] / (lo[0] + 0.5 * s->mesh->h[0]);
-        double p = given->initial(given->initial_user, INITIAL_PRESSURE, 0, x), rho = given->initial(given->initial_user, INITIAL_DENSITY, 0, x);
+        double p = given->initial(given->initial_user, INITIAL_PRESSURE, 0, x),
+               rho = given->initial(given->initial_user, INITIAL_DENSITY, 0, x);
         if (isnan(p)) p = body->pressure;
         if (isnan(rho)) rho = body->density;
         for (int a = 0; a < dim; ++a) {
@@ -64,12 +70,13 @@ static void fill_cell(const ice *s, const double lo[3], double room, content *co
         if (body->initial_from_exact && given->initial)
             add_exact(s, &contents[r], body, &s->material[r].eos, fraction, lo);
         else
-            add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, fraction, body->pressure, body->temperature, body->density, body->velocity);
+            add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, fraction, body->pressure, body->temperature,
+                        body->density, body->velocity);
     }
     if (room > 0.0 && given->has_ambient) {
         const int r = ice_material_of(s, given->ambient_material);
-        add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, room, given->ambient_pressure, given->ambient_temperature, NAN,
-                    (const double[3]){0.0, 0.0, 0.0});
+        add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, room, given->ambient_pressure,
+                    given->ambient_temperature, NAN, (const double[3]){0.0, 0.0, 0.0});
     }
 }
 
@@ -113,9 +120,10 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
                 if (!(filled > 0.0)) {
                     char place[160];
                     ice_place(s, b, at, -1, place, sizeof place);
-                    return fail(s->ctx, FLOE_BAD_INPUT,
-                                "%s at (%g, %g, %g) is empty: no body covers it; give an `ambient`, or a body of fluid there", place,
-                                lo[0], lo[1], lo[2]);
+                    return fail(
+                        s->ctx, FLOE_BAD_INPUT,
+                        "%s at (%g, %g, %g) is empty: no body covers it; give an `ambient`, or a body of fluid there",
+                        place, lo[0], lo[1], lo[2]);
                 }
                 store(s, v, at, contents);
             }

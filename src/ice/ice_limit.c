@@ -9,7 +9,9 @@
 #include <math.h>
 
 /* Largest 1/dt of signals and of diffusion. */
-typedef struct rates { double signal, diffusion; } rates;
+typedef struct rates {
+    double signal, diffusion;
+} rates;
 
 static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c)
 {
@@ -24,7 +26,9 @@ static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, do
 }
 
 /* What a cell holds of everything. */
-typedef struct mixture { double density, compressibility, tie; } mixture;
+typedef struct mixture {
+    double density, compressibility, tie;
+} mixture;
 
 static void add_share(mixture *m, double theta, double rho, double kappa)
 {
@@ -120,7 +124,8 @@ floe_status ice_time_step(ice *s, ice_limit *out)
     }
     const double cfl = s->scene->time.cfl_ice;
     *out = (ice_limit){cfl / most.signal, "sound and flow on the cells"};
-    if (!(most.diffusion * out->dt <= 1.0) && most.diffusion > 0.0) *out = (ice_limit){1.0 / most.diffusion, "viscosity on the cells"};
+    if (!(most.diffusion * out->dt <= 1.0) && most.diffusion > 0.0)
+        *out = (ice_limit){1.0 / most.diffusion, "viscosity on the cells"};
     if (gravity > 0.0 && sqrt(1.0 / gravity) < out->dt) *out = (ice_limit){sqrt(1.0 / gravity), "gravity on the cells"};
     return FLOE_OK;
 }

@@ -14,9 +14,9 @@ typedef struct mixture_row {
     const ice_view *v;
     ptrdiff_t from;
     int n;
-    const double *guess;            /* Pa: the last equilibrium pressure */
-    int *index;                     /* cells of a batch */
-    double *a, *b, *c, *d, *e;      /* values of a batch */
+    const double *guess;       /* Pa: the last equilibrium pressure */
+    int *index;                /* cells of a batch */
+    double *a, *b, *c, *d, *e; /* values of a batch */
     equilibrium_solver *solver;
     long cells, iterations, fallbacks;
 } mixture_row;
@@ -115,8 +115,10 @@ static floe_status set_pure(mixture_row *q, int r)
         if (!(q->d[k] > 0.0) || !isfinite(q->c[k])) {
             char place[160];
             ice_place(q->s, q->v->b, at, r, place, sizeof place);
-            return fail(q->s->ctx, FLOE_RETRY, "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
-                        "c^2 = %g m2/s2", place, q->a[k], q->b[k], q->c[k], q->d[k]);
+            return fail(q->s->ctx, FLOE_RETRY,
+                        "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
+                        "c^2 = %g m2/s2",
+                        place, q->a[k], q->b[k], q->c[k], q->d[k]);
         }
         q->v->p[at] = q->c[k];
         m->theta[at] = 1.0;
@@ -131,8 +133,10 @@ static floe_status explain(const mixture_row *q, ptrdiff_t at, const equilibrium
     int used = 0;
     ice_place(q->s, q->v->b, at, -1, place, sizeof place);
     for (int r = 0; r < cell->n && used < (int)sizeof text - 80; ++r)
-        used += snprintf(text + used, sizeof text - (size_t)used, " [%d] %.6g kg/m3 at %.6g K", r, cell->a[r], cell->T[r]);
-    return fail(q->s->ctx, FLOE_RETRY, "equilibrium pressure, %s: no pressure fills it after %d iterations (p = %g Pa, excess volume %g;%s)",
+        used +=
+            snprintf(text + used, sizeof text - (size_t)used, " [%d] %.6g kg/m3 at %.6g K", r, cell->a[r], cell->T[r]);
+    return fail(q->s->ctx, FLOE_RETRY,
+                "equilibrium pressure, %s: no pressure fills it after %d iterations (p = %g Pa, excess volume %g;%s)",
                 place, cell->iterations, cell->p, cell->residual, text);
 }
 
@@ -244,7 +248,8 @@ static floe_status list_mixed(ice *s, const ice_view *v, int id)
 {
     const block *b = v->b;
     ice_cell_list *list = &s->work->mixed[id];
-    if (!list->at) TRY(memory_new(s->ctx, &list->at, (size_t)b->n[0] * (size_t)b->n[1] * (size_t)b->n[2], sizeof *list->at));
+    if (!list->at)
+        TRY(memory_new(s->ctx, &list->at, (size_t)b->n[0] * (size_t)b->n[1] * (size_t)b->n[2], sizeof *list->at));
     list->n = 0;
     for (int k = 0; k < b->n[2]; ++k)
         for (int j = 0; j < b->n[1]; ++j)

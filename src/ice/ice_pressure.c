@@ -26,8 +26,10 @@ static floe_status explain(const ice *s, const ice_view *v)
                 if (m->c[at] > 0.0 && fabs(v->p[at]) <= DBL_MAX) continue;
                 char place[160];
                 ice_place(s, v->b, at, 0, place, sizeof place);
-                return fail(s->ctx, FLOE_RETRY, "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
-                            "c = %g m/s", place, m->rho[at], m->e[at], v->p[at], m->c[at]);
+                return fail(s->ctx, FLOE_RETRY,
+                            "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
+                            "c = %g m/s",
+                            place, m->rho[at], m->e[at], v->p[at], m->c[at]);
             }
     return fail(s->ctx, FLOE_RETRY, "equation of state: a ghost cell has no sound speed");
 }

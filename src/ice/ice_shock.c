@@ -11,7 +11,8 @@ FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int di
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     const double *restrict u[3] = {v->mean[0], v->mean[1], v->mean[2]};
-    const double *restrict c = v->m[0].c, *restrict rho = v->rho_sum, *restrict kappa = v->kappa_sum, *restrict mixed = v->mixed;
+    const double *restrict c = v->m[0].c, *restrict rho = v->rho_sum, *restrict kappa = v->kappa_sum,
+                           *restrict mixed = v->mixed;
     double *restrict shock = v->shock;
     const double slope = v->slope, least = v->base, half = 0.5 * v->length;
     double inv_h[3];
@@ -35,7 +36,10 @@ FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int di
     }
 }
 
-#define INSTANCE(d, m)                                                                                                 \
-    static void sensor_##d##_##m(const ice_view *v, int j, int k) { sensor_row(v, j, k, d, m); }
+#define INSTANCE(d, m)                                            \
+    static void sensor_##d##_##m(const ice_view *v, int j, int k) \
+    {                                                             \
+        sensor_row(v, j, k, d, m);                                \
+    }
 ICE_EACH(INSTANCE)
 ice_row *const ice_sensor_row[3][2] = ICE_TABLE(sensor);

@@ -9,21 +9,21 @@ floe_status ice_pressure_stages(ice *s)
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
           READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(m, C_TEMP), C_PRESSURE),
-          WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_THETA),
-                 WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN), WHEN(m, C_MIXED),
-                 WHEN(p, C_TMV_RATIO)));
+          WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
+                 WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
+                 WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)));
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
           WRITES(F_VEL, C_SHOCK));
     STAGE(s, ALWAYS, ice_pressure_increment,
-          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)),
+          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
+                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
     STAGE(s, ALWAYS, ice_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)), WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sources,
-          READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE, WHEN(m, F_FLUX),
-                WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
+          READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
+                WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
           WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_SOURCE)));
     return FLOE_OK;
 }
@@ -32,11 +32,12 @@ floe_status ice_exchange_stages(ice *s)
 {
     const bool m = s->multi, p = s->with_points;
     STAGE(s, m, ice_exchange,
-          READS(C_RHO, C_THETA, C_VOL, C_TEMP, C_ENERGY, C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE),
-                WHEN(p, C_MOMENTUM_L)),
+          READS(C_RHO, C_THETA, C_VOL, C_TEMP, C_ENERGY, C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO),
+                WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L)),
           WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_VELOCITY_CHANGE)));
     STAGE(s, m, ice_specific_volume,
-          READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO)), WRITES(C_VOLUME_L, C_VOL));
+          READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO)),
+          WRITES(C_VOLUME_L, C_VOL));
     return FLOE_OK;
 }
 
@@ -44,8 +45,9 @@ floe_status ice_advection_stages(ice *s)
 {
     const bool m = s->multi;
     STAGE(s, ALWAYS, ice_advect,
-          READS(C_RHO, C_VEL, C_ENERGY, F_VEL, C_DP, C_SHOCK, C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L),
-                WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(m, C_PRESSURE)),
+          READS(C_RHO, C_VEL, C_ENERGY, F_VEL, C_DP, C_SHOCK, C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL),
+                WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP),
+                WHEN(m, C_PRESSURE)),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L)));
     return FLOE_OK;
 }

@@ -18,7 +18,8 @@ static ice_advect_result advect_block(ice *s, const ice_view *v, int r)
 {
     const block *b = v->b;
     const int slow = b->dim - 1, tile = s->mesh->tile[slow];
-    const int most_chunks = b->dim == 1 ? 1 : b->tiles[slow], chunks = s->work->threads < most_chunks ? s->work->threads : most_chunks;
+    const int most_chunks = b->dim == 1 ? 1 : b->tiles[slow],
+              chunks = s->work->threads < most_chunks ? s->work->threads : most_chunks;
     const double floor = s->work->energy_floor[r];
     int bad = 0, guarded = 0;
 #pragma omp parallel for schedule(static, 1) reduction(+ : bad, guarded)
@@ -49,7 +50,8 @@ static const char *fault_of(const ice *s, const ice_view *v, int r, ptrdiff_t at
     const eos *law = &s->material[r].eos;
     if (!(m->rho1[at] > 0.0)) return NULL;
     const double density = s->multi ? 1.0 / m->vol1[at] : m->rho1[at];
-    if (!(m->e1[at] > law->model->energy_floor(law->par, density))) return "its internal energy would fall below the law's floor";
+    if (!(m->e1[at] > law->model->energy_floor(law->par, density)))
+        return "its internal energy would fall below the law's floor";
     return NULL;
 }
 
@@ -66,7 +68,8 @@ static floe_status explain(const ice *s, const ice_view *v, int r)
                 char place[160];
                 ice_place(s, b, at, r, place, sizeof place);
                 return fail(s->ctx, FLOE_RETRY,
-                            "advection, %s: %s (density %g to %g kg/m3, internal energy %g to %g J/kg, outflow %g of the volume, "
+                            "advection, %s: %s (density %g to %g kg/m3, internal energy %g to %g J/kg, outflow %g of "
+                            "the volume, "
                             "step %g s)",
                             place, fault, v->m[r].rho[at], v->m[r].rho1[at], v->m[r].e[at], v->m[r].e1[at],
                             ice_outflow(v, &v->m[r], at, i, v->dim), s->dt);

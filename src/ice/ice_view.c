@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-static void vector(const fields *f, double *(*get)(const fields *, field_id, int, int), field_id id, int instance, int dim,
-                   double *out[3])
+static void vector(const fields *f, double *(*get)(const fields *, field_id, int, int), field_id id, int instance,
+                   int dim, double *out[3])
 {
     for (int a = 0; a < dim; ++a) out[a] = get(f, id, instance, a);
 }

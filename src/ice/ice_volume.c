@@ -24,7 +24,8 @@ static bool row_volumes(const ice *s, const ice_view *v, int r, ptrdiff_t base)
         double dP = v->dP[at];
         if (v->tmv && v->mixed[at] >= 64.0) dP += beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
         double next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
-        if (m->theta[at] < 1e-4 || s->material[r].points) next = fmin(fmax(next, room / most_change), room * most_change);
+        if (m->theta[at] < 1e-4 || s->material[r].points)
+            next = fmin(fmax(next, room / most_change), room * most_change);
         good = good && next > 0.0;
         out[at] = next;
     }
@@ -37,7 +38,8 @@ static floe_status explain(const ice *s, const ice_view *v, int r, ptrdiff_t bas
         if (s->material[r].points || !(v->m[r].rho[at] > 0.0) || v->m[r].vl[at] > 0.0) continue;
         char place[160];
         ice_place(s, v->b, at, r, place, sizeof place);
-        return fail(s->ctx, FLOE_RETRY, "specific volume, %s: it would become %g m3/kg (before %g, dP = %g Pa, theta = %g)", place,
+        return fail(s->ctx, FLOE_RETRY,
+                    "specific volume, %s: it would become %g m3/kg (before %g, dP = %g Pa, theta = %g)", place,
                     v->m[r].vl[at], v->m[r].v[at], v->dP[at], v->m[r].theta[at]);
     }
     return FLOE_OK;

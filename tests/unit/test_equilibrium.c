@@ -93,8 +93,13 @@ static void all_cases_converge(void **state)
             for (int lp = -2; lp <= 10; lp += 4)
                 for (int guess = -6; guess <= 12; guess += 9) {
                     const double gas = pow(10.0, e), p = pow(10.0, lp);
-                    const double theta[MATERIALS] = {gas, partner == 0 ? 1.0 - gas : partner == 2 ? 0.5 * (1.0 - gas) : 0.0,
-                                                     partner == 1 ? 1.0 - gas : partner == 2 ? 0.5 * (1.0 - gas) : 0.0};
+                    const double theta[MATERIALS] = {gas,
+                                                     partner == 0   ? 1.0 - gas
+                                                     : partner == 2 ? 0.5 * (1.0 - gas)
+                                                                    : 0.0,
+                                                     partner == 1   ? 1.0 - gas
+                                                     : partner == 2 ? 0.5 * (1.0 - gas)
+                                                                    : 0.0};
                     equilibrium_cell c = mixture(t, theta, p);
                     c.p = pow(10.0, guess);
                     assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);

@@ -22,7 +22,8 @@ static void momentum_is_kept(void **state)
     for (int s = 0; s < 3; ++s)
         for (int n = 2; n <= 5; ++n)
             for (int trial = 0; trial < 500; ++trial) {
-                double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[1][EXCHANGE_MAX], before = 0.0, after = 0.0, scale = 0.0;
+                double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[1][EXCHANGE_MAX], before = 0.0, after = 0.0,
+                                                                                    scale = 0.0;
                 exchange_matrix K, a;
                 for (int r = 0; r < n; ++r) {
                     mass[r] = pow(10.0, 12.0 * next(&seed) - 6.0);

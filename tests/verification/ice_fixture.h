@@ -22,7 +22,7 @@ typedef struct fixture {
     ledger ledger;
     domain *domain;
     ice *ice;
-    exact exact;        /* initial state and reference, if any */
+    exact exact; /* initial state and reference, if any */
     void *exact_par;
     double time, dt;
     long steps;
@@ -30,7 +30,8 @@ typedef struct fixture {
 } fixture;
 
 /* Sets a double in a parameter struct by the key of its table; index counts along a list. */
-static inline void fixture_param(const param_spec *params, size_t n, void *par, const char *key, int index, double value)
+static inline void fixture_param(const param_spec *params, size_t n, void *par, const char *key, int index,
+                                 double value)
 {
     for (size_t k = 0; k < n; ++k)
         if (strcmp(params[k].key, key) == 0) {
@@ -78,7 +79,8 @@ static inline int fixture_fluid(fixture *f, const char *model, double gamma, dou
 }
 
 /* A box body [lo, hi] of a fluid, with a density (or, if that is NAN, a temperature). */
-static inline scene_body *fixture_box(fixture *f, int material, const double *lo, const double *hi, double p, double T, double rho)
+static inline scene_body *fixture_box(fixture *f, int material, const double *lo, const double *hi, double p, double T,
+                                      double rho)
 {
     scene_body *b = &f->scene->body[f->scene->n_bodies++];
     const shape_model *box = shape_find("box");
@@ -119,7 +121,11 @@ static inline double fixture_initial(void *user, initial_quantity quantity, int 
 }
 
 /* Parameters of the exact solution: pairs of key and value. */
-typedef struct fixture_value { const char *key; double value; int index; } fixture_value;
+typedef struct fixture_value {
+    const char *key;
+    double value;
+    int index;
+} fixture_value;
 
 static inline void fixture_exact(fixture *f, const char *name, size_t n, const fixture_value *values)
 {
@@ -151,7 +157,8 @@ static inline void fixture_account(fixture *f, ledger *l)
     }
     for (int q = 0; q < LEDGER_QUANTITIES; ++q) {
         l->total[q] = total[q];
-        const double size = q >= LEDGER_MOMENTUM_X && q <= LEDGER_MOMENTUM_Z ? t.momentum_scale[q - LEDGER_MOMENTUM_X] : fabs(total[q]);
+        const double size =
+            q >= LEDGER_MOMENTUM_X && q <= LEDGER_MOMENTUM_Z ? t.momentum_scale[q - LEDGER_MOMENTUM_X] : fabs(total[q]);
         l->scale[q] = fmax(l->scale[q], size);
     }
 }

@@ -42,8 +42,9 @@ static void simple_wave(void **state)
         full[k] = wave_error(100 << k, 1e-4, ICE_CENTRING_FULL, 1.0);
     }
     const double order = fitted(3, h, weak), nonlinear = fitted(3, h, strong), first = fitted(3, h, full);
-    printf("simple wave: L1 %.3e %.3e %.3e order %.3f; amplitude 0.1 c: %.3e %.3e %.3e order %.3f; phi = 1: order %.3f\n", weak[0],
-           weak[1], weak[2], order, strong[0], strong[1], strong[2], nonlinear, first);
+    printf(
+        "simple wave: L1 %.3e %.3e %.3e order %.3f; amplitude 0.1 c: %.3e %.3e %.3e order %.3f; phi = 1: order %.3f\n",
+        weak[0], weak[1], weak[2], order, strong[0], strong[1], strong[2], nonlinear, first);
     check_true(order >= 1.95);
     check_true(nonlinear >= 1.9);
     check_true(first >= 0.8 && first <= 1.1);
@@ -56,8 +57,8 @@ static double vortex_error(int cells, ice_limiter limiter, double end)
     const int gas = fixture_fluid(&f, "ideal", 1.4, 1.0, 0.0);
     fixture_fill(&f, gas, 1.0, (double)NAN, 1.0);
     f.scene->method.limiter = limiter;
-    const fixture_value values[] = {{"centre", 5.0, 0}, {"centre", 5.0, 1}, {"velocity", 1.0, 0}, {"velocity", 1.0, 1},
-                                    {"period", 10.0, 0}, {"period", 10.0, 1}};
+    const fixture_value values[] = {{"centre", 5.0, 0},   {"centre", 5.0, 1},  {"velocity", 1.0, 0},
+                                    {"velocity", 1.0, 1}, {"period", 10.0, 0}, {"period", 10.0, 1}};
     fixture_exact(&f, "isentropic_vortex", sizeof values / sizeof *values, values);
     fixture_start(&f);
     fixture_run(&f, end);
@@ -77,8 +78,8 @@ static void vortex(void **state)
         unlimited[k] = vortex_error(64 << k, ICE_LIMITER_NONE, 2.0);
     }
     const double a = fitted(3, h, limited), b = fitted(3, h, unlimited);
-    printf("vortex: limited %.3e %.3e %.3e order %.3f; unlimited %.3e %.3e %.3e order %.3f\n", limited[0], limited[1], limited[2], a,
-           unlimited[0], unlimited[1], unlimited[2], b);
+    printf("vortex: limited %.3e %.3e %.3e order %.3f; unlimited %.3e %.3e %.3e order %.3f\n", limited[0], limited[1],
+           limited[2], a, unlimited[0], unlimited[1], unlimited[2], b);
     check_true(a >= 1.7);
     check_true(b >= 1.9);
 }
@@ -115,7 +116,8 @@ static void columns_at_rest(void **state)
         fixture f;
         const int dim = variant == 0 ? 1 : 2, axis = dim - 1;
         const bool water = variant == 3;
-        fixture_create(&f, dim, dim == 1 ? (const int[]){100} : (const int[]){8, 60}, dim == 1 ? (const double[]){1000.0} : (const double[]){8.0, 60.0}, false);
+        fixture_create(&f, dim, dim == 1 ? (const int[]){100} : (const int[]){8, 60},
+                       dim == 1 ? (const double[]){1000.0} : (const double[]){8.0, 60.0}, false);
         fixture_fluid(&f, "ideal", 1.4, 717.5, 0.0);
         if (variant == 2) f.scene->mesh.geometry = MESH_AXISYMMETRIC;
         if (water) {

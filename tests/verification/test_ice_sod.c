@@ -10,15 +10,19 @@ static void make_tube(fixture *f, int cells, const fixture_value *side, double p
     fixture_create(f, 1, &cells, (const double[]){1.0}, false);
     const int gas = fixture_fluid(f, "ideal", 1.4, 1.0, 0.0);
     fixture_fill(f, gas, side[1].value, (double)NAN, side[0].value);
-    const fixture_value values[] = {{"left_density", side[0].value, 0},  {"left_pressure", side[1].value, 0},
-                                    {"left_velocity", side[2].value, 0}, {"right_density", side[3].value, 0},
-                                    {"right_pressure", side[4].value, 0}, {"right_velocity", side[5].value, 0},
+    const fixture_value values[] = {{"left_density", side[0].value, 0},
+                                    {"left_pressure", side[1].value, 0},
+                                    {"left_velocity", side[2].value, 0},
+                                    {"right_density", side[3].value, 0},
+                                    {"right_pressure", side[4].value, 0},
+                                    {"right_velocity", side[5].value, 0},
                                     {"position", position, 0}};
     fixture_exact(f, "riemann", sizeof values / sizeof *values, values);
     fixture_start(f);
 }
 
-static const fixture_value sod[6] = {{"", 1.0, 0}, {"", 1.0, 0}, {"", 0.0, 0}, {"", 0.125, 0}, {"", 0.1, 0}, {"", 0.0, 0}};
+static const fixture_value sod[6] = {{"", 1.0, 0},   {"", 1.0, 0}, {"", 0.0, 0},
+                                     {"", 0.125, 0}, {"", 0.1, 0}, {"", 0.0, 0}};
 
 /* Where density crosses the mean of the two sides of the shock, as a share of its travel. */
 static double shock_error(const fixture *f)
@@ -51,8 +55,8 @@ static void error_and_order(void **state)
         shock = shock_error(&f);
         const double mass = ledger_drift(&f.ledger, LEDGER_MASS), energy = ledger_drift(&f.ledger, LEDGER_ENERGY),
                      momentum = ledger_drift(&f.ledger, LEDGER_MOMENTUM_X);
-        printf("sod %d cells, %ld steps: L1(rho) %.6f, shock %.4f %% of its travel, drifts %.1e %.1e %.1e\n", cells, f.steps, error[k],
-               100.0 * shock, mass, momentum, energy);
+        printf("sod %d cells, %ld steps: L1(rho) %.6f, shock %.4f %% of its travel, drifts %.1e %.1e %.1e\n", cells,
+               f.steps, error[k], 100.0 * shock, mass, momentum, energy);
         check_true(mass <= 1e-13);
         check_true(momentum <= 1e-12);
         check_true(energy <= 1e-12);

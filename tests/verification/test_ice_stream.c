@@ -8,7 +8,8 @@
 /* A number in [0, 1) that depends on a global cell alone. */
 static double noise(const int *cell, int which)
 {
-    unsigned long long x = (unsigned long long)(cell[0] + 1000 * cell[1] + 1000000 * cell[2]) * 0x9E3779B97F4A7C15ull + (unsigned long long)which;
+    unsigned long long x = (unsigned long long)(cell[0] + 1000 * cell[1] + 1000000 * cell[2]) * 0x9E3779B97F4A7C15ull +
+                           (unsigned long long)which;
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
     x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
     return (double)((x ^ (x >> 31)) >> 11) * 0x1p-53;
@@ -166,7 +167,8 @@ static void closed_box(void **state)
             make_gas(&f, dim, false);
             f.scene->n_bodies = 0;
             const int other = two ? fixture_fluid(&f, "ideal", 1.67, 312.0, 0.0) : 0;
-            fixture_box(&f, other, (const double[]){-1.0, -1.0, -1.0}, (const double[]){0.42, 0.33, 0.51}, 5e5, 600.0, (double)NAN);
+            fixture_box(&f, other, (const double[]){-1.0, -1.0, -1.0}, (const double[]){0.42, 0.33, 0.51}, 5e5, 600.0,
+                        (double)NAN);
             fixture_fill(&f, 0, 1e5, 300.0, (double)NAN);
             f.scene->method.exchange = 1e15;
             fixture_start(&f);
@@ -179,8 +181,8 @@ static void closed_box(void **state)
                     check_true(drift <= 1e-12);
                 }
             }
-            printf(" guards %lld newton %lld/%lld\n", f.ledger.count[COUNT_ENERGY_GUARDS], f.ledger.count[COUNT_NEWTON_ITERATIONS],
-                   f.ledger.count[COUNT_NEWTON_CELLS]);
+            printf(" guards %lld newton %lld/%lld\n", f.ledger.count[COUNT_ENERGY_GUARDS],
+                   f.ledger.count[COUNT_NEWTON_ITERATIONS], f.ledger.count[COUNT_NEWTON_CELLS]);
             fixture_destroy(&f);
         }
 }
@@ -197,8 +199,10 @@ static void copy_state(const fixture *f, double *out)
                             const field_id fid = what == 0 ? C_RHO : what == 1 ? C_ENERGY : C_VEL;
                             const double *a = field_get(f->domain->fields[id], fid, r, what < 2 ? 0 : what - 2);
                             const size_t cell = (size_t)(b->lo[0] + i) +
-                                                (size_t)f->mesh.n[0] * ((size_t)(b->lo[1] + j) + (size_t)f->mesh.n[1] * (size_t)(b->lo[2] + k));
-                            out[((size_t)r * 5 + (size_t)what) * mesh_cells(&f->mesh) + cell] = a[mesh_index(b, i, j, k)];
+                                                (size_t)f->mesh.n[0] * ((size_t)(b->lo[1] + j) +
+                                                                        (size_t)f->mesh.n[1] * (size_t)(b->lo[2] + k));
+                            out[((size_t)r * 5 + (size_t)what) * mesh_cells(&f->mesh) + cell] =
+                                a[mesh_index(b, i, j, k)];
                         }
     }
 }
@@ -218,7 +222,8 @@ static void same_bits(void **state)
                 f.scene->bc.side[0][0].kind = f.scene->bc.side[0][1].kind = BC_PERIODIC;
                 f.scene->n_bodies = 0;
                 const int other = two ? fixture_fluid(&f, "ideal", 1.67, 312.0, 0.0) : 0;
-                fixture_box(&f, other, (const double[]){-1.0, -1.0, -1.0}, (const double[]){0.42, 0.33, 0.51}, 5e5, 600.0, (double)NAN);
+                fixture_box(&f, other, (const double[]){-1.0, -1.0, -1.0}, (const double[]){0.42, 0.33, 0.51}, 5e5,
+                            600.0, (double)NAN);
                 fixture_fill(&f, 0, 1e5, 300.0, (double)NAN)->velocity[0] = 80.0;
                 f.scene->method.exchange = 1e3;
                 for (int a = 0; a < 2; ++a) f.scene->mesh.blocks[a] = variant >= 2 ? 2 : 1;
@@ -248,8 +253,9 @@ static void same_bits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_fluid_stream), cmocka_unit_test(several_fluids_stream), cmocka_unit_test(axisymmetric_rest),
-        cmocka_unit_test(closed_box),       cmocka_unit_test(same_bits),
+        cmocka_unit_test(one_fluid_stream),  cmocka_unit_test(several_fluids_stream),
+        cmocka_unit_test(axisymmetric_rest), cmocka_unit_test(closed_box),
+        cmocka_unit_test(same_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
