@@ -8,6 +8,13 @@
 /* Where the stored components of the deformation gradient go in a batch; those of stress keep their place. */
 static const int deform_slot[3][9] = {{0, 4, 8}, {0, 1, 3, 4, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
 
+/* Velocities stand at n - 1/2, so what USF strains with before the forces brings the stress from n - 1 to n: it takes the step
+ * before, none at first. (With this step instead, USF is first order in time.) Coupled, all lives at n. */
+static double strain_step(const mpm *s)
+{
+    return s->scene->method.stress == STRESS_USF && !s->coupled ? s->dt_previous : s->dt;
+}
+
 void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch)
 {
     const fields *f = s->domain->fields[blk];
@@ -16,7 +23,7 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
     double *(*get)(const fields *, field_id, int, int) = next ? field_next : field_get;
     const mpm_body *b = &s->body[body];
     batch->n = n;
-    batch->dt = s->dt;
+    batch->dt = strain_step(s);
     memcpy(batch->J, get(f, P_J, body, 0) + start, bytes);
     memcpy(batch->J_old, batch->J, bytes);
     for (int c = 0; c < field_component_count(FIELD_STRESS, dim); ++c)
