@@ -1,0 +1,118 @@
+/* Uniform stress: the nodal forces should vanish, and what is left is the error of points as a quadrature (numerics 4.7): with
+ * points incommensurate with the cells it falls as points-per-cell^-1 for the linear basis, ^-2 for the quadratic one, and
+ * is round-off for GIMP while its domains tile. And the jump of the force as a point crosses a cell's face (B9). */
+#include "mpm_fixture.h"
+
+#include "mpm/work.h"
+
+typedef struct stretched {
+    double ratio, stress;
+} stretched;
+
+/* Stretches a body about the origin, with its volumes and domains, under a stress of our own. */
+static void stretch_point(void *user, const fields *f, int body, size_t k)
+{
+    const stretched *s = user;
+    const double area = field_get(f, P_POS, body, 1) ? s->ratio : 1.0;
+    field_get(f, P_J, body, 0)[k] = s->ratio * area;
+    for (int a = 0; a < 2 && field_get(f, P_POS, body, a); ++a) {
+        field_get(f, P_POS, body, a)[k] *= s->ratio;
+        if (fields_has(f, P_HALF, body)) field_get(f, P_HALF, body, a)[k] *= s->ratio;
+        field_get(f, P_STRESS, body, a)[k] = s->stress;
+    }
+}
+
+/* Root mean square of the force at nodes well inside, over stress times face area. */
+static double force_error(const char *basis, int dim, int per_cell, double ratio)
+{
+    trial t;
+    const double size[3] = {2.0, dim > 1 ? 2.0 : 0.0, 0.0}, h = 0.1;
+    trial_begin(&t, dim, size, h);
+    set_method(&t, basis, STRESS_USL, 1.0);
+    const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.5, 1.5, 1.0};
+    add_body(&t, add_solid(&t, "linear_elastic", 3.0, 1.0, 1.0), make_box(&t, lo, hi), per_cell);
+    trial_start(&t);
+    stretched s = {ratio, 1.0};
+    visit_points(&t, 0, stretch_point, &s);
+    check_ok(t.ctx, mpm_resort(t.sim->mpm));
+    t.sim->mpm->dt = 1e-3;
+    check_ok(t.ctx, mpm_begin_step(t.sim->mpm));
+    check_ok(t.ctx, mpm_points_to_nodes(t.sim->mpm));
+    const block *b = &t.sim->mesh.block[0];
+    double square = 0.0;
+    int n = 0;
+    for (int j = dim > 1 ? 2 : 0; j <= (dim > 1 ? 9 : 0); ++j)
+        for (int i = 2; i <= 9; ++i)
+            for (int a = 0; a < dim; ++a, ++n) {
+                const double f = field_get(t.sim->domain->fields[0], N_FORCE, 0, a)[mesh_index(b, i, j, 0)];
+                square += f * f;
+            }
+    trial_end(&t);
+    return sqrt(square / n) / (dim > 1 ? h : 1.0);
+}
+
+/* Over spacings with n - 1/2 to n + 1/2 points a cell: whole numbers of them, which are exact, have no more weight than others. */
+static double mean_error(const char *basis, int dim, int per_cell)
+{
+    enum { SAMPLES = 16 };
+    double square = 0.0;
+    for (int k = 0; k < SAMPLES; ++k) {
+        const double points = per_cell + (k + 0.5) / SAMPLES - 0.5;
+        const double error = force_error(basis, dim, per_cell, per_cell / points);
+        square += error * error;
+    }
+    return sqrt(square / SAMPLES);
+}
+
+static void test_quadrature(void **state)
+{
+    (void)state;
+    const double spacing[] = {1.0 / 2, 1.0 / 3, 1.0 / 4, 1.0 / 6, 1.0 / 8};
+    const int per_cell[] = {2, 3, 4, 6, 8};
+    context *ctx = context_create();
+    for (int dim = 1; dim <= 2; ++dim)
+        for (size_t i = 0; i < basis_registry_size; ++i) {
+            const basis_model *b = basis_registry[i];
+            double error[5];
+            order_fit fit;
+            for (int k = 0; k < 5; ++k) error[k] = mean_error(b->name, dim, per_cell[k]);
+            if (b->kind == BASIS_GIMP) {
+                for (int k = 0; k < 5; ++k) check_true(error[k] <= 1e-13);
+                continue;
+            }
+            check_ok(ctx, order_fit_power(ctx, 5, spacing, error, &fit));
+            print_message("%s, %d-D: %.2e at 2 points a cell, %.2e at 8, exponent %.2f +- %.2f\n", b->name, dim,
+                          error[0], error[4], fit.order, fit.standard_error);
+            check_close(fit.order, b->kind == BASIS_LINEAR ? 1.0 : 2.0, 0.2);
+        }
+    context_destroy(&ctx);
+}
+
+static double force_on_node(const char *basis, double x)
+{
+    const basis_model *b = basis_find(basis);
+    double w[BASIS_MAX_SUPPORT], dw[BASIS_MAX_SUPPORT];
+    const double cell = floor(x);
+    const int first = (int)cell + b->weights(x - cell, 0.25, 1.0, w, dw);
+    return first <= 1 && 1 < first + b->support ? dw[1 - first] : 0.0;
+}
+
+/* A point moves from the cell left of node 1 to the one right of it. */
+static void test_crossing(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < basis_registry_size; ++i) {
+        const basis_model *b = basis_registry[i];
+        const double jump = fabs(force_on_node(b->name, 1.0 + 1e-9) - force_on_node(b->name, 1.0 - 1e-9));
+        check_true(b->smoothness == 0 ? fabs(jump - 2.0) < 1e-6 : jump < 1e-7);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_quadrature),
+        cmocka_unit_test(test_crossing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
