@@ -85,8 +85,9 @@ static void tile_losses(const mpm *s, int blk, int tile, int group, double taken
     const double floor = small_node * s->work->reference_mass;
     double *sum = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
     int end[MESH_MAX_DIM] = {1, 1, 1};
-    for (int a = 0; a < s->mesh->dim; ++a) /* the last tile owns the upper wall's nodes */
-        end[a] = t.cells[a] + (t.first[a] + t.cells[a] == s->mesh->n[a] ? 1 : 0);
+    for (int a = 0; a < s->mesh->dim;
+         ++a) /* the last tile owns the upper wall's nodes; a periodic end is node 0 again */
+        end[a] = t.cells[a] + (t.first[a] + t.cells[a] == s->mesh->n[a] && !s->mesh->periodic[a] ? 1 : 0);
     for (int c = 0; c < SUM_COUNT; ++c) sum[c] = 0.0;
     for (int k = 0; k < end[2]; ++k)
         for (int j = 0; j < end[1]; ++j)

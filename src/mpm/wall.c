@@ -20,13 +20,7 @@ static bool holds(const mpm *s, int axis, int side)
     return kind == BC_NO_SLIP || kind == BC_VELOCITY || kind == BC_INLET;
 }
 
-/* `owned`: the node is this block's own (a node on the seam of two blocks belongs to the upper one, as its cell does). */
-typedef void node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned);
-
-static bool owns(const block *b, int axis, int i)
-{
-    return axis >= b->dim || (i >= 0 && (i < b->n[axis] || (i == b->n[axis] && b->at_side[axis][SIDE_UPPER])));
-}
+typedef void node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward);
 
 /* Visits the nodes of a side's plane, transverse ghosts included. */
 static void visit_side(const block *b, int axis, int side, node_visitor *visit, void *user)
@@ -39,8 +33,32 @@ static void visit_side(const block *b, int axis, int side, node_visitor *visit, 
     const ptrdiff_t inward = side == SIDE_LOWER ? b->stride[axis] : -b->stride[axis];
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
-            for (int i = lo[0]; i < hi[0]; ++i)
-                visit(user, mesh_index(b, i, j, k), inward, owns(b, 0, i) && owns(b, 1, j) && owns(b, 2, k));
+            for (int i = lo[0]; i < hi[0]; ++i) visit(user, mesh_index(b, i, j, k), inward);
+}
+
+/* Visits each node of a side's plane once, in global order, in the block that owns it (a node on the seam of two blocks belongs to
+ * the upper one, as its cell does): sums over a side have the same bits for any blocks. */
+typedef void side_visitor(void *user, int blk, ptrdiff_t at, ptrdiff_t inward);
+
+static void visit_side_once(const mesh *m, int axis, int side, side_visitor *visit, void *user)
+{
+    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
+    for (int a = 0; a < m->dim; ++a) {
+        lo[a] = a == axis && side == SIDE_UPPER ? m->n[a] : 0;
+        hi[a] = a == axis ? lo[a] + 1 : m->n[a] + (m->periodic[a] ? 0 : 1);
+    }
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) {
+                const int node[MESH_MAX_DIM] = {i, j, k};
+                int cell[MESH_MAX_DIM] = {i, j, k};
+                for (int a = 0; a < m->dim; ++a)
+                    if (cell[a] == m->n[a]) cell[a]--;
+                const int blk = mesh_block_of(m, cell);
+                const block *b = &m->block[blk];
+                visit(user, blk, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2]),
+                      side == SIDE_LOWER ? b->stride[axis] : -b->stride[axis]);
+            }
 }
 
 /* The ghost keeps what it received: it is the reaction of a mirror, which enter_mirrors enters. */
@@ -49,9 +67,8 @@ typedef struct fold_rule {
     double on_wall, inside; /* what the wall node and the first inner node receive of the ghost */
 } fold_rule;
 
-static void fold_node(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
+static void fold_node(void *user, ptrdiff_t at, ptrdiff_t inward)
 {
-    (void)owned;
     const fold_rule *r = user;
     const double ghost = r->a[at - inward];
     r->a[at] += r->on_wall * ghost;
@@ -91,9 +108,8 @@ typedef struct extend_rule {
     double on_wall, inside;
 } extend_rule;
 
-static void extend_node(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
+static void extend_node(void *user, ptrdiff_t at, ptrdiff_t inward)
 {
-    (void)owned;
     const extend_rule *r = user;
     r->a[at - inward] = r->on_wall * r->a[at] + r->inside * r->a[at + inward];
 }
@@ -116,96 +132,105 @@ void extend_to_ghosts(mpm *s, int group, field_id id)
             }
 }
 
-/* What a wall does to the velocity of its nodes; the impulse is entered for the nodes that the mesh owns. */
+/* What a wall does to the velocity of its nodes. */
 typedef struct wall_rule {
     const mpm *s;
-    const block *b;
-    double *v[MESH_MAX_DIM];
-    const double *mass;
+    int group, axis;
+    field_id velocity;
     double target[MESH_MAX_DIM];
     bool hold[MESH_MAX_DIM];
+    double *v[MESH_MAX_DIM]; /* of the block in hand */
     double impulse[MESH_MAX_DIM], work;
-    int axis, side;
 } wall_rule;
 
-static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
+static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field_id velocity)
+{
+    wall_rule r = {.s = s, .group = group, .axis = axis, .velocity = velocity};
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        r.hold[c] = holds(s, axis, side) || (mirrors(s, axis, side) && c == axis);
+        r.target[c] = holds(s, axis, side) ? s->scene->bc.side[axis][side].velocity[c] : 0.0;
+    }
+    return r;
+}
+
+static void add_impulse(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
 {
     (void)inward;
     wall_rule *r = user;
-    for (int c = 0; c < r->b->dim; ++c) {
+    const fields *f = r->s->domain->fields[blk];
+    const double mass = field_get(f, N_MASS, r->group, 0)[at];
+    for (int c = 0; c < r->s->mesh->dim; ++c) {
         if (!r->hold[c]) continue;
-        if (owned && r->mass) {
-            const double impulse = r->mass[at] * (r->target[c] - r->v[c][at]);
-            r->impulse[c] += impulse;
-            r->work += impulse * r->target[c];
-        }
-        r->v[c][at] = r->target[c];
+        const double impulse = mass * (r->target[c] - field_get(f, r->velocity, r->group, c)[at]);
+        r->impulse[c] += impulse;
+        r->work += impulse * r->target[c];
     }
 }
 
-static void impose_side(mpm *s, int blk, int axis, int side, int group, field_id velocity)
+/* The impulse that the wall is about to give. */
+static void enter_impulse(mpm *s, int side, wall_rule *r)
 {
-    const fields *f = s->domain->fields[blk];
-    wall_rule rule = {.s = s, .b = &s->mesh->block[blk], .axis = axis, .side = side};
-    rule.mass = velocity == N_VEL_L ? field_get(f, N_MASS, group, 0) : NULL;
-    for (int c = 0; c < s->mesh->dim; ++c) {
-        rule.v[c] = field_get(f, velocity, group, c);
-        rule.hold[c] = holds(s, axis, side) || (mirrors(s, axis, side) && c == axis);
-        rule.target[c] = holds(s, axis, side) ? s->scene->bc.side[axis][side].velocity[c] : 0.0;
-    }
-    visit_side(rule.b, axis, side, impose_node, &rule);
+    visit_side_once(s->mesh, r->axis, side, add_impulse, r);
     for (int c = 0; c < s->mesh->dim; ++c)
-        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, rule.impulse[c]);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, rule.work);
+        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, r->impulse[c]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, r->work);
+}
+
+static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+{
+    (void)inward;
+    const wall_rule *r = user;
+    for (int c = 0; c < r->s->mesh->dim; ++c)
+        if (r->hold[c]) r->v[c][at] = r->target[c];
+}
+
+static void impose_side(mpm *s, int axis, int side, int group, field_id velocity)
+{
+    wall_rule rule = wall_rule_of(s, axis, side, group, velocity);
+    if (velocity == N_VEL_L) enter_impulse(s, side, &rule);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        if (!s->mesh->block[b].at_side[axis][side]) continue;
+        for (int c = 0; c < s->mesh->dim; ++c) rule.v[c] = field_get(s->domain->fields[b], velocity, group, c);
+        visit_side(&s->mesh->block[b], axis, side, impose_node, &rule);
+    }
 }
 
 void impose_walls(mpm *s, int group, field_id velocity)
 {
-    for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int axis = 0; axis < s->mesh->dim; ++axis)
-            for (int side = 0; side < 2; ++side)
-                if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis])
-                    impose_side(s, b, axis, side, group, velocity);
+    for (int axis = 0; axis < s->mesh->dim; ++axis)
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) impose_side(s, axis, side, group, velocity);
 }
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the
  * normal part comes back with the other sign. Per step, with acceleration a and velocity v of the first inner node, the points gain
  * -2 [kick (f + m a) + (1 - flip)(p + m v)] more than the nodes did (the second term by the PIC blend alone). */
 typedef struct mirror_sum {
-    const double *mass, *force, *momentum, *acceleration;
-    const block *b;
-    double kick, pic, sum;
+    const mpm *s;
+    int group, axis;
+    double sum;
 } mirror_sum;
 
-static void add_mirror(void *user, ptrdiff_t at, ptrdiff_t inward, bool owned)
+static void add_mirror(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
 {
     mirror_sum *r = user;
+    const fields *f = r->s->domain->fields[blk];
+    const double *mass = field_get(f, N_MASS, r->group, 0), *force = field_get(f, N_FORCE, r->group, r->axis),
+                 *momentum = field_get(f, N_MOMENTUM, r->group, r->axis),
+                 *acceleration = field_get(f, N_ACCEL, r->group, r->axis);
     const ptrdiff_t ghost = at - inward, inner = at + inward;
-    if (!owned) return;
     /* A ghost without mass may still have a surface's load. */
-    const double v = r->mass[inner] > 0.0 ? r->momentum[inner] / r->mass[inner] : 0.0;
-    r->sum -= 2.0 * (r->kick * (r->force[ghost] + r->mass[ghost] * r->acceleration[inner]) +
-                     r->pic * (r->momentum[ghost] + r->mass[ghost] * v));
-}
-
-static double mirror_impulse(const mpm *s, int blk, int axis, int side, int group)
-{
-    const fields *f = s->domain->fields[blk];
-    mirror_sum r = {.b = &s->mesh->block[blk], .kick = s->work->kick, .pic = 1.0 - s->scene->method.flip};
-    r.mass = field_get(f, N_MASS, group, 0);
-    r.force = field_get(f, N_FORCE, group, axis);
-    r.momentum = field_get(f, N_MOMENTUM, group, axis);
-    r.acceleration = field_get(f, N_ACCEL, group, axis);
-    visit_side(r.b, axis, side, add_mirror, &r);
-    return r.sum;
+    const double v = mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0;
+    r->sum -= 2.0 * (r->s->work->kick * (force[ghost] + mass[ghost] * acceleration[inner]) +
+                     (1.0 - r->s->scene->method.flip) * (momentum[ghost] + mass[ghost] * v));
 }
 
 void enter_mirrors(mpm *s, int group)
 {
-    for (int b = 0; s->work->reach > 0 && b < s->mesh->n_blocks; ++b)
-        for (int axis = 0; axis < s->mesh->dim; ++axis)
-            for (int side = 0; side < 2; ++side)
-                if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis] && mirrors(s, axis, side))
-                    ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY,
-                               mirror_impulse(s, b, axis, side, group));
+    for (int axis = 0; s->work->reach > 0 && axis < s->mesh->dim; ++axis)
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
+            if (!mirrors(s, axis, side)) continue;
+            mirror_sum r = {.s = s, .group = group, .axis = axis};
+            visit_side_once(s->mesh, axis, side, add_mirror, &r);
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, r.sum);
+        }
 }

@@ -18,6 +18,15 @@ same_results whole part
 [ "$(json part/summary.json eq13)" = "$(json whole/summary.json eq13)" ] || fault 'another error'
 [ "$(json part/summary.json steps)" = "$(json whole/summary.json steps)" ] || fault 'other steps'
 
+# The same with the gas on the cells.
+coupled=("$cylinder" --coupling ice-mpm --set domain.cell=0.1)
+expect 0 "$FLOE" run "${coupled[@]}" -o whole-coupled --quiet
+expect 5 "$FLOE" run "${coupled[@]}" -o part-coupled --max-wall 0.05
+below "$(json part-coupled/summary.json steps)" "$(json whole-coupled/summary.json steps)"
+expect 0 "$FLOE" run "${coupled[@]}" -o part-coupled --resume --quiet
+same_results whole-coupled part-coupled
+[ "$(json part-coupled/summary.json eq13)" = "$(json whole-coupled/summary.json eq13)" ] || fault 'another error'
+
 # A signal stops a run as the wall clock does.
 "$FLOE" run "${scene[@]}" -o killed --quiet 2>stderr &
 pid=$!

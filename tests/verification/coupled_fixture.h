@@ -1,0 +1,141 @@
+/* Solids on points in fluids on cells: scenes made in C or loaded from decks, and their whole state as one run of numbers. */
+#ifndef TESTS_VERIFICATION_COUPLED_FIXTURE_H
+#define TESTS_VERIFICATION_COUPLED_FIXTURE_H
+
+#include "mpm_fixture.h"
+
+#include "base/memory.h"
+#include "deck/deck.h"
+#include "io/gather.h"
+#include "run/catalogue.h"
+
+static const double COUPLED_PRESSURE = 1e5, COUPLED_TEMPERATURE = 300.0; /* Pa, K: of the gas about the bodies */
+
+/* A box [0, upper] of cells h, closed by slip walls, filled with air at rest; its pressure is the reference. The solids'
+ * eos is the law's own bulk response. */
+FIXTURE void coupled_begin(trial *t, int dim, const double upper[3], double h)
+{
+    trial_begin(t, dim, upper, h);
+    scene *s = t->scene;
+    for (int a = 0; a < dim; ++a) set_sides(t, a, BC_SLIP, BC_SLIP);
+    s->coupling = COUPLING_ICE_MPM;
+    s->reference_pressure = COUPLED_PRESSURE;
+    s->has_ambient = true;
+    s->ambient_material = add_gas(t, 1.4, 717.5);
+    s->ambient_pressure = COUPLED_PRESSURE;
+    s->ambient_temperature = COUPLED_TEMPERATURE;
+    s->time.growth = 1.2;
+}
+
+FIXTURE int coupled_solid(trial *t, double bulk, double shear, double density)
+{
+    const int solid = add_solid(t, "linear_elastic", bulk, shear, density);
+    t->scene->material[solid].specific_heat = 460.0;
+    t->scene->material[solid].tension_switch = COUPLED_PRESSURE;
+    return solid;
+}
+
+FIXTURE scene_body *coupled_body(trial *t, int material, shape s, int per_cell)
+{
+    scene_body *b = add_body(t, material, s, per_cell);
+    b->temperature = COUPLED_TEMPERATURE;
+    return b;
+}
+
+FIXTURE void coupled_start(trial *t)
+{
+    check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, t->scene->coupling));
+}
+
+/* The scene of a deck of inputs/, with `set` replaced. */
+FIXTURE void deck_begin(trial *t, const char *deck, const char *const *set, size_t n_set)
+{
+    memset(t, 0, sizeof *t);
+    use_threads(1);
+    char path[512];
+    (void)snprintf(path, sizeof path, "%s/inputs/%s.yaml", FLOE_SOURCE_DIR, deck);
+    t->ctx = context_create();
+    deck_catalogue *catalogue;
+    deck_report report = {0};
+    deck_init();
+    check_ok(t->ctx, catalogue_create(&catalogue, t->ctx));
+    check_ok(t->ctx, deck_load(&t->scene, t->ctx, path, &(deck_overrides){set, n_set}, catalogue, &report));
+    catalogue_destroy(t->ctx, &catalogue);
+    deck_report_free(&report);
+}
+
+/* Everything that a run goes on from: STATE and FIXED fields in global order, clocks, ledger. */
+typedef struct state {
+    double *value; /* malloc */
+    size_t n, room;
+} state;
+
+FIXTURE double *state_room(state *s, size_t n)
+{
+    if (s->n + n > s->room) {
+        s->room = 2 * (s->n + n);
+        s->value = realloc(s->value, s->room * sizeof *s->value);
+        assert_non_null(s->value);
+    }
+    s->n += n;
+    return s->value + s->n - n;
+}
+
+typedef struct state_job {
+    const sim *sim;
+    state *out;
+} state_job;
+
+FIXTURE floe_status state_add_field(void *user, field_id id, int instance)
+{
+    const state_job *job = user;
+    const field_info *info = field_describe(id);
+    const int components = field_component_count(info->components, job->sim->mesh.dim);
+    if (info->class != FIELD_STATE && info->class != FIELD_FIXED) return FLOE_OK;
+    if (info->centring == FIELD_CELL) {
+        const size_t n = mesh_cells(&job->sim->mesh);
+        for (int c = 0; c < components; ++c) gather_cells(job->sim, id, instance, c, 1, state_room(job->out, n));
+        return FLOE_OK;
+    }
+    assert_int_equal(info->centring, FIELD_POINT);
+    point_list list;
+    TRY(point_list_make(&list, job->sim, instance));
+    for (int c = 0; c < components; ++c) gather_points(job->sim, &list, id, c, 1, state_room(job->out, list.n));
+    point_list_free(job->sim->ctx, &list);
+    return FLOE_OK;
+}
+
+FIXTURE state state_of(const sim *s)
+{
+    state out = {0};
+    state_job job = {s, &out};
+    check_ok(s->ctx, fields_visit(s->domain->fields[0], state_add_field, &job));
+    const double clocks[] = {s->time, s->dt, (double)s->steps, s->mpm ? s->mpm->dt_previous : 0.0};
+    memcpy(state_room(&out, 4), clocks, sizeof clocks);
+    return out;
+}
+
+FIXTURE void state_add_ledger(state *out, const sim *s)
+{
+    const size_t n = sizeof s->ledger.entry / sizeof(double);
+    memcpy(state_room(out, n), s->ledger.entry, sizeof s->ledger.entry);
+    for (int c = 0; c < LEDGER_COUNTS; ++c) *state_room(out, 1) = (double)s->ledger.count[c];
+}
+
+FIXTURE void state_free(state *s)
+{
+    free(s->value);
+    memset(s, 0, sizeof *s);
+}
+
+/* The same bits; says where they are not. */
+FIXTURE void same_state(const state *a, const state *b)
+{
+    assert_int_equal(a->n, b->n);
+    for (size_t k = 0; k < a->n; ++k)
+        if (memcmp(&a->value[k], &b->value[k], sizeof(double)) != 0)
+            print_error("number %zu of %zu: %.17g and %.17g\n", k, a->n, a->value[k], b->value[k]);
+    assert_memory_equal(a->value, b->value, a->n * sizeof(double));
+}
+
+#endif
