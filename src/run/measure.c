@@ -2,18 +2,11 @@
 
 #include "base/memory.h"
 #include "run/pressure.h"
+#include "run/subject.h"
 #include "verify/metric.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* What is measured: points of some bodies, or cells of a material. */
-typedef struct subject {
-    sim *s;
-    const exact *solution;
-    bool body[SCENE_MAX_BODIES]; /* bodies of mpm */
-    int cells;                   /* material of ice, -1: none */
-} subject;
 
 static int first_fluid(const scene *s)
 {
@@ -32,8 +25,7 @@ static int cells_of(const sim *s, int material)
     return -1;
 }
 
-/* verify.body names points; where its material is in cells, or none is named, the material is measured; in a scene of solids all points. */
-static subject find_subject(sim *s, const exact *solution)
+subject find_subject(sim *s, const exact *solution)
 {
     const scene_verify *v = &s->scene->verify;
     const int bodies = s->mpm ? s->mpm->n_bodies : 0;

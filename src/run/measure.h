@@ -10,8 +10,9 @@
  * With verify.pressure also `rel_gas_pressure`, |p - p_ref - P| / P of the fluid that a load pressurises. */
 floe_status measure_errors(sim *s, const exact *solution, run_summary *r);
 
-/* Where the exact solution has a radial stress and the scene more than one dimension: DIR/profile.csv, the stresses of the row of points nearest the
- * x axis through the solution's centre, in the order of r, beside the exact ones. Else nothing is done. */
+/* DIR/profile.csv, the run beside its exact solution: in one dimension every quantity of verify.metrics along x; in more, where the
+ * solution has a radial stress, the stresses of the row of points nearest the x axis through its centre, in the order of r. Else
+ * nothing is done. */
 floe_status measure_profile(sim *s, const exact *solution, const char *path);
 
 #endif

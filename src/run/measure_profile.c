@@ -3,6 +3,7 @@
 #include "io/file.h"
 #include "io/strbuf.h"
 #include "run/measure.h"
+#include "run/subject.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -87,8 +88,10 @@ static int find_body(const sim *s)
 floe_status measure_profile(sim *s, const exact *solution, const char *path)
 {
     point_samples p;
+    if (!solution->model) return FLOE_OK;
+    if (s->mesh.dim < 2) return profile_of_line(s, solution, path);
     const int body = find_body(s);
-    if (!solution->model || body < 0 || s->mesh.dim < 2) return FLOE_OK;
+    if (body < 0) return FLOE_OK;
     if (!exact_provides(solution, EXACT_SIGMA_R) || solution->model->equations != EXACT_SOLID) return FLOE_OK;
     TRY(point_samples_take(&p, s, solution, body));
     const floe_status status = collect(&p, path);

@@ -79,6 +79,16 @@ static double temperature_at(const cell_samples *c, size_t i)
     return T;
 }
 
+/* The field holds the pressure in equilibrium at the start of the last step; one fluid alone tells its own at the end. */
+static double pressure_at(const cell_samples *c, size_t i)
+{
+    const eos *law = &c->s->ice->material[c->material].eos;
+    double p, c2;
+    if (c->volume || !c->energy) return c->pressure ? c->pressure[i] : (double)NAN;
+    law->model->pressure(law->par, 1, &c->rho[i], &c->energy[i], &p, &c2);
+    return p;
+}
+
 double cell_value(const cell_samples *c, exact_quantity quantity, size_t i)
 {
     if (quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z) {
@@ -87,7 +97,7 @@ double cell_value(const cell_samples *c, exact_quantity quantity, size_t i)
     }
     switch (quantity) {
     case EXACT_DENSITY: return density_at(c, i);
-    case EXACT_PRESSURE: return c->pressure ? c->pressure[i] : (double)NAN;
+    case EXACT_PRESSURE: return pressure_at(c, i);
     case EXACT_INTERNAL_ENERGY: return c->energy ? c->energy[i] : (double)NAN;
     case EXACT_TEMPERATURE: return temperature_at(c, i);
     case EXACT_VOLUME_FRACTION: return fraction(c, i);

@@ -89,52 +89,120 @@ static const compare_case *finest(const comparison *c, scene_coupling coupling)
     return best;
 }
 
+/* The case's profile.csv, counted memory that the caller frees. */
+static floe_status read_profile(const comparison *c, const compare_case *one, char **text)
+{
+    char folder[COMPARE_PATH], path[COMPARE_PATH + 32];
+    case_path(c, one, folder);
+    (void)snprintf(path, sizeof path, "%s/profile.csv", folder);
+    return file_read(c->ctx, path, text, NULL);
+}
+
 /* Adds the rows of a case's profile, with coupling and h before each; the names once. */
 static floe_status append_profile(const comparison *c, const compare_case *one, strbuf *out)
 {
-    char folder[COMPARE_PATH], path[COMPARE_PATH + 32];
     char *text;
-    case_path(c, one, folder);
-    (void)snprintf(path, sizeof path, "%s/profile.csv", folder);
-    TRY(file_read(c->ctx, path, &text, NULL));
+    TRY(read_profile(c, one, &text));
+    const bool first = out->length == 0;
     bool names = true;
     for (const char *line = text, *end = strchr(line, '\n'); end; line = end + 1, end = strchr(line, '\n')) {
+        if (names && first) strbuf_append(out, "coupling,h (m),");
         if (!names) strbuf_append(out, "%s,%.9g,", coupling_name(one->coupling), one->h);
-        if (names && out->length == 0) strbuf_append(out, "coupling,h (m),");
-        if (!names || strncmp(strbuf_string(out), "coupling,h (m),x", 16) != 0)
-            strbuf_append(out, "%.*s", (int)(end + 1 - line), line);
+        if (!names || first) strbuf_append(out, "%.*s", (int)(end + 1 - line), line);
         names = false;
     }
     memory_free(c->ctx, &text);
     return out->status;
 }
 
-static void append_profile_plot(const comparison *c, strbuf *script)
+enum { MAX_COLUMNS = 64 };
+
+/* "sigma_r (Pa)": columns of the profile are named so. */
+typedef struct profile_column {
+    char name[64], unit[32];
+} profile_column;
+
+/* The first line of a profile as columns, numbered from 1 as gnuplot does; returns how many. */
+static int read_columns(const char *text, profile_column column[MAX_COLUMNS + 1])
 {
-    static const struct {
-        const char *name;
-        int column, exact;
-    } stress[] = {{"sigma_r", 6, 8}, {"sigma_theta", 7, 9}};
-    scene_coupling coupling[COUPLING_COUNT];
-    const int n = compare_couplings(c, coupling);
-    int plots = 0;
-    strbuf_append(script, "\nset terminal svg size 800,500 background rgb 'white'\nset output 'profile.svg'\n"
-                          "set xlabel 'r (m)'\nset ylabel 'stress along the x axis (MPa)'\nset grid\n"
-                          "set key noenhanced\nset format y '%%g'\nplot ");
-    for (int q = 0; q < 2; q++) {
-        strbuf_append(script,
-                      "%s'profile.csv' every ::1 using 5:($%d/1e6) smooth unique with lines lw 2 lc %d title '%s, %s'",
-                      plots++ ? ", \\\n     " : "", stress[q].exact, q + 1, stress[q].name, c->exact);
-        for (int k = 0; k < n; k++) {
-            const char *name = coupling_name(coupling[k]);
-            if (!finest(c, coupling[k])) continue;
-            strbuf_append(script,
-                          ", \\\n     'profile.csv' every ::1 using (strcol(1) eq '%s' ? $5 : NaN):($%d/1e6) with "
-                          "points pt %d lc %d title '%s, %s'",
-                          name, stress[q].column, 5 + 2 * k, q + 1, stress[q].name, name);
-        }
+    int n = 0;
+    while (*text && *text != '\n' && n < MAX_COLUMNS) {
+        const size_t field = strcspn(text, ",\n"), name = strcspn(text, " ,\n");
+        profile_column *at = &column[++n];
+        *at = (profile_column){{0}, {0}};
+        (void)snprintf(at->name, sizeof at->name, "%.*s", (int)name, text);
+        if (field > name + 2)
+            (void)snprintf(at->unit, sizeof at->unit, "%.*s", (int)(field - name - 3), text + name + 2);
+        text += field + (text[field] == ',');
     }
-    strbuf_append(script, "\nunset output\n");
+    return n;
+}
+
+/* 0 if there is none of that name. */
+static int find_column(const profile_column *column, int n, const char *prefix, const char *name)
+{
+    char wanted[80];
+    (void)snprintf(wanted, sizeof wanted, "%s%s", prefix, name);
+    for (int k = 1; k <= n; k++) {
+        if (strcmp(column[k].name, wanted) == 0) return k;
+    }
+    return 0;
+}
+
+/* One panel: every quantity of that unit, as it is exactly and by each coupling. */
+static void append_profile_panel(const comparison *c, const profile_column *column, int n, const char *unit, int x,
+                                 strbuf *script)
+{
+    scene_coupling coupling[COUPLING_COUNT];
+    const int couplings = compare_couplings(c, coupling);
+    int plots = 0;
+    bool stress = true;
+    for (int k = 1; k <= n; k++) {
+        if (strcmp(column[k].unit, unit) == 0 && find_column(column, n, "exact_", column[k].name))
+            stress = stress && strncmp(column[k].name, "sigma_", 6) == 0;
+    }
+    strbuf_append(script, "set xlabel '%s (m)'\nset ylabel '%s'\nplot ", column[x].name, stress ? "MPa" : unit);
+    for (int k = 1; k <= n; k++) {
+        const int exact = find_column(column, n, "exact_", column[k].name);
+        if (!exact || strcmp(column[k].unit, unit) != 0) continue;
+        const char *scale = stress ? "/1e6" : "";
+        for (int q = 0; q < couplings; q++) {
+            const char *name = coupling_name(coupling[q]);
+            if (!finest(c, coupling[q])) continue;
+            strbuf_append(script,
+                          "%s'profile.csv' every ::1 using (strcol(1) eq '%s' ? $%d : NaN):($%d%s) with points pt %d "
+                          "ps 0.6 lc %d title '%s, %s'",
+                          plots++ ? ", \\\n     " : "", name, x, k, scale, 6 + 6 * q, q + 1, column[k].name, name);
+        }
+        strbuf_append(script,
+                      "%s'profile.csv' every ::1 using %d:($%d%s) smooth unique with lines lw 1.5 lc rgb 'black' "
+                      "title '%s, %s'",
+                      plots++ ? ", \\\n     " : "", x, exact, scale, column[k].name, c->exact);
+    }
+    strbuf_append(script, "\n");
+}
+
+/* A panel for every unit, in the order of the profile's columns. */
+static void append_profile_plot(const comparison *c, const char *names, strbuf *script)
+{
+    profile_column column[MAX_COLUMNS + 1];
+    const int n = read_columns(names, column);
+    int panel[MAX_COLUMNS + 1], panels = 0;
+    int x = find_column(column, n, "", "r");
+    if (!x) x = find_column(column, n, "", "x");
+    for (int k = 1; k <= n; k++) {
+        bool known = !find_column(column, n, "exact_", column[k].name);
+        for (int i = 0; i < panels; i++) known = known || strcmp(column[panel[i]].unit, column[k].unit) == 0;
+        if (!known) panel[panels++] = k;
+    }
+    if (!x || panels == 0) return;
+    const int rows = (panels + 1) / 2, columns = panels > 1 ? 2 : 1;
+    strbuf_append(script,
+                  "\nset terminal svg size %d,%d background rgb 'white'\nset output 'profile.svg'\n"
+                  "set multiplot layout %d,%d\nset grid\nset key noenhanced\nset format y '%%g'\n",
+                  columns == 1 ? 800 : 1000, columns == 1 ? 500 : 360 * rows, rows, columns);
+    for (int i = 0; i < panels; i++) append_profile_panel(c, column, n, column[panel[i]].unit, x, script);
+    strbuf_append(script, "unset multiplot\nunset output\n");
 }
 
 static floe_status add_profiles(const comparison *c, strbuf *script)
@@ -152,7 +220,7 @@ static floe_status add_profiles(const comparison *c, strbuf *script)
     (void)snprintf(path, sizeof path, "%s/profile.csv", c->dir);
     if (status == FLOE_OK && rows.length > 0) {
         status = file_replace_text(c->ctx, path, strbuf_string(&rows));
-        append_profile_plot(c, script);
+        append_profile_plot(c, strbuf_string(&rows), script);
     }
     strbuf_free(&rows);
     return status;
