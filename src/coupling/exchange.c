@@ -45,18 +45,6 @@ static double centre_of_mass(const present *p, const double *u)
     return sum / p->total;
 }
 
-/* Two free materials in closed form: the difference decays, the centre stays. */
-static void relax_pair(const present *p, double a, double *u)
-{
-    const double m0 = p->mass[0], m1 = p->mass[1], total = m0 + m1;
-    const double cut = fmin(a, rigid * p->largest);
-    double *u0 = &u[p->index[0]], *u1 = &u[p->index[1]];
-    const double centre = (m0 * *u0 + m1 * *u1) / total;
-    const double difference = (*u0 - *u1) / (1.0 + cut * (1.0 / m0 + 1.0 / m1));
-    *u0 = centre + m1 / total * difference;
-    *u1 = centre - m0 / total * difference;
-}
-
 /* Lower triangle of diag(m) + A over the free materials, factored L D L^T in place without pivots: it is positive definite. */
 static void factor(const present *p, exchange_matrix a, int n, const double *mass, exchange_matrix f)
 {
@@ -121,7 +109,8 @@ void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, d
     if (!pair && p.n + (p.fixed >= 0) > 1) factor(&p, a, n, mass, f);
     for (int c = 0; c < columns; ++c) {
         if (pair)
-            relax_pair(&p, a[p.index[0]][p.index[1]], value[c]);
+            exchange_relax_pair(p.mass[0], p.mass[1], a[p.index[0]][p.index[1]], &value[c][p.index[0]],
+                                &value[c][p.index[1]]);
         else if (p.n > 0 && p.n + (p.fixed >= 0) > 1)
             relax_column(&p, a, f, n, mass, value[c]);
         fill_absent(&p, n, mass, value[c]);

@@ -28,4 +28,14 @@ void exchange_couple(int n, exchange_matrix coefficient, const double *theta, do
  * Couplings beyond 1e12 of the largest finite mass are cut to that: they are rigid already. */
 void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX]);
 
+/* Two free, present materials in closed form: the difference decays, the centre of mass stays. */
+static inline void exchange_relax_pair(double m0, double m1, double a, double *u0, double *u1)
+{
+    const double total = m0 + m1, largest = m0 > m1 ? m0 : m1, cut = a < 1e12 * largest ? a : 1e12 * largest;
+    const double centre = (m0 * *u0 + m1 * *u1) / total, rigidity = cut * total;
+    const double difference = (*u0 - *u1) * (m0 * m1) / (m0 * m1 + rigidity);
+    *u0 = centre + m1 / total * difference;
+    *u1 = centre - m0 / total * difference;
+}
+
 #endif

@@ -112,6 +112,11 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
             y[a] = drift[a] * u[a][t];
             if (multi) y[a] = least(most(y[a], -0.5), 0.5);
         }
+        /* Beside cells without the material q is flat: what they were lent is no state to lean on. */
+        double fewest = 1.0;
+        for (int a = 0; a < dim && multi; ++a)
+            fewest = least(fewest, least(rho_lo[a][t], rho_hi[a][t]) > 1e-6 * mass ? 1.0 : 0.0);
+        const double lowest = multi ? lo * fewest : lo, highest = multi ? hi * fewest : hi;
         /* The largest ratio of the cell's mean density to that of a corner. */
         const double rarest = (mass + ICE_TINY) / (most(mass - f * g.reach, 1e-6 * mass) + ICE_TINY);
         double M[3];
@@ -124,7 +129,7 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
         }
         for (int i = 0; i < nq; ++i) {
             const slope G = slope_of(q[i], q_lo[i], q_hi[i], t, dim);
-            const double scale = mass * limit(G.room, G.reach * rarest, lo, hi), value = q[i][t];
+            const double scale = mass * limit(G.room, G.reach * rarest, lowest, highest), value = q[i][t];
             for (int a = 0; a < dim; ++a) {
                 double N = value * M[a];
                 for (int b = 0; b < dim; ++b)

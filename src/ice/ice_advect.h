@@ -19,16 +19,6 @@ typedef struct ice_advect_buffers {
     double *clip;                                    /* factor on what leaves slivers */
 } ice_advect_buffers;
 
-FLOE_ALWAYS_INLINE double least(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-FLOE_ALWAYS_INLINE double most(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 /* Slab index 0 of a slab in the linear index of the block, and the slab index of local cell (0, k) in it: in 3-D a slab is a
  * plane of rows k along axis 1. */
 FLOE_ALWAYS_INLINE ptrdiff_t ice_slab_start(const block *b, const int dim, int slab)

@@ -169,6 +169,8 @@ static floe_status resolve(ice *s, bool with_points)
     TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
     s->work->threads = thread_count();
     for (int r = 0; r < s->n_materials; ++r) s->work->energy_floor[r] = constant_floor(&s->material[r].eos);
+    for (int r = 0; r < s->n_materials; ++r)
+        s->work->reconcile = s->work->reconcile || (isnan(s->work->energy_floor[r]) && !s->material[r].points);
     resolve_reservoirs(s);
     choose_kernels(s);
     return FLOE_OK;

@@ -68,6 +68,25 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
         }
 }
 
+/* The same for two fluids alone. */
+static void exchange_two_fluids(ice *s, const ice_view *v, ptrdiff_t at)
+{
+    const ice_arrays *m = v->m;
+    const double m0 = m[0].rho[at], m1 = m[1].rho[at], t0 = m[0].theta[at], t1 = m[1].theta[at];
+    double lost = 0.0;
+    for (int a = 0; a < v->dim; ++a) {
+        double u0 = m[0].ul[a][at], u1 = m[1].ul[a][at];
+        lost += 0.5 * (m0 * u0 * u0 + m1 * u1 * u1);
+        exchange_relax_pair(m0, m1, s->dt * t0 * t1 * s->exchange.K[0][1], &u0, &u1);
+        lost -= 0.5 * (m0 * u0 * u0 + m1 * u1 * u1);
+        m[0].ul[a][at] = u0;
+        m[1].ul[a][at] = u1;
+    }
+    if (!s->scene->method.conserve_energy || !(lost > 0.0)) return;
+    m[0].el[at] += lost * t0 / ((t0 + t1) * m0);
+    m[1].el[at] += lost * t1 / ((t0 + t1) * m1);
+}
+
 /* (diag(m c_v) + B) T; temperatures after the sources are T + (e^L - e)/c_v. */
 static void exchange_heat(ice *s, const ice_view *v, ptrdiff_t at)
 {
@@ -110,14 +129,17 @@ floe_status ice_exchange(ice *s)
         ice_view v;
         ice_view_make(s, id, &v);
         const ice_cell_list *list = &s->work->mixed[id];
-        const bool heat = s->scene->method.heat_exchange > 0.0;
+        const bool heat = s->scene->method.heat_exchange > 0.0, pair = s->n_materials == 2 && !s->with_points;
         for (int r = 0; r < s->n_materials; ++r)
             if (s->material[r].points) lone_points(s, &v, r);
 #pragma omp parallel for schedule(static)
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             const ptrdiff_t i = v.dim > 1 ? at % v.b->stride[1] - MESH_GHOST : at - MESH_GHOST;
-            exchange_momentum(s, &v, at, v.volume[i]);
+            if (pair)
+                exchange_two_fluids(s, &v, at);
+            else
+                exchange_momentum(s, &v, at, v.volume[i]);
             if (heat) exchange_heat(s, &v, at);
         }
     }

@@ -72,6 +72,19 @@ static void exchange_face(const ice *s, const ice_view *v, int axis, ptrdiff_t R
     for (int r = 0; r < n; ++r) v->m[r].fu[axis][R] = u[0][r];
 }
 
+/* The same where the scene has two materials. */
+static void exchange_pairs(const ice *s, const ice_view *v, int axis, ptrdiff_t from, ptrdiff_t to)
+{
+    const ice_arrays *m = v->m;
+    const ptrdiff_t step = v->b->stride[axis];
+    const double rate = 0.25 * v->dt * s->exchange.K[0][1];
+    for (ptrdiff_t R = from; R < to; ++R) {
+        const double t0 = m[0].theta[R - step] + m[0].theta[R], t1 = m[1].theta[R - step] + m[1].theta[R];
+        const double m0 = 0.5 * (m[0].rho[R - step] + m[0].rho[R]), m1 = 0.5 * (m[1].rho[R - step] + m[1].rho[R]);
+        if (t0 > 0.0 && t1 > 0.0) exchange_relax_pair(m0, m1, rate * t0 * t1, &m[0].fu[axis][R], &m[1].fu[axis][R]);
+    }
+}
+
 static void exchange_rows(const ice *s, const ice_view *v, int axis)
 {
     const ice_rows q = ice_rows_of(v->b, axis, 0);
@@ -79,7 +92,8 @@ static void exchange_rows(const ice *s, const ice_view *v, int axis)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         const ptrdiff_t end = base + v->b->n[0] + (axis == 0);
-        for (ptrdiff_t R = base; R < end; ++R) exchange_face(s, v, axis, R);
+        if (s->n_materials == 2) exchange_pairs(s, v, axis, base, end);
+        for (ptrdiff_t R = base; R < end && s->n_materials > 2; ++R) exchange_face(s, v, axis, R);
     }
 }
 

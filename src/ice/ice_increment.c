@@ -57,18 +57,22 @@ ice_row *const ice_increment_row[3][2] = ICE_TABLE(increment);
 FLOE_ALWAYS_INLINE void lower_factor(const ice_view *v, const double *restrict x, ptrdiff_t base, const int dim)
 {
     double *restrict limiter = v->limiter;
+    const double lo = v->limit_lo;
+    ptrdiff_t st[3];
+    for (int a = 0; a < dim; ++a) st[a] = v->b->stride[a];
+#pragma omp simd
     for (int i = -1; i <= v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
         double reach = 0.0, up = 0.0, down = 0.0;
         for (int a = 0; a < dim; ++a) {
-            const double below = x[at - v->b->stride[a]] - x[at], above = x[at + v->b->stride[a]] - x[at];
+            const double below = x[at - st[a]] - x[at], above = x[at + st[a]] - x[at];
             reach += 0.25 * fabs(above - below);
-            up = fmax(up, fmax(below, above));
-            down = fmax(down, fmax(-below, -above));
+            up = most(up, most(below, above));
+            down = most(down, most(-below, -above));
         }
         /* A difference of round-off limits nothing. */
-        const double factor = reach > 1e-14 * fabs(x[at]) ? fmin(up, down) / reach : 1.0;
-        limiter[at] = fmin(limiter[at], fmax(v->limit_lo, factor));
+        const double factor = reach > 1e-14 * fabs(x[at]) ? least(up, down) / (reach + ICE_TINY) : 1.0;
+        limiter[at] = least(limiter[at], most(lo, factor));
     }
 }
 
@@ -92,7 +96,8 @@ FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int
     const double *restrict theta = m->theta, *restrict face = m->fu[axis], *restrict limiter = v->limiter;
     double *restrict out = m->ft[axis], *restrict flux = v->flux[axis];
     const double courant = v->dt * v->inv_h[axis];
-    for (ptrdiff_t R = base; R < base + v->b->n[0] + (axis == 0); ++R) {
+    const ptrdiff_t end = base + v->b->n[0] + (axis == 0);
+    for (ptrdiff_t R = base; R < end; ++R) {
         const double w = face[R];
         const ptrdiff_t D = w > 0.0 ? R - step : R;
         double offset = 0.5 * ((w > 0.0 ? 0.5 : -0.5) - 0.5 * w * courant) * (theta[D + step] - theta[D - step]);

@@ -10,6 +10,17 @@
 /* Keeps 0/0 of absent material at 0 without a branch; far below any density, speed squared or compressibility. */
 #define ICE_TINY 1e-200
 
+/* Without fmin's care for NaN, so that they vectorise. */
+FLOE_ALWAYS_INLINE double least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+FLOE_ALWAYS_INLINE double most(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* A material's arrays in one block; NULL where the plan has no such field. Face arrays hold one axis each. */
 typedef struct ice_arrays {
     double *rho, *u[3], *e, *vol; /* current state; vol: incoming v */
@@ -124,7 +135,8 @@ typedef struct ice_work {
     equilibrium_solver **solver;          /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     ice_reservoir reservoir[MESH_MAX_DIM][2];
-    double energy_floor[ICE_MAX_MATERIALS];                 /* J/kg where the law's floor is constant, else NAN */
+    double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
+    bool reconcile; /* some fluid's energy depends on volume at a given temperature (ice_mixture.c) */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 

@@ -6,7 +6,9 @@
 #include <math.h>
 
 /* Stress on the lower face of `axis` at cell R: its components along the axes. */
-typedef struct face_stress { double t[3], velocity[3]; } face_stress;
+typedef struct face_stress {
+    double t[3], velocity[3];
+} face_stress;
 
 static double harmonic(double a, double b)
 {
@@ -80,8 +82,10 @@ static void add_cell(const ice *s, const ice_view *v, int r, ptrdiff_t at, int i
     double force[3] = {hoop_force(s, v, r, at, i), 0.0, 0.0}, work = 0.0;
     for (int axis = 0; axis < v->dim; ++axis) {
         const ptrdiff_t up = at + v->b->stride[axis];
-        const face_stress lower = stress_on(s, v, r, axis, at, i), upper = stress_on(s, v, r, axis, up, axis == 0 ? i + 1 : i);
-        const double below = axis == 0 ? v->lower0[i] : v->inv_h[axis], above = axis == 0 ? v->upper0[i] : v->inv_h[axis];
+        const face_stress lower = stress_on(s, v, r, axis, at, i),
+                          upper = stress_on(s, v, r, axis, up, axis == 0 ? i + 1 : i);
+        const double below = axis == 0 ? v->lower0[i] : v->inv_h[axis],
+                     above = axis == 0 ? v->upper0[i] : v->inv_h[axis];
         for (int a = 0; a < v->dim; ++a) {
             force[a] += above * upper.t[a] - below * lower.t[a];
             work += above * upper.t[a] * upper.velocity[a] - below * lower.t[a] * lower.velocity[a];
