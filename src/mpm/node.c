@@ -41,12 +41,20 @@ static bool damping_acts(const mpm *s)
     return d->rate > 0.0 && s->time >= d->start && s->time < d->end;
 }
 
-/* v^L = v + kick f/m, from momenta (numerics 4.4). */
+/* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable. */
+static double damping_left(const mpm *s)
+{
+    return damping_acts(s) ? 1.0 / (1.0 + s->scene->damping.rate * s->work->kick) : 1.0;
+}
+
+/* v^L = v / (1 + rate kick) + kick f/m, from momenta (numerics 4.4). Damping acts on the velocity that the points brought, never
+ * on what the force adds: beside fluids, f alone is not small at rest (the exchange balances it), and damping it would take a
+ * share rate dt of the load away (measured: sigma_theta of the pressurised cylinder off by 3 % at dt = 2.6 us). */
 static void advance_block(const mpm *s, int blk, int group)
 {
     const fields *f = s->domain->fields[blk];
     const double *restrict mass = field_get(f, N_MASS, group, 0);
-    const double kick = s->work->kick, floor = small_node * s->work->reference_mass;
+    const double kick = s->work->kick, floor = small_node * s->work->reference_mass, left = damping_left(s);
     const size_t n = node_count(s, blk);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const double *restrict momentum = field_get(f, N_MOMENTUM, group, c);
@@ -55,34 +63,22 @@ static void advance_block(const mpm *s, int blk, int group)
 #pragma omp parallel for simd schedule(static)
         for (size_t k = 0; k < n; ++k) {
             const double impulse = mass[k] > floor ? kick * force[k] : 0.0;
-            v[k] = mass[k] > 0.0 ? (momentum[k] + impulse) / mass[k] : 0.0;
+            v[k] = mass[k] > 0.0 ? (left * momentum[k] + impulse) / mass[k] : 0.0;
         }
-    }
-}
-
-/* v^L <- v^L / (1 + rate kick): viscous damping is taken implicitly, so that any rate is stable. */
-static void damp_block(const mpm *s, int blk, int group)
-{
-    const double factor = 1.0 / (1.0 + s->scene->damping.rate * s->work->kick);
-    const size_t n = node_count(s, blk);
-    for (int c = 0; c < s->mesh->dim; ++c) {
-        double *restrict v = field_get(s->domain->fields[blk], N_VEL_L, group, c);
-#pragma omp parallel for simd schedule(static)
-        for (size_t k = 0; k < n; ++k) v[k] *= factor;
     }
 }
 
 enum { SUM_DAMPED_MOMENTUM = 0, SUM_DAMPED_ENERGY = 3, SUM_LOST = 4, SUM_SMALL = 7, SUM_COUNT = 8 };
 
 /* What damping took and what the small-node rule dropped, on the nodes of one tile. */
-static void tile_losses(const mpm *s, int blk, int tile, int group, double taken)
+static void tile_losses(const mpm *s, int blk, int tile, int group)
 {
     int global;
     const block *b = &s->mesh->block[blk];
     const tile_box t = tile_box_of(s->mesh, b, tile, &global);
     const fields *f = s->domain->fields[blk];
     const double *mass = field_get(f, N_MASS, group, 0);
-    const double floor = small_node * s->work->reference_mass;
+    const double floor = small_node * s->work->reference_mass, taken = 1.0 - damping_left(s);
     double *sum = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
     int end[MESH_MAX_DIM] = {1, 1, 1};
     for (int a = 0; a < s->mesh->dim;
@@ -95,9 +91,9 @@ static void tile_losses(const mpm *s, int blk, int tile, int group, double taken
                 const ptrdiff_t at =
                     mesh_index(b, t.first[0] - b->lo[0] + i, t.first[1] - b->lo[1] + j, t.first[2] - b->lo[2] + k);
                 for (int c = 0; c < s->mesh->dim; ++c) {
-                    const double v = field_get(f, N_VEL_L, group, c)[at], lost = v * taken / (1.0 - taken);
-                    sum[SUM_DAMPED_MOMENTUM + c] -= mass[at] * lost;
-                    sum[SUM_DAMPED_ENERGY] -= 0.5 * mass[at] * lost * (2.0 * v + lost);
+                    const double momentum = field_get(f, N_MOMENTUM, group, c)[at], lost = taken * momentum;
+                    sum[SUM_DAMPED_MOMENTUM + c] -= lost;
+                    if (mass[at] > 0.0) sum[SUM_DAMPED_ENERGY] -= 0.5 * lost * (2.0 * momentum - lost) / mass[at];
                     if (mass[at] <= floor) sum[SUM_LOST + c] += s->work->kick * field_get(f, N_FORCE, group, c)[at];
                 }
                 if (mass[at] > 0.0 && mass[at] <= floor) sum[SUM_SMALL] += 1.0;
@@ -106,11 +102,9 @@ static void tile_losses(const mpm *s, int blk, int tile, int group, double taken
 
 static void enter_losses(mpm *s, int group)
 {
-    const double rate = damping_acts(s) ? s->scene->damping.rate * s->work->kick : 0.0;
-    const double taken = rate / (1.0 + rate);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 8)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) tile_losses(s, b, t, group, taken);
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) tile_losses(s, b, t, group);
     }
     double sum[MPM_TILE_SUMS];
     domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, sum);
@@ -127,9 +121,8 @@ floe_status mpm_node_update(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
         for (int b = 0; b < s->mesh->n_blocks; ++b) advance_block(s, b, g);
-        impose_walls(s, g, N_VEL_L);
-        for (int b = 0; damping_acts(s) && b < s->mesh->n_blocks; ++b) damp_block(s, b, g);
         enter_losses(s, g);
+        impose_walls(s, g, N_VEL_L);
     }
     return FLOE_OK;
 }
