@@ -106,26 +106,32 @@ static const int simplex[3][6][4] = {
     {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
 static const int simplices[3] = {1, 2, 6};
 
-static void cut_box(const cutter *c, const double lo[3], const double size[3])
+/* lo and hi: opposite corners. */
+static void cut_box(const cutter *c, const double lo[3], const double hi[3])
 {
     const int dim = c->grid->dim;
     for (int k = 0; k < simplices[dim - 1]; ++k) {
         double corner[4][3];
         for (int v = 0; v <= dim; ++v)
-            for (int a = 0; a < 3; ++a)
-                corner[v][a] = lo[a] + (((simplex[dim - 1][k][v] >> a) & 1) != 0 ? size[a] : 0.0);
+            for (int a = 0; a < 3; ++a) corner[v][a] = ((simplex[dim - 1][k][v] >> a) & 1) != 0 ? hi[a] : lo[a];
         cut_simplex(c, (const double(*)[3])corner);
     }
+}
+
+/* Place of a face of the sub-boxes: neighbours compute the same bits, in whichever cell they are, so that a surface along a face
+ * is met once. */
+static double face_of(const seed_spec *g, int axis, int cell, int at, int divide)
+{
+    return g->lower[axis] + g->h[axis] * (cell + (double)at / divide);
 }
 
 /* Sub-boxes of a cell, unless the surface is farther from its centre than its corners are. */
 static void cut_cell(const cutter *c, const int cell[3], int divide)
 {
     const seed_spec *g = c->grid;
-    double centre[3] = {0}, size[3] = {0}, reach = 0.0;
+    double centre[3] = {0}, reach = 0.0;
     for (int a = 0; a < g->dim; ++a) {
         centre[a] = g->lower[a] + (cell[a] + 0.5) * g->h[a];
-        size[a] = g->h[a] / divide;
         reach += g->h[a] * g->h[a];
     }
     if (fabs(level(c, centre)) > sqrt(reach)) return;
@@ -134,9 +140,12 @@ static void cut_cell(const cutter *c, const int cell[3], int divide)
         for (int j = 0; j < ny; ++j)
             for (int i = 0; i < divide; ++i) {
                 const int at[3] = {i, j, k};
-                double lo[3] = {0};
-                for (int a = 0; a < g->dim; ++a) lo[a] = g->lower[a] + cell[a] * g->h[a] + at[a] * size[a];
-                cut_box(c, lo, size);
+                double lo[3] = {0}, hi[3] = {0};
+                for (int a = 0; a < g->dim; ++a) {
+                    lo[a] = face_of(g, a, cell[a], at[a], divide);
+                    hi[a] = face_of(g, a, cell[a], at[a] + 1, divide);
+                }
+                cut_box(c, lo, hi);
             }
 }
 

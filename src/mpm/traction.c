@@ -15,6 +15,8 @@ enum {
 
 /* A node with this share of the mass of the heaviest node about takes all that the basis gives it. */
 static const double bearing_mass = 3e-4;
+/* One with this share moves a surface with all of its acceleration. */
+static const double steady_mass = 0.1;
 
 typedef struct surface_list {
     mpm *s;
@@ -86,11 +88,11 @@ floe_status seed_surfaces(mpm *s)
     return FLOE_OK;
 }
 
-/* The nodes about a surface point, by global index, with their shares of its load. */
+/* The nodes about a surface point, by global index, with their shares of its load and their masses over the heaviest one's. */
 typedef struct surface_stencil {
     int n;
     int node[SURFACE_NODES][3];
-    double w[SURFACE_NODES];
+    double w[SURFACE_NODES], mass[SURFACE_NODES];
 } surface_stencil;
 
 static int cell_of(const mesh *m, int axis, const surface_point *p)
@@ -142,21 +144,25 @@ static double mass_at(const mpm *s, const block *b, const double *mass, const in
     return mass[mesh_index(b, at[0] - b->lo[0], at[1] - b->lo[1], at[2] - b->lo[2])];
 }
 
-/* Multiplies the weights by how well each node is borne by points: 1 for those with bearing_mass of the heaviest one's
- * mass. False: all are borne, and nothing has changed. */
-static bool weigh_by_bearing(const mpm *s, int group, const surface_point *p, surface_stencil *st)
+static void weigh_nodes(const mpm *s, int group, const surface_point *p, surface_stencil *st)
 {
     const int blk = block_of(s, p);
     const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
-    double m[SURFACE_NODES], heaviest = 0.0;
+    double heaviest = 0.0;
     for (int i = 0; i < st->n; ++i) {
-        m[i] = mass_at(s, &s->mesh->block[blk], mass, st->node[i]);
-        heaviest = fmax(heaviest, m[i]);
+        st->mass[i] = mass_at(s, &s->mesh->block[blk], mass, st->node[i]);
+        heaviest = fmax(heaviest, st->mass[i]);
     }
+    for (int i = 0; i < st->n; ++i) st->mass[i] = heaviest > 0.0 ? st->mass[i] / heaviest : 1.0;
+}
+
+/* Multiplies the weights by how well each node is borne by points. False: all are borne, and nothing has changed. */
+static bool bear_load(surface_stencil *st)
+{
     bool changed = false;
     for (int i = 0; i < st->n; ++i) {
-        if (m[i] >= bearing_mass * heaviest) continue;
-        st->w[i] *= m[i] / (bearing_mass * heaviest);
+        if (st->mass[i] >= bearing_mass) continue;
+        st->w[i] *= st->mass[i] / bearing_mass;
         changed = true;
     }
     return changed;
@@ -210,11 +216,12 @@ static void keep_sum(surface_stencil *st)
 static surface_stencil surface_locate(const mpm *s, int group, const surface_point *p)
 {
     surface_stencil st = basis_stencil(s, p);
-    if (weigh_by_bearing(s, group, p, &st) && !keep_moments(s, p, &st)) keep_sum(&st);
+    weigh_nodes(s, group, p, &st);
+    if (bear_load(&st) && !keep_moments(s, p, &st)) keep_sum(&st);
     return st;
 }
 
-typedef void surface_node(void *user, ptrdiff_t at, double weight);
+typedef void surface_node(void *user, ptrdiff_t at, double weight, double mass);
 
 /* Visits the nodes of a stencil that a block holds. */
 static void visit_stencil(const block *b, const surface_stencil *st, surface_node *visit, void *user)
@@ -226,7 +233,7 @@ static void visit_stencil(const block *b, const surface_stencil *st, surface_nod
             local[a] = st->node[i][a] - b->lo[a];
             held = held && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
         }
-        if (held) visit(user, mesh_index(b, local[0], local[1], local[2]), st->w[i]);
+        if (held) visit(user, mesh_index(b, local[0], local[1], local[2]), st->w[i], st->mass[i]);
     }
 }
 
@@ -235,8 +242,9 @@ typedef struct surface_force {
     int dim;
 } surface_force;
 
-static void add_force(void *user, ptrdiff_t at, double weight)
+static void add_force(void *user, ptrdiff_t at, double weight, double mass)
 {
+    (void)mass;
     const surface_force *f = user;
     for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
 }
@@ -265,15 +273,18 @@ void scatter_surfaces(mpm *s, int group)
 }
 
 typedef struct surface_velocity {
-    const double *v[3];
-    double sum[3];
+    const double *v[3], *acceleration[3];
+    double sum[3], kick;
     int dim;
 } surface_velocity;
 
-static void add_velocity(void *user, ptrdiff_t at, double weight)
+/* A light node's acceleration is large and moves hardly any point, even at rest (numerics 4.4): a surface that followed it would
+ * leave its body, so it takes that in proportion to the mass. */
+static void add_velocity(void *user, ptrdiff_t at, double weight, double mass)
 {
     surface_velocity *v = user;
-    for (int a = 0; a < v->dim; ++a) v->sum[a] += weight * v->v[a][at];
+    const double without = mass < steady_mass ? (1.0 - mass / steady_mass) * v->kick : 0.0;
+    for (int a = 0; a < v->dim; ++a) v->sum[a] += weight * (v->v[a][at] - without * v->acceleration[a][at]);
 }
 
 void move_surfaces(mpm *s, int group)
@@ -283,8 +294,11 @@ void move_surfaces(mpm *s, int group)
         const scene_load *load = &s->scene->load[p->load];
         if (s->work->body_group[load->body] != group) continue;
         const int b = block_of(s, p);
-        surface_velocity v = {.dim = s->mesh->dim};
-        for (int a = 0; a < v.dim; ++a) v.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
+        surface_velocity v = {.dim = s->mesh->dim, .kick = s->work->kick};
+        for (int a = 0; a < v.dim; ++a) {
+            v.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
+            v.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);
+        }
         const surface_stencil st = surface_locate(s, group, p);
         visit_stencil(&s->mesh->block[b], &st, add_velocity, &v);
         const double pressure = load->target * load_now(s, load);
