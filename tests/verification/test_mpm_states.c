@@ -215,7 +215,7 @@ static double shell_run(const shell *s)
              s->ring ? make_box(&t, lo, hi) : make_ring(&t, 0.5, 1.0), 2)
         ->seeding = s->seeding;
     press(&t, s->ring ? face(&t, 0, 0.5) : make_ball(&t, centre, 0.5), traction);
-    settle(&t, 8.0, 1e-6);
+    settle(&t, 8.0, s->ring ? 1e-8 : 1e-6);
     const exact_model *model = exact_find(s->exact);
     double *par;
     check_ok(t.ctx, scene_allocate(t.scene, &par, model->param_size));
