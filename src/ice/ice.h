@@ -65,6 +65,7 @@ floe_status ice_initialise(ice *s, double *const *taken);
 /* The stages, in the order of numerics 5.1 (their names are the ones timed and listed). */
 floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
 floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
+floe_status ice_continue_pressure(ice *s);    /* beside solids: p where they leave no room (ice_continue.c) */
 floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
 floe_status ice_face_pressure(ice *s);        /* 2.4 */

@@ -167,6 +167,7 @@ floe_status ice_pressure_increment(ice *s)
         for (int row = 0; row < q.n; ++row) s->work->kernels.increment(&v, ice_row_j(q, row), ice_row_k(q, row));
         if (v.tmv) relax_volume(s, &v);
     }
+    if (s->with_points) ice_hold_continued(s);
     ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_EVEN);
     ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
     return FLOE_OK;

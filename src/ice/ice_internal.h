@@ -148,6 +148,9 @@ int ice_thread(void);
 /* Columns at rest (numerics 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);
 
+/* Cells whose pressure is continued into a solid take no increment (ice_continue.c). */
+void ice_hold_continued(const ice *s);
+
 void ice_view_make(const ice *s, int block_id, ice_view *v);
 
 /* How a field is continued into the ghosts beyond a side. */

@@ -12,6 +12,7 @@ floe_status ice_pressure_stages(ice *s)
           WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)));
+    STAGE(s, p, ice_continue_pressure, READS(C_PRESSURE, C_THETA, C_MIXED), WRITES(C_PRESSURE, C_DP));
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
