@@ -2,6 +2,7 @@
 #include "mpm/locate.h"
 #include "mpm/work.h"
 
+#include <math.h>
 #include <string.h>
 
 enum {
@@ -69,6 +70,24 @@ static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, 
     return out;
 }
 
+/* Refuses a step that takes a point farther than a cell: stable ones take it half as far at most (numerics 4.6). A NaN is refused
+ * as well. */
+static floe_status check_motion(const mpm *s, int body, size_t start, size_t end, const point_arrays *p,
+                                const gather_result *out)
+{
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double *restrict x = p->x[a], *restrict next = out->x_next[a];
+        const double h = s->mesh->h[a];
+        long long far = 0; /* as wide as a double, so that the loop is vectorised */
+        for (size_t k = start; k < end; ++k) far += !(fabs(next[k] - x[k]) <= h);
+        if (far)
+            return fail(s->ctx, FLOE_RETRY,
+                        "at t = %.6g s a point of body '%s' would cross more than a cell in one step", s->time,
+                        s->scene->body[s->body[body].scene_body].name);
+    }
+    return FLOE_OK;
+}
+
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
 static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
                              const double *window, solid_batch *batch, double *heat)
@@ -82,6 +101,7 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         if (pass.stress) clear_free_rates(s, batch);
         gather(s->mesh, t, &p, k, stop, window, &step, &out);
+        if (pass.motion) TRY(check_motion(s, body, k, stop, &p, &out));
         if (pass.stress) TRY(update_stress(s, blk, body, k, stop, batch, heat));
     }
     return FLOE_OK;
