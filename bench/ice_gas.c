@@ -96,7 +96,7 @@ static floe_status bench(context *ctx, int n, int materials, int steps, double b
     stages.domain = d;
     TRY(ice_register(solver, d));
     stir(solver, d, &m);
-    ice_limit limit;
+    step_limit limit;
     TRY(ice_time_step(solver, &limit));
     double start = 0.0;
     for (int k = -3; k < steps; ++k) {

@@ -40,6 +40,12 @@ typedef struct stage_list {
     uint64_t *checksum;     /* of fields, while checking; owned */
 } stage_list;
 
+/* What bounds the time step: the largest stable one (s), and a few words on what it is. */
+typedef struct step_limit {
+    double dt;
+    const char *reason;
+} step_limit;
+
 #define ALWAYS true
 #define STAGE_FIELDS(...) ((stage_fields){.id = {__VA_ARGS__}, .n = (int)(sizeof((int[]){__VA_ARGS__}) / sizeof(int))})
 #define READS(...) STAGE_FIELDS(__VA_ARGS__)

@@ -23,12 +23,6 @@ typedef struct ice_material {
         points; /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
 } ice_material;
 
-/* What bounds the time step now. */
-typedef struct ice_limit {
-    double dt;
-    const char *reason;
-} ice_limit;
-
 typedef struct ice {
     context *ctx;       /* not owned */
     const scene *scene; /* not owned */
@@ -91,7 +85,7 @@ floe_status ice_advection_stages(ice *s);
 floe_status ice_step(ice *s);
 
 /* Largest stable step (2.14) from the current state and the last pressures. */
-floe_status ice_time_step(ice *s, ice_limit *out);
+floe_status ice_time_step(ice *s, step_limit *out);
 
 /* Totals of the current state over owned cells of the fluids (not of materials carried by points), in tile order:
  * mass, momentum, internal and kinetic energy by material. */

@@ -110,7 +110,7 @@ static bool block_rates(const ice *s, const ice_view *v, int r, rates *most)
     return bad == 0;
 }
 
-floe_status ice_time_step(ice *s, ice_limit *out)
+floe_status ice_time_step(ice *s, step_limit *out)
 {
     rates most = {0.0, 0.0};
     double gravity = 0.0;
@@ -123,9 +123,10 @@ floe_status ice_time_step(ice *s, ice_limit *out)
                 return fail(s->ctx, FLOE_RETRY, "time step: a cell of material %d has no sound speed", r);
     }
     const double cfl = s->scene->time.cfl_ice;
-    *out = (ice_limit){cfl / most.signal, "sound and flow on the cells"};
+    *out = (step_limit){cfl / most.signal, "sound and flow on the cells"};
     if (!(most.diffusion * out->dt <= 1.0) && most.diffusion > 0.0)
-        *out = (ice_limit){1.0 / most.diffusion, "viscosity on the cells"};
-    if (gravity > 0.0 && sqrt(1.0 / gravity) < out->dt) *out = (ice_limit){sqrt(1.0 / gravity), "gravity on the cells"};
+        *out = (step_limit){1.0 / most.diffusion, "viscosity on the cells"};
+    if (gravity > 0.0 && sqrt(1.0 / gravity) < out->dt)
+        *out = (step_limit){sqrt(1.0 / gravity), "gravity on the cells"};
     return FLOE_OK;
 }

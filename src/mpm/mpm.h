@@ -33,11 +33,6 @@ typedef struct mpm_points {
     size_t *tile_start; /* block.n_tiles + 1 offsets, owned */
 } mpm_points;
 
-typedef struct mpm_limit {
-    double dt;
-    const char *reason;
-} mpm_limit;
-
 typedef struct mpm {
     context *ctx;       /* not owned */
     const scene *scene; /* not owned */
@@ -98,7 +93,7 @@ floe_status mpm_commit(mpm *s);
 floe_status mpm_resort(mpm *s);
 
 /* Largest stable step (4.6) from the current state. */
-floe_status mpm_time_step(mpm *s, mpm_limit *out);
+floe_status mpm_time_step(mpm *s, step_limit *out);
 
 /* Totals of the current points, in tile order. */
 typedef struct mpm_totals {

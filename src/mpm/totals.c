@@ -139,7 +139,7 @@ static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t e
     return worst;
 }
 
-floe_status mpm_time_step(mpm *s, mpm_limit *out)
+floe_status mpm_time_step(mpm *s, step_limit *out)
 {
     double worst = 0.0;
     int limiting = 0;

@@ -21,12 +21,12 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
     *dt = INFINITY;
     *reason = "nothing";
     if (s->mpm) {
-        mpm_limit l;
+        step_limit l;
         TRY(mpm_time_step(s->mpm, &l));
         limit(dt, reason, l.dt, l.reason);
     }
     if (s->ice) {
-        ice_limit l;
+        step_limit l;
         TRY(ice_time_step(s->ice, &l));
         limit(dt, reason, l.dt, l.reason);
     }

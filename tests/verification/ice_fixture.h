@@ -202,7 +202,7 @@ static inline void fixture_run(fixture *f, double end)
 {
     double before = 0.0;
     while (f->time < end * (1.0 - 1e-12)) {
-        ice_limit limit;
+        step_limit limit;
         check_ok(f->ctx, ice_time_step(f->ice, &limit));
         double dt = f->steps == 0 ? 0.2 * limit.dt : fmin(limit.dt, 1.2 * before);
         before = dt;

@@ -143,7 +143,7 @@ static double plate_error(int cells, bool couette)
     }
     fixture_start(&f);
     while (f.time < 2.0) {
-        ice_limit limit;
+        step_limit limit;
         check_ok(f.ctx, ice_time_step(f.ice, &limit));
         check_ok(f.ctx, fixture_try(&f, 0.9 * limit.dt));
     }

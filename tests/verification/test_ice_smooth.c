@@ -129,7 +129,7 @@ static void columns_at_rest(void **state)
         gravity(&f, axis);
         fixture_start(&f);
         for (int k = 0; k < 1000; ++k) {
-            ice_limit limit;
+            step_limit limit;
             check_ok(f.ctx, ice_time_step(f.ice, &limit));
             check_ok(f.ctx, fixture_try(&f, limit.dt));
         }

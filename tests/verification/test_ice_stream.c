@@ -74,7 +74,7 @@ static void deviation(const fixture *f, const double *velocity, double p, double
 static void steps(fixture *f, int n)
 {
     for (int k = 0; k < n; ++k) {
-        ice_limit limit;
+        step_limit limit;
         check_ok(f->ctx, ice_time_step(f->ice, &limit));
         check_ok(f->ctx, fixture_try(f, limit.dt));
     }
