@@ -1,0 +1,163 @@
+/* What coupled runs must keep: mass exactly, momentum with that of the walls to round-off for any strength of the exchange, rest
+ * at the reference pressure; and how large the noise is of a solid that moves with the gas about it. */
+#include "coupled_fixture.h"
+
+/* A soft block, off the cells, that flies through the gas of a closed box. */
+static void block_in_box(trial *t, int dim, const char *basis, double exchange)
+{
+    const double size[3] = {0.8, 0.7, 0.6}, lower[3] = {0.23, 0.17, 0.16}, upper[3] = {0.46, 0.43, 0.41};
+    coupled_begin(t, dim, size, dim == 3 ? 0.1 : 0.05);
+    set_method(t, basis, STRESS_USL, 0.99);
+    t->scene->method.exchange = exchange;
+    scene_body *b = coupled_body(t, coupled_solid(t, 20e6, 8e6, 1000.0), make_box(t, lower, upper), 2);
+    b->velocity[0] = 30.0;
+    b->velocity[1] = -20.0;
+    b->velocity[2] = 10.0;
+    coupled_start(t);
+}
+
+static void test_closed_box(void **unused)
+{
+    (void)unused;
+    static const double exchange[] = {0.0, 1e5, 1e15, 1e20};
+    for (int dim = 1; dim <= 3; ++dim)
+        for (size_t i = 0; i < basis_registry_size; ++i)
+            for (size_t k = 0; k < sizeof exchange / sizeof *exchange; ++k) {
+                trial t;
+                block_in_box(&t, dim, basis_registry[i]->name, exchange[k]);
+                trial_steps(&t, dim == 3 ? 20 : 200);
+                const double mass = ledger_worst(&t, LEDGER_MASS, LEDGER_MASS),
+                             momentum =
+                                 ledger_worst(&t, LEDGER_MOMENTUM_X, (ledger_quantity)(LEDGER_MOMENTUM_X + dim - 1)),
+                             energy = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
+                print_message("%d-D %-9s K = %-6g drifts: mass %.1e, momentum %.1e, energy %.1e; rejected %ld\n", dim,
+                              basis_registry[i]->name, exchange[k], mass, momentum, energy, t.sim->rejected);
+                check_true(mass <= 1e-15);
+                check_true(momentum <= 1e-14);
+                trial_end(&t);
+            }
+}
+
+/* Largest deviations of the pressure (of the reference) in cells that hold gas alone and in all, of the gas's velocity (m/s), and of
+ * the points' velocity and stress. */
+typedef struct noise {
+    double open, pressure, gas, solid, stress;
+    double velocity[3];
+} noise;
+
+static double larger(double a, double b)
+{
+    return !(b <= a) ? b : a;
+}
+
+static void add_point(void *user, const fields *f, int body, size_t k)
+{
+    noise *n = user;
+    for (int a = 0; a < 3 && field_get(f, P_VEL, body, a); ++a)
+        n->solid = larger(n->solid, fabs(field_get(f, P_VEL, body, a)[k] - n->velocity[a]));
+    for (int c = 0; c < 3; ++c) n->stress = larger(n->stress, fabs(field_get(f, P_STRESS, body, c)[k]));
+}
+
+static noise measure(const trial *t, const double velocity[3])
+{
+    noise n = {.pressure = 0.0};
+    if (velocity) memcpy(n.velocity, velocity, sizeof n.velocity);
+    visit_points(t, 0, add_point, &n);
+    const mesh *m = &t->sim->mesh;
+    const int gas = ice_material_of(t->sim->ice, t->scene->ambient_material);
+    for (int id = 0; id < m->n_blocks; ++id) {
+        const block *b = &m->block[id];
+        const fields *f = t->sim->domain->fields[id];
+        for (int k = 0; k < b->n[2]; ++k)
+            for (int j = 0; j < b->n[1]; ++j)
+                for (int i = 0; i < b->n[0]; ++i) {
+                    const ptrdiff_t at = mesh_index(b, i, j, k);
+                    const double off = fabs(field_get(f, C_PRESSURE, 0, 0)[at] / COUPLED_PRESSURE - 1.0);
+                    n.pressure = larger(n.pressure, off);
+                    if (field_get(f, C_MIXED, 0, 0)[at] < 2.0) n.open = larger(n.open, off);
+                    for (int a = 0; a < m->dim && field_get(f, C_RHO, gas, 0)[at] > 0.0; ++a)
+                        n.gas = larger(n.gas, fabs(field_get(f, C_VEL, gas, a)[at] - n.velocity[a]));
+                }
+    }
+    return n;
+}
+
+/* A solid at rest in gas at rest at the reference pressure stays so, off the cells as it is. */
+static void test_rest(void **unused)
+{
+    (void)unused;
+    for (int dim = 1; dim <= 2; ++dim)
+        for (size_t i = 0; i < basis_registry_size; ++i) {
+            trial t;
+            coupled_begin(&t, dim, (const double[]){0.8, 0.7, 0.6}, 0.05);
+            set_method(&t, basis_registry[i]->name, STRESS_USL, 0.99);
+            coupled_body(&t, coupled_solid(&t, 117e9, 43.8e9, 8900.0),
+                         dim == 1 ? make_box(&t, (const double[]){0.23, 0.0, 0.0}, (const double[]){0.46, 1.0, 1.0})
+                                  : make_ball(&t, (const double[]){0.35, 0.36, 0.0}, 0.21),
+                         2);
+            coupled_start(&t);
+            trial_steps(&t, 1000);
+            const noise n = measure(&t, NULL);
+            print_message("%d-D %-9s at rest: p %.1e, gas %.1e m/s, solid %.1e m/s, stress %.1e Pa\n", dim,
+                          basis_registry[i]->name, n.pressure, n.gas, n.solid, n.stress);
+            check_true(n.pressure <= 1e-10);
+            check_true(n.gas <= 1e-10 * 347.0);
+            check_true(n.solid <= 1e-10 * 347.0);
+            trial_end(&t);
+        }
+}
+
+/* A solid that moves with the gas about it, through the mesh. Points and cells do not carry volume alike, so that this is not exact
+ * (numerics 5.5): measured without relaxation of volumes 1.4 % of the pressure anywhere, hardly less on finer meshes; with the
+ * default of 0.1 a step the same 1.2 % in the gas, but 3 to 5 times the pressure in cells that are mostly solid. */
+static noise move_together(const char *basis, double h, double relaxation)
+{
+    const double velocity[3] = {10.0, 0.0, 0.0};
+    trial t;
+    coupled_begin(&t, 2, (const double[]){1.0, 0.6, 0.0}, h);
+    for (int a = 0; a < 2; ++a) set_sides(&t, a, BC_PERIODIC, BC_PERIODIC);
+    set_method(&t, basis, STRESS_USL, 0.99);
+    t.scene->method.volume_relaxation = relaxation;
+    scene_body *b = coupled_body(&t, coupled_solid(&t, 20e6, 8e6, 1000.0),
+                                 make_ball(&t, (const double[]){0.33, 0.31, 0.0}, 0.173), 2);
+    memcpy(b->velocity, velocity, sizeof velocity);
+    scene_body *gas =
+        coupled_body(&t, t.scene->ambient_material,
+                     make_box(&t, (const double[]){-1.0, -1.0, -1.0}, (const double[]){2.0, 2.0, 2.0}), 2);
+    gas->pressure = COUPLED_PRESSURE;
+    memcpy(gas->velocity, velocity, sizeof velocity);
+    coupled_start(&t);
+    trial_run(&t, 0.02);
+    const noise n = measure(&t, velocity);
+    print_message(
+        "%-9s h %.3f relaxation %.1f, moving together: p %.1e (gas alone %.1e), gas %.1f m/s, solid %.2f m/s, "
+        "stress %.1e Pa\n",
+        basis, h, relaxation, n.pressure, n.open, n.gas, n.solid, n.stress);
+    check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_Y) <= 1e-12);
+    trial_end(&t);
+    return n;
+}
+
+static void test_moving_together(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < basis_registry_size; ++i)
+        for (int fine = 1; fine <= 2; ++fine) {
+            const noise plain = move_together(basis_registry[i]->name, 0.05 / fine, 0.0);
+            check_true(plain.pressure <= 0.05);
+            check_true(plain.gas <= 5.0 && plain.solid <= 1.0);
+            const noise relaxed = move_together(basis_registry[i]->name, 0.05 / fine, 0.1);
+            check_true(relaxed.open <= 0.05);
+            check_true(relaxed.gas <= 5.0 && relaxed.solid <= 2.0);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_closed_box),
+        cmocka_unit_test(test_rest),
+        cmocka_unit_test(test_moving_together),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

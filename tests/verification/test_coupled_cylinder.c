@@ -1,0 +1,98 @@
+/* The pressurised cylinder of Guilkey et al. 2003 against Lame, from its deck: errors of eq. 13 in both couplings, the gas's
+ * pressure, and the slope with the paper's settings. */
+#include "check.h"
+
+#include "floe/floe.h"
+#include "verify/order.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { MAX_SET = 8 };
+
+typedef struct answer {
+    double eq13, gas, sigma_r, steps;
+} answer;
+
+/* Removes what a run has written into `folder`. */
+static void clear_folder(const char *folder)
+{
+    char command[256];
+    (void)snprintf(command, sizeof command, "rm -rf -- '%s'", folder);
+    assert_int_equal(system(command), 0);
+}
+
+static answer run(const char *coupling, double h, size_t n_set, const char *const *more)
+{
+    char folder[] = "/tmp/floe-test-XXXXXX", cell[32], how[32];
+    const char *set[MAX_SET] = {cell, how};
+    assert_non_null(mkdtemp(folder));
+    (void)snprintf(cell, sizeof cell, "domain.cell=%g", h);
+    (void)snprintf(how, sizeof how, "coupling=%s", coupling);
+    for (size_t k = 0; k < n_set; ++k) set[2 + k] = more[k];
+    floe_context *floe = floe_create();
+    floe_deck *deck;
+    floe_run *r;
+    assert_int_equal(floe_init(), FLOE_OK);
+    if (floe_load(floe, FLOE_SOURCE_DIR "/inputs/pressurized_cylinder.yaml", set, 2 + n_set, &deck) != FLOE_OK ||
+        floe_execute(deck, &(floe_options){.directory = folder, .threads = 1}, &r) != FLOE_OK) {
+        print_error("%s\n", floe_message(floe));
+        check_true(!"the cylinder runs");
+    }
+    assert_string_equal(floe_run_status(r), "at_rest");
+    const answer a = {.eq13 = floe_value(r, "errors.eq13"),
+                      .gas = floe_value(r, "errors.rel_gas_pressure"),
+                      .sigma_r = floe_value(r, "errors.l1_sigma_r"),
+                      .steps = floe_value(r, "steps")};
+    check_true(a.gas <= 5e-3);
+    check_true(floe_value(r, "conservation.mass") <= 1e-12);
+    check_true(floe_value(r, "conservation.momentum") <= 1e-11);
+    print_message("%-8s h = %-6g eq. 13: %.2f %%, L1 of sigma_r %.3g Pa, gas %.3f %%, %g steps, drifts: mass %.1e, "
+                  "momentum %.1e, energy %.1e, %.2f s\n",
+                  coupling, h, 100.0 * a.eq13, a.sigma_r, 100.0 * a.gas, a.steps, floe_value(r, "conservation.mass"),
+                  floe_value(r, "conservation.momentum"), floe_value(r, "conservation.energy"),
+                  floe_value(r, "wall_seconds"));
+    floe_run_destroy(&r);
+    floe_deck_destroy(&deck);
+    floe_destroy(&floe);
+    clear_folder(folder);
+    return a;
+}
+
+/* With floe's defaults: at most 20 and 10 %. */
+static void test_defaults(void **state)
+{
+    (void)state;
+    static const char *const coupling[] = {"ice-mpm", "mpm"};
+    for (int c = 0; c < 2; ++c) {
+        check_true(run(coupling[c], 0.1, 0, NULL).eq13 <= 0.2);
+        check_true(run(coupling[c], 0.05, 0, NULL).eq13 <= 0.1);
+    }
+}
+
+/* With the paper's settings, the linear basis and 2x2 points on a lattice: first order, 0.89 within two standard errors. */
+static void test_paper(void **state)
+{
+    (void)state;
+    static const char *const paper[] = {"method.basis=linear", "bodies.cylinder.seeding=lattice"};
+    static const double h[] = {0.1, 0.05, 0.025};
+    double error[3];
+    for (int k = 0; k < 3; ++k) error[k] = run("ice-mpm", h[k], 2, paper).eq13;
+    order_fit fit;
+    context *ctx = context_create();
+    check_ok(ctx, order_fit_power(ctx, 3, h, error, &fit));
+    context_destroy(&ctx);
+    print_message("slope %.3f +- %.3f\n", fit.order, fit.standard_error);
+    check_true(fit.order >= 0.89 - 2.0 * fit.standard_error);
+    check_true(fit.standard_error <= 0.15);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_paper),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
