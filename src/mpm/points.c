@@ -90,7 +90,7 @@ static floe_status check_motion(const mpm *s, int body, size_t start, size_t end
 
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
 static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
-                             const double *window, solid_batch *batch, double *heat)
+                             const double *window, solid_batch *batch, double *gain)
 {
     const point_arrays p = points_of(s, blk, body, false, false);
     const gather_result out = result_of(s, blk, body, pass, batch);
@@ -102,7 +102,7 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
         if (pass.stress) clear_free_rates(s, batch);
         gather(s->mesh, t, &p, k, stop, window, &step, &out);
         if (pass.motion) TRY(check_motion(s, body, k, stop, &p, &out));
-        if (pass.stress) TRY(update_stress(s, blk, body, k, stop, batch, heat));
+        if (pass.stress) TRY(update_stress(s, blk, body, k, stop, batch, gain));
     }
     return FLOE_OK;
 }
@@ -113,15 +113,14 @@ static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_ba
     int global, loaded = -1;
     tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
     if (pass.stress) box.shared = shared_cells(s, blk, tile, &box);
-    double *heat = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
-    *heat = 0.0;
+    double *gain = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS; /* zeroed by pass_points */
     for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *range = s->points[blk][body].tile_start + tile;
         const int group = s->body[body].group;
         if (range[0] == range[1]) continue;
         if (loaded != group) load_pass(s, blk, group, &box, pass, window);
         loaded = group;
-        TRY(pass_body(s, blk, body, &box, range, pass, window, batch, heat));
+        TRY(pass_body(s, blk, body, &box, range, pass, window, batch, gain));
     }
     return FLOE_OK;
 }
@@ -149,7 +148,8 @@ static floe_status pass_points(mpm *s, tile_pass pass)
     if (pass.stress && worst == FLOE_OK) {
         double sum[MPM_TILE_SUMS];
         domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, sum);
-        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[0]);
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[GAIN_HEAT]);
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[GAIN_REFERENCE]);
     }
     return worst;
 }

@@ -140,7 +140,17 @@ static floe_status beyond_law(const mpm *s, int blk, int body, size_t point, con
                 b->J[k], b->energy[k]);
 }
 
-floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *b, double *heat)
+/* What a fluid does against the reference pressure as it swells (J): its internal energy pays for the whole of p dV, and its
+ * nodes are pushed by p - p_ref alone. */
+static double reference_work(const mpm *s, int blk, int body, size_t start, const solid_batch *b)
+{
+    const double *volume = field_get(s->domain->fields[blk], P_VOLUME0, body, 0) + start;
+    double swelling = 0.0;
+    for (size_t k = 0; k < b->n; ++k) swelling += volume[k] * (b->J[k] - b->J_old[k]);
+    return s->scene->reference_pressure * swelling;
+}
+
+floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *b, double gain[MPM_GAINS])
 {
     const mpm_body *m = &s->body[body];
     load_batch(s, blk, body, start, end, false, b);
@@ -149,10 +159,11 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
     else
         advance_J(b);
     if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);
-    if (m->fluid) *heat += add_heat(s, blk, body, start, b);
+    if (m->fluid) gain[GAIN_HEAT] += add_heat(s, blk, body, start, b);
     const stress_state state = m->fluid ? STRESS_FULL : s->scene->stress_state;
     const size_t bad = solid_stress_state(m->law, m->law_par, s->scene->reference_pressure, state, b);
     if (bad) return beyond_law(s, blk, body, start + bad - 1, b, bad - 1);
+    if (m->fluid) gain[GAIN_REFERENCE] -= reference_work(s, blk, body, start, b);
     store_batch(s, blk, body, start, b);
     return FLOE_OK;
 }

@@ -105,8 +105,12 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
 /* Copies the window of a tile from node arrays: `count` components interleaved (tile.c). */
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window);
 
+/* What a pass over the points adds to the energy (J): heating loads, and the reference pressure's work. */
+enum { GAIN_HEAT, GAIN_REFERENCE, MPM_GAINS };
+
 /* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */
-floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch, double *heat);
+floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
+                          double gain[MPM_GAINS]);
 /* Fills a batch with the current state of points [start, end) (stress.c). */
 void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch);
 
