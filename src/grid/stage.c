@@ -105,5 +105,7 @@ floe_status stage_end(stage_list *list, floe_status status)
     r->seconds += wall_seconds() - list->started;
     r->calls++;
     TRY(status);
+    if (list->fail_at > 0 && --list->fail_at == 0)
+        return fail(list->ctx, FLOE_RETRY, "stage %s was asked to fail", r->name);
     return list->checking ? end_check(list, r) : FLOE_OK;
 }

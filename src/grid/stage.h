@@ -37,7 +37,8 @@ typedef struct stage_list {
     bool uses[FIELD_COUNT]; /* some planned stage reads or writes it */
     double started;         /* wall clock at stage_begin */
     int running;            /* index of the running stage */
-    uint64_t *checksum;     /* of fields, while checking; owned */
+    int fail_at; /* for tests: the n-th stage from now (1 = the next) asks for a smaller step when done; 0: none */
+    uint64_t *checksum; /* of fields, while checking; owned */
 } stage_list;
 
 /* What bounds the time step: the largest stable one (s), and a few words on what it is. */

@@ -1,0 +1,79 @@
+/* Every allocation of a simulation's making and of its first steps fails once, with all after it: always FLOE_NO_MEMORY with a
+ * message, nothing lost, nothing left. */
+#include "verification/coupled_fixture.h"
+
+typedef struct variant {
+    const char *deck;
+    scene_coupling coupling;
+    size_t n_set;
+    const char *set[3];
+} variant;
+
+static const variant variants[] = {
+    {"pressurized_cylinder", COUPLING_ICE_MPM, 2, {"domain.cell=0.4", "method.basis=gimp"}},
+    {"pressurized_cylinder", COUPLING_MPM, 2, {"domain.cell=0.4", "method.stress=musl"}},
+    {"annulus_traction", COUPLING_MPM, 1, {"domain.cell=0.4"}},
+    {"sod", COUPLING_ICE, 1, {"domain.cell=0.1"}},
+};
+
+static uint64_t live(const trial *t)
+{
+    return memory_read_account(t->ctx).live_bytes;
+}
+
+/* The number of allocations that were made to fail. */
+static uint64_t sweep(const variant *v, bool stepping)
+{
+    trial t;
+    deck_begin(&t, v->deck, v->set, v->n_set);
+    for (int a = 0; a < 2; ++a) t.scene->mesh.blocks[a] = 1;
+    const uint64_t before = live(&t);
+    uint64_t n = 1;
+    for (floe_status status = FLOE_NO_MEMORY; status != FLOE_OK; ++n) {
+        if (stepping) check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, v->coupling));
+        memory_inject_failure(t.ctx, n);
+        if (stepping)
+            for (int k = 0; k < 3 && (k == 0 || status == FLOE_OK); ++k) status = sim_step(t.sim, INFINITY);
+        else
+            status = sim_create(&t.sim, t.ctx, t.scene, v->coupling);
+        memory_inject_failure(t.ctx, 0);
+        if (status != FLOE_OK) {
+            if (!stepping) assert_null(t.sim);
+            check_fails(t.ctx, status, FLOE_NO_MEMORY);
+        }
+        sim_destroy(&t.sim);
+        assert_null(t.sim);
+        assert_int_equal(live(&t), before);
+        assert_in_range(n, 1, 100000);
+    }
+    trial_end(&t);
+    return n - 2;
+}
+
+static void test_create(void **unused)
+{
+    (void)unused;
+    for (size_t k = 0; k < sizeof variants / sizeof *variants; ++k) {
+        const uint64_t n = sweep(&variants[k], false);
+        print_message("%s as %s: %llu allocations\n", variants[k].deck, coupling_name(variants[k].coupling),
+                      (unsigned long long)n);
+        check_true(n > 10);
+    }
+}
+
+static void test_steps(void **unused)
+{
+    (void)unused;
+    for (size_t k = 0; k < sizeof variants / sizeof *variants; ++k)
+        print_message("%s as %s: %llu allocations in three steps\n", variants[k].deck,
+                      coupling_name(variants[k].coupling), (unsigned long long)sweep(&variants[k], true));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_create),
+        cmocka_unit_test(test_steps),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
