@@ -120,7 +120,8 @@ floe_status ice_time_step(ice *s, step_limit *out)
         for (int a = 0; a < v.dim; ++a) gravity = fmax(gravity, fabs(s->gravity[a]) / v.h[a]);
         for (int r = 0; r < s->n_materials; ++r)
             if (!s->material[r].points && !block_rates(s, &v, r, &most))
-                return fail(s->ctx, FLOE_RETRY, "time step: a cell of material %d has no sound speed", r);
+                return fail(s->ctx, FLOE_DIVERGED, "time step: a cell of material %d has no sound speed at t = %.6g s",
+                            r, s->time);
     }
     const double cfl = s->scene->time.cfl_ice;
     *out = (step_limit){cfl / most.signal, "sound and flow on the cells"};

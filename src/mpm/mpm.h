@@ -105,6 +105,10 @@ floe_status mpm_sum(mpm *s, mpm_totals *out);
 /* Volume-weighted mean of a fluid body's pressure over points inside a region (all where region->model is NULL). */
 floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure);
 
+/* Places (m, three each) of the *n loaded surface points, *stride numbers apart: state that no field holds. NULL: there are none.
+ * Valid until the next step. */
+double *mpm_surface(mpm *s, size_t *n, size_t *stride);
+
 /* Number of points of a body over all blocks, and of all bodies. */
 size_t mpm_body_points(const mpm *s, int body);
 size_t mpm_count(const mpm *s);

@@ -179,7 +179,7 @@ floe_status mpm_remap_stress(mpm *s)
 
 floe_status mpm_grid_pressure(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) extend_to_ghosts(s, g, N_PRESSURE);
+    extend_to_ghosts(s, 0, N_PRESSURE); /* one for all groups */
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 4)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {

@@ -312,3 +312,10 @@ void move_surfaces(mpm *s, int group)
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, power * s->dt);
     }
 }
+
+double *mpm_surface(mpm *s, size_t *n, size_t *stride)
+{
+    *n = s->work->n_surface;
+    *stride = sizeof(surface_point) / sizeof(double);
+    return *n ? s->work->surface[0].x : NULL;
+}

@@ -2,7 +2,6 @@
 
 #include "base/memory.h"
 #include "io/file.h"
-#include "mpm/work.h"
 #include "run/catalogue.h"
 #include "run/pressure.h"
 
@@ -45,12 +44,10 @@ static floe_status echo(run_output *o, const scene *s)
 /* The places of loaded surface points are state that no field holds. */
 static void name_extra(run_output *o, const sim *s)
 {
-    if (!s->mpm || s->mpm->work->n_surface == 0) return;
-    o->extra = (checkpoint_extra){.name = "surface_position",
-                                  .data = s->mpm->work->surface[0].x,
-                                  .n = s->mpm->work->n_surface,
-                                  .components = 3,
-                                  .stride = sizeof(surface_point) / sizeof(double)};
+    size_t n = 0, stride = 0;
+    double *place = s->mpm ? mpm_surface(s->mpm, &n, &stride) : NULL;
+    if (!place) return;
+    o->extra = (checkpoint_extra){.name = "surface_position", .data = place, .n = n, .components = 3, .stride = stride};
     o->checkpoint.extra = &o->extra;
     o->checkpoint.n_extra = 1;
 }
@@ -123,8 +120,9 @@ floe_status output_row(run_output *o, sim *s)
     return history_append(o->history, s, &(history_row){&totals, pressure});
 }
 
-floe_status output_snapshot(run_output *o, const sim *s)
+floe_status output_snapshot(run_output *o, sim *s)
 {
+    TRY(sim_refresh(s));
     return snapshot_write(o->snapshots, s);
 }
 

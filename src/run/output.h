@@ -30,7 +30,7 @@ void output_end(run_output *o);
 /* A row of the history, with the ledger brought up to date. */
 floe_status output_row(run_output *o, sim *s);
 /* A snapshot of the fields. */
-floe_status output_snapshot(run_output *o, const sim *s);
+floe_status output_snapshot(run_output *o, sim *s);
 /* The checkpoint; `wall` is the wall time spent so far (s), earlier legs included. */
 floe_status output_checkpoint(run_output *o, const sim *s, double wall);
 bool output_has_checkpoint(const run_output *o);

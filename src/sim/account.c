@@ -1,6 +1,8 @@
 /* Sums over both solvers, the ledger's totals, rest, and the figures of a plan. */
 #include "sim/sim.h"
 
+#include "sim/coupled.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -63,6 +65,11 @@ floe_status sim_account(sim *s)
         l->scale[q] = fmax(l->scale[q], t.mpm.momentum_scale[a] + t.ice.momentum_scale[a]);
     }
     return FLOE_OK;
+}
+
+floe_status sim_refresh(sim *s)
+{
+    return s->transfer ? coupled_refresh(s) : FLOE_OK;
 }
 
 floe_status sim_check_rest(sim *s, const sim_totals *t)

@@ -48,6 +48,12 @@ void transfer_destroy(transfer **t)
     if (t && *t) memory_free((*t)->ctx, t);
 }
 
+floe_status coupled_refresh(sim *s)
+{
+    TRY(mpm_points_to_nodes(s->mpm));
+    return transfer_nodes_to_cells(s->transfer);
+}
+
 floe_status coupled_step(sim *s)
 {
     mpm *p = s->mpm;
@@ -56,12 +62,13 @@ floe_status coupled_step(sim *s)
     TRY(mpm_mass_stages(p));
     STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM), WRITES(C_RHO, C_VEL, C_TEMP));
     TRY(ice_pressure_stages(s->ice));
-    STAGE(t, ALWAYS, transfer_pressure_to_nodes, READS(C_PRESSURE_ADVANCED), WRITES(N_PRESSURE));
-    STAGE(p, ALWAYS, mpm_grid_pressure, READS(N_PRESSURE, P_POS), WRITES(P_GRID_PRESSURE));
+    STAGE(t, ALWAYS, transfer_pressure_to_nodes, READS(C_PRESSURE_ADVANCED), WRITES(C_PRESSURE_ADVANCED, N_PRESSURE));
+    STAGE(p, ALWAYS, mpm_grid_pressure, READS(N_PRESSURE, P_POS), WRITES(N_PRESSURE, P_GRID_PRESSURE));
     TRY(mpm_force_stages(p));
     STAGE(t, ALWAYS, transfer_momentum_to_cells, READS(N_MASS, N_VEL_L), WRITES(C_MOMENTUM_L));
     TRY(ice_exchange_stages(s->ice));
-    STAGE(t, ALWAYS, transfer_change_to_nodes, READS(C_VELOCITY_CHANGE, N_MASS, N_VEL_L), WRITES(N_VEL_L));
+    STAGE(t, ALWAYS, transfer_change_to_nodes, READS(C_VELOCITY_CHANGE, N_MASS, N_VEL_L),
+          WRITES(C_VELOCITY_CHANGE, N_VEL_L)); /* ghosts of the cells are filled */
     TRY(mpm_motion_stages(p));
     TRY(ice_advection_stages(s->ice));
     return FLOE_OK;
@@ -87,8 +94,7 @@ floe_status coupled_initialise(sim *s)
 {
     double *taken[MESH_MAX_BLOCKS] = {0};
     s->transfer->domain = s->domain;
-    TRY(mpm_points_to_nodes(s->mpm));
-    TRY(transfer_nodes_to_cells(s->transfer));
+    TRY(coupled_refresh(s));
     floe_status status = taken_volume(s, taken);
     if (status == FLOE_OK) status = ice_initialise(s->ice, taken);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b) memory_free(s->ctx, &taken[b]);

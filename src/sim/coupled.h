@@ -7,6 +7,8 @@
 floe_status transfer_create(struct transfer **out, sim *s);
 void transfer_destroy(struct transfer **t);
 floe_status coupled_step(sim *s);
+/* The solids' densities and velocities on the cells, from their points. */
+floe_status coupled_refresh(sim *s);
 /* Initial state of both: points are seeded already; the cells get the fluids around them. */
 floe_status coupled_initialise(sim *s);
 

@@ -38,6 +38,32 @@ static void test_closed_box(void **unused)
             }
 }
 
+/* Two solids of different stuff, each with a velocity field of its own at the nodes, that close in on each other through the gas. */
+static void test_two_solids(void **unused)
+{
+    (void)unused;
+    static const double exchange[] = {1e7, 1e15, 1e20};
+    for (size_t i = 0; i < basis_registry_size; ++i)
+        for (size_t k = 0; k < sizeof exchange / sizeof *exchange; ++k) {
+            trial t;
+            block_in_box(&t, 2, basis_registry[i]->name, exchange[k]);
+            sim_destroy(&t.sim);
+            const int heavy = coupled_solid(&t, 50e6, 20e6, 3000.0);
+            scene_body *b = coupled_body(&t, heavy, make_ball(&t, (const double[]){0.6, 0.27, 0.0}, 0.1), 2);
+            b->velocity[0] = -30.0;
+            coupled_start(&t);
+            assert_int_equal(t.sim->mpm->n_groups, 2);
+            trial_steps(&t, 200);
+            const double mass = ledger_worst(&t, LEDGER_MASS, LEDGER_MASS),
+                         momentum = ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y);
+            print_message("two solids, %-9s K = %-6g drifts: mass %.1e, momentum %.1e; rejected %ld\n",
+                          basis_registry[i]->name, exchange[k], mass, momentum, t.sim->rejected);
+            check_true(mass <= 1e-15);
+            check_true(momentum <= 1e-14);
+            trial_end(&t);
+        }
+}
+
 /* Largest deviations of the pressure (of the reference) in cells that hold gas alone and in all, of the gas's velocity (m/s), and of
  * the points' velocity and stress. */
 typedef struct noise {
@@ -156,6 +182,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_closed_box),
+        cmocka_unit_test(test_two_solids),
         cmocka_unit_test(test_rest),
         cmocka_unit_test(test_moving_together),
     };
