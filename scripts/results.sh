@@ -369,7 +369,7 @@ result_conservation() {
     conservation_rows 'closed box (3:1 in pressure)' "$box"
     conservation_rows 'column at rest (1000 m of air)' "$column" linf_velocity_x linf_pressure
     write '' 'The column starts from the discrete balance, whose pressure differs from the exact atmosphere by the truncation error shown;' \
-        'what counts is that it does not move. Points keep mass and momentum to round-off; their energy drifts, most where shocks run,' \
+        'what counts is that it does not move. Its momentum is round-off of round-off, hence its relative drift. Points keep mass and momentum to round-off; their energy drifts, most where shocks run,' \
         'as in the box, whose deck gives points no artificial viscosity.' '' \
         'Exchange between materials (K up to 1e20), numbers of blocks and threads, and resumed runs are held to round-off or to the' \
         'same bits by the tests (`unit_exchange`, `verification_*_bits`, `cli_resume`).'
