@@ -127,10 +127,10 @@ a1_plot() { # FILE COLUMN DEFAULTS PAPER, settings from standard input
         cat -
         cat <<END
 set logscale xy; set ylabel 'error of eq. 13 (%)'; set yrange [0.3:60]
-plot \$a using $x:2 with linespoints lw 2 pt 7 lc rgb mpm title 'mpm, slope $(a1_slope "$d" mpm)', \\
-     \$b using $x:2 with linespoints lw 2 pt 5 lc rgb ice title 'ice-mpm, slope $(a1_slope "$d" ice-mpm)', \\
-     \$c using $x:2 with linespoints lw 1 dt 2 pt 6 lc rgb mpm title "mpm, paper's settings, slope $(a1_slope "$p" mpm)", \\
-     \$d using $x:2 with linespoints lw 1 dt 2 pt 4 lc rgb ice title "ice-mpm, paper's settings, slope $(a1_slope "$p" ice-mpm)", \\
+plot \$a using $x:2 with linespoints lw 2 pt 7 lc rgb mpm title 'mpm, slope in h $(a1_slope "$d" mpm)', \\
+     \$b using $x:2 with linespoints lw 2 pt 5 lc rgb ice title 'ice-mpm, slope in h $(a1_slope "$d" ice-mpm)', \\
+     \$c using $x:2 with linespoints lw 1 dt 2 pt 6 lc rgb mpm title "mpm, paper's settings, slope in h $(a1_slope "$p" mpm)", \\
+     \$d using $x:2 with linespoints lw 1 dt 2 pt 4 lc rgb ice title "ice-mpm, paper's settings, slope in h $(a1_slope "$p" ice-mpm)", \\
      \$u using $x:2 with linespoints lw 1 dt 3 pt 2 lc rgb grey title 'best-known open code'
 END
     } | plot "$1" 820,560
@@ -465,7 +465,7 @@ do for [i = 0:49] {
 }
 set label 10 '0' at screen 0.08, 0.06 center
 set label 11 '19.4' at screen 0.43, 0.06 center
-set label 12 'gas pressure, gauge (MPa); paler where a cell holds less gas' at screen 0.255, 0.03 center
+set label 12 'gas pressure, gauge (MPa)' at screen 0.255, 0.03 center
 set label 13 '10' at screen 0.57, 0.06 center
 set label 14 '35' at screen 0.92, 0.06 center
 set label 15 'hoop stress of the steel (MPa); exact: 12.9 to 32.3' at screen 0.745, 0.03 center
