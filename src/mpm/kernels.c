@@ -1,5 +1,6 @@
 /* The point kernels: one always-inline body each, instantiated on {1, 2, axisymmetric, 3} x basis with literal arguments. */
 #include "mpm/locate.h"
+#include "mpm/pairs.h"
 
 /* Components of a point's stress that act in the plane of the nodes: T[a][b], symmetric, 3-D order xx yy zz xy yz zx. */
 FLOE_ALWAYS_INLINE void stress_matrix(const point_arrays *p, size_t k, double add, const int dim, double T[3][3])
@@ -35,26 +36,33 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
             }
             if (axisymmetric) b[0] += minus_v * (p->stress[2][k] + add) / p->x[0][k];
         }
-        FOR_STENCIL(s, dim, kind, {
-            double *restrict node = out + (ptrdiff_t)at * components;
-            if (momentum) {
-                node[0] += S * mass;
-                for (int a = 0; a < dim; ++a) node[1 + a] += S * mv[a];
+        FOR_ROWS(s, dim, kind, {
+            const pairs M = pairs_of(mass * W, mv[0] * W, mv[1] * W, mv[2] * W);
+            double A[3] = {0}, B[3] = {0};
+            for (int a = 0; a < dim; ++a) {
+                A[a] = T[a][0] * W;
+                B[a] = b[a] * W + (centred ? 0.0 : T[a][1] * Wy + T[a][2] * Wz);
             }
-            if (force)
-                for (int a = 0; a < dim; ++a) {
-                    double f = S * b[a];
-                    if (!centred)
-                        for (int c = 0; c < dim; ++c) f += T[a][c] * G[c];
-                    node[force_at + a] += f;
-                }
+            const pairs along = pairs_of(A[0], A[1], A[2], 0.0), across = pairs_of(B[0], B[1], B[2], 0.0);
+            for (int x = 0; x < basis_support(kind); ++x) {
+                double *restrict node = out + (ptrdiff_t)(row + x) * components;
+                if (momentum) pairs_scatter(node, s.w[0][x], &M, 1 + dim);
+                if (force && centred) pairs_scatter(node + force_at, s.w[0][x], &across, dim);
+                if (force && !centred) pairs_scatter_two(node + force_at, s.w[0][x], &across, s.dw[0][x], &along, dim);
+            }
         });
         if (!force || !centred) continue;
         const stencil g = locate(&frame, p, k, dim, kind, true);
-        FOR_STENCIL(g, dim, kind, {
-            double *restrict node = out + (ptrdiff_t)at * components;
-            for (int a = 0; a < dim; ++a)
-                for (int c = 0; c < dim; ++c) node[force_at + a] += T[a][c] * G[c];
+        FOR_ROWS(g, dim, kind, {
+            double A[3] = {0}, B[3] = {0};
+            for (int a = 0; a < dim; ++a) {
+                A[a] = T[a][0] * W;
+                B[a] = T[a][1] * Wy + T[a][2] * Wz;
+            }
+            const pairs along = pairs_of(A[0], A[1], A[2], 0.0), across = pairs_of(B[0], B[1], B[2], 0.0);
+            for (int x = 0; x < basis_support(kind); ++x)
+                pairs_scatter_two(out + (ptrdiff_t)(row + x) * components + force_at, g.w[0][x], &across, g.dw[0][x],
+                                  &along, dim);
         });
     }
 }
@@ -67,16 +75,38 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
  * (numerics 4.4). The points' velocities take all of the acceleration: momentum is untouched. */
 static const double light_node = 0.25;
 
-/* L += v (x) grad S of one node: v^L (or v), then a and m where light nodes matter. */
-FLOE_ALWAYS_INLINE void add_gradient(const double *restrict node, const double G[3], double floor, double kick,
-                                     const int dim, const bool light, double L[3][3])
+/* Sums over the nodes of a row: S v and S a, S u and dS u, where u is the velocity that gradients see: v^L (or v), but for light
+ * nodes. In the window a follows v^L where points move, and m is last where light nodes matter. */
+typedef struct row_sums {
+    pairs va, u, slope;
+} row_sums;
+
+FLOE_ALWAYS_INLINE row_sums sum_row(const double *restrict node, const double *w, const double *dw, double floor,
+                                    double kick, const int dim, const basis_kind kind, const bool motion,
+                                    const bool gradient, const bool light)
 {
-    double u[3] = {0};
-    for (int a = 0; a < dim; ++a) u[a] = node[a];
-    if (light && node[2 * dim] < floor)
-        for (int a = 0; a < dim; ++a) u[a] -= (1.0 - node[2 * dim] / floor) * kick * node[dim + a];
-    for (int a = 0; a < dim; ++a)
-        for (int c = 0; c < dim; ++c) L[a][c] += u[a] * G[c];
+    const int components = (motion ? 2 * dim : dim) + (light ? 1 : 0);
+    row_sums r = {{{{0}}}, {{{0}}}, {{{0}}}};
+    for (int x = 0; x < basis_support(kind); ++x, node += components) {
+        double u[4] = {0};
+        const double *seen = node;
+        if (light && node[2 * dim] < floor) {
+            for (int a = 0; a < dim; ++a) u[a] = node[a] - (1.0 - node[2 * dim] / floor) * kick * node[dim + a];
+            seen = u;
+        }
+        pairs_gather(&r.va, w[x], node, motion ? 2 * dim : dim);
+        if (gradient) pairs_gather(&r.slope, dw[x], seen, dim);
+        if (gradient && light) pairs_gather(&r.u, w[x], seen, dim);
+    }
+    if (!light) r.u = r.va;
+    return r;
+}
+
+FLOE_ALWAYS_INLINE void add_slopes(double sum, double slope, double W, double Wy, double Wz, double L[3])
+{
+    L[0] += W * slope;
+    L[1] += Wy * sum;
+    L[2] += Wz * sum;
 }
 
 /* Motion: v_p += sum S a kick blended with sum S v^L; x_p += dt sum S v^L (numerics 4.2).
@@ -95,16 +125,15 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
     for (size_t k = start; k < end; ++k) {
         const stencil s = locate(&frame, p, k, dim, kind, false);
         const double floor = light ? light_node * p->mass[k] : 0.0;
-        double v[3] = {0}, acceleration[3] = {0}, L[3][3] = {{0}}, radial = 0.0;
-        FOR_STENCIL(s, dim, kind, {
-            const double *restrict node = window + (ptrdiff_t)at * components;
-            if (motion)
-                for (int a = 0; a < dim; ++a) {
-                    v[a] += S * node[a];
-                    acceleration[a] += S * node[dim + a];
-                }
-            if (gradient && !centred) add_gradient(node, G, floor, kick, dim, light, L);
-            if (gradient && axisymmetric) radial += S * node[0];
+        double v[3] = {0}, acceleration[3] = {0}, L[3][3] = {{0}};
+        FOR_ROWS(s, dim, kind, {
+            const row_sums r = sum_row(window + (ptrdiff_t)row * components, s.w[0], s.dw[0], floor, kick, dim, kind,
+                                       motion, gradient && !centred, light);
+            for (int a = 0; a < dim; ++a) {
+                v[a] += W * pairs_get(&r.va, a);
+                if (motion) acceleration[a] += W * pairs_get(&r.va, dim + a);
+                if (gradient && !centred) add_slopes(pairs_get(&r.u, a), pairs_get(&r.slope, a), W, Wy, Wz, L[a]);
+            }
         });
         if (motion)
             for (int a = 0; a < dim; ++a) {
@@ -114,12 +143,15 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
         if (!gradient) continue;
         if (centred) {
             const stencil g = locate(&frame, p, k, dim, kind, true);
-            FOR_STENCIL(g, dim, kind,
-                        { add_gradient(window + (ptrdiff_t)at * components, G, floor, kick, dim, light, L); });
+            FOR_ROWS(g, dim, kind, {
+                const row_sums r = sum_row(window + (ptrdiff_t)row * components, g.w[0], g.dw[0], floor, kick, dim,
+                                           kind, motion, true, light);
+                for (int a = 0; a < dim; ++a) add_slopes(pairs_get(&r.u, a), pairs_get(&r.slope, a), W, Wy, Wz, L[a]);
+            });
         }
         for (int a = 0; a < dim; ++a)
             for (int c = 0; c < dim; ++c) out.L[3 * a + c][k - start] = L[a][c];
-        if (axisymmetric) out.L[8][k - start] = radial / p->x[0][k];
+        if (axisymmetric) out.L[8][k - start] = v[0] / p->x[0][k];
     }
 }
 
@@ -131,7 +163,9 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
     for (size_t k = start; k < end; ++k) {
         const stencil s = locate(&frame, p, k, dim, kind, false);
         double sum = 0.0;
-        FOR_STENCIL(s, dim, kind, { sum += S * window[at]; });
+        FOR_ROWS(s, dim, kind, {
+            for (int x = 0; x < basis_support(kind); ++x) sum += W * s.w[0][x] * window[row + x];
+        });
         out[k] = sum;
     }
 }

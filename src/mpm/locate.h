@@ -76,24 +76,20 @@ FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, si
     return s;
 }
 
-/* Loops over the nodes of a stencil: `body` sees `at` (index in the window), `S` (weight) and `G[3]` (its gradient, 1/m). */
-#define FOR_STENCIL(s, dim, kind, body)                                                                    \
-    do {                                                                                                   \
-        const int width_ = window_width(dim, kind), support_ = basis_support(kind);                        \
-        for (int kz_ = 0; kz_ < ((dim) > 2 ? support_ : 1); ++kz_)                                         \
-            for (int ky_ = 0; ky_ < ((dim) > 1 ? support_ : 1); ++ky_) {                                   \
-                const double wyz_ = (s).w[1][(dim) > 1 ? ky_ : 0] * (s).w[2][(dim) > 2 ? kz_ : 0];         \
-                const double gy_ = (dim) > 1 ? (s).dw[1][ky_] * (s).w[2][(dim) > 2 ? kz_ : 0] : 0.0;       \
-                const double gz_ = (dim) > 2 ? (s).w[1][ky_] * (s).dw[2][kz_] : 0.0;                       \
-                const int row_ = (s).node + width_ * (ky_ + width_ * kz_);                                 \
-                for (int kx_ = 0; kx_ < support_; ++kx_) {                                                 \
-                    const int at = row_ + kx_;                                                             \
-                    const double S = (s).w[0][kx_] * wyz_;                                                 \
-                    const double G[3] = {(s).dw[0][kx_] * wyz_, (s).w[0][kx_] * gy_, (s).w[0][kx_] * gz_}; \
-                    (void)S, (void)G;                                                                      \
-                    body                                                                                   \
-                }                                                                                          \
-            }                                                                                              \
+/* Loops over the rows of a stencil along the first axis: the body sees `row` (index in the window of its first node), `W` (product
+ * of the weights of the other axes) and its derivatives `Wy`, `Wz` (1/m). What a row's nodes share is then worked out once. */
+#define FOR_ROWS(s, dim, kind, ...)                                                               \
+    do {                                                                                          \
+        const int width_ = window_width(dim, kind), support_ = basis_support(kind);               \
+        for (int z_ = 0; z_ < ((dim) > 2 ? support_ : 1); ++z_)                                   \
+            for (int y_ = 0; y_ < ((dim) > 1 ? support_ : 1); ++y_) {                             \
+                const double W = (s).w[1][(dim) > 1 ? y_ : 0] * (s).w[2][(dim) > 2 ? z_ : 0];     \
+                const double Wy = (dim) > 1 ? (s).dw[1][y_] * (s).w[2][(dim) > 2 ? z_ : 0] : 0.0; \
+                const double Wz = (dim) > 2 ? (s).w[1][y_] * (s).dw[2][z_] : 0.0;                 \
+                const int row = (s).node + width_ * (y_ + width_ * z_);                           \
+                (void)W, (void)Wy, (void)Wz;                                                      \
+                __VA_ARGS__                                                                       \
+            }                                                                                     \
     } while (0)
 
 #endif

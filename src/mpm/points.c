@@ -7,7 +7,7 @@
 
 enum {
     MAX_GATHERED = 2 * MESH_MAX_DIM + 1,
-    WINDOW_DOUBLES = 343 * MAX_GATHERED /* the largest window has 7^3 nodes; others 11^2 and 67 */
+    WINDOW_DOUBLES = 343 * MAX_GATHERED + 1 /* the largest window has 7^3 nodes, others 11^2 and 67; 1: pairs.h */
 };
 
 floe_status mpm_points_to_nodes(mpm *s)
