@@ -65,17 +65,20 @@ static void cells_from_nodes(const transfer *t, int blk, const transfer_pair *pa
     const block *b = &m->block[blk];
     const fields *f = t->domain->fields[blk];
     const double *mass = field_get(f, N_MASS, pair->group, 0);
-    double *rho = field_get(f, C_RHO, pair->material, 0), *T = field_get(f, C_TEMP, pair->material, 0);
+    /* Both states get them: what is read between steps must not depend on the step before the last. */
+    double *rho = field_get(f, C_RHO, pair->material, 0), *rho_next = field_next(f, C_RHO, pair->material, 0);
+    double *T = field_get(f, C_TEMP, pair->material, 0);
     for (int i = 0; i < b->n[0]; ++i) {
         double w[3][2];
         const ptrdiff_t at = mesh_index(b, i, j, k);
         cell_weights(m, b, (const int[]){i, j, k}, w);
         const double cell_mass = cell_sum(m, b, (const double(*)[2])w, at, mass);
-        rho[at] = cell_mass / mesh_cell_volume(m, b->lo[0] + i);
+        rho[at] = rho_next[at] = cell_mass / mesh_cell_volume(m, b->lo[0] + i);
         T[at] = pair->temperature;
         for (int a = 0; a < m->dim; ++a) {
             const double momentum = cell_sum(m, b, (const double(*)[2])w, at, field_get(f, N_MOMENTUM, pair->group, a));
-            field_get(f, C_VEL, pair->material, a)[at] = cell_mass > 0.0 ? momentum / cell_mass : 0.0;
+            const double u = cell_mass > 0.0 ? momentum / cell_mass : 0.0;
+            field_get(f, C_VEL, pair->material, a)[at] = field_next(f, C_VEL, pair->material, a)[at] = u;
         }
     }
 }

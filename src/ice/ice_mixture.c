@@ -259,6 +259,8 @@ static void set_others(mixture_row *q, int r)
         if (!(m->rho[at] > 0.0)) m->e[at] = q->c[k];
         set_compressibility(m, at, q->a[k], q->e[k]);
     }
+    /* Advection writes the next state of fluids alone. */
+    for (int i = 0; i < q->n && q->s->material[r].points; ++i) m->e1[q->from + i] = m->e[q->from + i];
 }
 
 /* In laws whose energy depends on volume at a given temperature, v(p, T) at the frozen T belongs to another energy than the

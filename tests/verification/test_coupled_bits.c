@@ -62,29 +62,60 @@ static void test_blocks_and_threads(void **unused)
     }
 }
 
-/* Written after half of the steps, read into a fresh simulation with other blocks. */
+/* The whole state, and what rows of the history measure, after each of a few steps. */
+enum { STEPS_ON = 3 };
+
+static void keep(trial *t, state *s)
+{
+    double pressure;
+    const int gas = 1;
+    check_ok(t->ctx, sim_account(t->sim));
+    *s = state_of(t->sim);
+    state_add_ledger(s, t->sim);
+    check_ok(t->ctx,
+             ice_mean_pressure(t->sim->ice, ice_material_of(t->sim->ice, gas), &t->scene->load[0].region, &pressure));
+    state_part(s, "mean pressure");
+    *state_room(s, 1) = pressure;
+}
+
+/* Written after some steps, read into a fresh simulation with other blocks: the same from the first step on. */
+static void resume_at(const char *path, long steps)
+{
+    const variant one = {1, 1, "method.basis=quadratic", "domain.cell=0.1"}, four = {2, 1, one.basis, one.cell};
+    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
+    state expected[STEPS_ON];
+    trial t;
+    begin(&t, &one);
+    check_ok(t.ctx, io_init(t.ctx));
+    assert_int_equal(t.scene->material[1].kind, MATERIAL_FLUID);
+    trial_steps(&t, steps);
+    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+    for (int k = 0; k < STEPS_ON; ++k) {
+        trial_steps(&t, 1);
+        keep(&t, &expected[k]);
+    }
+    trial_end(&t);
+    begin(&t, &four);
+    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+    for (int k = 0; k < STEPS_ON; ++k) {
+        state found;
+        trial_steps(&t, 1);
+        keep(&t, &found);
+        same_state(&expected[k], &found);
+        state_free(&found);
+        state_free(&expected[k]);
+    }
+    trial_end(&t);
+}
+
 static void test_resume(void **unused)
 {
     (void)unused;
     char folder[] = "/tmp/floe-test-XXXXXX", path[64];
     assert_non_null(mkdtemp(folder));
     (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
-    const variant one = {1, 1, "method.basis=quadratic", "domain.cell=0.1"}, four = {2, 1, one.basis, one.cell};
-    state expected = run(&one);
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
-    trial t;
-    begin(&t, &one);
-    check_ok(t.ctx, io_init(t.ctx));
-    trial_steps(&t, STEPS / 2);
-    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
-    trial_end(&t);
-    begin(&t, &four);
-    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
-    trial_steps(&t, STEPS - STEPS / 2);
-    state found = finish(&t);
-    same_state(&expected, &found);
-    state_free(&found);
-    state_free(&expected);
+    static const long steps[] = {0, 1, 2, 50, 200};
+    for (size_t k = 0; k < sizeof steps / sizeof *steps; ++k) resume_at(path, steps[k]);
     assert_int_equal(unlink(path), 0);
     assert_int_equal(rmdir(folder), 0);
 }
