@@ -77,6 +77,7 @@ static floe_status make_work(mpm *s)
     const size_t tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
     w->threads = thread_count();
     TRY(memory_new(s->ctx, &w->active, tiles, sizeof *w->active));
+    TRY(memory_new(s->ctx, &w->moved, tiles, sizeof *w->moved));
     TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
@@ -114,6 +115,7 @@ void mpm_destroy(mpm **s)
     context *ctx = (*s)->ctx;
     if ((*s)->work) {
         memory_free(ctx, &(*s)->work->active);
+        memory_free(ctx, &(*s)->work->moved);
         memory_free(ctx, &(*s)->work->tile_sum);
         memory_free(ctx, &(*s)->work->batch);
         memory_free(ctx, &(*s)->work->surface);

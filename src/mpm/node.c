@@ -70,16 +70,39 @@ static void advance_block(const mpm *s, int blk, int group)
 
 enum { SUM_DAMPED_MOMENTUM = 0, SUM_DAMPED_ENERGY = 3, SUM_LOST = 4, SUM_SMALL = 7, SUM_COUNT = 8 };
 
+/* Sums of a group at the nodes of a block, for loops that look at all of them. */
+typedef struct node_view {
+    const double *mass, *momentum[MESH_MAX_DIM], *force[MESH_MAX_DIM];
+} node_view;
+
+static node_view view_nodes(const mpm *s, int blk, int group)
+{
+    const fields *f = s->domain->fields[blk];
+    node_view n = {.mass = field_get(f, N_MASS, group, 0)};
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        n.momentum[c] = field_get(f, N_MOMENTUM, group, c);
+        n.force[c] = field_get(f, N_FORCE, group, c);
+    }
+    return n;
+}
+
+static void add_damped(const double *const *momentum, double mass, ptrdiff_t at, double taken, int dim, double *sum)
+{
+    for (int c = 0; c < dim; ++c) {
+        const double lost = taken * momentum[c][at];
+        sum[SUM_DAMPED_MOMENTUM + c] -= lost;
+        if (mass > 0.0) sum[SUM_DAMPED_ENERGY] -= 0.5 * lost * (2.0 * momentum[c][at] - lost) / mass;
+    }
+}
+
 /* What damping took and what the small-node rule dropped, on the nodes of one tile. */
 static void tile_losses(const mpm *s, int blk, int tile, int group)
 {
-    int global;
     const block *b = &s->mesh->block[blk];
-    const tile_box t = tile_box_of(s->mesh, b, tile, &global);
-    const fields *f = s->domain->fields[blk];
-    const double *mass = field_get(f, N_MASS, group, 0);
+    const tile_box t = tile_box_of(s->mesh, b, tile);
+    const node_view n = view_nodes(s, blk, group);
     const double floor = small_node * s->work->reference_mass, taken = 1.0 - damping_left(s);
-    double *sum = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
+    double *sum = s->work->tile_sum + (size_t)t.number * SUM_COUNT;
     int end[MESH_MAX_DIM] = {1, 1, 1};
     for (int a = 0; a < s->mesh->dim;
          ++a) /* the last tile owns the upper wall's nodes; a periodic end is node 0 again */
@@ -90,13 +113,10 @@ static void tile_losses(const mpm *s, int blk, int tile, int group)
             for (int i = 0; i < end[0]; ++i) {
                 const ptrdiff_t at =
                     mesh_index(b, t.first[0] - b->lo[0] + i, t.first[1] - b->lo[1] + j, t.first[2] - b->lo[2] + k);
-                for (int c = 0; c < s->mesh->dim; ++c) {
-                    const double momentum = field_get(f, N_MOMENTUM, group, c)[at], lost = taken * momentum;
-                    sum[SUM_DAMPED_MOMENTUM + c] -= lost;
-                    if (mass[at] > 0.0) sum[SUM_DAMPED_ENERGY] -= 0.5 * lost * (2.0 * momentum - lost) / mass[at];
-                    if (mass[at] <= floor) sum[SUM_LOST + c] += s->work->kick * field_get(f, N_FORCE, group, c)[at];
-                }
-                if (mass[at] > 0.0 && mass[at] <= floor) sum[SUM_SMALL] += 1.0;
+                if (taken > 0.0) add_damped(n.momentum, n.mass[at], at, taken, s->mesh->dim, sum);
+                if (n.mass[at] > floor) continue;
+                for (int c = 0; c < s->mesh->dim; ++c) sum[SUM_LOST + c] += s->work->kick * n.force[c][at];
+                if (n.mass[at] > 0.0) sum[SUM_SMALL] += 1.0;
             }
 }
 
@@ -106,8 +126,8 @@ static void enter_losses(mpm *s, int group)
 #pragma omp parallel for schedule(dynamic, 8)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) tile_losses(s, b, t, group);
     }
-    double sum[MPM_TILE_SUMS];
-    domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, sum);
+    double sum[SUM_COUNT];
+    domain_sum_tiles(s->mesh, s->work->tile_sum, SUM_COUNT, sum);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + c);
         ledger_add(s->ledger, q, LEDGER_DAMPING, sum[SUM_DAMPED_MOMENTUM + c]);

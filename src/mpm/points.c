@@ -70,22 +70,30 @@ static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, 
     return out;
 }
 
-/* Refuses a step that takes a point farther than a cell: stable ones take it half as far at most (numerics 4.6). A NaN is refused
- * as well. */
-static floe_status check_motion(const mpm *s, int body, size_t start, size_t end, const point_arrays *p,
-                                const gather_result *out)
+/* Whether a chunk's points have changed cell; CELLS_FAR where one has gone farther than a cell, which no stable step does
+ * (numerics 4.6), or is a NaN. Cells as mesh_cell_of has them: x is in the mesh, so that truncation is floor. */
+typedef enum chunk_motion { CELLS_KEPT, CELLS_CHANGED, CELLS_FAR } chunk_motion;
+
+static chunk_motion motion_of(const mesh *m, size_t start, size_t end, const point_arrays *p, const gather_result *out)
 {
-    for (int a = 0; a < s->mesh->dim; ++a) {
+    long long far = 0, changed = 0; /* as wide as a double, so that the loop is vectorised */
+    for (int a = 0; a < m->dim; ++a) {
         const double *restrict x = p->x[a], *restrict next = out->x_next[a];
-        const double h = s->mesh->h[a];
-        long long far = 0; /* as wide as a double, so that the loop is vectorised */
+        const double h = m->h[a], lower = m->lower[a], upper = m->upper[a];
         for (size_t k = start; k < end; ++k) far += !(fabs(next[k] - x[k]) <= h);
-        if (far)
-            return fail(s->ctx, FLOE_RETRY,
-                        "at t = %.6g s a point of body '%s' would cross more than a cell in one step", s->time,
-                        s->scene->body[s->body[body].scene_body].name);
+        for (size_t k = start; k < end && far == 0; ++k)
+            changed +=
+                ((int)((next[k] - lower) / h) != (int)((x[k] - lower) / h)) | (next[k] < lower) | (next[k] > upper);
     }
-    return FLOE_OK;
+    return far ? CELLS_FAR : changed ? CELLS_CHANGED : CELLS_KEPT;
+}
+
+static floe_status check_motion(const mpm *s, int body, int tile, chunk_motion motion)
+{
+    if (motion == CELLS_CHANGED) s->work->moved[tile] |= UINT32_C(1) << body;
+    if (motion != CELLS_FAR) return FLOE_OK;
+    return fail(s->ctx, FLOE_RETRY, "at t = %.6g s a point of body '%s' would cross more than a cell in one step",
+                s->time, s->scene->body[s->body[body].scene_body].name);
 }
 
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
@@ -101,7 +109,7 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         if (pass.stress) clear_free_rates(s, batch);
         gather(s->mesh, t, &p, k, stop, window, &step, &out);
-        if (pass.motion) TRY(check_motion(s, body, k, stop, &p, &out));
+        if (pass.motion) TRY(check_motion(s, body, t->number, motion_of(s->mesh, k, stop, &p, &out)));
         if (pass.stress) TRY(update_stress(s, blk, body, k, stop, batch, gain));
     }
     return FLOE_OK;
@@ -110,10 +118,10 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
 static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_batch *batch)
 {
     double window[WINDOW_DOUBLES];
-    int global, loaded = -1;
-    tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
+    int loaded = -1;
+    tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     if (pass.stress) box.shared = shared_cells(s, blk, tile, &box);
-    double *gain = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS; /* zeroed by pass_points */
+    double *gain = s->work->tile_sum + (size_t)box.number * MPM_GAINS; /* zeroed by pass_points */
     for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *range = s->points[blk][body].tile_start + tile;
         const int group = s->body[body].group;
@@ -129,8 +137,9 @@ static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_ba
 static floe_status pass_points(mpm *s, tile_pass pass)
 {
     floe_status worst = FLOE_OK;
-    memset(s->work->tile_sum, 0,
-           (size_t)(s->mesh->tiles[0] * s->mesh->tiles[1] * s->mesh->tiles[2]) * MPM_TILE_SUMS * sizeof(double));
+    const size_t tiles = (size_t)s->mesh->tiles[0] * (size_t)s->mesh->tiles[1] * (size_t)s->mesh->tiles[2];
+    memset(s->work->tile_sum, 0, tiles * MPM_GAINS * sizeof(double));
+    if (pass.motion) memset(s->work->moved, 0, tiles * sizeof *s->work->moved);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 4)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
@@ -146,8 +155,8 @@ static floe_status pass_points(mpm *s, tile_pass pass)
         }
     }
     if (pass.stress && worst == FLOE_OK) {
-        double sum[MPM_TILE_SUMS];
-        domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, sum);
+        double sum[MPM_GAINS];
+        domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_GAINS, sum);
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[GAIN_HEAT]);
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[GAIN_REFERENCE]);
     }
@@ -184,8 +193,7 @@ floe_status mpm_grid_pressure(mpm *s)
 #pragma omp parallel for schedule(dynamic, 4)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
             double window[WINDOW_DOUBLES];
-            int global;
-            const tile_box box = tile_box_of(s->mesh, &s->mesh->block[b], t, &global);
+            const tile_box box = tile_box_of(s->mesh, &s->mesh->block[b], t);
             const double *node = field_get(s->domain->fields[b], N_PRESSURE, 0, 0);
             load_window(s, b, &box, &node, 1, window);
             for (int body = 0; body < s->n_bodies; ++body) {

@@ -171,20 +171,20 @@ static bool bring_back(mpm *s, int blk, int body, size_t k)
     return outside;
 }
 
-/* Looks at every point that moved: true when some changed its cell, so that the order must be made again. */
+/* Deals with the points that left the mesh, in the tiles where some changed cell. True when there are such tiles, so that the
+ * order must be made again. */
 static bool has_moved(mpm *s, int blk, int body)
 {
-    const mesh *m = s->mesh;
-    const block *b = &m->block[blk];
-    const positions now = positions_of(s, blk, body, false), before = positions_of(s, blk, body, true);
+    const block *b = &s->mesh->block[blk];
+    const positions now = positions_of(s, blk, body, false);
     bool moved = false;
-    for (size_t k = 0; k < s->points[blk][body].n; ++k) {
-        bool changed = false;
-        for (int a = 0; a < m->dim; ++a)
-            changed = changed || mesh_cell_of(m, a, now.x[a][k]) != mesh_cell_of(m, a, before.x[a][k]);
-        if (!changed) continue;
+    for (int t = 0; t < b->n_tiles; ++t) {
+        const tile_box box = tile_box_of(s->mesh, b, t);
+        const size_t *range = s->points[blk][body].tile_start + t;
+        if (!((s->work->moved[box.number] >> body) & 1)) continue;
         moved = true;
-        if (key_of_point(m, b, &now, k) == GONE && bring_back(s, blk, body, k)) enter_loss(s, blk, body, k);
+        for (size_t k = range[0]; k < range[1]; ++k)
+            if (key_of_point(s->mesh, b, &now, k) == GONE && bring_back(s, blk, body, k)) enter_loss(s, blk, body, k);
     }
     return moved;
 }

@@ -15,6 +15,17 @@ static double strain_step(const mpm *s)
     return s->scene->method.stress == STRESS_USF && !s->coupled ? s->dt_previous : s->dt;
 }
 
+bool has_artificial(const mpm_body *b)
+{
+    return b->artificial[0] > 0.0 || b->artificial[1] > 0.0;
+}
+
+static void load_density(const fields *f, int body, size_t start, solid_batch *batch)
+{
+    const double *restrict mass = field_get(f, P_MASS, body, 0), *restrict volume = field_get(f, P_VOLUME0, body, 0);
+    for (size_t k = 0; k < batch->n; ++k) batch->rho0[k] = mass[start + k] / volume[start + k];
+}
+
 void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch)
 {
     const fields *f = s->domain->fields[blk];
@@ -34,12 +45,27 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
     else /* a stress state moves the free stretches of F, whether they are kept or not */
         for (size_t k = 0; k < n; ++k) batch->F[4][k] = batch->F[8][k] = 1.0;
     if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, get(f, P_ENERGY, body, 0) + start, bytes);
-    const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0);
-    for (size_t k = 0; k < n; ++k) batch->rho0[k] = mass[start + k] / volume[start + k];
-    if (fields_has(f, P_VISCOUS_PRESSURE, body))
+    if (!b->fluid && !has_artificial(b)) return; /* laws of solids take neither */
+    load_density(f, body, start, batch);
+    if (has_artificial(b))
         memcpy(batch->q, get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
     else
         memset(batch->q, 0, bytes);
+}
+
+void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch)
+{
+    const fields *f = s->domain->fields[blk];
+    const mpm_body *b = &s->body[body];
+    const size_t bytes = (end - start) * sizeof(double);
+    batch->n = end - start;
+    memcpy(batch->J, field_get(f, P_J, body, 0) + start, bytes);
+    load_density(f, body, start, batch);
+    if (b->law->needs & SOLID_NEEDS_F)
+        for (int c = 0; c < field_component_count(FIELD_DEFORM, s->mesh->dim); ++c)
+            memcpy(batch->F[deform_slot[s->mesh->dim - 1][c]], field_get(f, P_F, body, c) + start, bytes);
+    if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, field_get(f, P_ENERGY, body, 0) + start, bytes);
+    if (has_artificial(b)) memcpy(batch->q, field_get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
 }
 
 /* F <- (I + A + A^2/2) F with A = dt L, and J = det F: second order, and exact in volume to third. */

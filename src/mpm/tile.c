@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *global_tile)
+tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block)
 {
     tile_box t = {.cells = {1, 1, 1}};
     int rest = tile_in_block;
@@ -13,7 +13,7 @@ tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *glob
         t.first[a] = tile * m->tile[a];
         t.cells[a] = t.first[a] + m->tile[a] <= m->n[a] ? m->tile[a] : m->n[a] - t.first[a];
     }
-    *global_tile = mesh_tile_of(m, t.first);
+    t.number = mesh_tile_of(m, t.first);
     return t;
 }
 
@@ -75,10 +75,9 @@ static int components_of(scatter_mode mode, int dim)
 /* One tile's private sums. */
 static void scatter_tile(mpm *s, int group, int blk, int tile, scatter_mode mode, bool next_stress, bool next_velocity)
 {
-    int global;
-    tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile, &global);
+    tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     box.shared = shared_cells(s, blk, tile, &box);
-    double *out = domain_tile(s->domain, global);
+    double *out = domain_tile(s->domain, box.number);
     const size_t size = (size_t)s->work->window_nodes * (size_t)components_of(mode, s->mesh->dim);
     bool any = false;
     for (int body = 0; body < s->n_bodies; ++body) {
@@ -89,7 +88,7 @@ static void scatter_tile(mpm *s, int group, int blk, int tile, scatter_mode mode
         const point_arrays p = points_of(s, blk, body, next_stress, next_velocity);
         s->work->kernel.scatter[mode](s->mesh, &box, &p, start[tile], start[tile + 1], out);
     }
-    s->work->active[global] = any;
+    s->work->active[box.number] = any;
 }
 
 /* Tiles whose windows hold global node index g along an axis: at most two; none where first > last. */

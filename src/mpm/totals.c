@@ -47,10 +47,9 @@ static void sum_body(mpm *s, int body, double total[SUM_END])
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 4)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
-            int global;
-            tile_box_of(s->mesh, &s->mesh->block[b], t, &global);
+            const int number = tile_box_of(s->mesh, &s->mesh->block[b], t).number;
             const size_t *at = s->points[b][body].tile_start;
-            double *sum = s->work->tile_sum + (size_t)global * MPM_TILE_SUMS;
+            double *sum = s->work->tile_sum + (size_t)number * MPM_TILE_SUMS;
             for (size_t k = at[t]; k < at[t + 1]; k += SOLID_CHUNK)
                 sum_chunk(s, b, body, k, k + SOLID_CHUNK < at[t + 1] ? k + SOLID_CHUNK : at[t + 1],
                           &s->work->batch[mpm_thread()], sum);
@@ -104,11 +103,10 @@ floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double 
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 8)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
-            int global;
-            tile_box_of(s->mesh, &s->mesh->block[b], t, &global);
+            const int number = tile_box_of(s->mesh, &s->mesh->block[b], t).number;
             for (int body = 0; body < s->n_bodies; ++body)
                 if (s->body[body].scene_material == material)
-                    tile_pressure(s, b, t, body, region, s->work->tile_sum + (size_t)global * MPM_TILE_SUMS);
+                    tile_pressure(s, b, t, body, region, s->work->tile_sum + (size_t)number * MPM_TILE_SUMS);
         }
     }
     double sum[MPM_TILE_SUMS];
@@ -122,20 +120,23 @@ floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double 
 static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch)
 {
     const mpm_body *b = &s->body[body];
-    const fields *f = s->domain->fields[blk];
-    double c[SOLID_CHUNK], inverse_square = 0.0, worst = 0.0;
-    load_batch(s, blk, body, start, end, false, batch);
-    b->law->wave_speed(b->law_par, s->scene->reference_pressure, batch, c);
+    double rate[SOLID_CHUNK], inverse_square = 0.0, worst = 0.0;
+    const size_t n = end - start;
+    load_speed_batch(s, blk, body, start, end, batch);
+    b->law->wave_speed(b->law_par, s->scene->reference_pressure, batch, rate);
+    /* Artificial viscosity shortens the step: its linear term is a wave speed, its quadratic one q over c. */
+    for (size_t k = 0; has_artificial(b) && k < n; ++k)
+        rate[k] = rate[k] * (1.0 + 2.0 * b->artificial[0]) + 2.0 * sqrt(batch->q[k] * batch->J[k] / batch->rho0[k]);
     for (int a = 0; a < s->mesh->dim; ++a) inverse_square += 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
     const double diagonal = sqrt(inverse_square);
-    for (size_t k = start; k < end; ++k) {
-        /* Artificial viscosity shortens the step: its linear term is a wave speed, its quadratic one q over c. */
-        const double rho = batch->rho0[k - start] / batch->J[k - start];
-        const double speed = c[k - start] * (1.0 + 2.0 * b->artificial[0]) + 2.0 * sqrt(batch->q[k - start] / rho);
-        double rate = speed * diagonal;
-        for (int a = 0; a < s->mesh->dim; ++a) rate += fabs(field_get(f, P_VEL, body, a)[k]) / s->mesh->h[a];
-        if (!(rate <= worst)) worst = rate;
+    for (size_t k = 0; k < n; ++k) rate[k] *= diagonal;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double *restrict v = field_get(s->domain->fields[blk], P_VEL, body, a) + start;
+        const double inv_h = 1.0 / s->mesh->h[a];
+        for (size_t k = 0; k < n; ++k) rate[k] += fabs(v[k]) * inv_h;
     }
+    for (size_t k = 0; k < n; ++k)
+        if (!(rate[k] <= worst)) worst = rate[k];
     return worst;
 }
 

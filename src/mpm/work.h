@@ -11,6 +11,7 @@ enum { MPM_MAX_COMPONENTS = 1 + 2 * MESH_MAX_DIM };
 typedef struct tile_box {
     int first[MESH_MAX_DIM]; /* global cell of its corner */
     int cells[MESH_MAX_DIM]; /* owned cells; the last tile of an axis may be cut short */
+    int number;              /* of the tile in the whole mesh */
     uint64_t shared;         /* bit of each of its (at most 64) cells that holds points of a solid */
 } tile_box;
 
@@ -80,10 +81,11 @@ struct mpm_work {
     int reach;                                                   /* nodes that the window begins before its tile */
     int (*basis_1d)(double, double, double, double *, double *); /* weights of the basis along an axis */
     int body_group[SCENE_MAX_BODIES];                            /* group of a scene body, -1: none of ours */
-    bool *active;                             /* per global tile: the group in hand has points there; owned */
-    double *tile_sum;                         /* per global tile, MPM_TILE_SUMS values; owned */
-    double kick;                              /* s: the time over which velocities are kicked */
-    double reference_mass;                    /* kg: heaviest point, for the small-node rule (numerics 4.4) */
+    bool *active;          /* per global tile: the group in hand has points there; owned */
+    uint32_t *moved;       /* per global tile: bit of each body of which points have changed cell in the step; owned */
+    double *tile_sum;      /* per global tile, MPM_TILE_SUMS values; owned */
+    double kick;           /* s: the time over which velocities are kicked */
+    double reference_mass; /* kg: heaviest point, for the small-node rule (numerics 4.4) */
     double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
     double heat_dp[SCENE_MAX_LOADS];          /* Pa: what each heating load adds to its fluid's pressure this step */
     surface_point *surface, *surface_next;    /* owned */
@@ -96,7 +98,7 @@ enum { MPM_TILE_SUMS = 64 };
 
 /* The cells of a tile in which fluid points meet solid ones; 0 where the tile has only one kind. */
 uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t);
-tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block, int *global_tile);
+tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block);
 /* Arrays of a body's current state in a block; `next_stress`, `next_velocity` take those from the next state instead. */
 point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity);
 
@@ -111,6 +113,9 @@ enum { GAIN_HEAT, GAIN_REFERENCE, MPM_GAINS };
 /* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
                           double gain[MPM_GAINS]);
+bool has_artificial(const mpm_body *b);
+/* Fills a batch with what wave speeds take of points [start, end) (stress.c). */
+void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch);
 /* Fills a batch with the current state of points [start, end) (stress.c). */
 void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch);
 
