@@ -41,8 +41,8 @@ static json_t *fields_json(const plan *p)
 
 static json_t *bytes_json(const sim_plan_info *i)
 {
-    return json_pack("{s:I, s:I, s:I}", "mpm", (json_int_t)i->mpm_bytes, "ice", (json_int_t)i->ice_bytes, "coupling",
-                     (json_int_t)i->coupling_bytes);
+    return json_pack("{s:I, s:I, s:I, s:I}", "mpm", (json_int_t)i->mpm_bytes, "ice", (json_int_t)i->ice_bytes,
+                     "coupling", (json_int_t)i->coupling_bytes, "scratch", (json_int_t)i->scratch_bytes);
 }
 
 static json_t *mesh_json(const mesh *m)

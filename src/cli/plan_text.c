@@ -109,10 +109,10 @@ floe_status plan_print_text(const plan *p, FILE *file)
     print_head(p, file);
     print_stages(&p->sim->stages, file);
     print_fields(p, file);
-    (void)fprintf(file, "\nbytes: points %llu, cells %llu, coupling %llu, together %.3g MB\n",
+    (void)fprintf(file, "\nbytes: points %llu, cells %llu, coupling %llu, scratch %llu, together %.3g MB\n",
                   (unsigned long long)i->mpm_bytes, (unsigned long long)i->ice_bytes,
-                  (unsigned long long)i->coupling_bytes,
-                  (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes) / 1e6);
+                  (unsigned long long)i->coupling_bytes, (unsigned long long)i->scratch_bytes,
+                  (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes + i->scratch_bytes) / 1e6);
     (void)fprintf(file, "first step: %.4g s, limited by %s; about %.0f steps to t = %g s\n", i->predicted_dt,
                   i->dt_reason, i->predicted_steps, p->scene->time.end);
     return FLOE_OK;

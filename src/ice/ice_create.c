@@ -308,6 +308,10 @@ static floe_status make_scratch(ice *s)
         TRY(equilibrium_create(&w->solver[t], s->ctx));
         TRY(memory_new(s->ctx, &w->index[t], (size_t)m->n[0] + 8, sizeof(int)));
     }
+    for (int b = 0; b < m->n_blocks; ++b) {
+        const int *n = m->block[b].n;
+        TRY(memory_new(s->ctx, &w->mixed[b].at, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], sizeof *w->mixed[b].at));
+    }
     return FLOE_OK;
 }
 

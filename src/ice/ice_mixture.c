@@ -4,8 +4,6 @@
  * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */
 #include "ice/ice_internal.h"
 
-#include "base/memory.h"
-
 #include <math.h>
 
 /* One row of cells, and the thread's storage. Index i counts cells from `from`. */
@@ -330,12 +328,10 @@ static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
 }
 
 /* Owned cells with several materials, in order. */
-static floe_status list_mixed(ice *s, const ice_view *v, int id)
+static void list_mixed(ice *s, const ice_view *v, int id)
 {
     const block *b = v->b;
     ice_cell_list *list = &s->work->mixed[id];
-    if (!list->at)
-        TRY(memory_new(s->ctx, &list->at, (size_t)b->n[0] * (size_t)b->n[1] * (size_t)b->n[2], sizeof *list->at));
     list->n = 0;
     for (int k = 0; k < b->n[2]; ++k)
         for (int j = 0; j < b->n[1]; ++j)
@@ -343,7 +339,6 @@ static floe_status list_mixed(ice *s, const ice_view *v, int id)
                 const ptrdiff_t at = mesh_index(b, i, j, k);
                 if (((int)v->mixed[at] & (WITH_POINTS - 1)) > 1) list->at[list->n++] = at;
             }
-    return FLOE_OK;
 }
 
 floe_status ice_mixture(ice *s, int block_id, const ice_view *v)
@@ -363,5 +358,7 @@ floe_status ice_mixture(ice *s, int block_id, const ice_view *v)
     ledger_tally(s->ledger, COUNT_NEWTON_CELLS, cells);
     ledger_tally(s->ledger, COUNT_NEWTON_ITERATIONS, iterations);
     ledger_tally(s->ledger, COUNT_NEWTON_FALLBACKS, fallbacks);
-    return bad ? FLOE_RETRY : list_mixed(s, v, block_id);
+    if (bad) return FLOE_RETRY;
+    list_mixed(s, v, block_id);
+    return FLOE_OK;
 }

@@ -1,6 +1,7 @@
 /* Sums over both solvers, the ledger's totals, rest, and the figures of a plan. */
 #include "sim/sim.h"
 
+#include "base/memory.h"
 #include "sim/coupled.h"
 
 #include <math.h>
@@ -101,6 +102,8 @@ floe_status sim_plan(sim *s, sim_plan_info *out)
         }
     const size_t tiles = (size_t)s->mesh.tiles[0] * (size_t)s->mesh.tiles[1] * (size_t)s->mesh.tiles[2];
     out->mpm_bytes += tiles * s->domain->partial_size * sizeof(double);
+    out->scratch_bytes = memory_read_account(s->ctx).live_bytes - s->held_before -
+                         (out->mpm_bytes + out->ice_bytes + out->coupling_bytes);
     out->cells = s->ice ? mesh_cells(&s->mesh) : 0;
     out->points = s->mpm ? mpm_count(s->mpm) : 0;
     return sim_predict(s, &out->predicted_dt, &out->predicted_steps, &out->dt_reason);

@@ -96,8 +96,10 @@ static floe_status fill(sim *s)
 
 floe_status sim_create(sim **out, context *ctx, const scene *sc, scene_coupling coupling)
 {
+    const uint64_t held = memory_read_account(ctx).live_bytes;
     TRY(memory_new(ctx, out, 1, sizeof **out));
     sim *s = *out;
+    s->held_before = held;
     s->ctx = ctx;
     s->scene = sc;
     s->coupling = coupling;

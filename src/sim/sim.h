@@ -26,6 +26,7 @@ typedef struct sim {
     double point_updates, cell_updates; /* so far */
     double rest_since; /* s: since when the solids have been at rest (scene.rest); INFINITY: they are not */
     bool at_rest;
+    uint64_t held_before; /* bytes of counted memory that were in use before it was made */
 } sim;
 
 /* Makes a simulation ready for its first step. */
@@ -39,6 +40,7 @@ floe_status sim_step(sim *s, double until);
 /* Plan of a scene without running it: the stages, and the bytes that it would hold. */
 typedef struct sim_plan_info {
     uint64_t mpm_bytes, ice_bytes, coupling_bytes; /* fields and tile partials */
+    uint64_t scratch_bytes;                        /* all else: sums of tiles, buffers of threads, order of points */
     size_t cells, points;
     double predicted_steps, predicted_dt;
     const char *dt_reason;

@@ -1,15 +1,7 @@
 /* Rejected steps: whatever stage a step fails in, the run goes on as one that took the smaller step at once, bit for bit. */
 #include "verification/coupled_fixture.h"
 
-typedef struct variant {
-    const char *name, *deck;
-    scene_coupling coupling;
-    int blocks;
-    size_t n_set;
-    const char *set[4];
-} variant;
-
-static const variant variants[] = {
+static const deck_variant variants[] = {
     {"points", "pressurized_cylinder", COUPLING_MPM, 1, 1, {"domain.cell=0.1"}},
     {"points, blocks, USF", "pressurized_cylinder", COUPLING_MPM, 2, 2, {"domain.cell=0.1", "method.stress=usf"}},
     {"points, MUSL", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.stress=musl"}},
@@ -21,65 +13,45 @@ static const variant variants[] = {
 
 enum { BEFORE = 6, AFTER = 4 };
 
-static void begin(trial *t, const variant *v, double *dt)
-{
-    deck_begin(t, v->deck, v->set, v->n_set);
-    for (int a = 0; a < t->scene->mesh.dim; ++a) t->scene->mesh.blocks[a] = v->blocks;
-    check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, v->coupling));
-    double steps;
-    const char *reason;
-    check_ok(t->ctx, sim_predict(t->sim, dt, &steps, &reason));
-    t->scene->time.fixed_step = 0.5 * *dt;
-}
-
-static state finish(trial *t)
-{
-    check_ok(t->ctx, sim_account(t->sim));
-    state s = state_of(t->sim);
-    state_add_ledger(&s, t->sim);
-    trial_end(t);
-    return s;
-}
-
 /* The step after the first few is done with half the step, which is what a rejected one is retried with. */
-static state run(const variant *v, int fail_at)
+static state run(const deck_variant *v, int fail_at, int *stages)
 {
     trial t;
-    double dt;
-    begin(&t, v, &dt);
+    exact solution;
+    double full, steps;
+    const char *reason;
+    variant_load(&t, v, &solution);
+    coupled_start(&t);
+    check_ok(t.ctx, sim_predict(t.sim, &full, &steps, &reason));
+    full *= 0.5;
+    t.scene->time.fixed_step = full;
     trial_steps(&t, BEFORE);
-    const double full = t.scene->time.fixed_step;
     t.sim->stages.fail_at = fail_at;
-    if (fail_at == 0) t.scene->time.fixed_step *= 0.5;
+    if (fail_at == 0) t.scene->time.fixed_step = 0.5 * full;
     trial_steps(&t, 1);
     assert_int_equal(t.sim->rejected, fail_at != 0);
     assert_int_equal(t.sim->stages.fail_at, 0);
     assert_string_equal(context_message(t.ctx), "");
     t.scene->time.fixed_step = full;
     trial_steps(&t, AFTER);
-    return finish(&t);
-}
-
-static int stages_of(const variant *v)
-{
-    trial t;
-    double dt;
-    begin(&t, v, &dt);
-    const int n = t.sim->stages.n;
-    trial_end(&t);
-    return n;
+    check_ok(t.ctx, sim_account(t.sim));
+    state s = state_of(t.sim);
+    state_add_ledger(&s, t.sim);
+    *stages = t.sim->stages.n;
+    variant_end(&t, &solution);
+    return s;
 }
 
 static void test_every_stage(void **unused)
 {
     (void)unused;
     for (size_t k = 0; k < sizeof variants / sizeof *variants; ++k) {
-        const variant *v = &variants[k];
-        const int n = stages_of(v);
-        state expected = run(v, 0);
+        const deck_variant *v = &variants[k];
+        int n;
+        state expected = run(v, 0, &n);
         print_message("%s: %d stages\n", v->name, n);
         for (int stage = 1; stage <= n; ++stage) {
-            state found = run(v, stage);
+            state found = run(v, stage, &n);
             same_state(&expected, &found);
             state_free(&found);
         }

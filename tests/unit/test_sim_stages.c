@@ -2,15 +2,7 @@
  * checks themselves leave no trace. */
 #include "verification/coupled_fixture.h"
 
-typedef struct variant {
-    const char *name, *deck;
-    scene_coupling coupling;
-    int blocks;
-    size_t n_set;
-    const char *set[4];
-} variant;
-
-static const variant variants[] = {
+static const deck_variant variants[] = {
     {"points", "pressurized_cylinder", COUPLING_MPM, 2, 1, {"domain.cell=0.1"}},
     {"points, linear", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.basis=linear"}},
     {"points, gimp, USF",
@@ -35,22 +27,18 @@ static const variant variants[] = {
     {"both, heat", "pressurized_cylinder", COUPLING_ICE_MPM, 1, 2, {"domain.cell=0.1", "method.heat_exchange=1e3"}},
 };
 
-static state run(const variant *v, bool checking)
+static state run(const deck_variant *v, bool checking)
 {
     trial t;
-    deck_begin(&t, v->deck, v->set, v->n_set);
     exact solution;
-    check_ok(t.ctx, initial_exact(t.scene, &solution));
-    initial_attach(t.scene, &solution);
-    for (int a = 0; a < t.scene->mesh.dim; ++a) t.scene->mesh.blocks[a] = v->blocks;
-    check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, v->coupling));
+    variant_load(&t, v, &solution);
+    coupled_start(&t);
     t.sim->stages.checking = checking;
     trial_steps(&t, 5);
     assert_int_equal(t.sim->rejected, 0);
     check_ok(t.ctx, sim_refresh(t.sim));
     state s = state_of(t.sim);
-    exact_destroy(t.ctx, &solution);
-    trial_end(&t);
+    variant_end(&t, &solution);
     return s;
 }
 

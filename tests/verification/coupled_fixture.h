@@ -65,6 +65,31 @@ FIXTURE void deck_begin(trial *t, const char *deck, const char *const *set, size
     deck_report_free(&report);
 }
 
+/* A scene of inputs/ as it is to be run. */
+typedef struct deck_variant {
+    const char *name, *deck;
+    scene_coupling coupling;
+    int blocks; /* along each axis */
+    size_t n_set;
+    const char *set[4];
+} deck_variant;
+
+/* Loads it, without making the simulation; the exact solution that it may start from lives in *solution. */
+FIXTURE void variant_load(trial *t, const deck_variant *v, exact *solution)
+{
+    deck_begin(t, v->deck, v->set, v->n_set);
+    check_ok(t->ctx, initial_exact(t->scene, solution));
+    initial_attach(t->scene, solution);
+    for (int a = 0; a < t->scene->mesh.dim; ++a) t->scene->mesh.blocks[a] = v->blocks;
+    t->scene->coupling = v->coupling;
+}
+
+FIXTURE void variant_end(trial *t, exact *solution)
+{
+    exact_destroy(t->ctx, solution);
+    trial_end(t);
+}
+
 /* Everything that a run goes on from: STATE and FIXED fields in global order, clocks, ledger. */
 typedef struct state {
     double *value; /* malloc */
