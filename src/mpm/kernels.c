@@ -86,7 +86,7 @@ FLOE_ALWAYS_INLINE row_sums sum_row(const double *restrict node, const double *w
                                     const bool gradient, const bool light)
 {
     const int components = (motion ? 2 * dim : dim) + (light ? 1 : 0);
-    row_sums r = {{{{0}}}, {{{0}}}, {{{0}}}};
+    row_sums r = {pairs_zero(), pairs_zero(), pairs_zero()};
     for (int x = 0; x < basis_support(kind); ++x, node += components) {
         double u[4] = {0};
         const double *seen = node;
@@ -102,11 +102,24 @@ FLOE_ALWAYS_INLINE row_sums sum_row(const double *restrict node, const double *w
     return r;
 }
 
-FLOE_ALWAYS_INLINE void add_slopes(double sum, double slope, double W, double Wy, double Wz, double L[3])
+/* Sums over a stencil: v^L and a, and the columns of L. */
+typedef struct point_sums {
+    pairs va, L[3];
+} point_sums;
+
+FLOE_ALWAYS_INLINE void sum_stencil(point_sums *sum, const stencil *s, const double *restrict window, double floor,
+                                    double kick, const int dim, const basis_kind kind, const bool motion,
+                                    const bool gradient, const bool light)
 {
-    L[0] += W * slope;
-    L[1] += Wy * sum;
-    L[2] += Wz * sum;
+    const int components = (motion ? 2 * dim : dim) + (light ? 1 : 0);
+    FOR_ROWS(*s, dim, kind, {
+        const row_sums r = sum_row(window + (ptrdiff_t)row * components, s->w[0], s->dw[0], floor, kick, dim, kind,
+                                   motion, gradient, light);
+        pairs_add(&sum->va, W, &r.va, motion ? 2 * dim : dim);
+        if (gradient) pairs_add(&sum->L[0], W, &r.slope, dim);
+        if (gradient && dim > 1) pairs_add(&sum->L[1], Wy, &r.u, dim);
+        if (gradient && dim > 2) pairs_add(&sum->L[2], Wz, &r.u, dim);
+    });
 }
 
 /* Motion: v_p += sum S a kick blended with sum S v^L; x_p += dt sum S v^L (numerics 4.2).
@@ -118,40 +131,27 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
                                     const bool gradient, const bool centred)
 {
     const bool light = gather_needs_mass(kind, motion, gradient);
-    const int components = (motion ? 2 * dim : dim) + (light ? 1 : 0);
     const tile_frame frame = frame_of(m, t, dim);
     const gather_result out = *to;
     const double kick = step->kick, dt = step->dt, flip = step->flip;
     for (size_t k = start; k < end; ++k) {
         const stencil s = locate(&frame, p, k, dim, kind, false);
         const double floor = light ? light_node * p->mass[k] : 0.0;
-        double v[3] = {0}, acceleration[3] = {0}, L[3][3] = {{0}};
-        FOR_ROWS(s, dim, kind, {
-            const row_sums r = sum_row(window + (ptrdiff_t)row * components, s.w[0], s.dw[0], floor, kick, dim, kind,
-                                       motion, gradient && !centred, light);
-            for (int a = 0; a < dim; ++a) {
-                v[a] += W * pairs_get(&r.va, a);
-                if (motion) acceleration[a] += W * pairs_get(&r.va, dim + a);
-                if (gradient && !centred) add_slopes(pairs_get(&r.u, a), pairs_get(&r.slope, a), W, Wy, Wz, L[a]);
-            }
-        });
-        if (motion)
-            for (int a = 0; a < dim; ++a) {
-                out.x_next[a][k] = p->x[a][k] + dt * v[a];
-                out.v_next[a][k] = flip * (p->v[a][k] + kick * acceleration[a]) + (1.0 - flip) * v[a];
-            }
+        point_sums sum = {pairs_zero(), {pairs_zero(), pairs_zero(), pairs_zero()}};
+        sum_stencil(&sum, &s, window, floor, kick, dim, kind, motion, gradient && !centred, light);
+        for (int a = 0; motion && a < dim; ++a) {
+            const double v = pairs_get(&sum.va, a), acceleration = pairs_get(&sum.va, dim + a);
+            out.x_next[a][k] = p->x[a][k] + dt * v;
+            out.v_next[a][k] = flip * (p->v[a][k] + kick * acceleration) + (1.0 - flip) * v;
+        }
         if (!gradient) continue;
+        if (axisymmetric) out.L[8][k - start] = pairs_get(&sum.va, 0) / p->x[0][k];
         if (centred) {
             const stencil g = locate(&frame, p, k, dim, kind, true);
-            FOR_ROWS(g, dim, kind, {
-                const row_sums r = sum_row(window + (ptrdiff_t)row * components, g.w[0], g.dw[0], floor, kick, dim,
-                                           kind, motion, true, light);
-                for (int a = 0; a < dim; ++a) add_slopes(pairs_get(&r.u, a), pairs_get(&r.slope, a), W, Wy, Wz, L[a]);
-            });
+            sum_stencil(&sum, &g, window, floor, kick, dim, kind, motion, true, light);
         }
         for (int a = 0; a < dim; ++a)
-            for (int c = 0; c < dim; ++c) out.L[3 * a + c][k - start] = L[a][c];
-        if (axisymmetric) out.L[8][k - start] = v[0] / p->x[0][k];
+            for (int c = 0; c < dim; ++c) out.L[3 * a + c][k - start] = pairs_get(&sum.L[c], a);
     }
 }
 

@@ -20,9 +20,20 @@ FLOE_ALWAYS_INLINE double pairs_get(const pairs *x, int component)
     return x->p[component / 2][component % 2];
 }
 
+FLOE_ALWAYS_INLINE pairs pairs_zero(void)
+{
+    return (pairs){{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}}};
+}
+
 FLOE_ALWAYS_INLINE pairs pairs_of(double a, double b, double c, double d)
 {
     return (pairs){{{a, b}, {c, d}, {0.0, 0.0}}};
+}
+
+/* sum += s x over n components. */
+FLOE_ALWAYS_INLINE void pairs_add(pairs *sum, double s, const pairs *x, const int n)
+{
+    for (int c = 0; c < (n + 1) / 2; ++c) sum->p[c] += s * x->p[c];
 }
 
 /* sum += s node over n components; reads one beyond where n is odd. */

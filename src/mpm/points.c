@@ -38,7 +38,7 @@ static void node_arrays(const mpm *s, int blk, int group, field_id id, const dou
 /* Rates that the kernel does not set: a stress state may have solved for them in the batch before. */
 static void clear_free_rates(const mpm *s, solid_batch *batch)
 {
-    if (s->mesh->dim == 3) return;
+    if (s->mesh->dim == 3 || s->scene->stress_state == STRESS_FULL) return;
     memset(batch->L[8], 0, sizeof batch->L[8]);
     if (s->mesh->dim == 1) memset(batch->L[4], 0, sizeof batch->L[4]);
 }
