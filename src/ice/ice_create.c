@@ -102,28 +102,13 @@ static void resolve_exchange(ice *s)
         }
 }
 
-ice_reservoir ice_state_of(const eos *law, double p, double T, double rho)
+ice_reservoir ice_state_at(const eos *law, double p, double T)
 {
-    ice_reservoir out = {.rho = rho, .T = T};
-    if (isnan(rho)) {
-        double dvdp;
-        law->model->volume(law->par, 1, &p, &T, &out.v, &dvdp);
-        out.rho = 1.0 / out.v;
-        law->model->energy(law->par, 1, &out.rho, &T, &out.e);
-        return out;
-    }
-    /* e from p: Newton in e, for which pressure is linear in the laws at hand. */
-    out.v = 1.0 / rho;
-    out.e = law->model->energy_floor(law->par, rho);
-    for (int iteration = 0; iteration < 20; ++iteration) {
-        double here, c2, slope;
-        law->model->pressure(law->par, 1, &rho, &out.e, &here, &c2);
-        law->model->dpde(law->par, 1, &rho, &out.e, &slope);
-        const double change = (p - here) / slope;
-        out.e += change;
-        if (!(fabs(change) > 4.0 * DBL_EPSILON * fabs(out.e))) break;
-    }
-    law->model->temperature(law->par, 1, &rho, &out.e, &out.T);
+    ice_reservoir out = {.T = T};
+    double dvdp;
+    law->model->volume(law->par, 1, &p, &T, &out.v, &dvdp);
+    out.rho = 1.0 / out.v;
+    law->model->energy(law->par, 1, &out.rho, &T, &out.e);
     return out;
 }
 
@@ -136,7 +121,7 @@ static void resolve_reservoirs(ice *s)
             if (wall->kind != BC_INLET && wall->kind != BC_OUTLET) continue;
             const int r = ice_material_of(s, wall->material);
             if (r < 0 || s->material[r].points || !(wall->temperature > 0.0)) continue;
-            s->work->reservoir[a][side] = ice_state_of(&s->material[r].eos, wall->pressure, wall->temperature, NAN);
+            s->work->reservoir[a][side] = ice_state_at(&s->material[r].eos, wall->pressure, wall->temperature);
         }
 }
 

@@ -51,7 +51,7 @@ static double density_at(const ice *s, place c, double p, const double *theta, c
     double sum = 0.0;
     for (int r = 0; r < s->n_materials; ++r) {
         if (!(theta[r] > 0.0)) continue;
-        const ice_reservoir state = ice_state_of(&s->material[r].eos, p, T[r], NAN);
+        const ice_reservoir state = ice_state_at(&s->material[r].eos, p, T[r]);
         sum += theta[r] * state.rho;
         if (!set || s->material[r].points) continue;
         field_get(c.f, C_RHO, r, 0)[c.at] = theta[r] * state.rho;

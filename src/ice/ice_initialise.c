@@ -1,5 +1,6 @@
 /* The first state: fluids of bodies and of the ambient, cut by exact fractions; columns at rest under gravity. */
 #include "ice/ice_internal.h"
+#include "scene/state.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,49 +10,50 @@ typedef struct content {
     double fraction, mass, momentum[3], energy;
 } content;
 
-static void add_uniform(content *c, int dim, const eos *law, double fraction, double p, double T, double rho,
-                        const double *velocity)
+static void add(content *c, int dim, double fraction, const fluid_state *state, const double *velocity)
 {
-    const ice_reservoir state = ice_state_of(law, p, T, rho);
     double square = 0.0;
     c->fraction += fraction;
-    c->mass += fraction * state.rho;
+    c->mass += fraction * state->density;
     for (int a = 0; a < dim; ++a) {
-        c->momentum[a] += fraction * state.rho * velocity[a];
+        c->momentum[a] += fraction * state->density * velocity[a];
         square += velocity[a] * velocity[a];
     }
-    c->energy += fraction * state.rho * (state.e + 0.5 * square);
+    c->energy += fraction * state->density * (state->energy + 0.5 * square);
 }
 
 /* Three Gauss points an axis: the average of a smooth exact state to sixth order. */
-static void add_exact(const ice *s, content *c, const scene_body *body, const eos *law, double fraction,
-                      const double lo[3])
+static floe_status add_exact(const ice *s, content *c, int body, double fraction, const double lo[3])
 {
     static const double at[3] = {0.1127016653792583, 0.5, 0.8872983346207417},
                         weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-    const scene *given = s->scene;
     const int dim = s->mesh->dim;
     for (int point = 0; point < (dim == 1 ? 3 : dim == 2 ? 9 : 27); ++point) {
-        double x[3] = {0.0, 0.0, 0.0}, share = fraction, velocity[3] = {0.0, 0.0, 0.0};
+        double x[3] = {0.0, 0.0, 0.0}, share = fraction, velocity[3];
+        fluid_state state;
         for (int a = 0, rest = point; a < dim; ++a, rest /= 3) {
             x[a] = lo[a] + at[rest % 3] * s->mesh->h[a];
             share *= weight[rest % 3];
         }
         if (s->mesh->geometry == MESH_AXISYMMETRIC) share *= x[0] / (lo[0] + 0.5 * s->mesh->h[0]);
-        double p = given->initial(given->initial_user, INITIAL_PRESSURE, 0, x),
-               rho = given->initial(given->initial_user, INITIAL_DENSITY, 0, x);
-        if (isnan(p)) p = body->pressure;
-        if (isnan(rho)) rho = body->density;
-        for (int a = 0; a < dim; ++a) {
-            velocity[a] = given->initial(given->initial_user, INITIAL_VELOCITY, a, x);
-            if (isnan(velocity[a])) velocity[a] = body->velocity[a];
-        }
-        add_uniform(c, dim, law, share, p, body->temperature, rho, velocity);
+        TRY(body_fluid_state(s->scene, body, x, &state, velocity));
+        add(c, dim, share, &state, velocity);
     }
+    return FLOE_OK;
+}
+
+static floe_status add_body(const ice *s, content *c, int body, double fraction, const double lo[3])
+{
+    double velocity[3];
+    fluid_state state;
+    if (s->scene->body[body].initial_from_exact && s->scene->initial) return add_exact(s, c, body, fraction, lo);
+    TRY(body_fluid_state(s->scene, body, lo, &state, velocity));
+    add(c, s->mesh->dim, fraction, &state, velocity);
+    return FLOE_OK;
 }
 
 /* The bodies' and the ambient's contents of one cell; earlier bodies come first, and the ambient takes what is left. */
-static void fill_cell(const ice *s, const double lo[3], double room, content *contents)
+static floe_status fill_cell(const ice *s, const double lo[3], double room, content *contents)
 {
     const scene *given = s->scene;
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
@@ -67,17 +69,16 @@ static void fill_cell(const ice *s, const double lo[3], double room, content *co
         if (!(fraction > 1e-12)) continue;
         room -= fraction;
         if (room < 1e-12) room = 0.0;
-        if (body->initial_from_exact && given->initial)
-            add_exact(s, &contents[r], body, &s->material[r].eos, fraction, lo);
-        else
-            add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, fraction, body->pressure, body->temperature,
-                        body->density, body->velocity);
+        TRY(add_body(s, &contents[r], b, fraction, lo));
     }
     if (room > 0.0 && given->has_ambient) {
         const int r = ice_material_of(s, given->ambient_material);
-        add_uniform(&contents[r], s->mesh->dim, &s->material[r].eos, room, given->ambient_pressure,
-                    given->ambient_temperature, NAN, (const double[3]){0.0, 0.0, 0.0});
+        fluid_state state;
+        TRY(fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN,
+                           &state));
+        add(&contents[r], s->mesh->dim, room, &state, (const double[3]){0.0, 0.0, 0.0});
     }
+    return FLOE_OK;
 }
 
 static void store(const ice *s, const ice_view *v, ptrdiff_t at, const content *contents)
@@ -114,7 +115,7 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
                 memset(contents, 0, sizeof contents);
                 /* A cell that solids all but fill gets no fluid: a sliver would only take up their volume errors. */
                 const double room = taken ? 1.0 - taken[at] : 1.0;
-                fill_cell(s, lo, room < 1e-6 ? 0.0 : room > 1.0 - 1e-12 ? 1.0 : room, contents);
+                TRY(fill_cell(s, lo, room < 1e-6 ? 0.0 : room > 1.0 - 1e-12 ? 1.0 : room, contents));
                 double filled = room < 1e-6 ? 1.0 : 0.0;
                 for (int r = 0; r < s->n_materials; ++r) filled += contents[r].fraction;
                 if (!(filled > 0.0)) {

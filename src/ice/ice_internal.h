@@ -142,8 +142,8 @@ typedef struct ice_work {
 
 /* Pressures and fractions of several materials in one block (numerics 2.1). */
 floe_status ice_mixture(ice *s, int block_id, const ice_view *v);
-/* Density and energy of a law at a pressure, and a temperature or a density (the other NAN). */
-ice_reservoir ice_state_of(const eos *law, double p, double T, double rho);
+/* State of a law at a pressure and a temperature. */
+ice_reservoir ice_state_at(const eos *law, double p, double T);
 int ice_thread(void);
 /* Columns at rest (numerics 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);

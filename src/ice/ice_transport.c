@@ -124,7 +124,7 @@ static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double vo
         return;
     }
     tile[TILE_DEFECT] -= total_energy(m, at, v->dim) * volume;
-    const ice_reservoir state = ice_state_of(law, v->p[at], m->T[at], (double)NAN);
+    const ice_reservoir state = ice_state_at(law, v->p[at], m->T[at]);
     m->vol1[at] = state.v;
     m->e1[at] = state.e;
     tile[TILE_DEFECT] += total_energy(m, at, v->dim) * volume;
