@@ -38,6 +38,38 @@ static void test_closed_box(void **unused)
             }
 }
 
+/* A block that compresses the gas ahead of it, in one dimension: what the block loses the gas gains, to an error that falls with the
+ * spacing, while volumes are not relaxed. (Relaxed by 0.1 a step, volumes change without work: 0.8e-3, 0.8e-3, 1.1e-3, 1.6e-3 of
+ * the energy at h = 0.025 to 0.0031, which is 5 % of the work at the last.) */
+static double energy_drift(double h, double relaxation)
+{
+    trial t;
+    coupled_begin(&t, 1, (const double[]){0.8, 0.0, 0.0}, h);
+    set_method(&t, "quadratic", STRESS_USL, 0.99);
+    t.scene->method.volume_relaxation = relaxation;
+    const double lower[3] = {0.23, 0.0, 0.0}, upper[3] = {0.46, 1.0, 1.0};
+    coupled_body(&t, coupled_solid(&t, 20e6, 8e6, 1000.0), make_box(&t, lower, upper), 2)->velocity[0] = 30.0;
+    coupled_start(&t);
+    trial_run(&t, 0.004);
+    const double drift = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
+    print_message("1-D h %.5f relaxation %.1f: drift of the energy %.2e\n", h, relaxation, drift);
+    trial_end(&t);
+    return drift;
+}
+
+static void test_energy(void **unused)
+{
+    (void)unused;
+    double before = 2e-3;
+    for (int fine = 1; fine <= 8; fine *= 2) {
+        const double drift = energy_drift(0.05 / fine, 0.0);
+        check_true(drift <= 0.75 * before);
+        before = drift;
+    }
+    check_true(before <= 2.5e-4);
+    check_true(energy_drift(0.00625, 0.1) <= 2e-3);
+}
+
 /* Two solids of different stuff, each with a velocity field of its own at the nodes, that close in on each other through the gas. */
 static void test_two_solids(void **unused)
 {
@@ -181,10 +213,8 @@ static void test_moving_together(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_box),
-        cmocka_unit_test(test_two_solids),
-        cmocka_unit_test(test_rest),
-        cmocka_unit_test(test_moving_together),
+        cmocka_unit_test(test_closed_box), cmocka_unit_test(test_energy),          cmocka_unit_test(test_two_solids),
+        cmocka_unit_test(test_rest),       cmocka_unit_test(test_moving_together),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
