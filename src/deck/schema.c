@@ -117,7 +117,7 @@ static const key_spec method_keys[] = {
      .doc = "K of the momentum exchange between each pair of materials"},
     {"heat_exchange", KEY_NUMBER, "W m-3 K-1", WITHIN(0.0, 1e30), AT(scene_method, heat_exchange), .fallback = "0",
      .doc = "R of the heat exchange between each pair of materials"},
-    {"volume_relaxation", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, volume_relaxation), .fallback = "0.1",
+    {"volume_relaxation", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, volume_relaxation), .fallback = "0",
      .doc = "share of the volume defect of a cell that is taken back each step"},
 };
 static const key_table method_table = TABLE(method_keys);

@@ -32,7 +32,7 @@ static void set_defaults(scene *s)
     s->method.flip = 0.99;
     s->method.conserve_energy = true;
     s->method.exchange = 1e15;
-    s->method.volume_relaxation = 0.1;
+    s->method.volume_relaxation = 0.0;
     s->time = (scene_time){.end = NAN,
                            .cfl_mpm = 0.5,
                            .cfl_ice = 0.5,
