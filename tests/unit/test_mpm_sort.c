@@ -1,5 +1,5 @@
 /* The order of points: by tile, then cell, then id, from any order; tiles know their ranges; the fields of a point stay together. */
-#include "../verification/mpm_fixture.h"
+#include "verification/mpm_fixture.h"
 
 static int cell_in_tile(const mesh *m, const int cell[3])
 {
