@@ -49,7 +49,11 @@ static floe_status step_map(override *o, deck_node *map, const char **path, deck
         TRY(node_new(o->arena, &child, NODE_MAP, o->at));
         TRY(add_child(o, map, *path, length, child));
     } else if ((*path)[length] == '\0') {
-        node_replace(child, o->fresh);
+        /* K=null takes a key away, so that an alternative can be given; K= alone stays an error of the schema. */
+        if (o->value[0] != '\0' && node_is_null(o->fresh))
+            node_remove(child);
+        else
+            node_replace(child, o->fresh);
         return FLOE_OK;
     }
     *path += length + 1;

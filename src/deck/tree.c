@@ -89,6 +89,19 @@ void node_replace(deck_node *old, deck_node *fresh)
     if (parent->last == old) parent->last = fresh;
 }
 
+void node_remove(deck_node *child)
+{
+    deck_node *parent = child->parent, *before = NULL;
+    for (deck_node *at = parent->first; at != child; at = at->next) before = at;
+    if (before) {
+        before->next = child->next;
+    } else {
+        parent->first = child->next;
+    }
+    if (parent->last == child) parent->last = before;
+    parent->n--;
+}
+
 deck_node *node_find(const deck_node *map, const char *key)
 {
     if (!map || map->kind != NODE_MAP) return NULL;

@@ -51,6 +51,8 @@ floe_status node_new(deck_arena *arena, deck_node **out, node_kind kind, deck_pl
 void node_append(deck_node *parent, deck_node *child);
 /* Puts `fresh` where `old` stands in its parent, under the same key; `old` is forgotten. */
 void node_replace(deck_node *old, deck_node *fresh);
+/* Takes `child` out of its parent; it is forgotten. */
+void node_remove(deck_node *child);
 /* The first child of a map with that key, NULL if there is none (or `map` is NULL or no map). */
 deck_node *node_find(const deck_node *map, const char *key);
 /* The i-th child, NULL beyond the end. */

@@ -27,12 +27,10 @@
     X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                              \
     X(P_VISCOUS_PRESSURE, "artificial_pressure", POINT, SCALAR, "Pa", STATE, "q_p, compression positive")            \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
-    X(P_TRACTION_FORCE, "traction_force", POINT, VECTOR, "N", FIXED,                                                 \
-      "unit-load nodal force direction of a loaded surface point")                                                   \
     /* nodes, instance: velocity group */                                                                            \
     X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                       \
     X(N_MOMENTUM, "node_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "m_i v_i")                                       \
-    X(N_FORCE, "node_force", NODE, VECTOR, "N", SCRATCH, "f_i = internal + external + damping")                      \
+    X(N_FORCE, "node_force", NODE, VECTOR, "N", SCRATCH, "f_i = internal + external")                                \
     X(N_VEL, "node_velocity", NODE, VECTOR, "m/s", SCRATCH, "v_i")                                                   \
     X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                    \
     X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH,                                                   \

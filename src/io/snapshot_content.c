@@ -99,10 +99,10 @@ static void gather_vector(writer *w, field_id id, int instance)
     for (int c = 0; c < w->s->mesh.dim; c++) gather(w, id, instance, c, 3, w->data + c);
 }
 
-/* Masses, volumes and forces are kept per metre of depth or per radian, and written whole. */
+/* Masses and volumes are kept per metre of depth or per radian, and written whole. */
 static void scale_extensive(writer *w, field_id id, size_t numbers)
 {
-    if (id != P_MASS && id != P_VOLUME0 && id != P_TRACTION_FORCE) return;
+    if (id != P_MASS && id != P_VOLUME0) return;
     const double factor = output_scale(w->s);
     for (size_t i = 0; i < numbers; i++) w->data[i] *= factor;
 }

@@ -235,6 +235,18 @@ static void overrides_reach_any_key(void **state)
     scene_destroy(&s);
 }
 
+static void null_takes_a_key_away(void **state)
+{
+    fixture *f = *state;
+    const char *set[] = {"loads.heating.pressurise.ramp=null", "loads.heating.pressurise.ramp_steps=500",
+                         "output.interval=~"};
+    scene *s = load_input(f, "pressurized_cylinder.yaml", set, sizeof set / sizeof set[0]);
+    assert_int_equal(s->load[0].ramp_steps, 500);
+    check_close(s->load[0].ramp, 0.0, 0.0);
+    check_true(isinf(s->output.interval));
+    scene_destroy(&s);
+}
+
 /* ---- echo ---- */
 
 static void check_round_trip(fixture *f, const scene *s)
@@ -359,6 +371,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(density_and_temperature_give_the_pressure, set_up, tear_down),
         cmocka_unit_test_setup_teardown(axes_are_r_and_z_when_axisymmetric, set_up, tear_down),
         cmocka_unit_test_setup_teardown(overrides_reach_any_key, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(null_takes_a_key_away, set_up, tear_down),
         cmocka_unit_test_setup_teardown(every_input_loads_and_echoes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(echo_keeps_every_key, set_up, tear_down),
         cmocka_unit_test_setup_teardown(starter_loads, set_up, tear_down),

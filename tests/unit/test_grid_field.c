@@ -60,7 +60,7 @@ static void test_registry(void **state)
     const uint64_t size = g.mesh.block[0].size * sizeof(double);
     assert_int_equal(fields_bytes(f, C_RHO, C_RHO), 2 * size);
     assert_int_equal(fields_bytes(f, N_VEL, N_VEL), 2 * size);
-    assert_int_equal(fields_bytes(f, P_ID, P_TRACTION_FORCE), 0);
+    assert_int_equal(fields_bytes(f, P_ID, P_GRID_PRESSURE), 0);
     for (int id = 0; id < FIELD_COUNT; ++id) {
         const field_info *info = field_describe((field_id)id);
         assert_true(info->name[0] && info->unit[0] && info->meaning[0]);
