@@ -99,7 +99,7 @@ void domain_fill(domain *d, field_id id, int instance, fill_which which)
 
 void domain_sum_tiles(const mesh *m, const double *partial, int count, double *sum)
 {
-    const size_t tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    const size_t tiles = mesh_tiles(m);
     for (int c = 0; c < count; ++c) sum[c] = 0.0;
     for (size_t t = 0; t < tiles; ++t)
         for (int c = 0; c < count; ++c) sum[c] += partial[t * (size_t)count + (size_t)c];
@@ -108,7 +108,7 @@ void domain_sum_tiles(const mesh *m, const double *partial, int count, double *s
 floe_status domain_reserve_partials(domain *d, size_t size)
 {
     const mesh *m = d->mesh;
-    const size_t tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    const size_t tiles = mesh_tiles(m);
     d->partial_size = size;
     return memory_new(d->ctx, &d->partials, tiles * size, sizeof(double));
 }

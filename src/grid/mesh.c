@@ -190,3 +190,8 @@ size_t mesh_cells(const mesh *m)
 {
     return (size_t)m->n[0] * (size_t)m->n[1] * (size_t)m->n[2];
 }
+
+size_t mesh_tiles(const mesh *m)
+{
+    return (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+}

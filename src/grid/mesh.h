@@ -105,7 +105,8 @@ int mesh_cell_of(const mesh *m, int axis, double x);
 int mesh_tile_of(const mesh *m, const int cell[MESH_MAX_DIM]);
 int mesh_block_of(const mesh *m, const int cell[MESH_MAX_DIM]);
 
-/* Cells of the whole mesh. */
+/* Cells of the whole mesh, and its tiles. */
 size_t mesh_cells(const mesh *m);
+size_t mesh_tiles(const mesh *m);
 
 #endif

@@ -14,7 +14,7 @@ static const double no_room = 0.01;
 
 static bool has_no_room(const ice *s, const ice_view *v, ptrdiff_t at)
 {
-    if (v->mixed[at] < 64.0) return false;
+    if (!ice_holds_points(v, at)) return false;
     double fluid = 0.0;
     for (int r = 0; r < s->n_materials; ++r)
         if (!s->material[r].points) fluid += v->m[r].theta[at];

@@ -280,7 +280,7 @@ static floe_status make_scratch(ice *s)
 {
     ice_work *w = s->work;
     const mesh *m = s->mesh;
-    w->tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    w->tiles = mesh_tiles(m);
     TRY(memory_new(s->ctx, &w->tile, w->tiles * TILE_VALUES, sizeof(double)));
     TRY(memory_new(s->ctx, &w->buffer, (size_t)w->threads, sizeof *w->buffer));
     const size_t row = 16 * ((size_t)m->n[0] + 8), sweep = ice_advect_buffer(s);

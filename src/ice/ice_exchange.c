@@ -42,7 +42,7 @@ static double kinetic(const mixed_cell *c)
 /* Kinetic energy lost to the exchange becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out. */
 static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const mixed_cell *c, double lost)
 {
-    if (!s->scene->method.conserve_energy || v->mixed[at] >= 64.0 || !(lost > 0.0)) return;
+    if (!s->scene->method.conserve_energy || ice_holds_points(v, at) || !(lost > 0.0)) return;
     double total = 0.0;
     for (int r = 0; r < c->n; ++r) total += c->theta[r];
     for (int r = 0; r < c->n; ++r)
@@ -109,11 +109,10 @@ static void exchange_heat(ice *s, const ice_view *v, ptrdiff_t at)
 }
 
 /* Where a solid is alone, the pressure gradient is all that reaches its nodes. */
-static void lone_points(const ice *s, const ice_view *v, int r)
+static void lone_points(const ice_view *v, int r)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
     const ice_arrays *m = &v->m[r];
-    (void)s;
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row)
         for (int i = 0; i < v->b->n[0]; ++i) {
@@ -131,7 +130,7 @@ floe_status ice_exchange(ice *s)
         const ice_cell_list *list = &s->work->mixed[id];
         const bool heat = s->scene->method.heat_exchange > 0.0, pair = s->n_materials == 2 && !s->with_points;
         for (int r = 0; r < s->n_materials; ++r)
-            if (s->material[r].points) lone_points(s, &v, r);
+            if (s->material[r].points) lone_points(&v, r);
 #pragma omp parallel for schedule(static)
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];

@@ -150,7 +150,7 @@ static void relax_volume(const ice *s, const ice_view *v)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
-            if (v->mixed[at] < 64.0) continue;
+            if (!ice_holds_points(v, at)) continue;
             v->P[at] += 0.5 * (1.0 + v->shock[at]) * beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
         }
     }

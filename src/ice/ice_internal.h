@@ -49,6 +49,13 @@ typedef struct ice_view {
     ice_arrays m[ICE_MAX_MATERIALS];
 } ice_view;
 
+/* C_MIXED holds the number of materials in a cell, and this more where one of them is carried by points. */
+enum { ICE_WITH_POINTS = 64 };
+static inline bool ice_holds_points(const ice_view *v, ptrdiff_t at)
+{
+    return v->mixed[at] >= ICE_WITH_POINTS;
+}
+
 /* Kernels work along axis 0 at local (j, k). Each has one always-inline body, instantiated for dimension 1, 2, 3 and for one
  * fluid or several; the tables are indexed [dim - 1][multi]. */
 typedef void ice_row(const ice_view *v, int j, int k);

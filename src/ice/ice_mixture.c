@@ -19,11 +19,9 @@ typedef struct mixture_row {
     long cells, iterations, fallbacks;
 } mixture_row;
 
-enum { WITH_POINTS = 64 };
-
 static int present_in(const mixture_row *q, ptrdiff_t at)
 {
-    return (int)q->v->mixed[at] & (WITH_POINTS - 1);
+    return (int)q->v->mixed[at] & (ICE_WITH_POINTS - 1);
 }
 
 /* Numbers of materials, density sums, mean velocities, TMV. */
@@ -37,7 +35,7 @@ static floe_status count_materials(const mixture_row *q)
             const double rho = v->m[r].rho[at];
             if (!(rho > 0.0)) continue;
             count++;
-            if (q->s->material[r].points) points = WITH_POINTS;
+            if (q->s->material[r].points) points = ICE_WITH_POINTS;
             sum += rho;
             volume += rho * v->m[r].vol[at];
             for (int a = 0; a < v->dim; ++a) momentum[a] += rho * v->m[r].u[a][at];
@@ -188,7 +186,7 @@ static floe_status solve_mixed(mixture_row *q, ptrdiff_t at, bool owned)
     enum { PASSES = 6 };
     const ice_view *v = q->v;
     equilibrium_cell cell = {.n = v->n_materials, .p = q->guess[at]};
-    const double share = v->mixed[at] >= WITH_POINTS ? 1.0 / v->tmv[at] : 1.0;
+    const double share = ice_holds_points(v, at) ? 1.0 / v->tmv[at] : 1.0;
     for (int r = 0; r < v->n_materials; ++r) {
         cell.eos[r] = &q->s->material[r].eos;
         cell.a[r] = v->m[r].rho[at] * share;
@@ -337,7 +335,7 @@ static void list_mixed(ice *s, const ice_view *v, int id)
         for (int j = 0; j < b->n[1]; ++j)
             for (int i = 0; i < b->n[0]; ++i) {
                 const ptrdiff_t at = mesh_index(b, i, j, k);
-                if (((int)v->mixed[at] & (WITH_POINTS - 1)) > 1) list->at[list->n++] = at;
+                if (((int)v->mixed[at] & (ICE_WITH_POINTS - 1)) > 1) list->at[list->n++] = at;
             }
 }
 

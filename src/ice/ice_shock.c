@@ -30,7 +30,7 @@ FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int di
         const double inv_c = multi ? sqrt(rho[at] * kappa[at]) : 1.0 / c[at];
         const double raw = steepness * (-half * div * inv_c - threshold);
         const double sensor = raw < 0.0 ? 0.0 : raw > 1.0 ? 1.0 : raw;
-        const double points = multi && mixed[at] >= 64.0 ? 1.0 : 0.0;
+        const double points = multi && mixed[at] >= ICE_WITH_POINTS ? 1.0 : 0.0;
         const double s = least + slope * sensor;
         shock[at] = s > points ? s : points;
     }

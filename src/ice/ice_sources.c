@@ -84,7 +84,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
                     m->ul[a][at] = next;
             }
         }
-        const bool whole = conserve && v->mixed[at] < 64.0;
+        const bool whole = conserve && !ice_holds_points(v, at);
         const double heat = f.work - gain, share = 1.0 / v->kappa_sum[at], plain = v->P[at] * v->dP[at];
         bool usable = whole;
         for (int r = 0; r < v->n_materials && usable; ++r) {
@@ -99,7 +99,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
         for (int r = 0; r < v->n_materials; ++r) {
             const ice_arrays *m = &v->m[r];
             if (points[r]) continue;
-            const double theta = m->theta[at], sliver = v->mixed[at] < 64.0 ? 1.0 : fmin(1.0, theta / FULL_HEAT);
+            const double theta = m->theta[at], sliver = !ice_holds_points(v, at) ? 1.0 : fmin(1.0, theta / FULL_HEAT);
             const double part = theta * m->kappa[at] * (usable ? share * heat : plain) * sliver;
             m->el[at] = m->e[at] + (m->rho[at] > 0.0 ? part / m->rho[at] : 0.0);
         }
@@ -129,7 +129,7 @@ static void note_guards(const ice *s, const ice_view *v, int j, int k)
 {
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
-        if (s->multi && v->mixed[at] >= 64.0) continue;
+        if (s->multi && ice_holds_points(v, at)) continue;
         const double made = pressure_defect(s, v, at, i);
         double scale = 0.0;
         for (int r = 0; r < s->n_materials; ++r)

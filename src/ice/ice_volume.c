@@ -22,7 +22,7 @@ static bool row_volumes(const ice *s, const ice_view *v, int r, ptrdiff_t base)
             continue;
         }
         double dP = v->dP[at];
-        if (v->tmv && v->mixed[at] >= 64.0) dP += beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
+        if (v->tmv && ice_holds_points(v, at)) dP += beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
         double next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
         if (m->theta[at] < 1e-4 || s->material[r].points)
             next = fmin(fmax(next, room / most_change), room * most_change);

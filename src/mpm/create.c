@@ -55,7 +55,7 @@ static void resolve_body(mpm *s, int index)
     if (s->n_groups == 0) s->n_groups = 1;
     s->needs_F = s->needs_F || (b->law->needs & SOLID_NEEDS_F) != 0;
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
-    s->artificial = s->artificial || b->artificial[0] > 0.0 || b->artificial[1] > 0.0;
+    s->artificial = s->artificial || has_artificial(b);
     s->n_bodies++;
 }
 
@@ -74,7 +74,7 @@ static floe_status make_work(mpm *s)
     }
     for (int b = 0; b < SCENE_MAX_BODIES; ++b) w->body_group[b] = -1;
     for (int b = 0; b < s->n_bodies; ++b) w->body_group[s->body[b].scene_body] = s->body[b].group;
-    const size_t tiles = (size_t)m->tiles[0] * (size_t)m->tiles[1] * (size_t)m->tiles[2];
+    const size_t tiles = mesh_tiles(m);
     w->threads = thread_count();
     TRY(memory_new(s->ctx, &w->active, tiles, sizeof *w->active));
     TRY(memory_new(s->ctx, &w->moved, tiles, sizeof *w->moved));
@@ -128,12 +128,11 @@ void mpm_destroy(mpm **s)
 }
 
 /* Whether a body holds a point field that some stage uses. */
-static bool body_holds(const mpm *s, const mpm_body *b, field_id id)
+static bool body_holds(const mpm_body *b, field_id id)
 {
-    (void)s;
     if (id == P_F) return (b->law->needs & SOLID_NEEDS_F) != 0;
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
-    if (id == P_VISCOUS_PRESSURE) return b->artificial[0] > 0.0 || b->artificial[1] > 0.0;
+    if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     return true;
 }
 
@@ -142,7 +141,7 @@ static floe_status register_field(mpm *s, field_id id)
     const field_centring centring = field_describe(id)->centring;
     if (centring == FIELD_POINT)
         for (int b = 0; b < s->n_bodies; ++b)
-            if (body_holds(s, &s->body[b], id)) TRY(domain_add(s->domain, id, b));
+            if (body_holds(&s->body[b], id)) TRY(domain_add(s->domain, id, b));
     if (centring == FIELD_NODE)
         for (int g = 0; g < (id == N_PRESSURE ? 1 : s->n_groups); ++g) TRY(domain_add(s->domain, id, g));
     return FLOE_OK;

@@ -137,7 +137,7 @@ static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_ba
 static floe_status pass_points(mpm *s, tile_pass pass)
 {
     floe_status worst = FLOE_OK;
-    const size_t tiles = (size_t)s->mesh->tiles[0] * (size_t)s->mesh->tiles[1] * (size_t)s->mesh->tiles[2];
+    const size_t tiles = mesh_tiles(s->mesh);
     memset(s->work->tile_sum, 0, tiles * MPM_GAINS * sizeof(double));
     if (pass.motion) memset(s->work->moved, 0, tiles * sizeof *s->work->moved);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {

@@ -42,7 +42,7 @@ static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end,
 
 static void sum_body(mpm *s, int body, double total[SUM_END])
 {
-    const size_t tiles = (size_t)s->mesh->tiles[0] * (size_t)s->mesh->tiles[1] * (size_t)s->mesh->tiles[2];
+    const size_t tiles = mesh_tiles(s->mesh);
     memset(s->work->tile_sum, 0, tiles * MPM_TILE_SUMS * sizeof(double));
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 4)
@@ -98,7 +98,7 @@ static void tile_pressure(const mpm *s, int blk, int tile, int body, const shape
 
 floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure)
 {
-    const size_t tiles = (size_t)s->mesh->tiles[0] * (size_t)s->mesh->tiles[1] * (size_t)s->mesh->tiles[2];
+    const size_t tiles = mesh_tiles(s->mesh);
     memset(s->work->tile_sum, 0, tiles * MPM_TILE_SUMS * sizeof(double));
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 8)

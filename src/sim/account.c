@@ -100,7 +100,7 @@ floe_status sim_plan(sim *s, sim_plan_info *out)
             else
                 out->ice_bytes += bytes;
         }
-    const size_t tiles = (size_t)s->mesh.tiles[0] * (size_t)s->mesh.tiles[1] * (size_t)s->mesh.tiles[2];
+    const size_t tiles = mesh_tiles(&s->mesh);
     out->mpm_bytes += tiles * s->domain->partial_size * sizeof(double);
     out->scratch_bytes = memory_read_account(s->ctx).live_bytes - s->held_before -
                          (out->mpm_bytes + out->ice_bytes + out->coupling_bytes);
