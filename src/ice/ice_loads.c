@@ -144,7 +144,7 @@ floe_status ice_apply_loads(ice *s)
             pressurise(s, l, r);
             continue;
         }
-        if (!(load->ramp > 0.0) || load->hold || s->time < load->start + load->ramp)
+        if (load_heats(load, &(load_step){s->time, s->time + s->dt, s->step}))
             add_heat(s, l, r, heat_by_power, load->target);
     }
     return FLOE_OK;

@@ -23,17 +23,19 @@ void set_body_forces(mpm *s)
 
 floe_status set_heating(mpm *s)
 {
+    const load_step step = {s->time, s->time + s->dt, s->step};
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
-        s->work->heat_dp[l] = 0.0;
-        if (s->coupled || load->kind != LOAD_PRESSURISE) continue;
+        s->work->heat[l] = 0.0;
+        if (s->coupled) continue;
+        if (load->kind == LOAD_HEAT && load_heats(load, &step)) s->work->heat[l] = load->target * s->dt;
+        if (load->kind != LOAD_PRESSURISE) continue;
         bool active;
-        const load_step step = {s->time, s->time + s->dt, s->step};
         const double scheduled = load_scheduled_pressure(s->scene, load, &step, &active);
         if (!active) continue;
         double now;
         TRY(mpm_mean_pressure(s, load->material, &load->region, &now));
-        s->work->heat_dp[l] = scheduled - now;
+        s->work->heat[l] = scheduled - now;
     }
     return FLOE_OK;
 }

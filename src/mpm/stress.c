@@ -114,7 +114,7 @@ static bool in_region(const mpm *s, const fields *f, int body, size_t k, const s
     return !region->model || shape_inside(region, s->mesh->dim, x);
 }
 
-/* Energy of the heating loads into points of a fluid: e += dp / (dp/de). Returns what was added (J). */
+/* Energy of the heating loads into points of a fluid: e += dp / (dp/de), or power dt / rho. Returns what was added (J). */
 static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batch *b)
 {
     const mpm_body *m = &s->body[body];
@@ -123,13 +123,14 @@ static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batc
     double added = 0.0;
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
-        if (s->work->heat_dp[l] == 0.0 || load->material != m->scene_material) continue;
+        if (s->work->heat[l] == 0.0 || load->material != m->scene_material) continue;
         double rho[SOLID_CHUNK], dpde[SOLID_CHUNK];
         for (size_t k = 0; k < b->n; ++k) rho[k] = b->rho0[k] / b->J_old[k];
-        m->fluid_par.eos.model->dpde(m->fluid_par.eos.par, b->n, rho, b->energy, dpde);
+        const bool by_power = load->kind == LOAD_HEAT;
+        if (!by_power) m->fluid_par.eos.model->dpde(m->fluid_par.eos.par, b->n, rho, b->energy, dpde);
         for (size_t k = 0; k < b->n; ++k) {
             if (!in_region(s, f, body, start + k, &load->region)) continue;
-            const double de = s->work->heat_dp[l] / dpde[k];
+            const double de = s->work->heat[l] / (by_power ? rho[k] : dpde[k]);
             b->energy[k] += de;
             added += de * mass[start + k];
         }

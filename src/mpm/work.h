@@ -87,8 +87,8 @@ struct mpm_work {
     double kick;           /* s: the time over which velocities are kicked */
     double reference_mass; /* kg: heaviest point, for the small-node rule (numerics 4.4) */
     double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
-    double heat_dp[SCENE_MAX_LOADS];          /* Pa: what each heating load adds to its fluid's pressure this step */
-    surface_point *surface, *surface_next;    /* owned */
+    double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
+    surface_point *surface, *surface_next; /* owned */
     size_t n_surface;
     solid_batch *batch; /* one per thread; owned */
     int threads;

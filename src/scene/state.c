@@ -89,6 +89,18 @@ double load_fraction(const scene_load *load, const load_step *step)
     return fraction_at(load, step->t_end, step->step + 1);
 }
 
+/* Whether a ramp is under way in the step, or held after it. */
+static bool ramp_acts(const scene_load *load, const load_step *step)
+{
+    return load_fraction(load, step) > 0.0 && (load->hold || fraction_at(load, step->t, step->step) < 1.0);
+}
+
+bool load_heats(const scene_load *load, const load_step *step)
+{
+    const bool has_ramp = load->ramp > 0.0 || load->ramp_steps > 0;
+    return has_ramp ? ramp_acts(load, step) : step->t_end > load->start;
+}
+
 static double initial_pressure(const scene *s, const scene_load *load)
 {
     for (int b = 0; b < s->n_bodies; ++b) {
@@ -104,7 +116,7 @@ static double initial_pressure(const scene *s, const scene_load *load)
 double load_scheduled_pressure(const scene *s, const scene_load *load, const load_step *step, bool *active)
 {
     const double fraction = load_fraction(load, step);
-    *active = fraction > 0.0 && (load->hold || fraction_at(load, step->t, step->step) < 1.0);
+    *active = ramp_acts(load, step);
     const double first = initial_pressure(s, load), last = s->reference_pressure + load->target;
     return first + fraction * (last - first);
 }
