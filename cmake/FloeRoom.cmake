@@ -9,7 +9,7 @@ set(FLOE_FLOORS
     "mpm ice"
     "sim"
     "deck io verify"
-    "run"
+    "run draw"
     "study"
     "cli")
 string(REPLACE " " ";" FLOE_ALL_ROOMS "${FLOE_FLOORS}")

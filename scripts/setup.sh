@@ -21,7 +21,7 @@ missing_elsewhere() {
         command -v "$name" >/dev/null || echo "command $name"
     done
     command -v pkg-config >/dev/null || return 0
-    for name in gsl libfyaml udunits jansson cmocka; do
+    for name in gsl libfyaml udunits jansson cairo cmocka; do
         pkg-config --exists "$name" || echo "library $name (pkg-config)"
     done
     pkg-config --exists hdf5-serial || pkg-config --exists hdf5 || echo "library hdf5 (pkg-config)"

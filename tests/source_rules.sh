@@ -27,6 +27,7 @@ complain 'more than 700 lines: split the file' \
 only_in 'gsl/' coupling geom material verify study
 only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)/' coupling mpm ice verify
 only_in 'hdf5' io
+only_in 'cairo' draw
 only_in '(libfyaml|udunits)' deck
 only_in 'jansson' io study cli
 only_in 'argp' cli

@@ -3,7 +3,7 @@
 #include "io/file.h"
 #include "io/strbuf.h"
 #include "study/cases.h"
-#include "study/gnuplot.h"
+#include "draw/gnuplot.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* gnuplot as a process. */
-#ifndef STUDY_GNUPLOT_H
-#define STUDY_GNUPLOT_H
+#ifndef DRAW_GNUPLOT_H
+#define DRAW_GNUPLOT_H
 
 #include "base/context.h"
 

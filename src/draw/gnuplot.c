@@ -1,4 +1,4 @@
-#include "study/gnuplot.h"
+#include "draw/gnuplot.h"
 
 #include <errno.h>
 #include <fcntl.h>
