@@ -4,19 +4,16 @@
 #include "floe_build.h"
 #include "io/file.h"
 #include "io/hdf.h"
+#include "io/names.h"
 #include "io/sealed.h"
 #include "io/sha256.h"
 #include "io/snapshot_content.h"
+#include "io/snapshot_folder.h"
 #include "io/strbuf.h"
 #include "io/xdmf.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-enum { SNAPSHOT_FORMAT = 1, FILE_NAME = 32 /* "fields/NNNNNN.h5" */ };
 
 struct snapshot_series {
     context *ctx; /* not owned */
@@ -28,78 +25,6 @@ struct snapshot_series {
     double last_time; /* s */
 };
 
-/* DIR/NAME, counted memory, owned by the caller. */
-static floe_status join(context *ctx, char **out, const char *dir, const char *name)
-{
-    const size_t size = strlen(dir) + strlen(name) + 2;
-    TRY(memory_new(ctx, out, size, 1));
-    (void)snprintf(*out, size, "%s/%s", dir, name);
-    return FLOE_OK;
-}
-
-/* The number of "NNNNNN.h5", -1 for other names. */
-static long number_of(const char *name)
-{
-    const size_t digits = strspn(name, "0123456789");
-    if (digits < 6 || digits > 12 || strcmp(name + digits, ".h5") != 0) return -1;
-    return strtol(name, NULL, 10);
-}
-
-/* What a kill has left behind. */
-static bool is_remnant(const char *name)
-{
-    const size_t digits = strspn(name, "0123456789");
-    return digits >= 6 && strcmp(name + digits, ".h5.tmp") == 0;
-}
-
-static int compare_numbers(const void *a, const void *b)
-{
-    const long x = *(const long *)a;
-    const long y = *(const long *)b;
-    return (x > y) - (x < y);
-}
-
-typedef struct numbers {
-    long *number; /* counted memory */
-    size_t n, capacity;
-} numbers;
-
-static floe_status add_number(context *ctx, numbers *list, long number)
-{
-    if (list->n == list->capacity) {
-        const size_t capacity = 2 * list->capacity + 64;
-        TRY(memory_resize(ctx, &list->number, capacity, sizeof *list->number));
-        list->capacity = capacity;
-    }
-    list->number[list->n++] = number;
-    return FLOE_OK;
-}
-
-static floe_status take_entry(context *ctx, const char *folder, const char *name, numbers *list)
-{
-    const long number = number_of(name);
-    char *path;
-    if (number >= 0) return add_number(ctx, list, number);
-    if (!is_remnant(name)) return FLOE_OK;
-    TRY(join(ctx, &path, folder, name));
-    const floe_status status = file_remove(ctx, path);
-    memory_free(ctx, &path);
-    return status;
-}
-
-/* The numbers of the snapshots in a folder, in order; remnants are removed. */
-static floe_status list_numbers(context *ctx, const char *folder, numbers *list)
-{
-    DIR *directory = opendir(folder);
-    if (!directory) return file_fail(ctx, "cannot list the folder", folder, errno);
-    floe_status status = FLOE_OK;
-    const struct dirent *entry;
-    while (status == FLOE_OK && (entry = readdir(directory))) status = take_entry(ctx, folder, entry->d_name, list);
-    (void)closedir(directory);
-    if (list->n > 0) qsort(list->number, list->n, sizeof *list->number, compare_numbers);
-    return status;
-}
-
 /* The time of a snapshot and its part of the XDMF page. */
 static floe_status read_parts(hdf_file *hdf, double *time, char **page)
 {
@@ -109,14 +34,11 @@ static floe_status read_parts(hdf_file *hdf, double *time, char **page)
 
 static floe_status read_snapshot(context *ctx, const char *path, double *time, char **page)
 {
-    sealed_file file;
     hdf_file hdf;
     *page = NULL;
-    TRY(sealed_read(ctx, path, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, false, &file));
-    floe_status status = hdf_open(&hdf, ctx, path, file.image, file.size);
+    floe_status status = snapshot_file_open(ctx, path, &hdf);
     if (status == FLOE_OK) status = read_parts(&hdf, time, page);
     hdf_close(&hdf);
-    sealed_free(ctx, &file);
     return status;
 }
 
@@ -152,18 +74,13 @@ static floe_status keep_or_remove(snapshot_series *series, const char *path, lon
     return series->times.status;
 }
 
-static void file_name(char name[FILE_NAME], long number)
-{
-    (void)snprintf(name, FILE_NAME, "fields/%06ld.h5", number);
-}
-
-static floe_status sort_out(snapshot_series *series, const numbers *list, double keep_until)
+static floe_status sort_out(snapshot_series *series, const snapshot_numbers *list, double keep_until)
 {
     for (size_t i = 0; i < list->n; i++) {
-        char name[FILE_NAME];
+        char name[SNAPSHOT_NAME];
         char *path;
-        file_name(name, list->number[i]);
-        TRY(join(series->ctx, &path, series->dir, name));
+        snapshot_file_name(name, list->number[i]);
+        TRY(snapshot_join(series->ctx, &path, series->dir, name));
         const floe_status status = keep_or_remove(series, path, list->number[i], keep_until);
         memory_free(series->ctx, &path);
         TRY(status);
@@ -174,7 +91,7 @@ static floe_status sort_out(snapshot_series *series, const numbers *list, double
 static floe_status write_page(snapshot_series *series)
 {
     char *path;
-    TRY(join(series->ctx, &path, series->dir, "fields.xdmf"));
+    TRY(snapshot_join(series->ctx, &path, series->dir, "fields.xdmf"));
     const floe_status status = xdmf_write(series->ctx, path, "floe", strbuf_string(&series->times));
     memory_free(series->ctx, &path);
     return status;
@@ -182,9 +99,9 @@ static floe_status write_page(snapshot_series *series)
 
 static floe_status take_over_folder(snapshot_series *series, const char *folder, double keep_until)
 {
-    numbers list = {0};
+    snapshot_numbers list = {0};
     TRY(folder_make(series->ctx, folder));
-    floe_status status = list_numbers(series->ctx, folder, &list);
+    floe_status status = snapshot_numbers_list(series->ctx, folder, true, &list);
     if (status == FLOE_OK) status = sort_out(series, &list, keep_until);
     if (status == FLOE_OK) status = folder_sync(series->ctx, folder);
     memory_free(series->ctx, &list.number);
@@ -195,7 +112,7 @@ static floe_status take_over(snapshot_series *series, const char *dir, double ke
 {
     char *folder;
     TRY(memory_string(series->ctx, &series->dir, dir));
-    TRY(join(series->ctx, &folder, dir, "fields"));
+    TRY(snapshot_join(series->ctx, &folder, dir, "fields"));
     const floe_status status = take_over_folder(series, folder, keep_until);
     memory_free(series->ctx, &folder);
     TRY(status);
@@ -226,6 +143,19 @@ void snapshot_close(snapshot_series **s)
     memory_free(ctx, s);
 }
 
+/* The domain, which a snapshot of points alone would not tell otherwise. */
+static floe_status write_domain(const sim *s, hdf_file *hdf)
+{
+    const mesh *m = &s->mesh;
+    const double scale = output_scale(s);
+    TRY(hdf_attribute(hdf, "/", "domain_lower", HDF_DOUBLE, m->dim, m->lower));
+    TRY(hdf_attribute(hdf, "/", "domain_upper", HDF_DOUBLE, m->dim, m->upper));
+    TRY(hdf_attribute(hdf, "/", "cell", HDF_DOUBLE, m->dim, m->h));
+    TRY(hdf_attribute(hdf, "/", "volume_scale", HDF_DOUBLE, 1, &scale));
+    TRY(hdf_attribute_text(hdf, "/", "length_unit", output_unit(s, "m")));
+    return hdf_attribute_text(hdf, "/", "geometry", m->geometry == MESH_AXISYMMETRIC ? "axisymmetric" : "cartesian");
+}
+
 static floe_status write_head(const snapshot_series *series, const sim *s, hdf_file *hdf)
 {
     const int64_t schema = 1;
@@ -241,6 +171,7 @@ static floe_status write_head(const snapshot_series *series, const sim *s, hdf_f
     TRY(hdf_attribute(hdf, "/", "schema", HDF_INT64, 1, &schema));
     TRY(hdf_attribute(hdf, "/", "step", HDF_INT64, 1, &step));
     TRY(hdf_attribute(hdf, "/", "time", HDF_DOUBLE, 1, &s->time));
+    TRY(write_domain(s, hdf));
     TRY(hdf_write(hdf, "/time", HDF_DOUBLE, (hdf_shape){0}, &s->time));
     return hdf_attribute_text(hdf, "/time", "unit", s->scene->dimensionless ? "1" : "s");
 }
@@ -269,7 +200,7 @@ static floe_status make_image(const snapshot_series *series, const sim *s, strbu
 static floe_status write_file(const snapshot_series *series, const char *name, const char *image, size_t size)
 {
     char *path;
-    TRY(join(series->ctx, &path, series->dir, name));
+    TRY(snapshot_join(series->ctx, &path, series->dir, name));
     const floe_status status = sealed_write(series->ctx, path, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, image, size);
     memory_free(series->ctx, &path);
     return status;
@@ -277,12 +208,12 @@ static floe_status write_file(const snapshot_series *series, const char *name, c
 
 floe_status snapshot_write(snapshot_series *series, const sim *s)
 {
-    char name[FILE_NAME];
+    char name[SNAPSHOT_NAME];
     char *image = NULL;
     size_t size = 0;
     strbuf page;
     strbuf_init(&page, series->ctx);
-    file_name(name, series->next);
+    snapshot_file_name(name, series->next);
     floe_status status = make_image(series, s, &page, name, &image, &size);
     if (status == FLOE_OK) status = write_file(series, name, image, size);
     memory_free(series->ctx, &image);

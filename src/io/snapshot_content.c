@@ -306,6 +306,17 @@ static floe_status add_id(writer *w)
     return w->page->status;
 }
 
+/* What the body is made of, on its group. */
+static floe_status describe_body(writer *w)
+{
+    const scene_body *body = &w->s->scene->body[w->s->mpm->body[w->points->body].scene_body];
+    char material[NAME_SIZE];
+    material_label(w->s, body->material, material);
+    TRY(hdf_attribute_text(w->hdf, w->group, "material", material));
+    return hdf_attribute_text(w->hdf, w->group, "phase",
+                              w->s->scene->material[body->material].kind == MATERIAL_FLUID ? "fluid" : "solid");
+}
+
 /* A body that has lost all its points has no grid: viewers stumble over empty ones. */
 static floe_status write_body(writer *w)
 {
@@ -318,6 +329,7 @@ static floe_status write_body(writer *w)
     TRY(add_id(w));
     TRY(fields_visit(w->s->domain->fields[0], visit_points, w));
     TRY(add_derived(w));
+    TRY(describe_body(w));
     xdmf_end(w->page);
     return w->page->status;
 }
