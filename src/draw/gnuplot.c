@@ -1,5 +1,7 @@
 #include "draw/gnuplot.h"
 
+#include "base/memory.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -22,18 +24,27 @@ static bool write_cd(const char *dir, char *text, size_t size)
     return *dir == '\0';
 }
 
-/* gnuplot's exit status; -1 when a signal has ended it. */
-static int spawn(const char *cd, const char *script)
+/* The exit status of one gnuplot that runs the scripts in turn; -1 when a signal has ended it or memory is out. */
+static int spawn(context *ctx, const char *cd, const char *const *script, size_t n)
 {
-    const char *const argument[] = {"gnuplot", "-e", cd, script, NULL};
+    const char **argument;
     posix_spawn_file_actions_t actions;
     pid_t pid;
     int status;
-    if (posix_spawn_file_actions_init(&actions) != 0) return MISSING;
-    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-    const int error = posix_spawnp(&pid, argument[0], &actions, NULL, (char *const *)argument, environ);
-    posix_spawn_file_actions_destroy(&actions);
+    if (memory_new(ctx, &argument, n + 4, sizeof *argument) != FLOE_OK) return -1;
+    argument[0] = "gnuplot";
+    argument[1] = "-e";
+    argument[2] = cd;
+    for (size_t i = 0; i < n; i++) argument[3 + i] = script[i];
+    int error = posix_spawn_file_actions_init(&actions);
+    if (error == 0) {
+        posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+        /* posix_spawnp does not change its arguments. */
+        error = posix_spawnp(&pid, argument[0], &actions, NULL, (char *const *)argument, environ);
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    memory_free(ctx, &argument);
     if (error != 0) return MISSING;
     while (waitpid(pid, &status, 0) < 0) {
         if (errno != EINTR) return -1;
@@ -41,10 +52,8 @@ static int spawn(const char *cd, const char *script)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-void gnuplot_run(context *ctx, const char *dir, const char *script)
+static void warn(context *ctx, const char *dir, const char *script, int status)
 {
-    char cd[8192];
-    const int status = write_cd(dir, cd, sizeof cd) ? spawn(cd, script) : -1;
     if (status == MISSING) {
         context_log(ctx, LOG_WARNING,
                     "gnuplot is not installed, so there are no plots; their data and script are in '%s': gnuplot %s",
@@ -52,4 +61,22 @@ void gnuplot_run(context *ctx, const char *dir, const char *script)
     } else if (status != 0) {
         context_log(ctx, LOG_WARNING, "gnuplot has failed; to see why, run it in '%s': gnuplot %s", dir, script);
     }
+}
+
+bool gnuplot_run(context *ctx, const char *dir, const char *const *script, size_t n)
+{
+    char cd[8192];
+    if (n == 0) return true;
+    int status = write_cd(dir, cd, sizeof cd) ? spawn(ctx, cd, script, n) : -1;
+    if (status == 0) return true;
+    if (status == MISSING || n == 1) {
+        warn(ctx, dir, n == 1 ? script[0] : "*.gp", status);
+        return false;
+    }
+    /* A script that fails takes those after it along: each by itself. */
+    for (size_t i = 0; i < n; i++) {
+        status = spawn(ctx, cd, &script[i], 1);
+        warn(ctx, dir, script[i], status);
+    }
+    return false;
 }

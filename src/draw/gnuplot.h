@@ -4,7 +4,8 @@
 
 #include "base/context.h"
 
-/* Runs DIR/script in DIR. That gnuplot is missing, or fails, is a warning in the log, never a failure: the script is there. */
-void gnuplot_run(context *ctx, const char *dir, const char *script);
+/* Runs DIR/SCRIPT in DIR for each of the n scripts, by one gnuplot. True when all have run. That gnuplot is missing, or fails,
+ * is a warning in the log, never a failure: the scripts are there. */
+bool gnuplot_run(context *ctx, const char *dir, const char *const *script, size_t n);
 
 #endif

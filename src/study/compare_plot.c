@@ -1,9 +1,9 @@
 /* A comparison as pictures, by gnuplot: the script and its data stand in the folder whether gnuplot is there or not. */
 #include "base/memory.h"
+#include "draw/gnuplot.h"
 #include "io/file.h"
 #include "io/strbuf.h"
 #include "study/cases.h"
-#include "draw/gnuplot.h"
 
 #include <math.h>
 #include <string.h>
@@ -248,6 +248,6 @@ floe_status compare_plot(const comparison *c)
     floe_status status = fill(c, &script);
     if (status == FLOE_OK) status = file_replace_text(c->ctx, path, strbuf_string(&script));
     strbuf_free(&script);
-    if (status == FLOE_OK) gnuplot_run(c->ctx, c->dir, "compare.gp");
+    if (status == FLOE_OK) (void)gnuplot_run(c->ctx, c->dir, (const char *const[]){"compare.gp"}, 1);
     return status;
 }

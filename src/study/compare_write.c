@@ -94,14 +94,6 @@ static floe_status write_json(const comparison *c, const char *path)
     return status;
 }
 
-/* A field in quotes, those inside doubled. */
-static void append_quoted(strbuf *out, const char *text)
-{
-    strbuf_append(out, "\"");
-    for (; *text; text++) strbuf_append(out, *text == '"' ? "\"\"" : "%c", *text);
-    strbuf_append(out, "\"");
-}
-
 static void append_names(const comparison *c, const char *const *metric, int n, strbuf *out)
 {
     strbuf_append(out,
@@ -120,13 +112,13 @@ static void append_case(const compare_case *one, const char *const *metric, int 
 {
     const run_summary *r = &one->summary;
     strbuf_append(out, "%s,", coupling_name(one->coupling));
-    append_quoted(out, one->value);
+    strbuf_append_csv(out, one->value);
     strbuf_append(out, ",%.17g,%s,%.17g,%lld,%lld,%.6g,%lld,%lld,%.17g,%.17g,%.6g,%.6g,%.6g", one->h, r->status,
                   r->time, r->steps, r->rejected_steps, r->wall_seconds, r->cells, r->points, r->cell_updates,
                   r->point_updates, r->drift_mass, r->drift_momentum, r->drift_energy);
     for (int k = 0; k < n; k++) strbuf_append(out, ",%.17g", compare_error(one, metric[k]));
     strbuf_append(out, ",");
-    append_quoted(out, one->folder);
+    strbuf_append_csv(out, one->folder);
     strbuf_append(out, "\n");
 }
 

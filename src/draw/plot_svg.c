@@ -1,0 +1,116 @@
+/* gnuplot's SVG made fit for pages: several may stand in one page, and each follows its light or dark colours. */
+#include "base/memory.h"
+#include "draw/plot_internal.h"
+#include "io/file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Okabe and Ito's colours, the yellow one replaced by what shows on white; second: lighter ones of the same hue, for dark
+ * pages. */
+static const char *const palette[PLOT_COLOURS][2] = {
+    {"#0072b2", "#4aa8e0"}, {"#d55e00", "#ff8a3d"}, {"#009e73", "#2fc79b"}, {"#aa3f8c", "#e08cc8"},
+    {"#c08400", "#f0b429"}, {"#3fa0d8", "#8cd0f5"}, {"#6b6b6b", "#b0b0b0"}, {"#7a4fbf", "#b394f0"},
+};
+
+const char *plot_colour(int index, bool dark)
+{
+    return palette[(index < 0 ? 0 : index) % PLOT_COLOURS][dark];
+}
+
+/* gnuplot writes a colour in three ways: padded and plain triples, and hexadecimal for the paper. */
+static void append_dark(strbuf *out, const char *light, const char *dark)
+{
+    const unsigned long rgb = strtoul(light + 1, NULL, 16);
+    const unsigned red = (unsigned)(rgb >> 16) & 0xFFu, green = (unsigned)(rgb >> 8) & 0xFFu,
+                   blue = (unsigned)rgb & 0xFFu;
+    static const char *const property[] = {"stroke", "fill", "color"};
+    for (size_t i = 0; i < sizeof property / sizeof property[0]; i++) {
+        strbuf_append(out, ".floe-plot [%s=\"rgb(%3u, %3u, %3u)\"], .floe-plot [%s=\"rgb(%u,%u,%u)\"] { %s: %s }\n",
+                      property[i], red, green, blue, property[i], red, green, blue, property[i], dark);
+    }
+}
+
+static void append_style(strbuf *out)
+{
+    strbuf_append(out, "<style>\n@media (prefers-color-scheme: dark) {\n");
+    strbuf_append(out, ".floe-plot [fill=\"" PLOT_PAPER "\"] { fill: #0d1117 }\n");
+    append_dark(out, PLOT_INK, "#e6edf3");
+    append_dark(out, PLOT_GRID, "#30363d");
+    for (int i = 0; i < PLOT_COLOURS; i++) append_dark(out, plot_colour(i, false), plot_colour(i, true));
+    strbuf_append(out, "}\n</style>\n");
+}
+
+/* Steps over ` id='...'`; marks keep theirs, with the figure's name before it, all others go, as nothing refers to them. */
+static const char *pass_id(strbuf *out, const char *at, const char *stem)
+{
+    const char *value = at + 5, quote = at[4];
+    const char *end = strchr(value, quote);
+    if (!end) return at + 1;
+    if (strncmp(value, "gp", 2) == 0)
+        strbuf_append(out, " id=%c%s-%.*s%c", quote, stem, (int)(end - value), value, quote);
+    return end + 1;
+}
+
+/* The text as gnuplot left it, from its <svg> on, with names and style put in. */
+static void rewrite(strbuf *out, const char *at, const char *stem, const char *title)
+{
+    static const char head[] = "<svg", reference[] = "'#gp", canvas[] = "<defs>", name[] = "<title>";
+    bool named = false;
+    while (*at) {
+        const size_t plain = strcspn(at + 1, " <'") + 1;
+        if (strncmp(at, " id='", 5) == 0 || strncmp(at, " id=\"", 5) == 0) {
+            at = pass_id(out, at, stem);
+        } else if (strncmp(at, reference, strlen(reference)) == 0) {
+            strbuf_append(out, "'#%s-gp", stem);
+            at += strlen(reference);
+        } else if (strncmp(at, head, strlen(head)) == 0) {
+            strbuf_append(out, "<svg class=\"floe-plot\" role=\"img\"");
+            at += strlen(head);
+        } else if (strncmp(at, canvas, strlen(canvas)) == 0) {
+            append_style(out);
+            strbuf_append(out, "%s", canvas);
+            at += strlen(canvas);
+        } else if (!named && strncmp(at, name, strlen(name)) == 0 && strstr(at, "</title>")) {
+            strbuf_append(out, "%s", name);
+            strbuf_append_xml(out, title);
+            at = strstr(at, "</title>");
+            named = true;
+        } else {
+            strbuf_append(out, "%.*s", (int)plain, at);
+            at += plain;
+        }
+    }
+}
+
+/* gnuplot closes the picture last: without that it has failed on the way. */
+static bool is_whole(const char *text)
+{
+    return strstr(text, "</svg>") != NULL;
+}
+
+static floe_status finish(context *ctx, const char *path, const char *stem, const char *title)
+{
+    char *text;
+    strbuf out;
+    if (!file_exists(path)) return FLOE_OK;
+    TRY(file_read(ctx, path, &text, NULL));
+    strbuf_init(&out, ctx);
+    if (is_whole(text)) rewrite(&out, text, stem, title && title[0] ? title : stem);
+    floe_status status = out.status;
+    if (status == FLOE_OK)
+        status = out.length > 0 ? file_replace_text(ctx, path, strbuf_string(&out)) : file_remove(ctx, path);
+    strbuf_free(&out);
+    memory_free(ctx, &text);
+    return status;
+}
+
+floe_status plot_finish_svg(context *ctx, const char *dir, const char *stem, const char *title)
+{
+    strbuf path;
+    strbuf_init(&path, ctx);
+    strbuf_append(&path, "%s/%s.svg", dir, stem);
+    const floe_status status = path.status == FLOE_OK ? finish(ctx, strbuf_string(&path), stem, title) : path.status;
+    strbuf_free(&path);
+    return status;
+}

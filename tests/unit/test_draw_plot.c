@@ -1,0 +1,204 @@
+/* Figures: data whole, scripts that gnuplot takes whatever the names, and pictures fit for pages. */
+#include "check.h"
+
+#include "base/memory.h"
+#include "draw/plot.h"
+#include "io/file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PATH = 512 };
+
+typedef struct place {
+    context *ctx;
+    char dir[PATH];
+    int warnings;
+} place;
+
+static void count_warnings(void *user, log_level level, const char *line)
+{
+    place *p = user;
+    (void)line;
+    p->warnings += level == LOG_WARNING;
+}
+
+static int set_up(void **state)
+{
+    static place p;
+    p = (place){.ctx = context_create()};
+    (void)snprintf(p.dir, sizeof p.dir, "plot_XXXXXX");
+    if (!p.ctx || !mkdtemp(p.dir)) return -1;
+    context_set_sink(p.ctx, count_warnings, &p, LOG_WARNING);
+    *state = &p;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    place *p = *state;
+    char command[PATH + 16];
+    (void)snprintf(command, sizeof command, "rm -rf '%s'", p->dir);
+    const int status = system(command);
+    context_destroy(&p->ctx);
+    return status;
+}
+
+static char *read_back(const place *p, const char *name)
+{
+    char path[2 * PATH];
+    char *text;
+    (void)snprintf(path, sizeof path, "%s/%s", p->dir, name);
+    check_ok(p->ctx, file_read(p->ctx, path, &text, NULL));
+    return text;
+}
+
+static bool is_there(const place *p, const char *name)
+{
+    char path[2 * PATH];
+    (void)snprintf(path, sizeof path, "%s/%s", p->dir, name);
+    return file_exists(path);
+}
+
+static bool has_gnuplot(void)
+{
+    return system("command -v gnuplot >/dev/null 2>&1") == 0;
+}
+
+static int count(const char *text, const char *what)
+{
+    int n = 0;
+    for (const char *at = strstr(text, what); at; at = strstr(at + 1, what)) n++;
+    return n;
+}
+
+/* Two panels with all that is odd: quotes, markup, an empty series, gaps, zeros on logarithmic axes. */
+static const double h[] = {0.1, 0.05, 0.025, 0.0125}, error[] = {0.04, 0.0, NAN, 6.3e-4},
+                    time_[] = {0.0, 1.0, 2.0, 3.0};
+static const char *const label[] = {"a \"quoted\\n\" one", "zero", "gap", NULL};
+static const plot_series converge[] = {
+    {.name = "ice-mpm's \"best\" <50%> a_b",
+     .style = PLOT_LINES_POINTS,
+     .colour = 1,
+     .x = h,
+     .y = error,
+     .label = label,
+     .n = 4},
+    {.name = "nothing", .style = PLOT_POINTS, .colour = 2},
+    {.name = "front", .style = PLOT_LINES_POINTS, .emphasis = true, .x = h, .y = error, .n = 4},
+};
+static const plot_series history[] = {
+    {.name = "steps", .style = PLOT_STEPS, .colour = 9, .x = time_, .y = h, .n = 4},
+    {.name = "line", .style = PLOT_LINES, .colour = 3, .x = time_, .y = error, .n = 4},
+};
+static const plot_panel panels[] = {
+    {.title = "it's an error",
+     .x_label = "h (m)",
+     .y_label = "error (%)",
+     .log_x = true,
+     .log_y = true,
+     .series = converge,
+     .n_series = 3,
+     .slope = {1.0, 2.0},
+     .n_slopes = 2},
+    {.title = "nothing here", .log_y = true, .series = &converge[1], .n_series = 1},
+    {.x_label = "time (s)", .series = history, .n_series = 2},
+};
+
+static void writes_data_script_and_picture(void **state)
+{
+    place *p = *state;
+    const plot_figure figure = {
+        .name = "it's a/figure", .title = "O'Hara & <co>", .columns = 2, .panel = panels, .n_panels = 3};
+    check_ok(p->ctx, plot_write(p->ctx, p->dir, &figure));
+    char *csv = read_back(p, "it_s_a_figure.csv");
+    assert_int_equal(strncmp(csv, "panel,series,x,y,label\n", 23), 0);
+    assert_int_equal(count(csv, "\n"), 1 + 4 + 4 + 4 + 4); /* every value, drawn or not */
+    assert_non_null(strstr(csv, "\"it's an error\",\"ice-mpm's \"\"best\"\" <50%> "
+                                "a_b\",0.10000000000000001,0.040000000000000001,\"a \"\"quoted\\n\"\" one\"\n"));
+    assert_non_null(strstr(csv, ",0.050000000000000003,0,\"zero\"\n"));
+    assert_non_null(strstr(csv, ",0.025000000000000001,nan,\"gap\"\n"));
+    memory_free(p->ctx, &csv);
+
+    char *script = read_back(p, "it_s_a_figure.gp");
+    assert_non_null(strstr(script, "$p0s0 << EOD\n0.1 0.04 \"a 'quoted/n' one\"\n\n\n0.0125 0.00063 \"\"\nEOD\n"));
+    assert_null(strstr(script, "$p0s1")); /* nothing to draw */
+    assert_non_null(strstr(script, "title 'ice-mpm''s \"best\" <50%> a_b'"));
+    assert_non_null(strstr(script, "'slope 2'"));
+    assert_non_null(strstr(script, "'no data'"));
+    memory_free(p->ctx, &script);
+
+    assert_int_equal(is_there(p, "it_s_a_figure.svg"), has_gnuplot());
+    assert_int_equal(p->warnings, has_gnuplot() ? 0 : 1);
+}
+
+/* Everything that a picture refers to is its own, so that two of them may stand in one page. */
+static void pictures_may_share_a_page(void **state)
+{
+    place *p = *state;
+    const plot_figure figure[] = {
+        {.name = "one", .title = "O'Hara & <co>", .panel = panels, .n_panels = 3},
+        {.name = "two", .panel = panels, .n_panels = 1},
+    };
+    check_ok(p->ctx, plots_write(p->ctx, p->dir, figure, 2));
+    if (!has_gnuplot()) skip();
+    char *svg = read_back(p, "one.svg");
+    assert_int_equal(count(svg, "<svg class=\"floe-plot\" role=\"img\""), 1);
+    assert_int_equal(count(svg, "</svg>"), 1);
+    assert_non_null(strstr(svg, "<title>O&apos;Hara &amp; &lt;co&gt;</title>"));
+    assert_non_null(strstr(svg, "prefers-color-scheme: dark"));
+    assert_int_equal(count(svg, " id='"), count(svg, " id='one-gp"));
+    assert_int_equal(count(svg, " id=\""), 0);
+    assert_int_equal(count(svg, "href='#"), count(svg, "href='#one-gp"));
+    memory_free(p->ctx, &svg);
+    svg = read_back(p, "two.svg");
+    assert_non_null(strstr(svg, "href='#two-gpPt"));
+    memory_free(p->ctx, &svg);
+}
+
+static void does_without_gnuplot(void **state)
+{
+    place *p = *state;
+    const plot_figure figure[] = {{.name = "one", .panel = panels, .n_panels = 3},
+                                  {.name = "two", .panel = panels, .n_panels = 1}};
+    char *path = getenv("PATH"), *kept = path ? strdup(path) : NULL;
+    assert_non_null(kept);
+    assert_int_equal(setenv("PATH", p->dir, 1), 0);
+    const floe_status status = plots_write(p->ctx, p->dir, figure, 2);
+    assert_int_equal(setenv("PATH", kept, 1), 0);
+    free(kept);
+    check_ok(p->ctx, status);
+    assert_int_equal(p->warnings, 1); /* not one for each */
+    assert_true(is_there(p, "one.csv") && is_there(p, "one.gp") && is_there(p, "two.gp"));
+    assert_false(is_there(p, "one.svg"));
+}
+
+static void stems_are_plain(void **state)
+{
+    (void)state;
+    char stem[PLOT_STEM];
+    plot_stem("../a b'\"$", stem);
+    assert_string_equal(stem, "_._a_b___");
+    plot_stem("", stem);
+    assert_string_equal(stem, "plot");
+    plot_stem("-e", stem);
+    assert_string_equal(stem, "_e");
+    char text[2 * PLOT_STEM];
+    memset(text, 'x', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    plot_stem(text, stem);
+    assert_int_equal(strlen(stem), PLOT_STEM - 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(writes_data_script_and_picture, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(pictures_may_share_a_page, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(does_without_gnuplot, set_up, tear_down),
+        cmocka_unit_test(stems_are_plain),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,62 @@
+/* Texts that grow: escapes and encodings against their definitions. */
+#include "check.h"
+
+#include "io/strbuf.h"
+
+#include <string.h>
+
+static int set_up(void **state)
+{
+    *state = context_create();
+    return *state ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    context *ctx = *state;
+    context_destroy(&ctx);
+    return 0;
+}
+
+/* The examples of RFC 4648, section 10, and every byte value. */
+static void base64_is_that_of_the_rfc(void **state)
+{
+    static const char *const example[][2] = {{"", ""},
+                                             {"f", "Zg=="},
+                                             {"fo", "Zm8="},
+                                             {"foo", "Zm9v"},
+                                             {"foob", "Zm9vYg=="},
+                                             {"fooba", "Zm9vYmE="},
+                                             {"foobar", "Zm9vYmFy"}};
+    strbuf t;
+    strbuf_init(&t, *state);
+    for (size_t i = 0; i < sizeof example / sizeof example[0]; i++) {
+        strbuf_append_base64(&t, example[i][0], strlen(example[i][0]));
+        assert_string_equal(strbuf_string(&t), example[i][1]);
+        strbuf_free(&t);
+    }
+    strbuf_append_base64(&t, "\xff\xfe\x00\x80", 4);
+    assert_string_equal(strbuf_string(&t), "//4AgA==");
+    strbuf_free(&t);
+}
+
+static void fields_and_markup_are_escaped(void **state)
+{
+    strbuf t;
+    strbuf_init(&t, *state);
+    strbuf_append_csv(&t, "a \"b\", c\nd");
+    assert_string_equal(strbuf_string(&t), "\"a \"\"b\"\", c d\"");
+    strbuf_free(&t);
+    strbuf_append_xml(&t, "<a b='c'>&\"\n");
+    assert_string_equal(strbuf_string(&t), "&lt;a b=&apos;c&apos;&gt;&amp;&quot; ");
+    strbuf_free(&t);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(base64_is_that_of_the_rfc, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(fields_and_markup_are_escaped, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
