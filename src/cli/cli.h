@@ -64,6 +64,9 @@ void cli_error(const cli *c, const char *format, ...) FLOE_PRINTF(2, 3);
 /* A sink that prints warnings and errors; `user` is the cli. */
 void cli_sink(void *user, log_level level, const char *line);
 
+/* Raises the stop flag as SIGTERM does once `parent` is not this process's parent any more (main.c). */
+void cli_end_with_parent(int parent);
+
 /* A number of an option, > 0; otherwise a usage error. */
 double cli_number(struct argp_state *state, const char *option, const char *arg);
 int cli_whole(struct argp_state *state, const char *option, const char *arg);

@@ -4,13 +4,12 @@
 
 #include <errno.h>
 #include <string.h>
-#include <unistd.h>
 
 typedef struct arguments {
     cli_deck deck;
     compare_options options;
     bool quiet;
-    char dir[CLI_PATH + 32], program[CLI_PATH];
+    char dir[CLI_PATH + 32], program[BATCH_PATH];
 } arguments;
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -31,7 +30,7 @@ static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "Folder of the results (default: out/DECK-compare)", 0},
     CLI_OPTION_SET,
     {"threads", 't', "N", 0, "Threads of each case (default: 1, at which times are compared)", 0},
-    {"jobs", 'j', "N", 0, "Cases at a time, each in a process of its own; their times then disturb each other", 0},
+    {"jobs", 'j', "N", 0, "Cases at a time; their times then disturb each other", 0},
     {"quiet", 'q', NULL, 0, "No progress and no table", 0},
     {0},
 };
@@ -45,14 +44,6 @@ static const struct argp argp = {
         "the exact solution has radial stresses), their script compare.gp, and a folder for each case.",
 };
 
-/* This program's own file, for cases that run in processes. */
-static void find_program(char path[CLI_PATH], const char *name)
-{
-    const ssize_t length = readlink("/proc/self/exe", path, CLI_PATH - 1);
-    path[length > 0 ? length : 0] = '\0';
-    if (length <= 0) (void)snprintf(path, CLI_PATH, "%s", name);
-}
-
 static void set_options(arguments *a, cli *c)
 {
     char stem[CLI_PATH];
@@ -60,15 +51,13 @@ static void set_options(arguments *a, cli *c)
     cli_stem(a->deck.path, stem);
     (void)snprintf(a->dir, sizeof a->dir, "out/%s-compare", stem);
     if (!o->dir) o->dir = a->dir;
-    find_program(a->program, program_invocation_name);
+    batch_find_program(a->program, program_invocation_name);
     c->quiet = a->quiet;
     o->program = a->program;
     o->deck = a->deck.path;
     o->set = (deck_overrides){a->deck.set, a->deck.n_set};
     o->stop = c->stop;
     o->progress = a->quiet ? NULL : stderr;
-    o->sink = cli_sink;
-    o->sink_user = c;
 }
 
 int cmd_compare(cli *c, int argc, char **argv)

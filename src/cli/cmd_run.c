@@ -2,16 +2,18 @@
 #include "cli/cli.h"
 #include "run/run.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct arguments {
     cli_deck deck;
     run_options options;
     bool quiet;
+    int parent; /* process that the run ends with; 0: none */
     char dir[CLI_PATH + 32];
 } arguments;
 
-enum { KEY_MAX_WALL = 1000, KEY_RESUME };
+enum { KEY_MAX_WALL = 1000, KEY_RESUME, KEY_PARENT };
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
@@ -21,6 +23,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 't': a->options.threads = cli_whole(state, "threads", arg); return 0;
     case 'q': a->quiet = true; return 0;
     case KEY_RESUME: a->options.resume = true; return 0;
+    case KEY_PARENT: a->parent = atoi(arg); return 0;
     case KEY_MAX_WALL: a->options.max_wall = cli_number(state, "max-wall", arg); return 0;
     default: return cli_deck_option(&a->deck, key, arg, state);
     }
@@ -34,6 +37,7 @@ static const struct argp_option options[] = {
     {"resume", KEY_RESUME, NULL, 0, "Go on from the checkpoint in DIR, to the same bits as a run that was not stopped",
      0},
     {"max-wall", KEY_MAX_WALL, "S", 0, "Stop with a checkpoint after S seconds, as Ctrl-C does", 0},
+    {"parent", KEY_PARENT, "PID", OPTION_HIDDEN, "End as on a signal once this is not the parent process any more", 0},
     {"quiet", 'q', NULL, 0, "No progress and no result on standard output", 0},
     {0},
 };
@@ -69,6 +73,7 @@ int cmd_run(cli *c, int argc, char **argv)
         a.options.dir = a.dir;
     }
     c->quiet = a.quiet;
+    if (a.parent > 0) cli_end_with_parent(a.parent);
     a.options.stop = c->stop;
     a.options.progress = a.quiet ? NULL : stderr;
     a.options.sink = cli_sink;

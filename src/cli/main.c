@@ -6,6 +6,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 const cli_command cli_commands[] = {
@@ -36,6 +37,25 @@ static void catch_signals(void)
     /* A closed pipe and a file beyond the size limit are errors to report, not ends. */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
+}
+
+static volatile sig_atomic_t parent_process = 0;
+
+static void on_alarm(int number)
+{
+    (void)number;
+    if (getppid() != (pid_t)parent_process) stop_signal = SIGTERM;
+}
+
+/* A parent that is killed cannot stop the runs that it has started: they look for it, every half second. */
+void cli_end_with_parent(int parent)
+{
+    const struct itimerval each = {{0, 500000}, {0, 500000}};
+    struct sigaction action = {.sa_handler = on_alarm, .sa_flags = SA_RESTART};
+    parent_process = parent;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGALRM, &action, NULL);
+    (void)setitimer(ITIMER_REAL, &each, NULL);
 }
 
 const cli_command *cli_find(const char *name)

@@ -75,8 +75,8 @@ static bool set_build(json_t *object, const run_summary *r)
            set(build, "flags", json_string(r->flags)) && set(build, "threads", json_integer(r->threads));
 }
 
-/* json_stringn_nocheck would take text that is not UTF-8; a path may be that, so its odd bytes are replaced. */
-static json_t *path_text(const char *text)
+/* json_stringn_nocheck would take text that is not UTF-8; a path may be that, and a message may name one, so its odd bytes are replaced. */
+static json_t *plain_text(const char *text)
 {
     char plain[SUMMARY_TEXT];
     json_t *value = json_string(text);
@@ -89,9 +89,10 @@ static json_t *path_text(const char *text)
 
 static bool set_all(json_t *object, const run_summary *r)
 {
-    return set(object, "schema", json_integer(1)) && set(object, "deck", path_text(r->deck)) &&
+    return set(object, "schema", json_integer(1)) && set(object, "deck", plain_text(r->deck)) &&
            set(object, "coupling", json_string(r->coupling)) && set(object, "status", json_string(r->status)) &&
-           set(object, "time", number(r->time)) && set(object, "steps", json_integer(r->steps)) &&
+           set(object, "message", plain_text(r->message)) && set(object, "time", number(r->time)) &&
+           set(object, "steps", json_integer(r->steps)) &&
            set(object, "rejected_steps", json_integer(r->rejected_steps)) &&
            set(object, "wall_seconds", number(r->wall_seconds)) &&
            set_values(object, "seconds_by_stage", r->seconds_by_stage, r->n_stages) &&

@@ -31,6 +31,7 @@ typedef struct run_summary {
     char deck[SUMMARY_TEXT];     /* path of the deck */
     char coupling[SUMMARY_NAME]; /* mpm, ice, ice-mpm */
     char status[SUMMARY_NAME];   /* done, at_rest, diverged, interrupted, ... */
+    char message[SUMMARY_TEXT];  /* why it is neither done nor at rest; "" otherwise */
     double time;                 /* s, reached */
     long long steps, rejected_steps;
     double wall_seconds; /* earlier legs of a resumed run included */

@@ -114,6 +114,8 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     get_text(r, object, "deck", out->deck, sizeof out->deck);
     get_text(r, object, "coupling", out->coupling, sizeof out->coupling);
     get_text(r, object, "status", out->status, sizeof out->status);
+    /* Summaries of earlier versions have no message. */
+    if (json_object_get(object, "message")) get_text(r, object, "message", out->message, sizeof out->message);
     out->time = get_number(r, object, "time");
     out->steps = get_count(r, object, "steps");
     out->rejected_steps = get_count(r, object, "rejected_steps");

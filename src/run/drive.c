@@ -120,11 +120,15 @@ static floe_status write_due(run *r, double before)
     return checkpoint(r);
 }
 
+static bool is_out_of_time(const run *r)
+{
+    return r->options->max_wall > 0.0 && wall_seconds() - r->started >= r->options->max_wall;
+}
+
 /* Asked to stop: by a signal, or by the wall clock. */
 static bool must_stop(const run *r)
 {
-    if (r->options->stop && *r->options->stop) return true;
-    return r->options->max_wall > 0.0 && wall_seconds() - r->started >= r->options->max_wall;
+    return (r->options->stop && *r->options->stop) || is_out_of_time(r);
 }
 
 static floe_status loop(run *r)
@@ -156,8 +160,8 @@ static floe_status interrupt(run *r)
 {
     TRY(checkpoint(r));
     return fail(r->ctx, FLOE_INTERRUPTED,
-                "stopped at t = %.6g s after %ld steps; a checkpoint was written: go on with --resume", r->sim->time,
-                r->sim->steps);
+                "%s at t = %.6g s after %ld steps; a checkpoint was written: go on with --resume",
+                is_out_of_time(r) ? "the limit of wall time was reached" : "stopped", r->sim->time, r->sim->steps);
 }
 
 /* The state is that of the last good step; if even that is no good, an earlier checkpoint stays. */
@@ -225,6 +229,13 @@ static floe_status write_summary(run *r, run_summary *out, const char *status)
     return summary_write(r->ctx, path, out);
 }
 
+/* Why the run is not done, for those who only see its folder. */
+static void note_cause(const run *r, run_summary *out, floe_status status)
+{
+    const char *message = status == FLOE_OK ? "" : context_message(r->ctx);
+    (void)snprintf(out->message, sizeof out->message, "%.*s", (int)sizeof out->message - 1, message);
+}
+
 static floe_status run_with_outputs(run *r, run_summary *out)
 {
     say_start(r, (int)out->threads);
@@ -237,6 +248,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
                 status == FLOE_OK ? "" : ": ", context_message(r->ctx));
     /* After the checkpoint, which a look at the account must not change. */
     if (status != FLOE_OK) (void)sim_account(r->sim);
+    note_cause(r, out, status);
     const floe_status written = write_summary(r, out, name);
     return status != FLOE_OK ? status : written;
 }
@@ -265,6 +277,7 @@ floe_status run_scene(context *ctx, scene *s, const run_options *options, run_su
         status = run_with_outputs(&r, out);
     } else {
         (void)snprintf(out->status, sizeof out->status, "%s", run_status_name(status, false));
+        note_cause(&r, out, status);
     }
     end(&r);
     return status;

@@ -79,10 +79,11 @@ static floe_status open_series(run_output *o, const sim *s, double keep_until)
 
 floe_status output_begin(run_output *o, sim *s, const char *dir)
 {
-    static const char *const earlier[] = {"checkpoint.h5", "profile.csv"};
+    static const char *const earlier[] = {"checkpoint.h5", "profile.csv", "summary.json"};
     char path[OUTPUT_PATH];
     TRY(prepare(o, s, dir));
     TRY(folder_make(o->ctx, dir));
+    TRY(folder_lock_take(&o->lock, o->ctx, dir));
     TRY(write_deck(o));
     for (size_t i = 0; i < sizeof earlier / sizeof earlier[0]; i++) {
         output_path(o, earlier[i], path);
@@ -96,6 +97,7 @@ floe_status output_resume(run_output *o, sim *s, const char *dir)
     char path[OUTPUT_PATH];
     TRY(prepare(o, s, dir));
     output_path(o, "checkpoint.h5", path);
+    if (file_exists(path)) TRY(folder_lock_take(&o->lock, o->ctx, dir));
     TRY(checkpoint_read(s, path, &o->checkpoint));
     TRY(write_deck(o));
     return open_series(o, s, s->time);
@@ -108,6 +110,7 @@ void output_end(run_output *o)
     snapshot_close(&o->snapshots);
     memory_free(o->ctx, &o->deck);
     memory_free(o->ctx, &o->identity);
+    folder_lock_release(&o->lock);
 }
 
 floe_status output_row(run_output *o, sim *s)

@@ -5,6 +5,7 @@
 #include "deck/deck.h"
 #include "io/checkpoint.h"
 #include "io/history.h"
+#include "io/lock.h"
 #include "io/snapshot.h"
 
 enum { OUTPUT_PATH = 4096 };
@@ -14,6 +15,7 @@ typedef struct run_output {
     const char *dir;            /* not owned */
     char *deck;                 /* the resolved deck, owned */
     char *identity;             /* what must be the same on resume, owned */
+    folder_lock lock;           /* of DIR, as long as the run lasts */
     history *history;           /* owned */
     snapshot_series *snapshots; /* owned */
     checkpoint_run checkpoint;

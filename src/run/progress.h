@@ -2,17 +2,13 @@
 #ifndef RUN_PROGRESS_H
 #define RUN_PROGRESS_H
 
+#include "run/live_line.h"
 #include "sim/sim.h"
 
-#include <stdio.h>
-
 typedef struct progress {
-    FILE *file;         /* NULL: silent; not owned */
+    live_line line;
     const char *label;  /* not owned; NULL: none */
-    bool live;          /* a terminal */
-    bool shown;         /* a live line stands on the terminal */
     double started;     /* wall clock, s */
-    double last;        /* wall clock of the last line, s */
     double first_time;  /* s of the scene, at the start */
     double drift;       /* the worst of the ledger, when it was last up to date */
     const char *drifts; /* of what */
@@ -26,7 +22,5 @@ void progress_account(progress *p, const ledger *l);
 void progress_show(progress *p, const sim *s);
 /* Takes the live line away, so that other lines can be written. */
 void progress_clear(progress *p);
-/* The last line: `text`. */
-void progress_end(progress *p, const char *text);
 
 #endif

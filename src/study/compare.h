@@ -2,8 +2,7 @@
 #ifndef STUDY_COMPARE_H
 #define STUDY_COMPARE_H
 
-#include "deck/deck.h"
-#include "run/run.h"
+#include "study/batch.h"
 
 enum { COMPARE_PATH = 4096, COMPARE_MAX_METRICS = SUMMARY_MAX_ERRORS };
 
@@ -13,24 +12,20 @@ typedef struct compare_options {
     const char *axis;                  /* "KEY=V1,V2,..." instead of the deck's; NULL: the deck's */
     const char *dir;                   /* of the results, one folder in it for each case; made if it is not there */
     int threads;                       /* of each case; 0: one, which is what the times are compared at */
-    int jobs;                          /* cases at a time; more than 1: each in a process of its own */
-    const char *program;               /* the floe program, for such processes */
+    int jobs;                          /* cases at a time; 0: one */
+    const char *program;               /* the floe program, which runs the cases */
     const volatile sig_atomic_t *stop; /* as in run_options */
     FILE *progress;                    /* NULL: quiet */
-    log_sink *sink;
-    void *sink_user;
 } compare_options;
 
 /* One run of the comparison. */
 typedef struct compare_case {
     scene_coupling coupling;
-    char value[64];     /* of the axis; "" without one */
-    double h;           /* m: domain.cell along the first axis */
-    char folder[256];   /* in the comparison's */
-    floe_status status; /* FLOE_OK, FLOE_DIVERGED, ... */
-    bool ran;           /* summary holds something */
-    char message[512];  /* why it is not FLOE_OK */
-    run_summary summary;
+    char value[64];   /* of the axis; "" without one */
+    double h;         /* m: domain.cell along the first axis */
+    const char **set; /* what makes the case of the deck: the user's settings, then its coupling and its value; owned */
+    char coupling_set[64], axis_set[256];
+    batch_case *run; /* in comparison.run */
 } compare_case;
 
 typedef struct comparison {
@@ -41,6 +36,7 @@ typedef struct comparison {
     char exact[SCENE_NAME]; /* "" if none */
     scene_axis axis;        /* n_values 0: none */
     compare_case *list;     /* owned */
+    batch_case *run;        /* its runs, n as well; owned */
     size_t n;
 } comparison;
 
@@ -54,12 +50,6 @@ floe_status compare_print(const comparison *c, FILE *file);
 
 /* Names of the errors that any case has, in the order in which they come; returns how many. */
 int compare_metrics(const comparison *c, const char *name[COMPARE_MAX_METRICS]);
-/* A case's error of that name; NAN if it has none. */
-double compare_error(const compare_case *one, const char *name);
-/* True for an error that is a ratio, which is shown in per cent. */
-bool compare_is_relative(const char *name);
-/* Unit of an error for people: "%", "" or that of its quantity. */
-const char *compare_unit(const char *name);
 /* The distinct couplings, in order; returns how many. */
 int compare_couplings(const comparison *c, scene_coupling coupling[COUPLING_COUNT]);
 

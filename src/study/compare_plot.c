@@ -1,9 +1,11 @@
 /* A comparison as pictures, by gnuplot: the script and its data stand in the folder whether gnuplot is there or not. */
+#include "study/compare.h"
+
 #include "base/memory.h"
 #include "draw/gnuplot.h"
 #include "io/file.h"
 #include "io/strbuf.h"
-#include "study/cases.h"
+#include "study/errors.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,12 +23,12 @@ static void append_data(const comparison *c, scene_coupling coupling, const char
     strbuf_append(out, "%s << EOD\n", block_name(coupling));
     for (size_t i = 0; i < c->n; i++) {
         const compare_case *one = &c->list[i];
-        if (one->coupling != coupling || !one->ran) continue;
-        strbuf_append(out, "%.9g,%.9g", one->h, one->summary.wall_seconds);
+        if (one->coupling != coupling || !one->run->ran) continue;
+        strbuf_append(out, "%.9g,%.9g", one->h, one->run->summary.wall_seconds);
         for (int k = 0; k < n; k++) {
-            const double error = compare_error(one, metric[k]);
+            const double error = error_of(&one->run->summary, metric[k]);
             if (error > 0.0) {
-                strbuf_append(out, ",%.9g", error * (compare_is_relative(metric[k]) ? 100.0 : 1.0));
+                strbuf_append(out, ",%.9g", error * (error_is_relative(metric[k]) ? 100.0 : 1.0));
             } else {
                 strbuf_append(out, ",NaN");
             }
@@ -39,7 +41,7 @@ static void append_data(const comparison *c, scene_coupling coupling, const char
 static bool has_data(const comparison *c, const char *metric)
 {
     for (size_t i = 0; i < c->n; i++) {
-        if (compare_error(&c->list[i], metric) > 0.0) return true;
+        if (error_of(&c->run[i].summary, metric) > 0.0) return true;
     }
     return false;
 }
@@ -48,7 +50,7 @@ static void append_panel(const comparison *c, const char *metric, int column, in
 {
     scene_coupling coupling[COUPLING_COUNT];
     const int n = compare_couplings(c, coupling);
-    const char *unit = compare_unit(metric);
+    const char *unit = error_unit(metric);
     strbuf_append(out, "set xlabel '%s'\n", x == 1 ? "h (m)" : "wall time (s)");
     strbuf_append(out, "set ylabel '%s%s%s%s' noenhanced\nplot ", metric, unit[0] ? " (" : "", unit,
                   unit[0] ? ")" : "");
@@ -74,16 +76,20 @@ static void append_errors(const comparison *c, const char *const *metric, int n,
     strbuf_append(out, "unset multiplot\nunset logscale\nunset output\n");
 }
 
+static void profile_path(const comparison *c, const compare_case *one, char path[COMPARE_PATH])
+{
+    (void)snprintf(path, COMPARE_PATH, "%s/%s/profile.csv", c->dir, one->run->folder);
+}
+
 /* The finest case of a coupling that has come to its end with a profile; NULL if none. */
 static const compare_case *finest(const comparison *c, scene_coupling coupling)
 {
     const compare_case *best = NULL;
     for (size_t i = 0; i < c->n; i++) {
         const compare_case *one = &c->list[i];
-        char folder[COMPARE_PATH], path[COMPARE_PATH + 32];
-        if (one->coupling != coupling || !one->ran || one->status != FLOE_OK) continue;
-        case_path(c, one, folder);
-        (void)snprintf(path, sizeof path, "%s/profile.csv", folder);
+        char path[COMPARE_PATH];
+        if (one->coupling != coupling || !one->run->ran || one->run->status != FLOE_OK) continue;
+        profile_path(c, one, path);
         if (file_exists(path) && (!best || one->h < best->h)) best = one;
     }
     return best;
@@ -92,9 +98,8 @@ static const compare_case *finest(const comparison *c, scene_coupling coupling)
 /* The case's profile.csv, counted memory that the caller frees. */
 static floe_status read_profile(const comparison *c, const compare_case *one, char **text)
 {
-    char folder[COMPARE_PATH], path[COMPARE_PATH + 32];
-    case_path(c, one, folder);
-    (void)snprintf(path, sizeof path, "%s/profile.csv", folder);
+    char path[COMPARE_PATH];
+    profile_path(c, one, path);
     return file_read(c->ctx, path, text, NULL);
 }
 

@@ -1,6 +1,6 @@
 /* A comparison as numbers: metrics, orders, the table. */
 #include "study/compare.h"
-#include "verify/metric.h"
+#include "study/errors.h"
 #include "verify/order.h"
 
 #include <math.h>
@@ -18,37 +18,12 @@ int compare_metrics(const comparison *c, const char *name[COMPARE_MAX_METRICS])
 {
     int n = 0;
     for (size_t i = 0; i < c->n; i++) {
-        const run_summary *r = &c->list[i].summary;
+        const run_summary *r = &c->run[i].summary;
         for (int k = 0; k < r->n_errors && n < COMPARE_MAX_METRICS; k++) {
             if (!is_listed(name, n, r->errors[k].name)) name[n++] = r->errors[k].name;
         }
     }
     return n;
-}
-
-double compare_error(const compare_case *one, const char *name)
-{
-    for (int k = 0; k < one->summary.n_errors; k++) {
-        if (strcmp(one->summary.errors[k].name, name) == 0) return one->summary.errors[k].value;
-    }
-    return NAN;
-}
-
-bool compare_is_relative(const char *name)
-{
-    metric m;
-    if (strncmp(name, "rel_", 4) == 0) return true;
-    if (metric_parse(NULL, name, &m) != FLOE_OK) return false;
-    return m.kind == METRIC_EQ13 || m.kind == METRIC_L1REL || m.kind == METRIC_L2REL || m.kind == METRIC_LINFREL;
-}
-
-const char *compare_unit(const char *name)
-{
-    metric m;
-    if (compare_is_relative(name)) return "%";
-    if (metric_parse(NULL, name, &m) != FLOE_OK) return "";
-    const char *unit = exact_quantity_unit(m.quantity);
-    return strcmp(unit, "1") == 0 ? "" : unit;
 }
 
 int compare_couplings(const comparison *c, scene_coupling coupling[COUPLING_COUNT])
@@ -67,7 +42,7 @@ compare_order compare_fit(const comparison *c, scene_coupling coupling, const ch
     compare_order fit = {.order = NAN, .standard_error = NAN};
     order_fit found;
     for (size_t i = 0; i < c->n && fit.n < SCENE_MAX_AXIS; i++) {
-        const double error = compare_error(&c->list[i], name);
+        const double error = error_of(&c->run[i].summary, name);
         if (c->list[i].coupling != coupling || !isfinite(error) || !(error > 0.0)) continue;
         fit.h[fit.n] = c->list[i].h;
         fit.error[fit.n++] = error;
@@ -94,31 +69,26 @@ static const char *axis_name(const comparison *c)
 
 static void print_value(FILE *file, const char *name, double error)
 {
-    char text[64];
-    if (!isfinite(error)) {
-        (void)snprintf(text, sizeof text, "-");
-    } else if (compare_is_relative(name)) {
-        (void)snprintf(text, sizeof text, error < 1e-5 ? "%.1e %%" : "%.3f %%", 100.0 * error);
-    } else {
-        (void)snprintf(text, sizeof text, "%.4g %s", error, compare_unit(name));
-    }
+    char text[ERROR_TEXT];
+    error_text(name, error, text);
     (void)fprintf(file, "  %*s", width_of(name), text);
 }
 
-static void print_case(const comparison *c, const compare_case *one, const char *const *names, int n, FILE *file)
+static void print_case(const comparison *c, size_t i, const char *const *names, int n, FILE *file)
 {
+    const compare_case *one = &c->list[i];
+    const run_summary *r = &c->run[i].summary;
     char value[64];
     (void)snprintf(value, sizeof value, "%.6g", one->h);
     (void)fprintf(file, "%-8s  %12s", coupling_name(one->coupling), c->axis.n_values > 0 ? one->value : value);
-    if (!one->ran) {
-        (void)fprintf(file, "  (not run)\n");
+    if (!c->run[i].ran) {
+        (void)fprintf(file, "  %s %s\n", batch_status_name(&c->run[i]), c->run[i].message);
         return;
     }
-    (void)fprintf(file, "  %8lld  %8lld  %7lld", one->summary.points, one->summary.cells, one->summary.steps);
-    for (int k = 0; k < n; k++) print_value(file, names[k], compare_error(one, names[k]));
-    (void)fprintf(file, "  %9.3g s", one->summary.wall_seconds);
-    if (strcmp(one->summary.status, "done") != 0 && strcmp(one->summary.status, "at_rest") != 0)
-        (void)fprintf(file, "  %s", one->summary.status);
+    (void)fprintf(file, "  %8lld  %8lld  %7lld", r->points, r->cells, r->steps);
+    for (int k = 0; k < n; k++) print_value(file, names[k], error_of(r, names[k]));
+    (void)fprintf(file, "  %9.3g s", r->wall_seconds);
+    if (c->run[i].status != FLOE_OK) (void)fprintf(file, "  %s", batch_status_name(&c->run[i]));
     (void)fprintf(file, "\n");
 }
 
@@ -148,7 +118,7 @@ floe_status compare_print(const comparison *c, FILE *file)
     (void)fprintf(file, "%-8s  %12s  %8s  %8s  %7s", "coupling", axis_name(c), "points", "cells", "steps");
     for (int k = 0; k < n; k++) (void)fprintf(file, "  %*s", width_of(names[k]), names[k]);
     (void)fprintf(file, "  %11s\n", "wall time");
-    for (size_t i = 0; i < c->n; i++) print_case(c, &c->list[i], names, n, file);
+    for (size_t i = 0; i < c->n; i++) print_case(c, i, names, n, file);
     print_orders(c, names, n, file);
     if (ferror(file)) return fail(c->ctx, FLOE_IO, "cannot write the table");
     return FLOE_OK;

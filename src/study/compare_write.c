@@ -2,6 +2,7 @@
 #include "io/file.h"
 #include "io/strbuf.h"
 #include "study/compare.h"
+#include "study/errors.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -19,11 +20,13 @@ static bool set(json_t *object, const char *key, json_t *value)
 }
 
 /* The summary of a case, with its place in the comparison. */
-static json_t *case_json(const comparison *c, const compare_case *one)
+static json_t *case_json(const comparison *c, size_t i)
 {
-    json_t *object = summary_json(&one->summary);
-    bool fine = object && set(object, "directory", json_string(one->folder)) && set(object, "h", number(one->h)) &&
-                set(object, "message", json_string(one->message));
+    const compare_case *one = &c->list[i];
+    const batch_case *run = &c->run[i];
+    json_t *object = summary_json(&run->summary);
+    bool fine = object && set(object, "directory", json_string(run->folder)) && set(object, "h", number(one->h)) &&
+                set(object, "message", json_string(run->message));
     if (fine && one->value[0]) fine = set(object, "axis", json_pack("{s:s}", c->axis.key, one->value));
     if (fine) return object;
     json_decref(object);
@@ -34,8 +37,8 @@ static json_t *runs_json(const comparison *c)
 {
     json_t *list = json_array();
     for (size_t i = 0; list && i < c->n; i++) {
-        if (!c->list[i].ran) continue;
-        if (json_array_append_new(list, case_json(c, &c->list[i])) == 0) continue;
+        if (!c->run[i].ran) continue;
+        if (json_array_append_new(list, case_json(c, i)) == 0) continue;
         json_decref(list);
         return NULL;
     }
@@ -101,24 +104,24 @@ static void append_names(const comparison *c, const char *const *metric, int n, 
                   "cell_updates,point_updates,drift_mass,drift_momentum,drift_energy",
                   c->axis.n_values > 0 ? c->axis.key : "case");
     for (int k = 0; k < n; k++) {
-        const bool unit = !compare_is_relative(metric[k]) && compare_unit(metric[k])[0];
-        strbuf_append(out, ",%s%s%s%s", metric[k], unit ? " (" : "", unit ? compare_unit(metric[k]) : "",
+        const bool unit = !error_is_relative(metric[k]) && error_unit(metric[k])[0];
+        strbuf_append(out, ",%s%s%s%s", metric[k], unit ? " (" : "", unit ? error_unit(metric[k]) : "",
                       unit ? ")" : "");
     }
     strbuf_append(out, ",directory\n");
 }
 
-static void append_case(const compare_case *one, const char *const *metric, int n, strbuf *out)
+static void append_case(const compare_case *one, const batch_case *run, const char *const *metric, int n, strbuf *out)
 {
-    const run_summary *r = &one->summary;
+    const run_summary *r = &run->summary;
     strbuf_append(out, "%s,", coupling_name(one->coupling));
     strbuf_append_csv(out, one->value);
     strbuf_append(out, ",%.17g,%s,%.17g,%lld,%lld,%.6g,%lld,%lld,%.17g,%.17g,%.6g,%.6g,%.6g", one->h, r->status,
                   r->time, r->steps, r->rejected_steps, r->wall_seconds, r->cells, r->points, r->cell_updates,
                   r->point_updates, r->drift_mass, r->drift_momentum, r->drift_energy);
-    for (int k = 0; k < n; k++) strbuf_append(out, ",%.17g", compare_error(one, metric[k]));
+    for (int k = 0; k < n; k++) strbuf_append(out, ",%.17g", error_of(r, metric[k]));
     strbuf_append(out, ",");
-    strbuf_append_csv(out, one->folder);
+    strbuf_append_csv(out, run->folder);
     strbuf_append(out, "\n");
 }
 
@@ -130,7 +133,7 @@ static floe_status write_csv(const comparison *c, const char *path)
     strbuf_init(&out, c->ctx);
     append_names(c, metric, n, &out);
     for (size_t i = 0; i < c->n; i++) {
-        if (c->list[i].ran) append_case(&c->list[i], metric, n, &out);
+        if (c->run[i].ran) append_case(&c->list[i], &c->run[i], metric, n, &out);
     }
     const floe_status status =
         out.status == FLOE_OK ? file_replace_text(c->ctx, path, strbuf_string(&out)) : out.status;

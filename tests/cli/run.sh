@@ -44,3 +44,16 @@ expect 0 "$FLOE" run "${tiny[@]}" --quiet --set time.max_steps=3
 is_there out/pressurized_cylinder-mpm/summary.json
 [ "$(json out/pressurized_cylinder-mpm/summary.json steps)" = 3 ] || fault 'not three steps'
 [ "$(json out/pressurized_cylinder-mpm/summary.json status)" = 'done' ] || fault 'not done'
+
+# Two runs into one folder: the second is refused, and the first goes on undisturbed.
+"$FLOE" run "$cylinder" --coupling mpm --set domain.cell=0.0125 -o shared --quiet 2>/dev/null &
+first=$!
+until [ -s shared/history.csv ]; do sleep 0.02; done
+expect 4 "$FLOE" run "${tiny[@]}" -o shared --quiet
+has stderr "process $first is writing into 'shared'"
+kill -TERM "$first"
+got=0
+wait "$first" || got=$?
+[ "$got" -eq 5 ] || fault "the first run ends with status $got instead of 5"
+[ "$(json shared/summary.json status)" = interrupted ] || fault 'the summary is not that of the first run'
+has shared/summary.json '"message": "stopped at t ='

@@ -10,7 +10,11 @@ static const fixture_spec coupled = {.dim = 2, .cells = {24, 20}, .with_points =
 
 static run_summary some_summary(fixture *f)
 {
-    run_summary r = {.status = "done", .wall_seconds = 1.0 / 3.0, .peak_rss_bytes = 123456789012345, .threads = 2};
+    run_summary r = {.status = "done",
+                     .message = "a \"cause\"",
+                     .wall_seconds = 1.0 / 3.0,
+                     .peak_rss_bytes = 123456789012345,
+                     .threads = 2};
     (void)snprintf(r.deck, sizeof r.deck, "inputs/pressurized \"cylinder\".yaml");
     summary_set_build(&r);
     check_ok(f->ctx, summary_set_sim(&r, &f->sim));
@@ -32,25 +36,10 @@ static void has_fields(const json_t *object, const char *const *names)
 static void has_fields_of_contract(void **state)
 {
     (void)state;
-    static const char *const top[] = {"schema",
-                                      "deck",
-                                      "coupling",
-                                      "status",
-                                      "time",
-                                      "steps",
-                                      "rejected_steps",
-                                      "wall_seconds",
-                                      "seconds_by_stage",
-                                      "cells",
-                                      "points",
-                                      "cell_updates",
-                                      "point_updates",
-                                      "memory",
-                                      "conservation",
-                                      "errors",
-                                      "counters",
-                                      "floe",
-                                      NULL};
+    static const char *const top[] = {"schema",       "deck",   "coupling",       "status",        "message",
+                                      "time",         "steps",  "rejected_steps", "wall_seconds",  "seconds_by_stage",
+                                      "cells",        "points", "cell_updates",   "point_updates", "memory",
+                                      "conservation", "errors", "counters",       "floe",          NULL};
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};
     static const char *const drift[] = {"mass", "momentum", "energy", NULL};
