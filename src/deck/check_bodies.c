@@ -36,6 +36,16 @@ static floe_status check_solid_body(reader *r, const scene_body *b, const scene_
                   "solid '%s' needs a tension_switch, for the ambient pressure is not above zero", m->name);
 }
 
+/* Points that fill their shape go by the mesh. */
+static floe_status check_seeding(reader *r, const scene_body *b)
+{
+    bool moved = false;
+    for (int axis = 0; axis < r->scene->mesh.dim; axis++) moved = moved || r->scene->lattice_offset[axis] != 0.0;
+    if (!moved || b->seeding == SEED_LATTICE) return FLOE_OK;
+    return bad_at(r, PATH("bodies", b->name), "seeding: lattice", NULL,
+                  "'domain.lattice_offset' moves lattices, and the points of body '%s' fill its shape", b->name);
+}
+
 static floe_status check_body(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;
@@ -45,6 +55,7 @@ static floe_status check_body(reader *r, const scene_body *b)
         TRY(bad_at(r, PATH("bodies", b->name, "shape"), "a shape that meets the domain", NULL,
                    "body '%s' lies outside the domain", b->name));
     }
+    TRY(check_seeding(r, b));
     if (b->initial_from_exact && !node_path(r->root, PATH("verify", "exact"))) {
         TRY(bad_at(r, PATH("bodies", b->name, "state"), "verify: {exact: {...}}", NULL,
                    "body '%s' starts from the exact solution, and 'verify' names none", b->name));

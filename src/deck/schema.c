@@ -26,6 +26,10 @@ static const key_spec domain_keys[] = {
      .doc = "spacing h of the mesh; the extent must be a whole multiple of it"},
     {"blocks", KEY_WHOLES, WITHIN(1, MESH_MAX_BLOCKS), AT(scene, mesh.blocks), .fallback = "1",
      .doc = "blocks that the mesh is cut into along each axis; results do not depend on it"},
+    {"lattice_offset", KEY_SPREAD, NULL, WITHIN(-0.5, 0.5), AT(scene, lattice_offset), .fallback = "0",
+     .doc = "where points of 'seeding: lattice' lie, in point spacings from the middle of their sub-cell: -0.5 puts "
+            "them on its "
+            "lower sides"},
     {"thickness", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene, thickness), .fallback = "1",
      .doc = "depth of a 2-D scene, for masses and energies in the outputs"},
 };

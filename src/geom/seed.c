@@ -55,12 +55,13 @@ static uint64_t sub_cell_key(const sub_grid *g, sub_cell c)
     return cell * (uint64_t)g->per_cell + sub;
 }
 
-/* A face of the sub-grid, from the cell and the share of it: neighbours compute the same bits. */
+/* A face of the sub-grid, from the cell and the share of it: neighbours compute the same bits. With an offset of half a sub-cell
+ * at most, every centre stays in the mesh, and none from beyond it comes in. */
 static double sub_face(const sub_grid *g, int axis, int at)
 {
     const int per = g->per[axis];
     const int cell = at / per;
-    return g->spec->lower[axis] + g->spec->h[axis] * (cell + (double)(at % per) / per);
+    return g->spec->lower[axis] + g->spec->h[axis] * (cell + (at % per + g->spec->offset[axis]) / per);
 }
 
 static void sub_cell_box(const sub_grid *g, sub_cell c, double lo[3], double hi[3])

@@ -16,6 +16,7 @@ typedef struct seed_spec {
     double lower[3], h[3]; /* mesh corner and cell, m */
     int n[3];              /* cells of the whole mesh, 1 along unused axes */
     int per_cell[3];       /* points along each axis of a cell, 1 to 8 */
+    double offset[3];      /* of the sub-cells against the mesh, in sub-cells, -0.5 to 0.5; lattices only */
     seed_method method;
     double merge; /* fraction of a sub-cell, 0 to 1; 0.3 is usual */
 } seed_spec;

@@ -17,6 +17,7 @@ static seed_spec spec_of(const mpm *s, const scene_body *b)
         spec.h[a] = s->mesh->h[a];
         spec.n[a] = s->mesh->n[a];
         spec.per_cell[a] = b->per_cell[a];
+        spec.offset[a] = s->scene->lattice_offset[a];
     }
     return spec;
 }

@@ -41,8 +41,9 @@ static floe_status gather_volume(point_samples *p)
     return FLOE_OK;
 }
 
-static seed_spec spec_of(const mesh *m, const scene_body *b)
+static seed_spec spec_of(const sim *s, const scene_body *b)
 {
+    const mesh *m = &s->mesh;
     seed_spec spec = {
         .dim = m->dim, .axisymmetric = m->geometry == MESH_AXISYMMETRIC, .method = b->seeding, .merge = b->merge};
     for (int a = 0; a < 3; a++) {
@@ -50,6 +51,7 @@ static seed_spec spec_of(const mesh *m, const scene_body *b)
         spec.h[a] = m->h[a];
         spec.n[a] = m->n[a];
         spec.per_cell[a] = b->per_cell[a];
+        spec.offset[a] = s->scene->lattice_offset[a];
     }
     return spec;
 }
@@ -59,7 +61,7 @@ static floe_status find_start(point_samples *p)
 {
     const sim *s = p->s;
     const scene_body *b = &s->scene->body[s->mpm->body[p->body].scene_body];
-    const seed_spec spec = spec_of(&s->mesh, b);
+    const seed_spec spec = spec_of(s, b);
     seed_list seeds;
     for (int a = 0; a < s->mesh.dim; a++) TRY(memory_new(s->ctx, &p->start[a], p->list.n, sizeof(double)));
     TRY(seed_shape(&seeds, s->ctx, &b->shape, &spec));

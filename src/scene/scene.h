@@ -159,7 +159,9 @@ typedef struct scene {
     context *ctx; /* not owned */
     char title[256], source[256], path[512];
     mesh_spec mesh;
-    double thickness;          /* m, of 2-D scenes in outputs */
+    double lattice_offset
+        [3];          /* of the lattices that bodies are seeded on, against the mesh; in point spacings, -0.5 to 0.5 */
+    double thickness; /* m, of 2-D scenes in outputs */
     stress_state stress_state; /* of points */
     bool dimensionless;        /* units: none */
     double reference_pressure; /* Pa */

@@ -304,6 +304,33 @@ static void test_out_of_memory(void **state)
     context_destroy(&ctx);
 }
 
+/* Lattices may be moved against the mesh: points then lie off the middle of their sub-cells, and none comes from outside. */
+static void test_offset(void **state)
+{
+    (void)state;
+    double par[6] = {0.0, 0, 0, 5.0, 1, 1};
+    const shape s = shape_of("box", par);
+    context *ctx = context_create();
+    for (int per = 1; per <= 3; per++) {
+        for (double offset = -0.375; offset < 0.5; offset += 0.125) {
+            seed_spec spec = spec_of(1, 0.0, 1.0, 5, per, SEED_LATTICE);
+            seed_list list;
+            spec.offset[0] = offset;
+            check_ok(ctx, seed_shape(&list, ctx, &s, &spec));
+            const size_t n = (size_t)(5 * per);
+            assert_int_equal(list.n, n);
+            for (size_t i = 0; i < n; i++) {
+                const double x = ((double)i + 0.5 + offset) / per;
+                check_close(list.x[0][i], x, 1e-14);
+                check_close(list.volume[i], 1.0 / per, 1e-14);
+                if (per < 3) assert_int_equal(list.cell[0][i], (int)floor(x)); /* thirds are rounded */
+            }
+            seed_list_free(ctx, &list);
+        }
+    }
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -313,6 +340,7 @@ int main(void)
         cmocka_unit_test(test_axisymmetric),    cmocka_unit_test(test_aligned_order),
         cmocka_unit_test(test_only_slivers),    cmocka_unit_test(test_edges),
         cmocka_unit_test(test_checks),          cmocka_unit_test(test_out_of_memory),
+        cmocka_unit_test(test_offset),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
