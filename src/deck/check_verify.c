@@ -113,8 +113,40 @@ static floe_status check_probes(reader *r)
     return FLOE_OK;
 }
 
+static const char *axis_candidate(const void *user, size_t i)
+{
+    const scene_study *study = user;
+    return i < (size_t)study->n_axes ? study->axis[i].key : NULL;
+}
+
+static bool is_axis(const scene_study *study, const char *key)
+{
+    for (int i = 0; i < study->n_axes; i++) {
+        if (strcmp(study->axis[i].key, key) == 0) return true;
+    }
+    return false;
+}
+
+/* Names of axes, where the deck has axes: the command line may bring others. */
+static floe_status check_study(reader *r)
+{
+    const scene_study *study = &r->scene->study;
+    deck_node *over = node_path(r->root, PATH("study", "over"));
+    deck_node *bars = node_path(r->root, PATH("study", "require"));
+    if (study->n_axes == 0) return FLOE_OK;
+    if (over && !is_axis(study, study->over)) TRY(bad_name(r, over, false, "axis", axis_candidate, study));
+    for (deck_node *bar = bars ? bars->first : NULL; bar; bar = bar->next) {
+        const deck_node *where = node_find(bar, "where");
+        for (deck_node *item = where ? where->first : NULL; item; item = item->next) {
+            if (!is_axis(study, item->key)) TRY(bad_name(r, item, true, "axis", axis_candidate, study));
+        }
+    }
+    return FLOE_OK;
+}
+
 floe_status check_verify(reader *r)
 {
+    TRY(check_study(r));
     TRY(check_exact(r));
     TRY(check_probes(r));
     return check_metrics(r);

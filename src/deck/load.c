@@ -58,7 +58,7 @@ static floe_status resolve(deck_source *source, const deck_overrides *set, scene
     return check_scene(&r);
 }
 
-/* Tries one value of the compare axis; *count is the number of errors that it brings, `first` the first of them. */
+/* Tries one value of an axis; `first` is the first error that it brings, NULL if none. */
 static floe_status try_value(deck_source *source, const deck_overrides *set, const char *assignment, deck_arena *arena,
                              const char **first)
 {
@@ -77,24 +77,45 @@ static floe_status try_value(deck_source *source, const deck_overrides *set, con
     return status;
 }
 
-/* Every value of the compare axis must make a deck, for `compare` would find out an hour later. */
-static floe_status check_axis(deck_source *source, const deck_overrides *set, const scene *s, deck_arena *arena,
-                              error_list *errors)
+/* The place in the deck of a value of an axis under `path`, which ends with the axis' key. */
+static floe_status place_of(const deck_source *source, const deck_overrides *set, deck_arena *arena,
+                            const char *const *path, int i, deck_place *at)
 {
-    for (int i = 0; i < s->compare.n_values; i++) {
+    deck_node *root;
+    error_list ignored = {.arena = arena};
+    TRY(make_tree(source, set, arena, &ignored, &root));
+    const deck_node *list = nearest_path(root, path);
+    const deck_node *item = list->kind == NODE_LIST ? node_at(list, (size_t)i) : NULL;
+    *at = item ? item->at : list->at;
+    return FLOE_OK;
+}
+
+/* Every value of an axis must make a deck, for the batch would find out an hour later. */
+static floe_status check_axis(deck_source *source, const deck_overrides *set, const scene_axis *axis,
+                              const char *const *path, deck_arena *arena, error_list *errors)
+{
+    for (int i = 0; i < axis->n_values; i++) {
         char *assignment;
         const char *first;
-        const size_t size = sizeof s->compare.key + sizeof s->compare.value[0] + 2;
+        deck_place at;
+        const size_t size = sizeof axis->key + sizeof axis->value[0] + 2;
         TRY(arena_new(arena, &assignment, size));
-        snprintf(assignment, size, "%s=%s", s->compare.key, s->compare.value[i]);
+        snprintf(assignment, size, "%s=%s", axis->key, axis->value[i]);
         TRY(try_value(source, set, assignment, arena, &first));
         if (!first) continue;
-        deck_node *root;
-        error_list ignored = {.arena = arena};
-        TRY(make_tree(source, set, arena, &ignored, &root));
-        const deck_node *list = nearest_path(root, PATH("compare", "axis", s->compare.key));
-        const deck_node *item = list->kind == NODE_LIST ? node_at(list, (size_t)i) : NULL;
-        TRY(error_add(errors, item ? item->at : list->at, NULL, NULL, "with %s: %s", assignment, first));
+        TRY(place_of(source, set, arena, path, i, &at));
+        TRY(error_add(errors, at, NULL, NULL, "with %s: %s", assignment, first));
+    }
+    return FLOE_OK;
+}
+
+static floe_status check_axes(deck_source *source, const deck_overrides *set, const scene *s, deck_arena *arena,
+                              error_list *errors)
+{
+    TRY(check_axis(source, set, &s->compare, PATH("compare", "axis", s->compare.key), arena, errors));
+    for (int i = 0; i < s->study.n_axes; i++) {
+        const scene_axis *axis = &s->study.axis[i];
+        TRY(check_axis(source, set, axis, PATH("study", "axes", axis->key), arena, errors));
     }
     return FLOE_OK;
 }
@@ -114,7 +135,7 @@ static floe_status load(scene *s, deck_source *source, const deck_overrides *set
 {
     error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = set};
     TRY(resolve(source, set, s, arena, &errors));
-    if (errors.count == 0) TRY(check_axis(source, set, s, arena, &errors));
+    if (errors.count == 0) TRY(check_axes(source, set, s, arena, &errors));
     return errors.count == 0 ? FLOE_OK : write_report(source, &errors, report);
 }
 

@@ -12,8 +12,9 @@ extern const model_family family_shape, family_law, family_eos, family_exact;
 extern const custom_key custom_boundaries;
 extern const variants boundary_kinds;
 /* custom.c */
-extern const custom_key custom_version, custom_runs_as, custom_stress_state, custom_cfl, custom_metrics, custom_axis,
-    custom_basis;
+extern const custom_key custom_version, custom_runs_as, custom_stress_state, custom_cfl, custom_metrics, custom_basis;
+/* study.c */
+extern const custom_key custom_axis, custom_axes, custom_quantities, custom_bars;
 extern const choice coupling_choices[];
 
 /* true for an axis key of a boundary: "x", "r" ... */

@@ -157,6 +157,22 @@ static const key_spec compare_keys[] = {
 };
 static const key_table compare_table = TABLE(compare_keys);
 
+static const key_spec study_keys[] = {
+    {"axes", KEY_CUSTOM, AT(scene_study, axis), .custom = &custom_axes, .otherwise = "those of the command line",
+     .doc = "keys that `floe study` varies, and their values; all combinations are run"},
+    {"over", KEY_TEXT, AT(scene_study, over), .otherwise = "domain.cell, else the first axis of numbers",
+     .doc = "the axis that orders are taken over"},
+    {"repeat", KEY_WHOLE, NULL, WITHIN(0, 100), AT(scene_study, repeat), .fallback = "0",
+     .doc = "timed runs of each case, alone and on one thread, of which the fastest counts; 0: not timed"},
+    {"max_wall", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_study, max_wall), .fallback = "0",
+     .doc = "wall time after which a case is stopped; 0: no limit"},
+    {"quantities", KEY_CUSTOM, .custom = &custom_quantities, .otherwise = "none",
+     .doc = "columns of history.csv whose last values are extrapolated (Richardson, grid convergence index)"},
+    {"require", KEY_CUSTOM, .custom = &custom_bars, .otherwise = "none",
+     .doc = "orders and errors that must be reached: a miss gives exit status 6"},
+};
+static const key_table study_table = TABLE(study_keys);
+
 static const key_spec deck_keys[] = {
     {"floe", KEY_CUSTOM, .custom = &custom_version, .required = true, .doc = "version of the deck format: 1"},
     {"title", KEY_TEXT, AT(scene, title), .otherwise = "none", .doc = "one line that names the scene"},
@@ -188,6 +204,8 @@ static const key_spec deck_keys[] = {
     {"output", KEY_MAP, .table = &output_table, .doc = "what is written"},
     {"verify", KEY_MAP, AT(scene, verify), .table = &verify_table, .doc = "comparison with an exact solution"},
     {"compare", KEY_MAP, .table = &compare_table, .doc = "the axis of `floe compare`"},
+    {"study", KEY_MAP, AT(scene, study), .table = &study_table, .present = 1 + offsetof(scene, study.given),
+     .otherwise = "none", .doc = "the batch of `floe study`"},
     {"threads", KEY_WHOLE, NULL, WITHIN(0, 1024), AT(scene, threads), .fallback = "0",
      .doc = "threads; 0: as OpenMP says. Results do not depend on it"},
 };

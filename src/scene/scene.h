@@ -16,7 +16,9 @@ enum {
     SCENE_MAX_BODIES = 32,
     SCENE_MAX_LOADS = 16,
     SCENE_MAX_PROBES = 32,
-    SCENE_MAX_AXIS = 16,
+    SCENE_MAX_AXIS = 32, /* values of an axis */
+    SCENE_MAX_AXES = 6,
+    SCENE_MAX_BARS = 32,
     SCENE_MAX_METRICS = 24,
     SCENE_NAME = 64
 };
@@ -149,11 +151,35 @@ typedef struct scene_verify {
     double probe_pressure; /* Pa: pressure P of eq. 13 and of the gas error, NAN if unused */
 } scene_verify;
 
+enum { SCENE_KEY = 128, SCENE_VALUE = 96 }; /* sizes of a deck key and of its value as YAML text */
+
 typedef struct scene_axis { /* one axis of `compare` or `study` */
-    char key[128];          /* deck key */
-    char value[SCENE_MAX_AXIS][64];
+    char key[SCENE_KEY];    /* deck key */
+    char value[SCENE_MAX_AXIS][SCENE_VALUE];
     int n_values;
 } scene_axis;
+
+typedef struct scene_bar { /* what a study must reach */
+    char metric[SCENE_NAME];
+    double order; /* at least; NAN: not asked for */
+    double error; /* at most, in the metric's unit; NAN: not asked for */
+    char key[SCENE_MAX_AXES][SCENE_KEY],
+        value[SCENE_MAX_AXES][SCENE_VALUE]; /* only where these axes have these values */
+    int n_where;
+} scene_bar;
+
+typedef struct scene_study {
+    bool given;                      /* the deck says something of it */
+    scene_axis axis[SCENE_MAX_AXES]; /* crossed; the first varies slowest */
+    int n_axes;
+    char over[SCENE_KEY]; /* axis that orders are taken over; "": domain.cell, else the first axis of numbers */
+    int repeat;           /* timed runs of each case, alone on one thread; the best counts; 0: none */
+    double max_wall;      /* s of each case; 0: no limit */
+    char quantity[SCENE_MAX_METRICS][SCENE_NAME]; /* columns of history.csv whose last values are extrapolated */
+    int n_quantities;
+    scene_bar bar[SCENE_MAX_BARS];
+    int n_bars;
+} scene_study;
 
 typedef struct scene {
     context *ctx; /* not owned */
@@ -187,6 +213,7 @@ typedef struct scene {
     int n_probes;
     scene_verify verify;
     scene_axis compare;        /* axis of `floe compare` */
+    scene_study study;         /* of `floe study` */
     initial_function *initial; /* set by the run when a body asks for it */
     void *initial_user;
     int threads; /* 0: OpenMP's default */

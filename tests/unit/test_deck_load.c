@@ -314,7 +314,34 @@ static const char full[] =
     "stop: {}\n"
     "method: {basis: gimp, stress: musl, flip: 0.9, centring: half, energy: internal, limiter: none, exchange: 1e-1}\n"
     "output: {interval: 0.1, probes: {p: [0.1, 0.1], q: [0.2, 0.3]}}\n"
+    "study:\n"
+    "  axes: {domain.thickness: [0.3, 0.4 m], coupling: [ice-mpm], bodies.b.velocity: [[0, 0], [0.1, 0]],\n"
+    "         method: [{basis: linear}]}\n"
+    "  over: domain.thickness\n"
+    "  repeat: 3\n"
+    "  max_wall: 1 min\n"
+    "  quantities: [kinetic, strain]\n"
+    "  require: [{metric: kinetic, order: 1.5, where: {bodies.b.velocity: [0.1, 0], coupling: ice-mpm}},\n"
+    "            {metric: strain, error: 2 %}]\n"
     "threads: 3\n";
+
+static void check_study(const scene_study *study)
+{
+    assert_int_equal(study->n_axes, 4);
+    assert_string_equal(study->axis[0].key, "domain.thickness");
+    assert_string_equal(study->axis[0].value[1], "0.4 m");
+    assert_string_equal(study->axis[2].value[1], "[0.1, 0]");
+    assert_string_equal(study->axis[3].value[0], "{basis: linear}");
+    assert_int_equal(study->repeat, 3);
+    check_close(study->max_wall, 60.0, 0.0);
+    assert_int_equal(study->n_quantities, 2);
+    assert_int_equal(study->n_bars, 2);
+    check_close(study->bar[0].order, 1.5, 0.0);
+    check_true(isnan(study->bar[0].error) && isnan(study->bar[1].order));
+    check_close_relative(study->bar[1].error, 0.02, 1e-15);
+    assert_int_equal(study->bar[0].n_where, 2);
+    assert_string_equal(study->bar[0].value[0], "[0.1, 0]");
+}
 
 static void echo_keeps_every_key(void **state)
 {
@@ -329,6 +356,7 @@ static void echo_keeps_every_key(void **state)
     assert_int_equal(s->load[0].body, -1);
     assert_int_equal(s->load[1].body, 0);
     assert_int_equal(s->load[3].ramp_steps, 500);
+    check_study(&s->study);
     check_round_trip(f, s);
     scene_destroy(&s);
 }

@@ -1,0 +1,243 @@
+/* Keys of `compare` and `study`: axes, quantities, required bars. */
+#include "deck/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A value as text on one line, as --set takes it. */
+static void append_flow(text_buffer *out, const deck_node *node)
+{
+    if (node->kind == NODE_SCALAR) {
+        if (node->quoted)
+            write_quoted(out, node->text);
+        else
+            text_print(out, "%s", node->text);
+        return;
+    }
+    text_print(out, node->kind == NODE_LIST ? "[" : "{");
+    for (const deck_node *child = node->first; child; child = child->next) {
+        if (child != node->first) text_print(out, ", ");
+        if (node->kind == NODE_MAP) text_print(out, "%s: ", child->key);
+        append_flow(out, child);
+    }
+    text_print(out, node->kind == NODE_LIST ? "]" : "}");
+}
+
+/* The value at a node, as --set takes it, into value[SCENE_VALUE]. */
+static floe_status take_value(reader *r, deck_node *node, char value[SCENE_VALUE])
+{
+    text_buffer text = {.ctx = r->ctx};
+    if (node_is_null(node)) return bad(r, node, "a value of the key", "an empty value");
+    if (node->kind == NODE_SCALAR)
+        text_print(&text, "%s", node->text);
+    else
+        append_flow(&text, node);
+    const bool fits = text.length < SCENE_VALUE;
+    snprintf(value, SCENE_VALUE, "%s", text.data ? text.data : "");
+    const floe_status status = text.status;
+    text_free(&text);
+    TRY(status);
+    return fits ? FLOE_OK : bad(r, node, NULL, "a value longer than %d characters", SCENE_VALUE - 1);
+}
+
+/* ---- compare.axis: {domain.cell: [0.1, 0.05]}; study.axes: {domain.cell: [0.1, 0.05], coupling: [mpm, ice-mpm]} ---- */
+
+static floe_status check_value(reader *r, deck_node *item, const scene_axis *axis)
+{
+    const int last = axis->n_values - 1;
+    for (int i = 0; i < last; i++) {
+        if (strcmp(axis->value[i], axis->value[last]) == 0)
+            return bad(r, item, NULL, "the value '%s' of '%s' is listed twice", axis->value[i], axis->key);
+    }
+    return FLOE_OK;
+}
+
+static floe_status take_axis(reader *r, deck_node *list, scene_axis *axis)
+{
+    *axis = (scene_axis){0};
+    if (strlen(list->key) >= sizeof axis->key) return bad_key(r, list, NULL, NULL, "the key is too long");
+    snprintf(axis->key, sizeof axis->key, "%s", list->key);
+    if (list->kind != NODE_LIST || list->n == 0)
+        return bad(r, list, "a list of values: [0.1, 0.05]", "the axis '%.80s' has no list of values", list->key);
+    if (list->n > SCENE_MAX_AXIS) return bad(r, list, NULL, "more than %d values", SCENE_MAX_AXIS);
+    for (deck_node *item = list->first; item; item = item->next) {
+        TRY(take_value(r, item, axis->value[axis->n_values++]));
+        TRY(check_value(r, item, axis));
+    }
+    return FLOE_OK;
+}
+
+static floe_status read_axis(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_MAP || node->n != 1)
+        return bad(r, node, custom_axis.form, "'axis' is not one key with a list of values");
+    return take_axis(r, node->first, (scene_axis *)(void *)((char *)base + key->offset));
+}
+
+static floe_status read_axes(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_study *study = base;
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_MAP)
+        return bad(r, node, custom_axes.form, "'%s' is not a map of keys with lists of values", key->key);
+    if (node->n > SCENE_MAX_AXES) return bad(r, node, NULL, "more than %d axes", SCENE_MAX_AXES);
+    for (deck_node *list = node->first; list; list = list->next) {
+        for (int i = 0; i < study->n_axes; i++) {
+            if (strcmp(study->axis[i].key, list->key) == 0)
+                TRY(bad_key(r, list, NULL, "put all values into one list", "the axis '%.80s' is given twice",
+                            list->key));
+        }
+        TRY(take_axis(r, list, &study->axis[study->n_axes++]));
+    }
+    return FLOE_OK;
+}
+
+static void write_values(writer *w, const scene_axis *axis)
+{
+    write_quoted(&w->out, axis->key);
+    for (int i = 0; i < axis->n_values; i++) {
+        text_print(&w->out, "%s", i == 0 ? ": [" : ", ");
+        write_quoted(&w->out, axis->value[i]);
+    }
+    text_print(&w->out, "]");
+}
+
+static void write_axis(writer *w, const key_spec *key, const void *base)
+{
+    const scene_axis *axis = (const scene_axis *)(const void *)((const char *)base + key->offset);
+    if (axis->n_values == 0) return;
+    write_key_name(w, key->key);
+    text_print(&w->out, " {");
+    write_values(w, axis);
+    text_print(&w->out, "}\n");
+}
+
+static void write_axes(writer *w, const key_spec *key, const void *base)
+{
+    const scene_study *study = base;
+    if (study->n_axes == 0) return;
+    write_key_name(w, key->key);
+    for (int i = 0; i < study->n_axes; i++) {
+        text_print(&w->out, i == 0 ? " {" : ", ");
+        write_values(w, &study->axis[i]);
+    }
+    text_print(&w->out, "}\n");
+}
+
+#define LISTS_OF_VALUES "{\"type\": \"object\", \"additionalProperties\": {\"type\": \"array\"}}"
+const custom_key custom_axis = {read_axis, write_axis, "{key.of.the.deck: [value, value, ...]}", LISTS_OF_VALUES};
+const custom_key custom_axes = {read_axes, write_axes, "{key.of.the.deck: [value, value, ...], another.key: [...]}",
+                                LISTS_OF_VALUES};
+
+/* ---- study.quantities: [kinetic, pressure_gas] ---- */
+
+static floe_status read_quantities(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_study *study = base;
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_LIST) return bad(r, node, custom_quantities.form, "'%s' is not a list of columns", key->key);
+    for (deck_node *item = node->first; item; item = item->next) {
+        if (item->kind != NODE_SCALAR || strlen(item->text) >= SCENE_NAME || item->text[0] == '\0')
+            return bad(r, item, "the name of a column of history.csv, without its unit", "this is no name of a column");
+        if (study->n_quantities == SCENE_MAX_METRICS)
+            return bad(r, item, NULL, "more than %d quantities", SCENE_MAX_METRICS);
+        snprintf(study->quantity[study->n_quantities++], SCENE_NAME, "%s", item->text);
+    }
+    return FLOE_OK;
+}
+
+static void write_quantities(writer *w, const key_spec *key, const void *base)
+{
+    const scene_study *study = base;
+    if (study->n_quantities == 0) return;
+    write_key_name(w, key->key);
+    for (int i = 0; i < study->n_quantities; i++) {
+        text_print(&w->out, i == 0 ? " [" : ", ");
+        write_quoted(&w->out, study->quantity[i]);
+    }
+    text_print(&w->out, "]\n");
+}
+
+const custom_key custom_quantities = {read_quantities, write_quantities, "a list of columns: [kinetic, pressure_gas]",
+                                      "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}"};
+
+/* ---- study.require: [{metric: eq13, order: 1.5, error: 0.02, where: {coupling: ice-mpm}}] ---- */
+
+static floe_status read_where(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_bar *bar = base;
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_MAP || node->n > SCENE_MAX_AXES)
+        return bad(r, node, "{key of an axis: value}", "'%s' is no map of at most %d axes with a value each", key->key,
+                   SCENE_MAX_AXES);
+    for (deck_node *item = node->first; item; item = item->next) {
+        if (strlen(item->key) >= SCENE_KEY) return bad_key(r, item, NULL, NULL, "the key is too long");
+        snprintf(bar->key[bar->n_where], SCENE_KEY, "%s", item->key);
+        TRY(take_value(r, item, bar->value[bar->n_where++]));
+    }
+    return FLOE_OK;
+}
+
+static void write_where(writer *w, const key_spec *key, const void *base)
+{
+    const scene_bar *bar = base;
+    if (bar->n_where == 0) return;
+    write_key_name(w, key->key);
+    for (int i = 0; i < bar->n_where; i++) {
+        text_print(&w->out, i == 0 ? " {" : ", ");
+        write_quoted(&w->out, bar->key[i]);
+        text_print(&w->out, ": ");
+        write_quoted(&w->out, bar->value[i]);
+    }
+    text_print(&w->out, "}\n");
+}
+
+static const custom_key custom_where = {read_where, write_where, "{key of an axis: value}", NULL};
+
+static const key_spec bar_keys[] = {
+    {"metric", KEY_TEXT, AT(scene_bar, metric), .required = true, .doc = "an error, or a quantity of the study"},
+    {"order", KEY_NUMBER, AT(scene_bar, order), .otherwise = "not asked for", .doc = "at least"},
+    {"error", KEY_NUMBER, NULL, PARAM_POSITIVE, AT(scene_bar, error), .otherwise = "not asked for", .doc = "at most"},
+    {"where", KEY_CUSTOM, .custom = &custom_where, .otherwise = "everywhere", .doc = "only for these values of axes"},
+};
+static const key_table bar_table = TABLE(bar_keys);
+
+static floe_status read_bars(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_study *study = base;
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_LIST) return bad(r, node, custom_bars.form, "'%s' is not a list of bars", key->key);
+    if (node->n > SCENE_MAX_BARS) return bad(r, node, NULL, "more than %d bars", SCENE_MAX_BARS);
+    for (deck_node *item = node->first; item; item = item->next) {
+        scene_bar *bar = &study->bar[study->n_bars++];
+        *bar = (scene_bar){.order = NAN, .error = NAN};
+        TRY(read_table(r, &bar_table, item, bar));
+        if (item->kind == NODE_MAP && !node_find(item, "order") && !node_find(item, "error"))
+            TRY(bad(r, item, "order: 1.5, or error: 0.01", "the bar for '%.60s' asks for nothing", bar->metric));
+    }
+    return FLOE_OK;
+}
+
+static void write_bars(writer *w, const key_spec *key, const void *base)
+{
+    const scene_study *study = base;
+    if (study->n_bars == 0) return;
+    write_key_name(w, key->key);
+    text_print(&w->out, "\n");
+    for (int i = 0; i < study->n_bars; i++) {
+        w->indent++;
+        text_print(&w->out, "%*s-\n", 2 * w->indent, "");
+        w->indent++;
+        write_table(w, &bar_table, &study->bar[i]);
+        w->indent -= 2;
+    }
+}
+
+const custom_key custom_bars = {
+    read_bars, write_bars, "a list of {metric: name, order: at least, error: at most, where: {key of an axis: value}}",
+    "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
+    "[\"metric\"], \"properties\": {\"metric\": {\"type\": \"string\"}, \"order\": {\"type\": [\"number\", "
+    "\"string\"]}, "
+    "\"error\": {\"type\": [\"number\", \"string\"]}, \"where\": {\"type\": \"object\"}}}}"};
