@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 bool param_in_range(const param_spec *spec, double x)
 {
@@ -24,4 +25,26 @@ void param_describe_range(const param_spec *spec, char *text, size_t size)
     case PARAM_BETWEEN: snprintf(text, size, "a number from %g to %g", spec->lo, spec->hi); return;
     }
     snprintf(text, size, "a number in an unknown range");
+}
+
+static double *param_at(const param_spec *spec, void *par)
+{
+    return (void *)((char *)par + spec->offset);
+}
+
+void param_fill_defaults(const param_spec *specs, size_t n, void *par)
+{
+    for (size_t i = 0; i < n; i++) {
+        const int count = specs[i].count;
+        double *to = param_at(&specs[i], par);
+        for (int k = 0; k < (count < 0 ? -count : count); k++) to[k] = specs[i].fallback;
+    }
+}
+
+double *param_find(const param_spec *specs, size_t n, void *par, const char *key)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (strcmp(specs[i].key, key) == 0) return param_at(&specs[i], par);
+    }
+    return NULL;
 }

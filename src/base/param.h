@@ -29,4 +29,9 @@ bool param_in_range(const param_spec *spec, double x);
 /* "a number > 0", "a number from 0 to 0.5": the words of an error message. Writes at most size bytes. */
 void param_describe_range(const param_spec *spec, char *text, size_t size);
 
+/* Fills a parameter struct, zeroed by the caller, with the defaults of its table: NAN where a parameter is required. */
+void param_fill_defaults(const param_spec *specs, size_t n, void *par);
+/* The (first) double of the parameter `key` inside `par`; NULL if there is none of that key. */
+double *param_find(const param_spec *specs, size_t n, void *par, const char *key);
+
 #endif

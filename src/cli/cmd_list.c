@@ -5,6 +5,7 @@
 #include "geom/shape.h"
 #include "mpm/basis/basis.h"
 #include "verify/metric.h"
+#include "verify/reference.h"
 
 #include <math.h>
 #include <string.h>
@@ -87,6 +88,20 @@ static void list_exact(void)
     }
 }
 
+static void list_references(void)
+{
+    for (size_t i = 0; i < reference_registry_size; i++) {
+        const reference_model *m = reference_registry[i];
+        print_entry(m->name, m->doc, m->cite, m->params, m->n_params);
+        printf("      gives:\n");
+        for (size_t q = 0; q < m->n_quantities; q++) {
+            const reference_quantity *quantity = &m->quantities[q];
+            printf("        %-20s %-4s %s\n", quantity->name, quantity->unit, quantity->doc);
+        }
+        printf("      %s\n", m->validity);
+    }
+}
+
 static void list_metrics(void)
 {
     for (int k = 0; k < METRIC_COUNT; k++) {
@@ -136,6 +151,7 @@ static const struct {
     {"shapes", "shapes of bodies and regions", list_shapes},
     {"bases", "basis functions of material points", list_bases},
     {"exact", "exact solutions", list_exact},
+    {"references", "what histories are compared with", list_references},
     {"metrics", "errors that can be measured", list_metrics},
     {"boundaries", "conditions on the sides of the domain", list_boundaries},
     {"fields", "fields that a scene may hold", list_fields},
@@ -169,7 +185,7 @@ static const struct argp argp = {
     .args_doc = "[TOPIC]",
     .doc =
         "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, laws, "
-        "shapes, bases, exact, metrics, boundaries, fields; without one the topics are listed.",
+        "shapes, bases, exact, references, metrics, boundaries, fields; without one the topics are listed.",
 };
 
 int cmd_list(cli *c, int argc, char **argv)

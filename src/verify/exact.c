@@ -52,27 +52,15 @@ const exact_model *exact_find(const char *name)
     return NULL;
 }
 
-static double *param_at(const exact_model *model, size_t i, void *par)
-{
-    return (void *)((char *)par + model->params[i].offset);
-}
-
 void exact_fill_defaults(const exact_model *model, void *par)
 {
     memset(par, 0, model->param_size);
-    for (size_t i = 0; i < model->n_params; i++) {
-        const int count = model->params[i].count;
-        double *to = param_at(model, i, par);
-        for (int k = 0; k < (count < 0 ? -count : count); k++) to[k] = model->params[i].fallback;
-    }
+    param_fill_defaults(model->params, model->n_params, par);
 }
 
 double *exact_param(const exact_model *model, void *par, const char *key)
 {
-    for (size_t i = 0; i < model->n_params; i++) {
-        if (strcmp(model->params[i].key, key) == 0) return param_at(model, i, par);
-    }
-    return NULL;
+    return param_find(model->params, model->n_params, par, key);
 }
 
 floe_status exact_create(context *ctx, const exact_model *model, const void *par, int dim, exact *out)

@@ -1,0 +1,61 @@
+#include "verify/reference.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+const reference_model *reference_find(const char *name)
+{
+    for (size_t i = 0; i < reference_registry_size; i++) {
+        if (strcmp(reference_registry[i]->name, name) == 0) return reference_registry[i];
+    }
+    return NULL;
+}
+
+size_t reference_quantity_find(const reference_model *model, const char *name)
+{
+    size_t q = 0;
+    while (q < model->n_quantities && strcmp(model->quantities[q].name, name) != 0) q++;
+    return q;
+}
+
+floe_status reference_create(context *ctx, const reference_model *model, const void *par, reference *out)
+{
+    *out = (reference){0};
+    void *prepared = NULL;
+    TRY(memory_new(ctx, &prepared, 1, model->prepared_size));
+    const floe_status status = model->prepare != NULL ? model->prepare(ctx, par, prepared) : FLOE_OK;
+    if (status != FLOE_OK) {
+        memory_free(ctx, &prepared);
+        return status;
+    }
+    *out = (reference){model, par, prepared};
+    return FLOE_OK;
+}
+
+void reference_destroy(context *ctx, reference *r)
+{
+    if (r == NULL) return;
+    memory_free(ctx, &r->prepared);
+    *r = (reference){0};
+}
+
+floe_status reference_series(context *ctx, const reference *r, size_t n, const double *t, double *value)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (isfinite(t[i]) && t[i] >= (i > 0 ? t[i - 1] : 0.0)) continue;
+        return fail(ctx, FLOE_BAD_INPUT, "time %zu of a history is %g s: must be finite, >= 0 and not before the last",
+                    i + 1, t[i]);
+    }
+    return r->model->series(ctx, r->par, r->prepared, n, t, value);
+}
+
+double reference_scalar_value(const reference *r, const char *name)
+{
+    const reference_model *model = r->model;
+    for (size_t i = 0; i < model->n_scalars; i++) {
+        if (strcmp(model->scalars[i].name, name) == 0) return model->scalar(r->par, r->prepared, i);
+    }
+    return NAN;
+}
