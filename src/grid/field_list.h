@@ -26,6 +26,14 @@
     X(P_STRESS, "stress", POINT, STRESS, "Pa", STATE, "Cauchy, tension positive, gauge to the reference pressure")   \
     X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                              \
     X(P_VISCOUS_PRESSURE, "artificial_pressure", POINT, SCALAR, "Pa", STATE, "q_p, compression positive")            \
+    X(P_HISTORY_1, "history_1", POINT, SCALAR, "1", STATE, "number 1 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_2, "history_2", POINT, SCALAR, "1", STATE, "number 2 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_3, "history_3", POINT, SCALAR, "1", STATE, "number 3 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_4, "history_4", POINT, SCALAR, "1", STATE, "number 4 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_5, "history_5", POINT, SCALAR, "1", STATE, "number 5 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_6, "history_6", POINT, SCALAR, "1", STATE, "number 6 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_7, "history_7", POINT, SCALAR, "1", STATE, "number 7 of those that the law remembers (solid.h)")     \
+    X(P_HISTORY_8, "history_8", POINT, SCALAR, "1", STATE, "number 8 of those that the law remembers (solid.h)")     \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
     /* nodes, instance: velocity group */                                                                            \
     X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                       \

@@ -92,7 +92,8 @@ static void add_named(line *l, const char *quantity, const char *label, const ch
 
 static void add_material(line *l, int material, const history_row *row)
 {
-    const bool fluid = l->s->scene->material[material].kind == MATERIAL_FLUID;
+    const scene_material *m = &l->s->scene->material[material];
+    const bool fluid = m->kind == MATERIAL_FLUID;
     char label[NAME_SIZE];
     holding sum = {0};
     material_label(l->s, material, label);
@@ -102,7 +103,8 @@ static void add_material(line *l, int material, const history_row *row)
     add_named(l, "mass", label, "kg", whole * sum.mass);
     add_named(l, "kinetic", label, "J", whole * sum.kinetic);
     if (!fluid) add_named(l, "strain", label, "J", whole * sum.strain);
-    if (fluid) add_named(l, "internal", label, "J", whole * sum.internal);
+    if (fluid || (m->law && m->law->needs & SOLID_HAS_ENERGY))
+        add_named(l, "internal", label, "J", whole * sum.internal);
     if (fluid) add_named(l, "pressure", label, "Pa", sum.pressure);
 }
 

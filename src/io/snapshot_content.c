@@ -107,6 +107,14 @@ static void scale_extensive(writer *w, field_id id, size_t numbers)
     for (size_t i = 0; i < numbers; i++) w->data[i] *= factor;
 }
 
+/* A number that the body's law remembers, as the law calls it. */
+static floe_status add_history(writer *w, field_id id, int body)
+{
+    const solid_history *h = &w->s->mpm->body[body].law->history[id - P_HISTORY_1];
+    gather(w, id, body, 0, 1, w->data);
+    return add_array(w, &(array_spec){.name = h->name, .unit = h->unit, .meaning = h->doc});
+}
+
 /* All components of a registered field, under `name`. */
 static floe_status add_field(writer *w, field_id id, int instance, const char *name)
 {
@@ -182,6 +190,7 @@ static floe_status visit_points(void *user, field_id id, int instance)
     const field_info *info = field_describe(id);
     if (info->centring != FIELD_POINT || instance != w->points->body || !is_written(id)) return FLOE_OK;
     if (id == P_ID || id == P_POS) return FLOE_OK; /* written apart */
+    if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return add_history(w, id, instance);
     return add_field(w, id, instance, info->name);
 }
 

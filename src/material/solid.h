@@ -24,13 +24,19 @@ typedef struct solid_batch {
     double stress[6][SOLID_CHUNK];             /* Pa: in at n, out at n+1; gauge to p_ref, tension positive */
     double energy[SOLID_CHUNK];                /* J/kg: in at n, out at n+1 (laws with SOLID_HAS_ENERGY) */
     double q[SOLID_CHUNK]; /* Pa: artificial viscous pressure over the step, compression positive (in) */
-    double history[SOLID_MAX_HISTORY][SOLID_CHUNK];
+    double history[SOLID_MAX_HISTORY][SOLID_CHUNK]; /* in at n, out at n+1, in the law's order; 0 at first */
 } solid_batch;
 
 typedef enum solid_needs {
-    SOLID_NEEDS_F = 1,   /* keep F; without it J alone is kept */
-    SOLID_HAS_ENERGY = 2 /* carries internal energy as state (fluids) */
+    SOLID_NEEDS_F = 1, /* keep F; without it J alone is kept */
+    SOLID_HAS_ENERGY =
+        2 /* carries internal energy as state: of fluids all, of solids what is no strain energy; takes rho0 and q */
 } solid_needs;
+
+/* A number that a point carries along because its law remembers. */
+typedef struct solid_history {
+    const char *name, *unit, *doc; /* as snapshots show it; name as a dataset's */
+} solid_history;
 
 typedef struct solid_model {
     const char *name, *doc, *cite;
@@ -38,7 +44,8 @@ typedef struct solid_model {
     const param_spec *params;
     size_t n_params;
     unsigned needs;
-    int n_history;
+    const solid_history *history; /* n_history of them: state of the points, from rest to checkpoint */
+    int n_history;                /* <= SOLID_MAX_HISTORY */
     /* Stress at the end of the step. p_ref (Pa) is subtracted by fluids. Returns 0, or 1 + the first point that is beyond the law (J <= 0, energy below its floor). */
     size_t (*stress)(const void *par, double p_ref, solid_batch *b);
     /* Longitudinal wave speed (m/s), for the time step: c2 = (K + 4G/3)/rho for a solid, of the EOS for a fluid. */

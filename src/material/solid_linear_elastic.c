@@ -1,10 +1,6 @@
 /* Linear elasticity in rate form, for small strains and any rotation: the Jaumann rate of the Cauchy stress is
- * lambda tr(D) I + 2 G D.
- *
- * One step of dt:  sigma <- Q (sigma + dsigma/2) Q^T + dsigma/2,  dsigma = dt (lambda tr(D) I + 2 G D), second order in
- * dt. Q = (I - A)^-1 (I + A) is orthogonal to round-off whatever the antisymmetric A (Hughes & Winget 1980); A is W dt/2
- * stretched by tan(w)/w, w = |W| dt/2 half the angle turned, which makes Q = exp(W dt) to O(w^7). */
-#include "material/solid.h"
+ * lambda tr(D) I + 2 G D (hypoelastic.h). */
+#include "material/hypoelastic.h"
 #include "material/solid_checks.h"
 
 #include <math.h>
@@ -31,79 +27,14 @@ static const param_spec linear_elastic_params[] = {
      .doc = "shear modulus G"},
 };
 
-enum { XX, YY, ZZ, XY, YZ, ZX };
-
-/* sigma + R + R^T + R B^T with R = B sigma, B = Q - I: keeps the digits of small rotations. `planar` leaves out the
- * products with zeros of a rotation about z and nothing else, so that both forms agree to the bit: which one runs depends
- * on the other points of the batch, and the result must not. */
-FLOE_ALWAYS_INLINE void rotate(double s[6], double ax, double ay, double az, bool planar)
-{
-    const double angle2 = planar ? az * az : ax * ax + ay * ay + az * az;
-    const double stretch = 1.0 + angle2 * (1.0 / 3.0 + angle2 * (2.0 / 15.0));
-    ax *= stretch;
-    ay *= stretch;
-    az *= stretch;
-    const double x2 = ax * ax, y2 = ay * ay, z2 = az * az;
-    const double f = 2.0 / (1.0 + (planar ? z2 : x2 + y2 + z2));
-
-    if (planar) {
-        const double d = -f * z2, o = f * az; /* B = [d -o; o d] */
-        const double rxx = d * s[XX] - o * s[XY], rxy = d * s[XY] - o * s[YY], rxz = d * s[ZX] - o * s[YZ];
-        const double ryx = o * s[XX] + d * s[XY], ryy = o * s[XY] + d * s[YY], ryz = o * s[ZX] + d * s[YZ];
-        s[XX] = s[XX] + (rxx + rxx + (rxx * d - rxy * o));
-        s[YY] = s[YY] + (ryy + ryy + (ryx * o + ryy * d));
-        s[XY] = s[XY] + (rxy + ryx + (rxx * o + rxy * d));
-        s[YZ] = s[YZ] + ryz;
-        s[ZX] = s[ZX] + rxz;
-        return;
-    }
-    const double bxx = -f * (y2 + z2), byy = -f * (x2 + z2), bzz = -f * (x2 + y2);
-    const double bxy = f * (ax * ay - az), byx = f * (ax * ay + az);
-    const double bxz = f * (ax * az + ay), bzx = f * (ax * az - ay);
-    const double byz = f * (ay * az - ax), bzy = f * (ay * az + ax);
-    const double rxx = bxx * s[XX] + bxy * s[XY] + bxz * s[ZX];
-    const double rxy = bxx * s[XY] + bxy * s[YY] + bxz * s[YZ];
-    const double rxz = bxx * s[ZX] + bxy * s[YZ] + bxz * s[ZZ];
-    const double ryx = byx * s[XX] + byy * s[XY] + byz * s[ZX];
-    const double ryy = byx * s[XY] + byy * s[YY] + byz * s[YZ];
-    const double ryz = byx * s[ZX] + byy * s[YZ] + byz * s[ZZ];
-    const double rzx = bzx * s[XX] + bzy * s[XY] + bzz * s[ZX];
-    const double rzy = bzx * s[XY] + bzy * s[YY] + bzz * s[YZ];
-    const double rzz = bzx * s[ZX] + bzy * s[YZ] + bzz * s[ZZ];
-    s[XX] = s[XX] + (rxx + rxx + (rxx * bxx + rxy * bxy + rxz * bxz));
-    s[YY] = s[YY] + (ryy + ryy + (ryx * byx + ryy * byy + ryz * byz));
-    s[ZZ] = s[ZZ] + (rzz + rzz + (rzx * bzx + rzy * bzy + rzz * bzz));
-    s[XY] = s[XY] + (rxy + ryx + (rxx * byx + rxy * byy + rxz * byz));
-    s[YZ] = s[YZ] + (ryz + rzy + (ryx * bzx + ryy * bzy + ryz * bzz));
-    s[ZX] = s[ZX] + (rzx + rxz + (rxx * bzx + rxy * bzy + rxz * bzz));
-}
-
-/* h is half the stress increment. L is row-major: 0 xx, 1 xy, 2 xz, 3 yx, 4 yy, 5 yz, 6 zx, 7 zy, 8 zz. */
 FLOE_ALWAYS_INLINE void stress_body(const linear_elastic_par *a, solid_batch *restrict b, bool planar)
 {
-    const double half = 0.5 * b->dt, quarter = 0.25 * b->dt;
     const double lambda = a->bulk_modulus - 2.0 / 3.0 * a->shear_modulus, G = a->shear_modulus;
     for (size_t i = 0; i < b->n; i++) {
-        const double volumetric = half * lambda * (b->L[0][i] + b->L[4][i] + b->L[8][i]);
-        const double h[6] = {
-            volumetric + half * 2.0 * G * b->L[0][i], volumetric + half * 2.0 * G * b->L[4][i],
-            volumetric + half * 2.0 * G * b->L[8][i], half * G * (b->L[1][i] + b->L[3][i]),
-            half * G * (b->L[5][i] + b->L[7][i]),     half * G * (b->L[2][i] + b->L[6][i]),
-        };
         double s[6];
-        for (int k = 0; k < 6; k++) s[k] = b->stress[k][i] + h[k];
-        rotate(s, quarter * (b->L[7][i] - b->L[5][i]), quarter * (b->L[2][i] - b->L[6][i]),
-               quarter * (b->L[3][i] - b->L[1][i]), planar);
-        for (int k = 0; k < 6; k++) b->stress[k][i] = s[k] + h[k];
+        hypoelastic_step(lambda, G, b, i, planar, s);
+        for (int k = 0; k < 6; k++) b->stress[k][i] = s[k];
     }
-}
-
-/* Plane and axisymmetric batches. A NaN is no equal, and takes the general form. */
-static bool spins_about_z_alone(const solid_batch *b)
-{
-    long long other = 0; /* as wide as a double, so that the loop is vectorised */
-    for (size_t i = 0; i < b->n; i++) other |= (b->L[7][i] != b->L[5][i]) | (b->L[2][i] != b->L[6][i]);
-    return other == 0;
 }
 
 static size_t linear_elastic_stress(const void *par, double p_ref, solid_batch *b)
@@ -124,18 +55,10 @@ static void linear_elastic_wave_speed(const void *par, double p_ref, const solid
     for (size_t i = 0; i < b->n; i++) c[i] = sqrt(modulus * b->J[i] / b->rho0[i]);
 }
 
-/* J [p^2/(2K) + s:s/(4G)]: the work of small strains; the rate form has no exact potential at large ones. */
 static void linear_elastic_strain_energy(const void *par, const solid_batch *b, double *restrict psi)
 {
     const linear_elastic_par *a = par;
-    const double volume = 0.5 / a->bulk_modulus, shear = 0.25 / a->shear_modulus;
-    for (size_t i = 0; i < b->n; i++) {
-        const double mean = (b->stress[XX][i] + b->stress[YY][i] + b->stress[ZZ][i]) / 3.0;
-        const double sx = b->stress[XX][i] - mean, sy = b->stress[YY][i] - mean, sz = b->stress[ZZ][i] - mean;
-        const double xy = b->stress[XY][i], yz = b->stress[YZ][i], zx = b->stress[ZX][i];
-        const double s2 = sx * sx + sy * sy + sz * sz + 2.0 * (xy * xy + yz * yz + zx * zx);
-        psi[i] = b->J[i] * (volume * mean * mean + shear * s2);
-    }
+    hypoelastic_energies(a->bulk_modulus, a->shear_modulus, b, psi);
 }
 
 static double linear_elastic_bulk_modulus(const void *par)

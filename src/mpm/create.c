@@ -56,6 +56,7 @@ static void resolve_body(mpm *s, int index)
     s->needs_F = s->needs_F || (b->law->needs & SOLID_NEEDS_F) != 0;
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
     s->artificial = s->artificial || has_artificial(b);
+    if (b->law->n_history > s->n_history) s->n_history = b->law->n_history;
     s->n_bodies++;
 }
 
@@ -133,6 +134,7 @@ static bool body_holds(const mpm_body *b, field_id id)
     if (id == P_F) return (b->law->needs & SOLID_NEEDS_F) != 0;
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
+    if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
     return true;
 }
 

@@ -46,6 +46,7 @@ typedef struct mpm {
     int n_groups;
     bool coupled;                         /* cells hold the fluids: velocities at n, grid pressure on the points */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
+    int n_history;                        /* the most numbers that a body's law remembers */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
     double time;            /* s: at the start of the step */
     double dt, dt_previous; /* s; dt_previous 0 before the first step */

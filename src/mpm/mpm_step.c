@@ -12,8 +12,13 @@ floe_status mpm_begin_step(mpm *s)
     return FLOE_OK;
 }
 
-#define POINT_STATE \
-    P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE)
+#define REMEMBERED(n) WHEN(s->n_history >= (n), P_HISTORY_##n)
+#define HISTORY                                                                                              \
+    REMEMBERED(1), REMEMBERED(2), REMEMBERED(3), REMEMBERED(4), REMEMBERED(5), REMEMBERED(6), REMEMBERED(7), \
+        REMEMBERED(8)
+#define POINT_STATE                                                                                               \
+    P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE), \
+        HISTORY
 
 static bool is_usf(const mpm *s)
 {
@@ -22,6 +27,11 @@ static bool is_usf(const mpm *s)
 static bool is_musl(const mpm *s)
 {
     return s->scene->method.stress == STRESS_MUSL;
+}
+
+static bool is_usl(const mpm *s)
+{
+    return !is_usf(s) && !is_musl(s);
 }
 
 floe_status mpm_mass_stages(mpm *s)
@@ -44,11 +54,10 @@ floe_status mpm_force_stages(mpm *s)
 
 floe_status mpm_motion_stages(mpm *s)
 {
-    const bool usl = !is_usf(s) && !is_musl(s);
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
-    STAGE(s, ALWAYS, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),
-          WRITES(P_POS, P_VEL, WHEN(usl, P_STRESS), WHEN(usl, P_J), WHEN(usl && s->has_energy, P_ENERGY),
-                 WHEN(usl && s->needs_F, P_F), WHEN(usl && s->artificial, P_VISCOUS_PRESSURE)));
+    STAGE(s, is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),
+          WRITES(P_POS, P_VEL, POINT_STATE));
+    STAGE(s, !is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL), WRITES(P_POS, P_VEL));
     STAGE(s, is_musl(s), mpm_remap_stress, READS(P_POS, P_VEL, POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     return FLOE_OK;

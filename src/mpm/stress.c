@@ -20,6 +20,11 @@ bool has_artificial(const mpm_body *b)
     return b->artificial[0] > 0.0 || b->artificial[1] > 0.0;
 }
 
+static field_id history_field(int k)
+{
+    return (field_id)(P_HISTORY_1 + k);
+}
+
 static void load_density(const fields *f, int body, size_t start, solid_batch *batch)
 {
     const double *restrict mass = field_get(f, P_MASS, body, 0), *restrict volume = field_get(f, P_VOLUME0, body, 0);
@@ -44,8 +49,10 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
             memcpy(batch->F[deform_slot[dim - 1][c]], get(f, P_F, body, c) + start, bytes);
     else /* a stress state moves the free stretches of F, whether they are kept or not */
         for (size_t k = 0; k < n; ++k) batch->F[4][k] = batch->F[8][k] = 1.0;
+    for (int k = 0; k < b->law->n_history; ++k)
+        memcpy(batch->history[k], get(f, history_field(k), body, 0) + start, bytes);
+    if (!(b->law->needs & SOLID_HAS_ENERGY) && !has_artificial(b)) return; /* other laws take neither */
     if (b->law->needs & SOLID_HAS_ENERGY) memcpy(batch->energy, get(f, P_ENERGY, body, 0) + start, bytes);
-    if (!b->fluid && !has_artificial(b)) return; /* laws of solids take neither */
     load_density(f, body, start, batch);
     if (has_artificial(b))
         memcpy(batch->q, get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
@@ -151,6 +158,8 @@ static void store_batch(const mpm *s, int blk, int body, size_t start, const sol
         for (int c = 0; c < field_component_count(FIELD_DEFORM, dim); ++c)
             memcpy(field_next(f, P_F, body, c) + start, b->F[deform_slot[dim - 1][c]], bytes);
     if (m->law->needs & SOLID_HAS_ENERGY) memcpy(field_next(f, P_ENERGY, body, 0) + start, b->energy, bytes);
+    for (int k = 0; k < m->law->n_history; ++k)
+        memcpy(field_next(f, history_field(k), body, 0) + start, b->history[k], bytes);
     if (fields_has(f, P_VISCOUS_PRESSURE, body))
         memcpy(field_next(f, P_VISCOUS_PRESSURE, body, 0) + start, b->q, bytes);
 }

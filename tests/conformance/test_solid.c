@@ -244,6 +244,45 @@ static void check_power(const law *a)
     check_close_relative(psi, work, 0.02); /* strains reach 0.01: what is not quadratic is of that size */
 }
 
+/* Laws that dissipate: along any path, far beyond yield, what is done is stored as strain energy or stays as internal energy, and
+ * internal energy never falls. Strains are small, so that what is not quadratic is a few per cent. */
+static void check_dissipation(const law *a)
+{
+    if (!(a->model->needs & SOLID_HAS_ENERGY) || a->model->strain_energy == NULL) return;
+    solid_batch b;
+    double work = 0.0, psi;
+    uint64_t seed = 7;
+    batch_start(&b, 1);
+    for (int n = 0; n < 3000; n++) {
+        const double heat = b.energy[0];
+        double before = 0.0, after = 0.0;
+        for (int k = 0; k < 9; k++)
+            b.L[k][0] = n % 300 == 0 ? check_random(&seed, -0.5, 0.5) * (k % 4 == 0 ? 0.1 : 1.0) : b.L[k][0];
+        const int at[9] = {XX, XY, ZX, XY, YY, YZ, ZX, YZ, ZZ};
+        for (int k = 0; k < 9; k++) before += b.J[0] * b.stress[at[k]][0] * b.L[k][0];
+        step(a, &b);
+        for (int k = 0; k < 9; k++) after += b.J[0] * b.stress[at[k]][0] * b.L[k][0];
+        work += 0.5 * b.dt * (before + after);
+        check_true(b.energy[0] >= heat);
+    }
+    a->model->strain_energy(a->par, &b, &psi);
+    check_true(DENSITY * b.energy[0] > psi);
+    check_close_relative(psi + DENSITY * b.energy[0], work, 0.02);
+}
+
+/* Internal energy of a solid takes the work of the artificial viscosity, -q dV. */
+static void check_artificial_work(const law *a)
+{
+    if (!(a->model->needs & SOLID_HAS_ENERGY)) return;
+    const double squeeze[9] = {-1e-3};
+    solid_batch b;
+    batch_start(&b, 1);
+    b.q[0] = 2.5e3;
+    set_rate(&b, 0, 1.0, squeeze);
+    step(a, &b);
+    check_close_relative(DENSITY * b.energy[0], 2.5e3 * (1.0 - b.J[0]), 1e-12);
+}
+
 /* J that is zero, negative or not a number is reported with its place. */
 static void check_refusal(const law *a)
 {
@@ -349,6 +388,10 @@ static void check_description(const law *a)
     check_true(solid_find(a->model->name) == a->model);
     check_true(a->model->doc[0] != '\0' && a->model->cite[0] != '\0');
     check_true(a->model->n_history >= 0 && a->model->n_history <= SOLID_MAX_HISTORY);
+    for (int k = 0; k < a->model->n_history; k++) {
+        const solid_history *h = &a->model->history[k];
+        check_true(h->name[0] != '\0' && h->unit[0] != '\0' && h->doc[0] != '\0');
+    }
     check_true(a->K > 0.0 && a->G > 0.0);
 }
 
@@ -365,6 +408,8 @@ ON_EACH(spin)
 ON_EACH(hooke)
 ON_EACH(potential)
 ON_EACH(power)
+ON_EACH(dissipation)
+ON_EACH(artificial_work)
 ON_EACH(refusal)
 ON_EACH(batches)
 ON_EACH(stress_states)
@@ -380,6 +425,8 @@ int main(void)
         cmocka_unit_test(test_hooke),
         cmocka_unit_test(test_potential),
         cmocka_unit_test(test_power),
+        cmocka_unit_test(test_dissipation),
+        cmocka_unit_test(test_artificial_work),
         cmocka_unit_test(test_refusal),
         cmocka_unit_test(test_batches),
         cmocka_unit_test(test_stress_states),

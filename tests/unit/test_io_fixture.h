@@ -75,8 +75,9 @@ static inline void fixture_add(fixture *f, field_id id, int instance)
 
 static inline void fixture_fields(fixture *f, const fixture_spec *spec)
 {
-    static const field_id of_points[] = {P_ID, P_MASS, P_VOLUME0, P_HALF,   P_POS,          P_VEL,
-                                         P_F,  P_J,    P_STRESS,  P_ENERGY, P_GRID_PRESSURE};
+    static const field_id of_points[] = {P_ID,        P_MASS,      P_VOLUME0,   P_HALF,         P_POS,
+                                         P_VEL,       P_F,         P_J,         P_STRESS,       P_ENERGY,
+                                         P_HISTORY_1, P_HISTORY_2, P_HISTORY_3, P_GRID_PRESSURE};
     static const field_id of_cells[] = {C_RHO, C_VEL, C_ENERGY, C_VOL, C_TEMP, C_THETA, C_SOUND};
     for (int b = 0; b < FIXTURE_BODIES && spec->with_points; b++) {
         for (size_t i = 0; i < sizeof of_points / sizeof of_points[0]; i++) fixture_add(f, of_points[i], b);
@@ -201,6 +202,7 @@ static inline void fixture_make(fixture *f, const fixture_spec *spec)
     for (int b = 0; b < FIXTURE_BODIES; b++) {
         f->mpm.body[b].scene_body = b;
         f->mpm.body[b].scene_material = b;
+        f->mpm.body[b].law = solid_find("j2");
     }
     for (int r = 0; r < FIXTURE_MATERIALS; r++) {
         f->ice.material[r].scene_material = r;

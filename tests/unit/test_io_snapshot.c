@@ -16,7 +16,7 @@ typedef struct page {
     int arrays, grids, times;
     double last_time;
     size_t entries; /* cells or points of the grid that is open */
-    bool saw_velocity, saw_id;
+    bool saw_velocity, saw_id, saw_history;
 } page;
 
 static size_t numbers_of(const char *text, size_t n[8])
@@ -104,6 +104,8 @@ static void check_attribute_item(page *p, const xml_element *attribute, const xm
     assert_int_equal(product, p->entries * (strcmp(xml_get(attribute, "AttributeType"), "Vector") == 0 ? 3 : 1));
     if (strncmp(xml_get(attribute, "Name"), "velocity (m s-1)", 64) == 0) p->saw_velocity = true;
     if (strcmp(xml_get(attribute, "Name"), "id") == 0) p->saw_id = true;
+    if (strcmp(xml_get(attribute, "Name"), "plastic_strain") == 0) p->saw_history = true; /* by the law's name for it */
+    assert_null(strstr(xml_get(attribute, "Name"), "history"));
     assert_null(strchr(xml_get(attribute, "Name"), '/'));
 }
 
@@ -174,6 +176,7 @@ static void page_fits_files(void **state)
         assert_int_equal(p.grids, 3 * (specs[i].with_cells + (specs[i].with_points ? FIXTURE_BODIES : 0)));
         assert_true(p.arrays > 3 * 10);
         assert_true(p.saw_velocity == specs[i].with_points && p.saw_id == specs[i].with_points);
+        assert_true(p.saw_history == specs[i].with_points);
         fixture_free(&f);
         fixture_remove_folder(folder);
     }

@@ -37,7 +37,7 @@ typedef struct variant {
     stress_scheme stress;
     int blocks[2];
     int threads;
-    bool periodic, axisymmetric;
+    bool periodic, axisymmetric, plastic;
 } variant;
 
 /* A fast elastic disc that crosses the seams, and one of another law in its way. */
@@ -54,7 +54,12 @@ static shot run(const variant *v)
     }
     set_method(&t, v->basis, v->stress, 0.98);
     t.scene->damping.rate = 0.2;
-    const int soft = add_solid(&t, "linear_elastic", 5.0, 2.0, 1.0);
+    const int soft = add_solid(&t, v->plastic ? "j2" : "linear_elastic", 5.0, 2.0, 1.0);
+    if (v->plastic) {
+        scene_material *m = &t.scene->material[soft];
+        set_param(m->law->params, m->law->n_params, m->law_par, "yield_stress", 0, 0.05);
+        set_param(m->law->params, m->law->n_params, m->law_par, "tension_strength", 0, 0.2);
+    }
     const int rubber = add_solid(&t, "neo_hookean", 3.0, 1.0, 2.0);
     t.scene->material[rubber].artificial_linear = 0.2;
     t.scene->material[rubber].artificial_quadratic = 1.0;
@@ -124,12 +129,20 @@ static void test_axisymmetric(void **state)
     check_variants((variant){.basis = "quadratic", .axisymmetric = true, .periodic = true});
 }
 
+static void test_plastic(void **state)
+{
+    (void)state;
+    check_variants((variant){.basis = "linear", .stress = STRESS_MUSL, .plastic = true});
+    check_variants((variant){.basis = "quadratic", .plastic = true});
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_blocks),
         cmocka_unit_test(test_periodic),
         cmocka_unit_test(test_axisymmetric),
+        cmocka_unit_test(test_plastic),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
