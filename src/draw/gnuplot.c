@@ -63,20 +63,20 @@ static void warn(context *ctx, const char *dir, const char *script, int status)
     }
 }
 
-bool gnuplot_run(context *ctx, const char *dir, const char *const *script, size_t n)
+gnuplot_result gnuplot_run(context *ctx, const char *dir, const char *const *script, size_t n)
 {
     char cd[8192];
-    if (n == 0) return true;
+    if (n == 0) return GNUPLOT_DONE;
     int status = write_cd(dir, cd, sizeof cd) ? spawn(ctx, cd, script, n) : -1;
-    if (status == 0) return true;
+    if (status == 0) return GNUPLOT_DONE;
     if (status == MISSING || n == 1) {
         warn(ctx, dir, n == 1 ? script[0] : "*.gp", status);
-        return false;
+        return status == MISSING ? GNUPLOT_MISSING : GNUPLOT_FAILED;
     }
     /* A script that fails takes those after it along: each by itself. */
     for (size_t i = 0; i < n; i++) {
         status = spawn(ctx, cd, &script[i], 1);
         warn(ctx, dir, script[i], status);
     }
-    return false;
+    return GNUPLOT_FAILED;
 }

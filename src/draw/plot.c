@@ -40,20 +40,6 @@ static floe_status write_text(context *ctx, const char *dir, const char *stem, c
     return status;
 }
 
-static floe_status write_data(context *ctx, const char *dir, const plot_figure *figure, const char *stem)
-{
-    strbuf csv, script;
-    strbuf_init(&csv, ctx);
-    strbuf_init(&script, ctx);
-    plot_append_csv(&csv, figure);
-    plot_append_script(&script, figure, stem);
-    floe_status status = write_text(ctx, dir, stem, "csv", &csv);
-    if (status == FLOE_OK) status = write_text(ctx, dir, stem, "gp", &script);
-    strbuf_free(&script);
-    strbuf_free(&csv);
-    return status;
-}
-
 /* An earlier picture must not stand beside newer data. */
 static floe_status remove_picture(context *ctx, const char *dir, const char *stem)
 {
@@ -65,10 +51,35 @@ static floe_status remove_picture(context *ctx, const char *dir, const char *ste
     return status;
 }
 
-static floe_status draw(context *ctx, const char *dir, const plot_figure *figure, size_t n, const char **script)
+floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *figure)
 {
     char stem[PLOT_STEM];
-    (void)gnuplot_run(ctx, dir, script, n); /* what has failed has no picture */
+    strbuf csv, script;
+    plot_stem(figure->name, stem);
+    TRY(folder_make(ctx, dir));
+    TRY(remove_picture(ctx, dir, stem));
+    strbuf_init(&csv, ctx);
+    strbuf_init(&script, ctx);
+    plot_append_csv(&csv, figure);
+    plot_append_script(&script, figure, stem);
+    floe_status status = write_text(ctx, dir, stem, "csv", &csv);
+    if (status == FLOE_OK) status = write_text(ctx, dir, stem, "gp", &script);
+    strbuf_free(&script);
+    strbuf_free(&csv);
+    return status;
+}
+
+static floe_status draw(context *ctx, const char *dir, const plot_figure *figure, size_t n, const char **script,
+                        char (*name)[PLOT_STEM + 4], bool *missing)
+{
+    char stem[PLOT_STEM];
+    for (size_t i = 0; i < n; i++) {
+        plot_stem(figure[i].name, stem);
+        (void)snprintf(name[i], sizeof name[i], "%s.gp", stem);
+        script[i] = name[i];
+    }
+    /* What fails has no picture, and a warning. */
+    if (gnuplot_run(ctx, dir, script, n) == GNUPLOT_MISSING) *missing = true;
     for (size_t i = 0; i < n; i++) {
         plot_stem(figure[i].name, stem);
         TRY(plot_finish_svg(ctx, dir, stem, figure[i].title));
@@ -76,32 +87,24 @@ static floe_status draw(context *ctx, const char *dir, const plot_figure *figure
     return FLOE_OK;
 }
 
-static floe_status write_all(context *ctx, const char *dir, const plot_figure *figure, size_t n, const char **script,
-                             char (*name)[PLOT_STEM + 4])
-{
-    char stem[PLOT_STEM];
-    for (size_t i = 0; i < n; i++) {
-        plot_stem(figure[i].name, stem);
-        TRY(write_data(ctx, dir, &figure[i], stem));
-        TRY(remove_picture(ctx, dir, stem));
-        (void)snprintf(name[i], sizeof name[i], "%s.gp", stem);
-        script[i] = name[i];
-    }
-    return draw(ctx, dir, figure, n, script);
-}
-
-floe_status plots_write(context *ctx, const char *dir, const plot_figure *figure, size_t n)
+floe_status plots_draw(context *ctx, const char *dir, const plot_figure *figure, size_t n, bool *missing)
 {
     const char **script = NULL;
     char(*name)[PLOT_STEM + 4] = NULL;
     if (n == 0) return FLOE_OK;
-    TRY(folder_make(ctx, dir));
     floe_status status = memory_new(ctx, &script, n, sizeof *script);
     if (status == FLOE_OK) status = memory_new(ctx, &name, n, sizeof *name);
-    if (status == FLOE_OK) status = write_all(ctx, dir, figure, n, script, name);
+    if (status == FLOE_OK) status = draw(ctx, dir, figure, n, script, name, missing);
     memory_free(ctx, &name);
     memory_free(ctx, &script);
     return status;
+}
+
+floe_status plots_write(context *ctx, const char *dir, const plot_figure *figure, size_t n)
+{
+    bool missing = false;
+    for (size_t i = 0; i < n; i++) TRY(plot_write_data(ctx, dir, &figure[i]));
+    return plots_draw(ctx, dir, figure, n, &missing);
 }
 
 floe_status plot_write(context *ctx, const char *dir, const plot_figure *figure)

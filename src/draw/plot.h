@@ -36,6 +36,7 @@ typedef struct plot_panel {
 typedef struct plot_figure {
     const char *name;  /* stem of NAME.csv, NAME.gp, NAME.svg, made plain by plot_stem */
     const char *title; /* above the panels; NULL: none */
+    bool untitled;     /* the page around shows the title: in the picture it is only for programs that read it */
     int columns;       /* of panels; less than 1: one */
     const plot_panel *panel;
     size_t n_panels;
@@ -47,6 +48,15 @@ typedef struct plot_figure {
 floe_status plot_write(context *ctx, const char *dir, const plot_figure *figure);
 /* The same for several figures of different names, by one gnuplot, with one warning. */
 floe_status plots_write(context *ctx, const char *dir, const plot_figure *figure, size_t n);
+
+/* The two halves of plots_write, for pages that draw in several goes: the data and script of one figure, then the pictures
+ * of several. *missing becomes true when there is no gnuplot, and is left alone otherwise. */
+floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *figure);
+floe_status plots_draw(context *ctx, const char *dir, const plot_figure *figure, size_t n, bool *missing);
+
+/* The style that every SVG carries, for a page that holds several of them: <style> with its content. */
+struct strbuf;
+void plot_append_style(struct strbuf *out);
 
 /* The stem of a file from any text: what is not a letter, a digit, '.', '_' or '-' becomes '_'; never "" or dots alone. */
 void plot_stem(const char *text, char stem[PLOT_STEM]);

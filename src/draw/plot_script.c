@@ -96,6 +96,7 @@ static void append_slopes(strbuf *out, const plot_panel *panel, const plot_axis 
     double steepest = 1.0;
     for (int i = 0; i < panel->n_slopes; i++) steepest = fmax(steepest, fabs(panel->slope[i]));
     const double length = fmin(0.3 * x_span, 0.35 * y_span / steepest);
+    double label = 0.0;
     for (int i = 0; i < panel->n_slopes; i++) {
         const double side = panel->slope[i] < 0.0 ? -1.0 : 1.0;
         const double end = (side < 0.0 ? log10(x->lo) : log10(x->hi)) - side * 0.24 * x_span;
@@ -103,7 +104,7 @@ static void append_slopes(strbuf *out, const plot_panel *panel, const plot_axis 
         const double top = foot + fabs(panel->slope[i]) * length;
         strbuf_append(out,
                       "set label 'slope %.3g' at %.9g,%.9g %s offset %g,0 font ',11' textcolor rgb '" PLOT_INK "'\n",
-                      panel->slope[i], pow(10.0, end), pow(10.0, top), side < 0.0 ? "right" : "left", 0.5 * side);
+                      panel->slope[i], pow(10.0, end), pow(10.0, label), side < 0.0 ? "right" : "left", 0.5 * side);
         strbuf_append(out, "$slope%d << EOD\n%.9g %.9g\n%.9g %.9g\nEOD\n", i, pow(10.0, end - side * length),
                       pow(10.0, foot), pow(10.0, end), pow(10.0, top));
     }
@@ -188,15 +189,14 @@ void plot_append_script(strbuf *out, const plot_figure *f, const char *stem)
 {
     const size_t columns = f->columns < 1 ? 1 : (size_t)f->columns;
     const size_t rows = (f->n_panels + columns - 1) / columns;
-    const bool titled = text_or_empty(f->title)[0] != '\0';
+    const bool titled = !f->untitled && text_or_empty(f->title)[0] != '\0';
     const int height = PANEL_HEIGHT + KEY_ROW * key_rows(f);
     strbuf_append(out, "# In this folder: gnuplot %s.gp\nreset session\nset encoding utf8\n", stem);
     append_blocks(out, f);
     strbuf_append(out,
-                  "set terminal svg size %zu,%zu fixed noenhanced font 'sans-serif,13' background rgb '" PLOT_PAPER
-                  "' name '%s'\n"
+                  "set terminal svg size %zu,%zu fixed font 'sans-serif,13' background rgb '" PLOT_PAPER "'\n"
                   "set output '%s.svg'\n",
-                  columns * PANEL_WIDTH, rows * (size_t)height + (titled ? TITLE_HEIGHT : 0), stem, stem);
+                  columns * PANEL_WIDTH, rows * (size_t)height + (titled ? TITLE_HEIGHT : 0), stem);
     strbuf_append(out,
                   "set border 3 lc rgb '" PLOT_INK "'\nset grid lt 1 lw 1 dt 1 lc rgb '" PLOT_GRID "'\n"
                   "set multiplot layout %zu,%zu",

@@ -31,7 +31,7 @@ static void append_dark(strbuf *out, const char *light, const char *dark)
     }
 }
 
-static void append_style(strbuf *out)
+void plot_append_style(strbuf *out)
 {
     strbuf_append(out, "<style>\n@media (prefers-color-scheme: dark) {\n");
     strbuf_append(out, ".floe-plot [fill=\"" PLOT_PAPER "\"] { fill: #0d1117 }\n");
@@ -68,7 +68,7 @@ static void rewrite(strbuf *out, const char *at, const char *stem, const char *t
             strbuf_append(out, "<svg class=\"floe-plot\" role=\"img\"");
             at += strlen(head);
         } else if (strncmp(at, canvas, strlen(canvas)) == 0) {
-            append_style(out);
+            plot_append_style(out);
             strbuf_append(out, "%s", canvas);
             at += strlen(canvas);
         } else if (!named && strncmp(at, name, strlen(name)) == 0 && strstr(at, "</title>")) {

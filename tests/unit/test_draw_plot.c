@@ -111,9 +111,9 @@ static void writes_data_script_and_picture(void **state)
 {
     place *p = *state;
     const plot_figure figure = {
-        .name = "it's a/figure", .title = "O'Hara & <co>", .columns = 2, .panel = panels, .n_panels = 3};
+        .name = "01-it's a/figure.x", .title = "O'Hara & <co>", .columns = 2, .panel = panels, .n_panels = 3};
     check_ok(p->ctx, plot_write(p->ctx, p->dir, &figure));
-    char *csv = read_back(p, "it_s_a_figure.csv");
+    char *csv = read_back(p, "01-it_s_a_figure.x.csv");
     assert_int_equal(strncmp(csv, "panel,series,x,y,label\n", 23), 0);
     assert_int_equal(count(csv, "\n"), 1 + 4 + 4 + 4 + 4); /* every value, drawn or not */
     assert_non_null(strstr(csv, "\"it's an error\",\"ice-mpm's \"\"best\"\" <50%> "
@@ -122,7 +122,7 @@ static void writes_data_script_and_picture(void **state)
     assert_non_null(strstr(csv, ",0.025000000000000001,nan,\"gap\"\n"));
     memory_free(p->ctx, &csv);
 
-    char *script = read_back(p, "it_s_a_figure.gp");
+    char *script = read_back(p, "01-it_s_a_figure.x.gp");
     assert_non_null(strstr(script, "$p0s0 << EOD\n0.1 0.04 \"a 'quoted/n' one\"\n\n\n0.0125 0.00063 \"\"\nEOD\n"));
     assert_null(strstr(script, "$p0s1")); /* nothing to draw */
     assert_non_null(strstr(script, "title 'ice-mpm''s \"best\" <50%> a_b'"));
@@ -130,7 +130,7 @@ static void writes_data_script_and_picture(void **state)
     assert_non_null(strstr(script, "'no data'"));
     memory_free(p->ctx, &script);
 
-    assert_int_equal(is_there(p, "it_s_a_figure.svg"), has_gnuplot());
+    assert_int_equal(is_there(p, "01-it_s_a_figure.x.svg"), has_gnuplot());
     assert_int_equal(p->warnings, has_gnuplot() ? 0 : 1);
 }
 
