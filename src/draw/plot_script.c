@@ -102,6 +102,8 @@ static void append_slopes(strbuf *out, const plot_panel *panel, const plot_axis 
         const double end = (side < 0.0 ? log10(x->lo) : log10(x->hi)) - side * 0.24 * x_span;
         const double foot = log10(y->lo) + 0.05 * y_span;
         const double top = foot + fabs(panel->slope[i]) * length;
+        /* Labels keep a line's height apart. */
+        label = i > 0 ? fmax(top, label + 0.07 * y_span) : top;
         strbuf_append(out,
                       "set label 'slope %.3g' at %.9g,%.9g %s offset %g,0 font ',11' textcolor rgb '" PLOT_INK "'\n",
                       panel->slope[i], pow(10.0, end), pow(10.0, label), side < 0.0 ? "right" : "left", 0.5 * side);

@@ -126,7 +126,16 @@ static void writes_data_script_and_picture(void **state)
     assert_non_null(strstr(script, "$p0s0 << EOD\n0.1 0.04 \"a 'quoted/n' one\"\n\n\n0.0125 0.00063 \"\"\nEOD\n"));
     assert_null(strstr(script, "$p0s1")); /* nothing to draw */
     assert_non_null(strstr(script, "title 'ice-mpm''s \"best\" <50%> a_b'"));
-    assert_non_null(strstr(script, "'slope 2'"));
+    /* A label stands at the end of its line. */
+    double x, y, end[2];
+    const char *slope = strstr(script, "set label 'slope 1' at ");
+    const char *line = strstr(script, "$slope0 << EOD\n");
+    assert_non_null(slope);
+    assert_non_null(line);
+    assert_int_equal(sscanf(slope, "set label 'slope 1' at %lf,%lf", &x, &y), 2);
+    assert_int_equal(sscanf(line, "$slope0 << EOD\n%*f %*f\n%lf %lf", &end[0], &end[1]), 2);
+    assert_true(x == end[0] && y == end[1]);
+    assert_non_null(strstr(script, "set label 'slope 2'"));
     assert_non_null(strstr(script, "'no data'"));
     memory_free(p->ctx, &script);
 
