@@ -14,6 +14,7 @@ const cli_command cli_commands[] = {
     {"plan", "Show stages, fields, memory and steps of a scene, without running it", cmd_plan},
     {"run", "Run a scene", cmd_run},
     {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare},
+    {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture},
     {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list},
     {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new},
 };

@@ -6,7 +6,7 @@
 expect 0 "$FLOE" --version
 has stdout 'floe '
 expect 0 "$FLOE" --help
-for command in check plan run compare list new; do
+for command in check plan run compare picture list new; do
     has stdout "$command"
     expect 0 "$FLOE" "$command" --help
     expect 2 "$FLOE" "$command" --no-such-option

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# floe picture: PNG of any snapshot, by default and as asked for; errors that name what there is.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+
+# png FILE [WIDTH]: it is one, of that width (bytes 16 to 19), whole to its last chunk.
+png() {
+    is_there "$1"
+    [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fault "$1 is no PNG"
+    [ "$(tail -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 49454e44ae426082 ] || fault "$1 has no end"
+    [ "$(od -An -tu1 -j16 -N4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }')" = "${2:-720}" ] ||
+        fault "$1 is not ${2:-720} pixels wide"
+}
+
+short=(--quiet --set time.max_steps=40 --set 'output.interval=20 us')
+expect 0 "$FLOE" run "${tiny[@]}" "${short[@]}" -o mpm
+expect 0 "$FLOE" run "${tiny[@]}" "${short[@]}" --coupling ice-mpm -o ice-mpm
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/sod.yaml" --quiet --coupling ice --set time.max_steps=5 -o sod
+
+for run in mpm ice-mpm sod; do
+    last=$(find $run/fields -name '*.h5' | sort | tail -n 1)
+    expect 0 "$FLOE" picture $run
+    has stdout "$run/pictures/$(basename "$last" .h5).png"
+    png "$run/pictures/$(basename "$last" .h5).png"
+done
+
+# What is asked for is in the name; --all gives one a snapshot.
+expect 0 "$FLOE" picture mpm --time 0 --points sigma_theta --range -1e6:1e6 --dark --width 400
+png mpm/pictures/000000-sigma_theta-dark.png 400
+cmp -s mpm/pictures/000000-sigma_theta-dark.png mpm/pictures/000000.png && fault 'the same picture for another field'
+expect 0 "$FLOE" picture ice-mpm --points velocity_x --cells density_gas -o some.png
+png some.png
+expect 0 "$FLOE" picture ice-mpm --points none --all
+[ "$(wc -l <stdout)" = "$(find ice-mpm/fields -name '*.h5' | wc -l)" ] || fault 'not one picture a snapshot'
+while read -r file; do png "$file"; done <stdout
+
+# The same input, the same bytes.
+expect 0 "$FLOE" picture mpm -o a.png
+expect 0 "$FLOE" picture mpm -o b.png
+cmp a.png b.png || fault 'pictures of one snapshot differ'
+
+# Errors: what there is instead.
+expect 2 "$FLOE" picture mpm --points stress
+has stderr "there is no field 'stress' of points"
+has stderr 'sigma_r, sigma_theta, stress_xx'
+expect 2 "$FLOE" picture ice-mpm --cells temperature
+has stderr 'density_gas'
+expect 2 "$FLOE" picture mpm --points none --cells none
+has stderr 'nothing to draw'
+expect 2 "$FLOE" picture
+expect 2 "$FLOE" picture mpm --range 3
+expect 2 "$FLOE" picture mpm --range 3:2
+expect 2 "$FLOE" picture mpm --time soon
+expect 2 "$FLOE" picture mpm --all --time 1
+expect 2 "$FLOE" picture mpm --all -o one.png
+expect 2 "$FLOE" picture mpm --width 20
+expect 4 "$FLOE" picture nowhere
+has stderr 'nowhere'
+expect 4 "$FLOE" picture mpm -o no/such/folder/a.png
+has stderr 'no/such/folder'
+
+# A damaged snapshot is passed over; nothing is drawn of it.
+printf 'x' | dd of=mpm/fields/000000.h5 bs=1 seek=4000 conv=notrunc status=none
+expect 0 "$FLOE" picture mpm --time 0 -o next.png
+has stderr 'damaged'
+for file in mpm/fields/*.h5; do printf 'x' | dd of="$file" bs=1 seek=4000 conv=notrunc status=none; done
+expect 4 "$FLOE" picture mpm
