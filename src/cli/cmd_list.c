@@ -4,8 +4,8 @@
 #include "deck/errors.h"
 #include "geom/shape.h"
 #include "mpm/basis/basis.h"
+#include "verify/history_metric.h"
 #include "verify/metric.h"
-#include "verify/reference.h"
 
 #include <math.h>
 #include <string.h>
@@ -110,6 +110,11 @@ static void list_metrics(void)
     }
     printf("  rel_gas_pressure: |p - p_ref - P| / P of the fluid that a load pressurises, P verify.pressure; always "
            "there\n");
+    for (int k = 0; k < HISTORY_METRIC_COUNT; k++) {
+        const history_metric_kind kind = (history_metric_kind)k;
+        printf("  %s: %s\n", history_metric_pattern(kind), history_metric_doc(kind));
+    }
+    printf("  The X of hmax_X and its like is a quantity of verify.reference (floe list references).\n");
     printf("  No point or cell is excluded, nothing is smoothed; cells are compared with exact cell averages.\n  X:\n");
     for (int q = 0; q < EXACT_QUANTITY_COUNT; q++) {
         printf("      %-18s %-6s %s\n", exact_quantity_name((exact_quantity)q), exact_quantity_unit((exact_quantity)q),

@@ -74,6 +74,18 @@ static floe_status check_exact(reader *r)
     return bad_at(r, PATH("verify", "exact"), NULL, NULL, "%s", message);
 }
 
+static floe_status check_reference(reader *r)
+{
+    const deck_catalogue *catalogue = r->catalogue;
+    const scene_verify *verify = &r->scene->verify;
+    if (!catalogue || !catalogue->check_reference || !is_clean(r->root, PATH("verify", "reference"))) return FLOE_OK;
+    const floe_status status = catalogue->check_reference(r->ctx, verify->reference, verify->reference_par);
+    if (status != FLOE_BAD_INPUT) return status;
+    char message[400];
+    take_message(r->ctx, message, sizeof message);
+    return bad_at(r, PATH("verify", "reference"), NULL, NULL, "%s", message);
+}
+
 static floe_status check_metric(reader *r, const char **names, deck_node *item)
 {
     const deck_catalogue *catalogue = r->catalogue;
@@ -148,6 +160,7 @@ floe_status check_verify(reader *r)
 {
     TRY(check_study(r));
     TRY(check_exact(r));
+    TRY(check_reference(r));
     TRY(check_probes(r));
     return check_metrics(r);
 }

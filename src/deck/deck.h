@@ -13,6 +13,12 @@ typedef struct deck_exact { /* an exact solution, as far as the deck needs it */
     int min_dim, max_dim;
 } deck_exact;
 
+typedef struct deck_history_reference { /* a reference of histories */
+    const char *name, *doc, *cite;
+    const param_spec *params;
+    size_t n_params, param_size;
+} deck_history_reference;
+
 typedef struct deck_name {
     const char *name, *doc;
 } deck_name;
@@ -20,6 +26,8 @@ typedef struct deck_name {
 typedef struct deck_catalogue {
     const deck_exact *exact;
     size_t n_exact;
+    const deck_history_reference *reference;
+    size_t n_reference;
     const deck_name *basis;
     size_t n_basis;
     const deck_name *metric; /* "eq13"; "l1_X" stands for one name with each quantity for X */
@@ -31,6 +39,9 @@ typedef struct deck_catalogue {
     const char *(*check_metric)(const char *name, const scene *s);
     /* FLOE_BAD_INPUT with the context's message when the parameters contradict each other; may be NULL. */
     floe_status (*check_exact)(context *ctx, const char *name, const void *par, int dim);
+    floe_status (*check_reference)(context *ctx, const char *name, const void *par);
+    /* The i-th quantity of a reference; NULL at the end. NULL function: no quantity is known. */
+    const char *(*reference_quantity)(const char *name, size_t i);
 } deck_catalogue;
 
 /* `--set K=V` of the command line, in order: later ones win. */

@@ -140,3 +140,29 @@ static const char *exact_check(const model_entry *entry, const void *par, int di
 }
 
 const model_family family_exact = {"exact solution", exact_get, exact_store, exact_fetch, exact_check};
+
+static bool reference_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
+{
+    if (!catalogue || i >= catalogue->n_reference) return false;
+    const deck_history_reference *m = &catalogue->reference[i];
+    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    return true;
+}
+
+static void reference_store(void *field, const model_entry *entry, void *par)
+{
+    scene_verify *v = field;
+    snprintf(v->reference, sizeof v->reference, "%s", entry->name);
+    v->reference_par = par;
+}
+
+static bool reference_fetch(const void *field, const char **name, const void **par)
+{
+    const scene_verify *v = field;
+    if (!v->reference[0]) return false;
+    *name = v->reference;
+    *par = v->reference_par;
+    return true;
+}
+
+const model_family family_reference = {"reference", reference_get, reference_store, reference_fetch, NULL};

@@ -7,12 +7,14 @@
 /* schema_items.c */
 extern const named_items items_materials, items_bodies, items_loads, items_probes;
 /* families.c */
-extern const model_family family_shape, family_law, family_eos, family_exact;
+extern const model_family family_shape, family_law, family_eos, family_exact, family_reference;
 /* boundaries.c */
 extern const custom_key custom_boundaries;
 extern const variants boundary_kinds;
 /* custom.c */
 extern const custom_key custom_version, custom_runs_as, custom_stress_state, custom_cfl, custom_metrics, custom_basis;
+/* columns.c */
+extern const custom_key custom_columns;
 /* study.c */
 extern const custom_key custom_axis, custom_axes, custom_quantities, custom_bars;
 extern const choice coupling_choices[];

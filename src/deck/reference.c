@@ -192,7 +192,8 @@ static const char preface[] =
     "one.\n"
     "  Octal, hexadecimal, `nan` and `inf` are refused.\n"
     "* **Lists over the axes** have as many entries as `domain.dim`; in one dimension a number will do.\n"
-    "* **Models** (laws, equations of state, shapes, exact solutions) are written `{name: {parameter: value}}`.\n"
+    "* **Models** (laws, equations of state, shapes, exact solutions, references) are written `{name: {parameter: "
+    "value}}`.\n"
     "* **Names** of materials, bodies, loads and probes are letters, digits, `_` and `-`, a letter first.\n"
     "* `--set KEY=VALUE` replaces any key on the command line: `--set domain.cell=0.0125`,\n"
     "  `--set materials.steel.law.linear_elastic.bulk_modulus='120 GPa'`, `--set domain.lower.0=-1` (list entries "
@@ -212,6 +213,7 @@ floe_status deck_reference(char **text, context *ctx, const deck_catalogue *cata
     print_family(&p, "Laws of solids", &family_law);
     print_family(&p, "Equations of state", &family_eos);
     print_family(&p, "Exact solutions", &family_exact);
+    print_family(&p, "References of histories", &family_reference);
     if (catalogue && catalogue->n_basis > 0) print_names(&p, "Bases", catalogue->basis, catalogue->n_basis);
     if (catalogue && catalogue->n_metric > 0) print_names(&p, "Metrics", catalogue->metric, catalogue->n_metric);
     if (catalogue && catalogue->n_quantity > 0)

@@ -138,7 +138,12 @@ static const key_spec output_keys[] = {
 static const key_table output_table = TABLE(output_keys);
 
 static const key_spec verify_keys[] = {
-    {"exact", KEY_MODEL, .family = &family_exact, .required = true, .doc = "exact solution to compare with"},
+    {"exact", KEY_MODEL, .family = &family_exact, .otherwise = "none; metrics of fields need it",
+     .doc = "exact solution that fields are compared with"},
+    {"reference", KEY_MODEL, .family = &family_reference, .otherwise = "none; metrics of histories need it",
+     .doc = "reference that columns of history.csv are compared with"},
+    {"history", KEY_CUSTOM, .custom = &custom_columns, .otherwise = "none",
+     .doc = "the column of history.csv, without its unit, that is compared with a quantity of the reference"},
     {"metrics", KEY_CUSTOM, .custom = &custom_metrics, .otherwise = "none", .doc = "errors that are reported"},
     {"body", KEY_BODY, AT(scene_verify, body), .otherwise = "all points of the material",
      .doc = "whose points are measured"},
@@ -202,7 +207,8 @@ static const key_spec deck_keys[] = {
      .otherwise = "the run goes on to time.end", .doc = "the run ends once the solids are at rest"},
     {"method", KEY_MAP, AT(scene, method), .table = &method_table, .doc = "numerical method"},
     {"output", KEY_MAP, .table = &output_table, .doc = "what is written"},
-    {"verify", KEY_MAP, AT(scene, verify), .table = &verify_table, .doc = "comparison with an exact solution"},
+    {"verify", KEY_MAP, AT(scene, verify), .table = &verify_table,
+     .doc = "comparison with an exact solution or a reference"},
     {"compare", KEY_MAP, .table = &compare_table, .doc = "the axis of `floe compare`"},
     {"study", KEY_MAP, AT(scene, study), .table = &study_table, .present = 1 + offsetof(scene, study.given),
      .otherwise = "none", .doc = "the batch of `floe study`"},

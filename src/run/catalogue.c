@@ -3,17 +3,32 @@
 #include "base/memory.h"
 #include "mpm/basis/basis.h"
 #include "verify/exact.h"
+#include "verify/history_metric.h"
 #include "verify/metric.h"
 
 #include <math.h>
+#include <string.h>
+
+static const char *check_history_metric(const char *quantity, const scene *s)
+{
+    const reference_model *model = reference_find(s->verify.reference);
+    if (!model) return "needs verify.reference";
+    if (reference_quantity_find(model, quantity) == model->n_quantities) return "the reference has no such quantity";
+    for (int i = 0; i < s->verify.n_columns; i++) {
+        if (strcmp(s->verify.column[i].quantity, quantity) == 0) return NULL;
+    }
+    return "verify.history names no column for its quantity";
+}
 
 /* NULL when the metric can be measured in the scene, "" when there is none of that name, else why it cannot be. */
 static const char *check_metric(const char *name, const scene *s)
 {
     metric m;
+    const char *quantity;
+    if (history_metric_parse(name, &quantity) != HISTORY_METRIC_COUNT) return check_history_metric(quantity, s);
     if (metric_parse(NULL, name, &m) != FLOE_OK) return "";
     const exact_model *model = exact_find(s->verify.exact);
-    if (!model) return NULL; /* that is another error */
+    if (!model) return "needs verify.exact";
     if (m.kind == METRIC_EQ13) {
         if (!exact_param(model, s->verify.exact_par, "inner_radius") ||
             !exact_param(model, s->verify.exact_par, "outer_radius"))
@@ -33,22 +48,44 @@ static floe_status check_exact(context *ctx, const char *name, const void *par, 
     return FLOE_OK;
 }
 
+static floe_status check_reference(context *ctx, const char *name, const void *par)
+{
+    const reference_model *model = reference_find(name);
+    reference r;
+    if (!model) return fail(ctx, FLOE_BAD_INPUT, "there is no reference '%s'", name);
+    TRY(reference_create(ctx, model, par, &r));
+    reference_destroy(ctx, &r);
+    return FLOE_OK;
+}
+
+static const char *reference_quantity_name(const char *name, size_t i)
+{
+    const reference_model *model = reference_find(name);
+    return model && i < model->n_quantities ? model->quantities[i].name : NULL;
+}
+
 /* The catalogue and its lists, in one piece. */
 typedef struct catalogue_box {
-    deck_catalogue catalogue; /* first: its address is that of the box */
-    deck_exact *exact;        /* owned */
-    deck_name *basis;         /* owned */
-    deck_name metric[METRIC_COUNT];
+    deck_catalogue catalogue;          /* first: its address is that of the box */
+    deck_exact *exact;                 /* owned */
+    deck_history_reference *reference; /* owned */
+    deck_name *basis;                  /* owned */
+    deck_name metric[METRIC_COUNT + HISTORY_METRIC_COUNT];
 } catalogue_box;
 
 static floe_status fill(catalogue_box *box, context *ctx)
 {
     TRY(memory_new(ctx, &box->exact, exact_registry_size, sizeof *box->exact));
+    TRY(memory_new(ctx, &box->reference, reference_registry_size, sizeof *box->reference));
     TRY(memory_new(ctx, &box->basis, basis_registry_size, sizeof *box->basis));
     for (size_t i = 0; i < exact_registry_size; i++) {
         const exact_model *m = exact_registry[i];
         box->exact[i] =
             (deck_exact){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m->min_dim, m->max_dim};
+    }
+    for (size_t i = 0; i < reference_registry_size; i++) {
+        const reference_model *m = reference_registry[i];
+        box->reference[i] = (deck_history_reference){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size};
     }
     for (size_t i = 0; i < basis_registry_size; i++)
         box->basis[i] = (deck_name){basis_registry[i]->name, basis_registry[i]->doc};
@@ -56,14 +93,22 @@ static floe_status fill(catalogue_box *box, context *ctx)
         const metric_description d = metric_describe((metric_kind)i);
         box->metric[i] = (deck_name){d.name, d.doc};
     }
+    for (int i = 0; i < HISTORY_METRIC_COUNT; i++) {
+        const history_metric_kind kind = (history_metric_kind)i;
+        box->metric[METRIC_COUNT + i] = (deck_name){history_metric_pattern(kind), history_metric_doc(kind)};
+    }
     box->catalogue = (deck_catalogue){.exact = box->exact,
                                       .n_exact = exact_registry_size,
+                                      .reference = box->reference,
+                                      .n_reference = reference_registry_size,
                                       .basis = box->basis,
                                       .n_basis = basis_registry_size,
                                       .metric = box->metric,
-                                      .n_metric = METRIC_COUNT,
+                                      .n_metric = METRIC_COUNT + HISTORY_METRIC_COUNT,
                                       .check_metric = check_metric,
-                                      .check_exact = check_exact};
+                                      .check_exact = check_exact,
+                                      .check_reference = check_reference,
+                                      .reference_quantity = reference_quantity_name};
     return FLOE_OK;
 }
 
@@ -83,6 +128,7 @@ void catalogue_destroy(context *ctx, deck_catalogue **catalogue)
     if (!catalogue || !*catalogue) return;
     catalogue_box *box = (catalogue_box *)*catalogue;
     memory_free(ctx, &box->exact);
+    memory_free(ctx, &box->reference);
     memory_free(ctx, &box->basis);
     memory_free(ctx, &box);
     *catalogue = NULL;

@@ -152,6 +152,8 @@ static floe_status finish(run *r, run_summary *out)
     if (snapshot_last_time(r->output.snapshots) < r->sim->time) TRY(output_snapshot(&r->output, r->sim));
     TRY(checkpoint(r));
     TRY(measure_errors(r->sim, &r->solution, out));
+    output_path(&r->output, "history.csv", path);
+    TRY(measure_history(r->sim, path, out));
     output_path(&r->output, "profile.csv", path);
     return measure_profile(r->sim, &r->solution, path);
 }
@@ -184,6 +186,7 @@ static floe_status begin(run *r)
     TRY(initial_exact(r->scene, &r->solution));
     initial_attach(r->scene, &r->solution);
     TRY(sim_create(&r->sim, r->ctx, r->scene, r->scene->coupling));
+    TRY(measure_history_check(r->sim));
     TRY(o->resume ? output_resume(&r->output, r->sim, o->dir) : output_begin(&r->output, r->sim, o->dir));
     r->began = true;
     r->earlier = r->output.checkpoint.wall_seconds;

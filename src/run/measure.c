@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "run/pressure.h"
 #include "run/subject.h"
+#include "verify/history_metric.h"
 #include "verify/metric.h"
 
 #include <math.h>
@@ -146,6 +147,8 @@ floe_status measure_errors(sim *s, const exact *solution, run_summary *r)
         const subject what = find_subject(s, solution);
         metric m;
         double value = (double)NAN;
+        const char *of_history;
+        if (history_metric_parse(v->metric[i], &of_history) != HISTORY_METRIC_COUNT) continue;
         TRY(metric_parse(s->ctx, v->metric[i], &m));
         TRY(m.kind == METRIC_EQ13 ? measure_eq13(&what, &value) : measure_norm(&what, &m, &value));
         TRY(summary_add_error(r, s->ctx, v->metric[i], value));

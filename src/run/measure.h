@@ -10,6 +10,11 @@
  * With verify.pressure also `rel_gas_pressure`, |p - p_ref - P| / P of the fluid that a load pressurises. */
 floe_status measure_errors(sim *s, const exact *solution, run_summary *r);
 
+/* Refuses columns of verify.history that the history of `s` does not have. Errors: FLOE_BAD_INPUT with the names that it has. */
+floe_status measure_history_check(const sim *s);
+/* Adds the scene's metrics of histories, measured on all rows of the history at `path`, to the summary's errors. */
+floe_status measure_history(sim *s, const char *path, run_summary *r);
+
 /* DIR/profile.csv, the run beside its exact solution: in one dimension every quantity of verify.metrics along x; in more, where the
  * solution has a radial stress, the stresses of the row of points nearest the x axis through its centre, in the order of r. Else
  * nothing is done. */

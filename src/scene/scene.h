@@ -20,6 +20,7 @@ enum {
     SCENE_MAX_AXES = 6,
     SCENE_MAX_BARS = 32,
     SCENE_MAX_METRICS = 24,
+    SCENE_MAX_COLUMNS = 12,
     SCENE_NAME = 64
 };
 
@@ -140,9 +141,18 @@ typedef struct scene_output {
     double checkpoint_interval; /* s of wall time between checkpoints; INFINITY: only at the end and on a signal */
 } scene_output;
 
+/* A column of history.csv, and the quantity of verify.reference that it is compared with. */
+typedef struct scene_column {
+    char quantity[SCENE_NAME], name[2 * SCENE_NAME];
+} scene_column;
+
 typedef struct scene_verify {
-    char exact[SCENE_NAME]; /* "" : none. Name in exact_registry */
-    void *exact_par;        /* its parameters */
+    char exact[SCENE_NAME];     /* "" : none. Name in exact_registry */
+    void *exact_par;            /* its parameters */
+    char reference[SCENE_NAME]; /* of histories, "": none. Name in reference_registry */
+    void *reference_par;        /* its parameters */
+    scene_column column[SCENE_MAX_COLUMNS];
+    int n_columns;
     char metric[SCENE_MAX_METRICS][SCENE_NAME];
     int n_metrics;
     int body;              /* whose points are measured; -1: all points or cells of `material` */

@@ -23,7 +23,7 @@ expect 2 "$FLOE" compare "$cylinder" --axis domain.cell --quiet
 has stderr 'KEY=V1,V2'
 
 expect 0 "$FLOE" list
-for topic in materials eos laws shapes bases exact metrics boundaries fields; do
+for topic in materials eos laws shapes bases exact references metrics boundaries fields; do
     has stdout "$topic"
     "$FLOE" list "$topic" >"list-$topic" || fault "list $topic"
 done
@@ -33,7 +33,9 @@ has list-eos 'ideal'
 has list-shapes 'annulus'
 has list-bases 'quadratic'
 has list-exact 'lame'
+has list-references 'hanging_mass'
 has list-metrics 'eq13'
+has list-metrics 'hmax_X'
 has list-boundaries 'outlet'
 has list-fields 'P_STRESS'
 expect 2 "$FLOE" list metric
