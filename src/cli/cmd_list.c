@@ -4,6 +4,7 @@
 #include "deck/errors.h"
 #include "geom/shape.h"
 #include "mpm/basis/basis.h"
+#include "mpm/normal/normal.h"
 #include "verify/history_metric.h"
 #include "verify/metric.h"
 
@@ -68,6 +69,12 @@ static void list_bases(void)
         printf("      %d nodes along an axis, %d continuous derivative%s\n", m->support, m->smoothness,
                m->smoothness == 1 ? "" : "s");
     }
+}
+
+static void list_normals(void)
+{
+    for (size_t i = 0; i < normal_registry_size; i++)
+        print_entry(normal_registry[i]->name, normal_registry[i]->doc, normal_registry[i]->cite, NULL, 0);
 }
 
 static void print_provided(const exact_model *m)
@@ -155,6 +162,7 @@ static const struct {
     {"laws", "laws of solids", list_laws},
     {"shapes", "shapes of bodies and regions", list_shapes},
     {"bases", "basis functions of material points", list_bases},
+    {"normals", "normals of bodies in contact", list_normals},
     {"exact", "exact solutions", list_exact},
     {"references", "what histories are compared with", list_references},
     {"metrics", "errors that can be measured", list_metrics},
@@ -190,7 +198,7 @@ static const struct argp argp = {
     .args_doc = "[TOPIC]",
     .doc =
         "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, laws, "
-        "shapes, bases, exact, references, metrics, boundaries, fields; without one the topics are listed.",
+        "shapes, bases, normals, exact, references, metrics, boundaries, fields; without one the topics are listed.",
 };
 
 int cmd_list(cli *c, int argc, char **argv)

@@ -62,7 +62,7 @@ static const char completion[] =
     "        run) words='--output --coupling --set --threads --resume --max-wall --quiet --help' files=yes ;;\n"
     "        compare) words='--axis --output --set --threads --jobs --quiet --help' files=yes ;;\n"
     "        picture) words='--time --all --points --cells --range --dark --width --output --help' files=yes ;;\n"
-    "        list) words='materials eos laws shapes bases exact metrics boundaries fields' ;;\n"
+    "        list) words='materials eos laws shapes bases normals exact metrics boundaries fields' ;;\n"
     "        new) words='--output --schema --reference --completion --help' ;;\n"
     "        esac\n"
     "        case ${COMP_WORDS[COMP_CWORD - 1]} in\n"

@@ -230,5 +230,6 @@ floe_status check_scene(reader *r)
     TRY(check_time(r));
     TRY(check_bodies(r));
     TRY(check_loads(r));
+    TRY(check_contact(r));
     return check_verify(r);
 }

@@ -189,27 +189,95 @@ static const char *basis_candidate(const void *user, size_t i)
     return catalogue && i < catalogue->n_basis ? catalogue->basis[i].name : NULL;
 }
 
-static floe_status read_basis(reader *r, const key_spec *key, deck_node *node, void *base)
+/* One of the names that the catalogue lists, as text. */
+static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, void *base, const char *noun,
+                               const char *(*candidate)(const void *user, size_t i))
 {
-    char *basis = (char *)base + key->offset;
+    char *name = (char *)base + key->offset;
     if (!node) return FLOE_OK; /* scene_create has set the default */
     if (node->kind == NODE_SCALAR) {
-        for (size_t i = 0; basis_candidate(r->catalogue, i); i++) {
-            if (strcmp(basis_candidate(r->catalogue, i), node->text) != 0) continue;
-            snprintf(basis, key->size, "%s", node->text);
+        for (size_t i = 0; candidate(r->catalogue, i); i++) {
+            if (strcmp(candidate(r->catalogue, i), node->text) != 0) continue;
+            snprintf(name, key->size, "%s", node->text);
             return FLOE_OK;
         }
     }
-    return bad_name(r, node, false, "basis", basis_candidate, r->catalogue);
+    return bad_name(r, node, false, noun, candidate, r->catalogue);
 }
 
-static void write_basis(writer *w, const key_spec *key, const void *base)
+static void write_listed(writer *w, const key_spec *key, const void *base)
 {
     write_key_name(w, key->key);
     text_print(&w->out, " %s\n", (const char *)base + key->offset);
 }
 
-const custom_key custom_basis = {read_basis, write_basis, "the name of a basis", NULL};
+static floe_status read_basis(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    return read_listed(r, key, node, base, "basis", basis_candidate);
+}
+
+const custom_key custom_basis = {read_basis, write_listed, "the name of a basis", NULL};
+
+/* ---- contact.normals ---- */
+
+static const char *normal_candidate(const void *user, size_t i)
+{
+    const deck_catalogue *catalogue = user;
+    return catalogue && i < catalogue->n_normal ? catalogue->normal[i].name : NULL;
+}
+
+static floe_status read_normals(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    return read_listed(r, key, node, base, "kind of normals", normal_candidate);
+}
+
+const custom_key custom_normals = {read_normals, write_listed, "the name of a kind of normals", NULL};
+
+/* ---- contact.between: all, or [body, body, ...] ---- */
+
+static const char *body_candidate(const void *user, size_t i)
+{
+    const scene *s = user;
+    return i < (size_t)s->n_bodies ? s->body[i].name : NULL;
+}
+
+static floe_status read_contact_body(reader *r, deck_node *item, scene_contact *contact)
+{
+    const int body = item->kind == NODE_SCALAR ? find_body(r->scene, item->text) : -1;
+    if (body < 0) return bad_name(r, item, false, "body", body_candidate, r->scene);
+    for (int i = 0; i < contact->n_bodies; i++) {
+        if (contact->body[i] == body) return bad(r, item, NULL, "body '%s' is listed twice", item->text);
+    }
+    if (contact->n_bodies == SCENE_MAX_CONTACT)
+        return bad(r, item, NULL, "more than %d bodies in contact", SCENE_MAX_CONTACT);
+    contact->body[contact->n_bodies++] = body;
+    return FLOE_OK;
+}
+
+static floe_status read_between(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    if (!node || (node->kind == NODE_SCALAR && strcmp(node->text, "all") == 0)) return FLOE_OK;
+    if (node->kind != NODE_LIST || node->n < 2) {
+        char found[80];
+        node_describe(node, found, sizeof found);
+        return bad(r, node, custom_between.form, "'%s' is %s", key->key, node->kind == NODE_LIST ? "too short" : found);
+    }
+    for (deck_node *item = node->first; item; item = item->next) TRY(read_contact_body(r, item, base));
+    return FLOE_OK;
+}
+
+static void write_between(writer *w, const key_spec *key, const void *base)
+{
+    const scene_contact *contact = base;
+    write_key_name(w, key->key);
+    for (int i = 0; i < contact->n_bodies; i++)
+        text_print(&w->out, "%s%s", i == 0 ? " [" : ", ", w->scene->body[contact->body[i]].name);
+    text_print(&w->out, contact->n_bodies > 0 ? "]\n" : " all\n");
+}
+
+const custom_key custom_between = {
+    read_between, write_between, "all, or a list of two bodies or more",
+    "{\"oneOf\": [{\"const\": \"all\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}, \"minItems\": 2}]}"};
 
 /* ---- verify.metrics: [eq13, l1_sigma_r] ---- */
 

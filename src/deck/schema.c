@@ -80,6 +80,44 @@ static const key_spec stop_keys[] = {
 };
 static const key_table stop_table = TABLE(stop_keys);
 
+static const choice contact_choices[] = {
+    {"release", CONTACT_RELEASE, "one velocity where bodies approach, each its own where they part (Y97 A.1)"},
+    {"stick", CONTACT_STICK, "one velocity wherever bodies meet, as without a contact"},
+    {"friction", CONTACT_FRICTION, "no penetration along the normal, Coulomb friction across it"},
+    {0},
+};
+static const choice criterion_choices[] = {
+    {"pair", CONTACT_PAIR, "they approach by their velocities (Y97 eq. 9.7)"},
+    {"mean", CONTACT_MEAN, "the first of them moves into the centre-of-mass field (Y97 eq. 9.8)"},
+    {"both", CONTACT_BOTH, "they part if each moves out of that field along its own normal (Y97 eq. 9.9)"},
+    {0},
+};
+
+static bool contact_has_normal(const scene *s, const void *contact)
+{
+    (void)s;
+    return ((const scene_contact *)contact)->kind != CONTACT_STICK;
+}
+static bool contact_rubs(const scene *s, const void *contact)
+{
+    (void)s;
+    return ((const scene_contact *)contact)->kind == CONTACT_FRICTION;
+}
+
+static const key_spec contact_keys[] = {
+    {"between", KEY_CUSTOM, .custom = &custom_between, .otherwise = "all solid bodies",
+     .doc = "bodies with velocities of their own; all others stick to what they meet"},
+    {"kind", KEY_CHOICE, AT(scene_contact, kind), .fallback = "release", .choices = contact_choices,
+     .doc = "what bodies do where they meet"},
+    {"criterion", KEY_CHOICE, AT(scene_contact, criterion), .fallback = "pair", .choices = criterion_choices,
+     .applies = contact_has_normal, .belongs = "kinds release and friction", .doc = "when two bodies are in contact"},
+    {"friction", KEY_NUMBER, NULL, PARAM_NONNEGATIVE, AT(scene_contact, friction), .fallback = "0",
+     .applies = contact_rubs, .belongs = "kind friction", .doc = "coefficient mu"},
+    {"normals", KEY_CUSTOM, AT(scene_contact, normals), .custom = &custom_normals, .otherwise = "colour",
+     .doc = "how the normals of bodies on the grid are made"},
+};
+static const key_table contact_table = TABLE(contact_keys);
+
 static const choice stress_choices[] = {
     {"usl", STRESS_USL, "stress updated last"},
     {"usf", STRESS_USF, "stress updated first"},
@@ -201,6 +239,9 @@ static const key_spec deck_keys[] = {
     {"bodies", KEY_NAMED, AT(scene, body), .items = &items_bodies,
      .doc = "regions filled with a material at the start"},
     {"loads", KEY_NAMED, AT(scene, load), .items = &items_loads, .doc = "what acts on the scene from outside"},
+    {"contact", KEY_MAP, AT(scene, contact), .table = &contact_table, .present = 1 + offsetof(scene, contact.enabled),
+     .otherwise = "bodies of material points stick to each other where they meet",
+     .doc = "contact of bodies of material points, in coupling mpm"},
     {"damping", KEY_MAP, AT(scene, damping), .table = &damping_table, .doc = "damping of material points"},
     {"time", KEY_MAP, AT(scene, time), .table = &time_table, .required = true, .doc = "time stepping"},
     {"stop", KEY_MAP, AT(scene, rest), .table = &stop_table, .present = 1 + offsetof(scene, rest.enabled),

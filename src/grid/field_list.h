@@ -43,6 +43,10 @@
     X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                    \
     X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH,                                                   \
       "a_i = (v_i^L - v_i) / dt after boundary conditions")                                                          \
+    X(N_NORMAL, "node_normal", NODE, VECTOR, "m2", SCRATCH,                                                          \
+      "towards the outside of a body, of no unit length: sum of V0_p times a gradient")                              \
+    X(N_TOUCH, "node_touch", NODE, SCALAR, "1", SCRATCH,                                                             \
+      "bits of the groups that it moves with (from 0 on) and slides on (from 16 on)")                                \
     X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")    \
     /* cells, instance: material */                                                                                  \
     X(C_RHO, "density", CELL, SCALAR, "kg/m3", STATE, "rho^r: mass of material r per cell volume")                   \

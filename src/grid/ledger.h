@@ -20,6 +20,7 @@ typedef enum ledger_kind {
     LEDGER_SOURCE,   /* heating, body forces, tractions, prescribed motion */
     LEDGER_DAMPING,  /* taken by viscous damping and by FLIP/PIC blending, where it is known */
     LEDGER_DEFECT,   /* floors, clamps, guards, deleted points */
+    LEDGER_CONTACT,  /* work of the forces between bodies in contact */
     LEDGER_KINDS
 } ledger_kind;
 
@@ -32,6 +33,9 @@ typedef enum ledger_count {
     COUNT_POINTS_LOST,
     COUNT_SMALL_NODES,
     COUNT_REORDERS,
+    COUNT_CONTACT_STICK, /* pairs of bodies at nodes, over the steps: that move as one, slide, or part */
+    COUNT_CONTACT_SLIP,
+    COUNT_CONTACT_RELEASE,
     LEDGER_COUNTS
 } ledger_count;
 

@@ -123,7 +123,7 @@ static bool is_used(const sim *s, int quantity)
 
 static void add_ledger(line *l)
 {
-    static const char *const kinds[LEDGER_KINDS] = {"boundary", "source", "damping", "defect"};
+    static const char *const kinds[LEDGER_KINDS] = {"boundary", "source", "damping", "defect", "contact"};
     const ledger *account = &l->s->ledger;
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         const char *name = ledger_quantity_name((ledger_quantity)q);
@@ -132,11 +132,26 @@ static void add_ledger(line *l)
     }
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS && is_used(l->s, q); k++) {
+            if (k == LEDGER_CONTACT && !(l->s->scene->contact.enabled && q == LEDGER_ENERGY)) continue;
             const ledger_sum *sum = &account->entry[q][k];
             char quantity[NAME_SIZE];
             (void)snprintf(quantity, sizeof quantity, "ledger_%s", ledger_quantity_name((ledger_quantity)q));
             add_named(l, quantity, kinds[k], unit_of(q), l->whole * (sum->value + sum->carry));
         }
+    }
+}
+
+/* What bodies in contact hand to each other. */
+static void add_contact(line *l, const history_row *row)
+{
+    for (int b = 0; l->s->mpm && b < l->s->mpm->n_bodies; b++) {
+        if (!scene_in_contact(l->s->scene, l->s->mpm->body[b].scene_body)) continue;
+        char label[NAME_SIZE], name[NAME_SIZE + 16];
+        double momentum[MESH_MAX_DIM] = {0.0};
+        body_label(l->s, l->s->mpm->body[b].scene_body, label);
+        (void)snprintf(name, sizeof name, "momentum_%s", label);
+        for (int a = 0; row && a < MESH_MAX_DIM; a++) momentum[a] = l->whole * row->totals->mpm.momentum[b][a];
+        add_vector(l, name, "N s", momentum);
     }
 }
 
@@ -168,6 +183,7 @@ static floe_status walk(const sim *s, const history_row *row, strbuf *out)
     add(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
     add_ledger(&l);
+    add_contact(&l, row);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);
     strbuf_append(out, "\n");
     return out->status;

@@ -1,5 +1,6 @@
 /* From the scene to a set of bodies, fields and kernels. */
 #include "base/memory.h"
+#include "mpm/contact.h"
 #include "mpm/work.h"
 
 #include <math.h>
@@ -27,12 +28,16 @@ static int thread_count(void)
 }
 #endif
 
-/* Velocity fields: one for all points in pure MPM (no slip is inherent); one a solid material when the cells couple them. */
-static int group_of(const mpm *s, int material)
+/* Velocity fields. In pure MPM one for all points (no slip is inherent), but that a body in contact has its own; one a solid
+ * material when the cells couple them. */
+static int group_of(const mpm *s, int index)
 {
-    if (!s->coupled) return 0;
-    for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].scene_material == material) return s->body[b].group;
+    const bool apart = scene_in_contact(s->scene, index);
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const bool same = s->coupled ? s->body[b].scene_material == s->scene->body[index].material
+                                     : !apart && !scene_in_contact(s->scene, s->body[b].scene_body);
+        if (same) return s->body[b].group;
+    }
     return s->n_groups;
 }
 
@@ -50,9 +55,8 @@ static void resolve_body(mpm *s, int index)
     b->specific_heat = m->specific_heat;
     b->artificial[0] = m->artificial_linear;
     b->artificial[1] = m->artificial_quadratic;
-    b->group = group_of(s, b->scene_material);
+    b->group = group_of(s, index);
     if (b->group == s->n_groups) s->n_groups++;
-    if (s->n_groups == 0) s->n_groups = 1;
     s->needs_F = s->needs_F || (b->law->needs & SOLID_NEEDS_F) != 0;
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
     s->artificial = s->artificial || has_artificial(b);
@@ -95,9 +99,10 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     for (int b = 0; b < sc->n_bodies; ++b)
         if (!coupled || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
     if (s->n_groups > MPM_MAX_GROUPS)
-        return fail(s->ctx, FLOE_BAD_INPUT, "%d solid materials are more than the %d that a coupled run holds",
-                    s->n_groups, MPM_MAX_GROUPS);
-    return make_work(s);
+        return fail(s->ctx, FLOE_BAD_INPUT, "%d velocity fields are more than the %d that a run holds", s->n_groups,
+                    MPM_MAX_GROUPS);
+    TRY(make_work(s));
+    return sc->contact.enabled && !coupled ? contact_create(s) : FLOE_OK;
 }
 
 floe_status mpm_create(mpm **out, context *ctx, const scene *sc, const mesh *m, stage_list *stages, ledger *l,
@@ -123,6 +128,7 @@ void mpm_destroy(mpm **s)
         memory_free(ctx, &(*s)->work->surface_next);
     }
     memory_free(ctx, &(*s)->work);
+    contact_destroy(*s);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b)
         for (int k = 0; k < SCENE_MAX_BODIES; ++k) memory_free(ctx, &(*s)->points[b][k].tile_start);
     memory_free(ctx, s);
@@ -155,7 +161,8 @@ floe_status mpm_register(mpm *s, domain *d)
     for (int id = 0; id < FIELD_COUNT; ++id)
         if (s->stages->uses[id]) TRY(register_field(s, (field_id)id));
     const size_t components = 1 + 2 * (size_t)s->mesh->dim;
-    TRY(domain_reserve_partials(d, (size_t)s->work->window_nodes * components));
+    const size_t nodes = (size_t)s->work->window_nodes * components, normals = s->contact ? contact_partials(s) : 0;
+    TRY(domain_reserve_partials(d, nodes > normals ? nodes : normals));
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int k = 0; k < s->n_bodies; ++k)
             TRY(memory_new(s->ctx, &s->points[b][k].tile_start, (size_t)s->mesh->block[b].n_tiles + 1, sizeof(size_t)));

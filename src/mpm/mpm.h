@@ -11,7 +11,7 @@
 #include "mpm/basis/basis.h"
 #include "scene/scene.h"
 
-enum { MPM_MAX_GROUPS = 8 };
+enum { MPM_MAX_GROUPS = FIELD_MAX_INSTANCES };
 
 /* Points of one body. Instance b of the point fields is body b of this list. */
 typedef struct mpm_body {
@@ -44,6 +44,7 @@ typedef struct mpm {
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;
+    struct mpm_contact *contact;          /* owned; NULL: no body has a velocity of its own */
     bool coupled;                         /* cells hold the fluids: velocities at n, grid pressure on the points */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     int n_history;                        /* the most numbers that a body's law remembers */
@@ -63,12 +64,14 @@ floe_status mpm_register(mpm *s, domain *d);
 /* Seeds the points of every body (geom/seed), sorted into blocks and tiles. */
 floe_status mpm_seed(mpm *s);
 
-/* Stages (numerics 4.1). */
+/* Stages (numerics 4.1; contact: contact.h). */
 floe_status mpm_points_to_nodes(mpm *s);   /* m_i, m_i v_i; and f_i when nothing else will change the stress */
-floe_status mpm_node_velocity(mpm *s);     /* v_i, walls */
+floe_status mpm_contact_normals(mpm *s);   /* where bodies in contact meet */
+floe_status mpm_node_velocity(mpm *s);     /* v_i, walls, contact */
 floe_status mpm_stress_first(mpm *s);      /* USF: stress from v_i^n */
 floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) grad S + external */
 floe_status mpm_node_update(mpm *s);       /* v_i^L with damping and walls */
+floe_status mpm_contact_velocity(mpm *s);  /* v_i^L of bodies in contact */
 floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
 floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
 floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress */

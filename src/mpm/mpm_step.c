@@ -24,6 +24,15 @@ static bool is_usf(const mpm *s)
 {
     return s->scene->method.stress == STRESS_USF;
 }
+static bool has_contact(const mpm *s)
+{
+    return s->contact != NULL;
+}
+/* Forces come with the masses where nothing changes the stress before they are used, or where a contact is foreseen with them. */
+bool forces_at_once(const mpm *s)
+{
+    return !s->coupled && (!is_usf(s) || has_contact(s));
+}
 static bool is_musl(const mpm *s)
 {
     return s->scene->method.stress == STRESS_MUSL;
@@ -36,16 +45,19 @@ static bool is_usl(const mpm *s)
 
 floe_status mpm_mass_stages(mpm *s)
 {
-    const bool gimp = s->basis->kind == BASIS_GIMP, force = !s->coupled && !is_usf(s);
+    const bool gimp = s->basis->kind == BASIS_GIMP, force = forces_at_once(s);
     STAGE(s, ALWAYS, mpm_points_to_nodes, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(gimp, P_HALF), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
+    STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, WHEN(gimp, P_HALF)),
+          WRITES(N_NORMAL));
     return FLOE_OK;
 }
 
 floe_status mpm_force_stages(mpm *s)
 {
     const bool usf = is_usf(s), apart = s->coupled || usf;
-    STAGE(s, usf, mpm_node_velocity, READS(N_MASS, N_MOMENTUM), WRITES(N_VEL));
+    STAGE(s, usf, mpm_node_velocity,
+          READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL)), WRITES(N_VEL));
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, POINT_STATE), WRITES(POINT_STATE));
     STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
@@ -54,11 +66,14 @@ floe_status mpm_force_stages(mpm *s)
 
 floe_status mpm_motion_stages(mpm *s)
 {
+    STAGE(s, has_contact(s), mpm_contact_velocity, READS(N_MASS, N_MOMENTUM, N_NORMAL, N_VEL_L),
+          WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     STAGE(s, is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE));
     STAGE(s, !is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL), WRITES(P_POS, P_VEL));
-    STAGE(s, is_musl(s), mpm_remap_stress, READS(P_POS, P_VEL, POINT_STATE),
+    STAGE(s, is_musl(s), mpm_remap_stress,
+          READS(P_POS, P_VEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     return FLOE_OK;
 }

@@ -1,4 +1,5 @@
 /* What happens at the nodes between the two passes over the points. */
+#include "mpm/contact.h"
 #include "mpm/work.h"
 
 #include <math.h>
@@ -30,8 +31,9 @@ floe_status mpm_node_velocity(mpm *s)
     for (int g = 0; g < s->n_groups; ++g) {
         for (int b = 0; b < s->mesh->n_blocks; ++b) divide_momentum(s, b, g, N_VEL);
         impose_walls(s, g, N_VEL);
-        extend_to_ghosts(s, g, N_VEL);
     }
+    if (s->contact) contact_velocities(s, s->scene->method.stress == STRESS_USF ? CONTACT_FORESEE : CONTACT_REPEAT);
+    for (int g = 0; g < s->n_groups; ++g) extend_to_ghosts(s, g, N_VEL);
     return FLOE_OK;
 }
 

@@ -12,7 +12,7 @@ enum {
 
 floe_status mpm_points_to_nodes(mpm *s)
 {
-    const bool all = !s->coupled && s->scene->method.stress != STRESS_USF;
+    const bool all = forces_at_once(s);
     for (int g = 0; g < s->n_groups; ++g) TRY(scatter_group(s, g, all ? SCATTER_ALL : SCATTER_MOMENTUM, false, false));
     return FLOE_OK;
 }

@@ -105,16 +105,12 @@ static void tiles_about(const mesh *m, int reach, int axis, int g, int *first, i
     if (*last > m->tiles[axis] - 1) *last = m->tiles[axis] - 1;
 }
 
-typedef struct node_target {
-    double *array[MPM_MAX_COMPONENTS];
-    int components;
-} node_target;
-
 static node_target target_of(const mpm *s, int blk, int group, scatter_mode mode)
 {
     const fields *f = s->domain->fields[blk];
     const int dim = s->mesh->dim;
-    node_target t = {.components = components_of(mode, dim)};
+    node_target t = {.components = components_of(mode, dim), .reach = s->work->reach};
+    memcpy(t.window, s->work->window, sizeof t.window);
     int c = 0;
     if (mode != SCATTER_FORCE) {
         t.array[c++] = field_get(f, N_MASS, group, 0);
@@ -129,7 +125,7 @@ static node_target target_of(const mpm *s, int blk, int group, scatter_mode mode
 static void add_row(const mpm *s, const block *b, const node_target *out, const int tile[3], int j, int k)
 {
     const mesh *m = s->mesh;
-    const int reach = s->work->reach, *window = s->work->window;
+    const int reach = out->reach, *window = out->window;
     const int x0 = tile[0] * m->tile[0] - reach;
     const int lo = x0 > b->lo[0] - 1 ? x0 : b->lo[0] - 1;
     const int end = x0 + window[0], top = b->lo[0] + b->n[0] + 2;
@@ -150,7 +146,7 @@ static void add_row(const mpm *s, const block *b, const node_target *out, const 
 static void gather_row(const mpm *s, const block *b, const node_target *out, int j, int k)
 {
     const mesh *m = s->mesh;
-    const int reach = s->work->reach;
+    const int reach = out->reach;
     int y0, y1, z0, z1, x0, x1, unused;
     tiles_about(m, reach, 1, j, &y0, &y1);
     tiles_about(m, reach, 2, k, &z0, &z1);
@@ -163,17 +159,15 @@ static void gather_row(const mpm *s, const block *b, const node_target *out, int
             for (int x = x0; x <= x1; ++x) add_row(s, b, out, (const int[]){x, y, z}, j, k);
 }
 
-/* Every node that a block sees (its own and one ghost layer) is the sum of its tiles' partials in global order. */
-static void gather_nodes(const mpm *s, int blk, int group, scatter_mode mode)
+void gather_nodes(const mpm *s, int blk, const node_target *out)
 {
     const mesh *m = s->mesh;
     const block *b = &m->block[blk];
-    const node_target out = target_of(s, blk, group, mode);
     const int rows = m->dim > 1 ? b->n[1] + 3 : 1, planes = m->dim > 2 ? b->n[2] + 3 : 1;
 #pragma omp parallel for schedule(static) collapse(2)
     for (int k = 0; k < planes; ++k)
         for (int j = 0; j < rows; ++j)
-            gather_row(s, b, &out, m->dim > 1 ? b->lo[1] + j - 1 : 0, m->dim > 2 ? b->lo[2] + k - 1 : 0);
+            gather_row(s, b, out, m->dim > 1 ? b->lo[1] + j - 1 : 0, m->dim > 2 ? b->lo[2] + k - 1 : 0);
 }
 
 floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress, bool next_velocity)
@@ -184,7 +178,10 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
         for (int t = 0; t < m->block[b].n_tiles; ++t) scatter_tile(s, group, b, t, mode, next_stress, next_velocity);
     }
     domain_share_partials(s->domain);
-    for (int b = 0; b < m->n_blocks; ++b) gather_nodes(s, b, group, mode);
+    for (int b = 0; b < m->n_blocks; ++b) {
+        const node_target out = target_of(s, b, group, mode);
+        gather_nodes(s, b, &out);
+    }
     if (mode != SCATTER_FORCE) {
         domain_fold_periodic(s->domain, N_MASS, group);
         domain_fold_periodic(s->domain, N_MOMENTUM, group);

@@ -92,6 +92,16 @@ static void fold_side(const mpm *s, int blk, int axis, int side, int group, bool
     }
 }
 
+void fold_vector(mpm *s, int group, field_id id)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int axis = 0; axis < s->mesh->dim; ++axis)
+            for (int side = 0; side < 2; ++side)
+                for (int c = 0; c < s->mesh->dim; ++c)
+                    if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis])
+                        fold_array(s, b, axis, side, c == axis, field_get(s->domain->fields[b], id, group, c));
+}
+
 void fold_walls(mpm *s, int group, bool momentum, bool force)
 {
     if (s->work->reach == 0) return;
@@ -143,11 +153,16 @@ typedef struct wall_rule {
     double impulse[MESH_MAX_DIM], work;
 } wall_rule;
 
+bool wall_holds(const mpm *s, int axis, int side, int component)
+{
+    return holds(s, axis, side) || (mirrors(s, axis, side) && component == axis);
+}
+
 static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field_id velocity)
 {
     wall_rule r = {.s = s, .group = group, .axis = axis, .velocity = velocity};
     for (int c = 0; c < s->mesh->dim; ++c) {
-        r.hold[c] = holds(s, axis, side) || (mirrors(s, axis, side) && c == axis);
+        r.hold[c] = wall_holds(s, axis, side, c);
         r.target[c] = holds(s, axis, side) ? s->scene->bc.side[axis][side].velocity[c] : 0.0;
     }
     return r;

@@ -104,8 +104,21 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
 
 /* Point-to-grid of one mode for a group: tile partials, then node fields in global tile order (p2g.c). */
 floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress, bool next_velocity);
+/* Node arrays that tiles' partials are summed into; a tile's partials hold the nodes of its window, interleaved. */
+typedef struct node_target {
+    double *array[MPM_MAX_COMPONENTS];
+    int components;
+    int reach;                /* nodes that the window begins before its tile */
+    int window[MESH_MAX_DIM]; /* nodes of it along each axis */
+} node_target;
+
+/* Every node that a block sees (its own and one ghost layer) becomes the sum of its active tiles' partials, in global order. */
+void gather_nodes(const mpm *s, int blk, const node_target *out);
 /* Copies the window of a tile from node arrays: `count` components interleaved (tile.c). */
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window);
+
+/* Whether forces are scattered with the masses (mpm_step.c). */
+bool forces_at_once(const mpm *s);
 
 /* What a pass over the points adds to the energy (J): heating loads, and the reference pressure's work. */
 enum { GAIN_HEAT, GAIN_REFERENCE, MPM_GAINS };
@@ -121,6 +134,10 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
 
 /* Walls (wall.c): folding of sums into the nodes of the mesh, and what the walls make of velocities. */
 void fold_walls(mpm *s, int group, bool momentum, bool force);
+/* Whether a side of the domain holds a component of its nodes' velocity. */
+bool wall_holds(const mpm *s, int axis, int side, int component);
+/* Folds a vector of the nodes that points reached beyond the sides. */
+void fold_vector(mpm *s, int group, field_id id);
 void impose_walls(mpm *s, int group, field_id velocity);
 void extend_to_ghosts(mpm *s, int group, field_id id);
 void enter_mirrors(

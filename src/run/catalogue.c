@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "mpm/basis/basis.h"
+#include "mpm/normal/normal.h"
 #include "verify/exact.h"
 #include "verify/history_metric.h"
 #include "verify/metric.h"
@@ -70,6 +71,7 @@ typedef struct catalogue_box {
     deck_exact *exact;                 /* owned */
     deck_history_reference *reference; /* owned */
     deck_name *basis;                  /* owned */
+    deck_name *normal;                 /* owned */
     deck_name metric[METRIC_COUNT + HISTORY_METRIC_COUNT];
 } catalogue_box;
 
@@ -78,6 +80,7 @@ static floe_status fill(catalogue_box *box, context *ctx)
     TRY(memory_new(ctx, &box->exact, exact_registry_size, sizeof *box->exact));
     TRY(memory_new(ctx, &box->reference, reference_registry_size, sizeof *box->reference));
     TRY(memory_new(ctx, &box->basis, basis_registry_size, sizeof *box->basis));
+    TRY(memory_new(ctx, &box->normal, normal_registry_size, sizeof *box->normal));
     for (size_t i = 0; i < exact_registry_size; i++) {
         const exact_model *m = exact_registry[i];
         box->exact[i] =
@@ -89,6 +92,8 @@ static floe_status fill(catalogue_box *box, context *ctx)
     }
     for (size_t i = 0; i < basis_registry_size; i++)
         box->basis[i] = (deck_name){basis_registry[i]->name, basis_registry[i]->doc};
+    for (size_t i = 0; i < normal_registry_size; i++)
+        box->normal[i] = (deck_name){normal_registry[i]->name, normal_registry[i]->doc};
     for (int i = 0; i < METRIC_COUNT; i++) {
         const metric_description d = metric_describe((metric_kind)i);
         box->metric[i] = (deck_name){d.name, d.doc};
@@ -103,6 +108,8 @@ static floe_status fill(catalogue_box *box, context *ctx)
                                       .n_reference = reference_registry_size,
                                       .basis = box->basis,
                                       .n_basis = basis_registry_size,
+                                      .normal = box->normal,
+                                      .n_normal = normal_registry_size,
                                       .metric = box->metric,
                                       .n_metric = METRIC_COUNT + HISTORY_METRIC_COUNT,
                                       .check_metric = check_metric,
@@ -130,6 +137,7 @@ void catalogue_destroy(context *ctx, deck_catalogue **catalogue)
     memory_free(ctx, &box->exact);
     memory_free(ctx, &box->reference);
     memory_free(ctx, &box->basis);
+    memory_free(ctx, &box->normal);
     memory_free(ctx, &box);
     *catalogue = NULL;
 }

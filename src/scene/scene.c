@@ -22,6 +22,15 @@ const char *coupling_name(scene_coupling coupling)
     return name[coupling];
 }
 
+bool scene_in_contact(const scene *s, int body)
+{
+    if (!s->contact.enabled) return false;
+    if (s->contact.n_bodies == 0) return s->material[s->body[body].material].kind == MATERIAL_SOLID;
+    for (int k = 0; k < s->contact.n_bodies; ++k)
+        if (s->contact.body[k] == body) return true;
+    return false;
+}
+
 static void set_defaults(scene *s)
 {
     s->mesh.dim = 2;
@@ -29,6 +38,7 @@ static void set_defaults(scene *s)
     s->coupling = COUPLING_MPM;
     s->ambient_material = -1;
     strcpy(s->method.basis, "quadratic");
+    strcpy(s->contact.normals, "colour");
     s->method.flip = 0.99;
     s->method.conserve_energy = true;
     s->method.exchange = 1e15;

@@ -21,6 +21,7 @@ enum {
     SCENE_MAX_BARS = 32,
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,
+    SCENE_MAX_CONTACT = 15, /* bodies in contact: each has a velocity field of its own */
     SCENE_NAME = 64
 };
 
@@ -107,6 +108,25 @@ typedef struct scene_method {
     double heat_exchange;     /* R, W/(m3 K) */
     double volume_relaxation; /* beta of numerics 5.5 */
 } scene_method;
+
+typedef enum contact_kind {
+    CONTACT_STICK,   /* one velocity wherever bodies meet: the no-slip contact that is inherent in one field */
+    CONTACT_RELEASE, /* the same while they approach, each its own while they part (Y97 A.1) */
+    CONTACT_FRICTION /* unilateral along the normal, Coulomb friction across it (Bardenhagen et al. 2000) */
+} contact_kind;
+
+/* When two bodies at a node approach (Y97 eqs 9.7 to 9.9). */
+typedef enum contact_criterion { CONTACT_PAIR, CONTACT_MEAN, CONTACT_BOTH } contact_criterion;
+
+typedef struct scene_contact {
+    bool enabled;
+    int body[SCENE_MAX_CONTACT]; /* the bodies in contact with each other */
+    int n_bodies;                /* 0: all solid bodies */
+    contact_kind kind;
+    contact_criterion criterion;
+    double friction;          /* coefficient; CONTACT_FRICTION */
+    char normals[SCENE_NAME]; /* colour, mass: normal_registry */
+} scene_contact;
 
 typedef struct scene_time {
     double end;              /* s */
@@ -214,6 +234,7 @@ typedef struct scene {
     int n_bodies;
     scene_load load[SCENE_MAX_LOADS];
     int n_loads;
+    scene_contact contact;
     scene_method method;
     scene_time time;
     scene_damping damping;
@@ -233,6 +254,8 @@ typedef struct scene {
 floe_status scene_create(scene **out, context *ctx);
 /* Frees the scene and everything its pointers lead to. */
 void scene_destroy(scene **s);
+/* Whether a body takes part in the scene's contact. */
+bool scene_in_contact(const scene *s, int body);
 /* Storage that lives as long as the scene (parameter structs). */
 floe_status scene_allocate(scene *s, void *out, size_t size);
 

@@ -23,7 +23,7 @@ expect 2 "$FLOE" compare "$cylinder" --axis domain.cell --quiet
 has stderr 'KEY=V1,V2'
 
 expect 0 "$FLOE" list
-for topic in materials eos laws shapes bases exact references metrics boundaries fields; do
+for topic in materials eos laws shapes bases normals exact references metrics boundaries fields; do
     has stdout "$topic"
     "$FLOE" list "$topic" >"list-$topic" || fault "list $topic"
 done

@@ -19,6 +19,7 @@ typedef struct catalogue_store {
     deck_catalogue catalogue;
 } catalogue_store;
 
+static const deck_name test_normals[] = {{"colour", "colour function"}, {"mass", "gradient of mass"}};
 static const deck_name test_bases[] = {{"linear", "hat functions"}, {"gimp", "GIMP"}, {"quadratic", "B-splines"}};
 
 static floe_status test_check_exact(context *ctx, const char *name, const void *par, int dim)
@@ -56,6 +57,8 @@ static void make_catalogue(catalogue_store *store)
     c->exact = store->exact;
     c->metric = store->metric;
     c->quantity = store->quantity;
+    c->normal = test_normals;
+    c->n_normal = sizeof test_normals / sizeof test_normals[0];
     c->basis = test_bases;
     c->n_basis = sizeof test_bases / sizeof test_bases[0];
     c->check_exact = test_check_exact;

@@ -37,7 +37,7 @@ typedef struct variant {
     stress_scheme stress;
     int blocks[2];
     int threads;
-    bool periodic, axisymmetric, plastic;
+    bool periodic, axisymmetric, plastic, contact;
 } variant;
 
 /* A fast elastic disc that crosses the seams, and one of another law in its way. */
@@ -71,6 +71,9 @@ static shot run(const variant *v)
     b->velocity[0] = -0.4;
     scene_load *gravity = add_load(&t, LOAD_BODY_FORCE, 0);
     gravity->vector[1] = -0.3;
+    t.scene->contact.enabled = v->contact;
+    t.scene->contact.kind = CONTACT_FRICTION;
+    t.scene->contact.friction = 0.3;
     use_threads(v->threads);
     trial_start(&t);
     trial_steps(&t, STEPS);
@@ -136,13 +139,18 @@ static void test_plastic(void **state)
     check_variants((variant){.basis = "quadratic", .plastic = true});
 }
 
+static void test_contact(void **state)
+{
+    (void)state;
+    check_variants((variant){.basis = "linear", .stress = STRESS_USF, .contact = true});
+    check_variants((variant){.basis = "quadratic", .stress = STRESS_MUSL, .contact = true, .periodic = true});
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_periodic),
-        cmocka_unit_test(test_axisymmetric),
-        cmocka_unit_test(test_plastic),
+        cmocka_unit_test(test_blocks),  cmocka_unit_test(test_periodic), cmocka_unit_test(test_axisymmetric),
+        cmocka_unit_test(test_plastic), cmocka_unit_test(test_contact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

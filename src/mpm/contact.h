@@ -1,0 +1,63 @@
+/* Contact of bodies that have velocity fields of their own (Y97 appendix A.1; Bardenhagen, Brackbill, Sulsky 2000).
+ *
+ * Each body of the scene's contact is a group of its own at the nodes; all others share one. Where groups meet at a node, the
+ * contact corrects their velocities: after forces and walls have acted on v^L, and on the velocities that USF and MUSL
+ * take strains from, which obey what v^L decided. Pairs exchange equal and opposite impulses along one normal, so that momentum is kept whatever their number.
+ * Bodies outside the contact stick to what they meet, as they do without it. */
+#ifndef MPM_CONTACT_H
+#define MPM_CONTACT_H
+
+#include "mpm/mpm.h"
+#include "mpm/normal/normal.h"
+
+struct mpm_contact {
+    const normal_model *normal;
+    bool named[MPM_MAX_GROUPS]; /* a body of the contact; else the group of all others */
+    int window[MESH_MAX_DIM];   /* nodes of a tile's window of the normals */
+    int window_nodes;
+    bool *near; /* per global tile: bodies meet in it or in one beside it; owned */
+};
+
+floe_status contact_create(mpm *s);
+void contact_destroy(mpm *s);
+/* Doubles that the normals take of a tile's partials. */
+size_t contact_partials(const mpm *s);
+/* What is done at the nodes where groups meet. */
+typedef enum contact_act {
+    CONTACT_DECIDE,  /* v^L is corrected, and who touches whom is kept in N_TOUCH; work and counts are entered */
+    CONTACT_FORESEE, /* USF: the same from v + kick f/m with the forces so far, but only v_i is corrected */
+    CONTACT_REPEAT   /* MUSL: v_i is corrected as v^L was */
+} contact_act;
+void contact_velocities(mpm *s, contact_act act);
+
+/* What one group brings to a node. */
+typedef struct contact_body {
+    double mass;      /* kg */
+    double v0[3];     /* m/s: velocity that the step began with */
+    double v[3];      /* m/s: in, before contact; out, after it */
+    double normal[3]; /* outward, of no unit length */
+    bool named;
+} contact_body;
+
+typedef enum contact_state { CONTACT_FREE, CONTACT_SLIDES, CONTACT_STICKS } contact_state;
+
+typedef struct contact_node {
+    int n; /* bodies, at least two */
+    int dim;
+    bool held[3]; /* components that a wall holds: normals have none */
+    contact_body body[MPM_MAX_GROUPS];
+    contact_state state[MPM_MAX_GROUPS][MPM_MAX_GROUPS]; /* of the pair a, b where a < b */
+} contact_node;
+
+/* Pairs of bodies that move as one, slide on each other, or are free. */
+typedef struct contact_tally {
+    int stick, slip, release;
+} contact_tally;
+
+/* The velocities that a contact leaves at a node, and the states of its pairs; the sum of mass times velocity stays, to round-off. */
+contact_tally contact_resolve(const scene_contact *rule, contact_node *node);
+/* The velocities nearest to those given that obey the states: no motion within pairs that stick, none along the normal of those that
+ * slide. */
+void contact_impose(contact_node *node);
+
+#endif

@@ -1,0 +1,125 @@
+/* Normals of the bodies at the nodes about which they meet. */
+#include "mpm/contact.h"
+#include "mpm/work.h"
+
+#include <string.h>
+
+/* Two groups have mass at a node of the tile, its upper ones included. */
+static bool meet_in_tile(const mpm *s, int blk, const tile_box *t)
+{
+    const mesh *m = s->mesh;
+    const block *b = &m->block[blk];
+    const int nodes[MESH_MAX_DIM] = {t->cells[0] + 1, m->dim > 1 ? t->cells[1] + 1 : 1,
+                                     m->dim > 2 ? t->cells[2] + 1 : 1};
+    for (int k = 0; k < nodes[2]; ++k)
+        for (int j = 0; j < nodes[1]; ++j)
+            for (int i = 0; i < nodes[0]; ++i) {
+                const ptrdiff_t at =
+                    mesh_index(b, t->first[0] - b->lo[0] + i, t->first[1] - b->lo[1] + j, t->first[2] - b->lo[2] + k);
+                int groups = 0;
+                for (int g = 0; g < s->n_groups; ++g)
+                    groups += field_get(s->domain->fields[blk], N_MASS, g, 0)[at] > 0.0;
+                if (groups > 1) return true;
+            }
+    return false;
+}
+
+/* Marks a tile and those about it: from there points reach its nodes. */
+static void mark_about(const mpm *s, const tile_box *t)
+{
+    const mesh *m = s->mesh;
+    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = 0; a < m->dim; ++a) {
+        lo[a] = t->first[a] / m->tile[a] - 1;
+        hi[a] = lo[a] + 2;
+    }
+    for (int k = lo[2]; k <= hi[2]; ++k)
+        for (int j = lo[1]; j <= hi[1]; ++j)
+            for (int i = lo[0]; i <= hi[0]; ++i) {
+                int tile[MESH_MAX_DIM] = {i, j, k};
+                bool inside = true;
+                for (int a = 0; a < m->dim; ++a) {
+                    if (m->periodic[a]) tile[a] = (tile[a] + m->tiles[a]) % m->tiles[a];
+                    inside = inside && tile[a] >= 0 && tile[a] < m->tiles[a];
+                }
+                if (inside) s->contact->near[tile[0] + m->tiles[0] * (tile[1] + m->tiles[1] * tile[2])] = true;
+            }
+}
+
+static void find_meetings(mpm *s)
+{
+    memset(s->contact->near, 0, mesh_tiles(s->mesh) * sizeof *s->contact->near);
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
+            const tile_box box = tile_box_of(s->mesh, &s->mesh->block[b], t);
+            if (meet_in_tile(s, b, &box)) mark_about(s, &box);
+        }
+}
+
+/* Adds what one point gives to the window of its tile. */
+static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, double *window)
+{
+    const mesh *m = s->mesh;
+    const struct mpm_contact *c = s->contact;
+    normal_weights w[MESH_MAX_DIM];
+    int first[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = 0; a < MESH_MAX_DIM; ++a) w[a] = (normal_weights){.n = 1, .w = {1.0}};
+    for (int a = 0; a < m->dim; ++a) {
+        const double inv_h = 1.0 / m->h[a], at = (p->x[a][k] - m->lower[a]) * inv_h - t->first[a];
+        int cell = (int)at;
+        cell = cell < 0 ? 0 : cell >= t->cells[a] ? t->cells[a] - 1 : cell;
+        w[a] = c->normal->weights(s->basis, at - cell, p->half[a] ? p->half[a][k] * inv_h : 0.5, inv_h);
+        first[a] = cell + w[a].first + c->normal->reach;
+    }
+    for (int z = 0; z < w[2].n; ++z)
+        for (int y = 0; y < w[1].n; ++y)
+            for (int x = 0; x < w[0].n; ++x) {
+                const int node = first[0] + x + c->window[0] * (first[1] + y + c->window[1] * (first[2] + z));
+                const double slope[MESH_MAX_DIM] = {w[0].dw[x] * w[1].w[y] * w[2].w[z],
+                                                    w[0].w[x] * w[1].dw[y] * w[2].w[z],
+                                                    w[0].w[x] * w[1].w[y] * w[2].dw[z]};
+                for (int a = 0; a < m->dim; ++a) window[(ptrdiff_t)node * m->dim + a] += p->volume0[k] * slope[a];
+            }
+}
+
+static void scatter_tile(const mpm *s, int group, int blk, int tile)
+{
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
+    double *out = domain_tile(s->domain, box.number);
+    bool any = false;
+    for (int body = 0; s->contact->near[box.number] && body < s->n_bodies; ++body) {
+        const size_t *start = s->points[blk][body].tile_start;
+        if (s->body[body].group != group || start[tile] == start[tile + 1]) continue;
+        if (!any) memset(out, 0, contact_partials(s) * sizeof *out);
+        any = true;
+        const point_arrays p = points_of(s, blk, body, false, false);
+        for (size_t k = start[tile]; k < start[tile + 1]; ++k) scatter_point(s, &box, &p, k, out);
+    }
+    s->work->active[box.number] = any;
+}
+
+static void gather_normals(const mpm *s, int group)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        node_target to = {.components = s->mesh->dim, .reach = s->contact->normal->reach};
+        memcpy(to.window, s->contact->window, sizeof to.window);
+        for (int a = 0; a < s->mesh->dim; ++a) to.array[a] = field_get(s->domain->fields[b], N_NORMAL, group, a);
+        gather_nodes(s, b, &to);
+    }
+}
+
+floe_status mpm_contact_normals(mpm *s)
+{
+    find_meetings(s);
+    for (int g = 0; g < s->n_groups; ++g) {
+        for (int b = 0; b < s->mesh->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 4)
+            for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) scatter_tile(s, g, b, t);
+        }
+        domain_share_partials(s->domain);
+        gather_normals(s, g);
+        domain_fold_periodic(s->domain, N_NORMAL, g);
+        fold_vector(s, g, N_NORMAL);
+    }
+    return FLOE_OK;
+}

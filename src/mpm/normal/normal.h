@@ -1,0 +1,32 @@
+/* Normals of bodies on the grid: the gradient of a function that falls from the inside of a body to its outside, smoothed over
+ * the nodes. One file adds one: normal_<name>.c ends in a const descriptor `normal_<name>`, a smoothing kernel along an axis;
+ * the kernel of a node is the product over the axes, and
+ *     n_i = sum_p V0_p grad_p (kernel of node i at x_p),
+ * which points out of the body. Points weigh by their volume: where bodies of unequal stuff meet, the one with more of it at a
+ * node says more on the direction there (contact.h). */
+#ifndef MPM_NORMAL_NORMAL_H
+#define MPM_NORMAL_NORMAL_H
+
+#include "mpm/basis/basis.h"
+
+enum { NORMAL_MAX_SUPPORT = 4 };
+
+/* Kernel along one axis at the nodes that a point reaches. */
+typedef struct normal_weights {
+    int first, n; /* offset of the first node from the lower node of the cell, and how many there are */
+    double w[NORMAL_MAX_SUPPORT], dw[NORMAL_MAX_SUPPORT]; /* 1, 1/m: derivative with the point's position */
+} normal_weights;
+
+typedef struct normal_model {
+    const char *name, *doc, *cite;
+    int reach; /* nodes beyond its own cell that a point reaches, at most */
+    /* xi, half, inv_h: as a basis takes them (basis.h). */
+    normal_weights (*weights)(const basis_model *basis, double xi, double half, double inv_h);
+} normal_model;
+
+extern const normal_model *const normal_registry[];
+extern const size_t normal_registry_size;
+/* NULL if there is none of that name. */
+const normal_model *normal_find(const char *name);
+
+#endif
