@@ -24,15 +24,18 @@ static bool is_usf(const mpm *s)
 {
     return s->scene->method.stress == STRESS_USF;
 }
+
 static bool has_contact(const mpm *s)
 {
     return s->contact != NULL;
 }
+
 /* Forces come with the masses where nothing changes the stress before they are used, or where a contact is foreseen with them. */
 bool forces_at_once(const mpm *s)
 {
     return !s->coupled && (!is_usf(s) || has_contact(s));
 }
+
 static bool is_musl(const mpm *s)
 {
     return s->scene->method.stress == STRESS_MUSL;
