@@ -98,16 +98,6 @@ static const struct argp argp = {
            "1-D gives curves over x, one in 3-D the plane through its middle.",
 };
 
-/* The snapshot nearest to the wanted time; without one, the last. */
-static long choose(const snapshot_times *t, double time)
-{
-    size_t best = t->n - 1;
-    for (size_t i = 0; i < t->n && !isnan(time); i++) {
-        if (fabs(t->entry[i].time - time) < fabs(t->entry[best].time - time)) best = i;
-    }
-    return t->entry[best].number;
-}
-
 /* "DIR/pictures/000004-sigma_r-dark.png": what was asked for tells pictures of one snapshot apart. */
 static void name_file(const arguments *a, long number, char path[2 * CLI_PATH])
 {
@@ -134,6 +124,23 @@ static floe_status draw(cli *c, const arguments *a, long number)
     return FLOE_OK;
 }
 
+static floe_status draw_last(cli *c, const arguments *a)
+{
+    snapshot_time last;
+    TRY(snapshot_last(&last, c->ctx, a->dir));
+    return draw(c, a, last.number);
+}
+
+/* The snapshot nearest to the wanted time. */
+static floe_status draw_nearest(cli *c, const arguments *a, const snapshot_times *t)
+{
+    size_t best = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        if (fabs(t->entry[i].time - a->time) < fabs(t->entry[best].time - a->time)) best = i;
+    }
+    return draw(c, a, t->entry[best].number);
+}
+
 static floe_status draw_all(cli *c, arguments *a, const snapshot_times *t)
 {
     TRY(field_picture_common_range(c->ctx, a->dir, t, &a->options));
@@ -144,13 +151,20 @@ static floe_status draw_all(cli *c, arguments *a, const snapshot_times *t)
     return FLOE_OK;
 }
 
+static floe_status draw_chosen(cli *c, arguments *a)
+{
+    snapshot_times times;
+    if (!a->all && isnan(a->time)) return draw_last(c, a);
+    TRY(snapshot_times_read(&times, c->ctx, a->dir));
+    const floe_status status = a->all ? draw_all(c, a, &times) : draw_nearest(c, a, &times);
+    snapshot_times_free(c->ctx, &times);
+    return status;
+}
+
 int cmd_picture(cli *c, int argc, char **argv)
 {
     arguments a = {.time = NAN};
-    snapshot_times times;
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    floe_status status = snapshot_times_read(&times, c->ctx, a.dir);
-    if (status == FLOE_OK) status = a.all ? draw_all(c, &a, &times) : draw(c, &a, choose(&times, a.time));
-    snapshot_times_free(c->ctx, &times);
+    const floe_status status = draw_chosen(c, &a);
     return status == FLOE_OK ? 0 : cli_fail(c, status);
 }

@@ -119,7 +119,7 @@ static void draw_bar_colours(sketch *k, int n, double x, double y, double width)
     canvas *c = &k->paper;
     const double height = BAR_HEIGHT * c->unit;
     cairo_set_antialias(c->cr, CAIRO_ANTIALIAS_NONE);
-    for (double i = 0; i < width; i++) {
+    for (int i = 0; i < (int)width; i++) {
         canvas_colour(c, colour_of(&k->map[n], i / fmax(1.0, width - 1)));
         cairo_rectangle(c->cr, x + i, y, 1, height);
         cairo_fill(c->cr);

@@ -210,8 +210,11 @@ void scale_make_ticks(const scale *s, int most, scale_ticks *out)
     while (floor(high / step + 1e-9) - ceil(low / step - 1e-9) + 1 > most) step = round_above(1.01 * step);
     const int decimals = (int)fmax(0.0, -floor(log10(step) + 1e-9));
     out->n = 0;
-    for (double k = ceil(low / step - 1e-9); k <= high / step + 1e-9 && out->n < most; k++) {
-        out->value[out->n] = s->offset + s->factor * (k * step);
-        print_number(out->label[out->n++], "%.*f", decimals, k * step);
+    const double first = ceil(low / step - 1e-9);
+    for (int i = 0; i < most && first + i <= high / step + 1e-9; i++) {
+        const double shown = (first + i) * step;
+        out->value[i] = s->offset + s->factor * shown;
+        print_number(out->label[i], "%.*f", decimals, shown);
+        out->n = i + 1;
     }
 }

@@ -5,6 +5,8 @@
 #include "io/snapshot_folder.h"
 
 #include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { PATH = 2 * SNAPSHOT_TEXT + 16 };
@@ -45,27 +47,50 @@ static floe_status add_time(snapshot_times *out, context *ctx, const char *dir, 
     return FLOE_OK;
 }
 
-static floe_status add_times(snapshot_times *out, context *ctx, const char *dir, const snapshot_numbers *list)
+static int compare_times(const void *a, const void *b)
+{
+    const snapshot_time *x = a, *y = b;
+    return (x->number > y->number) - (x->number < y->number);
+}
+
+/* From the last one on, at most `most`. */
+static floe_status add_times(snapshot_times *out, context *ctx, const char *dir, const snapshot_numbers *list,
+                             size_t most)
 {
     TRY(memory_new(ctx, &out->entry, list->n, sizeof *out->entry));
-    for (size_t i = 0; i < list->n; i++) TRY(add_time(out, ctx, dir, list->number[i]));
+    for (size_t i = list->n; i > 0 && out->n < most; i--) TRY(add_time(out, ctx, dir, list->number[i - 1]));
+    if (out->n > 1) qsort(out->entry, out->n, sizeof *out->entry, compare_times);
     if (out->n > 0) return FLOE_OK;
     return fail(ctx, FLOE_IO, "'%s/fields' holds no %ssnapshot: is '%s' the folder of a run?", dir,
                 list->n > 0 ? "readable " : "", dir);
 }
 
-floe_status snapshot_times_read(snapshot_times *out, context *ctx, const char *dir)
+static floe_status read_times(snapshot_times *out, context *ctx, const char *dir, size_t most)
 {
     snapshot_numbers list = {0};
     char *folder;
     *out = (snapshot_times){0};
     TRY(snapshot_join(ctx, &folder, dir, "fields"));
     floe_status status = snapshot_numbers_list(ctx, folder, false, &list);
-    if (status == FLOE_OK) status = add_times(out, ctx, dir, &list);
+    if (status == FLOE_OK) status = add_times(out, ctx, dir, &list, most);
     if (status != FLOE_OK) snapshot_times_free(ctx, out);
     memory_free(ctx, &list.number);
     memory_free(ctx, &folder);
     return status;
+}
+
+floe_status snapshot_times_read(snapshot_times *out, context *ctx, const char *dir)
+{
+    return read_times(out, ctx, dir, SIZE_MAX);
+}
+
+floe_status snapshot_last(snapshot_time *out, context *ctx, const char *dir)
+{
+    snapshot_times times;
+    TRY(read_times(&times, ctx, dir, 1));
+    *out = times.entry[0];
+    snapshot_times_free(ctx, &times);
+    return FLOE_OK;
 }
 
 void snapshot_times_free(context *ctx, snapshot_times *t)

@@ -21,6 +21,8 @@ typedef struct snapshot_times {
 
 /* The snapshots of the run folder `dir`. Damaged ones are left out, each with a warning in the log. FLOE_IO when none is left. */
 floe_status snapshot_times_read(snapshot_times *out, context *ctx, const char *dir);
+/* The last one of them that is not damaged, at less cost. */
+floe_status snapshot_last(snapshot_time *out, context *ctx, const char *dir);
 void snapshot_times_free(context *ctx, snapshot_times *t);
 
 /* One array of a snapshot. */

@@ -66,11 +66,17 @@ static bool is_none(const char *name)
     return name && strcmp(name, "none") == 0;
 }
 
+/* Number of the layer of cells that the plane goes through. */
+static int middle_layer(const snapshot *s)
+{
+    return s->cells[2] / 2;
+}
+
 /* The whole grid, or the layer in the plane. */
 static void cut_cells(const sheet *h, double *value)
 {
     const size_t layer = (size_t)h->s.cells[0] * (size_t)h->s.cells[1];
-    if (h->s.dim == 3) memmove(value, value + layer * (size_t)(h->s.cells[2] / 2), layer * sizeof *value);
+    if (h->s.dim == 3) memmove(value, value + layer * (size_t)middle_layer(&h->s), layer * sizeof *value);
 }
 
 static floe_status add_cells(sheet *h)
@@ -261,7 +267,7 @@ static void set_frame(sheet *h)
     (void)snprintf(h->note, sizeof h->note, "%.40s", s->coupling);
     if (s->dim == 3) {
         h->half = 0.5 * s->cell[2];
-        h->plane = s->lower[2] + s->cell[2] * (s->cells[2] / 2) + h->half;
+        h->plane = s->lower[2] + s->cell[2] * middle_layer(s) + h->half;
         scale_number(number, h->plane, s->unit, 4);
         (void)snprintf(h->note, sizeof h->note, "%.40s, plane z = %.90s", s->coupling, number);
     }

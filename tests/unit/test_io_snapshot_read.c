@@ -145,6 +145,9 @@ static void refuses_what_is_missing_foreign_or_damaged(void **state)
     assert_int_equal(times.n, 3);
     for (int i = 0; i < 3; i++) assert_true(times.entry[i].number == i && times.entry[i].time == 0.1 * i);
     snapshot_times_free(f.ctx, &times);
+    snapshot_time last;
+    check_ok(f.ctx, snapshot_last(&last, f.ctx, folder));
+    assert_true(last.number == 2 && last.time == 0.2);
     refuses(f.ctx, folder, 7, "fields/000007.h5");
     fixture_path(path, folder, "fields/000001.h5");
     damage(f.ctx, path, 5000);
@@ -155,6 +158,8 @@ static void refuses_what_is_missing_foreign_or_damaged(void **state)
     check_ok(f.ctx, snapshot_times_read(&times, f.ctx, folder)); /* the sound one is found */
     assert_int_equal(times.n, 1);
     snapshot_times_free(f.ctx, &times);
+    check_ok(f.ctx, snapshot_last(&last, f.ctx, folder));
+    assert_int_equal(last.number, 0);
     fixture_path(path, folder, "fields/000000.h5");
     damage(f.ctx, path, 100);
     check_fails(f.ctx, snapshot_times_read(&times, f.ctx, folder), FLOE_IO);
