@@ -1,13 +1,15 @@
-/* A sprung piston on a column of compressible fluid, vibrating in its first mode. */
+/* A sprung piston on a column of compressible fluid, vibrating in one of its modes. */
 #include "verify/internal.h"
+#include "verify/piston.h"
 
 typedef struct piston_par {
     double mass, stiffness, area, length, density, bulk_modulus, pressure, amplitude, phase, origin, axis;
+    double spring_mass, mode;
 } piston_par;
 
 static const param_spec piston_params[] = {
     PAR_POSITIVE(piston_par, mass, "kg", NAN, "mass of the piston"),
-    PAR_NONNEGATIVE(piston_par, stiffness, "N/m", NAN, "stiffness of the spring behind it, which has no mass"),
+    PAR_NONNEGATIVE(piston_par, stiffness, "N/m", NAN, "stiffness of the spring behind it"),
     PAR_POSITIVE(piston_par, area, "m2", 1.0, "area of the piston"),
     PAR_POSITIVE(piston_par, length, "m", NAN, "length of the fluid column at rest"),
     PAR_POSITIVE(piston_par, density, "kg/m3", NAN, "density of the fluid at rest"),
@@ -17,6 +19,8 @@ static const param_spec piston_params[] = {
     PAR_ANY(piston_par, phase, "1", 0.0, "phase (radians) at t = 0; 0: at rest place and moving, pi/2: displaced"),
     PAR_ANY(piston_par, origin, "m", 0.0, "the closed end of the column; the piston is at origin + length"),
     PAR_BETWEEN(piston_par, axis, "1", 0.0, 2.0, 0.0, "the axis of the tube: 0, 1 or 2"),
+    PAR_NONNEGATIVE(piston_par, spring_mass, "kg", 0.0, "mass of the spring, spread evenly along it"),
+    PAR_BETWEEN(piston_par, mode, "1", 1.0, 1000.0, 1.0, "number of the mode, from 1"),
 };
 
 typedef struct piston_constants {
@@ -24,27 +28,25 @@ typedef struct piston_constants {
     double omega; /* rad/s */
 } piston_constants;
 
-/* m omega^2 - K - rho c omega A cot(omega L/c) as a function of z = omega L/c, times sin(z)/z to stay finite on [0, pi]:
- * one root there. */
-static double piston_residual(double z, void *user)
-{
-    const piston_par *p = user;
-    const double gas = p->bulk_modulus * p->area / p->length;
-    const double inertia = p->mass * p->bulk_modulus / (p->density * p->length * p->length);
-    const double sinc = z > 0.0 ? sin(z) / z : 1.0;
-    return (inertia * z * z - p->stiffness) * sinc - gas * cos(z);
-}
-
 static floe_status piston_prepare(context *ctx, const void *par, int dim, void *prepared)
 {
-    piston_par p = *(const piston_par *)par;
+    const piston_par *p = par;
     piston_constants *c = prepared;
-    TRY(check_axis(ctx, p.axis, dim));
-    c->sound = sqrt(p.bulk_modulus / p.density);
-    const double z = find_root(piston_residual, &p, 0.0, VERIFY_PI);
-    if (!isfinite(z)) return fail(ctx, FLOE_BAD_INPUT, "the piston has no frequency: check mass, stiffness and fluid");
-    c->omega = z * c->sound / p.length;
-    return FLOE_OK;
+    TRY(check_axis(ctx, p->axis, dim));
+    TRY(check_whole(ctx, "mode", p->mode));
+    const piston system = {.mass = p->mass,
+                           .stiffness = p->stiffness,
+                           .spring_mass = p->spring_mass,
+                           .area = p->area,
+                           .length = p->length,
+                           .density = p->density,
+                           .bulk_modulus = p->bulk_modulus};
+    TRY(piston_check(ctx, &system));
+    c->sound = sqrt(p->bulk_modulus / p->density);
+    c->omega = piston_frequency(&system, whole(p->mode));
+    if (isfinite(c->omega)) return FLOE_OK;
+    return fail(ctx, FLOE_BAD_INPUT, "the piston has no frequency of mode %g: check mass, stiffness and fluid",
+                p->mode);
 }
 
 static double piston_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
@@ -69,8 +71,8 @@ static double piston_value(const void *par, const void *prepared, exact_quantity
 }
 
 static const exact_scalar piston_scalars[] = {
-    {"omega", "rad/s", "angular frequency of the first mode"},
-    {"period", "s", "period of the first mode"},
+    {"omega", "rad/s", "angular frequency of the mode"},
+    {"period", "s", "period of the mode"},
 };
 
 static double piston_scalar(const void *par, const void *prepared, size_t i, double t)
@@ -87,14 +89,16 @@ static const piston_par york = {.mass = 0.1,
                                 .length = 20.0,
                                 .density = 1e-4,
                                 .bulk_modulus = 1.58e6,
-                                .amplitude = 1e-4};
+                                .amplitude = 1e-4,
+                                .mode = 1.0};
 
 const exact_model exact_piston = {
     .name = "piston",
-    .doc = "sprung piston on a closed column of compressible fluid, first mode",
+    .doc = "sprung piston on a closed column of compressible fluid, in one mode",
     .cite = "York (1997), eq. 6.2; York, Sulsky & Schreyer (2000), section 4.2; Olson & Bathe (1983)",
-    .validity = "linear acoustics and a massless spring, x the place at rest: error of the order of amplitude/length. "
-                "Beyond the column x moves with the piston and has no pressure or density.",
+    .validity =
+        "linear acoustics, x the place at rest: error of the order of amplitude/length. Beyond the column x moves "
+        "with the piston and has no pressure or density, whatever the spring's mass.",
     .equations = EXACT_ORDINARY,
     .param_size = sizeof(piston_par),
     .params = piston_params,

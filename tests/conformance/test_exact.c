@@ -279,9 +279,22 @@ static void check_motion(const probe *p)
     }
 }
 
+/* The sample's parameters are such as a deck may give. */
+static void check_sample(const exact_model *model)
+{
+    for (size_t i = 0; i < model->n_params; i++) {
+        const param_spec *spec = &model->params[i];
+        double value;
+        memcpy(&value, (const char *)model->sample.par + spec->offset, sizeof value);
+        if (!param_in_range(spec, value)) print_error("%s: %s = %g\n", model->name, spec->key, value);
+        check_true(param_in_range(spec, value));
+    }
+}
+
 static probe start(context *ctx, const exact_model *model)
 {
     probe p = {.dt = 0.0};
+    check_sample(model);
     check_ok(ctx, exact_create(ctx, model, model->sample.par, model->sample.dim, &p.solution));
     return p;
 }

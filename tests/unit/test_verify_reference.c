@@ -149,11 +149,80 @@ static void test_string(void **state)
     refuse(ctx, "hanging_mass", (const setting[]){{"one_way", 0.0}, END});
 }
 
+/* York (1997), table 3, by his equation 6.2: 886.43 and 281.15 rad/s (validation row A2). His spring is 19 points of m/100: it
+ * splits the root of the light piston into 874 and 925 rad/s. */
+static void test_piston(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "piston", NONE);
+    check_close(scalar(&f, "omega"), 886.43, 0.005);
+    check_close(scalar(&f, "period"), 0.0070882, 5e-8);
+    check_true(scalar(&f, "share") > 0.99);
+    check_close(at(ctx, &f, "velocity", 0.0), -1.0, 1e-4); /* of infinitely many modes: exactly */
+    check_close(at(ctx, &f, "displacement", 0.25 * scalar(&f, "period")), -1.0 / 886.43, 0.01 / 886.43);
+    drop(ctx, &f);
+    make(ctx, &f, "piston", (const setting[]){{"mass", 1.0}, END});
+    check_close(scalar(&f, "omega"), 281.15, 0.005);
+    check_close(scalar(&f, "period"), 0.0223479, 5e-8);
+    drop(ctx, &f);
+    make(ctx, &f, "piston", (const setting[]){{"spring_mass", 0.019}, END});
+    const double first = fmin(scalar(&f, "omega"), scalar(&f, "second_omega"));
+    const double second = fmax(scalar(&f, "omega"), scalar(&f, "second_omega"));
+    check_close(first, 874.0, 0.5);
+    check_close(second, 925.0, 0.5);
+    check_true(scalar(&f, "share") + scalar(&f, "second_share") > 0.9);
+    drop(ctx, &f);
+    /* no fluid to speak of: a mass m + M/3 on a spring */
+    make(ctx, &f, "piston", (const setting[]){{"spring_mass", 1e-3}, {"bulk_modulus", 1e-6}, {"density", 1e-12}, END});
+    check_close_relative(scalar(&f, "omega"), sqrt(100.0 / (0.1 + 1e-3 / 3.0)), 1e-5);
+    drop(ctx, &f);
+    refuse(ctx, "piston", (const setting[]){{"spring_mass", 0.01}, {"stiffness", 0.0}, END});
+}
+
+/* Both ways through the piston agree: by modes, and as d'Alembert's waves in the fluid, integrated with small steps:
+ * m dv/dt = -K x - A p, p = rho c (v - 2 r(t - 2L/c)), where r is the wave that comes back from the closed end. */
+static void test_piston_waves(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    enum { LAG = 16000, LAPS = 3, STEPS = LAG * LAPS };
+    static double out[STEPS + 1]; /* velocity of the wave that leaves the piston */
+    const double m = 0.01, K = 2e4, c = 100.0, rho = 1e-3, L = 5.0, dt = 2.0 * L / c / LAG;
+    make(ctx, &f, "piston",
+         (const setting[]){{"mass", m},
+                           {"stiffness", K},
+                           {"length", L},
+                           {"density", rho},
+                           {"bulk_modulus", rho * c * c},
+                           {"velocity", 1.0},
+                           {"origin", 0.0},
+                           {"modes", 1000.0},
+                           END});
+    double x = 0.0, v = 1.0;
+    for (int i = 0; i <= STEPS; i++) {
+        /* the wave comes back with the other sign, as the velocity at the closed end is 0 */
+        const double back = i >= LAG ? -out[i - LAG] : 0.0;
+        out[i] = v - back;
+        if (i % LAG == LAG / 2) {
+            check_close(at(ctx, &f, "position", i * dt), x, 2e-3 * sqrt(m / K));
+            check_close(at(ctx, &f, "velocity", i * dt), v, 5e-3);
+        }
+        /* velocity v of the piston towards +x: pressure on its fluid side -rho c (out - back) */
+        const double next_back = i + 1 >= LAG ? -out[i + 1 - LAG] : 0.0;
+        const double half = v + 0.5 * dt / m * (-K * x - rho * c * (v - 2.0 * back));
+        x += dt * half;
+        v = (half + 0.5 * dt / m * (-K * x + 2.0 * rho * c * next_back)) / (1.0 + 0.5 * dt * rho * c / m);
+    }
+    drop(ctx, &f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_dogbone), cmocka_unit_test(test_circle), cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_spring),  cmocka_unit_test(test_string),
+        cmocka_unit_test(test_dogbone),      cmocka_unit_test(test_circle), cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_spring),       cmocka_unit_test(test_string), cmocka_unit_test(test_piston),
+        cmocka_unit_test(test_piston_waves),
     };
     return cmocka_run_group_tests_name("references of histories", tests, make_context, drop_context);
 }

@@ -1,0 +1,141 @@
+/* The same piston as in exact_piston, struck: all at rest, the piston alone has a velocity. Its motion is the sum over the modes
+ * of velocity m/M_n sin(omega_n t)/omega_n, M_n the mode's mass at the piston. */
+#include "verify/internal.h"
+#include "verify/piston.h"
+#include "verify/reference.h"
+
+typedef struct struck_par {
+    double mass, stiffness, spring_mass, area, length, density, bulk_modulus, velocity, origin, modes;
+} struck_par;
+
+static const param_spec struck_params[] = {
+    PAR_POSITIVE(struck_par, mass, "kg", NAN, "mass of the piston"),
+    PAR_NONNEGATIVE(struck_par, stiffness, "N/m", NAN, "stiffness of the spring behind it"),
+    PAR_NONNEGATIVE(struck_par, spring_mass, "kg", 0.0, "mass of the spring, spread evenly along it"),
+    PAR_POSITIVE(struck_par, area, "m2", 1.0, "area of the piston"),
+    PAR_POSITIVE(struck_par, length, "m", NAN, "length of the fluid column at rest"),
+    PAR_POSITIVE(struck_par, density, "kg/m3", NAN, "density of the fluid at rest"),
+    PAR_POSITIVE(struck_par, bulk_modulus, "Pa", NAN, "isentropic bulk modulus of the fluid, rho c^2"),
+    PAR_ANY(struck_par, velocity, "m/s", NAN, "velocity of the piston at t = 0, away from the fluid"),
+    PAR_ANY(struck_par, origin, "m", 0.0, "place of the piston at rest"),
+    PAR_BETWEEN(struck_par, modes, "1", 1.0, 1000.0, 100.0, "modes that are summed"),
+};
+
+static piston system_of(const struck_par *p)
+{
+    return (piston){.mass = p->mass,
+                    .stiffness = p->stiffness,
+                    .spring_mass = p->spring_mass,
+                    .area = p->area,
+                    .length = p->length,
+                    .density = p->density,
+                    .bulk_modulus = p->bulk_modulus};
+}
+
+/* The two modes that hold most of the energy. */
+typedef struct struck_modes {
+    double omega[2]; /* rad/s */
+    double share[2]; /* of the energy */
+} struck_modes;
+
+static floe_status struck_prepare(context *ctx, const void *par, void *prepared)
+{
+    const struck_par *p = par;
+    struck_modes *m = prepared;
+    const piston system = system_of(p);
+    TRY(check_whole(ctx, "modes", p->modes));
+    TRY(piston_check(ctx, &system));
+    for (int n = 1; n <= whole(p->modes); n++) {
+        const double omega = piston_frequency(&system, n);
+        const double share = p->mass / piston_modal_mass(&system, omega);
+        if (!isfinite(omega)) {
+            return fail(ctx, FLOE_BAD_INPUT, "the piston has no frequency of mode %d: check mass, stiffness and fluid",
+                        n);
+        }
+        const int rank = share > m->share[0] ? 0 : 1;
+        if (share <= m->share[rank]) continue;
+        if (rank == 0) {
+            m->omega[1] = m->omega[0];
+            m->share[1] = m->share[0];
+        }
+        m->omega[rank] = omega;
+        m->share[rank] = share;
+    }
+    return FLOE_OK;
+}
+
+enum { POSITION, DISPLACEMENT, VELOCITY, QUANTITIES };
+
+static const reference_quantity struck_quantities[QUANTITIES] = {
+    [POSITION] = {"position", "m", "place of the piston", NULL, false},
+    [DISPLACEMENT] = {"displacement", "m", "way of the piston from its place at rest", NULL, false},
+    [VELOCITY] = {"velocity", "m/s", "velocity of the piston", "position", false},
+};
+
+static floe_status struck_series(context *ctx, const void *par, const void *prepared, size_t n, const double *t,
+                                 double *value)
+{
+    (void)ctx;
+    (void)prepared;
+    const struck_par *p = par;
+    const piston system = system_of(p);
+    for (size_t i = 0; i < QUANTITIES * n; i++) value[i] = 0.0;
+    for (int k = 1; k <= whole(p->modes); k++) {
+        const double omega = piston_frequency(&system, k);
+        const double velocity = p->velocity * p->mass / piston_modal_mass(&system, omega);
+        for (size_t i = 0; i < n; i++) {
+            value[DISPLACEMENT * n + i] += velocity / omega * sin(omega * t[i]);
+            value[VELOCITY * n + i] += velocity * cos(omega * t[i]);
+        }
+    }
+    for (size_t i = 0; i < n; i++) value[POSITION * n + i] = p->origin + value[DISPLACEMENT * n + i];
+    return FLOE_OK;
+}
+
+static const reference_scalar struck_scalars[] = {
+    {"omega", "rad/s", "angular frequency of the mode with the largest share of the energy"},
+    {"period", "s", "its period"},
+    {"share", "1", "its share of the energy"},
+    {"second_omega", "rad/s", "angular frequency of the mode with the next share"},
+    {"second_share", "1", "its share of the energy"},
+};
+
+static double struck_scalar(const void *par, const void *prepared, size_t i)
+{
+    (void)par;
+    const struck_modes *m = prepared;
+    const double all[] = {m->omega[0], 2.0 * VERIFY_PI / m->omega[0], m->share[0], m->omega[1], m->share[1]};
+    return all[i];
+}
+
+static const struck_par york = {.mass = 0.1,
+                                .stiffness = 100.0,
+                                .area = 1.0,
+                                .length = 20.0,
+                                .density = 1e-4,
+                                .bulk_modulus = 1.58e6,
+                                .velocity = -1.0,
+                                .origin = 20.0,
+                                .modes = 100.0};
+
+const reference_model reference_piston = {
+    .name = "piston",
+    .doc = "a piston between a column of fluid and a spring, struck at rest",
+    .cite = "York (1997), eq. 6.2 and section 6.1; York, Sulsky & Schreyer (2000), section 4.2; Olson & Bathe (1983)",
+    .validity =
+        "linear acoustics: error of the order of displacement/length. The modes left out hold a share of the energy "
+        "of the order of (fluid mass + spring mass)/(mass modes).",
+    .param_size = sizeof(struck_par),
+    .params = struck_params,
+    .n_params = COUNT_OF(struck_params),
+    .quantities = struck_quantities,
+    .n_quantities = QUANTITIES,
+    .scalars = struck_scalars,
+    .n_scalars = COUNT_OF(struck_scalars),
+    .sample = &york,
+    .sample_end = 0.02,
+    .prepared_size = sizeof(struck_modes),
+    .prepare = struck_prepare,
+    .series = struck_series,
+    .scalar = struck_scalar,
+};
