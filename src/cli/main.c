@@ -11,9 +11,10 @@
 
 const cli_command cli_commands[] = {
     {"check", "Validate a deck: every error, with its place", cmd_check},
-    {"plan", "Show stages, fields, memory and steps of a scene, without running it", cmd_plan},
+    {"plan", "Show stages, fields, memory and steps, without running anything", cmd_plan},
     {"run", "Run a scene", cmd_run},
     {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare},
+    {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability},
     {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture},
     {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list},
     {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new},
@@ -107,7 +108,7 @@ static char *list_commands(int key, const char *text, void *input)
     if (!out) return (char *)text;
     size_t at = (size_t)snprintf(out, size, "Commands:\n");
     for (size_t i = 0; i < cli_n_commands; i++)
-        at += (size_t)snprintf(out + at, size - at, "  %-8s  %s\n", cli_commands[i].name, cli_commands[i].doc);
+        at += (size_t)snprintf(out + at, size - at, "  %-9s  %s\n", cli_commands[i].name, cli_commands[i].doc);
     (void)snprintf(
         out + at, size - at,
         "\n`floe COMMAND --help` tells more. Exit status: 0 done; 2 bad usage or deck; 3 diverged; 4 input or "

@@ -77,6 +77,8 @@ floe_status deck_load_text(scene **out, context *ctx, const char *path, const ch
 
 /* The resolved deck: every value explicit, SI, 17 digits. It loads again to the same scene. */
 floe_status deck_echo(char **text, const scene *s, const deck_catalogue *catalogue);
+/* The value of a key in the resolved deck, "" where the key is not there, or holds no single value. */
+floe_status deck_value(char value[SCENE_VALUE], const scene *s, const deck_catalogue *catalogue, const char *key);
 /* The schema as Markdown: docs/deck.md. */
 floe_status deck_reference(char **text, context *ctx, const deck_catalogue *catalogue);
 /* The schema as a JSON schema (draft 7), for editors. */

@@ -117,6 +117,14 @@ static floe_status check_axes(deck_source *source, const deck_overrides *set, co
         const scene_axis *axis = &s->study.axis[i];
         TRY(check_axis(source, set, axis, PATH("study", "axes", axis->key), arena, errors));
     }
+    for (int i = 0; i < s->stability.n_over; i++) {
+        const scene_axis *axis = &s->stability.over[i];
+        TRY(check_axis(source, set, axis, PATH("stability", "over", axis->key), arena, errors));
+    }
+    for (int i = 0; i < s->stability.n_each; i++) {
+        const scene_axis *axis = &s->stability.each[i];
+        TRY(check_axis(source, set, axis, PATH("stability", "each", axis->key), arena, errors));
+    }
     return FLOE_OK;
 }
 

@@ -13,21 +13,6 @@ typedef struct override {
     deck_node *fresh; /* the value's tree */
 } override;
 
-/* The child whose key is the longest beginning of `path` (keys may hold dots); *length is what it takes of the path. */
-static deck_node *match_child(const deck_node *map, const char *path, size_t *length)
-{
-    deck_node *best = NULL;
-    *length = 0;
-    for (deck_node *child = map->first; child; child = child->next) {
-        const size_t n = strlen(child->key);
-        if (n > *length && strncmp(child->key, path, n) == 0 && (path[n] == '.' || path[n] == '\0')) {
-            best = child;
-            *length = n;
-        }
-    }
-    return best;
-}
-
 static floe_status add_child(override *o, deck_node *map, const char *path, size_t length, deck_node *child)
 {
     TRY(arena_text(o->arena, &child->key, path, length));
@@ -40,7 +25,7 @@ static floe_status add_child(override *o, deck_node *map, const char *path, size
 static floe_status step_map(override *o, deck_node *map, const char **path, deck_node **next)
 {
     size_t length;
-    deck_node *child = match_child(map, *path, &length);
+    deck_node *child = node_match(map, *path, &length);
     *next = NULL;
     if (!child) {
         length = strcspn(*path, ".");

@@ -17,7 +17,7 @@ extern const custom_key custom_version, custom_runs_as, custom_stress_state, cus
 /* columns.c */
 extern const custom_key custom_columns;
 /* study.c */
-extern const custom_key custom_axis, custom_axes, custom_quantities, custom_bars;
+extern const custom_key custom_axis, custom_axes, custom_over, custom_each, custom_quantities, custom_bars;
 extern const choice coupling_choices[];
 
 /* true for an axis key of a boundary: "x", "r" ... */

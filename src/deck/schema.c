@@ -216,6 +216,20 @@ static const key_spec study_keys[] = {
 };
 static const key_table study_table = TABLE(study_keys);
 
+static const key_spec stability_keys[] = {
+    {"over", KEY_CUSTOM, .custom = &custom_over, .otherwise = "that of the command line",
+     .doc = "the key whose limit `floe stability` searches, and the range; or two keys and their values, for a map"},
+    {"each", KEY_CUSTOM, .custom = &custom_each, .otherwise = "none",
+     .doc = "the search is made for every combination of these values"},
+    {"tolerance", KEY_NUMBER, NULL, WITHIN(1e-8, 0.5), AT(scene_stability, tolerance), .fallback = "0.01",
+     .doc = "the limit lies between a stable and an unstable value this close, as a fraction of them"},
+    {"growth", KEY_NUMBER, NULL, WITHIN(1.0, 1e30), AT(scene_stability, growth), .fallback = "100",
+     .doc = "unstable: kinetic and strain energy exceed what they can be this many times"},
+    {"relative_to", KEY_NUMBER, NULL, PARAM_POSITIVE, AT(scene_stability, relative_to), .otherwise = "nothing",
+     .doc = "what limits are shown over, in the unit of the range (a CFL step)"},
+};
+static const key_table stability_table = TABLE(stability_keys);
+
 static const key_spec deck_keys[] = {
     {"floe", KEY_CUSTOM, .custom = &custom_version, .required = true, .doc = "version of the deck format: 1"},
     {"title", KEY_TEXT, AT(scene, title), .otherwise = "none", .doc = "one line that names the scene"},
@@ -253,6 +267,8 @@ static const key_spec deck_keys[] = {
     {"compare", KEY_MAP, .table = &compare_table, .doc = "the axis of `floe compare`"},
     {"study", KEY_MAP, AT(scene, study), .table = &study_table, .present = 1 + offsetof(scene, study.given),
      .otherwise = "none", .doc = "the batch of `floe study`"},
+    {"stability", KEY_MAP, AT(scene, stability), .table = &stability_table,
+     .present = 1 + offsetof(scene, stability.given), .otherwise = "none", .doc = "the search of `floe stability`"},
     {"threads", KEY_WHOLE, NULL, WITHIN(0, 1024), AT(scene, threads), .fallback = "0",
      .doc = "threads; 0: as OpenMP says. Results do not depend on it"},
 };

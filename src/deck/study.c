@@ -1,4 +1,4 @@
-/* Keys of `compare` and `study`: axes, quantities, required bars. */
+/* Keys of `compare`, `study` and `stability`: axes, quantities, required bars. */
 #include "deck/parts.h"
 
 #include <math.h>
@@ -76,22 +76,44 @@ static floe_status read_axis(reader *r, const key_spec *key, deck_node *node, vo
     return take_axis(r, node->first, (scene_axis *)(void *)((char *)base + key->offset));
 }
 
-static floe_status read_axes(reader *r, const key_spec *key, deck_node *node, void *base)
+/* Axes at the key's offset, at most `most`; *n counts them. */
+static floe_status take_axes(reader *r, const key_spec *key, deck_node *node, scene_axis *axis, int *n, int most)
 {
-    scene_study *study = base;
     if (!node) return FLOE_OK;
     if (node->kind != NODE_MAP)
         return bad(r, node, custom_axes.form, "'%s' is not a map of keys with lists of values", key->key);
-    if (node->n > SCENE_MAX_AXES) return bad(r, node, NULL, "more than %d axes", SCENE_MAX_AXES);
+    if (node->n > (size_t)most) return bad(r, node, NULL, "more than %d axes", most);
     for (deck_node *list = node->first; list; list = list->next) {
-        for (int i = 0; i < study->n_axes; i++) {
-            if (strcmp(study->axis[i].key, list->key) == 0)
+        for (int i = 0; i < *n; i++) {
+            if (strcmp(axis[i].key, list->key) == 0)
                 TRY(bad_key(r, list, NULL, "put all values into one list", "the axis '%.80s' is given twice",
                             list->key));
         }
-        TRY(take_axis(r, list, &study->axis[study->n_axes++]));
+        TRY(take_axis(r, list, &axis[(*n)++]));
     }
     return FLOE_OK;
+}
+
+static floe_status read_axes(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_study *study = base;
+    return take_axes(r, key, node, study->axis, &study->n_axes, SCENE_MAX_AXES);
+}
+
+static floe_status read_each(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_stability *stability = base;
+    return take_axes(r, key, node, stability->each, &stability->n_each, SCENE_MAX_AXES);
+}
+
+/* One key with the range of a search, or two with the values of a map. */
+static floe_status read_over(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_stability *stability = base;
+    TRY(take_axes(r, key, node, stability->over, &stability->n_over, SCENE_MAX_OVER));
+    if (stability->n_over != 1 || stability->over[0].n_values == 2) return FLOE_OK;
+    return bad(r, node->first, "two values, from and to; or two keys with lists of values, for a map",
+               "the range of '%.80s' has %d values", stability->over[0].key, stability->over[0].n_values);
 }
 
 static void write_values(writer *w, const scene_axis *axis)
@@ -114,21 +136,43 @@ static void write_axis(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, "}\n");
 }
 
+static void write_list(writer *w, const key_spec *key, const scene_axis *axis, int n)
+{
+    if (n == 0) return;
+    write_key_name(w, key->key);
+    for (int i = 0; i < n; i++) {
+        text_print(&w->out, i == 0 ? " {" : ", ");
+        write_values(w, &axis[i]);
+    }
+    text_print(&w->out, "}\n");
+}
+
 static void write_axes(writer *w, const key_spec *key, const void *base)
 {
     const scene_study *study = base;
-    if (study->n_axes == 0) return;
-    write_key_name(w, key->key);
-    for (int i = 0; i < study->n_axes; i++) {
-        text_print(&w->out, i == 0 ? " {" : ", ");
-        write_values(w, &study->axis[i]);
-    }
-    text_print(&w->out, "}\n");
+    write_list(w, key, study->axis, study->n_axes);
+}
+
+static void write_each(writer *w, const key_spec *key, const void *base)
+{
+    const scene_stability *stability = base;
+    write_list(w, key, stability->each, stability->n_each);
+}
+
+static void write_over(writer *w, const key_spec *key, const void *base)
+{
+    const scene_stability *stability = base;
+    write_list(w, key, stability->over, stability->n_over);
 }
 
 #define LISTS_OF_VALUES "{\"type\": \"object\", \"additionalProperties\": {\"type\": \"array\"}}"
 const custom_key custom_axis = {read_axis, write_axis, "{key.of.the.deck: [value, value, ...]}", LISTS_OF_VALUES};
 const custom_key custom_axes = {read_axes, write_axes, "{key.of.the.deck: [value, value, ...], another.key: [...]}",
+                                LISTS_OF_VALUES};
+const custom_key custom_each = {read_each, write_each, "{key.of.the.deck: [value, value, ...], another.key: [...]}",
+                                LISTS_OF_VALUES};
+const custom_key custom_over = {read_over, write_over,
+                                "{key.of.the.deck: [from, to]}, or {key: [value, ...], another.key: [value, ...]}",
                                 LISTS_OF_VALUES};
 
 /* ---- study.quantities: [kinetic, pressure_gas] ---- */

@@ -111,6 +111,20 @@ deck_node *node_find(const deck_node *map, const char *key)
     return NULL;
 }
 
+deck_node *node_match(const deck_node *map, const char *path, size_t *length)
+{
+    deck_node *best = NULL;
+    *length = 0;
+    for (deck_node *child = map->first; child; child = child->next) {
+        const size_t n = strlen(child->key);
+        if (n > *length && strncmp(child->key, path, n) == 0 && (path[n] == '.' || path[n] == '\0')) {
+            best = child;
+            *length = n;
+        }
+    }
+    return best;
+}
+
 deck_node *node_at(const deck_node *node, size_t i)
 {
     deck_node *child = node->first;

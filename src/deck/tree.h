@@ -55,6 +55,8 @@ void node_replace(deck_node *old, deck_node *fresh);
 void node_remove(deck_node *child);
 /* The first child of a map with that key, NULL if there is none (or `map` is NULL or no map). */
 deck_node *node_find(const deck_node *map, const char *key);
+/* The child whose key is the longest beginning of `path` (keys may hold dots); *length is what it takes of the path. */
+deck_node *node_match(const deck_node *map, const char *path, size_t *length);
 /* The i-th child, NULL beyond the end. */
 deck_node *node_at(const deck_node *node, size_t i);
 /* "a map", "a list", "empty", "text 'abc'": what a node is, for messages. */

@@ -25,6 +25,7 @@ static floe_status echo_identity(char **out, const scene *s, const deck_catalogu
     plain->threads = 0;
     plain->compare.n_values = 0;
     plain->study = (scene_study){0};
+    plain->stability = (scene_stability){0};
     plain->runs_as[0] = s->coupling;
     plain->n_runs_as = 1;
     const floe_status status = deck_echo(out, plain, catalogue);

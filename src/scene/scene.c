@@ -50,6 +50,7 @@ static void set_defaults(scene *s)
                            .max_step = NAN,
                            .growth = 1.1,
                            .fixed_step = NAN};
+    s->stability = (scene_stability){.tolerance = 0.01, .growth = 100.0, .relative_to = NAN};
     s->damping.end = INFINITY;
     s->rest = (scene_rest){.ratio = 1e-6};
     s->output = (scene_output){.interval = INFINITY, .history_interval = NAN, .checkpoint_interval = INFINITY};

@@ -18,6 +18,7 @@ enum {
     SCENE_MAX_PROBES = 32,
     SCENE_MAX_AXIS = 32, /* values of an axis */
     SCENE_MAX_AXES = 6,
+    SCENE_MAX_OVER = 2,
     SCENE_MAX_BARS = 32,
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,
@@ -211,6 +212,18 @@ typedef struct scene_study {
     int n_bars;
 } scene_study;
 
+typedef struct scene_stability {
+    bool given; /* the deck says something of it */
+    scene_axis
+        over[SCENE_MAX_OVER]; /* one: a search, its values from and to; two: a map; none: the command line says */
+    int n_over;
+    scene_axis each[SCENE_MAX_AXES]; /* crossed; the search is made for every combination */
+    int n_each;
+    double tolerance;   /* of the limit, relative */
+    double growth;      /* of energy over what there can be */
+    double relative_to; /* what limits are shown over; NAN: nothing */
+} scene_stability;
+
 typedef struct scene {
     context *ctx; /* not owned */
     char title[256], source[256], path[512];
@@ -245,6 +258,7 @@ typedef struct scene {
     scene_verify verify;
     scene_axis compare;        /* axis of `floe compare` */
     scene_study study;         /* of `floe study` */
+    scene_stability stability; /* of `floe stability` */
     initial_function *initial; /* set by the run when a body asks for it */
     void *initial_user;
     int threads; /* 0: OpenMP's default */

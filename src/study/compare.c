@@ -2,33 +2,10 @@
 #include "study/compare.h"
 
 #include "base/memory.h"
+#include "study/axis_text.h"
 
 #include <ctype.h>
 #include <string.h>
-
-static floe_status bad_axis(context *ctx, const char *text)
-{
-    return fail(ctx, FLOE_BAD_INPUT, "--axis takes KEY=V1,V2,... with at most %d values, not '%s'", SCENE_MAX_AXIS,
-                text);
-}
-
-/* "KEY=V1,V2,..." */
-static floe_status parse_axis(context *ctx, const char *text, scene_axis *axis)
-{
-    const char *at = strchr(text, '=');
-    *axis = (scene_axis){0};
-    if (!at || at == text || (size_t)(at - text) >= sizeof axis->key) return bad_axis(ctx, text);
-    (void)snprintf(axis->key, sizeof axis->key, "%.*s", (int)(at - text), text);
-    do {
-        at++;
-        const size_t length = strcspn(at, ",");
-        if (length == 0 || length >= sizeof axis->value[0] || axis->n_values == SCENE_MAX_AXIS)
-            return bad_axis(ctx, text);
-        (void)snprintf(axis->value[axis->n_values++], sizeof axis->value[0], "%.*s", (int)length, at);
-        at += length;
-    } while (*at == ',');
-    return FLOE_OK;
-}
 
 /* A folder name: what a file system may not like becomes '_'. */
 static void name_folder(const compare_case *one, char *folder, size_t size)
@@ -104,7 +81,7 @@ static floe_status take_scene(comparison *c, const compare_options *o, const sce
     (void)snprintf(c->title, sizeof c->title, "%s", s->title);
     (void)snprintf(c->exact, sizeof c->exact, "%s", s->verify.exact);
     c->axis = s->compare;
-    if (o->axis) TRY(parse_axis(c->ctx, o->axis, &c->axis));
+    if (o->axis) TRY(axis_from_text(c->ctx, "--axis", o->axis, &c->axis));
     TRY(make_cases(c, o, s));
     for (size_t i = 0; i < c->n; i++) TRY(check_case(c, &batch, &c->list[i]));
     return FLOE_OK;

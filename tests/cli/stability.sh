@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# floe stability: limits of York's line of points against eigenvalues, resumed, by several processes; a map; what is refused.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+line=$FLOE_SOURCE/inputs/stability_line.yaml
+
+# The eigenvalues of tests/verification/test_mpm_stability.c, over h/c: in brackets of 2 %, by one command.
+expect 0 "$FLOE" stability "$line" -o b8 --jobs 2 --over time.fixed_step=0.0006:0.0024 --tolerance 0.02 --quiet --each domain.lattice_offset=0,-0.4999 \
+    --each method.stress=usl,usf,musl
+is_there b8/stability.json b8/stability.csv b8/energy.csv b8/energy.gp
+is_there b8/limits.csv
+within() {
+    awk -F, -v set="\"$1\",\"$2\"" -v wanted="$3" '$1 "," $2 == set { found = $3 == "found" && $6 < 1.003 * wanted &&
+        $7 > 0.997 * wanted && $7 > $6 && $7 < 1.021 * $6 } END { exit !found }' b8/limits.csv ||
+        fault "not about $3: $(grep -F -- "\"$1\",\"$2\"" b8/limits.csv)"
+}
+within 0 usl 0.7665
+within 0 usf 1.9386
+within 0 musl 1.9386
+within -0.4999 usl 1.0153
+within -0.4999 usf 1.0516
+within -0.4999 musl 1.0516
+
+# The criterion, the bracket and the runs are said. What has been run is not run again, and other --jobs give the same limits.
+one=("$line" --each method.stress=musl --set boundaries.x=periodic --tolerance 0.01)
+expect 0 "$FLOE" stability "${one[@]}" -o one
+has stdout 'no step is rejected'
+has stdout 'below 10000 times'
+has stdout 'stable up to time.fixed_step = 0.002'
+has stdout 'x 0.001)'
+has stdout 'diverged'
+cp one/limits.csv limits
+sum=$(cd one && sha256sum */summary.json)
+expect 0 "$FLOE" stability "${one[@]}" -o one --jobs 4 --quiet
+(cd one && sha256sum --check --quiet <<<"$sum") || fault 'runs were run again'
+[ "$(cut -d, -f1-6 one/limits.csv)" = "$(cut -d, -f1-6 limits)" ] || fault 'other limits with more processes'
+
+# A range that is looked for, from the deck's own value; no limit within a range.
+expect 0 "$FLOE" stability "$line" --each method.stress=usf --over time.fixed_step=1e-4:5e-4 --set boundaries.x=periodic -o none
+has stdout 'no limit: stable at every value tried'
+expect 0 "$FLOE" stability "$FLOE_SOURCE/inputs/bar_vibration.yaml" --over time.fixed_step --set time.fixed_step='1 ms' \
+    --tolerance 0.05 -o bar
+has stdout 'stable up to time.fixed_step = 0.00'
+
+# A map, with a word for an axis.
+expect 0 "$FLOE" stability "$line" --each boundaries.x=periodic --over method.stress=usl,musl \
+    --over time.fixed_step=0.0007,0.0015,0.0025 -o map --jobs 2
+is_there map/stability.json map/map.csv
+grep -Eq '^ *usl +\. +[\^rD] +[\^rD]$' stdout || fault 'no row of usl'
+grep -Eq '^ *musl +\. +\. +[\^rD]$' stdout || fault 'no row of musl'
+[ "$(wc -l <map/stability.csv)" -eq 7 ] || fault 'not six runs'
+if command -v gnuplot >/dev/null; then is_there map/map.svg one/energy.svg; fi
+
+# Refused before anything runs.
+refused() {
+    expect 2 "$FLOE" stability "$line" -o refused "${@:2}"
+    has stderr "$1"
+    [ ! -e refused ] || fault 'something was written'
+}
+refused "unknown key 'fixed_stp'" --over time.fixed_stp=1e-3:2e-3
+refused 'FROM:TO' --over time.fixed_step=1e-3
+refused "is empty" --over time.fixed_step=1e-3:1e-3
+refused 'two units' --over 'time.fixed_step=1 ms:2 s'
+refused 'a number to a number' --over method.basis=linear:quadratic
+refused 'not a whole number' --over bodies.left.points=1:8
+refused 'out of range' --over method.flip=0.5:2
+refused "unknown" --each method.stress=usl,uslf
+refused 'twice over' --over time.fixed_step=1e-3,2e-3 --over time.fixed_step=1e-3,2e-3
+refused 'twice for a map' --over a=1:2 --over b=1:2 --over c=1:2
+refused 'has no single value' --over output.interval
+expect 2 "$FLOE" stability "$FLOE_SOURCE/inputs/sod.yaml" -o refused
+has stderr 'over what?'
+
+# Interrupted: what there is was written, and the same command goes on.
+"$FLOE" stability "${one[@]}" --set time.max_steps=2000000 -o stopped >stdout 2>stderr &
+pid=$!
+for _ in $(seq 100); do
+    [ -s stopped/01-0.0005/history.csv ] && break
+    sleep 0.1
+done
+kill -TERM $pid
+got=0
+wait $pid || got=$?
+[ "$got" -eq 5 ] || fault "exit status $got instead of 5 after SIGTERM"
+has stderr 'the same command goes on from there'
