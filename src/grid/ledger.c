@@ -37,6 +37,7 @@ void ledger_discard(ledger *l)
 
 double ledger_drift(const ledger *l, ledger_quantity q)
 {
+    if (l->no_account[q]) return 0.0;
     double expected = l->initial[q];
     for (int k = 0; k < LEDGER_KINDS; ++k) expected += l->entry[q][k].value + l->entry[q][k].carry;
     const double drift = fabs(l->total[q] - expected);

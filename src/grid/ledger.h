@@ -44,9 +44,10 @@ typedef struct ledger_sum {
 } ledger_sum; /* compensated (Neumaier) */
 
 typedef struct ledger {
-    double initial[LEDGER_QUANTITIES]; /* Q0 */
-    double total[LEDGER_QUANTITIES];   /* Q now */
-    double scale[LEDGER_QUANTITIES];   /* max over time of sum |q| */
+    double initial[LEDGER_QUANTITIES];  /* Q0 */
+    double total[LEDGER_QUANTITIES];    /* Q now */
+    double scale[LEDGER_QUANTITIES];    /* max over time of sum |q| */
+    bool no_account[LEDGER_QUANTITIES]; /* not a balance in this scene: radial momentum about an axis */
     ledger_sum entry[LEDGER_QUANTITIES][LEDGER_KINDS];
     double pending[LEDGER_QUANTITIES][LEDGER_KINDS];
     long long count[LEDGER_COUNTS], pending_count[LEDGER_COUNTS];
@@ -56,7 +57,7 @@ void ledger_add(ledger *l, ledger_quantity q, ledger_kind kind, double amount);
 void ledger_tally(ledger *l, ledger_count what, long long n);
 void ledger_commit(ledger *l);  /* pending entries become part of the account */
 void ledger_discard(ledger *l); /* the step was rejected */
-/* Relative drift of a quantity; `sources_only` leaves nothing out: all four kinds count. */
+/* Relative drift of a quantity, all four kinds counted; 0 where it has no account. */
 double ledger_drift(const ledger *l, ledger_quantity q);
 const char *ledger_quantity_name(ledger_quantity q);
 const char *ledger_count_name(ledger_count c);

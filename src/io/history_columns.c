@@ -114,10 +114,11 @@ static const char *unit_of(int quantity)
     return quantity == LEDGER_ENERGY ? "J" : "N s";
 }
 
-/* Momenta along axes that the scene does not have are left out. */
+/* Momenta along axes that the scene does not have, and that along r, are left out. */
 static bool is_used(const sim *s, int quantity)
 {
     const int axis = quantity - LEDGER_MOMENTUM_X;
+    if (s->ledger.no_account[quantity]) return false;
     return axis < 0 || axis >= MESH_MAX_DIM || axis < s->mesh.dim;
 }
 

@@ -23,7 +23,7 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
     for (size_t k = start; k < end; ++k) {
         const stencil s = locate(&frame, p, k, dim, kind, false);
         const double mass = p->mass[k];
-        double mv[3] = {0}, T[3][3] = {{0}}, b[3] = {0};
+        double mv[3] = {0}, T[3][3] = {{0}}, b[3] = {0}, hoop = 0.0;
         if (momentum)
             for (int a = 0; a < dim; ++a) mv[a] = mass * p->v[a][k];
         if (force) {
@@ -34,7 +34,8 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
                 b[a] = mass * body_force[a];
                 for (int c = 0; c < dim; ++c) T[a][c] *= minus_v;
             }
-            if (axisymmetric) b[0] += minus_v * (p->stress[2][k] + add) / p->x[0][k];
+            if (axisymmetric) hoop = minus_v * (p->stress[2][k] + add);
+            if (axisymmetric && !centred) b[0] += hoop / s.radius;
         }
         FOR_ROWS(s, dim, kind, {
             const pairs M = pairs_of(mass * W, mv[0] * W, mv[1] * W, mv[2] * W);
@@ -59,6 +60,7 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
                 A[a] = T[a][0] * W;
                 B[a] = T[a][1] * Wy + T[a][2] * Wz;
             }
+            if (axisymmetric) B[0] += hoop / g.radius * W;
             const pairs along = pairs_of(A[0], A[1], A[2], 0.0), across = pairs_of(B[0], B[1], B[2], 0.0);
             for (int x = 0; x < basis_support(kind); ++x)
                 pairs_scatter_two(out + (ptrdiff_t)(row + x) * components + force_at, g.w[0][x], &across, g.dw[0][x],
@@ -145,11 +147,14 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
             out.v_next[a][k] = flip * (p->v[a][k] + kick * acceleration) + (1.0 - flip) * v;
         }
         if (!gradient) continue;
-        if (axisymmetric) out.L[8][k - start] = pairs_get(&sum.va, 0) / p->x[0][k];
+        double radius = s.radius;
         if (centred) {
             const stencil g = locate(&frame, p, k, dim, kind, true);
+            sum = (point_sums){pairs_zero(), {pairs_zero(), pairs_zero(), pairs_zero()}};
             sum_stencil(&sum, &g, window, floor, kick, dim, kind, motion, true, light);
+            radius = g.radius;
         }
+        if (axisymmetric) out.L[8][k - start] = pairs_get(&sum.va, 0) / radius;
         for (int a = 0; a < dim; ++a)
             for (int c = 0; c < dim; ++c) out.L[3 * a + c][k - start] = pairs_get(&sum.L[c], a);
     }

@@ -33,7 +33,8 @@ FLOE_ALWAYS_INLINE tile_frame frame_of(const mesh *m, const tile_box *t, const i
 
 typedef struct stencil {
     double w[3][3], dw[3][3];
-    int node; /* of the window: the first node of the stencil */
+    int node;      /* of the window: the first node of the stencil */
+    double radius; /* m: along the first axis, where the weights were taken */
 } stencil;
 
 /* The cell is clamped to the tile, so that round-off at a cell's face never leaves the window.
@@ -44,8 +45,9 @@ typedef struct stencil {
  * viscosity, PIC blend or stress scheme cures (measured on the gas of the pressurised cylinder: e-fold in about 20 steps).
  * At the centre a uniform pressure gives no force wherever the points are, and rates and forces stay each other's
  * transpose. In cells shared with a solid the point's own place is taken, since the fluid fills but a part of them, and the
- * solid's inertia holds it (the centre there costs 28 for 25 % in the cylinder's stress at h = 0.1). The smooth bases
- * change slowly across a cell, and keep the point's own gradient. */
+ * solid's inertia holds it (the centre there costs 28 for 25 % in the cylinder's stress at h = 0.1). About an axis the hoop
+ * terms S/r are part of the divergence, and are taken at the same place. The smooth bases change slowly across a cell, and
+ * keep the point's own gradient. */
 FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, size_t k, const int dim,
                                   const basis_kind kind, const bool centre)
 {
@@ -66,6 +68,7 @@ FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, si
     for (int a = 0; a < dim; ++a) {
         const double half = kind == BASIS_GIMP ? p->half[a][k] * f->inv_h[a] : 0.5;
         const int first = basis_1d(kind, centred ? 0.5 : at[a] - cell[a], half, f->inv_h[a], s.w[a], s.dw[a]);
+        if (a == 0) s.radius = centred ? f->lower[0] + (f->first[0] + cell[0] + 0.5) / f->inv_h[0] : p->x[0][k];
         s.node += row * (cell[a] + first + basis_reach(kind));
         row *= width;
     }

@@ -75,6 +75,7 @@ static floe_status set_initial_state(sim *s)
 /* The ledger's zero, and the scale of what is there. */
 static floe_status open_ledger(sim *s)
 {
+    s->ledger.no_account[LEDGER_MOMENTUM_X] = s->mesh.geometry == MESH_AXISYMMETRIC;
     TRY(sim_account(s));
     memcpy(s->ledger.initial, s->ledger.total, sizeof s->ledger.initial);
     ledger_discard(&s->ledger);
