@@ -160,3 +160,24 @@ function(floe_executable)
     target_link_libraries(floe PRIVATE floe_archive)
     install(TARGETS floe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
+
+# floe_embed(room file symbol), before the room's floe_room: src/<room>/<file> as
+#     const unsigned char <symbol>[];   const size_t <symbol>_size;
+function(floe_embed room file symbol)
+    set(source "${CMAKE_SOURCE_DIR}/src/${room}/${file}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+    file(READ "${source}" bytes HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+    string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
+    set(output "${CMAKE_BINARY_DIR}/generated/${room}/${symbol}.c")
+    file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT "/* Generated from src/@room@/@file@. */
+#include <stddef.h>
+
+extern const unsigned char @symbol@[];
+extern const size_t @symbol@_size;
+const unsigned char @symbol@[] = {
+@bytes@};
+const size_t @symbol@_size = sizeof @symbol@;
+")
+    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${room} "${output}")
+endfunction()

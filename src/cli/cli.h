@@ -34,6 +34,7 @@ int cmd_run(cli *c, int argc, char **argv);
 int cmd_compare(cli *c, int argc, char **argv);
 int cmd_stability(cli *c, int argc, char **argv);
 int cmd_picture(cli *c, int argc, char **argv);
+int cmd_report(cli *c, int argc, char **argv);
 int cmd_list(cli *c, int argc, char **argv);
 int cmd_new(cli *c, int argc, char **argv);
 

@@ -16,6 +16,7 @@ const cli_command cli_commands[] = {
     {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare},
     {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability},
     {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture},
+    {"report", "Make one page of HTML of the results in folders", cmd_report},
     {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list},
     {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new},
 };

@@ -129,7 +129,8 @@ static void append_style(strbuf *out, const plot_series *s)
     static const char *const with[] = {"lines", "points", "linespoints", "fsteps"};
     const int colour = s->colour < 0 ? 0 : s->colour;
     strbuf_append(out, " with %s", with[s->style]);
-    if (s->style != PLOT_POINTS) strbuf_append(out, " lw %g dt %d", s->emphasis ? 1.6 : 1.8, s->emphasis ? 3 : 1);
+    if (s->style != PLOT_POINTS)
+        strbuf_append(out, " lw %g dt %d", s->emphasis ? 1.4 : 1.8, s->emphasis && s->style != PLOT_LINES ? 3 : 1);
     if (s->style == PLOT_POINTS || s->style == PLOT_LINES_POINTS)
         strbuf_append(out, " pt %d ps %g", s->emphasis ? 6 : marker(colour), s->emphasis ? 1.5 : 0.7);
     strbuf_append(out, " lc rgb '%s'", s->emphasis ? PLOT_INK : plot_colour(colour, false));

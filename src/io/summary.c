@@ -1,5 +1,6 @@
 #include "io/summary.h"
 
+#include "base/machine.h"
 #include "floe_build.h"
 #include "io/file.h"
 
@@ -67,14 +68,6 @@ static bool set_conservation(json_t *object, const run_summary *r)
            set(drift, "momentum", number(r->drift_momentum)) && set(drift, "energy", number(r->drift_energy));
 }
 
-static bool set_build(json_t *object, const run_summary *r)
-{
-    json_t *build;
-    return set_object(object, "floe", &build) && set(build, "version", json_string(r->version)) &&
-           set(build, "git", json_string(r->git)) && set(build, "compiler", json_string(r->compiler)) &&
-           set(build, "flags", json_string(r->flags)) && set(build, "threads", json_integer(r->threads));
-}
-
 /* json_stringn_nocheck would take text that is not UTF-8; a path may be that, and a message may name one, so its odd bytes are replaced. */
 static json_t *plain_text(const char *text)
 {
@@ -85,6 +78,15 @@ static json_t *plain_text(const char *text)
     for (; text[i] && i < sizeof plain - 1; i++) plain[i] = (unsigned char)text[i] < 0x80 ? text[i] : '?';
     plain[i] = '\0';
     return json_string(plain);
+}
+
+static bool set_build(json_t *object, const run_summary *r)
+{
+    json_t *build;
+    return set_object(object, "floe", &build) && set(build, "version", json_string(r->version)) &&
+           set(build, "git", json_string(r->git)) && set(build, "compiler", json_string(r->compiler)) &&
+           set(build, "flags", json_string(r->flags)) && set(build, "machine", plain_text(r->machine)) &&
+           set(build, "threads", json_integer(r->threads));
 }
 
 static bool set_all(json_t *object, const run_summary *r)
@@ -134,6 +136,7 @@ void summary_set_build(run_summary *r)
     copy_text(r->git, sizeof r->git, FLOE_GIT);
     copy_text(r->compiler, sizeof r->compiler, FLOE_COMPILER);
     copy_text(r->flags, sizeof r->flags, FLOE_FLAGS);
+    machine_describe(r->machine, sizeof r->machine);
 }
 
 floe_status summary_add_error(run_summary *r, context *ctx, const char *name, double value)

@@ -47,6 +47,7 @@ typedef struct run_summary {
     summary_counter counters[SUMMARY_MAX_COUNTERS];
     int n_counters;
     char version[SUMMARY_NAME], git[SUMMARY_NAME], compiler[SUMMARY_TEXT], flags[SUMMARY_TEXT];
+    char machine[SUMMARY_TEXT]; /* what it ran on; "" where an older version wrote it */
     long long threads;
 } run_summary;
 
@@ -54,7 +55,7 @@ typedef struct run_summary {
 floe_status summary_add_error(run_summary *r, context *ctx, const char *name, double value);
 floe_status summary_add_counter(run_summary *r, context *ctx, const char *name, long long value);
 
-/* Fills version, git, compiler and flags with those of this build. */
+/* Fills version, git, compiler, flags and machine with those of this build and of where it runs. */
 void summary_set_build(run_summary *r);
 /* Fills what the simulation knows: coupling, time, steps, stages, cells, points, updates, field bytes, conservation, counters
  * (those of the ledger are appended). */

@@ -105,6 +105,8 @@ static void get_build(reader *r, const json_t *object, run_summary *out)
     get_text(r, build, "git", out->git, sizeof out->git);
     get_text(r, build, "compiler", out->compiler, sizeof out->compiler);
     get_text(r, build, "flags", out->flags, sizeof out->flags);
+    const char *machine = json_string_value(json_object_get(build, "machine"));
+    (void)snprintf(out->machine, sizeof out->machine, "%s", machine ? machine : "");
     out->threads = get_count(r, build, "threads");
 }
 

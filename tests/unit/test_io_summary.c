@@ -43,7 +43,7 @@ static void has_fields_of_contract(void **state)
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};
     static const char *const drift[] = {"mass", "momentum", "energy", NULL};
-    static const char *const build[] = {"version", "git", "compiler", "flags", "threads", NULL};
+    static const char *const build[] = {"version", "git", "compiler", "flags", "machine", "threads", NULL};
     fixture f;
     fixture_make(&f, &coupled);
     const run_summary r = some_summary(&f);

@@ -1,0 +1,10 @@
+/* What floe runs on, for results that are compared. */
+#ifndef BASE_MACHINE_H
+#define BASE_MACHINE_H
+
+#include <stddef.h>
+
+/* "AMD EPYC 7B13, 8 processors, Linux 6.1.0 x86_64"; what the system does not tell is left out. */
+void machine_describe(char *text, size_t size);
+
+#endif

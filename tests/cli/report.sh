@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# floe report: one page that holds all it shows, of any folders, whatever they lack; and how it stands in a browser.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+
+# whole_page FILE: well-formed, nothing from outside, every name once, every link to a place that is there, no empty data.
+whole_page() {
+    local page=$1 ids figures
+    is_there "$page"
+    if command -v xmllint >/dev/null; then
+        xmllint --noout "$page" 2>stderr || fault "$page is not well-formed"
+    fi
+    ! grep -qE "(src|href|url\()[=\"']*(https?:)?//" "$page" || fault "$page takes something from outside"
+    ! grep -qE '<(script|link|iframe|object)[ />]' "$page" || fault "$page has more than markup"
+    grep -oE " id=[\"'][^\"']*[\"']" "$page" | tr -d "\"'" | sed 's/ id=//' >ids
+    ids=$(sort ids | uniq -d)
+    [ -z "$ids" ] || fault "names that stand twice in $page: $ids"
+    grep -oE "href=[\"']#[^\"']*" "$page" | sed -E "s/href=[\"']#//" | sort -u >links
+    ids=$(sort -u ids | comm -13 - links)
+    [ -z "$ids" ] || fault "$page links to what is not there: $ids"
+    ! grep -qE 'base64,("|$)' "$page" || fault "$page has empty data"
+    ! grep -qE '[ >(]-?(nan|inf)[ <)]' "$page" || fault "$page shows what is no number"
+    figures=$(grep -c '<figure class="plot">' "$page" || true)
+    if command -v gnuplot >/dev/null; then
+        [ "$(grep -c '<svg class="floe-plot"' "$page")" = "$figures" ] || fault "$page lacks drawings"
+    fi
+    [ "$(grep -o 'data:text/csv;base64,' "$page" | wc -l)" -ge "$figures" ] || fault "$page lacks data"
+}
+
+# in_browser FILE: nothing is wider than the page, from phones to desks, all folds open; every picture shows; no requests.
+in_browser() {
+    local chromium
+    chromium=$(command -v chromium || command -v chromium-browser || true)
+    if [ -z "$chromium" ]; then
+        echo 'skipped: no chromium to look at the page with'
+        return
+    fi
+    sed "s|PAGE|$1|" >look.html <<'EOF'
+<!DOCTYPE html><iframe id="f" src="PAGE" style="border:0;height:4000px"></iframe><pre id="out"></pre>
+<script>
+onload = () => {
+  const f = document.getElementById('f'), out = [], d = f.contentDocument;
+  d.querySelectorAll('details').forEach(e => e.open = true);
+  for (const w of [360, 390, 768, 1280]) {
+    f.style.width = w + 'px';
+    if (d.documentElement.scrollWidth > w) out.push('FAULT at ' + w + ': page is ' + d.documentElement.scrollWidth + ' wide');
+    d.querySelectorAll('body *').forEach(e => {
+      if (e.closest('.scroll, svg > *') || e.getBoundingClientRect().right <= w + 1) return;
+      out.push('FAULT at ' + w + ': too wide: ' + e.tagName + ' ' + e.className + ' ' + e.textContent.slice(0, 40));
+    });
+    d.querySelectorAll('svg.floe-plot').forEach(e => {
+      if (e.getBoundingClientRect().height < 150 || e.querySelectorAll('path').length < 5) out.push('FAULT: empty drawing');
+    });
+  }
+  d.querySelectorAll('img').forEach(e => { if (!(e.naturalWidth > 0)) out.push('FAULT: missing picture ' + e.alt); });
+  f.contentWindow.performance.getEntriesByType('resource').forEach(e => {
+    if (!e.name.startsWith('data:')) out.push('FAULT: asks for ' + e.name);
+  });
+  document.getElementById('out').textContent = out.join('\n') + '\nLOOKED ' + d.querySelectorAll('figure').length;
+};
+</script>
+EOF
+    HOME=$work timeout 120 "$chromium" --headless --no-sandbox --disable-gpu --user-data-dir="$work/browser" \
+        --allow-file-access-from-files --virtual-time-budget=20000 --dump-dom "file://$work/look.html" \
+        >looked 2>/dev/null || fault 'chromium has failed'
+    has looked 'LOOKED'
+    ! grep FAULT looked | grep -v push >&2 || fault "$1 does not look right"
+}
+
+# Results to report of: cases side by side, a run whose title is markup, one that has diverged.
+expect 0 "$FLOE" compare "$cylinder" --axis domain.cell=0.2,0.1 --set time.end=1e-3 -o cmp --quiet
+expect 0 "$FLOE" run "${tiny[@]}" --set time.end=5e-4 --set 'title="<b> & \"it'"'"'s\" mine"' -o run --quiet
+expect 3 "$FLOE" run "${tiny[@]}" --set time.fixed_step=1e-4 -o bad --quiet
+
+# All of them.
+expect 0 "$FLOE" report cmp run bad -o all.html
+has stdout 'report: all.html'
+whole_page all.html
+in_browser all.html
+has all.html 'For no more than'
+has all.html '&lt;b&gt; &amp;'
+has all.html '>diverged<'
+has all.html 'would cross more than a cell'
+has all.html 'Conservation'
+has all.html 'Time by stage'
+has all.html 'inner_radius: 0.5' # the deck as resolved
+has all.html "$(json run/summary.json compiler)"
+has all.html "$(json run/summary.json version)"
+is_there all_files/*.csv all_files/*.gp
+# A case's error as the page shows it is that of its run.
+eq13=$(awk -v x="$(json cmp/mpm-0.1/summary.json eq13)" 'BEGIN { printf "%.4g", 100 * x }')
+has all.html ">$eq13 %<"
+
+# One folder: the page is in it.
+expect 0 "$FLOE" report run/ --quiet
+[ ! -s stdout ] || fault 'not quiet'
+whole_page run/report.html
+is_there run/report_files
+
+# Without gnuplot: tables, data and scripts, and it is said once.
+mkdir bin
+expect 0 env PATH="$work/bin" "$FLOE" report cmp run -o plain.html
+[ "$(grep -c 'gnuplot is not installed' stderr)" -eq 1 ] || fault 'not said once'
+has plain.html 'gnuplot was not there'
+has plain.html 'data:text/plain;base64,'
+! grep -q '<svg' plain.html || fault 'drawings without gnuplot'
+in_browser plain.html
+
+# Folders of other versions: what is missing is left out.
+mkdir old
+echo '{"schema": 1, "status": "done", "errors": {"eq13": null}}' >old/summary.json
+printf 'time (s),kinetic (J)\n0,nan\n1' >old/history.csv # and half a row
+expect 0 "$FLOE" report old -o old.html
+whole_page old.html
+
+# What is no result is refused before anything is written.
+mkdir none
+expect 2 "$FLOE" report run none -o refused.html
+has stderr "'none' holds no results"
+expect 2 "$FLOE" report nowhere -o refused.html
+has stderr "there is no folder 'nowhere'"
+mkdir cut && touch cut/history.csv
+expect 2 "$FLOE" report cut -o refused.html
+has stderr 'has not ended'
+[ ! -e refused.html ] && [ ! -e refused_files ] || fault 'written all the same'
+echo '{' >none/summary.json
+expect 4 "$FLOE" report none -o refused.html
+has stderr 'none/summary.json'
+expect 2 "$FLOE" report run --times 1,x
+expect 2 "$FLOE" report
