@@ -200,6 +200,7 @@ static void draw_upright_ticks(sketch *k, const scale *s, frame f)
     canvas *c = &k->paper;
     const double u = c->unit;
     scale_ticks ticks;
+    double above = INFINITY; /* the label before, which the next one must not touch */
     scale_make_ticks(s, upright_ticks(f.height / u), &ticks);
     for (int i = 0; i < ticks.n; i++) {
         const double at = f.y + f.height * (s->upper - ticks.value[i]) / (s->upper - s->lower);
@@ -208,6 +209,8 @@ static void draw_upright_ticks(sketch *k, const scale *s, frame f)
         cairo_move_to(c->cr, f.x, at);
         cairo_line_to(c->cr, f.x - TICK_LENGTH * u, at);
         cairo_stroke(c->cr);
+        if (above - at < 1.1 * TICK_SIZE * u) continue;
+        above = at;
         canvas_colour(c, c->ink);
         canvas_text(c, f.x - (TICK_LENGTH + 5) * u, at + 8 * u, TICK_SIZE, false, ALIGN_RIGHT, ticks.label[i]);
     }

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-enum { PANEL = 330, ABOVE = 50, KEY = 38, BELOW_PANEL = 46, BELOW_LAST = 84, SERIES = 6 };
+enum { PANEL = 330, ABOVE = 58, KEY = 38, BELOW_PANEL = 46, BELOW_LAST = 84, SERIES = 6 };
 
 /* Colours that the colour-blind can tell apart (M. Okabe and K. Ito 2008), for light and dark paper. */
 static const uint32_t series_colour[2][SERIES] = {{0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0x8a6d00, 0x444b55},
@@ -151,7 +151,7 @@ static void draw_panel(sketch *k, int panel, frame f, bool last)
     picture_draw_axes(k, f, &k->axis[0], last ? x_label : NULL, &s, NULL);
     canvas_colour(&k->paper, k->paper.ink);
     const double u = k->paper.unit;
-    canvas_text_within(&k->paper, MARGIN * u, f.y - (panel_head(p, panel) - 36) * u, TEXT_SIZE, false, ALIGN_LEFT,
+    canvas_text_within(&k->paper, MARGIN * u, f.y - (panel_head(p, panel) - 34) * u, TEXT_SIZE, false, ALIGN_LEFT,
                        k->paper.width - 2 * MARGIN * u, label);
     if (series_in(p, panel) > 1) draw_key(k, panel, f.y - 12 * u);
 }
