@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { TITLE_LINE = 38 /* characters */, TITLE_HEIGHT = 42 };
+
 static floe_status add_values(context *ctx, const picture *p, int k, scale_sample *sample)
 {
     const picture_cells *c = p->cells;
@@ -58,10 +60,32 @@ static colour_kind choose_colours(const sketch *k, int n)
     return COLOUR_COOL;
 }
 
+/* Characters, not bytes. */
+static size_t characters(const char *text)
+{
+    size_t n = 0;
+    for (; *text; text++) n += ((unsigned char)*text & 0xc0) != 0x80;
+    return n;
+}
+
+/* Where a title that is too long for a line is broken: at the last blank that a line holds; NULL: nowhere. */
+static const char *title_break(const char *title)
+{
+    const char *best = NULL;
+    size_t n = 0;
+    if (!title || characters(title) <= TITLE_LINE) return NULL;
+    for (const char *at = title; *at && n <= TITLE_LINE; at++) {
+        if (*at == ' ' && at > title) best = at;
+        n += ((unsigned char)*at & 0xc0) != 0x80;
+    }
+    return best;
+}
+
 double picture_head_height(const picture *p)
 {
     const bool second = isfinite(p->time) || p->note;
-    return 10 + (p->title && p->title[0] ? 42.0 : 0.0) + (second ? 36.0 : 0.0) + 10;
+    const int lines = p->title && p->title[0] ? 1 + (title_break(p->title) != NULL) : 0;
+    return 10 + TITLE_HEIGHT * lines + (second ? 36.0 : 0.0) + 10;
 }
 
 /* "t = 1.4 ms, plane z = 0.5 m" */
@@ -79,11 +103,13 @@ void picture_draw_head(sketch *k)
     const double u = c->unit, most = c->width - 2 * MARGIN * u;
     char text[4 * SCALE_TEXT];
     double y = 10 * u;
-    if (k->p->title && k->p->title[0]) {
-        y += 38 * u;
-        canvas_colour(c, c->ink);
-        canvas_text_within(c, MARGIN * u, y, TITLE_SIZE, true, ALIGN_LEFT, most, k->p->title);
-        y += 4 * u;
+    const char *title = k->p->title ? k->p->title : "";
+    const char *next = title_break(title);
+    (void)snprintf(text, sizeof text, "%.*s", next ? (int)(next - title) : (int)sizeof text, title);
+    canvas_colour(c, c->ink);
+    for (const char *line = text; line && *line; line = line == text && next ? next + 1 : NULL) {
+        canvas_text_within(c, MARGIN * u, y + 38 * u, TITLE_SIZE, true, ALIGN_LEFT, most, line);
+        y += TITLE_HEIGHT * u;
     }
     second_line(k->p, text);
     canvas_colour(c, c->faint);
@@ -173,14 +199,6 @@ void picture_draw_bar(sketch *k, int n, double y)
 static int upright_ticks(double height_in_units)
 {
     return (int)fmax(2.0, fmin(8.0, height_in_units / 54));
-}
-
-/* Characters, not bytes. */
-static size_t characters(const char *text)
-{
-    size_t n = 0;
-    for (; *text; text++) n += ((unsigned char)*text & 0xc0) != 0x80;
-    return n;
 }
 
 double picture_tick_room(const scale *y, double height)
