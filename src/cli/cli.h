@@ -32,6 +32,7 @@ int cmd_check(cli *c, int argc, char **argv);
 int cmd_plan(cli *c, int argc, char **argv);
 int cmd_run(cli *c, int argc, char **argv);
 int cmd_compare(cli *c, int argc, char **argv);
+int cmd_study(cli *c, int argc, char **argv);
 int cmd_stability(cli *c, int argc, char **argv);
 int cmd_picture(cli *c, int argc, char **argv);
 int cmd_report(cli *c, int argc, char **argv);

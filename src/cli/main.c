@@ -4,6 +4,7 @@
 #include "floe/floe.h"
 #include "floe_build.h"
 
+#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/time.h>
@@ -14,6 +15,7 @@ const cli_command cli_commands[] = {
     {"plan", "Show stages, fields, memory and steps, without running anything", cmd_plan},
     {"run", "Run a scene", cmd_run},
     {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare},
+    {"study", "Run a scene along crossed axes: orders, limits, error against run time", cmd_study},
     {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability},
     {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture},
     {"report", "Make one page of HTML of the results in folders", cmd_report},
@@ -139,6 +141,15 @@ static int carry_out(cli *c, const top *t, int argc, char **argv)
     return t->command->run(c, argc - t->first, argv + t->first);
 }
 
+/* A reader that has seen enough, as in `floe list | head`, is no error to speak of. */
+static int end_of_output(const cli *c)
+{
+    struct pollfd output = {.fd = STDOUT_FILENO};
+    if (poll(&output, 1, 0) == 1 && (output.revents & POLLERR)) return 0;
+    cli_error(c, "cannot write to standard output");
+    return status_exit(FLOE_IO);
+}
+
 int main(int argc, char **argv)
 {
     top t = {0};
@@ -154,10 +165,7 @@ int main(int argc, char **argv)
     catch_signals();
     const floe_status ready = floe_init();
     int status = ready == FLOE_OK ? carry_out(&c, &t, argc, argv) : cli_fail(&c, ready);
-    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
-        cli_error(&c, "cannot write to standard output");
-        status = status_exit(FLOE_IO);
-    }
+    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) status = end_of_output(&c);
     context_destroy(&c.ctx);
     return status;
 }

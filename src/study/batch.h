@@ -35,6 +35,7 @@ typedef struct batch_case {
     bool kept;          /* it was finished before and has not been run again */
     bool timed_out;     /* max_wall was reached */
     char message[BATCH_MESSAGE]; /* why it is not FLOE_OK */
+    bool alone;                  /* it ran alone on one thread, as far as the batch knows: its time counts */
     double other_cores;          /* processor time that others used while it ran, per wall time; NAN: unknown */
     run_summary summary;
 } batch_case;

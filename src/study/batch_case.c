@@ -5,10 +5,9 @@
 #include "base/timer.h"
 #include "io/file.h"
 #include "run/catalogue.h"
+#include "study/json.h"
 
-#include <jansson.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 
@@ -101,17 +100,11 @@ static void set_message(batch_case *one, const char *text)
 static floe_status note(batch *b, const batch_case *one)
 {
     char path[BATCH_PATH];
-    json_t *object = json_pack("{s:i, s:s, s:s, s:s, s:{s:o}}", "schema", 1, "deck_sha256", one->hash, "status",
-                               batch_status_name(one), "message", one->message, "timing", "other_cores",
-                               isfinite(one->other_cores) ? json_real(one->other_cores) : json_null());
-    char *text = object ? json_dumps(object, JSON_INDENT(2)) : NULL;
-    json_decref(object);
     batch_path(b->o, one, "case.json", path);
-    if (!text) return fail(b->ctx, FLOE_NO_MEMORY, "no memory for '%s'", path);
-    const file_part part[] = {{text, strlen(text)}, {"\n", 1}};
-    const floe_status status = file_replace(b->ctx, path, part, 2);
-    free(text);
-    return status;
+    return json_write(b->ctx, path,
+                      json_pack("{s:i, s:s, s:s, s:s, s:{s:b, s:o}}", "schema", 1, "deck_sha256", one->hash, "status",
+                                batch_status_name(one), "message", one->message, "timing", "alone", one->alone,
+                                "other_cores", json_number(one->other_cores)));
 }
 
 static const char *text_of(const json_t *object, const char *key)
@@ -131,7 +124,9 @@ static bool take_note(const batch *b, batch_case *one)
     one->timed_out = strcmp(status, "timed_out") == 0;
     one->status = one->timed_out ? FLOE_INTERRUPTED : strcmp(status, "diverged") == 0 ? FLOE_DIVERGED : FLOE_OK;
     set_message(one, text_of(object, "message"));
-    const json_t *cores = json_object_get(json_object_get(object, "timing"), "other_cores");
+    const json_t *timing = json_object_get(object, "timing");
+    const json_t *cores = json_object_get(timing, "other_cores");
+    one->alone = json_is_true(json_object_get(timing, "alone"));
     one->other_cores = json_is_number(cores) ? json_number_value(cores) : (double)NAN;
     json_decref(object);
     return same;
@@ -217,6 +212,7 @@ floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
     batch_case *one = &b->list[j->index];
     const machine_load after = machine_load_now();
     const bool stopped = b->o->stop && *b->o->stop;
+    one->alone = b->n_jobs == 1 && b->o->threads <= 1;
     one->other_cores = b->n_jobs == 1 ? machine_load_of_others(&j->before, &after) : (double)NAN;
     one->status = status_of(wait_status);
     (void)read_summary(b, one);

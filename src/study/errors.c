@@ -1,5 +1,6 @@
 #include "study/errors.h"
 
+#include "verify/history_metric.h"
 #include "verify/metric.h"
 
 #include <math.h>
@@ -16,7 +17,8 @@ double error_of(const run_summary *r, const char *name)
 bool error_is_relative(const char *name)
 {
     metric m;
-    if (strncmp(name, "rel_", 4) == 0) return true;
+    const char *quantity;
+    if (strncmp(name, "rel_", 4) == 0 || history_metric_parse(name, &quantity) != HISTORY_METRIC_COUNT) return true;
     if (metric_parse(NULL, name, &m) != FLOE_OK) return false;
     return m.kind == METRIC_EQ13 || m.kind == METRIC_L1REL || m.kind == METRIC_L2REL || m.kind == METRIC_LINFREL;
 }

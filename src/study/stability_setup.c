@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "run/catalogue.h"
-#include "study/axis_text.h"
+#include "study/axis.h"
 
 #include <math.h>
 #include <stdlib.h>

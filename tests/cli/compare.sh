@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# floe compare: cases side by side, in this process and in others; a case that diverges is a result.
+# floe compare: cases side by side, one or several at a time; a case that diverges is a result.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 scene=("$cylinder" --set coupling=mpm --set 'runs_as=[mpm]')
@@ -7,14 +7,14 @@ scene=("$cylinder" --set coupling=mpm --set 'runs_as=[mpm]')
 expect 0 "$FLOE" compare "${scene[@]}" --axis domain.cell=0.2,0.1 -o out
 has stdout 'eq13'
 has stdout 'order in h, mpm'
-is_there out/compare.json out/compare.csv out/compare.gp out/profile.csv out/mpm-0.2/summary.json out/mpm-0.1/summary.json
+is_there out/compare.json out/compare.csv out/errors.gp out/errors.csv out/profile.csv out/mpm-0.2/summary.json out/mpm-0.1/summary.json
 [ "$(wc -l <out/compare.csv)" -eq 3 ] || fault 'not two cases'
 [ "$(json out/compare.json schema)" = 1 ] || fault 'no schema'
 has out/compare.json '"orders"'
 has out/compare.json '"stderr"'
 if command -v gnuplot >/dev/null; then is_there out/errors.svg out/profile.svg; fi
 
-# In processes: the same numbers.
+# Two at a time: the same numbers.
 expect 0 "$FLOE" compare "${scene[@]}" --axis domain.cell=0.2,0.1 -o jobs --jobs 2 --quiet
 for case in mpm-0.2 mpm-0.1; do
     same_results "out/$case" "jobs/$case"
@@ -25,6 +25,6 @@ mkdir bin
 expect 0 env PATH="$work/bin" "$FLOE" compare "${scene[@]}" --axis time.fixed_step=1e-5,1e-4 --set domain.cell=0.1 \
     --set time.end=1e-3 -o steps
 has stderr 'gnuplot'
-is_there steps/compare.gp
+is_there steps/errors.gp
 has stdout 'diverged'
 has steps/compare.csv 'diverged'

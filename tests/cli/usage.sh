@@ -6,7 +6,7 @@
 expect 0 "$FLOE" --version
 has stdout 'floe '
 expect 0 "$FLOE" --help
-for command in check plan run compare picture list new; do
+for command in check plan run compare study picture list new; do
     has stdout "$command"
     expect 0 "$FLOE" "$command" --help
     expect 2 "$FLOE" "$command" --no-such-option
@@ -52,6 +52,11 @@ has stdout '# The deck'
 expect 0 "$FLOE" new --completion bash
 bash -n stdout || fault 'the completion is no bash'
 expect 2 "$FLOE" new --completion zsh
+# A reader that has seen enough is no error.
+got=0
+{ "$FLOE" new --reference 2>stderr || got=$?; echo "$got" >status; } | head -n 1 >/dev/null
+[ "$(cat status)" -eq 0 ] || fault "a closed pipe gives $(cat status) instead of 0"
+[ ! -s stderr ] || fault 'a closed pipe is complained about'
 if [ -c /dev/full ]; then
     got=0
     "$FLOE" list >/dev/full 2>stderr || got=$?

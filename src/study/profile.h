@@ -1,0 +1,21 @@
+/* Profiles of several runs beside their exact solution: profile.csv of each as one figure. */
+#ifndef STUDY_PROFILE_H
+#define STUDY_PROFILE_H
+
+#include "draw/plot.h"
+
+typedef struct profile_source {
+    const char *name;
+    int colour;      /* of the palette */
+    char path[4096]; /* of a run's profile.csv; it need not be there */
+} profile_source;
+
+/* Writes DIR/profile.csv, .gp and, with gnuplot, .svg: a panel for each unit, with every quantity that has an exact value. Nothing
+ * is done when no source is there, or none has such a quantity. `exact` names the exact solution; *missing as in figure_write. */
+floe_status profile_draw(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
+                         bool *missing);
+
+/* Writes a figure; once gnuplot was found to be missing, its data and script alone, without another warning. */
+floe_status figure_write(context *ctx, const char *dir, const plot_figure *figure, bool *missing);
+
+#endif

@@ -1,0 +1,81 @@
+/* `floe study` and `floe compare`: one deck along crossed axes: errors, orders, limits, and what they cost.
+ *
+ * A comparison is a study over the couplings of the deck and one axis. Cases that differ only in the axis `over` form a group: its
+ * errors give an order, and its curve of error against cost is compared with those of the other groups. */
+#ifndef STUDY_STUDY_H
+#define STUDY_STUDY_H
+
+#include "study/axis.h"
+#include "study/batch.h"
+
+enum { STUDY_MAX_REPEAT = 100, STUDY_LABEL = 160, STUDY_MAX_METRICS = SUMMARY_MAX_ERRORS };
+
+typedef struct study_options {
+    const char *name; /* stem of the results: "study", "compare" */
+    bool compare;     /* axes are the deck's runs_as and compare.axis, not those of `study` */
+    const char *deck; /* path */
+    deck_overrides set;
+    const char *const
+        *axis; /* n_axis of "KEY=V1,V2,...": instead of the deck's axis of that key (of `compare`: of its one axis) */
+    size_t n_axis;
+    const char *over;                  /* instead of the deck's; NULL: the deck's */
+    int repeat;                        /* timed runs of each case; < 0: as the deck says */
+    double max_wall;                   /* s of each case; 0: as the deck says */
+    const char *dir;                   /* of the results, one folder in it for each case; made if it is not there */
+    int threads;                       /* of each case; 0: one, which is what times are compared at */
+    int jobs;                          /* cases at a time; 0: one. Timed runs are alone whatever this says */
+    bool again;                        /* run cases again that have ended before */
+    const char *program;               /* the floe program, which runs the cases */
+    const volatile sig_atomic_t *stop; /* as in run_options */
+    FILE *progress;                    /* NULL: quiet */
+} study_options;
+
+/* Wall times of a case. */
+typedef struct study_timing {
+    double seconds[STUDY_MAX_REPEAT]; /* s, of each timed run */
+    double others[STUDY_MAX_REPEAT];  /* cores that others used meanwhile; NAN: unknown */
+    int n;                            /* 0: not timed */
+    double best;                      /* s: the fastest timed run; not timed: the run itself, whatever ran beside it */
+    bool disturbed;                   /* others used the machine during the best one */
+    bool differs;                     /* a timed run gave other results than the first: it must not */
+} study_timing;
+
+typedef struct study_case {
+    int pick[SCENE_MAX_AXES]; /* index of its value on each axis */
+    size_t group;
+    scene_coupling coupling;
+    double h;                              /* m: domain.cell along the first axis */
+    double over;                           /* value on the axis `over`, h if that is the mesh or none; NAN: no number */
+    const char **set;                      /* what makes the case of the deck; owned */
+    char (*text)[SCENE_KEY + SCENE_VALUE]; /* "KEY=VALUE", one an axis; owned */
+    double quantity[SCENE_MAX_METRICS];    /* last values of the study's quantities; NAN: none */
+    study_timing timing;
+    batch_case *run; /* in study.run */
+} study_case;
+
+typedef struct study {
+    context *ctx;                 /* not owned */
+    const study_options *options; /* not owned */
+    char title[256], exact[SCENE_NAME];
+    scene_study plan; /* the deck's, with what the command line has changed; its axes are in `axes` */
+    axis_list axes;
+    int over;         /* index of the axis that orders are taken over; -1: none */
+    study_case *list; /* owned; the first axis varies slowest */
+    batch_case *run;  /* n as well; owned */
+    size_t n, n_groups;
+    char (*group)[STUDY_LABEL];            /* names of the groups; owned */
+    const char *metric[STUDY_MAX_METRICS]; /* errors that any case has, in the order in which they come */
+    int n_metrics;
+} study;
+
+/* Runs all cases and the timed runs, and writes NAME.json, NAME.csv and the figures; *out, owned by the caller, holds the results.
+ * A case that diverges or fails is a result. FLOE_BAD_INPUT: axes or cases are wrong, all of them named, and nothing was run or
+ * made. FLOE_INTERRUPTED: stopped; what there is was written, and the same call goes on. FLOE_MISSED_BAR: all done and
+ * written, and the message names what was required and not reached. */
+floe_status study_run(study **out, context *ctx, const study_options *options);
+void study_destroy(study **s);
+
+/* The table of the results, the orders, the limits, the answers and the bars. */
+floe_status study_print(const study *s, FILE *file);
+
+#endif

@@ -1,0 +1,209 @@
+/* A study as JSON: study.json, compare.json. What depends on the machine stands in objects named `timing`, and in a summary's
+ * wall_seconds, seconds_by_stage and peak_rss_bytes. */
+#include "study/json.h"
+#include "study/study_parts.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+/* {key: value} of the axes */
+static json_t *settings_json(const study *s, const study_case *one)
+{
+    json_t *object = json_object();
+    for (int k = 0; k < s->axes.n; k++)
+        json_put(object, s->axes.axis[k].key, json_string(s->axes.axis[k].value[one->pick[k]]));
+    return object;
+}
+
+/* The axis that is varied within a group, as `compare.json` has always had it. */
+static json_t *place_json(const study *s, const study_case *one)
+{
+    if (s->over < 0) return json_object();
+    const scene_axis *axis = &s->axes.axis[s->over];
+    return json_pack("{s:s}", axis->key, axis->value[one->pick[s->over]]);
+}
+
+static json_t *timing_json(const study *s, const study_case *one)
+{
+    const study_timing *t = &one->timing;
+    return json_pack("{s:o, s:b, s:o, s:o, s:b, s:b}", "best", json_number(t->best), "timed", t->n > 0, "all",
+                     json_numbers(t->seconds, (size_t)t->n), "other_cores", json_numbers(t->others, (size_t)t->n),
+                     "disturbed", t->disturbed, "same_results", s->plan.repeat == 0 || !t->differs);
+}
+
+static json_t *quantities_json(const study *s, const study_case *one)
+{
+    json_t *object = json_object();
+    for (int q = 0; q < s->plan.n_quantities; q++) json_put(object, s->plan.quantity[q], json_number(one->quantity[q]));
+    return object;
+}
+
+/* The summary of a case, with its place in the study; a case that never came to one has the rest alone. */
+static json_t *case_json(const study *s, const study_case *one)
+{
+    const batch_case *run = one->run;
+    json_t *object =
+        run->ran ? summary_json(&run->summary) : json_pack("{s:s}", "coupling", coupling_name(one->coupling));
+    if (object && json_put(object, "status", json_string(batch_status_name(run))) &&
+        json_put(object, "message", json_plain_text(run->message)) &&
+        json_put(object, "directory", json_string(run->folder)) &&
+        json_put(object, "group", json_plain_text(s->group[one->group])) &&
+        json_put(object, "h", json_number(one->h)) && json_put(object, "axis", place_json(s, one)) &&
+        json_put(object, "settings", settings_json(s, one)) &&
+        json_put(object, "quantities", quantities_json(s, one)) && json_put(object, "timing", timing_json(s, one)))
+        return object;
+    json_decref(object);
+    return NULL;
+}
+
+static json_t *runs_json(const study *s)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; list && i < s->n; i++) {
+        if (json_array_append_new(list, case_json(s, &s->list[i])) == 0) continue;
+        json_decref(list);
+        return NULL;
+    }
+    return list;
+}
+
+static json_t *order_json(const study_order *o)
+{
+    return json_pack("{s:o, s:o, s:o, s:o, s:o}", "order", json_number(o->order), "stderr",
+                     json_number(o->standard_error), "values", json_numbers(o->value, o->n), "h",
+                     json_numbers(o->h, o->n), "pairs", json_numbers(o->pair, o->n > 0 ? o->n - 1 : 0));
+}
+
+static json_t *orders_json(const study *s)
+{
+    json_t *object = json_object();
+    for (size_t g = 0; g < s->n_groups; g++) {
+        json_t *one = json_object();
+        for (int m = 0; m < s->n_metrics; m++) {
+            const study_order order = study_order_of(s, g, s->metric[m]);
+            json_put(one, s->metric[m], order_json(&order));
+        }
+        json_put(object, s->group[g], one);
+    }
+    return object;
+}
+
+static json_t *fit_json(const richardson_fit *f)
+{
+    if (f->n == 0) return json_null();
+    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o}", "kind", richardson_name(f->kind), "order", json_number(f->order),
+                     "stderr", json_number(f->order_error), "value", json_number(f->value), "value_stderr",
+                     json_number(f->value_error), "uncertainty", json_number(f->uncertainty));
+}
+
+static json_t *limit_json(const study_limit *l)
+{
+    const double finest = l->values.value[l->values.n - 1];
+    return json_pack("{s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "kind", richardson_name(l->limit.kind),
+                     "order", json_number(l->limit.order), "value", json_number(l->limit.value), "gci",
+                     json_number(l->limit.gci_fine), "gci_relative", json_number(l->limit.gci_fine / fabs(finest)),
+                     "gci_medium", json_number(l->limit.gci_medium), "asymptotic_ratio",
+                     json_number(l->limit.asymptotic_ratio), "fit", fit_json(&l->fit), "values",
+                     json_numbers(l->values.value, l->values.n), "h", json_numbers(l->values.h, l->values.n));
+}
+
+static json_t *limits_json(const study *s)
+{
+    json_t *object = json_object();
+    for (size_t g = 0; g < s->n_groups && s->plan.n_quantities > 0; g++) {
+        json_t *one = json_object();
+        for (int q = 0; q < s->plan.n_quantities; q++) {
+            study_limit limit;
+            const bool found = study_limit_of(s, g, q, &limit);
+            json_put(one, s->plan.quantity[q], found ? limit_json(&limit) : json_null());
+        }
+        json_put(object, s->group[g], one);
+    }
+    return object;
+}
+
+/* {metric: [folder, ...]}: from which no other case is cheaper and better. */
+static json_t *front_json(const study *s, study_cost cost)
+{
+    json_t *object = json_object();
+    for (int m = 0; m < s->n_metrics; m++) {
+        json_t *list = json_array();
+        for (size_t i = 0; i < s->n; i++) {
+            if (study_is_on_front(s, i, s->metric[m], cost)) json_array_append_new(list, json_string(s->run[i].folder));
+        }
+        json_put(object, s->metric[m], list);
+    }
+    return object;
+}
+
+static json_t *group_name(const study *s, size_t group)
+{
+    return group < s->n_groups ? json_plain_text(s->group[group]) : json_null();
+}
+
+static json_t *answers_json(const study *s)
+{
+    json_t *list = json_array();
+    for (int m = 0; m < s->n_metrics; m++) {
+        study_answer a[STUDY_MAX_TARGETS];
+        const int n = study_answers(s, s->metric[m], a);
+        for (int k = 0; k < n; k++) {
+            char text[512];
+            study_answer_text(s, &a[k], text, sizeof text);
+            json_array_append_new(list,
+                                  json_pack("{s:s, s:f, s:o, s:o, s:o, s:o, s:o}", "metric", a[k].metric, "target",
+                                            a[k].target, "best", group_name(s, a[k].best), "seconds",
+                                            json_number(a[k].seconds), "next", group_name(s, a[k].next), "next_seconds",
+                                            json_number(a[k].next_seconds), "text", json_plain_text(text)));
+        }
+    }
+    return list;
+}
+
+static json_t *axis_json(const scene_axis *axis)
+{
+    json_t *values = json_array();
+    for (int i = 0; i < axis->n_values; i++) json_array_append_new(values, json_string(axis->value[i]));
+    return json_pack("{s:s, s:o}", "key", axis->key, "values", values);
+}
+
+static json_t *axes_json(const study *s)
+{
+    json_t *list = json_array();
+    for (int k = 0; k < s->axes.n; k++) json_array_append_new(list, axis_json(&s->axes.axis[k]));
+    return list;
+}
+
+static json_t *bars_json(const study *s)
+{
+    study_bar_result *result;
+    size_t n;
+    json_t *list = json_array();
+    if (study_bars(s, &result, &n) != FLOE_OK) return list;
+    for (size_t i = 0; i < n; i++) {
+        const study_bar_result *r = &result[i];
+        json_array_append_new(list,
+                              json_pack("{s:s, s:s, s:o, s:o, s:o, s:b}", "metric", r->bar->metric, "of",
+                                        r->of_order ? "order" : "error", "where", json_plain_text(r->where), "value",
+                                        json_number(r->value), "required", json_number(r->limit), "met", r->met));
+    }
+    memory_free(s->ctx, &result);
+    return list;
+}
+
+floe_status study_write_json(const study *s)
+{
+    char path[BATCH_PATH];
+    (void)snprintf(path, sizeof path, "%s/%s.json", s->options->dir, s->options->name);
+    json_t *over = s->over < 0 ? json_null() : axis_json(&s->axes.axis[s->over]);
+    json_t *timing = json_pack("{s:i, s:b, s:o, s:o}", "repeat", s->plan.repeat, "disturbed", study_is_disturbed(s),
+                               "pareto", front_json(s, STUDY_SECONDS), "answers", answers_json(s));
+    return json_write(s->ctx, path,
+                      json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", 1, "deck",
+                                json_plain_text(s->options->deck), "title", json_plain_text(s->title), "axis", over,
+                                "axes", axes_json(s), "runs", runs_json(s), "orders", orders_json(s), "limits",
+                                limits_json(s), "pareto", front_json(s, STUDY_UPDATES), "bars", bars_json(s), "timing",
+                                timing));
+}

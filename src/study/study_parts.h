@@ -1,0 +1,85 @@
+/* The parts of a study. Private to src/study. */
+#ifndef STUDY_STUDY_PARTS_H
+#define STUDY_STUDY_PARTS_H
+
+#include "study/study.h"
+#include "verify/richardson.h"
+
+/* study_plan.c: axes, cases, groups; every case's deck is checked. */
+floe_status study_make_plan(study *s);
+batch_options study_batch_options(const study *s);
+/* "h" for the mesh, else the key. */
+const char *study_axis_name(const scene_axis *axis);
+/* "h (m)", or the key of `over`. */
+const char *study_over_label(const study *s);
+
+/* study_timing.c */
+/* Fills the timings by what the runs themselves took. */
+void study_take_times(study *s);
+/* After that: the timed runs, alone and on one thread, in DIR/timing. */
+floe_status study_time(study *s);
+/* True if any timed run was disturbed. */
+bool study_is_disturbed(const study *s);
+
+/* study_values.c: what the cases have come to. */
+void study_take_values(study *s);
+bool study_is_done(const study_case *one);
+/* The error of a case that is done; NAN otherwise. */
+double study_error(const study_case *one, const char *metric);
+
+/* study_order.c */
+typedef struct study_order {
+    double h[SCENE_MAX_AXIS], value[SCENE_MAX_AXIS]; /* from the coarsest to the finest */
+    size_t n;
+    double order, standard_error; /* of the fit; NAN where nothing can be fitted */
+    double pair[SCENE_MAX_AXIS];  /* n - 1 orders of neighbours; NAN where there is none */
+} study_order;
+/* Errors of a metric in a group over `over`. */
+study_order study_order_of(const study *s, size_t group, const char *metric);
+/* Values of a quantity in a group, and what they tend to; false where too few are there. `fit` is only filled from four values on
+ * (fit->n > 0). */
+typedef struct study_limit {
+    study_order values; /* h and value alone */
+    richardson limit;
+    richardson_fit fit;
+} study_limit;
+bool study_limit_of(const study *s, size_t group, int quantity, study_limit *out);
+
+/* study_front.c: error against cost. */
+typedef enum study_cost { STUDY_SECONDS, STUDY_UPDATES, STUDY_H, STUDY_COSTS } study_cost;
+double study_cost_of(const study_case *one, study_cost cost);
+/* No other case has both a smaller error and a smaller cost. */
+bool study_is_on_front(const study *s, size_t i, const char *metric, study_cost cost);
+
+/* Cheapest ways to an error: of the groups that reach it, by interpolation between their own cases and never beyond. */
+typedef struct study_answer {
+    const char *metric;
+    double target;
+    size_t best, next; /* groups; n_groups: none */
+    double seconds, next_seconds;
+} study_answer;
+enum { STUDY_MAX_TARGETS = 4 };
+/* Answers for sensible targets of one metric; returns how many. */
+int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX_TARGETS]);
+void study_answer_text(const study *s, const study_answer *a, char *text, size_t size);
+
+/* study_bar.c: what the deck requires. */
+typedef struct study_bar_result {
+    const scene_bar *bar;
+    bool of_order;               /* else of an error */
+    char where[2 * STUDY_LABEL]; /* group, or case */
+    double value, limit;         /* NAN: could not be measured */
+    bool met;
+} study_bar_result;
+/* The results of all bars: counted memory, owned by the caller. */
+floe_status study_bars(const study *s, study_bar_result **out, size_t *n);
+/* FLOE_MISSED_BAR with all misses in words. */
+floe_status study_check_bars(const study *s);
+void study_bar_text(const study_bar_result *r, char *text, size_t size);
+
+/* study_write.c, study_json.c, study_figure.c, study_profile.c */
+floe_status study_write_json(const study *s);
+floe_status study_write_csv(const study *s);
+floe_status study_write_figures(const study *s);
+
+#endif

@@ -1,0 +1,305 @@
+/* From a deck and its axes to the cases of a study. */
+#include "study/study_parts.h"
+
+#include "base/memory.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+batch_options study_batch_options(const study *s)
+{
+    const study_options *o = s->options;
+    return (batch_options){.program = o->program,
+                           .deck = o->deck,
+                           .dir = o->dir,
+                           .jobs = o->jobs,
+                           .threads = o->threads,
+                           .max_wall = s->plan.max_wall,
+                           .keep_finished = !o->again,
+                           .stop = o->stop,
+                           .progress = o->progress};
+}
+
+const char *study_axis_name(const scene_axis *axis)
+{
+    return strcmp(axis->key, "domain.cell") == 0 ? "h" : axis->key;
+}
+
+const char *study_over_label(const study *s)
+{
+    if (s->over < 0 || strcmp(s->axes.axis[s->over].key, "domain.cell") == 0) return "h (m)";
+    return s->axes.axis[s->over].key;
+}
+
+/* ---- axes ---- */
+
+static void add_couplings(study *s, const scene *base, strbuf *errors)
+{
+    scene_axis axis = {.key = "coupling"};
+    for (int i = 0; i < base->n_runs_as; i++)
+        (void)snprintf(axis.value[axis.n_values++], SCENE_VALUE, "%s", coupling_name(base->runs_as[i]));
+    (void)axis_put(&s->axes, &axis, errors);
+}
+
+static void take_axes(study *s, const scene *base, strbuf *errors)
+{
+    const study_options *o = s->options;
+    scene_axis axis;
+    if (o->compare) {
+        add_couplings(s, base, errors);
+        if (o->n_axis == 0 && base->compare.n_values > 0) (void)axis_put(&s->axes, &base->compare, errors);
+    } else {
+        for (int i = 0; i < base->study.n_axes; i++) (void)axis_put(&s->axes, &base->study.axis[i], errors);
+    }
+    for (size_t i = 0; i < o->n_axis; i++) {
+        if (axis_parse(o->axis[i], &axis, errors)) (void)axis_put(&s->axes, &axis, errors);
+    }
+    if (s->axes.n == 0)
+        strbuf_append(errors,
+                      "nothing to vary: give an axis, --axis domain.cell=0.1,0.05, or `study: {axes: {domain.cell: "
+                      "[0.1, 0.05]}}` in the deck\n");
+}
+
+static void name_all_axes(const study *s, strbuf *errors)
+{
+    for (int i = 0; i < s->axes.n; i++) strbuf_append(errors, "%s%s", i ? ", " : "", s->axes.axis[i].key);
+}
+
+/* The axis that orders are taken over. */
+static void choose_over(study *s, strbuf *errors)
+{
+    const char *wanted = s->options->over ? s->options->over : s->plan.over;
+    s->over = axis_find(&s->axes, wanted[0] ? wanted : "domain.cell");
+    if (wanted[0]) {
+        if (s->over < 0) {
+            strbuf_append(errors, "orders over '%s': that is no axis of this study, which has: ", wanted);
+            name_all_axes(s, errors);
+            strbuf_append(errors, "\n");
+        } else if (!axis_is_numeric(&s->axes.axis[s->over]) && strcmp(wanted, "domain.cell") != 0) {
+            strbuf_append(errors, "orders over '%s': its values are not different numbers > 0 in one unit\n", wanted);
+        }
+        return;
+    }
+    for (int i = 0; i < s->axes.n && s->over < 0; i++) {
+        if (axis_is_numeric(&s->axes.axis[i])) s->over = i;
+    }
+}
+
+/* Conditions of bars name axes and values of this study. */
+static void check_bars(const study *s, strbuf *errors)
+{
+    for (int b = 0; b < s->plan.n_bars; b++) {
+        const scene_bar *bar = &s->plan.bar[b];
+        for (int k = 0; k < bar->n_where; k++) {
+            const int at = axis_find(&s->axes, bar->key[k]);
+            bool known = false;
+            for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
+                known = known || axis_same_value(s->axes.axis[at].value[i], bar->value[k]);
+            if (known) continue;
+            strbuf_append(errors, "bar %d, for '%s': '%s: %s' is no %s of this study, which has: ", b + 1, bar->metric,
+                          bar->key[k], bar->value[k], at < 0 ? "axis" : "value of that axis");
+            if (at < 0) name_all_axes(s, errors);
+            for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
+                strbuf_append(errors, "%s%s", i ? ", " : "", s->axes.axis[at].value[i]);
+            strbuf_append(errors, "\n");
+        }
+    }
+}
+
+/* ---- cases ---- */
+
+static void pick_values(const study *s, study_case *one, size_t i)
+{
+    for (int k = s->axes.n - 1; k >= 0; k--) {
+        one->pick[k] = (int)(i % (size_t)s->axes.axis[k].n_values);
+        i /= (size_t)s->axes.axis[k].n_values;
+    }
+}
+
+/* Settings of a case: the user's, then the axes'. The deck's own study is of no use to a single run. */
+static floe_status set_case(const study *s, const scene *base, study_case *one)
+{
+    const deck_overrides *set = &s->options->set;
+    size_t n = 0;
+    TRY(memory_new(s->ctx, &one->set, set->n + 2 + (size_t)s->axes.n, sizeof *one->set));
+    TRY(memory_new(s->ctx, &one->text, (size_t)s->axes.n, sizeof *one->text));
+    for (; n < set->n; n++) one->set[n] = set->text[n];
+    if (base->study.given) one->set[n++] = "study=null";
+    if (base->compare.n_values > 0) one->set[n++] = "compare=null";
+    for (int k = 0; k < s->axes.n; k++) {
+        const scene_axis *axis = &s->axes.axis[k];
+        (void)snprintf(one->text[k], sizeof one->text[k], "%s=%s", axis->key, axis->value[one->pick[k]]);
+        one->set[n++] = one->text[k];
+    }
+    one->run->set = one->set;
+    one->run->n_set = n;
+    return FLOE_OK;
+}
+
+/* A value as a part of a name: that of a number says of what. */
+static void append_value(const study *s, const study_case *one, int k, bool short_key, char *text, size_t size)
+{
+    const scene_axis *axis = &s->axes.axis[k];
+    const char *value = axis->value[one->pick[k]], *unit, *dot = strrchr(axis->key, '.');
+    const size_t at = strlen(text);
+    double x;
+    if (axis_number(value, &x, &unit) && !short_key) {
+        (void)snprintf(text + at, size - at, "%s%s=%s", at ? ", " : "", axis->key, value);
+    } else if (axis_number(value, &x, &unit)) {
+        (void)snprintf(text + at, size - at, "%s%s=%s", at ? ", " : "", dot ? dot + 1 : axis->key, value);
+    } else {
+        (void)snprintf(text + at, size - at, "%s%s", at ? ", " : "", value);
+    }
+}
+
+/* A folder's name: the values, and '_' for what a file system may not like. */
+static void name_folder(const study *s, const study_case *one, char *folder, size_t size)
+{
+    size_t at = 0;
+    for (int k = 0; k < s->axes.n; k++) {
+        const char *value = s->axes.axis[k].value[one->pick[k]];
+        if (k > 0 && at + 1 < size) folder[at++] = '-';
+        for (; *value && at + 1 < size && at < 180; value++) {
+            const bool plain = isalnum((unsigned char)*value) || strchr("._-+", *value);
+            if (plain || (at > 0 && folder[at - 1] != '_' && value[1] != '\0')) folder[at++] = plain ? *value : '_';
+        }
+    }
+    folder[at] = '\0';
+    if (folder[0] == '.') folder[0] = '_';
+}
+
+/* Names that have become the same are numbered. */
+static void make_unique(const study *s, size_t i)
+{
+    char *folder = s->run[i].folder;
+    const size_t length = strlen(folder);
+    for (size_t k = 0, n = 2; k < i; k++) {
+        if (strcmp(s->run[k].folder, folder) != 0) continue;
+        (void)snprintf(folder + length, sizeof s->run[i].folder - length, "_%zu", n++);
+        k = (size_t)-1; /* from the first one again */
+    }
+}
+
+/* Groups are numbered as they come: a case belongs to the first one that differs from it in `over` alone. */
+static void join_group(study *s, size_t i)
+{
+    study_case *one = &s->list[i];
+    for (size_t j = 0; j < i; j++) {
+        bool same = s->over >= 0;
+        for (int k = 0; k < s->axes.n && same; k++) same = k == s->over || s->list[j].pick[k] == one->pick[k];
+        if (!same) continue;
+        one->group = s->list[j].group;
+        return;
+    }
+    one->group = s->n_groups++;
+}
+
+static void name_group(study *s, const study_case *one)
+{
+    char *name = s->group[one->group];
+    if (name[0]) return;
+    for (int k = 0; k < s->axes.n; k++) {
+        if (k != s->over) append_value(s, one, k, true, name, STUDY_LABEL);
+    }
+    if (!name[0]) (void)snprintf(name, STUDY_LABEL, "%s", coupling_name(one->coupling));
+}
+
+static floe_status make_cases(study *s, const scene *base)
+{
+    s->n = 1;
+    for (int k = 0; k < s->axes.n; k++) s->n *= (size_t)s->axes.axis[k].n_values;
+    TRY(memory_new(s->ctx, &s->list, s->n, sizeof *s->list));
+    TRY(memory_new(s->ctx, &s->run, s->n, sizeof *s->run));
+    TRY(memory_new(s->ctx, &s->group, s->n, sizeof *s->group));
+    for (size_t i = 0; i < s->n; i++) {
+        study_case *one = &s->list[i];
+        one->run = &s->run[i];
+        pick_values(s, one, i);
+        TRY(set_case(s, base, one));
+        name_folder(s, one, one->run->folder, sizeof one->run->folder);
+        make_unique(s, i);
+        for (int k = 0; k < s->axes.n; k++) append_value(s, one, k, false, one->run->label, sizeof one->run->label);
+        join_group(s, i);
+    }
+    return FLOE_OK;
+}
+
+/* Cells times steps, up to a factor. */
+static double cost_of(const mesh_spec *m)
+{
+    double cells = 1.0;
+    for (int k = 0; k < m->dim; k++) cells *= (m->upper[k] - m->lower[k]) / m->cell[k];
+    return pow(cells, 1.0 + 1.0 / m->dim);
+}
+
+static void take_scene(study *s, study_case *one, const scene *of)
+{
+    const char *unit;
+    one->coupling = of->coupling;
+    one->h = one->over = of->mesh.cell[0];
+    one->run->weight = cost_of(&of->mesh);
+    if (s->over < 0 || strcmp(s->axes.axis[s->over].key, "domain.cell") == 0) return;
+    if (!axis_number(s->axes.axis[s->over].value[one->pick[s->over]], &one->over, &unit)) one->over = NAN;
+}
+
+/* Every case must make a scene before the first one runs. One bad value spoils many cases: what is said of it is said once. */
+static floe_status check_cases(study *s, strbuf *errors)
+{
+    const batch_options batch = study_batch_options(s);
+    for (size_t i = 0; i < s->n; i++) {
+        scene *of;
+        const floe_status status = batch_prepare(s->ctx, &batch, &s->run[i], &of);
+        if (status == FLOE_OK) {
+            take_scene(s, &s->list[i], of);
+            scene_destroy(&of);
+        } else if (status == FLOE_BAD_INPUT) {
+            if (!strstr(strbuf_string(errors), context_message(s->ctx)))
+                strbuf_append(errors, "case %s:\n%s", s->run[i].label, context_message(s->ctx));
+            context_clear(s->ctx);
+        } else {
+            return status;
+        }
+    }
+    return errors->status;
+}
+
+static floe_status fail_with(context *ctx, const strbuf *errors)
+{
+    TRY(errors->status);
+    if (errors->length == 0) return FLOE_OK;
+    return fail(ctx, FLOE_BAD_INPUT, "%.*s", (int)errors->length - 1, strbuf_string(errors));
+}
+
+static floe_status plan(study *s, const scene *base, strbuf *errors)
+{
+    const study_options *o = s->options;
+    (void)snprintf(s->title, sizeof s->title, "%s", base->title);
+    (void)snprintf(s->exact, sizeof s->exact, "%s", base->verify.exact);
+    if (!o->compare) s->plan = base->study;
+    if (o->repeat >= 0) s->plan.repeat = o->repeat;
+    if (o->max_wall > 0.0) s->plan.max_wall = o->max_wall;
+    take_axes(s, base, errors);
+    choose_over(s, errors);
+    check_bars(s, errors);
+    TRY(fail_with(s->ctx, errors));
+    TRY(make_cases(s, base));
+    TRY(check_cases(s, errors));
+    TRY(fail_with(s->ctx, errors));
+    for (size_t i = 0; i < s->n; i++) name_group(s, &s->list[i]);
+    return FLOE_OK;
+}
+
+floe_status study_make_plan(study *s)
+{
+    const batch_options batch = study_batch_options(s);
+    batch_case whole = {.set = s->options->set.text, .n_set = s->options->set.n};
+    scene *base;
+    strbuf errors;
+    TRY(batch_prepare(s->ctx, &batch, &whole, &base));
+    strbuf_init(&errors, s->ctx);
+    const floe_status status = plan(s, base, &errors);
+    strbuf_free(&errors);
+    scene_destroy(&base);
+    return status;
+}

@@ -1,0 +1,112 @@
+/* Times that can be compared: each case alone, on one thread, more than once; the fastest counts, as what disturbs a run can only
+ * slow it down. */
+#include "study/study_parts.h"
+
+#include "base/memory.h"
+#include "study/machine_load.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Others that use a tenth of a core disturb, if it is more than the grain of the system's clock (s). */
+static const double most_of_others = 0.1, grain = 0.05;
+
+/* The runs that are still to be made: the first one of a case may have been alone already. */
+static size_t list_runs(const study *s, batch_case *list, size_t *index)
+{
+    size_t n = 0;
+    for (int k = 0; k < s->plan.repeat; k++) {
+        for (size_t i = 0; i < s->n; i++) {
+            const batch_case *of = &s->run[i];
+            if (!study_is_done(&s->list[i]) || (k == 0 && of->alone)) continue;
+            if (list) {
+                batch_case *one = &list[n];
+                *one = (batch_case){.set = of->set, .n_set = of->n_set, .end = of->end};
+                one->weight = of->summary.wall_seconds;
+                memcpy(one->hash, of->hash, sizeof one->hash);
+                (void)snprintf(one->label, sizeof one->label, "time %d of %d: %.120s", k + 1, s->plan.repeat,
+                               of->label);
+                (void)snprintf(one->folder, sizeof one->folder, "%.240s-%d", of->folder, k + 1);
+                index[n] = i;
+            }
+            n++;
+        }
+    }
+    return n;
+}
+
+static bool is_same_number(double a, double b)
+{
+    return a == b || (isnan(a) && isnan(b));
+}
+
+/* A run that is made again has the same bits. */
+static bool is_same_result(const run_summary *a, const run_summary *b)
+{
+    bool same = a->steps == b->steps && a->time == b->time && a->n_errors == b->n_errors;
+    for (int k = 0; k < a->n_errors && same; k++) same = is_same_number(a->errors[k].value, b->errors[k].value);
+    return same;
+}
+
+static void note_time(study_case *one, const batch_case *run)
+{
+    study_timing *t = &one->timing;
+    if (t->n == STUDY_MAX_REPEAT) return;
+    const double seconds = run->summary.wall_seconds;
+    t->seconds[t->n] = seconds;
+    t->others[t->n] = run->other_cores;
+    t->differs = t->differs || !is_same_result(&run->summary, &one->run->summary);
+    if (t->n == 0 || seconds < t->best) {
+        t->best = seconds;
+        t->disturbed = run->other_cores > most_of_others && run->other_cores * seconds > grain;
+    }
+    t->n++;
+}
+
+static floe_status run_timed(study *s, batch_case *list, size_t *index, size_t n)
+{
+    char dir[BATCH_PATH];
+    batch_options o = study_batch_options(s);
+    (void)snprintf(dir, sizeof dir, "%s/timing", o.dir);
+    o.dir = dir;
+    o.jobs = o.threads = 1;
+    (void)list_runs(s, list, index);
+    if (o.progress) (void)fprintf(o.progress, "%zu timed runs, one at a time on one thread\n", n);
+    const floe_status status = batch_run(s->ctx, &o, list, n);
+    if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
+    for (size_t k = 0; k < n; k++) {
+        if (list[k].state == BATCH_ENDED && list[k].status == FLOE_OK) note_time(&s->list[index[k]], &list[k]);
+    }
+    return status;
+}
+
+floe_status study_time(study *s)
+{
+    batch_case *list;
+    size_t *index;
+    const size_t n = list_runs(s, NULL, NULL);
+    if (n == 0) return FLOE_OK;
+    TRY(memory_new(s->ctx, &list, n, sizeof *list));
+    floe_status status = memory_new(s->ctx, &index, n, sizeof *index);
+    if (status == FLOE_OK) status = run_timed(s, list, index, n);
+    memory_free(s->ctx, &index);
+    memory_free(s->ctx, &list);
+    return status;
+}
+
+void study_take_times(study *s)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        study_case *one = &s->list[i];
+        one->timing = (study_timing){.best = study_is_done(one) ? one->run->summary.wall_seconds : (double)NAN};
+        if (s->plan.repeat > 0 && study_is_done(one) && one->run->alone) note_time(one, one->run);
+    }
+}
+
+bool study_is_disturbed(const study *s)
+{
+    for (size_t i = 0; i < s->n; i++) {
+        if (s->list[i].timing.disturbed) return true;
+    }
+    return false;
+}

@@ -1,0 +1,107 @@
+/* What the cases have come to: errors, and the last values of columns of their histories. */
+#include "study/study_parts.h"
+
+#include "base/memory.h"
+#include "io/file.h"
+#include "study/errors.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool study_is_done(const study_case *one)
+{
+    return one->run->state == BATCH_ENDED && one->run->ran && one->run->status == FLOE_OK;
+}
+
+double study_error(const study_case *one, const char *metric)
+{
+    return study_is_done(one) ? error_of(&one->run->summary, metric) : (double)NAN;
+}
+
+static bool is_listed(const study *s, const char *name)
+{
+    for (int k = 0; k < s->n_metrics; k++) {
+        if (strcmp(s->metric[k], name) == 0) return true;
+    }
+    return false;
+}
+
+static void list_metrics(study *s)
+{
+    s->n_metrics = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        const run_summary *r = &s->run[i].summary;
+        for (int k = 0; s->run[i].ran && k < r->n_errors && s->n_metrics < STUDY_MAX_METRICS; k++) {
+            if (!is_listed(s, r->errors[k].name)) s->metric[s->n_metrics++] = r->errors[k].name;
+        }
+    }
+}
+
+/* The number of the column `name` (whose title may have a unit behind it), from 0; -1 if there is none. */
+static int find_column(const char *names, const char *name)
+{
+    const size_t length = strlen(name);
+    for (int k = 0;; k++) {
+        const size_t field = strcspn(names, ",\n");
+        if (strncmp(names, name, length) == 0 && (field == length || strncmp(names + length, " (", 2) == 0)) return k;
+        if (names[field] != ',') return -1;
+        names += field + 1;
+    }
+}
+
+static double field_of(const char *row, int column)
+{
+    for (; column > 0; column--) {
+        row += strcspn(row, ",\n");
+        if (*row != ',') return NAN;
+        row++;
+    }
+    char *end;
+    const double value = strtod(row, &end);
+    return end == row ? (double)NAN : value;
+}
+
+/* The start of the last whole line. */
+static const char *last_row(char *text)
+{
+    char *end = strrchr(text, '\n');
+    if (!end) return "";
+    *end = '\0';
+    char *before = strrchr(text, '\n');
+    return before ? before + 1 : text;
+}
+
+/* False: the history has no such column. */
+static bool read_quantities(const study *s, study_case *one)
+{
+    char path[BATCH_PATH], *text;
+    bool all = true;
+    (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->dir, one->run->folder);
+    if (file_read(s->ctx, path, &text, NULL) != FLOE_OK) {
+        context_clear(s->ctx);
+        return true;
+    }
+    const char *row = last_row(text);
+    for (int q = 0; q < s->plan.n_quantities; q++) {
+        const int column = find_column(text, s->plan.quantity[q]);
+        all = all && column >= 0;
+        if (column >= 0) one->quantity[q] = field_of(row, column);
+    }
+    memory_free(s->ctx, &text);
+    return all;
+}
+
+void study_take_values(study *s)
+{
+    bool all = true;
+    list_metrics(s);
+    for (size_t i = 0; i < s->n; i++) {
+        study_case *one = &s->list[i];
+        for (int q = 0; q < SCENE_MAX_METRICS; q++) one->quantity[q] = NAN;
+        if (study_is_done(one) && s->plan.n_quantities > 0) all = read_quantities(s, one) && all;
+    }
+    if (!all)
+        context_log(s->ctx, LOG_WARNING,
+                    "not every quantity of the study is a column of history.csv: see its first line for their names");
+}

@@ -1,0 +1,230 @@
+/* A study as a table: for people, and as CSV. */
+#include "study/study_parts.h"
+
+#include "base/memory.h"
+#include "io/file.h"
+#include "io/strbuf.h"
+#include "study/errors.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- NAME.csv ---- */
+
+/* A comparison of couplings alone has an empty second column, so that its columns are those of any other. */
+static bool has_empty_axis(const study *s)
+{
+    return s->options->compare && s->axes.n == 1;
+}
+
+static void append_names(const study *s, strbuf *out)
+{
+    if (axis_find(&s->axes, "coupling") < 0) strbuf_append(out, "coupling,");
+    for (int k = 0; k < s->axes.n; k++) strbuf_append(out, "%s,", s->axes.axis[k].key);
+    if (has_empty_axis(s)) strbuf_append(out, "case,");
+    strbuf_append(out, "h (m),status,time (s),steps,rejected_steps,wall_seconds (s),cells,points,cell_updates,"
+                       "point_updates,drift_mass,drift_momentum,drift_energy");
+    for (int k = 0; k < s->n_metrics; k++) {
+        const char *unit = error_is_relative(s->metric[k]) ? "" : error_unit(s->metric[k]);
+        strbuf_append(out, ",%s%s%s%s", s->metric[k], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
+    }
+    for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%s", s->plan.quantity[q]);
+    strbuf_append(out, ",timed_runs,disturbed,directory,message\n");
+}
+
+static void append_setting(const scene_axis *axis, int pick, strbuf *out)
+{
+    if (strcmp(axis->key, "coupling") == 0)
+        strbuf_append(out, "%s", axis->value[pick]);
+    else
+        strbuf_append_csv(out, axis->value[pick]);
+    strbuf_append(out, ",");
+}
+
+static void append_case(const study *s, const study_case *one, strbuf *out)
+{
+    const run_summary *r = &one->run->summary;
+    if (axis_find(&s->axes, "coupling") < 0) strbuf_append(out, "%s,", coupling_name(one->coupling));
+    for (int k = 0; k < s->axes.n; k++) append_setting(&s->axes.axis[k], one->pick[k], out);
+    if (has_empty_axis(s)) strbuf_append(out, "\"\",");
+    strbuf_append(out, "%.17g,%s", one->h, batch_status_name(one->run));
+    if (one->run->ran) {
+        const double seconds = isfinite(one->timing.best) ? one->timing.best : r->wall_seconds;
+        strbuf_append(out, ",%.17g,%lld,%lld,%.6g,%lld,%lld,%.17g,%.17g,%.6g,%.6g,%.6g", r->time, r->steps,
+                      r->rejected_steps, seconds, r->cells, r->points, r->cell_updates, r->point_updates, r->drift_mass,
+                      r->drift_momentum, r->drift_energy);
+    } else {
+        strbuf_append(out, ",nan,nan,nan,nan,nan,nan,nan,nan,nan,nan,nan");
+    }
+    for (int k = 0; k < s->n_metrics; k++) strbuf_append(out, ",%.17g", study_error(one, s->metric[k]));
+    for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%.17g", one->quantity[q]);
+    strbuf_append(out, ",%d,%s,", one->timing.n, one->timing.disturbed ? "yes" : "no");
+    strbuf_append_csv(out, one->run->folder);
+    strbuf_append(out, ",");
+    strbuf_append_csv(out, one->run->message);
+    strbuf_append(out, "\n");
+}
+
+floe_status study_write_csv(const study *s)
+{
+    char path[BATCH_PATH];
+    strbuf out;
+    strbuf_init(&out, s->ctx);
+    append_names(s, &out);
+    for (size_t i = 0; i < s->n; i++) append_case(s, &s->list[i], &out);
+    (void)snprintf(path, sizeof path, "%s/%s.csv", s->options->dir, s->options->name);
+    const floe_status status =
+        out.status == FLOE_OK ? file_replace_text(s->ctx, path, strbuf_string(&out)) : out.status;
+    strbuf_free(&out);
+    return status;
+}
+
+/* ---- for people ---- */
+
+static int at_least(int width, const char *text)
+{
+    const int length = (int)strlen(text);
+    return length > width ? length : width;
+}
+
+/* Width of an axis' column: words to the left, numbers to the right. */
+static int axis_width(const scene_axis *axis)
+{
+    int width = at_least(6, study_axis_name(axis));
+    for (int i = 0; i < axis->n_values; i++) width = at_least(width, axis->value[i]);
+    return width;
+}
+
+static int metric_width(const char *name)
+{
+    return at_least(12, name);
+}
+
+static void print_axis_cell(const scene_axis *axis, const char *text, FILE *file)
+{
+    double x;
+    const char *unit;
+    const bool number = axis_number(axis->value[0], &x, &unit);
+    /* A negative width is one to the left. */
+    (void)fprintf(file, "%*s  ", number ? axis_width(axis) : -axis_width(axis), text);
+}
+
+static void print_names(const study *s, FILE *file)
+{
+    for (int k = 0; k < s->axes.n; k++) print_axis_cell(&s->axes.axis[k], study_axis_name(&s->axes.axis[k]), file);
+    (void)fprintf(file, "%8s  %8s  %7s", "points", "cells", "steps");
+    for (int k = 0; k < s->n_metrics; k++) (void)fprintf(file, "  %*s", metric_width(s->metric[k]), s->metric[k]);
+    for (int q = 0; q < s->plan.n_quantities; q++)
+        (void)fprintf(file, "  %*s", metric_width(s->plan.quantity[q]), s->plan.quantity[q]);
+    (void)fprintf(file, "  %11s\n", "wall time");
+}
+
+static void print_case(const study *s, const study_case *one, FILE *file)
+{
+    const run_summary *r = &one->run->summary;
+    for (int k = 0; k < s->axes.n; k++) print_axis_cell(&s->axes.axis[k], s->axes.axis[k].value[one->pick[k]], file);
+    if (!one->run->ran) {
+        (void)fprintf(file, "%s: %s\n", batch_status_name(one->run), one->run->message);
+        return;
+    }
+    (void)fprintf(file, "%8lld  %8lld  %7lld", r->points, r->cells, r->steps);
+    for (int k = 0; k < s->n_metrics; k++) {
+        char text[ERROR_TEXT];
+        error_text(s->metric[k], study_error(one, s->metric[k]), text);
+        (void)fprintf(file, "  %*s", metric_width(s->metric[k]), text);
+    }
+    for (int q = 0; q < s->plan.n_quantities; q++)
+        (void)fprintf(file, "  %*.6g", metric_width(s->plan.quantity[q]), one->quantity[q]);
+    (void)fprintf(file, "  %9.3g s%s", study_is_done(one) ? one->timing.best : r->wall_seconds,
+                  one->timing.disturbed ? " disturbed" : "");
+    if (!study_is_done(one)) (void)fprintf(file, "  %s", batch_status_name(one->run));
+    (void)fprintf(file, "\n");
+}
+
+static void print_orders(const study *s, FILE *file)
+{
+    const char *over = s->over < 0 ? "h" : study_axis_name(&s->axes.axis[s->over]);
+    for (size_t g = 0; g < s->n_groups; g++) {
+        bool any = false;
+        for (int m = 0; m < s->n_metrics; m++) {
+            const study_order order = study_order_of(s, g, s->metric[m]);
+            if (!isfinite(order.order)) continue;
+            if (any) (void)fprintf(file, ", ");
+            if (!any) (void)fprintf(file, "order in %s, %s: ", over, s->group[g]);
+            (void)fprintf(file, "%s %.2f", s->metric[m], order.order);
+            if (isfinite(order.standard_error)) (void)fprintf(file, " +- %.2f", order.standard_error);
+            any = true;
+        }
+        if (any) (void)fprintf(file, "\n");
+    }
+}
+
+static void print_limit(const study *s, size_t group, int q, FILE *file)
+{
+    study_limit l;
+    if (!study_limit_of(s, group, q, &l)) return;
+    (void)fprintf(file, "limit of %s, %s: %s", s->plan.quantity[q], s->group[group], richardson_name(l.limit.kind));
+    if (isfinite(l.limit.gci_fine)) {
+        const double finest = l.values.value[l.values.n - 1];
+        (void)fprintf(file, ", %.6g", l.limit.value);
+        if (isfinite(l.limit.order)) (void)fprintf(file, ", order %.2f", l.limit.order);
+        (void)fprintf(file, ", grid convergence index of the finest %.3g %%", 100.0 * l.limit.gci_fine / fabs(finest));
+    }
+    (void)fprintf(file, "\n");
+}
+
+static void print_answers(const study *s, FILE *file)
+{
+    for (int m = 0; m < s->n_metrics; m++) {
+        study_answer a[STUDY_MAX_TARGETS];
+        const int n = study_answers(s, s->metric[m], a);
+        for (int k = 0; k < n && s->n_groups > 1; k++) {
+            char text[512];
+            study_answer_text(s, &a[k], text, sizeof text);
+            (void)fprintf(file, "%s\n", text);
+        }
+    }
+}
+
+static void print_timing(const study *s, FILE *file)
+{
+    if (s->plan.repeat > 0) (void)fprintf(file, "times: the best of %d, alone on one thread", s->plan.repeat);
+    if (s->plan.repeat == 0 && s->options->jobs > 1)
+        (void)fprintf(file, "times: not to be compared, as %d cases ran at a time (--repeat N times them alone)",
+                      s->options->jobs);
+    if (study_is_disturbed(s)) (void)fprintf(file, "; other programs used the machine during the disturbed ones");
+    if (s->plan.repeat > 0 || s->options->jobs > 1) (void)fprintf(file, "\n");
+    for (size_t i = 0; i < s->n; i++) {
+        if (s->list[i].timing.differs)
+            (void)fprintf(file, "%s: repeated runs gave different results, which must not be: please report it\n",
+                          s->run[i].label);
+    }
+}
+
+static floe_status print_bars(const study *s, FILE *file)
+{
+    study_bar_result *list;
+    size_t n;
+    TRY(study_bars(s, &list, &n));
+    for (size_t i = 0; i < n; i++) {
+        char text[512];
+        study_bar_text(&list[i], text, sizeof text);
+        (void)fprintf(file, "%s: %s\n", list[i].met ? "met" : "MISSED", text);
+    }
+    memory_free(s->ctx, &list);
+    return FLOE_OK;
+}
+
+floe_status study_print(const study *s, FILE *file)
+{
+    if (s->title[0]) (void)fprintf(file, "%s\n", s->title);
+    print_names(s, file);
+    for (size_t i = 0; i < s->n; i++) print_case(s, &s->list[i], file);
+    print_timing(s, file);
+    print_orders(s, file);
+    for (size_t g = 0; g < s->n_groups; g++) {
+        for (int q = 0; q < s->plan.n_quantities; q++) print_limit(s, g, q, file);
+    }
+    print_answers(s, file);
+    return print_bars(s, file);
+}

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# floe study: crossed axes, cases that diverge, going on after a kill and a stop.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+scene=("$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --set time.end=2e-3 --quiet)
+
+# plain FILE: a study without what depends on the time that it took: objects named timing, and three keys of summaries.
+plain() {
+    awk '/^ *"(timing|seconds_by_stage)": \{$/ { skip = $0; sub(/".*/, "", skip); next }
+        skip != "" { if (index($0, skip "}") == 1) skip = ""; next }
+        !/"(wall_seconds|peak_rss_bytes)":/' "$1"
+}
+
+# 24 cases, every third of which diverges: the study comes to its end.
+axes=(--axis domain.cell=0.4,0.2 --axis 'time.cfl={mpm: 0.1},{mpm: 0.2},0.3,0.5' --axis time.fixed_step=1e-5,2e-5,5e-4)
+expect 0 "$FLOE" study "${scene[@]}" "${axes[@]}" -o whole --jobs 2
+is_there whole/study.json whole/study.csv whole/errors.csv whole/errors.gp
+[ "$(wc -l <whole/study.csv)" -eq 25 ] || fault 'not 24 cases'
+[ "$(grep -c ',diverged,' whole/study.csv)" -eq 8 ] || fault 'not every third case has diverged'
+[ "$(grep -c '"status": "diverged"' whole/study.json)" -eq 8 ] || fault 'study.json knows other cases to have diverged'
+has whole/study.csv 'last good state'
+grep -q '"message": ".*last good state' whole/0.4-_mpm_0.1-5e-4/case.json || fault 'no cause in case.json'
+
+# Killed half way: no run is left behind, and the same command gives the same study.
+"$FLOE" study "${scene[@]}" "${axes[@]}" -o part --jobs 2 2>stderr &
+pid=$!
+until [ "$(find part -name case.json 2>/dev/null | wc -l)" -ge 9 ]; do sleep 0.02; done
+kill -KILL "$pid"
+wait "$pid" 2>/dev/null || true
+[ ! -e part/study.json ] || fault 'the study was over before it was killed'
+find part -name case.json | sort >finished
+[ "$(wc -l <finished)" -lt 24 ] || fault 'the study was over before it was killed'
+while read -r file; do stat -c '%n %y' "$file" "${file%case.json}summary.json"; done <finished >before
+expect 0 "$FLOE" study "${scene[@]}" "${axes[@]}" -o part --jobs 2
+while read -r file; do stat -c '%n %y' "$file" "${file%case.json}summary.json"; done <finished >after
+cmp before after || fault 'a case that had ended was run again'
+plain whole/study.json >whole.json
+plain part/study.json >part.json
+[ "$(wc -l <whole.json)" -gt 1000 ] || fault 'nothing left to compare'
+cmp whole.json part.json || fault 'a study that was killed and resumed has other results'
+has whole.json '"eq13": 0.'
+
+# A case that was cut short is run again, and one whose deck has changed; the others are not.
+rm part/0.2-0.3-1e-5/case.json
+stat -c '%y' part/0.2-0.5-1e-5/summary.json part/0.2-0.3-1e-5/summary.json >before
+expect 0 "$FLOE" study "${scene[@]}" "${axes[@]}" -o part
+stat -c '%y' part/0.2-0.5-1e-5/summary.json part/0.2-0.3-1e-5/summary.json >after
+[ "$(head -n 1 before)" = "$(head -n 1 after)" ] || fault 'a case that had ended was run again'
+[ "$(tail -n 1 before)" != "$(tail -n 1 after)" ] || fault 'a case that was cut short was not run again'
+expect 0 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 -o changed
+stat -c '%y' changed/0.4/summary.json changed/0.2/summary.json >before
+expect 0 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 --set time.end=1e-3 -o changed
+[ "$(stat -c '%y' changed/0.4/summary.json)" != "$(head -n 1 before)" ] || fault 'results of another deck were kept'
+[ "$(json changed/0.4/summary.json time | cut -c 1-5)" = 0.001 ] || fault 'results of another deck were kept'
+
+# Stopped by a signal: status 5, and the runs are stopped too.
+"$FLOE" study "$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.0125,0.01 -o stopped --jobs 2 >stdout 2>stderr &
+pid=$!
+until [ -s stopped/0.01/history.csv ] && [ -s stopped/0.0125/history.csv ]; do sleep 0.02; done
+kill -TERM "$pid"
+got=0
+wait "$pid" || got=$?
+[ "$got" -eq 5 ] || fault "a stopped study gives $got instead of 5"
+has stderr 'the same command goes on'
+[ "$(json stopped/0.01/summary.json status)" = interrupted ] || fault 'the runs were not stopped'
+[ ! -e stopped/0.01/case.json ] || fault 'a run that was stopped counts as ended'

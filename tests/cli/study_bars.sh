@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# floe study: timed runs, bars, limits, time limits, bad axes.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+
+# Time: each case alone, several times; an error that is met, an order that is missed.
+bars=('study.require=[{metric: eq13, order: 9, where: {coupling: mpm}}, {metric: eq13, error: 99}]')
+expect 6 "$FLOE" study "$cylinder" --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --jobs 2
+has stderr 'order of eq13, mpm'
+has stderr 'required: at least 9.00'
+has stdout 'MISSED: order of eq13, mpm'
+has stdout 'met: error of eq13, domain.cell=0.2, ice-mpm'
+has stdout 'the best of 2, alone on one thread'
+has stdout ' choose '
+is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json
+[ "$(grep -c '"met": true' bars/study.json)" -eq 2 ] || fault 'not two bars met'
+[ "$(grep -c '"met": false' bars/study.json)" -eq 1 ] || fault 'not one bar missed'
+[ "$(grep -c '"same_results": true' bars/study.json)" -eq 4 ] || fault 'repeated runs gave other results'
+find bars -name summary.json -exec stat -c '%n %y' {} + | sort >before
+expect 6 "$FLOE" study "$cylinder" --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
+find bars -name summary.json -exec stat -c '%n %y' {} + | sort >after
+cmp before after || fault 'a timed run was made again'
+
+# Limits of a quantity: three spacings, and the deck's own study.
+cat >bar.yaml <<'DECK'
+study:
+  axes: {domain.cell: [0.05, 0.025, 0.0125]}
+  quantities: [kinetic, strain]
+DECK
+cat "$FLOE_SOURCE/inputs/bar_vibration.yaml" bar.yaml | sed '/^compare:/,/^ .*axis/d' >bar_study.yaml
+expect 0 "$FLOE" study bar_study.yaml -o limits
+has stdout 'limit of strain'
+has limits/study.json '"gci"'
+is_there limits/quantities.csv
+
+# A time limit is a result; more time is a reason to run the case again.
+expect 0 "$FLOE" study "$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.4,0.0125 --max-wall 0.3 -o short
+has short/study.csv ',timed_out,'
+has stdout 'timed_out'
+
+# Bad axes are refused before anything is made, all of them at once.
+refuse() { # refuse TEXT ARGUMENT...
+    local text=$1
+    shift
+    expect 2 "$FLOE" study "$cylinder" -o refused "$@"
+    has stderr "$text"
+    [ ! -e refused ] || fault "a study with bad axes has made its folder: $*"
+}
+refuse 'nothing to vary'
+refuse "unknown key 'cel' (did you mean 'cell'?)" --axis domain.cel=0.1,0.2
+refuse "its list of values is empty" --axis domain.cell=
+refuse "its value 2 is empty" --axis domain.cell=0.1,,0.2
+refuse "the value '0.10' is given twice" --axis domain.cell=0.1,0.10
+refuse "domain.cell=wide" --axis domain.cell=0.1,wide
+refuse "method.basis=cubi" --axis domain.cell=0.1,wide --axis method.basis=cubi
+refuse "domain.cell=wide" --axis domain.cell=0.1,wide --axis method.basis=cubi
+refuse 'it has no key with values' --axis domain.cell
+refuse "that is no axis of this study, which has: domain.cell" --axis domain.cell=0.1,0.2 --over method.flip
+refuse "is no value of that axis" --axis domain.cell=0.2,0.1 \
+    --set 'study.require=[{metric: eq13, error: 1, where: {domain.cell: 0.3}}]'
