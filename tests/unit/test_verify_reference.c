@@ -217,12 +217,67 @@ static void test_piston_waves(void **state)
     drop(ctx, &f);
 }
 
+/* One bar that hangs straight down: the mass on a spring by quadrature, an independent way. */
+static void test_one_bar(void **state)
+{
+    context *ctx = *state;
+    fixture chain, mass;
+    make(ctx, &chain, "bar_chain",
+         (const setting[]){{"points", 2.0},
+                           {"first_x", 0.0},
+                           {"first_y", 1.99},
+                           {"last_x", 0.0},
+                           {"last_y", 1.69},
+                           {"end_mass", 3.33},
+                           {"area", 0.1},
+                           {"gravity", 250.0},
+                           {"one_way", 0.0},
+                           END});
+    make(ctx, &mass, "hanging_mass", (const setting[]){{"slack", 0.0}, {"length", 0.3}, {"one_way", 0.0}, END});
+    for (int i = 1; i <= 10; i++) {
+        const double t = 0.01 * i;
+        check_close(at(ctx, &chain, "y", t), at(ctx, &mass, "position", t), 1e-9);
+        check_close(at(ctx, &chain, "velocity_y", t), at(ctx, &mass, "velocity", t), 1e-6);
+        check_close(at(ctx, &chain, "strain_energy", t), at(ctx, &mass, "strain_energy", t), 1e-6);
+        check_close(at(ctx, &chain, "angle", t), 0.0, 0.0);
+    }
+    drop(ctx, &chain);
+    drop(ctx, &mass);
+}
+
+/* One stiff bar: the rigid pendulum, back after its period, at the other side after half of it; any bars keep the energy. */
+static void test_pendulum(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "bar_chain", (const setting[]){{"points", 2.0}, {"modulus", 1e8}, END});
+    const double start = scalar(&f, "start_angle"), period = scalar(&f, "rigid_period");
+    check_close(start, -18.44 / 180.0 * pi, 1e-4);
+    check_close(scalar(&f, "length"), 0.7346, 5e-5);
+    check_close(at(ctx, &f, "angle", 0.5 * period), -start, 1e-5);
+    check_close(at(ctx, &f, "angle", 0.25 * period), 0.0, 5e-5);
+    check_close(at(ctx, &f, "angle", period), start, 1e-5);
+    drop(ctx, &f);
+    for (int law = 0; law < 4; law++) {
+        make(ctx, &f, "bar_chain",
+             (const setting[]){{"points", 5.0}, {"one_way", law % 2}, {"small_strain", law / 2}, END});
+        double value[REFERENCE_MAX_QUANTITIES];
+        check_ok(ctx, reference_series(ctx, &f.r, 1, (const double[]){0.15}, value));
+        const double kinetic = value[reference_quantity_find(f.r.model, "kinetic")];
+        const double strain = value[reference_quantity_find(f.r.model, "strain_energy")];
+        check_close_relative(kinetic + strain, value[reference_quantity_find(f.r.model, "work")], 1e-8);
+        drop(ctx, &f);
+    }
+    refuse(ctx, "bar_chain", (const setting[]){{"last_x", 0.33333}, {"last_y", 0.9999}, END});
+    refuse(ctx, "bar_chain", (const setting[]){{"points", 2.5}, END});
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_dogbone),      cmocka_unit_test(test_circle), cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_spring),       cmocka_unit_test(test_string), cmocka_unit_test(test_piston),
-        cmocka_unit_test(test_piston_waves),
+        cmocka_unit_test(test_dogbone),      cmocka_unit_test(test_circle),  cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_spring),       cmocka_unit_test(test_string),  cmocka_unit_test(test_piston),
+        cmocka_unit_test(test_piston_waves), cmocka_unit_test(test_one_bar), cmocka_unit_test(test_pendulum),
     };
     return cmocka_run_group_tests_name("references of histories", tests, make_context, drop_context);
 }
