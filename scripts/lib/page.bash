@@ -58,22 +58,32 @@ begin() {
     mv "$bars.new" "$bars"
 }
 
-# floe_compare FOLDER ARGUMENT...: runs a comparison of the page, one thread a run, and remembers its command.
-floe_compare() {
-    local folder=$1 log=$runs/$1.txt
-    shift
-    local text="floe compare" word
+# floe_command COMMAND FILE FOLDER ARGUMENT...: runs a command that makes CSV, one thread a run, and remembers it.
+floe_command() {
+    local command=$1 file=$2 folder=$3 log=$runs/$3.txt
+    shift 3
+    local text="floe $command" word
     for word in "$@"; do
         case $word in *[][*?]*) text+=" '$word'" ;; *) text+=" $word" ;; esac
     done
     commands+=("$text")
     echo "  $text" >&2
     rm -rf "${runs:?}/$folder"
-    "$floe" compare "$@" --threads 1 -o "$runs/$folder" >"$log" 2>"$log.err" || {
-        echo "results.sh: failed: floe compare $*; see $log.err" >&2
+    "$floe" "$command" "$@" --threads 1 -o "$runs/$folder" >"$log" 2>"$log.err" || {
+        echo "results.sh: failed: floe $command $*; see $log.err" >&2
         return 1
     }
-    csv=$runs/$folder/compare.csv
+    csv=$runs/$folder/$file
+}
+
+# floe_compare FOLDER ARGUMENT...: runs a comparison of the page, one thread a run, and remembers its command.
+floe_compare() {
+    floe_command compare compare.csv "$@"
+}
+
+# floe_stability FOLDER ARGUMENT...: the same with a search for a limit.
+floe_stability() {
+    floe_command stability limits.csv "$@"
 }
 
 # bar WHAT MEASURED RELATION LIMIT [FORMAT [UNIT]]: adds a bar, met or missed, to the page's and to the index. RELATION is <= or >=.

@@ -90,7 +90,7 @@ static void fill_energy(const stability *s, canvas *c, size_t panels, const char
         if (panels > 1) (void)snprintf(title, STABILITY_LABEL, "%s=%s", s->each[0].key, s->each[0].value[k]);
         c->panel[k] = (plot_panel){.title = title,
                                    .x_label = x_label,
-                                   .y_label = "largest energy, over what there can be",
+                                   .y_label = "energy ratio",
                                    .log_x = is_positive(s),
                                    .log_y = true,
                                    .series = c->series + k * each,
