@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "io/file.h"
+#include "io/strbuf.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,6 +24,7 @@ typedef struct drawing {
     table *table; /* n, owned */
     size_t n;
     const char *exact;
+    strbuf rows;          /* of all sources; owned */
     plot_panel *panel;    /* owned */
     plot_series *series;  /* owned */
     char (*label)[LABEL]; /* names of series, and after them of axes; owned */
@@ -76,12 +78,27 @@ static floe_status by_column(context *ctx, table *t)
     return FLOE_OK;
 }
 
-static floe_status read_table(context *ctx, const char *path, table *t)
+/* The rows with the source's name and h before each; the names of the columns once. */
+static void append_rows(strbuf *out, const profile_source *source, const char *text)
+{
+    const bool first = out->length == 0;
+    bool names = true;
+    for (const char *end = strchr(text, '\n'); end; text = end + 1, end = strchr(text, '\n')) {
+        if (names && first) strbuf_append(out, "group,h (m),");
+        if (!names) strbuf_append_csv(out, source->name);
+        if (!names) strbuf_append(out, ",%.9g,", source->h);
+        if (!names || first) strbuf_append(out, "%.*s", (int)(end + 1 - text), text);
+        names = false;
+    }
+}
+
+static floe_status read_table(context *ctx, const profile_source *source, table *t, strbuf *rows)
 {
     char *text;
     size_t lines = 0;
-    if (!file_exists(path)) return FLOE_OK;
-    TRY(file_read(ctx, path, &text, NULL));
+    if (!file_exists(source->path)) return FLOE_OK;
+    TRY(file_read(ctx, source->path, &text, NULL));
+    append_rows(rows, source, text);
     for (const char *c = strchr(text, '\n'); c; c = strchr(c + 1, '\n')) lines++;
     read_names(text, t);
     floe_status status = memory_new(ctx, &t->value, lines * (size_t)t->columns, sizeof *t->value);
@@ -174,11 +191,15 @@ static floe_status draw(drawing *f, const char *dir, bool *missing)
 {
     const size_t most = (f->n + 1) * MAX_COLUMNS;
     const table *first = NULL;
+    char path[4096];
     for (size_t i = 0; i < f->n; i++) {
-        TRY(read_table(f->ctx, f->source[i].path, &f->table[i]));
+        TRY(read_table(f->ctx, &f->source[i], &f->table[i], &f->rows));
         if (!first && f->table[i].rows > 0) first = &f->table[i];
     }
     if (!first) return FLOE_OK;
+    TRY(f->rows.status);
+    (void)snprintf(path, sizeof path, "%s/profiles.csv", dir);
+    TRY(file_replace_text(f->ctx, path, strbuf_string(&f->rows)));
     TRY(memory_new(f->ctx, &f->panel, MAX_COLUMNS, sizeof *f->panel));
     TRY(memory_new(f->ctx, &f->series, most, sizeof *f->series));
     TRY(memory_new(f->ctx, &f->label, most + 2 * MAX_COLUMNS, sizeof *f->label));
@@ -192,10 +213,12 @@ floe_status profile_draw(context *ctx, const char *dir, const char *exact, const
                          bool *missing)
 {
     drawing f = {.ctx = ctx, .source = source, .n = n, .exact = exact};
+    strbuf_init(&f.rows, ctx);
     TRY(memory_new(ctx, &f.table, n, sizeof *f.table));
     const floe_status status = draw(&f, dir, missing);
     for (size_t i = 0; i < n; i++) memory_free(ctx, &f.table[i].value);
     memory_free(ctx, &f.table);
+    strbuf_free(&f.rows);
     memory_free(ctx, &f.panel);
     memory_free(ctx, &f.series);
     memory_free(ctx, &f.label);

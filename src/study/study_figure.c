@@ -49,16 +49,22 @@ static plot_series *add_series(drawing *d, const char *name, int colour, double 
     return series;
 }
 
-/* Points in the order of x. */
-static void insert_point(plot_series *series, double *x, double *y, double at, double value)
+static void add_point(plot_series *series, double *x, double *y, double at, double value)
 {
-    size_t k = series->n++;
-    for (; k > 0 && x[k - 1] > at; k--) {
-        x[k] = x[k - 1];
-        y[k] = y[k - 1];
+    x[series->n] = at;
+    y[series->n++] = value;
+}
+
+/* The next case of a group in the order of `over`, so that a curve goes from the coarsest case to the finest; NULL: no more. */
+static const study_case *next_case(const study *s, size_t group, const study_case *last)
+{
+    const study_case *next = NULL;
+    for (size_t i = 0; i < s->n; i++) {
+        const study_case *one = &s->list[i];
+        if (one->group != group || (last && !(one->over < last->over))) continue;
+        if (!next || one->over > next->over) next = one;
     }
-    x[k] = at;
-    y[k] = value;
+    return next;
 }
 
 static size_t group_size(const study *s, size_t group)
@@ -86,7 +92,7 @@ static void add_front(const study *s, drawing *d, const char *metric, study_cost
     series->emphasis = true;
     for (size_t i = 0; i < s->n; i++) {
         if (study_is_on_front(s, i, metric, cost))
-            insert_point(series, x, y, study_cost_of(&s->list[i], cost), scale * study_error(&s->list[i], metric));
+            add_point(series, x, y, study_cost_of(&s->list[i], cost), scale * study_error(&s->list[i], metric));
     }
     panel->n_series++;
 }
@@ -100,10 +106,9 @@ static void add_error_panel(const study *s, drawing *d, const char *metric, stud
     for (size_t g = 0; g < s->n_groups; g++) {
         double *x, *y;
         plot_series *series = add_series(d, s->group[g], (int)g, &x, &y, group_size(s, g));
-        for (size_t i = 0; i < s->n; i++) {
-            const double error = study_error(&s->list[i], metric);
-            if (s->list[i].group == g && error > 0.0)
-                insert_point(series, x, y, study_cost_of(&s->list[i], cost), scale * error);
+        for (const study_case *one = next_case(s, g, NULL); one; one = next_case(s, g, one)) {
+            const double error = study_error(one, metric);
+            if (error > 0.0) add_point(series, x, y, study_cost_of(one, cost), scale * error);
         }
         panel->n_series++;
     }
@@ -145,9 +150,8 @@ static void add_quantity_panel(const study *s, drawing *d, int q)
     for (size_t g = 0; g < s->n_groups; g++) {
         double *x, *y;
         plot_series *series = add_series(d, s->group[g], (int)g, &x, &y, group_size(s, g));
-        for (size_t i = 0; i < s->n; i++) {
-            if (s->list[i].group == g && isfinite(s->list[i].quantity[q]))
-                insert_point(series, x, y, s->list[i].over, s->list[i].quantity[q]);
+        for (const study_case *one = next_case(s, g, NULL); one; one = next_case(s, g, one)) {
+            if (isfinite(one->quantity[q])) add_point(series, x, y, one->over, one->quantity[q]);
         }
         panel->n_series++;
     }
@@ -187,6 +191,7 @@ static floe_status draw_profile(const study *s, bool *missing)
         if (!one) continue;
         source[n].name = s->group[g];
         source[n].colour = (int)g;
+        source[n].h = one->h;
         (void)snprintf(source[n].path, sizeof source[n].path, "%s/%s/profile.csv", s->options->dir, one->run->folder);
         n++;
     }

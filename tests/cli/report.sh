@@ -77,7 +77,7 @@ expect 0 "$FLOE" report cmp run bad -o all.html
 has stdout 'report: all.html'
 whole_page all.html
 in_browser all.html
-has all.html 'For no more than'
+has all.html ' choose '
 has all.html '&lt;b&gt; &amp;'
 has all.html '>diverged<'
 has all.html 'would cross more than a cell'

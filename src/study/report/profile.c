@@ -144,11 +144,11 @@ static floe_status draw(page *p, const csv_table *t, const char *stem, const cha
     return status;
 }
 
-floe_status run_profile(page *p, const char *dir, const char *stem, const char *by)
+floe_status run_profile(page *p, const char *dir, const char *file, const char *stem, const char *by)
 {
     char path[PAGE_PATH + 32];
     csv_table t;
-    (void)snprintf(path, sizeof path, "%s/profile.csv", dir);
+    (void)snprintf(path, sizeof path, "%s/%s", dir, file);
     if (!file_exists(path)) return FLOE_OK;
     floe_status status = csv_read(&t, p->ctx, path);
     if (status == FLOE_OK && t.n_rows > 0) status = draw(p, &t, stem, by);

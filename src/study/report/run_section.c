@@ -290,7 +290,7 @@ floe_status run_view_write(const run_view *v)
     strbuf_append(out, "</p>\n");
     facts(v);
     errors(v);
-    TRY(run_profile(v->page, v->dir, v->stem, NULL));
+    TRY(run_profile(v->page, v->dir, "profile.csv", v->stem, NULL));
     TRY(run_history(v));
     stages(v);
     if (!v->brief) counters(v);

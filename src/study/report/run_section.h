@@ -19,8 +19,8 @@ floe_status run_view_write(const run_view *v);
 
 /* Its history as plots, and its ledger as a table. */
 floe_status run_history(const run_view *v);
-/* Its profile beside the exact solution; `by` is NULL, or the column whose values are runs to be told apart. */
-floe_status run_profile(page *p, const char *dir, const char *stem, const char *by);
+/* Its profile (DIR/FILE) beside the exact solution; `by` is NULL, or the column whose values are runs to be told apart. */
+floe_status run_profile(page *p, const char *dir, const char *file, const char *stem, const char *by);
 
 /* The title of the deck in a run's folder, or else the folder's own name. */
 floe_status run_title(page *p, const char *dir, char title[PAGE_TEXT]);

@@ -296,7 +296,7 @@ static floe_status write_section(study_view *v)
     facts(v);
     orders(v);
     limits(v);
-    TRY(run_profile(p, v->dir, v->stem, "coupling"));
+    TRY(run_profile(p, v->dir, "profiles.csv", v->stem, "group"));
     TRY(write_cases(v));
     page_section_end(p);
     return FLOE_OK;
