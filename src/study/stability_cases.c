@@ -142,8 +142,10 @@ static floe_status note(stability *s, const stability_wish *wish, const batch_ca
     s->n_probes++;
     if (stability_is_map(s)) return FLOE_OK;
     stability_set *set = &s->set[wish->set];
-    set->broken = set->broken || (p->verdict == VERDICT_NONE && one->status != FLOE_BAD_INPUT);
-    search_tell(&set->search, wish->x, answer_of(p, one));
+    if (p->verdict == VERDICT_NONE && one->status != FLOE_BAD_INPUT)
+        set->broken = true;
+    else
+        search_tell(&set->search, wish->x, answer_of(p, one));
     return FLOE_OK;
 }
 

@@ -4,17 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { COLUMN = 12, TEXT = 256 };
+enum { COLUMN = 12 };
 
 static int width_of(const char *name)
 {
     const int n = (int)strlen(name);
     return n > COLUMN ? n : COLUMN;
-}
-
-static void value_over(const stability *s, double x, char text[TEXT])
-{
-    (void)snprintf(text, TEXT, "%.4f", x / s->relative_to);
 }
 
 static void print_set_names(const stability *s, FILE *file)
@@ -30,13 +25,9 @@ static void print_set_values(const stability *s, size_t set, FILE *file)
 
 static void print_probe(const stability *s, const stability_probe *p, FILE *file)
 {
-    char over[TEXT] = "";
     print_set_values(s, p->set, file);
     for (int i = 0; i < s->n_over; i++) (void)fprintf(file, "%*s  ", width_of(s->over[i].key), p->value[i]);
-    if (isfinite(s->relative_to)) {
-        value_over(s, p->x[0], over);
-        (void)fprintf(file, "%8s  ", over);
-    }
+    if (isfinite(s->relative_to)) (void)fprintf(file, "%10.4f  ", p->x[0] / s->relative_to);
     (void)fprintf(file, "%-14s  %10.3g  %8lld  %8lld  %.90s\n", verdict_name(p->verdict), p->energy.ratio, p->steps,
                   p->rejected, p->cause);
 }
@@ -45,7 +36,7 @@ static void print_probes(const stability *s, FILE *file)
 {
     print_set_names(s, file);
     for (int i = 0; i < s->n_over; i++) (void)fprintf(file, "%*s  ", width_of(s->over[i].key), s->over[i].key);
-    if (isfinite(s->relative_to)) (void)fprintf(file, "%*s%.3g  ", 5, "over ", s->relative_to);
+    if (isfinite(s->relative_to)) (void)fprintf(file, "over %-5.3g  ", s->relative_to);
     (void)fprintf(file, "%-14s  %10s  %8s  %8s  %s\n", "verdict", "energy", "steps", "rejected", "cause");
     for (size_t k = 0; k < s->n_sets; k++) {
         for (size_t i = 0; i < s->n_probes; i++) {
@@ -55,11 +46,10 @@ static void print_probes(const stability *s, FILE *file)
 }
 
 /* "time.fixed_step = 0.00105 (1.05 x 0.001)" */
-static void name_value(const stability *s, double x, char text[TEXT])
+static void print_value(const stability *s, double x, FILE *file)
 {
-    char over[TEXT] = "";
-    if (isfinite(s->relative_to)) (void)snprintf(over, sizeof over, " (%.4g x %g)", x / s->relative_to, s->relative_to);
-    (void)snprintf(text, TEXT, "%.60s = %.6g%s%s", s->over[0].key, x, s->unit, over);
+    (void)fprintf(file, "%s = %.6g%s", s->over[0].key, x, s->unit);
+    if (isfinite(s->relative_to)) (void)fprintf(file, " (%.4g x %g)", x / s->relative_to, s->relative_to);
 }
 
 /* What was found, in words; with a bracket only where it is one limit. */
@@ -88,14 +78,15 @@ static void print_sentence(const stability *s, FILE *file)
 {
     const stability_set *one = &s->set[0];
     const search_state at = search_look(&one->search);
-    char stable[TEXT], unstable[TEXT], label[STABILITY_LABEL];
+    char label[STABILITY_LABEL];
     stability_set_label(s, 0, label);
-    name_value(s, at.stable, stable);
-    name_value(s, at.unstable, unstable);
     if (label[0]) (void)fprintf(file, "%s: ", label);
-    if (has_bracket(&at))
-        (void)fprintf(file, "stable %s %s, unstable at %s", at.stable < at.unstable ? "up to" : "down to", stable,
-                      unstable);
+    if (has_bracket(&at)) {
+        (void)fprintf(file, "stable %s ", at.stable < at.unstable ? "up to" : "down to");
+        print_value(s, at.stable, file);
+        (void)fprintf(file, ", unstable at ");
+        print_value(s, at.unstable, file);
+    }
     print_outcome(s, one, &at, file);
     (void)fprintf(file, "; %zu runs\n", one->search.n_told);
 }

@@ -71,6 +71,12 @@ refused 'has no single value' --over output.interval
 expect 2 "$FLOE" stability "$FLOE_SOURCE/inputs/sod.yaml" -o refused
 has stderr 'over what?'
 
+# A run that takes too long gives no verdict: its search ends, and that is no success.
+expect 4 "$FLOE" stability "${one[@]}" --set time.max_steps=2000000 --max-wall 0.1 -o slow
+has stdout 'no answer: a run gave no verdict; 0 runs'
+has stderr 'the limit of wall time was reached'
+has slow/limits.csv 'no_verdict,nan,nan'
+
 # Interrupted: what there is was written, and the same command goes on.
 "$FLOE" stability "${one[@]}" --set time.max_steps=2000000 -o stopped >stdout 2>stderr &
 pid=$!
