@@ -96,6 +96,23 @@ static floe_status check_motion(const mpm *s, int body, int tile, chunk_motion m
                 s->time, s->scene->body[s->body[body].scene_body].name);
 }
 
+/* Impulse and work of a body force on a chunk's points. */
+static void add_fall(const mpm *s, const point_arrays *p, const gather_result *out, size_t start, size_t end,
+                     double gain[MPM_GAINS])
+{
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double b = p->acceleration[a], *restrict x = p->x[a], *restrict next = out->x_next[a];
+        if (b == 0.0) continue;
+        double mass = 0.0, fall = 0.0;
+        for (size_t k = start; k < end; ++k) {
+            mass += p->mass[k];
+            fall += p->mass[k] * (next[k] - x[k]);
+        }
+        gain[GAIN_IMPULSE + a] += s->work->kick * b * mass;
+        gain[GAIN_FALL] += b * fall;
+    }
+}
+
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
 static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
                              const double *window, solid_batch *batch, double *gain)
@@ -109,6 +126,7 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         if (pass.stress) clear_free_rates(s, batch);
         gather(s->mesh, t, &p, k, stop, window, &step, &out);
+        if (pass.motion) add_fall(s, &p, &out, k, stop, gain);
         if (pass.motion) TRY(check_motion(s, body, t->number, motion_of(s->mesh, k, stop, &p, &out)));
         if (pass.stress) TRY(update_stress(s, blk, body, k, stop, batch, gain));
     }
@@ -133,6 +151,16 @@ static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_ba
     return FLOE_OK;
 }
 
+static void enter_gains(mpm *s)
+{
+    double sum[MPM_GAINS];
+    domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_GAINS, sum);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[GAIN_HEAT] + sum[GAIN_FALL]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[GAIN_REFERENCE]);
+    for (int a = 0; a < s->mesh->dim; ++a)
+        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, sum[GAIN_IMPULSE + a]);
+}
+
 /* Runs a pass over every tile; the first failure wins, and the others stop early. */
 static floe_status pass_points(mpm *s, tile_pass pass)
 {
@@ -154,12 +182,7 @@ static floe_status pass_points(mpm *s, tile_pass pass)
             }
         }
     }
-    if (pass.stress && worst == FLOE_OK) {
-        double sum[MPM_GAINS];
-        domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_GAINS, sum);
-        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[GAIN_HEAT]);
-        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[GAIN_REFERENCE]);
-    }
+    if (worst == FLOE_OK) enter_gains(s);
     return worst;
 }
 

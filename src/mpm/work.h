@@ -120,8 +120,9 @@ void load_window(const mpm *s, int blk, const tile_box *t, const double *const *
 /* Whether forces are scattered with the masses (mpm_step.c). */
 bool forces_at_once(const mpm *s);
 
-/* What a pass over the points adds to the energy (J): heating loads, and the reference pressure's work. */
-enum { GAIN_HEAT, GAIN_REFERENCE, MPM_GAINS };
+/* What a pass over the points adds: energy (J) of heating loads, of the reference pressure's work, of body forces; and their impulse
+ * (N s) by component. */
+enum { GAIN_HEAT, GAIN_REFERENCE, GAIN_FALL, GAIN_IMPULSE, MPM_GAINS = GAIN_IMPULSE + MESH_MAX_DIM };
 
 /* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
