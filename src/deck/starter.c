@@ -65,7 +65,8 @@ static const char body[] =
     "  interval: 0.5 ms           # field snapshots\n"
     "  probes: {front: [0.35, 0.1]}\n"
     "\n"
-    "# compare: {axis: {domain.cell: [0.05, 0.025]}}\n";
+    "# compare: {axis: {domain.cell: [0.05, 0.025]}}\n"
+    "# study: {axes: {domain.cell: [0.05, 0.025], method.basis: [linear, quadratic]}, repeat: 3}\n";
 
 floe_status deck_starter(char **text, context *ctx, const char *name)
 {

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -215,6 +216,31 @@ floe_status folder_make(context *ctx, const char *path)
     memory_free(ctx, &copy);
     TRY(status);
     if (access(path, W_OK | X_OK) != 0) return file_fail(ctx, "cannot write into the folder", path, errno);
+    return FLOE_OK;
+}
+
+static floe_status remove_files(context *ctx, const char *path, DIR *folder)
+{
+    const int at = dirfd(folder);
+    for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
+        struct stat about;
+        if (fstatat(at, entry->d_name, &about, AT_SYMLINK_NOFOLLOW) != 0 || S_ISDIR(about.st_mode)) continue;
+        if (unlinkat(at, entry->d_name, 0) != 0 && errno != ENOENT)
+            return file_fail(ctx, "cannot remove the files in", path, errno);
+    }
+    return FLOE_OK;
+}
+
+floe_status folder_remove(context *ctx, const char *path)
+{
+    DIR *folder = opendir(path);
+    if (!folder && errno == ENOENT) return FLOE_OK;
+    if (!folder) return file_fail(ctx, "cannot open the folder", path, errno);
+    const floe_status status = remove_files(ctx, path, folder);
+    (void)closedir(folder);
+    TRY(status);
+    if (rmdir(path) != 0 && errno != ENOTEMPTY && errno != EEXIST && errno != ENOENT)
+        return file_fail(ctx, "cannot remove the folder", path, errno);
     return FLOE_OK;
 }
 

@@ -27,6 +27,8 @@ floe_status file_remove(context *ctx, const char *path);
 
 /* Makes a folder and those above it, and checks that files can be made in it. */
 floe_status folder_make(context *ctx, const char *path);
+/* Removes the files in a folder, and the folder unless there are folders in it; that it is not there is no error. */
+floe_status folder_remove(context *ctx, const char *path);
 /* Makes what was renamed or removed in a folder last through a power cut. */
 floe_status folder_sync(context *ctx, const char *path);
 

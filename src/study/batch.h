@@ -48,6 +48,7 @@ typedef struct batch_options {
     int threads;        /* of each; 0: one */
     double max_wall;    /* s of each case; 0: no limit */
     bool keep_finished; /* cases that have ended before with the very same resolved deck are not run again */
+    bool thin;          /* of a case that has ended, its snapshots and checkpoint are removed */
     const volatile sig_atomic_t *stop; /* becomes non-zero when the batch is asked to stop; NULL: never */
     FILE *progress;                    /* NULL: quiet */
 } batch_options;

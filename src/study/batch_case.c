@@ -207,6 +207,19 @@ static void find_cause(const batch *b, const batch_job *j, batch_case *one, int 
     if (one->status != FLOE_OK && !one->message[0]) set_message(one, status_text(one->status));
 }
 
+/* Removes what is large. */
+static floe_status make_thin(const batch *b, const batch_case *one)
+{
+    static const char *const name[] = {"checkpoint.h5", "fields.xdmf"};
+    char path[BATCH_PATH];
+    for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
+        batch_path(b->o, one, name[i], path);
+        TRY(file_remove(b->ctx, path));
+    }
+    batch_path(b->o, one, "fields", path);
+    return folder_remove(b->ctx, path);
+}
+
 floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
 {
     batch_case *one = &b->list[j->index];
@@ -225,5 +238,7 @@ floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
     one->state = one->status == FLOE_INTERRUPTED && stopped && !one->timed_out ? BATCH_WAITING : BATCH_ENDED;
     if (one->state == BATCH_WAITING) return FLOE_OK;
     batch_progress_report(b, one);
-    return is_final(one) ? note(b, one) : FLOE_OK;
+    if (!is_final(one)) return FLOE_OK;
+    if (b->o->thin) TRY(make_thin(b, one));
+    return note(b, one);
 }

@@ -70,6 +70,7 @@ static floe_status run_timed(study *s, batch_case *list, size_t *index, size_t n
     (void)snprintf(dir, sizeof dir, "%s/timing", o.dir);
     o.dir = dir;
     o.jobs = o.threads = 1;
+    o.thin = true;
     (void)list_runs(s, list, index);
     if (o.progress) (void)fprintf(o.progress, "%zu timed runs, one at a time on one thread\n", n);
     const floe_status status = batch_run(s->ctx, &o, list, n);

@@ -64,3 +64,16 @@ wait "$pid" || got=$?
 has stderr 'the same command goes on'
 [ "$(json stopped/0.01/summary.json status)" = interrupted ] || fault 'the runs were not stopped'
 [ ! -e stopped/0.01/case.json ] || fault 'a run that was stopped counts as ended'
+
+# A run that is killed is a result with its cause, and the rest go on; it is not final.
+"$FLOE" study "$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.0125,0.4 -o killed >stdout 2>stderr &
+pid=$!
+until [ -s killed/0.0125/history.csv ]; do sleep 0.02; done
+"$FLOE" run "${tiny[@]}" -o killed/0.0125 2>refused && fault 'two runs in one folder'
+kill -KILL "$(sed -E 's/.*process ([0-9]+) is writing.*/\1/' refused)"
+wait "$pid" || fault 'a case that was killed ends the study'
+has stderr 'killed by signal 9'
+has stdout 'failed'
+grep -q '^mpm,"0.0125",.*,failed,' killed/study.csv || fault 'not recorded as failed'
+grep -q '^mpm,"0.4",.*,done,\|^mpm,"0.4",.*,at_rest,' killed/study.csv || fault 'the other case was not run'
+[ ! -e killed/0.0125/case.json ] || fault 'a case that was killed counts as ended'

@@ -12,7 +12,8 @@ has stdout 'MISSED: order of eq13, mpm'
 has stdout 'met: error of eq13, domain.cell=0.2, ice-mpm'
 has stdout 'the best of 2, alone on one thread'
 has stdout ' choose '
-is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json
+is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json bars/0.2-mpm/fields.xdmf
+[ ! -e bars/timing/0.2-mpm-2/fields ] || fault 'timed runs keep their snapshots'
 [ "$(grep -c '"met": true' bars/study.json)" -eq 2 ] || fault 'not two bars met'
 [ "$(grep -c '"met": false' bars/study.json)" -eq 1 ] || fault 'not one bar missed'
 [ "$(grep -c '"same_results": true' bars/study.json)" -eq 4 ] || fault 'repeated runs gave other results'
