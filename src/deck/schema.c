@@ -93,6 +93,12 @@ static const choice criterion_choices[] = {
     {0},
 };
 
+static const choice touch_choices[] = {
+    {"points", CONTACT_AT_POINTS, "where their points have met, each with half the width of its volume"},
+    {"nodes", CONTACT_AT_NODES, "at any node that both reach (Y97): up to a cell apart and more"},
+    {0},
+};
+
 static bool contact_has_normal(const scene *s, const void *contact)
 {
     (void)s;
@@ -111,6 +117,8 @@ static const key_spec contact_keys[] = {
      .doc = "what bodies do where they meet"},
     {"criterion", KEY_CHOICE, AT(scene_contact, criterion), .fallback = "pair", .choices = criterion_choices,
      .applies = contact_has_normal, .belongs = "kinds release and friction", .doc = "when two bodies are in contact"},
+    {"touch", KEY_CHOICE, AT(scene_contact, touch), .fallback = "points", .choices = touch_choices,
+     .doc = "where two bodies can be in contact"},
     {"friction", KEY_NUMBER, NULL, PARAM_NONNEGATIVE, AT(scene_contact, friction), .fallback = "0",
      .applies = contact_rubs, .belongs = "kind friction", .doc = "coefficient mu"},
     {"normals", KEY_CUSTOM, AT(scene_contact, normals), .custom = &custom_normals, .otherwise = "colour",

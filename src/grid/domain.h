@@ -36,6 +36,8 @@ void domain_share_partials(domain *d);
 /* Adds up the two images of every node near a periodic end (node 0 and n, -1 and n-1, 1 and n+1), low image first, and gives both
  * the sum. One ghost layer of nodes is used. */
 void domain_fold_periodic(domain *d, field_id id, int instance);
+/* The same with the larger of the two instead of the sum. */
+void domain_fold_periodic_largest(domain *d, field_id id, int instance);
 
 /* Sum, minimum and maximum over tiles, in the order of global tile number, whatever the blocks: `partial` has one
  * row of `count` values per global tile (row-major). */

@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "grid/domain.h"
 
+#include <math.h>
 #include <string.h>
 
 floe_status domain_create(domain **out, context *ctx, const mesh *m)
@@ -123,18 +124,18 @@ void domain_share_partials(domain *d)
     (void)d; /* one process: every tile is at hand */
 }
 
-/* Adds the three pairs of images of one row of nodes along a periodic axis of n cells (n of the upper block). */
-static void fold_row(double *low, double *high, ptrdiff_t stride, int n)
+/* Joins the three pairs of images of one row of nodes along a periodic axis of n cells (n of the upper block). */
+static void fold_row(double *low, double *high, ptrdiff_t stride, int n, bool largest)
 {
     for (int image = -1; image <= 1; ++image) {
         double *a = low + image * stride, *b = high + (n + image) * stride;
-        const double sum = *a + *b;
-        *a = sum;
-        *b = sum;
+        const double both = largest ? fmax(*a, *b) : *a + *b;
+        *a = both;
+        *b = both;
     }
 }
 
-static void fold_pair(const block *low, const block *high, int axis, double *a, double *b)
+static void fold_pair(const block *low, const block *high, int axis, double *a, double *b, bool largest)
 {
     int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
     for (int d = 0; d < low->dim; ++d) {
@@ -144,7 +145,8 @@ static void fold_pair(const block *low, const block *high, int axis, double *a, 
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i)
-                fold_row(a + mesh_index(low, i, j, k), b + mesh_index(high, i, j, k), low->stride[axis], high->n[axis]);
+                fold_row(a + mesh_index(low, i, j, k), b + mesh_index(high, i, j, k), low->stride[axis], high->n[axis],
+                         largest);
 }
 
 /* The block at the upper end of the domain in the same row of blocks as `low`. */
@@ -155,7 +157,7 @@ static int opposite(const mesh *m, const block *low, int axis)
     return mesh_block_of(m, cell);
 }
 
-void domain_fold_periodic(domain *d, field_id id, int instance)
+static void fold_periodic(domain *d, field_id id, int instance, bool largest)
 {
     const mesh *m = d->mesh;
     const int components = field_component_count(field_describe(id)->components, m->dim);
@@ -166,7 +168,17 @@ void domain_fold_periodic(domain *d, field_id id, int instance)
             const int other = opposite(m, &m->block[b], axis);
             for (int c = 0; c < components; ++c)
                 fold_pair(&m->block[b], &m->block[other], axis, field_get(d->fields[b], id, instance, c),
-                          field_get(d->fields[other], id, instance, c));
+                          field_get(d->fields[other], id, instance, c), largest);
         }
     }
+}
+
+void domain_fold_periodic(domain *d, field_id id, int instance)
+{
+    fold_periodic(d, id, instance, false);
+}
+
+void domain_fold_periodic_largest(domain *d, field_id id, int instance)
+{
+    fold_periodic(d, id, instance, true);
 }

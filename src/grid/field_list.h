@@ -43,8 +43,11 @@
     X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                    \
     X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH,                                                   \
       "a_i = (v_i^L - v_i) / dt after boundary conditions")                                                          \
-    X(N_NORMAL, "node_normal", NODE, VECTOR, "m2", SCRATCH,                                                          \
-      "towards the outside of a body, of no unit length: sum of V0_p times a gradient")                              \
+    X(N_COLOUR, "node_colour", NODE, SCALAR, "m3", SCRATCH, "phi_i = sum of V0_p times a smoothing kernel")          \
+    X(N_NORMAL, "node_normal", NODE, VECTOR, "1/m", SCRATCH,                                                         \
+      "-grad phi/phi: towards the outside of a body, of no unit length")                                             \
+    X(N_REACH, "node_reach", NODE, SCALAR, "m", SCRATCH,                                                             \
+      "how far a body's points reach from the node along its normal there")                                          \
     X(N_TOUCH, "node_touch", NODE, SCALAR, "1", SCRATCH,                                                             \
       "bits of the groups that it moves with (from 0 on) and slides on (from 16 on)")                                \
     X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")    \

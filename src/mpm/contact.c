@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "mpm/work.h"
 
+#include <math.h>
 #include <string.h>
 
 floe_status contact_create(mpm *s)
@@ -19,6 +20,8 @@ floe_status contact_create(mpm *s)
         c->window[a] = a < s->mesh->dim ? s->mesh->tile[a] + 1 + 2 * c->normal->reach : 1;
         c->window_nodes *= c->window[a];
     }
+    c->h = s->mesh->h[0];
+    for (int a = 1; a < s->mesh->dim; ++a) c->h = fmin(c->h, s->mesh->h[a]);
     return memory_new(s->ctx, &c->near, mesh_tiles(s->mesh), sizeof *c->near);
 }
 
@@ -30,12 +33,12 @@ void contact_destroy(mpm *s)
 
 size_t contact_partials(const mpm *s)
 {
-    return (size_t)s->contact->window_nodes * (size_t)s->mesh->dim;
+    return (size_t)s->contact->window_nodes * (size_t)(1 + s->mesh->dim);
 }
 
 /* Node arrays of all groups in a block. */
 typedef struct group_view {
-    const double *mass, *force[MESH_MAX_DIM], *normal[MESH_MAX_DIM];
+    const double *mass, *reach, *force[MESH_MAX_DIM], *normal[MESH_MAX_DIM];
     double *momentum[MESH_MAX_DIM], *v[MESH_MAX_DIM], *touch;
 } group_view;
 
@@ -58,6 +61,7 @@ static node_pass pass_of(const mpm *s, int blk, contact_act act)
             p.group[g].force[c] = field_get(f, N_FORCE, g, c);
             p.group[g].v[c] = field_get(f, act == CONTACT_DECIDE ? N_VEL_L : N_VEL, g, c);
         }
+        p.group[g].reach = field_get(f, N_REACH, g, 0);
         p.group[g].touch = field_get(f, N_TOUCH, g, 0);
     }
     return p;
@@ -78,7 +82,8 @@ static void load_node(const node_pass *p, ptrdiff_t at, const int *group, contac
 {
     for (int k = 0; k < node->n; ++k) {
         const group_view *g = &p->group[group[k]];
-        node->body[k] = (contact_body){.mass = g->mass[at], .named = p->s->contact->named[group[k]]};
+        node->body[k] = (contact_body){
+            .mass = g->mass[at], .reach = g->reach ? g->reach[at] : 0.0, .named = p->s->contact->named[group[k]]};
         for (int c = 0; c < node->dim; ++c) {
             node->body[k].v0[c] = g->momentum[c][at] / g->mass[at];
             node->body[k].v[c] = g->v[c][at];
@@ -154,7 +159,7 @@ static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], doubl
     const block *b = &p->s->mesh->block[p->blk];
     const ptrdiff_t at = mesh_index(b, global[0] - b->lo[0], global[1] - b->lo[1], global[2] - b->lo[2]);
     int group[MPM_MAX_GROUPS];
-    contact_node node = {.n = find_groups(p, at, group), .dim = p->s->mesh->dim};
+    contact_node node = {.n = find_groups(p, at, group), .dim = p->s->mesh->dim, .h = p->s->contact->h};
     if (node.n < 2) return;
     find_held(p->s, global, node.held);
     load_node(p, at, group, &node);

@@ -15,6 +15,7 @@ struct mpm_contact {
     bool named[MPM_MAX_GROUPS]; /* a body of the contact; else the group of all others */
     int window[MESH_MAX_DIM];   /* nodes of a tile's window of the normals */
     int window_nodes;
+    double h;   /* m: least spacing */
     bool *near; /* per global tile: bodies meet in it or in one beside it; owned */
 };
 
@@ -36,6 +37,7 @@ typedef struct contact_body {
     double v0[3];     /* m/s: velocity that the step began with */
     double v[3];      /* m/s: in, before contact; out, after it */
     double normal[3]; /* outward, of no unit length */
+    double reach;     /* m: of its points from the node along the normal */
     bool named;
 } contact_body;
 
@@ -44,6 +46,7 @@ typedef enum contact_state { CONTACT_FREE, CONTACT_SLIDES, CONTACT_STICKS } cont
 typedef struct contact_node {
     int n; /* bodies, at least two */
     int dim;
+    double h;     /* m: least spacing */
     bool held[3]; /* components that a wall holds: normals have none */
     contact_body body[MPM_MAX_GROUPS];
     contact_state state[MPM_MAX_GROUPS][MPM_MAX_GROUPS]; /* of the pair a, b where a < b */

@@ -80,6 +80,13 @@ static bool approach(const scene_contact *rule, const contact_node *node, const 
     }
 }
 
+/* The surfaces have met: each at its farthest point along the normal. */
+static bool have_met(const scene_contact *rule, const contact_node *node, int a, int b)
+{
+    const double overlap = node->body[a].reach + node->body[b].reach;
+    return rule->touch == CONTACT_AT_NODES || overlap >= -1e-6 * node->h;
+}
+
 static pair make_pair(const contact_node *node, int a, int b, bond kind)
 {
     const contact_body *A = &node->body[a], *B = &node->body[b];
@@ -96,8 +103,9 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
     const common mean = mean_velocity(node);
     for (int a = 0; a < node->n; ++a)
         for (int b = a + 1; b < node->n; ++b) {
-            const bool ruled = rule->kind != CONTACT_STICK && node->body[a].named && node->body[b].named;
+            const bool named = node->body[a].named && node->body[b].named, ruled = named && rule->kind != CONTACT_STICK;
             const pair p = make_pair(node, a, b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
+            if (named && !have_met(rule, node, a, b)) continue;
             if (!ruled || approach(rule, node, &p, mean.v)) list[n++] = p;
         }
     return n;

@@ -78,7 +78,9 @@ static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p
                 const double slope[MESH_MAX_DIM] = {w[0].dw[x] * w[1].w[y] * w[2].w[z],
                                                     w[0].w[x] * w[1].dw[y] * w[2].w[z],
                                                     w[0].w[x] * w[1].w[y] * w[2].dw[z]};
-                for (int a = 0; a < m->dim; ++a) window[(ptrdiff_t)node * m->dim + a] += p->volume0[k] * slope[a];
+                double *out = window + (ptrdiff_t)node * (1 + m->dim);
+                out[0] += p->volume0[k] * w[0].w[x] * w[1].w[y] * w[2].w[z];
+                for (int a = 0; a < m->dim; ++a) out[1 + a] += p->volume0[k] * slope[a];
             }
 }
 
@@ -101,10 +103,24 @@ static void scatter_tile(const mpm *s, int group, int blk, int tile)
 static void gather_normals(const mpm *s, int group)
 {
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        node_target to = {.components = s->mesh->dim, .reach = s->contact->normal->reach};
+        node_target to = {.components = 1 + s->mesh->dim, .reach = s->contact->normal->reach};
         memcpy(to.window, s->contact->window, sizeof to.window);
-        for (int a = 0; a < s->mesh->dim; ++a) to.array[a] = field_get(s->domain->fields[b], N_NORMAL, group, a);
+        to.array[0] = field_get(s->domain->fields[b], N_COLOUR, group, 0);
+        for (int a = 0; a < s->mesh->dim; ++a) to.array[1 + a] = field_get(s->domain->fields[b], N_NORMAL, group, a);
         gather_nodes(s, b, &to);
+    }
+}
+
+/* -grad phi/phi. */
+static void divide_by_colour(const mpm *s, int blk, int group)
+{
+    const fields *f = s->domain->fields[blk];
+    const double *restrict colour = field_get(f, N_COLOUR, group, 0);
+    const size_t n = s->mesh->block[blk].size;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        double *restrict normal = field_get(f, N_NORMAL, group, a);
+#pragma omp parallel for simd schedule(static)
+        for (size_t k = 0; k < n; ++k) normal[k] = colour[k] > 0.0 ? normal[k] / colour[k] : 0.0;
     }
 }
 
@@ -118,8 +134,11 @@ floe_status mpm_contact_normals(mpm *s)
         }
         domain_share_partials(s->domain);
         gather_normals(s, g);
+        domain_fold_periodic(s->domain, N_COLOUR, g);
         domain_fold_periodic(s->domain, N_NORMAL, g);
-        fold_vector(s, g, N_NORMAL);
+        fold_field(s, g, N_COLOUR);
+        fold_field(s, g, N_NORMAL);
+        for (int b = 0; b < s->mesh->n_blocks; ++b) divide_by_colour(s, b, g);
     }
     return FLOE_OK;
 }

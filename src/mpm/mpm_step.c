@@ -30,6 +30,11 @@ static bool has_contact(const mpm *s)
     return s->contact != NULL;
 }
 
+static bool meets_at_points(const mpm *s)
+{
+    return has_contact(s) && s->scene->contact.touch == CONTACT_AT_POINTS;
+}
+
 /* Forces come with the masses where nothing changes the stress before they are used, or where a contact is foreseen with them. */
 bool forces_at_once(const mpm *s)
 {
@@ -52,7 +57,9 @@ floe_status mpm_mass_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_points_to_nodes, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(gimp, P_HALF), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, WHEN(gimp, P_HALF)),
-          WRITES(N_NORMAL));
+          WRITES(N_COLOUR, N_NORMAL));
+    STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, WHEN(gimp, P_HALF)),
+          WRITES(N_REACH));
     return FLOE_OK;
 }
 
@@ -60,7 +67,9 @@ floe_status mpm_force_stages(mpm *s)
 {
     const bool usf = is_usf(s), apart = s->coupled || usf;
     STAGE(s, usf, mpm_node_velocity,
-          READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL)), WRITES(N_VEL));
+          READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
+                WHEN(meets_at_points(s), N_REACH)),
+          WRITES(N_VEL));
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, POINT_STATE), WRITES(POINT_STATE));
     STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
@@ -69,7 +78,8 @@ floe_status mpm_force_stages(mpm *s)
 
 floe_status mpm_motion_stages(mpm *s)
 {
-    STAGE(s, has_contact(s), mpm_contact_velocity, READS(N_MASS, N_MOMENTUM, N_NORMAL, N_VEL_L),
+    STAGE(s, has_contact(s), mpm_contact_velocity,
+          READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     STAGE(s, is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),

@@ -1,6 +1,7 @@
 /* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (design 4). */
 #include "mpm/work.h"
 
+#include <math.h>
 #include <string.h>
 
 tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block)
@@ -139,7 +140,10 @@ static void add_row(const mpm *s, const block *b, const node_target *out, const 
     const ptrdiff_t to = mesh_index(b, lo - b->lo[0], j - b->lo[1], k - b->lo[2]);
     for (int c = 0; c < out->components; ++c) {
         double *restrict a = out->array[c] + to;
-        for (int i = 0; i < hi - lo; ++i) a[i] += from[i * out->components + c];
+        if (out->largest)
+            for (int i = 0; i < hi - lo; ++i) a[i] = fmax(a[i], from[i * out->components + c]);
+        else
+            for (int i = 0; i < hi - lo; ++i) a[i] += from[i * out->components + c];
     }
 }
 
@@ -153,7 +157,8 @@ static void gather_row(const mpm *s, const block *b, const node_target *out, int
     tiles_about(m, reach, 0, b->lo[0] - 1, &x0, &unused);
     tiles_about(m, reach, 0, b->lo[0] + b->n[0] + 1, &unused, &x1);
     const ptrdiff_t at = mesh_index(b, -1, j - b->lo[1], k - b->lo[2]);
-    for (int c = 0; c < out->components; ++c) memset(out->array[c] + at, 0, (size_t)(b->n[0] + 3) * sizeof(double));
+    for (int c = 0; c < out->components; ++c)
+        for (int i = 0; i < b->n[0] + 3; ++i) out->array[c][at + i] = out->largest ? (double)-INFINITY : 0.0;
     for (int z = z0; z <= z1; ++z)
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x) add_row(s, b, out, (const int[]){x, y, z}, j, k);

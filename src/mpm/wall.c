@@ -92,14 +92,16 @@ static void fold_side(const mpm *s, int blk, int axis, int side, int group, bool
     }
 }
 
-void fold_vector(mpm *s, int group, field_id id)
+void fold_field(mpm *s, int group, field_id id)
 {
+    const int components = field_component_count(field_describe(id)->components, s->mesh->dim);
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int axis = 0; axis < s->mesh->dim; ++axis)
             for (int side = 0; side < 2; ++side)
-                for (int c = 0; c < s->mesh->dim; ++c)
+                for (int c = 0; c < components; ++c)
                     if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis])
-                        fold_array(s, b, axis, side, c == axis, field_get(s->domain->fields[b], id, group, c));
+                        fold_array(s, b, axis, side, components > 1 && c == axis,
+                                   field_get(s->domain->fields[b], id, group, c));
 }
 
 void fold_walls(mpm *s, int group, bool momentum, bool force)

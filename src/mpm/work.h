@@ -110,6 +110,7 @@ typedef struct node_target {
     int components;
     int reach;                /* nodes that the window begins before its tile */
     int window[MESH_MAX_DIM]; /* nodes of it along each axis */
+    bool largest;             /* instead of the sum; -INFINITY where there is nothing */
 } node_target;
 
 /* Every node that a block sees (its own and one ghost layer) becomes the sum of its active tiles' partials, in global order. */
@@ -137,8 +138,8 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
 void fold_walls(mpm *s, int group, bool momentum, bool force);
 /* Whether a side of the domain holds a component of its nodes' velocity. */
 bool wall_holds(const mpm *s, int axis, int side, int component);
-/* Folds a vector of the nodes that points reached beyond the sides. */
-void fold_vector(mpm *s, int group, field_id id);
+/* Folds a field of the nodes that points reached beyond the sides. */
+void fold_field(mpm *s, int group, field_id id);
 void impose_walls(mpm *s, int group, field_id velocity);
 void extend_to_ghosts(mpm *s, int group, field_id id);
 void enter_mirrors(

@@ -119,12 +119,16 @@ typedef enum contact_kind {
 /* When two bodies at a node approach (Y97 eqs 9.7 to 9.9). */
 typedef enum contact_criterion { CONTACT_PAIR, CONTACT_MEAN, CONTACT_BOTH } contact_criterion;
 
+/* Where two bodies can touch: only where their points have met, or at any node that both reach. */
+typedef enum contact_touch { CONTACT_AT_POINTS, CONTACT_AT_NODES } contact_touch;
+
 typedef struct scene_contact {
     bool enabled;
     int body[SCENE_MAX_CONTACT]; /* the bodies in contact with each other */
     int n_bodies;                /* 0: all solid bodies */
     contact_kind kind;
     contact_criterion criterion;
+    contact_touch touch;
     double friction;          /* coefficient; CONTACT_FRICTION */
     char normals[SCENE_NAME]; /* colour, mass: normal_registry */
 } scene_contact;

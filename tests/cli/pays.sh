@@ -55,14 +55,14 @@ lacks solid C_RHO C_PRESSURE F_VEL P_ENERGY N_PRESSURE P_GRID_PRESSURE
 [ "$(json solid.json ice)" = 0 ] || fault 'a solid pays for cells'
 [ "$(json solid/summary.json cells)" = 0 ] || fault 'a solid has cells'
 same_as_planned solid
-lacks solid N_NORMAL N_TOUCH
+lacks solid N_COLOUR N_NORMAL N_REACH N_TOUCH
 if stages solid | grep -q contact; then fault 'a solid alone has a contact'; fi
 
 deck touching mpm "materials: {rubber: $rubber}
 contact: {kind: friction, friction: 0.2}" \
     "bodies: {left: {material: rubber, shape: $left, velocity: [1, 1]}, right: {material: rubber, shape: $right}}"
-holds touching N_NORMAL N_TOUCH
-[ "$(stages touching | grep -c contact)" = 2 ] || fault 'a contact has other stages than normals and velocities'
+holds touching N_COLOUR N_NORMAL N_REACH N_TOUCH
+[ "$(stages touching | grep -c contact)" = 3 ] || fault 'a contact has other stages than normals, reach and velocities'
 below 0 "$(json touching/summary.json contact_slip)"
 same_as_planned touching
 

@@ -69,7 +69,7 @@ static void test_momentum(void **state)
         bool axisymmetric;
         double h;
         long steps;
-    } sort[] = {{1, false, 0.025, 120}, {2, false, 0.1, 60}, {2, true, 0.1, 60}, {3, false, 0.1, 40}};
+    } sort[] = {{1, false, 0.025, 150}, {2, false, 0.1, 80}, {2, true, 0.1, 80}, {3, false, 0.1, 60}};
     for (size_t g = 0; g < sizeof sort / sizeof *sort; ++g)
         for (size_t i = 0; i < basis_registry_size; ++i)
             for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme)
@@ -79,6 +79,7 @@ static void test_momentum(void **state)
                     set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 0.99);
                     touch(&t, (contact_kind)kind, 0.3);
                     t.scene->contact.criterion = (contact_criterion)(i % 3);
+                    t.scene->contact.touch = kind == scheme ? CONTACT_AT_NODES : CONTACT_AT_POINTS;
                     trial_start(&t);
                     trial_steps(&t, sort[g].steps);
                     const long long *count = t.sim->ledger.count;
@@ -117,6 +118,7 @@ static void test_stick_is_no_slip(void **state)
                 set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 1.0);
                 t.scene->time.fixed_step = 0.01;
                 if (apart) touch(&t, CONTACT_STICK, 0.0);
+                t.scene->contact.touch = CONTACT_AT_NODES;
                 trial_start(&t);
                 assert_int_equal(t.sim->mpm->n_groups, 1 + apart);
                 p[apart] = (place){calloc(2 * mpm_count(t.sim->mpm), sizeof(double)), 0};
@@ -151,6 +153,7 @@ static void test_parting(void **state)
                 add_body(&t, solid, make_box(&t, (const double[]){1.0, 0.3, 0.0}, (const double[]){1.4, 0.7, 0.0}), 2);
             memcpy(b->velocity, vb, sizeof vb);
             touch(&t, (contact_kind)kind, 0.5);
+            if (kind == CONTACT_STICK) t.scene->contact.touch = CONTACT_AT_NODES;
             trial_start(&t);
             trial_run(&t, 0.5);
             const double error = fmax(sum_body(&t, 0, va).largest_error, sum_body(&t, 1, vb).largest_error);
@@ -204,10 +207,11 @@ static void test_slope_slides(void **state)
             print_message("%s, %s: v = %.6f, exact %.6f, across %.1e\n", basis_registry[i]->name,
                           normal_registry[n]->name, got, expected, s.momentum[1] / s.mass);
             const long long *count = t.sim->ledger.count;
-            print_message("    slips %lld, sticks %lld\n", count[COUNT_CONTACT_SLIP], count[COUNT_CONTACT_STICK]);
-            /* Where a point stands at the very edge of a node's support (force over mass without bound), that node may stick. */
-            check_close(got, expected, count[COUNT_CONTACT_STICK] ? 1e-6 : 1e-12);
-            check_true(count[COUNT_CONTACT_STICK] <= count[COUNT_CONTACT_SLIP] / 50);
+            print_message("    slips %lld, sticks %lld, light nodes %lld\n", count[COUNT_CONTACT_SLIP],
+                          count[COUNT_CONTACT_STICK], count[COUNT_SMALL_NODES]);
+            /* Forces on nodes that hardly have mass are dropped, into the ledger. */
+            check_close(got, expected, count[COUNT_SMALL_NODES] ? 1e-8 : 1e-12);
+            check_true(count[COUNT_CONTACT_SLIP] > 0 && count[COUNT_CONTACT_STICK] == 0);
             check_true(fabs(s.momentum[1] / s.mass) < 0.05); /* it stays on the slope */
             trial_end(&t);
         }
