@@ -87,8 +87,9 @@ void html_error(strbuf *out, const char *metric, double error)
 /* What becomes of a run, and whether that is good. */
 void html_status(strbuf *out, const char *status)
 {
-    static const char *const good[] = {"done", "at_rest", "passed", "stable", "met"};
-    static const char *const bad[] = {"diverged", "failed", "missed", "unstable"};
+    static const char *const good[] = {"done", "at_rest", "passed", "stable", "met", "found"};
+    static const char *const bad[] = {"diverged",  "failed",         "missed",       "unstable",
+                                      "timed_out", "rejected steps", "energy grows", "not finite"};
     const char *kind = "neutral";
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
         if (strcmp(status, good[i]) == 0) kind = "good";

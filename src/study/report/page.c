@@ -9,15 +9,22 @@
 #include <math.h>
 #include <string.h>
 
-void page_section_begin(page *p, int level, const char *title)
+static void list_title(page *p, int level, const char *id, const char *title)
 {
-    p->sections++;
-    strbuf_append(&p->body, "<section id=\"s%d\" class=\"level%d\">\n<h%d>", p->sections, level, level);
-    strbuf_append_xml(&p->body, title);
-    strbuf_append(&p->body, "</h%d>\n", level);
-    strbuf_append(&p->contents, "<li class=\"level%d\"><a href=\"#s%d\">", level, p->sections);
+    strbuf_append(&p->contents, "<li class=\"level%d\"><a href=\"#%s\">", level, id);
     strbuf_append_xml(&p->contents, title);
     strbuf_append(&p->contents, "</a></li>\n");
+}
+
+void page_section_begin(page *p, const char *title)
+{
+    char id[32];
+    (void)snprintf(id, sizeof id, "s%d", ++p->sections);
+    strbuf_append(&p->body, "<section id=\"%s\">\n<h2>", id);
+    strbuf_append_xml(&p->body, title);
+    strbuf_append(&p->body, "</h2>\n");
+    list_title(p, 2, id, title);
+    p->headings = 0;
 }
 
 void page_section_end(page *p)
@@ -27,9 +34,12 @@ void page_section_end(page *p)
 
 void page_heading(page *p, const char *title)
 {
-    strbuf_append(&p->body, "<h4>");
+    char id[64];
+    (void)snprintf(id, sizeof id, "s%d-%d", p->sections, ++p->headings);
+    strbuf_append(&p->body, "<h3 id=\"%s\">", id);
     strbuf_append_xml(&p->body, title);
-    strbuf_append(&p->body, "</h4>\n");
+    strbuf_append(&p->body, "</h3>\n");
+    if (!p->folded) list_title(p, 3, id, title);
 }
 
 double json_number_of(const json_t *object, const char *key)
@@ -130,13 +140,17 @@ floe_status page_figures(page *p, const plot_figure *figure, size_t n)
     return FLOE_OK;
 }
 
-void page_picture(page *p, const void *png, size_t size, const char *caption)
+void page_picture(page *p, const page_image *light, const page_image *dark, const char *caption)
 {
-    strbuf_append(&p->body, "<figure class=\"picture\">\n<img alt=\"");
-    strbuf_append_xml(&p->body, caption);
-    strbuf_append(&p->body, "\" src=\"data:image/png;base64,");
-    strbuf_append_base64(&p->body, png, size);
-    strbuf_append(&p->body, "\" />\n<figcaption>");
-    strbuf_append_xml(&p->body, caption);
-    strbuf_append(&p->body, "</figcaption>\n</figure>\n");
+    strbuf *out = &p->body;
+    strbuf_append(out, "<figure class=\"picture\">\n<picture><source media=\"(prefers-color-scheme: dark)\" "
+                       "srcset=\"data:image/png;base64,");
+    strbuf_append_base64(out, dark->png, dark->size);
+    strbuf_append(out, "\" /><img alt=\"");
+    strbuf_append_xml(out, caption);
+    strbuf_append(out, "\" src=\"data:image/png;base64,");
+    strbuf_append_base64(out, light->png, light->size);
+    strbuf_append(out, "\" /></picture>\n<figcaption>");
+    strbuf_append_xml(out, caption);
+    strbuf_append(out, "</figcaption>\n</figure>\n");
 }

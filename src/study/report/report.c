@@ -22,6 +22,7 @@ typedef struct folder_kind {
 } folder_kind;
 
 static const folder_kind kinds[] = {
+    {"stability.json", report_stability},
     {"study.json", report_study},
     {"compare.json", report_compare},
     {"summary.json", report_run},

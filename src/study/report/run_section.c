@@ -290,6 +290,7 @@ floe_status run_view_write(const run_view *v)
     strbuf_append(out, "</p>\n");
     facts(v);
     errors(v);
+    TRY(run_pictures(v));
     TRY(run_profile(v->page, v->dir, "profile.csv", v->stem, NULL));
     TRY(run_history(v));
     stages(v);
@@ -328,7 +329,7 @@ static floe_status write_section(page *p, const char *dir, const json_t *summary
     TRY(run_title(p, dir, title));
     TRY(run_cause(p, dir, summary, cause));
     (void)snprintf(full, sizeof full, "%s, %s", title, json_text_of(summary, "coupling"));
-    page_section_begin(p, 2, full);
+    page_section_begin(p, full);
     (void)snprintf(v.stem, sizeof v.stem, "%02d-%.100s", p->sections, base_name(dir));
     summarise(p, title, summary, cause);
     TRY(run_view_write(&v));

@@ -19,6 +19,8 @@ floe_status run_view_write(const run_view *v);
 
 /* Its history as plots, and its ledger as a table. */
 floe_status run_history(const run_view *v);
+/* Its fields as pictures, at the times that the page asks for. */
+floe_status run_pictures(const run_view *v);
 /* Its profile (DIR/FILE) beside the exact solution; `by` is NULL, or the column whose values are runs to be told apart. */
 floe_status run_profile(page *p, const char *dir, const char *file, const char *stem, const char *by);
 

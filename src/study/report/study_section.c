@@ -188,8 +188,11 @@ static floe_status write_case(const study_view *v, size_t i)
 static floe_status write_cases(const study_view *v)
 {
     page_heading(v->page, "Each case");
-    for (size_t i = 0; i < v->cases.n; i++) TRY(write_case(v, i));
-    return FLOE_OK;
+    v->page->folded = true;
+    floe_status status = FLOE_OK;
+    for (size_t i = 0; i < v->cases.n && status == FLOE_OK; i++) status = write_case(v, i);
+    v->page->folded = false;
+    return status;
 }
 
 /* The answers that the study itself has come to, by interpolation between its timed cases. */
@@ -280,7 +283,7 @@ static floe_status write_section(study_view *v)
     page *p = v->page;
     (void)snprintf(title, sizeof title, "%.400s", json_text_of(v->object, "title"));
     if (!title[0]) (void)snprintf(title, sizeof title, "%.400s", base_name(v->dir));
-    page_section_begin(p, 2, title);
+    page_section_begin(p, title);
     (void)snprintf(v->name, sizeof v->name, "%02d", p->sections);
     (void)snprintf(v->stem, sizeof v->stem, "%02d-%.90s", p->sections, base_name(v->dir));
     TRY(summarise(v, title));
@@ -326,7 +329,7 @@ floe_status report_study(page *p, const char *dir)
 
 floe_status report_title(page *p, const char *dir, char title[PAGE_TEXT])
 {
-    static const char *const files[] = {"study.json", "compare.json"};
+    static const char *const files[] = {"stability.json", "study.json", "compare.json"};
     title[0] = '\0';
     for (size_t i = 0; i < sizeof files / sizeof files[0] && !title[0]; i++) {
         json_t *object;
