@@ -3,7 +3,7 @@
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 
-# whole_page FILE: well-formed, nothing from outside, every name once, every link to a place that is there, no empty data.
+# whole_page FILE [without]: well-formed, nothing from outside, every name once, every link to a place that is there, no empty data; drawings, or none.
 whole_page() {
     local page=$1 ids figures
     is_there "$page"
@@ -21,7 +21,7 @@ whole_page() {
     ! grep -qE 'base64,("|$)' "$page" || fault "$page has empty data"
     ! grep -qE '[ >(]-?(nan|inf)[ <)]' "$page" || fault "$page shows what is no number"
     figures=$(grep -c '<figure class="plot">' "$page" || true)
-    if command -v gnuplot >/dev/null; then
+    if [ -z "${2:-}" ] && command -v gnuplot >/dev/null; then
         [ "$(grep -c '<svg class="floe-plot"' "$page")" = "$figures" ] || fault "$page lacks drawings"
     fi
     [ "$(grep -o 'data:text/csv;base64,' "$page" | wc -l)" -ge "$figures" ] || fault "$page lacks data"
@@ -72,8 +72,15 @@ expect 0 "$FLOE" compare "$cylinder" --axis domain.cell=0.2,0.1 --set time.end=1
 expect 0 "$FLOE" run "${tiny[@]}" --set time.end=5e-4 --set 'title="<b> & \"it'"'"'s\" mine"' -o run --quiet
 expect 3 "$FLOE" run "${tiny[@]}" --set time.fixed_step=1e-4 -o bad --quiet
 
+# A study with what it requires, a search, and a map.
+required='study.require=[{metric: eq13, order: 9, where: {coupling: mpm}}, {metric: eq13, error: 99}]'
+expect 6 "$FLOE" study "$cylinder" --axis domain.cell=0.4,0.2 --axis coupling=mpm,ice-mpm --set "$required" \
+    --set 'study.quantities=[strain]' --set time.end=1e-3 -o study --quiet
+line=("$FLOE_SOURCE/inputs/stability_line.yaml" --each 'method.stress=usl,usf' --set time.max_steps=200 --quiet)
+expect 0 "$FLOE" stability "${line[@]}" --over time.fixed_step=0.0006:0.0024 --tolerance 0.2 -o search
+expect 0 "$FLOE" stability "${line[@]}" --over time.fixed_step=5e-4,3e-3 --over method.flip=0.9,1 -o map
 # All of them.
-expect 0 "$FLOE" report cmp run bad -o all.html
+expect 0 "$FLOE" report cmp run bad study search map -o all.html --title 'Three <b>'
 has stdout 'report: all.html'
 whole_page all.html
 in_browser all.html
@@ -86,6 +93,17 @@ has all.html 'Time by stage'
 has all.html 'inner_radius: 0.5' # the deck as resolved
 has all.html "$(json run/summary.json compiler)"
 has all.html "$(json run/summary.json version)"
+has all.html "$(json run/summary.json machine)"
+# Pictures: the first and the last snapshot of a run, the last of a case, for light and dark pages.
+[ "$(grep -o 'src="data:image/png' all.html | wc -l)" -eq 11 ] || fault 'not two pictures a run (one of what diverged at once) and one a case'
+[ "$(grep -o 'srcset="data:image/png' all.html | wc -l)" -eq 11 ] || fault 'not as many for dark pages'
+has all.html '>missed<'
+has all.html '>met<'
+has all.html '>found<'
+has all.html 'energy grows'
+answer=$(json study/study.json text)
+has all.html "${answer:1}."
+[ "$(json search/stability.json stable)" != null ] || fault 'no limit was found'
 is_there all_files/*.csv all_files/*.gp
 # A case's error as the page shows it is that of its run.
 eq13=$(awk -v x="$(json cmp/mpm-0.1/summary.json eq13)" 'BEGIN { printf "%.4g", 100 * x }')
@@ -95,6 +113,8 @@ has all.html ">$eq13 %<"
 expect 0 "$FLOE" report run/ --quiet
 [ ! -s stdout ] || fault 'not quiet'
 whole_page run/report.html
+expect 0 "$FLOE" report run --times 0,1e-4,2e-4,9 -o times.html --quiet # the last snapshot is the nearest to 9 s
+[ "$(grep -o 'src="data:image/png' times.html | wc -l)" -eq 2 ] || fault 'no pictures at the times'
 is_there run/report_files
 
 # Without gnuplot: tables, data and scripts, and it is said once.
@@ -104,7 +124,7 @@ expect 0 env PATH="$work/bin" "$FLOE" report cmp run -o plain.html
 has plain.html 'gnuplot was not there'
 has plain.html 'data:text/plain;base64,'
 ! grep -q '<svg' plain.html || fault 'drawings without gnuplot'
-in_browser plain.html
+whole_page plain.html without
 
 # Folders of other versions: what is missing is left out.
 mkdir old
@@ -126,5 +146,12 @@ has stderr 'has not ended'
 echo '{' >none/summary.json
 expect 4 "$FLOE" report none -o refused.html
 has stderr 'none/summary.json'
+
+# A damaged snapshot costs the pictures, not the page.
+for snapshot in run/fields/*.h5; do printf x >"$snapshot"; done
+expect 0 "$FLOE" report run -o damaged.html
+has stderr 'no pictures of'
+whole_page damaged.html
+
 expect 2 "$FLOE" report run --times 1,x
 expect 2 "$FLOE" report

@@ -38,10 +38,10 @@ static void append_case(const case_list *c, const case_entry *e, strbuf *out)
     html_text(out, "%s", title);
 }
 
-static void say_most_exact(const case_list *c, const char *metric, strbuf *out)
+bool case_say_least(const case_list *c, const char *metric, strbuf *out)
 {
     const case_entry *best = most_exact(c, metric, -1);
-    if (!best) return;
+    if (!best) return false;
     html_text(out, "Least %s: ", metric);
     strbuf_append(out, "<b>");
     html_error(out, metric, case_error(best, metric));
@@ -49,7 +49,8 @@ static void say_most_exact(const case_list *c, const char *metric, strbuf *out)
     append_case(c, best, out);
     strbuf_append(out, ", in ");
     html_seconds(out, best->wall);
-    strbuf_append(out, ". ");
+    strbuf_append(out, ".");
+    return true;
 }
 
 /* The error that every variant reaches: the largest of their least ones; NAN with fewer than two. */
@@ -79,14 +80,14 @@ static int rank(const case_list *c, const char *metric, double error, const case
     return n;
 }
 
-static void say_fastest(const case_list *c, const char *metric, strbuf *out)
+void case_say_choice(const case_list *c, const char *metric, strbuf *out)
 {
     const case_entry *list[CASE_MAX_VARIANTS];
     const double error = common_error(c, metric);
     if (!isfinite(error)) return;
     const int n = rank(c, metric, error, list);
     if (n == 0) return;
-    strbuf_append(out, "For no more than ");
+    strbuf_append(out, " For no more than ");
     html_error(out, metric, error);
     strbuf_append(out, " choose <b>");
     append_case(c, list[0], out);
@@ -99,18 +100,6 @@ static void say_fastest(const case_list *c, const char *metric, strbuf *out)
         html_seconds(out, list[1]->wall);
     }
     strbuf_append(out, ".");
-}
-
-floe_status case_answers(const case_list *c, int metrics, bool choose, strbuf *out)
-{
-    for (int k = 0; k < c->n_metrics && k < metrics; k++) {
-        if (!most_exact(c, c->metric[k], -1)) continue;
-        strbuf_append(out, "<li>");
-        say_most_exact(c, c->metric[k], out);
-        if (choose) say_fastest(c, c->metric[k], out);
-        strbuf_append(out, "</li>\n");
-    }
-    return out->status;
 }
 
 static void count_cell(strbuf *out, double value)

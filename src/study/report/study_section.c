@@ -4,6 +4,7 @@
 #include "study/report/html.h"
 #include "study/report/run_section.h"
 
+#include <ctype.h>
 #include <jansson.h>
 #include <math.h>
 #include <string.h>
@@ -201,17 +202,41 @@ static const json_t *answers_of(const study_view *v)
     return json_object_get(json_object_get(v->object, "timing"), "answers");
 }
 
-static bool has_answers(const study_view *v)
+/* A sentence of the study's, with a capital and a full stop. */
+static void sentence(const char *text, strbuf *out)
 {
-    return json_array_size(answers_of(v)) > 0;
+    html_text(out, "%c%s.", toupper((unsigned char)text[0]), text[0] ? text + 1 : "");
 }
 
-static void own_answers(const study_view *v, size_t most, strbuf *out)
+/* The answers of one metric; with `all` false, only the one of the least error that is reached. */
+static void own_answers(const study_view *v, const char *metric, bool all, strbuf *out)
 {
-    const json_t *list = answers_of(v);
-    for (size_t i = 0; i < json_array_size(list) && i < most; i++) {
+    const json_t *list = answers_of(v), *last = NULL;
+    for (size_t i = 0; i < json_array_size(list); i++) {
+        const json_t *one = json_array_get(list, i);
+        if (strcmp(json_text_of(one, "metric"), metric) != 0) continue;
+        if (json_is_string(json_object_get(one, "best"))) last = one;
+        if (!all) continue;
+        strbuf_append(out, "<br />");
+        sentence(json_text_of(one, "text"), out);
+    }
+    if (all || !last) return;
+    strbuf_append(out, "<br />");
+    sentence(json_text_of(last, "text"), out);
+}
+
+/* What a person wants first, an item for each of the first metrics. */
+static void answers(const study_view *v, int metrics, bool all, strbuf *out)
+{
+    const case_list *c = &v->cases;
+    for (int k = 0; k < c->n_metrics && k < metrics; k++) {
         strbuf_append(out, "<li>");
-        html_text(out, "%s", json_text_of(json_array_get(list, i), "text"));
+        if (!case_say_least(c, c->metric[k], out)) html_text(out, "No case has a %s.", c->metric[k]);
+        if (json_array_size(answers_of(v)) > 0) {
+            own_answers(v, c->metric[k], all, out);
+        } else {
+            case_say_choice(c, c->metric[k], out);
+        }
         strbuf_append(out, "</li>\n");
     }
 }
@@ -232,7 +257,7 @@ static size_t count_missed(const study_view *v)
     return n;
 }
 
-static floe_status summarise(const study_view *v, const char *title)
+static void summarise(const study_view *v, const char *title)
 {
     page *p = v->page;
     strbuf *out = &p->summary;
@@ -246,10 +271,8 @@ static floe_status summarise(const study_view *v, const char *title)
     if (bad > 0) strbuf_append(out, ", of which %zu did not come to an end", bad);
     if (required > 0) strbuf_append(out, "; %zu of %zu requirements met", required - missed, required);
     strbuf_append(out, "<ul>\n");
-    TRY(case_answers(&v->cases, 1, !has_answers(v), out));
-    own_answers(v, 1, out);
+    answers(v, 1, false, out);
     strbuf_append(out, "</ul></li>\n");
-    return FLOE_OK;
 }
 
 static void introduce(const study_view *v)
@@ -286,11 +309,10 @@ static floe_status write_section(study_view *v)
     page_section_begin(p, title);
     (void)snprintf(v->name, sizeof v->name, "%02d", p->sections);
     (void)snprintf(v->stem, sizeof v->stem, "%02d-%.90s", p->sections, base_name(v->dir));
-    TRY(summarise(v, title));
+    summarise(v, title);
     introduce(v);
     strbuf_append(&p->body, "<ul class=\"answers\">\n");
-    TRY(case_answers(&v->cases, CASE_MAX_METRICS, !has_answers(v), &p->body));
-    own_answers(v, SIZE_MAX, &p->body);
+    answers(v, CASE_MAX_METRICS, true, &p->body);
     strbuf_append(&p->body, "</ul>\n");
     bars(v);
     TRY(case_plots(p, &v->cases, v->stem));
