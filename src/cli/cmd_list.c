@@ -3,6 +3,7 @@
 #include "cli/plan.h"
 #include "deck/errors.h"
 #include "geom/shape.h"
+#include "material/membrane.h"
 #include "mpm/basis/basis.h"
 #include "mpm/normal/normal.h"
 #include "verify/history_metric.h"
@@ -37,6 +38,14 @@ static void list_laws(void)
     }
 }
 
+static void list_membranes(void)
+{
+    for (size_t i = 0; i < membrane_registry_size; i++) {
+        const membrane_model *m = membrane_registry[i];
+        print_entry(m->name, m->doc, m->cite, m->params, m->n_params);
+    }
+}
+
 static void list_eos(void)
 {
     for (size_t i = 0; i < eos_registry_size; i++) {
@@ -47,8 +56,10 @@ static void list_eos(void)
 
 static void list_materials(void)
 {
-    printf("  A solid has a law, a fluid an equation of state (eos).\n\nlaws\n");
+    printf("  A solid has a law, a membrane a law of its own, a fluid an equation of state (eos).\n\nlaws\n");
     list_laws();
+    printf("\nmembranes\n");
+    list_membranes();
     printf("\neos\n");
     list_eos();
 }
@@ -160,6 +171,7 @@ static const struct {
     {"materials", "what things can be made of", list_materials},
     {"eos", "equations of state of fluids", list_eos},
     {"laws", "laws of solids", list_laws},
+    {"membranes", "laws of membranes and strings", list_membranes},
     {"shapes", "shapes of bodies and regions", list_shapes},
     {"bases", "basis functions of material points", list_bases},
     {"normals", "normals of bodies in contact", list_normals},
@@ -196,9 +208,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 static const struct argp argp = {
     .parser = parse,
     .args_doc = "[TOPIC]",
-    .doc =
-        "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, laws, "
-        "shapes, bases, normals, exact, references, metrics, boundaries, fields; without one the topics are listed.",
+    .doc = "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, "
+           "laws, membranes, "
+           "shapes, bases, normals, exact, references, metrics, boundaries, fields; without one the topics are listed.",
 };
 
 int cmd_list(cli *c, int argc, char **argv)

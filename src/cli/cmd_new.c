@@ -68,7 +68,7 @@ static const char completion[] =
     "        stability) words='--over --each --tolerance --growth --relative-to --coupling --set --jobs --threads '\n"
     "            words+='--max-wall --output --quiet --help' files=yes ;;\n"
     "        picture) words='--time --all --points --cells --range --dark --width --output --help' files=yes ;;\n"
-    "        list) words='materials eos laws shapes bases normals exact metrics boundaries fields' ;;\n"
+    "        list) words='materials eos laws membranes shapes bases normals exact metrics boundaries fields' ;;\n"
     "        new) words='--output --schema --reference --completion --help' ;;\n"
     "        esac\n"
     "        case ${COMP_WORDS[COMP_CWORD - 1]} in\n"

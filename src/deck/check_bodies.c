@@ -22,6 +22,13 @@ static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_
                   m->eos.model->pressure_floor(m->eos.par));
 }
 
+static floe_status check_membrane(reader *r, const scene_body *b)
+{
+    if (!scene_runs_as(r->scene, COUPLING_ICE_MPM)) return FLOE_OK;
+    return bad_at(r, PATH("bodies", b->name, "membrane"), "coupling: mpm, and no ice-mpm in runs_as", NULL,
+                  "membrane '%s' runs as material points alone: cells do not see membranes", b->name);
+}
+
 /* What the cells of a coupled run need to know of a solid. */
 static floe_status check_solid_body(reader *r, const scene_body *b, const scene_material *m)
 {
@@ -60,6 +67,7 @@ static floe_status check_body(reader *r, const scene_body *b)
         TRY(bad_at(r, PATH("bodies", b->name, "state"), "verify: {exact: {...}}", NULL,
                    "body '%s' starts from the exact solution, and 'verify' names none", b->name));
     }
+    if (m->membrane) return check_membrane(r, b);
     return m->kind == MATERIAL_FLUID ? check_fluid_body(r, b, m) : check_solid_body(r, b, m);
 }
 

@@ -79,6 +79,33 @@ static const char *law_check(const model_entry *entry, const void *par, int dim)
 
 const model_family family_law = {"law", law_get, law_store, law_fetch, law_check};
 
+static bool membrane_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
+{
+    (void)catalogue;
+    if (i >= membrane_registry_size) return false;
+    const membrane_model *m = membrane_registry[i];
+    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    return true;
+}
+
+static void membrane_store(void *field, const model_entry *entry, void *par)
+{
+    scene_material *m = field;
+    m->membrane = entry->model;
+    m->membrane_par = par;
+}
+
+static bool membrane_fetch(const void *field, const char **name, const void **par)
+{
+    const scene_material *m = field;
+    if (!m->membrane) return false;
+    *name = m->membrane->name;
+    *par = m->membrane_par;
+    return true;
+}
+
+const model_family family_membrane = {"membrane law", membrane_get, membrane_store, membrane_fetch, NULL};
+
 static bool eos_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
     (void)catalogue;

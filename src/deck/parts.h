@@ -6,8 +6,11 @@
 
 /* schema_items.c */
 extern const named_items items_materials, items_bodies, items_loads, items_probes;
+/* schema_membranes.c */
+extern const key_table membrane_table;
+extern const custom_key custom_places;
 /* families.c */
-extern const model_family family_shape, family_law, family_eos, family_exact, family_reference;
+extern const model_family family_shape, family_law, family_membrane, family_eos, family_exact, family_reference;
 /* boundaries.c */
 extern const custom_key custom_boundaries;
 extern const variants boundary_kinds;
@@ -24,6 +27,10 @@ extern const choice coupling_choices[];
 const char *axis_name(const mesh_spec *spec, int axis);
 bool material_is_fluid(const scene *s, const void *material);
 bool material_is_solid(const scene *s, const void *material);
+/* The body is given along a curve, or its material can be nothing else. */
+bool body_is_membrane(const scene *s, const void *body);
+/* What the membrane of a body misses: after its keys are read. */
+floe_status end_membrane(reader *r, deck_node *node, scene_body *body);
 
 /* Fills what depends on more than one key: finish.c, after the tables and before the checks. */
 floe_status finish_scene(reader *r);

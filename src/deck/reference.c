@@ -169,6 +169,9 @@ static void print_sections(page *p, const key_table *table, const char *path)
             if (key->items->value)
                 text_print(&p->out, "\n`NAME: [x, y, z]`: a list, one number for each axis, in m.\n");
             if (key->items->table) print_sections(p, key->items->table, name);
+        } else if (key->type == KEY_VARIANT) {
+            print_title(p, name, key->doc);
+            print_variants(p, key->variants);
         } else if (key->custom == &custom_boundaries) {
             print_title(p, name, key->doc);
             text_print(&p->out, "\n    %s\n", key->custom->form);
@@ -211,6 +214,7 @@ floe_status deck_reference(char **text, context *ctx, const deck_catalogue *cata
     print_sections(&p, &schema_deck, "");
     print_family(&p, "Shapes", &family_shape);
     print_family(&p, "Laws of solids", &family_law);
+    print_family(&p, "Laws of membranes", &family_membrane);
     print_family(&p, "Equations of state", &family_eos);
     print_family(&p, "Exact solutions", &family_exact);
     print_family(&p, "References of histories", &family_reference);

@@ -18,7 +18,19 @@ bool material_is_solid(const scene *s, const void *material)
     return !material_is_fluid(s, material);
 }
 
-static const char solids_only[] = "solids: materials with a 'law' and no 'eos'";
+static bool material_is_membrane(const scene *s, const void *material)
+{
+    return material_is_solid(s, material) && ((const scene_material *)material)->membrane;
+}
+
+static bool material_has_law(const scene *s, const void *material)
+{
+    return material_is_solid(s, material) && !((const scene_material *)material)->membrane;
+}
+
+static const char solids_only[] = "solids: materials with a 'law' or a 'membrane' and no 'eos'";
+static const char laws_only[] = "solids: materials without 'membrane' and 'eos'";
+static const char membranes_only[] = "membranes: materials with a 'membrane'";
 static const char fluids_only[] = "fluids: materials with an 'eos'";
 
 static const key_spec viscosity_keys[] = {
@@ -38,7 +50,11 @@ static const key_spec artificial_keys[] = {
 static const key_table artificial_table = TABLE(artificial_keys);
 
 static const key_spec material_keys[] = {
-    {"law", KEY_MODEL, .family = &family_law, .applies = material_is_solid, .belongs = solids_only,
+    {"membrane", KEY_MODEL, .family = &family_membrane, .applies = material_is_solid, .belongs = solids_only,
+     .doc = "law of a membrane or string: what it needs to be one"},
+    {"one_way", KEY_BOOL, AT(scene_material, one_way), .fallback = "false", .applies = material_is_membrane,
+     .belongs = membranes_only, .doc = "true: it wrinkles instead of bearing compression"},
+    {"law", KEY_MODEL, .family = &family_law, .applies = material_has_law, .belongs = laws_only,
      .doc = "law of a solid: what it needs to be one"},
     {"eos", KEY_MODEL, AT(scene_material, eos), .family = &family_eos, .applies = material_is_fluid,
      .belongs = fluids_only, .doc = "equation of state of a fluid: what it needs to be one"},
@@ -61,10 +77,12 @@ static floe_status begin_material(reader *r, deck_node *node, void *item)
 {
     scene_material *m = item;
     m->density = m->specific_heat = m->tension_switch = NAN;
-    const bool solid = !node_find(node, "eos") && (node_find(node, "law") || node_find(node, "density"));
+    const bool law = node_find(node, "law") || node_find(node, "membrane");
+    const bool solid = !node_find(node, "eos") && (law || node_find(node, "density"));
     m->kind = solid ? MATERIAL_SOLID : MATERIAL_FLUID;
-    if (node->kind != NODE_MAP || node_find(node, "eos") || node_find(node, "law")) return FLOE_OK;
-    return bad_key(r, node, "law: {...} for a solid, or eos: {...} for a fluid", NULL,
+    if (node->kind != NODE_MAP || node_find(node, "eos") || law) return FLOE_OK;
+    return bad_key(r, node,
+                   "law: {...} for a solid (membrane: {...} for a string or membrane), or eos: {...} for a fluid", NULL,
                    "material '%.60s' has neither 'law' nor 'eos'", node->key);
 }
 
@@ -85,7 +103,14 @@ static bool body_is_fluid(const scene *s, const void *body)
     return material < 0 || s->material[material].kind == MATERIAL_FLUID; /* unknown: no second error */
 }
 
+static bool body_has_shape(const scene *s, const void *body)
+{
+    return !body_is_membrane(s, body);
+}
+
 static const char fluid_bodies[] = "bodies made of a fluid";
+static const char shaped_bodies[] = "bodies that are no membranes: a membrane lies along its curve";
+static const char membrane_bodies[] = "bodies made of a material with a membrane law";
 
 static const choice state_choices[] = {
     {"given", 0, "by the keys of the body"},
@@ -100,7 +125,11 @@ static const choice seeding_choices[] = {
 
 static const key_spec body_keys[] = {
     {"material", KEY_MATERIAL, AT(scene_body, material), .required = true, .doc = "what it is made of"},
-    {"shape", KEY_MODEL, AT(scene_body, shape), .family = &family_shape, .required = true, .doc = "where it is"},
+    {"shape", KEY_MODEL, AT(scene_body, shape), .family = &family_shape, .required = true, .applies = body_has_shape,
+     .belongs = shaped_bodies, .doc = "where it is"},
+    {"membrane", KEY_MAP, AT(scene_body, membrane), .table = &membrane_table, .required = true,
+     .present = 1 + offsetof(scene_body, membrane.present), .applies = body_is_membrane, .belongs = membrane_bodies,
+     .doc = "where a membrane or string lies, and how it is made"},
     {"velocity", KEY_VECTOR, "m/s", AT(scene_body, velocity), .otherwise = "0", .doc = "at the start"},
     {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .applies = body_is_fluid, .belongs = fluid_bodies,
      .doc = "absolute, at the start; a fluid needs two of pressure, temperature, density"},
@@ -111,7 +140,7 @@ static const key_spec body_keys[] = {
     {"state", KEY_CHOICE, AT(scene_body, initial_from_exact), .fallback = "given", .choices = state_choices,
      .doc = "where the state at the start comes from"},
     {"points", KEY_WHOLES, WITHIN(1, 16), AT(scene_body, per_cell), .fallback = "2",
-     .doc = "material points along each axis of a cell"},
+     .doc = "material points along each axis of a cell; of a membrane, along it"},
     {"seeding", KEY_CHOICE, AT(scene_body, seeding), .fallback = "fitted", .choices = seeding_choices,
      .doc = "how points are placed"},
     {"merge", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_body, merge), .fallback = "0.3",
@@ -126,6 +155,7 @@ static floe_status begin_body(reader *r, deck_node *node, void *item)
     scene_body *b = item;
     b->material = -1;
     b->pressure = b->temperature = b->density = NAN;
+    b->membrane.length = b->membrane.heavy_mass = NAN;
     return FLOE_OK;
 }
 
@@ -141,6 +171,7 @@ static void resolve_state(const scene_material *m, scene_body *b)
 static floe_status end_body(reader *r, deck_node *node, void *item)
 {
     scene_body *b = item;
+    if (b->membrane.present && !node->bad) TRY(end_membrane(r, node, b));
     if (b->material < 0 || node->bad || r->scene->material[b->material].kind == MATERIAL_SOLID) return FLOE_OK;
     const int given = !isnan(b->pressure) + !isnan(b->temperature) + !isnan(b->density);
     if (given == 3) {

@@ -25,6 +25,9 @@
     X(P_J, "volume_ratio", POINT, SCALAR, "1", STATE, "J_p = V/V0, for laws that need no F")                         \
     X(P_STRESS, "stress", POINT, STRESS, "Pa", STATE, "Cauchy, tension positive, gauge to the reference pressure")   \
     X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                              \
+    X(P_TANGENT, "tangent", POINT, VECTOR, "1", STATE, "t_p, unit, along the line of a membrane's points")           \
+    X(P_STRAIN, "membrane_strain", POINT, SCALAR, "1", STATE, "logarithmic, along the tangent; negative: slack")     \
+    X(P_STRAIN_HOOP, "membrane_strain_hoop", POINT, SCALAR, "1", STATE, "logarithmic, around the axis")              \
     X(P_VISCOUS_PRESSURE, "artificial_pressure", POINT, SCALAR, "Pa", STATE, "q_p, compression positive")            \
     X(P_HISTORY_1, "history_1", POINT, SCALAR, "1", STATE, "number 1 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_2, "history_2", POINT, SCALAR, "1", STATE, "number 2 of those that the law remembers (solid.h)")     \

@@ -167,6 +167,30 @@ static void add_probe(line *l, int n)
     add_vector(l, velocity, "m/s", value.velocity);
 }
 
+/* Where a body of points is and how it moves, as a whole; of an open membrane also its ends. */
+static void add_body(line *l, int body, const history_row *row)
+{
+    const mpm_body *b = &l->s->mpm->body[body];
+    const scene_body *given = &l->s->scene->body[b->scene_body];
+    double centre[MESH_MAX_DIM] = {0}, velocity[MESH_MAX_DIM] = {0}, end[MESH_MAX_DIM] = {0};
+    char label[NAME_SIZE], name[2 * NAME_SIZE];
+    body_label(l->s, b->scene_body, label);
+    for (int a = 0; a < MESH_MAX_DIM && row; a++) {
+        const double mass = row->totals->mpm.mass[body];
+        centre[a] = row->totals->mpm.moment[body][a] / mass;
+        velocity[a] = row->totals->mpm.momentum[body][a] / mass;
+    }
+    (void)snprintf(name, sizeof name, "centre_%s", label);
+    add_vector(l, name, "m", centre);
+    (void)snprintf(name, sizeof name, "velocity_%s", label);
+    add_vector(l, name, "m/s", velocity);
+    for (int last = 0; last < 2 && given->membrane.present && !curve_is_closed(&given->membrane.curve); last++) {
+        if (row) mpm_membrane_end(l->s->mpm, body, last == 1, end);
+        (void)snprintf(name, sizeof name, "%s_%s", last ? "last" : "first", label);
+        add_vector(l, name, "m", end);
+    }
+}
+
 static floe_status walk(const sim *s, const history_row *row, strbuf *out)
 {
     line l = {.s = s, .out = out, .names = !row, .whole = output_scale(s)};
@@ -183,6 +207,7 @@ static floe_status walk(const sim *s, const history_row *row, strbuf *out)
     add(&l, "strain", "J", row ? l.whole * row->totals->strain : 0.0);
     add(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
+    for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body(&l, b, row);
     add_ledger(&l);
     add_contact(&l, row);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);

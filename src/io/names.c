@@ -1,12 +1,12 @@
 #include "io/names.h"
 
+#include "scene/state.h"
+
 #include <string.h>
 
 double output_scale(const sim *s)
 {
-    const double two_pi = 6.283185307179586476925;
-    if (s->mesh.geometry == MESH_AXISYMMETRIC) return two_pi;
-    return s->mesh.dim == 2 ? s->scene->thickness : 1.0;
+    return scene_extent(s->scene);
 }
 
 const char *output_unit(const sim *s, const char *unit)

@@ -1,7 +1,7 @@
 /* From the scene to a set of bodies, fields and kernels. */
 #include "base/memory.h"
 #include "mpm/contact.h"
-#include "mpm/work.h"
+#include "mpm/line.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,9 +49,11 @@ static void resolve_body(mpm *s, int index)
     b->scene_material = sc->body[index].material;
     const scene_material *m = &sc->material[b->scene_material];
     b->fluid = m->kind == MATERIAL_FLUID;
-    b->law = b->fluid ? &point_fluid : m->law;
+    b->membrane = response_of(s, &sc->body[index]);
+    b->law = b->fluid ? &point_fluid : m->membrane ? &point_membrane : m->law;
     b->fluid_par = (solid_fluid_par){m->eos, m->shear_viscosity, m->bulk_viscosity};
     b->law_par = b->fluid ? (const void *)&b->fluid_par : m->law_par;
+    if (m->membrane) b->law_par = &b->membrane;
     b->specific_heat = m->specific_heat;
     b->artificial[0] = m->artificial_linear;
     b->artificial[1] = m->artificial_quadratic;
@@ -61,6 +63,8 @@ static void resolve_body(mpm *s, int index)
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
     s->artificial = s->artificial || has_artificial(b);
     if (b->law->n_history > s->n_history) s->n_history = b->law->n_history;
+    s->membranes = s->membranes || m->membrane;
+    s->hoops = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
     s->n_bodies++;
 }
 
@@ -84,6 +88,7 @@ static floe_status make_work(mpm *s)
     TRY(memory_new(s->ctx, &w->active, tiles, sizeof *w->active));
     TRY(memory_new(s->ctx, &w->moved, tiles, sizeof *w->moved));
     TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
+    if (s->membranes) TRY(memory_new(s->ctx, &w->line, SCENE_MAX_BODIES, sizeof *w->line));
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
@@ -115,11 +120,18 @@ floe_status mpm_create(mpm **out, context *ctx, const scene *sc, const mesh *m, 
     return status;
 }
 
+static void free_lines(context *ctx, struct mpm_work *w)
+{
+    for (int b = 0; w->line && b < SCENE_MAX_BODIES; ++b) line_free(ctx, &w->line[b]);
+    memory_free(ctx, &w->line);
+}
+
 void mpm_destroy(mpm **s)
 {
     if (!s || !*s) return;
     context *ctx = (*s)->ctx;
     if ((*s)->work) {
+        free_lines(ctx, (*s)->work);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);
         memory_free(ctx, &(*s)->work->tile_sum);
@@ -141,6 +153,7 @@ static bool body_holds(const mpm_body *b, field_id id)
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
+    if (id == P_TANGENT || id == P_STRAIN || id == P_STRAIN_HOOP) return b->membrane.model != NULL;
     return true;
 }
 

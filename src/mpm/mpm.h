@@ -22,9 +22,10 @@ typedef struct mpm_body {
     solid_fluid_par fluid_par; /* law_par points here for fluids */
     double specific_heat;      /* J/kg/K, of solids, for the cells' view */
     bool fluid;
-    int group;                /* velocity field it moves in: instance of the node fields */
-    double reference_density; /* kg/m3: of the densest initial state, for limits */
-    double artificial[2];     /* A1, A2 */
+    int group;                  /* velocity field it moves in: instance of the node fields */
+    double reference_density;   /* kg/m3: of the densest initial state, for limits */
+    double artificial[2];       /* A1, A2 */
+    membrane_response membrane; /* model NULL: it is none */
 } mpm_body;
 
 /* Points of one body in one block: a view on the block's fields. */
@@ -48,6 +49,7 @@ typedef struct mpm {
     bool coupled;                         /* cells hold the fluids: velocities at n, grid pressure on the points */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     int n_history;                        /* the most numbers that a body's law remembers */
+    bool membranes, hoops;                /* some body is a membrane; it has strain around the axis */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
     double time;            /* s: at the start of the step */
     double dt, dt_previous; /* s; dt_previous 0 before the first step */
@@ -77,6 +79,7 @@ floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after 
 floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
 floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress */
 floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, then L_p, F, stress */
+floe_status mpm_turn_membranes(mpm *s);    /* tangents from where the points are now, and the stress along them */
 
 /* Before the stages: the kick of the step, body forces. */
 floe_status mpm_begin_step(mpm *s);
@@ -105,6 +108,7 @@ typedef struct mpm_totals {
     double mass[SCENE_MAX_BODIES], kinetic[SCENE_MAX_BODIES], strain[SCENE_MAX_BODIES], internal[SCENE_MAX_BODIES],
         volume[SCENE_MAX_BODIES];
     double momentum[SCENE_MAX_BODIES][3], momentum_scale[3];
+    double moment[SCENE_MAX_BODIES][3]; /* kg m: sum of m_p x_p, which is the mass times the centre of mass */
 } mpm_totals;
 floe_status mpm_sum(mpm *s, mpm_totals *out);
 /* Volume-weighted mean of a fluid body's pressure over points inside a region (all where region->model is NULL). */
@@ -113,6 +117,9 @@ floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double 
 /* Places (m, three each) of the *n loaded surface points, *stride numbers apart: state that no field holds. NULL: there are none.
  * Valid until the next step. */
 double *mpm_surface(mpm *s, size_t *n, size_t *stride);
+
+/* Place (m) of the first or the last point of a membrane; NAN where it is lost. */
+void mpm_membrane_end(const mpm *s, int body, bool last, double x[3]);
 
 /* Number of points of a body over all blocks, and of all bodies. */
 size_t mpm_body_points(const mpm *s, int body);

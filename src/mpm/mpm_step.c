@@ -16,9 +16,11 @@ floe_status mpm_begin_step(mpm *s)
 #define HISTORY                                                                                              \
     REMEMBERED(1), REMEMBERED(2), REMEMBERED(3), REMEMBERED(4), REMEMBERED(5), REMEMBERED(6), REMEMBERED(7), \
         REMEMBERED(8)
+#define MEMBRANE_STRAIN WHEN(s->membranes, P_STRAIN), WHEN(s->hoops, P_STRAIN_HOOP)
+#define TANGENT WHEN(s->membranes, P_TANGENT)
 #define POINT_STATE                                                                                               \
     P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE), \
-        HISTORY
+        HISTORY, MEMBRANE_STRAIN
 
 static bool is_usf(const mpm *s)
 {
@@ -70,7 +72,7 @@ floe_status mpm_force_stages(mpm *s)
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
                 WHEN(meets_at_points(s), N_REACH)),
           WRITES(N_VEL));
-    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, POINT_STATE), WRITES(POINT_STATE));
+    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE), WRITES(POINT_STATE));
     STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
     return FLOE_OK;
@@ -82,12 +84,14 @@ floe_status mpm_motion_stages(mpm *s)
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
-    STAGE(s, is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, POINT_STATE),
+    STAGE(s, is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, TANGENT, POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE));
     STAGE(s, !is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL), WRITES(P_POS, P_VEL));
     STAGE(s, is_musl(s), mpm_remap_stress,
-          READS(P_POS, P_VEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), POINT_STATE),
+          READS(P_POS, P_VEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
+    STAGE(s, s->membranes, mpm_turn_membranes, READS(P_ID, P_POS, P_TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN),
+          WRITES(P_TANGENT, P_STRESS, P_J));
     return FLOE_OK;
 }
 

@@ -128,7 +128,11 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
         gather(s->mesh, t, &p, k, stop, window, &step, &out);
         if (pass.motion) add_fall(s, &p, &out, k, stop, gain);
         if (pass.motion) TRY(check_motion(s, body, t->number, motion_of(s->mesh, k, stop, &p, &out)));
-        if (pass.stress) TRY(update_stress(s, blk, body, k, stop, batch, gain));
+        if (!pass.stress) continue;
+        if (s->body[body].membrane.model)
+            TRY(strain_membrane(s, blk, body, k, stop, batch));
+        else
+            TRY(update_stress(s, blk, body, k, stop, batch, gain));
     }
     return FLOE_OK;
 }
@@ -197,6 +201,7 @@ floe_status mpm_nodes_to_points(mpm *s)
     const bool usl = s->scene->method.stress == STRESS_USL;
     if (usl) TRY(set_heating(s));
     TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl}));
+    enter_body_forces(s);
     for (int g = 0; g < s->n_groups; ++g) move_surfaces(s, g);
     return FLOE_OK;
 }

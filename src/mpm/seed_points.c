@@ -75,6 +75,7 @@ static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n
     double x[3] = {0};
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = list->x[a][n];
     TRY(set_state(s, blk, body, points->n, x, list->volume[n]));
+    if (s->body[body].membrane.model) TRY(set_membrane(s, blk, body, points->n, n));
     points->n++;
     return FLOE_OK;
 }
@@ -83,7 +84,10 @@ static floe_status seed_body(mpm *s, int body, seed_list *list)
 {
     const scene_body *b = &s->scene->body[s->body[body].scene_body];
     const seed_spec spec = spec_of(s, b);
-    TRY(seed_shape(list, s->ctx, &b->shape, &spec));
+    if (b->membrane.present)
+        TRY(seed_membrane(s, b, &spec, list));
+    else
+        TRY(seed_shape(list, s->ctx, &b->shape, &spec));
     if (list->n == 0)
         return fail(s->ctx, FLOE_BAD_INPUT,
                     "body '%s' has no points: its shape lies outside the domain or between the points", b->name);
@@ -100,5 +104,6 @@ floe_status mpm_seed(mpm *s)
         TRY(status);
     }
     TRY(seed_surfaces(s));
-    return mpm_resort(s);
+    TRY(mpm_resort(s));
+    return start_membranes(s);
 }

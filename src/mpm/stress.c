@@ -10,7 +10,7 @@ static const int deform_slot[3][9] = {{0, 4, 8}, {0, 1, 3, 4, 8}, {0, 1, 2, 3, 4
 
 /* Velocities stand at n - 1/2, so what USF strains with before the forces brings the stress from n - 1 to n: it takes the step
  * before, none at first. (With this step instead, USF is first order in time.) Coupled, all lives at n. */
-static double strain_step(const mpm *s)
+double strain_step(const mpm *s)
 {
     return s->scene->method.stress == STRESS_USF && !s->coupled ? s->dt_previous : s->dt;
 }

@@ -13,7 +13,8 @@ enum {
     SUM_VOLUME,
     SUM_MOMENTUM,
     SUM_SCALE = SUM_MOMENTUM + 3,
-    SUM_END = SUM_SCALE + 3
+    SUM_MOMENT = SUM_SCALE + 3,
+    SUM_END = SUM_MOMENT + 3
 };
 
 static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch, double *sum)
@@ -23,6 +24,7 @@ static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end,
     double psi[SOLID_CHUNK] = {0};
     load_batch(s, blk, body, start, end, false, batch);
     if (b->law->strain_energy) b->law->strain_energy(b->law_par, batch, psi);
+    if (b->membrane.model) membrane_energies(s, blk, body, start, end, psi);
     const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0);
     for (size_t k = start; k < end; ++k) {
         double square = 0.0;
@@ -31,6 +33,7 @@ static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end,
             square += v * v;
             sum[SUM_MOMENTUM + a] += mass[k] * v;
             sum[SUM_SCALE + a] += mass[k] * fabs(v);
+            sum[SUM_MOMENT + a] += mass[k] * field_get(f, P_POS, body, a)[k];
         }
         sum[SUM_MASS] += mass[k];
         sum[SUM_KINETIC] += 0.5 * mass[k] * square;
@@ -74,6 +77,7 @@ floe_status mpm_sum(mpm *s, mpm_totals *out)
         for (int a = 0; a < 3; ++a) {
             out->momentum[b][a] = sum[SUM_MOMENTUM + a];
             out->momentum_scale[a] += sum[SUM_SCALE + a];
+            out->moment[b][a] = sum[SUM_MOMENT + a];
         }
     }
     return FLOE_OK;

@@ -5,7 +5,7 @@
  * interpolates at the wall (numerics 4.3). */
 #include "mpm/work.h"
 
-static bool mirrors(const mpm *s, int axis, int side)
+bool wall_mirrors(const mpm *s, int axis, int side)
 {
     const bc_kind kind = s->scene->bc.side[axis][side].kind;
     const bool on_axis =
@@ -78,7 +78,7 @@ static void fold_node(void *user, ptrdiff_t at, ptrdiff_t inward)
 static void fold_array(const mpm *s, int blk, int axis, int side, bool normal, double *a)
 {
     const double mirror = normal ? -1.0 : 1.0;
-    fold_rule rule = mirrors(s, axis, side) ? (fold_rule){a, 0.0, mirror} : (fold_rule){a, 2.0, -1.0};
+    fold_rule rule = wall_mirrors(s, axis, side) ? (fold_rule){a, 0.0, mirror} : (fold_rule){a, 2.0, -1.0};
     visit_side(&s->mesh->block[blk], axis, side, fold_node, &rule);
 }
 
@@ -138,7 +138,7 @@ void extend_to_ghosts(mpm *s, int group, field_id id)
                     double *a = field_get(s->domain->fields[b], id, group, c);
                     const double odd = vector && c == axis ? -1.0 : 1.0;
                     extend_rule rule =
-                        mirrors(s, axis, side) ? (extend_rule){a, 0.0, odd} : (extend_rule){a, 2.0, -1.0};
+                        wall_mirrors(s, axis, side) ? (extend_rule){a, 0.0, odd} : (extend_rule){a, 2.0, -1.0};
                     visit_side(&s->mesh->block[b], axis, side, extend_node, &rule);
                 }
             }
@@ -157,7 +157,7 @@ typedef struct wall_rule {
 
 bool wall_holds(const mpm *s, int axis, int side, int component)
 {
-    return holds(s, axis, side) || (mirrors(s, axis, side) && component == axis);
+    return holds(s, axis, side) || (wall_mirrors(s, axis, side) && component == axis);
 }
 
 static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field_id velocity)
@@ -245,7 +245,7 @@ void enter_mirrors(mpm *s, int group)
 {
     for (int axis = 0; s->work->reach > 0 && axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
-            if (!mirrors(s, axis, side)) continue;
+            if (!wall_mirrors(s, axis, side)) continue;
             mirror_sum r = {.s = s, .group = group, .axis = axis};
             visit_side_once(s->mesh, axis, side, add_mirror, &r);
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, r.sum);

@@ -74,6 +74,8 @@ typedef struct surface_point {
     int load;
 } surface_point;
 
+typedef struct membrane_line membrane_line;
+
 struct mpm_work {
     kernel_set kernel;
     int window[MESH_MAX_DIM]; /* nodes of a tile's window along each axis */
@@ -90,7 +92,8 @@ struct mpm_work {
     double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
     surface_point *surface, *surface_next; /* owned */
     size_t n_surface;
-    solid_batch *batch; /* one per thread; owned */
+    solid_batch *batch;  /* one per thread; owned */
+    membrane_line *line; /* one a body (line.h); owned, NULL without membranes */
     int threads;
 };
 
@@ -129,6 +132,8 @@ enum { GAIN_HEAT, GAIN_REFERENCE, GAIN_FALL, GAIN_IMPULSE, MPM_GAINS = GAIN_IMPU
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
                           double gain[MPM_GAINS]);
 bool has_artificial(const mpm_body *b);
+/* The time (s) over which stress is advanced (stress.c). */
+double strain_step(const mpm *s);
 /* Fills a batch with what wave speeds take of points [start, end) (stress.c). */
 void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch);
 /* Fills a batch with the current state of points [start, end) (stress.c). */
@@ -145,11 +150,25 @@ void extend_to_ghosts(mpm *s, int group, field_id id);
 void enter_mirrors(
     mpm *s, int group); /* momentum that mirrors give: after accelerations are known, before ghosts are extended */
 
+bool wall_mirrors(const mpm *s, int axis, int side); /* symmetry, slip, or the axis */
+
+/* Membranes (membrane.c, seed_membrane.c): the points of a body; slack and mass of its n-th, at k; its law, none where it is no
+ * membrane; strain, and stress along the tangents as they were, of points
+ * [start, end) whose L stands in the batch; all tangents at the start; energies per volume at rest. */
+extern const solid_model point_membrane;
+floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list);
+floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n);
+membrane_response response_of(const mpm *s, const scene_body *b);
+floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate);
+floe_status start_membranes(mpm *s);
+void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi);
+
 /* Loads (load.c). */
 floe_status seed_surfaces(mpm *s);
 void scatter_surfaces(mpm *s, int group);
 void move_surfaces(mpm *s, int group);
 void set_body_forces(mpm *s);
+void enter_body_forces(mpm *s);                        /* into the ledger: once points have their next places */
 double load_now(const mpm *s, const scene_load *load); /* fraction of the load at the start of the step */
 floe_status set_heating(mpm *s);
 

@@ -4,11 +4,13 @@
 #define SCENE_SCENE_H
 
 #include "base/context.h"
+#include "geom/curve.h"
 #include "geom/seed.h"
 #include "geom/shape.h"
 #include "grid/bc.h"
 #include "grid/mesh.h"
 #include "material/eos.h"
+#include "material/membrane.h"
 #include "material/solid.h"
 
 enum {
@@ -38,8 +40,11 @@ typedef struct scene_material {
     double density;         /* kg/m3 of a solid at rest; unused for fluids */
     double specific_heat;   /* J/kg/K of a solid, for the cells' view */
     double tension_switch;  /* Pa > 0: a solid's eos switches to its tension branch below this (numerics 5.4) */
-    const solid_model *law; /* solids; NULL for fluids */
+    const solid_model *law; /* solids; NULL for fluids and membranes */
     void *law_par;
+    const membrane_model *membrane; /* solids that are membranes or strings; else NULL */
+    void *membrane_par;
+    bool one_way;                /* membranes: wrinkle instead of bearing compression */
     eos eos;                     /* fluids; model NULL for solids */
     double shear_viscosity;      /* Pa s */
     double bulk_viscosity;       /* Pa s */
@@ -58,10 +63,25 @@ typedef enum initial_quantity {
 /* The exact solution at t = 0, if the scene names one: asked for a quantity at a place; NAN where it does not give it. */
 typedef double initial_function(void *user, initial_quantity quantity, int component, const double x[3]);
 
+/* One layer of points along a curve (York 1997, chapter 5). Points are counted from 1 along the curve. */
+typedef struct scene_membrane {
+    bool present; /* the body is one */
+    curve_line curve;
+    double thickness; /* m in 2-D and when axisymmetric; 1-D: share of the section; 3-D: m2 */
+    int number;       /* points; 0: by the points a cell */
+    double length;    /* m, of CURVE_POINTS: shared alike; NAN: by the distances */
+    membrane_section section;
+    double slack;             /* strain that must be taken up before there is tension; < 0: taut at the start */
+    int slack_from, slack_to; /* points that have it; 0: the first, the last */
+    int heavy_point;          /* 0: none */
+    double heavy_mass;        /* kg, of the whole scene */
+} scene_membrane;
+
 typedef struct scene_body {
     char name[SCENE_NAME];
     int material; /* index of scene.material */
-    shape shape;
+    shape shape;  /* model NULL: membranes */
+    scene_membrane membrane;
     double velocity[3];      /* m/s */
     double pressure;         /* Pa absolute; fluids */
     double temperature;      /* K */

@@ -120,3 +120,10 @@ double load_scheduled_pressure(const scene *s, const scene_load *load, const loa
     const double first = initial_pressure(s, load), last = s->reference_pressure + load->target;
     return first + fraction * (last - first);
 }
+
+double scene_extent(const scene *s)
+{
+    const double two_pi = 6.283185307179586476925;
+    if (s->mesh.geometry == MESH_AXISYMMETRIC) return two_pi;
+    return s->mesh.dim == 2 ? s->thickness : 1.0;
+}

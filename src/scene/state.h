@@ -19,6 +19,10 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
 /* Density and velocity, and stress (xx yy zz xy yz zx, Pa), of a solid body at x. */
 floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6]);
 
+/* What a scene's masses, forces and energies are multiplied by in outputs: the thickness in 2-D, 2 pi when axisymmetric, else 1. Inside
+ * they are for a metre of depth, or a radian. */
+double scene_extent(const scene *s);
+
 /* A step, as loads see it: from t to t_end (s), the step-th since the start of the run (0 is the first). */
 typedef struct load_step {
     double t, t_end;

@@ -33,6 +33,10 @@ static floe_status check_coupling(const sim *s)
             return fail(s->ctx, FLOE_BAD_INPUT,
                         "body '%s' is a solid, which coupling ice cannot carry; use ice-mpm or mpm",
                         s->scene->body[b].name);
+    for (int b = 0; s->coupling == COUPLING_ICE_MPM && b < s->scene->n_bodies; ++b)
+        if (s->scene->material[s->scene->body[b].material].membrane)
+            return fail(s->ctx, FLOE_BAD_INPUT, "body '%s' is a membrane, which cells do not see; use mpm",
+                        s->scene->body[b].name);
     if (s->scene->n_bodies == 0) return fail(s->ctx, FLOE_BAD_INPUT, "the scene has no bodies");
     return FLOE_OK;
 }

@@ -1,7 +1,8 @@
 /* Every shape of the registry, by name of none: the level's sign and size, bounds, fractions.
  *
  * Parameters: the default where there is one; else the k-th required one (a vector counts as one) is 0.25 + 0.3 k, so that
- * lower < upper and inner < outer as the tables list them; check() must agree. Samples come from a fixed sequence. */
+ * lower < upper and inner < outer as the tables list them; check() must agree. A shape that is nothing when its places lie on
+ * a line has them on a circle instead. Samples come from a fixed sequence. */
 #include "check.h"
 
 #include "geom/shape.h"
@@ -16,6 +17,19 @@ typedef struct sample {
     int dim;
     double par[MAX_PAR];
 } sample;
+
+/* Required places a quarter turn apart. */
+static void put_on_circle(sample *a)
+{
+    int required = 0;
+    for (size_t k = 0; k < a->s.model->n_params; k++) {
+        const param_spec *spec = &a->s.model->params[k];
+        if (!isnan(spec->fallback) || spec->count >= 0) continue;
+        const double angle = 0.3 + 1.5707963267948966 * required++;
+        a->par[spec->offset / sizeof(double)] = 0.1 + 0.8 * cos(angle);
+        a->par[spec->offset / sizeof(double) + 1] = 0.7 * sin(angle);
+    }
+}
 
 static void sample_fill(sample *a, const shape_model *model, int dim)
 {
@@ -32,6 +46,7 @@ static void sample_fill(sample *a, const shape_model *model, int dim)
         const int count = spec->count < 0 ? dim : spec->count;
         for (int j = 0; j < count; j++) a->par[spec->offset / sizeof(double) + (size_t)j] = x;
     }
+    if (model->check(a->par, dim)) put_on_circle(a);
     const char *wrong = model->check(a->par, dim);
     if (wrong != NULL) print_error("%s: %s\n", model->name, wrong);
     assert_null(wrong);

@@ -265,7 +265,8 @@ static void check_round_trip(fixture *f, const scene *s)
     for (int i = 0; i < s->n_bodies; i++) {
         const shape *a = &s->body[i].shape, *b = &again->body[i].shape;
         check_true(a->model == b->model);
-        assert_memory_equal(a->par, b->par, a->model->param_size);
+        if (a->model) assert_memory_equal(a->par, b->par, a->model->param_size);
+        assert_memory_equal(&s->body[i].membrane.thickness, &again->body[i].membrane.thickness, sizeof(double));
         assert_memory_equal(s->body[i].velocity, again->body[i].velocity, 6 * sizeof(double));
     }
     memory_free(f->ctx, &first);

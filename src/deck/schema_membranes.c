@@ -1,0 +1,182 @@
+/* Membranes and strings: bodies that lie along a curve. */
+#include "deck/parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+bool body_is_membrane(const scene *s, const void *body)
+{
+    const int material = ((const scene_body *)body)->material;
+    return material >= 0 && s->material[material].membrane;
+}
+
+/* ---- a list of places ---- */
+
+static const key_spec place_key = {.key = "place", .type = KEY_NUMBER, .unit = "m"};
+
+static floe_status read_place(reader *r, deck_node *item, double place[3])
+{
+    const size_t dim = (size_t)r->scene->mesh.dim;
+    if (item->kind == NODE_SCALAR && dim == 1) return read_number(r, &place_key, item, &place[0]);
+    if (item->kind != NODE_LIST || item->n != dim)
+        return bad(r, item, "a list with a number for each axis", "this is no place of the scene");
+    size_t axis = 0;
+    for (deck_node *x = item->first; x; x = x->next) TRY(read_number(r, &place_key, x, &place[axis++]));
+    return FLOE_OK;
+}
+
+static floe_status read_places(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    curve_line *c = base;
+    if (!node) return FLOE_OK; /* required: an error has been entered */
+    if (node->kind != NODE_LIST || node->n == 0) {
+        char found[80];
+        node_describe(node, found, sizeof found);
+        return bad(r, node, custom_places.form, "'%s' is %s", key->key, found);
+    }
+    TRY(scene_allocate(r->scene, &c->vertex, 3 * node->n * sizeof *c->vertex));
+    for (deck_node *item = node->first; item; item = item->next)
+        TRY(read_place(r, item, c->vertex + 3 * (ptrdiff_t)c->n_vertices++));
+    return FLOE_OK;
+}
+
+static void write_places(writer *w, const key_spec *key, const void *base)
+{
+    const curve_line *c = base;
+    write_key_name(w, key->key);
+    for (int i = 0; i < c->n_vertices; i++) {
+        text_print(&w->out, "%s[", i == 0 ? " [" : ", ");
+        for (int axis = 0; axis < w->scene->mesh.dim; axis++) {
+            text_print(&w->out, "%s", axis == 0 ? "" : ", ");
+            write_number(&w->out, c->vertex[3 * i + axis]);
+        }
+        text_print(&w->out, "]");
+    }
+    text_print(&w->out, "]\n");
+}
+
+const custom_key custom_places = {read_places, write_places, "a list of places, [[x, y], [x, y], ...]",
+                                  "{\"type\": \"array\", \"minItems\": 1}"};
+
+/* ---- curves ---- */
+
+static const key_spec segment_keys[] = {
+    {"from", KEY_VECTOR, "m", AT(curve_line, from), .required = true, .doc = "first end"},
+    {"to", KEY_VECTOR, "m", AT(curve_line, to), .required = true, .doc = "second end"},
+};
+static const key_table segment_table = TABLE(segment_keys);
+
+static const key_spec arc_keys[] = {
+    {"centre", KEY_VECTOR, "m", AT(curve_line, centre), .required = true, .doc = "centre"},
+    {"radius", KEY_NUMBER, "m", PARAM_POSITIVE, AT(curve_line, radius), .required = true, .doc = "radius"},
+    {"from", KEY_NUMBER, "rad", AT(curve_line, angle_from), .required = true,
+     .doc = "angle of the first end from the first axis, anticlockwise"},
+    {"to", KEY_NUMBER, "rad", AT(curve_line, angle_to), .required = true, .doc = "angle of the second end"},
+};
+static const key_table arc_table = TABLE(arc_keys);
+
+static const key_spec circle_keys[] = {
+    {"centre", KEY_VECTOR, "m", AT(curve_line, centre), .required = true, .doc = "centre"},
+    {"radius", KEY_NUMBER, "m", PARAM_POSITIVE, AT(curve_line, radius), .required = true, .doc = "radius"},
+};
+static const key_table circle_table = TABLE(circle_keys);
+
+static const key_spec polyline_keys[] = {
+    {"vertices", KEY_CUSTOM, .custom = &custom_places, .required = true, .doc = "straight from one to the next"},
+    {"closed", KEY_BOOL, AT(curve_line, closed), .fallback = "false", .doc = "true: the last is joined to the first"},
+};
+static const key_table polyline_table = TABLE(polyline_keys);
+
+static const key_spec points_keys[] = {
+    {"at", KEY_CUSTOM, .custom = &custom_places, .required = true, .doc = "every material point, in order"},
+    {"closed", KEY_BOOL, AT(curve_line, closed), .fallback = "false", .doc = "true: the last is joined to the first"},
+};
+static const key_table points_table = TABLE(points_keys);
+
+static const variant curve_list[] = {
+    {"segment", CURVE_SEGMENT, &segment_table, "a straight line"},
+    {"arc", CURVE_ARC, &arc_table, "part of a circle, in the plane of the first two axes"},
+    {"circle", CURVE_CIRCLE, &circle_table, "a whole circle, closed"},
+    {"polyline", CURVE_POLYLINE, &polyline_table, "straight lines through vertices"},
+    {"points", CURVE_POINTS, &points_table, "the material points themselves, as York's decks list them"},
+};
+
+static void choose_curve(void *field, int value)
+{
+    ((curve_line *)field)->kind = (curve_kind)value;
+}
+
+static int chosen_curve(const void *field)
+{
+    return (int)((const curve_line *)field)->kind;
+}
+
+static const variants curve_kinds = {"curve", curve_list, sizeof curve_list / sizeof curve_list[0], choose_curve,
+                                     chosen_curve};
+
+/* ---- membranes ---- */
+
+static const choice section_choices[] = {
+    {"thickness", SECTION_THICKNESS, "the thickness stays as it is"},
+    {"volume", SECTION_VOLUME, "the volume stays, the thickness shrinks"},
+    {0},
+};
+
+static const key_spec membrane_keys[] = {
+    {"curve", KEY_VARIANT, AT(scene_membrane, curve), .variants = &curve_kinds, .required = true,
+     .doc = "the line along which it lies"},
+    {"thickness", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene_membrane, thickness), .required = true,
+     .doc = "thickness; in 1-D the share of the section, in 3-D the section of a string (m2)"},
+    {"number", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, number), .fallback = "0",
+     .doc = "material points along the curve; 0: by the body's `points` a cell"},
+    {"length", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene_membrane, length),
+     .otherwise = "half the way to each neighbour", .doc = "of a curve of points: its length, which they share alike"},
+    {"section", KEY_CHOICE, AT(scene_membrane, section), .fallback = "thickness", .choices = section_choices,
+     .doc = "what becomes of it as it is stretched"},
+    {"slack", KEY_NUMBER, NULL, WITHIN(-2.0, 2.0), AT(scene_membrane, slack), .fallback = "0",
+     .doc = "logarithmic strain that must be taken up before there is tension; negative: taut at the start"},
+    {"slack_from", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_from), .fallback = "0",
+     .doc = "first point with slack, counted from 1; 0: the first of all"},
+    {"slack_to", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_to), .fallback = "0",
+     .doc = "last point with slack; 0: the last of all"},
+    {"heavy_point", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, heavy_point), .fallback = "0",
+     .doc = "a point with a mass of its own, counted from 1; 0: none"},
+    {"heavy_mass", KEY_NUMBER, "kg", PARAM_POSITIVE, AT(scene_membrane, heavy_mass), .otherwise = "as the others",
+     .doc = "its mass, of the whole scene (for domain.thickness, or the full circle)"},
+};
+const key_table membrane_table = TABLE(membrane_keys);
+
+static floe_status check_heavy(reader *r, deck_node *node, const scene_body *b)
+{
+    const scene_membrane *m = &b->membrane;
+    if ((m->heavy_point > 0) == (m->heavy_mass > 0.0)) return FLOE_OK;
+    return bad_key(r, node, "heavy_point and heavy_mass, or neither", NULL,
+                   "membrane '%s' has one of heavy_point and heavy_mass without the other", b->name);
+}
+
+/* A membrane of one point has no direction: it is a mass that hangs on something. */
+static floe_status check_count(reader *r, deck_node *node, const scene_body *b)
+{
+    const scene_membrane *m = &b->membrane;
+    const bool listed = m->curve.kind == CURVE_POINTS;
+    if (m->curve.kind == CURVE_POLYLINE && m->curve.n_vertices < 2)
+        return bad_key(r, node, "two vertices or more", NULL, "the polyline of membrane '%s' has one vertex", b->name);
+    if (listed && m->number > 0)
+        return bad_key(r, node, NULL, "leave 'number' out", "membrane '%s' lists its points and gives their number",
+                       b->name);
+    if (!listed && !isnan(m->length))
+        return bad_key(r, node, NULL, "leave 'length' out", "membrane '%s' has its length by its curve", b->name);
+    const int n = listed ? m->curve.n_vertices : m->number;
+    const int most = m->heavy_point > m->slack_to ? m->heavy_point : m->slack_to;
+    const int named = most > m->slack_from ? most : m->slack_from;
+    if (n == 0 || named <= n) return FLOE_OK;
+    return bad_key(r, node, NULL, NULL, "membrane '%s' names its point %d, and has %d", b->name, named, n);
+}
+
+floe_status end_membrane(reader *r, deck_node *node, scene_body *body)
+{
+    deck_node *at = node_find(node, "membrane");
+    TRY(check_heavy(r, at, body));
+    return check_count(r, at, body);
+}

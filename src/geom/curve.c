@@ -1,0 +1,168 @@
+#include "geom/curve.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+bool curve_is_closed(const curve_line *c)
+{
+    return c->kind == CURVE_CIRCLE || c->closed;
+}
+
+static double distance(int dim, const double *a, const double *b)
+{
+    double square = 0.0;
+    for (int k = 0; k < dim; k++) square += (b[k] - a[k]) * (b[k] - a[k]);
+    return sqrt(square);
+}
+
+/* Pieces between vertices: one fewer than vertices, unless it is closed. */
+static int pieces(const curve_line *c)
+{
+    return c->closed ? c->n_vertices : c->n_vertices - 1;
+}
+
+static const double *vertex_at(const curve_line *c, int i)
+{
+    return c->vertex + 3 * (ptrdiff_t)(i % c->n_vertices);
+}
+
+double curve_length(const curve_line *c, int dim)
+{
+    double sum = 0.0;
+    switch (c->kind) {
+    case CURVE_SEGMENT: return distance(dim, c->from, c->to);
+    case CURVE_ARC: return c->radius * fabs(c->angle_to - c->angle_from);
+    case CURVE_CIRCLE: return 2.0 * pi * c->radius;
+    default: break;
+    }
+    for (int i = 0; i < pieces(c); i++) sum += distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
+    return sum;
+}
+
+/* The place at a share (0 to 1) of the way from a to b. */
+static void between(const double *a, const double *b, double share, double x[3])
+{
+    for (int k = 0; k < 3; k++) x[k] = a[k] + share * (b[k] - a[k]);
+}
+
+static void place_on_polyline(const curve_line *c, int dim, double way, double x[3])
+{
+    for (int i = 0; i < pieces(c); i++) {
+        const double *a = vertex_at(c, i), *b = vertex_at(c, i + 1);
+        const double piece = distance(dim, a, b);
+        const bool last = i == pieces(c) - 1;
+        if (way > piece && !last) {
+            way -= piece;
+            continue;
+        }
+        between(a, b, piece > 0.0 ? way / piece : 0.0, x);
+        return;
+    }
+}
+
+/* The place after a share (0 to 1) of the length. */
+static void place_on(const curve_line *c, int dim, double share, double x[3])
+{
+    const double whole = c->kind == CURVE_CIRCLE ? 2.0 * pi : c->angle_to - c->angle_from;
+    const double angle = (c->kind == CURVE_CIRCLE ? 0.0 : c->angle_from) + share * whole;
+    switch (c->kind) {
+    case CURVE_SEGMENT: between(c->from, c->to, share, x); return;
+    case CURVE_ARC:
+    case CURVE_CIRCLE:
+        x[0] = c->centre[0] + c->radius * cos(angle);
+        x[1] = c->centre[1] + c->radius * sin(angle);
+        x[2] = c->centre[2];
+        return;
+    default: place_on_polyline(c, dim, share * curve_length(c, dim), x);
+    }
+}
+
+/* Length that belongs to a point that the deck gives: half the way to each neighbour. */
+static double share_of_vertex(const curve_line *c, int dim, int i)
+{
+    const int n = c->n_vertices;
+    double sum = 0.0;
+    if (n < 2) return 0.0;
+    if (i > 0 || c->closed) sum += 0.5 * distance(dim, vertex_at(c, (i + n - 1) % n), vertex_at(c, i));
+    if (i < n - 1 || c->closed) sum += 0.5 * distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
+    return sum;
+}
+
+static void point_of(const curve_line *c, const curve_seeding *how, int dim, int i, double x[3], double *length)
+{
+    if (c->kind == CURVE_POINTS) {
+        for (int k = 0; k < 3; k++) x[k] = vertex_at(c, i)[k];
+        *length = isnan(how->length) ? share_of_vertex(c, dim, i) : how->length / c->n_vertices;
+        return;
+    }
+    place_on(c, dim, (i + 0.5) / how->number, x);
+    *length = curve_length(c, dim) / how->number;
+}
+
+static floe_status make_room(seed_list *list, context *ctx, size_t n, int dim)
+{
+    list->n = n;
+    TRY(memory_new(ctx, &list->volume, n, sizeof(double)));
+    for (int k = 0; k < dim; k++) {
+        TRY(memory_new(ctx, &list->x[k], n, sizeof(double)));
+        TRY(memory_new(ctx, &list->half[k], n, sizeof(double)));
+        TRY(memory_new(ctx, &list->cell[k], n, sizeof(int)));
+    }
+    return FLOE_OK;
+}
+
+/* Puts point i into the list; the upper wall belongs to the last cell. */
+static floe_status put_point(seed_list *list, context *ctx, const seed_spec *grid, size_t i, const double x[3])
+{
+    for (int k = 0; k < grid->dim; k++) {
+        const double cell = floor((x[k] - grid->lower[k]) / grid->h[k]);
+        if (!(x[k] >= grid->lower[k] && x[k] <= grid->lower[k] + grid->n[k] * grid->h[k]))
+            return fail(ctx, FLOE_BAD_INPUT, "point %zu at (%g, %g, %g) lies outside the domain", i + 1, x[0],
+                        grid->dim > 1 ? x[1] : 0.0, grid->dim > 2 ? x[2] : 0.0);
+        list->x[k][i] = x[k];
+        list->half[k][i] = 0.25 * grid->h[k];
+        list->cell[k][i] = (int)fmin(fmax(cell, 0.0), grid->n[k] - 1.0);
+    }
+    return FLOE_OK;
+}
+
+/* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997, section 5.4.4). */
+static floe_status check_gap(const seed_list *list, context *ctx, const seed_spec *grid, size_t i, size_t j)
+{
+    for (int k = 0; k < grid->dim; k++) {
+        const double gap = fabs(list->x[k][j] - list->x[k][i]);
+        if (gap <= grid->h[k] * (1.0 + 1e-9)) continue;
+        return fail(ctx, FLOE_BAD_INPUT,
+                    "points %zu and %zu, about (%g, %g), are %g m apart along axis %d, more than a cell of %g m: the "
+                    "membrane would be torn; give it more points",
+                    i + 1, j + 1, list->x[0][i], grid->dim > 1 ? list->x[1][i] : 0.0, gap, k + 1, grid->h[k]);
+    }
+    return FLOE_OK;
+}
+
+static floe_status fill(seed_list *list, context *ctx, const curve_line *c, const curve_seeding *how,
+                        const seed_spec *grid)
+{
+    const int number = c->kind == CURVE_POINTS ? c->n_vertices : how->number;
+    TRY(make_room(list, ctx, (size_t)number, grid->dim));
+    for (int i = 0; i < number; i++) {
+        double x[3] = {0.0}, length;
+        point_of(c, how, grid->dim, i, x, &length);
+        TRY(put_point(list, ctx, grid, (size_t)i, x));
+        list->volume[i] = length * how->thickness * (grid->axisymmetric ? x[0] : 1.0);
+        if (i > 0) TRY(check_gap(list, ctx, grid, (size_t)i - 1, (size_t)i));
+    }
+    return curve_is_closed(c) && number > 1 ? check_gap(list, ctx, grid, (size_t)number - 1, 0) : FLOE_OK;
+}
+
+floe_status seed_curve(seed_list *out, context *ctx, const curve_line *c, const curve_seeding *how,
+                       const seed_spec *grid)
+{
+    *out = (seed_list){0};
+    const floe_status status = fill(out, ctx, c, how, grid);
+    if (status != FLOE_OK) seed_list_free(ctx, out);
+    return status;
+}

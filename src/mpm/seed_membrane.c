@@ -1,0 +1,43 @@
+/* Seeding of membranes: points along a curve, with slack, and with masses of their own. */
+#include "mpm/work.h"
+#include "scene/state.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Points of a membrane: enough for the points a cell that are asked for. */
+static int number_of(const mpm *s, const scene_body *b)
+{
+    double h = s->mesh->h[0];
+    for (int a = 1; a < s->mesh->dim; ++a) h = fmin(h, s->mesh->h[a]);
+    if (b->membrane.number > 0) return b->membrane.number;
+    return (int)ceil(curve_length(&b->membrane.curve, s->mesh->dim) * b->per_cell[0] / h - 1e-9);
+}
+
+floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list)
+{
+    const curve_seeding how = {number_of(s, b), b->membrane.thickness, b->membrane.length};
+    const floe_status status = seed_curve(list, s->ctx, &b->membrane.curve, &how, grid);
+    if (status != FLOE_BAD_INPUT) return status;
+    char cause[CONTEXT_MESSAGE_SIZE];
+    snprintf(cause, sizeof cause, "%s", context_message(s->ctx));
+    context_clear(s->ctx);
+    return fail(s->ctx, FLOE_BAD_INPUT, "membrane '%s': %s", b->name, cause);
+}
+
+/* Slack, and a mass of its own, of the n-th point of a membrane. */
+floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n)
+{
+    const scene_body *b = &s->scene->body[s->body[body].scene_body];
+    const scene_membrane *m = &b->membrane;
+    const fields *f = s->domain->fields[blk];
+    const long number = (long)n + 1;
+    const bool slack = number >= m->slack_from && (m->slack_to == 0 || number <= m->slack_to);
+    field_get(f, P_STRAIN, body, 0)[k] = slack ? -m->slack : 0.0;
+    double *mass = &field_get(f, P_MASS, body, 0)[k];
+    if (number == m->heavy_point) *mass = m->heavy_mass / scene_extent(s->scene);
+    if (*mass > 0.0) return FLOE_OK;
+    return fail(s->ctx, FLOE_BAD_INPUT,
+                "point %ld of membrane '%s' has no mass: give the curve a length, or the point a heavy_mass", number,
+                b->name);
+}
