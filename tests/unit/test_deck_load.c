@@ -4,6 +4,7 @@
 #include <dirent.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 typedef struct fixture {
     context *ctx;
@@ -324,6 +325,9 @@ static const char full[] =
     "  quantities: [kinetic, strain]\n"
     "  require: [{metric: kinetic, order: 1.5, where: {bodies.b.velocity: [0.1, 0], coupling: ice-mpm}},\n"
     "            {metric: strain, error: 2 %}]\n"
+    "stability: {over: {time.max_step: [1 us, 2 ms]}, each: {method.stress: [usl, musl], domain.thickness: [0.1, "
+    "0.2]},\n"
+    "            tolerance: 1e-3, relative_to: 0.1}\n"
     "threads: 3\n";
 
 static void check_study(const scene_study *study)
@@ -344,6 +348,20 @@ static void check_study(const scene_study *study)
     assert_string_equal(study->bar[0].value[0], "[0.1, 0]");
 }
 
+static void check_stability(const scene_stability *stability)
+{
+    check_true(stability->given);
+    assert_int_equal(stability->n_over, 1);
+    assert_string_equal(stability->over[0].key, "time.max_step");
+    assert_string_equal(stability->over[0].value[1], "2 ms");
+    assert_int_equal(stability->n_each, 2);
+    assert_string_equal(stability->each[0].value[1], "musl");
+    assert_int_equal(stability->each[1].n_values, 2);
+    check_close(stability->tolerance, 1e-3, 0.0);
+    check_close(stability->growth, 100.0, 0.0);
+    check_close(stability->relative_to, 0.1, 0.0);
+}
+
 static void echo_keeps_every_key(void **state)
 {
     fixture *f = *state;
@@ -358,7 +376,42 @@ static void echo_keeps_every_key(void **state)
     assert_int_equal(s->load[1].body, 0);
     assert_int_equal(s->load[3].ramp_steps, 500);
     check_study(&s->study);
+    check_stability(&s->stability);
     check_round_trip(f, s);
+    scene_destroy(&s);
+}
+
+/* Keys by their paths, defaults included; what holds no single value has none. */
+static void values_are_found_by_key(void **state)
+{
+    static const char *const found[][2] = {
+        {"method.flip", "0.9"},
+        {"domain.thickness", "0.3"},
+        {"domain.cell.1", "0.05"},
+        {"method.heat_exchange", "0"},
+        {"bodies.b.points.1", "3"},
+        {"method.basis", "gimp"},
+        {"loads.d.heat.power", "1000000"},
+        {"time.end", "3600"},
+        {"stability.over.time.max_step.1", "2 ms"},
+        {"domain.cell", ""},
+        {"domain.cell.2", ""},
+        {"domain.cell.x", ""},
+        {"method.flop", ""},
+        {"method.flip.0", ""},
+        {"time", ""},
+    };
+    fixture *f = *state;
+    scene *s = load_text(f, full);
+    for (size_t i = 0; i < sizeof found / sizeof found[0]; i++) {
+        char value[SCENE_VALUE], *end;
+        check_ok(f->ctx, deck_value(value, s, &f->store.catalogue, found[i][0]));
+        const double wanted = strtod(found[i][1], &end);
+        if (end == found[i][1] || *end)
+            assert_string_equal(value, found[i][1]);
+        else
+            check_close(strtod(value, NULL), wanted, 0.0);
+    }
     scene_destroy(&s);
 }
 
@@ -403,6 +456,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(null_takes_a_key_away, set_up, tear_down),
         cmocka_unit_test_setup_teardown(every_input_loads_and_echoes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(echo_keeps_every_key, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(values_are_found_by_key, set_up, tear_down),
         cmocka_unit_test_setup_teardown(starter_loads, set_up, tear_down),
         cmocka_unit_test_setup_teardown(reference_and_schema_name_every_key, set_up, tear_down),
     };
