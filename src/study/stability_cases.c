@@ -155,8 +155,11 @@ static floe_status run_cases(stability *s, const stability_options *o, const sta
     const batch_options batch = stability_batch(s, o);
     const floe_status status = batch_run(s->ctx, &batch, list, n);
     if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
+    const bool stopped = o->stop && *o->stop;
     for (size_t i = 0; i < n; i++) {
-        if (list[i].state == BATCH_ENDED) TRY(note(s, &wish[i], &list[i]));
+        /* A run that failed as all were stopped has failed for that. */
+        const bool spoilt = stopped && list[i].status != FLOE_OK && list[i].status != FLOE_DIVERGED;
+        if (list[i].state == BATCH_ENDED && !spoilt) TRY(note(s, &wish[i], &list[i]));
     }
     return status;
 }

@@ -59,10 +59,12 @@ static void print_outcome(const stability *s, const stability_set *set, const se
     case SEARCH_FOUND: break;
     case SEARCH_OUT_OF_PROBES: (void)fprintf(file, "; the bracket is wider than the tolerance %g", s->tolerance); break;
     case SEARCH_ALL_STABLE:
-        (void)fprintf(file, "no limit: stable at every value tried%s",
-                      at->refused ? ", and the deck takes none beyond" : "");
+        (void)fprintf(file, "no limit: stable at every value tried, the last of them %.6g%s%s", at->stable, s->unit,
+                      at->refused ? "; the deck takes none beyond" : "");
         break;
-    case SEARCH_ALL_UNSTABLE: (void)fprintf(file, "no limit: unstable at every value tried"); break;
+    case SEARCH_ALL_UNSTABLE:
+        (void)fprintf(file, "no limit: unstable at every value tried, the last of them %.6g%s", at->unstable, s->unit);
+        break;
     case SEARCH_OPEN: (void)fprintf(file, set->broken ? "no answer: a run gave no verdict" : "not finished"); break;
     }
     if (!search_is_monotone(&set->search)) (void)fprintf(file, "; there is more than one limit, this is one of them");

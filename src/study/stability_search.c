@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 static const double stride = 2.0; /* between the values of a range that is not given */
-enum { MAX_STRIDES = 40, DIGITS = 9 };
+enum { MAX_STRIDES = 20, DIGITS = 9 };
 
 void search_begin(search *s, const search_spec *spec)
 {

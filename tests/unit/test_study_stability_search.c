@@ -117,13 +117,18 @@ static void test_no_limit(void **state)
 static void test_range_is_found(void **state)
 {
     (void)state;
-    const double limits[] = {3.0e5, 1.0, 2.7e-6};
+    const double limits[] = {3.0e5, 1.0, 2.7e-5};
     int rounds, asked;
     for (int i = 0; i < 3; i++) {
         const search_spec spec = {.from = 1.0, .to = NAN, .tolerance = 1e-3, .most = 60};
         const search_state at = run(&spec, below, &limits[i], 1, &rounds, &asked);
         check_bracket(&at, limits[i], 1.1e-3);
     }
+    /* not for ever: twenty doublings */
+    const double far = 1e12;
+    const search_spec wide = {.from = 1.0, .to = NAN, .tolerance = 1e-3, .most = 60};
+    assert_int_equal(run(&wide, below, &far, 1, &rounds, &asked).outcome, SEARCH_ALL_STABLE);
+    assert_int_equal(asked, 21);
     /* up to where the deck takes no more */
     const double bound[] = {2.0, 5.0}, open[] = {7.0, 5.0};
     const search_spec spec = {.from = 1.0, .to = NAN, .tolerance = 1e-3, .most = 60};
