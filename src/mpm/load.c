@@ -21,44 +21,6 @@ void set_body_forces(mpm *s)
     }
 }
 
-/* Momentum and work of the body forces on the points of a tile: m a kick, and m a.dx. */
-static void tile_body_force(const mpm *s, int blk, int body, int tile, double *sum)
-{
-    const fields *f = s->domain->fields[blk];
-    const size_t *at = s->points[blk][body].tile_start;
-    const double *mass = field_get(f, P_MASS, body, 0);
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        const double *x = field_get(f, P_POS, body, a), *next = field_next(f, P_POS, body, a);
-        const double acceleration = s->work->acceleration[body][a];
-        for (size_t k = at[tile]; k < at[tile + 1]; ++k) {
-            sum[a] += mass[k] * acceleration * s->work->kick;
-            sum[3] += mass[k] * acceleration * (next[k] - x[k]);
-        }
-    }
-}
-
-void enter_body_forces(mpm *s)
-{
-    enum { SUMS = 4 }; /* momentum, energy */
-    bool acts = false;
-    for (int body = 0; body < s->n_bodies; ++body)
-        for (int a = 0; a < s->mesh->dim; ++a) acts = acts || s->work->acceleration[body][a] != 0.0;
-    if (!acts) return;
-    memset(s->work->tile_sum, 0, mesh_tiles(s->mesh) * SUMS * sizeof(double));
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 8)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t)
-            for (int body = 0; body < s->n_bodies; ++body)
-                tile_body_force(s, b, body, t,
-                                s->work->tile_sum + (size_t)tile_box_of(s->mesh, &s->mesh->block[b], t).number * SUMS);
-    }
-    double sum[SUMS];
-    domain_sum_tiles(s->mesh, s->work->tile_sum, SUMS, sum);
-    for (int a = 0; a < s->mesh->dim; ++a)
-        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, sum[a]);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[3]);
-}
-
 floe_status set_heating(mpm *s)
 {
     const load_step step = {s->time, s->time + s->dt, s->step};

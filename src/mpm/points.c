@@ -201,7 +201,6 @@ floe_status mpm_nodes_to_points(mpm *s)
     const bool usl = s->scene->method.stress == STRESS_USL;
     if (usl) TRY(set_heating(s));
     TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl}));
-    enter_body_forces(s);
     for (int g = 0; g < s->n_groups; ++g) move_surfaces(s, g);
     return FLOE_OK;
 }

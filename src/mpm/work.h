@@ -168,7 +168,6 @@ floe_status seed_surfaces(mpm *s);
 void scatter_surfaces(mpm *s, int group);
 void move_surfaces(mpm *s, int group);
 void set_body_forces(mpm *s);
-void enter_body_forces(mpm *s);                        /* into the ledger: once points have their next places */
 double load_now(const mpm *s, const scene_load *load); /* fraction of the load at the start of the step */
 floe_status set_heating(mpm *s);
 
