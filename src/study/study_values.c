@@ -72,36 +72,36 @@ static const char *last_row(char *text)
     return before ? before + 1 : text;
 }
 
-/* False: the history has no such column. */
-static bool read_quantities(const study *s, study_case *one)
+/* missing[q]: the history has no such column. */
+static void read_quantities(const study *s, study_case *one, bool *missing)
 {
     char path[BATCH_PATH], *text;
-    bool all = true;
     (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->dir, one->run->folder);
     if (file_read(s->ctx, path, &text, NULL) != FLOE_OK) {
         context_clear(s->ctx);
-        return true;
+        return;
     }
     const char *row = last_row(text);
     for (int q = 0; q < s->plan.n_quantities; q++) {
         const int column = find_column(text, s->plan.quantity[q]);
-        all = all && column >= 0;
+        missing[q] = missing[q] || column < 0;
         if (column >= 0) one->quantity[q] = field_of(row, column);
     }
     memory_free(s->ctx, &text);
-    return all;
 }
 
 void study_take_values(study *s)
 {
-    bool all = true;
+    bool missing[SCENE_MAX_METRICS] = {false};
     list_metrics(s);
     for (size_t i = 0; i < s->n; i++) {
         study_case *one = &s->list[i];
         for (int q = 0; q < SCENE_MAX_METRICS; q++) one->quantity[q] = NAN;
-        if (study_is_done(one) && s->plan.n_quantities > 0) all = read_quantities(s, one) && all;
+        if (study_is_done(one) && s->plan.n_quantities > 0) read_quantities(s, one, missing);
     }
-    if (!all)
-        context_log(s->ctx, LOG_WARNING,
-                    "not every quantity of the study is a column of history.csv: see its first line for their names");
+    for (int q = 0; q < s->plan.n_quantities; q++) {
+        if (missing[q])
+            context_log(s->ctx, LOG_WARNING, "quantity '%s' is no column of history.csv: its first line names them",
+                        s->plan.quantity[q]);
+    }
 }

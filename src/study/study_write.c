@@ -188,12 +188,14 @@ static void print_answers(const study *s, FILE *file)
 
 static void print_timing(const study *s, FILE *file)
 {
+    bool crowded = false;
+    for (size_t i = 0; i < s->n; i++)
+        crowded = crowded || (s->plan.repeat == 0 && study_is_done(&s->list[i]) && !s->run[i].alone);
     if (s->plan.repeat > 0) (void)fprintf(file, "times: the best of %d, alone on one thread", s->plan.repeat);
-    if (s->plan.repeat == 0 && s->options->jobs > 1)
-        (void)fprintf(file, "times: not to be compared, as %d cases ran at a time (--repeat N times them alone)",
-                      s->options->jobs);
+    if (crowded)
+        (void)fprintf(file, "times: not to be compared, as cases ran side by side (--repeat N times them alone)");
     if (study_is_disturbed(s)) (void)fprintf(file, "; other programs used the machine during the disturbed ones");
-    if (s->plan.repeat > 0 || s->options->jobs > 1) (void)fprintf(file, "\n");
+    if (s->plan.repeat > 0 || crowded) (void)fprintf(file, "\n");
     for (size_t i = 0; i < s->n; i++) {
         if (s->list[i].timing.differs)
             (void)fprintf(file, "%s: repeated runs gave different results, which must not be: please report it\n",
