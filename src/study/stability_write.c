@@ -1,17 +1,12 @@
 /* A search or a map as files: stability.json, its runs as stability.csv, and what was found as limits.csv. */
 #include "io/file.h"
 #include "io/strbuf.h"
+#include "study/json.h"
 #include "study/stability.h"
 
-#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static json_t *number(double x)
-{
-    return isfinite(x) ? json_real(x) : json_null();
-}
 
 /* The settings of a combination: {key: value, ...}. */
 static json_t *set_json(const stability *s, size_t set)
@@ -49,10 +44,10 @@ static json_t *limit_json(const stability *s, size_t k)
     const stability_set *set = &s->set[k];
     const search_state at = search_look(&set->search);
     return json_pack("{s:o, s:s, s:o, s:o, s:o, s:o, s:I, s:b}", "each", set_json(s, k), "outcome",
-                     outcome_name(set, at.outcome), "stable", number(at.stable), "unstable", number(at.unstable),
-                     "stable_over_reference", number(at.stable / s->relative_to), "unstable_over_reference",
-                     number(at.unstable / s->relative_to), "runs", (json_int_t)set->search.n_told, "monotone",
-                     search_is_monotone(&set->search));
+                     outcome_name(set, at.outcome), "stable", json_number(at.stable), "unstable",
+                     json_number(at.unstable), "stable_over_reference", json_number(at.stable / s->relative_to),
+                     "unstable_over_reference", json_number(at.unstable / s->relative_to), "runs",
+                     (json_int_t)set->search.n_told, "monotone", search_is_monotone(&set->search));
 }
 
 static json_t *limits_json(const stability *s)
@@ -67,10 +62,10 @@ static json_t *probe_json(const stability *s, const stability_probe *p)
 {
     json_t *value = json_object();
     for (int i = 0; value && i < s->n_over; i++) json_object_set_new(value, s->over[i].key, json_string(p->value[i]));
-    return json_pack("{s:o, s:o, s:s, s:o, s:I, s:I, s:o, s:s, s:s}", "each", set_json(s, p->set), "over", value,
-                     "verdict", verdict_name(p->verdict), "energy_ratio", number(p->energy.ratio), "steps",
-                     (json_int_t)p->steps, "rejected_steps", (json_int_t)p->rejected, "time", number(p->time), "cause",
-                     p->cause, "directory", p->folder);
+    return json_pack("{s:o, s:o, s:s, s:o, s:I, s:I, s:o, s:o, s:s}", "each", set_json(s, p->set), "over", value,
+                     "verdict", verdict_name(p->verdict), "energy_ratio", json_number(p->energy.ratio), "steps",
+                     (json_int_t)p->steps, "rejected_steps", (json_int_t)p->rejected, "time", json_number(p->time),
+                     "cause", json_plain_text(p->cause), "directory", p->folder);
 }
 
 static json_t *probes_json(const stability *s)
@@ -84,19 +79,13 @@ static floe_status write_json(const stability *s, const char *path)
 {
     char criterion[CRITERION_TEXT];
     criterion_text(s->growth, s->by_energy, criterion);
-    json_t *object =
-        json_pack("{s:i, s:s, s:s, s:o, s:o, s:s, s:o, s:o, s:o, s:s, s:o, s:o}", "schema", 1, "deck", s->deck_path,
-                  "title", s->title, "over", axes_json(s->over, s->n_over, stability_is_map(s)), "each",
-                  axes_json(s->each, s->n_each, true), "unit", s->unit[0] == ' ' ? s->unit + 1 : s->unit, "relative_to",
-                  number(s->relative_to), "tolerance", number(s->tolerance), "growth", number(s->growth), "criterion",
-                  criterion, "limits", limits_json(s), "runs", probes_json(s));
-    char *text = object ? json_dumps(object, JSON_INDENT(2) | JSON_REAL_PRECISION(17)) : NULL;
-    json_decref(object);
-    if (!text) return fail(s->ctx, FLOE_NO_MEMORY, "no memory for '%s'", path);
-    const file_part part[] = {{text, strlen(text)}, {"\n", 1}};
-    const floe_status status = file_replace(s->ctx, path, part, 2);
-    free(text);
-    return status;
+    json_t *object = json_pack(
+        "{s:i, s:o, s:s, s:o, s:o, s:s, s:o, s:o, s:o, s:s, s:o, s:o}", "schema", 1, "deck",
+        json_plain_text(s->deck_path), "title", s->title, "over", axes_json(s->over, s->n_over, stability_is_map(s)),
+        "each", axes_json(s->each, s->n_each, true), "unit", s->unit[0] == ' ' ? s->unit + 1 : s->unit, "relative_to",
+        json_number(s->relative_to), "tolerance", json_number(s->tolerance), "growth", json_number(s->growth),
+        "criterion", criterion, "limits", limits_json(s), "runs", probes_json(s));
+    return json_write(s->ctx, path, object);
 }
 
 static void append_field(strbuf *out, const char *text)
