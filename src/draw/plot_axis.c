@@ -31,17 +31,17 @@ static void add_room(plot_axis *axis, double below, double above)
         return;
     }
     if (axis->log) {
-        const double span = fmax(log10(axis->hi / axis->lo), 0.1);
-        axis->lo *= pow(10.0, -below * span);
-        axis->hi *= pow(10.0, above * span);
+        const double span = log10(axis->hi / axis->lo), missing = fmax(0.1 - span, 0.0);
+        axis->lo *= pow(10.0, -0.5 * missing - below * fmax(span, 0.1));
+        axis->hi *= pow(10.0, 0.5 * missing + above * fmax(span, 0.1));
         return;
     }
-    /* A range that is all round-off would show nothing else. */
+    /* A range that is all round-off would show nothing else, and its tics would all be named alike. */
     const double size = fmax(fabs(axis->lo), fabs(axis->hi));
-    const double least = size > 0.0 ? 1e-9 * size : 1.0;
-    const double span = fmax(axis->hi - axis->lo, least);
-    axis->lo -= below * span;
-    axis->hi += above * span;
+    const double least = size > 0.0 ? 1e-4 * size : 1.0;
+    const double span = axis->hi - axis->lo, missing = fmax(least - span, 0.0);
+    axis->lo -= 0.5 * missing + below * fmax(span, least);
+    axis->hi += 0.5 * missing + above * fmax(span, least);
 }
 
 /* Points touch the frame unless there is room; a curve may start at it. */
@@ -124,7 +124,7 @@ static void append_decade_tics(strbuf *out, const plot_axis *axis, double span, 
 
 void plot_append_axis(strbuf *out, char name, const plot_axis *axis)
 {
-    strbuf_append(out, "%s logscale %c\nset %crange [%.9g:%.9g]\nset %ctics nomirror enhanced scale 0.5",
+    strbuf_append(out, "%s logscale %c\nset %crange [%.17g:%.17g]\nset %ctics nomirror enhanced scale 0.5",
                   axis->log ? "set" : "unset", name, name, axis->lo, axis->hi, name);
     if (axis->log) {
         const double span = log10(axis->hi / axis->lo);

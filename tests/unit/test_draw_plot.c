@@ -167,6 +167,33 @@ static void pictures_may_share_a_page(void **state)
     memory_free(p->ctx, &svg);
 }
 
+/* What hardly changes, or does not, is drawn too: a single point, round-off, huge and tiny numbers. */
+static void draws_what_is_constant(void **state)
+{
+    place *p = *state;
+    static const double x[] = {1.0, 1.0 + 1e-15, 1.0 + 2e-15}, tiny[] = {0.0, 1e-300, 2e-300};
+    static const double huge[] = {-1e300, 0.0, 1e300}, zero[] = {0.0, 0.0, 0.0};
+    static const plot_series series[] = {
+        {.name = "round-off", .style = PLOT_LINES, .x = x, .y = x, .n = 3},
+        {.name = "one", .style = PLOT_LINES, .x = x, .y = x, .n = 1},
+        {.name = "tiny", .style = PLOT_LINES, .x = x, .y = tiny, .n = 3},
+        {.name = "huge", .style = PLOT_LINES, .x = x, .y = huge, .n = 3},
+        {.name = "zero", .style = PLOT_LINES, .x = zero, .y = zero, .n = 3},
+    };
+    enum { N = sizeof series / sizeof series[0] };
+    plot_panel panel[2 * N];
+    plot_figure figure[2 * N];
+    char name[2 * N][16];
+    for (int i = 0; i < 2 * N; i++) {
+        (void)snprintf(name[i], sizeof name[i], "plot%d", i);
+        panel[i] = (plot_panel){.log_x = i >= N, .log_y = i >= N, .series = &series[i % N], .n_series = 1};
+        figure[i] = (plot_figure){.name = name[i], .panel = &panel[i], .n_panels = 1};
+    }
+    check_ok(p->ctx, plots_write(p->ctx, p->dir, figure, 2 * N));
+    if (!has_gnuplot()) skip();
+    assert_int_equal(p->warnings, 0);
+}
+
 static void does_without_gnuplot(void **state)
 {
     place *p = *state;
@@ -206,6 +233,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(writes_data_script_and_picture, set_up, tear_down),
         cmocka_unit_test_setup_teardown(pictures_may_share_a_page, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(draws_what_is_constant, set_up, tear_down),
         cmocka_unit_test_setup_teardown(does_without_gnuplot, set_up, tear_down),
         cmocka_unit_test(stems_are_plain),
     };

@@ -157,7 +157,7 @@ static void facts(const run_view *v)
     html_fact_text(out, "Coupling", json_text_of(s, "coupling"));
     html_fact(out, "Time reached");
     html_number(out, json_number_of(s, "time"), 4);
-    strbuf_append(out, " s");
+    if (!v->dimensionless) strbuf_append(out, " s");
     html_fact_end(out);
     html_fact(out, "Steps");
     html_count(out, json_number_of(s, "steps"));
@@ -278,12 +278,24 @@ static floe_status verbatim(const run_view *v, const char *name, const char *tit
     return FLOE_OK;
 }
 
-floe_status run_view_write(const run_view *v)
+/* Whether the deck says `units: none`. */
+static floe_status read_units(run_view *v)
+{
+    char *deck, units[PAGE_TEXT] = "";
+    TRY(page_read_text(v->page, v->dir, "deck.yaml", &deck));
+    if (deck) top_key(deck, "units", units);
+    memory_free(v->page->ctx, &deck);
+    v->dimensionless = strcmp(units, "none") == 0;
+    return FLOE_OK;
+}
+
+floe_status run_view_write(run_view *v)
 {
     strbuf *out = &v->page->body;
     const char *status = json_text_of(v->summary, "status");
     char cause[PAGE_TEXT];
     TRY(run_cause(v->page, v->dir, v->summary, cause));
+    TRY(read_units(v));
     strbuf_append(out, "<p class=\"result\">");
     html_status(out, status);
     html_text(out, " %s", cause);

@@ -11,11 +11,12 @@ typedef struct run_view {
     const char *dir;
     const struct json_t *summary; /* not owned */
     char stem[PLOT_STEM];         /* before the names of its plots */
+    bool dimensionless;           /* set by run_view_write */
     bool brief;                   /* one of many: what tells them apart, and no more */
 } run_view;
 
 /* All of a run: facts, errors, plots, ledger, times. */
-floe_status run_view_write(const run_view *v);
+floe_status run_view_write(run_view *v);
 
 /* Its history as plots, and its ledger as a table. */
 floe_status run_history(const run_view *v);
