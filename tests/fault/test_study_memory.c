@@ -1,0 +1,69 @@
+/* Allocations of a whole study fail, at any place and all that follow: FLOE_NO_MEMORY with a message, and nothing left. The
+ * program that is to run the cases fails too: that is their result. */
+#include "check.h"
+
+#include "base/memory.h"
+#include "floe/floe.h"
+#include "io/file.h"
+#include "study/study.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static floe_status attempt(context *ctx, const study_options *o, bool look)
+{
+    study *s;
+    const floe_status status = study_run(&s, ctx, o);
+    if (look) {
+        check_ok(ctx, status);
+        assert_int_equal(s->n, 4);
+        assert_int_equal(s->n_groups, 2);
+        for (size_t i = 0; i < s->n; i++) {
+            assert_string_equal(batch_status_name(&s->run[i]), "failed");
+            check_true(s->run[i].message[0] != '\0' && !s->run[i].ran);
+        }
+    }
+    study_destroy(&s);
+    return status;
+}
+
+static void any_allocation_may_fail(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/floe_test_XXXXXX", command[64];
+    static const char *const axis[] = {"domain.cell=0.4,0.2", "coupling=mpm,ice-mpm"};
+    const study_options o = {.name = "study",
+                             .deck = FLOE_SOURCE_DIR "/inputs/pressurized_cylinder.yaml",
+                             .axis = axis,
+                             .n_axis = 2,
+                             .repeat = 2,
+                             .jobs = 4,
+                             .program = "/bin/false",
+                             .dir = dir};
+    context *ctx = context_create();
+    floe_status status = FLOE_NO_MEMORY;
+    uint64_t n = 1, tries = 0;
+    assert_non_null(mkdtemp(dir));
+    assert_int_equal(floe_init(), FLOE_OK);
+    /* Some thousands of allocations, most of them in decks, whose own test fails each: the steps grow. */
+    for (; status == FLOE_NO_MEMORY; n += 1 + n / 8, tries++) {
+        memory_inject_failure(ctx, n);
+        status = attempt(ctx, &o, false);
+        memory_inject_failure(ctx, 0);
+        if (status != FLOE_OK) check_fails(ctx, status, FLOE_NO_MEMORY);
+        assert_int_equal(memory_read_account(ctx).live_bytes, 0);
+        context_clear(ctx);
+    }
+    check_true(tries > 20);
+    check_ok(ctx, attempt(ctx, &o, true));
+    assert_int_equal(memory_read_account(ctx).live_bytes, 0);
+    context_destroy(&ctx);
+    (void)snprintf(command, sizeof command, "rm -rf '%s'", dir);
+    assert_int_equal(system(command), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(any_allocation_may_fail)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
