@@ -51,3 +51,16 @@ double check_random(uint64_t *seed, double lo, double hi)
     z ^= z >> 31;
     return lo + (hi - lo) * ((double)(z >> 11) * 0x1.0p-53);
 }
+
+int check_make_context(void **state)
+{
+    *state = context_create();
+    return *state == NULL;
+}
+
+int check_drop_context(void **state)
+{
+    context *ctx = *state;
+    context_destroy(&ctx);
+    return 0;
+}

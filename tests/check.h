@@ -28,6 +28,10 @@
 /* The next of a repeatable sequence of numbers in [lo, hi); the seed is any number, and is advanced (splitmix64). */
 double check_random(uint64_t *seed, double lo, double hi);
 
+/* Set-up and tear-down of a group of tests whose state is a context. */
+int check_make_context(void **state);
+int check_drop_context(void **state);
+
 /* The functions behind the macros. */
 void check_close_at(double a, double b, double tol, const char *a_text, const char *b_text, const char *file, int line);
 void check_close_relative_at(double a, double b, double tol, const char *a_text, const char *b_text, const char *file,

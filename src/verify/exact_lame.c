@@ -1,21 +1,7 @@
 /* The pressurised thick cylinder in plane strain. */
-#include "verify/internal.h"
+#include "verify/annulus.h"
 
-typedef struct lame_par {
-    double inner_radius, outer_radius, inner_pressure, outer_pressure;
-    double bulk_modulus, shear_modulus;
-    double centre[3];
-} lame_par;
-
-static const param_spec lame_params[] = {
-    PAR_POSITIVE(lame_par, inner_radius, "m", NAN, "radius of the bore"),
-    PAR_POSITIVE(lame_par, outer_radius, "m", NAN, "outer radius"),
-    PAR_ANY(lame_par, inner_pressure, "Pa", NAN, "pressure in the bore, less the reference pressure"),
-    PAR_ANY(lame_par, outer_pressure, "Pa", 0.0, "pressure outside, less the reference pressure"),
-    PAR_POSITIVE(lame_par, bulk_modulus, "Pa", NAN, "bulk modulus K"),
-    PAR_POSITIVE(lame_par, shear_modulus, "Pa", NAN, "shear modulus G"),
-    PAR_VECTOR(lame_par, centre, "m", PARAM_ANY, 0.0, "a point of the axis (its z is ignored)"),
-};
+static const param_spec lame_params[] = ANNULUS_PARAMS("bore", "a point of the axis (its z is ignored)");
 
 /* sigma_r = mean - bend/r^2, sigma_theta = mean + bend/r^2. */
 typedef struct lame_constants {
@@ -27,12 +13,9 @@ typedef struct lame_constants {
 static floe_status lame_prepare(context *ctx, const void *par, int dim, void *prepared)
 {
     (void)dim;
-    const lame_par *p = par;
+    const annulus_par *p = par;
     lame_constants *c = prepared;
-    if (!(p->outer_radius > p->inner_radius)) {
-        return fail(ctx, FLOE_BAD_INPUT, "outer_radius = %g m: must be over inner_radius = %g m", p->outer_radius,
-                    p->inner_radius);
-    }
+    TRY(annulus_check(ctx, p));
     const double inner = p->inner_radius * p->inner_radius;
     const double outer = p->outer_radius * p->outer_radius;
     c->mean = (p->inner_pressure * inner - p->outer_pressure * outer) / (outer - inner);
@@ -45,7 +28,7 @@ static double lame_value(const void *par, const void *prepared, exact_quantity q
                          double t)
 {
     (void)t;
-    const lame_par *p = par;
+    const annulus_par *p = par;
     const lame_constants *c = prepared;
     const double from[2] = {x[0] - p->centre[0], dim > 1 ? x[1] - p->centre[1] : 0.0};
     const double square = from[0] * from[0] + from[1] * from[1];
@@ -82,15 +65,14 @@ static const exact_scalar lame_scalars[] = {
 
 static double lame_scalar(const void *par, const void *prepared, size_t i, double t)
 {
-    const lame_par *p = par;
+    const annulus_par *p = par;
     const lame_constants *c = prepared;
     if (i == STRESS_SUM) return 2.0 * c->mean;
     const double bore[3] = {p->centre[0] + p->inner_radius, p->centre[1], 0.0};
     return lame_value(par, prepared, EXACT_DISPLACEMENT_X, 2, bore, t);
 }
 
-static const lame_par guilkey = {
-    .inner_radius = 0.5, .outer_radius = 1.0, .inner_pressure = 19.4e6, .bulk_modulus = 117e9, .shear_modulus = 43.8e9};
+static const annulus_par guilkey = ANNULUS_SAMPLE;
 
 const exact_model exact_lame = {
     .name = "lame",
@@ -101,7 +83,7 @@ const exact_model exact_lame = {
         "off the wall. Against a finite-strain code it has an error of the order of the bore's strain "
         "(0.03-0.05 % for the case of Guilkey et al.).",
     .equations = EXACT_SOLID,
-    .param_size = sizeof(lame_par),
+    .param_size = sizeof(annulus_par),
     .params = lame_params,
     .n_params = COUNT_OF(lame_params),
     .min_dim = 1,

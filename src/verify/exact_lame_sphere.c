@@ -1,21 +1,7 @@
 /* The pressurised thick sphere, in three dimensions or axisymmetric (r, z). */
-#include "verify/internal.h"
+#include "verify/annulus.h"
 
-typedef struct sphere_par {
-    double inner_radius, outer_radius, inner_pressure, outer_pressure;
-    double bulk_modulus, shear_modulus;
-    double centre[3];
-} sphere_par;
-
-static const param_spec sphere_params[] = {
-    PAR_POSITIVE(sphere_par, inner_radius, "m", NAN, "radius of the hollow"),
-    PAR_POSITIVE(sphere_par, outer_radius, "m", NAN, "outer radius"),
-    PAR_ANY(sphere_par, inner_pressure, "Pa", NAN, "pressure in the hollow, less the reference pressure"),
-    PAR_ANY(sphere_par, outer_pressure, "Pa", 0.0, "pressure outside, less the reference pressure"),
-    PAR_POSITIVE(sphere_par, bulk_modulus, "Pa", NAN, "bulk modulus K"),
-    PAR_POSITIVE(sphere_par, shear_modulus, "Pa", NAN, "shear modulus G"),
-    PAR_VECTOR(sphere_par, centre, "m", PARAM_ANY, 0.0, "centre; on the axis (r = 0) when axisymmetric"),
-};
+static const param_spec sphere_params[] = ANNULUS_PARAMS("hollow", "centre; on the axis (r = 0) when axisymmetric");
 
 /* sigma_r = mean - 2 bend/r^3, sigma_theta = mean + bend/r^3. */
 typedef struct sphere_constants {
@@ -26,12 +12,9 @@ typedef struct sphere_constants {
 static floe_status sphere_prepare(context *ctx, const void *par, int dim, void *prepared)
 {
     (void)dim;
-    const sphere_par *p = par;
+    const annulus_par *p = par;
     sphere_constants *c = prepared;
-    if (!(p->outer_radius > p->inner_radius)) {
-        return fail(ctx, FLOE_BAD_INPUT, "outer_radius = %g m: must be over inner_radius = %g m", p->outer_radius,
-                    p->inner_radius);
-    }
+    TRY(annulus_check(ctx, p));
     const double inner = pow(p->inner_radius, 3.0);
     const double outer = pow(p->outer_radius, 3.0);
     c->mean = (p->inner_pressure * inner - p->outer_pressure * outer) / (outer - inner);
@@ -47,7 +30,7 @@ static double sphere_value(const void *par, const void *prepared, exact_quantity
                            double t)
 {
     (void)t;
-    const sphere_par *p = par;
+    const annulus_par *p = par;
     const sphere_constants *c = prepared;
     double from[3] = {0.0, 0.0, 0.0};
     double square = 0.0;
@@ -71,8 +54,7 @@ static double sphere_value(const void *par, const void *prepared, exact_quantity
     return is_velocity(quantity) ? 0.0 : (double)NAN;
 }
 
-static const sphere_par sample_par = {
-    .inner_radius = 0.5, .outer_radius = 1.0, .inner_pressure = 19.4e6, .bulk_modulus = 117e9, .shear_modulus = 43.8e9};
+static const annulus_par sample_par = ANNULUS_SAMPLE;
 
 const exact_model exact_lame_sphere = {
     .name = "lame_sphere",
@@ -82,7 +64,7 @@ const exact_model exact_lame_sphere = {
         "linear elasticity, at rest, x the place before the load; evaluated wherever r > 0. Three dimensions, or "
         "axisymmetric with x = (r, z), where zz is the hoop stress. Error of the order of the strain.",
     .equations = EXACT_SOLID,
-    .param_size = sizeof(sphere_par),
+    .param_size = sizeof(annulus_par),
     .params = sphere_params,
     .n_params = COUNT_OF(sphere_params),
     .min_dim = 2,

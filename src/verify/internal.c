@@ -16,24 +16,43 @@ floe_status check_axis(context *ctx, double axis, int dim)
     return fail(ctx, FLOE_BAD_INPUT, "axis = %g: must be 0 to %d, the scene has dimension %d", axis, dim - 1, dim);
 }
 
+/* A function that GSL never sees fail: a value that is not finite is noted and taken for a root, which ends the search. GSL's
+ * own answer to it would be its error handler, which ends the process unless floe_init has switched it off. */
+typedef struct guarded {
+    root_function *f;
+    void *user;
+    bool failed;
+} guarded;
+
+static double guarded_value(double x, void *user)
+{
+    guarded *g = user;
+    const double value = g->f(x, g->user);
+    if (isfinite(value)) return value;
+    g->failed = true;
+    return 0.0;
+}
+
 double find_root(root_function *f, void *user, double lo, double hi)
 {
     const double at_lo = f(lo, user);
     const double at_hi = f(hi, user);
     if (at_lo == 0.0) return lo;
     if (at_hi == 0.0) return hi;
-    if (!(isfinite(at_lo) && isfinite(at_hi)) || (at_lo > 0.0) == (at_hi > 0.0)) return NAN;
+    if (!(isfinite(at_lo) && isfinite(at_hi)) || !(lo < hi) || (at_lo > 0.0) == (at_hi > 0.0)) return NAN;
 
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     if (solver == NULL) return NAN;
-    gsl_function function = {.function = f, .params = user};
+    guarded guard = {f, user, false};
+    gsl_function function = {.function = guarded_value, .params = &guard};
     int status = gsl_root_fsolver_set(solver, &function, lo, hi);
-    for (int i = 0; i < 500 && status == GSL_SUCCESS; i++) {
+    for (int i = 0; i < 500 && status == GSL_SUCCESS && !guard.failed; i++) {
         /* Brent's interval collapses onto the root once it is known to a few units of round-off. */
         if (gsl_root_fsolver_x_lower(solver) == gsl_root_fsolver_x_upper(solver)) break;
         status = gsl_root_fsolver_iterate(solver);
     }
-    const double root = status == GSL_SUCCESS ? gsl_root_fsolver_root(solver) : (double)NAN;
+    const bool found = status == GSL_SUCCESS && !guard.failed;
+    const double root = found ? gsl_root_fsolver_root(solver) : (double)NAN;
     gsl_root_fsolver_free(solver);
     return root;
 }

@@ -80,8 +80,8 @@ static inline double gas_temperature(double rho, double p, double gamma, double 
 
 typedef double root_function(double x, void *user);
 
-/* The root of f in [lo, hi] to round-off (Brent's method, GSL); f must change sign there. NAN when it does not, when an
- * end is not finite, or when memory is out. */
+/* The root of f in [lo, hi] to round-off (Brent's method, GSL); f must change sign there. NAN when it does not, when f is not
+ * finite where it is asked, or when memory is out. */
 double find_root(root_function *f, void *user, double lo, double hi);
 
 /* The profile of a plane wave: a Gaussian exp(-s^2/2), s = (x - centre)/width, or a sine sin(2 pi (x - centre)/width). */

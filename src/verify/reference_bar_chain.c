@@ -214,6 +214,7 @@ static double chain_scalar(const void *par, const void *prepared, size_t i)
     const double angle = atan2(p->last_x - p->first_x, p->first_y - p->last_y);
     if (i == LENGTH) return span(p);
     if (i == START_ANGLE) return angle;
+    if (fabs(sin(0.5 * angle)) >= 1.0) return INFINITY; /* upside down: it stays */
     gsl_sf_result quarter;
     const int status = gsl_sf_ellint_Kcomp_e(fabs(sin(0.5 * angle)), GSL_PREC_DOUBLE, &quarter);
     return status == 0 ? 4.0 * sqrt(span(p) / p->gravity) * quarter.val : (double)NAN;

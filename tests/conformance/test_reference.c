@@ -132,24 +132,11 @@ static void test_tables(void **state)
     check_true(reference_find("no such reference") == NULL);
 }
 
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_histories),
         cmocka_unit_test(test_tables),
     };
-    return cmocka_run_group_tests_name("references", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("references", tests, check_make_context, check_drop_context);
 }

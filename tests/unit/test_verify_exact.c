@@ -79,19 +79,6 @@ static void test_misuse(void **state)
     check_true(memory_read_account(ctx).live_bytes == 0);
 }
 
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -99,5 +86,5 @@ int main(void)
         cmocka_unit_test(test_defaults),
         cmocka_unit_test(test_misuse),
     };
-    return cmocka_run_group_tests_name("tables of exact solutions", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("tables of exact solutions", tests, check_make_context, check_drop_context);
 }

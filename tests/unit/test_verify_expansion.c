@@ -191,24 +191,11 @@ static void test_refused(void **state)
     check_true(memory_read_account(ctx).live_bytes == 0);
 }
 
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_front),    cmocka_unit_test(test_slab),     cmocka_unit_test(test_conserved),
         cmocka_unit_test(test_lagrange), cmocka_unit_test(test_balances), cmocka_unit_test(test_refused),
     };
-    return cmocka_run_group_tests_name("expansion into a vacuum", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("expansion into a vacuum", tests, check_make_context, check_drop_context);
 }

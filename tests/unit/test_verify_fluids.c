@@ -1,42 +1,10 @@
 /* Exact solutions of fluids: limits, periods, conservation, exchange; and exact cell averages against integrals by hand. */
-#include "check.h"
-
-#include "verify/exact.h"
+#include "exact_fixture.h"
 
 #include <math.h>
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
-
-typedef struct fixture {
-    double par[32];
-    exact solution;
-} fixture;
-
-typedef struct setting {
-    const char *key;
-    double value;
-} setting;
-
-/* The model at its sample, with parameters changed up to the setting without a key. */
-static void make(context *ctx, fixture *f, const char *name, int dim, const setting *change)
-{
-    const exact_model *model = exact_find(name);
-    check_true(model != NULL && model->param_size <= sizeof f->par);
-    memcpy(f->par, model->sample.par, model->param_size);
-    for (; change->key != NULL; change++) *exact_param(model, f->par, change->key) = change->value;
-    check_ok(ctx, exact_create(ctx, model, f->par, dim, &f->solution));
-}
-
-static void refuse(context *ctx, const char *name, int dim, setting change)
-{
-    double par[32];
-    exact solution;
-    const exact_model *model = exact_find(name);
-    memcpy(par, model->sample.par, model->param_size);
-    *exact_param(model, par, change.key) = change.value;
-    check_fails(ctx, exact_create(ctx, model, par, dim, &solution), FLOE_BAD_INPUT);
-}
 
 static double get(const fixture *f, exact_quantity quantity, double x, double y, double t)
 {
@@ -48,7 +16,7 @@ static void test_pulse(void **state)
 {
     context *ctx = *state;
     fixture f;
-    make(ctx, &f, "acoustic_pulse", 1, (const setting[]){{"left_amplitude", 0.0}, {NULL, 0.0}});
+    make(ctx, &f, "acoustic_pulse", 1, SET({"left_amplitude", 0.0}));
     const double lap = 1.0 / 370.0; /* c + u = 370 */
     check_close(get(&f, EXACT_PRESSURE, 0.5, 0.0, 0.0), 1e5 + 1.0 + 2.0 * exp(-50.0), 1e-9);
     check_close(get(&f, EXACT_PRESSURE, 0.43, 0.0, lap), get(&f, EXACT_PRESSURE, 0.43, 0.0, 0.0), 1e-9);
@@ -56,16 +24,16 @@ static void test_pulse(void **state)
     check_close(get(&f, EXACT_VELOCITY_X, 0.5, 0.0, 0.0) - 30.0, 1.0 / (1.2 * 340.0), 1e-12);
     exact_destroy(ctx, &f.solution);
     /* equal amplitudes start without motion */
-    make(ctx, &f, "acoustic_pulse", 2, (const setting[]){{"left_amplitude", 1.0}, {"axis", 1.0}, {NULL, 0.0}});
+    make(ctx, &f, "acoustic_pulse", 2, SET({"left_amplitude", 1.0}, {"axis", 1.0}));
     check_close(get(&f, EXACT_VELOCITY_Y, 0.0, 0.45, 0.0), 30.0, 1e-13);
     check_close(get(&f, EXACT_VELOCITY_X, 0.0, 0.45, 1e-4), 0.0, 0.0);
     exact_destroy(ctx, &f.solution);
-    refuse(ctx, "acoustic_pulse", 1, (setting){"width", 0.3});
-    refuse(ctx, "acoustic_pulse", 1, (setting){"axis", 1.0});
-    refuse(ctx, "acoustic_pulse", 1, (setting){"axis", 0.5});
-    refuse(ctx, "simple_wave", 1, (setting){"width", 0.7});
-    refuse(ctx, "simple_wave", 1, (setting){"amplitude", 6.0});
-    refuse(ctx, "isentropic_vortex", 2, (setting){"strength", 12.0});
+    refuse(ctx, "acoustic_pulse", 1, SET({"width", 0.3}));
+    refuse(ctx, "acoustic_pulse", 1, SET({"axis", 1.0}));
+    refuse(ctx, "acoustic_pulse", 1, SET({"axis", 0.5}));
+    refuse(ctx, "simple_wave", 1, SET({"width", 0.7}));
+    refuse(ctx, "simple_wave", 1, SET({"amplitude", 6.0}));
+    refuse(ctx, "isentropic_vortex", 2, SET({"strength", 12.0}));
 }
 
 /* As the amplitude a falls the simple wave becomes d'Alembert's: the difference falls as a^2. */
@@ -76,17 +44,10 @@ static void test_simple_wave_limit(void **state)
     for (int i = 0; i < 3; i++) {
         const double amplitude = 1e-2 * pow(0.1, i);
         fixture wave, pulse;
-        make(ctx, &wave, "simple_wave", 1, (const setting[]){{"amplitude", amplitude}, {NULL, 0.0}});
+        make(ctx, &wave, "simple_wave", 1, SET({"amplitude", amplitude}));
         make(ctx, &pulse, "acoustic_pulse", 1,
-             (const setting[]){{"density", 1.4},
-                               {"sound_speed", 1.0},
-                               {"pressure", 1.0},
-                               {"velocity", 0.3},
-                               {"width", 1.0},
-                               {"sine", 1.0},
-                               {"amplitude", 1.4 * amplitude},
-                               {"left_amplitude", 0.0},
-                               {NULL, 0.0}});
+             SET({"density", 1.4}, {"sound_speed", 1.0}, {"pressure", 1.0}, {"velocity", 0.3}, {"width", 1.0},
+                 {"sine", 1.0}, {"amplitude", 1.4 * amplitude}, {"left_amplitude", 0.0}));
         const double apart =
             fabs(get(&wave, EXACT_PRESSURE, 0.3, 0.0, 0.2) - get(&pulse, EXACT_PRESSURE, 0.3, 0.0, 0.2));
         check_true(i == 0 || (apart < 0.012 * previous && apart > 0.008 * previous));
@@ -101,7 +62,7 @@ static void test_simple_wave(void **state)
 {
     context *ctx = *state;
     fixture f;
-    make(ctx, &f, "simple_wave", 1, (const setting[]){{NULL, 0.0}});
+    make(ctx, &f, "simple_wave", 1, NONE);
     const double broken = exact_scalar_value(&f.solution, "break_time", 0.0);
     check_close_relative(broken, 2.0 / (2.4 * 0.1 * 2.0 * pi), 1e-14);
     const double t = 0.98 * broken;
@@ -124,7 +85,7 @@ static void test_vortex(void **state)
 {
     context *ctx = *state;
     fixture f;
-    make(ctx, &f, "isentropic_vortex", 2, (const setting[]){{NULL, 0.0}});
+    make(ctx, &f, "isentropic_vortex", 2, NONE);
     const double ratio = 1.0 - 0.4 * 25.0 * exp(1.0) / (8.0 * 1.4 * pi * pi); /* temperature at the centre */
     check_close_relative(get(&f, EXACT_DENSITY, 5.0, 5.0, 0.0), pow(ratio, 2.5), 1e-13);
     check_close_relative(get(&f, EXACT_TEMPERATURE, 5.0, 5.0, 0.0), ratio, 1e-13);
@@ -140,8 +101,8 @@ static void test_relaxation(void **state)
 {
     context *ctx = *state;
     fixture first, second;
-    make(ctx, &first, "relaxation", 1, (const setting[]){{"material", 1.0}, {NULL, 0.0}});
-    make(ctx, &second, "relaxation", 1, (const setting[]){{"material", 2.0}, {NULL, 0.0}});
+    make(ctx, &first, "relaxation", 1, SET({"material", 1.0}));
+    make(ctx, &second, "relaxation", 1, SET({"material", 2.0}));
     const double heat1 = 0.6 * 700.0, heat2 = 2.0 * 500.0;
     double start = NAN;
     for (int i = 0; i < 20; i++) {
@@ -167,15 +128,14 @@ static void test_relaxation(void **state)
     exact_destroy(ctx, &first.solution);
     exact_destroy(ctx, &second.solution);
 
-    make(ctx, &first, "relaxation", 1,
-         (const setting[]){{"momentum_exchange", 1e20}, {"heat_exchange", 1e20}, {NULL, 0.0}});
+    make(ctx, &first, "relaxation", 1, SET({"momentum_exchange", 1e20}, {"heat_exchange", 1e20}));
     check_close(get(&first, EXACT_VELOCITY_X, 0.0, 0.0, 1e-6), -4.0 / 2.6, 1e-14);
     check_true(isfinite(get(&first, EXACT_TEMPERATURE, 0.0, 0.0, 1e-6)));
     exact_destroy(ctx, &first.solution);
     /* both rates the same: 2/tau of the drag and 1/tau of the heat */
     const double same = 2.0 * 2.5 * (1.0 / 0.6 + 0.5) / (0.25 * (1.0 / heat1 + 1.0 / heat2));
-    make(ctx, &first, "relaxation", 1, (const setting[]){{"heat_exchange", same}, {NULL, 0.0}});
-    make(ctx, &second, "relaxation", 1, (const setting[]){{"heat_exchange", same * (1.0 + 1e-9)}, {NULL, 0.0}});
+    make(ctx, &first, "relaxation", 1, SET({"heat_exchange", same}));
+    make(ctx, &second, "relaxation", 1, SET({"heat_exchange", same * (1.0 + 1e-9)}));
     check_close_relative(get(&first, EXACT_TEMPERATURE, 0.0, 0.0, 0.1), get(&second, EXACT_TEMPERATURE, 0.0, 0.0, 0.1),
                          1e-9);
     exact_destroy(ctx, &first.solution);
@@ -186,7 +146,7 @@ static void test_plates(void **state)
 {
     context *ctx = *state;
     fixture f;
-    make(ctx, &f, "couette", 2, (const setting[]){{NULL, 0.0}});
+    make(ctx, &f, "couette", 2, NONE);
     check_close(get(&f, EXACT_VELOCITY_X, 0.0, 0.03, 100.0), 0.6, 1e-14);
     check_close(get(&f, EXACT_VELOCITY_X, 0.0, 0.05, 0.0), 0.0, 1e-15);
     check_close(get(&f, EXACT_VELOCITY_X, 0.0, 0.05, 1e-4), 0.0, 1e-13);
@@ -195,18 +155,18 @@ static void test_plates(void **state)
     check_close(get(&f, EXACT_VELOCITY_X, 0.0, 0.098, 1e-4), 2.0 * erfc(0.002 / (2.0 * sqrt(0.01 / 1.2 * 1e-4))),
                 1e-12);
     exact_destroy(ctx, &f.solution);
-    make(ctx, &f, "couette", 2, (const setting[]){{"starting", 0.0}, {NULL, 0.0}});
+    make(ctx, &f, "couette", 2, SET({"starting", 0.0}));
     check_close(get(&f, EXACT_VELOCITY_X, 0.0, 0.03, 0.0), 0.6, 1e-15);
     check_close(get(&f, EXACT_STRESS_XY, 0.0, 0.03, 0.0), 0.2, 1e-15);
     exact_destroy(ctx, &f.solution);
 
-    make(ctx, &f, "poiseuille", 2, (const setting[]){{NULL, 0.0}});
+    make(ctx, &f, "poiseuille", 2, NONE);
     const double middle = 3.0 * 1.2 * 0.01 / (8.0 * 0.01);
     check_close_relative(get(&f, EXACT_VELOCITY_X, 0.0, 0.05, 100.0), middle, 1e-14);
     check_close(get(&f, EXACT_VELOCITY_X, 0.0, 0.1, 0.05), 0.0, 1e-15);
     check_close_relative(get(&f, EXACT_VELOCITY_X, 0.0, 0.05, 1e-3), 3e-3, 1e-12); /* far from the plates: g t */
     exact_destroy(ctx, &f.solution);
-    make(ctx, &f, "poiseuille", 2, (const setting[]){{"starting", 0.0}, {NULL, 0.0}});
+    make(ctx, &f, "poiseuille", 2, SET({"starting", 0.0}));
     check_close_relative(get(&f, EXACT_VELOCITY_X, 0.0, 0.05, 0.0), middle, 1e-14);
     check_close_relative(get(&f, EXACT_STRESS_XY, 0.0, 0.0, 0.0), 3.0 * 1.2 * 0.05, 1e-14);
     exact_destroy(ctx, &f.solution);
@@ -217,7 +177,7 @@ static void test_average_plane(void **state)
 {
     context *ctx = *state;
     fixture f;
-    make(ctx, &f, "taylor_green", 2, (const setting[]){{"viscosity", 0.0}, {NULL, 0.0}});
+    make(ctx, &f, "taylor_green", 2, SET({"viscosity", 0.0}));
     const double lo[3] = {0.1, 0.3, 0.0}, hi[3] = {0.5, 0.4, 0.0};
     const double by_x = (cos(pi * 0.1) - cos(pi * 0.5)) / (0.4 * pi);
     const double by_y = (sin(pi * 0.4) - sin(pi * 0.3)) / (0.1 * pi);
@@ -232,7 +192,7 @@ static void test_average_weights(void **state)
 {
     context *ctx = *state;
     fixture f;
-    make(ctx, &f, "lame", 1, (const setting[]){{NULL, 0.0}});
+    make(ctx, &f, "lame", 1, NONE);
     const double lo[3] = {0.5}, hi[3] = {0.6};
     const double a = 19.4e6 / 3.0, weight = 0.5 * (0.36 - 0.25);
     check_close_relative(exact_cell_average(&f.solution, EXACT_SIGMA_R, lo, hi, 0.0, EXACT_RADIAL),
@@ -241,7 +201,7 @@ static void test_average_weights(void **state)
                          a - a * (1.0 / 0.5 - 1.0 / 0.6) / 0.1, 1e-13);
     exact_destroy(ctx, &f.solution);
 
-    make(ctx, &f, "hydrostatic", 2, (const setting[]){{NULL, 0.0}});
+    make(ctx, &f, "hydrostatic", 2, NONE);
     const double low[3] = {0.0, 0.0, 0.0}, high[3] = {1.0, 2000.0, 0.0};
     const double k = 9.80665 * 1.2 / 1e5 * 2000.0;
     check_close_relative(exact_cell_average(&f.solution, EXACT_PRESSURE, low, high, 0.0, EXACT_MASS_WEIGHTED),
@@ -260,8 +220,8 @@ static void test_average_jump(void **state)
                                {"left_velocity", 0.1},
                                {"right_velocity", 0.1},
                                {"position", 0.2},
-                               {NULL, 0.0},
-                               {NULL, 0.0}};
+                               END,
+                               END};
     fixture f;
     const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
     make(ctx, &f, "riemann", 1, contact);
@@ -289,26 +249,13 @@ static void test_average_kink(void **state)
 {
     context *ctx = *state;
     fixture f;
-    make(ctx, &f, "piston", 1, (const setting[]){{"amplitude", 1.0}, {"phase", 0.5 * pi}, {NULL, 0.0}});
+    make(ctx, &f, "piston", 1, SET({"amplitude", 1.0}, {"phase", 0.5 * pi}));
     const double lo[3] = {19.3}, hi[3] = {20.9};
     const double k = exact_scalar_value(&f.solution, "omega", 0.0) / sqrt(1.58e10);
     const double fluid = (cos(k * 19.3) - cos(k * 20.0)) / (k * sin(k * 20.0));
     check_close_relative(exact_cell_average(&f.solution, EXACT_DISPLACEMENT_X, lo, hi, 0.0, EXACT_PLAIN),
                          (fluid + 0.9) / 1.6, 1e-12);
     exact_destroy(ctx, &f.solution);
-}
-
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
 }
 
 int main(void)
@@ -320,5 +267,5 @@ int main(void)
         cmocka_unit_test(test_average_plane), cmocka_unit_test(test_average_weights),
         cmocka_unit_test(test_average_jump),  cmocka_unit_test(test_average_kink),
     };
-    return cmocka_run_group_tests_name("exact fluids and averages", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("exact fluids and averages", tests, check_make_context, check_drop_context);
 }

@@ -3,19 +3,16 @@
 
 #include "verify/exact.h"
 
+#include <math.h>
+
 /* York (1997), section A.1: bars of 1.25 at 0 and 2 m/s, 0.5 m apart, exchange their velocities; contact lasts 2 L/c. */
 static void test_equal(void **state)
 {
     context *ctx = *state;
     fixture f;
     make(ctx, &f, "bar_impact",
-         (const setting[]){{"right_length", 1.25},
-                           {"right_density", 1.0},
-                           {"right_modulus", 1e5},
-                           {"right_area", 1.0},
-                           {"right_velocity", 0.0},
-                           {"gap", 0.5},
-                           END});
+         SET({"right_length", 1.25}, {"right_density", 1.0}, {"right_modulus", 1e5}, {"right_area", 1.0},
+             {"right_velocity", 0.0}, {"gap", 0.5}));
     const double duration = 2.0 * 1.25 / sqrt(1e5);
     check_close_relative(scalar(&f, "contact"), 0.25, 1e-14);
     check_close_relative(scalar(&f, "release"), 0.25 + duration, 1e-13);
@@ -38,13 +35,8 @@ static void test_unequal_lengths(void **state)
     context *ctx = *state;
     fixture f;
     make(ctx, &f, "bar_impact",
-         (const setting[]){{"right_length", 2.0},
-                           {"right_density", 1.0},
-                           {"right_modulus", 1e5},
-                           {"right_area", 1.0},
-                           {"right_velocity", 0.0},
-                           {"gap", 0.0},
-                           END});
+         SET({"right_length", 2.0}, {"right_density", 1.0}, {"right_modulus", 1e5}, {"right_area", 1.0},
+             {"right_velocity", 0.0}, {"gap", 0.0}));
     check_close(scalar(&f, "contact"), 0.0, 0.0);
     check_close_relative(scalar(&f, "release"), 2.0 * 1.25 / sqrt(1e5), 1e-13);
     check_close(scalar(&f, "left_after"), 0.0, 1e-12);
@@ -52,7 +44,7 @@ static void test_unequal_lengths(void **state)
     check_close_relative(scalar(&f, "restitution"), 1.25 / 2.0, 1e-12);
     check_close_relative(at(ctx, &f, "energy", 0.05), 0.5 * 1.25 * 4.0, 1e-12);
     drop(ctx, &f);
-    refuse(ctx, "bar_impact", (const setting[]){{"left_velocity", 0.25}, END});
+    refuse(ctx, "bar_impact", SET({"left_velocity", 0.25}));
 }
 
 /* Waves in a bar, one entry a time step, those that run towards the face and those that leave it. */
@@ -92,18 +84,9 @@ static void test_arrays(void **state)
     }
     /* length = n dt at a wave speed of 1: density and modulus are the impedance */
     make(ctx, &f, "bar_impact",
-         (const setting[]){{"left_length", 7 * dt},
-                           {"left_density", 2.0},
-                           {"left_modulus", 2.0},
-                           {"left_velocity", 1.0},
-                           {"right_length", 19 * dt},
-                           {"right_density", 0.3},
-                           {"right_modulus", 0.3},
-                           {"right_area", 1.0},
-                           {"right_velocity", -0.5},
-                           {"gap", 0.0},
-                           {"origin", 0.0},
-                           END});
+         SET({"left_length", 7 * dt}, {"left_density", 2.0}, {"left_modulus", 2.0}, {"left_velocity", 1.0},
+             {"right_length", 19 * dt}, {"right_density", 0.3}, {"right_modulus", 0.3}, {"right_area", 1.0},
+             {"right_velocity", -0.5}, {"gap", 0.0}, {"origin", 0.0}));
     double gap = 0.0;
     int contacts = 0;
     bool before = false;
@@ -175,5 +158,5 @@ int main(void)
         cmocka_unit_test(test_arrays),
         cmocka_unit_test(test_fields),
     };
-    return cmocka_run_group_tests_name("colliding bars", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("colliding bars", tests, check_make_context, check_drop_context);
 }

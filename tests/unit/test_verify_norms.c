@@ -131,24 +131,11 @@ static void test_metric_names(void **state)
     check_true(isnan(metric_pick(METRIC_EQ13, &r)));
 }
 
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_hand_values), cmocka_unit_test(test_nan),  cmocka_unit_test(test_empty_and_zero),
         cmocka_unit_test(test_compensated), cmocka_unit_test(test_eq13), cmocka_unit_test(test_metric_names),
     };
-    return cmocka_run_group_tests_name("norms and metrics", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("norms and metrics", tests, check_make_context, check_drop_context);
 }

@@ -82,19 +82,6 @@ static void test_refused(void **state)
     check_true(memory_read_account(ctx).live_bytes == 0);
 }
 
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -103,5 +90,5 @@ int main(void)
         cmocka_unit_test(test_cylinder),
         cmocka_unit_test(test_refused),
     };
-    return cmocka_run_group_tests_name("observed order", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("observed order", tests, check_make_context, check_drop_context);
 }

@@ -273,19 +273,6 @@ static void test_names(void **state)
     assert_string_equal(richardson_name(RICHARDSON_KIND_COUNT), "");
 }
 
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -294,5 +281,5 @@ int main(void)
         cmocka_unit_test(test_equal),    cmocka_unit_test(test_two),         cmocka_unit_test(test_noisy),
         cmocka_unit_test(test_unfitted), cmocka_unit_test(test_refused),     cmocka_unit_test(test_names),
     };
-    return cmocka_run_group_tests_name("extrapolation", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("extrapolation", tests, check_make_context, check_drop_context);
 }

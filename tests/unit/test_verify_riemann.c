@@ -256,19 +256,6 @@ static void test_sod_conserves(void **state)
     exact_destroy(ctx, &tube.solution);
 }
 
-static int make_context(void **state)
-{
-    *state = context_create();
-    return *state == NULL;
-}
-
-static int drop_context(void **state)
-{
-    context *ctx = *state;
-    context_destroy(&ctx);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -276,5 +263,5 @@ int main(void)
         cmocka_unit_test(test_vacuum),     cmocka_unit_test(test_near_vacuum),   cmocka_unit_test(test_refused),
         cmocka_unit_test(test_sod_places), cmocka_unit_test(test_sod_conserves),
     };
-    return cmocka_run_group_tests_name("riemann", tests, make_context, drop_context);
+    return cmocka_run_group_tests_name("riemann", tests, check_make_context, check_drop_context);
 }
