@@ -12,7 +12,7 @@ plain() {
 }
 
 # 24 cases, every third of which diverges: the study comes to its end.
-axes=(--axis domain.cell=0.4,0.2 --axis 'time.cfl={mpm: 0.1},{mpm: 0.2},0.3,0.5' --axis time.fixed_step=1e-5,2e-5,5e-4)
+axes=(--axis 'domain.cell=0.4,0.2' --axis 'time.cfl={mpm: 0.1},{mpm: 0.2},0.3,0.5' --axis 'time.fixed_step=1e-5,2e-5,5e-4')
 expect 0 "$FLOE" study "${scene[@]}" "${axes[@]}" -o whole --jobs 2
 is_there whole/study.json whole/study.csv whole/errors.csv whole/errors.gp
 [ "$(wc -l <whole/study.csv)" -eq 25 ] || fault 'not 24 cases'
@@ -57,6 +57,8 @@ expect 0 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 --set time.end=1
 "$FLOE" study "$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.0125,0.01 -o stopped --jobs 2 >stdout 2>stderr &
 pid=$!
 until [ -s stopped/0.01/history.csv ] && [ -s stopped/0.0125/history.csv ]; do sleep 0.02; done
+"$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 -o stopped 2>refused && fault 'two studies in one folder'
+has refused "process $pid is writing into 'stopped'"
 kill -TERM "$pid"
 got=0
 wait "$pid" || got=$?
