@@ -143,6 +143,17 @@ int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX
     return n;
 }
 
+/* The case with the smallest error; there is one. */
+static const study_case *best_case(const study *s, const char *metric)
+{
+    const study_case *best = s->list;
+    for (size_t i = 0; i < s->n; i++) {
+        const double error = study_error(&s->list[i], metric);
+        if (error > 0.0 && !(study_error(best, metric) <= error)) best = &s->list[i];
+    }
+    return best;
+}
+
 void study_answer_text(const study *s, const study_answer *a, char *text, size_t size)
 {
     const char *unit = error_unit(a->metric);
@@ -150,7 +161,11 @@ void study_answer_text(const study *s, const study_answer *a, char *text, size_t
     (void)snprintf(target, sizeof target, "%g%s%s", a->target * (error_is_relative(a->metric) ? 100.0 : 1.0),
                    unit[0] ? " " : "", unit);
     if (a->best == s->n_groups) {
-        (void)snprintf(text, size, "no variant reaches %s in %s", target, a->metric);
+        const study_case *best = best_case(s, a->metric);
+        char least[ERROR_TEXT];
+        error_text(a->metric, study_error(best, a->metric), least);
+        (void)snprintf(text, size, "no variant reaches %s in %s: the smallest error is %s, %s, %.3g s", target,
+                       a->metric, least, best->run->label, best->timing.best);
     } else if (a->next == s->n_groups) {
         (void)snprintf(text, size, "for %s in %s choose %s, %.3g s%s", target, a->metric, s->group[a->best], a->seconds,
                        s->n_groups > 1 ? "; no other variant reaches it" : "");

@@ -166,7 +166,9 @@ static void nothing_is_extrapolated(void **state)
     check_true(n >= 1);
     assert_int_equal(a[n - 1].best, GROUPS);
     study_answer_text(&f->s, &a[n - 1], text, sizeof text);
-    assert_string_equal(text, "no variant reaches 1 % in l2rel_density");
+    check_true(
+        strstr(text, "no variant reaches 1 % in l2rel_density: the smallest error is 50.250 %, ice-mpm, 0.025") !=
+        NULL);
 }
 
 static size_t judge(fixture *f, const scene_bar *bar, bool *all_met)
