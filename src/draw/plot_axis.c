@@ -91,11 +91,11 @@ static bool within(const plot_axis *axis, double value)
     return value >= axis->lo * (1.0 - 1e-9) && value <= axis->hi * (1.0 + 1e-9);
 }
 
-/* A step of 1, 2 or 5 times a power of ten that makes four to ten steps of the range. */
+/* A step of 1, 2 or 5 times a power of ten that makes three to eight steps of the range. */
 static double even_step(const plot_axis *axis)
 {
     const double raw = (axis->hi - axis->lo) / 5.0, power = pow(10.0, floor(log10(raw)));
-    return power * (raw / power > 5.0 ? 10.0 : raw / power > 2.0 ? 5.0 : raw / power > 1.0 ? 2.0 : 1.0);
+    return power * (raw / power > 7.5 ? 10.0 : raw / power > 3.5 ? 5.0 : raw / power > 1.5 ? 2.0 : 1.0);
 }
 
 /* Tics at even steps, for less than about half a decade. */

@@ -122,7 +122,9 @@ void html_fact_end(strbuf *out)
 void html_fact_text(strbuf *out, const char *name, const char *text)
 {
     if (!text[0]) return;
-    html_fact(out, name);
+    strbuf_append(out, strlen(text) > 24 ? "<div class=\"wide\"><dt>" : "<div><dt>");
+    strbuf_append_xml(out, name);
+    strbuf_append(out, "</dt><dd>");
     strbuf_append_xml(out, text);
     html_fact_end(out);
 }

@@ -138,12 +138,12 @@ void run_build_facts(strbuf *out, const json_t *summary, const char *dir, const 
     }
     html_fact_text(out, "Machine", json_text_of(build, "machine"));
     if (json_text_of(build, "version")[0]) {
-        html_fact(out, "floe");
-        html_text(out, "%s (%s)", json_text_of(build, "version"), json_text_of(build, "git"));
-        html_fact_end(out);
-        html_fact(out, "Compiler");
-        html_text(out, "%s, %s", json_text_of(build, "compiler"), json_text_of(build, "flags"));
-        html_fact_end(out);
+        char text[PAGE_TEXT];
+        (void)snprintf(text, sizeof text, "%.60s (%.60s)", json_text_of(build, "version"), json_text_of(build, "git"));
+        html_fact_text(out, "floe", text);
+        (void)snprintf(text, sizeof text, "%.100s, %.300s", json_text_of(build, "compiler"),
+                       json_text_of(build, "flags"));
+        html_fact_text(out, "Compiler", text);
     }
     date_fact(out, dir, file);
 }
