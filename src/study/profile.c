@@ -27,7 +27,7 @@ typedef struct drawing {
     strbuf rows;          /* of all sources; owned */
     plot_panel *panel;    /* owned */
     plot_series *series;  /* owned */
-    char (*label)[LABEL]; /* names of series, and after them of axes; owned */
+    char (*label)[LABEL]; /* of axes; owned */
     size_t n_panels, n_series, n_labels;
 } drawing;
 
@@ -124,11 +124,8 @@ static int find_place(const table *t)
     return r >= 0 ? r : find_column(t, "", "x");
 }
 
-static void add_series(drawing *f, const table *t, int x, int y, const char *name, plot_series like)
+static void add_series(drawing *f, const table *t, int x, int y, plot_series like)
 {
-    char *label = f->label[f->n_labels++];
-    (void)snprintf(label, LABEL, "%s, %s", t->name[y], name);
-    like.name = label;
     like.x = &t->value[(size_t)x * t->rows];
     like.y = &t->value[(size_t)y * t->rows];
     like.n = t->rows;
@@ -136,48 +133,38 @@ static void add_series(drawing *f, const table *t, int x, int y, const char *nam
     f->panel[f->n_panels].n_series++;
 }
 
-/* Quantity `name` of every source, and as it is exactly, with the first source's places. */
-static void add_quantity(drawing *f, const char *name)
+static void write_label(const table *t, int column, char label[LABEL])
 {
-    bool exact = false;
+    const char *unit = is_large(t->unit[column]) ? "MPa" : t->unit[column];
+    (void)snprintf(label, LABEL, "%s%s%s%s", t->name[column], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
+}
+
+/* One quantity: as it is exactly, at the places of the finest table, and in every source. */
+static void add_panel(drawing *f, const table *finest, int column)
+{
+    plot_panel *panel = &f->panel[f->n_panels];
+    char *x_label = f->label[f->n_labels++], *y_label = f->label[f->n_labels++];
+    const char *name = finest->name[column];
+    write_label(finest, find_place(finest), x_label);
+    write_label(finest, column, y_label);
+    *panel = (plot_panel){.series = &f->series[f->n_series], .x_label = x_label, .y_label = y_label};
+    add_series(f, finest, find_place(finest), find_column(finest, "exact_", name),
+               (plot_series){.name = f->exact, .style = PLOT_LINES, .emphasis = true});
     for (size_t i = 0; i < f->n; i++) {
         const table *t = &f->table[i];
         const int x = find_place(t), y = find_column(t, "", name);
         if (x < 0 || y < 0) continue;
-        add_series(f, t, x, y, f->source[i].name, (plot_series){.style = PLOT_POINTS, .colour = f->source[i].colour});
-        const int of_exact = find_column(t, "exact_", name);
-        if (of_exact < 0 || exact) continue;
-        exact = true;
-        add_series(f, t, x, of_exact, f->exact, (plot_series){.style = PLOT_LINES, .emphasis = true});
-    }
-}
-
-/* One panel for each unit, in the order of the first table's columns. */
-static void add_panel(drawing *f, const table *first, int column)
-{
-    plot_panel *panel = &f->panel[f->n_panels];
-    const char *unit = first->unit[column];
-    char *x_label = f->label[f->n_labels++], *y_label = f->label[f->n_labels++];
-    const int x = find_place(first);
-    *panel = (plot_panel){.series = &f->series[f->n_series], .x_label = x_label, .y_label = y_label};
-    (void)snprintf(x_label, LABEL, "%s%s%s%s", first->name[x], first->unit[x][0] ? " (" : "", first->unit[x],
-                   first->unit[x][0] ? ")" : "");
-    (void)snprintf(y_label, LABEL, "%s", is_large(unit) ? "MPa" : unit);
-    for (int k = column; k < first->columns; k++) {
-        if (strcmp(first->unit[k], unit) == 0 && find_column(first, "exact_", first->name[k]) >= 0)
-            add_quantity(f, first->name[k]);
+        add_series(f, t, x, y,
+                   (plot_series){.name = f->source[i].name, .style = PLOT_POINTS, .colour = f->source[i].colour});
     }
     f->n_panels++;
 }
 
-static void add_panels(drawing *f, const table *first)
+static void add_panels(drawing *f, const table *finest)
 {
-    if (find_place(first) < 0) return;
-    for (int k = 0; k < first->columns; k++) {
-        bool fresh = find_column(first, "exact_", first->name[k]) >= 0;
-        for (int i = 0; i < k && fresh; i++)
-            fresh = find_column(first, "exact_", first->name[i]) < 0 || strcmp(first->unit[i], first->unit[k]) != 0;
-        if (fresh) add_panel(f, first, k);
+    if (find_place(finest) < 0) return;
+    for (int k = 0; k < finest->columns; k++) {
+        if (find_column(finest, "exact_", finest->name[k]) >= 0) add_panel(f, finest, k);
     }
 }
 
@@ -190,22 +177,23 @@ floe_status figure_write(context *ctx, const char *dir, const plot_figure *figur
 static floe_status draw(drawing *f, const char *dir, bool *missing)
 {
     const size_t most = (f->n + 1) * MAX_COLUMNS;
-    const table *first = NULL;
+    const table *finest = NULL;
     char path[4096];
     for (size_t i = 0; i < f->n; i++) {
         TRY(read_table(f->ctx, &f->source[i], &f->table[i], &f->rows));
-        if (!first && f->table[i].rows > 0) first = &f->table[i];
+        if (f->table[i].rows > (finest ? finest->rows : 0)) finest = &f->table[i];
     }
-    if (!first) return FLOE_OK;
+    if (!finest) return FLOE_OK;
     TRY(f->rows.status);
     (void)snprintf(path, sizeof path, "%s/profiles.csv", dir);
     TRY(file_replace_text(f->ctx, path, strbuf_string(&f->rows)));
     TRY(memory_new(f->ctx, &f->panel, MAX_COLUMNS, sizeof *f->panel));
     TRY(memory_new(f->ctx, &f->series, most, sizeof *f->series));
-    TRY(memory_new(f->ctx, &f->label, most + 2 * MAX_COLUMNS, sizeof *f->label));
-    add_panels(f, first);
+    TRY(memory_new(f->ctx, &f->label, 2 * MAX_COLUMNS, sizeof *f->label));
+    add_panels(f, finest);
     if (f->n_panels == 0) return FLOE_OK;
-    const plot_figure figure = {.name = "profile", .columns = 2, .panel = f->panel, .n_panels = f->n_panels};
+    const plot_figure figure = {
+        .name = "profile", .columns = f->n_panels > 1 ? 2 : 1, .panel = f->panel, .n_panels = f->n_panels};
     return figure_write(f->ctx, dir, &figure, missing);
 }
 

@@ -163,8 +163,11 @@ static floe_status draw_quantities(const study *s, bool *missing)
     if (s->plan.n_quantities == 0) return FLOE_OK;
     floe_status status = drawing_make(&d, s, (size_t)s->plan.n_quantities);
     for (int q = 0; q < s->plan.n_quantities && status == FLOE_OK; q++) add_quantity_panel(s, &d, q);
-    const plot_figure figure = {
-        .name = "quantities", .title = s->title, .columns = 2, .panel = d.panel, .n_panels = d.n_panels};
+    const plot_figure figure = {.name = "quantities",
+                                .title = s->title,
+                                .columns = d.n_panels > 1 ? 2 : 1,
+                                .panel = d.panel,
+                                .n_panels = d.n_panels};
     if (status == FLOE_OK) status = figure_write(s->ctx, s->options->dir, &figure, missing);
     drawing_free(&d);
     return status;
