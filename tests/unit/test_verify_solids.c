@@ -89,6 +89,39 @@ static void test_hooke(void **state)
     }
 }
 
+/* A free rim, one stress at the centre, Hooke's law; after a quarter of a turn what was xx is yy, and all has turned. */
+static void test_disc(void **state)
+{
+    context *ctx = *state;
+    const double at[3] = {0.6, 0.3, 0.0};
+    fixture f;
+    make(ctx, &f, "spinning_disc", 3,
+         SET({"radius", 1.0}, {"bulk_modulus", bulk}, {"shear_modulus", shear}, {"spin", 400.0}));
+    check_hooke(&f, at);
+    const double scale = 1000.0 * 400.0 * 400.0;
+    check_close(get(&f, EXACT_STRESS_XX, 1.0, 0.0, 0.0), 0.0, 1e-12 * scale);
+    check_close(get(&f, EXACT_STRESS_XX, 0.0, 0.0, 0.0), exact_scalar_value(&f.solution, "largest_stress", 0.0),
+                1e-9 * scale);
+    check_close(get(&f, EXACT_STRESS_YY, 0.0, 0.0, 0.0), get(&f, EXACT_STRESS_XX, 0.0, 0.0, 0.0), 1e-12 * scale);
+    const double quarter = 0.25 * exact_scalar_value(&f.solution, "period", 0.0);
+    check_close(exact_value(&f.solution, EXACT_STRESS_YY, at, quarter), get(&f, EXACT_STRESS_XX, 0.6, 0.3, 0.0),
+                1e-10 * scale);
+    check_close(exact_value(&f.solution, EXACT_STRESS_XY, at, quarter), -get(&f, EXACT_STRESS_XY, 0.6, 0.3, 0.0),
+                1e-10 * scale);
+    check_close(exact_value(&f.solution, EXACT_VELOCITY_X, at, quarter), -get(&f, EXACT_VELOCITY_Y, 0.6, 0.3, 0.0),
+                1e-10 * 400.0);
+    check_close(exact_value(&f.solution, EXACT_DISPLACEMENT_X, at, quarter), -0.9, 1e-3);
+    check_true(isnan(get(&f, EXACT_STRESS_XX, 1.0, 0.1, 0.0)));
+    exact_destroy(ctx, &f.solution);
+    /* thin, in plane stress: (3 + nu)/8 rho omega^2 R^2 at the centre, nothing out of the plane */
+    make(ctx, &f, "spinning_disc", 2, SET({"plane_stress", 1.0}, {"radius", 1.0}, {"spin", 400.0}));
+    const double poisson = 0.5 * (3.0 * 1e12 - 2.0 * 4e11) / (3.0 * 1e12 + 4e11);
+    check_close_relative(get(&f, EXACT_STRESS_XX, 0.0, 0.0, 0.0), (3.0 + poisson) / 8.0 * scale, 1e-12);
+    check_close(get(&f, EXACT_STRESS_ZZ, 0.2, 0.1, 0.0), 0.0, 0.0);
+    exact_destroy(ctx, &f.solution);
+    refuse(ctx, "spinning_disc", 2, SET({"plane_stress", 0.5}));
+}
+
 static void test_sphere_values(void **state)
 {
     context *ctx = *state;
@@ -207,9 +240,9 @@ static void test_piston(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lame_values),     cmocka_unit_test(test_hooke), cmocka_unit_test(test_sphere_values),
-        cmocka_unit_test(test_annulus_refused), cmocka_unit_test(test_bar),   cmocka_unit_test(test_bar_mms),
-        cmocka_unit_test(test_piston),
+        cmocka_unit_test(test_lame_values),   cmocka_unit_test(test_hooke),           cmocka_unit_test(test_disc),
+        cmocka_unit_test(test_sphere_values), cmocka_unit_test(test_annulus_refused), cmocka_unit_test(test_bar),
+        cmocka_unit_test(test_bar_mms),       cmocka_unit_test(test_piston),
     };
     return cmocka_run_group_tests_name("exact solids", tests, check_make_context, check_drop_context);
 }
