@@ -8,7 +8,11 @@
 #include <math.h>
 #include <string.h>
 
-enum { MAX_SERIES = 16, MAX_ROWS = 1000 /* beyond it a plot of this width shows no more */ };
+enum {
+    MAX_SERIES = 16,
+    MAX_ROWS = 1000,     /* beyond it a plot of this width shows no more */
+    MAX_ROWS_BRIEF = 300 /* of one of many runs, for pages that load fast */
+};
 
 /* What stands in one plot: columns by their full names ("=dt") or by how they begin, separated by '|'. */
 typedef struct history_group {
@@ -163,9 +167,9 @@ static size_t group_plots(const run_view *v, const csv_table *t, history_plot *l
 }
 
 /* Keeps every so many rows, and the last, for plots. */
-static size_t thin(csv_table *t)
+static size_t thin(csv_table *t, size_t most)
 {
-    const size_t every = (t->n_rows + MAX_ROWS - 1) / MAX_ROWS;
+    const size_t every = (t->n_rows + most - 1) / most;
     size_t kept = 0;
     if (every < 2) return 1;
     for (size_t i = 0; i < t->n_rows; i++) {
@@ -304,7 +308,7 @@ floe_status run_history(const run_view *v)
     if (status == FLOE_OK && t.n_rows > 0) {
         ledger(v, &t);
         if (!v->brief) limits(v, &t);
-        const size_t every = thin(&t);
+        const size_t every = thin(&t, v->brief ? MAX_ROWS_BRIEF : MAX_ROWS);
         status = draw(v, &t, every);
     }
     csv_free(&t);
