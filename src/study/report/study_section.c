@@ -292,11 +292,10 @@ static void facts(const study_view *v)
     const double repeat = json_number_of(json_object_get(v->object, "timing"), "repeat");
     html_facts_begin(out);
     if (v->cases.n > 0) run_build_facts(out, v->cases.list[0].run, v->dir, v->file);
-    if (repeat > 0.0) {
-        html_fact(out, "Times");
-        html_text(out, "the best of %.0f, alone on one thread", repeat);
-        html_fact_end(out);
-    }
+    char text[PAGE_TEXT];
+    (void)snprintf(text, sizeof text, "the best of %.0f, alone on one thread", repeat);
+    if (isfinite(repeat))
+        html_fact_text(out, "Times", repeat > 0.0 ? text : "of one run each, beside whatever else ran");
     html_facts_end(out);
 }
 
