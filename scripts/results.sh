@@ -257,7 +257,35 @@ plot '$runs/both/mpm-0.005/profile.csv' every 3::1 using 1:2 with points pt 6 ps
      '$results/sod-profile-ice-200.csv' every ::1 using 1:3 with lines lw 1 lc rgb 'black' title 'exact (averages over cells)'
 END
     write '' '![density at 200 cells](sod-density.svg)'
+    sod_york
     finish
+}
+
+# Every variant of York 1997, section 4.1: two decks, with and without artificial viscosity, density of points by each method; with the
+# thesis's linear basis and with floe's.
+sod_york() {
+    local basis cells points q file d m row
+    write '' '## York 1997, section 4.1: every variant' '' \
+        'The thesis prints curves only, and says that density by cell is noisy, and that by quadratic interpolation and by continuity' \
+        'much alike (at most 0.005 apart).' '' \
+        '| basis | cells | points a cell | artificial viscosity | density by | L1 rho | L1 u | L1 p | L1 e |' '|---|---|---|---|---|---|---|---|---|'
+    for basis in linear quadratic; do
+        for cells in '0.01 9' '0.005 3'; do
+            points=${cells#* }
+            for q in '0.2 2' '0 0'; do
+                file=york-$basis-${cells% *}-$([ "$q" = '0 0' ] && echo inviscid || echo viscous)
+                floe_compare "$file" inputs/sod.yaml --set coupling=mpm --set 'runs_as=[mpm]' --set method.basis=$basis --set domain.cell="${cells% *}" \
+                    --set bodies.left.points="$points" --set bodies.right.points="$points" \
+                    --set materials.gas.artificial_viscosity.linear="${q% *}" --set materials.gas.artificial_viscosity.quadratic="${q#* }" \
+                    --set 'compare.axis={method.point_density: [cell, quadratic, continuity]}'
+                for d in cell quadratic continuity; do
+                    row="| $basis | $(calc %.0f "1/${cells% *}") | $points | $([ "$q" = '0 0' ] && echo none || echo "${q/ /, }") | $d |"
+                    for m in density velocity_x pressure internal_energy; do row+=$(printf ' %.5f |' "$(value "$csv" mpm $d l1_$m)"); done
+                    write "$row"
+                done
+            done
+        done
+    done
 }
 
 sod_rows() { # FILE COUPLING POINTS VISCOSITY

@@ -132,6 +132,12 @@ static const choice stress_choices[] = {
     {"musl", STRESS_MUSL, "stress updated last, from velocities mapped again"},
     {0},
 };
+static const choice density_choices[] = {
+    {"continuity", DENSITY_CONTINUITY, "each point's own volume, by the divergence of velocity there"},
+    {"cell", DENSITY_CELL, "mass of the cell's points over its volume; for fluids that fill their cells"},
+    {"quadratic", DENSITY_QUADRATIC, "the same, of masses spread by a quadratic B-spline"},
+    {0},
+};
 static const choice centring_choices[] = {
     {"auto", ICE_CENTRING_AUTO, "half where smooth, full at shocks"},
     {"half", ICE_CENTRING_HALF, "second order in time"},
@@ -157,6 +163,8 @@ static const key_spec method_keys[] = {
      .doc = "when stresses of points are updated in a step"},
     {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip), .fallback = "0.99",
      .doc = "share of FLIP in the velocity update of points; the rest is PIC"},
+    {"point_density", KEY_CHOICE, AT(scene_method, density), .fallback = "continuity", .choices = density_choices,
+     .doc = "density of material points of fluids"},
     {"centring", KEY_CHOICE, AT(scene_method, centring), .fallback = "auto", .choices = centring_choices,
      .doc = "time centring of the ICE pressure"},
     {"energy", KEY_CHOICE, AT(scene_method, conserve_energy), .fallback = "conserving", .choices = energy_choices,

@@ -37,6 +37,7 @@
     X(P_HISTORY_6, "history_6", POINT, SCALAR, "1", STATE, "number 6 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_7, "history_7", POINT, SCALAR, "1", STATE, "number 7 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_8, "history_8", POINT, SCALAR, "1", STATE, "number 8 of those that the law remembers (solid.h)")     \
+    X(P_DENSITY, "cell_density", POINT, SCALAR, "kg/m3", SCRATCH, "rho_p of a fluid from the masses of cells")       \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
     /* nodes, instance: velocity group */                                                                            \
     X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                       \

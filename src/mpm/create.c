@@ -62,6 +62,7 @@ static void resolve_body(mpm *s, int index)
     s->needs_F = s->needs_F || (b->law->needs & SOLID_NEEDS_F) != 0;
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
     s->artificial = s->artificial || has_artificial(b);
+    s->cell_density = s->cell_density || (b->fluid && s->scene->method.density != DENSITY_CONTINUITY);
     if (b->law->n_history > s->n_history) s->n_history = b->law->n_history;
     s->membranes = s->membranes || m->membrane;
     s->hoops = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
@@ -85,6 +86,7 @@ static floe_status make_work(mpm *s)
     for (int b = 0; b < s->n_bodies; ++b) w->body_group[s->body[b].scene_body] = s->body[b].group;
     const size_t tiles = mesh_tiles(m);
     w->threads = thread_count();
+    if (s->cell_density) TRY(memory_new(s->ctx, &w->cell_mass, mesh_cells(m), sizeof *w->cell_mass));
     TRY(memory_new(s->ctx, &w->active, tiles, sizeof *w->active));
     TRY(memory_new(s->ctx, &w->moved, tiles, sizeof *w->moved));
     TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
@@ -134,6 +136,7 @@ void mpm_destroy(mpm **s)
         free_lines(ctx, (*s)->work);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);
+        memory_free(ctx, &(*s)->work->cell_mass);
         memory_free(ctx, &(*s)->work->tile_sum);
         memory_free(ctx, &(*s)->work->batch);
         memory_free(ctx, &(*s)->work->surface);
@@ -152,6 +155,7 @@ static bool body_holds(const mpm_body *b, field_id id)
     if (id == P_F) return (b->law->needs & SOLID_NEEDS_F) != 0;
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
+    if (id == P_DENSITY) return b->fluid;
     if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
     if (id == P_TANGENT || id == P_STRAIN || id == P_STRAIN_HOOP) return b->membrane.model != NULL;
     return true;

@@ -48,6 +48,7 @@ typedef struct mpm {
     struct mpm_contact *contact;          /* owned; NULL: no body has a velocity of its own */
     bool coupled;                         /* cells hold the fluids: velocities at n, grid pressure on the points */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
+    bool cell_density;                    /* fluid points take theirs from the masses of cells */
     int n_history;                        /* the most numbers that a body's law remembers */
     bool membranes, hoops;                /* some body is a membrane; it has strain around the axis */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
@@ -78,6 +79,8 @@ floe_status mpm_contact_velocity(mpm *s);  /* v_i^L of bodies in contact */
 floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
 floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
 floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress */
+floe_status mpm_cell_density(mpm *s);      /* rho_p of fluids from the masses of cells (density.c) */
+floe_status mpm_stress_last(mpm *s);       /* USL with such densities: stress from v_i^L once all points have moved */
 floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, then L_p, F, stress */
 floe_status mpm_turn_membranes(mpm *s);    /* tangents from where the points are now, and the stress along them */
 

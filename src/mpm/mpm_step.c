@@ -72,7 +72,9 @@ floe_status mpm_force_stages(mpm *s)
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
                 WHEN(meets_at_points(s), N_REACH)),
           WRITES(N_VEL));
-    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE), WRITES(POINT_STATE));
+    STAGE(s, usf && s->cell_density, mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
+    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
+          WRITES(POINT_STATE));
     STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
     return FLOE_OK;
@@ -80,15 +82,20 @@ floe_status mpm_force_stages(mpm *s)
 
 floe_status mpm_motion_stages(mpm *s)
 {
+    const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
     STAGE(s, has_contact(s), mpm_contact_velocity,
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
-    STAGE(s, is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, TANGENT, POINT_STATE),
+    STAGE(s, usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, TANGENT, POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE));
-    STAGE(s, !is_usl(s), mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL), WRITES(P_POS, P_VEL));
+    STAGE(s, !usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL), WRITES(P_POS, P_VEL));
+    STAGE(s, s->cell_density && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
+    STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE),
+          WRITES(POINT_STATE));
     STAGE(s, is_musl(s), mpm_remap_stress,
-          READS(P_POS, P_VEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE),
+          READS(P_POS, P_VEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE,
+                WHEN(s->cell_density, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     STAGE(s, s->membranes, mpm_turn_membranes, READS(P_ID, P_POS, P_TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN),
           WRITES(P_TANGENT, P_STRESS, P_J));

@@ -198,11 +198,17 @@ floe_status mpm_stress_first(mpm *s)
 
 floe_status mpm_nodes_to_points(mpm *s)
 {
-    const bool usl = s->scene->method.stress == STRESS_USL;
+    const bool usl = s->scene->method.stress == STRESS_USL && !s->cell_density;
     if (usl) TRY(set_heating(s));
     TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl}));
     for (int g = 0; g < s->n_groups; ++g) move_surfaces(s, g);
     return FLOE_OK;
+}
+
+floe_status mpm_stress_last(mpm *s)
+{
+    TRY(set_heating(s));
+    return pass_points(s, (tile_pass){.velocity = N_VEL_L, .stress = true});
 }
 
 floe_status mpm_remap_stress(mpm *s)

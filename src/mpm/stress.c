@@ -103,6 +103,18 @@ static void advance_J(solid_batch *b)
     for (size_t k = 0; k < b->n; ++k) b->J[k] = b->J_old[k] * exp(b->dt * (b->L[0][k] + b->L[4][k] + b->L[8][k]));
 }
 
+/* Puts the density of the cells in the place of continuity's: at the end of the step theirs, before it what becomes of it by the
+ * divergence of velocity, so that energy takes p div v dt (Y97 eq. 4.10) and nothing of what the cells' densities jump. */
+static void take_cell_density(const mpm *s, int blk, int body, size_t start, solid_batch *b)
+{
+    const double *density = field_get(s->domain->fields[blk], P_DENSITY, body, 0) + start;
+    for (size_t k = 0; k < b->n; ++k) {
+        const double growth = b->J[k] / b->J_old[k];
+        b->J[k] = b->rho0[k] / density[k];
+        b->J_old[k] = b->J[k] / growth;
+    }
+}
+
 /* Wilkins' artificial viscosity over the step (Y00 eq. 24, with a pressure's units: numerics 9). */
 static void set_artificial(const mpm *s, const mpm_body *body, solid_batch *b)
 {
@@ -194,6 +206,7 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
         advance_F(b);
     else
         advance_J(b);
+    if (fields_has(s->domain->fields[blk], P_DENSITY, body)) take_cell_density(s, blk, body, start, b);
     if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);
     if (m->fluid) gain[GAIN_HEAT] += add_heat(s, blk, body, start, b);
     const stress_state state = m->fluid ? STRESS_FULL : s->scene->stress_state;

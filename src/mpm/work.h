@@ -85,6 +85,7 @@ struct mpm_work {
     int body_group[SCENE_MAX_BODIES];                            /* group of a scene body, -1: none of ours */
     bool *active;          /* per global tile: the group in hand has points there; owned */
     uint32_t *moved;       /* per global tile: bit of each body of which points have changed cell in the step; owned */
+    double *cell_mass;     /* kg: of a fluid, per global cell; owned, NULL without cell densities */
     double *tile_sum;      /* per global tile, MPM_TILE_SUMS values; owned */
     double kick;           /* s: the time over which velocities are kicked */
     double reference_mass; /* kg: heaviest point, for the small-node rule (numerics 4.4) */

@@ -115,6 +115,7 @@ typedef struct scene_load {
 } scene_load;
 
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
+typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
 
@@ -122,6 +123,7 @@ typedef struct scene_method {
     char basis[SCENE_NAME]; /* linear, gimp, quadratic: basis_registry */
     stress_scheme stress;
     double flip;           /* 1 FLIP, 0 PIC; 0 to 1 */
+    point_density density; /* of fluid points (mpm/density.c) */
     ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
     bool conserve_energy;  /* numerics 2.8 */
     ice_limiter limiter;

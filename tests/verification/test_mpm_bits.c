@@ -38,6 +38,7 @@ typedef struct variant {
     int blocks[2];
     int threads;
     bool periodic, axisymmetric, plastic, contact;
+    point_density density;
 } variant;
 
 /* A fast elastic disc that crosses the seams, and one of another law in its way. */
@@ -60,7 +61,9 @@ static shot run(const variant *v)
         set_param(m->law->params, m->law->n_params, m->law_par, "yield_stress", 0, 0.05);
         set_param(m->law->params, m->law->n_params, m->law_par, "tension_strength", 0, 0.2);
     }
-    const int rubber = add_solid(&t, "neo_hookean", 3.0, 1.0, 2.0);
+    t.scene->method.density = v->density;
+    const bool gas = v->density != DENSITY_CONTINUITY;
+    const int rubber = gas ? add_gas(&t, 1.4, 2.5) : add_solid(&t, "neo_hookean", 3.0, 1.0, 2.0);
     t.scene->material[rubber].artificial_linear = 0.2;
     t.scene->material[rubber].artificial_quadratic = 1.0;
     scene_body *a = add_body(&t, soft, make_ball(&t, (const double[]){0.6, 0.55, 0.0}, 0.41), 3);
@@ -68,6 +71,7 @@ static shot run(const variant *v)
     a->velocity[1] = 0.63;
     scene_body *b = add_body(&t, rubber, make_ball(&t, (const double[]){1.7, 1.1, 0.0}, 0.37), 2);
     b->seeding = SEED_FITTED;
+    b->density = b->pressure = gas ? 1.0 : (double)NAN;
     b->velocity[0] = -0.4;
     scene_load *gravity = add_load(&t, LOAD_BODY_FORCE, 0);
     gravity->vector[1] = -0.3;
@@ -146,11 +150,21 @@ static void test_contact(void **state)
     check_variants((variant){.basis = "quadratic", .stress = STRESS_MUSL, .contact = true, .periodic = true});
 }
 
+static void test_cell_density(void **state)
+{
+    (void)state;
+    for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme)
+        check_variants((variant){.basis = "linear",
+                                 .stress = (stress_scheme)scheme,
+                                 .periodic = true,
+                                 .density = scheme % 2 ? DENSITY_CELL : DENSITY_QUADRATIC});
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_blocks),  cmocka_unit_test(test_periodic), cmocka_unit_test(test_axisymmetric),
-        cmocka_unit_test(test_plastic), cmocka_unit_test(test_contact),
+        cmocka_unit_test(test_plastic), cmocka_unit_test(test_contact),  cmocka_unit_test(test_cell_density),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
