@@ -86,6 +86,11 @@ floe_stability() {
     floe_command stability limits.csv "$@"
 }
 
+# floe_run FOLDER ARGUMENT...: one run; $csv is its history.
+floe_run() {
+    floe_command run history.csv "$@" --quiet
+}
+
 # bar WHAT MEASURED RELATION LIMIT [FORMAT [UNIT]]: adds a bar, met or missed, to the page's and to the index. RELATION is <= or >=.
 bar() {
     local format=${5:-%.3g} unit=${6:-} met

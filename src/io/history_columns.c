@@ -142,20 +142,6 @@ static void add_ledger(line *l)
     }
 }
 
-/* What bodies in contact hand to each other. */
-static void add_contact(line *l, const history_row *row)
-{
-    for (int b = 0; l->s->mpm && b < l->s->mpm->n_bodies; b++) {
-        if (!scene_in_contact(l->s->scene, l->s->mpm->body[b].scene_body)) continue;
-        char label[NAME_SIZE], name[NAME_SIZE + 16];
-        double momentum[MESH_MAX_DIM] = {0.0};
-        body_label(l->s, l->s->mpm->body[b].scene_body, label);
-        (void)snprintf(name, sizeof name, "momentum_%s", label);
-        for (int a = 0; row && a < MESH_MAX_DIM; a++) momentum[a] = l->whole * row->totals->mpm.momentum[b][a];
-        add_vector(l, name, "N s", momentum);
-    }
-}
-
 static void add_probe(line *l, int n)
 {
     const scene_probe *probe = &l->s->scene->probe[n];
@@ -209,7 +195,6 @@ static floe_status walk(const sim *s, const history_row *row, strbuf *out)
     for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body(&l, b, row);
     add_ledger(&l);
-    add_contact(&l, row);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);
     strbuf_append(out, "\n");
     return out->status;

@@ -27,6 +27,15 @@ expect 0 "$FLOE" run "${coupled[@]}" -o part-coupled --resume --quiet
 same_results whole-coupled part-coupled
 [ "$(json part-coupled/summary.json eq13)" = "$(json whole-coupled/summary.json eq13)" ] || fault 'another error'
 
+# The same with bodies in contact.
+bars=("$FLOE_SOURCE/inputs/two_bars.yaml" --set domain.cell=0.25 --set time.end=0.3)
+expect 0 "$FLOE" run "${bars[@]}" -o whole-bars --quiet
+expect 5 "$FLOE" run "${bars[@]}" -o part-bars --max-wall 0.05
+below "$(json part-bars/summary.json steps)" "$(json whole-bars/summary.json steps)"
+expect 0 "$FLOE" run "${bars[@]}" -o part-bars --resume --quiet
+same_results whole-bars part-bars
+[ "$(json part-bars/summary.json contact_stick)" = "$(json whole-bars/summary.json contact_stick)" ] || fault 'other contacts'
+
 # A signal stops a run as the wall clock does.
 "$FLOE" run "${scene[@]}" -o killed --quiet 2>stderr &
 pid=$!

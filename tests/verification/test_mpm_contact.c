@@ -3,6 +3,7 @@
 #include "mpm_fixture.h"
 
 #include "mpm/normal/normal.h"
+#include "verify/reference.h"
 
 static const double bulk = 5.0, shear = 2.0;
 
@@ -272,12 +273,87 @@ static void test_three_bodies(void **state)
     }
 }
 
+typedef struct impact {
+    double meet, part, restitution;
+} impact;
+
+/* Two bars of unit length and speed of waves along a line, the left one at `speed`, a gap of 0.1 between them. */
+static const double speed = 0.01, gap = 0.1;
+
+static impact collide(const char *basis, contact_kind kind, double h)
+{
+    trial t;
+    const double size[3] = {4.0, 0.0, 0.0};
+    impact r = {0.0, 0.0, 0.0};
+    trial_begin(&t, 1, size, h);
+    set_method(&t, basis, STRESS_MUSL, 1.0);
+    const int solid = add_solid(&t, "linear_elastic", 1.0 / 3.0, 0.5, 1.0);
+    for (int k = 0; k < 2; ++k) {
+        const double left = k == 0 ? 0.5 : 1.5 + gap;
+        add_body(&t, solid, make_box(&t, (const double[]){left, 0.0, 0.0}, (const double[]){left + 1.0, 1.0, 1.0}), 2)
+            ->velocity[0] = k == 0 ? speed : 0.0;
+    }
+    touch(&t, kind, 0.0);
+    trial_start(&t);
+    double before = 0.0;
+    while (t.sim->time < 15.0) {
+        check_ok(t.ctx, sim_step(t.sim, 15.0));
+        const double now = sum_body(&t, 1, NULL).momentum[0];
+        if (r.meet == 0.0 && now > 1e-3 * speed) r.meet = t.sim->time;
+        if (fabs(now - before) > 1e-3 * speed * t.sim->dt) r.part = t.sim->time;
+        before = now;
+    }
+    r.restitution = (sum_body(&t, 1, NULL).momentum[0] - sum_body(&t, 0, NULL).momentum[0]) / speed;
+    trial_end(&t);
+    return r;
+}
+
+/* Against the waves in both bars (verify's bar_impact): they meet when their surfaces do, press for 2 L/c, and part with a restitution of 1.
+ * Release, quadratic basis, at h = 0.05, 0.025, 0.0125: they meet late by 0.05, 0.025, 0.012, press too long by 0.13, 0.08, 0.05, and are
+ * short of 1 by 0.10, 0.06, 0.035; friction: 0.09, 0.05, 0.03. */
+static void test_impact(void **state)
+{
+    (void)state;
+    const reference_model *model = reference_find("bar_impact");
+    assert_non_null(model);
+    context *ctx = context_create();
+    double *par = calloc(1, model->param_size);
+    const struct {
+        const char *key;
+        double value;
+    } given[] = {{"left_length", 1.0},     {"left_density", 1.0}, {"left_modulus", 1.0},  {"left_area", 1.0},
+                 {"left_velocity", speed}, {"right_length", 1.0}, {"right_density", 1.0}, {"right_modulus", 1.0},
+                 {"right_area", 1.0},      {"gap", gap}};
+    for (size_t k = 0; k < sizeof given / sizeof *given; ++k)
+        set_param(model->params, model->n_params, par, given[k].key, 0, given[k].value);
+    reference waves;
+    check_ok(ctx, reference_create(ctx, model, par, &waves));
+    const double meet = reference_scalar_value(&waves, "contact"), part = reference_scalar_value(&waves, "release");
+    const double restitution = reference_scalar_value(&waves, "restitution");
+    for (int kind = CONTACT_RELEASE; kind <= CONTACT_FRICTION; ++kind) {
+        double last = 1.0;
+        for (double h = 0.05; h > 0.01; h *= 0.5) {
+            const impact r = collide("quadratic", (contact_kind)kind, h);
+            print_message("kind %d, h = %g: meet %.3f (%.3f), part %.3f (%.3f), restitution %.4f (%.4f)\n", kind, h,
+                          r.meet, meet, r.part, part, r.restitution, restitution);
+            check_close(r.meet, meet, 2.0 * h);
+            check_close(r.part - r.meet, part - meet, 5.0 * h);
+            check_true(fabs(r.restitution - restitution) < fmin(0.9 * last, 2.5 * h + 0.03));
+            last = fabs(r.restitution - restitution);
+        }
+    }
+    reference_destroy(ctx, &waves);
+    free(par);
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_momentum),     cmocka_unit_test(test_stick_is_no_slip),
         cmocka_unit_test(test_parting),      cmocka_unit_test(test_slope_slides),
         cmocka_unit_test(test_slope_sticks), cmocka_unit_test(test_three_bodies),
+        cmocka_unit_test(test_impact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
