@@ -264,6 +264,6 @@ fan_state radial_fan_at(const radial_fan *fan, double r, double t)
     const fan_gas *gas = &fan->gas;
     if (!(t >= 0.0 && t <= fan->limit)) return (fan_state){NAN, NAN};
     if (r <= gas->radius - gas->sound * t) return (fan_state){0.0, gas->sound};
-    if (r >= gas->radius + fan_front_speed(gas) * t) return (fan_state){0.0, 0.0};
+    if (r >= gas->radius + fan_front_speed(gas) * t) return (fan_state){fan_front_speed(gas), 0.0};
     return in_fan(fan, r, t);
 }

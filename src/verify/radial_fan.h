@@ -36,7 +36,7 @@ floe_status radial_fan_march(context *ctx, const fan_gas *gas, int halvings, rad
 floe_status radial_fan_solve(context *ctx, const fan_gas *gas, radial_fan *out);
 
 typedef struct fan_state {
-    double velocity, sound; /* m/s; sound 0: vacuum, or its edge */
+    double velocity, sound; /* m/s; sound 0: vacuum, with the velocity of its edge */
 } fan_state;
 
 /* At the distance r >= 0 from the centre and 0 <= t <= limit; NAN later. */

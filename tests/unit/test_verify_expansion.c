@@ -45,6 +45,9 @@ static void test_slab(void **state)
         check_close_relative(s.velocity, plane.velocity, 1e-7);
         check_close(pow(s.sound / gas.sound, 5.0), plane.density, 1e-7);
     }
+    const fan_state beyond = radial_fan_at(fan, 1.5, 0.005);
+    check_close(beyond.sound, 0.0, 0.0);
+    check_close(beyond.velocity, fan_front_speed(&gas), 0.0);
     memory_free(ctx, &fan);
 }
 
