@@ -71,8 +71,22 @@ static floe_status check_body(reader *r, const scene_body *b)
     return m->kind == MATERIAL_FLUID ? check_fluid_body(r, b, m) : check_solid_body(r, b, m);
 }
 
+/* Springs and supports act on points, in the field that all of them share. */
+static floe_status check_points_only(reader *r, const char *key, int n)
+{
+    const scene_coupling cells[] = {COUPLING_ICE, COUPLING_ICE_MPM};
+    for (int i = 0; n > 0 && i < 2; i++) {
+        if (!scene_runs_as(r->scene, cells[i])) continue;
+        return bad_at(r, PATH(key), "coupling: mpm", NULL,
+                      "%s act on material points alone, and this deck runs as '%s'", key, coupling_name(cells[i]));
+    }
+    return FLOE_OK;
+}
+
 floe_status check_bodies(reader *r)
 {
+    TRY(check_points_only(r, "springs", r->scene->n_springs));
+    TRY(check_points_only(r, "supports", r->scene->n_supports));
     for (int i = 0; i < r->scene->n_bodies; i++) TRY(check_body(r, &r->scene->body[i]));
     return FLOE_OK;
 }

@@ -9,6 +9,8 @@ extern const named_items items_materials, items_bodies, items_loads, items_probe
 /* schema_membranes.c */
 extern const key_table membrane_table;
 extern const custom_key custom_places;
+/* schema_springs.c */
+extern const named_items items_springs, items_supports;
 /* families.c */
 extern const model_family family_shape, family_law, family_membrane, family_eos, family_exact, family_reference;
 /* boundaries.c */

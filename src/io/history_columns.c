@@ -193,6 +193,7 @@ static floe_status walk(const sim *s, const history_row *row, strbuf *out)
     add(&l, "strain", "J", row ? l.whole * row->totals->strain : 0.0);
     add(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
+    if (s->scene->n_springs > 0) add(&l, "strain_springs", "J", row ? l.whole * row->totals->mpm.springs : 0.0);
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body(&l, b, row);
     add_ledger(&l);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);

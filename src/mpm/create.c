@@ -141,6 +141,7 @@ void mpm_destroy(mpm **s)
         memory_free(ctx, &(*s)->work->batch);
         memory_free(ctx, &(*s)->work->surface);
         memory_free(ctx, &(*s)->work->surface_next);
+        memory_free(ctx, &(*s)->work->support);
     }
     memory_free(ctx, &(*s)->work);
     contact_destroy(*s);

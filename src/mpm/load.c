@@ -6,6 +6,8 @@
 
 double load_now(const mpm *s, const scene_load *load)
 {
+    if (load->ramp <= 0.0 && load->ramp_steps == 0)
+        return s->time >= load->start ? 1.0 : 0.0; /* from the first kick on */
     return load_fraction(load, &(load_step){s->time, s->time, s->step - 1});
 }
 

@@ -111,6 +111,7 @@ typedef struct mpm_totals {
     double mass[SCENE_MAX_BODIES], kinetic[SCENE_MAX_BODIES], strain[SCENE_MAX_BODIES], internal[SCENE_MAX_BODIES],
         volume[SCENE_MAX_BODIES];
     double momentum[SCENE_MAX_BODIES][3], momentum_scale[3];
+    double springs;                     /* J: energy of springs */
     double moment[SCENE_MAX_BODIES][3]; /* kg m: sum of m_p x_p, which is the mass times the centre of mass */
 } mpm_totals;
 floe_status mpm_sum(mpm *s, mpm_totals *out);

@@ -105,5 +105,7 @@ floe_status mpm_seed(mpm *s)
     }
     TRY(seed_surfaces(s));
     TRY(mpm_resort(s));
-    return start_membranes(s);
+    TRY(start_membranes(s));
+    TRY(start_supports(s));
+    return start_springs(s);
 }

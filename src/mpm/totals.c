@@ -66,6 +66,7 @@ static void sum_body(mpm *s, int body, double total[SUM_END])
 floe_status mpm_sum(mpm *s, mpm_totals *out)
 {
     memset(out, 0, sizeof *out);
+    out->springs = spring_energy(s);
     for (int b = 0; b < s->n_bodies; ++b) {
         double sum[SUM_END];
         sum_body(s, b, sum);
@@ -167,7 +168,12 @@ floe_status mpm_time_step(mpm *s, step_limit *out)
     if (!isfinite(worst))
         return fail(s->ctx, FLOE_DIVERGED, "a wave speed or velocity of body '%s' is not finite at t = %.6g s",
                     s->scene->body[s->body[limiting].scene_body].name, s->time);
-    out->dt = worst > 0.0 ? s->scene->time.cfl_mpm / worst : (double)INFINITY;
     out->reason = s->scene->body[s->body[limiting].scene_body].name;
+    const double of_springs = spring_rate(s, &out->reason);
+    if (of_springs > worst)
+        worst = of_springs;
+    else
+        out->reason = s->scene->body[s->body[limiting].scene_body].name;
+    out->dt = worst > 0.0 ? s->scene->time.cfl_mpm / worst : (double)INFINITY;
     return FLOE_OK;
 }

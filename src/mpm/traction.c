@@ -2,16 +2,13 @@
 #include "base/memory.h"
 #include "geom/surface.h"
 #include "math/small_solve.h"
-#include "mpm/work.h"
+#include "mpm/stencil.h"
 #include "scene/state.h"
 
 #include <math.h>
 #include <string.h>
 
-enum {
-    SURFACE_DIVISIONS = 4, /* surface elements per cell edge, about */
-    SURFACE_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT
-};
+enum { SURFACE_DIVISIONS = 4 }; /* surface elements per cell edge, about */
 
 /* A node with this share of the mass of the heaviest node about takes all that the basis gives it. */
 static const double bearing_mass = 3e-4;
@@ -88,49 +85,6 @@ floe_status seed_surfaces(mpm *s)
     return FLOE_OK;
 }
 
-/* The nodes about a surface point, by global index, with their shares of its load and their masses over the heaviest one's. */
-typedef struct surface_stencil {
-    int n;
-    int node[SURFACE_NODES][3];
-    double w[SURFACE_NODES], mass[SURFACE_NODES];
-} surface_stencil;
-
-static int cell_of(const mesh *m, int axis, const surface_point *p)
-{
-    const int cell = mesh_cell_of(m, axis, p->x[axis]);
-    return cell < 0 ? 0 : cell >= m->n[axis] ? m->n[axis] - 1 : cell;
-}
-
-/* Weights of the basis, as if the tile were the whole mesh. */
-static surface_stencil basis_stencil(const mpm *s, const surface_point *p)
-{
-    int first[3] = {0, 0, 0}, count[3] = {1, 1, 1};
-    double w[3][3] = {{1.0}, {1.0}, {1.0}}, slope[3];
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        const double inv_h = 1.0 / s->mesh->h[a];
-        const int cell = cell_of(s->mesh, a, p);
-        const double xi = (p->x[a] - mesh_node(s->mesh, a, cell)) * inv_h;
-        first[a] = cell + s->work->basis_1d(xi, 0.25, inv_h, w[a], slope);
-        count[a] = s->basis->support;
-    }
-    surface_stencil st = {.n = 0};
-    for (int k = 0; k < count[2]; ++k)
-        for (int j = 0; j < count[1]; ++j)
-            for (int i = 0; i < count[0]; ++i) {
-                memcpy(st.node[st.n], (const int[]){first[0] + i, first[1] + j, first[2] + k}, sizeof st.node[0]);
-                st.w[st.n++] = w[0][i] * w[1][j] * w[2][k];
-            }
-    return st;
-}
-
-/* The block whose cells hold a surface point. */
-static int block_of(const mpm *s, const surface_point *p)
-{
-    int cell[3] = {0, 0, 0};
-    for (int a = 0; a < s->mesh->dim; ++a) cell[a] = cell_of(s->mesh, a, p);
-    return mesh_block_of(s->mesh, cell);
-}
-
 /* Mass at a node; at a ghost that of its image, so that a load by a wall is shared as its mirrored half is. */
 static double mass_at(const mpm *s, const block *b, const double *mass, const int node[3])
 {
@@ -144,9 +98,9 @@ static double mass_at(const mpm *s, const block *b, const double *mass, const in
     return mass[mesh_index(b, at[0] - b->lo[0], at[1] - b->lo[1], at[2] - b->lo[2])];
 }
 
-static void weigh_nodes(const mpm *s, int group, const surface_point *p, surface_stencil *st)
+static void weigh_nodes(const mpm *s, int group, const surface_point *p, place_stencil *st)
 {
-    const int blk = block_of(s, p);
+    const int blk = place_block(s, p->x);
     const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
     double heaviest = 0.0;
     for (int i = 0; i < st->n; ++i) {
@@ -157,7 +111,7 @@ static void weigh_nodes(const mpm *s, int group, const surface_point *p, surface
 }
 
 /* Multiplies the weights by how well each node is borne by points. False: all are borne, and nothing has changed. */
-static bool bear_load(surface_stencil *st)
+static bool bear_load(place_stencil *st)
 {
     bool changed = false;
     for (int i = 0; i < st->n; ++i) {
@@ -177,11 +131,11 @@ static void moment_row(const mpm *s, const surface_point *p, const int node[3], 
 
 /* Weights times a linear factor, so that they sum to one and keep their centre at the surface point. False where the nodes
  * that are left cannot do it with shares within one. */
-static bool keep_moments(const mpm *s, const surface_point *p, surface_stencil *st)
+static bool keep_moments(const mpm *s, const surface_point *p, place_stencil *st)
 {
     const int n = 1 + s->mesh->dim;
     double A[16] = {0.0}, c[4] = {1.0}, row[4], sum[4] = {0.0};
-    surface_stencil out = *st;
+    place_stencil out = *st;
     for (int i = 0; i < st->n; ++i) {
         moment_row(s, p, st->node[i], row);
         for (int a = 0; a < n; ++a)
@@ -202,7 +156,7 @@ static bool keep_moments(const mpm *s, const surface_point *p, surface_stencil *
     return true;
 }
 
-static void keep_sum(surface_stencil *st)
+static void keep_sum(place_stencil *st)
 {
     double sum = 0.0;
     for (int i = 0; i < st->n; ++i) sum += st->w[i];
@@ -213,28 +167,12 @@ static void keep_sum(surface_stencil *st)
  * hardly: nothing balances such a force but the huge stress of the one point at the support's edge (75 times the stress there,
  * measured on an annulus with 3 x 3 points a cell). So a node takes of the load as its mass allows, and the others take the
  * rest so that force and moment stay. */
-static surface_stencil surface_locate(const mpm *s, int group, const surface_point *p)
+static place_stencil surface_locate(const mpm *s, int group, const surface_point *p)
 {
-    surface_stencil st = basis_stencil(s, p);
+    place_stencil st = stencil_at(s, p->x);
     weigh_nodes(s, group, p, &st);
     if (bear_load(&st) && !keep_moments(s, p, &st)) keep_sum(&st);
     return st;
-}
-
-typedef void surface_node(void *user, ptrdiff_t at, double weight, double mass);
-
-/* Visits the nodes of a stencil that a block holds. */
-static void visit_stencil(const block *b, const surface_stencil *st, surface_node *visit, void *user)
-{
-    for (int i = 0; i < st->n; ++i) {
-        int local[3];
-        bool held = true;
-        for (int a = 0; a < 3; ++a) {
-            local[a] = st->node[i][a] - b->lo[a];
-            held = held && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
-        }
-        if (held) visit(user, mesh_index(b, local[0], local[1], local[2]), st->w[i], st->mass[i]);
-    }
 }
 
 typedef struct surface_force {
@@ -257,7 +195,7 @@ void scatter_surfaces(mpm *s, int group)
         const scene_load *load = &s->scene->load[p->load];
         if (s->work->body_group[load->body] != group) continue;
         const double pressure = load->target * load_now(s, load);
-        const surface_stencil st = surface_locate(s, group, p);
+        const place_stencil st = surface_locate(s, group, p);
         for (int b = 0; b < s->mesh->n_blocks; ++b) {
             surface_force f = {.dim = s->mesh->dim};
             for (int a = 0; a < f.dim; ++a) {
@@ -293,13 +231,13 @@ void move_surfaces(mpm *s, int group)
         const surface_point *p = &s->work->surface[k];
         const scene_load *load = &s->scene->load[p->load];
         if (s->work->body_group[load->body] != group) continue;
-        const int b = block_of(s, p);
+        const int b = place_block(s, p->x);
         surface_velocity v = {.dim = s->mesh->dim, .kick = s->work->kick};
         for (int a = 0; a < v.dim; ++a) {
             v.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
             v.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);
         }
-        const surface_stencil st = surface_locate(s, group, p);
+        const place_stencil st = surface_locate(s, group, p);
         visit_stencil(&s->mesh->block[b], &st, add_velocity, &v);
         const double pressure = load->target * load_now(s, load);
         double power = 0.0;

@@ -216,6 +216,7 @@ void impose_walls(mpm *s, int group, field_id velocity)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) impose_side(s, axis, side, group, velocity);
+    impose_supports(s, group, velocity);
 }
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the

@@ -76,6 +76,22 @@ typedef struct surface_point {
 
 typedef struct membrane_line membrane_line;
 
+/* Where a point was last found: a hint. */
+typedef struct spring_end {
+    int block;
+    size_t index;
+} spring_end;
+
+typedef struct spring_state {
+    spring_end end[2];
+    double rest_length; /* m */
+} spring_state;
+
+/* A node, by global index, that a support holds. */
+typedef struct support_node {
+    int node[MESH_MAX_DIM], support;
+} support_node;
+
 struct mpm_work {
     kernel_set kernel;
     int window[MESH_MAX_DIM]; /* nodes of a tile's window along each axis */
@@ -93,7 +109,10 @@ struct mpm_work {
     double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
     surface_point *surface, *surface_next; /* owned */
     size_t n_surface;
-    solid_batch *batch;  /* one per thread; owned */
+    solid_batch *batch; /* one per thread; owned */
+    spring_state spring[SCENE_MAX_SPRINGS];
+    support_node *support; /* owned */
+    size_t n_supports;
     membrane_line *line; /* one a body (line.h); owned, NULL without membranes */
     int threads;
 };
@@ -163,6 +182,17 @@ membrane_response response_of(const mpm *s, const scene_body *b);
 floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate);
 floe_status start_membranes(mpm *s);
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi);
+
+/* Springs (spring.c): found at the start; their forces on the nodes of a group; their energy (J); the rate that bounds the step (1/s), and
+ * the name of the spring. */
+floe_status start_springs(mpm *s);
+void scatter_springs(mpm *s, int group);
+double spring_energy(const mpm *s);
+double spring_rate(const mpm *s, const char **name);
+
+/* Supports (support.c): the nodes that they hold, and their velocity. */
+floe_status start_supports(mpm *s);
+void impose_supports(mpm *s, int group, field_id velocity);
 
 /* Loads (load.c). */
 floe_status seed_surfaces(mpm *s);

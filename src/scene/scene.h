@@ -18,6 +18,8 @@ enum {
     SCENE_MAX_BODIES = 32,
     SCENE_MAX_LOADS = 16,
     SCENE_MAX_PROBES = 32,
+    SCENE_MAX_SPRINGS = 64,
+    SCENE_MAX_SUPPORTS = 16,
     SCENE_MAX_AXIS = 32, /* values of an axis */
     SCENE_MAX_AXES = 6,
     SCENE_MAX_OVER = 2,
@@ -91,6 +93,29 @@ typedef struct scene_body {
     seed_method seeding;
     double merge;
 } scene_body;
+
+/* An end of a spring: a point of a body, or a place. */
+typedef struct scene_spring_end {
+    int body;        /* -1: a place */
+    int point;       /* of the body, counted from 1 in the order of seeding */
+    double place[3]; /* m */
+} scene_spring_end;
+
+/* A spring without mass. */
+typedef struct scene_spring {
+    char name[SCENE_NAME];
+    scene_spring_end end[2];
+    double stiffness;   /* N/m, of the whole scene */
+    double rest_length; /* m; NAN: as it is at the start */
+    bool one_way;       /* a tether: it only pulls */
+} scene_spring;
+
+/* Nodes whose velocity is given. */
+typedef struct scene_support {
+    char name[SCENE_NAME];
+    shape region;
+    double velocity[3]; /* m/s */
+} scene_support;
 
 typedef enum load_kind {
     LOAD_PRESSURISE, /* energy into a fluid inside a region until its pressure reaches target; follows a linear ramp */
@@ -273,6 +298,10 @@ typedef struct scene {
     int n_bodies;
     scene_load load[SCENE_MAX_LOADS];
     int n_loads;
+    scene_spring spring[SCENE_MAX_SPRINGS];
+    int n_springs;
+    scene_support support[SCENE_MAX_SUPPORTS];
+    int n_supports;
     scene_contact contact;
     scene_method method;
     scene_time time;

@@ -14,6 +14,7 @@ static bool is_fluid_body(const sim *s, int body)
 
 static void add_points(const sim *s, sim_totals *t)
 {
+    t->strain += t->mpm.springs;
     for (int b = 0; b < s->mpm->n_bodies; ++b) {
         t->mass += t->mpm.mass[b];
         t->kinetic += t->mpm.kinetic[b];

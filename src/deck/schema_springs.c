@@ -1,0 +1,81 @@
+/* Springs between points, and supports that hold nodes. */
+#include "deck/parts.h"
+
+#include <math.h>
+
+static bool end_has_body(const scene *s, const void *end)
+{
+    (void)s;
+    return ((const scene_spring_end *)end)->body >= 0;
+}
+
+static bool end_has_place(const scene *s, const void *end)
+{
+    return !end_has_body(s, end);
+}
+
+static const key_spec end_keys[] = {
+    {"body", KEY_BODY, AT(scene_spring_end, body), .otherwise = "the end is at a place", .doc = "of a point"},
+    {"point", KEY_WHOLE, NULL, WITHIN(1, 2e9), AT(scene_spring_end, point), .required = true, .applies = end_has_body,
+     .belongs = "ends at a body", .doc = "number of the point in its body, from 1 (along the curve of a membrane)"},
+    {"place", KEY_VECTOR, "m", AT(scene_spring_end, place), .required = true, .applies = end_has_place,
+     .belongs = "ends without a body", .doc = "where the end is fixed"},
+};
+static const key_table end_table = TABLE(end_keys);
+
+static const key_spec spring_keys[] = {
+    {"from", KEY_MAP, AT(scene_spring, end[0]), .table = &end_table, .doc = "first end"},
+    {"to", KEY_MAP, AT(scene_spring, end[1]), .table = &end_table, .doc = "second end"},
+    {"stiffness", KEY_NUMBER, "N/m", PARAM_POSITIVE, AT(scene_spring, stiffness), .required = true,
+     .doc = "force per elongation, of the whole scene (for domain.thickness, or the full circle)"},
+    {"rest_length", KEY_NUMBER, "m", PARAM_NONNEGATIVE, AT(scene_spring, rest_length),
+     .otherwise = "the distance at the start", .doc = "length without force; more than the distance: slack"},
+    {"one_way", KEY_BOOL, AT(scene_spring, one_way), .fallback = "false", .doc = "true: a tether, which only pulls"},
+};
+static const key_table spring_table = TABLE(spring_keys);
+
+static floe_status begin_spring(reader *r, deck_node *node, void *item)
+{
+    scene_spring *spring = item;
+    spring->end[0].body = spring->end[1].body = -1;
+    spring->rest_length = NAN;
+    static const char *const needed[] = {"from", "to"};
+    for (int e = 0; e < 2 && node->kind == NODE_MAP; e++)
+        if (!node_find(node, needed[e]))
+            TRY(bad_key(r, node, "from: {...} and to: {...}", NULL, "spring '%.60s' has no '%s'", node->key,
+                        needed[e]));
+    return FLOE_OK;
+}
+
+static floe_status end_spring(reader *r, deck_node *node, void *item)
+{
+    const scene_spring *spring = item;
+    if (node->bad || spring->end[0].body >= 0 || spring->end[1].body >= 0) return FLOE_OK;
+    return bad_key(r, node, "a body and a point at one end or both", NULL, "spring '%s' holds on to no body",
+                   spring->name);
+}
+
+const named_items items_springs = {
+    .noun = "spring",
+    .item_size = sizeof(scene_spring),
+    .count_offset = offsetof(scene, n_springs),
+    .most = SCENE_MAX_SPRINGS,
+    .table = &spring_table,
+    .begin = begin_spring,
+    .end = end_spring,
+};
+
+static const key_spec support_keys[] = {
+    {"region", KEY_MODEL, AT(scene_support, region), .family = &family_shape, .required = true,
+     .doc = "the nodes inside it are held"},
+    {"velocity", KEY_VECTOR, "m/s", AT(scene_support, velocity), .otherwise = "0", .doc = "at which they move"},
+};
+static const key_table support_table = TABLE(support_keys);
+
+const named_items items_supports = {
+    .noun = "support",
+    .item_size = sizeof(scene_support),
+    .count_offset = offsetof(scene, n_supports),
+    .most = SCENE_MAX_SUPPORTS,
+    .table = &support_table,
+};

@@ -1,0 +1,50 @@
+#include "mpm/stencil.h"
+
+#include <string.h>
+
+static int cell_of(const mesh *m, int axis, const double x[3])
+{
+    const int cell = mesh_cell_of(m, axis, x[axis]);
+    return cell < 0 ? 0 : cell >= m->n[axis] ? m->n[axis] - 1 : cell;
+}
+
+place_stencil stencil_at(const mpm *s, const double x[3])
+{
+    int first[3] = {0, 0, 0}, count[3] = {1, 1, 1};
+    double w[3][3] = {{1.0}, {1.0}, {1.0}}, slope[3];
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double inv_h = 1.0 / s->mesh->h[a];
+        const int cell = cell_of(s->mesh, a, x);
+        const double xi = (x[a] - mesh_node(s->mesh, a, cell)) * inv_h;
+        first[a] = cell + s->work->basis_1d(xi, 0.25, inv_h, w[a], slope);
+        count[a] = s->basis->support;
+    }
+    place_stencil st = {.n = 0};
+    for (int k = 0; k < count[2]; ++k)
+        for (int j = 0; j < count[1]; ++j)
+            for (int i = 0; i < count[0]; ++i) {
+                memcpy(st.node[st.n], (const int[]){first[0] + i, first[1] + j, first[2] + k}, sizeof st.node[0]);
+                st.w[st.n++] = w[0][i] * w[1][j] * w[2][k];
+            }
+    return st;
+}
+
+int place_block(const mpm *s, const double x[3])
+{
+    int cell[3] = {0, 0, 0};
+    for (int a = 0; a < s->mesh->dim; ++a) cell[a] = cell_of(s->mesh, a, x);
+    return mesh_block_of(s->mesh, cell);
+}
+
+void visit_stencil(const block *b, const place_stencil *st, stencil_node *visit, void *user)
+{
+    for (int i = 0; i < st->n; ++i) {
+        int local[3];
+        bool held = true;
+        for (int a = 0; a < 3; ++a) {
+            local[a] = st->node[i][a] - b->lo[a];
+            held = held && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
+        }
+        if (held) visit(user, mesh_index(b, local[0], local[1], local[2]), st->w[i], st->mass[i]);
+    }
+}

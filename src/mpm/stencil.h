@@ -1,0 +1,26 @@
+/* The nodes about any place of the mesh, for what acts at places instead of on the points of a tile: loaded surfaces, springs. Private
+ * to the mpm room. */
+#ifndef MPM_STENCIL_H
+#define MPM_STENCIL_H
+
+#include "mpm/work.h"
+
+enum { STENCIL_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
+
+/* Nodes by global index, with their weights; `mass` is for whoever weighs them. */
+typedef struct place_stencil {
+    int n;
+    int node[STENCIL_NODES][3];
+    double w[STENCIL_NODES], mass[STENCIL_NODES];
+} place_stencil;
+
+/* The basis at a place (m), as if the tile were the whole mesh; beyond the mesh that of the nearest cell. */
+place_stencil stencil_at(const mpm *s, const double x[3]);
+/* The block whose cells hold a place. */
+int place_block(const mpm *s, const double x[3]);
+
+typedef void stencil_node(void *user, ptrdiff_t at, double weight, double mass);
+/* Visits the nodes of a stencil that a block holds, ghosts included. */
+void visit_stencil(const block *b, const place_stencil *st, stencil_node *visit, void *user);
+
+#endif

@@ -1,0 +1,157 @@
+/* Springs between points, tethers, and supports: two masses that swing against each other; a slack tether that stops a fall; momentum. */
+#include "coupled_fixture.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* A point of its own mass at a place. */
+static scene_body *add_mass(trial *t, int material, double *place, double mass)
+{
+    scene_body *b = add_body(t, material, (shape){0}, 1);
+    b->membrane = (scene_membrane){.present = true,
+                                   .curve = {.kind = CURVE_POINTS, .vertex = place, .n_vertices = 1},
+                                   .thickness = 1.0,
+                                   .length = NAN,
+                                   .heavy_point = 1,
+                                   .heavy_mass = mass};
+    return b;
+}
+
+static int add_string(trial *t)
+{
+    scene_material *m = &t->scene->material[t->scene->n_materials];
+    m->kind = MATERIAL_SOLID;
+    m->density = 1.0;
+    m->membrane = membrane_find("string");
+    assert_non_null(m->membrane);
+    check_ok(t->ctx, scene_allocate(t->scene, &m->membrane_par, m->membrane->param_size));
+    *(double *)m->membrane_par = 1.0;
+    return t->scene->n_materials++;
+}
+
+static scene_spring *add_spring(trial *t, double stiffness, double rest_length)
+{
+    scene_spring *s = &t->scene->spring[t->scene->n_springs++];
+    (void)snprintf(s->name, sizeof s->name, "spring");
+    s->stiffness = stiffness;
+    s->rest_length = rest_length;
+    for (int e = 0; e < 2; ++e) s->end[e] = (scene_spring_end){.body = e, .point = 1};
+    return s;
+}
+
+/* Two masses five cells apart, so that they share no node, in a box without walls near. */
+static void begin(trial *t, const char *basis, double *places)
+{
+    const double size[3] = {2.0, 2.0, 0.0};
+    trial_begin(t, 2, size, 0.1);
+    set_method(t, basis, STRESS_USL, 1.0);
+    t->scene->thickness = 0.5;
+    t->scene->time.fixed_step = 1e-3;
+    const int string = add_string(t);
+    add_mass(t, string, places, 2.0);
+    add_mass(t, string, places + 3, 1.0);
+}
+
+static double place_of(const trial *t, int body, int axis)
+{
+    double x[3];
+    mpm_membrane_end(t->sim->mpm, body, false, x);
+    return x[axis];
+}
+
+/* x = L + A cos(omega t), omega^2 = k (1/m + 1/M): after half a period the spring is as short as it was long, and nothing has gained
+ * momentum. The step of omega dt = 0.0087 costs its square over 24 and what half a step is read late. */
+static void test_masses(void **unused)
+{
+    (void)unused;
+    static const char *const basis[] = {"linear", "gimp", "quadratic"};
+    for (int k = 0; k < 3; ++k) {
+        double places[] = {0.75, 1.02, 0.0, 1.25, 1.02, 0.0};
+        trial t;
+        begin(&t, basis[k], places);
+        add_spring(&t, 50.0, 0.45);
+        trial_start(&t);
+        mpm_totals sum;
+        check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
+        check_close_relative(sum.springs * 0.5, 0.5 * 50.0 * 0.05 * 0.05, 1e-12);
+        trial_run(&t, 0.5 * pi / sqrt(50.0 * 1.5));
+        check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_Z) < 1e-13); /* at their fastest */
+        trial_run(&t, pi / sqrt(50.0 * 1.5));
+        check_close(place_of(&t, 1, 0) - place_of(&t, 0, 0), 0.40, 5e-5);
+        check_close(2.0 * place_of(&t, 0, 0) + place_of(&t, 1, 0), 2.75, 1e-13);
+        trial_end(&t);
+    }
+}
+
+/* A tether with slack s lets a mass fall freely, then stops it at s + g/w^2 + sqrt((g/w^2)^2 + 2 g s/w^2) below the start. */
+static void test_tether(void **unused)
+{
+    (void)unused;
+    double places[] = {0.55, 1.02, 0.0, 1.25, 1.32, 0.0};
+    trial t;
+    begin(&t, "quadratic", places);
+    scene_spring *tether = add_spring(&t, 50.0, 0.2);
+    tether->one_way = true;
+    tether->end[0] = (scene_spring_end){.body = -1, .place = {1.25, 1.42}};
+    add_load(&t, LOAD_BODY_FORCE, 1)->vector[1] = -1.0;
+    trial_start(&t);
+    const double slack = 0.1, sag = 1.0 / 50.0;
+    double lowest = 1.32;
+    trial_run(&t, sqrt(2.0 * slack) - 1e-3);
+    check_close(place_of(&t, 1, 1), 1.32 - 0.5 * t.sim->time * t.sim->time, 1e-12);
+    while (t.sim->time < 0.9) {
+        check_ok(t.ctx, sim_step(t.sim, INFINITY));
+        lowest = fmin(lowest, place_of(&t, 1, 1));
+    }
+    check_close(1.32 - lowest, slack + sag + sqrt(sag * sag + 2.0 * sag * slack), 2e-4);
+    check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_Z) < 1e-12);
+    trial_end(&t);
+}
+
+/* A support holds one of the masses: omega^2 = k / m of the other, and the ledger knows what it gave. */
+static void test_support(void **unused)
+{
+    (void)unused;
+    double places[] = {0.75, 1.02, 0.0, 1.25, 1.02, 0.0};
+    trial t;
+    begin(&t, "quadratic", places);
+    add_spring(&t, 50.0, 0.45);
+    scene_support *pin = &t.scene->support[t.scene->n_supports++];
+    (void)snprintf(pin->name, sizeof pin->name, "pin");
+    pin->region = make_ball(&t, (const double[]){0.75, 1.0, 0.0}, 0.22);
+    trial_start(&t);
+    trial_run(&t, pi / sqrt(50.0));
+    check_close(place_of(&t, 0, 0), 0.75, 1e-15);
+    check_close(place_of(&t, 1, 0), 1.15, 5e-5);
+    check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_Z) < 1e-13);
+    trial_end(&t);
+}
+
+static void test_refusals(void **unused)
+{
+    (void)unused;
+    double places[] = {0.75, 1.02, 0.0, 1.25, 1.02, 0.0};
+    trial t;
+    begin(&t, "quadratic", places);
+    add_spring(&t, 50.0, 0.45)->end[1].point = 2;
+    assert_int_equal(sim_create(&t.sim, t.ctx, t.scene, COUPLING_MPM), FLOE_BAD_INPUT);
+    assert_non_null(strstr(context_message(t.ctx), "point 2 of body 'body1', which has only 1"));
+    trial_end(&t);
+    begin(&t, "quadratic", places);
+    scene_support *pin = &t.scene->support[t.scene->n_supports++];
+    (void)snprintf(pin->name, sizeof pin->name, "pin");
+    pin->region = make_ball(&t, (const double[]){0.75, 1.05, 0.0}, 0.02);
+    assert_int_equal(sim_create(&t.sim, t.ctx, t.scene, COUPLING_MPM), FLOE_BAD_INPUT);
+    assert_non_null(strstr(context_message(t.ctx), "support 'pin' holds nothing"));
+    trial_end(&t);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_masses),
+        cmocka_unit_test(test_tether),
+        cmocka_unit_test(test_support),
+        cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
