@@ -25,6 +25,7 @@ static double sample_parameter(const param_spec *spec, int *n_pressures)
     if (strcmp(spec->unit, "kg/m^3") == 0) return 2700.0;
     if (strcmp(spec->unit, "J/kg/K") == 0) return 900.0;
     if (strcmp(spec->unit, "1") == 0) return 1.5;
+    if (strcmp(spec->unit, "m/s") == 0) return 1500.0;
     print_error("no sample value for '%s' in %s\n", spec->key, spec->unit);
     return NAN;
 }
