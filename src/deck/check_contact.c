@@ -1,26 +1,38 @@
 /* The contact of bodies against the rest of the scene. */
 #include "deck/check.h"
 
-/* Cells hold all materials of a cell at one velocity (exchange), so that nothing is left there for a contact to do. */
+/* Beside cells, all points of a material have one velocity: a body of the contact needs a material of its own. */
+static floe_status check_materials(reader *r)
+{
+    const scene *s = r->scene;
+    for (int a = 0; a < s->n_bodies; a++)
+        for (int b = 0; b < s->n_bodies; b++) {
+            if (a == b || !scene_in_contact(s, a) || s->body[a].material != s->body[b].material) continue;
+            return bad_at(
+                r, PATH("bodies", s->body[a].name, "material"), NULL,
+                "give one of them a material of the same law under another name",
+                "bodies '%s' and '%s' are of one material, which has one velocity in 'ice-mpm': contact needs two",
+                s->body[a].name, s->body[b].name);
+        }
+    return FLOE_OK;
+}
+
 static floe_status check_coupling(reader *r)
 {
-    const scene_coupling cells[] = {COUPLING_ICE, COUPLING_ICE_MPM};
-    for (int i = 0; i < 2; i++) {
-        if (!scene_runs_as(r->scene, cells[i])) continue;
-        return bad_at(
-            r, PATH("contact"), "coupling: mpm", NULL,
-            "contact is between material points, and this deck runs as '%s', where the exchange of momentum in "
-            "the cells decides how solids move that share one",
-            coupling_name(cells[i]));
-    }
-    return FLOE_OK;
+    if (scene_runs_as(r->scene, COUPLING_ICE))
+        return bad_at(r, PATH("contact"), "coupling: mpm or ice-mpm", NULL,
+                      "contact is between bodies of material points, and 'ice' has none");
+    if (!scene_runs_as(r->scene, COUPLING_ICE_MPM)) return FLOE_OK;
+    if (r->scene->method.stress == STRESS_USF)
+        return bad_at(r, PATH("method", "stress"), "usl or musl", NULL,
+                      "in 'ice-mpm' the forces that decide a contact are not known when usf takes strains");
+    return check_materials(r);
 }
 
 floe_status check_contact(reader *r)
 {
     const scene *s = r->scene;
     if (!s->contact.enabled || !is_clean(r->root, PATH("contact"))) return FLOE_OK;
-    TRY(check_coupling(r));
     int members = 0;
     for (int b = 0; b < s->n_bodies; b++) {
         if (s->body[b].material < 0) return FLOE_OK; /* another error */
@@ -34,5 +46,5 @@ floe_status check_contact(reader *r)
     if (members > SCENE_MAX_CONTACT)
         return bad_at(r, PATH("contact", "between"), "fewer bodies", NULL, "%d bodies in contact are more than %d",
                       members, SCENE_MAX_CONTACT);
-    return FLOE_OK;
+    return check_coupling(r);
 }

@@ -159,7 +159,8 @@ static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], doubl
     const block *b = &p->s->mesh->block[p->blk];
     const ptrdiff_t at = mesh_index(b, global[0] - b->lo[0], global[1] - b->lo[1], global[2] - b->lo[2]);
     int group[MPM_MAX_GROUPS];
-    contact_node node = {.n = find_groups(p, at, group), .dim = p->s->mesh->dim, .h = p->s->contact->h};
+    contact_node node = {
+        .n = find_groups(p, at, group), .dim = p->s->mesh->dim, .h = p->s->contact->h, .apart = p->s->coupled};
     if (node.n < 2) return;
     find_held(p->s, global, node.held);
     load_node(p, at, group, &node);

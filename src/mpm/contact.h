@@ -3,7 +3,8 @@
  * Each body of the scene's contact is a group of its own at the nodes; all others share one. Where groups meet at a node, the
  * contact corrects their velocities: after forces and walls have acted on v^L, and on the velocities that USF and MUSL
  * take strains from, which obey what v^L decided. Pairs exchange equal and opposite impulses along one normal, so that momentum is kept whatever their number.
- * Bodies outside the contact stick to what they meet, as they do without it. */
+ * Bodies outside the contact stick to what they meet, as they do without it; beside cells, each material is a group, and what cells do not
+ * hold together moves through each other without a contact. */
 #ifndef MPM_CONTACT_H
 #define MPM_CONTACT_H
 
@@ -48,6 +49,7 @@ typedef struct contact_node {
     int dim;
     double h;     /* m: least spacing */
     bool held[3]; /* components that a wall holds: normals have none */
+    bool apart;   /* bodies outside the contact have nothing to do with others here: the cells do it */
     contact_body body[MPM_MAX_GROUPS];
     contact_state state[MPM_MAX_GROUPS][MPM_MAX_GROUPS]; /* of the pair a, b where a < b */
 } contact_node;

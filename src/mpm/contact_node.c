@@ -105,7 +105,7 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
         for (int b = a + 1; b < node->n; ++b) {
             const bool named = node->body[a].named && node->body[b].named, ruled = named && rule->kind != CONTACT_STICK;
             const pair p = make_pair(node, a, b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
-            if (named && !have_met(rule, node, a, b)) continue;
+            if (named ? !have_met(rule, node, a, b) : node->apart) continue;
             if (!ruled || approach(rule, node, &p, mean.v)) list[n++] = p;
         }
     return n;

@@ -109,7 +109,7 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
         return fail(s->ctx, FLOE_BAD_INPUT, "%d velocity fields are more than the %d that a run holds", s->n_groups,
                     MPM_MAX_GROUPS);
     TRY(make_work(s));
-    return sc->contact.enabled && !coupled ? contact_create(s) : FLOE_OK;
+    return sc->contact.enabled ? contact_create(s) : FLOE_OK;
 }
 
 floe_status mpm_create(mpm **out, context *ctx, const scene *sc, const mesh *m, stage_list *stages, ledger *l,
