@@ -149,7 +149,7 @@ floe_status mpm_node_update(mpm *s)
     return FLOE_OK;
 }
 
-/* a = (v^L - v) / kick: whatever changed the nodes, walls and exchange included, reaches the points as one acceleration. */
+/* a = (v^L - v) / kick: whatever changed the nodes, the exchange included, reaches the points as one acceleration. */
 static void accelerate_block(const mpm *s, int blk, int group)
 {
     const fields *f = s->domain->fields[blk];
@@ -170,6 +170,7 @@ floe_status mpm_node_acceleration(mpm *s)
     for (int g = 0; g < s->n_groups; ++g) {
         impose_walls(s, g, N_VEL_L); /* again: the exchange with the cells may have moved them */
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
+        still_walls(s, g);
         enter_mirrors(s, g);
         extend_to_ghosts(s, g, N_VEL_L);
         extend_to_ghosts(s, g, N_ACCEL);

@@ -54,9 +54,10 @@ static void load_pass(const mpm *s, int blk, int group, const tile_box *t, tile_
         node_arrays(s, blk, group, N_ACCEL, node + dim);
         count += dim;
     }
-    if (gather_needs_mass(s->basis->kind, pass.motion, pass.stress))
-        node[count++] = field_get(s->domain->fields[blk], N_MASS, group, 0);
+    const bool mass = gather_needs_mass(s->basis->kind, pass.motion, pass.stress);
+    if (mass) node[count++] = field_get(s->domain->fields[blk], N_MASS, group, 0);
     load_window(s, blk, t, node, count, window);
+    if (mass) mirror_masses(s, t, count, window);
 }
 
 static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, solid_batch *batch)

@@ -148,7 +148,7 @@ void extend_to_ghosts(mpm *s, int group, field_id id)
 typedef struct wall_rule {
     const mpm *s;
     int group, axis;
-    field_id velocity;
+    field_id field;
     double target[MESH_MAX_DIM];
     bool hold[MESH_MAX_DIM];
     double *v[MESH_MAX_DIM]; /* of the block in hand */
@@ -160,9 +160,9 @@ bool wall_holds(const mpm *s, int axis, int side, int component)
     return holds(s, axis, side) || (wall_mirrors(s, axis, side) && component == axis);
 }
 
-static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field_id velocity)
+static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field_id field)
 {
-    wall_rule r = {.s = s, .group = group, .axis = axis, .velocity = velocity};
+    wall_rule r = {.s = s, .group = group, .axis = axis, .field = field};
     for (int c = 0; c < s->mesh->dim; ++c) {
         r.hold[c] = wall_holds(s, axis, side, c);
         r.target[c] = holds(s, axis, side) ? s->scene->bc.side[axis][side].velocity[c] : 0.0;
@@ -178,16 +178,14 @@ static void add_impulse(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
     const double mass = field_get(f, N_MASS, r->group, 0)[at];
     for (int c = 0; c < r->s->mesh->dim; ++c) {
         if (!r->hold[c]) continue;
-        const double impulse = mass * (r->target[c] - field_get(f, r->velocity, r->group, c)[at]);
+        const double impulse = mass * (r->target[c] - field_get(f, r->field, r->group, c)[at]);
         r->impulse[c] += impulse;
         r->work += impulse * r->target[c];
     }
 }
 
-/* The impulse that the wall is about to give. */
-static void enter_impulse(mpm *s, int side, wall_rule *r)
+static void enter_impulse(mpm *s, const wall_rule *r)
 {
-    visit_side_once(s->mesh, r->axis, side, add_impulse, r);
     for (int c = 0; c < s->mesh->dim; ++c)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, r->impulse[c]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, r->work);
@@ -201,15 +199,24 @@ static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward)
         if (r->hold[c]) r->v[c][at] = r->target[c];
 }
 
+/* Visits a side's nodes in every block, the rule's arrays being those of its field there. */
+static void visit_side_blocks(mpm *s, int axis, int side, wall_rule *r, node_visitor *visit)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        if (!s->mesh->block[b].at_side[axis][side]) continue;
+        for (int c = 0; c < s->mesh->dim; ++c) r->v[c] = field_get(s->domain->fields[b], r->field, r->group, c);
+        visit_side(&s->mesh->block[b], axis, side, visit, r);
+    }
+}
+
 static void impose_side(mpm *s, int axis, int side, int group, field_id velocity)
 {
     wall_rule rule = wall_rule_of(s, axis, side, group, velocity);
-    if (velocity == N_VEL_L) enter_impulse(s, side, &rule);
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        if (!s->mesh->block[b].at_side[axis][side]) continue;
-        for (int c = 0; c < s->mesh->dim; ++c) rule.v[c] = field_get(s->domain->fields[b], velocity, group, c);
-        visit_side(&s->mesh->block[b], axis, side, impose_node, &rule);
+    if (velocity == N_VEL_L) {
+        visit_side_once(s->mesh, axis, side, add_impulse, &rule);
+        enter_impulse(s, &rule);
     }
+    visit_side_blocks(s, axis, side, &rule, impose_node);
 }
 
 void impose_walls(mpm *s, int group, field_id velocity)
@@ -217,6 +224,44 @@ void impose_walls(mpm *s, int group, field_id velocity)
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) impose_side(s, axis, side, group, velocity);
     impose_supports(s, group, velocity);
+}
+
+/* A node that a wall holds does not accelerate. What its points bring is not stopped, as little as by the image of the body in a
+ * mirror, whose momentum cancels theirs at the node: only PIC's share of their velocity is the node's. */
+static void still_sum(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
+{
+    (void)inward;
+    wall_rule *r = user;
+    const fields *f = r->s->domain->fields[blk];
+    const double kept = r->s->scene->method.flip * r->s->work->kick * field_get(f, N_MASS, r->group, 0)[at];
+    for (int c = 0; c < r->s->mesh->dim; ++c) {
+        if (!r->hold[c]) continue;
+        const double impulse = -kept * field_get(f, N_ACCEL, r->group, c)[at];
+        r->impulse[c] += impulse;
+        r->work += impulse * r->target[c];
+    }
+}
+
+static void still_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+{
+    (void)inward;
+    const wall_rule *r = user;
+    for (int c = 0; c < r->s->mesh->dim; ++c)
+        if (r->hold[c]) r->v[c][at] = 0.0;
+}
+
+static void still_side(mpm *s, int axis, int side, int group)
+{
+    wall_rule rule = wall_rule_of(s, axis, side, group, N_ACCEL);
+    visit_side_once(s->mesh, axis, side, still_sum, &rule);
+    enter_impulse(s, &rule);
+    visit_side_blocks(s, axis, side, &rule, still_node);
+}
+
+void still_walls(mpm *s, int group)
+{
+    for (int axis = 0; axis < s->mesh->dim; ++axis)
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) still_side(s, axis, side, group);
 }
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the
@@ -250,5 +295,26 @@ void enter_mirrors(mpm *s, int group)
             mirror_sum r = {.s = s, .group = group, .axis = axis};
             visit_side_once(s->mesh, axis, side, add_mirror, &r);
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, r.sum);
+        }
+}
+
+void mirror_masses(const mpm *s, const tile_box *t, int count, double *window)
+{
+    const mesh *m = s->mesh;
+    const int *size = s->work->window;
+    for (int axis = 0; axis < m->dim; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            const bool there = side == SIDE_LOWER ? t->first[axis] == 0 : t->first[axis] + t->cells[axis] == m->n[axis];
+            if (!there || m->periodic[axis] || !wall_mirrors(s, axis, side)) continue;
+            int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
+            for (int a = 0; a < m->dim; ++a) {
+                const int wall = s->work->reach + (side == SIDE_LOWER ? 0 : t->cells[a]);
+                lo[a] = a == axis ? wall : 0;
+                hi[a] = a == axis ? wall + 1 : size[a];
+            }
+            for (int k = lo[2]; k < hi[2]; ++k)
+                for (int j = lo[1]; j < hi[1]; ++j)
+                    for (int i = lo[0]; i < hi[0]; ++i)
+                        window[((k * size[1] + j) * size[0] + i) * count + count - 1] *= 2.0;
         }
 }

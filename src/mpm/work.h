@@ -166,6 +166,9 @@ bool wall_holds(const mpm *s, int axis, int side, int component);
 /* Folds a field of the nodes that points reached beyond the sides. */
 void fold_field(mpm *s, int group, field_id id);
 void impose_walls(mpm *s, int group, field_id velocity);
+void still_walls(mpm *s, int group); /* nodes that walls hold do not accelerate */
+/* A node on a mirror bears the image's mass as well: doubles the last of `count` values of such nodes in a tile's window. */
+void mirror_masses(const mpm *s, const tile_box *t, int count, double *window);
 void extend_to_ghosts(mpm *s, int group, field_id id);
 void enter_mirrors(
     mpm *s, int group); /* momentum that mirrors give: after accelerations are known, before ghosts are extended */

@@ -127,12 +127,13 @@ static void test_order_in_step(void **state)
         }
 }
 
-/* Over 20 periods at CFL 0.4: USF keeps the energy within 1 % at 20 cells a half wave (its velocities, stresses and positions
- * stand at different times, which is what shows), MUSL loses 4 and USL 9 %; with half the spacing the losses fall by seven. */
+/* Over 20 periods at CFL 0.4 and 20 cells a half wave USF's energy swings by 2.4 % (what nodes do not see of the points' velocities
+ * comes back later: after 80 periods it is within 0.4 % of its start), MUSL's by as much, and USL loses up to 7 %; with half the
+ * spacing all fall by four and more. */
 static void test_energy(void **state)
 {
     (void)state;
-    const double bound[] = {[STRESS_USL] = 0.12, [STRESS_USF] = 0.012, [STRESS_MUSL] = 0.05};
+    const double bound[] = {[STRESS_USL] = 0.1, [STRESS_USF] = 0.03, [STRESS_MUSL] = 0.03};
     for (size_t i = 0; i < basis_registry_size; ++i)
         for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme) {
             bar b = {basis_registry[i]->name, (stress_scheme)scheme, 0.05, NAN, 20.0, 0.0};
@@ -141,8 +142,7 @@ static void test_energy(void **state)
             const double fine = vibrate(&b).energy - 1.0;
             print_message("%-9s scheme %d: energy after 20 periods %+.3f %%, at half the spacing %+.3f %%\n",
                           basis_registry[i]->name, scheme, 100.0 * coarse, 100.0 * fine);
-            check_true(fabs(coarse) <= bound[scheme] &&
-                       fabs(fine) <= (scheme == STRESS_USF ? 1.0 : 0.2) * bound[scheme]);
+            check_true(fabs(coarse) <= bound[scheme] && fabs(fine) <= 0.25 * bound[scheme]);
             if (scheme != STRESS_USF) check_true(coarse < 0.0);
         }
 }

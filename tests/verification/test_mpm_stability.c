@@ -2,11 +2,10 @@
  * for points in the middle of their cells and at their sides, for each time of the stress update, between walls and round a ring.
  *
  * The reference is the amplification matrix of one step with the points held in their places, written down here on its own, from
- * the equations of York and of Sulsky et al.; no code of the solver's is in it. Two things beside the papers' scheme matter
- * beside a wall, and are in the matrix as they are in floe:
- *  - what a wall does to a node's velocity reaches the points as an acceleration, the stop of what points bring included
- *    (papers set velocity and force of such a node to zero, and the points do not notice);
- *  - a node lighter than a quarter of a point lends USL's strain its acceleration in proportion only. */
+ * the equations of York and of Sulsky et al.; no code of the solver's is in it. A node that a wall holds has neither velocity nor
+ * acceleration. One thing beside the papers' scheme is in the matrix as it is in floe: a node lighter than a quarter of a
+ * point lends USL's strain its acceleration in proportion only.
+ */
 #include "mpm_fixture.h"
 
 #include <gsl/gsl_complex_math.h>
@@ -20,9 +19,8 @@ static const double cfl_step = 1e-3, impedance = 1e3; /* stress is counted in rh
 static const double light_node = 0.25;                /* of a point's mass (deviations.md) */
 
 typedef struct line {
-    bool ring;         /* periodic, else held at both ends */
-    bool silent_walls; /* the papers' walls, which points do not notice */
-    double place;      /* of a point within its cell, 0 to 1 */
+    bool ring;    /* periodic, else held at both ends */
+    double place; /* of a point within its cell, 0 to 1 */
     stress_scheme stress;
 } line;
 
@@ -52,14 +50,14 @@ static bool is_held(const line *l, const shapes *s, int node)
     return !l->ring && (node == 0 || node == s->nodes - 1);
 }
 
-/* Means of the points' velocities at the nodes; held ones are at rest where `walls`. */
-static void node_velocity(const line *l, const shapes *s, const double *v, bool walls, double *out)
+/* Means of the points' velocities at the nodes; held ones are at rest. */
+static void node_velocity(const line *l, const shapes *s, const double *v, double *out)
 {
     for (int i = 0; i < s->nodes; ++i) {
         double momentum = 0.0;
         for (int p = 0; p < POINTS; ++p) momentum += s->S[i][p] * v[p];
         out[i] = s->mass[i] > 0.0 ? momentum / s->mass[i] : 0.0;
-        if (walls && is_held(l, s, i)) out[i] = 0.0;
+        if (is_held(l, s, i)) out[i] = 0.0;
     }
 }
 
@@ -77,10 +75,10 @@ static void linear_step(const line *l, double dt, double state[STATES])
     double before[MAX_NODES] = {0}, after[MAX_NODES] = {0}, a[MAX_NODES] = {0}, u[MAX_NODES] = {0};
     for (int p = 0; p < POINTS; ++p) stress[p] = impedance * state[POINTS + p];
     if (l->stress == STRESS_USF) {
-        node_velocity(l, &s, v, true, u);
+        node_velocity(l, &s, v, u);
         strain(&s, dt, u, stress);
     }
-    node_velocity(l, &s, v, l->silent_walls, before);
+    node_velocity(l, &s, v, before);
     for (int i = 0; i < s.nodes; ++i) {
         double force = 0.0;
         for (int p = 0; p < POINTS; ++p) force -= s.G[i][p] * stress[p];
@@ -93,7 +91,7 @@ static void linear_step(const line *l, double dt, double state[STATES])
         for (int i = 0; i < s.nodes; ++i) v[p] += dt * s.S[i][p] * a[i];
     if (l->stress == STRESS_USL) strain(&s, dt, u, stress);
     if (l->stress == STRESS_MUSL) {
-        node_velocity(l, &s, v, true, u);
+        node_velocity(l, &s, v, u);
         strain(&s, dt, u, stress);
     }
     for (int p = 0; p < POINTS; ++p) state[POINTS + p] = stress[p] / impedance;
@@ -209,7 +207,7 @@ static void test_limits_by_hand(void **state)
     const double shortest = 1.0 / sin(0.4 * 3.14159265358979323846);
     for (int scheme = STRESS_USF; scheme <= STRESS_MUSL; ++scheme)
         for (int walls = 0; walls <= 1; ++walls) {
-            const line centres = {.ring = !walls, .silent_walls = true, .place = 0.5, .stress = (stress_scheme)scheme};
+            const line centres = {.ring = !walls, .place = 0.5, .stress = (stress_scheme)scheme};
             line sides = centres;
             sides.place = 0.0;
             check_close_relative(eigenvalue_limit(&centres), 2.0 * shortest, 1e-4);
