@@ -16,8 +16,9 @@ struct mpm_contact {
     bool named[MPM_MAX_GROUPS]; /* a body of the contact; else the group of all others */
     int window[MESH_MAX_DIM];   /* nodes of a tile's window of the normals */
     int window_nodes;
-    double h;   /* m: least spacing */
-    bool *near; /* per global tile: bodies meet in it or in one beside it; owned */
+    double h; /* m: least spacing */
+    uint64_t *
+        near; /* per global tile: bit of each of its (at most 64) cells from which points reach a node where bodies meet; owned */
 };
 
 floe_status contact_create(mpm *s);

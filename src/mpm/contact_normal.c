@@ -4,56 +4,75 @@
 
 #include <string.h>
 
-/* Two groups have mass at a node of the tile, its upper ones included. */
-static bool meet_in_tile(const mpm *s, int blk, const tile_box *t)
+/* Calls `visit` for the nodes of a tile, its upper ones included, at which two groups have mass; true if there are any. */
+typedef void node_visitor(const mpm *s, const int node[MESH_MAX_DIM]);
+
+static bool visit_meetings(const mpm *s, int blk, const tile_box *t, node_visitor *visit)
 {
     const mesh *m = s->mesh;
     const block *b = &m->block[blk];
+    bool any = false;
     const int nodes[MESH_MAX_DIM] = {t->cells[0] + 1, m->dim > 1 ? t->cells[1] + 1 : 1,
                                      m->dim > 2 ? t->cells[2] + 1 : 1};
     for (int k = 0; k < nodes[2]; ++k)
         for (int j = 0; j < nodes[1]; ++j)
             for (int i = 0; i < nodes[0]; ++i) {
-                const ptrdiff_t at =
-                    mesh_index(b, t->first[0] - b->lo[0] + i, t->first[1] - b->lo[1] + j, t->first[2] - b->lo[2] + k);
+                const int node[MESH_MAX_DIM] = {t->first[0] + i, t->first[1] + j, t->first[2] + k};
+                const ptrdiff_t at = mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2]);
                 int groups = 0;
                 for (int g = 0; g < s->n_groups; ++g)
                     groups += field_get(s->domain->fields[blk], N_MASS, g, 0)[at] > 0.0;
-                if (groups > 1) return true;
+                if (groups < 2) continue;
+                any = true;
+                if (visit) visit(s, node);
             }
-    return false;
+    return any;
 }
 
-/* Marks a tile and those about it: from there points reach its nodes. */
-static void mark_about(const mpm *s, const tile_box *t)
+/* Marks the cells from which points reach a node: those from two below it to one above. */
+static void mark_cells(const mpm *s, const int node[MESH_MAX_DIM])
 {
     const mesh *m = s->mesh;
     int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < m->dim; ++a) {
-        lo[a] = t->first[a] / m->tile[a] - 1;
-        hi[a] = lo[a] + 2;
+        lo[a] = node[a] - 2;
+        hi[a] = node[a] + 1;
     }
     for (int k = lo[2]; k <= hi[2]; ++k)
         for (int j = lo[1]; j <= hi[1]; ++j)
             for (int i = lo[0]; i <= hi[0]; ++i) {
-                int tile[MESH_MAX_DIM] = {i, j, k};
+                int cell[MESH_MAX_DIM] = {i, j, k}, bit = 0, row = 1;
                 bool inside = true;
                 for (int a = 0; a < m->dim; ++a) {
-                    if (m->periodic[a]) tile[a] = (tile[a] + m->tiles[a]) % m->tiles[a];
-                    inside = inside && tile[a] >= 0 && tile[a] < m->tiles[a];
+                    if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+                    inside = inside && cell[a] >= 0 && cell[a] < m->n[a];
+                    bit += row * (cell[a] % m->tile[a]);
+                    row *= mesh_tile_width(m->dim);
                 }
-                if (inside) s->contact->near[tile[0] + m->tiles[0] * (tile[1] + m->tiles[1] * tile[2])] = true;
+                if (inside) s->contact->near[mesh_tile_of(m, cell)] |= UINT64_C(1) << bit;
             }
 }
 
 static void find_meetings(mpm *s)
 {
-    memset(s->contact->near, 0, mesh_tiles(s->mesh) * sizeof *s->contact->near);
-    for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
-            const tile_box box = tile_box_of(s->mesh, &s->mesh->block[b], t);
-            if (meet_in_tile(s, b, &box)) mark_about(s, &box);
+    const mesh *m = s->mesh;
+    memset(s->contact->near, 0, mesh_tiles(m) * sizeof *s->contact->near);
+    for (int b = 0; b < m->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 8)
+        for (int t = 0; t < m->block[b].n_tiles; ++t) {
+            const tile_box box = tile_box_of(m, &m->block[b], t);
+            s->work->active[box.number] = visit_meetings(s, b, &box, NULL);
         }
+        for (int t = 0; t < m->block[b].n_tiles; ++t) {
+            const tile_box box = tile_box_of(m, &m->block[b], t);
+            if (s->work->active[box.number]) visit_meetings(s, b, &box, mark_cells);
+        }
+    }
+}
+
+bool contact_is_near(const mpm *s, const tile_box *t, const point_arrays *p, size_t k)
+{
+    return (s->contact->near[t->number] & cell_bit(s->mesh, t, p, k)) != 0;
 }
 
 /* Adds what one point gives to the window of its tile. */
@@ -89,13 +108,14 @@ static void scatter_tile(const mpm *s, int group, int blk, int tile)
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     double *out = domain_tile(s->domain, box.number);
     bool any = false;
-    for (int body = 0; s->contact->near[box.number] && body < s->n_bodies; ++body) {
+    for (int body = 0; s->contact->near[box.number] != 0 && body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start;
         if (s->body[body].group != group || start[tile] == start[tile + 1]) continue;
         if (!any) memset(out, 0, contact_partials(s) * sizeof *out);
         any = true;
         const point_arrays p = points_of(s, blk, body, false, false);
-        for (size_t k = start[tile]; k < start[tile + 1]; ++k) scatter_point(s, &box, &p, k, out);
+        for (size_t k = start[tile]; k < start[tile + 1]; ++k)
+            if (contact_is_near(s, &box, &p, k)) scatter_point(s, &box, &p, k, out);
     }
     s->work->active[box.number] = any;
 }

@@ -102,13 +102,14 @@ static void scatter_tile(const mpm *s, int group, int blk, int tile)
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     double *out = domain_tile(s->domain, box.number);
     bool *any = &s->work->active[box.number];
-    *any = s->contact->near[box.number] && find_directions(s, blk, group, &box, direction);
+    *any = s->contact->near[box.number] != 0 && find_directions(s, blk, group, &box, direction);
     for (int k = 0; *any && k < s->work->window_nodes; ++k) out[k] = -INFINITY;
     for (int body = 0; *any && body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start;
         if (s->body[body].group != group) continue;
         const point_arrays p = points_of(s, blk, body, false, false);
         for (size_t k = start[tile]; k < start[tile + 1]; ++k) {
+            if (!contact_is_near(s, &box, &p, k)) continue;
             const support r = support_of(s, &box, &p, k);
             scatter_point(s, &r, half_width(s, &p, k), (const double(*)[MESH_MAX_DIM])direction, out);
         }

@@ -18,8 +18,7 @@ tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block)
     return t;
 }
 
-/* Bit of the cell of a tile that holds point k. */
-static uint64_t cell_bit(const mesh *m, const tile_box *t, const point_arrays *p, size_t k)
+uint64_t cell_bit(const mesh *m, const tile_box *t, const point_arrays *p, size_t k)
 {
     int bit = 0, row = 1;
     for (int a = 0; a < m->dim; ++a) {

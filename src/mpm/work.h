@@ -119,6 +119,10 @@ struct mpm_work {
 
 enum { MPM_TILE_SUMS = 64 };
 
+/* Bit of the cell of a tile that holds point k. */
+uint64_t cell_bit(const mesh *m, const tile_box *t, const point_arrays *p, size_t k);
+/* Whether a point may reach a node where bodies in contact meet (contact_normal.c). */
+bool contact_is_near(const mpm *s, const tile_box *t, const point_arrays *p, size_t k);
 /* The cells of a tile in which fluid points meet solid ones; 0 where the tile has only one kind. */
 uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t);
 tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block);

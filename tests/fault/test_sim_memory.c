@@ -7,6 +7,7 @@ static const deck_variant variants[] = {
     {"points", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.4"}},
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
+    {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},
 };
 
 static uint64_t live(const trial *t)
