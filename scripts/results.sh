@@ -574,12 +574,22 @@ contact_row() {
     contact_last=$figures
 }
 
+# The points at the end (Y97 Figs 93a, 95a).
+contact_pictures() {
+    local variant
+    for variant in stick release__pair__nodes; do
+        "$floe" picture "$runs/0.3-0.25-$variant" --points velocity_x --range -1:3 --width 600 -o "$results/contact-points-${variant%%_*}.png"
+    done
+    write '' '## Points at t = 0.5 (Y97 Figs 93a, 95a), nu = 0.3, h = 0.25' '' '![without release](contact-points-stick.png)' '' \
+        '![with release at shared nodes](contact-points-release.png)'
+}
+
 contact_velocities() {
     local stick=$runs/0.3-0.25-stick/history.csv nodes=$runs/0.3-0.25-release__pair__nodes/history.csv
     local points=$runs/0.3-0.25-release__pair/history.csv t l r
     t=$(column "$stick" time) l=$(column "$stick" velocity_left_x) r=$(column "$stick" velocity_right_x)
     plot velocities 820,520 <<END
-set xlabel 't'; set ylabel 'velocity of the centre of mass'; set key at 0.14,1.9 left top opaque; set yrange [-0.3:2.2]
+set xlabel 't'; set ylabel 'velocity of the centre of mass'; set key outside below maxrows 3; set yrange [-0.3:2.2]
 plot '$stick' every ::1 using $t:$l with lines lw 1 lc rgb grey title 'no release, left', \\
      '$stick' every ::1 using $t:$r with lines lw 1 dt 2 lc rgb grey title 'right', \\
      '$nodes' every ::1 using $t:$l with lines lw 2 lc rgb ice title 'release at nodes, left', \\
@@ -594,7 +604,7 @@ contact_energies() {
     local c=$runs/0.3-0.25-release__pair__nodes/history.csv d=$runs/0.3-0.25-friction__0/history.csv t k s
     t=$(column "$a" time) k=$(column "$a" kinetic) s=$(column "$a" strain)
     plot energies 820,420 <<END
-set xlabel 't'; set ylabel 'energy of both bars'; set yrange [0:13]; set key left bottom opaque
+set xlabel 't'; set ylabel 'energy of both bars'; set yrange [0:13]; set key outside below maxrows 3
 plot '$a' every ::1 using $t:(\$$k+\$$s) with lines lw 2 lc rgb ice title 'release, ν = 0, h = 0.25', \\
      '$b' every ::1 using $t:(\$$k+\$$s) with lines lw 2 dt 2 lc rgb ice title 'ν = 0, h = 0.125', \\
      '$c' every ::1 using $t:(\$$k+\$$s) with lines lw 2 lc rgb mpm title 'ν = 0.3, h = 0.25', \\
@@ -647,7 +657,9 @@ result_contact() {
         '' '## Bars' ''
     show_bars
     write '' '## Velocities (Y97 Figs 93, 95), nu = 0.3, h = 0.25' '' '![velocities of the centres of mass](contact-velocities.svg)' '' \
+        'Without release the bars are free of each other from t = 0.35 to 0.425, with a cell between them, and then meet again: the thesis names the same two times.' '' \
         '## Energy (Y97 Fig. 96)' '' '![energies](contact-energies.svg)'
+    contact_pictures
     contact_normals
     finish
 }
