@@ -121,6 +121,14 @@ floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double 
     return FLOE_OK;
 }
 
+/* Viscosity shortens a fluid's step: nu (4/3 mu + kappa over rho) times 2/h^2 for each axis, beside what sound crosses. */
+static void add_viscous_rate(const mpm_body *b, const solid_batch *batch, double inverse_square, double *rate)
+{
+    const double mu = 4.0 / 3.0 * b->fluid_par.shear_viscosity + b->fluid_par.bulk_viscosity;
+    if (!b->fluid || mu == 0.0) return;
+    for (size_t k = 0; k < batch->n; ++k) rate[k] += 2.0 * mu * batch->J[k] / batch->rho0[k] * inverse_square;
+}
+
 /* Largest rate (1/s) at which information or a point crosses cells, over a chunk: c |1/h| + sum |v| / h. */
 static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch)
 {
@@ -135,6 +143,7 @@ static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t e
     for (int a = 0; a < s->mesh->dim; ++a) inverse_square += 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
     const double diagonal = sqrt(inverse_square);
     for (size_t k = 0; k < n; ++k) rate[k] *= diagonal;
+    add_viscous_rate(b, batch, inverse_square, rate);
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double *restrict v = field_get(s->domain->fields[blk], P_VEL, body, a) + start;
         const double inv_h = 1.0 / s->mesh->h[a];
