@@ -112,7 +112,8 @@ static bool contact_rubs(const scene *s, const void *contact)
 
 static const key_spec contact_keys[] = {
     {"between", KEY_CUSTOM, .custom = &custom_between, .otherwise = "all solid bodies",
-     .doc = "bodies with velocities of their own; all others stick to what they meet"},
+     .doc = "bodies with velocities of their own; all others stick to what they meet, fluids to the first of the list "
+            "that is there"},
     {"kind", KEY_CHOICE, AT(scene_contact, kind), .fallback = "release", .choices = contact_choices,
      .doc = "what bodies do where they meet"},
     {"criterion", KEY_CHOICE, AT(scene_contact, criterion), .fallback = "pair", .choices = criterion_choices,

@@ -7,14 +7,27 @@
 #include <math.h>
 #include <string.h>
 
+/* Place of a body in the deck's list; that in the scene where all solids are in contact. */
+static int rank_of(const scene_contact *contact, int body)
+{
+    for (int k = 0; k < contact->n_bodies; ++k)
+        if (contact->body[k] == body) return k;
+    return body;
+}
+
 floe_status contact_create(mpm *s)
 {
     TRY(memory_new(s->ctx, &s->contact, 1, sizeof *s->contact));
     struct mpm_contact *c = s->contact;
     c->normal = normal_find(s->scene->contact.normals);
     if (!c->normal) return fail(s->ctx, FLOE_BAD_INPUT, "there are no normals '%s'", s->scene->contact.normals);
-    for (int b = 0; b < s->n_bodies; ++b)
-        c->named[s->body[b].group] = scene_in_contact(s->scene, s->body[b].scene_body);
+    c->fluids = true;
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const int group = s->body[b].group;
+        c->named[group] = scene_in_contact(s->scene, s->body[b].scene_body);
+        c->rank[group] = rank_of(&s->scene->contact, s->body[b].scene_body);
+        c->fluids = c->fluids && (c->named[group] || s->body[b].fluid);
+    }
     c->window_nodes = 1;
     for (int a = 0; a < MESH_MAX_DIM; ++a) {
         c->window[a] = a < s->mesh->dim ? s->mesh->tile[a] + 1 + 2 * c->normal->reach : 1;
@@ -82,8 +95,10 @@ static void load_node(const node_pass *p, ptrdiff_t at, const int *group, contac
 {
     for (int k = 0; k < node->n; ++k) {
         const group_view *g = &p->group[group[k]];
-        node->body[k] = (contact_body){
-            .mass = g->mass[at], .reach = g->reach ? g->reach[at] : 0.0, .named = p->s->contact->named[group[k]]};
+        node->body[k] = (contact_body){.mass = g->mass[at],
+                                       .reach = g->reach ? g->reach[at] : 0.0,
+                                       .named = p->s->contact->named[group[k]],
+                                       .rank = p->s->contact->rank[group[k]]};
         for (int c = 0; c < node->dim; ++c) {
             node->body[k].v0[c] = g->momentum[c][at] / g->mass[at];
             node->body[k].v[c] = g->v[c][at];
@@ -159,8 +174,11 @@ static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], doubl
     const block *b = &p->s->mesh->block[p->blk];
     const ptrdiff_t at = mesh_index(b, global[0] - b->lo[0], global[1] - b->lo[1], global[2] - b->lo[2]);
     int group[MPM_MAX_GROUPS];
-    contact_node node = {
-        .n = find_groups(p, at, group), .dim = p->s->mesh->dim, .h = p->s->contact->h, .apart = p->s->coupled};
+    contact_node node = {.n = find_groups(p, at, group),
+                         .dim = p->s->mesh->dim,
+                         .h = p->s->contact->h,
+                         .apart = p->s->coupled,
+                         .fluids = p->s->contact->fluids};
     if (node.n < 2) return;
     find_held(p->s, global, node.held);
     load_node(p, at, group, &node);

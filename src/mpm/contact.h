@@ -14,6 +14,8 @@
 struct mpm_contact {
     const normal_model *normal;
     bool named[MPM_MAX_GROUPS]; /* a body of the contact; else the group of all others */
+    int rank[MPM_MAX_GROUPS];   /* its place in the deck's list */
+    bool fluids;                /* the others are all fluids */
     int window[MESH_MAX_DIM];   /* nodes of a tile's window of the normals */
     int window_nodes;
     double h; /* m: least spacing */
@@ -40,7 +42,8 @@ typedef struct contact_body {
     double v[3];      /* m/s: in, before contact; out, after it */
     double normal[3]; /* outward, of no unit length */
     double reach;     /* m: of its points from the node along the normal */
-    bool named;
+    bool named;       /* of the contact; else of all others */
+    int rank;         /* place among the named, from 0 */
 } contact_body;
 
 typedef enum contact_state { CONTACT_FREE, CONTACT_SLIDES, CONTACT_STICKS } contact_state;
@@ -50,7 +53,10 @@ typedef struct contact_node {
     int dim;
     double h;     /* m: least spacing */
     bool held[3]; /* components that a wall holds: normals have none */
-    bool apart;   /* bodies outside the contact have nothing to do with others here: the cells do it */
+    bool
+        fluids; /* the group of all others holds fluids alone: it sticks to the first body of the contact that is here, not to all, so
+                     that gas behind a skin does not hold to the skin what lets go of it */
+    bool apart; /* bodies outside the contact have nothing to do with others here: the cells do it */
     contact_body body[MPM_MAX_GROUPS];
     contact_state state[MPM_MAX_GROUPS][MPM_MAX_GROUPS]; /* of the pair a, b where a < b */
 } contact_node;

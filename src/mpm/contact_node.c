@@ -96,6 +96,17 @@ static pair make_pair(const contact_node *node, int a, int b, bond kind)
     return p;
 }
 
+/* Whether a pair of which one body is outside the contact has to do with each other. */
+static bool sticks_outside(const contact_node *node, int a, int b)
+{
+    if (node->apart) return false;
+    if (!node->fluids || (!node->body[a].named && !node->body[b].named)) return true;
+    const int named = node->body[a].named ? a : b;
+    for (int k = 0; k < node->n; ++k)
+        if (node->body[k].named && node->body[k].rank < node->body[named].rank) return false;
+    return true;
+}
+
 /* Pairs that are in contact now. */
 static int find_pairs(const scene_contact *rule, const contact_node *node, pair *list)
 {
@@ -105,7 +116,7 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
         for (int b = a + 1; b < node->n; ++b) {
             const bool named = node->body[a].named && node->body[b].named, ruled = named && rule->kind != CONTACT_STICK;
             const pair p = make_pair(node, a, b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
-            if (named ? !have_met(rule, node, a, b) : node->apart) continue;
+            if (named ? !have_met(rule, node, a, b) : !sticks_outside(node, a, b)) continue;
             if (!ruled || approach(rule, node, &p, mean.v)) list[n++] = p;
         }
     return n;
