@@ -1,14 +1,19 @@
 /* Decks that load: values, defaults, units, overrides, and the echo that loads to the same scene. */
-#include "unit/test_deck_common.h"
+#include "check.h"
+
+#include "base/memory.h"
+#include "deck/deck.h"
+#include "run/catalogue.h"
 
 #include <dirent.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct fixture {
     context *ctx;
-    catalogue_store store;
+    deck_catalogue *catalogue; /* the program's own: the inputs name all kinds of things */
 } fixture;
 
 static int set_up(void **state)
@@ -16,14 +21,14 @@ static int set_up(void **state)
     static fixture f;
     deck_init();
     f.ctx = context_create();
-    make_catalogue(&f.store);
     *state = &f;
-    return f.ctx ? 0 : -1;
+    return f.ctx && catalogue_create(&f.catalogue, f.ctx) == FLOE_OK ? 0 : -1;
 }
 
 static int tear_down(void **state)
 {
     fixture *f = *state;
+    catalogue_destroy(f->ctx, &f->catalogue);
     assert_int_equal(memory_read_account(f->ctx).live_bytes, 0);
     context_destroy(&f->ctx);
     return 0;
@@ -37,7 +42,7 @@ static scene *load_input(fixture *f, const char *name, const char *const *set, s
     scene *s;
     const deck_overrides overrides = {set, n};
     snprintf(path, sizeof path, "%s/inputs/%s", FLOE_SOURCE_DIR, name);
-    const floe_status status = deck_load(&s, f->ctx, path, &overrides, &f->store.catalogue, &report);
+    const floe_status status = deck_load(&s, f->ctx, path, &overrides, f->catalogue, &report);
     if (report.text) print_error("%s", report.text);
     deck_report_free(&report);
     check_ok(f->ctx, status);
@@ -48,8 +53,7 @@ static scene *load_text(fixture *f, const char *text)
 {
     deck_report report;
     scene *s;
-    const floe_status status =
-        deck_load_text(&s, f->ctx, "deck.yaml", text, strlen(text), NULL, &f->store.catalogue, &report);
+    const floe_status status = deck_load_text(&s, f->ctx, "deck.yaml", text, strlen(text), NULL, f->catalogue, &report);
     if (report.text) print_error("%s", report.text);
     deck_report_free(&report);
     check_ok(f->ctx, status);
@@ -59,7 +63,7 @@ static scene *load_text(fixture *f, const char *text)
 static char *echo(fixture *f, const scene *s)
 {
     char *text;
-    check_ok(f->ctx, deck_echo(&text, s, &f->store.catalogue));
+    check_ok(f->ctx, deck_echo(&text, s, f->catalogue));
     return text;
 }
 
@@ -405,7 +409,7 @@ static void values_are_found_by_key(void **state)
     scene *s = load_text(f, full);
     for (size_t i = 0; i < sizeof found / sizeof found[0]; i++) {
         char value[SCENE_VALUE], *end;
-        check_ok(f->ctx, deck_value(value, s, &f->store.catalogue, found[i][0]));
+        check_ok(f->ctx, deck_value(value, s, f->catalogue, found[i][0]));
         const double wanted = strtod(found[i][1], &end);
         if (end == found[i][1] || *end)
             assert_string_equal(value, found[i][1]);
@@ -432,8 +436,8 @@ static void reference_and_schema_name_every_key(void **state)
 {
     fixture *f = *state;
     char *page, *json;
-    check_ok(f->ctx, deck_reference(&page, f->ctx, &f->store.catalogue));
-    check_ok(f->ctx, deck_json_schema(&json, f->ctx, &f->store.catalogue));
+    check_ok(f->ctx, deck_reference(&page, f->ctx, f->catalogue));
+    check_ok(f->ctx, deck_json_schema(&json, f->ctx, f->catalogue));
     static const char *const words[] = {"volume_relaxation", "linear_elastic", "annulus", "lame",
                                         "no_slip",           "traction"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
