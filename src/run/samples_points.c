@@ -110,10 +110,34 @@ static void place(double *const from[3], int dim, size_t i, double x[3])
     for (int a = 0; a < 3; a++) x[a] = a < dim ? from[a][i] : 0.0;
 }
 
+/* A solution of a plane across an axis, in a scene (r, z) about that axis: its x is r, its z is z, and its yy the hoop stress. */
+static bool is_turned(const point_samples *p)
+{
+    return p->s->mesh.geometry == MESH_AXISYMMETRIC && strcmp(p->solution->model->name, "lame") == 0;
+}
+
+/* The place as the solution has it. */
+static void solution_place(const point_samples *p, size_t i, double x[3])
+{
+    place(p->start[0] ? p->start : p->x, p->s->mesh.dim, i, x);
+    if (!is_turned(p)) return;
+    x[2] = x[1];
+    x[1] = 0.0;
+}
+
+/* Component of a vector of the scene that is component a of the solution's; -1: it has none. */
+static int vector_component(const point_samples *p, int a)
+{
+    if (is_turned(p)) return a == 0 ? 0 : a == 2 ? 1 : -1;
+    return a < p->s->mesh.dim ? a : -1;
+}
+
 static double stress_at(const point_samples *p, int c, size_t i)
 {
+    static const int turned[6] = {0, 2, 1, 4, 5, 3};
+    const int own = is_turned(p) ? turned[c] : c;
     /* 1-D keeps xx yy zz, 2-D adds xy. */
-    return p->stress[c] ? p->stress[c][i] : 0.0;
+    return p->stress[own] ? p->stress[own][i] : 0.0;
 }
 
 /* The solution's centre; the origin if it has none. */
@@ -131,7 +155,7 @@ static void polar_stress(const point_samples *p, size_t i, double *radial, doubl
     const bool sphere = strcmp(p->solution->model->name, "lame_sphere") == 0;
     const int dim = p->s->mesh.dim, axes = sphere ? dim : dim < 2 ? dim : 2;
     double x[3], centre[3], n[3], square = 0.0;
-    place(p->start[0] ? p->start : p->x, dim, i, x);
+    solution_place(p, i, x);
     centre_of(p->solution, centre);
     for (int a = 0; a < 3; a++) {
         n[a] = a < axes ? x[a] - centre[a] : 0.0;
@@ -170,16 +194,15 @@ static double temperature_at(const point_samples *p, size_t i)
 
 double point_value(const point_samples *p, exact_quantity quantity, size_t i)
 {
-    const int dim = p->s->mesh.dim;
     if (quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z) {
-        const int a = (int)(quantity - EXACT_VELOCITY_X);
-        return a < dim ? p->v[a][i] : 0.0;
+        const int a = vector_component(p, (int)(quantity - EXACT_VELOCITY_X));
+        return a >= 0 ? p->v[a][i] : 0.0;
     }
     if (quantity >= EXACT_STRESS_XX && quantity <= EXACT_STRESS_ZX)
         return stress_at(p, (int)(quantity - EXACT_STRESS_XX), i);
     if (quantity >= EXACT_DISPLACEMENT_X && quantity <= EXACT_DISPLACEMENT_Z) {
-        const int a = (int)(quantity - EXACT_DISPLACEMENT_X);
-        if (a >= dim) return 0.0;
+        const int a = vector_component(p, (int)(quantity - EXACT_DISPLACEMENT_X));
+        if (a < 0) return 0.0;
         return p->start[a] ? p->x[a][i] - p->start[a][i] : (double)NAN;
     }
     switch (quantity) {
@@ -198,7 +221,7 @@ double point_exact(const point_samples *p, exact_quantity quantity, size_t i)
     const sim *s = p->s;
     const bool velocity = quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z;
     double x[3], t = s->time;
-    place(p->start[0] ? p->start : p->x, s->mesh.dim, i, x);
+    solution_place(p, i, x);
     /* In pure MPM velocities are those of half a step ago (design, conventions). */
     if (velocity && !s->mpm->coupled) t -= 0.5 * s->mpm->dt_previous;
     return exact_value(p->solution, quantity, x, t);
