@@ -10,7 +10,8 @@ set(FLOE_FLOORS
     "sim"
     "deck io verify"
     "run draw"
-    "study"
+    "batch"
+    "study report"
     "cli")
 string(REPLACE " " ";" FLOE_ALL_ROOMS "${FLOE_FLOORS}")
 

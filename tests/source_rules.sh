@@ -29,6 +29,6 @@ only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)
 only_in 'hdf5' io
 only_in 'cairo' draw
 only_in '(libfyaml|udunits)' deck
-only_in 'jansson' io study cli
+only_in 'jansson' io batch study report cli
 only_in 'argp' cli
 exit $failed

@@ -61,6 +61,8 @@ error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *stat
 
 /* Loads the deck into *out, which the caller owns; errors are printed. */
 floe_status cli_load(const cli *c, const cli_deck *d, scene **out);
+/* The same, with the values of the deck's axes. */
+floe_status cli_check(const cli *c, const cli_deck *d, scene **out);
 /* Prints the context's message as an error and returns the exit status that belongs to `status`. */
 int cli_fail(const cli *c, floe_status status);
 /* Prints "floe: error: ..." with the word in colour on a terminal. */

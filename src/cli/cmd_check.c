@@ -28,7 +28,7 @@ int cmd_check(cli *c, int argc, char **argv)
     cli_deck d = {0};
     scene *s;
     argp_parse(&argp, argc, argv, 0, NULL, &d);
-    const floe_status status = cli_load(c, &d, &s);
+    const floe_status status = cli_check(c, &d, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
     printf("%s: deck is valid: %s%s%d-D, ", d.path, s->title, s->title[0] ? ", " : "", s->mesh.dim);
     print_cells(s);

@@ -1,8 +1,8 @@
 /* floe picture DIR */
 #include "cli/cli.h"
+#include "draw/field_picture.h"
 #include "draw/picture.h"
 #include "io/file.h"
-#include "study/field_picture.h"
 
 #include <math.h>
 #include <stdlib.h>

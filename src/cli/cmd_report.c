@@ -1,6 +1,6 @@
 /* floe report DIR... */
 #include "cli/cli.h"
-#include "study/report/report.h"
+#include "report/report.h"
 
 #include <errno.h>
 #include <math.h>

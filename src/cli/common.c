@@ -63,18 +63,32 @@ static void print_report(const cli *c, const char *text)
     (void)fputs(text, stderr);
 }
 
-floe_status cli_load(const cli *c, const cli_deck *d, scene **out)
+/* deck_load and deck_check. */
+typedef floe_status deck_loader(scene **out, context *ctx, const char *path, const deck_overrides *set,
+                                const deck_catalogue *catalogue, deck_report *report);
+
+static floe_status load_with(deck_loader *loader, const cli *c, const cli_deck *d, scene **out)
 {
     const deck_overrides set = {d->set, d->n_set};
     deck_catalogue *catalogue;
     deck_report report = {0};
     floe_status status = catalogue_create(&catalogue, c->ctx);
     *out = NULL;
-    if (status == FLOE_OK) status = deck_load(out, c->ctx, d->path, &set, catalogue, &report);
+    if (status == FLOE_OK) status = loader(out, c->ctx, d->path, &set, catalogue, &report);
     if (report.text) print_report(c, report.text);
     catalogue_destroy(c->ctx, &catalogue);
     deck_report_free(&report);
     return status;
+}
+
+floe_status cli_load(const cli *c, const cli_deck *d, scene **out)
+{
+    return load_with(deck_load, c, d, out);
+}
+
+floe_status cli_check(const cli *c, const cli_deck *d, scene **out)
+{
+    return load_with(deck_check, c, d, out);
 }
 
 error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *state)

@@ -73,6 +73,13 @@ floe_status deck_load(scene **out, context *ctx, const char *path, const deck_ov
 floe_status deck_load_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
                            const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report);
 
+/* The same, and every value of the deck's axes (compare, study, stability) must make a deck, too: for who writes a deck. A single run
+ * takes nothing of them, and batches look at each of their cases. */
+floe_status deck_check(scene **out, context *ctx, const char *path, const deck_overrides *set,
+                       const deck_catalogue *catalogue, deck_report *report);
+floe_status deck_check_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
+                            const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report);
+
 /* The texts below are counted memory that the caller frees with memory_free. */
 
 /* The resolved deck: every value explicit, SI, 17 digits. It loads again to the same scene. */

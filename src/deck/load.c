@@ -14,6 +14,7 @@ typedef struct deck_source {
     const char *path, *text;
     size_t length;
     const deck_catalogue *catalogue;
+    bool axes; /* their values are looked at, too */
     unit_book units;
 } deck_source;
 
@@ -143,21 +144,19 @@ static floe_status load(scene *s, deck_source *source, const deck_overrides *set
 {
     error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = set};
     TRY(resolve(source, set, s, arena, &errors));
-    if (errors.count == 0) TRY(check_axes(source, set, s, arena, &errors));
+    if (errors.count == 0 && source->axes) TRY(check_axes(source, set, s, arena, &errors));
     return errors.count == 0 ? FLOE_OK : write_report(source, &errors, report);
 }
 
-floe_status deck_load_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
-                           const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report)
+static floe_status load_text(scene **out, deck_source *source, const deck_overrides *set, deck_report *report)
 {
     *out = NULL;
-    *report = (deck_report){.ctx = ctx};
-    deck_source source = {.ctx = ctx, .path = path, .text = text, .length = length, .catalogue = catalogue};
-    deck_arena arena = {.ctx = ctx};
+    *report = (deck_report){.ctx = source->ctx};
+    deck_arena arena = {.ctx = source->ctx};
     scene *s;
-    TRY(scene_create(&s, ctx));
-    const floe_status status = load(s, &source, set, &arena, report);
-    units_close(&source.units);
+    TRY(scene_create(&s, source->ctx));
+    const floe_status status = load(s, source, set, &arena, report);
+    units_close(&source->units);
     arena_free(&arena);
     if (status != FLOE_OK) {
         scene_destroy(&s);
@@ -165,6 +164,21 @@ floe_status deck_load_text(scene **out, context *ctx, const char *path, const ch
     }
     *out = s;
     return FLOE_OK;
+}
+
+floe_status deck_load_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
+                           const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report)
+{
+    deck_source source = {.ctx = ctx, .path = path, .text = text, .length = length, .catalogue = catalogue};
+    return load_text(out, &source, set, report);
+}
+
+floe_status deck_check_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
+                            const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report)
+{
+    deck_source source = {
+        .ctx = ctx, .path = path, .text = text, .length = length, .catalogue = catalogue, .axes = true};
+    return load_text(out, &source, set, report);
 }
 
 /* The whole file, one byte more than a deck may have at most; *text is counted memory. */
@@ -185,17 +199,30 @@ static floe_status read_file(context *ctx, const char *path, char **text, size_t
     return status;
 }
 
+static floe_status load_file(scene **out, deck_source *source, const deck_overrides *set, deck_report *report)
+{
+    char *text = NULL;
+    *out = NULL;
+    *report = (deck_report){.ctx = source->ctx};
+    TRY(read_file(source->ctx, source->path, &text, &source->length));
+    source->text = text;
+    const floe_status status = load_text(out, source, set, report);
+    memory_free(source->ctx, &text);
+    return status;
+}
+
 floe_status deck_load(scene **out, context *ctx, const char *path, const deck_overrides *set,
                       const deck_catalogue *catalogue, deck_report *report)
 {
-    char *text = NULL;
-    size_t length = 0;
-    *out = NULL;
-    *report = (deck_report){.ctx = ctx};
-    TRY(read_file(ctx, path, &text, &length));
-    const floe_status status = deck_load_text(out, ctx, path, text, length, set, catalogue, report);
-    memory_free(ctx, &text);
-    return status;
+    deck_source source = {.ctx = ctx, .path = path, .catalogue = catalogue};
+    return load_file(out, &source, set, report);
+}
+
+floe_status deck_check(scene **out, context *ctx, const char *path, const deck_overrides *set,
+                       const deck_catalogue *catalogue, deck_report *report)
+{
+    deck_source source = {.ctx = ctx, .path = path, .catalogue = catalogue, .axes = true};
+    return load_file(out, &source, set, report);
 }
 
 void deck_report_free(deck_report *report)

@@ -2,43 +2,29 @@
 
 #include "base/machine.h"
 #include "floe_build.h"
-#include "io/file.h"
+#include "io/json.h"
 
-#include <jansson.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-/* Sets a member; false when memory is out. json_object_set_new takes NULL for such a failure, and passes it on. */
-static bool set(json_t *object, const char *key, json_t *value)
-{
-    return json_object_set_new(object, key, value) == 0;
-}
-
-/* A number; NaN and infinities, which JSON does not have, are null. */
-static json_t *number(double x)
-{
-    return isfinite(x) ? json_real(x) : json_null();
-}
 
 /* A count that may be beyond what an integer holds exactly. */
 static json_t *count(double x)
 {
     if (x >= 0.0 && x < 9007199254740992.0 && x == floor(x)) return json_integer((json_int_t)x);
-    return number(x);
+    return json_number(x);
 }
 
 static bool set_object(json_t *object, const char *key, json_t **out)
 {
     *out = json_object();
-    return set(object, key, *out);
+    return json_put(object, key, *out);
 }
 
 static bool set_values(json_t *object, const char *key, const summary_value *value, int n)
 {
     json_t *list;
     bool fine = set_object(object, key, &list);
-    for (int i = 0; i < n && fine; i++) fine = set(list, value[i].name, number(value[i].value));
+    for (int i = 0; i < n && fine; i++) fine = json_put(list, value[i].name, json_number(value[i].value));
     return fine;
 }
 
@@ -47,7 +33,7 @@ static bool set_counters(json_t *object, const run_summary *r)
     json_t *list;
     bool fine = set_object(object, "counters", &list);
     for (int i = 0; i < r->n_counters && fine; i++) {
-        fine = set(list, r->counters[i].name, json_integer(r->counters[i].value));
+        fine = json_put(list, r->counters[i].name, json_integer(r->counters[i].value));
     }
     return fine;
 }
@@ -55,52 +41,43 @@ static bool set_counters(json_t *object, const run_summary *r)
 static bool set_memory(json_t *object, const run_summary *r)
 {
     json_t *memory, *bytes;
-    return set_object(object, "memory", &memory) && set(memory, "peak_rss_bytes", json_integer(r->peak_rss_bytes)) &&
-           set_object(memory, "field_bytes", &bytes) && set(bytes, "mpm", json_integer(r->field_bytes_mpm)) &&
-           set(bytes, "ice", json_integer(r->field_bytes_ice)) &&
-           set(bytes, "coupling", json_integer(r->field_bytes_coupling));
+    return set_object(object, "memory", &memory) &&
+           json_put(memory, "peak_rss_bytes", json_integer(r->peak_rss_bytes)) &&
+           set_object(memory, "field_bytes", &bytes) && json_put(bytes, "mpm", json_integer(r->field_bytes_mpm)) &&
+           json_put(bytes, "ice", json_integer(r->field_bytes_ice)) &&
+           json_put(bytes, "coupling", json_integer(r->field_bytes_coupling));
 }
 
 static bool set_conservation(json_t *object, const run_summary *r)
 {
     json_t *drift;
-    return set_object(object, "conservation", &drift) && set(drift, "mass", number(r->drift_mass)) &&
-           set(drift, "momentum", number(r->drift_momentum)) && set(drift, "energy", number(r->drift_energy));
-}
-
-/* json_stringn_nocheck would take text that is not UTF-8; a path may be that, and a message may name one, so its odd bytes are replaced. */
-static json_t *plain_text(const char *text)
-{
-    char plain[SUMMARY_TEXT];
-    json_t *value = json_string(text);
-    if (value) return value;
-    size_t i = 0;
-    for (; text[i] && i < sizeof plain - 1; i++) plain[i] = (unsigned char)text[i] < 0x80 ? text[i] : '?';
-    plain[i] = '\0';
-    return json_string(plain);
+    return set_object(object, "conservation", &drift) && json_put(drift, "mass", json_number(r->drift_mass)) &&
+           json_put(drift, "momentum", json_number(r->drift_momentum)) &&
+           json_put(drift, "energy", json_number(r->drift_energy));
 }
 
 static bool set_build(json_t *object, const run_summary *r)
 {
     json_t *build;
-    return set_object(object, "floe", &build) && set(build, "version", json_string(r->version)) &&
-           set(build, "git", json_string(r->git)) && set(build, "compiler", json_string(r->compiler)) &&
-           set(build, "flags", json_string(r->flags)) && set(build, "machine", plain_text(r->machine)) &&
-           set(build, "threads", json_integer(r->threads));
+    return set_object(object, "floe", &build) && json_put(build, "version", json_string(r->version)) &&
+           json_put(build, "git", json_string(r->git)) && json_put(build, "compiler", json_string(r->compiler)) &&
+           json_put(build, "flags", json_string(r->flags)) && json_put(build, "machine", json_plain_text(r->machine)) &&
+           json_put(build, "threads", json_integer(r->threads));
 }
 
 static bool set_all(json_t *object, const run_summary *r)
 {
-    return set(object, "schema", json_integer(1)) && set(object, "deck", plain_text(r->deck)) &&
-           set(object, "coupling", json_string(r->coupling)) && set(object, "status", json_string(r->status)) &&
-           set(object, "message", plain_text(r->message)) && set(object, "time", number(r->time)) &&
-           set(object, "steps", json_integer(r->steps)) &&
-           set(object, "rejected_steps", json_integer(r->rejected_steps)) &&
-           set(object, "wall_seconds", number(r->wall_seconds)) &&
+    return json_put(object, "schema", json_integer(1)) && json_put(object, "deck", json_plain_text(r->deck)) &&
+           json_put(object, "coupling", json_string(r->coupling)) &&
+           json_put(object, "status", json_string(r->status)) &&
+           json_put(object, "message", json_plain_text(r->message)) && json_put(object, "time", json_number(r->time)) &&
+           json_put(object, "steps", json_integer(r->steps)) &&
+           json_put(object, "rejected_steps", json_integer(r->rejected_steps)) &&
+           json_put(object, "wall_seconds", json_number(r->wall_seconds)) &&
            set_values(object, "seconds_by_stage", r->seconds_by_stage, r->n_stages) &&
-           set(object, "cells", json_integer(r->cells)) && set(object, "points", json_integer(r->points)) &&
-           set(object, "cell_updates", count(r->cell_updates)) &&
-           set(object, "point_updates", count(r->point_updates)) && set_memory(object, r) &&
+           json_put(object, "cells", json_integer(r->cells)) && json_put(object, "points", json_integer(r->points)) &&
+           json_put(object, "cell_updates", count(r->cell_updates)) &&
+           json_put(object, "point_updates", count(r->point_updates)) && set_memory(object, r) &&
            set_conservation(object, r) && set_values(object, "errors", r->errors, r->n_errors) &&
            set_counters(object, r) && set_build(object, r);
 }
@@ -115,14 +92,7 @@ struct json_t *summary_json(const run_summary *r)
 
 floe_status summary_write(context *ctx, const char *path, const run_summary *r)
 {
-    json_t *object = summary_json(r);
-    char *text = object ? json_dumps(object, JSON_INDENT(2) | JSON_REAL_PRECISION(17)) : NULL;
-    json_decref(object);
-    if (!text) return fail(ctx, FLOE_NO_MEMORY, "no memory for the summary '%s'", path);
-    const file_part part[] = {{text, strlen(text)}, {"\n", 1}};
-    const floe_status status = file_replace(ctx, path, part, 2);
-    free(text);
-    return status;
+    return json_write(ctx, path, summary_json(r));
 }
 
 static void copy_text(char *to, size_t size, const char *from)

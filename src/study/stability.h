@@ -4,7 +4,7 @@
 #ifndef STUDY_STABILITY_H
 #define STUDY_STABILITY_H
 
-#include "study/batch.h"
+#include "batch/batch.h"
 #include "study/stability_judge.h"
 #include "study/stability_search.h"
 

@@ -5,8 +5,8 @@
 #ifndef STUDY_STUDY_H
 #define STUDY_STUDY_H
 
+#include "batch/batch.h"
 #include "study/axis.h"
-#include "study/batch.h"
 
 enum { STUDY_MAX_REPEAT = 100, STUDY_LABEL = 160, STUDY_MAX_METRICS = SUMMARY_MAX_ERRORS };
 

@@ -2,7 +2,7 @@
 #include "study/study_parts.h"
 
 #include "base/memory.h"
-#include "study/errors.h"
+#include "run/errors.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "draw/plot.h"
-#include "study/errors.h"
+#include "run/errors.h"
 #include "study/profile.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* A study as JSON: study.json, compare.json. What depends on the machine stands in objects named `timing`, and in a summary's
  * wall_seconds, seconds_by_stage and peak_rss_bytes. */
-#include "study/json.h"
+#include "io/json.h"
 #include "study/study_parts.h"
 
 #include "base/memory.h"

@@ -86,7 +86,19 @@ static void choose_over(study *s, strbuf *errors)
     }
 }
 
-/* Conditions of bars name axes and values of this study. */
+/* Has the deck's own study such a value, which the command line has left out? */
+static bool is_left_out(const study *s, const char *key, const char *value)
+{
+    for (int k = 0; k < s->plan.n_axes; k++) {
+        const scene_axis *axis = &s->plan.axis[k];
+        for (int i = 0; strcmp(axis->key, key) == 0 && i < axis->n_values; i++) {
+            if (axis_same_value(axis->value[i], value)) return true;
+        }
+    }
+    return false;
+}
+
+/* Conditions of bars name axes and values of this study. Bars of what the command line has left out are passed over. */
 static void check_bars(const study *s, strbuf *errors)
 {
     for (int b = 0; b < s->plan.n_bars; b++) {
@@ -96,7 +108,7 @@ static void check_bars(const study *s, strbuf *errors)
             bool known = false;
             for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
                 known = known || axis_same_value(s->axes.axis[at].value[i], bar->value[k]);
-            if (known) continue;
+            if (known || (at >= 0 && is_left_out(s, bar->key[k], bar->value[k]))) continue;
             strbuf_append(errors, "bar %d, for '%s': '%s: %s' is no %s of this study, which has: ", b + 1, bar->metric,
                           bar->key[k], bar->value[k], at < 0 ? "axis" : "value of that axis");
             if (at < 0) name_all_axes(s, errors);

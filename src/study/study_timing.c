@@ -3,7 +3,7 @@
 #include "study/study_parts.h"
 
 #include "base/memory.h"
-#include "study/machine_load.h"
+#include "batch/machine_load.h"
 
 #include <math.h>
 #include <string.h>

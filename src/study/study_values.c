@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "io/file.h"
-#include "study/errors.h"
+#include "run/errors.h"
 
 #include <math.h>
 #include <stdlib.h>

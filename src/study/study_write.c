@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "io/file.h"
 #include "io/strbuf.h"
-#include "study/errors.h"
+#include "run/errors.h"
 
 #include <math.h>
 #include <string.h>

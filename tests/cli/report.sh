@@ -74,7 +74,7 @@ expect 3 "$FLOE" run "${tiny[@]}" --set time.fixed_step=1e-4 -o bad --quiet
 
 # A study with what it requires, a search, and a map.
 required='study.require=[{metric: eq13, order: 9, where: {coupling: mpm}}, {metric: eq13, error: 99}]'
-expect 6 "$FLOE" study "$cylinder" --axis domain.cell=0.4,0.2 --axis coupling=mpm,ice-mpm --set "$required" \
+expect 6 "$FLOE" study "$cylinder" --set study=null --axis domain.cell=0.4,0.2 --axis coupling=mpm,ice-mpm --set "$required" \
     --set 'study.quantities=[strain]' --set time.end=1e-3 -o study --quiet
 line=("$FLOE_SOURCE/inputs/stability_line.yaml" --each 'method.stress=usl,usf' --set time.max_steps=200 --quiet)
 expect 0 "$FLOE" stability "${line[@]}" --over time.fixed_step=0.0006:0.0024 --tolerance 0.2 -o search

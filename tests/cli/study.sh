@@ -2,7 +2,7 @@
 # floe study: crossed axes, cases that diverge, going on after a kill and a stop.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
-scene=("$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --set time.end=2e-3 --quiet)
+scene=("$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --set time.end=2e-3 --quiet)
 
 # plain FILE: a study without what depends on the time that it took: objects named timing, and three keys of summaries.
 plain() {
@@ -54,7 +54,7 @@ expect 0 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 --set time.end=1
 [ "$(json changed/0.4/summary.json time | cut -c 1-5)" = 0.001 ] || fault 'results of another deck were kept'
 
 # Stopped by a signal: status 5, and the runs are stopped too.
-"$FLOE" study "$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.0125,0.01 -o stopped --jobs 2 >stdout 2>stderr &
+"$FLOE" study "$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.0125,0.01 -o stopped --jobs 2 >stdout 2>stderr &
 pid=$!
 until [ -s stopped/0.01/history.csv ] && [ -s stopped/0.0125/history.csv ]; do sleep 0.02; done
 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 -o stopped 2>refused && fault 'two studies in one folder'
@@ -68,7 +68,7 @@ has stderr 'the same command goes on'
 [ ! -e stopped/0.01/case.json ] || fault 'a run that was stopped counts as ended'
 
 # A run that is killed is a result with its cause, and the rest go on; it is not final.
-"$FLOE" study "$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.0125,0.4 -o killed >stdout 2>stderr &
+"$FLOE" study "$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.0125,0.4 -o killed >stdout 2>stderr &
 pid=$!
 until [ -s killed/0.0125/history.csv ]; do sleep 0.02; done
 "$FLOE" run "${tiny[@]}" -o killed/0.0125 2>refused && fault 'two runs in one folder'

@@ -5,7 +5,7 @@
 
 # Time: each case alone, several times; an error that is met, an order that is missed.
 bars=('study.require=[{metric: eq13, order: 9, where: {coupling: mpm}}, {metric: eq13, error: 99}]')
-expect 6 "$FLOE" study "$cylinder" --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --jobs 2
+expect 6 "$FLOE" study "$cylinder" --set study=null --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --jobs 2
 has stderr 'order of eq13, mpm'
 has stderr 'required: at least 9.00'
 has stdout 'MISSED: order of eq13, mpm'
@@ -18,7 +18,7 @@ is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json bars/
 [ "$(grep -c '"met": false' bars/study.json)" -eq 1 ] || fault 'not one bar missed'
 [ "$(grep -c '"same_results": true' bars/study.json)" -eq 4 ] || fault 'repeated runs gave other results'
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >before
-expect 6 "$FLOE" study "$cylinder" --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
+expect 6 "$FLOE" study "$cylinder" --set study=null --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >after
 cmp before after || fault 'a timed run was made again'
 
@@ -35,7 +35,7 @@ has limits/study.json '"gci"'
 is_there limits/quantities.csv
 
 # A time limit is a result; more time is a reason to run the case again.
-expect 0 "$FLOE" study "$cylinder" --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.4,0.0125 --max-wall 0.3 -o short
+expect 0 "$FLOE" study "$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.4,0.0125 --max-wall 0.3 -o short
 has short/study.csv ',timed_out,'
 has stdout 'timed_out'
 
@@ -43,7 +43,7 @@ has stdout 'timed_out'
 refuse() { # refuse TEXT ARGUMENT...
     local text=$1
     shift
-    expect 2 "$FLOE" study "$cylinder" -o refused "$@"
+    expect 2 "$FLOE" study "$cylinder" --set study=null -o refused "$@"
     has stderr "$text"
     [ ! -e refused ] || fault "a study with bad axes has made its folder: $*"
 }

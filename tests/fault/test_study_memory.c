@@ -31,9 +31,10 @@ static void any_allocation_may_fail(void **state)
 {
     (void)state;
     char dir[] = "/tmp/floe_test_XXXXXX", command[64];
-    static const char *const axis[] = {"domain.cell=0.4,0.2", "coupling=mpm,ice-mpm"};
+    static const char *const axis[] = {"domain.cell=0.4,0.2", "coupling=mpm,ice-mpm"}, *const set[] = {"study=null"};
     const study_options o = {.name = "study",
                              .deck = FLOE_SOURCE_DIR "/inputs/pressurized_cylinder.yaml",
+                             .set = {set, 1},
                              .axis = axis,
                              .n_axis = 2,
                              .repeat = 2,

@@ -265,7 +265,7 @@ static floe_status load(fixture *f, const char *text, const deck_overrides *set,
 {
     scene *s;
     const floe_status status =
-        deck_load_text(&s, f->ctx, "deck.yaml", text, strlen(text), set, &f->store.catalogue, report);
+        deck_check_text(&s, f->ctx, "deck.yaml", text, strlen(text), set, &f->store.catalogue, report);
     scene_destroy(&s);
     context_clear(f->ctx);
     return status;

@@ -1,0 +1,178 @@
+/* Cases in words and as a table. */
+#include "base/memory.h"
+#include "report/case_list.h"
+#include "report/html.h"
+#include "run/errors.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+/* The variant's case of least error; NULL if it has none. */
+static const case_entry *most_exact(const case_list *c, const char *metric, int variant)
+{
+    const case_entry *best = NULL;
+    for (size_t i = 0; i < c->n; i++) {
+        const case_entry *e = &c->list[i];
+        if (variant >= 0 && e->colour != variant) continue;
+        if (isfinite(case_error(e, metric)) && (!best || case_error(e, metric) < case_error(best, metric))) best = e;
+    }
+    return best;
+}
+
+/* The variant's fastest case with no more than that error. */
+static const case_entry *fastest(const case_list *c, const char *metric, int variant, double error)
+{
+    const case_entry *best = NULL;
+    for (size_t i = 0; i < c->n; i++) {
+        const case_entry *e = &c->list[i];
+        if (e->colour == variant && case_error(e, metric) <= error && (!best || e->wall < best->wall)) best = e;
+    }
+    return best;
+}
+
+static void append_case(const case_list *c, const case_entry *e, strbuf *out)
+{
+    char title[PAGE_TEXT];
+    case_title(c, e, title);
+    html_text(out, "%s", title);
+}
+
+bool case_say_least(const case_list *c, const char *metric, strbuf *out)
+{
+    const case_entry *best = most_exact(c, metric, -1);
+    if (!best) return false;
+    html_text(out, "Least %s: ", metric);
+    strbuf_append(out, "<b>");
+    html_error(out, metric, case_error(best, metric));
+    strbuf_append(out, "</b> by ");
+    append_case(c, best, out);
+    strbuf_append(out, ", in ");
+    html_seconds(out, best->wall);
+    strbuf_append(out, ".");
+    return true;
+}
+
+/* The error that every variant reaches: the largest of their least ones; NAN with fewer than two. */
+static double common_error(const case_list *c, const char *metric)
+{
+    double error = NAN;
+    int n = 0;
+    for (int k = 0; k < c->n_variants; k++) {
+        const case_entry *best = most_exact(c, metric, k);
+        if (!best) continue;
+        error = n++ ? fmax(error, case_error(best, metric)) : case_error(best, metric);
+    }
+    return n > 1 ? error : (double)NAN;
+}
+
+/* The variants by rising time that they need for that error; returns how many. */
+static int rank(const case_list *c, const char *metric, double error, const case_entry *list[CASE_MAX_VARIANTS])
+{
+    int n = 0;
+    for (int k = 0; k < c->n_variants; k++) {
+        const case_entry *e = fastest(c, metric, k, error);
+        if (!e) continue;
+        int at = n++;
+        for (; at > 0 && list[at - 1]->wall > e->wall; at--) list[at] = list[at - 1];
+        list[at] = e;
+    }
+    return n;
+}
+
+void case_say_choice(const case_list *c, const char *metric, strbuf *out)
+{
+    const case_entry *list[CASE_MAX_VARIANTS];
+    const double error = common_error(c, metric);
+    if (!isfinite(error)) return;
+    const int n = rank(c, metric, error, list);
+    if (n == 0) return;
+    strbuf_append(out, " For no more than ");
+    html_error(out, metric, error);
+    strbuf_append(out, " choose <b>");
+    append_case(c, list[0], out);
+    strbuf_append(out, "</b>, ");
+    html_seconds(out, list[0]->wall);
+    if (n > 1) {
+        strbuf_append(out, "; the next, ");
+        append_case(c, list[1], out);
+        strbuf_append(out, ", needs ");
+        html_seconds(out, list[1]->wall);
+    }
+    strbuf_append(out, ".");
+}
+
+static void count_cell(strbuf *out, double value)
+{
+    html_number_cell(out);
+    html_count(out, value);
+    html_cell_end(out);
+}
+
+static void settings_cells(const case_list *c, size_t i, const char *name, strbuf *out)
+{
+    for (int k = 0; k < c->n_axes; k++) {
+        strbuf_append(out, k == 0 ? "<td><a href=\"#%s-%zu\">" : "<td>", name, i + 1);
+        html_text(out, "%s", case_setting(&c->list[i], c->axes[k]));
+        strbuf_append(out, k == 0 ? "</a></td>" : "</td>");
+    }
+}
+
+static void time_cell(const case_entry *e, strbuf *out)
+{
+    html_number_cell(out);
+    html_seconds(out, e->wall);
+    if (e->disturbed) strbuf_append(out, "<span title=\"others used the machine meanwhile\"> *</span>");
+    html_cell_end(out);
+}
+
+static void number_cell(strbuf *out, double value, int digits)
+{
+    html_number_cell(out);
+    html_number(out, value, digits);
+    html_cell_end(out);
+}
+
+static void table_row(const case_list *c, size_t i, const char *name, strbuf *out)
+{
+    const case_entry *e = &c->list[i];
+    html_row_begin(out);
+    settings_cells(c, i, name, out);
+    strbuf_append(out, "<td>");
+    html_status(out, e->status);
+    strbuf_append(out, "</td>");
+    for (int k = 0; k < c->n_metrics; k++) {
+        html_number_cell(out);
+        html_error(out, c->metric[k], json_number_of(json_object_get(e->run, "errors"), c->metric[k]));
+        html_cell_end(out);
+    }
+    for (int k = 0; k < c->n_quantities; k++)
+        number_cell(out, json_number_of(json_object_get(e->run, "quantities"), c->quantity[k]), 6);
+    time_cell(e, out);
+    count_cell(out, json_number_of(e->run, "steps"));
+    count_cell(out, json_number_of(e->run, "points"));
+    count_cell(out, json_number_of(e->run, "cells"));
+    number_cell(out, json_number_of(json_object_get(e->run, "conservation"), "energy"), 2);
+    html_row_end(out);
+}
+
+void case_table(const case_list *c, const char *name, strbuf *out)
+{
+    bool disturbed = false;
+    strbuf names;
+    strbuf_init(&names, c->ctx);
+    for (int k = 0; k < c->n_axes; k++) strbuf_append(&names, "%s|", c->axes[k]);
+    strbuf_append(&names, "result");
+    for (int k = 0; k < c->n_metrics; k++) strbuf_append(&names, "|#%s", c->metric[k]);
+    for (int k = 0; k < c->n_quantities; k++) strbuf_append(&names, "|#%s", c->quantity[k]);
+    strbuf_append(&names, "|#run time|#steps|#points|#cells|#energy drift");
+    html_table_begin(out, strbuf_string(&names));
+    strbuf_free(&names);
+    for (size_t i = 0; i < c->n; i++) {
+        table_row(c, i, name, out);
+        disturbed = disturbed || c->list[i].disturbed;
+    }
+    html_table_end(out);
+    if (disturbed)
+        strbuf_append(out, "<p class=\"note\">* Other programs used the machine while this case was timed.</p>\n");
+}

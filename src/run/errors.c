@@ -1,0 +1,45 @@
+#include "run/errors.h"
+
+#include "verify/history_metric.h"
+#include "verify/metric.h"
+
+#include <math.h>
+#include <string.h>
+
+double error_of(const run_summary *r, const char *name)
+{
+    for (int k = 0; k < r->n_errors; k++) {
+        if (strcmp(r->errors[k].name, name) == 0) return r->errors[k].value;
+    }
+    return NAN;
+}
+
+bool error_is_relative(const char *name)
+{
+    metric m;
+    const char *quantity;
+    if (strncmp(name, "rel_", 4) == 0 || history_metric_parse(name, &quantity) != HISTORY_METRIC_COUNT) return true;
+    if (metric_parse(NULL, name, &m) != FLOE_OK) return false;
+    return m.kind == METRIC_EQ13 || m.kind == METRIC_L1REL || m.kind == METRIC_L2REL || m.kind == METRIC_LINFREL;
+}
+
+const char *error_unit(const char *name)
+{
+    metric m;
+    if (error_is_relative(name)) return "%";
+    if (metric_parse(NULL, name, &m) != FLOE_OK) return "";
+    const char *unit = exact_quantity_unit(m.quantity);
+    return strcmp(unit, "1") == 0 ? "" : unit;
+}
+
+void error_text(const char *name, double error, char text[ERROR_TEXT])
+{
+    const char *unit = error_unit(name);
+    if (!isfinite(error)) {
+        (void)snprintf(text, ERROR_TEXT, "-");
+    } else if (error_is_relative(name)) {
+        (void)snprintf(text, ERROR_TEXT, error < 1e-5 ? "%.1e %%" : "%.3f %%", 100.0 * error);
+    } else {
+        (void)snprintf(text, ERROR_TEXT, "%.4g%s%s", error, unit[0] ? " " : "", unit);
+    }
+}

@@ -1,0 +1,18 @@
+/* The errors of a summary: finding them, and showing them to people. */
+#ifndef RUN_ERRORS_H
+#define RUN_ERRORS_H
+
+#include "io/summary.h"
+
+enum { ERROR_TEXT = 64 };
+
+/* The error of that name; NAN if there is none. */
+double error_of(const run_summary *r, const char *name);
+/* True for an error that is a ratio, which is shown in per cent. */
+bool error_is_relative(const char *name);
+/* Unit of an error for people: "%", "" or that of its quantity. */
+const char *error_unit(const char *name);
+/* "0.123 %", "4.5 Pa", "-" for NAN. */
+void error_text(const char *name, double error, char text[ERROR_TEXT]);
+
+#endif
