@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-static seed_spec spec_of(const mpm *s, const scene_body *b)
+seed_spec seed_spec_of(const mpm *s, const scene_body *b)
 {
     seed_spec spec = {.dim = s->mesh->dim,
                       .axisymmetric = s->mesh->geometry == MESH_AXISYMMETRIC,
@@ -80,29 +80,36 @@ static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n
     return FLOE_OK;
 }
 
-static floe_status seed_body(mpm *s, int body, seed_list *list)
+static floe_status seed_body(const mpm *s, int body, seed_list *list)
 {
     const scene_body *b = &s->scene->body[s->body[body].scene_body];
-    const seed_spec spec = spec_of(s, b);
+    const seed_spec spec = seed_spec_of(s, b);
     if (b->membrane.present)
         TRY(seed_membrane(s, b, &spec, list));
     else
         TRY(seed_shape(list, s->ctx, &b->shape, &spec));
-    if (list->n == 0)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "body '%s' has no points: its shape lies outside the domain or between the points", b->name);
-    for (size_t n = 0; n < list->n; ++n) TRY(place_point(s, body, list, n));
+    if (list->n > 0) return FLOE_OK;
+    return fail(s->ctx, FLOE_BAD_INPUT,
+                "body '%s' has no points: its shape lies outside the domain or between the points", b->name);
+}
+
+static floe_status seed_bodies(mpm *s, seed_list *list)
+{
+    for (int body = 0; body < s->n_bodies; ++body) TRY(seed_body(s, body, &list[body]));
+    TRY(fill_cells(s, list));
+    for (int body = 0; body < s->n_bodies; ++body) {
+        for (size_t n = 0; n < list[body].n; ++n) TRY(place_point(s, body, &list[body], n));
+        seed_list_free(s->ctx, &list[body]);
+    }
     return FLOE_OK;
 }
 
 floe_status mpm_seed(mpm *s)
 {
-    for (int body = 0; body < s->n_bodies; ++body) {
-        seed_list list = {0};
-        const floe_status status = seed_body(s, body, &list);
-        seed_list_free(s->ctx, &list);
-        TRY(status);
-    }
+    seed_list list[SCENE_MAX_BODIES] = {0};
+    const floe_status status = seed_bodies(s, list);
+    for (int body = 0; body < s->n_bodies; ++body) seed_list_free(s->ctx, &list[body]);
+    TRY(status);
     TRY(seed_surfaces(s));
     TRY(mpm_resort(s));
     TRY(start_membranes(s));
