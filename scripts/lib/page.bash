@@ -64,7 +64,7 @@ floe_command() {
     shift 3
     local text="floe $command" word
     for word in "$@"; do
-        case $word in *[][*?]*) text+=" '$word'" ;; *) text+=" $word" ;; esac
+        case $word in *[][*?{}\ ]*) text+=" '$word'" ;; *) text+=" $word" ;; esac
     done
     commands+=("$text")
     echo "  $text" >&2

@@ -22,3 +22,15 @@ below "$(json gas-mpm/summary.json l1rel_density)" 0.145
 below "$(json gas-ice/summary.json l1rel_density)" 0.08
 below "$(json gas-mpm/summary.json energy)" 0.01
 below "$(json gas-ice/summary.json energy)" 1e-13
+
+# spring_mass: period and turning points as printed (asked for: half a per cent; measured: 0.017 and 0.022 %).
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/spring_mass.yaml" -o spring --quiet
+below "$(json spring/summary.json hperiod_position)" 5e-4
+below "$(json spring/summary.json hturns_position)" 5e-4
+
+# ball_net: what the supports give is the change of momentum, to round-off, while the net is stretched (a third of the ball's is taken by then).
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/ball_net.yaml" -o net --quiet --set time.end=1.2
+below "$(json net/summary.json momentum)" 1e-13
+below "$(json net/summary.json energy)" 0.01
+impulse=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^"?ledger_momentum_x_boundary/) c = i } END { print -$c }' net/history.csv)
+below 2 "$impulse"
