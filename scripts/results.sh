@@ -8,10 +8,11 @@
 #   stability     the largest stable steps of a line of points, and other limits
 #   contact       two bars that collide, with and without a contact; normals
 #   ball-net      a ball thrown at a net
+#   airbag        York's airbag hit by two cylinders
 #   speed         rates of the solvers
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
 #   picture       the pictures of the README
-# Each is made by scripts/results/NAME.bash. Without a name: all, in some twenty minutes. The index, docs/results/README.md, lists every bar, met or missed.
+# Each is made by scripts/results/NAME.bash. Without a name: all, in some thirty minutes. The index, docs/results/README.md, lists every bar, met or missed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -32,19 +33,19 @@ write_index() {
     printf '# Results\n\n*Written by `scripts/results.sh`; do not edit.*\n\n' >"$page"
     write 'From runs that anyone can repeat: `scripts/results.sh`, or `scripts/results.sh NAME` for one page. Bars were set before anything' \
         'was measured.' '' '| page | |' '|---|---|'
-    for file in a1 studies sod waves conservation stability contact ball-net speed york-points york-membranes; do
+    for file in a1 studies sod waves conservation stability contact ball-net airbag speed york-points york-membranes; do
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
     write '' '| page | what | measured | bar | |' '|---|---|---|---|---|'
-    for file in a1 studies sod waves conservation stability contact ball-net speed; do
+    for file in a1 studies sod waves conservation stability contact ball-net airbag speed; do
         awk -v name=$file 'index($0, name ",\"") == 1 { rest = substr($0, length(name) + 3); q = index(rest, "\",")
             split(substr(rest, q + 2), f, ","); printf "| [%s](%s.md) | %s | %s | %s | %s |\n", name, name, substr(rest, 1, q - 1), f[1], f[2],
             f[3] == "met" ? "met" : "**missed**" }' "$bars" >>"$page"
     done
 }
 
-all=(a1 sod waves conservation stability contact ball-net speed studies picture)
+all=(a1 sod waves conservation stability contact ball-net airbag speed studies picture)
 [ $# -gt 0 ] || set -- "${all[@]}"
 for wanted in "$@"; do
     [[ " ${all[*]} " == *" $wanted "* ]] || {
