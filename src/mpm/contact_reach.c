@@ -8,14 +8,15 @@
 
 enum { MAX_WINDOW = 343 };
 
-/* Unit normal of a group at a node: towards the other one where there are two; zero where it is alone or has none. */
+/* Unit normal of a group at a node: towards the other body of the contact where there is one; zero where it is alone or has none. What is
+ * outside the contact, such as the gas behind a skin, does not count. */
 static void direction_at(const mpm *s, int blk, int group, ptrdiff_t at, double out[MESH_MAX_DIM])
 {
     const fields *f = s->domain->fields[blk];
     int others = 0, other = group;
     double length = 0.0;
     for (int g = 0; g < s->n_groups; ++g) {
-        if (g == group || !(field_get(f, N_MASS, g, 0)[at] > 0.0)) continue;
+        if (g == group || !s->contact->named[g] || !(field_get(f, N_MASS, g, 0)[at] > 0.0)) continue;
         others++;
         other = g;
     }
