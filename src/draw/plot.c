@@ -51,13 +51,11 @@ static floe_status remove_picture(context *ctx, const char *dir, const char *ste
     return status;
 }
 
-floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *figure)
+static floe_status write_both(context *ctx, const char *dir, const plot_figure *figure)
 {
     char stem[PLOT_STEM];
     strbuf csv, script;
     plot_stem(figure->name, stem);
-    TRY(folder_make(ctx, dir));
-    TRY(remove_picture(ctx, dir, stem));
     strbuf_init(&csv, ctx);
     strbuf_init(&script, ctx);
     plot_append_csv(&csv, figure);
@@ -66,6 +64,19 @@ floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *fi
     if (status == FLOE_OK) status = write_text(ctx, dir, stem, "gp", &script);
     strbuf_free(&script);
     strbuf_free(&csv);
+    return status;
+}
+
+floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *figure)
+{
+    char stem[PLOT_STEM];
+    plot_thin thin;
+    plot_stem(figure->name, stem);
+    TRY(folder_make(ctx, dir));
+    TRY(remove_picture(ctx, dir, stem));
+    floe_status status = plot_thin_make(&thin, ctx, figure);
+    if (status == FLOE_OK) status = write_both(ctx, dir, &thin.figure);
+    plot_thin_free(&thin, ctx);
     return status;
 }
 

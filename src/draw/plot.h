@@ -38,6 +38,9 @@ typedef struct plot_figure {
     const char *title; /* above the panels; NULL: none */
     bool untitled;     /* the page around shows the title: in the picture it is only for programs that read it */
     int columns;       /* of panels; less than 1: one */
+    size_t
+        most; /* points of a curve in the picture, the script and the data, which then has 7 digits; 3 or more; 0: all.
+                          Corners, peaks and both ends of lines stay, of clouds even parts; curves with labels stay whole */
     const plot_panel *panel;
     size_t n_panels;
 } plot_figure;
@@ -53,6 +56,9 @@ floe_status plots_write(context *ctx, const char *dir, const plot_figure *figure
  * of several. *missing becomes true when there is no gnuplot, and is left alone otherwise. */
 floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *figure);
 floe_status plots_draw(context *ctx, const char *dir, const plot_figure *figure, size_t n, bool *missing);
+
+/* True when a curve has more points than the figure's `most`. */
+bool plot_is_thinned(const plot_figure *figure);
 
 /* The style that every SVG carries, for a page that holds several of them: <style> with its content. */
 struct strbuf;

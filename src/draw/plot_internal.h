@@ -5,6 +5,18 @@
 #include "draw/plot.h"
 #include "io/strbuf.h"
 
+/* A figure whose long curves hold fewer points; the rest is the original's. */
+typedef struct plot_thin {
+    plot_figure figure;
+    plot_panel *panel; /* owned, as are the next two; NULL where nothing was left out */
+    plot_series *series;
+    double *value;
+} plot_thin;
+
+/* Leaves out what `figure->most` asks for. plot_thin_free afterwards, whatever is returned. */
+floe_status plot_thin_make(plot_thin *t, context *ctx, const plot_figure *figure);
+void plot_thin_free(plot_thin *t, context *ctx);
+
 /* Colours of light pages, in gnuplot's way of writing; plot_svg.c gives each its counterpart on dark ones. */
 #define PLOT_INK "#24292f"
 #define PLOT_GRID "#d8dee4"

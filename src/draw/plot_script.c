@@ -214,13 +214,13 @@ void plot_append_script(strbuf *out, const plot_figure *f, const char *stem)
     strbuf_append(out, "unset multiplot\nunset output\n");
 }
 
-static void append_rows(strbuf *out, const plot_panel *panel, const plot_series *s)
+static void append_rows(strbuf *out, const plot_panel *panel, const plot_series *s, int digits)
 {
     for (size_t i = 0; i < s->n; i++) {
         strbuf_append_csv(out, text_or_empty(panel->title));
         strbuf_append(out, ",");
         strbuf_append_csv(out, text_or_empty(s->name));
-        strbuf_append(out, ",%.17g,%.17g,", s->x[i], s->y[i]);
+        strbuf_append(out, ",%.*g,%.*g,", digits, s->x[i], digits, s->y[i]);
         if (s->label && s->label[i]) strbuf_append_csv(out, s->label[i]);
         strbuf_append(out, "\n");
     }
@@ -230,6 +230,7 @@ void plot_append_csv(strbuf *out, const plot_figure *f)
 {
     strbuf_append(out, "panel,series,x,y,label\n");
     for (size_t p = 0; p < f->n_panels; p++) {
-        for (size_t k = 0; k < f->panel[p].n_series; k++) append_rows(out, &f->panel[p], &f->panel[p].series[k]);
+        for (size_t k = 0; k < f->panel[p].n_series; k++)
+            append_rows(out, &f->panel[p], &f->panel[p].series[k], f->most > 0 ? 7 : 17);
     }
 }

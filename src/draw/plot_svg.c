@@ -52,6 +52,55 @@ static const char *pass_id(strbuf *out, const char *at, const char *stem)
     return end + 1;
 }
 
+/* A mark as gnuplot writes it. */
+typedef struct mark {
+    char shape[16], colour[32];
+    double x, y, scale; /* px, px, 1 */
+} mark;
+
+/* Reads the mark that begins here; returns what follows its line, or NULL if there is none. */
+static const char *read_mark(const char *at, mark *m)
+{
+    int length = 0;
+    const int fields =
+        sscanf(at, "<use xlink:href='#gp%15[A-Za-z0-9]' transform='translate(%lf,%lf) scale(%lf)' color='%31[^']'/>%n",
+               m->shape, &m->x, &m->y, &m->scale, m->colour, &length);
+    if (fields != 5 || length == 0 || !(m->scale > 0.0)) return NULL;
+    at += length;
+    return at + strspn(at, "\n\t ");
+}
+
+static bool is_like(const mark *a, const mark *b)
+{
+    return strcmp(a->shape, b->shape) == 0 && strcmp(a->colour, b->colour) == 0 && a->scale == b->scale;
+}
+
+/* Marks of one kind, which gnuplot writes at length each, as one group; NULL where no mark begins. */
+static const char *group_marks(strbuf *out, const char *at, const char *stem)
+{
+    mark first, next;
+    if (!read_mark(at, &first)) return NULL;
+    strbuf_append(out, "<g color='%s' transform='scale(%g)'>\n", first.colour, first.scale);
+    for (const char *behind = read_mark(at, &next); behind && is_like(&first, &next); behind = read_mark(at, &next)) {
+        strbuf_append(out, "<use xlink:href='#%s-gp%s' x='%.5g' y='%.5g'/>\n", stem, next.shape, next.x / next.scale,
+                      next.y / next.scale);
+        at = behind;
+    }
+    strbuf_append(out, "</g>\n");
+    return at;
+}
+
+/* Steps over what draws nothing: SVG's own defaults, and a group without content; NULL if neither begins here. */
+static const char *pass_idle(const char *at)
+{
+    static const char begin[] = "<g ", end[] = ">\n</g>\n";
+    static const char defaults[] = " stroke-linecap=\"butt\" stroke-linejoin=\"miter\"";
+    if (strncmp(at, defaults, strlen(defaults)) == 0) return at + strlen(defaults);
+    if (strncmp(at, begin, strlen(begin)) != 0) return NULL;
+    at += strcspn(at, ">");
+    return strncmp(at, end, strlen(end)) == 0 ? at + strlen(end) : NULL;
+}
+
 /* The text as gnuplot left it, from its <svg> on, with names and style put in. */
 static void rewrite(strbuf *out, const char *at, const char *stem, const char *title)
 {
@@ -59,7 +108,11 @@ static void rewrite(strbuf *out, const char *at, const char *stem, const char *t
     bool named = false;
     while (*at) {
         const size_t plain = strcspn(at + 1, " <'") + 1;
-        if (strncmp(at, " id='", 5) == 0 || strncmp(at, " id=\"", 5) == 0) {
+        const char *behind = pass_idle(at);
+        if (!behind) behind = group_marks(out, at, stem);
+        if (behind) {
+            at = behind;
+        } else if (strncmp(at, " id='", 5) == 0 || strncmp(at, " id=\"", 5) == 0) {
             at = pass_id(out, at, stem);
         } else if (strncmp(at, reference, strlen(reference)) == 0) {
             strbuf_append(out, "'#%s-gp", stem);

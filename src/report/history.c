@@ -8,11 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    MAX_SERIES = 16,
-    MAX_ROWS = 1000,     /* beyond it a plot of this width shows no more */
-    MAX_ROWS_BRIEF = 300 /* of one of many runs, for pages that load fast */
-};
+enum { MAX_SERIES = 16 };
 
 /* What stands in one plot: columns by their full names ("=dt") or by how they begin, separated by '|'. */
 typedef struct history_group {
@@ -166,24 +162,9 @@ static size_t group_plots(const run_view *v, const csv_table *t, history_plot *l
     return n;
 }
 
-/* Keeps every so many rows, and the last, for plots. */
-static size_t thin(csv_table *t, size_t most)
-{
-    const size_t every = (t->n_rows + most - 1) / most;
-    size_t kept = 0;
-    if (every < 2) return 1;
-    for (size_t i = 0; i < t->n_rows; i++) {
-        if (i % every != 0 && i + 1 != t->n_rows) continue;
-        for (size_t k = 0; k < t->n_columns; k++) t->column[k].value[kept] = t->column[k].value[i];
-        kept++;
-    }
-    t->n_rows = kept;
-    return every;
-}
-
 enum { MAX_PROBE_PLOTS = 6, MAX_PLOTS = sizeof groups / sizeof groups[0] + MAX_PROBE_PLOTS };
 
-static floe_status draw(const run_view *v, const csv_table *t, size_t every)
+static floe_status draw(const run_view *v, const csv_table *t)
 {
     history_plot *list;
     plot_figure figure[MAX_PLOTS];
@@ -193,8 +174,6 @@ static floe_status draw(const run_view *v, const csv_table *t, size_t every)
     for (size_t i = 0; i < n; i++) figure[i] = figure_of(&list[i]);
     if (n > 0) page_heading(v->page, "History");
     const floe_status status = page_figures(v->page, figure, n);
-    if (n > 0 && every > 1)
-        strbuf_append(&v->page->body, "<p class=\"note\">Every %zu rows of history.csv are drawn as one.</p>\n", every);
     memory_free(v->page->ctx, &list);
     return status;
 }
@@ -308,8 +287,7 @@ floe_status run_history(const run_view *v)
     if (status == FLOE_OK && t.n_rows > 0) {
         ledger(v, &t);
         if (!v->brief) limits(v, &t);
-        const size_t every = thin(&t, v->brief ? MAX_ROWS_BRIEF : MAX_ROWS);
-        status = draw(v, &t, every);
+        status = draw(v, &t);
     }
     csv_free(&t);
     return status;

@@ -104,6 +104,9 @@ static floe_status append_download(page *p, const char *words, const char *stem,
     return FLOE_OK;
 }
 
+/* Points of a curve: about one for each of a plot's pixels; in folded boxes, of which a page has many, fewer. */
+enum { PAGE_POINTS = 400, FOLDED_POINTS = 200 };
+
 static floe_status append_figure(page *p, const plot_figure *figure)
 {
     char stem[PLOT_STEM], name[PLOT_STEM + 16];
@@ -130,13 +133,26 @@ static floe_status append_figure(page *p, const plot_figure *figure)
 
 floe_status page_figures(page *p, const plot_figure *figure, size_t n)
 {
+    const size_t most = p->folded ? FOLDED_POINTS : PAGE_POINTS;
+    bool thinned = false;
     if (n == 0) return FLOE_OK;
-    for (size_t i = 0; i < n; i++) TRY(plot_write_data(p->ctx, p->files, &figure[i]));
+    for (size_t i = 0; i < n; i++) {
+        plot_figure thin = figure[i];
+        thin.most = most;
+        thinned = thinned || plot_is_thinned(&thin);
+        TRY(plot_write_data(p->ctx, p->files, &thin));
+    }
     if (!p->no_gnuplot) TRY(plots_draw(p->ctx, p->files, figure, n, &p->no_gnuplot));
     strbuf_append(&p->body, "<div class=\"plots\">\n");
     for (size_t i = 0; i < n; i++) TRY(append_figure(p, &figure[i]));
     strbuf_append(&p->body, "</div>\n");
     p->plots += (int)n;
+    if (thinned)
+        strbuf_append(
+            &p->body,
+            "<p class=\"note\">Of curves of more than %zu points, %zu are drawn and handed out as CSV: corners, "
+            "peaks and ends of lines, an even choice of clouds. The files of the results' folder hold all.</p>\n",
+            most, most);
     return FLOE_OK;
 }
 

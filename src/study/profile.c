@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_COLUMNS = 64, NAME = 64, UNIT = 32, LABEL = 128 };
+enum { MAX_COLUMNS = 64, NAME = 64, UNIT = 32, LABEL = 128, MOST_POINTS = 400 /* of a curve in the figure */ };
 
 /* A profile.csv: columns "sigma_r (Pa)" of numbers. */
 typedef struct table {
@@ -192,8 +192,11 @@ static floe_status draw(drawing *f, const char *dir, bool *missing)
     TRY(memory_new(f->ctx, &f->label, 2 * MAX_COLUMNS, sizeof *f->label));
     add_panels(f, finest);
     if (f->n_panels == 0) return FLOE_OK;
-    const plot_figure figure = {
-        .name = "profile", .columns = f->n_panels > 1 ? 2 : 1, .panel = f->panel, .n_panels = f->n_panels};
+    const plot_figure figure = {.name = "profile",
+                                .columns = f->n_panels > 1 ? 2 : 1,
+                                .most = MOST_POINTS,
+                                .panel = f->panel,
+                                .n_panels = f->n_panels};
     return figure_write(f->ctx, dir, &figure, missing);
 }
 

@@ -49,7 +49,7 @@ static int tear_down(void **state)
 static char *read_back(const place *p, const char *name)
 {
     char path[2 * PATH];
-    char *text;
+    static char *text; /* static, or gcc 12 takes the pointer that is returned for one to it */
     (void)snprintf(path, sizeof path, "%s/%s", p->dir, name);
     check_ok(p->ctx, file_read(p->ctx, path, &text, NULL));
     return text;
@@ -211,6 +211,100 @@ static void does_without_gnuplot(void **state)
     assert_false(is_there(p, "one.svg"));
 }
 
+/* Of a long line with a jump, a peak and a gap these stay, and both ends; of a cloud an even part; a short or labelled curve is whole. */
+static void thins_long_curves(void **state)
+{
+    place *p = *state;
+    enum { N = 20000, MOST = 100, JUMP = 7003, PEAK = 15001, GAP = 10000 };
+    static double x[N], y[N];
+    static const char *text[N];
+    for (int i = 0; i < N; i++) {
+        x[i] = i;
+        y[i] = i < JUMP ? 1.0 : 2.0;
+        if (i >= GAP && i < GAP + 2000) y[i] = (double)NAN;
+    }
+    y[PEAK] = 5.0;
+    const plot_series series[] = {
+        {.name = "line", .style = PLOT_LINES, .x = x, .y = y, .n = N},
+        {.name = "cloud", .style = PLOT_POINTS, .x = x, .y = x, .n = N},
+        {.name = "whole", .style = PLOT_POINTS, .x = x, .y = x, .label = text, .n = MOST + 1},
+        {.name = "short", .style = PLOT_LINES, .x = x, .y = x, .n = MOST},
+    };
+    const plot_panel panel = {.series = series, .n_series = 4};
+    plot_figure figure = {.name = "long", .panel = &panel, .n_panels = 1};
+    assert_false(plot_is_thinned(&figure));
+    figure.most = MOST;
+    assert_true(plot_is_thinned(&figure));
+    check_ok(p->ctx, plot_write(p->ctx, p->dir, &figure));
+    char *csv = read_back(p, "long.csv");
+    assert_int_equal(count(csv, "\"line\""), MOST + 1); /* and the gap */
+    assert_int_equal(count(csv, "\"cloud\""), MOST);
+    assert_int_equal(count(csv, "\"whole\""), MOST + 1);
+    assert_int_equal(count(csv, "\"short\""), MOST);
+    assert_int_equal(count(csv, ",nan,nan,"), 1);
+    assert_non_null(strstr(csv, "\"line\",0,1,\n"));
+    assert_non_null(strstr(csv, "\"line\",19999,2,\n"));
+    assert_non_null(strstr(csv, "\"line\",15001,5,\n"));
+    assert_non_null(strstr(csv, "\"cloud\",0,0,\n"));
+    assert_non_null(strstr(csv, "\"cloud\",19999,19999,\n"));
+    /* The jump lies between neighbours that are no further apart than two buckets; so do neighbours of the cloud. */
+    double at, value, last = 0.0, before = 1.0;
+    bool jumped = false;
+    for (const char *line = strstr(csv, "\"line\""); line; line = strstr(line + 1, "\"line\"")) {
+        if (sscanf(line, "\"line\",%lf,%lf", &at, &value) != 2 || isnan(at)) continue;
+        if (before == 1.0 && value == 2.0) {
+            jumped = true;
+            assert_true(last < JUMP && at >= JUMP && at - last <= 2.0 * (N - 2) / (MOST - 2) + 1.0);
+        }
+        before = value;
+        last = at;
+    }
+    assert_true(jumped);
+    last = 0.0;
+    for (const char *line = strstr(csv, "\"cloud\""); line; line = strstr(line + 1, "\"cloud\"")) {
+        assert_int_equal(sscanf(line, "\"cloud\",%lf", &at), 1);
+        assert_true(at - last <= 2.0 * (N - 2) / (MOST - 2) + 1.0);
+        last = at;
+    }
+    memory_free(p->ctx, &csv);
+    figure.most = 2;
+    assert_int_equal(plot_write(p->ctx, p->dir, &figure), FLOE_INTERNAL);
+}
+
+/* Marks are grouped, and none is lost or moved: the key's and those of all points. */
+static void marks_stay_where_they_are(void **state)
+{
+    place *p = *state;
+    static const double x[] = {0.0, 1.0, 2.0, 3.0};
+    const plot_series series[] = {{.name = "a", .style = PLOT_POINTS, .x = x, .y = x, .n = 4},
+                                  {.name = "b", .style = PLOT_POINTS, .colour = 1, .x = x, .y = h, .n = 4}};
+    const plot_panel panel = {.series = series, .n_series = 2};
+    const plot_figure figure = {.name = "marks", .panel = &panel, .n_panels = 1};
+    check_ok(p->ctx, plot_write(p->ctx, p->dir, &figure));
+    if (!has_gnuplot()) skip();
+    char *svg = read_back(p, "marks.svg");
+    assert_int_equal(count(svg, "<use xlink:href='#marks-gpPt6' x="), 5);
+    assert_int_equal(count(svg, "<use xlink:href='#marks-gpPt4' x="), 5);
+    /* Evenly spaced points of the line y = x are evenly spaced marks, one below the other. */
+    double at[4][2], scale;
+    const char *group = strstr(svg, "' transform='scale(");
+    assert_non_null(group);
+    assert_int_equal(sscanf(group, "' transform='scale(%lf)", &scale), 1);
+    for (int i = 0; i < 4; i++) {
+        group = strstr(group + 1, "<use xlink:href='#marks-gpPt6' x=");
+        assert_non_null(group);
+        assert_int_equal(sscanf(group, "<use xlink:href='#marks-gpPt6' x='%lf' y='%lf'/>", &at[i][0], &at[i][1]), 2);
+    }
+    for (int i = 2; i < 4; i++) {
+        for (int a = 0; a < 2; a++) {
+            const double step = at[1][a] - at[0][a];
+            assert_true(fabs(at[i][a] - at[0][a] - i * step) * scale < 0.1); /* px; gnuplot writes hundredths */
+            assert_true(a == 0 ? step > 0.0 : step < 0.0);
+        }
+    }
+    memory_free(p->ctx, &svg);
+}
+
 static void stems_are_plain(void **state)
 {
     (void)state;
@@ -234,6 +328,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(writes_data_script_and_picture, set_up, tear_down),
         cmocka_unit_test_setup_teardown(pictures_may_share_a_page, set_up, tear_down),
         cmocka_unit_test_setup_teardown(draws_what_is_constant, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(thins_long_curves, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(marks_stay_where_they_are, set_up, tear_down),
         cmocka_unit_test_setup_teardown(does_without_gnuplot, set_up, tear_down),
         cmocka_unit_test(stems_are_plain),
     };
