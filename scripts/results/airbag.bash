@@ -2,6 +2,8 @@
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
 
 airbag_axis=${AIRBAG_AXIS:-0.02 0.01 0.006666666666666667}
+airbag_spring='springs.tether={from: {body: bag, point: 44}, to: {body: bag, point: 243}, stiffness: 71500, one_way: true}'
+airbag_cone='bodies.tether={material: fabric, membrane: {curve: {segment: {from: [0.11, 0.0083], to: [0.11, 0.299]}}, thickness: 0.0005}, points: 8}'
 declare -A airbag_end=([200]=0.07 [500]=0.06)
 
 # airbag_run PROBE H NAME ARGUMENT...: one run of a deck; $csv is its history.
@@ -49,10 +51,8 @@ airbag_probe() {
     for h in 0.02 0.01; do airbag_row "$probe" "$h" '105.3 kPa against 101.3' "${air[@]}"; done
     airbag_row "$probe" 0.02 'contact released at nodes' 'contact={between: [bag, probe], touch: nodes}'
     for h in 0.02 0.01; do airbag_row "$probe" "$h" 'contact released' 'contact={between: [bag, probe]}'; done
-    airbag_row "$probe" 0.02 'tether, a spring' \
-        'springs.tether={from: {body: bag, point: 44}, to: {body: bag, point: 243}, stiffness: 71500, one_way: true}'
-    airbag_row "$probe" 0.02 'tether, points' \
-        'bodies.tether={material: fabric, membrane: {curve: {segment: {from: [0.11, 0.0083], to: [0.11, 0.299]}}, thickness: 0.0005}, points: 8}'
+    airbag_row "$probe" 0.02 'tether, a spring' "$airbag_spring"
+    airbag_row "$probe" 0.02 'tether, points' "$airbag_cone"
     airbag_row "$probe" 0.02 'linear basis' method.basis=linear
     bar "$probe mm: energy that the budget misses, three meshes, as printed" "$worst" '<=' 1 %.2f ' %'
 }
@@ -114,6 +114,26 @@ airbag_notes() {
         '* The budget misses 0.1 to 0.3 per cent of all energy, more on finer meshes, which is up to 4 per cent of what the probe brings.'
 }
 
+# airbag_rest WHAT ARGUMENT...: the bag without a probe, damped until it rests; a row of the table.
+airbag_rest() {
+    local what=$1 argument arguments=()
+    shift
+    for argument in "$@"; do arguments+=(--set "$argument"); done
+    floe_run "rest-$(tr -c 'A-Za-z0-9\n' _ <<<"$what")" inputs/airbag_200.yaml --set bodies.probe=null --set damping.rate=300 --set time.end=0.06 "${arguments[@]}"
+    write "| $what | $(calc %.0f "1000*$(tail -n 1 "$csv" | cut -d, -f"$(column "$csv" last_bag_z)")") | $(calc %.2f "$(tail -n 1 "$csv" | cut -d, -f"$(column "$csv" pressure_gas)")/1000") |"
+}
+
+airbag_shape() {
+    write '' '## Start shape' '' 'The bag without a probe, damped by 300 1/s for 60 ms, h = 20 mm. The box'"'"'s outline is that of a bag at rest with a tether: a cap that' \
+        'bulges to 318 mm at the axis inside a ring at 299 mm. Without one it would rise by 40 mm.' '' \
+        '| | height at the axis (mm) | mean pressure (kPa) |' '|---|---|---|' '| box 10, start | 318 | 4.00 |'
+    airbag_rest 'tether, points' "$airbag_cone"
+    airbag_rest 'tether, a spring' "$airbag_spring"
+    airbag_rest 'none'
+    "$floe" picture "$runs/rest-tether__points" --cells none --width 420 -o "$results/airbag-rest.png" >/dev/null
+    write '' '![at rest with a tether of points](airbag-rest.png)'
+}
+
 result_airbag() {
     local probe
     begin airbag "York's airbag hit by two cylinders"
@@ -126,6 +146,7 @@ result_airbag() {
     airbag_notes
     write '' '## Bars' ''
     show_bars
+    airbag_shape
     for probe in 200 500; do
         airbag_plot $probe
         write '' "## Displacement, $probe mm (Y97 Fig. $([ $probe = 200 ] && echo 60 || echo 63))" '' "![displacement](airbag-$probe.svg)"
