@@ -98,7 +98,7 @@ void batch_progress_report(batch *b, const batch_case *one)
     if (one->kept) (void)fprintf(b->o->progress, " before");
     if (one->ran) (void)fprintf(b->o->progress, ", %lld steps, %.3g s", one->summary.steps, one->summary.wall_seconds);
     if (one->ran && one->summary.n_errors > 0) {
-        error_text(one->summary.errors[0].name, one->summary.errors[0].value, error);
+        error_text(one->summary.errors[0].name, one->summary.errors[0].value, one->summary.dimensionless, error);
         (void)fprintf(b->o->progress, ", %s %s", one->summary.errors[0].name, error);
     }
     (void)fprintf(b->o->progress, "%s%s\n", one->message[0] ? ": " : "", one->message);

@@ -62,6 +62,7 @@ static void set_drifts(run_summary *r, const sim *s)
 floe_status summary_set_sim(run_summary *r, const sim *s)
 {
     (void)snprintf(r->coupling, sizeof r->coupling, "%s", coupling_name(s->coupling));
+    r->dimensionless = s->scene->dimensionless;
     r->time = s->time;
     r->steps = s->steps;
     r->rejected_steps = s->rejected;

@@ -72,6 +72,7 @@ static void take_case(case_list *c, const json_t *run)
                       .wall = time_of(run),
                       .updates = sum_of_counts(run),
                       .disturbed = json_is_true(json_object_get(json_object_get(run, "timing"), "disturbed"))};
+    c->dimensionless = c->dimensionless || strcmp(json_text_of(run, "units"), "none") == 0;
     if (!e->variant[0]) e->variant = json_text_of(run, "coupling");
     take_axis(c, e);
     e->colour = note(c->variant, &c->n_variants, CASE_MAX_VARIANTS, e->variant);

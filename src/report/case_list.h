@@ -32,9 +32,10 @@ typedef struct case_list {
     int n_quantities;
     const char *axes[CASE_MAX_AXES]; /* the keys that are varied */
     int n_axes;
-    const char *axis; /* what is varied along a curve: "domain.cell"; "" for nothing */
-    bool along_h;     /* the axis is the spacing */
-    bool along_value; /* the axis is another number */
+    const char *axis;   /* what is varied along a curve: "domain.cell"; "" for nothing */
+    bool dimensionless; /* its scene has `units: none` */
+    bool along_h;       /* the axis is the spacing */
+    bool along_value;   /* the axis is another number */
 } case_list;
 
 /* Takes the cases of compare.json. case_list_free afterwards, whatever is returned. */

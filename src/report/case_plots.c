@@ -69,15 +69,16 @@ static void name_plot(error_plot *h, const case_list *c, const char *stem, const
 {
     static const char *const names[N_MEASURES] = {"place", "time", "updates"};
     static const char *const titles[N_MEASURES] = {"against spacing", "against run time", "against updates"};
-    static const char *const x_labels[N_MEASURES] = {"spacing h (m)", "run time (s)", "updates of points and cells"};
-    const char *unit = error_unit(metric);
+    static const char *const x_labels[N_MEASURES] = {"spacing h", "run time (s)", "updates of points and cells"};
+    const char *unit = error_unit(metric, c->dimensionless);
     (void)snprintf(h->name, sizeof h->name, "%.60s-%.40s-%s", stem, metric, names[m]);
     if (m == BY_PLACE && !c->along_h) {
         (void)snprintf(h->title, sizeof h->title, "%.60s against %.60s", metric, c->axis);
         (void)snprintf(h->x_label, sizeof h->x_label, "%s", c->axis);
     } else {
         (void)snprintf(h->title, sizeof h->title, "%.60s %s", metric, titles[m]);
-        (void)snprintf(h->x_label, sizeof h->x_label, "%s", x_labels[m]);
+        (void)snprintf(h->x_label, sizeof h->x_label, "%s%s", x_labels[m],
+                       m == BY_PLACE && !c->dimensionless ? " (m)" : "");
     }
     (void)snprintf(h->y_label, sizeof h->y_label, "%.60s%s%s%s", metric, unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
     h->panel.x_label = h->x_label;
@@ -155,7 +156,8 @@ static floe_status fill_quantity(error_plot *h, const case_list *c, const char *
     TRY(memory_new(c->ctx, &h->y, c->n * (size_t)c->n_variants, sizeof *h->y));
     (void)snprintf(h->name, sizeof h->name, "%.60s-%.40s", stem, quantity);
     (void)snprintf(h->title, sizeof h->title, "%.100s", quantity);
-    (void)snprintf(h->x_label, sizeof h->x_label, "%s", c->along_h ? "spacing h (m)" : c->axis);
+    (void)snprintf(h->x_label, sizeof h->x_label, "%s%s", c->along_h ? "spacing h" : c->axis,
+                   c->along_h && !c->dimensionless ? " (m)" : "");
     for (int variant = 0; variant < c->n_variants; variant++) {
         const size_t at = c->n * (size_t)variant;
         size_t n = 0;

@@ -44,7 +44,7 @@ bool case_say_least(const case_list *c, const char *metric, strbuf *out)
     if (!best) return false;
     html_text(out, "Least %s: ", metric);
     strbuf_append(out, "<b>");
-    html_error(out, metric, case_error(best, metric));
+    html_error(out, metric, case_error(best, metric), c->dimensionless);
     strbuf_append(out, "</b> by ");
     append_case(c, best, out);
     strbuf_append(out, ", in ");
@@ -88,7 +88,7 @@ void case_say_choice(const case_list *c, const char *metric, strbuf *out)
     const int n = rank(c, metric, error, list);
     if (n == 0) return;
     strbuf_append(out, " For no more than ");
-    html_error(out, metric, error);
+    html_error(out, metric, error, c->dimensionless);
     strbuf_append(out, " choose <b>");
     append_case(c, list[0], out);
     strbuf_append(out, "</b>, ");
@@ -143,7 +143,8 @@ static void table_row(const case_list *c, size_t i, const char *name, strbuf *ou
     strbuf_append(out, "</td>");
     for (int k = 0; k < c->n_metrics; k++) {
         html_number_cell(out);
-        html_error(out, c->metric[k], json_number_of(json_object_get(e->run, "errors"), c->metric[k]));
+        html_error(out, c->metric[k], json_number_of(json_object_get(e->run, "errors"), c->metric[k]),
+                   c->dimensionless);
         html_cell_end(out);
     }
     for (int k = 0; k < c->n_quantities; k++)

@@ -77,9 +77,9 @@ void html_bytes(strbuf *out, double bytes)
     strbuf_append(out, "%.3g %s", bytes, unit[k]);
 }
 
-void html_error(strbuf *out, const char *metric, double error)
+void html_error(strbuf *out, const char *metric, double error, bool dimensionless)
 {
-    const char *unit = error_unit(metric);
+    const char *unit = error_unit(metric, dimensionless);
     html_number(out, error * (error_is_relative(metric) ? 100.0 : 1.0), 4);
     if (unit[0] && isfinite(error)) html_text(out, " %s", unit);
 }

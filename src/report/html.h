@@ -15,8 +15,8 @@ void html_count(strbuf *out, double value);
 void html_seconds(strbuf *out, double seconds);
 /* Bytes as "12.3 MB". */
 void html_bytes(strbuf *out, double bytes);
-/* A difference relative to what is there, round-off said in words: "5.6 x 10^-17" stays a number, 0 is "0". */
-void html_error(strbuf *out, const char *metric, double error);
+/* An error with its unit, of which a dimensionless scene has none but "%". */
+void html_error(strbuf *out, const char *metric, double error, bool dimensionless);
 
 /* "done", "diverged", ... in the colour of what it means. */
 void html_status(strbuf *out, const char *status);

@@ -194,7 +194,7 @@ static void errors(const run_view *v)
         html_row_begin(out);
         html_cell(out, name);
         html_number_cell(out);
-        html_error(out, name, json_is_number(value) ? json_number_value(value) : (double)NAN);
+        html_error(out, name, json_is_number(value) ? json_number_value(value) : (double)NAN, v->dimensionless);
         html_cell_end(out);
         html_row_end(out);
     }
@@ -326,7 +326,8 @@ static void summarise(page *p, const char *title, const json_t *summary, const c
     json_object_foreach(errors_of, name, value)
     {
         html_text(out, "%s%s ", first ? "" : ", ", name);
-        html_error(out, name, json_is_number(value) ? json_number_value(value) : (double)NAN);
+        html_error(out, name, json_is_number(value) ? json_number_value(value) : (double)NAN,
+                   strcmp(json_text_of(summary, "units"), "none") == 0);
         first = false;
     }
     strbuf_append(out, "%s", first ? "" : ", in ");

@@ -128,8 +128,9 @@ static void limits(const study_view *v)
     strbuf_append(out, "<p class=\"note\">By Richardson extrapolation; the index is that of the finest case.</p>\n");
 }
 
-static void bar_row(strbuf *out, const json_t *bar)
+static void bar_row(const study_view *v, const json_t *bar)
 {
+    strbuf *out = &v->page->body;
     const char *metric = json_text_of(bar, "metric");
     const bool order = strcmp(json_text_of(bar, "of"), "order") == 0;
     html_row_begin(out);
@@ -145,14 +146,14 @@ static void bar_row(strbuf *out, const json_t *bar)
     if (order) {
         html_number(out, json_number_of(bar, "required"), 3);
     } else {
-        html_error(out, metric, json_number_of(bar, "required"));
+        html_error(out, metric, json_number_of(bar, "required"), v->cases.dimensionless);
     }
     html_cell_end(out);
     html_number_cell(out);
     if (order) {
         html_number(out, json_number_of(bar, "value"), 3);
     } else {
-        html_error(out, metric, json_number_of(bar, "value"));
+        html_error(out, metric, json_number_of(bar, "value"), v->cases.dimensionless);
     }
     html_cell_end(out);
     html_row_end(out);
@@ -164,7 +165,7 @@ static void bars(const study_view *v)
     if (json_array_size(list) == 0) return;
     page_heading(v->page, "What the deck requires");
     html_table_begin(&v->page->body, "|what|of|#required|#measured");
-    for (size_t i = 0; i < json_array_size(list); i++) bar_row(&v->page->body, json_array_get(list, i));
+    for (size_t i = 0; i < json_array_size(list); i++) bar_row(v, json_array_get(list, i));
     html_table_end(&v->page->body);
 }
 

@@ -23,23 +23,30 @@ bool error_is_relative(const char *name)
     return m.kind == METRIC_EQ13 || m.kind == METRIC_L1REL || m.kind == METRIC_L2REL || m.kind == METRIC_LINFREL;
 }
 
-const char *error_unit(const char *name)
+const char *error_unit(const char *name, bool dimensionless)
 {
     metric m;
     if (error_is_relative(name)) return "%";
-    if (metric_parse(NULL, name, &m) != FLOE_OK) return "";
+    if (dimensionless || metric_parse(NULL, name, &m) != FLOE_OK) return "";
     const char *unit = exact_quantity_unit(m.quantity);
     return strcmp(unit, "1") == 0 ? "" : unit;
 }
 
-void error_text(const char *name, double error, char text[ERROR_TEXT])
+void error_number(const char *name, double error, char text[ERROR_TEXT])
 {
-    const char *unit = error_unit(name);
     if (!isfinite(error)) {
         (void)snprintf(text, ERROR_TEXT, "-");
     } else if (error_is_relative(name)) {
-        (void)snprintf(text, ERROR_TEXT, error < 1e-5 ? "%.1e %%" : "%.3f %%", 100.0 * error);
+        (void)snprintf(text, ERROR_TEXT, error < 1e-5 ? "%.1e" : "%.3f", 100.0 * error);
     } else {
-        (void)snprintf(text, ERROR_TEXT, "%.4g%s%s", error, unit[0] ? " " : "", unit);
+        (void)snprintf(text, ERROR_TEXT, "%.4g", error);
     }
+}
+
+void error_text(const char *name, double error, bool dimensionless, char text[ERROR_TEXT])
+{
+    const char *unit = isfinite(error) ? error_unit(name, dimensionless) : "";
+    error_number(name, error, text);
+    const size_t at = strlen(text);
+    (void)snprintf(text + at, ERROR_TEXT - at, "%s%s", unit[0] ? " " : "", unit);
 }

@@ -10,9 +10,11 @@ enum { ERROR_TEXT = 64 };
 double error_of(const run_summary *r, const char *name);
 /* True for an error that is a ratio, which is shown in per cent. */
 bool error_is_relative(const char *name);
-/* Unit of an error for people: "%", "" or that of its quantity. */
-const char *error_unit(const char *name);
+/* Unit of an error for people: "%", "" or that of its quantity; a dimensionless scene's have none but "%". */
+const char *error_unit(const char *name, bool dimensionless);
 /* "0.123 %", "4.5 Pa", "-" for NAN. */
-void error_text(const char *name, double error, char text[ERROR_TEXT]);
+void error_text(const char *name, double error, bool dimensionless, char text[ERROR_TEXT]);
+/* The same without the unit, for columns whose heading has it. */
+void error_number(const char *name, double error, char text[ERROR_TEXT]);
 
 #endif

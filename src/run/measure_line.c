@@ -1,6 +1,7 @@
 /* A one-dimensional scene beside its exact solution. */
 #include "base/memory.h"
 #include "io/file.h"
+#include "io/names.h"
 #include "io/strbuf.h"
 #include "run/samples.h"
 #include "run/subject.h"
@@ -88,13 +89,15 @@ static int compare_rows(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static floe_status write_line(context *ctx, const line *l, const char *path)
+static floe_status write_line(const sim *s, const line *l, const char *path)
 {
+    context *ctx = s->ctx;
     strbuf out;
     strbuf_init(&out, ctx);
-    strbuf_append(&out, "x (m)");
+    strbuf_append(&out, "x (%s)", output_unit(s, "m"));
     for (int k = 0; k < l->n_quantities; k++) {
-        const char *name = exact_quantity_name(l->quantity[k]), *unit = exact_quantity_unit(l->quantity[k]);
+        const char *name = exact_quantity_name(l->quantity[k]);
+        const char *unit = output_unit(s, exact_quantity_unit(l->quantity[k]));
         strbuf_append(&out, ",%s (%s),exact_%s (%s)", name, unit, name, unit);
     }
     strbuf_append(&out, "\n");
@@ -116,7 +119,7 @@ floe_status profile_of_line(sim *s, const exact *solution, const char *path)
     TRY(memory_new(s->ctx, &l.row, count(&what) * l.width, sizeof *l.row));
     floe_status status = collect(&what, &l);
     qsort(l.row, l.n, l.width * sizeof *l.row, compare_rows);
-    if (status == FLOE_OK) status = write_line(s->ctx, &l, path);
+    if (status == FLOE_OK) status = write_line(s, &l, path);
     memory_free(s->ctx, &l.row);
     return status;
 }

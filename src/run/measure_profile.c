@@ -1,6 +1,7 @@
 /* Stresses along the x axis beside the exact ones. */
 #include "base/memory.h"
 #include "io/file.h"
+#include "io/names.h"
 #include "io/strbuf.h"
 #include "run/measure.h"
 #include "run/subject.h"
@@ -44,11 +45,15 @@ static void fill_row(const point_samples *p, const double centre[3], size_t i, p
     }
 }
 
-static floe_status write_rows(context *ctx, const char *path, profile_row *row, size_t n)
+static floe_status write_rows(const sim *s, const char *path, profile_row *row, size_t n)
 {
+    context *ctx = s->ctx;
+    const char *m = output_unit(s, "m"), *pa = output_unit(s, "Pa");
     strbuf out;
     strbuf_init(&out, ctx);
-    strbuf_append(&out, "x (m),y (m),r (m),sigma_r (Pa),sigma_theta (Pa),exact_sigma_r (Pa),exact_sigma_theta (Pa)\n");
+    strbuf_append(&out,
+                  "x (%s),y (%s),r (%s),sigma_r (%s),sigma_theta (%s),exact_sigma_r (%s),exact_sigma_theta (%s)\n", m,
+                  m, m, pa, pa, pa, pa);
     qsort(row, n, sizeof *row, compare_rows);
     for (size_t i = 0; i < n; i++) {
         strbuf_append(&out, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", row[i].x[0], row[i].x[1], row[i].r, row[i].value[0],
@@ -70,7 +75,7 @@ static floe_status collect(const point_samples *p, const char *path)
     for (size_t i = 0; i < p->list.n; i++) {
         if (is_near_axis(p, b, centre, i)) fill_row(p, centre, i, &row[n++]);
     }
-    const floe_status status = write_rows(p->s->ctx, path, row, n);
+    const floe_status status = write_rows(p->s, path, row, n);
     memory_free(p->s->ctx, &row);
     return status;
 }

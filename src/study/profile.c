@@ -24,6 +24,7 @@ typedef struct drawing {
     table *table; /* n, owned */
     size_t n;
     const char *exact;
+    bool dimensionless;
     strbuf rows;          /* of all sources; owned */
     plot_panel *panel;    /* owned */
     plot_series *series;  /* owned */
@@ -79,12 +80,12 @@ static floe_status by_column(context *ctx, table *t)
 }
 
 /* The rows with the source's name and h before each; the names of the columns once. */
-static void append_rows(strbuf *out, const profile_source *source, const char *text)
+static void append_rows(strbuf *out, const profile_source *source, bool dimensionless, const char *text)
 {
     const bool first = out->length == 0;
     bool names = true;
     for (const char *end = strchr(text, '\n'); end; text = end + 1, end = strchr(text, '\n')) {
-        if (names && first) strbuf_append(out, "group,h (m),");
+        if (names && first) strbuf_append(out, "group,h (%s),", dimensionless ? "1" : "m");
         if (!names) strbuf_append_csv(out, source->name);
         if (!names) strbuf_append(out, ",%.9g,", source->h);
         if (!names || first) strbuf_append(out, "%.*s", (int)(end + 1 - text), text);
@@ -92,13 +93,14 @@ static void append_rows(strbuf *out, const profile_source *source, const char *t
     }
 }
 
-static floe_status read_table(context *ctx, const profile_source *source, table *t, strbuf *rows)
+static floe_status read_table(drawing *f, const profile_source *source, table *t)
 {
+    context *ctx = f->ctx;
     char *text;
     size_t lines = 0;
     if (!file_exists(source->path)) return FLOE_OK;
     TRY(file_read(ctx, source->path, &text, NULL));
-    append_rows(rows, source, text);
+    append_rows(&f->rows, source, f->dimensionless, text);
     for (const char *c = strchr(text, '\n'); c; c = strchr(c + 1, '\n')) lines++;
     read_names(text, t);
     floe_status status = memory_new(ctx, &t->value, lines * (size_t)t->columns, sizeof *t->value);
@@ -135,7 +137,7 @@ static void add_series(drawing *f, const table *t, int x, int y, plot_series lik
 
 static void write_label(const table *t, int column, char label[LABEL])
 {
-    const char *unit = is_large(t->unit[column]) ? "MPa" : t->unit[column];
+    const char *unit = is_large(t->unit[column]) ? "MPa" : strcmp(t->unit[column], "1") == 0 ? "" : t->unit[column];
     (void)snprintf(label, LABEL, "%s%s%s%s", t->name[column], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
 }
 
@@ -180,7 +182,7 @@ static floe_status draw(drawing *f, const char *dir, bool *missing)
     const table *finest = NULL;
     char path[4096];
     for (size_t i = 0; i < f->n; i++) {
-        TRY(read_table(f->ctx, &f->source[i], &f->table[i], &f->rows));
+        TRY(read_table(f, &f->source[i], &f->table[i]));
         if (f->table[i].rows > (finest ? finest->rows : 0)) finest = &f->table[i];
     }
     if (!finest) return FLOE_OK;
@@ -201,9 +203,9 @@ static floe_status draw(drawing *f, const char *dir, bool *missing)
 }
 
 floe_status profile_draw(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
-                         bool *missing)
+                         bool dimensionless, bool *missing)
 {
-    drawing f = {.ctx = ctx, .source = source, .n = n, .exact = exact};
+    drawing f = {.ctx = ctx, .source = source, .n = n, .exact = exact, .dimensionless = dimensionless};
     strbuf_init(&f.rows, ctx);
     TRY(memory_new(ctx, &f.table, n, sizeof *f.table));
     const floe_status status = draw(&f, dir, missing);

@@ -48,9 +48,10 @@ typedef struct stability_set {
 } stability_set;
 
 typedef struct stability {
-    context *ctx;    /* not owned */
-    char *deck_path; /* owned */
-    char *dir;       /* owned */
+    context *ctx;       /* not owned */
+    char *deck_path;    /* owned */
+    char *dir;          /* owned */
+    bool dimensionless; /* the deck says `units: none` */
     char title[256];
     scene_axis over[SCENE_MAX_OVER]; /* a search: one, its values are not used; a map: two */
     int n_over;

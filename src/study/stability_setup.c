@@ -203,6 +203,7 @@ static floe_status take_scene(stability *s, const stability_options *o, const sc
 {
     const scene_stability *deck = &sc->stability;
     search_spec spec = {.from = NAN, .to = NAN, .most = SEARCH_MOST};
+    s->dimensionless = sc->dimensionless;
     (void)snprintf(s->title, sizeof s->title, "%s", sc->title);
     s->tolerance = spec.tolerance = o->tolerance > 0.0 ? o->tolerance : deck->tolerance;
     s->growth = o->growth > 0.0 ? o->growth : deck->growth;

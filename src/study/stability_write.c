@@ -110,7 +110,8 @@ static floe_status write_csv(const stability *s, const char *path)
     strbuf_init(&out, s->ctx);
     for (int i = 0; i < s->n_each; i++) strbuf_append(&out, "%s,", s->each[i].key);
     for (int i = 0; i < s->n_over; i++) strbuf_append(&out, "%s,", s->over[i].key);
-    strbuf_append(&out, "verdict,energy_ratio,steps,rejected_steps,time (s),cause,directory\n");
+    strbuf_append(&out, "verdict,energy_ratio,steps,rejected_steps,time (%s),cause,directory\n",
+                  s->dimensionless ? "1" : "s");
     for (size_t i = 0; i < s->n_probes; i++) append_probe(s, &s->probe[i], &out);
     const floe_status status =
         out.status == FLOE_OK ? file_replace_text(s->ctx, path, strbuf_string(&out)) : out.status;

@@ -56,6 +56,7 @@ typedef struct study_case {
 typedef struct study {
     context *ctx;                 /* not owned */
     const study_options *options; /* not owned */
+    bool dimensionless;           /* the deck says `units: none` */
     char title[256], exact[SCENE_NAME];
     scene_study plan; /* the deck's, with what the command line has changed; its axes are in `axes` */
     axis_list axes;

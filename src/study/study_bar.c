@@ -107,15 +107,15 @@ floe_status study_bars(const study *s, study_bar_result **out, size_t *n)
     return FLOE_OK;
 }
 
-void study_bar_text(const study_bar_result *r, char *text, size_t size)
+void study_bar_text(const study *s, const study_bar_result *r, char *text, size_t size)
 {
     char value[ERROR_TEXT], limit[ERROR_TEXT];
     if (r->of_order) {
         (void)snprintf(value, sizeof value, "%.2f", r->value);
         (void)snprintf(limit, sizeof limit, "%.2f", r->limit);
     } else {
-        error_text(r->bar->metric, r->value, value);
-        error_text(r->bar->metric, r->limit, limit);
+        error_text(r->bar->metric, r->value, s->dimensionless, value);
+        error_text(r->bar->metric, r->limit, s->dimensionless, limit);
     }
     (void)snprintf(text, size, "%s of %s, %s: %s, required: %s %s", r->of_order ? "order" : "error", r->bar->metric,
                    r->where, isfinite(r->value) ? value : "not measured", r->of_order ? "at least" : "at most", limit);
@@ -130,7 +130,7 @@ floe_status study_check_bars(const study *s)
     for (size_t i = 0; i < n; i++) {
         if (list[i].met) continue;
         const size_t at = strlen(all);
-        study_bar_text(&list[i], text, sizeof text);
+        study_bar_text(s, &list[i], text, sizeof text);
         (void)snprintf(all + at, sizeof all - at, "\n    %s", text);
         missed++;
     }

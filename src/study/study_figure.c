@@ -101,7 +101,7 @@ static void add_error_panel(const study *s, drawing *d, const char *metric, stud
 {
     const char *const x_label[] = {"wall time (s)", "updates of points and cells", study_over_label(s)};
     const double scale = error_is_relative(metric) ? 100.0 : 1.0;
-    plot_panel *panel = begin_panel(d, x_label[cost], metric, error_unit(metric));
+    plot_panel *panel = begin_panel(d, x_label[cost], metric, error_unit(metric, s->dimensionless));
     panel->log_x = panel->log_y = true;
     for (size_t g = 0; g < s->n_groups; g++) {
         double *x, *y;
@@ -198,7 +198,7 @@ static floe_status draw_profile(const study *s, bool *missing)
         (void)snprintf(source[n].path, sizeof source[n].path, "%s/%s/profile.csv", s->options->dir, one->run->folder);
         n++;
     }
-    return profile_draw(s->ctx, s->options->dir, s->exact, source, n, missing);
+    return profile_draw(s->ctx, s->options->dir, s->exact, source, n, s->dimensionless, missing);
 }
 
 floe_status study_write_figures(const study *s)

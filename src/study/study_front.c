@@ -156,14 +156,14 @@ static const study_case *best_case(const study *s, const char *metric)
 
 void study_answer_text(const study *s, const study_answer *a, char *text, size_t size)
 {
-    const char *unit = error_unit(a->metric);
+    const char *unit = error_unit(a->metric, s->dimensionless);
     char target[ERROR_TEXT];
     (void)snprintf(target, sizeof target, "%g%s%s", a->target * (error_is_relative(a->metric) ? 100.0 : 1.0),
                    unit[0] ? " " : "", unit);
     if (a->best == s->n_groups) {
         const study_case *best = best_case(s, a->metric);
         char least[ERROR_TEXT];
-        error_text(a->metric, study_error(best, a->metric), least);
+        error_text(a->metric, study_error(best, a->metric), s->dimensionless, least);
         (void)snprintf(text, size, "no variant reaches %s in %s: the smallest error is %s, %s, %.3g s", target,
                        a->metric, least, best->run->label, best->timing.best);
     } else if (a->next == s->n_groups) {

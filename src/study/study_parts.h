@@ -10,7 +10,7 @@ floe_status study_make_plan(study *s);
 batch_options study_batch_options(const study *s);
 /* "h" for the mesh, else the key. */
 const char *study_axis_name(const scene_axis *axis);
-/* "h (m)", or the key of `over`. */
+/* "h (m)", "h" of a dimensionless scene, or the key of `over`. */
 const char *study_over_label(const study *s);
 
 /* study_timing.c */
@@ -75,7 +75,7 @@ typedef struct study_bar_result {
 floe_status study_bars(const study *s, study_bar_result **out, size_t *n);
 /* FLOE_MISSED_BAR with all misses in words. */
 floe_status study_check_bars(const study *s);
-void study_bar_text(const study_bar_result *r, char *text, size_t size);
+void study_bar_text(const study *s, const study_bar_result *r, char *text, size_t size);
 
 /* study_write.c, study_json.c, study_figure.c, study_profile.c */
 floe_status study_write_json(const study *s);

@@ -28,7 +28,7 @@ const char *study_axis_name(const scene_axis *axis)
 
 const char *study_over_label(const study *s)
 {
-    if (s->over < 0 || strcmp(s->axes.axis[s->over].key, "domain.cell") == 0) return "h (m)";
+    if (s->over < 0 || strcmp(s->axes.axis[s->over].key, "domain.cell") == 0) return s->dimensionless ? "h" : "h (m)";
     return s->axes.axis[s->over].key;
 }
 
@@ -287,6 +287,7 @@ static floe_status plan(study *s, const scene *base, strbuf *errors)
 {
     const study_options *o = s->options;
     (void)snprintf(s->title, sizeof s->title, "%s", base->title);
+    s->dimensionless = base->dimensionless;
     (void)snprintf(s->exact, sizeof s->exact, "%s", base->verify.exact);
     if (!o->compare) s->plan = base->study;
     if (o->repeat >= 0) s->plan.repeat = o->repeat;

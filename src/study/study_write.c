@@ -22,10 +22,12 @@ static void append_names(const study *s, strbuf *out)
     if (axis_find(&s->axes, "coupling") < 0) strbuf_append(out, "coupling,");
     for (int k = 0; k < s->axes.n; k++) strbuf_append(out, "%s,", s->axes.axis[k].key);
     if (has_empty_axis(s)) strbuf_append(out, "case,");
-    strbuf_append(out, "h (m),status,time (s),steps,rejected_steps,wall_seconds (s),cells,points,cell_updates,"
-                       "point_updates,drift_mass,drift_momentum,drift_energy");
+    strbuf_append(out,
+                  "h (%s),status,time (%s),steps,rejected_steps,wall_seconds (s),cells,points,cell_updates,"
+                  "point_updates,drift_mass,drift_momentum,drift_energy",
+                  s->dimensionless ? "1" : "m", s->dimensionless ? "1" : "s");
     for (int k = 0; k < s->n_metrics; k++) {
-        const char *unit = error_is_relative(s->metric[k]) ? "" : error_unit(s->metric[k]);
+        const char *unit = error_is_relative(s->metric[k]) ? "" : error_unit(s->metric[k], s->dimensionless);
         strbuf_append(out, ",%s%s%s%s", s->metric[k], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
     }
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%s", s->plan.quantity[q]);
@@ -81,6 +83,8 @@ floe_status study_write_csv(const study *s)
 
 /* ---- for people ---- */
 
+enum { HEADING = SCENE_NAME + 32, LEAST_WIDTH = 12 };
+
 static int at_least(int width, const char *text)
 {
     const int length = (int)strlen(text);
@@ -95,9 +99,31 @@ static int axis_width(const scene_axis *axis)
     return width;
 }
 
-static int metric_width(const char *name)
+/* "l1_pressure (Pa)" */
+static void metric_heading(const study *s, const char *metric, char text[HEADING])
 {
-    return at_least(12, name);
+    const char *unit = error_unit(metric, s->dimensionless);
+    (void)snprintf(text, HEADING, "%s%s%s%s", metric, unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
+}
+
+/* Width of a column of errors, of what stands in it. */
+static int metric_width(const study *s, const char *metric)
+{
+    char text[HEADING];
+    metric_heading(s, metric, text);
+    int width = at_least(LEAST_WIDTH, text);
+    for (size_t i = 0; i < s->n; i++) {
+        char number[ERROR_TEXT];
+        error_number(metric, study_error(&s->list[i], metric), number);
+        width = at_least(width, number);
+    }
+    return width;
+}
+
+/* "%.6g" needs no more than the least width. */
+static int quantity_width(const char *quantity)
+{
+    return at_least(LEAST_WIDTH, quantity);
 }
 
 static void print_axis_cell(const scene_axis *axis, const char *text, FILE *file)
@@ -113,9 +139,13 @@ static void print_names(const study *s, FILE *file)
 {
     for (int k = 0; k < s->axes.n; k++) print_axis_cell(&s->axes.axis[k], study_axis_name(&s->axes.axis[k]), file);
     (void)fprintf(file, "%8s  %8s  %7s", "points", "cells", "steps");
-    for (int k = 0; k < s->n_metrics; k++) (void)fprintf(file, "  %*s", metric_width(s->metric[k]), s->metric[k]);
+    for (int k = 0; k < s->n_metrics; k++) {
+        char text[HEADING];
+        metric_heading(s, s->metric[k], text);
+        (void)fprintf(file, "  %*s", metric_width(s, s->metric[k]), text);
+    }
     for (int q = 0; q < s->plan.n_quantities; q++)
-        (void)fprintf(file, "  %*s", metric_width(s->plan.quantity[q]), s->plan.quantity[q]);
+        (void)fprintf(file, "  %*s", quantity_width(s->plan.quantity[q]), s->plan.quantity[q]);
     (void)fprintf(file, "  %11s\n", "wall time");
 }
 
@@ -130,11 +160,11 @@ static void print_case(const study *s, const study_case *one, FILE *file)
     (void)fprintf(file, "%8lld  %8lld  %7lld", r->points, r->cells, r->steps);
     for (int k = 0; k < s->n_metrics; k++) {
         char text[ERROR_TEXT];
-        error_text(s->metric[k], study_error(one, s->metric[k]), text);
-        (void)fprintf(file, "  %*s", metric_width(s->metric[k]), text);
+        error_number(s->metric[k], study_error(one, s->metric[k]), text);
+        (void)fprintf(file, "  %*s", metric_width(s, s->metric[k]), text);
     }
     for (int q = 0; q < s->plan.n_quantities; q++)
-        (void)fprintf(file, "  %*.6g", metric_width(s->plan.quantity[q]), one->quantity[q]);
+        (void)fprintf(file, "  %*.6g", quantity_width(s->plan.quantity[q]), one->quantity[q]);
     (void)fprintf(file, "  %9.3g s%s", study_is_done(one) ? one->timing.best : r->wall_seconds,
                   one->timing.disturbed ? " disturbed" : "");
     if (!study_is_done(one)) (void)fprintf(file, "  %s", batch_status_name(one->run));
@@ -210,7 +240,7 @@ static floe_status print_bars(const study *s, FILE *file)
     TRY(study_bars(s, &list, &n));
     for (size_t i = 0; i < n; i++) {
         char text[512];
-        study_bar_text(&list[i], text, sizeof text);
+        study_bar_text(s, &list[i], text, sizeof text);
         (void)fprintf(file, "%s: %s\n", list[i].met ? "met" : "MISSED", text);
     }
     memory_free(s->ctx, &list);

@@ -79,3 +79,16 @@ has stdout 'failed'
 grep -q '^mpm,"0.0125",.*,failed,' killed/study.csv || fault 'not recorded as failed'
 grep -q '^mpm,"0.4",.*,done,\|^mpm,"0.4",.*,at_rest,' killed/study.csv || fault 'the other case was not run'
 [ ! -e killed/0.0125/case.json ] || fault 'a case that was killed counts as ended'
+
+# A dimensionless scene has no units but per cent and wall time; in the table what stands in a column ends where its name does.
+for units in none si; do
+    expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/sod.yaml" --set study=null --set units=$units --axis coupling=ice,mpm --axis domain.cell=0.05,0.02 --repeat 0 -o "units_$units"
+    cp stdout "table_$units"
+    [ "$(json "units_$units/ice-0.02/summary.json" units)" = "$units" ] || fault 'the summary does not say the units'
+    awk '/^coupling/ { n = split($0, c, /l1_density( \(kg\/m3\))?/); end = length($0) - length(c[2]); next }
+         /^(ice|mpm) / && (substr($0, end, 1) !~ /[0-9]/ || substr($0, end + 1, 1) != " ") { exit 1 }' "table_$units" || fault 'a table that is not aligned'
+done
+! grep -nE 'kg/m3|J/kg|m/s|\(m\)|\(Pa\)|[0-9] Pa' units_none/*.csv units_none/*.gp units_none/study.json table_none units_none/*/profile.csv >&2 || fault 'units of a dimensionless scene'
+has table_si 'l1_density (kg/m3)'
+has units_si/study.csv 'l1_density (kg/m3)'
+has units_si/ice-0.02/profile.csv 'density (kg/m3)'

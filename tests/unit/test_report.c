@@ -117,11 +117,14 @@ static void numbers_are_written_for_people(void **state)
     html_count(&out, 1234567.0);
     assert_string_equal(strbuf_string(&out), "1\u202f234\u202f567");
     strbuf_free(&out);
-    html_error(&out, "eq13", 0.0123456);
+    html_error(&out, "eq13", 0.0123456, true);
     assert_string_equal(strbuf_string(&out), "1.235 %");
     strbuf_free(&out);
-    html_error(&out, "l1_pressure", 2.5);
+    html_error(&out, "l1_pressure", 2.5, false);
     assert_string_equal(strbuf_string(&out), "2.5 Pa");
+    strbuf_free(&out);
+    html_error(&out, "l1_pressure", 2.5, true);
+    assert_string_equal(strbuf_string(&out), "2.5");
     strbuf_free(&out);
 }
 
