@@ -220,11 +220,19 @@ static floe_status make_thin(const batch *b, const batch_case *one)
     return folder_remove(b->ctx, path);
 }
 
+/* A run that is asked to stop says so by its exit status, or, before it listens to signals, dies of the one that asks. The
+ * terminal asks all processes of a batch at once. */
+static bool was_stopped(const batch *b, const batch_job *j, int wait_status)
+{
+    const bool asked = j->asked || (b->o->stop && *b->o->stop);
+    if (WIFSIGNALED(wait_status)) return asked && (WTERMSIG(wait_status) == SIGTERM || WTERMSIG(wait_status) == SIGINT);
+    return asked && status_of(wait_status) == FLOE_INTERRUPTED;
+}
+
 floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
 {
     batch_case *one = &b->list[j->index];
     const machine_load after = machine_load_now();
-    const bool stopped = b->o->stop && *b->o->stop;
     one->alone = b->n_jobs == 1 && b->o->threads <= 1;
     one->other_cores = b->n_jobs == 1 ? machine_load_of_others(&j->before, &after) : (double)NAN;
     one->status = status_of(wait_status);
@@ -235,8 +243,11 @@ floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
                                    one->summary.wall_seconds >= b->o->max_wall);
     j->pid = 0;
     b->running--;
-    one->state = one->status == FLOE_INTERRUPTED && stopped && !one->timed_out ? BATCH_WAITING : BATCH_ENDED;
-    if (one->state == BATCH_WAITING) return FLOE_OK;
+    one->state = was_stopped(b, j, wait_status) && !one->timed_out ? BATCH_WAITING : BATCH_ENDED;
+    if (one->state == BATCH_WAITING) {
+        one->status = FLOE_INTERRUPTED;
+        return FLOE_OK;
+    }
     batch_progress_report(b, one);
     if (!is_final(one)) return FLOE_OK;
     if (b->o->thin) TRY(make_thin(b, one));

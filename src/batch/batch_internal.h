@@ -14,6 +14,7 @@ typedef struct batch_job {
     size_t index;        /* of the case */
     double started;      /* wall clock, s */
     machine_load before; /* at its start */
+    bool asked;          /* to stop */
     bool killed;         /* for it did not stop when its time was up */
 } batch_job;
 
@@ -44,7 +45,7 @@ floe_status batch_case_collect(batch *b, batch_job *j, int wait_status);
 /* Starts the case's process in a free place. */
 floe_status batch_process_start(batch *b, size_t i);
 /* Asks the process to stop. */
-void batch_process_stop(const batch_job *j);
+void batch_process_stop(batch_job *j);
 /* Ends it at once. */
 void batch_process_kill(batch_job *j);
 

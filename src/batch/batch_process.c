@@ -105,8 +105,9 @@ floe_status batch_process_start(batch *b, size_t i)
     return FLOE_OK;
 }
 
-void batch_process_stop(const batch_job *j)
+void batch_process_stop(batch_job *j)
 {
+    j->asked = true;
     (void)kill(j->pid, SIGTERM);
 }
 
