@@ -21,7 +21,13 @@ floe_status study_time(study *s);
 /* True if any timed run was disturbed. */
 bool study_is_disturbed(const study *s);
 
+/* study_columns.c */
+/* Adds to `errors` each quantity that the histories of none of the couplings will have. */
+floe_status study_check_columns(const study *s, strbuf *errors);
+
 /* study_values.c: what the cases have come to. */
+/* The number of the column `name` (whose title may have a unit behind it) in a line of names, from 0; -1 if there is none. */
+int study_find_column(const char *names, const char *name);
 void study_take_values(study *s);
 bool study_is_done(const study_case *one);
 /* The error of a case that is done; NAN otherwise. */

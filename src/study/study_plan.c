@@ -299,6 +299,8 @@ static floe_status plan(study *s, const scene *base, strbuf *errors)
     TRY(make_cases(s, base));
     TRY(check_cases(s, errors));
     TRY(fail_with(s->ctx, errors));
+    TRY(study_check_columns(s, errors));
+    TRY(fail_with(s->ctx, errors));
     for (size_t i = 0; i < s->n; i++) name_group(s, &s->list[i]);
     return FLOE_OK;
 }

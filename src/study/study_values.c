@@ -38,8 +38,7 @@ static void list_metrics(study *s)
     }
 }
 
-/* The number of the column `name` (whose title may have a unit behind it), from 0; -1 if there is none. */
-static int find_column(const char *names, const char *name)
+int study_find_column(const char *names, const char *name)
 {
     const size_t length = strlen(name);
     for (int k = 0;; k++) {
@@ -83,7 +82,7 @@ static void read_quantities(const study *s, study_case *one, bool *missing)
     }
     const char *row = last_row(text);
     for (int q = 0; q < s->plan.n_quantities; q++) {
-        const int column = find_column(text, s->plan.quantity[q]);
+        const int column = study_find_column(text, s->plan.quantity[q]);
         missing[q] = missing[q] || column < 0;
         if (column >= 0) one->quantity[q] = field_of(row, column);
     }

@@ -92,3 +92,9 @@ done
 has table_si 'l1_density (kg/m3)'
 has units_si/study.csv 'l1_density (kg/m3)'
 has units_si/ice-0.02/profile.csv 'density (kg/m3)'
+
+# A quantity that no history will have is refused before anything runs.
+expect 2 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 --set 'study.quantities=[strian]' -o misspelt
+has stderr "no case's history.csv has a column 'strian'; they have"
+has stderr 'strain (J)'
+[ ! -e misspelt ] || fault 'something was written'
