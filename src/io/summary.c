@@ -75,6 +75,7 @@ static bool set_all(json_t *object, const run_summary *r)
            json_put(object, "steps", json_integer(r->steps)) &&
            json_put(object, "rejected_steps", json_integer(r->rejected_steps)) &&
            json_put(object, "wall_seconds", json_number(r->wall_seconds)) &&
+           json_put(object, "output_seconds", json_number(r->output_seconds)) &&
            set_values(object, "seconds_by_stage", r->seconds_by_stage, r->n_stages) &&
            json_put(object, "cells", json_integer(r->cells)) && json_put(object, "points", json_integer(r->points)) &&
            json_put(object, "cell_updates", count(r->cell_updates)) &&
@@ -89,6 +90,11 @@ struct json_t *summary_json(const run_summary *r)
     if (object && set_all(object, r)) return object;
     json_decref(object);
     return NULL;
+}
+
+double summary_run_seconds(const run_summary *r)
+{
+    return r->wall_seconds - r->output_seconds;
 }
 
 floe_status summary_write(context *ctx, const char *path, const run_summary *r)

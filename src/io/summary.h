@@ -36,6 +36,8 @@ typedef struct run_summary {
     double time;                 /* s, reached */
     long long steps, rejected_steps;
     double wall_seconds; /* earlier legs of a resumed run included */
+    double
+        output_seconds; /* of it, what this leg's history, snapshots and checkpoints took; 0 where an older version wrote it */
     summary_value seconds_by_stage[SUMMARY_MAX_STAGES];
     int n_stages;
     long long cells, points; /* of the whole mesh (0 without cells); at the end */
@@ -55,6 +57,9 @@ typedef struct run_summary {
 /* Adds an error or a counter; what does not fit is FLOE_INTERNAL. */
 floe_status summary_add_error(run_summary *r, context *ctx, const char *name, double value);
 floe_status summary_add_counter(run_summary *r, context *ctx, const char *name, long long value);
+
+/* Wall time without that of outputs (s): what the solver needs, and what studies compare. */
+double summary_run_seconds(const run_summary *r);
 
 /* Fills version, git, compiler, flags and machine with those of this build and of where it runs. */
 void summary_set_build(run_summary *r);

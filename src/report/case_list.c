@@ -58,7 +58,8 @@ static void note_names(json_t *object, const char **list, int *n, int room)
 static double time_of(const json_t *run)
 {
     const double best = json_number_of(json_object_get(run, "timing"), "best");
-    return isfinite(best) ? best : json_number_of(run, "wall_seconds");
+    const double output = json_number_of(run, "output_seconds"), wall = json_number_of(run, "wall_seconds");
+    return isfinite(best) ? best : isfinite(output) ? wall - output : wall;
 }
 
 static void take_case(case_list *c, const json_t *run)

@@ -14,10 +14,10 @@ typedef struct case_entry {
     const char *variant; /* all that tells it from others but the place on the curve: "mpm", "mpm, method.basis=gimp" */
     const char *value;   /* of what is varied along a curve: "0.05"; "" for nothing */
     double h;            /* m; NAN: unknown */
-    double wall;         /* s: the best of its timed runs, or that of its only one */
-    double updates;      /* of points and cells */
-    bool disturbed;      /* others used the machine while it was timed */
-    int colour;          /* of its variant */
+    double wall;    /* s, without outputs where that is known: the best of its timed runs, or that of its only one */
+    double updates; /* of points and cells */
+    bool disturbed; /* others used the machine while it was timed */
+    int colour;     /* of its variant */
 } case_entry;
 
 typedef struct case_list {

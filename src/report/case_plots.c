@@ -69,7 +69,8 @@ static void name_plot(error_plot *h, const case_list *c, const char *stem, const
 {
     static const char *const names[N_MEASURES] = {"place", "time", "updates"};
     static const char *const titles[N_MEASURES] = {"against spacing", "against run time", "against updates"};
-    static const char *const x_labels[N_MEASURES] = {"spacing h", "run time (s)", "updates of points and cells"};
+    static const char *const x_labels[N_MEASURES] = {"spacing h", "run time without outputs (s)",
+                                                     "updates of points and cells"};
     const char *unit = error_unit(metric, c->dimensionless);
     (void)snprintf(h->name, sizeof h->name, "%.60s-%.40s-%s", stem, metric, names[m]);
     if (m == BY_PLACE && !c->along_h) {

@@ -166,7 +166,7 @@ void case_table(const case_list *c, const char *name, strbuf *out)
     strbuf_append(&names, "result");
     for (int k = 0; k < c->n_metrics; k++) strbuf_append(&names, "|#%s", c->metric[k]);
     for (int k = 0; k < c->n_quantities; k++) strbuf_append(&names, "|#%s", c->quantity[k]);
-    strbuf_append(&names, "|#run time|#steps|#points|#cells|#energy drift");
+    strbuf_append(&names, "|#run time without outputs|#steps|#points|#cells|#energy drift");
     html_table_begin(out, strbuf_string(&names));
     strbuf_free(&names);
     for (size_t i = 0; i < c->n; i++) {

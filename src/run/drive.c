@@ -42,6 +42,7 @@ typedef struct run {
     double started;         /* wall clock at the start of this leg, s */
     double earlier;         /* wall time of earlier legs, s */
     double measuring;       /* wall time of references and errors, which is not the run's, s */
+    double putting_out;     /* wall time of outputs, which is the run's, s */
     double last_checkpoint; /* wall clock, s */
     bool began;             /* outputs are open */
 } run;
@@ -76,7 +77,18 @@ static double wall_spent(const run *r)
 static floe_status checkpoint(run *r)
 {
     r->last_checkpoint = wall_seconds();
-    return output_checkpoint(&r->output, r->sim, wall_spent(r));
+    const floe_status status = output_checkpoint(&r->output, r->sim, wall_spent(r));
+    r->putting_out += wall_seconds() - r->last_checkpoint;
+    return status;
+}
+
+/* A row or a snapshot; the time that it takes is told apart, as of short runs it is most. */
+static floe_status put_out(run *r, floe_status (*write)(run_output *o, sim *s))
+{
+    const double before = wall_seconds();
+    const floe_status status = write(&r->output, r->sim);
+    r->putting_out += wall_seconds() - before;
+    return status;
 }
 
 static double history_interval(const scene *s)
@@ -113,10 +125,10 @@ static floe_status write_due(run *r, double before)
 {
     const double now = r->sim->time;
     if (schedule_is_passed(before, now, history_interval(r->scene))) {
-        TRY(output_row(&r->output, r->sim));
+        TRY(put_out(r, output_row));
         progress_account(&r->progress, &r->sim->ledger);
     }
-    if (schedule_is_due(now, r->scene->output.interval)) TRY(output_snapshot(&r->output, r->sim));
+    if (schedule_is_due(now, r->scene->output.interval)) TRY(put_out(r, output_snapshot));
     if (wall_seconds() - r->last_checkpoint < r->scene->output.checkpoint_interval) return FLOE_OK;
     return checkpoint(r);
 }
@@ -158,8 +170,8 @@ static floe_status measure(run *r, run_summary *out)
 /* The last row and snapshot, unless the time has them, the errors, and the checkpoint. */
 static floe_status finish(run *r, run_summary *out)
 {
-    if (history_last_time(r->output.history) < r->sim->time) TRY(output_row(&r->output, r->sim));
-    if (snapshot_last_time(r->output.snapshots) < r->sim->time) TRY(output_snapshot(&r->output, r->sim));
+    if (history_last_time(r->output.history) < r->sim->time) TRY(put_out(r, output_row));
+    if (snapshot_last_time(r->output.snapshots) < r->sim->time) TRY(put_out(r, output_snapshot));
     TRY(checkpoint(r));
     const double before = wall_seconds();
     const floe_status status = measure(r, out);
@@ -204,7 +216,9 @@ static floe_status begin(run *r)
     initial_attach(r->scene, &r->solution);
     TRY(sim_create(&r->sim, r->ctx, r->scene, r->scene->coupling));
     TRY(measure_history_check(r->sim));
+    const double before = wall_seconds();
     TRY(o->resume ? output_resume(&r->output, r->sim, o->dir) : output_begin(&r->output, r->sim, o->dir));
+    r->putting_out += wall_seconds() - before;
     r->began = true;
     r->earlier = r->output.checkpoint.wall_seconds;
     r->last_checkpoint = wall_seconds();
@@ -224,8 +238,8 @@ static void say_start(const run *r, int threads)
 static floe_status start_outputs(run *r)
 {
     if (r->options->resume) return FLOE_OK;
-    TRY(output_row(&r->output, r->sim));
-    return output_snapshot(&r->output, r->sim);
+    TRY(put_out(r, output_row));
+    return put_out(r, output_snapshot);
 }
 
 static floe_status carry_out(run *r, run_summary *out)
@@ -242,6 +256,7 @@ static floe_status write_summary(run *r, run_summary *out, const char *status)
     char path[OUTPUT_PATH];
     out->n_counters = 0;
     out->wall_seconds = wall_spent(r);
+    out->output_seconds = r->putting_out;
     out->peak_rss_bytes = peak_rss_bytes();
     (void)snprintf(out->status, sizeof out->status, "%s", status);
     TRY(summary_set_sim(out, r->sim));

@@ -35,9 +35,10 @@ typedef struct study_timing {
     double seconds[STUDY_MAX_REPEAT]; /* s, of each timed run */
     double others[STUDY_MAX_REPEAT];  /* cores that others used meanwhile; NAN: unknown */
     int n;                            /* 0: not timed */
-    double best;                      /* s: the fastest timed run; not timed: the run itself, whatever ran beside it */
-    bool disturbed;                   /* others used the machine during the best one */
-    bool differs;                     /* a timed run gave other results than the first: it must not */
+    double best;    /* s, without outputs: the fastest timed run; not timed: the run itself, whatever ran beside it */
+    double wall;    /* s: all of the best timed run */
+    bool disturbed; /* others used the machine during the best one */
+    bool differs;   /* a timed run gave other results than the first: it must not */
 } study_timing;
 
 typedef struct study_case {

@@ -1,5 +1,5 @@
 /* A study as JSON: study.json, compare.json. What depends on the machine stands in objects named `timing`, and in a summary's
- * wall_seconds, seconds_by_stage and peak_rss_bytes. */
+ * wall_seconds, output_seconds, seconds_by_stage and peak_rss_bytes. */
 #include "io/json.h"
 #include "study/study_parts.h"
 
@@ -198,8 +198,9 @@ floe_status study_write_json(const study *s)
     char path[BATCH_PATH];
     (void)snprintf(path, sizeof path, "%s/%s.json", s->options->dir, s->options->name);
     json_t *over = s->over < 0 ? json_null() : axis_json(&s->axes.axis[s->over]);
-    json_t *timing = json_pack("{s:i, s:b, s:o, s:o}", "repeat", s->plan.repeat, "disturbed", study_is_disturbed(s),
-                               "pareto", front_json(s, STUDY_SECONDS), "answers", answers_json(s));
+    json_t *timing = json_pack("{s:i, s:s, s:b, s:o, s:o}", "repeat", s->plan.repeat, "seconds",
+                               "wall_seconds - output_seconds", "disturbed", study_is_disturbed(s), "pareto",
+                               front_json(s, STUDY_SECONDS), "answers", answers_json(s));
     return json_write(s->ctx, path,
                       json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", 1, "deck",
                                 json_plain_text(s->options->deck), "title", json_plain_text(s->title), "axis", over,

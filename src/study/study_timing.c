@@ -1,4 +1,4 @@
-/* Times that can be compared: each case alone, on one thread, more than once; the fastest counts, as what disturbs a run can only
+/* Times that can be compared, without those of outputs, which depend on the disk: each case alone, on one thread, more than once; the fastest counts, as what disturbs a run can only
  * slow it down. */
 #include "study/study_parts.h"
 
@@ -52,12 +52,13 @@ static void note_time(study_case *one, const batch_case *run)
 {
     study_timing *t = &one->timing;
     if (t->n == STUDY_MAX_REPEAT) return;
-    const double seconds = run->summary.wall_seconds;
+    const double seconds = summary_run_seconds(&run->summary);
     t->seconds[t->n] = seconds;
     t->others[t->n] = run->other_cores;
     t->differs = t->differs || !is_same_result(&run->summary, &one->run->summary);
     if (t->n == 0 || seconds < t->best) {
         t->best = seconds;
+        t->wall = run->summary.wall_seconds;
         t->disturbed = run->other_cores > most_of_others && run->other_cores * seconds > grain;
     }
     t->n++;
@@ -99,7 +100,8 @@ void study_take_times(study *s)
 {
     for (size_t i = 0; i < s->n; i++) {
         study_case *one = &s->list[i];
-        one->timing = (study_timing){.best = study_is_done(one) ? one->run->summary.wall_seconds : (double)NAN};
+        one->timing =
+            (study_timing){.best = study_is_done(one) ? summary_run_seconds(&one->run->summary) : (double)NAN};
         if (s->plan.repeat > 0 && study_is_done(one) && one->run->alone) note_time(one, one->run);
     }
 }

@@ -31,7 +31,7 @@ static void append_names(const study *s, strbuf *out)
         strbuf_append(out, ",%s%s%s%s", s->metric[k], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
     }
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%s", s->plan.quantity[q]);
-    strbuf_append(out, ",timed_runs,disturbed,directory,message\n");
+    strbuf_append(out, ",run_seconds (s),timed_runs,disturbed,directory,message\n");
 }
 
 static void append_setting(const scene_axis *axis, int pick, strbuf *out)
@@ -51,7 +51,7 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     if (has_empty_axis(s)) strbuf_append(out, "\"\",");
     strbuf_append(out, "%.17g,%s", one->h, batch_status_name(one->run));
     if (one->run->ran) {
-        const double seconds = isfinite(one->timing.best) ? one->timing.best : r->wall_seconds;
+        const double seconds = one->timing.n > 0 ? one->timing.wall : r->wall_seconds;
         strbuf_append(out, ",%.17g,%lld,%lld,%.6g,%lld,%lld,%.17g,%.17g,%.6g,%.6g,%.6g", r->time, r->steps,
                       r->rejected_steps, seconds, r->cells, r->points, r->cell_updates, r->point_updates, r->drift_mass,
                       r->drift_momentum, r->drift_energy);
@@ -60,7 +60,7 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     }
     for (int k = 0; k < s->n_metrics; k++) strbuf_append(out, ",%.17g", study_error(one, s->metric[k]));
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%.17g", one->quantity[q]);
-    strbuf_append(out, ",%d,%s,", one->timing.n, one->timing.disturbed ? "yes" : "no");
+    strbuf_append(out, ",%.6g,%d,%s,", one->timing.best, one->timing.n, one->timing.disturbed ? "yes" : "no");
     strbuf_append_csv(out, one->run->folder);
     strbuf_append(out, ",");
     strbuf_append_csv(out, one->run->message);
@@ -146,7 +146,7 @@ static void print_names(const study *s, FILE *file)
     }
     for (int q = 0; q < s->plan.n_quantities; q++)
         (void)fprintf(file, "  %*s", quantity_width(s->plan.quantity[q]), s->plan.quantity[q]);
-    (void)fprintf(file, "  %11s\n", "wall time");
+    (void)fprintf(file, "  %11s\n", "run time");
 }
 
 static void print_case(const study *s, const study_case *one, FILE *file)
@@ -165,7 +165,7 @@ static void print_case(const study *s, const study_case *one, FILE *file)
     }
     for (int q = 0; q < s->plan.n_quantities; q++)
         (void)fprintf(file, "  %*.6g", quantity_width(s->plan.quantity[q]), one->quantity[q]);
-    (void)fprintf(file, "  %9.3g s%s", study_is_done(one) ? one->timing.best : r->wall_seconds,
+    (void)fprintf(file, "  %9.3g s%s", study_is_done(one) ? one->timing.best : summary_run_seconds(r),
                   one->timing.disturbed ? " disturbed" : "");
     if (!study_is_done(one)) (void)fprintf(file, "  %s", batch_status_name(one->run));
     (void)fprintf(file, "\n");
@@ -221,7 +221,8 @@ static void print_timing(const study *s, FILE *file)
     bool crowded = false;
     for (size_t i = 0; i < s->n; i++)
         crowded = crowded || (s->plan.repeat == 0 && study_is_done(&s->list[i]) && !s->run[i].alone);
-    if (s->plan.repeat > 0) (void)fprintf(file, "times: the best of %d, alone on one thread", s->plan.repeat);
+    if (s->plan.repeat > 0)
+        (void)fprintf(file, "times: the best of %d, alone on one thread, without that of outputs", s->plan.repeat);
     if (crowded)
         (void)fprintf(file, "times: not to be compared, as cases ran side by side (--repeat N times them alone)");
     if (study_is_disturbed(s)) (void)fprintf(file, "; other programs used the machine during the disturbed ones");

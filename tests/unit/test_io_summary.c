@@ -13,6 +13,7 @@ static run_summary some_summary(fixture *f)
     run_summary r = {.status = "done",
                      .message = "a \"cause\"",
                      .wall_seconds = 1.0 / 3.0,
+                     .output_seconds = 0.25,
                      .peak_rss_bytes = 123456789012345,
                      .threads = 2};
     (void)snprintf(r.deck, sizeof r.deck, "inputs/pressurized \"cylinder\".yaml");
@@ -36,27 +37,17 @@ static void has_fields(const json_t *object, const char *const *names)
 static void has_fields_of_contract(void **state)
 {
     (void)state;
-    static const char *const top[] = {"schema",
-                                      "deck",
-                                      "coupling",
-                                      "units",
-                                      "status",
-                                      "message",
-                                      "time",
-                                      "steps",
-                                      "rejected_steps",
-                                      "wall_seconds",
-                                      "seconds_by_stage",
-                                      "cells",
-                                      "points",
-                                      "cell_updates",
-                                      "point_updates",
-                                      "memory",
-                                      "conservation",
-                                      "errors",
-                                      "counters",
-                                      "floe",
-                                      NULL};
+    static const char *const top[] = {"schema",         "deck",
+                                      "coupling",       "units",
+                                      "status",         "message",
+                                      "time",           "steps",
+                                      "rejected_steps", "wall_seconds",
+                                      "output_seconds", "seconds_by_stage",
+                                      "cells",          "points",
+                                      "cell_updates",   "point_updates",
+                                      "memory",         "conservation",
+                                      "errors",         "counters",
+                                      "floe",           NULL};
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};
     static const char *const drift[] = {"mass", "momentum", "energy", NULL};
@@ -93,6 +84,7 @@ static void reads_back(void **state)
     back.errors[1].value = r.errors[1].value = 0.0; /* a NaN's bits are not kept */
     assert_string_equal(back.errors[1].name, "l1_sigma_r");
     assert_true(back.n_errors == 2 && back.errors[0].value == 0.066);
+    assert_true(summary_run_seconds(&back) == 1.0 / 3.0 - 0.25);
     assert_true(back.wall_seconds == 1.0 / 3.0 && back.time == f.sim.time && back.steps == 1234);
     assert_true(back.point_updates == 1e18 / 3.0 && back.cell_updates == 17.0);
     assert_true(back.cells == 480 && back.points > 200);
