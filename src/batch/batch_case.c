@@ -24,13 +24,7 @@ static floe_status hash_deck(const scene *s, const deck_catalogue *catalogue, ch
     char *text;
     TRY(memory_new(s->ctx, &plain, 1, sizeof *plain));
     *plain = *s;
-    plain->title[0] = '\0';
-    plain->threads = 0;
-    plain->compare.n_values = 0;
-    plain->study = (scene_study){0};
-    plain->stability = (scene_stability){0};
-    plain->runs_as[0] = s->coupling;
-    plain->n_runs_as = 1;
+    scene_keep_run(plain);
     const floe_status status = deck_echo(&text, plain, catalogue);
     memory_free(s->ctx, &plain);
     TRY(status);

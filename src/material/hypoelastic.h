@@ -9,6 +9,8 @@
 #include "base/compiler.h"
 #include "material/solid.h"
 
+#include <math.h>
+
 enum { XX, YY, ZZ, XY, YZ, ZX };
 
 /* sigma + R + R^T + R B^T with R = B sigma, B = Q - I: keeps the digits of small rotations. `planar` leaves out the
@@ -89,6 +91,13 @@ FLOE_ALWAYS_INLINE double hypoelastic_energy(double K, double G, double J, const
     const double sx = s[XX] - mean, sy = s[YY] - mean, sz = s[ZZ] - mean;
     const double s2 = sx * sx + sy * sy + sz * sz + 2.0 * (s[XY] * s[XY] + s[YZ] * s[YZ] + s[ZX] * s[ZX]);
     return J * (0.5 / K * mean * mean + 0.25 / G * s2);
+}
+
+/* Longitudinal elastic waves: c^2 = (K + 4 G / 3) / rho. */
+FLOE_ALWAYS_INLINE void hypoelastic_wave_speeds(double K, double G, const solid_batch *b, double *restrict c)
+{
+    const double modulus = K + 4.0 / 3.0 * G;
+    for (size_t i = 0; i < b->n; i++) c[i] = sqrt(modulus * b->J[i] / b->rho0[i]);
 }
 
 FLOE_ALWAYS_INLINE void hypoelastic_energies(double K, double G, const solid_batch *b, double *restrict psi)

@@ -50,9 +50,8 @@ static size_t linear_elastic_stress(const void *par, double p_ref, solid_batch *
 static void linear_elastic_wave_speed(const void *par, double p_ref, const solid_batch *b, double *restrict c)
 {
     const linear_elastic_par *a = par;
-    const double modulus = a->bulk_modulus + 4.0 / 3.0 * a->shear_modulus;
     (void)p_ref;
-    for (size_t i = 0; i < b->n; i++) c[i] = sqrt(modulus * b->J[i] / b->rho0[i]);
+    hypoelastic_wave_speeds(a->bulk_modulus, a->shear_modulus, b, c);
 }
 
 static void linear_elastic_strain_energy(const void *par, const solid_batch *b, double *restrict psi)

@@ -5,6 +5,8 @@
  * interpolates at the wall (numerics 4.3). */
 #include "mpm/work.h"
 
+#include <string.h>
+
 bool wall_mirrors(const mpm *s, int axis, int side)
 {
     const bc_kind kind = s->scene->bc.side[axis][side].kind;
@@ -242,20 +244,13 @@ static void still_sum(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
     }
 }
 
-static void still_node(void *user, ptrdiff_t at, ptrdiff_t inward)
-{
-    (void)inward;
-    const wall_rule *r = user;
-    for (int c = 0; c < r->s->mesh->dim; ++c)
-        if (r->hold[c]) r->v[c][at] = 0.0;
-}
-
 static void still_side(mpm *s, int axis, int side, int group)
 {
     wall_rule rule = wall_rule_of(s, axis, side, group, N_ACCEL);
     visit_side_once(s->mesh, axis, side, still_sum, &rule);
     enter_impulse(s, &rule);
-    visit_side_blocks(s, axis, side, &rule, still_node);
+    memset(rule.target, 0, sizeof rule.target); /* of the acceleration */
+    visit_side_blocks(s, axis, side, &rule, impose_node);
 }
 
 void still_walls(mpm *s, int group)

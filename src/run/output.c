@@ -18,16 +18,10 @@ static floe_status echo_identity(char **out, const scene *s, const deck_catalogu
     scene *plain;
     TRY(memory_new(s->ctx, &plain, 1, sizeof *plain));
     *plain = *s;
-    plain->title[0] = '\0';
+    scene_keep_run(plain);
     plain->time.end = 1.0;
     plain->time.max_steps = 0;
     plain->output = (scene_output){INFINITY, NAN, INFINITY};
-    plain->threads = 0;
-    plain->compare.n_values = 0;
-    plain->study = (scene_study){0};
-    plain->stability = (scene_stability){0};
-    plain->runs_as[0] = s->coupling;
-    plain->n_runs_as = 1;
     const floe_status status = deck_echo(out, plain, catalogue);
     memory_free(s->ctx, &plain);
     return status;

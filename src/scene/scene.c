@@ -99,3 +99,14 @@ floe_status scene_allocate(scene *s, void *out, size_t size)
     memcpy(out, &entry->data, sizeof entry->data);
     return FLOE_OK;
 }
+
+void scene_keep_run(scene *s)
+{
+    s->title[0] = '\0';
+    s->threads = 0;
+    s->compare.n_values = 0;
+    s->study = (scene_study){0};
+    s->stability = (scene_stability){0};
+    s->runs_as[0] = s->coupling;
+    s->n_runs_as = 1;
+}

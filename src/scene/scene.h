@@ -325,6 +325,9 @@ floe_status scene_create(scene **out, context *ctx);
 void scene_destroy(scene **s);
 /* Whether a body takes part in the scene's contact. */
 bool scene_in_contact(const scene *s, int body);
+/* Sets what no result of a single run depends on to one value: title, threads, and what only batches read. For telling scenes apart
+ * by their decks. */
+void scene_keep_run(scene *s);
 /* Storage that lives as long as the scene (parameter structs). */
 floe_status scene_allocate(scene *s, void *out, size_t size);
 
