@@ -3,23 +3,17 @@
 #include "verify/piston.h"
 
 typedef struct piston_par {
-    double mass, stiffness, area, length, density, bulk_modulus, pressure, amplitude, phase, origin, axis;
-    double spring_mass, mode;
+    piston system; /* first: PISTON_PARAMS */
+    double pressure, amplitude, phase, origin, axis, mode;
 } piston_par;
 
 static const param_spec piston_params[] = {
-    PAR_POSITIVE(piston_par, mass, "kg", NAN, "mass of the piston"),
-    PAR_NONNEGATIVE(piston_par, stiffness, "N/m", NAN, "stiffness of the spring behind it"),
-    PAR_POSITIVE(piston_par, area, "m2", 1.0, "area of the piston"),
-    PAR_POSITIVE(piston_par, length, "m", NAN, "length of the fluid column at rest"),
-    PAR_POSITIVE(piston_par, density, "kg/m3", NAN, "density of the fluid at rest"),
-    PAR_POSITIVE(piston_par, bulk_modulus, "Pa", NAN, "isentropic bulk modulus of the fluid, rho c^2"),
+    PISTON_PARAMS,
     PAR_ANY(piston_par, pressure, "Pa", 0.0, "pressure of the fluid at rest"),
     PAR_ANY(piston_par, amplitude, "m", NAN, "amplitude of the piston's displacement, away from the fluid"),
     PAR_ANY(piston_par, phase, "1", 0.0, "phase (radians) at t = 0; 0: at rest place and moving, pi/2: displaced"),
     PAR_ANY(piston_par, origin, "m", 0.0, "the closed end of the column; the piston is at origin + length"),
     PAR_BETWEEN(piston_par, axis, "1", 0.0, 2.0, 0.0, "the axis of the tube: 0, 1 or 2"),
-    PAR_NONNEGATIVE(piston_par, spring_mass, "kg", 0.0, "mass of the spring, spread evenly along it"),
     PAR_BETWEEN(piston_par, mode, "1", 1.0, 1000.0, 1.0, "number of the mode, from 1"),
 };
 
@@ -34,16 +28,9 @@ static floe_status piston_prepare(context *ctx, const void *par, int dim, void *
     piston_constants *c = prepared;
     TRY(check_axis(ctx, p->axis, dim));
     TRY(check_whole(ctx, "mode", p->mode));
-    const piston system = {.mass = p->mass,
-                           .stiffness = p->stiffness,
-                           .spring_mass = p->spring_mass,
-                           .area = p->area,
-                           .length = p->length,
-                           .density = p->density,
-                           .bulk_modulus = p->bulk_modulus};
-    TRY(piston_check(ctx, &system));
-    c->sound = sqrt(p->bulk_modulus / p->density);
-    c->omega = piston_frequency(&system, whole(p->mode));
+    TRY(piston_check(ctx, &p->system));
+    c->sound = sqrt(p->system.bulk_modulus / p->system.density);
+    c->omega = piston_frequency(&p->system, whole(p->mode));
     if (isfinite(c->omega)) return FLOE_OK;
     return fail(ctx, FLOE_BAD_INPUT, "the piston has no frequency of mode %g: check mass, stiffness and fluid",
                 p->mode);
@@ -58,15 +45,15 @@ static double piston_value(const void *par, const void *prepared, exact_quantity
     const int axis = whole(p->axis);
     const double k = c->omega / c->sound;
     const double from = x[axis] - p->origin;
-    const bool fluid = from <= p->length;
+    const bool fluid = from <= p->system.length;
     const double clock = c->omega * t + p->phase;
-    const double scale = p->amplitude / sin(k * p->length);
+    const double scale = p->amplitude / sin(k * p->system.length);
     const double shape = fluid ? scale * sin(k * from) : p->amplitude;
     const double strain = scale * k * cos(k * from) * sin(clock);
     if (is_displacement(quantity)) return along(quantity, EXACT_DISPLACEMENT_X, axis, shape * sin(clock));
     if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, shape * c->omega * cos(clock));
-    if (quantity == EXACT_PRESSURE && fluid) return p->pressure - p->bulk_modulus * strain;
-    if (quantity == EXACT_DENSITY && fluid) return p->density * (1.0 - strain);
+    if (quantity == EXACT_PRESSURE && fluid) return p->pressure - p->system.bulk_modulus * strain;
+    if (quantity == EXACT_DENSITY && fluid) return p->system.density * (1.0 - strain);
     return NAN;
 }
 
@@ -83,14 +70,7 @@ static double piston_scalar(const void *par, const void *prepared, size_t i, dou
     return i == 0 ? c->omega : 2.0 * VERIFY_PI / c->omega;
 }
 
-static const piston_par york = {.mass = 0.1,
-                                .stiffness = 100.0,
-                                .area = 1.0,
-                                .length = 20.0,
-                                .density = 1e-4,
-                                .bulk_modulus = 1.58e6,
-                                .amplitude = 1e-4,
-                                .mode = 1.0};
+static const piston_par york = {.system = PISTON_OF_YORK, .amplitude = 1e-4, .mode = 1.0};
 
 const exact_model exact_piston = {
     .name = "piston",

@@ -15,6 +15,22 @@ typedef struct piston {
     double density, bulk_modulus; /* of the fluid, kg/m3 and Pa */
 } piston;
 
+/* Parameters of a solution whose struct begins with a piston. */
+#define PISTON_PARAMS                                                                                  \
+    PAR_POSITIVE(piston, mass, "kg", NAN, "mass of the piston"),                                       \
+        PAR_NONNEGATIVE(piston, stiffness, "N/m", NAN, "stiffness of the spring behind it"),           \
+        PAR_NONNEGATIVE(piston, spring_mass, "kg", 0.0, "mass of the spring, spread evenly along it"), \
+        PAR_POSITIVE(piston, area, "m2", 1.0, "area of the piston"),                                   \
+        PAR_POSITIVE(piston, length, "m", NAN, "length of the fluid column at rest"),                  \
+        PAR_POSITIVE(piston, density, "kg/m3", NAN, "density of the fluid at rest"),                   \
+        PAR_POSITIVE(piston, bulk_modulus, "Pa", NAN, "isentropic bulk modulus of the fluid, rho c^2")
+
+/* York's (1997, section 6.1): a fluid of c = 1.26e5, the smaller of his two masses. */
+#define PISTON_OF_YORK                                                                                        \
+    {                                                                                                         \
+        .mass = 0.1, .stiffness = 100.0, .area = 1.0, .length = 20.0, .density = 1e-4, .bulk_modulus = 1.58e6 \
+    }
+
 /* Errors: FLOE_BAD_INPUT for a spring with a mass but no stiffness. */
 floe_status piston_check(context *ctx, const piston *p);
 

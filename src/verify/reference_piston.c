@@ -5,32 +5,16 @@
 #include "verify/reference.h"
 
 typedef struct struck_par {
-    double mass, stiffness, spring_mass, area, length, density, bulk_modulus, velocity, origin, modes;
+    piston system; /* first: PISTON_PARAMS */
+    double velocity, origin, modes;
 } struck_par;
 
 static const param_spec struck_params[] = {
-    PAR_POSITIVE(struck_par, mass, "kg", NAN, "mass of the piston"),
-    PAR_NONNEGATIVE(struck_par, stiffness, "N/m", NAN, "stiffness of the spring behind it"),
-    PAR_NONNEGATIVE(struck_par, spring_mass, "kg", 0.0, "mass of the spring, spread evenly along it"),
-    PAR_POSITIVE(struck_par, area, "m2", 1.0, "area of the piston"),
-    PAR_POSITIVE(struck_par, length, "m", NAN, "length of the fluid column at rest"),
-    PAR_POSITIVE(struck_par, density, "kg/m3", NAN, "density of the fluid at rest"),
-    PAR_POSITIVE(struck_par, bulk_modulus, "Pa", NAN, "isentropic bulk modulus of the fluid, rho c^2"),
+    PISTON_PARAMS,
     PAR_ANY(struck_par, velocity, "m/s", NAN, "velocity of the piston at t = 0, away from the fluid"),
     PAR_ANY(struck_par, origin, "m", 0.0, "place of the piston at rest"),
     PAR_BETWEEN(struck_par, modes, "1", 1.0, 1000.0, 100.0, "modes that are summed"),
 };
-
-static piston system_of(const struck_par *p)
-{
-    return (piston){.mass = p->mass,
-                    .stiffness = p->stiffness,
-                    .spring_mass = p->spring_mass,
-                    .area = p->area,
-                    .length = p->length,
-                    .density = p->density,
-                    .bulk_modulus = p->bulk_modulus};
-}
 
 /* The two modes that hold most of the energy. */
 typedef struct struck_modes {
@@ -42,12 +26,12 @@ static floe_status struck_prepare(context *ctx, const void *par, void *prepared)
 {
     const struck_par *p = par;
     struck_modes *m = prepared;
-    const piston system = system_of(p);
+    const piston *system = &p->system;
     TRY(check_whole(ctx, "modes", p->modes));
-    TRY(piston_check(ctx, &system));
+    TRY(piston_check(ctx, system));
     for (int n = 1; n <= whole(p->modes); n++) {
-        const double omega = piston_frequency(&system, n);
-        const double share = p->mass / piston_modal_mass(&system, omega);
+        const double omega = piston_frequency(system, n);
+        const double share = system->mass / piston_modal_mass(system, omega);
         if (!isfinite(omega)) {
             return fail(ctx, FLOE_BAD_INPUT, "the piston has no frequency of mode %d: check mass, stiffness and fluid",
                         n);
@@ -78,11 +62,11 @@ static floe_status struck_series(context *ctx, const void *par, const void *prep
     (void)ctx;
     (void)prepared;
     const struck_par *p = par;
-    const piston system = system_of(p);
+    const piston *system = &p->system;
     for (size_t i = 0; i < QUANTITIES * n; i++) value[i] = 0.0;
     for (int k = 1; k <= whole(p->modes); k++) {
-        const double omega = piston_frequency(&system, k);
-        const double velocity = p->velocity * p->mass / piston_modal_mass(&system, omega);
+        const double omega = piston_frequency(system, k);
+        const double velocity = p->velocity * system->mass / piston_modal_mass(system, omega);
         for (size_t i = 0; i < n; i++) {
             value[DISPLACEMENT * n + i] += velocity / omega * sin(omega * t[i]);
             value[VELOCITY * n + i] += velocity * cos(omega * t[i]);
@@ -108,15 +92,7 @@ static double struck_scalar(const void *par, const void *prepared, size_t i)
     return all[i];
 }
 
-static const struck_par york = {.mass = 0.1,
-                                .stiffness = 100.0,
-                                .area = 1.0,
-                                .length = 20.0,
-                                .density = 1e-4,
-                                .bulk_modulus = 1.58e6,
-                                .velocity = -1.0,
-                                .origin = 20.0,
-                                .modes = 100.0};
+static const struck_par york = {.system = PISTON_OF_YORK, .velocity = -1.0, .origin = 20.0, .modes = 100.0};
 
 const reference_model reference_piston = {
     .name = "piston",
