@@ -106,6 +106,7 @@ static void print_fields(const plan *p, FILE *file)
 floe_status plan_print_text(const plan *p, FILE *file)
 {
     const sim_plan_info *i = &p->info;
+    const char *unit = scene_time_unit(p->scene);
     print_head(p, file);
     print_stages(&p->sim->stages, file);
     print_fields(p, file);
@@ -113,7 +114,7 @@ floe_status plan_print_text(const plan *p, FILE *file)
                   (unsigned long long)i->mpm_bytes, (unsigned long long)i->ice_bytes,
                   (unsigned long long)i->coupling_bytes, (unsigned long long)i->scratch_bytes,
                   (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes + i->scratch_bytes) / 1e6);
-    (void)fprintf(file, "first step: %.4g s, limited by %s; about %.0f steps to t = %g s\n", i->predicted_dt,
-                  i->dt_reason, i->predicted_steps, p->scene->time.end);
+    (void)fprintf(file, "first step: %.4g%s, limited by %s; about %.0f steps to t = %g%s\n", i->predicted_dt, unit,
+                  i->dt_reason, i->predicted_steps, p->scene->time.end, unit);
     return FLOE_OK;
 }

@@ -183,8 +183,9 @@ static floe_status interrupt(run *r)
 {
     TRY(checkpoint(r));
     return fail(r->ctx, FLOE_INTERRUPTED,
-                "%s at t = %.6g s after %ld steps; a checkpoint was written: go on with --resume",
-                is_out_of_time(r) ? "the limit of wall time was reached" : "stopped", r->sim->time, r->sim->steps);
+                "%s at t = %.6g%s after %ld steps; a checkpoint was written: go on with --resume",
+                is_out_of_time(r) ? "the limit of wall time was reached" : "stopped", r->sim->time,
+                scene_time_unit(r->sim->scene), r->sim->steps);
 }
 
 /* The state is that of the last good step; if even that is no good, an earlier checkpoint stays. */
@@ -229,10 +230,10 @@ static floe_status begin(run *r)
 static void say_start(const run *r, int threads)
 {
     const sim *s = r->sim;
-    context_log(r->ctx, LOG_INFO, "%s %s as %s: %zu points, %zu cells, %d thread%s, from t = %.6g s",
+    context_log(r->ctx, LOG_INFO, "%s %s as %s: %zu points, %zu cells, %d thread%s, from t = %.6g%s",
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
                 s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",
-                s->time);
+                s->time, scene_time_unit(s->scene));
 }
 
 static floe_status start_outputs(run *r)
@@ -279,8 +280,8 @@ static floe_status run_with_outputs(run *r, run_summary *out)
     progress_clear(&r->progress);
     const char *name = run_status_name(status, r->sim->at_rest);
     /* What went wrong is for the caller to show: here it is only noted. */
-    context_log(r->ctx, LOG_INFO, "%s at t = %.6g s after %ld steps%s%s", name, r->sim->time, r->sim->steps,
-                status == FLOE_OK ? "" : ": ", context_message(r->ctx));
+    context_log(r->ctx, LOG_INFO, "%s at t = %.6g%s after %ld steps%s%s", name, r->sim->time,
+                scene_time_unit(r->sim->scene), r->sim->steps, status == FLOE_OK ? "" : ": ", context_message(r->ctx));
     /* After the checkpoint, which a look at the account must not change. */
     if (status != FLOE_OK) (void)sim_account(r->sim);
     note_cause(r, out, status);

@@ -27,12 +27,13 @@ static void write_line(const progress *p, const sim *s, double now, char *line, 
     const double end = s->scene->time.end;
     const double share = fmin(1.0, fmax(0.0, s->time / end));
     const double pace = (now - p->started) / (s->time - p->first_time); /* s of wall time per s of the scene */
+    const char *unit = scene_time_unit(s->scene);
     char bar[LIVE_LINE_BAR] = "", left[LIVE_LINE_DURATION];
     live_line_duration((end - s->time) * pace, left);
     if (p->line.live) live_line_bar(share, bar);
-    (void)snprintf(line, size, "%s%s%s%3.0f %%  t = %.4g s  step %ld  dt %.3g s (%s)  ETA %s  drift of %s %.1e",
-                   p->label ? p->label : "", p->label ? "  " : "", bar, 100.0 * share, s->time, s->steps, s->dt,
-                   s->dt_reason, left, p->drifts, p->drift);
+    (void)snprintf(line, size, "%s%s%s%3.0f %%  t = %.4g%s  step %ld  dt %.3g%s (%s)  ETA %s  drift of %s %.1e",
+                   p->label ? p->label : "", p->label ? "  " : "", bar, 100.0 * share, s->time, unit, s->steps, s->dt,
+                   unit, s->dt_reason, left, p->drifts, p->drift);
 }
 
 void progress_show(progress *p, const sim *s)

@@ -16,6 +16,11 @@ typedef struct scene_box {
     owned *owned;
 } scene_box;
 
+const char *scene_time_unit(const scene *s)
+{
+    return s->dimensionless ? "" : " s";
+}
+
 const char *coupling_name(scene_coupling coupling)
 {
     static const char *const name[COUPLING_COUNT] = {"mpm", "ice", "ice-mpm"};

@@ -323,6 +323,8 @@ typedef struct scene {
 floe_status scene_create(scene **out, context *ctx);
 /* Frees the scene and everything its pointers lead to. */
 void scene_destroy(scene **s);
+/* What follows a time in a message: " s", or nothing where the scene has no units. */
+const char *scene_time_unit(const scene *s);
 /* Whether a body takes part in the scene's contact. */
 bool scene_in_contact(const scene *s, int body);
 /* Sets what no result of a single run depends on to one value: title, threads, and what only batches read. For telling scenes apart

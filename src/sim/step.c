@@ -51,9 +51,10 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
         limit(dt, reason, left, "output time");
     else if (isnan(t->fixed_step) && 2.0 * *dt > left)
         limit(dt, reason, 0.5 * left, "output time");
+    const char *unit = scene_time_unit(s->scene);
     if (!(*dt > 0.0) || !isfinite(*dt) || s->time + *dt == s->time)
-        return fail(s->ctx, FLOE_DIVERGED, "the time step has shrunk to %g s at t = %.6g s (limited by %s)", *dt,
-                    s->time, *reason);
+        return fail(s->ctx, FLOE_DIVERGED, "the time step has shrunk to %g%s at t = %.6g%s (limited by %s)", *dt, unit,
+                    s->time, unit, *reason);
     return FLOE_OK;
 }
 
@@ -74,6 +75,7 @@ static void set_step(sim *s, double dt)
 /* Takes the step, cutting it while it is rejected; state is only written to next arrays, so that rejection is forgetting. */
 static floe_status take_step(sim *s, double *dt, const char **reason)
 {
+    const char *unit = scene_time_unit(s->scene);
     char cause[CONTEXT_MESSAGE_SIZE] = "";
     for (int tries = 0; tries <= MAX_REJECTIONS; ++tries) {
         set_step(s, *dt);
@@ -82,15 +84,15 @@ static floe_status take_step(sim *s, double *dt, const char **reason)
         ledger_discard(&s->ledger);
         s->rejected++;
         snprintf(cause, sizeof cause, "%s", context_message(s->ctx));
-        context_log(s->ctx, LOG_DETAIL, "step %ld at t = %.6g s rejected with dt = %.3g s: %s", s->steps + 1, s->time,
-                    *dt, cause);
+        context_log(s->ctx, LOG_DETAIL, "step %ld at t = %.6g%s rejected with dt = %.3g%s: %s", s->steps + 1, s->time,
+                    unit, *dt, unit, cause);
         context_clear(s->ctx);
         *dt *= cut;
         *reason = "rejected step";
     }
     return fail(s->ctx, FLOE_DIVERGED,
-                "the step at t = %.6g s was rejected %d times, down to dt = %.3g s; the last cause: %s", s->time,
-                MAX_REJECTIONS + 1, *dt, cause);
+                "the step at t = %.6g%s was rejected %d times, down to dt = %.3g%s; the last cause: %s", s->time, unit,
+                MAX_REJECTIONS + 1, *dt, unit, cause);
 }
 
 static floe_status commit(sim *s, double dt)
