@@ -131,7 +131,14 @@ static bool eos_fetch(const void *field, const char **name, const void **par)
     return true;
 }
 
-const model_family family_eos = {"equation of state", eos_get, eos_store, eos_fetch, NULL};
+static const char *eos_check(const model_entry *entry, const void *par, int dim)
+{
+    (void)dim;
+    const eos_model *m = entry->model;
+    return m->check ? m->check(par) : NULL;
+}
+
+const model_family family_eos = {"equation of state", eos_get, eos_store, eos_fetch, eos_check};
 
 static bool exact_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {

@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-/* e with p(rho, e) = p by Newton; pressure is linear in e for most equations of state, so that two passes do. */
+/* e with p(rho, e) = p by Newton; pressure is linear in e for most equations of state, so that two passes do. A pressure that does
+ * not depend on e at all must be that of the density. */
 static bool energy_at_pressure(const eos *law, double rho, double p, double *e)
 {
     double T = 300.0, now, c2, slope;
@@ -11,6 +12,7 @@ static bool energy_at_pressure(const eos *law, double rho, double p, double *e)
         law->model->pressure(law->par, 1, &rho, e, &now, &c2);
         if (fabs(now - p) <= 1e-15 * fabs(p)) return true;
         law->model->dpde(law->par, 1, &rho, e, &slope);
+        if (slope == 0.0) return fabs(now - p) <= 1e-6 * rho * c2;
         const double step = (p - now) / slope;
         if (!isfinite(step)) return false;
         *e += step;
@@ -34,6 +36,8 @@ floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double
     } else if (isnan(temperature)) {
         if (energy_at_pressure(law, density, pressure, &out->energy))
             m->temperature(law->par, 1, &density, &out->energy, &out->temperature);
+        else
+            out->energy = (double)NAN;
     } else {
         m->energy(law->par, 1, &density, &temperature, &out->energy);
     }

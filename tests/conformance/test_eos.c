@@ -26,6 +26,7 @@ static double sample_parameter(const param_spec *spec, int *n_pressures)
     if (strcmp(spec->unit, "J/kg/K") == 0) return 900.0;
     if (strcmp(spec->unit, "1") == 0) return 1.5;
     if (strcmp(spec->unit, "m/s") == 0) return 1500.0;
+    if (strcmp(spec->unit, "m^3/kg") == 0) return 2e-4;
     print_error("no sample value for '%s' in %s\n", spec->key, spec->unit);
     return NAN;
 }
@@ -48,6 +49,7 @@ static void sample_fill(sample *s, const eos_model *model)
         check_true(param_in_range(&model->params[k], x));
         for (int j = 0; j < abs(model->params[k].count); j++) s->par[model->params[k].offset / sizeof(double) + j] = x;
     }
+    check_true(!model->check || !model->check(s->par));
     const double floor_p = model->pressure_floor(s->par), scale = fmax(fabs(floor_p), 1e9);
     for (int i = 0; i < N; i++) {
         s->p[i] = floor_p + scale * pressures[i % N_P];
@@ -100,6 +102,40 @@ static void check_temperature(const sample *s)
     double T[N];
     s->model->temperature(s->par, N, s->rho, s->e, T);
     for (int i = 0; i < N; i++) check_close_relative(T[i], s->T[i], 1e-13 * (1.0 + s->e[i] / (900.0 * s->T[i])));
+}
+
+/* A law that ends at a density says so in c2, p and the energy floor there and beyond: no step may go on with such a state. */
+static void check_density_limit(const sample *s)
+{
+    if (!s->model->density_limit) return;
+    const double limit = s->model->density_limit(s->par), beyond[] = {limit * (1.0 + 1e-12), 1.1 * limit, 10.0 * limit};
+    for (int i = 0; i < N; i++) check_true(s->rho[i] < limit);
+    for (size_t i = 0; i < sizeof beyond / sizeof *beyond && isfinite(limit); i++) {
+        double p, c2;
+        s->model->pressure(s->par, 1, &beyond[i], &s->e[0], &p, &c2);
+        check_true(isnan(p) && isnan(c2) && isnan(s->model->energy_floor(s->par, beyond[i])));
+    }
+}
+
+/* Down to T = 0 the squared sound speed stays positive, from a thousandth of the sample's least density to 0.9 of the law's end. */
+static void check_cold(const sample *s)
+{
+    enum { STATES = 200 };
+    double least = s->rho[0], most = s->rho[0];
+    for (int i = 0; i < N; i++) {
+        least = fmin(least, s->rho[i]);
+        most = fmax(most, s->rho[i]);
+    }
+    least *= 1e-3;
+    most = s->model->density_limit ? fmin(2.0 * most, 0.9 * s->model->density_limit(s->par)) : 2.0 * most;
+    for (int i = 0; i <= STATES; i++) {
+        const double rho = least * pow(most / least, (double)i / STATES), T = 0.01;
+        double e, p, c2;
+        s->model->energy(s->par, 1, &rho, &T, &e);
+        s->model->pressure(s->par, 1, &rho, &e, &p, &c2);
+        check_true(c2 > 0.0);
+        check_true(e >= s->model->energy_floor(s->par, rho));
+    }
 }
 
 /* Central differences of relative step 1e-5: error 1e-10 of the third derivative's size plus round-off 1e-11 of
@@ -199,6 +235,8 @@ ON_EACH(description)
 ON_EACH(signs)
 ON_EACH(inverse)
 ON_EACH(temperature)
+ON_EACH(density_limit)
+ON_EACH(cold)
 ON_EACH(volume_slope)
 ON_EACH(energy_slope)
 ON_EACH(sound_speed)
@@ -214,10 +252,10 @@ static void test_unknown_name(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_description),  cmocka_unit_test(test_signs),        cmocka_unit_test(test_inverse),
-        cmocka_unit_test(test_temperature),  cmocka_unit_test(test_volume_slope), cmocka_unit_test(test_energy_slope),
-        cmocka_unit_test(test_sound_speed),  cmocka_unit_test(test_heat),         cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_unknown_name),
+        cmocka_unit_test(test_description),  cmocka_unit_test(test_signs),         cmocka_unit_test(test_inverse),
+        cmocka_unit_test(test_temperature),  cmocka_unit_test(test_volume_slope),  cmocka_unit_test(test_energy_slope),
+        cmocka_unit_test(test_sound_speed),  cmocka_unit_test(test_heat),          cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_unknown_name), cmocka_unit_test(test_density_limit), cmocka_unit_test(test_cold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
