@@ -5,7 +5,7 @@
 set(FLOE_FLOORS
     "base math"
     "grid geom material"
-    "coupling scene"
+    "coupling scene solve"
     "mpm ice"
     "sim"
     "deck io verify"
