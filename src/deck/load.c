@@ -60,15 +60,20 @@ static floe_status resolve(deck_source *source, const deck_overrides *set, scene
 }
 
 /* Tries one value of an axis; `first` is the first error that it brings, NULL if none. */
-static floe_status try_value(deck_source *source, const deck_overrides *set, const char *assignment, deck_arena *arena,
-                             const char **first)
+static floe_status try_value(deck_source *source, const deck_overrides *set, const scene_axis *axis, int pick,
+                             deck_arena *arena, const char **first)
 {
-    const size_t n = set ? set->n : 0;
+    const size_t n = set ? set->n : 0, own = (size_t)scene_axis_settings(axis);
     const char **text;
-    TRY(arena_new(arena, &text, (n + 1) * sizeof *text));
+    char(*setting)[SCENE_SETTING];
+    TRY(arena_new(arena, &text, (n + own) * sizeof *text));
+    TRY(arena_new(arena, &setting, own * sizeof *setting));
     for (size_t i = 0; i < n; i++) text[i] = set->text[i];
-    text[n] = assignment;
-    const deck_overrides all = {text, n + 1};
+    for (size_t k = 0; k < own; k++) {
+        scene_axis_setting(axis, (int)k, pick, setting[k]);
+        text[n + k] = setting[k];
+    }
+    const deck_overrides all = {text, n + own};
     error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = &all};
     scene *s;
     TRY(scene_create(&s, source->ctx));
@@ -85,7 +90,8 @@ static floe_status place_of(const deck_source *source, const deck_overrides *set
     deck_node *root;
     error_list ignored = {.arena = arena};
     TRY(make_tree(source, set, arena, &ignored, &root));
-    const deck_node *list = nearest_path(root, path);
+    const deck_node *list = nearest_path(root, path), *values = node_find(list, "values");
+    if (values) list = values;
     const deck_node *item = list->kind == NODE_LIST ? node_at(list, (size_t)i) : NULL;
     *at = item ? item->at : list->at;
     return FLOE_OK;
@@ -96,16 +102,12 @@ static floe_status check_axis(deck_source *source, const deck_overrides *set, co
                               const char *const *path, deck_arena *arena, error_list *errors)
 {
     for (int i = 0; i < axis->n_values; i++) {
-        char *assignment;
         const char *first;
         deck_place at;
-        const size_t size = sizeof axis->key + sizeof axis->value[0] + 2;
-        TRY(arena_new(arena, &assignment, size));
-        snprintf(assignment, size, "%s=%s", axis->key, axis->value[i]);
-        TRY(try_value(source, set, assignment, arena, &first));
+        TRY(try_value(source, set, axis, i, arena, &first));
         if (!first) continue;
         TRY(place_of(source, set, arena, path, i, &at));
-        TRY(error_add(errors, at, NULL, NULL, "with %s: %s", assignment, first));
+        TRY(error_add(errors, at, NULL, NULL, "with %s=%s: %s", axis->key, axis->value[i], first));
     }
     return FLOE_OK;
 }

@@ -41,7 +41,8 @@ static floe_status take_value(reader *r, deck_node *node, char value[SCENE_VALUE
     return fits ? FLOE_OK : bad(r, node, NULL, "a value longer than %d characters", SCENE_VALUE - 1);
 }
 
-/* ---- compare.axis: {domain.cell: [0.1, 0.05]}; study.axes: {domain.cell: [0.1, 0.05], coupling: [mpm, ice-mpm]} ---- */
+/* ---- compare.axis: {domain.cell: [0.1, 0.05]}; study.axes: {domain.cell: [0.1, 0.05], coupling: [mpm, ice-mpm]}; with keys that
+ * change along: {domain.cell: {values: [0.1, 0.05], with: {bodies.string.membrane.number: [40, 80]}}} ---- */
 
 static floe_status check_value(reader *r, deck_node *item, const scene_axis *axis)
 {
@@ -53,19 +54,57 @@ static floe_status check_value(reader *r, deck_node *item, const scene_axis *axi
     return FLOE_OK;
 }
 
-static floe_status take_axis(reader *r, deck_node *list, scene_axis *axis)
+static floe_status take_key(reader *r, deck_node *node, char key[SCENE_KEY])
 {
-    *axis = (scene_axis){0};
-    if (strlen(list->key) >= sizeof axis->key) return bad_key(r, list, NULL, NULL, "the key is too long");
-    snprintf(axis->key, sizeof axis->key, "%s", list->key);
+    if (strlen(node->key) >= SCENE_KEY) return bad_key(r, node, NULL, NULL, "the key is too long");
+    snprintf(key, SCENE_KEY, "%s", node->key);
+    return FLOE_OK;
+}
+
+/* "[0.1, 0.05]" under the axis' key, or under "values". */
+static floe_status take_values(reader *r, deck_node *list, scene_axis *axis)
+{
     if (list->kind != NODE_LIST || list->n == 0)
-        return bad(r, list, "a list of values: [0.1, 0.05]", "the axis '%.80s' has no list of values", list->key);
+        return bad(r, list, "a list of values: [0.1, 0.05]", "the axis '%.80s' has no list of values", axis->key);
     if (list->n > SCENE_MAX_AXIS) return bad(r, list, NULL, "more than %d values", SCENE_MAX_AXIS);
     for (deck_node *item = list->first; item; item = item->next) {
         TRY(take_value(r, item, axis->value[axis->n_values++]));
         TRY(check_value(r, item, axis));
     }
     return FLOE_OK;
+}
+
+/* "with": as many values of each key as the axis has. */
+static floe_status take_with(reader *r, deck_node *node, scene_axis *axis)
+{
+    if (!node) return FLOE_OK;
+    if (node->kind != NODE_MAP)
+        return bad(r, node, custom_axes.form, "'with' is not a map of keys with lists of values");
+    if (node->n > SCENE_MAX_WITH) return bad(r, node, NULL, "more than %d keys change along", SCENE_MAX_WITH);
+    for (deck_node *list = node->first; list; list = list->next) {
+        scene_values *with = &axis->with[axis->n_with++];
+        int n = 0;
+        TRY(take_key(r, list, with->key));
+        if (list->kind != NODE_LIST || list->n != (size_t)axis->n_values)
+            return bad(r, list, NULL, "'%.80s' is no list of %d values, one for each of '%.80s'", list->key,
+                       axis->n_values, axis->key);
+        for (deck_node *item = list->first; item; item = item->next) TRY(take_value(r, item, with->value[n++]));
+    }
+    return FLOE_OK;
+}
+
+static floe_status take_axis(reader *r, deck_node *node, scene_axis *axis)
+{
+    *axis = (scene_axis){0};
+    TRY(take_key(r, node, axis->key));
+    if (node->kind != NODE_MAP) return take_values(r, node, axis);
+    for (deck_node *part = node->first; part; part = part->next) {
+        if (strcmp(part->key, "values") != 0 && strcmp(part->key, "with") != 0)
+            return bad_key(r, part, custom_axes.form, NULL, "'%.80s' is no key of an axis", part->key);
+    }
+    deck_node *values = node_find(node, "values");
+    TRY(take_values(r, values ? values : node, axis));
+    return axis->n_values > 0 ? take_with(r, node_find(node, "with"), axis) : FLOE_OK;
 }
 
 static floe_status read_axis(reader *r, const key_spec *key, deck_node *node, void *base)
@@ -100,30 +139,58 @@ static floe_status read_axes(reader *r, const key_spec *key, deck_node *node, vo
     return take_axes(r, key, node, study->axis, &study->n_axes, SCENE_MAX_AXES);
 }
 
+/* Axes whose keys alone change. */
+static floe_status take_lone_axes(reader *r, const key_spec *key, deck_node *node, scene_axis *axis, int *n, int most)
+{
+    TRY(take_axes(r, key, node, axis, n, most));
+    for (int i = 0; i < *n; i++) {
+        if (axis[i].n_with > 0)
+            return bad(r, node_find(node, axis[i].key), NULL, "only axes of studies have keys that change along");
+    }
+    return FLOE_OK;
+}
+
 static floe_status read_each(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     scene_stability *stability = base;
-    return take_axes(r, key, node, stability->each, &stability->n_each, SCENE_MAX_AXES);
+    return take_lone_axes(r, key, node, stability->each, &stability->n_each, SCENE_MAX_AXES);
 }
 
 /* One key with the range of a search, or two with the values of a map. */
 static floe_status read_over(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     scene_stability *stability = base;
-    TRY(take_axes(r, key, node, stability->over, &stability->n_over, SCENE_MAX_OVER));
+    TRY(take_lone_axes(r, key, node, stability->over, &stability->n_over, SCENE_MAX_OVER));
     if (stability->n_over != 1 || stability->over[0].n_values == 2) return FLOE_OK;
     return bad(r, node->first, "two values, from and to; or two keys with lists of values, for a map",
                "the range of '%.80s' has %d values", stability->over[0].key, stability->over[0].n_values);
 }
 
-static void write_values(writer *w, const scene_axis *axis)
+static void write_list_of(writer *w, const char *key, const char (*value)[SCENE_VALUE], int n)
 {
-    write_quoted(&w->out, axis->key);
-    for (int i = 0; i < axis->n_values; i++) {
+    write_quoted(&w->out, key);
+    for (int i = 0; i < n; i++) {
         text_print(&w->out, "%s", i == 0 ? ": [" : ", ");
-        write_quoted(&w->out, axis->value[i]);
+        write_quoted(&w->out, value[i]);
     }
     text_print(&w->out, "]");
+}
+
+static void write_values(writer *w, const scene_axis *axis)
+{
+    if (axis->n_with == 0) {
+        write_list_of(w, axis->key, axis->value, axis->n_values);
+        return;
+    }
+    write_quoted(&w->out, axis->key);
+    text_print(&w->out, ": {");
+    write_list_of(w, "values", axis->value, axis->n_values);
+    text_print(&w->out, ", with: {");
+    for (int k = 0; k < axis->n_with; k++) {
+        text_print(&w->out, "%s", k == 0 ? "" : ", ");
+        write_list_of(w, axis->with[k].key, axis->with[k].value, axis->n_values);
+    }
+    text_print(&w->out, "}}");
 }
 
 static void write_axis(writer *w, const key_spec *key, const void *base)
@@ -166,9 +233,17 @@ static void write_over(writer *w, const key_spec *key, const void *base)
 }
 
 #define LISTS_OF_VALUES "{\"type\": \"object\", \"additionalProperties\": {\"type\": \"array\"}}"
-const custom_key custom_axis = {read_axis, write_axis, "{key.of.the.deck: [value, value, ...]}", LISTS_OF_VALUES};
-const custom_key custom_axes = {read_axes, write_axes, "{key.of.the.deck: [value, value, ...], another.key: [...]}",
-                                LISTS_OF_VALUES};
+#define LISTS_WITH_OTHERS                                                                                          \
+    "{\"type\": \"object\", \"additionalProperties\": {\"anyOf\": [{\"type\": \"array\"}, {\"type\": \"object\", " \
+    "\"additionalProperties\": false, \"required\": [\"values\"], \"properties\": {\"values\": {\"type\": "        \
+    "\"array\"}, "                                                                                                 \
+    "\"with\": " LISTS_OF_VALUES "}}]}}"
+const custom_key custom_axis = {read_axis, write_axis, "{key.of.the.deck: [value, value, ...]}", LISTS_WITH_OTHERS};
+const custom_key custom_axes = {
+    read_axes, write_axes,
+    "{key.of.the.deck: [value, value, ...], another.key: [...]}; with keys that change along: "
+    "{key.of.the.deck: {values: [...], with: {another.key: [...]}}}",
+    LISTS_WITH_OTHERS};
 const custom_key custom_each = {read_each, write_each, "{key.of.the.deck: [value, value, ...], another.key: [...]}",
                                 LISTS_OF_VALUES};
 const custom_key custom_over = {read_over, write_over,

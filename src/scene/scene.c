@@ -27,6 +27,18 @@ const char *coupling_name(scene_coupling coupling)
     return name[coupling];
 }
 
+int scene_axis_settings(const scene_axis *axis)
+{
+    return 1 + axis->n_with;
+}
+
+void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING])
+{
+    const char *key = k == 0 ? axis->key : axis->with[k - 1].key;
+    const char *value = k == 0 ? axis->value[pick] : axis->with[k - 1].value[pick];
+    (void)snprintf(text, SCENE_SETTING, "%s=%s", key, value);
+}
+
 bool scene_in_contact(const scene *s, int body)
 {
     if (!s->contact.enabled) return false;

@@ -22,6 +22,7 @@ enum {
     SCENE_MAX_SUPPORTS = 16,
     SCENE_MAX_AXIS = 32, /* values of an axis */
     SCENE_MAX_AXES = 6,
+    SCENE_MAX_WITH = 6, /* keys that change along with that of an axis */
     SCENE_MAX_OVER = 2,
     SCENE_MAX_BARS = 32,
     SCENE_MAX_METRICS = 24,
@@ -233,12 +234,20 @@ typedef struct scene_verify {
     double probe_pressure; /* Pa: pressure P of eq. 13 and of the gas error, NAN if unused */
 } scene_verify;
 
-enum { SCENE_KEY = 128, SCENE_VALUE = 96 }; /* sizes of a deck key and of its value as YAML text */
+/* Sizes of a deck key, of its value as YAML text, and of both as "KEY=VALUE". */
+enum { SCENE_KEY = 128, SCENE_VALUE = 96, SCENE_SETTING = SCENE_KEY + SCENE_VALUE };
 
-typedef struct scene_axis { /* one axis of `compare` or `study` */
+typedef struct scene_values { /* a key that changes along with that of an axis */
+    char key[SCENE_KEY];
+    char value[SCENE_MAX_AXIS][SCENE_VALUE]; /* one for each value of the axis */
+} scene_values;
+
+typedef struct scene_axis { /* one axis of `compare`, `study` or `stability` */
     char key[SCENE_KEY];    /* deck key */
     char value[SCENE_MAX_AXIS][SCENE_VALUE];
     int n_values;
+    scene_values with[SCENE_MAX_WITH];
+    int n_with;
 } scene_axis;
 
 typedef struct scene_bar { /* what a study must reach */
@@ -325,6 +334,10 @@ floe_status scene_create(scene **out, context *ctx);
 void scene_destroy(scene **s);
 /* What follows a time in a message: " s", or nothing where the scene has no units. */
 const char *scene_time_unit(const scene *s);
+/* How many keys an axis sets: its own, and those that change along with it. */
+int scene_axis_settings(const scene_axis *axis);
+/* "KEY=VALUE" of the k-th of them, its own first, at the axis' value number `pick`. */
+void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING]);
 /* Whether a body takes part in the scene's contact. */
 bool scene_in_contact(const scene *s, int body);
 /* Sets what no result of a single run depends on to one value: title, threads, and what only batches read. For telling scenes apart

@@ -45,11 +45,11 @@ typedef struct study_case {
     int pick[SCENE_MAX_AXES]; /* index of its value on each axis */
     size_t group;
     scene_coupling coupling;
-    double h;                              /* m: domain.cell along the first axis */
-    double over;                           /* value on the axis `over`, h if that is the mesh or none; NAN: no number */
-    const char **set;                      /* what makes the case of the deck; owned */
-    char (*text)[SCENE_KEY + SCENE_VALUE]; /* "KEY=VALUE", one an axis; owned */
-    double quantity[SCENE_MAX_METRICS];    /* last values of the study's quantities; NAN: none */
+    double h;                           /* m: domain.cell along the first axis */
+    double over;                        /* value on the axis `over`, h if that is the mesh or none; NAN: no number */
+    const char **set;                   /* what makes the case of the deck; owned */
+    char (*text)[SCENE_SETTING];        /* "KEY=VALUE" of the axes; owned */
+    double quantity[SCENE_MAX_METRICS]; /* last values of the study's quantities; NAN: none */
     study_timing timing;
     batch_case *run; /* in study.run */
 } study_case;

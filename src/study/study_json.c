@@ -162,11 +162,22 @@ static json_t *answers_json(const study *s)
     return list;
 }
 
-static json_t *axis_json(const scene_axis *axis)
+static json_t *values_json(const char (*value)[SCENE_VALUE], int n)
 {
     json_t *values = json_array();
-    for (int i = 0; i < axis->n_values; i++) json_array_append_new(values, json_string(axis->value[i]));
-    return json_pack("{s:s, s:o}", "key", axis->key, "values", values);
+    for (int i = 0; i < n; i++) json_array_append_new(values, json_string(value[i]));
+    return values;
+}
+
+static json_t *axis_json(const scene_axis *axis)
+{
+    json_t *object = json_pack("{s:s, s:o}", "key", axis->key, "values", values_json(axis->value, axis->n_values));
+    if (axis->n_with == 0) return object;
+    json_t *with = json_object();
+    for (int i = 0; i < axis->n_with; i++)
+        json_put(with, axis->with[i].key, values_json(axis->with[i].value, axis->n_values));
+    json_put(object, "with", with);
+    return object;
 }
 
 static json_t *axes_json(const study *s)

@@ -55,6 +55,7 @@ static void take_axes(study *s, const scene *base, strbuf *errors)
     for (size_t i = 0; i < o->n_axis; i++) {
         if (axis_parse(o->axis[i], &axis, errors)) (void)axis_put(&s->axes, &axis, errors);
     }
+    axis_check_keys(&s->axes, errors);
     if (s->axes.n == 0)
         strbuf_append(errors,
                       "nothing to vary: give an axis, --axis domain.cell=0.1,0.05, or `study: {axes: {domain.cell: "
@@ -133,16 +134,20 @@ static void pick_values(const study *s, study_case *one, size_t i)
 static floe_status set_case(const study *s, const scene *base, study_case *one)
 {
     const deck_overrides *set = &s->options->set;
-    size_t n = 0;
-    TRY(memory_new(s->ctx, &one->set, set->n + 2 + (size_t)s->axes.n, sizeof *one->set));
-    TRY(memory_new(s->ctx, &one->text, (size_t)s->axes.n, sizeof *one->text));
+    size_t n = 0, own = 0;
+    for (int k = 0; k < s->axes.n; k++) own += (size_t)scene_axis_settings(&s->axes.axis[k]);
+    TRY(memory_new(s->ctx, &one->set, set->n + 2 + own, sizeof *one->set));
+    TRY(memory_new(s->ctx, &one->text, own, sizeof *one->text));
     for (; n < set->n; n++) one->set[n] = set->text[n];
     if (base->study.given) one->set[n++] = "study=null";
     if (base->compare.n_values > 0) one->set[n++] = "compare=null";
+    char(*text)[SCENE_SETTING] = one->text;
     for (int k = 0; k < s->axes.n; k++) {
         const scene_axis *axis = &s->axes.axis[k];
-        (void)snprintf(one->text[k], sizeof one->text[k], "%s=%s", axis->key, axis->value[one->pick[k]]);
-        one->set[n++] = one->text[k];
+        for (int i = 0; i < scene_axis_settings(axis); i++, text++) {
+            scene_axis_setting(axis, i, one->pick[k], *text);
+            one->set[n++] = *text;
+        }
     }
     one->run->set = one->set;
     one->run->n_set = n;

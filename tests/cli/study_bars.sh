@@ -59,3 +59,28 @@ refuse 'it has no key with values' --axis domain.cell
 refuse "that is no axis of this study, which has: domain.cell" --axis domain.cell=0.1,0.2 --over method.flip
 refuse "is no value of that axis" --axis domain.cell=0.2,0.1 \
     --set 'study.require=[{metric: eq13, error: 1, where: {domain.cell: 0.3}}]'
+refuse "'bodies.cylinder.points' has 1 values for 2 of 'domain.cell'" --axis 'domain.cell=0.4,0.2;bodies.cylinder.points=[2, 2]'
+refuse "the axes 'domain.cell' and 'method.flip' both set 'method.flip'" --axis 'domain.cell=0.4,0.2;method.flip=1,0.9' --axis method.flip=0.8,1
+
+# Keys that change along with that of an axis, in the deck and on the command line.
+cat >along.yaml <<'DECK'
+study:
+  axes: {domain.cell: {values: [0.05, 0.025], with: {bodies.bar.points: [[3], [2]]}}}
+DECK
+cat "$FLOE_SOURCE/inputs/bar_vibration.yaml" along.yaml | sed '/^compare:/,/^ .*axis/d' >bar_along.yaml
+expect 0 "$FLOE" study bar_along.yaml -o along --set time.end=1e-4
+has stdout 'order'
+has along/study.json '"bodies.bar.points"'
+grep -q 'points: \[3' along/0.05/deck.yaml || fault 'the first case has not its own points'
+grep -q 'points: \[2' along/0.025/deck.yaml || fault 'the second case has not its own points'
+expect 0 "$FLOE" study bar_along.yaml -o some --set time.end=1e-4 --axis domain.cell=0.025
+cmp along/0.025/deck.yaml some/0.025/deck.yaml || fault 'a value of the command line takes not what goes along with it'
+expect 2 "$FLOE" study bar_along.yaml -o refused --axis domain.cell=0.1
+has stderr "the deck does not say what goes along with 0.1"
+sed 's/\[3\], \[2\]/[3]/' bar_along.yaml >bar_short.yaml
+expect 2 "$FLOE" check bar_short.yaml
+has stderr 'bar_short.yaml:'
+has stderr "'bodies.bar.points' is no list of 2 values, one for each of 'domain.cell'"
+sed 's/with: /without: /' bar_along.yaml >bar_wrong.yaml
+expect 2 "$FLOE" check bar_wrong.yaml
+has stderr "'without' is no key of an axis"

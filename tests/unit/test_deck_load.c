@@ -321,7 +321,9 @@ static const char full[] =
     "method: {basis: gimp, stress: musl, flip: 0.9, centring: half, energy: internal, limiter: none, exchange: 1e-1}\n"
     "output: {interval: 0.1, probes: {p: [0.1, 0.1], q: [0.2, 0.3]}}\n"
     "study:\n"
-    "  axes: {domain.thickness: [0.3, 0.4 m], coupling: [ice-mpm], bodies.b.velocity: [[0, 0], [0.1, 0]],\n"
+    "  axes: {domain.thickness: {values: [0.3, 0.4 m], with: {method.flip: [0.8, 1], bodies.b.points: [[1, 3], [2, "
+    "2]]}},\n"
+    "         coupling: [ice-mpm], bodies.b.velocity: [[0, 0], [0.1, 0]],\n"
     "         method: [{basis: linear}]}\n"
     "  over: domain.thickness\n"
     "  repeat: 3\n"
@@ -339,6 +341,10 @@ static void check_study(const scene_study *study)
     assert_int_equal(study->n_axes, 4);
     assert_string_equal(study->axis[0].key, "domain.thickness");
     assert_string_equal(study->axis[0].value[1], "0.4 m");
+    assert_int_equal(study->axis[0].n_with, 2);
+    assert_string_equal(study->axis[0].with[1].key, "bodies.b.points");
+    assert_string_equal(study->axis[0].with[1].value[1], "[2, 2]");
+    assert_int_equal(study->axis[1].n_with, 0);
     assert_string_equal(study->axis[2].value[1], "[0.1, 0]");
     assert_string_equal(study->axis[3].value[0], "{basis: linear}");
     assert_int_equal(study->repeat, 3);

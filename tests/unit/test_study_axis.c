@@ -102,12 +102,45 @@ static void a_key_has_one_axis(void **state)
     context_destroy(&ctx);
 }
 
+static void keys_change_along(void **state)
+{
+    (void)state;
+    context *ctx = context_create();
+    scene_axis a, some, other;
+    axis_list list = {.n = 0};
+    strbuf errors;
+    char text[SCENE_SETTING];
+    strbuf_init(&errors, ctx);
+    check_true(axis_parse("h=0.2,0.1,0.05; b.n=20,40,80;b.curve={from: [0, 1], to: [2; 3]},2,3", &a, &errors));
+    check_true(axis_put(&list, &a, &errors));
+    assert_int_equal(scene_axis_settings(&a), 3);
+    scene_axis_setting(&a, 0, 1, text);
+    assert_string_equal(text, "h=0.1");
+    scene_axis_setting(&a, 2, 0, text);
+    assert_string_equal(text, "b.curve={from: [0, 1], to: [2; 3]}");
+    check_true(axis_parse("h=0.050,0.2", &some, &errors) && axis_put(&list, &some, &errors));
+    scene_axis_setting(&list.axis[0], 1, 0, text);
+    assert_string_equal(text, "b.n=80");
+    assert_int_equal(errors.length, 0);
+    check_true(axis_parse("h=0.3", &some, &errors) && !axis_put(&list, &some, &errors));
+    assert_non_null(strstr(strbuf_string(&errors), "what goes along with 0.3: add ';b.n=...'"));
+    check_true(axis_parse("c=1,2;b.n=1,2", &other, &errors) && axis_put(&list, &other, &errors));
+    axis_check_keys(&list, &errors);
+    assert_non_null(strstr(strbuf_string(&errors), "the axes 'h' and 'c' both set 'b.n'"));
+    check_true(!axis_parse("h=1,2;n=3", &a, &errors));
+    assert_non_null(strstr(strbuf_string(&errors), "'n' has 1 values for 2 of 'h'"));
+    check_true(!axis_parse("h=1,2;", &a, &errors));
+    strbuf_free(&errors);
+    check_fails(ctx, axis_from_text(ctx, "--each", "h=1,2;n=3,4", &a), FLOE_BAD_INPUT);
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_may_hold_commas), cmocka_unit_test(faults_are_named),
         cmocka_unit_test(too_many_are_refused),   cmocka_unit_test(numbers_are_known),
-        cmocka_unit_test(a_key_has_one_axis),
+        cmocka_unit_test(a_key_has_one_axis),     cmocka_unit_test(keys_change_along),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

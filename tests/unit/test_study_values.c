@@ -49,8 +49,9 @@ static int set_up(void **state)
     *s = (study){
         .ctx = f.ctx, .list = f.list, .run = f.run, .n = CASES, .n_groups = GROUPS, .group = f.group, .over = 1};
     s->axes.n = 2;
-    s->axes.axis[0] = (scene_axis){"coupling", {"mpm", "ice-mpm"}, GROUPS};
-    s->axes.axis[1] = (scene_axis){"domain.cell", {"0.2", "0.1", "0.05", "0.025"}, SPACINGS};
+    s->axes.axis[0] = (scene_axis){.key = "coupling", .value = {"mpm", "ice-mpm"}, .n_values = GROUPS};
+    s->axes.axis[1] =
+        (scene_axis){.key = "domain.cell", .value = {"0.2", "0.1", "0.05", "0.025"}, .n_values = SPACINGS};
     s->metric[s->n_metrics++] = "l2rel_density";
     s->plan.n_quantities = 1;
     (void)snprintf(s->plan.quantity[0], sizeof s->plan.quantity[0], "kinetic");
