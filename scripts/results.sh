@@ -12,6 +12,7 @@
 #   speed         rates of the solvers
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
 #   picture       the pictures of the README
+#   gallery       every deck with its picture
 # Each is made by scripts/results/NAME.bash. Without a name: all, in some thirty minutes. The index, docs/results/README.md, lists every bar, met or missed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -33,7 +34,7 @@ write_index() {
     printf '# Results\n\n*Written by `scripts/results.sh`; do not edit.*\n\n' >"$page"
     write 'From runs that anyone can repeat: `scripts/results.sh`, or `scripts/results.sh NAME` for one page. Bars were set before anything' \
         'was measured.' '' '| page | |' '|---|---|'
-    for file in a1 studies sod waves conservation stability contact ball-net airbag speed york-points york-membranes; do
+    for file in a1 studies sod waves conservation stability contact ball-net airbag speed york-points york-membranes gallery; do
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
@@ -45,7 +46,7 @@ write_index() {
     done
 }
 
-all=(a1 sod waves conservation stability contact ball-net airbag speed studies picture)
+all=(a1 sod waves conservation stability contact ball-net airbag speed studies picture gallery)
 [ $# -gt 0 ] || set -- "${all[@]}"
 for wanted in "$@"; do
     [[ " ${all[*]} " == *" $wanted "* ]] || {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Rules of the source that no compiler checks: no include that climbs out of its room, no file too long to hold in
-# the head, and each third-party library only in its rooms.
+# the head, each third-party library only in its rooms, and a picture of every deck in the docs.
 set -u
 cd "${1:?usage: source_rules.sh SOURCE_DIRECTORY}" || exit 2
 failed=0
@@ -32,4 +32,9 @@ only_in 'cairo' draw
 only_in '(libfyaml|udunits)' deck
 only_in 'jansson' io batch study report cli
 only_in 'argp' cli
+complain 'decks without a picture in docs/results/gallery.md (scripts/results.sh gallery)' \
+    "$(for deck in inputs/*.yaml; do
+        name=$(basename "$deck" .yaml)
+        grep -qF "](gallery-$name.png)" docs/results/gallery.md && [ -f "docs/results/gallery-$name.png" ] || echo "$deck"
+    done)"
 exit $failed

@@ -1,0 +1,61 @@
+# gallery: one picture of every deck. Sourced by scripts/results.sh. A picture that is there is kept, so that a new deck costs its own
+# run alone: remove docs/results/gallery-*.png to have them made again.
+# shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
+
+# What a deck needs for a short run and a telling picture, by its name: arguments of `floe run` | of `floe picture` | what is seen. A deck
+# that is not here is run as it stands.
+declare -A gallery=(
+    [acoustic_pulse]='||pressure'
+    [airbag_200]='--set time.end=0.04|-w 300|stress of the bag and the cylinder at 40 ms'
+    [airbag_500]='--set time.end=0.02|-w 300|stress of the bag and the cylinder at 20 ms'
+    [annulus_traction]='--set domain.cell=0.05||von Mises stress under an outward traction'
+    [ball_net]='|-t 2.5 -r 0:200|the net throws the ball back, t = 2.5'
+    [bar_vibration]='|-p velocity_x -c none|velocity'
+    [cell_crossing]='|-p velocity_x -c none|velocity'
+    [closed_box]='||pressure'
+    [free_stream]='||pressure: what is even stays even'
+    [gas_expansion]='|-c none|pressure of the points'
+    [hydrostatic_column]='||pressure'
+    [isentropic_vortex]='|-c density_gas|density'
+    [membrane_circle]='||stress of the membrane and pressure of the gas'
+    [membrane_dogbone]='--set domain.cell=0.1 --set time.end=1|-w 260|the slack contour fills'
+    [pendulum]='|-t 0.5 -c none|tension of the string, t = 0.5'
+    [piston_container]='|-p pressure -c none|pressure'
+    [pressurized_cylinder]='--coupling ice-mpm|-p sigma_theta -c pressure|hoop stress of the steel, pressure of the gas'
+    [sod]='--coupling ice|-c density_gas|density'
+    [spring_mass]='|-t 0.0101 -c none|tension at the lowest point'
+    [stability_line]='|-p velocity_x -c none|velocity'
+    [string_mass]='|-t 0.0202 -c none|tension of the string, t = 0.02'
+    [taylor_bar]='||von Mises stress'
+    [two_bars]='|-t 0.25|von Mises stress while they touch'
+)
+
+# gallery_picture FILE DECK RUN PICTURE: the picture, from a run with these arguments.
+gallery_picture() {
+    local log=$runs/$2.txt words
+    echo "  $2" >&2
+    rm -rf "${runs:?}/$2"
+    read -r -a words <<<"$3"
+    "$floe" run "$1" "${words[@]}" --threads 1 --quiet -o "$runs/$2" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+    read -r -a words <<<"$4"
+    "$floe" picture "$runs/$2" --width 400 "${words[@]}" -o "$results/gallery-$2.png" >>"$log" 2>&1 || { cat "$log" >&2; return 1; }
+}
+
+# gallery_deck FILE: its picture and its lines on the page.
+gallery_deck() {
+    local file=$1 deck run picture seen
+    deck=$(basename "$file" .yaml)
+    IFS='|' read -r run picture seen <<<"${gallery[$deck]-||}"
+    [ -f "$results/gallery-$deck.png" ] || gallery_picture "$file" "$deck" "$run" "$picture"
+    write "## $(sed -n 's/^title: *//p' "$file")" '' "\`$file\`${seen:+: $seen}." '' \
+        "    floe run $file${run:+ $run} -o out/$deck" "    floe picture out/$deck --width 400${picture:+ $picture}" '' \
+        "![$deck](gallery-$deck.png)" ''
+}
+
+result_gallery() {
+    local file
+    begin gallery 'Gallery: every deck and its picture'
+    write 'Each deck of `inputs/`, run from a cold start by the command beside it, on one thread; what lasts long is run to an earlier end or on a' \
+        'coarser mesh than the deck says.' ''
+    for file in inputs/*.yaml; do gallery_deck "$file"; done
+}
