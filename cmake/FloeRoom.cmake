@@ -5,6 +5,7 @@
 set(FLOE_FLOORS
     "base math"
     "grid geom material"
+    "surface"
     "coupling scene solve"
     "mpm ice"
     "sim"

@@ -24,7 +24,7 @@ only_in() {
 complain 'an include must name its room, not climb ("room/x.h")' "$(grep -rnE '#include "\.\./' src include tests bench)"
 complain 'more than 700 lines: split the file' \
     "$(find src include -name '*.[ch]' -exec awk 'END { if (NR > 700) print FILENAME ": " NR }' {} \;)"
-only_in 'gsl/' coupling geom material verify study
+only_in 'gsl/' coupling geom material surface verify study
 only_in 'sunlinsol/sunlinsol_pcg' solve
 only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)/' coupling mpm ice verify solve
 only_in 'hdf5' io

@@ -84,8 +84,14 @@ static void list_bases(void)
 
 static void list_normals(void)
 {
+    printf("  contact.normals: of bodies on the grid, where they meet\n\n");
     for (size_t i = 0; i < normal_registry_size; i++)
         print_entry(normal_registry[i]->name, normal_registry[i]->doc, normal_registry[i]->cite, NULL, 0);
+    printf("\n  membrane.normals: of membranes, at their points\n\n");
+    for (size_t i = 0; i < surface_registry_size; i++) {
+        const surface_method *m = surface_registry[i];
+        print_entry(m->name, m->doc, m->cite, m->params, m->n_params);
+    }
 }
 
 static void print_provided(const exact_model *m)
@@ -174,7 +180,7 @@ static const struct {
     {"membranes", "laws of membranes and strings", list_membranes},
     {"shapes", "shapes of bodies and regions", list_shapes},
     {"bases", "basis functions of material points", list_bases},
-    {"normals", "normals of bodies in contact", list_normals},
+    {"normals", "normals of bodies in contact, and of membranes", list_normals},
     {"exact", "exact solutions", list_exact},
     {"references", "what histories are compared with", list_references},
     {"metrics", "errors that can be measured", list_metrics},

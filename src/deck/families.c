@@ -106,6 +106,42 @@ static bool membrane_fetch(const void *field, const char **name, const void **pa
 
 const model_family family_membrane = {"membrane law", membrane_get, membrane_store, membrane_fetch, NULL};
 
+static bool normals_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
+{
+    (void)catalogue;
+    if (i >= surface_registry_size) return false;
+    const surface_method *m = surface_registry[i];
+    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    return true;
+}
+
+static void normals_store(void *field, const model_entry *entry, void *par)
+{
+    scene_membrane *m = field;
+    m->normals = entry->model;
+    m->normals_par = par;
+}
+
+static bool normals_fetch(const void *field, const char **name, const void **par)
+{
+    const scene_membrane *m = field;
+    if (!m->normals) return false;
+    *name = m->normals->name;
+    *par = m->normals_par;
+    return true;
+}
+
+/* The points of a membrane lie along a curve, which has one normal only in a plane. */
+static const char *normals_check(const model_entry *entry, const void *par, int dim)
+{
+    (void)par;
+    const surface_method *m = entry->model;
+    if (dim == 2 || m->connected) return NULL;
+    return dim == 3 ? "a line in space has no one normal" : "a line of one dimension has none to find";
+}
+
+const model_family family_normals = {"way to make normals", normals_get, normals_store, normals_fetch, normals_check};
+
 static bool eos_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
     (void)catalogue;

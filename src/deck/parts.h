@@ -12,7 +12,8 @@ extern const custom_key custom_places;
 /* schema_springs.c */
 extern const named_items items_springs, items_supports;
 /* families.c */
-extern const model_family family_shape, family_law, family_membrane, family_eos, family_exact, family_reference;
+extern const model_family family_shape, family_law, family_membrane, family_normals, family_eos, family_exact,
+    family_reference;
 /* boundaries.c */
 extern const custom_key custom_boundaries;
 extern const variants boundary_kinds;

@@ -215,11 +215,13 @@ floe_status deck_reference(char **text, context *ctx, const deck_catalogue *cata
     print_family(&p, "Shapes", &family_shape);
     print_family(&p, "Laws of solids", &family_law);
     print_family(&p, "Laws of membranes", &family_membrane);
+    print_family(&p, "Normals of membranes", &family_normals);
     print_family(&p, "Equations of state", &family_eos);
     print_family(&p, "Exact solutions", &family_exact);
     print_family(&p, "References of histories", &family_reference);
     if (catalogue && catalogue->n_basis > 0) print_names(&p, "Bases", catalogue->basis, catalogue->n_basis);
-    if (catalogue && catalogue->n_normal > 0) print_names(&p, "Normals", catalogue->normal, catalogue->n_normal);
+    if (catalogue && catalogue->n_normal > 0)
+        print_names(&p, "Normals of contact", catalogue->normal, catalogue->n_normal);
     if (catalogue && catalogue->n_metric > 0) print_names(&p, "Metrics", catalogue->metric, catalogue->n_metric);
     if (catalogue && catalogue->n_quantity > 0)
         print_names(&p, "Quantities (the X of metrics)", catalogue->quantity, catalogue->n_quantity);

@@ -132,6 +132,10 @@ static const key_spec membrane_keys[] = {
      .doc = "material points along the curve; 0: by the body's `points` a cell"},
     {"length", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene_membrane, length),
      .otherwise = "half the way to each neighbour", .doc = "of a curve of points: its length, which they share alike"},
+    {"normals", KEY_MODEL, .family = &family_normals,
+     .otherwise = "`connectivity`, the order of the points along the curve",
+     .doc =
+         "how the normals of the points are found; all but `connectivity` take the points as they lie, in any order"},
     {"section", KEY_CHOICE, AT(scene_membrane, section), .fallback = "thickness", .choices = section_choices,
      .doc = "what becomes of it as it is stretched"},
     {"slack", KEY_NUMBER, NULL, WITHIN(-2.0, 2.0), AT(scene_membrane, slack), .fallback = "0",

@@ -36,6 +36,8 @@ typedef enum ledger_count {
     COUNT_CONTACT_STICK, /* pairs of bodies at nodes, over the steps: that move as one, slide, or part */
     COUNT_CONTACT_SLIP,
     COUNT_CONTACT_RELEASE,
+    COUNT_NORMALS_PLAIN, /* points of membranes, over the steps, for which a method found no normal: that of the nearest points */
+    COUNT_NORMALS_KEPT, /* nor they one: the former */
     LEDGER_COUNTS
 } ledger_count;
 

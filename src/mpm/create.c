@@ -1,7 +1,7 @@
 /* From the scene to a set of bodies, fields and kernels. */
 #include "base/memory.h"
 #include "mpm/contact.h"
-#include "mpm/line.h"
+#include "mpm/membrane_normal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -65,6 +65,7 @@ static void resolve_body(mpm *s, int index)
     s->cell_density = s->cell_density || (b->fluid && s->scene->method.density != DENSITY_CONTINUITY);
     if (b->law->n_history > s->n_history) s->n_history = b->law->n_history;
     s->membranes = s->membranes || m->membrane;
+    s->free_normals = s->free_normals || normals_are_free(s, s->n_bodies);
     s->hoops = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
     s->n_bodies++;
 }
@@ -91,6 +92,7 @@ static floe_status make_work(mpm *s)
     TRY(memory_new(s->ctx, &w->moved, tiles, sizeof *w->moved));
     TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
     if (s->membranes) TRY(memory_new(s->ctx, &w->line, SCENE_MAX_BODIES, sizeof *w->line));
+    if (s->free_normals) TRY(memory_new(s->ctx, &w->normals, SCENE_MAX_BODIES, sizeof *w->normals));
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
@@ -126,6 +128,8 @@ static void free_lines(context *ctx, struct mpm_work *w)
 {
     for (int b = 0; w->line && b < SCENE_MAX_BODIES; ++b) line_free(ctx, &w->line[b]);
     memory_free(ctx, &w->line);
+    for (int b = 0; w->normals && b < SCENE_MAX_BODIES; ++b) normals_free(&w->normals[b]);
+    memory_free(ctx, &w->normals);
 }
 
 void mpm_destroy(mpm **s)
@@ -151,14 +155,16 @@ void mpm_destroy(mpm **s)
 }
 
 /* Whether a body holds a point field that some stage uses. */
-static bool body_holds(const mpm_body *b, field_id id)
+static bool body_holds(const mpm *s, int body, field_id id)
 {
+    const mpm_body *b = &s->body[body];
     if (id == P_F) return (b->law->needs & SOLID_NEEDS_F) != 0;
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id == P_DENSITY) return b->fluid;
     if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
     if (id == P_TANGENT || id == P_STRAIN || id == P_STRAIN_HOOP) return b->membrane.model != NULL;
+    if (id == P_NORMAL) return normals_are_free(s, body);
     return true;
 }
 
@@ -167,7 +173,7 @@ static floe_status register_field(mpm *s, field_id id)
     const field_centring centring = field_describe(id)->centring;
     if (centring == FIELD_POINT)
         for (int b = 0; b < s->n_bodies; ++b)
-            if (body_holds(&s->body[b], id)) TRY(domain_add(s->domain, id, b));
+            if (body_holds(s, b, id)) TRY(domain_add(s->domain, id, b));
     if (centring == FIELD_NODE)
         for (int g = 0; g < (id == N_PRESSURE ? 1 : s->n_groups); ++g) TRY(domain_add(s->domain, id, g));
     return FLOE_OK;

@@ -1,7 +1,7 @@
 /* Membranes (York 1997, chapter 5): one layer of points. The total strain is kept in the local frame and grows with the stretch of the
  * tangent (section 5.4.2, in the rate form t.L.t, whose integral is the logarithm of the stretch); the stress is turned back to
  * the axes of the scene, so that forces need no kernel of their own. */
-#include "mpm/line.h"
+#include "mpm/membrane_normal.h"
 
 #include <math.h>
 #include <string.h>
@@ -93,16 +93,36 @@ floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end,
     return FLOE_OK;
 }
 
-/* Tangents of a chunk from its line; a point that finds none keeps the one it had. */
-static void find_tangents(const mpm *s, int blk, int body, size_t start, bool next, membrane_batch *b)
+/* A quarter of a turn from the normals, in a plane. */
+static void turn_normals(const mpm *s, int blk, int body, size_t start, bool next, membrane_batch *b)
 {
-    const fields *f = s->domain->fields[blk];
-    load_tangent(s, f, body, start, false, b);
+    field_getter *get = next ? field_next : field_get;
+    const double *x = get(s->domain->fields[blk], P_NORMAL, body, 0) + start;
+    const double *y = get(s->domain->fields[blk], P_NORMAL, body, 1) + start;
+    for (size_t k = 0; k < b->n; ++k) {
+        b->t[0][k] = -y[k];
+        b->t[1][k] = x[k];
+    }
+}
+
+static void follow_line(const mpm *s, int blk, int body, size_t start, membrane_batch *b)
+{
     for (size_t k = 0; k < b->n; ++k) {
         double t[3];
         if (!line_tangent(s, body, point_number(s, blk, body, start + k), t)) continue;
         for (int a = 0; a < 3; ++a) b->t[a][k] = t[a];
     }
+}
+
+/* Tangents of a chunk, across its normals or along its line; a point that finds none keeps the one it had. */
+static void find_tangents(const mpm *s, int blk, int body, size_t start, bool next, membrane_batch *b)
+{
+    const fields *f = s->domain->fields[blk];
+    load_tangent(s, f, body, start, false, b);
+    if (normals_are_free(s, body))
+        turn_normals(s, blk, body, start, next, b);
+    else
+        follow_line(s, blk, body, start, b);
     for (int a = 0; a < s->mesh->dim; ++a)
         memcpy((next ? field_next : field_get)(f, P_TANGENT, body, a) + start, b->t[a], b->n * sizeof(double));
 }
@@ -110,7 +130,7 @@ static void find_tangents(const mpm *s, int blk, int body, size_t start, bool ne
 /* Tangents of a body; with `stress` also the stress along them. */
 static void turn_body(mpm *s, int body, bool next, bool stress)
 {
-    line_update(s, body, next);
+    if (!normals_are_free(s, body)) line_update(s, body, next);
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
         const size_t n = s->points[blk][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;
 #pragma omp parallel for schedule(static)
@@ -137,6 +157,7 @@ floe_status start_membranes(mpm *s)
     for (int body = 0; body < s->n_bodies; ++body) {
         if (!s->body[body].membrane.model) continue;
         TRY(line_make(s, body));
+        if (normals_are_free(s, body)) TRY(normals_start(s, body));
         turn_body(s, body, false, true);
     }
     return FLOE_OK;

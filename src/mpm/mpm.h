@@ -51,6 +51,7 @@ typedef struct mpm {
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
     int n_history;                        /* the most numbers that a body's law remembers */
     bool membranes, hoops;                /* some body is a membrane; it has strain around the axis */
+    bool free_normals;                    /* some membrane has normals without connections */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
     double time;            /* s: at the start of the step */
     double dt, dt_previous; /* s; dt_previous 0 before the first step */
@@ -82,6 +83,7 @@ floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress */
 floe_status mpm_cell_density(mpm *s);      /* rho_p of fluids from the masses of cells (density.c) */
 floe_status mpm_stress_last(mpm *s);       /* USL with such densities: stress from v_i^L once all points have moved */
 floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, then L_p, F, stress */
+floe_status mpm_membrane_normals(mpm *s);  /* normals of membranes without connections, from where the points are now */
 floe_status mpm_turn_membranes(mpm *s);    /* tangents from where the points are now, and the stress along them */
 
 /* Before the stages: the kick of the step, body forces. */

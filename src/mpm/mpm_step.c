@@ -97,7 +97,9 @@ floe_status mpm_motion_stages(mpm *s)
           READS(P_POS, P_VEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE,
                 WHEN(s->cell_density, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
-    STAGE(s, s->membranes, mpm_turn_membranes, READS(P_ID, P_POS, P_TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN),
+    STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
+    STAGE(s, s->membranes, mpm_turn_membranes,
+          READS(P_ID, P_POS, WHEN(s->free_normals, P_NORMAL), P_TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN),
           WRITES(P_TANGENT, P_STRESS, P_J));
     return FLOE_OK;
 }

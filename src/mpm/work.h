@@ -75,6 +75,7 @@ typedef struct surface_point {
 } surface_point;
 
 typedef struct membrane_line membrane_line;
+typedef struct membrane_normals membrane_normals;
 
 /* Where a point was last found: a hint. */
 typedef struct spring_end {
@@ -113,7 +114,8 @@ struct mpm_work {
     spring_state spring[SCENE_MAX_SPRINGS];
     support_node *support; /* owned */
     size_t n_supports;
-    membrane_line *line; /* one a body (line.h); owned, NULL without membranes */
+    membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */
+    membrane_normals *normals; /* one a body (membrane_normal.h); owned, NULL where all membranes are connected */
     int threads;
 };
 

@@ -12,6 +12,7 @@
 #include "material/eos.h"
 #include "material/membrane.h"
 #include "material/solid.h"
+#include "surface/surface.h"
 
 enum {
     SCENE_MAX_MATERIALS = 12,
@@ -70,9 +71,11 @@ typedef double initial_function(void *user, initial_quantity quantity, int compo
 typedef struct scene_membrane {
     bool present; /* the body is one */
     curve_line curve;
-    double thickness; /* m in 2-D and when axisymmetric; 1-D: share of the section; 3-D: m2 */
-    int number;       /* points; 0: by the points a cell */
-    double length;    /* m, of CURVE_POINTS: shared alike; NAN: by the distances */
+    double thickness;              /* m in 2-D and when axisymmetric; 1-D: share of the section; 3-D: m2 */
+    int number;                    /* points; 0: by the points a cell */
+    double length;                 /* m, of CURVE_POINTS: shared alike; NAN: by the distances */
+    const surface_method *normals; /* NULL: along the connections of the points */
+    void *normals_par;
     membrane_section section;
     double slack;             /* strain that must be taken up before there is tension; < 0: taut at the start */
     int slack_from, slack_to; /* points that have it; 0: the first, the last */

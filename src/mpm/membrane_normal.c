@@ -1,0 +1,92 @@
+#include "mpm/membrane_normal.h"
+
+#include "base/memory.h"
+
+#include <string.h>
+
+bool normals_are_free(const mpm *s, int body)
+{
+    const surface_method *m = s->scene->body[s->body[body].scene_body].membrane.normals;
+    return s->body[body].membrane.model && m && !m->connected;
+}
+
+/* The numbers of the normals that are there, in the order of the points' numbers; a lost point has none. */
+static void load_normals(const mpm *s, int body, double *by_number)
+{
+    memset(by_number, 0, 3 * s->work->line[body].n * sizeof *by_number);
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double *n = field_get(s->domain->fields[b], P_NORMAL, body, a);
+            for (size_t k = 0; k < s->points[b][body].n; ++k)
+                by_number[3 * point_number(s, b, body, k) + (size_t)a] = n[k];
+        }
+}
+
+/* A point without a direction keeps the normal that it had. */
+static void store_normals(const mpm *s, int body, bool next)
+{
+    const membrane_normals *n = &s->work->normals[body];
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            double *to = (next ? field_next : field_get)(s->domain->fields[b], P_NORMAL, body, a);
+            for (size_t k = 0; k < s->points[b][body].n; ++k) {
+                const size_t number = point_number(s, b, body, k);
+                const surface_estimate *e = &n->estimate[number];
+                to[k] = e->basis == SURFACE_NONE ? n->before[3 * number + (size_t)a] : e->normal[a];
+            }
+        }
+}
+
+static void count_bases(mpm *s, const membrane_normals *n)
+{
+    long long of[SURFACE_BASES] = {0};
+    for (size_t k = 0; k < n->set.points.n; ++k)
+        if (n->set.points.entry[k].image == 0) of[n->estimate[n->set.points.entry[k].number].basis]++;
+    if (of[SURFACE_PLAIN] > 0) ledger_tally(s->ledger, COUNT_NORMALS_PLAIN, of[SURFACE_PLAIN]);
+    if (of[SURFACE_NONE] > 0) ledger_tally(s->ledger, COUNT_NORMALS_KEPT, of[SURFACE_NONE]);
+}
+
+/* Normals of a body from where its points are now, or next. */
+static floe_status make_normals(mpm *s, int body, bool next)
+{
+    membrane_normals *n = &s->work->normals[body];
+    const membrane_line *line = &s->work->line[body];
+    const scene_membrane *m = &s->scene->body[s->body[body].scene_body].membrane;
+    line_update(s, body, next);
+    TRY(surface_set_points(&n->set, line->n, line->x));
+    surface_normals(&n->set, m->normals, m->normals_par, n->estimate);
+    TRY(surface_orient(&n->set, n->before, n->estimate));
+    store_normals(s, body, next);
+    return FLOE_OK;
+}
+
+floe_status mpm_membrane_normals(mpm *s)
+{
+    for (int body = 0; body < s->n_bodies; ++body) {
+        if (!normals_are_free(s, body)) continue;
+        load_normals(s, body, s->work->normals[body].before);
+        TRY(make_normals(s, body, true));
+        count_bases(s, &s->work->normals[body]);
+    }
+    return FLOE_OK;
+}
+
+floe_status normals_start(mpm *s, int body)
+{
+    membrane_normals *n = &s->work->normals[body];
+    surface_set_init(&n->set, s->ctx, s->mesh);
+    for (int a = 0; a < s->mesh->dim; ++a)
+        for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, a, side);
+    TRY(memory_new(s->ctx, &n->estimate, s->work->line[body].n, sizeof *n->estimate));
+    TRY(memory_new(s->ctx, &n->before, 3 * s->work->line[body].n, sizeof *n->before));
+    return make_normals(s, body, false);
+}
+
+void normals_free(membrane_normals *n)
+{
+    if (!n->set.ctx) return;
+    context *ctx = n->set.ctx;
+    memory_free(ctx, &n->estimate);
+    memory_free(ctx, &n->before);
+    surface_set_free(&n->set);
+}

@@ -1,0 +1,75 @@
+#include "surface/neighbours.h"
+
+#include <math.h>
+
+/* Neighbours found so far, in the order of their distance. */
+typedef struct nearest_list {
+    surface_neighbour *out;
+    int n, most;
+} nearest_list;
+
+static void insert(nearest_list *l, const surface_neighbour *one)
+{
+    int at = l->n;
+    if (l->n == l->most) {
+        if (!(one->square < l->out[l->n - 1].square)) return;
+        --at;
+    } else {
+        l->n++;
+    }
+    for (; at > 0 && one->square < l->out[at - 1].square; --at) l->out[at] = l->out[at - 1];
+    l->out[at] = *one;
+}
+
+static void visit_cell(const surface_set *s, const surface_entry *of, const int at[3], nearest_list *l)
+{
+    const surface_cell *c = surface_cell_at(&s->points, at);
+    for (size_t k = 0; c && k < c->n; ++k) {
+        const surface_entry *e = &s->points.entry[c->first + k];
+        if (e == of) continue;
+        surface_neighbour one = {.number = e->number, .image = e->image};
+        for (int a = 0; a < 3; ++a) {
+            one.d[a] = e->x[a] - of->x[a];
+            one.square += one.d[a] * one.d[a];
+        }
+        insert(l, &one);
+    }
+}
+
+/* All cells up to `ring` away. */
+static void visit_ring(const surface_set *s, const surface_entry *of, int ring, nearest_list *l)
+{
+    int reach[3], at[3];
+    for (int a = 0; a < 3; ++a) reach[a] = a < s->mesh->dim ? ring : 0;
+    l->n = 0;
+    for (int k = -reach[2]; k <= reach[2]; ++k)
+        for (int j = -reach[1]; j <= reach[1]; ++j)
+            for (int i = -reach[0]; i <= reach[0]; ++i) {
+                at[0] = of->cell[0] + i;
+                at[1] = of->cell[1] + j;
+                at[2] = of->cell[2] + k;
+                visit_cell(s, of, at, l);
+            }
+}
+
+/* No point outside the cells up to `ring` away is nearer than this (m). */
+static double covered(const surface_set *s, const surface_entry *of, int ring)
+{
+    double least = INFINITY;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double h = s->mesh->h[a], inside = of->x[a] - mesh_node(s->mesh, a, of->cell[a]);
+        least = fmin(least, ring * h + fmin(inside, h - inside));
+    }
+    return least;
+}
+
+int surface_nearest(const surface_set *s, const surface_entry *of, int most, surface_neighbour *out)
+{
+    nearest_list l = {.out = out, .most = most};
+    for (int ring = 1; ring <= SURFACE_HALO; ++ring) {
+        visit_ring(s, of, ring, &l);
+        const double reach = covered(s, of, ring);
+        if (l.n == most && l.out[most - 1].square <= reach * reach) break;
+    }
+    return l.n;
+}

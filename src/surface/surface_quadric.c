@@ -1,0 +1,212 @@
+/* A polynomial over the tangent plane through the nearest points, weighted by distance: moving least squares (Lancaster and Salkauskas
+ * 1981; Alexa et al. 2003). It goes by the spacing of the points and not by the mesh: cells only help to find neighbours. In a plane
+ * the polynomial is cubic: with two neighbours on either side it has the slope of the five-point formula, and where arcs and lines
+ * join errs less than the chord of the neighbours. In space it is quadratic. */
+#include "math/tensor.h"
+#include "surface/least_squares.h"
+#include "surface/plane.h"
+
+#include <math.h>
+#include <string.h>
+
+extern const surface_method surface_quadric;
+
+typedef struct quadric_par {
+    double spread;
+} quadric_par;
+
+static const param_spec params[] = {
+    {.key = "spread",
+     .unit = "1",
+     .range = PARAM_BETWEEN,
+     .lo = 1.0,
+     .hi = 6.0,
+     .fallback = 1.0,
+     .offset = offsetof(quadric_par, spread),
+     .count = 1,
+     .doc = "how far it reaches, over the least that determines it; more of it smooths noisy positions"},
+};
+
+enum { FITS = 2, MOST_TERMS = 6 };
+
+/* Neighbours that set the reach: two on either side, or the eight about a point of a lattice. */
+static int scale_count(int dim)
+{
+    return dim == 3 ? 8 : 4;
+}
+
+static const double margin = 1.25; /* of the reach beyond them, so that they have weight */
+
+/* A point's surroundings. */
+typedef struct surroundings {
+    int dim, n;
+    double reach; /* m */
+    surface_neighbour near[SURFACE_MOST_NEAR];
+} surroundings;
+
+static void look_about(const surface_set *s, const surface_entry *e, double spread, surroundings *out)
+{
+    out->dim = s->mesh->dim;
+    out->n = surface_nearest(s, e, SURFACE_MOST_NEAR, out->near);
+    const int scale = out->n < scale_count(out->dim) ? out->n : scale_count(out->dim);
+    out->reach = scale > 0 ? margin * spread * sqrt(out->near[scale - 1].square) : 0.0;
+    while (out->n > 0 && !(out->near[out->n - 1].square < out->reach * out->reach)) out->n--;
+}
+
+/* Monomials of u and v (over the reach) up to a degree; how many there are. */
+static int monomials(int dim, int degree, double u, double v, double *row)
+{
+    int n = 0;
+    for (int total = 0; total <= degree; ++total)
+        for (int j = 0; j <= (dim == 3 ? total : 0); ++j) {
+            row[n] = 1.0;
+            for (int i = 0; i < total - j; ++i) row[n] *= u;
+            for (int i = 0; i < j; ++i) row[n] *= v;
+            n++;
+        }
+    return n;
+}
+
+static void add_row(const surroundings *about, const surface_frame *f, int degree, const double d[3], double weight,
+                    least_squares *l)
+{
+    double row[MOST_TERMS], root = sqrt(weight), scale = 1.0 / about->reach;
+    const int n = monomials(about->dim, degree, scale * vec_dot(d, f->u), scale * vec_dot(d, f->v), row);
+    for (int k = 0; k < n; ++k) row[k] *= root;
+    least_squares_add(l, row, root * scale * vec_dot(d, f->n));
+}
+
+/* Height over the plane of a frame, by the highest degree that the points determine. */
+static bool fit_height(const surroundings *about, const surface_frame *f, least_squares_solution *out)
+{
+    static const double here[3] = {0};
+    for (int degree = about->dim == 3 ? 2 : 3; degree > 0; --degree) {
+        double row[MOST_TERMS];
+        least_squares l;
+        const int terms = monomials(about->dim, degree, 0.0, 0.0, row);
+        if (about->n + 1 < terms) continue;
+        least_squares_begin(&l, SOLVE_QR, terms);
+        add_row(about, f, degree, here, 1.0, &l);
+        for (int k = 0; k < about->n; ++k) {
+            const double w = surface_weight(about->near[k].square / (about->reach * about->reach));
+            add_row(about, f, degree, about->near[k].d, w, &l);
+        }
+        if (!least_squares_solve(&l, out) || out->rank < terms) continue;
+        for (int k = terms; k < MOST_TERMS; ++k) out->x[k] = 0.0;
+        return true;
+    }
+    return false;
+}
+
+/* Sum of the principal curvatures of the height about the point, along the frame's normal side: x holds 1, u, (v,) u2, (uv, v2). */
+static double curvature_of(int dim, const double *x, double reach)
+{
+    if (dim < 3) return -2.0 * x[2] / reach / pow(1.0 + x[1] * x[1], 1.5);
+    const double p = x[1], q = x[2], r = 2.0 * x[3], s = x[4], t = 2.0 * x[5], g = 1.0 + p * p + q * q;
+    return -((1.0 + q * q) * r - 2.0 * p * q * s + (1.0 + p * p) * t) / (g * sqrt(g)) / reach;
+}
+
+/* Half of the way to the next point on either side of the normal; at a free end that of the other side. */
+static double share_of_line(const surroundings *about, const double u[3])
+{
+    double before = INFINITY, after = INFINITY;
+    for (int k = 0; k < about->n; ++k) {
+        const double along = vec_dot(about->near[k].d, u), length = sqrt(about->near[k].square);
+        if (along > 0.0) after = fmin(after, length);
+        if (along < 0.0) before = fmin(before, length);
+    }
+    if (isinf(before) && isinf(after)) return NAN;
+    return isinf(before) ? after : isinf(after) ? before : 0.5 * (before + after);
+}
+
+/* Corners of a polygon in the tangent plane. */
+enum { MOST_CORNERS = 32 };
+typedef struct polygon {
+    double x[MOST_CORNERS][2];
+    int n;
+} polygon;
+
+/* What lies nearer to 0 than to (u, v). */
+static void cut(polygon *p, double u, double v)
+{
+    polygon kept = {.n = 0};
+    const double level = 0.5 * (u * u + v * v);
+    for (int k = 0; k < p->n && kept.n + 2 <= MOST_CORNERS; ++k) {
+        const double *a = p->x[k], *b = p->x[(k + 1) % p->n];
+        const double fa = a[0] * u + a[1] * v - level, fb = b[0] * u + b[1] * v - level;
+        if (fa <= 0.0) memcpy(kept.x[kept.n++], a, sizeof kept.x[0]);
+        if ((fa < 0.0 && fb > 0.0) || (fa > 0.0 && fb < 0.0)) {
+            const double share = fa / (fa - fb);
+            for (int c = 0; c < 2; ++c) kept.x[kept.n][c] = a[c] + share * (b[c] - a[c]);
+            kept.n++;
+        }
+    }
+    *p = kept;
+}
+
+static double area_of(const polygon *p)
+{
+    double twice = 0.0;
+    for (int k = 0; k < p->n; ++k) {
+        const double *a = p->x[k], *b = p->x[(k + 1) % p->n];
+        twice += a[0] * b[1] - a[1] * b[0];
+    }
+    return 0.5 * twice;
+}
+
+/* Area of the part of the tangent plane that is nearer to the point than to any other (Voronoi), within the reach. */
+static double share_of_plane(const surroundings *about, const surface_frame *f)
+{
+    const double r = 0.5 * about->reach, u = r, v = r;
+    polygon p = {.x = {{-u, -v}, {u, -v}, {u, v}, {-u, v}}, .n = 4};
+    for (int k = 0; k < about->n && p.n > 2; ++k) {
+        const double a = vec_dot(about->near[k].d, f->u), b = vec_dot(about->near[k].d, f->v);
+        if (a * a + b * b > 1e-12 * about->reach * about->reach) cut(&p, a, b);
+    }
+    return area_of(&p);
+}
+
+static bool fit(const surroundings *about, surface_estimate *out)
+{
+    surface_frame f;
+    least_squares_solution found;
+    if (!surface_plane(about->dim, about->n, about->near, about->reach, &f)) return false;
+    for (int k = 0; k < FITS; ++k) {
+        if (!fit_height(about, &f, &found)) return false;
+        double n[3];
+        for (int a = 0; a < 3; ++a) n[a] = f.n[a] - found.x[1] * f.u[a] - (about->dim == 3 ? found.x[2] * f.v[a] : 0.0);
+        vec_normalize(n);
+        out->curvature = curvature_of(about->dim, found.x, about->reach);
+        surface_frame_about(about->dim, n, &f);
+    }
+    memcpy(out->normal, f.n, sizeof f.n);
+    out->condition = found.condition;
+    out->area = about->dim == 3 ? share_of_plane(about, &f) : share_of_line(about, f.u);
+    out->basis = SURFACE_METHOD;
+    return true;
+}
+
+static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+{
+    const quadric_par *q = par;
+    for (size_t k = 0; k < c->n; ++k) {
+        const surface_entry *e = &s->points.entry[c->first + k];
+        if (e->image != 0) continue;
+        surroundings about;
+        look_about(s, e, q->spread, &about);
+        (void)fit(&about, &out[e->number]);
+    }
+}
+
+const surface_method surface_quadric = {
+    .name = "quadric",
+    .doc = "polynomial over the tangent plane through the nearest points, weighted by their distance; with curvature "
+           "and area",
+    .cite = "moving least squares: Alexa et al. 2003",
+    .min_dim = 2,
+    .param_size = sizeof(quadric_par),
+    .params = params,
+    .n_params = sizeof params / sizeof *params,
+    .exact = true,
+    .cell = cell,
+};
