@@ -28,6 +28,18 @@ expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/spring_mass.yaml" -o spring --quiet
 below "$(json spring/summary.json hperiod_position)" 5e-4
 below "$(json spring/summary.json hturns_position)" 5e-4
 
+# string_mass: as printed, against the law in a continuum (asked for: half a per cent; measured: 0.19 and 0.24 %); and with points that stay in
+# their cells, against the law of these cells, small strain (measured: 0.21 and 0.16 %).
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/string_mass.yaml" -o string --quiet
+below "$(json string/summary.json hperiod_position)" 5e-3
+below "$(json string/summary.json hturns_position)" 5e-3
+stay='[0.05, 1.99], [0.05, 1.98], [0.05, 1.97], [0.05, 1.89], [0.05, 1.88], [0.05, 1.87], [0.05, 1.79], [0.05, 1.78], [0.05, 1.77], [0.05, 1.69]'
+mass=verify.reference.hanging_mass
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/string_mass.yaml" -o stay --quiet --set "bodies.string.membrane.curve={points: {at: [$stay]}}" \
+    --set $mass.slack=0.02 --set $mass.small_strain=1 --set $mass.constant_volume=0
+below "$(json stay/summary.json hperiod_position)" 4e-3
+below "$(json stay/summary.json hturns_position)" 4e-3
+
 # ball_net: what the supports give is the change of momentum, to round-off, while the net is stretched (a third of the ball's is taken by then).
 expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/ball_net.yaml" -o net --quiet --set time.end=1.2
 below "$(json net/summary.json momentum)" 1e-13
