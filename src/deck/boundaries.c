@@ -22,12 +22,27 @@ static const key_spec outlet_keys[] = {
 };
 static const key_table outlet_table = TABLE(outlet_keys);
 
+#define WALL_HEAT_KEYS                                                                                                \
+    {"temperature",                                                                                                   \
+     KEY_NUMBER,                                                                                                      \
+     "K",                                                                                                             \
+     PARAM_POSITIVE,                                                                                                  \
+     AT(bc_side, temperature),                                                                                        \
+     .otherwise = "an insulated wall",                                                                                \
+     .doc = "of the wall, for fluids that conduct heat"},                                                             \
+    {                                                                                                                 \
+        "heat_flux", KEY_NUMBER, "W/m2", AT(bc_side, heat_flux),                                                      \
+            .otherwise = "0", .doc = "heat that the wall gives to fluids that conduct heat, instead of a temperature" \
+    }
+
 static const key_spec no_slip_keys[] = {
     {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .otherwise = "0", .doc = "of the wall, along itself"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .otherwise = "an insulated wall",
-     .doc = "of the wall"},
+    WALL_HEAT_KEYS,
 };
 static const key_table no_slip_table = TABLE(no_slip_keys);
+
+static const key_spec slip_keys[] = {WALL_HEAT_KEYS};
+static const key_table slip_table = TABLE(slip_keys);
 
 static const key_spec velocity_keys[] = {
     {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .required = true, .doc = "imposed"},
@@ -36,7 +51,7 @@ static const key_table velocity_table = TABLE(velocity_keys);
 
 static const variant side_list[] = {
     {"symmetry", BC_SYMMETRY, NULL, "a mirror; the same as slip"},
-    {"slip", BC_SLIP, NULL, "an impermeable wall without friction"},
+    {"slip", BC_SLIP, &slip_table, "an impermeable wall without friction"},
     {"no_slip", BC_NO_SLIP, &no_slip_table, "an impermeable wall that carries the fluid along"},
     {"periodic", BC_PERIODIC, NULL, "what leaves here enters at the opposite side"},
     {"inlet", BC_INLET, &inlet_table, "a fluid enters"},

@@ -100,40 +100,6 @@ static floe_status check_mesh(reader *r)
     return bad_at(r, PATH("domain", "cell"), NULL, NULL, "%s", message);
 }
 
-/* ---- boundaries ---- */
-
-static floe_status check_side(reader *r, int axis, int i)
-{
-    scene *s = r->scene;
-    const bc_side *side = &s->bc.side[axis][i];
-    const char *name = axis_name(&s->mesh, axis), *end = i == SIDE_LOWER ? "lower" : "upper";
-    const char *const *path = PATH("boundaries", name, end);
-    if (side->kind == BC_PERIODIC && !s->mesh.periodic[axis]) {
-        return bad_at(r, path, "periodic on both sides, or on none", NULL,
-                      "one side of %s is periodic, the other is not", name);
-    }
-    if (side->kind == BC_PERIODIC && s->mesh.geometry == MESH_AXISYMMETRIC && axis == 0) {
-        return bad_at(r, path, NULL, NULL, "a radius cannot be periodic");
-    }
-    if (side->kind != BC_INLET) return FLOE_OK;
-    if (side->material < 0) {
-        return bad_at(r, path, "material: the name of a fluid", NULL,
-                      "the scene has no fluid, or several: which enters?");
-    }
-    if (s->material[side->material].kind == MATERIAL_FLUID) return FLOE_OK;
-    return bad_at(r, path, "material: the name of a fluid", NULL, "'%s' is a solid and cannot flow in",
-                  s->material[side->material].name);
-}
-
-static floe_status check_boundaries(reader *r)
-{
-    if (!is_clean(r->root, PATH("boundaries")) || !is_clean(r->root, PATH("domain"))) return FLOE_OK;
-    for (int axis = 0; axis < r->scene->mesh.dim; axis++) {
-        for (int side = 0; side < 2; side++) TRY(check_side(r, axis, side));
-    }
-    return FLOE_OK;
-}
-
 /* ---- couplings ---- */
 
 /* Where a coupling was asked for: its entry in runs_as, or `coupling`. */

@@ -68,6 +68,8 @@ static const key_spec material_keys[] = {
      .doc = "absolute pressure below which the cells' view of the solid switches to its tension branch"},
     {"viscosity", KEY_MAP, .table = &viscosity_table, .applies = material_is_fluid, .belongs = fluids_only,
      .doc = "viscosity of a fluid"},
+    {"conductivity", KEY_NUMBER, "W/m/K", PARAM_NONNEGATIVE, AT(scene_material, conductivity), .fallback = "0",
+     .applies = material_is_fluid, .belongs = fluids_only, .doc = "thermal conductivity of a fluid on the cells"},
     {"artificial_viscosity", KEY_MAP, .table = &artificial_table,
      .doc = "Wilkins' artificial viscosity of material points"},
 };
@@ -114,7 +116,7 @@ static const char membrane_bodies[] = "bodies made of a material with a membrane
 
 static const choice state_choices[] = {
     {"given", 0, "by the keys of the body"},
-    {"exact", 1, "by the exact solution of `verify` at t = 0"},
+    {"exact", 1, "by the exact solution of `verify` at t = 0; a temperature of the body goes before its density"},
     {0},
 };
 static const choice seeding_choices[] = {

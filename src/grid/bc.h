@@ -22,7 +22,8 @@ typedef struct bc_side {
     bc_kind kind;
     double velocity[MESH_MAX_DIM]; /* m/s: of the wall, the inlet or the prescribed nodes */
     double pressure;               /* Pa: outlet and inlet */
-    double temperature;            /* K: inlet, reservoir behind an outlet, wall */
+    double temperature;            /* K: inlet, reservoir behind an outlet, wall; NAN: not given */
+    double heat_flux;              /* W/m2: out of a wall into the fluid */
     int material;                  /* fluid that enters (index in the scene's materials) */
 } bc_side;
 

@@ -68,6 +68,11 @@
     X(C_VEL_L, "velocity_lagrangian", CELL, VECTOR, "m/s", SCRATCH, "u^r,L of fluids")                               \
     X(C_ENERGY_L, "energy_lagrangian", CELL, SCALAR, "J/kg", SCRATCH, "e^r,L of fluids")                             \
     X(C_VOLUME_L, "specific_volume_lagrangian", CELL, SCALAR, "m3/kg", SCRATCH, "v^r,L of fluids")                   \
+    X(C_DIFFUSION, "diffusion", CELL, VECTOR, "N/m3", SCRATCH,                                                       \
+      "div tau of fluids; once the sources are formed, their velocity at half the step")                             \
+    X(C_DIFFUSION_HEAT, "diffusion_heat", CELL, SCALAR, "W/m3", SCRATCH, "dissipation and conduction into fluids")   \
+    X(C_DIFFUSION_T, "diffusion_temperature", CELL, SCALAR, "K", SCRATCH,                                            \
+      "T of fluids that conduct; at half the step after the sources")                                                \
     X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH,                                          \
       "(m u)^r,L of materials carried by points")                                                                    \
     X(C_SOURCE, "momentum_source", CELL, VECTOR, "kg m/s", SCRATCH, "pressure-gradient impulse of step 8")           \

@@ -19,6 +19,7 @@ typedef struct ice_material {
     eos eos;                /* of a solid: its bulk response (eos "bulk") */
     double shear_viscosity; /* Pa s */
     double bulk_viscosity;  /* Pa s */
+    double conductivity;    /* W/m/K */
     bool
         points; /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
 } ice_material;
@@ -35,6 +36,8 @@ typedef struct ice {
     bool with_points; /* some material is carried by points */
     bool multi;       /* more than one material: volume fractions, specific volumes, Newton, exchange */
     bool viscous;
+    bool conducts;
+    bool diffuses;           /* viscous or conducting, or driven by an exact solution's sources */
     bool pressurise;         /* some load adds energy to a fluid */
     double gravity[3];       /* m/s2 */
     exchange_table exchange; /* K_rs and R_rs */
@@ -60,6 +63,7 @@ floe_status ice_initialise(ice *s, double *const *taken);
 floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
 floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
 floe_status ice_continue_pressure(ice *s);    /* beside solids: p where they leave no room (ice_continue.c) */
+floe_status ice_diffusion_rates(ice *s);      /* viscosity and conduction (2.6): their rates at the start of the step */
 floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
 floe_status ice_face_pressure(ice *s);        /* 2.4 */

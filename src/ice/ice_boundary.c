@@ -12,7 +12,7 @@ typedef enum ghost_act { ACT_MIRROR, ACT_NEAREST, ACT_VALUE, ACT_ODD } ghost_act
 typedef struct ghost_rule {
     ghost_act act;
     double value;
-} ghost_rule; /* ODD: 2 value - mirror */
+} ghost_rule; /* MIRROR: value + mirror; ODD: 2 value - mirror */
 
 /* Ghosts beyond one side, with `value` added. */
 static void add_to_ghosts(const block *b, int axis, mesh_side side, double value, double *a)
@@ -32,7 +32,10 @@ static void add_to_ghosts(const block *b, int axis, mesh_side side, double value
 static void apply_rule(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
 {
     switch (rule.act) {
-    case ACT_MIRROR: bc_reflect(b, axis, side, BC_EVEN, a); break;
+    case ACT_MIRROR:
+        bc_reflect(b, axis, side, BC_EVEN, a);
+        if (rule.value != 0.0) add_to_ghosts(b, axis, side, rule.value, a);
+        break;
     case ACT_NEAREST: bc_extrapolate(b, axis, side, a); break;
     case ACT_VALUE: bc_constant(b, axis, side, rule.value, a); break;
     case ACT_ODD:
@@ -66,10 +69,20 @@ static ghost_rule velocity_rule(const ice *s, int axis, mesh_side side, int comp
     case BC_NO_SLIP:
     case BC_VELOCITY:
         if (normal) return (ghost_rule){ACT_ODD, wall->kind == BC_VELOCITY ? wall->velocity[component] : 0.0};
-        return (ghost_rule){s->viscous ? ACT_ODD : ACT_MIRROR, wall->velocity[component]};
+        return (ghost_rule){s->viscous ? ACT_ODD : ACT_MIRROR, s->viscous ? wall->velocity[component] : 0.0};
     case BC_INLET: return (ghost_rule){ACT_VALUE, wall->velocity[component]};
     default: return (ghost_rule){ACT_NEAREST, 0.0};
     }
+}
+
+/* Beyond a wall: its temperature on the face, or the difference of a cell that its heat flux makes, k (T_ghost - T)/h. */
+static ghost_rule temperature_rule(const ice *s, int axis, mesh_side side, int r)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const double k = s->material[r].conductivity;
+    if (wall->kind != BC_SLIP && wall->kind != BC_NO_SLIP) return (ghost_rule){ACT_MIRROR, 0.0};
+    if (wall->temperature > 0.0) return (ghost_rule){ACT_ODD, wall->temperature};
+    return (ghost_rule){ACT_MIRROR, k > 0.0 ? wall->heat_flux * s->mesh->h[axis] / k : 0.0};
 }
 
 static ghost_rule rule_of(const ice *s, int axis, mesh_side side, int r, int component, ice_ghost kind)
@@ -77,6 +90,7 @@ static ghost_rule rule_of(const ice *s, int axis, mesh_side side, int r, int com
     const bc_kind side_kind = s->scene->bc.side[axis][side].kind;
     const bool open = side_kind == BC_INLET || side_kind == BC_OUTLET || side_kind == BC_FREE;
     if (kind == GHOST_VELOCITY) return velocity_rule(s, axis, side, component);
+    if (!open && kind == GHOST_TEMPERATURE) return temperature_rule(s, axis, side, r);
     if (!open) return (ghost_rule){ACT_MIRROR, 0.0};
     if (kind == GHOST_ZERO_OPEN) return (ghost_rule){ACT_VALUE, 0.0};
     if (side_kind == BC_INLET && kind != GHOST_EVEN) {
@@ -154,16 +168,7 @@ floe_status ice_boundary_ghosts(ice *s)
     return FLOE_OK;
 }
 
-/* One face on a side: the face's index, the owned cell beside it, and +1 where the axis points out of the domain. */
-typedef struct side_face {
-    ptrdiff_t face, cell;
-    int i, j, k;
-    double outward;
-} side_face;
-typedef void side_visitor(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at);
-
-/* Visits the owned faces of every non-periodic side that the block touches. */
-static void visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit)
+void ice_visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit)
 {
     const block *b = v->b;
     for (int axis = 0; axis < b->dim; ++axis)
@@ -211,7 +216,7 @@ static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side si
 
 void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r)
 {
-    visit_sides(s, v, r, set_velocity);
+    ice_visit_sides(s, v, r, set_velocity);
 }
 
 static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
@@ -228,7 +233,7 @@ static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side si
 
 void ice_boundary_face_pressure(const ice *s, const ice_view *v)
 {
-    visit_sides(s, v, 0, set_pressure);
+    ice_visit_sides(s, v, 0, set_pressure);
 }
 
 static void note_work(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
@@ -249,7 +254,7 @@ void ice_boundary_work(ice *s)
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
-        visit_sides(s, &v, 0, note_work);
+        ice_visit_sides(s, &v, 0, note_work);
     }
 }
 

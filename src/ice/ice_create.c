@@ -69,13 +69,17 @@ static floe_status resolve_materials(ice *s, bool with_points)
         if (m->kind == MATERIAL_SOLID)
             TRY(view_of_solid(s, m, out, &s->bulk[s->n_materials]));
         else
-            *out = (ice_material){
-                .eos = m->eos, .shear_viscosity = m->shear_viscosity, .bulk_viscosity = m->bulk_viscosity};
+            *out = (ice_material){.eos = m->eos,
+                                  .shear_viscosity = m->shear_viscosity,
+                                  .bulk_viscosity = m->bulk_viscosity,
+                                  .conductivity = m->conductivity};
         out->scene_material = r;
         s->with_points = s->with_points || out->points;
         s->viscous = s->viscous || out->shear_viscosity > 0.0 || out->bulk_viscosity > 0.0;
+        s->conducts = s->conducts || out->conductivity > 0.0;
         s->n_materials++;
     }
+    s->diffuses = s->viscous || s->conducts || whole->driving;
     if (s->n_materials == 0)
         return fail(s->ctx, FLOE_BAD_INPUT, "no fluid is in the scene: give a body of a fluid, or `ambient`");
     s->multi = s->n_materials > 1;
@@ -231,7 +235,10 @@ static field_owner owner_of(field_id id)
     case F_THETA: return OWNER_ALL;
     case C_VEL_L:
     case C_ENERGY_L:
-    case C_VOLUME_L: return OWNER_FLUIDS;
+    case C_VOLUME_L:
+    case C_DIFFUSION:
+    case C_DIFFUSION_HEAT:
+    case C_DIFFUSION_T: return OWNER_FLUIDS;
     case C_SOURCE:
     case C_MOMENTUM_L:
     case C_VELOCITY_CHANGE: return OWNER_POINTS;
@@ -261,7 +268,7 @@ static floe_status make_metrics(ice *s)
     for (int id = 0; id < m->n_blocks; ++id) {
         const block *b = &m->block[id];
         const int run = b->n[0] + 2 * MESH_GHOST + 1;
-        TRY(memory_new(s->ctx, &s->work->metric[id], (size_t)run * 4, sizeof(double)));
+        TRY(memory_new(s->ctx, &s->work->metric[id], (size_t)run * 5, sizeof(double)));
         double *metric = s->work->metric[id];
         for (int i = 0; i < run; ++i) {
             const int cell = b->lo[0] + i - MESH_GHOST;
@@ -271,6 +278,7 @@ static floe_status make_metrics(ice *s)
             metric[run + i] = plane ? 1.0 / m->h[0] : fabs(mesh_face_area(m, 0, cell + 1)) / volume;
             metric[2 * run + i] = volume;
             metric[3 * run + i] = fabs(mesh_face_area(m, 0, cell));
+            metric[4 * run + i] = mesh_node(m, 0, cell);
         }
     }
     return FLOE_OK;

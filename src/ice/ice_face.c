@@ -124,7 +124,10 @@ floe_status ice_face_velocity(ice *s)
         ice_view v;
         ice_view_make(s, id, &v);
         for (int axis = 0; axis < v.dim; ++axis) {
-            for (int r = 0; r < s->n_materials; ++r) velocity_rows(s, &v, r, axis);
+            for (int r = 0; r < s->n_materials; ++r) {
+                velocity_rows(s, &v, r, axis);
+                if (s->diffuses) ice_diffusion_face_velocity(s, &v, r, axis);
+            }
             if (s->multi) exchange_rows(s, &v, axis);
         }
         for (int r = 0; r < s->n_materials; ++r) ice_boundary_face_velocity(s, &v, r);

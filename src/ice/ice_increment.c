@@ -166,6 +166,7 @@ floe_status ice_pressure_increment(ice *s)
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) s->work->kernels.increment(&v, ice_row_j(q, row), ice_row_k(q, row));
         if (v.tmv) relax_volume(s, &v);
+        for (int r = 0; r < s->n_materials && s->diffuses; ++r) ice_diffusion_pressure(s, &v, r);
     }
     if (s->with_points) ice_hold_continued(s);
     ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_EVEN);

@@ -30,6 +30,7 @@ typedef struct ice_arrays {
     double *ul[3], *el, *vl;            /* Lagrangian values */
     double *rho1, *u1[3], *e1, *vol1;   /* next state; vol1 is v */
     double *source[3], *mom[3], *dv[3]; /* materials carried by points */
+    double *diff[3], *heat, *diffT;     /* ice_diffusion.c */
 } ice_arrays;
 
 /* One block, ready for the kernels. With one fluid, rho_sum, mean and flux are that fluid's own rho, u and fu. */
@@ -39,8 +40,9 @@ typedef struct ice_view {
     double dt, h[3], inv_h[3], gravity[3];
     /* Face area over cell volume along axis 0 at the lower and upper face of local cell i, from -2 to n + 1; 1/h if plane. */
     const double *lower0, *upper0;
-    const double *volume; /* m3 of local cell i along axis 0 */
-    const double *area0;  /* of its lower face along axis 0 */
+    const double *volume;  /* m3 of local cell i along axis 0 */
+    const double *area0;   /* of its lower face along axis 0 */
+    const double *radius0; /* m: of that face, where axis 0 is a radius */
     double *p, *P, *dP, *shock, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv;
     double *fp[3], *flux[3];
     double base, slope;        /* shock sensor: s = base + slope * sensor */
@@ -134,7 +136,7 @@ typedef struct ice_cell_list {
 typedef struct ice_work {
     int threads;
     ice_kernels kernels;
-    double *metric[MESH_MAX_BLOCKS]; /* lower0, upper0, volume, area0: four runs of n + 5 */
+    double *metric[MESH_MAX_BLOCKS]; /* lower0, upper0, volume, area0, radius0: five runs of n + 5 */
     double *tile;                    /* TILE_VALUES of every global tile */
     size_t tiles;
     double **buffer;                      /* one a thread */
@@ -167,8 +169,8 @@ typedef enum ice_ghost {
     GHOST_VELOCITY,  /* a vector: normal component odd at walls; the wall's or inlet's values */
     GHOST_DENSITY,
     GHOST_ENERGY,
-    GHOST_TEMPERATURE,
-    GHOST_VOLUME /* as EVEN; the reservoir's value at inlets */
+    GHOST_TEMPERATURE, /* as walls and inlets have it */
+    GHOST_VOLUME       /* as EVEN; the reservoir's value at inlets */
 } ice_ghost;
 void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind);
 /* Ghost faces of F_VEL, so that the outflow of ghost cells is known. */
@@ -177,6 +179,15 @@ bool ice_is_wall(bc_kind kind);
 /* Values that the sides impose on faces. */
 void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r);
 void ice_boundary_face_pressure(const ice *s, const ice_view *v);
+/* One face on a side: the face's index, the owned cell beside it, and +1 where the axis points out of the domain. */
+typedef struct side_face {
+    ptrdiff_t face, cell;
+    int i, j, k;
+    double outward;
+} side_face;
+typedef void side_visitor(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at);
+/* Visits the owned faces of every non-periodic side that the block touches. */
+void ice_visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit);
 /* Momentum and work of the pressure on the sides, into the ledger. */
 void ice_boundary_work(ice *s);
 
@@ -202,8 +213,13 @@ void ice_clear_tiles(ice *s);
 /* Adds the tiles up in order and enters them in the ledger. */
 void ice_enter_tiles(ice *s);
 
-/* Viscous momentum and heat, added to the Lagrangian values. */
-void ice_viscous(ice *s, const ice_view *v);
+/* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
+bool ice_diffuses(const ice *s, int r);
+/* Half a step's force on the face velocities, and half a step's heat on the advanced pressure. */
+void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axis);
+void ice_diffusion_pressure(const ice *s, const ice_view *v, int r);
+/* Viscosity and conduction of the whole step, added to the Lagrangian values of all blocks. */
+void ice_diffuse(const ice *s);
 /* Loads (pressurise, heat) on the Lagrangian energies. */
 floe_status ice_apply_loads(ice *s);
 /* Doubles that one thread needs to advect. */

@@ -1,5 +1,5 @@
 /* The time step (numerics 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
- * where phi = 1, else 1; diffusion dt <= 1 / (2 nu sum h_i^-2); gravity dt <= (h/|g|)^1/2. Slivers (theta < 1e-6) are left out.
+ * where phi = 1, else 1; diffusion dt <= 0.9 / (2 D sum h_i^-2), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Slivers (theta < 1e-6) are left out.
  *
  * A fluid that is tied to the others of its cell faster than sound crosses the cell carries sound at Wood's speed of the mixture,
  * not at its own: a hot sliver of gas beside a solid does not limit the step. All of it comes from the fluids' state alone (what
@@ -13,7 +13,7 @@ typedef struct rates {
     double signal, diffusion;
 } rates;
 
-static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c)
+static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c, double cv)
 {
     const double b = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points ? sqrt(2.0) : 1.0;
     double speed = 0.0, inverse_square = 0.0;
@@ -21,8 +21,10 @@ static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, do
         speed += fabs(v->m[r].u[a][at]) * v->inv_h[a];
         inverse_square += v->inv_h[a] * v->inv_h[a];
     }
-    const double viscosity = fmax(4.0 / 3.0 * s->material[r].shear_viscosity + s->material[r].bulk_viscosity, 0.0);
-    return (rates){speed + b * c * sqrt(inverse_square), 2.0 * viscosity / rho * inverse_square};
+    const ice_material *m = &s->material[r];
+    const double viscosity = 4.0 / 3.0 * m->shear_viscosity + m->bulk_viscosity,
+                 diffusion = m->conductivity > 0.0 ? fmax(viscosity, m->conductivity / cv) : viscosity;
+    return (rates){speed + b * c * sqrt(inverse_square), 2.0 / 0.9 * diffusion / rho * inverse_square};
 }
 
 /* What a cell holds of everything. */
@@ -74,7 +76,7 @@ static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, doub
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0];
-    double *rho = work, *e = work + n, *p = work + 2 * n, *c2 = work + 3 * n;
+    double *rho = work, *e = work + n, *p = work + 2 * n, *c2 = work + 3 * n, *cv = work + 4 * n, *alpha = work + 5 * n;
     for (ptrdiff_t i = 0; i < n; ++i) {
         const bool here = !s->multi || m->rho[base + i] * m->vol[base + i] > 1e-6;
         rho[i] = s->multi ? 1.0 / m->vol[base + i] : m->rho[base + i];
@@ -82,10 +84,12 @@ static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, doub
         if (!here) rho[i] = NAN;
     }
     law->model->pressure(law->par, (size_t)n, rho, e, p, c2);
+    if (s->conducts) law->model->heat(law->par, (size_t)n, rho, e, cv, alpha);
     for (ptrdiff_t i = 0; i < n; ++i) {
         if (isnan(rho[i])) continue;
         if (!(c2[i] > 0.0)) return false;
-        const rates x = cell_rates(s, v, r, base + i, rho[i], signal_speed(s, v, r, base + i, rho[i], sqrt(c2[i])));
+        const rates x = cell_rates(s, v, r, base + i, rho[i], signal_speed(s, v, r, base + i, rho[i], sqrt(c2[i])),
+                                   s->conducts ? cv[i] : 0.0);
         if (!isfinite(x.signal)) return false;
         most->signal = fmax(most->signal, x.signal);
         most->diffusion = fmax(most->diffusion, x.diffusion);
@@ -126,7 +130,7 @@ floe_status ice_time_step(ice *s, step_limit *out)
     const double cfl = s->scene->time.cfl_ice;
     *out = (step_limit){cfl / most.signal, "sound and flow on the cells"};
     if (!(most.diffusion * out->dt <= 1.0) && most.diffusion > 0.0)
-        *out = (step_limit){1.0 / most.diffusion, "viscosity on the cells"};
+        *out = (step_limit){1.0 / most.diffusion, "viscosity or conduction on the cells"};
     if (gravity > 0.0 && sqrt(1.0 / gravity) < out->dt)
         *out = (step_limit){sqrt(1.0 / gravity), "gravity on the cells"};
     return FLOE_OK;

@@ -1,4 +1,4 @@
-/* Lagrangian values of the fluids: pressure and gravity (numerics 2.6), heat (2.7, 2.8), viscosity, loads; and the impulse of
+/* Lagrangian values of the fluids: pressure and gravity (numerics 2.6), heat (2.7, 2.8), viscosity and conduction, loads; and the impulse of
  * the pressure on materials carried by points. Guilkey et al. 2003, steps 8 and 9.
  *
  *     u^L = u - dt (theta/rho) grad P* + dt g
@@ -200,8 +200,8 @@ floe_status ice_sources(ice *s)
         ice_view v;
         ice_view_make(s, id, &v);
         source_rows(s, &v);
-        if (s->viscous) ice_viscous(s, &v);
     }
+    if (s->diffuses) ice_diffuse(s);
     ice_boundary_work(s);
     TRY(ice_apply_loads(s));
     ice_enter_tiles(s);

@@ -4,7 +4,7 @@
 
 floe_status ice_pressure_stages(ice *s)
 {
-    const bool m = s->multi, p = s->with_points;
+    const bool m = s->multi, p = s->with_points, d = s->diffuses, k = s->conducts;
     STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
@@ -13,19 +13,23 @@ floe_status ice_pressure_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)));
     STAGE(s, p, ice_continue_pressure, READS(C_PRESSURE, C_THETA, C_MIXED), WRITES(C_PRESSURE, C_DP));
+    STAGE(s, d, ice_diffusion_rates, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_TEMP), WHEN(m, C_THETA)),
+          WRITES(C_DIFFUSION, C_DIFFUSION_HEAT, WHEN(k, C_DIFFUSION_T)));
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION)),
           WRITES(F_VEL, C_SHOCK));
     STAGE(s, ALWAYS, ice_pressure_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
-                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)),
+                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
+                WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
     STAGE(s, ALWAYS, ice_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)), WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sources,
           READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
-                WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED)),
-          WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_SOURCE)));
+                WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED),
+                WHEN(d, C_DIFFUSION), WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_SHOCK), WHEN(k, C_DIFFUSION_T)),
+          WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_SOURCE), WHEN(d, C_DIFFUSION), WHEN(k, C_DIFFUSION_T)));
     return FLOE_OK;
 }
 

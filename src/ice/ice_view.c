@@ -23,6 +23,9 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     m->kappa = field_get(f, C_KAPPA, r, 0);
     m->el = field_get(f, C_ENERGY_L, r, 0);
     m->vl = field_get(f, C_VOLUME_L, r, 0);
+    m->heat = field_get(f, C_DIFFUSION_HEAT, r, 0);
+    m->diffT = field_get(f, C_DIFFUSION_T, r, 0);
+    vector(f, field_get, C_DIFFUSION, r, dim, m->diff);
     vector(f, field_get, C_VEL, r, dim, m->u);
     vector(f, field_next, C_VEL, r, dim, m->u1);
     vector(f, field_get, C_VEL_L, r, dim, m->ul);
@@ -72,6 +75,7 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     v->upper0 = metric + run;
     v->volume = metric + 2 * run;
     v->area0 = metric + 3 * run;
+    v->radius0 = metric + 4 * run;
     v->base = method->centring == ICE_CENTRING_FULL ? 1.0 : 0.0;
     v->slope = method->centring == ICE_CENTRING_AUTO ? 1.0 : 0.0;
     v->limit_lo = method->limiter == ICE_LIMITER_NONE ? 1.0 : 0.0;

@@ -8,6 +8,9 @@ floe_status initial_exact(const scene *s, exact *out)
     if (s->verify.exact[0] == '\0') return FLOE_OK;
     const exact_model *model = exact_find(s->verify.exact);
     if (!model) return fail(s->ctx, FLOE_BAD_INPUT, "there is no exact solution '%s'", s->verify.exact);
+    if (s->verify.sources && !model->body_force && !model->heat_source)
+        return fail(s->ctx, FLOE_BAD_INPUT, "verify.sources: the exact solution '%s' needs neither force nor heat",
+                    model->name);
     return exact_create(s->ctx, model, s->verify.exact_par, s->mesh.dim, out);
 }
 
@@ -29,14 +32,22 @@ static double initial_value(void *user, initial_quantity quantity, int component
     return exact_provides(user, which) ? exact_value(user, which, x, 0.0) : (double)NAN;
 }
 
+static double exact_source(void *user, const double x[3], double t, double force[3])
+{
+    exact_body_force(user, x, t, force);
+    return exact_heat_source(user, x, t);
+}
+
 void initial_attach(scene *s, exact *solution)
 {
     s->initial = solution->model ? initial_value : NULL;
     s->initial_user = solution;
+    s->driving = solution->model && s->verify.sources ? exact_source : NULL;
 }
 
 void initial_detach(scene *s)
 {
     s->initial = NULL;
     s->initial_user = NULL;
+    s->driving = NULL;
 }

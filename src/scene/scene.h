@@ -52,6 +52,7 @@ typedef struct scene_material {
     eos eos;                     /* fluids; model NULL for solids */
     double shear_viscosity;      /* Pa s */
     double bulk_viscosity;       /* Pa s */
+    double conductivity;         /* W/m/K, of a fluid */
     double artificial_linear;    /* A1 of Wilkins' artificial viscosity, 0 switches it off (Y00 eq. 24) */
     double artificial_quadratic; /* A2 */
 } scene_material;
@@ -66,6 +67,9 @@ typedef enum initial_quantity {
 
 /* The exact solution at t = 0, if the scene names one: asked for a quantity at a place; NAN where it does not give it. */
 typedef double initial_function(void *user, initial_quantity quantity, int component, const double x[3]);
+
+/* What the exact solution needs at x and t beside the laws of the scene: force per mass (m/s2); returns heat per volume (W/m3). */
+typedef double source_function(void *user, const double x[3], double t, double force[3]);
 
 /* One layer of points along a curve (York 1997, chapter 5). Points are counted from 1 along the curve. */
 typedef struct scene_membrane {
@@ -225,6 +229,7 @@ typedef struct scene_column {
 typedef struct scene_verify {
     char exact[SCENE_NAME];     /* "" : none. Name in exact_registry */
     void *exact_par;            /* its parameters */
+    bool sources;               /* force and heat that the exact solution needs act on fluids on the cells */
     char reference[SCENE_NAME]; /* of histories, "": none. Name in reference_registry */
     void *reference_par;        /* its parameters */
     scene_column column[SCENE_MAX_COLUMNS];
@@ -328,7 +333,8 @@ typedef struct scene {
     scene_stability stability; /* of `floe stability` */
     initial_function *initial; /* set by the run when a body asks for it */
     void *initial_user;
-    int threads; /* 0: OpenMP's default */
+    source_function *driving; /* set by the run when verify.sources asks for it; NULL: none. Its user: initial_user */
+    int threads;              /* 0: OpenMP's default */
 } scene;
 
 /* A scene with every default of the schema set and no materials or bodies. The caller owns it. */

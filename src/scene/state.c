@@ -64,7 +64,10 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
     if (b->initial_from_exact) {
         pressure = initial(s, INITIAL_PRESSURE, 0, x, pressure);
         density = initial(s, INITIAL_DENSITY, 0, x, density);
-        if (!isnan(density)) temperature = (double)NAN;
+        if (!isnan(temperature) && !isnan(pressure))
+            density = (double)NAN;
+        else if (!isnan(density))
+            temperature = (double)NAN;
         for (int a = 0; a < 3; ++a) velocity[a] = initial(s, INITIAL_VELOCITY, a, x, velocity[a]);
     }
     return fluid_state_of(s->ctx, &s->material[b->material].eos, pressure, temperature, density, out);

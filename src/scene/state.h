@@ -13,7 +13,8 @@ typedef struct fluid_state {
 floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double temperature, double density,
                            fluid_state *out);
 
-/* Initial state of a fluid body at x: given in the deck, or by the exact solution at t = 0 (velocity included). */
+/* Initial state of a fluid body at x: given in the deck, or by the exact solution at t = 0 (velocity included), whose
+ * density gives way to a temperature that the deck gives. */
 floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3]);
 
 /* Density and velocity, and stress (xx yy zz xy yz zx, Pa), of a solid body at x. */

@@ -108,6 +108,12 @@ void exact_body_force(const exact *solution, const double x[3], double t, double
     solution->model->body_force(solution->par, solution->prepared, solution->dim, x, t, force);
 }
 
+double exact_heat_source(const exact *solution, const double x[3], double t)
+{
+    if (solution->model->heat_source == NULL) return 0.0;
+    return solution->model->heat_source(solution->par, solution->prepared, solution->dim, x, t);
+}
+
 exact_breaks exact_find_breaks(const exact *solution, double t)
 {
     exact_breaks out = {.count = 0};

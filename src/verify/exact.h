@@ -53,6 +53,7 @@ typedef enum exact_quantity {
 /* The balance laws that a solution satisfies where it is smooth: what the conformance battery tests by differences. */
 typedef enum exact_equations {
     EXACT_EULER,            /* mass, momentum and total energy of an inviscid fluid, with body_force */
+    EXACT_NAVIER_STOKES,    /* the same, with viscosity, bulk_viscosity, conductivity (absent: 0) and heat_source */
     EXACT_LINEAR_ACOUSTICS, /* rho0 Du + grad p = 0, Dp + rho0 c^2 div u = 0; parameters density, sound_speed */
     EXACT_INCOMPRESSIBLE,   /* div u = 0, rho Du + grad p = mu lap u + rho b; parameters density, viscosity */
     EXACT_SOLID,            /* rho0 d2u/dt2 = div sigma + rho0 b; parameter density (absent: at rest) */
@@ -104,6 +105,8 @@ typedef struct exact_model {
                     double t);
     /* Body force per mass (m/s2) that the solution needs; NULL: none. x is the place that value() takes. */
     void (*body_force)(const void *par, const void *prepared, int dim, const double x[3], double t, double force[3]);
+    /* Heat per volume (W/m3) that the solution needs; NULL: none. */
+    double (*heat_source)(const void *par, const void *prepared, int dim, const double x[3], double t);
     /* Where it jumps at time t; NULL: nowhere. */
     void (*breaks)(const void *par, const void *prepared, double t, exact_breaks *out);
     /* The i-th of `scalars` at time t (most do not depend on it); NULL if none. */
@@ -147,6 +150,8 @@ bool exact_provides(const exact *solution, exact_quantity quantity);
 double exact_value(const exact *solution, exact_quantity quantity, const double x[3], double t);
 /* Body force per mass at x and t; zero for a solution without one. */
 void exact_body_force(const exact *solution, const double x[3], double t, double force[3]);
+/* Heat per volume at x and t; zero for a solution without one. */
+double exact_heat_source(const exact *solution, const double x[3], double t);
 /* Planes of discontinuity at t; count is 0 when there are none. */
 exact_breaks exact_find_breaks(const exact *solution, double t);
 /* The scalar of that name; NAN if there is none. */

@@ -36,3 +36,14 @@ has stderr 'KEY=VALUE'
 expect 2 "$FLOE" run "$cylinder" --coupling none
 expect 4 "$FLOE" check nowhere.yaml
 has stderr 'nowhere.yaml'
+
+# Walls: what contradicts itself or would have no effect.
+couette=$FLOE_SOURCE/inputs/couette.yaml
+expect 2 "$FLOE" check "$couette" --set 'boundaries.y.lower={no_slip: {temperature: 1, heat_flux: 2}}'
+has stderr 'not both'
+expect 2 "$FLOE" check "$couette" --set materials.gas.conductivity=0
+has stderr "give a fluid a 'conductivity'"
+expect 2 "$FLOE" check "$couette" --set materials.gas.viscosity.shear=0
+has stderr "give a fluid a 'viscosity'"
+expect 2 "$FLOE" check "$couette" --set 'boundaries.y.lower={no_slip: {velocity: [0, 1]}}'
+has stderr 'cannot move across itself'

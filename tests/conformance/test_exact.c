@@ -165,6 +165,57 @@ static double flux(const probe *p, const double x[3], double t, int i, int j)
     return conserved(p, x, t, i, 0) * across + (i - 1 == j ? load : 0.0);
 }
 
+/* A parameter that is zero where the solution has none. */
+static double coefficient(const probe *p, const char *key)
+{
+    const double given = parameter(&p->solution, key);
+    return isnan(given) ? 0.0 : given;
+}
+
+/* Derivative of a field at another place and time than the probe's. */
+static double slope_at(const probe *p, field *f, int i, const double x[3], double t, int axis)
+{
+    probe there = *p;
+    for (int a = 0; a < 3; a++) there.x[a] = x[a];
+    there.t = t;
+    return first(&there, f, i, 0, axis);
+}
+
+static double temperature(const probe *p, const double x[3], double t, int i, int j)
+{
+    (void)i;
+    (void)j;
+    return value(p, EXACT_TEMPERATURE, x, t);
+}
+
+/* The flux along axis j that viscosity and conduction add to a conserved quantity. */
+static double diffusive_flux(const probe *p, const double x[3], double t, int i, int j)
+{
+    const double mu = coefficient(p, "viscosity"), zeta = coefficient(p, "bulk_viscosity");
+    double power = coefficient(p, "conductivity") * slope_at(p, temperature, 0, x, t, j), div = 0.0;
+    if (i == 0) return 0.0;
+    for (int k = 0; k < dimension(p); k++) div += slope_at(p, velocity, k, x, t, k);
+    for (int k = 0; k < dimension(p); k++) {
+        const double traction = mu * (slope_at(p, velocity, k, x, t, j) + slope_at(p, velocity, j, x, t, k)) +
+                                (k == j ? (zeta - 2.0 / 3.0 * mu) * div : 0.0);
+        if (i == k + 1) return -traction;
+        power += traction * velocity(p, x, t, k, 0);
+    }
+    return -power;
+}
+
+static void add_diffusion(const probe *p, balance *b, double *noise, int i)
+{
+    for (int axis = 0; axis < dimension(p); axis++) {
+        const double d = p->dx[axis];
+        add(b, first(p, diffusive_flux, i, axis, axis));
+        for (int k = 0; k < dimension(p); k++)
+            *noise += 1e-14 * coefficient(p, "viscosity") * fabs(velocity(p, p->x, p->t, k, 0)) / (d * d);
+        *noise += 1e-14 * coefficient(p, "conductivity") * fabs(temperature(p, p->x, p->t, 0, 0)) / (d * d);
+    }
+    if (i == 4) add(b, -exact_heat_source(&p->solution, p->x, p->t));
+}
+
 static void check_euler(const probe *p)
 {
     static const char *const law[] = {"mass", "x momentum", "y momentum", "z momentum", "energy"};
@@ -182,6 +233,7 @@ static void check_euler(const probe *p)
             if (i - 1 == axis) add(&b, -density * force[axis]);
             if (i == 4) add(&b, -density * force[axis] * velocity(p, p->x, p->t, axis, 0));
         }
+        if (p->solution.model->equations == EXACT_NAVIER_STOKES) add_diffusion(p, &b, &noise, i);
         check_balance(p, law[i], b, noise);
     }
 }
@@ -259,7 +311,8 @@ static void check_solid(const probe *p)
 static void check_equations(const probe *p)
 {
     switch (p->solution.model->equations) {
-    case EXACT_EULER: check_euler(p); break;
+    case EXACT_EULER:
+    case EXACT_NAVIER_STOKES: check_euler(p); break;
     case EXACT_LINEAR_ACOUSTICS: check_acoustics(p); break;
     case EXACT_INCOMPRESSIBLE: check_incompressible(p); break;
     case EXACT_SOLID: check_solid(p); break;
