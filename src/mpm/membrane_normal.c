@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 
+#include <math.h>
 #include <string.h>
 
 bool normals_are_free(const mpm *s, int body)
@@ -46,6 +47,23 @@ static void count_bases(mpm *s, const membrane_normals *n)
     if (of[SURFACE_NONE] > 0) ledger_tally(s->ledger, COUNT_NORMALS_KEPT, of[SURFACE_NONE]);
 }
 
+/* Places of the fluids' points, body by body in the order of their numbers. */
+static void load_inside(const mpm *s, membrane_normals *n, bool next)
+{
+    size_t first = 0;
+    for (size_t k = 0; k < 3 * n->n_inside; ++k) n->inside[k] = k % 3 < (size_t)s->mesh->dim ? (double)NAN : 0.0;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        if (!s->body[body].fluid) continue;
+        for (int b = 0; b < s->mesh->n_blocks; ++b)
+            for (int a = 0; a < s->mesh->dim; ++a) {
+                const double *x = (next ? field_next : field_get)(s->domain->fields[b], P_POS, body, a);
+                for (size_t k = 0; k < s->points[b][body].n; ++k)
+                    n->inside[3 * (first + point_number(s, b, body, k)) + (size_t)a] = x[k];
+            }
+        first += n->seeded[body];
+    }
+}
+
 /* Normals of a body from where its points are now, or next. */
 static floe_status make_normals(mpm *s, int body, bool next)
 {
@@ -54,6 +72,10 @@ static floe_status make_normals(mpm *s, int body, bool next)
     const scene_membrane *m = &s->scene->body[s->body[body].scene_body].membrane;
     line_update(s, body, next);
     TRY(surface_set_points(&n->set, line->n, line->x));
+    if (n->inside) {
+        load_inside(s, n, next);
+        TRY(surface_set_inside(&n->set, n->n_inside, n->inside));
+    }
     surface_normals(&n->set, m->normals, m->normals_par, n->estimate);
     TRY(surface_orient(&n->set, n->before, n->estimate));
     store_normals(s, body, next);
@@ -71,6 +93,15 @@ floe_status mpm_membrane_normals(mpm *s)
     return FLOE_OK;
 }
 
+static floe_status room_inside(const mpm *s, membrane_normals *n)
+{
+    for (int body = 0; body < s->n_bodies; ++body) {
+        n->seeded[body] = s->body[body].fluid ? mpm_body_points(s, body) : 0;
+        n->n_inside += n->seeded[body];
+    }
+    return memory_new(s->ctx, &n->inside, 3 * n->n_inside, sizeof *n->inside);
+}
+
 floe_status normals_start(mpm *s, int body)
 {
     membrane_normals *n = &s->work->normals[body];
@@ -79,6 +110,7 @@ floe_status normals_start(mpm *s, int body)
         for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, a, side);
     TRY(memory_new(s->ctx, &n->estimate, s->work->line[body].n, sizeof *n->estimate));
     TRY(memory_new(s->ctx, &n->before, 3 * s->work->line[body].n, sizeof *n->before));
+    if (s->scene->body[s->body[body].scene_body].membrane.normals->needs_inside) TRY(room_inside(s, n));
     return make_normals(s, body, false);
 }
 
@@ -88,5 +120,6 @@ void normals_free(membrane_normals *n)
     context *ctx = n->set.ctx;
     memory_free(ctx, &n->estimate);
     memory_free(ctx, &n->before);
+    memory_free(ctx, &n->inside);
     surface_set_free(&n->set);
 }

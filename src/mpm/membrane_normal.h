@@ -10,6 +10,8 @@ typedef struct membrane_normals {
     surface_set set;
     surface_estimate *estimate; /* by number; owned */
     double *before;             /* 3 a point, by number: normals of the last step; owned */
+    double *inside;             /* m, 3 a point of a fluid: places, for methods that need them; owned, else NULL */
+    size_t n_inside, seeded[SCENE_MAX_BODIES]; /* points that each fluid began with */
 } membrane_normals;
 
 /* Whether a body's normals are made without connections. */

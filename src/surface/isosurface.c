@@ -65,6 +65,11 @@ static void functions_at(const isosurface *f, const double x[3], double *value, 
     }
 }
 
+void isosurface_row(const isosurface *f, const double x[3], double *row)
+{
+    functions_at(f, x, row, NULL);
+}
+
 void isosurface_add(isosurface *f, const double x[3])
 {
     double row[SURFACE_MAX_FUNCTIONS];
@@ -230,7 +235,7 @@ static joined_cells join_cells(const surface_set *s, const surface_cell *c, int 
 static joined_cells gather_cells(const surface_set *s, const surface_cell *c, size_t enough)
 {
     joined_cells j = {.at = {c->at[0], c->at[1], c->at[2]}, .width = 1, .points = c->n};
-    for (int width = 2; width <= 2 * SURFACE_HALO && j.points < enough; width *= 2) j = join_cells(s, c, width);
+    for (int width = 2; width <= 2 * SURFACE_RINGS && j.points < enough; width *= 2) j = join_cells(s, c, width);
     return j;
 }
 

@@ -18,6 +18,8 @@ typedef struct isosurface {
 
 void isosurface_begin(isosurface *f, surface_solver solver, int dim, int degree, const double lower[3],
                       const double size[3]);
+/* Values of all functions at x: the row that a point there adds. */
+void isosurface_row(const isosurface *f, const double x[3], double *row);
 void isosurface_add(isosurface *f, const double x[3]);
 /* With the point off the surface at `away`. False where there is no solution. */
 bool isosurface_solve(isosurface *f, const double away[3]);

@@ -66,7 +66,7 @@ static double covered(const surface_set *s, const surface_entry *of, int ring)
 int surface_nearest(const surface_set *s, const surface_entry *of, int most, surface_neighbour *out)
 {
     nearest_list l = {.out = out, .most = most};
-    for (int ring = 1; ring <= SURFACE_HALO; ++ring) {
+    for (int ring = 1; ring <= SURFACE_RINGS; ++ring) {
         visit_ring(s, of, ring, &l);
         const double reach = covered(s, of, ring);
         if (l.n == most && l.out[most - 1].square <= reach * reach) break;

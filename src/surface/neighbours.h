@@ -10,7 +10,7 @@ typedef struct surface_neighbour {
     uint32_t number, image;
 } surface_neighbour;
 
-/* The nearest entries of `of`, itself left out, nearest first, out[most]; how many there are. Looks at no more than SURFACE_HALO cells
+/* The nearest entries of `of`, itself left out, nearest first, out[most]; how many there are. Looks at no more than SURFACE_RINGS cells
  * on every side. Of equally near ones that of the lower cell, then number, comes first. */
 int surface_nearest(const surface_set *s, const surface_entry *of, int most, surface_neighbour *out);
 

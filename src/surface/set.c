@@ -31,6 +31,7 @@ static void free_list(context *ctx, surface_bins *l)
 void surface_set_free(surface_set *s)
 {
     free_list(s->ctx, &s->points);
+    free_list(s->ctx, &s->inside);
 }
 
 /* Places of a point along an axis: its own first, then those of its images. */
@@ -139,18 +140,27 @@ static floe_status reserve(surface_set *s, surface_bins *l, size_t n)
     return FLOE_OK;
 }
 
-floe_status surface_set_points(surface_set *s, size_t n, const double *place)
+static floe_status fill(surface_set *s, surface_bins *l, size_t n, const double *place)
 {
-    surface_bins *l = &s->points;
     TRY(reserve(s, l, n));
-    s->n_points = n;
-    s->place = place;
     l->n = 0;
     for (size_t k = 0; k < n; ++k)
         if (isfinite(place[3 * k] + place[3 * k + 1] + place[3 * k + 2])) add_entries(s, l, (uint32_t)k, place + 3 * k);
     qsort(l->entry, l->n, sizeof *l->entry, compare_entries);
     mark_cells(l);
     return FLOE_OK;
+}
+
+floe_status surface_set_points(surface_set *s, size_t n, const double *place)
+{
+    s->n_points = n;
+    s->place = place;
+    return fill(s, &s->points, n, place);
+}
+
+floe_status surface_set_inside(surface_set *s, size_t n, const double *place)
+{
+    return fill(s, &s->inside, n, place);
 }
 
 const surface_cell *surface_cell_at(const surface_bins *l, const int at[3])

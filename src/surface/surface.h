@@ -14,7 +14,8 @@
 #include <stdint.h>
 
 enum {
-    SURFACE_HALO = 2,       /* cells behind a side in which images stand */
+    SURFACE_HALO = 3,       /* cells behind a side in which images stand */
+    SURFACE_RINGS = 2,      /* cells on every side of a point's own in which its neighbours are sought */
     SURFACE_MOST_NEAR = 64, /* neighbours of a point, at most */
     SURFACE_MAX_FUNCTIONS = 27
 };
@@ -69,6 +70,7 @@ typedef struct surface_set {
     const double *place; /* m, 3 a point, NAN for a point that is lost; not owned, valid while normals are made */
     size_t n_points;
     surface_bins points;
+    surface_bins inside; /* points of what the surface holds, for methods that need them */
 } surface_set;
 
 typedef struct surface_method {
@@ -76,8 +78,8 @@ typedef struct surface_method {
     int min_dim;    /* 2; 1 where a line of one axis has normals, too */
     bool connected; /* follows the numbers of the points */
     bool exact;     /* straight lines and planes have their normals to round-off */
-    bool
-        checked; /* an estimate more than 45 degrees off the line or plane through the nearest points gives way to it */
+    bool checked;   /* a direction over 45 degrees off the line or plane through the nearest points gives way to it */
+    bool needs_inside; /* takes points of what the surface holds, where there are any */
     size_t param_size;
     const param_spec *params;
     size_t n_params;
@@ -95,6 +97,8 @@ void surface_set_init(surface_set *s, context *ctx, const mesh *m);
 void surface_set_free(surface_set *s);
 /* Takes in n points (m, 3 a point). `place` must stay until normals have been made. */
 floe_status surface_set_points(surface_set *s, size_t n, const double *place);
+/* Takes in the points of what the surface holds (the same form; their numbers are their own), for methods with `needs_inside`. */
+floe_status surface_set_inside(surface_set *s, size_t n, const double *place);
 /* The occupied cell at a place of the mesh; NULL where it is empty. */
 const surface_cell *surface_cell_at(const surface_bins *l, const int at[3]);
 

@@ -1,20 +1,19 @@
 /* Y97 equations 9.10 and 9.11 in one: the points' colour goes to the centres of cells with the quadratic spline, and from there to the
- * nodes with the gradient of the linear basis. A node takes half of the cell on either side, and their difference over h. */
+ * nodes with the gradient of the linear basis. */
 #include "mpm/normal/normal.h"
+#include "surface/spline.h"
 
 extern const normal_model normal_colour;
 
 static normal_weights weights(const basis_model *basis, double xi, double half, double inv_h)
 {
-    const double d = xi - 0.5; /* from the centre of the point's cell, which is the middle one of three */
-    const double cell[3] = {0.5 * (0.5 - d) * (0.5 - d), 0.75 - d * d, 0.5 * (0.5 + d) * (0.5 + d)};
-    normal_weights r = {.first = -1, .n = 4};
+    const spline_values by_cells = spline_by_cells(xi);
+    normal_weights r = {.first = by_cells.first, .n = by_cells.n};
     (void)basis;
     (void)half;
-    for (int k = 0; k < 4; ++k) {
-        const double below = k > 0 ? cell[k - 1] : 0.0, above = k < 3 ? cell[k] : 0.0;
-        r.w[k] = 0.5 * (below + above);
-        r.dw[k] = (below - above) * inv_h;
+    for (int k = 0; k < by_cells.n; ++k) {
+        r.w[k] = by_cells.w[k];
+        r.dw[k] = by_cells.dw[k] * inv_h;
     }
     return r;
 }
