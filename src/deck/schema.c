@@ -57,6 +57,8 @@ static const key_spec time_keys[] = {
      .doc = "time at which the run ends"},
     {"cfl", KEY_CUSTOM, .custom = &custom_cfl, .otherwise = "0.5",
      .doc = "fraction of the stability limit of each solver"},
+    {"acoustic_cfl", KEY_NUMBER, NULL, WITHIN(0.1, 1e9), AT(scene_time, acoustic_cfl), .fallback = "1000",
+     .doc = "with the implicit pressure: cells that sound may cross in a step, c dt (sum of h^-2)^1/2"},
     {"first_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, first_step), .otherwise = "from the stability limit",
      .doc = "first time step"},
     {"max_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, max_step), .otherwise = "no limit",
@@ -150,6 +152,11 @@ static const choice energy_choices[] = {
     {"conserving", 1, "total energy is conserved to round-off"},
     {0},
 };
+static const choice pressure_choices[] = {
+    {"explicit", PRESSURE_EXPLICIT, "steps are bound by sound"},
+    {"implicit", PRESSURE_IMPLICIT, "steps are bound by the flow; first order in time for sound"},
+    {0},
+};
 static const choice limiter_choices[] = {
     {"default", ICE_LIMITER_DEFAULT, "second order, limited"},
     {"none", ICE_LIMITER_NONE, "second order, for smooth flow"},
@@ -178,6 +185,11 @@ static const key_spec method_keys[] = {
      .doc = "R of the heat exchange between each pair of materials"},
     {"volume_relaxation", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, volume_relaxation), .fallback = "0",
      .doc = "share of the volume defect of a cell that is taken back each step"},
+    {"pressure", KEY_CHOICE, AT(scene_method, pressure), .fallback = "explicit", .choices = pressure_choices,
+     .doc = "how the pressure of ICE is advanced"},
+    {"pressure_tolerance", KEY_NUMBER, NULL, WITHIN(1e-15, 1e-2), AT(scene_method, pressure_tolerance),
+     .fallback = "1e-10",
+     .doc = "of the implicit pressure: largest error of the volume of what is in a cell, as a fraction of the cell"},
 };
 static const key_table method_table = TABLE(method_keys);
 

@@ -79,6 +79,8 @@
     X(C_VELOCITY_CHANGE, "velocity_change", CELL, VECTOR, "m/s", SCRATCH, "dv_c handed back to the nodes")           \
     /* cells, shared by all materials (instance 0) */                                                                \
     X(C_PRESSURE, "pressure", CELL, SCALAR, "Pa", STATE, "p equilibrium pressure; also the next Newton guess")       \
+    X(C_PRESSURE_STEP, "pressure_step", CELL, SCALAR, "Pa", STATE,                                                   \
+      "implicit: phi dP, also where the next search starts")                                                         \
     X(C_PRESSURE_ADVANCED, "pressure_advanced", CELL, SCALAR, "Pa", SCRATCH, "P = p + phi dP")                       \
     X(C_DP, "pressure_increment", CELL, SCALAR, "Pa", SCRATCH, "dP by dilatation over the full step")                \
     X(C_TMV_RATIO, "material_volume_ratio", CELL, SCALAR, "1", SCRATCH, "TMV / V")                                   \
@@ -92,6 +94,8 @@
     /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                         \
     X(F_VEL, "face_velocity", FACE, VECTOR, "m/s", SCRATCH, "u*^r: normal component on the lower face of each axis") \
     X(F_THETA, "face_volume_fraction", FACE, VECTOR, "1", SCRATCH, "theta^r,f averaged over the donor slab")         \
+    X(F_MOBILITY, "face_mobility", FACE, VECTOR, "m3/kg", SCRATCH,                                                   \
+      "implicit: velocity that a gradient of pressure gives a material, after exchange")                             \
     X(F_PRESSURE, "face_pressure", FACE, VECTOR, "Pa", SCRATCH, "P*")                                                \
     X(F_FLUX, "volume_flux", FACE, VECTOR, "m/s", SCRATCH, "sum of theta^r,f u*^r: volume per area and time")
 

@@ -37,7 +37,10 @@ typedef enum ledger_count {
     COUNT_CONTACT_SLIP,
     COUNT_CONTACT_RELEASE,
     COUNT_NORMALS_PLAIN, /* points of membranes, over the steps, for which a method found no normal: that of the nearest points */
-    COUNT_NORMALS_KEPT, /* nor they one: the former */
+    COUNT_NORMALS_KEPT,    /* nor they one: the former */
+    COUNT_PRESSURE_SOLVES, /* implicit pressure: steps, their outer iterations, iterations of conjugate gradients */
+    COUNT_OUTER_ITERATIONS,
+    COUNT_CG_ITERATIONS,
     LEDGER_COUNTS
 } ledger_count;
 

@@ -39,6 +39,7 @@ typedef struct ice {
     bool conducts;
     bool diffuses;           /* viscous or conducting, or driven by an exact solution's sources */
     bool pressurise;         /* some load adds energy to a fluid */
+    bool implicit;           /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     double gravity[3];       /* m/s2 */
     exchange_table exchange; /* K_rs and R_rs */
     double time, dt;         /* s: of the step under way */
@@ -66,6 +67,7 @@ floe_status ice_continue_pressure(ice *s);    /* beside solids: p where they lea
 floe_status ice_diffusion_rates(ice *s);      /* viscosity and conduction (2.6): their rates at the start of the step */
 floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
+floe_status ice_implicit_pressure(ice *s);    /* 3, instead of 2.3: also corrects u* */
 floe_status ice_face_pressure(ice *s);        /* 2.4 */
 floe_status
 ice_sources(ice *s); /* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy (fluids); C_SOURCE (points) */
@@ -90,6 +92,8 @@ floe_status ice_step(ice *s);
 
 /* Largest stable step (2.14) from the current state and the last pressures. */
 floe_status ice_time_step(ice *s, step_limit *out);
+/* The same with the explicit and with the implicit pressure, and the rate of sound, max c (sum h_i^-2)^1/2 (1/s). */
+floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, double *acoustic);
 
 /* Totals of the current state over owned cells of the fluids (not of materials carried by points), in tile order:
  * mass, momentum, internal and kinetic energy by material. */

@@ -199,6 +199,24 @@ static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_si
     return m->u[axis][at.cell] + phi * v->dt * (v->gravity[axis] - mobility * gradient);
 }
 
+/* Faces of given pressure move with it, over half a cell; beyond it the pressure does not change. No other side gives way. The
+ * explicit u* of such a face becomes that of the implicit centring. */
+static void set_mobility(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const ice_arrays *m = &v->m[r];
+    const bool gives = s->scene->bc.side[axis][side].kind == BC_OUTLET && m->rho[at.cell] > 0.0;
+    m->mobility[axis][at.face] = gives ? 2.0 * (s->multi ? m->theta[at.cell] : 1.0) / m->rho[at.cell] : 0.0;
+    if (!gives) return;
+    const double now = 0.5 * (1.0 + v->shock[at.cell]), change = ice_implicit_phi(v, now) - now;
+    const double gradient = at.outward * (s->scene->bc.side[axis][side].pressure - v->p[at.cell]) * v->inv_h[axis];
+    m->fu[axis][at.face] += change * v->dt * (v->gravity[axis] - m->mobility[axis][at.face] * gradient);
+}
+
+void ice_boundary_mobility(const ice *s, const ice_view *v, int r)
+{
+    ice_visit_sides(s, v, r, set_mobility);
+}
+
 static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];

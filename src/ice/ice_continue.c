@@ -12,7 +12,7 @@
 /* Fluids that fill less than this of a cell beside a solid have no say in its pressure. */
 static const double no_room = 0.01;
 
-static bool has_no_room(const ice *s, const ice_view *v, ptrdiff_t at)
+bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at)
 {
     if (!ice_holds_points(v, at)) return false;
     double fluid = 0.0;
@@ -35,7 +35,7 @@ static void for_cells_without_room(const ice *s, cell_function *visit)
         for (int row = 0; row < q.n; ++row) {
             const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
             for (ptrdiff_t at = base; at < base + v.b->n[0]; ++at)
-                if (has_no_room(s, &v, at)) visit(&v, at, last);
+                if (ice_is_continued(s, &v, at)) visit(&v, at, last);
         }
     }
 }

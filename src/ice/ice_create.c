@@ -175,6 +175,7 @@ floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, s
     made->mesh = m;
     made->stages = stages;
     made->ledger = l;
+    made->implicit = s->method.pressure == PRESSURE_IMPLICIT;
     const floe_status status = resolve(made, with_points);
     if (status != FLOE_OK) ice_destroy(out);
     return status;
@@ -184,6 +185,7 @@ static void destroy_work(context *ctx, ice_work **work)
 {
     ice_work *w = *work;
     if (!w) return;
+    ice_implicit_destroy(ctx, &w->implicit);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b) {
         memory_free(ctx, &w->metric[b]);
         memory_free(ctx, &w->mixed[b].at);
@@ -232,6 +234,7 @@ static field_owner owner_of(field_id id)
     case C_SOUND:
     case C_KAPPA:
     case F_VEL:
+    case F_MOBILITY:
     case F_THETA: return OWNER_ALL;
     case C_VEL_L:
     case C_ENERGY_L:
@@ -313,5 +316,6 @@ floe_status ice_register(ice *s, domain *d)
     s->domain = d;
     TRY(register_fields(s, d));
     TRY(make_metrics(s));
-    return make_scratch(s);
+    TRY(make_scratch(s));
+    return s->scene->method.pressure == PRESSURE_EXPLICIT ? FLOE_OK : ice_implicit_create(s);
 }

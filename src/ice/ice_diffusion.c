@@ -213,13 +213,13 @@ void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axi
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         for (ptrdiff_t R = base; R < base + v->b->n[0] + (axis == 0); ++R)
-            m->fu[axis][R] +=
-                0.5 * v->dt * (m->diff[axis][R - step] + m->diff[axis][R]) / (m->rho[R - step] + m->rho[R] + ICE_TINY);
+            m->fu[axis][R] += 0.5 * v->advance * v->dt * (m->diff[axis][R - step] + m->diff[axis][R]) /
+                              (m->rho[R - step] + m->rho[R] + ICE_TINY);
     }
 }
 
 /* Heat H into a material raises the pressure of the cell, at its volume, by Gamma kappa H / S, Gamma = (dp/de)_rho / rho. */
-void ice_diffusion_pressure(const ice *s, const ice_view *v, int r)
+void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P)
 {
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
@@ -234,7 +234,8 @@ void ice_diffusion_pressure(const ice *s, const ice_view *v, int r)
         for (ptrdiff_t i = 0; i < n; ++i) {
             const ptrdiff_t at = base + i;
             const double part = s->multi ? m->kappa[at] / v->kappa_sum[at] : 1.0;
-            v->P[at] += 0.5 * (1.0 + v->shock[at]) * v->dt * part * slope[i] / rho[i] * m->heat[at];
+            const double phi = ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at]));
+            P[at] += phi * v->dt * part * slope[i] / rho[i] * m->heat[at];
         }
     }
 }

@@ -22,7 +22,7 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
     double quarter[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
-        quarter[a] = -0.25 * v->dt * v->inv_h[a] * v->limit_hi;
+        quarter[a] = -0.25 * v->dt * v->inv_h[a] * v->limit_hi * v->advance;
         st[a] = v->b->stride[a];
     }
 #pragma omp simd
@@ -52,7 +52,7 @@ ICE_EACH(INSTANCE)
 ice_material_row *const ice_face_velocity_row[3][2] = ICE_TABLE(face_velocity);
 
 /* Momentum exchange at one face, normal component, with face masses mu = (rho_L + rho_R)/2 (numerics 2.2). */
-static void exchange_face(const ice *s, const ice_view *v, int axis, ptrdiff_t R)
+static void exchange_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R)
 {
     const ptrdiff_t L = R - v->b->stride[axis];
     const int n = s->n_materials;
@@ -62,18 +62,19 @@ static void exchange_face(const ice *s, const ice_view *v, int axis, ptrdiff_t R
         const ice_arrays *m = &v->m[r];
         theta[r] = 0.5 * (m->theta[L] + m->theta[R]);
         mass[r] = theta[r] > 0.0 ? 0.5 * (m->rho[L] + m->rho[R]) : 0.0;
-        u[0][r] = m->fu[axis][R];
+        u[0][r] = value[r][R];
         present += mass[r] > 0.0;
     }
     if (present < 2) return;
     exchange_matrix a;
     exchange_couple(n, ((ice *)s)->exchange.K, theta, v->dt, a);
     exchange_relax(n, mass, a, 1, u);
-    for (int r = 0; r < n; ++r) v->m[r].fu[axis][R] = u[0][r];
+    for (int r = 0; r < n; ++r) value[r][R] = u[0][r];
 }
 
 /* The same where the scene has two materials. */
-static void exchange_pairs(const ice *s, const ice_view *v, int axis, ptrdiff_t from, ptrdiff_t to)
+static void exchange_pairs(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t from,
+                           ptrdiff_t to)
 {
     const ice_arrays *m = v->m;
     const ptrdiff_t step = v->b->stride[axis];
@@ -81,19 +82,19 @@ static void exchange_pairs(const ice *s, const ice_view *v, int axis, ptrdiff_t 
     for (ptrdiff_t R = from; R < to; ++R) {
         const double t0 = m[0].theta[R - step] + m[0].theta[R], t1 = m[1].theta[R - step] + m[1].theta[R];
         const double m0 = 0.5 * (m[0].rho[R - step] + m[0].rho[R]), m1 = 0.5 * (m[1].rho[R - step] + m[1].rho[R]);
-        if (t0 > 0.0 && t1 > 0.0) exchange_relax_pair(m0, m1, rate * t0 * t1, &m[0].fu[axis][R], &m[1].fu[axis][R]);
+        if (t0 > 0.0 && t1 > 0.0) exchange_relax_pair(m0, m1, rate * t0 * t1, &value[0][R], &value[1][R]);
     }
 }
 
-static void exchange_rows(const ice *s, const ice_view *v, int axis)
+void ice_exchange_faces(const ice *s, const ice_view *v, int axis, double *const *value)
 {
     const ice_rows q = ice_rows_of(v->b, axis, 0);
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         const ptrdiff_t end = base + v->b->n[0] + (axis == 0);
-        if (s->n_materials == 2) exchange_pairs(s, v, axis, base, end);
-        for (ptrdiff_t R = base; R < end && s->n_materials > 2; ++R) exchange_face(s, v, axis, R);
+        if (s->n_materials == 2) exchange_pairs(s, v, axis, value, base, end);
+        for (ptrdiff_t R = base; R < end && s->n_materials > 2; ++R) exchange_face(s, v, axis, value, R);
     }
 }
 
@@ -124,11 +125,13 @@ floe_status ice_face_velocity(ice *s)
         ice_view v;
         ice_view_make(s, id, &v);
         for (int axis = 0; axis < v.dim; ++axis) {
+            double *velocity[ICE_MAX_MATERIALS];
             for (int r = 0; r < s->n_materials; ++r) {
                 velocity_rows(s, &v, r, axis);
                 if (s->diffuses) ice_diffusion_face_velocity(s, &v, r, axis);
+                velocity[r] = v.m[r].fu[axis];
             }
-            if (s->multi) exchange_rows(s, &v, axis);
+            if (s->multi) ice_exchange_faces(s, &v, axis, velocity);
         }
         for (int r = 0; r < s->n_materials; ++r) ice_boundary_face_velocity(s, &v, r);
     }

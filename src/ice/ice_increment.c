@@ -127,7 +127,7 @@ ice_row *const ice_limiter_row[3] = {limiter_1, limiter_2, limiter_3};
 ice_material_row *const ice_face_theta_row[3] = {theta_1, theta_2, theta_3};
 
 /* Volume fractions at faces and the volume flux that they make. */
-static void face_fractions(const ice *s, const ice_view *v)
+void ice_face_fractions(const ice *s, const ice_view *v)
 {
     const ice_rows cells = ice_rows_of(v->b, -1, 1);
 #pragma omp parallel for schedule(static)
@@ -156,20 +156,29 @@ static void relax_volume(const ice *s, const ice_view *v)
     }
 }
 
+void ice_finish_increment(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks && s->with_points; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        relax_volume(s, &v);
+    }
+    if (s->with_points) ice_hold_continued(s);
+    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_EVEN);
+    ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
+}
+
 floe_status ice_pressure_increment(ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
-        if (s->multi) face_fractions(s, &v);
+        if (s->multi) ice_face_fractions(s, &v);
         const ice_rows q = ice_rows_of(v.b, -1, 0);
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) s->work->kernels.increment(&v, ice_row_j(q, row), ice_row_k(q, row));
-        if (v.tmv) relax_volume(s, &v);
-        for (int r = 0; r < s->n_materials && s->diffuses; ++r) ice_diffusion_pressure(s, &v, r);
+        for (int r = 0; r < s->n_materials && s->diffuses; ++r) ice_diffusion_pressure(s, &v, r, v.P);
     }
-    if (s->with_points) ice_hold_continued(s);
-    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_EVEN);
-    ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
+    ice_finish_increment(s);
     return FLOE_OK;
 }

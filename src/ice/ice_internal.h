@@ -31,6 +31,7 @@ typedef struct ice_arrays {
     double *rho1, *u1[3], *e1, *vol1;   /* next state; vol1 is v */
     double *source[3], *mom[3], *dv[3]; /* materials carried by points */
     double *diff[3], *heat, *diffT;     /* ice_diffusion.c */
+    double *mobility[3];                /* at faces, of the implicit pressure */
 } ice_arrays;
 
 /* One block, ready for the kernels. With one fluid, rho_sum, mean and flux are that fluid's own rho, u and fu. */
@@ -48,6 +49,8 @@ typedef struct ice_view {
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
     double length;             /* of the bulk viscosity: V^(1/d), m */
+    double advance; /* half steps that u* and P are ahead in time: 1; 2 where the implicit pressure is at the end */
+    double *step, *last_step; /* implicit: phi dP of this step and of the last */
     ice_arrays m[ICE_MAX_MATERIALS];
 } ice_view;
 
@@ -133,8 +136,14 @@ typedef struct ice_cell_list {
     size_t n;
 } ice_cell_list;
 
+/* Storage of the implicit pressure (ice_implicit.c); NULL in scenes that do not ask for it. */
+typedef struct ice_implicit ice_implicit;
+floe_status ice_implicit_create(ice *s);
+void ice_implicit_destroy(context *ctx, ice_implicit **w);
+
 typedef struct ice_work {
     int threads;
+    ice_implicit *implicit; /* owned */
     ice_kernels kernels;
     double *metric[MESH_MAX_BLOCKS]; /* lower0, upper0, volume, area0, radius0: five runs of n + 5 */
     double *tile;                    /* TILE_VALUES of every global tile */
@@ -159,6 +168,12 @@ floe_status ice_hydrostatic(ice *s);
 
 /* Cells whose pressure is continued into a solid take no increment (ice_continue.c). */
 void ice_hold_continued(const ice *s);
+bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at);
+
+/* Volume fractions at faces and the volume flux that they make, of several materials (2.3). */
+void ice_face_fractions(const ice *s, const ice_view *v);
+/* Once dP and P are known: volumes relaxed, continued cells held, ghosts. */
+void ice_finish_increment(const ice *s);
 
 void ice_view_make(const ice *s, int block_id, ice_view *v);
 
@@ -176,6 +191,9 @@ void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, 
 /* Ghost faces of F_VEL, so that the outflow of ghost cells is known. */
 void ice_fill_faces(const ice *s, field_id id, int instance);
 bool ice_is_wall(bc_kind kind);
+/* Exchanges momentum at the faces normal to `axis`: of velocities, one array a material, or of whatever else is to be shared out
+ * as they are. */
+void ice_exchange_faces(const ice *s, const ice_view *v, int axis, double *const *value);
 /* Values that the sides impose on faces. */
 void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r);
 void ice_boundary_face_pressure(const ice *s, const ice_view *v);
@@ -188,6 +206,13 @@ typedef struct side_face {
 typedef void side_visitor(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at);
 /* Visits the owned faces of every non-periodic side that the block touches. */
 void ice_visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit);
+/* Mobility of a material at the faces of the sides, and what the implicit centring adds to u* there. */
+void ice_boundary_mobility(const ice *s, const ice_view *v, int r);
+/* The centring of the implicit pressure where the explicit one is phi. */
+static inline double ice_implicit_phi(const ice_view *v, double phi)
+{
+    return most(phi, 0.5 * v->advance);
+}
 /* Momentum and work of the pressure on the sides, into the ledger. */
 void ice_boundary_work(ice *s);
 
@@ -215,9 +240,10 @@ void ice_enter_tiles(ice *s);
 
 /* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
 bool ice_diffuses(const ice *s, int r);
-/* Half a step's force on the face velocities, and half a step's heat on the advanced pressure. */
+/* Half a step's force on the face velocities, and half a step's heat on the advanced pressure (the array P); a whole step's of
+ * both where the implicit pressure is at its end. */
 void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axis);
-void ice_diffusion_pressure(const ice *s, const ice_view *v, int r);
+void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P);
 /* Viscosity and conduction of the whole step, added to the Lagrangian values of all blocks. */
 void ice_diffuse(const ice *s);
 /* Loads (pressurise, heat) on the Lagrangian energies. */

@@ -1,5 +1,7 @@
 /* The time step (numerics 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
- * where phi = 1, else 1; diffusion dt <= 0.9 / (2 D sum h_i^-2), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Slivers (theta < 1e-6) are left out.
+ * where phi = 1, else 1; with the implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion
+ * dt <= 0.9 / (2 D sum h_i^-2), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Slivers
+ * (theta < 1e-6) are left out.
  *
  * A fluid that is tied to the others of its cell faster than sound crosses the cell carries sound at Wood's speed of the mixture,
  * not at its own: a hot sliver of gas beside a solid does not limit the step. All of it comes from the fluids' state alone (what
@@ -8,10 +10,18 @@
 
 #include <math.h>
 
-/* Largest 1/dt of signals and of diffusion. */
+/* Largest 1/dt of flow, of sound, of both as they bound the explicit step, and of diffusion. */
 typedef struct rates {
-    double signal, diffusion;
+    double flow, sound, signal, diffusion;
 } rates;
+
+static void raise_to(rates *most, rates x)
+{
+    most->flow = fmax(most->flow, x.flow);
+    most->sound = fmax(most->sound, x.sound);
+    most->signal = fmax(most->signal, x.signal);
+    most->diffusion = fmax(most->diffusion, x.diffusion);
+}
 
 static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c, double cv)
 {
@@ -24,7 +34,8 @@ static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, do
     const ice_material *m = &s->material[r];
     const double viscosity = 4.0 / 3.0 * m->shear_viscosity + m->bulk_viscosity,
                  diffusion = m->conductivity > 0.0 ? fmax(viscosity, m->conductivity / cv) : viscosity;
-    return (rates){speed + b * c * sqrt(inverse_square), 2.0 / 0.9 * diffusion / rho * inverse_square};
+    const double sound = c * sqrt(inverse_square);
+    return (rates){speed, sound, speed + b * c * sqrt(inverse_square), 2.0 / 0.9 * diffusion / rho * inverse_square};
 }
 
 /* What a cell holds of everything. */
@@ -91,8 +102,7 @@ static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, doub
         const rates x = cell_rates(s, v, r, base + i, rho[i], signal_speed(s, v, r, base + i, rho[i], sqrt(c2[i])),
                                    s->conducts ? cv[i] : 0.0);
         if (!isfinite(x.signal)) return false;
-        most->signal = fmax(most->signal, x.signal);
-        most->diffusion = fmax(most->diffusion, x.diffusion);
+        raise_to(most, x);
     }
     return true;
 }
@@ -100,23 +110,39 @@ static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, doub
 static bool block_rates(const ice *s, const ice_view *v, int r, rates *most)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
-    double signal = 0.0, diffusion = 0.0;
+    double flow = 0.0, sound = 0.0, signal = 0.0, diffusion = 0.0;
     int bad = 0;
-#pragma omp parallel for schedule(static) reduction(max : signal, diffusion) reduction(+ : bad)
+#pragma omp parallel for schedule(static) reduction(max : flow, sound, signal, diffusion) reduction(+ : bad)
     for (int row = 0; row < q.n; ++row) {
-        rates x = {0.0, 0.0};
+        rates x = {0.0, 0.0, 0.0, 0.0};
         bad += !row_rates(s, v, r, ice_row_j(q, row), ice_row_k(q, row), s->work->buffer[ice_thread()], &x);
+        flow = fmax(flow, x.flow);
+        sound = fmax(sound, x.sound);
         signal = fmax(signal, x.signal);
         diffusion = fmax(diffusion, x.diffusion);
     }
-    most->signal = fmax(most->signal, signal);
-    most->diffusion = fmax(most->diffusion, diffusion);
+    raise_to(most, (rates){flow, sound, signal, diffusion});
     return bad == 0;
 }
 
-floe_status ice_time_step(ice *s, step_limit *out)
+/* Of either kind of step from the same rates. */
+static step_limit limit_of(const ice *s, const rates *most, double gravity, bool implicit)
 {
-    rates most = {0.0, 0.0};
+    const double cfl = s->scene->time.cfl_ice;
+    step_limit out = {cfl / most->signal, "sound and flow on the cells"};
+    if (implicit) {
+        out = (step_limit){s->scene->time.acoustic_cfl / most->sound, "the acoustic CFL"};
+        if (cfl < most->flow * out.dt) out = (step_limit){cfl / most->flow, "flow on the cells"};
+    }
+    if (!(most->diffusion * out.dt <= 1.0) && most->diffusion > 0.0)
+        out = (step_limit){1.0 / most->diffusion, "viscosity or conduction on the cells"};
+    if (gravity > 0.0 && sqrt(1.0 / gravity) < out.dt) out = (step_limit){sqrt(1.0 / gravity), "gravity on the cells"};
+    return out;
+}
+
+floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, double *acoustic)
+{
+    rates most = {0.0, 0.0, 0.0, 0.0};
     double gravity = 0.0;
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
@@ -127,11 +153,17 @@ floe_status ice_time_step(ice *s, step_limit *out)
                 return fail(s->ctx, FLOE_DIVERGED, "time step: a cell of material %d has no sound speed at t = %.6g s",
                             r, s->time);
     }
-    const double cfl = s->scene->time.cfl_ice;
-    *out = (step_limit){cfl / most.signal, "sound and flow on the cells"};
-    if (!(most.diffusion * out->dt <= 1.0) && most.diffusion > 0.0)
-        *out = (step_limit){1.0 / most.diffusion, "viscosity or conduction on the cells"};
-    if (gravity > 0.0 && sqrt(1.0 / gravity) < out->dt)
-        *out = (step_limit){sqrt(1.0 / gravity), "gravity on the cells"};
+    *direct = limit_of(s, &most, gravity, false);
+    *implicit = limit_of(s, &most, gravity, true);
+    *acoustic = most.sound;
+    return FLOE_OK;
+}
+
+floe_status ice_time_step(ice *s, step_limit *out)
+{
+    step_limit direct, implicit;
+    double acoustic;
+    TRY(ice_time_steps(s, &direct, &implicit, &acoustic));
+    *out = s->implicit ? implicit : direct;
     return FLOE_OK;
 }

@@ -5,6 +5,10 @@
 floe_status ice_pressure_stages(ice *s)
 {
     const bool m = s->multi, p = s->with_points, d = s->diffuses, k = s->conducts;
+    const bool plan = s->stages->planning;
+    const pressure_scheme scheme = s->scene->method.pressure;
+    const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
+               direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
     STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
@@ -19,7 +23,13 @@ floe_status ice_pressure_stages(ice *s)
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION)),
           WRITES(F_VEL, C_SHOCK));
-    STAGE(s, ALWAYS, ice_pressure_increment,
+    STAGE(s, implicit, ice_implicit_pressure,
+          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),
+                WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
+                WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL)),
+          WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA),
+                 WHEN(m, F_FLUX)));
+    STAGE(s, direct, ice_pressure_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
                 WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL)),

@@ -34,6 +34,7 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     vector(f, field_get, C_SOURCE, r, dim, m->source);
     vector(f, field_get, C_MOMENTUM_L, r, dim, m->mom);
     vector(f, field_get, C_VELOCITY_CHANGE, r, dim, m->dv);
+    vector(f, field_get, F_MOBILITY, r, dim, m->mobility);
 }
 
 static void gather_shared(const fields *f, bool multi, ice_view *v)
@@ -47,6 +48,8 @@ static void gather_shared(const fields *f, bool multi, ice_view *v)
     v->limiter = field_get(f, C_LIMITER, 0, 0);
     v->mixed = field_get(f, C_MIXED, 0, 0);
     v->tmv = field_get(f, C_TMV_RATIO, 0, 0);
+    v->step = field_next(f, C_PRESSURE_STEP, 0, 0);
+    v->last_step = field_get(f, C_PRESSURE_STEP, 0, 0);
     vector(f, field_get, F_PRESSURE, 0, dim, v->fp);
     v->rho_sum = multi ? field_get(f, C_RHO_SUM, 0, 0) : v->m[0].rho;
     for (int a = 0; a < dim; ++a) {
@@ -78,6 +81,7 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     v->radius0 = metric + 4 * run;
     v->base = method->centring == ICE_CENTRING_FULL ? 1.0 : 0.0;
     v->slope = method->centring == ICE_CENTRING_AUTO ? 1.0 : 0.0;
+    v->advance = s->implicit && method->centring != ICE_CENTRING_HALF ? 2.0 : 1.0;
     v->limit_lo = method->limiter == ICE_LIMITER_NONE ? 1.0 : 0.0;
     v->limit_hi = method->limiter == ICE_LIMITER_FIRST_ORDER ? 0.0 : 1.0;
     for (int r = 0; r < s->n_materials; ++r) gather_material(f, r, m->dim, &v->m[r]);

@@ -60,9 +60,11 @@ static void set_defaults(scene *s)
     s->method.conserve_energy = true;
     s->method.exchange = 1e15;
     s->method.volume_relaxation = 0.0;
+    s->method.pressure_tolerance = 1e-10;
     s->time = (scene_time){.end = NAN,
                            .cfl_mpm = 0.5,
                            .cfl_ice = 0.5,
+                           .acoustic_cfl = 1000.0,
                            .first_step = NAN,
                            .max_step = NAN,
                            .growth = 1.1,

@@ -150,6 +150,7 @@ typedef struct scene_load {
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
 typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
+typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AUTO } pressure_scheme;
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
 
 typedef struct scene_method {
@@ -160,9 +161,11 @@ typedef struct scene_method {
     ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
     bool conserve_energy;  /* numerics 2.8 */
     ice_limiter limiter;
-    double exchange;          /* K, kg/(m3 s), between all pairs; 0 to 1e20 */
-    double heat_exchange;     /* R, W/(m3 K) */
-    double volume_relaxation; /* beta of numerics 5.5 */
+    double exchange;           /* K, kg/(m3 s), between all pairs; 0 to 1e20 */
+    double heat_exchange;      /* R, W/(m3 K) */
+    double volume_relaxation;  /* beta of numerics 5.5 */
+    pressure_scheme pressure;  /* of ICE: numerics 2.3 or 3, or whichever costs less */
+    double pressure_tolerance; /* of the implicit pressure: largest error of a cell's volume, as a fraction of it */
 } scene_method;
 
 typedef enum contact_kind {
@@ -191,6 +194,7 @@ typedef struct scene_contact {
 typedef struct scene_time {
     double end;              /* s */
     double cfl_mpm, cfl_ice; /* fractions of the limits of numerics 4.6 and 2.14 */
+    double acoustic_cfl;     /* implicit pressure: largest c dt (sum h_i^-2)^1/2 */
     double first_step;       /* s, NAN: from the CFL limit */
     double max_step;         /* s, NAN: none */
     double growth;           /* largest ratio of a step to the one before */

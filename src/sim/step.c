@@ -33,6 +33,21 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
     return FLOE_OK;
 }
 
+/* The implicit pressure starts with the explicit step, unless told otherwise: how fast a flow from rest will be is not known. */
+static floe_status first_step(sim *s, double *dt, const char **reason)
+{
+    const double given = s->scene->time.first_step;
+    if (!isnan(given)) {
+        limit(dt, reason, given, "first step");
+    } else if (s->ice && s->ice->implicit) {
+        step_limit direct, implicit;
+        double acoustic;
+        TRY(ice_time_steps(s->ice, &direct, &implicit, &acoustic));
+        limit(dt, reason, direct.dt, "first step");
+    }
+    return FLOE_OK;
+}
+
 static floe_status choose_step(sim *s, double until, double *dt, const char **reason)
 {
     const scene_time *t = &s->scene->time;
@@ -41,7 +56,7 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
         *reason = "fixed step";
     } else {
         TRY(stable_step(s, dt, reason));
-        if (s->steps == 0 && !isnan(t->first_step)) limit(dt, reason, t->first_step, "first step");
+        if (s->steps == 0) TRY(first_step(s, dt, reason));
         if (s->steps > 0) limit(dt, reason, t->growth * s->dt, "growth");
         if (!isnan(t->max_step)) limit(dt, reason, t->max_step, "largest step");
     }

@@ -73,7 +73,18 @@ lacks one P_POS N_MASS C_THETA C_VOL C_MIXED C_SOURCE C_VELOCITY_CHANGE
 [ "$(json one.json mpm)" = 0 ] || fault 'a gas pays for points'
 [ "$(json one/summary.json newton_cells)" = 0 ] || fault 'one gas has solved for a pressure'
 if stages one | grep -q exchange; then fault 'one gas exchanges with itself'; fi
+if stages one | grep -q implicit; then fault 'a gas pays for an implicit pressure'; fi
+lacks one F_MOBILITY C_PRESSURE_STEP
+[ "$(json one/summary.json pressure_solves)" = 0 ] || fault 'a gas has solved for its pressure'
 same_as_planned one
+
+deck implicit ice "materials: {gas: $gas}
+method: {pressure: implicit}" "bodies: {all: {material: gas, shape: $all, $state}}"
+holds implicit F_MOBILITY C_PRESSURE_STEP
+lacks implicit P_POS N_MASS C_THETA C_VOL C_MIXED C_SOURCE C_VELOCITY_CHANGE
+if stages implicit | grep -q ice_pressure_increment; then fault 'an implicit pressure is also explicit'; fi
+[ "$(json implicit/summary.json pressure_solves)" = 3 ] || fault 'no implicit pressure was solved for'
+same_as_planned implicit
 
 deck two ice "materials: {gas: $gas, heavy: $heavy}" \
     "bodies: {a: {material: gas, shape: $left, $state}, b: {material: heavy, shape: $right, $state}}"

@@ -7,6 +7,7 @@ static const deck_variant variants[] = {
     {"points", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.4"}},
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
+    {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.1", "method.pressure=implicit"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},
 };
 

@@ -7,6 +7,7 @@ static const deck_variant variants[] = {
     {"points, MUSL", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.1"}},
     {"one gas", "sod", COUPLING_ICE, 2, 1, {"domain.cell=0.00625"}},
+    {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.00625", "method.pressure=implicit"}},
     {"both", "pressurized_cylinder", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.1"}},
     {"both, blocks, MUSL", "pressurized_cylinder", COUPLING_ICE_MPM, 2, 2, {"domain.cell=0.1", "method.stress=musl"}},
 };
