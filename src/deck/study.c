@@ -88,7 +88,12 @@ static floe_status take_with(reader *r, deck_node *node, scene_axis *axis)
         if (list->kind != NODE_LIST || list->n != (size_t)axis->n_values)
             return bad(r, list, NULL, "'%.80s' is no list of %d values, one for each of '%.80s'", list->key,
                        axis->n_values, axis->key);
-        for (deck_node *item = list->first; item; item = item->next) TRY(take_value(r, item, with->value[n++]));
+        for (deck_node *item = list->first; item; item = item->next, n++) {
+            if (node_is_null(item)) /* takes the key away, as --set does */
+                snprintf(with->value[n], SCENE_VALUE, "null");
+            else
+                TRY(take_value(r, item, with->value[n]));
+        }
     }
     return FLOE_OK;
 }

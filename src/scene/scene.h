@@ -23,7 +23,7 @@ enum {
     SCENE_MAX_SUPPORTS = 16,
     SCENE_MAX_AXIS = 32, /* values of an axis */
     SCENE_MAX_AXES = 6,
-    SCENE_MAX_WITH = 6, /* keys that change along with that of an axis */
+    SCENE_MAX_WITH = 8, /* keys that change along with that of an axis */
     SCENE_MAX_OVER = 2,
     SCENE_MAX_BARS = 32,
     SCENE_MAX_METRICS = 24,

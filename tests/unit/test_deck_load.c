@@ -321,7 +321,7 @@ static const char full[] =
     "method: {basis: gimp, stress: musl, flip: 0.9, centring: half, energy: internal, limiter: none, exchange: 1e-1}\n"
     "output: {interval: 0.1, probes: {p: [0.1, 0.1], q: [0.2, 0.3]}}\n"
     "study:\n"
-    "  axes: {domain.thickness: {values: [0.3, 0.4 m], with: {method.flip: [0.8, 1], bodies.b.points: [[1, 3], [2, "
+    "  axes: {domain.thickness: {values: [0.3, 0.4 m], with: {method.flip: [0.8, null], bodies.b.points: [[1, 3], [2, "
     "2]]}},\n"
     "         coupling: [ice-mpm], bodies.b.velocity: [[0, 0], [0.1, 0]],\n"
     "         method: [{basis: linear}]}\n"
