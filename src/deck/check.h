@@ -23,6 +23,8 @@ bool scene_has_solids(const scene *s);
 floe_status check_scene(reader *r);
 floe_status check_boundaries(reader *r);
 floe_status check_bodies(reader *r);
+/* A membrane by its number among the bodies; its curve and the mesh are without faults. */
+floe_status check_membrane_points(reader *r, int body);
 floe_status check_loads(reader *r);
 floe_status check_contact(reader *r);
 floe_status check_verify(reader *r);

@@ -24,6 +24,7 @@ static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_
 
 static floe_status check_membrane(reader *r, const scene_body *b)
 {
+    if (is_clean(r->root, PATH("domain"))) TRY(check_membrane_points(r, (int)(b - r->scene->body)));
     if (!scene_runs_as(r->scene, COUPLING_ICE_MPM)) return FLOE_OK;
     return bad_at(r, PATH("bodies", b->name, "membrane"), "coupling: mpm, and no ice-mpm in runs_as", NULL,
                   "membrane '%s' runs as material points alone: cells do not see membranes", b->name);

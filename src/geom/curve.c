@@ -102,6 +102,15 @@ static void point_of(const curve_line *c, const curve_seeding *how, int dim, int
     *length = curve_length(c, dim) / how->number;
 }
 
+int curve_count(const curve_line *c, int asked, int per_cell, const seed_spec *grid)
+{
+    double h = grid->h[0];
+    if (c->kind == CURVE_POINTS) return c->n_vertices;
+    if (asked > 0) return asked;
+    for (int a = 1; a < grid->dim; a++) h = fmin(h, grid->h[a]);
+    return (int)ceil(curve_length(c, grid->dim) * per_cell / h - 1e-9);
+}
+
 static floe_status make_room(seed_list *list, context *ctx, size_t n, int dim)
 {
     list->n = n;

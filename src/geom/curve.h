@@ -32,6 +32,8 @@ typedef struct curve_seeding {
 /* Length (m). */
 double curve_length(const curve_line *c, int dim);
 bool curve_is_closed(const curve_line *c);
+/* How many points it gets: those it lists, else `asked`, else (0) enough for per_cell points along a cell of the grid. */
+int curve_count(const curve_line *c, int asked, int per_cell, const seed_spec *grid);
 
 /* Fills *out with the points of a curve, in order along it: in the middle of equal pieces, each with its piece's length times thickness
  * as volume (times the radius when axisymmetric). Of the grid it takes dimension, geometry and mesh. FLOE_BAD_INPUT names a

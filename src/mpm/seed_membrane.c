@@ -2,21 +2,12 @@
 #include "mpm/work.h"
 #include "scene/state.h"
 
-#include <math.h>
 #include <stdio.h>
-
-/* Points of a membrane: enough for the points a cell that are asked for. */
-static int number_of(const mpm *s, const scene_body *b)
-{
-    double h = s->mesh->h[0];
-    for (int a = 1; a < s->mesh->dim; ++a) h = fmin(h, s->mesh->h[a]);
-    if (b->membrane.number > 0) return b->membrane.number;
-    return (int)ceil(curve_length(&b->membrane.curve, s->mesh->dim) * b->per_cell[0] / h - 1e-9);
-}
 
 floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list)
 {
-    const curve_seeding how = {number_of(s, b), b->membrane.thickness, b->membrane.length};
+    const curve_seeding how = {curve_count(&b->membrane.curve, b->membrane.number, b->per_cell[0], grid),
+                               b->membrane.thickness, b->membrane.length};
     const floe_status status = seed_curve(list, s->ctx, &b->membrane.curve, &how, grid);
     if (status != FLOE_BAD_INPUT) return status;
     char cause[CONTEXT_MESSAGE_SIZE];

@@ -46,3 +46,19 @@ below "$(json net/summary.json momentum)" 1e-13
 below "$(json net/summary.json energy)" 0.01
 impulse=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^"?ledger_momentum_x_boundary/) c = i } END { print -$c }' net/history.csv)
 below 2 "$impulse"
+
+# Membranes and springs that cannot be: refused with the place and the remedy before anything runs.
+refuse() { # refuse TEXT ARGUMENT...
+    local text=$1
+    shift
+    expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/spring_mass.yaml" "$@"
+    has stderr "$text"
+}
+refuse "spring_mass.yaml:32:" --set domain.cell=0.025 --set 'domain.upper=[0.1, 2]'
+refuse "points 1 and 2, about (0.05, 1.99), are 0.033333 m apart along axis 2, more than a cell of 0.025 m: the membrane would be torn; give it more points" \
+    --set domain.cell=0.025 --set 'domain.upper=[0.1, 2]'
+refuse "membrane 'spring': point 1 at (0.05, 2.03, 0) lies outside the domain" --set 'bodies.spring.membrane.curve.points.at.0=[0.05, 2.03]'
+refuse "point 1 of membrane 'spring' has no mass" --set 'bodies.spring.membrane={curve: {points: {at: [[0.05, 1.9]]}}, thickness: 1}'
+refuse "give the curve a length, or the point a heavy_mass" --set 'bodies.spring.membrane={curve: {points: {at: [[0.05, 1.9]]}}, thickness: 1}'
+refuse "spring 't' holds on to point 99 of membrane 'spring', which has 10" \
+    --set 'springs={t: {stiffness: 1, from: {body: spring, point: 99}, to: {place: [0.05, 1]}}}'
