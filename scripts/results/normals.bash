@@ -42,8 +42,8 @@ normals_elements() {
     bar 'circle by linear splines: worst angle off table III by at most' "$off" '<=' 1e-4 %.1e ' rad'
     for n in arcs space thesis cubic line degenerate; do table "$n"; done
     write '' '## Arcs, cubics, planes and spheres (S00 figures 4 to 11, Y97 figures 76 to 85)' '' 'Largest angle over the points, in degrees, for a hundred points off the surface: least, median and most; and with the one that floe' \
-        'takes, with its root mean square. Where quadratic splines are short of equations (sets a and b, the cubics), their answer hangs on that point, and' \
-        'that of the singular normal equations on round-off besides. Places of points are ours: the papers show them in figures.' '' \
+        'takes of eight, by the evenness of the gradient, with its root mean square. Where quadratic splines are short of equations (sets a and b, the cubics), their answer hangs on that' \
+        'point, and that of the singular normal equations on round-off besides. Places of points are ours: the papers show them in figures.' '' \
         '| set | points | splines | solver | least | median | most | floe | rms | published |' '|---|---|---|---|---|---|---|---|---|---|'
     awk -F, -v q="'" 'FNR == 1 { next }
         { p = "" }
@@ -51,7 +51,8 @@ normals_elements() {
         FILENAME ~ /cubic/ { p = $1 == "c = 2" ? "1" : "32, rms 5" }
         FILENAME ~ /space/ { p = $1 == "sphere" && $3 == 1 ? "13, norm / N 3" : "0" }
         FILENAME ~ /thesis/ { p = $1 == "45 degrees" ? "0" : $1 == "80 degrees" ? "0.01 mean" : $1 ~ /^xy/ ? "0 (5 digits)" : $1 == "circle 0.4" ? "several" : "figure" }
-        { d = $3 == 1 ? "linear" : $3 == 2 ? "quadratic" : ""; gsub(/,/, " | "); sub(/ \| [123] \| /, " | " d " | "); print "| " $0 " | " p " |" }' \
+        { d = $3 == 1 ? "linear" : $3 == 2 ? "quadratic" : "none"
+          printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, d, $4, $5, $6, $7, $8, $9, p }' \
         "$runs"/{arcs,cubic,space,thesis}.csv >>"$page"
     write '' 'One point on one axis (S00 figures 1 and 8): with the point off it the gradient has a sign and the normal length one. Of the solutions of least norm' \
         'without it only that in the middle of the cell has no gradient; elsewhere its sign says on which side of the middle the point is.' '' '| place | splines | with | without |' '|---|---|---|---|'

@@ -114,15 +114,15 @@ static void follow_line(const mpm *s, int blk, int body, size_t start, membrane_
     }
 }
 
-/* Tangents of a chunk, across its normals or along its line; a point that finds none keeps the one it had. */
+/* Tangents of a chunk, across its normals or along its line; a point that finds none keeps the one it had. A surface in space has no one
+ * tangent: it bears no stress along one. */
 static void find_tangents(const mpm *s, int blk, int body, size_t start, bool next, membrane_batch *b)
 {
     const fields *f = s->domain->fields[blk];
     load_tangent(s, f, body, start, false, b);
-    if (normals_are_free(s, body))
-        turn_normals(s, blk, body, start, next, b);
-    else
-        follow_line(s, blk, body, start, b);
+    const bool free_normals = normals_are_free(s, body);
+    if (!free_normals) follow_line(s, blk, body, start, b);
+    if (free_normals && s->mesh->dim == 2) turn_normals(s, blk, body, start, next, b);
     for (int a = 0; a < s->mesh->dim; ++a)
         memcpy((next ? field_next : field_get)(f, P_TANGENT, body, a) + start, b->t[a], b->n * sizeof(double));
 }

@@ -9,7 +9,7 @@
 
 enum { TRIES = 8 };
 
-static const double fair_condition = 1e3;
+static const double fair_condition = 1e3, fair_evenness = 0.5;
 /* What chi may miss where the surface is taken for flat: far above round-off, far below what an angle is wanted to. */
 static const double flat = 1e-9;
 static const double least_gradient = 0.1; /* of the largest in the cell */
@@ -26,7 +26,7 @@ void isosurface_begin(isosurface *f, surface_solver solver, int dim, int degree,
         f->size[a] = size[a];
     }
     f->condition = f->residual = NAN;
-    f->rank = 0;
+    f->rank = f->kept = 0;
     least_squares_begin(&f->rows, solver, f->functions);
 }
 
@@ -75,6 +75,7 @@ void isosurface_add(isosurface *f, const double x[3])
     double row[SURFACE_MAX_FUNCTIONS];
     functions_at(f, x, row, NULL);
     least_squares_add(&f->rows, row, 1.0);
+    if (f->kept < ISOSURFACE_KEPT) memcpy(f->place[f->kept++], x, sizeof f->place[0]);
 }
 
 static bool solve_with(const isosurface *f, const double away[3], least_squares_solution *found)
@@ -113,22 +114,8 @@ static double drawn(uint64_t k)
 
 void isosurface_away(const isosurface *f, int k, double away[3])
 {
-    for (int a = 0; a < 3; ++a) away[a] = a < f->dim ? f->lower[a] + f->size[a] * drawn((uint64_t)(3 * k + a)) : 0.0;
-}
-
-bool isosurface_find(isosurface *f)
-{
-    least_squares_solution found;
-    bool any = false;
-    for (int k = 0; k < TRIES && !(any && f->condition < fair_condition); ++k) {
-        double away[3];
-        isosurface_away(f, k, away);
-        if (!solve_with(f, away, &found)) continue;
-        const bool better = !any || found.rank > f->rank || (found.rank == f->rank && found.condition < f->condition);
-        if (better) take(f, &found);
-        any = true;
-    }
-    return any;
+    for (int a = 0; a < 3; ++a)
+        away[a] = a < f->dim ? f->lower[a] + f->size[a] * drawn(3 * (uint64_t)k + (uint64_t)a) : 0.0;
 }
 
 double isosurface_value(const isosurface *f, const double x[3])
@@ -146,6 +133,38 @@ double isosurface_normal(const isosurface *f, const double x[3], double n[3])
     for (int a = 0; a < 3; ++a) n[a] = 0.0;
     for (int k = 0; k < f->functions; ++k) vec_add_scaled(f->chi[k], gradient[k], n);
     return vec_normalize(n);
+}
+
+/* Least over largest gradient at the points. */
+static double evenness(const isosurface *f)
+{
+    double least = INFINITY, most = 0.0;
+    for (int k = 0; k < f->kept; ++k) {
+        double n[3];
+        const double size = isosurface_normal(f, f->place[k], n);
+        least = fmin(least, size);
+        most = fmax(most, size);
+    }
+    return most > 0.0 ? least / most : 0.0;
+}
+
+bool isosurface_find(isosurface *f)
+{
+    least_squares_solution found, best = {.rank = 0};
+    double best_score = -1.0;
+    for (int k = 0; k < TRIES; ++k) {
+        double away[3];
+        isosurface_away(f, k, away);
+        if (!solve_with(f, away, &found) || found.rank < best.rank) continue;
+        take(f, &found);
+        const double score = f->degree == 0 ? 1.0 / found.condition : evenness(f);
+        if (found.rank == best.rank && !(score > best_score)) continue;
+        best = found;
+        best_score = score;
+        if (found.rank == f->functions && score > (f->degree == 0 ? 1.0 / fair_condition : fair_evenness)) break;
+    }
+    take(f, &best);
+    return best_score >= 0.0;
 }
 
 /* Normals of the points of a cell, from a function that has been solved. Where its gradient is a small part of what it is at other points,

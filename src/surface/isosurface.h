@@ -6,10 +6,14 @@
 
 #include "surface/least_squares.h"
 
+enum { ISOSURFACE_KEPT = 32 };
+
 typedef struct isosurface {
     int dim, degree, functions;
-    double lower[3], size[3]; /* m: the element */
-    least_squares rows;       /* of the points, without the one off the surface */
+    double lower[3], size[3];         /* m: the element */
+    least_squares rows;               /* of the points, without the one off the surface */
+    double place[ISOSURFACE_KEPT][3]; /* m: of the first of the points */
+    int kept;
     double chi[SURFACE_MAX_FUNCTIONS];
     int rank;
     double residual;  /* norm of what chi misses at the points; NAN with normal equations */
@@ -23,8 +27,9 @@ void isosurface_row(const isosurface *f, const double x[3], double *row);
 void isosurface_add(isosurface *f, const double x[3]);
 /* With the point off the surface at `away`. False where there is no solution. */
 bool isosurface_solve(isosurface *f, const double away[3]);
-/* With the best of a few points off the surface, drawn at random but always the same within an element: the first with which the condition is
- * fair (or the fairest), for one that falls upon the surface sets up no gradient. False where there is no solution. */
+/* With the best of a few points off the surface, drawn at random but always the same within an element: the first with which the gradient is
+ * even over the points (or with which it is most even), for a point that falls near the surface sets up a gradient there alone. False
+ * where there is no solution. */
 bool isosurface_find(isosurface *f);
 /* chi at a place of the element. */
 double isosurface_value(const isosurface *f, const double x[3]);

@@ -18,11 +18,16 @@ typedef struct waiting {
 typedef struct orienter {
     const surface_set *s;
     surface_estimate *out;
-    const surface_entry **entry; /* of each point, that is no image; NULL: lost. Owned */
-    bool *done;                  /* owned */
-    waiting *heap;               /* least cost first; owned */
+    size_t *entry; /* 1 + the entry of each point that is no image; 0: it is lost. Owned */
+    bool *done;    /* owned */
+    waiting *heap; /* least cost first; owned */
     size_t n, room;
 } orienter;
+
+static const surface_entry *entry_of(const orienter *o, size_t number)
+{
+    return &o->s->points.entry[o->entry[number] - 1];
+}
 
 static bool before(const waiting *a, const waiting *b)
 {
@@ -67,7 +72,7 @@ static floe_status hand_on(orienter *o, uint32_t number)
 {
     surface_neighbour near[ALONG_3D];
     const double *n = o->out[number].normal;
-    const int count = surface_nearest(o->s, o->entry[number], o->s->mesh->dim == 3 ? ALONG_3D : ALONG_2D, near);
+    const int count = surface_nearest(o->s, entry_of(o, number), o->s->mesh->dim == 3 ? ALONG_3D : ALONG_2D, near);
     for (int k = 0; k < count; ++k) {
         const surface_estimate *to = &o->out[near[k].number];
         if (near[k].image != 0 || o->done[near[k].number] || to->basis == SURFACE_NONE) continue;
@@ -103,9 +108,9 @@ static bool farthest(const orienter *o, const double middle[3], uint32_t *number
 {
     double most = -1.0;
     for (size_t k = 0; k < o->s->n_points; ++k) {
-        if (!o->entry[k] || o->done[k] || o->out[k].basis == SURFACE_NONE) continue;
+        if (o->entry[k] == 0 || o->done[k] || o->out[k].basis == SURFACE_NONE) continue;
         double square = 0.0;
-        for (int a = 0; a < 3; ++a) square += pow(o->entry[k]->x[a] - middle[a], 2.0);
+        for (int a = 0; a < 3; ++a) square += pow(entry_of(o, k)->x[a] - middle[a], 2.0);
         if (!(square > most)) continue;
         most = square;
         *number = (uint32_t)k;
@@ -120,7 +125,7 @@ static floe_status give_sides(orienter *o, const double *reference)
     uint32_t first;
     for (size_t k = 0; reference && k < o->s->n_points; ++k) {
         const double *r = reference + 3 * k;
-        if (!o->entry[k] || o->out[k].basis == SURFACE_NONE || !(vec_dot(r, r) > 0.0)) continue;
+        if (o->entry[k] == 0 || o->out[k].basis == SURFACE_NONE || !(vec_dot(r, r) > 0.0)) continue;
         turn_to(&o->out[k], r);
         o->done[k] = true;
     }
@@ -130,7 +135,7 @@ static floe_status give_sides(orienter *o, const double *reference)
     find_middle(o->s, middle);
     while (farthest(o, middle, &first)) {
         double away[3];
-        for (int a = 0; a < 3; ++a) away[a] = o->entry[first]->x[a] - middle[a];
+        for (int a = 0; a < 3; ++a) away[a] = entry_of(o, first)->x[a] - middle[a];
         turn_to(&o->out[first], away);
         o->done[first] = true;
         TRY(hand_on(o, first));
@@ -147,7 +152,7 @@ static floe_status orient_with(orienter *o, const double *reference)
     TRY(memory_new(s->ctx, &o->done, s->n_points, sizeof *o->done));
     TRY(memory_new(s->ctx, &o->heap, o->room, sizeof *o->heap));
     for (size_t k = 0; k < s->points.n; ++k)
-        if (s->points.entry[k].image == 0) o->entry[s->points.entry[k].number] = &s->points.entry[k];
+        if (s->points.entry[k].image == 0) o->entry[s->points.entry[k].number] = k + 1;
     return give_sides(o, reference);
 }
 

@@ -44,10 +44,17 @@ typedef struct surroundings {
     surface_neighbour near[SURFACE_MOST_NEAR];
 } surroundings;
 
+/* Neighbours that may lie within the reach, where points stand three times as close on one side as on the other. */
+static int most_near(int dim, double spread)
+{
+    const double n = 3.0 * scale_count(dim) * (dim == 3 ? spread * spread : spread);
+    return n < SURFACE_MOST_NEAR ? (int)n : SURFACE_MOST_NEAR;
+}
+
 static void look_about(const surface_set *s, const surface_entry *e, double spread, surroundings *out)
 {
     out->dim = s->mesh->dim;
-    out->n = surface_nearest(s, e, SURFACE_MOST_NEAR, out->near);
+    out->n = surface_nearest(s, e, most_near(out->dim, spread), out->near);
     const int scale = out->n < scale_count(out->dim) ? out->n : scale_count(out->dim);
     out->reach = scale > 0 ? margin * spread * sqrt(out->near[scale - 1].square) : 0.0;
     while (out->n > 0 && !(out->near[out->n - 1].square < out->reach * out->reach)) out->n--;

@@ -238,6 +238,63 @@ static void test_circle(void **unused)
     inflate("bodies.skin.membrane.normals=quadric");
 }
 
+/* ---- normals of a surface in space ---- */
+
+/* Points along a spiral from pole to pole, whose turns lie as far from each other as its points. */
+static void put_spiral(trial *t, scene_membrane *m, int n, double radius)
+{
+    const double turns = 0.5 * sqrt(pi * n);
+    m->curve = (curve_line){.kind = CURVE_POINTS, .n_vertices = n};
+    check_ok(t->ctx, scene_allocate(t->scene, &m->curve.vertex, 3 * (size_t)n * sizeof *m->curve.vertex));
+    for (int k = 0; k < n; ++k) {
+        const double z = 1.0 - (2.0 * k + 1.0) / n, polar = acos(z), phi = 2.0 * turns * polar, r = sqrt(1.0 - z * z);
+        const double x[3] = {0.5 + radius * r * cos(phi), 0.51 + radius * r * sin(phi), 0.49 + radius * z};
+        memcpy(m->curve.vertex + 3 * (ptrdiff_t)k, x, sizeof x);
+    }
+}
+
+typedef struct sphere_angle {
+    double middle[3], worst;
+} sphere_angle;
+
+static void add_angle(void *user, const fields *f, int body, size_t k)
+{
+    sphere_angle *s = user;
+    double along = 0.0, square = 0.0;
+    for (int a = 0; a < 3; ++a) {
+        const double d = field_get(f, P_POS, body, a)[k] - s->middle[a];
+        along += d * field_get(f, P_NORMAL, body, a)[k];
+        square += d * d;
+    }
+    s->worst = fmax(s->worst, acos(fmin(1.0, along / sqrt(square))));
+}
+
+/* Outward normals of a sphere that moves through the mesh, before the first step and after some: half a degree. */
+static void test_sphere(void **unused)
+{
+    (void)unused;
+    trial t;
+    const double size[3] = {1.0, 1.0, 1.0};
+    trial_begin(&t, 3, size, 0.1);
+    scene_membrane *m = add_ring(&t, add_skin(&t, "string", 1.0, 1.0), size, 1.0);
+    m->normals = surface_find("quadric");
+    check_ok(t.ctx, scene_allocate(t.scene, &m->normals_par, m->normals->param_size));
+    set_param(m->normals->params, m->normals->n_params, m->normals_par, "spread", 0, 1.0);
+    put_spiral(&t, m, 900, 0.3);
+    t.scene->time.fixed_step = 1e-3;
+    t.scene->body[0].velocity[0] = 20.0;
+    t.scene->body[0].velocity[1] = -20.0;
+    trial_start(&t);
+    for (int leg = 0; leg < 2; ++leg) {
+        const double way = 20.0 * t.sim->time;
+        sphere_angle found = {.middle = {0.5 + way, 0.51 - way, 0.49}};
+        visit_points(&t, 0, add_angle, &found);
+        check_true(found.worst < 0.5 * pi / 180.0);
+        trial_steps(&t, 5);
+    }
+    trial_end(&t);
+}
+
 /* ---- bits ---- */
 
 typedef struct variant {
@@ -341,6 +398,7 @@ int main(void)
         cmocka_unit_test(test_pendulum), cmocka_unit_test(test_ball_and_net), cmocka_unit_test(test_spring_mass),
         cmocka_unit_test(test_ring),     cmocka_unit_test(test_tube),         cmocka_unit_test(test_circle),
         cmocka_unit_test(test_bits),     cmocka_unit_test(test_resume),       cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_sphere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
