@@ -6,6 +6,7 @@
 #include "material/membrane.h"
 #include "mpm/basis/basis.h"
 #include "mpm/normal/normal.h"
+#include "mpm/transfer/transfer.h"
 #include "verify/history_metric.h"
 #include "verify/metric.h"
 
@@ -80,6 +81,12 @@ static void list_bases(void)
         printf("      %d nodes along an axis, %d continuous derivative%s\n", m->support, m->smoothness,
                m->smoothness == 1 ? "" : "s");
     }
+}
+
+static void list_transfers(void)
+{
+    for (size_t i = 0; i < transfer_registry_size; i++)
+        print_entry(transfer_registry[i]->name, transfer_registry[i]->doc, transfer_registry[i]->cite, NULL, 0);
 }
 
 static void list_normals(void)
@@ -180,6 +187,7 @@ static const struct {
     {"membranes", "laws of membranes and strings", list_membranes},
     {"shapes", "shapes of bodies and regions", list_shapes},
     {"bases", "basis functions of material points", list_bases},
+    {"transfers", "what becomes of the velocities of points in a step", list_transfers},
     {"normals", "normals of bodies in contact, and of membranes", list_normals},
     {"exact", "exact solutions", list_exact},
     {"references", "what histories are compared with", list_references},

@@ -218,6 +218,21 @@ static floe_status read_basis(reader *r, const key_spec *key, deck_node *node, v
 
 const custom_key custom_basis = {read_basis, write_listed, "the name of a basis", NULL};
 
+/* ---- method.transfer ---- */
+
+static const char *transfer_candidate(const void *user, size_t i)
+{
+    const deck_catalogue *catalogue = user;
+    return catalogue && i < catalogue->n_transfer ? catalogue->transfer[i].name : NULL;
+}
+
+static floe_status read_transfer(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    return read_listed(r, key, node, base, "transfer", transfer_candidate);
+}
+
+const custom_key custom_transfer = {read_transfer, write_listed, "the name of a transfer", NULL};
+
 /* ---- contact.normals ---- */
 
 static const char *normal_candidate(const void *user, size_t i)

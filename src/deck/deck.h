@@ -30,6 +30,8 @@ typedef struct deck_catalogue {
     size_t n_reference;
     const deck_name *basis;
     size_t n_basis;
+    const deck_name *transfer;
+    size_t n_transfer;
     const deck_name *normal; /* kinds of normals of contact */
     size_t n_normal;
     const deck_name *metric; /* "eq13"; "l1_X" stands for one name with each quantity for X */

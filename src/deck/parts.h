@@ -19,7 +19,7 @@ extern const custom_key custom_boundaries;
 extern const variants boundary_kinds;
 /* custom.c */
 extern const custom_key custom_version, custom_runs_as, custom_stress_state, custom_cfl, custom_metrics, custom_basis,
-    custom_normals, custom_between;
+    custom_transfer, custom_normals, custom_between;
 /* columns.c */
 extern const custom_key custom_columns;
 /* study.c */

@@ -220,6 +220,8 @@ floe_status deck_reference(char **text, context *ctx, const deck_catalogue *cata
     print_family(&p, "Exact solutions", &family_exact);
     print_family(&p, "References of histories", &family_reference);
     if (catalogue && catalogue->n_basis > 0) print_names(&p, "Bases", catalogue->basis, catalogue->n_basis);
+    if (catalogue && catalogue->n_transfer > 0)
+        print_names(&p, "Transfers", catalogue->transfer, catalogue->n_transfer);
     if (catalogue && catalogue->n_normal > 0)
         print_names(&p, "Normals of contact", catalogue->normal, catalogue->n_normal);
     if (catalogue && catalogue->n_metric > 0) print_names(&p, "Metrics", catalogue->metric, catalogue->n_metric);

@@ -1,6 +1,8 @@
 /* The deck from the top. Keys are read in the order of these tables: a key may rely on those before it. */
 #include "deck/parts.h"
 
+#include <string.h>
+
 static const choice unit_choices[] = {
     {"si", 0, "numbers are SI, or carry a unit"},
     {"none", 1, "a dimensionless scene: no number carries a unit"},
@@ -164,13 +166,30 @@ static const choice limiter_choices[] = {
     {0},
 };
 
+static bool transfer_is_flip(const scene *s, const void *method)
+{
+    (void)s;
+    return strcmp(((const scene_method *)method)->transfer, "flip") == 0;
+}
+static bool transfer_is_xpic(const scene *s, const void *method)
+{
+    (void)s;
+    return strcmp(((const scene_method *)method)->transfer, "xpic") == 0;
+}
+
 static const key_spec method_keys[] = {
     {"basis", KEY_CUSTOM, AT(scene_method, basis), .custom = &custom_basis, .otherwise = "quadratic",
      .doc = "basis functions of the material points"},
     {"stress", KEY_CHOICE, AT(scene_method, stress), .fallback = "usl", .choices = stress_choices,
      .doc = "when stresses of points are updated in a step"},
+    {"transfer", KEY_CUSTOM, AT(scene_method, transfer), .custom = &custom_transfer, .otherwise = "flip",
+     .doc = "what becomes of the velocities of points in a step"},
     {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip), .fallback = "0.99",
+     .applies = transfer_is_flip, .belongs = "transfer flip",
      .doc = "share of FLIP in the velocity update of points; the rest is PIC"},
+    {"filter_order", KEY_WHOLE, NULL, WITHIN(2, 20), AT(scene_method, filter_order), .fallback = "2",
+     .applies = transfer_is_xpic, .belongs = "transfer xpic",
+     .doc = "order m: passes between points and nodes of which the filter is made"},
     {"point_density", KEY_CHOICE, AT(scene_method, density), .fallback = "continuity", .choices = density_choices,
      .doc = "density of material points of fluids"},
     {"centring", KEY_CHOICE, AT(scene_method, centring), .fallback = "auto", .choices = centring_choices,

@@ -21,6 +21,8 @@
     X(P_HALF, "half_width", POINT, VECTOR, "m", FIXED, "GIMP half width of the point's domain")                      \
     X(P_POS, "position", POINT, VECTOR, "m", STATE, "x_p")                                                           \
     X(P_VEL, "velocity", POINT, VECTOR, "m/s", STATE, "v_p at n-1/2 in pure MPM, n when coupled")                    \
+    X(P_AFFINE, "affine_velocity", POINT, GRADIENT, "1/s", STATE,                                                    \
+      "C_p: the point's velocity field is v_p + C_p (x - x_p)")                                                      \
     X(P_F, "deformation_gradient", POINT, DEFORM, "1", STATE, "F_p")                                                 \
     X(P_J, "volume_ratio", POINT, SCALAR, "1", STATE, "J_p = V/V0, for laws that need no F")                         \
     X(P_STRESS, "stress", POINT, STRESS, "Pa", STATE, "Cauchy, tension positive, gauge to the reference pressure")   \
@@ -46,6 +48,7 @@
     X(N_FORCE, "node_force", NODE, VECTOR, "N", SCRATCH, "f_i = internal + external")                                \
     X(N_VEL, "node_velocity", NODE, VECTOR, "m/s", SCRATCH, "v_i")                                                   \
     X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                    \
+    X(N_VEL_FILTERED, "node_velocity_filtered", NODE, VECTOR, "m/s", SCRATCH, "what XPIC keeps of v_i")              \
     X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH,                                                   \
       "a_i = (v_i^L - v_i) / dt after boundary conditions")                                                          \
     X(N_COLOUR, "node_colour", NODE, SCALAR, "m3", SCRATCH, "phi_i = sum of V0_p times a smoothing kernel")          \

@@ -11,6 +11,10 @@
 #include "mpm/mpm.h"
 #include "mpm/normal/normal.h"
 
+/* Nodes along an axis that a basis may reach: with more, bodies share nodes that neither of them is near, and normals of thin ones
+ * are off by up to 90 degrees (measured with the cubic basis). */
+enum { CONTACT_SUPPORT = 3 };
+
 struct mpm_contact {
     const normal_model *normal;
     bool named[MPM_MAX_GROUPS]; /* a body of the contact; else the group of all others */

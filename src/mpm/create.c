@@ -105,6 +105,9 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->coupled = coupled;
     s->basis = basis_find(sc->method.basis);
     if (!s->basis) return fail(s->ctx, FLOE_BAD_INPUT, "there is no basis '%s'", sc->method.basis);
+    s->transfer = transfer_find(sc->method.transfer);
+    if (!s->transfer) return fail(s->ctx, FLOE_BAD_INPUT, "there is no transfer '%s'", sc->method.transfer);
+    s->share = isnan(s->transfer->share) ? sc->method.flip : s->transfer->share;
     for (int b = 0; b < sc->n_bodies; ++b)
         if (!coupled || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
     if (s->n_groups > MPM_MAX_GROUPS)

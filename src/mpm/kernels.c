@@ -10,11 +10,23 @@ FLOE_ALWAYS_INLINE void stress_matrix(const point_arrays *p, size_t k, double ad
         for (int b = 0; b < dim; ++b) T[a][b] = p->stress[row[a][b]][k] + (a == b ? add : 0.0);
 }
 
+/* Adds the share m S C (x_i - x_p) of a point to a node's momentum; r = x_i - x_p. */
+FLOE_ALWAYS_INLINE void add_affine(double *restrict momentum, const point_arrays *p, size_t k, double share,
+                                   const double r[3], const int dim)
+{
+    for (int a = 0; a < dim; ++a) {
+        double v = 0.0;
+        for (int c = 0; c < dim; ++c) v += p->affine[dim * a + c][k] * r[c];
+        momentum[a] += share * v;
+    }
+}
+
 /* f_i = -V (sigma + p_p I - q I) . grad S + S m b (numerics 4.1); hoop term of numerics 4.5. `centred`: grad S is taken
  * elsewhere than S (locate.h). */
 FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                                      double *restrict out, const int dim, const bool axisymmetric,
-                                     const basis_kind kind, const bool momentum, const bool force, const bool centred)
+                                     const basis_kind kind, const bool momentum, const bool force, const bool centred,
+                                     const bool affine)
 {
     const int components = (momentum ? 1 + dim : 0) + (force ? dim : 0);
     const int force_at = momentum ? 1 + dim : 0;
@@ -48,6 +60,11 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
             for (int x = 0; x < basis_support(kind); ++x) {
                 double *restrict node = out + (ptrdiff_t)(row + x) * components;
                 if (momentum) pairs_scatter(node, s.w[0][x], &M, 1 + dim);
+                if (affine) {
+                    const double r[3] = {s.offset[0] + x * m->h[0], dim > 1 ? s.offset[1] + y_ * m->h[1] : 0.0,
+                                         dim > 2 ? s.offset[2] + z_ * m->h[2] : 0.0};
+                    add_affine(node + 1, p, k, mass * W * s.w[0][x], r, dim);
+                }
                 if (force && centred) pairs_scatter(node + force_at, s.w[0][x], &across, dim);
                 if (force && !centred) pairs_scatter_two(node + force_at, s.w[0][x], &across, s.dw[0][x], &along, dim);
             }
@@ -160,6 +177,35 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
     }
 }
 
+/* C = B/D (transfer.h), rows counted from `start`; the window holds v of each node. */
+FLOE_ALWAYS_INLINE void moments_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                     const double *restrict window, const gather_result *to, const int dim,
+                                     const basis_kind kind)
+{
+    const tile_frame frame = frame_of(m, t, dim);
+    for (size_t k = start; k < end; ++k) {
+        const stencil s = locate(&frame, p, k, dim, kind, false);
+        double B[3][3] = {{0.0}}, D[3] = {0.0};
+        for (int a = 0; a < dim; ++a)
+            for (int i = 0; i < basis_support(kind); ++i) {
+                const double r = s.offset[a] + i * m->h[a];
+                D[a] += s.w[a][i] * r * r;
+            }
+        FOR_ROWS(s, dim, kind, {
+            const double ry = dim > 1 ? s.offset[1] + y_ * m->h[1] : 0.0,
+                         rz = dim > 2 ? s.offset[2] + z_ * m->h[2] : 0.0;
+            for (int x = 0; x < basis_support(kind); ++x) {
+                const double S = W * s.w[0][x], r[3] = {s.offset[0] + x * m->h[0], ry, rz};
+                const double *v = window + (ptrdiff_t)(row + x) * dim;
+                for (int a = 0; a < dim; ++a)
+                    for (int c = 0; c < dim; ++c) B[a][c] += S * v[a] * r[c];
+            }
+        });
+        for (int a = 0; a < dim; ++a)
+            for (int c = 0; c < dim; ++c) to->L[3 * a + c][k - start] = B[a][c] / D[c];
+    }
+}
+
 FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                                     const double *restrict window, double *restrict out, const int dim,
                                     const basis_kind kind)
@@ -178,10 +224,15 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
 #define SCATTER(name, dim, axi, kind, momentum, force)                                                               \
     static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, double *out) \
     {                                                                                                                \
-        if ((kind) == BASIS_LINEAR && (force) && p->centred)                                                         \
-            scatter_body(m, t, p, start, end, out, dim, axi, kind, momentum, force, true);                           \
+        const bool centred = (kind) == BASIS_LINEAR && (force) && p->centred, affine = (momentum) && p->affine[0];   \
+        if (centred && affine)                                                                                       \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, momentum, force, true, true);                     \
+        else if (centred)                                                                                            \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, momentum, force, true, false);                    \
+        else if (affine)                                                                                             \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, momentum, force, false, true);                    \
         else                                                                                                         \
-            scatter_body(m, t, p, start, end, out, dim, axi, kind, momentum, force, false);                          \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, momentum, force, false, false);                   \
     }
 
 #define GATHER(name, dim, axi, kind, motion, gradient)                                                    \
@@ -192,6 +243,14 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
             gather_body(m, t, p, start, end, window, step, out, dim, axi, kind, motion, gradient, true);  \
         else                                                                                              \
             gather_body(m, t, p, start, end, window, step, out, dim, axi, kind, motion, gradient, false); \
+    }
+
+#define MOMENTS(name, dim, kind)                                                                        \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
+                     const double *window, const gather_step *step, const gather_result *out)           \
+    {                                                                                                   \
+        (void)step;                                                                                     \
+        moments_body(m, t, p, start, end, window, out, dim, kind);                                      \
     }
 
 #define SAMPLE(name, dim, kind)                                                                         \
@@ -208,19 +267,27 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
     GATHER(motion_##geometry##_##basis, dim, axi, kind, true, false)    \
     GATHER(gradient_##geometry##_##basis, dim, axi, kind, false, true)  \
     GATHER(both_##geometry##_##basis, dim, axi, kind, true, true)       \
+    MOMENTS(moments_##geometry##_##basis, dim, kind)                    \
     SAMPLE(sample_##geometry##_##basis, dim, kind)
 
-#define KERNELS(geometry, basis)                                                                           \
-    {                                                                                                      \
-        .scatter = {momentum_##geometry##_##basis, force_##geometry##_##basis, all_##geometry##_##basis},  \
-        .gather = {motion_##geometry##_##basis, gradient_##geometry##_##basis, both_##geometry##_##basis}, \
-        .sample = sample_##geometry##_##basis                                                              \
+#define KERNELS(geometry, basis)                                                                          \
+    {                                                                                                     \
+        .scatter = {momentum_##geometry##_##basis, force_##geometry##_##basis, all_##geometry##_##basis}, \
+        .gather = {motion_##geometry##_##basis, gradient_##geometry##_##basis, both_##geometry##_##basis, \
+                   moments_##geometry##_##basis},                                                         \
+        .sample = sample_##geometry##_##basis                                                             \
     }
 
-#define ALL_BASES(X, geometry, dim, axi)        \
-    X(geometry, dim, axi, linear, BASIS_LINEAR) \
-    X(geometry, dim, axi, gimp, BASIS_GIMP)     \
-    X(geometry, dim, axi, quadratic, BASIS_QUADRATIC)
+#define ALL_KERNELS(geometry)                                                                                      \
+    {                                                                                                              \
+        KERNELS(geometry, linear), KERNELS(geometry, gimp), KERNELS(geometry, quadratic), KERNELS(geometry, cubic) \
+    }
+
+#define ALL_BASES(X, geometry, dim, axi)              \
+    X(geometry, dim, axi, linear, BASIS_LINEAR)       \
+    X(geometry, dim, axi, gimp, BASIS_GIMP)           \
+    X(geometry, dim, axi, quadratic, BASIS_QUADRATIC) \
+    X(geometry, dim, axi, cubic, BASIS_CUBIC)
 
 ALL_BASES(INSTANTIATE, line, 1, false)
 ALL_BASES(INSTANTIATE, plane, 2, false)
@@ -230,10 +297,10 @@ ALL_BASES(INSTANTIATE, solid, 3, false)
 kernel_set kernels_of(int dim, mesh_geometry geometry, basis_kind kind)
 {
     static const kernel_set table[4][BASIS_KINDS] = {
-        {KERNELS(line, linear), KERNELS(line, gimp), KERNELS(line, quadratic)},
-        {KERNELS(plane, linear), KERNELS(plane, gimp), KERNELS(plane, quadratic)},
-        {KERNELS(axisymmetric, linear), KERNELS(axisymmetric, gimp), KERNELS(axisymmetric, quadratic)},
-        {KERNELS(solid, linear), KERNELS(solid, gimp), KERNELS(solid, quadratic)},
+        ALL_KERNELS(line),
+        ALL_KERNELS(plane),
+        ALL_KERNELS(axisymmetric),
+        ALL_KERNELS(solid),
     };
     const int row = dim == 1 ? 0 : dim == 3 ? 3 : geometry == MESH_AXISYMMETRIC ? 2 : 1;
     return table[row][kind];

@@ -32,9 +32,10 @@ FLOE_ALWAYS_INLINE tile_frame frame_of(const mesh *m, const tile_box *t, const i
 }
 
 typedef struct stencil {
-    double w[3][3], dw[3][3];
-    int node;      /* of the window: the first node of the stencil */
-    double radius; /* m: along the first axis, where the weights were taken */
+    double w[MESH_MAX_DIM][BASIS_MAX_SUPPORT], dw[MESH_MAX_DIM][BASIS_MAX_SUPPORT];
+    int node;                    /* of the window: the first node of the stencil */
+    double offset[MESH_MAX_DIM]; /* m: from the point to the first node along each axis */
+    double radius;               /* m: along the first axis, where the weights were taken */
 } stencil;
 
 /* The cell is clamped to the tile, so that round-off at a cell's face never leaves the window.
@@ -69,6 +70,7 @@ FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, si
         const double half = kind == BASIS_GIMP ? p->half[a][k] * f->inv_h[a] : 0.5;
         const int first = basis_1d(kind, centred ? 0.5 : at[a] - cell[a], half, f->inv_h[a], s.w[a], s.dw[a]);
         if (a == 0) s.radius = centred ? f->lower[0] + (f->first[0] + cell[0] + 0.5) / f->inv_h[0] : p->x[0][k];
+        s.offset[a] = (cell[a] + first - at[a]) / f->inv_h[a];
         s.node += row * (cell[a] + first + basis_reach(kind));
         row *= width;
     }
@@ -80,7 +82,7 @@ FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, si
 }
 
 /* Loops over the rows of a stencil along the first axis: the body sees `row` (index in the window of its first node), `W` (product
- * of the weights of the other axes) and its derivatives `Wy`, `Wz` (1/m). What a row's nodes share is then worked out once. */
+ * of the weights of the other axes) and its derivatives `Wy`, `Wz` (1/m), and the nodes `y_` and `z_` along those. What a row's nodes share is then worked out once. */
 #define FOR_ROWS(s, dim, kind, ...)                                                               \
     do {                                                                                          \
         const int width_ = window_width(dim, kind), support_ = basis_support(kind);               \

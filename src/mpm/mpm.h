@@ -9,6 +9,7 @@
 #include "grid/ledger.h"
 #include "grid/stage.h"
 #include "mpm/basis/basis.h"
+#include "mpm/transfer/transfer.h"
 #include "scene/scene.h"
 
 enum { MPM_MAX_GROUPS = FIELD_MAX_INSTANCES };
@@ -42,6 +43,8 @@ typedef struct mpm {
     stage_list *stages; /* not owned */
     ledger *ledger;     /* not owned */
     const basis_model *basis;
+    const transfer_model *transfer;
+    double share; /* of FLIP in the velocities of points */
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;
@@ -79,7 +82,9 @@ floe_status mpm_node_update(mpm *s);       /* v_i^L with damping and walls */
 floe_status mpm_contact_velocity(mpm *s);  /* v_i^L of bodies in contact */
 floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
 floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
-floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress */
+floe_status mpm_filter_velocities(mpm *s); /* XPIC: v_p without what the mesh does not see (filter.c) */
+floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress; TPIC: C_p */
+floe_status mpm_carry_moments(mpm *s);     /* APIC: C_p from the moments of v^L about the points */
 floe_status mpm_cell_density(mpm *s);      /* rho_p of fluids from the masses of cells (density.c) */
 floe_status mpm_stress_last(mpm *s);       /* USL with such densities: stress from v_i^L once all points have moved */
 floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, then L_p, F, stress */

@@ -27,6 +27,11 @@ static bool is_usf(const mpm *s)
     return s->scene->method.stress == STRESS_USF;
 }
 
+static bool carries(const mpm *s)
+{
+    return s->transfer->carry != CARRY_NOTHING;
+}
+
 static bool has_contact(const mpm *s)
 {
     return s->contact != NULL;
@@ -56,7 +61,8 @@ static bool is_usl(const mpm *s)
 floe_status mpm_mass_stages(mpm *s)
 {
     const bool gimp = s->basis->kind == BASIS_GIMP, force = forces_at_once(s);
-    STAGE(s, ALWAYS, mpm_points_to_nodes, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(gimp, P_HALF), POINT_STATE),
+    STAGE(s, ALWAYS, mpm_points_to_nodes,
+          READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), WHEN(gimp, P_HALF), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, WHEN(gimp, P_HALF)),
           WRITES(N_COLOUR, N_NORMAL));
@@ -87,15 +93,19 @@ floe_status mpm_motion_stages(mpm *s)
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
+    STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, P_MASS, P_POS, P_VEL),
+          WRITES(N_MASS, N_MOMENTUM, N_VEL, N_VEL_FILTERED, P_POS, P_VEL));
     STAGE(s, usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, TANGENT, POINT_STATE),
-          WRITES(P_POS, P_VEL, POINT_STATE));
-    STAGE(s, !usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL), WRITES(P_POS, P_VEL));
+          WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));
+    STAGE(s, !usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL),
+          WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE)));
+    STAGE(s, carries(s) && !carries_gradient(s), mpm_carry_moments, READS(N_VEL_L, P_POS), WRITES(P_AFFINE));
     STAGE(s, s->cell_density && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
     STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE),
           WRITES(POINT_STATE));
     STAGE(s, is_musl(s), mpm_remap_stress,
-          READS(P_POS, P_VEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE,
-                WHEN(s->cell_density, P_DENSITY)),
+          READS(P_POS, P_VEL, WHEN(carries(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH),
+                TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     STAGE(s, s->membranes, mpm_turn_membranes,

@@ -13,7 +13,7 @@ static size_t node_count(const mpm *s, int blk)
     return s->mesh->block[blk].size;
 }
 
-static void divide_momentum(const mpm *s, int blk, int group, field_id out)
+static void divide_block(const mpm *s, int blk, int group, field_id out)
 {
     const fields *f = s->domain->fields[blk];
     const double *restrict mass = field_get(f, N_MASS, group, 0);
@@ -26,10 +26,15 @@ static void divide_momentum(const mpm *s, int blk, int group, field_id out)
     }
 }
 
+void divide_momenta(mpm *s, int group, field_id out)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) divide_block(s, b, group, out);
+}
+
 floe_status mpm_node_velocity(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
-        for (int b = 0; b < s->mesh->n_blocks; ++b) divide_momentum(s, b, g, N_VEL);
+        divide_momenta(s, g, N_VEL);
         impose_walls(s, g, N_VEL);
     }
     if (s->contact) contact_velocities(s, s->scene->method.stress == STRESS_USF ? CONTACT_FORESEE : CONTACT_REPEAT);

@@ -28,6 +28,8 @@ floe_status mpm_node_force(mpm *s)
 typedef struct tile_pass {
     field_id velocity; /* node field that L is taken from */
     bool motion, stress;
+    bool sample; /* motion: v_p becomes that velocity, and nothing moves */
+    bool carry;  /* C_p (transfer.h) from that velocity */
 } tile_pass;
 
 static void node_arrays(const mpm *s, int blk, int group, field_id id, const double *array[MESH_MAX_DIM])
@@ -54,7 +56,7 @@ static void load_pass(const mpm *s, int blk, int group, const tile_box *t, tile_
         node_arrays(s, blk, group, N_ACCEL, node + dim);
         count += dim;
     }
-    const bool mass = gather_needs_mass(s->basis->kind, pass.motion, pass.stress);
+    const bool mass = gather_needs_mass(s->basis->kind, pass.motion, pass.stress || pass.carry);
     if (mass) node[count++] = field_get(s->domain->fields[blk], N_MASS, group, 0);
     load_window(s, blk, t, node, count, window);
     if (mass) mirror_masses(s, t, count, window);
@@ -114,19 +116,45 @@ static void add_fall(const mpm *s, const point_arrays *p, const gather_result *o
     }
 }
 
+/* With the linear basis the moments are the gradient, which is then taken with light nodes in view (kernels.c). */
+bool carries_gradient(const mpm *s)
+{
+    const transfer_carry carry = s->transfer->carry;
+    return carry == CARRY_GRADIENT || (carry == CARRY_MOMENTS && s->basis->kind == BASIS_LINEAR);
+}
+
+static gather_kernel *kernel_of(const mpm *s, tile_pass pass)
+{
+    const bool gradient = pass.stress || (pass.carry && carries_gradient(s));
+    const gather_mode mode = gradient      ? (pass.motion ? GATHER_BOTH : GATHER_GRADIENT)
+                             : pass.motion ? GATHER_MOTION
+                                           : GATHER_MOMENTS;
+    return s->work->kernel.gather[mode];
+}
+
+static void store_affine(const mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *batch)
+{
+    const int dim = s->mesh->dim;
+    for (int a = 0; a < dim; ++a)
+        for (int c = 0; c < dim; ++c)
+            memcpy(field_next(s->domain->fields[blk], P_AFFINE, body, dim * a + c) + start, batch->L[3 * a + c],
+                   (end - start) * sizeof(double));
+}
+
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
 static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
                              const double *window, solid_batch *batch, double *gain)
 {
-    const point_arrays p = points_of(s, blk, body, false, false);
+    const point_arrays p = points_of(s, blk, body, false, pass.motion && !pass.sample && s->transfer->filter);
     const gather_result out = result_of(s, blk, body, pass, batch);
-    const gather_step step = {s->work->kick, s->dt, s->scene->method.flip};
-    gather_kernel *gather =
-        s->work->kernel.gather[pass.motion ? (pass.stress ? GATHER_BOTH : GATHER_MOTION) : GATHER_GRADIENT];
+    const gather_step step = pass.sample ? (gather_step){0.0, 0.0, 0.0} : (gather_step){s->work->kick, s->dt, s->share};
+    gather_kernel *gather = kernel_of(s, pass);
     for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         if (pass.stress) clear_free_rates(s, batch);
         gather(s->mesh, t, &p, k, stop, window, &step, &out);
+        if (pass.carry) store_affine(s, blk, body, k, stop, batch);
+        if (pass.sample) continue;
         if (pass.motion) add_fall(s, &p, &out, k, stop, gain);
         if (pass.motion) TRY(check_motion(s, body, t->number, motion_of(s->mesh, k, stop, &p, &out)));
         if (!pass.stress) continue;
@@ -191,6 +219,16 @@ static floe_status pass_points(mpm *s, tile_pass pass)
     return worst;
 }
 
+floe_status sample_velocities(mpm *s, field_id velocity)
+{
+    return pass_points(s, (tile_pass){.velocity = velocity, .motion = true, .sample = true});
+}
+
+floe_status mpm_carry_moments(mpm *s)
+{
+    return pass_points(s, (tile_pass){.velocity = N_VEL_L, .carry = true});
+}
+
 floe_status mpm_stress_first(mpm *s)
 {
     TRY(set_heating(s));
@@ -201,7 +239,7 @@ floe_status mpm_nodes_to_points(mpm *s)
 {
     const bool usl = s->scene->method.stress == STRESS_USL && !s->cell_density;
     if (usl) TRY(set_heating(s));
-    TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl}));
+    TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl, .carry = carries_gradient(s)}));
     for (int g = 0; g < s->n_groups; ++g) move_surfaces(s, g);
     return FLOE_OK;
 }

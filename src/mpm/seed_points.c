@@ -46,6 +46,32 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
     return FLOE_OK;
 }
 
+static floe_status velocity_at(const mpm *s, const mpm_body *b, const double x[3], double velocity[3])
+{
+    double stress[6];
+    fluid_state state;
+    return b->fluid ? body_fluid_state(s->scene, b->scene_body, x, &state, velocity)
+                    : body_solid_state(s->scene, b->scene_body, x, velocity, stress);
+}
+
+/* C_p is the gradient of the velocity that the body starts with, by differences over half a cell: a motion that is linear in space
+ * begins without an error. */
+static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const double x[3])
+{
+    const int dim = s->mesh->dim;
+    for (int c = 0; c < dim; ++c) {
+        const double way = 0.25 * s->mesh->h[c];
+        double ahead[3] = {x[0], x[1], x[2]}, behind[3] = {x[0], x[1], x[2]}, v[2][3];
+        ahead[c] += way;
+        behind[c] -= way;
+        TRY(velocity_at(s, &s->body[body], ahead, v[1]));
+        TRY(velocity_at(s, &s->body[body], behind, v[0]));
+        for (int a = 0; a < dim; ++a)
+            field_get(s->domain->fields[blk], P_AFFINE, body, dim * a + c)[k] = (v[1][a] - v[0][a]) / (2.0 * way);
+    }
+    return FLOE_OK;
+}
+
 static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list, size_t n)
 {
     static const int unit[3][3] = {{0, 1, 2}, {0, 3, 4}, {0, 4, 8}};
@@ -75,6 +101,7 @@ static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n
     double x[3] = {0};
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = list->x[a][n];
     TRY(set_state(s, blk, body, points->n, x, list->volume[n]));
+    if (fields_has(s->domain->fields[blk], P_AFFINE, body)) TRY(set_affine(s, blk, body, points->n, x));
     if (s->body[body].membrane.model) TRY(set_membrane(s, blk, body, points->n, n));
     points->n++;
     return FLOE_OK;

@@ -11,7 +11,7 @@ static int cell_of(const mesh *m, int axis, const double x[3])
 place_stencil stencil_at(const mpm *s, const double x[3])
 {
     int first[3] = {0, 0, 0}, count[3] = {1, 1, 1};
-    double w[3][3] = {{1.0}, {1.0}, {1.0}}, slope[3];
+    double w[3][BASIS_MAX_SUPPORT] = {{1.0}, {1.0}, {1.0}}, slope[BASIS_MAX_SUPPORT];
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double inv_h = 1.0 / s->mesh->h[a];
         const int cell = cell_of(s->mesh, a, x);

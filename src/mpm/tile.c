@@ -62,6 +62,8 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     p.J = next_stress ? field_next(f, P_J, body, 0) : field_get(f, P_J, body, 0);
     p.q = next_stress ? field_next(f, P_VISCOUS_PRESSURE, body, 0) : field_get(f, P_VISCOUS_PRESSURE, body, 0);
     p.centred = s->body[body].fluid && s->basis->kind == BASIS_LINEAR;
+    for (int c = 0; s->transfer->carry && c < s->mesh->dim * s->mesh->dim; ++c)
+        p.affine[c] = next_velocity ? field_next(f, P_AFFINE, body, c) : field_get(f, P_AFFINE, body, c);
     p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);
     memcpy(p.acceleration, s->work->acceleration[body], sizeof p.acceleration);
     return p;

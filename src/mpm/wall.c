@@ -235,7 +235,7 @@ static void still_sum(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
     (void)inward;
     wall_rule *r = user;
     const fields *f = r->s->domain->fields[blk];
-    const double kept = r->s->scene->method.flip * r->s->work->kick * field_get(f, N_MASS, r->group, 0)[at];
+    const double kept = r->s->share * r->s->work->kick * field_get(f, N_MASS, r->group, 0)[at];
     for (int c = 0; c < r->s->mesh->dim; ++c) {
         if (!r->hold[c]) continue;
         const double impulse = -kept * field_get(f, N_ACCEL, r->group, c)[at];
@@ -279,7 +279,7 @@ static void add_mirror(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
     /* A ghost without mass may still have a surface's load. */
     const double v = mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0;
     r->sum -= 2.0 * (r->s->work->kick * (force[ghost] + mass[ghost] * acceleration[inner]) +
-                     (1.0 - r->s->scene->method.flip) * (momentum[ghost] + mass[ghost] * v));
+                     (1.0 - r->s->share) * (momentum[ghost] + mass[ghost] * v));
 }
 
 void enter_mirrors(mpm *s, int group)

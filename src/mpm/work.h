@@ -21,6 +21,7 @@ typedef struct point_arrays {
     const double *mass, *volume0, *J;    /* kg, m3, 1 */
     const double *stress[6];             /* Pa, 1-D xx yy zz; 2-D xx yy zz xy; 3-D xx yy zz xy yz zx */
     const double *q, *grid_pressure;     /* Pa */
+    const double *affine[9];             /* 1/s, d x d by rows: C_p (transfer.h) */
     double acceleration[3];              /* m/s2: body forces on this body */
     bool centred;                        /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
@@ -41,7 +42,8 @@ typedef struct gather_step {
     double flip;
 } gather_step;
 
-typedef enum gather_mode { GATHER_MOTION, GATHER_GRADIENT, GATHER_BOTH, GATHER_MODES } gather_mode;
+/* Moments: C of transfer.h in place of the gradient; not for the linear basis, of which the two are the same. */
+typedef enum gather_mode { GATHER_MOTION, GATHER_GRADIENT, GATHER_BOTH, GATHER_MOMENTS, GATHER_MODES } gather_mode;
 
 /* From the nodes of a tile's window, interleaved per node (see gather_body), to points [start, end). */
 typedef void gather_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
@@ -146,6 +148,13 @@ typedef struct node_target {
 void gather_nodes(const mpm *s, int blk, const node_target *out);
 /* Copies the window of a tile from node arrays: `count` components interleaved (tile.c). */
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window);
+
+/* Whether C_p comes with the pass that moves the points, as the gradient there (points.c). */
+bool carries_gradient(const mpm *s);
+/* v_p becomes sum S v of a node field, in the next state (points.c). */
+floe_status sample_velocities(mpm *s, field_id velocity);
+/* v_i = momentum over mass, none where there is no mass, on the nodes of every block (node.c). */
+void divide_momenta(mpm *s, int group, field_id out);
 
 /* Whether forces are scattered with the masses (mpm_step.c). */
 bool forces_at_once(const mpm *s);

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "mpm/basis/basis.h"
 #include "mpm/normal/normal.h"
+#include "mpm/transfer/transfer.h"
 #include "verify/exact.h"
 #include "verify/history_metric.h"
 #include "verify/metric.h"
@@ -71,6 +72,7 @@ typedef struct catalogue_box {
     deck_exact *exact;                 /* owned */
     deck_history_reference *reference; /* owned */
     deck_name *basis;                  /* owned */
+    deck_name *transfer;               /* owned */
     deck_name *normal;                 /* owned */
     deck_name metric[METRIC_COUNT + HISTORY_METRIC_COUNT];
 } catalogue_box;
@@ -80,6 +82,7 @@ static floe_status fill(catalogue_box *box, context *ctx)
     TRY(memory_new(ctx, &box->exact, exact_registry_size, sizeof *box->exact));
     TRY(memory_new(ctx, &box->reference, reference_registry_size, sizeof *box->reference));
     TRY(memory_new(ctx, &box->basis, basis_registry_size, sizeof *box->basis));
+    TRY(memory_new(ctx, &box->transfer, transfer_registry_size, sizeof *box->transfer));
     TRY(memory_new(ctx, &box->normal, normal_registry_size, sizeof *box->normal));
     for (size_t i = 0; i < exact_registry_size; i++) {
         const exact_model *m = exact_registry[i];
@@ -92,6 +95,8 @@ static floe_status fill(catalogue_box *box, context *ctx)
     }
     for (size_t i = 0; i < basis_registry_size; i++)
         box->basis[i] = (deck_name){basis_registry[i]->name, basis_registry[i]->doc};
+    for (size_t i = 0; i < transfer_registry_size; i++)
+        box->transfer[i] = (deck_name){transfer_registry[i]->name, transfer_registry[i]->doc};
     for (size_t i = 0; i < normal_registry_size; i++)
         box->normal[i] = (deck_name){normal_registry[i]->name, normal_registry[i]->doc};
     for (int i = 0; i < METRIC_COUNT; i++) {
@@ -108,6 +113,8 @@ static floe_status fill(catalogue_box *box, context *ctx)
                                       .n_reference = reference_registry_size,
                                       .basis = box->basis,
                                       .n_basis = basis_registry_size,
+                                      .transfer = box->transfer,
+                                      .n_transfer = transfer_registry_size,
                                       .normal = box->normal,
                                       .n_normal = normal_registry_size,
                                       .metric = box->metric,
@@ -137,6 +144,7 @@ void catalogue_destroy(context *ctx, deck_catalogue **catalogue)
     memory_free(ctx, &box->exact);
     memory_free(ctx, &box->reference);
     memory_free(ctx, &box->basis);
+    memory_free(ctx, &box->transfer);
     memory_free(ctx, &box->normal);
     memory_free(ctx, &box);
     *catalogue = NULL;

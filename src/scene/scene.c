@@ -56,7 +56,9 @@ static void set_defaults(scene *s)
     s->ambient_material = -1;
     strcpy(s->method.basis, "quadratic");
     strcpy(s->contact.normals, "colour");
+    strcpy(s->method.transfer, "flip");
     s->method.flip = 0.99;
+    s->method.filter_order = 2;
     s->method.conserve_energy = true;
     s->method.exchange = 1e15;
     s->method.volume_relaxation = 0.0;

@@ -156,10 +156,12 @@ typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FI
 typedef struct scene_method {
     char basis[SCENE_NAME]; /* linear, gimp, quadratic: basis_registry */
     stress_scheme stress;
-    double flip;           /* 1 FLIP, 0 PIC; 0 to 1 */
-    point_density density; /* of fluid points (mpm/density.c) */
-    ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
-    bool conserve_energy;  /* numerics 2.8 */
+    char transfer[SCENE_NAME]; /* flip, pic, xpic, apic, tpic: transfer_registry */
+    double flip;               /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1 */
+    int filter_order;          /* of transfer xpic, 2 to 20 */
+    point_density density;     /* of fluid points (mpm/density.c) */
+    ice_centring centring;     /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
+    bool conserve_energy;      /* numerics 2.8 */
     ice_limiter limiter;
     double exchange;           /* K, kg/(m3 s), between all pairs; 0 to 1e20 */
     double heat_exchange;      /* R, W/(m3 K) */

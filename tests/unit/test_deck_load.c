@@ -197,7 +197,7 @@ static void axes_are_r_and_z_when_axisymmetric(void **state)
     fixture *f = *state;
     scene *s = load_text(f, "floe: 1\ncoupling: ice\n"
                             "domain: {geometry: axisymmetric, lower: [0, 0], upper: [1, 2], cell: 0.5}\n"
-                            "materials: {g: {eos: {ideal: {specific_heat: 700}}}}\n"
+                            "materials: {g: {eos: {ideal: {specific_heat: 700}}, viscosity: {shear: 1e-3}}}\n"
                             "boundaries: {z: periodic, r: {upper: {no_slip: {velocity: [0, 2]}}}}\n"
                             "bodies: {b: {material: g, shape: {ball: {radius: 5}}, pressure: 1e5, temperature: 300}}\n"
                             "time: {end: 1, cfl: {ice: 0.3}}\n");

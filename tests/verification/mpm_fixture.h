@@ -4,6 +4,7 @@
 
 #include "check.h"
 
+#include "mpm/contact.h"
 #include "sim/sim.h"
 #include "verify/exact.h"
 #include "verify/norms.h"
@@ -81,6 +82,11 @@ FIXTURE void set_method(trial *t, const char *basis, stress_scheme stress, doubl
     t->scene->method.stress = stress;
     t->scene->method.flip = flip;
 }
+
+/* Each basis that contact takes. */
+#define FOR_CONTACT_BASES(i)                           \
+    for (size_t i = 0; i < basis_registry_size; ++(i)) \
+        if (basis_registry[i]->support <= CONTACT_SUPPORT)
 
 FIXTURE int add_solid(trial *t, const char *law, double bulk, double shear, double density)
 {

@@ -71,24 +71,23 @@ static void test_momentum(void **state)
         double h;
         long steps;
     } sort[] = {{1, false, 0.025, 150}, {2, false, 0.1, 80}, {2, true, 0.1, 80}, {3, false, 0.1, 60}};
-    for (size_t g = 0; g < sizeof sort / sizeof *sort; ++g)
-        for (size_t i = 0; i < basis_registry_size; ++i)
-            for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme)
-                for (int kind = CONTACT_STICK; kind <= CONTACT_FRICTION; ++kind) {
-                    trial t;
-                    make_balls(&t, sort[g].dim, sort[g].axisymmetric, sort[g].h);
-                    set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 0.99);
-                    touch(&t, (contact_kind)kind, 0.3);
-                    t.scene->contact.criterion = (contact_criterion)(i % 3);
-                    t.scene->contact.touch = kind == scheme ? CONTACT_AT_NODES : CONTACT_AT_POINTS;
-                    trial_start(&t);
-                    trial_steps(&t, sort[g].steps);
-                    const long long *count = t.sim->ledger.count;
-                    check_true(ledger_worst(&t, sort[g].axisymmetric ? LEDGER_MOMENTUM_Y : LEDGER_MOMENTUM_X,
-                                            LEDGER_MOMENTUM_Z) <= 1e-13);
-                    check_true(count[COUNT_CONTACT_STICK] + count[COUNT_CONTACT_SLIP] > 0);
-                    trial_end(&t);
-                }
+    for (size_t g = 0; g < sizeof sort / sizeof *sort; ++g) FOR_CONTACT_BASES(i)
+    for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme)
+        for (int kind = CONTACT_STICK; kind <= CONTACT_FRICTION; ++kind) {
+            trial t;
+            make_balls(&t, sort[g].dim, sort[g].axisymmetric, sort[g].h);
+            set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 0.99);
+            touch(&t, (contact_kind)kind, 0.3);
+            t.scene->contact.criterion = (contact_criterion)(i % 3);
+            t.scene->contact.touch = kind == scheme ? CONTACT_AT_NODES : CONTACT_AT_POINTS;
+            trial_start(&t);
+            trial_steps(&t, sort[g].steps);
+            const long long *count = t.sim->ledger.count;
+            check_true(ledger_worst(&t, sort[g].axisymmetric ? LEDGER_MOMENTUM_Y : LEDGER_MOMENTUM_X,
+                                    LEDGER_MOMENTUM_Z) <= 1e-13);
+            check_true(count[COUNT_CONTACT_STICK] + count[COUNT_CONTACT_SLIP] > 0);
+            trial_end(&t);
+        }
 }
 
 typedef struct place {
@@ -110,30 +109,30 @@ static void keep_place(void *user, const fields *f, int body, size_t k)
 static void test_stick_is_no_slip(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < basis_registry_size; ++i)
-        for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme) {
-            place p[2];
-            for (int apart = 0; apart < 2; ++apart) {
-                trial t;
-                make_balls(&t, 2, false, 0.1);
-                set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 1.0);
-                t.scene->time.fixed_step = 0.01;
-                if (apart) touch(&t, CONTACT_STICK, 0.0);
-                t.scene->contact.touch = CONTACT_AT_NODES;
-                trial_start(&t);
-                assert_int_equal(t.sim->mpm->n_groups, 1 + apart);
-                p[apart] = (place){calloc(2 * mpm_count(t.sim->mpm), sizeof(double)), 0};
-                trial_steps(&t, 60);
-                visit_points(&t, 1, keep_place, &p[apart]);
-                trial_end(&t);
-            }
-            double worst = 0.0;
-            for (size_t k = 0; k < 2 * p[0].n; ++k) worst = fmax(worst, fabs(p[0].x[k] - p[1].x[k]));
-            print_message("%s, scheme %d: %.1e\n", basis_registry[i]->name, scheme, worst);
-            check_true(worst <= (basis_registry[i]->kind == BASIS_LINEAR ? 2e-3 : 1e-8));
-            free(p[0].x);
-            free(p[1].x);
+    FOR_CONTACT_BASES(i)
+    for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme) {
+        place p[2];
+        for (int apart = 0; apart < 2; ++apart) {
+            trial t;
+            make_balls(&t, 2, false, 0.1);
+            set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 1.0);
+            t.scene->time.fixed_step = 0.01;
+            if (apart) touch(&t, CONTACT_STICK, 0.0);
+            t.scene->contact.touch = CONTACT_AT_NODES;
+            trial_start(&t);
+            assert_int_equal(t.sim->mpm->n_groups, 1 + apart);
+            p[apart] = (place){calloc(2 * mpm_count(t.sim->mpm), sizeof(double)), 0};
+            trial_steps(&t, 60);
+            visit_points(&t, 1, keep_place, &p[apart]);
+            trial_end(&t);
         }
+        double worst = 0.0;
+        for (size_t k = 0; k < 2 * p[0].n; ++k) worst = fmax(worst, fabs(p[0].x[k] - p[1].x[k]));
+        print_message("%s, scheme %d: %.1e\n", basis_registry[i]->name, scheme, worst);
+        check_true(worst <= (basis_registry[i]->kind == BASIS_LINEAR ? 2e-3 : 1e-8));
+        free(p[0].x);
+        free(p[1].x);
+    }
 }
 
 /* Blocks that touch and move apart: each flies on as if alone, to round-off; without a contact they stick. */
@@ -141,29 +140,29 @@ static void test_parting(void **state)
 {
     (void)state;
     const double size[3] = {2.0, 1.0, 0.0}, va[3] = {-0.3, 0.1, 0.0}, vb[3] = {0.4, 0.1, 0.0};
-    for (size_t i = 0; i < basis_registry_size; ++i)
-        for (int kind = CONTACT_STICK; kind <= CONTACT_FRICTION; ++kind) {
-            trial t;
-            trial_begin(&t, 2, size, 0.1);
-            set_method(&t, basis_registry[i]->name, STRESS_USL, 1.0);
-            const int solid = add_solid(&t, "linear_elastic", bulk, shear, 1.0);
-            scene_body *a =
-                add_body(&t, solid, make_box(&t, (const double[]){0.6, 0.3, 0.0}, (const double[]){1.0, 0.7, 0.0}), 2);
-            memcpy(a->velocity, va, sizeof va);
-            scene_body *b =
-                add_body(&t, solid, make_box(&t, (const double[]){1.0, 0.3, 0.0}, (const double[]){1.4, 0.7, 0.0}), 2);
-            memcpy(b->velocity, vb, sizeof vb);
-            touch(&t, (contact_kind)kind, 0.5);
-            if (kind == CONTACT_STICK) t.scene->contact.touch = CONTACT_AT_NODES;
-            trial_start(&t);
-            trial_run(&t, 0.5);
-            const double error = fmax(sum_body(&t, 0, va).largest_error, sum_body(&t, 1, vb).largest_error);
-            if (kind == CONTACT_STICK)
-                check_true(error > 0.1);
-            else
-                check_true(error <= 1e-12);
-            trial_end(&t);
-        }
+    FOR_CONTACT_BASES(i)
+    for (int kind = CONTACT_STICK; kind <= CONTACT_FRICTION; ++kind) {
+        trial t;
+        trial_begin(&t, 2, size, 0.1);
+        set_method(&t, basis_registry[i]->name, STRESS_USL, 1.0);
+        const int solid = add_solid(&t, "linear_elastic", bulk, shear, 1.0);
+        scene_body *a =
+            add_body(&t, solid, make_box(&t, (const double[]){0.6, 0.3, 0.0}, (const double[]){1.0, 0.7, 0.0}), 2);
+        memcpy(a->velocity, va, sizeof va);
+        scene_body *b =
+            add_body(&t, solid, make_box(&t, (const double[]){1.0, 0.3, 0.0}, (const double[]){1.4, 0.7, 0.0}), 2);
+        memcpy(b->velocity, vb, sizeof vb);
+        touch(&t, (contact_kind)kind, 0.5);
+        if (kind == CONTACT_STICK) t.scene->contact.touch = CONTACT_AT_NODES;
+        trial_start(&t);
+        trial_run(&t, 0.5);
+        const double error = fmax(sum_body(&t, 0, va).largest_error, sum_body(&t, 1, vb).largest_error);
+        if (kind == CONTACT_STICK)
+            check_true(error > 0.1);
+        else
+            check_true(error <= 1e-12);
+        trial_end(&t);
+    }
 }
 
 /* A layer on a held one, periodic along x, under gravity that leans by `slope`: no edges, so that normals are exact. */
@@ -195,27 +194,27 @@ static void test_slope_slides(void **state)
 {
     (void)state;
     const double slope = 0.5, friction = 0.3, speed = 0.4;
-    for (size_t i = 0; i < basis_registry_size; ++i)
-        for (size_t n = 0; n < normal_registry_size; ++n) {
-            trial t;
-            make_slope(&t, basis_registry[i]->name, normal_registry[n]->name, slope, friction, speed, 0.0);
-            trial_steps(&t, 500);
-            /* Velocities live half a step behind. */
-            const double kicked = t.sim->time - 0.5 * t.scene->time.fixed_step;
-            const sums s = sum_body(&t, 1, NULL);
-            const double expected = speed + 0.05 * (sin(slope) - friction * cos(slope)) * kicked;
-            const double got = (s.momentum[0] + friction * s.momentum[1]) / s.mass;
-            print_message("%s, %s: v = %.6f, exact %.6f, across %.1e\n", basis_registry[i]->name,
-                          normal_registry[n]->name, got, expected, s.momentum[1] / s.mass);
-            const long long *count = t.sim->ledger.count;
-            print_message("    slips %lld, sticks %lld, light nodes %lld\n", count[COUNT_CONTACT_SLIP],
-                          count[COUNT_CONTACT_STICK], count[COUNT_SMALL_NODES]);
-            /* Forces on nodes that hardly have mass are dropped, into the ledger. */
-            check_close(got, expected, count[COUNT_SMALL_NODES] ? 1e-8 : 1e-12);
-            check_true(count[COUNT_CONTACT_SLIP] > 0 && count[COUNT_CONTACT_STICK] == 0);
-            check_true(fabs(s.momentum[1] / s.mass) < 0.05); /* it stays on the slope */
-            trial_end(&t);
-        }
+    FOR_CONTACT_BASES(i)
+    for (size_t n = 0; n < normal_registry_size; ++n) {
+        trial t;
+        make_slope(&t, basis_registry[i]->name, normal_registry[n]->name, slope, friction, speed, 0.0);
+        trial_steps(&t, 500);
+        /* Velocities live half a step behind. */
+        const double kicked = t.sim->time - 0.5 * t.scene->time.fixed_step;
+        const sums s = sum_body(&t, 1, NULL);
+        const double expected = speed + 0.05 * (sin(slope) - friction * cos(slope)) * kicked;
+        const double got = (s.momentum[0] + friction * s.momentum[1]) / s.mass;
+        print_message("%s, %s: v = %.6f, exact %.6f, across %.1e\n", basis_registry[i]->name, normal_registry[n]->name,
+                      got, expected, s.momentum[1] / s.mass);
+        const long long *count = t.sim->ledger.count;
+        print_message("    slips %lld, sticks %lld, light nodes %lld\n", count[COUNT_CONTACT_SLIP],
+                      count[COUNT_CONTACT_STICK], count[COUNT_SMALL_NODES]);
+        /* Forces on nodes that hardly have mass are dropped, into the ledger. */
+        check_close(got, expected, count[COUNT_SMALL_NODES] ? 1e-8 : 1e-12);
+        check_true(count[COUNT_CONTACT_SLIP] > 0 && count[COUNT_CONTACT_STICK] == 0);
+        check_true(fabs(s.momentum[1] / s.mass) < 0.05); /* it stays on the slope */
+        trial_end(&t);
+    }
 }
 
 /* Where tan a < mu the block stays, under a gravity that comes slowly: over the time in which a free one would slide by 0.1 its points
@@ -223,7 +222,8 @@ static void test_slope_slides(void **state)
 static void test_slope_sticks(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < basis_registry_size; ++i) {
+    FOR_CONTACT_BASES(i)
+    {
         trial t;
         make_slope(&t, basis_registry[i]->name, "colour", 0.3, 0.5, 0.0, 2.0);
         place start = {calloc(2 * mpm_count(t.sim->mpm), sizeof(double)), 0}, end = start;

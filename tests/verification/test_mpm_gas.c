@@ -137,7 +137,7 @@ static tube_error sod(const tube *c)
 }
 
 /* York's deck (A.4.1): 100 cells of 9 points, and 200 of 3; with and without Wilkins' viscosity. Measured with it 0.012 to 0.019 by
- * cell and 0.011 to 0.013 by continuity, without 0.018 to 0.023 and 0.016 to 0.018 (a second-order Godunov scheme on 100
+ * cell and 0.011 to 0.013 by continuity (cubic 0.014), without 0.018 to 0.023 and 0.016 to 0.018 (a second-order Godunov scheme on 100
  * cells: about 0.005). Of three points a cell a cell's count says little: 0.04; by continuity the quadratic basis has 0.007,
  * the linear one 0.03, since its points leave cells empty in the fan. */
 static void test_sod(void **state)
@@ -151,7 +151,7 @@ static void test_sod(void **state)
             c.linear = 0.2;
             c.quadratic = 2.0;
             const tube_error with = sod(&c);
-            check_true(with.cell <= 0.020 && with.point <= 0.0135);
+            check_true(with.cell <= 0.020 && with.point <= (basis_registry[i]->kind == BASIS_CUBIC ? 0.0145 : 0.0135));
         }
     check_true(sod(&(tube){"linear", STRESS_USL, 200, 3, 1.0, 0.2, 2.0, DENSITY_CONTINUITY}).point <= 0.04);
     check_true(sod(&(tube){"quadratic", STRESS_USL, 200, 3, 1.0, 0.2, 2.0, DENSITY_CONTINUITY}).point <= 0.008);

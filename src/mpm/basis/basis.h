@@ -10,9 +10,9 @@
 
 #include <stddef.h>
 
-typedef enum basis_kind { BASIS_LINEAR, BASIS_GIMP, BASIS_QUADRATIC, BASIS_KINDS } basis_kind;
+typedef enum basis_kind { BASIS_LINEAR, BASIS_GIMP, BASIS_QUADRATIC, BASIS_CUBIC, BASIS_KINDS } basis_kind;
 
-enum { BASIS_MAX_SUPPORT = 3 };
+enum { BASIS_MAX_SUPPORT = 4 };
 
 typedef struct basis_model {
     const char *name, *doc, *cite;

@@ -10,7 +10,7 @@
 /* Nodes along an axis that a point reaches, and how far beyond its own cell. */
 FLOE_ALWAYS_INLINE int basis_support(const basis_kind kind)
 {
-    return kind == BASIS_LINEAR ? 2 : 3;
+    return kind == BASIS_LINEAR ? 2 : kind == BASIS_CUBIC ? 4 : 3;
 }
 FLOE_ALWAYS_INLINE int basis_reach(const basis_kind kind)
 {
@@ -39,6 +39,21 @@ FLOE_ALWAYS_INLINE int basis_quadratic_1d(double xi, double inv_h, double *w, do
     dw[1] = -2.0 * d * inv_h;
     dw[2] = (d + 0.5) * inv_h;
     return first;
+}
+
+/* Cubic B-spline: 2/3 - d^2 + |d|^3/2 within a cell of the node, (2 - |d|)^3/6 to two. */
+FLOE_ALWAYS_INLINE int basis_cubic_1d(double xi, double inv_h, double *w, double *dw)
+{
+    const double from = xi, to = 1.0 - xi; /* distances to the nodes of the cell */
+    w[0] = to * to * to / 6.0;
+    w[1] = 2.0 / 3.0 - from * from + 0.5 * from * from * from;
+    w[2] = 2.0 / 3.0 - to * to + 0.5 * to * to * to;
+    w[3] = from * from * from / 6.0;
+    dw[0] = -0.5 * to * to * inv_h;
+    dw[1] = from * (1.5 * from - 2.0) * inv_h;
+    dw[2] = to * (2.0 - 1.5 * to) * inv_h;
+    dw[3] = 0.5 * from * from * inv_h;
+    return -1;
 }
 
 /* GIMP (Bardenhagen and Kober 2004): the linear hat averaged over the point's domain of half width l. */
@@ -71,6 +86,7 @@ FLOE_ALWAYS_INLINE int basis_1d(const basis_kind kind, double xi, double half, d
 {
     if (kind == BASIS_LINEAR) return basis_linear_1d(xi, inv_h, w, dw);
     if (kind == BASIS_QUADRATIC) return basis_quadratic_1d(xi, inv_h, w, dw);
+    if (kind == BASIS_CUBIC) return basis_cubic_1d(xi, inv_h, w, dw);
     return basis_gimp_1d(xi, half, inv_h, w, dw);
 }
 
