@@ -29,7 +29,10 @@ static double evaluate(equilibrium_cell *c, double p, double *slope)
     for (int r = 0; r < c->n; ++r) {
         if (!(c->a[r] > 0.0)) continue;
         double v, dvdp;
-        c->eos[r]->model->volume(c->eos[r]->par, 1, &p, &c->T[r], &v, &dvdp);
+        if (c->path[r])
+            v = isentrope_volume(c->path[r], p, &dvdp);
+        else
+            c->eos[r]->model->volume(c->eos[r]->par, 1, &p, &c->T[r], &v, &dvdp);
         c->v[r] = v;
         sum += c->a[r] * v;
         derivative += c->a[r] * dvdp;

@@ -1,5 +1,6 @@
 /* The equilibrium pressure of a mixed cell: the p at which its materials fill it (numerics 2.1; Guilkey et al. 2003, eq. 4),
- *     F(p) = sum_r a_r v_r(p, T_r) - 1 = 0,    a_r = m_r / V (m_r / TMV with materials carried by points), T_r frozen.
+ *     F(p) = sum_r a_r v_r(p) - 1 = 0,    a_r = m_r / V (m_r / TMV with materials carried by points),
+ * v_r(p) = v_r(p, T_r) with T_r frozen, or along an isentrope.
  *
  * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is
  * linear for an ideal gas beside an incompressible material; every iterate is kept inside a bracket made from the signs of
@@ -9,7 +10,7 @@
 #define COUPLING_EQUILIBRIUM_H
 
 #include "base/context.h"
-#include "material/eos.h"
+#include "coupling/isentrope.h"
 
 #include <stdbool.h>
 
@@ -19,13 +20,14 @@ enum { EQUILIBRIUM_MAX = 16 };
 typedef struct equilibrium_cell {
     int n;
     const eos *eos[EQUILIBRIUM_MAX];
-    double a[EQUILIBRIUM_MAX]; /* kg/m3 */
-    double T[EQUILIBRIUM_MAX]; /* K */
-    double p;                  /* Pa: guess in, pressure out */
-    double v[EQUILIBRIUM_MAX]; /* m3/kg at p, out */
-    double residual;           /* F(p), out */
-    int iterations;            /* out */
-    int fallbacks;             /* iterations that took the geometric mean, out */
+    double a[EQUILIBRIUM_MAX];              /* kg/m3 */
+    double T[EQUILIBRIUM_MAX];              /* K */
+    const isentrope *path[EQUILIBRIUM_MAX]; /* NULL: T is frozen */
+    double p;                               /* Pa: guess in, pressure out */
+    double v[EQUILIBRIUM_MAX];              /* m3/kg at p, out */
+    double residual;                        /* F(p), out */
+    int iterations;                         /* out */
+    int fallbacks;                          /* iterations that took the geometric mean, out */
 } equilibrium_cell;
 
 typedef struct equilibrium_solver equilibrium_solver;

@@ -235,7 +235,7 @@ static const key_spec verify_keys[] = {
     {"metrics", KEY_CUSTOM, .custom = &custom_metrics, .otherwise = "none", .doc = "errors that are reported"},
     {"body", KEY_BODY, AT(scene_verify, body), .otherwise = "all points of the material",
      .doc = "whose points are measured"},
-    {"material", KEY_MATERIAL, AT(scene_verify, material), .otherwise = "the first fluid",
+    {"material", KEY_MATERIAL, AT(scene_verify, material), .otherwise = "the first fluid; in cells of several fluids all together",
      .doc = "whose cells are measured"},
     {"region", KEY_MODEL, AT(scene_verify, region), .family = &family_shape, .otherwise = "everywhere",
      .doc = "where it is measured"},

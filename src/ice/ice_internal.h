@@ -154,7 +154,8 @@ typedef struct ice_work {
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     ice_reservoir reservoir[MESH_MAX_DIM][2];
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
-    bool reconcile; /* some fluid's energy depends on volume at a given temperature (ice_mixture.c) */
+    bool
+        reconcile; /* some fluid's energy depends on volume at a given temperature: cells are closed along isentropes */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 

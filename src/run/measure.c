@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "run/pressure.h"
+#include "run/samples.h"
 #include "run/subject.h"
 #include "verify/history_metric.h"
 #include "verify/metric.h"
@@ -26,6 +27,12 @@ static int cells_of(const sim *s, int material)
     return -1;
 }
 
+/* Several fluids, and no points among them. */
+static bool is_mixture(const sim *s)
+{
+    return s->ice && s->ice->n_materials > 1 && !s->ice->with_points;
+}
+
 subject find_subject(sim *s, const exact *solution)
 {
     const scene_verify *v = &s->scene->verify;
@@ -40,6 +47,7 @@ subject find_subject(sim *s, const exact *solution)
         material = s->scene->body[v->body].material;
     }
     what.cells = material >= 0 ? cells_of(s, material) : -1;
+    if (v->material < 0 && v->body < 0 && is_mixture(s)) what.cells = CELLS_OF_ALL;
     for (int b = 0; b < bodies && what.cells < 0; b++)
         what.body[b] = material < 0 || s->mpm->body[b].scene_material == material;
     return what;

@@ -28,14 +28,18 @@ double point_value(const point_samples *p, exact_quantity quantity, size_t i);
 double point_exact(const point_samples *p, exact_quantity quantity, size_t i);
 bool point_inside(const point_samples *p, const shape *region, size_t i);
 
+/* Instead of a material: all of them together, velocity and energy weighed by mass. */
+enum { CELLS_OF_ALL = ICE_MAX_MATERIALS };
+
 /* The cells of a material, in global order. Arrays are counted memory, owned. */
 typedef struct cell_samples {
     const sim *s;
     const exact *solution;
-    int material; /* instance of the cell fields */
+    int material; /* instance of the cell fields, or CELLS_OF_ALL */
     size_t n;
     double *rho, *energy, *pressure;
-    double *volume; /* m3/kg, of the pure material; NULL with one fluid */
+    double *volume;   /* m3/kg, of the pure material; NULL with one fluid, or all */
+    double *fraction; /* of the first material; NULL but for all */
     double *v[3];
 } cell_samples;
 

@@ -11,8 +11,64 @@ static floe_status gather(cell_samples *c, field_id id, int instance, int comp, 
     return FLOE_OK;
 }
 
+/* Where a material is alone, its pressure now is its law's; the field holds the one in equilibrium at the start of the last step. */
+static void set_own_pressure(cell_samples *c, const cell_samples *part)
+{
+    const eos *law = &c->s->ice->material[part->material].eos;
+    for (size_t i = 0; i < c->n; i++) {
+        double p, c2;
+        if (!(part->rho[i] > 0.0) || part->rho[i] < c->rho[i]) continue;
+        law->model->pressure(law->par, 1, &part->rho[i], &part->energy[i], &p, &c2);
+        c->pressure[i] = p;
+    }
+}
+
+static void add_part(cell_samples *c, const cell_samples *part)
+{
+    for (size_t i = 0; i < c->n; i++) {
+        const double rho = part->rho[i];
+        if (!(rho > 0.0)) continue;
+        c->rho[i] += rho;
+        c->energy[i] += rho * part->energy[i];
+        for (int a = 0; a < c->s->mesh.dim; a++) c->v[a][i] += rho * part->v[a][i];
+        if (part->material == 0) c->fraction[i] = rho * part->volume[i];
+    }
+}
+
+static floe_status new_sums(cell_samples *c)
+{
+    context *ctx = c->s->ctx;
+    TRY(memory_new(ctx, &c->rho, c->n, sizeof *c->rho));
+    TRY(memory_new(ctx, &c->energy, c->n, sizeof *c->energy));
+    TRY(memory_new(ctx, &c->fraction, c->n, sizeof *c->fraction));
+    for (int a = 0; a < c->s->mesh.dim; a++) TRY(memory_new(ctx, &c->v[a], c->n, sizeof *c->v[a]));
+    return gather(c, C_PRESSURE, 0, 0, &c->pressure);
+}
+
+static floe_status take_all(cell_samples *c)
+{
+    const int n = c->s->ice->n_materials;
+    TRY(new_sums(c));
+    for (int pass = 0; pass < 2; pass++)
+        for (int r = 0; r < n; r++) {
+            cell_samples part;
+            TRY(cell_samples_take(&part, c->s, c->solution, r));
+            if (pass == 0)
+                add_part(c, &part);
+            else
+                set_own_pressure(c, &part);
+            cell_samples_free(&part);
+        }
+    for (size_t i = 0; i < c->n; i++) {
+        c->energy[i] /= c->rho[i];
+        for (int a = 0; a < c->s->mesh.dim; a++) c->v[a][i] /= c->rho[i];
+    }
+    return FLOE_OK;
+}
+
 static floe_status take(cell_samples *c)
 {
+    if (c->material == CELLS_OF_ALL) return take_all(c);
     const fields *f = c->s->domain->fields[0];
     TRY(gather(c, C_RHO, c->material, 0, &c->rho));
     if (fields_has(f, C_ENERGY, c->material)) TRY(gather(c, C_ENERGY, c->material, 0, &c->energy));
@@ -37,6 +93,7 @@ void cell_samples_free(cell_samples *c)
     memory_free(ctx, &c->energy);
     memory_free(ctx, &c->pressure);
     memory_free(ctx, &c->volume);
+    memory_free(ctx, &c->fraction);
     for (int a = 0; a < 3; a++) memory_free(ctx, &c->v[a]);
 }
 
@@ -62,6 +119,7 @@ static void corners_of(const mesh *m, size_t i, double lo[3], double hi[3])
 /* Volume fraction: mass per cell volume times the volume of a mass. */
 static double fraction(const cell_samples *c, size_t i)
 {
+    if (c->fraction) return c->fraction[i];
     return c->volume ? c->rho[i] * c->volume[i] : 1.0;
 }
 
@@ -72,6 +130,7 @@ static double density_at(const cell_samples *c, size_t i)
 
 static double temperature_at(const cell_samples *c, size_t i)
 {
+    if (c->material == CELLS_OF_ALL) return (double)NAN; /* each material has its own */
     const eos *law = &c->s->ice->material[c->material].eos;
     const double rho = density_at(c, i);
     double T = NAN;
@@ -82,9 +141,9 @@ static double temperature_at(const cell_samples *c, size_t i)
 /* The field holds the pressure in equilibrium at the start of the last step; one fluid alone tells its own at the end. */
 static double pressure_at(const cell_samples *c, size_t i)
 {
+    if (c->volume || c->fraction || !c->energy) return c->pressure ? c->pressure[i] : (double)NAN;
     const eos *law = &c->s->ice->material[c->material].eos;
     double p, c2;
-    if (c->volume || !c->energy) return c->pressure ? c->pressure[i] : (double)NAN;
     law->model->pressure(law->par, 1, &c->rho[i], &c->energy[i], &p, &c2);
     return p;
 }
@@ -125,7 +184,7 @@ double cell_weight(const cell_samples *c, size_t i)
 {
     int cell[3];
     index_of(&c->s->mesh, i, cell);
-    return fraction(c, i) * mesh_cell_volume(&c->s->mesh, cell[0]);
+    return (c->fraction ? 1.0 : fraction(c, i)) * mesh_cell_volume(&c->s->mesh, cell[0]);
 }
 
 bool cell_inside(const cell_samples *c, const shape *region, size_t i)

@@ -1,10 +1,10 @@
-/* The Riemann problem of two ideal or stiffened gases: shock tubes of one or two materials. */
+/* The Riemann problem of two ideal, stiffened or Noble-Abel stiffened gases: shock tubes of one or two materials. */
 #include "verify/internal.h"
 #include "verify/riemann.h"
 
 typedef struct riemann_par {
-    double left_density, left_velocity, left_pressure, left_gamma, left_p_inf, left_heat_capacity;
-    double right_density, right_velocity, right_pressure, right_gamma, right_p_inf, right_heat_capacity;
+    double left_density, left_velocity, left_pressure, left_gamma, left_p_inf, left_covolume, left_heat_capacity;
+    double right_density, right_velocity, right_pressure, right_gamma, right_p_inf, right_covolume, right_heat_capacity;
     double position, axis;
 } riemann_par;
 
@@ -14,12 +14,14 @@ static const param_spec riemann_params[] = {
     PAR_ANY(riemann_par, left_pressure, "Pa", NAN, "pressure on the left, over -left_p_inf"),
     PAR_BETWEEN(riemann_par, left_gamma, "1", 1.0, 100.0, 1.4, "ratio of specific heats on the left, over 1"),
     PAR_NONNEGATIVE(riemann_par, left_p_inf, "Pa", 0.0, "stiffness pressure of the gas on the left; 0: ideal"),
+    PAR_NONNEGATIVE(riemann_par, left_covolume, "m3/kg", 0.0, "volume of the molecules on the left (nasg); 0: none"),
     PAR_NONNEGATIVE(riemann_par, left_heat_capacity, "J/kg/K", 0.0, "c_v on the left; 0: no temperature is given"),
     PAR_NONNEGATIVE(riemann_par, right_density, "kg/m3", NAN, "density on the right; 0: a vacuum"),
     PAR_ANY(riemann_par, right_velocity, "m/s", 0.0, "velocity along the axis on the right"),
     PAR_ANY(riemann_par, right_pressure, "Pa", NAN, "pressure on the right, over -right_p_inf"),
     PAR_BETWEEN(riemann_par, right_gamma, "1", 1.0, 100.0, 1.4, "ratio of specific heats on the right, over 1"),
     PAR_NONNEGATIVE(riemann_par, right_p_inf, "Pa", 0.0, "stiffness pressure of the gas on the right; 0: ideal"),
+    PAR_NONNEGATIVE(riemann_par, right_covolume, "m3/kg", 0.0, "volume of the molecules on the right (nasg); 0: none"),
     PAR_NONNEGATIVE(riemann_par, right_heat_capacity, "J/kg/K", 0.0, "c_v on the right; 0: no temperature is given"),
     PAR_ANY(riemann_par, position, "m", 0.0, "where the two states meet at t = 0"),
     PAR_BETWEEN(riemann_par, axis, "1", 0.0, 2.0, 0.0, "the axis along which they meet: 0, 1 or 2"),
@@ -29,8 +31,10 @@ static floe_status riemann_prepare(context *ctx, const void *par, int dim, void 
 {
     const riemann_par *p = par;
     TRY(check_axis(ctx, p->axis, dim));
-    const riemann_side left = {p->left_density, p->left_velocity, p->left_pressure, p->left_gamma, p->left_p_inf};
-    const riemann_side right = {p->right_density, p->right_velocity, p->right_pressure, p->right_gamma, p->right_p_inf};
+    const riemann_side left = {p->left_density, p->left_velocity, p->left_pressure,
+                               p->left_gamma,   p->left_p_inf,    p->left_covolume};
+    const riemann_side right = {p->right_density, p->right_velocity, p->right_pressure,
+                                p->right_gamma,   p->right_p_inf,    p->right_covolume};
     return riemann_solve(ctx, &left, &right, prepared);
 }
 
@@ -42,10 +46,17 @@ static riemann_state state_at(const riemann_par *p, const riemann_solution *solu
     return riemann_sample(solution, distance > 0.0 ? (double)INFINITY : -(double)INFINITY);
 }
 
-static double energy_of(const riemann_state *state, double gamma, double p_inf)
+/* Of the equivalent gas without a covolume. */
+static double open_density(const riemann_state *state, double covolume)
 {
-    if (!state->empty) return gas_energy(state->density, state->pressure, gamma, p_inf);
-    return p_inf > 0.0 ? (double)NAN : 0.0; /* the limit at the edge of a fan */
+    return state->density / (1.0 - covolume * state->density);
+}
+
+static double energy_of(const riemann_state *state, const riemann_side *side)
+{
+    if (!state->empty)
+        return gas_energy(open_density(state, side->covolume), state->pressure, side->gamma, side->p_inf);
+    return side->p_inf > 0.0 ? (double)NAN : 0.0; /* the limit at the edge of a fan */
 }
 
 static double riemann_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
@@ -53,18 +64,18 @@ static double riemann_value(const void *par, const void *prepared, exact_quantit
 {
     (void)dim;
     const riemann_par *p = par;
-    const riemann_state state = state_at(p, prepared, x, t);
-    const double gamma = state.left_gas ? p->left_gamma : p->right_gamma;
-    const double p_inf = state.left_gas ? p->left_p_inf : p->right_p_inf;
+    const riemann_solution *solution = prepared;
+    const riemann_state state = state_at(p, solution, x, t);
+    const riemann_side *side = state.left_gas ? &solution->left : &solution->right;
     const double heat = state.left_gas ? p->left_heat_capacity : p->right_heat_capacity;
     if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, whole(p->axis), state.velocity);
     switch (quantity) {
     case EXACT_DENSITY: return state.density;
     case EXACT_PRESSURE: return state.pressure;
-    case EXACT_INTERNAL_ENERGY: return energy_of(&state, gamma, p_inf);
+    case EXACT_INTERNAL_ENERGY: return energy_of(&state, side);
     case EXACT_TEMPERATURE:
         if (state.empty) return heat > 0.0 ? 0.0 : (double)NAN;
-        return gas_temperature(state.density, state.pressure, gamma, p_inf, heat);
+        return gas_temperature(open_density(&state, side->covolume), state.pressure, side->gamma, side->p_inf, heat);
     case EXACT_VOLUME_FRACTION: return state.left_gas && !state.empty ? 1.0 : 0.0;
     default: return NAN;
     }
@@ -144,11 +155,12 @@ static const riemann_par sod = {.left_density = 1.0,
 
 const exact_model exact_riemann = {
     .name = "riemann",
-    .doc = "shock tube: two uniform states of ideal or stiffened gas that meet at a plane",
+    .doc = "shock tube: two uniform states of ideal, stiffened or Noble-Abel stiffened gas that meet at a plane",
     .cite = "Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd ed. (2009), ch. 4",
     .validity =
         "inviscid, no heat conduction, no strength; until the first wave meets a boundary. Two materials do not "
-        "mix. Where a vacuum opens, its velocity is that of the ray x/t. Temperature needs heat_capacity.",
+        "mix. Where a vacuum opens, its velocity is that of the ray x/t. Temperature needs heat_capacity. "
+        "Energies count from heat_bond = 0.",
     .equations = EXACT_EULER,
     .param_size = sizeof(riemann_par),
     .params = riemann_params,

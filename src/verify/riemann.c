@@ -2,13 +2,21 @@
 
 #include "verify/internal.h"
 
-/* A side seen outwards: `sign` is -1 on the left and +1 on the right, so that one text serves both. */
+/* A side seen outwards: `sign` is -1 on the left and +1 on the right, so that one text serves both. The equivalent ideal gas has
+ * the specific volume v - b and the pressure p + p_inf. */
 typedef struct outward {
-    double density, velocity, gamma, sign;
-    double stiff; /* p + p_inf, the pressure of the equivalent ideal gas */
-    double p_inf;
-    double sound; /* m/s */
+    double density; /* kg/m3, 1/(v - b) */
+    double velocity, gamma, sign;
+    double stiff; /* Pa, p + p_inf */
+    double p_inf, covolume;
+    double sound; /* m/s, of the equivalent gas */
 } outward;
+
+/* v/(v - b) where the equivalent gas has that density: places of waves are stretched by it. */
+static double stretch(const outward *side, double density)
+{
+    return 1.0 + side->covolume * density;
+}
 
 static bool is_vacuum(const riemann_side *side)
 {
@@ -17,14 +25,15 @@ static bool is_vacuum(const riemann_side *side)
 
 static outward look(const riemann_side *side, double sign)
 {
-    const double stiff = side->pressure + side->p_inf;
-    return (outward){.density = side->density,
+    const double stiff = side->pressure + side->p_inf, density = side->density / (1.0 - side->covolume * side->density);
+    return (outward){.density = density,
                      .velocity = side->velocity,
                      .gamma = side->gamma,
                      .sign = sign,
                      .stiff = stiff,
                      .p_inf = side->p_inf,
-                     .sound = sqrt(side->gamma * stiff / side->density)};
+                     .covolume = side->covolume,
+                     .sound = sqrt(side->gamma * stiff / density)};
 }
 
 /* Change of velocity across the wave that brings the side to pressure p (Toro eqs 4.6 and 4.7). Written with the
@@ -65,16 +74,19 @@ static riemann_wave make_wave(const outward *side, double p)
     const double ratio = fmax((p + side->p_inf) / side->stiff, 0.0);
     riemann_wave wave = {.shock = ratio > 1.0};
     wave.velocity = side->velocity + side->sign * velocity_change(side, p);
+    const double outer = side->sign * side->sound * stretch(side, side->density);
+    double density;
     if (wave.shock) {
         const double slope = (g - 1.0) / (g + 1.0);
-        wave.density = side->density * (ratio + slope) / (slope * ratio + 1.0);
-        wave.head = side->velocity + side->sign * side->sound * sqrt(0.5 * (g + 1.0) / g * ratio + 0.5 * (g - 1.0) / g);
+        density = side->density * (ratio + slope) / (slope * ratio + 1.0);
+        wave.head = side->velocity + outer * sqrt(0.5 * (g + 1.0) / g * ratio + 0.5 * (g - 1.0) / g);
         wave.tail = wave.head;
     } else {
-        wave.density = side->density * pow(ratio, 1.0 / g);
-        wave.head = side->velocity + side->sign * side->sound;
-        wave.tail = wave.velocity + side->sign * side->sound * pow(ratio, 0.5 * (g - 1.0) / g);
+        density = side->density * pow(ratio, 1.0 / g);
+        wave.head = side->velocity + outer;
+        wave.tail = wave.velocity + side->sign * side->sound * pow(ratio, 0.5 * (g - 1.0) / g) * stretch(side, density);
     }
+    wave.density = density / stretch(side, density);
     return wave;
 }
 
@@ -82,6 +94,9 @@ static floe_status check_side(context *ctx, const char *name, const riemann_side
 {
     if (!(side->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "%s_gamma = %g: must be over 1", name, side->gamma);
     if (is_vacuum(side)) return FLOE_OK;
+    if (!(side->covolume * side->density < 1.0))
+        return fail(ctx, FLOE_BAD_INPUT, "%s_density = %g kg/m3: must be under 1/covolume = %g kg/m3", name,
+                    side->density, 1.0 / side->covolume);
     if (side->pressure + side->p_inf > 0.0) return FLOE_OK;
     return fail(ctx, FLOE_BAD_INPUT, "%s_pressure = %g Pa: must be over -p_inf = %g Pa", name, side->pressure,
                 -side->p_inf);
@@ -137,14 +152,31 @@ floe_status riemann_solve(context *ctx, const riemann_side *left, const riemann_
     return FLOE_OK;
 }
 
-/* Inside a fan (Toro eqs 4.56 and 4.63). */
+typedef struct fan_problem {
+    const outward *side;
+    double speed;
+} fan_problem;
+
+/* u + sign c - x/t in a fan, where the sound speed of the equivalent gas is `ratio` times the outer one. */
+static double fan_residual(double ratio, void *user)
+{
+    const fan_problem *q = user;
+    const outward *side = q->side;
+    const double g = side->gamma, density = side->density * pow(ratio, 2.0 / (g - 1.0));
+    return side->velocity - q->speed +
+           side->sign * side->sound * (2.0 / (g - 1.0) * (ratio - 1.0) + ratio * stretch(side, density));
+}
+
+/* Inside a fan (Toro eqs 4.56 and 4.63); with a covolume the place belongs to the root of an equation. */
 static riemann_state sample_fan(const outward *side, double speed)
 {
     const double g = side->gamma;
-    const double sound = 2.0 / (g + 1.0) * (side->sound + 0.5 * (g - 1.0) * side->sign * (speed - side->velocity));
-    const double ratio = fmax(sound / side->sound, 0.0);
-    return (riemann_state){.density = side->density * pow(ratio, 2.0 / (g - 1.0)),
-                           .velocity = speed - side->sign * sound,
+    const double plain = 2.0 / (g + 1.0) * (side->sound + 0.5 * (g - 1.0) * side->sign * (speed - side->velocity));
+    fan_problem q = {side, speed};
+    const double sound = side->covolume > 0.0 ? side->sound * find_root(fan_residual, &q, 0.0, 1.0) : plain;
+    const double ratio = fmax(sound / side->sound, 0.0), density = side->density * pow(ratio, 2.0 / (g - 1.0));
+    return (riemann_state){.density = density / stretch(side, density),
+                           .velocity = speed - side->sign * sound * stretch(side, density),
                            .pressure = side->stiff * pow(ratio, 2.0 * g / (g - 1.0)) - side->p_inf};
 }
 

@@ -1,6 +1,7 @@
-/* The exact Riemann problem between two stiffened gases, p = (gamma - 1) rho e - gamma p_inf, each with its own gamma and
- * p_inf (p_inf = 0: an ideal gas), vacuum included. Toro, Riemann Solvers, 3rd ed. (2009), chapter 4, with p replaced by
- * p + p_inf in the relations across a wave (Ivings, Causon & Toro 1998). */
+/* The exact Riemann problem between two Noble-Abel stiffened gases, p + gamma p_inf = (gamma - 1) e/(v - b), each with its own gamma,
+ * p_inf and b (both 0: an ideal gas), vacuum included. Toro, Riemann Solvers, 3rd ed. (2009), chapter 4, with p replaced by
+ * p + p_inf (Ivings, Causon & Toro 1998) and v by v - b in the relations across a wave: these hold differences of v alone. A
+ * covolume only stretches the places of waves, by v/(v - b). */
 #ifndef VERIFY_RIEMANN_H
 #define VERIFY_RIEMANN_H
 
@@ -14,6 +15,7 @@ typedef struct riemann_side {
     double pressure; /* Pa, > -p_inf (ignored for a vacuum) */
     double gamma;    /* > 1 */
     double p_inf;    /* Pa, >= 0 */
+    double covolume; /* m3/kg, b, 0 <= b < 1/density */
 } riemann_side;
 
 /* The wave on one side of the contact. Speeds are signed, along the axis. */

@@ -35,8 +35,8 @@ static void test_slab(void **state)
     const fan_gas gas = york(0);
     check_ok(ctx, memory_new(ctx, &fan, 1, sizeof *fan));
     check_ok(ctx, radial_fan_solve(ctx, &gas, fan));
-    check_ok(ctx, riemann_solve(ctx, &(riemann_side){1.0, 0.0, 100.0, gamma, 0.0},
-                                &(riemann_side){0.0, 0.0, 0.0, gamma, 0.0}, &riemann));
+    check_ok(ctx, riemann_solve(ctx, &(riemann_side){1.0, 0.0, 100.0, gamma, 0.0, 0.0},
+                                &(riemann_side){0.0, 0.0, 0.0, gamma, 0.0, 0.0}, &riemann));
     for (int i = 1; i < 100; i++) {
         const double t = 0.004 + 1e-4 * i;
         const double speed = -gas.sound + (gas.sound + fan_front_speed(&gas)) * i / 100.0;

@@ -72,8 +72,8 @@ static double tube_error(int cells, const fixture_value *side, const double *gam
     f.scene->method.exchange = 1e15;
     fixture_start(&f);
     fixture_run(&f, end);
-    riemann_side left = {side[0].value, 0.0, side[1].value, gamma[0], p_inf[0]},
-                 right = {side[2].value, 0.0, side[3].value, gamma[1], 0.0};
+    riemann_side left = {side[0].value, 0.0, side[1].value, gamma[0], p_inf[0], 0.0},
+                 right = {side[2].value, 0.0, side[3].value, gamma[1], 0.0, 0.0};
     riemann_solution solution;
     check_ok(f.ctx, riemann_solve(f.ctx, &left, &right, &solution));
     double error = 0.0, scale = 0.0;
@@ -116,7 +116,7 @@ static void shock_tubes(void **state)
     const double gw[2] = {4.4, 1.4}, stiff[2] = {6e8, 0.0};
     for (int k = 0; k < 3; ++k) error[k] = tube_error(100 << k, water, gw, stiff, 240e-6, true);
     check_ok(ctx, order_fit_power(ctx, 3, h, error, &fit));
-    /* The shocked air is three cells deep at 200 cells: the error is that layer's. Measured 0.0204, 0.0189, 0.0154. */
+    /* The shocked air is three cells deep at 200 cells: the error is that layer's. Measured 0.0207, 0.0183, 0.0148. */
     printf("water and air: %.4f %.4f %.4f\n", error[0], error[1], error[2]);
     check_true(error[2] <= 0.018 && error[2] < error[1]);
     context_destroy(&ctx);
