@@ -3,6 +3,7 @@
 # results.sh [NAME...]: runs the studies and writes docs/results from what came out: a page, its data and its plots for each of
 #   a1            the pressurised cylinder of Guilkey et al. 2003, both couplings, floe's settings and the paper's
 #   sod           Sod's shock tube by cells and by points
+#   shocks        Riemann problems, interfaces and blasts against exact solutions
 #   waves         orders on smooth flow and on a vibrating bar
 #   conservation  what must stay as it is: free stream, closed box, column at rest
 #   stability     the largest stable steps of a line of points, and other limits
@@ -35,19 +36,19 @@ write_index() {
     printf '# Results\n\n*Written by `scripts/results.sh`; do not edit.*\n\n' >"$page"
     write 'From runs that anyone can repeat: `scripts/results.sh`, or `scripts/results.sh NAME` for one page. Bars were set before anything' \
         'was measured.' '' '| page | |' '|---|---|'
-    for file in a1 studies sod waves conservation stability contact normals ball-net airbag speed york-points york-membranes gallery; do
+    for file in a1 studies sod shocks waves conservation stability contact normals ball-net airbag speed york-points york-membranes gallery; do
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
     write '' '| page | what | measured | bar | |' '|---|---|---|---|---|'
-    for file in a1 studies sod waves conservation stability contact normals ball-net airbag speed; do
+    for file in a1 studies sod shocks waves conservation stability contact normals ball-net airbag speed; do
         awk -v name=$file 'index($0, name ",\"") == 1 { rest = substr($0, length(name) + 3); q = index(rest, "\",")
             split(substr(rest, q + 2), f, ","); printf "| [%s](%s.md) | %s | %s | %s | %s |\n", name, name, substr(rest, 1, q - 1), f[1], f[2],
             f[3] == "met" ? "met" : "**missed**" }' "$bars" >>"$page"
     done
 }
 
-all=(a1 sod waves conservation stability contact normals ball-net airbag speed studies picture gallery)
+all=(a1 sod shocks waves conservation stability contact normals ball-net airbag speed studies picture gallery)
 [ $# -gt 0 ] || set -- "${all[@]}"
 for wanted in "$@"; do
     [[ " ${all[*]} " == *" $wanted "* ]] || {

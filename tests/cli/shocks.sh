@@ -42,3 +42,9 @@ shock fluid_tube 1 0.01 l1rel_density 0.0088 l1rel_pressure 0.0087 l1_volume_fra
 # Three fluids and two in one stream, limited (measured: 3e-12 and 3e-9 of the pressure, 1e-10 m/s of 100).
 shock fluid_stream 0 0.02 linfrel_pressure 1e-7 linf_velocity_x 1e-8
 shock fluid_stream 1 0.02 linfrel_pressure 1e-7 linf_velocity_x 1e-8
+
+# Noh against a wall and, in the plane, a line; Sedov from a plane, and from a line about the axis (measured: 0.113, 2.56, 0.074, 0.120).
+shock noh 0 0.01 l1_density 0.128 l1_pressure 0.029
+shock noh 1 0.02 l1_density 2.9 l1_velocity_x 0.12
+shock sedov 0 0.02 l1_density 0.084 l1_pressure 0.0018
+shock sedov 1 0.03 l1_density 0.135 l1_pressure 0.0037
