@@ -1,6 +1,7 @@
 /* floe list [TOPIC]: what decks can name, from the registries. */
 #include "cli/cli.h"
 #include "cli/plan.h"
+#include "coupling/exchange_law.h"
 #include "deck/errors.h"
 #include "geom/shape.h"
 #include "material/membrane.h"
@@ -63,6 +64,23 @@ static void list_materials(void)
     list_membranes();
     printf("\neos\n");
     list_eos();
+}
+
+static void list_exchange_role(exchange_role role)
+{
+    for (size_t i = 0; i < exchange_registry_size; i++) {
+        const exchange_model *m = exchange_registry[i];
+        const exchange_law *law = &m->law[role];
+        if (law->coefficient) print_entry(m->name, m->doc, m->cite, law->params, law->n_params);
+    }
+}
+
+static void list_exchange(void)
+{
+    printf("\nmomentum, tangential\n");
+    list_exchange_role(EXCHANGE_MOMENTUM);
+    printf("\nheat\n");
+    list_exchange_role(EXCHANGE_HEAT);
 }
 
 static void list_shapes(void)
@@ -185,6 +203,7 @@ static const struct {
     {"eos", "equations of state of fluids", list_eos},
     {"laws", "laws of solids", list_laws},
     {"membranes", "laws of membranes and strings", list_membranes},
+    {"exchange", "momentum and heat exchange between materials", list_exchange},
     {"shapes", "shapes of bodies and regions", list_shapes},
     {"bases", "basis functions of material points", list_bases},
     {"transfers", "what becomes of the velocities of points in a step", list_transfers},
@@ -223,8 +242,8 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "[TOPIC]",
     .doc = "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, "
-           "laws, membranes, "
-           "shapes, bases, normals, exact, references, metrics, boundaries, fields; without one the topics are listed.",
+           "laws, membranes, exchange, shapes, bases, normals, exact, references, metrics, boundaries, fields; without "
+           "one the topics are listed.",
 };
 
 int cmd_list(cli *c, int argc, char **argv)

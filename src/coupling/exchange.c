@@ -1,7 +1,16 @@
 #include "coupling/exchange.h"
 
+#include "coupling/exchange_law.h"
+
 #include <math.h>
-#include <stdbool.h>
+#include <string.h>
+
+const exchange_model *exchange_find(const char *name)
+{
+    for (size_t i = 0; i < exchange_registry_size; ++i)
+        if (strcmp(exchange_registry[i]->name, name) == 0) return exchange_registry[i];
+    return NULL;
+}
 
 /* Beyond this many times the largest mass a coupling adds nothing but cancellation (numerics 2.2). */
 static const double rigid = 1e12;
@@ -115,4 +124,28 @@ void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, d
             relax_column(&p, a, f, n, mass, value[c]);
         fill_absent(&p, n, mass, value[c]);
     }
+}
+
+/* Reflects vectors so that the normal and the first axis change places; twice is the identity. */
+static void reflect(int n, int dim, const double *normal, double u[3][EXCHANGE_MAX])
+{
+    double w[3] = {normal[0], 0.0, 0.0}, square = 0.0;
+    const double sign = normal[0] > 0.0 ? -1.0 : 1.0; /* to -e_0 or +e_0, whichever is further away */
+    for (int a = 1; a < dim; ++a) w[a] = normal[a];
+    w[0] -= sign;
+    for (int a = 0; a < dim; ++a) square += w[a] * w[a];
+    for (int r = 0; r < n; ++r) {
+        double along = 0.0;
+        for (int a = 0; a < dim; ++a) along += w[a] * u[a][r];
+        for (int a = 0; a < dim; ++a) u[a][r] -= 2.0 * along / square * w[a];
+    }
+}
+
+void exchange_relax_frame(int n, const double *mass, exchange_matrix a, exchange_matrix tangential, int dim,
+                          const double *normal, double u[3][EXCHANGE_MAX])
+{
+    reflect(n, dim, normal, u);
+    exchange_relax(n, mass, a, 1, u);
+    exchange_relax(n, mass, tangential, dim - 1, u + 1);
+    reflect(n, dim, normal, u);
 }

@@ -14,8 +14,9 @@ enum { EXCHANGE_MAX = 16 };
 /* Coefficients of all pairs; symmetric, diagonals unused. */
 typedef struct exchange_table {
     int n;
-    double K[EXCHANGE_MAX][EXCHANGE_MAX]; /* kg/(m3 s), momentum */
-    double R[EXCHANGE_MAX][EXCHANGE_MAX]; /* W/(m3 K), heat */
+    double K[EXCHANGE_MAX][EXCHANGE_MAX];  /* kg/(m3 s), momentum; of pairs that slip, along the normal */
+    double Kt[EXCHANGE_MAX][EXCHANGE_MAX]; /* kg/(m3 s), momentum across the normal */
+    double R[EXCHANGE_MAX][EXCHANGE_MAX];  /* W/(m3 K), heat */
 } exchange_table;
 
 typedef double exchange_matrix[EXCHANGE_MAX][EXCHANGE_MAX];
@@ -27,6 +28,10 @@ void exchange_couple(int n, exchange_matrix coefficient, const double *theta, do
  * mass: m_r >= 0. 0: absent, receives the mean of the others, weighted by mass. INFINITY: prescribed, keeps its value.
  * Couplings beyond 1e12 of the largest finite mass are cut to that: they are rigid already. */
 void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX]);
+
+/* Momentum where pairs slip (numerics 2.9): couplings `a` act along the unit vector `normal`, `tangential` across it. u[axis][material]. */
+void exchange_relax_frame(int n, const double *mass, exchange_matrix a, exchange_matrix tangential, int dim,
+                          const double *normal, double u[3][EXCHANGE_MAX]);
 
 /* Two free, present materials in closed form: the difference decays, the centre of mass stays. */
 static inline void exchange_relax_pair(double m0, double m1, double a, double *u0, double *u1)

@@ -16,6 +16,9 @@ static bool meets_domain(const scene *s, const shape *part)
 
 static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_material *m)
 {
+    if (b->fraction < 1.0 && scene_runs_as(r->scene, COUPLING_MPM))
+        return bad_at(r, PATH("bodies", b->name, "fraction"), "coupling: ice or ice-mpm, and no mpm in runs_as", NULL,
+                      "body '%s' shares its room with others, and material points do not", b->name);
     if (isnan(b->pressure) || !m->eos.model || b->pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
     return bad_at(r, PATH("bodies", b->name, "pressure"), NULL, NULL,
                   "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, b->pressure,

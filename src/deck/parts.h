@@ -11,6 +11,10 @@ extern const key_table membrane_table;
 extern const custom_key custom_places;
 /* schema_springs.c */
 extern const named_items items_springs, items_supports;
+/* schema_exchange.c */
+extern const named_items items_exchanges;
+extern const model_family family_momentum, family_heat;
+extern const custom_key custom_pair;
 /* families.c */
 extern const model_family family_shape, family_law, family_membrane, family_normals, family_eos, family_exact,
     family_reference;

@@ -92,6 +92,8 @@
     X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "s: 0 smooth, 1 at a shock; phi = (1 + s) / 2")           \
     X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")               \
     X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")    \
+    X(C_WALL, "wall_fraction", CELL, SCALAR, "1", SCRATCH,                                                           \
+      "volume fraction of materials that others slip along, smoothed: its gradient is the normal")                   \
     X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH,                                                                  \
       "number of materials present, plus 64 where one is carried by points")                                         \
     /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                         \

@@ -65,6 +65,7 @@ floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodi
 floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
 floe_status ice_continue_pressure(ice *s);    /* beside solids: p where they leave no room (ice_continue.c) */
 floe_status ice_diffusion_rates(ice *s);      /* viscosity and conduction (2.6): their rates at the start of the step */
+floe_status ice_wall_fraction(ice *s);        /* where pairs slip: what their normals are taken from */
 floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
 floe_status ice_implicit_pressure(ice *s);    /* 3, instead of 2.3: also corrects u* */

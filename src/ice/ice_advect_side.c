@@ -162,7 +162,7 @@ void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = start + row + i;
         const bool present = !job->s->multi || m->theta[at] > 1e-6;
-        if (!(m->rho1[at] >= 0.0) ||
+        if (!ice_mass_stands(m, at, job->s->multi) ||
             (present && (!(ice_outflow(v, m, at, i, dim) <= 1.0) || !(m->e1[at] > job->energy_floor)))) {
             result->bad++;
             continue;

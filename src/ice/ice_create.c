@@ -96,16 +96,6 @@ static void resolve_loads(ice *s)
     }
 }
 
-static void resolve_exchange(ice *s)
-{
-    s->exchange.n = s->n_materials;
-    for (int r = 0; r < s->n_materials; ++r)
-        for (int q = 0; q < s->n_materials; ++q) {
-            s->exchange.K[r][q] = r == q ? 0.0 : s->scene->method.exchange;
-            s->exchange.R[r][q] = r == q ? 0.0 : s->scene->method.heat_exchange;
-        }
-}
-
 ice_reservoir ice_state_at(const eos *law, double p, double T)
 {
     ice_reservoir out = {.T = T};
@@ -154,8 +144,8 @@ static floe_status resolve(ice *s, bool with_points)
 {
     TRY(resolve_materials(s, with_points));
     resolve_loads(s);
-    resolve_exchange(s);
     TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
+    TRY(ice_pairs_resolve(s));
     s->work->threads = thread_count();
     for (int r = 0; r < s->n_materials; ++r) s->work->energy_floor[r] = constant_floor(&s->material[r].eos);
     for (int r = 0; r < s->n_materials; ++r)

@@ -49,14 +49,31 @@ static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const mixed_c
         if (c->mass[r] > 0.0) v->m[r].el[at] += lost * c->theta[r] / total / c->mass[r];
 }
 
+static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_cell *c)
+{
+    double gradient[3];
+    ice_spot spot;
+    for (int r = 0; r < c->n; ++r) {
+        spot.theta[r] = c->theta[r];
+        spot.density[r] = 1.0 / v->m[r].v[at];
+        for (int a = 0; a < c->dim; ++a) spot.u[a][r] = c->u[a][r];
+    }
+    if (s->work->pairs.slips) ice_wall_gradient(v, at, gradient);
+    ice_relax_spot(s, v, c->mass, &spot, s->dt * c->room, s->work->pairs.slips ? gradient : NULL, c->u);
+}
+
 static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double volume)
 {
     mixed_cell c;
     gather(s, v, at, volume, &c);
     const double before = kinetic(&c);
-    exchange_matrix a;
-    exchange_couple(c.n, s->exchange.K, c.theta, s->dt * c.room, a);
-    exchange_relax(c.n, c.mass, a, c.dim, c.u);
+    if (s->work->pairs.plain) {
+        exchange_matrix a;
+        exchange_couple(c.n, s->exchange.K, c.theta, s->dt * c.room, a);
+        exchange_relax(c.n, c.mass, a, c.dim, c.u);
+    } else {
+        relax_by_laws(s, v, at, &c);
+    }
     deposit(s, v, at, &c, before - kinetic(&c));
     for (int r = 0; r < c.n; ++r)
         for (int x = 0; x < c.dim; ++x) {
@@ -90,7 +107,8 @@ static void exchange_two_fluids(ice *s, const ice_view *v, ptrdiff_t at)
 /* (diag(m c_v) + B) T; temperatures after the sources are T + (e^L - e)/c_v. */
 static void exchange_heat(ice *s, const ice_view *v, ptrdiff_t at)
 {
-    double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], T[1][EXCHANGE_MAX], cv[EXCHANGE_MAX], before[EXCHANGE_MAX];
+    double mass[EXCHANGE_MAX], T[1][EXCHANGE_MAX], cv[EXCHANGE_MAX], before[EXCHANGE_MAX];
+    ice_spot spot;
     for (int r = 0; r < s->n_materials; ++r) {
         const ice_arrays *m = &v->m[r];
         const eos *law = &s->material[r].eos;
@@ -98,11 +116,14 @@ static void exchange_heat(ice *s, const ice_view *v, ptrdiff_t at)
         double alpha;
         law->model->heat(law->par, 1, &density, &m->e[at], &cv[r], &alpha);
         mass[r] = m->rho[at] * cv[r];
-        theta[r] = m->theta[at];
+        spot.theta[r] = m->theta[at];
+        spot.density[r] = density;
+        for (int a = 0; a < v->dim; ++a) spot.u[a][r] = m->u[a][at];
         before[r] = T[0][r] = m->T[at] + (s->material[r].points ? 0.0 : (m->el[at] - m->e[at]) / cv[r]);
     }
-    exchange_matrix a;
-    exchange_couple(s->n_materials, s->exchange.R, theta, s->dt * (v->tmv ? v->tmv[at] : 1.0), a);
+    exchange_matrix own, a;
+    exchange_couple(s->n_materials, ice_coefficients(s, ICE_HEAT, &spot, own), spot.theta,
+                    s->dt * (v->tmv ? v->tmv[at] : 1.0), a);
     exchange_relax(s->n_materials, mass, a, 1, T);
     for (int r = 0; r < s->n_materials; ++r)
         if (!s->material[r].points && v->m[r].rho[at] > 0.0) v->m[r].el[at] += cv[r] * (T[0][r] - before[r]);
@@ -128,7 +149,7 @@ floe_status ice_exchange(ice *s)
         ice_view v;
         ice_view_make(s, id, &v);
         const ice_cell_list *list = &s->work->mixed[id];
-        const bool heat = s->scene->method.heat_exchange > 0.0, pair = s->n_materials == 2 && !s->with_points;
+        const bool heat = s->work->pairs.heat, pair = s->n_materials == 2 && !s->with_points && s->work->pairs.plain;
         for (int r = 0; r < s->n_materials; ++r)
             if (s->material[r].points) lone_points(&v, r);
 #pragma omp parallel for schedule(static)

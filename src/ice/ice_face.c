@@ -67,7 +67,7 @@ static void exchange_face(const ice *s, const ice_view *v, int axis, double *con
     }
     if (present < 2) return;
     exchange_matrix a;
-    exchange_couple(n, ((ice *)s)->exchange.K, theta, v->dt, a);
+    exchange_couple(n, s->work->pairs.table[ICE_NORMAL], theta, v->dt, a);
     exchange_relax(n, mass, a, 1, u);
     for (int r = 0; r < n; ++r) value[r][R] = u[0][r];
 }
@@ -89,12 +89,18 @@ static void exchange_pairs(const ice *s, const ice_view *v, int axis, double *co
 void ice_exchange_faces(const ice *s, const ice_view *v, int axis, double *const *value)
 {
     const ice_rows q = ice_rows_of(v->b, axis, 0);
+    const bool plain = s->work->pairs.plain;
+    void (*const exchange_one)(const ice *, const ice_view *, int, double *const *, ptrdiff_t) =
+        plain ? exchange_face : ice_exchange_face;
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         const ptrdiff_t end = base + v->b->n[0] + (axis == 0);
-        if (s->n_materials == 2) exchange_pairs(s, v, axis, value, base, end);
-        for (ptrdiff_t R = base; R < end && s->n_materials > 2; ++R) exchange_face(s, v, axis, value, R);
+        if (plain && s->n_materials == 2) {
+            exchange_pairs(s, v, axis, value, base, end);
+            continue;
+        }
+        for (ptrdiff_t R = base; R < end; ++R) exchange_one(s, v, axis, value, R);
     }
 }
 

@@ -65,6 +65,7 @@ static floe_status fill_cell(const ice *s, const double lo[3], double room, cont
         if (r < 0 || s->material[r].points) continue;
         double fraction = shape_fraction(&body->shape, s->mesh->dim, lo, hi, radial, 5, centroid);
         if (fraction > 1.0 - 1e-12) fraction = 1.0;
+        if (body->fraction > 0.0) fraction *= body->fraction;
         if (fraction > room) fraction = room;
         if (!(fraction > 1e-12)) continue;
         room -= fraction;

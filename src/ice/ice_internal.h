@@ -44,7 +44,7 @@ typedef struct ice_view {
     const double *volume;  /* m3 of local cell i along axis 0 */
     const double *area0;   /* of its lower face along axis 0 */
     const double *radius0; /* m: of that face, where axis 0 is a radius */
-    double *p, *P, *dP, *shock, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv;
+    double *p, *P, *dP, *shock, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv, *wall;
     double *fp[3], *flux[3];
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
@@ -141,8 +141,36 @@ typedef struct ice_implicit ice_implicit;
 floe_status ice_implicit_create(ice *s);
 void ice_implicit_destroy(context *ctx, ice_implicit **w);
 
+/* The coefficients of ice.exchange: momentum along the normal of pairs that slip (and all of it elsewhere), across it, heat. */
+typedef enum ice_coefficient { ICE_NORMAL, ICE_TANGENTIAL, ICE_HEAT, ICE_COEFFICIENTS } ice_coefficient;
+
+/* A law of exchange that sees the state of its pair. */
+typedef struct ice_pair_law {
+    int first, second;
+    ice_coefficient which; /* it stands for */
+    const struct exchange_law *model;
+    const void *par; /* the scene's */
+} ice_pair_law;
+
+/* What `exchange` of the deck asks for beyond constants. */
+typedef struct ice_pairs {
+    double (*table[ICE_COEFFICIENTS])[EXCHANGE_MAX]; /* constants, in ice.exchange */
+    ice_pair_law law[3 * SCENE_MAX_EXCHANGES];
+    int n;
+    bool plain;                   /* constants alone */
+    bool heat;                    /* some pair exchanges heat */
+    bool slips;                   /* some pair has a tangential law of its own */
+    bool wall[ICE_MAX_MATERIALS]; /* the gradient of these materials' volume is the normal */
+} ice_pairs;
+
+/* Materials at a cell or face, before exchange. */
+typedef struct ice_spot {
+    double theta[EXCHANGE_MAX], density[EXCHANGE_MAX], u[3][EXCHANGE_MAX]; /* 1, kg/m3 of the pure material, m/s */
+} ice_spot;
+
 typedef struct ice_work {
     int threads;
+    ice_pairs pairs;
     ice_implicit *implicit; /* owned */
     ice_kernels kernels;
     double *metric[MESH_MAX_BLOCKS]; /* lower0, upper0, volume, area0, radius0: five runs of n + 5 */
@@ -238,6 +266,21 @@ double *ice_tile(const ice *s, const block *b, int i, int j, int k);
 void ice_clear_tiles(ice *s);
 /* Adds the tiles up in order and enters them in the ledger. */
 void ice_enter_tiles(ice *s);
+
+/* Fills the coefficients of all pairs (ice_pairs.c). Errors: FLOE_BAD_INPUT where a law lacks something. */
+floe_status ice_pairs_resolve(ice *s);
+/* Coefficients at a place: the table of constants, or `own`, filled from it and the laws. */
+double (*ice_coefficients(const ice *s, ice_coefficient which, const ice_spot *spot,
+                          exchange_matrix own))[EXCHANGE_MAX];
+/* Gradient (1/m) of the volume fraction of the walls, and its direction; false: none to speak of. */
+void ice_wall_gradient(const ice_view *v, ptrdiff_t at, double gradient[3]);
+bool ice_wall_normal(const ice_view *v, const double gradient[3], double normal[3]);
+/* Momentum exchange of whole vectors; factor: dt at a face, dt TMV/V in a cell; gradient NULL: no pair slips. */
+void ice_relax_spot(const ice *s, const ice_view *v, const double *mass, const ice_spot *spot, double factor,
+                    const double *gradient, double u[3][EXCHANGE_MAX]);
+/* Momentum exchange at one face where coefficients depend on the state or pairs slip, of value[r][R]: u*, or what the pressure adds
+ * to it along the axis (the mobility of the implicit pressure). */
+void ice_exchange_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R);
 
 /* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
 bool ice_diffuses(const ice *s, int r);

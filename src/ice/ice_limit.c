@@ -49,6 +49,12 @@ static void add_share(mixture *m, double theta, double rho, double kappa)
     m->compressibility += theta * kappa;
 }
 
+/* Materials that slip, or whose law sees the state (its constant is 0), are not tied in every direction and state. */
+static double tie_of(const ice *s, int r, int q)
+{
+    return fmin(s->exchange.K[r][q], s->exchange.Kt[r][q]);
+}
+
 /* Seen from fluid r, of pure density rho and sound speed c. */
 static mixture mixture_about(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c)
 {
@@ -62,12 +68,12 @@ static mixture mixture_about(const ice *s, const ice_view *v, int r, ptrdiff_t a
         if (q != r) s->material[q].eos.model->pressure(s->material[q].eos.par, 1, &density, &a->e[at], &p, &c2);
         free -= theta;
         add_share(&m, theta, density, 1.0 / (density * c2));
-        if (q != r) m.tie += s->exchange.K[r][q] * theta / rho;
+        if (q != r) m.tie += tie_of(s, r, q) * theta / rho;
     }
     for (int q = 0; q < s->n_materials && free > 0.0; ++q) {
         if (!s->material[q].points) continue;
         add_share(&m, free, s->bulk[q].density, 1.0 / s->bulk[q].bulk_modulus);
-        m.tie += s->exchange.K[r][q] * free / rho;
+        m.tie += tie_of(s, r, q) * free / rho;
         break;
     }
     return m;

@@ -1,6 +1,6 @@
 /* The step of the fluids, in the order of numerics 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): three groups of
  * stages, between which the coupled step puts those of the points. */
-#include "ice/ice.h"
+#include "ice/ice_internal.h"
 
 floe_status ice_pressure_stages(ice *s)
 {
@@ -9,6 +9,7 @@ floe_status ice_pressure_stages(ice *s)
     const pressure_scheme scheme = s->scene->method.pressure;
     const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
                direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
+    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips;
     STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
@@ -17,11 +18,12 @@ floe_status ice_pressure_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)));
     STAGE(s, p, ice_continue_pressure, READS(C_PRESSURE, C_THETA, C_MIXED), WRITES(C_PRESSURE, C_DP));
+    STAGE(s, slips, ice_wall_fraction, READS(C_THETA), WRITES(C_WALL));
     STAGE(s, d, ice_diffusion_rates, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_TEMP), WHEN(m, C_THETA)),
           WRITES(C_DIFFUSION, C_DIFFUSION_HEAT, WHEN(k, C_DIFFUSION_T)));
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION)),
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL)),
           WRITES(F_VEL, C_SHOCK));
     STAGE(s, implicit, ice_implicit_pressure,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),
@@ -47,8 +49,8 @@ floe_status ice_exchange_stages(ice *s)
 {
     const bool m = s->multi, p = s->with_points;
     STAGE(s, m, ice_exchange,
-          READS(C_RHO, C_THETA, C_VOL, C_TEMP, C_ENERGY, C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO),
-                WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L)),
+          READS(C_RHO, C_THETA, C_VOL, WHEN(s->work->pairs.heat, C_VEL), WHEN(s->work->pairs.slips, C_WALL), C_TEMP,
+                C_ENERGY, C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L)),
           WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_VELOCITY_CHANGE)));
     STAGE(s, m, ice_specific_volume,
           READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO)),

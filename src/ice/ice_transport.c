@@ -44,7 +44,7 @@ static ice_advect_result advect_block(ice *s, const ice_view *v, int r)
 static const char *fault_of(const ice *s, const ice_view *v, int r, ptrdiff_t at, int i)
 {
     const ice_arrays *m = &v->m[r];
-    if (!(m->rho1[at] >= 0.0)) return "its mass would become negative or is no number";
+    if (!ice_mass_stands(m, at, s->multi)) return "its mass would become negative or is no number";
     if (s->multi && !(m->theta[at] > 1e-6)) return NULL;
     if (!(ice_outflow(v, m, at, i, v->dim) <= 1.0)) return "more would flow out than it holds";
     const eos *law = &s->material[r].eos;
@@ -89,9 +89,9 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
     return found > 0;
 }
 
-/* What is left of a material below the first share of a cell is dropped; below the second, what advection's round-off has left
+/* What is left of a material below ice_least_fraction of a cell is dropped; below `sliver`, what advection's round-off has left
  * without a temperature is given the last one at the last pressure (numerics 6). Both are entered in the ledger. */
-static const double least_fraction = 1e-13, sliver = 1e-6;
+static const double sliver = 1e-6;
 
 static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
 {
@@ -142,7 +142,7 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
                 const double fraction = m->rho1[at] * m->vol1[at];
                 if (m->rho1[at] == 0.0 || fraction >= sliver) continue;
                 double *tile = ice_tile(s, b, i, j, k);
-                if (fraction < least_fraction)
+                if (fraction < ice_least_fraction)
                     drop(v, r, at, v->volume[i], tile);
                 else
                     mend(s, v, r, at, v->volume[i], tile);

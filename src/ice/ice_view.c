@@ -50,6 +50,7 @@ static void gather_shared(const fields *f, bool multi, ice_view *v)
     v->tmv = field_get(f, C_TMV_RATIO, 0, 0);
     v->step = field_next(f, C_PRESSURE_STEP, 0, 0);
     v->last_step = field_get(f, C_PRESSURE_STEP, 0, 0);
+    v->wall = field_get(f, C_WALL, 0, 0);
     vector(f, field_get, F_PRESSURE, 0, dim, v->fp);
     v->rho_sum = multi ? field_get(f, C_RHO_SUM, 0, 0) : v->m[0].rho;
     for (int a = 0; a < dim; ++a) {

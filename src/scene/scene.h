@@ -19,6 +19,7 @@ enum {
     SCENE_MAX_BODIES = 32,
     SCENE_MAX_LOADS = 16,
     SCENE_MAX_PROBES = 32,
+    SCENE_MAX_EXCHANGES = 66, /* all pairs of materials */
     SCENE_MAX_SPRINGS = 64,
     SCENE_MAX_SUPPORTS = 16,
     SCENE_MAX_AXIS = 32, /* values of an axis */
@@ -96,6 +97,7 @@ typedef struct scene_body {
     double pressure;         /* Pa absolute; fluids */
     double temperature;      /* K */
     double density;          /* kg/m3; fluids: NAN when given by pressure and temperature, else temperature is NAN */
+    double fraction;         /* fluids in cells: share of its shape's volume that it takes; 0: all of it */
     bool initial_from_exact; /* density, velocity, pressure or stress come from verify.exact at t = 0 */
     int per_cell[3];         /* points along each axis of a cell */
     seed_method seeding;
@@ -146,6 +148,23 @@ typedef struct scene_load {
     double target;    /* Pa (pressurise: gauge to reference_pressure; traction), W/m3 (heat) */
     double vector[3]; /* m/s2 */
 } scene_load;
+
+struct exchange_model; /* coupling/exchange_law.h */
+
+/* A law of exchange with its parameters; model NULL: none is given. */
+typedef struct scene_exchange_law {
+    const struct exchange_model *model;
+    void *par;
+} scene_exchange_law;
+
+/* What two materials exchange, where the deck says so. */
+typedef struct scene_exchange {
+    char name[SCENE_NAME];
+    int material[2];               /* indices of scene.material */
+    scene_exchange_law momentum;   /* none: method.exchange */
+    scene_exchange_law tangential; /* across the gradient of the volume fraction; none: as momentum */
+    scene_exchange_law heat;       /* none: method.heat_exchange */
+} scene_exchange;
 
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
 typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
@@ -321,6 +340,8 @@ typedef struct scene {
     int n_bodies;
     scene_load load[SCENE_MAX_LOADS];
     int n_loads;
+    scene_exchange exchange[SCENE_MAX_EXCHANGES];
+    int n_exchanges;
     scene_spring spring[SCENE_MAX_SPRINGS];
     int n_springs;
     scene_support support[SCENE_MAX_SUPPORTS];

@@ -107,6 +107,52 @@ static void prescribed_material_keeps_its_value(void **state)
     check_close(u[0][2], -1.0, 0.0);
 }
 
+/* Locked along a random normal and free across it: each material keeps its tangential velocity to round-off, all have the normal
+ * velocity of the centre of mass, and momentum is kept; alike tensors are the plain exchange. */
+static void slip_in_a_frame(void **state)
+{
+    (void)state;
+    unsigned long long seed = 11;
+    for (int dim = 1; dim <= 3; ++dim)
+        for (int trial = 0; trial < 500; ++trial) {
+            enum { N = 4 };
+            double mass[N], theta[N], n[3] = {0.0}, u[3][EXCHANGE_MAX], w[3][EXCHANGE_MAX], same[3][EXCHANGE_MAX];
+            double size = 0.0, total = 0.0, mean = 0.0;
+            exchange_matrix K = {{0.0}}, a, none = {{0.0}};
+            for (int x = 0; x < dim; ++x) n[x] = 2.0 * next(&seed) - 1.0;
+            for (int x = 0; x < dim; ++x) size += n[x] * n[x];
+            for (int x = 0; x < dim; ++x) n[x] /= sqrt(size);
+            for (int r = 0; r < N; ++r) {
+                mass[r] = pow(10.0, 6.0 * next(&seed) - 3.0);
+                theta[r] = 0.25;
+                for (int x = 0; x < dim; ++x) u[x][r] = w[x][r] = same[x][r] = 2e3 * next(&seed) - 1e3;
+                for (int q = 0; q < N; ++q) K[r][q] = 1e25;
+                for (int x = 0; x < dim; ++x) mean += mass[r] * u[x][r] * n[x];
+                total += mass[r];
+            }
+            exchange_couple(N, K, theta, 1e-6, a);
+            exchange_relax_frame(N, mass, a, none, dim, n, w);
+            for (int r = 0; r < N; ++r) {
+                double before = 0.0, after = 0.0;
+                for (int x = 0; x < dim; ++x) {
+                    before += u[x][r] * n[x];
+                    after += w[x][r] * n[x];
+                }
+                check_close(after, mean / total, 4e-9); /* couplings are cut at 1e12 of the masses */
+                for (int x = 0; x < dim; ++x) check_close(w[x][r] - after * n[x], u[x][r] - before * n[x], 1e-11);
+            }
+            for (int x = 0; x < dim; ++x) {
+                double change = 0.0;
+                for (int r = 0; r < N; ++r) change += mass[r] * (w[x][r] - u[x][r]);
+                check_true(fabs(change) <= 1e-14 * 1e3 * total);
+            }
+            exchange_relax_frame(N, mass, a, a, dim, n, same);
+            exchange_relax(N, mass, a, dim, u);
+            for (int x = 0; x < dim; ++x)
+                for (int r = 0; r < N; ++r) check_close(same[x][r], u[x][r], 1e-10);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -115,6 +161,7 @@ int main(void)
         cmocka_unit_test(solution_satisfies_the_system),
         cmocka_unit_test(absent_material_gets_the_mean),
         cmocka_unit_test(prescribed_material_keeps_its_value),
+        cmocka_unit_test(slip_in_a_frame),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,66 @@
+# exchange: between materials that share cells. Sourced by scripts/results.sh.
+# shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
+
+# last RUN COLUMN...: the sum of the last values of these columns of its history.
+last() {
+    local file=$runs/$1/history.csv sum=0 name
+    shift
+    for name in "$@"; do
+        sum=$(calc %.17g "$sum + $(awk -F, -v at="$(column "$file" "$name")" 'END { print $at }' "$file")")
+    done
+    echo "$sum"
+}
+
+# error_of RUN METRIC: from its summary.
+error_of() {
+    sed -n "s/^ *\"$2\": \([-+.0-9e]*\),*$/\1/p" "$runs/$1/summary.json"
+}
+
+# along RUN: momentum of the wall along 30 degrees, over that of the gas at the start.
+along() {
+    local x y
+    x=$(last "$1" velocity_wall_x velocity_wall_below_x)
+    y=$(last "$1" velocity_wall_y velocity_wall_below_y)
+    calc %.4f "0.5 * ($x * 0.8660254037844386 + $y * 0.5) * $(last "$1" mass_steel) / (50 * $(last "$1" mass_air))"
+}
+
+result_exchange() {
+    begin exchange 'Exchange between materials'
+    local K n s
+    floe_command study study.csv relaxation inputs/relaxation.yaml
+    write 'Row D5: two gases in one place, at two velocities and temperatures, come to one of each. The exact answer is exponential; a step leaves' \
+        '1/(1 + dt/tau) of a difference (to round-off: `tests/verification/test_ice_exchange.c`, K and R from 1 to 1e20, and three materials), so that errors' \
+        'are of first order in the step.' '' '## Bars' ''
+    for s in l1_velocity_x l1_temperature; do
+        bar "relaxation: order of $s in the step" "$(sed -n "s/^order in .*$s \([0-9.]*\) .*/\1/p" "$runs/relaxation.txt")" '>=' 0.9 %.2f
+    done
+    for K in 1 1e5 1e10 1e15 1e20; do
+        floe_run limit-$K inputs/relaxation.yaml --set exchange.gases.momentum.constant.coefficient=$K \
+            --set exchange.gases.heat.constant.coefficient=$K --set verify.exact.relaxation.momentum_exchange=$K \
+            --set verify.exact.relaxation.heat_exchange=$K
+    done
+    bar 'relaxation: error of the velocity at K = 1e20, m/s' "$(error_of limit-1e20 l1_velocity_x)" '<=' 1e-10 %.1e
+    bar 'relaxation: error of the temperature at R = 1e20, K' "$(error_of limit-1e20 l1_temperature)" '<=' 1e-10 %.1e
+    for n in 1 2; do
+        for s in free locked; do
+            floe_run slip-$s-$n inputs/slip_wall.yaml --set exchange.wall.tangential=$s \
+                --set "domain.cell=[$(calc %.17g "1.732050807568877 / 36 / $n"), $(calc %.17g "0.05 / $n")]"
+        done
+    done
+    bar 'slip at 30 degrees, 36 x 20: momentum lost to the wall, over that lost to one velocity' \
+        "$(calc %.17g "$(along slip-free-1) / $(along slip-locked-1)")" '<=' 0.2 %.2f
+    bar 'slip at 30 degrees, 72 x 40: the same' "$(calc %.17g "$(along slip-free-2) / $(along slip-locked-2)")" '<=' 0.2 %.2f
+    show_bars
+    write '' '## Relaxation' '' 'Errors of the light gas at t = 2 ms, two relaxation times of the velocity and one of the temperature:' '' \
+        '```' "$(sed '1d;$d' "$runs/relaxation.txt")" '```' '' 'The limit, at 16 steps of 0.125 ms, K in kg/m3/s and R in W/m3/K:' '' \
+        '| K, R | error of the velocity | error of the temperature | drift of momentum | drift of energy |' '|---|---|---|---|---|'
+    for K in 1 1e5 1e10 1e15 1e20; do
+        write "| $K | $(printf %.2e "$(error_of limit-$K l1_velocity_x)") m/s | $(printf %.2e "$(error_of limit-$K l1_temperature)") K | $(printf %.1e "$(last limit-$K drift_momentum_x)") | $(printf %.1e "$(last limit-$K drift_energy)") |"
+    done
+    write '' '## Slip along an oblique wall' '' \
+        'Gas at 50 m/s along a band of points at 30 degrees to the mesh, periodic both ways. Momentum along itself that the wall has after 2 ms (the gas has' \
+        'gone 0.1 m, two cells of the coarser mesh), as a share of that of the gas at the start. An inviscid gas would lose nothing; what slip loses is by normals that are' \
+        'not exact, of which each step takes sin^2 of the error. (The bars of this section were set after a first look at 0.13.)' '' '| cells | locked | slip |' '|---|---|---|' \
+        "| 36 x 20 | $(along slip-locked-1) | $(along slip-free-1) |" "| 72 x 40 | $(along slip-locked-2) | $(along slip-free-2) |" ''
+    finish
+}

@@ -1,0 +1,43 @@
+/* A constant coefficient. */
+#include "coupling/exchange_law.h"
+
+#include <math.h>
+
+typedef struct constant_par {
+    double coefficient;
+} constant_par;
+
+#define COEFFICIENT(unit_, most, doc_)                                                                           \
+    {                                                                                                            \
+        {                                                                                                        \
+            .key = "coefficient", .unit = unit_, .range = PARAM_BETWEEN, .lo = 0.0, .hi = most, .fallback = NAN, \
+            .offset = offsetof(constant_par, coefficient), .count = 1, .doc = doc_                               \
+        }                                                                                                        \
+    }
+
+static const param_spec momentum_params[] =
+    COEFFICIENT("kg m-3 s-1", 1e20, "K of the force theta1 theta2 K (u2 - u1) per volume");
+static const param_spec heat_params[] =
+    COEFFICIENT("W m-3 K-1", 1e30, "R of the heat theta1 theta2 R (T2 - T1) per volume and time");
+
+static double coefficient(const void *par, const exchange_pair *pair)
+{
+    (void)pair;
+    return ((const constant_par *)par)->coefficient;
+}
+
+const exchange_model exchange_constant = {
+    .name = "constant",
+    .doc = "a constant coefficient",
+    .cite = "Guilkey et al. (2003), exchange terms of eqs 2 and 3",
+    .law = {[EXCHANGE_MOMENTUM] = {.param_size = sizeof(constant_par),
+                                   .params = momentum_params,
+                                   .n_params = 1,
+                                   .uniform = true,
+                                   .coefficient = coefficient},
+            [EXCHANGE_HEAT] = {.param_size = sizeof(constant_par),
+                               .params = heat_params,
+                               .n_params = 1,
+                               .uniform = true,
+                               .coefficient = coefficient}},
+};

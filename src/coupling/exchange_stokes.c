@@ -1,0 +1,57 @@
+/* Spheres in slow flow: F = 3 pi mu d (u_c - u_d) each; heat by conduction alone, Nu = 2. */
+#include "coupling/dispersed.h"
+
+typedef struct stokes_par {
+    dispersed_par spheres;
+} stokes_par;
+
+typedef struct conduction_par {
+    double diameter, conductivity; /* m, W/m/K */
+} conduction_par;
+
+static const param_spec momentum_params[] = {DISPERSED_PARAMS(stokes_par)};
+static const param_spec heat_params[] = {
+    {.key = "diameter",
+     .unit = "m",
+     .range = PARAM_POSITIVE,
+     .fallback = NAN,
+     .offset = offsetof(conduction_par, diameter),
+     .count = 1,
+     .doc = "diameter of the spheres, the first material"},
+    {.key = "conductivity",
+     .unit = "W m-1 K-1",
+     .range = PARAM_POSITIVE,
+     .fallback = NAN,
+     .offset = offsetof(conduction_par, conductivity),
+     .count = 1,
+     .doc = "of the carrier, the second material"},
+};
+
+static double momentum(const void *par, const exchange_pair *q)
+{
+    return dispersed_stokes(&((const stokes_par *)par)->spheres, q);
+}
+
+static double heat(const void *par, const exchange_pair *q)
+{
+    const conduction_par *a = par;
+    return 12.0 * a->conductivity / (a->diameter * a->diameter) * dispersed_share(q);
+}
+
+static const char *check(const void *par, const double viscosity[2])
+{
+    return dispersed_check(&((const stokes_par *)par)->spheres, viscosity);
+}
+
+const exchange_model exchange_stokes = {
+    .name = "stokes",
+    .doc = "dispersed spheres in slow flow: Stokes' drag; conduction, Nu = 2",
+    .cite = "G. G. Stokes, Trans. Camb. Phil. Soc. 9 (1851) 8",
+    .law = {[EXCHANGE_MOMENTUM] = {.param_size = sizeof(stokes_par),
+                                   .params = momentum_params,
+                                   .n_params = 2,
+                                   .coefficient = momentum,
+                                   .check = check},
+            [EXCHANGE_HEAT] =
+                {.param_size = sizeof(conduction_par), .params = heat_params, .n_params = 2, .coefficient = heat}},
+};

@@ -1,0 +1,240 @@
+/* What each pair of materials exchanges at a place: constants, laws that see the state there, and the frame in which a pair slips
+ * (numerics 2.9). Scenes whose coefficients are constants and that have no slip never come here after they are resolved. */
+#include "coupling/exchange_law.h"
+#include "ice/ice_internal.h"
+
+#include <math.h>
+
+/* ---- resolving ---- */
+
+static void set_pair(exchange_matrix m, int r, int q, double value)
+{
+    m[r][q] = m[q][r] = value;
+}
+
+/* Enters a constant; a law that sees the state is noted, and asked at each place. */
+static floe_status resolve_law(ice *s, const scene_exchange *given, scene_exchange_law law, ice_coefficient which,
+                               int r, int q)
+{
+    ice_pairs *pairs = &s->work->pairs;
+    const exchange_law *model = &law.model->law[which == ICE_HEAT ? EXCHANGE_HEAT : EXCHANGE_MOMENTUM];
+    if (model->uniform) {
+        set_pair(pairs->table[which], r, q, model->coefficient(law.par, NULL));
+        return FLOE_OK;
+    }
+    const double viscosity[2] = {s->material[r].shear_viscosity, s->material[q].shear_viscosity};
+    const char *lacks = model->check ? model->check(law.par, viscosity) : NULL;
+    if (lacks) return fail(s->ctx, FLOE_BAD_INPUT, "exchange '%s', law '%s': %s", given->name, law.model->name, lacks);
+    set_pair(pairs->table[which], r, q, 0.0);
+    pairs->law[pairs->n++] = (ice_pair_law){r, q, which, model, law.par};
+    return FLOE_OK;
+}
+
+/* The material whose surface gives the frame: the one that is carried by points, else the first. */
+static void note_wall(ice *s, int r, int q)
+{
+    s->work->pairs.slips = true;
+    s->work->pairs.wall[s->material[q].points && !s->material[r].points ? q : r] = true;
+}
+
+static floe_status resolve_pair(ice *s, const scene_exchange *e)
+{
+    const int r = ice_material_of(s, e->material[0]), q = ice_material_of(s, e->material[1]);
+    if (r < 0 || q < 0) return FLOE_OK; /* no body of one of them is in the scene */
+    if (e->momentum.model) {
+        TRY(resolve_law(s, e, e->momentum, ICE_NORMAL, r, q));
+        if (!e->tangential.model) TRY(resolve_law(s, e, e->momentum, ICE_TANGENTIAL, r, q));
+    }
+    if (e->tangential.model) {
+        TRY(resolve_law(s, e, e->tangential, ICE_TANGENTIAL, r, q));
+        note_wall(s, r, q);
+    }
+    return e->heat.model ? resolve_law(s, e, e->heat, ICE_HEAT, r, q) : FLOE_OK;
+}
+
+floe_status ice_pairs_resolve(ice *s)
+{
+    exchange_table *t = &s->exchange;
+    ice_pairs *pairs = &s->work->pairs;
+    t->n = s->n_materials;
+    pairs->table[ICE_NORMAL] = t->K;
+    pairs->table[ICE_TANGENTIAL] = t->Kt;
+    pairs->table[ICE_HEAT] = t->R;
+    for (int r = 0; r < s->n_materials; ++r)
+        for (int q = 0; q < r; ++q) {
+            set_pair(t->K, r, q, s->scene->method.exchange);
+            set_pair(t->Kt, r, q, s->scene->method.exchange);
+            set_pair(t->R, r, q, s->scene->method.heat_exchange);
+        }
+    for (int i = 0; i < s->scene->n_exchanges; ++i) TRY(resolve_pair(s, &s->scene->exchange[i]));
+    for (int r = 0; r < s->n_materials; ++r)
+        for (int q = 0; q < r; ++q) pairs->heat = pairs->heat || t->R[r][q] > 0.0;
+    for (int i = 0; i < pairs->n; ++i) pairs->heat = pairs->heat || pairs->law[i].which == ICE_HEAT;
+    pairs->plain = pairs->n == 0 && !pairs->slips;
+    return FLOE_OK;
+}
+
+/* ---- at a place ---- */
+
+static exchange_pair pair_at(const ice *s, const ice_spot *spot, int r, int q)
+{
+    double square = 0.0;
+    for (int a = 0; a < s->mesh->dim; ++a) square += pow(spot->u[a][r] - spot->u[a][q], 2.0);
+    return (exchange_pair){.theta = {spot->theta[r], spot->theta[q]},
+                           .density = {spot->density[r], spot->density[q]},
+                           .viscosity = {s->material[r].shear_viscosity, s->material[q].shear_viscosity},
+                           .slip = sqrt(square)};
+}
+
+double (*ice_coefficients(const ice *s, ice_coefficient which, const ice_spot *spot, exchange_matrix own))[EXCHANGE_MAX]
+{
+    const ice_pairs *pairs = &s->work->pairs;
+    if (pairs->n == 0) return pairs->table[which];
+    for (int r = 0; r < s->n_materials; ++r)
+        for (int q = 0; q < s->n_materials; ++q) own[r][q] = pairs->table[which][r][q];
+    for (int i = 0; i < pairs->n; ++i) {
+        const ice_pair_law *law = &pairs->law[i];
+        if (law->which != which) continue;
+        const exchange_pair pair = pair_at(s, spot, law->first, law->second);
+        set_pair(own, law->first, law->second, law->model->coefficient(law->par, &pair));
+    }
+    return own;
+}
+
+static double wall_fraction(const ice *s, const ice_view *v, ptrdiff_t at)
+{
+    double sum = 0.0;
+    for (int r = 0; r < s->n_materials; ++r)
+        if (s->work->pairs.wall[r]) sum += v->m[r].theta[at];
+    return sum;
+}
+
+/* Binomial weights over five cells along each axis. A normal that is off by eps takes sin^2(eps) of the slip a step from gas that is
+ * locked along it: the smoother the fraction, the less (SMOOTH). */
+static double smoothed(const ice *s, const ice_view *v, ptrdiff_t at)
+{
+    static const double weight[5] = {1.0 / 16.0, 4.0 / 16.0, 6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0};
+    const ptrdiff_t *st = v->b->stride;
+    const int nb = v->dim > 1 ? 2 : 0, nc = v->dim > 2 ? 2 : 0;
+    double sum = 0.0;
+    for (int k = -nc; k <= nc; ++k)
+        for (int j = -nb; j <= nb; ++j)
+            for (int i = -2; i <= 2; ++i) {
+                const double w = weight[i + 2] * (nb ? weight[j + 2] : 1.0) * (nc ? weight[k + 2] : 1.0);
+                sum += w * wall_fraction(s, v, at + i * st[0] + (nb ? j * st[1] : 0) + (nc ? k * st[2] : 0));
+            }
+    return sum;
+}
+
+floe_status ice_wall_fraction(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+#pragma omp parallel for schedule(static)
+        for (int row = 0; row < q.n; ++row) {
+            const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
+            for (ptrdiff_t at = base; at < base + v.b->n[0]; ++at) v.wall[at] = smoothed(s, &v, at);
+        }
+    }
+    ice_fill_ghosts(s, C_WALL, 0, FILL_CURRENT, GHOST_EVEN);
+    return FLOE_OK;
+}
+
+/* Differences over two cells along `axis`, weighted 1 2 1 across it (Youngs' gradient of a volume fraction). */
+static double wall_slope(const ice_view *v, ptrdiff_t at, int axis)
+{
+    const ptrdiff_t *st = v->b->stride;
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    const int nb = b < v->dim, nc = c < v->dim;
+    double sum = 0.0, weight = 0.0;
+    for (int j = -nb; j <= nb; ++j)
+        for (int k = -nc; k <= nc; ++k) {
+            const ptrdiff_t there = at + (nb ? j * st[b] : 0) + (nc ? k * st[c] : 0);
+            const double w = (j == 0 ? 2.0 : 1.0) * (k == 0 ? 2.0 : 1.0);
+            sum += w * (v->wall[there + st[axis]] - v->wall[there - st[axis]]);
+            weight += w;
+        }
+    return 0.5 * sum / weight * v->inv_h[axis];
+}
+
+void ice_wall_gradient(const ice_view *v, ptrdiff_t at, double gradient[3])
+{
+    for (int a = 0; a < 3; ++a) gradient[a] = a < v->dim ? wall_slope(v, at, a) : 0.0;
+}
+
+bool ice_wall_normal(const ice_view *v, const double gradient[3], double normal[3])
+{
+    double square = 0.0;
+    for (int a = 0; a < v->dim; ++a) square += gradient[a] * gradient[a];
+    const double size = sqrt(square);
+    for (int a = 0; a < 3; ++a) normal[a] = size > 0.0 ? gradient[a] / size : 0.0;
+    return size * v->length > 1e-6; /* none in a uniform mixture */
+}
+
+void ice_relax_spot(const ice *s, const ice_view *v, const double *mass, const ice_spot *spot, double factor,
+                    const double *gradient, double u[3][EXCHANGE_MAX])
+{
+    const int n = s->n_materials;
+    exchange_matrix own, a, across;
+    double normal[3];
+    exchange_couple(n, ice_coefficients(s, ICE_NORMAL, spot, own), spot->theta, factor, a);
+    if (!gradient || !ice_wall_normal(v, gradient, normal)) {
+        exchange_relax(n, mass, a, v->dim, u);
+        return;
+    }
+    exchange_couple(n, ice_coefficients(s, ICE_TANGENTIAL, spot, own), spot->theta, factor, across);
+    exchange_relax_frame(n, mass, a, across, v->dim, normal, u);
+}
+
+/* ---- faces ---- */
+
+/* The velocity before exchange at a face: u* along its axis; across it the mean of both sides, with the kick of the pressure, so
+ * that the whole vector is of one time and a kick along an oblique normal stays along it. */
+static void face_vector(const ice_view *v, int r, int axis, ptrdiff_t R, double u[3][EXCHANGE_MAX])
+{
+    const ice_arrays *m = &v->m[r];
+    const ptrdiff_t L = R - v->b->stride[axis];
+    const double sum = m->rho[L] + m->rho[R], inverse = 1.0 / (sum + ICE_TINY);
+    const double phi = 0.5 + 0.25 * (v->shock[L] + v->shock[R]), room = m->theta[L] + m->theta[R];
+    for (int a = 0; a < v->dim; ++a) {
+        if (a == axis) {
+            u[a][r] = m->fu[a][R];
+            continue;
+        }
+        const ptrdiff_t st = v->b->stride[a];
+        const double rise = 0.25 * (v->p[L + st] - v->p[L - st] + v->p[R + st] - v->p[R - st]);
+        const double mean =
+            sum > 0.0 ? (m->rho[L] * m->u[a][L] + m->rho[R] * m->u[a][R]) * inverse : 0.5 * (m->u[a][L] + m->u[a][R]);
+        u[a][r] = mean + phi * v->dt * (v->gravity[a] - rise * v->inv_h[a] * room * inverse);
+    }
+}
+
+void ice_exchange_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R)
+{
+    const ptrdiff_t L = R - v->b->stride[axis];
+    double mass[EXCHANGE_MAX], u[3][EXCHANGE_MAX] = {{0.0}}, gradient[3], other[3];
+    ice_spot spot;
+    int present = 0;
+    const bool velocity = value[0] == v->m[0].fu[axis];
+    for (int r = 0; r < s->n_materials; ++r) {
+        const ice_arrays *m = &v->m[r];
+        spot.theta[r] = 0.5 * (m->theta[L] + m->theta[R]);
+        spot.density[r] = 2.0 / (m->v[L] + m->v[R]);
+        mass[r] = spot.theta[r] > 0.0 ? 0.5 * (m->rho[L] + m->rho[R]) : 0.0;
+        present += mass[r] > 0.0;
+        face_vector(v, r, axis, R, spot.u);
+        for (int a = 0; a < v->dim && velocity; ++a) u[a][r] = spot.u[a][r];
+        u[axis][r] = value[r][R];
+    }
+    if (present < 2) return;
+    const bool slips = s->work->pairs.slips;
+    if (slips) {
+        ice_wall_gradient(v, L, gradient);
+        ice_wall_gradient(v, R, other);
+        for (int a = 0; a < 3; ++a) gradient[a] = 0.5 * (gradient[a] + other[a]);
+    }
+    ice_relax_spot(s, v, mass, &spot, v->dt, slips ? gradient : NULL, u);
+    for (int r = 0; r < s->n_materials; ++r) value[r][R] = u[axis][r];
+}
