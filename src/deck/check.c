@@ -187,6 +187,19 @@ static floe_status check_time(reader *r)
     return FLOE_OK;
 }
 
+/* What points lose is known of blends of FLIP and PIC in which they keep some of their own velocity. */
+static floe_status check_losses(reader *r)
+{
+    const scene_method *m = &r->scene->method;
+    if (m->losses != LOSSES_HEAT) return FLOE_OK;
+    if (strcmp(m->transfer, "flip") != 0 && is_clean(r->root, PATH("method", "transfer")))
+        return bad_at(r, PATH("method", "transfer"), "flip, as method.losses is heat", NULL,
+                      "what transfer '%s' loses is not known", m->transfer);
+    if (m->flip > 0.0 || !is_clean(r->root, PATH("method", "flip"))) return FLOE_OK;
+    return bad_at(r, PATH("method", "flip"), "a number above 0, as method.losses is heat", NULL,
+                  "points with flip 0 forget what they lose");
+}
+
 floe_status check_scene(reader *r)
 {
     TRY(check_mesh(r));
@@ -196,6 +209,7 @@ floe_status check_scene(reader *r)
     TRY(check_time(r));
     TRY(check_bodies(r));
     TRY(check_loads(r));
+    TRY(check_losses(r));
     TRY(check_contact(r));
     return check_verify(r);
 }

@@ -143,6 +143,11 @@ static const choice density_choices[] = {
     {"quadratic", DENSITY_QUADRATIC, "the same, of masses spread by a quadratic B-spline"},
     {0},
 };
+static const choice losses_choices[] = {
+    {"drift", LOSSES_DRIFT, "nothing: the drift of energy shows it"},
+    {"heat", LOSSES_HEAT, "heat of the fluid points about them (pure MPM)"},
+    {0},
+};
 static const choice centring_choices[] = {
     {"auto", ICE_CENTRING_AUTO, "half where smooth, full at shocks"},
     {"half", ICE_CENTRING_HALF, "second order in time"},
@@ -192,6 +197,8 @@ static const key_spec method_keys[] = {
      .doc = "order m: passes between points and nodes of which the filter is made"},
     {"point_density", KEY_CHOICE, AT(scene_method, density), .fallback = "continuity", .choices = density_choices,
      .doc = "density of material points of fluids"},
+    {"losses", KEY_CHOICE, AT(scene_method, losses), .fallback = "drift", .choices = losses_choices,
+     .doc = "what becomes of the kinetic energy that points lose to their nodes, and damping takes"},
     {"centring", KEY_CHOICE, AT(scene_method, centring), .fallback = "auto", .choices = centring_choices,
      .doc = "time centring of the ICE pressure"},
     {"energy", KEY_CHOICE, AT(scene_method, conserve_energy), .fallback = "conserving", .choices = energy_choices,

@@ -123,6 +123,12 @@ static const choice section_choices[] = {
     {0},
 };
 
+static const choice strain_choices[] = {
+    {"rate", STRAIN_BY_RATE, "it grows with the gradient of velocity at the point"},
+    {"places", STRAIN_BY_PLACES, "the distance of its neighbours, over that at rest"},
+    {0},
+};
+
 static const key_spec membrane_keys[] = {
     {"curve", KEY_VARIANT, AT(scene_membrane, curve), .variants = &curve_kinds, .required = true,
      .doc = "the line along which it lies"},
@@ -138,6 +144,10 @@ static const key_spec membrane_keys[] = {
          "how the normals of the points are found; all but `connectivity` take the points as they lie, in any order"},
     {"section", KEY_CHOICE, AT(scene_membrane, section), .fallback = "thickness", .choices = section_choices,
      .doc = "what becomes of it as it is stretched"},
+    {"strain", KEY_CHOICE, AT(scene_membrane, strain), .fallback = "rate", .choices = strain_choices,
+     .doc = "how a point knows its strain along the line"},
+    {"smoothing", KEY_NUMBER, NULL, WITHIN(0.0, 0.0625), AT(scene_membrane, smoothing), .fallback = "0",
+     .doc = "share of the fourth difference of their places that points give up in a step; with `strain: places`"},
     {"slack", KEY_NUMBER, NULL, WITHIN(-2.0, 2.0), AT(scene_membrane, slack), .fallback = "0",
      .doc = "logarithmic strain that must be taken up before there is tension; negative: taut at the start"},
     {"slack_from", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_from), .fallback = "0",
@@ -178,9 +188,18 @@ static floe_status check_count(reader *r, deck_node *node, const scene_body *b)
     return bad_key(r, node, NULL, NULL, "membrane '%s' names its point %d, and has %d", b->name, named, n);
 }
 
+static floe_status check_strain(reader *r, deck_node *node, const scene_body *b)
+{
+    const scene_membrane *m = &b->membrane;
+    if (m->strain == STRAIN_BY_PLACES || m->smoothing == 0.0) return FLOE_OK;
+    return bad_key(r, node, "strain: places", NULL,
+                   "membrane '%s' has smoothing, which strains by rate would know nothing of", b->name);
+}
+
 floe_status end_membrane(reader *r, deck_node *node, scene_body *body)
 {
     deck_node *at = node_find(node, "membrane");
+    TRY(check_strain(r, at, body));
     TRY(check_heavy(r, at, body));
     return check_count(r, at, body);
 }

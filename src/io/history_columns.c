@@ -175,6 +175,13 @@ static void add_body(line *l, int body, const history_row *row)
         (void)snprintf(name, sizeof name, "%s_%s", last ? "last" : "first", label);
         add_vector(l, name, "m", end);
     }
+    if (!mpm_membrane_encloses(l->s->mpm, body)) return;
+    membrane_room room = {0};
+    if (row) mpm_membrane_room(l->s->mpm, body, &room);
+    add_named(l, "area", label, "m2", room.area);
+    add_named(l, "pressure_in", label, "Pa", room.pressure);
+    add_named(l, "outside", label, "kg", l->whole * room.outside);
+    add_named(l, "stress", label, "Pa", room.stress);
 }
 
 static floe_status walk(const sim *s, const history_row *row, strbuf *out)

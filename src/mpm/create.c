@@ -66,6 +66,7 @@ static void resolve_body(mpm *s, int index)
     if (b->law->n_history > s->n_history) s->n_history = b->law->n_history;
     s->membranes = s->membranes || m->membrane;
     s->free_normals = s->free_normals || normals_are_free(s, s->n_bodies);
+    s->placed = s->placed || (m->membrane && sc->body[index].membrane.strain == STRAIN_BY_PLACES);
     s->hoops = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
     s->n_bodies++;
 }

@@ -58,12 +58,13 @@ static size_t cell_number(const mesh *m, int i, int j, int k)
 
 static void add_point(const mpm *s, const cell_stencil *at, double mass, double *sum)
 {
-    for (int z = 0; z < 3; ++z)
-        for (int y = 0; y < 3; ++y)
-            for (int x = 0; x < 3; ++x) {
-                const double w = at->w[0][x] * at->w[1][y] * at->w[2][z];
-                if (w > 0.0) sum[cell_number(s->mesh, at->cell[0][x], at->cell[1][y], at->cell[2][z])] += w * mass;
-            }
+    const int dim = s->mesh->dim; /* an axis that is not there has the weights 0 1 0 */
+    for (int z = dim > 2 ? 0 : 1; z < (dim > 2 ? 3 : 2); ++z)
+        for (int y = dim > 1 ? 0 : 1; y < (dim > 1 ? 3 : 2); ++y) {
+            const size_t row = cell_number(s->mesh, 0, at->cell[1][y], at->cell[2][z]);
+            for (int x = 0; x < 3; ++x)
+                sum[row + (size_t)at->cell[0][x]] += at->w[0][x] * at->w[1][y] * at->w[2][z] * mass;
+        }
 }
 
 static void places(const mpm *s, int blk, int body, const double *x[3])
@@ -114,9 +115,9 @@ static void give_densities(const mpm *s, int blk, int body, const double *sum)
     places(s, blk, body, x);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < s->points[blk][body].n; ++k) {
-        const cell_stencil at = stencil_of(s, x, k);
-        density[k] = sum[cell_number(s->mesh, at.cell[0][1], at.cell[1][1], at.cell[2][1])] /
-                     mesh_cell_volume(s->mesh, at.cell[0][1]);
+        int cell[3] = {0, 0, 0};
+        for (int a = 0; a < s->mesh->dim; ++a) cell[a] = fold_cell(s->mesh, a, mesh_cell_of(s->mesh, a, x[a][k]));
+        density[k] = sum[cell_number(s->mesh, cell[0], cell[1], cell[2])] / mesh_cell_volume(s->mesh, cell[0]);
     }
 }
 

@@ -30,20 +30,24 @@ static void reflect(const line_end *end, const double *from, double x[3])
     x[end->axis] = 2.0 * end->plane - x[end->axis];
 }
 
+line_side line_side_of(const membrane_line *line, size_t number, int step)
+{
+    const bool at_end = step < 0 ? number == 0 : number + 1 == line->n;
+    if (!at_end || line->closed)
+        return (line_side){(ptrdiff_t)((number + line->n + (step < 0 ? line->n - 1 : 1)) % line->n), NULL};
+    const line_end *end = &line->end[step > 0];
+    if (end->axis < 0) return (line_side){-1, NULL};
+    return (line_side){(ptrdiff_t)(end->of_itself ? number : step < 0 ? number + 1 : number - 1), end};
+}
+
 /* The place of the point before (step -1) or after (+1). False at a free end, or where the point is lost. */
 static bool neighbour(const membrane_line *line, size_t number, int step, double x[3])
 {
-    const bool at_end = step < 0 ? number == 0 : number + 1 == line->n;
-    const double *from;
-    if (!at_end || line->closed) {
-        from = line->x + 3 * ((number + line->n + (step < 0 ? line->n - 1 : 1)) % line->n);
-        for (int a = 0; a < 3; ++a) x[a] = from[a];
-    } else {
-        const line_end *end = &line->end[step > 0];
-        if (end->axis < 0) return false;
-        from = line->x + 3 * (end->of_itself ? number : step < 0 ? number + 1 : number - 1);
-        reflect(end, from, x);
-    }
+    const line_side side = line_side_of(line, number, step);
+    if (side.of < 0) return false;
+    const double *from = line->x + 3 * side.of;
+    for (int a = 0; a < 3; ++a) x[a] = from[a];
+    if (side.mirror) reflect(side.mirror, from, x);
     return !isnan(x[0]);
 }
 
@@ -58,18 +62,44 @@ static void way_of(const mesh *m, const double *a, const double *b, double way[3
     }
 }
 
-bool line_tangent(const mpm *s, int body, size_t number, double t[3])
+/* The next point on a side, or the point itself where there is none; and half of what lies between them at rest. */
+static double reach_of(const membrane_line *line, size_t number, int step, double x[3])
+{
+    const double *own = line->x + 3 * number;
+    if (neighbour(line, number, step, x)) {
+        const ptrdiff_t of = line_side_of(line, number, step).of;
+        return line->rest ? 0.5 * (line->rest[number] + line->rest[of]) : 0.0;
+    }
+    for (int a = 0; a < 3; ++a) x[a] = own[a];
+    return 0.0;
+}
+
+double line_way(const mpm *s, int body, size_t number, double way[3], double *rest)
+{
+    const membrane_line *line = &s->work->line[body];
+    double before[3], after[3];
+    *rest = reach_of(line, number, -1, before) + reach_of(line, number, 1, after);
+    way_of(s->mesh, before, after, way);
+    return sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+}
+
+bool line_bend(const mpm *s, int body, size_t number, double bend[3])
 {
     const membrane_line *line = &s->work->line[body];
     const double *own = line->x + 3 * number;
-    double before[3], after[3], way[3];
-    if (line->n < 2) return false;
-    if (!neighbour(line, number, -1, before))
-        for (int a = 0; a < 3; ++a) before[a] = own[a];
-    if (!neighbour(line, number, 1, after))
-        for (int a = 0; a < 3; ++a) after[a] = own[a];
-    way_of(s->mesh, before, after, way);
-    const double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    double before[3], after[3], back[3], on[3];
+    if (isnan(own[0]) || !neighbour(line, number, -1, before) || !neighbour(line, number, 1, after)) return false;
+    way_of(s->mesh, own, before, back);
+    way_of(s->mesh, own, after, on);
+    for (int a = 0; a < 3; ++a) bend[a] = back[a] + on[a];
+    return true;
+}
+
+bool line_tangent(const mpm *s, int body, size_t number, double t[3])
+{
+    double way[3], rest;
+    if (s->work->line[body].n < 2) return false;
+    const double length = line_way(s, body, number, way, &rest);
     if (!(length > 0.0)) return false;
     for (int a = 0; a < 3; ++a) t[a] = way[a] / length;
     return true;
@@ -99,6 +129,7 @@ floe_status line_make(mpm *s, int body)
     *line = (membrane_line){.n = mpm_body_points(s, body), .closed = curve_is_closed(&b->membrane.curve)};
     line->end[0].axis = line->end[1].axis = -1;
     TRY(memory_new(s->ctx, &line->x, 3 * line->n, sizeof *line->x));
+    if (b->membrane.strain == STRAIN_BY_PLACES) TRY(line_measure(s, body));
     line_update(s, body, false);
     if (line->n < 2 || line->closed) return FLOE_OK;
     line->end[0] = find_mirror(s, line->x, line->x + 3);
@@ -109,6 +140,7 @@ floe_status line_make(mpm *s, int body)
 void line_free(context *ctx, membrane_line *line)
 {
     memory_free(ctx, &line->x);
+    memory_free(ctx, &line->rest);
 }
 
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3])

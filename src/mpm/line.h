@@ -20,13 +20,37 @@ typedef struct membrane_line {
     double *x; /* 3 n numbers, m: places by number; NAN where a point is lost. Owned */
     bool closed;
     line_end end[2];
+    /* Where strain comes from places (line_strain.c), else NULL: n numbers each, in one piece that `rest` owns. */
+    double *rest, *volume;  /* m, of each point at rest with its slack; m3 at the start */
+    double *along, *across; /* strains along the line and across it */
+    double *lost;           /* J: what smoothing took in the step; negative: gave */
+    double *bend;           /* 3 n, m: second differences of places */
+    double *shift;          /* 3 n, m: by how much smoothing has moved the points back in the step */
 } membrane_line;
+
+/* The point next to another: its number, -1 where there is none, and the mirror behind which it lies, or NULL. */
+typedef struct line_side {
+    ptrdiff_t of;
+    const line_end *mirror;
+} line_side;
 
 /* Makes the line of a body from the points that have been seeded. */
 floe_status line_make(mpm *s, int body);
+/* The arrays of a line whose strain comes from places, with what its points are at rest. */
+floe_status line_measure(mpm *s, int body);
 void line_free(context *ctx, membrane_line *line);
 /* Takes in the places of the points: current ones, or next. */
 void line_update(mpm *s, int body, bool next);
+/* The neighbour before (step -1) or after (+1) a point. */
+line_side line_side_of(const membrane_line *line, size_t number, int step);
+/* Way (m) from the point before to the one after, its length, and its length at rest; at a free end from or to the point itself. */
+double line_way(const mpm *s, int body, size_t number, double way[3], double *rest);
+/* Second difference of places (m) at a point. False at free ends, and beside lost points. */
+bool line_bend(const mpm *s, int body, size_t number, double bend[3]);
+/* Straightens a body's line: next places of the points, and line->lost. */
+void line_smooth(mpm *s, int body);
+/* Strains along a body's line from its places, into P_STRAIN. */
+void line_strain(const mpm *s, int body, bool next);
 /* Unit tangent at the point of a number (0 first), from its neighbours' places. False where it has none: t is left alone. */
 bool line_tangent(const mpm *s, int body, size_t number, double t[3]);
 /* Number of point k of a body in a block. */

@@ -79,11 +79,12 @@ floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end,
     membrane_batch b;
     load_strain(s, f, body, start, end - start, false, &b);
     load_tangent(s, f, body, start, false, &b);
+    const bool places = s->work->line[body].rest != NULL;
     /* USF's tangents stand at the end of the time over which it strains. */
     const double dt = strain_step(s), sign = s->scene->method.stress == STRESS_USF && !s->coupled ? -1.0 : 1.0;
     for (size_t k = 0; k < b.n; ++k) {
         if (b.t[0][k] == 0.0 && b.t[1][k] == 0.0 && b.t[2][k] == 0.0) continue;
-        b.along[k] += sign * stretch_of(rate, &b, k, sign * dt);
+        if (!places) b.along[k] += sign * stretch_of(rate, &b, k, sign * dt);
         if (s->hoops) b.across[k] += sign * log1p(sign * dt * rate->L[8][k]);
         if (!isfinite(b.along[k] + b.across[k])) return torn(s, blk, body, start + k);
     }
@@ -130,7 +131,10 @@ static void find_tangents(const mpm *s, int blk, int body, size_t start, bool ne
 /* Tangents of a body; with `stress` also the stress along them. */
 static void turn_body(mpm *s, int body, bool next, bool stress)
 {
-    if (!normals_are_free(s, body)) line_update(s, body, next);
+    const bool places = s->work->line[body].rest != NULL;
+    if (places || !normals_are_free(s, body)) line_update(s, body, next);
+    if (places && next) line_smooth(s, body);
+    if (places) line_strain(s, body, next);
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
         const size_t n = s->points[blk][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;
 #pragma omp parallel for schedule(static)
@@ -139,7 +143,7 @@ static void turn_body(mpm *s, int body, bool next, bool stress)
             membrane_batch b;
             load_strain(s, s->domain->fields[blk], body, start, end - start, next, &b);
             find_tangents(s, blk, body, start, next, &b);
-            if (stress) put_stress(s, s->domain->fields[blk], body, start, next, &b);
+            if (stress || places) put_stress(s, s->domain->fields[blk], body, start, next, &b);
         }
     }
 }

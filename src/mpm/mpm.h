@@ -53,6 +53,7 @@ typedef struct mpm {
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
     int n_history;                        /* the most numbers that a body's law remembers */
+    bool placed;                          /* some membrane has its strain from places */
     bool membranes, hoops;                /* some body is a membrane; it has strain around the axis */
     bool free_normals;                    /* some membrane has normals without connections */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
@@ -90,6 +91,8 @@ floe_status mpm_stress_last(mpm *s);       /* USL with such densities: stress fr
 floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, then L_p, F, stress */
 floe_status mpm_membrane_normals(mpm *s);  /* normals of membranes without connections, from where the points are now */
 floe_status mpm_turn_membranes(mpm *s);    /* tangents from where the points are now, and the stress along them */
+
+floe_status mpm_give_heat(mpm *s); /* lost kinetic energy to fluid points (heat.c) */
 
 /* Before the stages: the kick of the step, body forces. */
 floe_status mpm_begin_step(mpm *s);
@@ -131,6 +134,16 @@ double *mpm_surface(mpm *s, size_t *n, size_t *stride);
 
 /* Place (m) of the first or the last point of a membrane; NAN where it is lost. */
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3]);
+
+/* The room inside a membrane of a plane scene that is closed, or that ends on mirrors (room.c). */
+typedef struct membrane_room {
+    double area;     /* m2 */
+    double pressure; /* Pa: of all fluid points, their volumes times pressure over the area */
+    double outside;  /* kg per metre of depth: of fluid points outside */
+    double stress;   /* Pa: along the membrane, the mean by volume at rest */
+} membrane_room;
+bool mpm_membrane_encloses(const mpm *s, int body);
+void mpm_membrane_room(mpm *s, int body, membrane_room *out);
 
 /* Number of points of a body over all blocks, and of all bodies. */
 size_t mpm_body_points(const mpm *s, int body);

@@ -88,6 +88,7 @@ floe_status mpm_force_stages(mpm *s)
 
 floe_status mpm_motion_stages(mpm *s)
 {
+    const bool gimp = s->basis->kind == BASIS_GIMP;
     const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
     STAGE(s, has_contact(s), mpm_contact_velocity,
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
@@ -109,8 +110,11 @@ floe_status mpm_motion_stages(mpm *s)
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     STAGE(s, s->membranes, mpm_turn_membranes,
-          READS(P_ID, P_POS, WHEN(s->free_normals, P_NORMAL), P_TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN),
-          WRITES(P_TANGENT, P_STRESS, P_J));
+          READS(P_ID, P_POS, P_VOLUME0, WHEN(s->free_normals, P_NORMAL), P_TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN),
+          WRITES(P_TANGENT, P_STRESS, P_J, WHEN(s->placed, P_POS), WHEN(s->placed, P_STRAIN)));
+    STAGE(s, losses_are_heat(s), mpm_give_heat,
+          READS(P_MASS, P_POS, P_VEL, WHEN(gimp, P_HALF), N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
+          WRITES(N_LOSS, N_DRY_MASS, P_ENERGY));
     return FLOE_OK;
 }
 

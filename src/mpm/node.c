@@ -48,8 +48,7 @@ static bool damping_acts(const mpm *s)
     return d->rate > 0.0 && s->time >= d->start && s->time < d->end;
 }
 
-/* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable. */
-static double damping_left(const mpm *s)
+double damping_left(const mpm *s)
 {
     return damping_acts(s) ? 1.0 / (1.0 + s->scene->damping.rate * s->work->kick) : 1.0;
 }
@@ -110,10 +109,8 @@ static void tile_losses(const mpm *s, int blk, int tile, int group)
     const node_view n = view_nodes(s, blk, group);
     const double floor = small_node * s->work->reference_mass, taken = 1.0 - damping_left(s);
     double *sum = s->work->tile_sum + (size_t)t.number * SUM_COUNT;
-    int end[MESH_MAX_DIM] = {1, 1, 1};
-    for (int a = 0; a < s->mesh->dim;
-         ++a) /* the last tile owns the upper wall's nodes; a periodic end is node 0 again */
-        end[a] = t.cells[a] + (t.first[a] + t.cells[a] == s->mesh->n[a] && !s->mesh->periodic[a] ? 1 : 0);
+    int end[MESH_MAX_DIM];
+    tile_nodes(s->mesh, &t, end);
     for (int c = 0; c < SUM_COUNT; ++c) sum[c] = 0.0;
     for (int k = 0; k < end[2]; ++k)
         for (int j = 0; j < end[1]; ++j)

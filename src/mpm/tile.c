@@ -18,6 +18,12 @@ tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block)
     return t;
 }
 
+void tile_nodes(const mesh *m, const tile_box *t, int end[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a)
+        end[a] = a < m->dim ? t->cells[a] + (t->first[a] + t->cells[a] == m->n[a] && !m->periodic[a] ? 1 : 0) : 1;
+}
+
 uint64_t cell_bit(const mesh *m, const tile_box *t, const point_arrays *p, size_t k)
 {
     int bit = 0, row = 1;

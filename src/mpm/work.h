@@ -130,6 +130,8 @@ bool contact_is_near(const mpm *s, const tile_box *t, const point_arrays *p, siz
 /* The cells of a tile in which fluid points meet solid ones; 0 where the tile has only one kind. */
 uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t);
 tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block);
+/* Nodes of a tile along each axis that are its own: the last tile owns the upper wall's; a periodic end is node 0 again. */
+void tile_nodes(const mesh *m, const tile_box *t, int end[MESH_MAX_DIM]);
 /* Arrays of a body's current state in a block; `next_stress`, `next_velocity` take those from the next state instead. */
 point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity);
 
@@ -200,6 +202,11 @@ membrane_response response_of(const mpm *s, const scene_body *b);
 floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate);
 floe_status start_membranes(mpm *s);
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi);
+
+/* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable (node.c). */
+double damping_left(const mpm *s);
+/* Whether lost kinetic energy is to heat fluid points (heat.c). */
+bool losses_are_heat(const mpm *s);
 
 /* Springs (spring.c): found at the start; their forces on the nodes of a group; their energy (J); the rate that bounds the step (1/s), and
  * the name of the spring. */

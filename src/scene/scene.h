@@ -72,6 +72,9 @@ typedef double initial_function(void *user, initial_quantity quantity, int compo
 /* What the exact solution needs at x and t beside the laws of the scene: force per mass (m/s2); returns heat per volume (W/m3). */
 typedef double source_function(void *user, const double x[3], double t, double force[3]);
 
+/* Where a membrane's strain along its line comes from: the gradient of velocity at each point, or the places of its neighbours. */
+typedef enum membrane_strain { STRAIN_BY_RATE, STRAIN_BY_PLACES } membrane_strain;
+
 /* One layer of points along a curve (York 1997, chapter 5). Points are counted from 1 along the curve. */
 typedef struct scene_membrane {
     bool present; /* the body is one */
@@ -82,7 +85,9 @@ typedef struct scene_membrane {
     const surface_method *normals; /* NULL: along the connections of the points */
     void *normals_par;
     membrane_section section;
-    double slack;             /* strain that must be taken up before there is tension; < 0: taut at the start */
+    membrane_strain strain;
+    double smoothing; /* share of the fourth difference of places that goes in a step, 0 to 1/16; by places only */
+    double slack;     /* strain that must be taken up before there is tension; < 0: taut at the start */
     int slack_from, slack_to; /* points that have it; 0: the first, the last */
     int heavy_point;          /* 0: none */
     double heavy_mass;        /* kg, of the whole scene */
@@ -168,6 +173,8 @@ typedef struct scene_exchange {
 
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
 typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
+/* What becomes of the kinetic energy that points lose to their nodes (mpm/heat.c). */
+typedef enum point_losses { LOSSES_DRIFT, LOSSES_HEAT } point_losses;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
 typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AUTO } pressure_scheme;
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
@@ -179,8 +186,9 @@ typedef struct scene_method {
     double flip;               /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1 */
     int filter_order;          /* of transfer xpic, 2 to 20 */
     point_density density;     /* of fluid points (mpm/density.c) */
-    ice_centring centring;     /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
-    bool conserve_energy;      /* numerics 2.8 */
+    point_losses losses;
+    ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
+    bool conserve_energy;  /* numerics 2.8 */
     ice_limiter limiter;
     double exchange;           /* K, kg/(m3 s), between all pairs; 0 to 1e20 */
     double heat_exchange;      /* R, W/(m3 K) */

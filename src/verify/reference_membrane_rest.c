@@ -30,10 +30,12 @@ static const param_spec rest_params[] = {
                 "0: the thickness does not change; 1: the membrane's volume does not"),
 };
 
-enum { RADIUS, PRESSURE, HOOP_STRESS, STRAIN, GAS_ENERGY, STRAIN_ENERGY, QUANTITIES };
+enum { RADIUS, RADIUS_LAST, AREA, PRESSURE, HOOP_STRESS, STRAIN, GAS_ENERGY, STRAIN_ENERGY, QUANTITIES };
 
 static const reference_quantity rest_quantities[QUANTITIES] = {
     [RADIUS] = {"radius", "m", "radius of the membrane", NULL, true},
+    [RADIUS_LAST] = {"radius_last", "m", "the same: for its other end, which tells how round it is", NULL, true},
+    [AREA] = {"area", "1", "volume (circle: area, m2) inside, of the share", NULL, true},
     [PRESSURE] = {"pressure", "Pa", "pressure of the gas", NULL, true},
     [HOOP_STRESS] = {"hoop_stress", "Pa", "stress in the membrane, tension positive", NULL, true},
     [STRAIN] = {"strain", "1", "strain of the membrane", NULL, true},
@@ -71,6 +73,8 @@ static rest_state state_at(const rest_par *p, double r)
     const double pressure = p->outside_pressure + k * stress * thickness / r;
     const double wall = surface(p) * pow(p->rest_radius, k) * p->thickness;
     return (rest_state){{[RADIUS] = r,
+                         [RADIUS_LAST] = r,
+                         [AREA] = volume_at(p, r),
                          [PRESSURE] = pressure,
                          [HOOP_STRESS] = stress,
                          [STRAIN] = strain,

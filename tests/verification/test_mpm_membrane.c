@@ -211,31 +211,74 @@ static void add_skin_point(void *user, const fields *f, int body, size_t k)
     s->n += 1.0;
 }
 
-/* p r = E' eps t and p pi r^2 / (gamma - 1) + E' eps^2 L0 t / 2 = p0 A0 / (gamma - 1), eps = ln(r / R). Measured: radius -0.002 %, pressure
- * -0.18 % (what damping takes is lost to the gas), hoop stress -0.15 %. */
-static void inflate(const char *normals)
+/* A way to come to rest, and how far from the exact state (shares) it may end. */
+typedef struct rest_way {
+    const char *set[4];
+    double radius, pressure, stress, drift;
+} rest_way;
+
+static void check_rest(const rest_way *way)
 {
     trial t;
-    double pressure;
+    membrane_room room;
     skin_sum skin = {0};
-    deck_begin(&t, "membrane_circle", &normals, 1);
+    size_t n = 0;
+    while (n < 4 && way->set[n]) n++;
+    deck_begin(&t, "membrane_circle", way->set, n);
     trial_start(&t);
     trial_run(&t, t.scene->time.end);
     visit_points(&t, 1, add_skin_point, &skin);
-    check_ok(t.ctx, mpm_mean_pressure(t.sim->mpm, 0, &(shape){0}, &pressure));
-    check_close_relative(skin.radius / skin.n, 0.50226579, 1e-4);
-    check_close_relative(pressure, 989.21713, 5e-3);
-    check_close_relative(skin.stress / skin.n, 4968.4992, 5e-3);
+    mpm_membrane_room(t.sim->mpm, 1, &room);
+    check_close_relative(skin.radius / skin.n, 0.50226579, way->radius);
+    check_close_relative(room.area, 0.25 * pi * 0.50226579 * 0.50226579, 2.5 * way->radius + 2e-4);
+    check_close_relative(room.pressure, 989.21713, way->pressure);
+    check_close_relative(room.stress, 4968.4992, way->stress);
+    check_close_relative(skin.stress / skin.n, room.stress, 1e-2);
+    check_close(room.outside, 0.0, 0.0);
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-14);
-    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1e-3);
+    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < way->drift);
     trial_end(&t);
 }
 
+/* p r = E' eps t and p pi r^2 / (gamma - 1) + E' eps^2 L0 t / 2 = p0 A0 / (gamma - 1), eps = ln(r / R). Measured as the deck has it, where
+ * the gas keeps what damping and blending take: radius 0.0013 %, pressure 0.006 %, hoop stress 0.005 %, drift 4e-6. Without that, and with
+ * strain by its rate: radius 0.002 %, pressure 0.18 % (what damping takes is lost to the gas), hoop stress 0.15 %. The bounds
+ * are some three times that. */
 static void test_circle(void **unused)
 {
     (void)unused;
-    inflate("bodies.skin.membrane.normals=connectivity");
-    inflate("bodies.skin.membrane.normals=quadric");
+    check_rest(&(rest_way){{NULL}, 1.5e-4, 2e-4, 2e-4, 1.5e-5});
+    static const char *const normals[] = {"bodies.skin.membrane.normals=connectivity",
+                                          "bodies.skin.membrane.normals=quadric"};
+    for (int k = 0; k < 2; ++k)
+        check_rest(&(rest_way){{"method={basis: quadratic, flip: 1}", "bodies.skin.membrane.smoothing=0",
+                                "bodies.skin.membrane.strain=rate", normals[k]},
+                               1e-4,
+                               5e-3,
+                               5e-3,
+                               1e-3});
+}
+
+/* What each stress scheme and damping lose is what the fluid gets: the drift of energy over the first swings of the skin, against
+ * that of the same run without. Bounds are twice what is measured. */
+static void test_heat(void **unused)
+{
+    (void)unused;
+    for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme) {
+        double drift[2];
+        for (int heat = 0; heat < 2; ++heat) {
+            trial t;
+            const char *set[] = {heat ? "method.losses=heat" : "method.losses=drift", "method.flip=0.98"};
+            deck_begin(&t, "membrane_circle", set, 2);
+            t.scene->method.stress = (stress_scheme)scheme;
+            trial_start(&t);
+            trial_run(&t, 0.01);
+            drift[heat] = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
+            trial_end(&t);
+        }
+        print_message("scheme %d: drift of energy %.2e, with heat %.2e\n", scheme, drift[0], drift[1]);
+        check_true(drift[1] < 1e-4 && drift[0] > 1e-4);
+    }
 }
 
 /* ---- normals of a surface in space ---- */
@@ -397,8 +440,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_pendulum), cmocka_unit_test(test_ball_and_net), cmocka_unit_test(test_spring_mass),
         cmocka_unit_test(test_ring),     cmocka_unit_test(test_tube),         cmocka_unit_test(test_circle),
-        cmocka_unit_test(test_bits),     cmocka_unit_test(test_resume),       cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_heat),     cmocka_unit_test(test_bits),         cmocka_unit_test(test_resume),
+        cmocka_unit_test(test_refusals), cmocka_unit_test(test_sphere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,311 @@
+/* Kinetic energy that points lose to their nodes, given to the fluid points about them as heat.
+ *
+ * A step kicks point p by a_p = sum_i S_ip a_i, kick = dt, and blends what comes out with v^L_p = sum_i S_ip v^L_i. With d_p the
+ * FLIP velocity less v^L_p and f the share of FLIP, points and nodes differ over the step by
+ *
+ *   m_p (1 - f) [(1 - (1 - f)/2) |d_p|^2 + Var_p(v)] + (USL) m_p dt^2 Var_p(a),   Var_p(v) = sum_i S_ip |v_i|^2 - |sum_i S_ip v_i|^2
+ *
+ * summed over the points: what blending takes of the motion that the nodes do not see, of that which they smooth, and in USL the
+ * work that the stress does on v^L, where the points follow v_p + dt a_p. (USF and MUSL strain by the
+ * velocities that the next kick starts from, and need no such term.) Every term is positive. A fluid point keeps its own
+ * loss as heat. That of other points, what smoothing of a membrane takes of its strain energy (line_strain.c) and what damping takes of
+ * the nodes' motion go to the nodes, and from each to the fluid points about it by their mass; what nodes without fluid hold
+ * all fluid points get by their mass. */
+#include "mpm/line.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { HEAT_WINDOW = 343 + 1 }; /* nodes of the largest window; 1: pairs.h */
+
+static bool has_fluid(const mpm *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].fluid) return true;
+    return false;
+}
+
+bool losses_are_heat(const mpm *s)
+{
+    return s->scene->method.losses == LOSSES_HEAT && !s->coupled && has_fluid(s);
+}
+
+static bool is_usl(const mpm *s)
+{
+    return s->scene->method.stress == STRESS_USL;
+}
+
+/* (1 - f) |v_i|^2 + (USL) dt^2 |a_i|^2 into N_LOSS, v_i = v^L_i - dt a_i. */
+static void square_nodes(const mpm *s, int blk, int group)
+{
+    const fields *f = s->domain->fields[blk];
+    const double kick = s->work->kick, blend = 1.0 - s->scene->method.flip, usl = is_usl(s) ? kick * kick : 0.0;
+    double *restrict out = field_get(f, N_LOSS, group, 0);
+    const size_t n = s->mesh->block[blk].size;
+    memset(out, 0, n * sizeof *out);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const double *restrict v = field_get(f, N_VEL_L, group, c), *restrict a = field_get(f, N_ACCEL, group, c);
+#pragma omp parallel for simd schedule(static)
+        for (size_t k = 0; k < n; ++k) {
+            const double before = v[k] - kick * a[k];
+            out[k] += blend * before * before + usl * a[k] * a[k];
+        }
+    }
+}
+
+/* What damping took (J) of the motion of the nodes at a place. */
+static double damped_at(const mpm *s, int blk, ptrdiff_t at)
+{
+    const fields *f = s->domain->fields[blk];
+    const double taken = 1.0 - damping_left(s);
+    double sum = 0.0;
+    for (int g = 0; taken > 0.0 && g < s->n_groups; ++g) {
+        const double mass = field_get(f, N_MASS, g, 0)[at];
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const double before = field_get(f, N_VEL_L, g, c)[at] - s->work->kick * field_get(f, N_ACCEL, g, c)[at];
+            sum += 0.5 * mass * taken * (2.0 - taken) * before * before;
+        }
+    }
+    return sum;
+}
+
+/* A body's points over the step. */
+typedef struct body_step {
+    point_arrays now;
+    double *x_next[3], *v_next[3];
+    const membrane_line *line; /* that smoothing may have moved; NULL */
+} body_step;
+
+static body_step step_of(const mpm *s, int blk, int body)
+{
+    const fields *f = s->domain->fields[blk];
+    body_step b = {.now = points_of(s, blk, body, false, false)};
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        b.x_next[a] = field_next(f, P_POS, body, a);
+        b.v_next[a] = field_next(f, P_VEL, body, a);
+    }
+    if (s->work->line && s->work->line[body].rest) b.line = &s->work->line[body];
+    return b;
+}
+
+/* What point k has lost (J), `squares` being the nodes' squares at the point. */
+static double loss_of(const mpm *s, const body_step *b, size_t k, size_t number, double squares)
+{
+    const double kick = s->work->kick, f = s->scene->method.flip, usl = is_usl(s) ? kick * kick : 0.0;
+    double loss = squares;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double shift = b->line ? b->line->shift[3 * number + (size_t)a] : 0.0;
+        const double v = (b->x_next[a][k] + shift - b->now.x[a][k]) / s->dt;
+        const double unseen = (b->v_next[a][k] - v) / f;
+        const double acceleration = (v + unseen - b->now.v[a][k]) / kick, before = v - kick * acceleration;
+        loss += (1.0 - f) * ((1.0 - 0.5 * (1.0 - f)) * unseen * unseen - before * before) -
+                usl * acceleration * acceleration;
+    }
+    return b->now.mass[k] * loss + (b->line ? b->line->lost[number] : 0.0);
+}
+
+/* Weights of the nodes about point k, and the first of them, in the window of a tile. */
+typedef struct tile_weights {
+    double w[MESH_MAX_DIM][BASIS_MAX_SUPPORT];
+    int n[MESH_MAX_DIM], first;
+} tile_weights;
+
+static tile_weights weights_at(const mpm *s, const tile_box *t, const point_arrays *p, size_t k)
+{
+    tile_weights at = {.w = {{1.0}, {1.0}, {1.0}}, .n = {1, 1, 1}};
+    double slope[BASIS_MAX_SUPPORT];
+    int row = 1;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double inv_h = 1.0 / s->mesh->h[a], x = (p->x[a][k] - s->mesh->lower[a]) * inv_h - t->first[a];
+        int cell = (int)x;
+        cell = cell < 0 ? 0 : cell >= t->cells[a] ? t->cells[a] - 1 : cell;
+        const double half = p->half[a] ? p->half[a][k] * inv_h : 0.5;
+        at.first += row * (cell + s->work->basis_1d(x - cell, half, inv_h, at.w[a], slope) + s->work->reach);
+        at.n[a] = s->basis->support;
+        row *= s->work->window[a];
+    }
+    return at;
+}
+
+/* Adds a point's loss and its mass to the window. */
+static void spread_point(const mpm *s, const tile_weights *at, double loss, double mass, double *window)
+{
+    const int *size = s->work->window;
+    for (int z = 0; z < at->n[2]; ++z)
+        for (int y = 0; y < at->n[1]; ++y)
+            for (int x = 0; x < at->n[0]; ++x) {
+                const double w = at->w[0][x] * at->w[1][y] * at->w[2][z];
+                double *node = window + 2 * (ptrdiff_t)(at->first + x + size[0] * (y + size[1] * z));
+                node[0] += w * loss;
+                node[1] += w * mass;
+            }
+}
+
+/* Fluid points take their own losses; those of others go into the window. */
+static void settle_body(const mpm *s, int blk, int body, const tile_box *t, const size_t range[2],
+                        const double *squares, double *at_points, double *window)
+{
+    const body_step b = step_of(s, blk, body);
+    double *energy = s->body[body].fluid ? field_next(s->domain->fields[blk], P_ENERGY, body, 0) : NULL;
+    for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
+        const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
+        s->work->kernel.sample(s->mesh, t, &b.now, k, stop, squares, at_points - k);
+        for (size_t i = k; i < stop; ++i) {
+            const double loss = loss_of(s, &b, i, b.line ? point_number(s, blk, body, i) : 0, at_points[i - k]);
+            if (energy) {
+                energy[i] += loss / b.now.mass[i];
+                continue;
+            }
+            const tile_weights at = weights_at(s, t, &b.now, i);
+            spread_point(s, &at, loss, b.now.mass[i], window);
+        }
+    }
+}
+
+/* Settles the points of one tile; what others than fluids lose, and their masses, go into its private sums. */
+static void settle_tile(const mpm *s, int blk, int tile)
+{
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
+    double squares[HEAT_WINDOW], *out = domain_tile(s->domain, box.number);
+    int loaded = -1;
+    bool any = false;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *range = s->points[blk][body].tile_start + tile;
+        const int group = s->body[body].group;
+        if (range[0] == range[1]) continue;
+        if (!any && !s->body[body].fluid) {
+            memset(out, 0, 2 * (size_t)s->work->window_nodes * sizeof *out);
+            any = true;
+        }
+        if (loaded != group) {
+            const double *node = field_get(s->domain->fields[blk], N_LOSS, group, 0);
+            load_window(s, blk, &box, &node, 1, squares);
+        }
+        loaded = group;
+        settle_body(s, blk, body, &box, range, squares, s->work->batch[mpm_thread()].energy, out);
+    }
+    s->work->active[box.number] = any;
+}
+
+/* Mass (kg) of fluid points at a node; 0 where it is but round-off. */
+static double fluid_at(const mpm *s, int blk, ptrdiff_t at)
+{
+    const fields *f = s->domain->fields[blk];
+    double all = 0.0;
+    for (int g = 0; g < s->n_groups; ++g) all += field_get(f, N_MASS, g, 0)[at];
+    const double fluid = all - field_get(f, N_DRY_MASS, 0, 0)[at];
+    return fluid > 1e-9 * all ? fluid : 0.0;
+}
+
+enum { SUM_DAMPED, SUM_LEFT, SUM_FLUID, HEAT_SUMS };
+
+/* What damping took joins the losses of a tile's nodes, and is summed, as is what nodes without fluid hold. */
+static void close_tile(const mpm *s, int blk, int tile)
+{
+    const block *b = &s->mesh->block[blk];
+    const tile_box t = tile_box_of(s->mesh, b, tile);
+    const fields *f = s->domain->fields[blk];
+    const double *loss = field_get(f, N_LOSS, 0, 0);
+    double *sum = s->work->tile_sum + (size_t)t.number * HEAT_SUMS;
+    int end[MESH_MAX_DIM];
+    tile_nodes(s->mesh, &t, end);
+    sum[SUM_DAMPED] = sum[SUM_LEFT] = sum[SUM_FLUID] = 0.0;
+    for (int k = 0; k < end[2]; ++k)
+        for (int j = 0; j < end[1]; ++j)
+            for (int i = 0; i < end[0]; ++i) {
+                const ptrdiff_t at =
+                    mesh_index(b, t.first[0] - b->lo[0] + i, t.first[1] - b->lo[1] + j, t.first[2] - b->lo[2] + k);
+                const double damped = damped_at(s, blk, at), fluid = fluid_at(s, blk, at);
+                sum[SUM_DAMPED] += damped;
+                sum[SUM_FLUID] += fluid;
+                if (!(fluid > 0.0)) sum[SUM_LEFT] += loss[at] + damped;
+            }
+}
+
+/* Losses become energy for each kilogram of fluid, and `all` (J/kg) comes to each. */
+static void share_losses(const mpm *s, int blk, double all)
+{
+    const fields *f = s->domain->fields[blk];
+    double *restrict loss = field_get(f, N_LOSS, 0, 0);
+    const ptrdiff_t n = (ptrdiff_t)s->mesh->block[blk].size;
+#pragma omp parallel for schedule(static)
+    for (ptrdiff_t k = 0; k < n; ++k) {
+        const double fluid = fluid_at(s, blk, k);
+        loss[k] = all + (fluid > 0.0 ? (loss[k] + damped_at(s, blk, k)) / fluid : 0.0);
+    }
+}
+
+/* Sums the tiles' private losses at the nodes. */
+static void gather_losses(mpm *s)
+{
+    domain_share_partials(s->domain);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        const fields *f = s->domain->fields[b];
+        node_target to = {.array = {field_get(f, N_LOSS, 0, 0), field_get(f, N_DRY_MASS, 0, 0)},
+                          .components = 2,
+                          .reach = s->work->reach};
+        memcpy(to.window, s->work->window, sizeof to.window);
+        gather_nodes(s, b, &to);
+    }
+    domain_fold_periodic(s->domain, N_LOSS, 0);
+    domain_fold_periodic(s->domain, N_DRY_MASS, 0);
+    if (s->work->reach == 0) return;
+    fold_field(s, 0, N_LOSS);
+    fold_field(s, 0, N_DRY_MASS);
+}
+
+static bool is_zero(const double *window, int n)
+{
+    for (int k = 0; k < n; ++k)
+        if (window[k] != 0.0) return false;
+    return true;
+}
+
+/* Gives fluid points of a tile what its nodes hold for them. */
+static void heat_tile(const mpm *s, int blk, int tile)
+{
+    const fields *f = s->domain->fields[blk];
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
+    const double *node = field_get(f, N_LOSS, 0, 0);
+    double window[HEAT_WINDOW] = {0}, *gain = s->work->batch[mpm_thread()].energy;
+    load_window(s, blk, &box, &node, 1, window);
+    if (is_zero(window, s->work->window_nodes)) return;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *range = s->points[blk][body].tile_start + tile;
+        if (!s->body[body].fluid) continue;
+        const point_arrays p = points_of(s, blk, body, false, false);
+        double *energy = field_next(f, P_ENERGY, body, 0);
+        for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
+            const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
+            s->work->kernel.sample(s->mesh, &box, &p, k, stop, window, gain - k);
+            for (size_t i = k; i < stop; ++i) energy[i] += gain[i - k];
+        }
+    }
+}
+
+/* Calls `visit` for every tile. */
+typedef void tile_visitor(const mpm *s, int blk, int tile);
+
+static void visit_tiles(const mpm *s, tile_visitor *visit)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 4)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) visit(s, b, t);
+    }
+}
+
+floe_status mpm_give_heat(mpm *s)
+{
+    double sum[HEAT_SUMS];
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int g = 0; g < s->n_groups; ++g) square_nodes(s, b, g);
+    visit_tiles(s, settle_tile);
+    gather_losses(s);
+    visit_tiles(s, close_tile);
+    domain_sum_tiles(s->mesh, s->work->tile_sum, HEAT_SUMS, sum);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED]);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) share_losses(s, b, sum[SUM_LEFT] / sum[SUM_FLUID]);
+    extend_to_ghosts(s, 0, N_LOSS);
+    visit_tiles(s, heat_tile);
+    return FLOE_OK;
+}
