@@ -105,6 +105,7 @@ static const spoiled cases[] = {
     {"runs_as: [mpm, ice-mpm]", "contact: {between: [ring, bore]}", "4:20", {"body 'bore' is a fluid"}},
     {"ramp: 1 ms", "hold: yes", "15:59", {"'hold' is 'yes'", "expected: true or false"}},
     {"basis: quadratic", "basis: [quadratic]", "19:17", {"unknown basis"}},
+    {"basis: quadratic", "losses: heat, flip: 0", "19:30", {"points with flip 0 forget what they lose"}},
     {"[mpm, ice-mpm]", "mpm", "4:10", {"'runs_as' is 'mpm'", "a list of mpm, ice, ice-mpm"}},
     {"{p: [0.1, 0.1]}", "[0.1, 0.1]", "20:34", {"'probes' is a list of 2, not a map of names"}},
     /* numbers */
