@@ -6,7 +6,7 @@
 #   shocks        Riemann problems, interfaces and blasts against exact solutions
 #   waves         orders on smooth flow and on a vibrating bar
 #   conservation  what must stay as it is: free stream, closed box, column at rest
-#   exchange      momentum and heat between materials, slip
+#   exchange      momentum, heat and mass between materials, slip
 #   stability     the largest stable steps of a line of points, and other limits
 #   contact       two bars that collide, with and without a contact; normals
 #   normals       normals to unconnected points, and membranes with them

@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "cli/plan.h"
 #include "coupling/exchange_law.h"
+#include "coupling/reaction.h"
 #include "deck/errors.h"
 #include "geom/shape.h"
 #include "material/membrane.h"
@@ -81,6 +82,14 @@ static void list_exchange(void)
     list_exchange_role(EXCHANGE_MOMENTUM);
     printf("\nheat\n");
     list_exchange_role(EXCHANGE_HEAT);
+}
+
+static void list_reactions(void)
+{
+    for (size_t i = 0; i < reaction_registry_size; i++) {
+        const reaction_model *m = reaction_registry[i];
+        print_entry(m->name, m->doc, m->cite, m->params, m->n_params);
+    }
 }
 
 static void list_shapes(void)
@@ -204,6 +213,7 @@ static const struct {
     {"laws", "laws of solids", list_laws},
     {"membranes", "laws of membranes and strings", list_membranes},
     {"exchange", "momentum and heat exchange between materials", list_exchange},
+    {"reactions", "laws of reactions between fluids", list_reactions},
     {"shapes", "shapes of bodies and regions", list_shapes},
     {"bases", "basis functions of material points", list_bases},
     {"transfers", "what becomes of the velocities of points in a step", list_transfers},
@@ -242,7 +252,8 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "[TOPIC]",
     .doc = "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, "
-           "laws, membranes, exchange, shapes, bases, normals, exact, references, metrics, boundaries, fields; without "
+           "laws, membranes, exchange, reactions, shapes, bases, normals, exact, references, metrics, boundaries, "
+           "fields; without "
            "one the topics are listed.",
 };
 

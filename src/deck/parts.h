@@ -15,6 +15,9 @@ extern const named_items items_springs, items_supports;
 extern const named_items items_exchanges;
 extern const model_family family_momentum, family_heat;
 extern const custom_key custom_pair;
+/* schema_reactions.c */
+extern const named_items items_reactions;
+extern const model_family family_reaction;
 /* families.c */
 extern const model_family family_shape, family_law, family_membrane, family_normals, family_eos, family_exact,
     family_reference;

@@ -219,6 +219,7 @@ floe_status deck_reference(char **text, context *ctx, const deck_catalogue *cata
     print_family(&p, "Equations of state", &family_eos);
     print_family(&p, "Exchange of momentum", &family_momentum);
     print_family(&p, "Exchange of heat", &family_heat);
+    print_family(&p, "Laws of reactions", &family_reaction);
     print_family(&p, "Exact solutions", &family_exact);
     print_family(&p, "References of histories", &family_reference);
     if (catalogue && catalogue->n_basis > 0) print_names(&p, "Bases", catalogue->basis, catalogue->n_basis);

@@ -97,6 +97,9 @@
     X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")    \
     X(C_WALL, "wall_fraction", CELL, SCALAR, "1", SCRATCH,                                                           \
       "volume fraction of materials that others slip along, smoothed: its gradient is the normal")                   \
+    X(C_REACTED, "reacted", CELL, SCALAR, "kg/m3", SCRATCH,                                                          \
+      "mass per cell volume that a reaction turns over in the step; instance: reaction")                             \
+    X(C_RHO_L, "density_lagrangian", CELL, SCALAR, "kg/m3", SCRATCH, "rho^r,L of fluids after the mass exchange")    \
     X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH,                                                                  \
       "number of materials present, plus 64 where one is carried by points")                                         \
     /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                         \

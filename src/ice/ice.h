@@ -66,6 +66,7 @@ floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one
 floe_status ice_continue_pressure(ice *s);    /* beside solids: p where they leave no room (ice_continue.c) */
 floe_status ice_diffusion_rates(ice *s);      /* viscosity and conduction (2.6): their rates at the start of the step */
 floe_status ice_wall_fraction(ice *s);        /* where pairs slip: what their normals are taken from */
+floe_status ice_react(ice *s);                /* step 4 of G03: what reactions turn over in the step */
 floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
 floe_status ice_implicit_pressure(ice *s);    /* 3, instead of 2.3: also corrects u* */
@@ -74,6 +75,7 @@ floe_status
 ice_sources(ice *s); /* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy (fluids); C_SOURCE (points) */
 /* With materials carried by points, between ice_sources and ice_exchange C_MOMENTUM_L of these must be set from the nodes
  * (V rho^r u^L without C_SOURCE); ice_exchange adds C_SOURCE and leaves C_VELOCITY_CHANGE, the change by both. */
+floe_status ice_mass_exchange(ice *s);   /* sources of mass, momentum and energy by reactions */
 floe_status ice_exchange(ice *s);        /* 2.9: momentum and heat between materials, mixed cells */
 floe_status ice_specific_volume(ice *s); /* 2.10, 5.5 */
 floe_status ice_advect(ice *s);          /* 2.11: next state of the fluids */

@@ -34,6 +34,7 @@ static void find_used(const scene *s, bool with_points, bool *used)
         used[r] = s->material[r].kind == MATERIAL_FLUID || with_points;
     }
     if (s->has_ambient) used[s->ambient_material] = true;
+    for (int k = 0; k < s->n_reactions; ++k) used[s->reaction[k].product] = true;
     for (int a = 0; a < s->mesh.dim; ++a)
         for (int side = 0; side < 2; ++side) {
             const bc_side *wall = &s->bc.side[a][side];
@@ -152,7 +153,7 @@ static floe_status resolve(ice *s, bool with_points)
         s->work->reconcile = s->work->reconcile || (isnan(s->work->energy_floor[r]) && !s->material[r].points);
     resolve_reservoirs(s);
     choose_kernels(s);
-    return FLOE_OK;
+    return ice_reactions_resolve(s);
 }
 
 floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
@@ -187,6 +188,7 @@ static void destroy_work(context *ctx, ice_work **work)
         if (w->index) memory_free(ctx, &w->index[t]);
         if (w->solver) equilibrium_destroy(&w->solver[t]);
     }
+    ice_reactions_destroy(ctx, w);
     memory_free(ctx, &w->buffer);
     memory_free(ctx, &w->index);
     memory_free(ctx, &w->solver);
@@ -210,7 +212,7 @@ int ice_material_of(const ice *s, int wanted)
 }
 
 /* Which materials a field has instances of. */
-typedef enum field_owner { OWNER_SHARED, OWNER_ALL, OWNER_FLUIDS, OWNER_POINTS } field_owner;
+typedef enum field_owner { OWNER_SHARED, OWNER_ALL, OWNER_FLUIDS, OWNER_POINTS, OWNER_REACTIONS } field_owner;
 
 static field_owner owner_of(field_id id)
 {
@@ -229,12 +231,14 @@ static field_owner owner_of(field_id id)
     case C_VEL_L:
     case C_ENERGY_L:
     case C_VOLUME_L:
+    case C_RHO_L:
     case C_DIFFUSION:
     case C_DIFFUSION_HEAT:
     case C_DIFFUSION_T: return OWNER_FLUIDS;
     case C_SOURCE:
     case C_MOMENTUM_L:
     case C_VELOCITY_CHANGE: return OWNER_POINTS;
+    case C_REACTED: return OWNER_REACTIONS;
     default: return OWNER_SHARED;
     }
 }
@@ -245,7 +249,10 @@ static floe_status register_fields(ice *s, domain *d)
         const field_centring centring = field_describe((field_id)id)->centring;
         if (!s->stages->uses[id] || (centring != FIELD_CELL && centring != FIELD_FACE)) continue;
         const field_owner owner = owner_of((field_id)id);
-        for (int r = 0; r < (owner == OWNER_SHARED ? 1 : s->n_materials); ++r) {
+        const int instances = owner == OWNER_SHARED      ? 1
+                              : owner == OWNER_REACTIONS ? s->work->reactions.n
+                                                         : s->n_materials;
+        for (int r = 0; r < instances; ++r) {
             if ((owner == OWNER_FLUIDS && s->material[r].points) || (owner == OWNER_POINTS && !s->material[r].points))
                 continue;
             TRY(domain_add(d, (field_id)id, r));

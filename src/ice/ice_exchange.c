@@ -148,8 +148,10 @@ floe_status ice_exchange(ice *s)
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
+        ice_view_lagrangian(&v);
         const ice_cell_list *list = &s->work->mixed[id];
-        const bool heat = s->work->pairs.heat, pair = s->n_materials == 2 && !s->with_points && s->work->pairs.plain;
+        const bool heat = s->work->pairs.heat,
+                   pair = s->n_materials == 2 && !s->with_points && s->work->pairs.plain && s->work->reactions.n == 0;
         for (int r = 0; r < s->n_materials; ++r)
             if (s->material[r].points) lone_points(&v, r);
 #pragma omp parallel for schedule(static)

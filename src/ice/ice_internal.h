@@ -3,6 +3,7 @@
 #define ICE_ICE_INTERNAL_H
 
 #include "coupling/equilibrium.h"
+#include "coupling/reaction.h"
 #include "ice/ice.h"
 
 #include <float.h>
@@ -29,6 +30,7 @@ typedef struct ice_arrays {
     double *fu[3], *ft[3];              /* u*, theta at faces */
     double *ul[3], *el, *vl;            /* Lagrangian values */
     double *rho1, *u1[3], *e1, *vol1;   /* next state; vol1 is v */
+    double *rhol;                       /* after the mass exchange; NULL without reactions */
     double *source[3], *mom[3], *dv[3]; /* materials carried by points */
     double *diff[3], *heat, *diffT;     /* ice_diffusion.c */
     double *mobility[3];                /* at faces, of the implicit pressure */
@@ -51,6 +53,7 @@ typedef struct ice_view {
     double length;             /* of the bulk viscosity: V^(1/d), m */
     double advance; /* half steps that u* and P are ahead in time: 1; 2 where the implicit pressure is at the end */
     double *step, *last_step; /* implicit: phi dP of this step and of the last */
+    double *reacted[REACTION_MAX];
     ice_arrays m[ICE_MAX_MATERIALS];
 } ice_view;
 
@@ -168,8 +171,24 @@ typedef struct ice_spot {
     double theta[EXCHANGE_MAX], density[EXCHANGE_MAX], u[3][EXCHANGE_MAX]; /* 1, kg/m3 of the pure material, m/s */
 } ice_spot;
 
+/* Reactions between materials of the cells. */
+typedef struct ice_reactions {
+    reaction list[REACTION_MAX];
+    int n;
+    reaction_solver **solver; /* one a thread */
+} ice_reactions;
+
+/* What reactions make of one cell in the step, per cell volume. */
+typedef struct ice_creation {
+    bool any;
+    double mass[ICE_MAX_MATERIALS], volume[ICE_MAX_MATERIALS]; /* kg/m3, 1: at the pressure of the step's start */
+    double theta[ICE_MAX_MATERIALS];                           /* volume fractions that dP compresses */
+    double dP; /* Pa: full-step increment that takes the new volume back (numerics 2.3) */
+} ice_creation;
+
 typedef struct ice_work {
     int threads;
+    ice_reactions reactions;
     ice_pairs pairs;
     ice_implicit *implicit; /* owned */
     ice_kernels kernels;
@@ -290,6 +309,15 @@ void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axi
 void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P);
 /* Viscosity and conduction of the whole step, added to the Lagrangian values of all blocks. */
 void ice_diffuse(const ice *s);
+/* Mass exchange (ice_react.c). Errors of resolve: FLOE_BAD_INPUT for solids on points, FLOE_NO_MEMORY. */
+floe_status ice_reactions_resolve(ice *s);
+void ice_reactions_destroy(context *ctx, ice_work *w);
+ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at);
+/* The pressure of new volume, added to P in owned cells. */
+void ice_created_pressure(const ice *s, const ice_view *v);
+/* From the mass exchange on, rho is what it left. */
+void ice_view_lagrangian(ice_view *v);
+
 /* Loads (pressurise, heat) on the Lagrangian energies. */
 floe_status ice_apply_loads(ice *s);
 /* Doubles that one thread needs to advect. */

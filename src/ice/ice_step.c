@@ -9,7 +9,7 @@ floe_status ice_pressure_stages(ice *s)
     const pressure_scheme scheme = s->scene->method.pressure;
     const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
                direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
-    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips;
+    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips, r = s->work->reactions.n > 0;
     STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
@@ -21,6 +21,7 @@ floe_status ice_pressure_stages(ice *s)
     STAGE(s, slips, ice_wall_fraction, READS(C_THETA), WRITES(C_WALL));
     STAGE(s, d, ice_diffusion_rates, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_TEMP), WHEN(m, C_THETA)),
           WRITES(C_DIFFUSION, C_DIFFUSION_HEAT, WHEN(k, C_DIFFUSION_T)));
+    STAGE(s, r, ice_react, READS(C_RHO, C_ENERGY, C_VOL, C_TEMP, C_THETA, C_PRESSURE), WRITES(C_REACTED));
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL)),
@@ -34,7 +35,7 @@ floe_status ice_pressure_stages(ice *s)
     STAGE(s, direct, ice_pressure_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
-                WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL)),
+                WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL), WHEN(r, C_REACTED)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
     STAGE(s, ALWAYS, ice_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)), WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sources,
@@ -47,25 +48,28 @@ floe_status ice_pressure_stages(ice *s)
 
 floe_status ice_exchange_stages(ice *s)
 {
-    const bool m = s->multi, p = s->with_points;
+    const bool m = s->multi, p = s->with_points, r = s->work->reactions.n > 0;
+    STAGE(s, r, ice_mass_exchange, READS(C_REACTED, C_RHO, C_VEL_L, C_ENERGY_L), WRITES(C_RHO_L, C_VEL_L, C_ENERGY_L));
     STAGE(s, m, ice_exchange,
           READS(C_RHO, C_THETA, C_VOL, WHEN(s->work->pairs.heat, C_VEL), WHEN(s->work->pairs.slips, C_WALL), C_TEMP,
-                C_ENERGY, C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L)),
+                C_ENERGY, C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L),
+                WHEN(r, C_RHO_L)),
           WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_VELOCITY_CHANGE)));
     STAGE(s, m, ice_specific_volume,
-          READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO)),
+          READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO), WHEN(r, C_RHO_L),
+                WHEN(r, C_REACTED)),
           WRITES(C_VOLUME_L, C_VOL));
     return FLOE_OK;
 }
 
 floe_status ice_advection_stages(ice *s)
 {
-    const bool m = s->multi;
+    const bool m = s->multi, r = s->work->reactions.n > 0;
     STAGE(s, ALWAYS, ice_advect,
           READS(C_RHO, C_VEL, C_ENERGY, F_VEL, C_DP, C_SHOCK, C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL),
                 WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP),
-                WHEN(m, C_PRESSURE)),
-          WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L)));
+                WHEN(m, C_PRESSURE), WHEN(r, C_RHO_L)),
+          WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L), WHEN(r, C_RHO_L)));
     return FLOE_OK;
 }
 

@@ -10,6 +10,7 @@ static void fill_lagrangian(const ice *s)
         ice_fill_ghosts(s, C_VEL_L, r, FILL_CURRENT, GHOST_VELOCITY);
         ice_fill_ghosts(s, C_ENERGY_L, r, FILL_CURRENT, GHOST_ENERGY);
         if (s->multi) ice_fill_ghosts(s, C_VOLUME_L, r, FILL_CURRENT, GHOST_VOLUME);
+        if (s->work->reactions.n > 0) ice_fill_ghosts(s, C_RHO_L, r, FILL_CURRENT, GHOST_DENSITY);
     }
 }
 
@@ -156,6 +157,7 @@ floe_status ice_advect(ice *s)
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
+        ice_view_lagrangian(&v);
         for (int r = 0; r < s->n_materials; ++r) {
             if (s->material[r].points) continue;
             const ice_advect_result result = advect_block(s, &v, r);

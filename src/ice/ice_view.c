@@ -23,6 +23,7 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     m->kappa = field_get(f, C_KAPPA, r, 0);
     m->el = field_get(f, C_ENERGY_L, r, 0);
     m->vl = field_get(f, C_VOLUME_L, r, 0);
+    m->rhol = field_get(f, C_RHO_L, r, 0);
     m->heat = field_get(f, C_DIFFUSION_HEAT, r, 0);
     m->diffT = field_get(f, C_DIFFUSION_T, r, 0);
     vector(f, field_get, C_DIFFUSION, r, dim, m->diff);
@@ -87,4 +88,11 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     v->limit_hi = method->limiter == ICE_LIMITER_FIRST_ORDER ? 0.0 : 1.0;
     for (int r = 0; r < s->n_materials; ++r) gather_material(f, r, m->dim, &v->m[r]);
     gather_shared(f, s->multi, v);
+    for (int k = 0; k < s->work->reactions.n; ++k) v->reacted[k] = field_get(f, C_REACTED, k, 0);
+}
+
+void ice_view_lagrangian(ice_view *v)
+{
+    for (int r = 0; r < v->n_materials; ++r)
+        if (v->m[r].rhol) v->m[r].rho = v->m[r].rhol;
 }

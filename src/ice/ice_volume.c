@@ -32,6 +32,26 @@ static bool row_volumes(const ice *s, const ice_view *v, int r, ptrdiff_t base)
     return good;
 }
 
+/* With new volume: (m v)^L = m v - V theta kappa dP - V theta' kappa dP' + S_v, dP' and theta' of ice_created. */
+static bool reacted_volumes(const ice *s, const ice_view *v, ptrdiff_t base)
+{
+    bool good = true;
+    for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+        const ice_creation c = ice_created(s, v, at);
+        if (!c.any) continue;
+        for (int r = 0; r < s->n_materials; ++r) {
+            const ice_arrays *m = &v->m[r];
+            const bool points = s->material[r].points;
+            double *out = points ? &m->vol1[at] : &m->vl[at];
+            const double mass = points ? m->rho[at] : m->rhol[at], before = m->rho[at] > 0.0 ? m->rho[at] * *out : 0.0;
+            if (!(mass > 0.0)) continue;
+            *out = (before + c.volume[r] - c.theta[r] * m->kappa[at] * c.dP) / mass;
+            good = good && *out > 0.0;
+        }
+    }
+    return good;
+}
+
 static floe_status explain(const ice *s, const ice_view *v, int r, ptrdiff_t base)
 {
     for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
@@ -41,6 +61,17 @@ static floe_status explain(const ice *s, const ice_view *v, int r, ptrdiff_t bas
         return fail(s->ctx, FLOE_RETRY,
                     "specific volume, %s: it would become %g m3/kg (before %g, dP = %g Pa, theta = %g)", place,
                     v->m[r].vl[at], v->m[r].v[at], v->dP[at], v->m[r].theta[at]);
+    }
+    return FLOE_OK;
+}
+
+static floe_status add_created(const ice *s, const ice_view *v)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        if (reacted_volumes(s, v, base)) continue;
+        for (int r = 0; r < s->n_materials; ++r) TRY(explain(s, v, r, base));
     }
     return FLOE_OK;
 }
@@ -56,6 +87,7 @@ floe_status ice_specific_volume(ice *s)
                 const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
                 if (!row_volumes(s, &v, r, base)) TRY(explain(s, &v, r, base));
             }
+        if (s->work->reactions.n > 0) TRY(add_created(s, &v));
     }
     return FLOE_OK;
 }

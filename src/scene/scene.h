@@ -19,6 +19,7 @@ enum {
     SCENE_MAX_BODIES = 32,
     SCENE_MAX_LOADS = 16,
     SCENE_MAX_PROBES = 32,
+    SCENE_MAX_REACTIONS = 8,
     SCENE_MAX_EXCHANGES = 66, /* all pairs of materials */
     SCENE_MAX_SPRINGS = 64,
     SCENE_MAX_SUPPORTS = 16,
@@ -170,6 +171,17 @@ typedef struct scene_exchange {
     scene_exchange_law tangential; /* across the gradient of the volume fraction; none: as momentum */
     scene_exchange_law heat;       /* none: method.heat_exchange */
 } scene_exchange;
+
+struct reaction_model; /* coupling/reaction.h */
+
+/* Mass of one fluid that becomes another in the cells. */
+typedef struct scene_reaction {
+    char name[SCENE_NAME];
+    int reactant, product;              /* indices of scene.material */
+    const struct reaction_model *model; /* of the rate */
+    void *par;
+    double heat; /* J per kg */
+} scene_reaction;
 
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
 typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
@@ -350,6 +362,8 @@ typedef struct scene {
     int n_loads;
     scene_exchange exchange[SCENE_MAX_EXCHANGES];
     int n_exchanges;
+    scene_reaction reaction[SCENE_MAX_REACTIONS];
+    int n_reactions;
     scene_spring spring[SCENE_MAX_SPRINGS];
     int n_springs;
     scene_support support[SCENE_MAX_SUPPORTS];

@@ -23,7 +23,7 @@ expect 2 "$FLOE" compare "$cylinder" --axis domain.cell --quiet
 has stderr 'KEY=V1,V2'
 
 expect 0 "$FLOE" list
-for topic in materials eos laws exchange shapes bases normals exact references metrics boundaries fields; do
+for topic in materials eos laws exchange reactions shapes bases normals exact references metrics boundaries fields; do
     has stdout "$topic"
     "$FLOE" list "$topic" >"list-$topic" || fault "list $topic"
 done
@@ -32,6 +32,7 @@ has list-laws 'bulk_modulus'
 has list-eos 'ideal'
 has list-shapes 'annulus'
 has list-exchange 'schiller_naumann'
+has list-reactions 'arrhenius'
 has list-bases 'quadratic'
 has list-exact 'lame'
 has list-references 'hanging_mass'

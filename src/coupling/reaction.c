@@ -1,0 +1,170 @@
+#include "coupling/reaction.h"
+
+#include "base/memory.h"
+
+#include <cvode/cvode.h>
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <string.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+/* Of the mass turned over, relative; and of the reactant. */
+static const double relative = 1e-9, absolute = 1e-13;
+
+struct reaction_solver {
+    int n;
+    const reaction *list;      /* not owned */
+    const reaction_cell *cell; /* of the solve under way */
+    SUNContext sun;
+    N_Vector y, tolerance;
+    SUNMatrix jacobian;
+    SUNLinearSolver linear;
+    void *cvode;
+};
+
+const reaction_model *reaction_find(const char *name)
+{
+    for (size_t i = 0; i < reaction_registry_size; i++)
+        if (strcmp(reaction_registry[i]->name, name) == 0) return reaction_registry[i];
+    return NULL;
+}
+
+/* Masses after the reactions so far, and the temperature at which they hold the energy: e = e_0 + c_v (T - T_0) of each. */
+static double mixture(const reaction_solver *s, const double *reacted, double *rho)
+{
+    const reaction_cell *c = s->cell;
+    double energy = 0.0, capacity = 0.0;
+    for (int r = 0; r < c->n; r++) {
+        rho[r] = c->rho[r];
+        energy += c->rho[r] * c->e[r];
+    }
+    for (int k = 0; k < s->n; k++) {
+        rho[s->list[k].reactant] -= reacted[k];
+        rho[s->list[k].product] += reacted[k];
+        energy += reacted[k] * s->list[k].heat;
+    }
+    for (int r = 0; r < c->n; r++) {
+        rho[r] = fmax(rho[r], 0.0);
+        energy -= rho[r] * (c->e[r] - c->cv[r] * c->T[r]);
+        capacity += rho[r] * c->cv[r];
+    }
+    return energy / capacity;
+}
+
+static void rates(const reaction_solver *s, const double *reacted, double *rate)
+{
+    double rho[REACTION_MAX_MATERIALS];
+    const double T = mixture(s, reacted, rho);
+    for (int k = 0; k < s->n; k++) {
+        const reaction *q = &s->list[k];
+        const reaction_state state = {.reactant = rho[q->reactant],
+                                      .product = rho[q->product],
+                                      .density = s->cell->density[q->reactant],
+                                      .T = T,
+                                      .p = s->cell->p,
+                                      .surface = s->cell->surface[k]};
+        rate[k] = state.reactant > 0.0 ? q->model->rate(q->par, &state) : 0.0;
+    }
+}
+
+static int derivative(realtype t, N_Vector y, N_Vector dydt, void *user)
+{
+    (void)t;
+    rates(user, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt));
+    return 0;
+}
+
+/* CVODE prints by default; its failure is in what it returns. */
+static void silent(int code, const char *module, const char *function, char *message, void *user)
+{
+    (void)code;
+    (void)module;
+    (void)function;
+    (void)message;
+    (void)user;
+}
+
+static bool prepare(reaction_solver *s)
+{
+    if (SUNContext_Create(NULL, &s->sun) != 0) return false;
+    s->y = N_VNew_Serial(s->n, s->sun);
+    s->tolerance = N_VNew_Serial(s->n, s->sun);
+    s->cvode = CVodeCreate(CV_BDF, s->sun);
+    s->jacobian = SUNDenseMatrix(s->n, s->n, s->sun);
+    if (!s->y || !s->tolerance || !s->cvode || !s->jacobian) return false;
+    s->linear = SUNLinSol_Dense(s->y, s->jacobian, s->sun);
+    N_VConst(0.0, s->y);
+    N_VConst(1.0, s->tolerance);
+    return s->linear && CVodeSetErrHandlerFn(s->cvode, silent, NULL) == CV_SUCCESS &&
+           CVodeInit(s->cvode, derivative, 0.0, s->y) == CV_SUCCESS &&
+           CVodeSVtolerances(s->cvode, relative, s->tolerance) == CV_SUCCESS &&
+           CVodeSetUserData(s->cvode, s) == CV_SUCCESS && CVodeSetMaxNumSteps(s->cvode, 20000) == CV_SUCCESS &&
+           CVodeSetLinearSolver(s->cvode, s->linear, s->jacobian) == CV_SUCCESS;
+}
+
+floe_status reaction_create(reaction_solver **out, context *ctx, int n, const reaction *list)
+{
+    TRY(memory_new(ctx, out, 1, sizeof **out));
+    (*out)->n = n;
+    (*out)->list = list;
+    if (prepare(*out)) return FLOE_OK;
+    reaction_destroy(ctx, out);
+    return fail(ctx, FLOE_NO_MEMORY, "CVODE cannot be set up for %d reactions", n);
+}
+
+void reaction_destroy(context *ctx, reaction_solver **s)
+{
+    if (!s || !*s) return;
+    reaction_solver *q = *s;
+    if (q->cvode) CVodeFree(&q->cvode);
+    if (q->linear) SUNLinSolFree(q->linear);
+    if (q->jacobian) SUNMatDestroy(q->jacobian);
+    if (q->tolerance) N_VDestroy(q->tolerance);
+    if (q->y) N_VDestroy(q->y);
+    if (q->sun) SUNContext_Free(&q->sun);
+    memory_free(ctx, s);
+}
+
+/* Never less than nothing, never more than there is; the last trace at once. */
+static void keep_bounds(const reaction_solver *s, double *reacted)
+{
+    const reaction_cell *c = s->cell;
+    double sum = 0.0;
+    for (int r = 0; r < c->n; r++) sum += c->rho[r];
+    for (int k = 0; k < s->n; k++) reacted[k] = fmax(reacted[k], 0.0);
+    for (int r = 0; r < c->n; r++) {
+        double gone = 0.0;
+        for (int k = 0; k < s->n; k++)
+            if (s->list[k].reactant == r) gone += reacted[k];
+        if (!(gone > 0.0) || gone < c->rho[r] - 1e-12 * sum) continue;
+        for (int k = 0; k < s->n; k++)
+            if (s->list[k].reactant == r) reacted[k] *= c->rho[r] / gone;
+    }
+}
+
+bool reaction_integrate(reaction_solver *s, const reaction_cell *cell, double dt, double *reacted)
+{
+    double *y = N_VGetArrayPointer(s->y), *tolerance = N_VGetArrayPointer(s->tolerance), start[REACTION_MAX];
+    bool any = false;
+    s->cell = cell;
+    for (int k = 0; k < s->n; k++) {
+        y[k] = reacted[k] = 0.0;
+        tolerance[k] = absolute * cell->rho[s->list[k].reactant] + 1e-200;
+    }
+    rates(s, reacted, start);
+    for (int k = 0; k < s->n; k++) any = any || start[k] > 0.0;
+    if (!any) return true;
+    realtype reached;
+    if (CVodeReInit(s->cvode, 0.0, s->y) != CV_SUCCESS ||
+        CVodeSVtolerances(s->cvode, relative, s->tolerance) != CV_SUCCESS ||
+        /* CVODE keeps a copy */ CVodeSetStopTime(s->cvode, dt) != CV_SUCCESS ||
+        CVode(s->cvode, dt, s->y, &reached, CV_NORMAL) < 0)
+        return false;
+    for (int k = 0; k < s->n; k++) {
+        reacted[k] = y[k];
+        if (!isfinite(y[k])) return false;
+    }
+    keep_bounds(s, reacted);
+    return true;
+}

@@ -1,0 +1,49 @@
+/* One step after Arrhenius: rate = A rho exp(-T_a/T). */
+#include "coupling/reaction.h"
+
+#include <math.h>
+
+typedef struct arrhenius_par {
+    double frequency, activation, threshold; /* 1/s, K, K */
+} arrhenius_par;
+
+static const param_spec params[] = {
+    {.key = "frequency",
+     .unit = "1/s",
+     .range = PARAM_POSITIVE,
+     .fallback = NAN,
+     .offset = offsetof(arrhenius_par, frequency),
+     .count = 1,
+     .doc = "A, the rate at infinite temperature"},
+    {.key = "activation",
+     .unit = "K",
+     .range = PARAM_NONNEGATIVE,
+     .fallback = NAN,
+     .offset = offsetof(arrhenius_par, activation),
+     .count = 1,
+     .doc = "activation temperature, the activation energy over the gas constant"},
+    {.key = "threshold",
+     .unit = "K",
+     .range = PARAM_NONNEGATIVE,
+     .fallback = 0.0,
+     .offset = offsetof(arrhenius_par, threshold),
+     .count = 1,
+     .doc = "nothing reacts below this temperature"},
+};
+
+static double rate(const void *par, const reaction_state *q)
+{
+    const arrhenius_par *a = par;
+    if (!(q->T > a->threshold)) return 0.0;
+    return a->frequency * q->reactant * exp(-a->activation / q->T);
+}
+
+const reaction_model reaction_arrhenius = {
+    .name = "arrhenius",
+    .doc = "one step of first order, at a rate that grows with temperature",
+    .cite = "S. Arrhenius, Z. phys. Chem. 4 (1889) 226",
+    .param_size = sizeof(arrhenius_par),
+    .params = params,
+    .n_params = sizeof params / sizeof *params,
+    .rate = rate,
+};

@@ -1,0 +1,199 @@
+/* Mass exchange (step 4 of Guilkey et al. 2003; numerics 2.3, 2.10): what reactions turn over in the step, the pressure that new volume
+ * makes, and the sources of mass, momentum, energy and volume. The product gets the reactant's momentum and energy and the
+ * heat; the sums over materials close to round-off. */
+#include "ice/ice_internal.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+/* ---- making ---- */
+
+static floe_status resolve_one(ice *s, const scene_reaction *given)
+{
+    ice_reactions *all = &s->work->reactions;
+    const int reactant = ice_material_of(s, given->reactant), product = ice_material_of(s, given->product);
+    if (reactant < 0) return FLOE_OK; /* there is none to react */
+    const int solid = s->material[reactant].points  ? given->reactant
+                      : s->material[product].points ? given->product
+                                                    : -1;
+    if (solid >= 0)
+        return fail(s->ctx, FLOE_BAD_INPUT, "reaction '%s': '%s' is a solid on material points, which keep their mass",
+                    given->name, s->scene->material[solid].name);
+    all->list[all->n++] = (reaction){given->model, given->par, reactant, product, given->heat};
+    return FLOE_OK;
+}
+
+floe_status ice_reactions_resolve(ice *s)
+{
+    ice_reactions *all = &s->work->reactions;
+    for (int k = 0; k < s->scene->n_reactions; ++k) TRY(resolve_one(s, &s->scene->reaction[k]));
+    if (all->n == 0) return FLOE_OK;
+    if (s->scene->method.pressure != PRESSURE_EXPLICIT)
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "reactions make pressure in the explicit step alone: set method.pressure to "
+                    "explicit");
+    TRY(memory_new(s->ctx, &all->solver, (size_t)s->work->threads, sizeof *all->solver));
+    for (int t = 0; t < s->work->threads; ++t) TRY(reaction_create(&all->solver[t], s->ctx, all->n, all->list));
+    return FLOE_OK;
+}
+
+void ice_reactions_destroy(context *ctx, ice_work *w)
+{
+    for (int t = 0; w->reactions.solver && t < w->threads; ++t) reaction_destroy(ctx, &w->reactions.solver[t]);
+    memory_free(ctx, &w->reactions.solver);
+}
+
+/* ---- rates ---- */
+
+static double surface_of(const ice_view *v, int r, ptrdiff_t at)
+{
+    const double *theta = v->m[r].theta;
+    double square = 0.0;
+    for (int a = 0; a < v->dim; ++a) {
+        const ptrdiff_t st = v->b->stride[a];
+        const double slope = 0.5 * v->inv_h[a] * (theta[at + st] - theta[at - st]);
+        square += slope * slope;
+    }
+    return sqrt(square);
+}
+
+/* False: nothing can react. */
+static bool gather(const ice *s, const ice_view *v, ptrdiff_t at, reaction_cell *c)
+{
+    const ice_reactions *all = &s->work->reactions;
+    bool any = false;
+    for (int k = 0; k < all->n; ++k) any = any || v->m[all->list[k].reactant].rho[at] > 0.0;
+    if (!any) return false;
+    c->n = s->n_materials;
+    c->p = v->p[at];
+    for (int r = 0; r < c->n; ++r) {
+        const ice_arrays *m = &v->m[r];
+        const eos *law = &s->material[r].eos;
+        double alpha;
+        c->density[r] = 1.0 / m->v[at];
+        c->e[r] = m->e[at];
+        c->T[r] = m->T[at];
+        c->rho[r] = s->material[r].points ? 0.0 : m->rho[at];
+        law->model->heat(law->par, 1, &c->density[r], &c->e[r], &c->cv[r], &alpha);
+    }
+    for (int k = 0; k < all->n; ++k) c->surface[k] = surface_of(v, all->list[k].reactant, at);
+    return true;
+}
+
+static bool react_row(const ice *s, const ice_view *v, ptrdiff_t base)
+{
+    const ice_reactions *all = &s->work->reactions;
+    bool good = true;
+    for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+        double reacted[REACTION_MAX] = {0.0};
+        reaction_cell c;
+        if (gather(s, v, at, &c)) good = reaction_integrate(all->solver[ice_thread()], &c, v->dt, reacted) && good;
+        for (int k = 0; k < all->n; ++k) v->reacted[k][at] = reacted[k];
+    }
+    return good;
+}
+
+floe_status ice_react(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+        int bad = 0;
+#pragma omp parallel for schedule(static) reduction(+ : bad)
+        for (int row = 0; row < q.n; ++row)
+            bad += !react_row(s, &v, mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row)));
+        if (bad)
+            return fail(s->ctx, FLOE_RETRY, "reactions: CVODE cannot follow the rates of %d rows of cells over %g s",
+                        bad, s->dt);
+    }
+    return FLOE_OK;
+}
+
+/* ---- pressure and volume ---- */
+
+ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at)
+{
+    const ice_reactions *all = &s->work->reactions;
+    ice_creation c = {.any = false};
+    double sum = 0.0, compressibility = v->kappa_sum[at];
+    for (int k = 0; k < all->n; ++k) {
+        const double reacted = v->reacted[k][at];
+        const int r = all->list[k].reactant, p = all->list[k].product;
+        if (!(reacted > 0.0)) continue;
+        c.any = true;
+        c.mass[r] -= reacted;
+        c.mass[p] += reacted;
+        c.volume[r] -= reacted * v->m[r].v[at];
+        c.volume[p] += reacted * v->m[p].v[at];
+    }
+    for (int r = 0; r < s->n_materials; ++r) {
+        sum += c.volume[r];
+        c.theta[r] = v->m[r].theta[at] + fmax(c.volume[r], 0.0); /* what is new yields, too */
+        compressibility += fmax(c.volume[r], 0.0) * v->m[r].kappa[at];
+    }
+    c.dP = sum / compressibility;
+    return c;
+}
+
+void ice_created_pressure(const ice *s, const ice_view *v)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at)
+            v->P[at] += 0.5 * (1.0 + v->shock[at]) * ice_created(s, v, at).dP;
+    }
+}
+
+/* ---- sources ---- */
+
+/* `reacted` joins the product, at the reactant's velocity. The kinetic energy that is lost so stays in the product as heat. */
+static void join(const ice *s, const ice_view *v, const reaction *q, double reacted, ptrdiff_t at)
+{
+    const ice_arrays *from = &v->m[q->reactant], *to = &v->m[q->product];
+    const double before = to->rhol[at], mass = before + reacted;
+    double square = 0.0;
+    for (int a = 0; a < v->dim; ++a) {
+        const double slip = from->ul[a][at] - to->ul[a][at];
+        square += slip * slip;
+        to->ul[a][at] += reacted / mass * slip;
+    }
+    const double lost = s->scene->method.conserve_energy ? 0.5 * before * reacted / mass * square : 0.0;
+    to->el[at] = (before * to->el[at] + reacted * (from->el[at] + q->heat) + lost) / mass;
+    to->rhol[at] = mass;
+    from->rhol[at] = fmax(from->rhol[at] - reacted, 0.0);
+}
+
+static void exchange_row(const ice *s, const ice_view *v, int j, int k)
+{
+    const ice_reactions *all = &s->work->reactions;
+    for (int i = 0; i < v->b->n[0]; ++i) {
+        const ptrdiff_t at = mesh_index(v->b, i, j, k);
+        for (int r = 0; r < s->n_materials; ++r)
+            if (!s->material[r].points) v->m[r].rhol[at] = v->m[r].rho[at];
+        for (int n = 0; n < all->n; ++n) {
+            const double reacted = v->reacted[n][at];
+            if (!(reacted > 0.0)) continue;
+            join(s, v, &all->list[n], reacted, at);
+            ice_tile(s, v->b, i, j, k)[TILE_SOURCE_ENERGY] += reacted * all->list[n].heat * v->volume[i];
+        }
+    }
+}
+
+floe_status ice_mass_exchange(ice *s)
+{
+    ice_clear_tiles(s);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+        const int chunk = ice_rows_chunk(s, q);
+#pragma omp parallel for schedule(static, chunk)
+        for (int row = 0; row < q.n; ++row) exchange_row(s, &v, ice_row_j(q, row), ice_row_k(q, row));
+    }
+    ice_enter_tiles(s);
+    return FLOE_OK;
+}
