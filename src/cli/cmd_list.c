@@ -189,8 +189,10 @@ static void list_boundaries(void)
         [BC_PERIODIC] = "both sides of an axis are one",
         [BC_INLET] = "fluids: state and velocity given; points: prescribed velocity",
         [BC_OUTLET] = "fluids: zero gradient, pressure given",
-        [BC_VELOCITY] = "points: prescribed velocity; fluids: moving impermeable wall",
+        [BC_VELOCITY] = "points: prescribed velocity; fluids: the same at the side's place",
         [BC_FREE] = "points: nothing is imposed; fluids: zero gradient",
+        [BC_NON_REFLECTING] = "fluids: waves leave, state far outside given; points: nothing is imposed",
+        [BC_RESERVOIR] = "fluids: enter from rest at total pressure and temperature; points: nothing is imposed",
     };
     for (size_t k = 0; k < sizeof doc / sizeof doc[0]; k++) printf("  %-10s %s\n", bc_name((bc_kind)k), doc[k]);
 }

@@ -19,8 +19,29 @@ static const key_spec outlet_keys[] = {
     {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, at the faces"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .otherwise = "the temperature inside",
      .doc = "of the reservoir behind, should flow turn back"},
+    {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
+     .doc = "what is behind"},
 };
 static const key_table outlet_table = TABLE(outlet_keys);
+
+static const key_spec non_reflecting_keys[] = {
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, far outside"},
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .otherwise = "0", .doc = "far outside"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .otherwise = "the temperature inside",
+     .doc = "outside, should flow turn back"},
+    {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
+     .doc = "what is outside"},
+};
+static const key_table non_reflecting_table = TABLE(non_reflecting_keys);
+
+static const key_spec reservoir_keys[] = {
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, of the fluid at rest"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .required = true,
+     .doc = "of the fluid at rest"},
+    {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
+     .doc = "what enters"},
+};
+static const key_table reservoir_table = TABLE(reservoir_keys);
 
 #define WALL_HEAT_KEYS                                                                                                \
     {"temperature",                                                                                                   \
@@ -46,6 +67,12 @@ static const key_table slip_table = TABLE(slip_keys);
 
 static const key_spec velocity_keys[] = {
     {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .required = true, .doc = "imposed"},
+    {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(bc_side, course.start), .fallback = "0",
+     .doc = "the motion begins"},
+    {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(bc_side, course.ramp), .fallback = "0",
+     .doc = "time in which the velocity is reached, along half a cosine; 0: at once"},
+    {"frequency", KEY_NUMBER, "Hz", PARAM_NONNEGATIVE, AT(bc_side, course.frequency), .fallback = "0",
+     .doc = "the velocity swings with a sine of this frequency; 0: it stays"},
 };
 static const key_table velocity_table = TABLE(velocity_keys);
 
@@ -56,7 +83,10 @@ static const variant side_list[] = {
     {"periodic", BC_PERIODIC, NULL, "what leaves here enters at the opposite side"},
     {"inlet", BC_INLET, &inlet_table, "a fluid enters"},
     {"outlet", BC_OUTLET, &outlet_table, "a fluid leaves against a given pressure"},
-    {"velocity", BC_VELOCITY, &velocity_table, "points move as imposed; a moving wall for fluids"},
+    {"velocity", BC_VELOCITY, &velocity_table,
+     "points move as imposed; a fluid has this velocity at the side, and enters or leaves with it"},
+    {"reservoir", BC_RESERVOIR, &reservoir_table, "a fluid enters from rest, at total pressure and temperature"},
+    {"non_reflecting", BC_NON_REFLECTING, &non_reflecting_table, "a fluid leaves, and its waves with it"},
     {"free", BC_FREE, NULL, "nothing is imposed"},
 };
 

@@ -50,6 +50,31 @@ static floe_status check_drag(reader *r, const bc_side *side, int axis, const ch
                   "no fluid is viscous: the wall's velocity would have no effect");
 }
 
+/* What lies behind an open side is a fluid that exists at the side's pressure. */
+static floe_status check_open(reader *r, const bc_side *side, const char *const *path)
+{
+    const scene *s = r->scene;
+    const bool characteristic = side->kind == BC_RESERVOIR || side->kind == BC_NON_REFLECTING;
+    const bool needs = side->kind == BC_INLET || side->kind == BC_RESERVOIR, holds = needs || side->temperature > 0.0;
+    if (side->kind != BC_OUTLET && !needs && !characteristic) return FLOE_OK;
+    if (characteristic && s->method.pressure != PRESSURE_EXPLICIT && scene_runs_as(s, COUPLING_ICE)) {
+        return bad_at(r, path, "inlet or outlet, or method: {pressure: explicit}", NULL,
+                      "'%s' follows waves, which an implicit pressure does not resolve", bc_name(side->kind));
+    }
+    if (!holds) return FLOE_OK;
+    if (side->material < 0) {
+        return bad_at(r, path, "material: the name of a fluid", NULL,
+                      "the scene has no fluid, or several: which enters?");
+    }
+    const scene_material *m = &s->material[side->material];
+    if (m->kind != MATERIAL_FLUID) {
+        return bad_at(r, path, "material: the name of a fluid", NULL, "'%s' is a solid and cannot flow in", m->name);
+    }
+    if (!m->eos.model || side->pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
+    return bad_at(r, path, NULL, NULL, "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name,
+                  side->pressure, m->eos.model->pressure_floor(m->eos.par));
+}
+
 static floe_status check_side(reader *r, int axis, int i)
 {
     scene *s = r->scene;
@@ -65,14 +90,7 @@ static floe_status check_side(reader *r, int axis, int i)
     }
     if (side->kind == BC_SLIP || side->kind == BC_NO_SLIP) TRY(check_wall(r, side, path));
     if (side->kind == BC_NO_SLIP) TRY(check_drag(r, side, axis, path));
-    if (side->kind != BC_INLET) return FLOE_OK;
-    if (side->material < 0) {
-        return bad_at(r, path, "material: the name of a fluid", NULL,
-                      "the scene has no fluid, or several: which enters?");
-    }
-    if (s->material[side->material].kind == MATERIAL_FLUID) return FLOE_OK;
-    return bad_at(r, path, "material: the name of a fluid", NULL, "'%s' is a solid and cannot flow in",
-                  s->material[side->material].name);
+    return check_open(r, side, path);
 }
 
 floe_status check_boundaries(reader *r)

@@ -46,13 +46,16 @@ static int only_fluid(const scene *s)
     return found;
 }
 
+/* What lies behind the sides that a fluid crosses. */
 static void finish_inlets(scene *s)
 {
     const int fluid = only_fluid(s);
     for (int axis = 0; axis < s->mesh.dim; axis++) {
         for (int i = 0; i < 2; i++) {
             bc_side *side = &s->bc.side[axis][i];
-            if (side->kind == BC_INLET && side->material < 0) side->material = fluid;
+            const bool flows = side->kind == BC_INLET || side->kind == BC_OUTLET || side->kind == BC_RESERVOIR ||
+                               side->kind == BC_NON_REFLECTING;
+            if (flows && side->material < 0) side->material = fluid;
         }
     }
 }

@@ -2,8 +2,8 @@
 
 const char *bc_name(bc_kind kind)
 {
-    static const char *const name[] = {"symmetry", "slip",   "no_slip",  "periodic",
-                                       "inlet",    "outlet", "velocity", "free"};
+    static const char *const name[] = {"symmetry", "slip",     "no_slip", "periodic",       "inlet",
+                                       "outlet",   "velocity", "free",    "non_reflecting", "reservoir"};
     return name[kind];
 }
 

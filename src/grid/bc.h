@@ -3,29 +3,38 @@
 #define GRID_BC_H
 
 #include "grid/domain.h"
+#include "math/swing.h"
 
 typedef enum bc_kind {
     BC_SYMMETRY, /* mirror: normal velocity odd, everything else even; a slip wall is the same */
     BC_SLIP,     /* impermeable, free tangential velocity */
     BC_NO_SLIP,  /* impermeable, tangential velocity of the wall */
     BC_PERIODIC,
-    BC_INLET,    /* fluids: density, velocity, temperature given; points: prescribed velocity */
-    BC_OUTLET,   /* fluids: zero gradient, face pressure given */
-    BC_VELOCITY, /* points: prescribed velocity; fluids: moving impermeable wall */
-    BC_FREE      /* points: nothing is imposed; fluids: zero gradient (supersonic outlet) */
+    BC_INLET,          /* fluids: density, velocity, temperature given; points: prescribed velocity */
+    BC_OUTLET,         /* fluids: zero gradient, face pressure given */
+    BC_VELOCITY,       /* points: prescribed velocity; fluids: moving impermeable wall */
+    BC_FREE,           /* points: nothing is imposed; fluids: zero gradient (supersonic outlet) */
+    BC_NON_REFLECTING, /* fluids: waves leave; pressure and velocity far outside given; points: as free */
+    BC_RESERVOIR       /* fluids: enter from rest at total pressure and temperature; points: as free */
 } bc_kind;
 
-const char *
-bc_name(bc_kind kind); /* name in the deck: symmetry, slip, no_slip, periodic, inlet, outlet, velocity, free */
+const char *bc_name(bc_kind kind); /* name in the deck: symmetry, slip, no_slip, periodic, inlet ... */
 
 typedef struct bc_side {
     bc_kind kind;
-    double velocity[MESH_MAX_DIM]; /* m/s: of the wall, the inlet or the prescribed nodes */
-    double pressure;               /* Pa: outlet and inlet */
+    double velocity[MESH_MAX_DIM]; /* m/s: of the wall, the inlet, the prescribed nodes, or far outside */
+    double pressure;               /* Pa: outlet, inlet, outside a non-reflecting side; total, of a reservoir */
     double temperature;            /* K: inlet, reservoir behind an outlet, wall; NAN: not given */
     double heat_flux;              /* W/m2: out of a wall into the fluid */
     int material;                  /* fluid that enters (index in the scene's materials) */
+    swing course;                  /* of the velocity of BC_VELOCITY, over time */
 } bc_side;
+
+/* Velocity component that a BC_VELOCITY side imposes at t. */
+static inline double bc_velocity(const bc_side *side, int component, double t)
+{
+    return side->velocity[component] * swing_at(&side->course, t);
+}
 
 typedef struct bc_table {
     bc_side side[MESH_MAX_DIM][2];

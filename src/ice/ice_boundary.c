@@ -2,13 +2,26 @@
  * one loop; a kind of side is a row of `rule_of`. */
 #include "ice/ice_internal.h"
 
+#include <math.h>
+
 bool ice_is_wall(bc_kind kind)
 {
     return kind == BC_SYMMETRY || kind == BC_SLIP || kind == BC_NO_SLIP;
 }
 
+bool ice_has_reservoir(bc_kind kind)
+{
+    return kind == BC_INLET || kind == BC_OUTLET || kind == BC_NON_REFLECTING || kind == BC_RESERVOIR;
+}
+
+/* Sides that characteristics decide. */
+static bool by_characteristics(bc_kind kind)
+{
+    return kind == BC_NON_REFLECTING || kind == BC_RESERVOIR;
+}
+
 /* What becomes of one array beyond a side. */
-typedef enum ghost_act { ACT_MIRROR, ACT_NEAREST, ACT_VALUE, ACT_ODD } ghost_act;
+typedef enum ghost_act { ACT_MIRROR, ACT_NEAREST, ACT_LINEAR, ACT_VALUE, ACT_ODD } ghost_act;
 typedef struct ghost_rule {
     ghost_act act;
     double value;
@@ -29,6 +42,28 @@ static void add_to_ghosts(const block *b, int axis, mesh_side side, double value
             for (int i = lo[0]; i < hi[0]; ++i) a[mesh_index(b, i, j, k)] += value;
 }
 
+/* Continues an array in a straight line beyond a side, by the smaller of the last two differences, none where they differ in sign. */
+static void extrapolate(const block *b, int axis, mesh_side side, double *a)
+{
+    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
+    for (int d = 0; d < b->dim; ++d) {
+        lo[d] = -MESH_GHOST;
+        hi[d] = b->n[d] + MESH_GHOST;
+    }
+    lo[axis] = side == SIDE_LOWER ? 0 : b->n[axis] - 1;
+    hi[axis] = lo[axis] + 1;
+    const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                const double last = a[at] - a[at - out], before = a[at - out] - a[at - 2 * out];
+                const double slope = last * before > 0.0 ? copysign(fmin(fabs(last), fabs(before)), last) : 0.0;
+                a[at + out] = a[at] + slope;
+                a[at + 2 * out] = a[at] + 2.0 * slope;
+            }
+}
+
 static void apply_rule(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
 {
     switch (rule.act) {
@@ -37,6 +72,7 @@ static void apply_rule(const block *b, int axis, mesh_side side, ghost_rule rule
         if (rule.value != 0.0) add_to_ghosts(b, axis, side, rule.value, a);
         break;
     case ACT_NEAREST: bc_extrapolate(b, axis, side, a); break;
+    case ACT_LINEAR: extrapolate(b, axis, side, a); break;
     case ACT_VALUE: bc_constant(b, axis, side, rule.value, a); break;
     case ACT_ODD:
         bc_reflect(b, axis, side, BC_ODD, a);
@@ -63,14 +99,17 @@ static ghost_rule velocity_rule(const ice *s, int axis, mesh_side side, int comp
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
     const bool normal = component == axis;
+    const double given =
+        wall->kind == BC_VELOCITY ? bc_velocity(wall, component, s->time + 0.5 * s->dt) : wall->velocity[component];
     switch (wall->kind) {
     case BC_SYMMETRY:
     case BC_SLIP: return (ghost_rule){normal ? ACT_ODD : ACT_MIRROR, 0.0};
     case BC_NO_SLIP:
     case BC_VELOCITY:
-        if (normal) return (ghost_rule){ACT_ODD, wall->kind == BC_VELOCITY ? wall->velocity[component] : 0.0};
-        return (ghost_rule){s->viscous ? ACT_ODD : ACT_MIRROR, s->viscous ? wall->velocity[component] : 0.0};
+        if (normal) return (ghost_rule){ACT_ODD, wall->kind == BC_VELOCITY ? given : 0.0};
+        return (ghost_rule){s->viscous ? ACT_ODD : ACT_MIRROR, s->viscous ? given : 0.0};
     case BC_INLET: return (ghost_rule){ACT_VALUE, wall->velocity[component]};
+    case BC_NON_REFLECTING: return (ghost_rule){ACT_LINEAR, 0.0};
     default: return (ghost_rule){ACT_NEAREST, 0.0};
     }
 }
@@ -88,8 +127,12 @@ static ghost_rule temperature_rule(const ice *s, int axis, mesh_side side, int r
 static ghost_rule rule_of(const ice *s, int axis, mesh_side side, int r, int component, ice_ghost kind)
 {
     const bc_kind side_kind = s->scene->bc.side[axis][side].kind;
-    const bool open = side_kind == BC_INLET || side_kind == BC_OUTLET || side_kind == BC_FREE;
+    const bool open =
+        side_kind == BC_INLET || side_kind == BC_OUTLET || side_kind == BC_FREE || by_characteristics(side_kind);
     if (kind == GHOST_VELOCITY) return velocity_rule(s, axis, side, component);
+    const bool crossed = side_kind == BC_NON_REFLECTING ||
+                         (side_kind == BC_VELOCITY && s->scene->bc.side[axis][side].velocity[axis] != 0.0);
+    if (crossed && (kind == GHOST_DENSITY || kind == GHOST_ENERGY)) return (ghost_rule){ACT_LINEAR, 0.0};
     if (!open && kind == GHOST_TEMPERATURE) return temperature_rule(s, axis, side, r);
     if (!open) return (ghost_rule){ACT_MIRROR, 0.0};
     if (kind == GHOST_ZERO_OPEN) return (ghost_rule){ACT_VALUE, 0.0};
@@ -99,6 +142,15 @@ static ghost_rule rule_of(const ice *s, int axis, mesh_side side, int r, int com
         if (given) return (ghost_rule){ACT_VALUE, value};
     }
     return (ghost_rule){ACT_NEAREST, 0.0};
+}
+
+static void fill_beyond(const ice *s, const block *b, int axis, mesh_side side, int r, int component, ice_ghost kind,
+                        double *a)
+{
+    const bool state = kind == GHOST_VELOCITY || kind == GHOST_DENSITY || kind == GHOST_ENERGY || kind == GHOST_VOLUME;
+    apply_rule(b, axis, side, rule_of(s, axis, side, r, component, kind), a);
+    if (state && s->scene->bc.side[axis][side].kind == BC_RESERVOIR)
+        ice_reservoir_ghosts(s, b, s->domain->fields[b->id], axis, side, r, kind, component, a);
 }
 
 void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
@@ -114,12 +166,12 @@ void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, 
             for (int axis = 0; axis < m->dim; ++axis)
                 for (int side = 0; side < 2; ++side)
                     if (b->at_side[axis][side] && !m->periodic[axis])
-                        apply_rule(b, axis, (mesh_side)side, rule_of(s, axis, (mesh_side)side, instance, c, kind), a);
+                        fill_beyond(s, b, axis, (mesh_side)side, instance, c, kind, a);
         }
     }
 }
 
-/* Beyond an outlet through which fluid comes back lies the side's reservoir: its density and energy enter. */
+/* Beyond an outlet or non-reflecting side through which fluid comes back lies the side's reservoir: its density and energy enter. */
 static void fill_backflow(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
@@ -156,7 +208,8 @@ floe_status ice_boundary_ghosts(ice *s)
         if (s->multi) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
         for (int axis = 0; axis < m->dim; ++axis)
             for (int side = 0; side < 2; ++side) {
-                if (m->periodic[axis] || s->scene->bc.side[axis][side].kind != BC_OUTLET || s->material[r].points)
+                const bc_kind kind = s->scene->bc.side[axis][side].kind;
+                if (m->periodic[axis] || (kind != BC_OUTLET && kind != BC_NON_REFLECTING) || s->material[r].points)
                     continue;
                 if (!(s->work->reservoir[axis][side].rho > 0.0)) continue;
                 for (int id = 0; id < m->n_blocks; ++id)
@@ -225,8 +278,13 @@ static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side si
     case BC_SYMMETRY:
     case BC_SLIP:
     case BC_NO_SLIP: face[at.face] = 0.0; break;
-    case BC_VELOCITY:
+    case BC_VELOCITY: face[at.face] = bc_velocity(wall, axis, s->time + 0.5 * s->dt); break;
     case BC_INLET: face[at.face] = wall->velocity[axis]; break;
+    case BC_NON_REFLECTING:
+    case BC_RESERVOIR:
+        face[at.face] = at.outward * ice_characteristic(s, v, axis, side, at).velocity + v->m[r].u[axis][at.cell] -
+                        v->mean[axis][at.cell];
+        break;
     case BC_OUTLET: face[at.face] = outlet_velocity(s, v, axis, side, r, at); break;
     default: break; /* free: as between equal cells */
     }
@@ -237,6 +295,14 @@ void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r)
     ice_visit_sides(s, v, r, set_velocity);
 }
 
+/* Of the fluid at a side with a velocity: the side's own, and what the fluid has by passing it. */
+static double acceleration(const ice *s, const ice_view *v, int axis, const bc_side *wall, side_face at)
+{
+    const double t = s->time + 0.5 * s->dt, u = bc_velocity(wall, axis, t);
+    const double slope = 2.0 * at.outward * (u - v->mean[axis][at.cell]) * v->inv_h[axis];
+    return wall->velocity[axis] * swing_rate(&wall->course, t) + u * slope;
+}
+
 static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
@@ -245,8 +311,13 @@ static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side si
         v->fp[axis][at.face] = wall->pressure;
     else if (wall->kind == BC_FREE)
         v->fp[axis][at.face] = v->P[at.cell];
-    else
-        v->fp[axis][at.face] = v->P[at.cell] + 0.5 * at.outward * v->rho_sum[at.cell] * v->gravity[axis] * v->h[axis];
+    else if (by_characteristics(wall->kind))
+        v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
+    else {
+        double pull = v->gravity[axis];
+        if (wall->kind == BC_VELOCITY) pull -= acceleration(s, v, axis, wall, at);
+        v->fp[axis][at.face] = v->P[at.cell] + 0.5 * at.outward * v->rho_sum[at.cell] * pull * v->h[axis];
+    }
 }
 
 void ice_boundary_face_pressure(const ice *s, const ice_view *v)

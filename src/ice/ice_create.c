@@ -40,7 +40,8 @@ static void find_used(const scene *s, bool with_points, bool *used)
             const bc_side *wall = &s->bc.side[a][side];
             const bool fluid = wall->material >= 0 && wall->material < s->n_materials &&
                                s->material[wall->material].kind == MATERIAL_FLUID;
-            if (wall->kind == BC_INLET && fluid && !s->mesh.periodic[a]) used[wall->material] = true;
+            if ((wall->kind == BC_INLET || wall->kind == BC_RESERVOIR) && fluid && !s->mesh.periodic[a])
+                used[wall->material] = true;
         }
 }
 
@@ -107,13 +108,13 @@ ice_reservoir ice_state_at(const eos *law, double p, double T)
     return out;
 }
 
-/* What inlets bring, and what lies behind outlets that say so. */
+/* What inlets bring, what reservoirs hold, and what lies behind outlets that say so. */
 static void resolve_reservoirs(ice *s)
 {
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2; ++side) {
             const bc_side *wall = &s->scene->bc.side[a][side];
-            if (wall->kind != BC_INLET && wall->kind != BC_OUTLET) continue;
+            if (!ice_has_reservoir(wall->kind)) continue;
             const int r = ice_material_of(s, wall->material);
             if (r < 0 || s->material[r].points || !(wall->temperature > 0.0)) continue;
             s->work->reservoir[a][side] = ice_state_at(&s->material[r].eos, wall->pressure, wall->temperature);

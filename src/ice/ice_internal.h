@@ -242,6 +242,13 @@ bool ice_is_wall(bc_kind kind);
 /* Exchanges momentum at the faces normal to `axis`: of velocities, one array a material, or of whatever else is to be shared out
  * as they are. */
 void ice_exchange_faces(const ice *s, const ice_view *v, int axis, double *const *value);
+/* Sides behind which a state of a fluid lies. */
+bool ice_has_reservoir(bc_kind kind);
+/* Speed u, up to that of sound, along the isentrope from a state at rest at p0. */
+ice_reservoir ice_expand(const eos *law, double p0, const ice_reservoir *rest, double u);
+/* What a reservoir sends into the ghosts of an array (of kind velocity, density, energy, volume). */
+void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r,
+                          ice_ghost kind, int component, double *a);
 /* Values that the sides impose on faces. */
 void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r);
 void ice_boundary_face_pressure(const ice *s, const ice_view *v);
@@ -252,6 +259,11 @@ typedef struct side_face {
     double outward;
 } side_face;
 typedef void side_visitor(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at);
+/* Pressure and outward velocity on a face of a non-reflecting side or of a reservoir. */
+typedef struct ice_side_state {
+    double pressure, velocity;
+} ice_side_state;
+ice_side_state ice_characteristic(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at);
 /* Visits the owned faces of every non-periodic side that the block touches. */
 void ice_visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit);
 /* Mobility of a material at the faces of the sides, and what the implicit centring adds to u* there. */

@@ -148,7 +148,8 @@ static void enter_loss(mpm *s, int blk, int body, size_t k)
 
 static bool is_open(bc_kind kind)
 {
-    return kind == BC_FREE || kind == BC_OUTLET || kind == BC_INLET;
+    return kind == BC_FREE || kind == BC_OUTLET || kind == BC_INLET || kind == BC_NON_REFLECTING ||
+           kind == BC_RESERVOIR;
 }
 
 /* Brings a point that lies beyond the mesh back: around a periodic axis, or onto the wall that it cannot have passed but by

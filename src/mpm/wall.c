@@ -167,7 +167,10 @@ static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field
     wall_rule r = {.s = s, .group = group, .axis = axis, .field = field};
     for (int c = 0; c < s->mesh->dim; ++c) {
         r.hold[c] = wall_holds(s, axis, side, c);
-        r.target[c] = holds(s, axis, side) ? s->scene->bc.side[axis][side].velocity[c] : 0.0;
+        const bc_side *wall = &s->scene->bc.side[axis][side];
+        r.target[c] = !holds(s, axis, side)       ? 0.0
+                      : wall->kind == BC_VELOCITY ? bc_velocity(wall, c, s->time + s->dt)
+                                                  : wall->velocity[c];
     }
     return r;
 }

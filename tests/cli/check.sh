@@ -47,3 +47,10 @@ expect 2 "$FLOE" check "$couette" --set materials.gas.viscosity.shear=0
 has stderr "give a fluid a 'viscosity'"
 expect 2 "$FLOE" check "$couette" --set 'boundaries.y.lower={no_slip: {velocity: [0, 1]}}'
 has stderr 'cannot move across itself'
+
+# Open sides.
+pulse=$FLOE_SOURCE/inputs/pulse_leaves.yaml
+expect 2 "$FLOE" check "$pulse" --set method.pressure=implicit
+has stderr 'does not resolve'
+expect 2 "$FLOE" check "$pulse" --set 'boundaries.x.lower={reservoir: {pressure: -1, temperature: 1}}'
+has stderr "does not exist at -1 Pa"

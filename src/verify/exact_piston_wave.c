@@ -1,0 +1,116 @@
+/* The simple wave that a moving piston, or a side that imposes a velocity, sends into an ideal gas at rest. */
+#include "math/swing.h"
+#include "verify/internal.h"
+
+typedef struct wave_par {
+    double density, pressure, gamma, heat_capacity, speed, start, ramp, frequency, origin, moving, axis;
+} wave_par;
+
+static const param_spec wave_params[] = {
+    PAR_POSITIVE(wave_par, density, "kg/m3", NAN, "density of the gas at rest"),
+    PAR_POSITIVE(wave_par, pressure, "Pa", NAN, "pressure of the gas at rest"),
+    PAR_BETWEEN(wave_par, gamma, "1", 1.0, 100.0, 1.4, "ratio of specific heats, over 1"),
+    PAR_NONNEGATIVE(wave_par, heat_capacity, "J/kg/K", 0.0, "c_v; 0: no temperature is given"),
+    PAR_ANY(wave_par, speed, "m/s", NAN, "velocity reached, up the axis into the gas; negative: the piston recedes"),
+    PAR_NONNEGATIVE(wave_par, start, "s", 0.0, "the motion begins"),
+    PAR_POSITIVE(wave_par, ramp, "s", NAN, "time in which the velocity is reached, along half a cosine"),
+    PAR_NONNEGATIVE(wave_par, frequency, "Hz", 0.0, "the velocity swings with a sine; 0: it does not"),
+    PAR_ANY(wave_par, origin, "m", 0.0, "where the piston starts, or the side"),
+    PAR_BETWEEN(wave_par, moving, "1", 0.0, 1.0, 1.0,
+                "1: a piston, which moves; 0: a side, where gas enters or leaves"),
+    PAR_BETWEEN(wave_par, axis, "1", 0.0, 2.0, 0.0, "the axis: 0, 1 or 2"),
+};
+
+typedef struct wave_constants {
+    swing law;
+    double sound; /* m/s: of the gas at rest */
+} wave_constants;
+
+static floe_status wave_prepare(context *ctx, const void *par, int dim, void *prepared)
+{
+    const wave_par *p = par;
+    wave_constants *c = prepared;
+    TRY(check_axis(ctx, p->axis, dim));
+    TRY(check_whole(ctx, "moving", p->moving));
+    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (whole(p->moving) == 1 && p->frequency > 0.0)
+        return fail(ctx, FLOE_BAD_INPUT, "frequency = %g Hz: a piston that moves only goes one way here", p->frequency);
+    *c = (wave_constants){.law = {p->start, p->ramp, p->frequency}, .sound = sqrt(p->gamma * p->pressure / p->density)};
+    if (c->sound > 0.5 * (p->gamma - 1.0) * fabs(p->speed)) return FLOE_OK;
+    return fail(ctx, FLOE_BAD_INPUT, "speed = %g m/s: must be below 2 c/(gamma - 1) = %g m/s, or a vacuum opens",
+                p->speed, 2.0 * c->sound / (p->gamma - 1.0));
+}
+
+/* Where the piston is: the integral of its velocity. */
+static double place_of(const wave_par *p, double t)
+{
+    const double past = t - p->start;
+    if (whole(p->moving) == 0 || past <= 0.0) return p->origin;
+    const double rising = fmin(past, p->ramp), k = VERIFY_PI / p->ramp;
+    return p->origin + p->speed * (0.5 * rising - 0.5 * sin(k * rising) / k + fmax(past - p->ramp, 0.0));
+}
+
+typedef struct characteristic {
+    const wave_par *par;
+    const wave_constants *constants;
+    double at, t;
+} characteristic;
+
+/* How far the characteristic that left the piston at `from` is beyond the place wanted. */
+static double characteristic_lead(double from, void *user)
+{
+    const characteristic *c = user;
+    const double u = c->par->speed * swing_at(&c->constants->law, from);
+    return place_of(c->par, from) + (c->constants->sound + 0.5 * (c->par->gamma + 1.0) * u) * (c->t - from) - c->at;
+}
+
+static double velocity_at(const wave_par *p, const wave_constants *c, double x, double t)
+{
+    if (!(t > p->start) || x >= p->origin + c->sound * (t - p->start)) return 0.0;
+    if (x < place_of(p, t)) return NAN;
+    characteristic problem = {p, c, x, t};
+    const double from = find_root(characteristic_lead, &problem, p->start, t);
+    return p->speed * swing_at(&c->law, from);
+}
+
+static double wave_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
+                         double t)
+{
+    (void)dim;
+    const wave_par *p = par;
+    const wave_constants *c = prepared;
+    const int axis = whole(p->axis);
+    const double u = velocity_at(p, c, x[axis], t), ratio = 1.0 + 0.5 * (p->gamma - 1.0) * u / c->sound;
+    const double density = p->density * pow(ratio, 2.0 / (p->gamma - 1.0));
+    const double pressure = p->pressure * pow(ratio, 2.0 * p->gamma / (p->gamma - 1.0));
+    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, u);
+    switch (quantity) {
+    case EXACT_DENSITY: return density;
+    case EXACT_PRESSURE: return pressure;
+    case EXACT_INTERNAL_ENERGY: return gas_energy(density, pressure, p->gamma, 0.0);
+    case EXACT_TEMPERATURE: return gas_temperature(density, pressure, p->gamma, 0.0, p->heat_capacity);
+    default: return NAN;
+    }
+}
+
+static const wave_par sample_par = {
+    .density = 1.4, .pressure = 1.0, .gamma = 1.4, .heat_capacity = 2.5, .speed = -0.2, .ramp = 2.0, .moving = 1.0};
+
+const exact_model exact_piston_wave = {
+    .name = "piston_wave",
+    .doc = "the simple wave of a piston, or of a side with a velocity, in an ideal gas at rest",
+    .cite = "Landau & Lifshitz, Fluid Mechanics, 2nd ed. (1987), section 101",
+    .validity = "inviscid ideal gas, up to the time at which the wave breaks; a receding piston's never does.",
+    .equations = EXACT_EULER,
+    .param_size = sizeof(wave_par),
+    .params = wave_params,
+    .n_params = COUNT_OF(wave_params),
+    .min_dim = 1,
+    .max_dim = 3,
+    .provides = EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) |
+                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE),
+    .sample = {.par = &sample_par, .dim = 1, .lo = {0.1}, .hi = {0.8}, .t = 1.0},
+    .prepared_size = sizeof(wave_constants),
+    .prepare = wave_prepare,
+    .value = wave_value,
+};
