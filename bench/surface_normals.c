@@ -4,6 +4,7 @@
  *
  * Where the papers do not print the places of their points, they are chosen here, and said in the comment of the table. */
 #include "base/memory.h"
+#include "base/timer.h"
 #include "math/tensor.h"
 #include "surface/isosurface.h"
 
@@ -605,6 +606,47 @@ static void table_curvature(void)
     for (int k = 0; k < 7; ++k) print_row(h[k], h[k], 7.0, 1e-3);
 }
 
+/* Microseconds of one core a point, binning included: a circle and a sphere, 4, 8 and 16 points a cell. */
+static void table_cost(void)
+{
+    static cloud c;
+    static field f;
+    const double par[] = {1.0};
+    printf("method");
+    for (int dim = 2; dim <= 3; ++dim)
+        for (int per_cell = 4; per_cell <= 16; per_cell *= 2) printf(",%d-D: %d a cell", dim, per_cell);
+    printf("\n");
+    for (size_t m = 0; m < surface_registry_size; ++m) {
+        const surface_method *method = surface_registry[m];
+        printf("%s", method->name);
+        for (int dim = 2; dim <= 3; ++dim)
+            for (int per_cell = 4; per_cell <= 16; per_cell *= 2) {
+                if (method->connected && dim == 3) {
+                    printf(",-");
+                    continue;
+                }
+                const double radius =
+                    dim == 2 ? 0.1 * 4000.0 / per_cell / (2.0 * pi) : 0.1 * sqrt(4000.0 / per_cell / (4.0 * pi));
+                if (dim == 2) put_circle(&c, 0.01, 0.02, radius, 4000, 0.0, 0);
+                for (c.n = dim == 2 ? c.n : 0; c.n < 4000;) {
+                    const double z = 1.0 - (2.0 * c.n + 1.0) / 4000.0, phi = pi * (1.0 + sqrt(5.0)) * c.n,
+                                 r = sqrt(1.0 - z * z);
+                    add(&c, radius * r * cos(phi), radius * r * sin(phi), radius * z, r * cos(phi), r * sin(phi), z);
+                }
+                begin(&f, dim, 0.1 * ceil(10.0 * radius + 3.0), 0.1);
+                double best = INFINITY;
+                for (int repeat = 0; repeat < 5; ++repeat) {
+                    const double start = cpu_seconds();
+                    (void)measure(&f, &c, method, par);
+                    best = fmin(best, cpu_seconds() - start);
+                }
+                printf(",%.2g", 1e6 * best / c.n);
+                end(&f);
+            }
+        printf("\n");
+    }
+}
+
 static const struct {
     const char *name, *doc;
     void (*print)(void);
@@ -621,6 +663,7 @@ static const struct {
     {"dogbone", "exact contour and circle of the dog-bone, four meshes", table_dogbone},
     {"points", "error by points a cell", table_points},
     {"noise", "error by noise of positions", table_noise},
+    {"cost", "microseconds a point", table_cost},
     {"curvature", "error by curvature times h", table_curvature},
 };
 

@@ -7,6 +7,8 @@
 /* Pivots below this share of the largest are taken for zero: far above round-off, for a direction that the points hardly see
  * would be filled with their noise (York 1997, section 7.6: points on a line along the mesh). */
 static const double rank_tolerance = 1e-7;
+/* With all pivots above this share of the largest the rank is not in doubt, and the triangle needs no further decomposition. */
+static const double plain_pivot = 1e-3;
 
 void least_squares_begin(least_squares *l, surface_solver solver, int n)
 {
@@ -23,7 +25,7 @@ static void add_to_triangle(least_squares *l, double *row)
     for (int j = 0; j < width; ++j) {
         double *top = l->a + j * width;
         if (row[j] == 0.0) continue;
-        const double length = hypot(top[j], row[j]), c = top[j] / length, s = row[j] / length;
+        const double length = sqrt(top[j] * top[j] + row[j] * row[j]), c = top[j] / length, s = row[j] / length;
         for (int k = j; k < width; ++k) {
             const double upper = top[k], lower = row[k];
             top[k] = c * upper + s * lower;
@@ -74,6 +76,27 @@ static gsl_permutation *permutation(small_permutation *s, int n)
 {
     s->p = (gsl_permutation){.size = (size_t)n, .data = s->data};
     return &s->p;
+}
+
+/* A triangle without a small pivot is solved as it stands. False where it has one. */
+static bool solve_plainly(const least_squares *l, least_squares_solution *out)
+{
+    const int n = l->n, width = n + 1;
+    double least = INFINITY, most = 0.0;
+    for (int i = 0; i < n; ++i) {
+        least = fmin(least, fabs(l->a[i * width + i]));
+        most = fmax(most, fabs(l->a[i * width + i]));
+    }
+    if (!(least > plain_pivot * most)) return false;
+    for (int i = n - 1; i >= 0; --i) {
+        double sum = l->a[i * width + n];
+        for (int k = i + 1; k < n; ++k) sum -= l->a[i * width + k] * out->x[k];
+        out->x[i] = sum / l->a[i * width + i];
+    }
+    out->rank = n;
+    out->condition = most / least;
+    out->residual = fabs(l->a[width * width - 1]);
+    return is_finite(n, out->x);
 }
 
 static bool solve_triangle(const least_squares *l, least_squares_solution *out)
@@ -130,7 +153,8 @@ static bool solve_normal_equations(const least_squares *l, least_squares_solutio
 bool least_squares_solve(const least_squares *l, least_squares_solution *out)
 {
     if (l->rows == 0) return false;
-    return l->solver == SOLVE_QR ? solve_triangle(l, out) : solve_normal_equations(l, out);
+    if (l->solver == SOLVE_NORMAL_EQUATIONS) return solve_normal_equations(l, out);
+    return solve_plainly(l, out) || solve_triangle(l, out);
 }
 
 double least_squares_condition(const least_squares *l)

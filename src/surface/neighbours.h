@@ -10,8 +10,23 @@ typedef struct surface_neighbour {
     uint32_t number, image;
 } surface_neighbour;
 
-/* The nearest entries of `of`, itself left out, nearest first, out[most]; how many there are. Looks at no more than SURFACE_RINGS cells
- * on every side. Of equally near ones that of the lower cell, then number, comes first. */
+enum { SURFACE_BLOCK = (2 * SURFACE_RINGS + 1) * (2 * SURFACE_RINGS + 1) * (2 * SURFACE_RINGS + 1) };
+
+/* The occupied cells up to `ring` away from one, in order. */
+typedef struct surface_block {
+    int ring, n;
+    const surface_cell *cell[SURFACE_BLOCK];
+} surface_block;
+
+/* ring: up to SURFACE_RINGS. */
+void surface_block_about(const surface_set *s, const int at[3], int ring, surface_block *out);
+/* No entry outside the block about its cell is nearer to `of` than this (m). */
+double surface_block_covers(const surface_set *s, const surface_entry *of, int ring);
+/* The nearest entries of `of` in a block, itself left out, nearest first, out[most]; how many there are. Of equally near ones that of
+ * the lower cell, then number, comes first. */
+int surface_nearest_in(const surface_set *s, const surface_block *b, const surface_entry *of, int most,
+                       surface_neighbour *out);
+/* The same in as many rings as it takes, up to SURFACE_RINGS. */
 int surface_nearest(const surface_set *s, const surface_entry *of, int most, surface_neighbour *out);
 
 #endif

@@ -51,12 +51,30 @@ static int most_near(int dim, double spread)
     return n < SURFACE_MOST_NEAR ? (int)n : SURFACE_MOST_NEAR;
 }
 
-static void look_about(const surface_set *s, const surface_entry *e, double spread, surroundings *out)
+/* The cells about one, made as they are needed. */
+typedef struct blocks {
+    const surface_set *s;
+    const surface_cell *c;
+    int made;
+    surface_block ring[SURFACE_RINGS];
+} blocks;
+
+static const surface_block *block_of(blocks *b, int ring)
 {
-    out->dim = s->mesh->dim;
-    out->n = surface_nearest(s, e, most_near(out->dim, spread), out->near);
-    const int scale = out->n < scale_count(out->dim) ? out->n : scale_count(out->dim);
-    out->reach = scale > 0 ? margin * spread * sqrt(out->near[scale - 1].square) : 0.0;
+    for (; b->made < ring; b->made++) surface_block_about(b->s, b->c->at, b->made + 1, &b->ring[b->made]);
+    return &b->ring[ring - 1];
+}
+
+static void look_about(blocks *b, const surface_entry *e, double spread, surroundings *out)
+{
+    out->dim = b->s->mesh->dim;
+    for (int ring = 1; ring <= SURFACE_RINGS; ++ring) {
+        const int wanted = scale_count(out->dim);
+        out->n = surface_nearest_in(b->s, block_of(b, ring), e, most_near(out->dim, spread), out->near);
+        const int scale = out->n < wanted ? out->n : wanted;
+        out->reach = scale > 0 ? margin * spread * sqrt(out->near[scale - 1].square) : 0.0;
+        if (scale == wanted && out->reach <= surface_block_covers(b->s, e, ring)) break;
+    }
     while (out->n > 0 && !(out->near[out->n - 1].square < out->reach * out->reach)) out->n--;
 }
 
@@ -196,11 +214,12 @@ static bool fit(const surroundings *about, surface_estimate *out)
 static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
 {
     const quadric_par *q = par;
+    blocks b = {.s = s, .c = c};
     for (size_t k = 0; k < c->n; ++k) {
         const surface_entry *e = &s->points.entry[c->first + k];
         if (e->image != 0) continue;
         surroundings about;
-        look_about(s, e, q->spread, &about);
+        look_about(&b, e, q->spread, &about);
         (void)fit(&about, &out[e->number]);
     }
 }
