@@ -65,6 +65,7 @@ static void print_head(const plan *p, FILE *file)
     if (p->sim->ice) {
         (void)fprintf(file, "kernels of the cells: %s, %d material%s\n", geometry, p->sim->ice->n_materials,
                       p->sim->ice->n_materials == 1 ? "" : "s");
+        if (p->sim->pressure_reason[0]) (void)fprintf(file, "pressure: %s\n", p->sim->pressure_reason);
     }
 }
 

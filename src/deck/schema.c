@@ -162,6 +162,7 @@ static const choice energy_choices[] = {
 static const choice pressure_choices[] = {
     {"explicit", PRESSURE_EXPLICIT, "steps are bound by sound"},
     {"implicit", PRESSURE_IMPLICIT, "steps are bound by the flow; first order in time for sound"},
+    {"auto", PRESSURE_AUTO, "whichever is predicted to cost less, looked at again every 64 steps"},
     {0},
 };
 static const choice limiter_choices[] = {

@@ -117,7 +117,7 @@ static floe_status search(ice *s)
 
 floe_status ice_implicit_pressure(ice *s)
 {
-    ice_implicit_begin(s);
+    TRY(ice_implicit_begin(s));
     ice_implicit_guess(s);
     ice_implicit_push(s);
     TRY(search(s));

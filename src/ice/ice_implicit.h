@@ -16,7 +16,7 @@ struct ice_implicit {
 };
 
 /* What sound does to u* and P before any step of pressure is known (rows of numerics 3 with dP = 0). */
-void ice_implicit_begin(ice *s);
+floe_status ice_implicit_begin(ice *s);
 /* Adds a step of pressure, from the array of P with its ghosts filled, to u*. */
 void ice_implicit_push(const ice *s);
 /* The right side: b = w (-S y / phi - dt div F); returns the largest |b/w|, the error of a volume as a fraction, DBL_MAX where it is no number. */

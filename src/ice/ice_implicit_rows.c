@@ -1,4 +1,4 @@
-/* The implicit pressure's passes over the cells and faces of the blocks. C_DP holds what advection and conduction do to the
+/* The implicit pressure's passes over the cells and faces of the blocks. C_DP holds what advection, conduction and heating do to the
  * pressure until ice_implicit_finish, and C_PRESSURE_ADVANCED the latest step of pressure. */
 #include "ice/ice_implicit.h"
 
@@ -83,7 +83,7 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
     }
 }
 
-void ice_implicit_begin(ice *s)
+floe_status ice_implicit_begin(ice *s)
 {
     for_rows(s, -1, advect_pressure);
     for (int id = 0; id < s->mesh->n_blocks && s->diffuses; ++id) {
@@ -91,6 +91,7 @@ void ice_implicit_begin(ice *s)
         ice_view_make(s, id, &v);
         for (int r = 0; r < s->n_materials; ++r) ice_diffusion_pressure(s, &v, r, v.dP);
     }
+    TRY(ice_load_pressure(s));
     ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
     for (int axis = 0; axis < s->mesh->dim; ++axis) for_rows(s, axis, set_mobility);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
@@ -104,6 +105,7 @@ void ice_implicit_begin(ice *s)
         for (int r = 0; r < s->n_materials; ++r) ice_boundary_mobility(s, &v, r);
     }
     for (int axis = 0; axis < s->mesh->dim; ++axis) for_rows(s, axis, centre_face);
+    return FLOE_OK;
 }
 
 static void push_face(const ice *s, const ice_view *v, int axis, int j, int k)

@@ -332,6 +332,9 @@ void ice_view_lagrangian(ice_view *v);
 
 /* Loads (pressurise, heat) on the Lagrangian energies. */
 floe_status ice_apply_loads(ice *s);
+/* What heating at a given power does to the pressure over the step, at the volumes there are, onto the array of dP: for the
+ * implicit pressure, in whose one step the flow relieves it. */
+floe_status ice_load_pressure(ice *s);
 /* Doubles that one thread needs to advect. */
 size_t ice_advect_buffer(const ice *s);
 

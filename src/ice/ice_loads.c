@@ -133,19 +133,56 @@ static void pressurise(ice *s, int l, int r)
     add_heat(s, l, r, heat_by_mass, (scheduled - mean.pressure) / mean.slope);
 }
 
+/* The fluid that a load heats in this step, -1: none. */
+static int heated_by(const ice *s, const scene_load *load)
+{
+    const int r = heats(load) ? ice_material_of(s, load->material) : -1;
+    if (r < 0 || s->material[r].points || !(s->time + s->dt > load->start)) return -1;
+    if (load->kind == LOAD_PRESSURISE) return r;
+    return load_heats(load, &(load_step){s->time, s->time + s->dt, s->step}) ? r : -1;
+}
+
 floe_status ice_apply_loads(ice *s)
 {
     for (int l = 0; l < s->scene->n_loads && s->pressurise; ++l) {
         const scene_load *load = &s->scene->load[l];
-        const int r = heats(load) ? ice_material_of(s, load->material) : -1;
-        if (r < 0 || s->material[r].points || !(s->time + s->dt > load->start)) continue;
+        const int r = heated_by(s, load);
+        if (r < 0) continue;
         TRY(find_regions(s, l));
-        if (load->kind == LOAD_PRESSURISE) {
+        if (load->kind == LOAD_PRESSURISE)
             pressurise(s, l, r);
-            continue;
-        }
-        if (load_heats(load, &(load_step){s->time, s->time + s->dt, s->step}))
+        else
             add_heat(s, l, r, heat_by_power, load->target);
+    }
+    return FLOE_OK;
+}
+
+static void add_pressure(ice *s, int l, int r, double power)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_cell_list *list = &s->work->region[l][id];
+        for (size_t n = 0; n < list->n; ++n) {
+            const ptrdiff_t at = list->at[n];
+            const ice_arrays *m = &v.m[r];
+            if (!(m->rho[at] > 0.0)) continue;
+            const double volume = s->multi ? m->v[at] : 1.0 / m->rho[at],
+                         part = s->multi ? m->kappa[at] / v.kappa_sum[at] : 1.0;
+            v.dP[at] += ice_implicit_phi(&v, 0.5 * (1.0 + v.shock[at])) * part * volume * pressure_slope(s, &v, r, at) *
+                        heat_by_power(s, &v, r, at, power);
+        }
+    }
+}
+
+floe_status ice_load_pressure(ice *s)
+{
+    for (int l = 0; l < s->scene->n_loads && s->pressurise; ++l) {
+        const scene_load *load = &s->scene->load[l];
+        const int r = load->kind == LOAD_HEAT ? heated_by(s, load) : -1;
+        if (r < 0) continue;
+        TRY(find_regions(s, l));
+        add_pressure(s, l, r, load->target);
     }
     return FLOE_OK;
 }

@@ -77,6 +77,7 @@ static const record_row rows[] = {
     DOUBLE("/mpm/dt_previous", mpm_dt_previous),
     DOUBLE("/ice/time", ice_time),
     DOUBLE("/ice/dt", ice_dt),
+    INTEGER("/ice/implicit", ice_implicit),
     DOUBLES("/ledger/initial", ledger_initial, SHAPE_1(LEDGER_QUANTITIES)),
     DOUBLES("/ledger/total", ledger_total, SHAPE_1(LEDGER_QUANTITIES)),
     DOUBLES("/ledger/scale", ledger_scale, SHAPE_1(LEDGER_QUANTITIES)),
@@ -145,6 +146,7 @@ void checkpoint_record_take(checkpoint_record *record, const sim *s, const check
     if (s->ice) {
         record->ice_time = s->ice->time;
         record->ice_dt = s->ice->dt;
+        record->ice_implicit = s->ice->implicit;
     }
     take_ledger(record, &s->ledger);
     for (int i = 0; i < s->stages.n; i++) {
@@ -172,6 +174,8 @@ void checkpoint_record_put(const checkpoint_record *record, sim *s, checkpoint_r
     if (s->ice) {
         s->ice->time = record->ice_time;
         s->ice->dt = record->ice_dt;
+        /* What the deck names it names still. */
+        if (s->scene->method.pressure == PRESSURE_AUTO) s->ice->implicit = record->ice_implicit != 0;
     }
     put_ledger(record, &s->ledger);
     for (int i = 0; i < s->stages.n; i++) {

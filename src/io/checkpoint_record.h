@@ -16,6 +16,7 @@ typedef struct checkpoint_record {
     int64_t steps, rejected, at_rest;
     double mpm_time, mpm_dt, mpm_dt_previous; /* s; 0 without points */
     double ice_time, ice_dt;                  /* s; 0 without cells */
+    int64_t ice_implicit;                     /* the pressure is; 0 without cells */
     double ledger_initial[LEDGER_QUANTITIES], ledger_total[LEDGER_QUANTITIES], ledger_scale[LEDGER_QUANTITIES];
     double ledger_entry[LEDGER_QUANTITIES][LEDGER_KINDS][2]; /* value, carry */
     double ledger_pending[LEDGER_QUANTITIES][LEDGER_KINDS];

@@ -115,6 +115,8 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     if (get_count(r, object, "schema") != 1) complain(r, "schema", "1: another version of floe wrote this");
     get_text(r, object, "deck", out->deck, sizeof out->deck);
     get_text(r, object, "coupling", out->coupling, sizeof out->coupling);
+    /* Those of earlier versions do not say, and were explicit. */
+    if (json_object_get(object, "pressure")) get_text(r, object, "pressure", out->pressure, sizeof out->pressure);
     const char *units = json_string_value(json_object_get(object, "units"));
     out->dimensionless = units && strcmp(units, "none") == 0;
     get_text(r, object, "status", out->status, sizeof out->status);

@@ -96,6 +96,7 @@ static floe_status fill(sim *s)
 #endif
     TRY(make_solvers(s, needs_points(s->scene, s->coupling), needs_cells(s->scene, s->coupling)));
     TRY(set_initial_state(s));
+    TRY(sim_choose_pressure(s));
     return open_ledger(s);
 }
 

@@ -19,6 +19,7 @@ typedef struct sim {
     mpm *mpm;                  /* owned; NULL without points */
     ice *ice;                  /* owned; NULL without cells */
     struct transfer *transfer; /* owned; NULL unless coupled */
+    char pressure_reason[256]; /* of method.pressure auto: what it has chosen last, and why; "" otherwise */
     double time;               /* s */
     double dt;                 /* s: the last accepted step, then the next one's proposal */
     const char *dt_reason;     /* what limits it */
@@ -65,6 +66,10 @@ floe_status sim_refresh(sim *s);
 /* Whether the solids have come to rest (scene.rest): sets rest_since and at_rest from the totals now. */
 floe_status sim_check_rest(sim *s, const sim_totals *t);
 
+/* With method.pressure auto: chooses explicit or implicit, at the start and every so many steps; otherwise does nothing. */
+floe_status sim_choose_pressure(sim *s);
+/* How many steps lead through `left` seconds, from one of `first` that grow to `dt` (s). */
+double sim_steps_through(double left, double first, double dt, double growth);
 /* The stages of one step, run or (while planning) recorded. */
 floe_status sim_run_stages(sim *s);
 /* The step that would be taken now (s), how many of its kind the run would need, and what limits it. */

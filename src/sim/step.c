@@ -128,6 +128,7 @@ floe_status sim_step(sim *s, double until)
 {
     double dt;
     const char *reason;
+    TRY(sim_choose_pressure(s));
     TRY(choose_step(s, until, &dt, &reason));
     const bool last = dt == until - s->time;
     const double full = dt;
@@ -143,7 +144,12 @@ floe_status sim_step(sim *s, double until)
 
 floe_status sim_predict(sim *s, double *dt, double *steps, const char **reason)
 {
-    TRY(choose_step(s, s->scene->time.end, dt, reason));
-    *steps = ceil((s->scene->time.end - s->time) / *dt);
+    const scene_time *t = &s->scene->time;
+    TRY(choose_step(s, t->end, dt, reason));
+    double full = *dt;
+    const char *unused;
+    if (isnan(t->fixed_step)) TRY(stable_step(s, &full, &unused));
+    if (!isnan(t->max_step)) full = fmin(full, t->max_step);
+    *steps = ceil(sim_steps_through(t->end - s->time, *dt, fmin(full, t->end - s->time), t->growth));
     return FLOE_OK;
 }

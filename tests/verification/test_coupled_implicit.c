@@ -86,11 +86,80 @@ static void resume(void **unused)
     assert_int_equal(rmdir(folder), 0);
 }
 
+/* method.pressure auto: implicit from the start where sound would bind, explicit once the limit of the acoustic CFL leaves nothing to gain,
+ * and back; a run that is resumed in between does the same. */
+static void auto_changes_and_resumes(void **unused)
+{
+    (void)unused;
+    static const deck_variant box = {
+        "box", "closed_box", COUPLING_ICE, 1, 3, {"method.pressure=auto", "time.acoustic_cfl=20", "time.end=1"}};
+    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
+    trial t;
+    exact solution;
+    begin(&t, &box, 1, 1, &solution);
+    check_ok(t.ctx, io_init(t.ctx));
+    assert_true(t.sim->ice->implicit);
+    assert_non_null(strstr(t.sim->pressure_reason, "implicit"));
+    trial_steps(&t, 60);
+    t.scene->time.acoustic_cfl = 0.5;
+    trial_steps(&t, 10);
+    assert_false(t.sim->ice->implicit);
+    assert_non_null(strstr(t.sim->pressure_reason, "from now on explicit"));
+    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+    t.scene->time.acoustic_cfl = 20.0;
+    state expected = after(&t, 70);
+    assert_true(t.sim->ice->implicit);
+    variant_end(&t, &solution);
+    begin(&t, &box, 2, 1, &solution);
+    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+    assert_false(t.sim->ice->implicit);
+    state found = after(&t, 70);
+    same_state(&expected, &found);
+    state_free(&found);
+    state_free(&expected);
+    variant_end(&t, &solution);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
+/* What each scene costs less with. */
+static void auto_chooses_by_cost(void **unused)
+{
+    (void)unused;
+    static const struct {
+        deck_variant deck;
+        bool implicit;
+    } cases[] = {
+        {{"vortex at Mach 7e-4", "low_mach_vortex", COUPLING_ICE, 1, 1, {"method.pressure=auto"}}, true},
+        {{"vortex at Mach 0.8", "isentropic_vortex", COUPLING_ICE, 1, 1, {"method.pressure=auto"}}, false},
+        {{"shock tube", "sod", COUPLING_ICE, 1, 1, {"method.pressure=auto"}}, false},
+        {{"stiff solid", "pressurized_cylinder", COUPLING_ICE_MPM, 1, 2, {"method.pressure=auto", "domain.cell=0.1"}},
+         false},
+        {{"unstable fixed step", "closed_box", COUPLING_ICE, 1, 2, {"method.pressure=auto", "time.fixed_step=1e-3"}},
+         true},
+        {{"stable fixed step", "closed_box", COUPLING_ICE, 1, 2, {"method.pressure=auto", "time.fixed_step=1e-5"}},
+         false},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        trial t;
+        exact solution;
+        begin(&t, &cases[k].deck, 1, 1, &solution);
+        print_message("%s: %s\n", cases[k].deck.name, t.sim->pressure_reason);
+        assert_int_equal(t.sim->ice->implicit, cases[k].implicit);
+        variant_end(&t, &solution);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(blocks_and_threads),
         cmocka_unit_test(resume),
+        cmocka_unit_test(auto_changes_and_resumes),
+        cmocka_unit_test(auto_chooses_by_cost),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

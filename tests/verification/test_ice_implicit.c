@@ -94,7 +94,7 @@ static double against_differences(const kind *k, double exchange, double size)
     check_ok(f.ctx, ice_boundary_ghosts(s));
     check_ok(f.ctx, ice_equilibrium_pressure(s));
     check_ok(f.ctx, ice_face_velocity(s));
-    ice_implicit_begin(s);
+    check_ok(f.ctx, ice_implicit_begin(s));
     ice_implicit_guess(s);
     ice_implicit_push(s);
     ice_implicit *w = s->work->implicit;
