@@ -91,9 +91,9 @@ implicit_iterations() {
     local what=$1 n h cg=() outer=()
     shift
     for n in 32 512; do
-        h="[$(calc %.10g "1/$n"),$(calc %.10g "${height:-1}/$n")]"
+        h="[$(calc %.10g "$width/$n"),$(calc %.10g "1/$n")]"
         floe_run "box-${what%% *}-$n" inputs/closed_box.yaml --set method.pressure=implicit --set time.acoustic_cfl=100 --set time.first_step=1 \
-            --set time.max_steps=3 --set "domain.upper=[1,${height:-1}]" --set 'bodies.charge.pressure=101.4 kPa' --set "domain.cell=$h" "$@"
+            --set time.max_steps=3 --set "domain.upper=[$width,1]" --set "bodies.right.shape.box.upper=[$width,1]" --set 'bodies.charge.pressure=101.4 kPa' --set "domain.cell=$h" "$@"
         cg+=("$(calc %.1f "$(summary "box-${what%% *}-$n" cg_iterations)/3")")
         outer+=("$(calc %.1f "$(summary "box-${what%% *}-$n" outer_iterations)/3")")
     done
@@ -109,7 +109,7 @@ implicit_auto() { # DECK ARGUMENT...
 }
 
 result_implicit() {
-    local height=1
+    local width=1
     begin implicit 'Implicit pressure: steps bound by the flow, not by sound'
     implicit_vortex
     implicit_channel
@@ -119,7 +119,7 @@ result_implicit() {
         '| scene | CG, 32 x 32 | CG, 512 x 512 | searches, 32 x 32 | searches, 512 x 512 |' '|---|---|---|---|---|'
     implicit_iterations 'uniform'
     implicit_iterations 'jump of 1e4 in density' --set bodies.charge.temperature=0.03
-    height=0.25
+    width=4
     implicit_iterations 'stretched cells, 4 : 1'
     write '' '## The choice by cost' '' '`method.pressure: auto` predicts the steps that the rest of the run would take either way, and takes what costs less.' '' \
         '| deck | pressure | steps taken |' '|---|---|---|'

@@ -18,7 +18,9 @@
 enum { MOST_OUTER = 20, MOST_CG = 200 };
 /* A residual that has grown this much since the best will not come down. */
 static const double hopeless = 100.0;
-/* Linear residual that is asked for: the root of its mean square, of the tolerance; its norm, of the largest residual there is. */
+/* Norm of the linear residual that is asked for: of the tolerance times the fourth root of the number of cells, between the norm's bound on the
+ * largest, which round-off may not let it reach, and the root of its mean square, which says nothing of the largest; and of
+ * the largest residual there is, so that every search gets on. */
 static const double share_of_tolerance = 0.1, share_of_residual = 0.3;
 
 static bool is_weighted(const ice *s)
@@ -81,8 +83,8 @@ static int solve_once(ice *s, double residual)
 {
     ice_implicit *w = s->work->implicit;
     const double cells = (double)w->grid.n[0] * w->grid.n[1] * w->grid.n[2];
-    const double tolerance =
-        fmin(share_of_tolerance * s->scene->method.pressure_tolerance * sqrt(cells), share_of_residual * residual);
+    const double tolerance = fmin(share_of_tolerance * s->scene->method.pressure_tolerance * sqrt(sqrt(cells)),
+                                  share_of_residual * residual);
     return cg_solve(w->c, multigrid_apply, multigrid_cycle, w->m, w->b, w->weight, tolerance, w->x).iterations;
 }
 
