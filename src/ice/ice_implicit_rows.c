@@ -1,5 +1,5 @@
-/* The implicit pressure's passes over the cells and faces of the blocks. C_DP holds what advection, conduction and heating do to the
- * pressure until ice_implicit_finish, and C_PRESSURE_ADVANCED the latest step of pressure. */
+/* The implicit pressure's passes over the cells and faces of the blocks. Until ice_implicit_finish, C_DP holds what advection, conduction,
+ * heating and new volume do to the pressure, and C_PRESSURE_ADVANCED the latest step of pressure. */
 #include "ice/ice_implicit.h"
 
 #include <math.h>
@@ -86,10 +86,11 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
 floe_status ice_implicit_begin(ice *s)
 {
     for_rows(s, -1, advect_pressure);
-    for (int id = 0; id < s->mesh->n_blocks && s->diffuses; ++id) {
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
-        for (int r = 0; r < s->n_materials; ++r) ice_diffusion_pressure(s, &v, r, v.dP);
+        if (s->work->reactions.n > 0) ice_created_pressure(s, &v, v.dP);
+        for (int r = 0; r < s->n_materials && s->diffuses; ++r) ice_diffusion_pressure(s, &v, r, v.dP);
     }
     TRY(ice_load_pressure(s));
     ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);

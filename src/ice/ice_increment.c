@@ -177,7 +177,7 @@ floe_status ice_pressure_increment(ice *s)
         const ice_rows q = ice_rows_of(v.b, -1, 0);
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) s->work->kernels.increment(&v, ice_row_j(q, row), ice_row_k(q, row));
-        if (s->work->reactions.n > 0) ice_created_pressure(s, &v);
+        if (s->work->reactions.n > 0) ice_created_pressure(s, &v, v.P);
         for (int r = 0; r < s->n_materials && s->diffuses; ++r) ice_diffusion_pressure(s, &v, r, v.P);
     }
     ice_finish_increment(s);

@@ -325,8 +325,8 @@ void ice_diffuse(const ice *s);
 floe_status ice_reactions_resolve(ice *s);
 void ice_reactions_destroy(context *ctx, ice_work *w);
 ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at);
-/* The pressure of new volume, added to P in owned cells. */
-void ice_created_pressure(const ice *s, const ice_view *v);
+/* The pressure of new volume, added to the array P in owned cells. */
+void ice_created_pressure(const ice *s, const ice_view *v, double *P);
 /* From the mass exchange on, rho is what it left. */
 void ice_view_lagrangian(ice_view *v);
 

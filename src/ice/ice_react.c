@@ -137,14 +137,14 @@ ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at)
     return c;
 }
 
-void ice_created_pressure(const ice *s, const ice_view *v)
+void ice_created_pressure(const ice *s, const ice_view *v, double *P)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at)
-            v->P[at] += 0.5 * (1.0 + v->shock[at]) * ice_created(s, v, at).dP;
+            P[at] += ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at])) * ice_created(s, v, at).dP;
     }
 }
 

@@ -29,7 +29,8 @@ floe_status ice_pressure_stages(ice *s)
     STAGE(s, implicit, ice_implicit_pressure,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
-                WHEN(d, C_DIFFUSION_HEAT), WHEN(d || s->pressurise, C_ENERGY), WHEN(m, C_VOL)),
+                WHEN(d, C_DIFFUSION_HEAT), WHEN(d || s->pressurise, C_ENERGY), WHEN(m, C_VOL), WHEN(slips, C_WALL),
+                WHEN(r, C_REACTED)),
           WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA),
                  WHEN(m, F_FLUX)));
     STAGE(s, direct, ice_pressure_increment,
