@@ -179,7 +179,8 @@ static floe_status register_field(mpm *s, field_id id)
         for (int b = 0; b < s->n_bodies; ++b)
             if (body_holds(s, b, id)) TRY(domain_add(s->domain, id, b));
     if (centring == FIELD_NODE)
-        for (int g = 0; g < (id == N_PRESSURE ? 1 : s->n_groups); ++g) TRY(domain_add(s->domain, id, g));
+        for (int g = 0; g < (id == N_PRESSURE || id == N_DRY_MASS ? 1 : s->n_groups); ++g)
+            TRY(domain_add(s->domain, id, g));
     return FLOE_OK;
 }
 

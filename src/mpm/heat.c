@@ -8,7 +8,7 @@
  * summed over the points: what blending takes of the motion that the nodes do not see, of that which they smooth, and in USL the
  * work that the stress does on v^L, where the points follow v_p + dt a_p. (USF and MUSL strain by the
  * velocities that the next kick starts from, and need no such term.) Every term is positive. A fluid point keeps its own
- * loss as heat. That of other points, what smoothing of a membrane takes of its strain energy (line_strain.c) and what damping takes of
+ * loss as heat. That of other points, what a membrane loses of its strain energy (line_strain.c; it may win some) and what damping takes of
  * the nodes' motion go to the nodes, and from each to the fluid points about it by their mass; what nodes without fluid hold
  * all fluid points get by their mass. */
 #include "mpm/line.h"

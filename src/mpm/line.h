@@ -23,7 +23,9 @@ typedef struct membrane_line {
     /* Where strain comes from places (line_strain.c), else NULL: n numbers each, in one piece that `rest` owns. */
     double *rest, *volume;  /* m, of each point at rest with its slack; m3 at the start */
     double *along, *across; /* strains along the line and across it */
-    double *lost;           /* J: what smoothing took in the step; negative: gave */
+    double *before;         /* along the line at the start of the step */
+    double *pace;           /* what the nodes have stretched a point by in the step, dt t.L.t */
+    double *lost;           /* J: what the step took of the strain energy; negative: gave */
     double *bend;           /* 3 n, m: second differences of places */
     double *shift;          /* 3 n, m: by how much smoothing has moved the points back in the step */
 } membrane_line;
@@ -47,8 +49,9 @@ line_side line_side_of(const membrane_line *line, size_t number, int step);
 double line_way(const mpm *s, int body, size_t number, double way[3], double *rest);
 /* Second difference of places (m) at a point. False at free ends, and beside lost points. */
 bool line_bend(const mpm *s, int body, size_t number, double bend[3]);
-/* Straightens a body's line: next places of the points, and line->lost. */
-void line_smooth(mpm *s, int body);
+/* Strain energy that a body's line loses in the step, into line->lost: to the difference between nodes and places, and to smoothing, which
+ * straightens the next places of the points. */
+void line_settle(mpm *s, int body);
 /* Strains along a body's line from its places, into P_STRAIN. */
 void line_strain(const mpm *s, int body, bool next);
 /* Unit tangent at the point of a number (0 first), from its neighbours' places. False where it has none: t is left alone. */

@@ -33,11 +33,13 @@ floe_status line_measure(mpm *s, int body)
 {
     membrane_line *line = &s->work->line[body];
     const bool around = s->mesh->geometry == MESH_AXISYMMETRIC;
-    TRY(memory_new(s->ctx, &line->rest, 11 * line->n, sizeof *line->rest));
+    TRY(memory_new(s->ctx, &line->rest, 13 * line->n, sizeof *line->rest));
     line->volume = line->rest + line->n;
     line->along = line->volume + line->n;
     line->across = line->along + line->n;
-    line->lost = line->across + line->n;
+    line->before = line->across + line->n;
+    line->pace = line->before + line->n;
+    line->lost = line->pace + line->n;
     line->bend = line->lost + line->n;
     line->shift = line->bend + 3 * line->n;
     line_update(s, body, false);
@@ -120,13 +122,34 @@ static void put_places(const mpm *s, int body)
         }
 }
 
-void line_smooth(mpm *s, int body)
+/* Nominal stresses (Pa) along the line at strains `along`. */
+static double nominal(const mpm *s, int body, double along, double across)
+{
+    const membrane_response *r = &s->body[body].membrane;
+    double stress, none;
+    membrane_stress(r, 1, &along, &across, &stress, &none);
+    return stress * membrane_volume_ratio(r->section, along, across);
+}
+
+/* Nodes work on the rate at a point, and its neighbours' places tell its strain: the difference is lost, or won. USL alone strains
+ * by the velocities that move the points, so that it is known. */
+static void lose_difference(const mpm *s, int body)
+{
+    membrane_line *line = &s->work->line[body];
+    if (s->scene->method.stress != STRESS_USL) return;
+    read_table(s, body, P_STRAIN, false, line->before);
+    take_strains(s, body);
+    for (size_t q = 0; q < line->n; ++q) {
+        const double mean = 0.5 * (nominal(s, body, line->before[q], line->across[q]) +
+                                   nominal(s, body, line->along[q], line->across[q]));
+        line->lost[q] += line->volume[q] * mean * (line->pace[q] - (line->along[q] - line->before[q]));
+    }
+}
+
+static void smooth(mpm *s, int body)
 {
     membrane_line *line = &s->work->line[body];
     double sum = 0.0;
-    if (membrane_of(s, body)->smoothing == 0.0) return;
-    memset(line->lost, 0, line->n * sizeof *line->lost);
-    if (s->hoops) read_table(s, body, P_STRAIN_HOOP, true, line->across);
     add_energies(s, body, 1.0);
     find_shifts(s, body);
     for (size_t i = 0; i < 3 * line->n; ++i) line->x[i] -= line->shift[i];
@@ -134,4 +157,13 @@ void line_smooth(mpm *s, int body)
     add_energies(s, body, -1.0);
     for (size_t q = 0; q < line->n; ++q) sum += line->lost[q];
     if (!losses_are_heat(s)) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -sum);
+}
+
+void line_settle(mpm *s, int body)
+{
+    const membrane_line *line = &s->work->line[body];
+    memset(line->lost, 0, line->n * sizeof *line->lost);
+    if (s->hoops) read_table(s, body, P_STRAIN_HOOP, true, line->across);
+    if (losses_are_heat(s)) lose_difference(s, body);
+    if (membrane_of(s, body)->smoothing > 0.0) smooth(s, body);
 }

@@ -67,6 +67,15 @@ static double stretch_of(const solid_batch *rate, const membrane_batch *b, size_
     return 0.5 * log(square);
 }
 
+/* t.L.t */
+static double rate_along(const solid_batch *rate, const membrane_batch *b, size_t k)
+{
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) sum += b->t[i][k] * rate->L[3 * i + j][k] * b->t[j][k];
+    return sum;
+}
+
 static floe_status torn(const mpm *s, int blk, int body, size_t k)
 {
     return fail(s->ctx, FLOE_RETRY, "at t = %.6g s point %zu of membrane '%s' would be crushed to nothing", s->time,
@@ -84,7 +93,10 @@ floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end,
     const double dt = strain_step(s), sign = s->scene->method.stress == STRESS_USF && !s->coupled ? -1.0 : 1.0;
     for (size_t k = 0; k < b.n; ++k) {
         if (b.t[0][k] == 0.0 && b.t[1][k] == 0.0 && b.t[2][k] == 0.0) continue;
-        if (!places) b.along[k] += sign * stretch_of(rate, &b, k, sign * dt);
+        if (places)
+            s->work->line[body].pace[point_number(s, blk, body, start + k)] = dt * rate_along(rate, &b, k);
+        else
+            b.along[k] += sign * stretch_of(rate, &b, k, sign * dt);
         if (s->hoops) b.across[k] += sign * log1p(sign * dt * rate->L[8][k]);
         if (!isfinite(b.along[k] + b.across[k])) return torn(s, blk, body, start + k);
     }
@@ -133,7 +145,7 @@ static void turn_body(mpm *s, int body, bool next, bool stress)
 {
     const bool places = s->work->line[body].rest != NULL;
     if (places || !normals_are_free(s, body)) line_update(s, body, next);
-    if (places && next) line_smooth(s, body);
+    if (places && next) line_settle(s, body);
     if (places) line_strain(s, body, next);
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
         const size_t n = s->points[blk][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;
