@@ -31,6 +31,7 @@ declare -A gallery=(
     [noh]='|-c density_gas|density'
     [pendulum]='|-t 0.5 -c none|tension of the string, t = 0.5'
     [piston_wave]='||pressure'
+    [piston_membrane]='|-c density_fluid|density of the fluid behind the sheet'
     [piston_container]='|-p pressure -c none|pressure'
     [pulse_leaves]='|-t 0.4|pressure, t = 0.4'
     [poiseuille]='--set domain.cell=0.125|-c velocity_liquid_x|velocity'

@@ -25,12 +25,20 @@ static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_
                   m->eos.model->pressure_floor(m->eos.par));
 }
 
+/* Beside cells one membrane holds a gas; others are strings that gas passes. */
 static floe_status check_membrane(reader *r, const scene_body *b)
 {
+    const scene *s = r->scene;
     if (is_clean(r->root, PATH("domain"))) TRY(check_membrane_points(r, (int)(b - r->scene->body)));
-    if (!scene_runs_as(r->scene, COUPLING_ICE_MPM)) return FLOE_OK;
-    return bad_at(r, PATH("bodies", b->name, "membrane"), "coupling: mpm, and no ice-mpm in runs_as", NULL,
-                  "membrane '%s' runs as material points alone: cells do not see membranes", b->name);
+    if (b->membrane.holds >= 0 && s->material[b->membrane.holds].kind == MATERIAL_SOLID)
+        return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "the name of a fluid", NULL, "'%s' is a solid",
+                      s->material[b->membrane.holds].name);
+    if (b->membrane.holds >= 0 && b != &s->body[scene_holder(s)])
+        return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "one membrane that holds a gas", NULL,
+                      "membrane '%s' holds a gas already", s->body[scene_holder(s)].name);
+    if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_holder(s) >= 0) return FLOE_OK;
+    return bad_at(r, PATH("bodies", b->name, "membrane"), "holds: the gas on its left; or coupling: mpm", NULL,
+                  "cells do not see membrane '%s' unless it holds a gas", b->name);
 }
 
 /* What the cells of a coupled run need to know of a solid. */
@@ -80,7 +88,7 @@ static floe_status check_points_only(reader *r, const char *key, int n)
 {
     const scene_coupling cells[] = {COUPLING_ICE, COUPLING_ICE_MPM};
     for (int i = 0; n > 0 && i < 2; i++) {
-        if (!scene_runs_as(r->scene, cells[i])) continue;
+        if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && scene_holder(r->scene) >= 0)) continue;
         return bad_at(r, PATH(key), "coupling: mpm", NULL,
                       "%s act on material points alone, and this deck runs as '%s'", key, coupling_name(cells[i]));
     }

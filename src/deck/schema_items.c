@@ -161,6 +161,7 @@ static floe_status begin_body(reader *r, deck_node *node, void *item)
     b->material = -1;
     b->pressure = b->temperature = b->density = NAN;
     b->membrane.length = b->membrane.heavy_mass = NAN;
+    b->membrane.holds = -1;
     return FLOE_OK;
 }
 

@@ -158,6 +158,9 @@ static const key_spec membrane_keys[] = {
      .doc = "a point with a mass of its own, counted from 1; 0: none"},
     {"heavy_mass", KEY_NUMBER, "kg", PARAM_POSITIVE, AT(scene_membrane, heavy_mass), .otherwise = "as the others",
      .doc = "its mass, of the whole scene (for domain.thickness, or the full circle)"},
+    {"holds", KEY_MATERIAL, AT(scene_membrane, holds), .otherwise = "none",
+     .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, which it keeps from whatever is on its "
+            "right"},
 };
 const key_table membrane_table = TABLE(membrane_keys);
 

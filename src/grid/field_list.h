@@ -67,6 +67,8 @@
     X(C_VEL, "velocity", CELL, VECTOR, "m/s", STATE, "u^r")                                                          \
     X(C_ENERGY, "internal_energy", CELL, SCALAR, "J/kg", STATE, "e^r")                                               \
     X(C_VOL, "specific_volume", CELL, SCALAR, "m3/kg", STATE, "v^r of the pure material; absent with one fluid")     \
+    X(C_OPEN, "open_fraction", CELL, SCALAR, "1", STATE,                                                             \
+      "share of the cell that a membrane leaves to gas r; density is then per open volume")                          \
     X(C_TEMP, "temperature", CELL, SCALAR, "K", SCRATCH, "T^r")                                                      \
     X(C_THETA, "volume_fraction", CELL, SCALAR, "1", SCRATCH, "theta^r = m^r v^r / TMV")                             \
     X(C_SOUND, "sound_speed", CELL, SCALAR, "m/s", SCRATCH, "c^r")                                                   \

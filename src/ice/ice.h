@@ -6,6 +6,7 @@
 #ifndef ICE_ICE_H
 #define ICE_ICE_H
 
+#include "coupling/cut.h"
 #include "coupling/exchange.h"
 #include "grid/ledger.h"
 #include "grid/stage.h"
@@ -24,6 +25,17 @@ typedef struct ice_material {
         points; /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
 } ice_material;
 
+enum { ICE_SEALED_GASES = 2 };
+
+/* A membrane between gases (ice_sealed.c): set by the owner of the step before the stages that read it. */
+typedef struct ice_seal {
+    int held;                   /* material inside; any other is outside */
+    const cut_line *now, *next; /* where the membrane is, and where it will be; not owned */
+    const double *velocity;     /* m/s: of the vertices now, two each; not owned */
+    const double *path;         /* m: their way over the step, as the force works on it, two each; not owned */
+    double *force;              /* N: of all gases on the vertices, two each; not owned */
+} ice_seal;
+
 typedef struct ice {
     context *ctx;       /* not owned */
     const scene *scene; /* not owned */
@@ -35,6 +47,9 @@ typedef struct ice {
     int n_materials;
     bool with_points; /* some material is carried by points */
     bool multi;       /* more than one material: volume fractions, specific volumes, Newton, exchange */
+    bool sealed; /* a membrane lies between the gases: each has its cells, its density and its pressure to itself */
+    int gas;     /* sealed: the one that stages work on, -1 between them */
+    ice_seal seal;
     bool viscous;
     bool conducts;
     bool diffuses;           /* viscous or conducting, or driven by an exact solution's sources */
@@ -90,6 +105,20 @@ floe_status ice_advection_stages(ice *s);
 floe_status ice_pressure_stages(ice *s); /* ghosts to sources */
 floe_status ice_exchange_stages(ice *s); /* exchange, specific volume */
 floe_status ice_advection_stages(ice *s);
+/* With gases that a membrane holds: before the points move, and after. */
+floe_status ice_sealed_pressure_stages(ice *s);
+floe_status ice_sealed_flow_stages(ice *s);
+/* Stages of these (ice_sealed.c). Each does one after the other what the plain stages do for each gas by itself. */
+floe_status ice_sealed_ghosts(ice *s);        /* where the gas is not: the state beside it, for differences */
+floe_status ice_sealed_pressure(ice *s);      /* 2.1 */
+floe_status ice_sealed_velocity(ice *s);      /* 2.2 */
+floe_status ice_sealed_increment(ice *s);     /* 2.3 */
+floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */
+floe_status ice_sealed_load(ice *s);          /* seal.force */
+floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the membrane */
+floe_status ice_sealed_advect(ice *s);        /* 2.11, and what is left where */
+/* Finds the gas that the membrane holds on its left, and open fractions and states at the start; seal.now stands. */
+floe_status ice_sealed_initialise(ice *s);
 /* The fluid-only step. */
 floe_status ice_step(ice *s);
 

@@ -332,10 +332,11 @@ static void note_work(const ice *s, const ice_view *v, int axis, mesh_side side,
     double *tile = ice_tile(s, v->b, at.i, at.j, at.k);
     const int face_i = at.i + (axis == 0 && at.outward > 0.0);
     const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
+    const double open = ice_side_open(s, v->b, (const int[]){at.i, at.j}, axis, at.outward > 0.0);
     const double push = -at.outward * v->dt * area * v->fp[axis][at.face];
     tile[TILE_ENERGY] += push * v->flux[axis][at.face];
     /* Radial momentum is no sum of fluxes: it has no account. */
-    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC)) tile[TILE_MOMENTUM + axis] += push;
+    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC)) tile[TILE_MOMENTUM + axis] += push * open;
 }
 
 void ice_boundary_work(ice *s)

@@ -81,10 +81,12 @@ static floe_status resolve_materials(ice *s, bool with_points)
         s->conducts = s->conducts || out->conductivity > 0.0;
         s->n_materials++;
     }
-    s->diffuses = s->viscous || s->conducts || whole->driving;
+    s->diffuses = (s->viscous || s->conducts || whole->driving) && scene_holder(whole) < 0;
     if (s->n_materials == 0)
         return fail(s->ctx, FLOE_BAD_INPUT, "no fluid is in the scene: give a body of a fluid, or `ambient`");
-    s->multi = s->n_materials > 1;
+    s->sealed = scene_holder(whole) >= 0;
+    s->gas = -1;
+    s->multi = s->n_materials > 1 && !s->sealed;
     return FLOE_OK;
 }
 
@@ -190,6 +192,7 @@ static void destroy_work(context *ctx, ice_work **work)
         if (w->solver) equilibrium_destroy(&w->solver[t]);
     }
     ice_reactions_destroy(ctx, w);
+    ice_seal_destroy(ctx, &w->sealing);
     memory_free(ctx, &w->buffer);
     memory_free(ctx, &w->index);
     memory_free(ctx, &w->solver);
@@ -215,9 +218,14 @@ int ice_material_of(const ice *s, int wanted)
 /* Which materials a field has instances of. */
 typedef enum field_owner { OWNER_SHARED, OWNER_ALL, OWNER_FLUIDS, OWNER_POINTS, OWNER_REACTIONS } field_owner;
 
-static field_owner owner_of(field_id id)
+static field_owner owner_of(const ice *s, field_id id)
 {
     switch (id) {
+    case C_PRESSURE:
+    case C_PRESSURE_ADVANCED:
+    case C_DP:
+    case C_SHOCK:
+    case F_PRESSURE: return s->sealed ? OWNER_ALL : OWNER_SHARED;
     case C_RHO:
     case C_VEL:
     case C_ENERGY:
@@ -226,6 +234,7 @@ static field_owner owner_of(field_id id)
     case C_THETA:
     case C_SOUND:
     case C_KAPPA:
+    case C_OPEN:
     case F_VEL:
     case F_MOBILITY:
     case F_THETA: return OWNER_ALL;
@@ -249,7 +258,7 @@ static floe_status register_fields(ice *s, domain *d)
     for (int id = 0; id < FIELD_COUNT; ++id) {
         const field_centring centring = field_describe((field_id)id)->centring;
         if (!s->stages->uses[id] || (centring != FIELD_CELL && centring != FIELD_FACE)) continue;
-        const field_owner owner = owner_of((field_id)id);
+        const field_owner owner = owner_of(s, (field_id)id);
         const int instances = owner == OWNER_SHARED      ? 1
                               : owner == OWNER_REACTIONS ? s->work->reactions.n
                                                          : s->n_materials;
@@ -314,6 +323,7 @@ floe_status ice_register(ice *s, domain *d)
     s->domain = d;
     TRY(register_fields(s, d));
     TRY(make_metrics(s));
+    if (s->sealed) TRY(ice_seal_create(s));
     TRY(make_scratch(s));
     return s->scene->method.pressure == PRESSURE_EXPLICIT ? FLOE_OK : ice_implicit_create(s);
 }

@@ -22,7 +22,7 @@ bool ice_diffuses(const ice *s, int r)
 
 static diffusing diffusing_of(const ice *s, const ice_view *v, int r, const double *const u[3], const double *T)
 {
-    const ice_material *m = &s->material[r];
+    const ice_material *m = &s->material[v->first + r];
     diffusing d = {.T = T ? T : u[0],
                    .theta = s->multi ? v->m[r].theta : NULL,
                    .mu = m->shear_viscosity,
@@ -306,19 +306,24 @@ static void apply(const ice *s, const ice_view *v, int r)
     each_row(s, v, r, &d, apply_rows);
 }
 
-/* Traction, its work and the heat through the sides, into the ledger. */
-static void note_face(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+/* Traction, its work and the heat through the open share of a side, into the ledger. */
+static void enter_face(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, const diffusing *d)
 {
-    const diffusing d = halfway(s, v, r);
-    const bool radial = d.radius != NULL;
+    const bool radial = d->radius != NULL;
     const int face_i = at.i + (axis == 0 && side == SIDE_UPPER);
-    const face_diffusion f = diffusion_on(&d, axis, at.face, face_i, v->dim, radial);
+    const face_diffusion f = diffusion_on(d, axis, at.face, face_i, v->dim, radial);
     const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
-    const double scale = at.outward * area * v->dt;
+    const double scale = at.outward * area * v->dt * ice_side_open(s, v->b, (const int[]){at.i, at.j}, axis, side);
     double *tile = ice_tile(s, v->b, at.i, at.j, at.k);
     for (int a = 0; a < v->dim; ++a)
         if (!(a == 0 && radial)) tile[TILE_MOMENTUM + a] += scale * f.t[a];
     tile[TILE_ENERGY] += scale * f.power;
+}
+
+static void note_face(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const diffusing d = halfway(s, v, r);
+    enter_face(s, v, axis, side, at, &d);
 }
 
 static void note_sides(const ice *s, const ice_view *v, int r)
@@ -336,5 +341,37 @@ void ice_diffuse(const ice *s)
         each_block(s, r, apply);
         each_block(s, r, note_sides);
         if (s->scene->driving) each_block(s, r, add_sources);
+    }
+}
+
+/* ---- gases that a membrane keeps apart ---- */
+
+static diffusing sealed_now(const ice *s, const ice_view *v)
+{
+    const ice_arrays *m = &v->m[0];
+    return diffusing_of(s, v, 0, (const double *const[3]){m->u[0], m->u[1], m->u[2]}, NULL);
+}
+
+static void note_sealed_face(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const diffusing d = sealed_now(s, v);
+    (void)r;
+    enter_face(s, v, axis, side, at, &d);
+}
+
+face_diffusion ice_sealed_stress(const ice *s, const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i)
+{
+    const diffusing d = sealed_now(s, v);
+    return diffusion_on(&d, axis, R, i, v->dim, d.radius != NULL);
+}
+
+void ice_diffuse_sealed(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const diffusing d = sealed_now(s, &v);
+        each_row(s, &v, 0, &d, apply_rows);
+        ice_visit_sides(s, &v, 0, note_sealed_face);
     }
 }

@@ -126,20 +126,21 @@ floe_status ice_face_velocity(ice *s)
         ice_view_make(s, id, &v);
         sensor_rows(s, &v);
     }
-    ice_fill_ghosts(s, C_SHOCK, 0, FILL_CURRENT, GHOST_EVEN);
+    if (s->sealed) ice_pool_centring(s);
+    ice_fill_ghosts(s, C_SHOCK, ice_instance(s), FILL_CURRENT, GHOST_EVEN);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
         for (int axis = 0; axis < v.dim; ++axis) {
             double *velocity[ICE_MAX_MATERIALS];
-            for (int r = 0; r < s->n_materials; ++r) {
+            for (int r = 0; r < v.n_materials; ++r) {
                 velocity_rows(s, &v, r, axis);
                 if (s->diffuses) ice_diffusion_face_velocity(s, &v, r, axis);
                 velocity[r] = v.m[r].fu[axis];
             }
             if (s->multi) ice_exchange_faces(s, &v, axis, velocity);
         }
-        for (int r = 0; r < s->n_materials; ++r) ice_boundary_face_velocity(s, &v, r);
+        for (int r = 0; r < v.n_materials; ++r) ice_boundary_face_velocity(s, &v, r);
     }
     for (int r = 0; s->multi && r < s->n_materials; ++r) ice_fill_faces(s, F_VEL, r);
     return FLOE_OK;

@@ -9,8 +9,6 @@
 
 #include <math.h>
 
-static const double quadratic = 1.0, linear = 0.2;
-
 FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int dim, const bool multi)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
@@ -40,8 +38,8 @@ FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int
         const double squeeze = div < 0.0 ? -length * div : 0.0, s = shock[at];
         const double increment = -dt * div * stiffness;
         dP[at] = increment;
-        P[at] = p[at] + 0.5 * (1.0 + s) * increment + (1.0 - s) * carried +
-                rho[at] * squeeze * (quadratic * squeeze + s * linear * speed);
+        P[at] =
+            p[at] + 0.5 * (1.0 + s) * increment + (1.0 - s) * carried + ice_bulk_pressure(rho[at], speed, squeeze, s);
     }
 }
 
@@ -164,8 +162,9 @@ void ice_finish_increment(const ice *s)
         relax_volume(s, &v);
     }
     if (s->with_points) ice_hold_continued(s);
-    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_EVEN);
-    ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
+    if (s->sealed) ice_pool_increment(s);
+    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, ice_instance(s), FILL_CURRENT, GHOST_EVEN);
+    ice_fill_ghosts(s, C_DP, ice_instance(s), FILL_CURRENT, GHOST_ZERO_OPEN);
 }
 
 floe_status ice_pressure_increment(ice *s)

@@ -1,5 +1,5 @@
 /* The first state: fluids of bodies and of the ambient, cut by exact fractions; columns at rest under gravity. */
-#include "ice/ice_internal.h"
+#include "ice/ice_pool.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -52,12 +52,22 @@ static floe_status add_body(const ice *s, content *c, int body, double fraction,
     return FLOE_OK;
 }
 
-/* The bodies' and the ambient's contents of one cell; earlier bodies come first, and the ambient takes what is left. */
-static floe_status fill_cell(const ice *s, const double lo[3], double room, content *contents)
+static floe_status add_ambient(const ice *s, content *contents, double room)
+{
+    const scene *given = s->scene;
+    const int r = ice_material_of(s, given->ambient_material);
+    fluid_state state;
+    TRY(fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN, &state));
+    add(&contents[r], s->mesh->dim, room, &state, (const double[3]){0.0, 0.0, 0.0});
+    return FLOE_OK;
+}
+
+/* The bodies' contents of one cell, earlier bodies first; *left is the room that is left. */
+static floe_status add_bodies(const ice *s, const double lo[3], double *left, content *contents)
 {
     const scene *given = s->scene;
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
-    double hi[3] = {0.0, 0.0, 0.0}, centroid[3];
+    double hi[3] = {0.0, 0.0, 0.0}, centroid[3], room = *left;
     for (int a = 0; a < s->mesh->dim; ++a) hi[a] = lo[a] + s->mesh->h[a];
     for (int b = 0; b < given->n_bodies && room > 0.0; ++b) {
         const scene_body *body = &given->body[b];
@@ -72,14 +82,15 @@ static floe_status fill_cell(const ice *s, const double lo[3], double room, cont
         if (room < 1e-12) room = 0.0;
         TRY(add_body(s, &contents[r], b, fraction, lo));
     }
-    if (room > 0.0 && given->has_ambient) {
-        const int r = ice_material_of(s, given->ambient_material);
-        fluid_state state;
-        TRY(fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN,
-                           &state));
-        add(&contents[r], s->mesh->dim, room, &state, (const double[3]){0.0, 0.0, 0.0});
-    }
+    *left = room;
     return FLOE_OK;
+}
+
+/* The bodies' and the ambient's contents of one cell: the ambient takes what is left. */
+static floe_status fill_cell(const ice *s, const double lo[3], double room, content *contents)
+{
+    TRY(add_bodies(s, lo, &room, contents));
+    return room > 0.0 && s->scene->has_ambient ? add_ambient(s, contents, room) : FLOE_OK;
 }
 
 static void store(const ice *s, const ice_view *v, ptrdiff_t at, const content *contents)
@@ -167,6 +178,54 @@ static void start_solid_volumes(const ice *s, const ice_view *v, const double *p
                     law->model->volume(law->par, 1, &p[at], &T, &v->m[r].vol[at], &dvdp);
                 }
     }
+}
+
+/* What a membrane leaves of a cell to each gas: its bodies, then the ambient where it is of that gas; without one, the bodies' gas
+ * is as dense there as it is in its part of the cell. */
+static floe_status fill_open(const ice *s, const int cell[2], const double lo[3], content *contents)
+{
+    double room = 1.0;
+    TRY(add_bodies(s, lo, &room, contents));
+    for (int r = 0; r < s->n_materials; ++r) {
+        const double open = ice_open_cell(s, r, s->seal.now, cell);
+        const bool ambient = s->scene->has_ambient && ice_material_of(s, s->scene->ambient_material) == r;
+        content *c = &contents[r];
+        if (open == 0.0) memset(c, 0, sizeof *c);
+        if (ambient && c->fraction < open) TRY(add_ambient(s, contents, open - c->fraction));
+    }
+    return FLOE_OK;
+}
+
+/* Densities are of what is open. */
+static void store_open(const ice *s, const ice_view *v, const int cell[2], ptrdiff_t at, content *contents)
+{
+    for (int r = 0; r < s->n_materials; ++r) {
+        const double share = contents[r].fraction;
+        v->m[r].open[at] = ice_open_cell(s, r, s->seal.now, cell);
+        contents[r].mass /= share > 0.0 ? share : 1.0;
+        contents[r].energy /= share > 0.0 ? share : 1.0;
+        contents[r].fraction = 1.0 / s->n_materials; /* stored as they are */
+        for (int a = 0; a < 2; ++a) contents[r].momentum[a] /= share > 0.0 ? share : 1.0;
+    }
+    store(s, v, at, contents);
+}
+
+floe_status ice_sealed_fill(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        for (int j = 0; j < v.b->n[1]; ++j)
+            for (int i = 0; i < v.b->n[0]; ++i) {
+                const int cell[2] = {v.b->lo[0] + i, v.b->lo[1] + j};
+                const double lo[3] = {mesh_node(s->mesh, 0, cell[0]), mesh_node(s->mesh, 1, cell[1]), 0.0};
+                content contents[ICE_MAX_MATERIALS];
+                memset(contents, 0, sizeof contents);
+                TRY(fill_open(s, cell, lo, contents));
+                store_open(s, &v, cell, mesh_index(v.b, i, j, 0), contents);
+            }
+    }
+    return FLOE_OK;
 }
 
 floe_status ice_initialise(ice *s, double *const *taken)

@@ -8,6 +8,12 @@
 
 #include <float.h>
 
+/* Instance of the shared fields that stages work on: the gas in hand where a membrane keeps gases apart. */
+static inline int ice_instance(const ice *s)
+{
+    return s->sealed && s->gas >= 0 ? s->gas : 0;
+}
+
 /* Keeps 0/0 of absent material at 0 without a branch; far below any density, speed squared or compressibility. */
 #define ICE_TINY 1e-200
 
@@ -25,6 +31,7 @@ FLOE_ALWAYS_INLINE double most(double a, double b)
 /* A material's arrays in one block; NULL where the plan has no such field. Face arrays hold one axis each. */
 typedef struct ice_arrays {
     double *rho, *u[3], *e, *vol; /* current state; vol: incoming v */
+    double *open, *open1;         /* share of the cell left to the gas, now and next; NULL: all */
     double *v;                    /* equilibrated v of this step (lies in the next array of C_VOL) */
     double *T, *theta, *c, *kappa;
     double *fu[3], *ft[3];              /* u*, theta at faces */
@@ -39,7 +46,8 @@ typedef struct ice_arrays {
 /* One block, ready for the kernels. With one fluid, rho_sum, mean and flux are that fluid's own rho, u and fu. */
 typedef struct ice_view {
     const block *b;
-    int dim, n_materials;
+    int dim, n_materials; /* those in m */
+    int first;            /* material of m[0] */
     double dt, h[3], inv_h[3], gravity[3];
     /* Face area over cell volume along axis 0 at the lower and upper face of local cell i, from -2 to n + 1; 1/h if plane. */
     const double *lower0, *upper0;
@@ -203,6 +211,7 @@ typedef struct ice_work {
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
     bool
         reconcile; /* some fluid's energy depends on volume at a given temperature: cells are closed along isentropes */
+    struct ice_sealing *sealing;                            /* owned (ice_pool.h); NULL: no membrane holds gas */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 
@@ -329,6 +338,24 @@ ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at);
 void ice_created_pressure(const ice *s, const ice_view *v, double *P);
 /* From the mass exchange on, rho is what it left. */
 void ice_view_lagrangian(ice_view *v);
+/* Viscosity of the gas in hand that a membrane keeps apart, of the state at t^n: first order in time. */
+void ice_diffuse_sealed(const ice *s);
+/* q of numerics 2.8 (iv) of a fluid squeezed at `squeeze` (m/s over a cell), s its shock sensor. */
+FLOE_ALWAYS_INLINE double ice_bulk_pressure(double rho, double speed, double squeeze, double s)
+{
+    const double quadratic = 1.0, linear = 0.2;
+    return rho * squeeze * (quadratic * squeeze + s * linear * speed);
+}
+
+/* Share of a face on a side of the domain that is open to the gas in hand: 1 without membranes. */
+double ice_side_open(const ice *s, const block *b, const int local[2], int axis, int side);
+
+/* Pools (ice_pool.c). */
+floe_status ice_seal_create(ice *s);
+void ice_seal_destroy(context *ctx, struct ice_sealing **w);
+void ice_pool_centring(const ice *s);
+void ice_pool_increment(const ice *s);
+void ice_pool_sources(const ice *s);
 
 /* Loads (pressurise, heat) on the Lagrangian energies. */
 floe_status ice_apply_loads(ice *s);

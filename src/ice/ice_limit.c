@@ -25,7 +25,7 @@ static void raise_to(rates *most, rates x)
 
 static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c, double cv)
 {
-    const double b = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points ? sqrt(2.0) : 1.0;
+    const double b = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points || s->sealed ? sqrt(2.0) : 1.0;
     double speed = 0.0, inverse_square = 0.0;
     for (int a = 0; a < v->dim; ++a) {
         speed += fabs(v->m[r].u[a][at]) * v->inv_h[a];
@@ -95,7 +95,7 @@ static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, doub
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0];
     double *rho = work, *e = work + n, *p = work + 2 * n, *c2 = work + 3 * n, *cv = work + 4 * n, *alpha = work + 5 * n;
     for (ptrdiff_t i = 0; i < n; ++i) {
-        const bool here = !s->multi || m->rho[base + i] * m->vol[base + i] > 1e-6;
+        const bool here = s->multi ? m->rho[base + i] * m->vol[base + i] > 1e-6 : !m->open || m->open[base + i] > 0.0;
         rho[i] = s->multi ? 1.0 / m->vol[base + i] : m->rho[base + i];
         e[i] = m->e[base + i];
         if (!here) rho[i] = NAN;

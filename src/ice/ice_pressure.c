@@ -25,7 +25,7 @@ static floe_status explain(const ice *s, const ice_view *v)
                 const ptrdiff_t at = mesh_index(v->b, i, j, k);
                 if (m->c[at] > 0.0 && fabs(v->p[at]) <= DBL_MAX) continue;
                 char place[160];
-                ice_place(s, v->b, at, 0, place, sizeof place);
+                ice_place(s, v->b, at, v->first, place, sizeof place);
                 return fail(s->ctx, FLOE_RETRY,
                             "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
                             "c = %g m/s",
@@ -36,7 +36,7 @@ static floe_status explain(const ice *s, const ice_view *v)
 
 static floe_status single_fluid(ice *s, const ice_view *v)
 {
-    const eos *law = &s->material[0].eos;
+    const eos *law = &s->material[v->first].eos;
     const ice_arrays *m = &v->m[0];
     const ice_rows q = ice_rows_of(v->b, -1, MESH_GHOST);
     int bad = 0;

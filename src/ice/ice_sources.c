@@ -111,10 +111,10 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
 static double pressure_defect(const ice *s, const ice_view *v, ptrdiff_t at, int i)
 {
     double made = -push_of(v, at, i, v->dim).work;
-    for (int r = 0; r < s->n_materials; ++r) {
+    for (int r = 0; r < v->n_materials; ++r) {
         const ice_arrays *m = &v->m[r];
         double square = 0.0;
-        if (s->material[r].points) continue;
+        if (s->material[v->first + r].points) continue;
         for (int a = 0; a < v->dim; ++a) {
             const double after = m->ul[a][at], before = m->u[a][at];
             square += (after - before - v->dt * v->gravity[a]) * (after + before);
@@ -130,10 +130,11 @@ static void note_guards(const ice *s, const ice_view *v, int j, int k)
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
         if (s->multi && ice_holds_points(v, at)) continue;
+        if (s->sealed && v->m[0].open[at] < 1.0) continue; /* pools keep accounts of their own */
         const double made = pressure_defect(s, v, at, i);
         double scale = 0.0;
-        for (int r = 0; r < s->n_materials; ++r)
-            if (!s->material[r].points) scale += v->m[r].rho[at] * fabs(v->m[r].el[at]);
+        for (int r = 0; r < v->n_materials; ++r)
+            if (!s->material[v->first + r].points) scale += v->m[r].rho[at] * fabs(v->m[r].el[at]);
         if (!(fabs(made) > 1e-13 * scale)) continue;
         double *tile = ice_tile(s, v->b, i, j, k);
         tile[TILE_DEFECT] += made * v->volume[i];
@@ -147,8 +148,8 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
         double *tile = ice_tile(s, v->b, i, j, k);
-        for (int r = 0; r < s->n_materials; ++r) {
-            if (s->material[r].points) continue;
+        for (int r = 0; r < v->n_materials; ++r) {
+            if (s->material[v->first + r].points) continue;
             const double mass = v->m[r].rho[at] * v->volume[i];
             for (int a = 0; a < v->dim; ++a) {
                 const double du = v->dt * v->gravity[a];
@@ -162,7 +163,7 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
 #define INSTANCE(d)                                                                                  \
     static int single_##d(const ice *s, const ice_view *v, int j, int k)                             \
     {                                                                                                \
-        const double floor = s->work->energy_floor[0];                                               \
+        const double floor = s->work->energy_floor[v->first];                                        \
         return single_row(v, j, k, s->scene->method.conserve_energy, isnan(floor) ? 0.0 : floor, d); \
     }                                                                                                \
     static int multi_##d(const ice *s, const ice_view *v, int j, int k)                              \
@@ -202,6 +203,8 @@ floe_status ice_sources(ice *s)
         source_rows(s, &v);
     }
     if (s->diffuses) ice_diffuse(s);
+    if (s->sealed && s->viscous) ice_diffuse_sealed(s);
+    if (s->sealed) ice_pool_sources(s);
     ice_boundary_work(s);
     TRY(ice_apply_loads(s));
     ice_enter_tiles(s);

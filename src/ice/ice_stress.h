@@ -47,6 +47,9 @@ FLOE_ALWAYS_INLINE face_diffusion diffusion_on(const diffusing *d, int axis, ptr
     return f;
 }
 
+/* The same of the gas in hand that a membrane keeps apart, of the state at t^n. */
+face_diffusion ice_sealed_stress(const ice *s, const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i);
+
 /* Force on a cell and power into it, both per volume. */
 typedef struct cell_diffusion {
     double force[3], power;

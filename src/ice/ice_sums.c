@@ -15,7 +15,7 @@ static void sum_row(const ice *s, const ice_view *v, int r, int j, int k, double
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
         const int cell[MESH_MAX_DIM] = {v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k};
         double *sum = tile + (size_t)mesh_tile_of(s->mesh, cell) * SUM_VALUES;
-        const double mass = m->rho[at] * v->volume[i];
+        const double mass = m->rho[at] * v->volume[i] * (m->open ? m->open[at] : 1.0);
         sum[SUM_MASS] += mass;
         sum[SUM_INTERNAL] += mass * m->e[at];
         for (int a = 0; a < v->dim; ++a) {
@@ -87,7 +87,7 @@ static double cell_pressure(const ice *s, const ice_view *v, const double *p, in
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
     for (int q = 0; q < s->n_materials; ++q)
-        if (q != r && v->m[q].rho[at] > 0.0) return p[at];
+        if (s->multi && q != r && v->m[q].rho[at] > 0.0) return p[at];
     double pressure, c2;
     law->model->pressure(law->par, 1, &m->rho[at], &m->e[at], &pressure, &c2);
     return pressure;
@@ -110,7 +110,8 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
                     for (int a = 0; a < v.dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
                     const ice_arrays *m = &v.m[material];
                     if (!(m->rho[at] > 0.0) || (region && region->model && !shape_inside(region, v.dim, x))) continue;
-                    const double weight = v.volume[i] * (s->multi ? m->rho[at] * m->vol[at] : 1.0);
+                    const double share = s->multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
+                    const double weight = v.volume[i] * share;
                     double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, cell);
                     t[0] += weight;
                     t[1] += weight * cell_pressure(s, &v, p, material, at);

@@ -6,7 +6,7 @@
 static void fill_lagrangian(const ice *s)
 {
     for (int r = 0; r < s->n_materials; ++r) {
-        if (s->material[r].points) continue;
+        if (s->material[r].points || (s->sealed && r != s->gas)) continue;
         ice_fill_ghosts(s, C_VEL_L, r, FILL_CURRENT, GHOST_VELOCITY);
         ice_fill_ghosts(s, C_ENERGY_L, r, FILL_CURRENT, GHOST_ENERGY);
         if (s->multi) ice_fill_ghosts(s, C_VOLUME_L, r, FILL_CURRENT, GHOST_VOLUME);
@@ -21,7 +21,7 @@ static ice_advect_result advect_block(ice *s, const ice_view *v, int r)
     const int slow = b->dim - 1, tile = s->mesh->tile[slow];
     const int most_chunks = b->dim == 1 ? 1 : b->tiles[slow],
               chunks = s->work->threads < most_chunks ? s->work->threads : most_chunks;
-    const double floor = s->work->energy_floor[r];
+    const double floor = s->work->energy_floor[v->first + r];
     int bad = 0, guarded = 0;
 #pragma omp parallel for schedule(static, 1) reduction(+ : bad, guarded)
     for (int c = 0; c < chunks; ++c) {
@@ -48,7 +48,7 @@ static const char *fault_of(const ice *s, const ice_view *v, int r, ptrdiff_t at
     if (!ice_mass_stands(m, at, s->multi)) return "its mass would become negative or is no number";
     if (s->multi && !(m->theta[at] > 1e-6)) return NULL;
     if (!(ice_outflow(v, m, at, i, v->dim) <= 1.0)) return "more would flow out than it holds";
-    const eos *law = &s->material[r].eos;
+    const eos *law = &s->material[v->first + r].eos;
     if (!(m->rho1[at] > 0.0)) return NULL;
     const double density = s->multi ? 1.0 / m->vol1[at] : m->rho1[at];
     if (!(m->e1[at] > law->model->energy_floor(law->par, density)))
@@ -67,7 +67,7 @@ static floe_status explain(const ice *s, const ice_view *v, int r)
                 const char *fault = fault_of(s, v, r, at, i);
                 if (!fault) continue;
                 char place[160];
-                ice_place(s, b, at, r, place, sizeof place);
+                ice_place(s, b, at, v->first + r, place, sizeof place);
                 return fail(s->ctx, FLOE_RETRY,
                             "advection, %s: %s (density %g to %g kg/m3, internal energy %g to %g J/kg, outflow %g of "
                             "the volume, "
@@ -158,10 +158,11 @@ floe_status ice_advect(ice *s)
         ice_view v;
         ice_view_make(s, id, &v);
         ice_view_lagrangian(&v);
-        for (int r = 0; r < s->n_materials; ++r) {
-            if (s->material[r].points) continue;
+        for (int r = 0; r < v.n_materials; ++r) {
+            if (s->material[v.first + r].points) continue;
             const ice_advect_result result = advect_block(s, &v, r);
-            if (result.bad || (isnan(s->work->energy_floor[r]) && below_floor(s, &v, r))) TRY(explain(s, &v, r));
+            if (result.bad || (isnan(s->work->energy_floor[v.first + r]) && below_floor(s, &v, r)))
+                TRY(explain(s, &v, r));
             if (s->multi) tidy_slivers(s, &v, r);
         }
     }

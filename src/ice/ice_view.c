@@ -14,6 +14,8 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     m->rho = field_get(f, C_RHO, r, 0);
     m->e = field_get(f, C_ENERGY, r, 0);
     m->vol = field_get(f, C_VOL, r, 0);
+    m->open = field_get(f, C_OPEN, r, 0);
+    m->open1 = field_next(f, C_OPEN, r, 0);
     m->v = m->vol1 = field_next(f, C_VOL, r, 0);
     m->rho1 = field_next(f, C_RHO, r, 0);
     m->e1 = field_next(f, C_ENERGY, r, 0);
@@ -38,13 +40,14 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     vector(f, field_get, F_MOBILITY, r, dim, m->mobility);
 }
 
-static void gather_shared(const fields *f, bool multi, ice_view *v)
+/* Shared by all materials, or the own ones of a gas that a membrane keeps apart. */
+static void gather_shared(const fields *f, bool multi, int instance, ice_view *v)
 {
     const int dim = v->dim;
-    v->p = field_next(f, C_PRESSURE, 0, 0);
-    v->P = field_get(f, C_PRESSURE_ADVANCED, 0, 0);
-    v->dP = field_get(f, C_DP, 0, 0);
-    v->shock = field_get(f, C_SHOCK, 0, 0);
+    v->p = field_next(f, C_PRESSURE, instance, 0);
+    v->P = field_get(f, C_PRESSURE_ADVANCED, instance, 0);
+    v->dP = field_get(f, C_DP, instance, 0);
+    v->shock = field_get(f, C_SHOCK, instance, 0);
     v->kappa_sum = field_get(f, C_KAPPA_SUM, 0, 0);
     v->limiter = field_get(f, C_LIMITER, 0, 0);
     v->mixed = field_get(f, C_MIXED, 0, 0);
@@ -52,7 +55,7 @@ static void gather_shared(const fields *f, bool multi, ice_view *v)
     v->step = field_next(f, C_PRESSURE_STEP, 0, 0);
     v->last_step = field_get(f, C_PRESSURE_STEP, 0, 0);
     v->wall = field_get(f, C_WALL, 0, 0);
-    vector(f, field_get, F_PRESSURE, 0, dim, v->fp);
+    vector(f, field_get, F_PRESSURE, instance, dim, v->fp);
     v->rho_sum = multi ? field_get(f, C_RHO_SUM, 0, 0) : v->m[0].rho;
     for (int a = 0; a < dim; ++a) {
         v->mean[a] = multi ? field_get(f, C_VEL_MEAN, 0, a) : v->m[0].u[a];
@@ -86,8 +89,12 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     v->advance = s->implicit && method->centring != ICE_CENTRING_HALF ? 2.0 : 1.0;
     v->limit_lo = method->limiter == ICE_LIMITER_NONE ? 1.0 : 0.0;
     v->limit_hi = method->limiter == ICE_LIMITER_FIRST_ORDER ? 0.0 : 1.0;
-    for (int r = 0; r < s->n_materials; ++r) gather_material(f, r, m->dim, &v->m[r]);
-    gather_shared(f, s->multi, v);
+    if (s->sealed && s->gas >= 0) {
+        v->first = s->gas;
+        v->n_materials = 1;
+    }
+    for (int r = 0; r < v->n_materials; ++r) gather_material(f, v->first + r, m->dim, &v->m[r]);
+    gather_shared(f, s->multi, v->first, v);
     for (int k = 0; k < s->work->reactions.n; ++k) v->reacted[k] = field_get(f, C_REACTED, k, 0);
 }
 

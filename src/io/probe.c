@@ -10,17 +10,19 @@ typedef struct probe_sum {
 static void add_cell(const sim *s, const fields *f, ptrdiff_t at, probe_sum *sum)
 {
     for (int r = 0; r < s->ice->n_materials; r++) {
-        const double *rho = field_get(f, C_RHO, r, 0);
+        const double *rho = field_get(f, C_RHO, r, 0), *open = field_get(f, C_OPEN, r, 0);
         if (!rho) continue;
-        sum->mass += rho[at];
+        const double share = open ? open[at] : 1.0;
+        sum->mass += share * rho[at];
         for (int a = 0; a < s->mesh.dim; a++) {
             const double *u = field_get(f, C_VEL, r, a);
-            if (u) sum->momentum[a] += rho[at] * u[at];
+            if (u) sum->momentum[a] += share * rho[at] * u[at];
         }
+        const double *p = field_get(f, C_PRESSURE, r, 0);
+        if (!p || (!open && r > 0)) continue;
+        sum->volume += share;
+        sum->pressure += share * p[at];
     }
-    const double *p = field_get(f, C_PRESSURE, 0, 0);
-    sum->volume = p ? 1.0 : 0.0;
-    sum->pressure = p ? p[at] : 0.0;
 }
 
 static void add_point(const sim *s, const fields *f, int body, size_t i, probe_sum *sum)

@@ -115,6 +115,19 @@ static floe_status add_history(writer *w, field_id id, int body)
     return add_array(w, &(array_spec){.name = h->name, .unit = h->unit, .meaning = h->doc});
 }
 
+/* Beyond a membrane a gas has no pressure: what stands there is lent to it for differences (ice_sealed.c). */
+static floe_status mask_closed(writer *w, int instance, double *data)
+{
+    const size_t n = entries(w);
+    double *open;
+    if (!fields_has(w->s->domain->fields[0], C_OPEN, instance)) return FLOE_OK;
+    TRY(memory_new(w->s->ctx, &open, n, sizeof *open));
+    gather(w, C_OPEN, instance, 0, 1, open);
+    for (size_t i = 0; i < n; i++) data[i] = open[i] > 0.0 ? data[i] : 0.0;
+    memory_free(w->s->ctx, &open);
+    return FLOE_OK;
+}
+
 /* All components of a registered field, under `name`. */
 static floe_status add_field(writer *w, field_id id, int instance, const char *name)
 {
@@ -130,6 +143,7 @@ static floe_status add_field(writer *w, field_id id, int instance, const char *n
     for (int c = 0; c < components; c++) {
         char full[NAME_SIZE];
         gather(w, id, instance, c, 1, w->data);
+        if (id == C_PRESSURE) TRY(mask_closed(w, instance, w->data));
         scale_extensive(w, id, entries(w));
         const bool named = info->components != FIELD_SCALAR;
         (void)snprintf(full, sizeof full, "%s%s%s", name, named ? "_" : "",
@@ -148,9 +162,10 @@ static bool is_written(field_id id)
            id == C_THETA || id == C_TEMP;
 }
 
-static bool is_shared_by_materials(field_id id)
+/* Of all materials alike; of each gas where a membrane keeps them apart. */
+static bool is_shared_by_materials(const fields *f, field_id id)
 {
-    return id >= C_PRESSURE;
+    return id >= C_PRESSURE && !fields_has(f, id, 1);
 }
 
 static floe_status visit_cells(void *user, field_id id, int instance)
@@ -159,7 +174,7 @@ static floe_status visit_cells(void *user, field_id id, int instance)
     const field_info *info = field_describe(id);
     char name[2 * NAME_SIZE], material[NAME_SIZE];
     if (info->centring != FIELD_CELL || !is_written(id)) return FLOE_OK;
-    if (is_shared_by_materials(id)) return add_field(w, id, instance, info->name);
+    if (is_shared_by_materials(w->s->domain->fields[0], id)) return add_field(w, id, instance, info->name);
     if (instance >= w->s->ice->n_materials) return FLOE_OK;
     material_label(w->s, w->s->ice->material[instance].scene_material, material);
     (void)snprintf(name, sizeof name, "%s_%s", info->name, material);

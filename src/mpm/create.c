@@ -97,20 +97,21 @@ static floe_status make_work(mpm *s)
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
-static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool coupled)
+static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool beside)
 {
     s->scene = sc;
     s->mesh = m;
     s->stages = stages;
     s->ledger = l;
-    s->coupled = coupled;
+    s->seals = beside && scene_holder(sc) >= 0;
+    s->coupled = beside && !s->seals;
     s->basis = basis_find(sc->method.basis);
     if (!s->basis) return fail(s->ctx, FLOE_BAD_INPUT, "there is no basis '%s'", sc->method.basis);
     s->transfer = transfer_find(sc->method.transfer);
     if (!s->transfer) return fail(s->ctx, FLOE_BAD_INPUT, "there is no transfer '%s'", sc->method.transfer);
     s->share = isnan(s->transfer->share) ? sc->method.flip : s->transfer->share;
     for (int b = 0; b < sc->n_bodies; ++b)
-        if (!coupled || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
+        if (!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
     if (s->n_groups > MPM_MAX_GROUPS)
         return fail(s->ctx, FLOE_BAD_INPUT, "%d velocity fields are more than the %d that a run holds", s->n_groups,
                     MPM_MAX_GROUPS);
@@ -119,11 +120,11 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
 }
 
 floe_status mpm_create(mpm **out, context *ctx, const scene *sc, const mesh *m, stage_list *stages, ledger *l,
-                       bool coupled)
+                       bool beside_cells)
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->ctx = ctx;
-    const floe_status status = fill(*out, sc, m, stages, l, coupled);
+    const floe_status status = fill(*out, sc, m, stages, l, beside_cells);
     if (status != FLOE_OK) mpm_destroy(out);
     return status;
 }
@@ -142,6 +143,7 @@ void mpm_destroy(mpm **s)
     context *ctx = (*s)->ctx;
     if ((*s)->work) {
         free_lines(ctx, (*s)->work);
+        free_push(ctx, &(*s)->work->push);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);
         memory_free(ctx, &(*s)->work->cell_mass);

@@ -176,7 +176,7 @@ floe_status start_membranes(mpm *s)
         if (normals_are_free(s, body)) TRY(normals_start(s, body));
         turn_body(s, body, false, true);
     }
-    return FLOE_OK;
+    return s->seals ? start_push(s) : FLOE_OK;
 }
 
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi)

@@ -48,8 +48,9 @@ typedef struct mpm {
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;
-    struct mpm_contact *contact;          /* owned; NULL: no body has a velocity of its own */
-    bool coupled;                         /* cells hold the fluids: velocities at n, grid pressure on the points */
+    struct mpm_contact *contact; /* owned; NULL: no body has a velocity of its own */
+    bool coupled;                /* cells hold the fluids: velocities at n, grid pressure on the points */
+    bool seals;                  /* a membrane holds gas of the cells: whole kicks, so that both get the same impulse */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
     int n_history;                        /* the most numbers that a body's law remembers */
@@ -63,9 +64,9 @@ typedef struct mpm {
     struct mpm_work *work;  /* owned: tile partials, kernel table */
 } mpm;
 
-/* Resolves the scene's bodies into *out: all of them in pure MPM, those of solids when coupled. Registers nothing. */
+/* Resolves the scene's bodies into *out: all of them in pure MPM, those of solids beside cells. Registers nothing. */
 floe_status mpm_create(mpm **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
-                       bool coupled);
+                       bool beside_cells);
 void mpm_destroy(mpm **s);
 /* Registers the fields that the planned stages use and allocates scratch. */
 floe_status mpm_register(mpm *s, domain *d);

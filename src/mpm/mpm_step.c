@@ -4,10 +4,10 @@
 #include <math.h>
 
 /* Velocities live half a step behind positions: the first kick is half a step, later ones the mean of old and new step, which
- * makes pure MPM second order in time (design, conventions). Coupled, everything lives at n. */
+ * makes pure MPM second order in time (design, conventions). Beside cells, everything lives at n. */
 floe_status mpm_begin_step(mpm *s)
 {
-    s->work->kick = s->coupled ? s->dt : 0.5 * (s->dt_previous + s->dt);
+    s->work->kick = s->coupled || s->seals ? s->dt : 0.5 * (s->dt_previous + s->dt);
     set_body_forces(s);
     return FLOE_OK;
 }

@@ -92,31 +92,6 @@ static double stiffness_of(const mpm *s, const scene_spring *spring)
     return spring->stiffness / scene_extent(s->scene);
 }
 
-typedef struct end_force {
-    double *force[3], value[3];
-    int dim;
-} end_force;
-
-static void add_force(void *user, ptrdiff_t at, double weight, double mass)
-{
-    const end_force *f = user;
-    (void)mass;
-    for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
-}
-
-static void pull_end(const mpm *s, int group, const double x[3], const double force[3])
-{
-    const place_stencil st = stencil_at(s, x);
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        end_force f = {.dim = s->mesh->dim};
-        for (int a = 0; a < f.dim; ++a) {
-            f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
-            f.value[a] = force[a];
-        }
-        visit_stencil(&s->mesh->block[b], &st, add_force, &f);
-    }
-}
-
 void scatter_springs(mpm *s, int group)
 {
     for (int n = 0; n < s->scene->n_springs; ++n) {
@@ -128,7 +103,7 @@ void scatter_springs(mpm *s, int group)
             double force[3];
             for (int a = 0; a < 3; ++a) force[a] = (e == 0 ? pull : -pull) * now.unit[a];
             if (spring->end[e].body >= 0 && s->work->body_group[spring->end[e].body] == group)
-                pull_end(s, group, now.x[e], force);
+                push_nodes(s, group, now.x[e], force);
             /* a fixed place gives the momentum that the other end takes; entered once */
             for (int a = 0; spring->end[e].body < 0 && group == 0 && a < s->mesh->dim; ++a)
                 ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE,

@@ -48,3 +48,28 @@ void visit_stencil(const block *b, const place_stencil *st, stencil_node *visit,
         if (held) visit(user, mesh_index(b, local[0], local[1], local[2]), st->w[i], st->mass[i]);
     }
 }
+
+typedef struct place_force {
+    double *force[3], value[3];
+    int dim;
+} place_force;
+
+static void add_force(void *user, ptrdiff_t at, double weight, double mass)
+{
+    const place_force *f = user;
+    (void)mass;
+    for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
+}
+
+void push_nodes(const mpm *s, int group, const double x[3], const double force[3])
+{
+    const place_stencil st = stencil_at(s, x);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        place_force f = {.dim = s->mesh->dim};
+        for (int a = 0; a < f.dim; ++a) {
+            f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
+            f.value[a] = force[a];
+        }
+        visit_stencil(&s->mesh->block[b], &st, add_force, &f);
+    }
+}

@@ -23,4 +23,7 @@ typedef void stencil_node(void *user, ptrdiff_t at, double weight, double mass);
 /* Visits the nodes of a stencil that a block holds, ghosts included. */
 void visit_stencil(const block *b, const place_stencil *st, stencil_node *visit, void *user);
 
+/* Adds a force (N) at a place to a group's nodes, with the weights of the place. */
+void push_nodes(const mpm *s, int group, const double x[3], const double force[3]);
+
 #endif

@@ -202,6 +202,7 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
     if (mode != SCATTER_MOMENTUM) {
         scatter_surfaces(s, group); /* they look at the masses */
         scatter_springs(s, group);
+        scatter_push(s, group);
         domain_fold_periodic(s->domain, N_FORCE, group);
         fold_walls(s, group, false, true);
     }

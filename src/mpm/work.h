@@ -90,6 +90,15 @@ typedef struct spring_state {
     double rest_length; /* m */
 } spring_state;
 
+/* What gas pushes on a membrane (outline.c), by number of its points. Owned arrays; NULL without such a membrane. */
+typedef struct membrane_push {
+    int body;
+    size_t n;
+    double *x;     /* m, three each: where the points are at the start of the step */
+    double *v;     /* m/s, two each: scratch */
+    double *force; /* N, two each */
+} membrane_push;
+
 /* A node, by global index, that a support holds. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
@@ -114,6 +123,7 @@ struct mpm_work {
     size_t n_surface;
     solid_batch *batch; /* one per thread; owned */
     spring_state spring[SCENE_MAX_SPRINGS];
+    membrane_push push;
     support_node *support; /* owned */
     size_t n_supports;
     membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */
@@ -214,6 +224,13 @@ floe_status start_springs(mpm *s);
 void scatter_springs(mpm *s, int group);
 double spring_energy(const mpm *s);
 double spring_rate(const mpm *s, const char **name);
+
+/* Gas that pushes on a membrane (outline.c). */
+floe_status start_push(mpm *s);
+void free_push(context *ctx, membrane_push *p);
+void scatter_push(mpm *s, int group);
+/* Share of a node's velocity that damping leaves in the step. */
+double damping_left(const mpm *s);
 
 /* Supports (support.c): the nodes that they hold, and their velocity. */
 floe_status start_supports(mpm *s);

@@ -40,6 +40,7 @@ typedef struct cell_samples {
     double *rho, *energy, *pressure;
     double *volume;   /* m3/kg, of the pure material; NULL with one fluid, or all */
     double *fraction; /* of the first material; NULL but for all */
+    double *open;     /* share of the cell that a membrane leaves; NULL without one */
     double *v[3];
 } cell_samples;
 

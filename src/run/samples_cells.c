@@ -23,6 +23,14 @@ static void set_own_pressure(cell_samples *c, const cell_samples *part)
     }
 }
 
+/* Volume fraction: mass per cell volume times the volume of a mass, or what a membrane leaves. */
+static double fraction(const cell_samples *c, size_t i)
+{
+    if (c->fraction) return c->fraction[i];
+    if (c->open) return c->open[i];
+    return c->volume ? c->rho[i] * c->volume[i] : 1.0;
+}
+
 static void add_part(cell_samples *c, const cell_samples *part)
 {
     for (size_t i = 0; i < c->n; i++) {
@@ -31,7 +39,7 @@ static void add_part(cell_samples *c, const cell_samples *part)
         c->rho[i] += rho;
         c->energy[i] += rho * part->energy[i];
         for (int a = 0; a < c->s->mesh.dim; a++) c->v[a][i] += rho * part->v[a][i];
-        if (part->material == 0) c->fraction[i] = rho * part->volume[i];
+        if (part->material == 0) c->fraction[i] = fraction(part, i);
     }
 }
 
@@ -73,6 +81,7 @@ static floe_status take(cell_samples *c)
     TRY(gather(c, C_RHO, c->material, 0, &c->rho));
     if (fields_has(f, C_ENERGY, c->material)) TRY(gather(c, C_ENERGY, c->material, 0, &c->energy));
     if (fields_has(f, C_VOL, c->material)) TRY(gather(c, C_VOL, c->material, 0, &c->volume));
+    if (fields_has(f, C_OPEN, c->material)) TRY(gather(c, C_OPEN, c->material, 0, &c->open));
     if (fields_has(f, C_PRESSURE, 0)) TRY(gather(c, C_PRESSURE, 0, 0, &c->pressure));
     for (int a = 0; a < c->s->mesh.dim; a++) TRY(gather(c, C_VEL, c->material, a, &c->v[a]));
     return FLOE_OK;
@@ -94,6 +103,7 @@ void cell_samples_free(cell_samples *c)
     memory_free(ctx, &c->pressure);
     memory_free(ctx, &c->volume);
     memory_free(ctx, &c->fraction);
+    memory_free(ctx, &c->open);
     for (int a = 0; a < 3; a++) memory_free(ctx, &c->v[a]);
 }
 
@@ -114,13 +124,6 @@ static void corners_of(const mesh *m, size_t i, double lo[3], double hi[3])
         lo[a] = a < m->dim ? mesh_node(m, a, cell[a]) : 0.0;
         hi[a] = a < m->dim ? mesh_node(m, a, cell[a] + 1) : 0.0;
     }
-}
-
-/* Volume fraction: mass per cell volume times the volume of a mass. */
-static double fraction(const cell_samples *c, size_t i)
-{
-    if (c->fraction) return c->fraction[i];
-    return c->volume ? c->rho[i] * c->volume[i] : 1.0;
 }
 
 static double density_at(const cell_samples *c, size_t i)

@@ -39,6 +39,13 @@ void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE
     (void)snprintf(text, SCENE_SETTING, "%s=%s", key, value);
 }
 
+int scene_holder(const scene *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].membrane.present && s->body[b].membrane.holds >= 0) return b;
+    return -1;
+}
+
 bool scene_in_contact(const scene *s, int body)
 {
     if (!s->contact.enabled) return false;

@@ -92,6 +92,7 @@ typedef struct scene_membrane {
     int slack_from, slack_to; /* points that have it; 0: the first, the last */
     int heavy_point;          /* 0: none */
     double heavy_mass;        /* kg, of the whole scene */
+    int holds;                /* material of the gas on its left, which it holds beside cells; -1: none */
 } scene_membrane;
 
 typedef struct scene_body {
@@ -396,6 +397,8 @@ const char *scene_time_unit(const scene *s);
 int scene_axis_settings(const scene_axis *axis);
 /* "KEY=VALUE" of the k-th of them, its own first, at the axis' value number `pick`. */
 void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING]);
+/* The body whose membrane holds a gas of the cells, or -1. */
+int scene_holder(const scene *s);
 /* Whether a body takes part in the scene's contact. */
 bool scene_in_contact(const scene *s, int body);
 /* Sets what no result of a single run depends on to one value: title, threads, and what only batches read. For telling scenes apart

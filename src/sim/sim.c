@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "sim/coupled.h"
+#include "sim/sealed.h"
 
 #include <math.h>
 #include <string.h>
@@ -34,8 +35,9 @@ static floe_status check_coupling(const sim *s)
                         "body '%s' is a solid, which coupling ice cannot carry; use ice-mpm or mpm",
                         s->scene->body[b].name);
     for (int b = 0; s->coupling == COUPLING_ICE_MPM && b < s->scene->n_bodies; ++b)
-        if (s->scene->material[s->scene->body[b].material].membrane)
-            return fail(s->ctx, FLOE_BAD_INPUT, "body '%s' is a membrane, which cells do not see; use mpm",
+        if (s->scene->material[s->scene->body[b].material].membrane && scene_holder(s->scene) < 0)
+            return fail(s->ctx, FLOE_BAD_INPUT,
+                        "body '%s' is a membrane, which cells do not see unless it `holds` a gas; use mpm",
                         s->scene->body[b].name);
     if (s->scene->n_bodies == 0) return fail(s->ctx, FLOE_BAD_INPUT, "the scene has no bodies");
     return FLOE_OK;
@@ -43,6 +45,7 @@ static floe_status check_coupling(const sim *s)
 
 floe_status sim_run_stages(sim *s)
 {
+    if (s->sealed) return sealed_step(s);
     if (s->mpm && s->ice) return coupled_step(s);
     return s->mpm ? mpm_step(s->mpm) : ice_step(s->ice);
 }
@@ -59,8 +62,9 @@ static floe_status make_plan(sim *s)
 static floe_status make_solvers(sim *s, const bool points, const bool cells)
 {
     if (points) TRY(mpm_create(&s->mpm, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, cells));
-    if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points));
-    if (points && cells) TRY(transfer_create(&s->transfer, s));
+    const bool holds = points && cells && scene_holder(s->scene) >= 0;
+    if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points && !holds));
+    if (points && cells) TRY(holds ? sealed_create(&s->sealed, s) : transfer_create(&s->transfer, s));
     TRY(make_plan(s));
     TRY(domain_create(&s->domain, s->ctx, &s->mesh));
     s->stages.domain = s->domain;
@@ -73,6 +77,7 @@ static floe_status set_initial_state(sim *s)
 {
     if (s->mpm) TRY(mpm_seed(s->mpm));
     if (s->transfer) return coupled_initialise(s);
+    if (s->sealed) return sealed_initialise(s);
     return s->ice ? ice_initialise(s->ice, NULL) : FLOE_OK;
 }
 
@@ -121,6 +126,7 @@ void sim_destroy(sim **s)
     if (!s || !*s) return;
     context *ctx = (*s)->ctx;
     transfer_destroy(&(*s)->transfer);
+    sealed_destroy(&(*s)->sealed);
     ice_destroy(&(*s)->ice);
     mpm_destroy(&(*s)->mpm);
     domain_destroy(&(*s)->domain);

@@ -18,7 +18,8 @@ typedef struct sim {
     ledger ledger;
     mpm *mpm;                  /* owned; NULL without points */
     ice *ice;                  /* owned; NULL without cells */
-    struct transfer *transfer; /* owned; NULL unless coupled */
+    struct transfer *transfer; /* owned; NULL unless solids share cells with fluids */
+    struct sealed *sealed;     /* owned; NULL unless a membrane holds gas of the cells */
     char pressure_reason[256]; /* of method.pressure auto: what it has chosen last, and why; "" otherwise */
     double time;               /* s */
     double dt;                 /* s: the last accepted step, then the next one's proposal */

@@ -1,0 +1,251 @@
+#include "coupling/cut.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+enum { CUT_NEW = -3 };
+enum { ROOM_VERTICES, ROOM_CELLS, ROOM_PIECES };
+
+/* Shares this close to none or all are that: round-off of sums of passages. */
+static const double snap = 1e-13;
+
+floe_status cut_create(cut_line *c, context *ctx, const mesh *m)
+{
+    *c = (cut_line){.ctx = ctx, .mesh = m};
+    TRY(memory_new(ctx, &c->at, (size_t)m->n[0] * (size_t)m->n[1], sizeof *c->at));
+    return memory_new(ctx, &c->node, (size_t)(m->n[0] + 1) * (size_t)(m->n[1] + 1), sizeof *c->node);
+}
+
+void cut_destroy(cut_line *c)
+{
+    if (!c->ctx) return;
+    memory_free(c->ctx, &c->vertex);
+    memory_free(c->ctx, &c->cell);
+    memory_free(c->ctx, &c->piece);
+    memory_free(c->ctx, &c->at);
+    memory_free(c->ctx, &c->node);
+}
+
+/* Room for one more than n items, growing by half. */
+static floe_status grow(cut_line *c, int which, void *array, size_t n, size_t size)
+{
+    if (n < c->room[which]) return FLOE_OK;
+    const size_t wanted = n + n / 2 + 64;
+    TRY(memory_resize(c->ctx, array, wanted, size));
+    c->room[which] = wanted;
+    return FLOE_OK;
+}
+
+floe_status cut_reserve(cut_line *c, int n)
+{
+    c->n_vertices = n;
+    return n > 0 ? grow(c, ROOM_VERTICES, &c->vertex, (size_t)n, sizeof *c->vertex) : FLOE_OK;
+}
+
+/* Integral of the weight of an area along axis 0: x, or about an axis r^2/2. */
+static double weight_to(const mesh *m, double x)
+{
+    return m->geometry == MESH_AXISYMMETRIC ? 0.5 * x * x : x;
+}
+
+/* The cut cell at a global cell, made where it is new. */
+static floe_status touch(cut_line *c, const int cell[2], int *out)
+{
+    int *at = &c->at[cut_index(c->mesh, cell)];
+    if (*at == CUT_NEW) {
+        TRY(grow(c, ROOM_CELLS, &c->cell, (size_t)c->n_cells, sizeof *c->cell));
+        *at = c->n_cells;
+        c->cell[c->n_cells++] = (cut_cell){.cell = {cell[0], cell[1]}};
+    }
+    *out = *at;
+    return FLOE_OK;
+}
+
+static floe_status add_piece(cut_line *c, const int cell[2], const int vertex[2], const double from[2],
+                             const double to[2], double share)
+{
+    int at;
+    TRY(touch(c, cell, &at));
+    TRY(grow(c, ROOM_PIECES, &c->piece, (size_t)c->n_pieces, sizeof *c->piece));
+    const double radius = c->mesh->geometry == MESH_AXISYMMETRIC ? 0.5 * (from[0] + to[0]) : 1.0;
+    c->piece[c->n_pieces++] = (cut_piece){.cell = at,
+                                          .vertex = {vertex[0], vertex[1]},
+                                          .share = share,
+                                          .area = {radius * (to[1] - from[1]), -radius * (to[0] - from[0])}};
+    /* Green's theorem: the piece's part of the held volume, right of the cell's lower side. */
+    const double left = weight_to(c->mesh, mesh_node(c->mesh, 0, cell[0])), middle = 0.5 * (from[0] + to[0]);
+    const double mean =
+        (weight_to(c->mesh, from[0]) + 4.0 * weight_to(c->mesh, middle) + weight_to(c->mesh, to[0])) / 6.0;
+    c->cell[at].open += (mean - left) * (to[1] - from[1]);
+    return FLOE_OK;
+}
+
+/* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Held is what
+ * lies on its left: of a face across axis 0 the part above x, of one across axis 1 the part below. */
+static void pass(cut_line *c, int at, int axis, int side, const double x[2], int direction)
+{
+    const mesh *m = c->mesh;
+    cut_cell *k = &c->cell[at];
+    k->jump[axis][side] += direction;
+    if (axis == 0) {
+        k->face[0][side] += direction * (mesh_node(m, 1, k->cell[1] + 1) - x[1]);
+    } else {
+        k->face[1][side] -= direction * (weight_to(m, mesh_node(m, 0, k->cell[0] + 1)) - weight_to(m, x[0]));
+    }
+}
+
+static void cell_of(const mesh *m, const double x[2], int cell[2])
+{
+    for (int a = 0; a < 2; ++a) {
+        const int i = mesh_cell_of(m, a, x[a]);
+        cell[a] = i < 0 ? 0 : i >= m->n[a] ? m->n[a] - 1 : i;
+    }
+}
+
+/* Share of the way from a to b at which the side of a cell towards b lies. */
+static double way_to(const mesh *m, const double a[2], const double b[2], int axis, int node)
+{
+    const double t = (mesh_node(m, axis, node) - a[axis]) / (b[axis] - a[axis]);
+    return t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+}
+
+/* Kept on the sides of a cell, so that passages lie on their faces whatever round-off does. */
+static double within(const mesh *m, int axis, int cell, double x)
+{
+    return fmin(fmax(x, mesh_node(m, axis, cell)), mesh_node(m, axis, cell + 1));
+}
+
+/* From one vertex to the next, cell by cell. */
+static floe_status walk(cut_line *c, const int vertex[2])
+{
+    const mesh *m = c->mesh;
+    const double *a = c->vertex[vertex[0]].x, *b = c->vertex[vertex[1]].x;
+    int cell[2], last[2];
+    double from[2] = {a[0], a[1]}, before = 0.0;
+    cell_of(m, a, cell);
+    cell_of(m, b, last);
+    while (cell[0] != last[0] || cell[1] != last[1]) {
+        double t = INFINITY;
+        int axis = 0;
+        for (int k = 0; k < 2; ++k) {
+            if (cell[k] == last[k]) continue;
+            const double to = way_to(m, a, b, k, last[k] > cell[k] ? cell[k] + 1 : cell[k]);
+            if (!(to < t)) continue;
+            t = to;
+            axis = k;
+        }
+        const int step = last[axis] > cell[axis] ? 1 : -1, other = 1 - axis;
+        double x[2];
+        x[axis] = mesh_node(m, axis, step > 0 ? cell[axis] + 1 : cell[axis]);
+        x[other] = within(m, other, cell[other], a[other] + t * (b[other] - a[other]));
+        TRY(add_piece(c, cell, vertex, from, x, 0.5 * (before + t)));
+        int at;
+        TRY(touch(c, cell, &at));
+        pass(c, at, axis, step > 0 ? SIDE_UPPER : SIDE_LOWER, x, step);
+        cell[axis] += step;
+        TRY(touch(c, cell, &at));
+        pass(c, at, axis, step > 0 ? SIDE_LOWER : SIDE_UPPER, x, step);
+        from[0] = x[0];
+        from[1] = x[1];
+        before = t;
+    }
+    return add_piece(c, cell, vertex, from, b, 0.5 * (before + 1.0));
+}
+
+/* An end of an open line passes through the side of the mesh on which it lies; inward at the first vertex. */
+static floe_status pass_side(cut_line *c, int vertex, int inward)
+{
+    const mesh *m = c->mesh;
+    const double *x = c->vertex[vertex].x;
+    int cell[2], at;
+    cell_of(m, x, cell);
+    TRY(touch(c, cell, &at));
+    for (int axis = 0; axis < 2; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            if (x[axis] != (side == SIDE_LOWER ? m->lower[axis] : m->upper[axis])) continue;
+            pass(c, at, axis, side, x, side == SIDE_LOWER ? inward : -inward);
+            return FLOE_OK;
+        }
+    return fail(
+        c->ctx, FLOE_BAD_INPUT,
+        "a membrane that holds gas ends at (%g, %g), inside the domain: let it end on a symmetry or slip side, or "
+        "close it",
+        x[0], x[1]);
+}
+
+static floe_status walk_all(cut_line *c)
+{
+    for (int k = 0; k + 1 < c->n_vertices; ++k) TRY(walk(c, (const int[]){k, k + 1}));
+    if (c->closed) return walk(c, (const int[]){c->n_vertices - 1, 0});
+    TRY(pass_side(c, 0, 1));
+    return pass_side(c, c->n_vertices - 1, -1);
+}
+
+static int jump_of(const cut_line *c, int i, int j, int axis, int side)
+{
+    const int at = c->at[cut_index(c->mesh, (const int[]){i, j})];
+    return at >= 0 ? c->cell[at].jump[axis][side] : 0;
+}
+
+/* Which nodes are held, from one corner of the mesh along its lowest row and up the columns. */
+static floe_status mark_nodes(cut_line *c)
+{
+    const int nx = c->mesh->n[0], ny = c->mesh->n[1], row = nx + 1;
+    int least = 0, most = 0;
+    c->node[0] = 0;
+    for (int i = 0; i < nx; ++i) c->node[i + 1] = (signed char)(c->node[i] - jump_of(c, i, 0, 1, SIDE_LOWER));
+    for (int j = 0; j < ny; ++j)
+        for (int i = 0; i <= nx; ++i) {
+            const int jump = i < nx ? jump_of(c, i, j, 0, SIDE_LOWER) : jump_of(c, nx - 1, j, 0, SIDE_UPPER);
+            c->node[(j + 1) * row + i] = (signed char)(c->node[j * row + i] + jump);
+        }
+    for (int k = 0; k < row * (ny + 1); ++k) {
+        least = c->node[k] < least ? c->node[k] : least;
+        most = c->node[k] > most ? c->node[k] : most;
+    }
+    if (most - least > 1)
+        return fail(c->ctx, FLOE_RETRY, "a membrane that holds gas crosses itself: gas would lie on both its sides");
+    for (int k = 0; k < row * (ny + 1); ++k) c->node[k] = (signed char)(c->node[k] - least);
+    return FLOE_OK;
+}
+
+static double snapped(double share)
+{
+    return share < snap ? 0.0 : share > 1.0 - snap ? 1.0 : share;
+}
+
+/* Shares of a cell from what the walk has gathered. */
+static floe_status finish_cell(cut_line *c, cut_cell *k)
+{
+    const mesh *m = c->mesh;
+    const int row = m->n[0] + 1, *i = k->cell;
+    const signed char *node = c->node + i[1] * row + i[0];
+    const double across = weight_to(m, mesh_node(m, 0, i[0] + 1)) - weight_to(m, mesh_node(m, 0, i[0]));
+    const double held[2][2] = {{node[0], node[1]}, {node[0], node[row]}}; /* lower end of each face */
+    for (int axis = 0; axis < 2; ++axis)
+        for (int side = 0; side < 2; ++side)
+            k->face[axis][side] = snapped(held[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across));
+    k->open = snapped(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]));
+    bool sound = k->open >= 0.0 && k->open <= 1.0;
+    for (int f = 0; f < 4; ++f) sound = sound && k->face[f / 2][f % 2] >= 0.0 && k->face[f / 2][f % 2] <= 1.0;
+    if (sound) return FLOE_OK;
+    return fail(c->ctx, FLOE_RETRY, "a membrane that holds gas crosses itself in cell (%d, %d)", i[0], i[1]);
+}
+
+floe_status cut_find(cut_line *c)
+{
+    const mesh *m = c->mesh;
+    const size_t cells = (size_t)m->n[0] * (size_t)m->n[1];
+    c->n_cells = c->n_pieces = 0;
+    for (size_t k = 0; k < cells; ++k) c->at[k] = CUT_NEW;
+    TRY(walk_all(c));
+    TRY(mark_nodes(c));
+    for (int k = 0; k < c->n_cells; ++k) TRY(finish_cell(c, &c->cell[k]));
+    for (int j = 0; j < m->n[1]; ++j)
+        for (int i = 0; i < m->n[0]; ++i) {
+            int *at = &c->at[cut_index(m, (const int[]){i, j})];
+            if (*at == CUT_NEW) *at = c->node[j * (m->n[0] + 1) + i] ? CUT_HELD : CUT_OUTSIDE;
+        }
+    return FLOE_OK;
+}

@@ -1,0 +1,78 @@
+/* Cells that a membrane cuts: what it leaves of cells and faces to the gas that it holds, exactly.
+ *
+ * The membrane is a line of vertices, straight between them, with the gas that it holds on its left. A walk along it cuts the line
+ * into pieces that lie in one cell each, and notes where it passes through faces. From these passages follow which nodes are held
+ * and what part of each face is; from the faces and the pieces, by Green's theorem, what part of each cell. Nothing is sampled, so
+ * that in every cut cell the areas of open faces and of the membrane close to round-off: even pressure pushes nothing.
+ * About an axis all of it is weighted with the radius. The walk depends on no block and no thread. */
+#ifndef COUPLING_CUT_H
+#define COUPLING_CUT_H
+
+#include "grid/mesh.h"
+
+#include <stddef.h>
+
+/* A vertex of the line, and the material point (by number, 0 first) that moves it and bears its load. */
+typedef struct cut_vertex {
+    double x[2]; /* m */
+    int point;
+} cut_vertex;
+
+/* A piece of the line in one cell. */
+typedef struct cut_piece {
+    int cell;       /* in cut.cell */
+    int vertex[2];  /* its ends lie between these, in the order of the line */
+    double share;   /* of the second vertex in the middle of the piece; 1 - share of the first */
+    double area[2]; /* m2 per metre (per radian): area vector, from the held gas outward */
+} cut_piece;
+
+/* A cell that the line goes through. */
+typedef struct cut_cell {
+    int cell[2];       /* global */
+    double open;       /* share of its volume that is held */
+    double face[2][2]; /* the same of its faces, by axis and side */
+    int jump[2][2];    /* passages of the line through each face, by direction: scratch of the walk */
+} cut_cell;
+
+enum { CUT_HELD = -1, CUT_OUTSIDE = -2 };
+
+typedef struct cut_line {
+    context *ctx;       /* not owned */
+    const mesh *mesh;   /* not owned */
+    cut_vertex *vertex; /* owned; filled by the caller after cut_reserve */
+    int n_vertices;
+    bool closed; /* the last vertex is joined to the first */
+    cut_cell *cell;
+    cut_piece *piece;
+    int n_cells, n_pieces; /* in the order of the line */
+    int *at;               /* of every global cell: its place in `cell`, or CUT_HELD, CUT_OUTSIDE; owned */
+    signed char *node;     /* of every global node: 1 held; owned */
+    size_t room[3];        /* for vertices, cells, pieces */
+} cut_line;
+
+floe_status cut_create(cut_line *c, context *ctx, const mesh *m);
+void cut_destroy(cut_line *c);
+/* Room for n vertices; sets n_vertices. */
+floe_status cut_reserve(cut_line *c, int n);
+/* Finds the cut cells from the vertices. An open line must end on sides of the mesh. FLOE_RETRY where the line crosses itself so
+ * that some gas would lie on both its sides. */
+floe_status cut_find(cut_line *c);
+
+/* Place of a global cell in cut.at and its like. */
+static inline size_t cut_index(const mesh *m, const int cell[2])
+{
+    return (size_t)cell[1] * (size_t)m->n[0] + (size_t)cell[0];
+}
+/* Share of a cell, and of one of its faces, that is held; of the gas outside it is one less that. */
+static inline double cut_open(const cut_line *c, const int cell[2])
+{
+    const int at = c->at[cut_index(c->mesh, cell)];
+    return at >= 0 ? c->cell[at].open : at == CUT_HELD ? 1.0 : 0.0;
+}
+static inline double cut_face(const cut_line *c, const int cell[2], int axis, int side)
+{
+    const int at = c->at[cut_index(c->mesh, cell)];
+    return at >= 0 ? c->cell[at].face[axis][side] : at == CUT_HELD ? 1.0 : 0.0;
+}
+
+#endif

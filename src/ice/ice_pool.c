@@ -1,0 +1,217 @@
+/* Pools of cells: which cells share a state (ice_pool.h). */
+#include "ice/ice_pool.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A cell of which less than this is left to a gas shares a neighbour's state. */
+static const double small_cell = 0.5;
+
+double ice_open_cell(const ice *s, int gas, const cut_line *c, const int cell[2])
+{
+    const double held = cut_open(c, cell);
+    return gas == s->seal.held ? held : 1.0 - held;
+}
+
+double ice_open_face(const ice *s, int gas, const cut_line *c, const int cell[2], int axis, int side)
+{
+    const double held = cut_face(c, cell, axis, side);
+    return gas == s->seal.held ? held : 1.0 - held;
+}
+
+double ice_outward(const ice *s)
+{
+    return s->gas == s->seal.held ? 1.0 : -1.0;
+}
+
+void ice_pools_clear(ice_pools *p)
+{
+    memset(p->sum, 0, (size_t)p->count * POOL_SUMS * sizeof *p->sum);
+}
+
+static floe_status make_room(ice *s, ice_pools *p)
+{
+    if ((size_t)p->n < p->room) return FLOE_OK;
+    const size_t wanted = p->room + p->room / 2 + 64;
+    TRY(memory_resize(s->ctx, &p->member, wanted, sizeof *p->member));
+    TRY(memory_resize(s->ctx, &p->lead, wanted, sizeof *p->lead));
+    TRY(memory_resize(s->ctx, &p->sum, wanted * POOL_SUMS, sizeof *p->sum));
+    p->room = wanted;
+    return FLOE_OK;
+}
+
+static floe_status add_member(ice *s, int gas, const cut_line *c, ice_pools *p, const int cell[2])
+{
+    const mesh *m = s->mesh;
+    int *place = &s->work->sealing->place[cut_index(m, cell)];
+    if (*place >= 0) return FLOE_OK;
+    TRY(make_room(s, p));
+    const int whole[3] = {cell[0], cell[1], 0};
+    ice_member *k = &p->member[p->n];
+    *k = (ice_member){.cell = {cell[0], cell[1]}, .block = mesh_block_of(m, whole), .pool = p->n};
+    const block *b = &m->block[k->block];
+    k->at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
+    k->open = ice_open_cell(s, gas, c, cell);
+    for (int f = 0; f < 4; ++f) k->face[f / 2][f % 2] = ice_open_face(s, gas, c, cell, f / 2, f % 2);
+    *place = p->n++;
+    return FLOE_OK;
+}
+
+static bool inside(const mesh *m, const int cell[2])
+{
+    return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1];
+}
+
+/* The neighbour whose state a cell takes: the one with most room behind a face that is open where the line is at `through`, and
+ * with more than its own. */
+static bool find_neighbour(const ice *s, int gas, const cut_line *c, const cut_line *through, const ice_member *k,
+                           int out[2])
+{
+    double best = 0.0;
+    for (int f = 0; f < 4; ++f) {
+        int cell[2] = {k->cell[0], k->cell[1]};
+        cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
+        if (!inside(s->mesh, cell)) continue;
+        const double open = ice_open_cell(s, gas, c, cell);
+        const double score = open * ice_open_face(s, gas, through, k->cell, f / 2, f % 2);
+        if (!(open > k->open) || !(score > best)) continue;
+        best = score;
+        memcpy(out, cell, sizeof cell);
+    }
+    return best > 0.0;
+}
+
+/* Of a cell that is all covered and has no such neighbour, the roomiest of all around. */
+static bool find_refuge(const ice *s, int gas, const cut_line *c, const ice_member *k, int out[2])
+{
+    double best = 0.0;
+    for (int n = 0; n < 9; ++n) {
+        const int cell[2] = {k->cell[0] + n % 3 - 1, k->cell[1] + n / 3 - 1};
+        if (n == 4 || !inside(s->mesh, cell)) continue;
+        const double open = ice_open_cell(s, gas, c, cell);
+        if (!(open > best)) continue;
+        best = open;
+        memcpy(out, cell, sizeof cell);
+    }
+    return best > 0.0;
+}
+
+/* The member with which another shares its state; itself where it has its own. */
+static floe_status follow(ice *s, int gas, const cut_line *c, const cut_line *other, ice_pools *p, int k)
+{
+    int cell[2];
+    const ice_member *m = &p->member[k];
+    if (m->open >= small_cell) return FLOE_OK;
+    /* A covered cell belongs to whom it flows to or from while it is open, before the step or after it. */
+    const bool covered = m->open == 0.0, found = find_neighbour(s, gas, c, c, m, cell) ||
+                                                 (covered && other && find_neighbour(s, gas, c, other, m, cell)) ||
+                                                 (covered && find_refuge(s, gas, c, m, cell));
+    if (!found) return FLOE_OK;
+    TRY(add_member(s, gas, c, p, cell));
+    p->member[k].pool = s->work->sealing->place[cut_index(s->mesh, cell)];
+    return FLOE_OK;
+}
+
+/* From chains of members to numbered pools. */
+static void number_pools(ice_pools *p)
+{
+    p->count = 0;
+    for (int k = 0; k < p->n; ++k)
+        if (p->member[k].pool == k) p->lead[p->count++] = k;
+    for (int k = 0; k < p->n; ++k) {
+        int root = k;
+        while (p->member[root].pool != root) root = p->member[root].pool;
+        p->sum[k] = root; /* waits here while the chains are needed */
+    }
+    for (int k = 0; k < p->n; ++k) p->member[k].pool = -1 - (int)p->sum[k];
+    for (int n = 0; n < p->count; ++n) p->sum[p->lead[n]] = n;
+    for (int k = 0; k < p->n; ++k) p->member[k].pool = (int)p->sum[-1 - p->member[k].pool];
+}
+
+floe_status ice_pools_make(ice *s, int gas, const cut_line *c, const cut_line *other, ice_pools *out)
+{
+    floe_status status = FLOE_OK;
+    out->n = 0;
+    for (int k = 0; k < c->n_cells && status == FLOE_OK; ++k) status = add_member(s, gas, c, out, c->cell[k].cell);
+    for (int k = 0; other && k < other->n_cells && status == FLOE_OK; ++k)
+        status = add_member(s, gas, c, out, other->cell[k].cell);
+    for (int k = 0; k < out->n && status == FLOE_OK; ++k) status = follow(s, gas, c, other, out, k);
+    for (int k = 0; k < out->n; ++k) s->work->sealing->place[cut_index(s->mesh, out->member[k].cell)] = -1;
+    TRY(status);
+    number_pools(out);
+    return FLOE_OK;
+}
+
+void ice_seal_views(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_make(s, id, &s->work->sealing->view[id]);
+}
+
+/* The state that a gas starts with, of its first body or of the ambient. */
+static floe_status find_rest(ice *s, int gas, fluid_state *out)
+{
+    const scene *given = s->scene;
+    const int material = s->material[gas].scene_material;
+    for (int b = 0; b < given->n_bodies; ++b) {
+        const scene_body *body = &given->body[b];
+        if (body->material != material) continue;
+        return fluid_state_of(s->ctx, &s->material[gas].eos, body->pressure, body->temperature, body->density, out);
+    }
+    return fluid_state_of(s->ctx, &s->material[gas].eos, given->ambient_pressure, given->ambient_temperature, NAN, out);
+}
+
+/* Loads that act on whole cells of gas know nothing of membranes. */
+static floe_status check_loads(const ice *s)
+{
+    for (int l = 0; l < s->scene->n_loads; ++l) {
+        const scene_load *load = &s->scene->load[l];
+        const bool whole = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
+        if (!whole && !(load->kind == LOAD_BODY_FORCE && load->body < 0)) continue;
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "load '%s' acts on gas that a membrane holds, which cells do not take; use mpm, or leave it out",
+                    load->name);
+    }
+    return FLOE_OK;
+}
+
+floe_status ice_seal_create(ice *s)
+{
+    const size_t cells = mesh_cells(s->mesh);
+    TRY(check_loads(s));
+    if (s->scene->method.pressure != PRESSURE_EXPLICIT)
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "beside a membrane that holds gas the pressure is explicit: leave 'method.pressure' out");
+    if (s->conducts || s->scene->driving || s->scene->n_reactions > 0)
+        return fail(s->ctx, FLOE_BAD_INPUT, "gas that a membrane holds neither conducts heat nor reacts nor has sources");
+    if (s->mesh->dim != 2 || s->n_materials > ICE_SEALED_GASES)
+        return fail(s->ctx, FLOE_BAD_INPUT, "a membrane holds gas in two dimensions, between at most %d gases",
+                    ICE_SEALED_GASES);
+    s->seal.held = ice_material_of(s, s->scene->body[scene_holder(s->scene)].membrane.holds);
+    TRY(memory_new(s->ctx, &s->work->sealing, 1, sizeof *s->work->sealing));
+    struct ice_sealing *w = s->work->sealing;
+    TRY(memory_new(s->ctx, &w->place, cells, sizeof *w->place));
+    for (size_t k = 0; k < cells; ++k) w->place[k] = -1;
+    for (int g = 0; g < s->n_materials; ++g) TRY(find_rest(s, g, &w->rest[g]));
+    return memory_new(s->ctx, &w->view, (size_t)s->mesh->n_blocks, sizeof *w->view);
+}
+
+static void free_pools(context *ctx, ice_pools *p)
+{
+    memory_free(ctx, &p->member);
+    memory_free(ctx, &p->lead);
+    memory_free(ctx, &p->sum);
+}
+
+void ice_seal_destroy(context *ctx, struct ice_sealing **w)
+{
+    if (!*w) return;
+    for (int g = 0; g < ICE_SEALED_GASES; ++g) {
+        free_pools(ctx, &(*w)->now[g]);
+        free_pools(ctx, &(*w)->next[g]);
+    }
+    memory_free(ctx, &(*w)->place);
+    memory_free(ctx, &(*w)->view);
+    memory_free(ctx, w);
+}

@@ -1,0 +1,60 @@
+/* Gases that a membrane keeps apart, as the ICE room sees them: pools of cells, and what the step needs of them. Private to the room.
+ *
+ * A cell of which a membrane leaves little to a gas cannot have a state of its own: any flow would empty it. So it shares one
+ * with its largest neighbour behind the same open faces (a pool): what flows, pushes and works on its members is added up and
+ * shared out as one density, velocity and energy. The sums lose nothing, and what a membrane uncovers or covers in a step needs no
+ * more than to join. Pools follow from where the membrane is, and from nothing else. */
+#ifndef ICE_ICE_POOL_H
+#define ICE_ICE_POOL_H
+
+#include "ice/ice_internal.h"
+#include "scene/state.h"
+
+/* A cell that the membrane cuts, or one that shares its state with such. */
+typedef struct ice_member {
+    int cell[2];       /* global */
+    int block, pool;   /* pool: in the set */
+    ptrdiff_t at;      /* index in the block */
+    double open;       /* share left to the gas */
+    double face[2][2]; /* of its faces, by axis and side */
+} ice_member;
+
+enum {
+    POOL_VOLUME,
+    POOL_MASS,
+    POOL_FLUX, /* m3/s out of its open faces and of the membrane */
+    POOL_WORK, /* J */
+    POOL_MOMENTUM,
+    POOL_SUMS = POOL_MOMENTUM + 2
+};
+
+typedef struct ice_pools {
+    ice_member *member; /* owned; those of cut cells first, in the order of cut.cell */
+    int n, count;       /* members, pools */
+    int *lead;          /* of each pool: its largest member; owned */
+    double *sum;        /* POOL_SUMS of each pool; owned */
+    size_t room;
+} ice_pools;
+
+struct ice_sealing {
+    ice_pools now[ICE_SEALED_GASES], next[ICE_SEALED_GASES];
+    int *place;                         /* of every global cell: its member while pools are made, else -1; owned */
+    fluid_state rest[ICE_SEALED_GASES]; /* what stands where a gas is far away */
+    ice_view *view;                     /* of every block, of the gas in hand; owned */
+};
+
+/* Makes the pools of a gas from where the membrane is; cells of `other` (NULL: none) are members too, whatever is left of them. */
+floe_status ice_pools_make(ice *s, int gas, const cut_line *c, const cut_line *other, ice_pools *out);
+/* First states of all gases in what the membrane leaves them. */
+floe_status ice_sealed_fill(ice *s);
+/* Views of the gas in hand, one a block. */
+void ice_seal_views(const ice *s);
+/* Share of a cell, or of one of its faces, that a membrane leaves to a gas. */
+double ice_open_cell(const ice *s, int gas, const cut_line *c, const int cell[2]);
+double ice_open_face(const ice *s, int gas, const cut_line *c, const int cell[2], int axis, int side);
+/* Sets all sums to zero. */
+void ice_pools_clear(ice_pools *p);
+/* +1 where the gas in hand is the one that the membrane holds, -1 outside: which way the membrane's areas point from it. */
+double ice_outward(const ice *s);
+
+#endif

@@ -1,0 +1,237 @@
+/* What pools do in a step (ice_pool.h): the pressure increment of numerics 2.3 and the Lagrangian values of 2.6 and 2.8, for cells
+ * with faces that are partly closed and a wall that moves. The membrane is a wall at the pool's pressure P:
+ *
+ *     dP = -(dt/V) [sum_f A_f u* + sum_w A_w . v] / S                             V, A_f: what is open
+ *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
+ *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the way of the wall in the step
+ *
+ * A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much. */
+#include "ice/ice_pool.h"
+#include "ice/ice_stress.h"
+
+#include <math.h>
+
+/* Area (m2) of the whole lower or upper face of a member's cell. */
+static double area_of(const ice *s, const ice_member *k, int axis, int side)
+{
+    return mesh_face_area(s->mesh, axis, k->cell[0] + (axis == 0 && side == SIDE_UPPER));
+}
+
+static ptrdiff_t face_of(const ice_view *v, const ice_member *k, int axis, int side)
+{
+    return k->at + (side == SIDE_UPPER ? v->b->stride[axis] : 0);
+}
+
+static const ice_view *view_of(const ice *s, const ice_member *k)
+{
+    return &s->work->sealing->view[k->block];
+}
+
+static ice_pools *pools_in_hand(const ice *s)
+{
+    return &s->work->sealing->now[s->gas];
+}
+
+/* Component of a vector of the vertices in the middle of a piece. */
+static double at_middle(const cut_piece *q, const double *vertex, int a)
+{
+    return (1.0 - q->share) * vertex[2 * q->vertex[0] + a] + q->share * vertex[2 * q->vertex[1] + a];
+}
+
+/* The same along the piece's area, outward from the gas in hand. */
+static double along_area(const ice *s, const cut_piece *q, const double *vertex)
+{
+    return ice_outward(s) * (q->area[0] * at_middle(q, vertex, 0) + q->area[1] * at_middle(q, vertex, 1));
+}
+
+/* Force (N) of the gas in hand on a piece: its pressure, and its drag. */
+static void force_on(const ice *s, const ice_member *m, const cut_piece *q, double force[2])
+{
+    const ice_view *v = view_of(s, m);
+    const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->length * hypot(q->area[0], q->area[1]);
+    for (int a = 0; a < 2; ++a)
+        force[a] = ice_outward(s) * v->P[m->at] * q->area[a] +
+                   drag * (v->m[0].u[a][m->at] - at_middle(q, s->seal.velocity, a));
+}
+
+void ice_pool_centring(const ice *s)
+{
+    const ice_pools *p = pools_in_hand(s);
+    ice_seal_views(s);
+    for (int k = 0; k < p->n; ++k) view_of(s, &p->member[k])->shock[p->member[k].at] = 1.0;
+}
+
+static void add_fluxes(const ice *s, ice_pools *p)
+{
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_view *v = view_of(s, m);
+        double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        sum[POOL_VOLUME] += m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        for (int f = 0; f < 4; ++f) {
+            const int axis = f / 2, side = f % 2;
+            const double out = side == SIDE_UPPER ? 1.0 : -1.0;
+            sum[POOL_FLUX] +=
+                out * m->face[axis][side] * area_of(s, m, axis, side) * v->flux[axis][face_of(v, m, axis, side)];
+        }
+    }
+    for (int n = 0; n < s->seal.now->n_pieces; ++n) {
+        const cut_piece *q = &s->seal.now->piece[n];
+        p->sum[(size_t)p->member[q->cell].pool * POOL_SUMS + POOL_FLUX] += along_area(s, q, s->seal.velocity);
+    }
+}
+
+void ice_pool_increment(const ice *s)
+{
+    ice_pools *p = pools_in_hand(s);
+    ice_seal_views(s);
+    ice_pools_clear(p);
+    add_fluxes(s, p);
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->pool]];
+        const ice_view *v = view_of(s, m), *of = view_of(s, lead);
+        const double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        const double rho = of->m[0].rho[lead->at], c = of->m[0].c[lead->at];
+        const double div = sum[POOL_VOLUME] > 0.0 ? sum[POOL_FLUX] / sum[POOL_VOLUME] : 0.0;
+        const double squeeze = div < 0.0 ? -v->length * div : 0.0, dP = -s->dt * div * rho * c * c;
+        v->dP[m->at] = dP;
+        v->P[m->at] = of->p[lead->at] + dP + ice_bulk_pressure(rho, c, squeeze, 1.0);
+    }
+}
+
+/* Impulse and work of the faces of a member on its pool. */
+static void add_faces(const ice *s, const ice_member *m, double *sum)
+{
+    const ice_view *v = view_of(s, m);
+    const double P = v->P[m->at];
+    for (int f = 0; f < 4; ++f) {
+        const int axis = f / 2, side = f % 2;
+        const ptrdiff_t at = face_of(v, m, axis, side);
+        const double area = (side == SIDE_UPPER ? s->dt : -s->dt) * area_of(s, m, axis, side);
+        sum[POOL_MOMENTUM + axis] -= area * m->face[axis][side] * (v->fp[axis][at] - P);
+        sum[POOL_WORK] -= area * v->flux[axis][at] * v->fp[axis][at]; /* the flux is of the open part by now */
+        if (!s->viscous || !(m->face[axis][side] > 0.0)) continue;
+        const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
+        const face_diffusion t = ice_sealed_stress(s, v, axis, at, i);
+        for (int a = 0; a < 2; ++a) sum[POOL_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
+        sum[POOL_WORK] += area * m->face[axis][side] * t.power;
+    }
+}
+
+static void add_sources(const ice *s, ice_pools *p)
+{
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        sum[POOL_MASS] += view_of(s, m)->m[0].rho[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        add_faces(s, m, sum);
+    }
+    for (int n = 0; n < s->seal.now->n_pieces; ++n) {
+        const cut_piece *q = &s->seal.now->piece[n];
+        const ice_member *m = &p->member[q->cell];
+        double *sum = p->sum + (size_t)m->pool * POOL_SUMS, force[2];
+        force_on(s, m, q, force);
+        for (int a = 0; a < 2; ++a) {
+            const double drag = force[a] - ice_outward(s) * view_of(s, m)->P[m->at] * q->area[a];
+            sum[POOL_MOMENTUM + a] -= s->dt * drag;
+            sum[POOL_WORK] -= force[a] * at_middle(q, s->seal.path, a);
+        }
+    }
+}
+
+/* Lagrangian velocity and energy of a pool. Where too little energy would be left, it has what compression gives (2.7), and the
+ * rest is a defect. */
+typedef struct pool_state {
+    double u[2], e;
+} pool_state;
+
+static pool_state advance(const ice *s, const ice_pools *p, int pool)
+{
+    const ice_member *lead = &p->member[p->lead[pool]];
+    const ice_view *v = view_of(s, lead);
+    const ice_arrays *m = &v->m[0];
+    const double *sum = p->sum + (size_t)pool * POOL_SUMS, mass = sum[POOL_MASS], floor = s->work->energy_floor[s->gas];
+    pool_state out = {{m->u[0][lead->at], m->u[1][lead->at]}, m->e[lead->at]};
+    if (!(mass > 0.0)) return out;
+    double gain = 0.0, kinetic = 0.0;
+    for (int a = 0; a < 2; ++a) {
+        const double du = sum[POOL_MOMENTUM + a] / mass, u = out.u[a];
+        out.u[a] += du;
+        gain += du * 0.5 * (u + out.u[a]);
+        kinetic += 0.5 * out.u[a] * out.u[a];
+    }
+    const double rho = m->rho[lead->at], c = m->c[lead->at], before = out.e;
+    const double conserving = before + sum[POOL_WORK] / mass - gain;
+    const double plain = before + v->P[lead->at] * v->dP[lead->at] / (rho * rho * c * c);
+    const bool usable =
+        s->scene->method.conserve_energy && conserving - (isnan(floor) ? 0.0 : floor) > ICE_THERMAL_SHARE * kinetic;
+    out.e = usable ? conserving : plain;
+    if (!usable) {
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DEFECT, mass * (plain - conserving));
+        ledger_tally(s->ledger, COUNT_ENERGY_GUARDS, 1);
+    }
+    return out;
+}
+
+/* Where the gas is not, nothing moves. */
+static void still_elsewhere(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->work->sealing->view[id];
+        const ice_arrays *m = &v->m[0];
+        const ice_rows q = ice_rows_of(v->b, -1, 0);
+#pragma omp parallel for schedule(static)
+        for (int row = 0; row < q.n; ++row) {
+            const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+            for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+                if (m->open[at] > 0.0) continue;
+                for (int a = 0; a < 2; ++a) m->ul[a][at] = m->u[a][at];
+                m->el[at] = m->e[at];
+            }
+        }
+    }
+}
+
+void ice_pool_sources(const ice *s)
+{
+    ice_pools *p = pools_in_hand(s);
+    ice_seal_views(s);
+    still_elsewhere(s);
+    ice_pools_clear(p);
+    add_sources(s, p);
+    for (int pool = 0; pool < p->count; ++pool) {
+        const pool_state now = advance(s, p, pool);
+        double *sum = p->sum + (size_t)pool * POOL_SUMS;
+        for (int a = 0; a < 2; ++a) sum[POOL_MOMENTUM + a] = now.u[a];
+        sum[POOL_WORK] = now.e;
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_arrays *to = &view_of(s, m)->m[0];
+        const double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        for (int a = 0; a < 2; ++a) to->ul[a][m->at] = sum[POOL_MOMENTUM + a];
+        to->el[m->at] = sum[POOL_WORK];
+    }
+}
+
+floe_status ice_sealed_load(ice *s)
+{
+    const cut_line *c = s->seal.now;
+    for (int k = 0; k < 2 * c->n_vertices; ++k) s->seal.force[k] = 0.0;
+    for (s->gas = 0; s->gas < s->n_materials; ++s->gas) {
+        const ice_pools *p = pools_in_hand(s);
+        ice_seal_views(s);
+        for (int n = 0; n < c->n_pieces; ++n) {
+            const cut_piece *q = &c->piece[n];
+            const ice_member *m = &p->member[q->cell];
+            double force[2];
+            force_on(s, m, q, force);
+            for (int a = 0; a < 2; ++a) {
+                s->seal.force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
+                s->seal.force[2 * q->vertex[1] + a] += force[a] * q->share;
+            }
+        }
+    }
+    s->gas = -1;
+    return FLOE_OK;
+}

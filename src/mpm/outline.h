@@ -1,0 +1,17 @@
+/* A membrane that holds gas of the cells, as the line that cuts them: where it is, how it moves, and what the gas pushes on it. */
+#ifndef MPM_OUTLINE_H
+#define MPM_OUTLINE_H
+
+#include "coupling/cut.h"
+#include "mpm/mpm.h"
+
+/* Vertices of a membrane from its points, now or next; an end on a mirror goes on to it. FLOE_DIVERGED where a point is lost. */
+floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out);
+/* Velocities (m/s) of its vertices, two numbers each. */
+void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity);
+/* Forces (N) on the vertices, two numbers each, for the step to come. They are kept until the next call. */
+floe_status mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force);
+/* The way (m) over which these forces have worked in the step: that of the nodes, in the mean of its start and its end. */
+void mpm_outline_path(const mpm *s, const cut_line *c, double *path);
+
+#endif

@@ -1,0 +1,103 @@
+#include "sim/sealed.h"
+
+#include "base/memory.h"
+#include "mpm/outline.h"
+
+/* Cells see the membrane, and no other body: another may stand in the vacuum beyond it, not in a gas. */
+static floe_status check_scene(const sim *s)
+{
+    const bool vacuum = s->ice->n_materials == 1;
+    if (s->mesh.dim != 2 || s->mesh.geometry != MESH_CARTESIAN || s->mesh.periodic[0] || s->mesh.periodic[1])
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "a membrane that holds gas needs a plane domain without periodic sides (use mpm for others)");
+    for (int b = 0; b < s->scene->n_bodies && !vacuum; ++b) {
+        const scene_material *m = &s->scene->material[s->scene->body[b].material];
+        if (m->kind == MATERIAL_FLUID || b == scene_holder(s->scene)) continue;
+        return fail(
+            s->ctx, FLOE_BAD_INPUT,
+            "body '%s' stands in the gas beside a membrane that holds one, where cells do not see it; leave the "
+            "outer gas out, or use mpm",
+            s->scene->body[b].name);
+    }
+    return FLOE_OK;
+}
+
+floe_status sealed_create(sealed **out, sim *s)
+{
+    TRY(check_scene(s));
+    TRY(memory_new(s->ctx, out, 1, sizeof **out));
+    sealed *t = *out;
+    *t = (sealed){.ctx = s->ctx, .stages = &s->stages, .points = s->mpm, .gases = s->ice};
+    for (int b = 0; b < s->mpm->n_bodies; ++b)
+        if (s->mpm->body[b].scene_body == scene_holder(s->scene)) t->body = b;
+    TRY(cut_create(&t->now, s->ctx, &s->mesh));
+    return cut_create(&t->next, s->ctx, &s->mesh);
+}
+
+void sealed_destroy(sealed **t)
+{
+    if (!t || !*t) return;
+    context *ctx = (*t)->ctx;
+    cut_destroy(&(*t)->now);
+    cut_destroy(&(*t)->next);
+    memory_free(ctx, &(*t)->velocity);
+    memory_free(ctx, &(*t)->path);
+    memory_free(ctx, &(*t)->force);
+    memory_free(ctx, t);
+}
+
+static floe_status make_room(sealed *t, int vertices)
+{
+    if (vertices <= t->room) return FLOE_OK;
+    TRY(memory_resize(t->ctx, &t->velocity, 2 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &t->path, 2 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &t->force, 2 * (size_t)vertices, sizeof(double)));
+    t->room = vertices;
+    return FLOE_OK;
+}
+
+/* The membrane where it is: what it cuts, and how fast it moves. */
+static floe_status sealed_find_now(sealed *t)
+{
+    TRY(mpm_outline(t->points, t->body, false, &t->now));
+    TRY(cut_find(&t->now));
+    TRY(make_room(t, t->now.n_vertices));
+    mpm_outline_velocity(t->points, t->body, &t->now, t->velocity);
+    t->gases->seal = (ice_seal){.held = t->gases->seal.held,
+                                .now = &t->now,
+                                .next = &t->next,
+                                .velocity = t->velocity,
+                                .path = t->path,
+                                .force = t->force};
+    return FLOE_OK;
+}
+
+static floe_status sealed_push_points(sealed *t)
+{
+    return mpm_outline_push(t->points, t->body, &t->now, t->force);
+}
+
+/* Where the points have gone, and over which way the pressure has worked. */
+static floe_status sealed_find_next(sealed *t)
+{
+    mpm_outline_path(t->points, &t->now, t->path);
+    TRY(mpm_outline(t->points, t->body, true, &t->next));
+    return cut_find(&t->next);
+}
+
+floe_status sealed_initialise(sim *s)
+{
+    TRY(sealed_find_now(s->sealed));
+    return ice_sealed_initialise(s->ice);
+}
+
+floe_status sealed_step(sim *s)
+{
+    sealed *t = s->sealed;
+    STAGE(t, ALWAYS, sealed_find_now, READS(P_ID, P_POS, P_VEL), WRITES(NOTHING));
+    TRY(ice_sealed_pressure_stages(s->ice));
+    STAGE(t, ALWAYS, sealed_push_points, READS(P_POS), WRITES(NOTHING));
+    TRY(mpm_step(s->mpm));
+    STAGE(t, ALWAYS, sealed_find_next, READS(P_ID, P_POS, N_VEL_L, N_ACCEL), WRITES(NOTHING));
+    return ice_sealed_flow_stages(s->ice);
+}

@@ -1,0 +1,170 @@
+/* Cells that a line cuts: shares add up to what the line encloses, every cell's areas close, degenerate lines are no exception. */
+#include "check.h"
+
+#include "coupling/cut.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+static void make_mesh(mesh *m, context *ctx, mesh_geometry geometry, double h)
+{
+    const mesh_spec spec = {.dim = 2, .geometry = geometry, .upper = {1.0, 1.0}, .cell = {h, h}};
+    check_ok(ctx, mesh_init(m, ctx, &spec));
+}
+
+static void arc(cut_line *c, context *ctx, int n, double radius, double from, double to, const double centre[2])
+{
+    check_ok(ctx, cut_reserve(c, n));
+    for (int k = 0; k < n; ++k) {
+        const double angle = from + (to - from) * k / (c->closed ? n : n - 1);
+        c->vertex[k] = (cut_vertex){{centre[0] + radius * cos(angle), centre[1] + radius * sin(angle)}, k};
+    }
+}
+
+/* What a closed polygon encloses, per metre of depth or per radian; an open line is closed along the sides through `corner`. */
+static double enclosed(const cut_line *c, const double corner[2])
+{
+    const bool radial = c->mesh->geometry == MESH_AXISYMMETRIC;
+    double sum = 0.0;
+    for (int k = 0; k < c->n_vertices + !c->closed; ++k) {
+        const double *a = k < c->n_vertices ? c->vertex[k].x : corner;
+        const double *b = k + 1 < c->n_vertices             ? c->vertex[k + 1].x
+                          : c->closed || k == c->n_vertices ? c->vertex[0].x
+                                                            : corner;
+        const double mean = radial ? (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) / 6.0 : 0.5 * (a[0] + b[0]);
+        sum += mean * (b[1] - a[1]);
+    }
+    return sum;
+}
+
+static double held(const cut_line *c)
+{
+    double sum = 0.0;
+    for (int j = 0; j < c->mesh->n[1]; ++j)
+        for (int i = 0; i < c->mesh->n[0]; ++i) sum += cut_open(c, (const int[]){i, j}) * mesh_cell_volume(c->mesh, i);
+    return sum;
+}
+
+/* Axial areas of the open faces and of the pieces of each cell add up to nothing; in the plane the others too. */
+static void check_closed(const cut_line *c)
+{
+    const bool radial = c->mesh->geometry == MESH_AXISYMMETRIC;
+    for (int k = 0; k < c->n_cells; ++k) {
+        const cut_cell *cell = &c->cell[k];
+        double sum[2] = {0.0, 0.0};
+        for (int f = 0; f < 4; ++f)
+            sum[f / 2] += (f % 2 ? 1.0 : -1.0) * cell->face[f / 2][f % 2] *
+                          mesh_face_area(c->mesh, f / 2, cell->cell[0] + (f == SIDE_UPPER));
+        for (int n = 0; n < c->n_pieces; ++n)
+            for (int a = 0; a < 2 && c->piece[n].cell == k; ++a) sum[a] += c->piece[n].area[a];
+        if (!radial) check_close(sum[0], 0.0, 1e-15);
+        check_close(sum[1], 0.0, 1e-15);
+    }
+}
+
+static void check_line(cut_line *c, context *ctx, const double corner[2])
+{
+    check_ok(ctx, cut_find(c));
+    check_close(held(c), enclosed(c, corner), 1e-14);
+    check_closed(c);
+    for (int j = 0; j < c->mesh->n[1]; ++j)
+        for (int i = 0; i + 1 < c->mesh->n[0]; ++i) /* both cells see the same face */
+            check_close(cut_face(c, (const int[]){i, j}, 0, SIDE_UPPER),
+                        cut_face(c, (const int[]){i + 1, j}, 0, SIDE_LOWER), 0.0);
+}
+
+/* A quarter circle from side to side, plane and about an axis, coarse and fine: 7 vertices and 400. */
+static void test_quarter(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    const mesh_geometry geometry[] = {MESH_CARTESIAN, MESH_AXISYMMETRIC};
+    const int vertices[] = {7, 400};
+    for (int g = 0; g < 2; ++g)
+        for (int n = 0; n < 2; ++n) {
+            mesh m;
+            cut_line c;
+            make_mesh(&m, ctx, geometry[g], 0.1);
+            check_ok(ctx, cut_create(&c, ctx, &m));
+            arc(&c, ctx, vertices[n], 0.57, 0.0, 0.5 * pi, (const double[]){0.0, 0.0});
+            c.vertex[vertices[n] - 1].x[0] = 0.0;
+            check_line(&c, ctx, (const double[]){0.0, 0.0});
+            cut_destroy(&c);
+        }
+    context_destroy(&ctx);
+}
+
+/* Closed lines: inside one cell, around many, and the other way round, which holds what is outside. */
+static void test_closed(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    mesh m;
+    cut_line c;
+    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
+    check_ok(ctx, cut_create(&c, ctx, &m));
+    c.closed = true;
+    const double centre[] = {0.451, 0.552};
+    arc(&c, ctx, 90, 0.33, 0.0, 2.0 * pi, centre);
+    check_line(&c, ctx, centre);
+    arc(&c, ctx, 20, 0.03, 0.0, 2.0 * pi, centre);
+    check_line(&c, ctx, centre);
+    arc(&c, ctx, 90, 0.33, 0.0, -2.0 * pi, centre);
+    check_ok(ctx, cut_find(&c));
+    check_close(held(&c), 1.0 + enclosed(&c, centre), 1e-14);
+    check_closed(&c);
+    cut_destroy(&c);
+    context_destroy(&ctx);
+}
+
+/* A line along a side of cells, on it but for round-off, and one through nodes. */
+static void test_on_the_mesh(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    mesh m;
+    cut_line c;
+    make_mesh(&m, ctx, MESH_CARTESIAN, 0.125);
+    check_ok(ctx, cut_create(&c, ctx, &m));
+    for (int kind = 0; kind < 3; ++kind) {
+        check_ok(ctx, cut_reserve(&c, 9));
+        for (int k = 0; k < 9; ++k) {
+            const double y = 0.125 * k, wiggle = kind == 1 ? (k % 3 - 1) * 1e-16 : 0.0;
+            c.vertex[k] = (cut_vertex){{kind == 2 ? 1.0 - y : 0.5 + wiggle, y}, k};
+        }
+        check_ok(ctx, cut_find(&c));
+        check_close(held(&c), 0.5, 1e-14);
+        check_closed(&c);
+        check_close(cut_open(&c, (const int[]){0, 0}), 1.0, 0.0);
+        check_close(cut_open(&c, (const int[]){7, 7}), 0.0, 0.0);
+    }
+    cut_destroy(&c);
+    context_destroy(&ctx);
+}
+
+static void test_refused(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    mesh m;
+    cut_line c;
+    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
+    check_ok(ctx, cut_create(&c, ctx, &m));
+    arc(&c, ctx, 9, 0.3, 0.0, 1.0, (const double[]){0.0, 0.0}); /* ends inside */
+    check_fails(ctx, cut_find(&c), FLOE_BAD_INPUT);
+    const double eight[4][2] = {{0.25, 0.25}, {0.75, 0.75}, {0.25, 0.75}, {0.75, 0.25}};
+    check_ok(ctx, cut_reserve(&c, 4));
+    for (int k = 0; k < 4; ++k) c.vertex[k] = (cut_vertex){{eight[k][0], eight[k][1]}, k};
+    c.closed = true;
+    check_fails(ctx, cut_find(&c), FLOE_RETRY);
+    cut_destroy(&c);
+    context_destroy(&ctx);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_quarter), cmocka_unit_test(test_closed),
+                                       cmocka_unit_test(test_on_the_mesh), cmocka_unit_test(test_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
