@@ -229,8 +229,6 @@ double spring_rate(const mpm *s, const char **name);
 floe_status start_push(mpm *s);
 void free_push(context *ctx, membrane_push *p);
 void scatter_push(mpm *s, int group);
-/* Share of a node's velocity that damping leaves in the step. */
-double damping_left(const mpm *s);
 
 /* Supports (support.c): the nodes that they hold, and their velocity. */
 floe_status start_supports(mpm *s);
