@@ -184,7 +184,8 @@ floe_status ice_seal_create(ice *s)
         return fail(s->ctx, FLOE_BAD_INPUT,
                     "beside a membrane that holds gas the pressure is explicit: leave 'method.pressure' out");
     if (s->conducts || s->scene->driving || s->scene->n_reactions > 0)
-        return fail(s->ctx, FLOE_BAD_INPUT, "gas that a membrane holds neither conducts heat nor reacts nor has sources");
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "gas that a membrane holds neither conducts heat nor reacts nor has sources");
     if (s->mesh->dim != 2 || s->n_materials > ICE_SEALED_GASES)
         return fail(s->ctx, FLOE_BAD_INPUT, "a membrane holds gas in two dimensions, between at most %d gases",
                     ICE_SEALED_GASES);
