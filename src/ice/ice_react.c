@@ -33,7 +33,7 @@ floe_status ice_reactions_resolve(ice *s)
         return fail(s->ctx, FLOE_BAD_INPUT,
                     "reactions make pressure in the explicit step alone: set method.pressure to "
                     "explicit");
-    TRY(memory_new(s->ctx, &all->solver, (size_t)s->work->threads, sizeof *all->solver));
+    TRY(memory_new(s->ctx, &all->solver, (size_t)s->work->threads, sizeof(reaction_solver *)));
     for (int t = 0; t < s->work->threads; ++t) TRY(reaction_create(&all->solver[t], s->ctx, all->n, all->list));
     return FLOE_OK;
 }
