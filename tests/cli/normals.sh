@@ -60,6 +60,8 @@ while read -r name; do
         -o "out-$name" --quiet </dev/null || fault "no run with $name"
     if [ "$name" != connectivity ]; then has "out-$name/summary.json" '"mpm_membrane_normals":'; fi
 done <names
+"$FLOE" plan "$FLOE_SOURCE/inputs/membrane_circle.yaml" --json >plan.json
+if grep -q P_NORMAL plan.json; then fault 'connections hold normals'; fi
 if grep -q mpm_membrane_normals out-connectivity/summary.json; then fault 'connections pay for normals'; fi
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/membrane_circle.yaml" --set bodies.skin.membrane.normals=nearest
 has stderr "unknown way to make normals 'nearest'"

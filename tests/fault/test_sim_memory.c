@@ -9,6 +9,12 @@ static const deck_variant variants[] = {
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
     {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.1", "method.pressure=implicit"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},
+    {"unconnected membrane",
+     "membrane_circle",
+     COUPLING_MPM,
+     1,
+     3,
+     {"domain.cell=0.25", "bodies.gas.points=2", "bodies.skin.membrane.normals=colour_cubic"}},
 };
 
 static uint64_t live(const trial *t)
