@@ -51,7 +51,7 @@ normals_elements() {
         FILENAME ~ /cubic/ { p = $1 == "c = 2" ? "1" : "32, rms 5" }
         FILENAME ~ /space/ { p = $1 == "sphere" && $3 == 1 ? "13, norm / N 3" : "0" }
         FILENAME ~ /thesis/ { p = $1 == "45 degrees" ? "0" : $1 == "80 degrees" ? "0.01 mean" : $1 ~ /^xy/ ? "0 (5 digits)" : $1 == "circle 0.4" ? "several" : "figure" }
-        { d = $3 == 1 ? "linear" : $3 == 2 ? "quadratic" : "none"
+        { d = $3 == 1 ? "linear" : $3 == 2 ? "quadratic" : "-"
           printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, d, $4, $5, $6, $7, $8, $9, p }' \
         "$runs"/{arcs,cubic,space,thesis}.csv >>"$page"
     write '' 'One point on one axis (S00 figures 1 and 8): with the point off it the gradient has a sign and the normal length one. Of the solutions of least norm' \
@@ -138,7 +138,7 @@ normals_cost() {
 
 normals_circle() {
     local m p reference
-    write '' '## Slack circular membrane (S00 figures 12 and 13)' '' '`inputs/membrane_circle.yaml`: the rest pressure with its damping; the plot without damping, as published (in figures only).' '' \
+    write '' '## Slack circular membrane (S00 figures 12 and 13)' '' '`inputs/membrane_circle.yaml`: the rest pressure with its damping; the plot without damping, as published (in figures only). Strain by its rate, as in the papers.' '' \
         '| normals | rest pressure | off connectivity | microseconds a membrane point and step |' '|---|---|---|---|'
     for m in connectivity isosurface quadric; do
         floe_run "circle-free-$m" inputs/membrane_circle.yaml --set "bodies.skin.membrane.normals=$m" "${by_rate[@]}" --set damping=null --set time.end=0.05
@@ -186,7 +186,7 @@ lost() {
 
 normals_bone() {
     local m p reference folder
-    write '' '## Dog-bone on a mesh of 10 x 10 (S00 figures 14 and 15)' '' '`inputs/membrane_dogbone.yaml` with cells of 0.2 in a box of 2, 100 points on the membrane, viscosity 0.2, to t = 4. The gas does not come to rest' \
+    write '' '## Dog-bone on a mesh of 10 x 10 (S00 figures 14 and 15)' '' '`inputs/membrane_dogbone.yaml` with cells of 0.2 in a box of 2, 100 points on the membrane, viscosity 0.2, strain by its rate and MUSL, to t = 4. The gas does not come to rest' \
         'by then: pressure is the mean from t = 1 on, with the standard deviation of its swings, which bounds how much a difference says.' '' \
         '| normals | pressure | off connectivity | energy lost |' '|---|---|---|---|'
     for m in connectivity isosurface quadric '{quadric: {spread: 2}}'; do
