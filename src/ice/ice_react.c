@@ -29,10 +29,6 @@ floe_status ice_reactions_resolve(ice *s)
     ice_reactions *all = &s->work->reactions;
     for (int k = 0; k < s->scene->n_reactions; ++k) TRY(resolve_one(s, &s->scene->reaction[k]));
     if (all->n == 0) return FLOE_OK;
-    if (s->scene->method.pressure != PRESSURE_EXPLICIT)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "reactions make pressure in the explicit step alone: set method.pressure to "
-                    "explicit");
     TRY(memory_new(s->ctx, &all->solver, (size_t)s->work->threads, sizeof(reaction_solver *)));
     for (int t = 0; t < s->work->threads; ++t) TRY(reaction_create(&all->solver[t], s->ctx, all->n, all->list));
     return FLOE_OK;

@@ -138,48 +138,94 @@ void level_complete(level *l)
     }
 }
 
-/* Rows of the coarse level go to rows of the fine one: along axis 0 pairs lie side by side in a row, along others in two rows. */
+/* ---- transfer: along axis 0 the cells of a pair lie side by side in a row, along others in two rows ---- */
+
+static void restrict_along(const level *l, const double *restrict r, double *restrict b, ptrdiff_t from, int pairs)
+{
+    const double *restrict share = l->share;
+    const bool left = l->grid.n[0] % 2 != 0;
+    for (int i = 0; i < pairs - left; ++i) {
+        const ptrdiff_t at = from + 2 * i;
+        b[i] = (1.0 - share[at]) * r[at] + share[at - 1] * r[at - 1] + share[at + 2] * r[at + 2] +
+               (1.0 - share[at + 1]) * r[at + 1];
+    }
+    if (!left) return;
+    const ptrdiff_t at = from + 2 * (pairs - 1);
+    b[pairs - 1] = (1.0 - share[at]) * r[at] + share[at - 1] * r[at - 1] + share[at + 1] * r[at + 1];
+}
+
+static void restrict_across(const level *l, const double *restrict r, double *restrict b, ptrdiff_t from, bool two)
+{
+    const double *restrict share = l->share;
+    const ptrdiff_t s = l->grid.stride[l->axis], n = l->grid.n[0], beyond = two ? 2 * s : s;
+#pragma omp simd
+    for (ptrdiff_t i = 0; i < n; ++i) {
+        const ptrdiff_t at = from + i;
+        b[i] = (1.0 - share[at]) * r[at] + share[at - s] * r[at - s] + share[at + beyond] * r[at + beyond];
+    }
+    if (!two) return;
+#pragma omp simd
+    for (ptrdiff_t i = 0; i < n; ++i) b[i] += (1.0 - share[from + i + s]) * r[from + i + s];
+}
+
 void level_restrict(const level *l, double *r, const level *coarse)
 {
     const solve_grid *g = &l->grid, *h = &coarse->grid;
-    const ptrdiff_t s = g->stride[l->axis];
-    const int n = g->n[l->axis];
-    const double *share = l->share;
     solve_fill_periodic(g, r);
 #pragma omp parallel for schedule(static) if (solve_is_large(h))
     for (int row = 0; row < solve_rows(h); ++row) {
         int cell[MESH_MAX_DIM] = {0, row % h->n[1], row / h->n[1]};
-        const ptrdiff_t to = solve_row(h, row);
-        cell[l->axis] *= 2;
-        const ptrdiff_t from = solve_index(g, cell[0], cell[1], cell[2]), step = l->axis == 0 ? 2 : 1;
-        for (int i = 0; i < h->n[0]; ++i) {
-            const ptrdiff_t at = from + i * step;
-            const int first = l->axis == 0 ? 2 * i : cell[l->axis];
-            const ptrdiff_t last = first + 1 < n ? at + s : at;
-            double sum = (1.0 - share[at]) * r[at] + share[at - s] * r[at - s] + share[last + s] * r[last + s];
-            if (last != at) sum += (1.0 - share[last]) * r[last];
-            coarse->b[to + i] = sum;
-        }
+        double *b = coarse->b + solve_row(h, row);
+        if (l->axis > 0) cell[l->axis] *= 2;
+        const ptrdiff_t from = solve_index(g, 0, cell[1], cell[2]);
+        if (l->axis == 0)
+            restrict_along(l, r, b, from, h->n[0]);
+        else
+            restrict_across(l, r, b, from, cell[l->axis] + 1 < g->n[l->axis]);
     }
+}
+
+/* A fine cell's part of the correction; nothing where it takes no part. */
+FLOE_ALWAYS_INLINE double correction(const level *l, ptrdiff_t at, double own, double beyond)
+{
+    const double value = own + l->share[at] * (beyond - own);
+    return l->inverse[at] > 0.0 ? value : 0.0;
+}
+
+static void prolong_along(const level *l, double *restrict x, const double *restrict from, ptrdiff_t at, double keep)
+{
+    const int n = l->grid.n[0];
+    for (int i = 0; i < n / 2; ++i) {
+        const ptrdiff_t first = at + 2 * i;
+        x[first] = keep * x[first] + correction(l, first, from[i], from[i - 1]);
+        x[first + 1] = keep * x[first + 1] + correction(l, first + 1, from[i], from[i + 1]);
+    }
+    if (n % 2) x[at + n - 1] = keep * x[at + n - 1] + correction(l, at + n - 1, from[n / 2], from[n / 2 - 1]);
+}
+
+static void prolong_across(const level *l, double *restrict x, const double *restrict from, ptrdiff_t at,
+                           ptrdiff_t beyond, double keep)
+{
+    const ptrdiff_t n = l->grid.n[0];
+#pragma omp simd
+    for (ptrdiff_t i = 0; i < n; ++i) x[at + i] = keep * x[at + i] + correction(l, at + i, from[i], from[i + beyond]);
 }
 
 void level_prolong(const level *l, double *x, const level *coarse, double *from, bool fresh)
 {
     const solve_grid *g = &l->grid, *h = &coarse->grid;
-    const ptrdiff_t t = h->stride[l->axis];
     const double keep = fresh ? 0.0 : 1.0;
     solve_fill_periodic(h, from);
 #pragma omp parallel for schedule(static) if (solve_is_large(g))
     for (int row = 0; row < solve_rows(g); ++row) {
         int cell[MESH_MAX_DIM] = {0, row % g->n[1], row / g->n[1]};
-        const ptrdiff_t at = solve_row(g, row), odd = cell[l->axis] % 2;
+        const ptrdiff_t at = solve_row(g, row), t = h->stride[l->axis];
+        const bool second = cell[l->axis] % 2;
         cell[l->axis] /= 2;
-        const ptrdiff_t own = solve_index(h, cell[0], cell[1], cell[2]);
-        for (int i = 0; i < g->n[0]; ++i) {
-            const ptrdiff_t mine = l->axis == 0 ? own + i / 2 : own + i, second = l->axis == 0 ? i % 2 : odd;
-            const double value = from[mine], beyond = from[second ? mine + t : mine - t], share = l->share[at + i];
-            const double part = l->inverse[at + i] > 0.0 ? 1.0 : 0.0;
-            x[at + i] = keep * x[at + i] + part * (value + share * (beyond - value));
-        }
+        const double *own = from + solve_index(h, cell[0], cell[1], cell[2]);
+        if (l->axis == 0)
+            prolong_along(l, x, own, at, keep);
+        else
+            prolong_across(l, x, own, at, second ? t : -t, keep);
     }
 }
