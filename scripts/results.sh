@@ -5,6 +5,7 @@
 #   sod           Sod's shock tube by cells and by points
 #   shocks        Riemann problems, interfaces and blasts against exact solutions
 #   waves         orders on smooth flow and on a vibrating bar
+#   transport     viscosity, conduction, walls and open sides of the cells; the lid-driven cavity
 #   conservation  what must stay as it is: free stream, closed box, column at rest
 #   exchange      momentum, heat and mass between materials, slip
 #   implicit      the implicit pressure beside the explicit step, at acoustic CFL of 10, 100, 1000
@@ -39,19 +40,19 @@ write_index() {
     printf '# Results\n\n*Written by `scripts/results.sh`; do not edit.*\n\n' >"$page"
     write 'From runs that anyone can repeat: `scripts/results.sh`, or `scripts/results.sh NAME` for one page. Bars were set before anything' \
         'was measured.' '' '| page | |' '|---|---|'
-    for file in a1 studies sod shocks waves conservation exchange implicit stability contact normals membrane-rest ball-net airbag speed york-points york-membranes gallery; do
+    for file in a1 studies sod shocks waves transport conservation exchange implicit stability contact normals membrane-rest ball-net airbag speed york-points york-membranes gallery; do
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
     write '' '| page | what | measured | bar | |' '|---|---|---|---|---|'
-    for file in a1 studies sod shocks waves conservation exchange implicit stability contact normals membrane-rest ball-net airbag speed; do
+    for file in a1 studies sod shocks waves transport conservation exchange implicit stability contact normals membrane-rest ball-net airbag speed; do
         awk -v name=$file 'index($0, name ",\"") == 1 { rest = substr($0, length(name) + 3); q = index(rest, "\",")
             split(substr(rest, q + 2), f, ","); printf "| [%s](%s.md) | %s | %s | %s | %s |\n", name, name, substr(rest, 1, q - 1), f[1], f[2],
             f[3] == "met" ? "met" : "**missed**" }' "$bars" >>"$page"
     done
 }
 
-all=(a1 sod shocks waves conservation exchange implicit stability contact normals membrane-rest ball-net airbag speed studies picture gallery)
+all=(a1 sod shocks waves transport conservation exchange implicit stability contact normals membrane-rest ball-net airbag speed studies picture gallery)
 [ $# -gt 0 ] || set -- "${all[@]}"
 for wanted in "$@"; do
     [[ " ${all[*]} " == *" $wanted "* ]] || {

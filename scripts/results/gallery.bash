@@ -24,6 +24,7 @@ declare -A gallery=(
     [heat_wave]='|-c density_gas|density'
     [hydrostatic_column]='||pressure'
     [isentropic_vortex]='|-c density_gas|density'
+    [lid_cavity]='|-c velocity_liquid|speed'
     [low_mach_channel]='|-c velocity_gas_x|velocity along x'
     [low_mach_vortex]='|-c velocity_gas_x|velocity along x'
     [membrane_circle]='||stress of the membrane and pressure of the gas'
