@@ -127,7 +127,7 @@ result_implicit() {
     implicit_auto heated_vessel
     implicit_auto isentropic_vortex
     implicit_auto sod --coupling ice
-    write '' '## Bars' ''
+    write '' '## Bars' '' 'The bars on iterations were set first; the others after first trials.' ''
     show_bars
     finish
 }
