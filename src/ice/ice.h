@@ -34,6 +34,7 @@ typedef struct ice_seal {
     const double *velocity;     /* m/s: of the vertices now, two each; not owned */
     const double *path;         /* m: their way over the step, as the force works on it, two each; not owned */
     double *force;              /* N: of all gases on the vertices, two each; not owned */
+    double heat;                /* J: for the held gas beside the membrane, of what the points have lost in the step */
 } ice_seal;
 
 typedef struct ice {
@@ -137,6 +138,8 @@ typedef struct ice_totals {
 floe_status ice_sum(ice *s, ice_totals *out);
 /* The cells' material of a scene material, or -1. */
 int ice_material_of(const ice *s, int scene_material);
+/* Mass (kg) of a gas in cells of which a membrane leaves it nothing: a leak. */
+double ice_mass_beyond(ice *s, int material);
 /* Volume-weighted mean pressure of a fluid (index in s->material) over cells whose centre lies in a region (weights theta V). */
 floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure);
 

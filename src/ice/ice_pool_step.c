@@ -118,6 +118,18 @@ static void add_faces(const ice *s, const ice_member *m, double *sum)
     }
 }
 
+/* Heat for the gas that the membrane holds goes to its pools by their mass. */
+static void add_heat(const ice *s, ice_pools *p)
+{
+    double mass = 0.0;
+    if (s->gas != s->seal.held || s->seal.heat == 0.0) return;
+    for (int n = 0; n < p->count; ++n) mass += p->sum[(size_t)n * POOL_SUMS + POOL_MASS];
+    for (int n = 0; n < p->count && mass > 0.0; ++n) {
+        double *sum = p->sum + (size_t)n * POOL_SUMS;
+        sum[POOL_WORK] += s->seal.heat * sum[POOL_MASS] / mass;
+    }
+}
+
 static void add_sources(const ice *s, ice_pools *p)
 {
     for (int k = 0; k < p->n; ++k) {
@@ -137,6 +149,7 @@ static void add_sources(const ice *s, ice_pools *p)
             sum[POOL_WORK] -= force[a] * at_middle(q, s->seal.path, a);
         }
     }
+    add_heat(s, p);
 }
 
 /* Lagrangian velocity and energy of a pool. Where too little energy would be left, it has what compression gives (2.7), and the

@@ -122,3 +122,19 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
     *pressure = sum[1] / sum[0];
     return FLOE_OK;
 }
+
+double ice_mass_beyond(ice *s, int material)
+{
+    double sum = 0.0;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_arrays *m = &v.m[material];
+        for (int j = 0; j < v.b->n[1]; ++j)
+            for (int i = 0; i < v.b->n[0] && m->open; ++i) {
+                const ptrdiff_t at = mesh_index(v.b, i, j, 0);
+                if (m->open[at] == 0.0) sum += m->rho[at] * v.volume[i];
+            }
+    }
+    return sum;
+}

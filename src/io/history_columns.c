@@ -178,6 +178,10 @@ static void add_body(line *l, int body, const history_row *row)
     if (!mpm_membrane_encloses(l->s->mpm, body)) return;
     membrane_room room = {0};
     if (row) mpm_membrane_room(l->s->mpm, body, &room);
+    if (row && l->s->sealed && given->membrane.holds >= 0) { /* the gas is on the cells */
+        room.pressure = row->mean_pressure ? row->mean_pressure[given->membrane.holds] : (double)NAN;
+        room.outside = ice_mass_beyond(l->s->ice, ice_material_of(l->s->ice, given->membrane.holds));
+    }
     add_named(l, "area", label, "m2", room.area);
     add_named(l, "pressure_in", label, "Pa", room.pressure);
     add_named(l, "outside", label, "kg", l->whole * room.outside);

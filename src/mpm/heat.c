@@ -10,7 +10,7 @@
  * velocities that the next kick starts from, and need no such term.) Every term is positive. A fluid point keeps its own
  * loss as heat. That of other points, what a membrane loses of its strain energy (line_strain.c; it may win some) and what damping takes of
  * the nodes' motion go to the nodes, and from each to the fluid points about it by their mass; what nodes without fluid hold
- * all fluid points get by their mass. */
+ * all fluid points get by their mass. Where a membrane holds gas of the cells there are no fluid points: the sum is the gas's. */
 #include "mpm/line.h"
 
 #include <math.h>
@@ -27,7 +27,7 @@ static bool has_fluid(const mpm *s)
 
 bool losses_are_heat(const mpm *s)
 {
-    return s->scene->method.losses == LOSSES_HEAT && !s->coupled && has_fluid(s);
+    return s->scene->method.losses == LOSSES_HEAT && !s->coupled && (has_fluid(s) || s->seals);
 }
 
 static bool is_usl(const mpm *s)
@@ -304,6 +304,8 @@ floe_status mpm_give_heat(mpm *s)
     visit_tiles(s, close_tile);
     domain_sum_tiles(s->mesh, s->work->tile_sum, HEAT_SUMS, sum);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED]);
+    s->work->push.lost = sum[SUM_LEFT];
+    if (s->seals) return FLOE_OK;
     for (int b = 0; b < s->mesh->n_blocks; ++b) share_losses(s, b, sum[SUM_LEFT] / sum[SUM_FLUID]);
     extend_to_ghosts(s, 0, N_LOSS);
     visit_tiles(s, heat_tile);

@@ -107,6 +107,11 @@ void mpm_outline_path(const mpm *s, const cut_line *c, double *path)
     }
 }
 
+double mpm_outline_lost(const mpm *s)
+{
+    return s->work->push.lost;
+}
+
 floe_status start_push(mpm *s)
 {
     membrane_push *p = &s->work->push;

@@ -14,4 +14,7 @@ floe_status mpm_outline_push(mpm *s, int body, const cut_line *c, const double *
 /* The way (m) over which these forces have worked in the step: that of the nodes, in the mean of its start and its end. */
 void mpm_outline_path(const mpm *s, const cut_line *c, double *path);
 
+/* What the points have lost in the step (J), for the gas to take up as heat (method.losses); 0 where it is to be a drift. */
+double mpm_outline_lost(const mpm *s);
+
 #endif

@@ -97,6 +97,7 @@ typedef struct membrane_push {
     double *x;     /* m, three each: where the points are at the start of the step */
     double *v;     /* m/s, two each: scratch */
     double *force; /* N, two each */
+    double lost;   /* J: what points and nodes lost in the step, as heat; 0 where losses are none */
 } membrane_push;
 
 /* A node, by global index, that a support holds. */

@@ -81,6 +81,7 @@ static floe_status sealed_push_points(sealed *t)
 static floe_status sealed_find_next(sealed *t)
 {
     mpm_outline_path(t->points, &t->now, t->path);
+    t->gases->seal.heat = mpm_outline_lost(t->points);
     TRY(mpm_outline(t->points, t->body, true, &t->next));
     return cut_find(&t->next);
 }
