@@ -63,7 +63,7 @@ result_transport() {
     local cavity_rows=() row
     floe_compare couette inputs/couette.yaml --axis domain.cell=0.125,0.0625,0.03125
     cp "$csv" $results/transport-couette.csv
-    order_bar 'Couette between hot and cold plates, Mach 0.8: order of temperature' "$csv" ice l1_temperature 1.9
+    order_bar 'Couette between hot and cold plates, Mach 0.6: order of temperature' "$csv" ice l1_temperature 1.9
     floe_compare poiseuille inputs/poiseuille.yaml --axis domain.cell=0.125,0.0625,0.03125
     cp "$csv" $results/transport-poiseuille.csv
     order_bar 'Poiseuille: order of velocity' "$csv" ice l1_velocity_x 1.9
