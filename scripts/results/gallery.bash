@@ -29,6 +29,7 @@ declare -A gallery=(
     [low_mach_vortex]='|-c velocity_gas_x|velocity along x'
     [membrane_circle]='||stress of the membrane and pressure of the gas'
     [membrane_dogbone]='--set domain.cell=0.1 --set time.end=1|-w 260|the slack contour fills'
+    [membrane_sphere]='||an eighth of a balloon: stress of the membrane and pressure of the gas'
     [noh]='|-c density_gas|density'
     [pendulum]='|-t 0.5 -c none|tension of the string, t = 0.5'
     [piston_wave]='||pressure'

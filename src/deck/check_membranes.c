@@ -1,4 +1,4 @@
-/* Membranes as they will be seeded: points inside the domain, neighbours no farther apart than a cell, each with a mass; and the springs
+/* Membranes as they will be seeded: points inside the domain, neighbours no farther apart than a cell, each with a mass, a step that suits a surface; and the springs
  * that hold on to their points. */
 #include "deck/check.h"
 
@@ -29,6 +29,14 @@ static floe_status check_masses(reader *r, const scene_body *b, const seed_list 
     return FLOE_OK;
 }
 
+/* USF strains before the points have gone where their normals are known. */
+static floe_status check_scheme(reader *r, const scene_body *b)
+{
+    if (r->scene->method.stress != STRESS_USF) return FLOE_OK;
+    return bad_at(r, PATH("method", "stress"), "usl or musl", NULL,
+                  "membrane '%s' is a surface, which is strained at the end of a step", b->name);
+}
+
 static floe_status check_ends(reader *r, int body, size_t n)
 {
     static const char *const side[] = {"from", "to"};
@@ -49,10 +57,13 @@ floe_status check_membrane_points(reader *r, int body)
 {
     const scene_body *b = &r->scene->body[body];
     const seed_spec grid = grid_of(r->scene);
+    const sheet_seeding spread = {b->membrane.number, b->per_cell[0], b->membrane.thickness};
+    const bool surface = b->membrane.surface.kind != SHEET_NONE;
     const curve_seeding how = {curve_count(&b->membrane.curve, b->membrane.number, b->per_cell[0], &grid),
                                b->membrane.thickness, b->membrane.length};
     seed_list list;
-    floe_status status = seed_curve(&list, r->ctx, &b->membrane.curve, &how, &grid);
+    floe_status status = surface ? seed_sheet(&list, r->ctx, &b->membrane.surface, &spread, &grid)
+                                 : seed_curve(&list, r->ctx, &b->membrane.curve, &how, &grid);
     if (status == FLOE_BAD_INPUT) {
         char cause[CONTEXT_MESSAGE_SIZE];
         snprintf(cause, sizeof cause, "%s", context_message(r->ctx));
@@ -60,7 +71,8 @@ floe_status check_membrane_points(reader *r, int body)
         return bad_at(r, PATH("bodies", b->name, "membrane"), NULL, NULL, "membrane '%s': %s", b->name, cause);
     }
     TRY(status);
-    status = check_masses(r, b, &list);
+    status = surface ? check_scheme(r, b) : FLOE_OK;
+    if (status == FLOE_OK) status = check_masses(r, b, &list);
     if (status == FLOE_OK) status = check_ends(r, body, list.n);
     seed_list_free(r->ctx, &list);
     return status;

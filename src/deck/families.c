@@ -131,13 +131,12 @@ static bool normals_fetch(const void *field, const char **name, const void **par
     return true;
 }
 
-/* The points of a membrane lie along a curve, which has one normal only in a plane. */
+/* A line of one axis has nothing to find. */
 static const char *normals_check(const model_entry *entry, const void *par, int dim)
 {
     (void)par;
     const surface_method *m = entry->model;
-    if (dim == 2 || m->connected) return NULL;
-    return dim == 3 ? "a line in space has no one normal" : "a line of one dimension has none to find";
+    return dim > 1 || m->connected ? NULL : "a line of one dimension has none to find";
 }
 
 const model_family family_normals = {"way to make normals", normals_get, normals_store, normals_fetch, normals_check};

@@ -1,4 +1,4 @@
-/* Membranes and strings: bodies that lie along a curve. */
+/* Membranes and strings: bodies that lie along a curve or on a surface in space. */
 #include "deck/parts.h"
 
 #include <math.h>
@@ -115,7 +115,82 @@ static int chosen_curve(const void *field)
 static const variants curve_kinds = {"curve", curve_list, sizeof curve_list / sizeof curve_list[0], choose_curve,
                                      chosen_curve};
 
+/* ---- surfaces ---- */
+
+static const choice axis_choices[] = {
+    {"x", 0, "the first axis"},
+    {"y", 1, "the second axis"},
+    {"z", 2, "the third axis"},
+    {0},
+};
+
+static const key_spec sphere_keys[] = {
+    {"centre", KEY_VECTOR, "m", AT(sheet_surface, centre), .required = true, .doc = "centre"},
+    {"radius", KEY_NUMBER, "m", PARAM_POSITIVE, AT(sheet_surface, radius), .required = true, .doc = "radius"},
+    {"axis", KEY_CHOICE, AT(sheet_surface, axis), .fallback = "z", .choices = axis_choices,
+     .doc = "about which the bands of its points lie"},
+};
+static const key_table sphere_table = TABLE(sphere_keys);
+
+static const key_spec cylinder_keys[] = {
+    {"centre", KEY_VECTOR, "m", AT(sheet_surface, centre), .required = true, .doc = "a place on its axis"},
+    {"radius", KEY_NUMBER, "m", PARAM_POSITIVE, AT(sheet_surface, radius), .required = true, .doc = "radius"},
+    {"axis", KEY_CHOICE, AT(sheet_surface, axis), .fallback = "z", .choices = axis_choices, .doc = "its direction"},
+    {"from", KEY_NUMBER, "m", AT(sheet_surface, from), .required = true, .doc = "where it begins along the axis"},
+    {"to", KEY_NUMBER, "m", AT(sheet_surface, to), .required = true, .doc = "where it ends"},
+};
+static const key_table cylinder_table = TABLE(cylinder_keys);
+
+static const key_spec revolved_keys[] = {
+    {"curve", KEY_VARIANT, AT(sheet_surface, curve), .variants = &curve_kinds, .required = true,
+     .doc = "what is turned: only distance from the axis and place along it count; arcs are turned about x or y"},
+    {"axis", KEY_CHOICE, AT(sheet_surface, axis), .fallback = "y", .choices = axis_choices,
+     .doc = "about which it is turned"},
+    {"centre", KEY_VECTOR, "m", AT(sheet_surface, centre), .required = true, .doc = "a place on the axis"},
+};
+static const key_table revolved_table = TABLE(revolved_keys);
+
+static const key_spec plane_keys[] = {
+    {"corner", KEY_VECTOR, "m", AT(sheet_surface, corner), .required = true, .doc = "a corner"},
+    {"first", KEY_VECTOR, "m", AT(sheet_surface, first), .required = true, .doc = "from there to the next"},
+    {"second", KEY_VECTOR, "m", AT(sheet_surface, second), .required = true, .doc = "from there to the one before"},
+};
+static const key_table plane_table = TABLE(plane_keys);
+
+static const variant surface_list[] = {
+    {"sphere", SHEET_SPHERE, &sphere_table, "a sphere; sides of the domain through its centre cut it"},
+    {"cylinder", SHEET_CYLINDER, &cylinder_table,
+     "the shell of a cylinder, without ends; sides of the domain through its axis cut it"},
+    {"revolve", SHEET_REVOLVED, &revolved_table, "a curve turned about an axis; sides of the domain through it cut it"},
+    {"plane", SHEET_PLANE, &plane_table, "a parallelogram"},
+};
+
+static void choose_surface(void *field, int value)
+{
+    ((sheet_surface *)field)->kind = (sheet_kind)value;
+}
+
+static int chosen_surface(const void *field)
+{
+    return (int)((const sheet_surface *)field)->kind;
+}
+
+static const variants surface_kinds = {"surface", surface_list, sizeof surface_list / sizeof surface_list[0],
+                                       choose_surface, chosen_surface};
+
 /* ---- membranes ---- */
+
+static bool scene_has_space(const scene *s, const void *membrane)
+{
+    (void)membrane;
+    return s->mesh.dim == 3;
+}
+
+static bool lies_along_curve(const scene *s, const void *membrane)
+{
+    (void)s;
+    return ((const scene_membrane *)membrane)->surface.kind == SHEET_NONE;
+}
 
 static const choice section_choices[] = {
     {"thickness", SECTION_THICKNESS, "the thickness stays as it is"},
@@ -130,16 +205,20 @@ static const choice strain_choices[] = {
 };
 
 static const key_spec membrane_keys[] = {
+    {"surface", KEY_VARIANT, AT(scene_membrane, surface), .variants = &surface_kinds, .applies = scene_has_space,
+     .belongs = "scenes in 3-D", .otherwise = "none: it lies along a curve",
+     .doc = "in 3-D: the surface on which it lies"},
     {"curve", KEY_VARIANT, AT(scene_membrane, curve), .variants = &curve_kinds, .required = true,
-     .doc = "the line along which it lies"},
+     .applies = lies_along_curve, .belongs = "membranes without a 'surface'",
+     .doc = "the line along which it lies, where it has no surface"},
     {"thickness", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene_membrane, thickness), .required = true,
-     .doc = "thickness; in 1-D the share of the section, in 3-D the section of a string (m2)"},
+     .doc = "thickness; in 1-D the share of the section; of a curve in 3-D the section (m2)"},
     {"number", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, number), .fallback = "0",
-     .doc = "material points along the curve; 0: by the body's `points` a cell"},
+     .doc = "material points along the curve, or about as many on the surface; 0: by the body's `points` a cell"},
     {"length", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene_membrane, length),
      .otherwise = "half the way to each neighbour", .doc = "of a curve of points: its length, which they share alike"},
     {"normals", KEY_MODEL, .family = &family_normals,
-     .otherwise = "`connectivity`, the order of the points along the curve",
+     .otherwise = "`connectivity`, the order of the points along the curve; of a surface `quadric`",
      .doc =
          "how the normals of the points are found; all but `connectivity` take the points as they lie, in any order"},
     {"section", KEY_CHOICE, AT(scene_membrane, section), .fallback = "thickness", .choices = section_choices,
@@ -170,6 +249,29 @@ static floe_status check_heavy(reader *r, deck_node *node, const scene_body *b)
     if ((m->heavy_point > 0) == (m->heavy_mass > 0.0)) return FLOE_OK;
     return bad_key(r, node, "heavy_point and heavy_mass, or neither", NULL,
                    "membrane '%s' has one of heavy_point and heavy_mass without the other", b->name);
+}
+
+static const key_spec normals_of_surface = {"normals", KEY_MODEL, .family = &family_normals};
+
+/* What a surface in space asks for: a law that bears alike in all directions, and normals that no order of the points gives. */
+static floe_status check_surface(reader *r, deck_node *node, scene_body *b)
+{
+    scene_membrane *m = &b->membrane;
+    deck_node fallback = {.kind = NODE_SCALAR, .text = "quadric", .key = "normals"};
+    if (!m->normals) TRY(read_key(r, &normals_of_surface, &fallback, m));
+    if (m->normals && m->normals->connected)
+        return bad_key(r, node, "normals: quadric, or another without connections", NULL,
+                       "the points of membrane '%s' lie on a surface, in no order", b->name);
+    if (!isnan(m->length))
+        return bad_key(r, node, NULL, "leave 'length' out", "membrane '%s' has its area by its surface", b->name);
+    if (m->strain == STRAIN_BY_PLACES || m->holds >= 0)
+        return bad_key(r, node, "strain: rate, and no 'holds'", NULL,
+                       "the points of membrane '%s' lie on a surface, and have no neighbours along a line", b->name);
+    const scene_material *law = b->material < 0 ? NULL : &r->scene->material[b->material];
+    if (!law || !law->membrane || law->membrane->isotropic) return FLOE_OK;
+    return bad_key(r, node, "a material with membrane: plane_stress", NULL,
+                   "membrane '%s' is a surface, and its law '%s' bears along a line alone", b->name,
+                   law->membrane->name);
 }
 
 /* A membrane of one point has no direction: it is a mass that hangs on something. */
@@ -204,5 +306,9 @@ floe_status end_membrane(reader *r, deck_node *node, scene_body *body)
     deck_node *at = node_find(node, "membrane");
     TRY(check_strain(r, at, body));
     TRY(check_heavy(r, at, body));
+    if (body->membrane.surface.kind != SHEET_NONE) return check_surface(r, at, body);
+    if (r->scene->mesh.dim == 3 && body->membrane.normals && !body->membrane.normals->connected)
+        return bad_key(r, at, "surface: {...} in place of the curve, or no normals", NULL,
+                       "the line of membrane '%s' has no one normal in space", body->name);
     return check_count(r, at, body);
 }

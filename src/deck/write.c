@@ -174,6 +174,14 @@ static void write_nested(writer *w, const key_table *table, const void *base)
     }
 }
 
+/* Whether a kind has been chosen. */
+static bool has_kind(const variants *kinds, const void *field)
+{
+    for (size_t i = 0; i < kinds->n; i++)
+        if (kinds->list[i].value == kinds->chosen(field)) return true;
+    return false;
+}
+
 void write_variant(writer *w, const variants *kinds, const void *field)
 {
     const int value = kinds->chosen(field);
@@ -247,6 +255,7 @@ void write_table(writer *w, const key_table *table, const void *base)
         case KEY_NAMED: write_named(w, key, base); break;
         case KEY_MODEL: write_model(w, key, base); break;
         case KEY_VARIANT:
+            if (!has_kind(key->variants, (const char *)base + key->offset)) break;
             write_key_name(w, key->key);
             write_variant(w, key->variants, (const char *)base + key->offset);
             break;

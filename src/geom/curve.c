@@ -1,6 +1,6 @@
 #include "geom/curve.h"
 
-#include "base/memory.h"
+#include "geom/layer.h"
 
 #include <math.h>
 
@@ -104,38 +104,9 @@ static void point_of(const curve_line *c, const curve_seeding *how, int dim, int
 
 int curve_count(const curve_line *c, int asked, int per_cell, const seed_spec *grid)
 {
-    double h = grid->h[0];
     if (c->kind == CURVE_POINTS) return c->n_vertices;
     if (asked > 0) return asked;
-    for (int a = 1; a < grid->dim; a++) h = fmin(h, grid->h[a]);
-    return (int)ceil(curve_length(c, grid->dim) * per_cell / h - 1e-9);
-}
-
-static floe_status make_room(seed_list *list, context *ctx, size_t n, int dim)
-{
-    list->n = n;
-    TRY(memory_new(ctx, &list->volume, n, sizeof(double)));
-    for (int k = 0; k < dim; k++) {
-        TRY(memory_new(ctx, &list->x[k], n, sizeof(double)));
-        TRY(memory_new(ctx, &list->half[k], n, sizeof(double)));
-        TRY(memory_new(ctx, &list->cell[k], n, sizeof(int)));
-    }
-    return FLOE_OK;
-}
-
-/* Puts point i into the list; the upper wall belongs to the last cell. */
-static floe_status put_point(seed_list *list, context *ctx, const seed_spec *grid, size_t i, const double x[3])
-{
-    for (int k = 0; k < grid->dim; k++) {
-        const double cell = floor((x[k] - grid->lower[k]) / grid->h[k]);
-        if (!(x[k] >= grid->lower[k] && x[k] <= grid->lower[k] + grid->n[k] * grid->h[k]))
-            return fail(ctx, FLOE_BAD_INPUT, "point %zu at (%g, %g, %g) lies outside the domain", i + 1, x[0],
-                        grid->dim > 1 ? x[1] : 0.0, grid->dim > 2 ? x[2] : 0.0);
-        list->x[k][i] = x[k];
-        list->half[k][i] = 0.25 * grid->h[k];
-        list->cell[k][i] = (int)fmin(fmax(cell, 0.0), grid->n[k] - 1.0);
-    }
-    return FLOE_OK;
+    return (int)ceil(curve_length(c, grid->dim) * per_cell / layer_cell(grid) - 1e-9);
 }
 
 /* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997, section 5.4.4). */
@@ -156,11 +127,11 @@ static floe_status fill(seed_list *list, context *ctx, const curve_line *c, cons
                         const seed_spec *grid)
 {
     const int number = c->kind == CURVE_POINTS ? c->n_vertices : how->number;
-    TRY(make_room(list, ctx, (size_t)number, grid->dim));
+    TRY(layer_make_room(list, ctx, (size_t)number, grid->dim));
     for (int i = 0; i < number; i++) {
         double x[3] = {0.0}, length;
         point_of(c, how, grid->dim, i, x, &length);
-        TRY(put_point(list, ctx, grid, (size_t)i, x));
+        TRY(layer_put_point(list, ctx, grid, (size_t)i, x));
         list->volume[i] = length * how->thickness * (grid->axisymmetric ? x[0] : 1.0);
         if (i > 0) TRY(check_gap(list, ctx, grid, (size_t)i - 1, (size_t)i));
     }

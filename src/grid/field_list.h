@@ -29,6 +29,9 @@
     X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                              \
     X(P_TANGENT, "tangent", POINT, VECTOR, "1", STATE, "t_p, unit, along the line of a membrane's points")           \
     X(P_NORMAL, "normal", POINT, VECTOR, "1", STATE, "n_p, unit, of a membrane without connections")                 \
+    X(P_SURFACE_1, "surface_vector_1", POINT, VECTOR, "1", STATE,                                                    \
+      "a_1 of a surface in space: a unit vector of it at rest, as it is now (sheet.h)")                              \
+    X(P_SURFACE_2, "surface_vector_2", POINT, VECTOR, "1", STATE, "a_2: at rest unit, and normal to a_1 and n")      \
     X(P_STRAIN, "membrane_strain", POINT, SCALAR, "1", STATE, "logarithmic, along the tangent; negative: slack")     \
     X(P_STRAIN_HOOP, "membrane_strain_hoop", POINT, SCALAR, "1", STATE, "logarithmic, around the axis")              \
     X(P_VISCOUS_PRESSURE, "artificial_pressure", POINT, SCALAR, "Pa", STATE, "q_p, compression positive")            \

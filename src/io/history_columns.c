@@ -51,7 +51,7 @@ static void add_vector(line *l, const char *name, const char *unit, const double
     static const char axis[] = "xyz", axis_rz[] = "rzt";
     const bool rz = l->s->mesh.geometry == MESH_AXISYMMETRIC;
     for (int a = 0; a < l->s->mesh.dim; a++) {
-        char full[2 * NAME_SIZE];
+        char full[2 * NAME_SIZE + 2];
         (void)snprintf(full, sizeof full, "%s_%c", name, rz ? axis_rz[a] : axis[a]);
         add(l, full, unit, value[a]);
     }
@@ -170,7 +170,8 @@ static void add_body(line *l, int body, const history_row *row)
     add_vector(l, name, "m", centre);
     (void)snprintf(name, sizeof name, "velocity_%s", label);
     add_vector(l, name, "m/s", velocity);
-    for (int last = 0; last < 2 && given->membrane.present && !curve_is_closed(&given->membrane.curve); last++) {
+    const bool ends = given->membrane.present && given->membrane.surface.kind == SHEET_NONE;
+    for (int last = 0; last < 2 && ends && !curve_is_closed(&given->membrane.curve); last++) {
         if (row) mpm_membrane_end(l->s->mpm, body, last == 1, end);
         (void)snprintf(name, sizeof name, "%s_%s", last ? "last" : "first", label);
         add_vector(l, name, "m", end);

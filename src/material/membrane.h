@@ -13,6 +13,7 @@ typedef struct membrane_model {
     size_t param_size;
     const param_spec *params;
     size_t n_params;
+    bool isotropic; /* bears alike in all directions: what a surface in space asks for (sheet.h) */
     /* Cauchy stresses (Pa) of n points from their strains along the line and across it. */
     void (*stress)(const void *par, size_t n, const double *along, const double *across, double *stress_along,
                    double *stress_across);

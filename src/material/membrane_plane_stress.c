@@ -27,7 +27,7 @@ static const param_spec sheet_params[] = {
      .doc = "Poisson's ratio"},
 };
 
-static void sheet_stress(const void *par, size_t n, const double *along, const double *across, double *stress_along,
+static void plane_stress(const void *par, size_t n, const double *along, const double *across, double *stress_along,
                          double *stress_across)
 {
     const sheet_par *a = par;
@@ -57,7 +57,8 @@ const membrane_model membrane_plane_stress = {
     .param_size = sizeof(sheet_par),
     .params = sheet_params,
     .n_params = sizeof sheet_params / sizeof *sheet_params,
-    .stress = sheet_stress,
+    .isotropic = true,
+    .stress = plane_stress,
     .free_across = sheet_free_across,
     .modulus = sheet_modulus,
 };

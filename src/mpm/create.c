@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "mpm/contact.h"
 #include "mpm/membrane_normal.h"
+#include "mpm/membrane_sheet.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -65,6 +66,8 @@ static void resolve_body(mpm *s, int index)
     s->cell_density = s->cell_density || (b->fluid && s->scene->method.density != DENSITY_CONTINUITY);
     if (b->law->n_history > s->n_history) s->n_history = b->law->n_history;
     s->membranes = s->membranes || m->membrane;
+    s->sheets = s->sheets || (m->membrane && is_sheet(s, s->n_bodies));
+    s->lines = s->lines || (m->membrane && !is_sheet(s, s->n_bodies));
     s->free_normals = s->free_normals || normals_are_free(s, s->n_bodies);
     s->placed = s->placed || (m->membrane && sc->body[index].membrane.strain == STRAIN_BY_PLACES);
     s->hoops = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
@@ -169,7 +172,8 @@ static bool body_holds(const mpm *s, int body, field_id id)
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id == P_DENSITY) return b->fluid;
     if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
-    if (id == P_TANGENT || id == P_STRAIN || id == P_STRAIN_HOOP) return b->membrane.model != NULL;
+    if (id == P_TANGENT || id == P_STRAIN || id == P_STRAIN_HOOP) return b->membrane.model && !is_sheet(s, body);
+    if (id == P_SURFACE_1 || id == P_SURFACE_2) return b->membrane.model && is_sheet(s, body);
     if (id == P_NORMAL) return normals_are_free(s, body);
     return true;
 }

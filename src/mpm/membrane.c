@@ -2,6 +2,7 @@
  * tangent (section 5.4.2, in the rate form t.L.t, whose integral is the logarithm of the stretch); the stress is turned back to
  * the axes of the scene, so that forces need no kernel of their own. */
 #include "mpm/membrane_normal.h"
+#include "mpm/membrane_sheet.h"
 
 #include <math.h>
 #include <string.h>
@@ -76,7 +77,7 @@ static double rate_along(const solid_batch *rate, const membrane_batch *b, size_
     return sum;
 }
 
-static floe_status torn(const mpm *s, int blk, int body, size_t k)
+floe_status membrane_torn(const mpm *s, int blk, int body, size_t k)
 {
     return fail(s->ctx, FLOE_RETRY, "at t = %.6g s point %zu of membrane '%s' would be crushed to nothing", s->time,
                 point_number(s, blk, body, k) + 1, s->scene->body[s->body[body].scene_body].name);
@@ -84,6 +85,7 @@ static floe_status torn(const mpm *s, int blk, int body, size_t k)
 
 floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate)
 {
+    if (is_sheet(s, body)) return strain_sheet(s, blk, body, start, end, rate);
     const fields *f = s->domain->fields[blk];
     membrane_batch b;
     load_strain(s, f, body, start, end - start, false, &b);
@@ -98,7 +100,7 @@ floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end,
         else
             b.along[k] += sign * stretch_of(rate, &b, k, sign * dt);
         if (s->hoops) b.across[k] += sign * log1p(sign * dt * rate->L[8][k]);
-        if (!isfinite(b.along[k] + b.across[k])) return torn(s, blk, body, start + k);
+        if (!isfinite(b.along[k] + b.across[k])) return membrane_torn(s, blk, body, start + k);
     }
     memcpy(field_next(f, P_STRAIN, body, 0) + start, b.along, b.n * sizeof(double));
     if (s->hoops) memcpy(field_next(f, P_STRAIN_HOOP, body, 0) + start, b.across, b.n * sizeof(double));
@@ -163,8 +165,13 @@ static void turn_body(mpm *s, int body, bool next, bool stress)
 floe_status mpm_turn_membranes(mpm *s)
 {
     const bool stress = s->scene->method.stress != STRESS_USF || s->coupled;
-    for (int body = 0; body < s->n_bodies; ++body)
-        if (s->body[body].membrane.model) turn_body(s, body, true, stress);
+    for (int body = 0; body < s->n_bodies; ++body) {
+        if (!s->body[body].membrane.model) continue;
+        if (is_sheet(s, body))
+            turn_sheet(s, body);
+        else
+            turn_body(s, body, true, stress);
+    }
     return FLOE_OK;
 }
 
@@ -174,7 +181,10 @@ floe_status start_membranes(mpm *s)
         if (!s->body[body].membrane.model) continue;
         TRY(line_make(s, body));
         if (normals_are_free(s, body)) TRY(normals_start(s, body));
-        turn_body(s, body, false, true);
+        if (is_sheet(s, body))
+            TRY(start_sheet(s, body));
+        else
+            turn_body(s, body, false, true);
     }
     return s->seals ? start_push(s) : FLOE_OK;
 }
@@ -182,6 +192,10 @@ floe_status start_membranes(mpm *s)
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi)
 {
     membrane_batch b;
+    if (is_sheet(s, body)) {
+        sheet_energies(s, blk, body, start, end, psi);
+        return;
+    }
     load_strain(s, s->domain->fields[blk], body, start, end - start, false, &b);
     for (size_t k = 0; k < b.n; ++k) psi[k] = membrane_energy(&s->body[body].membrane, b.along[k], b.across[k]);
 }
@@ -196,15 +210,16 @@ static void membrane_wave_speed(const void *par, double p_ref, const solid_batch
 
 const solid_model point_membrane = {.name = "membrane", .wave_speed = membrane_wave_speed};
 
-/* A direction across exists where the scene goes on out of its plane, or around its axis. */
+/* A direction across exists where the scene goes on out of its plane, or around its axis, and in a surface. */
 membrane_response response_of(const mpm *s, const scene_body *b)
 {
     const scene_material *m = &s->scene->material[b->material];
-    const bool sheet = s->mesh->dim == 2 && s->scene->stress_state == STRESS_FULL;
+    const bool surface = b->membrane.surface.kind != SHEET_NONE;
+    const bool sheet = surface || (s->mesh->dim == 2 && s->scene->stress_state == STRESS_FULL);
     return (membrane_response){.model = m->membrane,
                                .par = m->membrane_par,
                                .one_way = m->one_way,
                                .free_across = m->membrane && !sheet,
-                               .biaxial = s->mesh->geometry == MESH_AXISYMMETRIC,
+                               .biaxial = surface || s->mesh->geometry == MESH_AXISYMMETRIC,
                                .section = b->membrane.section};
 }

@@ -56,6 +56,7 @@ typedef struct mpm {
     int n_history;                        /* the most numbers that a body's law remembers */
     bool placed;                          /* some membrane has its strain from places */
     bool membranes, hoops;                /* some body is a membrane; it has strain around the axis */
+    bool lines, sheets;                   /* some membrane lies along a curve; on a surface in space */
     bool free_normals;                    /* some membrane has normals without connections */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
     double time;            /* s: at the start of the step */

@@ -16,11 +16,12 @@ floe_status mpm_begin_step(mpm *s)
 #define HISTORY                                                                                              \
     REMEMBERED(1), REMEMBERED(2), REMEMBERED(3), REMEMBERED(4), REMEMBERED(5), REMEMBERED(6), REMEMBERED(7), \
         REMEMBERED(8)
-#define MEMBRANE_STRAIN WHEN(s->membranes, P_STRAIN), WHEN(s->hoops, P_STRAIN_HOOP)
-#define TANGENT WHEN(s->membranes, P_TANGENT)
+#define MEMBRANE_STRAIN WHEN(s->lines, P_STRAIN), WHEN(s->hoops, P_STRAIN_HOOP)
+#define SURFACE_VECTORS WHEN(s->sheets, P_SURFACE_1), WHEN(s->sheets, P_SURFACE_2)
+#define TANGENT WHEN(s->lines, P_TANGENT)
 #define POINT_STATE                                                                                               \
     P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE), \
-        HISTORY, MEMBRANE_STRAIN
+        HISTORY, MEMBRANE_STRAIN, SURFACE_VECTORS
 
 static bool is_usf(const mpm *s)
 {
@@ -110,8 +111,9 @@ floe_status mpm_motion_stages(mpm *s)
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     STAGE(s, s->membranes, mpm_turn_membranes,
-          READS(P_ID, P_POS, P_VOLUME0, WHEN(s->free_normals, P_NORMAL), P_TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN),
-          WRITES(P_TANGENT, P_STRESS, P_J, WHEN(s->placed, P_POS), WHEN(s->placed, P_STRAIN)));
+          READS(P_ID, P_POS, P_VOLUME0, WHEN(s->free_normals, P_NORMAL), TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN,
+                SURFACE_VECTORS),
+          WRITES(TANGENT, P_STRESS, P_J, SURFACE_VECTORS, WHEN(s->placed, P_POS), WHEN(s->placed, P_STRAIN)));
     STAGE(s, losses_are_heat(s), mpm_give_heat,
           READS(P_MASS, P_POS, P_VEL, WHEN(gimp, P_HALF), N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
           WRITES(N_LOSS, N_DRY_MASS, P_ENERGY));

@@ -1,19 +1,33 @@
-/* Seeding of membranes: points along a curve, with slack, and with masses of their own. */
+/* Seeding of membranes: points along a curve or on a surface, with slack, and with masses of their own. */
 #include "mpm/work.h"
 #include "scene/state.h"
 
 #include <stdio.h>
 
+static bool is_surface(const scene_body *b)
+{
+    return b->membrane.surface.kind != SHEET_NONE;
+}
+
 floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list)
 {
+    const sheet_seeding spread = {b->membrane.number, b->per_cell[0], b->membrane.thickness};
     const curve_seeding how = {curve_count(&b->membrane.curve, b->membrane.number, b->per_cell[0], grid),
                                b->membrane.thickness, b->membrane.length};
-    const floe_status status = seed_curve(list, s->ctx, &b->membrane.curve, &how, grid);
+    const floe_status status = is_surface(b) ? seed_sheet(list, s->ctx, &b->membrane.surface, &spread, grid)
+                                             : seed_curve(list, s->ctx, &b->membrane.curve, &how, grid);
     if (status != FLOE_BAD_INPUT) return status;
     char cause[CONTEXT_MESSAGE_SIZE];
     snprintf(cause, sizeof cause, "%s", context_message(s->ctx));
     context_clear(s->ctx);
     return fail(s->ctx, FLOE_BAD_INPUT, "membrane '%s': %s", b->name, cause);
+}
+
+double slack_of(const mpm *s, int body, size_t number)
+{
+    const scene_membrane *m = &s->scene->body[s->body[body].scene_body].membrane;
+    const long counted = (long)number + 1;
+    return counted >= m->slack_from && (m->slack_to == 0 || counted <= m->slack_to) ? m->slack : 0.0;
 }
 
 /* Slack, and a mass of its own, of the n-th point of a membrane. */
@@ -23,8 +37,7 @@ floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n)
     const scene_membrane *m = &b->membrane;
     const fields *f = s->domain->fields[blk];
     const long number = (long)n + 1;
-    const bool slack = number >= m->slack_from && (m->slack_to == 0 || number <= m->slack_to);
-    field_get(f, P_STRAIN, body, 0)[k] = slack ? -m->slack : 0.0;
+    if (!is_surface(b)) field_get(f, P_STRAIN, body, 0)[k] = -slack_of(s, body, n);
     double *mass = &field_get(f, P_MASS, body, 0)[k];
     if (number == m->heavy_point) *mass = m->heavy_mass / scene_extent(s->scene);
     if (*mass > 0.0) return FLOE_OK;

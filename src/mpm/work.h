@@ -205,13 +205,16 @@ bool wall_mirrors(const mpm *s, int axis, int side); /* symmetry, slip, or the a
 
 /* Membranes (membrane.c, seed_membrane.c): the points of a body; slack and mass of its n-th, at k; its law, none where it is no
  * membrane; strain, and stress along the tangents as they were, of points
- * [start, end) whose L stands in the batch; all tangents at the start; energies per volume at rest. */
+ * [start, end) whose L stands in the batch; all tangents at the start; FLOE_RETRY for a point that is crushed; the slack with which the
+ * point of a number (0 first) begins; energies per volume at rest. */
 extern const solid_model point_membrane;
 floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list);
 floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n);
 membrane_response response_of(const mpm *s, const scene_body *b);
 floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate);
 floe_status start_membranes(mpm *s);
+floe_status membrane_torn(const mpm *s, int blk, int body, size_t k);
+double slack_of(const mpm *s, int body, size_t number);
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi);
 
 /* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable (node.c). */

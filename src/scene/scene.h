@@ -4,9 +4,9 @@
 #define SCENE_SCENE_H
 
 #include "base/context.h"
-#include "geom/curve.h"
 #include "geom/seed.h"
 #include "geom/shape.h"
+#include "geom/sheet.h"
 #include "grid/bc.h"
 #include "grid/mesh.h"
 #include "material/eos.h"
@@ -76,13 +76,14 @@ typedef double source_function(void *user, const double x[3], double t, double f
 /* Where a membrane's strain along its line comes from: the gradient of velocity at each point, or the places of its neighbours. */
 typedef enum membrane_strain { STRAIN_BY_RATE, STRAIN_BY_PLACES } membrane_strain;
 
-/* One layer of points along a curve (York 1997, chapter 5). Points are counted from 1 along the curve. */
+/* One layer of points along a curve (York 1997, chapter 5), counted from 1 along it, or on a surface in space. */
 typedef struct scene_membrane {
-    bool present; /* the body is one */
+    bool present;          /* the body is one */
+    sheet_surface surface; /* in place of a curve: 3-D */
     curve_line curve;
-    double thickness;              /* m in 2-D and when axisymmetric; 1-D: share of the section; 3-D: m2 */
-    int number;                    /* points; 0: by the points a cell */
-    double length;                 /* m, of CURVE_POINTS: shared alike; NAN: by the distances */
+    double thickness; /* m in 2-D and when axisymmetric; 1-D: share of the section; 3-D: m2, of a surface m */
+    int number;       /* points; 0: by the points a cell */
+    double length;    /* m, of CURVE_POINTS: shared alike; NAN: by the distances */
     const surface_method *normals; /* NULL: along the connections of the points */
     void *normals_par;
     membrane_section section;

@@ -1,0 +1,46 @@
+/* Surfaces in space, and the points of membranes on them: one layer, in no order, spread evenly. */
+#ifndef GEOM_SHEET_H
+#define GEOM_SHEET_H
+
+#include "geom/curve.h"
+
+typedef enum sheet_kind {
+    SHEET_NONE, /* not given */
+    SHEET_SPHERE,
+    SHEET_CYLINDER, /* its shell, without ends */
+    SHEET_REVOLVED, /* a curve turned about an axis */
+    SHEET_PLANE     /* a parallelogram */
+} sheet_kind;
+
+/* What lies behind a side of the mesh that goes through the centre (sphere) or the axis (cylinder, revolved) is left out: there the
+ * surface goes on as its image. */
+typedef struct sheet_surface {
+    sheet_kind kind;
+    int axis;         /* of the cylinder, or about which the curve is turned: 0 to 2 */
+    double centre[3]; /* m: of the sphere; a place on the axis */
+    double radius;    /* m: sphere, cylinder */
+    double from, to;  /* m: ends of the cylinder, along the axis */
+    curve_line
+        curve; /* revolved: only distance from the axis and place along it count; an arc lies in the plane of the first two
+                         axes, so that it is turned about one of these */
+    double corner[3], first[3], second[3]; /* m, plane: a corner, and the two sides that begin there */
+} sheet_surface;
+
+/* How a surface is filled. */
+typedef struct sheet_seeding {
+    int number;       /* points about which it gets; 0: by per_cell */
+    int per_cell;     /* along each axis of a cell, 1 to 16 */
+    double thickness; /* m */
+} sheet_seeding;
+
+/* Area (m2) of the part of it that belongs to the mesh. */
+double sheet_area(const sheet_surface *s, const seed_spec *grid);
+
+/* Fills *out with the points of a surface, all of the same area, the sum of which is exact, with area times thickness as volume:
+ * on surfaces of revolution in bands of nearly square pieces, the ends of the bands by area (compare Leopardi 2006); on a plane in rows.
+ * Of the grid it takes the mesh, of three dimensions. FLOE_BAD_INPUT names a point outside the mesh, pieces larger than a cell (such
+ * a membrane is torn), a curve that crosses its axis, and a surface without area. */
+floe_status seed_sheet(seed_list *out, context *ctx, const sheet_surface *s, const sheet_seeding *how,
+                       const seed_spec *grid);
+
+#endif

@@ -1,0 +1,151 @@
+/* Membranes as surfaces in space: a sphere that breathes, and the same bits for any
+ * blocks, any threads and after a restart. */
+#include "coupled_fixture.h"
+
+#include "io/checkpoint.h"
+#include "io/io.h"
+
+#include <unistd.h>
+
+static const double pi = 3.14159265358979323846;
+
+static scene_membrane *add_surface(trial *t, double modulus, const sheet_surface *surface)
+{
+    scene_material *m = &t->scene->material[t->scene->n_materials];
+    (void)snprintf(m->name, sizeof m->name, "skin");
+    m->kind = MATERIAL_SOLID;
+    m->density = 1.0;
+    m->membrane = membrane_find("plane_stress");
+    check_ok(t->ctx, scene_allocate(t->scene, &m->membrane_par, m->membrane->param_size));
+    set_param(m->membrane->params, m->membrane->n_params, m->membrane_par, "modulus", 0, modulus);
+    set_param(m->membrane->params, m->membrane->n_params, m->membrane_par, "poisson_ratio", 0, 0.3);
+    scene_body *b = add_body(t, t->scene->n_materials++, (shape){0}, 3);
+    b->membrane = (scene_membrane){
+        .present = true, .surface = *surface, .thickness = 0.01, .length = NAN, .heavy_mass = NAN, .holds = -1};
+    b->membrane.normals = surface_find("quadric");
+    check_ok(t->ctx, scene_allocate(t->scene, &b->membrane.normals_par, b->membrane.normals->param_size));
+    set_param(b->membrane.normals->params, b->membrane.normals->n_params, b->membrane.normals_par, "spread", 0, 1.0);
+    return &b->membrane;
+}
+
+/* The time at which a taut sphere, let go, moves fastest: a quarter of the period 2 pi R sqrt(rho (1 - nu) / (2 E)) of its breathing. */
+static double quarter_period(double h)
+{
+    trial t;
+    const double size[3] = {0.7, 0.7, 0.7};
+    const sheet_surface sphere = {.kind = SHEET_SPHERE, .axis = 2, .radius = 0.5};
+    trial_begin(&t, 3, size, h);
+    for (int a = 0; a < 3; ++a) set_sides(&t, a, BC_SYMMETRY, BC_FREE);
+    set_method(&t, "quadratic", STRESS_USL, 1.0);
+    t.scene->time.fixed_step = 0.1 * h;
+    add_surface(&t, 1.0, &sphere)->slack = -1e-3;
+    trial_start(&t);
+    double kinetic[3] = {0.0};
+    for (;;) {
+        mpm_totals sum;
+        check_ok(t.ctx, sim_step(t.sim, INFINITY));
+        check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
+        kinetic[0] = kinetic[1];
+        kinetic[1] = kinetic[2];
+        kinetic[2] = sum.kinetic[0];
+        if (kinetic[1] > 0.0 && kinetic[2] < kinetic[1]) break;
+        assert_true(t.sim->time < 1.0);
+    }
+    const double dt = t.sim->mpm->dt, curvature = kinetic[2] - 2.0 * kinetic[1] + kinetic[0];
+    /* velocities are those of half a step before */
+    const double time = t.sim->time - dt - 0.5 * dt - 0.5 * dt * (kinetic[2] - kinetic[0]) / curvature;
+    trial_end(&t);
+    return time;
+}
+
+static void test_breathing(void **unused)
+{
+    (void)unused;
+    const double exact_time = 0.5 * pi * 0.5 * sqrt(0.35);
+    const double coarse = quarter_period(0.1) / exact_time - 1.0, fine = quarter_period(0.07) / exact_time - 1.0;
+    print_message("quarter period of a sphere: error %.3e at h = R/5, %.3e at R/7\n", coarse, fine);
+    check_true(fabs(coarse) < 0.03);
+    check_true(fabs(fine) < 0.6 * fabs(coarse)); /* second order: 0.49 */
+}
+
+/* ---- bits ---- */
+
+typedef struct variant {
+    int blocks, threads;
+    const char *stress, *normals; /* as set on the command line */
+} variant;
+
+static void begin(trial *t, const variant *v)
+{
+    const char *const set[] = {v->stress, v->normals, "domain.upper=[0.8, 0.8, 0.8]"};
+    deck_begin(t, "membrane_sphere", set, 3);
+    for (int a = 0; a < 3; ++a) t->scene->mesh.blocks[a] = v->blocks;
+    use_threads(v->threads);
+    trial_start(t);
+}
+
+static state finish(trial *t)
+{
+    check_ok(t->ctx, sim_account(t->sim));
+    state s = state_of(t->sim);
+    state_add_ledger(&s, t->sim);
+    trial_end(t);
+    return s;
+}
+
+static void test_bits(void **unused)
+{
+    (void)unused;
+    static const char *const way[2][2] = {{"method.stress=usl", "bodies.skin.membrane.normals=isosurface"},
+                                          {"method.stress=musl", "bodies.skin.membrane.normals=quadric"}};
+    for (int k = 0; k < 2; ++k) {
+        const variant one = {1, 1, way[k][0], way[k][1]}, other = {2, 2, way[k][0], way[k][1]};
+        trial t;
+        begin(&t, &one);
+        trial_steps(&t, 6);
+        state expected = finish(&t);
+        begin(&t, &other);
+        trial_steps(&t, 6);
+        state found = finish(&t);
+        same_state(&expected, &found);
+        state_free(&expected);
+        state_free(&found);
+    }
+}
+
+static void test_resume(void **unused)
+{
+    (void)unused;
+    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    const variant one = {1, 1, "method.stress=musl", "bodies.skin.membrane.normals=quadric"};
+    const variant eight = {2, 2, one.stress, one.normals};
+    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
+    trial t;
+    begin(&t, &one);
+    check_ok(t.ctx, io_init(t.ctx));
+    trial_steps(&t, 4);
+    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+    trial_steps(&t, 4);
+    state expected = finish(&t);
+    begin(&t, &eight);
+    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+    trial_steps(&t, 4);
+    state found = finish(&t);
+    same_state(&expected, &found);
+    state_free(&expected);
+    state_free(&found);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_breathing),
+        cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_resume),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
