@@ -9,6 +9,7 @@ static const deck_variant variants[] = {
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
     {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.1", "method.pressure=implicit"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},
+    {"membrane that holds gas", "membrane_circle", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.25"}},
     {"unconnected membrane",
      "membrane_circle",
      COUPLING_MPM,
