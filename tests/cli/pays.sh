@@ -51,7 +51,7 @@ same_as_planned() {
 
 deck solid mpm "materials: {rubber: $rubber}" "bodies: {block: {material: rubber, shape: $left}}"
 holds solid P_STRESS N_MOMENTUM
-lacks solid C_RHO C_PRESSURE F_VEL P_ENERGY N_PRESSURE P_GRID_PRESSURE P_TANGENT P_NORMAL P_STRAIN
+lacks solid C_RHO C_PRESSURE F_VEL P_ENERGY N_PRESSURE P_GRID_PRESSURE P_TANGENT P_NORMAL P_STRAIN P_SURFACE_1
 if stages solid | grep -q membranes; then fault 'a solid turns membranes'; fi
 [ "$(json solid.json ice)" = 0 ] || fault 'a solid pays for cells'
 [ "$(json solid/summary.json cells)" = 0 ] || fault 'a solid has cells'

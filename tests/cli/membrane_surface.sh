@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Membranes on surfaces: what decks are refused, with the remedy; a surface holds no tangents, and its echo runs again.
+# shellcheck source=tests/cli/lib.bash
+source "$(dirname "$0")/lib.bash"
+sphere=$FLOE_SOURCE/inputs/membrane_sphere.yaml
+
+# refused WORDS SET...: the balloon with these keys is refused in these words.
+refused() {
+    local words=$1 set=()
+    shift
+    for key in "$@"; do set+=(--set "$key"); done
+    expect 2 "$FLOE" check "$sphere" "${set[@]}"
+    has stderr "$words"
+}
+refused 'which is strained at the end of a step' method.stress=usf method.losses=drift
+refused "its law 'string' bears along a line alone" materials.skin.membrane='{string: {modulus: 1e4}}'
+refused 'lie on a surface, in no order' bodies.skin.membrane.normals=connectivity
+refused 'the membrane would be torn; give it more points' bodies.skin.membrane.number=20
+refused 'lies outside the domain' bodies.skin.membrane.surface='{sphere: {centre: [0, 0, 0], radius: 0.7}}'
+refused "'curve' belongs to membranes without a 'surface'" bodies.skin.membrane.curve='{circle: {centre: [0, 0, 0], radius: 0.5}}'
+expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/membrane_circle.yaml" --set bodies.skin.membrane.surface='{sphere: {centre: [0, 0], radius: 0.5}}'
+has stderr "'surface' belongs to scenes in 3-D"
+
+"$FLOE" plan "$sphere" --json >plan.json
+for field in P_SURFACE_1 P_SURFACE_2 P_NORMAL; do has plan.json "$field"; done
+if grep -qE 'P_TANGENT|P_STRAIN' plan.json; then fault 'a surface holds tangents'; fi
+for surface in '{cylinder: {centre: [0, 0, 0], radius: 0.5, from: 0.1, to: 0.5}}' '{plane: {corner: [0.1, 0.1, 0.3], first: [0.4, 0, 0], second: [0, 0.4, 0]}}' \
+    '{revolve: {axis: y, centre: [0, 0, 0], curve: {segment: {from: [0.5, 0, 0], to: [0.3, 0.4, 0]}}}}'; do
+    expect 0 "$FLOE" run "$sphere" --set bodies.skin.membrane.surface="$surface" --set time.max_steps=3 --set verify=null -o out --quiet
+    rm -r out
+done
