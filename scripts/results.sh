@@ -12,6 +12,7 @@
 #   stability     the largest stable steps of a line of points, and other limits
 #   contact       two bars that collide, with and without a contact; normals
 #   normals       normals to unconnected points, and membranes with them
+#   couplings     one deck, each coupling: error against run time, and which wins where
 #   membrane-rest membranes that gas blows up, against their exact rest; an hour, unless its finest run is there
 #   sealed        membranes that hold gas of the cells: at rest, in a stream, a piston, the circle and the dog-bone
 #   membrane-3d   membranes as surfaces in space
@@ -37,24 +38,26 @@ for file in scripts/results/*.bash; do
     . "$file"
 done
 
+# The pages, in the order of the index.
+all=(a1 studies couplings sod shocks waves transport conservation exchange implicit stability contact normals membrane-3d membrane-rest sealed ball-net airbag speed picture gallery)
+
 write_index() {
     local page=$results/README.md file
     printf '# Results\n\n*Written by `scripts/results.sh`; do not edit.*\n\n' >"$page"
     write 'From runs that anyone can repeat: `scripts/results.sh`, or `scripts/results.sh NAME` for one page. Bars were set before anything' \
         'was measured.' '' '| page | |' '|---|---|'
-    for file in a1 studies sod shocks waves transport conservation exchange implicit stability contact normals membrane-3d membrane-rest sealed ball-net airbag speed york-points york-membranes gallery; do
+    for file in "${all[@]}" york-points york-membranes; do
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
     write '' '| page | what | measured | bar | |' '|---|---|---|---|---|'
-    for file in a1 studies sod shocks waves transport conservation exchange implicit stability contact normals membrane-3d membrane-rest sealed ball-net airbag speed; do
+    for file in "${all[@]}"; do
         awk -v name=$file 'index($0, name ",\"") == 1 { rest = substr($0, length(name) + 3); q = index(rest, "\",")
             split(substr(rest, q + 2), f, ","); printf "| [%s](%s.md) | %s | %s | %s | %s |\n", name, name, substr(rest, 1, q - 1), f[1], f[2],
             f[3] == "met" ? "met" : "**missed**" }' "$bars" >>"$page"
     done
 }
 
-all=(a1 sod shocks waves transport conservation exchange implicit stability contact normals membrane-3d membrane-rest sealed ball-net airbag speed studies picture gallery)
 [ $# -gt 0 ] || set -- "${all[@]}"
 for wanted in "$@"; do
     [[ " ${all[*]} " == *" $wanted "* ]] || {

@@ -313,7 +313,8 @@ static floe_status fill_plane(seed_list *list, context *ctx, const sheet_surface
     const long n = (long)fmax(1.0, round(along)), m = (long)fmax(1.0, round(along * second / first));
     TRY(layer_make_room(list, ctx, (size_t)(n * m), 3));
     for (long i = 0; i < n * m; i++) {
-        const double u = ((double)(i % n) + 0.5) / (double)n, v = ((double)(i / n) + 0.5) / (double)m;
+        const long row = i / n;
+        const double u = ((double)(i % n) + 0.5) / (double)n, v = ((double)row + 0.5) / (double)m;
         double x[3];
         for (int k = 0; k < 3; k++) x[k] = s->corner[k] + u * s->first[k] + v * s->second[k];
         if (i == 0) TRY(check_sides(ctx, grid, x, first / (double)n, second / (double)m));

@@ -309,7 +309,7 @@ static void apply(const ice *s, const ice_view *v, int r)
 /* Traction, its work and the heat through the open share of a side, into the ledger. */
 static void enter_face(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, const diffusing *d)
 {
-    const bool radial = d->radius != NULL;
+    const bool radial = v->dim == 2 && d->radius != NULL;
     const int face_i = at.i + (axis == 0 && side == SIDE_UPPER);
     const face_diffusion f = diffusion_on(d, axis, at.face, face_i, v->dim, radial);
     const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
@@ -362,7 +362,7 @@ static void note_sealed_face(const ice *s, const ice_view *v, int axis, mesh_sid
 face_diffusion ice_sealed_stress(const ice *s, const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i)
 {
     const diffusing d = sealed_now(s, v);
-    return diffusion_on(&d, axis, R, i, v->dim, d.radius != NULL);
+    return diffusion_on(&d, axis, R, i, v->dim, false); /* held gas about an axis is refused */
 }
 
 void ice_diffuse_sealed(const ice *s)

@@ -55,7 +55,7 @@ ice_material_row *const ice_face_velocity_row[3][2] = ICE_TABLE(face_velocity);
 static void exchange_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R)
 {
     const ptrdiff_t L = R - v->b->stride[axis];
-    const int n = s->n_materials;
+    const int n = v->n_materials;
     double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[1][EXCHANGE_MAX];
     int present = 0;
     for (int r = 0; r < n; ++r) {
