@@ -204,7 +204,15 @@ plot $(history_of bone-connectivity pressure_gas 'connectivity' 'lw 3 lc rgb gre
      $(history_of bone-isosurface pressure_gas 'isosurface' 'lw 1.5 lc rgb mpm'), \\
      $(history_of bone-quadric pressure_gas 'quadric' 'lw 1.5 dt 2 lc rgb ice')
 END
-    write '' '![pressure](normals-bone.svg)'
+    write '' '![pressure](normals-bone.svg)' '' 'As the deck is (strain from places, damping from t = 3), at rest; means from t = 3.6 on:' '' \
+        '| normals | pressure | off connectivity | radius |' '|---|---|---|---|'
+    for m in connectivity quadric isosurface; do
+        floe_run "rest-$m" inputs/membrane_dogbone.yaml --set "bodies.skin.membrane.normals=$m" --set 'domain.upper=[2, 2]' --set domain.cell=0.2 \
+            --set bodies.skin.membrane.number=100
+        p=$(mean_after "$csv" pressure_in_skin 3.6)
+        [ "$m" = connectivity ] && reference=$p
+        write "| \`$m\` | $(printf %.4f "$p") | $(calc %.4f "100*($p/$reference-1)") % | $(printf %.4f "$(mean_after "$csv" first_skin_x 3.6)") |"
+    done
 }
 
 result_normals() {
