@@ -73,5 +73,9 @@ static void write_columns(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, "}\n");
 }
 
-const custom_key custom_columns = {read_columns, write_columns, "{quantity: column, ...}",
-                                   "{\"type\": \"object\", \"additionalProperties\": {\"type\": \"string\"}}"};
+const custom_key custom_columns = {
+    .read = read_columns,
+    .write = write_columns,
+    .form = "{quantity: column, ...}",
+    .json = "{\"type\": \"object\", \"additionalProperties\": {\"type\": \"string\"}}",
+};

@@ -45,7 +45,12 @@ static void write_version(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, " 1\n");
 }
 
-const custom_key custom_version = {read_version, write_version, "1", "{\"const\": 1}"};
+const custom_key custom_version = {
+    .read = read_version,
+    .write = write_version,
+    .form = "1",
+    .json = "{\"const\": 1}",
+};
 
 /* ---- runs_as: [mpm, ice-mpm] ---- */
 
@@ -86,8 +91,12 @@ static void write_runs_as(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, "]\n");
 }
 
-const custom_key custom_runs_as = {read_runs_as, write_runs_as, "a list of mpm, ice, ice-mpm",
-                                   "{\"type\": \"array\", \"items\": {\"enum\": [\"mpm\", \"ice\", \"ice-mpm\"]}}"};
+const custom_key custom_runs_as = {
+    .read = read_runs_as,
+    .write = write_runs_as,
+    .form = "a list of mpm, ice, ice-mpm",
+    .json = "{\"type\": \"array\", \"items\": {\"enum\": [\"mpm\", \"ice\", \"ice-mpm\"]}}",
+};
 
 /* ---- domain.stress_state ---- */
 
@@ -146,8 +155,11 @@ static void write_stress_state(writer *w, const key_spec *key, const void *base)
 }
 
 const custom_key custom_stress_state = {
-    read_stress_state, write_stress_state, "uniaxial_strain, uniaxial_stress, plane_strain, plane_stress or full",
-    "{\"enum\": [\"uniaxial_strain\", \"uniaxial_stress\", \"plane_strain\", \"plane_stress\", \"full\"]}"};
+    .read = read_stress_state,
+    .write = write_stress_state,
+    .form = "uniaxial_strain, uniaxial_stress, plane_strain, plane_stress or full",
+    .json = "{\"enum\": [\"uniaxial_strain\", \"uniaxial_stress\", \"plane_strain\", \"plane_stress\", \"full\"]}",
+};
 
 /* ---- time.cfl: 0.5, or {mpm: 0.5, ice: 0.4} ---- */
 
@@ -178,31 +190,25 @@ static void write_cfl(writer *w, const key_spec *key, const void *base)
     w->indent--;
 }
 
-const custom_key custom_cfl = {read_cfl, write_cfl, "a number up to 1 for both solvers, or {mpm: number, ice: number}",
-                               NULL};
+const custom_key custom_cfl = {
+    .read = read_cfl,
+    .write = write_cfl,
+    .form = "a number up to 1 for both solvers, or {mpm: number, ice: number}",
+};
 
-/* ---- method.basis ---- */
+/* ---- names out of a registry: method.basis, method.transfer, contact.normals ---- */
 
-static const char *basis_candidate(const void *user, size_t i)
+static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, void *base)
 {
-    const deck_catalogue *catalogue = user;
-    return catalogue && i < catalogue->n_basis ? catalogue->basis[i].name : NULL;
-}
-
-/* One of the names that the catalogue lists, as text. */
-static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, void *base, const char *noun,
-                               const char *(*candidate)(const void *user, size_t i))
-{
+    const custom_key *list = key->custom;
     char *name = (char *)base + key->offset;
     if (!node) return FLOE_OK; /* scene_create has set the default */
-    if (node->kind == NODE_SCALAR) {
-        for (size_t i = 0; candidate(r->catalogue, i); i++) {
-            if (strcmp(candidate(r->catalogue, i), node->text) != 0) continue;
-            snprintf(name, key->size, "%s", node->text);
-            return FLOE_OK;
-        }
+    for (size_t i = 0; node->kind == NODE_SCALAR && list->candidate(r->catalogue, i); i++) {
+        if (strcmp(list->candidate(r->catalogue, i), node->text) != 0) continue;
+        snprintf(name, key->size, "%s", node->text);
+        return FLOE_OK;
     }
-    return bad_name(r, node, false, noun, candidate, r->catalogue);
+    return bad_name(r, node, false, list->noun, list->candidate, r->catalogue);
 }
 
 static void write_listed(writer *w, const key_spec *key, const void *base)
@@ -211,14 +217,11 @@ static void write_listed(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, " %s\n", (const char *)base + key->offset);
 }
 
-static floe_status read_basis(reader *r, const key_spec *key, deck_node *node, void *base)
+static const char *basis_candidate(const void *user, size_t i)
 {
-    return read_listed(r, key, node, base, "basis", basis_candidate);
+    const deck_catalogue *catalogue = user;
+    return catalogue && i < catalogue->n_basis ? catalogue->basis[i].name : NULL;
 }
-
-const custom_key custom_basis = {read_basis, write_listed, "the name of a basis", NULL};
-
-/* ---- method.transfer ---- */
 
 static const char *transfer_candidate(const void *user, size_t i)
 {
@@ -226,27 +229,33 @@ static const char *transfer_candidate(const void *user, size_t i)
     return catalogue && i < catalogue->n_transfer ? catalogue->transfer[i].name : NULL;
 }
 
-static floe_status read_transfer(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    return read_listed(r, key, node, base, "transfer", transfer_candidate);
-}
-
-const custom_key custom_transfer = {read_transfer, write_listed, "the name of a transfer", NULL};
-
-/* ---- contact.normals ---- */
-
 static const char *normal_candidate(const void *user, size_t i)
 {
     const deck_catalogue *catalogue = user;
     return catalogue && i < catalogue->n_normal ? catalogue->normal[i].name : NULL;
 }
 
-static floe_status read_normals(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    return read_listed(r, key, node, base, "kind of normals", normal_candidate);
-}
-
-const custom_key custom_normals = {read_normals, write_listed, "the name of a kind of normals", NULL};
+const custom_key custom_basis = {
+    .read = read_listed,
+    .write = write_listed,
+    .form = "the name of a basis",
+    .noun = "basis",
+    .candidate = basis_candidate,
+};
+const custom_key custom_transfer = {
+    .read = read_listed,
+    .write = write_listed,
+    .form = "the name of a transfer",
+    .noun = "transfer",
+    .candidate = transfer_candidate,
+};
+const custom_key custom_normals = {
+    .read = read_listed,
+    .write = write_listed,
+    .form = "the name of a kind of normals",
+    .noun = "kind of normals",
+    .candidate = normal_candidate,
+};
 
 /* ---- contact.between: all, or [body, body, ...] ---- */
 
@@ -291,8 +300,12 @@ static void write_between(writer *w, const key_spec *key, const void *base)
 }
 
 const custom_key custom_between = {
-    read_between, write_between, "all, or a list of two bodies or more",
-    "{\"oneOf\": [{\"const\": \"all\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}, \"minItems\": 2}]}"};
+    .read = read_between,
+    .write = write_between,
+    .form = "all, or a list of two bodies or more",
+    .json = "{\"oneOf\": [{\"const\": \"all\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}, \"minItems\": "
+            "2}]}",
+};
 
 /* ---- verify.metrics: [eq13, l1_sigma_r] ---- */
 
@@ -331,5 +344,9 @@ static void write_metrics(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, "]\n");
 }
 
-const custom_key custom_metrics = {read_metrics, write_metrics, "a list of names: [l1_density, ...]",
-                                   "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}"};
+const custom_key custom_metrics = {
+    .read = read_metrics,
+    .write = write_metrics,
+    .form = "a list of names: [l1_density, ...]",
+    .json = "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}",
+};

@@ -95,6 +95,9 @@ typedef struct custom_key {
     void (*write)(writer *w, const key_spec *key, const void *base);
     const char *form; /* what is written, for the reference and for messages */
     const char *json; /* JSON schema of the value */
+    /* Of a name out of a registry: what it names, and the registry's names (user: the deck_catalogue; NULL ends them). */
+    const char *noun;
+    const char *(*candidate)(const void *user, size_t i);
 } custom_key;
 
 struct key_spec {

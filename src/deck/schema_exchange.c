@@ -83,8 +83,11 @@ static void write_pair(writer *w, const key_spec *key, const void *base)
 }
 
 const custom_key custom_pair = {
-    read_pair, write_pair, "a list of two materials",
-    "{\"type\": \"array\", \"items\": {\"type\": \"string\"}, \"minItems\": 2, \"maxItems\": 2}"};
+    .read = read_pair,
+    .write = write_pair,
+    .form = "a list of two materials",
+    .json = "{\"type\": \"array\", \"items\": {\"type\": \"string\"}, \"minItems\": 2, \"maxItems\": 2}",
+};
 
 /* ---- items ---- */
 

@@ -56,8 +56,12 @@ static void write_places(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, "]\n");
 }
 
-const custom_key custom_places = {read_places, write_places, "a list of places, [[x, y], [x, y], ...]",
-                                  "{\"type\": \"array\", \"minItems\": 1}"};
+const custom_key custom_places = {
+    .read = read_places,
+    .write = write_places,
+    .form = "a list of places, [[x, y], [x, y], ...]",
+    .json = "{\"type\": \"array\", \"minItems\": 1}",
+};
 
 /* ---- curves ---- */
 

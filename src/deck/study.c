@@ -243,17 +243,31 @@ static void write_over(writer *w, const key_spec *key, const void *base)
     "\"additionalProperties\": false, \"required\": [\"values\"], \"properties\": {\"values\": {\"type\": "        \
     "\"array\"}, "                                                                                                 \
     "\"with\": " LISTS_OF_VALUES "}}]}}"
-const custom_key custom_axis = {read_axis, write_axis, "{key.of.the.deck: [value, value, ...]}", LISTS_WITH_OTHERS};
+const custom_key custom_axis = {
+    .read = read_axis,
+    .write = write_axis,
+    .form = "{key.of.the.deck: [value, value, ...]}",
+    .json = LISTS_WITH_OTHERS,
+};
 const custom_key custom_axes = {
-    read_axes, write_axes,
-    "{key.of.the.deck: [value, value, ...], another.key: [...]}; with keys that change along: "
-    "{key.of.the.deck: {values: [...], with: {another.key: [...]}}}",
-    LISTS_WITH_OTHERS};
-const custom_key custom_each = {read_each, write_each, "{key.of.the.deck: [value, value, ...], another.key: [...]}",
-                                LISTS_OF_VALUES};
-const custom_key custom_over = {read_over, write_over,
-                                "{key.of.the.deck: [from, to]}, or {key: [value, ...], another.key: [value, ...]}",
-                                LISTS_OF_VALUES};
+    .read = read_axes,
+    .write = write_axes,
+    .form = "{key.of.the.deck: [value, value, ...], another.key: [...]}; with keys that change along: "
+            "{key.of.the.deck: {values: [...], with: {another.key: [...]}}}",
+    .json = LISTS_WITH_OTHERS,
+};
+const custom_key custom_each = {
+    .read = read_each,
+    .write = write_each,
+    .form = "{key.of.the.deck: [value, value, ...], another.key: [...]}",
+    .json = LISTS_OF_VALUES,
+};
+const custom_key custom_over = {
+    .read = read_over,
+    .write = write_over,
+    .form = "{key.of.the.deck: [from, to]}, or {key: [value, ...], another.key: [value, ...]}",
+    .json = LISTS_OF_VALUES,
+};
 
 /* ---- study.quantities: [kinetic, pressure_gas] ---- */
 
@@ -284,8 +298,12 @@ static void write_quantities(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, "]\n");
 }
 
-const custom_key custom_quantities = {read_quantities, write_quantities, "a list of columns: [kinetic, pressure_gas]",
-                                      "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}"};
+const custom_key custom_quantities = {
+    .read = read_quantities,
+    .write = write_quantities,
+    .form = "a list of columns: [kinetic, pressure_gas]",
+    .json = "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}",
+};
 
 /* ---- study.require: [{metric: eq13, order: 1.5, error: 0.02, where: {coupling: ice-mpm}}] ---- */
 
@@ -318,7 +336,11 @@ static void write_where(writer *w, const key_spec *key, const void *base)
     text_print(&w->out, "}\n");
 }
 
-static const custom_key custom_where = {read_where, write_where, "{key of an axis: value}", NULL};
+static const custom_key custom_where = {
+    .read = read_where,
+    .write = write_where,
+    .form = "{key of an axis: value}",
+};
 
 static const key_spec bar_keys[] = {
     {"metric", KEY_TEXT, AT(scene_bar, metric), .required = true, .doc = "an error, or a quantity of the study"},
@@ -360,8 +382,11 @@ static void write_bars(writer *w, const key_spec *key, const void *base)
 }
 
 const custom_key custom_bars = {
-    read_bars, write_bars, "a list of {metric: name, order: at least, error: at most, where: {key of an axis: value}}",
-    "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
-    "[\"metric\"], \"properties\": {\"metric\": {\"type\": \"string\"}, \"order\": {\"type\": [\"number\", "
-    "\"string\"]}, "
-    "\"error\": {\"type\": [\"number\", \"string\"]}, \"where\": {\"type\": \"object\"}}}}"};
+    .read = read_bars,
+    .write = write_bars,
+    .form = "a list of {metric: name, order: at least, error: at most, where: {key of an axis: value}}",
+    .json = "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
+            "[\"metric\"], \"properties\": {\"metric\": {\"type\": \"string\"}, \"order\": {\"type\": [\"number\", "
+            "\"string\"]}, "
+            "\"error\": {\"type\": [\"number\", \"string\"]}, \"where\": {\"type\": \"object\"}}}}",
+};

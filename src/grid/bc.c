@@ -21,18 +21,23 @@ static int image_of(const block *b, int axis, mesh_side side, int layer, bool ne
     return side == SIDE_LOWER ? inward : b->n[axis] - 1 - inward;
 }
 
+void bc_layers(const block *b, int axis, mesh_side side, int from, int to, int lo[], int hi[])
+{
+    for (int d = 0; d < MESH_MAX_DIM; ++d) {
+        lo[d] = d < b->dim ? -MESH_GHOST : 0;
+        hi[d] = d < b->dim ? b->n[d] + MESH_GHOST : 1;
+    }
+    lo[axis] = side == SIDE_LOWER ? -to : b->n[axis] + from - 1;
+    hi[axis] = lo[axis] + to - from + 1;
+}
+
 static void apply(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
 {
-    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-    for (int d = 0; d < b->dim; ++d) {
-        lo[d] = -MESH_GHOST;
-        hi[d] = b->n[d] + MESH_GHOST;
-    }
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
     for (int layer = 1; layer <= MESH_GHOST; ++layer) {
         const int ghost = side == SIDE_LOWER ? -layer : b->n[axis] + layer - 1;
         const ptrdiff_t offset = (image_of(b, axis, side, layer, rule.nearest) - ghost) * b->stride[axis];
-        lo[axis] = ghost;
-        hi[axis] = ghost + 1;
+        bc_layers(b, axis, side, layer, layer, lo, hi);
         for (int k = lo[2]; k < hi[2]; ++k)
             for (int j = lo[1]; j < hi[1]; ++j)
                 for (int i = lo[0]; i < hi[0]; ++i) {

@@ -30,13 +30,8 @@ typedef struct ghost_rule {
 /* Ghosts beyond one side, with `value` added. */
 static void add_to_ghosts(const block *b, int axis, mesh_side side, double value, double *a)
 {
-    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-    for (int d = 0; d < b->dim; ++d) {
-        lo[d] = -MESH_GHOST;
-        hi[d] = b->n[d] + MESH_GHOST;
-    }
-    lo[axis] = side == SIDE_LOWER ? -MESH_GHOST : b->n[axis];
-    hi[axis] = lo[axis] + MESH_GHOST;
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 1, MESH_GHOST, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) a[mesh_index(b, i, j, k)] += value;
@@ -45,13 +40,8 @@ static void add_to_ghosts(const block *b, int axis, mesh_side side, double value
 /* Continues an array in a straight line beyond a side, by the smaller of the last two differences, none where they differ in sign. */
 static void extrapolate(const block *b, int axis, mesh_side side, double *a)
 {
-    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-    for (int d = 0; d < b->dim; ++d) {
-        lo[d] = -MESH_GHOST;
-        hi[d] = b->n[d] + MESH_GHOST;
-    }
-    lo[axis] = side == SIDE_LOWER ? 0 : b->n[axis] - 1;
-    hi[axis] = lo[axis] + 1;
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 0, 0, lo, hi);
     const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
@@ -179,13 +169,8 @@ static void fill_backflow(const ice *s, const block *b, const fields *f, int axi
     const bool enters = s->material[r].scene_material == wall->material;
     const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
     double *rho = field_get(f, C_RHO, r, 0), *e = field_get(f, C_ENERGY, r, 0), *vol = field_get(f, C_VOL, r, 0);
-    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-    for (int d = 0; d < b->dim; ++d) {
-        lo[d] = -MESH_GHOST;
-        hi[d] = b->n[d] + MESH_GHOST;
-    }
-    lo[axis] = side == SIDE_LOWER ? -MESH_GHOST : b->n[axis];
-    hi[axis] = lo[axis] + MESH_GHOST;
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 1, MESH_GHOST, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) {

@@ -306,17 +306,22 @@ static void apply(const ice *s, const ice_view *v, int r)
     each_row(s, v, r, &d, apply_rows);
 }
 
+/* Axis 0 is a radius. */
+static bool is_radial(const ice_view *v, const diffusing *d)
+{
+    return v->dim == 2 && d->radius != NULL;
+}
+
 /* Traction, its work and the heat through the open share of a side, into the ledger. */
 static void enter_face(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at, const diffusing *d)
 {
-    const bool radial = v->dim == 2 && d->radius != NULL;
     const int face_i = at.i + (axis == 0 && side == SIDE_UPPER);
-    const face_diffusion f = diffusion_on(d, axis, at.face, face_i, v->dim, radial);
+    const face_diffusion f = diffusion_on(d, axis, at.face, face_i, v->dim, is_radial(v, d));
     const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
     const double scale = at.outward * area * v->dt * ice_side_open(s, v->b, (const int[]){at.i, at.j}, axis, side);
     double *tile = ice_tile(s, v->b, at.i, at.j, at.k);
     for (int a = 0; a < v->dim; ++a)
-        if (!(a == 0 && radial)) tile[TILE_MOMENTUM + a] += scale * f.t[a];
+        if (!(a == 0 && is_radial(v, d))) tile[TILE_MOMENTUM + a] += scale * f.t[a];
     tile[TILE_ENERGY] += scale * f.power;
 }
 
@@ -362,7 +367,7 @@ static void note_sealed_face(const ice *s, const ice_view *v, int axis, mesh_sid
 face_diffusion ice_sealed_stress(const ice *s, const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i)
 {
     const diffusing d = sealed_now(s, v);
-    return diffusion_on(&d, axis, R, i, v->dim, false); /* held gas about an axis is refused */
+    return diffusion_on(&d, axis, R, i, v->dim, is_radial(v, &d));
 }
 
 void ice_diffuse_sealed(const ice *s)

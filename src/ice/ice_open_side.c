@@ -87,13 +87,8 @@ void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axi
     const ice_reservoir *rest = &s->work->reservoir[axis][side];
     const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0,
                  most_speed = fastest(s, axis, side, r);
-    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-    for (int d = 0; d < b->dim; ++d) {
-        lo[d] = -MESH_GHOST;
-        hi[d] = b->n[d] + MESH_GHOST;
-    }
-    lo[axis] = side == SIDE_LOWER ? 0 : b->n[axis] - 1;
-    hi[axis] = lo[axis] + 1;
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 0, 0, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) {

@@ -3,25 +3,18 @@
  *
  * de = -p dv + c_v dT gives e = c_v T + e_0(rho), e_0 = (p_0 - c^2 rho_0) (1/rho_0 - 1/rho) + c^2 ln(rho/rho_0): the energy of
  * compression from rho_0. */
+#include "material/barotropic.h"
 #include "material/eos.h"
 
 #include <math.h>
 
 typedef struct acoustic_par {
-    double density;       /* kg/m3, rho_0 */
-    double sound_speed;   /* m/s, c */
-    double pressure;      /* Pa, p_0 */
-    double specific_heat; /* J/kg/K */
+    barotropic rest;
+    double sound_speed; /* m/s, c */
 } acoustic_par;
 
 static const param_spec acoustic_params[] = {
-    {.key = "density",
-     .unit = "kg/m^3",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(acoustic_par, density),
-     .count = 1,
-     .doc = "density at the pressure below"},
+    BAROTROPIC_DENSITY,
     {.key = "sound_speed",
      .unit = "m/s",
      .range = PARAM_POSITIVE,
@@ -29,27 +22,14 @@ static const param_spec acoustic_params[] = {
      .offset = offsetof(acoustic_par, sound_speed),
      .count = 1,
      .doc = "speed of sound c; the bulk modulus is density times c^2"},
-    {.key = "pressure",
-     .unit = "Pa",
-     .range = PARAM_ANY,
-     .fallback = 0.0,
-     .offset = offsetof(acoustic_par, pressure),
-     .count = 1,
-     .doc = "pressure at that density"},
-    {.key = "specific_heat",
-     .unit = "J/kg/K",
-     .range = PARAM_POSITIVE,
-     .fallback = 1000.0,
-     .offset = offsetof(acoustic_par, specific_heat),
-     .count = 1,
-     .doc = "specific heat; it changes temperatures alone"},
+    BAROTROPIC_REST,
 };
 
 /* ln(1 + x) - x/(1 + x), x = rho/rho_0 - 1, keeps the digits of small compressions. */
 static double cold_energy(const acoustic_par *a, double rho)
 {
-    const double x = (rho - a->density) / a->density, c2 = a->sound_speed * a->sound_speed;
-    return a->pressure / a->density * (x / (1.0 + x)) + c2 * (log1p(x) - x / (1.0 + x));
+    const double x = (rho - a->rest.density) / a->rest.density, c2 = a->sound_speed * a->sound_speed;
+    return a->rest.pressure / a->rest.density * (x / (1.0 + x)) + c2 * (log1p(x) - x / (1.0 + x));
 }
 
 static void acoustic_pressure(const void *par, size_t n, const double *restrict rho, const double *restrict e,
@@ -59,7 +39,7 @@ static void acoustic_pressure(const void *par, size_t n, const double *restrict 
     const double square = a->sound_speed * a->sound_speed;
     (void)e;
     for (size_t i = 0; i < n; i++) {
-        p[i] = a->pressure + square * (rho[i] - a->density);
+        p[i] = a->rest.pressure + square * (rho[i] - a->rest.density);
         c2[i] = square;
     }
 }
@@ -68,14 +48,14 @@ static void acoustic_temperature(const void *par, size_t n, const double *restri
                                  double *restrict T)
 {
     const acoustic_par *a = par;
-    for (size_t i = 0; i < n; i++) T[i] = (e[i] - cold_energy(a, rho[i])) / a->specific_heat;
+    for (size_t i = 0; i < n; i++) T[i] = (e[i] - cold_energy(a, rho[i])) / a->rest.specific_heat;
 }
 
 static void acoustic_energy(const void *par, size_t n, const double *restrict rho, const double *restrict T,
                             double *restrict e)
 {
     const acoustic_par *a = par;
-    for (size_t i = 0; i < n; i++) e[i] = a->specific_heat * T[i] + cold_energy(a, rho[i]);
+    for (size_t i = 0; i < n; i++) e[i] = a->rest.specific_heat * T[i] + cold_energy(a, rho[i]);
 }
 
 static void acoustic_volume(const void *par, size_t n, const double *restrict p, const double *restrict T,
@@ -85,29 +65,8 @@ static void acoustic_volume(const void *par, size_t n, const double *restrict p,
     const double slope = 1.0 / (a->sound_speed * a->sound_speed);
     (void)T;
     for (size_t i = 0; i < n; i++) {
-        v[i] = 1.0 / (a->density + slope * (p[i] - a->pressure));
+        v[i] = 1.0 / (a->rest.density + slope * (p[i] - a->rest.pressure));
         dvdp[i] = -slope * v[i] * v[i];
-    }
-}
-
-static void acoustic_dpde(const void *par, size_t n, const double *restrict rho, const double *restrict e,
-                          double *restrict dpde)
-{
-    (void)par;
-    (void)rho;
-    (void)e;
-    for (size_t i = 0; i < n; i++) dpde[i] = 0.0;
-}
-
-static void acoustic_heat(const void *par, size_t n, const double *restrict rho, const double *restrict e,
-                          double *restrict cv, double *restrict alpha)
-{
-    const acoustic_par *a = par;
-    (void)rho;
-    (void)e;
-    for (size_t i = 0; i < n; i++) {
-        cv[i] = a->specific_heat;
-        alpha[i] = 0.0;
     }
 }
 
@@ -115,7 +74,7 @@ static void acoustic_heat(const void *par, size_t n, const double *restrict rho,
 static double acoustic_pressure_floor(const void *par)
 {
     const acoustic_par *a = par;
-    return a->pressure - a->sound_speed * a->sound_speed * a->density;
+    return a->rest.pressure - a->sound_speed * a->sound_speed * a->rest.density;
 }
 
 /* T = 0. */
@@ -135,8 +94,8 @@ const eos_model eos_acoustic = {
     .temperature = acoustic_temperature,
     .energy = acoustic_energy,
     .volume = acoustic_volume,
-    .dpde = acoustic_dpde,
-    .heat = acoustic_heat,
+    .dpde = barotropic_dpde,
+    .heat = barotropic_heat,
     .pressure_floor = acoustic_pressure_floor,
     .energy_floor = acoustic_energy_floor,
 };

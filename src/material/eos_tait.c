@@ -3,26 +3,19 @@
  *
  * de = -p dv + c_v dT gives e = c_v T + e_0(rho), with x = rho/rho_0 and B = K/n
  *   e_0 = {p_0 (1 - 1/x) + B [(x^(n-1) - 1)/(n - 1) - (1 - 1/x)]} / rho_0: the energy of compression from rho_0. */
+#include "material/barotropic.h"
 #include "material/eos.h"
 
 #include <math.h>
 
 typedef struct tait_par {
-    double density;       /* kg/m3, rho_0 */
-    double bulk_modulus;  /* Pa, K */
-    double exponent;      /* n */
-    double pressure;      /* Pa, p_0 */
-    double specific_heat; /* J/kg/K */
+    barotropic rest;
+    double bulk_modulus; /* Pa, K */
+    double exponent;     /* n */
 } tait_par;
 
 static const param_spec tait_params[] = {
-    {.key = "density",
-     .unit = "kg/m^3",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(tait_par, density),
-     .count = 1,
-     .doc = "density at the pressure below"},
+    BAROTROPIC_DENSITY,
     {.key = "bulk_modulus",
      .unit = "Pa",
      .range = PARAM_POSITIVE,
@@ -39,33 +32,20 @@ static const param_spec tait_params[] = {
      .offset = offsetof(tait_par, exponent),
      .count = 1,
      .doc = "derivative of the bulk modulus by pressure (water: 7 to 7.15)"},
-    {.key = "pressure",
-     .unit = "Pa",
-     .range = PARAM_ANY,
-     .fallback = 0.0,
-     .offset = offsetof(tait_par, pressure),
-     .count = 1,
-     .doc = "pressure at that density"},
-    {.key = "specific_heat",
-     .unit = "J/kg/K",
-     .range = PARAM_POSITIVE,
-     .fallback = 1000.0,
-     .offset = offsetof(tait_par, specific_heat),
-     .count = 1,
-     .doc = "specific heat; it changes temperatures alone"},
+    BAROTROPIC_REST,
 };
 
 /* Logarithms of density ratios keep the digits of small compressions. */
 static double log_ratio(const tait_par *a, double rho)
 {
-    return log1p((rho - a->density) / a->density);
+    return log1p((rho - a->rest.density) / a->rest.density);
 }
 
 static double cold_energy(const tait_par *a, double rho)
 {
     const double L = log_ratio(a, rho), n1 = a->exponent - 1.0, B = a->bulk_modulus / a->exponent;
     const double squeeze = -expm1(-L); /* 1 - 1/x */
-    return (a->pressure * squeeze + B * (expm1(n1 * L) / n1 - squeeze)) / a->density;
+    return (a->rest.pressure * squeeze + B * (expm1(n1 * L) / n1 - squeeze)) / a->rest.density;
 }
 
 static void tait_pressure(const void *par, size_t n, const double *restrict rho, const double *restrict e,
@@ -76,7 +56,7 @@ static void tait_pressure(const void *par, size_t n, const double *restrict rho,
     (void)e;
     for (size_t i = 0; i < n; i++) {
         const double power = a->exponent * log_ratio(a, rho[i]);
-        p[i] = a->pressure + B * expm1(power);
+        p[i] = a->rest.pressure + B * expm1(power);
         c2[i] = a->bulk_modulus * exp(power) / rho[i]; /* not of 1 + expm1, which is 0 far out */
     }
 }
@@ -85,14 +65,14 @@ static void tait_temperature(const void *par, size_t n, const double *restrict r
                              double *restrict T)
 {
     const tait_par *a = par;
-    for (size_t i = 0; i < n; i++) T[i] = (e[i] - cold_energy(a, rho[i])) / a->specific_heat;
+    for (size_t i = 0; i < n; i++) T[i] = (e[i] - cold_energy(a, rho[i])) / a->rest.specific_heat;
 }
 
 static void tait_energy(const void *par, size_t n, const double *restrict rho, const double *restrict T,
                         double *restrict e)
 {
     const tait_par *a = par;
-    for (size_t i = 0; i < n; i++) e[i] = a->specific_heat * T[i] + cold_energy(a, rho[i]);
+    for (size_t i = 0; i < n; i++) e[i] = a->rest.specific_heat * T[i] + cold_energy(a, rho[i]);
 }
 
 static void tait_volume(const void *par, size_t n, const double *restrict p, const double *restrict T,
@@ -102,30 +82,9 @@ static void tait_volume(const void *par, size_t n, const double *restrict p, con
     const double B = a->bulk_modulus / a->exponent;
     (void)T;
     for (size_t i = 0; i < n; i++) {
-        const double L = log1p((p[i] - a->pressure) / B) / a->exponent;
-        v[i] = exp(-L) / a->density;
-        dvdp[i] = -v[i] / (a->exponent * (B + (p[i] - a->pressure)));
-    }
-}
-
-static void tait_dpde(const void *par, size_t n, const double *restrict rho, const double *restrict e,
-                      double *restrict dpde)
-{
-    (void)par;
-    (void)rho;
-    (void)e;
-    for (size_t i = 0; i < n; i++) dpde[i] = 0.0;
-}
-
-static void tait_heat(const void *par, size_t n, const double *restrict rho, const double *restrict e,
-                      double *restrict cv, double *restrict alpha)
-{
-    const tait_par *a = par;
-    (void)rho;
-    (void)e;
-    for (size_t i = 0; i < n; i++) {
-        cv[i] = a->specific_heat;
-        alpha[i] = 0.0;
+        const double L = log1p((p[i] - a->rest.pressure) / B) / a->exponent;
+        v[i] = exp(-L) / a->rest.density;
+        dvdp[i] = -v[i] / (a->exponent * (B + (p[i] - a->rest.pressure)));
     }
 }
 
@@ -133,7 +92,7 @@ static void tait_heat(const void *par, size_t n, const double *restrict rho, con
 static double tait_pressure_floor(const void *par)
 {
     const tait_par *a = par;
-    return a->pressure - a->bulk_modulus / a->exponent;
+    return a->rest.pressure - a->bulk_modulus / a->exponent;
 }
 
 /* T = 0. */
@@ -154,8 +113,8 @@ const eos_model eos_tait = {
     .temperature = tait_temperature,
     .energy = tait_energy,
     .volume = tait_volume,
-    .dpde = tait_dpde,
-    .heat = tait_heat,
+    .dpde = barotropic_dpde,
+    .heat = barotropic_heat,
     .pressure_floor = tait_pressure_floor,
     .energy_floor = tait_energy_floor,
 };

@@ -61,11 +61,7 @@ static double vortex_value(const void *par, const void *prepared, exact_quantity
     case EXACT_VELOCITY_X: return p->velocity[0] - speed * s[1];
     case EXACT_VELOCITY_Y: return p->velocity[1] + speed * s[0];
     case EXACT_VELOCITY_Z: return p->velocity[2];
-    case EXACT_DENSITY: return density;
-    case EXACT_PRESSURE: return pressure;
-    case EXACT_INTERNAL_ENERGY: return gas_energy(density, pressure, g, 0.0);
-    case EXACT_TEMPERATURE: return gas_temperature(density, pressure, g, 0.0, p->heat_capacity);
-    default: return NAN;
+    default: return gas_value(quantity, density, pressure, g, p->heat_capacity);
     }
 }
 

@@ -50,12 +50,7 @@ static double noh_value(const void *par, const void *prepared, exact_quantity qu
     const noh_par *p = par;
     const noh_state s = noh_at(p, radial_distance(&p->radial, dim, x), t);
     if (is_velocity(quantity)) return radial_component(&p->radial, dim, quantity, x, s.velocity);
-    switch (quantity) {
-    case EXACT_DENSITY: return s.density;
-    case EXACT_PRESSURE: return s.pressure;
-    case EXACT_INTERNAL_ENERGY: return gas_energy(s.density, s.pressure, p->gamma, 0.0);
-    default: return NAN;
-    }
+    return gas_value(quantity, s.density, s.pressure, p->gamma, 0.0);
 }
 
 static void noh_breaks(const void *par, const void *prepared, double t, exact_breaks *out)

@@ -137,12 +137,7 @@ static double sedov_value(const void *par, const void *prepared, exact_quantity 
         pressure = 2.0 * p->density * D * D / (g + 1.0) * b.pressure;
     }
     if (is_velocity(quantity)) return radial_component(&p->radial, dim, quantity, x, velocity);
-    switch (quantity) {
-    case EXACT_DENSITY: return density;
-    case EXACT_PRESSURE: return pressure;
-    case EXACT_INTERNAL_ENERGY: return gas_energy(density, pressure, g, 0.0);
-    default: return NAN;
-    }
+    return gas_value(quantity, density, pressure, g, 0.0);
 }
 
 static void sedov_breaks(const void *par, const void *prepared, double t, exact_breaks *out)

@@ -38,9 +38,7 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     const double steepest = 0.5 * (p->gamma + 1.0) * fabs(p->amplitude) * profile_largest_slope(&c->shape);
     c->break_time = steepest > 0.0 ? 1.0 / steepest : (double)INFINITY;
     TRY(profile_check(ctx, &c->shape));
-    if (c->sound > 0.5 * (p->gamma - 1.0) * fabs(p->amplitude)) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "amplitude = %g m/s: must be below 2 c/(gamma - 1) = %g m/s, or a vacuum opens",
-                p->amplitude, 2.0 * c->sound / (p->gamma - 1.0));
+    return simple_wave_check(ctx, "amplitude", p->amplitude, c->sound, p->gamma);
 }
 
 typedef struct characteristic {
@@ -80,16 +78,8 @@ static double wave_value(const void *par, const void *prepared, exact_quantity q
     if (is_velocity(quantity) && (int)quantity - EXACT_VELOCITY_X != axis) return 0.0;
     const double disturbance = disturbance_at(p, c, x[axis], t);
     const double ratio = 1.0 + 0.5 * (p->gamma - 1.0) * disturbance / c->sound; /* of sound speeds */
-    const double density = p->density * pow(ratio, 2.0 / (p->gamma - 1.0));
-    const double pressure = p->pressure * pow(ratio, 2.0 * p->gamma / (p->gamma - 1.0));
     if (is_velocity(quantity)) return p->velocity + disturbance;
-    switch (quantity) {
-    case EXACT_DENSITY: return density;
-    case EXACT_PRESSURE: return pressure;
-    case EXACT_INTERNAL_ENERGY: return gas_energy(density, pressure, p->gamma, 0.0);
-    case EXACT_TEMPERATURE: return gas_temperature(density, pressure, p->gamma, 0.0, p->heat_capacity);
-    default: return NAN;
-    }
+    return simple_wave_value(quantity, p->density, p->pressure, p->gamma, p->heat_capacity, ratio);
 }
 
 static const exact_scalar wave_scalars[] = {

@@ -16,6 +16,13 @@ floe_status check_axis(context *ctx, double axis, int dim)
     return fail(ctx, FLOE_BAD_INPUT, "axis = %g: must be 0 to %d, the scene has dimension %d", axis, dim - 1, dim);
 }
 
+floe_status simple_wave_check(context *ctx, const char *key, double velocity, double sound, double gamma)
+{
+    if (sound > 0.5 * (gamma - 1.0) * fabs(velocity)) return FLOE_OK;
+    return fail(ctx, FLOE_BAD_INPUT, "%s = %g m/s: must be below 2 c/(gamma - 1) = %g m/s, or a vacuum opens", key,
+                velocity, 2.0 * sound / (gamma - 1.0));
+}
+
 /* A function that GSL never sees fail: a value that is not finite is noted and taken for a root, which ends the search. GSL's
  * own answer to it would be its error handler, which ends the process unless floe_init has switched it off. */
 typedef struct guarded {

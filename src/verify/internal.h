@@ -78,6 +78,29 @@ static inline double gas_temperature(double rho, double p, double gamma, double 
     return heat_capacity > 0.0 ? (p + p_inf) / ((gamma - 1.0) * heat_capacity * rho) : (double)NAN;
 }
 
+/* What an ideal gas at (rho, p) has of density, pressure, energy and temperature; NAN for another quantity. */
+static inline double gas_value(exact_quantity quantity, double rho, double p, double gamma, double heat_capacity)
+{
+    switch (quantity) {
+    case EXACT_DENSITY: return rho;
+    case EXACT_PRESSURE: return p;
+    case EXACT_INTERNAL_ENERGY: return gas_energy(rho, p, gamma, 0.0);
+    case EXACT_TEMPERATURE: return gas_temperature(rho, p, gamma, 0.0, heat_capacity);
+    default: return NAN;
+    }
+}
+
+/* The same of a gas in a simple wave, where the speed of sound is `ratio` times that of the gas at rest, (rho, p). */
+static inline double simple_wave_value(exact_quantity quantity, double rho, double p, double gamma,
+                                       double heat_capacity, double ratio)
+{
+    return gas_value(quantity, rho * pow(ratio, 2.0 / (gamma - 1.0)), p * pow(ratio, 2.0 * gamma / (gamma - 1.0)),
+                     gamma, heat_capacity);
+}
+
+/* Errors: FLOE_BAD_INPUT unless a gas of that speed of sound can follow the velocity `key`, instead of leaving a vacuum. */
+floe_status simple_wave_check(context *ctx, const char *key, double velocity, double sound, double gamma);
+
 typedef double root_function(double x, void *user);
 
 /* The root of f in [lo, hi] to round-off (Brent's method, GSL); f must change sign there. NAN when it does not, when f is not

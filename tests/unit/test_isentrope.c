@@ -26,8 +26,8 @@ static double mismatch(const eos *law, double p_0, double T, double ratio)
 static void power_laws(void **state)
 {
     (void)state;
-    static double air[] = {1.4, 717.5}, water[] = {4.4, 6e8, 1816.0}, tait[] = {1000.0, 2.2e9, 7.15, 1e5, 4186.0},
-                  acoustic[] = {1000.0, 1500.0, 1e5, 4186.0};
+    static double air[] = {1.4, 717.5}, water[] = {4.4, 6e8, 1816.0}, tait[] = {1000.0, 1e5, 4186.0, 2.2e9, 7.15},
+                  acoustic[] = {1000.0, 1e5, 4186.0, 1500.0};
     const eos law[] = {{eos_find("ideal"), air},
                        {eos_find("stiffened"), water},
                        {eos_find("tait"), tait},

@@ -98,7 +98,7 @@ static void nasg_water(void **state)
 static void tait_water(void **state)
 {
     (void)state;
-    double par[] = {1000.0, 2.2e9, 7.15, 101325.0, 4186.0};
+    double par[] = {1000.0, 101325.0, 4186.0, 2.2e9, 7.15};
     const eos water = law_of("tait", par);
     const double rho[2] = {1000.0, 1010.0}, e[2] = {0.0, 0.0};
     double p[2], c2[2];
@@ -112,7 +112,7 @@ static void tait_water(void **state)
 static void contradiction_refused(void **state)
 {
     (void)state;
-    double par[] = {1000.0, 2.2e9, 7.15, 101325.0, 4186.0};
+    double par[] = {1000.0, 101325.0, 4186.0, 2.2e9, 7.15};
     const eos water = law_of("tait", par);
     context *ctx = context_create();
     fluid_state out;

@@ -193,6 +193,26 @@ FIXTURE void trial_steps(trial *t, long steps)
     for (long k = 0; k < steps; ++k) check_ok(t->ctx, sim_step(t->sim, INFINITY));
 }
 
+/* Runs on until the kinetic energy of body 0 has its first maximum, which must come by then (s): its time, by the parabola through
+ * three steps. */
+FIXTURE double time_of_most_motion(trial *t, double latest)
+{
+    double kinetic[3] = {0.0};
+    for (;;) {
+        mpm_totals sum;
+        check_ok(t->ctx, sim_step(t->sim, INFINITY));
+        check_ok(t->ctx, mpm_sum(t->sim->mpm, &sum));
+        kinetic[0] = kinetic[1];
+        kinetic[1] = kinetic[2];
+        kinetic[2] = sum.kinetic[0];
+        if (kinetic[1] > 0.0 && kinetic[2] < kinetic[1]) break;
+        assert_true(t->sim->time < latest);
+    }
+    const double dt = t->sim->mpm->dt, curvature = kinetic[2] - 2.0 * kinetic[1] + kinetic[0];
+    /* velocities are those of half a step before */
+    return t->sim->time - dt - 0.5 * dt - 0.5 * dt * (kinetic[2] - kinetic[0]) / curvature;
+}
+
 FIXTURE void trial_end(trial *t)
 {
     sim_destroy(&t->sim);

@@ -136,20 +136,7 @@ static double quarter_period(double h)
     t.scene->time.fixed_step = 0.1 * h;
     add_ring(&t, add_skin(&t, "string", 1.0, 1.0), centre, 0.5)->slack = -1e-3;
     trial_start(&t);
-    double kinetic[3] = {0.0};
-    for (;;) {
-        mpm_totals sum;
-        check_ok(t.ctx, sim_step(t.sim, INFINITY));
-        check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
-        kinetic[0] = kinetic[1];
-        kinetic[1] = kinetic[2];
-        kinetic[2] = sum.kinetic[0];
-        if (kinetic[1] > 0.0 && kinetic[2] < kinetic[1]) break;
-        assert_true(t.sim->time < 1.0);
-    }
-    const double dt = t.sim->mpm->dt, curvature = kinetic[2] - 2.0 * kinetic[1] + kinetic[0];
-    /* velocities are those of half a step before */
-    const double time = t.sim->time - dt - 0.5 * dt - 0.5 * dt * (kinetic[2] - kinetic[0]) / curvature;
+    const double time = time_of_most_motion(&t, 1.0);
     trial_end(&t);
     return time;
 }
