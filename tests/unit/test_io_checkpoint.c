@@ -213,8 +213,8 @@ static void refuses_damaged_bytes(void **state)
     (void)state;
     written w;
     written_make(&w, 1, 1);
-    for (size_t i = 0; i < SEALED_HEADER + 300; i++) {
-        /* Each byte of the header, then bytes all over the body. */
+    for (size_t i = 0; i < SEALED_HEADER + 1000; i++) {
+        /* Each byte of the header, then a thousand bytes all over the body. */
         const size_t span = w.size - SEALED_HEADER;
         const size_t at = i < SEALED_HEADER ? i : SEALED_HEADER + (size_t)(fixture_value(1, 2, i) * (double)span);
         const char flip = (char)(1 + (int)(fixture_value(3, 4, i) * 255.0));
