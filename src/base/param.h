@@ -24,6 +24,23 @@ typedef struct param_spec {
     const char *doc; /* one line */
 } param_spec;
 
+/* Entries of a table, one line each. `type` is the parameter struct, `field` its double, which has the name of the key. */
+#define PAR_ENTRY(type, field, unit_, range_, lo_, hi_, fallback_, count_, doc_)                    \
+    {                                                                                               \
+        .key = #field, .unit = unit_, .range = range_, .lo = lo_, .hi = hi_, .fallback = fallback_, \
+        .offset = offsetof(type, field), .count = count_, .doc = doc_                               \
+    }
+#define PAR_ANY(type, field, unit, fallback, doc) PAR_ENTRY(type, field, unit, PARAM_ANY, 0.0, 0.0, fallback, 1, doc)
+#define PAR_POSITIVE(type, field, unit, fallback, doc) \
+    PAR_ENTRY(type, field, unit, PARAM_POSITIVE, 0.0, 0.0, fallback, 1, doc)
+#define PAR_NONNEGATIVE(type, field, unit, fallback, doc) \
+    PAR_ENTRY(type, field, unit, PARAM_NONNEGATIVE, 0.0, 0.0, fallback, 1, doc)
+#define PAR_BETWEEN(type, field, unit, lo, hi, fallback, doc) \
+    PAR_ENTRY(type, field, unit, PARAM_BETWEEN, lo, hi, fallback, 1, doc)
+/* A vector of the scene's dimension, in double[3]. */
+#define PAR_VECTOR(type, field, unit, range, fallback, doc) \
+    PAR_ENTRY(type, field, unit, range, 0.0, 0.0, fallback, -3, doc)
+
 /* true when x is finite and inside the range of the spec. */
 bool param_in_range(const param_spec *spec, double x);
 /* "a number > 0", "a number from 0 to 0.5": the words of an error message. Writes at most size bytes. */

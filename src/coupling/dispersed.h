@@ -11,20 +11,11 @@ typedef struct dispersed_par {
     double viscosity; /* Pa s of the carrier; 0: that of its material */
 } dispersed_par;
 
-/* The two rows of a parameter table whose struct `type` has a dispersed_par called `spheres`. */
-#define DISPERSED_PARAMS(type)                                                                  \
-    {.key = "diameter",                                                                         \
-     .unit = "m",                                                                               \
-     .range = PARAM_POSITIVE,                                                                   \
-     .fallback = NAN,                                                                           \
-     .offset = offsetof(type, spheres.diameter),                                                \
-     .count = 1,                                                                                \
-     .doc = "diameter of the spheres, the first material"},                                     \
-    {                                                                                           \
-        .key = "viscosity", .unit = "Pa s", .range = PARAM_NONNEGATIVE, .fallback = 0.0,        \
-        .offset = offsetof(type, spheres.viscosity), .count = 1,                                \
-        .doc = "shear viscosity of the carrier, the second material; 0: by its own `viscosity`" \
-    }
+/* The rows of a parameter table whose struct begins with a dispersed_par. */
+#define DISPERSED_PARAMS                                                                            \
+    PAR_POSITIVE(dispersed_par, diameter, "m", NAN, "diameter of the spheres, the first material"), \
+        PAR_NONNEGATIVE(dispersed_par, viscosity, "Pa s", 0.0,                                      \
+                        "shear viscosity of the carrier, the second material; 0: by its own `viscosity`")
 
 static inline double dispersed_viscosity(const dispersed_par *a, const exchange_pair *q)
 {

@@ -7,18 +7,10 @@ typedef struct constant_par {
     double coefficient;
 } constant_par;
 
-#define COEFFICIENT(unit_, most, doc_)                                                                           \
-    {                                                                                                            \
-        {                                                                                                        \
-            .key = "coefficient", .unit = unit_, .range = PARAM_BETWEEN, .lo = 0.0, .hi = most, .fallback = NAN, \
-            .offset = offsetof(constant_par, coefficient), .count = 1, .doc = doc_                               \
-        }                                                                                                        \
-    }
-
-static const param_spec momentum_params[] =
-    COEFFICIENT("kg m-3 s-1", 1e20, "K of the force theta1 theta2 K (u2 - u1) per volume");
-static const param_spec heat_params[] =
-    COEFFICIENT("W m-3 K-1", 1e30, "R of the heat theta1 theta2 R (T2 - T1) per volume and time");
+static const param_spec momentum_params[] = {PAR_BETWEEN(constant_par, coefficient, "kg m-3 s-1", 0.0, 1e20, NAN,
+                                                         "K of the force theta1 theta2 K (u2 - u1) per volume")};
+static const param_spec heat_params[] = {PAR_BETWEEN(constant_par, coefficient, "W m-3 K-1", 0.0, 1e30, NAN,
+                                                     "R of the heat theta1 theta2 R (T2 - T1) per volume and time")};
 
 static double coefficient(const void *par, const exchange_pair *pair)
 {

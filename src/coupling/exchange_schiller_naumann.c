@@ -11,23 +11,11 @@ typedef struct sphere_heat_par {
     double conductivity, prandtl; /* W/m/K, 1 */
 } sphere_heat_par;
 
-static const param_spec momentum_params[] = {DISPERSED_PARAMS(sphere_par)};
+static const param_spec momentum_params[] = {DISPERSED_PARAMS};
 static const param_spec heat_params[] = {
-    DISPERSED_PARAMS(sphere_heat_par),
-    {.key = "conductivity",
-     .unit = "W m-1 K-1",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(sphere_heat_par, conductivity),
-     .count = 1,
-     .doc = "of the carrier"},
-    {.key = "prandtl",
-     .unit = "1",
-     .range = PARAM_POSITIVE,
-     .fallback = 0.71,
-     .offset = offsetof(sphere_heat_par, prandtl),
-     .count = 1,
-     .doc = "Prandtl number of the carrier"},
+    DISPERSED_PARAMS,
+    PAR_POSITIVE(sphere_heat_par, conductivity, "W m-1 K-1", NAN, "of the carrier"),
+    PAR_POSITIVE(sphere_heat_par, prandtl, "1", 0.71, "Prandtl number of the carrier"),
 };
 
 static double momentum(const void *par, const exchange_pair *q)

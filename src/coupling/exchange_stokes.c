@@ -9,22 +9,10 @@ typedef struct conduction_par {
     double diameter, conductivity; /* m, W/m/K */
 } conduction_par;
 
-static const param_spec momentum_params[] = {DISPERSED_PARAMS(stokes_par)};
+static const param_spec momentum_params[] = {DISPERSED_PARAMS};
 static const param_spec heat_params[] = {
-    {.key = "diameter",
-     .unit = "m",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(conduction_par, diameter),
-     .count = 1,
-     .doc = "diameter of the spheres, the first material"},
-    {.key = "conductivity",
-     .unit = "W m-1 K-1",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(conduction_par, conductivity),
-     .count = 1,
-     .doc = "of the carrier, the second material"},
+    PAR_POSITIVE(conduction_par, diameter, "m", NAN, "diameter of the spheres, the first material"),
+    PAR_POSITIVE(conduction_par, conductivity, "W m-1 K-1", NAN, "of the carrier, the second material"),
 };
 
 static double momentum(const void *par, const exchange_pair *q)

@@ -8,27 +8,10 @@ typedef struct arrhenius_par {
 } arrhenius_par;
 
 static const param_spec params[] = {
-    {.key = "frequency",
-     .unit = "1/s",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(arrhenius_par, frequency),
-     .count = 1,
-     .doc = "A, the rate at infinite temperature"},
-    {.key = "activation",
-     .unit = "K",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = NAN,
-     .offset = offsetof(arrhenius_par, activation),
-     .count = 1,
-     .doc = "activation temperature, the activation energy over the gas constant"},
-    {.key = "threshold",
-     .unit = "K",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(arrhenius_par, threshold),
-     .count = 1,
-     .doc = "nothing reacts below this temperature"},
+    PAR_POSITIVE(arrhenius_par, frequency, "1/s", NAN, "A, the rate at infinite temperature"),
+    PAR_NONNEGATIVE(arrhenius_par, activation, "K", NAN,
+                    "activation temperature, the activation energy over the gas constant"),
+    PAR_NONNEGATIVE(arrhenius_par, threshold, "K", 0.0, "nothing reacts below this temperature"),
 };
 
 static double rate(const void *par, const reaction_state *q)

@@ -8,45 +8,15 @@ typedef struct burn_par {
 } burn_par;
 
 static const param_spec params[] = {
-    {.key = "velocity",
-     .unit = "m/s",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(burn_par, velocity),
-     .count = 1,
-     .doc = "r_0, at which the surface recedes at the pressure below"},
-    {.key = "pressure",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = 1e6,
-     .offset = offsetof(burn_par, pressure),
-     .count = 1,
-     .doc = "p_0, absolute"},
-    {.key = "exponent",
-     .unit = "1",
-     .range = PARAM_BETWEEN,
-     .lo = 0.0,
-     .hi = 3.0,
-     .fallback = NAN,
-     .offset = offsetof(burn_par, exponent),
-     .count = 1,
-     .doc = "n of r = r_0 (p/p_0)^n"},
-    {.key = "specific_surface",
-     .unit = "1/m",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(burn_par, specific_surface),
-     .count = 1,
-     .doc = "of grains: surface over volume of what is left of the reactant; 0: a body, whose surface is the gradient "
-            "of its "
-            "volume fraction"},
-    {.key = "threshold",
-     .unit = "K",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(burn_par, threshold),
-     .count = 1,
-     .doc = "nothing burns below this temperature of the cell"},
+    PAR_POSITIVE(burn_par, velocity, "m/s", NAN, "r_0, at which the surface recedes at the pressure below"),
+    PAR_POSITIVE(burn_par, pressure, "Pa", 1e6, "p_0, absolute"),
+    PAR_BETWEEN(burn_par, exponent, "1", 0.0, 3.0, NAN, "n of r = r_0 (p/p_0)^n"),
+    PAR_NONNEGATIVE(
+        burn_par, specific_surface, "1/m", 0.0,
+        "of grains: surface over volume of what is left of the reactant; 0: a body, whose surface is the gradient "
+        "of its "
+        "volume fraction"),
+    PAR_NONNEGATIVE(burn_par, threshold, "K", 0.0, "nothing burns below this temperature of the cell"),
 };
 
 static double rate(const void *par, const reaction_state *q)

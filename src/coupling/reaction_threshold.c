@@ -8,20 +8,8 @@ typedef struct threshold_par {
 } threshold_par;
 
 static const param_spec params[] = {
-    {.key = "temperature",
-     .unit = "K",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(threshold_par, temperature),
-     .count = 1,
-     .doc = "above it the reactant reacts"},
-    {.key = "time",
-     .unit = "s",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(threshold_par, time),
-     .count = 1,
-     .doc = "in which all but 1/e of it does"},
+    PAR_POSITIVE(threshold_par, temperature, "K", NAN, "above it the reactant reacts"),
+    PAR_POSITIVE(threshold_par, time, "s", NAN, "in which all but 1/e of it does"),
 };
 
 static double rate(const void *par, const reaction_state *q)

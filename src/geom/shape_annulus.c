@@ -8,27 +8,9 @@ typedef struct annulus_par {
 } annulus_par;
 
 static const param_spec annulus_params[] = {
-    {.key = "centre",
-     .unit = "m",
-     .range = PARAM_ANY,
-     .fallback = 0.0,
-     .offset = offsetof(annulus_par, centre),
-     .count = -3,
-     .doc = "centre"},
-    {.key = "inner_radius",
-     .unit = "m",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(annulus_par, inner_radius),
-     .count = 1,
-     .doc = "inner radius"},
-    {.key = "outer_radius",
-     .unit = "m",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(annulus_par, outer_radius),
-     .count = 1,
-     .doc = "outer radius"},
+    PAR_VECTOR(annulus_par, centre, "m", PARAM_ANY, 0.0, "centre"),
+    PAR_POSITIVE(annulus_par, inner_radius, "m", NAN, "inner radius"),
+    PAR_POSITIVE(annulus_par, outer_radius, "m", NAN, "outer radius"),
 };
 
 static double annulus_level(const void *par, int dim, const double x[3])

@@ -8,20 +8,8 @@ typedef struct ball_par {
 } ball_par;
 
 static const param_spec ball_params[] = {
-    {.key = "centre",
-     .unit = "m",
-     .range = PARAM_ANY,
-     .fallback = 0.0,
-     .offset = offsetof(ball_par, centre),
-     .count = -3,
-     .doc = "centre"},
-    {.key = "radius",
-     .unit = "m",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(ball_par, radius),
-     .count = 1,
-     .doc = "radius"},
+    PAR_VECTOR(ball_par, centre, "m", PARAM_ANY, 0.0, "centre"),
+    PAR_POSITIVE(ball_par, radius, "m", NAN, "radius"),
 };
 
 static double ball_level(const void *par, int dim, const double x[3])

@@ -8,20 +8,8 @@ typedef struct box_par {
 } box_par;
 
 static const param_spec box_params[] = {
-    {.key = "lower",
-     .unit = "m",
-     .range = PARAM_ANY,
-     .fallback = NAN,
-     .offset = offsetof(box_par, lower),
-     .count = -3,
-     .doc = "corner of the least coordinates"},
-    {.key = "upper",
-     .unit = "m",
-     .range = PARAM_ANY,
-     .fallback = NAN,
-     .offset = offsetof(box_par, upper),
-     .count = -3,
-     .doc = "corner of the greatest coordinates"},
+    PAR_VECTOR(box_par, lower, "m", PARAM_ANY, NAN, "corner of the least coordinates"),
+    PAR_VECTOR(box_par, upper, "m", PARAM_ANY, NAN, "corner of the greatest coordinates"),
 };
 
 /* The exact distance: inside to the nearest face, outside to the nearest face, edge or corner. */

@@ -8,34 +8,10 @@ typedef struct cylinder_par {
 } cylinder_par;
 
 static const param_spec cylinder_params[] = {
-    {.key = "start",
-     .unit = "m",
-     .range = PARAM_ANY,
-     .fallback = NAN,
-     .offset = offsetof(cylinder_par, start),
-     .count = -3,
-     .doc = "centre of one end"},
-    {.key = "end",
-     .unit = "m",
-     .range = PARAM_ANY,
-     .fallback = NAN,
-     .offset = offsetof(cylinder_par, end),
-     .count = -3,
-     .doc = "centre of the other end"},
-    {.key = "radius",
-     .unit = "m",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(cylinder_par, radius),
-     .count = 1,
-     .doc = "outer radius"},
-    {.key = "inner_radius",
-     .unit = "m",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(cylinder_par, inner_radius),
-     .count = 1,
-     .doc = "inner radius of a tube; 0: none"},
+    PAR_VECTOR(cylinder_par, start, "m", PARAM_ANY, NAN, "centre of one end"),
+    PAR_VECTOR(cylinder_par, end, "m", PARAM_ANY, NAN, "centre of the other end"),
+    PAR_POSITIVE(cylinder_par, radius, "m", NAN, "outer radius"),
+    PAR_NONNEGATIVE(cylinder_par, inner_radius, "m", 0.0, "inner radius of a tube; 0: none"),
 };
 
 /* Unit vector from start to end; returns the length. */

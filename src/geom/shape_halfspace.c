@@ -8,20 +8,8 @@ typedef struct halfspace_par {
 } halfspace_par;
 
 static const param_spec halfspace_params[] = {
-    {.key = "point",
-     .unit = "m",
-     .range = PARAM_ANY,
-     .fallback = NAN,
-     .offset = offsetof(halfspace_par, point),
-     .count = -3,
-     .doc = "a point of the plane"},
-    {.key = "normal",
-     .unit = "1",
-     .range = PARAM_ANY,
-     .fallback = NAN,
-     .offset = offsetof(halfspace_par, normal),
-     .count = -3,
-     .doc = "normal of the plane, out of the shape; any length"},
+    PAR_VECTOR(halfspace_par, point, "m", PARAM_ANY, NAN, "a point of the plane"),
+    PAR_VECTOR(halfspace_par, normal, "1", PARAM_ANY, NAN, "normal of the plane, out of the shape; any length"),
 };
 
 static double halfspace_level(const void *par, int dim, const double x[3])

@@ -13,24 +13,10 @@ typedef struct barotropic {
 } barotropic;
 
 /* The entries that every such law has in its table of parameters: the density comes first, the law's own follow, then the rest. */
-#define BAROTROPIC_DENSITY                                                                          \
-    {                                                                                               \
-        .key = "density", .unit = "kg/m^3", .range = PARAM_POSITIVE, .fallback = NAN,               \
-        .offset = offsetof(barotropic, density), .count = 1, .doc = "density at the pressure below" \
-    }
-#define BAROTROPIC_REST                                                                        \
-    {.key = "pressure",                                                                        \
-     .unit = "Pa",                                                                             \
-     .range = PARAM_ANY,                                                                       \
-     .fallback = 0.0,                                                                          \
-     .offset = offsetof(barotropic, pressure),                                                 \
-     .count = 1,                                                                               \
-     .doc = "pressure at that density"},                                                       \
-    {                                                                                          \
-        .key = "specific_heat", .unit = "J/kg/K", .range = PARAM_POSITIVE, .fallback = 1000.0, \
-        .offset = offsetof(barotropic, specific_heat), .count = 1,                             \
-        .doc = "specific heat; it changes temperatures alone"                                  \
-    }
+#define BAROTROPIC_DENSITY PAR_POSITIVE(barotropic, density, "kg/m^3", NAN, "density at the pressure below")
+#define BAROTROPIC_REST                                                   \
+    PAR_ANY(barotropic, pressure, "Pa", 0.0, "pressure at that density"), \
+        PAR_POSITIVE(barotropic, specific_heat, "J/kg/K", 1000.0, "specific heat; it changes temperatures alone")
 
 /* The entries dpde and heat of eos_model (material/eos.h): (dp/de)_rho = 0; c_v is constant and nothing expands with heat. */
 void barotropic_dpde(const void *par, size_t n, const double *rho, const double *e, double *dpde);

@@ -15,13 +15,7 @@ typedef struct acoustic_par {
 
 static const param_spec acoustic_params[] = {
     BAROTROPIC_DENSITY,
-    {.key = "sound_speed",
-     .unit = "m/s",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(acoustic_par, sound_speed),
-     .count = 1,
-     .doc = "speed of sound c; the bulk modulus is density times c^2"},
+    PAR_POSITIVE(acoustic_par, sound_speed, "m/s", NAN, "speed of sound c; the bulk modulus is density times c^2"),
     BAROTROPIC_REST,
 };
 

@@ -9,22 +9,8 @@ typedef struct ideal_par {
 } ideal_par;
 
 static const param_spec ideal_params[] = {
-    {.key = "gamma",
-     .unit = "1",
-     .range = PARAM_BETWEEN,
-     .lo = 1.001,
-     .hi = 20.0,
-     .fallback = 1.4,
-     .offset = offsetof(ideal_par, gamma),
-     .count = 1,
-     .doc = "ratio of specific heats"},
-    {.key = "specific_heat",
-     .unit = "J/kg/K",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(ideal_par, specific_heat),
-     .count = 1,
-     .doc = "specific heat at constant volume (dry air: 717.5)"},
+    PAR_BETWEEN(ideal_par, gamma, "1", 1.001, 20.0, 1.4, "ratio of specific heats"),
+    PAR_POSITIVE(ideal_par, specific_heat, "J/kg/K", NAN, "specific heat at constant volume (dry air: 717.5)"),
 };
 
 /* c2 = (dp/drho)_e + (dp/de)_rho p / rho^2 = gamma (gamma - 1) e. */

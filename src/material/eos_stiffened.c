@@ -11,29 +11,10 @@ typedef struct stiffened_par {
 } stiffened_par;
 
 static const param_spec stiffened_params[] = {
-    {.key = "gamma",
-     .unit = "1",
-     .range = PARAM_BETWEEN,
-     .lo = 1.001,
-     .hi = 20.0,
-     .fallback = NAN,
-     .offset = offsetof(stiffened_par, gamma),
-     .count = 1,
-     .doc = "Grueneisen coefficient plus one (water: 2.35 to 7.15, by the fit)"},
-    {.key = "p_inf",
-     .unit = "Pa",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = NAN,
-     .offset = offsetof(stiffened_par, p_inf),
-     .count = 1,
-     .doc = "stiffness pressure; the liquid holds tension down to -p_inf"},
-    {.key = "specific_heat",
-     .unit = "J/kg/K",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(stiffened_par, specific_heat),
-     .count = 1,
-     .doc = "specific heat at constant volume"},
+    PAR_BETWEEN(stiffened_par, gamma, "1", 1.001, 20.0, NAN,
+                "Grueneisen coefficient plus one (water: 2.35 to 7.15, by the fit)"),
+    PAR_NONNEGATIVE(stiffened_par, p_inf, "Pa", NAN, "stiffness pressure; the liquid holds tension down to -p_inf"),
+    PAR_POSITIVE(stiffened_par, specific_heat, "J/kg/K", NAN, "specific heat at constant volume"),
 };
 
 /* c2 = (gamma - 1) e + (gamma - 1) p / rho = gamma (p + p_inf) / rho. With x = rho e - p_inf = rho c_v T both are

@@ -16,22 +16,9 @@ typedef struct tait_par {
 
 static const param_spec tait_params[] = {
     BAROTROPIC_DENSITY,
-    {.key = "bulk_modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(tait_par, bulk_modulus),
-     .count = 1,
-     .doc = "bulk modulus at that density (water: 2.2 GPa)"},
-    {.key = "exponent",
-     .unit = "1",
-     .range = PARAM_BETWEEN,
-     .lo = 1.001,
-     .hi = 20.0,
-     .fallback = 7.15,
-     .offset = offsetof(tait_par, exponent),
-     .count = 1,
-     .doc = "derivative of the bulk modulus by pressure (water: 7 to 7.15)"},
+    PAR_POSITIVE(tait_par, bulk_modulus, "Pa", NAN, "bulk modulus at that density (water: 2.2 GPa)"),
+    PAR_BETWEEN(tait_par, exponent, "1", 1.001, 20.0, 7.15,
+                "derivative of the bulk modulus by pressure (water: 7 to 7.15)"),
     BAROTROPIC_REST,
 };
 

@@ -84,29 +84,4 @@ FLOE_ALWAYS_INLINE bool spins_about_z_alone(const solid_batch *b)
     return other == 0;
 }
 
-/* J [p^2/(2K) + s:s/(4G)] per initial volume: the work of small strains; the rate form has no exact potential at large ones. */
-FLOE_ALWAYS_INLINE double hypoelastic_energy(double K, double G, double J, const double s[6])
-{
-    const double mean = (s[XX] + s[YY] + s[ZZ]) / 3.0;
-    const double sx = s[XX] - mean, sy = s[YY] - mean, sz = s[ZZ] - mean;
-    const double s2 = sx * sx + sy * sy + sz * sz + 2.0 * (s[XY] * s[XY] + s[YZ] * s[YZ] + s[ZX] * s[ZX]);
-    return J * (0.5 / K * mean * mean + 0.25 / G * s2);
-}
-
-/* Longitudinal elastic waves: c^2 = (K + 4 G / 3) / rho. */
-FLOE_ALWAYS_INLINE void hypoelastic_wave_speeds(double K, double G, const solid_batch *b, double *restrict c)
-{
-    const double modulus = K + 4.0 / 3.0 * G;
-    for (size_t i = 0; i < b->n; i++) c[i] = sqrt(modulus * b->J[i] / b->rho0[i]);
-}
-
-FLOE_ALWAYS_INLINE void hypoelastic_energies(double K, double G, const solid_batch *b, double *restrict psi)
-{
-    for (size_t i = 0; i < b->n; i++) {
-        double s[6];
-        for (int k = 0; k < 6; k++) s[k] = b->stress[k][i];
-        psi[i] = hypoelastic_energy(K, G, b->J[i], s);
-    }
-}
-
 #endif

@@ -5,49 +5,35 @@
 #include <math.h>
 
 typedef struct sheet_par {
-    double modulus, ratio; /* Pa, 1 */
+    double modulus, poisson_ratio; /* Pa, 1 */
 } sheet_par;
 
 static const param_spec sheet_params[] = {
-    {.key = "modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(sheet_par, modulus),
-     .count = 1,
-     .doc = "Young's modulus E"},
-    {.key = "poisson_ratio",
-     .unit = "1",
-     .range = PARAM_BETWEEN,
-     .lo = -0.99,
-     .hi = 0.5,
-     .fallback = 0.0,
-     .offset = offsetof(sheet_par, ratio),
-     .count = 1,
-     .doc = "Poisson's ratio"},
+    PAR_POSITIVE(sheet_par, modulus, "Pa", NAN, "Young's modulus E"),
+    PAR_BETWEEN(sheet_par, poisson_ratio, "1", -0.99, 0.5, 0.0, "Poisson's ratio"),
 };
 
 static void plane_stress(const void *par, size_t n, const double *along, const double *across, double *stress_along,
                          double *stress_across)
 {
     const sheet_par *a = par;
-    const double plane = a->modulus / (1.0 - a->ratio * a->ratio);
+    const double plane = a->modulus / (1.0 - a->poisson_ratio * a->poisson_ratio);
     for (size_t i = 0; i < n; i++) {
-        stress_along[i] = plane * (along[i] + a->ratio * across[i]);
-        stress_across[i] = plane * (across[i] + a->ratio * along[i]);
+        stress_along[i] = plane * (along[i] + a->poisson_ratio * across[i]);
+        stress_across[i] = plane * (across[i] + a->poisson_ratio * along[i]);
     }
 }
 
 static double sheet_free_across(const void *par, double along)
 {
-    return -((const sheet_par *)par)->ratio * along;
+    return -((const sheet_par *)par)->poisson_ratio * along;
 }
 
 /* Of two strains the worst are alike, or opposite. */
 static double sheet_modulus(const void *par, bool biaxial)
 {
     const sheet_par *a = par;
-    return a->modulus / (1.0 - (biaxial ? fabs(a->ratio) : a->ratio * a->ratio));
+    return a->modulus / (1.0 - (biaxial ? fabs(a->poisson_ratio) : a->poisson_ratio * a->poisson_ratio));
 }
 
 const membrane_model membrane_plane_stress = {

@@ -9,13 +9,7 @@ typedef struct spring_par {
 } spring_par;
 
 static const param_spec spring_params[] = {
-    {.key = "modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(spring_par, modulus),
-     .count = 1,
-     .doc = "E of the stiffness E A / L"},
+    PAR_POSITIVE(spring_par, modulus, "Pa", NAN, "E of the stiffness E A / L"),
 };
 
 static void spring_stress(const void *par, size_t n, const double *along, const double *across, double *stress_along,

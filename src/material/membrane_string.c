@@ -8,13 +8,7 @@ typedef struct string_par {
 } string_par;
 
 static const param_spec string_params[] = {
-    {.key = "modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(string_par, modulus),
-     .count = 1,
-     .doc = "Young's modulus E"},
+    PAR_POSITIVE(string_par, modulus, "Pa", NAN, "Young's modulus E"),
 };
 
 static void string_stress(const void *par, size_t n, const double *along, const double *across, double *stress_along,

@@ -13,20 +13,9 @@
 #include <math.h>
 
 static const param_spec fluid_params[] = {
-    {.key = "shear_viscosity",
-     .unit = "Pa s",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(solid_fluid_par, shear_viscosity),
-     .count = 1,
-     .doc = "shear viscosity mu"},
-    {.key = "bulk_viscosity",
-     .unit = "Pa s",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(solid_fluid_par, bulk_viscosity),
-     .count = 1,
-     .doc = "bulk viscosity kappa = lambda + 2 mu / 3; 0 is Stokes' hypothesis"},
+    PAR_NONNEGATIVE(solid_fluid_par, shear_viscosity, "Pa s", 0.0, "shear viscosity mu"),
+    PAR_NONNEGATIVE(solid_fluid_par, bulk_viscosity, "Pa s", 0.0,
+                    "bulk viscosity kappa = lambda + 2 mu / 3; 0 is Stokes' hypothesis"),
 };
 
 /* The viscous stress into b->stress; its power per volume (W/m3) into `heating`. */

@@ -10,53 +10,25 @@
  * A point whose mean stress stood above tension_strength at the start of a step has failed, for good: it bears no shear and no
  * tension. As it expands it opens, and bears pressure again when the opening has closed. The strain energy at failure becomes
  * internal energy. (At the start, so that the iterations of plane stress cannot fail a point by a trial.) */
+#include "material/elastic_moduli.h"
 #include "material/hypoelastic.h"
 #include "material/solid_checks.h"
 
 #include <math.h>
 
 typedef struct j2_par {
-    double bulk_modulus, shear_modulus;     /* Pa */
+    elastic_moduli elastic;
     double yield_stress, hardening_modulus; /* Pa */
     double tension_strength;                /* Pa; 0: never fails */
 } j2_par;
 
 static const param_spec j2_params[] = {
-    {.key = "bulk_modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(j2_par, bulk_modulus),
-     .count = 1,
-     .doc = "bulk modulus K"},
-    {.key = "shear_modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(j2_par, shear_modulus),
-     .count = 1,
-     .doc = "shear modulus G"},
-    {.key = "yield_stress",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(j2_par, yield_stress),
-     .count = 1,
-     .doc = "yield stress in uniaxial tension, before any plastic strain"},
-    {.key = "hardening_modulus",
-     .unit = "Pa",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(j2_par, hardening_modulus),
-     .count = 1,
-     .doc = "slope of the yield stress over the equivalent plastic strain"},
-    {.key = "tension_strength",
-     .unit = "Pa",
-     .range = PARAM_NONNEGATIVE,
-     .fallback = 0.0,
-     .offset = offsetof(j2_par, tension_strength),
-     .count = 1,
-     .doc = "mean stress above which a point fails, and from then on bears pressure alone; 0: never"},
+    ELASTIC_MODULI,
+    PAR_POSITIVE(j2_par, yield_stress, "Pa", NAN, "yield stress in uniaxial tension, before any plastic strain"),
+    PAR_NONNEGATIVE(j2_par, hardening_modulus, "Pa", 0.0,
+                    "slope of the yield stress over the equivalent plastic strain"),
+    PAR_NONNEGATIVE(j2_par, tension_strength, "Pa", 0.0,
+                    "mean stress above which a point fails, and from then on bears pressure alone; 0: never"),
 };
 
 enum { PLASTIC_STRAIN, FAILED, OPENING, HISTORY_COUNT };
@@ -75,7 +47,7 @@ FLOE_ALWAYS_INLINE double mean_stress(const double s[6])
 /* Returns the trial stress to the yield surface; the plastic work per current volume (J/m3). */
 FLOE_ALWAYS_INLINE double return_to_yield(const j2_par *a, double s[6], double *alpha)
 {
-    const double G3 = 3.0 * a->shear_modulus, mean = mean_stress(s);
+    const double G3 = 3.0 * a->elastic.shear_modulus, mean = mean_stress(s);
     const double sx = s[XX] - mean, sy = s[YY] - mean, sz = s[ZZ] - mean;
     const double shear = s[XY] * s[XY] + s[YZ] * s[YZ] + s[ZX] * s[ZX];
     const double q = sqrt(1.5 * (sx * sx + sy * sy + sz * sz + 2.0 * shear));
@@ -108,14 +80,14 @@ FLOE_ALWAYS_INLINE bool fails_now(const j2_par *a, const solid_batch *b, size_t 
 
 FLOE_ALWAYS_INLINE void j2_step(const j2_par *a, solid_batch *restrict b, bool planar)
 {
-    const double K = a->bulk_modulus, G = a->shear_modulus, lambda = K - 2.0 / 3.0 * G;
+    const double K = a->elastic.bulk_modulus, G = a->elastic.shear_modulus, lambda = K - 2.0 / 3.0 * G;
     for (size_t i = 0; i < b->n; i++) {
         const double swelling = b->J[i] - b->J_old[i];
         double s[6], lost = 0.0; /* J per initial volume */
         if (FLOE_UNLIKELY(fails_now(a, b, i))) {
             const double old[6] = {b->stress[XX][i], b->stress[YY][i], b->stress[ZZ][i],
                                    b->stress[XY][i], b->stress[YZ][i], b->stress[ZX][i]};
-            lost = hypoelastic_energy(K, G, b->J_old[i], old);
+            lost = elastic_energy_density(&a->elastic, b->J_old[i], old);
             b->history[FAILED][i] = 1.0;
         }
         hypoelastic_step(lambda, G, b, i, planar, s);
@@ -138,30 +110,6 @@ static size_t j2_stress(const void *par, double p_ref, solid_batch *b)
     return solid_first_inverted(b);
 }
 
-/* The elastic speed, which bounds that of plastic waves and of failed points. */
-static void j2_wave_speed(const void *par, double p_ref, const solid_batch *b, double *restrict c)
-{
-    const j2_par *a = par;
-    (void)p_ref;
-    hypoelastic_wave_speeds(a->bulk_modulus, a->shear_modulus, b, c);
-}
-
-static void j2_strain_energy(const void *par, const solid_batch *b, double *restrict psi)
-{
-    const j2_par *a = par;
-    hypoelastic_energies(a->bulk_modulus, a->shear_modulus, b, psi);
-}
-
-static double j2_bulk_modulus(const void *par)
-{
-    return ((const j2_par *)par)->bulk_modulus;
-}
-
-static double j2_shear_modulus(const void *par)
-{
-    return ((const j2_par *)par)->shear_modulus;
-}
-
 const solid_model solid_j2 = {
     .name = "j2",
     .doc = "metal plasticity: von Mises yield, linear isotropic hardening, tension cut-off",
@@ -174,8 +122,8 @@ const solid_model solid_j2 = {
     .history = j2_history,
     .n_history = HISTORY_COUNT,
     .stress = j2_stress,
-    .wave_speed = j2_wave_speed,
-    .strain_energy = j2_strain_energy,
-    .bulk_modulus = j2_bulk_modulus,
-    .shear_modulus = j2_shear_modulus,
+    .wave_speed = elastic_wave_speed,
+    .strain_energy = elastic_strain_energy,
+    .bulk_modulus = elastic_bulk_modulus,
+    .shear_modulus = elastic_shear_modulus,
 };

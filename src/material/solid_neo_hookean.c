@@ -2,36 +2,17 @@
  *   psi = mu/2 (tr B - 3) - mu ln J + lambda/2 (ln J)^2 per initial volume,  B = F F^T,
  *   P = mu (F - F^-T) + lambda ln J F^-T,
  *   sigma = mu/J (B - I) + lambda ln J / J I. */
-#include "material/solid.h"
+#include "material/elastic_moduli.h"
 #include "material/solid_checks.h"
 
 #include <math.h>
 
-typedef struct neo_hookean_par {
-    double bulk_modulus;  /* Pa, at rest: lambda + 2 mu / 3 */
-    double shear_modulus; /* Pa, mu */
-} neo_hookean_par;
-
-static const param_spec neo_hookean_params[] = {
-    {.key = "bulk_modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(neo_hookean_par, bulk_modulus),
-     .count = 1,
-     .doc = "bulk modulus at rest, lambda + 2 mu / 3"},
-    {.key = "shear_modulus",
-     .unit = "Pa",
-     .range = PARAM_POSITIVE,
-     .fallback = NAN,
-     .offset = offsetof(neo_hookean_par, shear_modulus),
-     .count = 1,
-     .doc = "shear modulus at rest, mu"},
-};
+/* The moduli at rest: K = lambda + 2 mu / 3 and mu. */
+static const param_spec neo_hookean_params[] = {ELASTIC_MODULI};
 
 enum { XX, YY, ZZ, XY, YZ, ZX };
 
-static double lame_lambda(const neo_hookean_par *a)
+static double lame_lambda(const elastic_moduli *a)
 {
     return a->bulk_modulus - 2.0 / 3.0 * a->shear_modulus;
 }
@@ -51,7 +32,7 @@ FLOE_ALWAYS_INLINE double left_cauchy_green(const solid_batch *b, int r, int s, 
 
 static size_t neo_hookean_stress(const void *par, double p_ref, solid_batch *restrict b)
 {
-    const neo_hookean_par *a = par;
+    const elastic_moduli *a = par;
     const double mu = a->shear_modulus, lambda = lame_lambda(a);
     (void)p_ref; /* the stress of a solid is gauge already */
     const size_t inverted = solid_first_inverted(b);
@@ -85,7 +66,7 @@ FLOE_ALWAYS_INLINE double largest_square_stretch(const solid_batch *b, size_t i)
  * rho0 c^2 = mu max(n.Bn) + max(mu + lambda (1 - ln J), 0). */
 static void neo_hookean_wave_speed(const void *par, double p_ref, const solid_batch *b, double *restrict c)
 {
-    const neo_hookean_par *a = par;
+    const elastic_moduli *a = par;
     const double mu = a->shear_modulus, lambda = lame_lambda(a);
     (void)p_ref;
     double ln_J[SOLID_CHUNK];
@@ -99,7 +80,7 @@ static void neo_hookean_wave_speed(const void *par, double p_ref, const solid_ba
 
 static void neo_hookean_strain_energy(const void *par, const solid_batch *b, double *restrict psi)
 {
-    const neo_hookean_par *a = par;
+    const elastic_moduli *a = par;
     const double mu = a->shear_modulus, lambda = lame_lambda(a);
     double ln_J[SOLID_CHUNK];
     logarithms(b, ln_J);
@@ -110,22 +91,12 @@ static void neo_hookean_strain_energy(const void *par, const solid_batch *b, dou
     }
 }
 
-static double neo_hookean_bulk_modulus(const void *par)
-{
-    return ((const neo_hookean_par *)par)->bulk_modulus;
-}
-
-static double neo_hookean_shear_modulus(const void *par)
-{
-    return ((const neo_hookean_par *)par)->shear_modulus;
-}
-
 const solid_model solid_neo_hookean = {
     .name = "neo_hookean",
     .doc = "compressible neo-Hookean elasticity: large strains",
     .cite = "J. Bonet, R. D. Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed. (2008), section "
             "6.4.3",
-    .param_size = sizeof(neo_hookean_par),
+    .param_size = sizeof(elastic_moduli),
     .params = neo_hookean_params,
     .n_params = sizeof neo_hookean_params / sizeof *neo_hookean_params,
     .needs = SOLID_NEEDS_F,
@@ -133,6 +104,6 @@ const solid_model solid_neo_hookean = {
     .stress = neo_hookean_stress,
     .wave_speed = neo_hookean_wave_speed,
     .strain_energy = neo_hookean_strain_energy,
-    .bulk_modulus = neo_hookean_bulk_modulus,
-    .shear_modulus = neo_hookean_shear_modulus,
+    .bulk_modulus = elastic_bulk_modulus,
+    .shear_modulus = elastic_shear_modulus,
 };

@@ -16,15 +16,8 @@ typedef struct quadric_par {
 } quadric_par;
 
 static const param_spec params[] = {
-    {.key = "spread",
-     .unit = "1",
-     .range = PARAM_BETWEEN,
-     .lo = 1.0,
-     .hi = 6.0,
-     .fallback = 1.0,
-     .offset = offsetof(quadric_par, spread),
-     .count = 1,
-     .doc = "how far it reaches, over the least that determines it; more of it smooths noisy positions"},
+    PAR_BETWEEN(quadric_par, spread, "1", 1.0, 6.0, 1.0,
+                "how far it reaches, over the least that determines it; more of it smooths noisy positions"),
 };
 
 enum { FITS = 2, MOST_TERMS = 6 };

@@ -9,34 +9,6 @@
 
 #define VERIFY_PI 3.14159265358979323846
 
-/* Entries of a parameter table. `type` is the parameter struct, `field` its double and its key in the deck. */
-#define PAR_ANY(type, field, unit_, fallback_, doc_)                                                              \
-    {                                                                                                             \
-        .key = #field, .unit = unit_, .range = PARAM_ANY, .fallback = fallback_, .offset = offsetof(type, field), \
-        .count = 1, .doc = doc_                                                                                   \
-    }
-#define PAR_POSITIVE(type, field, unit_, fallback_, doc_)                                                              \
-    {                                                                                                                  \
-        .key = #field, .unit = unit_, .range = PARAM_POSITIVE, .fallback = fallback_, .offset = offsetof(type, field), \
-        .count = 1, .doc = doc_                                                                                        \
-    }
-#define PAR_NONNEGATIVE(type, field, unit_, fallback_, doc_)                             \
-    {                                                                                    \
-        .key = #field, .unit = unit_, .range = PARAM_NONNEGATIVE, .fallback = fallback_, \
-        .offset = offsetof(type, field), .count = 1, .doc = doc_                         \
-    }
-#define PAR_BETWEEN(type, field, unit_, lo_, hi_, fallback_, doc_)                                         \
-    {                                                                                                      \
-        .key = #field, .unit = unit_, .range = PARAM_BETWEEN, .lo = lo_, .hi = hi_, .fallback = fallback_, \
-        .offset = offsetof(type, field), .count = 1, .doc = doc_                                           \
-    }
-/* A vector of the scene's dimension, in double[3]. */
-#define PAR_VECTOR(type, field, unit_, range_, fallback_, doc_)                                                \
-    {                                                                                                          \
-        .key = #field, .unit = unit_, .range = range_, .fallback = fallback_, .offset = offsetof(type, field), \
-        .count = -3, .doc = doc_                                                                               \
-    }
-
 #define COUNT_OF(array) (sizeof(array) / sizeof((array)[0]))
 
 /* A parameter that stands for a whole number (an axis, a mode, a choice). */
