@@ -27,6 +27,7 @@ declare -A gallery=(
     [lid_cavity]='|-c velocity_liquid|speed'
     [low_mach_channel]='|-c velocity_gas_x|velocity along x'
     [low_mach_vortex]='|-c velocity_gas_x|velocity along x'
+    [membrane_balloon]='--coupling ice-mpm||a balloon about its axis at rest: stress of the membrane and pressure of the gas'
     [membrane_circle]='||stress of the membrane and pressure of the gas'
     [membrane_dogbone]='--set domain.cell=0.1 --set time.end=1|-w 260|the slack contour fills'
     [membrane_sphere]='||an eighth of a balloon: stress of the membrane and pressure of the gas'

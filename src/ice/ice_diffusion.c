@@ -370,6 +370,12 @@ face_diffusion ice_sealed_stress(const ice *s, const ice_view *v, int axis, ptrd
     return diffusion_on(&d, axis, R, i, v->dim, is_radial(v, &d));
 }
 
+double ice_sealed_hoop(const ice *s, const ice_view *v, ptrdiff_t at, ptrdiff_t i)
+{
+    const diffusing d = sealed_now(s, v);
+    return is_radial(v, &d) ? diffusion_hoop(&d, at, i, v->dim) : 0.0;
+}
+
 void ice_diffuse_sealed(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {

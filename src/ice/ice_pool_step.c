@@ -116,6 +116,9 @@ static void add_faces(const ice *s, const ice_member *m, double *sum)
         for (int a = 0; a < 2; ++a) sum[POOL_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
         sum[POOL_WORK] += area * m->face[axis][side] * t.power;
     }
+    if (s->viscous && m->open > 0.0)
+        sum[POOL_MOMENTUM] += s->dt * m->open * mesh_cell_volume(s->mesh, m->cell[0]) *
+                              ice_sealed_hoop(s, v, m->at, m->cell[0] - v->b->lo[0]);
 }
 
 /* Heat for the gas that the membrane holds goes to its pools by their mass. */

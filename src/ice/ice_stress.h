@@ -50,6 +50,18 @@ FLOE_ALWAYS_INLINE face_diffusion diffusion_on(const diffusing *d, int axis, ptr
 /* The same of the gas in hand that a membrane keeps apart, of the state at t^n. */
 face_diffusion ice_sealed_stress(const ice *s, const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i);
 
+/* The gas in hand's radial force on a cell by its hoop stress, per volume; 0 in the plane. */
+double ice_sealed_hoop(const ice *s, const ice_view *v, ptrdiff_t at, ptrdiff_t i);
+
+/* -tau_tt / r about an axis: the hoop stress pulls towards it, and works on no face. */
+FLOE_ALWAYS_INLINE double diffusion_hoop(const diffusing *d, ptrdiff_t at, ptrdiff_t i, const int dim)
+{
+    const double r = 0.5 * (d->radius[i] + d->radius[i + 1]), rate = d->u[0][at] / r;
+    double div = rate;
+    for (int a = 0; a < dim; ++a) div += 0.5 * (d->u[a][at + d->stride[a]] - d->u[a][at - d->stride[a]]) * d->inv_h[a];
+    return -(d->theta ? d->theta[at] : 1.0) * (2.0 * d->mu * rate + d->dilatation * div) / r;
+}
+
 /* Force on a cell and power into it, both per volume. */
 typedef struct cell_diffusion {
     double force[3], power;
@@ -67,13 +79,7 @@ FLOE_ALWAYS_INLINE cell_diffusion diffusion_into(const diffusing *d, const ice_v
         for (int a = 0; a < dim; ++a) c.force[a] += above * upper.t[a] - below * lower.t[a];
         c.power += above * upper.power - below * lower.power;
     }
-    if (radial) { /* -tau_tt / r: the hoop stress pulls towards the axis, and works on no face */
-        const double r = 0.5 * (d->radius[i] + d->radius[i + 1]), rate = d->u[0][at] / r;
-        double div = rate;
-        for (int a = 0; a < dim; ++a)
-            div += 0.5 * (d->u[a][at + d->stride[a]] - d->u[a][at - d->stride[a]]) * d->inv_h[a];
-        c.force[0] -= (d->theta ? d->theta[at] : 1.0) * (2.0 * d->mu * rate + d->dilatation * div) / r;
-    }
+    if (radial) c.force[0] += diffusion_hoop(d, at, i, dim);
     return c;
 }
 

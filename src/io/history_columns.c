@@ -153,6 +153,27 @@ static void add_probe(line *l, int n)
     add_vector(l, velocity, "m/s", value.velocity);
 }
 
+/* What a membrane encloses. */
+static void add_room(line *l, int body, const char *label, const history_row *row)
+{
+    const int holds = l->s->scene->body[l->s->mpm->body[body].scene_body].membrane.holds;
+    const bool radial = l->s->mesh.geometry == MESH_AXISYMMETRIC;
+    membrane_room room = {0};
+    if (row) mpm_membrane_room(l->s->mpm, body, &room);
+    if (row && l->s->sealed && holds >= 0) { /* the gas is on the cells */
+        room.pressure = row->mean_pressure ? row->mean_pressure[holds] : (double)NAN;
+        room.outside = ice_mass_beyond(l->s->ice, ice_material_of(l->s->ice, holds));
+    }
+    if (radial)
+        add_named(l, "volume", label, "m3", l->whole * room.size);
+    else
+        add_named(l, "area", label, "m2", room.size);
+    add_named(l, "pressure_in", label, "Pa", room.pressure);
+    add_named(l, "outside", label, "kg", l->whole * room.outside);
+    add_named(l, "stress", label, "Pa", room.stress);
+    if (radial) add_named(l, "hoop_stress", label, "Pa", room.hoop);
+}
+
 /* Where a body of points is and how it moves, as a whole; of an open membrane also its ends. */
 static void add_body(line *l, int body, const history_row *row)
 {
@@ -176,17 +197,7 @@ static void add_body(line *l, int body, const history_row *row)
         (void)snprintf(name, sizeof name, "%s_%s", last ? "last" : "first", label);
         add_vector(l, name, "m", end);
     }
-    if (!mpm_membrane_encloses(l->s->mpm, body)) return;
-    membrane_room room = {0};
-    if (row) mpm_membrane_room(l->s->mpm, body, &room);
-    if (row && l->s->sealed && given->membrane.holds >= 0) { /* the gas is on the cells */
-        room.pressure = row->mean_pressure ? row->mean_pressure[given->membrane.holds] : (double)NAN;
-        room.outside = ice_mass_beyond(l->s->ice, ice_material_of(l->s->ice, given->membrane.holds));
-    }
-    add_named(l, "area", label, "m2", room.area);
-    add_named(l, "pressure_in", label, "Pa", room.pressure);
-    add_named(l, "outside", label, "kg", l->whole * room.outside);
-    add_named(l, "stress", label, "Pa", room.stress);
+    if (mpm_membrane_encloses(l->s->mpm, body)) add_room(l, body, label, row);
 }
 
 static floe_status walk(const sim *s, const history_row *row, strbuf *out)

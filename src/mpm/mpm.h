@@ -137,12 +137,13 @@ double *mpm_surface(mpm *s, size_t *n, size_t *stride);
 /* Place (m) of the first or the last point of a membrane; NAN where it is lost. */
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3]);
 
-/* The room inside a membrane of a plane scene that is closed, or that ends on mirrors (room.c). */
+/* The room inside a membrane that is closed, or that ends on mirrors, in the plane or about an axis (room.c). */
 typedef struct membrane_room {
-    double area;     /* m2 */
-    double pressure; /* Pa: of all fluid points, their volumes times pressure over the area */
-    double outside;  /* kg per metre of depth: of fluid points outside */
+    double size;     /* m2; about an axis m3 per radian */
+    double pressure; /* Pa: of all fluid points, their volumes times pressure over the size */
+    double outside;  /* kg per metre of depth (per radian): of fluid points outside */
     double stress;   /* Pa: along the membrane, the mean by volume at rest */
+    double hoop;     /* Pa: the same around the axis; 0 in the plane */
 } membrane_room;
 bool mpm_membrane_encloses(const mpm *s, int body);
 void mpm_membrane_room(mpm *s, int body, membrane_room *out);

@@ -7,9 +7,11 @@
 static floe_status check_scene(const sim *s)
 {
     const bool vacuum = s->ice->n_materials == 1;
-    if (s->mesh.dim != 2 || s->mesh.geometry != MESH_CARTESIAN || s->mesh.periodic[0] || s->mesh.periodic[1])
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "a membrane that holds gas needs a plane domain without periodic sides (use mpm for others)");
+    if (s->mesh.dim != 2 || s->mesh.periodic[0] || s->mesh.periodic[1])
+        return fail(
+            s->ctx, FLOE_BAD_INPUT,
+            "a membrane that holds gas needs a domain in two dimensions, plane or axisymmetric, without periodic "
+            "sides (use mpm for others)");
     for (int b = 0; b < s->scene->n_bodies && !vacuum; ++b) {
         const scene_material *m = &s->scene->material[s->scene->body[b].material];
         if (m->kind == MATERIAL_FLUID || b == scene_holder(s->scene)) continue;

@@ -1,6 +1,6 @@
 /* A membrane that holds gas of the cells: nothing passes it, at rest and in a stream nothing happens, what the gas loses it gains, a
  * piston swings as it should, a circle comes to its exact rest; the same bits for any blocks, any threads and after a restart. */
-#include "coupled_fixture.h"
+#include "sealed_fixture.h"
 
 #include "io/checkpoint.h"
 #include "io/io.h"
@@ -12,37 +12,6 @@ static const double pi = 3.14159265358979323846;
 /* The membrane's strain as York has it, and points that keep all of their motion: nothing but damping takes energy. */
 #define PLAIN \
     "bodies.skin.membrane.strain=null", "bodies.skin.membrane.smoothing=null", "method={basis: quadratic, flip: 1}"
-
-static void begin(trial *t, const char *deck, const char *const *set, size_t n)
-{
-    deck_begin(t, deck, set, n);
-    check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, COUPLING_ICE_MPM));
-}
-
-/* Largest deviation of a cell field of a gas from a value, over the cells that hold any of it; of the others, from 0. */
-typedef struct deviation {
-    double inside, outside;
-} deviation;
-
-static deviation deviation_of(const trial *t, field_id id, int gas, int component, double value)
-{
-    const size_t n = mesh_cells(&t->sim->mesh);
-    double *x = malloc(n * sizeof *x), *open = malloc(n * sizeof *open);
-    deviation out = {0.0, 0.0};
-    assert_non_null(x);
-    assert_non_null(open);
-    gather_cells(t->sim, id, gas, component, 1, x);
-    gather_cells(t->sim, C_OPEN, gas, 0, 1, open);
-    for (size_t k = 0; k < n; ++k) {
-        if (open[k] > 0.0)
-            out.inside = fmax(out.inside, fabs(x[k] - value));
-        else
-            out.outside = fmax(out.outside, fabs(x[k]));
-    }
-    free(x);
-    free(open);
-    return out;
-}
 
 /* ---- at rest ---- */
 
@@ -56,7 +25,7 @@ static void test_rest(void **unused)
                          "boundaries={x: symmetry, y: symmetry}", "damping=null", PLAIN};
     trial t;
     ice_totals before, after;
-    begin(&t, "membrane_circle", set, 7);
+    sealed_begin(&t, "membrane_circle", set, 7);
     check_ok(t.ctx, ice_sum(t.sim->ice, &before));
     trial_steps(&t, 1000);
     check_ok(t.ctx, ice_sum(t.sim->ice, &after));
@@ -91,7 +60,7 @@ static void test_stream(void **unused)
         "damping=null",
         PLAIN};
     trial t;
-    begin(&t, "membrane_circle", set, 12);
+    sealed_begin(&t, "membrane_circle", set, 12);
     trial_run(&t, 0.012);
     for (int gas = 0; gas < 2; ++gas) {
         check_close(deviation_of(&t, C_VEL, gas, 0, 10.0).inside, 0.0, 1e-9);
@@ -111,7 +80,7 @@ static void test_circle(void **unused)
     trial t;
     const char *set[] = {PLAIN};
     double x[3], pressure;
-    begin(&t, "membrane_circle", set, 3);
+    sealed_begin(&t, "membrane_circle", set, 3);
     trial_run(&t, 0.0025); /* outward at full speed: the scale of the drifts */
     check_ok(t.ctx, sim_account(t.sim));
     trial_run(&t, 0.06);
@@ -135,7 +104,7 @@ static void test_piston(void **unused)
     const char *set[] = {"domain.cell=[2, 1]"};
     trial t;
     double x[3] = {0.0, 0.0, 0.0};
-    begin(&t, "piston_membrane", set, 1);
+    sealed_begin(&t, "piston_membrane", set, 1);
     do {
         check_ok(t.ctx, sim_step(t.sim, INFINITY));
         mpm_membrane_end(t.sim->mpm, 0, true, x);
