@@ -27,11 +27,15 @@ extern const variants boundary_kinds;
 /* custom.c */
 extern const custom_key custom_version, custom_runs_as, custom_stress_state, custom_cfl, custom_metrics, custom_basis,
     custom_transfer, custom_normals, custom_between;
+extern const choice coupling_choices[];
 /* columns.c */
 extern const custom_key custom_columns;
 /* study.c */
-extern const custom_key custom_axis, custom_axes, custom_over, custom_each, custom_quantities, custom_bars;
-extern const choice coupling_choices[];
+extern const custom_key custom_axis, custom_axes, custom_over, custom_each, custom_quantities;
+/* The value at a node, as --set takes it. */
+floe_status read_setting(reader *r, deck_node *node, char value[SCENE_VALUE]);
+/* bars.c */
+extern const custom_key custom_require, custom_check, custom_refuse;
 
 /* true for an axis key of a boundary: "x", "r" ... */
 const char *axis_name(const mesh_spec *spec, int axis);

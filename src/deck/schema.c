@@ -269,8 +269,12 @@ static const key_spec study_keys[] = {
      .doc = "wall time after which a case is stopped; 0: no limit"},
     {"quantities", KEY_CUSTOM, .custom = &custom_quantities, .otherwise = "none",
      .doc = "columns of history.csv whose last values are extrapolated (Richardson, grid convergence index)"},
-    {"require", KEY_CUSTOM, .custom = &custom_bars, .otherwise = "none",
+    {"require", KEY_CUSTOM, .custom = &custom_require, .otherwise = "none",
      .doc = "orders and errors that must be reached: a miss gives exit status 6"},
+    {"check", KEY_CUSTOM, .custom = &custom_check, .otherwise = "none",
+     .doc = "what every case must keep to: it is right, wrong (exit status 6), or was refused"},
+    {"refuse", KEY_CUSTOM, .custom = &custom_refuse, .otherwise = "none",
+     .doc = "cases that may be refused, and why; elsewhere a refusal gives exit status 6 too"},
 };
 static const key_table study_table = TABLE(study_keys);
 

@@ -1,4 +1,4 @@
-/* Keys of `compare`, `study` and `stability`: axes, quantities, required bars. */
+/* Keys of `compare`, `study` and `stability`: axes and quantities. */
 #include "deck/parts.h"
 
 #include <math.h>
@@ -24,8 +24,7 @@ static void append_flow(text_buffer *out, const deck_node *node)
     text_print(out, node->kind == NODE_LIST ? "]" : "}");
 }
 
-/* The value at a node, as --set takes it, into value[SCENE_VALUE]. */
-static floe_status take_value(reader *r, deck_node *node, char value[SCENE_VALUE])
+floe_status read_setting(reader *r, deck_node *node, char value[SCENE_VALUE])
 {
     text_buffer text = {.ctx = r->ctx};
     if (node_is_null(node)) return bad(r, node, "a value of the key", "an empty value");
@@ -68,7 +67,7 @@ static floe_status take_values(reader *r, deck_node *list, scene_axis *axis)
         return bad(r, list, "a list of values: [0.1, 0.05]", "the axis '%.80s' has no list of values", axis->key);
     if (list->n > SCENE_MAX_AXIS) return bad(r, list, NULL, "more than %d values", SCENE_MAX_AXIS);
     for (deck_node *item = list->first; item; item = item->next) {
-        TRY(take_value(r, item, axis->value[axis->n_values++]));
+        TRY(read_setting(r, item, axis->value[axis->n_values++]));
         TRY(check_value(r, item, axis));
     }
     return FLOE_OK;
@@ -92,7 +91,7 @@ static floe_status take_with(reader *r, deck_node *node, scene_axis *axis)
             if (node_is_null(item)) /* takes the key away, as --set does */
                 snprintf(with->value[n], SCENE_VALUE, "null");
             else
-                TRY(take_value(r, item, with->value[n]));
+                TRY(read_setting(r, item, with->value[n]));
         }
     }
     return FLOE_OK;
@@ -303,90 +302,4 @@ const custom_key custom_quantities = {
     .write = write_quantities,
     .form = "a list of columns: [kinetic, pressure_gas]",
     .json = "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}",
-};
-
-/* ---- study.require: [{metric: eq13, order: 1.5, error: 0.02, where: {coupling: ice-mpm}}] ---- */
-
-static floe_status read_where(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    scene_bar *bar = base;
-    if (!node) return FLOE_OK;
-    if (node->kind != NODE_MAP || node->n > SCENE_MAX_AXES)
-        return bad(r, node, "{key of an axis: value}", "'%s' is no map of at most %d axes with a value each", key->key,
-                   SCENE_MAX_AXES);
-    for (deck_node *item = node->first; item; item = item->next) {
-        if (strlen(item->key) >= SCENE_KEY) return bad_key(r, item, NULL, NULL, "the key is too long");
-        snprintf(bar->key[bar->n_where], SCENE_KEY, "%s", item->key);
-        TRY(take_value(r, item, bar->value[bar->n_where++]));
-    }
-    return FLOE_OK;
-}
-
-static void write_where(writer *w, const key_spec *key, const void *base)
-{
-    const scene_bar *bar = base;
-    if (bar->n_where == 0) return;
-    write_key_name(w, key->key);
-    for (int i = 0; i < bar->n_where; i++) {
-        text_print(&w->out, i == 0 ? " {" : ", ");
-        write_quoted(&w->out, bar->key[i]);
-        text_print(&w->out, ": ");
-        write_quoted(&w->out, bar->value[i]);
-    }
-    text_print(&w->out, "}\n");
-}
-
-static const custom_key custom_where = {
-    .read = read_where,
-    .write = write_where,
-    .form = "{key of an axis: value}",
-};
-
-static const key_spec bar_keys[] = {
-    {"metric", KEY_TEXT, AT(scene_bar, metric), .required = true, .doc = "an error, or a quantity of the study"},
-    {"order", KEY_NUMBER, AT(scene_bar, order), .otherwise = "not asked for", .doc = "at least"},
-    {"error", KEY_NUMBER, NULL, PARAM_POSITIVE, AT(scene_bar, error), .otherwise = "not asked for", .doc = "at most"},
-    {"where", KEY_CUSTOM, .custom = &custom_where, .otherwise = "everywhere", .doc = "only for these values of axes"},
-};
-static const key_table bar_table = TABLE(bar_keys);
-
-static floe_status read_bars(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    scene_study *study = base;
-    if (!node) return FLOE_OK;
-    if (node->kind != NODE_LIST) return bad(r, node, custom_bars.form, "'%s' is not a list of bars", key->key);
-    if (node->n > SCENE_MAX_BARS) return bad(r, node, NULL, "more than %d bars", SCENE_MAX_BARS);
-    for (deck_node *item = node->first; item; item = item->next) {
-        scene_bar *bar = &study->bar[study->n_bars++];
-        *bar = (scene_bar){.order = NAN, .error = NAN};
-        TRY(read_table(r, &bar_table, item, bar));
-        if (item->kind == NODE_MAP && !node_find(item, "order") && !node_find(item, "error"))
-            TRY(bad(r, item, "order: 1.5, or error: 0.01", "the bar for '%.60s' asks for nothing", bar->metric));
-    }
-    return FLOE_OK;
-}
-
-static void write_bars(writer *w, const key_spec *key, const void *base)
-{
-    const scene_study *study = base;
-    if (study->n_bars == 0) return;
-    write_key_name(w, key->key);
-    text_print(&w->out, "\n");
-    for (int i = 0; i < study->n_bars; i++) {
-        w->indent++;
-        text_print(&w->out, "%*s-\n", 2 * w->indent, "");
-        w->indent++;
-        write_table(w, &bar_table, &study->bar[i]);
-        w->indent -= 2;
-    }
-}
-
-const custom_key custom_bars = {
-    .read = read_bars,
-    .write = write_bars,
-    .form = "a list of {metric: name, order: at least, error: at most, where: {key of an axis: value}}",
-    .json = "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
-            "[\"metric\"], \"properties\": {\"metric\": {\"type\": \"string\"}, \"order\": {\"type\": [\"number\", "
-            "\"string\"]}, "
-            "\"error\": {\"type\": [\"number\", \"string\"]}, \"where\": {\"type\": \"object\"}}}}",
 };

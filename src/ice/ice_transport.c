@@ -150,8 +150,29 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
             }
 }
 
+/* A side has no volume that could run out, so nothing else bounds what it lets in. */
+static floe_status check_sides(const ice *s)
+{
+    const mesh *m = s->mesh;
+    for (int a = 0; a < m->dim; ++a)
+        for (int side = 0; side < 2; ++side) {
+            const bc_side *given = &s->scene->bc.side[a][side];
+            double speed = 0.0;
+            if (given->kind == BC_VELOCITY) speed = bc_velocity(given, a, s->time + 0.5 * s->dt);
+            if (given->kind == BC_INLET) speed = given->velocity[a];
+            if (fabs(speed) * s->dt <= m->h[a]) continue;
+            return fail(
+                s->ctx, FLOE_RETRY,
+                "advection: the velocity of %g m/s at the %s side of axis %d crosses more than a cell (%g m) in a "
+                "step of %g s",
+                speed, side == SIDE_LOWER ? "lower" : "upper", a, m->h[a], s->dt);
+        }
+    return FLOE_OK;
+}
+
 floe_status ice_advect(ice *s)
 {
+    TRY(check_sides(s));
     fill_lagrangian(s);
     ice_clear_tiles(s);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {

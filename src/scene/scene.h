@@ -27,11 +27,12 @@ enum {
     SCENE_MAX_AXES = 6,
     SCENE_MAX_WITH = 8, /* keys that change along with that of an axis */
     SCENE_MAX_OVER = 2,
-    SCENE_MAX_BARS = 32,
+    SCENE_MAX_BARS = 32, /* and of checks, and of refusals */
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,
     SCENE_MAX_CONTACT = 15, /* bodies in contact: each has a velocity field of its own */
-    SCENE_NAME = 64
+    SCENE_NAME = 64,
+    SCENE_WHY = 256
 };
 
 typedef enum scene_coupling { COUPLING_MPM, COUPLING_ICE, COUPLING_ICE_MPM, COUPLING_COUNT } scene_coupling;
@@ -305,14 +306,29 @@ typedef struct scene_axis { /* one axis of `compare`, `study` or `stability` */
     int n_with;
 } scene_axis;
 
+typedef struct scene_where { /* cases of a study: those in which these axes have these values; n = 0: all */
+    char key[SCENE_MAX_AXES][SCENE_KEY], value[SCENE_MAX_AXES][SCENE_VALUE];
+    int n;
+} scene_where;
+
 typedef struct scene_bar { /* what a study must reach */
     char metric[SCENE_NAME];
     double order; /* at least; NAN: not asked for */
     double error; /* at most, in the metric's unit; NAN: not asked for */
-    char key[SCENE_MAX_AXES][SCENE_KEY],
-        value[SCENE_MAX_AXES][SCENE_VALUE]; /* only where these axes have these values */
-    int n_where;
+    scene_where where;
 } scene_bar;
+
+typedef struct scene_check { /* what every case must keep to, to be right */
+    char of
+        [SCENE_NAME]; /* an error, drift_mass, drift_momentum, drift_energy, or a column of history.csv in all its rows */
+    double least, most; /* NAN: no bound */
+    scene_where where;
+} scene_check;
+
+typedef struct scene_refusal { /* cases that may be refused */
+    char why[SCENE_WHY];
+    scene_where where;
+} scene_refusal;
 
 typedef struct scene_study {
     bool given;                      /* the deck says something of it */
@@ -325,6 +341,10 @@ typedef struct scene_study {
     int n_quantities;
     scene_bar bar[SCENE_MAX_BARS];
     int n_bars;
+    scene_check check[SCENE_MAX_BARS];
+    int n_checks;
+    scene_refusal refusal[SCENE_MAX_BARS];
+    int n_refusals;
 } scene_study;
 
 typedef struct scene_stability {

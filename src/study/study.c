@@ -32,6 +32,7 @@ static floe_status run_all(study *s)
     if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
     say_other_builds(s);
     study_take_values(s);
+    study_judge(s);
     study_take_times(s);
     return status == FLOE_OK ? study_time(s) : status;
 }

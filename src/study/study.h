@@ -41,6 +41,14 @@ typedef struct study_timing {
     bool differs;   /* a timed run gave other results than the first: it must not */
 } study_timing;
 
+/* What a case has come to, by the deck's study.check. */
+typedef enum study_verdict {
+    STUDY_UNJUDGED, /* the deck checks nothing, or it has not ended */
+    STUDY_RIGHT,    /* it came to its end, and keeps to every check */
+    STUDY_REFUSED,  /* floe said that it cannot: diverged (status 3), or a deck that no run can be made of (2) */
+    STUDY_WRONG     /* it came to its end and breaks a check, or it crashed, hung or lost its results */
+} study_verdict;
+
 typedef struct study_case {
     int pick[SCENE_MAX_AXES]; /* index of its value on each axis */
     size_t group;
@@ -50,6 +58,8 @@ typedef struct study_case {
     const char **set;                   /* what makes the case of the deck; owned */
     char (*text)[SCENE_SETTING];        /* "KEY=VALUE" of the axes; owned */
     double quantity[SCENE_MAX_METRICS]; /* last values of the study's quantities; NAN: none */
+    study_verdict verdict;
+    char why[BATCH_MESSAGE]; /* the first check that it breaks, or why it was refused; "" if right */
     study_timing timing;
     batch_case *run; /* in study.run */
 } study_case;

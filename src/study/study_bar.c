@@ -7,21 +7,20 @@
 #include <math.h>
 #include <string.h>
 
-/* Does the case belong to what the bar asks of? The axis `over` counts only if `all` is set. */
-static bool belongs(const study *s, const study_case *one, const scene_bar *bar, bool all)
+bool study_belongs(const study *s, const study_case *one, const scene_where *where, bool all)
 {
-    for (int k = 0; k < bar->n_where; k++) {
-        const int at = axis_find(&s->axes, bar->key[k]);
+    for (int k = 0; k < where->n; k++) {
+        const int at = axis_find(&s->axes, where->key[k]);
         if (at == s->over && !all) continue;
-        if (at < 0 || !axis_same_value(s->axes.axis[at].value[one->pick[at]], bar->value[k])) return false;
+        if (at < 0 || !axis_same_value(s->axes.axis[at].value[one->pick[at]], where->value[k])) return false;
     }
     return true;
 }
 
 static bool names_over(const study *s, const scene_bar *bar)
 {
-    for (int k = 0; k < bar->n_where; k++) {
-        if (axis_find(&s->axes, bar->key[k]) == s->over) return true;
+    for (int k = 0; k < bar->where.n; k++) {
+        if (axis_find(&s->axes, bar->where.key[k]) == s->over) return true;
     }
     return false;
 }
@@ -92,8 +91,9 @@ static void judge(const study *s, const scene_bar *bar, bar_list *out)
     for (size_t i = 0; i < s->n; i++) {
         const study_case *one = &s->list[i];
         const bool last = finest(s, one->group) == i;
-        if (!isnan(bar->order) && last && belongs(s, one, bar, false)) add_order(s, bar, one->group, out);
-        if (!isnan(bar->error) && (last || by_case) && belongs(s, one, bar, by_case)) add_error(s, bar, i, out);
+        if (!isnan(bar->order) && last && study_belongs(s, one, &bar->where, false)) add_order(s, bar, one->group, out);
+        if (!isnan(bar->error) && (last || by_case) && study_belongs(s, one, &bar->where, by_case))
+            add_error(s, bar, i, out);
     }
 }
 
@@ -135,6 +135,6 @@ floe_status study_check_bars(const study *s)
         missed++;
     }
     memory_free(s->ctx, &list);
-    if (missed == 0) return FLOE_OK;
-    return fail(s->ctx, FLOE_MISSED_BAR, "%zu of %zu required bars missed:%s", missed, n, all);
+    if (missed > 0) return fail(s->ctx, FLOE_MISSED_BAR, "%zu of %zu required bars missed:%s", missed, n, all);
+    return study_check_verdicts(s);
 }

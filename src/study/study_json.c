@@ -40,6 +40,13 @@ static json_t *quantities_json(const study *s, const study_case *one)
     return object;
 }
 
+static json_t *verdict_json(const study *s, const study_case *one)
+{
+    const char *reason = one->verdict == STUDY_REFUSED ? study_refusal_of(s, one) : NULL;
+    return json_pack("{s:s, s:o, s:o}", "is", study_verdict_name(one->verdict), "why", json_plain_text(one->why),
+                     "reason", reason ? json_plain_text(reason) : json_null());
+}
+
 /* The summary of a case, with its place in the study; a case that never came to one has the rest alone. */
 static json_t *case_json(const study *s, const study_case *one)
 {
@@ -52,7 +59,8 @@ static json_t *case_json(const study *s, const study_case *one)
         json_put(object, "group", json_plain_text(s->group[one->group])) &&
         json_put(object, "h", json_number(one->h)) && json_put(object, "axis", place_json(s, one)) &&
         json_put(object, "settings", settings_json(s, one)) &&
-        json_put(object, "quantities", quantities_json(s, one)) && json_put(object, "timing", timing_json(s, one)))
+        json_put(object, "quantities", quantities_json(s, one)) && json_put(object, "timing", timing_json(s, one)) &&
+        (!study_has_verdicts(s) || json_put(object, "verdict", verdict_json(s, one))))
         return object;
     json_decref(object);
     return NULL;
@@ -204,6 +212,13 @@ static json_t *bars_json(const study *s)
     return list;
 }
 
+static json_t *verdicts_json(const study *s)
+{
+    if (!study_has_verdicts(s)) return json_null();
+    return json_pack("{s:I, s:I, s:I}", "right", (json_int_t)study_count(s, STUDY_RIGHT), "refused",
+                     (json_int_t)study_count(s, STUDY_REFUSED), "wrong", (json_int_t)study_count(s, STUDY_WRONG));
+}
+
 floe_status study_write_json(const study *s)
 {
     char path[BATCH_PATH];
@@ -213,9 +228,9 @@ floe_status study_write_json(const study *s)
                                "wall_seconds - output_seconds", "disturbed", study_is_disturbed(s), "pareto",
                                front_json(s, STUDY_SECONDS), "answers", answers_json(s));
     return json_write(s->ctx, path,
-                      json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", 1, "deck",
+                      json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", 1, "deck",
                                 json_plain_text(s->options->deck), "title", json_plain_text(s->title), "axis", over,
                                 "axes", axes_json(s), "runs", runs_json(s), "orders", orders_json(s), "limits",
-                                limits_json(s), "pareto", front_json(s, STUDY_UPDATES), "bars", bars_json(s), "timing",
-                                timing));
+                                limits_json(s), "pareto", front_json(s, STUDY_UPDATES), "bars", bars_json(s),
+                                "verdicts", verdicts_json(s), "timing", timing));
 }

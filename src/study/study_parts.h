@@ -28,6 +28,8 @@ floe_status study_check_columns(const study *s, strbuf *errors);
 /* study_values.c: what the cases have come to. */
 /* The number of the column `name` (whose title may have a unit behind it) in a line of names, from 0; -1 if there is none. */
 int study_find_column(const char *names, const char *name);
+/* The number in that column of a row; NAN if there is none. */
+double study_field(const char *row, int column);
 void study_take_values(study *s);
 bool study_is_done(const study_case *one);
 /* The error of a case that is done; NAN otherwise. */
@@ -69,7 +71,21 @@ enum { STUDY_MAX_TARGETS = 4 };
 int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX_TARGETS]);
 void study_answer_text(const study *s, const study_answer *a, char *text, size_t size);
 
+/* study_check.c: which cases are right. */
+/* Fills verdict and why of all cases, after study_take_values. */
+void study_judge(study *s);
+bool study_has_verdicts(const study *s);
+/* "right", "refused", "wrong", "". */
+const char *study_verdict_name(study_verdict verdict);
+size_t study_count(const study *s, study_verdict verdict);
+/* The deck's reason why this case may be refused; NULL if it gives none. */
+const char *study_refusal_of(const study *s, const study_case *one);
+/* FLOE_MISSED_BAR with the cases that are wrong, and those refused for which the deck gives no reason. */
+floe_status study_check_verdicts(const study *s);
+
 /* study_bar.c: what the deck requires. */
+/* Is the case one of those? The axis `over` counts only if `all` is set. */
+bool study_belongs(const study *s, const study_case *one, const scene_where *where, bool all);
 typedef struct study_bar_result {
     const scene_bar *bar;
     bool of_order;               /* else of an error */

@@ -99,25 +99,31 @@ static bool is_left_out(const study *s, const char *key, const char *value)
     return false;
 }
 
-/* Conditions of bars name axes and values of this study. Bars of what the command line has left out are passed over. */
+/* Conditions name axes and values of this study; `what` is whose condition it is. Those of what the command line has left out are
+ * passed over. */
+static void check_where(const study *s, const scene_where *where, const char *what, const char *name, strbuf *errors)
+{
+    for (int k = 0; k < where->n; k++) {
+        const int at = axis_find(&s->axes, where->key[k]);
+        bool known = false;
+        for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
+            known = known || axis_same_value(s->axes.axis[at].value[i], where->value[k]);
+        if (known || is_left_out(s, where->key[k], where->value[k])) continue;
+        strbuf_append(errors, "%s '%.80s': '%s: %s' is no %s of this study, which has: ", what, name, where->key[k],
+                      where->value[k], at < 0 ? "axis" : "value of that axis");
+        if (at < 0) name_all_axes(s, errors);
+        for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
+            strbuf_append(errors, "%s%s", i ? ", " : "", s->axes.axis[at].value[i]);
+        strbuf_append(errors, "\n");
+    }
+}
+
 static void check_bars(const study *s, strbuf *errors)
 {
-    for (int b = 0; b < s->plan.n_bars; b++) {
-        const scene_bar *bar = &s->plan.bar[b];
-        for (int k = 0; k < bar->n_where; k++) {
-            const int at = axis_find(&s->axes, bar->key[k]);
-            bool known = false;
-            for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
-                known = known || axis_same_value(s->axes.axis[at].value[i], bar->value[k]);
-            if (known || (at >= 0 && is_left_out(s, bar->key[k], bar->value[k]))) continue;
-            strbuf_append(errors, "bar %d, for '%s': '%s: %s' is no %s of this study, which has: ", b + 1, bar->metric,
-                          bar->key[k], bar->value[k], at < 0 ? "axis" : "value of that axis");
-            if (at < 0) name_all_axes(s, errors);
-            for (int i = 0; at >= 0 && i < s->axes.axis[at].n_values; i++)
-                strbuf_append(errors, "%s%s", i ? ", " : "", s->axes.axis[at].value[i]);
-            strbuf_append(errors, "\n");
-        }
-    }
+    const scene_study *p = &s->plan;
+    for (int b = 0; b < p->n_bars; b++) check_where(s, &p->bar[b].where, "bar for", p->bar[b].metric, errors);
+    for (int b = 0; b < p->n_checks; b++) check_where(s, &p->check[b].where, "check of", p->check[b].of, errors);
+    for (int b = 0; b < p->n_refusals; b++) check_where(s, &p->refusal[b].where, "refusal", p->refusal[b].why, errors);
 }
 
 /* ---- cases ---- */

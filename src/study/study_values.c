@@ -49,7 +49,7 @@ int study_find_column(const char *names, const char *name)
     }
 }
 
-static double field_of(const char *row, int column)
+double study_field(const char *row, int column)
 {
     for (; column > 0; column--) {
         row += strcspn(row, ",\n");
@@ -84,7 +84,7 @@ static void read_quantities(const study *s, study_case *one, bool *missing)
     for (int q = 0; q < s->plan.n_quantities; q++) {
         const int column = study_find_column(text, s->plan.quantity[q]);
         missing[q] = missing[q] || column < 0;
-        if (column >= 0) one->quantity[q] = field_of(row, column);
+        if (column >= 0) one->quantity[q] = study_field(row, column);
     }
     memory_free(s->ctx, &text);
 }

@@ -31,7 +31,8 @@ static void append_names(const study *s, strbuf *out)
         strbuf_append(out, ",%s%s%s%s", s->metric[k], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
     }
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%s", s->plan.quantity[q]);
-    strbuf_append(out, ",run_seconds (s),timed_runs,disturbed,directory,message\n");
+    strbuf_append(out, ",run_seconds (s),timed_runs,disturbed,directory,message%s\n",
+                  study_has_verdicts(s) ? ",verdict,why" : "");
 }
 
 static void append_setting(const scene_axis *axis, int pick, strbuf *out)
@@ -64,6 +65,10 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     strbuf_append_csv(out, one->run->folder);
     strbuf_append(out, ",");
     strbuf_append_csv(out, one->run->message);
+    if (study_has_verdicts(s)) {
+        strbuf_append(out, ",%s,", study_verdict_name(one->verdict));
+        strbuf_append_csv(out, one->why);
+    }
     strbuf_append(out, "\n");
 }
 
@@ -168,6 +173,8 @@ static void print_case(const study *s, const study_case *one, FILE *file)
     (void)fprintf(file, "  %9.3g s%s", study_is_done(one) ? one->timing.best : summary_run_seconds(r),
                   one->timing.disturbed ? " disturbed" : "");
     if (!study_is_done(one)) (void)fprintf(file, "  %s", batch_status_name(one->run));
+    if (study_has_verdicts(s)) (void)fprintf(file, "  %s", study_verdict_name(one->verdict));
+    if (one->verdict == STUDY_WRONG) (void)fprintf(file, " (%s)", one->why);
     (void)fprintf(file, "\n");
 }
 
@@ -248,6 +255,17 @@ static floe_status print_bars(const study *s, FILE *file)
     return FLOE_OK;
 }
 
+static void print_verdicts(const study *s, FILE *file)
+{
+    if (!study_has_verdicts(s)) return;
+    (void)fprintf(file, "%zu cases: %zu right, %zu refused, %zu wrong\n", s->n, study_count(s, STUDY_RIGHT),
+                  study_count(s, STUDY_REFUSED), study_count(s, STUDY_WRONG));
+    for (size_t i = 0; i < s->n; i++) {
+        const char *reason = s->list[i].verdict == STUDY_REFUSED ? study_refusal_of(s, &s->list[i]) : NULL;
+        if (reason) (void)fprintf(file, "refused, %s: %s\n", s->run[i].label, reason);
+    }
+}
+
 floe_status study_print(const study *s, FILE *file)
 {
     if (s->title[0]) (void)fprintf(file, "%s\n", s->title);
@@ -259,5 +277,6 @@ floe_status study_print(const study *s, FILE *file)
         for (int q = 0; q < s->plan.n_quantities; q++) print_limit(s, g, q, file);
     }
     print_answers(s, file);
+    print_verdicts(s, file);
     return print_bars(s, file);
 }

@@ -354,8 +354,8 @@ static void check_study(const scene_study *study)
     check_close(study->bar[0].order, 1.5, 0.0);
     check_true(isnan(study->bar[0].error) && isnan(study->bar[1].order));
     check_close_relative(study->bar[1].error, 0.02, 1e-15);
-    assert_int_equal(study->bar[0].n_where, 2);
-    assert_string_equal(study->bar[0].value[0], "[0.1, 0]");
+    assert_int_equal(study->bar[0].where.n, 2);
+    assert_string_equal(study->bar[0].where.value[0], "[0.1, 0]");
 }
 
 static void check_stability(const scene_stability *stability)

@@ -196,9 +196,9 @@ static void bars_judge_groups_and_cases(void **state)
     assert_int_equal(judge(f, &order, &met), GROUPS);
     check_true(!met);
     check_fails(f->ctx, study_check_bars(&f->s), FLOE_MISSED_BAR);
-    order.n_where = 1;
-    (void)snprintf(order.key[0], SCENE_KEY, "coupling");
-    (void)snprintf(order.value[0], SCENE_VALUE, "ice-mpm");
+    order.where.n = 1;
+    (void)snprintf(order.where.key[0], SCENE_KEY, "coupling");
+    (void)snprintf(order.where.value[0], SCENE_VALUE, "ice-mpm");
     assert_int_equal(judge(f, &order, &met), 1);
     check_true(met);
     check_ok(f->ctx, study_check_bars(&f->s));
@@ -206,9 +206,9 @@ static void bars_judge_groups_and_cases(void **state)
     scene_bar error = {.metric = "l2rel_density", .order = NAN, .error = 0.0126};
     assert_int_equal(judge(f, &error, &met), GROUPS);
     check_true(met);
-    error.n_where = 1;
-    (void)snprintf(error.key[0], SCENE_KEY, "domain.cell");
-    (void)snprintf(error.value[0], SCENE_VALUE, "5e-2");
+    error.where.n = 1;
+    (void)snprintf(error.where.key[0], SCENE_KEY, "domain.cell");
+    (void)snprintf(error.where.value[0], SCENE_VALUE, "5e-2");
     assert_int_equal(judge(f, &error, &met), GROUPS);
     check_true(!met);
     /* What was not measured is missed. */

@@ -1,0 +1,142 @@
+/* Verdicts: a case is right, was refused, or is wrong. */
+#include "study/study_parts.h"
+
+#include "base/memory.h"
+#include "io/file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool study_has_verdicts(const study *s)
+{
+    return s->plan.n_checks > 0;
+}
+
+const char *study_verdict_name(study_verdict verdict)
+{
+    static const char *const name[] = {"", "right", "refused", "wrong"};
+    return name[verdict];
+}
+
+size_t study_count(const study *s, study_verdict verdict)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < s->n; i++) n += s->list[i].verdict == verdict;
+    return n;
+}
+
+const char *study_refusal_of(const study *s, const study_case *one)
+{
+    for (int k = 0; k < s->plan.n_refusals; k++) {
+        if (study_belongs(s, one, &s->plan.refusal[k].where, true)) return s->plan.refusal[k].why;
+    }
+    return NULL;
+}
+
+/* ---- what a check looks at ---- */
+
+typedef struct value_range {
+    double least, most; /* NAN: not measured, or not a number in some row */
+} value_range;
+
+static value_range range_of_column(const char *history, const char *name)
+{
+    value_range r = {INFINITY, -INFINITY};
+    const int column = study_find_column(history, name);
+    const char *row = strchr(history, '\n');
+    bool any = false;
+    for (; column >= 0 && row && row[1]; row = strchr(row + 1, '\n')) {
+        const double x = study_field(row + 1, column);
+        any = true;
+        if (!isfinite(x)) return (value_range){NAN, NAN};
+        r = (value_range){fmin(r.least, x), fmax(r.most, x)};
+    }
+    return any ? r : (value_range){NAN, NAN};
+}
+
+static value_range range_of(const study_case *one, const char *history, const char *name)
+{
+    const run_summary *r = &one->run->summary;
+    double x = study_error(one, name);
+    if (strcmp(name, "drift_mass") == 0) x = r->drift_mass;
+    if (strcmp(name, "drift_momentum") == 0) x = r->drift_momentum;
+    if (strcmp(name, "drift_energy") == 0) x = r->drift_energy;
+    return isnan(x) ? range_of_column(history, name) : (value_range){x, x};
+}
+
+/* ---- verdicts ---- */
+
+/* False: why says what the case breaks. */
+static bool keeps_to(const scene_check *check, value_range r, char why[BATCH_MESSAGE])
+{
+    if (!isfinite(r.least) || !isfinite(r.most))
+        (void)snprintf(why, BATCH_MESSAGE, "%s: not measured, or no number", check->of);
+    else if (!isnan(check->least) && !(r.least >= check->least))
+        (void)snprintf(why, BATCH_MESSAGE, "%s: %.6g, at least %g is right", check->of, r.least, check->least);
+    else if (!isnan(check->most) && !(r.most <= check->most))
+        (void)snprintf(why, BATCH_MESSAGE, "%s: %.6g, at most %g is right", check->of, r.most, check->most);
+    else
+        return true;
+    return false;
+}
+
+static study_verdict verdict_of_done(const study *s, study_case *one, const char *history)
+{
+    bool asked = false;
+    for (int k = 0; k < s->plan.n_checks; k++) {
+        const scene_check *check = &s->plan.check[k];
+        if (!study_belongs(s, one, &check->where, true)) continue;
+        asked = true;
+        if (!keeps_to(check, range_of(one, history, check->of), one->why)) return STUDY_WRONG;
+    }
+    if (asked) return STUDY_RIGHT;
+    (void)snprintf(one->why, BATCH_MESSAGE, "no check is asked of it");
+    return STUDY_WRONG;
+}
+
+static study_verdict verdict_of(const study *s, study_case *one)
+{
+    char path[BATCH_PATH], *history;
+    const batch_case *run = one->run;
+    one->why[0] = '\0';
+    if (run->state != BATCH_ENDED) return STUDY_UNJUDGED;
+    if (!study_is_done(one)) {
+        const bool said = run->status == FLOE_DIVERGED || run->status == FLOE_BAD_INPUT;
+        (void)snprintf(one->why, BATCH_MESSAGE, "%s", run->message);
+        return said && run->message[0] ? STUDY_REFUSED : STUDY_WRONG;
+    }
+    (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->dir, run->folder);
+    if (file_read(s->ctx, path, &history, NULL) != FLOE_OK) {
+        (void)snprintf(one->why, BATCH_MESSAGE, "its history.csv cannot be read");
+        context_clear(s->ctx);
+        return STUDY_WRONG;
+    }
+    const study_verdict verdict = verdict_of_done(s, one, history);
+    memory_free(s->ctx, &history);
+    return verdict;
+}
+
+void study_judge(study *s)
+{
+    for (size_t i = 0; i < s->n && study_has_verdicts(s); i++) s->list[i].verdict = verdict_of(s, &s->list[i]);
+}
+
+floe_status study_check_verdicts(const study *s)
+{
+    char all[CONTEXT_MESSAGE_SIZE] = "";
+    size_t missed = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        const study_case *one = &s->list[i];
+        const bool fine = one->verdict == STUDY_RIGHT || one->verdict == STUDY_UNJUDGED ||
+                          (one->verdict == STUDY_REFUSED && study_refusal_of(s, one));
+        if (fine) continue;
+        const size_t at = strlen(all);
+        (void)snprintf(all + at, sizeof all - at, "\n    %s, %s: %s", study_verdict_name(one->verdict), one->run->label,
+                       one->why);
+        missed++;
+    }
+    if (missed == 0) return FLOE_OK;
+    return fail(s->ctx, FLOE_MISSED_BAR, "%zu of %zu cases are wrong, or refused without a reason in the deck:%s",
+                missed, s->n, all);
+}
