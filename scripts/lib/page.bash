@@ -58,16 +58,22 @@ begin() {
     mv "$bars.new" "$bars"
 }
 
-# floe_command COMMAND FILE FOLDER ARGUMENT...: runs a command that makes CSV, one thread a run, and remembers it.
-floe_command() {
-    local command=$1 file=$2 folder=$3 log=$runs/$3.txt
-    shift 3
-    local text="floe $command" word
+# note_command COMMAND ARGUMENT...: a command as the page shows it.
+note_command() {
+    local text="floe $1" word
+    shift
     for word in "$@"; do
         case $word in *[][*?{}\ ]*) text+=" '$word'" ;; *) text+=" $word" ;; esac
     done
     commands+=("$text")
-    echo "  $text" >&2
+}
+
+# floe_command COMMAND FILE FOLDER ARGUMENT...: runs a command that makes CSV, one thread a run, and remembers it.
+floe_command() {
+    local command=$1 file=$2 folder=$3 log=$runs/$3.txt
+    shift 3
+    note_command "$command" "$@"
+    echo "  ${commands[-1]}" >&2
     rm -rf "${runs:?}/$folder"
     "$floe" "$command" "$@" --threads 1 -o "$runs/$folder" >"$log" 2>"$log.err" || {
         echo "results.sh: failed: floe $command $*; see $log.err" >&2
@@ -89,6 +95,17 @@ floe_stability() {
 # floe_run FOLDER ARGUMENT...: one run; $csv is its history.
 floe_run() {
     floe_command run history.csv "$@" --quiet
+}
+
+# floe_run_kept FOLDER ARGUMENT...: one run, or the one that lies finished there.
+floe_run_kept() {
+    csv=$runs/$1/history.csv
+    if grep -qs '"status": "done"' "$runs/$1/summary.json" && [ -f "$csv" ]; then
+        shift
+        note_command run "$@" --quiet
+    else
+        floe_run "$@"
+    fi
 }
 
 # bar WHAT MEASURED RELATION LIMIT [FORMAT [UNIT]]: adds a bar, met or missed, to the page's and to the index. RELATION is <= or >=.

@@ -3,17 +3,6 @@
 # its runs are there or FINEST is set; dogbone-0.05-16, with 16 gas points a cell instead of 64, stands in for dogbone-0.05.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
 
-# rest_run FOLDER ARGUMENT...: a run, or the one that is there.
-rest_run() {
-    csv=$runs/$1/history.csv
-    if grep -qs '"status": "done"' "$runs/$1/summary.json" && [ -f "$csv" ]; then
-        shift
-        commands+=("floe run $*")
-    else
-        floe_run "$@"
-    fi
-}
-
 # rest_error FOLDER QUANTITY: the error (%) over the last tenth of the time.
 rest_error() {
     awk -F: -v n="\"hlate_$2\"" 'index($1, n) { printf "%.3g", 100 * $2 }' "$runs/$1/summary.json"
@@ -78,7 +67,7 @@ result_membrane-rest() {
         k=$((k + 1))
         fewer=()
         [ "$h" = "${h%-16}" ] || fewer=(--set bodies.gas.points=4 --set bodies.knob.points=4)
-        rest_run "dogbone-$h" inputs/membrane_dogbone.yaml --set "domain.cell=${h%-16}" --set "bodies.skin.membrane.number=${number[k]}" "${fewer[@]}"
+        floe_run_kept "dogbone-$h" inputs/membrane_dogbone.yaml --set "domain.cell=${h%-16}" --set "bodies.skin.membrane.number=${number[k]}" "${fewer[@]}"
         rest_row "dogbone-$h" "${h/-16/, 16 gas points a cell}" "${published[k - 1]}"
         [ -n "$before" ] && [ "$(calc %d "$worst<$before")" = 1 ] && falls=$((falls + 1))
         before=$worst
@@ -95,7 +84,7 @@ result_membrane-rest() {
     write '' '## Slack circle (S00 section 8)' '' '`inputs/membrane_circle.yaml`, radius 0.5, p0 = 1000; the paper has figures only. What damping takes the gas gets as heat.'
     rest_table
     for h in 0.1 0.05; do
-        rest_run "circle-$h" inputs/membrane_circle.yaml --set domain.cell=$h
+        floe_run_kept "circle-$h" inputs/membrane_circle.yaml --set domain.cell=$h
         rest_row "circle-$h" $h -
         bar "circle at $h: largest error of r, p and hoop stress" "$worst" '<=' 0.5 %.2g ' %'
     done

@@ -61,9 +61,9 @@ sealed_bone() {
     for h in ${SEALED_BONES:-0.4 0.2 0.1}; do
         k=$((k + 1))
         if [ "$h" = 0.05 ]; then
-            rest_run "dogbone-$h" inputs/membrane_dogbone.yaml --coupling ice-mpm
+            floe_run_kept "dogbone-$h" inputs/membrane_dogbone.yaml --coupling ice-mpm
         else
-            rest_run "dogbone-$h" inputs/membrane_dogbone.yaml --coupling ice-mpm --set "domain.cell=$h" --set "bodies.skin.membrane.number=${number[k]}"
+            floe_run_kept "dogbone-$h" inputs/membrane_dogbone.yaml --coupling ice-mpm --set "domain.cell=$h" --set "bodies.skin.membrane.number=${number[k]}"
         fi
         rest_row "dogbone-$h" "$h" -
         bar "dog-bone at $h: largest error of r and p" "$(printf '%s\n' "${figures[@]:0:3}" | sort -g | tail -n 1)" '<=' 1 %.2g ' %'

@@ -41,10 +41,11 @@ static floe_status check_membrane(reader *r, const scene_body *b)
                   "cells do not see membrane '%s' unless it holds a gas", b->name);
 }
 
-/* What the cells of a coupled run need to know of a solid. */
+/* What the cells of a coupled run need to know of a solid; beside a membrane that holds gas they see none. */
 static floe_status check_solid_body(reader *r, const scene_body *b, const scene_material *m)
 {
     if (!scene_runs_as(r->scene, COUPLING_ICE_MPM) || !is_clean(r->root, PATH("materials", m->name))) return FLOE_OK;
+    if (scene_holder(r->scene) >= 0) return FLOE_OK;
     (void)b;
     if (isnan(m->specific_heat)) {
         return bad_at(r, PATH("materials", m->name, "specific_heat"), "specific_heat: a number > 0 in J/kg/K", NULL,

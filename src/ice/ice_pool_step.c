@@ -5,7 +5,8 @@
  *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
  *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the way of the wall in the step
  *
- * A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much. */
+ * A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much. Where there is no
+ * gas on the other side, the reference pressure pushes on the wall from there. */
 #include "ice/ice_pool.h"
 #include "ice/ice_stress.h"
 
@@ -133,6 +134,29 @@ static void add_heat(const ice *s, ice_pools *p)
     }
 }
 
+/* Pressure (Pa) on the side of the membrane that has no gas. */
+static double pressure_beyond(const ice *s)
+{
+    return s->n_materials == 1 ? s->scene->reference_pressure : 0.0;
+}
+
+/* What the reference pressure does to the membrane in the step, into the ledger. */
+static void note_surroundings(const ice *s)
+{
+    const double beyond = pressure_beyond(s);
+    const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
+    double impulse[2] = {0.0, 0.0}, work = 0.0;
+    if (beyond == 0.0) return;
+    for (int n = 0; n < s->seal.now->n_pieces; ++n) {
+        const cut_piece *q = &s->seal.now->piece[n];
+        for (int a = 0; a < 2; ++a) impulse[a] -= s->dt * beyond * q->area[a];
+        work -= beyond * along_area(s, q, s->seal.path);
+    }
+    for (int a = radial; a < 2; ++a)
+        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, impulse[a]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, work);
+}
+
 static void add_sources(const ice *s, ice_pools *p)
 {
     for (int k = 0; k < p->n; ++k) {
@@ -215,6 +239,7 @@ void ice_pool_sources(const ice *s)
     still_elsewhere(s);
     ice_pools_clear(p);
     add_sources(s, p);
+    note_surroundings(s);
     for (int pool = 0; pool < p->count; ++pool) {
         const pool_state now = advance(s, p, pool);
         double *sum = p->sum + (size_t)pool * POOL_SUMS;
@@ -230,22 +255,29 @@ void ice_pool_sources(const ice *s)
     }
 }
 
+/* Shares a force on a piece out to the vertices between which it lies. */
+static void push_vertices(const ice *s, const cut_piece *q, const double force[2])
+{
+    for (int a = 0; a < 2; ++a) {
+        s->seal.force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
+        s->seal.force[2 * q->vertex[1] + a] += force[a] * q->share;
+    }
+}
+
 floe_status ice_sealed_load(ice *s)
 {
     const cut_line *c = s->seal.now;
+    const double beyond = pressure_beyond(s);
     for (int k = 0; k < 2 * c->n_vertices; ++k) s->seal.force[k] = 0.0;
     for (s->gas = 0; s->gas < s->n_materials; ++s->gas) {
         const ice_pools *p = pools_in_hand(s);
         ice_seal_views(s);
         for (int n = 0; n < c->n_pieces; ++n) {
             const cut_piece *q = &c->piece[n];
-            const ice_member *m = &p->member[q->cell];
             double force[2];
-            force_on(s, m, q, force);
-            for (int a = 0; a < 2; ++a) {
-                s->seal.force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
-                s->seal.force[2 * q->vertex[1] + a] += force[a] * q->share;
-            }
+            force_on(s, &p->member[q->cell], q, force);
+            for (int a = 0; a < 2; ++a) force[a] -= beyond * q->area[a];
+            push_vertices(s, q, force);
         }
     }
     s->gas = -1;

@@ -32,6 +32,19 @@ static void test_rest(void **unused)
     trial_end(&t);
 }
 
+/* A vacuum is at the reference pressure: a gas of that pressure stays at rest, too. */
+static void test_reference_pressure(void **unused)
+{
+    (void)unused;
+    static const char *const set[] = {PLAIN, "reference_pressure=1000", "boundaries={r: symmetry, z: symmetry}",
+                                      "damping=null"};
+    trial t;
+    sealed_begin(&t, "membrane_balloon", set, 4);
+    trial_steps(&t, 300);
+    for (int a = 0; a < 2; ++a) check_close(deviation_of(&t, C_VEL, 0, a, 0.0).inside, 0.0, 1e-10);
+    trial_end(&t);
+}
+
 #define STREAM                                                                                                       \
     AIR, PLAIN, "damping=null", "materials.gas.viscosity=null", "bodies.skin.velocity=[0, 10]",                      \
         "bodies.air={material: air, shape: {box: {lower: [0, 0], upper: [0.5, 1.2]}}, pressure: 1000, temperature: " \
@@ -94,7 +107,7 @@ static void test_ball_in_stream(void **unused)
 /* Where gas and membrane balance (reference membrane_rest): radius on the mirror and at the axis, pressure, volume. */
 typedef struct rest_case {
     const char *set[6];
-    int n_set;
+    size_t n_set;
     double volume; /* m3 per radian, over the square or the cube of the radius */
     int power;
     double radius, pressure, tolerance; /* exact; share */
@@ -105,7 +118,7 @@ static void check_rest(const rest_case *c)
     trial t;
     membrane_room room;
     double first[3], pressure;
-    sealed_begin(&t, "membrane_balloon", c->set, (size_t)c->n_set);
+    sealed_begin(&t, "membrane_balloon", c->set, c->n_set);
     trial_run(&t, t.scene->time.end);
     mpm_membrane_end(t.sim->mpm, 0, false, first);
     mpm_membrane_room(t.sim->mpm, 0, &room);
@@ -145,6 +158,19 @@ static void test_tube(void **unused)
                             .tolerance = 5e-4});
 }
 
+/* Against a reference pressure of 200, which does work on the membrane: the account knows of it. Measured: radius 0.8e-4, pressure 1.9e-4. */
+static void test_balloon_against_pressure(void **unused)
+{
+    (void)unused;
+    check_rest(&(rest_case){.set = {"reference_pressure=200", "verify=null"},
+                            .n_set = 2,
+                            .volume = 1.0 / 3.0,
+                            .power = 3,
+                            .radius = 0.513556,
+                            .pressure = 905.389,
+                            .tolerance = 4e-4});
+}
+
 static state run(int blocks)
 {
     static const char *const set[] = {"domain.cell=0.05", AIR, "ambient={material: air, pressure: 10, temperature: 7}"};
@@ -173,8 +199,10 @@ static void test_bits(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rest),    cmocka_unit_test(test_disc), cmocka_unit_test(test_ball_in_stream),
-        cmocka_unit_test(test_balloon), cmocka_unit_test(test_tube), cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_rest),    cmocka_unit_test(test_reference_pressure),
+        cmocka_unit_test(test_disc),    cmocka_unit_test(test_ball_in_stream),
+        cmocka_unit_test(test_balloon), cmocka_unit_test(test_balloon_against_pressure),
+        cmocka_unit_test(test_tube),    cmocka_unit_test(test_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
