@@ -3,93 +3,9 @@
  * names are listed. Angles in degrees. scripts/results/normals.bash makes docs/results/normals.md of them.
  *
  * Where the papers do not print the places of their points, they are chosen here, and said in the comment of the table. */
-#include "base/memory.h"
+#include "surface_cloud.h"
+
 #include "base/timer.h"
-#include "math/tensor.h"
-#include "surface/isosurface.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-static const double pi = 3.14159265358979323846;
-enum { MOST = 4096, DRAWS = 100 };
-
-/* Points with their exact normals. */
-typedef struct cloud {
-    int n;
-    double x[MOST][3], normal[MOST][3];
-} cloud;
-
-static cloud *add(cloud *c, double x, double y, double z, double nx, double ny, double nz)
-{
-    const double at[3] = {x, y, z};
-    double n[3] = {nx, ny, nz};
-    vec_normalize(n);
-    memcpy(c->x[c->n], at, sizeof at);
-    memcpy(c->normal[c->n++], n, sizeof n);
-    return c;
-}
-
-static double angle(const double a[3], const double b[3])
-{
-    double c[3];
-    vec_cross(a, b, c);
-    return atan2(vec_norm(c), fabs(vec_dot(a, b))) * 180.0 / pi;
-}
-
-/* Largest, root mean square. */
-typedef struct errors {
-    double most, square;
-    int n;
-} errors;
-
-static void enter(errors *e, double degrees)
-{
-    e->most = fmax(e->most, degrees);
-    e->square += degrees * degrees;
-    e->n++;
-}
-
-static double rms(const errors *e)
-{
-    return sqrt(e->square / e->n);
-}
-
-/* ---- one element of the size of one ---- */
-
-/* The function on the element for a point off the surface, or for the best of a few (NULL). False: no solution. */
-static bool solve(const cloud *c, int dim, int degree, surface_solver solver, const double *away, isosurface *f)
-{
-    const double lower[3] = {0}, size[3] = {1, 1, 1};
-    isosurface_begin(f, solver, dim, degree, lower, size);
-    for (int k = 0; k < c->n; ++k) isosurface_add(f, c->x[k]);
-    return away ? isosurface_solve(f, away) : isosurface_find(f);
-}
-
-static errors errors_of(const cloud *c, const isosurface *f)
-{
-    errors e = {0};
-    for (int k = 0; k < c->n; ++k) {
-        double n[3];
-        (void)isosurface_normal(f, c->x[k], n);
-        enter(&e, angle(n, c->normal[k]));
-    }
-    return e;
-}
-
-static int ascending(const void *a, const void *b)
-{
-    const double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
-
-static double median(double *x, int n)
-{
-    qsort(x, (size_t)n, sizeof *x, ascending);
-    return 0.5 * (x[(n - 1) / 2] + x[n / 2]);
-}
 
 /* Points evenly along the part of a line through the middle of the element, in the middle of equal pieces. */
 static void put_line(cloud *c, double slope, int n)
@@ -263,46 +179,6 @@ static void table_thesis(void)
 
 /* ---- whole methods, on a mesh ---- */
 
-/* A context, a mesh of cells h over [-half, half], and estimates. */
-typedef struct field {
-    context *ctx;
-    mesh m;
-    surface_set set;
-    surface_estimate estimate[MOST];
-} field;
-
-static void begin(field *f, int dim, double half, double h)
-{
-    mesh_spec spec = {.dim = dim};
-    f->ctx = context_create();
-    for (int a = 0; a < 3; ++a) {
-        spec.lower[a] = -half;
-        spec.upper[a] = half;
-        spec.cell[a] = h;
-    }
-    if (mesh_init(&f->m, f->ctx, &spec) != FLOE_OK) {
-        fprintf(stderr, "%s\n", context_message(f->ctx));
-        exit(1);
-    }
-    surface_set_init(&f->set, f->ctx, &f->m);
-    f->set.closed = true;
-}
-
-static void end(field *f)
-{
-    surface_set_free(&f->set);
-    context_destroy(&f->ctx);
-}
-
-static errors measure(field *f, const cloud *c, const surface_method *method, const double *par)
-{
-    errors e = {0};
-    if (surface_set_points(&f->set, (size_t)c->n, &c->x[0][0]) != FLOE_OK) exit(1);
-    surface_normals(&f->set, method, par, f->estimate);
-    for (int k = 0; k < c->n; ++k) enter(&e, angle(f->estimate[k].normal, c->normal[k]));
-    return e;
-}
-
 /* Methods with their parameters. */
 typedef struct contender {
     const char *label, *method;
@@ -331,30 +207,6 @@ static void put_circle(cloud *c, double x, double y, double radius, int n, doubl
         const double r = radius + noise * (2.0 * (double)(state >> 11) * 0x1p-53 - 1.0);
         add(c, x + r * u, y + r * v, 0.0, u, v, 0.0);
     }
-}
-
-/* S00 figure 10: y = c x2 (x - 1) + x + 0.5 within the element, points evenly in x; and by the polynomial through the nearest points. */
-static void table_cubic(void)
-{
-    static cloud c;
-    static field f;
-    const double par[] = {1.0};
-    printf("%s", draws_head);
-    begin(&f, 2, 2.0, 1.0);
-    f.set.closed = false;
-    for (int steep = 2; steep <= 4; steep += 2) {
-        char name[16];
-        c.n = 0;
-        for (int k = 0; k < 16; ++k) {
-            const double x = (k + 0.5) / 16.0, y = steep * x * x * (x - 1.0) + x + 0.5;
-            if (y < 1.0) add(&c, x, y, 0.0, -(steep * (3.0 * x * x - 2.0 * x) + 1.0), 1.0, 0.0);
-        }
-        (void)snprintf(name, sizeof name, "c = %d", steep);
-        print_draws(name, &c, 2, 2, SOLVE_QR);
-        const errors e = measure(&f, &c, surface_find("quadric"), par);
-        printf("%s,%d,3,quadric,,,,%.3g,%.3g\n", name, c.n, e.most, rms(&e));
-    }
-    end(&f);
 }
 
 /* Y97 section 7.5.1: a cylinder of radius 1, with 180 points a quarter and cells of 0.1, of which the middle quarter of the circle is
@@ -647,14 +499,10 @@ static void table_cost(void)
     }
 }
 
-static const struct {
-    const char *name, *doc;
-    void (*print)(void);
-} tables[] = {
+static const bench_table tables[] = {
     {"lines", "S00 tables I and II: condition over 100 random points", table_lines},
     {"circle", "S00 table III", table_circle},
     {"arcs", "S00 figures 7 and 9", table_arcs},
-    {"cubic", "S00 figure 10", table_cubic},
     {"space", "S00 figures 5 and 11", table_space},
     {"line", "S00 figures 1 and 8: one axis", table_line},
     {"thesis", "Y97 figures 76 to 79, 83 to 85", table_thesis},
@@ -669,12 +517,5 @@ static const struct {
 
 int main(int argc, char **argv)
 {
-    const size_t n = sizeof tables / sizeof tables[0];
-    for (size_t k = 0; k < n; ++k) {
-        if (argc < 2) printf("%-12s %s\n", tables[k].name, tables[k].doc);
-        if (argc != 2 || strcmp(argv[1], tables[k].name) != 0) continue;
-        tables[k].print();
-        return 0;
-    }
-    return argc < 2 ? 0 : 2;
+    return print_table(argc, argv, sizeof tables / sizeof tables[0], tables);
 }

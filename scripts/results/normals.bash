@@ -1,9 +1,9 @@
 # normals: normals to unconnected points, static tables beside the papers' and membranes run with them. Sourced by scripts/results.sh.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
 
-# table NAME: a table of bench_surface_normals, in $runs/NAME.csv.
+# table NAME [BENCH]: a table of bench_surface_normals, or of another, in $runs/NAME.csv.
 table() {
-    "$build/bench/bench_surface_normals" "$1" >"$runs/$1.csv"
+    "$build/bench/bench_surface_${2:-normals}" "$1" >"$runs/$1.csv"
 }
 
 # cell NAME KEYS COLUMN: of the row that begins with KEYS (commas and all).
@@ -40,26 +40,50 @@ normals_elements() {
         off=$(awk -v w="$off" -v a="$(cell circle $n 2)" -v b="${published[n]% *}" 'BEGIN { d = a - b; d = d < 0 ? -d : d; print (d > w ? d : w) }')
     done
     bar 'circle by linear splines: worst angle off table III by at most' "$off" '<=' 1e-4 %.1e ' rad'
-    for n in arcs space thesis cubic line degenerate; do table "$n"; done
+    for n in arcs space thesis line degenerate; do table "$n"; done
     write '' '## Arcs, cubics, planes and spheres (S00 figures 4 to 11, Y97 figures 76 to 85)' '' 'Largest angle over the points, in degrees, for a hundred points off the surface: least, median and most; and with the one that floe' \
-        'takes of eight, by the evenness of the gradient, with its root mean square. Where quadratic splines are short of equations (sets a and b, the cubics), their answer hangs on that' \
+        'takes of eight, by the evenness of the gradient, with its root mean square. Where quadratic splines are short of equations (sets a and b), their answer hangs on that' \
         'point, and that of the singular normal equations on round-off besides. Places of points are ours: the papers show them in figures.' '' \
         '| set | points | splines | solver | least | median | most | floe | rms | published |' '|---|---|---|---|---|---|---|---|---|---|'
     awk -F, -v q="'" 'FNR == 1 { next }
         { p = "" }
         FILENAME ~ /arcs/ { p = $3 == 1 ? ($1 == "a" ? "6" : "34") : $1 == "a" ? "3 (normal equations)" : $1 == "b" ? ($4 == "QR" ? "under 1" : "19") : "0" }
-        FILENAME ~ /cubic/ { p = $1 == "c = 2" ? "1" : "32, rms 5" }
         FILENAME ~ /space/ { p = $1 == "sphere" && $3 == 1 ? "13, norm / N 3" : "0" }
         FILENAME ~ /thesis/ { p = $1 == "45 degrees" ? "0" : $1 == "80 degrees" ? "0.01 mean" : $1 ~ /^xy/ ? "0 (5 digits)" : $1 == "circle 0.4" ? "several" : "figure" }
         { d = $3 == 1 ? "linear" : $3 == 2 ? "quadratic" : "-"
           printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, d, $4, $5, $6, $7, $8, $9, p }' \
-        "$runs"/{arcs,cubic,space,thesis}.csv >>"$page"
+        "$runs"/{arcs,space,thesis}.csv >>"$page"
     write '' 'One point on one axis (S00 figures 1 and 8): with the point off it the gradient has a sign and the normal length one. Of the solutions of least norm' \
         'without it only that in the middle of the cell has no gradient; elsewhere its sign says on which side of the middle the point is.' '' '| place | splines | with | without |' '|---|---|---|---|'
     awk -F, 'NR > 1 { print "| " $1 " | " ($2 == 1 ? "linear" : "quadratic") " | " $3 " | " $4 " |" }' "$runs/line.csv" >>"$page"
     write '' '## Degenerate sets (Y97 figures 80 to 84, S00 section 4)' '' 'Worst angle in degrees of five points (unless said otherwise) in a cell. *Alone*: linear splines on the one element by normal equations, as published. "None": no' \
         'direction follows from one point, and a membrane keeps the normal that it had (`normals_kept`).' '' '| set | alone | isosurface_linear | isosurface | isosurface_quadratic | quadric |' '|---|---|---|---|---|---|'
     awk -F, 'NR > 1 { print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " $6 " |" }' "$runs/degenerate.csv" >>"$page"
+}
+
+# angles NAME FIRST: rows of a table of the cubic, for each c the worst angle and the root mean square of each method.
+angles() {
+    table "$1" cubic
+    write '' "| c | $2 | connectivity | isosurface | isosurface_quadratic | quadric |" '|---|---|---|---|---|---|'
+    awk -F, 'NR > 1 { print "| " $1 " | " $2 " | " $3 ", " $4 " | " $5 ", " $6 " | " $7 ", " $8 " | " $9 ", " $10 " |" }' "$runs/$1.csv" >>"$page"
+}
+
+normals_cubic() {
+    table readings cubic
+    write '' '## A cubic (S00 figure 10)' '' 'y = c x^2 (x - 1) + x + 0.5, quadratic splines; the paper has 1 degree at worst with c = 2, 32 degrees with c = 4, where its "rms" is 5: as in table III' \
+        'the norm over the number of points, for 5 as a root mean square beside 32 would take forty points and more. It prints neither how many points there are nor where. With eight points, which just determine' \
+        'the function, evenly along the curve from x = 0.05 to y = 0.85, all three figures come out, wherever the point off the curve is. Starts from 0 to 0.2, ends from 0.8 to 1, 7 to 20 points' \
+        'and both spacings were tried: what counts is the first point, about 0.05 from the side, at which the worst angle is. Each of the other rows differs in what it names; quartiles of the worst angle over a hundred points' \
+        'off the curve, and the norm over N of the median.' '' '| reading | splines | solver | evenly in | points | c = 2: quartiles | norm / N | points | c = 4: quartiles | norm / N |' '|---|---|---|---|---|---|---|---|---|---|'
+    awk -F, 'NR > 1 { print "| " $1 " | " ($2 == 1 ? "linear" : "quadratic") " | " $3 " | " $4 " | " $5 " | " $6 ", " $7 ", " $8 " | " $9 " | " $10 " | " $11 ", " $12 ", " $13 " | " $14 " |" }' "$runs/readings.csv" >>"$page"
+    write '| *published* | quadratic | normal equations | | | 1 | | | 32 | 5 |'
+    bar 'cubic (S00 figure 10): worst angles off 1 and 32 degrees by at most' "$(awk -F, '$1 == "nearest" { a = $7 - 1; b = $12 - 32; a = a < 0 ? -a : a; b = b < 0 ? -b : b; print (a > b ? a : b) }' "$runs/readings.csv")" '<=' 0.5 %.2g ' degrees'
+    write '' 'What more points on the one cell bring: the polynomial through the nearest points gains two digits where the points are doubled twice; splines on a cell that' \
+        'is larger than the radius of curvature stay where they are. Worst angle and root mean square.'
+    angles points_cubic 'points'
+    write '' 'What smaller cells bring, with eight points to a cell of 1, sixteen to two of a half, and so on:'
+    angles cells h
+    bar 'cubic, c = 2 and 4: order of the worst angle of quadric from 12 points to 192' "$(awk -F, '$2 == 12 { a[$1] = $9 } $2 == 192 { o = log(a[$1] / $9) / log(16); if (!n++ || o < w) w = o } END { print w }' "$runs/points_cubic.csv")" '>=' 3 %.2g
 }
 
 normals_cylinder() {
@@ -222,6 +246,7 @@ result_normals() {
     : >"$page"
     normals_lines
     normals_elements
+    normals_cubic
     normals_cylinder
     normals_dogbone
     normals_sweeps

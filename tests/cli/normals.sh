@@ -35,6 +35,12 @@ awk -F, '$1 == "a" && $3 == 1 { if (!($6 > 5 && $6 < 7)) exit 1 } $1 == "b" && $
 table space
 awk -F, '($1 == "plane" || $3 == 2) && !($7 < 1e-9) { exit 1 }' space || fault 'not figures 5 and 11'
 
+# Figure 10: the reading that comes nearest, whatever point off the curve is drawn; and what is gained over it where there are points enough.
+"${tables%normals}cubic" readings | awk -F, '$1 == "nearest" { n++
+    for (c = 6; c <= 8; c++) if (!($c > 0.5 && $c < 1.5) || !($(c + 5) > 31.5 && $(c + 5) < 32.5)) exit 1
+    if (!($14 > 4.5 && $14 < 5.5)) exit 1 } END { exit n != 1 }' || fault 'not figure 10'
+"${tables%normals}cubic" points_cubic | awk -F, '$2 == 24 { n++; if (!($9 < 0.2)) exit 1 } END { exit n != 2 }' || fault 'quadric errs on the cubic'
+
 # One axis: the normal has length one; without the point off it the solution of least norm has no gradient in the middle of the cell.
 table line
 grep -c 'normal [-+]1)' line | diff - <(echo 6) || fault 'no unit normals'
