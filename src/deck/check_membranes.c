@@ -1,6 +1,7 @@
 /* Membranes as they will be seeded: points inside the domain, neighbours no farther apart than a cell, each with a mass, a step that suits a surface; and the springs
  * that hold on to their points. */
 #include "deck/check.h"
+#include "scene/state.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -57,13 +58,9 @@ floe_status check_membrane_points(reader *r, int body)
 {
     const scene_body *b = &r->scene->body[body];
     const seed_spec grid = grid_of(r->scene);
-    const sheet_seeding spread = {b->membrane.number, b->per_cell[0], b->membrane.thickness};
     const bool surface = b->membrane.surface.kind != SHEET_NONE;
-    const curve_seeding how = {curve_count(&b->membrane.curve, b->membrane.number, b->per_cell[0], &grid),
-                               b->membrane.thickness, b->membrane.length};
     seed_list list;
-    floe_status status = surface ? seed_sheet(&list, r->ctx, &b->membrane.surface, &spread, &grid)
-                                 : seed_curve(&list, r->ctx, &b->membrane.curve, &how, &grid);
+    floe_status status = membrane_points(b, r->ctx, &grid, &list);
     if (status == FLOE_BAD_INPUT) {
         char cause[CONTEXT_MESSAGE_SIZE];
         snprintf(cause, sizeof cause, "%s", context_message(r->ctx));

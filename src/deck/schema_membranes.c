@@ -204,7 +204,8 @@ static const choice section_choices[] = {
 
 static const choice strain_choices[] = {
     {"rate", STRAIN_BY_RATE, "it grows with the gradient of velocity at the point"},
-    {"places", STRAIN_BY_PLACES, "the distance of its neighbours, over that at rest"},
+    {"places", STRAIN_BY_PLACES,
+     "the distance of its neighbours, over that at rest; whose neighbours they are follows from `normals`"},
     {0},
 };
 
@@ -223,8 +224,9 @@ static const key_spec membrane_keys[] = {
      .otherwise = "half the way to each neighbour", .doc = "of a curve of points: its length, which they share alike"},
     {"normals", KEY_MODEL, .family = &family_normals,
      .otherwise = "`connectivity`, the order of the points along the curve; of a surface `quadric`",
-     .doc =
-         "how the normals of the points are found; all but `connectivity` take the points as they lie, in any order"},
+     .doc = "how the normals of the points are found; all but `connectivity` take the points as they lie, in any "
+            "order, and find "
+            "their neighbours (`strain: places`) from that, too"},
     {"section", KEY_CHOICE, AT(scene_membrane, section), .fallback = "thickness", .choices = section_choices,
      .doc = "what becomes of it as it is stretched"},
     {"strain", KEY_CHOICE, AT(scene_membrane, strain), .fallback = "rate", .choices = strain_choices,
@@ -243,7 +245,7 @@ static const key_spec membrane_keys[] = {
      .doc = "its mass, of the whole scene (for domain.thickness, or the full circle)"},
     {"holds", KEY_MATERIAL, AT(scene_membrane, holds), .otherwise = "none",
      .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, which it keeps from whatever is on its "
-            "right"},
+            "right; what holds it joins the points in their order, whatever `normals`"},
 };
 const key_table membrane_table = TABLE(membrane_keys);
 

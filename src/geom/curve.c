@@ -127,15 +127,16 @@ static floe_status fill(seed_list *list, context *ctx, const curve_line *c, cons
                         const seed_spec *grid)
 {
     const int number = c->kind == CURVE_POINTS ? c->n_vertices : how->number;
+    const bool ordered = c->kind != CURVE_POINTS || !how->any_order;
     TRY(layer_make_room(list, ctx, (size_t)number, grid->dim));
     for (int i = 0; i < number; i++) {
         double x[3] = {0.0}, length;
         point_of(c, how, grid->dim, i, x, &length);
         TRY(layer_put_point(list, ctx, grid, (size_t)i, x));
         list->volume[i] = length * how->thickness * (grid->axisymmetric ? x[0] : 1.0);
-        if (i > 0) TRY(check_gap(list, ctx, grid, (size_t)i - 1, (size_t)i));
+        if (i > 0 && ordered) TRY(check_gap(list, ctx, grid, (size_t)i - 1, (size_t)i));
     }
-    return curve_is_closed(c) && number > 1 ? check_gap(list, ctx, grid, (size_t)number - 1, 0) : FLOE_OK;
+    return curve_is_closed(c) && ordered && number > 1 ? check_gap(list, ctx, grid, (size_t)number - 1, 0) : FLOE_OK;
 }
 
 floe_status seed_curve(seed_list *out, context *ctx, const curve_line *c, const curve_seeding *how,

@@ -27,6 +27,7 @@ typedef struct curve_seeding {
     int number;       /* points; unused for CURVE_POINTS */
     double thickness; /* m (1-D: share of the section; 3-D: m2, the section of a string) */
     double length; /* m, CURVE_POINTS: shared alike by the points (York's s / N); NAN: half the way to each neighbour */
+    bool any_order; /* CURVE_POINTS: the list need not follow the line */
 } curve_seeding;
 
 /* Length (m). */
@@ -37,7 +38,7 @@ int curve_count(const curve_line *c, int asked, int per_cell, const seed_spec *g
 
 /* Fills *out with the points of a curve, in order along it: in the middle of equal pieces, each with its piece's length times thickness
  * as volume (times the radius when axisymmetric). Of the grid it takes dimension, geometry and mesh. FLOE_BAD_INPUT names a
- * point outside the mesh, and neighbours more than a cell apart: such a membrane is torn. */
+ * point outside the mesh, and neighbours more than a cell apart, unless they are in any order: such a membrane is torn. */
 floe_status seed_curve(seed_list *out, context *ctx, const curve_line *c, const curve_seeding *how,
                        const seed_spec *grid);
 

@@ -1,6 +1,5 @@
-#include "mpm/line.h"
-
 #include "base/memory.h"
+#include "mpm/membrane_normal.h"
 
 #include <math.h>
 
@@ -32,6 +31,10 @@ static void reflect(const line_end *end, const double *from, double x[3])
 
 line_side line_side_of(const membrane_line *line, size_t number, int step)
 {
+    if (line->link) {
+        const line_link *l = &line->link[2 * number + (step > 0)];
+        return (line_side){l->of, l->mirror.axis < 0 ? NULL : &l->mirror};
+    }
     const bool at_end = step < 0 ? number == 0 : number + 1 == line->n;
     if (!at_end || line->closed)
         return (line_side){(ptrdiff_t)((number + line->n + (step < 0 ? line->n - 1 : 1)) % line->n), NULL};
@@ -122,6 +125,19 @@ static line_end find_mirror(const mpm *s, const double *end, const double *next)
     return (line_end){.axis = -1};
 }
 
+/* Neighbours by number lie within a cell of each other, as seeding sees to; only a list of points with normals of their own may be in
+ * any order. */
+static bool is_ordered(const mpm *s, const membrane_line *line)
+{
+    double way[3];
+    for (size_t i = 1; i < line->n; ++i) {
+        way_of(s->mesh, line->x + 3 * (i - 1), line->x + 3 * i, way);
+        for (int a = 0; a < s->mesh->dim; ++a)
+            if (fabs(way[a]) > s->mesh->h[a] * (1.0 + 1e-9)) return false;
+    }
+    return true;
+}
+
 floe_status line_make(mpm *s, int body)
 {
     membrane_line *line = &s->work->line[body];
@@ -129,8 +145,12 @@ floe_status line_make(mpm *s, int body)
     *line = (membrane_line){.n = mpm_body_points(s, body), .closed = curve_is_closed(&b->membrane.curve)};
     line->end[0].axis = line->end[1].axis = -1;
     TRY(memory_new(s->ctx, &line->x, 3 * line->n, sizeof *line->x));
-    if (b->membrane.strain == STRAIN_BY_PLACES) TRY(line_measure(s, body));
+    if (b->membrane.strain == STRAIN_BY_PLACES) {
+        TRY(line_measure(s, body));
+        if (normals_are_free(s, body)) TRY(memory_new(s->ctx, &line->link, 2 * line->n, sizeof *line->link));
+    }
     line_update(s, body, false);
+    line->ordered = is_ordered(s, line);
     if (line->n < 2 || line->closed) return FLOE_OK;
     line->end[0] = find_mirror(s, line->x, line->x + 3);
     line->end[1] = find_mirror(s, line->x + 3 * (line->n - 1), line->x + 3 * (line->n - 2));
@@ -141,6 +161,7 @@ void line_free(context *ctx, membrane_line *line)
 {
     memory_free(ctx, &line->x);
     memory_free(ctx, &line->rest);
+    memory_free(ctx, &line->link);
 }
 
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3])

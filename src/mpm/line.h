@@ -15,11 +15,26 @@ typedef struct line_end {
     bool of_itself; /* the next point is the image of the end, else that of the end's neighbour */
 } line_end;
 
+/* The point next to another: its number, -1 where there is none, and the mirror behind which it lies, or NULL. */
+typedef struct line_side {
+    ptrdiff_t of;
+    const line_end *mirror;
+} line_side;
+
+/* A neighbour that has been found from where the points lie. */
+typedef struct line_link {
+    ptrdiff_t of;    /* its number; -1: there is none */
+    line_end mirror; /* behind which it lies; axis -1: none */
+} line_link;
+
 typedef struct membrane_line {
     size_t n;  /* points at the start; 0: the body is no membrane */
     double *x; /* 3 n numbers, m: places by number; NAN where a point is lost. Owned */
     bool closed;
+    bool ordered; /* the points follow each other by their numbers */
     line_end end[2];
+    line_link *
+        link; /* 2 n, before and after: neighbours where normals are free and strain comes from places; NULL: by number. Owned */
     /* Where strain comes from places (line_strain.c), else NULL: n numbers each, in one piece that `rest` owns. */
     double *rest, *volume;  /* m, of each point at rest with its slack; m3 at the start */
     double *along, *across; /* strains along the line and across it */
@@ -29,12 +44,6 @@ typedef struct membrane_line {
     double *bend;           /* 3 n, m: second differences of places */
     double *shift;          /* 3 n, m: by how much smoothing has moved the points back in the step */
 } membrane_line;
-
-/* The point next to another: its number, -1 where there is none, and the mirror behind which it lies, or NULL. */
-typedef struct line_side {
-    ptrdiff_t of;
-    const line_end *mirror;
-} line_side;
 
 /* Makes the line of a body from the points that have been seeded. */
 floe_status line_make(mpm *s, int body);

@@ -64,11 +64,23 @@ static void load_inside(const mpm *s, membrane_normals *n, bool next)
     }
 }
 
+/* Neighbours along the line, from where the points and their normals are. */
+static void link_points(const mpm *s, const membrane_normals *n, membrane_line *line)
+{
+    surface_links(&n->set, n->estimate, n->link);
+    for (size_t k = 0; k < 2 * line->n; ++k) {
+        const surface_link *l = &n->link[k];
+        line->link[k] = (line_link){.of = l->of, .mirror.axis = l->axis};
+        if (l->axis >= 0)
+            line->link[k].mirror.plane = l->side == SIDE_LOWER ? s->mesh->lower[l->axis] : s->mesh->upper[l->axis];
+    }
+}
+
 /* Normals of a body from where its points are now, or next. */
 static floe_status make_normals(mpm *s, int body, bool next)
 {
     membrane_normals *n = &s->work->normals[body];
-    const membrane_line *line = &s->work->line[body];
+    membrane_line *line = &s->work->line[body];
     const scene_membrane *m = &s->scene->body[s->body[body].scene_body].membrane;
     line_update(s, body, next);
     TRY(surface_set_points(&n->set, line->n, line->x));
@@ -79,6 +91,7 @@ static floe_status make_normals(mpm *s, int body, bool next)
     surface_normals(&n->set, m->normals, m->normals_par, n->estimate);
     TRY(surface_orient(&n->set, n->before, n->estimate));
     store_normals(s, body, next);
+    if (line->link) link_points(s, n, line);
     return FLOE_OK;
 }
 
@@ -110,6 +123,7 @@ floe_status normals_start(mpm *s, int body)
         for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, a, side);
     TRY(memory_new(s->ctx, &n->estimate, s->work->line[body].n, sizeof *n->estimate));
     TRY(memory_new(s->ctx, &n->before, 3 * s->work->line[body].n, sizeof *n->before));
+    if (s->work->line[body].link) TRY(memory_new(s->ctx, &n->link, 2 * s->work->line[body].n, sizeof *n->link));
     if (s->scene->body[s->body[body].scene_body].membrane.normals->needs_inside) TRY(room_inside(s, n));
     return make_normals(s, body, false);
 }
@@ -121,5 +135,6 @@ void normals_free(membrane_normals *n)
     memory_free(ctx, &n->estimate);
     memory_free(ctx, &n->before);
     memory_free(ctx, &n->inside);
+    memory_free(ctx, &n->link);
     surface_set_free(&n->set);
 }

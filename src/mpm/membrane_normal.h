@@ -11,6 +11,7 @@ typedef struct membrane_normals {
     surface_estimate *estimate; /* by number; owned */
     double *before;             /* 3 a point, by number: normals of the last step; owned */
     double *inside;             /* m, 3 a point of a fluid: places, for methods that need them; owned, else NULL */
+    surface_link *link;         /* 2 a point, by number: where strain comes from places; owned, else NULL */
     size_t n_inside, seeded[SCENE_MAX_BODIES]; /* points that each fluid began with */
 } membrane_normals;
 

@@ -7,7 +7,7 @@ bool mpm_membrane_encloses(const mpm *s, int body)
 {
     if (s->mesh->dim != 2 || !s->body[body].membrane.model) return false;
     const membrane_line *line = &s->work->line[body];
-    return line->n > 2 && (line->closed || (line->end[0].axis >= 0 && line->end[1].axis >= 0));
+    return line->n > 2 && line->ordered && (line->closed || (line->end[0].axis >= 0 && line->end[1].axis >= 0));
 }
 
 /* What a membrane goes around: its points, and whether they stand about an axis. */

@@ -11,11 +11,7 @@ static bool is_surface(const scene_body *b)
 
 floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list)
 {
-    const sheet_seeding spread = {b->membrane.number, b->per_cell[0], b->membrane.thickness};
-    const curve_seeding how = {curve_count(&b->membrane.curve, b->membrane.number, b->per_cell[0], grid),
-                               b->membrane.thickness, b->membrane.length};
-    const floe_status status = is_surface(b) ? seed_sheet(list, s->ctx, &b->membrane.surface, &spread, grid)
-                                             : seed_curve(list, s->ctx, &b->membrane.curve, &how, grid);
+    const floe_status status = membrane_points(b, s->ctx, grid, list);
     if (status != FLOE_BAD_INPUT) return status;
     char cause[CONTEXT_MESSAGE_SIZE];
     snprintf(cause, sizeof cause, "%s", context_message(s->ctx));

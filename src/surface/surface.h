@@ -112,4 +112,15 @@ void surface_normals(const surface_set *s, const surface_method *method, const v
  * `reference` may be NULL. */
 floe_status surface_orient(const surface_set *s, const double *reference, surface_estimate *out);
 
+/* The next point of a line in a plane, on one side of a point. */
+typedef struct surface_link {
+    ptrdiff_t of; /* number of the point; -1: there is none within SURFACE_RINGS cells */
+    int axis;     /* it is the image behind a mirror across this axis; -1: the point itself, or a periodic image */
+    int side;     /* SIDE_LOWER or SIDE_UPPER: where that mirror stands */
+} surface_link;
+
+/* Fills out[2 n_points] with the points before and after each along (-n_y, n_x), from where they lie: on either side the nearest
+ * less than 60 degrees off that direction. A point without a normal has no links. Two dimensions. */
+void surface_links(const surface_set *s, const surface_estimate *normals, surface_link *out);
+
 #endif

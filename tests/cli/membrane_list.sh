@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# Membranes whose points are listed in no order: normals, and the neighbours from whose places strain comes, are found from where the points
+# lie; what would not be heeded is refused.
+# shellcheck source=tests/cli/lib.bash
+source "$(dirname "$0")/lib.bash"
+circle=$FLOE_SOURCE/inputs/membrane_circle.yaml
+
+# list STEP: 91 points of the quarter of the circle, each STEP-th in turn.
+list() {
+    awk -v step="$1" 'BEGIN { printf "{points: {at: ["
+        for (k = 0; k < 91; k++) { a = ((k * step) % 91 + 0.5) / 91 * 1.5707963267948966; printf "%s[%.17g, %.17g]", k ? ", " : "", 0.5 * cos(a), 0.5 * sin(a) }
+        printf "]}}" }'
+}
+# of DIR COLUMN: its last value.
+of() {
+    awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) { t = $i; sub(/ .*/, "", t); if (t == name) c = i } } END { print $c }' "$1/history.csv"
+}
+# close VALUE VALUE SHARE
+close() {
+    awk -v a="$1" -v b="$2" -v e="$3" 'BEGIN { d = a - b; exit !(b != 0 && d * d <= e * e * b * b) }' || fault "$1 is not $2"
+}
+runs=(--set runs_as=null --set time.max_steps=60 --set time.end=0.01 --set verify=null --set bodies.skin.membrane.number=null --set bodies.skin.membrane.length=0.78539816339744831)
+
+# In order and connected; in any order and free: the same strains, and what they store. By rate and by places.
+for strain in 'places' 'rate'; do
+    how=(--set bodies.skin.membrane.strain=$strain --set bodies.skin.membrane.smoothing=$([ $strain = places ] && echo 0.05 || echo 0) --set method.losses=drift)
+    expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 1)" -o order --quiet
+    expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.holds=null \
+        --set bodies.skin.membrane.normals=quadric -o free --quiet
+    close "$(of free strain_skin)" "$(of order strain_skin)" 1e-6
+    close "$(of free kinetic)" "$(of order kinetic)" 1e-6
+    [ "$(of free strain_skin)" != "$(of order strain_skin)" ] || fault 'the order of the points was not another'
+    if grep -q area_skin free/history.csv; then fault 'an area by the numbers of points in no order'; fi
+    has order/history.csv area_skin
+    rm -r order free
+done
+
+# The same bits after a stop, with threads, in blocks.
+free=("$circle" "${runs[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.holds=null --set bodies.skin.membrane.normals=quadric)
+expect 0 "$FLOE" run "${free[@]}" -o whole --quiet
+OMP_NUM_THREADS=2 expect 0 "$FLOE" run "${free[@]}" --threads 2 -o threads --quiet
+cmp whole/history.csv threads/history.csv || fault 'other bits with two threads'
+expect 0 "$FLOE" run "${free[@]}" --set domain.upper=[1.6,1.6] -o wide --quiet
+expect 0 "$FLOE" run "${free[@]}" --set domain.upper=[1.6,1.6] --set domain.blocks=2 -o blocks --quiet
+cmp wide/history.csv blocks/history.csv || fault 'other bits in blocks'
+expect 5 "$FLOE" run "${free[@]}" -o part --max-wall 0.02
+below "$(json part/summary.json steps)" "$(json whole/summary.json steps)"
+expect 0 "$FLOE" run "${free[@]}" -o part --resume --quiet
+same_results whole part
+
+# Connected points must follow each other; without a length their order tells it.
+expect 2 "$FLOE" check "$circle" "${runs[@]}" --set bodies.skin.membrane.curve="$(list 34)"
+has stderr 'the membrane would be torn'
+expect 2 "$FLOE" check "${free[@]}" --set bodies.skin.membrane.length=null
+has stderr 'the membrane would be torn'
+expect 2 "$FLOE" check "${free[@]}" --set bodies.skin.membrane.holds=gas
+has stderr 'the membrane would be torn'
+
+# On one axis there are no normals to find.
+cat >line.yaml <<'DECK'
+floe: 1
+title: Stretched bar of a membrane
+units: none
+coupling: mpm
+domain: {dim: 1, lower: [0], upper: [1], cell: 0.1}
+materials: {skin: {membrane: {string: {modulus: 1}}, density: 1}}
+bodies: {skin: {material: skin, membrane: {curve: {segment: {from: [0.2], to: [0.8]}}, thickness: 0.1}, points: 2}}
+time: {end: 0.01}
+DECK
+expect 0 "$FLOE" check line.yaml
+expect 2 "$FLOE" check line.yaml --set bodies.skin.membrane.normals=isosurface
+has stderr 'a line of one dimension has none to find'
