@@ -26,7 +26,7 @@ result_sod() {
     cp "$york" $results/sod-mpm-3.csv
     cp "$inviscid" $results/sod-mpm-inviscid.csv
     cp "$runs/both/ice-0.005/profile.csv" $results/sod-profile-ice-200.csv
-    bar 'ice: L1 of density at 200 cells' "$(value "$both" ice 0.005 l1_density)" '<=' 0.004 %.5f
+    bar 'ice: L1 of density at 200 cells' "$(value "$both" ice 0.005 l1_density)" '<=' 0.0026 %.5f
     read -r b s < <(order "$both" ice l1_density)
     bar 'ice: order of density' "$b" '>=' 0.8 %.2f
     bar 'ice: shock at 400 cells off by (of its travel)' \

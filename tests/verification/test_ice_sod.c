@@ -5,9 +5,10 @@
 
 static const double end_time = 0.143;
 
-static void make_tube(fixture *f, int cells, const fixture_value *side, double position)
+static void make_tube(fixture *f, int cells, const fixture_value *side, double position, bc_kind ends)
 {
     fixture_create(f, 1, &cells, (const double[]){1.0}, false);
+    f->scene->bc.side[0][0].kind = f->scene->bc.side[0][1].kind = ends;
     const int gas = fixture_fluid(f, "ideal", 1.4, 1.0, 0.0);
     fixture_fill(f, gas, side[1].value, (double)NAN, side[0].value);
     const fixture_value values[] = {{"left_density", side[0].value, 0},
@@ -40,7 +41,7 @@ static double shock_error(const fixture *f)
     return (double)NAN;
 }
 
-/* Measured: 0.00620, 0.00308, 0.00163 at 100, 200, 400; the bars leave a sixth and more. */
+/* A second-order Godunov code has 0.00454, 0.00254, 0.00136 at 100, 200, 400 cells. */
 static void error_and_order(void **state)
 {
     (void)state;
@@ -48,7 +49,7 @@ static void error_and_order(void **state)
     for (int k = 0; k < 3; ++k) {
         fixture f;
         const int cells = 100 << k;
-        make_tube(&f, cells, sod, 0.5);
+        make_tube(&f, cells, sod, 0.5, BC_SYMMETRY);
         fixture_run(&f, end_time);
         h[k] = 1.0 / cells;
         error[k] = fixture_density_error(&f).l1;
@@ -63,7 +64,7 @@ static void error_and_order(void **state)
         check_true(f.ledger.count[COUNT_ENERGY_GUARDS] == 0);
         fixture_destroy(&f);
     }
-    check_true(error[1] <= 0.0035);
+    check_true(error[1] <= 0.0026);
     check_true(fabs(shock) <= 0.003);
     context *ctx = context_create();
     order_fit fit;
@@ -73,10 +74,38 @@ static void error_and_order(void **state)
     context_destroy(&ctx);
 }
 
+/* A contact carried over 40, 80, 160 cells: as many cells wide on every mesh, so first order, and pressure hardly sees it.
+ * Measured: L1 0.00534, 0.00267 and p off by 9.7e-5; with the plain limiter 0.0102, 0.0052 and 9e-3. */
+static void contact(void **state)
+{
+    (void)state;
+    static const fixture_value sides[6] = {{"", 1.0, 0},   {"", 1.0, 0}, {"", 1.0, 0},
+                                           {"", 0.125, 0}, {"", 1.0, 0}, {"", 1.0, 0}};
+    double error[2], worst = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        fixture f;
+        make_tube(&f, 100 << k, sides, 0.3, BC_FREE);
+        fixture_run(&f, 0.4);
+        error[k] = fixture_density_error(&f).l1;
+        const double *rho = fixture_array(&f, C_RHO, 0, 0), *e = fixture_array(&f, C_ENERGY, 0, 0);
+        const block *b = &f.mesh.block[0];
+        for (int i = b->n[0] / 4; i < b->n[0] * 9 / 10; ++i) {
+            const ptrdiff_t at = mesh_index(b, i, 0, 0);
+            worst = fmax(worst, fabs(0.4 * rho[at] * e[at] - 1.0));
+        }
+        fixture_destroy(&f);
+    }
+    printf("contact: L1(rho) %.6f, %.6f, pressure off by %.2e\n", error[0], error[1], worst);
+    check_true(error[0] <= 0.006);
+    check_true(error[1] <= 0.51 * error[0]);
+    check_true(worst <= 2e-4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(error_and_order),
+        cmocka_unit_test(contact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
