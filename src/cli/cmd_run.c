@@ -49,10 +49,25 @@ static const struct argp argp = {
            "checkpoint.h5, the resolved deck.yaml and run.log. Ctrl-C ends the run with a checkpoint.",
 };
 
+static long long counter_of(const run_summary *r, const char *name)
+{
+    for (int i = 0; i < r->n_counters; i++)
+        if (strcmp(r->counters[i].name, name) == 0) return r->counters[i].value;
+    return 0;
+}
+
+static void print_solver(const run_summary *r)
+{
+    if (strncmp(r->solver, "static", 6) != 0) return;
+    printf("solver %s; %lld increments, %lld iterations of Newton's method, %lld of conjugate gradients\n", r->solver,
+           r->steps, counter_of(r, "balance_iterations"), counter_of(r, "balance_cg_iterations"));
+}
+
 static void print_result(const run_summary *r, const char *dir)
 {
     printf("%s: t = %.6g%s, %lld steps (%lld rejected), %.3g s of wall time\n", r->status, r->time,
            r->dimensionless ? "" : " s", r->steps, r->rejected_steps, r->wall_seconds);
+    print_solver(r);
     printf("drift: mass %.1e, momentum %.1e, energy %.1e\n", r->drift_mass, r->drift_momentum, r->drift_energy);
     for (int i = 0; i < r->n_errors; i++) printf("%s: %.6g\n", r->errors[i].name, r->errors[i].value);
     printf("results: %s (fields.xdmf opens in ParaView with its XDMF Reader)\n", dir);

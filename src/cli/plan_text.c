@@ -57,6 +57,7 @@ static void print_head(const plan *p, FILE *file)
     for (int a = 0; a < m->dim; a++) (void)fprintf(file, "%s%d", a ? " x " : "", m->n[a]);
     (void)fprintf(file, " cells of %g m, %zu points, %zu cells with fields\n", m->h[0], p->info.points, p->info.cells);
     if (p->sim->mpm) {
+        (void)fprintf(file, "solver: %s\n", p->sim->solver_reason);
         (void)fprintf(file, "kernels of the points: %s basis, %s; %s\n", p->sim->mpm->basis->name, geometry,
                       p->scene->method.stress == STRESS_USF   ? "stress first"
                       : p->scene->method.stress == STRESS_USL ? "stress last"

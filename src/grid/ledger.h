@@ -41,6 +41,8 @@ typedef enum ledger_count {
     COUNT_PRESSURE_SOLVES, /* implicit pressure: steps, their outer iterations, iterations of conjugate gradients */
     COUNT_OUTER_ITERATIONS,
     COUNT_CG_ITERATIONS,
+    COUNT_BALANCE_ITERATIONS, /* steps of points that are solved for: of Newton's method, of conjugate gradients in them */
+    COUNT_BALANCE_KRYLOV,
     LEDGER_COUNTS
 } ledger_count;
 

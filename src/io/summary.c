@@ -69,6 +69,7 @@ static bool set_all(json_t *object, const run_summary *r)
 {
     return json_put(object, "schema", json_integer(1)) && json_put(object, "deck", json_plain_text(r->deck)) &&
            json_put(object, "coupling", json_string(r->coupling)) &&
+           json_put(object, "solver", json_string(r->solver)) &&
            json_put(object, "pressure", json_string(r->pressure)) &&
            json_put(object, "units", json_string(r->dimensionless ? "none" : "si")) &&
            json_put(object, "status", json_string(r->status)) &&

@@ -30,6 +30,7 @@ typedef struct summary_counter {
 typedef struct run_summary {
     char deck[SUMMARY_TEXT];     /* path of the deck */
     char coupling[SUMMARY_NAME]; /* mpm, ice, ice-mpm */
+    char solver[SUMMARY_TEXT];   /* of points: dynamic or static, and why where floe chose; "" without points */
     char pressure[SUMMARY_TEXT]; /* of cells: explicit or implicit, and why where floe chose; "" without */
     bool dimensionless;          /* "units": "none", else "si", as summaries of older versions are read */
     char status[SUMMARY_NAME];   /* done, at_rest, diverged, interrupted, ... */

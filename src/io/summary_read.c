@@ -116,6 +116,7 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     get_text(r, object, "deck", out->deck, sizeof out->deck);
     get_text(r, object, "coupling", out->coupling, sizeof out->coupling);
     /* Those of earlier versions do not say, and were explicit. */
+    if (json_object_get(object, "solver")) get_text(r, object, "solver", out->solver, sizeof out->solver);
     if (json_object_get(object, "pressure")) get_text(r, object, "pressure", out->pressure, sizeof out->pressure);
     const char *units = json_string_value(json_object_get(object, "units"));
     out->dimensionless = units && strcmp(units, "none") == 0;

@@ -62,6 +62,7 @@ static void set_drifts(run_summary *r, const sim *s)
 floe_status summary_set_sim(run_summary *r, const sim *s)
 {
     (void)snprintf(r->coupling, sizeof r->coupling, "%s", coupling_name(s->coupling));
+    (void)snprintf(r->solver, sizeof r->solver, "%s", s->solver_reason);
     const char *pressure = !s->ice ? "" : s->ice->implicit ? "implicit" : "explicit";
     (void)snprintf(r->pressure, sizeof r->pressure, "%s", s->pressure_reason[0] ? s->pressure_reason : pressure);
     r->dimensionless = s->scene->dimensionless;

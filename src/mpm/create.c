@@ -1,5 +1,6 @@
 /* From the scene to a set of bodies, fields and kernels. */
 #include "base/memory.h"
+#include "mpm/balance.h"
 #include "mpm/contact.h"
 #include "mpm/membrane_normal.h"
 #include "mpm/membrane_sheet.h"
@@ -158,6 +159,7 @@ void mpm_destroy(mpm **s)
     }
     memory_free(ctx, &(*s)->work);
     contact_destroy(*s);
+    balance_destroy(*s);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b)
         for (int k = 0; k < SCENE_MAX_BODIES; ++k) memory_free(ctx, &(*s)->points[b][k].tile_start);
     memory_free(ctx, s);

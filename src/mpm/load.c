@@ -2,10 +2,21 @@
 #include "mpm/work.h"
 #include "scene/state.h"
 
+#include <math.h>
 #include <string.h>
+
+/* At the end of a step that is solved for: a load without a ramp would come all at once, however small the step. */
+static double load_at_end(const mpm *s, const scene_load *load)
+{
+    const double t = s->time + s->dt, end = s->scene->time.end;
+    if (s->solver == SOLVER_STATIC && load->ramp <= 0.0 && end > load->start)
+        return fmin(1.0, fmax(0.0, (t - load->start) / (end - load->start)));
+    return load_fraction(load, &(load_step){s->time, t, s->step});
+}
 
 double load_now(const mpm *s, const scene_load *load)
 {
+    if (s->balance) return load_at_end(s, load);
     if (load->ramp <= 0.0 && load->ramp_steps == 0)
         return s->time >= load->start ? 1.0 : 0.0; /* from the first kick on */
     return load_fraction(load, &(load_step){s->time, s->time, s->step - 1});

@@ -59,10 +59,12 @@ typedef struct mpm {
     bool lines, sheets;                   /* some membrane lies along a curve; on a surface in space */
     bool free_normals;                    /* some membrane has normals without connections */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
-    double time;            /* s: at the start of the step */
-    double dt, dt_previous; /* s; dt_previous 0 before the first step */
-    long step;              /* committed steps so far, kept by the owner of the run */
-    struct mpm_work *work;  /* owned: tile partials, kernel table */
+    double time;                 /* s: at the start of the step */
+    double dt, dt_previous;      /* s; dt_previous 0 before the first step */
+    long step;                   /* committed steps so far, kept by the owner of the run */
+    struct mpm_work *work;       /* owned: tile partials, kernel table */
+    time_solver solver;          /* SOLVER_AUTO has been chosen by then */
+    struct mpm_balance *balance; /* owned; NULL: steps are explicit */
 } mpm;
 
 /* Resolves the scene's bodies into *out: all of them in pure MPM, those of solids beside cells. Registers nothing. */
@@ -104,6 +106,15 @@ floe_status mpm_begin_step(mpm *s);
 floe_status mpm_mass_stages(mpm *s);
 floe_status mpm_force_stages(mpm *s);
 floe_status mpm_motion_stages(mpm *s);
+
+/* Steps that are solved for instead of explicit ones (balance.h): a load increment of statics. To be called before the plan is
+ * made. FLOE_BAD_INPUT, with the cause, where something of the scene cannot be. */
+floe_status mpm_solve_steps(mpm *s, time_solver solver);
+/* What of the scene cannot be solved for, or NULL. */
+const char *mpm_balance_obstacle(const mpm *s);
+floe_status mpm_balance_masses(mpm *s); /* m_i */
+floe_status mpm_balance_loads(mpm *s);  /* f_i of surfaces */
+floe_status mpm_balance_solve(mpm *s);  /* the next state of points, in balance */
 
 /* The points-only step, a list of the above. */
 floe_status mpm_step(mpm *s);

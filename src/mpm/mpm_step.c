@@ -120,8 +120,21 @@ floe_status mpm_motion_stages(mpm *s)
     return FLOE_OK;
 }
 
+/* A step that is solved for. */
+static floe_status balance_stages(mpm *s)
+{
+    const bool gimp = s->basis->kind == BASIS_GIMP;
+    STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, WHEN(gimp, P_HALF)),
+          WRITES(N_MASS, N_MOMENTUM));
+    STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
+    STAGE(s, ALWAYS, mpm_balance_solve, READS(N_FORCE, P_MASS, P_VOLUME0, P_POS, WHEN(gimp, P_HALF), POINT_STATE),
+          WRITES(P_POS, P_VEL, POINT_STATE));
+    return FLOE_OK;
+}
+
 floe_status mpm_step(mpm *s)
 {
+    if (s->balance) return balance_stages(s);
     TRY(mpm_begin_step(s));
     TRY(mpm_mass_stages(s));
     TRY(mpm_force_stages(s));

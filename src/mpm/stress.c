@@ -157,7 +157,7 @@ static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batc
     return added;
 }
 
-static void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batch *b)
+void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batch *b)
 {
     const fields *f = s->domain->fields[blk];
     const int dim = s->mesh->dim;

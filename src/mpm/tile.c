@@ -199,14 +199,17 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
         domain_fold_periodic(s->domain, N_MOMENTUM, group);
         fold_walls(s, group, true, false);
     }
-    if (mode != SCATTER_MOMENTUM) {
-        scatter_surfaces(s, group); /* they look at the masses */
-        scatter_springs(s, group);
-        scatter_push(s, group);
-        domain_fold_periodic(s->domain, N_FORCE, group);
-        fold_walls(s, group, false, true);
-    }
+    if (mode != SCATTER_MOMENTUM) scatter_loads(s, group);
     return FLOE_OK;
+}
+
+void scatter_loads(mpm *s, int group)
+{
+    scatter_surfaces(s, group); /* they look at the masses */
+    scatter_springs(s, group);
+    scatter_push(s, group);
+    domain_fold_periodic(s->domain, N_FORCE, group);
+    fold_walls(s, group, false, true);
 }
 
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window)

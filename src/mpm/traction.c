@@ -251,6 +251,18 @@ void move_surfaces(mpm *s, int group)
     }
 }
 
+void carry_surfaces(mpm *s, node_displacement *way)
+{
+    for (size_t k = 0; k < s->work->n_surface; ++k) {
+        const surface_point *p = &s->work->surface[k];
+        const place_stencil st = surface_locate(s, s->work->body_group[s->scene->load[p->load].body], p);
+        surface_point *next = &s->work->surface_next[k];
+        *next = *p;
+        for (int i = 0; i < st.n; ++i)
+            for (int a = 0; a < s->mesh->dim; ++a) next->x[a] += st.w[i] * way(s, st.node[i], a);
+    }
+}
+
 double *mpm_surface(mpm *s, size_t *n, size_t *stride)
 {
     *n = s->work->n_surface;

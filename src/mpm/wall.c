@@ -162,15 +162,19 @@ bool wall_holds(const mpm *s, int axis, int side, int component)
     return holds(s, axis, side) || (wall_mirrors(s, axis, side) && component == axis);
 }
 
+double wall_target(const mpm *s, int axis, int side, int component)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    if (!holds(s, axis, side)) return 0.0;
+    return wall->kind == BC_VELOCITY ? bc_velocity(wall, component, s->time + s->dt) : wall->velocity[component];
+}
+
 static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field_id field)
 {
     wall_rule r = {.s = s, .group = group, .axis = axis, .field = field};
     for (int c = 0; c < s->mesh->dim; ++c) {
         r.hold[c] = wall_holds(s, axis, side, c);
-        const bc_side *wall = &s->scene->bc.side[axis][side];
-        r.target[c] = !holds(s, axis, side)       ? 0.0
-                      : wall->kind == BC_VELOCITY ? bc_velocity(wall, c, s->time + s->dt)
-                                                  : wall->velocity[c];
+        r.target[c] = wall_target(s, axis, side, c);
     }
     return r;
 }

@@ -186,11 +186,15 @@ double strain_step(const mpm *s);
 void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch);
 /* Fills a batch with the current state of points [start, end) (stress.c). */
 void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch);
+/* Makes a batch the next state of its points, from `start` (stress.c). */
+void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batch *b);
 
 /* Walls (wall.c): folding of sums into the nodes of the mesh, and what the walls make of velocities. */
 void fold_walls(mpm *s, int group, bool momentum, bool force);
 /* Whether a side of the domain holds a component of its nodes' velocity. */
 bool wall_holds(const mpm *s, int axis, int side, int component);
+/* The velocity (m/s) that it then has at the end of the step. */
+double wall_target(const mpm *s, int axis, int side, int component);
 /* Folds a field of the nodes that points reached beyond the sides. */
 void fold_field(mpm *s, int group, field_id id);
 void impose_walls(mpm *s, int group, field_id velocity);
@@ -246,9 +250,16 @@ floe_status fill_cells(const mpm *s, seed_list *list);
 /* Loads (load.c). */
 floe_status seed_surfaces(mpm *s);
 void scatter_surfaces(mpm *s, int group);
+/* All that pushes a group's nodes but points, on top of what N_FORCE holds, with the sides' folds (tile.c). */
+void scatter_loads(mpm *s, int group);
 void move_surfaces(mpm *s, int group);
+/* Moves them by displacements of nodes, given by global index and component, instead of velocities. */
+typedef double node_displacement(const mpm *s, const int node[MESH_MAX_DIM], int component);
+void carry_surfaces(mpm *s, node_displacement *way);
 void set_body_forces(mpm *s);
-double load_now(const mpm *s, const scene_load *load); /* fraction of the load at the start of the step */
+/* Fraction of the load at the start of the step; solved for at its end (balance.h), where one without a ramp grows until the run
+ * ends. */
+double load_now(const mpm *s, const scene_load *load);
 floe_status set_heating(mpm *s);
 
 /* The calling thread's number, 0 without threads. */

@@ -100,6 +100,7 @@ static double history_interval(const scene *s)
 static double next_stop(const run *r)
 {
     const double end = r->scene->time.end, interval = r->scene->output.interval;
+    if (sim_is_static(r->sim)) return end; /* outputs are of increments */
     const double next = schedule_next(r->sim->time, interval);
     return next < end - 1e-9 * fmin(interval, end) ? next : end;
 }
@@ -128,7 +129,9 @@ static floe_status write_due(run *r, double before)
         TRY(put_out(r, output_row));
         progress_account(&r->progress, &r->sim->ledger);
     }
-    if (schedule_is_due(now, r->scene->output.interval)) TRY(put_out(r, output_snapshot));
+    const double interval = r->scene->output.interval;
+    if (sim_is_static(r->sim) ? schedule_is_passed(before, now, interval) : schedule_is_due(now, interval))
+        TRY(put_out(r, output_snapshot));
     if (wall_seconds() - r->last_checkpoint < r->scene->output.checkpoint_interval) return FLOE_OK;
     return checkpoint(r);
 }
@@ -230,6 +233,7 @@ static floe_status begin(run *r)
 static void say_start(const run *r, int threads)
 {
     const sim *s = r->sim;
+    if (s->mpm) context_log(r->ctx, LOG_INFO, "solver %s", s->solver_reason);
     context_log(r->ctx, LOG_INFO, "%s %s as %s: %zu points, %zu cells, %d thread%s, from t = %.6g%s",
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
                 s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",

@@ -71,6 +71,8 @@ static void set_defaults(scene *s)
     s->method.volume_relaxation = 0.0;
     s->method.pressure_tolerance = 1e-10;
     s->time = (scene_time){.end = NAN,
+                           .increments = 1,
+                           .tolerance = 1e-8,
                            .cfl_mpm = 0.5,
                            .cfl_ice = 0.5,
                            .acoustic_cfl = 1000.0,

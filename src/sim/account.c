@@ -77,7 +77,7 @@ floe_status sim_refresh(sim *s)
 floe_status sim_check_rest(sim *s, const sim_totals *t)
 {
     const scene_rest *r = &s->scene->rest;
-    if (!r->enabled || s->time < r->after) return FLOE_OK;
+    if (!r->enabled || s->time < r->after || sim_is_static(s)) return FLOE_OK;
     if (!(t->kinetic_solid <= r->ratio * t->strain))
         s->rest_since = INFINITY;
     else if (isinf(s->rest_since))

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "sim/coupled.h"
 #include "sim/sealed.h"
+#include "sim/statics.h"
 
 #include <math.h>
 #include <string.h>
@@ -65,6 +66,7 @@ static floe_status make_solvers(sim *s, const bool points, const bool cells)
     const bool holds = points && cells && scene_holder(s->scene) >= 0;
     if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points && !holds));
     if (points && cells) TRY(holds ? sealed_create(&s->sealed, s) : transfer_create(&s->transfer, s));
+    TRY(sim_choose_solver(s));
     TRY(make_plan(s));
     TRY(domain_create(&s->domain, s->ctx, &s->mesh));
     s->stages.domain = s->domain;

@@ -21,9 +21,11 @@ typedef struct sim {
     struct transfer *transfer; /* owned; NULL unless solids share cells with fluids */
     struct sealed *sealed;     /* owned; NULL unless a membrane holds gas of the cells */
     char pressure_reason[256]; /* of method.pressure auto: what it has chosen last, and why; "" otherwise */
-    double time;               /* s */
-    double dt;                 /* s: the last accepted step, then the next one's proposal */
-    const char *dt_reason;     /* what limits it */
+    char solver_reason
+        [160];   /* how points get on, dynamic or static, and why where time.solver is auto; "" without points */
+    double time; /* s */
+    double dt;   /* s: the last accepted step, then the next one's proposal */
+    const char *dt_reason; /* what limits it */
     long steps, rejected;
     double point_updates, cell_updates; /* so far */
     double rest_since; /* s: since when the solids have been at rest (scene.rest); INFINITY: they are not */
@@ -66,6 +68,12 @@ floe_status sim_account(sim *s);
 floe_status sim_refresh(sim *s);
 /* Whether the solids have come to rest (scene.rest): sets rest_since and at_rest from the totals now. */
 floe_status sim_check_rest(sim *s, const sim_totals *t);
+
+/* Whether it goes by load increments that are solved for. */
+static inline bool sim_is_static(const sim *s)
+{
+    return s->mpm && s->mpm->solver == SOLVER_STATIC;
+}
 
 /* With method.pressure auto: chooses explicit or implicit, at the start and every so many steps; otherwise does nothing. */
 floe_status sim_choose_pressure(sim *s);

@@ -1,5 +1,5 @@
 /* Time steps: chosen, taken, and, where they go bad, taken again smaller (design 8). */
-#include "sim/sim.h"
+#include "sim/statics.h"
 
 #include <math.h>
 #include <string.h>
@@ -51,7 +51,9 @@ static floe_status first_step(sim *s, double *dt, const char **reason)
 static floe_status choose_step(sim *s, double until, double *dt, const char **reason)
 {
     const scene_time *t = &s->scene->time;
-    if (!isnan(t->fixed_step)) {
+    if (sim_is_static(s)) {
+        statics_step(s, until - s->time, dt, reason);
+    } else if (!isnan(t->fixed_step)) {
         *dt = t->fixed_step;
         *reason = "fixed step";
     } else {
@@ -64,7 +66,7 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
     const double left = until - s->time;
     if (*dt >= left)
         limit(dt, reason, left, "output time");
-    else if (isnan(t->fixed_step) && 2.0 * *dt > left)
+    else if (isnan(t->fixed_step) && !sim_is_static(s) && 2.0 * *dt > left)
         limit(dt, reason, 0.5 * left, "output time");
     const char *unit = scene_time_unit(s->scene);
     if (!(*dt > 0.0) || !isfinite(*dt) || s->time + *dt == s->time)
@@ -139,6 +141,7 @@ floe_status sim_step(sim *s, double until)
     /* A step shortened to meet an output time must not hold the next one back. */
     if (strcmp(reason, "output time") != 0 || dt > s->dt) s->dt = dt;
     s->dt_reason = reason;
+    if (sim_is_static(s)) statics_commit(s);
     return FLOE_OK;
 }
 
@@ -148,8 +151,8 @@ floe_status sim_predict(sim *s, double *dt, double *steps, const char **reason)
     TRY(choose_step(s, t->end, dt, reason));
     double full = *dt;
     const char *unused;
-    if (isnan(t->fixed_step)) TRY(stable_step(s, &full, &unused));
+    if (isnan(t->fixed_step) && !sim_is_static(s)) TRY(stable_step(s, &full, &unused));
     if (!isnan(t->max_step)) full = fmin(full, t->max_step);
-    *steps = ceil(sim_steps_through(t->end - s->time, *dt, fmin(full, t->end - s->time), t->growth));
+    *steps = ceil(sim_steps_through(t->end - s->time, *dt, fmin(full, t->end - s->time), t->growth) - 1e-9);
     return FLOE_OK;
 }

@@ -6,6 +6,7 @@ static const deck_variant variants[] = {
     {"both", "pressurized_cylinder", COUPLING_ICE_MPM, 1, 2, {"domain.cell=0.4", "method.basis=gimp"}},
     {"points", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.4"}},
+    {"surface loads, static", "annulus_traction", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "time.solver=static"}},
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
     {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.1", "method.pressure=implicit"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},

@@ -1,0 +1,275 @@
+/* Newton's method for a load increment. */
+#include "mpm/balance.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_NEWTON = 30, MOST_KRYLOV = 1000, MOST_HALVINGS = 6 };
+/* Conjugate gradients leave this share of what a step of Newton's method has to take away. */
+static const double forcing = 1e-4;
+/* A step that leaves more than this share is worth a new matrix. */
+static const double slow = 1e-2;
+/* One that leaves that many times more goes astray, unless it is the first, which turns what hardly resists at rest. */
+static const double astray = 1e4;
+
+const char *mpm_balance_obstacle(const mpm *s)
+{
+    if (s->coupled || s->seals) return "the static solver is for points alone, and fluids on cells move";
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].fluid) return "fluids as points move";
+    if (s->membranes) return "membranes have no stiffness across their surface";
+    if (s->contact) return "bodies in contact have velocities of their own";
+    if (s->scene->n_springs > 0) return "springs are stepped in time";
+    return NULL;
+}
+
+static solve_grid node_grid(const mesh *m)
+{
+    int n[MESH_MAX_DIM] = {1, 1, 1};
+    for (int a = 0; a < m->dim; ++a) n[a] = m->n[a] + (m->periodic[a] ? 0 : 1);
+    return solve_grid_make(m->dim, n, m->periodic);
+}
+
+static void choose_gradients(const mpm *s, struct mpm_balance *w)
+{
+    const int dim = s->mesh->dim;
+    for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j) w->gradient[w->n_gradient++] = 3 * i + j;
+    if (s->mesh->geometry == MESH_AXISYMMETRIC) w->gradient[w->n_gradient++] = 8;
+}
+
+static floe_status find_tiles(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    const size_t tiles = mesh_tiles(s->mesh);
+    TRY(memory_new(s->ctx, &w->tile_block, tiles, sizeof *w->tile_block));
+    TRY(memory_new(s->ctx, &w->tile_local, tiles, sizeof *w->tile_local));
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
+            const int number = tile_box_of(s->mesh, &s->mesh->block[b], t).number;
+            w->tile_block[number] = b;
+            w->tile_local[number] = t;
+        }
+    return FLOE_OK;
+}
+
+static floe_status make_solver(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    const int dim = s->mesh->dim;
+    w->grid = node_grid(s->mesh);
+    w->components = (size_t)dim * w->grid.size;
+    choose_gradients(s, w);
+    TRY(find_tiles(s));
+    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim, s->basis->support - 1));
+    TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim, MOST_KRYLOV));
+    double **array[] = {&w->u, &w->change, &w->outer, &w->inner_first, &w->inner, &w->left, &w->trial, &w->target};
+    for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
+        TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
+    TRY(memory_new(s->ctx, &w->held, w->components, sizeof *w->held));
+    return memory_new(s->ctx, &w->reached, w->grid.size, sizeof *w->reached);
+}
+
+floe_status mpm_solve_steps(mpm *s, time_solver solver)
+{
+    const char *obstacle = mpm_balance_obstacle(s);
+    if (obstacle) return fail(s->ctx, FLOE_BAD_INPUT, "time.solver: static: %s; use dynamic", obstacle);
+    s->solver = solver;
+    TRY(memory_new(s->ctx, &s->balance, 1, sizeof *s->balance));
+    return make_solver(s);
+}
+
+void balance_destroy(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    if (!w) return;
+    cg_destroy(&w->krylov);
+    node_multigrid_destroy(&w->solver);
+    void *owned[] = {&w->place,  &w->pull,        &w->tangent, &w->u,          &w->change,
+                     &w->outer,  &w->inner_first, &w->inner,   &w->left,       &w->trial,
+                     &w->target, &w->held,        &w->reached, &w->tile_block, &w->tile_local};
+    for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
+    memory_free(s->ctx, &s->balance);
+}
+
+floe_status mpm_balance_masses(mpm *s)
+{
+    return scatter_group(s, 0, SCATTER_MOMENTUM, false, false);
+}
+
+floe_status mpm_balance_loads(mpm *s)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int c = 0; c < s->mesh->dim; ++c)
+            memset(field_get(s->domain->fields[b], N_FORCE, 0, c), 0, s->mesh->block[b].size * sizeof(double));
+    s->work->kick = 0.0; /* no impulse is entered */
+    set_body_forces(s);
+    scatter_loads(s, 0);
+    return FLOE_OK;
+}
+
+static double norm(const struct mpm_balance *w, const double *x)
+{
+    double sum = 0.0;
+    for (size_t k = 0; k < w->components; ++k) sum += x[k] * x[k];
+    return sqrt(sum);
+}
+
+/* Stress at u, forces of the points, and what is left of them and the loads where nothing is held. */
+static floe_status evaluate(mpm *s, const double *u)
+{
+    struct mpm_balance *w = s->balance;
+    TRY(balance_strain(s, u));
+    balance_pull(s, w->inner);
+    for (size_t k = 0; k < w->components; ++k) w->left[k] = w->held[k] ? 0.0 : w->outer[k] + w->inner[k];
+    return FLOE_OK;
+}
+
+/* The matrix at u. Loads of nodes that no point reaches have nothing to push. */
+static floe_status renew_matrix(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    node_matrix *m = node_multigrid_matrix(w->solver);
+    const bool first = !w->ready;
+    TRY(balance_tangents(s, w->u));
+    if (first) TRY(node_matrix_shape(m, w->reached));
+    balance_assemble(s);
+    if (first) node_matrix_apply(m, w->target, w->trial);
+    for (size_t k = 0; k < w->components && first; ++k)
+        if (!w->held[k]) w->left[k] -= w->trial[k];
+    node_matrix_hold(m, w->held);
+    if (first) TRY(balance_check_free(s));
+    w->ready = true;
+    return node_multigrid_prepare(w->solver);
+}
+
+static void precondition(void *user, double *x, double *y)
+{
+    const struct mpm_balance *w = user;
+    node_multigrid_cycle(w->solver, x, y);
+    for (size_t k = 0; k < w->components; ++k)
+        if (w->held[k]) y[k] = 0.0;
+}
+
+static void multiply(void *user, double *x, double *y)
+{
+    const struct mpm_balance *w = user;
+    node_multigrid_apply(w->solver, x, y);
+}
+
+/* How large the forces are, so that what is left can be told from nothing. */
+static double force_scale(const struct mpm_balance *w)
+{
+    return norm(w, w->outer) + norm(w, w->inner);
+}
+
+/* A step along the change, halved while points are beyond their law. */
+static floe_status take_change(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    double share = 1.0;
+    for (int halving = 0; halving <= MOST_HALVINGS; ++halving, share *= 0.5) {
+        context_clear(s->ctx);
+        for (size_t k = 0; k < w->components; ++k) w->trial[k] = w->u[k] + share * w->change[k];
+        const floe_status status = evaluate(s, w->trial);
+        if (status == FLOE_RETRY) continue;
+        TRY(status);
+        memcpy(w->u, w->trial, w->components * sizeof *w->u);
+        return FLOE_OK;
+    }
+    return FLOE_RETRY;
+}
+
+static floe_status solve_change(mpm *s, double tolerance)
+{
+    struct mpm_balance *w = s->balance;
+    for (size_t k = 0; k < w->components; ++k)
+        if (w->held[k]) w->left[k] = 0.0;
+    const double had = norm(w, w->left);
+    const cg_result r = cg_solve(w->krylov, multiply, precondition, w, w->left, NULL, tolerance, w->change);
+    w->krylov_iterations += r.iterations;
+    if (!r.converged && !(r.residual < 0.1 * had))
+        return fail(s->ctx, FLOE_RETRY,
+                    "the matrix of the load increment cannot be solved with: %d iterations left %g of %g", r.iterations,
+                    r.residual, had);
+    return FLOE_OK;
+}
+
+static bool has_targets(const struct mpm_balance *w)
+{
+    for (size_t k = 0; k < w->components; ++k)
+        if (w->target[k] != 0.0) return true;
+    return false;
+}
+
+static floe_status newton(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    const double tolerance = s->scene->time.tolerance;
+    bool stale = true, driven = has_targets(w);
+    double before = INFINITY;
+    for (w->newton = 0;; ++w->newton) {
+        const double left = norm(w, w->left), scale = force_scale(w);
+        if (!driven && left <= tolerance * scale) return FLOE_OK;
+        if (w->newton == MOST_NEWTON || (w->newton > 1 && !(left <= astray * before)))
+            return fail(s->ctx, FLOE_RETRY, "after %d iterations of Newton's method %.3g of the forces is left",
+                        w->newton, left / scale);
+        if (stale || left > slow * before) TRY(renew_matrix(s));
+        stale = false;
+        TRY(solve_change(s, fmax(forcing * norm(w, w->left), 0.1 * tolerance * scale)));
+        for (size_t k = 0; k < w->components && driven; ++k)
+            if (w->held[k]) w->change[k] = w->target[k];
+        TRY(take_change(s));
+        driven = false;
+        before = left;
+    }
+}
+
+/* What is left of the forces, and what it took. */
+static void say(const mpm *s)
+{
+    const struct mpm_balance *w = s->balance;
+    const double scale = force_scale(w);
+    context_log(
+        s->ctx, LOG_INFO,
+        "load increment to t = %.6g%s: %d iterations of Newton's method, %d of conjugate gradients, %.1e of the "
+        "forces left",
+        s->time + s->dt, scene_time_unit(s->scene), w->newton, w->krylov_iterations,
+        scale > 0.0 ? norm(w, w->left) / scale : 0.0);
+}
+
+/* What walls, loads and body forces have done: the points have it, as the nodes' forces changed evenly on the way. */
+static void enter_work(mpm *s)
+{
+    const struct mpm_balance *w = s->balance;
+    double work = 0.0;
+    for (size_t k = 0; k < w->components; ++k) work -= 0.5 * (w->inner_first[k] + w->inner[k]) * w->u[k];
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
+    ledger_tally(s->ledger, COUNT_BALANCE_ITERATIONS, w->newton);
+    ledger_tally(s->ledger, COUNT_BALANCE_KRYLOV, w->krylov_iterations);
+}
+
+floe_status mpm_balance_solve(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    TRY(balance_locate(s));
+    balance_hold(s);
+    balance_reach(s);
+    balance_collect(s, w->outer);
+    balance_weigh(s, w->outer);
+    for (size_t k = 0; k < w->components; ++k)
+        if (!w->reached[k % w->grid.size]) w->outer[k] = 0.0;
+    memset(w->u, 0, w->components * sizeof *w->u);
+    w->ready = false;
+    w->krylov_iterations = 0;
+    TRY(evaluate(s, w->u));
+    memcpy(w->inner_first, w->inner, w->components * sizeof *w->inner);
+    TRY(newton(s));
+    say(s);
+    carry_surfaces(s, balance_way);
+    TRY(balance_move(s));
+    enter_work(s);
+    return FLOE_OK;
+}

@@ -1,0 +1,98 @@
+/* The balance of forces at the nodes, solved for the displacement of a whole load increment (statics) instead of being stepped to.
+ *
+ *     f_ext - sum_p V0 T : grad S = 0,   T = J sigma(F_p) (I + grad u)^-T,   F_p = (I + grad u) F_p^n,
+ *
+ * with the shape functions of where the points are at the start of the increment (updated Lagrangian), so that it holds at any
+ * strain of the increment. Newton's method: tangents of T with respect to grad u are differences of the law itself, point by
+ * point, made symmetric; the matrix of the nodes is assembled from them, and conjugate gradients solve with it under multigrid
+ * (solve/node_multigrid.h). Folded bases make the walls, as in the explicit step. Private to the mpm room. */
+#ifndef MPM_BALANCE_H
+#define MPM_BALANCE_H
+
+#include "mpm/work.h"
+#include "solve/cg.h"
+#include "solve/node_multigrid.h"
+
+enum { BALANCE_GRADIENTS = 9, BALANCE_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
+
+/* The basis at a point along each axis, with what ghosts get folded in: `plain` for components along the wall, and `turned` for the one
+ * normal to a mirror, which is odd there. Slopes in 1/m. */
+typedef struct axis_place {
+    int first;
+    double plain[BASIS_MAX_SUPPORT], plain_slope[BASIS_MAX_SUPPORT];
+    double turned[BASIS_MAX_SUPPORT], turned_slope[BASIS_MAX_SUPPORT];
+} axis_place;
+
+typedef struct point_place {
+    axis_place axis[MESH_MAX_DIM];
+    double radius; /* m, about an axis; else 1 */
+} point_place;
+
+/* A node as a point sees it: weight and gradient (1/m) for each component of what the node carries. */
+typedef struct place_node {
+    int node[MESH_MAX_DIM]; /* global, before it is brought around a periodic end */
+    int at;                 /* of the solver's grid */
+    double S[MESH_MAX_DIM], slope[MESH_MAX_DIM][MESH_MAX_DIM];
+} place_node;
+
+struct mpm_balance {
+    solve_grid grid;
+    node_multigrid *solver; /* owned */
+    cg *krylov;             /* owned */
+    size_t components;      /* entries of an array on the grid, all components */
+    int n_gradient,
+        gradient[BALANCE_GRADIENTS]; /* components of grad u that the scene has, row-major in three dimensions */
+    size_t points, room;             /* of solids, in all blocks; and for how many there is room */
+    size_t first[MESH_MAX_BLOCKS][SCENE_MAX_BODIES]; /* number of a body's first point */
+    point_place *place;                              /* owned */
+    double *pull;                                    /* V0 T (J), n_gradient a point; owned */
+    double *tangent;                                 /* d pull / d grad u (J), n_gradient^2 a point; owned */
+    /* On the grid; owned. Displacement and its change (m); forces (N): from outside, of the points at the start and now, what is left. */
+    double *u, *change, *outer, *inner_first, *inner, *left, *trial;
+    double *target;                /* m: displacement of what is held; owned */
+    bool *held;                    /* components of nodes that walls and supports hold; owned */
+    bool *reached;                 /* nodes that points of solids reach; owned */
+    bool ready;                    /* the matrix is that of some displacement of this increment */
+    int newton, krylov_iterations; /* of the increment */
+    int *tile_block, *tile_local;  /* of each global tile; owned */
+};
+
+/* How a solver's points are visited: a whole tile's, tiles that share no node at the same time, in an order that neither blocks nor
+ * threads change. */
+typedef void balance_tile(mpm *s, int blk, int tile, void *user);
+void balance_for_tiles(mpm *s, balance_tile *visit, void *user);
+
+/* Where the points are, for an increment (balance_place.c). Errors: FLOE_NO_MEMORY. */
+floe_status balance_locate(mpm *s);
+/* The nodes about a point, with its weights. Returns how many. */
+int balance_nodes(const mpm *s, const point_place *p, place_node out[BALANCE_NODES]);
+
+/* Stress and pull of every point at the displacement u, and its next state (balance_points.c). FLOE_RETRY where a point is beyond its
+ * law. */
+floe_status balance_strain(mpm *s, const double *u);
+/* The tangents there. FLOE_RETRY as above. */
+floe_status balance_tangents(mpm *s, const double *u);
+/* inner = - sum pull : grad S. */
+void balance_pull(mpm *s, double *inner);
+/* Adds mass times body force times S. */
+void balance_weigh(mpm *s, double *outer);
+/* The displacement of a node, by global index, ghosts beyond the sides included. */
+double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c);
+/* Next places, no velocity. FLOE_RETRY where one has gone farther than a cell. */
+floe_status balance_move(mpm *s);
+
+/* Assembles the matrix of the tangents (balance_matrix.c). */
+void balance_assemble(mpm *s);
+
+/* What walls and supports hold, and where (balance_hold.c). */
+void balance_hold(mpm *s);
+/* Which nodes points of solids reach. */
+void balance_reach(mpm *s);
+/* Forces on nodes from the fields of the blocks. */
+void balance_collect(mpm *s, double *outer);
+/* FLOE_DIVERGED with the cause where the points that hang together could move as a rigid body (balance_free.c). */
+floe_status balance_check_free(mpm *s);
+
+void balance_destroy(mpm *s);
+
+#endif

@@ -1,0 +1,53 @@
+#include "sim/statics.h"
+
+#include <math.h>
+
+static const double growth = 2.0;     /* of increments, after one was cut */
+static const double round_off = 1e-9; /* what many equal increments may miss the end by */
+
+/* Why `auto` would not solve for the state of rest, or NULL. */
+static const char *obstacle_to_rest(const sim *s)
+{
+    if (!s->scene->rest.enabled) return "the deck asks for no state of rest";
+    return mpm_balance_obstacle(s->mpm);
+}
+
+static const char *solver_name(time_solver solver)
+{
+    return solver == SOLVER_STATIC ? "static" : "dynamic";
+}
+
+floe_status sim_choose_solver(sim *s)
+{
+    time_solver solver = s->scene->time.solver;
+    const char *why = NULL;
+    if (!s->mpm) return FLOE_OK;
+    if (solver == SOLVER_AUTO) {
+        const char *obstacle = obstacle_to_rest(s);
+        solver = obstacle ? SOLVER_DYNAMIC : SOLVER_STATIC;
+        why = obstacle ? obstacle : "the deck asks for the state of rest, which can be solved for";
+    }
+    (void)snprintf(s->solver_reason, sizeof s->solver_reason, "%s%s%s", solver_name(solver), why ? ": " : "",
+                   why ? why : "");
+    return solver == SOLVER_DYNAMIC ? FLOE_OK : mpm_solve_steps(s->mpm, solver);
+}
+
+void statics_step(const sim *s, double left, double *dt, const char **reason)
+{
+    const scene_time *t = &s->scene->time;
+    *dt = t->end / (double)t->increments;
+    *reason = "load increment";
+    if (s->steps > 0 && growth * s->dt < *dt) {
+        *dt = growth * s->dt;
+        *reason = "growth";
+    }
+    if (*dt > (1.0 - round_off) * left) *dt = left;
+}
+
+void statics_commit(sim *s)
+{
+    if (s->scene->rest.enabled && !(s->time < s->scene->time.end)) {
+        s->rest_since = s->time;
+        s->at_rest = true;
+    }
+}

@@ -1,0 +1,47 @@
+/* A symmetric matrix that couples unknowns of a solve_grid with all those within `width` of them along each axis: what points and
+ * their basis make of a law's tangent. Every unknown has several components, and each pair of unknowns a block of entries.
+ * Rows exist only where points reach. */
+#ifndef SOLVE_NODE_MATRIX_H
+#define SOLVE_NODE_MATRIX_H
+
+#include "solve/grid.h"
+
+enum { NODE_MATRIX_COMPONENTS = MESH_MAX_DIM };
+
+typedef struct node_matrix {
+    context *ctx; /* not owned */
+    solve_grid grid;
+    int components, width;
+    int side, slots; /* 2 width + 1; that to the power of the dimension: unknowns that a row couples with */
+    int rows;
+    int *row;      /* of each place of the grid, -1: none; owned */
+    int *place;    /* on the grid, of each row; owned */
+    int *column;   /* places that a row's slots couple with, its own where there is none; rows x slots, owned */
+    double *value; /* rows x components x components x slots; owned */
+} node_matrix;
+
+/* A matrix without rows; g is copied. Owner: the caller. Errors: FLOE_NO_MEMORY. */
+floe_status node_matrix_create(node_matrix **out, context *ctx, const solve_grid *g, int components, int width);
+void node_matrix_destroy(node_matrix **m);
+
+/* Gives it rows where `takes_part` (one an entry of the grid's arrays) says so, all zero. Errors: FLOE_NO_MEMORY. */
+floe_status node_matrix_shape(node_matrix *m, const bool *takes_part);
+/* The slot of an unknown that lies this far from the row's. */
+static inline int node_matrix_slot(const node_matrix *m, const int offset[MESH_MAX_DIM])
+{
+    int slot = 0;
+    for (int a = m->grid.dim - 1; a >= 0; --a) slot = slot * m->side + offset[a] + m->width;
+    return slot;
+}
+/* Entries (c, c') of a row, one a slot. */
+static inline double *node_matrix_entries(const node_matrix *m, int row, int c, int c2)
+{
+    return m->value +
+           (((size_t)row * (size_t)m->components + (size_t)c) * (size_t)m->components + (size_t)c2) * (size_t)m->slots;
+}
+/* Empties the rows and columns of components that are held: `held` has an array for each, one after the other. */
+void node_matrix_hold(node_matrix *m, const bool *held);
+/* y = A x on arrays of all components; y is 0 where there is no row. */
+void node_matrix_apply(const node_matrix *m, const double *x, double *y);
+
+#endif

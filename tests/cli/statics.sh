@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Loads that are solved for instead of stepped to: what a run says, resuming between increments, refusals.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+ring=("$FLOE_SOURCE/inputs/annulus_traction.yaml" --set domain.cell=0.1 --set time.solver=static)
+
+expect 0 "$FLOE" run "${ring[@]}" -o one
+[ "$(json one/summary.json status)" = at_rest ] || fault 'the state of rest is not called one'
+[ "$(json one/summary.json steps)" = 1 ] || fault 'more than one increment'
+below "$(json one/summary.json eq13)" 0.045
+has stdout 'solver static; 1 increments, 3 iterations'
+
+expect 0 "$FLOE" run "${ring[@]}" --set time.increments=3 -o whole --quiet
+expect 0 "$FLOE" run "${ring[@]}" --set time.increments=3 -o part --set time.max_steps=1 --quiet
+[ "$(json part/summary.json steps)" = 1 ] || fault 'the run did not stop after an increment'
+expect 0 "$FLOE" run "${ring[@]}" --set time.increments=3 -o part --resume --quiet
+cmp whole/history.csv part/history.csv || fault 'other histories' # the first snapshots hold other decks
+last=$(find whole/fields -name '*.h5' | sort | tail -n 1)
+cmp "$last" "part/fields/${last##*/}" || fault 'other bits at the end'
+
+# auto says what it does and why; who is free to move is refused, and so is what moves.
+expect 0 "$FLOE" run "${ring[@]}" --set time.solver=auto -o auto
+has stdout 'solver static: the deck asks for the state of rest'
+expect 3 "$FLOE" run "${ring[@]}" --set 'boundaries={x: free, y: free}' -o loose
+has stderr 'free to move as a rigid one'
+expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/two_bars.yaml" --set time.solver=static -o bars
+has stderr 'time.solver: static'
