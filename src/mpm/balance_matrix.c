@@ -69,7 +69,7 @@ static void add_column(const mpm *s, node_matrix *m, const place_node *node, int
 static void assemble_tile(mpm *s, int blk, int tile, void *user)
 {
     const struct mpm_balance *w = s->balance;
-    const size_t square = (size_t)(w->n_gradient * w->n_gradient);
+    const size_t square = (size_t)w->n_gradient * (size_t)w->n_gradient;
     for (int body = 0; body < s->n_bodies; ++body) {
         if (s->body[body].fluid) continue;
         const size_t *range = s->points[blk][body].tile_start + tile;

@@ -279,7 +279,7 @@ static double largest_eigenvalue(const node_smoother *s)
 floe_status node_smoother_prepare(node_smoother *s)
 {
     const node_matrix *m = s->matrix;
-    const size_t n = (size_t)(m->components * m->components);
+    const size_t n = (size_t)m->components * (size_t)m->components;
     memory_free(s->ctx, &s->block);
     memory_free(s->ctx, &s->covered);
     TRY(memory_new(s->ctx, &s->block, (size_t)m->rows * n, sizeof *s->block));
