@@ -298,6 +298,8 @@ static const helper helpers[] = {
     {"bodies:", "membrane", "material: string"},
     {"contact:", "friction", "kind: friction"},
     {"method:", "filter_order", "transfer: xpic"},
+    {"time:", "increments", "solver: static"},
+    {"time:", "tolerance", "solver: static"},
     {"springs:", "point", "body: b"},
 };
 
