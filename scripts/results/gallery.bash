@@ -40,6 +40,7 @@ declare -A gallery=(
     [piston_container]='|-p pressure -c none|pressure'
     [pulse_leaves]='|-t 0.4|pressure, t = 0.4'
     [poiseuille]='--set domain.cell=0.125|-c velocity_liquid_x|velocity'
+    [pressurized_sphere]='|-p stress_tt -c pressure|hoop stress of the steel, pressure of the gas'
     [pressurized_cylinder]='--coupling ice-mpm|-p sigma_theta -c pressure|hoop stress of the steel, pressure of the gas'
     [riemann]='|-c density_gas|density'
     [sedov]='|-c density_gas|density'

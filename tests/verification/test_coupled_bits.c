@@ -11,12 +11,13 @@ enum { STEPS = 100 };
 typedef struct variant {
     int blocks, threads;
     const char *basis, *cell; /* as set on the command line */
+    const char *deck;
 } variant;
 
 static void begin(trial *t, const variant *v)
 {
     const char *const set[] = {v->cell, v->basis};
-    deck_begin(t, "pressurized_cylinder", set, 2);
+    deck_begin(t, v->deck, set, 2);
     for (int a = 0; a < 2; ++a) t->scene->mesh.blocks[a] = v->blocks;
     use_threads(v->threads);
     check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, COUPLING_ICE_MPM));
@@ -43,17 +44,18 @@ static void test_blocks_and_threads(void **unused)
 {
     (void)unused;
     static const struct {
-        const char *basis, *cell;
+        const char *name, *basis, *cell;
         int variants;
-    } deck[] = {{"method.basis=quadratic", "domain.cell=0.05", 3},
-                {"method.basis=linear", "domain.cell=0.1", 2},
-                {"method.basis=gimp", "domain.cell=0.1", 2}};
+    } deck[] = {{"pressurized_cylinder", "method.basis=quadratic", "domain.cell=0.05", 3},
+                {"pressurized_cylinder", "method.basis=linear", "domain.cell=0.1", 2},
+                {"pressurized_cylinder", "method.basis=gimp", "domain.cell=0.1", 2},
+                {"pressurized_sphere", "method.basis=quadratic", "domain.cell=0.1", 2}}; /* about an axis */
     static const int other[][2] = {{1, 2}, {2, 2}, {3, 1}};
-    for (int k = 0; k < 3; ++k) {
-        const variant one = {1, 1, deck[k].basis, deck[k].cell};
+    for (size_t k = 0; k < sizeof deck / sizeof *deck; ++k) {
+        const variant one = {1, 1, deck[k].basis, deck[k].cell, deck[k].name};
         state expected = run(&one);
         for (int n = 0; n < deck[k].variants; ++n) {
-            const variant v = {other[n][0], other[n][1], one.basis, one.cell};
+            const variant v = {other[n][0], other[n][1], one.basis, one.cell, one.deck};
             state found = run(&v);
             same_state(&expected, &found);
             state_free(&found);
@@ -81,7 +83,8 @@ static void keep(trial *t, state *s)
 /* Written after some steps, read into a fresh simulation with other blocks: the same from the first step on. */
 static void resume_at(const char *path, long steps)
 {
-    const variant one = {1, 1, "method.basis=quadratic", "domain.cell=0.1"}, four = {2, 1, one.basis, one.cell};
+    const variant one = {1, 1, "method.basis=quadratic", "domain.cell=0.1", "pressurized_cylinder"},
+                  four = {2, 1, one.basis, one.cell, one.deck};
     checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     state expected[STEPS_ON];
     trial t;
