@@ -31,6 +31,7 @@ declare -A gallery=(
     [membrane_circle]='||stress of the membrane and pressure of the gas'
     [membrane_dogbone]='--set domain.cell=0.1 --set time.end=1|-w 260|the slack contour fills'
     [membrane_sphere]='||an eighth of a balloon: stress of the membrane and pressure of the gas'
+    [membrane_patch]='|-p velocity_x -c none|velocity of a taut sheet drawn out between two supports'
     [membrane_revolved]='||a dog-bone of revolution at rest: stress of the membrane and pressure of the gas'
     [membrane_tube]='||a quarter of a tube: stress of the membrane and pressure of the gas'
     [noh]='|-c density_gas|density'

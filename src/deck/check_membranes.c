@@ -60,7 +60,7 @@ floe_status check_membrane_points(reader *r, int body)
     const seed_spec grid = grid_of(r->scene);
     const bool surface = b->membrane.surface.kind != SHEET_NONE;
     seed_list list;
-    floe_status status = membrane_points(b, r->ctx, &grid, &list);
+    floe_status status = body_points(b, r->ctx, &grid, &list);
     if (status == FLOE_BAD_INPUT) {
         char cause[CONTEXT_MESSAGE_SIZE];
         snprintf(cause, sizeof cause, "%s", context_message(r->ctx));

@@ -12,6 +12,7 @@
  * Density is kept, so that mass is off by the slivers' share; solids stay as they are. */
 #include "base/memory.h"
 #include "mpm/work.h"
+#include "scene/state.h"
 
 /* Volumes (m3) in every cell, of all bodies, as their shapes have it and as their points have it. */
 typedef struct cell_contents {
@@ -43,7 +44,7 @@ static bool fluids_fill_cells(const mpm *s)
 static floe_status add_shape(const mpm *s, int body, double *sum)
 {
     const scene_body *b = &s->scene->body[s->body[body].scene_body];
-    seed_spec spec = seed_spec_of(s, b);
+    seed_spec spec = body_seed_spec(s->scene, s->mesh, b);
     spec.merge = 0.0;
     seed_list list;
     TRY(seed_shape(&list, s->ctx, &b->shape, &spec));

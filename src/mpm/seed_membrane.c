@@ -11,7 +11,7 @@ static bool is_surface(const scene_body *b)
 
 floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list)
 {
-    const floe_status status = membrane_points(b, s->ctx, grid, list);
+    const floe_status status = body_points(b, s->ctx, grid, list);
     if (status != FLOE_BAD_INPUT) return status;
     char cause[CONTEXT_MESSAGE_SIZE];
     snprintf(cause, sizeof cause, "%s", context_message(s->ctx));

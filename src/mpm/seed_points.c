@@ -6,22 +6,6 @@
 
 #include <math.h>
 
-seed_spec seed_spec_of(const mpm *s, const scene_body *b)
-{
-    seed_spec spec = {.dim = s->mesh->dim,
-                      .axisymmetric = s->mesh->geometry == MESH_AXISYMMETRIC,
-                      .method = b->seeding,
-                      .merge = b->merge};
-    for (int a = 0; a < 3; ++a) {
-        spec.lower[a] = s->mesh->lower[a];
-        spec.h[a] = s->mesh->h[a];
-        spec.n[a] = s->mesh->n[a];
-        spec.per_cell[a] = b->per_cell[a];
-        spec.offset[a] = s->scene->lattice_offset[a];
-    }
-    return spec;
-}
-
 /* Density at rest and state of one point. Fluids: stress -(p - p_ref) I. */
 static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x[3], double volume)
 {
@@ -110,11 +94,11 @@ static floe_status place_point(mpm *s, int body, const seed_list *list, size_t n
 static floe_status seed_body(const mpm *s, int body, seed_list *list)
 {
     const scene_body *b = &s->scene->body[s->body[body].scene_body];
-    const seed_spec spec = seed_spec_of(s, b);
+    const seed_spec spec = body_seed_spec(s->scene, s->mesh, b);
     if (b->membrane.present)
         TRY(seed_membrane(s, b, &spec, list));
     else
-        TRY(seed_shape(list, s->ctx, &b->shape, &spec));
+        TRY(body_points(b, s->ctx, &spec, list));
     if (list->n > 0) return FLOE_OK;
     return fail(s->ctx, FLOE_BAD_INPUT,
                 "body '%s' has no points: its shape lies outside the domain or between the points", b->name);

@@ -242,9 +242,7 @@ void scatter_push(mpm *s, int group);
 floe_status start_supports(mpm *s);
 void impose_supports(mpm *s, int group, field_id velocity);
 
-/* Seeding (seed_points.c, seed_fill.c): how a body's points are laid; fluids take what slivers of other bodies left, `list` one a
- * body. */
-seed_spec seed_spec_of(const mpm *s, const scene_body *b);
+/* Seeding (seed_fill.c): fluids take what slivers of other bodies left, `list` one a body. */
 floe_status fill_cells(const mpm *s, seed_list *list);
 
 /* Loads (load.c). */

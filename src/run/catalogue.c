@@ -22,6 +22,16 @@ static const char *check_history_metric(const char *quantity, const scene *s)
     return "verify.history names no column for its quantity";
 }
 
+/* Only membranes have normals, and of a line only those in a plane; the angle is measured from an exact zero. */
+static const char *check_normal(const metric *m, const scene *s)
+{
+    const scene_membrane *of = s->verify.body >= 0 ? &s->body[s->verify.body].membrane : NULL;
+    const bool relative = m->kind == METRIC_L1REL || m->kind == METRIC_L2REL || m->kind == METRIC_LINFREL;
+    if (!of || !of->present) return "needs verify.body: a membrane";
+    if (of->surface.kind == SHEET_NONE && s->mesh.dim != 2) return "a line has normals in a plane alone";
+    return m->quantity == EXACT_NORMAL && relative ? "the exact angle is 0; take l1, l2 or linf" : NULL;
+}
+
 /* NULL when the metric can be measured in the scene, "" when there is none of that name, else why it cannot be. */
 static const char *check_metric(const char *name, const scene *s)
 {
@@ -37,7 +47,8 @@ static const char *check_metric(const char *name, const scene *s)
             return "needs an exact solution with an inner and an outer radius";
         return isnan(s->verify.probe_pressure) ? "needs verify.pressure" : NULL;
     }
-    return model->provides & EXACT_BIT(m.quantity) ? NULL : "the exact solution does not give that quantity";
+    if (!(model->provides & EXACT_BIT(m.quantity))) return "the exact solution does not give that quantity";
+    return m.quantity >= EXACT_NORMAL_X ? check_normal(&m, s) : NULL;
 }
 
 static floe_status check_exact(context *ctx, const char *name, const void *par, int dim)

@@ -15,6 +15,7 @@ typedef struct point_samples {
     double *x[3];      /* m */
     double *start[3];  /* m: where they were seeded; NULL where the exact solution does not ask for it */
     double *v[3];      /* m/s */
+    double *normal[3]; /* of a membrane, where the exact solution has one; else NULL */
     double *stress[6]; /* Pa, xx yy zz xy yz zx; NULL: zero */
     double *volume;    /* m3, now */
     double *density;   /* kg/m3, now */

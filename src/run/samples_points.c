@@ -1,6 +1,8 @@
 /* Points as samples. */
 #include "base/memory.h"
+#include "math/tensor.h"
 #include "run/samples.h"
+#include "scene/state.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,30 +43,15 @@ static floe_status gather_volume(point_samples *p)
     return FLOE_OK;
 }
 
-static seed_spec spec_of(const sim *s, const scene_body *b)
-{
-    const mesh *m = &s->mesh;
-    seed_spec spec = {
-        .dim = m->dim, .axisymmetric = m->geometry == MESH_AXISYMMETRIC, .method = b->seeding, .merge = b->merge};
-    for (int a = 0; a < 3; a++) {
-        spec.lower[a] = m->lower[a];
-        spec.h[a] = m->h[a];
-        spec.n[a] = m->n[a];
-        spec.per_cell[a] = b->per_cell[a];
-        spec.offset[a] = s->scene->lattice_offset[a];
-    }
-    return spec;
-}
-
 /* Solutions of solids are given at the place before the load: seeding again tells it, for an id names its place in the seeding. */
 static floe_status find_start(point_samples *p)
 {
     const sim *s = p->s;
     const scene_body *b = &s->scene->body[s->mpm->body[p->body].scene_body];
-    const seed_spec spec = spec_of(s, b);
+    const seed_spec spec = body_seed_spec(s->scene, &s->mesh, b);
     seed_list seeds;
     for (int a = 0; a < s->mesh.dim; a++) TRY(memory_new(s->ctx, &p->start[a], p->list.n, sizeof(double)));
-    TRY(seed_shape(&seeds, s->ctx, &b->shape, &spec));
+    TRY(body_points(b, s->ctx, &spec, &seeds));
     for (size_t i = 0; i < p->list.n; i++) {
         const uint64_t ordinal = p->list.place[i].id & ordinal_mask;
         for (int a = 0; a < s->mesh.dim; a++) p->start[a][i] = ordinal < seeds.n ? seeds.x[a][ordinal] : (double)NAN;
@@ -73,11 +60,26 @@ static floe_status find_start(point_samples *p)
     return FLOE_OK;
 }
 
+/* Normals that a membrane's points hold, or, of a connected line in a plane, those across its tangents. */
+static floe_status gather_normals(point_samples *p)
+{
+    const fields *f = p->s->domain->fields[0];
+    const int dim = p->s->mesh.dim;
+    if (fields_has(f, P_NORMAL, p->body)) {
+        for (int a = 0; a < dim; a++) TRY(gather(p, P_NORMAL, a, &p->normal[a]));
+    } else if (dim == 2 && fields_has(f, P_TANGENT, p->body)) {
+        for (int a = 0; a < dim; a++) TRY(gather(p, P_TANGENT, 1 - a, &p->normal[a]));
+        for (size_t i = 0; i < p->list.n; i++) p->normal[1][i] = -p->normal[1][i];
+    }
+    return FLOE_OK;
+}
+
 static floe_status take(point_samples *p)
 {
     TRY(point_list_make(&p->list, p->s, p->body));
     TRY(gather_motion(p));
     TRY(gather_volume(p));
+    if (exact_provides(p->solution, EXACT_NORMAL)) TRY(gather_normals(p));
     if (fields_has(p->s->domain->fields[0], P_ENERGY, p->body)) TRY(gather(p, P_ENERGY, 0, &p->energy));
     return p->solution->model->equations == EXACT_SOLID ? find_start(p) : FLOE_OK;
 }
@@ -97,6 +99,7 @@ void point_samples_free(point_samples *p)
         memory_free(ctx, &p->x[a]);
         memory_free(ctx, &p->start[a]);
         memory_free(ctx, &p->v[a]);
+        memory_free(ctx, &p->normal[a]);
     }
     for (int c = 0; c < 6; c++) memory_free(ctx, &p->stress[c]);
     memory_free(ctx, &p->volume);
@@ -192,6 +195,19 @@ static double temperature_at(const point_samples *p, size_t i)
     return T;
 }
 
+/* A surface has two sides: the point's normal on that of the exact one, and the angle (degrees) from there. */
+static double normal_value(const point_samples *p, exact_quantity quantity, size_t i)
+{
+    double own[3], wanted[3], across[3];
+    if (!p->normal[0]) return NAN;
+    place(p->normal, p->s->mesh.dim, i, own);
+    for (int a = 0; a < 3; a++) wanted[a] = point_exact(p, (exact_quantity)(EXACT_NORMAL_X + a), i);
+    const double along = vec_dot(own, wanted);
+    if (quantity != EXACT_NORMAL) return copysign(1.0, along) * own[quantity - EXACT_NORMAL_X];
+    vec_cross(own, wanted, across);
+    return atan2(vec_norm(across), fabs(along)) * 180.0 / acos(-1.0);
+}
+
 double point_value(const point_samples *p, exact_quantity quantity, size_t i)
 {
     if (quantity >= EXACT_VELOCITY_X && quantity <= EXACT_VELOCITY_Z) {
@@ -205,6 +221,7 @@ double point_value(const point_samples *p, exact_quantity quantity, size_t i)
         if (a < 0) return 0.0;
         return p->start[a] ? p->x[a][i] - p->start[a][i] : (double)NAN;
     }
+    if (quantity >= EXACT_NORMAL_X && quantity <= EXACT_NORMAL) return normal_value(p, quantity, i);
     switch (quantity) {
     case EXACT_DENSITY: return p->density[i];
     case EXACT_PRESSURE: return pressure_at(p, i);

@@ -20,8 +20,10 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
 /* Density and velocity, and stress (xx yy zz xy yz zx, Pa), of a solid body at x. */
 floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6]);
 
-/* The points of a membrane, with their volumes. FLOE_BAD_INPUT says why they cannot be placed. */
-floe_status membrane_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out);
+/* How a body is filled with points on a mesh. */
+seed_spec body_seed_spec(const scene *s, const mesh *m, const scene_body *b);
+/* Its points, with their volumes; ids number them in this order. FLOE_BAD_INPUT says why they cannot be placed. */
+floe_status body_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out);
 
 /* What a scene's masses, forces and energies are multiplied by in outputs: the thickness in 2-D, 2 pi when axisymmetric, else 1. Inside
  * they are for a metre of depth, or a radian. */

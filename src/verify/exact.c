@@ -98,6 +98,7 @@ bool exact_provides(const exact *solution, exact_quantity quantity)
 double exact_value(const exact *solution, exact_quantity quantity, const double x[3], double t)
 {
     if (!exact_provides(solution, quantity)) return NAN;
+    if (quantity == EXACT_NORMAL) return 0.0;
     return solution->model->value(solution->par, solution->prepared, quantity, solution->dim, x, t);
 }
 

@@ -32,7 +32,11 @@
     X(EXACT_DISPLACEMENT_X, "displacement_x", "m", "displacement, first component")                              \
     X(EXACT_DISPLACEMENT_Y, "displacement_y", "m", "displacement, second component")                             \
     X(EXACT_DISPLACEMENT_Z, "displacement_z", "m", "displacement, third component")                              \
-    X(EXACT_VOLUME_FRACTION, "volume_fraction", "1", "volume fraction of the solution's first material")
+    X(EXACT_VOLUME_FRACTION, "volume_fraction", "1", "volume fraction of the solution's first material")         \
+    X(EXACT_NORMAL_X, "normal_x", "1", "unit normal of a membrane, first component, on the solution's side")     \
+    X(EXACT_NORMAL_Y, "normal_y", "1", "unit normal, second component")                                          \
+    X(EXACT_NORMAL_Z, "normal_z", "1", "unit normal, third component")                                           \
+    X(EXACT_NORMAL, "normal", "degrees", "angle between a membrane's normal and the solution's, which has 0")
 
 typedef enum exact_quantity {
 #define EXACT_QUANTITY_ENUM(enumerator, name, unit, doc) enumerator,
@@ -50,6 +54,9 @@ typedef enum exact_quantity {
     (EXACT_BIT(EXACT_STRESS_XX) | EXACT_BIT(EXACT_STRESS_YY) | EXACT_BIT(EXACT_STRESS_ZZ) | \
      EXACT_BIT(EXACT_STRESS_XY) | EXACT_BIT(EXACT_STRESS_YZ) | EXACT_BIT(EXACT_STRESS_ZX))
 
+#define EXACT_NORMALS \
+    (EXACT_BIT(EXACT_NORMAL_X) | EXACT_BIT(EXACT_NORMAL_Y) | EXACT_BIT(EXACT_NORMAL_Z) | EXACT_BIT(EXACT_NORMAL))
+
 /* The balance laws that a solution satisfies where it is smooth: what the conformance battery tests by differences. */
 typedef enum exact_equations {
     EXACT_EULER,            /* mass, momentum and total energy of an inviscid fluid, with body_force */
@@ -57,6 +64,7 @@ typedef enum exact_equations {
     EXACT_LINEAR_ACOUSTICS, /* rho0 Du + grad p = 0, Dp + rho0 c^2 div u = 0; parameters density, sound_speed */
     EXACT_INCOMPRESSIBLE,   /* div u = 0, rho Du + grad p = mu lap u + rho b; parameters density, viscosity */
     EXACT_SOLID,            /* rho0 d2u/dt2 = div sigma + rho0 b; parameter density (absent: at rest) */
+    EXACT_OUTLINE,          /* a surface: normals of length one that lead along a gradient, without a curl */
     EXACT_ORDINARY          /* an ordinary differential equation in t, tested by itself */
 } exact_equations;
 

@@ -29,3 +29,22 @@ for surface in '{cylinder: {centre: [0, 0, 0], radius: 0.5, from: 0.1, to: 0.5}}
     expect 0 "$FLOE" run "$sphere" --set bodies.skin.membrane.surface="$surface" --set time.max_steps=3 --set verify=null -o out --quiet
     rm -r out
 done
+
+# A flat sheet between two supports, one of which moves off: exact plane stress, but for inertia, 1e-4.
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/membrane_patch.yaml" -o patch --quiet
+for metric in linfrel_stress_xx l2rel_stress_yy l2rel_displacement_x; do below "$(json patch/summary.json $metric)" 5e-4; done
+for metric in linf_stress_xy linf_normal; do below "$(json patch/summary.json $metric)" 1e-9; done
+
+# The angle of a membrane's normals off those of what is round: of a membrane alone, and from an exact zero.
+circle=$FLOE_SOURCE/inputs/membrane_circle.yaml
+for normals in connectivity quadric; do
+    expect 0 "$FLOE" run "$circle" --set bodies.skin.membrane.normals=$normals --set time.max_steps=1 -o "round-$normals" --quiet
+    below "$(json round-$normals/summary.json linf_normal)" 0.01
+    below "$(json round-$normals/summary.json l2_normal)" "$(json round-$normals/summary.json linf_normal)"
+done
+expect 0 "$FLOE" run "$circle" --set time.max_steps=1 --set verify.exact='{round: {centre: [0.5, 0]}}' -o off --quiet
+below 40 "$(json off/summary.json linf_normal)"
+expect 2 "$FLOE" check "$circle" --set verify.body=gas
+has stderr 'needs verify.body: a membrane'
+expect 2 "$FLOE" check "$circle" --set verify.metrics=[l2rel_normal]
+has stderr 'the exact angle is 0'

@@ -308,6 +308,24 @@ static void check_solid(const probe *p)
     }
 }
 
+static double normal(const probe *p, const double x[3], double t, int i, int j)
+{
+    (void)j;
+    return value(p, (exact_quantity)(EXACT_NORMAL_X + i), x, t);
+}
+
+static void check_outline(const probe *p)
+{
+    double square = 0.0;
+    for (int i = 0; i < 3; i++) square += normal(p, p->x, p->t, i, 0) * normal(p, p->x, p->t, i, 0);
+    check_close(square, 1.0, 1e-14);
+    check_close(value(p, EXACT_NORMAL, p->x, p->t), 0.0, 0.0);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3;
+        check_close(first(p, normal, i, 0, j), first(p, normal, j, 0, i), 1e-9);
+    }
+}
+
 static void check_equations(const probe *p)
 {
     switch (p->solution.model->equations) {
@@ -316,6 +334,7 @@ static void check_equations(const probe *p)
     case EXACT_LINEAR_ACOUSTICS: check_acoustics(p); break;
     case EXACT_INCOMPRESSIBLE: check_incompressible(p); break;
     case EXACT_SOLID: check_solid(p); break;
+    case EXACT_OUTLINE: check_outline(p); break;
     case EXACT_ORDINARY: break; /* in the unit test of the solution */
     }
 }

@@ -237,12 +237,47 @@ static void test_piston(void **state)
     exact_destroy(ctx, &f.solution);
 }
 
+/* Of a sphere the way from the centre; of a cylinder without what lies along it; an axis has no place in a plane. */
+static void test_round(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "round", 3, SET({"about", 0.0}, {"centre", 1.0}));
+    check_close(get(&f, EXACT_NORMAL_X, 4.0, 0.2, 4.3), 0.6, 1e-15);
+    check_close(get(&f, EXACT_NORMAL_Z, 4.0, 0.2, 4.3), 0.8, 1e-15);
+    exact_destroy(ctx, &f.solution);
+    make(ctx, &f, "round", 3, SET({"about", 3.0}, {"centre", 0.0}));
+    check_close(get(&f, EXACT_NORMAL_Y, 3.0, 4.2, 7.0), 0.8, 1e-15);
+    check_close(get(&f, EXACT_NORMAL_Z, 3.0, 4.2, 7.0), 0.0, 0.0);
+    check_close(get(&f, EXACT_NORMAL, 3.0, 4.2, 7.0), 0.0, 0.0);
+    exact_destroy(ctx, &f.solution);
+    refuse(ctx, "round", 2, SET({"about", 3.0}));
+    refuse(ctx, "round", 3, SET({"about", 0.5}));
+}
+
+/* Drawn out along y in the plane of y and z, taut beforehand. */
+static void test_stretched_sheet(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "stretched_sheet", 3,
+         SET({"modulus", 2.0}, {"poisson_ratio", 0.25}, {"rate", 3.0}, {"tautness", 0.1}, {"across", 0.0}));
+    const double plane = 2.0 / (1.0 - 0.0625), at[3] = {0.3, 1.1, 0.7}, e = 0.1 + 3.0 * 0.2;
+    check_close(exact_value(&f.solution, EXACT_STRESS_YY, at, 0.2), plane * (e + 0.25 * 0.1), 1e-14);
+    check_close(exact_value(&f.solution, EXACT_STRESS_ZZ, at, 0.2), plane * (0.1 + 0.25 * e), 1e-14);
+    check_close(exact_value(&f.solution, EXACT_STRESS_XX, at, 0.2), 0.0, 0.0);
+    check_close(exact_value(&f.solution, EXACT_NORMAL_X, at, 0.2), 1.0, 0.0);
+    exact_destroy(ctx, &f.solution);
+    refuse(ctx, "stretched_sheet", 3, SET({"across", 0.5}));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lame_values),   cmocka_unit_test(test_hooke),           cmocka_unit_test(test_disc),
-        cmocka_unit_test(test_sphere_values), cmocka_unit_test(test_annulus_refused), cmocka_unit_test(test_bar),
-        cmocka_unit_test(test_bar_mms),       cmocka_unit_test(test_piston),
+        cmocka_unit_test(test_lame_values),     cmocka_unit_test(test_hooke),           cmocka_unit_test(test_disc),
+        cmocka_unit_test(test_sphere_values),   cmocka_unit_test(test_annulus_refused), cmocka_unit_test(test_bar),
+        cmocka_unit_test(test_bar_mms),         cmocka_unit_test(test_piston),          cmocka_unit_test(test_round),
+        cmocka_unit_test(test_stretched_sheet),
     };
     return cmocka_run_group_tests_name("exact solids", tests, check_make_context, check_drop_context);
 }

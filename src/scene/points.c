@@ -1,4 +1,4 @@
-/* The points of a body that lies along a curve or on a surface. */
+/* The points that a body begins with. */
 #include "scene/state.h"
 
 #include <math.h>
@@ -9,8 +9,9 @@ static bool any_order(const scene_membrane *m)
     return m->normals && !m->normals->connected && !isnan(m->length) && m->holds < 0;
 }
 
-floe_status membrane_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out)
+floe_status body_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out)
 {
+    if (!b->membrane.present) return seed_shape(out, ctx, &b->shape, grid);
     const scene_membrane *m = &b->membrane;
     const sheet_seeding spread = {m->number, b->per_cell[0], m->thickness};
     if (m->surface.kind != SHEET_NONE) return seed_sheet(out, ctx, &m->surface, &spread, grid);
@@ -19,4 +20,18 @@ floe_status membrane_points(const scene_body *b, context *ctx, const seed_spec *
                                  .length = m->length,
                                  .any_order = any_order(m)};
     return seed_curve(out, ctx, &m->curve, &along, grid);
+}
+
+seed_spec body_seed_spec(const scene *s, const mesh *m, const scene_body *b)
+{
+    seed_spec spec = {
+        .dim = m->dim, .axisymmetric = m->geometry == MESH_AXISYMMETRIC, .method = b->seeding, .merge = b->merge};
+    for (int a = 0; a < 3; ++a) {
+        spec.lower[a] = m->lower[a];
+        spec.h[a] = m->h[a];
+        spec.n[a] = m->n[a];
+        spec.per_cell[a] = b->per_cell[a];
+        spec.offset[a] = s->lattice_offset[a];
+    }
+    return spec;
 }
