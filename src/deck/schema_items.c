@@ -139,7 +139,7 @@ static const key_spec body_keys[] = {
      .otherwise = "solids: the ambient temperature, or 300", .doc = "at the start"},
     {"density", KEY_NUMBER, "kg/m3", PARAM_POSITIVE, AT(scene_body, density), .applies = body_is_fluid,
      .belongs = fluid_bodies, .doc = "at the start"},
-    {"fraction", KEY_NUMBER, NULL, WITHIN(1e-6, 1.0), AT(scene_body, fraction), .fallback = "1",
+    {"fraction", KEY_NUMBER, NULL, WITHIN(1e-12, 1.0), AT(scene_body, fraction), .fallback = "1",
      .applies = body_is_fluid, .belongs = fluid_bodies,
      .doc = "share of its shape's volume that it takes, in cells; the rest is left to bodies after it and the ambient"},
     {"state", KEY_CHOICE, AT(scene_body, initial_from_exact), .fallback = "given", .choices = state_choices,

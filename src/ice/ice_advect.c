@@ -142,7 +142,7 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
             fewest = least(fewest, least(rho_lo[a][t], rho_hi[a][t]) > 1e-6 * mass ? 1.0 : 0.0);
         const double lowest = multi ? lo * fewest : lo, highest = multi ? hi * fewest : hi;
         /* The largest ratio of the cell's mean density to that of a corner. */
-        const double rarest = (mass + ICE_TINY) / (most(mass - f * g.reach, 1e-6 * mass) + ICE_TINY);
+        const double rarest = (mass + ICE_TINY) / (most(mass - f * g.reach, 0.0) + ICE_TINY);
         double M[3];
         for (int a = 0; a < dim; ++a) {
             M[a] = mass;

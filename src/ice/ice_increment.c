@@ -37,6 +37,8 @@ FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int
         const double speed = multi ? sqrt(stiffness / rho[at]) : c[at];
         const double squeeze = div < 0.0 ? -length * div : 0.0, s = shock[at];
         const double increment = -dt * div * stiffness;
+        /* Beside a vacuum the neighbour's pressure, carried, could be any multiple of the cell's own. */
+        carried = least(most(carried, -0.25 * stiffness), 0.25 * stiffness);
         dP[at] = increment;
         P[at] =
             p[at] + 0.5 * (1.0 + s) * increment + (1.0 - s) * carried + ice_bulk_pressure(rho[at], speed, squeeze, s);

@@ -29,6 +29,14 @@ FLOE_ALWAYS_INLINE push push_of(const ice_view *v, ptrdiff_t at, ptrdiff_t i, co
     return q;
 }
 
+/* P dP of 2.7. P has been smoothed over neighbours; gas that expands gives no more work than its own pressure does, or a cold cell
+ * beside hot ones would pay with energy that it has not got. */
+FLOE_ALWAYS_INLINE double compression_work(const ice_view *v, ptrdiff_t at)
+{
+    const double P = v->P[at], p = v->p[at], dP = v->dP[at];
+    return (dP < 0.0 && p < P ? p : P) * dP;
+}
+
 /* One fluid. Returns how many cells fell back to 2.7. */
 FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve, double floor, const int dim)
 {
@@ -49,7 +57,7 @@ FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve
             m->ul[a][at] = next;
         }
         const double conserving = m->e[at] + f.work * inverse - gain;
-        const double plain = m->e[at] + v->P[at] * v->dP[at] * (inverse * inverse * inv_c * inv_c);
+        const double plain = m->e[at] + compression_work(v, at) * (inverse * inverse * inv_c * inv_c);
         const bool usable = conserve && conserving - floor > ICE_THERMAL_SHARE * kinetic;
         guarded += conserve && !usable;
         el[at] = usable ? conserving : plain;
@@ -85,7 +93,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
             }
         }
         const bool whole = conserve && !ice_holds_points(v, at);
-        const double heat = f.work - gain, share = 1.0 / v->kappa_sum[at], plain = v->P[at] * v->dP[at];
+        const double heat = f.work - gain, share = 1.0 / v->kappa_sum[at], plain = compression_work(v, at);
         bool usable = whole;
         for (int r = 0; r < v->n_materials && usable; ++r) {
             const ice_arrays *m = &v->m[r];
