@@ -80,4 +80,4 @@ killed=0 finished=0 writing=0 early=0
 for name in "${names[@]}"; do kill_scene "$name"; done
 echo "kills: $((kills * ${#names[@]})) of ${#names[@]} scenes: $killed hit a run, $finished came after its end; $writing while a checkpoint" \
     "was being written; $early before the first one; all ended with the bits of the undisturbed run" | tee "${FLOE_TOTALS:-/dev/null}"
-[ "$killed" -gt 0 ] || fault 'no kill has hit'
+[ "$killed" -gt 0 ] || [ "$kills" -lt 10 ] || fault 'no kill has hit'
