@@ -3,12 +3,30 @@ add_library(floe_flags INTERFACE)
 target_link_libraries(floe_flags INTERFACE OpenMP::OpenMP_C Threads::Threads m)
 target_compile_options(floe_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wstrict-prototypes -Wmissing-prototypes
-    -Wvla -Wdouble-promotion -Werror)
+    -Wvla -Werror
+    $<$<C_COMPILER_ID:GNU>:-Wdouble-promotion>
+    # clang takes the C library's INFINITY, a float, for one, and says which loops it could not vectorise.
+    $<$<C_COMPILER_ID:Clang>:-Wno-pass-failed>)
 if(FLOE_SANITIZE)
     target_compile_options(floe_flags INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(floe_flags INTERFACE -fsanitize=address,undefined)
     set(FLOE_EXTRA_FLAGS "${FLOE_EXTRA_FLAGS} -fsanitize=address,undefined")
+endif()
+if(FLOE_SANITIZE_THREADS)
+    target_compile_options(floe_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer -g)
+    target_link_options(floe_flags INTERFACE -fsanitize=thread)
+    set(FLOE_EXTRA_FLAGS "${FLOE_EXTRA_FLAGS} -fsanitize=thread")
+endif()
+if(FLOE_FUZZ)
+    # The fuzzers' own link adds libFuzzer's main (tests/fuzz).
+    target_compile_options(floe_flags INTERFACE -fsanitize=fuzzer-no-link -g)
+    set(FLOE_EXTRA_FLAGS "${FLOE_EXTRA_FLAGS} -fsanitize=fuzzer-no-link")
+endif()
+if(FLOE_COVERAGE)
+    target_compile_options(floe_flags INTERFACE --coverage -fprofile-update=atomic)
+    target_link_options(floe_flags INTERFACE --coverage)
+    set(FLOE_EXTRA_FLAGS "${FLOE_EXTRA_FLAGS} --coverage")
 endif()
 if(FLOE_NATIVE)
     target_compile_options(floe_flags INTERFACE -march=native)

@@ -79,6 +79,9 @@
     X(C_VEL_L, "velocity_lagrangian", CELL, VECTOR, "m/s", SCRATCH, "u^r,L of fluids")                               \
     X(C_ENERGY_L, "energy_lagrangian", CELL, SCALAR, "J/kg", SCRATCH, "e^r,L of fluids")                             \
     X(C_VOLUME_L, "specific_volume_lagrangian", CELL, SCALAR, "m3/kg", SCRATCH, "v^r,L of fluids")                   \
+    X(C_ENERGY_FOUND, "internal_energy_found", CELL, SCALAR, "J/kg", SCRATCH,                                        \
+      "e^r of fluids before mixed cells are closed along isentropes: a rejected step goes back to it")               \
+    X(C_VOLUME_FOUND, "specific_volume_found", CELL, SCALAR, "m3/kg", SCRATCH, "v^r of fluids likewise")             \
     X(C_DIFFUSION, "diffusion", CELL, VECTOR, "N/m3", SCRATCH,                                                       \
       "div tau of fluids; once the sources are formed, their velocity at half the step")                             \
     X(C_DIFFUSION_HEAT, "diffusion_heat", CELL, SCALAR, "W/m3", SCRATCH, "dissipation and conduction into fluids")   \

@@ -76,6 +76,13 @@ floe_status ice_register(ice *s, domain *d);
  * the one in the highest cells (against gravity), and follows p_j = p_j+1 + |g| h (rho_j + rho_j+1)/2 below (numerics 2.4). */
 floe_status ice_initialise(ice *s, double *const *taken);
 
+/* The step under way is rejected: what its stages have changed of the state, where cells of several fluids are closed along
+ * isentropes, is put back. Everything else they have written is scratch or the next state. */
+void ice_forget_step(ice *s);
+/* Volume fractions and temperatures of several fluids of the state as it is, for output: between steps they are those with which the last
+ * step began. The state, and what comes of it, stays as it is. */
+floe_status ice_refresh(ice *s);
+
 /* The stages, in the order of numerics 5.1 (their names are the ones timed and listed). */
 floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
 floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */

@@ -241,6 +241,8 @@ static field_owner owner_of(const ice *s, field_id id)
     case C_VEL_L:
     case C_ENERGY_L:
     case C_VOLUME_L:
+    case C_ENERGY_FOUND:
+    case C_VOLUME_FOUND:
     case C_RHO_L:
     case C_DIFFUSION:
     case C_DIFFUSION_HEAT:

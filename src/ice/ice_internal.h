@@ -37,6 +37,7 @@ typedef struct ice_arrays {
     double *fu[3], *ft[3];              /* u*, theta at faces */
     double *ul[3], *el, *vl;            /* Lagrangian values */
     double *rho1, *u1[3], *e1, *vol1;   /* next state; vol1 is v */
+    double *e_found, *vol_found;        /* before mixed cells are closed; NULL where that changes no state */
     double *rhol;                       /* after the mass exchange; NULL without reactions */
     double *source[3], *mom[3], *dv[3]; /* materials carried by points */
     double *diff[3], *heat, *diffT;     /* ice_diffusion.c */
@@ -211,12 +212,15 @@ typedef struct ice_work {
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
     bool
         reconcile; /* some fluid's energy depends on volume at a given temperature: cells are closed along isentropes */
-    struct ice_sealing *sealing;                            /* owned (ice_pool.h); NULL: no membrane holds gas */
+    long found[MESH_MAX_BLOCKS]; /* 1 + the step of which a block has e_found and vol_found; 0: of none */
+    struct ice_sealing *sealing; /* owned (ice_pool.h); NULL: no membrane holds gas */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 
 /* Pressures and fractions of several materials in one block (numerics 2.1). */
 floe_status ice_mixture(ice *s, int block_id, const ice_view *v);
+/* Keeps what closing the cells of a block is going to change of the state, for ice_forget_step. */
+void ice_keep_found(ice *s, int block_id, const ice_view *v);
 /* State of a law at a pressure and a temperature. */
 ice_reservoir ice_state_at(const eos *law, double p, double T);
 int ice_thread(void);

@@ -323,6 +323,7 @@ floe_status ice_mixture(ice *s, int block_id, const ice_view *v)
     const ice_rows rows = ice_rows_of(v->b, -1, MESH_GHOST);
     long cells = 0, iterations = 0, fallbacks = 0;
     int bad = 0;
+    ice_keep_found(s, block_id, v);
 #pragma omp parallel for schedule(static) reduction(+ : cells, iterations, fallbacks, bad)
     for (int row = 0; row < rows.n; ++row) {
         const int j = ice_row_j(rows, row), k = ice_row_k(rows, row);

@@ -9,6 +9,7 @@ floe_status ice_pressure_stages(ice *s)
     const pressure_scheme scheme = s->scene->method.pressure;
     const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
                direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
+    const bool reconciled = m && s->work->reconcile;
     const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips, r = s->work->reactions.n > 0;
     STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
@@ -16,7 +17,8 @@ floe_status ice_pressure_stages(ice *s)
           READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(m, C_TEMP), C_PRESSURE),
           WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
-                 WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO)));
+                 WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO), WHEN(reconciled, C_ENERGY_FOUND),
+                 WHEN(reconciled, C_VOLUME_FOUND)));
     STAGE(s, p, ice_continue_pressure, READS(C_PRESSURE, C_THETA, C_MIXED), WRITES(C_PRESSURE, C_DP));
     STAGE(s, slips, ice_wall_fraction, READS(C_THETA), WRITES(C_WALL));
     STAGE(s, d, ice_diffusion_rates, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_TEMP), WHEN(m, C_THETA)),

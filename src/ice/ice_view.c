@@ -25,6 +25,8 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     m->kappa = field_get(f, C_KAPPA, r, 0);
     m->el = field_get(f, C_ENERGY_L, r, 0);
     m->vl = field_get(f, C_VOLUME_L, r, 0);
+    m->e_found = field_get(f, C_ENERGY_FOUND, r, 0);
+    m->vol_found = field_get(f, C_VOLUME_FOUND, r, 0);
     m->rhol = field_get(f, C_RHO_L, r, 0);
     m->heat = field_get(f, C_DIFFUSION_HEAT, r, 0);
     m->diffT = field_get(f, C_DIFFUSION_T, r, 0);

@@ -71,7 +71,8 @@ floe_status sim_account(sim *s)
 
 floe_status sim_refresh(sim *s)
 {
-    return s->transfer ? coupled_refresh(s) : FLOE_OK;
+    if (s->transfer) TRY(coupled_refresh(s));
+    return s->ice ? ice_refresh(s->ice) : FLOE_OK;
 }
 
 floe_status sim_check_rest(sim *s, const sim_totals *t)

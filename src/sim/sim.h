@@ -64,7 +64,8 @@ typedef struct sim_totals {
 floe_status sim_sum(sim *s, sim_totals *out);
 /* Brings the ledger's totals and scales up to date. */
 floe_status sim_account(sim *s);
-/* Brings the cells' view of the solids up to date with the points, for output; steps make it anew, and do not need it. */
+/* Brings what is made from the state up to date with it, for output: the cells' view of the solids, volume fractions and temperatures.
+ * Steps make it anew, and do not need it. */
 floe_status sim_refresh(sim *s);
 /* Whether the solids have come to rest (scene.rest): sets rest_since and at_rest from the totals now. */
 floe_status sim_check_rest(sim *s, const sim_totals *t);

@@ -89,7 +89,7 @@ static void set_step(sim *s, double dt)
     }
 }
 
-/* Takes the step, cutting it while it is rejected; state is only written to next arrays, so that rejection is forgetting. */
+/* Takes the step, cutting it while it is rejected; state is written to next arrays, or kept, so that rejection is forgetting. */
 static floe_status take_step(sim *s, double *dt, const char **reason)
 {
     const char *unit = scene_time_unit(s->scene);
@@ -99,6 +99,7 @@ static floe_status take_step(sim *s, double *dt, const char **reason)
         const floe_status status = sim_run_stages(s);
         if (status != FLOE_RETRY) return status;
         ledger_discard(&s->ledger);
+        if (s->ice) ice_forget_step(s->ice);
         s->rejected++;
         snprintf(cause, sizeof cause, "%s", context_message(s->ctx));
         context_log(s->ctx, LOG_DETAIL, "step %ld at t = %.6g%s rejected with dt = %.3g%s: %s", s->steps + 1, s->time,

@@ -3,6 +3,7 @@
 
 #include <complex.h>
 #include <gsl/gsl_poly.h>
+#include <string.h>
 
 typedef struct wave_par {
     double density, pressure, gamma, heat_capacity, viscosity, bulk_viscosity, conductivity;
@@ -23,6 +24,15 @@ static const param_spec wave_params[] = {
     PAR_BETWEEN(wave_par, thermal, "1", 0.0, 1.0, 0.0, "0: sound that runs up the axis; 1: the heat that stays"),
     PAR_BETWEEN(wave_par, axis, "1", 0.0, 2.0, 0.0, "the axis along which the wave varies: 0, 1 or 2"),
 };
+
+/* CMPLX of C11, which clang does not find in the C library's header. */
+static double complex complex_of(double real, double imaginary)
+{
+    const double part[2] = {real, imaginary};
+    double complex z;
+    memcpy(&z, part, sizeof z);
+    return z;
+}
 
 /* Amplitudes of exp(i k x + s t). */
 typedef struct wave_constants {
@@ -46,7 +56,7 @@ static double complex wave_rate(const wave_par *p, double k2)
                                                    : GSL_IMAG(z[i]) < GSL_IMAG(z[chosen]);
         if (better) chosen = i;
     }
-    return CMPLX(GSL_REAL(z[chosen]), GSL_IMAG(z[chosen]));
+    return complex_of(GSL_REAL(z[chosen]), GSL_IMAG(z[chosen]));
 }
 
 static floe_status wave_prepare(context *ctx, const void *par, int dim, void *prepared)
@@ -63,9 +73,9 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     c->T0 = p->pressure / ((p->gamma - 1.0) * p->heat_capacity * p->density);
     c->s = wave_rate(p, c->k * c->k);
     /* From the velocity 1: s rho' = -rho i k, (s rho c_v + kappa k2) T' = -p i k. */
-    c->density = CMPLX(0.0, -p->density * c->k) / c->s;
+    c->density = complex_of(0.0, -p->density * c->k) / c->s;
     c->temperature =
-        CMPLX(0.0, -p->pressure * c->k) / (c->s * p->density * p->heat_capacity + p->conductivity * c->k * c->k);
+        complex_of(0.0, -p->pressure * c->k) / (c->s * p->density * p->heat_capacity + p->conductivity * c->k * c->k);
     const double complex scale =
         thermal ? p->amplitude * c->T0 / c->temperature : p->amplitude * sqrt(p->gamma * p->pressure / p->density);
     c->velocity = scale;
@@ -81,7 +91,7 @@ static double wave_value(const void *par, const void *prepared, exact_quantity q
     const wave_par *p = par;
     const wave_constants *c = prepared;
     const int axis = whole(p->axis);
-    const double complex phase = cexp(CMPLX(0.0, c->k * x[axis]) + c->s * t);
+    const double complex phase = cexp(complex_of(0.0, c->k * x[axis]) + c->s * t);
     const double density = creal(c->density * phase), temperature = creal(c->temperature * phase);
     if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, creal(c->velocity * phase));
     switch (quantity) {
