@@ -76,7 +76,7 @@ static double reservoir_value(const ice *s, int axis, mesh_side side, int r, ice
     const bc_side *wall = &s->scene->bc.side[axis][side];
     const ice_reservoir *in = &s->work->reservoir[axis][side];
     const bool enters = s->material[r].scene_material == wall->material;
-    *given = enters || kind == GHOST_DENSITY;
+    *given = enters || (kind == GHOST_DENSITY && !s->sealed); /* one fluid by itself is never without density */
     switch (kind) {
     case GHOST_DENSITY: return enters ? in->rho : 0.0;
     case GHOST_ENERGY: return in->e;
@@ -170,6 +170,7 @@ static void fill_backflow(const ice *s, const block *b, const fields *f, int axi
     const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
     double *rho = field_get(f, C_RHO, r, 0), *e = field_get(f, C_ENERGY, r, 0), *vol = field_get(f, C_VOL, r, 0);
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    if (s->sealed && !enters) return; /* a gas that a membrane keeps from this side */
     bc_layers(b, axis, side, 1, MESH_GHOST, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)

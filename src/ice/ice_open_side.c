@@ -114,7 +114,7 @@ void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axi
 static double mean_impedance(const ice *s, const ice_view *v, ptrdiff_t c, double z, double outside)
 {
     const ice_arrays *m = &v->m[0];
-    const eos *law = &s->material[0].eos;
+    const eos *law = &s->material[v->first].eos;
     if (s->multi) return z;
     const double more = (outside - v->p[c]) / (m->c[c] * m->c[c]), rho = m->rho[c] + more;
     const double e = m->e[c] + v->p[c] / (m->rho[c] * m->rho[c]) * more;
