@@ -18,7 +18,8 @@ const char *mpm_balance_obstacle(const mpm *s)
 {
     if (s->coupled || s->seals) return "the static solver is for points alone, and fluids on cells move";
     for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].fluid) return "fluids as points move";
+        if (s->body[b].fluid && !(surface_enclosed(s, s->body[b].scene_body) > 1.0 - 1e-9))
+            return "a fluid is not enclosed by solids all along its shape, and would flow";
     if (s->membranes) return "membranes have no stiffness across their surface";
     if (s->contact) return "bodies in contact have velocities of their own";
     if (s->scene->n_springs > 0) return "springs are stepped in time";
@@ -65,7 +66,9 @@ static floe_status make_solver(mpm *s)
     TRY(find_tiles(s));
     TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim, s->basis->support - 1));
     TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim, MOST_KRYLOV));
-    double **array[] = {&w->u, &w->change, &w->outer, &w->inner_first, &w->inner, &w->left, &w->trial, &w->target};
+    TRY(rooms_find(s));
+    double **array[] = {&w->pushed, &w->u,    &w->change, &w->outer, &w->inner_first,
+                        &w->inner,  &w->left, &w->trial,  &w->target};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
     TRY(memory_new(s->ctx, &w->held, w->components, sizeof *w->held));
@@ -86,10 +89,11 @@ void balance_destroy(mpm *s)
     struct mpm_balance *w = s->balance;
     if (!w) return;
     cg_destroy(&w->krylov);
+    rooms_free(s);
     node_multigrid_destroy(&w->solver);
-    void *owned[] = {&w->place,  &w->pull,        &w->tangent, &w->u,          &w->change,
-                     &w->outer,  &w->inner_first, &w->inner,   &w->left,       &w->trial,
-                     &w->target, &w->held,        &w->reached, &w->tile_block, &w->tile_local};
+    void *owned[] = {&w->pushed, &w->place,       &w->pull,       &w->tangent,   &w->u,     &w->change,
+                     &w->outer,  &w->inner_first, &w->inner,      &w->left,      &w->trial, &w->target,
+                     &w->held,   &w->reached,     &w->tile_block, &w->tile_local};
     for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
     memory_free(s->ctx, &s->balance);
 }
@@ -99,14 +103,26 @@ floe_status mpm_balance_masses(mpm *s)
     return scatter_group(s, 0, SCATTER_MOMENTUM, false, false);
 }
 
-floe_status mpm_balance_loads(mpm *s)
+static void clear_forces(mpm *s)
 {
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int c = 0; c < s->mesh->dim; ++c)
             memset(field_get(s->domain->fields[b], N_FORCE, 0, c), 0, s->mesh->block[b].size * sizeof(double));
+}
+
+floe_status mpm_balance_loads(mpm *s)
+{
+    for (int r = 0; r < s->balance->n_rooms; ++r) {
+        clear_forces(s);
+        scatter_room(s, r);
+        fold_forces(s, 0);
+        balance_collect(s, s->balance->room[r].push);
+    }
+    clear_forces(s);
     s->work->kick = 0.0; /* no impulse is entered */
     set_body_forces(s);
     scatter_loads(s, 0);
+    balance_collect(s, s->balance->outer);
     return FLOE_OK;
 }
 
@@ -123,7 +139,8 @@ static floe_status evaluate(mpm *s, const double *u)
     struct mpm_balance *w = s->balance;
     TRY(balance_strain(s, u));
     balance_pull(s, w->inner);
-    for (size_t k = 0; k < w->components; ++k) w->left[k] = w->held[k] ? 0.0 : w->outer[k] + w->inner[k];
+    TRY(rooms_push(s, u, w->pushed));
+    for (size_t k = 0; k < w->components; ++k) w->left[k] = w->held[k] ? 0.0 : w->outer[k] + w->pushed[k] + w->inner[k];
     return FLOE_OK;
 }
 
@@ -157,12 +174,13 @@ static void multiply(void *user, double *x, double *y)
 {
     const struct mpm_balance *w = user;
     node_multigrid_apply(w->solver, x, y);
+    rooms_stiffen(w, x, y);
 }
 
 /* How large the forces are, so that what is left can be told from nothing. */
 static double force_scale(const struct mpm_balance *w)
 {
-    return norm(w, w->outer) + norm(w, w->inner);
+    return norm(w, w->outer) + norm(w, w->pushed) + norm(w, w->inner);
 }
 
 /* A step along the change, halved while points are beyond their law. */
@@ -246,9 +264,16 @@ static void enter_work(mpm *s)
     const struct mpm_balance *w = s->balance;
     double work = 0.0;
     for (size_t k = 0; k < w->components; ++k) work -= 0.5 * (w->inner_first[k] + w->inner[k]) * w->u[k];
+    work -= rooms_enter(s);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
     ledger_tally(s->ledger, COUNT_BALANCE_ITERATIONS, w->newton);
     ledger_tally(s->ledger, COUNT_BALANCE_KRYLOV, w->krylov_iterations);
+}
+
+static void drop_unreached(const struct mpm_balance *w, double *force)
+{
+    for (size_t k = 0; k < w->components; ++k)
+        if (!w->reached[k % w->grid.size]) force[k] = 0.0;
 }
 
 floe_status mpm_balance_solve(mpm *s)
@@ -257,10 +282,10 @@ floe_status mpm_balance_solve(mpm *s)
     TRY(balance_locate(s));
     balance_hold(s);
     balance_reach(s);
-    balance_collect(s, w->outer);
     balance_weigh(s, w->outer);
-    for (size_t k = 0; k < w->components; ++k)
-        if (!w->reached[k % w->grid.size]) w->outer[k] = 0.0;
+    drop_unreached(w, w->outer);
+    for (int r = 0; r < w->n_rooms; ++r) drop_unreached(w, w->room[r].push);
+    TRY(rooms_begin(s));
     memset(w->u, 0, w->components * sizeof *w->u);
     w->ready = false;
     w->krylov_iterations = 0;
@@ -270,6 +295,7 @@ floe_status mpm_balance_solve(mpm *s)
     say(s);
     carry_surfaces(s, balance_way);
     TRY(balance_move(s));
+    rooms_store(s);
     enter_work(s);
     return FLOE_OK;
 }

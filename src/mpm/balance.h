@@ -35,20 +35,34 @@ typedef struct place_node {
     double S[MESH_MAX_DIM], slope[MESH_MAX_DIM][MESH_MAX_DIM];
 } place_node;
 
+/* The gas of a fluid body that solids enclose: at rest one pressure everywhere. */
+typedef struct balance_room {
+    int body;             /* of the points */
+    double *push;         /* N/Pa, on the grid: forces of a unit of pressure; m2: what its volume gains by. Owned */
+    double mass, volume0; /* kg; m3, of the points at rest */
+    double volume_first, energy_first, pressure_first; /* m3, J/kg, Pa: at the start of the increment */
+    double volume, energy, pressure;                   /* now */
+    double stiffness;                                  /* Pa/m3: -dp/dV */
+    double scheduled;                                  /* Pa, NAN: none; what a load makes of its pressure */
+    double heat;                                       /* J, of loads */
+} balance_room;
+
 struct mpm_balance {
     solve_grid grid;
+    balance_room *room; /* owned */
+    int n_rooms;
     node_multigrid *solver; /* owned */
     cg *krylov;             /* owned */
     size_t components;      /* entries of an array on the grid, all components */
     int n_gradient,
         gradient[BALANCE_GRADIENTS]; /* components of grad u that the scene has, row-major in three dimensions */
-    size_t points, room;             /* of solids, in all blocks; and for how many there is room */
+    size_t points, points_room;      /* of solids, in all blocks; and for how many there is room */
     size_t first[MESH_MAX_BLOCKS][SCENE_MAX_BODIES]; /* number of a body's first point */
     point_place *place;                              /* owned */
     double *pull;                                    /* V0 T (J), n_gradient a point; owned */
     double *tangent;                                 /* d pull / d grad u (J), n_gradient^2 a point; owned */
     /* On the grid; owned. Displacement and its change (m); forces (N): from outside, of the points at the start and now, what is left. */
-    double *u, *change, *outer, *inner_first, *inner, *left, *trial;
+    double *u, *change, *outer, *pushed, *inner_first, *inner, *left, *trial;
     double *target;                /* m: displacement of what is held; owned */
     bool *held;                    /* components of nodes that walls and supports hold; owned */
     bool *reached;                 /* nodes that points of solids reach; owned */
@@ -94,5 +108,16 @@ void balance_collect(mpm *s, double *outer);
 floe_status balance_check_free(mpm *s);
 
 void balance_destroy(mpm *s);
+
+/* Rooms (balance_room.c): found once; as they are at the start of an increment, and what pushes their walls; pressures at a displacement, into
+ * `pushed` (N), FLOE_RETRY where a room would lose all its volume or its gas is beyond its law; A x of their stiffness, added to y; the next state of
+ * their points; and what they enter into the ledger. Returns, J, what they did to the solids. */
+floe_status rooms_find(mpm *s);
+void rooms_free(mpm *s);
+floe_status rooms_begin(mpm *s);
+floe_status rooms_push(mpm *s, const double *u, double *pushed);
+void rooms_stiffen(const struct mpm_balance *w, const double *x, double *y);
+void rooms_store(mpm *s);
+double rooms_enter(mpm *s);
 
 #endif

@@ -59,12 +59,12 @@ static floe_status reserve(mpm *s)
             w->first[b][body] = w->points;
             if (!s->body[body].fluid) w->points += s->points[b][body].n;
         }
-    if (w->points <= w->room) return FLOE_OK;
-    w->room = w->points;
+    if (w->points <= w->points_room) return FLOE_OK;
+    w->points_room = w->points;
     const size_t n = (size_t)w->n_gradient;
-    TRY(memory_resize(s->ctx, &w->place, w->room, sizeof *w->place));
-    TRY(memory_resize(s->ctx, &w->pull, w->room, n * sizeof(double)));
-    return memory_resize(s->ctx, &w->tangent, w->room, n * n * sizeof(double));
+    TRY(memory_resize(s->ctx, &w->place, w->points_room, sizeof *w->place));
+    TRY(memory_resize(s->ctx, &w->pull, w->points_room, n * sizeof(double)));
+    return memory_resize(s->ctx, &w->tangent, w->points_room, n * n * sizeof(double));
 }
 
 floe_status balance_locate(mpm *s)

@@ -2,16 +2,22 @@
 #include "mpm/work.h"
 #include "scene/state.h"
 
-#include <math.h>
 #include <string.h>
 
-/* At the end of a step that is solved for: a load without a ramp would come all at once, however small the step. */
+/* However small an increment, a load without a ramp would come all at once. */
+scene_load load_as_solved(const mpm *s, const scene_load *load)
+{
+    scene_load out = *load;
+    if (s->solver != SOLVER_STATIC || load->ramp > 0.0 || !(s->scene->time.end > load->start)) return out;
+    out.ramp = s->scene->time.end - load->start;
+    out.ramp_steps = 0;
+    return out;
+}
+
 static double load_at_end(const mpm *s, const scene_load *load)
 {
-    const double t = s->time + s->dt, end = s->scene->time.end;
-    if (s->solver == SOLVER_STATIC && load->ramp <= 0.0 && end > load->start)
-        return fmin(1.0, fmax(0.0, (t - load->start) / (end - load->start)));
-    return load_fraction(load, &(load_step){s->time, t, s->step});
+    const scene_load solved = load_as_solved(s, load);
+    return load_fraction(&solved, &(load_step){s->time, s->time + s->dt, s->step});
 }
 
 double load_now(const mpm *s, const scene_load *load)

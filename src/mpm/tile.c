@@ -208,6 +208,11 @@ void scatter_loads(mpm *s, int group)
     scatter_surfaces(s, group); /* they look at the masses */
     scatter_springs(s, group);
     scatter_push(s, group);
+    fold_forces(s, group);
+}
+
+void fold_forces(mpm *s, int group)
+{
     domain_fold_periodic(s->domain, N_FORCE, group);
     fold_walls(s, group, false, true);
 }

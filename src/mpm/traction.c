@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "geom/surface.h"
 #include "math/small_solve.h"
+#include "mpm/balance.h"
 #include "mpm/stencil.h"
 #include "scene/state.h"
 
@@ -17,22 +18,26 @@ static const double steady_mass = 0.1;
 
 typedef struct surface_list {
     mpm *s;
-    int load;
+    int load, room;
     floe_status status;
     size_t capacity;
 } surface_list;
 
-/* +1 where the loaded body lies on the side that the normal points to, -1 on the other, 0 where it lies on neither or both. */
-static double side_of_body(const mpm *s, const scene_load *load, const surface_element *e)
+/* A place a little beyond an element, along its normal. */
+static void place_beside(const mpm *s, const surface_element *e, double side, double x[3])
 {
-    const shape *body = &s->scene->body[load->body].shape;
+    const double step = side * 1e-3 * s->mesh->h[0];
+    for (int a = 0; a < 3; ++a) x[a] = e->x[a] + step * e->normal[a];
+}
+
+/* +1 where a body lies on the side that the normal points to, -1 on the other, 0 where it lies on neither or both. */
+static double side_of_body(const mpm *s, int body, const surface_element *e)
+{
+    const shape *solid = &s->scene->body[body].shape;
     double out[3], in[3];
-    const double step = 1e-3 * s->mesh->h[0];
-    for (int a = 0; a < 3; ++a) {
-        out[a] = e->x[a] + step * e->normal[a];
-        in[a] = e->x[a] - step * e->normal[a];
-    }
-    const bool outside = shape_inside(body, s->mesh->dim, out), inside = shape_inside(body, s->mesh->dim, in);
+    place_beside(s, e, 1.0, out);
+    place_beside(s, e, -1.0, in);
+    const bool outside = shape_inside(solid, s->mesh->dim, out), inside = shape_inside(solid, s->mesh->dim, in);
     return outside == inside ? 0.0 : outside ? 1.0 : -1.0;
 }
 
@@ -46,30 +51,92 @@ static floe_status reserve_surface(surface_list *list)
     return memory_resize(list->s->ctx, &w->surface_next, list->capacity, sizeof *w->surface_next);
 }
 
-static void add_element(void *user, const surface_element *e)
+static void add_point(surface_list *list, const surface_element *e, double side)
 {
-    surface_list *list = user;
-    const double side = side_of_body(list->s, &list->s->scene->load[list->load], e);
     if (side == 0.0 || list->status != FLOE_OK) return;
     list->status = reserve_surface(list);
     if (list->status != FLOE_OK) return;
     surface_point *p = &list->s->work->surface[list->s->work->n_surface++];
     p->load = list->load;
+    p->room = list->room;
     for (int a = 0; a < 3; ++a) {
         p->x[a] = e->x[a];
         p->area[a] = side * e->area * e->normal[a]; /* a pressure pushes into the body */
     }
 }
 
-floe_status seed_surfaces(mpm *s)
+static void add_element(void *user, const surface_element *e)
 {
-    surface_list list = {.s = s};
+    surface_list *list = user;
+    add_point(list, e, side_of_body(list->s, list->s->scene->load[list->load].body, e));
+}
+
+/* The first solid that an element of a fluid's surface faces, -1: none. */
+static int faced_solid(const mpm *s, const surface_element *e)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (!s->body[b].fluid && side_of_body(s, s->body[b].scene_body, e) > 0.0) return s->body[b].scene_body;
+    return -1;
+}
+
+static void add_room_element(void *user, const surface_element *e)
+{
+    surface_list *list = user;
+    add_point(list, e, faced_solid(list->s, e) >= 0 ? 1.0 : 0.0);
+}
+
+static seed_spec surface_grid(const mpm *s)
+{
     seed_spec grid = {.dim = s->mesh->dim, .axisymmetric = s->mesh->geometry == MESH_AXISYMMETRIC};
     for (int a = 0; a < 3; ++a) {
         grid.lower[a] = s->mesh->lower[a];
         grid.h[a] = s->mesh->h[a];
         grid.n[a] = s->mesh->n[a];
     }
+    return grid;
+}
+
+typedef struct enclosure {
+    const mpm *s;
+    double all, faced; /* m2 */
+} enclosure;
+
+static void count_element(void *user, const surface_element *e)
+{
+    enclosure *c = user;
+    double x[3];
+    place_beside(c->s, e, 1.0, x);
+    for (int a = 0; a < c->s->mesh->dim; ++a)
+        if (x[a] < c->s->mesh->lower[a] || x[a] > c->s->mesh->upper[a]) return; /* a side of the domain closes it */
+    c->all += e->area;
+    if (faced_solid(c->s, e) >= 0) c->faced += e->area;
+}
+
+double surface_enclosed(const mpm *s, int body)
+{
+    enclosure c = {s, 0.0, 0.0};
+    const seed_spec grid = surface_grid(s);
+    surface_visit(&s->scene->body[body].shape, &grid, SURFACE_DIVISIONS, count_element, &c);
+    return c.all > 0.0 ? c.faced / c.all : 1.0;
+}
+
+/* Surfaces that the gas of a room pushes (balance.h). */
+static floe_status seed_rooms(mpm *s, surface_list *list, const seed_spec *grid)
+{
+    list->load = -1;
+    for (int r = 0; s->balance && r < s->balance->n_rooms; ++r) {
+        list->room = r;
+        surface_visit(&s->scene->body[s->body[s->balance->room[r].body].scene_body].shape, grid, SURFACE_DIVISIONS,
+                      add_room_element, list);
+        TRY(list->status);
+    }
+    return FLOE_OK;
+}
+
+floe_status seed_surfaces(mpm *s)
+{
+    surface_list list = {.s = s, .room = -1};
+    const seed_spec grid = surface_grid(s);
     for (int l = 0; l < s->scene->n_loads; ++l) {
         if (s->scene->load[l].kind != LOAD_TRACTION) continue;
         const size_t before = s->work->n_surface;
@@ -80,6 +147,7 @@ floe_status seed_surfaces(mpm *s)
             return fail(s->ctx, FLOE_BAD_INPUT, "load '%s' finds no surface of its shape on the body that it loads",
                         s->scene->load[l].name);
     }
+    TRY(seed_rooms(s, &list, &grid));
     if (s->work->n_surface)
         memcpy(s->work->surface_next, s->work->surface, s->work->n_surface * sizeof *s->work->surface);
     return FLOE_OK;
@@ -187,23 +255,35 @@ static void add_force(void *user, ptrdiff_t at, double weight, double mass)
     for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
 }
 
+static void push_surface(mpm *s, int group, const surface_point *p, double pressure)
+{
+    const place_stencil st = surface_locate(s, group, p);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        surface_force f = {.dim = s->mesh->dim};
+        for (int a = 0; a < f.dim; ++a) {
+            f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
+            f.value[a] = pressure * p->area[a];
+        }
+        visit_stencil(&s->mesh->block[b], &st, add_force, &f);
+    }
+}
+
+void scatter_room(mpm *s, int room)
+{
+    for (size_t k = 0; k < s->work->n_surface; ++k)
+        if (s->work->surface[k].room == room) push_surface(s, 0, &s->work->surface[k], 1.0);
+}
+
 /* One surface point after the other, so that every block adds up a node in the same order. */
 void scatter_surfaces(mpm *s, int group)
 {
     for (size_t k = 0; k < s->work->n_surface; ++k) {
         const surface_point *p = &s->work->surface[k];
+        if (p->load < 0) continue;
         const scene_load *load = &s->scene->load[p->load];
         if (s->work->body_group[load->body] != group) continue;
         const double pressure = load->target * load_now(s, load);
-        const place_stencil st = surface_locate(s, group, p);
-        for (int b = 0; b < s->mesh->n_blocks; ++b) {
-            surface_force f = {.dim = s->mesh->dim};
-            for (int a = 0; a < f.dim; ++a) {
-                f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
-                f.value[a] = pressure * p->area[a];
-            }
-            visit_stencil(&s->mesh->block[b], &st, add_force, &f);
-        }
+        push_surface(s, group, p, pressure);
         for (int a = 0; a < s->mesh->dim; ++a)
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE,
                        pressure * p->area[a] * s->work->kick);
@@ -247,6 +327,7 @@ void move_surfaces(mpm *s, int group)
             power += pressure * p->area[a] * v.sum[a];
         }
         s->work->surface_next[k].load = p->load;
+        s->work->surface_next[k].room = p->room;
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, power * s->dt);
     }
 }
@@ -255,7 +336,8 @@ void carry_surfaces(mpm *s, node_displacement *way)
 {
     for (size_t k = 0; k < s->work->n_surface; ++k) {
         const surface_point *p = &s->work->surface[k];
-        const place_stencil st = surface_locate(s, s->work->body_group[s->scene->load[p->load].body], p);
+        const int group = p->load < 0 ? 0 : s->work->body_group[s->scene->load[p->load].body];
+        const place_stencil st = surface_locate(s, group, p);
         surface_point *next = &s->work->surface_next[k];
         *next = *p;
         for (int i = 0; i < st.n; ++i)

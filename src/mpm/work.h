@@ -73,7 +73,8 @@ kernel_set kernels_of(int dim, mesh_geometry geometry, basis_kind kind);
 /* Loaded surface points: massless, moved by the grid, each with an area vector (m2) and the load that acts on it. */
 typedef struct surface_point {
     double x[3], area[3];
-    int load;
+    int load; /* -1: none, but the gas of a room */
+    int room; /* number of the room (balance.h), -1: none */
 } surface_point;
 
 typedef struct membrane_line membrane_line;
@@ -248,13 +249,21 @@ floe_status fill_cells(const mpm *s, seed_list *list);
 /* Loads (load.c). */
 floe_status seed_surfaces(mpm *s);
 void scatter_surfaces(mpm *s, int group);
+/* The share of a fluid body's surface, as its shape has it inside the mesh, that solids face. */
+double surface_enclosed(const mpm *s, int body);
+/* The force of a unit of pressure of a room, on top of what N_FORCE holds. */
+void scatter_room(mpm *s, int room);
 /* All that pushes a group's nodes but points, on top of what N_FORCE holds, with the sides' folds (tile.c). */
 void scatter_loads(mpm *s, int group);
+/* Folds N_FORCE at periodic ends and sides. */
+void fold_forces(mpm *s, int group);
 void move_surfaces(mpm *s, int group);
 /* Moves them by displacements of nodes, given by global index and component, instead of velocities. */
 typedef double node_displacement(const mpm *s, const int node[MESH_MAX_DIM], int component);
 void carry_surfaces(mpm *s, node_displacement *way);
 void set_body_forces(mpm *s);
+/* A load as statics has it: one without a ramp grows until the run ends. */
+scene_load load_as_solved(const mpm *s, const scene_load *load);
 /* Fraction of the load at the start of the step; solved for at its end (balance.h), where one without a ramp grows until the run
  * ends. */
 double load_now(const mpm *s, const scene_load *load);
