@@ -3,9 +3,10 @@
 #include "base/memory.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { CUT_NEW = -3 };
-enum { ROOM_VERTICES, ROOM_CELLS, ROOM_PIECES };
+enum { ROOM_VERTICES, ROOM_CELLS, ROOM_PIECES, ROOM_CHAINS };
 
 /* Shares this close to none or all are that: round-off of sums of passages. */
 static const double snap = 1e-13;
@@ -21,6 +22,7 @@ void cut_destroy(cut_line *c)
 {
     if (!c->ctx) return;
     memory_free(c->ctx, &c->vertex);
+    memory_free(c->ctx, &c->chain);
     memory_free(c->ctx, &c->cell);
     memory_free(c->ctx, &c->piece);
     memory_free(c->ctx, &c->at);
@@ -37,10 +39,12 @@ static floe_status grow(cut_line *c, int which, void *array, size_t n, size_t si
     return FLOE_OK;
 }
 
-floe_status cut_reserve(cut_line *c, int n)
+floe_status cut_reserve(cut_line *c, int vertices, int chains)
 {
-    c->n_vertices = n;
-    return n > 0 ? grow(c, ROOM_VERTICES, &c->vertex, (size_t)n, sizeof *c->vertex) : FLOE_OK;
+    c->n_vertices = vertices;
+    c->n_chains = chains;
+    TRY(grow(c, ROOM_CHAINS, &c->chain, (size_t)chains, sizeof *c->chain));
+    return grow(c, ROOM_VERTICES, &c->vertex, (size_t)vertices, sizeof *c->vertex);
 }
 
 /* Integral of the weight of an area along axis 0: x, or about an axis r^2/2. */
@@ -169,17 +173,18 @@ static floe_status pass_side(cut_line *c, int vertex, int inward)
         }
     return fail(
         c->ctx, FLOE_BAD_INPUT,
-        "a membrane that holds gas ends at (%g, %g), inside the domain: let it end on a symmetry or slip side, or "
+        "a line that holds gas back ends at (%g, %g), inside the domain: let it end on a symmetry or slip side, or "
         "close it",
         x[0], x[1]);
 }
 
-static floe_status walk_all(cut_line *c)
+static floe_status walk_chain(cut_line *c, const cut_chain *chain)
 {
-    for (int k = 0; k + 1 < c->n_vertices; ++k) TRY(walk(c, (const int[]){k, k + 1}));
-    if (c->closed) return walk(c, (const int[]){c->n_vertices - 1, 0});
-    TRY(pass_side(c, 0, 1));
-    return pass_side(c, c->n_vertices - 1, -1);
+    const int last = chain->first + chain->n - 1;
+    for (int k = chain->first; k < last; ++k) TRY(walk(c, (const int[]){k, k + 1}));
+    if (chain->closed) return walk(c, (const int[]){last, chain->first});
+    TRY(pass_side(c, chain->first, 1));
+    return pass_side(c, last, -1);
 }
 
 static int jump_of(const cut_line *c, int i, int j, int axis, int side)
@@ -204,8 +209,14 @@ static floe_status mark_nodes(cut_line *c)
         least = c->node[k] < least ? c->node[k] : least;
         most = c->node[k] > most ? c->node[k] : most;
     }
+    if (most == least) { /* no line leaves its cell: they hold what they go round the other way */
+        double inside = 0.0;
+        for (int k = 0; k < c->n_cells; ++k) inside += c->cell[k].open;
+        least -= inside < 0.0;
+    }
     if (most - least > 1)
-        return fail(c->ctx, FLOE_RETRY, "a membrane that holds gas crosses itself: gas would lie on both its sides");
+        return fail(c->ctx, FLOE_RETRY,
+                    "a line that holds gas back crosses itself or another: gas would lie on both its sides");
     for (int k = 0; k < row * (ny + 1); ++k) c->node[k] = (signed char)(c->node[k] - least);
     return FLOE_OK;
 }
@@ -230,7 +241,8 @@ static floe_status finish_cell(cut_line *c, cut_cell *k)
     bool sound = k->open >= 0.0 && k->open <= 1.0;
     for (int f = 0; f < 4; ++f) sound = sound && k->face[f / 2][f % 2] >= 0.0 && k->face[f / 2][f % 2] <= 1.0;
     if (sound) return FLOE_OK;
-    return fail(c->ctx, FLOE_RETRY, "a membrane that holds gas crosses itself in cell (%d, %d)", i[0], i[1]);
+    return fail(c->ctx, FLOE_RETRY, "a line that holds gas back crosses itself or another in cell (%d, %d)", i[0],
+                i[1]);
 }
 
 floe_status cut_find(cut_line *c)
@@ -239,7 +251,7 @@ floe_status cut_find(cut_line *c)
     const size_t cells = (size_t)m->n[0] * (size_t)m->n[1];
     c->n_cells = c->n_pieces = 0;
     for (size_t k = 0; k < cells; ++k) c->at[k] = CUT_NEW;
-    TRY(walk_all(c));
+    for (int k = 0; k < c->n_chains; ++k) TRY(walk_chain(c, &c->chain[k]));
     TRY(mark_nodes(c));
     for (int k = 0; k < c->n_cells; ++k) TRY(finish_cell(c, &c->cell[k]));
     for (int j = 0; j < m->n[1]; ++j)
@@ -248,4 +260,33 @@ floe_status cut_find(cut_line *c)
             if (*at == CUT_NEW) *at = c->node[j * (m->n[0] + 1) + i] ? CUT_HELD : CUT_OUTSIDE;
         }
     return FLOE_OK;
+}
+
+/* On an axis whose side an end lies on, it stays there. */
+static bool is_held(const mesh *m, double x, int axis)
+{
+    return x == m->lower[axis] || x == m->upper[axis];
+}
+
+static void hold_end(const cut_line *from, int vertex, cut_line *out)
+{
+    for (int a = 0; a < 2; ++a)
+        if (is_held(from->mesh, from->vertex[vertex].x[a], a)) out->vertex[vertex].x[a] = from->vertex[vertex].x[a];
+}
+
+floe_status cut_ahead(const cut_line *from, const double *velocity, double time, cut_line *out)
+{
+    TRY(cut_reserve(out, from->n_vertices, from->n_chains));
+    memcpy(out->chain, from->chain, (size_t)from->n_chains * sizeof *out->chain);
+    for (int k = 0; k < from->n_vertices; ++k) {
+        out->vertex[k].point = from->vertex[k].point;
+        for (int a = 0; a < 2; ++a) out->vertex[k].x[a] = from->vertex[k].x[a] + time * velocity[2 * k + a];
+    }
+    for (int c = 0; c < from->n_chains; ++c) {
+        const cut_chain *chain = &from->chain[c];
+        if (chain->closed) continue;
+        hold_end(from, chain->first, out);
+        hold_end(from, chain->first + chain->n - 1, out);
+    }
+    return cut_find(out);
 }

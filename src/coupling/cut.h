@@ -1,6 +1,6 @@
-/* Cells that a membrane cuts: what it leaves of cells and faces to the gas that it holds, exactly.
+/* Cells that a membrane, or the surface of a solid, cuts: what it leaves of cells and faces to the gas that it holds, exactly.
  *
- * The membrane is a line of vertices, straight between them, with the gas that it holds on its left. A walk along it cuts the line
+ * It is one or several lines of vertices, straight between them, with the gas that they hold on their left. A walk along a line cuts it
  * into pieces that lie in one cell each, and notes where it passes through faces. From these passages follow which nodes are held
  * and what part of each face is; from the faces and the pieces, by Green's theorem, what part of each cell. Nothing is sampled, so
  * that in every cut cell the areas of open faces and of the membrane close to round-off: even pressure pushes nothing.
@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-/* A vertex of the line, and the material point (by number, 0 first) that moves it and bears its load. */
+/* A vertex of a line, and the material point or the marker of a surface (by number, 0 first) that moves it and bears its load. */
 typedef struct cut_vertex {
     double x[2]; /* m */
     int point;
@@ -25,6 +25,12 @@ typedef struct cut_piece {
     double share;   /* of the second vertex in the middle of the piece; 1 - share of the first */
     double area[2]; /* m2 per metre (per radian): area vector, from the held gas outward */
 } cut_piece;
+
+/* One of the lines. */
+typedef struct cut_chain {
+    int first, n; /* vertices */
+    bool closed;  /* the last vertex is joined to the first */
+} cut_chain;
 
 /* A cell that the line goes through. */
 typedef struct cut_cell {
@@ -39,22 +45,25 @@ enum { CUT_HELD = -1, CUT_OUTSIDE = -2 };
 typedef struct cut_line {
     context *ctx;       /* not owned */
     const mesh *mesh;   /* not owned */
-    cut_vertex *vertex; /* owned; filled by the caller after cut_reserve */
-    int n_vertices;
-    bool closed; /* the last vertex is joined to the first */
+    cut_vertex *vertex; /* owned; filled by the caller after cut_reserve, as are the chains */
+    cut_chain *chain;   /* owned */
+    int n_vertices, n_chains;
     cut_cell *cell;
     cut_piece *piece;
-    int n_cells, n_pieces; /* in the order of the line */
+    int n_cells, n_pieces; /* in the order of the lines */
     int *at;               /* of every global cell: its place in `cell`, or CUT_HELD, CUT_OUTSIDE; owned */
     signed char *node;     /* of every global node: 1 held; owned */
-    size_t room[3];        /* for vertices, cells, pieces */
+    size_t room[4];        /* for vertices, cells, pieces, chains */
 } cut_line;
 
 floe_status cut_create(cut_line *c, context *ctx, const mesh *m);
 void cut_destroy(cut_line *c);
-/* Room for n vertices; sets n_vertices. */
-floe_status cut_reserve(cut_line *c, int n);
-/* Finds the cut cells from the vertices. An open line must end on sides of the mesh. FLOE_RETRY where the line crosses itself so
+/* Room for so many vertices and chains; sets n_vertices and n_chains. */
+floe_status cut_reserve(cut_line *c, int vertices, int chains);
+/* Finds the cut cells of the lines where their vertices are after a time (s) at these velocities (m/s, two numbers each). As cut_find; `from` keeps on
+ * standing. Ends stay on the sides of the mesh. */
+floe_status cut_ahead(const cut_line *from, const double *velocity, double time, cut_line *out);
+/* Finds the cut cells from the vertices. Open lines must end on sides of the mesh. FLOE_RETRY where lines cross so
  * that some gas would lie on both its sides. */
 floe_status cut_find(cut_line *c);
 

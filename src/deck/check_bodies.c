@@ -89,7 +89,7 @@ static floe_status check_points_only(reader *r, const char *key, int n)
 {
     const scene_coupling cells[] = {COUPLING_ICE, COUPLING_ICE_MPM};
     for (int i = 0; n > 0 && i < 2; i++) {
-        if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && scene_holder(r->scene) >= 0)) continue;
+        if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && scene_is_cut(r->scene))) continue;
         return bad_at(r, PATH(key), "coupling: mpm", NULL,
                       "%s act on material points alone, and this deck runs as '%s'", key, coupling_name(cells[i]));
     }

@@ -187,6 +187,11 @@ static const choice pressure_choices[] = {
     {"auto", PRESSURE_AUTO, "whichever is predicted to cost less, looked at again every 64 steps"},
     {0},
 };
+static const choice interface_choices[] = {
+    {"smeared", INTERFACE_SMEARED, "over the cells that they share, as in the papers"},
+    {"sharp", INTERFACE_SHARP, "on the surface of the solid, which cuts the cells of the gas: two dimensions, one gas"},
+    {0},
+};
 static const choice limiter_choices[] = {
     {"default", ICE_LIMITER_DEFAULT, "second order, limited"},
     {"none", ICE_LIMITER_NONE, "second order, for smooth flow"},
@@ -234,6 +239,8 @@ static const key_spec method_keys[] = {
      .doc = "R of the heat exchange between each pair of materials that `exchange` does not name"},
     {"volume_relaxation", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, volume_relaxation), .fallback = "0",
      .doc = "share of the volume defect of a cell that is taken back each step"},
+    {"interface", KEY_CHOICE, AT(scene_method, interface), .fallback = "smeared", .choices = interface_choices,
+     .doc = "where solids and gas of the cells push each other in ice-mpm"},
     {"pressure", KEY_CHOICE, AT(scene_method, pressure), .fallback = "explicit", .choices = pressure_choices,
      .doc = "how the pressure of ICE is advanced"},
     {"pressure_tolerance", KEY_NUMBER, NULL, WITHIN(1e-15, 1e-2), AT(scene_method, pressure_tolerance),

@@ -25,16 +25,19 @@ typedef struct ice_material {
         points; /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
 } ice_material;
 
-enum { ICE_SEALED_GASES = 2 };
+enum { ICE_SEALED_GASES = 2, ICE_SEAL_PLACES = 4, ICE_SEAL_LINES = ICE_SEAL_PLACES + 2 };
 
-/* A membrane between gases (ice_sealed.c): set by the owner of the step before the stages that read it. */
+/* A membrane between gases, or the surfaces of solids beside one (ice_sealed.c): set by the owner of the step before the stages that read it. */
 typedef struct ice_seal {
-    int held;                   /* material inside; any other is outside */
+    int held;                   /* material inside; any other is outside; beside solids the one gas */
     const cut_line *now, *next; /* where the membrane is, and where it will be; not owned */
-    const double *velocity;     /* m/s: of the vertices now, two each; not owned */
-    const double *path;         /* m: their way over the step, as the force works on it, two each; not owned */
-    double *force;              /* N: of all gases on the vertices, two each; not owned */
-    double heat;                /* J: for the held gas beside the membrane, of what the points have lost in the step */
+    const cut_line *
+        mean; /* where it is thought to pass in the step, n_mean places of equal weight: areas are the mean; not owned */
+    int n_mean;
+    const double *velocity; /* m/s: of the vertices now, two each; not owned */
+    const double *path;     /* m: their way over the step, as the force works on it, two each; not owned */
+    double *force;          /* N: of all gases on the vertices, two each; not owned */
+    double heat;            /* J: for the held gas beside the membrane, of what the points have lost in the step */
 } ice_seal;
 
 typedef struct ice {

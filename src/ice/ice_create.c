@@ -81,10 +81,10 @@ static floe_status resolve_materials(ice *s, bool with_points)
         s->conducts = s->conducts || out->conductivity > 0.0;
         s->n_materials++;
     }
-    s->diffuses = (s->viscous || s->conducts || whole->driving) && scene_holder(whole) < 0;
+    s->diffuses = (s->viscous || s->conducts || whole->driving) && !scene_is_cut(whole);
     if (s->n_materials == 0)
         return fail(s->ctx, FLOE_BAD_INPUT, "no fluid is in the scene: give a body of a fluid, or `ambient`");
-    s->sealed = scene_holder(whole) >= 0;
+    s->sealed = scene_is_cut(whole);
     s->gas = -1;
     s->multi = s->n_materials > 1 && !s->sealed;
     return FLOE_OK;

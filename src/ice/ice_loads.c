@@ -48,6 +48,12 @@ static void local_of(const block *b, ptrdiff_t at, int cell[MESH_MAX_DIM])
     }
 }
 
+/* Share of a cell that lines which cut it leave to its one gas. */
+static double open_share(const ice_arrays *m, ptrdiff_t at)
+{
+    return m->open ? m->open[at] : 1.0;
+}
+
 /* Energy per volume that the fluid of one cell receives. */
 typedef double heat_function(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount);
 
@@ -76,7 +82,8 @@ static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
             local_of(v.b, at, cell);
             const double added = heat(s, &v, r, at, amount);
             v.m[r].el[at] += added / v.m[r].rho[at];
-            ice_tile(s, v.b, cell[0], cell[1], cell[2])[TILE_SOURCE_ENERGY] += added * v.volume[cell[0]];
+            ice_tile(s, v.b, cell[0], cell[1], cell[2])[TILE_SOURCE_ENERGY] +=
+                added * v.volume[cell[0]] * open_share(&v.m[r], at);
         }
     }
 }
@@ -100,7 +107,7 @@ static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at)
 {
     int cell[MESH_MAX_DIM];
     local_of(v->b, at, cell);
-    const double weight = v->volume[cell[0]] * (s->multi ? v->m[r].theta[at] : 1.0);
+    const double weight = v->volume[cell[0]] * (s->multi ? v->m[r].theta[at] : open_share(&v->m[r], at));
     double *t = ice_tile(s, v->b, cell[0], cell[1], cell[2]) + TILE_SCRATCH;
     if (!(weight > 0.0)) return;
     t[0] += weight;

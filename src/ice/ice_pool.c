@@ -21,6 +21,13 @@ double ice_open_face(const ice *s, int gas, const cut_line *c, const int cell[2]
     return gas == s->seal.held ? held : 1.0 - held;
 }
 
+double ice_mean_face(const ice *s, int gas, const int cell[2], int axis, int side)
+{
+    double sum = 0.0;
+    for (int k = 0; k < s->seal.n_mean; ++k) sum += ice_open_face(s, gas, &s->seal.mean[k], cell, axis, side);
+    return sum / s->seal.n_mean;
+}
+
 double ice_outward(const ice *s)
 {
     return s->gas == s->seal.held ? 1.0 : -1.0;
@@ -45,7 +52,7 @@ static floe_status make_room(ice *s, ice_pools *p)
 static floe_status add_member(ice *s, int gas, const cut_line *c, ice_pools *p, const int cell[2])
 {
     const mesh *m = s->mesh;
-    int *place = &s->work->sealing->place[cut_index(m, cell)];
+    int *place = &p->place[cut_index(m, cell)];
     if (*place >= 0) return FLOE_OK;
     TRY(make_room(s, p));
     const int whole[3] = {cell[0], cell[1], 0};
@@ -54,7 +61,7 @@ static floe_status add_member(ice *s, int gas, const cut_line *c, ice_pools *p, 
     const block *b = &m->block[k->block];
     k->at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
     k->open = ice_open_cell(s, gas, c, cell);
-    for (int f = 0; f < 4; ++f) k->face[f / 2][f % 2] = ice_open_face(s, gas, c, cell, f / 2, f % 2);
+    for (int f = 0; f < 4; ++f) k->face[f / 2][f % 2] = ice_mean_face(s, gas, cell, f / 2, f % 2);
     *place = p->n++;
     return FLOE_OK;
 }
@@ -98,19 +105,39 @@ static bool find_refuge(const ice *s, int gas, const cut_line *c, const ice_memb
     return best > 0.0;
 }
 
+/* The lines of a step, those at the time of the pools first. */
+typedef struct step_lines {
+    const cut_line *at[ICE_SEAL_LINES];
+    int n;
+} step_lines;
+
+static step_lines lines_of(const ice *s, ice_pool_time when)
+{
+    step_lines l = {.n = 0};
+    l.at[l.n++] = when == POOLS_AFTER ? s->seal.next : s->seal.now;
+    for (int k = 0; k < s->seal.n_mean; ++k) l.at[l.n++] = &s->seal.mean[k];
+    if (when != POOLS_BEFORE) l.at[l.n++] = when == POOLS_AFTER ? s->seal.now : s->seal.next;
+    return l;
+}
+
+/* The cell whose state a member takes. A covered cell belongs to whom it flows to or from while it is open, now or at another time of the
+ * step. */
+static bool find_host(const ice *s, int gas, const step_lines *l, const ice_member *m, int cell[2])
+{
+    if (find_neighbour(s, gas, l->at[0], l->at[0], m, cell)) return true;
+    for (int k = 1; k < l->n && m->open == 0.0; ++k)
+        if (find_neighbour(s, gas, l->at[0], l->at[k], m, cell)) return true;
+    return m->open == 0.0 && find_refuge(s, gas, l->at[0], m, cell);
+}
+
 /* The member with which another shares its state; itself where it has its own. */
-static floe_status follow(ice *s, int gas, const cut_line *c, const cut_line *other, ice_pools *p, int k)
+static floe_status follow(ice *s, int gas, const step_lines *l, ice_pools *p, int k)
 {
     int cell[2];
     const ice_member *m = &p->member[k];
-    if (m->open >= small_cell) return FLOE_OK;
-    /* A covered cell belongs to whom it flows to or from while it is open, before the step or after it. */
-    const bool covered = m->open == 0.0, found = find_neighbour(s, gas, c, c, m, cell) ||
-                                                 (covered && other && find_neighbour(s, gas, c, other, m, cell)) ||
-                                                 (covered && find_refuge(s, gas, c, m, cell));
-    if (!found) return FLOE_OK;
-    TRY(add_member(s, gas, c, p, cell));
-    p->member[k].pool = s->work->sealing->place[cut_index(s->mesh, cell)];
+    if (m->open >= small_cell || !find_host(s, gas, l, m, cell)) return FLOE_OK;
+    TRY(add_member(s, gas, l->at[0], p, cell));
+    p->member[k].pool = p->place[cut_index(s->mesh, cell)];
     return FLOE_OK;
 }
 
@@ -130,16 +157,14 @@ static void number_pools(ice_pools *p)
     for (int k = 0; k < p->n; ++k) p->member[k].pool = (int)p->sum[-1 - p->member[k].pool];
 }
 
-floe_status ice_pools_make(ice *s, int gas, const cut_line *c, const cut_line *other, ice_pools *out)
+floe_status ice_pools_make(ice *s, int gas, ice_pool_time when, ice_pools *out)
 {
-    floe_status status = FLOE_OK;
+    const step_lines l = lines_of(s, when);
+    for (int k = 0; k < out->n; ++k) out->place[cut_index(s->mesh, out->member[k].cell)] = -1;
     out->n = 0;
-    for (int k = 0; k < c->n_cells && status == FLOE_OK; ++k) status = add_member(s, gas, c, out, c->cell[k].cell);
-    for (int k = 0; other && k < other->n_cells && status == FLOE_OK; ++k)
-        status = add_member(s, gas, c, out, other->cell[k].cell);
-    for (int k = 0; k < out->n && status == FLOE_OK; ++k) status = follow(s, gas, c, other, out, k);
-    for (int k = 0; k < out->n; ++k) s->work->sealing->place[cut_index(s->mesh, out->member[k].cell)] = -1;
-    TRY(status);
+    for (int c = 0; c < l.n; ++c)
+        for (int k = 0; k < l.at[c]->n_cells; ++k) TRY(add_member(s, gas, l.at[0], out, l.at[c]->cell[k].cell));
+    for (int k = 0; k < out->n; ++k) TRY(follow(s, gas, &l, out, k));
     number_pools(out);
     return FLOE_OK;
 }
@@ -162,39 +187,54 @@ static floe_status find_rest(ice *s, int gas, fluid_state *out)
     return fluid_state_of(s->ctx, &s->material[gas].eos, given->ambient_pressure, given->ambient_temperature, NAN, out);
 }
 
-/* Loads that act on whole cells of gas know nothing of membranes. */
+/* Heat goes to what cells have of one gas; other loads on gas know nothing of cut cells. */
 static floe_status check_loads(const ice *s)
 {
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
-        const bool whole = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
-        if (!whole && !(load->kind == LOAD_BODY_FORCE && load->body < 0)) continue;
+        const bool heat = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
+        const bool taken = heat ? s->n_materials == 1 : load->kind != LOAD_BODY_FORCE || load->body >= 0;
+        if (taken) continue;
         return fail(s->ctx, FLOE_BAD_INPUT,
-                    "load '%s' acts on gas that a membrane holds, which cells do not take; use mpm, or leave it out",
+                    "load '%s' acts on gas beside a membrane or a sharp interface, which cut cells do not take; use "
+                    "mpm, or leave it out",
                     load->name);
     }
     return FLOE_OK;
 }
 
-floe_status ice_seal_create(ice *s)
+static floe_status new_pools(const ice *s, ice_pools *p)
 {
     const size_t cells = mesh_cells(s->mesh);
+    TRY(memory_new(s->ctx, &p->place, cells, sizeof *p->place));
+    for (size_t k = 0; k < cells; ++k) p->place[k] = -1;
+    return FLOE_OK;
+}
+
+floe_status ice_seal_create(ice *s)
+{
     TRY(check_loads(s));
     if (s->scene->method.pressure != PRESSURE_EXPLICIT)
         return fail(s->ctx, FLOE_BAD_INPUT,
-                    "beside a membrane that holds gas the pressure is explicit: leave 'method.pressure' out");
+                    "beside a membrane that holds gas, or a sharp interface, the pressure is explicit: leave "
+                    "'method.pressure' out");
     if (s->conducts || s->scene->driving || s->scene->n_reactions > 0)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "gas that a membrane holds neither conducts heat nor reacts nor has sources");
+        return fail(
+            s->ctx, FLOE_BAD_INPUT,
+            "gas beside a membrane that holds it, or a sharp interface, neither conducts heat nor reacts nor has "
+            "sources");
     if (s->mesh->dim != 2 || s->n_materials > ICE_SEALED_GASES)
         return fail(s->ctx, FLOE_BAD_INPUT, "a membrane holds gas in two dimensions, between at most %d gases",
                     ICE_SEALED_GASES);
-    s->seal.held = ice_material_of(s, s->scene->body[scene_holder(s->scene)].membrane.holds);
+    const int holder = scene_holder(s->scene);
+    s->seal.held = holder < 0 ? 0 : ice_material_of(s, s->scene->body[holder].membrane.holds);
     TRY(memory_new(s->ctx, &s->work->sealing, 1, sizeof *s->work->sealing));
     struct ice_sealing *w = s->work->sealing;
-    TRY(memory_new(s->ctx, &w->place, cells, sizeof *w->place));
-    for (size_t k = 0; k < cells; ++k) w->place[k] = -1;
-    for (int g = 0; g < s->n_materials; ++g) TRY(find_rest(s, g, &w->rest[g]));
+    for (int g = 0; g < s->n_materials; ++g) {
+        TRY(new_pools(s, &w->now[g]));
+        TRY(new_pools(s, &w->next[g]));
+        TRY(find_rest(s, g, &w->rest[g]));
+    }
     return memory_new(s->ctx, &w->view, (size_t)s->mesh->n_blocks, sizeof *w->view);
 }
 
@@ -202,6 +242,7 @@ static void free_pools(context *ctx, ice_pools *p)
 {
     memory_free(ctx, &p->member);
     memory_free(ctx, &p->lead);
+    memory_free(ctx, &p->place);
     memory_free(ctx, &p->sum);
 }
 
@@ -212,7 +253,6 @@ void ice_seal_destroy(context *ctx, struct ice_sealing **w)
         free_pools(ctx, &(*w)->now[g]);
         free_pools(ctx, &(*w)->next[g]);
     }
-    memory_free(ctx, &(*w)->place);
     memory_free(ctx, &(*w)->view);
     memory_free(ctx, w);
 }

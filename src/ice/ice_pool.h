@@ -16,7 +16,7 @@ typedef struct ice_member {
     int block, pool;   /* pool: in the set */
     ptrdiff_t at;      /* index in the block */
     double open;       /* share left to the gas */
-    double face[2][2]; /* of its faces, by axis and side */
+    double face[2][2]; /* of its faces in the mean of the step, by axis and side */
 } ice_member;
 
 enum {
@@ -29,22 +29,24 @@ enum {
 };
 
 typedef struct ice_pools {
-    ice_member *member; /* owned; those of cut cells first, in the order of cut.cell */
+    ice_member *member; /* owned */
     int n, count;       /* members, pools */
     int *lead;          /* of each pool: its largest member; owned */
+    int *place;         /* of every global cell: its member, else -1; owned */
     double *sum;        /* POOL_SUMS of each pool; owned */
     size_t room;
 } ice_pools;
 
 struct ice_sealing {
     ice_pools now[ICE_SEALED_GASES], next[ICE_SEALED_GASES];
-    int *place;                         /* of every global cell: its member while pools are made, else -1; owned */
     fluid_state rest[ICE_SEALED_GASES]; /* what stands where a gas is far away */
     ice_view *view;                     /* of every block, of the gas in hand; owned */
 };
 
-/* Makes the pools of a gas from where the membrane is; cells of `other` (NULL: none) are members too, whatever is left of them. */
-floe_status ice_pools_make(ice *s, int gas, const cut_line *c, const cut_line *other, ice_pools *out);
+/* When pools are made: before the points have moved; with where they will be known; and there. */
+typedef enum ice_pool_time { POOLS_BEFORE, POOLS_MOVING, POOLS_AFTER } ice_pool_time;
+/* Makes the pools of a gas from where the membrane is. All cells that it cuts in the step are members, whatever is left of them. */
+floe_status ice_pools_make(ice *s, int gas, ice_pool_time when, ice_pools *out);
 /* First states of all gases in what the membrane leaves them. */
 floe_status ice_sealed_fill(ice *s);
 /* Views of the gas in hand, one a block. */
@@ -52,6 +54,8 @@ void ice_seal_views(const ice *s);
 /* Share of a cell, or of one of its faces, that a membrane leaves to a gas. */
 double ice_open_cell(const ice *s, int gas, const cut_line *c, const int cell[2]);
 double ice_open_face(const ice *s, int gas, const cut_line *c, const int cell[2], int axis, int side);
+/* Share of a face that is left to a gas in the mean of the step. */
+double ice_mean_face(const ice *s, int gas, const int cell[2], int axis, int side);
 /* Sets all sums to zero. */
 void ice_pools_clear(ice_pools *p);
 /* +1 where the gas in hand is the one that the membrane holds, -1 outside: which way the membrane's areas point from it. */

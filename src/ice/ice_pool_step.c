@@ -33,6 +33,36 @@ static ice_pools *pools_in_hand(const ice *s)
     return &s->work->sealing->now[s->gas];
 }
 
+/* All pieces of the lines whose mean the step takes, each with the member of its cell and the weight of its line. */
+typedef struct piece_walk {
+    const ice *s;
+    const ice_pools *p;
+    int line, n;
+    double weight;
+    const cut_piece *piece;
+    const ice_member *member;
+} piece_walk;
+
+static piece_walk first_piece(const ice *s, const ice_pools *p)
+{
+    return (piece_walk){.s = s, .p = p, .n = -1, .weight = 1.0 / s->seal.n_mean};
+}
+
+static bool next_piece(piece_walk *w)
+{
+    const ice_seal *seal = &w->s->seal;
+    w->n++;
+    while (w->line < seal->n_mean && w->n >= seal->mean[w->line].n_pieces) {
+        w->line++;
+        w->n = 0;
+    }
+    if (w->line == seal->n_mean) return false;
+    const cut_line *c = &seal->mean[w->line];
+    w->piece = &c->piece[w->n];
+    w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];
+    return true;
+}
+
 /* Component of a vector of the vertices in the middle of a piece. */
 static double at_middle(const cut_piece *q, const double *vertex, int a)
 {
@@ -76,10 +106,8 @@ static void add_fluxes(const ice *s, ice_pools *p)
                 out * m->face[axis][side] * area_of(s, m, axis, side) * v->flux[axis][face_of(v, m, axis, side)];
         }
     }
-    for (int n = 0; n < s->seal.now->n_pieces; ++n) {
-        const cut_piece *q = &s->seal.now->piece[n];
-        p->sum[(size_t)p->member[q->cell].pool * POOL_SUMS + POOL_FLUX] += along_area(s, q, s->seal.velocity);
-    }
+    for (piece_walk w = first_piece(s, p); next_piece(&w);)
+        p->sum[(size_t)w.member->pool * POOL_SUMS + POOL_FLUX] += w.weight * along_area(s, w.piece, s->seal.velocity);
 }
 
 void ice_pool_increment(const ice *s)
@@ -134,23 +162,22 @@ static void add_heat(const ice *s, ice_pools *p)
     }
 }
 
-/* Pressure (Pa) on the side of the membrane that has no gas. */
+/* Pressure (Pa) on the side of the membrane that has no gas; the stress of solids is against it. */
 static double pressure_beyond(const ice *s)
 {
     return s->n_materials == 1 ? s->scene->reference_pressure : 0.0;
 }
 
-/* What the reference pressure does to the membrane in the step, into the ledger. */
+/* What the reference pressure does to the membrane or the surfaces in the step, into the ledger. */
 static void note_surroundings(const ice *s)
 {
     const double beyond = pressure_beyond(s);
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
     double impulse[2] = {0.0, 0.0}, work = 0.0;
     if (beyond == 0.0) return;
-    for (int n = 0; n < s->seal.now->n_pieces; ++n) {
-        const cut_piece *q = &s->seal.now->piece[n];
-        for (int a = 0; a < 2; ++a) impulse[a] -= s->dt * beyond * q->area[a];
-        work -= beyond * along_area(s, q, s->seal.path);
+    for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
+        for (int a = 0; a < 2; ++a) impulse[a] -= w.weight * s->dt * beyond * w.piece->area[a];
+        work -= w.weight * beyond * along_area(s, w.piece, s->seal.path);
     }
     for (int a = radial; a < 2; ++a)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, impulse[a]);
@@ -165,15 +192,14 @@ static void add_sources(const ice *s, ice_pools *p)
         sum[POOL_MASS] += view_of(s, m)->m[0].rho[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
         add_faces(s, m, sum);
     }
-    for (int n = 0; n < s->seal.now->n_pieces; ++n) {
-        const cut_piece *q = &s->seal.now->piece[n];
-        const ice_member *m = &p->member[q->cell];
+    for (piece_walk w = first_piece(s, p); next_piece(&w);) {
+        const ice_member *m = w.member;
         double *sum = p->sum + (size_t)m->pool * POOL_SUMS, force[2];
-        force_on(s, m, q, force);
+        force_on(s, m, w.piece, force);
         for (int a = 0; a < 2; ++a) {
-            const double drag = force[a] - ice_outward(s) * view_of(s, m)->P[m->at] * q->area[a];
-            sum[POOL_MOMENTUM + a] -= s->dt * drag;
-            sum[POOL_WORK] -= force[a] * at_middle(q, s->seal.path, a);
+            const double drag = force[a] - ice_outward(s) * view_of(s, m)->P[m->at] * w.piece->area[a];
+            sum[POOL_MOMENTUM + a] -= w.weight * s->dt * drag;
+            sum[POOL_WORK] -= w.weight * force[a] * at_middle(w.piece, s->seal.path, a);
         }
     }
     add_heat(s, p);
@@ -266,18 +292,15 @@ static void push_vertices(const ice *s, const cut_piece *q, const double force[2
 
 floe_status ice_sealed_load(ice *s)
 {
-    const cut_line *c = s->seal.now;
     const double beyond = pressure_beyond(s);
-    for (int k = 0; k < 2 * c->n_vertices; ++k) s->seal.force[k] = 0.0;
+    for (int k = 0; k < 2 * s->seal.now->n_vertices; ++k) s->seal.force[k] = 0.0;
     for (s->gas = 0; s->gas < s->n_materials; ++s->gas) {
-        const ice_pools *p = pools_in_hand(s);
         ice_seal_views(s);
-        for (int n = 0; n < c->n_pieces; ++n) {
-            const cut_piece *q = &c->piece[n];
+        for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
             double force[2];
-            force_on(s, &p->member[q->cell], q, force);
-            for (int a = 0; a < 2; ++a) force[a] -= beyond * q->area[a];
-            push_vertices(s, q, force);
+            force_on(s, w.member, w.piece, force);
+            for (int a = 0; a < 2; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
+            push_vertices(s, w.piece, force);
         }
     }
     s->gas = -1;

@@ -86,7 +86,7 @@ static void lend_layers(const ice *s)
 
 static floe_status lend_states(ice *s)
 {
-    TRY(ice_pools_make(s, s->gas, s->seal.now, NULL, &s->work->sealing->now[s->gas]));
+    TRY(ice_pools_make(s, s->gas, POOLS_BEFORE, &s->work->sealing->now[s->gas]));
     ice_seal_views(s);
     mark_open(s);
     lend_layers(s);
@@ -124,7 +124,7 @@ floe_status ice_sealed_face_pressure(ice *s)
 double ice_side_open(const ice *s, const block *b, const int local[2], int axis, int side)
 {
     if (!s->sealed || s->gas < 0) return 1.0;
-    return ice_open_face(s, s->gas, s->seal.now, (const int[]){b->lo[0] + local[0], b->lo[1] + local[1]}, axis, side);
+    return ice_mean_face(s, s->gas, (const int[]){b->lo[0] + local[0], b->lo[1] + local[1]}, axis, side);
 }
 
 /* ---- after the points have moved ---- */
@@ -137,8 +137,7 @@ static double mean_open(const ice *s, const block *b, int axis, int i, int j)
         cell[axis]--;
         side = SIDE_UPPER;
     }
-    return 0.5 * (ice_open_face(s, s->gas, s->seal.now, cell, axis, side) +
-                  ice_open_face(s, s->gas, s->seal.next, cell, axis, side));
+    return ice_mean_face(s, s->gas, cell, axis, side);
 }
 
 /* From velocities of the gas to volume fluxes per area of the whole face. */
@@ -158,7 +157,7 @@ static floe_status narrow_faces(ice *s)
 /* Cells that the membrane uncovers in the step are among the pools by now: work is done on what flows into them. */
 static floe_status narrow_and_push(ice *s)
 {
-    TRY(ice_pools_make(s, s->gas, s->seal.now, s->seal.next, &s->work->sealing->now[s->gas]));
+    TRY(ice_pools_make(s, s->gas, POOLS_MOVING, &s->work->sealing->now[s->gas]));
     ice_seal_views(s);
     TRY(narrow_faces(s));
     return ice_sources(s);
@@ -250,7 +249,7 @@ static floe_status advect_gas(ice *s)
     ice_pools *p = &s->work->sealing->next[s->gas];
     TRY(ice_advect(s));
     ice_seal_views(s);
-    TRY(ice_pools_make(s, s->gas, s->seal.next, s->seal.now, p));
+    TRY(ice_pools_make(s, s->gas, POOLS_AFTER, p));
     ice_pools_clear(p);
     for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].pool * POOL_SUMS);
     empty_elsewhere(s);
@@ -306,7 +305,7 @@ static floe_status start_gas(ice *s)
 {
     ice_pools *p = &s->work->sealing->now[s->gas];
     ice_seal_views(s);
-    TRY(ice_pools_make(s, s->gas, s->seal.now, NULL, p));
+    TRY(ice_pools_make(s, s->gas, POOLS_BEFORE, p));
     ice_pools_clear(p);
     for (int k = 0; k < p->n; ++k) add_first_contents(s, &p->member[k], p->sum + (size_t)p->member[k].pool * POOL_SUMS);
     TRY(share_out(s, p, false));

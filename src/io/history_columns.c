@@ -216,6 +216,8 @@ static floe_status walk(const sim *s, const history_row *row, strbuf *out)
     add(&l, "strain", "J", row ? l.whole * row->totals->strain : 0.0);
     add(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
+    if (s->sealed && s->scene->method.interface == INTERFACE_SHARP)
+        add(&l, "gas_in_solids", "kg", row ? l.whole * ice_mass_beyond(s->ice, 0) : 0.0);
     if (s->scene->n_springs > 0) add(&l, "strain_springs", "J", row ? l.whole * row->totals->mpm.springs : 0.0);
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body(&l, b, row);
     add_ledger(&l);

@@ -107,7 +107,7 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->mesh = m;
     s->stages = stages;
     s->ledger = l;
-    s->seals = beside && scene_holder(sc) >= 0;
+    s->seals = beside && scene_is_cut(sc);
     s->coupled = beside && !s->seals;
     s->basis = basis_find(sc->method.basis);
     if (!s->basis) return fail(s->ctx, FLOE_BAD_INPUT, "there is no basis '%s'", sc->method.basis);
@@ -148,6 +148,7 @@ void mpm_destroy(mpm **s)
     if ((*s)->work) {
         free_lines(ctx, (*s)->work);
         free_push(ctx, &(*s)->work->push);
+        free_skins(ctx, &(*s)->work->skin);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);
         memory_free(ctx, &(*s)->work->cell_mass);

@@ -46,7 +46,7 @@ floe_status set_heating(mpm *s)
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
         s->work->heat[l] = 0.0;
-        if (s->coupled) continue;
+        if (s->coupled || s->seals) continue; /* the fluids are on the cells */
         if (load->kind == LOAD_HEAT && load_heats(load, &step)) s->work->heat[l] = load->target * s->dt;
         if (load->kind != LOAD_PRESSURISE) continue;
         bool active;

@@ -186,7 +186,7 @@ floe_status start_membranes(mpm *s)
         else
             turn_body(s, body, false, true);
     }
-    return s->seals ? start_push(s) : FLOE_OK;
+    return s->seals && scene_holder(s->scene) >= 0 ? start_push(s) : FLOE_OK;
 }
 
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi)

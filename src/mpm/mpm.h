@@ -50,7 +50,7 @@ typedef struct mpm {
     int n_groups;
     struct mpm_contact *contact; /* owned; NULL: no body has a velocity of its own */
     bool coupled;                /* cells hold the fluids: velocities at n, grid pressure on the points */
-    bool seals;                  /* a membrane holds gas of the cells: whole kicks, so that both get the same impulse */
+    bool seals; /* a membrane or surfaces cut the gas of the cells: whole kicks, so that both get the same impulse */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
     int n_history;                        /* the most numbers that a body's law remembers */
@@ -144,6 +144,8 @@ floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double 
 /* Places (m, three each) of the *n loaded surface points, *stride numbers apart: state that no field holds. NULL: there are none.
  * Valid until the next step. */
 double *mpm_surface(mpm *s, size_t *n, size_t *stride);
+/* The same of the markers on surfaces of solids that cut the cells: places and velocities (m, m/s), six numbers each. */
+double *mpm_skin(mpm *s, size_t *n, size_t *stride);
 
 /* Place (m) of the first or the last point of a membrane; NAN where it is lost. */
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3]);

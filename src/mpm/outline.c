@@ -19,13 +19,26 @@ static bool end_on_mirror(const membrane_line *line, bool last, cut_vertex *out)
     return true;
 }
 
-floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out)
+/* The markers, one vertex each. */
+static floe_status outline_skin(const body_skin *k, bool next, cut_line *out)
 {
+    TRY(cut_reserve(out, (int)k->n, k->n_chains));
+    memcpy(out->chain, k->chain, (size_t)k->n_chains * sizeof *k->chain);
+    for (int n = 0; n < (int)k->n; ++n) {
+        const double *x = (next ? k->next : k->now)[n].x;
+        out->vertex[n] = (cut_vertex){{x[0], x[1]}, n};
+    }
+    return FLOE_OK;
+}
+
+floe_status mpm_outline(mpm *s, bool next, cut_line *out)
+{
+    const int body = s->work->push.body;
+    if (s->work->skin.n > 0) return outline_skin(&s->work->skin, next, out);
     const membrane_line *line = &s->work->line[body];
     int n = 0;
     line_update(s, body, next);
-    TRY(cut_reserve(out, (int)line->n + 2));
-    out->closed = line->closed;
+    TRY(cut_reserve(out, (int)line->n + 2, 1));
     n += !line->closed && end_on_mirror(line, false, &out->vertex[n]);
     for (size_t k = 0; k < line->n; ++k, ++n) {
         const double *x = line->x + 3 * k;
@@ -36,11 +49,16 @@ floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out)
     }
     n += !line->closed && end_on_mirror(line, true, &out->vertex[n]);
     out->n_vertices = n;
+    out->chain[0] = (cut_chain){0, n, line->closed};
     return FLOE_OK;
 }
 
-void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity)
+void mpm_outline_velocity(const mpm *s, const cut_line *c, double *velocity)
 {
+    const body_skin *skin = &s->work->skin;
+    const int body = s->work->push.body;
+    for (size_t k = 0; k < skin->n; ++k) memcpy(velocity + 2 * k, skin->now[k].v, 2 * sizeof *velocity);
+    if (skin->n > 0) return;
     double *by_point = s->work->push.v;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int a = 0; a < 2; ++a) {
@@ -52,22 +70,25 @@ void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *vel
         memcpy(velocity + 2 * (ptrdiff_t)k, by_point + 2 * (ptrdiff_t)c->vertex[k].point, 2 * sizeof *velocity);
 }
 
-floe_status mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force)
+void mpm_outline_push(mpm *s, const cut_line *c, const double *force)
 {
     membrane_push *p = &s->work->push;
-    p->body = body;
+    const int body = p->body;
+    if (s->work->skin.n > 0) {
+        memcpy(s->work->skin.force, force, 2 * s->work->skin.n * sizeof *force);
+        return;
+    }
     memset(p->force, 0, 2 * p->n * sizeof *p->force);
     for (int k = 0; k < c->n_vertices; ++k)
         for (int a = 0; a < 2; ++a) p->force[2 * c->vertex[k].point + a] += force[2 * k + a];
     /* The table of places is the next step's by the time that the forces are scattered again. */
     memcpy(p->x, s->work->line[body].x, 3 * p->n * sizeof *p->x);
-    return FLOE_OK;
 }
 
 void scatter_push(mpm *s, int group)
 {
     const membrane_push *p = &s->work->push;
-    if (!s->seals || s->body[p->body].group != group) return;
+    if (p->n == 0 || s->body[p->body].group != group) return;
     for (size_t k = 0; k < p->n; ++k) {
         const double force[3] = {p->force[2 * k], p->force[2 * k + 1], 0.0};
         push_nodes(s, group, p->x + 3 * k, force);
@@ -92,6 +113,10 @@ void mpm_outline_path(const mpm *s, const cut_line *c, double *path)
     const membrane_push *p = &s->work->push;
     const int group = s->body[p->body].group;
     const double left = damping_left(s);
+    if (s->work->skin.n > 0) {
+        memcpy(path, s->work->skin.path, 2 * s->work->skin.n * sizeof *path);
+        return;
+    }
     for (int k = 0; k < c->n_vertices; ++k) {
         const double *x = p->x + 3 * (ptrdiff_t)c->vertex[k].point;
         const int b = place_block(s, x);

@@ -1,16 +1,18 @@
-/* A membrane that holds gas of the cells, as the line that cuts them: where it is, how it moves, and what the gas pushes on it. */
+/* What cuts the cells of gas, a membrane that holds gas or the surfaces of solids, as lines: where they are, how they move, and what the gas
+ * pushes on them. */
 #ifndef MPM_OUTLINE_H
 #define MPM_OUTLINE_H
 
 #include "coupling/cut.h"
 #include "mpm/mpm.h"
 
-/* Vertices of a membrane from its points, now or next; an end on a mirror goes on to it. FLOE_DIVERGED where a point is lost. */
-floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out);
-/* Velocities (m/s) of its vertices, two numbers each. */
-void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity);
+/* Vertices from the membrane's points or the surfaces' markers, now or next; an end of a membrane on a mirror goes on to it.
+ * FLOE_DIVERGED where a point is lost. */
+floe_status mpm_outline(mpm *s, bool next, cut_line *out);
+/* Velocities (m/s) of the vertices, two numbers each. */
+void mpm_outline_velocity(const mpm *s, const cut_line *c, double *velocity);
 /* Forces (N) on the vertices, two numbers each, for the step to come. They are kept until the next call. */
-floe_status mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force);
+void mpm_outline_push(mpm *s, const cut_line *c, const double *force);
 /* The way (m) over which these forces have worked in the step: that of the nodes, in the mean of its start and its end. */
 void mpm_outline_path(const mpm *s, const cut_line *c, double *path);
 

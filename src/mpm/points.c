@@ -240,7 +240,10 @@ floe_status mpm_nodes_to_points(mpm *s)
     const bool usl = s->scene->method.stress == STRESS_USL && !s->cell_density;
     if (usl) TRY(set_heating(s));
     TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl, .carry = carries_gradient(s)}));
-    for (int g = 0; g < s->n_groups; ++g) move_surfaces(s, g);
+    for (int g = 0; g < s->n_groups; ++g) {
+        move_surfaces(s, g);
+        move_skins(s, g);
+    }
     return FLOE_OK;
 }
 

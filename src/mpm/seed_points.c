@@ -122,6 +122,7 @@ floe_status mpm_seed(mpm *s)
     for (int body = 0; body < s->n_bodies; ++body) seed_list_free(s->ctx, &list[body]);
     TRY(status);
     TRY(seed_surfaces(s));
+    if (s->seals && scene_holder(s->scene) < 0) TRY(seed_skins(s));
     TRY(mpm_resort(s));
     TRY(start_membranes(s));
     TRY(start_supports(s));

@@ -240,6 +240,7 @@ floe_status mpm_commit(mpm *s)
     surface_point *swap = s->work->surface;
     s->work->surface = s->work->surface_next;
     s->work->surface_next = swap;
+    commit_skins(s);
     s->dt_previous = s->dt;
     s->time += s->dt;
     return FLOE_OK;

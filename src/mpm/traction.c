@@ -166,9 +166,9 @@ static double mass_at(const mpm *s, const block *b, const double *mass, const in
     return mass[mesh_index(b, at[0] - b->lo[0], at[1] - b->lo[1], at[2] - b->lo[2])];
 }
 
-static void weigh_nodes(const mpm *s, int group, const surface_point *p, place_stencil *st)
+static void weigh_nodes(const mpm *s, int group, const double x[3], place_stencil *st)
 {
-    const int blk = place_block(s, p->x);
+    const int blk = place_block(s, x);
     const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
     double heaviest = 0.0;
     for (int i = 0; i < st->n; ++i) {
@@ -191,28 +191,28 @@ static bool bear_load(place_stencil *st)
 }
 
 /* Place of a node from the surface point in cells: row of the moments, 1 first. */
-static void moment_row(const mpm *s, const surface_point *p, const int node[3], double row[4])
+static void moment_row(const mpm *s, const double x[3], const int node[3], double row[4])
 {
     row[0] = 1.0;
-    for (int a = 0; a < s->mesh->dim; ++a) row[1 + a] = (mesh_node(s->mesh, a, node[a]) - p->x[a]) / s->mesh->h[a];
+    for (int a = 0; a < s->mesh->dim; ++a) row[1 + a] = (mesh_node(s->mesh, a, node[a]) - x[a]) / s->mesh->h[a];
 }
 
 /* Weights times a linear factor, so that they sum to one and keep their centre at the surface point. False where the nodes
  * that are left cannot do it with shares within one. */
-static bool keep_moments(const mpm *s, const surface_point *p, place_stencil *st)
+static bool keep_moments(const mpm *s, const double x[3], place_stencil *st)
 {
     const int n = 1 + s->mesh->dim;
     double A[16] = {0.0}, c[4] = {1.0}, row[4], sum[4] = {0.0};
     place_stencil out = *st;
     for (int i = 0; i < st->n; ++i) {
-        moment_row(s, p, st->node[i], row);
+        moment_row(s, x, st->node[i], row);
         for (int a = 0; a < n; ++a)
             for (int b = 0; b < n; ++b) A[n * a + b] += st->w[i] * row[a] * row[b];
     }
     if (!small_solve_symmetric(n, A, c)) return false;
     for (int i = 0; i < st->n; ++i) {
         double factor = 0.0;
-        moment_row(s, p, st->node[i], row);
+        moment_row(s, x, st->node[i], row);
         for (int a = 0; a < n; ++a) factor += c[a] * row[a];
         out.w[i] *= factor;
         if (!(fabs(out.w[i]) <= 1.0)) return false;
@@ -235,11 +235,11 @@ static void keep_sum(place_stencil *st)
  * hardly: nothing balances such a force but the huge stress of the one point at the support's edge (75 times the stress there,
  * measured on an annulus with 3 x 3 points a cell). So a node takes of the load as its mass allows, and the others take the
  * rest so that force and moment stay. */
-static place_stencil surface_locate(const mpm *s, int group, const surface_point *p)
+static place_stencil surface_locate(const mpm *s, int group, const double x[3])
 {
-    place_stencil st = stencil_at(s, p->x);
-    weigh_nodes(s, group, p, &st);
-    if (bear_load(&st) && !keep_moments(s, p, &st)) keep_sum(&st);
+    place_stencil st = stencil_at(s, x);
+    weigh_nodes(s, group, x, &st);
+    if (bear_load(&st) && !keep_moments(s, x, &st)) keep_sum(&st);
     return st;
 }
 
@@ -255,14 +255,14 @@ static void add_force(void *user, ptrdiff_t at, double weight, double mass)
     for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
 }
 
-static void push_surface(mpm *s, int group, const surface_point *p, double pressure)
+void push_surface(const mpm *s, int group, const double x[3], const double force[3])
 {
-    const place_stencil st = surface_locate(s, group, p);
+    const place_stencil st = surface_locate(s, group, x);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         surface_force f = {.dim = s->mesh->dim};
         for (int a = 0; a < f.dim; ++a) {
             f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
-            f.value[a] = pressure * p->area[a];
+            f.value[a] = force[a];
         }
         visit_stencil(&s->mesh->block[b], &st, add_force, &f);
     }
@@ -271,7 +271,7 @@ static void push_surface(mpm *s, int group, const surface_point *p, double press
 void scatter_room(mpm *s, int room)
 {
     for (size_t k = 0; k < s->work->n_surface; ++k)
-        if (s->work->surface[k].room == room) push_surface(s, 0, &s->work->surface[k], 1.0);
+        if (s->work->surface[k].room == room) push_surface(s, 0, s->work->surface[k].x, s->work->surface[k].area);
 }
 
 /* One surface point after the other, so that every block adds up a node in the same order. */
@@ -283,26 +283,44 @@ void scatter_surfaces(mpm *s, int group)
         const scene_load *load = &s->scene->load[p->load];
         if (s->work->body_group[load->body] != group) continue;
         const double pressure = load->target * load_now(s, load);
-        push_surface(s, group, p, pressure);
+        const double force[3] = {pressure * p->area[0], pressure * p->area[1], pressure * p->area[2]};
+        push_surface(s, group, p->x, force);
         for (int a = 0; a < s->mesh->dim; ++a)
-            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE,
-                       pressure * p->area[a] * s->work->kick);
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, force[a] * s->work->kick);
     }
 }
 
-typedef struct surface_velocity {
+typedef struct motion_sum {
     const double *v[3], *acceleration[3];
-    double sum[3], kick;
+    surface_motion out;
+    double kick, left; /* of damping: share that it leaves */
     int dim;
-} surface_velocity;
+} motion_sum;
 
 /* A light node's acceleration is large and moves hardly any point, even at rest (numerics 4.4): a surface that followed it would
  * leave its body, so it takes that in proportion to the mass. */
-static void add_velocity(void *user, ptrdiff_t at, double weight, double mass)
+static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
 {
-    surface_velocity *v = user;
-    const double without = mass < steady_mass ? (1.0 - mass / steady_mass) * v->kick : 0.0;
-    for (int a = 0; a < v->dim; ++a) v->sum[a] += weight * (v->v[a][at] - without * v->acceleration[a][at]);
+    motion_sum *m = user;
+    const double without = mass < steady_mass ? (1.0 - mass / steady_mass) * m->kick : 0.0;
+    for (int a = 0; a < m->dim; ++a) {
+        const double v = m->v[a][at], change = m->acceleration[a][at];
+        m->out.velocity[a] += weight * (v - without * change);
+        m->out.working[a] += weight * 0.5 * ((1.0 + m->left) * v - m->left * m->kick * change);
+    }
+}
+
+surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
+{
+    const int b = place_block(s, x);
+    motion_sum m = {.dim = s->mesh->dim, .kick = s->work->kick, .left = damping_left(s)};
+    for (int a = 0; a < m.dim; ++a) {
+        m.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
+        m.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);
+    }
+    const place_stencil st = surface_locate(s, group, x);
+    visit_stencil(&s->mesh->block[b], &st, add_motion, &m);
+    return m.out;
 }
 
 void move_surfaces(mpm *s, int group)
@@ -311,20 +329,13 @@ void move_surfaces(mpm *s, int group)
         const surface_point *p = &s->work->surface[k];
         const scene_load *load = &s->scene->load[p->load];
         if (s->work->body_group[load->body] != group) continue;
-        const int b = place_block(s, p->x);
-        surface_velocity v = {.dim = s->mesh->dim, .kick = s->work->kick};
-        for (int a = 0; a < v.dim; ++a) {
-            v.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
-            v.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);
-        }
-        const place_stencil st = surface_locate(s, group, p);
-        visit_stencil(&s->mesh->block[b], &st, add_velocity, &v);
+        const surface_motion m = surface_motion_at(s, group, p->x);
         const double pressure = load->target * load_now(s, load);
         double power = 0.0;
         for (int a = 0; a < 3; ++a) {
-            s->work->surface_next[k].x[a] = p->x[a] + s->dt * v.sum[a];
+            s->work->surface_next[k].x[a] = p->x[a] + s->dt * m.velocity[a];
             s->work->surface_next[k].area[a] = p->area[a];
-            power += pressure * p->area[a] * v.sum[a];
+            power += pressure * p->area[a] * m.velocity[a];
         }
         s->work->surface_next[k].load = p->load;
         s->work->surface_next[k].room = p->room;
@@ -337,7 +348,7 @@ void carry_surfaces(mpm *s, node_displacement *way)
     for (size_t k = 0; k < s->work->n_surface; ++k) {
         const surface_point *p = &s->work->surface[k];
         const int group = p->load < 0 ? 0 : s->work->body_group[s->scene->load[p->load].body];
-        const place_stencil st = surface_locate(s, group, p);
+        const place_stencil st = surface_locate(s, group, p->x);
         surface_point *next = &s->work->surface_next[k];
         *next = *p;
         for (int i = 0; i < st.n; ++i)

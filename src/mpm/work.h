@@ -3,6 +3,7 @@
 #define MPM_WORK_H
 
 #include "base/compiler.h"
+#include "coupling/cut.h"
 #include "mpm/mpm.h"
 
 enum { MPM_MAX_COMPONENTS = 1 + 2 * MESH_MAX_DIM };
@@ -101,6 +102,23 @@ typedef struct membrane_push {
     double lost;   /* J: what points and nodes lost in the step, as heat; 0 where losses are none */
 } membrane_push;
 
+/* A marker on the surface of a solid. */
+typedef struct skin_marker {
+    double x[3], v[3]; /* m, m/s */
+} skin_marker;
+
+/* Markers on the surfaces of solids, where gas of the cells ends and pushes (skin.c). Owned arrays; n = 0: the interface is not sharp. */
+typedef struct body_skin {
+    size_t n;
+    skin_marker *now, *next;
+    int *group;    /* in which each moves */
+    int *pin;      /* axis of the side of the mesh that it stays on; -1: none */
+    double *force; /* N, two each: what the gas pushes in the step */
+    double *path;  /* m, two each: over which that works */
+    cut_chain *chain;
+    int n_chains;
+} body_skin;
+
 /* A node, by global index, that a support holds. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
@@ -126,6 +144,7 @@ struct mpm_work {
     solid_batch *batch; /* one per thread; owned */
     spring_state spring[SCENE_MAX_SPRINGS];
     membrane_push push;
+    body_skin skin;
     support_node *support; /* owned */
     size_t n_supports;
     membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */
@@ -239,6 +258,13 @@ floe_status start_push(mpm *s);
 void free_push(context *ctx, membrane_push *p);
 void scatter_push(mpm *s, int group);
 
+/* Surfaces of solids in gas (skin.c): markers laid on the shapes, the gas's push on the nodes of a group, where they go, and that for good. */
+floe_status seed_skins(mpm *s);
+void scatter_skins(mpm *s, int group);
+void move_skins(mpm *s, int group);
+void commit_skins(mpm *s);
+void free_skins(context *ctx, body_skin *k);
+
 /* Supports (support.c): the nodes that they hold, and their velocity. */
 floe_status start_supports(mpm *s);
 void impose_supports(mpm *s, int group, field_id velocity);
@@ -261,6 +287,14 @@ void move_surfaces(mpm *s, int group);
 /* Moves them by displacements of nodes, given by global index and component, instead of velocities. */
 typedef double node_displacement(const mpm *s, const int node[MESH_MAX_DIM], int component);
 void carry_surfaces(mpm *s, node_displacement *way);
+/* A force (N) on a body's surface, on nodes of its group that its points bear (traction.c). */
+void push_surface(const mpm *s, int group, const double x[3], const double force[3]);
+/* How a place of a surface moves in the step: with which velocity it goes on, and with which a force on it works on the nodes, in the mean
+ * of the step's start and end (m/s). */
+typedef struct surface_motion {
+    double velocity[3], working[3];
+} surface_motion;
+surface_motion surface_motion_at(const mpm *s, int group, const double x[3]);
 void set_body_forces(mpm *s);
 /* A load as statics has it: one without a ramp grows until the run ends. */
 scene_load load_as_solved(const mpm *s, const scene_load *load);

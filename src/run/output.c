@@ -37,15 +37,23 @@ static floe_status echo(run_output *o, const scene *s)
     return status;
 }
 
-/* The places of loaded surface points are state that no field holds. */
+static void add_extra(run_output *o, const checkpoint_extra *extra)
+{
+    if (extra->data) o->extra[o->checkpoint.n_extra++] = *extra;
+}
+
+/* The places of loaded surface points and of the markers on solids are state that no field holds. */
 static void name_extra(run_output *o, const sim *s)
 {
-    size_t n = 0, stride = 0;
-    double *place = s->mpm ? mpm_surface(s->mpm, &n, &stride) : NULL;
-    if (!place) return;
-    o->extra = (checkpoint_extra){.name = "surface_position", .data = place, .n = n, .components = 3, .stride = stride};
-    o->checkpoint.extra = &o->extra;
-    o->checkpoint.n_extra = 1;
+    checkpoint_extra loaded = {.name = "surface_position", .components = 3},
+                     skin = {.name = "skin_position_velocity", .components = 6};
+    if (!s->mpm) return;
+    loaded.data = mpm_surface(s->mpm, &loaded.n, &loaded.stride);
+    skin.data = mpm_skin(s->mpm, &skin.n, &skin.stride);
+    o->checkpoint.extra = o->extra;
+    o->checkpoint.n_extra = 0;
+    add_extra(o, &loaded);
+    add_extra(o, &skin);
 }
 
 static floe_status prepare(run_output *o, const sim *s, const char *dir)

@@ -46,6 +46,14 @@ int scene_holder(const scene *s)
     return -1;
 }
 
+bool scene_is_cut(const scene *s)
+{
+    if (s->method.interface == INTERFACE_SHARP)
+        for (int b = 0; b < s->n_bodies; ++b)
+            if (s->material[s->body[b].material].kind == MATERIAL_SOLID) return true;
+    return scene_holder(s) >= 0;
+}
+
 bool scene_in_contact(const scene *s, int body)
 {
     if (!s->contact.enabled) return false;

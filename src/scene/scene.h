@@ -192,6 +192,8 @@ typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC
 typedef enum point_losses { LOSSES_DRIFT, LOSSES_HEAT } point_losses;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
 typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AUTO } pressure_scheme;
+/* Where a solid feels the gas of the cells: over the cells that it shares with gas, or on its surface (theory, sharp interface). */
+typedef enum solid_interface { INTERFACE_SMEARED, INTERFACE_SHARP } solid_interface;
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
 
 typedef struct scene_method {
@@ -208,6 +210,7 @@ typedef struct scene_method {
     double exchange;           /* K, kg/(m3 s), between all pairs; 0 to 1e20 */
     double heat_exchange;      /* R, W/(m3 K) */
     double volume_relaxation;  /* beta of numerics 5.5 */
+    solid_interface interface; /* between solids on points and gas on cells */
     pressure_scheme pressure;  /* of ICE: numerics 2.3 or 3, or whichever costs less */
     double pressure_tolerance; /* of the implicit pressure: largest error of a cell's volume, as a fraction of it */
 } scene_method;
@@ -430,6 +433,8 @@ int scene_axis_settings(const scene_axis *axis);
 void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING]);
 /* The body whose membrane holds a gas of the cells, or -1. */
 int scene_holder(const scene *s);
+/* Whether lines cut the cells of gas in ice-mpm: a membrane that holds a gas, or surfaces of solids (interface sharp). */
+bool scene_is_cut(const scene *s);
 /* Whether a body takes part in the scene's contact. */
 bool scene_in_contact(const scene *s, int body);
 /* Sets what no result of a single run depends on to one value: title, threads, and what only batches read. For telling scenes apart

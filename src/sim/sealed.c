@@ -4,15 +4,9 @@
 #include "mpm/outline.h"
 
 /* Cells see the membrane, and no other body: another may stand in the vacuum beyond it, not in a gas. */
-static floe_status check_scene(const sim *s)
+static floe_status check_bodies(const sim *s)
 {
-    const bool vacuum = s->ice->n_materials == 1;
-    if (s->mesh.dim != 2 || s->mesh.periodic[0] || s->mesh.periodic[1])
-        return fail(
-            s->ctx, FLOE_BAD_INPUT,
-            "a membrane that holds gas needs a domain in two dimensions, plane or axisymmetric, without periodic "
-            "sides (use mpm for others)");
-    for (int b = 0; b < s->scene->n_bodies && !vacuum; ++b) {
+    for (int b = 0; b < s->scene->n_bodies; ++b) {
         const scene_material *m = &s->scene->material[s->scene->body[b].material];
         if (m->kind == MATERIAL_FLUID || b == scene_holder(s->scene)) continue;
         return fail(
@@ -24,14 +18,38 @@ static floe_status check_scene(const sim *s)
     return FLOE_OK;
 }
 
+/* Surfaces of solids leave their cells to one gas. */
+static floe_status check_sharp(const sim *s)
+{
+    if (scene_holder(s->scene) >= 0)
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "method.interface: sharp is for solids, and body '%s' is a membrane that holds a gas: leave it out",
+                    s->scene->body[scene_holder(s->scene)].name);
+    if (s->ice->n_materials == 1) return FLOE_OK;
+    return fail(s->ctx, FLOE_BAD_INPUT,
+                "method.interface: sharp takes one gas beside the solids, and the scene has %d: use smeared",
+                s->ice->n_materials);
+}
+
+static floe_status check_scene(const sim *s)
+{
+    const bool sharp = s->scene->method.interface == INTERFACE_SHARP;
+    if (s->mesh.dim != 2 || s->mesh.periodic[0] || s->mesh.periodic[1])
+        return fail(
+            s->ctx, FLOE_BAD_INPUT,
+            "%s needs a domain in two dimensions, plane or axisymmetric, without periodic sides (use %s for others)",
+            sharp ? "method.interface: sharp" : "a membrane that holds gas", sharp ? "smeared" : "mpm");
+    if (sharp) return check_sharp(s);
+    return s->ice->n_materials == 1 ? FLOE_OK : check_bodies(s);
+}
+
 floe_status sealed_create(sealed **out, sim *s)
 {
     TRY(check_scene(s));
     TRY(memory_new(s->ctx, out, 1, sizeof **out));
     sealed *t = *out;
     *t = (sealed){.ctx = s->ctx, .stages = &s->stages, .points = s->mpm, .gases = s->ice};
-    for (int b = 0; b < s->mpm->n_bodies; ++b)
-        if (s->mpm->body[b].scene_body == scene_holder(s->scene)) t->body = b;
+    for (int k = 0; k < ICE_SEAL_PLACES; ++k) TRY(cut_create(&t->mean[k], s->ctx, &s->mesh));
     TRY(cut_create(&t->now, s->ctx, &s->mesh));
     return cut_create(&t->next, s->ctx, &s->mesh);
 }
@@ -42,6 +60,7 @@ void sealed_destroy(sealed **t)
     context *ctx = (*t)->ctx;
     cut_destroy(&(*t)->now);
     cut_destroy(&(*t)->next);
+    for (int k = 0; k < ICE_SEAL_PLACES; ++k) cut_destroy(&(*t)->mean[k]);
     memory_free(ctx, &(*t)->velocity);
     memory_free(ctx, &(*t)->path);
     memory_free(ctx, &(*t)->force);
@@ -58,16 +77,20 @@ static floe_status make_room(sealed *t, int vertices)
     return FLOE_OK;
 }
 
-/* The membrane where it is: what it cuts, and how fast it moves. */
+/* The lines where they are: what they cut, and how fast they move. */
 static floe_status sealed_find_now(sealed *t)
 {
-    TRY(mpm_outline(t->points, t->body, false, &t->now));
+    TRY(mpm_outline(t->points, false, &t->now));
     TRY(cut_find(&t->now));
     TRY(make_room(t, t->now.n_vertices));
-    mpm_outline_velocity(t->points, t->body, &t->now, t->velocity);
+    mpm_outline_velocity(t->points, &t->now, t->velocity);
+    for (int k = 0; k < ICE_SEAL_PLACES; ++k)
+        TRY(cut_ahead(&t->now, t->velocity, (k + 0.5) / ICE_SEAL_PLACES * t->gases->dt, &t->mean[k]));
     t->gases->seal = (ice_seal){.held = t->gases->seal.held,
                                 .now = &t->now,
                                 .next = &t->next,
+                                .mean = t->mean,
+                                .n_mean = ICE_SEAL_PLACES,
                                 .velocity = t->velocity,
                                 .path = t->path,
                                 .force = t->force};
@@ -76,7 +99,8 @@ static floe_status sealed_find_now(sealed *t)
 
 static floe_status sealed_push_points(sealed *t)
 {
-    return mpm_outline_push(t->points, t->body, &t->now, t->force);
+    mpm_outline_push(t->points, &t->now, t->force);
+    return FLOE_OK;
 }
 
 /* Where the points have gone, and over which way the pressure has worked. */
@@ -84,7 +108,7 @@ static floe_status sealed_find_next(sealed *t)
 {
     mpm_outline_path(t->points, &t->now, t->path);
     t->gases->seal.heat = mpm_outline_lost(t->points);
-    TRY(mpm_outline(t->points, t->body, true, &t->next));
+    TRY(mpm_outline(t->points, true, &t->next));
     return cut_find(&t->next);
 }
 

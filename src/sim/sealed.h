@@ -1,18 +1,19 @@
-/* The step of gases that a membrane holds: the membrane cuts the cells, bears the gases' pressure, and moves. */
+/* The step of gases beside lines that cut the cells, a membrane that holds gas or the surfaces of solids: the lines bear the gases'
+ * pressure, and move. */
 #ifndef SIM_SEALED_H
 #define SIM_SEALED_H
 
 #include "coupling/cut.h"
 #include "sim/sim.h"
 
-/* What a step knows of the membrane. */
+/* What a step knows of the lines. */
 typedef struct sealed {
     context *ctx;       /* not owned */
     stage_list *stages; /* not owned */
     mpm *points;        /* not owned */
     ice *gases;         /* not owned */
-    int body;           /* of the points */
     cut_line now, next;
+    cut_line mean[ICE_SEAL_PLACES];  /* where they pass in the step, going on as they do now */
     double *velocity, *path, *force; /* of the vertices, two each; owned */
     int room;                        /* vertices that these hold */
 } sealed;

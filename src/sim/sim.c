@@ -63,9 +63,9 @@ static floe_status make_plan(sim *s)
 static floe_status make_solvers(sim *s, const bool points, const bool cells)
 {
     if (points) TRY(mpm_create(&s->mpm, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, cells));
-    const bool holds = points && cells && scene_holder(s->scene) >= 0;
-    if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points && !holds));
-    if (points && cells) TRY(holds ? sealed_create(&s->sealed, s) : transfer_create(&s->transfer, s));
+    const bool is_cut = points && cells && scene_is_cut(s->scene);
+    if (cells) TRY(ice_create(&s->ice, s->ctx, s->scene, &s->mesh, &s->stages, &s->ledger, points && !is_cut));
+    if (points && cells) TRY(is_cut ? sealed_create(&s->sealed, s) : transfer_create(&s->transfer, s));
     TRY(sim_choose_solver(s));
     TRY(make_plan(s));
     TRY(domain_create(&s->domain, s->ctx, &s->mesh));

@@ -167,7 +167,7 @@ static void test_refused(void **unused)
     static const char *const sets[][1] = {
         {"bodies.gas.shape={ball: {centre: [1, 1], radius: 0.2}}"},                          /* on the other side */
         {"bodies.skin.membrane.curve={arc: {centre: [0, 0], radius: 0.5, from: 0, to: 1}}"}, /* open */
-        {"loads={warm: {heat: {material: gas, power: 10}}}"}};
+        {"loads={fall: {gravity: {acceleration: [0, -10]}}}"}};
     for (int k = 0; k < 3; ++k) {
         trial t;
         deck_begin(&t, "membrane_circle", sets[k], 1);

@@ -1,0 +1,26 @@
+/* The outline of a shape in the plane as chains of points: where the gas beside a solid begins (docs/theory.md, sharp interface). */
+#ifndef GEOM_OUTLINE_H
+#define GEOM_OUTLINE_H
+
+#include "geom/seed.h"
+
+/* Points of one chain, the shape on the right of the way along them. */
+typedef struct outline_chain {
+    size_t first, n;
+    bool closed; /* else it begins and ends on sides of the mesh */
+} outline_chain;
+
+typedef struct outline {
+    double (*x)[2]; /* m; owned */
+    size_t n;
+    outline_chain *chain; /* owned */
+    size_t n_chains;
+} outline;
+
+/* Traces the part of a shape's surface inside the mesh. Cells are divided into `divide` x `divide` sub-boxes; there is a point wherever the
+ * surface meets a side of one, on the surface to round-off, and one at every corner whose two sides are straight. What of the surface lies on
+ * a side of the mesh is left out. FLOE_NO_MEMORY. */
+floe_status outline_trace(outline *out, context *ctx, const shape *s, const seed_spec *grid, int divide);
+void outline_free(context *ctx, outline *o);
+
+#endif

@@ -1,0 +1,129 @@
+/* Surfaces of solids beside gas of the cells (docs/theory.md, sharp interface): chains of markers without mass, laid on the shapes when the
+ * bodies are seeded and carried by the nodes. They are what cuts the cells, and take the gas's push to the nodes that the body's points bear
+ * (traction.c). */
+#include "base/memory.h"
+#include "geom/outline.h"
+#include "mpm/work.h"
+#include "scene/state.h"
+
+#include <string.h>
+
+enum { SKIN_DIVISIONS = 4 }; /* markers per cell edge, about */
+
+static floe_status make_room(mpm *s, size_t markers, size_t chains)
+{
+    body_skin *k = &s->work->skin;
+    TRY(memory_resize(s->ctx, &k->now, markers, sizeof *k->now));
+    TRY(memory_resize(s->ctx, &k->next, markers, sizeof *k->next));
+    TRY(memory_resize(s->ctx, &k->group, markers, sizeof *k->group));
+    TRY(memory_resize(s->ctx, &k->pin, markers, sizeof *k->pin));
+    TRY(memory_resize(s->ctx, &k->force, 2 * markers, sizeof *k->force));
+    TRY(memory_resize(s->ctx, &k->path, 2 * markers, sizeof *k->path));
+    return memory_resize(s->ctx, &k->chain, chains, sizeof *k->chain);
+}
+
+/* Axis of the side of the mesh on which a chain ends. */
+static int side_under(const mesh *m, const double x[2])
+{
+    for (int a = 0; a < 2; ++a)
+        if (x[a] == m->lower[a] || x[a] == m->upper[a]) return a;
+    return -1;
+}
+
+static floe_status set_marker(const mpm *s, const mpm_body *b, const double x[2], skin_marker *out)
+{
+    double v[3], stress[6];
+    *out = (skin_marker){.x = {x[0], x[1]}};
+    TRY(body_solid_state(s->scene, b->scene_body, out->x, v, stress));
+    memcpy(out->v, v, 2 * sizeof *v);
+    return FLOE_OK;
+}
+
+static floe_status add_outline(mpm *s, const mpm_body *b, const outline *o)
+{
+    body_skin *k = &s->work->skin;
+    const size_t first = k->n, chains = (size_t)k->n_chains;
+    if (o->n == 0) return FLOE_OK;
+    TRY(make_room(s, first + o->n, chains + o->n_chains));
+    for (size_t n = 0; n < o->n; ++n) {
+        TRY(set_marker(s, b, o->x[n], &k->now[first + n]));
+        k->group[first + n] = b->group;
+        k->pin[first + n] = -1;
+    }
+    for (size_t c = 0; c < o->n_chains; ++c) {
+        const outline_chain *from = &o->chain[c];
+        const size_t at = first + from->first, last = at + from->n - 1;
+        k->chain[k->n_chains++] = (cut_chain){(int)at, (int)from->n, from->closed};
+        if (from->closed) continue;
+        k->pin[at] = side_under(s->mesh, k->now[at].x);
+        k->pin[last] = side_under(s->mesh, k->now[last].x);
+    }
+    k->n += o->n;
+    return FLOE_OK;
+}
+
+floe_status seed_skins(mpm *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const scene_body *body = &s->scene->body[s->body[b].scene_body];
+        const seed_spec grid = body_seed_spec(s->scene, s->mesh, body);
+        outline o;
+        TRY(outline_trace(&o, s->ctx, &body->shape, &grid, SKIN_DIVISIONS));
+        const floe_status status = add_outline(s, &s->body[b], &o);
+        outline_free(s->ctx, &o);
+        TRY(status);
+    }
+    body_skin *k = &s->work->skin;
+    if (k->n == 0)
+        return fail(s->ctx, FLOE_BAD_INPUT, "no solid has a surface inside the domain: leave 'method.interface' out");
+    memcpy(k->next, k->now, k->n * sizeof *k->now);
+    return FLOE_OK;
+}
+
+void scatter_skins(mpm *s, int group)
+{
+    const body_skin *k = &s->work->skin;
+    for (size_t n = 0; n < k->n; ++n)
+        if (k->group[n] == group)
+            push_surface(s, group, k->now[n].x, (const double[3]){k->force[2 * n], k->force[2 * n + 1], 0.0});
+}
+
+void move_skins(mpm *s, int group)
+{
+    const body_skin *k = &s->work->skin;
+    for (size_t n = 0; n < k->n; ++n) {
+        if (k->group[n] != group) continue;
+        const surface_motion m = surface_motion_at(s, group, k->now[n].x);
+        for (int a = 0; a < 2; ++a) {
+            k->next[n].v[a] = k->pin[n] == a ? 0.0 : m.velocity[a];
+            k->next[n].x[a] = k->now[n].x[a] + s->dt * k->next[n].v[a];
+            k->path[2 * n + (size_t)a] = s->dt * m.working[a];
+        }
+    }
+}
+
+void commit_skins(mpm *s)
+{
+    body_skin *k = &s->work->skin;
+    skin_marker *swap = k->now;
+    k->now = k->next;
+    k->next = swap;
+}
+
+void free_skins(context *ctx, body_skin *k)
+{
+    memory_free(ctx, &k->now);
+    memory_free(ctx, &k->next);
+    memory_free(ctx, &k->group);
+    memory_free(ctx, &k->pin);
+    memory_free(ctx, &k->force);
+    memory_free(ctx, &k->path);
+    memory_free(ctx, &k->chain);
+}
+
+double *mpm_skin(mpm *s, size_t *n, size_t *stride)
+{
+    *n = s->work->skin.n;
+    *stride = sizeof(skin_marker) / sizeof(double);
+    return *n ? s->work->skin.now[0].x : NULL;
+}
