@@ -8,7 +8,8 @@
 extern const named_items items_materials, items_bodies, items_loads, items_probes;
 /* schema_membranes.c */
 extern const key_table membrane_table;
-extern const custom_key custom_places;
+/* places.c */
+extern const custom_key custom_places, custom_sheet_places;
 /* schema_springs.c */
 extern const named_items items_springs, items_supports;
 /* schema_exchange.c */

@@ -11,58 +11,6 @@ bool body_is_membrane(const scene *s, const void *body)
     return material >= 0 && s->material[material].membrane;
 }
 
-/* ---- a list of places ---- */
-
-static const key_spec place_key = {.key = "place", .type = KEY_NUMBER, .unit = "m"};
-
-static floe_status read_place(reader *r, deck_node *item, double place[3])
-{
-    const size_t dim = (size_t)r->scene->mesh.dim;
-    if (item->kind == NODE_SCALAR && dim == 1) return read_number(r, &place_key, item, &place[0]);
-    if (item->kind != NODE_LIST || item->n != dim)
-        return bad(r, item, "a list with a number for each axis", "this is no place of the scene");
-    size_t axis = 0;
-    for (deck_node *x = item->first; x; x = x->next) TRY(read_number(r, &place_key, x, &place[axis++]));
-    return FLOE_OK;
-}
-
-static floe_status read_places(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    curve_line *c = base;
-    if (!node) return FLOE_OK; /* required: an error has been entered */
-    if (node->kind != NODE_LIST || node->n == 0) {
-        char found[80];
-        node_describe(node, found, sizeof found);
-        return bad(r, node, custom_places.form, "'%s' is %s", key->key, found);
-    }
-    TRY(scene_allocate(r->scene, &c->vertex, 3 * node->n * sizeof *c->vertex));
-    for (deck_node *item = node->first; item; item = item->next)
-        TRY(read_place(r, item, c->vertex + 3 * (ptrdiff_t)c->n_vertices++));
-    return FLOE_OK;
-}
-
-static void write_places(writer *w, const key_spec *key, const void *base)
-{
-    const curve_line *c = base;
-    write_key_name(w, key->key);
-    for (int i = 0; i < c->n_vertices; i++) {
-        text_print(&w->out, "%s[", i == 0 ? " [" : ", ");
-        for (int axis = 0; axis < w->scene->mesh.dim; axis++) {
-            text_print(&w->out, "%s", axis == 0 ? "" : ", ");
-            write_number(&w->out, c->vertex[3 * i + axis]);
-        }
-        text_print(&w->out, "]");
-    }
-    text_print(&w->out, "]\n");
-}
-
-const custom_key custom_places = {
-    .read = read_places,
-    .write = write_places,
-    .form = "a list of places, [[x, y], [x, y], ...]",
-    .json = "{\"type\": \"array\", \"minItems\": 1}",
-};
-
 /* ---- curves ---- */
 
 static const key_spec segment_keys[] = {
@@ -161,12 +109,20 @@ static const key_spec plane_keys[] = {
 };
 static const key_table plane_table = TABLE(plane_keys);
 
+static const key_spec listed_keys[] = {
+    {"at", KEY_CUSTOM, .custom = &custom_sheet_places, .required = true, .doc = "every material point, in any order"},
+    {"area", KEY_NUMBER, "m2", PARAM_POSITIVE, AT(sheet_surface, area), .required = true,
+     .doc = "of the surface, which they share alike"},
+};
+static const key_table listed_table = TABLE(listed_keys);
+
 static const variant surface_list[] = {
     {"sphere", SHEET_SPHERE, &sphere_table, "a sphere; sides of the domain through its centre cut it"},
     {"cylinder", SHEET_CYLINDER, &cylinder_table,
      "the shell of a cylinder, without ends; sides of the domain through its axis cut it"},
     {"revolve", SHEET_REVOLVED, &revolved_table, "a curve turned about an axis; sides of the domain through it cut it"},
     {"plane", SHEET_PLANE, &plane_table, "a parallelogram"},
+    {"points", SHEET_POINTS, &listed_table, "the material points themselves"},
 };
 
 static void choose_surface(void *field, int value)
@@ -270,6 +226,9 @@ static floe_status check_surface(reader *r, deck_node *node, scene_body *b)
                        "the points of membrane '%s' lie on a surface, in no order", b->name);
     if (!isnan(m->length))
         return bad_key(r, node, NULL, "leave 'length' out", "membrane '%s' has its area by its surface", b->name);
+    if (m->surface.kind == SHEET_POINTS && m->number > 0)
+        return bad_key(r, node, NULL, "leave 'number' out", "membrane '%s' lists its points and gives their number",
+                       b->name);
     if (m->strain == STRAIN_BY_PLACES || m->holds >= 0)
         return bad_key(r, node, "strain: rate, and no 'holds'", NULL,
                        "the points of membrane '%s' lie on a surface, and have no neighbours along a line", b->name);

@@ -18,6 +18,7 @@ typedef struct curve_line {
     double centre[3], radius;    /* m, arc and circle */
     double angle_from, angle_to; /* rad, arc: anticlockwise from the first axis where angle_to is larger */
     double *vertex;              /* m, three each; polyline and points; not owned */
+    const char *file;            /* that they come from; NULL: from the deck. Not owned */
     int n_vertices;
     bool closed; /* polyline and points: the last is joined to the first */
 } curve_line;

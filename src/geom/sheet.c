@@ -186,6 +186,7 @@ static double plane_area(const sheet_surface *s)
 double sheet_area(const sheet_surface *s, const seed_spec *grid)
 {
     if (s->kind == SHEET_PLANE) return plane_area(s);
+    if (s->kind == SHEET_POINTS) return s->area;
     return sector_of(s, grid).width * area_after(s, grid, 2.0 * profile_length(s, grid));
 }
 
@@ -324,12 +325,30 @@ static floe_status fill_plane(seed_list *list, context *ctx, const sheet_surface
     return FLOE_OK;
 }
 
+/* ---- points as they are listed ---- */
+
+static floe_status fill_points(seed_list *list, context *ctx, const sheet_surface *s, double thickness,
+                               const seed_spec *grid)
+{
+    const long n = s->curve.n_vertices;
+    const double each = s->area / (double)n, side = sqrt(each);
+    TRY(layer_make_room(list, ctx, (size_t)n, 3));
+    for (long i = 0; i < n; i++) {
+        const double *x = s->curve.vertex + 3 * (ptrdiff_t)i;
+        if (i == 0) TRY(check_sides(ctx, grid, x, side, side));
+        TRY(layer_put_point(list, ctx, grid, (size_t)i, x));
+        list->volume[i] = each * thickness;
+    }
+    return FLOE_OK;
+}
+
 static floe_status fill(seed_list *list, context *ctx, const sheet_surface *s, const sheet_seeding *how,
                         const seed_spec *grid)
 {
     if (s->kind == SHEET_REVOLVED) TRY(check_profile(ctx, s, grid));
     if (!(sheet_area(s, grid) > 0.0)) return fail(ctx, FLOE_BAD_INPUT, "the surface has no area");
     if (s->kind == SHEET_PLANE) return fill_plane(list, ctx, s, how, grid);
+    if (s->kind == SHEET_POINTS) return fill_points(list, ctx, s, how->thickness, grid);
     const banding b = banding_of(s, how, grid);
     return fill_bands(list, ctx, &b, how->thickness);
 }

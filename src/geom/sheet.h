@@ -9,7 +9,8 @@ typedef enum sheet_kind {
     SHEET_SPHERE,
     SHEET_CYLINDER, /* its shell, without ends */
     SHEET_REVOLVED, /* a curve turned about an axis */
-    SHEET_PLANE     /* a parallelogram */
+    SHEET_PLANE,    /* a parallelogram */
+    SHEET_POINTS    /* the points themselves */
 } sheet_kind;
 
 /* What lies behind a side of the mesh that goes through the centre (sphere) or the axis (cylinder, revolved) is left out: there the
@@ -23,6 +24,7 @@ typedef struct sheet_surface {
     curve_line
         curve; /* revolved: only distance from the axis and place along it count; an arc lies in the plane of the first two
                          axes, so that it is turned about one of these */
+    double area;                           /* m2, points: those of `curve` share it alike */
     double corner[3], first[3], second[3]; /* m, plane: a corner, and the two sides that begin there */
 } sheet_surface;
 
@@ -37,7 +39,8 @@ typedef struct sheet_seeding {
 double sheet_area(const sheet_surface *s, const seed_spec *grid);
 
 /* Fills *out with the points of a surface, all of the same area, the sum of which is exact, with area times thickness as volume:
- * on surfaces of revolution in bands of nearly square pieces, the ends of the bands by area (compare Leopardi 2006); on a plane in rows.
+ * on surfaces of revolution in bands of nearly square pieces, the ends of the bands by area (compare Leopardi 2006); on a plane in rows; of
+ * a list as they stand.
  * Of the grid it takes the mesh, of three dimensions. FLOE_BAD_INPUT names a point outside the mesh, pieces larger than a cell (such
  * a membrane is torn), a curve that crosses its axis, and a surface without area. */
 floe_status seed_sheet(seed_list *out, context *ctx, const sheet_surface *s, const sheet_seeding *how,

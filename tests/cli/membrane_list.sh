@@ -23,7 +23,9 @@ runs=(--set runs_as=null --set time.max_steps=60 --set time.end=0.01 --set verif
 
 # In order and connected; in any order and free: the same strains, and what they store. By rate and by places.
 for strain in 'places' 'rate'; do
-    how=(--set bodies.skin.membrane.strain=$strain --set bodies.skin.membrane.smoothing=$([ $strain = places ] && echo 0.05 || echo 0) --set method.losses=drift)
+    smoothing=0.05
+    [ $strain = places ] || smoothing=0
+    how=(--set "bodies.skin.membrane.strain=$strain" --set "bodies.skin.membrane.smoothing=$smoothing" --set method.losses=drift)
     expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 1)" -o order --quiet
     expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.holds=null \
         --set bodies.skin.membrane.normals=quadric -o free --quiet
@@ -40,8 +42,8 @@ free=("$circle" "${runs[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set
 expect 0 "$FLOE" run "${free[@]}" -o whole --quiet
 OMP_NUM_THREADS=2 expect 0 "$FLOE" run "${free[@]}" --threads 2 -o threads --quiet
 cmp whole/history.csv threads/history.csv || fault 'other bits with two threads'
-expect 0 "$FLOE" run "${free[@]}" --set domain.upper=[1.6,1.6] -o wide --quiet
-expect 0 "$FLOE" run "${free[@]}" --set domain.upper=[1.6,1.6] --set domain.blocks=2 -o blocks --quiet
+expect 0 "$FLOE" run "${free[@]}" --set 'domain.upper=[1.6, 1.6]' -o wide --quiet
+expect 0 "$FLOE" run "${free[@]}" --set 'domain.upper=[1.6, 1.6]' --set domain.blocks=2 -o blocks --quiet
 cmp wide/history.csv blocks/history.csv || fault 'other bits in blocks'
 expect 5 "$FLOE" run "${free[@]}" -o part --max-wall 0.02
 below "$(json part/summary.json steps)" "$(json whole/summary.json steps)"
@@ -70,3 +72,37 @@ DECK
 expect 0 "$FLOE" check line.yaml
 expect 2 "$FLOE" check line.yaml --set bodies.skin.membrane.normals=isosurface
 has stderr 'a line of one dimension has none to find'
+
+# A surface by a list of its points, in a file beside the deck: those of the plane patch, in another order and with other columns about, bring the
+# figures of the patch; the resolved deck finds the file from elsewhere.
+mkdir deck
+cp "$FLOE_SOURCE/inputs/membrane_patch.yaml" deck/patch.yaml
+awk 'BEGIN { print "# a patch"; print "number, z, \"x (m)\", y (m)"; for (i = 0; i < 90; i++) { k = i * 7 % 90
+    printf "%d, 0.14, %.17g, %.17g\n\n", i, 0.1 + ((k % 15) + 0.5) / 15 * 0.5, 0 + (int(k / 15) + 0.5) / 6 * 0.2 } }' >deck/patch.csv
+listed=(deck/patch.yaml --set bodies.skin.membrane.surface='{points: {at: patch.csv, area: 0.1}}')
+expect 0 "$FLOE" run deck/patch.yaml -o plane --quiet
+expect 0 "$FLOE" run "${listed[@]}" -o listed --quiet
+for column in strain_skin kinetic; do close "$(of listed $column)" "$(of plane $column)" 1e-9; done
+close "$(json listed/summary.json l2rel_stress_xx)" "$(json plane/summary.json l2rel_stress_xx)" 1e-6
+below "$(json listed/summary.json linf_normal)" 1e-9
+(cd plane && expect 0 "$FLOE" run "$(ls ../listed/*.yaml)" -o again --quiet && same_results ../listed again)
+
+refused() {
+    expect 2 "$FLOE" check "${listed[@]}" "${@:2}"
+    has stderr "$1"
+}
+refused 'more than a cell of 0.01 m: the membrane would be torn' --set domain.cell=0.01
+refused 'lists its points and gives their number' --set bodies.skin.membrane.number=90
+refused "cannot open '$PWD/deck/other.csv'" --set bodies.skin.membrane.surface.points.at=other.csv
+sed 's/z/w/' deck/patch.csv >deck/other.csv
+refused "its first line names no column 'z'" --set bodies.skin.membrane.surface.points.at=other.csv
+sed '5s/0.14/here/' deck/patch.csv >deck/other.csv
+refused "line 5: 'here' is no number" --set bodies.skin.membrane.surface.points.at=other.csv
+sed '5s/,[^,]*$//' deck/patch.csv >deck/other.csv
+refused 'line 5 has too few columns' --set bodies.skin.membrane.surface.points.at=other.csv
+sed -n 1,2p deck/patch.csv >deck/other.csv
+refused 'it has no row below its head' --set bodies.skin.membrane.surface.points.at=other.csv
+: >deck/other.csv
+refused 'it is empty' --set bodies.skin.membrane.surface.points.at=other.csv
+printf 'x,y,z\n0.3,0.1,0.1%02000d\n' 0 >deck/other.csv
+refused 'line 2 has more than' --set bodies.skin.membrane.surface.points.at=other.csv

@@ -164,13 +164,45 @@ static void refusals(void **state)
     expect_bad(&across, 900, &grid, "its curve crosses the axis about which it is turned");
 }
 
+/* A list of the points of a sphere has their places and volumes; its area is given, and its points must not be torn from each other. */
+static void test_list(void **state)
+{
+    (void)state;
+    context *ctx = context_create();
+    const seed_spec grid = grid_of(0.0, 1.0, 0.1);
+    const sheet_surface sphere = {.kind = SHEET_SPHERE, .radius = 0.5, .axis = 2};
+    const sheet_seeding how = {.per_cell = 3, .thickness = 0.01};
+    seed_list own, again;
+    double place[3 * 1024];
+    check_ok(ctx, seed_sheet(&own, ctx, &sphere, &how, &grid));
+    assert_true(own.n > 100 && own.n <= 1024);
+    for (size_t i = 0; i < own.n; i++)
+        for (int a = 0; a < 3; a++) place[3 * i + (size_t)a] = own.x[a][i];
+    sheet_surface list = {
+        .kind = SHEET_POINTS, .curve = {.vertex = place, .n_vertices = (int)own.n}, .area = sheet_area(&sphere, &grid)};
+    check_ok(ctx, seed_sheet(&again, ctx, &list, &how, &grid));
+    assert_int_equal(again.n, own.n);
+    for (size_t i = 0; i < own.n; i++) {
+        for (int a = 0; a < 3; a++) check_close(again.x[a][i], own.x[a][i], 0.0);
+        check_close_relative(again.volume[i], own.volume[i], 1e-14);
+    }
+    seed_list_free(ctx, &again);
+    list.curve.n_vertices = 30;
+    assert_int_equal(seed_sheet(&again, ctx, &list, &how, &grid), FLOE_BAD_INPUT);
+    context_clear(ctx);
+    place[0] = 1.5;
+    list.curve.n_vertices = (int)own.n;
+    assert_int_equal(seed_sheet(&again, ctx, &list, &how, &grid), FLOE_BAD_INPUT);
+    context_clear(ctx);
+    seed_list_free(ctx, &own);
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spheres),
-        cmocka_unit_test(revolutions),
-        cmocka_unit_test(planes),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(test_list), cmocka_unit_test(spheres),  cmocka_unit_test(revolutions),
+        cmocka_unit_test(planes),    cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
