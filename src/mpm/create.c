@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "mpm/balance.h"
 #include "mpm/contact.h"
+#include "mpm/edge.h"
 #include "mpm/membrane_normal.h"
 #include "mpm/membrane_sheet.h"
 
@@ -75,6 +76,13 @@ static void resolve_body(mpm *s, int index)
     s->n_bodies++;
 }
 
+static bool has_solids(const mpm *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (!s->body[b].fluid && !s->body[b].membrane.model) return true;
+    return false;
+}
+
 static floe_status make_work(mpm *s)
 {
     TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
@@ -98,6 +106,7 @@ static floe_status make_work(mpm *s)
     TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
     if (s->membranes) TRY(memory_new(s->ctx, &w->line, SCENE_MAX_BODIES, sizeof *w->line));
     if (s->free_normals) TRY(memory_new(s->ctx, &w->normals, SCENE_MAX_BODIES, sizeof *w->normals));
+    if (s->scene->method.edge_penalty > 0.0 && has_solids(s)) TRY(edges_create(s));
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
@@ -149,6 +158,7 @@ void mpm_destroy(mpm **s)
         free_lines(ctx, (*s)->work);
         free_push(ctx, &(*s)->work->push);
         free_skins(ctx, &(*s)->work->skin);
+        edges_free(ctx, &(*s)->work->edges);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);
         memory_free(ctx, &(*s)->work->cell_mass);

@@ -12,6 +12,7 @@
  * the nodes' motion go to the nodes, and from each to the fluid points about it by their mass; what nodes without fluid hold
  * all fluid points get by their mass. Where a membrane holds gas of the cells there are no fluid points: the sum is the gas's. */
 #include "mpm/line.h"
+#include "mpm/spread.h"
 
 #include <math.h>
 #include <string.h>
@@ -104,43 +105,6 @@ static double loss_of(const mpm *s, const body_step *b, size_t k, size_t number,
     return b->now.mass[k] * loss + (b->line ? b->line->lost[number] : 0.0);
 }
 
-/* Weights of the nodes about point k, and the first of them, in the window of a tile. */
-typedef struct tile_weights {
-    double w[MESH_MAX_DIM][BASIS_MAX_SUPPORT];
-    int n[MESH_MAX_DIM], first;
-} tile_weights;
-
-static tile_weights weights_at(const mpm *s, const tile_box *t, const point_arrays *p, size_t k)
-{
-    tile_weights at = {.w = {{1.0}, {1.0}, {1.0}}, .n = {1, 1, 1}};
-    double slope[BASIS_MAX_SUPPORT];
-    int row = 1;
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        const double inv_h = 1.0 / s->mesh->h[a], x = (p->x[a][k] - s->mesh->lower[a]) * inv_h - t->first[a];
-        int cell = (int)x;
-        cell = cell < 0 ? 0 : cell >= t->cells[a] ? t->cells[a] - 1 : cell;
-        const double half = p->half[a] ? p->half[a][k] * inv_h : 0.5;
-        at.first += row * (cell + s->work->basis_1d(x - cell, half, inv_h, at.w[a], slope) + s->work->reach);
-        at.n[a] = s->basis->support;
-        row *= s->work->window[a];
-    }
-    return at;
-}
-
-/* Adds a point's loss and its mass to the window. */
-static void spread_point(const mpm *s, const tile_weights *at, double loss, double mass, double *window)
-{
-    const int *size = s->work->window;
-    for (int z = 0; z < at->n[2]; ++z)
-        for (int y = 0; y < at->n[1]; ++y)
-            for (int x = 0; x < at->n[0]; ++x) {
-                const double w = at->w[0][x] * at->w[1][y] * at->w[2][z];
-                double *node = window + 2 * (ptrdiff_t)(at->first + x + size[0] * (y + size[1] * z));
-                node[0] += w * loss;
-                node[1] += w * mass;
-            }
-}
-
 /* Fluid points take their own losses; those of others go into the window. */
 static void settle_body(const mpm *s, int blk, int body, const tile_box *t, const size_t range[2],
                         const double *squares, double *at_points, double *window)
@@ -157,7 +121,7 @@ static void settle_body(const mpm *s, int blk, int body, const tile_box *t, cons
                 continue;
             }
             const tile_weights at = weights_at(s, t, &b.now, i);
-            spread_point(s, &at, loss, b.now.mass[i], window);
+            spread_numbers(s, &at, (const double[]){loss, b.now.mass[i]}, 2, window);
         }
     }
 }
@@ -235,25 +199,6 @@ static void share_losses(const mpm *s, int blk, double all)
     }
 }
 
-/* Sums the tiles' private losses at the nodes. */
-static void gather_losses(mpm *s)
-{
-    domain_share_partials(s->domain);
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        const fields *f = s->domain->fields[b];
-        node_target to = {.array = {field_get(f, N_LOSS, 0, 0), field_get(f, N_DRY_MASS, 0, 0)},
-                          .components = 2,
-                          .reach = s->work->reach};
-        memcpy(to.window, s->work->window, sizeof to.window);
-        gather_nodes(s, b, &to);
-    }
-    domain_fold_periodic(s->domain, N_LOSS, 0);
-    domain_fold_periodic(s->domain, N_DRY_MASS, 0);
-    if (s->work->reach == 0) return;
-    fold_field(s, 0, N_LOSS);
-    fold_field(s, 0, N_DRY_MASS);
-}
-
 static bool is_zero(const double *window, int n)
 {
     for (int k = 0; k < n; ++k)
@@ -300,7 +245,7 @@ floe_status mpm_give_heat(mpm *s)
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int g = 0; g < s->n_groups; ++g) square_nodes(s, b, g);
     visit_tiles(s, settle_tile);
-    gather_losses(s);
+    gather_numbers(s, 0, (const field_id[]){N_LOSS, N_DRY_MASS}, 2);
     visit_tiles(s, close_tile);
     domain_sum_tiles(s->mesh, s->work->tile_sum, HEAT_SUMS, sum);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED]);

@@ -83,6 +83,7 @@ floe_status mpm_contact_reach(mpm *s);     /* and how far they come */
 floe_status mpm_node_velocity(mpm *s);     /* v_i, walls, contact */
 floe_status mpm_stress_first(mpm *s);      /* USF: stress from v_i^n */
 floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) grad S + external */
+floe_status mpm_edge_force(mpm *s);        /* f_i of the penalty on edges of solids (edge.h) */
 floe_status mpm_node_update(mpm *s);       /* v_i^L with damping and walls */
 floe_status mpm_contact_velocity(mpm *s);  /* v_i^L of bodies in contact */
 floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
@@ -146,6 +147,10 @@ floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double 
 double *mpm_surface(mpm *s, size_t *n, size_t *stride);
 /* The same of the markers on surfaces of solids that cut the cells: places and velocities (m, m/s), six numbers each. */
 double *mpm_skin(mpm *s, size_t *n, size_t *stride);
+
+/* What the lines at the edges of solids remember (edge.h): *n numbers, state that no field holds. NULL: there are none. Valid until the
+ * next step. */
+double *mpm_edges_state(mpm *s, size_t *n);
 
 /* Place (m) of the first or the last point of a membrane; NAN where it is lost. */
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3]);

@@ -38,6 +38,11 @@ static bool has_contact(const mpm *s)
     return s->contact != NULL;
 }
 
+static bool has_edges(const mpm *s)
+{
+    return s->work->edges != NULL;
+}
+
 static bool meets_at_points(const mpm *s)
 {
     return has_contact(s) && s->scene->contact.touch == CONTACT_AT_POINTS;
@@ -74,7 +79,7 @@ floe_status mpm_mass_stages(mpm *s)
 
 floe_status mpm_force_stages(mpm *s)
 {
-    const bool usf = is_usf(s), apart = s->coupled || usf;
+    const bool usf = is_usf(s), apart = s->coupled || usf, gimp = s->basis->kind == BASIS_GIMP;
     STAGE(s, usf, mpm_node_velocity,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
                 WHEN(meets_at_points(s), N_REACH)),
@@ -83,6 +88,8 @@ floe_status mpm_force_stages(mpm *s)
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(POINT_STATE));
     STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
+    STAGE(s, has_edges(s), mpm_edge_force, READS(WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, WHEN(gimp, P_HALF), N_FORCE),
+          WRITES(N_FILL, N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
     return FLOE_OK;
 }

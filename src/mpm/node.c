@@ -1,6 +1,6 @@
 /* What happens at the nodes between the two passes over the points. */
 #include "mpm/contact.h"
-#include "mpm/work.h"
+#include "mpm/edge.h"
 
 #include <math.h>
 
@@ -173,6 +173,8 @@ floe_status mpm_node_acceleration(mpm *s)
         impose_walls(s, g, N_VEL_L); /* again: the exchange with the cells may have moved them */
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
         still_walls(s, g);
+        if (s->work->edges) TRY(edges_accelerate(s, g));
+        if (s->work->edges && s->scene->method.stress == STRESS_USL) edges_strain(s, g, N_VEL_L);
         enter_mirrors(s, g);
         extend_to_ghosts(s, g, N_VEL_L);
         extend_to_ghosts(s, g, N_ACCEL);

@@ -1,4 +1,5 @@
 /* The stages that pass over the points, tile by tile. */
+#include "mpm/edge.h"
 #include "mpm/locate.h"
 #include "mpm/work.h"
 
@@ -258,6 +259,7 @@ floe_status mpm_remap_stress(mpm *s)
     TRY(set_heating(s));
     for (int g = 0; g < s->n_groups; ++g) TRY(scatter_group(s, g, SCATTER_MOMENTUM, false, true));
     TRY(mpm_node_velocity(s));
+    for (int g = 0; s->work->edges && g < s->n_groups; ++g) edges_strain(s, g, N_VEL);
     return pass_points(s, (tile_pass){.velocity = N_VEL, .stress = true});
 }
 

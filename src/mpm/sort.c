@@ -1,6 +1,6 @@
 /* The order of points: by tile, then cell, then id, whatever their history; and what becomes of points that leave. */
 #include "base/memory.h"
-#include "mpm/work.h"
+#include "mpm/edge.h"
 
 #include <math.h>
 #include <string.h>
@@ -241,6 +241,7 @@ floe_status mpm_commit(mpm *s)
     s->work->surface = s->work->surface_next;
     s->work->surface_next = swap;
     commit_skins(s);
+    edges_commit(s);
     s->dt_previous = s->dt;
     s->time += s->dt;
     return FLOE_OK;

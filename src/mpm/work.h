@@ -80,6 +80,7 @@ typedef struct surface_point {
 
 typedef struct membrane_line membrane_line;
 typedef struct membrane_normals membrane_normals;
+typedef struct mpm_edges mpm_edges;
 
 /* Where a point was last found: a hint. */
 typedef struct spring_end {
@@ -149,6 +150,7 @@ struct mpm_work {
     size_t n_supports;
     membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */
     membrane_normals *normals; /* one a body (membrane_normal.h); owned, NULL where all membranes are connected */
+    mpm_edges *edges;          /* edge.h; owned, NULL where the deck asks for none */
     int threads;
 };
 

@@ -19,7 +19,7 @@ typedef struct run_output {
     history *history;           /* owned */
     snapshot_series *snapshots; /* owned */
     checkpoint_run checkpoint;
-    checkpoint_extra extra[2]; /* the loaded surface points; the markers on surfaces of solids */
+    checkpoint_extra extra[3]; /* the loaded surface points; the markers on surfaces of solids; the edges of solids */
 } run_output;
 
 /* Takes over DIR for a run that is at its start. Earlier outputs go, once the folder is known to take new ones. */

@@ -58,6 +58,13 @@ if stages solid | grep -q membranes; then fault 'a solid turns membranes'; fi
 same_as_planned solid
 lacks solid N_COLOUR N_NORMAL N_REACH N_TOUCH
 if stages solid | grep -q contact; then fault 'a solid alone has a contact'; fi
+lacks solid N_FILL
+if stages solid | grep -q edge; then fault 'a solid pays for edges that are not held'; fi
+
+deck held mpm "materials: {rubber: $rubber}
+method: {edge_penalty: 0.05}" "bodies: {block: {material: rubber, shape: $left}}"
+holds held N_FILL
+same_as_planned held
 
 deck touching mpm "materials: {rubber: $rubber}
 contact: {kind: friction, friction: 0.2}" \

@@ -7,6 +7,7 @@ static const deck_variant variants[] = {
     {"points", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.4"}},
     {"surface loads, static", "annulus_traction", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "time.solver=static"}},
+    {"edges", "annulus_traction", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "method.edge_penalty=0.05"}},
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
     {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.1", "method.pressure=implicit"}},
     {"reaction", "closed_vessel_burn", COUPLING_ICE, 1, 1, {"time.fixed_step=null"}},

@@ -37,7 +37,7 @@ typedef struct variant {
     stress_scheme stress;
     int blocks[2];
     int threads;
-    bool periodic, axisymmetric, plastic, contact;
+    bool periodic, axisymmetric, plastic, contact, edges;
     point_density density;
 } variant;
 
@@ -55,6 +55,7 @@ static shot run(const variant *v)
     }
     set_method(&t, v->basis, v->stress, 0.98);
     t.scene->damping.rate = 0.2;
+    if (v->edges) t.scene->method.edge_penalty = 0.05;
     const int soft = add_solid(&t, v->plastic ? "j2" : "linear_elastic", 5.0, 2.0, 1.0);
     if (v->plastic) {
         scene_material *m = &t.scene->material[soft];
@@ -150,6 +151,14 @@ static void test_contact(void **state)
     check_variants((variant){.basis = "quadratic", .stress = STRESS_MUSL, .contact = true, .periodic = true});
 }
 
+static void test_edges(void **state)
+{
+    (void)state;
+    check_variants((variant){.basis = "quadratic", .edges = true, .periodic = true});
+    check_variants((variant){.basis = "cubic", .edges = true, .axisymmetric = true});
+    check_variants((variant){.basis = "linear", .stress = STRESS_MUSL, .edges = true, .contact = true});
+}
+
 static void test_cell_density(void **state)
 {
     (void)state;
@@ -165,6 +174,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_blocks),  cmocka_unit_test(test_periodic), cmocka_unit_test(test_axisymmetric),
         cmocka_unit_test(test_plastic), cmocka_unit_test(test_contact),  cmocka_unit_test(test_cell_density),
+        cmocka_unit_test(test_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

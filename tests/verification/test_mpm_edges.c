@@ -1,0 +1,262 @@
+/* Edges of solids held by the penalty (mpm/edge.h): what it must leave alone, what it must keep, and what it is for: the thick cylinder of
+ * Guilkey et al. (2003), section 3, under a traction on its bore, whose error lies in nodes that points fill in part. */
+#include "coupled_fixture.h"
+
+#include "io/checkpoint.h"
+#include "io/io.h"
+
+#include <unistd.h>
+
+static const double pi = 3.14159265358979323846, penalty = 0.05;
+
+static double largest_difference(const trial *t)
+{
+    size_t n = 0;
+    const double *difference = mpm_edges_state(t->sim->mpm, &n);
+    double largest = 0.0;
+    assert_true(n > 0);
+    for (size_t k = 0; k < n; ++k) largest = fmax(largest, fabs(difference[k]));
+    return largest;
+}
+
+typedef struct sums {
+    double momentum[2], spin, largest_stress, largest_error;
+    double flight[2];
+} sums;
+
+static void add_point(void *user, const fields *f, int body, size_t k)
+{
+    sums *s = user;
+    const double m = field_get(f, P_MASS, body, 0)[k];
+    double x[2], v[2];
+    for (int a = 0; a < 2; ++a) {
+        x[a] = field_get(f, P_POS, body, a)[k];
+        v[a] = field_get(f, P_VEL, body, a)[k];
+        s->momentum[a] += m * v[a];
+        s->largest_error = fmax(s->largest_error, fabs(v[a] - s->flight[a]));
+    }
+    s->spin += m * (x[0] * v[1] - x[1] * v[0]);
+    for (int c = 0; c < 4; ++c) s->largest_stress = fmax(s->largest_stress, fabs(field_get(f, P_STRESS, body, c)[k]));
+}
+
+static sums sum_points(const trial *t, const double flight[2])
+{
+    sums s = {.spin = 0.0, .flight = {flight[0], flight[1]}};
+    for (int body = 0; body < t->scene->n_bodies; ++body) visit_points(t, body, add_point, &s);
+    return s;
+}
+
+static void begin_disc(trial *t, const char *basis, const char *transfer)
+{
+    const double size[3] = {3.0, 2.0, 0.0};
+    trial_begin(t, 2, size, 0.1);
+    set_method(t, basis, STRESS_USL, 1.0);
+    snprintf(t->scene->method.transfer, sizeof t->scene->method.transfer, "%s", transfer);
+    t->scene->method.edge_penalty = penalty;
+    add_body(t, add_solid(t, "linear_elastic", 5.0, 2.0, 1.0), make_ball(t, (const double[]){0.6, 0.6, 0.0}, 0.4), 2)
+        ->seeding = SEED_FITTED;
+}
+
+/* A disc that flies across many cells is left alone by it, with every basis. */
+static void test_flight(void **unused)
+{
+    (void)unused;
+    const double v[2] = {0.8, 0.31};
+    for (size_t i = 0; i < basis_registry_size; ++i) {
+        trial t;
+        begin_disc(&t, basis_registry[i]->name, "flip");
+        memcpy(t.scene->body[0].velocity, v, sizeof v);
+        trial_start(&t);
+        trial_run(&t, 1.5);
+        const sums after = sum_points(&t, v);
+        check_true(after.largest_error <= 1e-11);
+        check_true(after.largest_stress <= 1e-10);
+        check_true(largest_difference(&t) <= 1e-12);
+        trial_end(&t);
+    }
+}
+
+static double spin_of_disc(void *user, initial_quantity quantity, int component, const double x[3])
+{
+    (void)user;
+    if (quantity == INITIAL_STRESS) return 0.0;
+    return component == 0 ? 0.6 - x[1] : component == 1 ? x[0] - 0.6 : 0.0;
+}
+
+/* Motion that is linear in space has no differences: a disc that begins to turn, by a transfer that knows linear motion. */
+static void test_linear(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < basis_registry_size; ++i) {
+        trial t;
+        begin_disc(&t, basis_registry[i]->name, "tpic");
+        t.scene->body[0].initial_from_exact = true;
+        t.scene->initial = spin_of_disc;
+        trial_start(&t);
+        trial_steps(&t, 1);
+        check_true(largest_difference(&t) <= 1e-13);
+        trial_end(&t);
+    }
+}
+
+static double kinetic(const trial *t)
+{
+    sim_totals totals;
+    check_ok(t->ctx, sim_sum(t->sim, &totals));
+    return totals.kinetic;
+}
+
+/* Two discs meet and part: momentum to round-off, and no more energy than they came with. */
+static void test_collision(void **unused)
+{
+    (void)unused;
+    for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme) {
+        trial t;
+        const double size[3] = {2.0, 2.0, 0.0}, none[2] = {0.0, 0.0};
+        trial_begin(&t, 2, size, 0.1);
+        set_method(&t, "quadratic", (stress_scheme)scheme, 1.0);
+        t.scene->method.edge_penalty = penalty;
+        const int solid = add_solid(&t, "neo_hookean", 5.0, 2.0, 1.0),
+                  other = add_solid(&t, "linear_elastic", 8.0, 3.0, 1.0);
+        scene_body *a = add_body(&t, solid, make_ball(&t, (const double[]){0.6, 0.65, 0.0}, 0.3), 3);
+        scene_body *b = add_body(&t, other, make_ball(&t, (const double[]){1.4, 1.25, 0.0}, 0.3), 3);
+        a->velocity[0] = a->velocity[1] = 0.15;
+        b->velocity[0] = b->velocity[1] = -0.15;
+        trial_start(&t);
+        trial_run(&t, 2.0);
+        check_true(largest_difference(&t) > 1e-6); /* it was at work */
+        const sums after = sum_points(&t, none);
+        for (int k = 0; k < 2; ++k) check_close(after.momentum[k], 0.0, 1e-9); /* nodes all but empty take no force */
+        check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) <= 1e-13);
+        print_message("kinetic %.5g\n", kinetic(&t));
+        check_true(kinetic(&t) <= 0.5 * 0.045 * 2.0 * pi * 0.09 * 1.0);
+        print_message("scheme %d: energy ledger %.2e\n", scheme, ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY));
+        trial_end(&t);
+    }
+}
+
+/* ---- the cylinder ---- */
+
+typedef struct stress_list {
+    double *value;
+    size_t n;
+} stress_list;
+
+static void add_stress(void *user, const fields *f, int body, size_t k)
+{
+    stress_list *s = user;
+    s->value[s->n++] = field_get(f, P_STRESS, body, 0)[k] + field_get(f, P_STRESS, body, 1)[k];
+}
+
+static void settle(trial *t)
+{
+    sim_totals totals;
+    double next = 1e-4;
+    while (!t->sim->at_rest && t->sim->time < 10e-3) {
+        check_ok(t->ctx, sim_step(t->sim, INFINITY));
+        if (t->sim->time < next) continue;
+        next += 1e-4;
+        check_ok(t->ctx, sim_account(t->sim));
+        check_ok(t->ctx, sim_sum(t->sim, &totals));
+        check_ok(t->ctx, sim_check_rest(t->sim, &totals));
+    }
+    assert_true(t->sim->at_rest);
+}
+
+static double cylinder_error(const char *cell, const char *stress)
+{
+    const char *const set[] = {cell, stress, "method.edge_penalty=0.05"};
+    trial t;
+    deck_begin(&t, "annulus_traction", set, 3);
+    use_threads(1);
+    trial_start(&t);
+    settle(&t);
+    stress_list s = {.value = calloc(mpm_count(t.sim->mpm), sizeof(double))};
+    visit_points(&t, 0, add_stress, &s);
+    const double error = 100.0 * guilkey_eq13(s.n, s.value, 19.4e6, 0.5, 1.0);
+    free(s.value);
+    print_message("%s, %s: %.3f %%, momentum ledger %.1e\n", cell, stress, error,
+                  ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y));
+    check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) <= 1e-10);
+    trial_end(&t);
+    return error;
+}
+
+/* A static solution of the same discretisation, solved directly, has 2.33 and 0.40 %; without the penalty 3.9 and 2.9 %. Points are where the
+ * load has put them here. */
+static void test_cylinder(void **unused)
+{
+    (void)unused;
+    check_close(cylinder_error("domain.cell=0.1", "method.stress=usl"), 2.33, 0.3);
+    check_close(cylinder_error("domain.cell=0.05", "method.stress=usl"), 0.40, 0.05);
+    check_close(cylinder_error("domain.cell=0.1", "method.stress=musl"), 2.33, 0.3);
+    check_close(cylinder_error("domain.cell=0.1", "method.stress=usf"), 2.33, 0.3);
+}
+
+/* ---- resuming ---- */
+
+static checkpoint_run checkpoint_of(trial *t, checkpoint_extra extra[2])
+{
+    size_t n, stride;
+    double *place = mpm_surface(t->sim->mpm, &n, &stride);
+    extra[0] = (checkpoint_extra){.name = "surface", .data = place, .n = n, .components = 3, .stride = stride};
+    double *edges = mpm_edges_state(t->sim->mpm, &n);
+    extra[1] = (checkpoint_extra){.name = "edges", .data = edges, .n = n, .components = 1, .stride = 1};
+    return (checkpoint_run){.deck = "floe: 1\n", .identity = "floe: 1\n", .extra = extra, .n_extra = 2};
+}
+
+static void begin_resumed(trial *t, int blocks, int threads)
+{
+    const char *const set[] = {"domain.cell=0.1", "method.edge_penalty=0.05"};
+    deck_begin(t, "annulus_traction", set, 2);
+    for (int a = 0; a < 2; ++a) t->scene->mesh.blocks[a] = blocks;
+    use_threads(threads);
+    trial_start(t);
+}
+
+static state finish(trial *t)
+{
+    check_ok(t->ctx, sim_account(t->sim));
+    state s = state_of(t->sim);
+    state_add_ledger(&s, t->sim);
+    trial_end(t);
+    return s;
+}
+
+/* The same bits whether run through, or resumed with other blocks and threads. */
+static void test_resume(void **unused)
+{
+    (void)unused;
+    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
+    checkpoint_extra extra[2];
+    assert_non_null(mkdtemp(folder));
+    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    trial t;
+    begin_resumed(&t, 1, 1);
+    check_ok(t.ctx, io_init(t.ctx));
+    trial_steps(&t, 60);
+    assert_true(largest_difference(&t) > 0.0);
+    checkpoint_run info = checkpoint_of(&t, extra);
+    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+    trial_steps(&t, 40);
+    state expected = finish(&t);
+    begin_resumed(&t, 2, 2);
+    info = checkpoint_of(&t, extra);
+    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+    trial_steps(&t, 40);
+    state found = finish(&t);
+    same_state(&expected, &found);
+    state_free(&expected);
+    state_free(&found);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_flight),   cmocka_unit_test(test_linear), cmocka_unit_test(test_collision),
+        cmocka_unit_test(test_cylinder), cmocka_unit_test(test_resume),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
