@@ -2,6 +2,7 @@
 # shellcheck disable=SC2016 # Markdown has backquotes
 # results.sh [NAME...]: runs the studies and writes docs/results from what came out: a page, its data and its plots for each of
 #   a1            the pressurised cylinder of Guilkey et al. 2003, both couplings, floe's settings and the paper's
+#   edges         edges of solids held by a penalty: stress beside surfaces that cut the mesh; other walls
 #   sod           Sod's shock tube by cells and by points
 #   shocks        Riemann problems, interfaces and blasts against exact solutions
 #   waves         orders on smooth flow and on a vibrating bar
@@ -40,7 +41,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 studies couplings sod shocks waves transport conservation exchange implicit stability contact normals axis membrane-3d membrane-rest sealed ball-net airbag speed picture gallery)
+all=(a1 edges studies couplings sod shocks waves transport conservation exchange implicit stability contact normals axis membrane-3d membrane-rest sealed ball-net airbag speed picture gallery)
 
 write_index() {
     local page=$results/README.md file

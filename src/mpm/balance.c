@@ -64,7 +64,7 @@ static floe_status make_solver(mpm *s)
     w->components = (size_t)dim * w->grid.size;
     choose_gradients(s, w);
     TRY(find_tiles(s));
-    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim, s->basis->support - 1));
+    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim, balance_width(s)));
     TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim, MOST_KRYLOV));
     TRY(rooms_find(s));
     double **array[] = {&w->pushed, &w->u,    &w->change, &w->outer, &w->inner_first,
@@ -139,6 +139,7 @@ static floe_status evaluate(mpm *s, const double *u)
     struct mpm_balance *w = s->balance;
     TRY(balance_strain(s, u));
     balance_pull(s, w->inner);
+    balance_pull_edges(s, u, w->inner);
     TRY(rooms_push(s, u, w->pushed));
     for (size_t k = 0; k < w->components; ++k) w->left[k] = w->held[k] ? 0.0 : w->outer[k] + w->pushed[k] + w->inner[k];
     return FLOE_OK;
@@ -153,6 +154,7 @@ static floe_status renew_matrix(mpm *s)
     TRY(balance_tangents(s, w->u));
     if (first) TRY(node_matrix_shape(m, w->reached));
     balance_assemble(s);
+    balance_assemble_edges(s, m);
     if (first) node_matrix_apply(m, w->target, w->trial);
     for (size_t k = 0; k < w->components && first; ++k)
         if (!w->held[k]) w->left[k] -= w->trial[k];
@@ -265,6 +267,7 @@ static void enter_work(mpm *s)
     double work = 0.0;
     for (size_t k = 0; k < w->components; ++k) work -= 0.5 * (w->inner_first[k] + w->inner[k]) * w->u[k];
     work -= rooms_enter(s);
+    balance_enter_edges(s);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
     ledger_tally(s->ledger, COUNT_BALANCE_ITERATIONS, w->newton);
     ledger_tally(s->ledger, COUNT_BALANCE_KRYLOV, w->krylov_iterations);
@@ -280,6 +283,7 @@ floe_status mpm_balance_solve(mpm *s)
 {
     struct mpm_balance *w = s->balance;
     TRY(balance_locate(s));
+    TRY(balance_find_edges(s));
     balance_hold(s);
     balance_reach(s);
     balance_weigh(s, w->outer);

@@ -95,6 +95,14 @@ double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c);
 /* Next places, no velocity. FLOE_RETRY where one has gone farther than a cell. */
 floe_status balance_move(mpm *s);
 
+/* Edges held by a penalty (balance_edges.c), nothing without: how far the matrix reaches; the lines of an increment; their forces at u, added to
+ * `inner`, and what they remember then; their entries of the matrix; what they store, into the ledger. */
+int balance_width(const mpm *s);
+floe_status balance_find_edges(mpm *s);
+void balance_pull_edges(mpm *s, const double *u, double *inner);
+void balance_assemble_edges(mpm *s, node_matrix *m);
+void balance_enter_edges(mpm *s);
+
 /* Assembles the matrix of the tangents (balance_matrix.c). */
 void balance_assemble(mpm *s);
 

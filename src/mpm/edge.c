@@ -51,15 +51,10 @@ static double node_value(const mpm *s, int group, const edge_node *n, field_id i
     return field_get(s->domain->fields[blk], id, group, c)[at];
 }
 
-static const double *weights_of(const edge_line *l, int c)
-{
-    return l->weight[c == l->axis ? 1 : 0];
-}
-
 /* D u of a line, from one component at the nodes of the list. */
 static double difference_of(const edge_line *l, int c, const double *u)
 {
-    const double *w = weights_of(l, c);
+    const double *w = edge_weights(l, c);
     double sum = 0.0;
     for (int t = 0; t < EDGE_TAPS; ++t) sum += w[t] * u[l->node[t]];
     return sum;
@@ -68,7 +63,7 @@ static double difference_of(const edge_line *l, int c, const double *u)
 /* out += factor D^T. */
 static void add_transposed(const edge_line *l, int c, double factor, double *out)
 {
-    const double *w = weights_of(l, c);
+    const double *w = edge_weights(l, c);
     for (int t = 0; t < EDGE_TAPS; ++t) out[l->node[t]] += factor * w[t];
 }
 
@@ -77,7 +72,7 @@ static double unbalanced(const edge_group *g, const edge_line *l, int c, bool fr
 {
     double sum = 0.0;
     for (int t = 0; t < EDGE_TAPS; ++t)
-        if (!free_only || ((g->node[l->node[t]].held >> c) & 1u) == 0) sum += weights_of(l, c)[t];
+        if (!free_only || ((g->node[l->node[t]].held >> c) & 1u) == 0) sum += edge_weights(l, c)[t];
     return sum;
 }
 
@@ -274,7 +269,7 @@ void edges_strain(mpm *s, int group, field_id velocity)
             const size_t slot = l->slot + (size_t)c;
             double rate = 0.0;
             for (int t = 0; t < EDGE_TAPS; ++t)
-                rate += weights_of(l, c)[t] * node_value(s, group, &g->node[l->node[t]], velocity, c);
+                rate += edge_weights(l, c)[t] * node_value(s, group, &g->node[l->node[t]], velocity, c);
             e->next[slot] = e->difference[slot] + dt * rate;
         }
 }

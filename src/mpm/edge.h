@@ -69,6 +69,12 @@ floe_status edges_create(mpm *s);
 void edges_free(context *ctx, mpm_edges **e);
 /* Finds the lines of a group (edge_lines.c). */
 floe_status edges_find(mpm *s, int group);
+/* The weights of a line's taps for a component. */
+static inline const double *edge_weights(const edge_line *l, int c)
+{
+    return l->weight[c == l->axis ? 1 : 0];
+}
+
 /* Nodes of a line: the order of the basis and two more. */
 int edge_taps(const mpm *s);
 /* Accelerations and v^L of a group with the inertia of its lines. After walls. */

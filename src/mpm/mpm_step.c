@@ -135,7 +135,7 @@ static floe_status balance_stages(mpm *s)
           WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_balance_solve, READS(N_FORCE, P_MASS, P_VOLUME0, P_POS, WHEN(gimp, P_HALF), POINT_STATE),
-          WRITES(P_POS, P_VEL, POINT_STATE));
+          WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }
 
