@@ -11,6 +11,7 @@
 #   exchange      momentum, heat and mass between materials, slip
 #   implicit      the implicit pressure beside the explicit step, at acoustic CFL of 10, 100, 1000
 #   stability     the largest stable steps of a line of points, and other limits
+#   robustness    kills, faults, bad input, sanitizers, coverage: the totals of scripts/nightly.sh
 #   contact       two bars that collide, with and without a contact; normals
 #   normals       normals to unconnected points, and membranes with them
 #   couplings     one deck, each coupling: error against run time, and which wins where
@@ -41,7 +42,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves transport conservation exchange implicit stability contact normals axis membrane-3d membrane-rest sealed ball-net airbag speed picture gallery)
+all=(a1 edges studies couplings sod shocks waves transport conservation exchange implicit stability robustness contact normals axis membrane-3d membrane-rest sealed ball-net airbag speed picture gallery)
 
 write_index() {
     local page=$results/README.md file

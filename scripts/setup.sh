@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Installs what floe needs on Debian 12 (scripts/packages.txt). With nothing missing it only looks; elsewhere, or without
-# the right to install, it says what is missing and fails.
+# setup.sh [nightly]: installs what floe needs on Debian 12 (scripts/packages.txt; with `nightly` also scripts/packages-nightly.txt).
+# With nothing missing it only looks; elsewhere, or without the right to install, it says what is missing and fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-packages=$(sed -e 's/#.*//' scripts/packages.txt | awk 'NF { print $1 }')
+lists=(scripts/packages.txt)
+[ "${1:-}" = nightly ] && lists+=(scripts/packages-nightly.txt)
+packages=$(cat "${lists[@]}" | sed -e 's/#.*//' | awk 'NF { print $1 }')
 
 # The packages of the list that dpkg does not have installed.
 missing_packages() {

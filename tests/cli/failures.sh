@@ -13,6 +13,46 @@ if [ "$(id -u)" -ne 0 ]; then
     expect 4 "$FLOE" run "${tiny[@]}" -o closed/out
 fi
 
+# Folders that no one may write to, root included, and files that are no files.
+expect 4 "$FLOE" run "${tiny[@]}" -o /proc/floe
+has stderr "'/proc/floe'"
+expect 4 "$FLOE" run "${tiny[@]}" -o /dev/null
+has stderr "'/dev/null'"
+expect 4 "$FLOE" run /nowhere/deck.yaml -o out
+has stderr '/nowhere/deck.yaml'
+expect 4 "$FLOE" check .
+mkdir -p blocked/checkpoint.h5
+expect 4 "$FLOE" run "${tiny[@]}" -o blocked --quiet
+has stderr 'checkpoint.h5'
+expect 4 "$FLOE" run "${tiny[@]}" -o blocked --resume
+has stderr 'folder'
+
+# As someone else, if this is root and the program can be run by others: folders and files closed to them.
+stranger() {
+    setpriv --reuid 65534 --regid 65534 --clear-groups "$@"
+}
+if [ "$(id -u)" -eq 0 ] && chmod 711 . && stranger "$FLOE" --version >/dev/null 2>&1 && stranger test -r "$cylinder"; then
+    mkdir closed && chmod 755 closed
+    expect 4 stranger "$FLOE" run "${tiny[@]}" -o closed/out
+    has stderr 'no permission'
+    expect 4 stranger "$FLOE" run "${tiny[@]}" -o closed
+    has stderr 'no permission'
+    cp "$cylinder" secret.yaml && chmod 600 secret.yaml
+    expect 4 stranger "$FLOE" check secret.yaml
+    has stderr 'ermission'
+fi
+
+# The folder goes while the run writes into it: status 4, and nothing is made anew.
+"$FLOE" run "$cylinder" --coupling mpm --set domain.cell=0.025 --set output.checkpoint_interval=0.01 -o vanishing --quiet 2>stderr &
+pid=$!
+for ((k = 0; k < 500; k++)); do [ -e vanishing/checkpoint.h5 ] && break || sleep 0.02; done
+rm -rf vanishing 2>/dev/null || rm -rf vanishing || true
+got=0
+wait "$pid" || got=$?
+[ "$got" -eq 4 ] || fault "status $got instead of 4 as the folder vanished"
+has stderr 'vanishing'
+[ ! -e vanishing/checkpoint.h5 ] || fault 'a checkpoint stands in a folder that was removed'
+
 # No file may grow beyond 64 KB, as if the disk were full: what was there stays.
 expect 0 "$FLOE" run "${tiny[@]}" -o out --quiet --set time.max_steps=5
 cp -r out before

@@ -1,0 +1,57 @@
+# robustness: kills, faults, bad input, sanitizers, coverage. Sourced by scripts/results.sh.
+# shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
+
+# total PART: what scripts/nightly.sh PART has said, as a block.
+total() {
+    if [ -s "out/nightly/$1.txt" ]; then
+        sed 's/^/    /' "out/nightly/$1.txt" >>"$page"
+    else
+        write "    not run: scripts/nightly.sh $1"
+    fi
+    write ''
+}
+
+# counted PART PATTERN: the sum of the first numbers of the lines with the pattern.
+counted() {
+    grep -E "$2" "out/nightly/$1.txt" 2>/dev/null | grep -oE "[0-9]+ $2" | awk '{ n += $1 } END { print n + 0 }'
+}
+
+result_robustness() {
+    begin robustness 'What cannot be: kills, faults, bad input'
+    local part
+    for part in killed faults; do
+        [ -s "out/nightly/$part.txt" ] || scripts/nightly.sh "$part" >"$runs/$part.log" 2>&1 || true
+    done
+    bar 'kills by SIGKILL of five scenes, all resumed to the bits of the undisturbed run' "$(sed -n 's/^kills: \([0-9]*\) .*/\1/p' out/nightly/killed.txt)" '>=' 250 %d
+    bar 'kills while a checkpoint was being written' "$(sed -n 's/.* \([0-9]*\) while a checkpoint.*/\1/p' out/nightly/killed.txt)" '>=' 50 %d
+    bar 'decks spoiled in one key that were not refused at their place' "$(counted faults 'not refused')" '<=' 0 %d
+    bar 'allocations of whole runs that were made to fail' "$(counted faults 'faults up to')" '>=' 1000 %d
+    bar 'writes, syncs and renames of whole runs that were made to fail' "$(counted faults 'faults of calls')" '>=' 300 %d
+    bar 'stages after which a step was rejected' "$(counted faults 'stages')" '>=' 200 %d
+    write 'Totals of `scripts/nightly.sh`; the quick tests take a sample of each. What a part finds makes it fail.' '' '## Bars' ''
+    show_bars
+    write '' '## Kills' '' 'Five scenes (points; points in gas on cells; a membrane that holds gas; a reaction with the implicit pressure; bodies in contact), killed at random' \
+        'moments, every second time while a checkpoint was half written, and resumed from what was left (`tests/cli/killed.sh`). Every byte of the header of' \
+        'a checkpoint and a thousand bytes of its body are changed one at a time in `tests/unit/test_io_checkpoint.c`: each is refused, in words.' ''
+    total killed
+    write '## Faults' '' 'Whole runs in which one allocation and all after it fail; in which one write, sync or rename fails, for good (the disk is full) or once; what is left' \
+        'is whole, and a run goes on from it to the bits of an undisturbed one (`tests/fault/test_run_faults.c`). Steps rejected after each of their stages' \
+        '(`tests/fault/test_sim_reject.c`). Decks in which one key is wrong, made from the tables of the schema (`tests/unit/test_deck_keys.c`).' ''
+    total faults
+    write '## Fuzzing' '' 'libFuzzer with the address and undefined-behaviour sanitizers and with checks between stages: any bytes as a deck and `--set`; changes of the' \
+        'arrays, numbers and texts of a checkpoint past its seal, after which a step is made if it is taken. What is written of a deck that loads must' \
+        'load again to the same text.' ''
+    total fuzz
+    write '## Sanitizers and valgrind' '' 'Address and undefined behaviour:' ''
+    total sanitize
+    write 'Threads, two of them, with what OpenMP orders known by libarcher:' ''
+    total thread
+    write 'Valgrind, invalid reads and writes, use of what is not set, definite leaks:' ''
+    total valgrind
+    write '## Lines that tests run' '' 'Of the `.c` files of each room, by the tests named:' ''
+    total coverage
+    write '## How' '' '    scripts/nightly.sh [killed|faults|fuzz|sanitize|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
+        '`FLOE_SECONDS` sets how long each fuzzer runs, `FLOE_TESTS` which tests the sanitizers see.' '' 'Made with' ''
+    "$floe" --version | sed 's/^/    /' >>"$page"
+    write "    $(machine)"
+}
