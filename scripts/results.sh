@@ -18,6 +18,7 @@
 #   membrane-rest membranes that gas blows up, against their exact rest; an hour, unless its finest run is there
 #   sealed        membranes that hold gas of the cells: at rest, in a stream, a piston, the circle and the dog-bone
 #   axis          about an axis: solids in gas against Lamé, membranes that hold gas, blasts
+#   interface     solids in gas by the smeared and by the sharp interface
 #   membrane-3d   membranes as surfaces in space
 #   ball-net      a ball thrown at a net
 #   airbag        York's airbag hit by two cylinders
@@ -42,7 +43,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves transport conservation exchange implicit stability robustness contact normals axis membrane-3d membrane-rest sealed ball-net airbag speed picture gallery)
+all=(a1 edges studies couplings sod shocks waves transport conservation exchange implicit stability robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed picture gallery)
 
 write_index() {
     local page=$results/README.md file

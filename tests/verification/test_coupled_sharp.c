@@ -135,6 +135,41 @@ static void test_ring(void **unused)
     trial_end(&t);
 }
 
+typedef struct mean_sum {
+    double found, expected;
+} mean_sum;
+
+/* By Lamé the sum of the stresses is the same everywhere in a sphere: 3 p r_i^3 / (r_o^3 - r_i^3). */
+static void add_sum(void *user, const fields *f, int body, size_t k)
+{
+    const double r = hypot(field_get(f, P_POS, body, 0)[k], field_get(f, P_POS, body, 1)[k]), cube = 0.125;
+    mean_sum *s = user;
+    const double trace =
+        field_get(f, P_STRESS, body, 0)[k] + field_get(f, P_STRESS, body, 1)[k] + field_get(f, P_STRESS, body, 2)[k];
+    if (r < 0.6 || r > 0.9) return;
+    s->found += trace;
+    s->expected += 3.0 * 19.4e6 * cube / (1.0 - cube);
+}
+
+/* About the axis: the mean stress within the wall of a pressurised sphere. Measured with cells of 0.1: 0.34 %. */
+static void test_sphere(void **unused)
+{
+    (void)unused;
+    const char *set[] = {"domain.cell=0.1", "method={basis: quadratic, interface: sharp}"};
+    trial t;
+    mean_sum s = {0.0, 0.0};
+    begin(&t, "pressurized_sphere", set, 2);
+    trial_run(&t, 0.7e-3); /* outward: the scale of the drifts */
+    check_ok(t.ctx, sim_account(t.sim));
+    trial_run(&t, 4e-3);
+    visit_points(&t, 0, add_sum, &s);
+    print_message("sphere: mean stress off by %.2g\n", s.found / s.expected - 1.0);
+    check_close_relative(s.found, s.expected, 0.01);
+    check_true(ledger_worst(&t, LEDGER_MOMENTUM_Y, LEDGER_MOMENTUM_Y) < 1e-12);
+    check_close(ice_mass_beyond(t.sim->ice, 0), 0.0, 0.0);
+    trial_end(&t);
+}
+
 /* ---- the same bits ---- */
 
 static checkpoint_run with_markers(const trial *t, checkpoint_extra *extra)
@@ -217,8 +252,9 @@ static void test_refused(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stream), cmocka_unit_test(test_walls), cmocka_unit_test(test_shock),
-        cmocka_unit_test(test_ring),   cmocka_unit_test(test_bits),  cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_stream),  cmocka_unit_test(test_walls),  cmocka_unit_test(test_shock),
+        cmocka_unit_test(test_ring),    cmocka_unit_test(test_sphere), cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
