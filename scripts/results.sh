@@ -9,6 +9,7 @@
 #   transport     viscosity, conduction, walls and open sides of the cells; the lid-driven cavity
 #   conservation  what must stay as it is: free stream, closed box, column at rest
 #   exchange      momentum, heat and mass between materials, slip
+#   statics       loads that are solved for instead of stepped to; implicit steps of points
 #   implicit      the implicit pressure beside the explicit step, at acoustic CFL of 10, 100, 1000
 #   stability     the largest stable steps of a line of points, and other limits
 #   robustness    kills, faults, bad input, sanitizers, coverage: the totals of scripts/nightly.sh
@@ -43,7 +44,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves transport conservation exchange implicit stability robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed picture gallery)
+all=(a1 edges studies couplings sod shocks waves transport conservation exchange statics implicit stability robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed picture gallery)
 
 write_index() {
     local page=$results/README.md file

@@ -58,8 +58,8 @@ static long long counter_of(const run_summary *r, const char *name)
 
 static void print_solver(const run_summary *r)
 {
-    if (strncmp(r->solver, "static", 6) != 0) return;
-    printf("solver %s; %lld increments, %lld iterations of Newton's method, %lld of conjugate gradients\n", r->solver,
+    if (r->solver[0] == '\0' || strncmp(r->solver, "dynamic", 7) == 0) return;
+    printf("solver %s; %lld steps, %lld iterations of Newton's method, %lld of conjugate gradients\n", r->solver,
            r->steps, counter_of(r, "balance_iterations"), counter_of(r, "balance_cg_iterations"));
 }
 

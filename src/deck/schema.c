@@ -57,11 +57,12 @@ static const key_table damping_table = TABLE(damping_keys);
 static const choice solver_choices[] = {
     {"dynamic", SOLVER_DYNAMIC, "explicit steps"},
     {"static", SOLVER_STATIC, "load increments, each solved for the balance of forces; points alone"},
+    {"implicit", SOLVER_IMPLICIT, "steps that sound does not bind, by the trapezoidal rule; solids as points alone"},
     {"auto", SOLVER_AUTO, "static where the deck asks for a state of rest (stop) and all of it can be solved for"},
     {0},
 };
 
-static bool solves_statics(const scene *s, const void *time)
+static bool solves_steps(const scene *s, const void *time)
 {
     (void)s;
     return ((const scene_time *)time)->solver != SOLVER_DYNAMIC;
@@ -70,12 +71,13 @@ static bool solves_statics(const scene *s, const void *time)
 static const key_spec time_keys[] = {
     {"solver", KEY_CHOICE, AT(scene_time, solver), .fallback = "dynamic", .choices = solver_choices,
      .doc = "how solids get from one time to the next"},
-    {"increments", KEY_WHOLE, WITHIN(1, 1e6), AT(scene_time, increments), .fallback = "1", .applies = solves_statics,
-     .belongs = "solvers static and auto",
-     .doc = "load increments that the run is cut into, each cut further where it does not converge; a load without a "
-            "ramp grows throughout the run"},
+    {"increments", KEY_WHOLE, WITHIN(1, 1e6), AT(scene_time, increments), .fallback = "1", .applies = solves_steps,
+     .belongs = "solvers static, implicit and auto",
+     .doc = "equal parts of the run: load increments that the run is cut into, each cut further where it does not "
+            "converge; a load without a "
+            "ramp grows throughout the run; steps of the implicit solver, unless fixed_step or max_step say"},
     {"tolerance", KEY_NUMBER, NULL, WITHIN(1e-14, 1e-2), AT(scene_time, tolerance), .fallback = "1e-8",
-     .applies = solves_statics, .belongs = "solvers static and auto",
+     .applies = solves_steps, .belongs = "solvers static, implicit and auto",
      .doc = "what may be left of the forces on the nodes, as a share of them"},
     {"end", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, end), .required = true,
      .doc = "time at which the run ends"},

@@ -11,12 +11,23 @@ enum { MOST_NEWTON = 30, MOST_KRYLOV = 1000, MOST_HALVINGS = 6 };
 static const double forcing = 1e-4;
 /* A step that leaves more than this share is worth a new matrix. */
 static const double slow = 1e-2;
+/* Digits that differences of velocities may lose. */
+static const double round_off = 1e-6;
 /* One that leaves that many times more goes astray, unless it is the first, which turns what hardly resists at rest. */
 static const double astray = 1e4;
 
-const char *mpm_balance_obstacle(const mpm *s)
+static const char *obstacle_to_motion(const mpm *s)
 {
-    if (s->coupled || s->seals) return "the static solver is for points alone, and fluids on cells move";
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].fluid) return "fluids flow";
+    if (s->transfer->carry || s->transfer->filter) return "of the transfers it has flip and pic";
+    return NULL;
+}
+
+const char *mpm_balance_obstacle(const mpm *s, time_solver solver)
+{
+    if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
+    if (s->coupled || s->seals) return "it is for points alone, and fluids on cells move";
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].fluid && !(surface_enclosed(s, s->body[b].scene_body) > 1.0 - 1e-9))
             return "a fluid is not enclosed by solids all along its shape, and would flow";
@@ -71,14 +82,20 @@ static floe_status make_solver(mpm *s)
                         &w->inner,  &w->left, &w->trial,  &w->target};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
+    if (s->solver == SOLVER_IMPLICIT) {
+        TRY(memory_new(s->ctx, &w->mass, w->components, sizeof *w->mass));
+        TRY(memory_new(s->ctx, &w->velocity, w->components, sizeof *w->velocity));
+    }
     TRY(memory_new(s->ctx, &w->held, w->components, sizeof *w->held));
     return memory_new(s->ctx, &w->reached, w->grid.size, sizeof *w->reached);
 }
 
 floe_status mpm_solve_steps(mpm *s, time_solver solver)
 {
-    const char *obstacle = mpm_balance_obstacle(s);
-    if (obstacle) return fail(s->ctx, FLOE_BAD_INPUT, "time.solver: static: %s; use dynamic", obstacle);
+    const char *obstacle = mpm_balance_obstacle(s, solver);
+    if (obstacle)
+        return fail(s->ctx, FLOE_BAD_INPUT, "time.solver: %s: %s; use dynamic",
+                    solver == SOLVER_IMPLICIT ? "implicit" : "static", obstacle);
     s->solver = solver;
     TRY(memory_new(s->ctx, &s->balance, 1, sizeof *s->balance));
     return make_solver(s);
@@ -91,9 +108,9 @@ void balance_destroy(mpm *s)
     cg_destroy(&w->krylov);
     rooms_free(s);
     node_multigrid_destroy(&w->solver);
-    void *owned[] = {&w->pushed, &w->place,       &w->pull,       &w->tangent,   &w->u,     &w->change,
-                     &w->outer,  &w->inner_first, &w->inner,      &w->left,      &w->trial, &w->target,
-                     &w->held,   &w->reached,     &w->tile_block, &w->tile_local};
+    void *owned[] = {&w->mass,  &w->velocity, &w->pushed, &w->place,       &w->pull,       &w->tangent,
+                     &w->u,     &w->change,   &w->outer,  &w->inner_first, &w->inner,      &w->left,
+                     &w->trial, &w->target,   &w->held,   &w->reached,     &w->tile_block, &w->tile_local};
     for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
     memory_free(s->ctx, &s->balance);
 }
@@ -116,13 +133,13 @@ floe_status mpm_balance_loads(mpm *s)
         clear_forces(s);
         scatter_room(s, r);
         fold_forces(s, 0);
-        balance_collect(s, s->balance->room[r].push);
+        balance_collect(s, N_FORCE, s->balance->room[r].push);
     }
     clear_forces(s);
     s->work->kick = 0.0; /* no impulse is entered */
     set_body_forces(s);
     scatter_loads(s, 0);
-    balance_collect(s, s->balance->outer);
+    balance_collect(s, N_FORCE, s->balance->outer);
     return FLOE_OK;
 }
 
@@ -141,8 +158,20 @@ static floe_status evaluate(mpm *s, const double *u)
     balance_pull(s, w->inner);
     balance_pull_edges(s, u, w->inner);
     TRY(rooms_push(s, u, w->pushed));
-    for (size_t k = 0; k < w->components; ++k) w->left[k] = w->held[k] ? 0.0 : w->outer[k] + w->pushed[k] + w->inner[k];
+    for (size_t k = 0; k < w->components; ++k) {
+        w->left[k] = w->outer[k] + w->pushed[k] + w->inner[k];
+        if (w->mass) w->left[k] += 0.5 * (w->inner_first[k] - w->inner[k]) - motion_force(s, k, u[k]);
+        if (w->held[k] || !w->reached[k % w->grid.size]) w->left[k] = 0.0;
+    }
     return FLOE_OK;
+}
+
+/* What a displacement of what is held asks of the others at first. */
+static void drive(struct mpm_balance *w, const node_matrix *m)
+{
+    node_matrix_apply(m, w->target, w->trial);
+    for (size_t k = 0; k < w->components; ++k)
+        if (!w->held[k]) w->left[k] -= w->trial[k];
 }
 
 /* The matrix at u. Loads of nodes that no point reaches have nothing to push. */
@@ -155,11 +184,12 @@ static floe_status renew_matrix(mpm *s)
     if (first) TRY(node_matrix_shape(m, w->reached));
     balance_assemble(s);
     balance_assemble_edges(s, m);
-    if (first) node_matrix_apply(m, w->target, w->trial);
-    for (size_t k = 0; k < w->components && first; ++k)
-        if (!w->held[k]) w->left[k] -= w->trial[k];
+    if (w->mass)
+        motion_stiffen(s, m);
+    else if (first)
+        drive(w, m);
     node_matrix_hold(m, w->held);
-    if (first) TRY(balance_check_free(s));
+    if (first && !w->mass) TRY(balance_check_free(s));
     w->ready = true;
     return node_multigrid_prepare(w->solver);
 }
@@ -180,9 +210,15 @@ static void multiply(void *user, double *x, double *y)
 }
 
 /* How large the forces are, so that what is left can be told from nothing. */
-static double force_scale(const struct mpm_balance *w)
+static double force_scale(const mpm *s)
 {
-    return norm(w, w->outer) + norm(w, w->pushed) + norm(w, w->inner);
+    const struct mpm_balance *w = s->balance;
+    double inertia = 0.0;
+    for (size_t k = 0; w->mass && k < w->components; ++k) {
+        const double impulse = w->mass[k % w->grid.size] * w->velocity[k];
+        inertia += impulse * impulse;
+    }
+    return norm(w, w->outer) + norm(w, w->pushed) + norm(w, w->inner) + round_off * sqrt(inertia) * 2.0 / s->dt;
 }
 
 /* A step along the change, halved while points are beyond their law. */
@@ -228,10 +264,10 @@ static floe_status newton(mpm *s)
 {
     struct mpm_balance *w = s->balance;
     const double tolerance = s->scene->time.tolerance;
-    bool stale = true, driven = has_targets(w);
+    bool stale = true, driven = !w->mass && has_targets(w);
     double before = INFINITY;
     for (w->newton = 0;; ++w->newton) {
-        const double left = norm(w, w->left), scale = force_scale(w);
+        const double left = norm(w, w->left), scale = force_scale(s);
         if (!driven && left <= tolerance * scale) return FLOE_OK;
         if (w->newton == MOST_NEWTON || (w->newton > 1 && !(left <= astray * before)))
             return fail(s->ctx, FLOE_RETRY, "after %d iterations of Newton's method %.3g of the forces is left",
@@ -251,13 +287,12 @@ static floe_status newton(mpm *s)
 static void say(const mpm *s)
 {
     const struct mpm_balance *w = s->balance;
-    const double scale = force_scale(w);
-    context_log(
-        s->ctx, LOG_INFO,
-        "load increment to t = %.6g%s: %d iterations of Newton's method, %d of conjugate gradients, %.1e of the "
-        "forces left",
-        s->time + s->dt, scene_time_unit(s->scene), w->newton, w->krylov_iterations,
-        scale > 0.0 ? norm(w, w->left) / scale : 0.0);
+    const double scale = force_scale(s);
+    context_log(s->ctx, w->mass ? LOG_DETAIL : LOG_INFO,
+                "%s to t = %.6g%s: %d iterations of Newton's method, %d of conjugate gradients, %.1e of the "
+                "forces left",
+                w->mass ? "step" : "load increment", s->time + s->dt, scene_time_unit(s->scene), w->newton,
+                w->krylov_iterations, scale > 0.0 ? norm(w, w->left) / scale : 0.0);
 }
 
 /* What walls, loads and body forces have done: the points have it, as the nodes' forces changed evenly on the way. */
@@ -268,7 +303,10 @@ static void enter_work(mpm *s)
     for (size_t k = 0; k < w->components; ++k) work -= 0.5 * (w->inner_first[k] + w->inner[k]) * w->u[k];
     work -= rooms_enter(s);
     balance_enter_edges(s);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
+    if (w->mass)
+        motion_enter(s);
+    else
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
     ledger_tally(s->ledger, COUNT_BALANCE_ITERATIONS, w->newton);
     ledger_tally(s->ledger, COUNT_BALANCE_KRYLOV, w->krylov_iterations);
 }
@@ -277,6 +315,14 @@ static void drop_unreached(const struct mpm_balance *w, double *force)
 {
     for (size_t k = 0; k < w->components; ++k)
         if (!w->reached[k % w->grid.size]) force[k] = 0.0;
+}
+
+/* From where the nodes would be without forces. */
+static floe_status start_motion(mpm *s)
+{
+    motion_begin(s);
+    motion_guess(s, s->balance->u);
+    return evaluate(s, s->balance->u);
 }
 
 floe_status mpm_balance_solve(mpm *s)
@@ -295,6 +341,7 @@ floe_status mpm_balance_solve(mpm *s)
     w->krylov_iterations = 0;
     TRY(evaluate(s, w->u));
     memcpy(w->inner_first, w->inner, w->components * sizeof *w->inner);
+    if (w->mass) TRY(start_motion(s));
     TRY(newton(s));
     say(s);
     carry_surfaces(s, balance_way);

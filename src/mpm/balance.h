@@ -1,4 +1,5 @@
-/* The balance of forces at the nodes, solved for the displacement of a whole load increment (statics) instead of being stepped to.
+/* The balance of forces at the nodes, solved for the displacement of a whole load increment (statics) or of a step that sound does not
+ * bind (balance_motion.c), instead of being stepped to.
  *
  *     f_ext - sum_p V0 T : grad S = 0,   T = J sigma(F_p) (I + grad u)^-T,   F_p = (I + grad u) F_p^n,
  *
@@ -63,10 +64,12 @@ struct mpm_balance {
     double *tangent;                                 /* d pull / d grad u (J), n_gradient^2 a point; owned */
     /* On the grid; owned. Displacement and its change (m); forces (N): from outside, of the points at the start and now, what is left. */
     double *u, *change, *outer, *pushed, *inner_first, *inner, *left, *trial;
-    double *target;                /* m: displacement of what is held; owned */
-    bool *held;                    /* components of nodes that walls and supports hold; owned */
-    bool *reached;                 /* nodes that points of solids reach; owned */
-    bool ready;                    /* the matrix is that of some displacement of this increment */
+    double *mass,
+        *velocity;  /* kg, in the first component, and m/s: of nodes with inertia, at the start; else NULL. Owned */
+    double *target; /* m: displacement of what is held; owned */
+    bool *held;     /* components of nodes that walls and supports hold; owned */
+    bool *reached;  /* nodes that points of solids reach; owned */
+    bool ready;     /* the matrix is that of some displacement of this increment */
     int newton, krylov_iterations; /* of the increment */
     int *tile_block, *tile_local;  /* of each global tile; owned */
 };
@@ -88,11 +91,12 @@ floe_status balance_strain(mpm *s, const double *u);
 floe_status balance_tangents(mpm *s, const double *u);
 /* inner = - sum pull : grad S. */
 void balance_pull(mpm *s, double *inner);
-/* Adds mass times body force times S. */
+/* Adds mass times body force times S; mass times S. */
 void balance_weigh(mpm *s, double *outer);
+void balance_share(mpm *s, double *share);
 /* The displacement of a node, by global index, ghosts beyond the sides included. */
 double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c);
-/* Next places, no velocity. FLOE_RETRY where one has gone farther than a cell. */
+/* Next places and velocities: none in statics. FLOE_RETRY where one has gone farther than a cell. */
 floe_status balance_move(mpm *s);
 
 /* Edges held by a penalty (balance_edges.c), nothing without: how far the matrix reaches; the lines of an increment; their forces at u, added to
@@ -110,12 +114,22 @@ void balance_assemble(mpm *s);
 void balance_hold(mpm *s);
 /* Which nodes points of solids reach. */
 void balance_reach(mpm *s);
-/* Forces on nodes from the fields of the blocks. */
-void balance_collect(mpm *s, double *outer);
+/* A node field of the blocks (N_FORCE ...) as an array of the solver's; one of one component is the first of the array. */
+void balance_collect(mpm *s, field_id id, double *out);
 /* FLOE_DIVERGED with the cause where the points that hang together could move as a rigid body (balance_free.c). */
 floe_status balance_check_free(mpm *s);
 
 void balance_destroy(mpm *s);
+
+/* Inertia (balance_motion.c): nodes at the start; a first guess of u (m); rate of damping (1/s); entry k of what inertia and damping take of the
+ * forces (N) at u; their part of the matrix, whose stiffness is halved; velocity (m/s) at the end; the ledger's entries. */
+void motion_begin(mpm *s);
+void motion_guess(const mpm *s, double *u);
+double motion_damping(const mpm *s);
+double motion_force(const mpm *s, size_t k, double u);
+void motion_stiffen(const mpm *s, node_matrix *m);
+double motion_velocity(const mpm *s, size_t k);
+void motion_enter(mpm *s);
 
 /* Rooms (balance_room.c): found once; as they are at the start of an increment, and what pushes their walls; pressures at a displacement, into
  * `pushed` (N), FLOE_RETRY where a room would lose all its volume or its gas is beyond its law; A x of their stiffness, added to y; the next state of

@@ -87,23 +87,24 @@ double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c)
     return w->u[(size_t)c * w->grid.size + (size_t)solve_index(&w->grid, at[0], at[1], at[2])];
 }
 
-void balance_collect(mpm *s, double *outer)
+void balance_collect(mpm *s, field_id id, double *out)
 {
     const struct mpm_balance *w = s->balance;
     const mesh *m = s->mesh;
-    memset(outer, 0, w->components * sizeof *outer);
+    const int components = field_component_count(field_describe(id)->components, m->dim);
+    memset(out, 0, w->components * sizeof *out);
     for (int blk = 0; blk < m->n_blocks; ++blk) {
         const block *b = &m->block[blk];
         int end[MESH_MAX_DIM] = {1, 1, 1};
         for (int a = 0; a < m->dim; ++a) end[a] = b->n[a] + (b->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 0);
-        for (int c = 0; c < m->dim; ++c) {
-            const double *force = field_get(s->domain->fields[blk], N_FORCE, 0, c);
+        for (int c = 0; c < components; ++c) {
+            const double *value = field_get(s->domain->fields[blk], id, 0, c);
             for (int k = 0; k < end[2]; ++k)
                 for (int j = 0; j < end[1]; ++j)
                     for (int i = 0; i < end[0]; ++i)
-                        outer[(size_t)c * w->grid.size +
-                              (size_t)solve_index(&w->grid, b->lo[0] + i, b->lo[1] + j, b->lo[2] + k)] =
-                            force[mesh_index(b, i, j, k)];
+                        out[(size_t)c * w->grid.size +
+                            (size_t)solve_index(&w->grid, b->lo[0] + i, b->lo[1] + j, b->lo[2] + k)] =
+                            value[mesh_index(b, i, j, k)];
         }
     }
 }

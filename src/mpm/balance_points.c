@@ -216,10 +216,15 @@ void balance_pull(mpm *s, double *inner)
     balance_for_tiles(s, pull_tile, inner);
 }
 
+typedef struct weighing {
+    double *out;
+    bool fall; /* times the body force */
+} weighing;
+
 static void weigh_tile(mpm *s, int blk, int tile, void *user)
 {
     const struct mpm_balance *w = s->balance;
-    double *outer = user;
+    const weighing *weigh = user;
     for (int body = 0; body < s->n_bodies; ++body) {
         if (s->body[body].fluid) continue;
         const size_t *range = s->points[blk][body].tile_start + tile;
@@ -229,17 +234,37 @@ static void weigh_tile(mpm *s, int blk, int tile, void *user)
             const int n = balance_nodes(s, &w->place[w->first[blk][body] + k], node);
             for (int i = 0; i < n; ++i)
                 for (int c = 0; c < s->mesh->dim; ++c)
-                    outer[(size_t)c * w->grid.size + (size_t)node[i].at] += mass[k] * fall[c] * node[i].S[c];
+                    weigh->out[(size_t)c * w->grid.size + (size_t)node[i].at] +=
+                        mass[k] * (weigh->fall ? fall[c] : 1.0) * node[i].S[c];
         }
     }
 }
 
 void balance_weigh(mpm *s, double *outer)
 {
-    balance_for_tiles(s, weigh_tile, outer);
+    balance_for_tiles(s, weigh_tile, &(weighing){outer, true});
 }
 
-/* A point's way; bodies that have changed cell are to be sorted. */
+void balance_share(mpm *s, double *share)
+{
+    balance_for_tiles(s, weigh_tile, &(weighing){share, false});
+}
+
+/* A component of a point's velocity after the step: none at rest. */
+static double next_velocity(const mpm *s, const place_node *node, int nodes, int c, double before)
+{
+    const struct mpm_balance *w = s->balance;
+    double now = 0.0, change = 0.0;
+    if (!w->mass) return 0.0;
+    for (int i = 0; i < nodes; ++i) {
+        const size_t k = (size_t)c * w->grid.size + (size_t)node[i].at;
+        const double v = motion_velocity(s, k);
+        now += node[i].S[c] * v;
+        change += node[i].S[c] * (v - w->velocity[k]);
+    }
+    return s->share * (before + change) + (1.0 - s->share) * now;
+}
+
 static floe_status move_point(mpm *s, int blk, int body, size_t k)
 {
     const struct mpm_balance *w = s->balance;
@@ -253,7 +278,7 @@ static floe_status move_point(mpm *s, int blk, int body, size_t k)
             return fail(s->ctx, FLOE_RETRY, "a point of body '%s' would go farther than a cell in one load increment",
                         s->scene->body[s->body[body].scene_body].name);
         field_next(f, P_POS, body, c)[k] = field_get(f, P_POS, body, c)[k] + way;
-        field_next(f, P_VEL, body, c)[k] = 0.0;
+        field_next(f, P_VEL, body, c)[k] = next_velocity(s, node, n, c, field_get(f, P_VEL, body, c)[k]);
     }
     return FLOE_OK;
 }

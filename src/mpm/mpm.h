@@ -108,11 +108,12 @@ floe_status mpm_mass_stages(mpm *s);
 floe_status mpm_force_stages(mpm *s);
 floe_status mpm_motion_stages(mpm *s);
 
-/* Steps that are solved for instead of explicit ones (balance.h): a load increment of statics. To be called before the plan is
+/* Steps that are solved for instead of explicit ones (balance.h): a load increment of statics, or a step of implicit
+ * dynamics. To be called before the plan is
  * made. FLOE_BAD_INPUT, with the cause, where something of the scene cannot be. */
 floe_status mpm_solve_steps(mpm *s, time_solver solver);
 /* What of the scene cannot be solved for, or NULL. */
-const char *mpm_balance_obstacle(const mpm *s);
+const char *mpm_balance_obstacle(const mpm *s, time_solver solver);
 floe_status mpm_balance_masses(mpm *s); /* m_i */
 floe_status mpm_balance_loads(mpm *s);  /* f_i of surfaces */
 floe_status mpm_balance_solve(mpm *s);  /* the next state of points, in balance */

@@ -134,7 +134,8 @@ static floe_status balance_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, WHEN(gimp, P_HALF)),
           WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
-    STAGE(s, ALWAYS, mpm_balance_solve, READS(N_FORCE, P_MASS, P_VOLUME0, P_POS, WHEN(gimp, P_HALF), POINT_STATE),
+    STAGE(s, ALWAYS, mpm_balance_solve,
+          READS(N_MASS, N_MOMENTUM, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(gimp, P_HALF), POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }

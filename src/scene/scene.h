@@ -241,16 +241,17 @@ typedef struct scene_contact {
 
 /* How the solids get from one time to the next. */
 typedef enum time_solver {
-    SOLVER_DYNAMIC, /* explicit steps */
-    SOLVER_STATIC,  /* load increments, each in balance */
-    SOLVER_AUTO     /* static where the deck asks for a state of rest and all of it can be had so */
+    SOLVER_DYNAMIC,  /* explicit steps */
+    SOLVER_STATIC,   /* load increments, each in balance */
+    SOLVER_IMPLICIT, /* steps that sound does not bind, each in balance with inertia */
+    SOLVER_AUTO      /* static where the deck asks for a state of rest and all of it can be had so */
 } time_solver;
 
 typedef struct scene_time {
     double end; /* s */
     time_solver solver;
-    long increments;         /* of the load, where the solver is static */
-    double tolerance;        /* what is left of the forces, as a share of them, where the solver solves for balance */
+    long increments;  /* equal parts of the run: of the load where the solver is static, steps where it is implicit */
+    double tolerance; /* what is left of the forces, as a share of them, where the solver solves for balance */
     double cfl_mpm, cfl_ice; /* fractions of the limits of numerics 4.6 and 2.14 */
     double acoustic_cfl;     /* implicit pressure: largest c dt (sum h_i^-2)^1/2 */
     double first_step;       /* s, NAN: from the CFL limit */

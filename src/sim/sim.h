@@ -76,6 +76,12 @@ static inline bool sim_is_static(const sim *s)
     return s->mpm && s->mpm->solver == SOLVER_STATIC;
 }
 
+/* Whether its steps are solved for, with inertia or without. */
+static inline bool sim_solves(const sim *s)
+{
+    return s->mpm && s->mpm->balance;
+}
+
 /* With method.pressure auto: chooses explicit or implicit, at the start and every so many steps; otherwise does nothing. */
 floe_status sim_choose_pressure(sim *s);
 /* How many steps lead through `left` seconds, from one of `first` that grow to `dt` (s). */

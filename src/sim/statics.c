@@ -9,12 +9,12 @@ static const double round_off = 1e-9; /* what many equal increments may miss the
 static const char *obstacle_to_rest(const sim *s)
 {
     if (!s->scene->rest.enabled) return "the deck asks for no state of rest";
-    return mpm_balance_obstacle(s->mpm);
+    return mpm_balance_obstacle(s->mpm, SOLVER_STATIC);
 }
 
 static const char *solver_name(time_solver solver)
 {
-    return solver == SOLVER_STATIC ? "static" : "dynamic";
+    return solver == SOLVER_STATIC ? "static" : solver == SOLVER_IMPLICIT ? "implicit" : "dynamic";
 }
 
 floe_status sim_choose_solver(sim *s)
@@ -29,14 +29,21 @@ floe_status sim_choose_solver(sim *s)
     }
     (void)snprintf(s->solver_reason, sizeof s->solver_reason, "%s%s%s", solver_name(solver), why ? ": " : "",
                    why ? why : "");
+    const scene_time *t = &s->scene->time;
+    if (solver == SOLVER_IMPLICIT && t->increments == 1 && isnan(t->fixed_step) && isnan(t->max_step))
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "time.solver: implicit takes no step of its own accord: give increments, fixed_step or max_step");
     return solver == SOLVER_DYNAMIC ? FLOE_OK : mpm_solve_steps(s->mpm, solver);
 }
 
 void statics_step(const sim *s, double left, double *dt, const char **reason)
 {
     const scene_time *t = &s->scene->time;
-    *dt = t->end / (double)t->increments;
-    *reason = "load increment";
+    const bool is_static = s->mpm->solver == SOLVER_STATIC;
+    *dt = is_static || (isnan(t->fixed_step) && isnan(t->max_step)) ? t->end / (double)t->increments
+          : isnan(t->fixed_step)                                    ? t->max_step
+                                                                    : t->fixed_step;
+    *reason = is_static ? "load increment" : "the deck's step";
     if (s->steps > 0 && growth * s->dt < *dt) {
         *dt = growth * s->dt;
         *reason = "growth";

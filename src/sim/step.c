@@ -51,7 +51,7 @@ static floe_status first_step(sim *s, double *dt, const char **reason)
 static floe_status choose_step(sim *s, double until, double *dt, const char **reason)
 {
     const scene_time *t = &s->scene->time;
-    if (sim_is_static(s)) {
+    if (sim_solves(s)) {
         statics_step(s, until - s->time, dt, reason);
     } else if (!isnan(t->fixed_step)) {
         *dt = t->fixed_step;
@@ -66,7 +66,7 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
     const double left = until - s->time;
     if (*dt >= left)
         limit(dt, reason, left, "output time");
-    else if (isnan(t->fixed_step) && !sim_is_static(s) && 2.0 * *dt > left)
+    else if (isnan(t->fixed_step) && !sim_solves(s) && 2.0 * *dt > left)
         limit(dt, reason, 0.5 * left, "output time");
     const char *unit = scene_time_unit(s->scene);
     if (!(*dt > 0.0) || !isfinite(*dt) || s->time + *dt == s->time)
@@ -152,7 +152,7 @@ floe_status sim_predict(sim *s, double *dt, double *steps, const char **reason)
     TRY(choose_step(s, t->end, dt, reason));
     double full = *dt;
     const char *unused;
-    if (isnan(t->fixed_step) && !sim_is_static(s)) TRY(stable_step(s, &full, &unused));
+    if (isnan(t->fixed_step) && !sim_solves(s)) TRY(stable_step(s, &full, &unused));
     if (!isnan(t->max_step)) full = fmin(full, t->max_step);
     *steps = ceil(sim_steps_through(t->end - s->time, *dt, fmin(full, t->end - s->time), t->growth) - 1e-9);
     return FLOE_OK;

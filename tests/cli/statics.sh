@@ -8,7 +8,7 @@ expect 0 "$FLOE" run "${ring[@]}" -o one
 [ "$(json one/summary.json status)" = at_rest ] || fault 'the state of rest is not called one'
 [ "$(json one/summary.json steps)" = 1 ] || fault 'more than one increment'
 below "$(json one/summary.json eq13)" 0.045
-has stdout 'solver static; 1 increments, 3 iterations'
+has stdout 'solver static; 1 steps, 3 iterations'
 
 expect 0 "$FLOE" run "${ring[@]}" --set time.increments=3 -o whole --quiet
 expect 0 "$FLOE" run "${ring[@]}" --set time.increments=3 -o part --set time.max_steps=1 --quiet
@@ -23,5 +23,9 @@ expect 0 "$FLOE" run "${ring[@]}" --set time.solver=auto -o auto
 has stdout 'solver static: the deck asks for the state of rest'
 expect 3 "$FLOE" run "${ring[@]}" --set 'boundaries={x: free, y: free}' -o loose
 has stderr 'free to move as a rigid one'
+expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/bar_vibration.yaml" --set time.solver=implicit -o bar
+has stderr 'give increments, fixed_step or max_step'
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/bar_vibration.yaml" --set time.solver=implicit --set 'time.max_step=5 ms' -o bar
+[ "$(json bar/summary.json steps)" = 14 ] || fault 'steps of 5 ms are not 14'
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/two_bars.yaml" --set time.solver=static -o bars
 has stderr 'time.solver: static'

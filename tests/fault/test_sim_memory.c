@@ -8,6 +8,7 @@ static const deck_variant variants[] = {
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.4"}},
     {"surface loads, static", "annulus_traction", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "time.solver=static"}},
     {"edges", "annulus_traction", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "method.edge_penalty=0.05"}},
+    {"implicit steps of points", "bar_vibration", COUPLING_MPM, 1, 2, {"time.solver=implicit", "time.max_step=0.005"}},
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
     {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.1", "method.pressure=implicit"}},
     {"reaction", "closed_vessel_burn", COUPLING_ICE, 1, 1, {"time.fixed_step=null"}},

@@ -1,0 +1,85 @@
+# statics: loads that are solved for instead of stepped to, and implicit steps of points. Sourced by scripts/results.sh.
+# shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
+
+# statics_number RUN KEY [FACTOR]: a number of a run's summary.
+statics_number() {
+    awk -F: -v key="\"$2\"" -v f="${3:-1}" 'index($1, key) { printf "%.3g", f * $2; exit }' "$runs/$1/summary.json"
+}
+
+# statics_row NAME H: a row of the table of errors; time without that of outputs.
+statics_row() {
+    local seconds
+    seconds=$(calc %.2g "$(statics_number "$1" wall_seconds)-$(statics_number "$1" output_seconds)")
+    write "| $2 | $3 | $(statics_number "$1" eq13 100) | $(statics_number "$1" l1_sigma_r 1e-3) | $(statics_number "$1" l1_sigma_theta 1e-3) | $(statics_number "$1" steps) | $(statics_number "$1" balance_iterations), $(statics_number "$1" balance_cg_iterations) | $seconds |"
+}
+
+statics_cylinder() {
+    local h
+    write '' '## The pressurised cylinder (A1)' '' \
+        '`inputs/pressurized_cylinder.yaml --coupling mpm`, heated and damped to rest by explicit steps, and the same deck with `--set time.solver=auto`, which finds' \
+        'the state of rest static: its gas, enclosed by the ring, is one pressure. Eq. 13 in per cent, L1 of the stresses in kPa; time on one' \
+        'core, without outputs.' '' '| h (m) | solver | eq. 13 | sigma_r | sigma_theta | steps | Newton, CG | s |' '|---|---|---|---|---|---|---|---|'
+    for h in 0.1 0.05 0.025 0.0125; do
+        floe_run "dynamic-$h" inputs/pressurized_cylinder.yaml --coupling mpm --set "domain.cell=$h" --set output.interval=null
+        statics_row "dynamic-$h" "$h" dynamic
+    done
+    for h in 0.1 0.05 0.025 0.0125 0.00625 0.003125; do
+        floe_run "static-$h" inputs/pressurized_cylinder.yaml --coupling mpm --set "domain.cell=$h" --set time.solver=auto --set output.interval=null
+        statics_row "static-$h" "$h" static
+    done
+    bar 'A1 static, h = 0.0125: eq. 13' "$(statics_number static-0.0125 eq13 100)" '<=' 1 %.2g ' %'
+    bar 'A1 static, h = 0.003125: iterations of conjugate gradients' "$(statics_number static-0.003125 balance_cg_iterations)" '<=' 20 %d
+}
+
+statics_ring() {
+    local h basis
+    write '' '## Iterations' '' '`inputs/annulus_traction.yaml --set time.solver=static`: iterations of conjugate gradients in all steps of Newton'"'"'s method, to' \
+        '1e-8 of the forces.' '' '| h (m) | linear | gimp | quadratic | cubic |' '|---|---|---|---|---|'
+    for h in 0.1 0.05 0.025 0.0125; do
+        local row="| $h |"
+        for basis in linear gimp quadratic cubic; do
+            floe_run "ring-$basis-$h" inputs/annulus_traction.yaml --set "domain.cell=$h" --set "method.basis=$basis" --set time.solver=static --set output.interval=null
+            row+=" $(statics_number "ring-$basis-$h" balance_cg_iterations) |"
+        done
+        write "$row"
+    done
+    write '' 'Rest, at h = 0.05: eq. 13 as damped steps come closer to it, and static.' '' '| stop: kinetic_over_strain | eq. 13 | steps |' '|---|---|---|'
+    for h in 1e-6 1e-10 1e-14; do
+        floe_run "rest-$h" inputs/annulus_traction.yaml --set domain.cell=0.05 --set "stop.kinetic_over_strain=$h" --set 'time.end=0.1' --set output.interval=null
+        write "| $h | $(statics_number "rest-$h" eq13 100) % | $(statics_number "rest-$h" steps) |"
+    done
+    for h in 1 4; do
+        floe_run "rest-static-$h" inputs/annulus_traction.yaml --set domain.cell=0.05 --set time.solver=static --set "time.increments=$h" --set output.interval=null
+        write "| static, $h increments | $(statics_number "rest-static-$h" eq13 100) % | $(statics_number "rest-static-$h" steps) |"
+    done
+}
+
+statics_bar() {
+    local n
+    write '' '## Implicit steps' '' '`inputs/bar_vibration.yaml --set domain.cell=0.015625` (L1 of the stress in Pa, of 3.1) by explicit steps, and with' \
+        '`time: {solver: implicit, increments: N}`.' '' '| steps | L1 of the stress (Pa) | drift of energy |' '|---|---|---|'
+    floe_run bar-explicit inputs/bar_vibration.yaml --set domain.cell=0.015625 --set output.interval=null
+    write "| $(statics_number bar-explicit steps), explicit | $(statics_number bar-explicit l1_stress_xx) | $(statics_number bar-explicit energy) |"
+    for n in 7 14 28 56 112; do
+        floe_run "bar-$n" inputs/bar_vibration.yaml --set domain.cell=0.015625 --set time.solver=implicit --set "time.increments=$n" --set output.interval=null
+        write "| $n | $(statics_number "bar-$n" l1_stress_xx) | $(statics_number "bar-$n" energy) |"
+    done
+    bar 'implicit steps, order from 14 to 28 steps' "$(calc %.2f "log($(statics_number bar-14 l1_stress_xx)/$(statics_number bar-28 l1_stress_xx))/log(2)")" '>=' 1.8 %.2f
+}
+
+result_statics() {
+    begin statics 'Loads that are solved for, and implicit steps'
+    statics_cylinder
+    statics_ring
+    statics_bar
+    write '' '## What was left' '' \
+        '* Edges: nodes with a sliver of a support are solved for exactly, but their answer is that of the points there. A surface load on them still' \
+        '  has the largest errors, and a body whose tip moves through several cells can meet a node that it hardly reaches, with a load that nothing there bears: the' \
+        '  increments are then cut until the run ends with status 3. Explicit steps hide this in inertia.' \
+        '* Areas of loaded surfaces stay what they were, as in explicit steps; gas points of a room stay where they are.' \
+        '* KINSOL was left out: its line search asks for less of the residual in every step, where an increment that is cut is safer for bodies that turn, and the' \
+        '  matrix here serves several steps of Newton'"'"'s method. Conjugate gradients are those of SUNDIALS.'
+    write '' '## Bars' '' 'Set after first trials.' ''
+    show_bars
+    finish
+}
