@@ -1,9 +1,9 @@
 # statics: loads that are solved for instead of stepped to, and implicit steps of points. Sourced by scripts/results.sh.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
 
-# statics_number RUN KEY [FACTOR]: a number of a run's summary.
+# statics_number RUN KEY [FACTOR]: a number of a run's summary; whole ones as they are.
 statics_number() {
-    awk -F: -v key="\"$2\"" -v f="${3:-1}" 'index($1, key) { printf "%.3g", f * $2; exit }' "$runs/$1/summary.json"
+    awk -F: -v key="\"$2\"" -v f="${3:-1}" 'index($1, key) { printf f * $2 == int(f * $2) ? "%d" : "%.3g", f * $2; exit }' "$runs/$1/summary.json"
 }
 
 # statics_row NAME H: a row of the table of errors; time without that of outputs.
@@ -18,7 +18,7 @@ statics_cylinder() {
     write '' '## The pressurised cylinder (A1)' '' \
         '`inputs/pressurized_cylinder.yaml --coupling mpm`, heated and damped to rest by explicit steps, and the same deck with `--set time.solver=auto`, which finds' \
         'the state of rest static: its gas, enclosed by the ring, is one pressure. Eq. 13 in per cent, L1 of the stresses in kPa; time on one' \
-        'core, without outputs.' '' '| h (m) | solver | eq. 13 | sigma_r | sigma_theta | steps | Newton, CG | s |' '|---|---|---|---|---|---|---|---|'
+        'core of a busy machine, without outputs.' '' '| h (m) | solver | eq. 13 | sigma_r | sigma_theta | steps | Newton, CG | s |' '|---|---|---|---|---|---|---|---|'
     for h in 0.1 0.05 0.025 0.0125; do
         floe_run "dynamic-$h" inputs/pressurized_cylinder.yaml --coupling mpm --set "domain.cell=$h" --set output.interval=null
         statics_row "dynamic-$h" "$h" dynamic
@@ -50,7 +50,7 @@ statics_ring() {
     done
     for h in 1 4; do
         floe_run "rest-static-$h" inputs/annulus_traction.yaml --set domain.cell=0.05 --set time.solver=static --set "time.increments=$h" --set output.interval=null
-        write "| static, $h increments | $(statics_number "rest-static-$h" eq13 100) % | $(statics_number "rest-static-$h" steps) |"
+        write "| static, in $h | $(statics_number "rest-static-$h" eq13 100) % | $(statics_number "rest-static-$h" steps) |"
     done
 }
 
