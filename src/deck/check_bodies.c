@@ -25,6 +25,26 @@ static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_
                   m->eos.model->pressure_floor(m->eos.par));
 }
 
+/* A surface that holds gas points: they fill its room by their own volumes. */
+static floe_status check_hold(reader *r, const scene_body *b)
+{
+    const scene *s = r->scene;
+    bool filled = false;
+    for (int i = 0; i < s->n_bodies; i++) filled = filled || s->body[i].material == b->membrane.holds;
+    if (!filled)
+        return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), NULL, "add a body of it",
+                      "membrane '%s' holds '%s', of which there is no body", b->name,
+                      s->material[b->membrane.holds].name);
+    if (s->method.density != DENSITY_CONTINUITY)
+        return bad_at(r, PATH("method", "point_density"), "continuity", NULL,
+                      "gas that surface '%s' holds has its density by its own volume", b->name);
+    for (int a = 0; a < s->mesh.dim; a++)
+        if (s->mesh.periodic[a])
+            return bad_at(r, PATH("boundaries"), "no periodic sides", NULL,
+                          "surface '%s' holds gas, and a room that goes through periodic sides is not known", b->name);
+    return FLOE_OK;
+}
+
 /* Beside cells one membrane holds a gas; others are strings that gas passes. */
 static floe_status check_membrane(reader *r, const scene_body *b)
 {
@@ -36,6 +56,7 @@ static floe_status check_membrane(reader *r, const scene_body *b)
     if (b->membrane.holds >= 0 && b != &s->body[scene_holder(s)])
         return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "one membrane that holds a gas", NULL,
                       "membrane '%s' holds a gas already", s->body[scene_holder(s)].name);
+    if (b->membrane.holds >= 0 && b->membrane.surface.kind != SHEET_NONE) TRY(check_hold(r, b));
     if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_holder(s) >= 0) return FLOE_OK;
     return bad_at(r, PATH("bodies", b->name, "membrane"), "holds: the gas on its left; or coupling: mpm", NULL,
                   "cells do not see membrane '%s' unless it holds a gas", b->name);

@@ -201,7 +201,8 @@ static const key_spec membrane_keys[] = {
      .doc = "its mass, of the whole scene (for domain.thickness, or the full circle)"},
     {"holds", KEY_MATERIAL, AT(scene_membrane, holds), .otherwise = "none",
      .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, which it keeps from whatever is on its "
-            "right; what holds it joins the points in their order, whatever `normals`"},
+            "right; what holds it joins the points in their order, whatever `normals`. Of a surface "
+            "(mpm): the gas points inside, which fill its room"},
 };
 const key_table membrane_table = TABLE(membrane_keys);
 
@@ -229,8 +230,8 @@ static floe_status check_surface(reader *r, deck_node *node, scene_body *b)
     if (m->surface.kind == SHEET_POINTS && m->number > 0)
         return bad_key(r, node, NULL, "leave 'number' out", "membrane '%s' lists its points and gives their number",
                        b->name);
-    if (m->strain == STRAIN_BY_PLACES || m->holds >= 0)
-        return bad_key(r, node, "strain: rate, and no 'holds'", NULL,
+    if (m->strain == STRAIN_BY_PLACES)
+        return bad_key(r, node, "strain: rate", NULL,
                        "the points of membrane '%s' lie on a surface, and have no neighbours along a line", b->name);
     const scene_material *law = b->material < 0 ? NULL : &r->scene->material[b->material];
     if (!law || !law->membrane || law->membrane->isotropic) return FLOE_OK;

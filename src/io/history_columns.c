@@ -197,6 +197,8 @@ static void add_body(line *l, int body, const history_row *row)
         (void)snprintf(name, sizeof name, "%s_%s", last ? "last" : "first", label);
         add_vector(l, name, "m", end);
     }
+    if (l->s->mpm->holds && given->membrane.holds >= 0)
+        add_named(l, "volume", label, "m3", row ? mpm_held_room(l->s->mpm, body) : 0.0);
     if (mpm_membrane_encloses(l->s->mpm, body)) add_room(l, body, label, row);
 }
 

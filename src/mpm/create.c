@@ -3,6 +3,7 @@
 #include "mpm/balance.h"
 #include "mpm/contact.h"
 #include "mpm/edge.h"
+#include "mpm/hold.h"
 #include "mpm/membrane_normal.h"
 #include "mpm/membrane_sheet.h"
 
@@ -117,6 +118,7 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->stages = stages;
     s->ledger = l;
     s->seals = beside && scene_is_cut(sc);
+    s->holds = !beside && scene_holder(sc) >= 0 && sc->body[scene_holder(sc)].membrane.surface.kind != SHEET_NONE;
     s->coupled = beside && !s->seals;
     s->basis = basis_find(sc->method.basis);
     if (!s->basis) return fail(s->ctx, FLOE_BAD_INPUT, "there is no basis '%s'", sc->method.basis);
@@ -159,6 +161,7 @@ void mpm_destroy(mpm **s)
         free_push(ctx, &(*s)->work->push);
         free_skins(ctx, &(*s)->work->skin);
         edges_free(ctx, &(*s)->work->edges);
+        free_hold(ctx, &(*s)->work->hold);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);
         memory_free(ctx, &(*s)->work->cell_mass);

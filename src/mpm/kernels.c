@@ -40,7 +40,7 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
             for (int a = 0; a < dim; ++a) mv[a] = mass * p->v[a][k];
         if (force) {
             const double minus_v = -p->volume0[k] * p->J[k];
-            const double add = (p->grid_pressure ? p->grid_pressure[k] : 0.0) - (p->q ? p->q[k] : 0.0);
+            const double add = (p->grid_pressure ? p->grid_pressure[k] : 0.0) - (p->q ? p->q[k] : 0.0) + p->held;
             stress_matrix(p, k, add, dim, T);
             for (int a = 0; a < dim; ++a) {
                 b[a] = mass * body_force[a];

@@ -1,6 +1,7 @@
 /* Membranes (York 1997, chapter 5): one layer of points. The total strain is kept in the local frame and grows with the stretch of the
  * tangent (section 5.4.2, in the rate form t.L.t, whose integral is the logarithm of the stretch); the stress is turned back to
  * the axes of the scene, so that forces need no kernel of their own. */
+#include "mpm/hold.h"
 #include "mpm/membrane_normal.h"
 #include "mpm/membrane_sheet.h"
 
@@ -186,6 +187,7 @@ floe_status start_membranes(mpm *s)
         else
             turn_body(s, body, false, true);
     }
+    if (s->holds) TRY(start_hold(s));
     return s->seals && scene_holder(s->scene) >= 0 ? start_push(s) : FLOE_OK;
 }
 

@@ -51,6 +51,7 @@ typedef struct mpm {
     struct mpm_contact *contact; /* owned; NULL: no body has a velocity of its own */
     bool coupled;                /* cells hold the fluids: velocities at n, grid pressure on the points */
     bool seals; /* a membrane or surfaces cut the gas of the cells: whole kicks, so that both get the same impulse */
+    bool holds; /* a surface in space holds gas points (hold.c) */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
     int n_history;                        /* the most numbers that a body's law remembers */
@@ -77,6 +78,7 @@ floe_status mpm_register(mpm *s, domain *d);
 floe_status mpm_seed(mpm *s);
 
 /* Stages (numerics 4.1; contact: contact.h). */
+floe_status mpm_hold_gas(mpm *s);          /* what gas that a surface holds pushes it with (hold.c) */
 floe_status mpm_points_to_nodes(mpm *s);   /* m_i, m_i v_i; and f_i when nothing else will change the stress */
 floe_status mpm_contact_normals(mpm *s);   /* where bodies in contact meet */
 floe_status mpm_contact_reach(mpm *s);     /* and how far they come */
@@ -166,6 +168,9 @@ typedef struct membrane_room {
 } membrane_room;
 bool mpm_membrane_encloses(const mpm *s, int body);
 void mpm_membrane_room(mpm *s, int body, membrane_room *out);
+
+/* Room (m3) inside a surface in space that holds gas points (hold.c); NAN where the body is none. */
+double mpm_held_room(mpm *s, int body);
 
 /* Number of points of a body over all blocks, and of all bodies. */
 size_t mpm_body_points(const mpm *s, int body);

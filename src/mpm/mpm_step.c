@@ -67,6 +67,8 @@ static bool is_usl(const mpm *s)
 floe_status mpm_mass_stages(mpm *s)
 {
     const bool gimp = s->basis->kind == BASIS_GIMP, force = forces_at_once(s);
+    STAGE(s, s->holds, mpm_hold_gas, READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J),
+          WRITES(NOTHING));
     STAGE(s, ALWAYS, mpm_points_to_nodes,
           READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), WHEN(gimp, P_HALF), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));

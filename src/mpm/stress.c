@@ -1,5 +1,6 @@
 /* Strain, artificial viscosity, heating and the law, in batches of points unpacked to three dimensions. */
 #include "material/artificial_viscosity.h"
+#include "mpm/hold.h"
 #include "mpm/work.h"
 
 #include <math.h>
@@ -206,6 +207,7 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
         advance_F(b);
     else
         advance_J(b);
+    fill_room(s, body, b);
     if (fields_has(s->domain->fields[blk], P_DENSITY, body)) take_cell_density(s, blk, body, start, b);
     if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);
     if (m->fluid) gain[GAIN_HEAT] += add_heat(s, blk, body, start, b);

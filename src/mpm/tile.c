@@ -1,4 +1,5 @@
 /* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (design 4). */
+#include "mpm/hold.h"
 #include "mpm/work.h"
 
 #include <math.h>
@@ -70,6 +71,7 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     p.centred = s->body[body].fluid && s->basis->kind == BASIS_LINEAR;
     for (int c = 0; s->transfer->carry && c < s->mesh->dim * s->mesh->dim; ++c)
         p.affine[c] = next_velocity ? field_next(f, P_AFFINE, body, c) : field_get(f, P_AFFINE, body, c);
+    p.held = is_held(s, body) ? s->work->hold.pressure : 0.0;
     p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);
     memcpy(p.acceleration, s->work->acceleration[body], sizeof p.acceleration);
     return p;
@@ -209,6 +211,7 @@ void scatter_loads(mpm *s, int group)
     scatter_springs(s, group);
     scatter_push(s, group);
     scatter_skins(s, group);
+    scatter_hold(s, group);
     fold_forces(s, group);
 }
 

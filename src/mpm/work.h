@@ -24,6 +24,7 @@ typedef struct point_arrays {
     const double *q, *grid_pressure;     /* Pa */
     const double *affine[9];             /* 1/s, d x d by rows: C_p (transfer.h) */
     double acceleration[3];              /* m/s2: body forces on this body */
+    double held;                         /* Pa: the pressure that a membrane bears in their place */
     bool centred;                        /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
 
@@ -120,6 +121,17 @@ typedef struct body_skin {
     int n_chains;
 } body_skin;
 
+/* Gas points that a surface in space holds (hold.c). */
+typedef struct gas_hold {
+    size_t n;        /* points of the surface; 0: none holds gas */
+    int body;        /* the surface's */
+    int material;    /* the gas's, in the scene */
+    double *force;   /* N, three each: of the gas's mean pressure, by number of the points; owned */
+    double *area;    /* m2: by number of the points; owned */
+    double pressure; /* Pa: the mean of the gas's, over the reference pressure */
+    double growth;   /* the room over the volume of all gas points */
+} gas_hold;
+
 /* A node, by global index, that a support holds. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
@@ -146,6 +158,7 @@ struct mpm_work {
     spring_state spring[SCENE_MAX_SPRINGS];
     membrane_push push;
     body_skin skin;
+    gas_hold hold;
     support_node *support; /* owned */
     size_t n_supports;
     membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */

@@ -16,6 +16,7 @@ static const deck_variant variants[] = {
     {"membrane in space", "membrane_sphere", COUPLING_MPM, 1, 1, {"domain.cell=0.2"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},
     {"membrane that holds gas", "membrane_circle", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.25"}},
+    {"surface that holds gas points", "membrane_sphere", COUPLING_MPM, 1, 1, {"domain.cell=0.2"}},
     {"unconnected membrane",
      "membrane_circle",
      COUPLING_MPM,
