@@ -29,7 +29,7 @@ cavity() {
     local label=$1 column=$2 cells=$3
     shift 3
     floe_run "$label" inputs/lid_cavity.yaml --set domain.cell="$(calc %.10g "1/$cells")" "$@"
-    centre_lines "$runs/$label/fields/000001.h5" "$cells" "$runs/$label.csv"
+    centre_lines "$(find "$runs/$label/fields" -name '*.h5' | sort | tail -n 1)" "$cells" "$runs/$label.csv"
     beside_ghia "$runs/$label.csv" "$column" >"$results/transport-$label.csv"
     cavity_rows+=("$(printf '| %s | %s x %s | %.4f | %.4f |' "${label%-*}" "$cells" "$cells" \
         "$(largest_deviation "$results/transport-$label.csv" u)" "$(largest_deviation "$results/transport-$label.csv" v)")")
@@ -67,9 +67,11 @@ result_transport() {
     floe_compare poiseuille inputs/poiseuille.yaml --axis domain.cell=0.125,0.0625,0.03125
     cp "$csv" $results/transport-poiseuille.csv
     order_bar 'Poiseuille: order of velocity' "$csv" ice l1_velocity_x 1.9
-    floe_compare green inputs/taylor_green.yaml --set materials.liquid.eos.acoustic.sound_speed=80
+    local midpoint=(--set method.pressure=implicit --set method.centring=half)
+    floe_compare green inputs/taylor_green.yaml "${midpoint[@]}" --set materials.liquid.eos.acoustic.sound_speed=320 \
+        --axis domain.cell=0.03125,0.015625,0.0078125
     cp "$csv" $results/transport-green.csv
-    order_bar 'Taylor-Green, Mach 1/80, 16 to 64 cells: order of velocity' "$csv" ice l1_velocity_x 1.9
+    order_bar 'Taylor-Green, Mach 1/320, 32 to 128 cells: order of velocity' "$csv" ice l1_velocity_x 1.9
     floe_compare heat inputs/heat_wave.yaml
     cp "$csv" $results/transport-heat.csv
     order_bar 'heat that diffuses in a gas: order of temperature' "$csv" ice l1_temperature 1.9
@@ -90,7 +92,8 @@ result_transport() {
     cavity re_100-64 3 64
     bar 'cavity, Reynolds number 100, 64 x 64: largest deviation of u from Ghia et al.' \
         "$(largest_deviation $results/transport-re_100-64.csv u)" '<=' 0.01 %.4f
-    local thousand=(--set materials.liquid.viscosity.shear=0.001 --set time.end=60)
+    local thousand=(--set materials.liquid.viscosity.shear=0.001 --set time.end=100)
+    cavity re_1000-32 4 32 "${thousand[@]}"
     cavity re_1000-64 4 64 "${thousand[@]}"
     bar 'cavity, Reynolds number 1000, 64 x 64: largest deviation of u from Ghia et al.' \
         "$(largest_deviation $results/transport-re_1000-64.csv u)" '<=' 0.03 %.4f
@@ -102,8 +105,17 @@ result_transport() {
     order_table $results/transport-couette.csv ice l1_velocity_x l1_temperature l1_density l1_pressure
     write '## Poiseuille flow' '' 'Off by a constant, h^2/4 of the curvature at the walls.' ''
     order_table $results/transport-poiseuille.csv ice l1_velocity_x linf_velocity_x
-    write '## Taylor-Green vortices' '' 'At Mach 1/80. The exact solution is that of incompressible flow.' ''
+    write '## Taylor-Green vortices' '' 'At Mach 1/320, by the implicit pressure at the midpoint of the step. The exact solution is that of incompressible flow.' ''
     order_table $results/transport-green.csv ice l1_velocity_x l1_velocity_y
+    floe_compare green-sound inputs/taylor_green.yaml --set materials.liquid.eos.acoustic.sound_speed=80
+    write 'Explicit, at Mach 1/80:' ''
+    order_table "$csv" ice l1_velocity_x
+    floe_compare green-slow inputs/taylor_green.yaml --set materials.liquid.eos.acoustic.sound_speed=8 --set verify.exact.taylor_green.speed=0.1
+    write 'A tenth of the speed at the same Mach number, where viscosity is all there is:' ''
+    order_table "$csv" ice l1_velocity_x
+    write 'The order of the coarse meshes is not the one of the step, nor of a limiter (there is none): slow vortices have order 2, and at' \
+        'full speed the damping of advection, of third order and of the other sign, hides part of the error of viscosity while cells' \
+        'are large. At Mach 1/80 the difference of compressible and incompressible flow, 2e-6, then hides part of the fall on fine meshes.' ''
     floe_compare green-mach inputs/taylor_green.yaml --axis materials.liquid.eos.acoustic.sound_speed=10,20,40
     write 'On 32 x 32 cells, by the sound speed over the greatest speed: what is left falls with the square of the Mach number to the error of the mesh.' '' \
         '| sound speed | l1_velocity_x |' '|---|---|'

@@ -150,6 +150,9 @@ floe_status ice_sum(ice *s, ice_totals *out);
 int ice_material_of(const ice *s, int scene_material);
 /* Mass (kg) of a gas in cells of which a membrane leaves it nothing: a leak. */
 double ice_mass_beyond(ice *s, int material);
+/* Pressure (Pa) of a cell, local index `at` of a block, in its state now: of the law of `material` (in s->material), which is there, where
+ * it is alone or a membrane keeps it apart; of several fluids, their equilibrium; beside points, the last equilibrium there was. */
+double ice_pressure_now(const ice *s, int block_id, int material, ptrdiff_t at);
 /* Volume-weighted mean pressure of a fluid (index in s->material) over cells whose centre lies in a region (weights theta V). */
 floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure);
 

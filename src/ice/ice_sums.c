@@ -81,18 +81,6 @@ floe_status ice_sum(ice *s, ice_totals *out)
     return FLOE_OK;
 }
 
-/* Pressure of a fluid in a cell of the current state: of its law where it is alone, else the last equilibrium pressure. */
-static double cell_pressure(const ice *s, const ice_view *v, const double *p, int r, ptrdiff_t at)
-{
-    const ice_arrays *m = &v->m[r];
-    const eos *law = &s->material[r].eos;
-    for (int q = 0; q < s->n_materials; ++q)
-        if (s->multi && q != r && v->m[q].rho[at] > 0.0) return p[at];
-    double pressure, c2;
-    law->model->pressure(law->par, 1, &m->rho[at], &m->e[at], &pressure, &c2);
-    return pressure;
-}
-
 floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure)
 {
     double *tile, sum[2];
@@ -100,7 +88,6 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
-        const double *p = field_get(s->domain->fields[id], C_PRESSURE, 0, 0);
         for (int k = 0; k < v.b->n[2]; ++k)
             for (int j = 0; j < v.b->n[1]; ++j)
                 for (int i = 0; i < v.b->n[0]; ++i) {
@@ -114,7 +101,7 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
                     const double weight = v.volume[i] * share;
                     double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, cell);
                     t[0] += weight;
-                    t[1] += weight * cell_pressure(s, &v, p, material, at);
+                    t[1] += weight * ice_pressure_in(s, &v, material, at);
                 }
     }
     domain_sum_tiles(s->mesh, tile, 2, sum);

@@ -7,21 +7,24 @@ typedef struct probe_sum {
     double mass, momentum[MESH_MAX_DIM], volume, pressure;
 } probe_sum;
 
-static void add_cell(const sim *s, const fields *f, ptrdiff_t at, probe_sum *sum)
+static void add_cell(const sim *s, int n, ptrdiff_t at, probe_sum *sum)
 {
+    const fields *f = s->domain->fields[n];
+    bool counted = false; /* where no membrane keeps them apart, all have one pressure */
     for (int r = 0; r < s->ice->n_materials; r++) {
         const double *rho = field_get(f, C_RHO, r, 0), *open = field_get(f, C_OPEN, r, 0);
         if (!rho) continue;
         const double share = open ? open[at] : 1.0;
+        const bool held = rho[at] > 0.0 && share > 0.0;
         sum->mass += share * rho[at];
         for (int a = 0; a < s->mesh.dim; a++) {
             const double *u = field_get(f, C_VEL, r, a);
             if (u) sum->momentum[a] += share * rho[at] * u[at];
         }
-        const double *p = field_get(f, C_PRESSURE, r, 0);
-        if (!p || (!open && r > 0)) continue;
+        if (!held || (!open && counted)) continue;
+        counted = true;
         sum->volume += share;
-        sum->pressure += share * p[at];
+        sum->pressure += share * ice_pressure_now(s->ice, n, r, at);
     }
 }
 
@@ -81,8 +84,7 @@ probe_value probe_read(const sim *s, const double x[3])
     const int n = mesh_block_of(m, cell);
     const block *b = &m->block[n];
     if (s->ice) {
-        add_cell(s, s->domain->fields[n], mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]),
-                 &sum);
+        add_cell(s, n, mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]), &sum);
     } else if (s->mpm) {
         add_points(s, n, cell, &sum);
     }

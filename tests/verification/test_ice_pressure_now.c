@@ -1,0 +1,84 @@
+/* The pressure of a cell now is what the next step's equilibrium will find: of one fluid, and of two that are mixed. */
+#include "ice_fixture.h"
+
+enum { CELLS = 40 };
+
+/* Fluid r takes a share of the cell at a pressure that varies along the line. */
+static void set_share(fixture *f, int r, int i, double theta)
+{
+    const eos *law = &f->ice->material[r].eos;
+    const double p = 1e5 * (1.0 + 0.3 * sin(0.4 * i)), T = 300.0 + 20.0 * r;
+    const ptrdiff_t at = mesh_index(&f->mesh.block[0], i, 0, 0);
+    double v, dvdp;
+    law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
+    const double rho = 1.0 / v;
+    fixture_array(f, C_RHO, r, 0)[at] = theta * rho;
+    if (f->ice->multi) fixture_array(f, C_VOL, r, 0)[at] = v;
+    fixture_array(f, C_PRESSURE, 0, 0)[at] = p;
+    law->model->energy(law->par, 1, &rho, &T, &fixture_array(f, C_ENERGY, r, 0)[at]);
+}
+
+/* By how much the pressures now differ from those of the equilibrium at the same state, and the last step's from them. */
+static void compare(const char *second, double *off, double *step)
+{
+    fixture f;
+    const int cells = CELLS;
+    fixture_create(&f, 1, &cells, (const double[]){1.0}, false);
+    const int gas = fixture_fluid(&f, "ideal", 1.4, 717.5, 0.0);
+    if (second) fixture_fluid(&f, second, 4.4, 1000.0, 6e8);
+    fixture_fill(&f, gas, 1e5, 300.0, (double)NAN);
+    fixture_start(&f);
+    for (int i = 0; i < CELLS; ++i)
+        for (int r = 0; r < f.ice->n_materials; ++r) {
+            const double gas_share = second ? 0.1 + 0.2 * (i % 5) : 1.0;
+            set_share(&f, r, i, r == 0 ? gas_share : 1.0 - gas_share);
+        }
+    fixture_run(&f, 2e-5);
+    double now[CELLS];
+    for (int i = 0; i < CELLS; ++i) {
+        const ptrdiff_t at = mesh_index(&f.mesh.block[0], i, 0, 0);
+        now[i] = ice_pressure_now(f.ice, 0, fixture_array(&f, C_RHO, 0, 0)[at] > 0.0 ? 0 : 1, at);
+    }
+    check_ok(f.ctx, ice_boundary_ghosts(f.ice));
+    check_ok(f.ctx, ice_equilibrium_pressure(f.ice));
+    *off = *step = 0.0;
+    for (int i = 0; i < CELLS; ++i) {
+        const ptrdiff_t at = mesh_index(&f.mesh.block[0], i, 0, 0);
+        const double p = field_next(f.domain->fields[0], C_PRESSURE, 0, 0)[at];
+        *off = fmax(*off, fabs(now[i] / p - 1.0));
+        *step = fmax(*step, fabs(fixture_array(&f, C_PRESSURE, 0, 0)[at] / p - 1.0));
+    }
+    printf("%s: off by %.1e, the field by %.1e\n", second ? second : "alone", *off, *step);
+    fixture_destroy(&f);
+}
+
+static void one_fluid(void **state)
+{
+    (void)state;
+    double off, step;
+    compare(NULL, &off, &step);
+    check_true(off == 0.0);
+    check_true(step > 1e-4);
+}
+
+/* A liquid of 6e8 Pa beside a gas at 1e5 Pa: round-off of its law is some 1e-12 of the pressure. */
+static void two_fluids(void **state)
+{
+    (void)state;
+    double off, step;
+    compare("ideal", &off, &step);
+    check_true(off <= 1e-12);
+    check_true(step > 1e-4);
+    compare("stiffened", &off, &step);
+    check_true(off <= 1e-9);
+    check_true(step > 1e-4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_fluid),
+        cmocka_unit_test(two_fluids),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
