@@ -67,6 +67,21 @@ result_transport() {
     floe_compare poiseuille inputs/poiseuille.yaml --axis domain.cell=0.125,0.0625,0.03125
     cp "$csv" $results/transport-poiseuille.csv
     order_bar 'Poiseuille: order of velocity' "$csv" ice l1_velocity_x 1.9
+    local about_axis=(--set domain.geometry=axisymmetric)
+    floe_compare pipe inputs/poiseuille.yaml "${about_axis[@]}" --set 'domain.upper=[1, 0.5]' --set 'boundaries={r: {upper: no_slip}, z: periodic}' \
+        --set 'bodies.liquid.shape={box: {lower: [0, 0], upper: [1, 0.5]}}' --set 'loads.drive.gravity.acceleration=[0, 0.4]' \
+        --set 'verify.exact={pipe_flow: {radius: 1, force: 0.4, density: 1, viscosity: 0.1, pressure: 1}}' \
+        --set 'verify.metrics=[l1_velocity_y, linf_velocity_y]' --axis domain.cell=0.125,0.0625,0.03125
+    cp "$csv" $results/transport-pipe.csv
+    order_bar 'Pipe, about its axis: order of velocity' "$csv" ice l1_velocity_y 1.9
+    floe_compare annulus inputs/couette.yaml "${about_axis[@]}" --set 'domain.lower=[0.5, 0]' --set 'domain.upper=[1.5, 0.5]' \
+        --set 'boundaries={r: {lower: {no_slip: {velocity: [0, 0.8], temperature: 1.2}}, upper: {no_slip: {temperature: 1}}}, z: periodic}' \
+        --set 'bodies.gas.shape={box: {lower: [0.5, 0], upper: [1.5, 0.5]}}' \
+        --set 'verify.exact={annulus_hot: {inner_radius: 0.5, outer_radius: 1.5, speed: 0.8, pressure: 1, heat_capacity: 2.5, viscosity: 0.16, conductivity: 0.6, inner_temperature: 1.2, outer_temperature: 1}}' \
+        --set 'verify.metrics=[l1_velocity_y, l1_temperature, l1_density, l1_pressure]' --axis domain.cell=0.125,0.0625,0.03125
+    cp "$csv" $results/transport-annulus.csv
+    order_bar 'Annulus, hot core that slides, Mach 0.6: order of temperature' "$csv" ice l1_temperature 1.9
+    order_bar 'Annulus, hot core that slides, Mach 0.6: order of velocity' "$csv" ice l1_velocity_y 1.9
     local midpoint=(--set method.pressure=implicit --set method.centring=half)
     floe_compare green inputs/taylor_green.yaml "${midpoint[@]}" --set materials.liquid.eos.acoustic.sound_speed=320 \
         --axis domain.cell=0.03125,0.015625,0.0078125
@@ -105,6 +120,10 @@ result_transport() {
     order_table $results/transport-couette.csv ice l1_velocity_x l1_temperature l1_density l1_pressure
     write '## Poiseuille flow' '' 'Off by a constant, h^2/4 of the curvature at the walls.' ''
     order_table $results/transport-poiseuille.csv ice l1_velocity_x linf_velocity_x
+    write '## About an axis' '' 'Along a pipe of radius 1:' ''
+    order_table $results/transport-pipe.csv ice l1_velocity_y linf_velocity_y
+    write 'An ideal gas between a hot core of radius 0.5 that slides and a cold tube of radius 1.5:' ''
+    order_table $results/transport-annulus.csv ice l1_velocity_y l1_temperature l1_density l1_pressure
     write '## Taylor-Green vortices' '' 'At Mach 1/320, by the implicit pressure at the midpoint of the step. The exact solution is that of incompressible flow.' ''
     order_table $results/transport-green.csv ice l1_velocity_x l1_velocity_y
     floe_compare green-sound inputs/taylor_green.yaml --set materials.liquid.eos.acoustic.sound_speed=80

@@ -102,6 +102,7 @@
     X(C_RHO_SUM, "density_sum", CELL, SCALAR, "kg/m3", SCRATCH, "sum of rho^r")                                      \
     X(C_KAPPA_SUM, "compressibility_sum", CELL, SCALAR, "1/Pa", SCRATCH, "S = sum theta^r kappa^r")                  \
     X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "s: 0 smooth, 1 at a shock; phi = (1 + s) / 2")           \
+    X(C_CONTACT, "contact_sensor", CELL, SCALAR, "1", SCRATCH, "of one fluid: 0 smooth, 1 across a contact")         \
     X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")               \
     X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")    \
     X(C_WALL, "wall_fraction", CELL, SCALAR, "1", SCRATCH,                                                           \

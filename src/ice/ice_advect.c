@@ -71,20 +71,6 @@ FLOE_ALWAYS_INLINE slope slope_of(const double *centre, const double *const *low
     return s;
 }
 
-/* How much of a contact lies across a cell, 0 to 1: what change of density over two cells, from 5 % of it on, five times that of an
- * isentrope for the change of pressure does not explain. */
-FLOE_ALWAYS_INLINE double contact_in(const double *const *rho_lo, const double *const *rho_hi,
-                                     const double *const *p_lo, const double *const *p_hi, ptrdiff_t t, double inverse,
-                                     double c2, const int dim)
-{
-    double change = 0.0;
-    for (int a = 0; a < dim; ++a) {
-        const double jump = fabs(rho_hi[a][t] - rho_lo[a][t]), push = fabs(p_hi[a][t] - p_lo[a][t]);
-        change = most(change, jump * c2 - 5.0 * push);
-    }
-    return least(most(10.0 * (change * inverse - 0.05), 0.0), 1.0);
-}
-
 /* Donor data of one row of a slab. */
 FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v, int r, int slab, ptrdiff_t row,
                                   const int dim, const bool multi)
@@ -92,15 +78,13 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
     const ice_arrays *m = &v->m[r];
     const int slow = dim - 1, nq = ADVECT_COUNT(dim, multi), ring = (slab + 2) & 1;
     const ptrdiff_t start = ice_slab_start(v->b, dim, slab);
-    const double *rho = m->rho + start, *p = v->p + start, *rho_lo[3], *rho_hi[3], *p_lo[3], *p_hi[3], *u[3];
+    const double *rho = m->rho + start, *rho_lo[3], *rho_hi[3], *u[3];
     const double *q[ADVECT_Q], *q_lo[ADVECT_Q][3], *q_hi[ADVECT_Q][3];
     double *donor[3][2 * (ADVECT_Q + 1)], drift[3];
     for (int a = 0; a < dim; ++a) {
         const ptrdiff_t st = v->b->stride[a];
         rho_lo[a] = rho - st;
         rho_hi[a] = rho + st;
-        p_lo[a] = p - st;
-        p_hi[a] = p + st;
         u[a] = m->u[a] + start;
         drift[a] = -0.5 * v->dt * v->inv_h[a];
         for (int i = 0; i < 2 * (nq + 1); ++i) donor[a][i] = dim > 1 && a == slow ? w->across[ring][i] : w->along[a][i];
@@ -116,17 +100,16 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
     const double *dP = v->dP + start, *shock = v->shock + start, *c = m->c + start;
     const double *kappa = multi ? v->kappa_sum + start : NULL, *common = multi ? v->limiter + start : NULL,
                  *clip = w->clip;
+    const double *sharp = v->contact && !multi ? v->contact + start : NULL;
     const double lo = v->limit_lo, hi = v->limit_hi;
     /* The rows of the buffers and of the fields do not overlap. */
 #pragma omp simd
     for (ptrdiff_t t = row - 1; t < row + v->b->n[0] + 1; ++t) {
         const double mass = rho[t];
         slope g = slope_of(rho, rho_lo, rho_hi, t, dim);
-        const double inverse = multi ? kappa[t] : 1.0 / (mass * c[t] * c[t]);
-        const double contact =
-            multi ? 0.0 : (1.0 - lo) * contact_in(rho_lo, rho_hi, p_lo, p_hi, t, inverse, c[t] * c[t], dim);
+        const double contact = sharp ? sharp[t] : 0.0;
         const double f = multi ? common[t] : limit(g.room, g.reach, lo, hi * (1.0 + contact));
-        const double dilatation = -dP[t] * inverse;
+        const double dilatation = multi ? -dP[t] * kappa[t] : -dP[t] / (mass * c[t] * c[t]);
         const double thin = 1.0 - 0.5 * hi * (1.0 - shock[t]) * dilatation;
         double fill = least(most(thin, 0.5), 1.5);
         if (multi) fill *= clip[t];

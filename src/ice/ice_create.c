@@ -136,6 +136,7 @@ static void choose_kernels(ice *s)
 {
     const int d = s->mesh->dim - 1, m = s->multi;
     s->work->kernels = (ice_kernels){.sensor = ice_sensor_row[d][m],
+                                     .contact = ice_contact_row[d],
                                      .increment = ice_increment_row[d][m],
                                      .limiter = ice_limiter_row[d],
                                      .face_velocity = ice_face_velocity_row[d][m],

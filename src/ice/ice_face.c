@@ -116,7 +116,10 @@ static void sensor_rows(const ice *s, const ice_view *v)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
 #pragma omp parallel for schedule(static)
-    for (int row = 0; row < q.n; ++row) s->work->kernels.sensor(v, ice_row_j(q, row), ice_row_k(q, row));
+    for (int row = 0; row < q.n; ++row) {
+        s->work->kernels.sensor(v, ice_row_j(q, row), ice_row_k(q, row));
+        if (v->contact) s->work->kernels.contact(v, ice_row_j(q, row), ice_row_k(q, row));
+    }
 }
 
 floe_status ice_face_velocity(ice *s)
@@ -128,6 +131,7 @@ floe_status ice_face_velocity(ice *s)
     }
     if (s->sealed) ice_pool_centring(s);
     ice_fill_ghosts(s, C_SHOCK, ice_instance(s), FILL_CURRENT, GHOST_EVEN);
+    if (ice_sharpens(s)) ice_fill_ghosts(s, C_CONTACT, 0, FILL_CURRENT, GHOST_EVEN);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);

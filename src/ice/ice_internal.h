@@ -14,6 +14,12 @@ static inline int ice_instance(const ice *s)
     return s->sealed && s->gas >= 0 ? s->gas : 0;
 }
 
+/* One fluid, limited, has its contacts sharpened (C_CONTACT). */
+static inline bool ice_sharpens(const ice *s)
+{
+    return !s->multi && !s->sealed && s->scene->method.limiter == ICE_LIMITER_DEFAULT;
+}
+
 /* Keeps 0/0 of absent material at 0 without a branch; far below any density, speed squared or compressibility. */
 #define ICE_TINY 1e-200
 
@@ -55,7 +61,7 @@ typedef struct ice_view {
     const double *volume;  /* m3 of local cell i along axis 0 */
     const double *area0;   /* of its lower face along axis 0 */
     const double *radius0; /* m: of that face, where axis 0 is a radius */
-    double *p, *P, *dP, *shock, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv, *wall;
+    double *p, *P, *dP, *shock, *contact, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv, *wall;
     double *fp[3], *flux[3];
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
@@ -85,6 +91,7 @@ typedef struct ice_advect_result {
 typedef ice_advect_result ice_advect_slabs(const ice_advect_job *job);
 
 extern ice_row *const ice_sensor_row[3][2];
+extern ice_row *const ice_contact_row[3];
 extern ice_row *const ice_increment_row[3][2];
 extern ice_material_row *const ice_face_velocity_row[3][2];
 extern ice_material_row *const ice_face_theta_row[3];
@@ -94,7 +101,7 @@ extern ice_advect_slabs *const ice_advect_of[3][2];
 
 /* Chosen once, when the scene is resolved. */
 typedef struct ice_kernels {
-    ice_row *sensor, *increment, *limiter;
+    ice_row *sensor, *contact, *increment, *limiter;
     ice_material_row *face_velocity, *face_theta;
     ice_source_row *sources;
     ice_advect_slabs *advect;

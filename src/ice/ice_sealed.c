@@ -338,7 +338,8 @@ floe_status ice_sealed_flow_stages(ice *s)
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE),
           WRITES(C_VEL_L, C_ENERGY_L, F_VEL));
     STAGE(s, ALWAYS, ice_sealed_advect,
-          READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_VEL, C_DP, C_SHOCK, C_SOUND, C_VEL_L, C_ENERGY_L),
+          READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, C_SOUND, C_VEL_L,
+                C_ENERGY_L),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L));
     return FLOE_OK;
 }

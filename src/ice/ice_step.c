@@ -27,7 +27,7 @@ floe_status ice_pressure_stages(ice *s)
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL)),
-          WRITES(F_VEL, C_SHOCK));
+          WRITES(F_VEL, C_SHOCK, WHEN(ice_sharpens(s), C_CONTACT)));
     STAGE(s, implicit, ice_implicit_pressure,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
@@ -69,9 +69,9 @@ floe_status ice_advection_stages(ice *s)
 {
     const bool m = s->multi, r = s->work->reactions.n > 0;
     STAGE(s, ALWAYS, ice_advect,
-          READS(C_RHO, C_VEL, C_ENERGY, F_VEL, C_DP, C_SHOCK, C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL),
-                WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP),
-                WHEN(m, C_PRESSURE), WHEN(r, C_RHO_L)),
+          READS(C_RHO, C_VEL, C_ENERGY, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, WHEN(ice_sharpens(s), C_CONTACT),
+                C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA),
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(r, C_RHO_L)),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L), WHEN(r, C_RHO_L)));
     return FLOE_OK;
 }

@@ -50,6 +50,7 @@ static void gather_shared(const fields *f, bool multi, int instance, ice_view *v
     v->P = field_get(f, C_PRESSURE_ADVANCED, instance, 0);
     v->dP = field_get(f, C_DP, instance, 0);
     v->shock = field_get(f, C_SHOCK, instance, 0);
+    v->contact = field_get(f, C_CONTACT, 0, 0);
     v->kappa_sum = field_get(f, C_KAPPA_SUM, 0, 0);
     v->limiter = field_get(f, C_LIMITER, 0, 0);
     v->mixed = field_get(f, C_MIXED, 0, 0);
