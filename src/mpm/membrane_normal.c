@@ -119,6 +119,7 @@ floe_status normals_start(mpm *s, int body)
 {
     membrane_normals *n = &s->work->normals[body];
     surface_set_init(&n->set, s->ctx, s->mesh);
+    n->set.measures = false;
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, a, side);
     TRY(memory_new(s->ctx, &n->estimate, s->work->line[body].n, sizeof *n->estimate));

@@ -26,7 +26,13 @@ double surface_block_covers(const surface_set *s, const surface_entry *of, int r
  * the lower cell, then number, comes first. */
 int surface_nearest_in(const surface_set *s, const surface_block *b, const surface_entry *of, int most,
                        surface_neighbour *out);
-/* The same in as many rings as it takes, up to SURFACE_RINGS. */
+/* Distance (m) to the count-th nearest, or the farthest where there are fewer: *found is how many. 0 where there is none. */
+double surface_distance_in(const surface_set *s, const surface_block *b, const surface_entry *of, int count,
+                           int *found);
+/* The nearest that lie closer than `reach` (m), as surface_nearest_in gives them. */
+int surface_within_in(const surface_set *s, const surface_block *b, const surface_entry *of, double reach, int most,
+                      surface_neighbour *out);
+/* The same as surface_nearest_in in as many rings as it takes, up to SURFACE_RINGS. */
 int surface_nearest(const surface_set *s, const surface_entry *of, int most, surface_neighbour *out);
 
 #endif

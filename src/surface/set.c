@@ -18,7 +18,7 @@ const surface_method *surface_find(const char *name)
 
 void surface_set_init(surface_set *s, context *ctx, const mesh *m)
 {
-    *s = (surface_set){.ctx = ctx, .mesh = m};
+    *s = (surface_set){.ctx = ctx, .mesh = m, .measures = true};
 }
 
 static void free_list(context *ctx, surface_bins *l)

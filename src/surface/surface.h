@@ -67,6 +67,7 @@ typedef struct surface_set {
     const mesh *mesh;    /* not owned */
     bool mirror[3][2];   /* [axis][side]: where surfaces are reflected; set by the owner, none at first */
     bool closed;         /* methods that follow the numbers: the last point is followed by the first */
+    bool measures;       /* curvature and area are asked for, where the method gives them; true at first */
     const double *place; /* m, 3 a point, NAN for a point that is lost; not owned, valid while normals are made */
     size_t n_points;
     surface_bins points;

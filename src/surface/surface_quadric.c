@@ -3,8 +3,7 @@
  * the polynomial is cubic: with two neighbours on either side it has the slope of the five-point formula, and where arcs and lines
  * join errs less than the chord of the neighbours. In space it is quadratic. */
 #include "math/tensor.h"
-#include "surface/least_squares.h"
-#include "surface/plane.h"
+#include "surface/height.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,7 +19,7 @@ static const param_spec params[] = {
                 "how far it reaches, over the least that determines it; more of it smooths noisy positions"),
 };
 
-enum { FITS = 2, MOST_TERMS = 6 };
+enum { FITS = 2 };
 
 /* Neighbours that set the reach: two on either side, or the eight about a point of a lattice. */
 static int scale_count(int dim)
@@ -60,60 +59,16 @@ static const surface_block *block_of(blocks *b, int ring)
 
 static void look_about(blocks *b, const surface_entry *e, double spread, surroundings *out)
 {
+    const int wanted = scale_count(b->s->mesh->dim);
+    int found = 0;
     out->dim = b->s->mesh->dim;
     for (int ring = 1; ring <= SURFACE_RINGS; ++ring) {
-        const int wanted = scale_count(out->dim);
-        out->n = surface_nearest_in(b->s, block_of(b, ring), e, most_near(out->dim, spread), out->near);
-        const int scale = out->n < wanted ? out->n : wanted;
-        out->reach = scale > 0 ? margin * spread * sqrt(out->near[scale - 1].square) : 0.0;
-        if (scale == wanted && out->reach <= surface_block_covers(b->s, e, ring)) break;
+        const surface_block *about = block_of(b, ring);
+        out->reach = margin * spread * surface_distance_in(b->s, about, e, wanted, &found);
+        if (ring < SURFACE_RINGS && (found < wanted || out->reach > surface_block_covers(b->s, e, ring))) continue;
+        out->n = surface_within_in(b->s, about, e, out->reach, most_near(out->dim, spread), out->near);
+        return;
     }
-    while (out->n > 0 && !(out->near[out->n - 1].square < out->reach * out->reach)) out->n--;
-}
-
-/* Monomials of u and v (over the reach) up to a degree; how many there are. */
-static int monomials(int dim, int degree, double u, double v, double *row)
-{
-    int n = 0;
-    for (int total = 0; total <= degree; ++total)
-        for (int j = 0; j <= (dim == 3 ? total : 0); ++j) {
-            row[n] = 1.0;
-            for (int i = 0; i < total - j; ++i) row[n] *= u;
-            for (int i = 0; i < j; ++i) row[n] *= v;
-            n++;
-        }
-    return n;
-}
-
-static void add_row(const surroundings *about, const surface_frame *f, int degree, const double d[3], double weight,
-                    least_squares *l)
-{
-    double row[MOST_TERMS], root = sqrt(weight), scale = 1.0 / about->reach;
-    const int n = monomials(about->dim, degree, scale * vec_dot(d, f->u), scale * vec_dot(d, f->v), row);
-    for (int k = 0; k < n; ++k) row[k] *= root;
-    least_squares_add(l, row, root * scale * vec_dot(d, f->n));
-}
-
-/* Height over the plane of a frame, by the highest degree that the points determine. */
-static bool fit_height(const surroundings *about, const surface_frame *f, least_squares_solution *out)
-{
-    static const double here[3] = {0};
-    for (int degree = about->dim == 3 ? 2 : 3; degree > 0; --degree) {
-        double row[MOST_TERMS];
-        least_squares l;
-        const int terms = monomials(about->dim, degree, 0.0, 0.0, row);
-        if (about->n + 1 < terms) continue;
-        least_squares_begin(&l, SOLVE_QR, terms);
-        add_row(about, f, degree, here, 1.0, &l);
-        for (int k = 0; k < about->n; ++k) {
-            const double w = surface_weight(about->near[k].square / (about->reach * about->reach));
-            add_row(about, f, degree, about->near[k].d, w, &l);
-        }
-        if (!least_squares_solve(&l, out) || out->rank < terms) continue;
-        for (int k = terms; k < MOST_TERMS; ++k) out->x[k] = 0.0;
-        return true;
-    }
-    return false;
 }
 
 /* Sum of the principal curvatures of the height about the point, along the frame's normal side: x holds 1, u, (v,) u2, (uv, v2). */
@@ -162,6 +117,14 @@ static void cut(polygon *p, double u, double v)
     *p = kept;
 }
 
+/* Of the corner that is farthest from 0. */
+static double square_about(const polygon *p)
+{
+    double most = 0.0;
+    for (int k = 0; k < p->n; ++k) most = fmax(most, p->x[k][0] * p->x[k][0] + p->x[k][1] * p->x[k][1]);
+    return most;
+}
+
 static double area_of(const polygon *p)
 {
     double twice = 0.0;
@@ -178,28 +141,29 @@ static double share_of_plane(const surroundings *about, const surface_frame *f)
     const double r = 0.5 * about->reach, u = r, v = r;
     polygon p = {.x = {{-u, -v}, {u, -v}, {u, v}, {-u, v}}, .n = 4};
     for (int k = 0; k < about->n && p.n > 2; ++k) {
-        const double a = vec_dot(about->near[k].d, f->u), b = vec_dot(about->near[k].d, f->v);
-        if (a * a + b * b > 1e-12 * about->reach * about->reach) cut(&p, a, b);
+        const double a = vec_dot(about->near[k].d, f->u), b = vec_dot(about->near[k].d, f->v), square = a * a + b * b;
+        /* A point twice as far as all corners cuts none of them. */
+        if (square > 1e-12 * about->reach * about->reach && square < 4.0 * square_about(&p)) cut(&p, a, b);
     }
     return area_of(&p);
 }
 
-static bool fit(const surroundings *about, surface_estimate *out)
+static bool fit(const surroundings *about, bool measures, surface_estimate *out)
 {
     surface_frame f;
-    least_squares_solution found;
+    height_fit found;
     if (!surface_plane(about->dim, about->n, about->near, about->reach, &f)) return false;
     for (int k = 0; k < FITS; ++k) {
-        if (!fit_height(about, &f, &found)) return false;
+        if (!height_find(about->dim, about->n, about->near, about->reach, &f, &found)) return false;
         double n[3];
         for (int a = 0; a < 3; ++a) n[a] = f.n[a] - found.x[1] * f.u[a] - (about->dim == 3 ? found.x[2] * f.v[a] : 0.0);
         vec_normalize(n);
-        out->curvature = curvature_of(about->dim, found.x, about->reach);
+        if (measures) out->curvature = curvature_of(about->dim, found.x, about->reach);
         surface_frame_about(about->dim, n, &f);
     }
     memcpy(out->normal, f.n, sizeof f.n);
     out->condition = found.condition;
-    out->area = about->dim == 3 ? share_of_plane(about, &f) : share_of_line(about, f.u);
+    if (measures) out->area = about->dim == 3 ? share_of_plane(about, &f) : share_of_line(about, f.u);
     out->basis = SURFACE_METHOD;
     return true;
 }
@@ -213,7 +177,7 @@ static void cell(const surface_set *s, const void *par, const surface_cell *c, s
         if (e->image != 0) continue;
         surroundings about;
         look_about(&b, e, q->spread, &about);
-        (void)fit(&about, &out[e->number]);
+        (void)fit(&about, s->measures, &out[e->number]);
     }
 }
 
