@@ -114,14 +114,14 @@ sweep() {
     cp "$runs/$1.csv" "$results/normals-$1.csv"
     plot "$1" 820,520 <<END
 set logscale xy; set xlabel '$2'; set ylabel 'angle, root mean square (degrees)'; set key outside below maxrows 3; set format y '%g'
-plot for [c = 2:8] '$runs/$1.csv' using 1:c with linespoints lw 2 pt 7 ps 0.5 title columnheader(c) noenhanced
+plot for [c = 2:11] '$runs/$1.csv' using 1:c with linespoints lw 2 pt 7 ps 0.5 title columnheader(c) noenhanced
 END
     write '' "![$2]($name-$1.svg)"
 }
 
 normals_sweeps() {
     write '' '## Points a cell, noise, curvature' '' 'A circle of radius 1, mean over eight places of the mesh. By points a cell: h = 0.2, positions off by up to 0.01 of the spacing. By noise: 7 points a cell. By h over' \
-        'radius: 7 points a cell, 0.001 of the spacing. What goes by the spacing of the points (`connectivity`, `quadric`) does not see h; what goes by cells does; `spread` smooths noise.'
+        'radius: 7 points a cell, 0.001 of the spacing. What goes by the spacing of the points (`connectivity`, `quadric`) does not see h; what goes by cells does; `spread` smooths noise. The colours have 16 points a cell inside.'
     sweep points 'points a cell'
     sweep noise 'noise over spacing'
     sweep curvature 'h over radius'
@@ -149,6 +149,11 @@ cost() {
     awk -F'[:,]' -v n="$2" '/"steps"/ { s = $2 } /"mpm_membrane_normals"/ { t = $2 } END { printf "%.2g", 1e6 * t / s / n }' "$runs/$1/summary.json"
 }
 
+# angle_of FOLDER: what the run's metrics say of its normals at the end.
+angle_of() {
+    awk -F'[:,]' '/"linf_normal"/ { a = $2 } /"l2_normal"/ { b = $2 } END { printf "%.2g, %.2g", a, b }' "$runs/$1/summary.json"
+}
+
 # As the papers have it: strain by its rate, and nothing of what is lost becomes heat.
 by_rate=(--set bodies.skin.membrane.smoothing=0 --set bodies.skin.membrane.strain=rate --set method.flip=1 --set method.losses=drift)
 
@@ -163,13 +168,13 @@ normals_cost() {
 normals_circle() {
     local m p reference
     write '' '## Slack circular membrane (S00 figures 12 and 13)' '' '`inputs/membrane_circle.yaml`: the rest pressure with its damping; the plot without damping, as published (in figures only). Strain by its rate, as in the papers.' '' \
-        '| normals | rest pressure | off connectivity | microseconds a membrane point and step |' '|---|---|---|---|'
+        '| normals | rest pressure | off connectivity | normals off the radius: worst, root mean square (degrees) | microseconds a membrane point and step |' '|---|---|---|---|---|'
     for m in connectivity isosurface quadric; do
         floe_run "circle-free-$m" inputs/membrane_circle.yaml --set "bodies.skin.membrane.normals=$m" "${by_rate[@]}" --set damping=null --set time.end=0.05
         floe_run "circle-$m" inputs/membrane_circle.yaml --set "bodies.skin.membrane.normals=$m" "${by_rate[@]}"
         p=$(mean_after "$csv" pressure_gas 0.059)
         [ $m = connectivity ] && reference=$p
-        write "| $m | $(printf %.4f "$p") | $(calc %.5f "100*($p/$reference-1)") % | $([ $m = connectivity ] || cost "circle-$m" 91) |"
+        write "| $m | $(printf %.4f "$p") | $(calc %.5f "100*($p/$reference-1)") % | $(angle_of "circle-$m") | $([ $m = connectivity ] || cost "circle-$m" 91) |"
         [ $m = connectivity ] || bar "circular membrane: rest pressure, $m against connectivity" "$(calc %g "100*sqrt(($p/$reference-1)^2)")" '<=' 0.5 %.2g ' %'
     done
     plot circle 820,420 <<END
@@ -228,7 +233,8 @@ plot $(history_of bone-connectivity pressure_gas 'connectivity' 'lw 3 lc rgb gre
      $(history_of bone-isosurface pressure_gas 'isosurface' 'lw 1.5 lc rgb mpm'), \\
      $(history_of bone-quadric pressure_gas 'quadric' 'lw 1.5 dt 2 lc rgb ice')
 END
-    write '' '![pressure](normals-bone.svg)' '' 'As the deck is (strain from places, damping from t = 3), at rest; means from t = 3.6 on:' '' \
+    write '' '![pressure](normals-bone.svg)' '' 'As the deck is (strain from places, damping from t = 3), at rest; means from t = 3.6 on. Whose neighbours they are follows from `normals`: without' \
+        'connections they are found anew in every step from where the points lie.' '' \
         '| normals | pressure | off connectivity | radius |' '|---|---|---|---|'
     for m in connectivity quadric isosurface; do
         floe_run "rest-$m" inputs/membrane_dogbone.yaml --set "bodies.skin.membrane.normals=$m" --set 'domain.upper=[2, 2]' --set domain.cell=0.2 \

@@ -106,3 +106,19 @@ refused 'it has no row below its head' --set bodies.skin.membrane.surface.points
 refused 'it is empty' --set bodies.skin.membrane.surface.points.at=other.csv
 printf 'x,y,z\n0.3,0.1,0.1%02000d\n' 0 >deck/other.csv
 refused 'line 2 has more than' --set bodies.skin.membrane.surface.points.at=other.csv
+
+# Points of which no direction follows: one alone, and several on one spot, keep what they have, counted; nothing becomes a NaN. On a surface
+# they are refused, as are those on a line.
+for at in '[[0.3, 0.3]]' '[[0.3, 0.3], [0.3, 0.3], [0.3, 0.3]]' '[[0.25, 0.3], [0.27, 0.3], [0.29, 0.3]]'; do
+    for normals in colour isosurface isosurface_linear isosurface_quadratic quadric; do
+        expect 0 "$FLOE" run "$circle" --set runs_as=null --set time.max_steps=3 --set verify=null --set bodies.skin.membrane="{curve: {points: {at: $at}}, length: 0.1, thickness: 0.1, normals: $normals}" \
+            -o few --quiet
+        if grep -qi nan few/history.csv; then fault "a NaN of $at with $normals"; fi
+        [ $normals = colour ] || [ "$at" = '[[0.25, 0.3], [0.27, 0.3], [0.29, 0.3]]' ] || below 0 "$(json few/summary.json normals_kept)"
+        rm -r few
+    done
+done
+for at in '[[0.3, 0.1, 0.14]]' '[[0.3, 0.1, 0.14], [0.3, 0.1, 0.14], [0.3, 0.1, 0.14]]' '[[0.3, 0.05, 0.14], [0.3, 0.1, 0.14], [0.3, 0.15, 0.14]]'; do
+    expect 2 "$FLOE" run deck/patch.yaml --set bodies.skin.membrane.surface="{points: {at: $at, area: 0.001}}" -o few --quiet
+    has stderr 'make no surface: they are too few, or on one line'
+done
