@@ -24,7 +24,7 @@ static double place_of(double c, double y)
 
 typedef enum spacing { BY_ARC, BY_ABSCISSA, SIXTEENTHS } spacing;
 
-static const char *const spacing_name[] = {"arc", "x", "x, in middles of sixteenths"};
+static const char *const spacing_name[] = {"arc", "x", "x"};
 
 enum { PIECES = 20000 };
 
