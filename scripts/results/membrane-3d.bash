@@ -151,7 +151,7 @@ surface_list() {
 surface_checks() {
     local own listed key rate
     surface_list sphere-0.1
-    floe_run listed inputs/membrane_sphere.yaml --set "bodies.skin.membrane.surface={points: {at: $PWD/$runs/points.csv, area: 0.39269908169872414}}"
+    floe_run listed inputs/membrane_sphere.yaml --set "bodies.skin.membrane.surface={points: {at: ../$runs/points.csv, area: 0.39269908169872414}}"
     write '' '### From a list of points' '' 'The points that `surface: {sphere: ...}` makes, read from a file (`surface: {points: {at: points.csv, area: ...}}`), at cells of 0.1: errors in per cent, normals in degrees at the end.' '' \
         '| | pressure | energy of the gas | strain energy | normals: worst | root mean square |' '|---|---|---|---|---|---|'
     for key in sphere-0.1 listed; do
