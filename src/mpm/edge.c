@@ -9,11 +9,20 @@
 enum { MAX_ITERATIONS = 500 };
 static const double solver_tolerance = 1e-6; /* of the residual, in the norm of the diagonal's inverse */
 
-/* Calls back for every copy of a node: in each block that sees it, and at periodic images. */
-typedef void copy_visitor(double *array, ptrdiff_t at, double value);
+/* Where a block sees a node, moved by whole periods: false where it does not. */
+static bool sees(const mesh *m, const block *b, const edge_node *n, const int period[MESH_MAX_DIM], ptrdiff_t *at)
+{
+    int local[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        local[a] = n->at[a] + period[a] * m->n[a] - b->lo[a];
+        if (a < m->dim && (local[a] < -1 || local[a] > b->n[a] + 1)) return false;
+    }
+    *at = mesh_index(b, local[0], local[1], local[2]);
+    return true;
+}
 
-static void visit_copies(const mpm *s, int group, const edge_node *n, field_id id, int c, double value,
-                         copy_visitor *visit)
+/* Adds to every copy of a node: in each block that sees it, and at periodic images. */
+static void add_to_copies(const mpm *s, int group, const edge_node *n, field_id id, int c, double value)
 {
     const mesh *m = s->mesh;
     int images[MESH_MAX_DIM] = {0, 0, 0};
@@ -21,24 +30,11 @@ static void visit_copies(const mpm *s, int group, const edge_node *n, field_id i
     for (int z = -images[2]; z <= images[2]; ++z)
         for (int y = -images[1]; y <= images[1]; ++y)
             for (int x = -images[0]; x <= images[0]; ++x)
-                for (int blk = 0; blk < m->n_blocks; ++blk) {
-                    const block *b = &m->block[blk];
-                    const int shift[MESH_MAX_DIM] = {x * m->n[0], y * m->n[1], z * m->n[2]};
-                    int local[MESH_MAX_DIM];
-                    bool held = true;
-                    for (int a = 0; a < MESH_MAX_DIM; ++a) {
-                        local[a] = n->at[a] + shift[a] - b->lo[a];
-                        held = held && (a >= m->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
-                    }
-                    if (!held) continue;
-                    visit(field_get(s->domain->fields[blk], id, group, c), mesh_index(b, local[0], local[1], local[2]),
-                          value);
+                for (int b = 0; b < m->n_blocks; ++b) {
+                    ptrdiff_t at;
+                    if (sees(m, &m->block[b], n, (const int[]){x, y, z}, &at))
+                        field_get(s->domain->fields[b], id, group, c)[at] += value;
                 }
-}
-
-static void add_copy(double *array, ptrdiff_t at, double value)
-{
-    array[at] += value;
 }
 
 static double node_value(const mpm *s, int group, const edge_node *n, field_id id, int c)
@@ -127,7 +123,7 @@ static floe_status push_group(mpm *s, int group)
             const edge_line *l = &g->line[k];
             if (l->images) given -= l->stiffness * strained(s)[l->slot + (size_t)c] * unbalanced(g, l, c, false);
         }
-        for (int n = 0; n < g->n_nodes; ++n) visit_copies(s, group, &g->node[n], N_FORCE, c, v[V_X][n], add_copy);
+        for (int n = 0; n < g->n_nodes; ++n) add_to_copies(s, group, &g->node[n], N_FORCE, c, v[V_X][n]);
         ledger_add(s->ledger, momentum_along(c), LEDGER_BOUNDARY, given * s->work->kick);
     }
     return FLOE_OK;
@@ -250,8 +246,8 @@ static void accelerate(mpm *s, int group, int c, double *const v[V_COUNT])
     for (int n = 0; n < g->n_nodes; ++n) {
         if (((g->node[n].held >> c) & 1u) != 0) continue;
         const double change = v[V_X][n] - v[V_RAW][n];
-        visit_copies(s, group, &g->node[n], N_ACCEL, c, change, add_copy);
-        visit_copies(s, group, &g->node[n], N_VEL_L, c, change * s->work->kick, add_copy);
+        add_to_copies(s, group, &g->node[n], N_ACCEL, c, change);
+        add_to_copies(s, group, &g->node[n], N_VEL_L, c, change * s->work->kick);
     }
     ledger_add(s->ledger, momentum_along(c), LEDGER_BOUNDARY, given * s->work->kick);
     enter_work(s, g, c, v);

@@ -97,7 +97,7 @@ floe_status measure_profile(sim *s, const exact *solution, const char *path)
     if (s->mesh.dim < 2) return profile_of_line(s, solution, path);
     const int body = find_body(s);
     if (body < 0) return FLOE_OK;
-    if (!exact_provides(solution, EXACT_SIGMA_R) || solution->model->equations != EXACT_SOLID) return FLOE_OK;
+    if (!exact_provides(solution, EXACT_SIGMA_R) || !exact_is_solid(solution)) return FLOE_OK;
     TRY(point_samples_take(&p, s, solution, body));
     const floe_status status = collect(&p, path);
     point_samples_free(&p);

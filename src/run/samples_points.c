@@ -81,7 +81,7 @@ static floe_status take(point_samples *p)
     TRY(gather_volume(p));
     if (exact_provides(p->solution, EXACT_NORMAL)) TRY(gather_normals(p));
     if (fields_has(p->s->domain->fields[0], P_ENERGY, p->body)) TRY(gather(p, P_ENERGY, 0, &p->energy));
-    return p->solution->model->equations == EXACT_SOLID ? find_start(p) : FLOE_OK;
+    return exact_is_solid(p->solution) ? find_start(p) : FLOE_OK;
 }
 
 floe_status point_samples_take(point_samples *p, const sim *s, const exact *solution, int body)
@@ -183,7 +183,7 @@ static double polar_value(const point_samples *p, exact_quantity quantity, size_
 static double pressure_at(const point_samples *p, size_t i)
 {
     const double gauge = -(stress_at(p, 0, i) + stress_at(p, 1, i) + stress_at(p, 2, i)) / 3.0;
-    return p->solution->model->equations == EXACT_SOLID ? gauge : gauge + p->s->scene->reference_pressure;
+    return exact_is_solid(p->solution) ? gauge : gauge + p->s->scene->reference_pressure;
 }
 
 static double temperature_at(const point_samples *p, size_t i)

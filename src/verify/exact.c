@@ -90,6 +90,12 @@ void exact_destroy(context *ctx, exact *solution)
     *solution = (exact){.dim = 0};
 }
 
+bool exact_is_solid(const exact *solution)
+{
+    const exact_equations e = solution->model->equations;
+    return e == EXACT_SOLID || e == EXACT_LARGE_SOLID;
+}
+
 bool exact_provides(const exact *solution, exact_quantity quantity)
 {
     return (size_t)quantity < EXACT_QUANTITY_COUNT && (solution->model->provides & EXACT_BIT(quantity)) != 0;

@@ -64,6 +64,7 @@ typedef enum exact_equations {
     EXACT_LINEAR_ACOUSTICS, /* rho0 Du + grad p = 0, Dp + rho0 c^2 div u = 0; parameters density, sound_speed */
     EXACT_INCOMPRESSIBLE,   /* div u = 0, rho Du + grad p = mu lap u + rho b; parameters density, viscosity */
     EXACT_SOLID,            /* rho0 d2u/dt2 = div sigma + rho0 b; parameter density (absent: at rest) */
+    EXACT_LARGE_SOLID,      /* 0 = Div P at rest, P = J sigma F^-T, x the place before the load, at any strain */
     EXACT_OUTLINE,          /* a surface: normals of length one that lead along a gradient, without a curl */
     EXACT_ORDINARY          /* an ordinary differential equation in t, tested by itself */
 } exact_equations;
@@ -154,6 +155,8 @@ floe_status exact_create(context *ctx, const exact_model *model, const void *par
 void exact_destroy(context *ctx, exact *solution);
 
 bool exact_provides(const exact *solution, exact_quantity quantity);
+/* Whether it is one of a solid: given at places before the load, stress gauge to the reference pressure. */
+bool exact_is_solid(const exact *solution);
 /* The quantity at x and t; NAN when the solution does not provide it or does not hold there. */
 double exact_value(const exact *solution, exact_quantity quantity, const double x[3], double t);
 /* Body force per mass at x and t; zero for a solution without one. */
