@@ -3,6 +3,7 @@
 #include "base/memory.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { CUT_NEW = -3 };
@@ -289,4 +290,41 @@ floe_status cut_ahead(const cut_line *from, const double *velocity, double time,
         hold_end(from, chain->first + chain->n - 1, out);
     }
     return cut_find(out);
+}
+
+static void middle_of(const cut_line *c, const cut_piece *q, double x[2])
+{
+    for (int a = 0; a < 2; ++a)
+        x[a] = (1.0 - q->share) * c->vertex[q->vertex[0]].x[a] + q->share * c->vertex[q->vertex[1]].x[a];
+}
+
+/* Pieces of neighbouring sides meet at a corner, however sharp. */
+static bool is_near_along(const cut_piece *q, const cut_piece *r)
+{
+    return abs(q->vertex[0] - r->vertex[0]) <= 2 || q->vertex[0] == r->vertex[1] || q->vertex[1] == r->vertex[0];
+}
+
+/* Each has the other ahead, on the side that is not held. */
+static bool are_back_to_back(const cut_line *c, const cut_piece *q, const cut_piece *r)
+{
+    double from[2], to[2];
+    middle_of(c, q, from);
+    middle_of(c, r, to);
+    const double way[2] = {to[0] - from[0], to[1] - from[1]}, least = 1e-6 * c->mesh->h[0];
+    const double length_q = hypot(q->area[0], q->area[1]), length_r = hypot(r->area[0], r->area[1]);
+    return q->area[0] * r->area[0] + q->area[1] * r->area[1] < -0.1 * length_q * length_r &&
+           way[0] * q->area[0] + way[1] * q->area[1] > least * length_q &&
+           way[0] * r->area[0] + way[1] * r->area[1] < -least * length_r;
+}
+
+bool cut_is_thin(const cut_line *c, double x[2])
+{
+    for (int n = 0; n < c->n_pieces; ++n)
+        for (int k = n + 1; k < c->n_pieces; ++k) {
+            const cut_piece *q = &c->piece[n], *r = &c->piece[k];
+            if (q->cell != r->cell || is_near_along(q, r) || !are_back_to_back(c, q, r)) continue;
+            middle_of(c, q, x);
+            return true;
+        }
+    return false;
 }

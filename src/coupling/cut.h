@@ -60,6 +60,8 @@ floe_status cut_create(cut_line *c, context *ctx, const mesh *m);
 void cut_destroy(cut_line *c);
 /* Room for so many vertices and chains; sets n_vertices and n_chains. */
 floe_status cut_reserve(cut_line *c, int vertices, int chains);
+/* Whether gas lies on two sides of something thinner than a cell, in one cell: about x (m). Looks at every pair of pieces, for the start of a run. */
+bool cut_is_thin(const cut_line *c, double x[2]);
 /* Finds the cut cells of the lines where their vertices are after a time (s) at these velocities (m/s, two numbers each). As cut_find; `from` keeps on
  * standing. Ends stay on the sides of the mesh. */
 floe_status cut_ahead(const cut_line *from, const double *velocity, double time, cut_line *out);

@@ -112,9 +112,22 @@ static floe_status sealed_find_next(sealed *t)
     return cut_find(&t->next);
 }
 
+/* What would only be met as a step that goes bad is said at the start. */
+static floe_status check_lines(const sim *s, floe_status found)
+{
+    double x[2];
+    if (found == FLOE_RETRY) return FLOE_BAD_INPUT; /* the message stands */
+    TRY(found);
+    if (s->scene->method.interface != INTERFACE_SHARP || !cut_is_thin(&s->sealed->now, x)) return FLOE_OK;
+    return fail(s->ctx, FLOE_BAD_INPUT,
+                "a solid is thinner than a cell at (%g, %g), where the gas of its two sides would share it: refine "
+                "'domain.cell', or leave 'method.interface' out",
+                x[0], x[1]);
+}
+
 floe_status sealed_initialise(sim *s)
 {
-    TRY(sealed_find_now(s->sealed));
+    TRY(check_lines(s, sealed_find_now(s->sealed)));
     return ice_sealed_initialise(s->ice);
 }
 

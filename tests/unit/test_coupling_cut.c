@@ -181,6 +181,34 @@ static void test_two_chains(void **unused)
     context_destroy(&ctx);
 }
 
+/* A plate of half a cell, gas about it; one as thick as two cells; the gas between the two halves of a thick one. */
+static void test_thin(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    mesh m;
+    cut_line c;
+    double x[2];
+    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
+    check_ok(ctx, cut_create(&c, ctx, &m));
+    static const double low[] = {0.52, 0.52, 0.52}, high[] = {0.57, 0.72, 0.57};
+    for (int k = 0; k < 3; ++k) {
+        const double corner[4][2] = {{0.213, low[k]}, {0.213, high[k]}, {0.787, high[k]}, {0.787, low[k]}};
+        check_ok(ctx, cut_reserve(&c, 12, 1));
+        c.chain[0] = (cut_chain){0, 12, true};
+        for (int n = 0; n < 12; ++n) /* clockwise, three to a side; the last the other way: the gas is inside */
+            for (int a = 0; a < 2; ++a) {
+                const int at = k == 2 ? 11 - n : n;
+                c.vertex[n].x[a] =
+                    corner[at / 3][a] + (at % 3) / 3.0 * (corner[(at / 3 + 1) % 4][a] - corner[at / 3][a]);
+            }
+        check_ok(ctx, cut_find(&c));
+        assert_int_equal(cut_is_thin(&c, x), k == 0);
+    }
+    cut_destroy(&c);
+    context_destroy(&ctx);
+}
+
 static void test_refused(void **unused)
 {
     (void)unused;
@@ -202,8 +230,8 @@ static void test_refused(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_quarter), cmocka_unit_test(test_closed),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_quarter),     cmocka_unit_test(test_closed),
                                        cmocka_unit_test(test_on_the_mesh), cmocka_unit_test(test_two_chains),
-                                       cmocka_unit_test(test_refused)};
+                                       cmocka_unit_test(test_thin),        cmocka_unit_test(test_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -240,7 +240,10 @@ static void test_refused(void **unused)
         {"boundaries.y=periodic", "domain.upper=[1.5, 0.04]"},
         {"loads={fall: {gravity: {acceleration: [0, -10]}}}", "title=gravity"},
         {"method={interface: sharp, pressure: implicit}", "title=implicit"},
-        {"bodies.plate.shape={box: {lower: [-1, -1], upper: [2, 1]}}", "title=no surface"}};
+        {"bodies.plate.shape={box: {lower: [-1, -1], upper: [2, 1]}}", "title=no surface"},
+        {"bodies.plate.shape={box: {lower: [0.603, 0], upper: [0.608, 0.02]}}", "title=thin"},
+        {"bodies.more={material: plate, shape: {box: {lower: [0.5, 0], upper: [0.7, 0.02]}}, points: 2}",
+         "title=two in one place"}};
     for (size_t k = 0; k < sizeof sets / sizeof *sets; ++k) {
         trial t;
         deck_begin(&t, "shock_plate", sets[k], 2);
