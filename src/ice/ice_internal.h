@@ -244,8 +244,6 @@ void ice_face_fractions(const ice *s, const ice_view *v);
 void ice_finish_increment(const ice *s);
 
 void ice_view_make(const ice *s, int block_id, ice_view *v);
-/* ice_pressure_now of a block's view. */
-double ice_pressure_in(const ice *s, const ice_view *v, int material, ptrdiff_t at);
 
 /* How a field is continued into the ghosts beyond a side. */
 typedef enum ice_ghost {

@@ -1,12 +1,17 @@
 /* The pressure of a cell as its state is now: the field of it holds the equilibrium at the start of the last step. */
 #include "ice/ice_internal.h"
 
+static double value_of(const fields *f, field_id id, int r, ptrdiff_t at)
+{
+    return field_get(f, id, r, 0)[at];
+}
+
 /* How many materials a cell holds; *points: one of them is carried by points. */
-static int count_in(const ice *s, const ice_view *v, ptrdiff_t at, bool *points)
+static int count_in(const ice *s, const fields *f, ptrdiff_t at, bool *points)
 {
     int count = 0;
     for (int r = 0; r < s->n_materials; ++r) {
-        if (!(v->m[r].rho[at] > 0.0)) continue;
+        if (!(value_of(f, C_RHO, r, at) > 0.0)) continue;
         count++;
         *points = *points || s->material[r].points;
     }
@@ -14,42 +19,34 @@ static int count_in(const ice *s, const ice_view *v, ptrdiff_t at, bool *points)
 }
 
 /* Of several fluids (numerics 2.1), closed as ice_mixture.c closes them; `last` where no pressure fills the cell. */
-static double of_mixture(const ice *s, const ice_view *v, ptrdiff_t at, double last)
+static double of_mixture(const ice *s, const fields *f, ptrdiff_t at, double last)
 {
     isentrope path[ICE_MAX_MATERIALS];
     equilibrium_cell cell = {.n = s->n_materials, .p = last};
     for (int r = 0; r < s->n_materials; ++r) {
-        const ice_arrays *m = &v->m[r];
         cell.eos[r] = &s->material[r].eos;
-        cell.a[r] = m->rho[at];
-        if (!(m->rho[at] > 0.0)) continue;
-        const double density = 1.0 / m->vol[at];
-        cell.eos[r]->model->temperature(cell.eos[r]->par, 1, &density, &m->e[at], &cell.T[r]);
-        if (s->work->reconcile && isentrope_through(cell.eos[r], m->vol[at], m->e[at], &path[r]))
-            cell.path[r] = &path[r];
+        cell.a[r] = value_of(f, C_RHO, r, at);
+        if (!(cell.a[r] > 0.0)) continue;
+        const double v = value_of(f, C_VOL, r, at), e = value_of(f, C_ENERGY, r, at), density = 1.0 / v;
+        cell.eos[r]->model->temperature(cell.eos[r]->par, 1, &density, &e, &cell.T[r]);
+        if (s->work->reconcile && isentrope_through(cell.eos[r], v, e, &path[r])) cell.path[r] = &path[r];
     }
     return equilibrium_solve(s->work->solver[0], &cell) == FLOE_OK ? cell.p : last;
 }
 
-double ice_pressure_in(const ice *s, const ice_view *v, int material, ptrdiff_t at)
-{
-    if (s->multi) {
-        const double last = field_get(s->domain->fields[v->b->id], C_PRESSURE, 0, 0)[at];
-        bool points = false;
-        const int count = count_in(s, v, at, &points);
-        if (points) return last;
-        if (count > 1) return of_mixture(s, v, at, last);
-    }
-    const ice_arrays *m = &v->m[material];
-    const eos *law = &s->material[material].eos;
-    double pressure, c2;
-    law->model->pressure(law->par, 1, &m->rho[at], &m->e[at], &pressure, &c2);
-    return pressure;
-}
-
 double ice_pressure_now(const ice *s, int block_id, int material, ptrdiff_t at)
 {
-    ice_view v;
-    ice_view_make(s, block_id, &v);
-    return ice_pressure_in(s, &v, material, at);
+    const fields *f = s->domain->fields[block_id];
+    if (s->n_materials > 1 && !s->sealed) {
+        const double last = value_of(f, C_PRESSURE, 0, at);
+        bool points = false;
+        const int count = count_in(s, f, at, &points);
+        if (points) return last;
+        if (count > 1) return of_mixture(s, f, at, last);
+    }
+    const eos *law = &s->material[material].eos;
+    const double rho = value_of(f, C_RHO, material, at), e = value_of(f, C_ENERGY, material, at);
+    double pressure, c2;
+    law->model->pressure(law->par, 1, &rho, &e, &pressure, &c2);
+    return pressure;
 }

@@ -101,7 +101,7 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
                     const double weight = v.volume[i] * share;
                     double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, cell);
                     t[0] += weight;
-                    t[1] += weight * ice_pressure_in(s, &v, material, at);
+                    t[1] += weight * ice_pressure_now(s, id, material, at);
                 }
     }
     domain_sum_tiles(s->mesh, tile, 2, sum);
