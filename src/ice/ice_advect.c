@@ -193,7 +193,8 @@ FLOE_ALWAYS_INLINE void flux_row(const ice_view *v, int r, int axis, ptrdiff_t s
             flux[1 + i][t] = w * content;
             if (i < dim) square += content * content;
         }
-        flux[1 + nq][t] = 0.5 * w * square / (mass + ICE_TINY);
+        /* A slab that is all but empty holds momentum by round-off alone: of its donor's mass M, not of its own. */
+        flux[1 + nq][t] = 0.5 * w * square / (mass + 1e-14 * most(M, 0.0) + ICE_TINY);
     }
 }
 

@@ -134,6 +134,17 @@ void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *j
     }
 }
 
+/* So little may be left of a material that its velocity and energy are quotients of round-off, of any size: what they were before the
+ * step stands for those that no flow could have brought. */
+void ice_believe(const ice_arrays *m, ptrdiff_t at, int dim)
+{
+    double square = m->c[at] * m->c[at];
+    for (int a = 0; a < dim; ++a) square += m->u[a][at] * m->u[a][at];
+    for (int a = 0; a < dim; ++a)
+        if (!(m->u1[a][at] * m->u1[a][at] <= 1e4 * square)) m->u1[a][at] = m->u[a][at];
+    if (!(fabs(m->e1[at]) <= 1e4 * (fabs(m->e[at]) + square))) m->e1[at] = m->e[at];
+}
+
 /* Energy per volume that the update of a cell has made out of nothing: what the guard left out. */
 static double defect_of(const ice_advect_buffers *w, const ice_advect_job *job, int slab, ptrdiff_t start,
                         ptrdiff_t row, ptrdiff_t i)
@@ -168,6 +179,7 @@ void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int
             continue;
         }
         if (!job->conserve || !(m->rho1[at] > 0.0)) continue;
+        if (job->s->multi && m->rho1[at] * m->vol1[at] < ice_sliver) ice_believe(m, at, dim);
         const double defect = defect_of(w, job, slab, start, row, i);
         if (!(defect > 1e-12 * m->rho1[at] * m->e1[at])) continue; /* round-off of cells that were not guarded */
         double *tile = ice_tile(job->s, v->b, i, j, l);

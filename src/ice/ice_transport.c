@@ -90,16 +90,13 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
     return found > 0;
 }
 
-/* What is left of a material below ice_least_fraction of a cell is dropped; below `sliver`, what advection's round-off has left
- * without a temperature is given the last one at the last pressure (numerics 6). Both are entered in the ledger. */
-static const double sliver = 1e-6;
-
+/* What is left of a material below ice_least_fraction of a cell is dropped; in slivers, what advection's round-off has left without a
+ * temperature is given the last one at the last pressure (numerics 6). Both are entered in the ledger. */
 static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
 {
     double square = 0.0;
     for (int a = 0; a < dim; ++a) square += m->u1[a][at] * m->u1[a][at];
-    const double energy = m->rho1[at] * (m->e1[at] + 0.5 * square);
-    return isfinite(energy) ? energy : 0.0;
+    return m->rho1[at] * (m->e1[at] + 0.5 * square);
 }
 
 static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, double *tile)
@@ -107,8 +104,7 @@ static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, double *
     const ice_arrays *m = &v->m[r];
     const double mass = m->rho1[at] * volume;
     tile[TILE_MASS_DEFECT] -= mass;
-    for (int a = 0; a < v->dim; ++a)
-        if (isfinite(m->u1[a][at])) tile[TILE_MOMENTUM_DEFECT + a] -= mass * m->u1[a][at];
+    for (int a = 0; a < v->dim; ++a) tile[TILE_MOMENTUM_DEFECT + a] -= mass * m->u1[a][at];
     tile[TILE_DEFECT] -= total_energy(m, at, v->dim) * volume;
     m->rho1[at] = 0.0;
 }
@@ -141,8 +137,9 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
             for (int i = 0; i < b->n[0]; ++i) {
                 const ptrdiff_t at = mesh_index(b, i, j, k);
                 const double fraction = m->rho1[at] * m->vol1[at];
-                if (m->rho1[at] == 0.0 || fraction >= sliver) continue;
+                if (m->rho1[at] == 0.0 || fraction >= ice_sliver) continue;
                 double *tile = ice_tile(s, b, i, j, k);
+                ice_believe(m, at, v->dim);
                 if (fraction < ice_least_fraction)
                     drop(v, r, at, v->volume[i], tile);
                 else
