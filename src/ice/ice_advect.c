@@ -150,14 +150,17 @@ FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v
 }
 
 /* What a slab gives up as it falls to the pressure on its face: of its mass and energy per mass, shares; of its normal velocity, the
- * share that is the face's. From a drop (p - P*)/(rho c^2) of 0.3 on, in full at 0.63: fans over less than some five cells. */
+ * share that is the face's. From a drop (p - P*)/(rho c^2) of 0.3 on, in full at 0.63: fans over less than some five cells. At
+ * three quarters of the speed of sound nothing is left of it: the front of a gas that expands into next to nothing falls for good. */
 typedef struct fall {
     double mass, energy, velocity;
 } fall;
 
-FLOE_ALWAYS_INLINE fall fall_to(double p, double rho, double c, double face_pressure)
+FLOE_ALWAYS_INLINE fall fall_to(double p, double rho, double c, double velocity, double face_pressure)
 {
-    const double drop = (p - face_pressure) / (rho * c * c), part = least(most(3.0 * (drop - 0.3), 0.0), 1.0);
+    const double drop = (p - face_pressure) / (rho * c * c),
+                 slow = least(most(1.5 - 2.0 * fabs(velocity) / c, 0.0), 1.0),
+                 part = slow * least(most(3.0 * (drop - 0.3), 0.0), 1.0);
     return (fall){part * least(drop, 0.8), part * drop * p / rho, part};
 }
 
@@ -179,7 +182,7 @@ FLOE_ALWAYS_INLINE void flux_row(const ice_view *v, int r, int axis, ptrdiff_t s
         fall f = {0.0, 0.0, 0.0};
         if (!multi) {
             const ptrdiff_t d = t - down;
-            f = fall_to(forward ? p[d] : p[t], forward ? rho[d] : rho[t], forward ? c[d] : c[t], face_pressure[t]);
+            f = fall_to(forward ? p[d] : p[t], forward ? rho[d] : rho[t], forward ? c[d] : c[t], w, face_pressure[t]);
         }
         const double kept = 1.0 - f.mass, mass = kept * (M + g * x);
         flux[0][t] = w * mass;
