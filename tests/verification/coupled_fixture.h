@@ -10,6 +10,8 @@
 #include "run/catalogue.h"
 #include "run/initial.h"
 
+#include <unistd.h>
+
 static const double COUPLED_PRESSURE = 1e5, COUPLED_TEMPERATURE = 300.0; /* Pa, K: of the gas about the bodies */
 
 /* A box [0, upper] of cells h, closed by slip walls, filled with air at rest; its pressure is the reference. The solids'
@@ -185,6 +187,27 @@ FIXTURE void same_state(const state *a, const state *b)
         }
     }
     assert_int_equal(different, 0);
+}
+
+/* Runs a scene on that many blocks along each axis and threads; with a path, through a checkpoint there on the way. */
+typedef state bits_run(int blocks, int threads, const char *path);
+
+/* Any blocks and threads, and a run resumed on other blocks, come to the same bits. */
+FIXTURE void same_bits_however_run(bits_run *run)
+{
+    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    state expected = run(1, 1, NULL);
+    static const int other[][2] = {{2, 2}, {2, 1}, {1, 2}};
+    for (int k = 0; k < 3; ++k) {
+        state found = run(other[k][0], other[k][1], k == 0 ? path : NULL);
+        same_state(&expected, &found);
+        state_free(&found);
+    }
+    state_free(&expected);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(rmdir(folder), 0);
 }
 
 #endif

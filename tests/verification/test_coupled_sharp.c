@@ -6,8 +6,6 @@
 #include "io/checkpoint.h"
 #include "io/io.h"
 
-#include <unistd.h>
-
 static void begin(trial *t, const char *deck, const char *const *set, size_t n)
 {
     deck_begin(t, deck, set, n);
@@ -216,19 +214,7 @@ static state run(int blocks, int threads, const char *path)
 static void test_bits(void **unused)
 {
     (void)unused;
-    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
-    state expected = run(1, 1, NULL);
-    static const int other[][2] = {{2, 2}, {2, 1}, {1, 2}};
-    for (int k = 0; k < 3; ++k) {
-        state found = run(other[k][0], other[k][1], k == 0 ? path : NULL);
-        same_state(&expected, &found);
-        state_free(&found);
-    }
-    state_free(&expected);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    same_bits_however_run(run);
 }
 
 /* What cannot be done is said before anything runs. */
