@@ -42,16 +42,11 @@ static double annulus_value(const void *par, const void *prepared, exact_quantit
     const annulus_par *p = par;
     const double r = dim > 2 ? hypot(x[0], x[1]) : x[0];
     const double s = log(r / p->inner_radius) / log(p->outer_radius / p->inner_radius);
-    const double heating = 0.5 * p->viscosity * p->speed * p->speed / p->conductivity;
-    const double T = p->inner_temperature + (p->outer_temperature - p->inner_temperature) * s + heating * s * (1.0 - s);
     if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, dim - 1, p->speed * (1.0 - s));
-    switch (quantity) {
-    case EXACT_PRESSURE: return p->pressure;
-    case EXACT_DENSITY: return p->pressure / ((p->gamma - 1.0) * p->heat_capacity * T);
-    case EXACT_INTERNAL_ENERGY: return p->heat_capacity * T;
-    case EXACT_TEMPERATURE: return T;
-    default: return NAN;
-    }
+    const hot_walls walls = {p->pressure,          p->gamma,
+                             p->heat_capacity,     p->inner_temperature,
+                             p->outer_temperature, 0.5 * p->viscosity * p->speed * p->speed / p->conductivity};
+    return hot_walls_value(&walls, quantity, s);
 }
 
 static const annulus_par sample_par = {.inner_radius = 0.05,

@@ -45,16 +45,11 @@ static double hot_value(const void *par, const void *prepared, exact_quantity qu
     const hot_par *p = par;
     const int across = whole(p->axis);
     const double s = (x[across] - p->origin) / p->height;
-    const double heating = 0.5 * p->viscosity * p->speed * p->speed / p->conductivity;
-    const double T = p->lower_temperature + (p->upper_temperature - p->lower_temperature) * s + heating * s * (1.0 - s);
     if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, hot_along(across), p->speed * s);
-    switch (quantity) {
-    case EXACT_PRESSURE: return p->pressure;
-    case EXACT_DENSITY: return p->pressure / ((p->gamma - 1.0) * p->heat_capacity * T);
-    case EXACT_INTERNAL_ENERGY: return p->heat_capacity * T;
-    case EXACT_TEMPERATURE: return T;
-    default: return NAN;
-    }
+    const hot_walls walls = {p->pressure,          p->gamma,
+                             p->heat_capacity,     p->lower_temperature,
+                             p->upper_temperature, 0.5 * p->viscosity * p->speed * p->speed / p->conductivity};
+    return hot_walls_value(&walls, quantity, s);
 }
 
 static const hot_par sample_par = {.height = 0.1,

@@ -23,6 +23,18 @@ floe_status simple_wave_check(context *ctx, const char *key, double velocity, do
                 velocity, 2.0 * sound / (gamma - 1.0));
 }
 
+double hot_walls_value(const hot_walls *w, exact_quantity quantity, double s)
+{
+    const double T = w->first + (w->second - w->first) * s + w->heating * s * (1.0 - s);
+    switch (quantity) {
+    case EXACT_PRESSURE: return w->pressure;
+    case EXACT_DENSITY: return w->pressure / ((w->gamma - 1.0) * w->heat_capacity * T);
+    case EXACT_INTERNAL_ENERGY: return w->heat_capacity * T;
+    case EXACT_TEMPERATURE: return T;
+    default: return NAN;
+    }
+}
+
 /* A function that GSL never sees fail: a value that is not finite is noted and taken for a root, which ends the search. GSL's
  * own answer to it would be its error handler, which ends the process unless floe_init has switched it off. */
 typedef struct guarded {

@@ -73,6 +73,16 @@ static inline double simple_wave_value(exact_quantity quantity, double rho, doub
 /* Errors: FLOE_BAD_INPUT unless a gas of that speed of sound can follow the velocity `key`, instead of leaving a vacuum. */
 floe_status simple_wave_check(context *ctx, const char *key, double velocity, double sound, double gamma);
 
+/* A viscous ideal gas of even pressure between two walls of given temperatures, of which one slides: what two flows have in common at the
+ * share s of the way from wall to wall by which conduction alone would be linear. */
+typedef struct hot_walls {
+    double pressure, gamma, heat_capacity; /* Pa, 1, J/kg/K: c_v */
+    double first, second;                  /* K: of the walls, at s = 0 and s = 1 */
+    double heating;                        /* K: mu U^2/(2 k), of the shear */
+} hot_walls;
+/* Pressure, density, energy and temperature, T = T_1 + (T_2 - T_1) s + heating s (1 - s); NAN for another quantity. */
+double hot_walls_value(const hot_walls *w, exact_quantity quantity, double s);
+
 typedef double root_function(double x, void *user);
 
 /* The root of f in [lo, hi] to round-off (Brent's method, GSL); f must change sign there. NAN when it does not, when f is not

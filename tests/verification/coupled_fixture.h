@@ -6,7 +6,9 @@
 
 #include "base/memory.h"
 #include "deck/deck.h"
+#include "io/checkpoint.h"
 #include "io/gather.h"
+#include "io/io.h"
 #include "run/catalogue.h"
 #include "run/initial.h"
 
@@ -189,25 +191,91 @@ FIXTURE void same_state(const state *a, const state *b)
     assert_int_equal(different, 0);
 }
 
+/* Ends a trial with its whole state, ledger included; the caller's, for state_free. */
+FIXTURE state trial_finish(trial *t)
+{
+    check_ok(t->ctx, sim_account(t->sim));
+    state s = state_of(t->sim);
+    state_add_ledger(&s, t->sim);
+    trial_end(t);
+    return s;
+}
+
+/* A name for a checkpoint in a folder of its own, which goes with the checkpoint. */
+typedef struct checkpoint_place {
+    char folder[32], path[64];
+} checkpoint_place;
+
+FIXTURE checkpoint_place checkpoint_place_make(void)
+{
+    checkpoint_place place = {.folder = "/tmp/floe-test-XXXXXX"};
+    assert_non_null(mkdtemp(place.folder));
+    (void)snprintf(place.path, sizeof place.path, "%s/checkpoint.h5", place.folder);
+    return place;
+}
+
+FIXTURE void checkpoint_place_remove(const checkpoint_place *place)
+{
+    assert_int_equal(unlink(place->path), 0);
+    assert_int_equal(rmdir(place->folder), 0);
+}
+
+/* Starts a trial in the way that `how`, of a type of the test's own, says. */
+typedef void begin_trial(trial *t, const void *how);
+
+/* Two ways to run a scene come to the same bits. */
+FIXTURE void same_steps(begin_trial *begin, const void *one, const void *other, int steps)
+{
+    trial t;
+    begin(&t, one);
+    trial_steps(&t, steps);
+    state expected = trial_finish(&t);
+    begin(&t, other);
+    trial_steps(&t, steps);
+    state found = trial_finish(&t);
+    same_state(&expected, &found);
+    state_free(&expected);
+    state_free(&found);
+}
+
+/* A run that goes on comes to the bits of one that is read from its checkpoint, in another way. */
+FIXTURE void same_after_resuming(begin_trial *begin, const void *one, const void *other, int before, int after)
+{
+    const checkpoint_place place = checkpoint_place_make();
+    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
+    trial t;
+    begin(&t, one);
+    check_ok(t.ctx, io_init(t.ctx));
+    trial_steps(&t, before);
+    check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
+    trial_steps(&t, after);
+    state expected = trial_finish(&t);
+    begin(&t, other);
+    check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
+    trial_steps(&t, after);
+    state found = trial_finish(&t);
+    same_state(&expected, &found);
+    state_free(&expected);
+    state_free(&found);
+    checkpoint_place_remove(&place);
+}
+
 /* Runs a scene on that many blocks along each axis and threads; with a path, through a checkpoint there on the way. */
 typedef state bits_run(int blocks, int threads, const char *path);
 
 /* Any blocks and threads, and a run resumed on other blocks, come to the same bits. */
 FIXTURE void same_bits_however_run(bits_run *run)
 {
-    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    const checkpoint_place place = checkpoint_place_make();
     state expected = run(1, 1, NULL);
     static const int other[][2] = {{2, 2}, {2, 1}, {1, 2}};
     for (int k = 0; k < 3; ++k) {
-        state found = run(other[k][0], other[k][1], k == 0 ? path : NULL);
+        state found = run(other[k][0], other[k][1], k == 0 ? place.path : NULL);
         same_state(&expected, &found);
         state_free(&found);
     }
     state_free(&expected);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    checkpoint_place_remove(&place);
 }
 
 #endif

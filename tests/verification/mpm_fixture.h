@@ -252,4 +252,19 @@ FIXTURE double initial_of_exact(void *user, initial_quantity quantity, int compo
     return (double)NAN;
 }
 
+/* Steps until the solids are at rest by the scene's rule, looked at every 1e-4 s, or until `latest`. */
+FIXTURE void trial_settle(trial *t, double latest)
+{
+    sim_totals totals;
+    double next = 1e-4;
+    while (!t->sim->at_rest && t->sim->time < latest) {
+        check_ok(t->ctx, sim_step(t->sim, INFINITY));
+        if (t->sim->time < next) continue;
+        next += 1e-4;
+        check_ok(t->ctx, sim_account(t->sim));
+        check_ok(t->ctx, sim_sum(t->sim, &totals));
+        check_ok(t->ctx, sim_check_rest(t->sim, &totals));
+    }
+}
+
 #endif

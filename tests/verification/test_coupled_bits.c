@@ -4,8 +4,6 @@
 #include "io/checkpoint.h"
 #include "io/io.h"
 
-#include <unistd.h>
-
 enum { STEPS = 100 };
 
 typedef struct variant {
@@ -23,21 +21,12 @@ static void begin(trial *t, const variant *v)
     check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, COUPLING_ICE_MPM));
 }
 
-static state finish(trial *t)
-{
-    check_ok(t->ctx, sim_account(t->sim));
-    state s = state_of(t->sim);
-    state_add_ledger(&s, t->sim);
-    trial_end(t);
-    return s;
-}
-
 static state run(const variant *v)
 {
     trial t;
     begin(&t, v);
     trial_steps(&t, STEPS);
-    return finish(&t);
+    return trial_finish(&t);
 }
 
 static void test_blocks_and_threads(void **unused)
@@ -114,13 +103,10 @@ static void resume_at(const char *path, long steps)
 static void test_resume(void **unused)
 {
     (void)unused;
-    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    const checkpoint_place place = checkpoint_place_make();
     static const long steps[] = {0, 1, 2, 50, 200};
-    for (size_t k = 0; k < sizeof steps / sizeof *steps; ++k) resume_at(path, steps[k]);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    for (size_t k = 0; k < sizeof steps / sizeof *steps; ++k) resume_at(place.path, steps[k]);
+    checkpoint_place_remove(&place);
 }
 
 int main(void)

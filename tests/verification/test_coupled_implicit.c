@@ -4,8 +4,6 @@
 #include "io/checkpoint.h"
 #include "io/io.h"
 
-#include <unistd.h>
-
 static const deck_variant variants[] = {
     {"gas in a box",
      "closed_box",
@@ -60,9 +58,7 @@ static void blocks_and_threads(void **unused)
 static void resume(void **unused)
 {
     (void)unused;
-    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    const checkpoint_place place = checkpoint_place_make();
     checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     for (int k = 0; k < VARIANTS; ++k)
         for (long steps = 0; steps < 24; steps += 11) {
@@ -71,19 +67,18 @@ static void resume(void **unused)
             begin(&t, &variants[k], 1, 1, &solution);
             check_ok(t.ctx, io_init(t.ctx));
             trial_steps(&t, steps);
-            check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+            check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
             state expected = after(&t, STEPS_ON);
             variant_end(&t, &solution);
             begin(&t, &variants[k], 2, 1, &solution);
-            check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+            check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
             state found = after(&t, STEPS_ON);
             same_state(&expected, &found);
             state_free(&found);
             state_free(&expected);
             variant_end(&t, &solution);
         }
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    checkpoint_place_remove(&place);
 }
 
 /* method.pressure auto: implicit from the start where sound would bind, explicit once the limit of the acoustic CFL leaves nothing to gain,
@@ -93,9 +88,7 @@ static void auto_changes_and_resumes(void **unused)
     (void)unused;
     static const deck_variant box = {
         "box", "closed_box", COUPLING_ICE, 1, 3, {"method.pressure=auto", "time.acoustic_cfl=20", "time.end=1"}};
-    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    const checkpoint_place place = checkpoint_place_make();
     checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     trial t;
     exact solution;
@@ -108,21 +101,20 @@ static void auto_changes_and_resumes(void **unused)
     trial_steps(&t, 10);
     assert_false(t.sim->ice->implicit);
     assert_non_null(strstr(t.sim->pressure_reason, "from now on explicit"));
-    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+    check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
     t.scene->time.acoustic_cfl = 20.0;
     state expected = after(&t, 70);
     assert_true(t.sim->ice->implicit);
     variant_end(&t, &solution);
     begin(&t, &box, 2, 1, &solution);
-    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+    check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
     assert_false(t.sim->ice->implicit);
     state found = after(&t, 70);
     same_state(&expected, &found);
     state_free(&found);
     state_free(&expected);
     variant_end(&t, &solution);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    checkpoint_place_remove(&place);
 }
 
 /* What each scene costs less with. */

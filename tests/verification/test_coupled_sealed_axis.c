@@ -199,11 +199,7 @@ static state run(int blocks)
     use_threads(blocks);
     check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
     trial_steps(&t, 100);
-    check_ok(t.ctx, sim_account(t.sim));
-    state s = state_of(t.sim);
-    state_add_ledger(&s, t.sim);
-    trial_end(&t);
-    return s;
+    return trial_finish(&t);
 }
 
 static void test_bits(void **unused)

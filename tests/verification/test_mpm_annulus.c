@@ -29,20 +29,6 @@ static void make_annulus(trial *t, const annulus *a)
     trial_start(t);
 }
 
-static void settle(trial *t)
-{
-    sim_totals totals;
-    double next = 1e-4;
-    while (!t->sim->at_rest && t->sim->time < 12e-3) {
-        check_ok(t->ctx, sim_step(t->sim, INFINITY));
-        if (t->sim->time < next) continue;
-        next += 1e-4;
-        check_ok(t->ctx, sim_account(t->sim));
-        check_ok(t->ctx, sim_sum(t->sim, &totals));
-        check_ok(t->ctx, sim_check_rest(t->sim, &totals));
-    }
-}
-
 typedef struct sums {
     double *value;
     size_t n;
@@ -58,7 +44,7 @@ static double error_of(const annulus *a)
 {
     trial t;
     make_annulus(&t, a);
-    settle(&t);
+    trial_settle(&t, 12e-3);
     sums s = {.value = calloc(mpm_count(t.sim->mpm), sizeof(double))};
     visit_points(&t, 0, add_sum, &s);
     const double error = 100.0 * guilkey_eq13(s.n, s.value, pressure, bore, outside);

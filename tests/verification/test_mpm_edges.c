@@ -147,21 +147,6 @@ static void add_stress(void *user, const fields *f, int body, size_t k)
     s->value[s->n++] = field_get(f, P_STRESS, body, 0)[k] + field_get(f, P_STRESS, body, 1)[k];
 }
 
-static void settle(trial *t)
-{
-    sim_totals totals;
-    double next = 1e-4;
-    while (!t->sim->at_rest && t->sim->time < 10e-3) {
-        check_ok(t->ctx, sim_step(t->sim, INFINITY));
-        if (t->sim->time < next) continue;
-        next += 1e-4;
-        check_ok(t->ctx, sim_account(t->sim));
-        check_ok(t->ctx, sim_sum(t->sim, &totals));
-        check_ok(t->ctx, sim_check_rest(t->sim, &totals));
-    }
-    assert_true(t->sim->at_rest);
-}
-
 static double cylinder_error(const char *cell, const char *how)
 {
     const char *const set[] = {cell, how, "method.edge_penalty=0.05"};
@@ -169,7 +154,8 @@ static double cylinder_error(const char *cell, const char *how)
     deck_begin(&t, "annulus_traction", set, 3);
     use_threads(1);
     trial_start(&t);
-    settle(&t);
+    trial_settle(&t, 10e-3);
+    assert_true(t.sim->at_rest);
     stress_list s = {.value = calloc(mpm_count(t.sim->mpm), sizeof(double))};
     visit_points(&t, 0, add_stress, &s);
     const double error = 100.0 * guilkey_eq13(s.n, s.value, 19.4e6, 0.5, 1.0);
@@ -216,15 +202,6 @@ static void begin_resumed(trial *t, int blocks, int threads)
     trial_start(t);
 }
 
-static state finish(trial *t)
-{
-    check_ok(t->ctx, sim_account(t->sim));
-    state s = state_of(t->sim);
-    state_add_ledger(&s, t->sim);
-    trial_end(t);
-    return s;
-}
-
 /* The same bits whether run through, or resumed with other blocks and threads. */
 static void test_resume(void **unused)
 {
@@ -233,25 +210,25 @@ static void test_resume(void **unused)
     checkpoint_extra extra[2];
     assert_non_null(mkdtemp(folder));
     (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
+    const checkpoint_place place = checkpoint_place_make();
     trial t;
     begin_resumed(&t, 1, 1);
     check_ok(t.ctx, io_init(t.ctx));
     trial_steps(&t, 60);
     assert_true(largest_difference(&t) > 0.0);
     checkpoint_run info = checkpoint_of(&t, extra);
-    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+    check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
     trial_steps(&t, 40);
-    state expected = finish(&t);
+    state expected = trial_finish(&t);
     begin_resumed(&t, 2, 2);
     info = checkpoint_of(&t, extra);
-    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+    check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
     trial_steps(&t, 40);
-    state found = finish(&t);
+    state found = trial_finish(&t);
     same_state(&expected, &found);
     state_free(&expected);
     state_free(&found);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    checkpoint_place_remove(&place);
 }
 
 int main(void)

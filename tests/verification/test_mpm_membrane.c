@@ -5,8 +5,6 @@
 #include "io/checkpoint.h"
 #include "io/io.h"
 
-#include <unistd.h>
-
 static const double pi = 3.14159265358979323846;
 
 /* ---- York 1997, section 5.5 ---- */
@@ -335,23 +333,15 @@ typedef struct variant {
 
 static const char connected[] = "bodies.skin.membrane.normals=connectivity";
 
-static void begin(trial *t, const variant *v)
+static void begin(trial *t, const void *how)
 {
+    const variant *v = how;
     const char *const set[] = {"domain.cell=0.05", v->basis, v->normals};
     deck_begin(t, "membrane_circle", set, 3);
     t->scene->mesh.blocks[0] = t->scene->mesh.blocks[1] = v->blocks;
     t->scene->method.stress = v->stress;
     use_threads(v->threads);
     trial_start(t);
-}
-
-static state finish(trial *t)
-{
-    check_ok(t->ctx, sim_account(t->sim));
-    state s = state_of(t->sim);
-    state_add_ledger(&s, t->sim);
-    trial_end(t);
-    return s;
 }
 
 static void test_bits(void **unused)
@@ -364,43 +354,15 @@ static void test_bits(void **unused)
         for (int k = 0; k < (scheme == STRESS_USL ? 4 : 2); ++k) {
             const variant one = {1, 1, (stress_scheme)scheme, basis[k == 0], normals[k < 2 ? 0 : k - 1]};
             const variant other = {2, 2, one.stress, one.basis, one.normals};
-            trial t;
-            begin(&t, &one);
-            trial_steps(&t, 60);
-            state expected = finish(&t);
-            begin(&t, &other);
-            trial_steps(&t, 60);
-            state found = finish(&t);
-            same_state(&expected, &found);
-            state_free(&expected);
-            state_free(&found);
+            same_steps(begin, &one, &other, 60);
         }
 }
 
 static void resume(const char *normals)
 {
-    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
     const variant one = {1, 1, STRESS_USL, "method.basis=quadratic", normals};
     const variant four = {2, 2, STRESS_USL, one.basis, normals};
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
-    trial t;
-    begin(&t, &one);
-    check_ok(t.ctx, io_init(t.ctx));
-    trial_steps(&t, 40);
-    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
-    trial_steps(&t, 20);
-    state expected = finish(&t);
-    begin(&t, &four);
-    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
-    trial_steps(&t, 20);
-    state found = finish(&t);
-    same_state(&expected, &found);
-    state_free(&expected);
-    state_free(&found);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    same_after_resuming(begin, &one, &four, 40, 20);
 }
 
 static void test_resume(void **unused)

@@ -5,8 +5,6 @@
 #include "io/checkpoint.h"
 #include "io/io.h"
 
-#include <unistd.h>
-
 static const double pi = 3.14159265358979323846;
 
 static scene_membrane *add_surface(trial *t, double modulus, const sheet_surface *surface)
@@ -94,22 +92,14 @@ typedef struct variant {
     const char *stress, *normals; /* as set on the command line */
 } variant;
 
-static void begin(trial *t, const variant *v)
+static void begin(trial *t, const void *how)
 {
+    const variant *v = how;
     const char *const set[] = {v->stress, v->normals, "domain.upper=[0.8, 0.8, 0.8]"};
     deck_begin(t, "membrane_sphere", set, 3);
     for (int a = 0; a < 3; ++a) t->scene->mesh.blocks[a] = v->blocks;
     use_threads(v->threads);
     trial_start(t);
-}
-
-static state finish(trial *t)
-{
-    check_ok(t->ctx, sim_account(t->sim));
-    state s = state_of(t->sim);
-    state_add_ledger(&s, t->sim);
-    trial_end(t);
-    return s;
 }
 
 static void test_bits(void **unused)
@@ -119,44 +109,16 @@ static void test_bits(void **unused)
                                           {"method.stress=musl", "bodies.skin.membrane.normals=quadric"}};
     for (int k = 0; k < 2; ++k) {
         const variant one = {1, 1, way[k][0], way[k][1]}, other = {2, 2, way[k][0], way[k][1]};
-        trial t;
-        begin(&t, &one);
-        trial_steps(&t, 6);
-        state expected = finish(&t);
-        begin(&t, &other);
-        trial_steps(&t, 6);
-        state found = finish(&t);
-        same_state(&expected, &found);
-        state_free(&expected);
-        state_free(&found);
+        same_steps(begin, &one, &other, 6);
     }
 }
 
 static void test_resume(void **unused)
 {
     (void)unused;
-    char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
     const variant one = {1, 1, "method.stress=musl", "bodies.skin.membrane.normals=quadric"};
     const variant eight = {2, 2, one.stress, one.normals};
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
-    trial t;
-    begin(&t, &one);
-    check_ok(t.ctx, io_init(t.ctx));
-    trial_steps(&t, 4);
-    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
-    trial_steps(&t, 4);
-    state expected = finish(&t);
-    begin(&t, &eight);
-    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
-    trial_steps(&t, 4);
-    state found = finish(&t);
-    same_state(&expected, &found);
-    state_free(&expected);
-    state_free(&found);
-    assert_int_equal(unlink(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    same_after_resuming(begin, &one, &eight, 4, 4);
 }
 
 int main(void)
