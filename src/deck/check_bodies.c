@@ -109,6 +109,8 @@ static floe_status check_body(reader *r, const scene_body *b)
 static floe_status check_points_only(reader *r, const char *key, int n)
 {
     const scene_coupling cells[] = {COUPLING_ICE, COUPLING_ICE_MPM};
+    for (int b = 0; b < r->scene->n_bodies; b++)
+        if (r->scene->body[b].material < 0) return FLOE_OK; /* another error */
     for (int i = 0; n > 0 && i < 2; i++) {
         if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && scene_is_cut(r->scene))) continue;
         return bad_at(r, PATH(key), "coupling: mpm", NULL,
