@@ -6,8 +6,8 @@
 #ifndef BATCH_BATCH_H
 #define BATCH_BATCH_H
 
+#include "base/sha256.h"
 #include "deck/deck.h"
-#include "io/sha256.h"
 #include "io/summary.h"
 
 #include <signal.h>

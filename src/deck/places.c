@@ -1,4 +1,5 @@
 /* Lists of places: in the deck, or in a file of comma-separated values beside it. */
+#include "base/sha256.h"
 #include "deck/parts.h"
 #include "deck/units.h"
 
@@ -185,6 +186,14 @@ static floe_status read_places(reader *r, const key_spec *key, deck_node *node, 
     return bad(r, node, custom_places.form, "'%s' is %s", key->key, found);
 }
 
+/* In a comment, what the file held: a run that goes on compares resolved decks, and so sees that the list is another one. */
+static void write_digest(writer *w, const curve_line *c)
+{
+    char digest[SHA256_TEXT];
+    sha256_of(c->vertex, 3 * (size_t)c->n_vertices * sizeof *c->vertex, digest);
+    text_print(&w->out, " # %d places, sha256 %s\n", c->n_vertices, digest);
+}
+
 static void write_places(writer *w, const key_spec *key, const void *base)
 {
     const curve_line *c = base;
@@ -192,7 +201,7 @@ static void write_places(writer *w, const key_spec *key, const void *base)
     if (c->file) {
         text_print(&w->out, " ");
         write_quoted(&w->out, c->file);
-        text_print(&w->out, "\n");
+        write_digest(w, c);
         return;
     }
     for (int i = 0; i < c->n_vertices; i++) {

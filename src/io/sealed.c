@@ -1,9 +1,9 @@
 #include "io/sealed.h"
 
 #include "base/memory.h"
+#include "base/sha256.h"
 #include "floe_build.h"
 #include "io/file.h"
-#include "io/sha256.h"
 
 #include <inttypes.h>
 #include <string.h>

@@ -1,12 +1,12 @@
 #include "io/snapshot.h"
 
 #include "base/memory.h"
+#include "base/sha256.h"
 #include "floe_build.h"
 #include "io/file.h"
 #include "io/hdf.h"
 #include "io/names.h"
 #include "io/sealed.h"
-#include "io/sha256.h"
 #include "io/snapshot_content.h"
 #include "io/snapshot_folder.h"
 #include "io/strbuf.h"

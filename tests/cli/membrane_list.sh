@@ -87,6 +87,16 @@ close "$(json listed/summary.json l2rel_stress_xx)" "$(json plane/summary.json l
 below "$(json listed/summary.json linf_normal)" 1e-9
 (cd plane && expect 0 "$FLOE" run "$(ls ../listed/*.yaml)" -o again --quiet && same_results ../listed again)
 
+# A run goes on with the list that it began with, and with no other.
+expect 5 "$FLOE" run "${listed[@]}" -o stopped --max-wall 1e-6
+cp deck/patch.csv patch.csv
+awk 'NR == 5 { sub(/0.14/, "0.1400001") } { print }' patch.csv >deck/patch.csv
+expect 2 "$FLOE" run "${listed[@]}" -o stopped --resume
+has stderr 'sha256'
+cp patch.csv deck/patch.csv
+expect 0 "$FLOE" run "${listed[@]}" -o stopped --resume --quiet
+same_results listed stopped
+
 refused() {
     expect 2 "$FLOE" check "${listed[@]}" "${@:2}"
     has stderr "$1"

@@ -1,9 +1,9 @@
 /* Checkpoints: bitwise round trips over any blocks, and refusal of everything that is not just right. */
 #include "test_io_fixture.h"
 
+#include "base/sha256.h"
 #include "io/checkpoint.h"
 #include "io/sealed.h"
-#include "io/sha256.h"
 #include "test_io_faults.h"
 
 static const fixture_spec coupled = {.dim = 2, .cells = {24, 20}, .with_points = true, .with_cells = true};

@@ -1,6 +1,6 @@
-/* SHA-256 (FIPS 180-4): the checksum of floe's binary files and of deck texts. */
-#ifndef IO_SHA256_H
-#define IO_SHA256_H
+/* SHA-256 (FIPS 180-4): the checksum of files, of decks, and of lists that a deck names. */
+#ifndef BASE_SHA256_H
+#define BASE_SHA256_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -21,7 +21,8 @@ void sha256_begin(sha256 *h);
 void sha256_add(sha256 *h, const void *data, size_t size);
 void sha256_end(sha256 *h, unsigned char digest[SHA256_SIZE]);
 
-/* The digest of one text in hexadecimal. */
+/* The digest of `size` bytes, or of one text, in hexadecimal. */
+void sha256_of(const void *data, size_t size, char hex[SHA256_TEXT]);
 void sha256_of_text(const char *text, char hex[SHA256_TEXT]);
 
 #endif

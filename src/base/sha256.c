@@ -1,4 +1,4 @@
-#include "io/sha256.h"
+#include "base/sha256.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -92,12 +92,17 @@ void sha256_end(sha256 *h, unsigned char digest[SHA256_SIZE])
     for (int i = 0; i < 32; i++) digest[i] = (unsigned char)(h->state[i / 4] >> (24 - 8 * (i % 4)));
 }
 
-void sha256_of_text(const char *text, char hex[SHA256_TEXT])
+void sha256_of(const void *data, size_t size, char hex[SHA256_TEXT])
 {
     sha256 h;
     unsigned char digest[SHA256_SIZE];
     sha256_begin(&h);
-    sha256_add(&h, text, strlen(text));
+    sha256_add(&h, data, size);
     sha256_end(&h, digest);
     for (int i = 0; i < SHA256_SIZE; i++) (void)snprintf(hex + 2 * (size_t)i, 3, "%02x", digest[i]);
+}
+
+void sha256_of_text(const char *text, char hex[SHA256_TEXT])
+{
+    sha256_of(text, strlen(text), hex);
 }
