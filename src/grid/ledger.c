@@ -35,13 +35,20 @@ void ledger_discard(ledger *l)
     memset(l->pending_count, 0, sizeof l->pending_count);
 }
 
+/* Momentum is one vector: what an axis that is all but at rest drifts by is a share of the whole, not of its own round-off. */
+static double scale_of(const ledger *l, ledger_quantity q)
+{
+    if (q < LEDGER_MOMENTUM_X || q > LEDGER_MOMENTUM_Z) return l->scale[q];
+    return fmax(l->scale[LEDGER_MOMENTUM_X], fmax(l->scale[LEDGER_MOMENTUM_Y], l->scale[LEDGER_MOMENTUM_Z]));
+}
+
 double ledger_drift(const ledger *l, ledger_quantity q)
 {
     if (l->no_account[q]) return 0.0;
     double expected = l->initial[q];
     for (int k = 0; k < LEDGER_KINDS; ++k) expected += l->entry[q][k].value + l->entry[q][k].carry;
     const double drift = fabs(l->total[q] - expected);
-    return drift == 0.0 ? 0.0 : drift / l->scale[q];
+    return drift == 0.0 ? 0.0 : drift / scale_of(l, q);
 }
 
 const char *ledger_quantity_name(ledger_quantity q)
