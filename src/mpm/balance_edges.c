@@ -3,7 +3,6 @@
 #include "mpm/edge.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 static int place_of(const mpm *s, const edge_node *n)
 {
@@ -24,23 +23,22 @@ int balance_width(const mpm *s)
 
 floe_status balance_find_edges(mpm *s)
 {
-    return s->work->edges ? edges_find(s, 0) : FLOE_OK;
+    return s->work->edges ? edges_find(s, 0, true) : FLOE_OK;
 }
 
 void balance_pull_edges(mpm *s, const double *u, double *inner)
 {
     const edge_group *g = lines_of(s);
-    mpm_edges *e = s->work->edges;
-    if (e) memset(e->next, 0, e->slots * sizeof *e->next);
+    const size_t dim = (size_t)s->mesh->dim;
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
             const edge_line *l = &g->line[k];
-            const size_t slot = l->slot + (size_t)c, base = (size_t)c * s->balance->grid.size;
+            const size_t base = (size_t)c * s->balance->grid.size;
             const double *weight = edge_weights(l, c);
-            double difference = e->difference[slot];
+            double difference = s->work->edges->memory[l->slot + (size_t)c];
             for (int t = 0; t < EDGE_TAPS; ++t)
                 difference += weight[t] * u[base + (size_t)place_of(s, &g->node[l->node[t]])];
-            e->next[slot] = difference;
+            g->next[k * dim + (size_t)c] = difference;
             for (int t = 0; t < EDGE_TAPS; ++t)
                 inner[base + (size_t)place_of(s, &g->node[l->node[t]])] -= l->stiffness * weight[t] * difference;
         }
@@ -77,8 +75,8 @@ void balance_enter_edges(mpm *s)
     double energy = 0.0;
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
-            const size_t slot = g->line[k].slot + (size_t)c;
-            const double before = s->work->edges->difference[slot], now = s->work->edges->next[slot];
+            const double before = s->work->edges->memory[g->line[k].slot + (size_t)c];
+            const double now = g->next[k * (size_t)s->mesh->dim + (size_t)c];
             energy += 0.5 * g->line[k].stiffness * (now * now - before * before);
         }
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -energy);

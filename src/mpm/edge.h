@@ -15,7 +15,9 @@
  *
  * whose frequencies c/h are below those of the mesh, so that the stable step stays what it was; half of critical damping, taken implicitly, keeps
  * them quiet, for the velocities of such nodes come anew from the points in each step, and their energy goes astray. The system is solved over the nodes
- * of the lines by conjugate gradients, in global order: the same bits for any blocks and threads.
+ * of the lines by conjugate gradients (edge_solve.c), from the accelerations of the last step, in global order: the same bits for any blocks and threads.
+ *
+ * Which nodes are filled in part is looked for (edge_lines.c) when nodes have moved by some thousandths of a cell since, or one of a line has lost its mass.
  * Private to the mpm room. */
 #ifndef MPM_EDGE_H
 #define MPM_EDGE_H
@@ -27,62 +29,171 @@ enum { EDGE_TAPS = 5 };
 
 /* A difference along one grid line. Taps beyond a mirror are nodes inside, with the sign of the component along the axis turned. */
 typedef struct edge_line {
-    size_t slot;         /* of its differences among all; one a component from there on */
-    int axis;            /* that it runs along */
-    bool images;         /* some tap is the image of its node in a mirror */
+    size_t slot;     /* of its differences among what is remembered; one a component from there on */
+    int axis;        /* that it runs along */
+    bool images;     /* some tap is the image of its node in a mirror */
+    bool unbalanced; /* what it gives to the free nodes may not add up to nothing: an image, or a node that is held */
     int node[EDGE_TAPS]; /* in the list of the group's nodes; taps that the basis does not need have no weight */
     double weight[2]
                  [EDGE_TAPS]; /* of the taps: of components across the line, and of that along it, which images turn */
     double stiffness;         /* N/m: k */
     double inertia;           /* kg: a */
-    double damping;           /* kg/s */
 } edge_line;
+
+/* Where a block has a node: its own, ghosts, and periodic images. */
+typedef struct edge_copy {
+    int block;
+    ptrdiff_t at;
+} edge_copy;
 
 typedef struct edge_node {
     int at[MESH_MAX_DIM]; /* global */
     unsigned held;        /* bit of each component that a wall or a support holds */
+    size_t slot;          /* of its acceleration among what is remembered; one a component from there on */
+    size_t copy, copies;  /* in the list of copies: the first, and how many */
 } edge_node;
 
-/* Lines of one group, found anew in each step. Owned arrays. */
+/* Inertia of a group's lines as a matrix over its nodes: rows of equal room, of which the first entry is the diagonal's. Owned arrays. */
+typedef struct edge_matrix {
+    int width;       /* entries that a row has room for */
+    int *count;      /* that it has */
+    int *column;     /* the same for all components */
+    double *inertia; /* kg: sum of a D^T D, by component, `room` entries apart, row and entry */
+    size_t room;     /* entries */
+} edge_matrix;
+
+/* Lines of one group. Owned arrays. */
 typedef struct edge_group {
     edge_line *line;
     edge_node *node;
-    size_t n_lines, line_room;
-    int n_nodes, node_room;
-    double speed; /* m/s: of the fastest solid of the group at rest */
+    edge_copy *copy;     /* of each node, that of the block which owns it first */
+    double *next;        /* m: differences of the next state, by line and component */
+    double *accelerated; /* m/s2: of the step in hand, by component and node */
+    edge_matrix matrix;
+    size_t n_lines, line_room, n_copies, copy_room, node_room, next_room;
+    int n_nodes;
+    double speed;     /* m/s: of the fastest solid of the group at rest */
+    double damping;   /* 1/s: of lines over their inertia */
+    double travelled; /* cells: by how much nodes may have moved at the end of the step since lines were looked for */
+    bool listed;      /* the lists are of the lines that are remembered */
+    bool looked;      /* for lines in this step */
 } edge_group;
 
 struct mpm_edges {
     edge_group group[MPM_MAX_GROUPS];
-    double *difference, *next; /* m: sums of dt D v, by group, node, axis of the line, component. Owned */
-    size_t slots;              /* of all */
-    double *fill;              /* of the group in hand, per global node: share that its solids fill. Owned */
-    int *owner;                /* the body that fills it; negative: none, or several. Owned */
-    int *index;                /* per global node: in the list of the group's nodes, -1: in none. Owned */
-    double *solve;             /* room of the solver; owned */
-    size_t solve_room;
+    /* All that a step must know of those before, for every group and node of the mesh, owned: first the differences (m) by axis of the line and component;
+     * from the following places on accelerations (m/s2) of the last step by component, 0 where no line is; by axis the body of a line plus one, 0 where
+     * none is; and by group how many cells nodes may have moved since lines were looked for. */
+    double *memory;
+    size_t n_memory, accelerations, lines, travel;
+    double *fill;            /* of the group in hand, per global node: share that its solids fill. Owned */
+    int *owner;              /* the body that fills it; negative: none, or several. Owned */
+    int *index;              /* per global node: in the list of the group's nodes, -1: in none. Owned */
+    double *solve;           /* room of the solver; owned */
+    size_t solve_room;       /* nodes */
     int nodes[MESH_MAX_DIM]; /* of the whole mesh; a periodic end is node 0 */
 };
 
 /* Room for a scene whose deck asks for it. */
 floe_status edges_create(mpm *s);
 void edges_free(context *ctx, mpm_edges **e);
-/* Finds the lines of a group (edge_lines.c). */
-floe_status edges_find(mpm *s, int group);
+/* Lists and room for the points as they were seeded. */
+floe_status edges_start(mpm *s);
+/* Makes a group's lists stand for its solids where they are, from what is remembered where that will do; `anew`: in any case by a look. After masses. */
+floe_status edges_find(mpm *s, int group, bool anew);
+/* Which lines there are, by what solids fill of nodes, into what is remembered; *changed: others than before (edge_look.c). */
+floe_status edges_look(mpm *s, int group, bool *changed);
+/* Nodes of the mesh, and the number of one among them. */
+static inline size_t edge_all_nodes(const mpm_edges *e)
+{
+    return (size_t)e->nodes[0] * (size_t)e->nodes[1] * (size_t)e->nodes[2];
+}
+
+static inline size_t edge_number(const mpm_edges *e, const int at[MESH_MAX_DIM])
+{
+    return (size_t)at[0] + (size_t)e->nodes[0] * ((size_t)at[1] + (size_t)e->nodes[1] * (size_t)at[2]);
+}
+
+/* Place, among lines by group, node and axis, of that along an axis from a node on. Those from the image of the first inner node have the places of lines
+ * from the last node, which would lie beyond the mesh. */
+static inline size_t edge_place(const mpm *s, int group, int axis, const int first[MESH_MAX_DIM])
+{
+    const mpm_edges *e = s->work->edges;
+    int at[MESH_MAX_DIM] = {first[0], first[1], first[2]};
+    if (at[axis] < 0) at[axis] += e->nodes[axis];
+    return ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim + (size_t)axis;
+}
+
+/* Whether a solid has edges: membranes have none. */
+static inline bool edge_body(const mpm *s, int body)
+{
+    return !s->body[body].fluid && !s->body[body].membrane.model;
+}
+
+/* rho c^2 (Pa) of a body at rest. */
+double edge_modulus(const mpm *s, int body);
+/* Nodes and weights of the taps of a line along l->axis from a node on; false where one is beyond the mesh. */
+bool edge_find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l);
+/* Calls for every node from which a line along an axis may begin, and for the image of the first inner one. */
+typedef floe_status edge_visit(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user);
+floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user);
+
 /* The weights of a line's taps for a component. */
 static inline const double *edge_weights(const edge_line *l, int c)
 {
     return l->weight[c == l->axis ? 1 : 0];
 }
 
+/* D u of a line, from one component at the nodes of the list. */
+static inline double edge_difference(const edge_line *l, int c, const double *u)
+{
+    const double *w = edge_weights(l, c);
+    double sum = 0.0;
+    for (int t = 0; t < EDGE_TAPS; ++t) sum += w[t] * u[l->node[t]];
+    return sum;
+}
+
+/* out += factor D^T. */
+static inline void edge_add(const edge_line *l, int c, double factor, double *out)
+{
+    const double *w = edge_weights(l, c);
+    for (int t = 0; t < EDGE_TAPS; ++t) out[l->node[t]] += factor * w[t];
+}
+
+static inline bool edge_holds(const edge_node *n, int c)
+{
+    return ((n->held >> c) & 1u) != 0;
+}
+
+/* What a unit of D^T gives to the nodes, or to those that are free in component c: none, but beside walls and mirrors. */
+static inline double edge_sum(const edge_group *g, const edge_line *l, int c, bool free_only)
+{
+    double sum = 0.0;
+    for (int t = 0; t < EDGE_TAPS; ++t)
+        if (!free_only || !edge_holds(&g->node[l->node[t]], c)) sum += edge_weights(l, c)[t];
+    return sum;
+}
+
+static inline ledger_quantity edges_momentum(int c)
+{
+    return (ledger_quantity)(LEDGER_MOMENTUM_X + c);
+}
+
 /* Nodes of a line: the order of the basis and two more. */
 int edge_taps(const mpm *s);
+/* Room for some vectors over a group's nodes, until it is asked for again. */
+floe_status edges_scratch(mpm *s, const edge_group *g, size_t vectors, double **out);
+/* One component of a field at the nodes of a group's list. */
+void edges_values(const mpm *s, int group, field_id id, int c, double *value);
+/* Adds to it, wherever blocks have the nodes. */
+void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const double *value);
+/* Forces (N) of a group's lines along c on its nodes; gives what mirrors add to their sum. */
+double edges_push(const mpm *s, const edge_group *g, int c, double *force);
 /* Accelerations and v^L of a group with the inertia of its lines. After walls. */
 floe_status edges_accelerate(mpm *s, int group);
-/* The differences of the next state, by the velocities that points are strained with; groups in order. */
-void edges_strain(mpm *s, int group, field_id velocity);
-
-/* The next differences become the present ones. */
+/* The differences of the next state, by the velocities that points are strained with. */
+floe_status edges_strain(mpm *s, int group, field_id velocity);
+/* What the next state has becomes what is remembered. */
 void edges_commit(mpm *s);
 
 #endif

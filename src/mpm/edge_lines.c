@@ -1,24 +1,15 @@
-/* Which nodes solids fill in part, and the lines through them. */
+/* The lists of lines, of their nodes and of where blocks have those (edge.h), from what is remembered. */
 #include "base/memory.h"
 #include "mpm/edge.h"
-#include "mpm/spread.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of a node inside empty. */
-static const double full_node = 0.95;
-/* One with less is outside. */
-static const double empty_node = 1e-9;
+/* Cells that nodes may move before lines are looked for anew. A node that a point reaches meanwhile is filled to the square of that at most, and is held a
+ * step or so later; a body that does not move pays for no look. */
+static const double long_way = 0.002;
 
-enum { NO_BODY = -1, SHARED = -2 };
-
-static bool has_edges_of(const mpm *s, int body)
-{
-    return !s->body[body].fluid && !s->body[body].membrane.model;
-}
-
-static double modulus_of(const mpm *s, int body)
+double edge_modulus(const mpm *s, int body)
 {
     const mpm_body *b = &s->body[body];
     return b->law->bulk_modulus(b->law_par) + 4.0 / 3.0 * b->law->shear_modulus(b->law_par);
@@ -27,111 +18,6 @@ static double modulus_of(const mpm *s, int body)
 int edge_taps(const mpm *s)
 {
     return s->basis->kind == BASIS_CUBIC ? 5 : s->basis->kind == BASIS_QUADRATIC ? 4 : 3;
-}
-
-/* What the shape function of the first ghost has inside the mesh, in cells: the wall's own fold gives twice as much to the node on the wall and
- * takes it of the next. */
-static double ghost_share(basis_kind kind)
-{
-    return kind == BASIS_CUBIC ? 1.0 / 24.0 : kind == BASIS_QUADRATIC ? 1.0 / 48.0 : 0.0;
-}
-
-/* Volume of a node's shape function along an axis in cells. */
-static double share_along(const mpm *s, int axis, int node)
-{
-    if (s->mesh->periodic[axis]) return 1.0;
-    const int side = 2 * node > s->mesh->n[axis] ? SIDE_UPPER : SIDE_LOWER;
-    const int in = side == SIDE_UPPER ? s->mesh->n[axis] - node : node;
-    if (in > 1) return 1.0;
-    if (wall_mirrors(s, axis, side)) return in == 0 ? 0.5 : 1.0;
-    const double ghost = ghost_share(s->basis->kind);
-    return in == 0 ? 0.5 + 2.0 * ghost : 1.0 - 2.0 * ghost;
-}
-
-/* Mean of r over the shape function of a node on the axis, in cells, times its share along r (0.5). */
-static double axis_moment(basis_kind kind)
-{
-    return kind == BASIS_CUBIC ? 7.0 / 30.0 : kind == BASIS_QUADRATIC ? 13.0 / 64.0 : 1.0 / 6.0;
-}
-
-static double node_volume(const mpm *s, const int at[MESH_MAX_DIM])
-{
-    double volume = 1.0;
-    const double r = mesh_node(s->mesh, 0, at[0]), h = s->mesh->h[0];
-    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a] * share_along(s, a, at[a]);
-    if (s->mesh->geometry != MESH_AXISYMMETRIC) return volume;
-    return r > 0.5 * h ? volume * r : volume / 0.5 * axis_moment(s->basis->kind) * h;
-}
-
-static size_t node_number(const mpm_edges *e, const int at[MESH_MAX_DIM])
-{
-    return (size_t)at[0] + (size_t)e->nodes[0] * ((size_t)at[1] + (size_t)e->nodes[1] * (size_t)at[2]);
-}
-
-static size_t node_total(const mpm_edges *e)
-{
-    return (size_t)e->nodes[0] * (size_t)e->nodes[1] * (size_t)e->nodes[2];
-}
-
-/* Volume of the points of a tile at its nodes. */
-static void fill_tile(const mpm *s, int body, int blk, int tile)
-{
-    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
-    const size_t *range = s->points[blk][body].tile_start + tile;
-    double *out = domain_tile(s->domain, box.number);
-    s->work->active[box.number] = range[0] < range[1];
-    if (range[0] == range[1]) return;
-    memset(out, 0, (size_t)s->work->window_nodes * sizeof *out);
-    const point_arrays p = points_of(s, blk, body, false, false);
-    for (size_t k = range[0]; k < range[1]; ++k) {
-        const tile_weights at = weights_at(s, &box, &p, k);
-        const double volume = p.volume0[k] * p.J[k];
-        spread_numbers(s, &at, &volume, 1, out);
-    }
-}
-
-/* Adds what a body fills of a node, and makes the node its own, or nobody's if another body is there. */
-static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
-{
-    mpm_edges *e = s->work->edges;
-    const block *b = &s->mesh->block[blk];
-    const double *volume = field_get(s->domain->fields[blk], N_FILL, s->body[body].group, 0);
-    const int global[MESH_MAX_DIM] = {b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]};
-    const size_t number = node_number(e, global);
-    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, global);
-    if (!(fill > empty_node)) return;
-    e->fill[number] += fill;
-    e->owner[number] = e->owner[number] == NO_BODY ? body : SHARED;
-}
-
-static void fill_nodes(mpm *s, int body)
-{
-    const mesh *m = s->mesh;
-    for (int b = 0; b < m->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < m->block[b].n_tiles; ++t) fill_tile(s, body, b, t);
-    }
-    gather_numbers(s, s->body[body].group, (const field_id[]){N_FILL}, 1);
-    for (int b = 0; b < m->n_blocks; ++b) {
-        const block *bl = &m->block[b];
-        int end[MESH_MAX_DIM] = {1, 1, 1};
-        for (int a = 0; a < m->dim; ++a) end[a] = bl->n[a] + (bl->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 0);
-        for (int k = 0; k < end[2]; ++k)
-            for (int j = 0; j < end[1]; ++j)
-                for (int i = 0; i < end[0]; ++i) keep_fill(s, body, b, (const int[]){i, j, k});
-    }
-}
-
-/* What the solids of a group fill of every node, and whose it is. */
-static void fill_group(mpm *s, int group)
-{
-    mpm_edges *e = s->work->edges;
-    for (size_t k = 0; k < node_total(e); ++k) {
-        e->fill[k] = 0.0;
-        e->owner[k] = NO_BODY;
-    }
-    for (int body = 0; body < s->n_bodies; ++body)
-        if (s->body[body].group == group && has_edges_of(s, body)) fill_nodes(s, body);
 }
 
 /* Components of a node's velocity that walls or supports hold. */
@@ -149,31 +35,11 @@ static unsigned held_components(const mpm *s, const int at[MESH_MAX_DIM])
     return held;
 }
 
-/* Place in the group's list of a node. */
-static floe_status list_node(mpm *s, edge_group *g, const int at[MESH_MAX_DIM], int *place)
-{
-    int *index = &s->work->edges->index[node_number(s->work->edges, at)];
-    if (*index < 0) {
-        if (g->n_nodes == g->node_room) {
-            const int room = g->node_room ? 2 * g->node_room : 256;
-            TRY(memory_resize(s->ctx, &g->node, (size_t)room, sizeof *g->node));
-            g->node_room = room;
-        }
-        *index = g->n_nodes;
-        edge_node *n = &g->node[g->n_nodes++];
-        memcpy(n->at, at, sizeof n->at);
-        n->held = held_components(s, at);
-    }
-    *place = *index;
-    return FLOE_OK;
-}
-
 /* Weights of the taps of a difference, by their number. */
 static const double binomial[EDGE_TAPS + 1][EDGE_TAPS] = {
     [3] = {1, -2, 1}, [4] = {-1, 3, -3, 1}, [5] = {1, -4, 6, -4, 1}};
 
-/* Nodes and weights of the taps from one on; false where one is beyond the mesh. */
-static bool find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
+bool edge_find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
 {
     const mesh *m = s->mesh;
     const int taps = edge_taps(s), axis = l->axis;
@@ -195,19 +61,87 @@ static bool find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_
     return true;
 }
 
-/* Modulus (Pa) of a line: that of its body; 0 where it is none, for all taps are full, or one is outside or within reach of another body: bodies
- * that share nodes are not to be glued. */
-static double line_modulus(const mpm *s, int tap[EDGE_TAPS][MESH_MAX_DIM])
+floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user)
 {
     const mpm_edges *e = s->work->edges;
-    const int owner = e->owner[node_number(e, tap[0])];
-    bool part = false;
-    for (int t = 0; t < edge_taps(s); ++t) {
-        const size_t n = node_number(e, tap[t]);
-        if (owner < 0 || e->owner[n] != owner) return 0.0;
-        part = part || e->fill[n] < full_node;
+    for (int axis = 0; axis < s->mesh->dim; ++axis) {
+        const bool periodic = s->mesh->periodic[axis];
+        int lo[MESH_MAX_DIM] = {0, 0, 0}, end[MESH_MAX_DIM];
+        memcpy(end, e->nodes, sizeof end);
+        if (!periodic) {
+            lo[axis] = -1;
+            end[axis] = s->mesh->n[axis] + 3 - edge_taps(s);
+        }
+        for (int k = lo[2]; k < end[2]; ++k)
+            for (int j = lo[1]; j < end[1]; ++j)
+                for (int i = lo[0]; i < end[0]; ++i) TRY(visit(s, group, axis, (const int[]){i, j, k}, user));
     }
-    return part ? modulus_of(s, owner) : 0.0;
+    return FLOE_OK;
+}
+
+/* Room for so many items in a list. */
+static floe_status make_room(context *ctx, void *list, size_t *room, size_t items, size_t size)
+{
+    if (items <= *room) return FLOE_OK;
+    const size_t wanted = items < 128 ? 256 : 2 * items;
+    TRY(memory_resize(ctx, list, wanted, size));
+    *room = wanted;
+    return FLOE_OK;
+}
+
+/* Where a block sees a node, moved by whole periods: false where it does not. */
+static bool sees(const mesh *m, const block *b, const edge_node *n, const int period[MESH_MAX_DIM], ptrdiff_t *at)
+{
+    int local[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        local[a] = n->at[a] + period[a] * m->n[a] - b->lo[a];
+        if (a < m->dim && (local[a] < -1 || local[a] > b->n[a] + 1)) return false;
+    }
+    *at = mesh_index(b, local[0], local[1], local[2]);
+    return true;
+}
+
+/* Lists the copies of a node: that of the block which owns it first, then in each block that sees it, and at periodic images. */
+static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
+{
+    const mesh *m = s->mesh;
+    int cell[MESH_MAX_DIM], images[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = 0; a < MESH_MAX_DIM; ++a) cell[a] = n->at[a] == m->n[a] ? n->at[a] - 1 : n->at[a];
+    for (int a = 0; a < m->dim; ++a) images[a] = m->periodic[a] ? 1 : 0;
+    const int own = mesh_block_of(m, cell);
+    n->copy = g->n_copies;
+    for (int round = 0; round < 2; ++round)
+        for (int z = -images[2]; z <= images[2]; ++z)
+            for (int y = -images[1]; y <= images[1]; ++y)
+                for (int x = -images[0]; x <= images[0]; ++x)
+                    for (int b = 0; b < m->n_blocks; ++b) {
+                        const bool first = b == own && x == 0 && y == 0 && z == 0;
+                        ptrdiff_t at;
+                        if (first != (round == 0) || !sees(m, &m->block[b], n, (const int[]){x, y, z}, &at)) continue;
+                        TRY(make_room(s->ctx, &g->copy, &g->copy_room, g->n_copies + 1, sizeof *g->copy));
+                        g->copy[g->n_copies++] = (edge_copy){b, at};
+                    }
+    n->copies = g->n_copies - n->copy;
+    return FLOE_OK;
+}
+
+/* Place in the group's list of a node. */
+static floe_status list_node(mpm *s, int group, const int at[MESH_MAX_DIM], int *place)
+{
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    int *index = &e->index[edge_number(e, at)];
+    if (*index < 0) {
+        TRY(make_room(s->ctx, &g->node, &g->node_room, (size_t)g->n_nodes + 1, sizeof *g->node));
+        *index = g->n_nodes;
+        edge_node *n = &g->node[g->n_nodes++];
+        memcpy(n->at, at, sizeof n->at);
+        n->held = held_components(s, at);
+        n->slot = e->accelerations + ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim;
+        TRY(list_copies(s, g, n));
+    }
+    *place = *index;
+    return FLOE_OK;
 }
 
 /* V/h^2 of the cells about a line, half of it on a side; a mean radius more about an axis. */
@@ -225,62 +159,129 @@ static double line_extent(const mpm *s, int axis, int tap[EDGE_TAPS][MESH_MAX_DI
     return extent * fmax(radius, 0.25 * m->h[0]);
 }
 
-static floe_status add_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM])
+/* Whether what a line gives to the nodes, or to those that are free, is not nothing as a whole: beside walls and mirrors. */
+static bool is_unbalanced(const edge_group *g, const edge_line *l)
 {
+    bool held = false;
+    for (int t = 0; t < EDGE_TAPS; ++t) held = held || g->node[l->node[t]].held != 0;
+    return held || l->images;
+}
+
+static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user)
+{
+    (void)user;
     mpm_edges *e = s->work->edges;
     edge_group *g = &e->group[group];
-    int tap[EDGE_TAPS][MESH_MAX_DIM], start[MESH_MAX_DIM];
-    edge_line l = {.axis = axis};
-    if (!find_taps(s, first, tap, &l)) return FLOE_OK;
-    const double modulus = line_modulus(s, tap);
-    if (modulus == 0.0) return FLOE_OK;
-    memcpy(start, first, sizeof start);
-    start[axis] +=
-        start[axis] < 0 ? e->nodes[axis] : 0; /* a slot that no other line has: it would begin beyond the upper side */
-    const size_t number = (size_t)group * node_total(e) + node_number(e, start);
-    l.slot = (number * (size_t)s->mesh->dim + (size_t)axis) * (size_t)s->mesh->dim;
-    l.stiffness = s->scene->method.edge_penalty * modulus * line_extent(s, axis, tap);
+    const size_t place = edge_place(s, group, axis, first);
+    const int body = (int)e->memory[e->lines + place] - 1;
+    int tap[EDGE_TAPS][MESH_MAX_DIM];
+    edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
+    if (body < 0 || !edge_find_taps(s, first, tap, &l)) return FLOE_OK;
+    l.stiffness = s->scene->method.edge_penalty * edge_modulus(s, body) * line_extent(s, axis, tap);
     l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
-    l.damping = l.stiffness * s->mesh->h[axis] / g->speed;
-    for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, g, tap[t], &l.node[t]));
-    if (g->n_lines == g->line_room) {
-        const size_t room = g->line_room ? 2 * g->line_room : 256;
-        TRY(memory_resize(s->ctx, &g->line, room, sizeof *g->line));
-        g->line_room = room;
-    }
+    for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, tap[t], &l.node[t]));
+    for (int t = edge_taps(s); t < EDGE_TAPS; ++t) l.node[t] = l.node[0];
+    l.unbalanced = is_unbalanced(g, &l);
+    TRY(make_room(s->ctx, &g->line, &g->line_room, g->n_lines + 1, sizeof *g->line));
     g->line[g->n_lines++] = l;
     return FLOE_OK;
 }
 
-/* Lines along an axis from every node, and from the image of the first inner one. */
-static floe_status find_along(mpm *s, int group, int axis)
+/* The entry of a row's column, which is added where it is not yet. */
+static size_t entry_of(edge_matrix *m, int row, int column)
 {
-    const mpm_edges *e = s->work->edges;
-    int lo[MESH_MAX_DIM] = {0, 0, 0};
-    if (!s->mesh->periodic[axis]) lo[axis] = -1;
-    for (int k = lo[2]; k < e->nodes[2]; ++k)
-        for (int j = lo[1]; j < e->nodes[1]; ++j)
-            for (int i = lo[0]; i < e->nodes[0]; ++i) {
-                const int at[MESH_MAX_DIM] = {i, j, k};
-                if (at[axis] >= 0 && !(e->fill[node_number(e, at)] > empty_node)) continue;
-                if (at[axis] + edge_taps(s) > s->mesh->n[axis] + 2 && !s->mesh->periodic[axis]) continue;
-                TRY(add_line(s, group, axis, at));
+    const size_t begin = (size_t)row * (size_t)m->width;
+    int k = 0;
+    while (k < m->count[row] && m->column[begin + (size_t)k] != column) ++k;
+    if (k == m->count[row]) m->column[begin + (size_t)m->count[row]++] = column;
+    return begin + (size_t)k;
+}
+
+static void add_line(edge_matrix *m, const edge_line *l, int dim, int taps)
+{
+    for (int i = 0; i < taps; ++i)
+        for (int j = 0; j < taps; ++j) {
+            const size_t at = entry_of(m, l->node[i], l->node[j]);
+            for (int c = 0; c < dim; ++c) {
+                const double weight = edge_weights(l, c)[i] * edge_weights(l, c)[j];
+                m->inertia[(size_t)c * m->room + at] += weight * l->inertia;
             }
+        }
+}
+
+/* Room for the nodes' rows, all empty but for their diagonals. */
+static floe_status clear_matrix(mpm *s, edge_group *g)
+{
+    edge_matrix *m = &g->matrix;
+    const size_t rows = (size_t)g->n_nodes, dim = (size_t)s->mesh->dim;
+    m->width = 1 + 2 * (edge_taps(s) - 1) * s->mesh->dim;
+    if (rows * (size_t)m->width > m->room) {
+        const size_t some = rows + rows / 4, room = some * (size_t)m->width;
+        TRY(memory_resize(s->ctx, &m->count, some, sizeof *m->count));
+        TRY(memory_resize(s->ctx, &m->column, room, sizeof *m->column));
+        TRY(memory_resize(s->ctx, &m->inertia, room * dim, sizeof *m->inertia));
+        TRY(memory_resize(s->ctx, &g->accelerated, some * dim, sizeof *g->accelerated));
+        m->room = room;
+    }
+    memset(m->inertia, 0, m->room * dim * sizeof *m->inertia);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        m->count[n] = 0;
+        (void)entry_of(m, n, n);
+    }
     return FLOE_OK;
 }
 
-floe_status edges_find(mpm *s, int group)
+/* What nodes of no line had is forgotten. */
+static void forget_nodes(mpm *s, int group)
+{
+    mpm_edges *e = s->work->edges;
+    const size_t all = edge_all_nodes(e), dim = (size_t)s->mesh->dim;
+    for (size_t k = 0; k < all; ++k)
+        if (e->index[k] < 0)
+            memset(e->memory + e->accelerations + ((size_t)group * all + k) * dim, 0, dim * sizeof *e->memory);
+}
+
+static floe_status list_group(mpm *s, int group)
 {
     mpm_edges *e = s->work->edges;
     edge_group *g = &e->group[group];
-    g->n_lines = 0;
-    for (int n = 0; n < g->n_nodes; ++n) e->index[node_number(e, g->node[n].at)] = -1;
+    const size_t all = edge_all_nodes(e);
+    g->listed = false;
+    g->n_lines = g->n_copies = 0;
     g->n_nodes = 0;
-    if (!(g->speed > 0.0)) return FLOE_OK;
-    fill_group(s, group);
-    for (int axis = 0; axis < s->mesh->dim; ++axis) TRY(find_along(s, group, axis));
-    for (int n = 0; n < g->n_nodes; ++n) e->index[node_number(e, g->node[n].at)] = -1;
+    for (size_t k = 0; k < all; ++k) e->index[k] = -1;
+    TRY(edge_visit_starts(s, group, list_line, NULL));
+    forget_nodes(s, group);
+    TRY(clear_matrix(s, g));
+    for (size_t k = 0; k < g->n_lines; ++k) add_line(&g->matrix, &g->line[k], s->mesh->dim, edge_taps(s));
+    TRY(make_room(s->ctx, &g->next, &g->next_room, g->n_lines * (size_t)s->mesh->dim, sizeof *g->next));
+    memset(g->accelerated, 0, (size_t)g->n_nodes * (size_t)s->mesh->dim * sizeof *g->accelerated);
+    g->listed = true;
     return FLOE_OK;
+}
+
+/* Whether a node of some line has lost its mass: the points have gone, or were taken away. */
+static bool lacks_mass(const mpm *s, int group)
+{
+    const edge_group *g = &s->work->edges->group[group];
+    for (int n = 0; n < g->n_nodes; ++n) {
+        const edge_copy *own = &g->copy[g->node[n].copy];
+        if (!(field_get(s->domain->fields[own->block], N_MASS, group, 0)[own->at] > 0.0)) return true;
+    }
+    return false;
+}
+
+floe_status edges_find(mpm *s, int group, bool anew)
+{
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    double *travelled = &e->memory[e->travel + (size_t)group];
+    bool changed = false;
+    if (!(g->speed > 0.0)) return FLOE_OK;
+    if (!g->listed) TRY(list_group(s, group));
+    g->looked = anew || *travelled > long_way || lacks_mass(s, group);
+    if (g->looked) TRY(edges_look(s, group, &changed));
+    return changed ? list_group(s, group) : FLOE_OK;
 }
 
 floe_status edges_create(mpm *s)
@@ -290,30 +291,38 @@ floe_status edges_create(mpm *s)
     for (int a = 0; a < MESH_MAX_DIM; ++a)
         e->nodes[a] = s->mesh->n[a] + (a < s->mesh->dim && !s->mesh->periodic[a] ? 1 : 0);
     for (int b = 0; b < s->n_bodies; ++b) {
-        if (!has_edges_of(s, b)) continue;
+        if (!edge_body(s, b)) continue;
         edge_group *g = &e->group[s->body[b].group];
-        g->speed = fmax(g->speed, sqrt(modulus_of(s, b) / s->scene->material[s->body[b].scene_material].density));
+        g->speed = fmax(g->speed, sqrt(edge_modulus(s, b) / s->scene->material[s->body[b].scene_material].density));
+        for (int a = 0; a < s->mesh->dim; ++a) g->damping = fmax(g->damping, g->speed / s->mesh->h[a]);
     }
-    const size_t nodes = node_total(e), dim = (size_t)s->mesh->dim;
-    e->slots = (size_t)s->n_groups * nodes * dim * dim;
-    TRY(memory_new(s->ctx, &e->difference, e->slots, sizeof *e->difference));
-    TRY(memory_new(s->ctx, &e->next, e->slots, sizeof *e->next));
+    const size_t nodes = edge_all_nodes(e), dim = (size_t)s->mesh->dim, groups = (size_t)s->n_groups;
+    e->accelerations = groups * nodes * dim * dim;
+    e->lines = e->accelerations + groups * nodes * dim;
+    e->travel = e->lines + groups * nodes * dim;
+    e->n_memory = e->travel + groups;
+    TRY(memory_new(s->ctx, &e->memory, e->n_memory, sizeof *e->memory));
+    for (size_t g = 0; g < groups; ++g) e->memory[e->travel + g] = 1.0; /* look at first */
     TRY(memory_new(s->ctx, &e->fill, nodes, sizeof *e->fill));
     TRY(memory_new(s->ctx, &e->owner, nodes, sizeof *e->owner));
-    TRY(memory_new(s->ctx, &e->index, nodes, sizeof *e->index));
-    for (size_t k = 0; k < nodes; ++k) e->index[k] = -1;
-    return FLOE_OK;
+    return memory_new(s->ctx, &e->index, nodes, sizeof *e->index);
 }
 
 void edges_free(context *ctx, mpm_edges **e)
 {
-    for (int g = 0; *e && g < MPM_MAX_GROUPS; ++g) {
-        memory_free(ctx, &(*e)->group[g].line);
-        memory_free(ctx, &(*e)->group[g].node);
+    for (int k = 0; *e && k < MPM_MAX_GROUPS; ++k) {
+        edge_group *g = &(*e)->group[k];
+        memory_free(ctx, &g->line);
+        memory_free(ctx, &g->node);
+        memory_free(ctx, &g->copy);
+        memory_free(ctx, &g->next);
+        memory_free(ctx, &g->accelerated);
+        memory_free(ctx, &g->matrix.count);
+        memory_free(ctx, &g->matrix.column);
+        memory_free(ctx, &g->matrix.inertia);
     }
     if (*e) {
-        memory_free(ctx, &(*e)->difference);
-        memory_free(ctx, &(*e)->next);
+        memory_free(ctx, &(*e)->memory);
         memory_free(ctx, &(*e)->fill);
         memory_free(ctx, &(*e)->owner);
         memory_free(ctx, &(*e)->index);

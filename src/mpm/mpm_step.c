@@ -90,8 +90,8 @@ floe_status mpm_force_stages(mpm *s)
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(POINT_STATE));
     STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
-    STAGE(s, has_edges(s), mpm_edge_force, READS(WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, WHEN(gimp, P_HALF), N_FORCE),
-          WRITES(N_FILL, N_FORCE));
+    STAGE(s, has_edges(s), mpm_edge_force,
+          READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, WHEN(gimp, P_HALF), N_FORCE), WRITES(N_FILL, N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
     return FLOE_OK;
 }

@@ -259,7 +259,7 @@ floe_status mpm_remap_stress(mpm *s)
     TRY(set_heating(s));
     for (int g = 0; g < s->n_groups; ++g) TRY(scatter_group(s, g, SCATTER_MOMENTUM, false, true));
     TRY(mpm_node_velocity(s));
-    for (int g = 0; s->work->edges && g < s->n_groups; ++g) edges_strain(s, g, N_VEL);
+    for (int g = 0; s->work->edges && g < s->n_groups; ++g) TRY(edges_strain(s, g, N_VEL));
     return pass_points(s, (tile_pass){.velocity = N_VEL, .stress = true});
 }
 

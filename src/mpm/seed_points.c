@@ -1,6 +1,7 @@
 /* Seeding: the points of every body, with their initial state. */
 #include "base/memory.h"
 #include "geom/seed.h"
+#include "mpm/edge.h"
 #include "mpm/work.h"
 #include "scene/state.h"
 
@@ -126,5 +127,6 @@ floe_status mpm_seed(mpm *s)
     TRY(mpm_resort(s));
     TRY(start_membranes(s));
     TRY(start_supports(s));
-    return start_springs(s);
+    TRY(start_springs(s));
+    return edges_start(s);
 }

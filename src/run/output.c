@@ -47,7 +47,7 @@ static void name_extra(run_output *o, const sim *s)
 {
     checkpoint_extra loaded = {.name = "surface_position", .components = 3},
                      skin = {.name = "skin_position_velocity", .components = 6},
-                     edges = {.name = "edge_differences", .components = 1, .stride = 1};
+                     edges = {.name = "edge_memory", .components = 1, .stride = 1};
     if (!s->mpm) return;
     loaded.data = mpm_surface(s->mpm, &loaded.n, &loaded.stride);
     skin.data = mpm_skin(s->mpm, &skin.n, &skin.stride);

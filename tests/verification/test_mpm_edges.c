@@ -9,13 +9,14 @@
 
 static const double pi = 3.14159265358979323846, penalty = 0.05;
 
+/* Differences are half of what is remembered in a plane: four numbers a node, before two of its acceleration and two of lines; the last is of the group. */
 static double largest_difference(const trial *t)
 {
     size_t n = 0;
     const double *difference = mpm_edges_state(t->sim->mpm, &n);
     double largest = 0.0;
-    assert_true(n > 0);
-    for (size_t k = 0; k < n; ++k) largest = fmax(largest, fabs(difference[k]));
+    assert_true(n % 8 == 1);
+    for (size_t k = 0; k < n / 2; ++k) largest = fmax(largest, fabs(difference[k]));
     return largest;
 }
 
