@@ -155,6 +155,13 @@ static floe_status run_all(batch *b)
                 "stopped; what has ended is kept in '%s': the same command goes on from there", b->o->dir);
 }
 
+floe_status batch_recall(context *ctx, const batch_options *o, batch_case *list, size_t n)
+{
+    batch b = {.ctx = ctx, .o = o, .list = list, .n = n};
+    for (size_t i = 0; i < n; i++) TRY(prepare(&b, &list[i]));
+    return FLOE_OK;
+}
+
 floe_status batch_run(context *ctx, const batch_options *o, batch_case *list, size_t n)
 {
     batch b = {.ctx = ctx, .o = o, .list = list, .n = n, .n_jobs = o->jobs > 0 ? o->jobs : 1};

@@ -61,6 +61,9 @@ floe_status batch_prepare(context *ctx, const batch_options *o, batch_case *one,
  * with them. Other errors are those of the batch itself (its folder, its processes), not of its cases. */
 floe_status batch_run(context *ctx, const batch_options *o, batch_case *list, size_t n);
 
+/* Takes over the cases that have ended before, and runs none: the others are BATCH_WAITING. */
+floe_status batch_recall(context *ctx, const batch_options *o, batch_case *list, size_t n);
+
 /* "done", "at_rest", "diverged", "timed_out", "interrupted", "failed", "not_run". */
 const char *batch_status_name(const batch_case *one);
 

@@ -1,5 +1,5 @@
 /* floe run DECK */
-#include "cli/cli.h"
+#include "cli/tolerance_cli.h"
 #include "run/run.h"
 
 #include <stdlib.h>
@@ -8,6 +8,7 @@
 typedef struct arguments {
     cli_deck deck;
     run_options options;
+    tolerance_arguments tolerance;
     bool quiet;
     int parent; /* process that the run ends with; 0: none */
     char dir[CLI_PATH + 32];
@@ -25,12 +26,19 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_RESUME: a->options.resume = true; return 0;
     case KEY_PARENT: a->parent = atoi(arg); return 0;
     case KEY_MAX_WALL: a->options.max_wall = cli_number(state, "max-wall", arg); return 0;
-    default: return cli_deck_option(&a->deck, key, arg, state);
+    case ARGP_KEY_END:
+        if (a->tolerance.tolerance > 0.0 && a->options.resume)
+            argp_error(state, "--tolerance goes on by itself with what it has run: leave --resume out");
+        (void)tolerance_cli_option(&a->tolerance, key, arg, state);
+        return cli_deck_option(&a->deck, key, arg, state);
+    default:
+        if (tolerance_cli_option(&a->tolerance, key, arg, state) == 0) return 0;
+        return cli_deck_option(&a->deck, key, arg, state);
     }
 }
 
 static const struct argp_option options[] = {
-    {"output", 'o', "DIR", 0, "Folder of the results (default: out/DECK-COUPLING)", 0},
+    {"output", 'o', "DIR", 0, "Folder of the results (default: out/DECK-COUPLING, out/DECK-tolerance)", 0},
     CLI_OPTION_COUPLING,
     CLI_OPTION_SET,
     {"threads", 't', "N", 0, "Threads (default: what the scene can use); the results do not depend on it", 0},
@@ -39,6 +47,8 @@ static const struct argp_option options[] = {
     {"max-wall", KEY_MAX_WALL, "S", 0, "Stop with a checkpoint after S seconds, as Ctrl-C does", 0},
     {"parent", KEY_PARENT, "PID", OPTION_HIDDEN, "End as on a signal once this is not the parent process any more", 0},
     {"quiet", 'q', NULL, 0, "No progress and no result on standard output", 0},
+    {0, 0, 0, 0, "The answer to within an error:", 1},
+    TOLERANCE_CLI_OPTIONS,
     {0},
 };
 static const struct argp argp = {
@@ -81,6 +91,12 @@ int cmd_run(cli *c, int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     floe_status status = cli_load(c, &a.deck, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
+    if (a.tolerance.tolerance > 0.0) {
+        scene_destroy(&s);
+        return tolerance_cli_run(
+            c, &a.tolerance,
+            &(tolerance_run_arguments){&a.deck, a.options.dir, a.options.threads, a.options.max_wall, a.quiet});
+    }
     if (!a.options.dir) {
         char stem[CLI_PATH];
         cli_stem(a.deck.path, stem);

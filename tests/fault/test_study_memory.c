@@ -1,11 +1,11 @@
-/* Allocations of a whole study fail, at any place and all that follow: FLOE_NO_MEMORY with a message, and nothing left. The
+/* Allocations of a whole study, and of a run to a tolerance, fail, at any place and all that follow: FLOE_NO_MEMORY with a message, and nothing left. The
  * program that is to run the cases fails too: that is their result. */
 #include "check.h"
 
 #include "base/memory.h"
 #include "floe/floe.h"
 #include "io/file.h"
-#include "study/study.h"
+#include "study/tolerance.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,16 +27,32 @@ static floe_status attempt(context *ctx, const study_options *o, bool look)
     return status;
 }
 
-static void any_allocation_may_fail(void **state)
+/* No case has an error to choose by. */
+static floe_status attempt_tolerance(context *ctx, const study_options *o, bool look)
 {
-    (void)state;
+    tolerance *t;
+    const tolerance_options of = {.study = *o, .dir = o->dir, .tolerance = 0.01};
+    const floe_status status = tolerance_run(&t, ctx, &of);
+    if (look) {
+        assert_int_equal(status, FLOE_MISSED_BAR);
+        assert_non_null(strstr(context_message(ctx), "no case has an error 'eq13'"));
+        context_clear(ctx);
+    }
+    tolerance_destroy(&t);
+    return look ? FLOE_OK : status;
+}
+
+static void any_allocation_may_fail_of(floe_status (*attempt_it)(context *, const study_options *, bool),
+                                       floe_status end)
+{
     char dir[] = "/tmp/floe_test_XXXXXX", command[64];
-    static const char *const axis[] = {"domain.cell=0.4,0.2", "coupling=mpm,ice-mpm"}, *const set[] = {"study=null"};
+    static const char *const axis[] = {"domain.cell=0.4,0.2", "coupling=mpm,ice-mpm"}, *const set[] = {"study=null"},
+                             *const with_axes[] = {"study={axes: {coupling: [mpm, ice-mpm], domain.cell: [0.4, 0.2]}}"};
     const study_options o = {.name = "study",
                              .deck = FLOE_SOURCE_DIR "/inputs/pressurized_cylinder.yaml",
-                             .set = {set, 1},
+                             .set = {attempt_it == attempt ? set : with_axes, 1},
                              .axis = axis,
-                             .n_axis = 2,
+                             .n_axis = attempt_it == attempt ? 2 : 0,
                              .repeat = 2,
                              .jobs = 4,
                              .program = "/bin/false",
@@ -49,22 +65,36 @@ static void any_allocation_may_fail(void **state)
     /* Some thousands of allocations, most of them in decks, whose own test fails each: the steps grow. */
     for (; status == FLOE_NO_MEMORY; n += 1 + n / 8, tries++) {
         memory_inject_failure(ctx, n);
-        status = attempt(ctx, &o, false);
+        status = attempt_it(ctx, &o, false);
         memory_inject_failure(ctx, 0);
-        if (status != FLOE_OK) check_fails(ctx, status, FLOE_NO_MEMORY);
+        if (status != end) check_fails(ctx, status, FLOE_NO_MEMORY);
         assert_int_equal(memory_read_account(ctx).live_bytes, 0);
         context_clear(ctx);
     }
     check_true(tries > 20);
-    check_ok(ctx, attempt(ctx, &o, true));
+    assert_int_equal(status, end);
+    check_ok(ctx, attempt_it(ctx, &o, true));
     assert_int_equal(memory_read_account(ctx).live_bytes, 0);
     context_destroy(&ctx);
     (void)snprintf(command, sizeof command, "rm -rf '%s'", dir);
     assert_int_equal(system(command), 0);
 }
 
+static void any_allocation_of_a_study_may_fail(void **state)
+{
+    (void)state;
+    any_allocation_may_fail_of(attempt, FLOE_OK);
+}
+
+static void any_allocation_of_a_tolerance_may_fail(void **state)
+{
+    (void)state;
+    any_allocation_may_fail_of(attempt_tolerance, FLOE_MISSED_BAR);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(any_allocation_may_fail)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(any_allocation_of_a_study_may_fail),
+                                       cmocka_unit_test(any_allocation_of_a_tolerance_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
