@@ -37,6 +37,36 @@ statics_cylinder() {
     bar 'A1 static, h = 0.003125: iterations of conjugate gradients' "$(statics_number static-0.003125 balance_cg_iterations)" '<=' 20 %d
 }
 
+statics_cells() {
+    local h i e
+    write '' '## With the gas on cells (A1 as ice-mpm)' '' \
+        'The deck as it is, `ice-mpm`, with `--set time.solver=auto`: gas at rest, one pressure a region; smeared and sharp interface.' '' \
+        '| h (m) | solver | eq. 13 | sigma_r | sigma_theta | steps | Newton, CG | s |' '|---|---|---|---|---|---|---|---|'
+    for i in smeared sharp; do
+        for e in 0 0.05; do
+            for h in 0.1 0.05 0.025 0.0125; do
+                floe_run "cells-$i-$e-$h" inputs/pressurized_cylinder.yaml --set time.solver=auto --set "method.interface=$i" --set "method.edge_penalty=$e" --set "domain.cell=$h" \
+                    --set output.interval=null
+                statics_row "cells-$i-$e-$h" "$h" "$i$([ "$e" = 0 ] || echo ', edges held')"
+            done
+        done
+    done
+    write '' 'As a thick sphere, about its axis (`inputs/pressurized_sphere.yaml`, edges held), against Lamé.' '' \
+        '| h (m) | interface | u_r | u_z | sigma_r | sigma_theta |' '|---|---|---|---|---|---|'
+    for i in smeared sharp; do
+        for h in 0.1 0.05 0.025; do
+            e=cells-sphere-$i-$h
+            floe_run "$e" inputs/pressurized_sphere.yaml --set time.solver=auto --set "method.interface=$i" --set method.edge_penalty=0.05 --set "domain.cell=$h" --set output.interval=null
+            write "| $h | $i | $(statics_number "$e" l1rel_displacement_x 100) % | $(statics_number "$e" l1rel_displacement_y 100) % | $(statics_number "$e" l1rel_sigma_r 100) % | $(statics_number "$e" l1rel_sigma_theta 100) % |"
+        done
+    done
+    e=cells-smeared-0.05
+    bar 'A1 as ice-mpm, static, h = 0.05: eq. 13' "$(statics_number "$e-0.05" eq13 100)" '<=' 1 %.2g ' %'
+    bar 'A1 as ice-mpm, static, h = 0.05: time' "$(calc %.2g "$(statics_number "$e-0.05" wall_seconds)-$(statics_number "$e-0.05" output_seconds)")" '<=' 1 %.2g ' s'
+    bar 'A1 as ice-mpm, static, h = 0.0125: eq. 13' "$(statics_number "$e-0.0125" eq13 100)" '<=' 0.1 %.2g ' %'
+    bar 'A1 as ice-mpm, static, h = 0.0125: time' "$(calc %.2g "$(statics_number "$e-0.0125" wall_seconds)-$(statics_number "$e-0.0125" output_seconds)")" '<=' 20 %.2g ' s'
+}
+
 statics_ring() {
     local h basis
     write '' '## Iterations' '' '`inputs/annulus_traction.yaml --set time.solver=static`: iterations of conjugate gradients in all steps of Newton'"'"'s method, to' \
@@ -92,6 +122,7 @@ statics_bar() {
 result_statics() {
     begin statics 'Loads that are solved for, and implicit steps'
     statics_cylinder
+    statics_cells
     statics_ring
     statics_sphere
     statics_bar

@@ -56,7 +56,7 @@ static const key_table damping_table = TABLE(damping_keys);
 
 static const choice solver_choices[] = {
     {"dynamic", SOLVER_DYNAMIC, "explicit steps"},
-    {"static", SOLVER_STATIC, "load increments, each solved for the balance of forces; points alone"},
+    {"static", SOLVER_STATIC, "load increments, each solved for the balance of forces; solids, with gas at rest"},
     {"implicit", SOLVER_IMPLICIT, "steps that sound does not bind, by the trapezoidal rule; solids as points alone"},
     {"auto", SOLVER_AUTO, "static where the deck asks for a state of rest (stop) and all of it can be solved for"},
     {0},

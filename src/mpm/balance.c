@@ -24,12 +24,17 @@ static const char *obstacle_to_motion(const mpm *s)
     return NULL;
 }
 
+bool mpm_body_is_enclosed(const mpm *s, int body)
+{
+    return surface_enclosed(s, body) > 1.0 - 1e-9;
+}
+
 const char *mpm_balance_obstacle(const mpm *s, time_solver solver)
 {
     if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
-    if (s->coupled || s->seals) return "it is for points alone, and fluids on cells move";
+    if ((s->coupled || s->seals) && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
     for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].fluid && !(surface_enclosed(s, s->body[b].scene_body) > 1.0 - 1e-9))
+        if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))
             return "a fluid is not enclosed by solids all along its shape, and would flow";
     if (s->membranes) return "membranes have no stiffness across their surface";
     if (s->contact) return "bodies in contact have velocities of their own";
@@ -82,6 +87,10 @@ static floe_status make_solver(mpm *s)
                         &w->inner,  &w->left, &w->trial,  &w->target};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
+    if (s->coupled || s->seals) {
+        TRY(memory_new(s->ctx, &w->outer_first, w->components, sizeof *w->outer_first));
+        TRY(memory_new(s->ctx, &w->unbalanced, w->components, sizeof *w->unbalanced));
+    }
     if (s->solver == SOLVER_IMPLICIT) {
         TRY(memory_new(s->ctx, &w->mass, w->components, sizeof *w->mass));
         TRY(memory_new(s->ctx, &w->velocity, w->components, sizeof *w->velocity));
@@ -92,10 +101,6 @@ static floe_status make_solver(mpm *s)
 
 floe_status mpm_solve_steps(mpm *s, time_solver solver)
 {
-    const char *obstacle = mpm_balance_obstacle(s, solver);
-    if (obstacle)
-        return fail(s->ctx, FLOE_BAD_INPUT, "time.solver: %s: %s; use dynamic",
-                    solver == SOLVER_IMPLICIT ? "implicit" : "static", obstacle);
     s->solver = solver;
     TRY(memory_new(s->ctx, &s->balance, 1, sizeof *s->balance));
     return make_solver(s);
@@ -108,6 +113,8 @@ void balance_destroy(mpm *s)
     cg_destroy(&w->krylov);
     rooms_free(s);
     node_multigrid_destroy(&w->solver);
+    memory_free(s->ctx, &w->outer_first);
+    memory_free(s->ctx, &w->unbalanced);
     void *owned[] = {&w->mass,  &w->velocity, &w->pushed, &w->place,       &w->pull,       &w->tangent,
                      &w->u,     &w->change,   &w->outer,  &w->inner_first, &w->inner,      &w->left,
                      &w->trial, &w->target,   &w->held,   &w->reached,     &w->tile_block, &w->tile_local};
@@ -127,19 +134,41 @@ static void clear_forces(mpm *s)
             memset(field_get(s->domain->fields[b], N_FORCE, 0, c), 0, s->mesh->block[b].size * sizeof(double));
 }
 
-floe_status mpm_balance_loads(mpm *s)
+static void collect_loads(mpm *s, double *out)
 {
-    for (int r = 0; r < s->balance->n_rooms; ++r) {
-        clear_forces(s);
-        scatter_room(s, r);
-        fold_forces(s, 0);
-        balance_collect(s, N_FORCE, s->balance->room[r].push);
-    }
     clear_forces(s);
     s->work->kick = 0.0; /* no impulse is entered */
     set_body_forces(s);
     scatter_loads(s, 0);
-    balance_collect(s, N_FORCE, s->balance->outer);
+    balance_collect(s, N_FORCE, out);
+}
+
+/* The loads as they were when the increment before ended. */
+static void collect_first_loads(mpm *s)
+{
+    const double dt = s->dt;
+    s->dt = 0.0;
+    s->step--;
+    collect_loads(s, s->balance->outer_first);
+    memcpy(s->balance->acceleration_first, s->work->acceleration, sizeof s->work->acceleration);
+    s->dt = dt;
+    s->step++;
+}
+
+floe_status mpm_balance_loads(mpm *s)
+{
+    TRY(rooms_take_gases(s));
+    for (int r = 0; r < s->balance->n_rooms; ++r) {
+        clear_forces(s);
+        if (s->gas && s->gas[r].push)
+            scatter_skins(s, 0, s->gas[r].push);
+        else
+            scatter_room(s, r);
+        fold_forces(s, 0);
+        balance_collect(s, N_FORCE, s->balance->room[r].push);
+    }
+    if (s->balance->outer_first) collect_first_loads(s);
+    collect_loads(s, s->balance->outer);
     return FLOE_OK;
 }
 
@@ -160,6 +189,7 @@ static floe_status evaluate(mpm *s, const double *u)
     TRY(rooms_push(s, u, w->pushed));
     for (size_t k = 0; k < w->components; ++k) {
         w->left[k] = w->outer[k] + w->pushed[k] + w->inner[k];
+        if (w->unbalanced) w->left[k] -= w->keep * w->unbalanced[k];
         if (w->mass) w->left[k] += 0.5 * (w->inner_first[k] - w->inner[k]) - motion_force(s, k, u[k]);
         if (w->held[k] || !w->reached[k % w->grid.size]) w->left[k] = 0.0;
     }
@@ -325,6 +355,19 @@ static floe_status start_motion(mpm *s)
     return evaluate(s, s->balance->u);
 }
 
+/* Forces that were not in balance at the start, and the share of them that is left to later increments. */
+static void find_unbalanced(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    balance_weigh(s, w->acceleration_first, w->outer_first);
+    drop_unreached(w, w->outer_first);
+    w->keep = fmax(0.0, 1.0 - s->dt / (s->scene->time.end - s->time));
+    if (w->keep < round_off) w->keep = 0.0;
+    rooms_push_first(s, w->unbalanced);
+    for (size_t k = 0; k < w->components; ++k)
+        w->unbalanced[k] = w->held[k] ? 0.0 : w->unbalanced[k] + w->outer_first[k] + w->inner_first[k];
+}
+
 floe_status mpm_balance_solve(mpm *s)
 {
     struct mpm_balance *w = s->balance;
@@ -332,19 +375,26 @@ floe_status mpm_balance_solve(mpm *s)
     TRY(balance_find_edges(s));
     balance_hold(s);
     balance_reach(s);
-    balance_weigh(s, w->outer);
+    balance_weigh(s, s->work->acceleration, w->outer);
+    TRY(rooms_squeeze(s));
     drop_unreached(w, w->outer);
     for (int r = 0; r < w->n_rooms; ++r) drop_unreached(w, w->room[r].push);
     TRY(rooms_begin(s));
     memset(w->u, 0, w->components * sizeof *w->u);
     w->ready = false;
     w->krylov_iterations = 0;
+    w->keep = 0.0;
     TRY(evaluate(s, w->u));
     memcpy(w->inner_first, w->inner, w->components * sizeof *w->inner);
     if (w->mass) TRY(start_motion(s));
+    if (w->unbalanced) {
+        find_unbalanced(s);
+        TRY(evaluate(s, w->u));
+    }
     TRY(newton(s));
     say(s);
     carry_surfaces(s, balance_way);
+    carry_skins(s, balance_way);
     TRY(balance_move(s));
     rooms_store(s);
     enter_work(s);

@@ -3,6 +3,7 @@
  *
  *     f_ext - sum_p V0 T : grad S = 0,   T = J sigma(F_p) (I + grad u)^-T,   F_p = (I + grad u) F_p^n,
  *
+ * (f_ext with the pressure of gas at rest; what gas of the cells has out of balance at the start goes away evenly up to the end of the run)
  * with the shape functions of where the points are at the start of the increment (updated Lagrangian), so that it holds at any
  * strain of the increment. Newton's method: tangents of T with respect to grad u are differences of the law itself, point by
  * point, made symmetric; the matrix of the nodes is assembled from them, and conjugate gradients solve with it under multigrid
@@ -36,11 +37,15 @@ typedef struct place_node {
     double S[MESH_MAX_DIM], slope[MESH_MAX_DIM][MESH_MAX_DIM];
 } place_node;
 
-/* The gas of a fluid body that solids enclose: at rest one pressure everywhere. */
+/* The gas of a fluid body that solids enclose, or a gas of the cells: at rest one pressure everywhere. */
 typedef struct balance_room {
-    int body;             /* of the points */
+    int body;             /* of the points; -1: gas of the cells */
+    solid_fluid_par par;  /* its law, without viscosity */
+    bool open;            /* its mass comes and goes, at the pressure `scheduled` */
     double *push;         /* N/Pa, on the grid: forces of a unit of pressure; m2: what its volume gains by. Owned */
-    double mass, volume0; /* kg; m3, of the points at rest */
+    double mass, volume0; /* kg; m3: of the points at rest; of gas of the cells at the start */
+    double mass_first;    /* kg */
+    double density_rest;  /* kg/m3: of one that is open, at its pressure */
     double volume_first, energy_first, pressure_first; /* m3, J/kg, Pa: at the start of the increment */
     double volume, energy, pressure;                   /* now */
     double stiffness;                                  /* Pa/m3: -dp/dV */
@@ -65,13 +70,17 @@ struct mpm_balance {
     /* On the grid; owned. Displacement and its change (m); forces (N): from outside, of the points at the start and now, what is left. */
     double *u, *change, *outer, *pushed, *inner_first, *inner, *left, *trial;
     double *mass,
-        *velocity;  /* kg, in the first component, and m/s: of nodes with inertia, at the start; else NULL. Owned */
-    double *target; /* m: displacement of what is held; owned */
-    bool *held;     /* components of nodes that walls and supports hold; owned */
-    bool *reached;  /* nodes that points of solids reach; owned */
-    bool ready;     /* the matrix is that of some displacement of this increment */
-    int newton, krylov_iterations; /* of the increment */
-    int *tile_block, *tile_local;  /* of each global tile; owned */
+        *velocity; /* kg, in the first component, and m/s: of nodes with inertia, at the start; else NULL. Owned */
+    double *outer_first,
+        *unbalanced; /* N, beside gas of the cells: loads at the start; what was not in balance there. NULL else; owned */
+    double acceleration_first[SCENE_MAX_BODIES][3]; /* m/s2: body forces at the start */
+    double keep;                                    /* share of `unbalanced` that the increment leaves */
+    double *target;                                 /* m: displacement of what is held; owned */
+    bool *held;                                     /* components of nodes that walls and supports hold; owned */
+    bool *reached;                                  /* nodes that points of solids reach; owned */
+    bool ready;                                     /* the matrix is that of some displacement of this increment */
+    int newton, krylov_iterations;                  /* of the increment */
+    int *tile_block, *tile_local;                   /* of each global tile; owned */
 };
 
 /* How a solver's points are visited: a whole tile's, tiles that share no node at the same time, in an order that neither blocks nor
@@ -91,9 +100,11 @@ floe_status balance_strain(mpm *s, const double *u);
 floe_status balance_tangents(mpm *s, const double *u);
 /* inner = - sum pull : grad S. */
 void balance_pull(mpm *s, double *inner);
-/* Adds mass times body force times S; mass times S. */
-void balance_weigh(mpm *s, double *outer);
+/* Adds mass times body force (m/s2, of each body) times S; mass times S. */
+void balance_weigh(mpm *s, double (*fall)[3], double *outer);
 void balance_share(mpm *s, double *share);
+/* Adds - V grad S, about an axis with the hoop's part. */
+void balance_squeeze(mpm *s, double *out);
 /* The displacement of a node, by global index, ghosts beyond the sides included. */
 double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c);
 /* Next places and velocities: none in statics. FLOE_RETRY where one has gone farther than a cell. */
@@ -135,9 +146,15 @@ void motion_enter(mpm *s);
  * `pushed` (N), FLOE_RETRY where a room would lose all its volume or its gas is beyond its law; A x of their stiffness, added to y; the next state of
  * their points; and what they enter into the ledger. Returns, J, what they did to the solids. */
 floe_status rooms_find(mpm *s);
+/* Gas of the cells (balance_gas.c): a room for each there is in the increment; what pushes solids that share cells with it, once the points have
+ * been located. Errors: FLOE_BAD_INPUT where a solid is too thin for that. */
+floe_status rooms_take_gases(mpm *s);
+floe_status rooms_squeeze(mpm *s);
 void rooms_free(mpm *s);
 floe_status rooms_begin(mpm *s);
 floe_status rooms_push(mpm *s, const double *u, double *pushed);
+/* The same of the start of the increment. */
+void rooms_push_first(mpm *s, double *pushed);
 void rooms_stiffen(const struct mpm_balance *w, const double *x, double *y);
 void rooms_store(mpm *s);
 double rooms_enter(mpm *s);

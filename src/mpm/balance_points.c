@@ -218,7 +218,7 @@ void balance_pull(mpm *s, double *inner)
 
 typedef struct weighing {
     double *out;
-    bool fall; /* times the body force */
+    double (*fall)[3]; /* m/s2, of each body; NULL: 1 */
 } weighing;
 
 static void weigh_tile(mpm *s, int blk, int tile, void *user)
@@ -228,26 +228,53 @@ static void weigh_tile(mpm *s, int blk, int tile, void *user)
     for (int body = 0; body < s->n_bodies; ++body) {
         if (s->body[body].fluid) continue;
         const size_t *range = s->points[blk][body].tile_start + tile;
-        const double *mass = field_get(s->domain->fields[blk], P_MASS, body, 0), *fall = s->work->acceleration[body];
+        const double *mass = field_get(s->domain->fields[blk], P_MASS, body, 0);
         for (size_t k = range[0]; k < range[1]; ++k) {
             place_node node[BALANCE_NODES];
             const int n = balance_nodes(s, &w->place[w->first[blk][body] + k], node);
             for (int i = 0; i < n; ++i)
                 for (int c = 0; c < s->mesh->dim; ++c)
                     weigh->out[(size_t)c * w->grid.size + (size_t)node[i].at] +=
-                        mass[k] * (weigh->fall ? fall[c] : 1.0) * node[i].S[c];
+                        mass[k] * (weigh->fall ? weigh->fall[body][c] : 1.0) * node[i].S[c];
         }
     }
 }
 
-void balance_weigh(mpm *s, double *outer)
+void balance_weigh(mpm *s, double (*fall)[3], double *outer)
 {
-    balance_for_tiles(s, weigh_tile, &(weighing){outer, true});
+    balance_for_tiles(s, weigh_tile, &(weighing){outer, fall});
 }
 
 void balance_share(mpm *s, double *share)
 {
-    balance_for_tiles(s, weigh_tile, &(weighing){share, false});
+    balance_for_tiles(s, weigh_tile, &(weighing){share, NULL});
+}
+
+static void squeeze_tile(mpm *s, int blk, int tile, void *user)
+{
+    const struct mpm_balance *w = s->balance;
+    const fields *f = s->domain->fields[blk];
+    double *out = user;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *range = s->points[blk][body].tile_start + tile;
+        const double *volume0 = field_get(f, P_VOLUME0, body, 0), *J = field_get(f, P_J, body, 0);
+        for (size_t k = range[0]; k < range[1]; ++k) {
+            const point_place *place = &w->place[w->first[blk][body] + k];
+            const double volume = volume0[k] * J[k];
+            const double hoop = s->mesh->geometry == MESH_AXISYMMETRIC ? volume / place->radius : 0.0;
+            place_node node[BALANCE_NODES];
+            const int n = balance_nodes(s, place, node);
+            for (int i = 0; i < n; ++i)
+                for (int c = 0; c < s->mesh->dim; ++c)
+                    out[(size_t)c * w->grid.size + (size_t)node[i].at] -=
+                        volume * node[i].slope[c][c] + (c == 0 ? hoop * node[i].S[0] : 0.0);
+        }
+    }
+}
+
+void balance_squeeze(mpm *s, double *out)
+{
+    balance_for_tiles(s, squeeze_tile, out);
 }
 
 /* A component of a point's velocity after the step: none at rest. */

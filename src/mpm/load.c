@@ -4,14 +4,9 @@
 
 #include <string.h>
 
-/* However small an increment, a load without a ramp would come all at once. */
 scene_load load_as_solved(const mpm *s, const scene_load *load)
 {
-    scene_load out = *load;
-    if (s->solver != SOLVER_STATIC || load->ramp > 0.0 || !(s->scene->time.end > load->start)) return out;
-    out.ramp = s->scene->time.end - load->start;
-    out.ramp_steps = 0;
-    return out;
+    return s->solver == SOLVER_STATIC ? load_until(load, s->scene->time.end) : *load;
 }
 
 static double load_at_end(const mpm *s, const scene_load *load)

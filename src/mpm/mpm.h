@@ -35,6 +35,18 @@ typedef struct mpm_points {
     size_t *tile_start; /* block.n_tiles + 1 offsets, owned */
 } mpm_points;
 
+/* Gas of the cells at rest beside the points, as load increments have it (balance.h): one pressure, that of `law` or a given one. */
+typedef struct mpm_gas {
+    const eos *law;                          /* not owned */
+    double mass, volume, energy;             /* kg, m3, J/kg: at the start of the increment */
+    double held;                             /* Pa: what a load or an open side holds it at; NAN: its own */
+    double heat;                             /* J: of loads */
+    bool open;                               /* mass comes and goes at sides */
+    double *push;                            /* m2 (a radian's): of its surface, two numbers a marker; NULL: smeared */
+    double mass_end, volume_end, energy_end; /* what it has come to */
+    double pressure;
+} mpm_gas;
+
 typedef struct mpm {
     context *ctx;       /* not owned */
     const scene *scene; /* not owned */
@@ -66,6 +78,9 @@ typedef struct mpm {
     struct mpm_work *work;       /* owned: tile partials, kernel table */
     time_solver solver;          /* SOLVER_AUTO has been chosen by then */
     struct mpm_balance *balance; /* owned; NULL: steps are explicit */
+    mpm_gas *gas;                /* beside cells, of the increment; not owned */
+    int n_gases;
+    const int *gas_of; /* of every global cell: the gas in it, -1: next to none; not owned */
 } mpm;
 
 /* Resolves the scene's bodies into *out: all of them in pure MPM, those of solids beside cells. Registers nothing. */
@@ -111,11 +126,12 @@ floe_status mpm_force_stages(mpm *s);
 floe_status mpm_motion_stages(mpm *s);
 
 /* Steps that are solved for instead of explicit ones (balance.h): a load increment of statics, or a step of implicit
- * dynamics. To be called before the plan is
- * made. FLOE_BAD_INPUT, with the cause, where something of the scene cannot be. */
+ * dynamics. To be called before the plan is made, of scenes that can be solved for. */
 floe_status mpm_solve_steps(mpm *s, time_solver solver);
 /* What of the scene cannot be solved for, or NULL. */
 const char *mpm_balance_obstacle(const mpm *s, time_solver solver);
+/* Whether solids enclose a body of the scene, a fluid, all along its shape. */
+bool mpm_body_is_enclosed(const mpm *s, int body);
 floe_status mpm_balance_masses(mpm *s); /* m_i */
 floe_status mpm_balance_loads(mpm *s);  /* f_i of surfaces */
 floe_status mpm_balance_solve(mpm *s);  /* the next state of points, in balance */

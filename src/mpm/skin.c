@@ -80,12 +80,12 @@ floe_status seed_skins(mpm *s)
     return FLOE_OK;
 }
 
-void scatter_skins(mpm *s, int group)
+void scatter_skins(mpm *s, int group, const double *force)
 {
     const body_skin *k = &s->work->skin;
     for (size_t n = 0; n < k->n; ++n)
         if (k->group[n] == group)
-            push_surface(s, group, k->now[n].x, (const double[3]){k->force[2 * n], k->force[2 * n + 1], 0.0});
+            push_surface(s, group, k->now[n].x, (const double[3]){force[2 * n], force[2 * n + 1], 0.0});
 }
 
 void move_skins(mpm *s, int group)
@@ -99,6 +99,18 @@ void move_skins(mpm *s, int group)
             k->next[n].x[a] = k->now[n].x[a] + s->dt * k->next[n].v[a];
             k->path[2 * n + (size_t)a] = s->dt * m.working[a];
         }
+    }
+}
+
+void carry_skins(mpm *s, node_displacement *way)
+{
+    const body_skin *k = &s->work->skin;
+    for (size_t n = 0; n < k->n; ++n) {
+        const double *x = k->now[n].x;
+        skin_marker *next = &k->next[n];
+        *next = (skin_marker){.x = {x[0], x[1]}};
+        carry_place(s, k->group[n], x, way, next->x);
+        if (k->pin[n] >= 0) next->x[k->pin[n]] = x[k->pin[n]];
     }
 }
 

@@ -210,7 +210,7 @@ void scatter_loads(mpm *s, int group)
     scatter_surfaces(s, group); /* they look at the masses */
     scatter_springs(s, group);
     scatter_push(s, group);
-    scatter_skins(s, group);
+    if (!s->balance) scatter_skins(s, group, s->work->skin.force);
     scatter_hold(s, group);
     fold_forces(s, group);
 }

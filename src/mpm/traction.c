@@ -343,16 +343,21 @@ void move_surfaces(mpm *s, int group)
     }
 }
 
+void carry_place(const mpm *s, int group, const double x[3], node_displacement *way, double out[3])
+{
+    const place_stencil st = surface_locate(s, group, x);
+    for (int i = 0; i < st.n; ++i)
+        for (int a = 0; a < s->mesh->dim; ++a) out[a] += st.w[i] * way(s, st.node[i], a);
+}
+
 void carry_surfaces(mpm *s, node_displacement *way)
 {
     for (size_t k = 0; k < s->work->n_surface; ++k) {
         const surface_point *p = &s->work->surface[k];
         const int group = p->load < 0 ? 0 : s->work->body_group[s->scene->load[p->load].body];
-        const place_stencil st = surface_locate(s, group, p->x);
         surface_point *next = &s->work->surface_next[k];
         *next = *p;
-        for (int i = 0; i < st.n; ++i)
-            for (int a = 0; a < s->mesh->dim; ++a) next->x[a] += st.w[i] * way(s, st.node[i], a);
+        carry_place(s, group, p->x, way, next->x);
     }
 }
 

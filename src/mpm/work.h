@@ -275,7 +275,7 @@ void scatter_push(mpm *s, int group);
 
 /* Surfaces of solids in gas (skin.c): markers laid on the shapes, the gas's push on the nodes of a group, where they go, and that for good. */
 floe_status seed_skins(mpm *s);
-void scatter_skins(mpm *s, int group);
+void scatter_skins(mpm *s, int group, const double *force);
 void move_skins(mpm *s, int group);
 void commit_skins(mpm *s);
 void free_skins(context *ctx, body_skin *k);
@@ -302,6 +302,9 @@ void move_surfaces(mpm *s, int group);
 /* Moves them by displacements of nodes, given by global index and component, instead of velocities. */
 typedef double node_displacement(const mpm *s, const int node[MESH_MAX_DIM], int component);
 void carry_surfaces(mpm *s, node_displacement *way);
+/* The same of the markers of skins; of one place of a surface, added to *out. */
+void carry_skins(mpm *s, node_displacement *way);
+void carry_place(const mpm *s, int group, const double x[3], node_displacement *way, double out[3]);
 /* A force (N) on a body's surface, on nodes of its group that its points bear (traction.c). */
 void push_surface(const mpm *s, int group, const double x[3], const double force[3]);
 /* How a place of a surface moves in the step: with which velocity it goes on, and with which a force on it works on the nodes, in the mean

@@ -91,6 +91,15 @@ static double fraction_at(const scene_load *load, double t, long steps)
     return load->ramp > 0.0 ? fmin(1.0, (t - load->start) / load->ramp) : 1.0;
 }
 
+scene_load load_until(const scene_load *load, double end)
+{
+    scene_load out = *load;
+    if (load->ramp > 0.0 || !(end > load->start)) return out;
+    out.ramp = end - load->start;
+    out.ramp_steps = 0;
+    return out;
+}
+
 double load_fraction(const scene_load *load, const load_step *step)
 {
     return fraction_at(load, step->t_end, step->step + 1);
@@ -106,6 +115,14 @@ bool load_heats(const scene_load *load, const load_step *step)
 {
     const bool has_ramp = load->ramp > 0.0 || load->ramp_steps > 0;
     return has_ramp ? ramp_acts(load, step) : step->t_end > load->start;
+}
+
+double load_heating_time(const scene_load *load, const load_step *step)
+{
+    double end = step->t_end;
+    if (!load_heats(load, step)) return 0.0;
+    if (load->ramp > 0.0 && load->ramp_steps == 0 && !load->hold) end = fmin(end, load->start + load->ramp);
+    return end - fmax(step->t, load->start);
 }
 
 static double initial_pressure(const scene *s, const scene_load *load)

@@ -35,10 +35,15 @@ typedef struct load_step {
     long step;
 } load_step;
 
+/* A load as it is where its answer is solved for (time.solver): one without a ramp grows until `end` (s), as else it would come all at
+ * once. */
+scene_load load_until(const scene_load *load, double end);
 /* Fraction of a load's ramp reached at the end of the step: 0 before its start, 1 after the ramp; by steps where ramp_steps is set. */
 double load_fraction(const scene_load *load, const load_step *step);
 /* LOAD_HEAT: whether the power is on in the step: from its start on; with a ramp and no hold, until that ends. */
 bool load_heats(const scene_load *load, const load_step *step);
+/* LOAD_HEAT: for how much of the step (s) the power is on. */
+double load_heating_time(const scene_load *load, const load_step *step);
 /* LOAD_PRESSURISE: the absolute mean pressure (Pa) that the fluid should have at the end of the step; *active tells whether the
  * load acts in it. The ramp runs from the initial pressure of the fluid's first body. It needs no memory, so that a resumed
  * run goes on as it was. */

@@ -63,7 +63,8 @@ static void choose(sim *s, bool implicit, const char *reason)
 
 floe_status sim_choose_pressure(sim *s)
 {
-    if (!s->ice || s->scene->method.pressure != PRESSURE_AUTO || s->steps % LOOK_EVERY != 0) return FLOE_OK;
+    if (!s->ice || s->gas_rest || s->scene->method.pressure != PRESSURE_AUTO || s->steps % LOOK_EVERY != 0)
+        return FLOE_OK;
     step_limit direct, implicit;
     double acoustic, bound;
     char reason[160];

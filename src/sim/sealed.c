@@ -97,6 +97,20 @@ static floe_status sealed_find_now(sealed *t)
     return FLOE_OK;
 }
 
+floe_status sealed_find_still(sealed *t)
+{
+    TRY(mpm_outline(t->points, false, &t->now));
+    TRY(cut_find(&t->now));
+    t->gases->seal = (ice_seal){.held = t->gases->seal.held, .now = &t->now, .next = &t->next};
+    return FLOE_OK;
+}
+
+floe_status sealed_find_moved(sealed *t)
+{
+    TRY(mpm_outline(t->points, true, &t->next));
+    return cut_find(&t->next);
+}
+
 static floe_status sealed_push_points(sealed *t)
 {
     mpm_outline_push(t->points, &t->now, t->force);
@@ -108,8 +122,7 @@ static floe_status sealed_find_next(sealed *t)
 {
     mpm_outline_path(t->points, &t->now, t->path);
     t->gases->seal.heat = mpm_outline_lost(t->points);
-    TRY(mpm_outline(t->points, true, &t->next));
-    return cut_find(&t->next);
+    return sealed_find_moved(t);
 }
 
 /* What would only be met as a step that goes bad is said at the start. */

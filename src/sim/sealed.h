@@ -23,5 +23,8 @@ void sealed_destroy(struct sealed **t);
 /* Points are seeded; the cells get the gases. */
 floe_status sealed_initialise(sim *s);
 floe_status sealed_step(sim *s);
+/* Of lines that do not move: where they are, for the gases too; and where the points have gone. Errors: as mpm_outline, cut_find. */
+floe_status sealed_find_still(sealed *t);
+floe_status sealed_find_moved(sealed *t);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "sim/coupled.h"
+#include "sim/gas_rest.h"
 #include "sim/sealed.h"
 #include "sim/statics.h"
 
@@ -46,6 +47,7 @@ static floe_status check_coupling(const sim *s)
 
 floe_status sim_run_stages(sim *s)
 {
+    if (s->gas_rest) return gas_rest_step(s);
     if (s->sealed) return sealed_step(s);
     if (s->mpm && s->ice) return coupled_step(s);
     return s->mpm ? mpm_step(s->mpm) : ice_step(s->ice);
@@ -127,6 +129,7 @@ void sim_destroy(sim **s)
 {
     if (!s || !*s) return;
     context *ctx = (*s)->ctx;
+    gas_rest_destroy(&(*s)->gas_rest);
     transfer_destroy(&(*s)->transfer);
     sealed_destroy(&(*s)->sealed);
     ice_destroy(&(*s)->ice);

@@ -20,6 +20,7 @@ typedef struct sim {
     ice *ice;                  /* owned; NULL without cells */
     struct transfer *transfer; /* owned; NULL unless solids share cells with fluids */
     struct sealed *sealed;     /* owned; NULL unless a membrane or surfaces of solids cut the cells of gas */
+    struct gas_rest *gas_rest; /* owned; NULL unless load increments are solved for beside gas on cells */
     char pressure_reason[256]; /* of method.pressure auto: what it has chosen last, and why; "" otherwise */
     char solver_reason
         [160];   /* how points get on, dynamic or static, and why where time.solver is auto; "" without points */

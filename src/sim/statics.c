@@ -1,15 +1,24 @@
 #include "sim/statics.h"
 
+#include "sim/gas_rest.h"
+
 #include <math.h>
 
 static const double growth = 2.0;     /* of increments, after one was cut */
 static const double round_off = 1e-9; /* what many equal increments may miss the end by */
 
+/* Why a state of rest cannot be solved for, or NULL; `guess`: nor is likely to be. */
+static const char *obstacle_to(const sim *s, time_solver solver, bool guess)
+{
+    const char *obstacle = mpm_balance_obstacle(s->mpm, solver);
+    return obstacle || !s->ice ? obstacle : gas_rest_obstacle(s, guess);
+}
+
 /* Why `auto` would not solve for the state of rest, or NULL. */
 static const char *obstacle_to_rest(const sim *s)
 {
     if (!s->scene->rest.enabled) return "the deck asks for no state of rest";
-    return mpm_balance_obstacle(s->mpm, SOLVER_STATIC);
+    return obstacle_to(s, SOLVER_STATIC, true);
 }
 
 static const char *solver_name(time_solver solver)
@@ -33,7 +42,12 @@ floe_status sim_choose_solver(sim *s)
     if (solver == SOLVER_IMPLICIT && t->increments == 1 && isnan(t->fixed_step) && isnan(t->max_step))
         return fail(s->ctx, FLOE_BAD_INPUT,
                     "time.solver: implicit takes no step of its own accord: give increments, fixed_step or max_step");
-    return solver == SOLVER_DYNAMIC ? FLOE_OK : mpm_solve_steps(s->mpm, solver);
+    if (solver == SOLVER_DYNAMIC) return FLOE_OK;
+    const char *obstacle = obstacle_to(s, solver, false);
+    if (obstacle)
+        return fail(s->ctx, FLOE_BAD_INPUT, "time.solver: %s: %s; use dynamic", solver_name(solver), obstacle);
+    TRY(mpm_solve_steps(s->mpm, solver));
+    return s->ice ? gas_rest_create(&s->gas_rest, s) : FLOE_OK;
 }
 
 void statics_step(const sim *s, double left, double *dt, const char **reason)

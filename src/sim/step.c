@@ -1,4 +1,5 @@
 /* Time steps: chosen, taken, and, where they go bad, taken again smaller (design 8). */
+#include "sim/gas_rest.h"
 #include "sim/statics.h"
 
 #include <math.h>
@@ -121,6 +122,7 @@ static floe_status commit(sim *s, double dt)
         TRY(mpm_commit(s->mpm));
     }
     if (s->ice) s->cell_updates += (double)mesh_cells(&s->mesh);
+    if (s->gas_rest) TRY(gas_rest_commit(s));
     ledger_commit(&s->ledger);
     s->time += dt;
     s->steps++;

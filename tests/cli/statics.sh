@@ -29,3 +29,13 @@ expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/bar_vibration.yaml" --set time.solver=
 [ "$(json bar/summary.json steps)" = 14 ] || fault 'steps of 5 ms are not 14'
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/two_bars.yaml" --set time.solver=static -o bars
 has stderr 'time.solver: static'
+
+# Gas on cells at rest beside a solid: resumed between increments to the same bits.
+gas=("$FLOE_SOURCE/inputs/pressurized_cylinder.yaml" --set domain.cell=0.1 --set time.solver=auto --set time.increments=3)
+expect 0 "$FLOE" run "${gas[@]}" -o gas
+has stdout 'solver static: the deck asks for the state of rest'
+expect 0 "$FLOE" run "${gas[@]}" -o gas-part --set time.max_steps=1 --quiet
+expect 0 "$FLOE" run "${gas[@]}" -o gas-part --resume --quiet
+cmp gas/history.csv gas-part/history.csv || fault 'other histories of the gas'
+last=$(find gas/fields -name '*.h5' | sort | tail -n 1)
+cmp "$last" "gas-part/fields/${last##*/}" || fault 'other bits of the gas at the end'

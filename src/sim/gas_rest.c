@@ -1,0 +1,131 @@
+#include "sim/gas_rest.h"
+
+#include "base/memory.h"
+#include "ice/ice_rest.h"
+#include "sim/coupled.h"
+#include "sim/sealed.h"
+
+#include <string.h>
+
+/* Between the cells' regions and the points' rooms. */
+typedef struct gas_rest {
+    context *ctx;       /* not owned */
+    stage_list *stages; /* not owned */
+    sim *s;             /* not owned */
+    ice_rest *cells;    /* owned */
+    mpm_gas *gas;       /* one a region; owned */
+    double *push;       /* of all of them; owned */
+} gas_rest;
+
+/* Loads heat what solids enclose: else it would flow out, which is found only once there are cells. */
+static bool heats_in_the_open(const sim *s)
+{
+    for (int l = 0; l < s->scene->n_loads; ++l) {
+        const scene_load *load = &s->scene->load[l];
+        bool enclosed = false;
+        if (load->kind != LOAD_HEAT && load->kind != LOAD_PRESSURISE) continue;
+        for (int b = 0; b < s->scene->n_bodies; ++b)
+            enclosed = enclosed || (s->scene->body[b].material == load->material && mpm_body_is_enclosed(s->mpm, b));
+        if (!enclosed) return true;
+    }
+    return false;
+}
+
+const char *gas_rest_obstacle(const sim *s, bool guess)
+{
+    if (scene_holder(s->scene) >= 0) return "membranes have no stiffness across their surface";
+    if (guess && heats_in_the_open(s)) return "gas that no solid encloses is heated, and would flow";
+    return ice_rest_obstacle(s->ice);
+}
+
+floe_status gas_rest_create(gas_rest **out, sim *s)
+{
+    TRY(memory_new(s->ctx, out, 1, sizeof **out));
+    **out = (gas_rest){.ctx = s->ctx, .stages = &s->stages, .s = s};
+    return ice_rest_create(&(*out)->cells, s->ice);
+}
+
+void gas_rest_destroy(gas_rest **g)
+{
+    if (!g || !*g) return;
+    context *ctx = (*g)->ctx;
+    ice_rest_destroy(&(*g)->cells);
+    memory_free(ctx, &(*g)->gas);
+    memory_free(ctx, &(*g)->push);
+    memory_free(ctx, g);
+}
+
+/* Areas of the pieces of the lines, at the markers between which they lie, by the region whose gas is there. */
+static floe_status push_markers(gas_rest *g)
+{
+    const cut_line *c = &g->s->sealed->now;
+    const size_t numbers = 2 * (size_t)c->n_vertices;
+    TRY(memory_resize(g->ctx, &g->push, numbers * (size_t)g->cells->n, sizeof *g->push));
+    memset(g->push, 0, numbers * (size_t)g->cells->n * sizeof *g->push);
+    for (int r = 0; r < g->cells->n; ++r) g->gas[r].push = g->push + numbers * (size_t)r;
+    for (int k = 0; k < c->n_pieces; ++k) {
+        const cut_piece *p = &c->piece[k];
+        const int *at = c->cell[p->cell].cell,
+                  region = ice_rest_near(g->s->ice, g->cells, (const int[]){at[0], at[1], 0});
+        for (int end = 0; end < 2 && region >= 0; ++end)
+            for (int a = 0; a < 2; ++a)
+                g->gas[region].push[2 * c->vertex[p->vertex[end]].point + a] +=
+                    (end == 1 ? p->share : 1.0 - p->share) * p->area[a];
+    }
+    return FLOE_OK;
+}
+
+static floe_status gas_rest_find(gas_rest *g)
+{
+    sim *s = g->s;
+    if (s->sealed) TRY(sealed_find_still(s->sealed));
+    TRY(ice_rest_find(s->ice, g->cells));
+    TRY(memory_resize(g->ctx, &g->gas, (size_t)g->cells->n, sizeof *g->gas));
+    for (int r = 0; r < g->cells->n; ++r) {
+        const ice_rest_region *region = &g->cells->region[r];
+        g->gas[r] = (mpm_gas){.law = &s->ice->material[g->cells->material].eos,
+                              .mass = region->mass,
+                              .volume = region->volume,
+                              .energy = region->energy / region->mass,
+                              .held = region->held,
+                              .heat = region->heat,
+                              .open = region->open};
+    }
+    if (s->sealed) TRY(push_markers(g));
+    s->mpm->gas = g->gas;
+    s->mpm->n_gases = g->cells->n;
+    s->mpm->gas_of = g->cells->seen;
+    return FLOE_OK;
+}
+
+static floe_status gas_rest_move(gas_rest *g)
+{
+    return g->s->sealed ? sealed_find_moved(g->s->sealed) : FLOE_OK;
+}
+
+floe_status gas_rest_step(sim *s)
+{
+    gas_rest *g = s->gas_rest;
+    const bool cut = s->sealed, m = s->ice->multi;
+    STAGE(g, ALWAYS, gas_rest_find,
+          READS(P_ID, P_POS, C_RHO, C_VEL, C_ENERGY, C_PRESSURE, C_TEMP, WHEN(cut, C_OPEN), WHEN(m, C_VOL),
+                WHEN(m, C_SOUND), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
+                WHEN(m, C_VEL_MEAN), WHEN(m, C_MIXED), WHEN(m, C_TMV_RATIO)),
+          WRITES(NOTHING)); /* more than is found: what is shown of mixed cells */
+    TRY(mpm_step(s->mpm));
+    STAGE(g, ALWAYS, gas_rest_move, READS(P_ID, P_POS), WRITES(NOTHING));
+    return FLOE_OK;
+}
+
+floe_status gas_rest_commit(sim *s)
+{
+    gas_rest *g = s->gas_rest;
+    ice_rest_state *state;
+    if (s->transfer) TRY(coupled_refresh(s));
+    TRY(memory_new(g->ctx, &state, (size_t)g->cells->n, sizeof *state));
+    for (int r = 0; r < g->cells->n; ++r)
+        state[r] = (ice_rest_state){g->gas[r].mass_end, g->gas[r].volume_end, g->gas[r].energy_end, g->gas[r].pressure};
+    const floe_status status = ice_rest_fill(s->ice, g->cells, state);
+    memory_free(g->ctx, &state);
+    return status;
+}
