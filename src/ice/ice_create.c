@@ -45,16 +45,31 @@ static void find_used(const scene *s, bool with_points, bool *used)
         }
 }
 
+/* The least pressure that a fluid of the scene bears (Pa, <= 0), and a half of a solid's bulk modulus at most: what a solid beside it must have a
+ * volume at. */
+static double least_pressure(const scene *s, const bool *used, double bulk_modulus)
+{
+    double least = 0.0;
+    for (int r = 0; r < s->n_materials; ++r) {
+        const scene_material *m = &s->material[r];
+        if (used[r] && m->kind == MATERIAL_FLUID) least = fmin(least, m->eos.model->pressure_floor(m->eos.par));
+    }
+    return fmax(least, -0.5 * bulk_modulus);
+}
+
 /* A solid as the cells see it: the bulk response of its law (numerics 5.4). */
-static floe_status view_of_solid(ice *s, const scene_material *m, ice_material *out, eos_bulk_par *par)
+static floe_status view_of_solid(ice *s, const scene_material *m, const bool *used, ice_material *out,
+                                 eos_bulk_par *par)
 {
     const eos_model *bulk = eos_find("bulk");
     if (!bulk) return fail(s->ctx, FLOE_INTERNAL, "the equation of state 'bulk' is not in the registry");
+    const double K = m->law->bulk_modulus(m->law_par);
     *par = (eos_bulk_par){.density = m->density,
-                          .bulk_modulus = m->law->bulk_modulus(m->law_par),
+                          .bulk_modulus = K,
                           .specific_heat = m->specific_heat > 0.0 ? m->specific_heat : 1.0,
                           .reference_pressure = s->scene->reference_pressure,
-                          .switch_pressure = m->tension_switch};
+                          .switch_pressure = m->tension_switch,
+                          .least_pressure = least_pressure(s->scene, used, K)};
     *out = (ice_material){.eos = {bulk, par}, .points = true};
     return FLOE_OK;
 }
@@ -69,7 +84,7 @@ static floe_status resolve_materials(ice *s, bool with_points)
         const scene_material *m = &whole->material[r];
         ice_material *out = &s->material[s->n_materials];
         if (m->kind == MATERIAL_SOLID)
-            TRY(view_of_solid(s, m, out, &s->bulk[s->n_materials]));
+            TRY(view_of_solid(s, m, used, out, &s->bulk[s->n_materials]));
         else
             *out = (ice_material){.eos = m->eos,
                                   .shear_viscosity = m->shear_viscosity,

@@ -91,7 +91,8 @@ typedef struct eos_bulk_par {
     double bulk_modulus;       /* Pa */
     double specific_heat;      /* J/kg/K */
     double reference_pressure; /* Pa: where density holds; > 0 is not needed */
-    double switch_pressure;    /* Pa > 0: below it the tension branch */
+    double switch_pressure;    /* Pa, over least_pressure: below it the tension branch */
+    double least_pressure; /* Pa, <= 0: above which p stays; 0 beside gas, what a liquid bears of tension beside that */
 } eos_bulk_par;
 
 #endif

@@ -143,7 +143,7 @@ static void test_bulk_switch(void **state)
 {
     (void)state;
     const eos_model *bulk = eos_find("bulk");
-    const eos_bulk_par steel = {8900.0, 117e9, 400.0, 0.0, 101325.0};
+    const eos_bulk_par steel = {8900.0, 117e9, 400.0, 0.0, 101325.0, 0.0};
     const double around[2] = {101325.0 * (1.0 - 1e-12), 101325.0 * (1.0 + 1e-12)}, T[2] = {300.0, 300.0};
     double v[2], dvdp[2];
     bulk->volume(&steel, 2, around, T, v, dvdp);
@@ -173,7 +173,7 @@ static void test_bulk_extremes(void **state)
 {
     (void)state;
     const eos_model *bulk = eos_find("bulk");
-    const eos_bulk_par soft = {1000.0, 1e4, 1000.0, 1e5, 1.0}; /* p_ref ten times K: tension at the switch */
+    const eos_bulk_par soft = {1000.0, 1e4, 1000.0, 1e5, 1.0, 0.0}; /* p_ref ten times K: tension at the switch */
     const double T = 300.0, e = 3e5;
     for (double p = 1.5; p < 1e13; p *= 3.0) {
         double v, dvdp, back, c2;
