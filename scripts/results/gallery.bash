@@ -55,6 +55,7 @@ declare -A gallery=(
     [string_mass]='|-t 0.0202 -c none|tension of the string, t = 0.02'
     [taylor_bar]='||von Mises stress'
     [taylor_green]='|-c velocity_liquid_x|velocity along x'
+    [water_impact]='|-p velocity_x -c pressure|pressure of the water before and behind the block'
     [two_bars]='|-t 0.25|von Mises stress while they touch'
 )
 

@@ -184,6 +184,28 @@ static void test_bulk_extremes(void **state)
     }
 }
 
+/* Beside a liquid that bears 6e8 Pa of tension so does the solid: p and v are inverse down to it, and meet the normal branch at the switch. */
+static void test_bulk_tension(void **state)
+{
+    (void)state;
+    const eos_model *bulk = eos_find("bulk");
+    const eos_bulk_par wood = {300.0, 6e8, 1000.0, 1e5, 1e5, -3e8};
+    check_close(bulk->pressure_floor(&wood), -3e8, 0.0);
+    const double around[2] = {1e5 - 1e-3, 1e5 + 1e-3}, T[2] = {300.0, 300.0}, e = 3e5;
+    double v[2], dvdp[2];
+    bulk->volume(&wood, 2, around, T, v, dvdp);
+    check_close_relative(v[0], v[1], 1e-11);
+    check_close_relative(-v[0] / dvdp[0], 6e8, 1e-11);
+    for (double p = -2.99e8; p < 2e5; p += 1e7) {
+        double back, c2;
+        bulk->volume(&wood, 1, &p, T, v, dvdp);
+        const double rho = 1.0 / v[0];
+        bulk->pressure(&wood, 1, &rho, &e, &back, &c2);
+        check_close(back, p, 4e-15 * (3e8 + rho * c2));
+        check_close_relative(-v[0] * v[0] / dvdp[0], c2, 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -194,6 +216,7 @@ int main(void)
         cmocka_unit_test(test_artificial_pressure),
         cmocka_unit_test(test_bulk_switch),
         cmocka_unit_test(test_bulk_extremes),
+        cmocka_unit_test(test_bulk_tension),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
