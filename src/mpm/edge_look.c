@@ -56,11 +56,7 @@ static void fill_tile(const mpm *s, int body, int blk, int tile)
     if (range[0] == range[1]) return;
     memset(out, 0, (size_t)s->work->window_nodes * sizeof *out);
     const point_arrays p = points_of(s, blk, body, false, false);
-    for (size_t k = range[0]; k < range[1]; ++k) {
-        const tile_weights at = weights_at(s, &box, &p, k);
-        const double volume = p.volume0[k] * p.J[k];
-        spread_numbers(s, &at, &volume, 1, out);
-    }
+    s->work->kernel.fill(s->mesh, &box, &p, range[0], range[1], out);
 }
 
 /* Adds what a body fills of a node, and makes the node its own, or nobody's if another body is there. */
@@ -107,19 +103,36 @@ static void fill_group(mpm *s, int group)
         if (s->body[body].group == group && edge_body(s, body)) fill_nodes(s, body);
 }
 
-/* The body of a line plus one; 0 where it is none, for all taps are full, or one is outside or within reach of another body: bodies that share nodes are
- * not to be glued. */
-static int line_body(const mpm *s, int tap[EDGE_TAPS][MESH_MAX_DIM])
+/* The body of a line of nodes plus one; 0 where it is none, for all are full, or one is outside or within reach of another body: bodies that share nodes
+ * are not to be glued. */
+static int line_body(const mpm_edges *e, const size_t *number, int taps)
 {
-    const mpm_edges *e = s->work->edges;
-    const int owner = e->owner[edge_number(e, tap[0])];
+    const int owner = e->owner[number[0]];
     bool part = false;
-    for (int t = 0; t < edge_taps(s); ++t) {
-        const size_t n = edge_number(e, tap[t]);
-        if (owner < 0 || e->owner[n] != owner) return 0;
-        part = part || e->fill[n] < full_node;
+    for (int t = 0; t < taps; ++t) {
+        if (owner < 0 || e->owner[number[t]] != owner) return 0;
+        part = part || e->fill[number[t]] < full_node;
     }
     return part ? owner + 1 : 0;
+}
+
+/* The same of the line along an axis from a node on. */
+static int body_from(const mpm *s, int axis, const int first[MESH_MAX_DIM])
+{
+    const mpm_edges *e = s->work->edges;
+    const int taps = edge_taps(s);
+    size_t number[EDGE_TAPS];
+    if (first[axis] >= 0 && !(e->fill[edge_number(e, first)] > empty_node)) return 0;
+    if (first[axis] >= 0 && first[axis] + taps <= e->nodes[axis]) { /* most: nothing is folded */
+        const size_t stride = axis == 0 ? 1 : (size_t)e->nodes[0] * (axis == 1 ? 1 : (size_t)e->nodes[1]);
+        for (int t = 0; t < taps; ++t) number[t] = edge_number(e, first) + (size_t)t * stride;
+    } else {
+        int tap[EDGE_TAPS][MESH_MAX_DIM];
+        edge_line l = {.axis = axis};
+        if (!edge_find_taps(s, first, tap, &l)) return 0;
+        for (int t = 0; t < taps; ++t) number[t] = edge_number(e, tap[t]);
+    }
+    return line_body(e, number, taps);
 }
 
 /* What is no line any more forgets. */
@@ -128,10 +141,7 @@ static floe_status judge_line(mpm *s, int group, int axis, const int first[MESH_
     mpm_edges *e = s->work->edges;
     bool *changed = user;
     const size_t place = edge_place(s, group, axis, first), dim = (size_t)s->mesh->dim;
-    int tap[EDGE_TAPS][MESH_MAX_DIM];
-    edge_line l = {.axis = axis};
-    const bool outside = first[axis] >= 0 && !(e->fill[edge_number(e, first)] > empty_node);
-    const int body = !outside && edge_find_taps(s, first, tap, &l) ? line_body(s, tap) : 0;
+    const int body = body_from(s, axis, first);
     if (body == (int)e->memory[e->lines + place]) return FLOE_OK;
     *changed = true;
     e->memory[e->lines + place] = body;

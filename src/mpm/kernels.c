@@ -221,6 +221,20 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
     }
 }
 
+/* Volume of the points at their nodes. */
+FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                  double *restrict window, const int dim, const basis_kind kind)
+{
+    const tile_frame frame = frame_of(m, t, dim);
+    for (size_t k = start; k < end; ++k) {
+        const stencil s = locate(&frame, p, k, dim, kind, false);
+        const double volume = p->volume0[k] * p->J[k];
+        FOR_ROWS(s, dim, kind, {
+            for (int x = 0; x < basis_support(kind); ++x) window[row + x] += volume * W * s.w[0][x];
+        });
+    }
+}
+
 #define SCATTER(name, dim, axi, kind, momentum, force)                                                               \
     static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, double *out) \
     {                                                                                                                \
@@ -260,6 +274,13 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
         sample_body(m, t, p, start, end, window, out, dim, kind);                                       \
     }
 
+#define FILL(name, dim, kind)                                                                           \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
+                     double *window)                                                                    \
+    {                                                                                                   \
+        fill_body(m, t, p, start, end, window, dim, kind);                                              \
+    }
+
 #define INSTANTIATE(geometry, dim, axi, basis, kind)                    \
     SCATTER(momentum_##geometry##_##basis, dim, axi, kind, true, false) \
     SCATTER(force_##geometry##_##basis, dim, axi, kind, false, true)    \
@@ -268,14 +289,15 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
     GATHER(gradient_##geometry##_##basis, dim, axi, kind, false, true)  \
     GATHER(both_##geometry##_##basis, dim, axi, kind, true, true)       \
     MOMENTS(moments_##geometry##_##basis, dim, kind)                    \
-    SAMPLE(sample_##geometry##_##basis, dim, kind)
+    SAMPLE(sample_##geometry##_##basis, dim, kind)                      \
+    FILL(fill_##geometry##_##basis, dim, kind)
 
 #define KERNELS(geometry, basis)                                                                          \
     {                                                                                                     \
         .scatter = {momentum_##geometry##_##basis, force_##geometry##_##basis, all_##geometry##_##basis}, \
         .gather = {motion_##geometry##_##basis, gradient_##geometry##_##basis, both_##geometry##_##basis, \
                    moments_##geometry##_##basis},                                                         \
-        .sample = sample_##geometry##_##basis                                                             \
+        .sample = sample_##geometry##_##basis, .fill = fill_##geometry##_##basis                          \
     }
 
 #define ALL_KERNELS(geometry)                                                                                      \

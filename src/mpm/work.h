@@ -67,6 +67,7 @@ typedef struct kernel_set {
     scatter_kernel *scatter[SCATTER_MODES];
     gather_kernel *gather[GATHER_MODES];
     sample_kernel *sample;
+    scatter_kernel *fill; /* volume of the points at their nodes */
 } kernel_set;
 
 /* The kernels of a dimension, geometry and basis; chosen once. */
