@@ -212,9 +212,18 @@ static bool transfer_is_xpic(const scene *s, const void *method)
     return strcmp(((const scene_method *)method)->transfer, "xpic") == 0;
 }
 
+static bool basis_is_cpdi(const scene *s, const void *method)
+{
+    (void)s;
+    return strcmp(((const scene_method *)method)->basis, "cpdi") == 0;
+}
+
 static const key_spec method_keys[] = {
     {"basis", KEY_CUSTOM, AT(scene_method, basis), .custom = &custom_basis, .otherwise = "quadratic",
      .doc = "basis functions of the material points"},
+    {"domain_limit", KEY_NUMBER, NULL, WITHIN(0.25, 1.0), AT(scene_method, domain_limit), .fallback = "1",
+     .applies = basis_is_cpdi, .belongs = "basis cpdi",
+     .doc = "cells that the domain of a point may reach from it along an axis; what is stretched farther is squeezed"},
     {"stress", KEY_CHOICE, AT(scene_method, stress), .fallback = "usl", .choices = stress_choices,
      .doc = "when stresses of points are updated in a step"},
     {"transfer", KEY_CUSTOM, AT(scene_method, transfer), .custom = &custom_transfer, .otherwise = "flip",

@@ -32,6 +32,8 @@ bool mpm_body_is_enclosed(const mpm *s, int body)
 const char *mpm_balance_obstacle(const mpm *s, time_solver solver)
 {
     if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
+    if (s->basis->kind == BASIS_CPDI)
+        return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
     if ((s->coupled || s->seals) && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))

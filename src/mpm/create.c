@@ -63,7 +63,7 @@ static void resolve_body(mpm *s, int index)
     b->artificial[1] = m->artificial_quadratic;
     b->group = group_of(s, index);
     if (b->group == s->n_groups) s->n_groups++;
-    s->needs_F = s->needs_F || (b->law->needs & SOLID_NEEDS_F) != 0;
+    s->needs_F = s->needs_F || keeps_F(s, s->n_bodies);
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
     s->artificial = s->artificial || has_artificial(b);
     s->cell_density = s->cell_density || (b->fluid && s->scene->method.density != DENSITY_CONTINUITY);
@@ -75,6 +75,16 @@ static void resolve_body(mpm *s, int index)
     s->placed = s->placed || (m->membrane && sc->body[index].membrane.strain == STRAIN_BY_PLACES);
     s->hoops = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
     s->n_bodies++;
+}
+
+bool keeps_shape(const mpm *s, int body)
+{
+    return s->basis->kind == BASIS_CPDI && !s->body[body].membrane.model;
+}
+
+bool keeps_F(const mpm *s, int body)
+{
+    return (s->body[body].law->needs & SOLID_NEEDS_F) != 0 || keeps_shape(s, body);
 }
 
 static bool has_solids(const mpm *s)
@@ -183,7 +193,7 @@ void mpm_destroy(mpm **s)
 static bool body_holds(const mpm *s, int body, field_id id)
 {
     const mpm_body *b = &s->body[body];
-    if (id == P_F) return (b->law->needs & SOLID_NEEDS_F) != 0;
+    if (id == P_F) return keeps_F(s, body);
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id == P_DENSITY) return b->fluid;

@@ -120,8 +120,7 @@ static void settle_body(const mpm *s, int blk, int body, const tile_box *t, cons
                 energy[i] += loss / b.now.mass[i];
                 continue;
             }
-            const tile_weights at = weights_at(s, t, &b.now, i);
-            spread_numbers(s, &at, (const double[]){loss, b.now.mass[i]}, 2, window);
+            spread_numbers(s, t, &b.now, i, (const double[]){loss, b.now.mass[i]}, 2, window);
         }
     }
 }

@@ -21,6 +21,41 @@ FLOE_ALWAYS_INLINE void add_affine(double *restrict momentum, const point_arrays
     }
 }
 
+/* What a point gives: to a node's momentum with S, to its force with grad S and S. */
+typedef struct point_gift {
+    double mass, mv[3];
+    double T[3][3], b[3], hoop; /* -V sigma in the plane of the nodes; m b; -V sigma about the axis */
+} point_gift;
+
+/* Adds a point's share by one stencil. `centred`: no gradients here. */
+FLOE_ALWAYS_INLINE void scatter_stencil(const mesh *m, const point_arrays *p, size_t k, const stencil *s,
+                                        const point_gift *g, double *restrict out, const int dim, const basis_kind kind,
+                                        const bool momentum, const bool force, const bool centred, const bool affine)
+{
+    const int components = (momentum ? 1 + dim : 0) + (force ? dim : 0);
+    const int force_at = momentum ? 1 + dim : 0;
+    FOR_ROWS(*s, dim, kind, {
+        const pairs M = pairs_of(g->mass * W, g->mv[0] * W, g->mv[1] * W, g->mv[2] * W);
+        double A[3] = {0}, B[3] = {0};
+        for (int a = 0; a < dim; ++a) {
+            A[a] = g->T[a][0] * W;
+            B[a] = g->b[a] * W + (centred ? 0.0 : g->T[a][1] * Wy + g->T[a][2] * Wz);
+        }
+        const pairs along = pairs_of(A[0], A[1], A[2], 0.0), across = pairs_of(B[0], B[1], B[2], 0.0);
+        for (int x = 0; x < basis_support(kind); ++x) {
+            double *restrict node = out + (ptrdiff_t)(row + x) * components;
+            if (momentum) pairs_scatter(node, s->w[0][x], &M, 1 + dim);
+            if (affine) {
+                const double r[3] = {s->offset[0] + x * m->h[0], dim > 1 ? s->offset[1] + y_ * m->h[1] : 0.0,
+                                     dim > 2 ? s->offset[2] + z_ * m->h[2] : 0.0};
+                add_affine(node + 1, p, k, g->mass * W * s->w[0][x], r, dim);
+            }
+            if (force && centred) pairs_scatter(node + force_at, s->w[0][x], &across, dim);
+            if (force && !centred) pairs_scatter_two(node + force_at, s->w[0][x], &across, s->dw[0][x], &along, dim);
+        }
+    });
+}
+
 /* f_i = -V (sigma + p_p I - q I) . grad S + S m b (numerics 4.1); hoop term of numerics 4.5. `centred`: grad S is taken
  * elsewhere than S (locate.h). */
 FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
@@ -33,51 +68,31 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
     const tile_frame frame = frame_of(m, t, dim);
     const double body_force[3] = {p->acceleration[0], p->acceleration[1], p->acceleration[2]};
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(&frame, p, k, dim, kind, false);
-        const double mass = p->mass[k];
-        double mv[3] = {0}, T[3][3] = {{0}}, b[3] = {0}, hoop = 0.0;
+        point_gift gift = {.mass = p->mass[k]};
         if (momentum)
-            for (int a = 0; a < dim; ++a) mv[a] = mass * p->v[a][k];
+            for (int a = 0; a < dim; ++a) gift.mv[a] = gift.mass * p->v[a][k];
         if (force) {
             const double minus_v = -p->volume0[k] * p->J[k];
             const double add = (p->grid_pressure ? p->grid_pressure[k] : 0.0) - (p->q ? p->q[k] : 0.0) + p->held;
-            stress_matrix(p, k, add, dim, T);
+            stress_matrix(p, k, add, dim, gift.T);
             for (int a = 0; a < dim; ++a) {
-                b[a] = mass * body_force[a];
-                for (int c = 0; c < dim; ++c) T[a][c] *= minus_v;
+                gift.b[a] = gift.mass * body_force[a];
+                for (int c = 0; c < dim; ++c) gift.T[a][c] *= minus_v;
             }
-            if (axisymmetric) hoop = minus_v * (p->stress[2][k] + add);
-            if (axisymmetric && !centred) b[0] += hoop / s.radius;
+            if (axisymmetric) gift.hoop = minus_v * (p->stress[2][k] + add);
+            if (axisymmetric && !centred) gift.b[0] += gift.hoop / p->x[0][k];
         }
-        FOR_ROWS(s, dim, kind, {
-            const pairs M = pairs_of(mass * W, mv[0] * W, mv[1] * W, mv[2] * W);
-            double A[3] = {0}, B[3] = {0};
-            for (int a = 0; a < dim; ++a) {
-                A[a] = T[a][0] * W;
-                B[a] = b[a] * W + (centred ? 0.0 : T[a][1] * Wy + T[a][2] * Wz);
-            }
-            const pairs along = pairs_of(A[0], A[1], A[2], 0.0), across = pairs_of(B[0], B[1], B[2], 0.0);
-            for (int x = 0; x < basis_support(kind); ++x) {
-                double *restrict node = out + (ptrdiff_t)(row + x) * components;
-                if (momentum) pairs_scatter(node, s.w[0][x], &M, 1 + dim);
-                if (affine) {
-                    const double r[3] = {s.offset[0] + x * m->h[0], dim > 1 ? s.offset[1] + y_ * m->h[1] : 0.0,
-                                         dim > 2 ? s.offset[2] + z_ * m->h[2] : 0.0};
-                    add_affine(node + 1, p, k, mass * W * s.w[0][x], r, dim);
-                }
-                if (force && centred) pairs_scatter(node + force_at, s.w[0][x], &across, dim);
-                if (force && !centred) pairs_scatter_two(node + force_at, s.w[0][x], &across, s.dw[0][x], &along, dim);
-            }
-        });
+        FOR_PIECES(s, m, &frame, p, k, dim, kind,
+                   { scatter_stencil(m, p, k, &s, &gift, out, dim, kind, momentum, force, centred, affine); });
         if (!force || !centred) continue;
         const stencil g = locate(&frame, p, k, dim, kind, true);
         FOR_ROWS(g, dim, kind, {
             double A[3] = {0}, B[3] = {0};
             for (int a = 0; a < dim; ++a) {
-                A[a] = T[a][0] * W;
-                B[a] = T[a][1] * Wy + T[a][2] * Wz;
+                A[a] = gift.T[a][0] * W;
+                B[a] = gift.T[a][1] * Wy + gift.T[a][2] * Wz;
             }
-            if (axisymmetric) B[0] += hoop / g.radius * W;
+            if (axisymmetric) B[0] += gift.hoop / g.radius * W;
             const pairs along = pairs_of(A[0], A[1], A[2], 0.0), across = pairs_of(B[0], B[1], B[2], 0.0);
             for (int x = 0; x < basis_support(kind); ++x)
                 pairs_scatter_two(out + (ptrdiff_t)(row + x) * components + force_at, g.w[0][x], &across, g.dw[0][x],
@@ -154,17 +169,17 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
     const gather_result out = *to;
     const double kick = step->kick, dt = step->dt, flip = step->flip;
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(&frame, p, k, dim, kind, false);
         const double floor = light ? light_node * p->mass[k] : 0.0;
         point_sums sum = {pairs_zero(), {pairs_zero(), pairs_zero(), pairs_zero()}};
-        sum_stencil(&sum, &s, window, floor, kick, dim, kind, motion, gradient && !centred, light);
+        FOR_PIECES(s, m, &frame, p, k, dim, kind,
+                   { sum_stencil(&sum, &s, window, floor, kick, dim, kind, motion, gradient && !centred, light); });
         for (int a = 0; motion && a < dim; ++a) {
             const double v = pairs_get(&sum.va, a), acceleration = pairs_get(&sum.va, dim + a);
             out.x_next[a][k] = p->x[a][k] + dt * v;
             out.v_next[a][k] = flip * (p->v[a][k] + kick * acceleration) + (1.0 - flip) * v;
         }
         if (!gradient) continue;
-        double radius = s.radius;
+        double radius = p->x[0][k];
         if (centred) {
             const stencil g = locate(&frame, p, k, dim, kind, true);
             sum = (point_sums){pairs_zero(), {pairs_zero(), pairs_zero(), pairs_zero()}};
@@ -177,32 +192,54 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
     }
 }
 
-/* C = B/D (transfer.h), rows counted from `start`; the window holds v of each node. */
+/* Moments of the velocity and of the weights about a point, summed over its nodes. */
+typedef struct point_moments {
+    double B[3][3], D[3][3]; /* m2/s, m2: sum of S v r, of S r r */
+} point_moments;
+
+FLOE_ALWAYS_INLINE void sum_moments(point_moments *sum, const mesh *m, const stencil *s, const double *restrict window,
+                                    const int dim, const basis_kind kind)
+{
+    FOR_ROWS(*s, dim, kind, {
+        const double ry = dim > 1 ? s->offset[1] + y_ * m->h[1] : 0.0, rz = dim > 2 ? s->offset[2] + z_ * m->h[2] : 0.0;
+        for (int x = 0; x < basis_support(kind); ++x) {
+            const double S = W * s->w[0][x], r[3] = {s->offset[0] + x * m->h[0], ry, rz};
+            const double *v = window + (ptrdiff_t)(row + x) * dim;
+            for (int a = 0; a < dim; ++a)
+                for (int c = 0; c < dim; ++c) {
+                    sum->B[a][c] += S * v[a] * r[c];
+                    if (kind == BASIS_CPDI) sum->D[a][c] += S * r[a] * r[c];
+                }
+        }
+    });
+    for (int a = 0; kind != BASIS_CPDI && a < dim; ++a)
+        for (int i = 0; i < basis_support(kind); ++i) {
+            const double r = s->offset[a] + i * m->h[a];
+            sum->D[a][a] += s->w[a][i] * r * r;
+        }
+}
+
+/* C = B/D (transfer.h), rows counted from `start`; the window holds v of each node. D is diagonal where weights are products of those
+ * along the axes, and of a domain that leans it is not. */
 FLOE_ALWAYS_INLINE void moments_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                                      const double *restrict window, const gather_result *to, const int dim,
                                      const basis_kind kind)
 {
     const tile_frame frame = frame_of(m, t, dim);
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(&frame, p, k, dim, kind, false);
-        double B[3][3] = {{0.0}}, D[3] = {0.0};
+        point_moments sum = {.B = {{0.0}}};
+        FOR_PIECES(s, m, &frame, p, k, dim, kind, { sum_moments(&sum, m, &s, window, dim, kind); });
+        double over[3][3] = {{0.0}};
+        if (kind == BASIS_CPDI) (void)domain_invert(sum.D, over, dim);
         for (int a = 0; a < dim; ++a)
-            for (int i = 0; i < basis_support(kind); ++i) {
-                const double r = s.offset[a] + i * m->h[a];
-                D[a] += s.w[a][i] * r * r;
+            for (int c = 0; c < dim; ++c) {
+                double C = sum.B[a][c] / sum.D[c][c];
+                if (kind == BASIS_CPDI) {
+                    C = 0.0;
+                    for (int b = 0; b < dim; ++b) C += sum.B[a][b] * over[b][c];
+                }
+                to->L[3 * a + c][k - start] = C;
             }
-        FOR_ROWS(s, dim, kind, {
-            const double ry = dim > 1 ? s.offset[1] + y_ * m->h[1] : 0.0,
-                         rz = dim > 2 ? s.offset[2] + z_ * m->h[2] : 0.0;
-            for (int x = 0; x < basis_support(kind); ++x) {
-                const double S = W * s.w[0][x], r[3] = {s.offset[0] + x * m->h[0], ry, rz};
-                const double *v = window + (ptrdiff_t)(row + x) * dim;
-                for (int a = 0; a < dim; ++a)
-                    for (int c = 0; c < dim; ++c) B[a][c] += S * v[a] * r[c];
-            }
-        });
-        for (int a = 0; a < dim; ++a)
-            for (int c = 0; c < dim; ++c) to->L[3 * a + c][k - start] = B[a][c] / D[c];
     }
 }
 
@@ -212,10 +249,11 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
 {
     const tile_frame frame = frame_of(m, t, dim);
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(&frame, p, k, dim, kind, false);
         double sum = 0.0;
-        FOR_ROWS(s, dim, kind, {
-            for (int x = 0; x < basis_support(kind); ++x) sum += W * s.w[0][x] * window[row + x];
+        FOR_PIECES(s, m, &frame, p, k, dim, kind, {
+            FOR_ROWS(s, dim, kind, {
+                for (int x = 0; x < basis_support(kind); ++x) sum += W * s.w[0][x] * window[row + x];
+            });
         });
         out[k] = sum;
     }
@@ -227,10 +265,11 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
 {
     const tile_frame frame = frame_of(m, t, dim);
     for (size_t k = start; k < end; ++k) {
-        const stencil s = locate(&frame, p, k, dim, kind, false);
         const double volume = p->volume0[k] * p->J[k];
-        FOR_ROWS(s, dim, kind, {
-            for (int x = 0; x < basis_support(kind); ++x) window[row + x] += volume * W * s.w[0][x];
+        FOR_PIECES(s, m, &frame, p, k, dim, kind, {
+            FOR_ROWS(s, dim, kind, {
+                for (int x = 0; x < basis_support(kind); ++x) window[row + x] += volume * W * s.w[0][x];
+            });
         });
     }
 }
@@ -300,16 +339,18 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
         .sample = sample_##geometry##_##basis, .fill = fill_##geometry##_##basis                          \
     }
 
-#define ALL_KERNELS(geometry)                                                                                      \
-    {                                                                                                              \
-        KERNELS(geometry, linear), KERNELS(geometry, gimp), KERNELS(geometry, quadratic), KERNELS(geometry, cubic) \
+#define ALL_KERNELS(geometry)                                                                                       \
+    {                                                                                                               \
+        KERNELS(geometry, linear), KERNELS(geometry, gimp), KERNELS(geometry, quadratic), KERNELS(geometry, cubic), \
+            KERNELS(geometry, cpdi)                                                                                 \
     }
 
 #define ALL_BASES(X, geometry, dim, axi)              \
     X(geometry, dim, axi, linear, BASIS_LINEAR)       \
     X(geometry, dim, axi, gimp, BASIS_GIMP)           \
     X(geometry, dim, axi, quadratic, BASIS_QUADRATIC) \
-    X(geometry, dim, axi, cubic, BASIS_CUBIC)
+    X(geometry, dim, axi, cubic, BASIS_CUBIC)         \
+    X(geometry, dim, axi, cpdi, BASIS_CPDI)
 
 ALL_BASES(INSTANTIATE, line, 1, false)
 ALL_BASES(INSTANTIATE, plane, 2, false)

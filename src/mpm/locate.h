@@ -81,6 +81,124 @@ FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, si
     return s;
 }
 
+/* The domain of a point in CPDI: centre and half sides of a parallelogram (parallelepiped). */
+typedef struct point_domain {
+    double side[MESH_MAX_DIM][MESH_MAX_DIM];    /* cells: component a of half side b */
+    double inverse[MESH_MAX_DIM][MESH_MAX_DIM]; /* of that matrix */
+} point_domain;
+
+/* Inverse of a d x d matrix, d literal; returns the determinant, of which the inverse lacks the division where it is 0. */
+FLOE_ALWAYS_INLINE double domain_invert(double a[3][3], double b[3][3], const int dim)
+{
+    double det = a[0][0];
+    if (dim == 1) b[0][0] = 1.0;
+    if (dim == 2) {
+        b[0][0] = a[1][1];
+        b[0][1] = -a[0][1];
+        b[1][0] = -a[1][0];
+        b[1][1] = a[0][0];
+        det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    }
+    if (dim == 3) {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const int p = (j + 1) % 3, q = (j + 2) % 3, r = (i + 1) % 3, t = (i + 2) % 3;
+                b[i][j] = a[p][r] * a[q][t] - a[p][t] * a[q][r];
+            }
+        det = a[0][0] * b[0][0] + a[0][1] * b[1][0] + a[0][2] * b[2][0];
+    }
+    for (int i = 0; i < dim && det != 0.0; ++i)
+        for (int j = 0; j < dim; ++j) b[i][j] /= det;
+    return det;
+}
+
+/* How far a domain may reach along an axis, in cells: the deck's limit, and no farther than sides that do not mirror, beyond which
+ * velocities are extrapolated: a corner of a domain that leans would give nodes inside negative weights. A point on such a side keeps a
+ * sliver. */
+FLOE_ALWAYS_INLINE double domain_room(const mesh *m, const point_arrays *p, size_t k, int axis)
+{
+    const double sliver = 1e-4;
+    const double below = (p->x[axis][k] - p->domain_end[axis][0]) / m->h[axis],
+                 above = (p->domain_end[axis][1] - p->x[axis][k]) / m->h[axis], side = below < above ? below : above;
+    return side > p->domain_limit ? p->domain_limit : side > sliver ? side : sliver;
+}
+
+/* Half sides r_b = F r_b0. What reaches farther than it may along an axis is squeezed along that axis: it stays a parallelogram about
+ * its point, so that linear fields stay exact, and the nodes that it reaches stay within the window. (Homel, Brannon and Guilkey 2016
+ * shorten the diagonals.) One that is next to flat becomes the box about it: gradients across it would be differences of next to
+ * nothing. */
+FLOE_ALWAYS_INLINE point_domain domain_of(const mesh *m, const point_arrays *p, size_t k, const int dim)
+{
+    const double flat = 1e-3;
+    point_domain d = {.side = {{0.0}}};
+    double width[3], box = 1.0;
+    for (int a = 0; a < dim; ++a) {
+        width[a] = 0.0;
+        for (int b = 0; b < dim; ++b) {
+            const double stretch = p->deform[0] ? p->deform[dim * a + b][k] : a == b ? 1.0 : 0.0;
+            d.side[a][b] = stretch * p->half[b][k] / m->h[a];
+            width[a] += fabs(d.side[a][b]);
+        }
+        const double room = domain_room(m, p, k, a);
+        if (!(width[a] <= room)) {
+            for (int b = 0; b < dim; ++b) d.side[a][b] *= room / width[a];
+            width[a] = room;
+        }
+        box *= width[a];
+    }
+    if (fabs(domain_invert(d.side, d.inverse, dim)) > flat * box) return d;
+    for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b) {
+            d.side[a][b] = a == b ? width[a] : 0.0;
+            d.inverse[a][b] = a == b ? 1.0 / width[a] : 0.0;
+        }
+    return d;
+}
+
+/* A corner of a point's domain: S_i is the mean over the corners of the linear N_i there, and grad S_i that over the domain of the gradient
+ * of what the corners interpolate: sum over corners of N_i g/2^d, g = R^-T s, R the half sides and s = +-1 the corner's place on each
+ * (Sadeghirad, Brannon and Burghardt 2011). So a corner is a stencil of the linear basis with slopes of its own. */
+FLOE_ALWAYS_INLINE stencil locate_corner(const tile_frame *f, const point_arrays *p, size_t k, const int dim,
+                                         const point_domain *d, const int corner)
+{
+    stencil s;
+    const int width = window_width(dim, BASIS_CPDI);
+    const double share = dim == 1 ? 0.5 : dim == 2 ? 0.25 : 0.125;
+    int row = 1;
+    s.node = 0;
+    s.radius = p->x[0][k];
+    for (int a = 0; a < dim; ++a) {
+        const double at = (p->x[a][k] - f->lower[a]) * f->inv_h[a] - f->first[a];
+        double place = at, slope = 0.0;
+        for (int b = 0; b < dim; ++b) {
+            const double sign = (corner >> b) & 1 ? 1.0 : -1.0;
+            place += sign * d->side[a][b];
+            slope += sign * d->inverse[b][a];
+        }
+        int cell = (int)(place + 1.0) - 1; /* floor, from -1 on */
+        cell = cell < -1 ? -1 : cell > f->cells[a] ? f->cells[a] : cell;
+        const double scale = a == 0 ? share : 1.0;
+        s.w[a][0] = scale * (1.0 - (place - cell));
+        s.w[a][1] = scale * (place - cell);
+        for (int i = 0; i < 2; ++i) s.dw[a][i] = slope * f->inv_h[a] * s.w[a][i];
+        s.offset[a] = (cell - at) / f->inv_h[a];
+        s.node += row * (cell + basis_reach(BASIS_CPDI));
+        row *= width;
+    }
+    for (int a = dim; a < 3; ++a) {
+        s.w[a][0] = 1.0;
+        s.dw[a][0] = 0.0;
+    }
+    return s;
+}
+
+/* One of the stencils of which a point's weights are the sum. */
+FLOE_ALWAYS_INLINE stencil locate_piece(const tile_frame *f, const point_arrays *p, size_t k, const int dim,
+                                        const basis_kind kind, const point_domain *d, const int piece)
+{
+    return kind == BASIS_CPDI ? locate_corner(f, p, k, dim, d, piece) : locate(f, p, k, dim, kind, false);
+}
+
 /* Loops over the rows of a stencil along the first axis: the body sees `row` (index in the window of its first node), `W` (product
  * of the weights of the other axes) and its derivatives `Wy`, `Wz` (1/m), and the nodes `y_` and `z_` along those. What a row's nodes share is then worked out once. */
 #define FOR_ROWS(s, dim, kind, ...)                                                               \
@@ -95,6 +213,17 @@ FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, si
                 (void)W, (void)Wy, (void)Wz;                                                      \
                 __VA_ARGS__                                                                       \
             }                                                                                     \
+    } while (0)
+
+/* Visits the stencils of which the weights of a point are the sum, `s` each. */
+#define FOR_PIECES(s, m, frame, p, k, dim, kind, ...)                                 \
+    do {                                                                              \
+        point_domain domain_ = {.side = {{0.0}}};                                     \
+        if ((kind) == BASIS_CPDI) domain_ = domain_of(m, p, k, dim);                  \
+        for (int piece_ = 0; piece_ < basis_pieces(kind, dim); ++piece_) {            \
+            const stencil s = locate_piece(frame, p, k, dim, kind, &domain_, piece_); \
+            __VA_ARGS__                                                               \
+        }                                                                             \
     } while (0)
 
 #endif

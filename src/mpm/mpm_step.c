@@ -18,6 +18,8 @@ floe_status mpm_begin_step(mpm *s)
         REMEMBERED(8)
 #define MEMBRANE_STRAIN WHEN(s->lines, P_STRAIN), WHEN(s->hoops, P_STRAIN_HOOP)
 #define SURFACE_VECTORS WHEN(s->sheets, P_SURFACE_1), WHEN(s->sheets, P_SURFACE_2)
+#define DOMAINS \
+    WHEN(s->basis->kind == BASIS_GIMP || s->basis->kind == BASIS_CPDI, P_HALF), WHEN(s->basis->kind == BASIS_CPDI, P_F)
 #define TANGENT WHEN(s->lines, P_TANGENT)
 #define POINT_STATE                                                                                               \
     P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE), \
@@ -66,22 +68,21 @@ static bool is_usl(const mpm *s)
 
 floe_status mpm_mass_stages(mpm *s)
 {
-    const bool gimp = s->basis->kind == BASIS_GIMP, force = forces_at_once(s);
+    const bool force = forces_at_once(s);
     STAGE(s, s->holds, mpm_hold_gas, READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J),
           WRITES(NOTHING));
     STAGE(s, ALWAYS, mpm_points_to_nodes,
-          READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), WHEN(gimp, P_HALF), POINT_STATE),
+          READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), DOMAINS, POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
-    STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, WHEN(gimp, P_HALF)),
-          WRITES(N_COLOUR, N_NORMAL));
-    STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, WHEN(gimp, P_HALF)),
+    STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
+    STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
           WRITES(N_REACH));
     return FLOE_OK;
 }
 
 floe_status mpm_force_stages(mpm *s)
 {
-    const bool usf = is_usf(s), apart = s->coupled || usf, gimp = s->basis->kind == BASIS_GIMP;
+    const bool usf = is_usf(s), apart = s->coupled || usf;
     STAGE(s, usf, mpm_node_velocity,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
                 WHEN(meets_at_points(s), N_REACH)),
@@ -90,15 +91,14 @@ floe_status mpm_force_stages(mpm *s)
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(POINT_STATE));
     STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
-    STAGE(s, has_edges(s), mpm_edge_force,
-          READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, WHEN(gimp, P_HALF), N_FORCE), WRITES(N_FILL, N_FORCE));
+    STAGE(s, has_edges(s), mpm_edge_force, READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, DOMAINS, N_FORCE),
+          WRITES(N_FILL, N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
     return FLOE_OK;
 }
 
 floe_status mpm_motion_stages(mpm *s)
 {
-    const bool gimp = s->basis->kind == BASIS_GIMP;
     const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
     STAGE(s, has_contact(s), mpm_contact_velocity,
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
@@ -124,7 +124,7 @@ floe_status mpm_motion_stages(mpm *s)
                 SURFACE_VECTORS),
           WRITES(TANGENT, P_STRESS, P_J, SURFACE_VECTORS, WHEN(s->placed, P_POS), WHEN(s->placed, P_STRAIN)));
     STAGE(s, losses_are_heat(s), mpm_give_heat,
-          READS(P_MASS, P_POS, P_VEL, WHEN(gimp, P_HALF), N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
+          READS(P_MASS, P_POS, P_VEL, DOMAINS, N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
           WRITES(N_LOSS, N_DRY_MASS, P_ENERGY));
     return FLOE_OK;
 }
@@ -132,12 +132,10 @@ floe_status mpm_motion_stages(mpm *s)
 /* A step that is solved for. */
 static floe_status balance_stages(mpm *s)
 {
-    const bool gimp = s->basis->kind == BASIS_GIMP;
-    STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, WHEN(gimp, P_HALF)),
-          WRITES(N_MASS, N_MOMENTUM));
+    STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_balance_solve,
-          READS(N_MASS, N_MOMENTUM, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(gimp, P_HALF), POINT_STATE),
+          READS(N_MASS, N_MOMENTUM, P_MASS, P_VOLUME0, P_POS, P_VEL, DOMAINS, POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }

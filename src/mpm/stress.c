@@ -45,7 +45,7 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
     memcpy(batch->J_old, batch->J, bytes);
     for (int c = 0; c < field_component_count(FIELD_STRESS, dim); ++c)
         memcpy(batch->stress[c], get(f, P_STRESS, body, c) + start, bytes);
-    if (b->law->needs & SOLID_NEEDS_F)
+    if (keeps_F(s, body))
         for (int c = 0; c < field_component_count(FIELD_DEFORM, dim); ++c)
             memcpy(batch->F[deform_slot[dim - 1][c]], get(f, P_F, body, c) + start, bytes);
     else /* a stress state moves the free stretches of F, whether they are kept or not */
@@ -167,7 +167,7 @@ void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batc
     memcpy(field_next(f, P_J, body, 0) + start, b->J, bytes);
     for (int c = 0; c < field_component_count(FIELD_STRESS, dim); ++c)
         memcpy(field_next(f, P_STRESS, body, c) + start, b->stress[c], bytes);
-    if (m->law->needs & SOLID_NEEDS_F)
+    if (keeps_F(s, body))
         for (int c = 0; c < field_component_count(FIELD_DEFORM, dim); ++c)
             memcpy(field_next(f, P_F, body, c) + start, b->F[deform_slot[dim - 1][c]], bytes);
     if (m->law->needs & SOLID_HAS_ENERGY) memcpy(field_next(f, P_ENERGY, body, 0) + start, b->energy, bytes);
@@ -203,10 +203,8 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
 {
     const mpm_body *m = &s->body[body];
     load_batch(s, blk, body, start, end, false, b);
-    if (m->law->needs & SOLID_NEEDS_F)
-        advance_F(b);
-    else
-        advance_J(b);
+    if (keeps_F(s, body)) advance_F(b);
+    if (!(m->law->needs & SOLID_NEEDS_F)) advance_J(b);
     fill_room(s, body, b);
     if (fields_has(s->domain->fields[blk], P_DENSITY, body)) take_cell_density(s, blk, body, start, b);
     if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);

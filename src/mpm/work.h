@@ -23,9 +23,12 @@ typedef struct point_arrays {
     const double *stress[6];             /* Pa, 1-D xx yy zz; 2-D xx yy zz xy; 3-D xx yy zz xy yz zx */
     const double *q, *grid_pressure;     /* Pa */
     const double *affine[9];             /* 1/s, d x d by rows: C_p (transfer.h) */
-    double acceleration[3];              /* m/s2: body forces on this body */
-    double held;                         /* Pa: the pressure that a membrane bears in their place */
-    bool centred;                        /* gradients are taken at the cell's centre (locate.h) */
+    const double *deform[9]; /* 1: F as it is stored, for what shapes domains; NULL: they keep their shape */
+    double domain_limit;     /* cells: how far from its point a domain may reach along an axis */
+    double domain_end[3][2]; /* m: beyond which none may reach; infinite at ends that mirror or repeat */
+    double acceleration[3];  /* m/s2: body forces on this body */
+    double held;             /* Pa: the pressure that a membrane bears in their place */
+    bool centred;            /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
 
 /* Adds what points [start, end) give to the nodes of their tile's window, `out`: interleaved per node, mass and momentum
@@ -216,6 +219,9 @@ enum { GAIN_HEAT, GAIN_REFERENCE, GAIN_FALL, GAIN_IMPULSE, MPM_GAINS = GAIN_IMPU
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
                           double gain[MPM_GAINS]);
 bool has_artificial(const mpm_body *b);
+/* Whether the domains of a body's points deform with F (CPDI); whether F is kept, for that or for the law (create.c). */
+bool keeps_shape(const mpm *s, int body);
+bool keeps_F(const mpm *s, int body);
 /* The time (s) over which stress is advanced (stress.c). */
 double strain_step(const mpm *s);
 /* Fills a batch with what wave speeds take of points [start, end) (stress.c). */

@@ -198,6 +198,7 @@ typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FI
 
 typedef struct scene_method {
     char basis[SCENE_NAME]; /* linear, gimp, quadratic: basis_registry */
+    double domain_limit; /* cells: of basis cpdi, how far a domain may reach from its point along an axis; 0.25 to 1 */
     stress_scheme stress;
     char transfer[SCENE_NAME]; /* flip, pic, xpic, apic, tpic: transfer_registry */
     double flip;               /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1 */

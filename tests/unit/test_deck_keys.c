@@ -298,6 +298,7 @@ static const helper helpers[] = {
     {"bodies:", "membrane", "material: string"},
     {"contact:", "friction", "kind: friction"},
     {"method:", "filter_order", "transfer: xpic"},
+    {"method:", "domain_limit", "basis: cpdi"},
     {"time:", "increments", "solver: static"},
     {"time:", "tolerance", "solver: static"},
     {"springs:", "point", "body: b"},
@@ -425,6 +426,7 @@ static const misplacement misplacements[] = {
     {"contact", NULL, "kind: release", {"friction"}},
     {"method", NULL, "transfer: apic", {"flip", "filter_order"}},
     {"method", NULL, "transfer: xpic", {"flip"}},
+    {"method", NULL, "basis: linear", {"domain_limit"}},
 };
 
 static void keys_of_other_items_are_refused(void **state)

@@ -7,10 +7,15 @@
 
 #include <math.h>
 
-/* Nodes along an axis that a point reaches, and how far beyond its own cell. */
+/* Nodes along an axis that a point, or a corner of its domain, reaches, and how far the point reaches beyond its own cell. */
 FLOE_ALWAYS_INLINE int basis_support(const basis_kind kind)
 {
-    return kind == BASIS_LINEAR ? 2 : kind == BASIS_CUBIC ? 4 : 3;
+    return kind == BASIS_LINEAR || kind == BASIS_CPDI ? 2 : kind == BASIS_CUBIC ? 4 : 3;
+}
+/* Stencils of which the weights of a point are the sum: one, or one a corner of its domain. */
+FLOE_ALWAYS_INLINE int basis_pieces(const basis_kind kind, const int dim)
+{
+    return kind == BASIS_CPDI ? 1 << dim : 1;
 }
 FLOE_ALWAYS_INLINE int basis_reach(const basis_kind kind)
 {
@@ -82,11 +87,30 @@ FLOE_ALWAYS_INLINE int basis_gimp_1d(double xi, double half, double inv_h, doubl
     return first;
 }
 
+/* CPDI (Sadeghirad, Brannon and Burghardt 2011) on a box along the axes: the mean of the hats at its two ends, and the mean of the slope
+ * between them. */
+FLOE_ALWAYS_INLINE double basis_hat(double d)
+{
+    const double a = fabs(d);
+    return a < 1.0 ? 1.0 - a : 0.0;
+}
+
+FLOE_ALWAYS_INLINE int basis_cpdi_1d(double xi, double half, double inv_h, double *w, double *dw)
+{
+    for (int k = 0; k < 4; ++k) {
+        const double d = xi - (k - 1), below = basis_hat(d - half), above = basis_hat(d + half);
+        w[k] = 0.5 * (below + above);
+        dw[k] = (above - below) / (2.0 * half) * inv_h;
+    }
+    return -1;
+}
+
 FLOE_ALWAYS_INLINE int basis_1d(const basis_kind kind, double xi, double half, double inv_h, double *w, double *dw)
 {
     if (kind == BASIS_LINEAR) return basis_linear_1d(xi, inv_h, w, dw);
     if (kind == BASIS_QUADRATIC) return basis_quadratic_1d(xi, inv_h, w, dw);
     if (kind == BASIS_CUBIC) return basis_cubic_1d(xi, inv_h, w, dw);
+    if (kind == BASIS_CPDI) return basis_cpdi_1d(xi, half, inv_h, w, dw);
     return basis_gimp_1d(xi, half, inv_h, w, dw);
 }
 

@@ -1,0 +1,190 @@
+/* The kernels of every basis, dimension and geometry, with points anywhere, whose domains have any shape that F gives them: a scalar that
+ * is linear in space comes to the points as it is, its gradient too; what points give sums to what they have, about their own places;
+ * and no weight is negative. */
+#include "check.h"
+
+#include "mpm/work.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POINTS = 400, DEFORM = 9 };
+
+static const double h[3] = {0.1, 0.08, 0.125}; /* m */
+
+typedef struct cloud {
+    mesh mesh;
+    tile_box tile;
+    kernel_set kernel;
+    point_arrays p;
+    double x[3][POINTS], half[3][POINTS], v[3][POINTS], deform[DEFORM][POINTS], one[POINTS], zero[POINTS];
+    int window[3], nodes, reach;
+} cloud;
+
+/* A tile in the middle of a mesh, or in its lowest corner. */
+static void set_tile(cloud *c, context *ctx, int dim, bool corner)
+{
+    mesh_spec spec = {.dim = dim};
+    const int width = mesh_tile_width(dim);
+    for (int a = 0; a < dim; ++a) {
+        spec.lower[a] = -0.3;
+        spec.cell[a] = h[a];
+        spec.upper[a] = spec.lower[a] + 3 * width * h[a];
+    }
+    check_ok(ctx, mesh_init(&c->mesh, ctx, &spec));
+    c->tile = (tile_box){.cells = {1, 1, 1}};
+    c->nodes = 1;
+    for (int a = 0; a < 3; ++a) {
+        c->tile.first[a] = a < dim && !corner ? width : 0;
+        c->tile.cells[a] = a < dim ? width : 1;
+        c->window[a] = a < dim ? width + 1 + 2 * c->reach : 1;
+        c->nodes *= c->window[a];
+    }
+}
+
+/* Stretched, sheared and turned as much as a factor of about four. */
+static void set_points(cloud *c, int dim)
+{
+    static const int unit[3][3] = {{0}, {0, 3}, {0, 4, 8}};
+    const int stored = dim == 1 ? 3 : dim == 2 ? 5 : 9;
+    uint64_t seed = 5;
+    for (size_t k = 0; k < POINTS; ++k) {
+        for (int a = 0; a < dim; ++a) {
+            const double from = mesh_node(&c->mesh, a, c->tile.first[a]);
+            c->x[a][k] = check_random(&seed, from, from + c->tile.cells[a] * h[a]);
+            c->half[a][k] = check_random(&seed, 0.05, 0.5) * h[a];
+            c->v[a][k] = 0.0;
+        }
+        for (int i = 0; i < stored; ++i) c->deform[i][k] = k % 4 ? check_random(&seed, -2.0, 2.0) : 0.0;
+        for (int a = 0; a < dim && k % 4 == 0; ++a) c->deform[unit[dim - 1][a]][k] = 1.0;
+        c->one[k] = 1.0;
+        c->zero[k] = 0.0;
+    }
+    c->p = (point_arrays){.mass = c->one, .volume0 = c->one, .J = c->one, .domain_limit = 1.0};
+    for (int a = 0; a < 3; ++a) {
+        c->p.x[a] = c->x[a];
+        c->p.v[a] = c->v[a];
+        c->p.half[a] = c->half[a];
+        c->p.domain_end[a][0] = c->mesh.lower[a];
+        c->p.domain_end[a][1] = c->mesh.upper[a];
+    }
+    for (int i = 0; i < stored; ++i) c->p.deform[i] = c->deform[i];
+    for (int i = 0; i < 6; ++i) c->p.stress[i] = c->zero;
+}
+
+static cloud *make_cloud(context *ctx, const basis_model *b, int dim, mesh_geometry geometry, bool corner)
+{
+    cloud *c = calloc(1, sizeof *c);
+    assert_non_null(c);
+    c->reach = b->reach;
+    set_tile(c, ctx, dim, corner);
+    c->kernel = kernels_of(dim, geometry, b->kind);
+    set_points(c, dim);
+    return c;
+}
+
+static double linear(const double x[3])
+{
+    return 0.7 + 1.3 * x[0] - 0.9 * x[1] + 0.4 * x[2];
+}
+static const double slope[3] = {1.3, -0.9, 0.4};
+
+/* `components` values of a field that is linear in space at each node of the window, with one double to spare (pairs.h). */
+static double *linear_window(const cloud *c, int components)
+{
+    double *window = calloc((size_t)(c->nodes * components) + 1, sizeof *window);
+    assert_non_null(window);
+    for (int n = 0, rest = 0; n < c->nodes; ++n, rest = n) {
+        double x[3] = {0.0};
+        for (int a = 0; a < c->mesh.dim; ++a) {
+            x[a] = mesh_node(&c->mesh, a, c->tile.first[a] - c->reach + rest % c->window[a]);
+            rest /= c->window[a];
+        }
+        for (int i = 0; i < components; ++i) window[n * components + i] = (i + 1) * linear(x);
+    }
+    return window;
+}
+
+static void place_of(const cloud *c, size_t k, double x[3])
+{
+    for (int a = 0; a < 3; ++a) x[a] = a < c->mesh.dim ? c->x[a][k] : 0.0;
+}
+
+/* Values of order one; differences over slivers of 1e-4 cells lose four digits more. */
+static void check_samples(const cloud *c)
+{
+    double out[POINTS], x[3], *window = linear_window(c, 1);
+    c->kernel.sample(&c->mesh, &c->tile, &c->p, 0, POINTS, window, out);
+    for (size_t k = 0; k < POINTS; ++k) {
+        place_of(c, k, x);
+        check_close(out[k], linear(x), 2e-13);
+    }
+    free(window);
+}
+
+static void check_gradients(const cloud *c, gather_mode mode)
+{
+    const int dim = c->mesh.dim;
+    static double L[9][POINTS];
+    gather_result out = {.L = {0}};
+    for (int i = 0; i < 9; ++i) out.L[i] = L[i];
+    double *window = linear_window(c, dim);
+    const gather_step step = {0.0, 0.0, 0.0};
+    c->kernel.gather[mode](&c->mesh, &c->tile, &c->p, 0, POINTS, window, &step, &out);
+    for (size_t k = 0; k < POINTS; ++k)
+        for (int a = 0; a < dim; ++a)
+            for (int b = 0; b < dim; ++b) check_close(L[3 * a + b][k], (a + 1) * slope[b], 1e-9);
+    free(window);
+}
+
+/* One point at a time: its weights on the nodes are its mass there. */
+static void check_weights(const cloud *c)
+{
+    const int components = 1 + c->mesh.dim;
+    double *out = calloc((size_t)(c->nodes * components) + 1, sizeof *out), *nodes = linear_window(c, 1);
+    assert_non_null(out);
+    for (size_t k = 0; k < POINTS; ++k) {
+        double sum = 0.0, moment = 0.0, x[3];
+        memset(out, 0, (size_t)(c->nodes * components) * sizeof *out);
+        c->kernel.scatter[SCATTER_MOMENTUM](&c->mesh, &c->tile, &c->p, k, k + 1, out);
+        for (int n = 0; n < c->nodes; ++n) {
+            check_true(out[n * components] >= -1e-15);
+            sum += out[n * components];
+            moment += out[n * components] * nodes[n];
+        }
+        place_of(c, k, x);
+        check_close(sum, 1.0, 1e-14);
+        check_close(moment, linear(x), 2e-13);
+    }
+    free(out);
+    free(nodes);
+}
+
+static void check_kernels(const basis_model *b, int dim, mesh_geometry geometry, bool corner)
+{
+    context *ctx = context_create();
+    cloud *c = make_cloud(ctx, b, dim, geometry, corner);
+    check_samples(c);
+    check_weights(c);
+    check_gradients(c, GATHER_GRADIENT);
+    if (b->kind != BASIS_LINEAR) check_gradients(c, GATHER_MOMENTS); /* with the linear basis it is the gradient */
+    free(c);
+    context_destroy(&ctx);
+}
+
+static void test_kernels(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < basis_registry_size; ++i)
+        for (int corner = 0; corner <= 1; ++corner) {
+            for (int dim = 1; dim <= 3; ++dim) check_kernels(basis_registry[i], dim, MESH_CARTESIAN, corner != 0);
+            check_kernels(basis_registry[i], 2, MESH_AXISYMMETRIC, corner != 0);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kernels)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
