@@ -67,6 +67,27 @@ statics_cells() {
     bar 'A1 as ice-mpm, static, h = 0.0125: time' "$(calc %.2g "$(statics_number "$e-0.0125" wall_seconds)-$(statics_number "$e-0.0125" output_seconds)")" '<=' 20 %.2g ' s'
 }
 
+# statics_line NAME DECK TITLE POINTS [SETTINGS...]: a membrane around gas.
+statics_line() {
+    local name=$1 deck=$2 title=$3 points=$4
+    shift 4
+    floe_run "$name" "inputs/$deck.yaml" --set time.solver=static --set "bodies.skin.membrane.number=$points" --set output.interval=null "$@"
+    write "| $title | $points | $(statics_number "$name" hlate_radius) | $(statics_number "$name" hlate_pressure) | $(statics_number "$name" hlate_hoop_stress) | $(statics_number "$name" balance_iterations) | $(calc %.2g "$(statics_number "$name" wall_seconds)-$(statics_number "$name" output_seconds)") |"
+}
+
+statics_lines() {
+    local n
+    write '' '## Membranes around gas' '' 'Errors of the rest, of what is exact for the length and the gas that are there (stepped: [membrane-rest](membrane-rest.md)).' '' \
+        '| deck | points | radius | pressure | hoop stress | Newton | s |' '|---|---|---|---|---|---|---|'
+    statics_line line-circle membrane_circle 'circle (A3)' 91
+    for n in 56 100 200 600; do statics_line "line-bone-$n" membrane_dogbone 'dog-bone (A4)' "$n" --set domain.cell=0.1; done
+    statics_line line-bone-cells membrane_dogbone 'dog-bone, gas on cells (some 3e-4 of it more)' 600 --coupling ice-mpm
+    for n in 30 60 120; do statics_line "line-balloon-$n" membrane_balloon 'balloon about its axis' "$n" --coupling mpm --set bodies.skin.membrane.strain=places; done
+    bar 'dog-bone at rest: pressure' "$(statics_number line-bone-600 hlate_pressure 100)" '<=' 0.01 %.2g ' %'
+    bar 'dog-bone at rest: radius' "$(statics_number line-bone-600 hlate_radius 100)" '<=' 0.01 %.2g ' %'
+    bar 'dog-bone at rest: order of the pressure, 56 to 200 points' "$(calc %.2f "log($(statics_number line-bone-56 hlate_pressure)/$(statics_number line-bone-200 hlate_pressure))/log(200/56)")" '>=' 1.8 %.2f
+}
+
 statics_ring() {
     local h basis
     write '' '## Iterations' '' '`inputs/annulus_traction.yaml --set time.solver=static`: iterations of conjugate gradients in all steps of Newton'"'"'s method, to' \
@@ -123,6 +144,7 @@ result_statics() {
     begin statics 'Loads that are solved for, and implicit steps'
     statics_cylinder
     statics_cells
+    statics_lines
     statics_ring
     statics_sphere
     statics_bar

@@ -35,7 +35,7 @@ const char *ice_rest_obstacle(const ice *s)
     if (s->work->reactions.n > 0) return "gases react";
     for (int a = 0; a < s->mesh->dim; ++a)
         if (s->gravity[a] != 0.0) return "gas on cells under gravity has no single pressure";
-    return obstacle_at_sides(s);
+    return scene_holder(s->scene) < 0 ? obstacle_at_sides(s) : NULL; /* else it does not get there */
 }
 
 floe_status ice_rest_create(ice_rest **out, ice *s)
@@ -110,8 +110,13 @@ static bool passes(const ice *s, const ice_rest *r, const int cell[MESH_MAX_DIM]
     return !s->sealed || ice_open_face(s, r->material, s->seal.now, cell, axis, side) > 0.0;
 }
 
-static floe_status open_region(const ice *s, ice_rest_region *g, double pressure)
+static floe_status open_region(const ice *s, ice_rest_region *g, const bc_side *side)
 {
+    const double pressure = side->pressure;
+    if (side->kind != BC_OUTLET)
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "time.solver: static: gas reaches a side of kind %s, where it does not come to rest; use dynamic",
+                    bc_name(side->kind));
     if (g->open && g->held != pressure)
         return fail(s->ctx, FLOE_BAD_INPUT,
                     "time.solver: static: gas would flow between sides at %g and at %g Pa; use dynamic", g->held,
@@ -137,7 +142,7 @@ static floe_status spread(const ice *s, ice_rest *r, int last, double least)
             if (!passes(s, r, cell, f / 2, f % 2)) continue;
             if (!step_to(m, cell, f / 2, f % 2, next)) {
                 const bc_side *side = &s->scene->bc.side[f / 2][f % 2];
-                if (side->kind == BC_OUTLET) TRY(open_region(s, &r->region[number], side->pressure));
+                if (!ice_is_wall(side->kind)) TRY(open_region(s, &r->region[number], side));
                 continue;
             }
             const int to = number_of(m, next);
@@ -301,7 +306,7 @@ static cell_gas gas_of(const ice *s, const ice_rest *r, const ice_rest_state *st
     int cell[MESH_MAX_DIM];
     cell_of(s->mesh, number, cell);
     const cell_place c = place_of(s, cell);
-    const int region = ice_rest_near(s, r, cell);
+    const int region = r->n == 1 ? 0 : ice_rest_near(s, r, cell); /* a membrane may have gone far */
     const bool had = r->of[number] >= 0;
     const double pressure = region >= 0 ? state[region].pressure : s->scene->reference_pressure;
     double share = s->sealed ? ice_open_cell(s, r->material, s->seal.next, cell) : 1.0 - take_solids(s, &c, pressure);

@@ -35,12 +35,12 @@ const char *mpm_balance_obstacle(const mpm *s, time_solver solver)
     if (s->basis->kind == BASIS_CPDI)
         return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
     if ((s->coupled || s->seals) && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
+    if (s->scene->n_springs > 0) return "springs are stepped in time";
+    if (s->membranes) return solver == SOLVER_STATIC ? line_rest_obstacle(s) : "membranes have no stiffness across";
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))
             return "a fluid is not enclosed by solids all along its shape, and would flow";
-    if (s->membranes) return "membranes have no stiffness across their surface";
     if (s->contact) return "bodies in contact have velocities of their own";
-    if (s->scene->n_springs > 0) return "springs are stepped in time";
     return NULL;
 }
 
@@ -105,13 +105,14 @@ floe_status mpm_solve_steps(mpm *s, time_solver solver)
 {
     s->solver = solver;
     TRY(memory_new(s->ctx, &s->balance, 1, sizeof *s->balance));
-    return make_solver(s);
+    return s->membranes ? line_rest_create(s) : make_solver(s);
 }
 
 void balance_destroy(mpm *s)
 {
     struct mpm_balance *w = s->balance;
     if (!w) return;
+    line_rest_destroy(s);
     cg_destroy(&w->krylov);
     rooms_free(s);
     node_multigrid_destroy(&w->solver);

@@ -57,6 +57,7 @@ struct mpm_balance {
     solve_grid grid;
     balance_room *room; /* owned */
     int n_rooms;
+    struct line_rest *line; /* owned; NULL: solids on the mesh */
     node_multigrid *solver; /* owned */
     cg *krylov;             /* owned */
     size_t components;      /* entries of an array on the grid, all components */
@@ -158,5 +159,15 @@ void rooms_push_first(mpm *s, double *pushed);
 void rooms_stiffen(const struct mpm_balance *w, const double *x, double *y);
 void rooms_store(mpm *s);
 double rooms_enter(mpm *s);
+/* Of one room: pressure, energy and stiffness once it has gained a volume (m3), FLOE_RETRY as above; the next state of its points in a block. */
+floe_status room_set(mpm *s, balance_room *r, double gain);
+void room_store(mpm *s, const balance_room *r, int blk);
+/* What gas of the cells has come to. */
+void gas_store(const balance_room *r, mpm_gas *gas);
+
+/* A membrane around gas instead (balance_line.c): why it cannot be, or NULL; what it needs. */
+const char *line_rest_obstacle(const mpm *s);
+floe_status line_rest_create(mpm *s);
+void line_rest_destroy(mpm *s);
 
 #endif

@@ -166,7 +166,7 @@ static double dot(const struct mpm_balance *w, const double *x, const double *y)
 }
 
 /* Pressure, energy and stiffness of a room that has gained a volume. */
-static floe_status set_room(mpm *s, balance_room *r, double gain)
+floe_status room_set(mpm *s, balance_room *r, double gain)
 {
     solid_batch *b = &s->work->batch[0];
     double slope;
@@ -194,7 +194,7 @@ floe_status rooms_push(mpm *s, const double *u, double *pushed)
     memset(pushed, 0, w->components * sizeof *pushed);
     for (int k = 0; k < w->n_rooms; ++k) {
         balance_room *r = &w->room[k];
-        TRY(set_room(s, r, dot(w, r->push, u)));
+        TRY(room_set(s, r, dot(w, r->push, u)));
         const double pressure = r->pressure - s->scene->reference_pressure;
         for (size_t i = 0; i < w->components; ++i) pushed[i] += pressure * r->push[i];
     }
@@ -223,7 +223,7 @@ void rooms_stiffen(const struct mpm_balance *w, const double *x, double *y)
 }
 
 /* Points of a room's gas stay where they are: what is at rest has no place of its own. */
-static void store_room(mpm *s, const balance_room *r, int blk)
+void room_store(mpm *s, const balance_room *r, int blk)
 {
     const fields *f = s->domain->fields[blk];
     const int dim = s->mesh->dim;
@@ -243,7 +243,7 @@ static void store_room(mpm *s, const balance_room *r, int blk)
         memset(field_next(f, P_VISCOUS_PRESSURE, r->body, 0), 0, n * sizeof(double));
 }
 
-static void store_gas(const balance_room *r, mpm_gas *gas)
+void gas_store(const balance_room *r, mpm_gas *gas)
 {
     gas->mass_end = r->mass;
     gas->volume_end = r->volume;
@@ -255,8 +255,8 @@ void rooms_store(mpm *s)
 {
     for (int k = 0; k < s->balance->n_rooms; ++k) {
         const balance_room *r = &s->balance->room[k];
-        if (r->body < 0) store_gas(r, &s->gas[k]);
-        for (int b = 0; b < s->mesh->n_blocks && r->body >= 0; ++b) store_room(s, r, b);
+        if (r->body < 0) gas_store(r, &s->gas[k]);
+        for (int b = 0; b < s->mesh->n_blocks && r->body >= 0; ++b) room_store(s, r, b);
     }
 }
 

@@ -61,6 +61,11 @@ bool line_bend(const mpm *s, int body, size_t number, double bend[3]);
 /* Strain energy that a body's line loses in the step, into line->lost: to the difference between nodes and places, and to smoothing, which
  * straightens the next places of the points. */
 void line_settle(mpm *s, int body);
+/* Strains along it where line->x has it, into line->along; across it now, into line->across. */
+void line_take_strains(const mpm *s, int body);
+void line_read_hoops(mpm *s, int body);
+/* The room (m2; about an axis m3 per radian) inside a body's line where line->x has it, and its gradient, two numbers a point. */
+double membrane_measure(const mpm *s, int body, double *gradient);
 /* Strains along a body's line from its places, into P_STRAIN. */
 void line_strain(const mpm *s, int body, bool next);
 /* Unit tangent at the point of a number (0 first), from its neighbours' places. False where it has none: t is left alone. */

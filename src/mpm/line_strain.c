@@ -52,7 +52,7 @@ floe_status line_measure(mpm *s, int body)
     return FLOE_OK;
 }
 
-static void take_strains(const mpm *s, int body)
+void line_take_strains(const mpm *s, int body)
 {
     membrane_line *line = &s->work->line[body];
     for (size_t q = 0; q < line->n; ++q) {
@@ -65,7 +65,7 @@ static void take_strains(const mpm *s, int body)
 void line_strain(const mpm *s, int body, bool next)
 {
     const membrane_line *line = &s->work->line[body];
-    take_strains(s, body);
+    line_take_strains(s, body);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         double *strain = (next ? field_next : field_get)(s->domain->fields[b], P_STRAIN, body, 0);
         for (size_t k = 0; k < s->points[b][body].n; ++k) strain[k] = line->along[point_number(s, b, body, k)];
@@ -76,7 +76,7 @@ void line_strain(const mpm *s, int body, bool next)
 static void add_energies(const mpm *s, int body, double sign)
 {
     membrane_line *line = &s->work->line[body];
-    take_strains(s, body);
+    line_take_strains(s, body);
     for (size_t q = 0; q < line->n; ++q)
         line->lost[q] +=
             sign * line->volume[q] * membrane_energy(&s->body[body].membrane, line->along[q], line->across[q]);
@@ -138,7 +138,7 @@ static void lose_difference(const mpm *s, int body)
     membrane_line *line = &s->work->line[body];
     if (s->scene->method.stress != STRESS_USL) return;
     read_table(s, body, P_STRAIN, false, line->before);
-    take_strains(s, body);
+    line_take_strains(s, body);
     for (size_t q = 0; q < line->n; ++q) {
         const double mean = 0.5 * (nominal(s, body, line->before[q], line->across[q]) +
                                    nominal(s, body, line->along[q], line->across[q]));
@@ -157,6 +157,11 @@ static void smooth(mpm *s, int body)
     add_energies(s, body, -1.0);
     for (size_t q = 0; q < line->n; ++q) sum += line->lost[q];
     if (!losses_are_heat(s)) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -sum);
+}
+
+void line_read_hoops(mpm *s, int body)
+{
+    read_table(s, body, P_STRAIN_HOOP, false, s->work->line[body].across);
 }
 
 void line_settle(mpm *s, int body)

@@ -148,7 +148,7 @@ static void turn_body(mpm *s, int body, bool next, bool stress)
 {
     const bool places = s->work->line[body].rest != NULL;
     if (places || !normals_are_free(s, body)) line_update(s, body, next);
-    if (places && next) line_settle(s, body);
+    if (places && next && !s->balance) line_settle(s, body);
     if (places) line_strain(s, body, next);
     for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
         const size_t n = s->points[blk][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;

@@ -134,6 +134,7 @@ const char *mpm_balance_obstacle(const mpm *s, time_solver solver);
 bool mpm_body_is_enclosed(const mpm *s, int body);
 floe_status mpm_balance_masses(mpm *s); /* m_i */
 floe_status mpm_balance_loads(mpm *s);  /* f_i of surfaces */
+floe_status mpm_rest_line(mpm *s);      /* of a membrane around gas: the next state of points, at rest */
 floe_status mpm_balance_solve(mpm *s);  /* the next state of points, in balance */
 
 /* The points-only step, a list of the above. */

@@ -97,6 +97,15 @@ floe_status mpm_force_stages(mpm *s)
     return FLOE_OK;
 }
 
+static floe_status turn_stages(mpm *s)
+{
+    STAGE(s, s->membranes, mpm_turn_membranes,
+          READS(P_ID, P_POS, P_VOLUME0, WHEN(s->free_normals, P_NORMAL), TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN,
+                SURFACE_VECTORS),
+          WRITES(TANGENT, P_STRESS, P_J, SURFACE_VECTORS, WHEN(s->placed, P_POS), WHEN(s->placed, P_STRAIN)));
+    return FLOE_OK;
+}
+
 floe_status mpm_motion_stages(mpm *s)
 {
     const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
@@ -119,10 +128,7 @@ floe_status mpm_motion_stages(mpm *s)
                 TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
-    STAGE(s, s->membranes, mpm_turn_membranes,
-          READS(P_ID, P_POS, P_VOLUME0, WHEN(s->free_normals, P_NORMAL), TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN,
-                SURFACE_VECTORS),
-          WRITES(TANGENT, P_STRESS, P_J, SURFACE_VECTORS, WHEN(s->placed, P_POS), WHEN(s->placed, P_STRAIN)));
+    TRY(turn_stages(s));
     STAGE(s, losses_are_heat(s), mpm_give_heat,
           READS(P_MASS, P_POS, P_VEL, DOMAINS, N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
           WRITES(N_LOSS, N_DRY_MASS, P_ENERGY));
@@ -132,6 +138,11 @@ floe_status mpm_motion_stages(mpm *s)
 /* A step that is solved for. */
 static floe_status balance_stages(mpm *s)
 {
+    if (s->membranes) {
+        STAGE(s, ALWAYS, mpm_rest_line, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, TANGENT, POINT_STATE),
+              WRITES(P_POS, P_VEL, POINT_STATE));
+        return turn_stages(s);
+    }
     STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_balance_solve,

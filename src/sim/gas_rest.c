@@ -33,7 +33,6 @@ static bool heats_in_the_open(const sim *s)
 
 const char *gas_rest_obstacle(const sim *s, bool guess)
 {
-    if (scene_holder(s->scene) >= 0) return "membranes have no stiffness across their surface";
     if (guess && heats_in_the_open(s)) return "gas that no solid encloses is heated, and would flow";
     return ice_rest_obstacle(s->ice);
 }

@@ -30,6 +30,11 @@ expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/bar_vibration.yaml" --set time.solver=
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/two_bars.yaml" --set time.solver=static -o bars
 has stderr 'time.solver: static'
 
+# A membrane around gas.
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/membrane_dogbone.yaml" --set time.solver=static --set domain.cell=0.2 --set bodies.skin.membrane.number=100 -o bone --quiet
+below "$(json bone/summary.json hlate_pressure)" 1e-4
+below "$(json bone/summary.json hlate_radius_last)" 1e-4
+
 # Gas on cells at rest beside a solid: resumed between increments to the same bits.
 gas=("$FLOE_SOURCE/inputs/pressurized_cylinder.yaml" --set domain.cell=0.1 --set time.solver=auto --set time.increments=3)
 expect 0 "$FLOE" run "${gas[@]}" -o gas
