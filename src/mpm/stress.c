@@ -76,6 +76,23 @@ void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end,
     if (has_artificial(b)) memcpy(batch->q, field_get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
 }
 
+/* Nodes have their velocity of the middle of the step, v = (x' - x)/dt, and gradients are taken where points stand at its start, so that
+ * x' - x = dt G x and F' = (I + dt G) F to round-off. Laws and F take the gradient with respect to the middle of the way,
+ * L = G (I + dt G/2)^-1 = G - dt G^2/2 to second order; with G in its place large strains are first order in the step. USF looks back from
+ * where points stand at the end, F' = (I - dt G)^-1 F: the sign turns. */
+static void centre_rates(const mpm *s, solid_batch *b)
+{
+    const bool back = s->scene->method.stress == STRESS_USF && !s->coupled;
+    const double half = (back ? 0.5 : -0.5) * b->dt;
+    for (size_t k = 0; k < b->n; ++k) {
+        double G[9];
+        for (int c = 0; c < 9; ++c) G[c] = b->L[c][k];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                b->L[3 * i + j][k] += half * (G[3 * i] * G[j] + G[3 * i + 1] * G[3 + j] + G[3 * i + 2] * G[6 + j]);
+    }
+}
+
 /* F <- (I + A + A^2/2) F with A = dt L, and J = det F: second order, and exact in volume to third. */
 static void advance_F(solid_batch *b)
 {
@@ -203,6 +220,7 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
 {
     const mpm_body *m = &s->body[body];
     load_batch(s, blk, body, start, end, false, b);
+    if (!m->fluid) centre_rates(s, b);
     if (keeps_F(s, body)) advance_F(b);
     if (!(m->law->needs & SOLID_NEEDS_F)) advance_J(b);
     fill_room(s, body, b);
