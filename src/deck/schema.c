@@ -276,7 +276,8 @@ static const key_table output_table = TABLE(output_keys);
 
 static const key_spec verify_keys[] = {
     {"sources", KEY_BOOL, AT(scene_verify, sources), .fallback = "false",
-     .doc = "true: the force and heat that the exact solution needs act on fluids on the cells"},
+     .doc = "true: the force and heat that the exact solution needs act on fluids on the cells or, of a solid, on its "
+            "points"},
     {"exact", KEY_MODEL, .family = &family_exact, .otherwise = "none; metrics of fields need it",
      .doc = "exact solution that fields are compared with"},
     {"reference", KEY_MODEL, .family = &family_reference, .otherwise = "none; metrics of histories need it",

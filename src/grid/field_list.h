@@ -19,6 +19,8 @@
     X(P_MASS, "mass", POINT, SCALAR, "kg", FIXED, "m_p")                                                             \
     X(P_VOLUME0, "initial_volume", POINT, SCALAR, "m3", FIXED, "V0_p")                                               \
     X(P_HALF, "half_width", POINT, VECTOR, "m", FIXED, "GIMP half width of the point's domain")                      \
+    X(P_REST, "rest_position", POINT, VECTOR, "m", FIXED,                                                            \
+      "X_p: where the point was seeded, if a manufactured force acts on it")                                         \
     X(P_POS, "position", POINT, VECTOR, "m", STATE, "x_p")                                                           \
     X(P_VEL, "velocity", POINT, VECTOR, "m/s", STATE, "v_p at n-1/2 in pure MPM, n when coupled")                    \
     X(P_AFFINE, "affine_velocity", POINT, GRADIENT, "1/s", STATE,                                                    \
@@ -43,6 +45,8 @@
     X(P_HISTORY_6, "history_6", POINT, SCALAR, "1", STATE, "number 6 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_7, "history_7", POINT, SCALAR, "1", STATE, "number 7 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_8, "history_8", POINT, SCALAR, "1", STATE, "number 8 of those that the law remembers (solid.h)")     \
+    X(P_DRIVE, "manufactured_force", POINT, VECTOR, "m/s2", SCRATCH,                                                 \
+      "b_p(X_p, t): force per mass that the exact solution needs")                                                   \
     X(P_DENSITY, "cell_density", POINT, SCALAR, "kg/m3", SCRATCH, "rho_p of a fluid from the masses of cells")       \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
     /* nodes, instance: velocity group */                                                                            \

@@ -362,7 +362,7 @@ static floe_status start_motion(mpm *s)
 static void find_unbalanced(mpm *s)
 {
     struct mpm_balance *w = s->balance;
-    balance_weigh(s, w->acceleration_first, w->outer_first);
+    balance_weigh(s, w->acceleration_first, false, w->outer_first);
     drop_unreached(w, w->outer_first);
     w->keep = fmax(0.0, 1.0 - s->dt / (s->scene->time.end - s->time));
     if (w->keep < round_off) w->keep = 0.0;
@@ -378,7 +378,7 @@ floe_status mpm_balance_solve(mpm *s)
     TRY(balance_find_edges(s));
     balance_hold(s);
     balance_reach(s);
-    balance_weigh(s, s->work->acceleration, w->outer);
+    balance_weigh(s, s->work->acceleration, true, w->outer);
     TRY(rooms_squeeze(s));
     drop_unreached(w, w->outer);
     for (int r = 0; r < w->n_rooms; ++r) drop_unreached(w, w->room[r].push);

@@ -101,8 +101,8 @@ floe_status balance_strain(mpm *s, const double *u);
 floe_status balance_tangents(mpm *s, const double *u);
 /* inner = - sum pull : grad S. */
 void balance_pull(mpm *s, double *inner);
-/* Adds mass times body force (m/s2, of each body) times S; mass times S. */
-void balance_weigh(mpm *s, double (*fall)[3], double *outer);
+/* Adds mass times body force (m/s2, of each body; with `drive` and that of an exact solution) times S; mass times S. */
+void balance_weigh(mpm *s, double (*fall)[3], bool drive, double *outer);
 void balance_share(mpm *s, double *share);
 /* Adds - V grad S, about an axis with the hoop's part. */
 void balance_squeeze(mpm *s, double *out);

@@ -219,7 +219,13 @@ void balance_pull(mpm *s, double *inner)
 typedef struct weighing {
     double *out;
     double (*fall)[3]; /* m/s2, of each body; NULL: 1 */
+    bool drive;        /* with the force of an exact solution on top */
 } weighing;
+
+static double fall_of(const weighing *w, const point_arrays *p, int body, size_t k, int c)
+{
+    return w->fall[body][c] + (w->drive && p->drive[c] ? p->drive[c][k] : 0.0);
+}
 
 static void weigh_tile(mpm *s, int blk, int tile, void *user)
 {
@@ -228,26 +234,26 @@ static void weigh_tile(mpm *s, int blk, int tile, void *user)
     for (int body = 0; body < s->n_bodies; ++body) {
         if (s->body[body].fluid) continue;
         const size_t *range = s->points[blk][body].tile_start + tile;
-        const double *mass = field_get(s->domain->fields[blk], P_MASS, body, 0);
+        const point_arrays p = points_of(s, blk, body, false, false);
         for (size_t k = range[0]; k < range[1]; ++k) {
             place_node node[BALANCE_NODES];
             const int n = balance_nodes(s, &w->place[w->first[blk][body] + k], node);
             for (int i = 0; i < n; ++i)
                 for (int c = 0; c < s->mesh->dim; ++c)
                     weigh->out[(size_t)c * w->grid.size + (size_t)node[i].at] +=
-                        mass[k] * (weigh->fall ? weigh->fall[body][c] : 1.0) * node[i].S[c];
+                        p.mass[k] * (weigh->fall ? fall_of(weigh, &p, body, k, c) : 1.0) * node[i].S[c];
         }
     }
 }
 
-void balance_weigh(mpm *s, double (*fall)[3], double *outer)
+void balance_weigh(mpm *s, double (*fall)[3], bool drive, double *outer)
 {
-    balance_for_tiles(s, weigh_tile, &(weighing){outer, fall});
+    balance_for_tiles(s, weigh_tile, &(weighing){outer, fall, drive});
 }
 
 void balance_share(mpm *s, double *share)
 {
-    balance_for_tiles(s, weigh_tile, &(weighing){share, NULL});
+    balance_for_tiles(s, weigh_tile, &(weighing){share, NULL, false});
 }
 
 static void squeeze_tile(mpm *s, int blk, int tile, void *user)

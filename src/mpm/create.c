@@ -137,6 +137,7 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->share = isnan(s->transfer->share) ? sc->method.flip : s->transfer->share;
     for (int b = 0; b < sc->n_bodies; ++b)
         if (!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
+    for (int b = 0; b < s->n_bodies; ++b) s->driven = s->driven || is_driven(s, b);
     if (s->n_groups > MPM_MAX_GROUPS)
         return fail(s->ctx, FLOE_BAD_INPUT, "%d velocity fields are more than the %d that a run holds", s->n_groups,
                     MPM_MAX_GROUPS);
@@ -200,6 +201,7 @@ static bool body_holds(const mpm *s, int body, field_id id)
     if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
     if (id == P_TANGENT || id == P_STRAIN || id == P_STRAIN_HOOP) return b->membrane.model && !is_sheet(s, body);
     if (id == P_SURFACE_1 || id == P_SURFACE_2) return b->membrane.model && is_sheet(s, body);
+    if (id == P_REST || id == P_DRIVE) return is_driven(s, body);
     if (id == P_NORMAL) return normals_are_free(s, body);
     return true;
 }

@@ -76,7 +76,7 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
             const double add = (p->grid_pressure ? p->grid_pressure[k] : 0.0) - (p->q ? p->q[k] : 0.0) + p->held;
             stress_matrix(p, k, add, dim, gift.T);
             for (int a = 0; a < dim; ++a) {
-                gift.b[a] = gift.mass * body_force[a];
+                gift.b[a] = gift.mass * (body_force[a] + (p->drive[a] ? p->drive[a][k] : 0.0));
                 for (int c = 0; c < dim; ++c) gift.T[a][c] *= minus_v;
             }
             if (axisymmetric) gift.hoop = minus_v * (p->stress[2][k] + add);

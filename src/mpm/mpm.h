@@ -62,8 +62,9 @@ typedef struct mpm {
     int n_groups;
     struct mpm_contact *contact; /* owned; NULL: no body has a velocity of its own */
     bool coupled;                /* cells hold the fluids: velocities at n, grid pressure on the points */
-    bool seals; /* a membrane or surfaces cut the gas of the cells: whole kicks, so that both get the same impulse */
-    bool holds; /* a surface in space holds gas points (hold.c) */
+    bool seals;  /* a membrane or surfaces cut the gas of the cells: whole kicks, so that both get the same impulse */
+    bool driven; /* the force of an exact solution acts on points (load.c) */
+    bool holds;  /* a surface in space holds gas points (hold.c) */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
     int n_history;                        /* the most numbers that a body's law remembers */
@@ -94,6 +95,7 @@ floe_status mpm_seed(mpm *s);
 
 /* Stages (numerics 4.1; contact: contact.h). */
 floe_status mpm_hold_gas(mpm *s);          /* what gas that a surface holds pushes it with (hold.c) */
+floe_status mpm_drive_points(mpm *s);      /* b_p of an exact solution (load.c) */
 floe_status mpm_points_to_nodes(mpm *s);   /* m_i, m_i v_i; and f_i when nothing else will change the stress */
 floe_status mpm_contact_normals(mpm *s);   /* where bodies in contact meet */
 floe_status mpm_contact_reach(mpm *s);     /* and how far they come */

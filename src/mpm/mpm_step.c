@@ -68,11 +68,13 @@ static bool is_usl(const mpm *s)
 
 floe_status mpm_mass_stages(mpm *s)
 {
-    const bool force = forces_at_once(s);
+    const bool force = forces_at_once(s), drive = s->driven && force;
+    STAGE(s, s->driven, mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
     STAGE(s, s->holds, mpm_hold_gas, READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J),
           WRITES(NOTHING));
     STAGE(s, ALWAYS, mpm_points_to_nodes,
-          READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), DOMAINS, POINT_STATE),
+          READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
+                POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
@@ -90,7 +92,8 @@ floe_status mpm_force_stages(mpm *s)
     STAGE(s, usf && s->cell_density, mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(POINT_STATE));
-    STAGE(s, apart, mpm_node_force, READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE)), WRITES(N_FORCE));
+    STAGE(s, apart, mpm_node_force,
+          READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE), WHEN(s->driven, P_DRIVE)), WRITES(N_FORCE));
     STAGE(s, has_edges(s), mpm_edge_force, READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, DOMAINS, N_FORCE),
           WRITES(N_FILL, N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE), WRITES(N_VEL_L));
@@ -115,9 +118,10 @@ floe_status mpm_motion_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, P_MASS, P_POS, P_VEL),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, N_VEL_FILTERED, P_POS, P_VEL));
-    STAGE(s, usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, TANGENT, POINT_STATE),
+    STAGE(s, usl, mpm_nodes_to_points,
+          READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE), TANGENT, POINT_STATE),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));
-    STAGE(s, !usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL),
+    STAGE(s, !usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE)),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE)));
     STAGE(s, carries(s) && !carries_gradient(s), mpm_carry_moments, READS(N_VEL_L, P_POS), WRITES(P_AFFINE));
     STAGE(s, s->cell_density && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
@@ -143,10 +147,11 @@ static floe_status balance_stages(mpm *s)
               WRITES(P_POS, P_VEL, POINT_STATE));
         return turn_stages(s);
     }
+    STAGE(s, s->driven, mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
     STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_balance_solve,
-          READS(N_MASS, N_MOMENTUM, P_MASS, P_VOLUME0, P_POS, P_VEL, DOMAINS, POINT_STATE),
+          READS(N_MASS, N_MOMENTUM, P_MASS, P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->driven, P_DRIVE), POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }

@@ -106,14 +106,16 @@ static void add_fall(const mpm *s, const point_arrays *p, const gather_result *o
 {
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double b = p->acceleration[a], *restrict x = p->x[a], *restrict next = out->x_next[a];
-        if (b == 0.0) continue;
-        double mass = 0.0, fall = 0.0;
+        const double *drive = p->drive[a];
+        if (b == 0.0 && !drive) continue;
+        double impulse = 0.0, fall = 0.0;
         for (size_t k = start; k < end; ++k) {
-            mass += p->mass[k];
-            fall += p->mass[k] * (next[k] - x[k]);
+            const double force = p->mass[k] * (b + (drive ? drive[k] : 0.0));
+            impulse += force;
+            fall += force * (next[k] - x[k]);
         }
-        gain[GAIN_IMPULSE + a] += s->work->kick * b * mass;
-        gain[GAIN_FALL] += b * fall;
+        gain[GAIN_IMPULSE + a] += s->work->kick * impulse;
+        gain[GAIN_FALL] += fall;
     }
 }
 

@@ -69,6 +69,7 @@ static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list
     for (int h = 0; h < s->body[body].law->n_history; ++h) field_get(f, (field_id)(P_HISTORY_1 + h), body, 0)[k] = 0.0;
     for (int a = 0; a < dim; ++a) {
         field_get(f, P_POS, body, a)[k] = list->x[a][n];
+        if (fields_has(f, P_REST, body)) field_get(f, P_REST, body, a)[k] = list->x[a][n];
         if (fields_has(f, P_HALF, body)) field_get(f, P_HALF, body, a)[k] = list->half[a][n];
     }
     if (fields_has(f, P_F, body))

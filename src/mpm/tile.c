@@ -87,6 +87,7 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
         p.affine[c] = next_velocity ? field_next(f, P_AFFINE, body, c) : field_get(f, P_AFFINE, body, c);
     if (s->basis->kind == BASIS_CPDI) set_domains(s, f, body, &p);
     p.held = is_held(s, body) ? s->work->hold.pressure : 0.0;
+    for (int a = 0; s->driven && a < s->mesh->dim; ++a) p.drive[a] = field_get(f, P_DRIVE, body, a);
     p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);
     memcpy(p.acceleration, s->work->acceleration[body], sizeof p.acceleration);
     return p;

@@ -27,6 +27,7 @@ typedef struct point_arrays {
     double domain_limit;     /* cells: how far from its point a domain may reach along an axis */
     double domain_end[3][2]; /* m: beyond which none may reach; infinite at ends that mirror or repeat */
     double acceleration[3];  /* m/s2: body forces on this body */
+    const double *drive[3];  /* m/s2: on top of them, on each point */
     double held;             /* Pa: the pressure that a membrane bears in their place */
     bool centred;            /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
@@ -321,6 +322,8 @@ typedef struct surface_motion {
 } surface_motion;
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3]);
 void set_body_forces(mpm *s);
+/* Whether the force of the scene's exact solution acts on a body's points. */
+bool is_driven(const mpm *s, int body);
 /* A load as statics has it: one without a ramp grows until the run ends. */
 scene_load load_as_solved(const mpm *s, const scene_load *load);
 /* Fraction of the load at the start of the step; solved for at its end (balance.h), where one without a ramp grows until the run

@@ -2,6 +2,17 @@
 
 #include <math.h>
 
+/* Sources act on solids on points or on fluids on the cells, and the scene must have such. */
+static floe_status check_sources(const scene *s, const exact *solution)
+{
+    const bool solid = exact_is_solid(solution);
+    if (!s->verify.sources || s->coupling != (solid ? COUPLING_ICE : COUPLING_MPM)) return FLOE_OK;
+    return fail(s->ctx, FLOE_BAD_INPUT,
+                "verify.sources: those of the exact solution '%s' act on %s, and coupling %s has none; take %s",
+                solution->model->name, solid ? "solids on points" : "fluids on the cells", coupling_name(s->coupling),
+                solid ? "mpm" : "ice");
+}
+
 floe_status initial_exact(const scene *s, exact *out)
 {
     *out = (exact){0};
@@ -11,7 +22,10 @@ floe_status initial_exact(const scene *s, exact *out)
     if (s->verify.sources && !model->body_force && !model->heat_source)
         return fail(s->ctx, FLOE_BAD_INPUT, "verify.sources: the exact solution '%s' needs neither force nor heat",
                     model->name);
-    return exact_create(s->ctx, model, s->verify.exact_par, s->mesh.dim, out);
+    TRY(exact_create(s->ctx, model, s->verify.exact_par, s->mesh.dim, out));
+    const floe_status status = check_sources(s, out);
+    if (status != FLOE_OK) exact_destroy(s->ctx, out);
+    return status;
 }
 
 /* The exact solution's name for what a body asks, EXACT_QUANTITY_COUNT if it has none. */
@@ -42,7 +56,10 @@ void initial_attach(scene *s, exact *solution)
 {
     s->initial = solution->model ? initial_value : NULL;
     s->initial_user = solution;
-    s->driving = solution->model && s->verify.sources ? exact_source : NULL;
+    source_function *source = solution->model && s->verify.sources ? exact_source : NULL;
+    const bool solid = source && exact_is_solid(solution);
+    s->driving = solid ? NULL : source;
+    s->driving_solids = solid ? source : NULL;
 }
 
 void initial_detach(scene *s)
@@ -50,4 +67,5 @@ void initial_detach(scene *s)
     s->initial = NULL;
     s->initial_user = NULL;
     s->driving = NULL;
+    s->driving_solids = NULL;
 }

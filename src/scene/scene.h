@@ -293,7 +293,7 @@ typedef struct scene_column {
 typedef struct scene_verify {
     char exact[SCENE_NAME];     /* "" : none. Name in exact_registry */
     void *exact_par;            /* its parameters */
-    bool sources;               /* force and heat that the exact solution needs act on fluids on the cells */
+    bool sources;               /* force and heat that the exact solution needs act on its solids or fluids */
     char reference[SCENE_NAME]; /* of histories, "": none. Name in reference_registry */
     void *reference_par;        /* its parameters */
     scene_column column[SCENE_MAX_COLUMNS];
@@ -420,8 +420,10 @@ typedef struct scene {
     scene_stability stability; /* of `floe stability` */
     initial_function *initial; /* set by the run when a body asks for it */
     void *initial_user;
-    source_function *driving; /* set by the run when verify.sources asks for it; NULL: none. Its user: initial_user */
-    int threads;              /* 0: OpenMP's default */
+    source_function *
+        driving; /* of fluids on the cells; set by the run when verify.sources asks for it; NULL: none. Its user: initial_user */
+    source_function *driving_solids; /* the same of solids on points, asked at the place where a point was at rest */
+    int threads;                     /* 0: OpenMP's default */
 } scene;
 
 /* A scene with every default of the schema set and no materials or bodies. The caller owns it. */

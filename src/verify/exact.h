@@ -64,9 +64,9 @@ typedef enum exact_equations {
     EXACT_LINEAR_ACOUSTICS, /* rho0 Du + grad p = 0, Dp + rho0 c^2 div u = 0; parameters density, sound_speed */
     EXACT_INCOMPRESSIBLE,   /* div u = 0, rho Du + grad p = mu lap u + rho b; parameters density, viscosity */
     EXACT_SOLID,            /* rho0 d2u/dt2 = div sigma + rho0 b; parameter density (absent: at rest) */
-    EXACT_LARGE_SOLID,      /* 0 = Div P at rest, P = J sigma F^-T, x the place before the load, at any strain */
-    EXACT_OUTLINE,          /* a surface: normals of length one that lead along a gradient, without a curl */
-    EXACT_ORDINARY          /* an ordinary differential equation in t, tested by itself */
+    EXACT_LARGE_SOLID, /* rho0 d2u/dt2 = Div P + rho0 b, P = J sigma F^-T, x the place before the load (density absent: at rest) */
+    EXACT_OUTLINE, /* a surface: normals of length one that lead along a gradient, without a curl */
+    EXACT_ORDINARY /* an ordinary differential equation in t, tested by itself */
 } exact_equations;
 
 enum { EXACT_MAX_BREAKS = 8 };

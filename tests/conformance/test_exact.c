@@ -323,8 +323,13 @@ static double nominal_stress(const probe *p, const double x[3], double t, int i,
 /* Differences of differences: a tenth of the others' digits. */
 static void check_large_solid(const probe *p)
 {
+    const double density = coefficient(p, "density");
+    double force[3];
+    exact_body_force(&p->solution, p->x, p->t, force);
     for (int i = 0; i < dimension(p); i++) {
         balance b = {0.0, 0.0};
+        if (density > 0.0) add(&b, -density * second(p, displacement, i, 0, TIME));
+        add(&b, density * force[i]);
         for (int axis = 0; axis < dimension(p); axis++) add(&b, first(p, nominal_stress, i, axis, axis));
         check_balance(p, "momentum", b, 1e-6 * b.size);
     }

@@ -75,7 +75,7 @@ typedef struct deck_variant {
     scene_coupling coupling;
     int blocks; /* along each axis */
     size_t n_set;
-    const char *set[4];
+    const char *set[6];
 } deck_variant;
 
 /* Loads it, without making the simulation; the exact solution that it may start from lives in *solution. */
