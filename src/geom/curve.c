@@ -106,7 +106,8 @@ int curve_count(const curve_line *c, int asked, int per_cell, const seed_spec *g
 {
     if (c->kind == CURVE_POINTS) return c->n_vertices;
     if (asked > 0) return asked;
-    return (int)ceil(curve_length(c, grid->dim) * per_cell / layer_cell(grid) - 1e-9);
+    const double n = ceil(curve_length(c, grid->dim) * per_cell / layer_cell(grid) - 1e-9);
+    return (int)fmin(n, LAYER_POINTS_MOST + 1.0); /* too many: seed_curve says so */
 }
 
 /* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997, section 5.4.4). */
@@ -128,6 +129,7 @@ static floe_status fill(seed_list *list, context *ctx, const curve_line *c, cons
 {
     const int number = c->kind == CURVE_POINTS ? c->n_vertices : how->number;
     const bool ordered = c->kind != CURVE_POINTS || !how->any_order;
+    TRY(layer_check_number(ctx, number));
     TRY(layer_make_room(list, ctx, (size_t)number, grid->dim));
     for (int i = 0; i < number; i++) {
         double x[3] = {0.0}, length;

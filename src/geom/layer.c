@@ -4,6 +4,16 @@
 
 #include <math.h>
 
+floe_status layer_check_number(context *ctx, double n)
+{
+    if (n <= LAYER_POINTS_MOST) return FLOE_OK;
+    return fail(
+        ctx, FLOE_BAD_INPUT,
+        "it asks for more points than the %.0e that one membrane can have: make it smaller, the cells wider, or "
+        "the points fewer",
+        (double)LAYER_POINTS_MOST);
+}
+
 floe_status layer_make_room(seed_list *list, context *ctx, size_t n, int dim)
 {
     list->n = n;

@@ -4,6 +4,10 @@
 
 #include "geom/seed.h"
 
+enum { LAYER_POINTS_MOST = 100000000 }; /* points of one surface */
+
+/* FLOE_BAD_INPUT unless a surface of n points can be filled at all; n as it was counted, before it became a whole number. */
+floe_status layer_check_number(context *ctx, double n);
 /* Makes room for n points in an empty list. */
 floe_status layer_make_room(seed_list *list, context *ctx, size_t n, int dim);
 /* Puts point i into the list; the upper wall belongs to the last cell. FLOE_BAD_INPUT names a point outside the mesh. */

@@ -226,7 +226,7 @@ static banding banding_of(const sheet_surface *s, const sheet_seeding *how, cons
     b.area = area_after(s, grid, 2.0 * b.length);
     b.asked = points_asked(s, how, grid);
     const double spacing = sqrt(b.sector.width * b.area / b.asked);
-    b.bands = (int)fmax(1.0, round(b.length / spacing));
+    b.bands = (int)fmin(fmax(1.0, round(b.length / spacing)), LAYER_POINTS_MOST + 1.0);
     b.least = b.sector.width > 1.5 * pi ? 3 : 1;
     return b;
 }
@@ -311,7 +311,9 @@ static floe_status fill_plane(seed_list *list, context *ctx, const sheet_surface
 {
     const double area = plane_area(s), first = length_of(s->first), second = length_of(s->second);
     const double along = sqrt(points_asked(s, how, grid) * first / second);
-    const long n = (long)fmax(1.0, round(along)), m = (long)fmax(1.0, round(along * second / first));
+    const double rows = fmax(1.0, round(along * second / first)), row_points = fmax(1.0, round(along));
+    TRY(layer_check_number(ctx, rows * row_points));
+    const long n = (long)row_points, m = (long)rows;
     TRY(layer_make_room(list, ctx, (size_t)(n * m), 3));
     for (long i = 0; i < n * m; i++) {
         const long row = i / n;
@@ -350,6 +352,7 @@ static floe_status fill(seed_list *list, context *ctx, const sheet_surface *s, c
     if (s->kind == SHEET_PLANE) return fill_plane(list, ctx, s, how, grid);
     if (s->kind == SHEET_POINTS) return fill_points(list, ctx, s, how->thickness, grid);
     const banding b = banding_of(s, how, grid);
+    TRY(layer_check_number(ctx, fmax(b.asked, b.bands)));
     return fill_bands(list, ctx, &b, how->thickness);
 }
 

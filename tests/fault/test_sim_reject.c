@@ -1,10 +1,16 @@
 /* Rejected steps: whatever stage a step fails in, the run goes on as one that took the smaller step at once, bit for bit. */
 #include "verification/coupled_fixture.h"
 
+#include <glob.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
 static const deck_variant variants[] = {
     {"points", "pressurized_cylinder", COUPLING_MPM, 1, 1, {"domain.cell=0.1"}},
     {"points, blocks, USF", "pressurized_cylinder", COUPLING_MPM, 2, 2, {"domain.cell=0.1", "method.stress=usf"}},
     {"points, MUSL", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.stress=musl"}},
+    {"gas as points, density of cells", "sod", COUPLING_MPM, 1, 2, {"domain.cell=0.02", "method.point_density=cell"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.1"}},
     {"one gas", "sod", COUPLING_ICE, 2, 1, {"domain.cell=0.00625"}},
     {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.00625", "method.pressure=implicit"}},
@@ -40,9 +46,135 @@ static const deck_variant variants[] = {
      1,
      3,
      {"method.transfer=xpic", "method.flip=null", "method.filter_order=3"}},
+    {"held edges", "annulus_traction", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.edge_penalty=0.05"}},
+    {"both, held edges",
+     "pressurized_cylinder",
+     COUPLING_ICE_MPM,
+     2,
+     2,
+     {"domain.cell=0.1", "method.edge_penalty=0.05"}},
+    {"sharp interface", "shock_plate", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.02"}},
+    {"sharp interface, held edges",
+     "pressurized_cylinder",
+     COUPLING_ICE_MPM,
+     1,
+     3,
+     {"domain.cell=0.1", "method.interface=sharp", "method.edge_penalty=0.05"}},
+    {"membrane that holds gas, about an axis", "membrane_balloon", COUPLING_ICE_MPM, 1, 0, {NULL}},
+    {"membrane in space that holds gas", "membrane_revolved", COUPLING_MPM, 1, 0, {NULL}},
+    {"implicit steps", "bar_vibration", COUPLING_MPM, 1, 2, {"time.solver=implicit", "time.increments=100"}},
+    {"statics",
+     "annulus_traction",
+     COUPLING_MPM,
+     1,
+     3,
+     {"domain.cell=0.1", "time.solver=static", "time.increments=16"}},
+    {"statics beside gas on cells",
+     "pressurized_cylinder",
+     COUPLING_ICE_MPM,
+     1,
+     3,
+     {"domain.cell=0.1", "time.solver=static", "time.increments=16"}},
 };
 
 enum { BEFORE = 6, AFTER = 4 };
+
+/* ---- every stage there is ---- */
+
+enum { SOURCE_SIZE = 1 << 20, NAMES = 256 };
+
+typedef struct name_set {
+    char name[NAMES][64];
+    int n;
+} name_set;
+
+static bool has_name(const name_set *set, const char *name)
+{
+    for (int i = 0; i < set->n; ++i)
+        if (strcmp(set->name[i], name) == 0) return true;
+    return false;
+}
+
+static void add_name(name_set *set, const char *name, size_t length)
+{
+    char copy[sizeof *set->name] = "";
+    assert_in_range(length, 1, sizeof copy - 1);
+    memcpy(copy, name, length);
+    if (has_name(set, copy)) return;
+    assert_in_range(set->n, 0, NAMES - 1);
+    memcpy(set->name[set->n++], copy, sizeof copy);
+}
+
+/* Past the comma that ends an argument, which may hold commas in parentheses. */
+static const char *next_argument(const char *text)
+{
+    for (int depth = 0; depth > 0 || *text != ','; ++text) {
+        assert_true(*text != '\0');
+        depth += (*text == '(') - (*text == ')');
+    }
+    return text + 1;
+}
+
+/* The third argument of each STAGE(s, when, function, ...) in a file. */
+static void add_stages_of(name_set *set, const char *path)
+{
+    static char text[SOURCE_SIZE];
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    const size_t n = fread(text, 1, sizeof text - 1, file);
+    fclose(file);
+    text[n] = '\0';
+    for (const char *at = text; (at = strstr(at, " STAGE(")) != NULL;) {
+        at = next_argument(next_argument(at + strlen(" STAGE(")));
+        at += strspn(at, " \n");
+        add_name(set, at, strcspn(at, ", \n"));
+    }
+}
+
+static void add_stages_of_sources(name_set *set)
+{
+    glob_t found;
+    assert_int_equal(glob(FLOE_SOURCE_DIR "/src/*/*.c", 0, NULL, &found), 0);
+    for (size_t i = 0; i < found.gl_pathc; ++i) add_stages_of(set, found.gl_pathv[i]);
+    globfree(&found);
+}
+
+/* A stage that none of the scenes below comes by has never been rejected. */
+static void test_no_stage_is_left_out(void **unused)
+{
+    (void)unused;
+    static name_set all, taken;
+    add_stages_of_sources(&all);
+    check_true(all.n > 50);
+    for (size_t k = 0; k < sizeof variants / sizeof *variants; ++k) {
+        trial t;
+        exact solution;
+        variant_load(&t, &variants[k], &solution);
+        coupled_start(&t);
+        for (int i = 0; i < t.sim->stages.n; ++i)
+            add_name(&taken, t.sim->stages.record[i].name, strlen(t.sim->stages.record[i].name));
+        variant_end(&t, &solution);
+    }
+    int left_out = 0;
+    for (int i = 0; i < all.n; ++i)
+        if (!has_name(&taken, all.name[i])) {
+            print_error("stage '%s' is in no scene of this test\n", all.name[i]);
+            left_out++;
+        }
+    assert_int_equal(left_out, 0);
+}
+
+/* ---- what a rejected step leaves ---- */
+
+/* Steps of this size from now on; statics go by parts of the whole. */
+static void take_steps_of(trial *t, double dt)
+{
+    scene_time *time = &t->scene->time;
+    if (time->solver == SOLVER_STATIC)
+        time->increments = lround(time->end / dt);
+    else
+        time->fixed_step = dt;
+}
 
 /* The step after the first few is done with half the step, which is what a rejected one is retried with. */
 static state run(const deck_variant *v, int fail_at, int *stages)
@@ -55,15 +187,15 @@ static state run(const deck_variant *v, int fail_at, int *stages)
     coupled_start(&t);
     check_ok(t.ctx, sim_predict(t.sim, &full, &steps, &reason));
     full *= 0.5;
-    t.scene->time.fixed_step = full;
+    take_steps_of(&t, full);
     trial_steps(&t, BEFORE);
     t.sim->stages.fail_at = fail_at;
-    if (fail_at == 0) t.scene->time.fixed_step = 0.5 * full;
+    if (fail_at == 0) take_steps_of(&t, 0.5 * full);
     trial_steps(&t, 1);
     assert_int_equal(t.sim->rejected, fail_at != 0);
     assert_int_equal(t.sim->stages.fail_at, 0);
     assert_string_equal(context_message(t.ctx), "");
-    t.scene->time.fixed_step = full;
+    take_steps_of(&t, full);
     trial_steps(&t, AFTER);
     check_ok(t.ctx, sim_account(t.sim));
     state s = state_of(t.sim);
@@ -94,6 +226,7 @@ static void test_every_stage(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_stage_is_left_out),
         cmocka_unit_test(test_every_stage),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -127,6 +127,11 @@ static void bad_membranes_are_refused(void **state)
     context_clear(ctx);
     assert_int_equal(seed_curve(&list, ctx, &circle, &sparse, &grid), FLOE_BAD_INPUT);
     context_clear(ctx);
+    const curve_line endless = {.kind = CURVE_SEGMENT, .from = {0.1, 0.5}, .to = {0.1, 1e19}};
+    const curve_seeding all = {.number = curve_count(&endless, 0, 2, &grid), .thickness = 1.0, .length = NAN};
+    assert_int_equal(seed_curve(&list, ctx, &endless, &all, &grid), FLOE_BAD_INPUT);
+    assert_non_null(strstr(context_message(ctx), "more points than the 1e+08 that one membrane can have"));
+    context_clear(ctx);
     memory_inject_failure(ctx, 2);
     check_fails(ctx, seed_curve(&list, ctx, &inside, &fine, &grid), FLOE_NO_MEMORY);
     memory_inject_failure(ctx, 0);

@@ -162,6 +162,11 @@ static void refusals(void **state)
     expect_bad(&large, 900, &grid, "lies outside the domain");
     expect_bad(&flat, 900, &grid, "the surface has no area");
     expect_bad(&across, 900, &grid, "its curve crosses the axis about which it is turned");
+    const sheet_surface thread = {.kind = SHEET_PLANE, .first = {1e-20, 0.0, 0.0}, .second = {0.0, 1e20, 0.0}};
+    const sheet_surface endless = {.kind = SHEET_SPHERE, .axis = 2, .radius = 1e19};
+    const char *const too_many = "more points than the 1e+08 that one membrane can have";
+    expect_bad(&thread, 100, &grid, too_many);
+    expect_bad(&endless, 1000000000, &grid, too_many);
 }
 
 /* A list of the points of a sphere has their places and volumes; its area is given, and its points must not be torn from each other. */
