@@ -57,6 +57,7 @@ declare -A gallery=(
     [string_mass]='|-t 0.0202 -c none|tension of the string, t = 0.02'
     [taylor_bar]='||von Mises stress'
     [taylor_green]='|-c velocity_liquid_x|velocity along x'
+    [two_bags]='||stress of two bags at rest, and the density of the air about them'
     [water_impact]='|-p velocity_x -c pressure|pressure of the water before and behind the block'
     [two_bars]='|-t 0.25|von Mises stress while they touch'
 )

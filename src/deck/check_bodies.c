@@ -45,7 +45,28 @@ static floe_status check_hold(reader *r, const scene_body *b)
     return FLOE_OK;
 }
 
-/* Beside cells one membrane holds a gas; others are strings that gas passes. */
+/* Beside cells each membrane holds a gas of its own; one surface in space holds gas points. */
+static floe_status check_holder(reader *r, const scene_body *b)
+{
+    const scene *s = r->scene;
+    int before = 0;
+    for (const scene_body *other = s->body; other < b; ++other) {
+        if (!other->membrane.present || other->membrane.holds < 0) continue;
+        before++;
+        if (b->membrane.surface.kind != SHEET_NONE || other->membrane.surface.kind != SHEET_NONE)
+            return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "one surface that holds a gas", NULL,
+                          "membrane '%s' holds a gas already", other->name);
+        if (other->membrane.holds == b->membrane.holds)
+            return bad_at(r, PATH("bodies", b->name, "membrane", "holds"),
+                          "a fluid of its own, which may have the same eos", NULL, "membrane '%s' holds '%s' already",
+                          other->name, s->material[b->membrane.holds].name);
+    }
+    if (before < SCENE_MAX_HOLDERS) return FLOE_OK;
+    return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "fewer membranes that hold gas", NULL,
+                  "%d membranes hold gas already", before);
+}
+
+/* Beside cells membranes hold gases; others are strings that gas passes. */
 static floe_status check_membrane(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;
@@ -53,9 +74,7 @@ static floe_status check_membrane(reader *r, const scene_body *b)
     if (b->membrane.holds >= 0 && s->material[b->membrane.holds].kind == MATERIAL_SOLID)
         return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "the name of a fluid", NULL, "'%s' is a solid",
                       s->material[b->membrane.holds].name);
-    if (b->membrane.holds >= 0 && b != &s->body[scene_holder(s)])
-        return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "one membrane that holds a gas", NULL,
-                      "membrane '%s' holds a gas already", s->body[scene_holder(s)].name);
+    if (b->membrane.holds >= 0) TRY(check_holder(r, b));
     if (b->membrane.holds >= 0 && b->membrane.surface.kind != SHEET_NONE) TRY(check_hold(r, b));
     if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_holder(s) >= 0) return FLOE_OK;
     return bad_at(r, PATH("bodies", b->name, "membrane"), "holds: the gas on its left; or coupling: mpm", NULL,

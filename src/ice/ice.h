@@ -25,19 +25,31 @@ typedef struct ice_material {
         points; /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
 } ice_material;
 
-enum { ICE_SEALED_GASES = 2, ICE_SEAL_PLACES = 4, ICE_SEAL_LINES = ICE_SEAL_PLACES + 2 };
+/* Gases: one inside each membrane, and one outside all. Places of a line in a step: where it is (SEAL_NOW), ICE_SEAL_PLACES of equal weight where
+ * it is thought to pass, the means of which are the step's areas (from SEAL_MEAN on), and where it will be (SEAL_NEXT). */
+enum {
+    ICE_SEALED_GASES = SCENE_MAX_HOLDERS + 1,
+    ICE_SEAL_PLACES = 4,
+    SEAL_NOW = 0,
+    SEAL_MEAN = 1,
+    SEAL_NEXT = SEAL_MEAN + ICE_SEAL_PLACES,
+    SEAL_PLACES = SEAL_NEXT + 1
+};
 
 /* A membrane between gases, or the surfaces of solids beside one (ice_sealed.c): set by the owner of the step before the stages that read it. */
-typedef struct ice_seal {
-    int held;                   /* material inside; any other is outside; beside solids the one gas */
-    const cut_line *now, *next; /* where the membrane is, and where it will be; not owned */
-    const cut_line *
-        mean; /* where it is thought to pass in the step, n_mean places of equal weight: areas are the mean; not owned */
-    int n_mean;
+typedef struct ice_seal_line {
+    int held;               /* material inside, of no other line; beside solids the one gas */
+    const cut_line *place;  /* SEAL_PLACES: where it is, is thought to pass, and will be; not owned */
     const double *velocity; /* m/s: of the vertices now, two each; not owned */
     const double *path;     /* m: their way over the step, as the force works on it, two each; not owned */
     double *force;          /* N: of all gases on the vertices, two each; not owned */
     double heat;            /* J: for the held gas beside the membrane, of what the points have lost in the step */
+} ice_seal_line;
+
+/* All of them: a gas that none holds is outside all. */
+typedef struct ice_seal {
+    ice_seal_line line[SCENE_MAX_HOLDERS];
+    int n_lines;
 } ice_seal;
 
 typedef struct ice {
@@ -125,10 +137,12 @@ floe_status ice_sealed_pressure(ice *s);      /* 2.1 */
 floe_status ice_sealed_velocity(ice *s);      /* 2.2 */
 floe_status ice_sealed_increment(ice *s);     /* 2.3 */
 floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */
-floe_status ice_sealed_load(ice *s);          /* seal.force */
+floe_status ice_sealed_load(ice *s);          /* forces on the lines */
 floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the membrane */
 floe_status ice_sealed_advect(ice *s);        /* 2.11, and what is left where */
-/* Finds the gas that the membrane holds on its left, and open fractions and states at the start; seal.now stands. */
+/* FLOE_RETRY where membranes cross each other at a place (SEAL_NOW to SEAL_NEXT), or one stands in the other: with where. */
+floe_status ice_seal_check(const ice *s, int place);
+/* Open fractions and states at the start; the lines stand where they are now. */
 floe_status ice_sealed_initialise(ice *s);
 /* The fluid-only step. */
 floe_status ice_step(ice *s);

@@ -187,7 +187,7 @@ static floe_status fill_open(const ice *s, const int cell[2], const double lo[3]
     double room = 1.0;
     TRY(add_bodies(s, lo, &room, contents));
     for (int r = 0; r < s->n_materials; ++r) {
-        const double open = ice_open_cell(s, r, s->seal.now, cell);
+        const double open = ice_open_cell(s, r, SEAL_NOW, cell);
         const bool ambient = s->scene->has_ambient && ice_material_of(s, s->scene->ambient_material) == r;
         content *c = &contents[r];
         if (open == 0.0) memset(c, 0, sizeof *c);
@@ -201,7 +201,7 @@ static void store_open(const ice *s, const ice_view *v, const int cell[2], ptrdi
 {
     for (int r = 0; r < s->n_materials; ++r) {
         const double share = contents[r].fraction;
-        v->m[r].open[at] = ice_open_cell(s, r, s->seal.now, cell);
+        v->m[r].open[at] = ice_open_cell(s, r, SEAL_NOW, cell);
         contents[r].mass /= share > 0.0 ? share : 1.0;
         contents[r].energy /= share > 0.0 ? share : 1.0;
         contents[r].fraction = 1.0 / s->n_materials; /* stored as they are */

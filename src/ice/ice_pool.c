@@ -9,28 +9,76 @@
 /* A cell of which less than this is left to a gas shares a neighbour's state. */
 static const double small_cell = 0.5;
 
-double ice_open_cell(const ice *s, int gas, const cut_line *c, const int cell[2])
+/* Outside several lines a share this close to none is none: round-off of their sum. */
+static const double none = 1e-13;
+
+/* The line that holds a gas; -1: none does. */
+static int line_of(const ice *s, int gas)
 {
-    const double held = cut_open(c, cell);
-    return gas == s->seal.held ? held : 1.0 - held;
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        if (s->seal.line[l].held == gas) return l;
+    return -1;
 }
 
-double ice_open_face(const ice *s, int gas, const cut_line *c, const int cell[2], int axis, int side)
+static double outside(const ice *s, double held)
 {
-    const double held = cut_face(c, cell, axis, side);
-    return gas == s->seal.held ? held : 1.0 - held;
+    return s->seal.n_lines > 1 && fabs(1.0 - held) < none ? 0.0 : 1.0 - held;
+}
+
+double ice_open_cell(const ice *s, int gas, int place, const int cell[2])
+{
+    const int own = line_of(s, gas);
+    double held = 0.0;
+    if (own >= 0) return cut_open(&s->seal.line[own].place[place], cell);
+    for (int l = 0; l < s->seal.n_lines; ++l) held += cut_open(&s->seal.line[l].place[place], cell);
+    return outside(s, held);
+}
+
+double ice_open_face(const ice *s, int gas, int place, const int cell[2], int axis, int side)
+{
+    const int own = line_of(s, gas);
+    double held = 0.0;
+    if (own >= 0) return cut_face(&s->seal.line[own].place[place], cell, axis, side);
+    for (int l = 0; l < s->seal.n_lines; ++l) held += cut_face(&s->seal.line[l].place[place], cell, axis, side);
+    return outside(s, held);
 }
 
 double ice_mean_face(const ice *s, int gas, const int cell[2], int axis, int side)
 {
     double sum = 0.0;
-    for (int k = 0; k < s->seal.n_mean; ++k) sum += ice_open_face(s, gas, &s->seal.mean[k], cell, axis, side);
-    return sum / s->seal.n_mean;
+    for (int k = 0; k < ICE_SEAL_PLACES; ++k) sum += ice_open_face(s, gas, SEAL_MEAN + k, cell, axis, side);
+    return sum / ICE_SEAL_PLACES;
 }
 
-double ice_outward(const ice *s)
+double ice_outward(const ice *s, int gas, int line)
 {
-    return s->gas == s->seal.held ? 1.0 : -1.0;
+    const int own = line_of(s, gas);
+    return own < 0 ? -1.0 : own == line ? 1.0 : 0.0;
+}
+
+/* What is left outside all lines, at least, of a cell and of its faces. */
+static double least_outside(const ice *s, int place, const int cell[2])
+{
+    const int nobody = -1;
+    double least = ice_open_cell(s, nobody, place, cell);
+    for (int f = 0; f < 4; ++f) least = fmin(least, ice_open_face(s, nobody, place, cell, f / 2, f % 2));
+    return least;
+}
+
+floe_status ice_seal_check(const ice *s, int place)
+{
+    for (int l = 0; l < s->seal.n_lines && s->seal.n_lines > 1; ++l) {
+        const cut_line *c = &s->seal.line[l].place[place];
+        for (int k = 0; k < c->n_cells; ++k) {
+            const int *cell = c->cell[k].cell;
+            if (least_outside(s, place, cell) >= 0.0) continue;
+            return fail(s->ctx, FLOE_RETRY,
+                        "membranes that hold gas cross each other, or one stands in the other, in cell (%d, %d) at "
+                        "(%g, %g)",
+                        cell[0], cell[1], mesh_centre(s->mesh, 0, cell[0]), mesh_centre(s->mesh, 1, cell[1]));
+        }
+    }
+    return FLOE_OK;
 }
 
 void ice_pools_clear(ice_pools *p)
@@ -49,20 +97,20 @@ static floe_status make_room(ice *s, ice_pools *p)
     return FLOE_OK;
 }
 
-static floe_status add_member(ice *s, int gas, const cut_line *c, ice_pools *p, const int cell[2])
+static floe_status add_member(ice *s, int gas, int place, ice_pools *p, const int cell[2])
 {
     const mesh *m = s->mesh;
-    int *place = &p->place[cut_index(m, cell)];
-    if (*place >= 0) return FLOE_OK;
+    int *number = &p->place[cut_index(m, cell)];
+    if (*number >= 0) return FLOE_OK;
     TRY(make_room(s, p));
     const int whole[3] = {cell[0], cell[1], 0};
     ice_member *k = &p->member[p->n];
     *k = (ice_member){.cell = {cell[0], cell[1]}, .block = mesh_block_of(m, whole), .pool = p->n};
     const block *b = &m->block[k->block];
     k->at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
-    k->open = ice_open_cell(s, gas, c, cell);
+    k->open = ice_open_cell(s, gas, place, cell);
     for (int f = 0; f < 4; ++f) k->face[f / 2][f % 2] = ice_mean_face(s, gas, cell, f / 2, f % 2);
-    *place = p->n++;
+    *number = p->n++;
     return FLOE_OK;
 }
 
@@ -71,17 +119,16 @@ static bool inside(const mesh *m, const int cell[2])
     return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1];
 }
 
-/* The neighbour whose state a cell takes: the one with most room behind a face that is open where the line is at `through`, and
+/* The neighbour whose state a cell takes: the one with most room behind a face that is open while the lines are at `through`, and
  * with more than its own. */
-static bool find_neighbour(const ice *s, int gas, const cut_line *c, const cut_line *through, const ice_member *k,
-                           int out[2])
+static bool find_neighbour(const ice *s, int gas, int place, int through, const ice_member *k, int out[2])
 {
     double best = 0.0;
     for (int f = 0; f < 4; ++f) {
         int cell[2] = {k->cell[0], k->cell[1]};
         cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
         if (!inside(s->mesh, cell)) continue;
-        const double open = ice_open_cell(s, gas, c, cell);
+        const double open = ice_open_cell(s, gas, place, cell);
         const double score = open * ice_open_face(s, gas, through, k->cell, f / 2, f % 2);
         if (!(open > k->open) || !(score > best)) continue;
         best = score;
@@ -91,13 +138,13 @@ static bool find_neighbour(const ice *s, int gas, const cut_line *c, const cut_l
 }
 
 /* Of a cell that is all covered and has no such neighbour, the roomiest of all around. */
-static bool find_refuge(const ice *s, int gas, const cut_line *c, const ice_member *k, int out[2])
+static bool find_refuge(const ice *s, int gas, int place, const ice_member *k, int out[2])
 {
     double best = 0.0;
     for (int n = 0; n < 9; ++n) {
         const int cell[2] = {k->cell[0] + n % 3 - 1, k->cell[1] + n / 3 - 1};
         if (n == 4 || !inside(s->mesh, cell)) continue;
-        const double open = ice_open_cell(s, gas, c, cell);
+        const double open = ice_open_cell(s, gas, place, cell);
         if (!(open > best)) continue;
         best = open;
         memcpy(out, cell, sizeof cell);
@@ -105,24 +152,24 @@ static bool find_refuge(const ice *s, int gas, const cut_line *c, const ice_memb
     return best > 0.0;
 }
 
-/* The lines of a step, those at the time of the pools first. */
-typedef struct step_lines {
-    const cut_line *at[ICE_SEAL_LINES];
+/* Where the lines are in a step, at the time of the pools first. */
+typedef struct step_places {
+    int at[SEAL_PLACES];
     int n;
-} step_lines;
+} step_places;
 
-static step_lines lines_of(const ice *s, ice_pool_time when)
+static step_places places_of(ice_pool_time when)
 {
-    step_lines l = {.n = 0};
-    l.at[l.n++] = when == POOLS_AFTER ? s->seal.next : s->seal.now;
-    for (int k = 0; k < s->seal.n_mean; ++k) l.at[l.n++] = &s->seal.mean[k];
-    if (when != POOLS_BEFORE) l.at[l.n++] = when == POOLS_AFTER ? s->seal.now : s->seal.next;
+    step_places l = {.n = 0};
+    l.at[l.n++] = when == POOLS_AFTER ? SEAL_NEXT : SEAL_NOW;
+    for (int k = 0; k < ICE_SEAL_PLACES; ++k) l.at[l.n++] = SEAL_MEAN + k;
+    if (when != POOLS_BEFORE) l.at[l.n++] = when == POOLS_AFTER ? SEAL_NOW : SEAL_NEXT;
     return l;
 }
 
 /* The cell whose state a member takes. A covered cell belongs to whom it flows to or from while it is open, now or at another time of the
  * step. */
-static bool find_host(const ice *s, int gas, const step_lines *l, const ice_member *m, int cell[2])
+static bool find_host(const ice *s, int gas, const step_places *l, const ice_member *m, int cell[2])
 {
     if (find_neighbour(s, gas, l->at[0], l->at[0], m, cell)) return true;
     for (int k = 1; k < l->n && m->open == 0.0; ++k)
@@ -131,7 +178,7 @@ static bool find_host(const ice *s, int gas, const step_lines *l, const ice_memb
 }
 
 /* The member with which another shares its state; itself where it has its own. */
-static floe_status follow(ice *s, int gas, const step_lines *l, ice_pools *p, int k)
+static floe_status follow(ice *s, int gas, const step_places *l, ice_pools *p, int k)
 {
     int cell[2];
     const ice_member *m = &p->member[k];
@@ -157,13 +204,23 @@ static void number_pools(ice_pools *p)
     for (int k = 0; k < p->n; ++k) p->member[k].pool = (int)p->sum[-1 - p->member[k].pool];
 }
 
+/* The cells that lines about a gas cut at a place are members. */
+static floe_status add_cut_cells(ice *s, int gas, int place, int at, ice_pools *p)
+{
+    for (int l = 0; l < s->seal.n_lines; ++l) {
+        const cut_line *c = &s->seal.line[l].place[at];
+        if (ice_outward(s, gas, l) == 0.0) continue;
+        for (int k = 0; k < c->n_cells; ++k) TRY(add_member(s, gas, place, p, c->cell[k].cell));
+    }
+    return FLOE_OK;
+}
+
 floe_status ice_pools_make(ice *s, int gas, ice_pool_time when, ice_pools *out)
 {
-    const step_lines l = lines_of(s, when);
+    const step_places l = places_of(when);
     for (int k = 0; k < out->n; ++k) out->place[cut_index(s->mesh, out->member[k].cell)] = -1;
     out->n = 0;
-    for (int c = 0; c < l.n; ++c)
-        for (int k = 0; k < l.at[c]->n_cells; ++k) TRY(add_member(s, gas, l.at[0], out, l.at[c]->cell[k].cell));
+    for (int k = 0; k < l.n; ++k) TRY(add_cut_cells(s, gas, l.at[0], l.at[k], out));
     for (int k = 0; k < out->n; ++k) TRY(follow(s, gas, &l, out, k));
     number_pools(out);
     return FLOE_OK;
@@ -211,6 +268,15 @@ static floe_status new_pools(const ice *s, ice_pools *p)
     return FLOE_OK;
 }
 
+/* The lines, and what each holds; the surfaces of solids are one. */
+static void find_lines(ice *s)
+{
+    int body[SCENE_MAX_HOLDERS];
+    const int holders = scene_holders(s->scene, body);
+    s->seal = (ice_seal){.n_lines = holders > 0 ? holders : 1};
+    for (int l = 0; l < holders; ++l) s->seal.line[l].held = ice_material_of(s, s->scene->body[body[l]].membrane.holds);
+}
+
 floe_status ice_seal_create(ice *s)
 {
     TRY(check_loads(s));
@@ -223,11 +289,10 @@ floe_status ice_seal_create(ice *s)
             s->ctx, FLOE_BAD_INPUT,
             "gas beside a membrane that holds it, or a sharp interface, neither conducts heat nor reacts nor has "
             "sources");
-    if (s->mesh->dim != 2 || s->n_materials > ICE_SEALED_GASES)
-        return fail(s->ctx, FLOE_BAD_INPUT, "a membrane holds gas in two dimensions, between at most %d gases",
-                    ICE_SEALED_GASES);
-    const int holder = scene_holder(s->scene);
-    s->seal.held = holder < 0 ? 0 : ice_material_of(s, s->scene->body[holder].membrane.holds);
+    find_lines(s);
+    if (s->mesh->dim != 2 || s->n_materials > s->seal.n_lines + 1)
+        return fail(s->ctx, FLOE_BAD_INPUT,
+                    "membranes hold gas in two dimensions: each has one inside, and one gas or none is outside all");
     TRY(memory_new(s->ctx, &s->work->sealing, 1, sizeof *s->work->sealing));
     struct ice_sealing *w = s->work->sealing;
     for (int g = 0; g < s->n_materials; ++g) {

@@ -45,20 +45,20 @@ struct ice_sealing {
 
 /* When pools are made: before the points have moved; with where they will be known; and there. */
 typedef enum ice_pool_time { POOLS_BEFORE, POOLS_MOVING, POOLS_AFTER } ice_pool_time;
-/* Makes the pools of a gas from where the membrane is. All cells that it cuts in the step are members, whatever is left of them. */
+/* Makes the pools of a gas from where the membranes are. All cells that they cut in the step are members, whatever is left of them. */
 floe_status ice_pools_make(ice *s, int gas, ice_pool_time when, ice_pools *out);
 /* First states of all gases in what the membrane leaves them. */
 floe_status ice_sealed_fill(ice *s);
 /* Views of the gas in hand, one a block. */
 void ice_seal_views(const ice *s);
-/* Share of a cell, or of one of its faces, that a membrane leaves to a gas. */
-double ice_open_cell(const ice *s, int gas, const cut_line *c, const int cell[2]);
-double ice_open_face(const ice *s, int gas, const cut_line *c, const int cell[2], int axis, int side);
+/* Share of a cell, or of one of its faces, that the membranes leave to a gas at a place of theirs (SEAL_NOW to SEAL_NEXT). */
+double ice_open_cell(const ice *s, int gas, int place, const int cell[2]);
+double ice_open_face(const ice *s, int gas, int place, const int cell[2], int axis, int side);
 /* Share of a face that is left to a gas in the mean of the step. */
 double ice_mean_face(const ice *s, int gas, const int cell[2], int axis, int side);
 /* Sets all sums to zero. */
 void ice_pools_clear(ice_pools *p);
-/* +1 where the gas in hand is the one that the membrane holds, -1 outside: which way the membrane's areas point from it. */
-double ice_outward(const ice *s);
+/* Which way a line's areas point from a gas: +1 from the one that it holds, -1 from that outside all lines; 0: it does not bound the gas. */
+double ice_outward(const ice *s, int gas, int line);
 
 #endif

@@ -33,34 +33,39 @@ static ice_pools *pools_in_hand(const ice *s)
     return &s->work->sealing->now[s->gas];
 }
 
-/* All pieces of the lines whose mean the step takes, each with the member of its cell and the weight of its line. */
+/* All pieces of the lines beside the gas in hand, where the step takes them to pass: each with the member of its cell, the weight of its place,
+ * and which way its area points from the gas. */
 typedef struct piece_walk {
     const ice *s;
     const ice_pools *p;
-    int line, n;
-    double weight;
+    int number, place, n; /* of the line, of its places, of the piece */
+    double weight, outward;
+    const ice_seal_line *line;
     const cut_piece *piece;
     const ice_member *member;
 } piece_walk;
 
 static piece_walk first_piece(const ice *s, const ice_pools *p)
 {
-    return (piece_walk){.s = s, .p = p, .n = -1, .weight = 1.0 / s->seal.n_mean};
+    return (piece_walk){.s = s, .p = p, .place = SEAL_MEAN, .n = -1, .weight = 1.0 / ICE_SEAL_PLACES};
 }
 
 static bool next_piece(piece_walk *w)
 {
     const ice_seal *seal = &w->s->seal;
-    w->n++;
-    while (w->line < seal->n_mean && w->n >= seal->mean[w->line].n_pieces) {
-        w->line++;
-        w->n = 0;
+    for (w->n++; w->number < seal->n_lines; w->number++, w->place = SEAL_MEAN, w->n = 0) {
+        const ice_seal_line *line = &seal->line[w->number];
+        w->outward = ice_outward(w->s, w->s->gas, w->number);
+        if (w->outward == 0.0) continue;
+        for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
+        if (w->place == SEAL_NEXT) continue;
+        const cut_line *c = &line->place[w->place];
+        w->line = line;
+        w->piece = &c->piece[w->n];
+        w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];
+        return true;
     }
-    if (w->line == seal->n_mean) return false;
-    const cut_line *c = &seal->mean[w->line];
-    w->piece = &c->piece[w->n];
-    w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];
-    return true;
+    return false;
 }
 
 /* Component of a vector of the vertices in the middle of a piece. */
@@ -70,19 +75,22 @@ static double at_middle(const cut_piece *q, const double *vertex, int a)
 }
 
 /* The same along the piece's area, outward from the gas in hand. */
-static double along_area(const ice *s, const cut_piece *q, const double *vertex)
+static double along_area(const piece_walk *w, const double *vertex)
 {
-    return ice_outward(s) * (q->area[0] * at_middle(q, vertex, 0) + q->area[1] * at_middle(q, vertex, 1));
+    const cut_piece *q = w->piece;
+    return w->outward * (q->area[0] * at_middle(q, vertex, 0) + q->area[1] * at_middle(q, vertex, 1));
 }
 
 /* Force (N) of the gas in hand on a piece: its pressure, and its drag. */
-static void force_on(const ice *s, const ice_member *m, const cut_piece *q, double force[2])
+static void force_on(const piece_walk *w, double force[2])
 {
-    const ice_view *v = view_of(s, m);
+    const ice *s = w->s;
+    const cut_piece *q = w->piece;
+    const ptrdiff_t at = w->member->at;
+    const ice_view *v = view_of(s, w->member);
     const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->length * hypot(q->area[0], q->area[1]);
     for (int a = 0; a < 2; ++a)
-        force[a] = ice_outward(s) * v->P[m->at] * q->area[a] +
-                   drag * (v->m[0].u[a][m->at] - at_middle(q, s->seal.velocity, a));
+        force[a] = w->outward * v->P[at] * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
 }
 
 void ice_pool_centring(const ice *s)
@@ -107,7 +115,7 @@ static void add_fluxes(const ice *s, ice_pools *p)
         }
     }
     for (piece_walk w = first_piece(s, p); next_piece(&w);)
-        p->sum[(size_t)w.member->pool * POOL_SUMS + POOL_FLUX] += w.weight * along_area(s, w.piece, s->seal.velocity);
+        p->sum[(size_t)w.member->pool * POOL_SUMS + POOL_FLUX] += w.weight * along_area(&w, w.line->velocity);
 }
 
 void ice_pool_increment(const ice *s)
@@ -150,25 +158,27 @@ static void add_faces(const ice *s, const ice_member *m, double *sum)
                               ice_sealed_hoop(s, v, m->at, m->cell[0] - v->b->lo[0]);
 }
 
-/* Heat for the gas that the membrane holds goes to its pools by their mass. */
+/* Heat for the gas that a membrane holds goes to its pools by their mass. */
 static void add_heat(const ice *s, ice_pools *p)
 {
-    double mass = 0.0;
-    if (s->gas != s->seal.held || s->seal.heat == 0.0) return;
+    double mass = 0.0, heat = 0.0;
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        if (s->seal.line[l].held == s->gas) heat = s->seal.line[l].heat;
+    if (heat == 0.0) return;
     for (int n = 0; n < p->count; ++n) mass += p->sum[(size_t)n * POOL_SUMS + POOL_MASS];
     for (int n = 0; n < p->count && mass > 0.0; ++n) {
         double *sum = p->sum + (size_t)n * POOL_SUMS;
-        sum[POOL_WORK] += s->seal.heat * sum[POOL_MASS] / mass;
+        sum[POOL_WORK] += heat * sum[POOL_MASS] / mass;
     }
 }
 
-/* Pressure (Pa) on the side of the membrane that has no gas; the stress of solids is against it. */
+/* Pressure (Pa) outside the membranes where there is no gas; the stress of solids is against it. */
 static double pressure_beyond(const ice *s)
 {
-    return s->n_materials == 1 ? s->scene->reference_pressure : 0.0;
+    return s->n_materials == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
 }
 
-/* What the reference pressure does to the membrane or the surfaces in the step, into the ledger. */
+/* What the reference pressure does to the membranes about the gas in hand, or to the surfaces, in the step: into the ledger. */
 static void note_surroundings(const ice *s)
 {
     const double beyond = pressure_beyond(s);
@@ -177,7 +187,7 @@ static void note_surroundings(const ice *s)
     if (beyond == 0.0) return;
     for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
         for (int a = 0; a < 2; ++a) impulse[a] -= w.weight * s->dt * beyond * w.piece->area[a];
-        work -= w.weight * beyond * along_area(s, w.piece, s->seal.path);
+        work -= w.weight * beyond * along_area(&w, w.line->path);
     }
     for (int a = radial; a < 2; ++a)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, impulse[a]);
@@ -195,11 +205,11 @@ static void add_sources(const ice *s, ice_pools *p)
     for (piece_walk w = first_piece(s, p); next_piece(&w);) {
         const ice_member *m = w.member;
         double *sum = p->sum + (size_t)m->pool * POOL_SUMS, force[2];
-        force_on(s, m, w.piece, force);
+        force_on(&w, force);
         for (int a = 0; a < 2; ++a) {
-            const double drag = force[a] - ice_outward(s) * view_of(s, m)->P[m->at] * w.piece->area[a];
+            const double drag = force[a] - w.outward * view_of(s, m)->P[m->at] * w.piece->area[a];
             sum[POOL_MOMENTUM + a] -= w.weight * s->dt * drag;
-            sum[POOL_WORK] -= w.weight * force[a] * at_middle(w.piece, s->seal.path, a);
+            sum[POOL_WORK] -= w.weight * force[a] * at_middle(w.piece, w.line->path, a);
         }
     }
     add_heat(s, p);
@@ -282,25 +292,27 @@ void ice_pool_sources(const ice *s)
 }
 
 /* Shares a force on a piece out to the vertices between which it lies. */
-static void push_vertices(const ice *s, const cut_piece *q, const double force[2])
+static void push_vertices(const piece_walk *w, const double force[2])
 {
+    const cut_piece *q = w->piece;
     for (int a = 0; a < 2; ++a) {
-        s->seal.force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
-        s->seal.force[2 * q->vertex[1] + a] += force[a] * q->share;
+        w->line->force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
+        w->line->force[2 * q->vertex[1] + a] += force[a] * q->share;
     }
 }
 
 floe_status ice_sealed_load(ice *s)
 {
     const double beyond = pressure_beyond(s);
-    for (int k = 0; k < 2 * s->seal.now->n_vertices; ++k) s->seal.force[k] = 0.0;
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        for (int k = 0; k < 2 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
     for (s->gas = 0; s->gas < s->n_materials; ++s->gas) {
         ice_seal_views(s);
         for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
             double force[2];
-            force_on(s, w.member, w.piece, force);
+            force_on(&w, force);
             for (int a = 0; a < 2; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
-            push_vertices(s, w.piece, force);
+            push_vertices(&w, force);
         }
     }
     s->gas = -1;

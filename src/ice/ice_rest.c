@@ -91,7 +91,7 @@ static cell_place place_of(const ice *s, const int cell[MESH_MAX_DIM])
 static double share_of(const ice *s, int r, const int cell[MESH_MAX_DIM])
 {
     const cell_place c = place_of(s, cell);
-    if (s->sealed) return ice_open_cell(s, r, s->seal.now, cell);
+    if (s->sealed) return ice_open_cell(s, r, SEAL_NOW, cell);
     const double rho = field_get(c.f, C_RHO, r, 0)[c.at];
     return s->multi ? rho * field_get(c.f, C_VOL, r, 0)[c.at] : rho > 0.0 ? 1.0 : 0.0;
 }
@@ -107,7 +107,7 @@ static bool step_to(const mesh *m, const int from[MESH_MAX_DIM], int axis, int s
 
 static bool passes(const ice *s, const ice_rest *r, const int cell[MESH_MAX_DIM], int axis, int side)
 {
-    return !s->sealed || ice_open_face(s, r->material, s->seal.now, cell, axis, side) > 0.0;
+    return !s->sealed || ice_open_face(s, r->material, SEAL_NOW, cell, axis, side) > 0.0;
 }
 
 static floe_status open_region(const ice *s, ice_rest_region *g, const bc_side *side)
@@ -309,7 +309,7 @@ static cell_gas gas_of(const ice *s, const ice_rest *r, const ice_rest_state *st
     const int region = r->n == 1 ? 0 : ice_rest_near(s, r, cell); /* a membrane may have gone far */
     const bool had = r->of[number] >= 0;
     const double pressure = region >= 0 ? state[region].pressure : s->scene->reference_pressure;
-    double share = s->sealed ? ice_open_cell(s, r->material, s->seal.next, cell) : 1.0 - take_solids(s, &c, pressure);
+    double share = s->sealed ? ice_open_cell(s, r->material, SEAL_NEXT, cell) : 1.0 - take_solids(s, &c, pressure);
     if (!s->sealed && !(share > (had ? share_to_stay : share_to_enter))) share = 0.0;
     return (cell_gas){region, region >= 0 ? share : 0.0};
 }

@@ -198,7 +198,7 @@ static void empty_elsewhere(const ice *s)
         for (int j = 0; j < v->b->n[1]; ++j)
             for (int i = 0; i < v->b->n[0]; ++i) {
                 const ptrdiff_t at = mesh_index(v->b, i, j, 0);
-                m->open1[at] = ice_open_cell(s, s->gas, s->seal.next, (const int[]){v->b->lo[0] + i, v->b->lo[1] + j});
+                m->open1[at] = ice_open_cell(s, s->gas, SEAL_NEXT, (const int[]){v->b->lo[0] + i, v->b->lo[1] + j});
                 if (m->open1[at] > 0.0) continue;
                 m->rho1[at] = m->e1[at] = m->u1[0][at] = m->u1[1][at] = 0.0;
             }

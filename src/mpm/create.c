@@ -169,7 +169,7 @@ void mpm_destroy(mpm **s)
     context *ctx = (*s)->ctx;
     if ((*s)->work) {
         free_lines(ctx, (*s)->work);
-        free_push(ctx, &(*s)->work->push);
+        free_push(ctx, (*s)->work);
         free_skins(ctx, &(*s)->work->skin);
         edges_free(ctx, &(*s)->work->edges);
         free_hold(ctx, &(*s)->work->hold);

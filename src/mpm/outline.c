@@ -31,9 +31,8 @@ static floe_status outline_skin(const body_skin *k, bool next, cut_line *out)
     return FLOE_OK;
 }
 
-floe_status mpm_outline(mpm *s, bool next, cut_line *out)
+floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out)
 {
-    const int body = s->work->push.body;
     if (s->work->skin.n > 0) return outline_skin(&s->work->skin, next, out);
     const membrane_line *line = &s->work->line[body];
     int n = 0;
@@ -53,13 +52,12 @@ floe_status mpm_outline(mpm *s, bool next, cut_line *out)
     return FLOE_OK;
 }
 
-void mpm_outline_velocity(const mpm *s, const cut_line *c, double *velocity)
+void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity)
 {
     const body_skin *skin = &s->work->skin;
-    const int body = s->work->push.body;
     for (size_t k = 0; k < skin->n; ++k) memcpy(velocity + 2 * k, skin->now[k].v, 2 * sizeof *velocity);
     if (skin->n > 0) return;
-    double *by_point = s->work->push.v;
+    double *by_point = s->work->push[body].v;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int a = 0; a < 2; ++a) {
             const double *v = field_get(s->domain->fields[b], P_VEL, body, a);
@@ -70,10 +68,9 @@ void mpm_outline_velocity(const mpm *s, const cut_line *c, double *velocity)
         memcpy(velocity + 2 * (ptrdiff_t)k, by_point + 2 * (ptrdiff_t)c->vertex[k].point, 2 * sizeof *velocity);
 }
 
-void mpm_outline_push(mpm *s, const cut_line *c, const double *force)
+void mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force)
 {
-    membrane_push *p = &s->work->push;
-    const int body = p->body;
+    membrane_push *p = &s->work->push[body];
     if (s->work->skin.n > 0) {
         memcpy(s->work->skin.force, force, 2 * s->work->skin.n * sizeof *force);
         return;
@@ -87,11 +84,12 @@ void mpm_outline_push(mpm *s, const cut_line *c, const double *force)
 
 void scatter_push(mpm *s, int group)
 {
-    const membrane_push *p = &s->work->push;
-    if (p->n == 0 || s->body[p->body].group != group) return;
-    for (size_t k = 0; k < p->n; ++k) {
-        const double force[3] = {p->force[2 * k], p->force[2 * k + 1], 0.0};
-        push_nodes(s, group, p->x + 3 * k, force);
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const membrane_push *p = &s->work->push[b];
+        for (size_t k = 0; k < p->n && s->body[b].group == group; ++k) {
+            const double force[3] = {p->force[2 * k], p->force[2 * k + 1], 0.0};
+            push_nodes(s, group, p->x + 3 * k, force);
+        }
     }
 }
 
@@ -108,10 +106,10 @@ static void add_velocity(void *user, ptrdiff_t at, double weight, double mass)
     for (int a = 0; a < 2; ++a) m->sum[a] += weight * (m->last * m->v[a][at] - m->change * m->acceleration[a][at]);
 }
 
-void mpm_outline_path(const mpm *s, const cut_line *c, double *path)
+void mpm_outline_path(const mpm *s, int body, const cut_line *c, double *path)
 {
-    const membrane_push *p = &s->work->push;
-    const int group = s->body[p->body].group;
+    const membrane_push *p = &s->work->push[body];
+    const int group = s->body[body].group;
     const double left = damping_left(s);
     if (s->work->skin.n > 0) {
         memcpy(path, s->work->skin.path, 2 * s->work->skin.n * sizeof *path);
@@ -134,24 +132,28 @@ void mpm_outline_path(const mpm *s, const cut_line *c, double *path)
 
 double mpm_outline_lost(const mpm *s)
 {
-    return s->work->push.lost;
+    return s->work->lost;
 }
 
 floe_status start_push(mpm *s)
 {
-    membrane_push *p = &s->work->push;
-    const int holder = scene_holder(s->scene);
-    for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].scene_body == holder) p->body = b;
-    p->n = s->work->line[p->body].n;
-    TRY(memory_new(s->ctx, &p->x, 3 * p->n, sizeof *p->x));
-    TRY(memory_new(s->ctx, &p->v, 2 * p->n, sizeof *p->v));
-    return memory_new(s->ctx, &p->force, 2 * p->n, sizeof *p->force);
+    for (int b = 0; b < s->n_bodies; ++b) {
+        membrane_push *p = &s->work->push[b];
+        const scene_membrane *given = &s->scene->body[s->body[b].scene_body].membrane;
+        if (!given->present || given->holds < 0) continue;
+        p->n = s->work->line[b].n;
+        TRY(memory_new(s->ctx, &p->x, 3 * p->n, sizeof *p->x));
+        TRY(memory_new(s->ctx, &p->v, 2 * p->n, sizeof *p->v));
+        TRY(memory_new(s->ctx, &p->force, 2 * p->n, sizeof *p->force));
+    }
+    return FLOE_OK;
 }
 
-void free_push(context *ctx, membrane_push *p)
+void free_push(context *ctx, struct mpm_work *w)
 {
-    memory_free(ctx, &p->x);
-    memory_free(ctx, &p->v);
-    memory_free(ctx, &p->force);
+    for (int b = 0; b < SCENE_MAX_BODIES; ++b) {
+        memory_free(ctx, &w->push[b].x);
+        memory_free(ctx, &w->push[b].v);
+        memory_free(ctx, &w->push[b].force);
+    }
 }

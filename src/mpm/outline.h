@@ -6,17 +6,17 @@
 #include "coupling/cut.h"
 #include "mpm/mpm.h"
 
-/* Vertices from the membrane's points or the surfaces' markers, now or next; an end of a membrane on a mirror goes on to it.
- * FLOE_DIVERGED where a point is lost. */
-floe_status mpm_outline(mpm *s, bool next, cut_line *out);
+/* Vertices from the points of a membrane (a body of ours), now or next; an end of it on a mirror goes on to it. Where the interface is sharp, from
+ * the markers of all surfaces, whatever the body, here and below. FLOE_DIVERGED where a point is lost. */
+floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out);
 /* Velocities (m/s) of the vertices, two numbers each. */
-void mpm_outline_velocity(const mpm *s, const cut_line *c, double *velocity);
+void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity);
 /* Forces (N) on the vertices, two numbers each, for the step to come. They are kept until the next call. */
-void mpm_outline_push(mpm *s, const cut_line *c, const double *force);
+void mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force);
 /* The way (m) over which these forces have worked in the step: that of the nodes, in the mean of its start and its end. */
-void mpm_outline_path(const mpm *s, const cut_line *c, double *path);
+void mpm_outline_path(const mpm *s, int body, const cut_line *c, double *path);
 
-/* What the points have lost in the step (J), for the gas to take up as heat (method.losses); 0 where it is to be a drift. */
+/* What all points have lost in the step (J), for the gas to take up as heat (method.losses); 0 where it is to be a drift. */
 double mpm_outline_lost(const mpm *s);
 
 #endif

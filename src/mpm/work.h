@@ -99,14 +99,12 @@ typedef struct spring_state {
     double rest_length; /* m */
 } spring_state;
 
-/* What gas pushes on a membrane (outline.c), by number of its points. Owned arrays; NULL without such a membrane. */
+/* What gas pushes on a membrane (outline.c), by number of its points. Owned arrays. */
 typedef struct membrane_push {
-    int body;
-    size_t n;
+    size_t n;      /* 0: the body holds no gas of the cells */
     double *x;     /* m, three each: where the points are at the start of the step */
     double *v;     /* m/s, two each: scratch */
     double *force; /* N, two each */
-    double lost;   /* J: what points and nodes lost in the step, as heat; 0 where losses are none */
 } membrane_push;
 
 /* A marker on the surface of a solid. */
@@ -161,7 +159,9 @@ struct mpm_work {
     size_t n_surface;
     solid_batch *batch; /* one per thread; owned */
     spring_state spring[SCENE_MAX_SPRINGS];
-    membrane_push push;
+    membrane_push push[SCENE_MAX_BODIES]; /* of our bodies */
+    double
+        lost; /* J: what points and nodes lost in the step, for a gas of the cells as heat; 0 where losses are none */
     body_skin skin;
     gas_hold hold;
     support_node *support; /* owned */
@@ -278,7 +278,7 @@ double spring_rate(const mpm *s, const char **name);
 
 /* Gas that pushes on a membrane (outline.c). */
 floe_status start_push(mpm *s);
-void free_push(context *ctx, membrane_push *p);
+void free_push(context *ctx, struct mpm_work *w);
 void scatter_push(mpm *s, int group);
 
 /* Surfaces of solids in gas (skin.c): markers laid on the shapes, the gas's push on the nodes of a group, where they go, and that for good. */

@@ -39,11 +39,18 @@ void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE
     (void)snprintf(text, SCENE_SETTING, "%s=%s", key, value);
 }
 
+int scene_holders(const scene *s, int body[SCENE_MAX_HOLDERS])
+{
+    int n = 0;
+    for (int b = 0; b < s->n_bodies && n < SCENE_MAX_HOLDERS; ++b)
+        if (s->body[b].membrane.present && s->body[b].membrane.holds >= 0) body[n++] = b;
+    return n;
+}
+
 int scene_holder(const scene *s)
 {
-    for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].membrane.present && s->body[b].membrane.holds >= 0) return b;
-    return -1;
+    int body[SCENE_MAX_HOLDERS];
+    return scene_holders(s, body) > 0 ? body[0] : -1;
 }
 
 bool scene_is_cut(const scene *s)

@@ -23,7 +23,8 @@ enum {
     SCENE_MAX_EXCHANGES = 66, /* all pairs of materials */
     SCENE_MAX_SPRINGS = 64,
     SCENE_MAX_SUPPORTS = 16,
-    SCENE_MAX_AXIS = 32, /* values of an axis */
+    SCENE_MAX_HOLDERS = 3, /* membranes that hold gas of the cells */
+    SCENE_MAX_AXIS = 32,   /* values of an axis */
     SCENE_MAX_AXES = 6,
     SCENE_MAX_WITH = 8, /* keys that change along with that of an axis */
     SCENE_MAX_OVER = 2,
@@ -436,8 +437,10 @@ const char *scene_time_unit(const scene *s);
 int scene_axis_settings(const scene_axis *axis);
 /* "KEY=VALUE" of the k-th of them, its own first, at the axis' value number `pick`. */
 void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING]);
-/* The body whose membrane holds a gas of the cells, or -1. */
+/* The first body whose membrane holds a gas of the cells, or -1. */
 int scene_holder(const scene *s);
+/* All of them, up to SCENE_MAX_HOLDERS, in their order; returns how many. */
+int scene_holders(const scene *s, int body[SCENE_MAX_HOLDERS]);
 /* Whether lines cut the cells of gas in ice-mpm: a membrane that holds a gas, or surfaces of solids (interface sharp). */
 bool scene_is_cut(const scene *s);
 /* Whether a body takes part in the scene's contact. */

@@ -3,12 +3,12 @@
 #include "base/memory.h"
 #include "mpm/outline.h"
 
-/* Cells see the membrane, and no other body: another may stand in the vacuum beyond it, not in a gas. */
+/* Cells see the membranes, and no other body: another may stand in the vacuum beyond them, not in a gas. */
 static floe_status check_bodies(const sim *s)
 {
     for (int b = 0; b < s->scene->n_bodies; ++b) {
         const scene_material *m = &s->scene->material[s->scene->body[b].material];
-        if (m->kind == MATERIAL_FLUID || b == scene_holder(s->scene)) continue;
+        if (m->kind == MATERIAL_FLUID || s->scene->body[b].membrane.holds >= 0) continue;
         return fail(
             s->ctx, FLOE_BAD_INPUT,
             "body '%s' stands in the gas beside a membrane that holds one, where cells do not see it; leave the "
@@ -33,6 +33,7 @@ static floe_status check_sharp(const sim *s)
 
 static floe_status check_scene(const sim *s)
 {
+    int holder[SCENE_MAX_HOLDERS];
     const bool sharp = s->scene->method.interface == INTERFACE_SHARP;
     if (s->mesh.dim != 2 || s->mesh.periodic[0] || s->mesh.periodic[1])
         return fail(
@@ -40,89 +41,131 @@ static floe_status check_scene(const sim *s)
             "%s needs a domain in two dimensions, plane or axisymmetric, without periodic sides (use %s for others)",
             sharp ? "method.interface: sharp" : "a membrane that holds gas", sharp ? "smeared" : "mpm");
     if (sharp) return check_sharp(s);
-    return s->ice->n_materials == 1 ? FLOE_OK : check_bodies(s);
+    return s->ice->n_materials == scene_holders(s->scene, holder) ? FLOE_OK : check_bodies(s);
+}
+
+static floe_status create_line(sealed *t, const mesh *m, int holder, sealed_line *line)
+{
+    line->share = 1.0;
+    for (int b = 0; b < t->points->n_bodies; ++b)
+        if (t->points->body[b].scene_body == holder) line->body = b;
+    for (int k = 0; k < SEAL_PLACES; ++k) TRY(cut_create(&line->place[k], t->ctx, m));
+    return FLOE_OK;
 }
 
 floe_status sealed_create(sealed **out, sim *s)
 {
+    int holder[SCENE_MAX_HOLDERS] = {-1}; /* surfaces of solids have none */
+    const int n = scene_holders(s->scene, holder);
     TRY(check_scene(s));
     TRY(memory_new(s->ctx, out, 1, sizeof **out));
     sealed *t = *out;
-    *t = (sealed){.ctx = s->ctx, .stages = &s->stages, .points = s->mpm, .gases = s->ice};
-    for (int k = 0; k < ICE_SEAL_PLACES; ++k) TRY(cut_create(&t->mean[k], s->ctx, &s->mesh));
-    TRY(cut_create(&t->now, s->ctx, &s->mesh));
-    return cut_create(&t->next, s->ctx, &s->mesh);
+    *t = (sealed){.ctx = s->ctx, .stages = &s->stages, .points = s->mpm, .gases = s->ice, .n_lines = n > 0 ? n : 1};
+    for (int l = 0; l < t->n_lines; ++l) TRY(create_line(t, &s->mesh, holder[l], &t->line[l]));
+    return FLOE_OK;
 }
 
 void sealed_destroy(sealed **t)
 {
     if (!t || !*t) return;
     context *ctx = (*t)->ctx;
-    cut_destroy(&(*t)->now);
-    cut_destroy(&(*t)->next);
-    for (int k = 0; k < ICE_SEAL_PLACES; ++k) cut_destroy(&(*t)->mean[k]);
-    memory_free(ctx, &(*t)->velocity);
-    memory_free(ctx, &(*t)->path);
-    memory_free(ctx, &(*t)->force);
+    for (int l = 0; l < (*t)->n_lines; ++l) {
+        sealed_line *line = &(*t)->line[l];
+        for (int k = 0; k < SEAL_PLACES; ++k) cut_destroy(&line->place[k]);
+        memory_free(ctx, &line->velocity);
+        memory_free(ctx, &line->path);
+        memory_free(ctx, &line->force);
+    }
     memory_free(ctx, t);
 }
 
-static floe_status make_room(sealed *t, int vertices)
+static floe_status make_room(const sealed *t, sealed_line *line, int vertices)
 {
-    if (vertices <= t->room) return FLOE_OK;
-    TRY(memory_resize(t->ctx, &t->velocity, 2 * (size_t)vertices, sizeof(double)));
-    TRY(memory_resize(t->ctx, &t->path, 2 * (size_t)vertices, sizeof(double)));
-    TRY(memory_resize(t->ctx, &t->force, 2 * (size_t)vertices, sizeof(double)));
-    t->room = vertices;
+    if (vertices <= line->room) return FLOE_OK;
+    TRY(memory_resize(t->ctx, &line->velocity, 2 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &line->path, 2 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &line->force, 2 * (size_t)vertices, sizeof(double)));
+    line->room = vertices;
+    return FLOE_OK;
+}
+
+static floe_status find_line_now(sealed *t, sealed_line *line)
+{
+    cut_line *now = &line->place[SEAL_NOW];
+    TRY(mpm_outline(t->points, line->body, false, now));
+    TRY(cut_find(now));
+    TRY(make_room(t, line, now->n_vertices));
+    mpm_outline_velocity(t->points, line->body, now, line->velocity);
+    for (int k = 0; k < ICE_SEAL_PLACES; ++k)
+        TRY(cut_ahead(now, line->velocity, (k + 0.5) / ICE_SEAL_PLACES * t->gases->dt, &line->place[SEAL_MEAN + k]));
     return FLOE_OK;
 }
 
 /* The lines where they are: what they cut, and how fast they move. */
 static floe_status sealed_find_now(sealed *t)
 {
-    TRY(mpm_outline(t->points, false, &t->now));
-    TRY(cut_find(&t->now));
-    TRY(make_room(t, t->now.n_vertices));
-    mpm_outline_velocity(t->points, &t->now, t->velocity);
-    for (int k = 0; k < ICE_SEAL_PLACES; ++k)
-        TRY(cut_ahead(&t->now, t->velocity, (k + 0.5) / ICE_SEAL_PLACES * t->gases->dt, &t->mean[k]));
-    t->gases->seal = (ice_seal){.held = t->gases->seal.held,
-                                .now = &t->now,
-                                .next = &t->next,
-                                .mean = t->mean,
-                                .n_mean = ICE_SEAL_PLACES,
-                                .velocity = t->velocity,
-                                .path = t->path,
-                                .force = t->force};
+    for (int l = 0; l < t->n_lines; ++l) {
+        sealed_line *line = &t->line[l];
+        TRY(find_line_now(t, line));
+        t->gases->seal.line[l] = (ice_seal_line){.held = t->gases->seal.line[l].held,
+                                                 .place = line->place,
+                                                 .velocity = line->velocity,
+                                                 .path = line->path,
+                                                 .force = line->force};
+    }
+    for (int place = SEAL_NOW; place < SEAL_NEXT; ++place) TRY(ice_seal_check(t->gases, place));
     return FLOE_OK;
 }
 
 floe_status sealed_find_still(sealed *t)
 {
-    TRY(mpm_outline(t->points, false, &t->now));
-    TRY(cut_find(&t->now));
-    t->gases->seal = (ice_seal){.held = t->gases->seal.held, .now = &t->now, .next = &t->next};
-    return FLOE_OK;
+    for (int l = 0; l < t->n_lines; ++l) {
+        sealed_line *line = &t->line[l];
+        TRY(mpm_outline(t->points, line->body, false, &line->place[SEAL_NOW]));
+        TRY(cut_find(&line->place[SEAL_NOW]));
+        t->gases->seal.line[l] = (ice_seal_line){.held = t->gases->seal.line[l].held, .place = line->place};
+    }
+    return ice_seal_check(t->gases, SEAL_NOW);
 }
 
 floe_status sealed_find_moved(sealed *t)
 {
-    TRY(mpm_outline(t->points, true, &t->next));
-    return cut_find(&t->next);
+    for (int l = 0; l < t->n_lines; ++l) {
+        cut_line *next = &t->line[l].place[SEAL_NEXT];
+        TRY(mpm_outline(t->points, t->line[l].body, true, next));
+        TRY(cut_find(next));
+    }
+    return ice_seal_check(t->gases, SEAL_NEXT);
 }
 
 static floe_status sealed_push_points(sealed *t)
 {
-    mpm_outline_push(t->points, &t->now, t->force);
+    for (int l = 0; l < t->n_lines; ++l)
+        mpm_outline_push(t->points, t->line[l].body, &t->line[l].place[SEAL_NOW], t->line[l].force);
     return FLOE_OK;
 }
 
 /* Where the points have gone, and over which way the pressure has worked. */
 static floe_status sealed_find_next(sealed *t)
 {
-    mpm_outline_path(t->points, &t->now, t->path);
-    t->gases->seal.heat = mpm_outline_lost(t->points);
+    for (int l = 0; l < t->n_lines; ++l) {
+        sealed_line *line = &t->line[l];
+        mpm_outline_path(t->points, line->body, &line->place[SEAL_NOW], line->path);
+        t->gases->seal.line[l].heat = line->share * mpm_outline_lost(t->points);
+    }
     return sealed_find_moved(t);
+}
+
+/* Which line's gas takes up how much of what the points lose. */
+static floe_status share_losses(sealed *t)
+{
+    mpm_totals sum;
+    double mass = 0.0;
+    if (t->n_lines == 1) return FLOE_OK;
+    TRY(mpm_sum(t->points, &sum));
+    for (int l = 0; l < t->n_lines; ++l) mass += sum.mass[t->line[l].body];
+    for (int l = 0; l < t->n_lines; ++l) t->line[l].share = sum.mass[t->line[l].body] / mass;
+    return FLOE_OK;
 }
 
 /* What would only be met as a step that goes bad is said at the start. */
@@ -131,7 +174,8 @@ static floe_status check_lines(const sim *s, floe_status found)
     double x[2];
     if (found == FLOE_RETRY) return FLOE_BAD_INPUT; /* the message stands */
     TRY(found);
-    if (s->scene->method.interface != INTERFACE_SHARP || !cut_is_thin(&s->sealed->now, x)) return FLOE_OK;
+    if (s->scene->method.interface != INTERFACE_SHARP || !cut_is_thin(&s->sealed->line[0].place[SEAL_NOW], x))
+        return FLOE_OK;
     return fail(s->ctx, FLOE_BAD_INPUT,
                 "a solid is thinner than a cell at (%g, %g), where the gas of its two sides would share it: refine "
                 "'domain.cell', or leave 'method.interface' out",
@@ -140,6 +184,7 @@ static floe_status check_lines(const sim *s, floe_status found)
 
 floe_status sealed_initialise(sim *s)
 {
+    TRY(share_losses(s->sealed));
     TRY(check_lines(s, sealed_find_now(s->sealed)));
     return ice_sealed_initialise(s->ice);
 }

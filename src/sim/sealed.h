@@ -6,16 +6,22 @@
 #include "coupling/cut.h"
 #include "sim/sim.h"
 
-/* What a step knows of the lines. */
+/* What a step knows of a membrane, or of the surfaces of all solids. */
+typedef struct sealed_line {
+    int body;                        /* the membrane's, of the points; 0 for surfaces, which need none */
+    cut_line place[SEAL_PLACES];     /* as in ice_seal_line */
+    double *velocity, *path, *force; /* of the vertices, two each; owned */
+    int room;                        /* vertices that these hold */
+    double share; /* of the mass of all membranes: how much of what the points lose goes into its gas */
+} sealed_line;
+
 typedef struct sealed {
     context *ctx;       /* not owned */
     stage_list *stages; /* not owned */
     mpm *points;        /* not owned */
     ice *gases;         /* not owned */
-    cut_line now, next;
-    cut_line mean[ICE_SEAL_PLACES];  /* where they pass in the step, going on as they do now */
-    double *velocity, *path, *force; /* of the vertices, two each; owned */
-    int room;                        /* vertices that these hold */
+    sealed_line line[SCENE_MAX_HOLDERS];
+    int n_lines;
 } sealed;
 
 floe_status sealed_create(struct sealed **out, sim *s);
