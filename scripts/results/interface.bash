@@ -28,8 +28,8 @@ interface_ring() {
         '|---|---|---|---|---|---|---|---|---|---|'
     printf 'h,smeared,sharp,traction\n' >"$results/$name-ring.csv"
     for h in "${spacing[@]}"; do
-        floe_run_rest "ring-smeared-$h" inputs/pressurized_cylinder.yaml --set "domain.cell=$h"
-        floe_run_rest "ring-sharp-$h" inputs/pressurized_cylinder.yaml --set "domain.cell=$h" --set method.interface=sharp
+        floe_run_rest "ring-smeared-$h" inputs/pressurized_cylinder.yaml --set method.edge_penalty=0 --set "domain.cell=$h"
+        floe_run_rest "ring-sharp-$h" inputs/pressurized_cylinder.yaml --set method.edge_penalty=0 --set "domain.cell=$h" --set method.interface=sharp
         floe_run_rest "ring-traction-$h" inputs/annulus_traction.yaml --set "domain.cell=$h"
         row=()
         for kind in smeared sharp traction; do

@@ -2,7 +2,7 @@
 # floe study: crossed axes, cases that diverge, going on after a kill and a stop.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
-scene=("$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --set time.end=2e-3 --quiet)
+scene=("$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --set time.end=2e-3 --set method.edge_penalty=0 --quiet)
 
 # plain FILE: a study without what depends on the time that it took: objects named timing, and three keys of summaries.
 plain() {

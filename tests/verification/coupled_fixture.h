@@ -238,20 +238,51 @@ FIXTURE void same_steps(begin_trial *begin, const void *one, const void *other, 
     state_free(&found);
 }
 
+enum { FIXTURE_EXTRAS = 3 };
+
+/* What is written of a run, and read into one: what no field holds is in the extra arrays. */
+FIXTURE checkpoint_run checkpoint_of(const trial *t, checkpoint_extra extra[FIXTURE_EXTRAS])
+{
+    checkpoint_extra surface = {.name = "surface", .components = 3}, skin = {.name = "skin", .components = 6},
+                     edges = {.name = "edges", .components = 1, .stride = 1};
+    checkpoint_run run = {.deck = "floe: 1\n", .identity = "floe: 1\n", .extra = extra};
+    if (!t->sim->mpm) return run;
+    surface.data = mpm_surface(t->sim->mpm, &surface.n, &surface.stride);
+    skin.data = mpm_skin(t->sim->mpm, &skin.n, &skin.stride);
+    edges.data = mpm_edges_state(t->sim->mpm, &edges.n);
+    if (surface.data) extra[run.n_extra++] = surface;
+    if (skin.data) extra[run.n_extra++] = skin;
+    if (edges.data) extra[run.n_extra++] = edges;
+    return run;
+}
+
+FIXTURE void write_checkpoint(const trial *t, const char *path)
+{
+    checkpoint_extra extra[FIXTURE_EXTRAS];
+    const checkpoint_run run = checkpoint_of(t, extra);
+    check_ok(t->ctx, checkpoint_write(t->sim, path, &run));
+}
+
+FIXTURE void read_checkpoint(const trial *t, const char *path)
+{
+    checkpoint_extra extra[FIXTURE_EXTRAS];
+    checkpoint_run run = checkpoint_of(t, extra);
+    check_ok(t->ctx, checkpoint_read(t->sim, path, &run));
+}
+
 /* A run that goes on comes to the bits of one that is read from its checkpoint, in another way. */
 FIXTURE void same_after_resuming(begin_trial *begin, const void *one, const void *other, int before, int after)
 {
     const checkpoint_place place = checkpoint_place_make();
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     trial t;
     begin(&t, one);
     check_ok(t.ctx, io_init(t.ctx));
     trial_steps(&t, before);
-    check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
+    write_checkpoint(&t, place.path);
     trial_steps(&t, after);
     state expected = trial_finish(&t);
     begin(&t, other);
-    check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
+    read_checkpoint(&t, place.path);
     trial_steps(&t, after);
     state found = trial_finish(&t);
     same_state(&expected, &found);

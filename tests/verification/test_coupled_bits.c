@@ -74,21 +74,20 @@ static void resume_at(const char *path, long steps)
 {
     const variant one = {1, 1, "method.basis=quadratic", "domain.cell=0.1", "pressurized_cylinder"},
                   four = {2, 1, one.basis, one.cell, one.deck};
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     state expected[STEPS_ON];
     trial t;
     begin(&t, &one);
     check_ok(t.ctx, io_init(t.ctx));
     assert_int_equal(t.scene->material[1].kind, MATERIAL_FLUID);
     trial_steps(&t, steps);
-    check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+    write_checkpoint(&t, path);
     for (int k = 0; k < STEPS_ON; ++k) {
         trial_steps(&t, 1);
         keep(&t, &expected[k]);
     }
     trial_end(&t);
     begin(&t, &four);
-    check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+    read_checkpoint(&t, path);
     for (int k = 0; k < STEPS_ON; ++k) {
         state found;
         trial_steps(&t, 1);

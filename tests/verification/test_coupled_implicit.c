@@ -59,7 +59,6 @@ static void resume(void **unused)
 {
     (void)unused;
     const checkpoint_place place = checkpoint_place_make();
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     for (int k = 0; k < VARIANTS; ++k)
         for (long steps = 0; steps < 24; steps += 11) {
             trial t;
@@ -67,11 +66,11 @@ static void resume(void **unused)
             begin(&t, &variants[k], 1, 1, &solution);
             check_ok(t.ctx, io_init(t.ctx));
             trial_steps(&t, steps);
-            check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
+            write_checkpoint(&t, place.path);
             state expected = after(&t, STEPS_ON);
             variant_end(&t, &solution);
             begin(&t, &variants[k], 2, 1, &solution);
-            check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
+            read_checkpoint(&t, place.path);
             state found = after(&t, STEPS_ON);
             same_state(&expected, &found);
             state_free(&found);
@@ -89,7 +88,6 @@ static void auto_changes_and_resumes(void **unused)
     static const deck_variant box = {
         "box", "closed_box", COUPLING_ICE, 1, 3, {"method.pressure=auto", "time.acoustic_cfl=20", "time.end=1"}};
     const checkpoint_place place = checkpoint_place_make();
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     trial t;
     exact solution;
     begin(&t, &box, 1, 1, &solution);
@@ -101,13 +99,13 @@ static void auto_changes_and_resumes(void **unused)
     trial_steps(&t, 10);
     assert_false(t.sim->ice->implicit);
     assert_non_null(strstr(t.sim->pressure_reason, "from now on explicit"));
-    check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
+    write_checkpoint(&t, place.path);
     t.scene->time.acoustic_cfl = 20.0;
     state expected = after(&t, 70);
     assert_true(t.sim->ice->implicit);
     variant_end(&t, &solution);
     begin(&t, &box, 2, 1, &solution);
-    check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
+    read_checkpoint(&t, place.path);
     assert_false(t.sim->ice->implicit);
     state found = after(&t, 70);
     same_state(&expected, &found);

@@ -307,7 +307,6 @@ static state run(int blocks, int threads, const char *path)
 {
     const char *set[] = {"domain.cell=0.05", "materials.air={eos: {ideal: {gamma: 1.4, specific_heat: 1}}}",
                          "ambient={material: air, pressure: 10, temperature: 7}"};
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     trial t;
     deck_begin(&t, "membrane_circle", set, 3);
     for (int a = 0; a < 2; ++a) t.scene->mesh.blocks[a] = blocks;
@@ -316,11 +315,11 @@ static state run(int blocks, int threads, const char *path)
     trial_steps(&t, 50);
     if (path) { /* written, and read into another run with other blocks */
         check_ok(t.ctx, io_init(t.ctx));
-        check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+        write_checkpoint(&t, path);
         trial_end(&t);
         deck_begin(&t, "membrane_circle", set, 3);
         check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-        check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+        read_checkpoint(&t, path);
     }
     trial_steps(&t, 50);
     return trial_finish(&t);

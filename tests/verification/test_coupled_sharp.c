@@ -170,13 +170,6 @@ static void test_sphere(void **unused)
 
 /* ---- the same bits ---- */
 
-static checkpoint_run with_markers(const trial *t, checkpoint_extra *extra)
-{
-    *extra = (checkpoint_extra){.name = "skin", .components = 6};
-    extra->data = mpm_skin(t->sim->mpm, &extra->n, &extra->stride);
-    return (checkpoint_run){.deck = "floe: 1\n", .identity = "floe: 1\n", .extra = extra, .n_extra = 1};
-}
-
 static void ring_begin(trial *t, int blocks)
 {
     const char *set[] = {"domain.cell=0.05", "method={basis: quadratic, interface: sharp}"};
@@ -186,8 +179,6 @@ static void ring_begin(trial *t, int blocks)
 
 static state run(int blocks, int threads, const char *path)
 {
-    checkpoint_extra extra;
-    checkpoint_run info;
     trial t;
     ring_begin(&t, blocks);
     use_threads(threads);
@@ -195,13 +186,11 @@ static state run(int blocks, int threads, const char *path)
     trial_steps(&t, 30);
     if (path) { /* written, and read into another run with other blocks */
         check_ok(t.ctx, io_init(t.ctx));
-        info = with_markers(&t, &extra);
-        check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+        write_checkpoint(&t, path);
         trial_end(&t);
         ring_begin(&t, 1);
         check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-        info = with_markers(&t, &extra);
-        check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+        read_checkpoint(&t, path);
     }
     trial_steps(&t, 30);
     return trial_finish(&t);

@@ -184,16 +184,6 @@ static void test_cylinder(void **unused)
 
 /* ---- resuming ---- */
 
-static checkpoint_run checkpoint_of(trial *t, checkpoint_extra extra[2])
-{
-    size_t n, stride;
-    double *place = mpm_surface(t->sim->mpm, &n, &stride);
-    extra[0] = (checkpoint_extra){.name = "surface", .data = place, .n = n, .components = 3, .stride = stride};
-    double *edges = mpm_edges_state(t->sim->mpm, &n);
-    extra[1] = (checkpoint_extra){.name = "edges", .data = edges, .n = n, .components = 1, .stride = 1};
-    return (checkpoint_run){.deck = "floe: 1\n", .identity = "floe: 1\n", .extra = extra, .n_extra = 2};
-}
-
 static void begin_resumed(trial *t, int blocks, int threads)
 {
     const char *const set[] = {"domain.cell=0.1", "method.edge_penalty=0.05"};
@@ -208,7 +198,6 @@ static void test_resume(void **unused)
 {
     (void)unused;
     char folder[] = "/tmp/floe-test-XXXXXX", path[64];
-    checkpoint_extra extra[2];
     assert_non_null(mkdtemp(folder));
     (void)snprintf(path, sizeof path, "%s/checkpoint.h5", folder);
     const checkpoint_place place = checkpoint_place_make();
@@ -217,13 +206,11 @@ static void test_resume(void **unused)
     check_ok(t.ctx, io_init(t.ctx));
     trial_steps(&t, 60);
     assert_true(largest_difference(&t) > 0.0);
-    checkpoint_run info = checkpoint_of(&t, extra);
-    check_ok(t.ctx, checkpoint_write(t.sim, place.path, &info));
+    write_checkpoint(&t, place.path);
     trial_steps(&t, 40);
     state expected = trial_finish(&t);
     begin_resumed(&t, 2, 2);
-    info = checkpoint_of(&t, extra);
-    check_ok(t.ctx, checkpoint_read(t.sim, place.path, &info));
+    read_checkpoint(&t, place.path);
     trial_steps(&t, 40);
     state found = trial_finish(&t);
     same_state(&expected, &found);
