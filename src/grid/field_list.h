@@ -105,6 +105,9 @@
     X(C_TMV_RATIO, "material_volume_ratio", CELL, SCALAR, "1", SCRATCH, "TMV / V")                                   \
     X(C_RHO_SUM, "density_sum", CELL, SCALAR, "kg/m3", SCRATCH, "sum of rho^r")                                      \
     X(C_KAPPA_SUM, "compressibility_sum", CELL, SCALAR, "1/Pa", SCRATCH, "S = sum theta^r kappa^r")                  \
+    X(C_HEAT_OWED, "heat_owed", CELL, SCALAR, "J/m3", SCRATCH,                                                       \
+      "of several fluids: what closes the energy of the pressure step beyond reversible work; after exchange, what " \
+      "is left over")                                                                                                \
     X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "s: 0 smooth, 1 at a shock; phi = (1 + s) / 2")           \
     X(C_CONTACT, "contact_sensor", CELL, SCALAR, "1", SCRATCH, "of one fluid: 0 smooth, 1 across a contact")         \
     X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")               \

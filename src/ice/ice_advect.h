@@ -73,7 +73,7 @@ void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int
                      ice_advect_result *result);
 
 /* What is left of a material below this share of a cell is dropped (ice_transport.c). */
-static const double ice_least_fraction = 1e-13;
+static const double ice_least_fraction = 1e-13, ice_least_share = 1e-18;
 /* Below this share of a cell round-off is looked for. */
 static const double ice_sliver = 1e-6;
 /* Takes back the new velocity and energy of a sliver where they are quotients of round-off. */

@@ -39,14 +39,58 @@ static double kinetic(const mixed_cell *c)
     return sum;
 }
 
-/* Kinetic energy lost to the exchange becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out. */
-static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const mixed_cell *c, double lost)
+/* Energy of relative motion per volume that the pressure has made in the step, driving light and heavy fluids apart: exchange only takes it back. */
+static double driven_apart(const ice *s, const ice_view *v, ptrdiff_t at)
 {
-    if (!s->scene->method.conserve_energy || ice_holds_points(v, at) || !(lost > 0.0)) return;
+    double sum = 0.0;
+    for (int a = 0; a < v->dim; ++a) {
+        double mass = 0.0, change = 0.0, square = 0.0;
+        for (int r = 0; r < s->n_materials; ++r) {
+            const ice_arrays *m = &v->m[r];
+            const double rho = m->rho[at];
+            if (!(rho > 0.0)) continue;
+            const double du = m->ul[a][at] - m->u[a][at];
+            mass += rho;
+            change += rho * du;
+            square += rho * du * du;
+        }
+        sum += 0.5 * most(square - change * change / mass, 0.0);
+    }
+    return sum;
+}
+
+/* What closes the energy of a cell of fluids, by rho T, so that none is cooled more than another; where one had less than nothing left, or
+ * next to nothing beside its motion, it stays owed. */
+static void settle(const ice *s, const ice_view *v, ptrdiff_t at, double heat)
+{
     double total = 0.0;
-    for (int r = 0; r < c->n; ++r) total += c->theta[r];
-    for (int r = 0; r < c->n; ++r)
-        if (c->mass[r] > 0.0) v->m[r].el[at] += lost * c->theta[r] / total / c->mass[r];
+    for (int r = 0; r < s->n_materials; ++r) total += v->m[r].rho[at] * v->m[r].T[at];
+    const double warming = heat / total;
+    bool usable = true;
+    for (int r = 0; r < s->n_materials && heat < 0.0; ++r) {
+        const ice_arrays *m = &v->m[r];
+        const double floor = s->work->energy_floor[r];
+        double kinetic = 0.0;
+        if (!(m->rho[at] > 0.0)) continue;
+        for (int a = 0; a < v->dim; ++a) kinetic += 0.5 * m->ul[a][at] * m->ul[a][at];
+        usable = usable && m->el[at] + warming * m->T[at] - (isnan(floor) ? 0.0 : floor) > ICE_THERMAL_SHARE * kinetic;
+    }
+    v->owed[at] = usable ? 0.0 : heat;
+    for (int r = 0; r < s->n_materials && usable; ++r)
+        if (v->m[r].rho[at] > 0.0) v->m[r].el[at] += warming * v->m[r].T[at];
+}
+
+/* Kinetic energy that friction has taken becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out. What the
+ * pressure had driven apart closes its own account. */
+static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const double *theta, double lost, double apart)
+{
+    if (!s->scene->method.conserve_energy || ice_holds_points(v, at)) return;
+    const double back = least(most(lost, 0.0), apart), friction = most(lost, 0.0) - back;
+    double total = 0.0;
+    for (int r = 0; r < s->n_materials; ++r) total += theta[r];
+    for (int r = 0; r < s->n_materials && friction > 0.0; ++r)
+        if (v->m[r].rho[at] > 0.0) v->m[r].el[at] += friction * theta[r] / total / v->m[r].rho[at];
+    settle(s, v, at, v->owed[at] + back);
 }
 
 static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_cell *c)
@@ -66,7 +110,7 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
 {
     mixed_cell c;
     gather(s, v, at, volume, &c);
-    const double before = kinetic(&c);
+    const double before = kinetic(&c), apart = ice_holds_points(v, at) ? 0.0 : driven_apart(s, v, at);
     if (s->work->pairs.plain) {
         exchange_matrix a;
         exchange_couple(c.n, s->exchange.K, c.theta, s->dt * c.room, a);
@@ -74,7 +118,7 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
     } else {
         relax_by_laws(s, v, at, &c);
     }
-    deposit(s, v, at, &c, before - kinetic(&c));
+    const double lost = before - kinetic(&c);
     for (int r = 0; r < c.n; ++r)
         for (int x = 0; x < c.dim; ++x) {
             const ice_arrays *m = &v->m[r];
@@ -83,6 +127,7 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
             else if (m->rho[at] > 0.0)
                 m->dv[x][at] = c.u[x][r] - m->mom[x][at] / (m->rho[at] * volume);
         }
+    deposit(s, v, at, c.theta, lost, apart);
 }
 
 /* The same for two fluids alone. */
@@ -90,6 +135,7 @@ static void exchange_two_fluids(ice *s, const ice_view *v, ptrdiff_t at)
 {
     const ice_arrays *m = v->m;
     const double m0 = m[0].rho[at], m1 = m[1].rho[at], t0 = m[0].theta[at], t1 = m[1].theta[at];
+    const double apart = driven_apart(s, v, at), theta[2] = {t0, t1};
     double lost = 0.0;
     for (int a = 0; a < v->dim; ++a) {
         double u0 = m[0].ul[a][at], u1 = m[1].ul[a][at];
@@ -99,9 +145,7 @@ static void exchange_two_fluids(ice *s, const ice_view *v, ptrdiff_t at)
         m[0].ul[a][at] = u0;
         m[1].ul[a][at] = u1;
     }
-    if (!s->scene->method.conserve_energy || !(lost > 0.0)) return;
-    m[0].el[at] += lost * t0 / ((t0 + t1) * m0);
-    m[1].el[at] += lost * t1 / ((t0 + t1) * m1);
+    deposit(s, v, at, theta, lost, apart);
 }
 
 /* (diag(m c_v) + B) T; temperatures after the sources are T + (e^L - e)/c_v. */
@@ -143,6 +187,30 @@ static void lone_points(const ice_view *v, int r)
         }
 }
 
+/* What is still owed has been made or lost, and is entered. */
+static void note_owed(ice *s)
+{
+    ice_clear_tiles(s);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_rows q = ice_rows_of(v.b, -1, 0);
+        const int chunk = ice_rows_chunk(s, q);
+#pragma omp parallel for schedule(static, chunk)
+        for (int row = 0; row < q.n; ++row) {
+            const int j = ice_row_j(q, row), k = ice_row_k(q, row);
+            for (int i = 0; i < v.b->n[0]; ++i) {
+                const double owed = v.owed[mesh_index(v.b, i, j, k)];
+                if (owed == 0.0) continue;
+                double *tile = ice_tile(s, v.b, i, j, k);
+                tile[TILE_DEFECT] -= owed * v.volume[i];
+                tile[TILE_GUARDS] += 1.0;
+            }
+        }
+    }
+    ice_enter_tiles(s);
+}
+
 floe_status ice_exchange(ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
@@ -165,5 +233,6 @@ floe_status ice_exchange(ice *s)
             if (heat) exchange_heat(s, &v, at);
         }
     }
+    if (s->scene->method.conserve_energy) note_owed(s);
     return FLOE_OK;
 }

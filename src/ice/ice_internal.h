@@ -61,7 +61,7 @@ typedef struct ice_view {
     const double *volume;  /* m3 of local cell i along axis 0 */
     const double *area0;   /* of its lower face along axis 0 */
     const double *radius0; /* m: of that face, where axis 0 is a radius */
-    double *p, *P, *dP, *shock, *contact, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv, *wall;
+    double *p, *P, *dP, *shock, *contact, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv, *wall, *owed;
     double *fp[3], *flux[3];
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
@@ -237,6 +237,14 @@ floe_status ice_hydrostatic(ice *s);
 /* Cells whose pressure is continued into a solid take no increment (ice_continue.c). */
 void ice_hold_continued(const ice *s);
 bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at);
+
+/* Specific volume of a material after an increment of pressure (numerics 2.10). Slivers, and what is `bound`, lose or gain no more than a factor of
+ * ten in a step. */
+static inline double ice_room_after(const ice_arrays *m, ptrdiff_t at, double dP, bool bound)
+{
+    const double most_change = 10.0, room = m->v[at], next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
+    return m->theta[at] < 1e-4 || bound ? least(most(next, room / most_change), room * most_change) : next;
+}
 
 /* Volume fractions at faces and the volume flux that they make, of several materials (2.3). */
 void ice_face_fractions(const ice *s, const ice_view *v);

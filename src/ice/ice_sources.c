@@ -7,6 +7,8 @@
  *     where it cannot: Q^r = theta^r kappa^r P dP per volume (2.7) */
 #include "ice/ice_internal.h"
 
+#include "coupling/isentrope.h"
+
 #include <math.h>
 
 /* Pressure gradient impulse per volume and the work that faces do on the cell per volume. */
@@ -70,8 +72,21 @@ FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve
  * pressurised cylinder: e of 1e11 J/kg at theta = 1e-5, and the time step with it). */
 #define FULL_HEAT 1e-2
 
-/* Several materials. */
-FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve, const double *floor,
+/* A fluid's gain of energy per mass by the reversible work of dP: P dP, and where its volume changes by more than a twentieth, what its isentrope
+ * has between the volumes (ice_volume.c), since a trace of gas in a liquid would else gain in one step what it expands against. */
+static double reversible_gain(const ice *s, const ice_view *v, int r, ptrdiff_t at, double work)
+{
+    const ice_arrays *m = &v->m[r];
+    const double linear = m->theta[at] * m->kappa[at] * work / m->rho[at], squeeze = m->kappa[at] * v->dP[at];
+    isentrope path;
+    if (!s->work->reconcile || fabs(squeeze) <= 0.05) return linear;
+    if (!isentrope_through(&s->material[v->first + r].eos, m->v[at], m->e[at], &path)) return linear;
+    return isentrope_energy(&path, ice_room_after(m, at, v->dP[at], false)) - m->e[at];
+}
+
+/* Several materials. In cells of several fluids only the reversible part is given here: velocities that the pressure drives apart come together
+ * again in the exchange, and what closes the energy is known after it (C_HEAT_OWED, ice_exchange.c). */
+FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, bool conserve, const double *floor,
                                  const bool *points, const int dim)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
@@ -92,9 +107,10 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
                     m->ul[a][at] = next;
             }
         }
-        const bool whole = conserve && !ice_holds_points(v, at);
+        const bool whole = conserve && !ice_holds_points(v, at), shared = whole && v->mixed[at] > 1.0;
         const double heat = f.work - gain, share = 1.0 / v->kappa_sum[at], plain = compression_work(v, at);
-        bool usable = whole;
+        bool usable = whole && !shared;
+        double given = 0.0;
         for (int r = 0; r < v->n_materials && usable; ++r) {
             const ice_arrays *m = &v->m[r];
             if (points[r] || !(m->rho[at] > 0.0)) continue;
@@ -103,14 +119,21 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
             const double e = m->e[at] + m->theta[at] * m->kappa[at] * share * heat / m->rho[at];
             usable = e - floor[r] > ICE_THERMAL_SHARE * kinetic;
         }
-        guarded += whole && !usable;
+        guarded += whole && !usable && !shared;
         for (int r = 0; r < v->n_materials; ++r) {
             const ice_arrays *m = &v->m[r];
             if (points[r]) continue;
             const double theta = m->theta[at], sliver = !ice_holds_points(v, at) ? 1.0 : fmin(1.0, theta / FULL_HEAT);
+            if (shared && m->rho[at] > 0.0) {
+                const double gained = reversible_gain(s, v, r, at, plain);
+                m->el[at] = m->e[at] + gained;
+                given += m->rho[at] * gained;
+                continue;
+            }
             const double part = theta * m->kappa[at] * (usable ? share * heat : plain) * sliver;
             m->el[at] = m->e[at] + (m->rho[at] > 0.0 ? part / m->rho[at] : 0.0);
         }
+        v->owed[at] = shared ? heat - given : 0.0;
     }
     return guarded;
 }
@@ -137,7 +160,7 @@ static void note_guards(const ice *s, const ice_view *v, int j, int k)
 {
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
-        if (s->multi && ice_holds_points(v, at)) continue;
+        if (s->multi && v->mixed[at] > 1.0) continue;      /* several fluids, or a solid */
         if (s->sealed && v->m[0].open[at] < 1.0) continue; /* pools keep accounts of their own */
         const double made = pressure_defect(s, v, at, i);
         double scale = 0.0;
@@ -182,7 +205,7 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
             points[r] = s->material[r].points;                                                       \
             floor[r] = isnan(s->work->energy_floor[r]) ? 0.0 : s->work->energy_floor[r];             \
         }                                                                                            \
-        return multi_row(v, j, k, s->scene->method.conserve_energy, floor, points, d);               \
+        return multi_row(s, v, j, k, s->scene->method.conserve_energy, floor, points, d);            \
     }
 INSTANCE(1)
 INSTANCE(2)

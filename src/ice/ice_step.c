@@ -45,7 +45,8 @@ floe_status ice_pressure_stages(ice *s)
           READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED),
                 WHEN(d, C_DIFFUSION), WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_SHOCK), WHEN(k, C_DIFFUSION_T)),
-          WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_SOURCE), WHEN(d, C_DIFFUSION), WHEN(k, C_DIFFUSION_T)));
+          WRITES(C_VEL_L, C_ENERGY_L, WHEN(m, C_HEAT_OWED), WHEN(p, C_SOURCE), WHEN(d, C_DIFFUSION),
+                 WHEN(k, C_DIFFUSION_T)));
     return FLOE_OK;
 }
 
@@ -54,10 +55,10 @@ floe_status ice_exchange_stages(ice *s)
     const bool m = s->multi, p = s->with_points, r = s->work->reactions.n > 0;
     STAGE(s, r, ice_mass_exchange, READS(C_REACTED, C_RHO, C_VEL_L, C_ENERGY_L), WRITES(C_RHO_L, C_VEL_L, C_ENERGY_L));
     STAGE(s, m, ice_exchange,
-          READS(C_RHO, C_THETA, C_VOL, WHEN(s->work->pairs.heat, C_VEL), WHEN(s->work->pairs.slips, C_WALL), C_TEMP,
-                C_ENERGY, C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L),
+          READS(C_RHO, C_THETA, C_VOL, C_VEL, C_HEAT_OWED, WHEN(s->work->pairs.slips, C_WALL), C_TEMP, C_ENERGY,
+                C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L),
                 WHEN(r, C_RHO_L)),
-          WRITES(C_VEL_L, C_ENERGY_L, WHEN(p, C_VELOCITY_CHANGE)));
+          WRITES(C_VEL_L, C_ENERGY_L, C_HEAT_OWED, WHEN(p, C_VELOCITY_CHANGE)));
     STAGE(s, m, ice_specific_volume,
           READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO), WHEN(r, C_RHO_L),
                 WHEN(r, C_REACTED)),

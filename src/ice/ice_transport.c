@@ -90,7 +90,8 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
     return found > 0;
 }
 
-/* What is left of a material below ice_least_fraction of a cell is dropped; in slivers, what advection's round-off has left without a
+/* What is left of a material below ice_least_fraction of a cell, or ice_least_share of its mass (a trace of gas in a liquid under tension may fill
+ * a lot), is dropped; in slivers, what advection's round-off has left without a
  * temperature is given the last one at the last pressure (numerics 6). Both are entered in the ledger. */
 static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
 {
@@ -137,10 +138,11 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
             for (int i = 0; i < b->n[0]; ++i) {
                 const ptrdiff_t at = mesh_index(b, i, j, k);
                 const double fraction = m->rho1[at] * m->vol1[at];
-                if (m->rho1[at] == 0.0 || fraction >= ice_sliver) continue;
+                const bool starved = m->rho1[at] < ice_least_share * v->rho_sum[at];
+                if (m->rho1[at] == 0.0 || (fraction >= ice_sliver && !starved)) continue;
                 double *tile = ice_tile(s, b, i, j, k);
                 ice_believe(m, at, v->dim);
-                if (fraction < ice_least_fraction)
+                if (starved || fraction < ice_least_fraction)
                     drop(v, r, at, v->volume[i], tile);
                 else
                     mend(s, v, r, at, v->volume[i], tile);

@@ -58,6 +58,7 @@ static void gather_shared(const fields *f, bool multi, int instance, ice_view *v
     v->step = field_next(f, C_PRESSURE_STEP, 0, 0);
     v->last_step = field_get(f, C_PRESSURE_STEP, 0, 0);
     v->wall = field_get(f, C_WALL, 0, 0);
+    v->owed = field_get(f, C_HEAT_OWED, 0, 0);
     vector(f, field_get, F_PRESSURE, instance, dim, v->fp);
     v->rho_sum = multi ? field_get(f, C_RHO_SUM, 0, 0) : v->m[0].rho;
     for (int a = 0; a < dim; ++a) {

@@ -6,9 +6,6 @@
 
 #include <math.h>
 
-/* Slivers may lose or gain no more than this factor in a step. */
-static const double most_change = 10.0;
-
 static bool row_volumes(const ice *s, const ice_view *v, int r, ptrdiff_t base)
 {
     const ice_arrays *m = &v->m[r];
@@ -23,9 +20,7 @@ static bool row_volumes(const ice *s, const ice_view *v, int r, ptrdiff_t base)
         }
         double dP = v->dP[at];
         if (v->tmv && ice_holds_points(v, at)) dP += beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
-        double next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
-        if (m->theta[at] < 1e-4 || s->material[r].points)
-            next = fmin(fmax(next, room / most_change), room * most_change);
+        const double next = ice_room_after(m, at, dP, s->material[r].points);
         good = good && next > 0.0;
         out[at] = next;
     }

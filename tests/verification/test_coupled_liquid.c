@@ -1,5 +1,5 @@
 /* Solids thrown into a liquid: the impulse by the impedances of both, tension behind them included, in one dimension; in two, with the interface
- * smeared and sharp, blocks of 0.3 and 8 times the liquid's density at 100 m/s stay within what their motion can pay for. */
+ * smeared and sharp, in water and from air into it, blocks of 0.3 and 8 times the liquid's density at 100 m/s stay within what their motion can pay for. */
 #include "coupled_fixture.h"
 
 static void begin(trial *t, const char *const *set, size_t n)
@@ -78,7 +78,7 @@ static double fluid_motion(const trial *t, const ice_totals *cells)
     return kinetic;
 }
 
-static void throw_block(const char *kind, double density)
+static void throw_block(const char *kind, double density, bool in_air)
 {
     char body[64], bulk[64], shear[64], method[64];
     (void)snprintf(body, sizeof body, "materials.block.density=%g", density);
@@ -95,32 +95,37 @@ static void throw_block(const char *kind, double density)
         "bodies.block={material: block, shape: {box: {lower: [0.39, 0.19], upper: [0.61, 0.41]}}, points: 2, "
         "velocity: [0, 100]}",
         "verify.region={box: {lower: [0, 0], upper: [1, 1]}}",
+        "materials.air={eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}",
+        "bodies.air={material: air, shape: {box: {lower: [0, 0], upper: [1, 0.4]}}, pressure: 1e5, temperature: 300}",
     };
     trial t;
     mpm_totals before, after;
     ice_totals cells;
-    begin(&t, set, sizeof set / sizeof *set);
+    begin(&t, set, sizeof set / sizeof *set - (in_air ? 0 : 2));
     sum(&t, &before, &cells);
     trial_run(&t, 2e-3);
     sum(&t, &after, &cells);
     const double share = after.momentum[0][1] / before.momentum[0][1],
                  motion = (after.kinetic[0] + fluid_motion(&t, &cells)) / before.kinetic[0];
-    print_message("%s, %g kg/m3: the block keeps %.3f of its momentum, all %.3f of the energy of motion\n", kind,
-                  density, share, motion);
+    print_message("%s, %g kg/m3%s: the block keeps %.3f of its momentum, all %.3f of the energy of motion\n", kind,
+                  density, in_air ? ", from air" : "", share, motion);
     check_true(share > -0.2 && share < 1.0);
     check_true(motion > 0.02 && motion < 1.0);
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-13);
-    check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) < 1e-12);
+    check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) <
+               (in_air ? 1e-8 : 1e-12)); /* traces of air: to 1e-9 */
     trial_end(&t);
 }
 
 static void test_thrown(void **unused)
 {
     (void)unused;
-    throw_block("smeared", 300.0);
-    throw_block("smeared", 8000.0);
-    throw_block("sharp", 300.0);
-    throw_block("sharp", 8000.0);
+    throw_block("smeared", 300.0, false);
+    throw_block("smeared", 8000.0, false);
+    throw_block("sharp", 300.0, false);
+    throw_block("sharp", 8000.0, false);
+    throw_block("smeared", 300.0, true);
+    throw_block("smeared", 8000.0, true);
 }
 
 int main(void)
