@@ -153,8 +153,9 @@ result_statics() {
         '  has the largest errors, and a body whose tip moves through several cells can meet a node that it hardly reaches, with a load that nothing there bears: the' \
         '  increments are then cut until the run ends with status 3. Explicit steps hide this in inertia.' \
         '* Areas of loaded surfaces stay what they were, as in explicit steps; gas points of a room stay where they are.' \
-        '* KINSOL was left out: its line search asks for less of the residual in every step, where an increment that is cut is safer for bodies that turn, and the' \
-        '  matrix here serves several steps of Newton'"'"'s method. Conjugate gradients are those of SUNDIALS.'
+        '* KINSOL was measured and left out, and so was sub-stepping of the fast side: figures in [deviations](../deviations.md).' \
+        '* Bodies in contact: whether they touch would have to be found with the displacement. Bodies that share a velocity field (no `contact`) stick, and can be' \
+        '  solved for. Membranes without `strain: places`, surfaces in space, springs and strings are stepped.'
     write '' '## Bars' '' 'Set after first trials.' ''
     show_bars
     finish
