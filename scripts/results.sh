@@ -25,6 +25,7 @@
 #   ball-net      a ball thrown at a net
 #   airbag        York's airbag hit by two cylinders
 #   speed         rates of the solvers
+#   gains         error against run time beside the linear-basis baseline: every variant on the cylinder, and five more rows; ten minutes
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
 #   picture       the pictures of the README
 #   gallery       every deck with its picture
@@ -45,7 +46,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed picture gallery)
+all=(a1 edges studies couplings sod shocks waves transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed gains picture gallery)
 
 write_index() {
     local page=$results/README.md file
