@@ -5,6 +5,7 @@
 #   edges         edges of solids held by a penalty: stress beside surfaces that cut the mesh; other walls
 #   sod           Sod's shock tube by cells and by points
 #   shocks        Riemann problems, interfaces and blasts against exact solutions
+#   bases         every basis with every transfer on manufactured solutions: orders, error against run time
 #   waves         orders on smooth flow and on a vibrating bar
 #   transport     viscosity, conduction, walls and open sides of the cells; the lid-driven cavity
 #   conservation  what must stay as it is: free stream, closed box, column at rest
@@ -46,7 +47,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed gains picture gallery)
+all=(a1 edges studies couplings sod shocks waves bases transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed gains picture gallery)
 
 write_index() {
     local page=$results/README.md file
