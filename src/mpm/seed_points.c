@@ -57,11 +57,21 @@ static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const d
     return FLOE_OK;
 }
 
+/* How much larger than the sub-cell of a point its domain is: where domains deform they have the volumes of their points, which at a
+ * fitted surface are parts of sub-cells or joined ones. Boxes stay sub-cells. */
+static double domain_scale(const mpm *s, int body, const seed_list *list, size_t n)
+{
+    double box = s->mesh->geometry == MESH_AXISYMMETRIC ? list->x[0][n] : 1.0;
+    for (int a = 0; a < s->mesh->dim; ++a) box *= 2.0 * list->half[a][n];
+    return keeps_shape(s, body) ? pow(list->volume[n] / box, 1.0 / s->mesh->dim) : 1.0;
+}
+
 static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list, size_t n)
 {
     static const int unit[3][3] = {{0, 1, 2}, {0, 3, 4}, {0, 4, 8}};
     const fields *f = s->domain->fields[blk];
     const int dim = s->mesh->dim;
+    const double scale = domain_scale(s, body, list, n);
     /* Exact in a double: ids below 2^53. */
     field_get(f, P_ID, body, 0)[k] = (double)(((unsigned long long)body << 40) | n);
     field_get(f, P_VOLUME0, body, 0)[k] = list->volume[n];
@@ -70,7 +80,7 @@ static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list
     for (int a = 0; a < dim; ++a) {
         field_get(f, P_POS, body, a)[k] = list->x[a][n];
         if (fields_has(f, P_REST, body)) field_get(f, P_REST, body, a)[k] = list->x[a][n];
-        if (fields_has(f, P_HALF, body)) field_get(f, P_HALF, body, a)[k] = list->half[a][n];
+        if (fields_has(f, P_HALF, body)) field_get(f, P_HALF, body, a)[k] = scale * list->half[a][n];
     }
     if (fields_has(f, P_F, body))
         for (int a = 0; a < 3; ++a) field_get(f, P_F, body, unit[dim - 1][a])[k] = 1.0;
