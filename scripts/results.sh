@@ -12,6 +12,7 @@
 #   exchange      momentum, heat and mass between materials, slip
 #   statics       loads that are solved for instead of stepped to; implicit steps of points
 #   implicit      the implicit pressure beside the explicit step, at acoustic CFL of 10, 100, 1000
+#   cpdi          domains of points that deform: CPDI beside the other bases
 #   stability     the largest stable steps of a line of points, and other limits
 #   extreme       scenes at the edge: right, refused or wrong
 #   robustness    kills, faults, bad input, sanitizers, coverage: the totals of scripts/nightly.sh
@@ -47,7 +48,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves bases transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed gains picture gallery)
+all=(a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed gains picture gallery)
 
 write_index() {
     local page=$results/README.md file
