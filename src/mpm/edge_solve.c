@@ -11,7 +11,7 @@
 
 enum { MAX_ITERATIONS = 500 };
 /* Of the right hand side, in the norm of the diagonal's inverse, the residual may be left. */
-static const double solver_tolerance = 1e-3;
+static const double solver_tolerance = 1e-2;
 
 /* Vectors over the nodes of a group's list. */
 enum { V_MASS, V_INVERSE, V_RAW, V_BEFORE, V_X, V_R, V_P, V_AP, V_COUNT };
