@@ -9,6 +9,7 @@ declare -A gallery=(
     [airbag_200]='--set time.end=0.04|-w 300|stress of the bag and the cylinder at 40 ms'
     [airbag_500]='--set time.end=0.02|-w 300|stress of the bag and the cylinder at 20 ms'
     [annulus_traction]='--set domain.cell=0.05||von Mises stress under an outward traction'
+    [burning_block]='|-t 9e-4 -p mass_share -c pressure|share of the points that is left, and the pressure, when half is burnt'
     [closed_vessel_burn]='|-c pressure|pressure, the same everywhere'
     [ball_net]='|-t 2.5 -r 0:200|the net throws the ball back, t = 2.5'
     [bar_mms]='|-p stress_xx -c none|stress of the driven bar'

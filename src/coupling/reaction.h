@@ -1,6 +1,6 @@
 /* Reactions: mass of one material of a cell becomes mass of another (step 4 of Guilkey et al. 2003). One file adds a law of the rate:
- * reaction_<name>.c ends in a const descriptor `reaction_<name>`. Rates are integrated over the step in each cell, however stiff, by
- * CVODE's backward differences, with the temperature that follows from the heat so far; the pressure stays that of the step's start. */
+ * reaction_<name>.c ends in a const descriptor `reaction_<name>`. Rates are integrated over the step in each cell by one explicit step where that will do, else, however
+ * stiff, by CVODE's backward differences, with the temperature that follows from the heat so far; the pressure stays that of the step's start. */
 #ifndef COUPLING_REACTION_H
 #define COUPLING_REACTION_H
 
@@ -14,9 +14,9 @@ typedef struct reaction_state {
     double reactant; /* kg per m3 of the cell */
     double product;  /* kg per m3 of the cell */
     double density;  /* of the pure reactant, kg/m3 */
-    double T;        /* K: of the mixture of the cell's fluids */
+    double T;        /* K: of the mixture of the cell's fluids; of the solid where there are none */
     double p;        /* Pa */
-    double surface;  /* m2 of the reactant's surface per m3, from the gradient of its volume fraction */
+    double surface;  /* m2 of the reactant's surface per m3 */
 } reaction_state;
 
 typedef struct reaction_model {
@@ -47,6 +47,7 @@ typedef struct reaction {
 typedef struct reaction_cell {
     int n;                              /* materials */
     double rho[REACTION_MAX_MATERIALS]; /* kg per m3 of the cell; 0 of those that take no part */
+    bool solid[REACTION_MAX_MATERIALS]; /* on points: keeps its temperature, which is none of the mixture's */
     double e[REACTION_MAX_MATERIALS], T[REACTION_MAX_MATERIALS], cv[REACTION_MAX_MATERIALS]; /* J/kg, K, J/kg/K */
     double density[REACTION_MAX_MATERIALS];                                                  /* pure, kg/m3 */
     double surface[REACTION_MAX]; /* of each reaction's reactant, m2/m3 */

@@ -2,6 +2,8 @@
 
 #include "base/compiler.h"
 
+#include <math.h>
+
 /* 2 at a node on a non-periodic side of the domain, else 1 (local node index along an axis). */
 static double doubling(const mesh *m, const block *b, int axis, int i)
 {
@@ -180,6 +182,68 @@ static void node_change(const transfer *t, int blk, const int node[3], ptrdiff_t
     for (int a = 0; a < t->mesh->dim; ++a)
         field_get(f, N_VEL_L, pair->group, a)[at] +=
             node_sum(t->mesh, &t->mesh->block[blk], node, field_get(f, C_VELOCITY_CHANGE, pair->material, a));
+}
+
+/* A point whose cells are all to lose the share s loses s: with the weights w of mass, sum_p m_p sum_i S_ip sum_c w_ci s_c is what they are to lose
+ * together. */
+static void share_of_cells(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
+{
+    const double most_share = 0.5;
+    const block *b = &t->mesh->block[blk];
+    const fields *f = t->domain->fields[blk];
+    if (pair->reaction < 0) return;
+    const double *rho = field_get(f, C_RHO, pair->material, 0);
+    double *share = field_get(f, C_REACTED, pair->reaction, 0);
+    for (int i = 0; i < b->n[0]; ++i) {
+        const ptrdiff_t at = mesh_index(b, i, j, k);
+        share[at] = share[at] > 0.0 ? fmin(share[at] / rho[at], most_share) : 0.0;
+    }
+}
+
+static void node_share(const transfer *t, int blk, const int node[3], ptrdiff_t at, const transfer_pair *pair)
+{
+    const fields *f = t->domain->fields[blk];
+    field_get(f, N_BURNT_SHARE, pair->group, 0)[at] =
+        node_sum(t->mesh, &t->mesh->block[blk], node, field_get(f, C_REACTED, pair->reaction, 0));
+}
+
+floe_status transfer_share_to_nodes(transfer *t)
+{
+    for_rows(t, share_of_cells);
+    for (int p = 0; p < t->n_pairs; ++p) {
+        if (t->pair[p].reaction < 0) continue;
+        domain_fill(t->domain, C_REACTED, t->pair[p].reaction, FILL_CURRENT);
+        for (int blk = 0; blk < t->mesh->n_blocks; ++blk) for_nodes(t, blk, &t->pair[p], node_share);
+    }
+    return FLOE_OK;
+}
+
+static void burnt_from_nodes(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
+{
+    const mesh *m = t->mesh;
+    const block *b = &m->block[blk];
+    const fields *f = t->domain->fields[blk];
+    const int g = pair->group, q = pair->reaction;
+    if (q < 0) return;
+    for (int i = 0; i < b->n[0]; ++i) {
+        double w[3][2];
+        const ptrdiff_t at = mesh_index(b, i, j, k);
+        const double inverse = 1.0 / mesh_cell_volume(m, b->lo[0] + i);
+        cell_weights(m, b, (const int[]){i, j, k}, w);
+        const double(*weight)[2] = (const double(*)[2])w;
+        field_get(f, C_REACTED, q, 0)[at] = inverse * cell_sum(m, b, weight, at, field_get(f, N_BURNT, g, 0));
+        field_get(f, C_BURNT_ENERGY, q, 0)[at] =
+            inverse * cell_sum(m, b, weight, at, field_get(f, N_BURNT_ENERGY, g, 0));
+        for (int a = 0; a < m->dim; ++a)
+            field_get(f, C_BURNT_MOMENTUM, q, a)[at] =
+                inverse * cell_sum(m, b, weight, at, field_get(f, N_BURNT_MOMENTUM, g, a));
+    }
+}
+
+floe_status transfer_burnt_to_cells(transfer *t)
+{
+    for_rows(t, burnt_from_nodes);
+    return FLOE_OK;
 }
 
 floe_status transfer_change_to_nodes(transfer *t)

@@ -14,6 +14,7 @@ enum { TRANSFER_MAX_PAIRS = 8 };
 typedef struct transfer_pair {
     int group, material;
     double temperature; /* K, in the cells */
+    int reaction;       /* that uses it up: instance of C_REACTED; -1: none */
 } transfer_pair;
 
 typedef struct transfer {
@@ -34,5 +35,10 @@ floe_status transfer_pressure_to_nodes(transfer *t);
 floe_status transfer_momentum_to_cells(transfer *t);
 /* v_i^L += sum w dv_c, from C_VELOCITY_CHANGE. */
 floe_status transfer_change_to_nodes(transfer *t);
+/* N_BURNT_SHARE: of the mass about a node, what the reactions ask for in C_REACTED, averaged from the cells as the mass went to them; C_REACTED is the
+ * cells' own shares then. A cell loses no more than half of its solid in a step. */
+floe_status transfer_share_to_nodes(transfer *t);
+/* What the points have lost, by the weights of their mass: C_REACTED, C_BURNT_MOMENTUM, C_BURNT_ENERGY per cell volume. */
+floe_status transfer_burnt_to_cells(transfer *t);
 
 #endif

@@ -211,5 +211,6 @@ floe_status check_scene(reader *r)
     TRY(check_loads(r));
     TRY(check_losses(r));
     TRY(check_contact(r));
+    TRY(check_reactions(r));
     return check_verify(r);
 }

@@ -19,7 +19,7 @@ floe_status bad_at(reader *r, const char *const *path, const char *expected, con
 bool scene_runs_as(const scene *s, scene_coupling coupling);
 bool scene_has_solids(const scene *s);
 
-/* check.c, check_boundaries.c, check_bodies.c, check_contact.c, check_verify.c */
+/* check.c, check_boundaries.c, check_bodies.c, check_contact.c, check_reactions.c, check_verify.c */
 floe_status check_scene(reader *r);
 floe_status check_boundaries(reader *r);
 floe_status check_bodies(reader *r);
@@ -27,6 +27,7 @@ floe_status check_bodies(reader *r);
 floe_status check_membrane_points(reader *r, int body);
 floe_status check_loads(reader *r);
 floe_status check_contact(reader *r);
+floe_status check_reactions(reader *r);
 floe_status check_verify(reader *r);
 
 #endif

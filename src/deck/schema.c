@@ -366,7 +366,7 @@ static const key_spec deck_keys[] = {
      .otherwise = "method.exchange and method.heat_exchange, between all pairs",
      .doc = "what named pairs of materials exchange in cells"},
     {"reactions", KEY_NAMED, AT(scene, reaction), .items = &items_reactions, .otherwise = "none",
-     .doc = "fluids of the cells that become others"},
+     .doc = "what becomes another fluid of the cells"},
     {"springs", KEY_NAMED, AT(scene, spring), .items = &items_springs,
      .doc = "massless springs and tethers between material points, in coupling mpm"},
     {"supports", KEY_NAMED, AT(scene, support), .items = &items_supports,

@@ -1,4 +1,4 @@
-/* Reactions between fluids of the cells. */
+/* Reactions: what of the cells becomes another fluid. */
 #include "coupling/reaction.h"
 #include "deck/check.h"
 #include "deck/parts.h"
@@ -31,7 +31,8 @@ static bool rate_fetch(const void *field, const char **name, const void **par)
 const model_family family_reaction = {"law of a reaction", rate_get, rate_store, rate_fetch, NULL};
 
 static const key_spec reaction_keys[] = {
-    {"reactant", KEY_MATERIAL, AT(scene_reaction, reactant), .required = true, .doc = "the fluid that is used up"},
+    {"reactant", KEY_MATERIAL, AT(scene_reaction, reactant), .required = true,
+     .doc = "what is used up: a fluid, or in ice-mpm a solid, whose points lose mass"},
     {"product", KEY_MATERIAL, AT(scene_reaction, product), .required = true, .doc = "the fluid that it becomes"},
     {"rate", KEY_MODEL, .family = &family_reaction, .required = true, .doc = "how fast"},
     {"heat", KEY_NUMBER, "J/kg", AT(scene_reaction, heat), .fallback = "0",
@@ -55,14 +56,13 @@ static floe_status end_reaction(reader *r, deck_node *node, void *item)
     if (node->bad) return FLOE_OK;
     if (q->reactant == q->product)
         return bad_key(r, node, "two fluids", NULL, "reaction '%s' makes '%s' of itself", q->name, m[q->product].name);
-    const int solid = m[q->reactant].kind == MATERIAL_SOLID ? q->reactant : q->product;
-    if (m[solid].kind == MATERIAL_SOLID)
-        return bad_key(r, node, "fluids, by an equation of state", NULL,
-                       "reaction '%s': '%s' is a solid on material points, which keep their mass", q->name,
-                       m[solid].name);
+    if (m[q->product].kind == MATERIAL_SOLID)
+        return bad_key(r, node, "a fluid, by an equation of state", NULL,
+                       "reaction '%s': its product '%s' is a solid, and no points come into being", q->name,
+                       m[q->product].name);
     if (scene_runs_as(r->scene, COUPLING_MPM))
         return bad_key(r, node, "coupling: ice or ice-mpm, and no mpm in runs_as", NULL,
-                       "reaction '%s': material points keep their mass", q->name);
+                       "reaction '%s': what reacts does so in the cells, and 'mpm' has none", q->name);
     return FLOE_OK;
 }
 

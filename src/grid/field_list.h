@@ -18,6 +18,7 @@
     X(P_ID, "id", POINT, SCALAR, "1", FIXED, "body << 40 | seeding ordinal, exact in a double's 53 bits")            \
     X(P_MASS, "mass", POINT, SCALAR, "kg", FIXED, "m_p")                                                             \
     X(P_VOLUME0, "initial_volume", POINT, SCALAR, "m3", FIXED, "V0_p")                                               \
+    X(P_SHARE, "mass_share", POINT, SCALAR, "1", FIXED, "of the point's mass, that reactions have left")             \
     X(P_HALF, "half_width", POINT, VECTOR, "m", FIXED, "GIMP half width of the point's domain")                      \
     X(P_REST, "rest_position", POINT, VECTOR, "m", FIXED,                                                            \
       "X_p: where the point was seeded, if a manufactured force acts on it")                                         \
@@ -47,6 +48,8 @@
     X(P_HISTORY_8, "history_8", POINT, SCALAR, "1", STATE, "number 8 of those that the law remembers (solid.h)")     \
     X(P_DRIVE, "manufactured_force", POINT, VECTOR, "m/s2", SCRATCH,                                                 \
       "b_p(X_p, t): force per mass that the exact solution needs")                                                   \
+    X(P_MASS_LEFT, "mass_left", POINT, SCALAR, "kg", SCRATCH,                                                        \
+      "m_p when reactions have taken what they do in the step")                                                      \
     X(P_DENSITY, "cell_density", POINT, SCALAR, "kg/m3", SCRATCH, "rho_p of a fluid from the masses of cells")       \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
     /* nodes, instance: velocity group */                                                                            \
@@ -70,6 +73,12 @@
     X(N_TOUCH, "node_touch", NODE, SCALAR, "1", SCRATCH,                                                             \
       "bits of the groups that it moves with (from 0 on) and slides on (from 16 on)")                                \
     X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")    \
+    X(N_BURNT_SHARE, "node_burnt_share", NODE, SCALAR, "1", SCRATCH,                                                 \
+      "of the mass about the node, that reactions take in the step")                                                 \
+    X(N_BURNT, "node_burnt", NODE, SCALAR, "kg", SCRATCH,                                                            \
+      "mass that points about the node lose to reactions in the step")                                               \
+    X(N_BURNT_MOMENTUM, "node_burnt_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "momentum that goes with it")        \
+    X(N_BURNT_ENERGY, "node_burnt_energy", NODE, SCALAR, "J", SCRATCH, "kinetic and strain energy that go with it")  \
     /* cells, instance: material */                                                                                  \
     X(C_RHO, "density", CELL, SCALAR, "kg/m3", STATE, "rho^r: mass of material r per cell volume")                   \
     X(C_VEL, "velocity", CELL, VECTOR, "m/s", STATE, "u^r")                                                          \
@@ -116,7 +125,10 @@
       "volume fraction of materials that others slip along, smoothed: its gradient is the normal")                   \
     X(C_REACTED, "reacted", CELL, SCALAR, "kg/m3", SCRATCH,                                                          \
       "mass per cell volume that a reaction turns over in the step; instance: reaction")                             \
-    X(C_RHO_L, "density_lagrangian", CELL, SCALAR, "kg/m3", SCRATCH, "rho^r,L of fluids after the mass exchange")    \
+    X(C_BURNT_MOMENTUM, "burnt_momentum", CELL, VECTOR, "kg/m2/s", SCRATCH,                                          \
+      "of what points lose to the reaction, per cell volume")                                                        \
+    X(C_BURNT_ENERGY, "burnt_energy", CELL, SCALAR, "J/m3", SCRATCH, "kinetic and strain energy likewise")           \
+    X(C_RHO_L, "density_lagrangian", CELL, SCALAR, "kg/m3", SCRATCH, "rho^r,L after the mass exchange")              \
     X(C_MIXED, "mixed", CELL, SCALAR, "1", SCRATCH,                                                                  \
       "number of materials present, plus 64 where one is carried by points")                                         \
     /* faces, one array per axis; instance: material (F_VEL, F_FLUX) or 0 */                                         \

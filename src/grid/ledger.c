@@ -59,11 +59,11 @@ const char *ledger_quantity_name(ledger_quantity q)
 
 const char *ledger_count_name(ledger_count c)
 {
-    static const char *const name[LEDGER_COUNTS] = {"newton_cells",  "newton_iterations",  "newton_fallbacks",
-                                                    "floors",        "energy_guards",      "points_lost",
-                                                    "small_nodes",   "reorders",           "contact_stick",
-                                                    "contact_slip",  "contact_release",    "normals_plain",
-                                                    "normals_kept",  "pressure_solves",    "outer_iterations",
-                                                    "cg_iterations", "balance_iterations", "balance_cg_iterations"};
+    static const char *const name[LEDGER_COUNTS] = {
+        "newton_cells",  "newton_iterations",  "newton_fallbacks",     "floors",
+        "energy_guards", "points_lost",        "points_burnt",         "small_nodes",
+        "reorders",      "contact_stick",      "contact_slip",         "contact_release",
+        "normals_plain", "normals_kept",       "pressure_solves",      "outer_iterations",
+        "cg_iterations", "balance_iterations", "balance_cg_iterations"};
     return name[c];
 }

@@ -31,6 +31,7 @@ typedef enum ledger_count {
     COUNT_FLOORS,
     COUNT_ENERGY_GUARDS,
     COUNT_POINTS_LOST,
+    COUNT_POINTS_BURNT, /* whose mass a reaction has taken to the last */
     COUNT_SMALL_NODES,
     COUNT_REORDERS,
     COUNT_CONTACT_STICK, /* pairs of bodies at nodes, over the steps: that move as one, slide, or part */

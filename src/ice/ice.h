@@ -118,14 +118,9 @@ floe_status ice_exchange(ice *s);        /* 2.9: momentum and heat between mater
 floe_status ice_specific_volume(ice *s); /* 2.10, 5.5 */
 floe_status ice_advect(ice *s);          /* 2.11: next state of the fluids */
 
-/* The stages in their order, in the three runs between which the coupled step puts the points: up to the Lagrangian sources,
- * what materials do to each other, advection. */
-floe_status ice_pressure_stages(ice *s);
-floe_status ice_exchange_stages(ice *s);
-floe_status ice_advection_stages(ice *s);
-
-/* The stages in three groups, between which the coupled step puts those of the points; ice_step is the three in a row. */
-floe_status ice_pressure_stages(ice *s); /* ghosts to sources */
+/* The stages in four groups, between which the coupled step puts those of the points; ice_step is the four in a row. */
+floe_status ice_state_stages(ice *s);    /* ghosts to reactions: what the cells hold, and what is to become of it */
+floe_status ice_pressure_stages(ice *s); /* face velocities to sources */
 floe_status ice_exchange_stages(ice *s); /* exchange, specific volume */
 floe_status ice_advection_stages(ice *s);
 /* With gases that a membrane holds: before the points move, and after. */
@@ -160,6 +155,8 @@ typedef struct ice_totals {
     double max_volume_defect;                                 /* max |TMV/V - 1| */
 } ice_totals;
 floe_status ice_sum(ice *s, ice_totals *out);
+/* The reaction (instance of C_REACTED) that uses up a material carried by points, or -1. */
+int ice_burning_of(const ice *s, int material);
 /* The cells' material of a scene material, or -1. */
 int ice_material_of(const ice *s, int scene_material);
 /* Mass (kg) of a gas in cells of which a membrane leaves it nothing: a leak. */

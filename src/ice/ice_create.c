@@ -232,7 +232,14 @@ int ice_material_of(const ice *s, int wanted)
 }
 
 /* Which materials a field has instances of. */
-typedef enum field_owner { OWNER_SHARED, OWNER_ALL, OWNER_FLUIDS, OWNER_POINTS, OWNER_REACTIONS } field_owner;
+typedef enum field_owner {
+    OWNER_SHARED,
+    OWNER_ALL,
+    OWNER_FLUIDS,
+    OWNER_POINTS,
+    OWNER_REACTIONS,
+    OWNER_BURNS
+} field_owner;
 
 static field_owner owner_of(const ice *s, field_id id)
 {
@@ -251,6 +258,7 @@ static field_owner owner_of(const ice *s, field_id id)
     case C_SOUND:
     case C_KAPPA:
     case C_OPEN:
+    case C_RHO_L:
     case F_VEL:
     case F_MOBILITY:
     case F_THETA: return OWNER_ALL;
@@ -259,7 +267,6 @@ static field_owner owner_of(const ice *s, field_id id)
     case C_VOLUME_L:
     case C_ENERGY_FOUND:
     case C_VOLUME_FOUND:
-    case C_RHO_L:
     case C_DIFFUSION:
     case C_DIFFUSION_HEAT:
     case C_DIFFUSION_T: return OWNER_FLUIDS;
@@ -267,7 +274,19 @@ static field_owner owner_of(const ice *s, field_id id)
     case C_MOMENTUM_L:
     case C_VELOCITY_CHANGE: return OWNER_POINTS;
     case C_REACTED: return OWNER_REACTIONS;
+    case C_BURNT_MOMENTUM:
+    case C_BURNT_ENERGY: return OWNER_BURNS;
     default: return OWNER_SHARED;
+    }
+}
+
+static bool owns(const ice *s, field_owner owner, int r)
+{
+    switch (owner) {
+    case OWNER_FLUIDS: return !s->material[r].points;
+    case OWNER_POINTS: return s->material[r].points;
+    case OWNER_BURNS: return s->work->reactions.burns[r];
+    default: return true;
     }
 }
 
@@ -277,14 +296,10 @@ static floe_status register_fields(ice *s, domain *d)
         const field_centring centring = field_describe((field_id)id)->centring;
         if (!s->stages->uses[id] || (centring != FIELD_CELL && centring != FIELD_FACE)) continue;
         const field_owner owner = owner_of(s, (field_id)id);
-        const int instances = owner == OWNER_SHARED      ? 1
-                              : owner == OWNER_REACTIONS ? s->work->reactions.n
-                                                         : s->n_materials;
-        for (int r = 0; r < instances; ++r) {
-            if ((owner == OWNER_FLUIDS && s->material[r].points) || (owner == OWNER_POINTS && !s->material[r].points))
-                continue;
-            TRY(domain_add(d, (field_id)id, r));
-        }
+        const bool reactions = owner == OWNER_REACTIONS || owner == OWNER_BURNS;
+        const int instances = owner == OWNER_SHARED ? 1 : reactions ? s->work->reactions.n : s->n_materials;
+        for (int r = 0; r < instances; ++r)
+            if (owns(s, owner, r)) TRY(domain_add(d, (field_id)id, r));
     }
     return FLOE_OK;
 }

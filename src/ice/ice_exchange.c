@@ -80,17 +80,20 @@ static void settle(const ice *s, const ice_view *v, ptrdiff_t at, double heat)
         if (v->m[r].rho[at] > 0.0) v->m[r].el[at] += warming * v->m[r].T[at];
 }
 
-/* Kinetic energy that friction has taken becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out. What the
- * pressure had driven apart closes its own account. */
+/* Kinetic energy that friction has taken becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out, but where gas that
+ * burns off them makes its way out. What the pressure had driven apart closes its own account. */
 static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const double *theta, double lost, double apart)
 {
-    if (!s->scene->method.conserve_energy || ice_holds_points(v, at)) return;
+    const bool beside = ice_holds_points(v, at);
+    if (!s->scene->method.conserve_energy || (beside && !v->burns)) return;
     const double back = least(most(lost, 0.0), apart), friction = most(lost, 0.0) - back;
     double total = 0.0;
-    for (int r = 0; r < s->n_materials; ++r) total += theta[r];
+    for (int r = 0; r < s->n_materials; ++r)
+        if (!s->material[r].points) total += theta[r];
     for (int r = 0; r < s->n_materials && friction > 0.0; ++r)
-        if (v->m[r].rho[at] > 0.0) v->m[r].el[at] += friction * theta[r] / total / v->m[r].rho[at];
-    settle(s, v, at, v->owed[at] + back);
+        if (v->m[r].rho[at] > 0.0 && !s->material[r].points)
+            v->m[r].el[at] += friction * theta[r] / total / v->m[r].rho[at];
+    if (!beside) settle(s, v, at, v->owed[at] + back);
 }
 
 static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_cell *c)

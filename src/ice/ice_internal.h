@@ -44,7 +44,7 @@ typedef struct ice_arrays {
     double *ul[3], *el, *vl;            /* Lagrangian values */
     double *rho1, *u1[3], *e1, *vol1;   /* next state; vol1 is v */
     double *e_found, *vol_found;        /* before mixed cells are closed; NULL where that changes no state */
-    double *rhol;                       /* after the mass exchange; NULL without reactions */
+    double *rhol;                       /* after the mass exchange, of solids too; NULL without reactions */
     double *source[3], *mom[3], *dv[3]; /* materials carried by points */
     double *diff[3], *heat, *diffT;     /* ice_diffusion.c */
     double *mobility[3];                /* at faces, of the implicit pressure */
@@ -66,9 +66,11 @@ typedef struct ice_view {
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
     double length;             /* of the bulk viscosity: V^(1/d), m */
+    bool burns;                /* some solid on points is used up */
     double advance; /* half steps that u* and P are ahead in time: 1; 2 where the implicit pressure is at the end */
     double *step, *last_step; /* implicit: phi dP of this step and of the last */
     double *reacted[REACTION_MAX];
+    double *burnt_momentum[REACTION_MAX][3], *burnt_energy[REACTION_MAX]; /* NULL where the reactant is a fluid */
     ice_arrays m[ICE_MAX_MATERIALS];
 } ice_view;
 
@@ -190,6 +192,7 @@ typedef struct ice_spot {
 /* Reactions between materials of the cells. */
 typedef struct ice_reactions {
     reaction list[REACTION_MAX];
+    bool burns[REACTION_MAX]; /* the reactant is carried by points (ice_burn.c) */
     int n;
     reaction_solver **solver; /* one a thread */
 } ice_reactions;
@@ -352,6 +355,10 @@ void ice_diffuse(const ice *s);
 /* Mass exchange (ice_react.c). Errors of resolve: FLOE_BAD_INPUT for solids on points, FLOE_NO_MEMORY. */
 floe_status ice_reactions_resolve(ice *s);
 void ice_reactions_destroy(context *ctx, ice_work *w);
+/* Surface (m2/m3) at which a solid on points burns, in a cell (ice_burn.c). */
+double ice_burning_surface(const ice *s, const ice_view *v, int r, ptrdiff_t at);
+/* What reaction k has taken of the points of a cell, local index i along axis 0, joins its product. */
+void ice_join_burnt(const ice *s, const ice_view *v, int k, ptrdiff_t at, int i);
 ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at);
 /* The pressure of new volume, added to the array P in owned cells. */
 void ice_created_pressure(const ice *s, const ice_view *v, double *P);

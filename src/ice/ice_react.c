@@ -1,6 +1,6 @@
 /* Mass exchange (step 4 of Guilkey et al. 2003; numerics 2.3, 2.10): what reactions turn over in the step, the pressure that new volume
  * makes, and the sources of mass, momentum, energy and volume. The product gets the reactant's momentum and energy and the
- * heat; the sums over materials close to round-off. */
+ * heat; the sums over materials close to round-off. What solids on points lose, the points say (ice_burn.c, mpm/burn.c). */
 #include "ice/ice_internal.h"
 
 #include "base/memory.h"
@@ -14,14 +14,23 @@ static floe_status resolve_one(ice *s, const scene_reaction *given)
     ice_reactions *all = &s->work->reactions;
     const int reactant = ice_material_of(s, given->reactant), product = ice_material_of(s, given->product);
     if (reactant < 0) return FLOE_OK; /* there is none to react */
-    const int solid = s->material[reactant].points  ? given->reactant
-                      : s->material[product].points ? given->product
-                                                    : -1;
-    if (solid >= 0)
-        return fail(s->ctx, FLOE_BAD_INPUT, "reaction '%s': '%s' is a solid on material points, which keep their mass",
-                    given->name, s->scene->material[solid].name);
+    if (s->material[product].points)
+        return fail(s->ctx, FLOE_BAD_INPUT, "reaction '%s': its product '%s' is a solid, and no points come into being",
+                    given->name, s->scene->material[given->product].name);
+    if (s->material[reactant].points && ice_burning_of(s, reactant) >= 0)
+        return fail(s->ctx, FLOE_BAD_INPUT, "reaction '%s': another reaction uses up the solid '%s' already",
+                    given->name, s->scene->material[given->reactant].name);
+    all->burns[all->n] = s->material[reactant].points;
     all->list[all->n++] = (reaction){given->model, given->par, reactant, product, given->heat};
     return FLOE_OK;
+}
+
+int ice_burning_of(const ice *s, int material)
+{
+    const ice_reactions *all = &s->work->reactions;
+    for (int k = 0; k < all->n; ++k)
+        if (all->burns[k] && all->list[k].reactant == material) return k;
+    return -1;
 }
 
 floe_status ice_reactions_resolve(ice *s)
@@ -70,10 +79,14 @@ static bool gather(const ice *s, const ice_view *v, ptrdiff_t at, reaction_cell 
         c->density[r] = 1.0 / m->v[at];
         c->e[r] = m->e[at];
         c->T[r] = m->T[at];
-        c->rho[r] = s->material[r].points ? 0.0 : m->rho[at];
+        c->solid[r] = s->material[r].points;
+        c->rho[r] = c->solid[r] && ice_burning_of(s, r) < 0 ? 0.0 : m->rho[at];
         law->model->heat(law->par, 1, &c->density[r], &c->e[r], &c->cv[r], &alpha);
     }
-    for (int k = 0; k < all->n; ++k) c->surface[k] = surface_of(v, all->list[k].reactant, at);
+    for (int k = 0; k < all->n; ++k) {
+        const int r = all->list[k].reactant;
+        c->surface[k] = all->burns[k] ? ice_burning_surface(s, v, r, at) : surface_of(v, r, at);
+    }
     return true;
 }
 
@@ -168,13 +181,18 @@ static void exchange_row(const ice *s, const ice_view *v, int j, int k)
     const ice_reactions *all = &s->work->reactions;
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
-        for (int r = 0; r < s->n_materials; ++r)
-            if (!s->material[r].points) v->m[r].rhol[at] = v->m[r].rho[at];
+        for (int r = 0; r < s->n_materials; ++r) v->m[r].rhol[at] = v->m[r].rho[at];
         for (int n = 0; n < all->n; ++n) {
+            const reaction *q = &all->list[n];
             const double reacted = v->reacted[n][at];
             if (!(reacted > 0.0)) continue;
-            join(s, v, &all->list[n], reacted, at);
-            ice_tile(s, v->b, i, j, k)[TILE_SOURCE_ENERGY] += reacted * all->list[n].heat * v->volume[i];
+            if (all->burns[n])
+                ice_join_burnt(s, v, n, at, i);
+            else
+                join(s, v, q, reacted, at);
+            /* The heat that solids hold has no account (their temperature is the scene's): it comes in here. */
+            const double brought = q->heat + (all->burns[n] ? v->m[q->reactant].e[at] : 0.0);
+            ice_tile(s, v->b, i, j, k)[TILE_SOURCE_ENERGY] += reacted * brought * v->volume[i];
         }
     }
 }

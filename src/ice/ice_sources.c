@@ -84,6 +84,15 @@ static double reversible_gain(const ice *s, const ice_view *v, int r, ptrdiff_t 
     return isentrope_energy(&path, ice_room_after(m, at, v->dP[at], false)) - m->e[at];
 }
 
+/* sum theta kappa of those that points carry. */
+FLOE_ALWAYS_INLINE double solids_compressibility(const ice_view *v, ptrdiff_t at, const bool *points)
+{
+    double sum = 0.0;
+    for (int r = 0; r < v->n_materials; ++r)
+        if (points[r]) sum += v->m[r].theta[at] * v->m[r].kappa[at];
+    return sum;
+}
+
 /* Several materials. In cells of several fluids only the reversible part is given here: velocities that the pressure drives apart come together
  * again in the exchange, and what closes the energy is known after it (C_HEAT_OWED, ice_exchange.c). */
 FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, bool conserve, const double *floor,
@@ -107,8 +116,10 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
                     m->ul[a][at] = next;
             }
         }
-        const bool whole = conserve && !ice_holds_points(v, at), shared = whole && v->mixed[at] > 1.0;
-        const double heat = f.work - gain, share = 1.0 / v->kappa_sum[at], plain = compression_work(v, at);
+        const bool beside = ice_holds_points(v, at), whole = conserve && (!beside || v->burns);
+        const bool shared = whole && !beside && v->mixed[at] > 1.0;
+        const double solid = beside ? solids_compressibility(v, at, points) : 0.0, plain = compression_work(v, at);
+        const double heat = f.work - gain - solid * plain, share = 1.0 / (v->kappa_sum[at] - solid);
         bool usable = whole && !shared;
         double given = 0.0;
         for (int r = 0; r < v->n_materials && usable; ++r) {
@@ -123,7 +134,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
         for (int r = 0; r < v->n_materials; ++r) {
             const ice_arrays *m = &v->m[r];
             if (points[r]) continue;
-            const double theta = m->theta[at], sliver = !ice_holds_points(v, at) ? 1.0 : fmin(1.0, theta / FULL_HEAT);
+            const double theta = m->theta[at], sliver = !beside ? 1.0 : fmin(1.0, theta / FULL_HEAT);
             if (shared && m->rho[at] > 0.0) {
                 const double gained = reversible_gain(s, v, r, at, plain);
                 m->el[at] = m->e[at] + gained;

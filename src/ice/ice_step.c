@@ -1,16 +1,11 @@
-/* The step of the fluids, in the order of numerics 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): three groups of
+/* The step of the fluids, in the order of numerics 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): four groups of
  * stages, between which the coupled step puts those of the points. */
 #include "ice/ice_internal.h"
 
-floe_status ice_pressure_stages(ice *s)
+floe_status ice_state_stages(ice *s)
 {
     const bool m = s->multi, p = s->with_points, d = s->diffuses, k = s->conducts;
-    const bool plan = s->stages->planning;
-    const pressure_scheme scheme = s->scene->method.pressure;
-    const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
-               direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
-    const bool reconciled = m && s->work->reconcile;
-    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips, r = s->work->reactions.n > 0;
+    const bool reconciled = m && s->work->reconcile, slips = m && s->work->pairs.slips;
     STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
@@ -23,7 +18,19 @@ floe_status ice_pressure_stages(ice *s)
     STAGE(s, slips, ice_wall_fraction, READS(C_THETA), WRITES(C_WALL));
     STAGE(s, d, ice_diffusion_rates, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_TEMP), WHEN(m, C_THETA)),
           WRITES(C_DIFFUSION, C_DIFFUSION_HEAT, WHEN(k, C_DIFFUSION_T)));
-    STAGE(s, r, ice_react, READS(C_RHO, C_ENERGY, C_VOL, C_TEMP, C_THETA, C_PRESSURE), WRITES(C_REACTED));
+    STAGE(s, s->work->reactions.n > 0, ice_react, READS(C_RHO, C_ENERGY, C_VOL, C_TEMP, C_THETA, C_PRESSURE),
+          WRITES(C_REACTED));
+    return FLOE_OK;
+}
+
+floe_status ice_pressure_stages(ice *s)
+{
+    const bool m = s->multi, p = s->with_points, d = s->diffuses, k = s->conducts;
+    const bool plan = s->stages->planning;
+    const pressure_scheme scheme = s->scene->method.pressure;
+    const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
+               direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
+    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips, r = s->work->reactions.n > 0;
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL)),
@@ -50,10 +57,22 @@ floe_status ice_pressure_stages(ice *s)
     return FLOE_OK;
 }
 
+/* Some solid on points is used up. */
+static bool ice_burns(const ice *s)
+{
+    for (int k = 0; k < s->work->reactions.n; ++k)
+        if (s->work->reactions.burns[k]) return true;
+    return false;
+}
+
 floe_status ice_exchange_stages(ice *s)
 {
-    const bool m = s->multi, p = s->with_points, r = s->work->reactions.n > 0;
-    STAGE(s, r, ice_mass_exchange, READS(C_REACTED, C_RHO, C_VEL_L, C_ENERGY_L), WRITES(C_RHO_L, C_VEL_L, C_ENERGY_L));
+    const bool m = s->multi, p = s->with_points, r = s->work->reactions.n > 0, b = ice_burns(s);
+    STAGE(s, r, ice_mass_exchange,
+          READS(C_REACTED, C_RHO, C_VEL_L, C_ENERGY_L, WHEN(b, C_ENERGY), WHEN(b, C_BURNT_MOMENTUM),
+                WHEN(b, C_BURNT_ENERGY), WHEN(b, C_SOURCE), WHEN(b, C_THETA), WHEN(b, C_KAPPA), WHEN(b, C_KAPPA_SUM),
+                WHEN(b, C_VOL), WHEN(b, C_PRESSURE_ADVANCED)),
+          WRITES(C_RHO_L, C_VEL_L, C_ENERGY_L, WHEN(b, C_SOURCE)));
     STAGE(s, m, ice_exchange,
           READS(C_RHO, C_THETA, C_VOL, C_VEL, C_HEAT_OWED, WHEN(s->work->pairs.slips, C_WALL), C_TEMP, C_ENERGY,
                 C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L),
@@ -79,6 +98,7 @@ floe_status ice_advection_stages(ice *s)
 
 floe_status ice_step(ice *s)
 {
+    TRY(ice_state_stages(s));
     TRY(ice_pressure_stages(s));
     TRY(ice_exchange_stages(s));
     return ice_advection_stages(s);

@@ -88,6 +88,7 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     v->volume = metric + 2 * run;
     v->area0 = metric + 3 * run;
     v->radius0 = metric + 4 * run;
+    for (int k = 0; k < s->work->reactions.n; ++k) v->burns = v->burns || s->work->reactions.burns[k];
     v->base = method->centring == ICE_CENTRING_FULL ? 1.0 : 0.0;
     v->slope = method->centring == ICE_CENTRING_AUTO ? 1.0 : 0.0;
     v->advance = s->implicit && method->centring != ICE_CENTRING_HALF ? 2.0 : 1.0;
@@ -99,7 +100,11 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     }
     for (int r = 0; r < v->n_materials; ++r) gather_material(f, v->first + r, m->dim, &v->m[r]);
     gather_shared(f, s->multi, v->first, v);
-    for (int k = 0; k < s->work->reactions.n; ++k) v->reacted[k] = field_get(f, C_REACTED, k, 0);
+    for (int k = 0; k < s->work->reactions.n; ++k) {
+        v->reacted[k] = field_get(f, C_REACTED, k, 0);
+        v->burnt_energy[k] = field_get(f, C_BURNT_ENERGY, k, 0);
+        vector(f, field_get, C_BURNT_MOMENTUM, k, m->dim, v->burnt_momentum[k]);
+    }
 }
 
 void ice_view_lagrangian(ice_view *v)

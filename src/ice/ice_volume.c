@@ -38,7 +38,7 @@ static bool reacted_volumes(const ice *s, const ice_view *v, ptrdiff_t base)
             const ice_arrays *m = &v->m[r];
             const bool points = s->material[r].points;
             double *out = points ? &m->vol1[at] : &m->vl[at];
-            const double mass = points ? m->rho[at] : m->rhol[at], before = m->rho[at] > 0.0 ? m->rho[at] * *out : 0.0;
+            const double mass = m->rhol[at], before = m->rho[at] > 0.0 ? m->rho[at] * *out : 0.0;
             if (!(mass > 0.0)) continue;
             *out = (before + c.volume[r] - c.theta[r] * m->kappa[at] * c.dP) / mass;
             good = good && *out > 0.0;

@@ -63,6 +63,9 @@ static void resolve_body(mpm *s, int index)
     b->artificial[1] = m->artificial_quadratic;
     b->group = group_of(s, index);
     if (b->group == s->n_groups) s->n_groups++;
+    for (int k = 0; k < sc->n_reactions; ++k)
+        b->burns = b->burns || (s->coupled && sc->reaction[k].reactant == b->scene_material);
+    s->burns = s->burns || b->burns;
     s->needs_F = s->needs_F || keeps_F(s, s->n_bodies);
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
     s->artificial = s->artificial || has_artificial(b);
@@ -198,6 +201,7 @@ static bool body_holds(const mpm *s, int body, field_id id)
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id == P_DENSITY) return b->fluid;
+    if (id == P_SHARE || id == P_MASS_LEFT) return b->burns;
     if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;
     if (id == P_TANGENT || id == P_STRAIN || id == P_STRAIN_HOOP) return b->membrane.model && !is_sheet(s, body);
     if (id == P_SURFACE_1 || id == P_SURFACE_2) return b->membrane.model && is_sheet(s, body);

@@ -23,6 +23,7 @@ typedef struct mpm_body {
     solid_fluid_par fluid_par; /* law_par points here for fluids */
     double specific_heat;      /* J/kg/K, of solids, for the cells' view */
     bool fluid;
+    bool burns;                 /* a reaction uses it up */
     int group;                  /* velocity field it moves in: instance of the node fields */
     double reference_density;   /* kg/m3: of the densest initial state, for limits */
     double artificial[2];       /* A1, A2 */
@@ -67,6 +68,7 @@ typedef struct mpm {
     bool holds;  /* a surface in space holds gas points (hold.c) */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
+    bool burns;                           /* some body does (burn.c) */
     int n_history;                        /* the most numbers that a body's law remembers */
     bool placed;                          /* some membrane has its strain from places */
     bool membranes, hoops;                /* some body is a membrane; it has strain around the axis */
@@ -116,6 +118,9 @@ floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, th
 floe_status mpm_membrane_normals(mpm *s);  /* normals of membranes without connections, from where the points are now */
 floe_status mpm_turn_membranes(mpm *s);    /* tangents from where the points are now, and the stress along them */
 
+/* What reactions take of solids: by N_BURNT_SHARE the masses that are left, and what goes with the rest, on the nodes (burn.c). */
+floe_status mpm_burn(mpm *s);
+
 floe_status mpm_give_heat(mpm *s); /* lost kinetic energy to fluid points (heat.c) */
 
 /* Before the stages: the kick of the step, body forces. */
@@ -124,6 +129,7 @@ floe_status mpm_begin_step(mpm *s);
 /* The stages above in their order, in the three runs between which the coupled step puts the cells: what the nodes weigh,
  * what pushes them, how the points follow. */
 floe_status mpm_mass_stages(mpm *s);
+floe_status mpm_burn_stages(mpm *s); /* after masses and N_BURNT_SHARE are known; nothing where nothing burns */
 floe_status mpm_force_stages(mpm *s);
 floe_status mpm_motion_stages(mpm *s);
 

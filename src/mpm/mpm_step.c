@@ -8,6 +8,7 @@
 floe_status mpm_begin_step(mpm *s)
 {
     s->work->kick = s->coupled || s->seals ? s->dt : 0.5 * (s->dt_previous + s->dt);
+    s->work->burnt = false;
     set_body_forces(s);
     return FLOE_OK;
 }
@@ -79,6 +80,15 @@ floe_status mpm_mass_stages(mpm *s)
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
           WRITES(N_REACH));
+    return FLOE_OK;
+}
+
+floe_status mpm_burn_stages(mpm *s)
+{
+    STAGE(s, s->burns, mpm_burn,
+          READS(N_BURNT_SHARE, N_MASS, N_MOMENTUM, P_MASS, P_SHARE, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE),
+                DOMAINS, POINT_STATE),
+          WRITES(N_BURNT_SHARE, N_MASS, N_MOMENTUM, N_BURNT, N_BURNT_MOMENTUM, N_BURNT_ENERGY, P_MASS_LEFT));
     return FLOE_OK;
 }
 

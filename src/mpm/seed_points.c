@@ -76,6 +76,7 @@ static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list
     field_get(f, P_ID, body, 0)[k] = (double)(((unsigned long long)body << 40) | n);
     field_get(f, P_VOLUME0, body, 0)[k] = list->volume[n];
     field_get(f, P_J, body, 0)[k] = 1.0;
+    if (fields_has(f, P_SHARE, body)) field_get(f, P_SHARE, body, 0)[k] = 1.0;
     for (int h = 0; h < s->body[body].law->n_history; ++h) field_get(f, (field_id)(P_HISTORY_1 + h), body, 0)[k] = 0.0;
     for (int a = 0; a < dim; ++a) {
         field_get(f, P_POS, body, a)[k] = list->x[a][n];

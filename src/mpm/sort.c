@@ -105,7 +105,8 @@ static floe_status sort_with(mpm *s, int blk, int body, sort_room *r)
     TRY(memory_new(s->ctx, &r->order, points->n, sizeof(uint32_t)));
     TRY(memory_new(s->ctx, &r->count, (size_t)keys + 1, sizeof(uint32_t)));
     const positions p = positions_of(s, blk, body, false);
-    for (size_t k = 0; k < points->n; ++k) r->key[k] = key_of_point(m, b, &p, k);
+    const double *share = field_get(s->domain->fields[blk], P_SHARE, body, 0);
+    for (size_t k = 0; k < points->n; ++k) r->key[k] = share && share[k] == 0.0 ? GONE : key_of_point(m, b, &p, k);
     const size_t kept = count_sort(r, points->n, keys, field_get(s->domain->fields[blk], P_ID, body, 0));
     points->n = kept;
     points->tile_start[0] = 0;
@@ -228,6 +229,7 @@ static floe_status migrate(mpm *s, int body)
 
 floe_status mpm_commit(mpm *s)
 {
+    if (s->burns) burn_commit(s);
     for (int body = 0; body < s->n_bodies; ++body) {
         bool moved = false;
         for (int b = 0; b < s->mesh->n_blocks; ++b)

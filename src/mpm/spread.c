@@ -24,13 +24,15 @@ void gather_numbers(mpm *s, int group, const field_id *id, int count)
 {
     domain_share_partials(s->domain);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        node_target to = {.components = count, .reach = s->work->reach};
-        for (int c = 0; c < count; ++c) to.array[c] = field_get(s->domain->fields[b], id[c], group, 0);
+        node_target to = {.reach = s->work->reach};
+        for (int k = 0; k < count; ++k)
+            for (int c = 0; c < field_component_count(field_describe(id[k])->components, s->mesh->dim); ++c)
+                to.array[to.components++] = field_get(s->domain->fields[b], id[k], group, c);
         memcpy(to.window, s->work->window, sizeof to.window);
         gather_nodes(s, b, &to);
     }
     for (int c = 0; c < count; ++c) {
         domain_fold_periodic(s->domain, id[c], group);
-        if (s->work->reach > 0) fold_field(s, group, id[c]);
+        if (s->work->reach > 0) fold_numbers(s, group, id[c]);
     }
 }

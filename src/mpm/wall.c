@@ -94,7 +94,7 @@ static void fold_side(const mpm *s, int blk, int axis, int side, int group, bool
     }
 }
 
-void fold_field(mpm *s, int group, field_id id)
+static void fold_components(const mpm *s, int group, field_id id, bool vector)
 {
     const int components = field_component_count(field_describe(id)->components, s->mesh->dim);
     for (int b = 0; b < s->mesh->n_blocks; ++b)
@@ -102,8 +102,18 @@ void fold_field(mpm *s, int group, field_id id)
             for (int side = 0; side < 2; ++side)
                 for (int c = 0; c < components; ++c)
                     if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis])
-                        fold_array(s, b, axis, side, components > 1 && c == axis,
+                        fold_array(s, b, axis, side, vector && c == axis,
                                    field_get(s->domain->fields[b], id, group, c));
+}
+
+void fold_field(mpm *s, int group, field_id id)
+{
+    fold_components(s, group, id, field_describe(id)->components == FIELD_VECTOR);
+}
+
+void fold_numbers(mpm *s, int group, field_id id)
+{
+    fold_components(s, group, id, false);
 }
 
 void fold_walls(mpm *s, int group, bool momentum, bool force)

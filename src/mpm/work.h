@@ -166,6 +166,7 @@ struct mpm_work {
     gas_hold hold;
     support_node *support; /* owned */
     size_t n_supports;
+    bool burnt;                /* P_MASS_LEFT is, for the rest of the step, the mass of points that burn */
     membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */
     membrane_normals *normals; /* one a body (membrane_normal.h); owned, NULL where all membranes are connected */
     mpm_edges *edges;          /* edge.h; owned, NULL where the deck asks for none */
@@ -240,6 +241,8 @@ bool wall_holds(const mpm *s, int axis, int side, int component);
 double wall_target(const mpm *s, int axis, int side, int component);
 /* Folds a field of the nodes that points reached beyond the sides. */
 void fold_field(mpm *s, int group, field_id id);
+/* The same, components of a vector as numbers: mirrors keep their sum. */
+void fold_numbers(mpm *s, int group, field_id id);
 void impose_walls(mpm *s, int group, field_id velocity);
 void still_walls(mpm *s, int group); /* nodes that walls hold do not accelerate */
 /* A node on a mirror bears the image's mass as well: doubles the last of `count` values of such nodes in a tile's window. */
@@ -330,6 +333,9 @@ scene_load load_as_solved(const mpm *s, const scene_load *load);
  * ends. */
 double load_now(const mpm *s, const scene_load *load);
 floe_status set_heating(mpm *s);
+
+/* Makes what reactions have left of the points final, before they are sorted; those of which nothing is left are dropped then (burn.c). */
+void burn_commit(mpm *s);
 
 /* The calling thread's number, 0 without threads. */
 int mpm_thread(void);

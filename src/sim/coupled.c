@@ -25,7 +25,8 @@ static floe_status make_pairs(transfer *t, const sim *s)
                 return fail(s->ctx, FLOE_BAD_INPUT, "more than %d solid materials cannot be coupled",
                             TRANSFER_MAX_PAIRS);
             t->pair[t->n_pairs++] =
-                (transfer_pair){s->mpm->body[b].group, r, temperature_of(s->scene, s->mpm->body[b].scene_material)};
+                (transfer_pair){s->mpm->body[b].group, r, temperature_of(s->scene, s->mpm->body[b].scene_material),
+                                ice_burning_of(s->ice, r)};
             break;
         }
     }
@@ -61,6 +62,11 @@ floe_status coupled_step(sim *s)
     TRY(mpm_begin_step(p));
     TRY(mpm_mass_stages(p));
     STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM), WRITES(C_RHO, C_VEL, C_TEMP));
+    TRY(ice_state_stages(s->ice));
+    STAGE(t, p->burns, transfer_share_to_nodes, READS(C_REACTED, C_RHO), WRITES(C_REACTED, N_BURNT_SHARE));
+    TRY(mpm_burn_stages(p));
+    STAGE(t, p->burns, transfer_burnt_to_cells, READS(C_REACTED, N_BURNT, N_BURNT_MOMENTUM, N_BURNT_ENERGY),
+          WRITES(C_REACTED, C_BURNT_MOMENTUM, C_BURNT_ENERGY));
     TRY(ice_pressure_stages(s->ice));
     STAGE(t, ALWAYS, transfer_pressure_to_nodes, READS(C_PRESSURE_ADVANCED), WRITES(C_PRESSURE_ADVANCED, N_PRESSURE));
     STAGE(p, ALWAYS, mpm_grid_pressure, READS(N_PRESSURE, P_POS), WRITES(N_PRESSURE, P_GRID_PRESSURE));

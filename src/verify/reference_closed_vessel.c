@@ -1,5 +1,6 @@
-/* Grains that burn in a closed vessel: dm/dt = -sigma m r_0 (p/p_0)^n, p = (gamma - 1) U/(V - m/rho), U the energy of the gas, which takes
- * the grains' energy and the heat with every mass; the grains are incompressible and exchange no heat. */
+/* Grains that burn in a closed vessel: dm/dt = -rho S r_0 (p/p_0)^n, p = (gamma - 1) U/(V - m/rho), U the energy of the gas, which takes
+ * the grains' energy and the heat with every mass; the grains are incompressible and exchange no heat. Their surface is S = sigma m/rho, or that
+ * of a body that keeps its form, S = S_0 (m/m_0)^f. */
 #include "verify/internal.h"
 #include "verify/ode.h"
 #include "verify/reference.h"
@@ -7,7 +8,7 @@
 typedef struct vessel_par {
     double volume, grain_mass, grain_density, grain_energy, heat;
     double gas_mass, gas_energy, gamma;
-    double velocity, pressure, exponent, specific_surface;
+    double velocity, pressure, exponent, specific_surface, surface, form;
 } vessel_par;
 
 static const param_spec vessel_params[] = {
@@ -22,7 +23,11 @@ static const param_spec vessel_params[] = {
     PAR_POSITIVE(vessel_par, velocity, "m/s", NAN, "r_0, at which the surface recedes at the pressure below"),
     PAR_POSITIVE(vessel_par, pressure, "Pa", 1e6, "p_0"),
     PAR_BETWEEN(vessel_par, exponent, "1", 0.0, 3.0, NAN, "n of r = r_0 (p/p_0)^n"),
-    PAR_POSITIVE(vessel_par, specific_surface, "1/m", NAN, "sigma, surface over volume of what is left of the grains"),
+    PAR_NONNEGATIVE(vessel_par, specific_surface, "1/m", 0.0,
+                    "sigma, surface over volume of what is left of the grains"),
+    PAR_NONNEGATIVE(vessel_par, surface, "m2", 0.0, "S_0, instead of sigma: of a body, at t = 0"),
+    PAR_BETWEEN(vessel_par, form, "1", 0.0, 1.0, 1.0,
+                "f: 0 for a slab, 1/2 for a cylinder or a square bar, 2/3 for a ball or a cube"),
 };
 
 enum { GRAINS, GAS, PRESSURE, BURN_RATE, QUANTITIES };
@@ -46,9 +51,16 @@ static double pressure_of(const vessel_par *p, double mass)
     return (p->gamma - 1.0) * energy / (p->volume - mass / p->grain_density);
 }
 
+static double surface_of(const vessel_par *p, double mass)
+{
+    if (!(mass > 0.0)) return 0.0;
+    if (p->surface > 0.0) return p->surface * pow(mass / p->grain_mass, p->form);
+    return p->specific_surface * mass / p->grain_density;
+}
+
 static double rate_of(const vessel_par *p, double mass)
 {
-    return -p->specific_surface * mass * p->velocity * pow(pressure_of(p, mass) / p->pressure, p->exponent);
+    return -p->grain_density * surface_of(p, mass) * p->velocity * pow(pressure_of(p, mass) / p->pressure, p->exponent);
 }
 
 static void vessel_rate(double t, const double *y, double *dydt, void *user)
@@ -71,6 +83,9 @@ static floe_status vessel_prepare(context *ctx, const void *par, void *prepared)
 {
     (void)prepared;
     const vessel_par *p = par;
+    if (!(p->surface > 0.0) == !(p->specific_surface > 0.0))
+        return fail(ctx, FLOE_BAD_INPUT,
+                    "the vessel's grains have a 'specific_surface' or a 'surface', and one of them");
     if (p->grain_mass < p->volume * p->grain_density) return FLOE_OK;
     return fail(ctx, FLOE_BAD_INPUT, "%g kg of grains do not fit into %g m3", p->grain_mass, p->volume);
 }

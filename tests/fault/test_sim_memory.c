@@ -12,6 +12,7 @@ static const deck_variant variants[] = {
     {"one gas", "sod", COUPLING_ICE, 1, 1, {"domain.cell=0.1"}},
     {"one gas, implicit", "sod", COUPLING_ICE, 1, 2, {"domain.cell=0.1", "method.pressure=implicit"}},
     {"reaction", "closed_vessel_burn", COUPLING_ICE, 1, 1, {"time.fixed_step=null"}},
+    {"solid that burns", "burning_block", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.004"}},
     {"drag and heat of two gases", "relaxation", COUPLING_ICE, 1, 1, {"time.fixed_step=null"}},
     {"membrane in space", "membrane_sphere", COUPLING_MPM, 1, 1, {"domain.cell=0.2"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},

@@ -25,6 +25,7 @@ static const deck_variant variants[] = {
      1,
      2,
      {"time.fixed_step=null", "method.pressure=implicit"}},
+    {"solid that burns", "burning_block", COUPLING_ICE_MPM, 2, 2, {"domain.cell=0.002", "method.transfer=xpic"}},
     {"viscous, conducting, between plates", "couette", COUPLING_ICE, 1, 0, {NULL}},
     {"two gases, drag, heat", "relaxation", COUPLING_ICE, 1, 1, {"time.fixed_step=null"}},
     {"membrane of points", "membrane_circle", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},

@@ -2,7 +2,7 @@
 #include "verification/coupled_fixture.h"
 
 static const deck_variant variants[] = {
-    {"points", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.025"}},
+    {"points", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.02"}},
     {"points with their edges held",
      "annulus_traction",
      COUPLING_MPM,
