@@ -15,6 +15,8 @@ static const deck_variant variants[] = {
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.1"}},
     {"gas points, shock", "sod", COUPLING_MPM, 1, 1, {"domain.cell=0.02"}},
     {"bar", "bar_vibration", COUPLING_MPM, 1, 0, {NULL}},
+    {"driven ring", "ring_mms", COUPLING_MPM, 2, 2, {"method.stress=usf", "method.basis=cpdi"}},
+    {"driven bar, implicit", "bar_mms", COUPLING_MPM, 1, 2, {"time.solver=implicit", "time.increments=100"}},
     {"one gas", "sod", COUPLING_ICE, 2, 1, {"domain.cell=0.00625"}},
     {"vortex", "isentropic_vortex", COUPLING_ICE, 2, 0, {NULL}},
     {"column", "hydrostatic_column", COUPLING_ICE, 1, 0, {NULL}},
