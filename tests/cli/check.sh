@@ -54,3 +54,18 @@ expect 2 "$FLOE" check "$pulse" --set method.pressure=implicit
 has stderr 'does not resolve'
 expect 2 "$FLOE" check "$pulse" --set 'boundaries.x.lower={reservoir: {pressure: -1, temperature: 1}}'
 has stderr "does not exist at -1 Pa"
+
+# Solids that burn: what knows nothing of points that lose mass.
+block=$FLOE_SOURCE/inputs/burning_block.yaml
+expect 2 "$FLOE" check "$block" --set method.interface=sharp
+has stderr 'cannot burn where surfaces cut the cells'
+expect 2 "$FLOE" check "$block" --set method.edge_penalty=0.05
+has stderr 'and its edge with it'
+expect 2 "$FLOE" check "$block" --set 'exchange={}'
+has stderr 'would be held in the cells'
+expect 2 "$FLOE" check "$block" --set 'reactions.more={reactant: propellant, product: gas, rate: {threshold: {temperature: 300, time: 1}}}'
+has stderr "uses up the solid 'propellant' already"
+expect 2 "$FLOE" check "$block" --set 'loads={push: {traction: {body: block, surface: {box: {lower: [15 mm, 15 mm], upper: [25 mm, 25 mm]}}, pressure: 1 MPa}}}'
+has stderr 'which is loaded, burns away'
+expect 2 "$FLOE" check "$block" --set coupling=mpm
+has stderr "'mpm' has none"
