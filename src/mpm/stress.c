@@ -76,6 +76,33 @@ void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end,
     if (has_artificial(b)) memcpy(batch->q, field_get(f, P_VISCOUS_PRESSURE, body, 0) + start, bytes);
 }
 
+/* L += half L^2. */
+static void add_square(solid_batch *b, double half)
+{
+    for (size_t k = 0; k < b->n; ++k) {
+        double G[9];
+        for (int c = 0; c < 9; ++c) G[c] = b->L[c][k];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                b->L[3 * i + j][k] += half * (G[3 * i] * G[j] + G[3 * i + 1] * G[3 + j] + G[3 * i + 2] * G[6 + j]);
+    }
+}
+
+/* The same where nothing leans out of the plane. */
+static void add_square_in_plane(solid_batch *b, double half)
+{
+    double *restrict xx = b->L[0], *restrict xy = b->L[1], *restrict yx = b->L[3], *restrict yy = b->L[4],
+                     *restrict zz = b->L[8];
+    for (size_t k = 0; k < b->n; ++k) {
+        const double trace = xx[k] + yy[k], both = xy[k] * yx[k];
+        xx[k] += half * (xx[k] * xx[k] + both);
+        yy[k] += half * (yy[k] * yy[k] + both);
+        xy[k] += half * trace * xy[k];
+        yx[k] += half * trace * yx[k];
+        zz[k] += half * zz[k] * zz[k];
+    }
+}
+
 /* Nodes have their velocity of the middle of the step, v = (x' - x)/dt, and gradients are taken where points stand at its start, so that
  * x' - x = dt G x and F' = (I + dt G) F to round-off. Laws and F take the gradient with respect to the middle of the way,
  * L = G (I + dt G/2)^-1 = G - dt G^2/2 to second order; with G in its place large strains are first order in the step. USF looks back from
@@ -84,13 +111,10 @@ static void centre_rates(const mpm *s, solid_batch *b)
 {
     const bool back = s->scene->method.stress == STRESS_USF && !s->coupled;
     const double half = (back ? 0.5 : -0.5) * b->dt;
-    for (size_t k = 0; k < b->n; ++k) {
-        double G[9];
-        for (int c = 0; c < 9; ++c) G[c] = b->L[c][k];
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                b->L[3 * i + j][k] += half * (G[3 * i] * G[j] + G[3 * i + 1] * G[3 + j] + G[3 * i + 2] * G[6 + j]);
-    }
+    if (s->mesh->dim == 3)
+        add_square(b, half);
+    else
+        add_square_in_plane(b, half);
 }
 
 /* F <- (I + A + A^2/2) F with A = dt L, and J = det F: second order, and exact in volume to third. */
