@@ -26,7 +26,7 @@ enum {
     SCENE_MAX_HOLDERS = 3, /* membranes that hold gas of the cells */
     SCENE_MAX_AXIS = 32,   /* values of an axis */
     SCENE_MAX_AXES = 6,
-    SCENE_MAX_WITH = 8, /* keys that change along with that of an axis */
+    SCENE_MAX_WITH = 12, /* keys that change along with that of an axis */
     SCENE_MAX_OVER = 2,
     SCENE_MAX_BARS = 32, /* and of checks, and of refusals */
     SCENE_MAX_METRICS = 24,
