@@ -56,8 +56,9 @@ part_fuzz() {
         corpus=("$found" "tests/fuzz/$name")
         [ $name = deck ] && corpus+=(inputs tests/cli/decks)
         mkdir -p "$found"
-        OMP_NUM_THREADS=1 "build/fuzz/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=16384 \
-            -print_final_stats=1 -artifact_prefix="$totals/fuzz_$name-" "${corpus[@]}" >"$totals/fuzz_$name.log" 2>&1 || status=1
+        LSAN_OPTIONS=suppressions=tests/fuzz/libfyaml.supp OMP_NUM_THREADS=1 "build/fuzz/tests/fuzz/fuzz_$name" \
+            -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=16384 -print_final_stats=1 \
+            -artifact_prefix="$totals/fuzz_$name-" "${corpus[@]}" >"$totals/fuzz_$name.log" 2>&1 || status=1
         note "$name: $(sed -n 's/^stat::number_of_executed_units: *//p' "$totals/fuzz_$name.log") inputs in" \
             "$(sed -n 's/^Done [0-9]* runs in \([0-9]*\) second.*/\1/p' "$totals/fuzz_$name.log") s," \
             "$(grep -oE 'cov: [0-9]+' "$totals/fuzz_$name.log" | tail -n 1 | cut -d' ' -f2) edges," \
