@@ -24,7 +24,7 @@ static void add(line *l, const char *name, const char *unit, double value)
     if (l->names) {
         strbuf_append(l->out, "%s%s (%s)", comma(l), name, output_unit(l->s, unit));
     } else {
-        strbuf_append(l->out, "%s%.17g", comma(l), value);
+        strbuf_append(l->out, "%s%.17g", comma(l), isnan(value) ? (double)NAN : value); /* "nan", never "-nan" */
     }
 }
 
