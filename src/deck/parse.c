@@ -169,6 +169,38 @@ static floe_status take_events(parser *p)
     return fy_parser_get_stream_error(p->fyp) || fy_diag_got_error(p->diag) ? take_syntax_error(p) : FLOE_OK;
 }
 
+/* How many bytes the character has that begins here; 0: it is none of UTF-8 (RFC 3629). */
+static size_t character_length(const unsigned char *c, size_t left)
+{
+    const size_t length = c[0] < 0x80 ? 1 : c[0] < 0xc2 ? 0 : c[0] < 0xe0 ? 2 : c[0] < 0xf0 ? 3 : c[0] < 0xf5 ? 4 : 0;
+    if (length > left) return 0;
+    for (size_t k = 1; k < length; k++)
+        if ((c[k] & 0xc0) != 0x80) return 0;
+    const bool overlong = (c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xf0 && c[1] < 0x90);
+    const bool no_character = (c[0] == 0xed && c[1] > 0x9f) || (c[0] == 0xf4 && c[1] > 0x8f);
+    return overlong || no_character ? 0 : length;
+}
+
+/* libfyaml 0.7.12 does not come back from some texts that are not UTF-8 (a directive with a byte 0xff in it). */
+static floe_status check_text(parser *p, const char *text, size_t length)
+{
+    deck_place at = {.source = p->source, .line = 1, .column = 1};
+    for (size_t i = 0; i < length;) {
+        const unsigned char *c = (const unsigned char *)text + i;
+        const size_t n = character_length(c, length - i);
+        const bool control = c[0] < 0x20 && c[0] != '\t' && c[0] != '\n' && c[0] != '\r';
+        if (n == 0 || control || c[0] == 0x7f) {
+            char words[64];
+            (void)snprintf(words, sizeof words, "the byte 0x%02x stands where a character should", c[0]);
+            return refuse(p, at, words, "a deck is text in UTF-8");
+        }
+        at.column = c[0] == '\n' ? 1 : at.column + 1;
+        at.line += c[0] == '\n';
+        i += n;
+    }
+    return FLOE_OK;
+}
+
 static struct fy_diag *create_diag(void)
 {
     struct fy_diag_cfg config;
@@ -185,6 +217,7 @@ floe_status parse_yaml(deck_node **root, deck_arena *arena, int source, const ch
 {
     parser p = {.arena = arena, .source = source, .error = error};
     *root = NULL;
+    TRY(check_text(&p, text, length));
     p.diag = create_diag();
     const struct fy_parse_cfg config = {.search_path = "",
                                         .flags = FYPCF_QUIET | FYPCF_ALLOW_DUPLICATE_KEYS | FYPCF_DEFAULT_VERSION_1_2 |

@@ -240,6 +240,12 @@ static const spoiled cases[] = {
     /* YAML itself */
     {"{dim: 2", "{dim: 2, [", NULL, {"error"}},
     {"title: a test", "title: \"a", NULL, {"error"}},
+    {"title: a test", "title: \xff", "2:8", {"the byte 0xff stands where a character should"}},
+    {"title: a test", "title: f\xc3\xbcr \xc3", "2:12", {"the byte 0xc3 stands where a character should"}},
+    {"title: a test", "title: \xed\xa0\x80", "2:8", {"the byte 0xed stands where"}},
+    {"title: a test", "title: \xc0\x80", "2:8", {"the byte 0xc0 stands where"}},
+    {"title: a test", "title: \xe0\x80\x80", "2:8", {"the byte 0xe0 stands where"}},
+    {"title: a test", "title: a\001b", "2:9", {"the byte 0x01 stands where"}},
     {"title: a test", "title: *a", "2:8", {"aliases (*) are not used"}},
     {"title: a test", "title: &a b", NULL, {"anchors (&) and tags (!) are not used"}},
     {"title: a test", "title: !!str b", NULL, {"anchors (&) and tags (!) are not used"}},
