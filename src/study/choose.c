@@ -89,6 +89,13 @@ static void find_reach(choose_curve *c, double tolerance, size_t needed, double 
     if (c->reach < c->n) c->reach_seconds = predict_seconds(c, c->reach, of_weight);
 }
 
+/* How run time grows as h^-1: as measured, or, of runs too short to time, as their weights do. NAN: nothing tells. */
+static double growth_of(const choose_curve *c, size_t last)
+{
+    if (c->exponent > 0.0) return c->exponent;
+    return last > 0 ? log(c->list[last].weight / c->list[0].weight) / log(c->list[0].h / c->list[last].h) : (double)NAN;
+}
+
 static void extrapolate(choose_curve *c, double tolerance)
 {
     const size_t last = done_before(c, c->n, true);
@@ -96,7 +103,7 @@ static void extrapolate(choose_curve *c, double tolerance)
     if (last == c->n || !(c->order > 0.0)) return;
     const choose_case *from = &c->list[last];
     c->wanted_h = from->h * pow(tolerance / from->error, 1.0 / c->order);
-    if (c->exponent > 0.0) c->wanted_seconds = from->seconds * pow(from->h / c->wanted_h, c->exponent);
+    c->wanted_seconds = from->seconds * pow(from->h / c->wanted_h, growth_of(c, last));
 }
 
 /* Out of the running whatever the others do. */
