@@ -8,12 +8,14 @@
 #   thread     the tests with the thread sanitizer, two threads (clang, libarcher)
 #   valgrind   the tests under valgrind
 #   coverage   lines that the tests run, by room
-# FLOE_TESTS: a regular expression of ctest that chooses the tests of sanitize, thread, valgrind and coverage (unit, conformance, fault).
+# FLOE_TESTS: a regular expression of ctest that chooses the tests of sanitize, thread, valgrind and coverage (all). Which of them have passed is
+# in out/nightly/PART.passed; with FLOE_CONTINUE=1 these four do the others only. FLOE_LIMIT: the longest that one test may take, in seconds (3600).
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 export OMP_WAIT_POLICY=passive
 totals=out/nightly
-tests=${FLOE_TESTS:-^(unit|conformance|fault)_}
+tests=${FLOE_TESTS:-.}
+limit=${FLOE_LIMIT:-3600}
 seconds=${FLOE_SECONDS:-1800}
 jobs=${FLOE_JOBS:-$(nproc)}
 mkdir -p "$totals"
@@ -22,13 +24,36 @@ note() {
     printf '%s\n' "$*" | tee -a "$totals/$part.txt"
 }
 
+# Names of the tests of a build that are to be run.
+list_tests() { # BUILD
+    ctest --test-dir "build/$1" -N -L quick -R "$tests" | sed -n 's/^ *Test *#[0-9]*: //p'
+}
+
+# The names that have passed are forgotten unless a part goes on.
+start_passed() {
+    passed=$totals/$part.passed
+    [ -n "${FLOE_CONTINUE:-}" ] || : >"$passed"
+    touch "$passed"
+}
+
+# How many of the tests to be run have passed, and which have not; fails unless all have.
+note_passed() { # BUILD
+    local all missing
+    all=$(list_tests "$1" | sort)
+    missing=$(comm -23 <(printf '%s\n' "$all") <(sort -u "$passed") | paste -sd' ')
+    note "$(comm -12 <(printf '%s\n' "$all") <(sort -u "$passed") | wc -l) of $(printf '%s\n' "$all" | wc -l) tests passed${missing:+; not: $missing};" \
+        "at $(git rev-parse --short=12 HEAD)"
+    [ -z "$missing" ]
+}
+
 # Tests of a build, and how they ended.
 run_tests() { # BUILD
-    local log=$totals/$part.log status=0 start=$SECONDS
-    ctest --test-dir "build/$1" -R "$tests" -j "$jobs" --output-on-failure --no-tests=error >"$log" 2>&1 || status=1
-    note "$(sed -n 's/^\([0-9]*% tests passed, .*\)$/\1/p' "$log"); $((SECONDS - start)) s; tests $tests"
-    [ $status -eq 0 ] || grep -E '\(Failed\)|\(Timeout\)|SEGFAULT' "$log"
-    return $status
+    local log=$totals/$part.log
+    start_passed
+    ctest --test-dir "build/$1" -L quick -R "$tests" -E "^($(paste -sd'|' "$passed"))$" -j "$jobs" --timeout "$limit" --output-on-failure >"$log" 2>&1
+    sed -nE 's/.*Test +#[0-9]+: ([a-z0-9_]+) .*Passed.*/\1/p' "$log" >>"$passed"
+    grep -E '\(Failed\)|\(Timeout\)|SEGFAULT' "$log"
+    note_passed "$1"
 }
 
 part_killed() {
@@ -81,17 +106,20 @@ part_thread() {
     OMP_TOOL_LIBRARIES=$archer TSAN_OPTIONS="ignore_noninstrumented_modules=1 history_size=5" run_tests thread
 }
 
+# Programs under valgrind; scripts of the command line have it around floe.
 part_valgrind() {
     scripts/build.sh release || return
-    local test status=0 n=0 start=$SECONDS bad=()
-    for test in $(ctest --test-dir build/release -N -R "$tests" | sed -n 's/^ *Test *#[0-9]*: //p'); do
-        [ -x "build/release/tests/$test" ] || continue
-        n=$((n + 1))
-        OMP_NUM_THREADS=1 timeout "${FLOE_LIMIT:-1200}" valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite \
-            --suppressions=tests/valgrind.supp "build/release/tests/$test" >"$totals/valgrind_$test.log" 2>&1 || bad+=("$test:$?")
+    local test command checker="valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite --suppressions=$PWD/tests/valgrind.supp"
+    printf '#!/bin/sh\nexec %s "%s" "$@"\n' "$checker" "$PWD/build/release/floe" >"$totals/valgrind_floe"
+    chmod +x "$totals/valgrind_floe"
+    start_passed
+    for test in $(list_tests release | grep -vxFf "$passed"); do
+        command=$(ctest --test-dir build/release -V -N -R "^$test\$" | sed -nE 's/^[0-9]+: Test command: //p')
+        case $test in cli_* | source_rules) ;; *) command="$checker $command" ;; esac
+        FLOE=$PWD/$totals/valgrind_floe FLOE_SOURCE=$PWD OMP_NUM_THREADS=1 timeout "$limit" bash -c "$command" >"$totals/valgrind_$test.log" 2>&1 &&
+            echo "$test" >>"$passed"
     done
-    note "$n tests, ${#bad[@]} with findings or out of time${bad[*]:+: ${bad[*]}}; $((SECONDS - start)) s; tests $tests"
-    [ ${#bad[@]} -eq 0 ]
+    note_passed release
 }
 
 part_coverage() {

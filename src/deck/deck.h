@@ -68,7 +68,7 @@ void deck_init(void);
 
 /* Reads the deck at `path`, applies `set` (may be NULL) and resolves it into a scene, which the caller owns.
  * FLOE_BAD_INPUT: errors are in *report and the context's message counts them. FLOE_IO: the file cannot be read.
- * No state is kept between calls; calls from several threads must take turns, for udunits2 is not thread-safe. */
+ * No state is kept between calls; several threads may call, each with a context of its own (udunits2, which is not thread-safe, is locked). */
 floe_status deck_load(scene **out, context *ctx, const char *path, const deck_overrides *set,
                       const deck_catalogue *catalogue, deck_report *report);
 /* The same from text in memory (text[length] is 0); `path` names it in messages and in the scene. */

@@ -21,6 +21,34 @@ static floe_status add_child(override *o, deck_node *map, const char *path, size
     return FLOE_OK;
 }
 
+/* K=null takes a key away, so that an alternative can be given; K= alone stays an error of the schema. */
+static bool takes_away(const override *o)
+{
+    return o->value[0] != '\0' && node_is_null(o->fresh);
+}
+
+/* What is not there is not put there to be taken away: --set and an axis may both take the same key. Its name is kept for the schema, unless
+ * it is known to have been there. */
+static floe_status note_absent(override *o, deck_node *map, const char *path, size_t length)
+{
+    deck_node *absent;
+    for (const deck_node *at = map->absent; at; at = at->next) {
+        if (strncmp(at->key, path, length) == 0 && at->key[length] == '\0') return FLOE_OK;
+    }
+    TRY(node_new(o->arena, &absent, NODE_SCALAR, o->at));
+    TRY(arena_text(o->arena, &absent->key, path, length));
+    node_note_absent(map, absent);
+    return FLOE_OK;
+}
+
+static void take_away(deck_node *child)
+{
+    deck_node *map = child->parent;
+    node_remove(child);
+    child->taken = true;
+    node_note_absent(map, child);
+}
+
 /* One step of a path through a map: *next is NULL once the value has been put in its place. */
 static floe_status step_map(override *o, deck_node *map, const char **path, deck_node **next)
 {
@@ -30,13 +58,13 @@ static floe_status step_map(override *o, deck_node *map, const char **path, deck
     if (!child) {
         length = strcspn(*path, ".");
         if (length == 0) return error_add(o->errors, o->at, NULL, NULL, "'%s' has an empty part", o->key);
+        if (takes_away(o)) return note_absent(o, map, *path, length);
         if ((*path)[length] == '\0') return add_child(o, map, *path, length, o->fresh);
         TRY(node_new(o->arena, &child, NODE_MAP, o->at));
         TRY(add_child(o, map, *path, length, child));
     } else if ((*path)[length] == '\0') {
-        /* K=null takes a key away, so that an alternative can be given; K= alone stays an error of the schema. */
-        if (o->value[0] != '\0' && node_is_null(o->fresh))
-            node_remove(child);
+        if (takes_away(o))
+            take_away(child);
         else
             node_replace(child, o->fresh);
         return FLOE_OK;

@@ -70,7 +70,7 @@ static const key_spec *find_key(const key_table *table, const char *name)
     return NULL;
 }
 
-/* Unknown keys and second occurrences. */
+/* Unknown keys, those that were to be taken away among them, and second occurrences. */
 static floe_status check_keys(reader *r, const key_table *table, deck_node *map)
 {
     for (deck_node *child = map->first; child; child = child->next) {
@@ -81,6 +81,9 @@ static floe_status check_keys(reader *r, const key_table *table, deck_node *map)
         } else if (!find_key(table, child->key)) {
             TRY(bad_name(r, child, true, "key", key_name, table));
         }
+    }
+    for (deck_node *child = map->absent; child; child = child->next) {
+        if (!child->taken && !find_key(table, child->key)) TRY(bad_name(r, child, true, "key", key_name, table));
     }
     return FLOE_OK;
 }
@@ -182,6 +185,21 @@ static floe_status read_item(reader *r, const key_spec *key, deck_node *node, ch
     return items->end ? items->end(r, node, item) : FLOE_OK;
 }
 
+static const char *child_name(const void *user, size_t i)
+{
+    const deck_node *child = node_at(user, i);
+    return child ? child->key : NULL;
+}
+
+/* A name that was to be taken away must be there, or have been. */
+static floe_status check_absent(reader *r, const named_items *items, deck_node *map)
+{
+    for (deck_node *child = map->absent; child; child = child->next) {
+        if (!child->taken && !node_find(map, child->key)) TRY(bad_name(r, child, true, items->noun, child_name, map));
+    }
+    return FLOE_OK;
+}
+
 floe_status read_named(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     const named_items *items = key->items;
@@ -190,6 +208,7 @@ floe_status read_named(reader *r, const key_spec *key, deck_node *node, void *ba
         node_describe(node, found, sizeof found);
         return bad(r, node, "name: {...}, one entry for each", "'%s' is %s, not a map of names", key->key, found);
     }
+    TRY(check_absent(r, items, node));
     int count = 0;
     for (deck_node *child = node->first; child; child = child->next) {
         const deck_node *first = node_find(node, child->key);

@@ -102,6 +102,13 @@ void node_remove(deck_node *child)
     parent->n--;
 }
 
+void node_note_absent(deck_node *map, deck_node *child)
+{
+    child->parent = map;
+    child->next = map->absent;
+    map->absent = child;
+}
+
 deck_node *node_find(const deck_node *map, const char *key)
 {
     if (!map || map->kind != NODE_MAP) return NULL;

@@ -30,7 +30,9 @@ typedef struct deck_node {
     deck_place key_at; /* in a map */
     deck_place at;     /* of the value */
     struct deck_node *parent, *first, *last, *next;
-    size_t n; /* children */
+    struct deck_node *absent; /* maps: what --set was to take away, chained by next */
+    size_t n;                 /* children */
+    bool taken;               /* among the absent: it was there */
 } deck_node;
 
 typedef struct arena_chunk arena_chunk;
@@ -53,6 +55,8 @@ void node_append(deck_node *parent, deck_node *child);
 void node_replace(deck_node *old, deck_node *fresh);
 /* Takes `child` out of its parent; it is forgotten. */
 void node_remove(deck_node *child);
+/* Puts `child`, which is none of its children, among the absent of `map`. */
+void node_note_absent(deck_node *map, deck_node *child);
 /* The first child of a map with that key, NULL if there is none (or `map` is NULL or no map). */
 deck_node *node_find(const deck_node *map, const char *key);
 /* The child whose key is the longest beginning of `path` (keys may hold dots); *length is what it takes of the path. */

@@ -6,8 +6,12 @@
 #include <udunits2.h>
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
+
+/* The parsers of udunits2, of its database and of units, are the whole process's: whoever is in them holds this. */
+static pthread_mutex_t udunits = PTHREAD_MUTEX_INITIALIZER;
 
 void deck_init(void)
 {
@@ -46,7 +50,7 @@ static bool convert(const ut_unit *from_unit, const ut_unit *to_unit, double *x,
     return false;
 }
 
-bool units_convert(unit_book *book, double *x, const char *from, const char *to, char *why)
+static bool convert_named(unit_book *book, double *x, const char *from, const char *to, char *why)
 {
     if (!open_book(book, why)) return false;
     ut_unit *from_unit = ut_parse(book->system, from, UT_UTF8);
@@ -64,8 +68,19 @@ bool units_convert(unit_book *book, double *x, const char *from, const char *to,
     return ok;
 }
 
+bool units_convert(unit_book *book, double *x, const char *from, const char *to, char *why)
+{
+    (void)pthread_mutex_lock(&udunits);
+    const bool ok = convert_named(book, x, from, to, why);
+    (void)pthread_mutex_unlock(&udunits);
+    return ok;
+}
+
 void units_close(unit_book *book)
 {
-    if (book->system) ut_free_system(book->system);
+    if (!book->system) return;
+    (void)pthread_mutex_lock(&udunits);
+    ut_free_system(book->system);
+    (void)pthread_mutex_unlock(&udunits);
     book->system = NULL;
 }

@@ -252,6 +252,8 @@ static floe_status list_group(mpm *s, int group)
     for (size_t k = 0; k < all; ++k) e->index[k] = -1;
     TRY(edge_visit_starts(s, group, list_line, NULL));
     forget_nodes(s, group);
+    g->listed = g->n_nodes == 0; /* no line yet: no rows, and no room for them either */
+    if (g->listed) return FLOE_OK;
     TRY(clear_matrix(s, g));
     for (size_t k = 0; k < g->n_lines; ++k) add_line(&g->matrix, &g->line[k], s->mesh->dim, edge_taps(s));
     TRY(make_room(s->ctx, &g->next, &g->next_room, g->n_lines * (size_t)s->mesh->dim, sizeof *g->next));

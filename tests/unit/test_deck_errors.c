@@ -390,6 +390,9 @@ static void overrides_are_named_as_the_user_wrote_them(void **state)
         {"domain.upper=[1, 2", "--set domain.upper=[1, 2: error: the value is not YAML"},
         {"materials.copper.density=1",
          "--set materials.copper.density=1: error: material 'copper' has neither 'law' nor 'eos'"},
+        {"metod.basis=null", "--set metod.basis=null: error: unknown key 'metod' (did you mean 'method'?)"},
+        {"domain.cel=null", "--set domain.cel=null: error: unknown key 'cel' (did you mean 'cell'?)"},
+        {"materials.stel=null", "--set materials.stel=null: error: unknown material 'stel'"},
         {"stress=usl", "--set stress=usl: error: unknown key 'stress'"},
     };
     for (size_t i = 0; i < sizeof overrides / sizeof overrides[0]; i++) {

@@ -252,6 +252,24 @@ static void null_takes_a_key_away(void **state)
     scene_destroy(&s);
 }
 
+/* What is not there may be taken away, as --set and an axis of a study do one after the other; then it may be given anew. */
+static void null_of_what_is_not_there_changes_nothing(void **state)
+{
+    fixture *f = *state;
+    const char *set[] = {"stop=null",        "stop=null",        "stop.window=null",        "verify.reference=null",
+                         "bodies.bore=null", "bodies.bore=null", "bodies.bore.points=null", "method=null",
+                         "method.basis=null"};
+    scene *s = load_input(f, "pressurized_cylinder.yaml", set, sizeof set / sizeof set[0]);
+    assert_int_equal(s->n_bodies, 1);
+    assert_false(s->rest.enabled);
+    scene_destroy(&s);
+    const char *anew[] = {"bodies.bore=null",
+                          "bodies.bore={material: gas, shape: {ball: {radius: 0.5}}, pressure: 2e5, temperature: 300}"};
+    s = load_input(f, "pressurized_cylinder.yaml", anew, 2);
+    assert_int_equal(s->n_bodies, 2);
+    scene_destroy(&s);
+}
+
 /* ---- echo ---- */
 
 static void check_round_trip(fixture *f, const scene *s)
@@ -464,6 +482,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(axes_are_r_and_z_when_axisymmetric, set_up, tear_down),
         cmocka_unit_test_setup_teardown(overrides_reach_any_key, set_up, tear_down),
         cmocka_unit_test_setup_teardown(null_takes_a_key_away, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(null_of_what_is_not_there_changes_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(every_input_loads_and_echoes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(echo_keeps_every_key, set_up, tear_down),
         cmocka_unit_test_setup_teardown(values_are_found_by_key, set_up, tear_down),
