@@ -1,19 +1,59 @@
-/* The one header that knows compilers. Everything here has a plain C11 fallback. */
+/* The one header that knows compilers. Everything here has a plain C11 fallback; FLOE_PLAIN_C, defined, asks for it. */
 #ifndef BASE_COMPILER_H
 #define BASE_COMPILER_H
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(FLOE_PLAIN_C)
 #define FLOE_ALWAYS_INLINE static inline __attribute__((always_inline))
 #define FLOE_PRINTF(format_index, first) __attribute__((format(printf, format_index, first)))
 #define FLOE_UNUSED __attribute__((unused))
 #define FLOE_LIKELY(condition) __builtin_expect(!!(condition), 1)
 #define FLOE_UNLIKELY(condition) __builtin_expect(!!(condition), 0)
+
+/* Two doubles side by side; each lane is an ordinary double operation, so that results do not depend on the width of the
+ * machine's registers. */
+typedef double floe_pair __attribute__((vector_size(16)));
+/* a + b, and s a. */
+FLOE_ALWAYS_INLINE floe_pair floe_pair_sum(floe_pair a, floe_pair b)
+{
+    return a + b;
+}
+FLOE_ALWAYS_INLINE floe_pair floe_pair_times(double s, floe_pair a)
+{
+    return s * a;
+}
+FLOE_ALWAYS_INLINE double floe_pair_lane(floe_pair a, int lane)
+{
+    return a[lane];
+}
 #else
 #define FLOE_ALWAYS_INLINE static inline
 #define FLOE_PRINTF(format_index, first)
 #define FLOE_UNUSED
 #define FLOE_LIKELY(condition) (condition)
 #define FLOE_UNLIKELY(condition) (condition)
+
+typedef struct floe_pair {
+    double lane[2];
+} floe_pair;
+FLOE_ALWAYS_INLINE floe_pair floe_pair_sum(floe_pair a, floe_pair b)
+{
+    return (floe_pair){{a.lane[0] + b.lane[0], a.lane[1] + b.lane[1]}};
+}
+FLOE_ALWAYS_INLINE floe_pair floe_pair_times(double s, floe_pair a)
+{
+    return (floe_pair){{s * a.lane[0], s * a.lane[1]}};
+}
+FLOE_ALWAYS_INLINE double floe_pair_lane(floe_pair a, int lane)
+{
+    return a.lane[lane];
+}
+#endif
+
+/* Whether stages are checked and leaks reported: the debug preset (FLOE_DEBUG). */
+#if defined(FLOE_DEBUG)
+enum { FLOE_CHECKS = 1 };
+#else
+enum { FLOE_CHECKS = 0 };
 #endif
 
 #endif

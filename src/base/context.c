@@ -1,5 +1,6 @@
 #include "base/context.h"
 
+#include "base/compiler.h"
 #include "base/context_internal.h"
 
 #include <inttypes.h>
@@ -34,7 +35,6 @@ free_context:
 }
 
 /* A context without a sink has nobody to tell, and a leak must not pass unseen: then it goes to stderr. */
-#ifdef FLOE_DEBUG
 static void context_report_leak(context *ctx)
 {
     const uint64_t live = atomic_load(&ctx->live_bytes);
@@ -45,17 +45,11 @@ static void context_report_leak(context *ctx)
         fprintf(stderr, "floe: memory leak: %" PRIu64 " bytes still live at context_destroy\n", live);
     }
 }
-#else
-static void context_report_leak(context *ctx)
-{
-    (void)ctx;
-}
-#endif
 
 void context_destroy(context **ctx)
 {
     if (ctx == NULL || *ctx == NULL) return;
-    context_report_leak(*ctx);
+    if (FLOE_CHECKS) context_report_leak(*ctx);
     pthread_mutex_destroy(&(*ctx)->log_lock);
     pthread_mutex_destroy(&(*ctx)->message_lock);
     free(*ctx);

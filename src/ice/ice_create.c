@@ -2,29 +2,9 @@
 #include "ice/ice_internal.h"
 
 #include "base/memory.h"
+#include "base/threads.h"
 
 #include <math.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
-int ice_thread(void)
-{
-#ifdef _OPENMP
-    return omp_get_thread_num();
-#else
-    return 0;
-#endif
-}
-
-static int thread_count(void)
-{
-#ifdef _OPENMP
-    return omp_get_max_threads();
-#else
-    return 1;
-#endif
-}
 
 /* Materials that bodies, the ambient and the sides bring in. */
 static void find_used(const scene *s, bool with_points, bool *used)
@@ -166,7 +146,7 @@ static floe_status resolve(ice *s, bool with_points)
     resolve_loads(s);
     TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
     TRY(ice_pairs_resolve(s));
-    s->work->threads = thread_count();
+    s->work->threads = threads_most();
     for (int r = 0; r < s->n_materials; ++r) s->work->energy_floor[r] = constant_floor(&s->material[r].eos);
     for (int r = 0; r < s->n_materials; ++r)
         s->work->reconcile = s->work->reconcile || (isnan(s->work->energy_floor[r]) && !s->material[r].points);

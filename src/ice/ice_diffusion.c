@@ -7,6 +7,7 @@
  *               energy is heat: total energy closes, and what crosses the sides goes into the ledger
  *
  * At shocks (s = 1), and temperatures of cells with several materials, stay at t^n: first order there. */
+#include "base/threads.h"
 #include "ice/ice_stress.h"
 
 #include <math.h>
@@ -228,7 +229,7 @@ void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P)
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row)), n = v->b->n[0];
-        double *rho = s->work->buffer[ice_thread()], *slope = rho + n;
+        double *rho = s->work->buffer[thread_number()], *slope = rho + n;
         for (ptrdiff_t i = 0; i < n; ++i) rho[i] = s->multi ? 1.0 / m->v[base + i] : m->rho[base + i];
         law->model->dpde(law->par, (size_t)n, rho, m->e + base, slope);
         for (ptrdiff_t i = 0; i < n; ++i) {

@@ -233,7 +233,6 @@ floe_status ice_mixture(ice *s, int block_id, const ice_view *v);
 void ice_keep_found(ice *s, int block_id, const ice_view *v);
 /* State of a law at a pressure and a temperature. */
 ice_reservoir ice_state_at(const eos *law, double p, double T);
-int ice_thread(void);
 /* Columns at rest (numerics 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);
 

@@ -6,6 +6,7 @@
  * A fluid that is tied to the others of its cell faster than sound crosses the cell carries sound at Wood's speed of the mixture,
  * not at its own: a hot sliver of gas beside a solid does not limit the step. All of it comes from the fluids' state alone (what
  * they leave of a cell is the solids'), so that a resumed run takes the same steps. */
+#include "base/threads.h"
 #include "ice/ice_internal.h"
 
 #include <math.h>
@@ -121,7 +122,7 @@ static bool block_rates(const ice *s, const ice_view *v, int r, rates *most)
 #pragma omp parallel for schedule(static) reduction(max : flow, sound, signal, diffusion) reduction(+ : bad)
     for (int row = 0; row < q.n; ++row) {
         rates x = {0.0, 0.0, 0.0, 0.0};
-        bad += !row_rates(s, v, r, ice_row_j(q, row), ice_row_k(q, row), s->work->buffer[ice_thread()], &x);
+        bad += !row_rates(s, v, r, ice_row_j(q, row), ice_row_k(q, row), s->work->buffer[thread_number()], &x);
         flow = fmax(flow, x.flow);
         sound = fmax(sound, x.sound);
         signal = fmax(signal, x.signal);

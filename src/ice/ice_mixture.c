@@ -2,6 +2,7 @@
  * the laws see the cells in which one material is alone, then those in which it is mixed or absent; only mixed cells are solved.
  * Materials that are absent from a cell get the mean velocity and temperature of those present, and their law's v at p, so
  * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */
+#include "base/threads.h"
 #include "ice/ice_internal.h"
 
 #include <math.h>
@@ -289,19 +290,19 @@ static floe_status mix_row(mixture_row *q, bool owned_row)
 static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
 {
     const int n = v->b->n[0] + 2 * MESH_GHOST;
-    double *buffer = s->work->buffer[ice_thread()];
+    double *buffer = s->work->buffer[thread_number()];
     return (mixture_row){.s = s,
                          .v = v,
                          .from = mesh_index(v->b, -MESH_GHOST, j, k),
                          .n = n,
                          .guess = field_get(s->domain->fields[id], C_PRESSURE, 0, 0),
-                         .index = s->work->index[ice_thread()],
+                         .index = s->work->index[thread_number()],
                          .a = buffer,
                          .b = buffer + n,
                          .c = buffer + 2 * n,
                          .d = buffer + 3 * n,
                          .e = buffer + 4 * n,
-                         .solver = s->work->solver[ice_thread()]};
+                         .solver = s->work->solver[thread_number()]};
 }
 
 /* Owned cells with several materials, in order. */

@@ -4,6 +4,7 @@
 #include "ice/ice_internal.h"
 
 #include "base/memory.h"
+#include "base/threads.h"
 
 #include <math.h>
 
@@ -97,7 +98,7 @@ static bool react_row(const ice *s, const ice_view *v, ptrdiff_t base)
     for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
         double reacted[REACTION_MAX] = {0.0};
         reaction_cell c;
-        if (gather(s, v, at, &c)) good = reaction_integrate(all->solver[ice_thread()], &c, v->dt, reacted) && good;
+        if (gather(s, v, at, &c)) good = reaction_integrate(all->solver[thread_number()], &c, v->dt, reacted) && good;
         for (int k = 0; k < all->n; ++k) v->reacted[k][at] = reacted[k];
     }
     return good;

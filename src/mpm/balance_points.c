@@ -1,4 +1,5 @@
 /* Points between the nodes' displacements and the nodes' forces. */
+#include "base/threads.h"
 #include "math/tensor.h"
 #include "mpm/balance.h"
 
@@ -107,7 +108,7 @@ static floe_status for_chunks(mpm *s, const double *u, chunk_visit *visit)
 #pragma omp parallel for schedule(dynamic, 4)
             for (int c = 0; c < chunks; ++c) {
                 const size_t start = (size_t)c * SOLID_CHUNK, end = start + SOLID_CHUNK < n ? start + SOLID_CHUNK : n;
-                const floe_status status = visit(s, blk, body, start, end, u, &s->work->batch[mpm_thread()]);
+                const floe_status status = visit(s, blk, body, start, end, u, &s->work->batch[thread_number()]);
                 if (status != FLOE_OK) {
 #pragma omp atomic write
                     worst = status;

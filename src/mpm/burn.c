@@ -5,6 +5,7 @@
  * momentum and energy that they lose, f_p m_p (1, v_p, psi/rho_0 + v_p^2/2), go to the nodes and on to the cells as masses do, and what
  * is left goes on in the step. It all happens at the velocities with which the step begins, before anything pushes, so that mass and momentum of points
  * and cells add up to what they were. Volumes follow masses, and what a point is strained by stays: F, J and stress. */
+#include "base/threads.h"
 #include "mpm/spread.h"
 
 #include <string.h>
@@ -54,7 +55,7 @@ static void burn_body(const mpm *s, int blk, int body, const tile_box *box, cons
                       double *out)
 {
     const point_arrays p = points_of(s, blk, body, false, false);
-    solid_batch *batch = &s->work->batch[mpm_thread()];
+    solid_batch *batch = &s->work->batch[thread_number()];
     for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         double taken[SOLID_CHUNK];

@@ -1,5 +1,6 @@
 /* From the scene to a set of bodies, fields and kernels. */
 #include "base/memory.h"
+#include "base/threads.h"
 #include "mpm/balance.h"
 #include "mpm/contact.h"
 #include "mpm/edge.h"
@@ -10,27 +11,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#ifdef _OPENMP
-#include <omp.h>
-int mpm_thread(void)
-{
-    return omp_get_thread_num();
-}
-static int thread_count(void)
-{
-    return omp_get_max_threads();
-}
-#else
-int mpm_thread(void)
-{
-    return 0;
-}
-static int thread_count(void)
-{
-    return 1;
-}
-#endif
 
 /* Velocity fields. In pure MPM one for all points (no slip is inherent), but that a body in contact has its own; one a solid
  * material when the cells couple them. */
@@ -113,7 +93,7 @@ static floe_status make_work(mpm *s)
     for (int b = 0; b < SCENE_MAX_BODIES; ++b) w->body_group[b] = -1;
     for (int b = 0; b < s->n_bodies; ++b) w->body_group[s->body[b].scene_body] = s->body[b].group;
     const size_t tiles = mesh_tiles(m);
-    w->threads = thread_count();
+    w->threads = threads_most();
     if (s->cell_density) TRY(memory_new(s->ctx, &w->cell_mass, mesh_cells(m), sizeof *w->cell_mass));
     TRY(memory_new(s->ctx, &w->active, tiles, sizeof *w->active));
     TRY(memory_new(s->ctx, &w->moved, tiles, sizeof *w->moved));

@@ -11,6 +11,7 @@
  * loss as heat. That of other points, what a membrane loses of its strain energy (line_strain.c; it may win some) and what damping takes of
  * the nodes' motion go to the nodes, and from each to the fluid points about it by their mass; what nodes without fluid hold
  * all fluid points get by their mass. Where a membrane holds gas of the cells there are no fluid points: the sum is the gas's. */
+#include "base/threads.h"
 #include "mpm/line.h"
 #include "mpm/spread.h"
 
@@ -145,7 +146,7 @@ static void settle_tile(const mpm *s, int blk, int tile)
             load_window(s, blk, &box, &node, 1, squares);
         }
         loaded = group;
-        settle_body(s, blk, body, &box, range, squares, s->work->batch[mpm_thread()].energy, out);
+        settle_body(s, blk, body, &box, range, squares, s->work->batch[thread_number()].energy, out);
     }
     s->work->active[box.number] = any;
 }
@@ -211,7 +212,7 @@ static void heat_tile(const mpm *s, int blk, int tile)
     const fields *f = s->domain->fields[blk];
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     const double *node = field_get(f, N_LOSS, 0, 0);
-    double window[HEAT_WINDOW] = {0}, *gain = s->work->batch[mpm_thread()].energy;
+    double window[HEAT_WINDOW] = {0}, *gain = s->work->batch[thread_number()].energy;
     load_window(s, blk, &box, &node, 1, window);
     if (is_zero(window, s->work->window_nodes)) return;
     for (int body = 0; body < s->n_bodies; ++body) {

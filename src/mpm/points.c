@@ -1,4 +1,5 @@
 /* The stages that pass over the points, tile by tile. */
+#include "base/threads.h"
 #include "mpm/edge.h"
 #include "mpm/locate.h"
 #include "mpm/work.h"
@@ -211,7 +212,7 @@ static floe_status pass_points(mpm *s, tile_pass pass)
 #pragma omp atomic read
             status = worst;
             if (status != FLOE_OK) continue;
-            status = pass_tile(s, b, t, pass, &s->work->batch[mpm_thread()]);
+            status = pass_tile(s, b, t, pass, &s->work->batch[thread_number()]);
             if (status != FLOE_OK) {
 #pragma omp atomic write
                 worst = status;

@@ -1,4 +1,5 @@
 /* Sums and limits over the current points: within tiles, then over tiles in order. */
+#include "base/threads.h"
 #include "mpm/work.h"
 
 #include <math.h>
@@ -55,7 +56,7 @@ static void sum_body(mpm *s, int body, double total[SUM_END])
             double *sum = s->work->tile_sum + (size_t)number * MPM_TILE_SUMS;
             for (size_t k = at[t]; k < at[t + 1]; k += SOLID_CHUNK)
                 sum_chunk(s, b, body, k, k + SOLID_CHUNK < at[t + 1] ? k + SOLID_CHUNK : at[t + 1],
-                          &s->work->batch[mpm_thread()], sum);
+                          &s->work->batch[thread_number()], sum);
         }
     }
     double all[MPM_TILE_SUMS];
@@ -165,7 +166,7 @@ floe_status mpm_time_step(mpm *s, step_limit *out)
 #pragma omp parallel for schedule(static) reduction(max : rate)
             for (size_t k = 0; k < chunks; ++k) {
                 const size_t start = k * SOLID_CHUNK, end = start + SOLID_CHUNK < n ? start + SOLID_CHUNK : n;
-                const double r = chunk_rate(s, b, body, start, end, &s->work->batch[mpm_thread()]);
+                const double r = chunk_rate(s, b, body, start, end, &s->work->batch[thread_number()]);
                 if (r > rate || isnan(r)) rate = isnan(r) ? (double)INFINITY : r;
             }
         }

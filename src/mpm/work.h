@@ -337,9 +337,6 @@ floe_status set_heating(mpm *s);
 /* Makes what reactions have left of the points final, before they are sorted; those of which nothing is left are dropped then (burn.c). */
 void burn_commit(mpm *s);
 
-/* The calling thread's number, 0 without threads. */
-int mpm_thread(void);
-
 /* Order (sort.c). */
 floe_status sort_body(mpm *s, int blk, int body);
 

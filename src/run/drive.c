@@ -1,4 +1,5 @@
 /* The time loop of a run, and what happens at its ends. */
+#include "base/threads.h"
 #include "base/timer.h"
 #include "run/initial.h"
 #include "run/log.h"
@@ -12,21 +13,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#ifdef _OPENMP
-#include <omp.h>
-static int use_threads(int threads)
-{
-    if (threads > 0) omp_set_num_threads(threads);
-    return omp_get_max_threads();
-}
-#else
-static int use_threads(int threads)
-{
-    (void)threads;
-    return 1;
-}
-#endif
 
 enum { CHECKS_PER_WINDOW = 64, ROWS_PER_INTERVAL = 50, WORK_PER_THREAD = 20000 /* points and cells */ };
 
@@ -63,10 +49,10 @@ const char *run_status_name(floe_status status, bool at_rest)
 static int choose_threads(const run *r)
 {
     const int named = r->options->threads > 0 ? r->options->threads : r->scene->threads;
-    const int most = use_threads(named);
+    const int most = threads_use(named);
     const size_t work = (r->sim->mpm ? mpm_count(r->sim->mpm) : 0) + (r->sim->ice ? mesh_cells(&r->sim->mesh) : 0);
     if (named > 0 || getenv("OMP_NUM_THREADS") || work / WORK_PER_THREAD + 1 >= (size_t)most) return most;
-    return use_threads((int)(work / WORK_PER_THREAD) + 1);
+    return threads_use((int)(work / WORK_PER_THREAD) + 1);
 }
 
 static double wall_spent(const run *r)
@@ -310,7 +296,7 @@ floe_status run_scene(context *ctx, scene *s, const run_options *options, run_su
     (void)snprintf(out->coupling, sizeof out->coupling, "%s", coupling_name(s->coupling));
     summary_set_build(out);
     /* Memory for each thread is made with the simulation. */
-    (void)use_threads(options->threads > 0 ? options->threads : s->threads);
+    (void)threads_use(options->threads > 0 ? options->threads : s->threads);
     floe_status status = begin(&r);
     if (status == FLOE_OK) {
         out->threads = choose_threads(&r);

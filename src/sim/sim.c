@@ -1,6 +1,7 @@
 /* From the scene to a simulation ready for its first step. */
 #include "sim/sim.h"
 
+#include "base/compiler.h"
 #include "base/memory.h"
 #include "sim/coupled.h"
 #include "sim/gas_rest.h"
@@ -100,9 +101,7 @@ static floe_status fill(sim *s)
     TRY(check_coupling(s));
     TRY(mesh_init(&s->mesh, s->ctx, &s->scene->mesh));
     stage_list_init(&s->stages, s->ctx);
-#ifdef FLOE_DEBUG
-    s->stages.checking = true;
-#endif
+    s->stages.checking = FLOE_CHECKS;
     TRY(make_solvers(s, needs_points(s->scene, s->coupling), needs_cells(s->scene, s->coupling)));
     TRY(set_initial_state(s));
     TRY(sim_choose_pressure(s));
