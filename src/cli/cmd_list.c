@@ -255,8 +255,7 @@ static const struct argp argp = {
     .args_doc = "[TOPIC]",
     .doc = "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, "
            "laws, membranes, exchange, reactions, shapes, bases, normals, exact, references, metrics, boundaries, "
-           "fields; without "
-           "one the topics are listed.",
+           "fields; without one the topics are listed.",
 };
 
 int cmd_list(cli *c, int argc, char **argv)

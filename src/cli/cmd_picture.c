@@ -92,10 +92,8 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "DIR",
     .doc = "Draw snapshots of a run as PNG: points coloured by one field over cells coloured by another, with axes and "
-           "colour bars. "
-           "DIR is the folder that `floe run` has written. A vector is shown by its magnitude, or by a component: "
-           "velocity_x. A run in "
-           "1-D gives curves over x, one in 3-D the plane through its middle.",
+           "colour bars. DIR is the folder that `floe run` has written. A vector is shown by its magnitude, or by a "
+           "component: velocity_x. A run in 1-D gives curves over x, one in 3-D the plane through its middle.",
 };
 
 /* "DIR/pictures/000004-sigma_r-dark.png": what was asked for tells pictures of one snapshot apart. */

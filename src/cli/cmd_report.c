@@ -69,10 +69,9 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "DIR...",
     .doc = "Make one page of HTML of the folders that floe run, compare, study and stability have written: what was "
-           "run, errors "
-           "and run times, plots with their data, conservation, time by stage, pictures of the fields. The page holds "
-           "all it "
-           "shows and needs no network; the plots stand beside it as files too, in a folder named after it.",
+           "run, errors and run times, plots with their data, conservation, time by stage, pictures of the fields. The "
+           "page holds all it shows and needs no network; the plots stand beside it as files too, in a folder named "
+           "after it.",
 };
 
 int cmd_report(cli *c, int argc, char **argv)

@@ -43,8 +43,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 static const struct argp_option options[] = {
     {"over", 'k', "KEY[=FROM:TO]", 0,
      "The key whose limit is sought, from its value in the deck or between two values; given twice, as KEY=V1,V2,...: "
-     "a "
-     "map (default: the deck's stability.over)",
+     "a map (default: the deck's stability.over)",
      0},
     {"each", KEY_EACH, "KEY=V1,V2,...", 0, "Search for every combination of these values (repeatable)", 0},
     {"tolerance", KEY_TOLERANCE, "X", 0, "Width of the last bracket, relative (default: the deck's, else 0.01)", 0},
@@ -65,9 +64,8 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "DECK",
     .doc =
-        "Find the largest value of a key at which a scene stays stable, by bisection, or map the values of two keys. "
-        "A run is unstable if it diverges, has rejected steps, energies that are no numbers, or more kinetic and "
-        "strain "
+        "Find the largest value of a key at which a scene stays stable, by bisection, or map the values of two keys. A "
+        "run is unstable if it diverges, has rejected steps, energies that are no numbers, or more kinetic and strain "
         "energy than there can be. DIR gets stability.json, stability.csv, a figure, and a folder for each run; what "
         "has been run is not run again.",
 };

@@ -13,9 +13,8 @@ static const param_spec params[] = {
     PAR_BETWEEN(burn_par, exponent, "1", 0.0, 3.0, NAN, "n of r = r_0 (p/p_0)^n"),
     PAR_NONNEGATIVE(
         burn_par, specific_surface, "1/m", 0.0,
-        "of grains: surface over volume of what is left of the reactant; 0: a body, whose surface is the gradient "
-        "of its "
-        "volume fraction"),
+        "of grains: surface over volume of what is left of the reactant; 0: a body, whose surface is the gradient of "
+        "its volume fraction"),
     PAR_NONNEGATIVE(burn_par, threshold, "K", 0.0, "nothing burns below this temperature of the cell"),
 };
 

@@ -30,8 +30,7 @@ static const key_spec domain_keys[] = {
      .doc = "blocks that the mesh is cut into along each axis; results do not depend on it"},
     {"lattice_offset", KEY_SPREAD, NULL, WITHIN(-0.5, 0.5), AT(scene, lattice_offset), .fallback = "0",
      .doc = "where points of 'seeding: lattice' lie, in point spacings from the middle of their sub-cell: -0.5 puts "
-            "them on its "
-            "lower sides"},
+            "them on its lower sides"},
     {"thickness", KEY_NUMBER, "m", PARAM_POSITIVE, AT(scene, thickness), .fallback = "1",
      .doc = "depth of a 2-D scene, for masses and energies in the outputs"},
 };
@@ -74,8 +73,8 @@ static const key_spec time_keys[] = {
     {"increments", KEY_WHOLE, WITHIN(1, 1e6), AT(scene_time, increments), .fallback = "1", .applies = solves_steps,
      .belongs = "solvers static, implicit and auto",
      .doc = "equal parts of the run: load increments that the run is cut into, each cut further where it does not "
-            "converge; a load without a "
-            "ramp grows throughout the run; steps of the implicit solver, unless fixed_step or max_step say"},
+            "converge; a load without a ramp grows throughout the run; steps of the implicit solver, unless fixed_step "
+            "or max_step say"},
     {"tolerance", KEY_NUMBER, NULL, WITHIN(1e-14, 1e-2), AT(scene_time, tolerance), .fallback = "1e-8",
      .applies = solves_steps, .belongs = "solvers static, implicit and auto",
      .doc = "what may be left of the forces on the nodes, as a share of them"},

@@ -181,8 +181,7 @@ static const key_spec membrane_keys[] = {
     {"normals", KEY_MODEL, .family = &family_normals,
      .otherwise = "`connectivity`, the order of the points along the curve; of a surface `quadric`",
      .doc = "how the normals of the points are found; all but `connectivity` take the points as they lie, in any "
-            "order, and find "
-            "their neighbours (`strain: places`) from that, too"},
+            "order, and find their neighbours (`strain: places`) from that, too"},
     {"section", KEY_CHOICE, AT(scene_membrane, section), .fallback = "thickness", .choices = section_choices,
      .doc = "what becomes of it as it is stretched"},
     {"strain", KEY_CHOICE, AT(scene_membrane, strain), .fallback = "rate", .choices = strain_choices,

@@ -70,8 +70,7 @@ static floe_status explain(const ice *s, const ice_view *v, int r)
                 ice_place(s, b, at, v->first + r, place, sizeof place);
                 return fail(s->ctx, FLOE_RETRY,
                             "advection, %s: %s (density %g to %g kg/m3, internal energy %g to %g J/kg, outflow %g of "
-                            "the volume, "
-                            "step %g s)",
+                            "the volume, step %g s)",
                             place, fault, v->m[r].rho[at], v->m[r].rho1[at], v->m[r].e[at], v->m[r].e1[at],
                             ice_outflow(v, &v->m[r], at, i, v->dim), s->dt);
             }

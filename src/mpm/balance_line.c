@@ -353,8 +353,7 @@ static floe_status find_rest(mpm *s, balance_room *gas, double energy, double ro
         if (k < fits) fit_pieces(s);
     }
     return fail(s->ctx, FLOE_DIVERGED,
-                "gas and membrane find no rest of the energy that they have; use "
-                "time.solver: dynamic");
+                "gas and membrane find no rest of the energy that they have; use time.solver: dynamic");
 }
 
 /* What of the gas is on points. */

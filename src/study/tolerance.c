@@ -82,8 +82,7 @@ static floe_status look_at_deck(tolerance *t)
     if (status == FLOE_OK && t->study->over < 0)
         status = fail(t->ctx, FLOE_BAD_INPUT,
                       "--tolerance needs spacings to refine: no axis of the study has numbers (domain.cell, or that "
-                      "which study.over "
-                      "names)");
+                      "which study.over names)");
     if (status == FLOE_OK) status = choose_metric(t, of);
     scene_destroy(&of);
     return status;

@@ -16,8 +16,7 @@ static void cell(const surface_set *s, const void *par, const surface_cell *c, s
 const surface_method surface_isosurface = {
     .name = "isosurface",
     .doc = "gradient of a function with the surface as isosurface, cell by cell: quadratic splines from seven points "
-           "on (in space 25), "
-           "linear ones from three on (seven), joined cells below",
+           "on (in space 25), linear ones from three on (seven), joined cells below",
     .cite = "Sulsky and York 2000, section 8",
     .min_dim = 1,
     .exact = true,

@@ -11,8 +11,7 @@ static void cell(const surface_set *s, const void *par, const surface_cell *c, s
 const surface_method surface_isosurface_linear = {
     .name = "isosurface_linear",
     .doc = "gradient of a function with the surface as isosurface, of linear splines, on each cell; joined with others "
-           "below three points "
-           "(in space seven)",
+           "below three points (in space seven)",
     .cite = "Sulsky and York 2000, section 3; York 1997, section 7.4",
     .min_dim = 1,
     .exact = true,

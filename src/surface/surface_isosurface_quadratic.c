@@ -13,8 +13,7 @@ static void cell(const surface_set *s, const void *par, const surface_cell *c, s
 const surface_method surface_isosurface_quadratic = {
     .name = "isosurface_quadratic",
     .doc = "the same of quadratic splines, on cells joined to have eight points (in space 26); linear ones where four "
-           "along each axis "
-           "have less",
+           "along each axis have less",
     .cite = "Sulsky and York 2000, section 5; York 1997, section 7.7",
     .min_dim = 1,
     .exact = true,

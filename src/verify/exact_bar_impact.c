@@ -108,9 +108,8 @@ const exact_model exact_bar_impact = {
             "section A.1",
     .validity =
         "waves along the axis alone (Poisson's ratio 0, or strain or stress along the axis only), linear elasticity, x "
-        "the place at "
-        "the start: error of the order of velocity/wave speed. Contact without friction or loss; free outer ends. "
-        "Known until the waves have met the faces 400 times; equal bars have 4 steps.",
+        "the place at the start: error of the order of velocity/wave speed. Contact without friction or loss; free "
+        "outer ends. Known until the waves have met the faces 400 times; equal bars have 4 steps.",
     .equations = EXACT_SOLID,
     .param_size = sizeof(impact_par),
     .params = impact_params,

@@ -68,8 +68,7 @@ const exact_model exact_couette_hot = {
     .doc = "ideal gas between plates of given temperatures, one of them moving; without speed, conduction alone",
     .cite = "White, Viscous Fluid Flow, 3rd ed. (2006), section 3-2.1",
     .validity = "steady; ideal gas of any Mach number, constant viscosity and conductivity, no slip. The pressure is "
-                "that of the "
-                "steady flow: a closed box takes the one that its mass gives.",
+                "that of the steady flow: a closed box takes the one that its mass gives.",
     .equations = EXACT_NAVIER_STOKES,
     .param_size = sizeof(hot_par),
     .params = hot_params,

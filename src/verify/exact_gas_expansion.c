@@ -105,8 +105,7 @@ const exact_model exact_gas_expansion = {
     .cite = "York (1997), section 4.2; Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), section 158",
     .validity =
         "an ideal inviscid gas without other gas around it, before the wave that runs inwards comes near the centre "
-        "(NAN "
-        "after 0.6 radius/sound speed). By characteristics on nets of 200, 400 and 800 intervals, extrapolated: "
+        "(NAN after 0.6 radius/sound speed). By characteristics on nets of 200, 400 and 800 intervals, extrapolated: "
         "mass and energy are right to 1e-7 at a tenth of radius/sound speed, to 2e-5 at the end.",
     .equations = EXACT_ORDINARY,
     .param_size = sizeof(expansion_par),

@@ -145,8 +145,7 @@ const exact_model exact_ring_mms = {
     .name = "ring_mms",
     .doc = "manufactured large turning of a neo-Hookean ring, layer by layer, with its body force",
     .cite = "Kamojjala, Brannon, Sadeghirad & Guilkey, Eng. with Computers 31 (2015) 193 (the generalized vortex), "
-            "with our "
-            "derivation of the force",
+            "with our derivation of the force",
     .validity =
         "x the place at rest (X); strain energy lambda/2 (ln J)^2 - mu ln J + mu/2 (tr C - 3), any lambda; plane "
         "strain; needs `verify.sources`. Both faces are free, or held.",

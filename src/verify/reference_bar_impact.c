@@ -89,10 +89,8 @@ const reference_model reference_bar_impact = {
     .cite = "Saint-Venant, J. Math. Pures Appl. 12 (1867) 237; Goldsmith, Impact (1960), chapter 3; York (1997), "
             "section A.1",
     .validity = "waves along the axis alone (Poisson's ratio 0, or strain or stress along the axis only) and linear "
-                "elasticity: error of the "
-                "order of velocity/wave speed. Contact without friction or loss; free outer ends. Energies are for the "
-                "sections "
-                "given. Known until the waves have met the faces 400 times.",
+                "elasticity: error of the order of velocity/wave speed. Contact without friction or loss; free outer "
+                "ends. Energies are for the sections given. Known until the waves have met the faces 400 times.",
     .param_size = sizeof(bar_impact_par),
     .params = impact_params,
     .n_params = COUNT_OF(impact_params),

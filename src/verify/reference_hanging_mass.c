@@ -238,10 +238,9 @@ const reference_model reference_hanging_mass = {
     .cite = "York (1997), sections 5.5 (eq. 5.11) and 5.6",
     .validity =
         "a spring without mass (one with mass makes the period longer by a sixth of their ratio) and no loss where it "
-        "becomes taut; it may compress unless one_way is 1. A spring with Hooke's law, small_strain 1, "
-        "swings as -(m g/k)(1 - cos(omega t)), k = modulus area/length. Of a string that is slack in part, length is "
-        "the "
-        "length at rest of all of it, and area that length over the sum of length at rest/area of the parts.",
+        "becomes taut; it may compress unless one_way is 1. A spring with Hooke's law, small_strain 1, swings as -(m "
+        "g/k)(1 - cos(omega t)), k = modulus area/length. Of a string that is slack in part, length is the length at "
+        "rest of all of it, and area that length over the sum of length at rest/area of the parts.",
     .param_size = sizeof(mass_par),
     .params = mass_params,
     .n_params = COUNT_OF(mass_params),

@@ -143,9 +143,8 @@ const reference_model reference_membrane_rest = {
     .cite = "York (1997), section 6.2; York, Sulsky & Schreyer (2000), section 4.3; Sulsky & York (2000), section 8",
     .validity =
         "a gas without losses (what viscosity takes stays in it as heat) in a membrane that has come to rest: late "
-        "times "
-        "only. The strain energy is modulus strain^2/2 times the membrane's volume at rest, as points hold it; with a "
-        "thickness that does not change it differs from the work of the stress by the order of strain^3.",
+        "times only. The strain energy is modulus strain^2/2 times the membrane's volume at rest, as points hold it; "
+        "with a thickness that does not change it differs from the work of the stress by the order of strain^3.",
     .param_size = sizeof(rest_par),
     .params = rest_params,
     .n_params = COUNT_OF(rest_params),
