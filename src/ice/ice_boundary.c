@@ -334,20 +334,31 @@ void ice_boundary_work(ice *s)
     }
 }
 
+/* Local faces along `along`, [first, end), that lie in the domain, of those normal to `axis`. */
+static void faces_inside(const block *b, int along, int axis, int *first, int *end)
+{
+    const int ghost = along < b->dim ? MESH_GHOST : 0;
+    *first = b->at_side[along][SIDE_LOWER] ? 0 : -ghost;
+    *end = b->n[along] + (b->at_side[along][SIDE_UPPER] ? along == axis : ghost);
+}
+
+static void zero(double *a, ptrdiff_t from, ptrdiff_t to)
+{
+    for (ptrdiff_t at = from; at < to; ++at) a[at] = 0.0;
+}
+
 /* Zero beyond the domain, where no outflow is to be known; the domain's own faces stay. */
 static void zero_outer_faces(const block *b, int axis, double *a)
 {
+    int first[MESH_MAX_DIM], end[MESH_MAX_DIM];
+    for (int d = 0; d < MESH_MAX_DIM; ++d) faces_inside(b, d, axis, &first[d], &end[d]);
     for (int k = b->dim > 2 ? -MESH_GHOST : 0; k < b->n[2] + (b->dim > 2 ? MESH_GHOST : 0); ++k)
-        for (int j = b->dim > 1 ? -MESH_GHOST : 0; j < b->n[1] + (b->dim > 1 ? MESH_GHOST : 0); ++j)
-            for (int i = -MESH_GHOST; i < b->n[0] + MESH_GHOST; ++i) {
-                const int at[MESH_MAX_DIM] = {i, j, k};
-                bool outside = false;
-                for (int d = 0; d < b->dim; ++d) {
-                    outside = outside || (at[d] < 0 && b->at_side[d][SIDE_LOWER]);
-                    outside = outside || (at[d] >= b->n[d] + (d == axis) && b->at_side[d][SIDE_UPPER]);
-                }
-                if (outside) a[mesh_index(b, i, j, k)] = 0.0;
-            }
+        for (int j = b->dim > 1 ? -MESH_GHOST : 0; j < b->n[1] + (b->dim > 1 ? MESH_GHOST : 0); ++j) {
+            const ptrdiff_t row = mesh_index(b, 0, j, k), last = row + b->n[0] + MESH_GHOST;
+            const bool outside = j < first[1] || j >= end[1] || k < first[2] || k >= end[2];
+            zero(a, row - MESH_GHOST, outside ? last : row + first[0]);
+            zero(a, row + end[0], last);
+        }
 }
 
 void ice_fill_faces(const ice *s, field_id id, int instance)

@@ -21,67 +21,73 @@ bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at)
     return fluid < no_room;
 }
 
-/* What is done with a cell; `last` is the pressure that the step before left. */
-typedef void cell_function(const ice_view *v, ptrdiff_t at, const double *last);
+/* Lists a block's cells without room, in order: which they are stays as it is until the next equilibrium. */
+static void list_continued(const ice *s, const ice_view *v, ice_cell_list *list)
+{
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    list->n = 0;
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at)
+            if (ice_is_continued(s, v, at)) list->at[list->n++] = at;
+    }
+}
 
-static void for_cells_without_room(const ice *s, cell_function *visit)
+/* From the pressure that the step before left. */
+static void start_from_last(ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
         const double *last = field_get(s->domain->fields[id], C_PRESSURE, 0, 0);
-        const ice_rows q = ice_rows_of(v.b, -1, 0);
-#pragma omp parallel for schedule(static)
-        for (int row = 0; row < q.n; ++row) {
-            const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
-            for (ptrdiff_t at = base; at < base + v.b->n[0]; ++at)
-                if (ice_is_continued(s, &v, at)) visit(&v, at, last);
-        }
+        ice_cell_list *list = &s->work->continued[id];
+        list_continued(s, &v, list);
+        for (size_t n = 0; n < list->n; ++n) v.p[list->at[n]] = last[list->at[n]];
     }
 }
 
-static void start_from_last(const ice_view *v, ptrdiff_t at, const double *last)
+static double mean_of_neighbours(const ice_view *v, ptrdiff_t at)
 {
-    v->p[at] = last[at];
-}
-
-/* The mean waits in the array of dP, which the next stage fills. */
-static void mean_of_neighbours(const ice_view *v, ptrdiff_t at, const double *last)
-{
-    (void)last;
     double sum = 0.0, weight = 0.0;
     for (int a = 0; a < v->dim; ++a) {
         const double w = v->inv_h[a] * v->inv_h[a];
         sum += w * (v->p[at - v->b->stride[a]] + v->p[at + v->b->stride[a]]);
         weight += 2.0 * w;
     }
-    v->dP[at] = sum / weight;
+    return sum / weight;
 }
 
-static void take_mean(const ice_view *v, ptrdiff_t at, const double *last)
+/* The means wait in the array of dP, which the next stage fills. */
+static void take_means(const ice *s)
 {
-    (void)last;
-    v->p[at] = v->dP[at];
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_cell_list *list = &s->work->continued[id];
+#pragma omp parallel for schedule(static)
+        for (size_t n = 0; n < list->n; ++n) v.dP[list->at[n]] = mean_of_neighbours(&v, list->at[n]);
+        for (size_t n = 0; n < list->n; ++n) v.p[list->at[n]] = v.dP[list->at[n]];
+    }
 }
 
 floe_status ice_continue_pressure(ice *s)
 {
-    for_cells_without_room(s, start_from_last);
+    start_from_last(s);
     ice_fill_ghosts(s, C_PRESSURE, 0, FILL_NEXT, GHOST_EVEN);
-    for_cells_without_room(s, mean_of_neighbours);
-    for_cells_without_room(s, take_mean);
+    take_means(s);
     ice_fill_ghosts(s, C_PRESSURE, 0, FILL_NEXT, GHOST_EVEN);
     return FLOE_OK;
 }
 
-static void hold(const ice_view *v, ptrdiff_t at, const double *last)
-{
-    (void)last;
-    v->dP[at] = 0.0;
-    v->P[at] = v->p[at];
-}
-
 void ice_hold_continued(const ice *s)
 {
-    for_cells_without_room(s, hold);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        const ice_cell_list *list = &s->work->continued[id];
+        for (size_t n = 0; n < list->n; ++n) {
+            v.dP[list->at[n]] = 0.0;
+            v.P[list->at[n]] = v.p[list->at[n]];
+        }
+    }
 }

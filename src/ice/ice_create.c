@@ -179,6 +179,7 @@ static void destroy_work(context *ctx, ice_work **work)
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b) {
         memory_free(ctx, &w->metric[b]);
         memory_free(ctx, &w->mixed[b].at);
+        memory_free(ctx, &w->continued[b].at);
     }
     for (int l = 0; l < SCENE_MAX_LOADS; ++l)
         for (int b = 0; b < MESH_MAX_BLOCKS; ++b) memory_free(ctx, &w->region[l][b].at);
@@ -326,7 +327,9 @@ static floe_status make_scratch(ice *s)
     }
     for (int b = 0; b < m->n_blocks; ++b) {
         const int *n = m->block[b].n;
-        TRY(memory_new(s->ctx, &w->mixed[b].at, (size_t)n[0] * (size_t)n[1] * (size_t)n[2], sizeof *w->mixed[b].at));
+        const size_t cells = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];
+        TRY(memory_new(s->ctx, &w->mixed[b].at, cells, sizeof *w->mixed[b].at));
+        if (s->with_points) TRY(memory_new(s->ctx, &w->continued[b].at, cells, sizeof *w->continued[b].at));
     }
     return FLOE_OK;
 }

@@ -190,52 +190,53 @@ static void lone_points(const ice_view *v, int r)
         }
 }
 
-/* What is still owed has been made or lost, and is entered. */
-static void note_owed(ice *s)
+/* What is still owed of a block's mixed cells has been made or lost, and goes into the tiles. */
+static void note_owed(const ice *s, const ice_view *v, const ice_cell_list *list)
 {
-    ice_clear_tiles(s);
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
-        const ice_rows q = ice_rows_of(v.b, -1, 0);
-        const int chunk = ice_rows_chunk(s, q);
-#pragma omp parallel for schedule(static, chunk)
-        for (int row = 0; row < q.n; ++row) {
-            const int j = ice_row_j(q, row), k = ice_row_k(q, row);
-            for (int i = 0; i < v.b->n[0]; ++i) {
-                const double owed = v.owed[mesh_index(v.b, i, j, k)];
-                if (owed == 0.0) continue;
-                double *tile = ice_tile(s, v.b, i, j, k);
-                tile[TILE_DEFECT] -= owed * v.volume[i];
-                tile[TILE_GUARDS] += 1.0;
-            }
-        }
+    for (size_t n = 0; n < list->n; ++n) {
+        const ptrdiff_t at = list->at[n];
+        if (v->owed[at] == 0.0) continue;
+        int cell[MESH_MAX_DIM];
+        ice_cell_of(v->b, at, cell);
+        double *tile = ice_tile(s, v->b, cell[0], cell[1], cell[2]);
+        tile[TILE_DEFECT] -= v->owed[at] * v->volume[cell[0]];
+        tile[TILE_GUARDS] += 1.0;
     }
-    ice_enter_tiles(s);
+}
+
+/* Exchange in a block's mixed cells. Returns how many of them still owe energy. */
+static int exchange_cells(ice *s, const ice_view *v, const ice_cell_list *list)
+{
+    const bool heat = s->work->pairs.heat,
+               pair = s->n_materials == 2 && !s->with_points && s->work->pairs.plain && s->work->reactions.n == 0;
+    int owing = 0;
+#pragma omp parallel for schedule(static) reduction(+ : owing)
+    for (size_t n = 0; n < list->n; ++n) {
+        const ptrdiff_t at = list->at[n];
+        const ptrdiff_t i = v->dim > 1 ? at % v->b->stride[1] - MESH_GHOST : at - MESH_GHOST;
+        if (pair)
+            exchange_two_fluids(s, v, at);
+        else
+            exchange_momentum(s, v, at, v->volume[i]);
+        if (heat) exchange_heat(s, v, at);
+        owing += v->owed[at] != 0.0;
+    }
+    return owing;
 }
 
 floe_status ice_exchange(ice *s)
 {
+    int owing = 0;
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
         ice_view_lagrangian(&v);
-        const ice_cell_list *list = &s->work->mixed[id];
-        const bool heat = s->work->pairs.heat,
-                   pair = s->n_materials == 2 && !s->with_points && s->work->pairs.plain && s->work->reactions.n == 0;
         for (int r = 0; r < s->n_materials; ++r)
             if (s->material[r].points) lone_points(&v, r);
-#pragma omp parallel for schedule(static)
-        for (size_t n = 0; n < list->n; ++n) {
-            const ptrdiff_t at = list->at[n];
-            const ptrdiff_t i = v.dim > 1 ? at % v.b->stride[1] - MESH_GHOST : at - MESH_GHOST;
-            if (pair)
-                exchange_two_fluids(s, &v, at);
-            else
-                exchange_momentum(s, &v, at, v.volume[i]);
-            if (heat) exchange_heat(s, &v, at);
-        }
+        if (exchange_cells(s, &v, &s->work->mixed[id]) == 0) continue;
+        if (owing++ == 0) ice_clear_tiles(s);
+        note_owed(s, &v, &s->work->mixed[id]);
     }
-    if (s->scene->method.conserve_energy) note_owed(s);
+    if (owing > 0) ice_enter_tiles(s);
     return FLOE_OK;
 }

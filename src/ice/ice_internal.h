@@ -218,6 +218,8 @@ typedef struct ice_work {
     int **index;                          /* one a thread, a row long; NULL with one fluid */
     equilibrium_solver **solver;          /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
+    ice_cell_list
+        continued[MESH_MAX_BLOCKS]; /* owned cells whose pressure is continued into a solid (ice_continue.c) */
     ice_reservoir reservoir[MESH_MAX_DIM][2];
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
     bool
@@ -390,6 +392,8 @@ floe_status ice_load_pressure(ice *s);
 /* Doubles that one thread needs to advect. */
 size_t ice_advect_buffer(const ice *s);
 
+/* Local (i, j, k) of a linear index. */
+void ice_cell_of(const block *b, ptrdiff_t at, int cell[MESH_MAX_DIM]);
 /* "cell (3, 4), material 0 (air)" for messages. */
 void ice_place(const ice *s, const block *b, ptrdiff_t at, int r, char *text, size_t size);
 

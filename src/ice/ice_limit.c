@@ -16,27 +16,42 @@ typedef struct rates {
     double flow, sound, signal, diffusion;
 } rates;
 
-static void raise_to(rates *most, rates x)
+static void raise_to(rates *to, rates x)
 {
-    most->flow = fmax(most->flow, x.flow);
-    most->sound = fmax(most->sound, x.sound);
-    most->signal = fmax(most->signal, x.signal);
-    most->diffusion = fmax(most->diffusion, x.diffusion);
+    to->flow = most(to->flow, x.flow);
+    to->sound = most(to->sound, x.sound);
+    to->signal = most(to->signal, x.signal);
+    to->diffusion = most(to->diffusion, x.diffusion);
 }
 
-static rates cell_rates(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c, double cv)
+/* What is the same in all cells of a material: b, (sum h_i^-2)^1/2, 4/3 mu + zeta and k. */
+typedef struct rate_factors {
+    double centring, root, viscosity, conductivity;
+} rate_factors;
+
+static rate_factors factors_of(const ice *s, const ice_view *v, int r)
 {
-    const double b = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points || s->sealed ? sqrt(2.0) : 1.0;
+    const ice_material *m = &s->material[r];
+    const bool full = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points || s->sealed;
+    double inverse_square = 0.0;
+    for (int a = 0; a < v->dim; ++a) inverse_square += v->inv_h[a] * v->inv_h[a];
+    return (rate_factors){full ? sqrt(2.0) : 1.0, sqrt(inverse_square),
+                          4.0 / 3.0 * m->shear_viscosity + m->bulk_viscosity, m->conductivity};
+}
+
+static rates cell_rates(const ice_view *v, int r, const rate_factors *f, ptrdiff_t at, double rho, double c, double cv)
+{
     double speed = 0.0, inverse_square = 0.0;
     for (int a = 0; a < v->dim; ++a) {
         speed += fabs(v->m[r].u[a][at]) * v->inv_h[a];
         inverse_square += v->inv_h[a] * v->inv_h[a];
     }
-    const ice_material *m = &s->material[r];
-    const double viscosity = 4.0 / 3.0 * m->shear_viscosity + m->bulk_viscosity,
-                 diffusion = m->conductivity > 0.0 ? fmax(viscosity, m->conductivity / cv) : viscosity;
-    const double sound = c * sqrt(inverse_square);
-    return (rates){speed, sound, speed + b * c * sqrt(inverse_square), 2.0 / 0.9 * diffusion / rho * inverse_square};
+    rates x = {speed, c * f->root, speed + f->centring * c * f->root, 0.0};
+    if (f->viscosity > 0.0 || f->conductivity > 0.0) {
+        const double diffusion = f->conductivity > 0.0 ? most(f->viscosity, f->conductivity / cv) : f->viscosity;
+        x.diffusion = 2.0 / 0.9 * diffusion / rho * inverse_square;
+    }
+    return x;
 }
 
 /* What a cell holds of everything. */
@@ -89,10 +104,11 @@ static double signal_speed(const ice *s, const ice_view *v, int r, ptrdiff_t at,
 }
 
 /* One row of one material: density of the pure material and sound speed from its current state. */
-static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, double *work, rates *most)
+static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, double *work, rates *largest)
 {
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
+    const rate_factors factors = factors_of(s, v, r);
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0];
     double *rho = work, *e = work + n, *p = work + 2 * n, *c2 = work + 3 * n, *cv = work + 4 * n, *alpha = work + 5 * n;
     for (ptrdiff_t i = 0; i < n; ++i) {
@@ -106,15 +122,15 @@ static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, doub
     for (ptrdiff_t i = 0; i < n; ++i) {
         if (isnan(rho[i])) continue;
         if (!(c2[i] > 0.0)) return false;
-        const rates x = cell_rates(s, v, r, base + i, rho[i], signal_speed(s, v, r, base + i, rho[i], sqrt(c2[i])),
-                                   s->conducts ? cv[i] : 0.0);
+        const double c = signal_speed(s, v, r, base + i, rho[i], sqrt(c2[i]));
+        const rates x = cell_rates(v, r, &factors, base + i, rho[i], c, s->conducts ? cv[i] : 0.0);
         if (!isfinite(x.signal)) return false;
-        raise_to(most, x);
+        raise_to(largest, x);
     }
     return true;
 }
 
-static bool block_rates(const ice *s, const ice_view *v, int r, rates *most)
+static bool block_rates(const ice *s, const ice_view *v, int r, rates *largest)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
     double flow = 0.0, sound = 0.0, signal = 0.0, diffusion = 0.0;
@@ -123,46 +139,46 @@ static bool block_rates(const ice *s, const ice_view *v, int r, rates *most)
     for (int row = 0; row < q.n; ++row) {
         rates x = {0.0, 0.0, 0.0, 0.0};
         bad += !row_rates(s, v, r, ice_row_j(q, row), ice_row_k(q, row), s->work->buffer[thread_number()], &x);
-        flow = fmax(flow, x.flow);
-        sound = fmax(sound, x.sound);
-        signal = fmax(signal, x.signal);
-        diffusion = fmax(diffusion, x.diffusion);
+        flow = most(flow, x.flow);
+        sound = most(sound, x.sound);
+        signal = most(signal, x.signal);
+        diffusion = most(diffusion, x.diffusion);
     }
-    raise_to(most, (rates){flow, sound, signal, diffusion});
+    raise_to(largest, (rates){flow, sound, signal, diffusion});
     return bad == 0;
 }
 
 /* Of either kind of step from the same rates. */
-static step_limit limit_of(const ice *s, const rates *most, double gravity, bool implicit)
+static step_limit limit_of(const ice *s, const rates *largest, double gravity, bool implicit)
 {
     const double cfl = s->scene->time.cfl_ice;
-    step_limit out = {cfl / most->signal, "sound and flow on the cells"};
+    step_limit out = {cfl / largest->signal, "sound and flow on the cells"};
     if (implicit) {
-        out = (step_limit){s->scene->time.acoustic_cfl / most->sound, "the acoustic CFL"};
-        if (cfl < most->flow * out.dt) out = (step_limit){cfl / most->flow, "flow on the cells"};
+        out = (step_limit){s->scene->time.acoustic_cfl / largest->sound, "the acoustic CFL"};
+        if (cfl < largest->flow * out.dt) out = (step_limit){cfl / largest->flow, "flow on the cells"};
     }
-    if (!(most->diffusion * out.dt <= 1.0) && most->diffusion > 0.0)
-        out = (step_limit){1.0 / most->diffusion, "viscosity or conduction on the cells"};
+    if (!(largest->diffusion * out.dt <= 1.0) && largest->diffusion > 0.0)
+        out = (step_limit){1.0 / largest->diffusion, "viscosity or conduction on the cells"};
     if (gravity > 0.0 && sqrt(1.0 / gravity) < out.dt) out = (step_limit){sqrt(1.0 / gravity), "gravity on the cells"};
     return out;
 }
 
 floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, double *acoustic)
 {
-    rates most = {0.0, 0.0, 0.0, 0.0};
+    rates largest = {0.0, 0.0, 0.0, 0.0};
     double gravity = 0.0;
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
         for (int a = 0; a < v.dim; ++a) gravity = fmax(gravity, fabs(s->gravity[a]) / v.h[a]);
         for (int r = 0; r < s->n_materials; ++r)
-            if (!s->material[r].points && !block_rates(s, &v, r, &most))
+            if (!s->material[r].points && !block_rates(s, &v, r, &largest))
                 return fail(s->ctx, FLOE_DIVERGED, "time step: a cell of material %d has no sound speed at t = %.6g s",
                             r, s->time);
     }
-    *direct = limit_of(s, &most, gravity, false);
-    *implicit = limit_of(s, &most, gravity, true);
-    *acoustic = most.sound;
+    *direct = limit_of(s, &largest, gravity, false);
+    *implicit = limit_of(s, &largest, gravity, true);
+    *acoustic = largest.sound;
     return FLOE_OK;
 }
 

@@ -38,16 +38,6 @@ static floe_status find_regions(ice *s, int l)
     return FLOE_OK;
 }
 
-/* Local (i, j, k) of a linear index. */
-static void local_of(const block *b, ptrdiff_t at, int cell[MESH_MAX_DIM])
-{
-    cell[0] = cell[1] = cell[2] = 0;
-    for (int a = b->dim - 1; a >= 0; --a) {
-        cell[a] = (int)(at / b->stride[a]) - MESH_GHOST;
-        at %= b->stride[a];
-    }
-}
-
 /* Share of a cell that lines which cut it leave to its one gas. */
 static double open_share(const ice_arrays *m, ptrdiff_t at)
 {
@@ -79,7 +69,7 @@ static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
             const ptrdiff_t at = list->at[n];
             if (!(v.m[r].rho[at] > 0.0)) continue;
             int cell[MESH_MAX_DIM];
-            local_of(v.b, at, cell);
+            ice_cell_of(v.b, at, cell);
             const double added = heat(s, &v, r, at, amount);
             v.m[r].el[at] += added / v.m[r].rho[at];
             ice_tile(s, v.b, cell[0], cell[1], cell[2])[TILE_SOURCE_ENERGY] +=
@@ -106,7 +96,7 @@ static double pressure_slope(const ice *s, const ice_view *v, int r, ptrdiff_t a
 static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at)
 {
     int cell[MESH_MAX_DIM];
-    local_of(v->b, at, cell);
+    ice_cell_of(v->b, at, cell);
     const double weight = v->volume[cell[0]] * (s->multi ? v->m[r].theta[at] : open_share(&v->m[r], at));
     double *t = ice_tile(s, v->b, cell[0], cell[1], cell[2]) + TILE_SCRATCH;
     if (!(weight > 0.0)) return;

@@ -55,6 +55,15 @@ int ice_rows_chunk(const ice *s, ice_rows q)
     return s->mesh->dim == 3 ? s->mesh->tile[2] * q.nj : s->mesh->tile[1];
 }
 
+void ice_cell_of(const block *b, ptrdiff_t at, int cell[MESH_MAX_DIM])
+{
+    cell[0] = cell[1] = cell[2] = 0;
+    for (int a = b->dim - 1; a >= 0; --a) {
+        cell[a] = (int)(at / b->stride[a]) - MESH_GHOST;
+        at %= b->stride[a];
+    }
+}
+
 void ice_place(const ice *s, const block *b, ptrdiff_t at, int r, char *text, size_t size)
 {
     ptrdiff_t rest = at;
