@@ -35,7 +35,7 @@ floe_status mpm_node_velocity(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
         divide_momenta(s, g, N_VEL);
-        impose_walls(s, g, N_VEL);
+        impose_walls(s, g, N_VEL, 0.0);
     }
     if (s->contact) contact_velocities(s, s->scene->method.stress == STRESS_USF ? CONTACT_FORESEE : CONTACT_REPEAT);
     for (int g = 0; g < s->n_groups; ++g) extend_to_ghosts(s, g, N_VEL);
@@ -146,7 +146,7 @@ floe_status mpm_node_update(mpm *s)
     for (int g = 0; g < s->n_groups; ++g) {
         for (int b = 0; b < s->mesh->n_blocks; ++b) advance_block(s, b, g);
         enter_losses(s, g);
-        impose_walls(s, g, N_VEL_L);
+        impose_walls(s, g, N_VEL_L, 1.0);
     }
     return FLOE_OK;
 }
@@ -170,7 +170,7 @@ static void accelerate_block(const mpm *s, int blk, int group)
 floe_status mpm_node_acceleration(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
-        impose_walls(s, g, N_VEL_L); /* again: the exchange with the cells may have moved them */
+        impose_walls(s, g, N_VEL_L, 1.0); /* again: the exchange with the cells may have moved them */
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
         still_walls(s, g);
         if (s->work->edges) TRY(edges_accelerate(s, g));

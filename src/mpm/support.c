@@ -53,8 +53,8 @@ floe_status start_supports(mpm *s)
     return FLOE_OK;
 }
 
-/* The impulse that a support is about to give, of the node's owner. */
-static void enter_impulse(mpm *s, const support_node *node, int group)
+/* A share of the impulse that a support is about to give, of the node's owner. */
+static void enter_impulse(mpm *s, const support_node *node, int group, field_id velocity, double share)
 {
     int cell[3];
     for (int a = 0; a < 3; ++a)
@@ -65,17 +65,17 @@ static void enter_impulse(mpm *s, const support_node *node, int group)
     const double mass = field_get(s->domain->fields[blk], N_MASS, group, 0)[at];
     for (int c = 0; c < s->mesh->dim; ++c) {
         const double target = s->scene->support[node->support].velocity[c];
-        const double impulse = mass * (target - field_get(s->domain->fields[blk], N_VEL_L, group, c)[at]);
+        const double impulse = share * mass * (target - field_get(s->domain->fields[blk], velocity, group, c)[at]);
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, impulse);
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * target);
     }
 }
 
-void impose_supports(mpm *s, int group, field_id velocity)
+void impose_supports(mpm *s, int group, field_id velocity, double entered)
 {
     for (size_t k = 0; k < s->work->n_supports; ++k) {
         const support_node *node = &s->work->support[k];
-        if (velocity == N_VEL_L) enter_impulse(s, node, group);
+        if (entered != 0.0) enter_impulse(s, node, group, velocity, entered);
         for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
             const block *b = &s->mesh->block[blk];
             int local[3];

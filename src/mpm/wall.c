@@ -203,11 +203,11 @@ static void add_impulse(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
     }
 }
 
-static void enter_impulse(mpm *s, const wall_rule *r)
+static void enter_impulse(mpm *s, const wall_rule *r, double share)
 {
     for (int c = 0; c < s->mesh->dim; ++c)
-        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, r->impulse[c]);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, r->work);
+        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, share * r->impulse[c]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, share * r->work);
 }
 
 static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward)
@@ -228,21 +228,22 @@ static void visit_side_blocks(mpm *s, int axis, int side, wall_rule *r, node_vis
     }
 }
 
-static void impose_side(mpm *s, int axis, int side, int group, field_id velocity)
+static void impose_side(mpm *s, int axis, int side, int group, field_id velocity, double entered)
 {
     wall_rule rule = wall_rule_of(s, axis, side, group, velocity);
-    if (velocity == N_VEL_L) {
+    if (entered != 0.0) {
         visit_side_once(s->mesh, axis, side, add_impulse, &rule);
-        enter_impulse(s, &rule);
+        enter_impulse(s, &rule, entered);
     }
     visit_side_blocks(s, axis, side, &rule, impose_node);
 }
 
-void impose_walls(mpm *s, int group, field_id velocity)
+void impose_walls(mpm *s, int group, field_id velocity, double entered)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
-        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) impose_side(s, axis, side, group, velocity);
-    impose_supports(s, group, velocity);
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
+            impose_side(s, axis, side, group, velocity, entered);
+    impose_supports(s, group, velocity, entered);
 }
 
 /* A node that a wall holds does not accelerate. What its points bring is not stopped, as little as by the image of the body in a
@@ -265,7 +266,7 @@ static void still_side(mpm *s, int axis, int side, int group)
 {
     wall_rule rule = wall_rule_of(s, axis, side, group, N_ACCEL);
     visit_side_once(s->mesh, axis, side, still_sum, &rule);
-    enter_impulse(s, &rule);
+    enter_impulse(s, &rule, 1.0);
     memset(rule.target, 0, sizeof rule.target); /* of the acceleration */
     visit_side_blocks(s, axis, side, &rule, impose_node);
 }
@@ -278,36 +279,55 @@ void still_walls(mpm *s, int group)
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the
  * normal part comes back with the other sign. Per step, with acceleration a and velocity v of the first inner node, the points gain
- * -2 [kick (f + m a) + (1 - flip)(p + m v)] more than the nodes did (the second term by the PIC blend alone). */
+ * -2 [kick (f + m a) + pic (p + m v)] more than the nodes did, pic the share of their velocity that they take from the nodes. */
 typedef struct mirror_sum {
     const mpm *s;
     int group, axis;
+    double kick, pic;
     double sum;
 } mirror_sum;
 
-static void add_mirror(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
+/* What the ghost beyond a mirror was given, and the first inner node, along the axis. */
+static void add_mirror_push(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
 {
     mirror_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
     const double *mass = field_get(f, N_MASS, r->group, 0), *force = field_get(f, N_FORCE, r->group, r->axis),
-                 *momentum = field_get(f, N_MOMENTUM, r->group, r->axis),
                  *acceleration = field_get(f, N_ACCEL, r->group, r->axis);
+    r->sum -= 2.0 * r->kick * (force[at - inward] + mass[at - inward] * acceleration[at + inward]);
+}
+
+static void add_mirror_momentum(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
+{
+    mirror_sum *r = user;
+    const fields *f = r->s->domain->fields[blk];
+    const double *mass = field_get(f, N_MASS, r->group, 0), *momentum = field_get(f, N_MOMENTUM, r->group, r->axis);
     const ptrdiff_t ghost = at - inward, inner = at + inward;
     /* A ghost without mass may still have a surface's load. */
     const double v = mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0;
-    r->sum -= 2.0 * (r->s->work->kick * (force[ghost] + mass[ghost] * acceleration[inner]) +
-                     (1.0 - r->s->share) * (momentum[ghost] + mass[ghost] * v));
+    r->sum -= 2.0 * r->pic * (momentum[ghost] + mass[ghost] * v);
 }
 
-void enter_mirrors(mpm *s, int group)
+static void enter_images(mpm *s, int group, double kick, double pic)
 {
     for (int axis = 0; s->work->reach > 0 && axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
             if (!wall_mirrors(s, axis, side)) continue;
-            mirror_sum r = {.s = s, .group = group, .axis = axis};
-            visit_side_once(s->mesh, axis, side, add_mirror, &r);
+            mirror_sum r = {.s = s, .group = group, .axis = axis, .kick = kick, .pic = pic};
+            if (kick != 0.0) visit_side_once(s->mesh, axis, side, add_mirror_push, &r);
+            if (pic != 0.0) visit_side_once(s->mesh, axis, side, add_mirror_momentum, &r);
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, r.sum);
         }
+}
+
+void enter_mirrors(mpm *s, int group)
+{
+    enter_images(s, group, s->work->kick, 1.0 - s->share);
+}
+
+void enter_mirrored_momenta(mpm *s, int group, double share)
+{
+    enter_images(s, group, 0.0, share);
 }
 
 void mirror_masses(const mpm *s, const tile_box *t, int count, double *window)

@@ -243,13 +243,16 @@ double wall_target(const mpm *s, int axis, int side, int component);
 void fold_field(mpm *s, int group, field_id id);
 /* The same, components of a vector as numbers: mirrors keep their sum. */
 void fold_numbers(mpm *s, int group, field_id id);
-void impose_walls(mpm *s, int group, field_id velocity);
+/* Gives the nodes of walls and supports their velocity; `entered` of the impulse goes into the ledger (0: none of it). */
+void impose_walls(mpm *s, int group, field_id velocity, double entered);
 void still_walls(mpm *s, int group); /* nodes that walls hold do not accelerate */
 /* A node on a mirror bears the image's mass as well: doubles the last of `count` values of such nodes in a tile's window. */
 void mirror_masses(const mpm *s, const tile_box *t, int count, double *window);
 void extend_to_ghosts(mpm *s, int group, field_id id);
 void enter_mirrors(
     mpm *s, int group); /* momentum that mirrors give: after accelerations are known, before ghosts are extended */
+/* The same of points that take a share of their velocity from the nodes, and nothing else. */
+void enter_mirrored_momenta(mpm *s, int group, double share);
 
 bool wall_mirrors(const mpm *s, int axis, int side); /* symmetry, slip, or the axis */
 
@@ -293,7 +296,7 @@ void free_skins(context *ctx, body_skin *k);
 
 /* Supports (support.c): the nodes that they hold, and their velocity. */
 floe_status start_supports(mpm *s);
-void impose_supports(mpm *s, int group, field_id velocity);
+void impose_supports(mpm *s, int group, field_id velocity, double entered);
 
 /* Seeding (seed_fill.c): fluids take what slivers of other bodies left, `list` one a body. */
 floe_status fill_cells(const mpm *s, seed_list *list);
