@@ -149,13 +149,28 @@ static bool converged(const equilibrium_cell *c, const bracketed_newton *s)
     return fabs(c->residual) < residual_tolerance || (isfinite(s->hi) && s->hi - s->lo <= 4.0 * DBL_EPSILON * s->hi);
 }
 
+/* Where to begin without a guess: at the pressure of the material that would fill the cell by itself at the highest one, or, where all
+ * of them would be torn, as far above their floors as these are below zero. */
+static double first_guess(const equilibrium_cell *c, double shift)
+{
+    double x = shift;
+    for (int r = 0; r < c->n; ++r) {
+        double e, p, c2;
+        if (!(c->a[r] > 0.0)) continue;
+        c->eos[r]->model->energy(c->eos[r]->par, 1, &c->a[r], &c->T[r], &e);
+        c->eos[r]->model->pressure(c->eos[r]->par, 1, &c->a[r], &e, &p, &c2);
+        if (isfinite(p)) x = fmax(x, p + shift);
+    }
+    return x;
+}
+
 floe_status equilibrium_solve(equilibrium_solver *s, equilibrium_cell *cell)
 {
     problem q = {.cell = cell, .shift = shift_of(cell)};
     gsl_function_fdf fdf = {.f = shifted_f, .df = shifted_df, .fdf = shifted_fdf, .params = &q};
     const double guess = cell->p + q.shift;
     const bracketed_newton *state = s->solver->state;
-    gsl_root_fdfsolver_set(s->solver, &fdf, guess > 0.0 && isfinite(guess) ? guess : 1e5);
+    gsl_root_fdfsolver_set(s->solver, &fdf, guess > 0.0 && isfinite(guess) ? guess : first_guess(cell, q.shift));
     cell->iterations = 0;
     while (!converged(cell, state) && cell->iterations < MOST_ITERATIONS) {
         cell->iterations++;

@@ -143,14 +143,14 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
     return FLOE_OK;
 }
 
-/* The first guess at the equilibrium pressure: of any fluid in the cell by itself, else the ambient's. */
+/* The first guess at the equilibrium pressure: of any fluid in the cell by itself, else the ambient's, or the reference. */
 static void guess_pressure(const ice *s, const ice_view *v, double *p)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
     for (int row = 0; row < q.n; ++row)
         for (int i = 0; i < v->b->n[0]; ++i) {
             const ptrdiff_t at = mesh_index(v->b, i, ice_row_j(q, row), ice_row_k(q, row));
-            p[at] = s->scene->has_ambient ? s->scene->ambient_pressure : 1e5;
+            p[at] = s->scene->has_ambient ? s->scene->ambient_pressure : s->scene->reference_pressure;
             for (int r = 0; r < s->n_materials; ++r) {
                 const ice_arrays *m = &v->m[r];
                 if (s->material[r].points || !(m->rho[at] > 0.0)) continue;

@@ -2,17 +2,21 @@
 
 #include <math.h>
 
-/* e with p(rho, e) = p by Newton; pressure is linear in e for most equations of state, so that two passes do. A pressure that does
- * not depend on e at all must be that of the density. */
+/* e with p(rho, e) = p by Newton, from p/rho, which is of its size in any units; pressure is linear in e for most equations of state, so
+ * that two passes do. A pressure that does not depend on e at all must be that of the density; the fluid then has 300 K. */
 static bool energy_at_pressure(const eos *law, double rho, double p, double *e)
 {
-    double T = 300.0, now, c2, slope;
-    law->model->energy(law->par, 1, &rho, &T, e);
+    const double room_temperature = 300.0;
+    double now, c2, slope;
+    *e = p / rho;
     for (int k = 0; k < 50; ++k) {
         law->model->pressure(law->par, 1, &rho, e, &now, &c2);
-        if (fabs(now - p) <= 1e-15 * fabs(p)) return true;
         law->model->dpde(law->par, 1, &rho, e, &slope);
-        if (slope == 0.0) return fabs(now - p) <= 1e-6 * rho * c2;
+        if (slope == 0.0) {
+            law->model->energy(law->par, 1, &rho, &room_temperature, e);
+            return fabs(now - p) <= 1e-6 * rho * c2;
+        }
+        if (fabs(now - p) <= 1e-15 * fabs(p)) return true;
         const double step = (p - now) / slope;
         if (!isfinite(step)) return false;
         *e += step;

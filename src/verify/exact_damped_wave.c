@@ -41,22 +41,22 @@ typedef struct wave_constants {
 } wave_constants;
 
 /* The roots of (s rho + nu k2) s (s rho c_v + kappa k2) + k2 [p (s rho c_v + kappa k2) + R rho p s] = 0: one is real (heat), two
- * are sound; the wave up the axis has a negative imaginary part. */
+ * are sound; the wave up the axis has a negative imaginary part. Solved for s over k (p/rho)^1/2, so that no unit is in it. */
 static double complex wave_rate(const wave_par *p, double k2)
 {
     const double nu = (4.0 / 3.0 * p->viscosity + p->bulk_viscosity) * k2, kappa = p->conductivity * k2;
-    const double R = (p->gamma - 1.0) * p->heat_capacity, rho = p->density, a = rho * rho * p->heat_capacity;
+    const double R = (p->gamma - 1.0) * p->heat_capacity, rate = sqrt(k2 * p->pressure / p->density);
+    const double viscous = nu / (p->density * rate), thermal = kappa / (p->density * p->heat_capacity * rate);
     gsl_complex z[3];
-    gsl_poly_complex_solve_cubic((rho * kappa + nu * rho * p->heat_capacity) / a,
-                                 (nu * kappa + k2 * p->pressure * rho * (p->heat_capacity + R)) / a,
-                                 k2 * p->pressure * kappa / a, &z[0], &z[1], &z[2]);
+    gsl_poly_complex_solve_cubic(thermal + viscous, viscous * thermal + 1.0 + R / p->heat_capacity, thermal, &z[0],
+                                 &z[1], &z[2]);
     int chosen = 0;
     for (int i = 1; i < 3; i++) {
         const bool better = whole(p->thermal) == 1 ? fabs(GSL_IMAG(z[i])) < fabs(GSL_IMAG(z[chosen]))
                                                    : GSL_IMAG(z[i]) < GSL_IMAG(z[chosen]);
         if (better) chosen = i;
     }
-    return complex_of(GSL_REAL(z[chosen]), GSL_IMAG(z[chosen]));
+    return complex_of(rate * GSL_REAL(z[chosen]), rate * GSL_IMAG(z[chosen]));
 }
 
 static floe_status wave_prepare(context *ctx, const void *par, int dim, void *prepared)

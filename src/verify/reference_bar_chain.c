@@ -149,7 +149,8 @@ static void chain_start(const chain *c, double *state, double *absolute)
 {
     const chain_par *p = c->p;
     const double size = p->tolerance * span(p);
-    const double speed = p->tolerance * sqrt((p->gravity + 1e-3) * span(p));
+    const double pull = p->gravity > 0.0 ? p->gravity : p->modulus * p->area / p->end_mass;
+    const double speed = p->tolerance * sqrt(pull * span(p));
     for (size_t i = 0; i < c->moving; i++) {
         const double share = (double)(i + 1) / (double)c->moving;
         state[2 * i] = p->first_x + share * (p->last_x - p->first_x);

@@ -143,6 +143,20 @@ static void water_in_tension(void **state)
     check_close(c.p, -1e8, 1e-3);
 }
 
+/* A guess that is of no use costs some iterations. */
+static void starts_without_a_guess(void **state)
+{
+    const trio *t = *state;
+    for (int lp = 0; lp <= 10; lp += 5) {
+        const double p = pow(10.0, lp);
+        equilibrium_cell c = mixture(t, (const double[]){0.3, 0.3, 0.4}, p);
+        c.p = NAN;
+        assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+        check_close(c.p, p, 1e-10 * p);
+        check_true(c.iterations <= 40);
+    }
+}
+
 /* A cell that cannot be filled gives its last iterate back. */
 static void hopeless_cell_is_refused(void **state)
 {
@@ -156,9 +170,8 @@ static void hopeless_cell_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_cases_converge),
-        cmocka_unit_test(near_guess_is_quick),
-        cmocka_unit_test(water_in_tension),
+        cmocka_unit_test(all_cases_converge),       cmocka_unit_test(near_guess_is_quick),
+        cmocka_unit_test(starts_without_a_guess),   cmocka_unit_test(water_in_tension),
         cmocka_unit_test(hopeless_cell_is_refused),
     };
     return cmocka_run_group_tests(tests, setup, teardown);

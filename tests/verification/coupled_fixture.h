@@ -52,8 +52,8 @@ FIXTURE void coupled_start(trial *t)
     check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, t->scene->coupling));
 }
 
-/* The scene of a deck of inputs/, with `set` replaced. */
-FIXTURE void deck_begin(trial *t, const char *deck, const char *const *set, size_t n_set)
+/* The scene of a deck of inputs/, with `set` replaced; refused, there is none. */
+FIXTURE floe_status deck_try(trial *t, const char *deck, const char *const *set, size_t n_set)
 {
     memset(t, 0, sizeof *t);
     use_threads(1);
@@ -64,9 +64,17 @@ FIXTURE void deck_begin(trial *t, const char *deck, const char *const *set, size
     deck_report report = {0};
     deck_init();
     check_ok(t->ctx, catalogue_create(&catalogue, t->ctx));
-    check_ok(t->ctx, deck_load(&t->scene, t->ctx, path, &(deck_overrides){set, n_set}, catalogue, &report));
+    const floe_status status = deck_load(&t->scene, t->ctx, path, &(deck_overrides){set, n_set}, catalogue, &report);
     catalogue_destroy(t->ctx, &catalogue);
     deck_report_free(&report);
+    return status;
+}
+
+/* The scene of a deck that is fine. */
+FIXTURE void deck_begin(trial *t, const char *deck, const char *const *set, size_t n_set)
+{
+    const floe_status status = deck_try(t, deck, set, n_set);
+    check_ok(t->ctx, status);
 }
 
 /* A scene of inputs/ as it is to be run. */
