@@ -28,6 +28,7 @@
       "C_p: the point's velocity field is v_p + C_p (x - x_p)")                                                      \
     X(P_F, "deformation_gradient", POINT, DEFORM, "1", STATE, "F_p")                                                 \
     X(P_J, "volume_ratio", POINT, SCALAR, "1", STATE, "J_p = V/V0, for laws that need no F")                         \
+    X(P_BOX, "box", POINT, VECTOR, "m", STATE, "GIMP half width of a fluid's domain, which swells with it")          \
     X(P_STRESS, "stress", POINT, STRESS, "Pa", STATE, "Cauchy, tension positive, gauge to the reference pressure")   \
     X(P_ENERGY, "internal_energy", POINT, SCALAR, "J/kg", STATE, "e_p")                                              \
     X(P_TANGENT, "tangent", POINT, VECTOR, "1", STATE, "t_p, unit, along the line of a membrane's points")           \

@@ -237,6 +237,7 @@ void room_store(mpm *s, const balance_room *r, int blk)
         for (int a = 0; a < dim; ++a) {
             field_next(f, P_POS, r->body, a)[k] = field_get(f, P_POS, r->body, a)[k];
             field_next(f, P_VEL, r->body, a)[k] = 0.0;
+            if (s->boxes) field_next(f, P_BOX, r->body, a)[k] = field_get(f, P_BOX, r->body, a)[k];
         }
     }
     if (fields_has(f, P_VISCOUS_PRESSURE, r->body))

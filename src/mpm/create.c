@@ -47,6 +47,7 @@ static void resolve_body(mpm *s, int index)
         b->burns = b->burns || (s->coupled && sc->reaction[k].reactant == b->scene_material);
     s->burns = s->burns || b->burns;
     s->needs_F = s->needs_F || keeps_F(s, s->n_bodies);
+    s->boxes = s->boxes || keeps_box(s, s->n_bodies);
     s->has_energy = s->has_energy || (b->law->needs & SOLID_HAS_ENERGY) != 0;
     s->artificial = s->artificial || has_artificial(b);
     s->cell_density = s->cell_density || (b->fluid && s->scene->method.density != DENSITY_CONTINUITY);
@@ -63,6 +64,11 @@ static void resolve_body(mpm *s, int index)
 bool keeps_shape(const mpm *s, int body)
 {
     return s->basis->kind == BASIS_CPDI && !s->body[body].membrane.model;
+}
+
+bool keeps_box(const mpm *s, int body)
+{
+    return s->basis->kind == BASIS_GIMP && s->body[body].fluid;
 }
 
 bool keeps_F(const mpm *s, int body)
@@ -178,6 +184,8 @@ static bool body_holds(const mpm *s, int body, field_id id)
 {
     const mpm_body *b = &s->body[body];
     if (id == P_F) return keeps_F(s, body);
+    if (id == P_HALF) return !keeps_box(s, body);
+    if (id == P_BOX) return keeps_box(s, body);
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id == P_DENSITY) return b->fluid;

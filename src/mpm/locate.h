@@ -67,7 +67,8 @@ FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, si
     s.node = 0;
     int row = 1;
     for (int a = 0; a < dim; ++a) {
-        const double half = kind == BASIS_GIMP ? p->half[a][k] * f->inv_h[a] : 0.5;
+        /* Fluids may swell beyond what three nodes hold. */
+        const double half = kind == BASIS_GIMP ? fmin(p->half[a][k] * f->inv_h[a], 0.5) : 0.5;
         const int first = basis_1d(kind, centred ? 0.5 : at[a] - cell[a], half, f->inv_h[a], s.w[a], s.dw[a]);
         if (a == 0) s.radius = centred ? f->lower[0] + (f->first[0] + cell[0] + 0.5) / f->inv_h[0] : p->x[0][k];
         s.offset[a] = (cell[a] + first - at[a]) / f->inv_h[a];

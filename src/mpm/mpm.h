@@ -66,6 +66,7 @@ typedef struct mpm {
     bool seals;  /* a membrane or surfaces cut the gas of the cells: whole kicks, so that both get the same impulse */
     bool driven; /* the force of an exact solution acts on points (load.c) */
     bool holds;  /* a surface in space holds gas points (hold.c) */
+    bool boxes;  /* some fluid's points keep boxes that swell (GIMP) */
     bool needs_F, has_energy, artificial; /* some body's law keeps F, energy, artificial pressure */
     bool cell_density;                    /* fluid points take theirs from the masses of cells */
     bool burns;                           /* some body does (burn.c) */

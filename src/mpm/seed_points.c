@@ -82,6 +82,7 @@ static void set_shape(mpm *s, int blk, int body, size_t k, const seed_list *list
         field_get(f, P_POS, body, a)[k] = list->x[a][n];
         if (fields_has(f, P_REST, body)) field_get(f, P_REST, body, a)[k] = list->x[a][n];
         if (fields_has(f, P_HALF, body)) field_get(f, P_HALF, body, a)[k] = scale * list->half[a][n];
+        if (fields_has(f, P_BOX, body)) field_get(f, P_BOX, body, a)[k] = list->half[a][n];
     }
     if (fields_has(f, P_F, body))
         for (int a = 0; a < 3; ++a) field_get(f, P_F, body, unit[dim - 1][a])[k] = 1.0;

@@ -74,7 +74,7 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     for (int a = 0; a < s->mesh->dim; ++a) {
         p.x[a] = field_get(f, P_POS, body, a);
         p.v[a] = next_velocity ? field_next(f, P_VEL, body, a) : field_get(f, P_VEL, body, a);
-        p.half[a] = field_get(f, P_HALF, body, a);
+        p.half[a] = field_get(f, keeps_box(s, body) ? P_BOX : P_HALF, body, a);
     }
     for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
         p.stress[c] = next_stress ? field_next(f, P_STRESS, body, c) : field_get(f, P_STRESS, body, c);

@@ -223,6 +223,8 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
 bool has_artificial(const mpm_body *b);
 /* Whether the domains of a body's points deform with F (CPDI); whether F is kept, for that or for the law (create.c). */
 bool keeps_shape(const mpm *s, int body);
+/* Whether the boxes of a body's points swell with them (GIMP, fluids). */
+bool keeps_box(const mpm *s, int body);
 bool keeps_F(const mpm *s, int body);
 /* The time (s) over which stress is advanced (stress.c). */
 double strain_step(const mpm *s);

@@ -11,6 +11,7 @@ static const deck_variant variants[] = {
      1,
      3,
      {"domain.cell=0.1", "method.basis=gimp", "method.stress=usf"}},
+    {"points, gimp, USL", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.basis=gimp"}},
     {"points, MUSL", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.1"}},
     {"gas points, shock", "sod", COUPLING_MPM, 1, 1, {"domain.cell=0.02"}},
