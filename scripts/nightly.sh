@@ -42,7 +42,7 @@ note_passed() { # BUILD
     all=$(list_tests "$1" | sort)
     missing=$(comm -23 <(printf '%s\n' "$all") <(sort -u "$passed") | paste -sd' ')
     note "$(comm -12 <(printf '%s\n' "$all") <(sort -u "$passed") | wc -l) of $(printf '%s\n' "$all" | wc -l) tests passed${missing:+; not: $missing};" \
-        "at $(git rev-parse --short=12 HEAD)"
+        "floe $("build/$1/floe" --version | sed -n '1s/.*(\(.*\)).*/\1/p')"
     [ -z "$missing" ]
 }
 
@@ -124,9 +124,9 @@ part_valgrind() {
 
 part_coverage() {
     scripts/build.sh coverage || return
-    find build/coverage -name '*.gcda' -delete
-    run_tests coverage || return
-    local room file
+    local room file status=0
+    [ -n "${FLOE_CONTINUE:-}" ] || find build/coverage -name '*.gcda' -delete
+    run_tests coverage || status=1
     for room in src/*/; do
         room=$(basename "$room")
         find "build/coverage/src/$room" -name '*.gcda' 2>/dev/null | while read -r file; do
@@ -135,6 +135,7 @@ part_coverage() {
             mine && /^Lines executed/ { split($0, part, /[:% ]+/); n = $NF; all += n; run += part[3] / 100 * n; mine = 0 }
             END { if (all) printf "%-9s %5.1f %% of %5d lines\n", room, 100 * run / all, all }'
     done | tee -a "$totals/coverage.txt"
+    return $status
 }
 
 scripts/setup.sh nightly || exit

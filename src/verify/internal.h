@@ -9,6 +9,11 @@
 
 #define VERIFY_PI 3.14159265358979323846
 
+/* Flow between plates, from the start: while nu t is less than this part of the height squared, images of the plates say it, later modes do.
+ * So many of either leave less than 1e-17. */
+#define VERIFY_EARLY 0.05
+enum { VERIFY_IMAGES = 5, VERIFY_MODES = 11 };
+
 #define COUNT_OF(array) (sizeof(array) / sizeof((array)[0]))
 
 /* A parameter that stands for a whole number (an axis, a mode, a choice). */

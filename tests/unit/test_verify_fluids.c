@@ -172,6 +172,35 @@ static void test_plates(void **state)
     exact_destroy(ctx, &f.solution);
 }
 
+/* The two series of a starting flow meet where one takes over from the other, in velocity and in stress; and the averages of cells are as
+ * quick at the first step as later, beside a plate too. */
+static void test_plates_soon_after_the_start(void **state)
+{
+    context *ctx = *state;
+    const char *flow[] = {"couette", "poiseuille"};
+    const double nu = 0.01 / 1.2, over = 0.05 * 0.01 / nu; /* EARLY height^2 / nu */
+    for (int i = 0; i < 2; i++) {
+        fixture f;
+        make(ctx, &f, flow[i], 2, NONE);
+        for (double y = 0.0; y <= 0.1; y += 0.005) {
+            for (exact_quantity q = EXACT_VELOCITY_X; q <= EXACT_STRESS_XY; q += EXACT_STRESS_XY - EXACT_VELOCITY_X)
+                check_close(get(&f, q, 0.0, y, over * (1.0 - 1e-13)), get(&f, q, 0.0, y, over * (1.0 + 1e-13)), 1e-12);
+        }
+        exact_destroy(ctx, &f.solution);
+    }
+    const double t = 1e-9, skin = 2.0 * sqrt(nu * t), wall[3] = {0.0, 0.0, 0.0}, cell[3] = {0.01, 4e-5, 0.0};
+    fixture f;
+    make(ctx, &f, "poiseuille", 2, NONE);
+    /* what the plate holds back of g t is 4 g t times the third integral of erfc at 0, 1/(6 sqrt(pi)), times the skin */
+    check_close_relative(exact_cell_average(&f.solution, EXACT_VELOCITY_X, wall, cell, t, EXACT_PLAIN),
+                         3.0 * t * (1.0 - 4.0 * skin / (6.0 * sqrt(pi)) / 4e-5), 1e-9);
+    check_close_relative(get(&f, EXACT_STRESS_XY, 0.0, 0.0, t), 1.2 * 3.0 * skin / sqrt(pi), 1e-12);
+    exact_destroy(ctx, &f.solution);
+    make(ctx, &f, "couette", 2, NONE);
+    check_close_relative(get(&f, EXACT_STRESS_XY, 0.0, 0.1, t), 0.01 * 2.0 * 2.0 / (sqrt(pi) * skin), 1e-12);
+    exact_destroy(ctx, &f.solution);
+}
+
 /* Averages in two dimensions, by hand: sin kx cos ky over a box, pressure with its quadratic terms. */
 static void test_average_plane(void **state)
 {
@@ -261,11 +290,17 @@ static void test_average_kink(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pulse),         cmocka_unit_test(test_simple_wave_limit),
-        cmocka_unit_test(test_simple_wave),   cmocka_unit_test(test_vortex),
-        cmocka_unit_test(test_relaxation),    cmocka_unit_test(test_plates),
-        cmocka_unit_test(test_average_plane), cmocka_unit_test(test_average_weights),
-        cmocka_unit_test(test_average_jump),  cmocka_unit_test(test_average_kink),
+        cmocka_unit_test(test_pulse),
+        cmocka_unit_test(test_simple_wave_limit),
+        cmocka_unit_test(test_simple_wave),
+        cmocka_unit_test(test_vortex),
+        cmocka_unit_test(test_relaxation),
+        cmocka_unit_test(test_plates),
+        cmocka_unit_test(test_plates_soon_after_the_start),
+        cmocka_unit_test(test_average_plane),
+        cmocka_unit_test(test_average_weights),
+        cmocka_unit_test(test_average_jump),
+        cmocka_unit_test(test_average_kink),
     };
     return cmocka_run_group_tests_name("exact fluids and averages", tests, check_make_context, check_drop_context);
 }
