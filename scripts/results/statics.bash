@@ -154,8 +154,7 @@ result_statics() {
         '  increments are then cut until the run ends with status 3. Explicit steps hide this in inertia.' \
         '* Areas of loaded surfaces stay what they were, as in explicit steps; gas points of a room stay where they are.' \
         '* KINSOL was measured and left out, and so was sub-stepping of the fast side: figures in [deviations](../deviations.md).' \
-        '* Bodies in contact: whether they touch would have to be found with the displacement. Bodies that share a velocity field (no `contact`) stick, and can be' \
-        '  solved for. Membranes without `strain: places`, surfaces in space, springs and strings are stepped.'
+        '* Coulomb friction of bodies in contact, whose matrix is not symmetric. Membranes without `strain: places`, surfaces in space, springs and strings are stepped.'
     write '' '## Bars' '' 'Set after first trials.' ''
     show_bars
     finish

@@ -2,11 +2,12 @@
 #include "mpm/balance.h"
 
 #include "base/memory.h"
+#include "mpm/balance_contact.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { MOST_NEWTON = 30, MOST_KRYLOV = 1000, MOST_HALVINGS = 6 };
+enum { MOST_NEWTON = 30, MOST_TURNS = 60 /* with contacts */, MOST_KRYLOV = 1000, MOST_HALVINGS = 6 };
 /* Conjugate gradients leave this share of what a step of Newton's method has to take away. */
 static const double forcing = 1e-4;
 /* A step that leaves more than this share is worth a new matrix. */
@@ -40,8 +41,8 @@ const char *mpm_balance_obstacle(const mpm *s, time_solver solver)
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))
             return "a fluid is not enclosed by solids all along its shape, and would flow";
-    if (s->contact) return "bodies in contact have velocities of their own";
-    return NULL;
+    if (s->contact && solver == SOLVER_IMPLICIT) return "bodies in contact have velocities of their own";
+    return contact_rest_obstacle(s);
 }
 
 static solve_grid node_grid(const mesh *m)
@@ -79,14 +80,17 @@ static floe_status make_solver(mpm *s)
     struct mpm_balance *w = s->balance;
     const int dim = s->mesh->dim;
     w->grid = node_grid(s->mesh);
-    w->components = (size_t)dim * w->grid.size;
+    w->layers = s->contact ? s->n_groups : 1;
+    for (int b = 0; b < s->n_bodies; ++b) w->layer[b] = balance_layer(s, s->body[b].group);
+    w->components = (size_t)(dim * w->layers) * w->grid.size;
     choose_gradients(s, w);
     TRY(find_tiles(s));
-    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim, balance_width(s)));
-    TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim, MOST_KRYLOV));
+    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim * w->layers, balance_width(s)));
+    TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MOST_KRYLOV));
     TRY(rooms_find(s));
-    double **array[] = {&w->pushed, &w->u,    &w->change, &w->outer, &w->inner_first,
-                        &w->inner,  &w->left, &w->trial,  &w->target};
+    TRY(contact_rest_create(s));
+    double **array[] = {&w->pushed, &w->u,    &w->change, &w->outer,  &w->inner_first,
+                        &w->inner,  &w->left, &w->trial,  &w->target, &w->way};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
     if (s->coupled || s->seals) {
@@ -98,7 +102,8 @@ static floe_status make_solver(mpm *s)
         TRY(memory_new(s->ctx, &w->velocity, w->components, sizeof *w->velocity));
     }
     TRY(memory_new(s->ctx, &w->held, w->components, sizeof *w->held));
-    return memory_new(s->ctx, &w->reached, w->grid.size, sizeof *w->reached);
+    TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
+    return memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached);
 }
 
 floe_status mpm_solve_steps(mpm *s, time_solver solver)
@@ -115,35 +120,40 @@ void balance_destroy(mpm *s)
     line_rest_destroy(s);
     cg_destroy(&w->krylov);
     rooms_free(s);
+    contact_rest_free(s);
     node_multigrid_destroy(&w->solver);
     memory_free(s->ctx, &w->outer_first);
     memory_free(s->ctx, &w->unbalanced);
-    void *owned[] = {&w->mass,  &w->velocity, &w->pushed, &w->place,       &w->pull,       &w->tangent,
-                     &w->u,     &w->change,   &w->outer,  &w->inner_first, &w->inner,      &w->left,
-                     &w->trial, &w->target,   &w->held,   &w->reached,     &w->tile_block, &w->tile_local};
+    void *owned[] = {&w->mass,   &w->velocity, &w->pushed,      &w->place,      &w->pull,       &w->tangent, &w->u,
+                     &w->change, &w->outer,    &w->inner_first, &w->inner,      &w->left,       &w->trial,   &w->target,
+                     &w->held,   &w->reached,  &w->row,         &w->tile_block, &w->tile_local, &w->way};
     for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
     memory_free(s->ctx, &s->balance);
 }
 
 floe_status mpm_balance_masses(mpm *s)
 {
-    return scatter_group(s, 0, SCATTER_MOMENTUM, false, false);
+    for (int g = 0; g < s->n_groups; ++g) TRY(scatter_group(s, g, SCATTER_MOMENTUM, false, false));
+    return FLOE_OK;
 }
 
-static void clear_forces(mpm *s)
+static void clear_forces(mpm *s, int group)
 {
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int c = 0; c < s->mesh->dim; ++c)
-            memset(field_get(s->domain->fields[b], N_FORCE, 0, c), 0, s->mesh->block[b].size * sizeof(double));
+            memset(field_get(s->domain->fields[b], N_FORCE, group, c), 0, s->mesh->block[b].size * sizeof(double));
 }
 
 static void collect_loads(mpm *s, double *out)
 {
-    clear_forces(s);
+    memset(out, 0, s->balance->components * sizeof *out);
     s->work->kick = 0.0; /* no impulse is entered */
     set_body_forces(s);
-    scatter_loads(s, 0);
-    balance_collect(s, N_FORCE, out);
+    for (int g = 0; g < s->n_groups; ++g) {
+        clear_forces(s, g);
+        scatter_loads(s, g);
+        balance_collect(s, N_FORCE, g, out);
+    }
 }
 
 /* The loads as they were when the increment before ended. */
@@ -162,13 +172,16 @@ floe_status mpm_balance_loads(mpm *s)
 {
     TRY(rooms_take_gases(s));
     for (int r = 0; r < s->balance->n_rooms; ++r) {
-        clear_forces(s);
-        if (s->gas && s->gas[r].push)
-            scatter_skins(s, 0, s->gas[r].push);
-        else
-            scatter_room(s, r);
-        fold_forces(s, 0);
-        balance_collect(s, N_FORCE, s->balance->room[r].push);
+        memset(s->balance->room[r].push, 0, s->balance->components * sizeof(double));
+        for (int g = 0; g < s->n_groups; ++g) {
+            clear_forces(s, g);
+            if (s->gas && s->gas[r].push)
+                scatter_skins(s, g, s->gas[r].push);
+            else if (g == 0)
+                scatter_room(s, r);
+            fold_forces(s, g);
+            balance_collect(s, N_FORCE, g, s->balance->room[r].push);
+        }
     }
     if (s->balance->outer_first) collect_first_loads(s);
     collect_loads(s, s->balance->outer);
@@ -194,55 +207,87 @@ static floe_status evaluate(mpm *s, const double *u)
         w->left[k] = w->outer[k] + w->pushed[k] + w->inner[k];
         if (w->unbalanced) w->left[k] -= w->keep * w->unbalanced[k];
         if (w->mass) w->left[k] += 0.5 * (w->inner_first[k] - w->inner[k]) - motion_force(s, k, u[k]);
-        if (w->held[k] || !w->reached[k % w->grid.size]) w->left[k] = 0.0;
+        if (w->held[k] || !w->reached[k]) w->left[k] = 0.0;
     }
+    contact_rest_take(s);
     return FLOE_OK;
 }
 
-/* What a displacement of what is held asks of the others at first. */
-static void drive(struct mpm_balance *w, const node_matrix *m)
+/* The way from u to where what is held, and what bodies in contact bind, must be. False: they are there. */
+static bool find_way(mpm *s)
 {
-    node_matrix_apply(m, w->target, w->trial);
+    struct mpm_balance *w = s->balance;
+    bool any = false;
+    for (size_t k = 0; k < w->components; ++k) {
+        w->way[k] = w->held[k] ? w->target[k] - w->u[k] : 0.0;
+        any = any || w->way[k] != 0.0;
+    }
+    return contact_rest_way(s, w->u, w->way) || any;
+}
+
+/* What that way asks of the others. */
+static void drive(mpm *s, const node_matrix *m)
+{
+    struct mpm_balance *w = s->balance;
+    node_matrix_apply(m, w->way, w->trial);
     for (size_t k = 0; k < w->components; ++k)
         if (!w->held[k]) w->left[k] -= w->trial[k];
+    contact_rest_project(s, w->left);
+}
+
+static void make_matrix(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    node_matrix *m = node_multigrid_matrix(w->solver);
+    balance_assemble(s);
+    balance_assemble_edges(s, m);
+    if (w->mass) motion_stiffen(s, m);
+    if (find_way(s)) drive(s, m);
+    contact_rest_stiffen(s, m);
+    node_matrix_hold(m, w->held);
+}
+
+/* Nothing may be free to move; what is comes to rest on what it meets, if it meets anything. */
+static floe_status check_free(mpm *s)
+{
+    const floe_status status = balance_check_free(s);
+    if (status != FLOE_DIVERGED || !contact_rest_close(s)) return status;
+    context_clear(s->ctx);
+    make_matrix(s);
+    return balance_check_free(s);
 }
 
 /* The matrix at u. Loads of nodes that no point reaches have nothing to push. */
 static floe_status renew_matrix(mpm *s)
 {
     struct mpm_balance *w = s->balance;
-    node_matrix *m = node_multigrid_matrix(w->solver);
     const bool first = !w->ready;
     TRY(balance_tangents(s, w->u));
-    if (first) TRY(node_matrix_shape(m, w->reached));
-    balance_assemble(s);
-    balance_assemble_edges(s, m);
-    if (w->mass)
-        motion_stiffen(s, m);
-    else if (first)
-        drive(w, m);
-    node_matrix_hold(m, w->held);
-    if (first && !w->mass) TRY(balance_check_free(s));
+    if (first) TRY(node_matrix_shape(node_multigrid_matrix(w->solver), w->row));
+    make_matrix(s);
+    if (first && !w->mass) TRY(check_free(s));
     w->ready = true;
     return node_multigrid_prepare(w->solver);
 }
 
 static void precondition(void *user, double *x, double *y)
 {
-    const struct mpm_balance *w = user;
+    const mpm *s = user;
+    const struct mpm_balance *w = s->balance;
     node_multigrid_cycle(w->solver, x, y);
     for (size_t k = 0; k < w->components; ++k)
         if (w->held[k]) y[k] = 0.0;
+    contact_rest_project(s, y);
 }
 
 static void multiply(void *user, double *x, double *y)
 {
-    const struct mpm_balance *w = user;
-    node_multigrid_apply(w->solver, x, y);
-    rooms_stiffen(w, x, y);
+    const mpm *s = user;
+    node_multigrid_apply(s->balance->solver, x, y);
+    rooms_stiffen(s->balance, x, y);
 }
 
-/* How large the forces are, so that what is left can be told from nothing. */
+/* How large the forces are, or were at the start, so that what is left can be told from nothing. */
 static double force_scale(const mpm *s)
 {
     const struct mpm_balance *w = s->balance;
@@ -251,7 +296,8 @@ static double force_scale(const mpm *s)
         const double impulse = w->mass[k % w->grid.size] * w->velocity[k];
         inertia += impulse * impulse;
     }
-    return norm(w, w->outer) + norm(w, w->pushed) + norm(w, w->inner) + round_off * sqrt(inertia) * 2.0 / s->dt;
+    return norm(w, w->outer) + norm(w, w->pushed) + fmax(norm(w, w->inner), norm(w, w->inner_first)) +
+           round_off * sqrt(inertia) * 2.0 / s->dt;
 }
 
 /* A step along the change, halved while points are beyond their law. */
@@ -277,7 +323,7 @@ static floe_status solve_change(mpm *s, double tolerance)
     for (size_t k = 0; k < w->components; ++k)
         if (w->held[k]) w->left[k] = 0.0;
     const double had = norm(w, w->left);
-    const cg_result r = cg_solve(w->krylov, multiply, precondition, w, w->left, NULL, tolerance, w->change);
+    const cg_result r = cg_solve(w->krylov, multiply, precondition, s, w->left, NULL, tolerance, w->change);
     w->krylov_iterations += r.iterations;
     if (!r.converged && !(r.residual < 0.1 * had))
         return fail(s->ctx, FLOE_RETRY,
@@ -286,32 +332,26 @@ static floe_status solve_change(mpm *s, double tolerance)
     return FLOE_OK;
 }
 
-static bool has_targets(const struct mpm_balance *w)
-{
-    for (size_t k = 0; k < w->components; ++k)
-        if (w->target[k] != 0.0) return true;
-    return false;
-}
-
 static floe_status newton(mpm *s)
 {
     struct mpm_balance *w = s->balance;
     const double tolerance = s->scene->time.tolerance;
-    bool stale = true, driven = !w->mass && has_targets(w);
+    const int most = w->contact ? MOST_TURNS : MOST_NEWTON;
+    bool stale = true;
     double before = INFINITY;
     for (w->newton = 0;; ++w->newton) {
+        const bool turned = contact_rest_decide(s, w->u), driven = find_way(s);
         const double left = norm(w, w->left), scale = force_scale(s);
-        if (!driven && left <= tolerance * scale) return FLOE_OK;
-        if (w->newton == MOST_NEWTON || (w->newton > 1 && !(left <= astray * before)))
+        if (!turned && !driven && left <= tolerance * scale) return FLOE_OK;
+        if (turned) before = INFINITY;
+        if (w->newton == most || (w->newton > 1 && !(left <= astray * before)))
             return fail(s->ctx, FLOE_RETRY, "after %d iterations of Newton's method %.3g of the forces is left",
                         w->newton, left / scale);
-        if (stale || left > slow * before) TRY(renew_matrix(s));
+        if (stale || turned || driven || left > slow * before) TRY(renew_matrix(s));
         stale = false;
         TRY(solve_change(s, fmax(forcing * norm(w, w->left), 0.1 * tolerance * scale)));
-        for (size_t k = 0; k < w->components && driven; ++k)
-            if (w->held[k]) w->change[k] = w->target[k];
+        for (size_t k = 0; k < w->components; ++k) w->change[k] += w->way[k];
         TRY(take_change(s));
-        driven = false;
         before = left;
     }
 }
@@ -336,6 +376,7 @@ static void enter_work(mpm *s)
     for (size_t k = 0; k < w->components; ++k) work -= 0.5 * (w->inner_first[k] + w->inner[k]) * w->u[k];
     work -= rooms_enter(s);
     balance_enter_edges(s);
+    contact_rest_enter(s);
     if (w->mass)
         motion_enter(s);
     else
@@ -347,7 +388,7 @@ static void enter_work(mpm *s)
 static void drop_unreached(const struct mpm_balance *w, double *force)
 {
     for (size_t k = 0; k < w->components; ++k)
-        if (!w->reached[k % w->grid.size]) force[k] = 0.0;
+        if (!w->reached[k]) force[k] = 0.0;
 }
 
 /* From where the nodes would be without forces. */
@@ -378,6 +419,7 @@ floe_status mpm_balance_solve(mpm *s)
     TRY(balance_find_edges(s));
     balance_hold(s);
     balance_reach(s);
+    TRY(contact_rest_find(s));
     balance_weigh(s, s->work->acceleration, true, w->outer);
     TRY(rooms_squeeze(s));
     drop_unreached(w, w->outer);

@@ -57,10 +57,12 @@ struct mpm_balance {
     solve_grid grid;
     balance_room *room; /* owned */
     int n_rooms;
-    struct line_rest *line; /* owned; NULL: solids on the mesh */
-    node_multigrid *solver; /* owned */
-    cg *krylov;             /* owned */
-    size_t components;      /* entries of an array on the grid, all components */
+    struct line_rest *line;              /* owned; NULL: solids on the mesh */
+    struct balance_contact *contact;     /* owned; NULL: no bodies in contact */
+    node_multigrid *solver;              /* owned */
+    cg *krylov;                          /* owned */
+    int layers, layer[SCENE_MAX_BODIES]; /* displacement fields: one, and with a contact one a group; that of a body */
+    size_t components;                   /* entries of an array on the grid, all components of all layers */
     int n_gradient,
         gradient[BALANCE_GRADIENTS]; /* components of grad u that the scene has, row-major in three dimensions */
     size_t points, points_room;      /* of solids, in all blocks; and for how many there is room */
@@ -77,11 +79,13 @@ struct mpm_balance {
     double acceleration_first[SCENE_MAX_BODIES][3]; /* m/s2: body forces at the start */
     double keep;                                    /* share of `unbalanced` that the increment leaves */
     double *target;                                 /* m: displacement of what is held; owned */
+    double *way;                                    /* m: to there, and to what bodies in contact bind; owned */
     bool *held;                                     /* components of nodes that walls and supports hold; owned */
-    bool *reached;                                  /* nodes that points of solids reach; owned */
-    bool ready;                                     /* the matrix is that of some displacement of this increment */
-    int newton, krylov_iterations;                  /* of the increment */
-    int *tile_block, *tile_local;                   /* of each global tile; owned */
+    bool *reached;                 /* components of nodes that points of their layer's solids reach; owned */
+    bool *row;                     /* nodes that points of some solid reach; owned */
+    bool ready;                    /* the matrix is that of some displacement of this increment */
+    int newton, krylov_iterations; /* of the increment */
+    int *tile_block, *tile_local;  /* of each global tile; owned */
 };
 
 /* How a solver's points are visited: a whole tile's, tiles that share no node at the same time, in an order that neither blocks nor
@@ -106,8 +110,8 @@ void balance_weigh(mpm *s, double (*fall)[3], bool drive, double *outer);
 void balance_share(mpm *s, double *share);
 /* Adds - V grad S, about an axis with the hoop's part. */
 void balance_squeeze(mpm *s, double *out);
-/* The displacement of a node, by global index, ghosts beyond the sides included. */
-double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c);
+/* The displacement of a node of a group, by global index, ghosts beyond the sides included. */
+double balance_way(const mpm *s, int group, const int node[MESH_MAX_DIM], int c);
 /* Next places and velocities: none in statics. FLOE_RETRY where one has gone farther than a cell. */
 floe_status balance_move(mpm *s);
 
@@ -126,8 +130,18 @@ void balance_assemble(mpm *s);
 void balance_hold(mpm *s);
 /* Which nodes points of solids reach. */
 void balance_reach(mpm *s);
-/* A node field of the blocks (N_FORCE ...) as an array of the solver's; one of one component is the first of the array. */
-void balance_collect(mpm *s, field_id id, double *out);
+/* Adds a group's node field of the blocks (N_FORCE ...) to an array of the solver's; one of one component is the first of its layer. */
+void balance_collect(mpm *s, field_id id, int group, double *out);
+/* The layer that a group moves in. */
+static inline int balance_layer(const mpm *s, int group)
+{
+    return s->balance->layers > 1 ? group : 0;
+}
+/* Place of a component of a node in the solver's arrays. */
+static inline size_t balance_at(const struct mpm_balance *w, int layer, int c, int node)
+{
+    return (size_t)(layer * w->grid.dim + c) * w->grid.size + (size_t)node;
+}
 /* FLOE_DIVERGED with the cause where the points that hang together could move as a rigid body (balance_free.c). */
 floe_status balance_check_free(mpm *s);
 

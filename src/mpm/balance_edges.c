@@ -9,10 +9,10 @@ static int place_of(const mpm *s, const edge_node *n)
     return (int)solve_index(&s->balance->grid, n->at[0], n->at[1], n->at[2]);
 }
 
-static const edge_group *lines_of(const mpm *s)
+/* Groups whose edges are held: one a layer. */
+static int count_groups(const mpm *s)
 {
-    static const edge_group none = {.n_lines = 0};
-    return s->work->edges ? &s->work->edges->group[0] : &none;
+    return s->work->edges ? s->balance->layers : 0;
 }
 
 int balance_width(const mpm *s)
@@ -23,17 +23,18 @@ int balance_width(const mpm *s)
 
 floe_status balance_find_edges(mpm *s)
 {
-    return s->work->edges ? edges_find(s, 0, true) : FLOE_OK;
+    for (int g = 0; g < count_groups(s); ++g) TRY(edges_find(s, g, true));
+    return FLOE_OK;
 }
 
-void balance_pull_edges(mpm *s, const double *u, double *inner)
+static void pull_group(mpm *s, int layer, const double *u, double *inner)
 {
-    const edge_group *g = lines_of(s);
+    const edge_group *g = &s->work->edges->group[layer];
     const size_t dim = (size_t)s->mesh->dim;
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
             const edge_line *l = &g->line[k];
-            const size_t base = (size_t)c * s->balance->grid.size;
+            const size_t base = balance_at(s->balance, layer, c, 0);
             const double *weight = edge_weights(l, c);
             double difference = s->work->edges->memory[l->slot + (size_t)c];
             for (int t = 0; t < EDGE_TAPS; ++t)
@@ -44,7 +45,12 @@ void balance_pull_edges(mpm *s, const double *u, double *inner)
         }
 }
 
-/* Entry of a pair of taps, which lie within the matrix's width of each other, around a periodic end where need be. */
+void balance_pull_edges(mpm *s, const double *u, double *inner)
+{
+    for (int g = 0; g < count_groups(s); ++g) pull_group(s, g, u, inner);
+}
+
+/* Entry of a pair of taps, of component c of the matrix, which lie within the matrix's width of each other, around a periodic end where need be. */
 static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int c, double value)
 {
     const int row = m->row[place_of(s, from)];
@@ -56,22 +62,27 @@ static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const 
     if (row >= 0) node_matrix_entries(m, row, c, c)[node_matrix_slot(m, offset)] += value;
 }
 
-void balance_assemble_edges(mpm *s, node_matrix *m)
+static void assemble_group(const mpm *s, int layer, node_matrix *m)
 {
-    const edge_group *g = lines_of(s);
+    const edge_group *g = &s->work->edges->group[layer];
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
             const edge_line *l = &g->line[k];
             const double *w = edge_weights(l, c);
             for (int i = 0; i < edge_taps(s); ++i)
                 for (int j = 0; j < edge_taps(s); ++j)
-                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], c, l->stiffness * w[i] * w[j]);
+                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], layer * s->mesh->dim + c,
+                             l->stiffness * w[i] * w[j]);
         }
 }
 
-void balance_enter_edges(mpm *s)
+void balance_assemble_edges(mpm *s, node_matrix *m)
 {
-    const edge_group *g = lines_of(s);
+    for (int g = 0; g < count_groups(s); ++g) assemble_group(s, g, m);
+}
+
+static double gain_of_group(const mpm *s, const edge_group *g)
+{
     double energy = 0.0;
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
@@ -79,5 +90,12 @@ void balance_enter_edges(mpm *s)
             const double now = g->next[k * (size_t)s->mesh->dim + (size_t)c];
             energy += 0.5 * g->line[k].stiffness * (now * now - before * before);
         }
+    return energy;
+}
+
+void balance_enter_edges(mpm *s)
+{
+    double energy = 0.0;
+    for (int g = 0; g < count_groups(s); ++g) energy += gain_of_group(s, &s->work->edges->group[g]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -energy);
 }

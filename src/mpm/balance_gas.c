@@ -103,7 +103,7 @@ static floe_status share_squeeze(mpm *s, const double *squeeze)
         for (node[1] = 0; node[1] < w->grid.n[1]; ++node[1])
             for (node[0] = 0; node[0] < w->grid.n[0]; ++node[0]) {
                 const size_t at = (size_t)solve_index(&w->grid, node[0], node[1], node[2]);
-                if (!w->reached[at]) continue;
+                if (!w->row[at]) continue;
                 const gas_view v = see_gas(s, node);
                 const int gas = v.gas[v.share[1] > v.share[0]];
                 if (gas == NO_GAS) continue;

@@ -3,6 +3,15 @@
 
 #include <string.h>
 
+static void hold_node(struct mpm_balance *w, int node, int c, double way)
+{
+    for (int l = 0; l < w->layers; ++l) {
+        const size_t at = balance_at(w, l, c, node);
+        w->held[at] = true;
+        w->target[at] = way;
+    }
+}
+
 void balance_hold(mpm *s)
 {
     struct mpm_balance *w = s->balance;
@@ -23,9 +32,7 @@ void balance_hold(mpm *s)
                 for (int k = lo[2]; k < hi[2]; ++k)
                     for (int j = lo[1]; j < hi[1]; ++j)
                         for (int i = lo[0]; i < hi[0]; ++i) {
-                            const size_t at = (size_t)c * w->grid.size + (size_t)solve_index(&w->grid, i, j, k);
-                            w->held[at] = true;
-                            w->target[at] = way;
+                            hold_node(w, (int)solve_index(&w->grid, i, j, k), c, way);
                         }
             }
     for (size_t k = 0; k < s->work->n_supports; ++k) {
@@ -33,9 +40,8 @@ void balance_hold(mpm *s)
         int i[MESH_MAX_DIM] = {0, 0, 0};
         for (int a = 0; a < m->dim; ++a) i[a] = m->periodic[a] ? node->node[a] % m->n[a] : node->node[a];
         for (int c = 0; c < m->dim; ++c) {
-            const size_t at = (size_t)c * w->grid.size + (size_t)solve_index(&w->grid, i[0], i[1], i[2]);
-            w->held[at] = true;
-            w->target[at] = s->dt * s->scene->support[node->support].velocity[c];
+            hold_node(w, (int)solve_index(&w->grid, i[0], i[1], i[2]), c,
+                      s->dt * s->scene->support[node->support].velocity[c]);
         }
     }
 }
@@ -53,7 +59,8 @@ static void reach_tile(mpm *s, int blk, int tile, void *user)
                 bool any = false;
                 for (int c = 0; c < s->mesh->dim; ++c)
                     for (int a = 0; a < s->mesh->dim; ++a) any = any || node[i].slope[c][a] != 0.0;
-                if (any) reached[node[i].at] = true;
+                for (int c = 0; any && c < s->mesh->dim; ++c)
+                    reached[balance_at(s->balance, s->balance->layer[body], c, node[i].at)] = true;
             }
         }
     }
@@ -61,11 +68,15 @@ static void reach_tile(mpm *s, int blk, int tile, void *user)
 
 void balance_reach(mpm *s)
 {
-    memset(s->balance->reached, 0, s->balance->grid.size * sizeof(bool));
-    balance_for_tiles(s, reach_tile, s->balance->reached);
+    struct mpm_balance *w = s->balance;
+    memset(w->reached, 0, w->components * sizeof *w->reached);
+    memset(w->row, 0, w->grid.size * sizeof *w->row);
+    balance_for_tiles(s, reach_tile, w->reached);
+    for (int l = 0; l < w->layers; ++l)
+        for (size_t k = 0; k < w->grid.size; ++k) w->row[k] = w->row[k] || w->reached[balance_at(w, l, 0, (int)k)];
 }
 
-double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c)
+double balance_way(const mpm *s, int group, const int node[MESH_MAX_DIM], int c)
 {
     const struct mpm_balance *w = s->balance;
     for (int a = 0; a < s->mesh->dim; ++a) {
@@ -77,33 +88,32 @@ double balance_way(const mpm *s, const int node[MESH_MAX_DIM], int c)
         memcpy(inside, node, sizeof inside);
         on_wall[a] = wall;
         inside[a] = 2 * wall - node[a];
-        const double image = balance_way(s, inside, c);
+        const double image = balance_way(s, group, inside, c);
         if (wall_mirrors(s, a, side)) return a == c ? -image : image;
-        return 2.0 * balance_way(s, on_wall, c) - image;
+        return 2.0 * balance_way(s, group, on_wall, c) - image;
     }
     int at[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < s->mesh->dim; ++a)
         at[a] = s->mesh->periodic[a] ? (node[a] + s->mesh->n[a]) % s->mesh->n[a] : node[a];
-    return w->u[(size_t)c * w->grid.size + (size_t)solve_index(&w->grid, at[0], at[1], at[2])];
+    return w->u[balance_at(w, balance_layer(s, group), c, (int)solve_index(&w->grid, at[0], at[1], at[2]))];
 }
 
-void balance_collect(mpm *s, field_id id, double *out)
+void balance_collect(mpm *s, field_id id, int group, double *out)
 {
     const struct mpm_balance *w = s->balance;
     const mesh *m = s->mesh;
     const int components = field_component_count(field_describe(id)->components, m->dim);
-    memset(out, 0, w->components * sizeof *out);
     for (int blk = 0; blk < m->n_blocks; ++blk) {
         const block *b = &m->block[blk];
         int end[MESH_MAX_DIM] = {1, 1, 1};
         for (int a = 0; a < m->dim; ++a) end[a] = b->n[a] + (b->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 0);
         for (int c = 0; c < components; ++c) {
-            const double *value = field_get(s->domain->fields[blk], id, 0, c);
+            const double *value = field_get(s->domain->fields[blk], id, group, c);
             for (int k = 0; k < end[2]; ++k)
                 for (int j = 0; j < end[1]; ++j)
                     for (int i = 0; i < end[0]; ++i)
-                        out[(size_t)c * w->grid.size +
-                            (size_t)solve_index(&w->grid, b->lo[0] + i, b->lo[1] + j, b->lo[2] + k)] =
+                        out[balance_at(w, balance_layer(s, group), c,
+                                       (int)solve_index(&w->grid, b->lo[0] + i, b->lo[1] + j, b->lo[2] + k))] +=
                             value[mesh_index(b, i, j, k)];
         }
     }

@@ -45,8 +45,8 @@ static void pull_of_node(const mpm *s, const place_node *node, const double *tan
     }
 }
 
-/* Adds a column of the point's matrix: forces on every node for a unit of component c of node j. */
-static void add_column(const mpm *s, node_matrix *m, const place_node *node, int nodes, int j, int c,
+/* Adds a column of the point's matrix: forces on every node for a unit of component c of node j; base: the first component of its layer. */
+static void add_column(const mpm *s, node_matrix *m, const place_node *node, int nodes, int j, int base, int c,
                        const double pull[BALANCE_GRADIENTS], double radius)
 {
     const struct mpm_balance *w = s->balance;
@@ -61,7 +61,7 @@ static void add_column(const mpm *s, node_matrix *m, const place_node *node, int
         for (int c2 = 0; row >= 0 && c2 < s->mesh->dim; ++c2) {
             double sum = c2 == 0 ? hoop * node[i].S[0] : 0.0;
             for (int a = 0; a < s->mesh->dim; ++a) sum += T[3 * c2 + a] * node[i].slope[c2][a];
-            node_matrix_entries(m, row, c2, c)[slot] += sum;
+            node_matrix_entries(m, row, base + c2, base + c)[slot] += sum;
         }
     }
 }
@@ -79,10 +79,10 @@ static void assemble_tile(mpm *s, int blk, int tile, void *user)
             place_node node[BALANCE_NODES];
             const int n = balance_nodes(s, &w->place[number], node);
             for (int j = 0; j < n; ++j)
-                for (int c = 0; c < s->mesh->dim && w->reached[node[j].at]; ++c) {
+                for (int c = 0; c < s->mesh->dim && w->reached[balance_at(w, w->layer[body], c, node[j].at)]; ++c) {
                     double pull[BALANCE_GRADIENTS];
                     pull_of_node(s, &node[j], w->tangent + number * square, radius, c, pull);
-                    add_column(s, user, node, n, j, c, pull, radius);
+                    add_column(s, user, node, n, j, w->layer[body] * s->mesh->dim, c, pull, radius);
                 }
         }
     }

@@ -12,8 +12,12 @@
 void motion_begin(mpm *s)
 {
     struct mpm_balance *w = s->balance;
-    balance_collect(s, N_MOMENTUM, w->velocity);
-    balance_collect(s, N_MASS, w->mass);
+    memset(w->velocity, 0, w->components * sizeof *w->velocity);
+    memset(w->mass, 0, w->components * sizeof *w->mass);
+    for (int g = 0; g < s->n_groups; ++g) {
+        balance_collect(s, N_MOMENTUM, g, w->velocity);
+        balance_collect(s, N_MASS, g, w->mass);
+    }
     for (size_t k = 0; k < w->components; ++k) {
         const double m = w->mass[k % w->grid.size];
         w->velocity[k] = m > 0.0 ? w->velocity[k] / m : 0.0;
@@ -25,7 +29,7 @@ void motion_guess(const mpm *s, double *u)
 {
     const struct mpm_balance *w = s->balance;
     for (size_t k = 0; k < w->components; ++k)
-        u[k] = w->held[k] ? w->target[k] : w->reached[k % w->grid.size] ? s->dt * w->velocity[k] : 0.0;
+        u[k] = w->held[k] ? w->target[k] : w->reached[k] ? s->dt * w->velocity[k] : 0.0;
 }
 
 double motion_damping(const mpm *s)

@@ -9,15 +9,16 @@
 typedef double gradient_rows[BALANCE_GRADIENTS][SOLID_CHUNK];
 
 /* grad u of a point, all nine components; those that the scene has not stay 0. */
-static void gather(const mpm *s, const double *u, const point_place *p, double G[BALANCE_GRADIENTS])
+static void gather(const mpm *s, const double *u, int layer, const point_place *p, double G[BALANCE_GRADIENTS])
 {
+    const struct mpm_balance *w = s->balance;
     const int dim = s->mesh->dim;
     place_node node[BALANCE_NODES];
     const int n = balance_nodes(s, p, node);
     memset(G, 0, BALANCE_GRADIENTS * sizeof *G);
     for (int i = 0; i < n; ++i)
         for (int c = 0; c < dim; ++c) {
-            const double value = u[(size_t)c * s->balance->grid.size + (size_t)node[i].at];
+            const double value = u[balance_at(w, layer, c, node[i].at)];
             for (int a = 0; a < dim; ++a) G[3 * c + a] += value * node[i].slope[c][a];
             if (c == 0 && s->mesh->geometry == MESH_AXISYMMETRIC) G[8] += value * node[i].S[0] / p->radius;
         }
@@ -123,7 +124,7 @@ static void gather_chunk(const mpm *s, int blk, int body, size_t start, size_t e
     const point_place *place = s->balance->place + s->balance->first[blk][body];
     for (size_t k = start; k < end; ++k) {
         double g[BALANCE_GRADIENTS];
-        gather(s, u, &place[k], g);
+        gather(s, u, s->balance->layer[body], &place[k], g);
         for (int c = 0; c < 9; ++c) G[c][k - start] = g[c];
     }
 }
@@ -205,7 +206,7 @@ static void pull_tile(mpm *s, int blk, int tile, void *user)
                 for (int c = 0; c < dim; ++c) {
                     double sum = c == 0 ? hoop * node[i].S[0] : 0.0;
                     for (int a = 0; a < dim; ++a) sum += T[3 * c + a] * node[i].slope[c][a];
-                    inner[(size_t)c * w->grid.size + (size_t)node[i].at] -= sum;
+                    inner[balance_at(w, w->layer[body], c, node[i].at)] -= sum;
                 }
         }
     }
@@ -241,7 +242,7 @@ static void weigh_tile(mpm *s, int blk, int tile, void *user)
             const int n = balance_nodes(s, &w->place[w->first[blk][body] + k], node);
             for (int i = 0; i < n; ++i)
                 for (int c = 0; c < s->mesh->dim; ++c)
-                    weigh->out[(size_t)c * w->grid.size + (size_t)node[i].at] +=
+                    weigh->out[balance_at(w, w->layer[body], c, node[i].at)] +=
                         p.mass[k] * (weigh->fall ? fall_of(weigh, &p, body, k, c) : 1.0) * node[i].S[c];
         }
     }
@@ -273,7 +274,7 @@ static void squeeze_tile(mpm *s, int blk, int tile, void *user)
             const int n = balance_nodes(s, place, node);
             for (int i = 0; i < n; ++i)
                 for (int c = 0; c < s->mesh->dim; ++c)
-                    out[(size_t)c * w->grid.size + (size_t)node[i].at] -=
+                    out[balance_at(w, w->layer[body], c, node[i].at)] -=
                         volume * node[i].slope[c][c] + (c == 0 ? hoop * node[i].S[0] : 0.0);
         }
     }
@@ -299,6 +300,13 @@ static double next_velocity(const mpm *s, const place_node *node, int nodes, int
     return s->share * (before + change) + (1.0 - s->share) * now;
 }
 
+/* Cells that a point may go in an increment. With a contact two bodies must not come through each other that share no node yet: their points
+ * are more than half a cell apart then. */
+static double farthest(const mpm *s)
+{
+    return s->contact ? 0.25 : 1.0;
+}
+
 static floe_status move_point(mpm *s, int blk, int body, size_t k)
 {
     const struct mpm_balance *w = s->balance;
@@ -307,10 +315,11 @@ static floe_status move_point(mpm *s, int blk, int body, size_t k)
     const int n = balance_nodes(s, &w->place[w->first[blk][body] + k], node);
     for (int c = 0; c < s->mesh->dim; ++c) {
         double way = 0.0;
-        for (int i = 0; i < n; ++i) way += node[i].S[c] * w->u[(size_t)c * w->grid.size + (size_t)node[i].at];
-        if (!(fabs(way) <= s->mesh->h[c]))
-            return fail(s->ctx, FLOE_RETRY, "a point of body '%s' would go farther than a cell in one load increment",
-                        s->scene->body[s->body[body].scene_body].name);
+        for (int i = 0; i < n; ++i) way += node[i].S[c] * w->u[balance_at(w, w->layer[body], c, node[i].at)];
+        if (!(fabs(way) <= farthest(s) * s->mesh->h[c]))
+            return fail(s->ctx, FLOE_RETRY, "a point of body '%s' would go farther than %s in one load increment",
+                        s->scene->body[s->body[body].scene_body].name,
+                        s->contact ? "a quarter of a cell, beside bodies in contact," : "a cell");
         field_next(f, P_POS, body, c)[k] = field_get(f, P_POS, body, c)[k] + way;
         field_next(f, P_VEL, body, c)[k] = next_velocity(s, node, n, c, field_get(f, P_VEL, body, c)[k]);
     }

@@ -68,19 +68,27 @@ typedef struct node_pass {
     group_view group[MPM_MAX_GROUPS];
 } node_pass;
 
+static void view_shapes(const mpm *s, int blk, group_view group[MPM_MAX_GROUPS])
+{
+    const fields *f = s->domain->fields[blk];
+    for (int g = 0; g < s->n_groups; ++g) {
+        group[g].mass = field_get(f, N_MASS, g, 0);
+        group[g].reach = field_get(f, N_REACH, g, 0);
+        for (int c = 0; c < s->mesh->dim; ++c) group[g].normal[c] = field_get(f, N_NORMAL, g, c);
+    }
+}
+
 static node_pass pass_of(const mpm *s, int blk, contact_act act)
 {
     node_pass p = {.s = s, .blk = blk, .act = act};
     const fields *f = s->domain->fields[blk];
+    view_shapes(s, blk, p.group);
     for (int g = 0; g < s->n_groups; ++g) {
-        p.group[g].mass = field_get(f, N_MASS, g, 0);
         for (int c = 0; c < s->mesh->dim; ++c) {
             p.group[g].momentum[c] = field_get(f, N_MOMENTUM, g, c);
-            p.group[g].normal[c] = field_get(f, N_NORMAL, g, c);
             p.group[g].force[c] = field_get(f, N_FORCE, g, c);
             p.group[g].v[c] = field_get(f, act == CONTACT_DECIDE ? N_VEL_L : N_VEL, g, c);
         }
-        p.group[g].reach = field_get(f, N_REACH, g, 0);
         p.group[g].touch = field_get(f, N_TOUCH, g, 0);
     }
     return p;
@@ -89,26 +97,34 @@ static node_pass pass_of(const mpm *s, int blk, contact_act act)
 enum { SUM_WORK, SUM_STICK, SUM_SLIP, SUM_RELEASE, SUM_COUNT };
 
 /* Groups with mass at a node. */
-static int find_groups(const node_pass *p, ptrdiff_t at, int *group)
+static int find_groups(const mpm *s, const group_view *view, ptrdiff_t at, int *group)
 {
     int n = 0;
-    for (int g = 0; g < p->s->n_groups; ++g)
-        if (p->group[g].mass[at] > 0.0) group[n++] = g;
+    for (int g = 0; g < s->n_groups; ++g)
+        if (view[g].mass[at] > 0.0) group[n++] = g;
     return n;
+}
+
+/* What a group is at a node, without velocities. */
+static contact_body shape_of(const mpm *s, const group_view *view, ptrdiff_t at, int group)
+{
+    const group_view *g = &view[group];
+    contact_body b = {.mass = g->mass[at],
+                      .reach = g->reach ? g->reach[at] : 0.0,
+                      .named = s->contact->named[group],
+                      .rank = s->contact->rank[group]};
+    for (int c = 0; c < s->mesh->dim; ++c) b.normal[c] = g->normal[c][at];
+    return b;
 }
 
 static void load_node(const node_pass *p, ptrdiff_t at, const int *group, contact_node *node)
 {
     for (int k = 0; k < node->n; ++k) {
         const group_view *g = &p->group[group[k]];
-        node->body[k] = (contact_body){.mass = g->mass[at],
-                                       .reach = g->reach ? g->reach[at] : 0.0,
-                                       .named = p->s->contact->named[group[k]],
-                                       .rank = p->s->contact->rank[group[k]]};
+        node->body[k] = shape_of(p->s, p->group, at, group[k]);
         for (int c = 0; c < node->dim; ++c) {
             node->body[k].v0[c] = g->momentum[c][at] / g->mass[at];
             node->body[k].v[c] = g->v[c][at];
-            node->body[k].normal[c] = g->normal[c][at];
         }
     }
 }
@@ -174,18 +190,36 @@ static void find_held(const mpm *s, const int global[MESH_MAX_DIM], bool held[ME
         }
 }
 
+static contact_node empty_node(const mpm *s)
+{
+    return (contact_node){.dim = s->mesh->dim, .h = s->contact->h, .apart = s->coupled, .fluids = s->contact->fluids};
+}
+
+static ptrdiff_t index_of(const mpm *s, int blk, const int global[MESH_MAX_DIM])
+{
+    const block *b = &s->mesh->block[blk];
+    return mesh_index(b, global[0] - b->lo[0], global[1] - b->lo[1], global[2] - b->lo[2]);
+}
+
+void contact_look(const mpm *s, int blk, const int global[MESH_MAX_DIM], int group[MPM_MAX_GROUPS], contact_node *node)
+{
+    const ptrdiff_t at = index_of(s, blk, global);
+    group_view view[MPM_MAX_GROUPS] = {{NULL}};
+    view_shapes(s, blk, view);
+    *node = empty_node(s);
+    node->n = find_groups(s, view, at, group);
+    for (int k = 0; k < node->n; ++k) node->body[k] = shape_of(s, view, at, group[k]);
+}
+
 /* One node; sum: where its work and counts go, NULL where another tile owns it. */
 static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], double *sum)
 {
-    const block *b = &p->s->mesh->block[p->blk];
-    const ptrdiff_t at = mesh_index(b, global[0] - b->lo[0], global[1] - b->lo[1], global[2] - b->lo[2]);
+    const ptrdiff_t at = index_of(p->s, p->blk, global);
     int group[MPM_MAX_GROUPS];
-    contact_node node = {.n = find_groups(p, at, group),
-                         .dim = p->s->mesh->dim,
-                         .h = p->s->contact->h,
-                         .apart = p->s->coupled,
-                         .fluids = p->s->contact->fluids};
-    if (node.n < 2) return;
+    const int groups = find_groups(p->s, p->group, at, group);
+    if (groups < 2) return;
+    contact_node node = empty_node(p->s);
+    node.n = groups;
     find_held(p->s, global, node.held);
     load_node(p, at, group, &node);
     if (p->act == CONTACT_FORESEE) push_node(p, at, group, &node);

@@ -65,6 +65,21 @@ typedef struct contact_node {
     contact_state state[MPM_MAX_GROUPS][MPM_MAX_GROUPS]; /* of the pair a, b where a < b */
 } contact_node;
 
+/* A pair of bodies at a node that have to do with each other, or will once they have met. */
+typedef struct contact_meeting {
+    int a, b;
+    double n[3]; /* unit normal from a to b, without components that walls hold; zero: there is none */
+    double gap;  /* m: between their points along it; negative where they overlap */
+    bool named;  /* both are of the contact: its rule is theirs; others stick */
+} contact_meeting;
+enum { CONTACT_MAX_PAIRS = MPM_MAX_GROUPS * (MPM_MAX_GROUPS - 1) / 2 };
+/* All of a node; returns how many. */
+int contact_find_meetings(const scene_contact *rule, const contact_node *node, contact_meeting *list);
+/* Whether their surfaces have met. */
+bool contact_has_met(const contact_node *node, const contact_meeting *m);
+/* What groups bring to a node but velocities, from the block that has it; of those with mass there: their numbers in `group`. */
+void contact_look(const mpm *s, int blk, const int global[MESH_MAX_DIM], int group[MPM_MAX_GROUPS], contact_node *node);
+
 /* Pairs of bodies that move as one, slide on each other, or are free. */
 typedef struct contact_tally {
     int stick, slip, release;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MAX_PAIRS = MPM_MAX_GROUPS * (MPM_MAX_GROUPS - 1) / 2, MAX_SWEEPS = 64 };
+enum { MAX_SWEEPS = 64 };
 
 /* What holds a pair together. */
 typedef enum bond {
@@ -80,19 +80,19 @@ static bool approach(const scene_contact *rule, const contact_node *node, const 
     }
 }
 
-/* The surfaces have met: each at its farthest point along the normal. */
-static bool have_met(const scene_contact *rule, const contact_node *node, int a, int b)
+/* Unit normal from a to b. */
+static void pair_normal(const contact_node *node, int a, int b, double out[3])
 {
-    const double overlap = node->body[a].reach + node->body[b].reach;
-    return rule->touch == CONTACT_AT_NODES || overlap >= -1e-6 * node->h;
+    const contact_body *A = &node->body[a], *B = &node->body[b];
+    const double n[3] = {A->normal[0] - B->normal[0], A->normal[1] - B->normal[1], A->normal[2] - B->normal[2]};
+    unit(node, n, out);
 }
 
 static pair make_pair(const contact_node *node, int a, int b, bond kind)
 {
     const contact_body *A = &node->body[a], *B = &node->body[b];
     pair p = {.a = a, .b = b, .mass = A->mass * B->mass / (A->mass + B->mass), .bond = kind};
-    const double n[3] = {A->normal[0] - B->normal[0], A->normal[1] - B->normal[1], A->normal[2] - B->normal[2]};
-    unit(node, n, p.n);
+    pair_normal(node, a, b, p.n);
     return p;
 }
 
@@ -107,18 +107,40 @@ static bool sticks_outside(const contact_node *node, int a, int b)
     return true;
 }
 
+/* The surfaces of those of the contact are each at its farthest point along the normal. */
+int contact_find_meetings(const scene_contact *rule, const contact_node *node, contact_meeting *list)
+{
+    int n = 0;
+    for (int a = 0; a < node->n; ++a)
+        for (int b = a + 1; b < node->n; ++b) {
+            contact_meeting m = {.a = a, .b = b, .named = node->body[a].named && node->body[b].named};
+            if (!m.named && !sticks_outside(node, a, b)) continue;
+            if (m.named && rule->touch == CONTACT_AT_POINTS) m.gap = -(node->body[a].reach + node->body[b].reach);
+            pair_normal(node, a, b, m.n);
+            list[n++] = m;
+        }
+    return n;
+}
+
+bool contact_has_met(const contact_node *node, const contact_meeting *m)
+{
+    return m->gap <= 1e-6 * node->h;
+}
+
 /* Pairs that are in contact now. */
 static int find_pairs(const scene_contact *rule, const contact_node *node, pair *list)
 {
+    contact_meeting meeting[CONTACT_MAX_PAIRS];
+    const int meetings = contact_find_meetings(rule, node, meeting);
     int n = 0;
     const common mean = mean_velocity(node);
-    for (int a = 0; a < node->n; ++a)
-        for (int b = a + 1; b < node->n; ++b) {
-            const bool named = node->body[a].named && node->body[b].named, ruled = named && rule->kind != CONTACT_STICK;
-            const pair p = make_pair(node, a, b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
-            if (named ? !have_met(rule, node, a, b) : !sticks_outside(node, a, b)) continue;
-            if (!ruled || approach(rule, node, &p, mean.v)) list[n++] = p;
-        }
+    for (int k = 0; k < meetings; ++k) {
+        const contact_meeting *m = &meeting[k];
+        const bool ruled = m->named && rule->kind != CONTACT_STICK;
+        if (!contact_has_met(node, m)) continue;
+        const pair p = make_pair(node, m->a, m->b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
+        if (!ruled || approach(rule, node, &p, mean.v)) list[n++] = p;
+    }
     return n;
 }
 
@@ -214,7 +236,7 @@ static contact_tally set_states(const scene_contact *rule, contact_node *node, c
 
 contact_tally contact_resolve(const scene_contact *rule, contact_node *node)
 {
-    pair list[MAX_PAIRS];
+    pair list[CONTACT_MAX_PAIRS];
     const int n = find_pairs(rule, node, list);
     memset(node->state, 0, sizeof node->state);
     if (rule->kind == CONTACT_FRICTION)
@@ -226,7 +248,7 @@ contact_tally contact_resolve(const scene_contact *rule, contact_node *node)
 
 void contact_impose(contact_node *node)
 {
-    pair list[MAX_PAIRS];
+    pair list[CONTACT_MAX_PAIRS];
     int n = 0;
     bool slides = false;
     for (int a = 0; a < node->n; ++a)

@@ -160,9 +160,13 @@ static floe_status balance_stages(mpm *s)
     }
     STAGE(s, s->driven, mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
     STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
+    STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
+    STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
+          WRITES(N_REACH));
     STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_balance_solve,
-          READS(N_MASS, N_MOMENTUM, P_MASS, P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->driven, P_DRIVE), POINT_STATE),
+          READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,
+                P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->driven, P_DRIVE), POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }

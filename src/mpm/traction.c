@@ -347,7 +347,7 @@ void carry_place(const mpm *s, int group, const double x[3], node_displacement *
 {
     const place_stencil st = surface_locate(s, group, x);
     for (int i = 0; i < st.n; ++i)
-        for (int a = 0; a < s->mesh->dim; ++a) out[a] += st.w[i] * way(s, st.node[i], a);
+        for (int a = 0; a < s->mesh->dim; ++a) out[a] += st.w[i] * way(s, group, st.node[i], a);
 }
 
 void carry_surfaces(mpm *s, node_displacement *way)

@@ -315,8 +315,8 @@ void scatter_loads(mpm *s, int group);
 /* Folds N_FORCE at periodic ends and sides. */
 void fold_forces(mpm *s, int group);
 void move_surfaces(mpm *s, int group);
-/* Moves them by displacements of nodes, given by global index and component, instead of velocities. */
-typedef double node_displacement(const mpm *s, const int node[MESH_MAX_DIM], int component);
+/* Moves them by displacements of a group's nodes, given by global index and component, instead of velocities. */
+typedef double node_displacement(const mpm *s, int group, const int node[MESH_MAX_DIM], int component);
 void carry_surfaces(mpm *s, node_displacement *way);
 /* The same of the markers of skins; of one place of a surface, added to *out. */
 void carry_skins(mpm *s, node_displacement *way);

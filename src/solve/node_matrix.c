@@ -98,6 +98,35 @@ void node_matrix_hold(node_matrix *m, const bool *held)
     }
 }
 
+/* Takes a direction out of a block at a slot of a row: on its left, or on its right. */
+static void project_block(node_matrix *m, int row, int slot, const double *q, bool left)
+{
+    const int n = m->components;
+    for (int c = 0; c < n; ++c) {
+        double sum = 0.0;
+        for (int k = 0; k < n; ++k)
+            sum += q[k] * (left ? node_matrix_entries(m, row, k, c) : node_matrix_entries(m, row, c, k))[slot];
+        for (int k = 0; k < n; ++k)
+            (left ? node_matrix_entries(m, row, k, c) : node_matrix_entries(m, row, c, k))[slot] -= q[k] * sum;
+    }
+}
+
+void node_matrix_project(node_matrix *m, int row, int n, const double *direction, double stiffness)
+{
+    const int *column = m->column + (size_t)row * (size_t)m->slots, centre = m->slots / 2;
+    for (int k = 0; k < n; ++k) {
+        const double *q = direction + (size_t)k * (size_t)m->components;
+        for (int slot = 0; slot < m->slots; ++slot) {
+            if (column[slot] == m->place[row] && slot != centre) continue;
+            project_block(m, row, slot, q, true);
+            project_block(m, m->row[column[slot]], m->slots - 1 - slot, q, false);
+        }
+        for (int c = 0; c < m->components; ++c)
+            for (int c2 = 0; c2 < m->components; ++c2)
+                node_matrix_entries(m, row, c, c2)[centre] += stiffness * q[c] * q[c2];
+    }
+}
+
 void node_matrix_apply(const node_matrix *m, const double *x, double *y)
 {
     const size_t size = m->grid.size;

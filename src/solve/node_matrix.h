@@ -6,7 +6,7 @@
 
 #include "solve/grid.h"
 
-enum { NODE_MATRIX_COMPONENTS = MESH_MAX_DIM };
+enum { NODE_MATRIX_COMPONENTS = 4 * MESH_MAX_DIM }; /* of a vector for each body that meets others at a node */
 
 typedef struct node_matrix {
     context *ctx; /* not owned */
@@ -41,6 +41,9 @@ static inline double *node_matrix_entries(const node_matrix *m, int row, int c, 
 }
 /* Empties the rows and columns of components that are held: `held` has an array for each, one after the other. */
 void node_matrix_hold(node_matrix *m, const bool *held);
+/* Takes n directions (orthonormal, of all components each) at a row's unknown out of the matrix, which becomes P A P with P the projection
+ * onto the others, and has `stiffness` along them. */
+void node_matrix_project(node_matrix *m, int row, int n, const double *direction, double stiffness);
 /* y = A x on arrays of all components; y is 0 where there is no row. */
 void node_matrix_apply(const node_matrix *m, const double *x, double *y);
 

@@ -82,7 +82,7 @@ static void invert_block(const node_matrix *m, int row, double *out)
     double a[NODE_MATRIX_COMPONENTS * NODE_MATRIX_COMPONENTS];
     for (int c = 0; c < n; ++c)
         for (int c2 = 0; c2 < n; ++c2) a[c * n + c2] = node_matrix_entries(m, row, c, c2)[centre];
-    double packed_block[6];
+    double packed_block[NODE_MATRIX_COMPONENTS * (NODE_MATRIX_COMPONENTS + 1) / 2];
     for (int c = 0; c < n; ++c)
         for (int c2 = 0; c2 <= c; ++c2) packed_block[packed(c, c2)] = a[c * n + c2];
     packed_factor(n, packed_block, 0.0);
@@ -94,11 +94,30 @@ static void invert_block(const node_matrix *m, int row, double *out)
     }
 }
 
-static double weight_of(const node_matrix *m, int row)
+/* Components of one of the vectors that an unknown is made of. */
+static int vector_size(const node_matrix *m)
+{
+    return m->components < m->grid.dim ? m->components : m->grid.dim;
+}
+
+/* Diagonal of the components from `first` on that make a vector. */
+static double weight_of(const node_matrix *m, int row, int first)
 {
     double sum = 0.0;
-    for (int c = 0; c < m->components; ++c) sum += node_matrix_entries(m, row, c, c)[centre_slot(m)];
+    for (int c = first; c < first + vector_size(m); ++c) sum += node_matrix_entries(m, row, c, c)[centre_slot(m)];
     return sum;
+}
+
+/* Whether one of the vectors of a node weighs little, or none has anything. */
+static bool is_light(const node_matrix *m, int row, double heaviest)
+{
+    bool none = true;
+    for (int c = 0; c < m->components; c += vector_size(m)) {
+        const double weight = weight_of(m, row, c);
+        if (weight > 0.0 && weight < light * heaviest) return true;
+        none = none && !(weight > 0.0);
+    }
+    return none;
 }
 
 /* Rows of the nodes first ... first + width along each axis, -1 where there is none. Returns how many nodes. */
@@ -194,12 +213,13 @@ static floe_status find_patches(node_smoother *s)
     double heaviest = 0.0;
     s->patches = 0;
     s->unknowns = s->factors = 0;
-    for (int row = 0; row < m->rows; ++row) heaviest = fmax(heaviest, weight_of(m, row));
+    for (int row = 0; row < m->rows; ++row)
+        for (int c = 0; c < m->components; c += vector_size(m)) heaviest = fmax(heaviest, weight_of(m, row, c));
     for (int row = 0; row < m->rows; ++row) {
         int rows[WINDOW_NODES];
         bool edge = false;
         const int nodes = window_rows(m, row, rows);
-        for (int k = 0; k < nodes; ++k) edge = edge || (rows[k] >= 0 && weight_of(m, rows[k]) < light * heaviest);
+        for (int k = 0; k < nodes; ++k) edge = edge || (rows[k] >= 0 && is_light(m, rows[k], heaviest));
         if (edge && holds_points(m, row)) TRY(add_patch(s, rows, nodes));
     }
     return FLOE_OK;

@@ -402,7 +402,7 @@ static void auto_says_why(void **unused)
         assert_non_null(strstr(t.sim->solver_reason, cases[k].why));
         trial_end(&t);
     }
-    static const char *const refused[][2] = {{"two_bars", "method.basis=quadratic"},
+    static const char *const refused[][2] = {{"two_bars", "contact={kind: friction, friction: 0.3}"},
                                              {"annulus_traction", "method.basis=cpdi"}};
     for (size_t k = 0; k < sizeof refused / sizeof *refused; ++k) {
         const char *const set[] = {"time.solver=static", refused[k][1]};
