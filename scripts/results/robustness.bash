@@ -16,6 +16,11 @@ counted() {
     grep -E "$2" "out/nightly/$1.txt" 2>/dev/null | grep -oE "[0-9]+ $2" | awk '{ n += $1 } END { print n + 0 }'
 }
 
+# unclean PART: how many tests of a part have not passed, of "N of M tests passed".
+unclean() {
+    sed -n 's/^\([0-9]*\) of \([0-9]*\) tests passed.*/\1 \2/p' "out/nightly/$1.txt" 2>/dev/null | awk '{ n = $2 - $1 } END { print n }'
+}
+
 result_robustness() {
     begin robustness 'What cannot be: kills, faults, bad input'
     local part
@@ -28,6 +33,11 @@ result_robustness() {
     bar 'allocations of whole runs that were made to fail' "$(counted faults 'faults up to')" '>=' 1000 %d
     bar 'writes, syncs and renames of whole runs that were made to fail' "$(counted faults 'faults of calls')" '>=' 300 %d
     bar 'stages after which a step was rejected' "$(counted faults 'stages')" '>=' 200 %d
+    for part in sanitize:'the address and undefined-behaviour sanitizers' thread:'the thread sanitizer' valgrind:'valgrind'; do
+        bar "tests of the whole suite not yet clean under ${part#*:}" "$(unclean "${part%%:*}")" '<=' 0 %d
+    done
+    bar 'lines of the rooms mpm, ice and coupling that tests run, least of the three (%)' \
+        "$(sed -nE 's/^(mpm|ice|coupling) +([0-9.]+) %.*/\2/p' out/nightly/coverage.txt 2>/dev/null | sort -g | head -n 1)" '>=' 90 %.1f
     write 'Totals of `scripts/nightly.sh`; the quick tests take a sample of each. What a part finds makes it fail.' '' '## Bars' ''
     show_bars
     write '' '## Kills' '' 'Five scenes (points; points in gas on cells; a membrane that holds gas; a reaction with the implicit pressure; bodies in contact), killed at random' \
@@ -52,7 +62,7 @@ result_robustness() {
     write '## Lines that tests run' '' 'Of the `.c` files of each room, by the tests named:' ''
     total coverage
     write '## How' '' '    scripts/nightly.sh [killed|faults|fuzz|sanitize|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
-        '`FLOE_SECONDS` sets how long each fuzzer runs, `FLOE_TESTS` which tests the sanitizers see.' '' 'Made with' ''
+        '`FLOE_SECONDS` sets how long each fuzzer runs, `FLOE_TESTS` which tests the sanitizers, valgrind and coverage see; with `FLOE_CONTINUE=1` these' 'go on with the tests that have not passed.' '' 'Made with' ''
     "$floe" --version | sed 's/^/    /' >>"$page"
     write "    $(machine)"
 }

@@ -54,5 +54,5 @@ int cmd_plan(cli *c, int argc, char **argv)
     if (status != FLOE_OK) return cli_fail(c, status);
     status = plan_scene(c, s, a.json);
     scene_destroy(&s);
-    return status == FLOE_OK ? 0 : cli_fail(c, status);
+    return status == FLOE_OK ? 0 : cli_fail_deck(c, &a.deck, status);
 }

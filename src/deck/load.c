@@ -183,8 +183,7 @@ floe_status deck_check_text(scene **out, context *ctx, const char *path, const c
     return load_text(out, &source, set, report);
 }
 
-/* The whole file, one byte more than a deck may have at most; *text is counted memory. */
-static floe_status read_file(context *ctx, const char *path, char **text, size_t *length)
+floe_status deck_read_file(context *ctx, const char *path, char **text, size_t *length)
 {
     FILE *file = fopen(path, "rb");
     if (!file) return fail(ctx, FLOE_IO, "cannot open deck '%s': %s", path, strerror(errno));
@@ -206,7 +205,7 @@ static floe_status load_file(scene **out, deck_source *source, const deck_overri
     char *text = NULL;
     *out = NULL;
     *report = (deck_report){.ctx = source->ctx};
-    TRY(read_file(source->ctx, source->path, &text, &source->length));
+    TRY(deck_read_file(source->ctx, source->path, &text, &source->length));
     source->text = text;
     const floe_status status = load_text(out, source, set, report);
     memory_free(source->ctx, &text);

@@ -53,16 +53,19 @@ wait "$pid" || got=$?
 has stderr 'vanishing'
 [ ! -e vanishing ] || fault 'the folder was made anew'
 
-# No file may grow beyond 64 KB, as if the disk were full: what was there stays.
-expect 0 "$FLOE" run "${tiny[@]}" -o out --quiet --set time.max_steps=5
-cp -r out before
-expect 4 bash -c 'ulimit -f 64; exec "$@"' limited "$FLOE" run "$cylinder" --coupling mpm --set domain.cell=0.025 \
-    -o big --quiet
-has stderr 'error'
-[ "$(json big/summary.json status)" = failed ] || fault 'the summary does not say that the run has failed'
-expect 4 bash -c 'ulimit -f 1; exec "$@"' limited "$FLOE" run "${tiny[@]}" -o out --quiet
-same_results out before
-cmp out/checkpoint.h5 before/checkpoint.h5 || fault 'the earlier checkpoint is gone'
+# No file may grow beyond 64 KB, as if the disk were full: what was there stays. The thread sanitizer keeps its own
+# memory in a file, and cannot bear that.
+if ! "$FLOE" --version | grep -qF fsanitize=thread; then
+    expect 0 "$FLOE" run "${tiny[@]}" -o out --quiet --set time.max_steps=5
+    cp -r out before
+    expect 4 bash -c 'ulimit -f 64; exec "$@"' limited "$FLOE" run "$cylinder" --coupling mpm --set domain.cell=0.025 \
+        -o big --quiet
+    has stderr 'error'
+    [ "$(json big/summary.json status)" = failed ] || fault 'the summary does not say that the run has failed'
+    expect 4 bash -c 'ulimit -f 1; exec "$@"' limited "$FLOE" run "${tiny[@]}" -o out --quiet
+    same_results out before
+    cmp out/checkpoint.h5 before/checkpoint.h5 || fault 'the earlier checkpoint is gone'
+fi
 
 # A step far beyond the limit: status 3, place and cause in words, and the last good state.
 expect 3 "$FLOE" run "${tiny[@]}" --set time.fixed_step=1e-3 -o wild

@@ -8,9 +8,12 @@ prefix=$work/prefix
 expect 0 cmake --install "$build" --prefix "$prefix"
 is_there "$prefix/bin/floe" "$prefix/include/floe/floe.h" "$prefix/share/man/man1/floe.1" "$prefix/share/floe/inputs/sod.yaml"
 
-# A library made with sanitizers asks the same of what links to it.
+# A library made with sanitizers asks the same, and the same compiler's, of what links to it.
 flags=(-std=c11 -Wall -Wextra -Werror)
-"$FLOE" --version | grep -q fsanitize && flags+=(-fsanitize=address,undefined)
+cc=cc
+sanitizers=$("$FLOE" --version | grep -oE -e '-fsanitize=[a-z,]+' || true)
+[ -n "$sanitizers" ] && flags+=("$sanitizers")
+"$FLOE" --version | grep -q '^Clang' && cc=clang
 
 pc=$(find "$prefix" -name floe.pc)
 PKG_CONFIG_PATH=$(dirname "$pc")
@@ -24,7 +27,7 @@ read -ra floe_flags < <(pkg-config --cflags --libs floe)
 mv "$prefix" "$work/moved"
 export PKG_CONFIG_PATH=${PKG_CONFIG_PATH/"$prefix"/"$work/moved"} LD_LIBRARY_PATH=${libdir/"$prefix"/"$work/moved"}
 read -ra floe_flags < <(pkg-config --cflags --libs floe)
-expect 0 cc "${flags[@]}" "$FLOE_SOURCE/examples/run_deck.c" -o run_deck "${floe_flags[@]}" -lm
+expect 0 "$cc" "${flags[@]}" "$FLOE_SOURCE/examples/run_deck.c" -o run_deck "${floe_flags[@]}" -lm
 expect 0 ./run_deck "$work/moved/share/floe/inputs/sod.yaml" out domain.cell=0.05
 has stdout 'done'
 has stdout 'errors.l1_density'

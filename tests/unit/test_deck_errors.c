@@ -2,6 +2,8 @@
 #include "unit/test_deck_common.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 typedef struct fixture {
     context *ctx;
@@ -405,6 +407,44 @@ static void overrides_are_named_as_the_user_wrote_them(void **state)
     }
 }
 
+/* What a run refuses is told with its place: of the whole key, else of a name in quotes, else of a section; or as it is. */
+static void what_a_run_refuses_has_its_place(void **state)
+{
+    fixture *f = *state;
+    static const struct {
+        const char *cause, *told;
+    } refused[] = {
+        {"method.stress: usl, says this test", "deck.yaml:19:36: method.stress: usl, says this test"},
+        {"load 'heat' of body 'ring' is wrong", "deck.yaml:12:3: load 'heat' of body 'ring' is wrong"},
+        {"leave 'time.end' out of time", "deck.yaml:17:13: leave 'time.end' out of time"},
+        {"the stop is too soon", "deck.yaml:18:1: the stop is too soon"},
+        {"domain.cell is too small", "--set domain.cell=0.05: domain.cell is too small"},
+        {"stops and timely ends: nothing of the deck", "stops and timely ends: nothing of the deck"},
+    };
+    char folder[] = "/tmp/floe-blame-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(chdir(folder), 0);
+    FILE *file = fopen("deck.yaml", "w");
+    assert_non_null(file);
+    assert_true(fputs(sound, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+    const char *assignment = "domain.cell=0.05";
+    const deck_overrides set = {&assignment, 1};
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        (void)fail(f->ctx, FLOE_BAD_INPUT, "%s", refused[i].cause);
+        assert_int_equal(deck_blame(f->ctx, FLOE_BAD_INPUT, "deck.yaml", &set), FLOE_BAD_INPUT);
+        assert_string_equal(context_message(f->ctx), refused[i].told);
+        context_clear(f->ctx);
+    }
+    (void)fail(f->ctx, FLOE_BAD_INPUT, "time.end is gone with the deck");
+    assert_int_equal(deck_blame(f->ctx, FLOE_BAD_INPUT, "nowhere.yaml", NULL), FLOE_BAD_INPUT);
+    assert_string_equal(context_message(f->ctx), "time.end is gone with the deck");
+    context_clear(f->ctx);
+    assert_int_equal(deck_blame(f->ctx, FLOE_OK, "deck.yaml", NULL), FLOE_OK);
+    assert_int_equal(remove("deck.yaml"), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
 static void empty_and_strange_texts_are_refused(void **state)
 {
     fixture *f = *state;
@@ -454,6 +494,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(all_errors_come_at_once_and_in_order, set_up, tear_down),
         cmocka_unit_test_setup_teardown(caret_stands_under_the_column, set_up, tear_down),
         cmocka_unit_test_setup_teardown(overrides_are_named_as_the_user_wrote_them, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(what_a_run_refuses_has_its_place, set_up, tear_down),
         cmocka_unit_test_setup_teardown(empty_and_strange_texts_are_refused, set_up, tear_down),
         cmocka_unit_test_setup_teardown(too_many_entries_are_refused, set_up, tear_down),
         cmocka_unit_test_setup_teardown(unreadable_file_says_why, set_up, tear_down),
