@@ -323,7 +323,7 @@ static floe_status make_scratch(ice *s)
     TRY(memory_new(s->ctx, &w->index, (size_t)w->threads, sizeof *w->index));
     for (int t = 0; t < w->threads; ++t) {
         TRY(equilibrium_create(&w->solver[t], s->ctx));
-        TRY(memory_new(s->ctx, &w->index[t], (size_t)m->n[0] + 8, sizeof(int)));
+        TRY(memory_new(s->ctx, &w->index[t], 3 * ((size_t)m->n[0] + 8), sizeof(int)));
     }
     for (int b = 0; b < m->n_blocks; ++b) {
         const int *n = m->block[b].n;

@@ -215,7 +215,7 @@ typedef struct ice_work {
     double *tile;                    /* TILE_VALUES of every global tile */
     size_t tiles;
     double **buffer;                      /* one a thread */
-    int **index;                          /* one a thread, a row long; NULL with one fluid */
+    int **index;                          /* one a thread, three rows long; NULL with one fluid */
     equilibrium_solver **solver;          /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     ice_cell_list

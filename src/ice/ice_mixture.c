@@ -15,27 +15,29 @@ typedef struct mixture_row {
     int n;
     const double *guess;       /* Pa: the last equilibrium pressure */
     int *index;                /* cells of a batch */
+    int *alone;                /* of each cell, the material that is alone there; MIXED */
+    int *mixed, n_mixed;       /* cells with several materials */
     double *a, *b, *c, *d, *e; /* values of a batch */
     equilibrium_solver *solver;
     long cells, iterations, fallbacks;
 } mixture_row;
 
-static int present_in(const mixture_row *q, ptrdiff_t at)
-{
-    return (int)q->v->mixed[at] & (ICE_WITH_POINTS - 1);
-}
+enum { MIXED = -1 };
 
 /* Numbers of materials, density sums, mean velocities, TMV. */
-static floe_status count_materials(const mixture_row *q)
+static floe_status count_materials(mixture_row *q)
 {
     const ice_view *v = q->v;
-    for (ptrdiff_t at = q->from; at < q->from + q->n; ++at) {
+    q->n_mixed = 0;
+    for (int i = 0; i < q->n; ++i) {
+        const ptrdiff_t at = q->from + i;
         double sum = 0.0, momentum[3] = {0.0, 0.0, 0.0}, volume = 0.0;
-        int count = 0, points = 0;
+        int count = 0, points = 0, last = MIXED;
         for (int r = 0; r < v->n_materials; ++r) {
             const double rho = v->m[r].rho[at];
             if (!(rho > 0.0)) continue;
             count++;
+            last = r;
             if (q->s->material[r].points) points = ICE_WITH_POINTS;
             sum += rho;
             volume += rho * v->m[r].vol[at];
@@ -48,42 +50,12 @@ static floe_status count_materials(const mixture_row *q)
         }
         v->mixed[at] = count + points;
         v->rho_sum[at] = sum;
-        for (int a = 0; a < v->dim; ++a) v->mean[a][at] = count == 1 ? 0.0 : momentum[a] / sum;
-        for (int r = 0; r < v->n_materials && count == 1; ++r)
-            if (v->m[r].rho[at] > 0.0)
-                for (int a = 0; a < v->dim; ++a) v->mean[a][at] = v->m[r].u[a][at];
+        for (int a = 0; a < v->dim; ++a) v->mean[a][at] = count == 1 ? v->m[last].u[a][at] : momentum[a] / sum;
         if (v->tmv) v->tmv[at] = points ? volume : 1.0;
+        q->alone[i] = count == 1 ? last : MIXED;
+        if (count > 1) q->mixed[q->n_mixed++] = i;
     }
     return FLOE_OK;
-}
-
-/* Density of the pure material at the start: alone, a fluid fills the cell; a solid takes the room of its v. */
-static double pure_density(const mixture_row *q, int r, ptrdiff_t at)
-{
-    const ice_arrays *m = &q->v->m[r];
-    return present_in(q, at) == 1 && !q->s->material[r].points ? m->rho[at] : 1.0 / m->vol[at];
-}
-
-static void set_temperatures(mixture_row *q, int r)
-{
-    const ice_arrays *m = &q->v->m[r];
-    const eos *law = &q->s->material[r].eos;
-    int n = 0;
-    for (int i = 0; i < q->n; ++i)
-        if (m->rho[q->from + i] > 0.0) q->index[n++] = i;
-    for (int k = 0; k < n; ++k) {
-        const ptrdiff_t at = q->from + q->index[k];
-        q->a[k] = pure_density(q, r, at);
-        q->b[k] = m->e[at];
-        q->c[k] = m->T[at];
-    }
-    if (q->s->material[r].points) { /* the points bring T, the law its e */
-        law->model->energy(law->par, (size_t)n, q->a, q->c, q->b);
-        for (int k = 0; k < n; ++k) m->e[q->from + q->index[k]] = q->b[k];
-        return;
-    }
-    law->model->temperature(law->par, (size_t)n, q->a, q->b, q->c);
-    for (int k = 0; k < n; ++k) m->T[q->from + q->index[k]] = q->c[k];
 }
 
 static void set_compressibility(const ice_arrays *m, ptrdiff_t at, double density, double c2)
@@ -93,35 +65,79 @@ static void set_compressibility(const ice_arrays *m, ptrdiff_t at, double densit
     m->kappa[at] = 1.0 / (density * c2);
 }
 
-/* Cells in which material r is alone: p is its law's. */
-static floe_status set_pure(mixture_row *q, int r)
+/* Says what is wrong in cells [from, from + n), in which material r is alone, with pressure p and c2 in its array of c. */
+static floe_status explain_alone(const mixture_row *q, int r, ptrdiff_t from, int n, const double *density)
+{
+    const ice_arrays *m = &q->v->m[r];
+    for (int i = 0; i < n; ++i) {
+        const double p = q->v->p[from + i], c2 = m->c[from + i];
+        if (c2 > 0.0 && isfinite(p)) continue;
+        char place[160];
+        ice_place(q->s, q->v->b, from + i, r, place, sizeof place);
+        return fail(q->s->ctx, FLOE_RETRY,
+                    "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
+                    "c^2 = %g m2/s2",
+                    place, density[i], m->e[from + i], p, c2);
+    }
+    return FLOE_OK;
+}
+
+/* Cells [from, from + n), in which material r is alone: p is its law's. A fluid fills them; a solid takes the room of its v, the points
+ * bring its T, and the law has its e. */
+static floe_status set_alone(mixture_row *q, int r, ptrdiff_t from, int n)
+{
+    const ice_arrays *m = &q->v->m[r];
+    const eos *law = &q->s->material[r].eos;
+    const bool points = q->s->material[r].points;
+    double *restrict p = q->v->p, *restrict c = m->c;
+    const double *density = points ? q->a : m->rho + from;
+    for (int i = 0; i < n && points; ++i) q->a[i] = 1.0 / m->vol[from + i];
+    if (points)
+        law->model->energy(law->par, (size_t)n, density, m->T + from, m->e + from);
+    else
+        law->model->temperature(law->par, (size_t)n, density, m->e + from, m->T + from);
+    law->model->pressure(law->par, (size_t)n, density, m->e + from, p + from, c + from);
+    int bad = 0;
+    for (int i = 0; i < n; ++i) bad += !(c[from + i] > 0.0) || !isfinite(p[from + i]);
+    if (bad) return explain_alone(q, r, from, n, density);
+    for (int i = 0; i < n; ++i) {
+        m->theta[from + i] = 1.0;
+        set_compressibility(m, from + i, density[i], c[from + i]);
+    }
+    return FLOE_OK;
+}
+
+/* The stretches of the row in which one material is alone. */
+static floe_status set_stretches(mixture_row *q)
+{
+    for (int i = 0, end; i < q->n; i = end) {
+        for (end = i + 1; end < q->n && q->alone[end] == q->alone[i];) ++end;
+        if (q->alone[i] != MIXED) TRY(set_alone(q, q->alone[i], q->from + i, end - i));
+    }
+    return FLOE_OK;
+}
+
+/* Of material r where it is mixed: T of fluids; of solids the points bring T, and the law has e. */
+static void set_temperatures(mixture_row *q, int r)
 {
     const ice_arrays *m = &q->v->m[r];
     const eos *law = &q->s->material[r].eos;
     int n = 0;
-    for (int i = 0; i < q->n; ++i)
-        if (m->rho[q->from + i] > 0.0 && present_in(q, q->from + i) == 1) q->index[n++] = i;
+    for (int i = 0; i < q->n_mixed; ++i)
+        if (m->rho[q->from + q->mixed[i]] > 0.0) q->index[n++] = q->mixed[i];
     for (int k = 0; k < n; ++k) {
         const ptrdiff_t at = q->from + q->index[k];
-        q->a[k] = pure_density(q, r, at);
+        q->a[k] = 1.0 / m->vol[at];
         q->b[k] = m->e[at];
+        q->c[k] = m->T[at];
     }
-    law->model->pressure(law->par, (size_t)n, q->a, q->b, q->c, q->d);
-    for (int k = 0; k < n; ++k) {
-        const ptrdiff_t at = q->from + q->index[k];
-        if (!(q->d[k] > 0.0) || !isfinite(q->c[k])) {
-            char place[160];
-            ice_place(q->s, q->v->b, at, r, place, sizeof place);
-            return fail(q->s->ctx, FLOE_RETRY,
-                        "equation of state, %s: density %g kg/m3 and internal energy %g J/kg give p = %g Pa, "
-                        "c^2 = %g m2/s2",
-                        place, q->a[k], q->b[k], q->c[k], q->d[k]);
-        }
-        q->v->p[at] = q->c[k];
-        m->theta[at] = 1.0;
-        set_compressibility(m, at, q->a[k], q->d[k]);
+    if (q->s->material[r].points) {
+        law->model->energy(law->par, (size_t)n, q->a, q->c, q->b);
+        for (int k = 0; k < n; ++k) m->e[q->from + q->index[k]] = q->b[k];
+        return;
     }
-    return FLOE_OK;
+    law->model->temperature(law->par, (size_t)n, q->a, q->b, q->c);
+    for (int k = 0; k < n; ++k) m->T[q->from + q->index[k]] = q->c[k];
 }
 
 static floe_status explain(const mixture_row *q, ptrdiff_t at, const equilibrium_cell *cell)
@@ -231,7 +247,7 @@ static void set_others(mixture_row *q, int r)
     for (int i = 0; i < q->n; ++i) {
         const ptrdiff_t at = q->from + i;
         const bool absent = !(m->rho[at] > 0.0);
-        if (!absent && (followed || present_in(q, at) == 1)) continue;
+        if (!absent && (followed || q->alone[i] != MIXED)) continue;
         if (absent) lend_state(q, r, at);
         q->index[n] = i;
         q->a[n] = defined_pressure(q->v->p[at], floor);
@@ -257,8 +273,8 @@ static void set_followed(mixture_row *q, int r)
     const ice_arrays *m = &q->v->m[r];
     const eos *law = &q->s->material[r].eos;
     int n = 0;
-    for (int i = 0; i < q->n; ++i)
-        if (m->rho[q->from + i] > 0.0 && present_in(q, q->from + i) > 1) q->index[n++] = i;
+    for (int i = 0; i < q->n_mixed; ++i)
+        if (m->rho[q->from + q->mixed[i]] > 0.0) q->index[n++] = q->mixed[i];
     for (int k = 0; k < n; ++k) {
         q->a[k] = 1.0 / m->vol[q->from + q->index[k]];
         q->b[k] = m->e[q->from + q->index[k]];
@@ -271,11 +287,12 @@ static floe_status mix_row(mixture_row *q, bool owned_row)
 {
     const ice_view *v = q->v;
     TRY(count_materials(q));
+    TRY(set_stretches(q));
     for (int r = 0; r < v->n_materials; ++r) set_temperatures(q, r);
-    for (int r = 0; r < v->n_materials; ++r) TRY(set_pure(q, r));
-    for (int i = 0; i < q->n; ++i)
-        if (present_in(q, q->from + i) > 1)
-            TRY(solve_mixed(q, q->from + i, owned_row && i >= MESH_GHOST && i < q->n - MESH_GHOST));
+    for (int k = 0; k < q->n_mixed; ++k) {
+        const int i = q->mixed[k];
+        TRY(solve_mixed(q, q->from + i, owned_row && i >= MESH_GHOST && i < q->n - MESH_GHOST));
+    }
     for (int r = 0; r < v->n_materials; ++r) set_others(q, r);
     for (int r = 0; r < v->n_materials && q->s->work->reconcile; ++r)
         if (!q->s->material[r].points) set_followed(q, r);
@@ -297,6 +314,8 @@ static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
                          .n = n,
                          .guess = field_get(s->domain->fields[id], C_PRESSURE, 0, 0),
                          .index = s->work->index[thread_number()],
+                         .alone = s->work->index[thread_number()] + n,
+                         .mixed = s->work->index[thread_number()] + 2 * n,
                          .a = buffer,
                          .b = buffer + n,
                          .c = buffer + 2 * n,
