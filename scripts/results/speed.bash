@@ -4,7 +4,8 @@
 result_speed() {
     begin speed 'Speed on one core'
     local program coupling seconds cells points
-    write 'Whole steps, on one core. The bars that the programs print are budgets for later work. Rates differ by some ten per cent from' \
+    write 'Whole steps, on one core, each rate the best of several repeats: what else a machine does only makes it slower. The bars that the' \
+        'programs print are budgets for later work. Rates differ by some ten per cent from' \
         'run to run, and by far more on a machine that is shared: within ten minutes of the 22nd of November one binary made 6 to 17 million cell updates a second of one gas.'
     for program in "$build"/bench/bench_*; do
         [[ -f $program && -x $program ]] || continue

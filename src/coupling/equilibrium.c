@@ -1,152 +1,87 @@
 #include "coupling/equilibrium.h"
 
-#include "base/memory.h"
-
 #include <float.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
 
 enum { MOST_ITERATIONS = 200 };
 
 static const double residual_tolerance = 1e-13;
 
-/* What the function handed to GSL sees: a cell and the shift that makes the variable x = p + shift positive. */
-typedef struct problem {
-    equilibrium_cell *cell;
-    double shift;
-} problem;
+/* Newton's method on G(x) = x F(x - shift) of one cell. */
+typedef struct newton {
+    double shift;    /* makes x = p + shift positive exactly where every law is defined */
+    double x, f, df; /* the iterate, G and dG/dx there */
+    double lo, hi;   /* G > 0 at lo, G < 0 at hi; 0 and infinity while unknown */
+} newton;
 
-struct equilibrium_solver {
-    context *ctx;
-    gsl_root_fdfsolver *solver;
-};
-
-/* F(p) and dF/dp; leaves p, v and F in the cell. */
-static double evaluate(equilibrium_cell *c, double p, double *slope)
+/* Adds material r's part of F + 1 and dF/dp in the cells named, at their p, and sets its v there. */
+static void add_material(equilibrium_cell *cell, const int *id, int n, int r, double *sum, double *slope)
 {
-    double sum = 0.0, derivative = 0.0;
-    for (int r = 0; r < c->n; ++r) {
+    const eos *law = cell->eos[r];
+    double p[EQUILIBRIUM_BATCH], T[EQUILIBRIUM_BATCH], v[EQUILIBRIUM_BATCH], dvdp[EQUILIBRIUM_BATCH];
+    int frozen[EQUILIBRIUM_BATCH], n_frozen = 0; /* cells in which T is */
+    for (int k = 0; k < n; ++k) {
+        equilibrium_cell *c = &cell[id[k]];
         if (!(c->a[r] > 0.0)) continue;
-        double v, dvdp;
-        if (c->path[r])
-            v = isentrope_volume(c->path[r], p, &dvdp);
-        else
-            c->eos[r]->model->volume(c->eos[r]->par, 1, &p, &c->T[r], &v, &dvdp);
-        c->v[r] = v;
-        sum += c->a[r] * v;
-        derivative += c->a[r] * dvdp;
+        if (!c->path[r]) {
+            p[n_frozen] = c->p;
+            T[n_frozen] = c->T[r];
+            frozen[n_frozen++] = k;
+            continue;
+        }
+        double change;
+        c->v[r] = isentrope_volume(c->path[r], c->p, &change);
+        sum[k] += c->a[r] * c->v[r];
+        slope[k] += c->a[r] * change;
     }
-    c->p = p;
-    c->residual = sum - 1.0;
-    *slope = derivative;
-    return c->residual;
+    if (n_frozen > 0) law->model->volume(law->par, (size_t)n_frozen, p, T, v, dvdp);
+    for (int i = 0; i < n_frozen; ++i) {
+        equilibrium_cell *c = &cell[id[frozen[i]]];
+        c->v[r] = v[i];
+        sum[frozen[i]] += c->a[r] * v[i];
+        slope[frozen[i]] += c->a[r] * dvdp[i];
+    }
 }
 
-/* G(x) = x F(x - shift) and its derivative. */
-static void shifted_fdf(double x, void *params, double *f, double *df)
+/* p, v and F of the cells named at their x, and G and its derivative. */
+static void evaluate(equilibrium_cell *cell, newton *w, const int *id, int n)
 {
-    const problem *q = params;
-    double slope;
-    const double F = evaluate(q->cell, x - q->shift, &slope);
-    *f = x * F;
-    *df = F + x * slope;
+    double sum[EQUILIBRIUM_BATCH], slope[EQUILIBRIUM_BATCH];
+    for (int k = 0; k < n; ++k) {
+        cell[id[k]].p = w[id[k]].x - w[id[k]].shift;
+        sum[k] = slope[k] = 0.0;
+    }
+    for (int r = 0; r < cell->n; ++r) add_material(cell, id, n, r, sum, slope);
+    for (int k = 0; k < n; ++k) {
+        newton *s = &w[id[k]];
+        const double F = sum[k] - 1.0;
+        cell[id[k]].residual = F;
+        s->f = s->x * F;
+        s->df = F + s->x * slope[k];
+    }
 }
 
-static double shifted_f(double x, void *params)
+static void tighten(newton *s)
 {
-    double f, df;
-    shifted_fdf(x, params, &f, &df);
-    return f;
-}
-
-static double shifted_df(double x, void *params)
-{
-    double f, df;
-    shifted_fdf(x, params, &f, &df);
-    return df;
-}
-
-/* The solver "bracketed newton" for functions of x > 0 that fall through their root. */
-typedef struct bracketed_newton {
-    double f, df;  /* at the root so far */
-    double lo, hi; /* f > 0 at lo, f < 0 at hi; 0 and infinity while unknown */
-    int fallbacks;
-} bracketed_newton;
-
-static void tighten(bracketed_newton *s, double x)
-{
-    if (s->f > 0.0) s->lo = fmax(s->lo, x);
-    if (s->f < 0.0) s->hi = fmin(s->hi, x);
-}
-
-static int bracketed_newton_set(void *state, gsl_function_fdf *fdf, double *root)
-{
-    bracketed_newton *s = state;
-    *s = (bracketed_newton){.lo = 0.0, .hi = INFINITY};
-    GSL_FN_FDF_EVAL_F_DF(fdf, *root, &s->f, &s->df);
-    tighten(s, *root);
-    return GSL_SUCCESS;
+    if (s->f > 0.0) s->lo = fmax(s->lo, s->x);
+    if (s->f < 0.0) s->hi = fmin(s->hi, s->x);
 }
 
 /* Inside an open bracket, whatever is known of it. */
-static double middle(const bracketed_newton *s)
+static double middle(const newton *s)
 {
     if (isinf(s->hi)) return 32.0 * s->lo;
     return s->lo > 0.0 ? sqrt(s->lo) * sqrt(s->hi) : s->hi / 32.0;
 }
 
-static int bracketed_newton_iterate(void *state, gsl_function_fdf *fdf, double *root)
+/* The next x. */
+static void iterate(equilibrium_cell *c, newton *s)
 {
-    bracketed_newton *s = state;
-    double x = *root - s->f / s->df;
-    if (!(x > s->lo && x < s->hi)) {
-        x = middle(s);
-        s->fallbacks++;
-    }
-    *root = x;
-    GSL_FN_FDF_EVAL_F_DF(fdf, x, &s->f, &s->df);
-    if (!isfinite(s->f) || !isfinite(s->df)) return GSL_EBADFUNC;
-    tighten(s, x);
-    return GSL_SUCCESS;
-}
-
-static const gsl_root_fdfsolver_type bracketed_newton_type = {
-    .name = "bracketed newton",
-    .size = sizeof(bracketed_newton),
-    .set = bracketed_newton_set,
-    .iterate = bracketed_newton_iterate,
-};
-
-floe_status equilibrium_create(equilibrium_solver **out, context *ctx)
-{
-    TRY(memory_new(ctx, out, 1, sizeof **out));
-    (*out)->ctx = ctx;
-    (*out)->solver = gsl_root_fdfsolver_alloc(&bracketed_newton_type);
-    if ((*out)->solver) return FLOE_OK;
-    memory_free(ctx, out);
-    return fail(ctx, FLOE_NO_MEMORY, "no memory for the equilibrium pressure's root solver");
-}
-
-void equilibrium_destroy(equilibrium_solver **s)
-{
-    if (!s || !*s) return;
-    gsl_root_fdfsolver_free((*s)->solver);
-    memory_free((*s)->ctx, s);
-}
-
-/* x = p + shift is positive exactly where every law is defined. */
-static double shift_of(const equilibrium_cell *c)
-{
-    double floor = -DBL_MAX;
-    for (int r = 0; r < c->n; ++r)
-        if (c->a[r] > 0.0) floor = fmax(floor, c->eos[r]->model->pressure_floor(c->eos[r]->par));
-    return isfinite(floor) && floor > -DBL_MAX ? -floor : 0.0;
-}
-
-static bool converged(const equilibrium_cell *c, const bracketed_newton *s)
-{
-    return fabs(c->residual) < residual_tolerance || (isfinite(s->hi) && s->hi - s->lo <= 4.0 * DBL_EPSILON * s->hi);
+    c->iterations++;
+    const double x = s->x - s->f / s->df;
+    const bool inside = x > s->lo && x < s->hi;
+    s->x = inside ? x : middle(s);
+    c->fallbacks += !inside;
 }
 
 /* Where to begin without a guess: at the pressure of the material that would fill the cell by itself at the highest one, or, where all
@@ -164,18 +99,64 @@ static double first_guess(const equilibrium_cell *c, double shift)
     return x;
 }
 
-floe_status equilibrium_solve(equilibrium_solver *s, equilibrium_cell *cell)
+static newton start(const equilibrium_cell *c)
 {
-    problem q = {.cell = cell, .shift = shift_of(cell)};
-    gsl_function_fdf fdf = {.f = shifted_f, .df = shifted_df, .fdf = shifted_fdf, .params = &q};
-    const double guess = cell->p + q.shift;
-    const bracketed_newton *state = s->solver->state;
-    gsl_root_fdfsolver_set(s->solver, &fdf, guess > 0.0 && isfinite(guess) ? guess : first_guess(cell, q.shift));
-    cell->iterations = 0;
-    while (!converged(cell, state) && cell->iterations < MOST_ITERATIONS) {
-        cell->iterations++;
-        if (gsl_root_fdfsolver_iterate(s->solver) != GSL_SUCCESS) break;
+    double floor = -DBL_MAX;
+    for (int r = 0; r < c->n; ++r)
+        if (c->a[r] > 0.0) floor = fmax(floor, c->eos[r]->model->pressure_floor(c->eos[r]->par));
+    newton s = {.shift = isfinite(floor) && floor > -DBL_MAX ? -floor : 0.0, .hi = INFINITY};
+    const double guess = c->p + s.shift;
+    s.x = guess > 0.0 && isfinite(guess) ? guess : first_guess(c, s.shift);
+    return s;
+}
+
+static bool converged(const equilibrium_cell *c, const newton *s)
+{
+    return fabs(c->residual) < residual_tolerance || (isfinite(s->hi) && s->hi - s->lo <= 4.0 * DBL_EPSILON * s->hi);
+}
+
+/* Another iteration may help; a start that the laws do not take is left, an iterate is not. */
+static bool goes_on(const equilibrium_cell *c, const newton *s)
+{
+    return c->iterations == 0 || (isfinite(s->f) && isfinite(s->df) && c->iterations < MOST_ITERATIONS);
+}
+
+/* Up to EQUILIBRIUM_BATCH cells: all that still move take their iterations together, so that the laws see them in batches. */
+static bool solve_batch(equilibrium_cell *cell, int n)
+{
+    newton w[EQUILIBRIUM_BATCH];
+    int id[EQUILIBRIUM_BATCH], moving = n;
+    bool good = true;
+    for (int k = 0; k < n; ++k) {
+        w[k] = start(&cell[k]);
+        cell[k].iterations = cell[k].fallbacks = 0;
+        id[k] = k;
     }
-    cell->fallbacks = state->fallbacks;
-    return converged(cell, state) ? FLOE_OK : FLOE_RETRY;
+    while (moving > 0) {
+        const int evaluated = moving;
+        evaluate(cell, w, id, evaluated);
+        moving = 0;
+        for (int k = 0; k < evaluated; ++k) {
+            equilibrium_cell *c = &cell[id[k]];
+            newton *s = &w[id[k]];
+            tighten(s);
+            c->solved = converged(c, s);
+            if (c->solved) continue;
+            if (goes_on(c, s)) {
+                iterate(c, s);
+                id[moving++] = id[k];
+            } else {
+                good = false;
+            }
+        }
+    }
+    return good;
+}
+
+floe_status equilibrium_solve(equilibrium_cell *cell, int n)
+{
+    bool good = true;
+    for (int first = 0; first < n; first += EQUILIBRIUM_BATCH)
+        good = solve_batch(cell + first, n - first < EQUILIBRIUM_BATCH ? n - first : EQUILIBRIUM_BATCH) && good;
+    return good ? FLOE_OK : FLOE_RETRY;
 }

@@ -4,8 +4,8 @@
  *
  * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is
  * linear for an ideal gas beside an incompressible material; every iterate is kept inside a bracket made from the signs of
- * F, and where Newton leaves it the geometric mean of the bracket is taken. It runs as a root solver of our own behind
- * GSL's interface (gsl_root_fdfsolver), one a thread. */
+ * F, and where Newton leaves it the geometric mean of the bracket is taken. Cells are solved side by side, each by itself: what comes out
+ * of a cell does not depend on the others. */
 #ifndef COUPLING_EQUILIBRIUM_H
 #define COUPLING_EQUILIBRIUM_H
 
@@ -14,7 +14,7 @@
 
 #include <stdbool.h>
 
-enum { EQUILIBRIUM_MAX = 16 };
+enum { EQUILIBRIUM_MAX = 16, EQUILIBRIUM_BATCH = 64 };
 
 /* One mixed cell. Materials with a = 0 are left out; their v is not set. */
 typedef struct equilibrium_cell {
@@ -28,14 +28,11 @@ typedef struct equilibrium_cell {
     double residual;                        /* F(p), out */
     int iterations;                         /* out */
     int fallbacks;                          /* iterations that took the geometric mean, out */
+    bool solved;                            /* out */
 } equilibrium_cell;
 
-typedef struct equilibrium_solver equilibrium_solver;
-
-floe_status equilibrium_create(equilibrium_solver **out, context *ctx);
-void equilibrium_destroy(equilibrium_solver **s);
-/* Solves one cell. FLOE_RETRY, without a message of its own (the caller knows the cell), when 200 iterations do not do: the
- * last iterate is in *cell. */
-floe_status equilibrium_solve(equilibrium_solver *s, equilibrium_cell *cell);
+/* Solves n cells of one list of materials, EQUILIBRIUM_BATCH side by side. FLOE_RETRY, without a message of its own (the caller knows the
+ * cells), when 200 iterations do not do for some: the last iterate is in those that are not solved. */
+floe_status equilibrium_solve(equilibrium_cell *cell, int n);
 
 #endif

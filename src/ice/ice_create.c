@@ -186,13 +186,13 @@ static void destroy_work(context *ctx, ice_work **work)
     for (int t = 0; t < w->threads; ++t) {
         if (w->buffer) memory_free(ctx, &w->buffer[t]);
         if (w->index) memory_free(ctx, &w->index[t]);
-        if (w->solver) equilibrium_destroy(&w->solver[t]);
+        if (w->cells) memory_free(ctx, &w->cells[t]);
     }
     ice_reactions_destroy(ctx, w);
     ice_seal_destroy(ctx, &w->sealing);
     memory_free(ctx, &w->buffer);
     memory_free(ctx, &w->index);
-    memory_free(ctx, &w->solver);
+    memory_free(ctx, &w->cells);
     memory_free(ctx, &w->tile);
     memory_free(ctx, work);
 }
@@ -319,10 +319,10 @@ static floe_status make_scratch(ice *s)
     for (int t = 0; t < w->threads; ++t)
         TRY(memory_new(s->ctx, &w->buffer[t], row > sweep ? row : sweep, sizeof(double)));
     if (!s->multi) return FLOE_OK;
-    TRY(memory_new(s->ctx, &w->solver, (size_t)w->threads, sizeof(equilibrium_solver *)));
+    TRY(memory_new(s->ctx, &w->cells, (size_t)w->threads, sizeof *w->cells));
     TRY(memory_new(s->ctx, &w->index, (size_t)w->threads, sizeof *w->index));
     for (int t = 0; t < w->threads; ++t) {
-        TRY(equilibrium_create(&w->solver[t], s->ctx));
+        TRY(memory_new(s->ctx, &w->cells[t], 1, sizeof *w->cells[t]));
         TRY(memory_new(s->ctx, &w->index[t], 3 * ((size_t)m->n[0] + 8), sizeof(int)));
     }
     for (int b = 0; b < m->n_blocks; ++b) {

@@ -205,6 +205,12 @@ typedef struct ice_creation {
     double dP; /* Pa: full-step increment that takes the new volume back (numerics 2.3) */
 } ice_creation;
 
+/* Mixed cells that are solved for side by side. */
+typedef struct ice_mixed_cells {
+    equilibrium_cell cell[EQUILIBRIUM_BATCH];
+    isentrope path[EQUILIBRIUM_BATCH][ICE_MAX_MATERIALS];
+} ice_mixed_cells;
+
 typedef struct ice_work {
     int threads;
     ice_reactions reactions;
@@ -216,7 +222,7 @@ typedef struct ice_work {
     size_t tiles;
     double **buffer;                      /* one a thread */
     int **index;                          /* one a thread, three rows long; NULL with one fluid */
-    equilibrium_solver **solver;          /* one a thread; NULL with one fluid */
+    ice_mixed_cells **cells;              /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     ice_cell_list
         continued[MESH_MAX_BLOCKS]; /* owned cells whose pressure is continued into a solid (ice_continue.c) */

@@ -18,7 +18,7 @@ typedef struct mixture_row {
     int *alone;                /* of each cell, the material that is alone there; MIXED */
     int *mixed, n_mixed;       /* cells with several materials */
     double *a, *b, *c, *d, *e; /* values of a batch */
-    equilibrium_solver *solver;
+    ice_mixed_cells *batch;
     long cells, iterations, fallbacks;
 } mixture_row;
 
@@ -194,26 +194,43 @@ static void follow_paths(const mixture_row *q, ptrdiff_t at, const equilibrium_c
     }
 }
 
-static floe_status solve_mixed(mixture_row *q, ptrdiff_t at, bool owned)
+static void load_mixed(const mixture_row *q, ptrdiff_t at, equilibrium_cell *cell, isentrope *path)
 {
     const ice_view *v = q->v;
-    isentrope path[ICE_MAX_MATERIALS];
-    equilibrium_cell cell = {.n = v->n_materials, .p = q->guess[at]};
     const double share = ice_holds_points(v, at) ? 1.0 / v->tmv[at] : 1.0;
+    cell->n = v->n_materials;
+    cell->p = q->guess[at];
     for (int r = 0; r < v->n_materials; ++r) {
-        cell.eos[r] = &q->s->material[r].eos;
-        cell.a[r] = v->m[r].rho[at] * share;
-        cell.T[r] = v->m[r].T[at];
+        cell->eos[r] = &q->s->material[r].eos;
+        cell->a[r] = v->m[r].rho[at] * share;
+        cell->T[r] = v->m[r].T[at];
+        cell->path[r] = NULL;
     }
-    if (q->s->work->reconcile) choose_paths(q, at, &cell, path);
-    if (equilibrium_solve(q->solver, &cell) != FLOE_OK) return explain(q, at, &cell);
-    v->p[at] = cell.p;
-    for (int r = 0; r < v->n_materials; ++r) v->m[r].theta[at] = cell.a[r] > 0.0 ? cell.a[r] * cell.v[r] : 0.0;
-    if (q->s->work->reconcile) follow_paths(q, at, &cell);
-    if (owned) {
-        q->cells++;
-        q->iterations += cell.iterations;
-        q->fallbacks += cell.fallbacks;
+    if (q->s->work->reconcile) choose_paths(q, at, cell, path);
+}
+
+static void store_mixed(mixture_row *q, ptrdiff_t at, const equilibrium_cell *cell, bool owned)
+{
+    const ice_view *v = q->v;
+    v->p[at] = cell->p;
+    for (int r = 0; r < v->n_materials; ++r) v->m[r].theta[at] = cell->a[r] > 0.0 ? cell->a[r] * cell->v[r] : 0.0;
+    if (q->s->work->reconcile) follow_paths(q, at, cell);
+    if (!owned) return;
+    q->cells++;
+    q->iterations += cell->iterations;
+    q->fallbacks += cell->fallbacks;
+}
+
+/* Up to EQUILIBRIUM_BATCH mixed cells of the row. */
+static floe_status solve_mixed(mixture_row *q, const int *mixed, int n, bool owned_row)
+{
+    equilibrium_cell *cell = q->batch->cell;
+    for (int k = 0; k < n; ++k) load_mixed(q, q->from + mixed[k], &cell[k], q->batch->path[k]);
+    const floe_status status = equilibrium_solve(cell, n);
+    for (int k = 0; k < n; ++k) {
+        if (status != FLOE_OK && !cell[k].solved) return explain(q, q->from + mixed[k], &cell[k]);
+        const bool owned = owned_row && mixed[k] >= MESH_GHOST && mixed[k] < q->n - MESH_GHOST;
+        store_mixed(q, q->from + mixed[k], &cell[k], owned);
     }
     return FLOE_OK;
 }
@@ -289,9 +306,9 @@ static floe_status mix_row(mixture_row *q, bool owned_row)
     TRY(count_materials(q));
     TRY(set_stretches(q));
     for (int r = 0; r < v->n_materials; ++r) set_temperatures(q, r);
-    for (int k = 0; k < q->n_mixed; ++k) {
-        const int i = q->mixed[k];
-        TRY(solve_mixed(q, q->from + i, owned_row && i >= MESH_GHOST && i < q->n - MESH_GHOST));
+    for (int k = 0; k < q->n_mixed; k += EQUILIBRIUM_BATCH) {
+        const int left = q->n_mixed - k;
+        TRY(solve_mixed(q, q->mixed + k, left < EQUILIBRIUM_BATCH ? left : EQUILIBRIUM_BATCH, owned_row));
     }
     for (int r = 0; r < v->n_materials; ++r) set_others(q, r);
     for (int r = 0; r < v->n_materials && q->s->work->reconcile; ++r)
@@ -321,7 +338,7 @@ static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
                          .c = buffer + 2 * n,
                          .d = buffer + 3 * n,
                          .e = buffer + 4 * n,
-                         .solver = s->work->solver[thread_number()]};
+                         .batch = s->work->cells[thread_number()]};
 }
 
 /* Owned cells with several materials, in order. */

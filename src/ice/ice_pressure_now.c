@@ -31,7 +31,7 @@ static double of_mixture(const ice *s, const fields *f, ptrdiff_t at, double las
         cell.eos[r]->model->temperature(cell.eos[r]->par, 1, &density, &e, &cell.T[r]);
         if (s->work->reconcile && isentrope_through(cell.eos[r], v, e, &path[r])) cell.path[r] = &path[r];
     }
-    return equilibrium_solve(s->work->solver[0], &cell) == FLOE_OK ? cell.p : last;
+    return equilibrium_solve(&cell, 1) == FLOE_OK ? cell.p : last;
 }
 
 double ice_pressure_now(const ice *s, int block_id, int material, ptrdiff_t at)

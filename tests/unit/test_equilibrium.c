@@ -14,7 +14,6 @@ enum { GAS, WATER, STEEL, MATERIALS };
 
 typedef struct trio {
     context *ctx;
-    equilibrium_solver *solver;
     eos eos[MATERIALS];
 } trio;
 
@@ -53,7 +52,6 @@ static int setup(void **state)
     set(&t->eos[STEEL], "specific_heat", 400.0);
     set(&t->eos[STEEL], "reference_pressure", 101325.0);
     set(&t->eos[STEEL], "switch_pressure", 101325.0);
-    check_ok(t->ctx, equilibrium_create(&t->solver, t->ctx));
     *state = t;
     return 0;
 }
@@ -61,7 +59,6 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     trio *t = *state;
-    equilibrium_destroy(&t->solver);
     for (int r = 0; r < MATERIALS; ++r) memory_free(t->ctx, &t->eos[r].par);
     context_destroy(&t->ctx);
     free(t);
@@ -102,7 +99,7 @@ static void all_cases_converge(void **state)
                                                                     : 0.0};
                     equilibrium_cell c = mixture(t, theta, p);
                     c.p = pow(10.0, guess);
-                    assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+                    assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
                     double slope = 0.0;
                     for (int r = 0; r < MATERIALS; ++r) {
                         double v, dvdp;
@@ -128,7 +125,7 @@ static void near_guess_is_quick(void **state)
         const double gas = pow(10.0, e);
         equilibrium_cell c = mixture(t, (const double[]){gas, 0.0, 1.0 - gas}, 1e5);
         c.p = 1.2e5;
-        assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+        assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
         check_true(c.iterations <= 6); /* numerics 2.1 */
     }
 }
@@ -139,7 +136,7 @@ static void water_in_tension(void **state)
     const trio *t = *state;
     equilibrium_cell c = mixture(t, (const double[]){0.0, 1.0, 0.0}, -1e8);
     c.p = 1e5;
-    assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+    assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
     check_close(c.p, -1e8, 1e-3);
 }
 
@@ -151,7 +148,7 @@ static void starts_without_a_guess(void **state)
         const double p = pow(10.0, lp);
         equilibrium_cell c = mixture(t, (const double[]){0.3, 0.3, 0.4}, p);
         c.p = NAN;
-        assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_OK);
+        assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
         check_close(c.p, p, 1e-10 * p);
         check_true(c.iterations <= 40);
     }
@@ -164,7 +161,32 @@ static void hopeless_cell_is_refused(void **state)
     equilibrium_cell c = mixture(t, (const double[]){0.5, 0.0, 0.5}, 1e5);
     c.T[GAS] = NAN;
     c.p = 1e5;
-    assert_int_equal(equilibrium_solve(t->solver, &c), FLOE_RETRY);
+    assert_int_equal(equilibrium_solve(&c, 1), FLOE_RETRY);
+}
+
+/* Cells side by side have the same bits as each by itself, whoever is beside them: more than a batch, some hopeless. */
+static void cells_do_not_see_each_other(void **state)
+{
+    const trio *t = *state;
+    enum { CELLS = EQUILIBRIUM_BATCH + 7 };
+    equilibrium_cell together[CELLS], alone;
+    for (int k = 0; k < CELLS; ++k) {
+        const double gas = k % 5 == 0 ? 0.0 : pow(10.0, -(k % 13));
+        together[k] = mixture(t, (const double[]){gas, 0.5 * (1.0 - gas), 0.5 * (1.0 - gas)}, pow(10.0, k % 9));
+        together[k].p = pow(10.0, (k * 7) % 11);
+        if (k % 17 == 3) together[k].T[WATER] = NAN;
+    }
+    equilibrium_cell before[CELLS];
+    memcpy(before, together, sizeof before);
+    assert_int_equal(equilibrium_solve(together, CELLS), FLOE_RETRY);
+    for (int k = 0; k < CELLS; ++k) {
+        alone = before[k];
+        assert_int_equal(equilibrium_solve(&alone, 1), k % 17 == 3 ? FLOE_RETRY : FLOE_OK);
+        assert_int_equal(together[k].solved, k % 17 != 3);
+        assert_int_equal(together[k].iterations, alone.iterations);
+        assert_memory_equal(&together[k].p, &alone.p, sizeof alone.p);
+        assert_memory_equal(together[k].v, alone.v, MATERIALS * sizeof *alone.v);
+    }
 }
 
 int main(void)
@@ -172,7 +194,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_cases_converge),       cmocka_unit_test(near_guess_is_quick),
         cmocka_unit_test(starts_without_a_guess),   cmocka_unit_test(water_in_tension),
-        cmocka_unit_test(hopeless_cell_is_refused),
+        cmocka_unit_test(hopeless_cell_is_refused), cmocka_unit_test(cells_do_not_see_each_other),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
 }
