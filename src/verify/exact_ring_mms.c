@@ -1,12 +1,13 @@
 /* Manufactured solution: a ring whose layers turn about the axis, each by an angle of its own and without any strain in itself.
  *
- *     alpha = A sin(pi c t) (1 - s^2)^2,   s = (R - R0)/w,   x = R e_r(Theta + alpha)
+ *     alpha = A sin(pi c t) (1 - s^2)^2 + W t,   s = (R - R0)/w,   x = R e_r(Theta + alpha)
  *
- * A shear gamma = R alpha' of one layer against the next keeps J = 1; both faces, s = -1 and 1, stay and are free of traction. */
+ * A shear gamma = R alpha' of one layer against the next keeps J = 1; both faces, s = -1 and 1, are free of traction, and stay but for
+ * the spin W of the whole, which turns stretch and stress with it. */
 #include "verify/internal.h"
 
 typedef struct ring_par {
-    double inner_radius, outer_radius, shear_modulus, density, amplitude, frequency;
+    double inner_radius, outer_radius, shear_modulus, density, amplitude, frequency, spin;
     double centre[3];
 } ring_par;
 
@@ -17,6 +18,7 @@ static const param_spec ring_params[] = {
     PAR_POSITIVE(ring_par, density, "kg/m3", NAN, "density at rest"),
     PAR_ANY(ring_par, amplitude, "1", NAN, "A: largest angle (radians) by which the middle of the ring turns"),
     PAR_POSITIVE(ring_par, frequency, "Hz", NAN, "c of sin(pi c t): half turns of the phase in a second"),
+    PAR_ANY(ring_par, spin, "1/s", 0.0, "W: angle (radians) by which the whole ring turns in a second"),
     PAR_VECTOR(ring_par, centre, "m", PARAM_ANY, 0.0, "a point of the axis (its z is ignored)"),
 };
 
@@ -43,8 +45,8 @@ static ring_turn turn_at(const ring_par *p, const double at[2], double t)
     const double omega = VERIFY_PI * p->frequency, now = p->amplitude * sin(omega * t);
     const double bump = inside * inside;
     return (ring_turn){.R = R,
-                       .angle = now * bump,
-                       .rate = p->amplitude * omega * cos(omega * t) * bump,
+                       .angle = now * bump + p->spin * t,
+                       .rate = p->amplitude * omega * cos(omega * t) * bump + p->spin,
                        .acceleration = -omega * omega * now * bump,
                        .slope = -4.0 * now * s * inside / w,
                        .bend = -4.0 * now * (1.0 - 3.0 * s * s) / (w * w)};
@@ -120,7 +122,7 @@ static void ring_body_force(const void *par, const void *prepared, int dim, cons
 }
 
 static const exact_scalar ring_scalars[] = {
-    {"period", "s", "period of the motion"},
+    {"period", "s", "period of the layers' turning to and fro"},
     {"largest_shear", "1", "about the largest gamma, at s = 1/sqrt(3), the amplitude reached"},
 };
 
@@ -139,7 +141,8 @@ static const ring_par sample_par = {.inner_radius = 0.75,
                                     .shear_modulus = 400.0,
                                     .density = 1000.0,
                                     .amplitude = 0.9,
-                                    .frequency = 1.0};
+                                    .frequency = 1.0,
+                                    .spin = 2.0};
 
 const exact_model exact_ring_mms = {
     .name = "ring_mms",
@@ -148,7 +151,7 @@ const exact_model exact_ring_mms = {
             "with our derivation of the force",
     .validity =
         "x the place at rest (X); strain energy lambda/2 (ln J)^2 - mu ln J + mu/2 (tr C - 3), any lambda; plane "
-        "strain; needs `verify.sources`. Both faces are free, or held.",
+        "strain; needs `verify.sources`. Both faces are free, or held where nothing spins.",
     .equations = EXACT_LARGE_SOLID,
     .param_size = sizeof(ring_par),
     .params = ring_params,

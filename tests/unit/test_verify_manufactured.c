@@ -75,13 +75,13 @@ static void test_ring_law(void **state)
     }
 }
 
-/* The middle turns by the amplitude; on the faces there is neither motion nor stress. */
+/* The middle turns by the amplitude; on the faces there is neither motion nor stress. A spin turns all of it besides, with its stress. */
 static void test_ring_motion(void **state)
 {
     context *ctx = *state;
     const double middle[3] = {1.0, 0.0, 0.0}, face[2][3] = {{0.0, 0.75, 0.0}, {-1.25, 0.0, 0.0}};
     fixture f;
-    make(ctx, &f, "ring_mms", 2, NONE);
+    make(ctx, &f, "ring_mms", 2, SET({"spin", 0.0}));
     const double peak = 0.25 * exact_scalar_value(&f.solution, "period", 0.0);
     check_close(get(&f, EXACT_DISPLACEMENT_X, middle, peak), cos(0.9) - 1.0, 1e-14);
     check_close(get(&f, EXACT_DISPLACEMENT_Y, middle, peak), sin(0.9), 1e-14);
@@ -92,6 +92,16 @@ static void test_ring_motion(void **state)
         for (int c = 0; c < 6; c++)
             check_close(get(&f, (exact_quantity)(EXACT_STRESS_XX + c), face[i], peak), 0.0, 1e-11);
     }
+    const double layer[3] = {0.9, 0.0, 0.0}, xx = get(&f, EXACT_STRESS_XX, layer, peak),
+                 yy = get(&f, EXACT_STRESS_YY, layer, peak), xy = get(&f, EXACT_STRESS_XY, layer, peak);
+    exact_destroy(ctx, &f.solution);
+    const double quarter = 0.5 * acos(-1.0);
+    make(ctx, &f, "ring_mms", 2, SET({"spin", quarter / peak}));
+    check_close(get(&f, EXACT_DISPLACEMENT_X, middle, peak), cos(0.9 + quarter) - 1.0, 1e-14);
+    check_close(get(&f, EXACT_VELOCITY_Y, middle, 0.0), 0.9 * acos(-1.0) + quarter / peak, 1e-13);
+    check_close_relative(get(&f, EXACT_STRESS_XX, layer, peak), yy, 1e-12);
+    check_close_relative(get(&f, EXACT_STRESS_YY, layer, peak), xx, 1e-12);
+    check_close_relative(get(&f, EXACT_STRESS_XY, layer, peak), -xy, 1e-12);
     exact_destroy(ctx, &f.solution);
     refuse(ctx, "ring_mms", 2, SET({"inner_radius", 1.5}));
 }
