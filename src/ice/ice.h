@@ -146,6 +146,8 @@ floe_status ice_step(ice *s);
 floe_status ice_time_step(ice *s, step_limit *out);
 /* The same with the explicit and with the implicit pressure, and the rate of sound, max c (sum h_i^-2)^1/2 (1/s). */
 floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, double *acoustic);
+/* Least and largest density of any fluid (kg/m3), over the cells that hold it; INFINITY and 0 where none does. */
+void ice_densities(ice *s, double range[2]);
 
 /* Totals of the current state over owned cells of the fluids (not of materials carried by points), in tile order:
  * mass, momentum, internal and kinetic energy by material. */

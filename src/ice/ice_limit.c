@@ -190,3 +190,30 @@ floe_status ice_time_step(ice *s, step_limit *out)
     *out = s->implicit ? implicit : direct;
     return FLOE_OK;
 }
+
+static void add_densities(const ice *s, const ice_view *v, int r, double range[2])
+{
+    const ice_arrays *m = &v->m[r];
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        for (ptrdiff_t i = base; i < base + v->b->n[0]; ++i) {
+            if (!(m->rho[i] > 0.0) || (m->open && !(m->open[i] > 0.0))) continue;
+            const double rho = s->multi ? 1.0 / m->vol[i] : m->rho[i];
+            range[0] = fmin(range[0], rho);
+            range[1] = fmax(range[1], rho);
+        }
+    }
+}
+
+void ice_densities(ice *s, double range[2])
+{
+    range[0] = INFINITY;
+    range[1] = 0.0;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        ice_view v;
+        ice_view_make(s, id, &v);
+        for (int r = 0; r < s->n_materials; ++r)
+            if (!s->material[r].points) add_densities(s, &v, r, range);
+    }
+}

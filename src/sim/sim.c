@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "sim/coupled.h"
 #include "sim/gas_rest.h"
+#include "sim/light.h"
 #include "sim/sealed.h"
 #include "sim/statics.h"
 
@@ -81,9 +82,13 @@ static floe_status make_solvers(sim *s, const bool points, const bool cells)
 static floe_status set_initial_state(sim *s)
 {
     if (s->mpm) TRY(mpm_seed(s->mpm));
-    if (s->transfer) return coupled_initialise(s);
-    if (s->sealed) return sealed_initialise(s);
-    return s->ice ? ice_initialise(s->ice, NULL) : FLOE_OK;
+    if (s->transfer)
+        TRY(coupled_initialise(s));
+    else if (s->sealed)
+        TRY(sealed_initialise(s));
+    else if (s->ice)
+        TRY(ice_initialise(s->ice, NULL));
+    return light_check(s);
 }
 
 /* The ledger's zero, and the scale of what is there. */

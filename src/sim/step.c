@@ -1,5 +1,6 @@
 /* Time steps: chosen, taken, and, where they go bad, taken again smaller (design 8). */
 #include "sim/gas_rest.h"
+#include "sim/light.h"
 #include "sim/statics.h"
 
 #include <math.h>
@@ -30,6 +31,8 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
         step_limit l;
         TRY(ice_time_step(s->ice, &l));
         limit(dt, reason, l.dt, l.reason);
+        if (s->sealed)
+            limit(dt, reason, light_step(s, l.dt / s->scene->time.cfl_ice), "gas on a solid lighter than it");
     }
     return FLOE_OK;
 }

@@ -1,0 +1,13 @@
+/* Solids lighter than the fluid of the cells about them. */
+#ifndef SIM_LIGHT_H
+#define SIM_LIGHT_H
+
+#include "sim/sim.h"
+
+/* FLOE_BAD_INPUT where a solid is lighter than all of the fluid by more than the interface bears, with the remedy. Points and cells stand. */
+floe_status light_check(const sim *s);
+/* Largest stable step (s) of a sharp interface beside fluid that is heavier than the solid, `crossing` (s) being that of the cells at a CFL number of
+ * one; INFINITY where nothing of the kind is. */
+double light_step(const sim *s, double crossing);
+
+#endif
