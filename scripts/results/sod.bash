@@ -12,6 +12,17 @@ sod_shock_error() { # PROFILE
               e = (at - 0.5 - travel) / travel; print (e < 0 ? -e : e) }' "$1"
 }
 
+# Density above (over) or below (under) what is there, in per cent of it: from the head of the fan to the shock, without eight cells on either side of
+# the contact and three of the shock; above, ahead of the fan's foot, only what exceeds the gas at rest.
+sod_extreme() { # over|under PROFILE CELLS
+    awk -F, -v which="$1" -v h="$(calc %.9g "1/$3")" 'NR > 1 { x = $1; here = x < 0.489951 ? 1 : x < 0.632626 ? 0.4263194 : 0.2655737
+            beside = x > 0.632626 - 8 * h && x < 0.632626 + 8 * h
+            if (beside) next
+            if (which == "over" && (x < 0.489951 || x > 0.632626) && x < 0.750558 + 4 * h && $2 / here - 1 > e) e = $2 / here - 1
+            if (which == "under" && x > 0.489951 && x < 0.750558 - 3 * h && 1 - $2 / here > e) e = 1 - $2 / here }
+        END { printf "%.4f", 100 * e }' "$2"
+}
+
 result_sod() {
     begin sod "Sod's shock tube: cells, and points"
     local both york inviscid coupling b s m
@@ -28,6 +39,8 @@ result_sod() {
     cp "$runs/both/ice-0.005/profile.csv" $results/sod-profile-ice-200.csv
     bar 'ice: L1 of density at 200 cells' "$(value "$both" ice 0.005 l1_density)" '<=' 0.0026 %.5f
     read -r b s < <(order "$both" ice l1_density)
+    bar 'ice: density above what it should be, at 200 cells' "$(sod_extreme over "$runs/both/ice-0.005/profile.csv" 200)" '<=' 0.5 %.2f ' %'
+    bar 'ice: density below what it should be, at 200 cells' "$(sod_extreme under "$runs/both/ice-0.005/profile.csv" 200)" '<=' 0.5 %.2f ' %'
     bar 'ice: order of density' "$b" '>=' 0.8 %.2f
     bar 'ice: shock at 400 cells off by (of its travel)' \
         "$(calc %g "100*$(sod_shock_error "$runs/both/ice-0.0025/profile.csv")")" '<=' 0.3 %.3f ' %'
@@ -38,6 +51,8 @@ result_sod() {
         'cells, values at points. Errors are absolute and weighted by volume.' '' '## Bars' ''
     show_bars
     write '' 'Beside them: a second-order Godunov code has 0.00454, 0.00254 and 0.00136 at 100, 200 and 400 cells.' '' \
+        "Above and below: from the head of the fan to the shock, without eight cells on either side of the contact and three of the shock. At 400 cells\
+ $(sod_extreme over "$runs/both/ice-0.0025/profile.csv" 400) and $(sod_extreme under "$runs/both/ice-0.0025/profile.csv" 400) %." '' \
         '## Cells and points' '' \
         '| coupling | cells | points a cell | artificial viscosity | L1 rho | L1 u | L1 p | L1 e | energy drift | wall time |' \
         '|---|---|---|---|---|---|---|---|---|---|'

@@ -10,12 +10,12 @@
 
 #include <math.h>
 
-/* Share of a strong fan at a face: nothing below an expansion of 2 % of the speed of sound a cell, all from 12 % on. There the last term counts up to
- * twice: the mean then makes up for the dispersion of the step. Sound would grow by it (det G = 1 + 2 lambda^2 s^4 (1 - 2 s^2), s = sin of half the
- * wave's angle a cell; as it stands 1 - 2 lambda^2 s^6); a fan draws waves out, and is soon too weak. */
+/* Share of a strong fan at a face: nothing below an expansion of 1 % of the speed of sound a cell, all from 11 % on. There the last term counts up to
+ * 2.5 times, unless nothing is limited: the mean then makes up for the dispersion of the step. Sound would grow by it (det G = 1 + 2 lambda^2 s^4
+ * (n - 1 - n s^2), n the times, s the sine of half the wave's angle a cell); a fan draws waves out, and is soon too weak. */
 FLOE_ALWAYS_INLINE double fan(double stretch, double both)
 {
-    const double from = 0.01, slope = 20.0, share = slope * (stretch / both - from);
+    const double from = 0.005, slope = 20.0, share = slope * (stretch / both - from);
     return least(most(share, 0.0), 1.0);
 }
 
@@ -28,7 +28,8 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
     const double *restrict rho = m->rho, *restrict p = v->p, *restrict shock = v->shock, *restrict theta = m->theta,
                            *restrict c = m->c;
     double *restrict face = m->fu[axis];
-    const double push = v->dt * v->inv_h[axis], fall = v->dt * v->gravity[axis], sharpen = 0.125 * v->limit_hi;
+    const double push = v->dt * v->inv_h[axis], fall = v->dt * v->gravity[axis], sharpen = 0.125 * v->limit_hi,
+                 drawn = 1.5 * (1.0 - v->limit_lo);
     double quarter[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
@@ -49,7 +50,8 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
         const double mean = rho[L] * (w[L] + (1.0 - shock[L]) * left) + rho[R] * (w[R] + (1.0 - shock[R]) * right);
         const double room = multi ? theta[L] + theta[R] : 2.0;
         face[R] = (mean - phi * push * room * (p[R] - p[L])) * inverse + phi * fall +
-                  sharpen * smooth * (1.0 + fan(w[R] - w[L], c[L] + c[R])) * (w[L] + w[R] - w[L - step] - w[R + step]);
+                  sharpen * smooth * (1.0 + drawn * fan(w[R] - w[L], c[L] + c[R])) *
+                      (w[L] + w[R] - w[L - step] - w[R + step]);
     }
 }
 

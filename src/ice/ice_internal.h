@@ -376,7 +376,7 @@ void ice_diffuse_sealed(const ice *s);
 /* q of numerics 2.8 (iv) of a fluid squeezed at `squeeze` (m/s over a cell), s its shock sensor. */
 FLOE_ALWAYS_INLINE double ice_bulk_pressure(double rho, double speed, double squeeze, double s)
 {
-    const double quadratic = 1.0, linear = 0.2;
+    const double quadratic = 0.75, linear = 0.3;
     return rho * squeeze * (quadratic * squeeze + s * linear * speed);
 }
 
