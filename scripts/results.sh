@@ -23,6 +23,7 @@
 #   sealed        membranes that hold gas of the cells: at rest, in a stream, a piston, the circle and the dog-bone
 #   axis          about an axis: solids in gas against Lamé, membranes that hold gas, blasts
 #   interface     solids in gas by the smeared and by the sharp interface
+#   substeps      sub-steps of the points in a step of the cells: a stiff ring, a shock on steel, how stiff and how heavy
 #   membrane-3d   membranes as surfaces in space
 #   ball-net      a ball thrown at a net
 #   airbag        York's airbag hit by two cylinders
@@ -48,7 +49,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface ball-net airbag speed gains picture gallery)
+all=(a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface substeps ball-net airbag speed gains picture gallery)
 
 write_index() {
     local page=$results/README.md file

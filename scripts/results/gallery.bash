@@ -55,6 +55,7 @@ declare -A gallery=(
     [sod]='--coupling ice|-c density_gas|density'
     [spring_mass]='|-t 0.0101 -c none|tension at the lowest point'
     [stability_line]='|-p velocity_x -c none|velocity'
+    [stiff_cylinder]='|-p sigma_theta -c pressure|hoop stress of a ring a hundred times as stiff as steel, sub-stepped'
     [string_mass]='|-t 0.0202 -c none|tension of the string, t = 0.02'
     [taylor_bar]='||von Mises stress'
     [taylor_green]='|-c velocity_liquid_x|velocity along x'

@@ -58,7 +58,7 @@ static json_t *plan_json(const plan *p)
     const sim *s = p->sim;
     char geometry[64];
     plan_geometry(p, geometry);
-    return json_pack("{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:f, s:f, s:s, s:s, s:s}",
+    return json_pack("{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:f, s:f, s:s, s:s, s:s, s:s}",
                      "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim,
                      "geometry", geometry, "mesh", mesh_json(&s->mesh), "cells", (json_int_t)i->cells, "points",
                      (json_int_t)i->points, "basis", s->mpm ? s->mpm->basis->name : NULL, "cell_materials",
@@ -68,7 +68,8 @@ static json_t *plan_json(const plan *p)
                      s->pressure_reason[0] ? s->pressure_reason
                      : !s->ice             ? ""
                      : s->ice->implicit    ? "implicit"
-                                           : "explicit");
+                                           : "explicit",
+                     "substeps", s->substeps_reason);
 }
 
 floe_status plan_print_json(const plan *p, FILE *file)

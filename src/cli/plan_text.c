@@ -58,6 +58,7 @@ static void print_head(const plan *p, FILE *file)
     (void)fprintf(file, " cells of %g m, %zu points, %zu cells with fields\n", m->h[0], p->info.points, p->info.cells);
     if (p->sim->mpm) {
         (void)fprintf(file, "solver: %s\n", p->sim->solver_reason);
+        if (p->sim->substeps_reason[0]) (void)fprintf(file, "sub-steps: %s\n", p->sim->substeps_reason);
         (void)fprintf(file, "kernels of the points: %s basis, %s; %s\n", p->sim->mpm->basis->name, geometry,
                       p->scene->method.stress == STRESS_USF   ? "stress first"
                       : p->scene->method.stress == STRESS_USL ? "stress last"

@@ -196,6 +196,38 @@ const custom_key custom_cfl = {
     .form = "a number up to 1 for both solvers, or {mpm: number, ice: number}",
 };
 
+/* ---- time.substeps: 4, or auto ---- */
+
+static floe_status read_substeps(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_time *time = base;
+    key_spec number = *key;
+    if (!node) return FLOE_OK; /* scene_create has set the default */
+    if (node->kind == NODE_SCALAR && strcmp(node->text, "auto") == 0) {
+        time->substeps = 0;
+        return FLOE_OK;
+    }
+    number.type = KEY_WHOLE;
+    return read_scalar(r, &number, node, base);
+}
+
+static void write_substeps(writer *w, const key_spec *key, const void *base)
+{
+    const scene_time *time = base;
+    write_key_name(w, key->key);
+    if (time->substeps == 0)
+        text_print(&w->out, " auto\n");
+    else
+        text_print(&w->out, " %ld\n", time->substeps);
+}
+
+const custom_key custom_substeps = {
+    .read = read_substeps,
+    .write = write_substeps,
+    .form = "a whole number from 1 to 128, or auto",
+    .json = "{\"anyOf\": [{\"type\": \"integer\", \"minimum\": 1, \"maximum\": 128}, {\"const\": \"auto\"}]}",
+};
+
 /* ---- names out of a registry: method.basis, method.transfer, contact.normals ---- */
 
 static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, void *base)

@@ -94,6 +94,10 @@ static const key_spec time_keys[] = {
      .doc = "the run ends after that many steps; 0: no limit"},
     {"fixed_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, fixed_step), .otherwise = "steps are adaptive",
      .doc = "every step has this size"},
+    {"substeps", KEY_CUSTOM, WITHIN(1, SCENE_MAX_SUBSTEPS), AT(scene_time, substeps), .custom = &custom_substeps,
+     .otherwise = "1",
+     .doc = "steps of the points in one of the cells, beside a sharp interface; auto: as many as their stable steps "
+            "ask for"},
 };
 static const key_table time_table = TABLE(time_keys);
 

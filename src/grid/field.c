@@ -118,19 +118,28 @@ double *field_next(const fields *f, field_id id, int instance, int comp)
     return f->entry[id][instance].next[comp];
 }
 
-void fields_commit(fields *f)
+static void commit_field(fields *f, int id)
 {
-    for (int id = 0; id < FIELD_COUNT; ++id) {
-        if (table[id].class != FIELD_STATE) continue;
-        for (int i = 0; i < FIELD_MAX_INSTANCES; ++i) {
-            entry *e = &f->entry[id][i];
-            for (int c = 0; e->present && c < FIELD_MAX_COMPONENTS; ++c) {
-                double *swap = e->current[c];
-                e->current[c] = e->next[c];
-                e->next[c] = swap;
-            }
+    for (int i = 0; i < FIELD_MAX_INSTANCES; ++i) {
+        entry *e = &f->entry[id][i];
+        for (int c = 0; e->present && c < FIELD_MAX_COMPONENTS; ++c) {
+            double *swap = e->current[c];
+            e->current[c] = e->next[c];
+            e->next[c] = swap;
         }
     }
+}
+
+void fields_commit(fields *f)
+{
+    for (int id = 0; id < FIELD_COUNT; ++id)
+        if (table[id].class == FIELD_STATE) commit_field(f, id);
+}
+
+void fields_commit_points(fields *f)
+{
+    for (int id = 0; id < FIELD_COUNT; ++id)
+        if (table[id].class == FIELD_STATE && table[id].centring == FIELD_POINT) commit_field(f, id);
 }
 
 static floe_status resize_points(fields *f, int body, size_t capacity)

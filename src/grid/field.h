@@ -55,8 +55,9 @@ bool fields_has(const fields *f, field_id id, int instance);
 double *field_get(const fields *f, field_id id, int instance, int comp);
 double *field_next(const fields *f, field_id id, int instance, int comp);
 
-/* Makes next the current state, by exchange of pointers, for all STATE fields. */
+/* Makes next the current state, by exchange of pointers, for all STATE fields; for those of points alone. */
 void fields_commit(fields *f);
+void fields_commit_points(fields *f);
 
 /* Point storage of a body (instance): capacity grows by half; contents of current, next and fixed arrays are kept. */
 floe_status fields_reserve_points(fields *f, int body, size_t capacity);

@@ -32,10 +32,12 @@ typedef struct run_summary {
     char coupling[SUMMARY_NAME]; /* mpm, ice, ice-mpm */
     char solver[SUMMARY_TEXT];   /* of points: dynamic or static, and why where floe chose; "" without points */
     char pressure[SUMMARY_TEXT]; /* of cells: explicit or implicit, and why where floe chose; "" without */
-    bool dimensionless;          /* "units": "none", else "si", as summaries of older versions are read */
-    char status[SUMMARY_NAME];   /* done, at_rest, diverged, interrupted, ... */
-    char message[SUMMARY_TEXT];  /* why it is neither done nor at rest; "" otherwise */
-    double time;                 /* s, reached */
+    char substeps
+        [SUMMARY_TEXT]; /* of points beside cells: at most, and why where floe chose; "" where the deck asks for none */
+    bool dimensionless; /* "units": "none", else "si", as summaries of older versions are read */
+    char status[SUMMARY_NAME];  /* done, at_rest, diverged, interrupted, ... */
+    char message[SUMMARY_TEXT]; /* why it is neither done nor at rest; "" otherwise */
+    double time;                /* s, reached */
     long long steps, rejected_steps;
     double wall_seconds; /* earlier legs of a resumed run included */
     double

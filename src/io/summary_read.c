@@ -118,6 +118,7 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     /* Those of earlier versions do not say, and were explicit. */
     if (json_object_get(object, "solver")) get_text(r, object, "solver", out->solver, sizeof out->solver);
     if (json_object_get(object, "pressure")) get_text(r, object, "pressure", out->pressure, sizeof out->pressure);
+    if (json_object_get(object, "substeps")) get_text(r, object, "substeps", out->substeps, sizeof out->substeps);
     const char *units = json_string_value(json_object_get(object, "units"));
     out->dimensionless = units && strcmp(units, "none") == 0;
     get_text(r, object, "status", out->status, sizeof out->status);

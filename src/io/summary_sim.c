@@ -65,6 +65,7 @@ floe_status summary_set_sim(run_summary *r, const sim *s)
     (void)snprintf(r->solver, sizeof r->solver, "%s", s->solver_reason);
     const char *pressure = !s->ice ? "" : s->ice->implicit ? "implicit" : "explicit";
     (void)snprintf(r->pressure, sizeof r->pressure, "%s", s->pressure_reason[0] ? s->pressure_reason : pressure);
+    (void)snprintf(r->substeps, sizeof r->substeps, "%s", s->substeps_reason);
     r->dimensionless = s->scene->dimensionless;
     r->time = s->time;
     r->steps = s->steps;

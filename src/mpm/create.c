@@ -116,6 +116,7 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->mesh = m;
     s->stages = stages;
     s->ledger = l;
+    s->parts = 1;
     s->seals = beside && scene_is_cut(sc);
     s->holds = !beside && scene_holder(sc) >= 0 && sc->body[scene_holder(sc)].membrane.surface.kind != SHEET_NONE;
     s->coupled = beside && !s->seals;
@@ -160,6 +161,7 @@ void mpm_destroy(mpm **s)
         free_lines(ctx, (*s)->work);
         free_push(ctx, (*s)->work);
         free_skins(ctx, &(*s)->work->skin);
+        free_kept(ctx, (*s)->work);
         edges_free(ctx, &(*s)->work->edges);
         free_hold(ctx, &(*s)->work->hold);
         memory_free(ctx, &(*s)->work->active);

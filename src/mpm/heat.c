@@ -249,7 +249,7 @@ floe_status mpm_give_heat(mpm *s)
     visit_tiles(s, close_tile);
     domain_sum_tiles(s->mesh, s->work->tile_sum, HEAT_SUMS, sum);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED]);
-    s->work->lost = sum[SUM_LEFT];
+    s->work->lost = (s->part > 0 ? s->work->lost : 0.0) + sum[SUM_LEFT];
     if (s->seals) return FLOE_OK;
     for (int b = 0; b < s->mesh->n_blocks; ++b) share_losses(s, b, sum[SUM_LEFT] / sum[SUM_FLUID]);
     extend_to_ghosts(s, 0, N_LOSS);

@@ -79,6 +79,7 @@ typedef struct mpm {
     double time;                 /* s: at the start of the step */
     double dt, dt_previous;      /* s; dt_previous 0 before the first step */
     long step;                   /* committed steps so far, kept by the owner of the run */
+    int parts, part;             /* sub-steps that the step is taken in, and those of it that are final (parts.c) */
     struct mpm_work *work;       /* owned: tile partials, kernel table */
     time_solver solver;          /* SOLVER_AUTO has been chosen by then */
     struct mpm_balance *balance; /* owned; NULL: steps are explicit */
@@ -148,6 +149,12 @@ floe_status mpm_balance_solve(mpm *s);  /* the next state of points, in balance 
 
 /* The points-only step, a list of the above. */
 floe_status mpm_step(mpm *s);
+
+/* The same in `parts` equal sub-steps, under forces of the gas that stay as they are: all but the last are made final at once, so that a step
+ * that goes bad after the first has to be forgotten. Beside lines that cut the gas of the cells alone (parts.c). */
+floe_status mpm_step_in_parts(mpm *s);
+/* Puts the points back to where the step has begun. Does nothing where no part of it is final. */
+void mpm_forget_step(mpm *s);
 
 /* Makes the step final: swaps state (fields_commit is the caller's), re-sorts where points changed cell, moves points
  * between blocks, deals with points outside the mesh (reflected at walls within round-off, else deleted into the ledger). */

@@ -97,7 +97,7 @@ void move_skins(mpm *s, int group)
         for (int a = 0; a < 2; ++a) {
             k->next[n].v[a] = k->pin[n] == a ? 0.0 : m.velocity[a];
             k->next[n].x[a] = k->now[n].x[a] + s->dt * k->next[n].v[a];
-            k->path[2 * n + (size_t)a] = s->dt * m.working[a];
+            k->path[2 * n + (size_t)a] = (s->part > 0 ? k->path[2 * n + (size_t)a] : 0.0) + s->dt * m.working[a];
         }
     }
 }

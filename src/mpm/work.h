@@ -85,6 +85,7 @@ typedef struct surface_point {
 } surface_point;
 
 typedef struct membrane_line membrane_line;
+typedef struct kept_points kept_points;
 typedef struct membrane_normals membrane_normals;
 typedef struct mpm_edges mpm_edges;
 
@@ -170,6 +171,7 @@ struct mpm_work {
     membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */
     membrane_normals *normals; /* one a body (membrane_normal.h); owned, NULL where all membranes are connected */
     mpm_edges *edges;          /* edge.h; owned, NULL where the deck asks for none */
+    kept_points *kept;         /* parts.c; owned, NULL until a step is taken in parts */
     int threads;
 };
 
@@ -295,6 +297,9 @@ void scatter_skins(mpm *s, int group, const double *force);
 void move_skins(mpm *s, int group);
 void commit_skins(mpm *s);
 void free_skins(context *ctx, body_skin *k);
+
+/* What a step in parts keeps of its start (parts.c). */
+void free_kept(context *ctx, struct mpm_work *w);
 
 /* Supports (support.c): the nodes that they hold, and their velocity. */
 floe_status start_supports(mpm *s);

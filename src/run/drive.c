@@ -220,6 +220,7 @@ static void say_start(const run *r, int threads)
 {
     const sim *s = r->sim;
     if (s->mpm) context_log(r->ctx, LOG_INFO, "solver %s", s->solver_reason);
+    if (s->substeps_reason[0]) context_log(r->ctx, LOG_INFO, "sub-steps %s", s->substeps_reason);
     context_log(r->ctx, LOG_INFO, "%s %s as %s: %zu points, %zu cells, %d thread%s, from t = %.6g%s",
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
                 s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",

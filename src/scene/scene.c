@@ -95,7 +95,8 @@ static void set_defaults(scene *s)
                            .first_step = NAN,
                            .max_step = NAN,
                            .growth = 1.1,
-                           .fixed_step = NAN};
+                           .fixed_step = NAN,
+                           .substeps = 1};
     s->stability = (scene_stability){.tolerance = 0.01, .growth = 100.0, .relative_to = NAN};
     s->damping.end = INFINITY;
     s->rest = (scene_rest){.ratio = 1e-6};

@@ -24,7 +24,8 @@ enum {
     SCENE_MAX_SPRINGS = 64,
     SCENE_MAX_SUPPORTS = 16,
     SCENE_MAX_HOLDERS = 3, /* membranes that hold gas of the cells */
-    SCENE_MAX_AXIS = 32,   /* values of an axis */
+    SCENE_MAX_SUBSTEPS = 128,
+    SCENE_MAX_AXIS = 32, /* values of an axis */
     SCENE_MAX_AXES = 6,
     SCENE_MAX_WITH = 12, /* keys that change along with that of an axis */
     SCENE_MAX_OVER = 2,
@@ -261,6 +262,7 @@ typedef struct scene_time {
     double growth;           /* largest ratio of a step to the one before */
     long max_steps;          /* 0: no limit */
     double fixed_step;       /* s, NAN: adaptive */
+    long substeps;           /* of the points in a step of the cells; 0: as many as their stable steps ask for */
 } scene_time;
 
 typedef struct scene_damping {

@@ -41,6 +41,15 @@ floe_status light_check(const sim *s)
                 sharp ? "make it heavier, or leave it out" : "make it heavier, or use sharp down to 0.0009");
 }
 
+bool light_solid(const sim *s)
+{
+    double range[2];
+    const int body = lightest_body(s->scene);
+    if (body < 0) return false;
+    ice_densities(s->ice, range);
+    return range[1] > density_of(s->scene, body);
+}
+
 /* The pressure of a step is what the surface's velocity before it makes of the fluid, and the surface has the inertia of the nodes next to it: a layer of
  * fluid that is heavier than these throws it back and forth. Largest steps found, over h/c (density of the solid / of the fluid)^(1/2), to a hundredth of the fluid's:
  * 0.44, where the surface is in the middle of a cell, to 0.7; one oblique to the cells has up to sqrt 2 as much of them. At a CFL number of one

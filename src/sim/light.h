@@ -9,5 +9,7 @@ floe_status light_check(const sim *s);
 /* Largest stable step (s) of a sharp interface beside fluid that is heavier than the solid, `crossing` (s) being that of the cells at a CFL number of
  * one; INFINITY where nothing of the kind is. */
 double light_step(const sim *s, double crossing);
+/* Whether some fluid is denser than the lightest solid beside it. */
+bool light_solid(const sim *s);
 
 #endif

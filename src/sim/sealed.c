@@ -195,7 +195,7 @@ floe_status sealed_step(sim *s)
     STAGE(t, ALWAYS, sealed_find_now, READS(P_ID, P_POS, P_VEL), WRITES(NOTHING));
     TRY(ice_sealed_pressure_stages(s->ice));
     STAGE(t, ALWAYS, sealed_push_points, READS(P_POS), WRITES(NOTHING));
-    TRY(mpm_step(s->mpm));
+    TRY(mpm_step_in_parts(s->mpm));
     STAGE(t, ALWAYS, sealed_find_next, READS(P_ID, P_POS, N_VEL_L, N_ACCEL), WRITES(NOTHING));
     return ice_sealed_flow_stages(s->ice);
 }

@@ -110,6 +110,7 @@ static floe_status fill(sim *s)
     TRY(make_solvers(s, needs_points(s->scene, s->coupling), needs_cells(s->scene, s->coupling)));
     TRY(set_initial_state(s));
     TRY(sim_choose_pressure(s));
+    TRY(sim_choose_substeps(s));
     return open_ledger(s);
 }
 
@@ -124,6 +125,7 @@ floe_status sim_create(sim **out, context *ctx, const scene *sc, scene_coupling 
     s->coupling = coupling;
     s->dt_reason = "first step";
     s->rest_since = INFINITY;
+    s->most_parts = s->parts = 1;
     const floe_status status = fill(s);
     if (status != FLOE_OK) sim_destroy(out);
     return status;

@@ -23,9 +23,13 @@ typedef struct sim {
     struct gas_rest *gas_rest; /* owned; NULL unless load increments are solved for beside gas on cells */
     char pressure_reason[256]; /* of method.pressure auto: what it has chosen last, and why; "" otherwise */
     char solver_reason
-        [160];   /* how points get on, dynamic or static, and why where time.solver is auto; "" without points */
-    double time; /* s */
-    double dt;   /* s: the last accepted step, then the next one's proposal */
+        [160]; /* how points get on, dynamic or static, and why where time.solver is auto; "" without points */
+    char substeps_reason
+        [200];      /* of the points, beside cells: how many at most, and why where time.substeps is auto; "" without */
+    int most_parts; /* sub-steps of the points that a step of the cells may have */
+    int parts;      /* that the next step has */
+    double time;    /* s */
+    double dt;      /* s: the last accepted step, then the next one's proposal */
     const char *dt_reason; /* what limits it */
     long steps, rejected;
     double point_updates, cell_updates; /* so far */
@@ -85,6 +89,11 @@ static inline bool sim_solves(const sim *s)
 
 /* With method.pressure auto: chooses explicit or implicit, at the start and every so many steps; otherwise does nothing. */
 floe_status sim_choose_pressure(sim *s);
+/* How many sub-steps of the points a step may have (time.substeps), and why. Errors: FLOE_BAD_INPUT where the deck asks for what cannot be. */
+floe_status sim_choose_substeps(sim *s);
+/* Sub-steps of the next step, where it may have several: from the cells' stable step (s) and the points', which becomes what they allow
+ * for the whole. */
+void sim_take_substeps(sim *s, double cells, step_limit *points);
 /* How many steps lead through `left` seconds, from one of `first` that grow to `dt` (s). */
 double sim_steps_through(double left, double first, double dt, double growth);
 /* The stages of one step, run or (while planning) recorded. */

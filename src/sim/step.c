@@ -22,18 +22,14 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
 {
     *dt = INFINITY;
     *reason = "nothing";
-    if (s->mpm) {
-        step_limit l;
-        TRY(mpm_time_step(s->mpm, &l));
-        limit(dt, reason, l.dt, l.reason);
-    }
-    if (s->ice) {
-        step_limit l;
-        TRY(ice_time_step(s->ice, &l));
-        limit(dt, reason, l.dt, l.reason);
-        if (s->sealed)
-            limit(dt, reason, light_step(s, l.dt / s->scene->time.cfl_ice), "gas on a solid lighter than it");
-    }
+    step_limit points = {INFINITY, *reason}, cells = points;
+    if (s->mpm) TRY(mpm_time_step(s->mpm, &points));
+    if (s->ice) TRY(ice_time_step(s->ice, &cells));
+    if (s->most_parts > 1) sim_take_substeps(s, cells.dt, &points);
+    limit(dt, reason, points.dt, points.reason);
+    limit(dt, reason, cells.dt, cells.reason);
+    if (s->sealed)
+        limit(dt, reason, light_step(s, cells.dt / s->scene->time.cfl_ice), "gas on a solid lighter than it");
     return FLOE_OK;
 }
 
@@ -58,6 +54,7 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
     if (sim_solves(s)) {
         statics_step(s, until - s->time, dt, reason);
     } else if (!isnan(t->fixed_step)) {
+        if (s->most_parts > 1) TRY(stable_step(s, dt, reason)); /* it says how many sub-steps this takes */
         *dt = t->fixed_step;
         *reason = "fixed step";
     } else {
@@ -85,6 +82,8 @@ static void set_step(sim *s, double dt)
         s->mpm->dt = dt;
         s->mpm->time = s->time;
         s->mpm->step = s->steps;
+        s->mpm->parts = s->parts;
+        s->mpm->part = 0;
     }
     if (s->ice) {
         s->ice->dt = dt;
@@ -101,6 +100,7 @@ static floe_status take_step(sim *s, double *dt, const char **reason)
     for (int tries = 0; tries <= MAX_REJECTIONS; ++tries) {
         set_step(s, *dt);
         const floe_status status = sim_run_stages(s);
+        if (status != FLOE_OK && s->mpm) mpm_forget_step(s->mpm);
         if (status != FLOE_RETRY) return status;
         ledger_discard(&s->ledger);
         if (s->ice) ice_forget_step(s->ice);
@@ -121,7 +121,7 @@ static floe_status commit(sim *s, double dt)
 {
     for (int b = 0; b < s->mesh.n_blocks; ++b) fields_commit(s->domain->fields[b]);
     if (s->mpm) {
-        s->point_updates += (double)mpm_count(s->mpm);
+        s->point_updates += (double)s->mpm->parts * (double)mpm_count(s->mpm);
         TRY(mpm_commit(s->mpm));
     }
     if (s->ice) s->cell_updates += (double)mesh_cells(&s->mesh);

@@ -1,0 +1,184 @@
+/* A step of the points in equal parts, beside gas that takes it as one (docs/theory.md, sub-steps): the gas's forces on the lines stay as they
+ * are, and the points' own are renewed in each part. Every part but the last is made final before the next, so the start of the
+ * step is kept, to be put back where a later stage asks for a smaller one. */
+#include "base/memory.h"
+#include "mpm/edge.h"
+
+#include <string.h>
+
+/* Points of one body in one block. Owned arrays. */
+typedef struct kept_body {
+    size_t n, room, *tile_start;
+    double *value; /* the arrays of their state, `n` numbers each, one after the other */
+} kept_body;
+
+/* State that no field holds. Owned. */
+typedef struct kept_extra {
+    size_t n, room;
+    double *value;
+} kept_extra;
+
+enum { KEPT_SURFACE, KEPT_SKIN, KEPT_EDGES, KEPT_EXTRAS };
+
+struct kept_points {
+    kept_body body[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
+    kept_extra extra[KEPT_EXTRAS];
+    double dt_previous; /* s */
+};
+
+void free_kept(context *ctx, struct mpm_work *w)
+{
+    for (int b = 0; w->kept && b < MESH_MAX_BLOCKS; ++b)
+        for (int k = 0; k < SCENE_MAX_BODIES; ++k) {
+            memory_free(ctx, &w->kept->body[b][k].tile_start);
+            memory_free(ctx, &w->kept->body[b][k].value);
+        }
+    for (int k = 0; w->kept && k < KEPT_EXTRAS; ++k) memory_free(ctx, &w->kept->extra[k].value);
+    memory_free(ctx, &w->kept);
+}
+
+static floe_status reserve(context *ctx, double **value, size_t *room, size_t n)
+{
+    if (n <= *room) return FLOE_OK;
+    *room = n + n / 2;
+    return memory_resize(ctx, value, *room, sizeof **value);
+}
+
+/* ---- points ---- */
+
+/* Calls for each array of a body's state in a block; returns how many there are. */
+typedef void array_visitor(double *array, size_t n, double *kept);
+
+static void keep_array(double *array, size_t n, double *kept)
+{
+    memcpy(kept, array, n * sizeof *array);
+}
+
+static void put_array(double *array, size_t n, double *kept)
+{
+    memcpy(array, kept, n * sizeof *array);
+}
+
+static size_t visit_arrays(const mpm *s, int blk, int body, size_t n, array_visitor *visit, double *kept)
+{
+    const fields *f = s->domain->fields[blk];
+    size_t count = 0;
+    for (int id = 0; id < FIELD_COUNT; ++id) {
+        const field_info *info = field_describe((field_id)id);
+        const bool state = info->class == FIELD_STATE || info->class == FIELD_FIXED;
+        if (info->centring != FIELD_POINT || !state || !fields_has(f, (field_id)id, body)) continue;
+        for (int c = 0; c < field_component_count(info->components, s->mesh->dim); ++c, ++count)
+            if (visit && n > 0) visit(field_get(f, (field_id)id, body, c), n, kept + count * n);
+    }
+    return count;
+}
+
+static floe_status keep_body(mpm *s, int blk, int body)
+{
+    kept_body *k = &s->work->kept->body[blk][body];
+    const mpm_points *p = &s->points[blk][body];
+    const size_t tiles = (size_t)s->mesh->block[blk].n_tiles + 1;
+    TRY(reserve(s->ctx, &k->value, &k->room, p->n * visit_arrays(s, blk, body, 0, NULL, NULL)));
+    if (!k->tile_start) TRY(memory_new(s->ctx, &k->tile_start, tiles, sizeof *k->tile_start));
+    k->n = p->n;
+    memcpy(k->tile_start, p->tile_start, tiles * sizeof *k->tile_start);
+    (void)visit_arrays(s, blk, body, k->n, keep_array, k->value);
+    return FLOE_OK;
+}
+
+static void put_body(mpm *s, int blk, int body)
+{
+    const kept_body *k = &s->work->kept->body[blk][body];
+    mpm_points *p = &s->points[blk][body];
+    p->n = k->n;
+    memcpy(p->tile_start, k->tile_start, ((size_t)s->mesh->block[blk].n_tiles + 1) * sizeof *k->tile_start);
+    (void)visit_arrays(s, blk, body, k->n, put_array, k->value);
+}
+
+/* ---- what no field holds ---- */
+
+static double *extra_of(mpm *s, int which, size_t *n)
+{
+    const mpm_edges *e = s->work->edges;
+    size_t count = e ? e->n_memory : 0, stride = 1;
+    double *value = which == KEPT_SURFACE ? mpm_surface(s, &count, &stride)
+                    : which == KEPT_SKIN  ? mpm_skin(s, &count, &stride)
+                    : e                   ? e->memory
+                                          : NULL;
+    *n = count * stride;
+    return value;
+}
+
+static floe_status keep_extra(mpm *s, int which)
+{
+    kept_extra *k = &s->work->kept->extra[which];
+    const double *from = extra_of(s, which, &k->n);
+    TRY(reserve(s->ctx, &k->value, &k->room, k->n));
+    if (k->n > 0) memcpy(k->value, from, k->n * sizeof *from);
+    return FLOE_OK;
+}
+
+static void put_extra(mpm *s, int which)
+{
+    const kept_extra *k = &s->work->kept->extra[which];
+    size_t n;
+    double *to = extra_of(s, which, &n);
+    if (k->n > 0) memcpy(to, k->value, k->n * sizeof *to);
+}
+
+/* ---- the step ---- */
+
+static floe_status keep(mpm *s)
+{
+    if (!s->work->kept) TRY(memory_new(s->ctx, &s->work->kept, 1, sizeof *s->work->kept));
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int body = 0; body < s->n_bodies; ++body) TRY(keep_body(s, b, body));
+    for (int k = 0; k < KEPT_EXTRAS; ++k) TRY(keep_extra(s, k));
+    s->work->kept->dt_previous = s->dt_previous;
+    return FLOE_OK;
+}
+
+void mpm_forget_step(mpm *s)
+{
+    size_t n;
+    if (s->part == 0) return;
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int body = 0; body < s->n_bodies; ++body) put_body(s, b, body);
+    for (int e = 0; e < KEPT_EXTRAS; ++e) put_extra(s, e);
+    (void)mpm_edges_state(s, &n); /* lists of edges are of what has been taken back */
+    s->dt_previous = s->work->kept->dt_previous;
+    s->part = 0;
+}
+
+/* The part in hand becomes what the next one starts from. */
+static floe_status next_part(mpm *s)
+{
+    s->part++;
+    for (int b = 0; b < s->mesh->n_blocks; ++b) fields_commit_points(s->domain->fields[b]);
+    return mpm_commit(s);
+}
+
+/* Markers go on with the velocity of their way in the whole step: that of the last part would be a sample of motions that the gas cannot follow. */
+static void steady_skins(mpm *s, double dt)
+{
+    const body_skin *k = &s->work->skin;
+    const double *start = s->work->kept->extra[KEPT_SKIN].value;
+    const size_t stride = sizeof(skin_marker) / sizeof(double);
+    for (size_t n = 0; n < k->n; ++n)
+        for (size_t a = 0; a < 2; ++a) k->next[n].v[a] = (k->next[n].x[a] - start[n * stride + a]) / dt;
+}
+
+floe_status mpm_step_in_parts(mpm *s)
+{
+    const double dt = s->dt;
+    if (s->parts == 1 || s->stages->planning) return mpm_step(s);
+    TRY(keep(s));
+    s->dt = dt / s->parts;
+    while (s->part < s->parts - 1) {
+        TRY(mpm_step(s));
+        TRY(next_part(s));
+    }
+    TRY(mpm_step(s));
+    steady_skins(s, dt);
+    return FLOE_OK;
+}
