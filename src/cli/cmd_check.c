@@ -1,5 +1,6 @@
 /* floe check DECK */
 #include "cli/cli.h"
+#include "scene/remark.h"
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
@@ -12,7 +13,7 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "DECK",
     .doc = "Validate a deck. Every error is shown with its file, line and column, what was expected, and the nearest "
-           "known name. Nothing is written.",
+           "known name. What can be run and will not be right is warned of, with figures. Nothing is written.",
 };
 
 static void print_cells(const scene *s)
@@ -21,6 +22,11 @@ static void print_cells(const scene *s)
         const double cells = (s->mesh.upper[a] - s->mesh.lower[a]) / s->mesh.cell[a];
         printf("%s%.0f", a ? " x " : "", cells);
     }
+}
+
+static void warn(void *user, const char *text)
+{
+    context_log(user, LOG_WARNING, "%s", text);
 }
 
 int cmd_check(cli *c, int argc, char **argv)
@@ -34,6 +40,7 @@ int cmd_check(cli *c, int argc, char **argv)
     print_cells(s);
     printf(" cells, %d material%s, %d bod%s, coupling %s\n", s->n_materials, s->n_materials == 1 ? "" : "s",
            s->n_bodies, s->n_bodies == 1 ? "y" : "ies", coupling_name(s->coupling));
+    scene_remarks(s, warn, c->ctx);
     scene_destroy(&s);
     return 0;
 }

@@ -9,6 +9,7 @@
 #include "run/run.h"
 #include "run/schedule.h"
 #include "run/state_check.h"
+#include "scene/remark.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -216,6 +217,11 @@ static floe_status begin(run *r)
     return run_log_open(&r->log, r->ctx, o, &r->progress);
 }
 
+static void warn(void *user, const char *text)
+{
+    context_log(user, LOG_WARNING, "%s", text);
+}
+
 static void say_start(const run *r, int threads)
 {
     const sim *s = r->sim;
@@ -225,6 +231,7 @@ static void say_start(const run *r, int threads)
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
                 s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",
                 s->time, scene_time_unit(s->scene));
+    if (!r->options->resume) scene_remarks(s->scene, warn, r->ctx);
 }
 
 static floe_status start_outputs(run *r)
