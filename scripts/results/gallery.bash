@@ -43,6 +43,7 @@ declare -A gallery=(
     [piston_membrane]='|-c density_fluid|density of the fluid behind the sheet'
     [piston_container]='|-p pressure -c none|pressure'
     [pulse_leaves]='|-t 0.4|pressure, t = 0.4'
+    [pressed_cylinder]='--set domain.cell=0.025|-p stress_yy -c none -r -14000:0|stress across the contact of a cylinder on a block'
     [poiseuille]='--set domain.cell=0.125|-c velocity_liquid_x|velocity'
     [pressurized_sphere]='|-p stress_tt -c pressure|hoop stress of the steel, pressure of the gas'
     [pressurized_cylinder]='--coupling ice-mpm|-p sigma_theta -c pressure|hoop stress of the steel, pressure of the gas'

@@ -115,6 +115,9 @@ double balance_way(const mpm *s, int group, const int node[MESH_MAX_DIM], int c)
 /* Next places and velocities: none in statics. FLOE_RETRY where one has gone farther than a cell. */
 floe_status balance_move(mpm *s);
 
+/* Whether bodies in contact have their gaps from their surfaces (balance_gap.c), which loaded ones are carried with. */
+bool balance_measures_gaps(const mpm *s);
+
 /* Edges held by a penalty (balance_edges.c), nothing without: how far the matrix reaches; the lines of an increment; their forces at u, added to
  * `inner`, and what they remember then; their entries of the matrix; what they store, into the ledger. */
 int balance_width(const mpm *s);

@@ -30,6 +30,9 @@ floe_status contact_rest_create(mpm *s)
     struct mpm_balance *w = s->balance;
     if (!s->contact) return FLOE_OK;
     TRY(memory_new(s->ctx, &w->contact, 1, sizeof *w->contact));
+    if (balance_measures_gaps(s)) {
+        TRY(memory_new(s->ctx, &w->contact->spot_of, w->grid.size, sizeof *w->contact->spot_of));
+    }
     return memory_new(s->ctx, &w->contact->raw, w->components, sizeof *w->contact->raw);
 }
 
@@ -37,7 +40,7 @@ void contact_rest_free(mpm *s)
 {
     struct balance_contact *c = s->balance->contact;
     if (!c) return;
-    void *owned[] = {&c->spot, &c->row, &c->Q, &c->L, &c->raw};
+    void *owned[] = {&c->spot, &c->row, &c->Q, &c->L, &c->raw, &c->spot_of};
     for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
     memory_free(s->ctx, &s->balance->contact);
 }
@@ -135,8 +138,9 @@ static floe_status find_at(mpm *s, const int global[MESH_MAX_DIM], int at)
     for (int k = 0; k < n && c->spot[c->spots].rows + s->mesh->dim <= SPOT_ROWS; ++k) {
         view.layer[0] = balance_layer(s, group[list[k].a]);
         view.layer[1] = balance_layer(s, group[list[k].b]);
-        if (w->reached[balance_at(w, view.layer[0], 0, at)] && w->reached[balance_at(w, view.layer[1], 0, at)])
-            add_meeting(s, &node, &list[k], &view);
+        if (!w->reached[balance_at(w, view.layer[0], 0, at)] || !w->reached[balance_at(w, view.layer[1], 0, at)])
+            continue;
+        add_meeting(s, &node, &list[k], &view);
     }
     if (c->spot[c->spots].rows > 0) c->spots++;
     return FLOE_OK;
@@ -208,6 +212,7 @@ floe_status contact_rest_find(mpm *s)
                 for (int l = 0; l < w->layers; ++l) layers += w->reached[balance_at(w, l, 0, at)];
                 if (layers > 1) TRY(find_at(s, node, at));
             }
+    contact_gap_measure(s);
     settle(s);
     return FLOE_OK;
 }

@@ -21,10 +21,13 @@ typedef struct contact_row {
     int layer[2];    /* of a and b */
     double along[3]; /* unit */
     double gap;      /* m */
-    bool bound;      /* equal, and for good */
-    int lead;        /* place among those of the node of the one that it comes and goes with; -1: none */
-    bool active;     /* it binds */
-    double push;     /* N: of a on b */
+    /* m2; m3, m2: of the surfaces of a and b that face each other, as the node sees them: areas, and places along the normal times areas, and those
+     * (balance_gap.c). */
+    double area[2][3], sum[2], weight[2];
+    bool bound;  /* equal, and for good */
+    int lead;    /* place among those of the node of the one that it comes and goes with; -1: none */
+    bool active; /* it binds */
+    double push; /* N: of a on b */
 } contact_row;
 
 /* A node where bodies meet. */
@@ -41,9 +44,10 @@ struct balance_contact {
     size_t rows, row_room;
     /* Of each condition that binds: with those before it at its node C = L Q, rows of C the conditions, of Q orthonormal. A condition that follows from
      * others has an empty row of Q. Owned. */
-    double *Q;   /* all components of the node */
-    double *L;   /* SPOT_ROWS */
-    double *raw; /* N, on the grid: what is left of the forces before the projection; owned */
+    double *Q;    /* all components of the node */
+    double *L;    /* SPOT_ROWS */
+    int *spot_of; /* of each node: its place among the spots, -1: none; owned. NULL where gaps are those of points */
+    double *raw;  /* N, on the grid: what is left of the forces before the projection; owned */
 };
 
 /* Why bodies in contact cannot be solved for, or NULL. */
@@ -64,6 +68,8 @@ bool contact_rest_way(const mpm *s, const double *u, double *way);
 /* The projection of an array, and of the matrix. */
 void contact_rest_project(const mpm *s, double *x);
 void contact_rest_stiffen(const mpm *s, node_matrix *m);
+/* From surfaces where there are some: normals and gaps of all conditions (balance_gap.c). */
+void contact_gap_measure(mpm *s);
 /* Counts for the ledger. */
 void contact_rest_enter(mpm *s);
 

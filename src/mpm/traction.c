@@ -18,7 +18,7 @@ static const double steady_mass = 0.1;
 
 typedef struct surface_list {
     mpm *s;
-    int load, room;
+    int load, room, body;
     floe_status status;
     size_t capacity;
 } surface_list;
@@ -59,6 +59,7 @@ static void add_point(surface_list *list, const surface_element *e, double side)
     surface_point *p = &list->s->work->surface[list->s->work->n_surface++];
     p->load = list->load;
     p->room = list->room;
+    p->body = list->body;
     for (int a = 0; a < 3; ++a) {
         p->x[a] = e->x[a];
         p->area[a] = side * e->area * e->normal[a]; /* a pressure pushes into the body */
@@ -133,9 +134,27 @@ static floe_status seed_rooms(mpm *s, surface_list *list, const seed_spec *grid)
     return FLOE_OK;
 }
 
+static void add_outer_element(void *user, const surface_element *e)
+{
+    add_point(user, e, 1.0);
+}
+
+/* Surfaces that are to meet others, where that is solved for (balance_gap.c): areas point outward. */
+static floe_status seed_contacts(mpm *s, surface_list *list, const seed_spec *grid)
+{
+    list->load = list->room = -1;
+    for (int b = 0; b < s->n_bodies && balance_measures_gaps(s); ++b) {
+        list->body = s->body[b].scene_body;
+        if (!scene_in_contact(s->scene, list->body)) continue;
+        surface_visit(&s->scene->body[list->body].shape, grid, SURFACE_DIVISIONS, add_outer_element, list);
+        TRY(list->status);
+    }
+    return FLOE_OK;
+}
+
 floe_status seed_surfaces(mpm *s)
 {
-    surface_list list = {.s = s, .room = -1};
+    surface_list list = {.s = s, .room = -1, .body = -1};
     const seed_spec grid = surface_grid(s);
     for (int l = 0; l < s->scene->n_loads; ++l) {
         if (s->scene->load[l].kind != LOAD_TRACTION) continue;
@@ -148,6 +167,7 @@ floe_status seed_surfaces(mpm *s)
                         s->scene->load[l].name);
     }
     TRY(seed_rooms(s, &list, &grid));
+    TRY(seed_contacts(s, &list, &grid));
     if (s->work->n_surface)
         memcpy(s->work->surface_next, s->work->surface, s->work->n_surface * sizeof *s->work->surface);
     return FLOE_OK;
@@ -339,6 +359,7 @@ void move_surfaces(mpm *s, int group)
         }
         s->work->surface_next[k].load = p->load;
         s->work->surface_next[k].room = p->room;
+        s->work->surface_next[k].body = p->body;
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, power * s->dt);
     }
 }
@@ -354,7 +375,8 @@ void carry_surfaces(mpm *s, node_displacement *way)
 {
     for (size_t k = 0; k < s->work->n_surface; ++k) {
         const surface_point *p = &s->work->surface[k];
-        const int group = p->load < 0 ? 0 : s->work->body_group[s->scene->load[p->load].body];
+        const int body = p->load < 0 ? p->body : s->scene->load[p->load].body;
+        const int group = body < 0 ? 0 : s->work->body_group[body];
         surface_point *next = &s->work->surface_next[k];
         *next = *p;
         carry_place(s, group, p->x, way, next->x);

@@ -82,6 +82,7 @@ typedef struct surface_point {
     double x[3], area[3];
     int load; /* -1: none, but the gas of a room */
     int room; /* number of the room (balance.h), -1: none */
+    int body; /* of the scene, in contact, of whose surface it is (balance_gap.c); -1: none */
 } surface_point;
 
 typedef struct membrane_line membrane_line;

@@ -43,6 +43,31 @@ static void test_lame_values(void **state)
     exact_destroy(ctx, &f.solution);
 }
 
+/* Johnson (1985), section 4.2: the ellipse of pressure, the stress below its middle, the largest shear. */
+static void test_hertz_values(void **state)
+{
+    context *ctx = *state;
+    fixture f;
+    make(ctx, &f, "hertz", 2, NONE); /* force 1078.8, E = 1e6, nu = 0.3, R = 1 */
+    const double a = exact_scalar_value(&f.solution, "half_width", 0.0),
+                 peak = exact_scalar_value(&f.solution, "peak_pressure", 0.0);
+    check_close_relative(a * a, 4.0 * 1078.8 * 2.0 * (1.0 - 0.09) / (pi * 1e6), 1e-7);
+    check_close_relative(peak, 2.0 * 1078.8 / (pi * a), 1e-12);
+    for (int side = -1; side <= 1; side += 2) {
+        for (double x = -0.9; x < 1.0; x += 0.3)
+            check_close(get(&f, EXACT_STRESS_YY, x * a, 0.0, 0.0), -peak * sqrt(1.0 - x * x), 1e-9 * peak);
+        check_close(get(&f, EXACT_STRESS_YY, side * 1.5 * a, 0.0, 0.0), 0.0, 1e-9 * peak);
+        for (double z = 0.1; z < 3.0; z += 0.7)
+            check_close(get(&f, EXACT_STRESS_YY, 0.0, side * z * a, 0.0), -peak / sqrt(1.0 + z * z), 1e-9 * peak);
+        const double deepest = 0.786 * side * a;
+        check_close(0.5 * (get(&f, EXACT_STRESS_XX, 0.0, deepest, 0.0) - get(&f, EXACT_STRESS_YY, 0.0, deepest, 0.0)),
+                    0.300 * peak, 1e-3 * peak);
+        check_close(get(&f, EXACT_STRESS_XY, 0.3 * a, side * 0.4 * a, 0.0),
+                    -get(&f, EXACT_STRESS_XY, 0.3 * a, -side * 0.4 * a, 0.0), 1e-9 * peak);
+    }
+    exact_destroy(ctx, &f.solution);
+}
+
 /* Stress from the displacement's gradient by Hooke's law, at a place; `lame` in plane strain has no z displacement. */
 static void check_hooke(const fixture *f, const double at[3])
 {
@@ -274,9 +299,16 @@ static void test_stretched_sheet(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lame_values),     cmocka_unit_test(test_hooke),           cmocka_unit_test(test_disc),
-        cmocka_unit_test(test_sphere_values),   cmocka_unit_test(test_annulus_refused), cmocka_unit_test(test_bar),
-        cmocka_unit_test(test_bar_mms),         cmocka_unit_test(test_piston),          cmocka_unit_test(test_round),
+        cmocka_unit_test(test_lame_values),
+        cmocka_unit_test(test_hertz_values),
+        cmocka_unit_test(test_hooke),
+        cmocka_unit_test(test_disc),
+        cmocka_unit_test(test_sphere_values),
+        cmocka_unit_test(test_annulus_refused),
+        cmocka_unit_test(test_bar),
+        cmocka_unit_test(test_bar_mms),
+        cmocka_unit_test(test_piston),
+        cmocka_unit_test(test_round),
         cmocka_unit_test(test_stretched_sheet),
     };
     return cmocka_run_group_tests_name("exact solids", tests, check_make_context, check_drop_context);

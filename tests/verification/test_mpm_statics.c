@@ -420,7 +420,8 @@ static const deck_variant ring[] = {
      COUPLING_MPM,
      1,
      4,
-     {"time.solver=implicit", "time.increments=12", "domain.cell=0.05", "time.end=1e-3"}}};
+     {"time.solver=implicit", "time.increments=12", "domain.cell=0.05", "time.end=1e-3"}},
+    {"pressed cylinder", "pressed_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.025", "time.increments=2"}}};
 
 static state solved(const deck_variant *v, int blocks, int threads)
 {
@@ -443,7 +444,7 @@ static void same_bits(void **unused)
 {
     (void)unused;
     static const int other[][2] = {{1, 3}, {2, 1}, {2, 2}};
-    for (int v = 0; v < 2; ++v) {
+    for (size_t v = 0; v < sizeof ring / sizeof *ring; ++v) {
         state expected = solved(&ring[v], 1, 1);
         for (size_t k = 0; k < sizeof other / sizeof *other; ++k) {
             state found = solved(&ring[v], other[k][0], other[k][1]);
