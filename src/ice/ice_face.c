@@ -11,7 +11,7 @@
 #include <math.h>
 
 /* Share of a strong fan at a face: nothing below an expansion of 1 % of the speed of sound a cell, all from 11 % on. There the last term counts up to
- * 2.5 times, unless nothing is limited: the mean then makes up for the dispersion of the step. Sound would grow by it (det G = 1 + 2 lambda^2 s^4
+ * 2.5 times, twice beside other fluids, once if nothing is limited: the mean then makes up for the dispersion of the step. Sound would grow by it (det G = 1 + 2 lambda^2 s^4
  * (n - 1 - n s^2), n the times, s the sine of half the wave's angle a cell); a fan draws waves out, and is soon too weak. */
 FLOE_ALWAYS_INLINE double fan(double stretch, double both)
 {
@@ -29,7 +29,7 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
                            *restrict c = m->c;
     double *restrict face = m->fu[axis];
     const double push = v->dt * v->inv_h[axis], fall = v->dt * v->gravity[axis], sharpen = 0.125 * v->limit_hi,
-                 drawn = 1.5 * (1.0 - v->limit_lo);
+                 drawn = (multi ? 1.0 : 1.5) * (1.0 - v->limit_lo);
     double quarter[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
