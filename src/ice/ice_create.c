@@ -176,6 +176,7 @@ static void destroy_work(context *ctx, ice_work **work)
     ice_work *w = *work;
     if (!w) return;
     ice_implicit_destroy(ctx, &w->implicit);
+    ice_spans_destroy(ctx, w);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b) {
         memory_free(ctx, &w->metric[b]);
         memory_free(ctx, &w->mixed[b].at);
@@ -328,6 +329,7 @@ static floe_status make_scratch(ice *s)
     for (int b = 0; b < m->n_blocks; ++b) {
         const int *n = m->block[b].n;
         const size_t cells = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];
+        TRY(ice_spans_create(s, b));
         TRY(memory_new(s->ctx, &w->mixed[b].at, cells, sizeof *w->mixed[b].at));
         if (s->with_points) TRY(memory_new(s->ctx, &w->continued[b].at, cells, sizeof *w->continued[b].at));
     }

@@ -36,8 +36,11 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
         quarter[a] = -0.25 * v->dt * v->inv_h[a] * v->limit_hi * v->advance;
         st[a] = v->b->stride[a];
     }
+    const ice_span near = multi ? ice_near(v, m, j, k, axis == 0, 0, (int)n) : (ice_span){0, (int)n};
+    for (ptrdiff_t i = 0; i < near.first; ++i) face[base + i] = 0.0;
+    for (ptrdiff_t i = near.end; i < n; ++i) face[base + i] = 0.0;
 #pragma omp simd
-    for (ptrdiff_t i = 0; i < n; ++i) {
+    for (ptrdiff_t i = near.first; i < near.end; ++i) {
         const ptrdiff_t R = base + i, L = R - step;
         const double sum = rho[L] + rho[R], inverse = 1.0 / (multi ? sum + ICE_TINY : sum);
         double left = 0.0, right = 0.0;

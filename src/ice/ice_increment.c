@@ -75,14 +75,15 @@ ICE_EACH(INSTANCE)
 ice_row *const ice_increment_row[3][2] = ICE_TABLE(increment);
 
 /* Lowers the factor of a cell to what keeps one array inside its neighbours' values at the corners of the cell. */
-FLOE_ALWAYS_INLINE void lower_factor(const ice_view *v, const double *restrict x, ptrdiff_t base, const int dim)
+FLOE_ALWAYS_INLINE void lower_factor(const ice_view *v, const double *restrict x, ptrdiff_t base, ice_span near,
+                                     const int dim)
 {
     double *restrict limiter = v->limiter;
     const double lo = v->limit_lo;
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) st[a] = v->b->stride[a];
 #pragma omp simd
-    for (int i = -1; i <= v->b->n[0]; ++i) {
+    for (int i = near.first; i < near.end; ++i) {
         const ptrdiff_t at = base + i;
         double reach = 0.0, up = 0.0, down = 0.0;
         for (int a = 0; a < dim; ++a) {
@@ -104,8 +105,9 @@ FLOE_ALWAYS_INLINE void limiter_row(const ice_view *v, int j, int k, const int d
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     for (int i = -1; i <= v->b->n[0]; ++i) v->limiter[base + i] = v->limit_hi;
     for (int r = 0; r < v->n_materials; ++r) {
-        lower_factor(v, v->m[r].theta, base, dim);
-        if (v->m[r].ul[0]) lower_factor(v, v->m[r].rho, base, dim); /* not of materials carried by points */
+        const ice_span near = ice_near(v, &v->m[r], j, k, 0, -1, v->b->n[0] + 1);
+        lower_factor(v, v->m[r].theta, base, near, dim);
+        if (v->m[r].ul[0]) lower_factor(v, v->m[r].rho, base, near, dim); /* not of materials carried by points */
     }
 }
 
@@ -117,8 +119,12 @@ FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int
     const double *restrict theta = m->theta, *restrict face = m->fu[axis], *restrict limiter = v->limiter;
     double *restrict out = m->ft[axis], *restrict flux = v->flux[axis];
     const double courant = v->dt * v->inv_h[axis];
-    const ptrdiff_t end = base + v->b->n[0] + (axis == 0);
-    for (ptrdiff_t R = base; R < end; ++R) {
+    const int n = v->b->n[0] + (axis == 0);
+    const ice_span near = ice_near(v, m, j, k, axis == 0, 0, n);
+    for (ptrdiff_t R = base; R < base + n; ++R) flux[R] = r == 0 ? 0.0 : flux[R];
+    for (ptrdiff_t R = base; R < base + near.first; ++R) out[R] = 0.0;
+    for (ptrdiff_t R = base + near.end; R < base + n; ++R) out[R] = 0.0;
+    for (ptrdiff_t R = base + near.first; R < base + near.end; ++R) {
         const double w = face[R];
         const ptrdiff_t D = w > 0.0 ? R - step : R;
         double offset = 0.5 * ((w > 0.0 ? 0.5 : -0.5) - 0.5 * w * courant) * (theta[D + step] - theta[D - step]);
@@ -128,7 +134,7 @@ FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int
         }
         const double value = theta[D] + limiter[D] * offset;
         out[R] = value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
-        flux[R] = (r == 0 ? 0.0 : flux[R]) + out[R] * w;
+        flux[R] += out[R] * w;
     }
 }
 

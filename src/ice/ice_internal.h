@@ -34,6 +34,11 @@ FLOE_ALWAYS_INLINE double most(double a, double b)
     return a > b ? a : b;
 }
 
+/* Cells [first, end) of a row, local i; none where end <= first. */
+typedef struct ice_span {
+    int first, end;
+} ice_span;
+
 /* A material's arrays in one block; NULL where the plan has no such field. Face arrays hold one axis each. */
 typedef struct ice_arrays {
     double *rho, *u[3], *e, *vol; /* current state; vol: incoming v */
@@ -48,6 +53,7 @@ typedef struct ice_arrays {
     double *source[3], *mom[3], *dv[3]; /* materials carried by points */
     double *diff[3], *heat, *diffT;     /* ice_diffusion.c */
     double *mobility[3];                /* at faces, of the implicit pressure */
+    const ice_span *near;               /* of each row, ghosts too: cells that may be near the material; NULL: all */
 } ice_arrays;
 
 /* One block, ready for the kernels. With one fluid, rho_sum, mean and flux are that fluid's own rho, u and fu. */
@@ -79,6 +85,22 @@ enum { ICE_WITH_POINTS = 64 };
 static inline bool ice_holds_points(const ice_view *v, ptrdiff_t at)
 {
     return v->mixed[at] >= ICE_WITH_POINTS;
+}
+
+/* Number of row (j, k) of a block with its ghosts. */
+static inline int ice_row_number(const block *b, int j, int k)
+{
+    const int wide = b->dim > 1 ? b->n[1] + 2 * MESH_GHOST : 1;
+    return (b->dim > 2 ? (k + MESH_GHOST) * wide : 0) + (b->dim > 1 ? j + MESH_GHOST : 0);
+}
+
+/* Of a row's values [lo, hi), those that can be other than zero for a material; `further` more at the upper end (1 for faces along axis 0). */
+static inline ice_span ice_near(const ice_view *v, const ice_arrays *m, int j, int k, int further, int lo, int hi)
+{
+    if (!m->near) return (ice_span){lo, hi};
+    const ice_span s = m->near[ice_row_number(v->b, j, k)];
+    const int first = s.first > lo ? s.first : lo, end = s.end + further < hi ? s.end + further : hi;
+    return first < end ? (ice_span){first, end} : (ice_span){hi, hi};
 }
 
 /* Kernels work along axis 0 at local (j, k). Each has one always-inline body, instantiated for dimension 1, 2, 3 and for one
@@ -224,8 +246,11 @@ typedef struct ice_work {
     int **index;                          /* one a thread, three rows long; NULL with one fluid */
     ice_mixed_cells **cells;              /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
-    ice_cell_list
-        continued[MESH_MAX_BLOCKS]; /* owned cells whose pressure is continued into a solid (ice_continue.c) */
+    /* owned cells whose pressure is continued into a solid (ice_continue.c) */
+    ice_cell_list continued[MESH_MAX_BLOCKS];
+    /* Of each material and row, ghosts too: cells from the first to the last that have the material (ice_span.c), and the same with two
+     * rows and two cells more on every side; NULL where it is not looked for. */
+    ice_span *span[MESH_MAX_BLOCKS], *near[MESH_MAX_BLOCKS];
     ice_reservoir reservoir[MESH_MAX_DIM][2];
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
     bool
@@ -237,6 +262,13 @@ typedef struct ice_work {
 
 /* Pressures and fractions of several materials in one block (numerics 2.1). */
 floe_status ice_mixture(ice *s, int block_id, const ice_view *v);
+/* Storage of the spans (work.span, work.near) of a block; where reactions make materials anywhere there is none. */
+floe_status ice_spans_create(ice *s, int block_id);
+void ice_spans_destroy(context *ctx, ice_work *w);
+/* Notes in which cells of a row a material is, from its density with ghosts. */
+void ice_note_span(const ice *s, const block *b, int r, int j, int k, const double *rho);
+/* near from span, once all rows are noted. */
+void ice_widen_spans(const ice *s, int block_id);
 /* Keeps what closing the cells of a block is going to change of the state, for ice_forget_step. */
 void ice_keep_found(ice *s, int block_id, const ice_view *v);
 /* State of a law at a pressure and a temperature. */

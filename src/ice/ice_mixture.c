@@ -300,15 +300,17 @@ static void set_followed(mixture_row *q, int r)
     for (int k = 0; k < n; ++k) set_compressibility(m, q->from + q->index[k], q->a[k], q->d[k]);
 }
 
-static floe_status mix_row(mixture_row *q, bool owned_row)
+static floe_status mix_row(mixture_row *q, int j, int k)
 {
     const ice_view *v = q->v;
+    const bool owned_row = j >= 0 && j < v->b->n[1] && k >= 0 && k < v->b->n[2];
     TRY(count_materials(q));
+    for (int r = 0; r < v->n_materials; ++r) ice_note_span(q->s, v->b, r, j, k, v->m[r].rho);
     TRY(set_stretches(q));
     for (int r = 0; r < v->n_materials; ++r) set_temperatures(q, r);
-    for (int k = 0; k < q->n_mixed; k += EQUILIBRIUM_BATCH) {
-        const int left = q->n_mixed - k;
-        TRY(solve_mixed(q, q->mixed + k, left < EQUILIBRIUM_BATCH ? left : EQUILIBRIUM_BATCH, owned_row));
+    for (int done = 0; done < q->n_mixed; done += EQUILIBRIUM_BATCH) {
+        const int left = q->n_mixed - done;
+        TRY(solve_mixed(q, q->mixed + done, left < EQUILIBRIUM_BATCH ? left : EQUILIBRIUM_BATCH, owned_row));
     }
     for (int r = 0; r < v->n_materials; ++r) set_others(q, r);
     for (int r = 0; r < v->n_materials && q->s->work->reconcile; ++r)
@@ -365,7 +367,7 @@ floe_status ice_mixture(ice *s, int block_id, const ice_view *v)
     for (int row = 0; row < rows.n; ++row) {
         const int j = ice_row_j(rows, row), k = ice_row_k(rows, row);
         mixture_row q = row_of(s, v, block_id, j, k);
-        bad += mix_row(&q, j >= 0 && j < v->b->n[1] && k >= 0 && k < v->b->n[2]) != FLOE_OK;
+        bad += mix_row(&q, j, k) != FLOE_OK;
         cells += q.cells;
         iterations += q.iterations;
         fallbacks += q.fallbacks;
@@ -375,5 +377,6 @@ floe_status ice_mixture(ice *s, int block_id, const ice_view *v)
     ledger_tally(s->ledger, COUNT_NEWTON_FALLBACKS, fallbacks);
     if (bad) return FLOE_RETRY;
     list_mixed(s, v, block_id);
+    ice_widen_spans(s, block_id);
     return FLOE_OK;
 }

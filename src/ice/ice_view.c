@@ -98,7 +98,12 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
         v->first = s->gas;
         v->n_materials = 1;
     }
-    for (int r = 0; r < v->n_materials; ++r) gather_material(f, v->first + r, m->dim, &v->m[r]);
+    const ice_span *near = s->work->near[block_id];
+    const int rows = ice_rows_of(v->b, -1, MESH_GHOST).n;
+    for (int r = 0; r < v->n_materials; ++r) {
+        gather_material(f, v->first + r, m->dim, &v->m[r]);
+        v->m[r].near = near ? near + (ptrdiff_t)r * rows : NULL;
+    }
     gather_shared(f, s->multi, v->first, v);
     for (int k = 0; k < s->work->reactions.n; ++k) {
         v->reacted[k] = field_get(f, C_REACTED, k, 0);

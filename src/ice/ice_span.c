@@ -1,0 +1,76 @@
+/* Where a material is. Most cells of most scenes hold one material, and of the others every velocity, fraction and flux there is zero: kernels over
+ * one material's faces leave out what is more than two cells from it in any direction, as far as gradients see. */
+#include "ice/ice_internal.h"
+
+#include "base/memory.h"
+
+static size_t rows_of(const block *b)
+{
+    return (size_t)ice_rows_of(b, -1, MESH_GHOST).n;
+}
+
+floe_status ice_spans_create(ice *s, int block_id)
+{
+    const size_t spans = rows_of(&s->mesh->block[block_id]) * (size_t)s->n_materials;
+    if (s->work->reactions.n > 0) return FLOE_OK;
+    TRY(memory_new(s->ctx, &s->work->span[block_id], spans, sizeof(ice_span)));
+    return memory_new(s->ctx, &s->work->near[block_id], spans, sizeof(ice_span));
+}
+
+void ice_spans_destroy(context *ctx, ice_work *w)
+{
+    for (int b = 0; b < MESH_MAX_BLOCKS; ++b) {
+        memory_free(ctx, &w->span[b]);
+        memory_free(ctx, &w->near[b]);
+    }
+}
+
+void ice_note_span(const ice *s, const block *b, int r, int j, int k, const double *rho)
+{
+    const ptrdiff_t row = mesh_index(b, 0, j, k);
+    int first = -MESH_GHOST, end = b->n[0] + MESH_GHOST;
+    if (!s->work->span[b->id]) return;
+    while (first < end && !(rho[row + first] > 0.0)) ++first;
+    while (end > first && !(rho[row + end - 1] > 0.0)) --end;
+    s->work->span[b->id][(size_t)r * rows_of(b) + (size_t)ice_row_number(b, j, k)] = (ice_span){first, end};
+}
+
+/* Rows about j along an axis, [lo, hi), that the block has. */
+static void rows_about(const block *b, int axis, int j, int *lo, int *hi)
+{
+    const int ghost = axis < b->dim ? MESH_GHOST : 0, reach = axis < b->dim ? 2 : 0;
+    *lo = j - reach > -ghost ? j - reach : -ghost;
+    *hi = j + reach + 1 < b->n[axis] + ghost ? j + reach + 1 : b->n[axis] + ghost;
+}
+
+static ice_span widened(const block *b, const ice_span *span, int j, int k)
+{
+    int j0, j1, k0, k1;
+    ice_span all = {b->n[0] + MESH_GHOST, -MESH_GHOST};
+    rows_about(b, 1, j, &j0, &j1);
+    rows_about(b, 2, k, &k0, &k1);
+    for (int l = k0; l < k1; ++l)
+        for (int m = j0; m < j1; ++m) {
+            const ice_span s = span[ice_row_number(b, m, l)];
+            if (s.end <= s.first) continue;
+            if (s.first - 2 < all.first) all.first = s.first - 2;
+            if (s.end + 2 > all.end) all.end = s.end + 2;
+        }
+    return all;
+}
+
+void ice_widen_spans(const ice *s, int block_id)
+{
+    const block *b = &s->mesh->block[block_id];
+    const ice_rows q = ice_rows_of(b, -1, MESH_GHOST);
+    if (!s->work->near[block_id]) return;
+    for (int r = 0; r < s->n_materials; ++r) {
+        const ice_span *span = s->work->span[block_id] + (size_t)r * rows_of(b);
+        ice_span *near = s->work->near[block_id] + (size_t)r * rows_of(b);
+#pragma omp parallel for schedule(static)
+        for (int row = 0; row < q.n; ++row) {
+            const int j = ice_row_j(q, row), k = ice_row_k(q, row);
+            near[ice_row_number(b, j, k)] = widened(b, span, j, k);
+        }
+    }
+}
