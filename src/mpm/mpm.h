@@ -140,6 +140,10 @@ floe_status mpm_motion_stages(mpm *s);
 floe_status mpm_solve_steps(mpm *s, time_solver solver);
 /* What of the scene cannot be solved for, or NULL. */
 const char *mpm_balance_obstacle(const mpm *s, time_solver solver);
+/* Largest ratio of bulk to shear modulus of the solids, and whose (a body of the scene; left alone where there is none, 0); and the largest with which the basis
+ * balances loads without locking. */
+double mpm_balance_bulk(const mpm *s, int *body);
+double mpm_balance_most_bulk(const mpm *s);
 /* Whether solids enclose a body of the scene, a fluid, all along its shape. */
 bool mpm_body_is_enclosed(const mpm *s, int body);
 floe_status mpm_balance_masses(mpm *s); /* m_i */

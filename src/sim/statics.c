@@ -14,10 +14,26 @@ static const char *obstacle_to(const sim *s, time_solver solver, bool guess)
     return obstacle || !s->ice ? obstacle : gas_rest_obstacle(s, guess);
 }
 
+static floe_status check_locking(const sim *s)
+{
+    int body = 0;
+    const double ratio = mpm_balance_bulk(s->mpm, &body), most = mpm_balance_most_bulk(s->mpm);
+    if (ratio <= most) return FLOE_OK;
+    return fail(s->ctx, FLOE_BAD_INPUT,
+                "time.solver: static: the bulk modulus of body '%s' is %.3g times its shear modulus, with which basis "
+                "%s locks: "
+                "its stresses would be wrong. Take %g times at most%s",
+                s->scene->body[body].name, ratio, s->mpm->basis->name, most,
+                most < 100.0 ? ", or a quadratic or cubic basis" : " (a Poisson's ratio of 0.495)");
+}
+
 /* Why `auto` would not solve for the state of rest, or NULL. */
 static const char *obstacle_to_rest(const sim *s)
 {
+    int body = 0;
     if (!s->scene->rest.enabled) return "the deck asks for no state of rest";
+    if (mpm_balance_bulk(s->mpm, &body) > mpm_balance_most_bulk(s->mpm))
+        return "a solid is all but incompressible, and would lock";
     return obstacle_to(s, SOLVER_STATIC, true);
 }
 
@@ -46,6 +62,7 @@ floe_status sim_choose_solver(sim *s)
     const char *obstacle = obstacle_to(s, solver, false);
     if (obstacle)
         return fail(s->ctx, FLOE_BAD_INPUT, "time.solver: %s: %s; use dynamic", solver_name(solver), obstacle);
+    if (solver == SOLVER_STATIC) TRY(check_locking(s));
     TRY(mpm_solve_steps(s->mpm, solver));
     return s->ice ? gas_rest_create(&s->gas_rest, s) : FLOE_OK;
 }
