@@ -151,6 +151,15 @@ static double divergence(const ice_view *v, ptrdiff_t at, ptrdiff_t i)
     return div;
 }
 
+/* The same with each axis by its spacing over the largest: the jump of velocity over the cell, over that. */
+static double jump_over(const ice_view *v, ptrdiff_t at, ptrdiff_t i)
+{
+    double jump = v->share[0] * (v->upper0[i] * v->flux[0][at + 1] - v->lower0[i] * v->flux[0][at]);
+    for (int a = 1; a < v->dim; ++a)
+        jump += v->share[a] * (v->flux[a][at + v->b->stride[a]] - v->flux[a][at]) * v->inv_h[a];
+    return jump;
+}
+
 /* Volume of a cell over that of its box, h h h. */
 static double weight_of(const ice_view *v, ptrdiff_t i)
 {
@@ -307,7 +316,7 @@ static void finish_row(const ice *s, const ice_view *v, int axis, int j, int k)
     (void)axis;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
-        const double div = divergence(v, at, i), squeeze = div < 0.0 ? -v->length * div : 0.0;
+        const double div = divergence(v, at, i), squeeze = v->length * ice_compression(div, jump_over(v, at, i));
         v->P[at] = v->p[at] + (v->dP[at] + v->step[at]) + v->rho_sum[at] * squeeze * squeeze;
         v->dP[at] = -v->dt * div * stiffness(v, at);
     }

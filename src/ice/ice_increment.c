@@ -2,9 +2,11 @@
  * eq. 11.
  *
  *     dP = -(dt/V) sum_f A_f F / S,     F = sum_r theta^r,f u*^r
- *     P  = p + phi dP - (1 - s) dt/2 (u . grad) p + q,     q = rho (c_q^2 du^2 + s c_l c |du|), du = V^(1/d) div u < 0
+ *     P  = p + phi dP - (1 - s) dt/2 (u . grad) p + q,     q = rho (c_q^2 du^2 + s c_l c |du|)
  *          - 0.6 rho c sum_a b_a (one fluid, limited)
  *
+ * with du < 0 the jump of velocity over the cell, sum_a h_a du_a/dx_a, no larger than the largest h times div u: a shock has the
+ * width of the spacing that it crosses, and what is compressed along one axis as it expands along another has none of it.
  * C_DP keeps the full-step dP by dilatation alone. The advective term is the other half of A in ice_face.c; b is that of `bend_of`. */
 #include "ice/ice_internal.h"
 
@@ -38,25 +40,30 @@ FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int
     const double *restrict shock = v->shock, *restrict lower0 = v->lower0, *restrict upper0 = v->upper0;
     double *restrict dP = v->dP, *restrict P = v->P;
     const double dt = v->dt, length = v->length, viscous = 0.6 * (1.0 - v->limit_lo);
-    double inv_h[3], quarter[3];
+    double inv_h[3], share[3], quarter[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
         inv_h[a] = v->inv_h[a];
+        share[a] = v->share[a];
         quarter[a] = -0.25 * v->dt * v->inv_h[a] * v->limit_hi;
         st[a] = v->b->stride[a];
     }
 #pragma omp simd
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
-        double div = upper0[i] * F[0][at + 1] - lower0[i] * F[0][at];
-        for (int a = 1; a < dim; ++a) div += (F[a][at + st[a]] - F[a][at]) * inv_h[a];
+        double div = upper0[i] * F[0][at + 1] - lower0[i] * F[0][at], jump = share[0] * div;
+        for (int a = 1; a < dim; ++a) {
+            const double rate = (F[a][at + st[a]] - F[a][at]) * inv_h[a];
+            div += rate;
+            jump += share[a] * rate;
+        }
         double carried = 0.0;
         for (int a = 0; a < dim; ++a) carried += quarter[a] * u[a][at] * (p[at + st[a]] - p[at - st[a]]);
         const double stiffness = multi ? 1.0 / kappa[at] : rho[at] * c[at] * c[at];
         const double speed = multi ? sqrt(stiffness / rho[at]) : c[at];
         double bend = 0.0; /* beside another fluid it would smear the start of a fan */
         for (int a = 0; a < dim && !multi; ++a) bend += bend_of(u[a], at, st[a], 1.0 / speed);
-        const double squeeze = div < 0.0 ? -length * div : 0.0, s = shock[at];
+        const double squeeze = length * ice_compression(div, jump), s = shock[at];
         const double increment = -dt * div * stiffness;
         /* Beside a vacuum the neighbour's pressure, carried, could be any multiple of the cell's own. */
         carried = least(most(carried, -0.25 * stiffness), 0.25 * stiffness);

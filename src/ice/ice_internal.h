@@ -71,7 +71,8 @@ typedef struct ice_view {
     double *fp[3], *flux[3];
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
-    double length;             /* of the bulk viscosity: V^(1/d), m */
+    double length, finest;     /* m: the largest spacing and the smallest */
+    double share[3];           /* of each axis' spacing in the largest: one on square cells */
     bool burns;                /* some solid on points is used up */
     double advance; /* half steps that u* and P are ahead in time: 1; 2 where the implicit pressure is at the end */
     double *step, *last_step; /* implicit: phi dP of this step and of the last */
@@ -405,6 +406,14 @@ void ice_created_pressure(const ice *s, const ice_view *v, double *P);
 void ice_view_lagrangian(ice_view *v);
 /* Viscosity of the gas in hand that a membrane keeps apart, of the state at t^n: first order in time. */
 void ice_diffuse_sealed(const ice *s);
+/* How fast a cell is squeezed (m/s over the largest spacing): by div u, and by the sum of its parts along the axes, each by its spacing
+ * over the largest, whichever is less. Both are the same on square cells; on others the volume's own length, V^(1/d), would make the
+ * viscosity along the finer axis larger than explicit steps bear. */
+FLOE_ALWAYS_INLINE double ice_compression(double div, double jump)
+{
+    return most(-most(div, jump), 0.0);
+}
+
 /* q of numerics 2.8 (iv) of a fluid squeezed at `squeeze` (m/s over a cell), s its shock sensor. */
 FLOE_ALWAYS_INLINE double ice_bulk_pressure(double rho, double speed, double squeeze, double s)
 {

@@ -99,7 +99,7 @@ static double signal_speed(const ice *s, const ice_view *v, int r, ptrdiff_t at,
 {
     if (!s->multi || v->m[r].rho[at] * v->m[r].vol[at] > 1.0 - 1e-12) return c;
     const mixture m = mixture_about(s, v, r, at, rho, c);
-    const double crossing = c / v->length;
+    const double crossing = c / v->finest;
     return m.tie > 10.0 * crossing ? fmin(c, 1.0 / sqrt(m.density * m.compressibility)) : c;
 }
 

@@ -88,7 +88,7 @@ static void force_on(const piece_walk *w, double force[2])
     const cut_piece *q = w->piece;
     const ptrdiff_t at = w->member->at;
     const ice_view *v = view_of(s, w->member);
-    const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->length * hypot(q->area[0], q->area[1]);
+    const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->finest * hypot(q->area[0], q->area[1]);
     for (int a = 0; a < 2; ++a)
         force[a] = w->outward * v->P[at] * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
 }
@@ -130,7 +130,7 @@ void ice_pool_increment(const ice *s)
         const double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
         const double rho = of->m[0].rho[lead->at], c = of->m[0].c[lead->at];
         const double div = sum[POOL_VOLUME] > 0.0 ? sum[POOL_FLUX] / sum[POOL_VOLUME] : 0.0;
-        const double squeeze = div < 0.0 ? -v->length * div : 0.0, dP = -s->dt * div * rho * c * c;
+        const double squeeze = div < 0.0 ? -v->finest * div : 0.0, dP = -s->dt * div * rho * c * c;
         v->dP[m->at] = dP;
         v->P[m->at] = of->p[lead->at] + dP + ice_bulk_pressure(rho, c, squeeze, 1.0);
     }

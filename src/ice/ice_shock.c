@@ -15,20 +15,25 @@ FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int di
                            *restrict mixed = v->mixed;
     double *restrict shock = v->shock;
     const double slope = v->slope, least = v->base, half = 0.5 * v->length;
-    double inv_h[3];
+    double inv_h[3], share[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
         inv_h[a] = v->inv_h[a];
+        share[a] = v->share[a];
         st[a] = v->b->stride[a];
     }
 #pragma omp simd
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
-        double div = 0.0;
-        for (int a = 0; a < dim; ++a) div += (u[a][at + st[a]] - u[a][at - st[a]]) * inv_h[a];
+        double div = 0.0, jump = 0.0;
+        for (int a = 0; a < dim; ++a) {
+            const double rate = (u[a][at + st[a]] - u[a][at - st[a]]) * inv_h[a];
+            div += rate;
+            jump += share[a] * rate;
+        }
         /* Wood's speed in a mixture */
         const double inv_c = multi ? sqrt(rho[at] * kappa[at]) : 1.0 / c[at];
-        const double raw = steepness * (-half * div * inv_c - threshold);
+        const double raw = steepness * (half * ice_compression(div, jump) * inv_c - threshold);
         const double sensor = raw < 0.0 ? 0.0 : raw > 1.0 ? 1.0 : raw;
         const double points = multi && mixed[at] >= ICE_WITH_POINTS ? 1.0 : 0.0;
         const double s = least + slope * sensor;

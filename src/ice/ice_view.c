@@ -73,14 +73,17 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     const scene_method *method = &s->scene->method;
     const fields *f = s->domain->fields[block_id];
     *v = (ice_view){.b = &m->block[block_id], .dim = m->dim, .n_materials = s->n_materials, .dt = s->dt};
-    double volume = 1.0;
     for (int a = 0; a < 3; ++a) {
         v->h[a] = m->h[a];
         v->inv_h[a] = a < m->dim ? 1.0 / m->h[a] : 0.0;
         v->gravity[a] = s->gravity[a];
-        volume *= m->h[a];
     }
-    v->length = pow(volume, 1.0 / m->dim);
+    v->length = v->finest = m->h[0];
+    for (int a = 1; a < m->dim; ++a) {
+        v->length = most(v->length, m->h[a]);
+        v->finest = least(v->finest, m->h[a]);
+    }
+    for (int a = 0; a < 3; ++a) v->share[a] = m->h[a] / v->length;
     const int run = v->b->n[0] + 2 * MESH_GHOST + 1;
     const double *metric = s->work->metric[block_id] + MESH_GHOST;
     v->lower0 = metric;
