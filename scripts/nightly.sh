@@ -3,6 +3,7 @@
 # anything; docs/results/robustness.md is made of these totals (scripts/results.sh robustness). Without a name: all, in some hours.
 #   killed     runs of five scenes killed by SIGKILL at random moments and resumed (FLOE_KILLS of each, 50)
 #   faults     every allocation and every write of whole runs fails once
+#   kin        every deck in other units with every method; and mirrored, turned, moved, told in another order
 #   fuzz       libFuzzer on decks and checkpoints (FLOE_SECONDS each, 1800), with the address and undefined-behaviour sanitizers
 #   sanitize   the tests with the address and undefined-behaviour sanitizers
 #   thread     the tests with the thread sanitizer, two threads (clang, libarcher)
@@ -60,6 +61,16 @@ part_killed() {
     scripts/build.sh release floe || return
     FLOE=$PWD/build/release/floe FLOE_SOURCE=$PWD FLOE_KILLS=${FLOE_KILLS:-50} FLOE_TOTALS=$PWD/$totals/killed.txt \
         FLOE_SCENES='points coupled sealed reaction contact' bash tests/cli/killed.sh
+}
+
+part_kin() {
+    scripts/build.sh release verification_sim_units verification_sim_symmetry || return
+    local test status=0
+    for test in verification_sim_units verification_sim_symmetry; do
+        FLOE_EVERY=1 OMP_NUM_THREADS=1 "build/release/tests/$test" >"$totals/$test.txt" 2>&1 || status=1
+        grep -E 'runs,| of [a-z/_]+, | at most: |differ|apart' "$totals/$test.txt" | tee -a "$totals/$part.txt"
+    done
+    return $status
 }
 
 part_faults() {
@@ -139,7 +150,7 @@ part_coverage() {
 }
 
 scripts/setup.sh nightly || exit
-[ $# -gt 0 ] || set -- killed faults fuzz sanitize thread valgrind coverage
+[ $# -gt 0 ] || set -- killed faults kin fuzz sanitize thread valgrind coverage
 failed=()
 for part in "$@"; do
     declare -F "part_$part" >/dev/null || { echo "nightly.sh: unknown part '$part'" >&2; exit 2; }

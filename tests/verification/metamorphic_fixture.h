@@ -73,12 +73,18 @@ FIXTURE bool subject_load(subject *s)
     return true;
 }
 
-/* The simulation of it; false where it is refused. */
-FIXTURE bool subject_start(subject *s)
+/* The exact solution that it may start from; false where it is refused. */
+FIXTURE bool subject_attach(subject *s)
 {
     if (initial_exact(s->t.scene, &s->solution) != FLOE_OK) return false;
     initial_attach(s->t.scene, &s->solution);
-    return sim_create(&s->t.sim, s->t.ctx, s->t.scene, s->coupling) == FLOE_OK;
+    return true;
+}
+
+/* The simulation of it; false where it is refused. */
+FIXTURE bool subject_start(subject *s)
+{
+    return subject_attach(s) && sim_create(&s->t.sim, s->t.ctx, s->t.scene, s->coupling) == FLOE_OK;
 }
 
 FIXTURE void subject_end(subject *s)
@@ -159,8 +165,8 @@ typedef struct tally {
 
 typedef void subject_check(subject *s, void *user, tally *count);
 
-/* Checks a deck in each of the couplings that it names. */
-FIXTURE void check_deck(const char *deck, subject_check *check, void *user, tally *count)
+/* Checks a deck in each of the couplings that it names; with `every` in every way in which decks are run. */
+FIXTURE void check_deck(const char *deck, bool every, subject_check *check, void *user, tally *count)
 {
     scene runs;
     trial t;
@@ -168,7 +174,7 @@ FIXTURE void check_deck(const char *deck, subject_check *check, void *user, tall
     runs = *t.scene;
     trial_end(&t);
     for (int c = 0; c < runs.n_runs_as; ++c)
-        for (size_t i = 0; !setting(i) || setting(i)[0]; ++i) {
+        for (size_t i = 0; i == 0 || (every && setting(i)[0]); ++i) {
             subject s = {.deck = deck, .set = setting(i), .coupling = runs.runs_as[c]};
             if (!subject_find(&s)) {
                 assert_non_null(s.set);
@@ -180,7 +186,7 @@ FIXTURE void check_deck(const char *deck, subject_check *check, void *user, tall
 }
 
 /* Every deck, or those whose name begins as FLOE_DECK says. */
-FIXTURE void check_decks(subject_check *check, void *user, tally *count)
+FIXTURE void check_decks(bool every, subject_check *check, void *user, tally *count)
 {
     static deck_names decks;
     const char *only = getenv("FLOE_DECK");
@@ -189,7 +195,8 @@ FIXTURE void check_decks(subject_check *check, void *user, tally *count)
     list_decks(&decks, "extreme/");
     assert_in_range(decks.n, 60, DECKS_MOST);
     for (size_t k = 0; k < decks.n; ++k)
-        if (!only || strncmp(decks.name[k], only, strlen(only)) == 0) check_deck(decks.name[k], check, user, count);
+        if (!only || strncmp(decks.name[k], only, strlen(only)) == 0)
+            check_deck(decks.name[k], every, check, user, count);
 }
 
 /* What is run, for messages. */

@@ -5,9 +5,11 @@
 
 static const double end_time = 0.143;
 
-static void make_tube(fixture *f, int cells, const fixture_value *side, double position, bc_kind ends)
+/* A tube of one row of cells, or in a plane of two rows of cells that are `wide` times as wide as long. */
+static void make_wide_tube(fixture *f, int cells, double wide, const fixture_value *side, double position, bc_kind ends)
 {
-    fixture_create(f, 1, &cells, (const double[]){1.0}, false);
+    const int n[] = {cells, 2};
+    fixture_create(f, wide > 0.0 ? 2 : 1, n, (const double[]){1.0, 2.0 * wide / cells}, false);
     f->scene->time.cfl_ice = 0.5;
     f->scene->bc.side[0][0].kind = f->scene->bc.side[0][1].kind = ends;
     const int gas = fixture_fluid(f, "ideal", 1.4, 1.0, 0.0);
@@ -21,6 +23,11 @@ static void make_tube(fixture *f, int cells, const fixture_value *side, double p
                                     {"position", position, 0}};
     fixture_exact(f, "riemann", sizeof values / sizeof *values, values);
     fixture_start(f);
+}
+
+static void make_tube(fixture *f, int cells, const fixture_value *side, double position, bc_kind ends)
+{
+    make_wide_tube(f, cells, 0.0, side, position, ends);
 }
 
 static const fixture_value sod[6] = {{"", 1.0, 0},   {"", 1.0, 0}, {"", 0.0, 0},
@@ -110,6 +117,23 @@ static void rings_little(void **state)
     fixture_destroy(&f);
 }
 
+/* Cells that are wider than long do not smear the shock: with cells 8 times as wide the error is that of one row to 1e-6 of it. With the
+ * viscosities by V^(1/d) it was 52 % larger. */
+static void wide_cells(void **state)
+{
+    (void)state;
+    double error[2];
+    for (int k = 0; k < 2; ++k) {
+        fixture f;
+        make_wide_tube(&f, 100, 8.0 * k, sod, 0.5, BC_SYMMETRY);
+        fixture_run(&f, end_time);
+        error[k] = fixture_density_error(&f).l1;
+        fixture_destroy(&f);
+    }
+    printf("sod, cells 8 times as wide as long: L1(rho) %.6f for %.6f\n", error[1], error[0]);
+    check_close_relative(error[1], error[0], 0.01);
+}
+
 /* A contact carried over 40 and 80 cells: as many cells wide on either mesh, so first order, and pressure hardly sees it.
  * Measured: L1 0.0056, 0.0028 and p off by 1.9e-3; with the plain limiter 0.0102, 0.0052 and 9e-3. */
 static void contact(void **state)
@@ -142,6 +166,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(error_and_order),
         cmocka_unit_test(rings_little),
+        cmocka_unit_test(wide_cells),
         cmocka_unit_test(contact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -120,7 +120,7 @@ static void test_units(void **unused)
     (void)unused;
     long steps = getenv("FLOE_EVERY") ? 60 : 12;
     tally count = {0};
-    check_decks(check_units, &steps, &count);
+    check_decks(true, check_units, &steps, &count);
     print_tally("units", &count);
     assert_int_equal(count.wrong, 0);
     assert_int_equal(count.same + count.known, count.runs);
