@@ -1,8 +1,9 @@
-/* Contact (contact.h) in the balance of forces. At a node where bodies a and b meet along n, with a gap g left between their points,
+/* Contact (contact.h) in the balance of forces. At a node where bodies a and b meet along n, with a gap g left between their surfaces,
  *
  *     r = n . (u_a - u_b) - g <= 0,     push >= 0,     push r = 0,
  *
- * with the same normals and the same rule for what has met as in a step. Which of the conditions bind is found along with the displacement
+ * by normals and gaps of the surfaces that face each other (balance_gap.c), or, where
+ * the deck has touch: nodes, by the normals of a step and without gaps. Which of the conditions bind is found along with the displacement
  * (primal-dual active sets; Hueeber, Wohlmuth 2005, Comput. Methods Appl. Mech. Engrg. 194, 3147): one that pulls is let go, one that is broken
  * binds. Those that bind are kept exactly, by projecting what the nodes cannot do out of the matrix, the forces and the preconditioner; what the
  * projection takes of the forces is the push. `stick` binds all components of what has met, both ways; `release` those across n while it is

@@ -166,7 +166,7 @@ floe_status balance_check_free(mpm *s)
 {
     const node_matrix *m = node_multigrid_matrix(s->balance->solver);
     free_search f = {.part = NULL};
-    floe_status status = memory_new(s->ctx, &f.part, (size_t)(m->rows * s->balance->layers), sizeof *f.part);
+    floe_status status = memory_new(s->ctx, &f.part, (size_t)m->rows * (size_t)s->balance->layers, sizeof *f.part);
     for (int k = 0; k < MOTIONS && status == FLOE_OK; ++k)
         status = memory_new(s->ctx, &f.z[k], s->balance->components, sizeof **f.z);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.force, s->balance->components, sizeof *f.force);
