@@ -9,7 +9,7 @@ verdicts() {
 
 result_extreme() {
     begin extreme 'Extreme scenes: right, refused or wrong'
-    local deck stem title right refused wrong cases all=0 all_right=0 all_refused=0 all_wrong=0 table=() failures=()
+    local deck stem title right refused wrong cases all=0 all_right=0 all_refused=0 all_wrong=0 table=() failures=() refusals=()
     for deck in inputs/extreme/*.yaml; do
         stem=$(basename "$deck" .yaml)
         rm -rf "$runs/$stem"
@@ -21,6 +21,7 @@ result_extreme() {
         wrong=$(verdicts "$runs/$stem/study.csv" wrong)
         cases=$(($(wc -l <"$runs/$stem/study.csv") - 1))
         table+=("| [$stem](../../$deck) | $title | $cases | $right | $refused | $wrong |")
+        [ "$refused" -eq 0 ] || refusals+=("* $stem: $(sed -n '/^  refuse:/,$s/.*why: \(.*\)}$/\1/p' "$deck" | sort -u | paste -sd ';' | sed 's/;/; /g').")
         all=$((all + cases)) all_right=$((all_right + right)) all_refused=$((all_refused + refused)) all_wrong=$((all_wrong + wrong))
         while IFS= read -r line; do failures+=("* $stem: $line"); done < <(sed -n 's/^    \(wrong\|refused\), /\1, /p' "$runs/$stem.log")
     done
@@ -33,6 +34,7 @@ result_extreme() {
     show_bars
     write '' '## Decks' '' '| deck | scene | cases | right | refused | wrong |' '|---|---|---|---|---|---|' "${table[@]}" \
         "| all | | $all | $all_right | $all_refused | $all_wrong |" ''
+    [ ${#refusals[@]} -eq 0 ] || write '## Refused' '' 'As the decks say, floe ends these before they start, with the reason:' '' "${refusals[@]}" ''
     [ ${#failures[@]} -eq 0 ] || write '## Not right' '' "${failures[@]}" ''
     finish
 }
