@@ -41,16 +41,25 @@ static size_t weigh(const char *cause, const deck_node *node, const char *path)
     return !first_level && strstr(cause, quoted) ? strlen(quoted) : 0;
 }
 
-static void search(blame *b, const deck_node *map, const char *prefix)
+static void search(blame *b, const deck_node *map, const char *prefix);
+
+/* A chain of children, of a map or of what --set has taken from it. */
+static void search_chain(blame *b, const deck_node *first, const char *prefix)
 {
-    for (const deck_node *child = map->first; child; child = child->next) {
+    for (const deck_node *child = first; child; child = child->next) {
         char path[PATH_MOST];
         const int length = snprintf(path, sizeof path, "%s%s%s", prefix, prefix[0] ? "." : "", child->key);
         if (length >= (int)sizeof path) continue; /* no message has room for it */
         const size_t weight = weigh(b->cause, child, path);
         if (weight > b->weight) b->weight = weight, b->node = child;
-        if (child->kind == NODE_MAP) search(b, child, path);
+        if (child->kind == NODE_MAP && !child->taken) search(b, child, path);
     }
+}
+
+static void search(blame *b, const deck_node *map, const char *prefix)
+{
+    search_chain(b, map->first, prefix);
+    search_chain(b, map->absent, prefix);
 }
 
 /* "deck.yaml:3:8" or "--set time.solver=static", "" where the cause names nothing of the deck. */

@@ -41,11 +41,12 @@ static floe_status note_absent(override *o, deck_node *map, const char *path, si
     return FLOE_OK;
 }
 
-static void take_away(deck_node *child)
+static void take_away(const override *o, deck_node *child)
 {
     deck_node *map = child->parent;
     node_remove(child);
     child->taken = true;
+    child->at = child->key_at = o->at;
     node_note_absent(map, child);
 }
 
@@ -64,7 +65,7 @@ static floe_status step_map(override *o, deck_node *map, const char **path, deck
         TRY(add_child(o, map, *path, length, child));
     } else if ((*path)[length] == '\0') {
         if (takes_away(o))
-            take_away(child);
+            take_away(o, child);
         else
             node_replace(child, o->fresh);
         return FLOE_OK;

@@ -32,7 +32,7 @@ typedef struct deck_node {
     struct deck_node *parent, *first, *last, *next;
     struct deck_node *absent; /* maps: what --set was to take away, chained by next */
     size_t n;                 /* children */
-    bool taken;               /* among the absent: it was there */
+    bool taken;               /* among the absent: it was there; its places are now those of the --set */
 } deck_node;
 
 typedef struct arena_chunk arena_chunk;

@@ -419,6 +419,7 @@ static void what_a_run_refuses_has_its_place(void **state)
         {"leave 'time.end' out of time", "deck.yaml:17:13: leave 'time.end' out of time"},
         {"the stop is too soon", "deck.yaml:18:1: the stop is too soon"},
         {"domain.cell is too small", "--set domain.cell=0.05: domain.cell is too small"},
+        {"no output is asked for", "--set output=null: no output is asked for"},
         {"stops and timely ends: nothing of the deck", "stops and timely ends: nothing of the deck"},
     };
     char folder[] = "/tmp/floe-blame-XXXXXX";
@@ -428,8 +429,8 @@ static void what_a_run_refuses_has_its_place(void **state)
     assert_non_null(file);
     assert_true(fputs(sound, file) >= 0);
     assert_int_equal(fclose(file), 0);
-    const char *assignment = "domain.cell=0.05";
-    const deck_overrides set = {&assignment, 1};
+    const char *assignments[] = {"domain.cell=0.05", "output=null"};
+    const deck_overrides set = {assignments, 2};
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         (void)fail(f->ctx, FLOE_BAD_INPUT, "%s", refused[i].cause);
         assert_int_equal(deck_blame(f->ctx, FLOE_BAD_INPUT, "deck.yaml", &set), FLOE_BAD_INPUT);
