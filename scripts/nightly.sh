@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # nightly.sh [PART...]: what takes too long for scripts/test.sh. Each part says its totals in out/nightly/PART.txt, and fails if it finds
 # anything; docs/results/robustness.md is made of these totals (scripts/results.sh robustness). Without a name: all, in some hours.
-#   killed     runs of five scenes killed by SIGKILL at random moments and resumed (FLOE_KILLS of each, 50)
-#   faults     every allocation and every write of whole runs fails once
-#   kin        every deck in other units with every method; and mirrored, turned, moved, told in another order
-#   fuzz       libFuzzer on decks and checkpoints (FLOE_SECONDS each, 1800), with the address and undefined-behaviour sanitizers
-#   sanitize   the tests with the address and undefined-behaviour sanitizers
-#   thread     the tests with the thread sanitizer, two threads (clang, libarcher)
-#   valgrind   the tests under valgrind
-#   coverage   lines that the tests run, by room
+#   killed        runs of five scenes killed by SIGKILL at random moments and resumed (FLOE_KILLS of each, 50)
+#   faults        every allocation and every write of whole runs fails once
+#   combinations  decks with a few keys set at random (FLOE_COMBINATIONS, 1000): each runs, or is refused with its place
+#   kin           every deck in other units with every method; and mirrored, turned, moved, told in another order
+#   fuzz          libFuzzer on decks and checkpoints (FLOE_SECONDS each, 1800), with the address and undefined-behaviour sanitizers
+#   sanitize      the tests with the address and undefined-behaviour sanitizers
+#   thread        the tests with the thread sanitizer, two threads (clang, libarcher)
+#   valgrind      the tests under valgrind
+#   coverage      lines that the tests run, by room
 # FLOE_TESTS: a regular expression of ctest that chooses the tests of sanitize, thread, valgrind and coverage (all). Which of them have passed is
 # in out/nightly/PART.passed; with FLOE_CONTINUE=1 these four do the others only. FLOE_LIMIT: the longest that one test may take, in seconds (3600).
 set -uo pipefail
@@ -33,18 +34,22 @@ list_tests() { # BUILD
 # The names that have passed are forgotten unless a part goes on.
 start_passed() {
     passed=$totals/$part.passed
+    failed_here=$totals/$part.failed
+    : >"$failed_here"
     [ -n "${FLOE_CONTINUE:-}" ] || : >"$passed"
     touch "$passed"
 }
 
-# How many of the tests to be run have passed, and which have not; fails unless all have.
+# How many of the tests to be run have passed, which failed, and which did not end or were not come to; fails unless all have passed.
 note_passed() { # BUILD
-    local all missing
+    local all wrong missing
     all=$(list_tests "$1" | sort)
-    missing=$(comm -23 <(printf '%s\n' "$all") <(sort -u "$passed") | paste -sd' ')
-    note "$(comm -12 <(printf '%s\n' "$all") <(sort -u "$passed") | wc -l) of $(printf '%s\n' "$all" | wc -l) tests passed${missing:+; not: $missing};" \
+    wrong=$(comm -12 <(printf '%s\n' "$all") <(grep -vxFf "$passed" "$failed_here" | sort -u) | paste -sd' ')
+    missing=$(comm -23 <(printf '%s\n' "$all") <(sort -u "$passed" "$failed_here") | paste -sd' ')
+    note "$(comm -12 <(printf '%s\n' "$all") <(sort -u "$passed") | wc -l) of $(printf '%s\n' "$all" | wc -l) tests passed," \
+        "$(wc -w <<<"$wrong") failed${wrong:+: $wrong}; $(wc -w <<<"$missing") not ended${missing:+: $missing};" \
         "floe $("build/$1/floe" --version | sed -n '1s/.*(\(.*\)).*/\1/p')"
-    [ -z "$missing" ]
+    [ -z "$wrong$missing" ]
 }
 
 # Tests of a build, and how they ended.
@@ -53,6 +58,7 @@ run_tests() { # BUILD
     start_passed
     ctest --test-dir "build/$1" -L quick -R "$tests" -E "^($(paste -sd'|' "$passed"))$" -j "$jobs" --timeout "$limit" --output-on-failure >"$log" 2>&1
     sed -nE 's/.*Test +#[0-9]+: ([a-z0-9_]+) .*Passed.*/\1/p' "$log" >>"$passed"
+    sed -nE '/Timeout/d; s/.*Test +#[0-9]+: ([a-z0-9_]+) .*\*\*\*.*/\1/p' "$log" >>"$failed_here"
     grep -E '\(Failed\)|\(Timeout\)|SEGFAULT' "$log"
     note_passed "$1"
 }
@@ -81,6 +87,12 @@ part_faults() {
         grep -E 'faults|stages|keys,' "$totals/$test.txt" | tee -a "$totals/$part.txt"
     done
     return $status
+}
+
+part_combinations() {
+    scripts/build.sh release floe || return
+    FLOE=$PWD/build/release/floe FLOE_SOURCE=$PWD FLOE_COMBINATIONS=${FLOE_COMBINATIONS:-1000} FLOE_SEED=${FLOE_SEED:-$RANDOM} \
+        FLOE_TOTALS=$PWD/$totals/combinations.txt bash tests/cli/combinations.sh
 }
 
 # What is found goes into tests/fuzz only by hand: the smallest inputs that say something new.
@@ -127,8 +139,13 @@ part_valgrind() {
     for test in $(list_tests release | grep -vxFf "$passed"); do
         command=$(ctest --test-dir build/release -V -N -R "^$test\$" | sed -nE 's/^[0-9]+: Test command: //p')
         case $test in cli_* | source_rules) ;; *) command="$checker $command" ;; esac
-        FLOE=$PWD/$totals/valgrind_floe FLOE_SOURCE=$PWD OMP_NUM_THREADS=1 timeout "$limit" bash -c "$command" >"$totals/valgrind_$test.log" 2>&1 &&
-            echo "$test" >>"$passed"
+        local got=0
+        FLOE=$PWD/$totals/valgrind_floe FLOE_SOURCE=$PWD OMP_NUM_THREADS=1 timeout "$limit" bash -c "$command" >"$totals/valgrind_$test.log" 2>&1 || got=$?
+        case $got in
+            0) echo "$test" >>"$passed" ;;
+            124) ;; # out of time
+            *) echo "$test" >>"$failed_here" ;;
+        esac
     done
     note_passed release
 }
@@ -150,7 +167,7 @@ part_coverage() {
 }
 
 scripts/setup.sh nightly || exit
-[ $# -gt 0 ] || set -- killed faults kin fuzz sanitize thread valgrind coverage
+[ $# -gt 0 ] || set -- killed faults combinations kin fuzz sanitize thread valgrind coverage
 failed=()
 for part in "$@"; do
     declare -F "part_$part" >/dev/null || { echo "nightly.sh: unknown part '$part'" >&2; exit 2; }
