@@ -26,8 +26,8 @@ FLOE_ALWAYS_INLINE double bend_of(const double *restrict u, ptrdiff_t at, ptrdif
                  room = fabs(lower) + 2.0 * fabs(second) + fabs(upper) + 0.25 * (fabs(below) + fabs(above));
     const double kink = least(most(4.0 * (third / (room + ICE_TINY) - 0.15), 0.0), 1.0);
     const double pace = 0.5 * fabs(centre) * inv_c, strong = least(400.0 * pace, 1.0) * most(1.0 - 12.0 * pace, 0.0);
-    const double smaller = fabs(below) < fabs(above) ? below : above, limited = below * above > 0.0 ? smaller : 0.0;
-    return (centre > 0.0 ? 1.0 : 0.4) * kink * strong * (centre - limited);
+    const double limited = most(least(below, above), 0.0) + least(most(below, above), 0.0), excess = centre - limited;
+    return kink * strong * (0.7 * excess + 0.3 * fabs(excess)); /* 0.4 of it in compression */
 }
 
 FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int dim, const bool multi)
