@@ -1,6 +1,6 @@
 /* floe stability DECK */
 #include "cli/cli.h"
-#include "study/stability.h"
+#include "study/stability/stability.h"
 
 #include <errno.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* deck_load: text, tree, overrides, tables, defaults, checks, report. */
-#include "deck/check.h"
+#include "deck/check/check.h"
 #include "deck/override.h"
 #include "deck/parts.h"
 

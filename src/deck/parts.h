@@ -2,7 +2,7 @@
 #ifndef DECK_PARTS_H
 #define DECK_PARTS_H
 
-#include "deck/schema.h"
+#include "deck/schema/schema.h"
 
 /* schema_items.c */
 extern const named_items items_materials, items_bodies, items_loads, items_probes;

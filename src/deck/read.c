@@ -1,5 +1,5 @@
 /* Reading by table: unknown, duplicate and missing keys, defaults, and the way from a key to its reader. */
-#include "deck/schema.h"
+#include "deck/schema/schema.h"
 
 #include <stdarg.h>
 #include <stdio.h>

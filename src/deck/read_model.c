@@ -1,5 +1,5 @@
 /* One-key maps: a model of a registry with its parameters, and a variant with its keys. */
-#include "deck/schema.h"
+#include "deck/schema/schema.h"
 
 #include "base/memory.h"
 

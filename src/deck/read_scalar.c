@@ -1,5 +1,5 @@
 /* Numbers, lists of numbers, words and references. */
-#include "deck/schema.h"
+#include "deck/schema/schema.h"
 
 #include <limits.h>
 #include <stdio.h>

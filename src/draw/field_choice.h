@@ -2,7 +2,7 @@
 #ifndef DRAW_FIELD_CHOICE_H
 #define DRAW_FIELD_CHOICE_H
 
-#include "io/snapshot_read.h"
+#include "io/snapshot/snapshot_read.h"
 
 /* A scalar: a field, or what is taken of a vector. */
 typedef struct field_choice {

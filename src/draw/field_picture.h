@@ -2,7 +2,7 @@
 #ifndef DRAW_FIELD_PICTURE_H
 #define DRAW_FIELD_PICTURE_H
 
-#include "io/snapshot_read.h"
+#include "io/snapshot/snapshot_read.h"
 
 enum { FIELD_CAPTION = 512 /* bytes */ };
 

@@ -1,5 +1,5 @@
 /* The first state: fluids of bodies and of the ambient, cut by exact fractions; columns at rest under gravity. */
-#include "ice/ice_pool.h"
+#include "ice/sealed/ice_pool.h"
 #include "scene/state.h"
 
 #include <math.h>

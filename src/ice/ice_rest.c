@@ -2,7 +2,7 @@
 #include "ice/ice_rest.h"
 
 #include "base/memory.h"
-#include "ice/ice_pool.h"
+#include "ice/sealed/ice_pool.h"
 
 #include <math.h>
 #include <string.h>

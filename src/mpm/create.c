@@ -1,12 +1,12 @@
 /* From the scene to a set of bodies, fields and kernels. */
 #include "base/memory.h"
 #include "base/threads.h"
-#include "mpm/balance.h"
-#include "mpm/contact.h"
-#include "mpm/edge.h"
-#include "mpm/hold.h"
-#include "mpm/membrane_normal.h"
-#include "mpm/membrane_sheet.h"
+#include "mpm/balance/balance.h"
+#include "mpm/contact/contact.h"
+#include "mpm/edge/edge.h"
+#include "mpm/membrane/hold.h"
+#include "mpm/membrane/membrane_normal.h"
+#include "mpm/membrane/membrane_sheet.h"
 
 #include <math.h>
 #include <stdlib.h>

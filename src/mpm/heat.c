@@ -12,7 +12,7 @@
  * the nodes' motion go to the nodes, and from each to the fluid points about it by their mass; what nodes without fluid hold
  * all fluid points get by their mass. Where a membrane holds gas of the cells there are no fluid points: the sum is the gas's. */
 #include "base/threads.h"
-#include "mpm/line.h"
+#include "mpm/membrane/line.h"
 #include "mpm/spread.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* What happens at the nodes between the two passes over the points. */
-#include "mpm/contact.h"
-#include "mpm/edge.h"
+#include "mpm/contact/contact.h"
+#include "mpm/edge/edge.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
  * are, and the points' own are renewed in each part. Every part but the last is made final before the next, so the start of the
  * step is kept, to be put back where a later stage asks for a smaller one. */
 #include "base/memory.h"
-#include "mpm/edge.h"
+#include "mpm/edge/edge.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* The stages that pass over the points, tile by tile. */
 #include "base/threads.h"
-#include "mpm/edge.h"
+#include "mpm/edge/edge.h"
 #include "mpm/locate.h"
 #include "mpm/work.h"
 

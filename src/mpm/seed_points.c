@@ -1,7 +1,7 @@
 /* Seeding: the points of every body, with their initial state. */
 #include "base/memory.h"
 #include "geom/seed.h"
-#include "mpm/edge.h"
+#include "mpm/edge/edge.h"
 #include "mpm/work.h"
 #include "scene/state.h"
 

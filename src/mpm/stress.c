@@ -1,6 +1,6 @@
 /* Strain, artificial viscosity, heating and the law, in batches of points unpacked to three dimensions. */
 #include "material/artificial_viscosity.h"
-#include "mpm/hold.h"
+#include "mpm/membrane/hold.h"
 #include "mpm/work.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (design 4). */
-#include "mpm/hold.h"
+#include "mpm/membrane/hold.h"
 #include "mpm/work.h"
 
 #include <math.h>

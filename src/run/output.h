@@ -3,10 +3,10 @@
 #define RUN_OUTPUT_H
 
 #include "deck/deck.h"
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/history.h"
 #include "io/lock.h"
-#include "io/snapshot.h"
+#include "io/snapshot/snapshot.h"
 
 enum { OUTPUT_PATH = 4096 };
 

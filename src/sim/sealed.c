@@ -1,7 +1,7 @@
 #include "sim/sealed.h"
 
 #include "base/memory.h"
-#include "mpm/outline.h"
+#include "mpm/surface/outline.h"
 
 /* Cells see the membranes, and no other body: another may stand in the vacuum beyond them, not in a gas. */
 static floe_status check_bodies(const sim *s)

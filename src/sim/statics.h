@@ -1,4 +1,4 @@
-/* Steps of points that are solved for instead of explicit ones (mpm/balance.h): which solver a scene gets, and its increments. */
+/* Steps of points that are solved for instead of explicit ones (mpm/balance/balance.h): which solver a scene gets, and its increments. */
 #ifndef SIM_STATICS_H
 #define SIM_STATICS_H
 

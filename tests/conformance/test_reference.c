@@ -1,5 +1,5 @@
 /* Every reference of the registry, unasked: its quantities are finite, rates are derivatives, what is constant is, and
- * nothing depends on which other times are asked for. A new file src/verify/reference_<name>.c is covered as it stands. */
+ * nothing depends on which other times are asked for. A new file src/verify/reference/reference_<name>.c is covered as it stands. */
 #include "check.h"
 
 #include "base/memory.h"

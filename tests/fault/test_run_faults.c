@@ -3,7 +3,7 @@
  * nothing has disturbed. */
 #include "verification/coupled_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/file.h"
 #include "io/io.h"
 #include "io/sealed.h"

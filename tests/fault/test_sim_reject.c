@@ -149,6 +149,7 @@ static void add_stages_of_sources(name_set *set)
 {
     glob_t found;
     assert_int_equal(glob(FLOE_SOURCE_DIR "/src/*/*.c", 0, NULL, &found), 0);
+    assert_int_equal(glob(FLOE_SOURCE_DIR "/src/*/*/*.c", GLOB_APPEND, NULL, &found), 0);
     for (size_t i = 0; i < found.gl_pathc; ++i) add_stages_of(set, found.gl_pathv[i]);
     globfree(&found);
 }

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "floe/floe.h"
 #include "io/file.h"
-#include "study/tolerance.h"
+#include "study/tolerance/tolerance.h"
 
 #include <stdlib.h>
 #include <string.h>

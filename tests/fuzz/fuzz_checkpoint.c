@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 #include "deck/deck.h"
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 #include "io/sealed.h"
 #include "run/catalogue.h"

@@ -3,7 +3,7 @@
 
 #include "draw/field_choice.h"
 #include "draw/field_picture.h"
-#include "io/snapshot.h"
+#include "io/snapshot/snapshot.h"
 
 static const fixture_spec coupled = {.dim = 2, .cells = {24, 20}, .with_points = true, .with_cells = true};
 

@@ -2,7 +2,7 @@
 #include "test_io_fixture.h"
 
 #include "base/sha256.h"
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/sealed.h"
 #include "test_io_faults.h"
 

@@ -2,7 +2,7 @@
  * are those of the fields; resuming drops what is later; faults leave earlier files alone. */
 #include "test_io_fixture.h"
 
-#include "io/snapshot.h"
+#include "io/snapshot/snapshot.h"
 #include "test_io_faults.h"
 #include "test_io_xml.h"
 

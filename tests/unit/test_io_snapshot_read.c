@@ -1,8 +1,8 @@
 /* Snapshots read back: what the library wrote of a simulation is what it reads, and what is damaged or foreign is refused. */
 #include "test_io_fixture.h"
 
-#include "io/snapshot.h"
-#include "io/snapshot_read.h"
+#include "io/snapshot/snapshot.h"
+#include "io/snapshot/snapshot_read.h"
 
 static const fixture_spec coupled = {.dim = 2, .cells = {24, 20}, .with_points = true, .with_cells = true};
 

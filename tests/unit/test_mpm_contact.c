@@ -2,7 +2,7 @@
  * have a closed form (Y97 eqs 9.7 to 9.9; Bardenhagen, Brackbill, Sulsky 2000). */
 #include "check.h"
 
-#include "mpm/contact.h"
+#include "mpm/contact/contact.h"
 
 #include <math.h>
 #include <string.h>

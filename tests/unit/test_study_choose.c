@@ -1,7 +1,7 @@
 /* The cheapest way to an error, on curves of known order and cost; and estimates of errors without an exact solution. */
 #include "check.h"
 
-#include "study/tolerance.h"
+#include "study/tolerance/tolerance.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* Energies of a history: what is growth, and what a load, a wall or a gas has paid for. */
 #include "check.h"
 
-#include "study/stability_judge.h"
+#include "study/stability/stability_judge.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* The search for a limit against oracles of which the limit is known. */
 #include "check.h"
 
-#include "study/stability_search.h"
+#include "study/stability/stability_search.h"
 
 #include <math.h>
 

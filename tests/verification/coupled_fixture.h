@@ -6,7 +6,7 @@
 
 #include "base/memory.h"
 #include "deck/deck.h"
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/gather.h"
 #include "io/io.h"
 #include "run/catalogue.h"

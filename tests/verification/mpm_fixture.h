@@ -4,7 +4,7 @@
 
 #include "check.h"
 
-#include "mpm/contact.h"
+#include "mpm/contact/contact.h"
 #include "sim/sim.h"
 #include "verify/exact.h"
 #include "verify/norms.h"

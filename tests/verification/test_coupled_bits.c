@@ -1,7 +1,7 @@
 /* The same bits of a coupled run for any blocks and threads, and after a restart: every field of state, and the ledger. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
 enum { STEPS = 100 };

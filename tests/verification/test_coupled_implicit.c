@@ -1,7 +1,7 @@
 /* The same bits with the implicit pressure for any blocks and threads, and after a restart; fluids alone and with a solid. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
 static const deck_variant variants[] = {

@@ -2,7 +2,7 @@
  * piston swings as it should, a circle comes to its exact rest; the same bits for any blocks, any threads and after a restart. */
 #include "sealed_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
 static const double pi = 3.14159265358979323846;

@@ -3,7 +3,7 @@
  * same bits for any blocks, any threads and after a restart. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
 static void begin(trial *t, const char *deck, const char *const *set, size_t n)

@@ -3,7 +3,7 @@
  * blocks, any threads and after a restart. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
 #include <string.h>

@@ -2,7 +2,7 @@
  * keep, what it says when it fails. */
 #include "ice_fixture.h"
 
-#include "ice/ice_implicit.h"
+#include "ice/implicit/ice_implicit.h"
 #include "verify/order.h"
 
 static double fitted(size_t n, const double *h, const double *error)

@@ -1,8 +1,8 @@
-/* Edges of solids held by the penalty (mpm/edge.h): what it must leave alone, what it must keep, and what it is for: the thick cylinder of
+/* Edges of solids held by the penalty (mpm/edge/edge.h): what it must leave alone, what it must keep, and what it is for: the thick cylinder of
  * Guilkey et al. (2003), section 3, under a traction on its bore, whose error lies in nodes that points fill in part. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
 #include <unistd.h>

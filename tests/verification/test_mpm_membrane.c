@@ -2,7 +2,7 @@
  * threads and after a restart. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
 
 static const double pi = 3.14159265358979323846;

@@ -1,7 +1,7 @@
 /* Membranes around gas, solved for: against exact rests, and for the same bits whatever the blocks. */
 #include "coupled_fixture.h"
 
-/* What gas of energy p0 V0/(gamma - 1) and a membrane come to (verify/reference_membrane_rest.c has the equations): a circle, or a sphere (k 1,
+/* What gas of energy p0 V0/(gamma - 1) and a membrane come to (verify/reference/reference_membrane_rest.c has the equations): a circle, or a sphere (k 1,
  * 2), of which a share is in the scene. */
 typedef struct rest_case {
     const char *deck;

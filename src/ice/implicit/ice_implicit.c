@@ -1,0 +1,129 @@
+/* The implicit pressure (numerics 3): the pressure that moves the faces is the one at the end of the step,
+ *
+ *     u* = u*_0 - phi dt/h v^ (y_R - y_L),     y = phi dP,     dP = -(dt/V) sum_f A_f F / S,     F = sum_r theta^r,f u*^r,
+ *
+ * so that sound bounds no step. u*_0 is u* by the pressure at the start, with its advection over the step; v^ is what a gradient of
+ * pressure does to a material after exchange, which is linear: u* is exact in y, and only the upwind theta^r,f make a search of
+ * it. With one fluid one solve does. phi is 1 (backward Euler, which damps what it does not resolve), or 1/2 with
+ * `centring: half` (the midpoint rule, which keeps all sound there is).
+ *
+ * The rows for y are symmetric: S/phi on the diagonal, dt^2 phi M / h^2 between two cells, M = sum_r theta^r,f v^r; all times the
+ * cell's volume. They are solved by conjugate gradients with multigrid. */
+#include "ice/implicit/ice_implicit.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+enum { MOST_OUTER = 20, MOST_CG = 200 };
+/* A residual that has grown this much since the best will not come down. */
+static const double hopeless = 100.0;
+/* Norm of the linear residual that is asked for: of the tolerance times the fourth root of the number of cells, between the norm's bound on the
+ * largest, which round-off may not let it reach, and the root of its mean square, which says nothing of the largest; and of
+ * the largest residual there is, so that every search gets on. */
+static const double share_of_tolerance = 0.1, share_of_residual = 0.3;
+
+static bool is_weighted(const ice *s)
+{
+    return s->mesh->geometry == MESH_AXISYMMETRIC;
+}
+
+static void set_weights(const ice *s, ice_implicit *w)
+{
+    double box = 1.0;
+    for (int a = 0; a < s->mesh->dim; ++a) box *= s->mesh->h[a];
+    for (int row = 0; row < solve_rows(&w->grid); ++row)
+        for (int i = 0; i < w->grid.n[0]; ++i)
+            w->weight[solve_row(&w->grid, row) + i] = box / mesh_cell_volume(s->mesh, i);
+}
+
+static floe_status fill(const ice *s, ice_implicit *w)
+{
+    double strength[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) strength[a] = 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
+    w->grid = solve_grid_of_cells(s->mesh);
+    TRY(multigrid_create(&w->m, s->ctx, &w->grid, strength));
+    TRY(cg_create(&w->c, s->ctx, &w->grid, 1, MOST_CG));
+    TRY(memory_new(s->ctx, &w->b, w->grid.size, sizeof(double)));
+    TRY(memory_new(s->ctx, &w->x, w->grid.size, sizeof(double)));
+    TRY(memory_new(s->ctx, &w->tile, (size_t)solve_rows(&w->grid), sizeof(double)));
+    if (!is_weighted(s)) return FLOE_OK;
+    TRY(memory_new(s->ctx, &w->weight, w->grid.size, sizeof(double)));
+    set_weights(s, w);
+    return FLOE_OK;
+}
+
+floe_status ice_implicit_create(ice *s)
+{
+    TRY(memory_new(s->ctx, &s->work->implicit, 1, sizeof(ice_implicit)));
+    return fill(s, s->work->implicit); /* what it has made goes with the work */
+}
+
+void ice_implicit_destroy(context *ctx, ice_implicit **w)
+{
+    if (!*w) return;
+    multigrid_destroy(&(*w)->m);
+    cg_destroy(&(*w)->c);
+    memory_free(ctx, &(*w)->b);
+    memory_free(ctx, &(*w)->x);
+    memory_free(ctx, &(*w)->weight);
+    memory_free(ctx, &(*w)->tile);
+    memory_free(ctx, w);
+}
+
+static floe_status give_up(const ice *s, double residual, double best, int outer)
+{
+    return fail(
+        s->ctx, FLOE_RETRY,
+        "implicit pressure: volumes are off by %.3g of a cell after %d outer iterations (best %.3g, asked for %.3g)",
+        residual, outer, best, s->scene->method.pressure_tolerance);
+}
+
+static int solve_once(ice *s, double residual)
+{
+    ice_implicit *w = s->work->implicit;
+    const double cells = (double)w->grid.n[0] * w->grid.n[1] * w->grid.n[2];
+    const double tolerance = fmin(share_of_tolerance * s->scene->method.pressure_tolerance * sqrt(sqrt(cells)),
+                                  share_of_residual * residual);
+    return cg_solve(w->c, multigrid_apply, multigrid_cycle, w->m, w->b, w->weight, tolerance, w->x).iterations;
+}
+
+/* The search for y. */
+static floe_status search(ice *s)
+{
+    const double tolerance = s->scene->method.pressure_tolerance;
+    double best = INFINITY;
+    int iterations = 0;
+    for (int outer = 0;; ++outer) {
+        if (s->multi)
+            for (int id = 0; id < s->mesh->n_blocks; ++id) {
+                ice_view v;
+                ice_view_make(s, id, &v);
+                ice_face_fractions(s, &v);
+            }
+        const double residual = ice_implicit_residual(s);
+        if (residual <= tolerance) {
+            ledger_tally(s->ledger, COUNT_PRESSURE_SOLVES, 1);
+            ledger_tally(s->ledger, COUNT_OUTER_ITERATIONS, outer);
+            ledger_tally(s->ledger, COUNT_CG_ITERATIONS, iterations);
+            return FLOE_OK;
+        }
+        if (!(residual < hopeless * best) || outer == MOST_OUTER) return give_up(s, residual, best, outer);
+        best = fmin(best, residual);
+        if (outer == 0 || s->multi) ice_implicit_matrix(s);
+        iterations += solve_once(s, residual);
+        ice_implicit_take(s);
+        ice_implicit_push(s);
+    }
+}
+
+floe_status ice_implicit_pressure(ice *s)
+{
+    TRY(ice_implicit_begin(s));
+    ice_implicit_guess(s);
+    ice_implicit_push(s);
+    TRY(search(s));
+    for (int r = 0; s->multi && r < s->n_materials; ++r) ice_fill_faces(s, F_VEL, r);
+    ice_implicit_finish(s);
+    return FLOE_OK;
+}

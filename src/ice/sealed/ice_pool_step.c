@@ -1,0 +1,320 @@
+/* What pools do in a step (ice_pool.h): the pressure increment of numerics 2.3 and the Lagrangian values of 2.6 and 2.8, for cells
+ * with faces that are partly closed and a wall that moves. The membrane is a wall at the pool's pressure P:
+ *
+ *     dP = -(dt/V) [sum_f A_f u* + sum_w A_w . v] / S                             V, A_f: what is open
+ *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
+ *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the way of the wall in the step
+ *
+ * A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much. Where there is no
+ * gas on the other side, the reference pressure pushes on the wall from there. */
+#include "ice/ice_stress.h"
+#include "ice/sealed/ice_pool.h"
+
+#include <math.h>
+
+/* Area (m2) of the whole lower or upper face of a member's cell. */
+static double area_of(const ice *s, const ice_member *k, int axis, int side)
+{
+    return mesh_face_area(s->mesh, axis, k->cell[0] + (axis == 0 && side == SIDE_UPPER));
+}
+
+static ptrdiff_t face_of(const ice_view *v, const ice_member *k, int axis, int side)
+{
+    return k->at + (side == SIDE_UPPER ? v->b->stride[axis] : 0);
+}
+
+static const ice_view *view_of(const ice *s, const ice_member *k)
+{
+    return &s->work->sealing->view[k->block];
+}
+
+static ice_pools *pools_in_hand(const ice *s)
+{
+    return &s->work->sealing->now[s->gas];
+}
+
+/* All pieces of the lines beside the gas in hand, where the step takes them to pass: each with the member of its cell, the weight of its place,
+ * and which way its area points from the gas. */
+typedef struct piece_walk {
+    const ice *s;
+    const ice_pools *p;
+    int number, place, n; /* of the line, of its places, of the piece */
+    double weight, outward;
+    const ice_seal_line *line;
+    const cut_piece *piece;
+    const ice_member *member;
+} piece_walk;
+
+static piece_walk first_piece(const ice *s, const ice_pools *p)
+{
+    return (piece_walk){.s = s, .p = p, .place = SEAL_MEAN, .n = -1, .weight = 1.0 / ICE_SEAL_PLACES};
+}
+
+static bool next_piece(piece_walk *w)
+{
+    const ice_seal *seal = &w->s->seal;
+    for (w->n++; w->number < seal->n_lines; w->number++, w->place = SEAL_MEAN, w->n = 0) {
+        const ice_seal_line *line = &seal->line[w->number];
+        w->outward = ice_outward(w->s, w->s->gas, w->number);
+        if (w->outward == 0.0) continue;
+        for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
+        if (w->place == SEAL_NEXT) continue;
+        const cut_line *c = &line->place[w->place];
+        w->line = line;
+        w->piece = &c->piece[w->n];
+        w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];
+        return true;
+    }
+    return false;
+}
+
+/* Component of a vector of the vertices in the middle of a piece. */
+static double at_middle(const cut_piece *q, const double *vertex, int a)
+{
+    return (1.0 - q->share) * vertex[2 * q->vertex[0] + a] + q->share * vertex[2 * q->vertex[1] + a];
+}
+
+/* The same along the piece's area, outward from the gas in hand. */
+static double along_area(const piece_walk *w, const double *vertex)
+{
+    const cut_piece *q = w->piece;
+    return w->outward * (q->area[0] * at_middle(q, vertex, 0) + q->area[1] * at_middle(q, vertex, 1));
+}
+
+/* Force (N) of the gas in hand on a piece: its pressure, and its drag. */
+static void force_on(const piece_walk *w, double force[2])
+{
+    const ice *s = w->s;
+    const cut_piece *q = w->piece;
+    const ptrdiff_t at = w->member->at;
+    const ice_view *v = view_of(s, w->member);
+    const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->finest * hypot(q->area[0], q->area[1]);
+    for (int a = 0; a < 2; ++a)
+        force[a] = w->outward * v->P[at] * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
+}
+
+void ice_pool_centring(const ice *s)
+{
+    const ice_pools *p = pools_in_hand(s);
+    ice_seal_views(s);
+    for (int k = 0; k < p->n; ++k) view_of(s, &p->member[k])->shock[p->member[k].at] = 1.0;
+}
+
+static void add_fluxes(const ice *s, ice_pools *p)
+{
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_view *v = view_of(s, m);
+        double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        sum[POOL_VOLUME] += m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        for (int f = 0; f < 4; ++f) {
+            const int axis = f / 2, side = f % 2;
+            const double out = side == SIDE_UPPER ? 1.0 : -1.0;
+            sum[POOL_FLUX] +=
+                out * m->face[axis][side] * area_of(s, m, axis, side) * v->flux[axis][face_of(v, m, axis, side)];
+        }
+    }
+    for (piece_walk w = first_piece(s, p); next_piece(&w);)
+        p->sum[(size_t)w.member->pool * POOL_SUMS + POOL_FLUX] += w.weight * along_area(&w, w.line->velocity);
+}
+
+void ice_pool_increment(const ice *s)
+{
+    ice_pools *p = pools_in_hand(s);
+    ice_seal_views(s);
+    ice_pools_clear(p);
+    add_fluxes(s, p);
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->pool]];
+        const ice_view *v = view_of(s, m), *of = view_of(s, lead);
+        const double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        const double rho = of->m[0].rho[lead->at], c = of->m[0].c[lead->at];
+        const double div = sum[POOL_VOLUME] > 0.0 ? sum[POOL_FLUX] / sum[POOL_VOLUME] : 0.0;
+        const double squeeze = div < 0.0 ? -v->finest * div : 0.0, dP = -s->dt * div * rho * c * c;
+        v->dP[m->at] = dP;
+        v->P[m->at] = of->p[lead->at] + dP + ice_bulk_pressure(rho, c, squeeze, 1.0);
+    }
+}
+
+/* Impulse and work of the faces of a member on its pool. */
+static void add_faces(const ice *s, const ice_member *m, double *sum)
+{
+    const ice_view *v = view_of(s, m);
+    const double P = v->P[m->at];
+    for (int f = 0; f < 4; ++f) {
+        const int axis = f / 2, side = f % 2;
+        const ptrdiff_t at = face_of(v, m, axis, side);
+        const double area = (side == SIDE_UPPER ? s->dt : -s->dt) * area_of(s, m, axis, side);
+        sum[POOL_MOMENTUM + axis] -= area * m->face[axis][side] * (v->fp[axis][at] - P);
+        sum[POOL_WORK] -= area * v->flux[axis][at] * v->fp[axis][at]; /* the flux is of the open part by now */
+        if (!s->viscous || !(m->face[axis][side] > 0.0)) continue;
+        const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
+        const face_diffusion t = ice_sealed_stress(s, v, axis, at, i);
+        for (int a = 0; a < 2; ++a) sum[POOL_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
+        sum[POOL_WORK] += area * m->face[axis][side] * t.power;
+    }
+    if (s->viscous && m->open > 0.0)
+        sum[POOL_MOMENTUM] += s->dt * m->open * mesh_cell_volume(s->mesh, m->cell[0]) *
+                              ice_sealed_hoop(s, v, m->at, m->cell[0] - v->b->lo[0]);
+}
+
+/* Heat for the gas that a membrane holds goes to its pools by their mass. */
+static void add_heat(const ice *s, ice_pools *p)
+{
+    double mass = 0.0, heat = 0.0;
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        if (s->seal.line[l].held == s->gas) heat = s->seal.line[l].heat;
+    if (heat == 0.0) return;
+    for (int n = 0; n < p->count; ++n) mass += p->sum[(size_t)n * POOL_SUMS + POOL_MASS];
+    for (int n = 0; n < p->count && mass > 0.0; ++n) {
+        double *sum = p->sum + (size_t)n * POOL_SUMS;
+        sum[POOL_WORK] += heat * sum[POOL_MASS] / mass;
+    }
+}
+
+/* Pressure (Pa) outside the membranes where there is no gas; the stress of solids is against it. */
+static double pressure_beyond(const ice *s)
+{
+    return s->n_materials == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
+}
+
+/* What the reference pressure does to the membranes about the gas in hand, or to the surfaces, in the step: into the ledger. */
+static void note_surroundings(const ice *s)
+{
+    const double beyond = pressure_beyond(s);
+    const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
+    double impulse[2] = {0.0, 0.0}, work = 0.0;
+    if (beyond == 0.0) return;
+    for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
+        for (int a = 0; a < 2; ++a) impulse[a] -= w.weight * s->dt * beyond * w.piece->area[a];
+        work -= w.weight * beyond * along_area(&w, w.line->path);
+    }
+    for (int a = radial; a < 2; ++a)
+        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, impulse[a]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, work);
+}
+
+static void add_sources(const ice *s, ice_pools *p)
+{
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        sum[POOL_MASS] += view_of(s, m)->m[0].rho[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        add_faces(s, m, sum);
+    }
+    for (piece_walk w = first_piece(s, p); next_piece(&w);) {
+        const ice_member *m = w.member;
+        double *sum = p->sum + (size_t)m->pool * POOL_SUMS, force[2];
+        force_on(&w, force);
+        for (int a = 0; a < 2; ++a) {
+            const double drag = force[a] - w.outward * view_of(s, m)->P[m->at] * w.piece->area[a];
+            sum[POOL_MOMENTUM + a] -= w.weight * s->dt * drag;
+            sum[POOL_WORK] -= w.weight * force[a] * at_middle(w.piece, w.line->path, a);
+        }
+    }
+    add_heat(s, p);
+}
+
+/* Lagrangian velocity and energy of a pool. Where too little energy would be left, it has what compression gives (2.7), and the
+ * rest is a defect. */
+typedef struct pool_state {
+    double u[2], e;
+} pool_state;
+
+static pool_state advance(const ice *s, const ice_pools *p, int pool)
+{
+    const ice_member *lead = &p->member[p->lead[pool]];
+    const ice_view *v = view_of(s, lead);
+    const ice_arrays *m = &v->m[0];
+    const double *sum = p->sum + (size_t)pool * POOL_SUMS, mass = sum[POOL_MASS], floor = s->work->energy_floor[s->gas];
+    pool_state out = {{m->u[0][lead->at], m->u[1][lead->at]}, m->e[lead->at]};
+    if (!(mass > 0.0)) return out;
+    double gain = 0.0, kinetic = 0.0;
+    for (int a = 0; a < 2; ++a) {
+        const double du = sum[POOL_MOMENTUM + a] / mass, u = out.u[a];
+        out.u[a] += du;
+        gain += du * 0.5 * (u + out.u[a]);
+        kinetic += 0.5 * out.u[a] * out.u[a];
+    }
+    const double rho = m->rho[lead->at], c = m->c[lead->at], before = out.e;
+    const double conserving = before + sum[POOL_WORK] / mass - gain;
+    const double plain = before + v->P[lead->at] * v->dP[lead->at] / (rho * rho * c * c);
+    const bool usable =
+        s->scene->method.conserve_energy && conserving - (isnan(floor) ? 0.0 : floor) > ICE_THERMAL_SHARE * kinetic;
+    out.e = usable ? conserving : plain;
+    if (!usable) {
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DEFECT, mass * (plain - conserving));
+        ledger_tally(s->ledger, COUNT_ENERGY_GUARDS, 1);
+    }
+    return out;
+}
+
+/* Where the gas is not, nothing moves. */
+static void still_elsewhere(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->work->sealing->view[id];
+        const ice_arrays *m = &v->m[0];
+        const ice_rows q = ice_rows_of(v->b, -1, 0);
+#pragma omp parallel for schedule(static)
+        for (int row = 0; row < q.n; ++row) {
+            const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+            for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+                if (m->open[at] > 0.0) continue;
+                for (int a = 0; a < 2; ++a) m->ul[a][at] = m->u[a][at];
+                m->el[at] = m->e[at];
+            }
+        }
+    }
+}
+
+void ice_pool_sources(const ice *s)
+{
+    ice_pools *p = pools_in_hand(s);
+    ice_seal_views(s);
+    still_elsewhere(s);
+    ice_pools_clear(p);
+    add_sources(s, p);
+    note_surroundings(s);
+    for (int pool = 0; pool < p->count; ++pool) {
+        const pool_state now = advance(s, p, pool);
+        double *sum = p->sum + (size_t)pool * POOL_SUMS;
+        for (int a = 0; a < 2; ++a) sum[POOL_MOMENTUM + a] = now.u[a];
+        sum[POOL_WORK] = now.e;
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_arrays *to = &view_of(s, m)->m[0];
+        const double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
+        for (int a = 0; a < 2; ++a) to->ul[a][m->at] = sum[POOL_MOMENTUM + a];
+        to->el[m->at] = sum[POOL_WORK];
+    }
+}
+
+/* Shares a force on a piece out to the vertices between which it lies. */
+static void push_vertices(const piece_walk *w, const double force[2])
+{
+    const cut_piece *q = w->piece;
+    for (int a = 0; a < 2; ++a) {
+        w->line->force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
+        w->line->force[2 * q->vertex[1] + a] += force[a] * q->share;
+    }
+}
+
+floe_status ice_sealed_load(ice *s)
+{
+    const double beyond = pressure_beyond(s);
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        for (int k = 0; k < 2 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
+    for (s->gas = 0; s->gas < s->n_materials; ++s->gas) {
+        ice_seal_views(s);
+        for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
+            double force[2];
+            force_on(&w, force);
+            for (int a = 0; a < 2; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
+            push_vertices(&w, force);
+        }
+    }
+    s->gas = -1;
+    return FLOE_OK;
+}

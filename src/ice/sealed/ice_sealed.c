@@ -1,0 +1,345 @@
+/* Gases that a membrane keeps apart (docs/theory.md, sealed membranes). Each gas is one fluid by itself in the cells that the
+ * membrane leaves it: its own density, velocity, energy and pressure. The stages are those of one fluid, taken gas by gas, with
+ * three differences: cells at the membrane act as pools (ice_pool.h); faces pass what is open of them, in the mean of the step; and
+ * where a gas is not, it is lent the state of the cells beside, so that differences near the membrane find something. Nothing
+ * passes the membrane, whatever the step, the mesh or the pressures. */
+#include "ice/sealed/ice_pool.h"
+
+#include <math.h>
+
+typedef floe_status plain_stage(ice *s);
+
+static floe_status for_gases(ice *s, plain_stage *stage)
+{
+    floe_status status = FLOE_OK;
+    for (s->gas = 0; s->gas < s->n_materials && status == FLOE_OK; ++s->gas) status = stage(s);
+    s->gas = -1;
+    return status;
+}
+
+/* ---- where the gas is not ---- */
+
+/* Marks, while the stage runs, of cells that have a state; they stand in the array of the shock sensor. */
+static void mark_open(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->work->sealing->view[id];
+        const fluid_state *rest = &s->work->sealing->rest[s->gas];
+        const ice_arrays *m = &v->m[0];
+        for (int j = 0; j < v->b->n[1]; ++j)
+            for (int i = 0; i < v->b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(v->b, i, j, 0);
+                v->shock[at] = m->open[at] > 0.0 ? 1.0 : 0.0;
+                if (m->open[at] > 0.0) continue;
+                m->rho[at] = rest->density;
+                m->e[at] = rest->energy;
+                m->u[0][at] = m->u[1][at] = 0.0;
+            }
+    }
+}
+
+static void fill_state(const ice *s)
+{
+    ice_fill_ghosts(s, C_RHO, s->gas, FILL_CURRENT, GHOST_DENSITY);
+    ice_fill_ghosts(s, C_VEL, s->gas, FILL_CURRENT, GHOST_VELOCITY);
+    ice_fill_ghosts(s, C_ENERGY, s->gas, FILL_CURRENT, GHOST_ENERGY);
+    ice_fill_ghosts(s, C_SHOCK, s->gas, FILL_CURRENT, GHOST_EVEN);
+}
+
+/* A cell without the gas takes the mean of those around that have a state: marks of at least `least`. */
+static void lend(const ice_view *v, ptrdiff_t at, double least)
+{
+    const ice_arrays *m = &v->m[0];
+    double n = 0.0, rho = 0.0, e = 0.0, u[2] = {0.0, 0.0};
+    for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+            const ptrdiff_t from = at + i * v->b->stride[0] + j * v->b->stride[1];
+            if (!(v->shock[from] >= least)) continue;
+            n += 1.0;
+            rho += m->rho[from];
+            e += m->e[from];
+            for (int a = 0; a < 2; ++a) u[a] += m->u[a][from];
+        }
+    if (n == 0.0) return;
+    m->rho[at] = rho / n;
+    m->e[at] = e / n;
+    for (int a = 0; a < 2; ++a) m->u[a][at] = u[a] / n;
+    v->shock[at] = 0.5 * least;
+}
+
+/* Two layers: as far as differences reach. */
+static void lend_layers(const ice *s)
+{
+    double least = 1.0;
+    for (int layer = 0; layer < 2; ++layer, least *= 0.5) {
+        fill_state(s);
+        for (int id = 0; id < s->mesh->n_blocks; ++id) {
+            const ice_view *v = &s->work->sealing->view[id];
+            for (int j = 0; j < v->b->n[1]; ++j)
+                for (int i = 0; i < v->b->n[0]; ++i) {
+                    const ptrdiff_t at = mesh_index(v->b, i, j, 0);
+                    if (v->shock[at] < least) lend(v, at, least);
+                }
+        }
+    }
+}
+
+static floe_status lend_states(ice *s)
+{
+    TRY(ice_pools_make(s, s->gas, POOLS_BEFORE, &s->work->sealing->now[s->gas]));
+    ice_seal_views(s);
+    mark_open(s);
+    lend_layers(s);
+    return FLOE_OK;
+}
+
+floe_status ice_sealed_ghosts(ice *s)
+{
+    TRY(for_gases(s, lend_states));
+    return ice_boundary_ghosts(s);
+}
+
+/* ---- the plain stages, gas by gas ---- */
+
+floe_status ice_sealed_pressure(ice *s)
+{
+    return for_gases(s, ice_equilibrium_pressure);
+}
+
+floe_status ice_sealed_velocity(ice *s)
+{
+    return for_gases(s, ice_face_velocity);
+}
+
+floe_status ice_sealed_increment(ice *s)
+{
+    return for_gases(s, ice_pressure_increment);
+}
+
+floe_status ice_sealed_face_pressure(ice *s)
+{
+    return for_gases(s, ice_face_pressure);
+}
+
+double ice_side_open(const ice *s, const block *b, const int local[2], int axis, int side)
+{
+    if (!s->sealed || s->gas < 0) return 1.0;
+    return ice_mean_face(s, s->gas, (const int[]){b->lo[0] + local[0], b->lo[1] + local[1]}, axis, side);
+}
+
+/* ---- after the points have moved ---- */
+
+/* Share of the lower face of a local cell that is open to the gas in the mean of the step; beyond the last cell, of its upper face. */
+static double mean_open(const ice *s, const block *b, int axis, int i, int j)
+{
+    int cell[2] = {b->lo[0] + i, b->lo[1] + j}, side = SIDE_LOWER;
+    if (cell[axis] == s->mesh->n[axis]) {
+        cell[axis]--;
+        side = SIDE_UPPER;
+    }
+    return ice_mean_face(s, s->gas, cell, axis, side);
+}
+
+/* From velocities of the gas to volume fluxes per area of the whole face. */
+static floe_status narrow_faces(ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->work->sealing->view[id];
+        for (int axis = 0; axis < 2; ++axis)
+#pragma omp parallel for schedule(static)
+            for (int j = 0; j < v->b->n[1] + (axis == 1); ++j)
+                for (int i = 0; i < v->b->n[0] + (axis == 0); ++i)
+                    v->m[0].fu[axis][mesh_index(v->b, i, j, 0)] *= mean_open(s, v->b, axis, i, j);
+    }
+    return FLOE_OK;
+}
+
+/* Cells that the membrane uncovers in the step are among the pools by now: work is done on what flows into them. */
+static floe_status narrow_and_push(ice *s)
+{
+    TRY(ice_pools_make(s, s->gas, POOLS_MOVING, &s->work->sealing->now[s->gas]));
+    ice_seal_views(s);
+    TRY(narrow_faces(s));
+    return ice_sources(s);
+}
+
+floe_status ice_sealed_sources(ice *s)
+{
+    return for_gases(s, narrow_and_push);
+}
+
+/* ---- what is left where ---- */
+
+/* The plain stage has moved the contents of whole cells; what is beyond the membrane is taken off again, as it was before. */
+static void add_contents(const ice *s, const ice_member *k, double *sum)
+{
+    const ice_view *v = &s->work->sealing->view[k->block];
+    const ice_arrays *m = &v->m[0];
+    const ptrdiff_t at = k->at;
+    const double volume = mesh_cell_volume(s->mesh, k->cell[0]);
+    const double gone = (1.0 - m->open[at]) * m->rho[at] * volume, left = m->rho1[at] * volume;
+    double old = m->el[at], now = m->e1[at];
+    for (int a = 0; a < 2; ++a) {
+        old += 0.5 * m->ul[a][at] * m->ul[a][at];
+        now += 0.5 * m->u1[a][at] * m->u1[a][at];
+        sum[POOL_MOMENTUM + a] += left * m->u1[a][at] - gone * m->ul[a][at];
+    }
+    sum[POOL_MASS] += left - gone;
+    sum[POOL_WORK] += left * now - gone * old;
+    sum[POOL_VOLUME] += k->open * volume;
+}
+
+/* Cells away from the membrane that the gas does not reach hold nothing. */
+static void empty_elsewhere(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->work->sealing->view[id];
+        const ice_arrays *m = &v->m[0];
+        for (int j = 0; j < v->b->n[1]; ++j)
+            for (int i = 0; i < v->b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(v->b, i, j, 0);
+                m->open1[at] = ice_open_cell(s, s->gas, SEAL_NEXT, (const int[]){v->b->lo[0] + i, v->b->lo[1] + j});
+                if (m->open1[at] > 0.0) continue;
+                m->rho1[at] = m->e1[at] = m->u1[0][at] = m->u1[1][at] = 0.0;
+            }
+    }
+}
+
+static floe_status bad_pool(const ice *s, const ice_pools *p, int pool, double e)
+{
+    const double *sum = p->sum + (size_t)pool * POOL_SUMS;
+    const ice_member *lead = &p->member[p->lead[pool]];
+    char place[160];
+    ice_place(s, &s->mesh->block[lead->block], lead->at, s->gas, place, sizeof place);
+    return fail(s->ctx, FLOE_RETRY, "gas at the membrane, %s: %g kg in %g m3 at %g J/kg would be left in its cells",
+                place, sum[POOL_MASS], sum[POOL_VOLUME], e);
+}
+
+/* One density, velocity and energy for the members of each pool. */
+static floe_status share_out(ice *s, const ice_pools *p, bool next)
+{
+    for (int pool = 0; pool < p->count; ++pool) {
+        double *sum = p->sum + (size_t)pool * POOL_SUMS, square = 0.0;
+        if (sum[POOL_VOLUME] == 0.0 && sum[POOL_MASS] == 0.0) continue;
+        for (int a = 0; a < 2; ++a) {
+            sum[POOL_MOMENTUM + a] /= sum[POOL_MASS];
+            square += sum[POOL_MOMENTUM + a] * sum[POOL_MOMENTUM + a];
+        }
+        sum[POOL_WORK] = sum[POOL_WORK] / sum[POOL_MASS] - 0.5 * square;
+        const double rho = sum[POOL_MASS] / sum[POOL_VOLUME];
+        const eos *law = &s->material[s->gas].eos;
+        if (!(rho > 0.0) || !isfinite(rho) || !(sum[POOL_WORK] > law->model->energy_floor(law->par, rho)))
+            return bad_pool(s, p, pool, sum[POOL_WORK]);
+        sum[POOL_MASS] = rho;
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *member = &p->member[k];
+        const ice_arrays *m = &s->work->sealing->view[member->block].m[0];
+        const double *sum = p->sum + (size_t)member->pool * POOL_SUMS;
+        if (!(member->open > 0.0)) continue;
+        (next ? m->rho1 : m->rho)[member->at] = sum[POOL_MASS];
+        (next ? m->e1 : m->e)[member->at] = sum[POOL_WORK];
+        for (int a = 0; a < 2; ++a) (next ? m->u1 : m->u)[a][member->at] = sum[POOL_MOMENTUM + a];
+    }
+    return FLOE_OK;
+}
+
+static floe_status advect_gas(ice *s)
+{
+    ice_pools *p = &s->work->sealing->next[s->gas];
+    TRY(ice_advect(s));
+    ice_seal_views(s);
+    TRY(ice_pools_make(s, s->gas, POOLS_AFTER, p));
+    ice_pools_clear(p);
+    for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].pool * POOL_SUMS);
+    empty_elsewhere(s);
+    return share_out(s, p, true);
+}
+
+floe_status ice_sealed_advect(ice *s)
+{
+    return for_gases(s, advect_gas);
+}
+
+/* ---- the start ---- */
+
+static void add_first_contents(const ice *s, const ice_member *k, double *sum)
+{
+    const ice_arrays *m = &s->work->sealing->view[k->block].m[0];
+    const ptrdiff_t at = k->at;
+    const double volume = k->open * mesh_cell_volume(s->mesh, k->cell[0]), mass = volume * m->rho[at];
+    double e = m->e[at];
+    if (!(mass > 0.0)) return; /* a sliver between the line and the body's shape: the pool fills it */
+    for (int a = 0; a < 2; ++a) {
+        sum[POOL_MOMENTUM + a] += mass * m->u[a][at];
+        e += 0.5 * m->u[a][at] * m->u[a][at];
+    }
+    sum[POOL_MASS] += mass;
+    sum[POOL_WORK] += mass * e;
+    sum[POOL_VOLUME] += volume;
+}
+
+/* Room that no body fills. */
+static floe_status find_empty(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->work->sealing->view[id];
+        for (int j = 0; j < v->b->n[1]; ++j)
+            for (int i = 0; i < v->b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(v->b, i, j, 0);
+                if (!(v->m[0].open[at] > 0.0) || v->m[0].rho[at] > 0.0) continue;
+                return fail(
+                    s->ctx, FLOE_BAD_INPUT,
+                    "the membrane leaves cell (%d, %d) at (%g, %g) to gas '%s', and no body of it is there: let "
+                    "bodies fill its side of the membrane (the gas that a membrane `holds` is on its left), or "
+                    "make it the `ambient`",
+                    v->b->lo[0] + i, v->b->lo[1] + j, mesh_node(s->mesh, 0, v->b->lo[0] + i),
+                    mesh_node(s->mesh, 1, v->b->lo[1] + j),
+                    s->scene->material[s->material[s->gas].scene_material].name);
+            }
+    }
+    return FLOE_OK;
+}
+
+static floe_status start_gas(ice *s)
+{
+    ice_pools *p = &s->work->sealing->now[s->gas];
+    ice_seal_views(s);
+    TRY(ice_pools_make(s, s->gas, POOLS_BEFORE, p));
+    ice_pools_clear(p);
+    for (int k = 0; k < p->n; ++k) add_first_contents(s, &p->member[k], p->sum + (size_t)p->member[k].pool * POOL_SUMS);
+    TRY(share_out(s, p, false));
+    return find_empty(s);
+}
+
+floe_status ice_sealed_initialise(ice *s)
+{
+    TRY(ice_sealed_fill(s));
+    return for_gases(s, start_gas);
+}
+
+/* ---- the stages ---- */
+
+floe_status ice_sealed_pressure_stages(ice *s)
+{
+    STAGE(s, ALWAYS, ice_sealed_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN), WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK));
+    STAGE(s, ALWAYS, ice_sealed_pressure, READS(C_RHO, C_ENERGY), WRITES(C_PRESSURE, C_SOUND));
+    STAGE(s, ALWAYS, ice_sealed_velocity, READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND), WRITES(F_VEL, C_SHOCK));
+    STAGE(s, ALWAYS, ice_sealed_increment, READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK),
+          WRITES(C_DP, C_PRESSURE_ADVANCED));
+    STAGE(s, ALWAYS, ice_sealed_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO), WRITES(F_PRESSURE));
+    STAGE(s, ALWAYS, ice_sealed_load, READS(C_PRESSURE_ADVANCED), WRITES(NOTHING));
+    return FLOE_OK;
+}
+
+floe_status ice_sealed_flow_stages(ice *s)
+{
+    STAGE(s, ALWAYS, ice_sealed_sources,
+          READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE),
+          WRITES(C_VEL_L, C_ENERGY_L, F_VEL));
+    STAGE(s, ALWAYS, ice_sealed_advect,
+          READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, C_SOUND, C_VEL_L,
+                C_ENERGY_L),
+          WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L));
+    return FLOE_OK;
+}

@@ -1,0 +1,387 @@
+#include "io/snapshot/snapshot_content.h"
+
+#include "base/memory.h"
+#include "io/gather.h"
+#include "io/names.h"
+#include "io/xdmf.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { PATH_SIZE = 2 * NAME_SIZE + 16 };
+
+/* The work of writing one snapshot. */
+typedef struct writer {
+    const sim *s;
+    hdf_file *hdf;
+    strbuf *page;
+    const char *file;
+    char group[NAME_SIZE + 16]; /* "/cells" or "/points/<body>" */
+    bool on_points;
+    const point_list *points; /* of the body that is being written */
+    double *data;             /* three numbers for each point or cell; owned */
+} writer;
+
+/* What one array is. */
+typedef struct array_spec {
+    const char *name, *unit, *meaning;
+    bool vector, integer;
+} array_spec;
+
+static hdf_shape shape_of(const writer *w, bool vector)
+{
+    const mesh *m = &w->s->mesh;
+    hdf_shape extent = {0};
+    if (w->on_points) {
+        extent.extent[extent.rank++] = w->points->n;
+    } else {
+        extent.extent[extent.rank++] = (size_t)m->n[2];
+        extent.extent[extent.rank++] = (size_t)m->n[1];
+        extent.extent[extent.rank++] = (size_t)m->n[0];
+    }
+    if (vector) extent.extent[extent.rank++] = 3;
+    return extent;
+}
+
+/* The array of w->data (or of `integers`) as a dataset with its attributes; *out describes it to XDMF, `path` keeps its name. */
+static floe_status write_array(writer *w, const array_spec *spec, const int64_t *integers, char path[PATH_SIZE],
+                               hdf_shape *extent, xdmf_array *out)
+{
+    const char *unit = output_unit(w->s, spec->unit);
+    (void)snprintf(path, PATH_SIZE, "%s/%s", w->group, spec->name);
+    *extent = shape_of(w, spec->vector);
+    const void *data = spec->integer ? (const void *)integers : (const void *)w->data;
+    TRY(hdf_write(w->hdf, path, spec->integer ? HDF_INT64 : HDF_DOUBLE, *extent, data));
+    TRY(hdf_attribute_text(w->hdf, path, "unit", unit));
+    TRY(hdf_attribute_text(w->hdf, path, "meaning", spec->meaning));
+    *out = (xdmf_array){.file = w->file,
+                        .path = path,
+                        .name = spec->name,
+                        .unit = unit,
+                        .meaning = spec->meaning,
+                        .on_points = w->on_points,
+                        .vector = spec->vector,
+                        .integer = spec->integer,
+                        .rank = extent->rank,
+                        .extent = extent->extent};
+    return FLOE_OK;
+}
+
+/* Writes w->data and shows it as an attribute of the grid. */
+static floe_status add_array(writer *w, const array_spec *spec)
+{
+    char path[PATH_SIZE];
+    hdf_shape extent;
+    xdmf_array array;
+    TRY(write_array(w, spec, NULL, path, &extent, &array));
+    xdmf_add(w->page, &array);
+    return w->page->status;
+}
+
+static size_t entries(const writer *w)
+{
+    return w->on_points ? w->points->n : mesh_cells(&w->s->mesh);
+}
+
+static void gather(const writer *w, field_id id, int instance, int comp, size_t stride, double *to)
+{
+    if (w->on_points) {
+        gather_points(w->s, w->points, id, comp, stride, to);
+    } else {
+        gather_cells(w->s, id, instance, comp, stride, to);
+    }
+}
+
+/* A vector in w->data: three numbers an entry, those beyond the scene's dimension 0. */
+static void gather_vector(writer *w, field_id id, int instance)
+{
+    memset(w->data, 0, 3 * entries(w) * sizeof *w->data);
+    for (int c = 0; c < w->s->mesh.dim; c++) gather(w, id, instance, c, 3, w->data + c);
+}
+
+/* Masses and volumes are kept per metre of depth or per radian, and written whole. */
+static void scale_extensive(writer *w, field_id id, size_t numbers)
+{
+    if (id != P_MASS && id != P_VOLUME0) return;
+    const double factor = output_scale(w->s);
+    for (size_t i = 0; i < numbers; i++) w->data[i] *= factor;
+}
+
+/* A number that the body's law remembers, as the law calls it. */
+static floe_status add_history(writer *w, field_id id, int body)
+{
+    const solid_history *h = &w->s->mpm->body[body].law->history[id - P_HISTORY_1];
+    gather(w, id, body, 0, 1, w->data);
+    return add_array(w, &(array_spec){.name = h->name, .unit = h->unit, .meaning = h->doc});
+}
+
+/* Beyond a membrane a gas has no pressure: what stands there is lent to it for differences (ice_sealed.c). */
+static floe_status mask_closed(writer *w, int instance, double *data)
+{
+    const size_t n = entries(w);
+    double *open;
+    if (!fields_has(w->s->domain->fields[0], C_OPEN, instance)) return FLOE_OK;
+    TRY(memory_new(w->s->ctx, &open, n, sizeof *open));
+    gather(w, C_OPEN, instance, 0, 1, open);
+    for (size_t i = 0; i < n; i++) data[i] = open[i] > 0.0 ? data[i] : 0.0;
+    memory_free(w->s->ctx, &open);
+    return FLOE_OK;
+}
+
+/* All components of a registered field, under `name`. */
+static floe_status add_field(writer *w, field_id id, int instance, const char *name)
+{
+    const field_info *info = field_describe(id);
+    array_spec spec = {.name = name, .unit = info->unit, .meaning = info->meaning};
+    if (info->components == FIELD_VECTOR) {
+        gather_vector(w, id, instance);
+        scale_extensive(w, id, 3 * entries(w));
+        spec.vector = true;
+        return add_array(w, &spec);
+    }
+    const int components = field_component_count(info->components, w->s->mesh.dim);
+    for (int c = 0; c < components; c++) {
+        char full[NAME_SIZE];
+        gather(w, id, instance, c, 1, w->data);
+        if (id == C_PRESSURE) TRY(mask_closed(w, instance, w->data));
+        scale_extensive(w, id, entries(w));
+        const bool named = info->components != FIELD_SCALAR;
+        (void)snprintf(full, sizeof full, "%s%s%s", name, named ? "_" : "",
+                       named ? component_name(w->s, info->components, c) : "");
+        spec.name = full;
+        TRY(add_array(w, &spec));
+    }
+    return FLOE_OK;
+}
+
+/* State, what is fixed at seeding, and the two fields of the cells that users ask for. */
+static bool is_written(field_id id)
+{
+    const field_info *info = field_describe(id);
+    return info->class == FIELD_STATE || info->class == FIELD_FIXED || info->class == FIELD_DIAGNOSTIC ||
+           id == C_THETA || id == C_TEMP;
+}
+
+/* Of all materials alike; of each gas where a membrane keeps them apart. */
+static bool is_shared_by_materials(const fields *f, field_id id)
+{
+    return id >= C_PRESSURE && !fields_has(f, id, 1);
+}
+
+static floe_status visit_cells(void *user, field_id id, int instance)
+{
+    writer *w = user;
+    const field_info *info = field_describe(id);
+    char name[2 * NAME_SIZE], material[NAME_SIZE];
+    if (info->centring != FIELD_CELL || !is_written(id)) return FLOE_OK;
+    if (is_shared_by_materials(w->s->domain->fields[0], id)) return add_field(w, id, instance, info->name);
+    if (instance >= w->s->ice->n_materials) return FLOE_OK;
+    material_label(w->s, w->s->ice->material[instance].scene_material, material);
+    (void)snprintf(name, sizeof name, "%s_%s", info->name, material);
+    return add_field(w, id, instance, name);
+}
+
+static floe_status write_cells(writer *w)
+{
+    const mesh *m = &w->s->mesh;
+    const int64_t cells[] = {m->n[0], m->n[1], m->n[2]};
+    (void)snprintf(w->group, sizeof w->group, "/cells");
+    w->on_points = false;
+    xdmf_begin_cells(w->page, m);
+    TRY(fields_visit(w->s->domain->fields[0], visit_cells, w));
+    xdmf_end(w->page);
+    if (!hdf_has(w->hdf, "/cells")) return FLOE_OK;
+    TRY(hdf_attribute(w->hdf, "/cells", "lower", HDF_DOUBLE, m->dim, m->lower));
+    TRY(hdf_attribute(w->hdf, "/cells", "spacing", HDF_DOUBLE, m->dim, m->h));
+    TRY(hdf_attribute(w->hdf, "/cells", "cells", HDF_INT64, m->dim, cells));
+    TRY(hdf_attribute_text(w->hdf, "/cells", "unit", output_unit(w->s, "m")));
+    return hdf_attribute_text(w->hdf, "/cells", "geometry",
+                              m->geometry == MESH_AXISYMMETRIC ? "axisymmetric" : "cartesian");
+}
+
+static floe_status visit_points(void *user, field_id id, int instance)
+{
+    writer *w = user;
+    const field_info *info = field_describe(id);
+    if (info->centring != FIELD_POINT || instance != w->points->body || !is_written(id)) return FLOE_OK;
+    if (id == P_ID || id == P_POS) return FLOE_OK; /* written apart */
+    if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return add_history(w, id, instance);
+    return add_field(w, id, instance, info->name);
+}
+
+/* The stress tensor of each point, xx yy zz xy yz zx; unused components 0. */
+static void gather_stress(const writer *w, double *stress)
+{
+    const int components = field_component_count(FIELD_STRESS, w->s->mesh.dim);
+    memset(stress, 0, 6 * w->points->n * sizeof *stress);
+    for (int c = 0; c < components; c++) gather_points(w->s, w->points, P_STRESS, c, 6, stress + c);
+}
+
+/* Absolute pressure: stress is kept gauge to the reference pressure. */
+static double pressure_of(const writer *w, const double *s)
+{
+    return w->s->scene->reference_pressure - (s[0] + s[1] + s[2]) / 3.0;
+}
+
+static double von_mises_of(const double *s)
+{
+    const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
+    return sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+/* sigma_r (or sigma_theta) about the origin of the plane. */
+static double polar_of(const double *s, const double *x, bool hoop)
+{
+    const double r = hypot(x[0], x[1]);
+    const double c = r > 0.0 ? x[0] / r : 1.0;
+    const double n = r > 0.0 ? x[1] / r : 0.0;
+    const double cross = 2.0 * c * n * s[3];
+    return hoop ? n * n * s[0] + c * c * s[1] - cross : c * c * s[0] + n * n * s[1] + cross;
+}
+
+static floe_status add_pressure(writer *w, const double *stress)
+{
+    static const array_spec spec = {
+        .name = "pressure", .unit = "Pa", .meaning = "absolute: p_ref less the mean stress"};
+    for (size_t i = 0; i < w->points->n; i++) w->data[i] = pressure_of(w, stress + 6 * i);
+    return add_array(w, &spec);
+}
+
+static floe_status add_von_mises(writer *w, const double *stress)
+{
+    static const array_spec spec = {.name = "von_mises", .unit = "Pa", .meaning = "von Mises stress"};
+    for (size_t i = 0; i < w->points->n; i++) w->data[i] = von_mises_of(stress + 6 * i);
+    return add_array(w, &spec);
+}
+
+static floe_status add_polar(writer *w, const double *stress, const double *x)
+{
+    static const array_spec spec[] = {{.name = "sigma_r", .unit = "Pa", .meaning = "radial stress about the origin"},
+                                      {.name = "sigma_theta", .unit = "Pa", .meaning = "hoop stress about the origin"}};
+    const mesh *m = &w->s->mesh;
+    if (m->dim != 2 || m->geometry != MESH_CARTESIAN || strcmp(w->s->scene->verify.exact, "lame") != 0) return FLOE_OK;
+    for (int hoop = 0; hoop < 2; hoop++) {
+        for (size_t i = 0; i < w->points->n; i++) w->data[i] = polar_of(stress + 6 * i, x + 3 * i, hoop != 0);
+        TRY(add_array(w, &spec[hoop]));
+    }
+    return FLOE_OK;
+}
+
+/* What follows from stress and position, for the viewer's sake. */
+static floe_status add_derived(writer *w)
+{
+    double *stress = NULL;
+    double *x = NULL;
+    context *ctx = w->s->ctx;
+    if (!fields_has(w->s->domain->fields[0], P_STRESS, w->points->body)) return FLOE_OK;
+    floe_status status = memory_new(ctx, &stress, 6 * w->points->n, sizeof *stress);
+    if (status == FLOE_OK) status = memory_new(ctx, &x, 3 * w->points->n, sizeof *x);
+    if (status == FLOE_OK) {
+        gather_stress(w, stress);
+        for (int c = 0; c < w->s->mesh.dim; c++) gather_points(w->s, w->points, P_POS, c, 3, x + c);
+        status = add_pressure(w, stress);
+    }
+    if (status == FLOE_OK) status = add_von_mises(w, stress);
+    if (status == FLOE_OK) status = add_polar(w, stress, x);
+    memory_free(ctx, &x);
+    memory_free(ctx, &stress);
+    return status;
+}
+
+/* One array in the file, with what its description points at. */
+typedef struct written {
+    char path[PATH_SIZE];
+    hdf_shape extent;
+    xdmf_array array;
+} written;
+
+/* Whole numbers: the points' ids, or their places in the list. */
+static floe_status write_numbers(writer *w, const array_spec *spec, bool ids, written *out)
+{
+    int64_t *number;
+    TRY(memory_new(w->s->ctx, &number, w->points->n, sizeof *number));
+    for (size_t i = 0; i < w->points->n; i++) number[i] = ids ? (int64_t)w->points->place[i].id : (int64_t)i;
+    const floe_status status = write_array(w, spec, number, out->path, &out->extent, &out->array);
+    memory_free(w->s->ctx, &number);
+    return status;
+}
+
+/* Index and position first: they are the topology and the geometry of the grid. */
+static floe_status begin_points(writer *w, const char *label)
+{
+    static const array_spec of_index = {
+        .name = "index", .unit = "1", .meaning = "place in the arrays of this file, for viewers", .integer = true};
+    static const array_spec of_position = {.name = "position", .unit = "m", .meaning = "x_p", .vector = true};
+    written index, position;
+    TRY(write_numbers(w, &of_index, false, &index));
+    gather_vector(w, P_POS, w->points->body);
+    TRY(write_array(w, &of_position, NULL, position.path, &position.extent, &position.array));
+    xdmf_begin_points(w->page, label, &index.array, &position.array);
+    return w->page->status;
+}
+
+static floe_status add_id(writer *w)
+{
+    static const array_spec spec = {
+        .name = "id", .unit = "1", .meaning = "the point's number, for life", .integer = true};
+    written id;
+    TRY(write_numbers(w, &spec, true, &id));
+    xdmf_add(w->page, &id.array);
+    return w->page->status;
+}
+
+/* What the body is made of, on its group. */
+static floe_status describe_body(writer *w)
+{
+    const scene_body *body = &w->s->scene->body[w->s->mpm->body[w->points->body].scene_body];
+    char material[NAME_SIZE];
+    material_label(w->s, body->material, material);
+    TRY(hdf_attribute_text(w->hdf, w->group, "material", material));
+    return hdf_attribute_text(w->hdf, w->group, "phase",
+                              w->s->scene->material[body->material].kind == MATERIAL_FLUID ? "fluid" : "solid");
+}
+
+/* A body that has lost all its points has no grid: viewers stumble over empty ones. */
+static floe_status write_body(writer *w)
+{
+    char label[NAME_SIZE];
+    body_label(w->s, w->s->mpm->body[w->points->body].scene_body, label);
+    (void)snprintf(w->group, sizeof w->group, "/points/%s", label);
+    w->on_points = true;
+    if (w->points->n == 0) return FLOE_OK;
+    TRY(begin_points(w, label));
+    TRY(add_id(w));
+    TRY(fields_visit(w->s->domain->fields[0], visit_points, w));
+    TRY(add_derived(w));
+    TRY(describe_body(w));
+    xdmf_end(w->page);
+    return w->page->status;
+}
+
+static floe_status with_buffer(writer *w, size_t n, floe_status write(writer *))
+{
+    TRY(memory_new(w->s->ctx, &w->data, 3 * n, sizeof *w->data));
+    const floe_status status = write(w);
+    memory_free(w->s->ctx, &w->data);
+    return status;
+}
+
+static floe_status write_points(writer *w, int body)
+{
+    point_list list = {0};
+    floe_status status = point_list_make(&list, w->s, body);
+    w->points = &list;
+    if (status == FLOE_OK) status = with_buffer(w, list.n, write_body);
+    point_list_free(w->s->ctx, &list);
+    w->points = NULL;
+    return status;
+}
+
+floe_status snapshot_content(const sim *s, hdf_file *hdf, strbuf *page, const char *file)
+{
+    writer w = {.s = s, .hdf = hdf, .page = page, .file = file};
+    if (s->ice) TRY(with_buffer(&w, mesh_cells(&s->mesh), write_cells));
+    const int bodies = s->mpm ? s->mpm->n_bodies : 0;
+    for (int body = 0; body < bodies; body++) TRY(write_points(&w, body));
+    return page->status;
+}

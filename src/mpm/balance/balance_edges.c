@@ -1,0 +1,101 @@
+/* Edges held by the penalty (edge.h) in the balance of forces: what their lines push, and the stiffness of that. */
+#include "mpm/balance/balance.h"
+#include "mpm/edge/edge.h"
+
+#include <stdlib.h>
+
+static int place_of(const mpm *s, const edge_node *n)
+{
+    return (int)solve_index(&s->balance->grid, n->at[0], n->at[1], n->at[2]);
+}
+
+/* Groups whose edges are held: one a layer. */
+static int count_groups(const mpm *s)
+{
+    return s->work->edges ? s->balance->layers : 0;
+}
+
+int balance_width(const mpm *s)
+{
+    const int lines = s->work->edges ? edge_taps(s) - 1 : 0, points = s->basis->support - 1;
+    return lines > points ? lines : points;
+}
+
+floe_status balance_find_edges(mpm *s)
+{
+    for (int g = 0; g < count_groups(s); ++g) TRY(edges_find(s, g, true));
+    return FLOE_OK;
+}
+
+static void pull_group(mpm *s, int layer, const double *u, double *inner)
+{
+    const edge_group *g = &s->work->edges->group[layer];
+    const size_t dim = (size_t)s->mesh->dim;
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const edge_line *l = &g->line[k];
+            const size_t base = balance_at(s->balance, layer, c, 0);
+            const double *weight = edge_weights(l, c);
+            double difference = s->work->edges->memory[l->slot + (size_t)c];
+            for (int t = 0; t < EDGE_TAPS; ++t)
+                difference += weight[t] * u[base + (size_t)place_of(s, &g->node[l->node[t]])];
+            g->next[k * dim + (size_t)c] = difference;
+            for (int t = 0; t < EDGE_TAPS; ++t)
+                inner[base + (size_t)place_of(s, &g->node[l->node[t]])] -= l->stiffness * weight[t] * difference;
+        }
+}
+
+void balance_pull_edges(mpm *s, const double *u, double *inner)
+{
+    for (int g = 0; g < count_groups(s); ++g) pull_group(s, g, u, inner);
+}
+
+/* Entry of a pair of taps, of component c of the matrix, which lie within the matrix's width of each other, around a periodic end where need be. */
+static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int c, double value)
+{
+    const int row = m->row[place_of(s, from)];
+    int offset[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        offset[a] = to->at[a] - from->at[a];
+        if (abs(offset[a]) > m->width) offset[a] += offset[a] < 0 ? s->mesh->n[a] : -s->mesh->n[a];
+    }
+    if (row >= 0) node_matrix_entries(m, row, c, c)[node_matrix_slot(m, offset)] += value;
+}
+
+static void assemble_group(const mpm *s, int layer, node_matrix *m)
+{
+    const edge_group *g = &s->work->edges->group[layer];
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const edge_line *l = &g->line[k];
+            const double *w = edge_weights(l, c);
+            for (int i = 0; i < edge_taps(s); ++i)
+                for (int j = 0; j < edge_taps(s); ++j)
+                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], layer * s->mesh->dim + c,
+                             l->stiffness * w[i] * w[j]);
+        }
+}
+
+void balance_assemble_edges(mpm *s, node_matrix *m)
+{
+    for (int g = 0; g < count_groups(s); ++g) assemble_group(s, g, m);
+}
+
+static double gain_of_group(const mpm *s, const edge_group *g)
+{
+    double energy = 0.0;
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const double before = s->work->edges->memory[g->line[k].slot + (size_t)c];
+            const double now = g->next[k * (size_t)s->mesh->dim + (size_t)c];
+            energy += 0.5 * g->line[k].stiffness * (now * now - before * before);
+        }
+    return energy;
+}
+
+void balance_enter_edges(mpm *s)
+{
+    double energy = 0.0;
+    for (int g = 0; g < count_groups(s); ++g) energy += gain_of_group(s, &s->work->edges->group[g]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -energy);
+}

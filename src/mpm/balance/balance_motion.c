@@ -1,0 +1,96 @@
+/* Steps of the trapezoidal rule (Newmark's with constant mean acceleration): the balance of balance.h with inertia. Second order in the
+ * step, stable at any, and without damping of its own.
+ *
+ *     f_ext(t + dt/2) + (f(0) + f(u)) / 2 = m (2/dt) (u/dt - v) + c m u/dt,     v' = 2 u/dt - v,
+ *
+ * f the forces of the points, v and m of the nodes as the points bring them, c the deck's damping. */
+#include "mpm/balance/balance.h"
+
+#include <string.h>
+
+/* The node fields of the blocks, as the solver's arrays: collected as forces are. */
+void motion_begin(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    memset(w->velocity, 0, w->components * sizeof *w->velocity);
+    memset(w->mass, 0, w->components * sizeof *w->mass);
+    for (int g = 0; g < s->n_groups; ++g) {
+        balance_collect(s, N_MOMENTUM, g, w->velocity);
+        balance_collect(s, N_MASS, g, w->mass);
+    }
+    for (size_t k = 0; k < w->components; ++k) {
+        const double m = w->mass[k % w->grid.size];
+        w->velocity[k] = m > 0.0 ? w->velocity[k] / m : 0.0;
+    }
+}
+
+/* Nodes go on as they move, what is held as it must. */
+void motion_guess(const mpm *s, double *u)
+{
+    const struct mpm_balance *w = s->balance;
+    for (size_t k = 0; k < w->components; ++k)
+        u[k] = w->held[k] ? w->target[k] : w->reached[k] ? s->dt * w->velocity[k] : 0.0;
+}
+
+double motion_damping(const mpm *s)
+{
+    const scene_damping *d = &s->scene->damping;
+    return s->time >= d->start && s->time < d->end ? d->rate : 0.0;
+}
+
+double motion_force(const mpm *s, size_t k, double u)
+{
+    const struct mpm_balance *w = s->balance;
+    const double v = u / s->dt;
+    return w->mass[k % w->grid.size] * (2.0 / s->dt * (v - w->velocity[k]) + motion_damping(s) * v);
+}
+
+/* Half the stiffness of the points, and the inertia of the nodes. */
+void motion_stiffen(const mpm *s, node_matrix *m)
+{
+    const struct mpm_balance *w = s->balance;
+    const double rate = 2.0 / (s->dt * s->dt) + motion_damping(s) / s->dt;
+    const size_t entries = (size_t)m->slots * (size_t)m->components * (size_t)m->components;
+    for (size_t k = 0; k < (size_t)m->rows * entries; ++k) m->value[k] *= 0.5;
+    for (int row = 0; row < m->rows; ++row)
+        for (int c = 0; c < m->components; ++c)
+            node_matrix_entries(m, row, c, c)[m->slots / 2] += rate * w->mass[m->place[row]];
+}
+
+double motion_velocity(const mpm *s, size_t k)
+{
+    return 2.0 * s->balance->u[k] / s->dt - s->balance->velocity[k];
+}
+
+/* Impulses and work of loads, damping and what holds nodes. */
+void motion_enter(mpm *s)
+{
+    const struct mpm_balance *w = s->balance;
+    double *share = w->trial, work = 0.0, damped = 0.0, held = 0.0;
+    const double rate = motion_damping(s);
+    memset(share, 0, w->components * sizeof *share);
+    balance_share(s, share);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + c);
+        double gained = 0.0, pushed = 0.0, slowed = 0.0;
+        bool walls = false;
+        for (size_t i = 0; i < w->grid.size; ++i) {
+            const size_t k = (size_t)c * w->grid.size + i;
+            const double way = w->u[k], loss = rate * w->mass[i] * way;
+            gained += share[k] * (motion_velocity(s, k) - w->velocity[k]);
+            pushed += s->dt * w->outer[k];
+            slowed += loss;
+            work += w->outer[k] * way;
+            damped += loss * way / s->dt;
+            walls = walls || w->held[k];
+            if (w->held[k])
+                held += way * (motion_force(s, k, way) - w->outer[k] - 0.5 * (w->inner_first[k] + w->inner[k]));
+        }
+        ledger_add(s->ledger, q, LEDGER_SOURCE, pushed);
+        ledger_add(s->ledger, q, LEDGER_DAMPING, -slowed);
+        if (walls) ledger_add(s->ledger, q, LEDGER_BOUNDARY, gained - pushed + slowed);
+    }
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -damped);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, held);
+}

@@ -1,0 +1,277 @@
+/* Gas at rest that solids enclose, or that is on cells: one pressure, which pushes its walls by the surface of its shape (of the cells:
+ * balance_gas.c) and falls with the volume that they give way. The law of gas as points (material/point_fluid.c) is that of the room, taken
+ * as one point. */
+#include "base/memory.h"
+#include "mpm/balance/balance.h"
+#include "scene/state.h"
+
+#include <math.h>
+#include <string.h>
+
+floe_status rooms_find(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
+    int n = 0;
+    for (int b = 0; b < s->n_bodies; ++b) n += s->body[b].fluid ? 1 : 0;
+    TRY(memory_new(s->ctx, &w->room, (size_t)n, sizeof *w->room));
+    for (int b = 0; b < s->n_bodies; ++b) {
+        if (!s->body[b].fluid) continue;
+        balance_room *r = &w->room[w->n_rooms++];
+        r->body = b;
+        r->par = (solid_fluid_par){.eos = s->body[b].fluid_par.eos};
+        TRY(memory_new(s->ctx, &r->push, w->components, sizeof *r->push));
+    }
+    return FLOE_OK;
+}
+
+void rooms_free(mpm *s)
+{
+    for (int r = 0; r < s->balance->n_rooms; ++r) memory_free(s->ctx, &s->balance->room[r].push);
+    memory_free(s->ctx, &s->balance->room);
+}
+
+enum { SUM_MASS, SUM_VOLUME0, SUM_VOLUME, SUM_ENERGY, SUMS };
+
+static void sum_tile(const mpm *s, int blk, int tile, int body, double sum[SUMS])
+{
+    const fields *f = s->domain->fields[blk];
+    const size_t *range = s->points[blk][body].tile_start + tile;
+    const double *mass = field_get(f, P_MASS, body, 0), *volume0 = field_get(f, P_VOLUME0, body, 0),
+                 *J = field_get(f, P_J, body, 0), *energy = field_get(f, P_ENERGY, body, 0);
+    for (int k = 0; k < SUMS; ++k) sum[k] = 0.0;
+    for (size_t k = range[0]; k < range[1]; ++k) {
+        sum[SUM_MASS] += mass[k];
+        sum[SUM_VOLUME0] += volume0[k];
+        sum[SUM_VOLUME] += volume0[k] * J[k];
+        sum[SUM_ENERGY] += mass[k] * energy[k];
+    }
+}
+
+static const char *name_of(const mpm *s, const balance_room *r)
+{
+    return r->body < 0 ? "of the cells" : s->scene->body[s->body[r->body].scene_body].name;
+}
+
+/* The law of a room's gas from its first state to a volume, without heat, in *b. */
+static floe_status expand(const mpm *s, const balance_room *r, double volume, solid_batch *b)
+{
+    memset(b, 0, sizeof *b);
+    b->n = 1;
+    b->dt = 1.0;
+    b->rho0[0] = r->mass / r->volume0;
+    b->J_old[0] = r->volume_first / r->volume0;
+    b->J[0] = volume / r->volume0;
+    b->energy[0] = r->energy_first;
+    if (volume > 0.0 && point_fluid.stress(&r->par, s->scene->reference_pressure, b) == 0) return FLOE_OK;
+    return fail(s->ctx, FLOE_RETRY, "the gas '%s' would be beyond its law: its volume would go from %g to %g m3",
+                name_of(s, r), r->volume_first, volume);
+}
+
+/* Pressure of a room, dp/de, and the square of its speed of sound. */
+static double room_state(const balance_room *r, double *pressure, double *slope)
+{
+    const eos *law = &r->par.eos;
+    const double rho = r->mass / r->volume;
+    double c2;
+    law->model->pressure(law->par, 1, &rho, &r->energy, pressure, &c2);
+    law->model->dpde(law->par, 1, &rho, &r->energy, slope);
+    return c2;
+}
+
+/* What loads do to a room's gas in the increment. */
+static void read_loads(const mpm *s, balance_room *r)
+{
+    const load_step step = {s->time, s->time + s->dt, s->step};
+    r->scheduled = (double)NAN;
+    r->heat = 0.0;
+    for (int l = 0; l < s->scene->n_loads; ++l) {
+        const scene_load load = load_as_solved(s, &s->scene->load[l]);
+        if (load.material != s->body[r->body].scene_material) continue;
+        bool active = false;
+        if (load.kind == LOAD_HEAT) r->heat += load.target * load_heating_time(&load, &step) * r->volume_first;
+        if (load.kind != LOAD_PRESSURISE) continue;
+        const double scheduled = load_scheduled_pressure(s->scene, &load, &step, &active);
+        if (active) r->scheduled = scheduled;
+    }
+}
+
+static floe_status begin_points(mpm *s, balance_room *r)
+{
+    double sum[SUMS], slope;
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t)
+            sum_tile(s, b, t, r->body,
+                     s->work->tile_sum + (size_t)tile_box_of(s->mesh, &s->mesh->block[b], t).number * SUMS);
+    domain_sum_tiles(s->mesh, s->work->tile_sum, SUMS, sum);
+    if (!(sum[SUM_VOLUME] > 0.0))
+        return fail(s->ctx, FLOE_BAD_INPUT, "the gas '%s' has no points",
+                    s->scene->body[s->body[r->body].scene_body].name);
+    r->mass = r->mass_first = sum[SUM_MASS];
+    r->volume0 = sum[SUM_VOLUME0];
+    r->volume = r->volume_first = sum[SUM_VOLUME];
+    r->energy = r->energy_first = sum[SUM_ENERGY] / sum[SUM_MASS];
+    (void)room_state(r, &r->pressure_first, &slope);
+    read_loads(s, r);
+    return FLOE_OK;
+}
+
+enum { MOST_EXPANSIONS = 50 };
+
+/* Gas that is open comes to the pressure of its sides along its isentrope, whatever mass that takes. */
+static floe_status open_room(mpm *s, balance_room *r)
+{
+    solid_batch *b = &s->work->batch[0];
+    double volume = r->volume_first, slope;
+    for (int k = 0; k < MOST_EXPANSIONS; ++k) {
+        TRY(expand(s, r, volume, b));
+        r->volume = volume;
+        r->energy = b->energy[0];
+        const double c2 = room_state(r, &r->pressure, &slope), off = r->pressure - r->scheduled;
+        if (fabs(off) <= 1e-12 * fabs(r->scheduled)) break;
+        volume += off * volume * volume / (r->mass * c2);
+    }
+    r->density_rest = r->mass / r->volume;
+    r->volume = r->volume_first;
+    return FLOE_OK;
+}
+
+static floe_status begin_gas(mpm *s, balance_room *r, const mpm_gas *gas)
+{
+    double slope;
+    r->par = (solid_fluid_par){.eos = *gas->law};
+    r->mass = r->mass_first = gas->mass;
+    r->volume0 = r->volume = r->volume_first = gas->volume;
+    r->energy = r->energy_first = gas->energy;
+    r->scheduled = gas->held;
+    r->heat = gas->heat;
+    r->open = gas->open;
+    (void)room_state(r, &r->pressure_first, &slope);
+    return r->open ? open_room(s, r) : FLOE_OK;
+}
+
+floe_status rooms_begin(mpm *s)
+{
+    for (int k = 0; k < s->balance->n_rooms; ++k) {
+        balance_room *r = &s->balance->room[k];
+        TRY(r->body < 0 ? begin_gas(s, r, &s->gas[k]) : begin_points(s, r));
+    }
+    return FLOE_OK;
+}
+
+static double dot(const struct mpm_balance *w, const double *x, const double *y)
+{
+    double sum = 0.0;
+    for (size_t k = 0; k < w->components; ++k) sum += x[k] * y[k];
+    return sum;
+}
+
+/* Pressure, energy and stiffness of a room that has gained a volume. */
+floe_status room_set(mpm *s, balance_room *r, double gain)
+{
+    solid_batch *b = &s->work->batch[0];
+    double slope;
+    TRY(expand(s, r, r->volume_first + gain, b));
+    r->volume = r->volume_first + gain;
+    if (r->open) {
+        r->mass = r->density_rest * r->volume;
+        r->pressure = r->scheduled;
+        r->stiffness = 0.0;
+        return FLOE_OK;
+    }
+    r->energy = b->energy[0] + r->heat / r->mass;
+    const double c2 = room_state(r, &r->pressure, &slope);
+    r->stiffness = r->mass * c2 / (r->volume * r->volume);
+    if (isnan(r->scheduled)) return FLOE_OK;
+    r->energy += (r->scheduled - r->pressure) / slope;
+    r->pressure = r->scheduled;
+    r->stiffness = 0.0;
+    return FLOE_OK;
+}
+
+floe_status rooms_push(mpm *s, const double *u, double *pushed)
+{
+    struct mpm_balance *w = s->balance;
+    memset(pushed, 0, w->components * sizeof *pushed);
+    for (int k = 0; k < w->n_rooms; ++k) {
+        balance_room *r = &w->room[k];
+        TRY(room_set(s, r, dot(w, r->push, u)));
+        const double pressure = r->pressure - s->scene->reference_pressure;
+        for (size_t i = 0; i < w->components; ++i) pushed[i] += pressure * r->push[i];
+    }
+    return FLOE_OK;
+}
+
+void rooms_push_first(mpm *s, double *pushed)
+{
+    struct mpm_balance *w = s->balance;
+    memset(pushed, 0, w->components * sizeof *pushed);
+    for (int k = 0; k < w->n_rooms; ++k) {
+        const double pressure = w->room[k].pressure_first - s->scene->reference_pressure;
+        for (size_t i = 0; i < w->components; ++i) pushed[i] += pressure * w->room[k].push[i];
+    }
+}
+
+void rooms_stiffen(const struct mpm_balance *w, const double *x, double *y)
+{
+    for (int k = 0; k < w->n_rooms; ++k) {
+        const balance_room *r = &w->room[k];
+        if (r->stiffness == 0.0) continue;
+        const double pressure = r->stiffness * dot(w, r->push, x);
+        for (size_t i = 0; i < w->components; ++i)
+            if (!w->held[i]) y[i] += pressure * r->push[i];
+    }
+}
+
+/* Points of a room's gas stay where they are: what is at rest has no place of its own. */
+void room_store(mpm *s, const balance_room *r, int blk)
+{
+    const fields *f = s->domain->fields[blk];
+    const int dim = s->mesh->dim;
+    const size_t n = s->points[blk][r->body].n;
+    const double growth = r->volume / r->volume_first, stress = s->scene->reference_pressure - r->pressure;
+    for (size_t k = 0; k < n; ++k) {
+        field_next(f, P_J, r->body, 0)[k] = growth * field_get(f, P_J, r->body, 0)[k];
+        field_next(f, P_ENERGY, r->body, 0)[k] = r->energy;
+        for (int c = 0; c < field_component_count(FIELD_STRESS, dim); ++c)
+            field_next(f, P_STRESS, r->body, c)[k] = c < 3 ? stress : 0.0;
+        for (int a = 0; a < dim; ++a) {
+            field_next(f, P_POS, r->body, a)[k] = field_get(f, P_POS, r->body, a)[k];
+            field_next(f, P_VEL, r->body, a)[k] = 0.0;
+            if (s->boxes) field_next(f, P_BOX, r->body, a)[k] = field_get(f, P_BOX, r->body, a)[k];
+        }
+    }
+    if (fields_has(f, P_VISCOUS_PRESSURE, r->body))
+        memset(field_next(f, P_VISCOUS_PRESSURE, r->body, 0), 0, n * sizeof(double));
+}
+
+void gas_store(const balance_room *r, mpm_gas *gas)
+{
+    gas->mass_end = r->mass;
+    gas->volume_end = r->volume;
+    gas->energy_end = r->energy;
+    gas->pressure = r->pressure;
+}
+
+void rooms_store(mpm *s)
+{
+    for (int k = 0; k < s->balance->n_rooms; ++k) {
+        const balance_room *r = &s->balance->room[k];
+        if (r->body < 0) gas_store(r, &s->gas[k]);
+        for (int b = 0; b < s->mesh->n_blocks && r->body >= 0; ++b) room_store(s, r, b);
+    }
+}
+
+double rooms_enter(mpm *s)
+{
+    double done = 0.0;
+    for (int k = 0; k < s->balance->n_rooms; ++k) {
+        const balance_room *r = &s->balance->room[k];
+        const double gain = r->volume - r->volume_first, mean = 0.5 * (r->pressure_first + r->pressure);
+        const double heat = r->mass * r->energy - r->mass_first * r->energy_first + mean * gain;
+        ledger_add(s->ledger, LEDGER_ENERGY, r->open ? LEDGER_BOUNDARY : LEDGER_SOURCE, heat);
+        ledger_add(s->ledger, LEDGER_MASS, LEDGER_BOUNDARY, r->mass - r->mass_first);
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, -s->scene->reference_pressure * gain);
+        done += (mean - s->scene->reference_pressure) * gain;
+    }
+    return done;
+}

@@ -1,0 +1,264 @@
+/* Contact at one node: which pairs of bodies touch, and what impulses they exchange. */
+#include "mpm/contact/contact.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MAX_SWEEPS = 64 };
+
+/* What holds a pair together. */
+typedef enum bond {
+    BOND_ALL,    /* no relative motion */
+    BOND_NORMAL, /* none along the normal */
+    BOND_PUSH    /* none into each other; across the normal as far as friction goes */
+} bond;
+
+typedef struct pair {
+    int a, b;
+    double n[3]; /* unit normal from a to b */
+    double mass; /* kg: m_a m_b / (m_a + m_b) */
+    bond bond;
+    double push;    /* kg m/s: impulse along n, which a loses and b gains */
+    double drag[3]; /* kg m/s: across n; all of it where bond is BOND_ALL */
+} pair;
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Unit vector along x without its held components; zero where there is none. */
+static void unit(const contact_node *node, const double x[3], double out[3])
+{
+    for (int c = 0; c < 3; ++c) out[c] = node->held[c] ? 0.0 : x[c];
+    const double length = sqrt(dot(out, out));
+    for (int c = 0; c < 3; ++c) out[c] = length > 0.0 ? out[c] / length : 0.0;
+}
+
+/* Velocities of the centre of mass, before and after the kick. */
+typedef struct common {
+    double v0[3], v[3];
+} common;
+
+static common mean_velocity(const contact_node *node)
+{
+    double mass = 0.0;
+    common mean = {{0.0}, {0.0}};
+    for (int k = 0; k < node->n; ++k) {
+        mass += node->body[k].mass;
+        for (int c = 0; c < 3; ++c) {
+            mean.v0[c] += node->body[k].mass * node->body[k].v0[c];
+            mean.v[c] += node->body[k].mass * node->body[k].v[c];
+        }
+    }
+    for (int c = 0; c < 3; ++c) {
+        mean.v0[c] /= mass;
+        mean.v[c] /= mass;
+    }
+    return mean;
+}
+
+/* (v - mean) . n > 0: the body moves into the others (Y97 eq. 9.8). */
+static bool moves_in(const contact_body *b, const double mean[3], const double n[3])
+{
+    const double relative[3] = {b->v[0] - mean[0], b->v[1] - mean[1], b->v[2] - mean[2]};
+    return dot(relative, n) > 0.0;
+}
+
+static bool approach(const scene_contact *rule, const contact_node *node, const pair *p, const double mean[3])
+{
+    const contact_body *a = &node->body[p->a], *b = &node->body[p->b];
+    double own_a[3], own_b[3];
+    if (dot(p->n, p->n) == 0.0) return true; /* no normal: nothing says that they part */
+    switch (rule->criterion) {
+    case CONTACT_MEAN: return moves_in(a, mean, p->n);
+    case CONTACT_BOTH:
+        unit(node, a->normal, own_a);
+        unit(node, b->normal, own_b);
+        return moves_in(a, mean, own_a) || moves_in(b, mean, own_b);
+    default: return moves_in(a, b->v, p->n); /* Y97 eq. 9.7 */
+    }
+}
+
+/* Unit normal from a to b. */
+static void pair_normal(const contact_node *node, int a, int b, double out[3])
+{
+    const contact_body *A = &node->body[a], *B = &node->body[b];
+    const double n[3] = {A->normal[0] - B->normal[0], A->normal[1] - B->normal[1], A->normal[2] - B->normal[2]};
+    unit(node, n, out);
+}
+
+static pair make_pair(const contact_node *node, int a, int b, bond kind)
+{
+    const contact_body *A = &node->body[a], *B = &node->body[b];
+    pair p = {.a = a, .b = b, .mass = A->mass * B->mass / (A->mass + B->mass), .bond = kind};
+    pair_normal(node, a, b, p.n);
+    return p;
+}
+
+/* Whether a pair of which one body is outside the contact has to do with each other. */
+static bool sticks_outside(const contact_node *node, int a, int b)
+{
+    if (node->apart) return false;
+    if (!node->fluids || (!node->body[a].named && !node->body[b].named)) return true;
+    const int named = node->body[a].named ? a : b;
+    for (int k = 0; k < node->n; ++k)
+        if (node->body[k].named && node->body[k].rank < node->body[named].rank) return false;
+    return true;
+}
+
+/* The surfaces of those of the contact are each at its farthest point along the normal. */
+int contact_find_meetings(const scene_contact *rule, const contact_node *node, contact_meeting *list)
+{
+    int n = 0;
+    for (int a = 0; a < node->n; ++a)
+        for (int b = a + 1; b < node->n; ++b) {
+            contact_meeting m = {.a = a, .b = b, .named = node->body[a].named && node->body[b].named};
+            if (!m.named && !sticks_outside(node, a, b)) continue;
+            if (m.named && rule->touch == CONTACT_AT_POINTS) m.gap = -(node->body[a].reach + node->body[b].reach);
+            pair_normal(node, a, b, m.n);
+            list[n++] = m;
+        }
+    return n;
+}
+
+bool contact_has_met(const contact_node *node, const contact_meeting *m)
+{
+    return m->gap <= 1e-6 * node->h;
+}
+
+/* Pairs that are in contact now. */
+static int find_pairs(const scene_contact *rule, const contact_node *node, pair *list)
+{
+    contact_meeting meeting[CONTACT_MAX_PAIRS];
+    const int meetings = contact_find_meetings(rule, node, meeting);
+    int n = 0;
+    const common mean = mean_velocity(node);
+    for (int k = 0; k < meetings; ++k) {
+        const contact_meeting *m = &meeting[k];
+        const bool ruled = m->named && rule->kind != CONTACT_STICK;
+        if (!contact_has_met(node, m)) continue;
+        const pair p = make_pair(node, m->a, m->b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
+        if (!ruled || approach(rule, node, &p, mean.v)) list[n++] = p;
+    }
+    return n;
+}
+
+/* Bodies that pairs join, directly or through others, move in the field of their common centre of mass (Y97 eqs 9.1 to 9.3): they
+ * take its velocity, before the kick too, so that points receive the acceleration of that field and keep their own difference from
+ * it, as points of one body do. */
+static void join(contact_node *node, const pair *list, int n)
+{
+    int cluster[MPM_MAX_GROUPS];
+    for (int k = 0; k < node->n; ++k) cluster[k] = k;
+    for (int p = 0; p < n; ++p) {
+        const int from = cluster[list[p].b], to = cluster[list[p].a];
+        for (int k = 0; k < node->n; ++k)
+            if (cluster[k] == from) cluster[k] = to;
+    }
+    for (int first = 0; first < node->n; ++first) {
+        contact_node part = {.n = 0};
+        for (int k = 0; k < node->n; ++k)
+            if (cluster[k] == first) part.body[part.n++] = node->body[k];
+        if (part.n < 2) continue;
+        const common mean = mean_velocity(&part);
+        for (int k = 0; k < node->n; ++k) {
+            if (cluster[k] != first) continue;
+            memcpy(node->body[k].v0, mean.v0, sizeof mean.v0);
+            memcpy(node->body[k].v, mean.v, sizeof mean.v);
+        }
+    }
+}
+
+/* a loses the impulse, b gains it. */
+static void exchange(contact_node *node, const pair *p, const double impulse[3])
+{
+    contact_body *a = &node->body[p->a], *b = &node->body[p->b];
+    for (int c = 0; c < 3; ++c) {
+        a->v[c] -= impulse[c] / a->mass;
+        b->v[c] += impulse[c] / b->mass;
+    }
+}
+
+/* Brings one pair to rest as far as its bond goes; returns the size of the change. */
+static double relax(contact_node *node, pair *p, double friction)
+{
+    const contact_body *a = &node->body[p->a], *b = &node->body[p->b];
+    double wanted[3], impulse[3], drag[3];
+    for (int c = 0; c < 3; ++c) wanted[c] = p->mass * (a->v[c] - b->v[c]);
+    const double along = p->bond == BOND_ALL ? 0.0 : dot(wanted, p->n);
+    const double push = p->bond == BOND_PUSH ? fmax(0.0, p->push + along) : p->push + along;
+    for (int c = 0; c < 3; ++c) drag[c] = p->drag[c] + wanted[c] - along * p->n[c];
+    const double size = sqrt(dot(drag, drag)), most = friction * push;
+    const double kept = p->bond == BOND_ALL ? 1.0 : p->bond == BOND_NORMAL ? 0.0 : size <= most ? 1.0 : most / size;
+    for (int c = 0; c < 3; ++c) {
+        impulse[c] = kept * drag[c] - p->drag[c] + (push - p->push) * p->n[c];
+        p->drag[c] = kept * drag[c];
+    }
+    p->push = push;
+    exchange(node, p, impulse);
+    return sqrt(dot(impulse, impulse));
+}
+
+/* Two bodies need one sweep; more, until the impulses stand still. Any sweep keeps the momentum. */
+static void relax_all(contact_node *node, pair *list, int n, double friction)
+{
+    for (int sweep = 0; sweep < MAX_SWEEPS; ++sweep) {
+        double change = 0.0, total = 0.0;
+        for (int k = 0; k < n; ++k) {
+            change += relax(node, &list[k], friction);
+            total += fabs(list[k].push) + sqrt(dot(list[k].drag, list[k].drag));
+        }
+        if (node->n == 2 || change <= 1e-14 * total) return;
+    }
+}
+
+static contact_state state_of(const pair *p, double friction)
+{
+    if (p->bond != BOND_PUSH) return CONTACT_STICKS;
+    if (p->push == 0.0) return CONTACT_FREE;
+    return sqrt(dot(p->drag, p->drag)) < (1.0 - 1e-12) * friction * p->push ? CONTACT_STICKS : CONTACT_SLIDES;
+}
+
+static contact_tally set_states(const scene_contact *rule, contact_node *node, const pair *list, int n)
+{
+    contact_tally t = {.release = node->n * (node->n - 1) / 2};
+    for (int k = 0; k < n; ++k) {
+        const contact_state state = state_of(&list[k], rule->friction);
+        node->state[list[k].a][list[k].b] = state;
+        if (state == CONTACT_FREE) continue;
+        t.release--;
+        t.stick += state == CONTACT_STICKS;
+        t.slip += state == CONTACT_SLIDES;
+    }
+    return t;
+}
+
+contact_tally contact_resolve(const scene_contact *rule, contact_node *node)
+{
+    pair list[CONTACT_MAX_PAIRS];
+    const int n = find_pairs(rule, node, list);
+    memset(node->state, 0, sizeof node->state);
+    if (rule->kind == CONTACT_FRICTION)
+        relax_all(node, list, n, rule->friction);
+    else
+        join(node, list, n);
+    return set_states(rule, node, list, n);
+}
+
+void contact_impose(contact_node *node)
+{
+    pair list[CONTACT_MAX_PAIRS];
+    int n = 0;
+    bool slides = false;
+    for (int a = 0; a < node->n; ++a)
+        for (int b = a + 1; b < node->n; ++b) {
+            if (node->state[a][b] == CONTACT_FREE) continue;
+            slides = slides || node->state[a][b] == CONTACT_SLIDES;
+            list[n++] = make_pair(node, a, b, node->state[a][b] == CONTACT_SLIDES ? BOND_NORMAL : BOND_ALL);
+        }
+    if (slides)
+        relax_all(node, list, n, 0.0);
+    else
+        join(node, list, n);
+}

@@ -1,0 +1,117 @@
+/* What the lines of edges push and remember (edge.h). */
+#include "mpm/edge/edge.h"
+
+#include <string.h>
+
+static bool is_usf(const mpm *s)
+{
+    return s->scene->method.stress == STRESS_USF;
+}
+
+/* The difference that line k of a group pushes with. */
+static double pushing(const mpm *s, const edge_group *g, size_t k, int c)
+{
+    return is_usf(s) ? g->next[k * (size_t)s->mesh->dim + (size_t)c]
+                     : s->work->edges->memory[g->line[k].slot + (size_t)c];
+}
+
+double edges_push(const mpm *s, const edge_group *g, int c, double *force)
+{
+    double given = 0.0;
+    memset(force, 0, (size_t)g->n_nodes * sizeof *force);
+    for (size_t k = 0; k < g->n_lines; ++k) {
+        const edge_line *l = &g->line[k];
+        const double tension = -l->stiffness * pushing(s, g, k, c);
+        edge_add(l, c, tension, force);
+        if (l->images) given += tension * edge_sum(g, l, c, false);
+    }
+    return given;
+}
+
+void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const double *value)
+{
+    const edge_group *g = &s->work->edges->group[group];
+    double *field[MESH_MAX_BLOCKS];
+    for (int b = 0; b < s->mesh->n_blocks; ++b) field[b] = field_get(s->domain->fields[b], id, group, c);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        const edge_copy *copy = g->copy + g->node[n].copy;
+        for (size_t k = 0; k < g->node[n].copies; ++k) field[copy[k].block][copy[k].at] += value[n];
+    }
+}
+
+void edges_values(const mpm *s, int group, field_id id, int c, double *value)
+{
+    const edge_group *g = &s->work->edges->group[group];
+    const double *field[MESH_MAX_BLOCKS];
+    for (int b = 0; b < s->mesh->n_blocks; ++b) field[b] = field_get(s->domain->fields[b], id, group, c);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        const edge_copy *own = g->copy + g->node[n].copy;
+        value[n] = field[own->block][own->at];
+    }
+}
+
+static floe_status push_group(mpm *s, int group)
+{
+    const edge_group *g = &s->work->edges->group[group];
+    double *force;
+    TRY(edges_scratch(s, g, 1, &force));
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const double given = edges_push(s, g, c, force);
+        edges_add_to_copies(s, group, N_FORCE, c, force);
+        ledger_add(s->ledger, edges_momentum(c), LEDGER_BOUNDARY, given * s->work->kick);
+    }
+    return FLOE_OK;
+}
+
+floe_status mpm_edge_force(mpm *s)
+{
+    for (int g = 0; g < s->n_groups; ++g) {
+        TRY(edges_find(s, g, false));
+        if (is_usf(s)) TRY(edges_strain(s, g, N_VEL));
+        TRY(push_group(s, g));
+    }
+    return FLOE_OK;
+}
+
+floe_status edges_strain(mpm *s, int group, field_id velocity)
+{
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    const double dt = strain_step(s);
+    const int dim = s->mesh->dim;
+    double *v;
+    TRY(edges_scratch(s, g, 1, &v));
+    for (int c = 0; c < dim; ++c) {
+        edges_values(s, group, velocity, c, v);
+        for (size_t k = 0; k < g->n_lines; ++k)
+            g->next[k * (size_t)dim + (size_t)c] =
+                e->memory[g->line[k].slot + (size_t)c] + dt * edge_difference(&g->line[k], c, v);
+    }
+    return FLOE_OK;
+}
+
+static void commit_group(mpm *s, int group)
+{
+    mpm_edges *e = s->work->edges;
+    const edge_group *g = &e->group[group];
+    const size_t dim = (size_t)s->mesh->dim;
+    for (size_t k = 0; k < g->n_lines; ++k)
+        memcpy(e->memory + g->line[k].slot, g->next + k * dim, dim * sizeof *g->next);
+    for (int n = 0; n < g->n_nodes; ++n)
+        for (size_t c = 0; c < dim; ++c)
+            e->memory[g->node[n].slot + c] = g->accelerated[c * (size_t)g->n_nodes + (size_t)n];
+    e->memory[e->travel + (size_t)group] = g->travelled;
+}
+
+void edges_commit(mpm *s)
+{
+    for (int g = 0; s->work->edges && g < s->n_groups; ++g) commit_group(s, g);
+}
+
+double *mpm_edges_state(mpm *s, size_t *n)
+{
+    mpm_edges *e = s->work->edges;
+    *n = e ? e->n_memory : 0;
+    for (int g = 0; e && g < s->n_groups; ++g) e->group[g].listed = false; /* who asks may write there */
+    return e ? e->memory : NULL;
+}

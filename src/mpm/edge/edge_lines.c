@@ -1,0 +1,334 @@
+/* The lists of lines, of their nodes and of where blocks have those (edge.h), from what is remembered. */
+#include "base/memory.h"
+#include "mpm/edge/edge.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Cells that nodes may move before lines are looked for anew. A node that a point reaches meanwhile is filled to the square of that at most, and held some
+ * steps later; a body that rests pays for no look. With any way up to 0.1 a soft cylinder that opens by a cell has the same error to 1 %. */
+static const double long_way = 0.02;
+
+double edge_modulus(const mpm *s, int body)
+{
+    const mpm_body *b = &s->body[body];
+    return b->law->bulk_modulus(b->law_par) + 4.0 / 3.0 * b->law->shear_modulus(b->law_par);
+}
+
+int edge_taps(const mpm *s)
+{
+    return s->basis->kind == BASIS_CUBIC ? 5 : s->basis->kind == BASIS_QUADRATIC ? 4 : 3;
+}
+
+/* Components of a node's velocity that walls or supports hold. */
+static unsigned held_components(const mpm *s, const int at[MESH_MAX_DIM])
+{
+    unsigned held = 0;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        if (s->mesh->periodic[a] || (at[a] != 0 && at[a] != s->mesh->n[a])) continue;
+        for (int c = 0; c < s->mesh->dim; ++c)
+            if (wall_holds(s, a, at[a] == 0 ? SIDE_LOWER : SIDE_UPPER, c)) held |= 1u << c;
+    }
+    for (size_t k = 0; k < s->work->n_supports; ++k)
+        if (memcmp(s->work->support[k].node, at, sizeof s->work->support[k].node) == 0)
+            held |= (1u << s->mesh->dim) - 1u;
+    return held;
+}
+
+/* Weights of the taps of a difference, by their number. */
+static const double binomial[EDGE_TAPS + 1][EDGE_TAPS] = {
+    [3] = {1, -2, 1}, [4] = {-1, 3, -3, 1}, [5] = {1, -4, 6, -4, 1}};
+
+bool edge_find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
+{
+    const mesh *m = s->mesh;
+    const int taps = edge_taps(s), axis = l->axis;
+    for (int t = 0; t < taps; ++t) {
+        memcpy(tap[t], first, sizeof tap[t]);
+        int *x = &tap[t][axis];
+        *x += t;
+        l->weight[0][t] = l->weight[1][t] = binomial[taps][t];
+        if (m->periodic[axis]) {
+            *x %= m->n[axis];
+        } else if (*x < 0 || *x > m->n[axis]) {
+            const int side = *x < 0 ? SIDE_LOWER : SIDE_UPPER;
+            if (!wall_mirrors(s, axis, side)) return false;
+            *x = side == SIDE_LOWER ? -*x : 2 * m->n[axis] - *x;
+            l->weight[1][t] = -binomial[taps][t];
+            l->images = true;
+        }
+    }
+    return true;
+}
+
+floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user)
+{
+    const mpm_edges *e = s->work->edges;
+    for (int axis = 0; axis < s->mesh->dim; ++axis) {
+        const bool periodic = s->mesh->periodic[axis];
+        int lo[MESH_MAX_DIM] = {0, 0, 0}, end[MESH_MAX_DIM];
+        memcpy(end, e->nodes, sizeof end);
+        if (!periodic) {
+            lo[axis] = -1;
+            end[axis] = s->mesh->n[axis] + 3 - edge_taps(s);
+        }
+        for (int k = lo[2]; k < end[2]; ++k)
+            for (int j = lo[1]; j < end[1]; ++j)
+                for (int i = lo[0]; i < end[0]; ++i) TRY(visit(s, group, axis, (const int[]){i, j, k}, user));
+    }
+    return FLOE_OK;
+}
+
+/* Room for so many items in a list. */
+static floe_status make_room(context *ctx, void *list, size_t *room, size_t items, size_t size)
+{
+    if (items <= *room) return FLOE_OK;
+    const size_t wanted = items < 128 ? 256 : 2 * items;
+    TRY(memory_resize(ctx, list, wanted, size));
+    *room = wanted;
+    return FLOE_OK;
+}
+
+/* Where a block sees a node, moved by whole periods: false where it does not. */
+static bool sees(const mesh *m, const block *b, const edge_node *n, const int period[MESH_MAX_DIM], ptrdiff_t *at)
+{
+    int local[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        local[a] = n->at[a] + period[a] * m->n[a] - b->lo[a];
+        if (a < m->dim && (local[a] < -1 || local[a] > b->n[a] + 1)) return false;
+    }
+    *at = mesh_index(b, local[0], local[1], local[2]);
+    return true;
+}
+
+/* Lists the copies of a node: that of the block which owns it first, then in each block that sees it, and at periodic images. */
+static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
+{
+    const mesh *m = s->mesh;
+    int cell[MESH_MAX_DIM], images[MESH_MAX_DIM] = {0, 0, 0};
+    for (int a = 0; a < MESH_MAX_DIM; ++a) cell[a] = n->at[a] == m->n[a] ? n->at[a] - 1 : n->at[a];
+    for (int a = 0; a < m->dim; ++a) images[a] = m->periodic[a] ? 1 : 0;
+    const int own = mesh_block_of(m, cell);
+    n->copy = g->n_copies;
+    for (int round = 0; round < 2; ++round)
+        for (int z = -images[2]; z <= images[2]; ++z)
+            for (int y = -images[1]; y <= images[1]; ++y)
+                for (int x = -images[0]; x <= images[0]; ++x)
+                    for (int b = 0; b < m->n_blocks; ++b) {
+                        const bool first = b == own && x == 0 && y == 0 && z == 0;
+                        ptrdiff_t at;
+                        if (first != (round == 0) || !sees(m, &m->block[b], n, (const int[]){x, y, z}, &at)) continue;
+                        TRY(make_room(s->ctx, &g->copy, &g->copy_room, g->n_copies + 1, sizeof *g->copy));
+                        g->copy[g->n_copies++] = (edge_copy){b, at};
+                    }
+    n->copies = g->n_copies - n->copy;
+    return FLOE_OK;
+}
+
+/* Place in the group's list of a node. */
+static floe_status list_node(mpm *s, int group, const int at[MESH_MAX_DIM], int *place)
+{
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    int *index = &e->index[edge_number(e, at)];
+    if (*index < 0) {
+        TRY(make_room(s->ctx, &g->node, &g->node_room, (size_t)g->n_nodes + 1, sizeof *g->node));
+        *index = g->n_nodes;
+        edge_node *n = &g->node[g->n_nodes++];
+        memcpy(n->at, at, sizeof n->at);
+        n->held = held_components(s, at);
+        n->slot = e->accelerations + ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim;
+        TRY(list_copies(s, g, n));
+    }
+    *place = *index;
+    return FLOE_OK;
+}
+
+/* V/h^2 of the cells about a line, half of it on a side; a mean radius more about an axis. */
+static double line_extent(const mpm *s, int axis, int tap[EDGE_TAPS][MESH_MAX_DIM])
+{
+    const mesh *m = s->mesh;
+    double extent = 1.0 / m->h[axis], radius = 0.0;
+    for (int a = 0; a < m->dim; ++a) {
+        if (a == axis) continue;
+        const bool side = !m->periodic[a] && (tap[0][a] == 0 || tap[0][a] == m->n[a]);
+        extent *= side ? 0.5 * m->h[a] : m->h[a];
+    }
+    if (m->geometry != MESH_AXISYMMETRIC) return extent;
+    for (int t = 0; t < edge_taps(s); ++t) radius += mesh_node(m, 0, tap[t][0]) / edge_taps(s);
+    return extent * fmax(radius, 0.25 * m->h[0]);
+}
+
+/* Whether what a line gives to the nodes, or to those that are free, is not nothing as a whole: beside walls and mirrors. */
+static bool is_unbalanced(const edge_group *g, const edge_line *l)
+{
+    bool held = false;
+    for (int t = 0; t < EDGE_TAPS; ++t) held = held || g->node[l->node[t]].held != 0;
+    return held || l->images;
+}
+
+static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user)
+{
+    (void)user;
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    const size_t place = edge_place(s, group, axis, first);
+    const int body = (int)e->memory[e->lines + place] - 1;
+    int tap[EDGE_TAPS][MESH_MAX_DIM];
+    edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
+    if (body < 0 || !edge_find_taps(s, first, tap, &l)) return FLOE_OK;
+    l.stiffness = s->scene->method.edge_penalty * edge_modulus(s, body) * line_extent(s, axis, tap);
+    l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
+    for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, tap[t], &l.node[t]));
+    for (int t = edge_taps(s); t < EDGE_TAPS; ++t) l.node[t] = l.node[0];
+    l.unbalanced = is_unbalanced(g, &l);
+    TRY(make_room(s->ctx, &g->line, &g->line_room, g->n_lines + 1, sizeof *g->line));
+    g->line[g->n_lines++] = l;
+    return FLOE_OK;
+}
+
+/* The entry of a row's column, which is added where it is not yet. */
+static size_t entry_of(edge_matrix *m, int row, int column)
+{
+    const size_t begin = (size_t)row * (size_t)m->width;
+    int k = 0;
+    while (k < m->count[row] && m->column[begin + (size_t)k] != column) ++k;
+    if (k == m->count[row]) m->column[begin + (size_t)m->count[row]++] = column;
+    return begin + (size_t)k;
+}
+
+static void add_line(edge_matrix *m, const edge_line *l, int dim, int taps)
+{
+    for (int i = 0; i < taps; ++i)
+        for (int j = 0; j < taps; ++j) {
+            const size_t at = entry_of(m, l->node[i], l->node[j]);
+            for (int c = 0; c < dim; ++c) {
+                const double weight = edge_weights(l, c)[i] * edge_weights(l, c)[j];
+                m->inertia[(size_t)c * m->room + at] += weight * l->inertia;
+            }
+        }
+}
+
+/* Room for the nodes' rows, all empty but for their diagonals. */
+static floe_status clear_matrix(mpm *s, edge_group *g)
+{
+    edge_matrix *m = &g->matrix;
+    const size_t rows = (size_t)g->n_nodes, dim = (size_t)s->mesh->dim;
+    m->width = 1 + 2 * (edge_taps(s) - 1) * s->mesh->dim;
+    if (rows * (size_t)m->width > m->room) {
+        const size_t some = rows + rows / 4, room = some * (size_t)m->width;
+        TRY(memory_resize(s->ctx, &m->count, some, sizeof *m->count));
+        TRY(memory_resize(s->ctx, &m->column, room, sizeof *m->column));
+        TRY(memory_resize(s->ctx, &m->inertia, room * dim, sizeof *m->inertia));
+        TRY(memory_resize(s->ctx, &g->accelerated, some * dim, sizeof *g->accelerated));
+        m->room = room;
+    }
+    memset(m->inertia, 0, m->room * dim * sizeof *m->inertia);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        m->count[n] = 0;
+        (void)entry_of(m, n, n);
+    }
+    return FLOE_OK;
+}
+
+/* What nodes of no line had is forgotten. */
+static void forget_nodes(mpm *s, int group)
+{
+    mpm_edges *e = s->work->edges;
+    const size_t all = edge_all_nodes(e), dim = (size_t)s->mesh->dim;
+    for (size_t k = 0; k < all; ++k)
+        if (e->index[k] < 0)
+            memset(e->memory + e->accelerations + ((size_t)group * all + k) * dim, 0, dim * sizeof *e->memory);
+}
+
+static floe_status list_group(mpm *s, int group)
+{
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    const size_t all = edge_all_nodes(e);
+    g->listed = false;
+    g->n_lines = g->n_copies = 0;
+    g->n_nodes = 0;
+    for (size_t k = 0; k < all; ++k) e->index[k] = -1;
+    TRY(edge_visit_starts(s, group, list_line, NULL));
+    forget_nodes(s, group);
+    g->listed = g->n_nodes == 0; /* no line yet: no rows, and no room for them either */
+    if (g->listed) return FLOE_OK;
+    TRY(clear_matrix(s, g));
+    for (size_t k = 0; k < g->n_lines; ++k) add_line(&g->matrix, &g->line[k], s->mesh->dim, edge_taps(s));
+    TRY(make_room(s->ctx, &g->next, &g->next_room, g->n_lines * (size_t)s->mesh->dim, sizeof *g->next));
+    memset(g->accelerated, 0, (size_t)g->n_nodes * (size_t)s->mesh->dim * sizeof *g->accelerated);
+    g->listed = true;
+    return FLOE_OK;
+}
+
+/* Whether a node of some line has lost its mass: the points have gone, or were taken away. */
+static bool lacks_mass(const mpm *s, int group)
+{
+    const edge_group *g = &s->work->edges->group[group];
+    for (int n = 0; n < g->n_nodes; ++n) {
+        const edge_copy *own = &g->copy[g->node[n].copy];
+        if (!(field_get(s->domain->fields[own->block], N_MASS, group, 0)[own->at] > 0.0)) return true;
+    }
+    return false;
+}
+
+floe_status edges_find(mpm *s, int group, bool anew)
+{
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    double *travelled = &e->memory[e->travel + (size_t)group];
+    bool changed = false;
+    if (!(g->speed > 0.0)) return FLOE_OK;
+    if (!g->listed) TRY(list_group(s, group));
+    g->looked = anew || *travelled > long_way || lacks_mass(s, group);
+    if (g->looked) TRY(edges_look(s, group, &changed));
+    return changed ? list_group(s, group) : FLOE_OK;
+}
+
+floe_status edges_create(mpm *s)
+{
+    TRY(memory_new(s->ctx, &s->work->edges, 1, sizeof *s->work->edges));
+    mpm_edges *e = s->work->edges;
+    for (int a = 0; a < MESH_MAX_DIM; ++a)
+        e->nodes[a] = s->mesh->n[a] + (a < s->mesh->dim && !s->mesh->periodic[a] ? 1 : 0);
+    for (int b = 0; b < s->n_bodies; ++b) {
+        if (!edge_body(s, b)) continue;
+        edge_group *g = &e->group[s->body[b].group];
+        g->speed = fmax(g->speed, sqrt(edge_modulus(s, b) / s->scene->material[s->body[b].scene_material].density));
+        for (int a = 0; a < s->mesh->dim; ++a) g->damping = fmax(g->damping, g->speed / s->mesh->h[a]);
+    }
+    const size_t nodes = edge_all_nodes(e), dim = (size_t)s->mesh->dim, groups = (size_t)s->n_groups;
+    e->accelerations = groups * nodes * dim * dim;
+    e->lines = e->accelerations + groups * nodes * dim;
+    e->travel = e->lines + groups * nodes * dim;
+    e->n_memory = e->travel + groups;
+    TRY(memory_new(s->ctx, &e->memory, e->n_memory, sizeof *e->memory));
+    for (size_t g = 0; g < groups; ++g) e->memory[e->travel + g] = 1.0; /* look at first */
+    TRY(memory_new(s->ctx, &e->fill, nodes, sizeof *e->fill));
+    TRY(memory_new(s->ctx, &e->owner, nodes, sizeof *e->owner));
+    return memory_new(s->ctx, &e->index, nodes, sizeof *e->index);
+}
+
+void edges_free(context *ctx, mpm_edges **e)
+{
+    for (int k = 0; *e && k < MPM_MAX_GROUPS; ++k) {
+        edge_group *g = &(*e)->group[k];
+        memory_free(ctx, &g->line);
+        memory_free(ctx, &g->node);
+        memory_free(ctx, &g->copy);
+        memory_free(ctx, &g->next);
+        memory_free(ctx, &g->accelerated);
+        memory_free(ctx, &g->matrix.count);
+        memory_free(ctx, &g->matrix.column);
+        memory_free(ctx, &g->matrix.inertia);
+    }
+    if (*e) {
+        memory_free(ctx, &(*e)->memory);
+        memory_free(ctx, &(*e)->fill);
+        memory_free(ctx, &(*e)->owner);
+        memory_free(ctx, &(*e)->index);
+        memory_free(ctx, &(*e)->solve);
+    }
+    memory_free(ctx, e);
+}

@@ -1,0 +1,157 @@
+/* Which nodes solids fill in part, and which lines hold them. */
+#include "mpm/edge/edge.h"
+#include "mpm/spread.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of a node inside empty. */
+static const double full_node = 0.95;
+/* One with less is outside. */
+static const double empty_node = 1e-9;
+
+enum { NO_BODY = -1, SHARED = -2 };
+
+/* What the shape function of the first ghost has inside the mesh, in cells: the wall's own fold gives twice as much to the node on the wall and
+ * takes it of the next. */
+static double ghost_share(basis_kind kind)
+{
+    return kind == BASIS_CUBIC ? 1.0 / 24.0 : kind == BASIS_QUADRATIC ? 1.0 / 48.0 : 0.0;
+}
+
+/* Volume of a node's shape function along an axis in cells. */
+static double share_along(const mpm *s, int axis, int node)
+{
+    if (s->mesh->periodic[axis]) return 1.0;
+    const int side = 2 * node > s->mesh->n[axis] ? SIDE_UPPER : SIDE_LOWER;
+    const int in = side == SIDE_UPPER ? s->mesh->n[axis] - node : node;
+    if (in > 1) return 1.0;
+    if (wall_mirrors(s, axis, side)) return in == 0 ? 0.5 : 1.0;
+    const double ghost = ghost_share(s->basis->kind);
+    return in == 0 ? 0.5 + 2.0 * ghost : 1.0 - 2.0 * ghost;
+}
+
+/* Mean of r over the shape function of a node on the axis, in cells, times its share along r (0.5). */
+static double axis_moment(basis_kind kind)
+{
+    return kind == BASIS_CUBIC ? 7.0 / 30.0 : kind == BASIS_QUADRATIC ? 13.0 / 64.0 : 1.0 / 6.0;
+}
+
+static double node_volume(const mpm *s, const int at[MESH_MAX_DIM])
+{
+    double volume = 1.0;
+    const double r = mesh_node(s->mesh, 0, at[0]), h = s->mesh->h[0];
+    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a] * share_along(s, a, at[a]);
+    if (s->mesh->geometry != MESH_AXISYMMETRIC) return volume;
+    return r > 0.5 * h ? volume * r : volume / 0.5 * axis_moment(s->basis->kind) * h;
+}
+
+/* Volume of the points of a tile at its nodes. */
+static void fill_tile(const mpm *s, int body, int blk, int tile)
+{
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
+    const size_t *range = s->points[blk][body].tile_start + tile;
+    double *out = domain_tile(s->domain, box.number);
+    s->work->active[box.number] = range[0] < range[1];
+    if (range[0] == range[1]) return;
+    memset(out, 0, (size_t)s->work->window_nodes * sizeof *out);
+    const point_arrays p = points_of(s, blk, body, false, false);
+    s->work->kernel.fill(s->mesh, &box, &p, range[0], range[1], out);
+}
+
+/* Adds what a body fills of a node, and makes the node its own, or nobody's if another body is there. */
+static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
+{
+    mpm_edges *e = s->work->edges;
+    const block *b = &s->mesh->block[blk];
+    const double *volume = field_get(s->domain->fields[blk], N_FILL, s->body[body].group, 0);
+    const int global[MESH_MAX_DIM] = {b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]};
+    const size_t number = edge_number(e, global);
+    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, global);
+    if (!(fill > empty_node)) return;
+    e->fill[number] += fill;
+    e->owner[number] = e->owner[number] == NO_BODY ? body : SHARED;
+}
+
+static void fill_nodes(mpm *s, int body)
+{
+    const mesh *m = s->mesh;
+    for (int b = 0; b < m->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 4)
+        for (int t = 0; t < m->block[b].n_tiles; ++t) fill_tile(s, body, b, t);
+    }
+    gather_numbers(s, s->body[body].group, (const field_id[]){N_FILL}, 1);
+    for (int b = 0; b < m->n_blocks; ++b) {
+        const block *bl = &m->block[b];
+        int end[MESH_MAX_DIM] = {1, 1, 1};
+        for (int a = 0; a < m->dim; ++a) end[a] = bl->n[a] + (bl->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 0);
+        for (int k = 0; k < end[2]; ++k)
+            for (int j = 0; j < end[1]; ++j)
+                for (int i = 0; i < end[0]; ++i) keep_fill(s, body, b, (const int[]){i, j, k});
+    }
+}
+
+/* What the solids of a group fill of every node, and whose it is. */
+static void fill_group(mpm *s, int group)
+{
+    mpm_edges *e = s->work->edges;
+    for (size_t k = 0; k < edge_all_nodes(e); ++k) {
+        e->fill[k] = 0.0;
+        e->owner[k] = NO_BODY;
+    }
+    for (int body = 0; body < s->n_bodies; ++body)
+        if (s->body[body].group == group && edge_body(s, body)) fill_nodes(s, body);
+}
+
+/* The body of a line of nodes plus one; 0 where it is none, for all are full, or one is outside or within reach of another body: bodies that share nodes
+ * are not to be glued. */
+static int line_body(const mpm_edges *e, const size_t *number, int taps)
+{
+    const int owner = e->owner[number[0]];
+    bool part = false;
+    for (int t = 0; t < taps; ++t) {
+        if (owner < 0 || e->owner[number[t]] != owner) return 0;
+        part = part || e->fill[number[t]] < full_node;
+    }
+    return part ? owner + 1 : 0;
+}
+
+/* The same of the line along an axis from a node on. */
+static int body_from(const mpm *s, int axis, const int first[MESH_MAX_DIM])
+{
+    const mpm_edges *e = s->work->edges;
+    const int taps = edge_taps(s);
+    size_t number[EDGE_TAPS];
+    if (first[axis] >= 0 && !(e->fill[edge_number(e, first)] > empty_node)) return 0;
+    if (first[axis] >= 0 && first[axis] + taps <= e->nodes[axis]) { /* most: nothing is folded */
+        const size_t stride = axis == 0 ? 1 : (size_t)e->nodes[0] * (axis == 1 ? 1 : (size_t)e->nodes[1]);
+        for (int t = 0; t < taps; ++t) number[t] = edge_number(e, first) + (size_t)t * stride;
+    } else {
+        int tap[EDGE_TAPS][MESH_MAX_DIM];
+        edge_line l = {.axis = axis};
+        if (!edge_find_taps(s, first, tap, &l)) return 0;
+        for (int t = 0; t < taps; ++t) number[t] = edge_number(e, tap[t]);
+    }
+    return line_body(e, number, taps);
+}
+
+/* What is no line any more forgets. */
+static floe_status judge_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user)
+{
+    mpm_edges *e = s->work->edges;
+    bool *changed = user;
+    const size_t place = edge_place(s, group, axis, first), dim = (size_t)s->mesh->dim;
+    const int body = body_from(s, axis, first);
+    if (body == (int)e->memory[e->lines + place]) return FLOE_OK;
+    *changed = true;
+    e->memory[e->lines + place] = body;
+    if (body == 0) memset(e->memory + place * dim, 0, dim * sizeof *e->memory);
+    return FLOE_OK;
+}
+
+floe_status edges_look(mpm *s, int group, bool *changed)
+{
+    *changed = false;
+    fill_group(s, group);
+    return edge_visit_starts(s, group, judge_line, changed);
+}

@@ -1,0 +1,244 @@
+/* Accelerations of nodes with the inertia of the lines through them (edge.h):
+ *
+ *   (m + (1 + kick d) A) a = m a_raw - d A v,   A = sum a D^T D,   d their damping,
+ *
+ * by conjugate gradients, preconditioned by the diagonal, from the last step's a. */
+#include "mpm/edge/edge.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+enum { MAX_ITERATIONS = 500 };
+/* Of the right hand side, in the norm of the diagonal's inverse, the residual may be left. */
+static const double solver_tolerance = 1e-2;
+
+/* Vectors over the nodes of a group's list. */
+enum { V_MASS, V_INVERSE, V_RAW, V_BEFORE, V_X, V_R, V_P, V_AP, V_COUNT };
+
+/* One component of a group's system. */
+typedef struct edge_system {
+    const edge_group *group;
+    int c;
+    double kick, share;     /* s; of A in the matrix */
+    const double *inertia;  /* kg: A's entries */
+    double *mass, *inverse; /* kg; 1/kg: of the diagonal */
+    double *raw, *before;   /* m/s2 without the lines; m/s at the start of the step */
+    double *x, *r, *p, *Ap; /* m/s2, N, m/s2, N */
+} edge_system;
+
+floe_status edges_scratch(mpm *s, const edge_group *g, size_t vectors, double **out)
+{
+    mpm_edges *e = s->work->edges;
+    const size_t wanted = (size_t)g->n_nodes * vectors;
+    if (wanted > e->solve_room) {
+        TRY(memory_resize(s->ctx, &e->solve, wanted + wanted / 4, sizeof *e->solve));
+        e->solve_room = wanted + wanted / 4;
+    }
+    *out = e->solve;
+    return FLOE_OK;
+}
+
+/* Row n of A times p. */
+static double times_lines(const edge_system *y, int n, const double *p)
+{
+    const edge_matrix *m = &y->group->matrix;
+    const size_t begin = (size_t)n * (size_t)m->width;
+    double sum = 0.0;
+    for (int k = 0; k < m->count[n]; ++k) sum += y->inertia[begin + (size_t)k] * p[m->column[begin + (size_t)k]];
+    return sum;
+}
+
+/* Ap = M p of the system's matrix M, in which held nodes have no rows. Gives p M p. */
+static double apply(const edge_system *y, const double *p, double *Ap)
+{
+    const edge_group *g = y->group;
+    double curvature = 0.0;
+    for (int n = 0; n < g->n_nodes; ++n) {
+        Ap[n] = edge_holds(&g->node[n], y->c) ? 0.0 : y->mass[n] * p[n] + y->share * times_lines(y, n, p);
+        curvature += p[n] * Ap[n];
+    }
+    return curvature;
+}
+
+static double weighted_square(const edge_system *y)
+{
+    double sum = 0.0;
+    for (int n = 0; n < y->group->n_nodes; ++n) sum += y->r[n] * y->r[n] * y->inverse[n];
+    return sum;
+}
+
+/* r = b - M x, p from it. Gives the square of b. */
+static double begin_solve(edge_system *y)
+{
+    const edge_group *g = y->group;
+    double scale = 0.0;
+    (void)apply(y, y->x, y->Ap);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        const bool held = edge_holds(&g->node[n], y->c);
+        const double b = held ? 0.0 : y->mass[n] * y->raw[n] - g->damping * times_lines(y, n, y->before);
+        scale += b * b * y->inverse[n];
+        y->r[n] = b - y->Ap[n];
+        y->p[n] = y->r[n] * y->inverse[n];
+    }
+    return scale;
+}
+
+static void solve(edge_system *y)
+{
+    const int n_nodes = y->group->n_nodes;
+    const double enough = solver_tolerance * solver_tolerance * begin_solve(y);
+    double square = weighted_square(y);
+    for (int k = 0; k < MAX_ITERATIONS && square > enough; ++k) {
+        const double curvature = apply(y, y->p, y->Ap);
+        if (!(curvature > 0.0)) return;
+        const double step = square / curvature, before = square;
+        for (int n = 0; n < n_nodes; ++n) {
+            y->x[n] += step * y->p[n];
+            y->r[n] -= step * y->Ap[n];
+        }
+        square = weighted_square(y);
+        for (int n = 0; n < n_nodes; ++n) y->p[n] = y->r[n] * y->inverse[n] + square / before * y->p[n];
+    }
+}
+
+/* What lines give to the free nodes (kg m/s2): none, but beside walls and mirrors. */
+static double given_by_lines(const edge_system *y)
+{
+    const edge_group *g = y->group;
+    double given = 0.0;
+    for (size_t k = 0; k < g->n_lines; ++k) {
+        const edge_line *l = &g->line[k];
+        if (!l->unbalanced) continue;
+        given -= edge_sum(g, l, y->c, true) * l->inertia *
+                 (y->share * edge_difference(l, y->c, y->x) + g->damping * edge_difference(l, y->c, y->before));
+    }
+    return given;
+}
+
+/* What the solver has left of the residual goes to all free nodes alike: they gain what walls and mirrors give (kg m/s2), to round-off. */
+static void keep_momentum(const edge_system *y, double given)
+{
+    const edge_group *g = y->group;
+    double left = given, mass = 0.0;
+    for (int n = 0; n < g->n_nodes; ++n) {
+        if (edge_holds(&g->node[n], y->c)) continue;
+        left += y->mass[n] * (y->raw[n] - y->x[n]);
+        mass += y->mass[n];
+    }
+    for (int n = 0; n < g->n_nodes && mass > 0.0; ++n)
+        if (!edge_holds(&g->node[n], y->c)) y->x[n] += left / mass;
+}
+
+static edge_system load_system(const mpm *s, int group, int c, double *room)
+{
+    const mpm_edges *e = s->work->edges;
+    const edge_group *g = &e->group[group];
+    const size_t rows = (size_t)g->n_nodes;
+    double *v[V_COUNT];
+    for (size_t k = 0; k < V_COUNT; ++k) v[k] = room + k * rows;
+    edge_system y = {.group = g,
+                     .c = c,
+                     .kick = s->work->kick,
+                     .share = 1.0 + s->work->kick * g->damping,
+                     .inertia = g->matrix.inertia + (size_t)c * g->matrix.room,
+                     .mass = v[V_MASS],
+                     .inverse = v[V_INVERSE],
+                     .raw = v[V_RAW],
+                     .before = v[V_BEFORE],
+                     .x = v[V_X],
+                     .r = v[V_R],
+                     .p = v[V_P],
+                     .Ap = v[V_AP]};
+    edges_values(s, group, N_MASS, 0, y.mass);
+    edges_values(s, group, N_MOMENTUM, c, y.before);
+    edges_values(s, group, N_ACCEL, c, y.raw);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        const bool held = edge_holds(&g->node[n], c);
+        y.inverse[n] = 1.0 / (y.mass[n] + y.share * y.inertia[(size_t)n * (size_t)g->matrix.width]);
+        y.before[n] /= y.mass[n];
+        if (held) y.raw[n] = 0.0;
+        y.x[n] = held ? 0.0 : e->memory[g->node[n].slot + (size_t)c];
+    }
+    return y;
+}
+
+/* What lines take of the points' kinetic energy, and give back: entered as damping, since their own is no part of the points'. */
+static void enter_work(mpm *s, const edge_system *y)
+{
+    double work = 0.0;
+    (void)edges_push(s, y->group, y->c, y->r);
+    for (int n = 0; n < y->group->n_nodes; ++n) {
+        if (edge_holds(&y->group->node[n], y->c)) continue;
+        const double force = y->r[n] + y->mass[n] * (y->x[n] - y->raw[n]);
+        work += y->kick * force * (y->before[n] + 0.5 * y->kick * y->x[n]);
+    }
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, work);
+}
+
+static void accelerate(mpm *s, int group, int c, double *room)
+{
+    edge_group *g = &s->work->edges->group[group];
+    edge_system y = load_system(s, group, c, room);
+    solve(&y);
+    const double given = given_by_lines(&y);
+    keep_momentum(&y, given);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        g->accelerated[(size_t)c * (size_t)g->n_nodes + (size_t)n] = y.x[n];
+        y.p[n] = edge_holds(&g->node[n], c) ? 0.0 : y.x[n] - y.raw[n];
+        y.Ap[n] = y.kick * y.p[n];
+    }
+    edges_add_to_copies(s, group, N_ACCEL, c, y.p);
+    edges_add_to_copies(s, group, N_VEL_L, c, y.Ap);
+    ledger_add(s->ledger, edges_momentum(c), LEDGER_BOUNDARY, given * y.kick);
+    enter_work(s, &y);
+}
+
+/* The fastest of a block's own nodes with mass along c (m/s). */
+static double fastest_of(const mpm *s, int blk, int group, int c)
+{
+    const block *b = &s->mesh->block[blk];
+    const double *restrict mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
+    const double *restrict v = field_get(s->domain->fields[blk], N_VEL_L, group, c);
+    const int last[MESH_MAX_DIM] = {b->n[0], s->mesh->dim > 1 ? b->n[1] : 0, s->mesh->dim > 2 ? b->n[2] : 0};
+    double fastest = 0.0;
+    for (int k = 0; k <= last[2]; ++k)
+        for (int j = 0; j <= last[1]; ++j) {
+            const ptrdiff_t row = mesh_index(b, 0, j, k);
+            for (ptrdiff_t at = row; at <= row + last[0]; ++at) {
+                const double speed = mass[at] > 0.0 ? fabs(v[at]) : 0.0;
+                fastest = speed > fastest ? speed : fastest;
+            }
+        }
+    return fastest;
+}
+
+/* Cells that nodes move in the step at most. */
+static double way_of_nodes(const mpm *s, int group)
+{
+    double way = 0.0;
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int c = 0; c < s->mesh->dim; ++c) way = fmax(way, fastest_of(s, b, group, c) * s->dt / s->mesh->h[c]);
+    return way;
+}
+
+floe_status edges_accelerate(mpm *s, int group)
+{
+    mpm_edges *e = s->work->edges;
+    edge_group *g = &e->group[group];
+    double *room;
+    TRY(edges_scratch(s, g, V_COUNT, &room));
+    for (int c = 0; c < s->mesh->dim; ++c) accelerate(s, group, c, room);
+    g->travelled = (g->looked ? 0.0 : e->memory[e->travel + (size_t)group]) + way_of_nodes(s, group);
+    return FLOE_OK;
+}
+
+floe_status edges_start(mpm *s)
+{
+    double *room;
+    for (int g = 0; s->work->edges && g < s->n_groups; ++g) {
+        TRY(edges_find(s, g, true));
+        TRY(edges_scratch(s, &s->work->edges->group[g], V_COUNT, &room));
+    }
+    return FLOE_OK;
+}

@@ -1,0 +1,174 @@
+/* Membranes whose strain comes from the places of their points.
+ *
+ * The stretch of a point is the way between its neighbours over that at rest: it cannot drift from the shape, as the integral of
+ * a rate does. Within a cell the mesh moves the points together, so that what one of them has too much of and another too little no
+ * force ever evens out: of a membrane that has snapped taut a third then bears, beside two that hang slack
+ * (docs/deviations.md). `smoothing` stands in for that: the points give up a share of the fourth difference of their places in
+ * every step. Pieces of the line shorter than a cell straighten and even out; of a wave m points long (2 pi/m)^4 of the share
+ * goes in a step, so that what the mesh resolves stays as it is. */
+#include "base/memory.h"
+#include "mpm/membrane/line.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef double *field_getter(const fields *f, field_id id, int instance, int comp);
+
+static const scene_membrane *membrane_of(const mpm *s, int body)
+{
+    return &s->scene->body[s->body[body].scene_body].membrane;
+}
+
+/* A point field into a table by number. */
+static void read_table(const mpm *s, int body, field_id id, bool next, double *table)
+{
+    field_getter *get = next ? field_next : field_get;
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        const double *a = get(s->domain->fields[b], id, body, 0);
+        for (size_t k = 0; k < s->points[b][body].n; ++k) table[point_number(s, b, body, k)] = a[k];
+    }
+}
+
+floe_status line_measure(mpm *s, int body)
+{
+    membrane_line *line = &s->work->line[body];
+    const bool around = s->mesh->geometry == MESH_AXISYMMETRIC;
+    TRY(memory_new(s->ctx, &line->rest, 13 * line->n, sizeof *line->rest));
+    line->volume = line->rest + line->n;
+    line->along = line->volume + line->n;
+    line->across = line->along + line->n;
+    line->before = line->across + line->n;
+    line->pace = line->before + line->n;
+    line->lost = line->pace + line->n;
+    line->bend = line->lost + line->n;
+    line->shift = line->bend + 3 * line->n;
+    line_update(s, body, false);
+    read_table(s, body, P_VOLUME0, false, line->volume);
+    read_table(s, body, P_STRAIN, false, line->along); /* less its slack */
+    for (size_t q = 0; q < line->n; ++q) {
+        const double section = membrane_of(s, body)->thickness * (around ? line->x[3 * q] : 1.0);
+        line->rest[q] = section > 0.0 ? line->volume[q] / section * exp(-line->along[q]) : 0.0;
+    }
+    return FLOE_OK;
+}
+
+void line_take_strains(const mpm *s, int body)
+{
+    membrane_line *line = &s->work->line[body];
+    for (size_t q = 0; q < line->n; ++q) {
+        double way[3], rest;
+        const double length = line_way(s, body, q, way, &rest);
+        line->along[q] = length > 0.0 && rest > 0.0 ? log(length / rest) : 0.0;
+    }
+}
+
+void line_strain(const mpm *s, int body, bool next)
+{
+    const membrane_line *line = &s->work->line[body];
+    line_take_strains(s, body);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        double *strain = (next ? field_next : field_get)(s->domain->fields[b], P_STRAIN, body, 0);
+        for (size_t k = 0; k < s->points[b][body].n; ++k) strain[k] = line->along[point_number(s, b, body, k)];
+    }
+}
+
+/* Adds the energies of the points, with a sign, to what is lost. */
+static void add_energies(const mpm *s, int body, double sign)
+{
+    membrane_line *line = &s->work->line[body];
+    line_take_strains(s, body);
+    for (size_t q = 0; q < line->n; ++q)
+        line->lost[q] +=
+            sign * line->volume[q] * membrane_energy(&s->body[body].membrane, line->along[q], line->across[q]);
+}
+
+/* The share of the fourth differences of places that goes. */
+static void find_shifts(const mpm *s, int body)
+{
+    const membrane_line *line = &s->work->line[body];
+    const double share = membrane_of(s, body)->smoothing;
+    double *second = line->bend;
+    for (size_t q = 0; q < line->n; ++q)
+        if (!line_bend(s, body, q, second + 3 * q)) memset(second + 3 * q, 0, 3 * sizeof *second);
+    for (size_t q = 0; q < line->n; ++q) {
+        const line_side side[2] = {line_side_of(line, q, -1), line_side_of(line, q, 1)};
+        for (int a = 0; a < 3; ++a) {
+            double sum = -2.0 * second[3 * q + (size_t)a];
+            for (int k = 0; k < 2; ++k)
+                if (side[k].of >= 0)
+                    sum += (side[k].mirror && side[k].mirror->axis == a ? -1.0 : 1.0) * second[3 * side[k].of + a];
+            line->shift[3 * q + (size_t)a] = side[0].of < 0 || side[1].of < 0 ? 0.0 : share * sum;
+        }
+    }
+}
+
+/* Gives the points their new places, and notes the tiles in which one has changed cell. */
+static void put_places(const mpm *s, int body)
+{
+    const membrane_line *line = &s->work->line[body];
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
+            const size_t *at = s->points[b][body].tile_start;
+            uint32_t *moved = &s->work->moved[tile_box_of(s->mesh, &s->mesh->block[b], t).number];
+            for (int a = 0; a < s->mesh->dim; ++a) {
+                double *x = field_next(s->domain->fields[b], P_POS, body, a);
+                const double *from = field_get(s->domain->fields[b], P_POS, body, a);
+                for (size_t k = at[t]; k < at[t + 1]; ++k) {
+                    x[k] = line->x[3 * point_number(s, b, body, k) + (size_t)a];
+                    if (mesh_cell_of(s->mesh, a, x[k]) != mesh_cell_of(s->mesh, a, from[k]))
+                        *moved |= UINT32_C(1) << body;
+                }
+            }
+        }
+}
+
+/* Nominal stresses (Pa) along the line at strains `along`. */
+static double nominal(const mpm *s, int body, double along, double across)
+{
+    const membrane_response *r = &s->body[body].membrane;
+    double stress, none;
+    membrane_stress(r, 1, &along, &across, &stress, &none);
+    return stress * membrane_volume_ratio(r->section, along, across);
+}
+
+/* Nodes work on the rate at a point, and its neighbours' places tell its strain: the difference is lost, or won. USL alone strains
+ * by the velocities that move the points, so that it is known. */
+static void lose_difference(const mpm *s, int body)
+{
+    membrane_line *line = &s->work->line[body];
+    if (s->scene->method.stress != STRESS_USL) return;
+    read_table(s, body, P_STRAIN, false, line->before);
+    line_take_strains(s, body);
+    for (size_t q = 0; q < line->n; ++q) {
+        const double mean = 0.5 * (nominal(s, body, line->before[q], line->across[q]) +
+                                   nominal(s, body, line->along[q], line->across[q]));
+        line->lost[q] += line->volume[q] * mean * (line->pace[q] - (line->along[q] - line->before[q]));
+    }
+}
+
+static void smooth(mpm *s, int body)
+{
+    membrane_line *line = &s->work->line[body];
+    double sum = 0.0;
+    add_energies(s, body, 1.0);
+    find_shifts(s, body);
+    for (size_t i = 0; i < 3 * line->n; ++i) line->x[i] -= line->shift[i];
+    put_places(s, body);
+    add_energies(s, body, -1.0);
+    for (size_t q = 0; q < line->n; ++q) sum += line->lost[q];
+    if (!losses_are_heat(s)) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -sum);
+}
+
+void line_read_hoops(mpm *s, int body)
+{
+    read_table(s, body, P_STRAIN_HOOP, false, s->work->line[body].across);
+}
+
+void line_settle(mpm *s, int body)
+{
+    const membrane_line *line = &s->work->line[body];
+    memset(line->lost, 0, line->n * sizeof *line->lost);
+    if (s->hoops) read_table(s, body, P_STRAIN_HOOP, true, line->across);
+    if (losses_are_heat(s)) lose_difference(s, body);
+    if (membrane_of(s, body)->smoothing > 0.0) smooth(s, body);
+}

@@ -1,0 +1,159 @@
+#include "mpm/surface/outline.h"
+
+#include "base/memory.h"
+#include "mpm/membrane/line.h"
+#include "mpm/stencil.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The end of an open line on a mirror: where it meets it. False where the line ends on the mirror itself, or is free. */
+static bool end_on_mirror(const membrane_line *line, bool last, cut_vertex *out)
+{
+    const line_end *end = &line->end[last];
+    const size_t point = last ? line->n - 1 : 0;
+    const double *x = line->x + 3 * point;
+    if (end->axis < 0 || x[end->axis] == end->plane) return false;
+    *out = (cut_vertex){{x[0], x[1]}, (int)point};
+    out->x[end->axis] = end->plane;
+    return true;
+}
+
+/* The markers, one vertex each. */
+static floe_status outline_skin(const body_skin *k, bool next, cut_line *out)
+{
+    TRY(cut_reserve(out, (int)k->n, k->n_chains));
+    memcpy(out->chain, k->chain, (size_t)k->n_chains * sizeof *k->chain);
+    for (int n = 0; n < (int)k->n; ++n) {
+        const double *x = (next ? k->next : k->now)[n].x;
+        out->vertex[n] = (cut_vertex){{x[0], x[1]}, n};
+    }
+    return FLOE_OK;
+}
+
+floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out)
+{
+    if (s->work->skin.n > 0) return outline_skin(&s->work->skin, next, out);
+    const membrane_line *line = &s->work->line[body];
+    int n = 0;
+    line_update(s, body, next);
+    TRY(cut_reserve(out, (int)line->n + 2, 1));
+    n += !line->closed && end_on_mirror(line, false, &out->vertex[n]);
+    for (size_t k = 0; k < line->n; ++k, ++n) {
+        const double *x = line->x + 3 * k;
+        if (isnan(x[0]))
+            return fail(s->ctx, FLOE_DIVERGED, "membrane '%s' has lost its point %zu, and its gas with it",
+                        s->scene->body[s->body[body].scene_body].name, k + 1);
+        out->vertex[n] = (cut_vertex){{x[0], x[1]}, (int)k};
+    }
+    n += !line->closed && end_on_mirror(line, true, &out->vertex[n]);
+    out->n_vertices = n;
+    out->chain[0] = (cut_chain){0, n, line->closed};
+    return FLOE_OK;
+}
+
+void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity)
+{
+    const body_skin *skin = &s->work->skin;
+    for (size_t k = 0; k < skin->n; ++k) memcpy(velocity + 2 * k, skin->now[k].v, 2 * sizeof *velocity);
+    if (skin->n > 0) return;
+    double *by_point = s->work->push[body].v;
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int a = 0; a < 2; ++a) {
+            const double *v = field_get(s->domain->fields[b], P_VEL, body, a);
+            for (size_t k = 0; k < s->points[b][body].n; ++k)
+                by_point[2 * point_number(s, b, body, k) + (size_t)a] = v[k];
+        }
+    for (int k = 0; k < c->n_vertices; ++k)
+        memcpy(velocity + 2 * (ptrdiff_t)k, by_point + 2 * (ptrdiff_t)c->vertex[k].point, 2 * sizeof *velocity);
+}
+
+void mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force)
+{
+    membrane_push *p = &s->work->push[body];
+    if (s->work->skin.n > 0) {
+        memcpy(s->work->skin.force, force, 2 * s->work->skin.n * sizeof *force);
+        return;
+    }
+    memset(p->force, 0, 2 * p->n * sizeof *p->force);
+    for (int k = 0; k < c->n_vertices; ++k)
+        for (int a = 0; a < 2; ++a) p->force[2 * c->vertex[k].point + a] += force[2 * k + a];
+    /* The table of places is the next step's by the time that the forces are scattered again. */
+    memcpy(p->x, s->work->line[body].x, 3 * p->n * sizeof *p->x);
+}
+
+void scatter_push(mpm *s, int group)
+{
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const membrane_push *p = &s->work->push[b];
+        for (size_t k = 0; k < p->n && s->body[b].group == group; ++k) {
+            const double force[3] = {p->force[2 * k], p->force[2 * k + 1], 0.0};
+            push_nodes(s, group, p->x + 3 * k, force);
+        }
+    }
+}
+
+typedef struct mean_velocity {
+    const double *v[2], *acceleration[2];
+    double last, change; /* weights: of the velocity at the end, and of what changed it */
+    double sum[2];
+} mean_velocity;
+
+static void add_velocity(void *user, ptrdiff_t at, double weight, double mass)
+{
+    mean_velocity *m = user;
+    (void)mass;
+    for (int a = 0; a < 2; ++a) m->sum[a] += weight * (m->last * m->v[a][at] - m->change * m->acceleration[a][at]);
+}
+
+void mpm_outline_path(const mpm *s, int body, const cut_line *c, double *path)
+{
+    const membrane_push *p = &s->work->push[body];
+    const int group = s->body[body].group;
+    const double left = damping_left(s);
+    if (s->work->skin.n > 0) {
+        memcpy(path, s->work->skin.path, 2 * s->work->skin.n * sizeof *path);
+        return;
+    }
+    for (int k = 0; k < c->n_vertices; ++k) {
+        const double *x = p->x + 3 * (ptrdiff_t)c->vertex[k].point;
+        const int b = place_block(s, x);
+        const fields *f = s->domain->fields[b];
+        mean_velocity m = {.last = 0.5 * (1.0 + left), .change = 0.5 * left * s->work->kick};
+        for (int a = 0; a < 2; ++a) {
+            m.v[a] = field_get(f, N_VEL_L, group, a);
+            m.acceleration[a] = field_get(f, N_ACCEL, group, a);
+        }
+        const place_stencil st = stencil_at(s, x);
+        visit_stencil(&s->mesh->block[b], &st, add_velocity, &m);
+        for (int a = 0; a < 2; ++a) path[2 * k + a] = s->dt * m.sum[a];
+    }
+}
+
+double mpm_outline_lost(const mpm *s)
+{
+    return s->work->lost;
+}
+
+floe_status start_push(mpm *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b) {
+        membrane_push *p = &s->work->push[b];
+        const scene_membrane *given = &s->scene->body[s->body[b].scene_body].membrane;
+        if (!given->present || given->holds < 0) continue;
+        p->n = s->work->line[b].n;
+        TRY(memory_new(s->ctx, &p->x, 3 * p->n, sizeof *p->x));
+        TRY(memory_new(s->ctx, &p->v, 2 * p->n, sizeof *p->v));
+        TRY(memory_new(s->ctx, &p->force, 2 * p->n, sizeof *p->force));
+    }
+    return FLOE_OK;
+}
+
+void free_push(context *ctx, struct mpm_work *w)
+{
+    for (int b = 0; b < SCENE_MAX_BODIES; ++b) {
+        memory_free(ctx, &w->push[b].x);
+        memory_free(ctx, &w->push[b].v);
+        memory_free(ctx, &w->push[b].force);
+    }
+}

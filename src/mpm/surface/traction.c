@@ -1,0 +1,391 @@
+/* Tractions on surfaces: massless points that the grid moves, each with an area and a load. */
+#include "base/memory.h"
+#include "geom/surface.h"
+#include "math/small_solve.h"
+#include "mpm/balance/balance.h"
+#include "mpm/stencil.h"
+#include "scene/state.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SURFACE_DIVISIONS = 4 }; /* surface elements per cell edge, about */
+
+/* A node with this share of the mass of the heaviest node about takes all that the basis gives it. */
+static const double bearing_mass = 3e-4;
+/* One with this share moves a surface with all of its acceleration. */
+static const double steady_mass = 0.1;
+
+typedef struct surface_list {
+    mpm *s;
+    int load, room, body;
+    floe_status status;
+    size_t capacity;
+} surface_list;
+
+/* A place a little beyond an element, along its normal. */
+static void place_beside(const mpm *s, const surface_element *e, double side, double x[3])
+{
+    const double step = side * 1e-3 * s->mesh->h[0];
+    for (int a = 0; a < 3; ++a) x[a] = e->x[a] + step * e->normal[a];
+}
+
+/* +1 where a body lies on the side that the normal points to, -1 on the other, 0 where it lies on neither or both. */
+static double side_of_body(const mpm *s, int body, const surface_element *e)
+{
+    const shape *solid = &s->scene->body[body].shape;
+    double out[3], in[3];
+    place_beside(s, e, 1.0, out);
+    place_beside(s, e, -1.0, in);
+    const bool outside = shape_inside(solid, s->mesh->dim, out), inside = shape_inside(solid, s->mesh->dim, in);
+    return outside == inside ? 0.0 : outside ? 1.0 : -1.0;
+}
+
+/* Room doubles as it fills. */
+static floe_status reserve_surface(surface_list *list)
+{
+    struct mpm_work *w = list->s->work;
+    if (w->n_surface < list->capacity) return FLOE_OK;
+    list->capacity = list->capacity ? 2 * list->capacity : 256;
+    TRY(memory_resize(list->s->ctx, &w->surface, list->capacity, sizeof *w->surface));
+    return memory_resize(list->s->ctx, &w->surface_next, list->capacity, sizeof *w->surface_next);
+}
+
+static void add_point(surface_list *list, const surface_element *e, double side)
+{
+    if (side == 0.0 || list->status != FLOE_OK) return;
+    list->status = reserve_surface(list);
+    if (list->status != FLOE_OK) return;
+    surface_point *p = &list->s->work->surface[list->s->work->n_surface++];
+    p->load = list->load;
+    p->room = list->room;
+    p->body = list->body;
+    for (int a = 0; a < 3; ++a) {
+        p->x[a] = e->x[a];
+        p->area[a] = side * e->area * e->normal[a]; /* a pressure pushes into the body */
+    }
+}
+
+static void add_element(void *user, const surface_element *e)
+{
+    surface_list *list = user;
+    add_point(list, e, side_of_body(list->s, list->s->scene->load[list->load].body, e));
+}
+
+/* The first solid that an element of a fluid's surface faces, -1: none. */
+static int faced_solid(const mpm *s, const surface_element *e)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (!s->body[b].fluid && side_of_body(s, s->body[b].scene_body, e) > 0.0) return s->body[b].scene_body;
+    return -1;
+}
+
+static void add_room_element(void *user, const surface_element *e)
+{
+    surface_list *list = user;
+    add_point(list, e, faced_solid(list->s, e) >= 0 ? 1.0 : 0.0);
+}
+
+static seed_spec surface_grid(const mpm *s)
+{
+    seed_spec grid = {.dim = s->mesh->dim, .axisymmetric = s->mesh->geometry == MESH_AXISYMMETRIC};
+    for (int a = 0; a < 3; ++a) {
+        grid.lower[a] = s->mesh->lower[a];
+        grid.h[a] = s->mesh->h[a];
+        grid.n[a] = s->mesh->n[a];
+    }
+    return grid;
+}
+
+typedef struct enclosure {
+    const mpm *s;
+    double all, faced; /* m2 */
+} enclosure;
+
+static void count_element(void *user, const surface_element *e)
+{
+    enclosure *c = user;
+    double x[3];
+    place_beside(c->s, e, 1.0, x);
+    for (int a = 0; a < c->s->mesh->dim; ++a)
+        if (x[a] < c->s->mesh->lower[a] || x[a] > c->s->mesh->upper[a]) return; /* a side of the domain closes it */
+    c->all += e->area;
+    if (faced_solid(c->s, e) >= 0) c->faced += e->area;
+}
+
+double surface_enclosed(const mpm *s, int body)
+{
+    enclosure c = {s, 0.0, 0.0};
+    const seed_spec grid = surface_grid(s);
+    surface_visit(&s->scene->body[body].shape, &grid, SURFACE_DIVISIONS, count_element, &c);
+    return c.all > 0.0 ? c.faced / c.all : 1.0;
+}
+
+/* Surfaces that the gas of a room pushes (balance.h). */
+static floe_status seed_rooms(mpm *s, surface_list *list, const seed_spec *grid)
+{
+    list->load = -1;
+    for (int r = 0; s->balance && r < s->balance->n_rooms; ++r) {
+        list->room = r;
+        surface_visit(&s->scene->body[s->body[s->balance->room[r].body].scene_body].shape, grid, SURFACE_DIVISIONS,
+                      add_room_element, list);
+        TRY(list->status);
+    }
+    return FLOE_OK;
+}
+
+static void add_outer_element(void *user, const surface_element *e)
+{
+    add_point(user, e, 1.0);
+}
+
+/* Surfaces that are to meet others, where that is solved for (balance_gap.c): areas point outward. */
+static floe_status seed_contacts(mpm *s, surface_list *list, const seed_spec *grid)
+{
+    list->load = list->room = -1;
+    for (int b = 0; b < s->n_bodies && balance_measures_gaps(s); ++b) {
+        list->body = s->body[b].scene_body;
+        if (!scene_in_contact(s->scene, list->body)) continue;
+        surface_visit(&s->scene->body[list->body].shape, grid, SURFACE_DIVISIONS, add_outer_element, list);
+        TRY(list->status);
+    }
+    return FLOE_OK;
+}
+
+floe_status seed_surfaces(mpm *s)
+{
+    surface_list list = {.s = s, .room = -1, .body = -1};
+    const seed_spec grid = surface_grid(s);
+    for (int l = 0; l < s->scene->n_loads; ++l) {
+        if (s->scene->load[l].kind != LOAD_TRACTION) continue;
+        const size_t before = s->work->n_surface;
+        list.load = l;
+        surface_visit(&s->scene->load[l].region, &grid, SURFACE_DIVISIONS, add_element, &list);
+        TRY(list.status);
+        if (s->work->n_surface == before)
+            return fail(s->ctx, FLOE_BAD_INPUT, "load '%s' finds no surface of its shape on the body that it loads",
+                        s->scene->load[l].name);
+    }
+    TRY(seed_rooms(s, &list, &grid));
+    TRY(seed_contacts(s, &list, &grid));
+    if (s->work->n_surface)
+        memcpy(s->work->surface_next, s->work->surface, s->work->n_surface * sizeof *s->work->surface);
+    return FLOE_OK;
+}
+
+/* Mass at a node; at a ghost that of its image, so that a load by a wall is shared as its mirrored half is. */
+static double mass_at(const mpm *s, const block *b, const double *mass, const int node[3])
+{
+    int at[3];
+    for (int a = 0; a < 3; ++a) {
+        at[a] = node[a];
+        if (a >= s->mesh->dim || s->mesh->periodic[a]) continue;
+        if (at[a] < 0) at[a] = -at[a];
+        if (at[a] > s->mesh->n[a]) at[a] = 2 * s->mesh->n[a] - at[a];
+    }
+    return mass[mesh_index(b, at[0] - b->lo[0], at[1] - b->lo[1], at[2] - b->lo[2])];
+}
+
+static void weigh_nodes(const mpm *s, int group, const double x[3], place_stencil *st)
+{
+    const int blk = place_block(s, x);
+    const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
+    double heaviest = 0.0;
+    for (int i = 0; i < st->n; ++i) {
+        st->mass[i] = mass_at(s, &s->mesh->block[blk], mass, st->node[i]);
+        heaviest = fmax(heaviest, st->mass[i]);
+    }
+    for (int i = 0; i < st->n; ++i) st->mass[i] = heaviest > 0.0 ? st->mass[i] / heaviest : 1.0;
+}
+
+/* Multiplies the weights by how well each node is borne by points. False: all are borne, and nothing has changed. */
+static bool bear_load(place_stencil *st)
+{
+    bool changed = false;
+    for (int i = 0; i < st->n; ++i) {
+        if (st->mass[i] >= bearing_mass) continue;
+        st->w[i] *= st->mass[i] / bearing_mass;
+        changed = true;
+    }
+    return changed;
+}
+
+/* Place of a node from the surface point in cells: row of the moments, 1 first. */
+static void moment_row(const mpm *s, const double x[3], const int node[3], double row[4])
+{
+    row[0] = 1.0;
+    for (int a = 0; a < s->mesh->dim; ++a) row[1 + a] = (mesh_node(s->mesh, a, node[a]) - x[a]) / s->mesh->h[a];
+}
+
+/* Weights times a linear factor, so that they sum to one and keep their centre at the surface point. False where the nodes
+ * that are left cannot do it with shares within one. */
+static bool keep_moments(const mpm *s, const double x[3], place_stencil *st)
+{
+    const int n = 1 + s->mesh->dim;
+    double A[16] = {0.0}, c[4] = {1.0}, row[4], sum[4] = {0.0};
+    place_stencil out = *st;
+    for (int i = 0; i < st->n; ++i) {
+        moment_row(s, x, st->node[i], row);
+        for (int a = 0; a < n; ++a)
+            for (int b = 0; b < n; ++b) A[n * a + b] += st->w[i] * row[a] * row[b];
+    }
+    if (!small_solve_symmetric(n, A, c)) return false;
+    for (int i = 0; i < st->n; ++i) {
+        double factor = 0.0;
+        moment_row(s, x, st->node[i], row);
+        for (int a = 0; a < n; ++a) factor += c[a] * row[a];
+        out.w[i] *= factor;
+        if (!(fabs(out.w[i]) <= 1.0)) return false;
+        for (int a = 0; a < n; ++a) sum[a] += out.w[i] * row[a];
+    }
+    for (int a = 0; a < n; ++a) /* all but singular: what came out is noise */
+        if (!(fabs(sum[a] - (a == 0 ? 1.0 : 0.0)) <= 1e-12)) return false;
+    *st = out;
+    return true;
+}
+
+static void keep_sum(place_stencil *st)
+{
+    double sum = 0.0;
+    for (int i = 0; i < st->n; ++i) sum += st->w[i];
+    for (int i = 0; i < st->n; ++i) st->w[i] /= sum;
+}
+
+/* Shares of a surface point's load. The basis alone would push nodes whose support the surface enters but no point does, or
+ * hardly: nothing balances such a force but the huge stress of the one point at the support's edge (75 times the stress there,
+ * measured on an annulus with 3 x 3 points a cell). So a node takes of the load as its mass allows, and the others take the
+ * rest so that force and moment stay. */
+static place_stencil surface_locate(const mpm *s, int group, const double x[3])
+{
+    place_stencil st = stencil_at(s, x);
+    weigh_nodes(s, group, x, &st);
+    if (bear_load(&st) && !keep_moments(s, x, &st)) keep_sum(&st);
+    return st;
+}
+
+typedef struct surface_force {
+    double *force[3], value[3];
+    int dim;
+} surface_force;
+
+static void add_force(void *user, ptrdiff_t at, double weight, double mass)
+{
+    (void)mass;
+    const surface_force *f = user;
+    for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
+}
+
+void push_surface(const mpm *s, int group, const double x[3], const double force[3])
+{
+    const place_stencil st = surface_locate(s, group, x);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        surface_force f = {.dim = s->mesh->dim};
+        for (int a = 0; a < f.dim; ++a) {
+            f.force[a] = field_get(s->domain->fields[b], N_FORCE, group, a);
+            f.value[a] = force[a];
+        }
+        visit_stencil(&s->mesh->block[b], &st, add_force, &f);
+    }
+}
+
+void scatter_room(mpm *s, int room)
+{
+    for (size_t k = 0; k < s->work->n_surface; ++k)
+        if (s->work->surface[k].room == room) push_surface(s, 0, s->work->surface[k].x, s->work->surface[k].area);
+}
+
+/* One surface point after the other, so that every block adds up a node in the same order. */
+void scatter_surfaces(mpm *s, int group)
+{
+    for (size_t k = 0; k < s->work->n_surface; ++k) {
+        const surface_point *p = &s->work->surface[k];
+        if (p->load < 0) continue;
+        const scene_load *load = &s->scene->load[p->load];
+        if (s->work->body_group[load->body] != group) continue;
+        const double pressure = load->target * load_now(s, load);
+        const double force[3] = {pressure * p->area[0], pressure * p->area[1], pressure * p->area[2]};
+        push_surface(s, group, p->x, force);
+        for (int a = 0; a < s->mesh->dim; ++a)
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, force[a] * s->work->kick);
+    }
+}
+
+typedef struct motion_sum {
+    const double *v[3], *acceleration[3];
+    surface_motion out;
+    double kick, left; /* of damping: share that it leaves */
+    int dim;
+} motion_sum;
+
+/* A light node's acceleration is large and moves hardly any point, even at rest (numerics 4.4): a surface that followed it would
+ * leave its body, so it takes that in proportion to the mass. */
+static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
+{
+    motion_sum *m = user;
+    const double without = mass < steady_mass ? (1.0 - mass / steady_mass) * m->kick : 0.0;
+    for (int a = 0; a < m->dim; ++a) {
+        const double v = m->v[a][at], change = m->acceleration[a][at];
+        m->out.velocity[a] += weight * (v - without * change);
+        m->out.working[a] += weight * 0.5 * ((1.0 + m->left) * v - m->left * m->kick * change);
+    }
+}
+
+surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
+{
+    const int b = place_block(s, x);
+    motion_sum m = {.dim = s->mesh->dim, .kick = s->work->kick, .left = damping_left(s)};
+    for (int a = 0; a < m.dim; ++a) {
+        m.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
+        m.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);
+    }
+    const place_stencil st = surface_locate(s, group, x);
+    visit_stencil(&s->mesh->block[b], &st, add_motion, &m);
+    return m.out;
+}
+
+void move_surfaces(mpm *s, int group)
+{
+    for (size_t k = 0; k < s->work->n_surface; ++k) {
+        const surface_point *p = &s->work->surface[k];
+        const scene_load *load = &s->scene->load[p->load];
+        if (s->work->body_group[load->body] != group) continue;
+        const surface_motion m = surface_motion_at(s, group, p->x);
+        const double pressure = load->target * load_now(s, load);
+        double power = 0.0;
+        for (int a = 0; a < 3; ++a) {
+            s->work->surface_next[k].x[a] = p->x[a] + s->dt * m.velocity[a];
+            s->work->surface_next[k].area[a] = p->area[a];
+            power += pressure * p->area[a] * m.velocity[a];
+        }
+        s->work->surface_next[k].load = p->load;
+        s->work->surface_next[k].room = p->room;
+        s->work->surface_next[k].body = p->body;
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, power * s->dt);
+    }
+}
+
+void carry_place(const mpm *s, int group, const double x[3], node_displacement *way, double out[3])
+{
+    const place_stencil st = surface_locate(s, group, x);
+    for (int i = 0; i < st.n; ++i)
+        for (int a = 0; a < s->mesh->dim; ++a) out[a] += st.w[i] * way(s, group, st.node[i], a);
+}
+
+void carry_surfaces(mpm *s, node_displacement *way)
+{
+    for (size_t k = 0; k < s->work->n_surface; ++k) {
+        const surface_point *p = &s->work->surface[k];
+        const int body = p->load < 0 ? p->body : s->scene->load[p->load].body;
+        const int group = body < 0 ? 0 : s->work->body_group[body];
+        surface_point *next = &s->work->surface_next[k];
+        *next = *p;
+        carry_place(s, group, p->x, way, next->x);
+    }
+}
+
+double *mpm_surface(mpm *s, size_t *n, size_t *stride)
+{
+    *n = s->work->n_surface;
+    *stride = sizeof(surface_point) / sizeof(double);
+    return *n ? s->work->surface[0].x : NULL;
+}

@@ -1,0 +1,176 @@
+/* From values to runs, and from runs to verdicts. */
+#include "study/stability/stability_internal.h"
+
+#include "base/memory.h"
+#include "io/file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SETTING = SCENE_KEY + SCENE_VALUE + 2 };
+
+batch_options stability_batch(const stability *s, const stability_options *o)
+{
+    return (batch_options){.program = o->program,
+                           .deck = o->deck,
+                           .dir = s->dir,
+                           .jobs = o->jobs,
+                           .threads = o->threads,
+                           .max_wall = o->max_wall,
+                           .keep_finished = true,
+                           .stop = o->stop,
+                           .progress = o->progress};
+}
+
+/* The text of the wish's value of an axis. */
+static void wish_value(const stability *s, const stability_wish *wish, int axis, char *text, size_t size)
+{
+    if (stability_is_map(s))
+        (void)snprintf(text, size, "%s", s->over[axis].value[wish->value[axis]]);
+    else
+        (void)snprintf(text, size, "%.9g%s", wish->x, s->unit);
+}
+
+static void name_folder(const stability *s, const stability_wish *wish, char folder[256])
+{
+    if (stability_is_map(s))
+        (void)snprintf(folder, 256, "%02zu-%02d-%02d", wish->set + 1, wish->value[0] + 1, wish->value[1] + 1);
+    else
+        (void)snprintf(folder, 256, "%02zu-%.9g", wish->set + 1, wish->x);
+}
+
+/* Settings go from the outside in: the user's, those of the combination, the value. `text` has room for the last two. */
+static void fill_case(const stability *s, const stability_options *o, const stability_wish *wish, const char **set,
+                      char *text, batch_case *one)
+{
+    const stability_set *combination = &s->set[wish->set];
+    char value[SCENE_VALUE], label[STABILITY_LABEL];
+    *one = (batch_case){.set = set};
+    stability_set_label(s, wish->set, label);
+    for (size_t i = 0; i < o->set.n; i++) set[one->n_set++] = o->set.text[i];
+    for (int i = 0; i < s->n_each; i++, text += SETTING) {
+        (void)snprintf(text, SETTING, "%s=%s", s->each[i].key, s->each[i].value[combination->value[i]]);
+        set[one->n_set++] = text;
+    }
+    for (int i = 0; i < s->n_over; i++, text += SETTING) {
+        wish_value(s, wish, i, value, sizeof value);
+        (void)snprintf(text, SETTING, "%s=%s", s->over[i].key, value);
+        set[one->n_set++] = text;
+        const size_t used = strlen(label);
+        (void)snprintf(label + used, sizeof label - used, "%s%s", used > 0 ? ", " : "", text);
+    }
+    (void)snprintf(one->label, sizeof one->label, "%.159s", label);
+    name_folder(s, wish, one->folder);
+}
+
+floe_status stability_cases_make(stability_cases *cases, const stability *s, const stability_options *o,
+                                 const stability_wish *wish, size_t n)
+{
+    const size_t own = (size_t)s->n_each + (size_t)s->n_over, all = o->set.n + own;
+    *cases = (stability_cases){0};
+    TRY(memory_new(s->ctx, &cases->list, n, sizeof *cases->list));
+    TRY(memory_new(s->ctx, &cases->set, n * all, sizeof *cases->set));
+    TRY(memory_new(s->ctx, &cases->text, n * own, SETTING));
+    for (size_t i = 0; i < n; i++)
+        fill_case(s, o, &wish[i], cases->set + i * all, cases->text + i * own * SETTING, &cases->list[i]);
+    return FLOE_OK;
+}
+
+void stability_cases_free(context *ctx, stability_cases *cases)
+{
+    memory_free(ctx, &cases->text);
+    memory_free(ctx, &cases->set);
+    memory_free(ctx, &cases->list);
+}
+
+/* The energies of a run; a run that has ended before its first row has none. */
+static floe_status read_energy(const stability *s, const batch_case *one, energy_record *energy)
+{
+    char path[BATCH_PATH], *text;
+    (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->dir, one->folder);
+    *energy = (energy_record){.finite = true};
+    if (!file_exists(path)) return FLOE_OK;
+    TRY(file_read(s->ctx, path, &text, NULL));
+    *energy = energy_read(text);
+    memory_free(s->ctx, &text);
+    return FLOE_OK;
+}
+
+static void judge(const stability *s, const batch_case *one, stability_probe *p)
+{
+    const char *unit = p->rejected == 1 ? "" : "s";
+    if (one->status == FLOE_DIVERGED) {
+        p->verdict = VERDICT_DIVERGED;
+        (void)snprintf(p->cause, sizeof p->cause, "%s", one->message);
+    } else if (one->status != FLOE_OK) {
+        p->verdict = VERDICT_NONE;
+        (void)snprintf(p->cause, sizeof p->cause, "%s", one->message[0] ? one->message : status_text(one->status));
+    } else if (!p->energy.finite) {
+        p->verdict = VERDICT_NOT_FINITE;
+        (void)snprintf(p->cause, sizeof p->cause, "an energy in history.csv is not finite");
+    } else if (s->by_energy && p->energy.ratio > s->growth) {
+        p->verdict = VERDICT_GROWS;
+        (void)snprintf(p->cause, sizeof p->cause, "%.3g times the energy that can be there%s", p->energy.ratio,
+                       p->rejected > 0 ? ", and steps were rejected" : "");
+    } else if (p->rejected > 0) {
+        p->verdict = VERDICT_REJECTED;
+        (void)snprintf(p->cause, sizeof p->cause, "%lld step%s rejected", p->rejected, unit);
+    }
+}
+
+static search_answer answer_of(const stability_probe *p, const batch_case *one)
+{
+    if (one->status == FLOE_BAD_INPUT) return SEARCH_REFUSED;
+    return p->verdict == VERDICT_STABLE ? SEARCH_STABLE : SEARCH_UNSTABLE;
+}
+
+static floe_status note(stability *s, const stability_wish *wish, const batch_case *one)
+{
+    stability_probe *p = &s->probe[s->n_probes];
+    *p = (stability_probe){.set = wish->set, .steps = one->summary.steps, .rejected = one->summary.rejected_steps};
+    p->time = one->summary.time;
+    (void)snprintf(p->folder, sizeof p->folder, "%s", one->folder);
+    for (int i = 0; i < s->n_over; i++) {
+        char *end;
+        wish_value(s, wish, i, p->value[i], sizeof p->value[i]);
+        p->x[i] = strtod(p->value[i], &end);
+        if (end == p->value[i]) p->x[i] = NAN;
+    }
+    if (one->ran) TRY(read_energy(s, one, &p->energy));
+    judge(s, one, p);
+    s->n_probes++;
+    if (stability_is_map(s)) return FLOE_OK;
+    stability_set *set = &s->set[wish->set];
+    if (p->verdict == VERDICT_NONE && one->status != FLOE_BAD_INPUT)
+        set->broken = true;
+    else
+        search_tell(&set->search, wish->x, answer_of(p, one));
+    return FLOE_OK;
+}
+
+static floe_status run_cases(stability *s, const stability_options *o, const stability_wish *wish, batch_case *list,
+                             size_t n)
+{
+    const batch_options batch = stability_batch(s, o);
+    const floe_status status = batch_run(s->ctx, &batch, list, n);
+    if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
+    const bool stopped = o->stop && *o->stop;
+    for (size_t i = 0; i < n; i++) {
+        /* A run that failed as all were stopped has failed for that. */
+        const bool spoilt = stopped && list[i].status != FLOE_OK && list[i].status != FLOE_DIVERGED;
+        if (list[i].state == BATCH_ENDED && !spoilt) TRY(note(s, &wish[i], &list[i]));
+    }
+    return status;
+}
+
+floe_status stability_round(stability *s, const stability_options *o, const stability_wish *wish, size_t n)
+{
+    stability_cases cases;
+    floe_status status = memory_resize(s->ctx, &s->probe, s->n_probes + n, sizeof *s->probe);
+    if (status != FLOE_OK) return status;
+    status = stability_cases_make(&cases, s, o, wish, n);
+    if (status == FLOE_OK) status = run_cases(s, o, wish, cases.list, n);
+    stability_cases_free(s->ctx, &cases);
+    return status;
+}
