@@ -53,7 +53,7 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
         const double mean = rho[L] * (w[L] + (1.0 - shock[L]) * left) + rho[R] * (w[R] + (1.0 - shock[R]) * right);
         const double room = multi ? theta[L] + theta[R] : 2.0;
         const double here = multi ? sum * inverse : 1.0; /* what is absent has no velocity of its own */
-        face[R] = (mean - phi * push * room * (p[R] - p[L])) * inverse + phi * fall +
+        face[R] = (mean - phi * push * room * (p[R] - p[L])) * inverse + here * phi * fall +
                   here * sharpen * smooth * (1.0 + drawn * fan(w[R] - w[L], c[L] + c[R])) *
                       (w[L] + w[R] - w[L - step] - w[R + step]);
     }

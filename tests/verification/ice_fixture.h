@@ -109,6 +109,15 @@ static inline scene_body *fixture_fill(fixture *f, int material, double p, doubl
     return fixture_box(f, material, lo, hi, p, T, rho);
 }
 
+/* The earth's gravity, down an axis. */
+static inline void fixture_gravity(fixture *f, int axis)
+{
+    scene_load *load = &f->scene->load[f->scene->n_loads++];
+    load->kind = LOAD_BODY_FORCE;
+    load->body = -1;
+    load->vector[axis] = -9.81;
+}
+
 static inline double fixture_initial(void *user, initial_quantity quantity, int component, const double x[3])
 {
     const exact *e = user;

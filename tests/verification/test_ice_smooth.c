@@ -100,14 +100,6 @@ static double largest_speed(const fixture *f)
     return most;
 }
 
-static void gravity(fixture *f, int axis)
-{
-    scene_load *load = &f->scene->load[f->scene->n_loads++];
-    load->kind = LOAD_BODY_FORCE;
-    load->body = -1;
-    load->vector[axis] = -9.81;
-}
-
 /* Air in 1-D, 2-D and axisymmetric; water under air, locked; 1000 steps: u stays at round-off of the sound speed. */
 static void columns_at_rest(void **state)
 {
@@ -126,7 +118,7 @@ static void columns_at_rest(void **state)
             f.scene->method.exchange = 1e15;
         }
         fixture_fill(&f, 0, 1e5, 300.0, (double)NAN);
-        gravity(&f, axis);
+        fixture_gravity(&f, axis);
         fixture_start(&f);
         for (int k = 0; k < 1000; ++k) {
             step_limit limit;

@@ -208,7 +208,7 @@ static void copy_state(const fixture *f, double *out)
     }
 }
 
-/* 1 and 2 threads, 1 and 2x2 blocks: the same bits in every cell and in the ledger. */
+/* 1 and 2 threads, 1 and 2x2 blocks, under gravity: the same bits in every cell and in the ledger. */
 static void same_bits(void **state)
 {
     (void)state;
@@ -227,6 +227,7 @@ static void same_bits(void **state)
                             600.0, (double)NAN);
                 fixture_fill(&f, 0, 1e5, 300.0, (double)NAN)->velocity[0] = 80.0;
                 f.scene->method.exchange = 1e3;
+                fixture_gravity(&f, dim - 1);
                 for (int a = 0; a < 2; ++a) f.scene->mesh.blocks[a] = variant >= 2 ? 2 : 1;
 #ifdef _OPENMP
                 omp_set_num_threads(variant % 2 ? 2 : 1);
