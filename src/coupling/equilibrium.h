@@ -4,8 +4,8 @@
  *
  * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is
  * linear for an ideal gas beside an incompressible material; every iterate is kept inside a bracket made from the signs of
- * F, and where Newton leaves it the geometric mean of the bracket is taken. Cells are solved side by side, each by itself: what comes out
- * of a cell does not depend on the others. */
+ * F, and where Newton leaves it the geometric mean of the bracket is taken. It runs as a root solver of our own behind GSL's interface
+ * (gsl_root_fdfsolver), one a cell. Cells are solved side by side, each by itself: what comes out of a cell does not depend on the others. */
 #ifndef COUPLING_EQUILIBRIUM_H
 #define COUPLING_EQUILIBRIUM_H
 
