@@ -6,6 +6,7 @@
 typedef struct cutter {
     const shape *shape;
     const seed_spec *grid;
+    surface_cut cut;
     surface_visitor *visit;
     void *user;
     double step; /* m, of differences */
@@ -98,24 +99,38 @@ static void cut_simplex(const cutter *c, const double corner[4][3])
     if (n > 0) emit_cut(c, cut, n);
 }
 
-/* Simplices of the unit box by dimension, as corner numbers (bit a: upper along axis a): one segment, two triangles, six
- * tetrahedra about the diagonal. */
-static const int simplex[3][6][4] = {
-    {{0, 1}},
-    {{0, 1, 3}, {0, 2, 3}},
-    {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
-static const int simplices[3] = {1, 2, 6};
+/* The orders of a line's, a plane's and space's axes. */
+static const int order[3][6][3] = {
+    {{0}}, {{0, 1}, {1, 0}}, {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+static const int orders[3] = {1, 2, 6};
+
+/* The simplex on the way from a place along the axes in an order, to the upper side where `upper` has the bit of the axis' turn, and then
+ * along a whole edge. */
+static void cut_along(const cutter *c, const double lo[3], const double hi[3], const double from[3], const int axis[3],
+                      int upper)
+{
+    const int last = c->grid->dim - 1;
+    double corner[4][3], at[3] = {from[0], from[1], from[2]};
+    for (int k = 0; k < last; ++k) {
+        memcpy(corner[k], at, sizeof at);
+        at[axis[k]] = ((upper >> k) & 1) != 0 ? hi[axis[k]] : lo[axis[k]];
+    }
+    for (int end = 0; end < 2; ++end) {
+        at[axis[last]] = end ? hi[axis[last]] : lo[axis[last]];
+        memcpy(corner[last + end], at, sizeof at);
+    }
+    cut_simplex(c, (const double(*)[3])corner);
+}
 
 /* lo and hi: opposite corners. */
 static void cut_box(const cutter *c, const double lo[3], const double hi[3])
 {
-    const int dim = c->grid->dim;
-    for (int k = 0; k < simplices[dim - 1]; ++k) {
-        double corner[4][3];
-        for (int v = 0; v <= dim; ++v)
-            for (int a = 0; a < 3; ++a) corner[v][a] = ((simplex[dim - 1][k][v] >> a) & 1) != 0 ? hi[a] : lo[a];
-        cut_simplex(c, (const double(*)[3])corner);
-    }
+    const int dim = c->grid->dim, all = (1 << (dim - 1)) - 1;
+    const bool middles = c->cut == SURFACE_MIDDLES;
+    double from[3];
+    for (int a = 0; a < 3; ++a) from[a] = middles ? 0.5 * (lo[a] + hi[a]) : lo[a];
+    for (int k = 0; k < orders[dim - 1]; ++k)
+        for (int upper = middles ? 0 : all; upper <= all; ++upper) cut_along(c, lo, hi, from, order[dim - 1][k], upper);
 }
 
 /* Place of a face of the sub-boxes: neighbours compute the same bits, in whichever cell they are, so that a surface along a face
@@ -149,9 +164,10 @@ static void cut_cell(const cutter *c, const int cell[3], int divide)
             }
 }
 
-void surface_visit(const shape *s, const seed_spec *grid, int divide, surface_visitor *visit, void *user)
+void surface_visit(const shape *s, const seed_spec *grid, int divide, surface_cut cut, surface_visitor *visit,
+                   void *user)
 {
-    cutter c = {s, grid, visit, user, 1e-6 * grid->h[0]};
+    cutter c = {s, grid, cut, visit, user, 1e-6 * grid->h[0]};
     for (int k = 0; k < grid->n[2]; ++k)
         for (int j = 0; j < grid->n[1]; ++j)
             for (int i = 0; i < grid->n[0]; ++i) cut_cell(&c, (const int[]){i, j, k}, divide);

@@ -50,7 +50,7 @@ cmp "$last" "gas-part/fields/${last##*/}" || fault 'other bits of the gas at the
 # Bodies in contact: the stress of Hertz; resumed between increments, with the surfaces that gaps are measured between.
 press=("$FLOE_SOURCE/inputs/pressed_cylinder.yaml" --set domain.cell=0.025 --set output.interval=0.3)
 expect 0 "$FLOE" run "${press[@]}" -o press
-below "$(json press/summary.json l1rel_stress_yy)" 0.06 # measured 0.044, by points alone 0.4
+below "$(json press/summary.json l1rel_stress_yy)" 0.06 # measured 0.042, by points alone 0.4
 expect 0 "$FLOE" run "${press[@]}" --set time.increments=3 -o press-whole --quiet
 expect 0 "$FLOE" run "${press[@]}" --set time.increments=3 -o press-part --set time.max_steps=1 --quiet
 expect 0 "$FLOE" run "${press[@]}" --set time.increments=3 -o press-part --resume --quiet

@@ -117,7 +117,7 @@ double surface_enclosed(const mpm *s, int body)
 {
     enclosure c = {s, 0.0, 0.0};
     const seed_spec grid = surface_grid(s);
-    surface_visit(&s->scene->body[body].shape, &grid, SURFACE_DIVISIONS, count_element, &c);
+    surface_visit(&s->scene->body[body].shape, &grid, SURFACE_DIVISIONS, SURFACE_DIAGONALS, count_element, &c);
     return c.all > 0.0 ? c.faced / c.all : 1.0;
 }
 
@@ -128,7 +128,7 @@ static floe_status seed_rooms(mpm *s, surface_list *list, const seed_spec *grid)
     for (int r = 0; s->balance && r < s->balance->n_rooms; ++r) {
         list->room = r;
         surface_visit(&s->scene->body[s->body[s->balance->room[r].body].scene_body].shape, grid, SURFACE_DIVISIONS,
-                      add_room_element, list);
+                      SURFACE_DIAGONALS, add_room_element, list);
         TRY(list->status);
     }
     return FLOE_OK;
@@ -136,17 +136,19 @@ static floe_status seed_rooms(mpm *s, surface_list *list, const seed_spec *grid)
 
 static void add_outer_element(void *user, const surface_element *e)
 {
-    add_point(user, e, 1.0);
+    add_point(user, e, e->area > 0.0 ? 1.0 : 0.0);
 }
 
-/* Surfaces that are to meet others, where that is solved for (balance_gap.c): areas point outward. */
+/* Surfaces that are to meet others, where that is solved for (balance_gap.c): areas point outward. Gaps are as good as the two surfaces at a
+ * node are complete: sides that meet at a corner, such as one on a mirror, are not to be one element that faces neither way. */
 static floe_status seed_contacts(mpm *s, surface_list *list, const seed_spec *grid)
 {
     list->load = list->room = -1;
     for (int b = 0; b < s->n_bodies && balance_measures_gaps(s); ++b) {
         list->body = s->body[b].scene_body;
         if (!scene_in_contact(s->scene, list->body)) continue;
-        surface_visit(&s->scene->body[list->body].shape, grid, SURFACE_DIVISIONS, add_outer_element, list);
+        surface_visit(&s->scene->body[list->body].shape, grid, SURFACE_DIVISIONS, SURFACE_MIDDLES, add_outer_element,
+                      list);
         TRY(list->status);
     }
     return FLOE_OK;
@@ -160,7 +162,7 @@ floe_status seed_surfaces(mpm *s)
         if (s->scene->load[l].kind != LOAD_TRACTION) continue;
         const size_t before = s->work->n_surface;
         list.load = l;
-        surface_visit(&s->scene->load[l].region, &grid, SURFACE_DIVISIONS, add_element, &list);
+        surface_visit(&s->scene->load[l].region, &grid, SURFACE_DIVISIONS, SURFACE_DIAGONALS, add_element, &list);
         TRY(list.status);
         if (s->work->n_surface == before)
             return fail(s->ctx, FLOE_BAD_INPUT, "load '%s' finds no surface of its shape on the body that it loads",
