@@ -187,7 +187,6 @@ static void destroy_work(context *ctx, ice_work **work)
     for (int t = 0; t < w->threads; ++t) {
         if (w->buffer) memory_free(ctx, &w->buffer[t]);
         if (w->index) memory_free(ctx, &w->index[t]);
-        if (w->cells) memory_free(ctx, &w->cells[t]);
     }
     ice_reactions_destroy(ctx, w);
     ice_seal_destroy(ctx, &w->sealing);
@@ -322,10 +321,7 @@ static floe_status make_scratch(ice *s)
     if (!s->multi) return FLOE_OK;
     TRY(memory_new(s->ctx, &w->cells, (size_t)w->threads, sizeof *w->cells));
     TRY(memory_new(s->ctx, &w->index, (size_t)w->threads, sizeof *w->index));
-    for (int t = 0; t < w->threads; ++t) {
-        TRY(memory_new(s->ctx, &w->cells[t], 1, sizeof *w->cells[t]));
-        TRY(memory_new(s->ctx, &w->index[t], 3 * ((size_t)m->n[0] + 8), sizeof(int)));
-    }
+    for (int t = 0; t < w->threads; ++t) TRY(memory_new(s->ctx, &w->index[t], 3 * ((size_t)m->n[0] + 8), sizeof(int)));
     for (int b = 0; b < m->n_blocks; ++b) {
         const int *n = m->block[b].n;
         const size_t cells = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];

@@ -245,7 +245,7 @@ typedef struct ice_work {
     size_t tiles;
     double **buffer;                      /* one a thread */
     int **index;                          /* one a thread, three rows long; NULL with one fluid */
-    ice_mixed_cells **cells;              /* one a thread; NULL with one fluid */
+    ice_mixed_cells *cells;               /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     /* owned cells whose pressure is continued into a solid (ice_continue.c) */
     ice_cell_list continued[MESH_MAX_BLOCKS];

@@ -340,7 +340,7 @@ static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
                          .c = buffer + 2 * n,
                          .d = buffer + 3 * n,
                          .e = buffer + 4 * n,
-                         .batch = s->work->cells[thread_number()]};
+                         .batch = &s->work->cells[thread_number()]};
 }
 
 /* Owned cells with several materials, in order. */
