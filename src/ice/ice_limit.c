@@ -195,15 +195,19 @@ static void add_densities(const ice *s, const ice_view *v, int r, double range[2
 {
     const ice_arrays *m = &v->m[r];
     const ice_rows q = ice_rows_of(v->b, -1, 0);
+    double lowest = range[0], highest = range[1];
+#pragma omp parallel for schedule(static) reduction(min : lowest) reduction(max : highest)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         for (ptrdiff_t i = base; i < base + v->b->n[0]; ++i) {
             if (!(m->rho[i] > 0.0) || (m->open && !(m->open[i] > 0.0))) continue;
             const double rho = s->multi ? 1.0 / m->vol[i] : m->rho[i];
-            range[0] = fmin(range[0], rho);
-            range[1] = fmax(range[1], rho);
+            lowest = least(lowest, rho);
+            highest = most(highest, rho);
         }
     }
+    range[0] = lowest;
+    range[1] = highest;
 }
 
 void ice_densities(ice *s, double range[2])

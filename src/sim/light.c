@@ -40,13 +40,19 @@ floe_status light_check(const sim *s)
         s->scene->body[body].name, rho, rho / range[0], range[0], least_share);
 }
 
-bool light_solid(const sim *s)
+/* Density of the lightest solid over that of the densest fluid; infinity where there is no such solid. */
+static double least_ratio(const sim *s)
 {
     double range[2];
     const int body = lightest_body(s->scene);
-    if (body < 0) return false;
+    if (body < 0) return INFINITY;
     ice_densities(s->ice, range);
-    return range[1] > density_of(s->scene, body);
+    return density_of(s->scene, body) / range[1];
+}
+
+bool light_solid(const sim *s)
+{
+    return least_ratio(s) < 1.0;
 }
 
 /* The pressure of a step is what the surface's velocity before it makes of the fluid, and the surface has the inertia of the nodes next to it: a layer of
@@ -56,9 +62,5 @@ bool light_solid(const sim *s)
 double light_step(const sim *s, double crossing)
 {
     static const double share = 0.35;
-    double range[2];
-    const int body = s->scene->method.interface == INTERFACE_SHARP ? lightest_body(s->scene) : -1;
-    if (body < 0) return INFINITY;
-    ice_densities(s->ice, range);
-    return share * crossing * sqrt(density_of(s->scene, body) / range[1]);
+    return s->scene->method.interface == INTERFACE_SHARP ? share * crossing * sqrt(least_ratio(s)) : (double)INFINITY;
 }
