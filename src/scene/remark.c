@@ -55,10 +55,9 @@ static void remark_soft_walls(const scene *s, remark_sink *say, void *user)
         char text[REMARK_SIZE];
         (void)snprintf(text, sizeof text,
                        "the bulk modulus of body '%s' is %.3g times the largest pressure of the gas: points of gas in "
-                       "the cells that it "
-                       "shares with them stiffen it. With five cells across a wall its stress was 42 %% off at a ratio "
-                       "of 1 and 72 %% at "
-                       "0.01, with ten 23 %% at 1. Take coupling ice-mpm, or time.solver static",
+                       "the cells that it shares with them stiffen it. With five cells across a wall its stress was 42 "
+                       "%% off at a ratio of 1 and 72 %% at 0.01, with ten 23 %% at 1. Take coupling ice-mpm, or "
+                       "time.solver static",
                        s->body[k].name, ratio);
         say(user, text);
     }
@@ -88,8 +87,8 @@ static void remark_knots(const scene *s, remark_sink *say, void *user)
         (void)snprintf(
             text, sizeof text,
             "gas of points under pressure, body '%s': with %s splines and %s of points along a cell its sound grows "
-            "where nothing "
-            "damps it, within some tens of crossings. Take quadratic splines with an even number, gimp or cpdi",
+            "where nothing damps it, within some tens of crossings. Take quadratic splines with an even number, gimp "
+            "or cpdi",
             b->name, cubic ? "cubic" : "quadratic", cubic ? "any number" : "an odd number");
         say(user, text);
     }

@@ -21,8 +21,7 @@ static floe_status check_locking(const sim *s)
     if (ratio <= most) return FLOE_OK;
     return fail(s->ctx, FLOE_BAD_INPUT,
                 "time.solver: static: the bulk modulus of body '%s' is %.3g times its shear modulus, with which basis "
-                "%s locks: "
-                "its stresses would be wrong. Take %g times at most%s",
+                "%s locks: its stresses would be wrong. Take %g times at most%s",
                 s->scene->body[body].name, ratio, s->mpm->basis->name, most,
                 most < 100.0 ? ", or a quadratic or cubic basis" : " (a Poisson's ratio of 0.495)");
 }
