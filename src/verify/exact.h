@@ -176,7 +176,8 @@ typedef enum exact_average {
 } exact_average;
 
 /* The average of the quantity over the box [lo, hi] at t: Gauss-Legendre, split at the solution's breaks, then halved
- * until 4 and 6 points an axis agree to 1e-13 of the largest value met, or to the depth's end (kinks off the breaks).
+ * until 4 and 6 points an axis agree to 1e-13 of the largest value met (1e-12 in two and three dimensions: the 6 are right to round-off by
+ * then), or to the depth's end (kinks off the breaks).
  * `flags` is a sum of exact_average. NAN for an empty box, or when any value met is NAN. */
 double exact_cell_average(const exact *solution, exact_quantity quantity, const double lo[3], const double hi[3],
                           double t, int flags);

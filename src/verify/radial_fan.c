@@ -85,7 +85,7 @@ floe_status radial_fan_march(context *ctx, const fan_gas *gas, int halvings, rad
         }
         for (int j = 0; j <= FAN_NODES && i % fine == 0; j++) {
             const point *x = &row[j * fine];
-            out->node[i / fine][j] = (fan_node){log(x->t), x->r, x->u, log(x->c)};
+            out->node[j][i / fine] = (fan_node){log(x->t), x->r, x->u, log(x->c)};
         }
     }
     memory_free(ctx, &row);
@@ -115,7 +115,7 @@ floe_status radial_fan_solve(context *ctx, const fan_gas *gas, radial_fan *out)
     if (status == FLOE_OK) status = radial_fan_march(ctx, gas, 2, out);
     for (int i = 0; i <= FAN_NODES && status == FLOE_OK; i++) {
         for (int j = 0; j <= FAN_NODES; j++) {
-            out->node[i][j] = extrapolate_node(&net[0].node[i][j], &net[1].node[i][j], &out->node[i][j]);
+            out->node[j][i] = extrapolate_node(&net[0].node[j][i], &net[1].node[j][i], &out->node[j][i]);
         }
     }
     memory_free(ctx, &net);
@@ -127,11 +127,17 @@ enum { STENCIL = 8 };
 /* Weights of Lagrange's polynomial through STENCIL places. */
 static void lagrange(const double at[STENCIL], double x, double weight[STENCIL])
 {
+    double before = 1.0;
     for (int i = 0; i < STENCIL; i++) {
-        weight[i] = 1.0;
-        for (int k = 0; k < STENCIL; k++) {
-            if (k != i) weight[i] *= (x - at[k]) / (at[i] - at[k]);
-        }
+        double apart = 1.0;
+        for (int k = 0; k < STENCIL; k++) apart *= k == i ? 1.0 : at[i] - at[k];
+        weight[i] = before / apart;
+        before *= x - at[i];
+    }
+    double after = 1.0;
+    for (int i = STENCIL - 1; i >= 0; i--) {
+        weight[i] *= after;
+        after *= x - at[i];
     }
 }
 
@@ -147,7 +153,7 @@ static int node_before(const radial_fan *fan, int j, double log_time)
     int hi = FAN_NODES + 1;
     while (hi - lo > 1) {
         const int middle = (lo + hi) / 2;
-        if (fan->node[middle][j].log_time <= log_time) {
+        if (fan->node[j][middle].log_time <= log_time) {
             lo = middle;
         } else {
             hi = middle;
@@ -160,7 +166,7 @@ static int node_before(const radial_fan *fan, int j, double log_time)
 static bool is_known(const radial_fan *fan, int j, double log_time)
 {
     const int next = node_before(fan, j, log_time) + 1;
-    return next == 0 || (next >= STENCIL - 2 && next <= FAN_NODES && isfinite(fan->node[next][j].log_time));
+    return next == 0 || (next >= STENCIL - 2 && next <= FAN_NODES && isfinite(fan->node[j][next].log_time));
 }
 
 /* The inward characteristic j at a time: by interpolation along it, before its first node by the plane fan. */
@@ -168,19 +174,19 @@ static fan_node on_inward(const radial_fan *fan, int j, double log_time)
 {
     const int before = node_before(fan, j, log_time);
     if (before < 0) {
-        fan_node first = fan->node[0][j];
+        fan_node first = fan->node[j][0];
         first.radius = fan->gas.radius + (first.velocity - exp(first.log_sound)) * exp(log_time);
         return first;
     }
     int known = before + 1;
-    while (known <= FAN_NODES && known <= before + STENCIL / 2 && isfinite(fan->node[known][j].log_time)) known++;
+    while (known <= FAN_NODES && known <= before + STENCIL / 2 && isfinite(fan->node[j][known].log_time)) known++;
     const int from = clamp(before - STENCIL / 2 + 1, 0, known - STENCIL);
     double at[STENCIL], weight[STENCIL];
-    for (int i = 0; i < STENCIL; i++) at[i] = fan->node[from + i][j].log_time;
+    for (int i = 0; i < STENCIL; i++) at[i] = fan->node[j][from + i].log_time;
     lagrange(at, log_time, weight);
     fan_node x = {log_time, 0.0, 0.0, 0.0};
     for (int i = 0; i < STENCIL; i++) {
-        const fan_node *node = &fan->node[from + i][j];
+        const fan_node *node = &fan->node[j][from + i];
         x.radius += weight[i] * node->radius;
         x.velocity += weight[i] * node->velocity;
         x.log_sound += weight[i] * node->log_sound;
@@ -204,40 +210,82 @@ static int outermost(const radial_fan *fan, double log_time)
     return lo;
 }
 
-/* Among the characteristics from `from` on, at the label (a number between theirs) whose radius is r: by the secant rule on
- * the polynomial in the label, which is nearly straight over one interval. */
+/* Newton's coefficients of the polynomial through value[k] at the numbers k = 0, 1 ...; `value` is overwritten by them. */
+static void divide_differences(double value[STENCIL])
+{
+    for (int order = 1; order < STENCIL; order++) {
+        for (int k = STENCIL - 1; k >= order; k--) value[k] = (value[k] - value[k - 1]) / order;
+    }
+}
+
+/* The polynomial of those coefficients, and its slope where `slope` is not NULL. */
+static double polynomial(const double coefficient[STENCIL], double x, double *slope)
+{
+    double value = coefficient[STENCIL - 1], rise = 0.0;
+    for (int k = STENCIL - 2; k >= 0; k--) {
+        rise = value + (x - k) * rise;
+        value = coefficient[k] + (x - k) * value;
+    }
+    if (slope != NULL) *slope = rise;
+    return value;
+}
+
+/* Among the characteristics from `from` on, at the label (a number between theirs) whose radius is r: by Newton's rule on
+ * the polynomial in the label, which is nearly straight over one interval, within an interval that shrinks about it. */
 static fan_state between(const fan_node node[STENCIL], int interval, double r)
 {
-    double at[STENCIL], weight[STENCIL];
-    for (int k = 0; k < STENCIL; k++) at[k] = k;
+    double radius[STENCIL], velocity[STENCIL], log_sound[STENCIL];
+    for (int k = 0; k < STENCIL; k++) {
+        radius[k] = node[k].radius;
+        velocity[k] = node[k].velocity;
+        log_sound[k] = node[k].log_sound;
+    }
+    divide_differences(radius);
+    divide_differences(velocity);
+    divide_differences(log_sound);
     double lo = interval;
     double hi = interval + 1;
-    for (int n = 0; n < 60 && hi - lo > 1e-15 * STENCIL; n++) {
-        const double label = 0.5 * (lo + hi);
-        double radius = 0.0;
-        lagrange(at, label, weight);
-        for (int k = 0; k < STENCIL; k++) radius += weight[k] * node[k].radius;
-        if (radius <= r) {
+    double label = 0.5 * (lo + hi), last = hi;
+    for (int n = 0; n < 60 && fabs(label - last) > 1e-15 * STENCIL; n++) {
+        double slope;
+        const double over = polynomial(radius, label, &slope) - r;
+        if (over <= 0.0) {
             lo = label;
         } else {
             hi = label;
         }
+        last = label;
+        label -= over / slope;
+        if (!(label >= lo && label <= hi)) label = 0.5 * (lo + hi);
     }
-    lagrange(at, 0.5 * (lo + hi), weight);
-    fan_node x = {0.0, 0.0, 0.0, 0.0};
-    for (int k = 0; k < STENCIL; k++) {
-        x.velocity += weight[k] * node[k].velocity;
-        x.log_sound += weight[k] * node[k].log_sound;
+    return (fan_state){polynomial(velocity, label, NULL), exp(polynomial(log_sound, label, NULL))};
+}
+
+/* The last inward characteristic whose radius is not above r, where that of `most` is, `last`: looked for where a straight line
+ * between the ends of what is left has r, and in its middle, in turn. */
+static int interval_of(const radial_fan *fan, double log_time, double r, int most, double last)
+{
+    int lo = 0, hi = most;
+    double inner = on_inward(fan, lo, log_time).radius, outer = last;
+    for (bool straight = true; hi - lo > 1; straight = !straight) {
+        const double share = straight ? (r - inner) / (outer - inner) : 0.5;
+        const int middle = clamp(lo + (int)(share * (hi - lo)), lo + 1, hi - 1);
+        const double radius = on_inward(fan, middle, log_time).radius;
+        if (radius <= r) {
+            lo = middle;
+            inner = radius;
+        } else {
+            hi = middle;
+            outer = radius;
+        }
     }
-    return (fan_state){x.velocity, exp(x.log_sound)};
+    return lo;
 }
 
 static fan_state in_fan(const radial_fan *fan, double r, double t)
 {
     const double log_time = log(t);
-    int lo = 0;
-    int hi = outermost(fan, log_time);
-    const int most = hi;
+    const int most = outermost(fan, log_time);
     const fan_node last = on_inward(fan, most, log_time);
     if (r >= last.radius) { /* a density of nearly nothing: straight to the edge */
         const double edge = fan->gas.radius + fan_front_speed(&fan->gas) * t;
@@ -245,14 +293,7 @@ static fan_state in_fan(const radial_fan *fan, double r, double t)
         return (fan_state){last.velocity + share * (fan_front_speed(&fan->gas) - last.velocity),
                            (1.0 - share) * exp(last.log_sound)};
     }
-    while (hi - lo > 1) {
-        const int middle = (lo + hi) / 2;
-        if (on_inward(fan, middle, log_time).radius <= r) {
-            lo = middle;
-        } else {
-            hi = middle;
-        }
-    }
+    const int lo = interval_of(fan, log_time, r, most, last.radius);
     const int from = clamp(lo - STENCIL / 2 + 1, 0, most + 1 - STENCIL);
     fan_node node[STENCIL];
     for (int k = 0; k < STENCIL; k++) node[k] = on_inward(fan, from + k, log_time);

@@ -21,7 +21,7 @@ typedef struct fan_node {
     double log_time, radius, velocity, log_sound; /* of s, m, m/s, log of m/s */
 } fan_node;
 
-/* node[i][j]: crossing of the i-th outward characteristic with the j-th inward one. The latter leaves the corner with the sound
+/* node[j][i]: crossing of the i-th outward characteristic with the j-th inward one. The latter leaves the corner with the sound
  * speed c e^(-D j/FAN_NODES), the former the inner edge of the fan at the time limit e^(-D nu (1 - i/FAN_NODES)), where
  * D = 10 log(10) (gamma - 1) and nu = (gamma + 1)/(2 gamma - 2): both evenly spaced for the plane fan. log_time is infinite where they do not cross by some time after the limit. */
 typedef struct radial_fan {
