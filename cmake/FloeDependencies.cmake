@@ -12,8 +12,7 @@ pkg_check_modules(HDF5 IMPORTED_TARGET hdf5-serial)
 if(NOT HDF5_FOUND)
     pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
 endif()
-find_package(SUNDIALS 6.4 REQUIRED COMPONENTS nvecserial sunlinsolpcg sunlinsolspgmr sunlinsoldense sunmatrixdense
-    kinsol arkode cvode)
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS nvecserial sunlinsolpcg sunlinsoldense sunmatrixdense sunnonlinsolfixedpoint cvode)
 
 # Short names for the rooms' LINK lists.
 set(FLOE_GSL PkgConfig::GSL)
@@ -22,5 +21,5 @@ set(FLOE_UDUNITS PkgConfig::UDUNITS)
 set(FLOE_JANSSON PkgConfig::JANSSON)
 set(FLOE_CAIRO PkgConfig::CAIRO)
 set(FLOE_HDF5 PkgConfig::HDF5)
-set(FLOE_SUNDIALS SUNDIALS::nvecserial SUNDIALS::sunlinsolpcg SUNDIALS::sunlinsolspgmr SUNDIALS::sunlinsoldense
-    SUNDIALS::sunmatrixdense SUNDIALS::kinsol SUNDIALS::arkode SUNDIALS::cvode)
+set(FLOE_SUNDIALS SUNDIALS::nvecserial SUNDIALS::sunlinsolpcg SUNDIALS::sunlinsoldense SUNDIALS::sunmatrixdense
+    SUNDIALS::sunnonlinsolfixedpoint SUNDIALS::cvode)
