@@ -40,8 +40,6 @@ extern const custom_key custom_require, custom_check, custom_refuse;
 
 /* true for an axis key of a boundary: "x", "r" ... */
 const char *axis_name(const mesh_spec *spec, int axis);
-bool material_is_fluid(const scene *s, const void *material);
-bool material_is_solid(const scene *s, const void *material);
 /* The body is given along a curve, or its material can be nothing else. */
 bool body_is_membrane(const scene *s, const void *body);
 /* What the membrane of a body misses: after its keys are read. */

@@ -97,7 +97,8 @@ static void second_line(const picture *p, char text[4 * SCALE_TEXT])
                    time[0] && p->note ? ", " : "", p->note ? p->note : "");
 }
 
-void picture_draw_head(sketch *k)
+/* Title, time and note. */
+static void draw_head(sketch *k)
 {
     canvas *c = &k->paper;
     const double u = c->unit, most = c->width - 2 * MARGIN * u;
@@ -275,7 +276,7 @@ static floe_status draw(sketch *k, const char *path)
     const double width = p->width > 0 ? p->width : PICTURE_WIDTH;
     const double below = p->dim == 1 ? picture_profile_height(k) : picture_field_height(k);
     TRY(canvas_open(&k->paper, k->ctx, width, width / 720.0 * (picture_head_height(p) + below), p->dark));
-    picture_draw_head(k);
+    draw_head(k);
     if (p->dim == 1) {
         picture_draw_profile(k);
     } else {

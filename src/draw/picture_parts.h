@@ -23,8 +23,6 @@ typedef struct sketch {
 /* Height of what is drawn, in units. */
 double picture_head_height(const picture *p);
 double picture_bar_height(void);
-/* Title, time and note. */
-void picture_draw_head(sketch *k);
 /* The colour bar of scale `n`, its upper end at y px. */
 void picture_draw_bar(sketch *k, int n, double y);
 /* "pressure − 101.3 kPa (Pa)" */

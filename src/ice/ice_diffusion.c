@@ -12,7 +12,8 @@
 
 #include <math.h>
 
-bool ice_diffuses(const ice *s, int r)
+/* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
+static bool diffuses(const ice *s, int r)
 {
     const ice_material *m = &s->material[r];
     return !m->points &&
@@ -209,7 +210,7 @@ void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axi
     const ice_arrays *m = &v->m[r];
     const ptrdiff_t step = v->b->stride[axis];
     const ice_rows q = ice_rows_of(v->b, axis, 0);
-    if (!ice_diffuses(s, r)) return;
+    if (!diffuses(s, r)) return;
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
@@ -225,7 +226,7 @@ void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P)
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
     const ice_rows q = ice_rows_of(v->b, -1, 0);
-    if (!ice_diffuses(s, r)) return;
+    if (!diffuses(s, r)) return;
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row)), n = v->b->n[0];
@@ -340,7 +341,7 @@ static void note_sides(const ice *s, const ice_view *v, int r)
 void ice_diffuse(const ice *s)
 {
     for (int r = 0; r < s->n_materials; ++r) {
-        if (!ice_diffuses(s, r)) continue;
+        if (!diffuses(s, r)) continue;
         each_block(s, r, advance);
         ice_fill_ghosts(s, C_DIFFUSION, r, FILL_CURRENT, GHOST_VELOCITY);
         if (s->conducts) ice_fill_ghosts(s, C_DIFFUSION_T, r, FILL_CURRENT, GHOST_TEMPERATURE);

@@ -29,7 +29,8 @@ static gas_state moved(gas_state from, gas_state by, double step)
     return (gas_state){from.p + step * by.p, from.rho + step * by.rho, from.e + step * by.e};
 }
 
-ice_reservoir ice_expand(const eos *law, double p0, const ice_reservoir *rest, double u)
+/* Speed u, up to that of sound, along the isentrope from a state at rest at p0. */
+static ice_reservoir expand(const eos *law, double p0, const ice_reservoir *rest, double u)
 {
     enum { STEPS = 8 };
     const double step = u / STEPS;
@@ -68,7 +69,7 @@ static ice_side_state from_reservoir(const ice *s, int axis, mesh_side side, dou
     const double most_speed = fastest(s, axis, side, r);
     w = fmin(w, most_speed);
     for (int k = 0; k < 8; ++k) {
-        const ice_reservoir now = ice_expand(&s->material[r].eos, wall->pressure, rest, w);
+        const ice_reservoir now = expand(&s->material[r].eos, wall->pressure, rest, w);
         double c2;
         s->material[r].eos.model->pressure(s->material[r].eos.par, 1, &now.rho, &now.e, &p, &c2);
         const double step = (p - z * w - R) / (now.rho * w + z);
@@ -98,7 +99,7 @@ void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axi
                 if (!(speed > 0.0)) continue;
                 double value = component == axis ? inward * speed : 0.0;
                 if (kind != GHOST_VELOCITY) {
-                    const ice_reservoir now = ice_expand(&s->material[r].eos, wall->pressure, rest, speed);
+                    const ice_reservoir now = expand(&s->material[r].eos, wall->pressure, rest, speed);
                     value = kind == GHOST_DENSITY  ? now.rho
                             : kind == GHOST_ENERGY ? now.e
                             : kind == GHOST_VOLUME ? now.v

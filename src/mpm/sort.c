@@ -115,7 +115,7 @@ static floe_status sort_with(mpm *s, int blk, int body, sort_room *r)
     return FLOE_OK;
 }
 
-floe_status sort_body(mpm *s, int blk, int body)
+static floe_status sort_body(mpm *s, int blk, int body)
 {
     sort_room room = {0};
     const floe_status status = sort_with(s, blk, body, &room);

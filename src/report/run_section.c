@@ -74,7 +74,8 @@ static void last_message(const char *log, const char *status, char cause[PAGE_TE
     if (text < log + end) (void)snprintf(cause, PAGE_TEXT, "%.*s", (int)(log + end - text), text);
 }
 
-floe_status run_cause(page *p, const char *dir, const json_t *summary, char cause[PAGE_TEXT])
+/* Why a run has not come to its end, by its summary or, of older runs, its log; "" when it has, or neither says. */
+static floe_status run_cause(page *p, const char *dir, const json_t *summary, char cause[PAGE_TEXT])
 {
     const char *status = json_text_of(summary, "status");
     char *log;

@@ -27,8 +27,6 @@ floe_status run_profile(page *p, const char *dir, const char *file, const char *
 
 /* The title of the deck in a run's folder, or else the folder's own name. */
 floe_status run_title(page *p, const char *dir, char title[PAGE_TEXT]);
-/* Why a run has not come to its end, by its summary or, of older runs, its log; "" when it has, or neither says. */
-floe_status run_cause(page *p, const char *dir, const struct json_t *summary, char cause[PAGE_TEXT]);
 /* Facts of a list under way: with what it was run, and when FILE of the folder was written. */
 void run_build_facts(strbuf *out, const struct json_t *summary, const char *dir, const char *file);
 /* The last part of a path. */

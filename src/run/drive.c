@@ -34,7 +34,8 @@ typedef struct run {
     bool began;             /* outputs are open */
 } run;
 
-const char *run_status_name(floe_status status, bool at_rest)
+/* The status of a summary for which there is more than one: "done", "at_rest", "diverged", "interrupted", "failed". */
+static const char *status_of_run(floe_status status, bool at_rest)
 {
     switch (status) {
     case FLOE_OK: return at_rest ? "at_rest" : "done";
@@ -276,7 +277,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
     TRY(write_summary(r, out, "running"));
     const floe_status status = carry_out(r, out);
     progress_clear(&r->progress);
-    const char *name = run_status_name(status, r->sim->at_rest);
+    const char *name = status_of_run(status, r->sim->at_rest);
     /* What went wrong is for the caller to show: here it is only noted. */
     context_log(r->ctx, LOG_INFO, "%s at t = %.6g%s after %ld steps%s%s", name, r->sim->time,
                 scene_time_unit(r->sim->scene), r->sim->steps, status == FLOE_OK ? "" : ": ", context_message(r->ctx));
@@ -310,7 +311,7 @@ floe_status run_scene(context *ctx, scene *s, const run_options *options, run_su
         out->threads = choose_threads(&r);
         status = run_with_outputs(&r, out);
     } else {
-        (void)snprintf(out->status, sizeof out->status, "%s", run_status_name(status, false));
+        (void)snprintf(out->status, sizeof out->status, "%s", status_of_run(status, false));
         note_cause(&r, out, status);
     }
     end(&r);

@@ -30,7 +30,4 @@ typedef struct run_options {
  * message says what. *out holds what was reached in any case. */
 floe_status run_scene(context *ctx, scene *s, const run_options *options, run_summary *out);
 
-/* The status of a summary for which there is more than one: "done", "at_rest", "diverged", "interrupted", "failed". */
-const char *run_status_name(floe_status status, bool at_rest);
-
 #endif

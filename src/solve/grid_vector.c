@@ -99,30 +99,26 @@ static int tiles_along(const solve_grid *g, int axis)
     return (g->n[axis] + g->tile[axis] - 1) / g->tile[axis];
 }
 
-size_t grid_vector_tiles(const solve_grid *g)
+static size_t count_tiles(const solve_grid *g)
 {
     return (size_t)tiles_along(g, 0) * (size_t)tiles_along(g, 1) * (size_t)tiles_along(g, 2);
 }
 
-double grid_dot(const solve_grid *g, int components, const double *x, const double *y, double *partial)
-{
-    const int tx = tiles_along(g, 0), ty = tiles_along(g, 1), tiles = (int)grid_vector_tiles(g);
-    double sum = 0.0;
-    for (int c = 0; c < components; ++c) {
-        const double *xc = x + (size_t)c * g->size, *yc = y + (size_t)c * g->size;
-#pragma omp parallel for schedule(static) if (solve_is_large(g))
-        for (int t = 0; t < tiles; ++t)
-            partial[t] = tile_dot(
-                g, xc, yc, (const int[]){t % tx * g->tile[0], t / tx % ty * g->tile[1], t / (tx * ty) * g->tile[2]});
-        for (int t = 0; t < tiles; ++t) sum += partial[t];
-    }
-    return sum;
-}
-
 static realtype dot(N_Vector vx, N_Vector vy)
 {
-    const content *c = of(vx);
-    return grid_dot(c->grid, c->components, c->data, of(vy)->data, c->partial);
+    const content *w = of(vx);
+    const solve_grid *g = w->grid;
+    const int tx = tiles_along(g, 0), ty = tiles_along(g, 1), tiles = (int)count_tiles(g);
+    double sum = 0.0;
+    for (int c = 0; c < w->components; ++c) {
+        const double *x = w->data + (size_t)c * g->size, *y = of(vy)->data + (size_t)c * g->size;
+#pragma omp parallel for schedule(static) if (solve_is_large(g))
+        for (int t = 0; t < tiles; ++t)
+            w->partial[t] = tile_dot(
+                g, x, y, (const int[]){t % tx * g->tile[0], t / tx % ty * g->tile[1], t / (tx * ty) * g->tile[2]});
+        for (int t = 0; t < tiles; ++t) sum += w->partial[t];
+    }
+    return sum;
 }
 
 static sunindextype length(N_Vector v)
@@ -150,7 +146,7 @@ static floe_status fill(N_Vector v, context *ctx, const solve_grid *g, int compo
     content *c = of(v);
     *c = (content){.ctx = ctx, .grid = g, .components = components, .lost = lost};
     TRY(memory_new(ctx, &c->data, (size_t)components * g->size, sizeof(double)));
-    return memory_new(ctx, &c->partial, grid_vector_tiles(g), sizeof(double));
+    return memory_new(ctx, &c->partial, count_tiles(g), sizeof(double));
 }
 
 static N_Vector clone(N_Vector v)

@@ -15,8 +15,4 @@ floe_status grid_vector_new(N_Vector *out, context *ctx, SUNContext sun, const s
 /* Its arrays. */
 double *grid_vector_data(N_Vector v);
 
-/* The dot product of two such arrays. `partial`: room for the tiles, grid_vector_tiles(g) doubles. */
-double grid_dot(const solve_grid *g, int components, const double *x, const double *y, double *partial);
-size_t grid_vector_tiles(const solve_grid *g);
-
 #endif

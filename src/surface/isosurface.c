@@ -118,14 +118,6 @@ void isosurface_away(const isosurface *f, int k, double away[3])
         away[a] = a < f->dim ? f->lower[a] + f->size[a] * drawn(3 * (uint64_t)k + (uint64_t)a) : 0.0;
 }
 
-double isosurface_value(const isosurface *f, const double x[3])
-{
-    double value[SURFACE_MAX_FUNCTIONS], sum = 0.0;
-    functions_at(f, x, value, NULL);
-    for (int k = 0; k < f->functions; ++k) sum += f->chi[k] * value[k];
-    return sum;
-}
-
 double isosurface_normal(const isosurface *f, const double x[3], double n[3])
 {
     double value[SURFACE_MAX_FUNCTIONS], gradient[SURFACE_MAX_FUNCTIONS][3];

@@ -31,9 +31,7 @@ bool isosurface_solve(isosurface *f, const double away[3]);
  * even over the points (or with which it is most even), for a point that falls near the surface sets up a gradient there alone. False
  * where there is no solution. */
 bool isosurface_find(isosurface *f);
-/* chi at a place of the element. */
-double isosurface_value(const isosurface *f, const double x[3]);
-/* Length of the gradient there (1/m), and its direction in n; zero where there is none. */
+/* Length of the gradient (1/m) of chi at a place of the element, and its direction in n; zero where there is none. */
 double isosurface_normal(const isosurface *f, const double x[3], double n[3]);
 /* The k-th of the points that isosurface_find tries. */
 void isosurface_away(const isosurface *f, int k, double away[3]);

@@ -121,12 +121,6 @@ static int nearest_within(const surface_set *s, const surface_block *b, const su
     return hand_over(&l, of, out);
 }
 
-int surface_nearest_in(const surface_set *s, const surface_block *b, const surface_entry *of, int most,
-                       surface_neighbour *out)
-{
-    return nearest_within(s, b, of, INFINITY, most, out);
-}
-
 double surface_distance_in(const surface_set *s, const surface_block *b, const surface_entry *of, int count, int *found)
 {
     nearest_list l = {.most = count};
@@ -147,7 +141,7 @@ int surface_nearest(const surface_set *s, const surface_entry *of, int most, sur
     for (int ring = 1; ring <= SURFACE_RINGS; ++ring) {
         surface_block b;
         surface_block_about(s, of->cell, ring, &b);
-        n = surface_nearest_in(s, &b, of, most, out);
+        n = nearest_within(s, &b, of, INFINITY, most, out);
         const double reach = surface_block_covers(s, of, ring);
         if (n == most && out[most - 1].square <= reach * reach) break;
     }

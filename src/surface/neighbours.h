@@ -22,17 +22,14 @@ typedef struct surface_block {
 void surface_block_about(const surface_set *s, const int at[3], int ring, surface_block *out);
 /* No entry outside the block about its cell is nearer to `of` than this (m). */
 double surface_block_covers(const surface_set *s, const surface_entry *of, int ring);
-/* The nearest entries of `of` in a block, itself left out, nearest first, out[most]; how many there are. Of equally near ones that of
- * the lower cell, then number, comes first. */
-int surface_nearest_in(const surface_set *s, const surface_block *b, const surface_entry *of, int most,
-                       surface_neighbour *out);
 /* Distance (m) to the count-th nearest, or the farthest where there are fewer: *found is how many. 0 where there is none. */
 double surface_distance_in(const surface_set *s, const surface_block *b, const surface_entry *of, int count,
                            int *found);
-/* The nearest that lie closer than `reach` (m), as surface_nearest_in gives them. */
+/* The nearest entries of `of` in a block that lie closer than `reach` (m), itself left out, nearest first, out[most]; how many there are. Of
+ * equally near ones that of the lower cell, then number, comes first. */
 int surface_within_in(const surface_set *s, const surface_block *b, const surface_entry *of, double reach, int most,
                       surface_neighbour *out);
-/* The same as surface_nearest_in in as many rings as it takes, up to SURFACE_RINGS. */
+/* The same without a bound, in as many rings as it takes, up to SURFACE_RINGS. */
 int surface_nearest(const surface_set *s, const surface_entry *of, int most, surface_neighbour *out);
 
 #endif

@@ -11,11 +11,6 @@ static const struct {
 #undef HISTORY_METRIC_ENTRY
 };
 
-const char *history_metric_name(history_metric_kind kind)
-{
-    return (size_t)kind < HISTORY_METRIC_COUNT ? metrics[kind].name : "";
-}
-
 const char *history_metric_pattern(history_metric_kind kind)
 {
     return (size_t)kind < HISTORY_METRIC_COUNT ? metrics[kind].pattern : "";

@@ -25,9 +25,7 @@ typedef enum history_metric_kind {
         HISTORY_METRIC_COUNT
 } history_metric_kind;
 
-/* "hmax"; "" out of range. */
-const char *history_metric_name(history_metric_kind kind);
-/* The name as decks have it, "hmax_X". */
+/* The name as decks have it, "hmax_X"; "" out of range. */
 const char *history_metric_pattern(history_metric_kind kind);
 /* One line. */
 const char *history_metric_doc(history_metric_kind kind);

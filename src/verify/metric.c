@@ -50,16 +50,6 @@ floe_status metric_parse(context *ctx, const char *name, metric *out)
                 name);
 }
 
-void metric_write(const metric *m, char text[METRIC_NAME_SIZE])
-{
-    const char *kind = (size_t)m->kind < METRIC_COUNT ? metric_table[m->kind].name : "";
-    if (m->kind == METRIC_EQ13) {
-        snprintf(text, METRIC_NAME_SIZE, "%s", kind);
-    } else {
-        snprintf(text, METRIC_NAME_SIZE, "%s_%s", kind, exact_quantity_name(m->quantity));
-    }
-}
-
 double metric_pick(metric_kind kind, const norm_result *norms)
 {
     switch (kind) {

@@ -34,15 +34,11 @@ typedef struct metric_description {
     const char *doc;  /* one line */
 } metric_description;
 
-enum { METRIC_NAME_SIZE = 40 };
-
 /* For `floe list metrics`; empty strings out of range. The quantities that X may be: exact_quantity_name. Nothing is
  * smoothed and no point is excluded; cells are compared with exact cell averages, points with point values. */
 metric_description metric_describe(metric_kind kind);
 /* Reads "l1rel_sigma_r". Errors: FLOE_BAD_INPUT with a message that names the choices. */
 floe_status metric_parse(context *ctx, const char *name, metric *out);
-/* Writes the metric's name, "l1rel_sigma_r", to text[METRIC_NAME_SIZE]. */
-void metric_write(const metric *m, char text[METRIC_NAME_SIZE]);
 /* The number that the metric names; NAN for eq13, which is no norm (guilkey_eq13). */
 double metric_pick(metric_kind kind, const norm_result *norms);
 

@@ -10,12 +10,6 @@ static void sum_add(norm_sum *sum, double x)
     sum->value = total;
 }
 
-static void sum_merge(norm_sum *into, const norm_sum *from)
-{
-    sum_add(into, from->value);
-    sum_add(into, from->carry);
-}
-
 static double sum_value(const norm_sum *sum)
 {
     return sum->value + sum->carry;
@@ -40,17 +34,6 @@ void norm_add(norm *n, double value, double exact, double weight)
     sum_add(&n->exact_square, w * size * size);
     n->largest_error = larger(n->largest_error, isnan(w) ? w : error);
     n->largest_exact = larger(n->largest_exact, isnan(w) ? w : size);
-}
-
-void norm_merge(norm *into, const norm *from)
-{
-    sum_merge(&into->weight, &from->weight);
-    sum_merge(&into->error, &from->error);
-    sum_merge(&into->exact, &from->exact);
-    sum_merge(&into->error_square, &from->error_square);
-    sum_merge(&into->exact_square, &from->exact_square);
-    into->largest_error = larger(into->largest_error, from->largest_error);
-    into->largest_exact = larger(into->largest_exact, from->largest_exact);
 }
 
 norm_result norm_finish(const norm *n)

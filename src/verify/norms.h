@@ -31,8 +31,6 @@ typedef struct norm_result {
 
 /* Adds one point or cell. `weight` is its volume, >= 0 (a negative one makes the norms NaN). */
 void norm_add(norm *n, double value, double exact, double weight);
-/* Adds what `from` holds to `into` (blocks, in their order). */
-void norm_merge(norm *into, const norm *from);
 norm_result norm_finish(const norm *n);
 
 /* Guilkey et al. (2003), eq. 13: the unweighted mean over points of | |sigma_r + sigma_theta| - S | / S with

@@ -9,10 +9,10 @@
 /* error = constant * h^order. */
 typedef struct order_fit {
     double order; /* slope of the straight line through (log h, log error), by least squares */
-    double
-        standard_error; /* of `order`, from the scatter about the line with n - 2 degrees of freedom; NAN for n = 2 */
-    double constant;    /* error at h = 1, in the unit of the errors */
-    size_t n;           /* points */
+    /* Of `order`, from the scatter about the line with n - 2 degrees of freedom; NAN for n = 2. */
+    double standard_error;
+    double constant; /* error at h = 1, in the unit of the errors */
+    size_t n;        /* points */
 } order_fit;
 
 /* Fits n >= 2 points; h is a spacing or a time step (any unit), not all the same. Errors: FLOE_BAD_INPUT with a message

@@ -4,22 +4,15 @@
 #include "verify/internal.h"
 #include "verify/sequence.h"
 
-static const struct {
-    const char *name, *doc;
-} kinds[] = {
-#define RICHARDSON_ENTRY(enumerator, name, doc) [enumerator] = {name, doc},
+static const char *const names[] = {
+#define RICHARDSON_ENTRY(enumerator, name) [enumerator] = name,
     RICHARDSON_LIST(RICHARDSON_ENTRY)
 #undef RICHARDSON_ENTRY
 };
 
 const char *richardson_name(richardson_kind kind)
 {
-    return (size_t)kind < RICHARDSON_KIND_COUNT ? kinds[kind].name : "";
-}
-
-const char *richardson_doc(richardson_kind kind)
-{
-    return (size_t)kind < RICHARDSON_KIND_COUNT ? kinds[kind].doc : "";
+    return (size_t)kind < RICHARDSON_KIND_COUNT ? names[kind] : "";
 }
 
 /* log of r21^p (r32^p - s)/(r21^p - s), the ratio of neighbouring differences under the power law; it grows with p in both
@@ -133,19 +126,6 @@ floe_status richardson_estimate(context *ctx, size_t n, const double *h, const d
     TRY(sequence_make(ctx, n, 2, h, f, expected, &s));
     *out = n == 2 ? from_pair(s.h, s.f, expected) : from_triplet(s.h, s.f, expected);
     if (n > 3) judge_by_fourth(out, s.h, s.f);
-    memory_free(ctx, &s.h);
-    return FLOE_OK;
-}
-
-floe_status richardson_triplets(context *ctx, size_t n, const double *h, const double *f, double expected,
-                                richardson *out)
-{
-    sequence s;
-    TRY(sequence_make(ctx, n, 3, h, f, expected, &s));
-    for (size_t i = 0; i + 2 < n; i++) {
-        out[i] = from_triplet(s.h + i, s.f + i, expected);
-        if (i + 3 < n) judge_by_fourth(&out[i], s.h + i, s.f + i);
-    }
     memory_free(ctx, &s.h);
     return FLOE_OK;
 }

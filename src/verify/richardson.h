@@ -16,18 +16,25 @@
 #define GCI_SAFETY 1.25
 #define GCI_SAFETY_ASSUMED 3.0
 
-/* X(enumerator, name, doc): what a sequence shows. */
-#define RICHARDSON_LIST(X)                                                                                      \
-    X(RICHARDSON_MONOTONE, "monotone", "differences shrink and keep their sign: the order is observed")         \
-    X(RICHARDSON_OSCILLATORY, "oscillatory", "differences shrink and change sign: the limit is in between")     \
-    X(RICHARDSON_DIVERGENT, "divergent", "differences grow, or do not shrink as any power of h does: no limit") \
-    X(RICHARDSON_OSCILLATING, "oscillatory divergent", "differences change sign and grow: no limit")            \
-    X(RICHARDSON_EQUAL, "equal", "the two finest values agree to round-off: no order is left to observe")       \
-    X(RICHARDSON_ASSUMED, "order assumed", "two spacings: the order is the expected one, not observed")         \
-    X(RICHARDSON_UNFITTED, "no power law", "least squares end at an order of 1/16 or 16: h^p does not describe it")
+/* X(enumerator, name): what a sequence shows. */
+#define RICHARDSON_LIST(X)                                                      \
+    /* differences shrink and keep their sign: the order is observed */         \
+    X(RICHARDSON_MONOTONE, "monotone")                                          \
+    /* differences shrink and change sign: the limit is in between */           \
+    X(RICHARDSON_OSCILLATORY, "oscillatory")                                    \
+    /* differences grow, or do not shrink as any power of h does: no limit */   \
+    X(RICHARDSON_DIVERGENT, "divergent")                                        \
+    /* differences change sign and grow: no limit */                            \
+    X(RICHARDSON_OSCILLATING, "oscillatory divergent")                          \
+    /* the two finest values agree to round-off: no order is left to observe */ \
+    X(RICHARDSON_EQUAL, "equal")                                                \
+    /* two spacings: the order is the expected one, not observed */             \
+    X(RICHARDSON_ASSUMED, "order assumed")                                      \
+    /* least squares end at an order of 1/16 or 16: h^p does not describe it */ \
+    X(RICHARDSON_UNFITTED, "no power law")
 
 typedef enum richardson_kind {
-#define RICHARDSON_ENUM(enumerator, name, doc) enumerator,
+#define RICHARDSON_ENUM(enumerator, name) enumerator,
     RICHARDSON_LIST(RICHARDSON_ENUM)
 #undef RICHARDSON_ENUM
         RICHARDSON_KIND_COUNT
@@ -35,8 +42,6 @@ typedef enum richardson_kind {
 
 /* "monotone"; "" out of range. */
 const char *richardson_name(richardson_kind kind);
-/* One line of what it means. */
-const char *richardson_doc(richardson_kind kind);
 
 /* What the finest values say; f1 belongs to the finest spacing. Every field by kind:
  *   monotone, order assumed  the power law's
@@ -60,10 +65,6 @@ typedef struct richardson {
  * method should have, NAN if not known. Errors: FLOE_BAD_INPUT with a message for n < 2, n = 2 without an expected
  * order, spacings that are equal or not finite and > 0, values that are not finite, expected <= 0; FLOE_NO_MEMORY. */
 floe_status richardson_estimate(context *ctx, size_t n, const double *h, const double *f, double expected,
-                                richardson *out);
-
-/* The same for each three neighbours, out[i] of the i-th finest and the two coarser: out[n - 2], n >= 3. */
-floe_status richardson_triplets(context *ctx, size_t n, const double *h, const double *f, double expected,
                                 richardson *out);
 
 /* f = value + constant h^order by unweighted least squares over all spacings.

@@ -17,7 +17,7 @@ static const double uneven[4] = {0.1, 0.06, 0.043, 0.02}; /* ratios 1.67, 1.40, 
 static void check_order(context *ctx, const double h[4], double p, double limit, double constant)
 {
     double f[4];
-    richardson r, each[2];
+    richardson r;
     for (int i = 0; i < 4; i++) f[i] = limit + constant * pow(h[i], p);
     check_ok(ctx, richardson_estimate(ctx, 3, h + 1, f + 1, NAN, &r));
     check_true(r.kind == RICHARDSON_MONOTONE);
@@ -32,12 +32,6 @@ static void check_order(context *ctx, const double h[4], double p, double limit,
     check_close(r.asymptotic_ratio, 1.0, 1e-8);
     check_ok(ctx, richardson_estimate(ctx, 4, h, f, p, &r));
     check_close(r.asymptotic_ratio, 1.0, 1e-8);
-    check_ok(ctx, richardson_triplets(ctx, 4, h, f, NAN, each));
-    check_close(each[0].order, p, 1e-8);
-    check_close(each[1].order, p, 1e-8);
-    check_close_relative(each[1].gci_fine, 1.25 * fabs(f[2] - limit), 1e-6);
-    check_close(each[0].asymptotic_ratio, 1.0, 1e-8);
-    check_true(isnan(each[1].asymptotic_ratio));
 
     richardson_fit fit;
     check_ok(ctx, richardson_fit_power(ctx, 4, h, f, NAN, &fit));
@@ -250,7 +244,6 @@ static void test_refused(void **state)
     check_fails(ctx, richardson_estimate(ctx, 1, h, f, 2.0, r), FLOE_BAD_INPUT);
     check_fails(ctx, richardson_estimate(ctx, 4, h, f, 2.0, r), FLOE_BAD_INPUT); /* one spacing twice */
     check_fails(ctx, richardson_estimate(ctx, 3, h, f, 0.0, r), FLOE_BAD_INPUT);
-    check_fails(ctx, richardson_triplets(ctx, 2, h, f, 2.0, r), FLOE_BAD_INPUT);
     check_fails(ctx, richardson_fit_power(ctx, 3, h, f, 2.0, &fit), FLOE_BAD_INPUT);
     for (int i = 0; i < 4; i++) {
         const double wrong[3] = {0.4, bad_spacing[i], 0.1};
@@ -268,7 +261,7 @@ static void test_refused(void **state)
 static void test_names(void **state)
 {
     (void)state;
-    for (int i = 0; i < RICHARDSON_KIND_COUNT; i++) check_true(strlen(richardson_doc((richardson_kind)i)) > 20);
+    for (int i = 0; i < RICHARDSON_KIND_COUNT; i++) check_true(strlen(richardson_name((richardson_kind)i)) > 0);
     assert_string_equal(richardson_name(RICHARDSON_OSCILLATORY), "oscillatory");
     assert_string_equal(richardson_name(RICHARDSON_KIND_COUNT), "");
 }

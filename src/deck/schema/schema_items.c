@@ -7,13 +7,13 @@
 
 /* ---- materials ---- */
 
-bool material_is_fluid(const scene *s, const void *material)
+static bool material_is_fluid(const scene *s, const void *material)
 {
     (void)s;
     return ((const scene_material *)material)->kind == MATERIAL_FLUID;
 }
 
-bool material_is_solid(const scene *s, const void *material)
+static bool material_is_solid(const scene *s, const void *material)
 {
     return !material_is_fluid(s, material);
 }

@@ -32,7 +32,8 @@ void motion_guess(const mpm *s, double *u)
         u[k] = w->held[k] ? w->target[k] : w->reached[k] ? s->dt * w->velocity[k] : 0.0;
 }
 
-double motion_damping(const mpm *s)
+/* Rate (1/s) of the deck's damping in the step. */
+static double motion_damping(const mpm *s)
 {
     const scene_damping *d = &s->scene->damping;
     return s->time >= d->start && s->time < d->end ? d->rate : 0.0;

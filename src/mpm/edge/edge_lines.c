@@ -9,7 +9,8 @@
  * steps later; a body that rests pays for no look. With any way up to 0.1 a soft cylinder that opens by a cell has the same error to 1 %. */
 static const double long_way = 0.02;
 
-double edge_modulus(const mpm *s, int body)
+/* rho c^2 (Pa) of a body at rest. */
+static double modulus_of(const mpm *s, int body)
 {
     const mpm_body *b = &s->body[body];
     return b->law->bulk_modulus(b->law_par) + 4.0 / 3.0 * b->law->shear_modulus(b->law_par);
@@ -177,7 +178,7 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     int tap[EDGE_TAPS][MESH_MAX_DIM];
     edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
     if (body < 0 || !edge_find_taps(s, first, tap, &l)) return FLOE_OK;
-    l.stiffness = s->scene->method.edge_penalty * edge_modulus(s, body) * line_extent(s, axis, tap);
+    l.stiffness = s->scene->method.edge_penalty * modulus_of(s, body) * line_extent(s, axis, tap);
     l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
     for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, tap[t], &l.node[t]));
     for (int t = edge_taps(s); t < EDGE_TAPS; ++t) l.node[t] = l.node[0];
@@ -295,7 +296,7 @@ floe_status edges_create(mpm *s)
     for (int b = 0; b < s->n_bodies; ++b) {
         if (!edge_body(s, b)) continue;
         edge_group *g = &e->group[s->body[b].group];
-        g->speed = fmax(g->speed, sqrt(edge_modulus(s, b) / s->scene->material[s->body[b].scene_material].density));
+        g->speed = fmax(g->speed, sqrt(modulus_of(s, b) / s->scene->material[s->body[b].scene_material].density));
         for (int a = 0; a < s->mesh->dim; ++a) g->damping = fmax(g->damping, g->speed / s->mesh->h[a]);
     }
     const size_t nodes = edge_all_nodes(e), dim = (size_t)s->mesh->dim, groups = (size_t)s->n_groups;
