@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# build.sh PRESET [TARGET...]: configures and builds build/PRESET (release, debug, sanitize or native).
+# build.sh PRESET [TARGET...]: configures and builds build/PRESET (a preset of CMakePresets.json: release, debug, sanitize ...).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-preset=${1:?usage: scripts/build.sh release|debug|sanitize|native [target...]}
+preset=${1:?usage: scripts/build.sh PRESET [TARGET...]: release, debug, sanitize, thread, fuzz, coverage or native}
 shift
 # A build folder that came along with a moved or copied source tree is of no use.
 cache=build/$preset/CMakeCache.txt

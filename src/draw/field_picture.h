@@ -13,10 +13,10 @@ typedef struct field_range {
 
 /* All zero is fine. */
 typedef struct field_picture_options {
-    const char
-        *points; /* a field of the points; "none"; NULL: von_mises (in 1-D stress_xx) of solids, pressure of fluids */
-    const char
-        *cells; /* a field of the cells, and of fluids' points beside solids; "none"; NULL: pressure, else a density */
+    /* A field of the points; "none"; NULL: von_mises (in 1-D stress_xx) of solids, pressure of fluids. */
+    const char *points;
+    /* A field of the cells, and of fluids' points beside solids; "none"; NULL: pressure, else a density. */
+    const char *cells;
     field_range range[2]; /* of the first and the second colour bar */
     bool dark;            /* for a dark page */
     int width;            /* px; 0: 720, which is sharp on a phone */

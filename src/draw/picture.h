@@ -11,8 +11,8 @@ enum { PICTURE_SCALES = 2, PICTURE_WIDTH = 720, PICTURE_MAX_WIDTH = 8000 };
 typedef struct picture_scale {
     const char *label; /* "von Mises stress" */
     const char *unit;  /* udunits2 spelling, "Pa"; "1": none */
-    bool
-        about_zero; /* a signed quantity: where its range holds zero, the range is made symmetric and the colours say the sign */
+    /* A signed quantity: where its range holds zero, the range is made symmetric and the colours say the sign. */
+    bool about_zero;
     double lower, upper; /* the range; lower >= upper: chosen by the values */
 } picture_scale;
 

@@ -38,9 +38,9 @@ typedef struct plot_figure {
     const char *title; /* above the panels; NULL: none */
     bool untitled;     /* the page around shows the title: in the picture it is only for programs that read it */
     int columns;       /* of panels; less than 1: one */
-    size_t
-        most; /* points of a curve in the picture, the script and the data, which then has 7 digits; 3 or more; 0: all.
-                          Corners, peaks and both ends of lines stay, of clouds even parts; curves with labels stay whole */
+    /* Points of a curve in the picture, the script and the data, which then has 7 digits; 3 or more; 0: all.
+     * Corners, peaks and both ends of lines stay, of clouds even parts; curves with labels stay whole. */
+    size_t most;
     const plot_panel *panel;
     size_t n_panels;
 } plot_figure;

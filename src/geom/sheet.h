@@ -21,9 +21,9 @@ typedef struct sheet_surface {
     double centre[3]; /* m: of the sphere; a place on the axis */
     double radius;    /* m: sphere, cylinder */
     double from, to;  /* m: ends of the cylinder, along the axis */
-    curve_line
-        curve; /* revolved: only distance from the axis and place along it count; an arc lies in the plane of the first two
-                         axes, so that it is turned about one of these */
+    /* Revolved: only distance from the axis and place along it count; an arc lies in the plane of the first two
+     * axes, so that it is turned about one of these. */
+    curve_line curve;
     double area;                           /* m2, points: those of `curve` share it alike */
     double corner[3], first[3], second[3]; /* m, plane: a corner, and the two sides that begin there */
 } sheet_surface;

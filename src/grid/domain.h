@@ -39,8 +39,8 @@ void domain_fold_periodic(domain *d, field_id id, int instance);
 /* The same with the larger of the two instead of the sum. */
 void domain_fold_periodic_largest(domain *d, field_id id, int instance);
 
-/* Sum, minimum and maximum over tiles, in the order of global tile number, whatever the blocks: `partial` has one
- * row of `count` values per global tile (row-major). */
+/* sum[count] over tiles, in the order of global tile number, whatever the blocks: `partial` has one row of `count` values
+ * per global tile (row-major). */
 void domain_sum_tiles(const mesh *m, const double *partial, int count, double *sum);
 
 #endif

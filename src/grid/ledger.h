@@ -1,6 +1,6 @@
 /* The ledger: nothing is silently lost (design 1.6). Every flux through a boundary, source, work and defect is entered; a
- * drift is |Q - Q0 - entries| / max over time of the sum of |q| (design, conventions), of momentum the largest among the axes. Entries of a step are pending until
- * it is committed, so that a rejected step leaves none. Sums are compensated. */
+ * drift is |Q - Q0 - entries| / max over time of the sum of |q| (design, conventions), of momentum the
+ * largest among the axes. Entries of a step are pending until it is committed, so that a rejected step leaves none. Sums are compensated. */
 #ifndef GRID_LEDGER_H
 #define GRID_LEDGER_H
 
@@ -65,7 +65,7 @@ void ledger_add(ledger *l, ledger_quantity q, ledger_kind kind, double amount);
 void ledger_tally(ledger *l, ledger_count what, long long n);
 void ledger_commit(ledger *l);  /* pending entries become part of the account */
 void ledger_discard(ledger *l); /* the step was rejected */
-/* Relative drift of a quantity, all four kinds counted; 0 where it has no account. */
+/* Relative drift of a quantity, entries of all kinds counted; 0 where it has no account. */
 double ledger_drift(const ledger *l, ledger_quantity q);
 const char *ledger_quantity_name(ledger_quantity q);
 const char *ledger_count_name(ledger_count c);

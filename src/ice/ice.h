@@ -1,6 +1,6 @@
 /* ICE: cell-centred, multi-material, compressible flow on the cells (numerics 2; Guilkey et al. 2003; Kashiwa).
  *
- * ice_step.c spells out the fluid-only step; sim/coupled_step.c interleaves the same stages with those of the points.
+ * ice_step.c spells out the fluid-only step; sim/coupled.c interleaves the same stages with those of the points.
  * All stages work on every block of the domain, write scratch and next arrays only, and return FLOE_RETRY (with the cell,
  * the material and the values in the message) where a smaller step may help. */
 #ifndef ICE_ICE_H
@@ -21,8 +21,8 @@ typedef struct ice_material {
     double shear_viscosity; /* Pa s */
     double bulk_viscosity;  /* Pa s */
     double conductivity;    /* W/m/K */
-    bool
-        points; /* carried by material points: not advected, no viscous or gravity source here, no heat of compression */
+    /* Carried by material points: not advected, no viscous or gravity source here, no heat of compression. */
+    bool points;
 } ice_material;
 
 /* Gases: one inside each membrane, and one outside all. Places of a line in a step: where it is (SEAL_NOW), ICE_SEAL_PLACES of equal weight where
@@ -109,8 +109,8 @@ floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
 floe_status ice_implicit_pressure(ice *s);    /* 3, instead of 2.3: also corrects u* */
 floe_status ice_face_pressure(ice *s);        /* 2.4 */
-floe_status
-ice_sources(ice *s); /* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy (fluids); C_SOURCE (points) */
+/* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy of the fluids; C_SOURCE of what points carry */
+floe_status ice_sources(ice *s);
 /* With materials carried by points, between ice_sources and ice_exchange C_MOMENTUM_L of these must be set from the nodes
  * (V rho^r u^L without C_SOURCE); ice_exchange adds C_SOURCE and leaves C_VELOCITY_CHANGE, the change by both. */
 floe_status ice_mass_exchange(ice *s);   /* sources of mass, momentum and energy by reactions */

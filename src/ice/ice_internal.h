@@ -254,8 +254,8 @@ typedef struct ice_work {
     ice_span *span[MESH_MAX_BLOCKS], *near[MESH_MAX_BLOCKS];
     ice_reservoir reservoir[MESH_MAX_DIM][2];
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
-    bool
-        reconcile; /* some fluid's energy depends on volume at a given temperature: cells are closed along isentropes */
+    /* Some fluid's energy depends on volume at a given temperature: cells are closed along isentropes. */
+    bool reconcile;
     long found[MESH_MAX_BLOCKS]; /* 1 + the step of which a block has e_found and vol_found; 0: of none */
     struct ice_sealing *sealing; /* owned (ice_pool.h); NULL: no membrane holds gas */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
@@ -315,8 +315,6 @@ bool ice_is_wall(bc_kind kind);
 void ice_exchange_faces(const ice *s, const ice_view *v, int axis, double *const *value);
 /* Sides behind which a state of a fluid lies. */
 bool ice_has_reservoir(bc_kind kind);
-/* Speed u, up to that of sound, along the isentrope from a state at rest at p0. */
-ice_reservoir ice_expand(const eos *law, double p0, const ice_reservoir *rest, double u);
 /* What a reservoir sends into the ghosts of an array (of kind velocity, density, energy, volume). */
 void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r,
                           ice_ghost kind, int component, double *a);
@@ -384,8 +382,6 @@ void ice_relax_spot(const ice *s, const ice_view *v, const double *mass, const i
  * to it along the axis (the mobility of the implicit pressure). */
 void ice_exchange_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R);
 
-/* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
-bool ice_diffuses(const ice *s, int r);
 /* Half a step's force on the face velocities, and half a step's heat on the advanced pressure (the array P); a whole step's of
  * both where the implicit pressure is at its end. */
 void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axis);

@@ -32,16 +32,16 @@ typedef struct run_summary {
     char coupling[SUMMARY_NAME]; /* mpm, ice, ice-mpm */
     char solver[SUMMARY_TEXT];   /* of points: dynamic or static, and why where floe chose; "" without points */
     char pressure[SUMMARY_TEXT]; /* of cells: explicit or implicit, and why where floe chose; "" without */
-    char substeps
-        [SUMMARY_TEXT]; /* of points beside cells: at most, and why where floe chose; "" where the deck asks for none */
-    bool dimensionless; /* "units": "none", else "si", as summaries of older versions are read */
+    /* Of points beside cells: at most, and why where floe chose; "" where the deck asks for none. */
+    char substeps[SUMMARY_TEXT];
+    bool dimensionless;         /* "units": "none", else "si", as summaries of older versions are read */
     char status[SUMMARY_NAME];  /* done, at_rest, diverged, interrupted, ... */
     char message[SUMMARY_TEXT]; /* why it is neither done nor at rest; "" otherwise */
     double time;                /* s, reached */
     long long steps, rejected_steps;
     double wall_seconds; /* earlier legs of a resumed run included */
-    double
-        output_seconds; /* of it, what this leg's history, snapshots and checkpoints took; 0 where an older version wrote it */
+    /* Of it, what this leg's history, snapshots and checkpoints took; 0 where an older version wrote it. */
+    double output_seconds;
     summary_value seconds_by_stage[SUMMARY_MAX_STAGES];
     int n_stages;
     long long cells, points; /* of the whole mesh (0 without cells); at the end */

@@ -1,6 +1,6 @@
 /* Material points (numerics 4; Sulsky, Chen, Schreyer 1994; York 1997): solids, and fluids carried by points.
  *
- * mpm_step.c spells out the points-only step; sim/coupled_step.c interleaves the same stages with those of the cells.
+ * mpm_step.c spells out the points-only step; sim/coupled.c interleaves the same stages with those of the cells.
  * Points of a body in a block are sorted by tile, then cell, then id; a tile's points are contiguous. Stages write scratch
  * and next arrays only; mpm_commit makes the step final and restores the order. */
 #ifndef MPM_MPM_H
@@ -25,7 +25,6 @@ typedef struct mpm_body {
     bool fluid;
     bool burns;                 /* a reaction uses it up */
     int group;                  /* velocity field it moves in: instance of the node fields */
-    double reference_density;   /* kg/m3: of the densest initial state, for limits */
     double artificial[2];       /* A1, A2 */
     membrane_response membrane; /* model NULL: it is none */
 } mpm_body;
@@ -140,9 +139,9 @@ floe_status mpm_motion_stages(mpm *s);
 floe_status mpm_solve_steps(mpm *s, time_solver solver);
 /* What of the scene cannot be solved for, or NULL. */
 const char *mpm_balance_obstacle(const mpm *s, time_solver solver);
-/* Largest ratio of bulk to shear modulus of the solids, and whose (a body of the scene; left alone where there is none, 0); and the largest with which the basis
- * balances loads without locking. */
+/* Largest ratio of bulk to shear modulus of the solids, 0 where there is none; *body becomes the scene's body that has it, and is left alone else. */
 double mpm_balance_bulk(const mpm *s, int *body);
+/* The largest ratio with which the basis balances loads without locking. */
 double mpm_balance_most_bulk(const mpm *s);
 /* Whether solids enclose a body of the scene, a fluid, all along its shape. */
 bool mpm_body_is_enclosed(const mpm *s, int body);

@@ -46,7 +46,7 @@ static floe_status reserve(context *ctx, double **value, size_t *room, size_t n)
 
 /* ---- points ---- */
 
-/* Calls for each array of a body's state in a block; returns how many there are. */
+/* Takes an array of a body's state in a block, and its place among what is kept. */
 typedef void array_visitor(double *array, size_t n, double *kept);
 
 static void keep_array(double *array, size_t n, double *kept)
@@ -59,6 +59,7 @@ static void put_array(double *array, size_t n, double *kept)
     memcpy(array, kept, n * sizeof *array);
 }
 
+/* Calls for each of them (NULL: for none); returns how many there are. */
 static size_t visit_arrays(const mpm *s, int blk, int body, size_t n, array_visitor *visit, double *kept)
 {
     const fields *f = s->domain->fields[blk];

@@ -162,8 +162,7 @@ struct mpm_work {
     solid_batch *batch; /* one per thread; owned */
     spring_state spring[SCENE_MAX_SPRINGS];
     membrane_push push[SCENE_MAX_BODIES]; /* of our bodies */
-    double
-        lost; /* J: what points and nodes lost in the step, for a gas of the cells as heat; 0 where losses are none */
+    double lost; /* J: of points and nodes in the step, for a gas of the cells as heat; 0 where losses are none */
     body_skin skin;
     gas_hold hold;
     support_node *support; /* owned */
@@ -190,7 +189,7 @@ void tile_nodes(const mesh *m, const tile_box *t, int end[MESH_MAX_DIM]);
 /* Arrays of a body's current state in a block; `next_stress`, `next_velocity` take those from the next state instead. */
 point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity);
 
-/* Point-to-grid of one mode for a group: tile partials, then node fields in global tile order (p2g.c). */
+/* Point-to-grid of one mode for a group: tile partials, then node fields in global tile order (tile.c). */
 floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress, bool next_velocity);
 /* Node arrays that tiles' partials are summed into; a tile's partials hold the nodes of its window, interleaved. */
 typedef struct node_target {
@@ -224,10 +223,11 @@ enum { GAIN_HEAT, GAIN_REFERENCE, GAIN_FALL, GAIN_IMPULSE, MPM_GAINS = GAIN_IMPU
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
                           double gain[MPM_GAINS]);
 bool has_artificial(const mpm_body *b);
-/* Whether the domains of a body's points deform with F (CPDI); whether F is kept, for that or for the law (create.c). */
+/* Whether the domains of a body's points deform with F (CPDI; create.c). */
 bool keeps_shape(const mpm *s, int body);
 /* Whether the boxes of a body's points swell with them (GIMP, fluids). */
 bool keeps_box(const mpm *s, int body);
+/* Whether F is kept, for the shape of domains or for the law. */
 bool keeps_F(const mpm *s, int body);
 /* The time (s) over which stress is advanced (stress.c). */
 double strain_step(const mpm *s);
@@ -238,7 +238,9 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
 /* Makes a batch the next state of its points, from `start` (stress.c). */
 void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batch *b);
 
-/* Walls (wall.c): folding of sums into the nodes of the mesh, and what the walls make of velocities. */
+/* ---- walls (wall.c): sums are folded into the nodes of the mesh, and walls hold velocities ---- */
+
+/* Folds N_MASS with N_MOMENTUM, and N_FORCE, where asked for. */
 void fold_walls(mpm *s, int group, bool momentum, bool force);
 /* Whether a side of the domain holds a component of its nodes' velocity. */
 bool wall_holds(const mpm *s, int axis, int side, int component);
@@ -250,67 +252,94 @@ void fold_field(mpm *s, int group, field_id id);
 void fold_numbers(mpm *s, int group, field_id id);
 /* Gives the nodes of walls and supports their velocity; `entered` of the impulse goes into the ledger (0: none of it). */
 void impose_walls(mpm *s, int group, field_id velocity, double entered);
-void still_walls(mpm *s, int group); /* nodes that walls hold do not accelerate */
+/* Nodes that walls hold do not accelerate. */
+void still_walls(mpm *s, int group);
 /* A node on a mirror bears the image's mass as well: doubles the last of `count` values of such nodes in a tile's window. */
 void mirror_masses(const mpm *s, const tile_box *t, int count, double *window);
+/* Values of the ghost nodes beyond the sides, which points near them take from: mirrored, or extrapolated. */
 void extend_to_ghosts(mpm *s, int group, field_id id);
-void enter_mirrors(
-    mpm *s, int group); /* momentum that mirrors give: after accelerations are known, before ghosts are extended */
+/* Momentum that mirrors give, into the ledger: after accelerations are known, before ghosts are extended. */
+void enter_mirrors(mpm *s, int group);
 /* The same of points that take a share of their velocity from the nodes, and nothing else. */
 void enter_mirrored_momenta(mpm *s, int group, double share);
+/* Whether a side is a mirror: symmetry, slip, or the axis. */
+bool wall_mirrors(const mpm *s, int axis, int side);
 
-bool wall_mirrors(const mpm *s, int axis, int side); /* symmetry, slip, or the axis */
+/* ---- membranes (membrane.c, seed_membrane.c) ---- */
 
-/* Membranes (membrane.c, seed_membrane.c): the points of a body; slack and mass of its n-th, at k; its law, none where it is no
- * membrane; strain, and stress along the tangents as they were, of points
- * [start, end) whose L stands in the batch; all tangents at the start; FLOE_RETRY for a point that is crushed; the slack with which the
- * point of a number (0 first) begins; energies per volume at rest. */
+/* The law that the points of a membrane have among the solids'. */
 extern const solid_model point_membrane;
+/* Places and volumes of a membrane's points. Errors: FLOE_BAD_INPUT where they cannot be laid, FLOE_NO_MEMORY. */
 floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list);
+/* Slack and mass of the n-th point of a body (0 first), which lies at k. */
 floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n);
+/* The law of a body; its model is NULL where that is no membrane. */
 membrane_response response_of(const mpm *s, const scene_body *b);
+/* Strain of points [start, end) whose L stands in the batch, and stress along their tangents as they were. FLOE_RETRY for a point that is crushed. */
 floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate);
+/* Lines, normals and tangents of all at the start, and what gas pushes them with. */
 floe_status start_membranes(mpm *s);
+/* FLOE_RETRY, in words: point k would be crushed to nothing. */
 floe_status membrane_torn(const mpm *s, int blk, int body, size_t k);
+/* The strain that the point of a number (0 first) has to take up before it bears. */
 double slack_of(const mpm *s, int body, size_t number);
+/* Strain energy (J/m3 at rest) of points [start, end). */
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi);
+
+/* ---- damping and losses ---- */
 
 /* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable (node.c). */
 double damping_left(const mpm *s);
 /* Whether lost kinetic energy is to heat fluid points (heat.c). */
 bool losses_are_heat(const mpm *s);
 
-/* Springs (spring.c): found at the start; their forces on the nodes of a group; their energy (J); the rate that bounds the step (1/s), and
- * the name of the spring. */
+/* ---- springs (spring.c) ---- */
+
+/* Finds their points, and their lengths at rest. */
 floe_status start_springs(mpm *s);
+/* Adds their forces to N_FORCE of a group. */
 void scatter_springs(mpm *s, int group);
+/* Their energy (J). */
 double spring_energy(const mpm *s);
+/* The rate (1/s) with which they bound the step, and the name of the spring that does. */
 double spring_rate(const mpm *s, const char **name);
 
-/* Gas that pushes on a membrane (outline.c). */
+/* ---- gas of the cells that pushes: on membranes (outline.c), on surfaces of solids (skin.c) ---- */
+
+/* Room for the forces on membranes that hold gas. */
 floe_status start_push(mpm *s);
 void free_push(context *ctx, struct mpm_work *w);
+/* Adds the forces to N_FORCE of a group. */
 void scatter_push(mpm *s, int group);
 
-/* Surfaces of solids in gas (skin.c): markers laid on the shapes, the gas's push on the nodes of a group, where they go, and that for good. */
+/* Markers, laid on the shapes of solids. */
 floe_status seed_skins(mpm *s);
+/* Adds forces (N, two a marker) to N_FORCE of a group, by the nodes that its points bear. */
 void scatter_skins(mpm *s, int group, const double *force);
+/* Where the markers of a group go in the step, with which velocity, and over which way their forces work. */
 void move_skins(mpm *s, int group);
+/* Makes that their state. */
 void commit_skins(mpm *s);
 void free_skins(context *ctx, body_skin *k);
 
 /* What a step in parts keeps of its start (parts.c). */
 void free_kept(context *ctx, struct mpm_work *w);
 
-/* Supports (support.c): the nodes that they hold, and their velocity. */
+/* ---- supports (support.c) ---- */
+
+/* Finds the nodes that they hold. */
 floe_status start_supports(mpm *s);
+/* Gives these their velocity; `entered` as impose_walls. */
 void impose_supports(mpm *s, int group, field_id velocity, double entered);
 
 /* Seeding (seed_fill.c): fluids take what slivers of other bodies left, `list` one a body. */
 floe_status fill_cells(const mpm *s, seed_list *list);
 
-/* Loads (load.c). */
+/* ---- surfaces under traction, or beside rooms of gas (traction.c) ---- */
+
+/* Surface points, laid on the shapes. Errors: FLOE_BAD_INPUT where a load has no surface, FLOE_NO_MEMORY. */
 floe_status seed_surfaces(mpm *s);
+/* Adds the loads on the surfaces of a group to its N_FORCE. */
 void scatter_surfaces(mpm *s, int group);
 /* The share of a fluid body's surface, as its shape has it inside the mesh, that solids face. */
 double surface_enclosed(const mpm *s, int body);
@@ -320,6 +349,7 @@ void scatter_room(mpm *s, int room);
 void scatter_loads(mpm *s, int group);
 /* Folds N_FORCE at periodic ends and sides. */
 void fold_forces(mpm *s, int group);
+/* Moves the surface points of a group with its nodes. */
 void move_surfaces(mpm *s, int group);
 /* Moves them by displacements of a group's nodes, given by global index and component, instead of velocities. */
 typedef double node_displacement(const mpm *s, int group, const int node[MESH_MAX_DIM], int component);
@@ -327,7 +357,7 @@ void carry_surfaces(mpm *s, node_displacement *way);
 /* The same of the markers of skins; of one place of a surface, added to *out. */
 void carry_skins(mpm *s, node_displacement *way);
 void carry_place(const mpm *s, int group, const double x[3], node_displacement *way, double out[3]);
-/* A force (N) on a body's surface, on nodes of its group that its points bear (traction.c). */
+/* A force (N) on a body's surface, on nodes of its group that its points bear. */
 void push_surface(const mpm *s, int group, const double x[3], const double force[3]);
 /* How a place of a surface moves in the step: with which velocity it goes on, and with which a force on it works on the nodes, in the mean
  * of the step's start and end (m/s). */
@@ -335,6 +365,10 @@ typedef struct surface_motion {
     double velocity[3], working[3];
 } surface_motion;
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3]);
+
+/* ---- loads on the points themselves (load.c) ---- */
+
+/* Body forces now, into work.acceleration. */
 void set_body_forces(mpm *s);
 /* Whether the force of the scene's exact solution acts on a body's points. */
 bool is_driven(const mpm *s, int body);
@@ -343,12 +377,10 @@ scene_load load_as_solved(const mpm *s, const scene_load *load);
 /* Fraction of the load at the start of the step; solved for at its end (balance.h), where one without a ramp grows until the run
  * ends. */
 double load_now(const mpm *s, const scene_load *load);
+/* What heating loads add in this step, into work.heat. */
 floe_status set_heating(mpm *s);
 
 /* Makes what reactions have left of the points final, before they are sorted; those of which nothing is left are dropped then (burn.c). */
 void burn_commit(mpm *s);
-
-/* Order (sort.c). */
-floe_status sort_body(mpm *s, int blk, int body);
 
 #endif

@@ -150,8 +150,8 @@ typedef struct scene_load {
     load_kind kind;
     int material; /* LOAD_PRESSURISE, LOAD_HEAT: which fluid */
     int body;     /* LOAD_TRACTION, LOAD_BODY_FORCE: which body; -1 all */
-    shape
-        region; /* heat: where; traction: the surface of this shape is loaded (the body lies outside it or inside it) */
+    /* Heat: where; traction: the surface of this shape is loaded (the body lies outside it or inside it). */
+    shape region;
     double start; /* s */
     double ramp;  /* s; 0 with ramp_steps > 0 means that many steps */
     long ramp_steps;
@@ -199,7 +199,7 @@ typedef enum solid_interface { INTERFACE_SMEARED, INTERFACE_SHARP } solid_interf
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
 
 typedef struct scene_method {
-    char basis[SCENE_NAME]; /* linear, gimp, quadratic: basis_registry */
+    char basis[SCENE_NAME]; /* linear, gimp, quadratic, cubic, cpdi: basis_registry */
     double domain_limit; /* cells: of basis cpdi, how far a domain may reach from its point along an axis; 0.25 to 1 */
     stress_scheme stress;
     char transfer[SCENE_NAME]; /* flip, pic, xpic, apic, tpic: transfer_registry */
@@ -338,8 +338,8 @@ typedef struct scene_bar { /* what a study must reach */
 } scene_bar;
 
 typedef struct scene_check { /* what every case must keep to, to be right */
-    char of
-        [SCENE_NAME]; /* an error, drift_mass, drift_momentum, drift_energy, or a column of history.csv in all its rows */
+    /* An error, drift_mass, drift_momentum, drift_energy, or a column of history.csv in all its rows. */
+    char of[SCENE_NAME];
     double least, most; /* NAN: no bound */
     scene_where where;
 } scene_check;
@@ -368,8 +368,8 @@ typedef struct scene_study {
 
 typedef struct scene_stability {
     bool given; /* the deck says something of it */
-    scene_axis
-        over[SCENE_MAX_OVER]; /* one: a search, its values from and to; two: a map; none: the command line says */
+    /* One: a search, its values from and to; two: a map; none: the command line says. */
+    scene_axis over[SCENE_MAX_OVER];
     int n_over;
     scene_axis each[SCENE_MAX_AXES]; /* crossed; the search is made for every combination */
     int n_each;
@@ -382,9 +382,9 @@ typedef struct scene {
     context *ctx; /* not owned */
     char title[256], source[256], path[512];
     mesh_spec mesh;
-    double lattice_offset
-        [3];          /* of the lattices that bodies are seeded on, against the mesh; in point spacings, -0.5 to 0.5 */
-    double thickness; /* m, of 2-D scenes in outputs */
+    /* Of the lattices that bodies are seeded on, against the mesh; in point spacings, -0.5 to 0.5. */
+    double lattice_offset[3];
+    double thickness;          /* m, of 2-D scenes in outputs */
     stress_state stress_state; /* of points */
     bool dimensionless;        /* units: none */
     double reference_pressure; /* Pa */
@@ -423,8 +423,8 @@ typedef struct scene {
     scene_stability stability; /* of `floe stability` */
     initial_function *initial; /* set by the run when a body asks for it */
     void *initial_user;
-    source_function *
-        driving; /* of fluids on the cells; set by the run when verify.sources asks for it; NULL: none. Its user: initial_user */
+    /* Of fluids on the cells; set by the run when verify.sources asks for it; NULL: none. Its user: initial_user. */
+    source_function *driving;
     source_function *driving_solids; /* the same of solids on points, asked at the place where a point was at rest */
     int threads;                     /* 0: OpenMP's default */
 } scene;

@@ -22,14 +22,14 @@ typedef struct sim {
     struct sealed *sealed;     /* owned; NULL unless a membrane or surfaces of solids cut the cells of gas */
     struct gas_rest *gas_rest; /* owned; NULL unless load increments are solved for beside gas on cells */
     char pressure_reason[256]; /* of method.pressure auto: what it has chosen last, and why; "" otherwise */
-    char solver_reason
-        [160]; /* how points get on, dynamic or static, and why where time.solver is auto; "" without points */
-    char substeps_reason
-        [200];      /* of the points, beside cells: how many at most, and why where time.substeps is auto; "" without */
-    int most_parts; /* sub-steps of the points that a step of the cells may have */
-    int parts;      /* that the next step has */
-    double time;    /* s */
-    double dt;      /* s: the last accepted step, then the next one's proposal */
+    /* How points get on, dynamic or static, and why where time.solver is auto; "" without points. */
+    char solver_reason[160];
+    /* Of the points, beside cells: how many at most, and why where time.substeps is auto; "" without. */
+    char substeps_reason[200];
+    int most_parts;        /* sub-steps of the points that a step of the cells may have */
+    int parts;             /* that the next step has */
+    double time;           /* s */
+    double dt;             /* s: the last accepted step, then the next one's proposal */
     const char *dt_reason; /* what limits it */
     long steps, rejected;
     double point_updates, cell_updates; /* so far */

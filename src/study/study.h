@@ -15,8 +15,8 @@ typedef struct study_options {
     bool compare;     /* axes are the deck's runs_as and compare.axis, not those of `study` */
     const char *deck; /* path */
     deck_overrides set;
-    const char *const
-        *axis; /* n_axis of "KEY=V1,V2,...": instead of the deck's axis of that key (of `compare`: of its one axis) */
+    /* n_axis of "KEY=V1,V2,...": instead of the deck's axis of that key (of `compare`: of its one axis). */
+    const char *const *axis;
     size_t n_axis;
     const char *over;                  /* instead of the deck's; NULL: the deck's */
     int repeat;                        /* timed runs of each case; < 0: as the deck says */

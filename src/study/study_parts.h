@@ -99,7 +99,7 @@ floe_status study_bars(const study *s, study_bar_result **out, size_t *n);
 floe_status study_check_bars(const study *s);
 void study_bar_text(const study *s, const study_bar_result *r, char *text, size_t size);
 
-/* study_write.c, study_json.c, study_figure.c, study_profile.c */
+/* study_json.c, study_write.c, study_figure.c: study.json, study.csv, and the figures with their data and scripts. */
 floe_status study_write_json(const study *s);
 floe_status study_write_csv(const study *s);
 floe_status study_write_figures(const study *s);

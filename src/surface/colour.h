@@ -9,8 +9,9 @@
 typedef struct colour_rule {
     spline_values (*spread)(double xi); /* of a point's colour over the nodes */
     int first, n; /* nodes that a cell's points read, along each axis: from the cell's own + first on */
-    bool
-        of_nodes; /* nodes have normals, sums of gradients, which points read linearly; else colours, of which points take the gradient */
+    /* Nodes have normals, sums of gradients, which points read linearly; else colours, of which points take the
+     * gradient. */
+    bool of_nodes;
 } colour_rule;
 
 /* Estimates of the points of a cell. */

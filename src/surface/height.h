@@ -13,9 +13,9 @@
 enum { HEIGHT_TERMS = 6 };
 
 typedef struct height_fit {
-    double x
-        [HEIGHT_TERMS]; /* of 1, u, u2, u3 in a plane; of 1, u, v, u2, uv, v2 in space; u, v and height over the reach */
-    double condition;   /* ratio of the largest pivot to the smallest of the triangle */
+    /* Of 1, u, u2, u3 in a plane; of 1, u, v, u2, uv, v2 in space; u, v and height over the reach. */
+    double x[HEIGHT_TERMS];
+    double condition; /* ratio of the largest pivot to the smallest of the triangle */
 } height_fit;
 
 /* The highest degree that the point (at 0, of weight 1) and its n neighbours determine, at most 3 in a plane and 2 in space.

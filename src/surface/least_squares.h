@@ -25,8 +25,8 @@ typedef struct least_squares_solution {
     double x[SURFACE_MAX_FUNCTIONS];
     int rank;
     double residual; /* norm of what is left over; QR only, else NAN */
-    double
-        condition; /* largest over smallest pivot within the rank (of the rows' matrix: normal equations have its square) */
+    /* Largest over smallest pivot within the rank (of the rows' matrix: normal equations have its square). */
+    double condition;
 } least_squares_solution;
 
 void least_squares_begin(least_squares *l, surface_solver solver, int n);

@@ -33,9 +33,9 @@ typedef enum surface_basis {
 typedef struct surface_estimate {
     double normal[3]; /* unit; zero for SURFACE_NONE. Sides are given by surface_orient */
     double condition; /* 1: of the matrix of the least squares problem (ratio of pivots); NAN: none was solved */
-    double
-        curvature; /* 1/m: sum of the principal ones, > 0 where the surface bends away from the normal; NAN: not given */
-    double area;   /* m in 2-D, m2 in 3-D: share of the surface; NAN: not given */
+    /* 1/m: sum of the principal ones, > 0 where the surface bends away from the normal; NAN: not given. */
+    double curvature;
+    double area;         /* m in 2-D, m2 in 3-D: share of the surface; NAN: not given */
     surface_basis basis; /* what it rests on */
 } surface_estimate;
 

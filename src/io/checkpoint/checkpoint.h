@@ -18,14 +18,14 @@ typedef struct checkpoint_extra {
 /* What a run keeps beside the simulation. */
 typedef struct checkpoint_run {
     const char *deck; /* the resolved deck. Not owned; not set by reading */
-    const char
-        *identity; /* the resolved deck without what a resumed run may change (end time, output schedule, threads,
-                               title): the two must be equal on resume. Not owned; given when reading too */
+    /* The resolved deck without what a resumed run may change (end time, output schedule, threads, title): the two
+     * must be equal on resume. Not owned; given when reading too. */
+    const char *identity;
     const checkpoint_extra *extra; /* n_extra entries, the same when writing and reading. Not owned; NULL if none */
     int n_extra;
     double wall_seconds; /* spent so far, earlier legs included */
-    char dt_reason
-        [CHECKPOINT_REASON]; /* set by reading: sim.dt_reason points here, so that this lives as long as the sim */
+    /* Set by reading: sim.dt_reason points here, so that this lives as long as the sim. */
+    char dt_reason[CHECKPOINT_REASON];
 } checkpoint_run;
 
 /* Replaces the checkpoint at `path` by the present state of `s`, between two steps. On failure the earlier one is untouched. */

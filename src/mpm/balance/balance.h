@@ -63,19 +63,19 @@ struct mpm_balance {
     cg *krylov;                          /* owned */
     int layers, layer[SCENE_MAX_BODIES]; /* displacement fields: one, and with a contact one a group; that of a body */
     size_t components;                   /* entries of an array on the grid, all components of all layers */
-    int n_gradient,
-        gradient[BALANCE_GRADIENTS]; /* components of grad u that the scene has, row-major in three dimensions */
-    size_t points, points_room;      /* of solids, in all blocks; and for how many there is room */
+    /* Components of grad u that the scene has, row-major in three dimensions. */
+    int n_gradient, gradient[BALANCE_GRADIENTS];
+    size_t points, points_room;                      /* of solids, in all blocks; and for how many there is room */
     size_t first[MESH_MAX_BLOCKS][SCENE_MAX_BODIES]; /* number of a body's first point */
     point_place *place;                              /* owned */
     double *pull;                                    /* V0 T (J), n_gradient a point; owned */
     double *tangent;                                 /* d pull / d grad u (J), n_gradient^2 a point; owned */
     /* On the grid; owned. Displacement and its change (m); forces (N): from outside, of the points at the start and now, what is left. */
     double *u, *change, *outer, *pushed, *inner_first, *inner, *left, *trial;
-    double *mass,
-        *velocity; /* kg, in the first component, and m/s: of nodes with inertia, at the start; else NULL. Owned */
-    double *outer_first,
-        *unbalanced; /* N, beside gas of the cells: loads at the start; what was not in balance there. NULL else; owned */
+    /* kg, in the first component, and m/s: of nodes with inertia, at the start; else NULL. Owned. */
+    double *mass, *velocity;
+    /* N, beside gas of the cells: loads at the start; what was not in balance there. NULL else; owned. */
+    double *outer_first, *unbalanced;
     double acceleration_first[SCENE_MAX_BODIES][3]; /* m/s2: body forces at the start */
     double keep;                                    /* share of `unbalanced` that the increment leaves */
     double *target;                                 /* m: displacement of what is held; owned */
@@ -105,10 +105,11 @@ floe_status balance_strain(mpm *s, const double *u);
 floe_status balance_tangents(mpm *s, const double *u);
 /* inner = - sum pull : grad S. */
 void balance_pull(mpm *s, double *inner);
-/* Adds mass times body force (m/s2, of each body; with `drive` and that of an exact solution) times S; mass times S. */
+/* outer += sum m S fall (N), `fall` the body force on each body (m/s2); with `drive` also the force of an exact solution. */
 void balance_weigh(mpm *s, double (*fall)[3], bool drive, double *outer);
+/* share += sum m S (kg). */
 void balance_share(mpm *s, double *share);
-/* Adds - V grad S, about an axis with the hoop's part. */
+/* out -= sum V grad S (m2), about an axis with the hoop's part. */
 void balance_squeeze(mpm *s, double *out);
 /* The displacement of a node of a group, by global index, ghosts beyond the sides included. */
 double balance_way(const mpm *s, int group, const int node[MESH_MAX_DIM], int c);
@@ -118,12 +119,15 @@ floe_status balance_move(mpm *s);
 /* Whether bodies in contact have their gaps from their surfaces (balance_gap.c), which loaded ones are carried with. */
 bool balance_measures_gaps(const mpm *s);
 
-/* Edges held by a penalty (balance_edges.c), nothing without: how far the matrix reaches; the lines of an increment; their forces at u, added to
- * `inner`, and what they remember then; their entries of the matrix; what they store, into the ledger. */
+/* How many nodes away along an axis the matrix reaches, with edges that are held or without. */
 int balance_width(const mpm *s);
+/* Edges held by a penalty (balance_edges.c; nothing without). The lines of an increment. Errors: FLOE_NO_MEMORY. */
 floe_status balance_find_edges(mpm *s);
+/* Their forces (N) at the displacement u (m), added to `inner`, and the differences that they remember then. */
 void balance_pull_edges(mpm *s, const double *u, double *inner);
+/* Their stiffness, added to the matrix. */
 void balance_assemble_edges(mpm *s, node_matrix *m);
+/* What they store in the increment, into the ledger. */
 void balance_enter_edges(mpm *s);
 
 /* Assembles the matrix of the tangents (balance_matrix.c). */
@@ -150,40 +154,50 @@ floe_status balance_check_free(mpm *s);
 
 void balance_destroy(mpm *s);
 
-/* Inertia (balance_motion.c): nodes at the start; a first guess of u (m); rate of damping (1/s); entry k of what inertia and damping take of the
- * forces (N) at u; their part of the matrix, whose stiffness is halved; velocity (m/s) at the end; the ledger's entries. */
+/* Inertia (balance_motion.c). Mass and velocity of the nodes at the start of the step. */
 void motion_begin(mpm *s);
+/* A first guess of u (m): nodes go on as they move. */
 void motion_guess(const mpm *s, double *u);
-double motion_damping(const mpm *s);
+/* Entry k of what inertia and damping take of the forces (N), at its displacement u (m). */
 double motion_force(const mpm *s, size_t k, double u);
+/* From the matrix of the stiffness to that of the step: half of it, and what inertia and damping add. */
 void motion_stiffen(const mpm *s, node_matrix *m);
+/* Entry k of the velocity (m/s) at the end of the step. */
 double motion_velocity(const mpm *s, size_t k);
+/* Impulses and work of loads, damping and what holds nodes, into the ledger. */
 void motion_enter(mpm *s);
 
-/* Rooms (balance_room.c): found once; as they are at the start of an increment, and what pushes their walls; pressures at a displacement, into
- * `pushed` (N), FLOE_RETRY where a room would lose all its volume or its gas is beyond its law; A x of their stiffness, added to y; the next state of
- * their points; and what they enter into the ledger. Returns, J, what they did to the solids. */
+/* Rooms (balance_room.c): one for each fluid body that solids enclose, found once. Errors: FLOE_NO_MEMORY. */
 floe_status rooms_find(mpm *s);
-/* Gas of the cells (balance_gas.c): a room for each there is in the increment; what pushes solids that share cells with it, once the points have
- * been located. Errors: FLOE_BAD_INPUT where a solid is too thin for that. */
-floe_status rooms_take_gases(mpm *s);
-floe_status rooms_squeeze(mpm *s);
 void rooms_free(mpm *s);
+/* Beside gas on cells (balance_gas.c): a room for each gas that there is in the increment. Errors: FLOE_NO_MEMORY. */
+floe_status rooms_take_gases(mpm *s);
+/* What the gas of such rooms pushes, where solids share cells with it; once the points have been located. Errors: FLOE_BAD_INPUT where a solid is too
+ * thin for that. */
+floe_status rooms_squeeze(mpm *s);
+/* Rooms as they are at the start of an increment, and what pushes their walls. */
 floe_status rooms_begin(mpm *s);
+/* Pressures at the displacement u (m); adds their forces (N) to `pushed`. FLOE_RETRY where a room would lose all its volume, or its gas is beyond its
+ * law. */
 floe_status rooms_push(mpm *s, const double *u, double *pushed);
-/* The same of the start of the increment. */
+/* Adds the forces (N) of the pressures at the start of the increment. */
 void rooms_push_first(mpm *s, double *pushed);
+/* y += A x, A the stiffness of the rooms (N/m). */
 void rooms_stiffen(const struct mpm_balance *w, const double *x, double *y);
+/* The next state of their points, or what gas of the cells has come to. */
 void rooms_store(mpm *s);
+/* Enters them into the ledger; returns what they did to the solids (J). */
 double rooms_enter(mpm *s);
-/* Of one room: pressure, energy and stiffness once it has gained a volume (m3), FLOE_RETRY as above; the next state of its points in a block. */
+/* Pressure, energy and stiffness of one room once it has gained a volume (m3). FLOE_RETRY as rooms_push. */
 floe_status room_set(mpm *s, balance_room *r, double gain);
+/* The next state of its points in a block. */
 void room_store(mpm *s, const balance_room *r, int blk);
 /* What gas of the cells has come to. */
 void gas_store(const balance_room *r, mpm_gas *gas);
 
-/* A membrane around gas instead (balance_line.c): why it cannot be, or NULL; what it needs. */
+/* A membrane around gas instead (balance_line.c). Why it cannot be solved for, in words, or NULL. */
 const char *line_rest_obstacle(const mpm *s);
+/* Storage for it. Errors: FLOE_NO_MEMORY. */
 floe_status line_rest_create(mpm *s);
 void line_rest_destroy(mpm *s);
 

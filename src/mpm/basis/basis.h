@@ -4,7 +4,7 @@
  * basis_1d.h, which the point kernels take as a literal argument.
  *
  * A basis knows nothing of walls: points near one reach the ghost nodes beyond it, and the nodes are folded back
- * (mpm/wall.h), which is the same as folding the shape functions (numerics 4.3) and leaves the kernels without branches.
+ * (mpm/wall.c), which is the same as folding the shape functions (numerics 4.3) and leaves the kernels without branches.
  *
  * CPDI is the one whose domains have a shape: parallelograms whose sides F turns and stretches (mpm/locate.h). Its weights along an
  * axis, below, are those of a box along the axes; that is what acts at places takes, and what the battery asks. */

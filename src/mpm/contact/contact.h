@@ -23,8 +23,9 @@ struct mpm_contact {
     int window[MESH_MAX_DIM];   /* nodes of a tile's window of the normals */
     int window_nodes;
     double h; /* m: least spacing */
-    uint64_t *
-        near; /* per global tile: bit of each of its (at most 64) cells from which points reach a node where bodies meet; owned */
+    /* Per global tile: bit of each of its (at most 64) cells from which points reach a node where bodies meet;
+     * owned. */
+    uint64_t *near;
 };
 
 floe_status contact_create(mpm *s);
@@ -57,9 +58,9 @@ typedef struct contact_node {
     int dim;
     double h;     /* m: least spacing */
     bool held[3]; /* components that a wall holds: normals have none */
-    bool
-        fluids; /* the group of all others holds fluids alone: it sticks to the first body of the contact that is here, not to all, so
-                     that gas behind a skin does not hold to the skin what lets go of it */
+    /* The group of all others holds fluids alone: it sticks to the first body of the contact that is here, not to
+     * all, so that gas behind a skin does not hold to the skin what lets go of it. */
+    bool fluids;
     bool apart; /* bodies outside the contact have nothing to do with others here: the cells do it */
     contact_body body[MPM_MAX_GROUPS];
     contact_state state[MPM_MAX_GROUPS][MPM_MAX_GROUPS]; /* of the pair a, b where a < b */

@@ -17,7 +17,7 @@
  * them quiet, for the velocities of such nodes come anew from the points in each step, and their energy goes astray. The system is solved over the nodes
  * of the lines by conjugate gradients (edge_solve.c), from the accelerations of the last step, in global order: the same bits for any blocks and threads.
  *
- * Which nodes are filled in part is looked for (edge_lines.c) when nodes have moved by some thousandths of a cell since, or one of a line has lost its mass.
+ * Which nodes are filled in part is looked for (edge_lines.c) when nodes may have moved by some hundredths of a cell since, or one of a line has lost its mass.
  * Private to the mpm room. */
 #ifndef MPM_EDGE_H
 #define MPM_EDGE_H
@@ -34,10 +34,10 @@ typedef struct edge_line {
     bool images;     /* some tap is the image of its node in a mirror */
     bool unbalanced; /* what it gives to the free nodes may not add up to nothing: an image, or a node that is held */
     int node[EDGE_TAPS]; /* in the list of the group's nodes; taps that the basis does not need have no weight */
-    double weight[2]
-                 [EDGE_TAPS]; /* of the taps: of components across the line, and of that along it, which images turn */
-    double stiffness;         /* N/m: k */
-    double inertia;           /* kg: a */
+    /* Of the taps: of components across the line, and of that along it, which images turn. */
+    double weight[2][EDGE_TAPS];
+    double stiffness; /* N/m: k */
+    double inertia;   /* kg: a */
 } edge_line;
 
 /* Where a block has a node: its own, ghosts, and periodic images. */
@@ -130,8 +130,6 @@ static inline bool edge_body(const mpm *s, int body)
     return !s->body[body].fluid && !s->body[body].membrane.model;
 }
 
-/* rho c^2 (Pa) of a body at rest. */
-double edge_modulus(const mpm *s, int body);
 /* Nodes and weights of the taps of a line along l->axis from a node on; false where one is beyond the mesh. */
 bool edge_find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l);
 /* Calls for every node from which a line along an axis may begin, and for the image of the first inner one. */

@@ -33,8 +33,8 @@ typedef struct membrane_line {
     bool closed;
     bool ordered; /* the points follow each other by their numbers */
     line_end end[2];
-    line_link *
-        link; /* 2 n, before and after: neighbours where normals are free and strain comes from places; NULL: by number. Owned */
+    /* 2 n, before and after: neighbours where normals are free and strain comes from places; NULL: by number. Owned. */
+    line_link *link;
     /* Where strain comes from places (line_strain.c), else NULL: n numbers each, in one piece that `rest` owns. */
     double *rest, *volume;  /* m, of each point at rest with its slack; m3 at the start */
     double *along, *across; /* strains along the line and across it */

@@ -26,7 +26,6 @@ double slack_of(const mpm *s, int body, size_t number)
     return counted >= m->slack_from && (m->slack_to == 0 || counted <= m->slack_to) ? m->slack : 0.0;
 }
 
-/* Slack, and a mass of its own, of the n-th point of a membrane. */
 floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n)
 {
     const scene_body *b = &s->scene->body[s->body[body].scene_body];

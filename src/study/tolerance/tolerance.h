@@ -12,13 +12,13 @@
 enum { TOLERANCE_TEXT = 512 };
 
 typedef struct tolerance_options {
-    study_options
-        study; /* name and dir are set by the call; axes and the rest as in a study, one case at a time, untimed */
+    /* Its name and dir are set by the call; axes and the rest as in a study, one case at a time, untimed. */
+    study_options study;
     const char *dir;  /* of the answer */
     double tolerance; /* > 0; of errors that are ratios, and of estimates, relative; else in the error's unit */
-    const char *
-        metric; /* an error of the deck's verify.metrics, or one of its study.quantities; NULL: the first ratio among the
-                            errors, the first error, the first quantity */
+    /* An error of the deck's verify.metrics, or one of its study.quantities; NULL: the first ratio among the errors,
+     * the first error, the first quantity. */
+    const char *metric;
     double budget; /* s of run time, of all cases together, earlier legs included; 0: no limit */
 } tolerance_options;
 
