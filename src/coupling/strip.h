@@ -12,8 +12,8 @@ typedef struct strip {
     int rows;          /* 1, 2 or 4: two along each further axis, less what lies outside */
     ptrdiff_t from[4]; /* index of the lower of the first value's two neighbours along axis 0, in each row */
     double weight[4];  /* of each row, times the 1/2 of axis 0 */
-    double first[2],
-        last[2]; /* weights of the two neighbours of the first and last value; 1 between: 0 outside, 2 doubled */
+    /* Weights of the two neighbours of the first and last value; 1 between: 0 outside, 2 doubled. */
+    double first[2], last[2];
 } strip;
 
 /* What becomes of the sums: they are stored; those of x y are; they are added where y > 0. */

@@ -5,9 +5,11 @@
 #include "geom/shape.h"
 
 typedef enum seed_method {
-    SEED_LATTICE, /* the papers': a point at the centre of each sub-cell whose centre is inside, with the whole sub-cell's volume */
-    SEED_FITTED /* a point at the centroid of each sub-cell's inside part, with exactly that volume; slivers under `merge` of a
-                       sub-cell join their largest neighbour, keeping mass and first moments */
+    /* The papers': a point at the centre of each sub-cell whose centre is inside, with the whole sub-cell's volume. */
+    SEED_LATTICE,
+    /* A point at the centroid of each sub-cell's inside part, with exactly that volume; slivers under `merge` of a sub-cell join their
+     * largest neighbour, keeping mass and first moments. */
+    SEED_FITTED
 } seed_method;
 
 typedef struct seed_spec {

@@ -25,14 +25,16 @@ typedef struct shape_model {
 
 extern const shape_model *const shape_registry[];
 extern const size_t shape_registry_size;
+/* NULL if there is none of that name. */
 const shape_model *shape_find(const char *name);
 
-/* A shape with its parameters: the union of `plus` less the union of `minus` is built by geom/region. */
+/* A shape with its parameters. */
 typedef struct shape {
     const shape_model *model;
     void *par; /* model->param_size bytes, owned by the scene */
 } shape;
 
+/* Whether x (m) lies inside; the surface does not. */
 bool shape_inside(const shape *s, int dim, const double x[3]);
 
 /* Volume fraction and centroid of the part of the box [lo, hi] inside the shape, by adaptive subdivision to `depth` levels

@@ -9,7 +9,7 @@
 #include "base/param.h"
 
 typedef struct eos_model {
-    const char *name; /* in the deck: eos: {model: ideal, ...} */
+    const char *name; /* in the deck: eos: {ideal: {...}} */
     const char *doc;  /* one line */
     const char *cite;
     size_t param_size;

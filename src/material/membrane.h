@@ -25,6 +25,7 @@ typedef struct membrane_model {
 
 extern const membrane_model *const membrane_registry[];
 extern const size_t membrane_registry_size;
+/* NULL if there is none of that name. */
 const membrane_model *membrane_find(const char *name);
 
 /* What becomes of the section as the membrane is stretched: its thickness stays (the volume grows as the area), or its volume. */

@@ -28,9 +28,10 @@ typedef struct solid_batch {
 } solid_batch;
 
 typedef enum solid_needs {
-    SOLID_NEEDS_F = 1, /* keep F; without it J alone is kept */
-    SOLID_HAS_ENERGY =
-        2 /* carries internal energy as state: of fluids all, of solids what is no strain energy; takes rho0 and q */
+    /* Keep F; without it J alone is kept. */
+    SOLID_NEEDS_F = 1,
+    /* Carries internal energy as state: of fluids all, of solids what is no strain energy; takes rho0 and q. */
+    SOLID_HAS_ENERGY = 2
 } solid_needs;
 
 /* A number that a point carries along because its law remembers. */
@@ -46,19 +47,22 @@ typedef struct solid_model {
     unsigned needs;
     const solid_history *history; /* n_history of them: state of the points, from rest to checkpoint */
     int n_history;                /* <= SOLID_MAX_HISTORY */
-    /* Stress at the end of the step. p_ref (Pa) is subtracted by fluids. Returns 0, or 1 + the first point that is beyond the law (J <= 0, energy below its floor). */
+    /* Stress at the end of the step. p_ref (Pa) is subtracted by fluids. Returns 0, or 1 + the first point that is beyond the law (J <= 0,
+     * energy below its floor). */
     size_t (*stress)(const void *par, double p_ref, solid_batch *b);
     /* Longitudinal wave speed (m/s), for the time step: c2 = (K + 4G/3)/rho for a solid, of the EOS for a fluid. */
     void (*wave_speed)(const void *par, double p_ref, const solid_batch *b, double *c);
     /* Strain energy per initial volume (J/m3) of the state, NULL if the law has none (fluids use `energy`). */
     void (*strain_energy)(const void *par, const solid_batch *b, double *psi);
-    /* Isothermal bulk modulus at rest (Pa) and density at rest (kg/m3): what the cells see of the solid (eos_bulk.c). 0 for fluids. */
+    /* Isothermal bulk modulus at rest (Pa): what the cells see of the solid (eos_bulk.c). 0 for fluids. */
     double (*bulk_modulus)(const void *par);
+    /* Shear modulus at rest (Pa). 0 for fluids. */
     double (*shear_modulus)(const void *par);
 } solid_model;
 
 extern const solid_model *const solid_registry[];
 extern const size_t solid_registry_size;
+/* NULL if there is none of that name. */
 const solid_model *solid_find(const char *name);
 
 typedef enum stress_state {

@@ -12,7 +12,7 @@ void output_path(const run_output *o, const char *name, char path[OUTPUT_PATH])
     (void)snprintf(path, OUTPUT_PATH, "%s/%s", o->dir, name);
 }
 
-/* What a resumed run may change is set to one value: end time, output schedule, threads, title; and what only `compare` reads. */
+/* What a resumed run may change is set to one value: end time, output schedule, threads, title; and what only batches read. */
 static floe_status echo_identity(char **out, const scene *s, const deck_catalogue *catalogue)
 {
     scene *plain;

@@ -1,4 +1,4 @@
-/* The scene: what a deck describes, as plain structs in SI units. Filled by deck (or by a program through floe.h), read by sim.
+/* The scene: what a deck describes, as plain structs in SI units. Filled by deck (or by a test), read by sim.
  * Arrays have fixed limits that are far beyond use; everything a pointer leads to is owned by the scene. */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H

@@ -57,8 +57,8 @@ void gas_rest_destroy(gas_rest **g)
 /* Areas of the pieces of the lines, at the markers between which they lie, by the region whose gas is there. */
 static floe_status push_markers(gas_rest *g)
 {
-    const cut_line *c =
-        &g->s->sealed->line[0].place[SEAL_NOW]; /* several lines hold gases of several kinds, which do not come here */
+    /* Several lines hold gases of several kinds, which do not come here. */
+    const cut_line *c = &g->s->sealed->line[0].place[SEAL_NOW];
     const size_t numbers = 2 * (size_t)c->n_vertices;
     TRY(memory_resize(g->ctx, &g->push, numbers * (size_t)g->cells->n, sizeof *g->push));
     memset(g->push, 0, numbers * (size_t)g->cells->n * sizeof *g->push);

@@ -13,8 +13,8 @@ typedef struct chain_matrix {
     size_t n;     /* points, at least 3 */
     bool closed;
     double (*own)[4]; /* of a point with itself, row-major; owned */
-    double (*next)
-        [4]; /* of a point (rows) with the one after it (columns); of the last with the first where closed. Owned */
+    /* Of a point (rows) with the one after it (columns); of the last with the first where closed. Owned. */
+    double (*next)[4];
     double (*inverse)[4], *column[4]; /* scratch of the solution; owned */
 } chain_matrix;
 

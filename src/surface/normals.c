@@ -7,8 +7,8 @@
 
 enum { PLAIN_NEAR_2D = 4, PLAIN_NEAR_3D = 8 };
 
-static const double wild =
-    0.70710678118654752; /* cosine of the angle from the plain normal beyond which an estimate is none */
+/* Cosine of the angle from the plain normal beyond which an estimate is none: 45 degrees. */
+static const double wild = 0.70710678118654752;
 
 /* Normal of the line or plane through the nearest points. */
 static bool find_plain(const surface_set *s, const surface_entry *e, double n[3])

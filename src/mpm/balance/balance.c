@@ -1,13 +1,12 @@
 /* Newton's method for a load increment. */
 #include "mpm/balance/balance.h"
 
-#include "base/memory.h"
 #include "mpm/balance/balance_contact.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { MOST_NEWTON = 30, MOST_TURNS = 60 /* with contacts */, MOST_KRYLOV = 1000, MOST_HALVINGS = 6 };
+enum { MOST_NEWTON = 30, MOST_TURNS = 60 /* with contacts */, MOST_HALVINGS = 6 };
 /* Conjugate gradients leave this share of what a step of Newton's method has to take away. */
 static const double forcing = 1e-4;
 /* A step that leaves more than this share is worth a new matrix. */
@@ -16,177 +15,6 @@ static const double slow = 1e-2;
 static const double round_off = 1e-6;
 /* One that leaves that many times more goes astray, unless it is the first, which turns what hardly resists at rest. */
 static const double astray = 1e4;
-
-static const char *obstacle_to_motion(const mpm *s)
-{
-    for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].fluid) return "fluids flow";
-    if (s->transfer->carry || s->transfer->filter) return "of the transfers it has flip and pic";
-    return NULL;
-}
-
-bool mpm_body_is_enclosed(const mpm *s, int body)
-{
-    return surface_enclosed(s, body) > 1.0 - 1e-9;
-}
-
-const char *mpm_balance_obstacle(const mpm *s, time_solver solver)
-{
-    if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
-    if (s->basis->kind == BASIS_CPDI)
-        return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
-    if ((s->coupled || s->seals) && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
-    if (s->scene->n_springs > 0) return "springs are stepped in time";
-    if (s->membranes) return solver == SOLVER_STATIC ? line_rest_obstacle(s) : "membranes have no stiffness across";
-    for (int b = 0; b < s->n_bodies; ++b)
-        if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))
-            return "a fluid is not enclosed by solids all along its shape, and would flow";
-    if (s->contact && solver == SOLVER_IMPLICIT) return "bodies in contact have velocities of their own";
-    return contact_rest_obstacle(s);
-}
-
-static solve_grid node_grid(const mesh *m)
-{
-    int n[MESH_MAX_DIM] = {1, 1, 1};
-    for (int a = 0; a < m->dim; ++a) n[a] = m->n[a] + (m->periodic[a] ? 0 : 1);
-    return solve_grid_make(m->dim, n, m->periodic);
-}
-
-static void choose_gradients(const mpm *s, struct mpm_balance *w)
-{
-    const int dim = s->mesh->dim;
-    for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j) w->gradient[w->n_gradient++] = 3 * i + j;
-    if (s->mesh->geometry == MESH_AXISYMMETRIC) w->gradient[w->n_gradient++] = 8;
-}
-
-static floe_status find_tiles(mpm *s)
-{
-    struct mpm_balance *w = s->balance;
-    const size_t tiles = mesh_tiles(s->mesh);
-    TRY(memory_new(s->ctx, &w->tile_block, tiles, sizeof *w->tile_block));
-    TRY(memory_new(s->ctx, &w->tile_local, tiles, sizeof *w->tile_local));
-    for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
-            const int number = tile_box_of(s->mesh, &s->mesh->block[b], t).number;
-            w->tile_block[number] = b;
-            w->tile_local[number] = t;
-        }
-    return FLOE_OK;
-}
-
-static floe_status make_solver(mpm *s)
-{
-    struct mpm_balance *w = s->balance;
-    const int dim = s->mesh->dim;
-    w->grid = node_grid(s->mesh);
-    w->layers = s->contact ? s->n_groups : 1;
-    for (int b = 0; b < s->n_bodies; ++b) w->layer[b] = balance_layer(s, s->body[b].group);
-    w->components = (size_t)(dim * w->layers) * w->grid.size;
-    choose_gradients(s, w);
-    TRY(find_tiles(s));
-    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim * w->layers, balance_width(s)));
-    TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MOST_KRYLOV));
-    TRY(rooms_find(s));
-    TRY(contact_rest_create(s));
-    double **array[] = {&w->pushed, &w->u,    &w->change, &w->outer,  &w->inner_first,
-                        &w->inner,  &w->left, &w->trial,  &w->target, &w->way};
-    for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
-        TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
-    if (s->coupled || s->seals) {
-        TRY(memory_new(s->ctx, &w->outer_first, w->components, sizeof *w->outer_first));
-        TRY(memory_new(s->ctx, &w->unbalanced, w->components, sizeof *w->unbalanced));
-    }
-    if (s->solver == SOLVER_IMPLICIT) {
-        TRY(memory_new(s->ctx, &w->mass, w->components, sizeof *w->mass));
-        TRY(memory_new(s->ctx, &w->velocity, w->components, sizeof *w->velocity));
-    }
-    TRY(memory_new(s->ctx, &w->held, w->components, sizeof *w->held));
-    TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
-    return memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached);
-}
-
-floe_status mpm_solve_steps(mpm *s, time_solver solver)
-{
-    s->solver = solver;
-    TRY(memory_new(s->ctx, &s->balance, 1, sizeof *s->balance));
-    return s->membranes ? line_rest_create(s) : make_solver(s);
-}
-
-void balance_destroy(mpm *s)
-{
-    struct mpm_balance *w = s->balance;
-    if (!w) return;
-    line_rest_destroy(s);
-    cg_destroy(&w->krylov);
-    rooms_free(s);
-    contact_rest_free(s);
-    node_multigrid_destroy(&w->solver);
-    memory_free(s->ctx, &w->outer_first);
-    memory_free(s->ctx, &w->unbalanced);
-    void *owned[] = {&w->mass,   &w->velocity, &w->pushed,      &w->place,      &w->pull,       &w->tangent, &w->u,
-                     &w->change, &w->outer,    &w->inner_first, &w->inner,      &w->left,       &w->trial,   &w->target,
-                     &w->held,   &w->reached,  &w->row,         &w->tile_block, &w->tile_local, &w->way};
-    for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
-    memory_free(s->ctx, &s->balance);
-}
-
-floe_status mpm_balance_masses(mpm *s)
-{
-    for (int g = 0; g < s->n_groups; ++g) TRY(scatter_group(s, g, SCATTER_MOMENTUM, false, false));
-    return FLOE_OK;
-}
-
-static void clear_forces(mpm *s, int group)
-{
-    for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int c = 0; c < s->mesh->dim; ++c)
-            memset(field_get(s->domain->fields[b], N_FORCE, group, c), 0, s->mesh->block[b].size * sizeof(double));
-}
-
-static void collect_loads(mpm *s, double *out)
-{
-    memset(out, 0, s->balance->components * sizeof *out);
-    s->work->kick = 0.0; /* no impulse is entered */
-    set_body_forces(s);
-    for (int g = 0; g < s->n_groups; ++g) {
-        clear_forces(s, g);
-        scatter_loads(s, g);
-        balance_collect(s, N_FORCE, g, out);
-    }
-}
-
-/* The loads as they were when the increment before ended. */
-static void collect_first_loads(mpm *s)
-{
-    const double dt = s->dt;
-    s->dt = 0.0;
-    s->step--;
-    collect_loads(s, s->balance->outer_first);
-    memcpy(s->balance->acceleration_first, s->work->acceleration, sizeof s->work->acceleration);
-    s->dt = dt;
-    s->step++;
-}
-
-floe_status mpm_balance_loads(mpm *s)
-{
-    TRY(rooms_take_gases(s));
-    for (int r = 0; r < s->balance->n_rooms; ++r) {
-        memset(s->balance->room[r].push, 0, s->balance->components * sizeof(double));
-        for (int g = 0; g < s->n_groups; ++g) {
-            clear_forces(s, g);
-            if (s->gas && s->gas[r].push)
-                scatter_skins(s, g, s->gas[r].push);
-            else if (g == 0)
-                scatter_room(s, r);
-            fold_forces(s, g);
-            balance_collect(s, N_FORCE, g, s->balance->room[r].push);
-        }
-    }
-    if (s->balance->outer_first) collect_first_loads(s);
-    collect_loads(s, s->balance->outer);
-    return FLOE_OK;
-}
 
 static double norm(const struct mpm_balance *w, const double *x)
 {
@@ -412,7 +240,8 @@ static void find_unbalanced(mpm *s)
         w->unbalanced[k] = w->held[k] ? 0.0 : w->unbalanced[k] + w->outer_first[k] + w->inner_first[k];
 }
 
-floe_status mpm_balance_solve(mpm *s)
+/* The points where they are, what holds the nodes, and what pushes them. */
+static floe_status prepare(mpm *s)
 {
     struct mpm_balance *w = s->balance;
     TRY(balance_locate(s));
@@ -424,24 +253,41 @@ floe_status mpm_balance_solve(mpm *s)
     TRY(rooms_squeeze(s));
     drop_unreached(w, w->outer);
     for (int r = 0; r < w->n_rooms; ++r) drop_unreached(w, w->room[r].push);
-    TRY(rooms_begin(s));
+    return rooms_begin(s);
+}
+
+/* The forces at the start of the step, and the first guess of where it leads. */
+static floe_status start(mpm *s)
+{
+    struct mpm_balance *w = s->balance;
     memset(w->u, 0, w->components * sizeof *w->u);
     w->ready = false;
     w->krylov_iterations = 0;
     w->keep = 0.0;
     TRY(evaluate(s, w->u));
     memcpy(w->inner_first, w->inner, w->components * sizeof *w->inner);
-    if (w->mass) TRY(start_motion(s));
-    if (w->unbalanced) {
-        find_unbalanced(s);
-        TRY(evaluate(s, w->u));
-    }
-    TRY(newton(s));
-    say(s);
+    if (w->mass) return start_motion(s);
+    if (!w->unbalanced) return FLOE_OK;
+    find_unbalanced(s);
+    return evaluate(s, w->u);
+}
+
+/* Points, surfaces and rooms follow the nodes. */
+static floe_status follow(mpm *s)
+{
     carry_surfaces(s, balance_way);
     carry_skins(s, balance_way);
     TRY(balance_move(s));
     rooms_store(s);
     enter_work(s);
     return FLOE_OK;
+}
+
+floe_status mpm_balance_solve(mpm *s)
+{
+    TRY(prepare(s));
+    TRY(start(s));
+    TRY(newton(s));
+    say(s);
+    return follow(s);
 }

@@ -23,8 +23,8 @@ typedef enum search_outcome {
 } search_outcome;
 
 typedef struct search_spec {
-    double from,
-        to; /* the range, from != to; `to` NAN: none, `from` > 0 is where to start, and the range doubles until it holds a limit */
+    /* The range, from != to; `to` NAN: none, `from` > 0 is where to start, and the range doubles until it holds a limit. */
+    double from, to;
     double tolerance; /* width of the bracket over the larger of its ends, > 0 */
     int most;         /* values judged on the way, at most SEARCH_MOST */
 } search_spec;
@@ -32,8 +32,8 @@ typedef struct search_spec {
 /* Where a search stands. */
 typedef struct search_state {
     search_outcome outcome;
-    double stable,
-        unstable;  /* the bracket; NAN while unknown. stable > unstable: what is sought is the smallest stable value */
+    /* The bracket; NAN while unknown. stable > unstable: what is sought is the smallest stable value. */
+    double stable, unstable;
     bool refused;  /* the range ended where the deck takes no further value */
     int judged;    /* values on the way */
     double wanted; /* while open: the value that decides next */
