@@ -26,46 +26,52 @@ typedef struct search {
     gsl_root_fdfsolver solver; /* of `state` and `fdf` */
 } search;
 
-/* Adds material r's part of F + 1 and dF/dp in the cells named, at their p, and sets its v there. */
-static void add_material(equilibrium_cell *cell, const int *id, int n, int r, double *sum, double *slope)
+/* v and dv/dp of material r in the cells named, where some of them follow isentropes. */
+static void follow(const equilibrium_batch *b, const int *id, int n, int r, const double *p, double *v, double *dvdp)
 {
-    const eos *law = cell->eos[r];
-    double p[EQUILIBRIUM_BATCH], T[EQUILIBRIUM_BATCH], v[EQUILIBRIUM_BATCH], dvdp[EQUILIBRIUM_BATCH];
-    int frozen[EQUILIBRIUM_BATCH], n_frozen = 0; /* cells in which T is */
+    const eos *law = b->eos[r];
     for (int k = 0; k < n; ++k) {
-        equilibrium_cell *c = &cell[id[k]];
-        if (!(c->a[r] > 0.0)) continue;
-        if (!c->path[r]) {
-            p[n_frozen] = c->p;
-            T[n_frozen] = c->T[r];
-            frozen[n_frozen++] = k;
-            continue;
-        }
-        double change;
-        c->v[r] = isentrope_volume(c->path[r], c->p, &change);
-        sum[k] += c->a[r] * c->v[r];
-        slope[k] += c->a[r] * change;
-    }
-    if (n_frozen > 0) law->model->volume(law->par, (size_t)n_frozen, p, T, v, dvdp);
-    for (int i = 0; i < n_frozen; ++i) {
-        equilibrium_cell *c = &cell[id[frozen[i]]];
-        c->v[r] = v[i];
-        sum[frozen[i]] += c->a[r] * v[i];
-        slope[frozen[i]] += c->a[r] * dvdp[i];
+        const isentrope *path = &b->path[r][id[k]];
+        if (path->exponent > 0.0)
+            v[k] = isentrope_volume(path, p[k], &dvdp[k]);
+        else
+            law->model->volume(law->par, 1, &p[k], &b->T[r][id[k]], &v[k], &dvdp[k]);
     }
 }
 
-/* p, v, F and dF/dp of the cells named, at the roots so far. */
-static void evaluate(equilibrium_cell *cell, search *w, const int *id, int n)
+/* Adds material r's part of F + 1 and dF/dp in the cells named, at their p, and sets its v there. `all`: they are all of the batch, as they lie. */
+static void add_material(equilibrium_batch *b, const int *id, int n, bool all, int r, const double *p, double *sum,
+                         double *slope)
 {
-    double sum[EQUILIBRIUM_BATCH], slope[EQUILIBRIUM_BATCH];
+    double a_of[EQUILIBRIUM_BATCH], T_of[EQUILIBRIUM_BATCH], v_of[EQUILIBRIUM_BATCH], dvdp[EQUILIBRIUM_BATCH];
+    const double *a = all ? b->a[r] : a_of, *T = all ? b->T[r] : T_of;
+    double *v = all ? b->v[r] : v_of;
+    for (int k = 0; k < n && !all; ++k) {
+        a_of[k] = b->a[r][id[k]];
+        T_of[k] = b->T[r][id[k]];
+    }
+    if (b->path[r])
+        follow(b, id, n, r, p, v, dvdp);
+    else
+        b->eos[r]->model->volume(b->eos[r]->par, (size_t)n, p, T, v, dvdp);
     for (int k = 0; k < n; ++k) {
-        cell[id[k]].p = gsl_root_fdfsolver_root(&w[id[k]].solver) - w[id[k]].shift;
+        sum[k] += a[k] > 0.0 ? a[k] * v[k] : 0.0;
+        slope[k] += a[k] > 0.0 ? a[k] * dvdp[k] : 0.0;
+    }
+    for (int k = 0; k < n && !all; ++k) b->v[r][id[k]] = v[k];
+}
+
+/* p, v, F and dF/dp of the cells named, at the roots so far. */
+static void evaluate(equilibrium_batch *b, search *w, const int *id, int n, bool all)
+{
+    double p[EQUILIBRIUM_BATCH], sum[EQUILIBRIUM_BATCH], slope[EQUILIBRIUM_BATCH];
+    for (int k = 0; k < n; ++k) {
+        p[k] = b->p[id[k]] = w[id[k]].solver.root - w[id[k]].shift;
         sum[k] = slope[k] = 0.0;
     }
-    for (int r = 0; r < cell->n; ++r) add_material(cell, id, n, r, sum, slope);
+    for (int r = 0; r < b->n; ++r) add_material(b, id, n, all, r, p, sum, slope);
     for (int k = 0; k < n; ++k) {
-        cell[id[k]].residual = w[id[k]].F = sum[k] - 1.0;
+        w[id[k]].F = sum[k] - 1.0;
         w[id[k]].slope = slope[k];
     }
 }
@@ -114,74 +120,79 @@ static const gsl_root_fdfsolver_type bracketed_newton_type = {
 
 /* Where to begin without a guess: at the pressure of the material that would fill the cell by itself at the highest one, or, where all
  * of them would be torn, as far above their floors as these are below zero. */
-static double first_guess(const equilibrium_cell *c, double shift)
+static double first_guess(const equilibrium_batch *b, int c, double shift)
 {
     double x = shift;
-    for (int r = 0; r < c->n; ++r) {
+    for (int r = 0; r < b->n; ++r) {
+        const eos *law = b->eos[r];
         double e, p, c2;
-        if (!(c->a[r] > 0.0)) continue;
-        c->eos[r]->model->energy(c->eos[r]->par, 1, &c->a[r], &c->T[r], &e);
-        c->eos[r]->model->pressure(c->eos[r]->par, 1, &c->a[r], &e, &p, &c2);
+        if (!(b->a[r][c] > 0.0)) continue;
+        law->model->energy(law->par, 1, &b->a[r][c], &b->T[r][c], &e);
+        law->model->pressure(law->par, 1, &b->a[r][c], &e, &p, &c2);
         if (isfinite(p)) x = fmax(x, p + shift);
     }
     return x;
 }
 
-/* The solver is a struct of GSL's that its users may make: with one beside each cell nothing is allocated. */
-static void start(const equilibrium_cell *c, search *s)
+/* The largest pressure floor of the materials of each cell, -DBL_MAX where none has any. */
+static void find_floors(const equilibrium_batch *b, int n, double *floor)
 {
-    double floor = -DBL_MAX;
-    for (int r = 0; r < c->n; ++r)
-        if (c->a[r] > 0.0) floor = fmax(floor, c->eos[r]->model->pressure_floor(c->eos[r]->par));
+    for (int k = 0; k < n; ++k) floor[k] = -DBL_MAX;
+    for (int r = 0; r < b->n; ++r) {
+        const double least = b->eos[r]->model->pressure_floor(b->eos[r]->par);
+        for (int k = 0; k < n; ++k) floor[k] = b->a[r][k] > 0.0 && least > floor[k] ? least : floor[k];
+    }
+}
+
+/* The solver is a struct of GSL's that its users may make: with one beside each cell nothing is allocated. */
+static void start(equilibrium_batch *b, int c, double floor, search *s)
+{
     s->shift = isfinite(floor) && floor > -DBL_MAX ? -floor : 0.0;
     s->fdf = (gsl_function_fdf){.fdf = shifted_fdf, .params = s};
     s->solver = (gsl_root_fdfsolver){.type = &bracketed_newton_type, .state = &s->state};
-    const double guess = c->p + s->shift;
-    gsl_root_fdfsolver_set(&s->solver, &s->fdf, guess > 0.0 && isfinite(guess) ? guess : first_guess(c, s->shift));
+    const double guess = b->p[c] + s->shift;
+    gsl_root_fdfsolver_set(&s->solver, &s->fdf, guess > 0.0 && isfinite(guess) ? guess : first_guess(b, c, s->shift));
+    b->iterations[c] = b->fallbacks[c] = 0;
 }
 
-static bool converged(const equilibrium_cell *c, const bracketed_newton *s)
+static bool closed(const bracketed_newton *s)
 {
-    return fabs(c->residual) < residual_tolerance || (isfinite(s->hi) && s->hi - s->lo <= 4.0 * DBL_EPSILON * s->hi);
+    return isfinite(s->hi) && s->hi - s->lo <= 4.0 * DBL_EPSILON * s->hi;
 }
 
 /* One more iteration of a cell that has been evaluated; whether it still moves. A start that the laws do not take is left, an iterate is not. */
-static bool iterate(equilibrium_cell *c, search *s)
+static bool iterate(equilibrium_batch *b, int c, search *s)
 {
+    b->residual[c] = s->F;
+    b->solved[c] = fabs(s->F) < residual_tolerance;
+    if (b->solved[c]) return false;
     const bool taken = gsl_root_fdfsolver_iterate(&s->solver) == GSL_SUCCESS;
-    c->solved = converged(c, &s->state);
-    if (c->solved || (c->iterations > 0 && !taken) || c->iterations == MOST_ITERATIONS) return false;
-    c->iterations++;
-    c->fallbacks += s->state.fell_back;
+    b->solved[c] = closed(&s->state);
+    if (b->solved[c] || (b->iterations[c] > 0 && !taken) || b->iterations[c] == MOST_ITERATIONS) return false;
+    b->iterations[c]++;
+    b->fallbacks[c] += s->state.fell_back;
     return true;
 }
 
-/* Up to EQUILIBRIUM_BATCH cells: all that still move take their iterations together, so that the laws see them in batches. */
-static bool solve_batch(equilibrium_cell *cell, int n)
+/* All cells that still move take their iterations together, so that the laws see them in batches. */
+floe_status equilibrium_solve(equilibrium_batch *b, int cells)
 {
     search w[EQUILIBRIUM_BATCH];
-    int id[EQUILIBRIUM_BATCH], moving = n;
+    double floor[EQUILIBRIUM_BATCH];
+    int id[EQUILIBRIUM_BATCH], moving = cells;
     bool good = true;
-    for (int k = 0; k < n; ++k) {
-        start(&cell[k], &w[k]);
-        cell[k].iterations = cell[k].fallbacks = 0;
+    find_floors(b, cells, floor);
+    for (int k = 0; k < cells; ++k) {
+        start(b, k, floor[k], &w[k]);
         id[k] = k;
     }
     while (moving > 0) {
         const int evaluated = moving;
-        evaluate(cell, w, id, evaluated);
+        evaluate(b, w, id, evaluated, evaluated == cells);
         moving = 0;
         for (int k = 0; k < evaluated; ++k)
-            if (iterate(&cell[id[k]], &w[id[k]])) id[moving++] = id[k];
+            if (iterate(b, id[k], &w[id[k]])) id[moving++] = id[k];
     }
-    for (int k = 0; k < n; ++k) good = good && cell[k].solved;
-    return good;
-}
-
-floe_status equilibrium_solve(equilibrium_cell *cell, int n)
-{
-    bool good = true;
-    for (int first = 0; first < n; first += EQUILIBRIUM_BATCH)
-        good = solve_batch(cell + first, n - first < EQUILIBRIUM_BATCH ? n - first : EQUILIBRIUM_BATCH) && good;
+    for (int k = 0; k < cells; ++k) good = good && b->solved[k];
     return good ? FLOE_OK : FLOE_RETRY;
 }

@@ -16,23 +16,24 @@
 
 enum { EQUILIBRIUM_MAX = 16, EQUILIBRIUM_BATCH = 64 };
 
-/* One mixed cell. Materials with a = 0 are left out; their v is not set. */
-typedef struct equilibrium_cell {
-    int n;
+/* Mixed cells of one list of materials, side by side: value[cell], value[material][cell]. In a cell, materials with a = 0 are left out; their v is
+ * without meaning. */
+typedef struct equilibrium_batch {
+    int n; /* materials */
     const eos *eos[EQUILIBRIUM_MAX];
-    double a[EQUILIBRIUM_MAX];              /* kg/m3 */
-    double T[EQUILIBRIUM_MAX];              /* K */
-    const isentrope *path[EQUILIBRIUM_MAX]; /* NULL: T is frozen */
-    double p;                               /* Pa: guess in, pressure out */
-    double v[EQUILIBRIUM_MAX];              /* m3/kg at p, out */
-    double residual;                        /* F(p), out */
-    int iterations;                         /* out */
-    int fallbacks;                          /* iterations that took the geometric mean, out */
-    bool solved;                            /* out */
-} equilibrium_cell;
+    const isentrope *path[EQUILIBRIUM_MAX];       /* of each cell, exponent 0 where T is frozen; NULL: it is in all */
+    double a[EQUILIBRIUM_MAX][EQUILIBRIUM_BATCH]; /* kg/m3 */
+    double T[EQUILIBRIUM_MAX][EQUILIBRIUM_BATCH]; /* K */
+    double p[EQUILIBRIUM_BATCH];                  /* Pa: guess in, pressure out */
+    double v[EQUILIBRIUM_MAX][EQUILIBRIUM_BATCH]; /* m3/kg at p, out */
+    double residual[EQUILIBRIUM_BATCH];           /* F(p), out */
+    int iterations[EQUILIBRIUM_BATCH];            /* out */
+    int fallbacks[EQUILIBRIUM_BATCH];             /* iterations that took the geometric mean, out */
+    bool solved[EQUILIBRIUM_BATCH];               /* out */
+} equilibrium_batch;
 
-/* Solves n cells of one list of materials, EQUILIBRIUM_BATCH side by side. FLOE_RETRY, without a message of its own (the caller knows the
- * cells), when 200 iterations do not do for some: the last iterate is in those that are not solved. */
-floe_status equilibrium_solve(equilibrium_cell *cell, int n);
+/* Solves the first `cells` <= EQUILIBRIUM_BATCH cells of a batch. FLOE_RETRY, without a message of its own (the caller knows the cells), when 200
+ * iterations do not do for some: the last iterate is in those that are not solved. */
+floe_status equilibrium_solve(equilibrium_batch *b, int cells);
 
 #endif

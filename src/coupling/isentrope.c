@@ -9,7 +9,9 @@ bool isentrope_through(const eos *law, double v, double e, isentrope *out)
     *out = (isentrope){.v = v, .e = e, .floor = law->model->pressure_floor(law->par)};
     law->model->pressure(law->par, 1, &rho, &e, &out->p, &c2);
     out->exponent = rho * c2 / (out->p - out->floor);
-    return v > 0.0 && out->p > out->floor && out->exponent > 0.0 && isfinite(out->exponent);
+    const bool good = v > 0.0 && out->p > out->floor && out->exponent > 0.0 && isfinite(out->exponent);
+    if (!good) out->exponent = 0.0;
+    return good;
 }
 
 double isentrope_volume(const isentrope *s, double p, double *dvdp)

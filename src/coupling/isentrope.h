@@ -13,10 +13,10 @@ typedef struct isentrope {
     double v, e;     /* m3/kg, J/kg: the state it goes through */
     double p;        /* Pa, there */
     double floor;    /* Pa */
-    double exponent; /* G */
+    double exponent; /* G > 0; 0: there is none through that state */
 } isentrope;
 
-/* False where the law has no pressure over its floor or no sound speed at (v, e). */
+/* False, and an exponent of 0, where the law has no pressure over its floor or no sound speed at (v, e). */
 bool isentrope_through(const eos *law, double v, double e, isentrope *out);
 /* v at p > floor, and dv/dp < 0. */
 double isentrope_volume(const isentrope *s, double p, double *dvdp);

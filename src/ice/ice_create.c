@@ -186,12 +186,12 @@ static void destroy_work(context *ctx, ice_work **work)
         for (int b = 0; b < MESH_MAX_BLOCKS; ++b) memory_free(ctx, &w->region[l][b].at);
     for (int t = 0; t < w->threads; ++t) {
         if (w->buffer) memory_free(ctx, &w->buffer[t]);
-        if (w->index) memory_free(ctx, &w->index[t]);
+        if (w->set) memory_free(ctx, &w->set[t]);
     }
     ice_reactions_destroy(ctx, w);
     ice_seal_destroy(ctx, &w->sealing);
     memory_free(ctx, &w->buffer);
-    memory_free(ctx, &w->index);
+    memory_free(ctx, &w->set);
     memory_free(ctx, &w->cells);
     memory_free(ctx, &w->tile);
     memory_free(ctx, work);
@@ -320,8 +320,8 @@ static floe_status make_scratch(ice *s)
         TRY(memory_new(s->ctx, &w->buffer[t], row > sweep ? row : sweep, sizeof(double)));
     if (!s->multi) return FLOE_OK;
     TRY(memory_new(s->ctx, &w->cells, (size_t)w->threads, sizeof *w->cells));
-    TRY(memory_new(s->ctx, &w->index, (size_t)w->threads, sizeof *w->index));
-    for (int t = 0; t < w->threads; ++t) TRY(memory_new(s->ctx, &w->index[t], 3 * ((size_t)m->n[0] + 8), sizeof(int)));
+    TRY(memory_new(s->ctx, &w->set, (size_t)w->threads, sizeof *w->set));
+    for (int t = 0; t < w->threads; ++t) TRY(memory_new(s->ctx, &w->set[t], (size_t)m->n[0] + 8, sizeof(unsigned)));
     for (int b = 0; b < m->n_blocks; ++b) {
         const int *n = m->block[b].n;
         const size_t cells = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];

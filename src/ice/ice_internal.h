@@ -230,8 +230,8 @@ typedef struct ice_creation {
 
 /* Mixed cells that are solved for side by side. */
 typedef struct ice_mixed_cells {
-    equilibrium_cell cell[EQUILIBRIUM_BATCH];
-    isentrope path[EQUILIBRIUM_BATCH][ICE_MAX_MATERIALS];
+    equilibrium_batch batch;
+    isentrope path[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH];
 } ice_mixed_cells;
 
 typedef struct ice_work {
@@ -244,7 +244,7 @@ typedef struct ice_work {
     double *tile;                    /* TILE_VALUES of every global tile */
     size_t tiles;
     double **buffer;                      /* one a thread */
-    int **index;                          /* one a thread, three rows long; NULL with one fluid */
+    unsigned **set;                       /* one a thread, a row long; NULL with one fluid */
     ice_mixed_cells *cells;               /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
     /* owned cells whose pressure is continued into a solid (ice_continue.c) */

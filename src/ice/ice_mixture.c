@@ -1,11 +1,12 @@
-/* The equilibrium pressure stage of several materials (numerics 2.1; Guilkey et al. 2003, step 2). Rows are taken in batches:
- * the laws see the cells in which one material is alone, then those in which it is mixed or absent; only mixed cells are solved.
- * Materials that are absent from a cell get the mean velocity and temperature of those present, and their law's v at p, so
+/* The equilibrium pressure stage of several materials (numerics 2.1; Guilkey et al. 2003, step 2). A row is taken by runs of cells that hold the
+ * same materials, so that the laws see cells as they lie: where one is alone the pressure is its law's, where several are the cells of the run are
+ * solved side by side. Materials that are absent from a cell get the mean velocity and temperature of those present, and their law's v at p, so
  * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */
 #include "base/threads.h"
 #include "ice/ice_internal.h"
 
 #include <math.h>
+#include <string.h>
 
 /* One row of cells, and the thread's storage. Index i counts cells from `from`. */
 typedef struct mixture_row {
@@ -13,59 +14,110 @@ typedef struct mixture_row {
     const ice_view *v;
     ptrdiff_t from;
     int n;
-    const double *guess;       /* Pa: the last equilibrium pressure */
-    int *index;                /* cells of a batch */
-    int *alone;                /* of each cell, the material that is alone there; MIXED */
-    int *mixed, n_mixed;       /* cells with several materials */
-    double *a, *b, *c, *d, *e; /* values of a batch */
-    ice_mixed_cells *batch;
+    bool owned;             /* no row of ghosts */
+    const double *guess;    /* Pa: the last equilibrium pressure */
+    unsigned *set;          /* of each cell, its materials: bit r is material r's */
+    double *a, *b, *c, *d;  /* values of a run */
+    ice_mixed_cells *mixed; /* of a run */
     long cells, iterations, fallbacks;
 } mixture_row;
 
-enum { MIXED = -1 };
+/* Cells [from, from + n) with one set of materials. */
+typedef struct mixture_run {
+    ptrdiff_t from;
+    int n;
+    int first;                       /* of them in the row */
+    int count;                       /* of materials present */
+    int material[ICE_MAX_MATERIALS]; /* those present, in order */
+    bool points;                     /* some of them are carried by points */
+} mixture_run;
 
-/* Numbers of materials, density sums, mean velocities, TMV. */
-static floe_status count_materials(mixture_row *q)
+static void note_sets(const mixture_row *q)
 {
     const ice_view *v = q->v;
-    q->n_mixed = 0;
-    for (int i = 0; i < q->n; ++i) {
-        const ptrdiff_t at = q->from + i;
-        double sum = 0.0, momentum[3] = {0.0, 0.0, 0.0}, volume = 0.0;
-        int count = 0, points = 0, last = MIXED;
-        for (int r = 0; r < v->n_materials; ++r) {
-            const double rho = v->m[r].rho[at];
-            if (!(rho > 0.0)) continue;
-            count++;
-            last = r;
-            if (q->s->material[r].points) points = ICE_WITH_POINTS;
-            sum += rho;
-            volume += rho * v->m[r].vol[at];
-            for (int a = 0; a < v->dim; ++a) momentum[a] += rho * v->m[r].u[a][at];
-        }
-        if (!(sum > 0.0)) {
-            char place[160];
-            ice_place(q->s, v->b, at, -1, place, sizeof place);
-            return fail(q->s->ctx, FLOE_RETRY, "equilibrium pressure: %s holds no material", place);
-        }
-        v->mixed[at] = count + points;
-        v->rho_sum[at] = sum;
-        for (int a = 0; a < v->dim; ++a) v->mean[a][at] = count == 1 ? v->m[last].u[a][at] : momentum[a] / sum;
-        if (v->tmv) v->tmv[at] = points ? volume : 1.0;
-        q->alone[i] = count == 1 ? last : MIXED;
-        if (count > 1) q->mixed[q->n_mixed++] = i;
+    for (int i = 0; i < q->n; ++i) q->set[i] = 0;
+    for (int r = 0; r < v->n_materials; ++r) {
+        const double *rho = v->m[r].rho + q->from;
+        const unsigned bit = 1u << r;
+        for (int i = 0; i < q->n; ++i) q->set[i] |= rho[i] > 0.0 ? bit : 0u;
     }
-    return FLOE_OK;
 }
 
-static void set_compressibility(const ice_arrays *m, ptrdiff_t at, double density, double c2)
+/* The run from cell i of the row on; of mixed cells no more than are solved at once. */
+static mixture_run run_from(const mixture_row *q, int i)
 {
-    m->v[at] = 1.0 / density;
-    m->c[at] = sqrt(c2);
-    m->kappa[at] = 1.0 / (density * c2);
+    mixture_run run = {.from = q->from + i, .first = i};
+    const unsigned set = q->set[i];
+    for (int r = 0; r < q->v->n_materials; ++r) {
+        if (!(set >> r & 1u)) continue;
+        run.material[run.count++] = r;
+        run.points = run.points || q->s->material[r].points;
+    }
+    const int last = run.count > 1 && q->n - i > EQUILIBRIUM_BATCH ? i + EQUILIBRIUM_BATCH : q->n;
+    int end = i + 1;
+    while (end < last && q->set[end] == set) ++end;
+    run.n = end - i;
+    return run;
 }
 
-/* Says what is wrong in cells [from, from + n), in which material r is alone, with pressure p and c2 in its array of c. */
+/* sum over the materials of a run of rho x; x: an array of each. */
+static void weigh(const mixture_row *q, const mixture_run *run, const double *const *x, double *restrict sum)
+{
+    for (int k = 0; k < run->count; ++k) {
+        const double *restrict rho = q->v->m[run->material[k]].rho + run->from, *restrict value = x[k] + run->from;
+        for (int i = 0; i < run->n; ++i) sum[i] = (k > 0 ? sum[i] : 0.0) + rho[i] * value[i];
+    }
+}
+
+static void set_mean_velocity(const mixture_row *q, const mixture_run *run, int axis)
+{
+    const double *u[ICE_MAX_MATERIALS], *rho = q->v->rho_sum + run->from;
+    double *mean = q->v->mean[axis] + run->from;
+    for (int k = 0; k < run->count; ++k) u[k] = q->v->m[run->material[k]].u[axis];
+    if (run->count == 1) {
+        memcpy(mean, u[0] + run->from, (size_t)run->n * sizeof *mean);
+        return;
+    }
+    weigh(q, run, u, mean);
+    for (int i = 0; i < run->n; ++i) mean[i] /= rho[i];
+}
+
+/* Numbers of materials, density sums, mean velocities, TMV. */
+static void set_sums(const mixture_row *q, const mixture_run *run)
+{
+    const ice_view *v = q->v;
+    const double number = run->count + (run->points ? ICE_WITH_POINTS : 0);
+    double *sum = v->rho_sum + run->from;
+    for (int i = 0; i < run->n; ++i) v->mixed[run->from + i] = number;
+    for (int k = 0; k < run->count; ++k) {
+        const double *rho = v->m[run->material[k]].rho + run->from;
+        for (int i = 0; i < run->n; ++i) sum[i] = (k > 0 ? sum[i] : 0.0) + rho[i];
+    }
+    for (int a = 0; a < v->dim; ++a) set_mean_velocity(q, run, a);
+    if (!v->tmv) return;
+    const double *volume[ICE_MAX_MATERIALS];
+    for (int k = 0; k < run->count; ++k) volume[k] = v->m[run->material[k]].vol;
+    if (run->points)
+        weigh(q, run, volume, v->tmv + run->from);
+    else
+        for (int i = 0; i < run->n; ++i) v->tmv[run->from + i] = 1.0;
+}
+
+/* v, c and kappa of cells [from, from + n) from the density; c2 is in the array of c. */
+static void set_compressibility(const ice_arrays *m, ptrdiff_t from, int n, const double *restrict density)
+{
+    double *restrict v = m->v + from, *restrict c = m->c + from, *restrict kappa = m->kappa + from;
+    for (int i = 0; i < n; ++i) {
+        const double c2 = c[i];
+        v[i] = 1.0 / density[i];
+        c[i] = sqrt(c2);
+        kappa[i] = 1.0 / (density[i] * c2);
+    }
+}
+
+/* ---- one material ---- */
+
+/* Says what is wrong in cells in which material r is alone, with pressure p and c2 in its array of c. */
 static floe_status explain_alone(const mixture_row *q, int r, ptrdiff_t from, int n, const double *density)
 {
     const ice_arrays *m = &q->v->m[r];
@@ -82,170 +134,194 @@ static floe_status explain_alone(const mixture_row *q, int r, ptrdiff_t from, in
     return FLOE_OK;
 }
 
-/* Cells [from, from + n), in which material r is alone: p is its law's. A fluid fills them; a solid takes the room of its v, the points
- * bring its T, and the law has its e. */
-static floe_status set_alone(mixture_row *q, int r, ptrdiff_t from, int n)
+/* Where one material is alone p is its law's. A fluid fills its cells; a solid takes the room of its v, the points bring its T, and the law has
+ * its e. */
+static floe_status set_alone(const mixture_row *q, const mixture_run *run)
 {
+    const int r = run->material[0], n = run->n;
+    const ptrdiff_t from = run->from;
     const ice_arrays *m = &q->v->m[r];
     const eos *law = &q->s->material[r].eos;
-    const bool points = q->s->material[r].points;
     double *restrict p = q->v->p, *restrict c = m->c;
-    const double *density = points ? q->a : m->rho + from;
-    for (int i = 0; i < n && points; ++i) q->a[i] = 1.0 / m->vol[from + i];
-    if (points)
+    const double *density = run->points ? q->a : m->rho + from;
+    for (int i = 0; i < n && run->points; ++i) q->a[i] = 1.0 / m->vol[from + i];
+    if (run->points)
         law->model->energy(law->par, (size_t)n, density, m->T + from, m->e + from);
     else
         law->model->temperature(law->par, (size_t)n, density, m->e + from, m->T + from);
     law->model->pressure(law->par, (size_t)n, density, m->e + from, p + from, c + from);
     int bad = 0;
-    for (int i = 0; i < n; ++i) bad += !(c[from + i] > 0.0) || !isfinite(p[from + i]);
+#pragma omp simd reduction(+ : bad)
+    for (ptrdiff_t at = from; at < from + n; ++at) bad += !(c[at] > 0.0) || !(fabs(p[at]) <= DBL_MAX);
     if (bad) return explain_alone(q, r, from, n, density);
-    for (int i = 0; i < n; ++i) {
-        m->theta[from + i] = 1.0;
-        set_compressibility(m, from + i, density[i], c[from + i]);
+    set_compressibility(m, from, n, density);
+    for (ptrdiff_t at = from; at < from + n; ++at) {
+        m->theta[at] = 1.0;
+        q->v->kappa_sum[at] = m->kappa[at];
     }
     return FLOE_OK;
 }
 
-/* The stretches of the row in which one material is alone. */
-static floe_status set_stretches(mixture_row *q)
+/* ---- several materials ---- */
+
+/* T of fluids; of solids the points bring T, and the law has e. */
+static void set_temperatures(const mixture_row *q, const mixture_run *run)
 {
-    for (int i = 0, end; i < q->n; i = end) {
-        for (end = i + 1; end < q->n && q->alone[end] == q->alone[i];) ++end;
-        if (q->alone[i] != MIXED) TRY(set_alone(q, q->alone[i], q->from + i, end - i));
+    for (int k = 0; k < run->count; ++k) {
+        const int r = run->material[k];
+        const ice_arrays *m = &q->v->m[r];
+        const eos *law = &q->s->material[r].eos;
+        double *e = m->e + run->from, *T = m->T + run->from;
+        for (int i = 0; i < run->n; ++i) q->a[i] = 1.0 / m->vol[run->from + i];
+        if (q->s->material[r].points)
+            law->model->energy(law->par, (size_t)run->n, q->a, T, e);
+        else
+            law->model->temperature(law->par, (size_t)run->n, q->a, e, T);
     }
-    return FLOE_OK;
 }
 
-/* Of material r where it is mixed: T of fluids; of solids the points bring T, and the law has e. */
-static void set_temperatures(mixture_row *q, int r)
+static floe_status explain(const mixture_row *q, const mixture_run *run, int i)
 {
-    const ice_arrays *m = &q->v->m[r];
-    const eos *law = &q->s->material[r].eos;
-    int n = 0;
-    for (int i = 0; i < q->n_mixed; ++i)
-        if (m->rho[q->from + q->mixed[i]] > 0.0) q->index[n++] = q->mixed[i];
-    for (int k = 0; k < n; ++k) {
-        const ptrdiff_t at = q->from + q->index[k];
-        q->a[k] = 1.0 / m->vol[at];
-        q->b[k] = m->e[at];
-        q->c[k] = m->T[at];
-    }
-    if (q->s->material[r].points) {
-        law->model->energy(law->par, (size_t)n, q->a, q->c, q->b);
-        for (int k = 0; k < n; ++k) m->e[q->from + q->index[k]] = q->b[k];
-        return;
-    }
-    law->model->temperature(law->par, (size_t)n, q->a, q->b, q->c);
-    for (int k = 0; k < n; ++k) m->T[q->from + q->index[k]] = q->c[k];
-}
-
-static floe_status explain(const mixture_row *q, ptrdiff_t at, const equilibrium_cell *cell)
-{
+    const equilibrium_batch *b = &q->mixed->batch;
     char place[160], text[512];
     int used = 0;
-    ice_place(q->s, q->v->b, at, -1, place, sizeof place);
-    for (int r = 0; r < cell->n && used < (int)sizeof text - 80; ++r)
-        used +=
-            snprintf(text + used, sizeof text - (size_t)used, " [%d] %.6g kg/m3 at %.6g K", r, cell->a[r], cell->T[r]);
+    ice_place(q->s, q->v->b, run->from + i, -1, place, sizeof place);
+    for (int k = 0; k < run->count && used < (int)sizeof text - 80; ++k)
+        used += snprintf(text + used, sizeof text - (size_t)used, " [%d] %.6g kg/m3 at %.6g K", run->material[k],
+                         b->a[k][i], b->T[k][i]);
     return fail(q->s->ctx, FLOE_RETRY,
                 "equilibrium pressure, %s: no pressure fills it after %d iterations (p = %g Pa, excess volume %g;%s)",
-                place, cell->iterations, cell->p, cell->residual, text);
+                place, b->iterations[i], b->p[i], b->residual[i], text);
 }
 
 /* In laws whose energy depends on volume at a given temperature, a frozen T will not do: v(p, T) belongs to another energy than the
  * cell's, and an error of v comes back larger by (gamma - 1) p_inf/(p + p_inf) in each step, 3.4 times in water of gamma 4.4. Such
  * scenes close the cell along isentropes instead. */
-static void choose_paths(const mixture_row *q, ptrdiff_t at, equilibrium_cell *cell, isentrope *path)
+static const isentrope *choose_paths(const mixture_row *q, const mixture_run *run, int k)
 {
-    for (int r = 0; r < cell->n; ++r) {
-        const ice_arrays *m = &q->v->m[r];
-        if (q->s->material[r].points || !(cell->a[r] > 0.0)) continue;
-        if (isentrope_through(cell->eos[r], m->vol[at], m->e[at], &path[r])) cell->path[r] = &path[r];
-    }
+    const int r = run->material[k];
+    const ice_arrays *m = &q->v->m[r];
+    isentrope *path = q->mixed->path[k];
+    if (!q->s->work->reconcile || q->s->material[r].points) return NULL;
+    for (int i = 0; i < run->n; ++i)
+        isentrope_through(&q->s->material[r].eos, m->vol[run->from + i], m->e[run->from + i], &path[i]);
+    return path;
 }
 
-/* What the paths end in. Materials at unlike pressures do not do opposite work on their ways to one; the difference goes to all alike,
+/* What the paths of a cell end in. Materials at unlike pressures do not do opposite work on their ways to one; the difference goes to all alike,
  * as one change of temperature, so that the cell keeps its energy. Materials without a path take e(v, T). */
-static void follow_paths(const mixture_row *q, ptrdiff_t at, const equilibrium_cell *cell)
+static void follow_paths(const mixture_row *q, const mixture_run *run, int i)
 {
+    const equilibrium_batch *b = &q->mixed->batch;
+    const ptrdiff_t at = run->from + i;
     double over = 0.0, capacity = 0.0, e[ICE_MAX_MATERIALS], cv[ICE_MAX_MATERIALS];
-    for (int r = 0; r < cell->n; ++r) {
-        const ice_arrays *m = &q->v->m[r];
-        if (q->s->material[r].points || !(cell->a[r] > 0.0)) continue;
-        const eos *law = cell->eos[r];
-        const double density = 1.0 / cell->v[r];
+    for (int k = 0; k < run->count; ++k) {
+        const ice_arrays *m = &q->v->m[run->material[k]];
+        if (!b->path[k]) continue;
+        const eos *law = b->eos[k];
+        const double density = 1.0 / b->v[k][i];
         double alpha;
-        if (cell->path[r])
-            e[r] = isentrope_energy(cell->path[r], cell->v[r]);
+        if (b->path[k][i].exponent > 0.0)
+            e[k] = isentrope_energy(&b->path[k][i], b->v[k][i]);
         else
-            law->model->energy(law->par, 1, &density, &cell->T[r], &e[r]);
-        law->model->heat(law->par, 1, &density, &e[r], &cv[r], &alpha);
-        over += m->rho[at] * (m->e[at] - e[r]);
-        capacity += m->rho[at] * cv[r];
+            law->model->energy(law->par, 1, &density, &b->T[k][i], &e[k]);
+        law->model->heat(law->par, 1, &density, &e[k], &cv[k], &alpha);
+        over += m->rho[at] * (m->e[at] - e[k]);
+        capacity += m->rho[at] * cv[k];
     }
-    for (int r = 0; r < cell->n; ++r) {
-        const ice_arrays *m = &q->v->m[r];
-        if (q->s->material[r].points || !(cell->a[r] > 0.0)) continue;
-        const double density = 1.0 / cell->v[r];
-        m->e[at] = e[r] + cv[r] * (over / capacity);
-        m->vol[at] = cell->v[r];
-        cell->eos[r]->model->temperature(cell->eos[r]->par, 1, &density, &m->e[at], &m->T[at]);
+    for (int k = 0; k < run->count; ++k) {
+        const ice_arrays *m = &q->v->m[run->material[k]];
+        if (!b->path[k]) continue;
+        const double density = 1.0 / b->v[k][i];
+        m->e[at] = e[k] + cv[k] * (over / capacity);
+        m->vol[at] = b->v[k][i];
+        b->eos[k]->model->temperature(b->eos[k]->par, 1, &density, &m->e[at], &m->T[at]);
     }
 }
 
-static void load_mixed(const mixture_row *q, ptrdiff_t at, equilibrium_cell *cell, isentrope *path)
+static void load_batch(const mixture_row *q, const mixture_run *run)
 {
-    const ice_view *v = q->v;
-    const double share = ice_holds_points(v, at) ? 1.0 / v->tmv[at] : 1.0;
-    cell->n = v->n_materials;
-    cell->p = q->guess[at];
-    for (int r = 0; r < v->n_materials; ++r) {
-        cell->eos[r] = &q->s->material[r].eos;
-        cell->a[r] = v->m[r].rho[at] * share;
-        cell->T[r] = v->m[r].T[at];
-        cell->path[r] = NULL;
+    equilibrium_batch *b = &q->mixed->batch;
+    b->n = run->count;
+    memcpy(b->p, q->guess + run->from, (size_t)run->n * sizeof *b->p);
+    for (int i = 0; i < run->n; ++i) q->a[i] = run->points ? 1.0 / q->v->tmv[run->from + i] : 1.0;
+    for (int k = 0; k < run->count; ++k) {
+        const ice_arrays *m = &q->v->m[run->material[k]];
+        b->eos[k] = &q->s->material[run->material[k]].eos;
+        b->path[k] = choose_paths(q, run, k);
+        memcpy(b->T[k], m->T + run->from, (size_t)run->n * sizeof *b->T[k]);
+        for (int i = 0; i < run->n; ++i) b->a[k][i] = m->rho[run->from + i] * q->a[i];
     }
-    if (q->s->work->reconcile) choose_paths(q, at, cell, path);
 }
 
-static void store_mixed(mixture_row *q, ptrdiff_t at, const equilibrium_cell *cell, bool owned)
+static floe_status solve_batch(mixture_row *q, const mixture_run *run)
 {
-    const ice_view *v = q->v;
-    v->p[at] = cell->p;
-    for (int r = 0; r < v->n_materials; ++r) v->m[r].theta[at] = cell->a[r] > 0.0 ? cell->a[r] * cell->v[r] : 0.0;
-    if (q->s->work->reconcile) follow_paths(q, at, cell);
-    if (!owned) return;
-    q->cells++;
-    q->iterations += cell->iterations;
-    q->fallbacks += cell->fallbacks;
-}
-
-/* Up to EQUILIBRIUM_BATCH mixed cells of the row. */
-static floe_status solve_mixed(mixture_row *q, const int *mixed, int n, bool owned_row)
-{
-    equilibrium_cell *cell = q->batch->cell;
-    for (int k = 0; k < n; ++k) load_mixed(q, q->from + mixed[k], &cell[k], q->batch->path[k]);
-    const floe_status status = equilibrium_solve(cell, n);
-    for (int k = 0; k < n; ++k) {
-        if (status != FLOE_OK && !cell[k].solved) return explain(q, q->from + mixed[k], &cell[k]);
-        const bool owned = owned_row && mixed[k] >= MESH_GHOST && mixed[k] < q->n - MESH_GHOST;
-        store_mixed(q, q->from + mixed[k], &cell[k], owned);
+    const equilibrium_batch *b = &q->mixed->batch;
+    const bool solved = equilibrium_solve(&q->mixed->batch, run->n) == FLOE_OK;
+    for (int i = 0; i < run->n; ++i) {
+        if (!solved && !b->solved[i]) return explain(q, run, i);
+        const int in_row = run->first + i;
+        if (!q->owned || in_row < MESH_GHOST || in_row >= q->n - MESH_GHOST) continue;
+        q->cells++;
+        q->iterations += b->iterations[i];
+        q->fallbacks += b->fallbacks[i];
     }
     return FLOE_OK;
 }
 
-/* Temperature of those present, weighted by mass, and the mean velocity, for an absent material. */
-static void lend_state(const mixture_row *q, int r, ptrdiff_t at)
+/* v, c and kappa of a law at v and T, whose energy goes to e. */
+static void set_response(const mixture_row *q, int r, ptrdiff_t from, int n, const double *v, double *e)
 {
-    const ice_view *v = q->v;
-    double heat = 0.0;
-    for (int k = 0; k < v->n_materials; ++k)
-        if (v->m[k].rho[at] > 0.0) heat += v->m[k].rho[at] * v->m[k].T[at];
-    v->m[r].T[at] = heat / v->rho_sum[at];
-    v->m[r].theta[at] = 0.0;
-    for (int a = 0; a < v->dim; ++a) v->m[r].u[a][at] = v->mean[a][at];
+    const ice_arrays *m = &q->v->m[r];
+    const eos *law = &q->s->material[r].eos;
+    for (int i = 0; i < n; ++i) q->a[i] = 1.0 / v[i];
+    law->model->energy(law->par, (size_t)n, q->a, m->T + from, e);
+    law->model->pressure(law->par, (size_t)n, q->a, e, q->d, m->c + from);
+    set_compressibility(m, from, n, q->a);
 }
+
+/* The same of the state that cells have been closed to along isentropes. */
+static void set_followed(const mixture_row *q, int r, ptrdiff_t from, int n)
+{
+    const ice_arrays *m = &q->v->m[r];
+    const eos *law = &q->s->material[r].eos;
+    for (int i = 0; i < n; ++i) q->a[i] = 1.0 / m->vol[from + i];
+    law->model->pressure(law->par, (size_t)n, q->a, m->e + from, q->d, m->c + from);
+    set_compressibility(m, from, n, q->a);
+}
+
+/* What the solution makes of the cells. */
+static void store_batch(const mixture_row *q, const mixture_run *run)
+{
+    const equilibrium_batch *b = &q->mixed->batch;
+    const bool reconcile = q->s->work->reconcile;
+    double *sum = q->v->kappa_sum + run->from;
+    memcpy(q->v->p + run->from, b->p, (size_t)run->n * sizeof *b->p);
+    for (int i = 0; i < run->n && reconcile; ++i) follow_paths(q, run, i);
+    for (int k = 0; k < run->count; ++k) {
+        const int r = run->material[k];
+        double *theta = q->v->m[r].theta + run->from, *kappa = q->v->m[r].kappa + run->from;
+        if (b->path[k])
+            set_followed(q, r, run->from, run->n);
+        else
+            set_response(q, r, run->from, run->n, b->v[k], q->b);
+        for (int i = 0; i < run->n; ++i) {
+            theta[i] = b->a[k][i] * b->v[k][i];
+            sum[i] = (k > 0 ? sum[i] : 0.0) + theta[i] * kappa[i];
+        }
+    }
+}
+
+static floe_status set_mixed(mixture_row *q, const mixture_run *run)
+{
+    set_temperatures(q, run);
+    load_batch(q, run);
+    TRY(solve_batch(q, run));
+    store_batch(q, run);
+    return FLOE_OK;
+}
+
+/* ---- absent materials ---- */
 
 /* A pressure at which the law is defined: an absent gas beside a liquid in tension is lent a thin one. */
 static double defined_pressure(double p, double floor)
@@ -253,72 +329,60 @@ static double defined_pressure(double p, double floor)
     return p > floor ? p : floor + 1e-3 * fabs(p) + DBL_MIN;
 }
 
-/* Cells in which material r is absent, or mixed with its T frozen: v, c and kappa at (p, T). */
-static void set_others(mixture_row *q, int r)
+/* The mean velocity and temperature of those present, weighted by mass, and what the law makes of it at the cell's pressure. */
+static void lend_state(const mixture_row *q, const mixture_run *run, int r)
 {
-    const ice_arrays *m = &q->v->m[r];
+    const ice_view *v = q->v;
+    const ice_arrays *m = &v->m[r];
     const eos *law = &q->s->material[r].eos;
     const double floor = law->model->pressure_floor(law->par);
-    const bool followed = q->s->work->reconcile && !q->s->material[r].points;
-    int n = 0;
-    for (int i = 0; i < q->n; ++i) {
-        const ptrdiff_t at = q->from + i;
-        const bool absent = !(m->rho[at] > 0.0);
-        if (!absent && (followed || q->alone[i] != MIXED)) continue;
-        if (absent) lend_state(q, r, at);
-        q->index[n] = i;
-        q->a[n] = defined_pressure(q->v->p[at], floor);
-        q->b[n] = m->T[at];
-        n++;
+    const double *present[ICE_MAX_MATERIALS], *p = v->p + run->from, *rho = v->rho_sum + run->from;
+    double *T = m->T + run->from;
+    for (int k = 0; k < run->count; ++k) present[k] = v->m[run->material[k]].T;
+    weigh(q, run, present, T);
+    for (int i = 0; i < run->n; ++i) {
+        T[i] /= rho[i];
+        m->theta[run->from + i] = 0.0;
+        q->a[i] = defined_pressure(p[i], floor);
     }
-    law->model->volume(law->par, (size_t)n, q->a, q->b, q->c, q->d);
-    for (int k = 0; k < n; ++k) q->a[k] = 1.0 / q->c[k];
-    law->model->energy(law->par, (size_t)n, q->a, q->b, q->c);
-    law->model->pressure(law->par, (size_t)n, q->a, q->c, q->d, q->e);
-    for (int k = 0; k < n; ++k) {
-        const ptrdiff_t at = q->from + q->index[k];
-        if (!(m->rho[at] > 0.0)) m->e[at] = q->c[k];
-        set_compressibility(m, at, q->a[k], q->e[k]);
-    }
-    /* Advection writes the next state of fluids alone. */
-    for (int i = 0; i < q->n && q->s->material[r].points; ++i) m->e1[q->from + i] = m->e[q->from + i];
+    for (int a = 0; a < v->dim; ++a) memcpy(m->u[a] + run->from, v->mean[a] + run->from, (size_t)run->n * sizeof *T);
+    law->model->volume(law->par, (size_t)run->n, q->a, T, q->b, q->c);
+    set_response(q, r, run->from, run->n, q->b, m->e + run->from);
 }
 
-/* Mixed cells that have been closed along isentropes: v, c and kappa of their v and e. */
-static void set_followed(mixture_row *q, int r)
+/* ---- rows ---- */
+
+static floe_status close_run(mixture_row *q, const mixture_run *run)
 {
-    const ice_arrays *m = &q->v->m[r];
-    const eos *law = &q->s->material[r].eos;
-    int n = 0;
-    for (int i = 0; i < q->n_mixed; ++i)
-        if (m->rho[q->from + q->mixed[i]] > 0.0) q->index[n++] = q->mixed[i];
-    for (int k = 0; k < n; ++k) {
-        q->a[k] = 1.0 / m->vol[q->from + q->index[k]];
-        q->b[k] = m->e[q->from + q->index[k]];
+    if (run->count == 0) {
+        char place[160];
+        ice_place(q->s, q->v->b, run->from, -1, place, sizeof place);
+        return fail(q->s->ctx, FLOE_RETRY, "equilibrium pressure: %s holds no material", place);
     }
-    law->model->pressure(law->par, (size_t)n, q->a, q->b, q->c, q->d);
-    for (int k = 0; k < n; ++k) set_compressibility(m, q->from + q->index[k], q->a[k], q->d[k]);
+    set_sums(q, run);
+    if (run->count == 1)
+        TRY(set_alone(q, run));
+    else
+        TRY(set_mixed(q, run));
+    for (int r = 0; r < q->v->n_materials; ++r)
+        if (!(q->set[run->first] >> r & 1u)) lend_state(q, run, r);
+    return FLOE_OK;
 }
 
 static floe_status mix_row(mixture_row *q, int j, int k)
 {
     const ice_view *v = q->v;
-    const bool owned_row = j >= 0 && j < v->b->n[1] && k >= 0 && k < v->b->n[2];
-    TRY(count_materials(q));
-    for (int r = 0; r < v->n_materials; ++r) ice_note_span(q->s, v->b, r, j, k, v->m[r].rho);
-    TRY(set_stretches(q));
-    for (int r = 0; r < v->n_materials; ++r) set_temperatures(q, r);
-    for (int done = 0; done < q->n_mixed; done += EQUILIBRIUM_BATCH) {
-        const int left = q->n_mixed - done;
-        TRY(solve_mixed(q, q->mixed + done, left < EQUILIBRIUM_BATCH ? left : EQUILIBRIUM_BATCH, owned_row));
+    q->owned = j >= 0 && j < v->b->n[1] && k >= 0 && k < v->b->n[2];
+    note_sets(q);
+    for (int i = 0; i < q->n;) {
+        const mixture_run run = run_from(q, i);
+        TRY(close_run(q, &run));
+        i += run.n;
     }
-    for (int r = 0; r < v->n_materials; ++r) set_others(q, r);
-    for (int r = 0; r < v->n_materials && q->s->work->reconcile; ++r)
-        if (!q->s->material[r].points) set_followed(q, r);
-    for (ptrdiff_t at = q->from; at < q->from + q->n; ++at) {
-        double sum = 0.0;
-        for (int r = 0; r < v->n_materials; ++r) sum += v->m[r].theta[at] * v->m[r].kappa[at];
-        v->kappa_sum[at] = sum;
+    for (int r = 0; r < v->n_materials; ++r) {
+        ice_note_span(q->s, v->b, r, j, k, v->m[r].rho);
+        /* Advection writes the next state of fluids alone. */
+        if (q->s->material[r].points) memcpy(v->m[r].e1 + q->from, v->m[r].e + q->from, (size_t)q->n * sizeof(double));
     }
     return FLOE_OK;
 }
@@ -332,15 +396,12 @@ static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
                          .from = mesh_index(v->b, -MESH_GHOST, j, k),
                          .n = n,
                          .guess = field_get(s->domain->fields[id], C_PRESSURE, 0, 0),
-                         .index = s->work->index[thread_number()],
-                         .alone = s->work->index[thread_number()] + n,
-                         .mixed = s->work->index[thread_number()] + 2 * n,
+                         .set = s->work->set[thread_number()],
                          .a = buffer,
                          .b = buffer + n,
                          .c = buffer + 2 * n,
                          .d = buffer + 3 * n,
-                         .e = buffer + 4 * n,
-                         .batch = &s->work->cells[thread_number()]};
+                         .mixed = &s->work->cells[thread_number()]};
 }
 
 /* Owned cells with several materials, in order. */

@@ -22,16 +22,21 @@ static int count_in(const ice *s, const fields *f, ptrdiff_t at, bool *points)
 static double of_mixture(const ice *s, const fields *f, ptrdiff_t at, double last)
 {
     isentrope path[ICE_MAX_MATERIALS];
-    equilibrium_cell cell = {.n = s->n_materials, .p = last};
+    equilibrium_batch b;
+    b.n = 0;
+    b.p[0] = last;
     for (int r = 0; r < s->n_materials; ++r) {
-        cell.eos[r] = &s->material[r].eos;
-        cell.a[r] = value_of(f, C_RHO, r, at);
-        if (!(cell.a[r] > 0.0)) continue;
+        const eos *law = &s->material[r].eos;
+        const int k = b.n;
+        b.a[k][0] = value_of(f, C_RHO, r, at);
+        if (!(b.a[k][0] > 0.0)) continue;
         const double v = value_of(f, C_VOL, r, at), e = value_of(f, C_ENERGY, r, at), density = 1.0 / v;
-        cell.eos[r]->model->temperature(cell.eos[r]->par, 1, &density, &e, &cell.T[r]);
-        if (s->work->reconcile && isentrope_through(cell.eos[r], v, e, &path[r])) cell.path[r] = &path[r];
+        b.eos[k] = law;
+        law->model->temperature(law->par, 1, &density, &e, &b.T[k][0]);
+        b.path[k] = s->work->reconcile && isentrope_through(law, v, e, &path[k]) ? &path[k] : NULL;
+        b.n++;
     }
-    return equilibrium_solve(&cell, 1) == FLOE_OK ? cell.p : last;
+    return equilibrium_solve(&b, 1) == FLOE_OK ? b.p[0] : last;
 }
 
 double ice_pressure_now(const ice *s, int block_id, int material, ptrdiff_t at)

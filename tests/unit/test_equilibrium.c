@@ -65,18 +65,18 @@ static int teardown(void **state)
     return 0;
 }
 
-/* A cell that is filled at pressure p with fractions theta at 300 K. */
-static equilibrium_cell mixture(const trio *t, const double *theta, double p)
+/* Cell k of a batch, filled at pressure p with fractions theta at 300 K. */
+static void mix(const trio *t, const double *theta, double p, equilibrium_batch *b, int k)
 {
-    equilibrium_cell c = {.n = MATERIALS};
+    b->n = MATERIALS;
     for (int r = 0; r < MATERIALS; ++r) {
         double v, dvdp;
-        c.eos[r] = &t->eos[r];
-        c.T[r] = 300.0;
-        t->eos[r].model->volume(t->eos[r].par, 1, &p, &c.T[r], &v, &dvdp);
-        c.a[r] = theta[r] / v;
+        b->eos[r] = &t->eos[r];
+        b->path[r] = NULL;
+        b->T[r][k] = 300.0;
+        t->eos[r].model->volume(t->eos[r].par, 1, &p, &b->T[r][k], &v, &dvdp);
+        b->a[r][k] = theta[r] / v;
     }
-    return c;
 }
 
 /* theta_gas 1e-12 to 1, the rest water, steel or both, p 1e-2 to 1e10 Pa, guesses 1e-6 to 1e12: no failure. The pressure that
@@ -97,20 +97,21 @@ static void all_cases_converge(void **state)
                                                      partner == 1   ? 1.0 - gas
                                                      : partner == 2 ? 0.5 * (1.0 - gas)
                                                                     : 0.0};
-                    equilibrium_cell c = mixture(t, theta, p);
-                    c.p = pow(10.0, guess);
+                    equilibrium_batch c;
+                    mix(t, theta, p, &c, 0);
+                    c.p[0] = pow(10.0, guess);
                     assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
                     double slope = 0.0;
                     for (int r = 0; r < MATERIALS; ++r) {
                         double v, dvdp;
-                        t->eos[r].model->volume(t->eos[r].par, 1, &p, &c.T[r], &v, &dvdp);
-                        slope -= c.a[r] * dvdp;
+                        t->eos[r].model->volume(t->eos[r].par, 1, &p, &c.T[r][0], &v, &dvdp);
+                        slope -= c.a[r][0] * dvdp;
                     }
-                    check_true(fabs(c.residual) < 1e-13 || fabs(c.p - p) <= 1e-14 * p);
+                    check_true(fabs(c.residual[0]) < 1e-13 || fabs(c.p[0] - p) <= 1e-14 * p);
                     /* 2e-13: the tolerance and as much round-off in the sum of theta; half again for curvature. */
-                    check_close(c.p, p, 3e-13 / slope + 1e-12 * p);
-                    worst = c.iterations > worst ? c.iterations : worst;
-                    fallbacks += c.fallbacks;
+                    check_close(c.p[0], p, 3e-13 / slope + 1e-12 * p);
+                    worst = c.iterations[0] > worst ? c.iterations[0] : worst;
+                    fallbacks += c.fallbacks[0];
                     cases++;
                 }
     printf("equilibrium: %d cases, worst %d iterations, %d geometric means\n", cases, worst, fallbacks);
@@ -123,10 +124,11 @@ static void near_guess_is_quick(void **state)
     const trio *t = *state;
     for (int e = -12; e <= 0; e += 2) {
         const double gas = pow(10.0, e);
-        equilibrium_cell c = mixture(t, (const double[]){gas, 0.0, 1.0 - gas}, 1e5);
-        c.p = 1.2e5;
+        equilibrium_batch c;
+        mix(t, (const double[]){gas, 0.0, 1.0 - gas}, 1e5, &c, 0);
+        c.p[0] = 1.2e5;
         assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
-        check_true(c.iterations <= 6); /* numerics 2.1 */
+        check_true(c.iterations[0] <= 6); /* numerics 2.1 */
     }
 }
 
@@ -134,10 +136,11 @@ static void near_guess_is_quick(void **state)
 static void water_in_tension(void **state)
 {
     const trio *t = *state;
-    equilibrium_cell c = mixture(t, (const double[]){0.0, 1.0, 0.0}, -1e8);
-    c.p = 1e5;
+    equilibrium_batch c;
+    mix(t, (const double[]){0.0, 1.0, 0.0}, -1e8, &c, 0);
+    c.p[0] = 1e5;
     assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
-    check_close(c.p, -1e8, 1e-3);
+    check_close(c.p[0], -1e8, 1e-3);
 }
 
 /* A guess that is of no use costs some iterations. */
@@ -146,11 +149,12 @@ static void starts_without_a_guess(void **state)
     const trio *t = *state;
     for (int lp = 0; lp <= 10; lp += 5) {
         const double p = pow(10.0, lp);
-        equilibrium_cell c = mixture(t, (const double[]){0.3, 0.3, 0.4}, p);
-        c.p = NAN;
+        equilibrium_batch c;
+        mix(t, (const double[]){0.3, 0.3, 0.4}, p, &c, 0);
+        c.p[0] = NAN;
         assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
-        check_close(c.p, p, 1e-10 * p);
-        check_true(c.iterations <= 40);
+        check_close(c.p[0], p, 1e-10 * p);
+        check_true(c.iterations[0] <= 40);
     }
 }
 
@@ -158,34 +162,40 @@ static void starts_without_a_guess(void **state)
 static void hopeless_cell_is_refused(void **state)
 {
     const trio *t = *state;
-    equilibrium_cell c = mixture(t, (const double[]){0.5, 0.0, 0.5}, 1e5);
-    c.T[GAS] = NAN;
-    c.p = 1e5;
+    equilibrium_batch c;
+    mix(t, (const double[]){0.5, 0.0, 0.5}, 1e5, &c, 0);
+    c.T[GAS][0] = NAN;
+    c.p[0] = 1e5;
     assert_int_equal(equilibrium_solve(&c, 1), FLOE_RETRY);
 }
 
-/* Cells side by side have the same bits as each by itself, whoever is beside them: more than a batch, some hopeless. */
+/* Cells side by side have the same bits as each by itself, whoever is beside them, some hopeless. */
 static void cells_do_not_see_each_other(void **state)
 {
     const trio *t = *state;
-    enum { CELLS = EQUILIBRIUM_BATCH + 7 };
-    equilibrium_cell together[CELLS], alone;
+    enum { CELLS = EQUILIBRIUM_BATCH };
+    equilibrium_batch together, alone;
     for (int k = 0; k < CELLS; ++k) {
         const double gas = k % 5 == 0 ? 0.0 : pow(10.0, -(k % 13));
-        together[k] = mixture(t, (const double[]){gas, 0.5 * (1.0 - gas), 0.5 * (1.0 - gas)}, pow(10.0, k % 9));
-        together[k].p = pow(10.0, (k * 7) % 11);
-        if (k % 17 == 3) together[k].T[WATER] = NAN;
+        mix(t, (const double[]){gas, 0.5 * (1.0 - gas), 0.5 * (1.0 - gas)}, pow(10.0, k % 9), &together, k);
+        together.p[k] = pow(10.0, (k * 7) % 11);
+        if (k % 17 == 3) together.T[WATER][k] = NAN;
     }
-    equilibrium_cell before[CELLS];
-    memcpy(before, together, sizeof before);
-    assert_int_equal(equilibrium_solve(together, CELLS), FLOE_RETRY);
+    const equilibrium_batch before = together;
+    assert_int_equal(equilibrium_solve(&together, CELLS), FLOE_RETRY);
     for (int k = 0; k < CELLS; ++k) {
-        alone = before[k];
+        alone = before;
+        alone.p[0] = before.p[k];
+        for (int r = 0; r < MATERIALS; ++r) {
+            alone.a[r][0] = before.a[r][k];
+            alone.T[r][0] = before.T[r][k];
+        }
         assert_int_equal(equilibrium_solve(&alone, 1), k % 17 == 3 ? FLOE_RETRY : FLOE_OK);
-        assert_int_equal(together[k].solved, k % 17 != 3);
-        assert_int_equal(together[k].iterations, alone.iterations);
-        assert_memory_equal(&together[k].p, &alone.p, sizeof alone.p);
-        assert_memory_equal(together[k].v, alone.v, MATERIALS * sizeof *alone.v);
+        assert_int_equal(together.solved[k], k % 17 != 3);
+        assert_int_equal(together.iterations[k], alone.iterations[0]);
+        assert_memory_equal(&together.p[k], &alone.p[0], sizeof alone.p[0]);
+        for (int r = 0; r < MATERIALS; ++r)
+            if (before.a[r][k] > 0.0) assert_memory_equal(&together.v[r][k], &alone.v[r][0], sizeof alone.v[r][0]);
     }
 }
 
