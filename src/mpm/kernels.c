@@ -21,6 +21,54 @@ FLOE_ALWAYS_INLINE void add_affine(double *restrict momentum, const point_arrays
     }
 }
 
+/* Moves what a ghost beyond a side that extrapolates got of a point's C to where the fold of the weights has it. Folded (wall.c), the
+ * ghost's share of the weight is +2 at the node on the side and -1 at the first inner one, of the velocity v + C (x - x_p) there, whereas
+ * the fold of what the ghost got has that of the velocity at the ghost for both. The sums are the same, but next to the side the inner
+ * node, with all but no weight left, would get a momentum all the same: a velocity without bound. `ghost`: in the window. */
+static void move_affine(const mesh *m, const point_arrays *p, size_t k, int axis, ptrdiff_t inward, double share,
+                        double *ghost)
+{
+    const double way = inward > 0 ? m->h[axis] : -m->h[axis];
+    for (int a = 0; a < m->dim; ++a) {
+        const double momentum = 2.0 * share * p->affine[m->dim * a + axis][k] * way;
+        ghost[inward + a] += momentum;
+        ghost[2 * inward + a] -= momentum;
+    }
+}
+
+/* The same for the ghosts at one end of a stencil along an axis. */
+static void move_affine_row(const mesh *m, const point_arrays *p, size_t k, const stencil *s, int axis, int side,
+                            double mass, int components, const basis_kind kind, double *out)
+{
+    const int n = basis_support(kind), width = window_width(m->dim, kind), stride[3] = {1, width, width * width};
+    const ptrdiff_t inward = (ptrdiff_t)components * (side == SIDE_LOWER ? stride[axis] : -stride[axis]);
+    int lo[3] = {0, 0, 0}, hi[3] = {1, 1, 1};
+    for (int a = 0; a < m->dim; ++a) hi[a] = n;
+    lo[axis] = side == SIDE_LOWER ? 0 : n - 1;
+    hi[axis] = lo[axis] + 1;
+    for (int z = lo[2]; z < hi[2]; ++z)
+        for (int y = lo[1]; y < hi[1]; ++y)
+            for (int x = lo[0]; x < hi[0]; ++x) {
+                const ptrdiff_t node = s->node + x + (ptrdiff_t)stride[1] * y + (ptrdiff_t)stride[2] * z;
+                move_affine(m, p, k, axis, inward, mass * s->w[0][x] * s->w[1][y] * s->w[2][z],
+                            out + node * components + 1);
+            }
+}
+
+/* The same for a stencil that may reach beyond the mesh. */
+FLOE_ALWAYS_INLINE void extend_affine(const mesh *m, const point_arrays *p, size_t k, const stencil *s, double mass,
+                                      int components, const int dim, const basis_kind kind, double *out)
+{
+    for (int a = 0; basis_reach(kind) > 0 && a < dim; ++a) {
+        const double first = p->x[a][k] + s->offset[a], last = first + (basis_support(kind) - 1) * m->h[a],
+                     half = 0.5 * m->h[a];
+        if (first < p->linear_side[a][SIDE_LOWER] - half)
+            move_affine_row(m, p, k, s, a, SIDE_LOWER, mass, components, kind, out);
+        if (last > p->linear_side[a][SIDE_UPPER] + half)
+            move_affine_row(m, p, k, s, a, SIDE_UPPER, mass, components, kind, out);
+    }
+}
+
 /* What a point gives: to a node's momentum with S, to its force with grad S and S. */
 typedef struct point_gift {
     double mass, mv[3];
@@ -82,8 +130,10 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
             if (axisymmetric) gift.hoop = minus_v * (p->stress[2][k] + add);
             if (axisymmetric && !centred) gift.b[0] += gift.hoop / p->x[0][k];
         }
-        FOR_PIECES(s, m, &frame, p, k, dim, kind,
-                   { scatter_stencil(m, p, k, &s, &gift, out, dim, kind, momentum, force, centred, affine); });
+        FOR_PIECES(s, m, &frame, p, k, dim, kind, {
+            scatter_stencil(m, p, k, &s, &gift, out, dim, kind, momentum, force, centred, affine);
+            if (affine) extend_affine(m, p, k, &s, gift.mass, components, dim, kind, out);
+        });
         if (!force || !centred) continue;
         const stencil g = locate(&frame, p, k, dim, kind, true);
         FOR_ROWS(g, dim, kind, {

@@ -119,8 +119,8 @@ FLOE_ALWAYS_INLINE double domain_invert(double a[3][3], double b[3][3], const in
 FLOE_ALWAYS_INLINE double domain_room(const mesh *m, const point_arrays *p, size_t k, int axis)
 {
     const double sliver = 1e-4;
-    const double below = (p->x[axis][k] - p->domain_end[axis][0]) / m->h[axis],
-                 above = (p->domain_end[axis][1] - p->x[axis][k]) / m->h[axis], side = below < above ? below : above;
+    const double below = (p->x[axis][k] - p->linear_side[axis][0]) / m->h[axis],
+                 above = (p->linear_side[axis][1] - p->x[axis][k]) / m->h[axis], side = below < above ? below : above;
     return side > p->domain_limit ? p->domain_limit : side > sliver ? side : sliver;
 }
 

@@ -53,17 +53,22 @@ uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t)
     return shared;
 }
 
+/* Sides beyond which velocities are extrapolated. */
+static void set_sides(const mpm *s, point_arrays *p)
+{
+    const mesh *m = s->mesh;
+    for (int a = 0; a < m->dim; ++a) {
+        const bool around = m->periodic[a];
+        p->linear_side[a][SIDE_LOWER] = around || wall_mirrors(s, a, SIDE_LOWER) ? (double)-INFINITY : m->lower[a];
+        p->linear_side[a][SIDE_UPPER] = around || wall_mirrors(s, a, SIDE_UPPER) ? (double)INFINITY : m->upper[a];
+    }
+}
+
 /* What shapes the domains of points. */
 static void set_domains(const mpm *s, const fields *f, int body, point_arrays *p)
 {
-    const mesh *m = s->mesh;
     p->domain_limit = s->scene->method.domain_limit;
-    for (int a = 0; a < m->dim; ++a) {
-        const bool around = m->periodic[a];
-        p->domain_end[a][0] = around || wall_mirrors(s, a, SIDE_LOWER) ? (double)-INFINITY : m->lower[a];
-        p->domain_end[a][1] = around || wall_mirrors(s, a, SIDE_UPPER) ? (double)INFINITY : m->upper[a];
-    }
-    for (int c = 0; keeps_shape(s, body) && c < field_component_count(FIELD_DEFORM, m->dim); ++c)
+    for (int c = 0; keeps_shape(s, body) && c < field_component_count(FIELD_DEFORM, s->mesh->dim); ++c)
         p->deform[c] = field_get(f, P_F, body, c);
 }
 
@@ -86,6 +91,7 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     for (int c = 0; s->transfer->carry && c < s->mesh->dim * s->mesh->dim; ++c)
         p.affine[c] = next_velocity ? field_next(f, P_AFFINE, body, c) : field_get(f, P_AFFINE, body, c);
     if (s->basis->kind == BASIS_CPDI) set_domains(s, f, body, &p);
+    set_sides(s, &p);
     p.held = is_held(s, body) ? s->work->hold.pressure : 0.0;
     for (int a = 0; s->driven && a < s->mesh->dim; ++a) p.drive[a] = field_get(f, P_DRIVE, body, a);
     p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);

@@ -25,11 +25,13 @@ typedef struct point_arrays {
     const double *affine[9];             /* 1/s, d x d by rows: C_p (transfer.h) */
     const double *deform[9]; /* 1: F as it is stored, for what shapes domains; NULL: they keep their shape */
     double domain_limit;     /* cells: how far from its point a domain may reach along an axis */
-    double domain_end[3][2]; /* m: beyond which none may reach; infinite at ends that mirror or repeat */
-    double acceleration[3];  /* m/s2: body forces on this body */
-    const double *drive[3];  /* m/s2: on top of them, on each point */
-    double held;             /* Pa: the pressure that a membrane bears in their place */
-    bool centred;            /* gradients are taken at the cell's centre (locate.h) */
+    double linear_side
+        [3]
+        [2]; /* m: sides beyond which velocities are extrapolated (wall.c); infinite at those that mirror or repeat */
+    double acceleration[3]; /* m/s2: body forces on this body */
+    const double *drive[3]; /* m/s2: on top of them, on each point */
+    double held;            /* Pa: the pressure that a membrane bears in their place */
+    bool centred;           /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
 
 /* Adds what points [start, end) give to the nodes of their tile's window, `out`: interleaved per node, mass and momentum
