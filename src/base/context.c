@@ -86,9 +86,73 @@ floe_status fail(context *ctx, floe_status code, const char *format, ...)
     return reported;
 }
 
+/* "a.b.c"; names that do not fit are left out, and the key is then that of what they are in. */
+static void join_names(const char *const *name, char key[CONTEXT_KEY_SIZE])
+{
+    size_t length = 0;
+    key[0] = '\0';
+    for (; *name; name++) {
+        const size_t more = (length > 0) + strlen(*name);
+        if (length + more >= CONTEXT_KEY_SIZE) return;
+        length += (size_t)snprintf(key + length, CONTEXT_KEY_SIZE - length, "%s%s", length > 0 ? "." : "", *name);
+    }
+}
+
+/* Writes the message anew: the key, and behind it the cause, which is no part of the message. */
+static void tell(context *ctx, const char *cause)
+{
+    const char *colon = ctx->key[0] ? ": " : "";
+    (void)snprintf(ctx->message, sizeof ctx->message, "%s%s%.1700s", ctx->key, colon, cause);
+    ctx->cause = strlen(ctx->key) + strlen(colon);
+}
+
+floe_status fail_key(context *ctx, const char *const *key, const char *format, ...)
+{
+    if (ctx == NULL) return FLOE_BAD_INPUT;
+    pthread_mutex_lock(&ctx->message_lock);
+    if (!ctx->failed) {
+        char cause[CONTEXT_MESSAGE_SIZE];
+        va_list arguments;
+        va_start(arguments, format);
+        format_bounded(cause, sizeof cause, format, arguments);
+        va_end(arguments);
+        join_names(key, ctx->key);
+        tell(ctx, cause);
+        ctx->failed = true;
+    }
+    pthread_mutex_unlock(&ctx->message_lock);
+    return FLOE_BAD_INPUT;
+}
+
+floe_status fail_under(context *ctx, floe_status status, const char *const *above)
+{
+    if (status != FLOE_BAD_INPUT || ctx == NULL) return status;
+    char own[CONTEXT_KEY_SIZE], cause[CONTEXT_MESSAGE_SIZE];
+    pthread_mutex_lock(&ctx->message_lock);
+    memcpy(own, ctx->key, sizeof own);
+    (void)snprintf(cause, sizeof cause, "%s", ctx->message + ctx->cause);
+    join_names(above, ctx->key);
+    const size_t length = strlen(ctx->key);
+    if (own[0] && length + 1 + strlen(own) < sizeof ctx->key)
+        (void)snprintf(ctx->key + length, sizeof ctx->key - length, ".%s", own);
+    tell(ctx, cause);
+    pthread_mutex_unlock(&ctx->message_lock);
+    return status;
+}
+
 const char *context_message(const context *ctx)
 {
     return ctx == NULL ? "" : ctx->message;
+}
+
+const char *context_key(const context *ctx)
+{
+    return ctx == NULL ? "" : ctx->key;
+}
+
+const char *context_cause(const context *ctx)
+{
+    return ctx == NULL ? "" : ctx->message + ctx->cause;
 }
 
 void context_clear(context *ctx)
@@ -96,7 +160,8 @@ void context_clear(context *ctx)
     if (ctx == NULL) return;
     pthread_mutex_lock(&ctx->message_lock);
     ctx->failed = false;
-    ctx->message[0] = '\0';
+    ctx->message[0] = ctx->key[0] = '\0';
+    ctx->cause = 0;
     pthread_mutex_unlock(&ctx->message_lock);
 }
 

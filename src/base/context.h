@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { CONTEXT_MESSAGE_SIZE = 2048 };
+enum { CONTEXT_MESSAGE_SIZE = 2048, CONTEXT_KEY_SIZE = 256 };
 
 typedef enum log_level { LOG_ERROR, LOG_WARNING, LOG_INFO, LOG_DETAIL } log_level;
 
@@ -28,8 +28,22 @@ void context_destroy(context **ctx);
 /* Records the message of a failure where it is found, and returns `code` (any thread; the first message of
  * a failure is kept until context_clear). A message says what was wrong, the values, and the remedy. */
 floe_status fail(context *ctx, floe_status code, const char *format, ...) FLOE_PRINTF(3, 4);
+
+/* The names on the way to a key of the deck: KEY("bodies", "bag", "shape"). */
+#define KEY(...) ((const char *const[]){__VA_ARGS__, NULL})
+/* A failure by what a key of the deck asks for: FLOE_BAD_INPUT, with the message "bodies.bag.shape: CAUSE"; the key is also kept by itself,
+ * so that who knows the deck can tell its place. The cause has the value and the remedy (any thread; `key` is copied). */
+floe_status fail_key(context *ctx, const char *const *key, const char *format, ...) FLOE_PRINTF(3, 4);
+/* Puts names above the key of a refusal by one who did not know them: "radius" under KEY("bodies", "bag") becomes "bodies.bag.radius"; a
+ * FLOE_BAD_INPUT without a key gets this one. Other statuses are let through. Returns `status`. */
+floe_status fail_under(context *ctx, floe_status status, const char *const *above);
+
 /* The message of the last failure, "" when there is none. Owned by the context. */
 const char *context_message(const context *ctx);
+/* The key that it is about, its names joined by dots; "" if there is none. Owned by the context. */
+const char *context_key(const context *ctx);
+/* The message without the key before it. Owned by the context. */
+const char *context_cause(const context *ctx);
 void context_clear(context *ctx);
 
 void context_set_sink(context *ctx, log_sink *sink, void *user, log_level most_detail);

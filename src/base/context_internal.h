@@ -9,10 +9,12 @@
 #include <stdint.h>
 
 struct context {
-    /* Message: written under message_lock; `failed` says that one is held. */
+    /* Message: written under message_lock; `failed` says that one is held. Of a refusal: "KEY: CAUSE". */
     pthread_mutex_t message_lock;
     bool failed;
     char message[CONTEXT_MESSAGE_SIZE];
+    char key[CONTEXT_KEY_SIZE];
+    size_t cause; /* where in the message it begins */
 
     /* Log: the sink is called under its own lock, so that a sink may itself report a failure. */
     pthread_mutex_t log_lock;

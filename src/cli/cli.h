@@ -65,8 +65,6 @@ floe_status cli_load(const cli *c, const cli_deck *d, scene **out);
 floe_status cli_check(const cli *c, const cli_deck *d, scene **out);
 /* Prints the context's message as an error and returns the exit status that belongs to `status`. */
 int cli_fail(const cli *c, floe_status status);
-/* The same once the deck has been read: what was refused is told with its place in the deck. */
-int cli_fail_deck(const cli *c, const cli_deck *d, floe_status status);
 /* Prints "floe: error: ..." with the word in colour on a terminal. */
 void cli_error(const cli *c, const char *format, ...) FLOE_PRINTF(2, 3);
 /* A sink that prints warnings and errors; `user` is the cli. */

@@ -1,7 +1,7 @@
 /* floe plan DECK: what a scene would do and hold. */
 #include "cli/cli.h"
 #include "cli/plan.h"
-#include "run/initial.h"
+#include "run/setup.h"
 
 typedef struct arguments {
     cli_deck deck;
@@ -30,18 +30,15 @@ static const struct argp argp = {
            "the run would need. Nothing is run or written.",
 };
 
-static floe_status plan_scene(cli *c, scene *s, bool json)
+static floe_status plan_scene(scene *s, bool json)
 {
-    exact solution;
+    run_setup setup;
     plan p = {.scene = s};
-    TRY(initial_exact(s, &solution));
-    initial_attach(s, &solution);
-    floe_status status = sim_create(&p.sim, c->ctx, s, s->coupling);
+    floe_status status = setup_begin(&setup, s);
+    p.sim = setup.sim;
     if (status == FLOE_OK) status = sim_plan(p.sim, &p.info);
     if (status == FLOE_OK) status = json ? plan_print_json(&p, stdout) : plan_print_text(&p, stdout);
-    sim_destroy(&p.sim);
-    initial_detach(s);
-    exact_destroy(c->ctx, &solution);
+    setup_end(&setup);
     return status;
 }
 
@@ -52,7 +49,7 @@ int cmd_plan(cli *c, int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     floe_status status = cli_load(c, &a.deck, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
-    status = plan_scene(c, s, a.json);
+    status = plan_scene(s, a.json);
     scene_destroy(&s);
-    return status == FLOE_OK ? 0 : cli_fail_deck(c, &a.deck, status);
+    return status == FLOE_OK ? 0 : cli_fail(c, status);
 }

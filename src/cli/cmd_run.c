@@ -112,7 +112,7 @@ int cmd_run(cli *c, int argc, char **argv)
     a.options.sink_detail = LOG_WARNING;
     status = run_scene(c->ctx, s, &a.options, &summary);
     scene_destroy(&s);
-    if (status != FLOE_OK) return cli_fail_deck(c, &a.deck, status);
+    if (status != FLOE_OK) return cli_fail(c, status);
     if (!a.quiet) print_result(&summary, a.options.dir);
     return 0;
 }

@@ -91,11 +91,6 @@ floe_status cli_check(const cli *c, const cli_deck *d, scene **out)
     return load_with(deck_check, c, d, out);
 }
 
-int cli_fail_deck(const cli *c, const cli_deck *d, floe_status status)
-{
-    return cli_fail(c, deck_blame(c->ctx, status, d->path, &(deck_overrides){d->set, d->n_set}));
-}
-
 error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *state)
 {
     switch (key) {

@@ -63,10 +63,6 @@ typedef struct deck_report {
 
 void deck_report_free(deck_report *report);
 
-/* For what only a run could refuse: after FLOE_BAD_INPUT, the context's message gets the place in front of the key or name of the deck that it
- * is about, "deck.yaml:3:8: " or "--set time.solver=static: ", where one is found. Returns `status`. */
-floe_status deck_blame(context *ctx, floe_status status, const char *path, const deck_overrides *set);
-
 /* Process-wide settings of the libraries behind decks; floe_init calls it once. */
 void deck_init(void);
 

@@ -55,6 +55,7 @@ static floe_status resolve(deck_source *source, const deck_overrides *set, scene
     snprintf(s->path, sizeof s->path, "%s", source->path);
     TRY(read_table(&r, &schema_deck, root, s));
     if (root->kind != NODE_MAP) return FLOE_OK;
+    TRY(note_keys(s, root, set));
     TRY(finish_scene(&r));
     return check_scene(&r);
 }
@@ -115,18 +116,18 @@ static floe_status check_axis(deck_source *source, const deck_overrides *set, co
 static floe_status check_axes(deck_source *source, const deck_overrides *set, const scene *s, deck_arena *arena,
                               error_list *errors)
 {
-    TRY(check_axis(source, set, &s->compare, PATH("compare", "axis", s->compare.key), arena, errors));
+    TRY(check_axis(source, set, &s->compare, KEY("compare", "axis", s->compare.key), arena, errors));
     for (int i = 0; i < s->study.n_axes; i++) {
         const scene_axis *axis = &s->study.axis[i];
-        TRY(check_axis(source, set, axis, PATH("study", "axes", axis->key), arena, errors));
+        TRY(check_axis(source, set, axis, KEY("study", "axes", axis->key), arena, errors));
     }
     for (int i = 0; i < s->stability.n_over; i++) {
         const scene_axis *axis = &s->stability.over[i];
-        TRY(check_axis(source, set, axis, PATH("stability", "over", axis->key), arena, errors));
+        TRY(check_axis(source, set, axis, KEY("stability", "over", axis->key), arena, errors));
     }
     for (int i = 0; i < s->stability.n_each; i++) {
         const scene_axis *axis = &s->stability.each[i];
-        TRY(check_axis(source, set, axis, PATH("stability", "each", axis->key), arena, errors));
+        TRY(check_axis(source, set, axis, KEY("stability", "each", axis->key), arena, errors));
     }
     return FLOE_OK;
 }
@@ -183,7 +184,7 @@ floe_status deck_check_text(scene **out, context *ctx, const char *path, const c
     return load_text(out, &source, set, report);
 }
 
-floe_status deck_read_file(context *ctx, const char *path, char **text, size_t *length)
+static floe_status read_file(context *ctx, const char *path, char **text, size_t *length)
 {
     FILE *file = fopen(path, "rb");
     if (!file) return fail(ctx, FLOE_IO, "cannot open deck '%s': %s", path, strerror(errno));
@@ -205,7 +206,7 @@ static floe_status load_file(scene **out, deck_source *source, const deck_overri
     char *text = NULL;
     *out = NULL;
     *report = (deck_report){.ctx = source->ctx};
-    TRY(deck_read_file(source->ctx, source->path, &text, &source->length));
+    TRY(read_file(source->ctx, source->path, &text, &source->length));
     source->text = text;
     const floe_status status = load_text(out, source, set, report);
     memory_free(source->ctx, &text);

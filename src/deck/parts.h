@@ -48,9 +48,7 @@ floe_status end_membrane(reader *r, deck_node *node, scene_body *body);
 /* Fills what depends on more than one key: finish.c, after the tables and before the checks. */
 floe_status finish_scene(reader *r);
 
-/* ---- load.c ---- */
-
-/* The whole file, one byte more than a deck may have at most; *text is counted memory. Errors: FLOE_IO, FLOE_NO_MEMORY. */
-floe_status deck_read_file(context *ctx, const char *path, char **text, size_t *length);
+/* keys.c: notes in the scene where its keys stand, in the deck or in `set`, for what is refused later (scene/place.h). */
+floe_status note_keys(scene *s, const deck_node *root, const deck_overrides *set);
 
 #endif

@@ -60,6 +60,15 @@ static floe_status take_key(reader *r, deck_node *node, char key[SCENE_KEY])
     return FLOE_OK;
 }
 
+/* A value of an axis, or of what changes along with it: null takes the key away, as --set does. */
+static floe_status read_pick(reader *r, deck_node *item, char value[SCENE_VALUE])
+{
+    if (!node_is_null(item)) return read_setting(r, item, value);
+    snprintf(value, SCENE_VALUE, "null");
+    if (item->text[0] != '\0') return FLOE_OK;
+    return bad(r, item, "a value of the key, or null, which takes the key away", "a value of the list is empty");
+}
+
 /* "[0.1, 0.05]" under the axis' key, or under "values". */
 static floe_status take_values(reader *r, deck_node *list, scene_axis *axis)
 {
@@ -67,7 +76,7 @@ static floe_status take_values(reader *r, deck_node *list, scene_axis *axis)
         return bad(r, list, "a list of values: [0.1, 0.05]", "the axis '%.80s' has no list of values", axis->key);
     if (list->n > SCENE_MAX_AXIS) return bad(r, list, NULL, "more than %d values", SCENE_MAX_AXIS);
     for (deck_node *item = list->first; item; item = item->next) {
-        TRY(read_setting(r, item, axis->value[axis->n_values++]));
+        TRY(read_pick(r, item, axis->value[axis->n_values++]));
         TRY(check_value(r, item, axis));
     }
     return FLOE_OK;
@@ -87,12 +96,7 @@ static floe_status take_with(reader *r, deck_node *node, scene_axis *axis)
         if (list->kind != NODE_LIST || list->n != (size_t)axis->n_values)
             return bad(r, list, NULL, "'%.80s' is no list of %d values, one for each of '%.80s'", list->key,
                        axis->n_values, axis->key);
-        for (deck_node *item = list->first; item; item = item->next, n++) {
-            if (node_is_null(item)) /* takes the key away, as --set does */
-                snprintf(with->value[n], SCENE_VALUE, "null");
-            else
-                TRY(read_setting(r, item, with->value[n]));
-        }
+        for (deck_node *item = list->first; item; item = item->next, n++) TRY(read_pick(r, item, with->value[n]));
     }
     return FLOE_OK;
 }

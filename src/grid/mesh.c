@@ -14,21 +14,22 @@ static floe_status check_axis(context *ctx, const mesh_spec *spec, int axis, int
 {
     const double lower = spec->lower[axis], upper = spec->upper[axis], h = spec->cell[axis];
     if (!(h > 0.0) || !isfinite(h))
-        return fail(ctx, FLOE_BAD_INPUT, "the cell along %c is %g m; it must be a finite number > 0", axis_name[axis],
-                    h);
+        return fail_key(ctx, KEY("domain", "cell"), "%g m along %c: must be a finite number > 0", h, axis_name[axis]);
     if (!(upper > lower) || !isfinite(lower) || !isfinite(upper))
-        return fail(ctx, FLOE_BAD_INPUT, "the domain along %c runs from %g to %g m; upper must lie above lower",
-                    axis_name[axis], lower, upper);
+        return fail_key(ctx, KEY("domain", "upper"),
+                        "the domain along %c runs from %g to %g m; upper must lie above lower", axis_name[axis], lower,
+                        upper);
     const double ratio = (upper - lower) / h, nearest = round(ratio);
     if (ratio > 1e9)
-        return fail(ctx, FLOE_BAD_INPUT, "%.3g cells along %c are more than floe can number (1e9)", ratio,
-                    axis_name[axis]);
+        return fail_key(ctx, KEY("domain", "cell"),
+                        "%g m: %.3g cells along %c are more than floe can number (1e9); use a larger cell", h, ratio,
+                        axis_name[axis]);
     if (nearest < 1.0 || !(fabs(ratio - nearest) <= 1e-9 * fmax(1.0, ratio)))
-        return fail(ctx, FLOE_BAD_INPUT,
-                    "the extent along %c, %.12g m, is %.12g cells of %.12g m, not a whole number; "
-                    "use a cell of %.12g m or an upper end of %.12g m",
-                    axis_name[axis], upper - lower, ratio, h, (upper - lower) / fmax(1.0, nearest),
-                    lower + fmax(1.0, nearest) * h);
+        return fail_key(ctx, KEY("domain", "cell"),
+                        "the extent along %c, %.12g m, is %.12g cells of %.12g m, not a whole number; "
+                        "use a cell of %.12g m or an upper end of %.12g m",
+                        axis_name[axis], upper - lower, ratio, h, (upper - lower) / fmax(1.0, nearest),
+                        lower + fmax(1.0, nearest) * h);
     *cells = (int)nearest;
     return FLOE_OK;
 }
@@ -36,12 +37,12 @@ static floe_status check_axis(context *ctx, const mesh_spec *spec, int axis, int
 static floe_status check_spec(context *ctx, const mesh_spec *spec)
 {
     if (spec->dim < 1 || spec->dim > MESH_MAX_DIM)
-        return fail(ctx, FLOE_BAD_INPUT, "the dimension is %d; it must be 1, 2 or 3", spec->dim);
+        return fail_key(ctx, KEY("domain", "dim"), "%d: must be 1, 2 or 3", spec->dim);
     if (spec->geometry == MESH_AXISYMMETRIC && spec->dim != 2)
-        return fail(ctx, FLOE_BAD_INPUT, "an axisymmetric domain has dim 2 (r, z), not %d", spec->dim);
+        return fail_key(ctx, KEY("domain", "geometry"), "an axisymmetric domain has dim 2 (r, z), not %d", spec->dim);
     if (spec->geometry == MESH_AXISYMMETRIC && spec->lower[0] < 0.0)
-        return fail(ctx, FLOE_BAD_INPUT, "an axisymmetric domain cannot begin at r = %g m; use 0 or more",
-                    spec->lower[0]);
+        return fail_key(ctx, KEY("domain", "lower"), "an axisymmetric domain cannot begin at r = %g m; use 0 or more",
+                        spec->lower[0]);
     return FLOE_OK;
 }
 
@@ -95,12 +96,13 @@ static floe_status check_blocks(const mesh *m)
 {
     for (int a = 0; a < m->dim; ++a) {
         if (m->periodic[a] && m->n[a] < 4)
-            return fail(m->ctx, FLOE_BAD_INPUT, "a periodic axis needs at least 4 cells; %c has %d", axis_name[a],
-                        m->n[a]);
+            return fail_key(m->ctx, KEY("domain", "cell"), "a periodic axis needs at least 4 cells; %c has %d",
+                            axis_name[a], m->n[a]);
         const int last = m->n[a] - (m->tiles[a] - 1) * m->tile[a];
         if (m->blocks[a] == m->tiles[a] && m->blocks[a] > 1 && last < 4)
-            return fail(m->ctx, FLOE_BAD_INPUT, "the last of %d blocks along %c would have %d cells; use fewer blocks",
-                        m->blocks[a], axis_name[a], last);
+            return fail_key(m->ctx, KEY("domain", "blocks"),
+                            "the last of %d blocks along %c would have %d cells; use fewer blocks", m->blocks[a],
+                            axis_name[a], last);
     }
     return FLOE_OK;
 }
@@ -129,14 +131,15 @@ floe_status mesh_init(mesh *out, context *ctx, const mesh_spec *spec)
         out->tiles[a] = divide_up(out->n[a], out->tile[a]);
         out->blocks[a] = used && spec->blocks[a] > 1 ? spec->blocks[a] : 1;
         if (out->blocks[a] > out->tiles[a])
-            return fail(ctx, FLOE_BAD_INPUT,
-                        "%d blocks along %c are more than its %d tiles of %d cells; use at most %d", out->blocks[a],
-                        axis_name[a], out->tiles[a], out->tile[a], out->tiles[a]);
+            return fail_key(ctx, KEY("domain", "blocks"),
+                            "%d blocks along %c are more than its %d tiles of %d cells; use at most %d", out->blocks[a],
+                            axis_name[a], out->tiles[a], out->tile[a], out->tiles[a]);
         n_blocks *= out->blocks[a];
     }
     TRY(check_blocks(out));
     if (n_blocks > MESH_MAX_BLOCKS)
-        return fail(ctx, FLOE_BAD_INPUT, "%lld blocks are more than the %d that floe holds", n_blocks, MESH_MAX_BLOCKS);
+        return fail_key(ctx, KEY("domain", "blocks"), "%lld blocks are more than the %d that floe holds; use fewer",
+                        n_blocks, MESH_MAX_BLOCKS);
     init_blocks(out);
     return FLOE_OK;
 }

@@ -78,7 +78,8 @@ static floe_status resolve_materials(ice *s, bool with_points)
     }
     s->diffuses = (s->viscous || s->conducts || whole->driving) && !scene_is_cut(whole);
     if (s->n_materials == 0)
-        return fail(s->ctx, FLOE_BAD_INPUT, "no fluid is in the scene: give a body of a fluid, or `ambient`");
+        return fail_key(s->ctx, KEY("coupling"), "%s: no fluid is in the scene: give a body of a fluid, or `ambient`",
+                        coupling_name(whole->coupling));
     s->sealed = scene_is_cut(whole);
     s->gas = -1;
     s->multi = s->n_materials > 1 && !s->sealed;

@@ -57,7 +57,10 @@ static floe_status add_ambient(const ice *s, content *contents, double room)
     const scene *given = s->scene;
     const int r = ice_material_of(s, given->ambient_material);
     fluid_state state;
-    TRY(fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN, &state));
+    TRY(fail_under(
+        s->ctx,
+        fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN, &state),
+        KEY("ambient")));
     add(&contents[r], s->mesh->dim, room, &state, (const double[3]){0.0, 0.0, 0.0});
     return FLOE_OK;
 }
@@ -133,8 +136,8 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
                 if (!(filled > 0.0)) {
                     char place[160];
                     ice_place(s, b, at, -1, place, sizeof place);
-                    return fail(
-                        s->ctx, FLOE_BAD_INPUT,
+                    return fail_key(
+                        s->ctx, KEY("ambient"),
                         "%s at (%g, %g, %g) is empty: no body covers it; give an `ambient`, or a body of fluid there",
                         place, lo[0], lo[1], lo[2]);
                 }

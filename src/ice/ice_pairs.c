@@ -24,7 +24,9 @@ static floe_status resolve_law(ice *s, const scene_exchange *given, scene_exchan
     }
     const double viscosity[2] = {s->material[r].shear_viscosity, s->material[q].shear_viscosity};
     const char *lacks = model->check ? model->check(law.par, viscosity) : NULL;
-    if (lacks) return fail(s->ctx, FLOE_BAD_INPUT, "exchange '%s', law '%s': %s", given->name, law.model->name, lacks);
+    if (lacks)
+        return fail_key(s->ctx, KEY("exchange", given->name, which == ICE_HEAT ? "heat" : "momentum"), "law '%s': %s",
+                        law.model->name, lacks);
     set_pair(pairs->table[which], r, q, 0.0);
     pairs->law[pairs->n++] = (ice_pair_law){r, q, which, model, law.par};
     return FLOE_OK;

@@ -16,11 +16,13 @@ static floe_status resolve_one(ice *s, const scene_reaction *given)
     const int reactant = ice_material_of(s, given->reactant), product = ice_material_of(s, given->product);
     if (reactant < 0) return FLOE_OK; /* there is none to react */
     if (s->material[product].points)
-        return fail(s->ctx, FLOE_BAD_INPUT, "reaction '%s': its product '%s' is a solid, and no points come into being",
-                    given->name, s->scene->material[given->product].name);
+        return fail_key(s->ctx, KEY("reactions", given->name, "product"),
+                        "'%s' is a solid, and no points come into being; name a fluid",
+                        s->scene->material[given->product].name);
     if (s->material[reactant].points && ice_burning_of(s, reactant) >= 0)
-        return fail(s->ctx, FLOE_BAD_INPUT, "reaction '%s': another reaction uses up the solid '%s' already",
-                    given->name, s->scene->material[given->reactant].name);
+        return fail_key(s->ctx, KEY("reactions", given->name, "reactant"),
+                        "another reaction uses up the solid '%s' already; leave one out",
+                        s->scene->material[given->reactant].name);
     all->burns[all->n] = s->material[reactant].points;
     all->list[all->n++] = (reaction){given->model, given->par, reactant, product, given->heat};
     return FLOE_OK;

@@ -114,13 +114,12 @@ static floe_status open_region(const ice *s, ice_rest_region *g, const bc_side *
 {
     const double pressure = side->pressure;
     if (side->kind != BC_OUTLET)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "time.solver: static: gas reaches a side of kind %s, where it does not come to rest; use dynamic",
-                    bc_name(side->kind));
+        return fail_key(s->ctx, KEY("time", "solver"),
+                        "static: gas reaches a side of kind %s, where it does not come to rest; use dynamic",
+                        bc_name(side->kind));
     if (g->open && g->held != pressure)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "time.solver: static: gas would flow between sides at %g and at %g Pa; use dynamic", g->held,
-                    pressure);
+        return fail_key(s->ctx, KEY("time", "solver"),
+                        "static: gas would flow between sides at %g and at %g Pa; use dynamic", g->held, pressure);
     g->open = true;
     g->held = pressure;
     return FLOE_OK;
@@ -223,9 +222,9 @@ static floe_status pressurise(const ice *s, ice_rest_region *g, const scene_load
         g->held = pressure;
         return FLOE_OK;
     }
-    return fail(
-        s->ctx, FLOE_BAD_INPUT,
-        "time.solver: static: load '%s' would pressurise gas that flows out at a side of the domain, past any "
+    return fail_key(
+        s->ctx, KEY("time", "solver"),
+        "static: load '%s' would pressurise gas that flows out at a side of the domain, past any "
         "solid that is thinner than two cells; make the load's region smaller, domain.cell finer, or use dynamic",
         load->name);
 }

@@ -121,16 +121,17 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->holds = !beside && scene_holder(sc) >= 0 && sc->body[scene_holder(sc)].membrane.surface.kind != SHEET_NONE;
     s->coupled = beside && !s->seals;
     s->basis = basis_find(sc->method.basis);
-    if (!s->basis) return fail(s->ctx, FLOE_BAD_INPUT, "there is no basis '%s'", sc->method.basis);
+    if (!s->basis) return fail_key(s->ctx, KEY("method", "basis"), "there is no basis '%s'", sc->method.basis);
     s->transfer = transfer_find(sc->method.transfer);
-    if (!s->transfer) return fail(s->ctx, FLOE_BAD_INPUT, "there is no transfer '%s'", sc->method.transfer);
+    if (!s->transfer)
+        return fail_key(s->ctx, KEY("method", "transfer"), "there is no transfer '%s'", sc->method.transfer);
     s->share = isnan(s->transfer->share) ? sc->method.flip : s->transfer->share;
     for (int b = 0; b < sc->n_bodies; ++b)
         if (!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
     for (int b = 0; b < s->n_bodies; ++b) s->driven = s->driven || is_driven(s, b);
     if (s->n_groups > MPM_MAX_GROUPS)
-        return fail(s->ctx, FLOE_BAD_INPUT, "%d velocity fields are more than the %d that a run holds", s->n_groups,
-                    MPM_MAX_GROUPS);
+        return fail_key(s->ctx, KEY("contact"), "%d velocity fields are more than the %d that a run holds", s->n_groups,
+                        MPM_MAX_GROUPS);
     TRY(make_work(s));
     return sc->contact.enabled ? contact_create(s) : FLOE_OK;
 }

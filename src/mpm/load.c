@@ -90,7 +90,7 @@ floe_status set_heating(mpm *s)
         const double scheduled = load_scheduled_pressure(s->scene, load, &step, &active);
         if (!active) continue;
         double now;
-        TRY(mpm_mean_pressure(s, load->material, &load->region, &now));
+        TRY(fail_under(s->ctx, mpm_mean_pressure(s, load->material, &load->region, &now), KEY("loads", load->name)));
         s->work->heat[l] = scheduled - now;
     }
     return FLOE_OK;

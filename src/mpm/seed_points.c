@@ -114,8 +114,9 @@ static floe_status seed_body(const mpm *s, int body, seed_list *list)
     else
         TRY(body_points(b, s->ctx, &spec, list));
     if (list->n > 0) return FLOE_OK;
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "body '%s' has no points: its shape lies outside the domain or between the points", b->name);
+    return fail_key(
+        s->ctx, KEY("bodies", b->name, "shape"),
+        "no point lies in it: it is outside the domain, or between the points; move it, or make the cells smaller");
 }
 
 static floe_status seed_bodies(mpm *s, seed_list *list)

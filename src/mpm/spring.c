@@ -76,9 +76,10 @@ floe_status start_springs(mpm *s)
         for (int e = 0; e < 2; ++e) {
             double x[3];
             if (find_end(s, spring, e, &s->work->spring[n], x)) continue;
-            return fail(s->ctx, FLOE_BAD_INPUT, "spring '%s' holds on to point %d of body '%s', which has only %zu",
-                        spring->name, spring->end[e].point, s->scene->body[spring->end[e].body].name,
-                        mpm_body_points(s, body_of(s, spring->end[e].body)));
+            const size_t points = mpm_body_points(s, body_of(s, spring->end[e].body));
+            return fail_key(s->ctx, KEY("springs", spring->name, e == 0 ? "from" : "to", "point"),
+                            "%d: body '%s' has only %zu point%s", spring->end[e].point,
+                            s->scene->body[spring->end[e].body].name, points, points == 1 ? "" : "s");
         }
         TRY(look_at_spring(s, n, &now) ? FLOE_OK : FLOE_INTERNAL);
         s->work->spring[n].rest_length = isnan(spring->rest_length) ? fabs(now.stretch) : spring->rest_length;

@@ -46,8 +46,9 @@ floe_status start_supports(mpm *s)
         const size_t before = list.n;
         TRY(find_nodes(s, &list, k));
         if (list.n == before)
-            return fail(s->ctx, FLOE_BAD_INPUT, "support '%s' holds nothing: no node of the mesh lies in its region",
-                        s->scene->support[k].name);
+            return fail_key(
+                s->ctx, KEY("supports", s->scene->support[k].name),
+                "holds nothing: no node of the mesh lies in its region; make it larger, or the cells smaller");
     }
     s->work->n_supports = list.n;
     return FLOE_OK;

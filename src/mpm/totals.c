@@ -117,7 +117,7 @@ floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double 
     }
     double sum[MPM_TILE_SUMS];
     domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, sum);
-    if (!(sum[0] > 0.0)) return fail(s->ctx, FLOE_BAD_INPUT, "a load's region holds no point of its fluid");
+    if (!(sum[0] > 0.0)) return fail(s->ctx, FLOE_BAD_INPUT, "no point of its fluid lies in its region");
     *pressure = sum[1] / sum[0] + s->scene->reference_pressure;
     return FLOE_OK;
 }

@@ -55,7 +55,7 @@ static floe_status check_exact(context *ctx, const char *name, const void *par, 
 {
     const exact_model *model = exact_find(name);
     exact solution;
-    if (!model) return fail(ctx, FLOE_BAD_INPUT, "there is no exact solution '%s'", name);
+    if (!model) return fail_key(ctx, KEY("verify", "exact"), "there is no exact solution '%s'", name);
     TRY(exact_create(ctx, model, par, dim, &solution));
     exact_destroy(ctx, &solution);
     return FLOE_OK;
@@ -65,7 +65,7 @@ static floe_status check_reference(context *ctx, const char *name, const void *p
 {
     const reference_model *model = reference_find(name);
     reference r;
-    if (!model) return fail(ctx, FLOE_BAD_INPUT, "there is no reference '%s'", name);
+    if (!model) return fail_key(ctx, KEY("verify", "reference"), "there is no reference '%s'", name);
     TRY(reference_create(ctx, model, par, &r));
     reference_destroy(ctx, &r);
     return FLOE_OK;

@@ -1,14 +1,15 @@
 /* The time loop of a run, and what happens at its ends. */
 #include "base/threads.h"
 #include "base/timer.h"
-#include "run/initial.h"
 #include "run/log.h"
 #include "run/measure.h"
 #include "run/output.h"
 #include "run/progress.h"
 #include "run/run.h"
 #include "run/schedule.h"
+#include "run/setup.h"
 #include "run/state_check.h"
+#include "scene/place.h"
 #include "scene/remark.h"
 
 #include <math.h>
@@ -21,8 +22,8 @@ typedef struct run {
     context *ctx;               /* not owned */
     scene *scene;               /* not owned */
     const run_options *options; /* not owned */
-    exact solution;             /* owned */
-    sim *sim;                   /* owned */
+    run_setup setup;            /* owned */
+    sim *sim;                   /* of the setup */
     run_output output;          /* owned */
     run_log log;                /* owned */
     progress progress;
@@ -151,11 +152,11 @@ static floe_status loop(run *r)
 static floe_status measure(run *r, run_summary *out)
 {
     char path[OUTPUT_PATH];
-    TRY(measure_errors(r->sim, &r->solution, out));
+    TRY(measure_errors(r->sim, &r->setup.solution, out));
     output_path(&r->output, "history.csv", path);
     TRY(measure_history(r->sim, path, out));
     output_path(&r->output, "profile.csv", path);
-    return measure_profile(r->sim, &r->solution, path);
+    return measure_profile(r->sim, &r->setup.solution, path);
 }
 
 /* The last row and snapshot, unless the time has them, the errors, and the checkpoint. */
@@ -193,21 +194,12 @@ static floe_status diverge(run *r)
                                                     : "there is no checkpoint");
 }
 
-static floe_status prepare_exact(run *r)
-{
-    const double before = wall_seconds();
-    const floe_status status = initial_exact(r->scene, &r->solution);
-    r->measuring += wall_seconds() - before;
-    return status;
-}
-
 static floe_status begin(run *r)
 {
     const run_options *o = r->options;
-    TRY(prepare_exact(r));
-    initial_attach(r->scene, &r->solution);
-    TRY(sim_create(&r->sim, r->ctx, r->scene, r->scene->coupling));
-    TRY(measure_history_check(r->sim));
+    TRY(setup_begin(&r->setup, r->scene));
+    r->sim = r->setup.sim;
+    r->measuring += r->setup.exact_seconds;
     const double before = wall_seconds();
     TRY(o->resume ? output_resume(&r->output, r->sim, o->dir) : output_begin(&r->output, r->sim, o->dir));
     r->putting_out += wall_seconds() - before;
@@ -275,7 +267,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
 {
     say_start(r, (int)out->threads);
     TRY(write_summary(r, out, "running"));
-    const floe_status status = carry_out(r, out);
+    const floe_status status = scene_place(r->scene, carry_out(r, out));
     progress_clear(&r->progress);
     const char *name = status_of_run(status, r->sim->at_rest);
     /* What went wrong is for the caller to show: here it is only noted. */
@@ -292,9 +284,7 @@ static void end(run *r)
 {
     run_log_close(&r->log);
     output_end(&r->output);
-    initial_detach(r->scene);
-    sim_destroy(&r->sim);
-    exact_destroy(r->ctx, &r->solution);
+    setup_end(&r->setup);
 }
 
 floe_status run_scene(context *ctx, scene *s, const run_options *options, run_summary *out)

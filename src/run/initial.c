@@ -7,10 +7,10 @@ static floe_status check_sources(const scene *s, const exact *solution)
 {
     const bool solid = exact_is_solid(solution);
     if (!s->verify.sources || s->coupling != (solid ? COUPLING_ICE : COUPLING_MPM)) return FLOE_OK;
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "verify.sources: those of the exact solution '%s' act on %s, and coupling %s has none; take %s",
-                solution->model->name, solid ? "solids on points" : "fluids on the cells", coupling_name(s->coupling),
-                solid ? "mpm" : "ice");
+    return fail_key(s->ctx, KEY("verify", "sources"),
+                    "those of the exact solution '%s' act on %s, and coupling %s has none; take %s",
+                    solution->model->name, solid ? "solids on points" : "fluids on the cells",
+                    coupling_name(s->coupling), solid ? "mpm" : "ice");
 }
 
 floe_status initial_exact(const scene *s, exact *out)
@@ -18,10 +18,10 @@ floe_status initial_exact(const scene *s, exact *out)
     *out = (exact){0};
     if (s->verify.exact[0] == '\0') return FLOE_OK;
     const exact_model *model = exact_find(s->verify.exact);
-    if (!model) return fail(s->ctx, FLOE_BAD_INPUT, "there is no exact solution '%s'", s->verify.exact);
+    if (!model) return fail_key(s->ctx, KEY("verify", "exact"), "there is no exact solution '%s'", s->verify.exact);
     if (s->verify.sources && !model->body_force && !model->heat_source)
-        return fail(s->ctx, FLOE_BAD_INPUT, "verify.sources: the exact solution '%s' needs neither force nor heat",
-                    model->name);
+        return fail_key(s->ctx, KEY("verify", "sources"),
+                        "the exact solution '%s' needs neither force nor heat; leave it out", model->name);
     TRY(exact_create(s->ctx, model, s->verify.exact_par, s->mesh.dim, out));
     const floe_status status = check_sources(s, out);
     if (status != FLOE_OK) exact_destroy(s->ctx, out);

@@ -62,9 +62,9 @@ floe_status measure_history_check(const sim *s)
     floe_status status = history_names(s, &names);
     for (int i = 0; i < v->n_columns && status == FLOE_OK; i++) {
         if (find_column(strbuf_string(&names), v->column[i].name) >= 0) continue;
-        status =
-            fail(s->ctx, FLOE_BAD_INPUT, "verify.history.%s: this scene's history.csv has no column '%s'; it has %s",
-                 v->column[i].quantity, v->column[i].name, strbuf_string(&names));
+        status = fail_key(s->ctx, KEY("verify", "history", v->column[i].quantity),
+                          "this scene's history.csv has no column '%s'; it has %s", v->column[i].name,
+                          strbuf_string(&names));
     }
     strbuf_free(&names);
     return status;
@@ -113,7 +113,7 @@ static floe_status expect(sim *s, history_table *h)
     const scene_verify *v = &s->scene->verify;
     const reference_model *model = reference_find(v->reference);
     reference r;
-    if (!model) return fail(s->ctx, FLOE_BAD_INPUT, "there is no reference '%s'", v->reference);
+    if (!model) return fail_key(s->ctx, KEY("verify", "reference"), "there is no reference '%s'", v->reference);
     TRY(memory_new(s->ctx, &h->expected, h->n * model->n_quantities, sizeof *h->expected));
     TRY(reference_create(s->ctx, model, v->reference_par, &r));
     const floe_status status = reference_series(s->ctx, &r, h->n, h->time, h->expected);

@@ -378,8 +378,12 @@ typedef struct scene_stability {
     double relative_to; /* what limits are shown over; NAN: nothing */
 } scene_stability;
 
+typedef struct scene_key scene_key; /* scene/place.h */
+
 typedef struct scene {
-    context *ctx; /* not owned */
+    context *ctx;   /* not owned */
+    scene_key *key; /* where its keys stand in the deck, those of a map behind it; n_keys */
+    int n_keys;
     char title[256], source[256], path[512];
     mesh_spec mesh;
     /* Of the lattices that bodies are seeded on, against the mesh; in point spacings, -0.5 to 0.5. */

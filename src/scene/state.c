@@ -47,9 +47,9 @@ floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double
     }
     if (isnan(pressure)) m->pressure(law->par, 1, &out->density, &out->energy, &out->pressure, &c2);
     if (!(out->density > 0.0) || !isfinite(out->energy) || !(out->energy >= m->energy_floor(law->par, out->density)))
-        return fail(ctx, FLOE_BAD_INPUT,
-                    "equation of state %s has no state with pressure %g Pa, temperature %g K, density %g kg/m3",
-                    m->name, pressure, temperature, density);
+        return fail_key(ctx, KEY("pressure"),
+                        "equation of state %s has no state with pressure %g Pa, temperature %g K, density %g kg/m3",
+                        m->name, pressure, temperature, density);
     return FLOE_OK;
 }
 
@@ -74,7 +74,9 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
             temperature = (double)NAN;
         for (int a = 0; a < 3; ++a) velocity[a] = initial(s, INITIAL_VELOCITY, a, x, velocity[a]);
     }
-    return fluid_state_of(s->ctx, &s->material[b->material].eos, pressure, temperature, density, out);
+    return fail_under(s->ctx,
+                      fluid_state_of(s->ctx, &s->material[b->material].eos, pressure, temperature, density, out),
+                      KEY("bodies", b->name));
 }
 
 floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6])

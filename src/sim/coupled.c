@@ -22,8 +22,8 @@ static floe_status make_pairs(transfer *t, const sim *s)
         for (int b = 0; b < s->mpm->n_bodies; ++b) {
             if (s->mpm->body[b].scene_material != s->ice->material[r].scene_material) continue;
             if (t->n_pairs == TRANSFER_MAX_PAIRS)
-                return fail(s->ctx, FLOE_BAD_INPUT, "more than %d solid materials cannot be coupled",
-                            TRANSFER_MAX_PAIRS);
+                return fail_key(s->ctx, KEY("materials"), "more than %d solid materials cannot be coupled",
+                                TRANSFER_MAX_PAIRS);
             t->pair[t->n_pairs++] =
                 (transfer_pair){s->mpm->body[b].group, r, temperature_of(s->scene, s->mpm->body[b].scene_material),
                                 ice_burning_of(s->ice, r)};

@@ -33,8 +33,8 @@ floe_status light_check(const sim *s)
     ice_densities(s->ice, range);
     const double rho = density_of(s->scene, body);
     if (range[1] == 0.0 || rho >= least_share * range[0]) return FLOE_OK;
-    return fail(
-        s->ctx, FLOE_BAD_INPUT,
+    return fail_key(
+        s->ctx, KEY("materials", s->scene->material[s->scene->body[body].material].name, "density"),
         "body '%s' (%g kg/m3) is %.3g times as heavy as the lightest fluid beside it (%g kg/m3), and no interface "
         "bears less than %.2g: make it heavier, or leave it out",
         s->scene->body[body].name, rho, rho / range[0], range[0], least_share);

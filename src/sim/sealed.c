@@ -9,11 +9,9 @@ static floe_status check_bodies(const sim *s)
     for (int b = 0; b < s->scene->n_bodies; ++b) {
         const scene_material *m = &s->scene->material[s->scene->body[b].material];
         if (m->kind == MATERIAL_FLUID || s->scene->body[b].membrane.holds >= 0) continue;
-        return fail(
-            s->ctx, FLOE_BAD_INPUT,
-            "body '%s' stands in the gas beside a membrane that holds one, where cells do not see it; leave the "
-            "outer gas out, or use mpm",
-            s->scene->body[b].name);
+        return fail_key(s->ctx, KEY("bodies", s->scene->body[b].name),
+                        "it stands in the gas beside a membrane that holds one, where cells do not see it; leave the "
+                        "outer gas out, or use mpm");
     }
     return FLOE_OK;
 }
@@ -22,13 +20,12 @@ static floe_status check_bodies(const sim *s)
 static floe_status check_sharp(const sim *s)
 {
     if (scene_holder(s->scene) >= 0)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "method.interface: sharp is for solids, and body '%s' is a membrane that holds a gas: leave it out",
-                    s->scene->body[scene_holder(s->scene)].name);
+        return fail_key(s->ctx, KEY("method", "interface"),
+                        "sharp is for solids, and body '%s' is a membrane that holds a gas: leave it out",
+                        s->scene->body[scene_holder(s->scene)].name);
     if (s->ice->n_materials == 1) return FLOE_OK;
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "method.interface: sharp takes one gas beside the solids, and the scene has %d: use smeared",
-                s->ice->n_materials);
+    return fail_key(s->ctx, KEY("method", "interface"),
+                    "sharp takes one gas beside the solids, and the scene has %d: use smeared", s->ice->n_materials);
 }
 
 static floe_status check_scene(const sim *s)
@@ -36,10 +33,12 @@ static floe_status check_scene(const sim *s)
     int holder[SCENE_MAX_HOLDERS];
     const bool sharp = s->scene->method.interface == INTERFACE_SHARP;
     if (s->mesh.dim != 2 || s->mesh.periodic[0] || s->mesh.periodic[1])
-        return fail(
-            s->ctx, FLOE_BAD_INPUT,
+        return fail_key(
+            s->ctx,
+            sharp ? KEY("method", "interface")
+                  : KEY("bodies", s->scene->body[scene_holder(s->scene)].name, "membrane", "holds"),
             "%s needs a domain in two dimensions, plane or axisymmetric, without periodic sides (use %s for others)",
-            sharp ? "method.interface: sharp" : "a membrane that holds gas", sharp ? "smeared" : "mpm");
+            sharp ? "sharp" : "a membrane that holds gas", sharp ? "smeared" : "mpm");
     if (sharp) return check_sharp(s);
     return s->ice->n_materials == scene_holders(s->scene, holder) ? FLOE_OK : check_bodies(s);
 }
@@ -89,11 +88,21 @@ static floe_status make_room(const sealed *t, sealed_line *line, int vertices)
     return FLOE_OK;
 }
 
+/* A line that cannot be followed is told with what it is: a membrane, or the surface of the solids. */
+static floe_status find_cuts(const sealed *t, const sealed_line *line, cut_line *place)
+{
+    const scene *s = t->points->scene;
+    const scene_body *body = &s->body[t->points->body[line->body].scene_body];
+    const bool holds = body->membrane.present && body->membrane.holds >= 0;
+    return fail_under(t->ctx, cut_find(place),
+                      holds ? KEY("bodies", body->name, "membrane") : KEY("method", "interface"));
+}
+
 static floe_status find_line_now(sealed *t, sealed_line *line)
 {
     cut_line *now = &line->place[SEAL_NOW];
     TRY(mpm_outline(t->points, line->body, false, now));
-    TRY(cut_find(now));
+    TRY(find_cuts(t, line, now));
     TRY(make_room(t, line, now->n_vertices));
     mpm_outline_velocity(t->points, line->body, now, line->velocity);
     for (int k = 0; k < ICE_SEAL_PLACES; ++k)
@@ -122,7 +131,7 @@ floe_status sealed_find_still(sealed *t)
     for (int l = 0; l < t->n_lines; ++l) {
         sealed_line *line = &t->line[l];
         TRY(mpm_outline(t->points, line->body, false, &line->place[SEAL_NOW]));
-        TRY(cut_find(&line->place[SEAL_NOW]));
+        TRY(find_cuts(t, line, &line->place[SEAL_NOW]));
         t->gases->seal.line[l] = (ice_seal_line){.held = t->gases->seal.line[l].held, .place = line->place};
     }
     return ice_seal_check(t->gases, SEAL_NOW);
@@ -133,7 +142,7 @@ floe_status sealed_find_moved(sealed *t)
     for (int l = 0; l < t->n_lines; ++l) {
         cut_line *next = &t->line[l].place[SEAL_NEXT];
         TRY(mpm_outline(t->points, t->line[l].body, true, next));
-        TRY(cut_find(next));
+        TRY(find_cuts(t, &t->line[l], next));
     }
     return ice_seal_check(t->gases, SEAL_NEXT);
 }
@@ -172,14 +181,17 @@ static floe_status share_losses(sealed *t)
 static floe_status check_lines(const sim *s, floe_status found)
 {
     double x[2];
-    if (found == FLOE_RETRY) return FLOE_BAD_INPUT; /* the message stands */
+    const int holder = scene_holder(s->scene);
+    const char *const *key = holder < 0 ? KEY("method", "interface") : KEY("bodies", s->scene->body[holder].name);
+    if (found == FLOE_RETRY) return fail_under(s->ctx, FLOE_BAD_INPUT, key); /* the message stands */
     TRY(found);
     if (s->scene->method.interface != INTERFACE_SHARP || !cut_is_thin(&s->sealed->line[0].place[SEAL_NOW], x))
         return FLOE_OK;
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "a solid is thinner than a cell at (%g, %g), where the gas of its two sides would share it: refine "
-                "'domain.cell', or leave 'method.interface' out",
-                x[0], x[1]);
+    return fail_key(
+        s->ctx, KEY("method", "interface"),
+        "sharp: a solid is thinner than a cell at (%g, %g), where the gas of its two sides would share it: refine "
+        "domain.cell, or leave it out",
+        x[0], x[1]);
 }
 
 floe_status sealed_initialise(sim *s)

@@ -35,15 +35,15 @@ static floe_status check_coupling(const sim *s)
 {
     for (int b = 0; s->coupling == COUPLING_ICE && b < s->scene->n_bodies; ++b)
         if (s->scene->material[s->scene->body[b].material].kind == MATERIAL_SOLID)
-            return fail(s->ctx, FLOE_BAD_INPUT,
-                        "body '%s' is a solid, which coupling ice cannot carry; use ice-mpm or mpm",
-                        s->scene->body[b].name);
+            return fail_key(s->ctx, KEY("coupling"),
+                            "ice: body '%s' is a solid, which cells cannot carry; use ice-mpm or mpm",
+                            s->scene->body[b].name);
     for (int b = 0; s->coupling == COUPLING_ICE_MPM && b < s->scene->n_bodies; ++b)
         if (s->scene->material[s->scene->body[b].material].membrane && scene_holder(s->scene) < 0)
-            return fail(s->ctx, FLOE_BAD_INPUT,
-                        "body '%s' is a membrane, which cells do not see unless it `holds` a gas; use mpm",
-                        s->scene->body[b].name);
-    if (s->scene->n_bodies == 0) return fail(s->ctx, FLOE_BAD_INPUT, "the scene has no bodies");
+            return fail_key(s->ctx, KEY("coupling"),
+                            "ice-mpm: body '%s' is a membrane, which cells do not see unless it `holds` a gas; use mpm",
+                            s->scene->body[b].name);
+    if (s->scene->n_bodies == 0) return fail_key(s->ctx, KEY("bodies"), "the scene has none: give one");
     return FLOE_OK;
 }
 

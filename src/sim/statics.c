@@ -19,11 +19,11 @@ static floe_status check_locking(const sim *s)
     int body = 0;
     const double ratio = mpm_balance_bulk(s->mpm, &body), most = mpm_balance_most_bulk(s->mpm);
     if (ratio <= most) return FLOE_OK;
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "time.solver: static: the bulk modulus of body '%s' is %.3g times its shear modulus, with which basis "
-                "%s locks: its stresses would be wrong. Take %g times at most%s",
-                s->scene->body[body].name, ratio, s->mpm->basis->name, most,
-                most < 100.0 ? ", or a quadratic or cubic basis" : " (a Poisson's ratio of 0.495)");
+    return fail_key(s->ctx, KEY("time", "solver"),
+                    "static: the bulk modulus of body '%s' is %.3g times its shear modulus, with which basis "
+                    "%s locks: its stresses would be wrong. Take %g times at most%s",
+                    s->scene->body[body].name, ratio, s->mpm->basis->name, most,
+                    most < 100.0 ? ", or a quadratic or cubic basis" : " (a Poisson's ratio of 0.495)");
 }
 
 /* Why `auto` would not solve for the state of rest, or NULL. */
@@ -55,12 +55,11 @@ floe_status sim_choose_solver(sim *s)
                    why ? why : "");
     const scene_time *t = &s->scene->time;
     if (solver == SOLVER_IMPLICIT && t->increments == 1 && isnan(t->fixed_step) && isnan(t->max_step))
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "time.solver: implicit takes no step of its own accord: give increments, fixed_step or max_step");
+        return fail_key(s->ctx, KEY("time", "solver"),
+                        "implicit takes no step of its own accord: give increments, fixed_step or max_step");
     if (solver == SOLVER_DYNAMIC) return FLOE_OK;
     const char *obstacle = obstacle_to(s, solver, false);
-    if (obstacle)
-        return fail(s->ctx, FLOE_BAD_INPUT, "time.solver: %s: %s; use dynamic", solver_name(solver), obstacle);
+    if (obstacle) return fail_key(s->ctx, KEY("time", "solver"), "%s: %s; use dynamic", solver_name(solver), obstacle);
     if (solver == SOLVER_STATIC) TRY(check_locking(s));
     TRY(mpm_solve_steps(s->mpm, solver));
     return s->ice ? gas_rest_create(&s->gas_rest, s) : FLOE_OK;

@@ -69,7 +69,7 @@ floe_status sim_choose_substeps(sim *s)
     if (asked == 1) return FLOE_OK;
     if (asked == 0 && !why_not) return choose(s);
     if (asked > 1 && why_not)
-        return fail(s->ctx, FLOE_BAD_INPUT, "time.substeps: %ld: %s; leave it out, or use auto", asked, why_not);
+        return fail_key(s->ctx, KEY("time", "substeps"), "%ld: %s; leave it out, or use auto", asked, why_not);
     s->most_parts = asked == 0 ? 1 : (int)asked;
     if (asked == 0)
         (void)snprintf(s->substeps_reason, sizeof s->substeps_reason, "1: %s", why_not);

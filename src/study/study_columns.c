@@ -2,22 +2,17 @@
 #include "study/study_parts.h"
 
 #include "io/history_columns.h"
-#include "run/initial.h"
+#include "run/setup.h"
 
 #include <string.h>
 
 /* The line of names of a scene's history. */
-static floe_status append_names(context *ctx, scene *of, strbuf *names)
+static floe_status append_names(scene *of, strbuf *names)
 {
-    exact solution;
-    sim *made = NULL;
-    TRY(initial_exact(of, &solution));
-    initial_attach(of, &solution);
-    floe_status status = sim_create(&made, ctx, of, of->coupling);
-    if (status == FLOE_OK) status = history_names(made, names);
-    sim_destroy(&made);
-    initial_detach(of);
-    exact_destroy(ctx, &solution);
+    run_setup setup;
+    floe_status status = setup_begin(&setup, of);
+    if (status == FLOE_OK) status = history_names(setup.sim, names);
+    setup_end(&setup);
     return status;
 }
 
@@ -38,7 +33,7 @@ static floe_status add_case(const study *s, size_t i, strbuf *names, bool *all)
     const batch_options batch = study_batch_options(s);
     scene *of;
     TRY(batch_prepare(s->ctx, &batch, &s->run[i], &of));
-    const floe_status status = append_names(s->ctx, of, names);
+    const floe_status status = append_names(of, names);
     scene_destroy(&of);
     if (status == FLOE_OK || status == FLOE_NO_MEMORY) return status;
     context_clear(s->ctx);

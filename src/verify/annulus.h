@@ -35,8 +35,8 @@ typedef struct annulus_par {
 static inline floe_status annulus_check(context *ctx, const annulus_par *p)
 {
     if (p->outer_radius > p->inner_radius) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "outer_radius = %g m: must be over inner_radius = %g m", p->outer_radius,
-                p->inner_radius);
+    return fail_key(ctx, KEY("outer_radius"), "%g m: must be over inner_radius = %g m", p->outer_radius,
+                    p->inner_radius);
 }
 
 #endif

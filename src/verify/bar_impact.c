@@ -205,9 +205,9 @@ static impact_bar bar_of(double length, double density, double modulus, double a
 floe_status bar_impact_solve(context *ctx, const bar_impact_par *p, bar_impact *out)
 {
     if (!(p->left_velocity > p->right_velocity)) {
-        return fail(ctx, FLOE_BAD_INPUT,
-                    "left_velocity = %g m/s: must be over right_velocity = %g m/s, or the bars do not meet",
-                    p->left_velocity, p->right_velocity);
+        return fail_key(ctx, KEY("left_velocity"),
+                        "%g m/s: must be over right_velocity = %g m/s, or the bars do not meet", p->left_velocity,
+                        p->right_velocity);
     }
     const double face = p->origin + p->left_length;
     out->bar[0] = bar_of(p->left_length, p->left_density, p->left_modulus, p->left_area, p->left_velocity, face);

@@ -67,8 +67,9 @@ floe_status exact_create(context *ctx, const exact_model *model, const void *par
 {
     *out = (exact){.dim = 0};
     if (dim < model->min_dim || dim > model->max_dim) {
-        return fail(ctx, FLOE_BAD_INPUT, "the exact solution '%s' has %d to %d dimensions, the scene has %d",
-                    model->name, model->min_dim, model->max_dim, dim);
+        return fail_key(ctx, KEY("verify", "exact"),
+                        "the exact solution '%s' has %d to %d dimensions, the scene has %d", model->name,
+                        model->min_dim, model->max_dim, dim);
     }
     void *prepared = NULL;
     TRY(memory_new(ctx, &prepared, 1, model->prepared_size));
@@ -76,7 +77,7 @@ floe_status exact_create(context *ctx, const exact_model *model, const void *par
         const floe_status status = model->prepare(ctx, par, dim, prepared);
         if (status != FLOE_OK) {
             memory_free(ctx, &prepared);
-            return status;
+            return fail_under(ctx, status, KEY("verify", "exact", model->name));
         }
     }
     *out = (exact){model, dim, par, prepared};

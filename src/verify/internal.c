@@ -6,21 +6,21 @@
 floe_status check_whole(context *ctx, const char *key, double x)
 {
     if (x == floor(x)) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "%s = %g: must be a whole number", key, x);
+    return fail_key(ctx, KEY(key), "%g: must be a whole number", x);
 }
 
 floe_status check_axis(context *ctx, double axis, int dim)
 {
     TRY(check_whole(ctx, "axis", axis));
     if (axis >= 0.0 && axis < dim) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "axis = %g: must be 0 to %d, the scene has dimension %d", axis, dim - 1, dim);
+    return fail_key(ctx, KEY("axis"), "%g: must be 0 to %d, the scene has dimension %d", axis, dim - 1, dim);
 }
 
 floe_status simple_wave_check(context *ctx, const char *key, double velocity, double sound, double gamma)
 {
     if (sound > 0.5 * (gamma - 1.0) * fabs(velocity)) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "%s = %g m/s: must be below 2 c/(gamma - 1) = %g m/s, or a vacuum opens", key,
-                velocity, 2.0 * sound / (gamma - 1.0));
+    return fail_key(ctx, KEY(key), "%g m/s: must be below 2 c/(gamma - 1) = %g m/s, or a vacuum opens", velocity,
+                    2.0 * sound / (gamma - 1.0));
 }
 
 double hot_walls_value(const hot_walls *w, exact_quantity quantity, double s)
@@ -103,11 +103,10 @@ floe_status profile_check(context *ctx, const profile *f)
     if (f->sine) {
         const double waves = f->period / f->width;
         if (fabs(waves - round(waves)) <= 1e-9 * waves) return FLOE_OK;
-        return fail(ctx, FLOE_BAD_INPUT, "period = %g m holds %g wavelengths of width = %g m: must be a whole number",
-                    f->period, waves, f->width);
+        return fail_key(ctx, KEY("period"), "%g m holds %g wavelengths of width = %g m: must be a whole number",
+                        f->period, waves, f->width);
     }
     if (f->width <= 0.25 * f->period) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT,
-                "width = %g m: a Gaussian on a period of %g m must be at most a quarter of it wide", f->width,
-                f->period);
+    return fail_key(ctx, KEY("width"), "%g m: a Gaussian on a period of %g m must be at most a quarter of it wide",
+                    f->width, f->period);
 }

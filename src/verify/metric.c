@@ -44,10 +44,10 @@ floe_status metric_parse(context *ctx, const char *name, metric *out)
         *out = (metric){(metric_kind)kind, quantity};
         return FLOE_OK;
     }
-    return fail(ctx, FLOE_BAD_INPUT,
-                "unknown metric '%s': must be eq13, or l1_X, l1rel_X, l2_X, l2rel_X, linf_X or linfrel_X with X a "
-                "quantity such as density, velocity_x, pressure, sigma_r",
-                name);
+    return fail_key(ctx, KEY("verify", "metrics"),
+                    "unknown metric '%s': must be eq13, or l1_X, l1rel_X, l2_X, l2rel_X, linf_X or linfrel_X with X a "
+                    "quantity such as density, velocity_x, pressure, sigma_r",
+                    name);
 }
 
 double metric_pick(metric_kind kind, const norm_result *norms)

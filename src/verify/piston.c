@@ -5,7 +5,7 @@
 floe_status piston_check(context *ctx, const piston *p)
 {
     if (p->spring_mass == 0.0 || p->stiffness > 0.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "spring_mass = %g kg: a spring with a mass needs a stiffness > 0", p->spring_mass);
+    return fail_key(ctx, KEY("spring_mass"), "%g kg: a spring with a mass needs a stiffness > 0", p->spring_mass);
 }
 
 /* Times in which a wave runs through the fluid and through the spring, s. */

@@ -42,8 +42,8 @@ static inline floe_status radial_check(context *ctx, const radial_par *p, int di
     TRY(check_whole(ctx, "geometry", p->geometry));
     TRY(check_whole(ctx, "axes", p->axes));
     if (p->axes <= dim && (p->geometry == 0.0 || dim > 1)) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "geometry = %g, axes = %g: a scene of %d dimensions has no such distance",
-                p->geometry, p->axes, dim);
+    return fail_key(ctx, KEY("geometry"), "%g, with axes = %g: a scene of %d dimensions has no such distance",
+                    p->geometry, p->axes, dim);
 }
 
 /* Axes over which the distance is taken: spheres about an axis have two, r and z. */

@@ -28,7 +28,7 @@ floe_status reference_create(context *ctx, const reference_model *model, const v
     const floe_status status = model->prepare != NULL ? model->prepare(ctx, par, prepared) : FLOE_OK;
     if (status != FLOE_OK) {
         memory_free(ctx, &prepared);
-        return status;
+        return fail_under(ctx, status, KEY("verify", "reference", model->name));
     }
     *out = (reference){model, par, prepared};
     return FLOE_OK;
@@ -48,7 +48,8 @@ floe_status reference_series(context *ctx, const reference *r, size_t n, const d
         return fail(ctx, FLOE_BAD_INPUT, "time %zu of a history is %g s: must be finite, >= 0 and not before the last",
                     i + 1, t[i]);
     }
-    return r->model->series(ctx, r->par, r->prepared, n, t, value);
+    return fail_under(ctx, r->model->series(ctx, r->par, r->prepared, n, t, value),
+                      KEY("verify", "reference", r->model->name));
 }
 
 double reference_scalar_value(const reference *r, const char *name)

@@ -92,14 +92,17 @@ static riemann_wave make_wave(const outward *side, double p)
 
 static floe_status check_side(context *ctx, const char *name, const riemann_side *side)
 {
-    if (!(side->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "%s_gamma = %g: must be over 1", name, side->gamma);
+    char key[32];
+    (void)snprintf(key, sizeof key, "%s_gamma", name);
+    if (!(side->gamma > 1.0)) return fail_key(ctx, KEY(key), "%g: must be over 1", side->gamma);
     if (is_vacuum(side)) return FLOE_OK;
+    (void)snprintf(key, sizeof key, "%s_density", name);
     if (!(side->covolume * side->density < 1.0))
-        return fail(ctx, FLOE_BAD_INPUT, "%s_density = %g kg/m3: must be under 1/covolume = %g kg/m3", name,
-                    side->density, 1.0 / side->covolume);
+        return fail_key(ctx, KEY(key), "%g kg/m3: must be under 1/covolume = %g kg/m3", side->density,
+                        1.0 / side->covolume);
+    (void)snprintf(key, sizeof key, "%s_pressure", name);
     if (side->pressure + side->p_inf > 0.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "%s_pressure = %g Pa: must be over -p_inf = %g Pa", name, side->pressure,
-                -side->p_inf);
+    return fail_key(ctx, KEY(key), "%g Pa: must be over -p_inf = %g Pa", side->pressure, -side->p_inf);
 }
 
 /* Expansion into a vacuum that is there from the start (Toro section 4.6.1). */
@@ -131,7 +134,8 @@ floe_status riemann_solve(context *ctx, const riemann_side *left, const riemann_
     *out = (riemann_solution){.left = *left, .right = *right};
     TRY(check_side(ctx, "left", left));
     TRY(check_side(ctx, "right", right));
-    if (is_vacuum(left) && is_vacuum(right)) return fail(ctx, FLOE_BAD_INPUT, "both sides are a vacuum");
+    if (is_vacuum(left) && is_vacuum(right))
+        return fail_key(ctx, KEY("left_density"), "0, as right_density: both sides are a vacuum");
     if (is_vacuum(left) || is_vacuum(right)) {
         solve_beside_vacuum(out);
         return FLOE_OK;

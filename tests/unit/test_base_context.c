@@ -76,6 +76,40 @@ static void try_returns_first_failure(void **state)
     assert_int_equal(reached, 1);
 }
 
+static void refusals_keep_their_key(void **state)
+{
+    context *ctx = *state;
+    assert_int_equal(fail_key(ctx, KEY("time", "substeps"), "%d: too many", 9), FLOE_BAD_INPUT);
+    assert_int_equal(fail_key(ctx, KEY("time", "end"), "only the first counts"), FLOE_BAD_INPUT);
+    assert_string_equal(context_key(ctx), "time.substeps");
+    assert_string_equal(context_cause(ctx), "9: too many");
+    assert_string_equal(context_message(ctx), "time.substeps: 9: too many");
+    assert_int_equal(fail_under(ctx, FLOE_BAD_INPUT, KEY("part", "b")), FLOE_BAD_INPUT);
+    assert_string_equal(context_message(ctx), "part.b.time.substeps: 9: too many");
+    context_clear(ctx);
+    assert_string_equal(context_key(ctx), "");
+
+    (void)fail(ctx, FLOE_BAD_INPUT, "no key is known here");
+    assert_string_equal(context_key(ctx), "");
+    assert_string_equal(context_cause(ctx), "no key is known here");
+    assert_int_equal(fail_under(ctx, FLOE_RETRY, KEY("bodies")), FLOE_RETRY);
+    assert_string_equal(context_key(ctx), "");
+    assert_int_equal(fail_under(ctx, FLOE_BAD_INPUT, KEY("bodies", "bag")), FLOE_BAD_INPUT);
+    assert_string_equal(context_message(ctx), "bodies.bag: no key is known here");
+    context_clear(ctx);
+
+    char name[2 * CONTEXT_KEY_SIZE], cause[2 * CONTEXT_MESSAGE_SIZE];
+    memset(name, 'n', sizeof name - 1);
+    memset(cause, 'c', sizeof cause - 1);
+    name[sizeof name - 1] = cause[sizeof cause - 1] = '\0';
+    (void)fail_key(ctx, KEY("bodies", name, "shape"), "%s", cause);
+    assert_string_equal(context_key(ctx), "bodies");
+    assert_true(strlen(context_message(ctx)) < CONTEXT_MESSAGE_SIZE);
+    assert_string_equal(context_key(NULL), "");
+    assert_string_equal(context_cause(NULL), "");
+    assert_int_equal(fail_key(NULL, KEY("time"), "nobody listens"), FLOE_BAD_INPUT);
+}
+
 static void logs_up_to_detail(void **state)
 {
     context *ctx = *state;
@@ -144,6 +178,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(cuts_long_message, setup, teardown),
         cmocka_unit_test_setup_teardown(failure_with_ok_is_internal, setup, teardown),
         cmocka_unit_test_setup_teardown(try_returns_first_failure, setup, teardown),
+        cmocka_unit_test_setup_teardown(refusals_keep_their_key, setup, teardown),
         cmocka_unit_test_setup_teardown(logs_up_to_detail, setup, teardown),
         cmocka_unit_test_setup_teardown(many_threads_fail_and_log, setup, teardown),
         cmocka_unit_test(statuses_have_names),

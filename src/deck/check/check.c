@@ -29,6 +29,15 @@ bool is_clean(deck_node *root, const char *const *key)
     return node && !node->bad;
 }
 
+/* At the value if the node is what was looked for, else at its key. */
+static floe_status enter_error(reader *r, deck_node *node, bool found, const char *expected, const char *hint,
+                               const char *message)
+{
+    const bool at_value = found && node->kind != NODE_MAP;
+    for (deck_node *n = node; n; n = n->parent) n->bad = true;
+    return error_add(r->errors, at_value ? node->at : node->key_at, expected, hint, "%s", message);
+}
+
 floe_status bad_at(reader *r, const char *const *path, const char *expected, const char *hint, const char *format, ...)
 {
     char message[512];
@@ -37,11 +46,27 @@ floe_status bad_at(reader *r, const char *const *path, const char *expected, con
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     deck_node *node = node_path(r->root, path);
-    const bool there = node && node->kind != NODE_MAP;
+    const bool found = node != NULL;
     if (!node) node = nearest_path(r->root, path);
     if (!node) return fail(r->ctx, FLOE_INTERNAL, "a deck without a root was checked: %s", message);
-    for (deck_node *n = node; n; n = n->parent) n->bad = true;
-    return error_add(r->errors, there ? node->at : node->key_at, expected, hint, "%s", message);
+    return enter_error(r, node, found, expected, hint, message);
+}
+
+floe_status take_refusal(reader *r, floe_status status)
+{
+    char message[400];
+    if (status != FLOE_BAD_INPUT) return status;
+    deck_node *node = r->root;
+    const char *path = context_key(r->ctx);
+    for (size_t length; *path; path += length + (path[length] == '.')) {
+        deck_node *child = node->kind == NODE_MAP ? node_match(node, path, &length) : NULL;
+        if (!child) break;
+        node = child;
+    }
+    const bool found = *path == '\0';
+    snprintf(message, sizeof message, "%s", context_message(r->ctx));
+    context_clear(r->ctx);
+    return enter_error(r, node, found, NULL, NULL, message);
 }
 
 bool scene_runs_as(const scene *s, scene_coupling coupling)
@@ -69,7 +94,7 @@ static floe_status check_extent(reader *r, bool *ok)
     for (int axis = 0; axis < spec->dim; axis++) {
         if (spec->upper[axis] > spec->lower[axis]) continue;
         *ok = false;
-        TRY(bad_at(r, PATH("domain", "upper"), "a corner above 'lower' along every axis", NULL,
+        TRY(bad_at(r, KEY("domain", "upper"), "a corner above 'lower' along every axis", NULL,
                    "the domain is empty along %s: from %g to %g", axis_name(spec, axis), spec->lower[axis],
                    spec->upper[axis]));
     }
@@ -80,24 +105,19 @@ static floe_status check_mesh(reader *r)
 {
     const mesh_spec *spec = &r->scene->mesh;
     bool ok = true;
-    if (!is_clean(r->root, PATH("domain"))) return FLOE_OK;
+    if (!is_clean(r->root, KEY("domain"))) return FLOE_OK;
     if (spec->geometry == MESH_AXISYMMETRIC && spec->dim != 2) {
-        return bad_at(r, PATH("domain", "geometry"), "dim: 2", NULL, "an axisymmetric scene has 2 dimensions, not %d",
+        return bad_at(r, KEY("domain", "geometry"), "dim: 2", NULL, "an axisymmetric scene has 2 dimensions, not %d",
                       spec->dim);
     }
     if (spec->geometry == MESH_AXISYMMETRIC && spec->lower[0] < 0.0) {
-        return bad_at(r, PATH("domain", "lower"), "a radius >= 0", NULL, "the domain begins at radius %g",
+        return bad_at(r, KEY("domain", "lower"), "a radius >= 0", NULL, "the domain begins at radius %g",
                       spec->lower[0]);
     }
     TRY(check_extent(r, &ok));
     if (!ok) return FLOE_OK;
     mesh made;
-    const floe_status status = mesh_init(&made, r->ctx, spec);
-    if (status != FLOE_BAD_INPUT) return status;
-    char message[400];
-    snprintf(message, sizeof message, "%s", context_message(r->ctx));
-    context_clear(r->ctx);
-    return bad_at(r, PATH("domain", "cell"), NULL, NULL, "%s", message);
+    return take_refusal(r, mesh_init(&made, r->ctx, spec));
 }
 
 /* ---- couplings ---- */
@@ -144,9 +164,9 @@ static floe_status check_couplings(reader *r)
 {
     const scene *s = r->scene;
     deck_node *list = node_find(r->root, "runs_as");
-    if ((list && list->bad) || !is_clean(r->root, PATH("coupling"))) return FLOE_OK;
+    if ((list && list->bad) || !is_clean(r->root, KEY("coupling"))) return FLOE_OK;
     if (!scene_runs_as(s, s->coupling)) {
-        return bad_at(r, PATH("coupling"), "a coupling that 'runs_as' lists", NULL, "'runs_as' does not list '%s'",
+        return bad_at(r, KEY("coupling"), "a coupling that 'runs_as' lists", NULL, "'runs_as' does not list '%s'",
                       coupling_name(s->coupling));
     }
     for (int i = 0; i < s->n_runs_as; i++) TRY(check_coupling(r, s->runs_as[i]));
@@ -158,13 +178,13 @@ static floe_status check_couplings(reader *r)
 static floe_status check_ambient(reader *r)
 {
     const scene *s = r->scene;
-    if (!is_clean(r->root, PATH("ambient"))) return FLOE_OK;
+    if (!is_clean(r->root, KEY("ambient"))) return FLOE_OK;
     const scene_material *m = &s->material[s->ambient_material];
     if (m->kind != MATERIAL_FLUID) {
-        return bad_at(r, PATH("ambient", "material"), "the name of a fluid", NULL, "'%s' is a solid", m->name);
+        return bad_at(r, KEY("ambient", "material"), "the name of a fluid", NULL, "'%s' is a solid", m->name);
     }
     if (!m->eos.model || s->ambient_pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
-    return bad_at(r, PATH("ambient", "pressure"), NULL, NULL,
+    return bad_at(r, KEY("ambient", "pressure"), NULL, NULL,
                   "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, s->ambient_pressure,
                   m->eos.model->pressure_floor(m->eos.par));
 }
@@ -173,16 +193,16 @@ static floe_status check_time(reader *r)
 {
     const scene *s = r->scene;
     const scene_time *time = &s->time;
-    if (is_clean(r->root, PATH("time")) && time->first_step > time->max_step) {
-        TRY(bad_at(r, PATH("time", "first_step"), "at most max_step", NULL,
+    if (is_clean(r->root, KEY("time")) && time->first_step > time->max_step) {
+        TRY(bad_at(r, KEY("time", "first_step"), "at most max_step", NULL,
                    "the first step (%g s) is above max_step (%g s)", time->first_step, time->max_step));
     }
-    if (is_clean(r->root, PATH("damping")) && !(s->damping.end > s->damping.start)) {
-        TRY(bad_at(r, PATH("damping", "end"), "a time after 'start'", NULL,
+    if (is_clean(r->root, KEY("damping")) && !(s->damping.end > s->damping.start)) {
+        TRY(bad_at(r, KEY("damping", "end"), "a time after 'start'", NULL,
                    "damping ends (%g s) before it starts (%g s)", s->damping.end, s->damping.start));
     }
-    if (is_clean(r->root, PATH("stop")) && is_clean(r->root, PATH("bodies")) && !scene_has_solids(s)) {
-        TRY(bad_at(r, PATH("stop"), NULL, NULL, "'stop' waits for solids to come to rest, and the scene has none"));
+    if (is_clean(r->root, KEY("stop")) && is_clean(r->root, KEY("bodies")) && !scene_has_solids(s)) {
+        TRY(bad_at(r, KEY("stop"), NULL, NULL, "'stop' waits for solids to come to rest, and the scene has none"));
     }
     return FLOE_OK;
 }
@@ -192,11 +212,11 @@ static floe_status check_losses(reader *r)
 {
     const scene_method *m = &r->scene->method;
     if (m->losses != LOSSES_HEAT) return FLOE_OK;
-    if (strcmp(m->transfer, "flip") != 0 && is_clean(r->root, PATH("method", "transfer")))
-        return bad_at(r, PATH("method", "transfer"), "flip, as method.losses is heat", NULL,
+    if (strcmp(m->transfer, "flip") != 0 && is_clean(r->root, KEY("method", "transfer")))
+        return bad_at(r, KEY("method", "transfer"), "flip, as method.losses is heat", NULL,
                       "what transfer '%s' loses is not known", m->transfer);
-    if (m->flip > 0.0 || !is_clean(r->root, PATH("method", "flip"))) return FLOE_OK;
-    return bad_at(r, PATH("method", "flip"), "a number above 0, as method.losses is heat", NULL,
+    if (m->flip > 0.0 || !is_clean(r->root, KEY("method", "flip"))) return FLOE_OK;
+    return bad_at(r, KEY("method", "flip"), "a number above 0, as method.losses is heat", NULL,
                   "points with flip 0 forget what they lose");
 }
 

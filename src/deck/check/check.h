@@ -8,12 +8,14 @@
 deck_node *node_path(deck_node *root, const char *const *key);
 /* The same, or its nearest ancestor that exists: where to point when the key is absent. */
 deck_node *nearest_path(deck_node *root, const char *const *key);
-#define PATH(...) ((const char *const[]){__VA_ARGS__, NULL})
 /* The node exists and no error was found in it. */
 bool is_clean(deck_node *root, const char *const *key);
 /* An error at a path: at the value if the key is there, else at the key of its nearest ancestor. */
 floe_status bad_at(reader *r, const char *const *path, const char *expected, const char *hint, const char *format, ...)
     FLOE_PRINTF(5, 6);
+
+/* After FLOE_BAD_INPUT of another room: its refusal, out of the context, as an error at its key; other statuses are let through. */
+floe_status take_refusal(reader *r, floe_status status);
 
 /* Does a coupling belong to runs_as? */
 bool scene_runs_as(const scene *s, scene_coupling coupling);

@@ -17,10 +17,10 @@ static bool meets_domain(const scene *s, const shape *part)
 static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_material *m)
 {
     if (b->fraction < 1.0 && scene_runs_as(r->scene, COUPLING_MPM))
-        return bad_at(r, PATH("bodies", b->name, "fraction"), "coupling: ice or ice-mpm, and no mpm in runs_as", NULL,
+        return bad_at(r, KEY("bodies", b->name, "fraction"), "coupling: ice or ice-mpm, and no mpm in runs_as", NULL,
                       "body '%s' shares its room with others, and material points do not", b->name);
     if (isnan(b->pressure) || !m->eos.model || b->pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
-    return bad_at(r, PATH("bodies", b->name, "pressure"), NULL, NULL,
+    return bad_at(r, KEY("bodies", b->name, "pressure"), NULL, NULL,
                   "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, b->pressure,
                   m->eos.model->pressure_floor(m->eos.par));
 }
@@ -32,15 +32,15 @@ static floe_status check_hold(reader *r, const scene_body *b)
     bool filled = false;
     for (int i = 0; i < s->n_bodies; i++) filled = filled || s->body[i].material == b->membrane.holds;
     if (!filled)
-        return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), NULL, "add a body of it",
+        return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), NULL, "add a body of it",
                       "membrane '%s' holds '%s', of which there is no body", b->name,
                       s->material[b->membrane.holds].name);
     if (s->method.density != DENSITY_CONTINUITY)
-        return bad_at(r, PATH("method", "point_density"), "continuity", NULL,
+        return bad_at(r, KEY("method", "point_density"), "continuity", NULL,
                       "gas that surface '%s' holds has its density by its own volume", b->name);
     for (int a = 0; a < s->mesh.dim; a++)
         if (s->mesh.periodic[a])
-            return bad_at(r, PATH("boundaries"), "no periodic sides", NULL,
+            return bad_at(r, KEY("boundaries"), "no periodic sides", NULL,
                           "surface '%s' holds gas, and a room that goes through periodic sides is not known", b->name);
     return FLOE_OK;
 }
@@ -54,15 +54,15 @@ static floe_status check_holder(reader *r, const scene_body *b)
         if (!other->membrane.present || other->membrane.holds < 0) continue;
         before++;
         if (b->membrane.surface.kind != SHEET_NONE || other->membrane.surface.kind != SHEET_NONE)
-            return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "one surface that holds a gas", NULL,
+            return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), "one surface that holds a gas", NULL,
                           "membrane '%s' holds a gas already", other->name);
         if (other->membrane.holds == b->membrane.holds)
-            return bad_at(r, PATH("bodies", b->name, "membrane", "holds"),
+            return bad_at(r, KEY("bodies", b->name, "membrane", "holds"),
                           "a fluid of its own, which may have the same eos", NULL, "membrane '%s' holds '%s' already",
                           other->name, s->material[b->membrane.holds].name);
     }
     if (before < SCENE_MAX_HOLDERS) return FLOE_OK;
-    return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "fewer membranes that hold gas", NULL,
+    return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), "fewer membranes that hold gas", NULL,
                   "%d membranes hold gas already", before);
 }
 
@@ -70,29 +70,29 @@ static floe_status check_holder(reader *r, const scene_body *b)
 static floe_status check_membrane(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;
-    if (is_clean(r->root, PATH("domain"))) TRY(check_membrane_points(r, (int)(b - r->scene->body)));
+    if (is_clean(r->root, KEY("domain"))) TRY(check_membrane_points(r, (int)(b - r->scene->body)));
     if (b->membrane.holds >= 0 && s->material[b->membrane.holds].kind == MATERIAL_SOLID)
-        return bad_at(r, PATH("bodies", b->name, "membrane", "holds"), "the name of a fluid", NULL, "'%s' is a solid",
+        return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), "the name of a fluid", NULL, "'%s' is a solid",
                       s->material[b->membrane.holds].name);
     if (b->membrane.holds >= 0) TRY(check_holder(r, b));
     if (b->membrane.holds >= 0 && b->membrane.surface.kind != SHEET_NONE) TRY(check_hold(r, b));
     if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_holder(s) >= 0) return FLOE_OK;
-    return bad_at(r, PATH("bodies", b->name, "membrane"), "holds: the gas on its left; or coupling: mpm", NULL,
+    return bad_at(r, KEY("bodies", b->name, "membrane"), "holds: the gas on its left; or coupling: mpm", NULL,
                   "cells do not see membrane '%s' unless it holds a gas", b->name);
 }
 
 /* What the cells of a coupled run need to know of a solid; beside a membrane that holds gas they see none. */
 static floe_status check_solid_body(reader *r, const scene_body *b, const scene_material *m)
 {
-    if (!scene_runs_as(r->scene, COUPLING_ICE_MPM) || !is_clean(r->root, PATH("materials", m->name))) return FLOE_OK;
+    if (!scene_runs_as(r->scene, COUPLING_ICE_MPM) || !is_clean(r->root, KEY("materials", m->name))) return FLOE_OK;
     if (scene_holder(r->scene) >= 0) return FLOE_OK;
     (void)b;
     if (isnan(m->specific_heat)) {
-        return bad_at(r, PATH("materials", m->name, "specific_heat"), "specific_heat: a number > 0 in J/kg/K", NULL,
+        return bad_at(r, KEY("materials", m->name, "specific_heat"), "specific_heat: a number > 0 in J/kg/K", NULL,
                       "'ice-mpm' needs the specific heat of solid '%s'", m->name);
     }
-    if (isnan(m->tension_switch) || m->tension_switch > 0.0 || !is_clean(r->root, PATH("ambient"))) return FLOE_OK;
-    return bad_at(r, PATH("materials", m->name, "tension_switch"), "tension_switch: a number > 0 in Pa", NULL,
+    if (isnan(m->tension_switch) || m->tension_switch > 0.0 || !is_clean(r->root, KEY("ambient"))) return FLOE_OK;
+    return bad_at(r, KEY("materials", m->name, "tension_switch"), "tension_switch: a number > 0 in Pa", NULL,
                   "solid '%s' needs a tension_switch, for the ambient pressure is not above zero", m->name);
 }
 
@@ -102,22 +102,22 @@ static floe_status check_seeding(reader *r, const scene_body *b)
     bool moved = false;
     for (int axis = 0; axis < r->scene->mesh.dim; axis++) moved = moved || r->scene->lattice_offset[axis] != 0.0;
     if (!moved || b->seeding == SEED_LATTICE) return FLOE_OK;
-    return bad_at(r, PATH("bodies", b->name), "seeding: lattice", NULL,
+    return bad_at(r, KEY("bodies", b->name), "seeding: lattice", NULL,
                   "'domain.lattice_offset' moves lattices, and the points of body '%s' fill its shape", b->name);
 }
 
 static floe_status check_body(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;
-    if (!is_clean(r->root, PATH("bodies", b->name)) || b->material < 0) return FLOE_OK;
+    if (!is_clean(r->root, KEY("bodies", b->name)) || b->material < 0) return FLOE_OK;
     const scene_material *m = &s->material[b->material];
-    if (is_clean(r->root, PATH("domain")) && !meets_domain(s, &b->shape)) {
-        TRY(bad_at(r, PATH("bodies", b->name, "shape"), "a shape that meets the domain", NULL,
+    if (is_clean(r->root, KEY("domain")) && !meets_domain(s, &b->shape)) {
+        TRY(bad_at(r, KEY("bodies", b->name, "shape"), "a shape that meets the domain", NULL,
                    "body '%s' lies outside the domain", b->name));
     }
     TRY(check_seeding(r, b));
-    if (b->initial_from_exact && !node_path(r->root, PATH("verify", "exact"))) {
-        TRY(bad_at(r, PATH("bodies", b->name, "state"), "verify: {exact: {...}}", NULL,
+    if (b->initial_from_exact && !node_path(r->root, KEY("verify", "exact"))) {
+        TRY(bad_at(r, KEY("bodies", b->name, "state"), "verify: {exact: {...}}", NULL,
                    "body '%s' starts from the exact solution, and 'verify' names none", b->name));
     }
     if (m->membrane) return check_membrane(r, b);
@@ -132,8 +132,8 @@ static floe_status check_points_only(reader *r, const char *key, int n)
         if (r->scene->body[b].material < 0) return FLOE_OK; /* another error */
     for (int i = 0; n > 0 && i < 2; i++) {
         if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && scene_is_cut(r->scene))) continue;
-        return bad_at(r, PATH(key), "coupling: mpm", NULL,
-                      "%s act on material points alone, and this deck runs as '%s'", key, coupling_name(cells[i]));
+        return bad_at(r, KEY(key), "coupling: mpm", NULL, "%s act on material points alone, and this deck runs as '%s'",
+                      key, coupling_name(cells[i]));
     }
     return FLOE_OK;
 }
@@ -152,23 +152,23 @@ static floe_status check_load(reader *r, const scene_load *load)
 {
     const scene *s = r->scene;
     const char *kind = load_names[load->kind];
-    if (!is_clean(r->root, PATH("loads", load->name))) return FLOE_OK;
+    if (!is_clean(r->root, KEY("loads", load->name))) return FLOE_OK;
     if (load->material >= 0 && s->material[load->material].kind == MATERIAL_SOLID) {
-        TRY(bad_at(r, PATH("loads", load->name, kind, "material"), "the name of a fluid", NULL, "'%s' is a solid",
+        TRY(bad_at(r, KEY("loads", load->name, kind, "material"), "the name of a fluid", NULL, "'%s' is a solid",
                    s->material[load->material].name));
     }
     const int body_material = load->body >= 0 ? s->body[load->body].material : -1;
     if (load->kind == LOAD_TRACTION && body_material >= 0 && s->material[body_material].kind == MATERIAL_FLUID) {
-        TRY(bad_at(r, PATH("loads", load->name, kind, "body"), "the name of a solid body", NULL,
+        TRY(bad_at(r, KEY("loads", load->name, kind, "body"), "the name of a solid body", NULL,
                    "'%s' is a fluid: a traction acts on solids", s->body[load->body].name));
     }
     if (load->ramp > 0.0 && load->ramp_steps > 0) {
-        TRY(bad_at(r, PATH("loads", load->name, kind, "ramp_steps"), "one of ramp and ramp_steps", NULL,
+        TRY(bad_at(r, KEY("loads", load->name, kind, "ramp_steps"), "one of ramp and ramp_steps", NULL,
                    "the ramp is given as a time and as a number of steps"));
     }
-    if (is_clean(r->root, PATH("domain")) && !meets_domain(s, &load->region)) {
+    if (is_clean(r->root, KEY("domain")) && !meets_domain(s, &load->region)) {
         const char *region = load->kind == LOAD_TRACTION ? "surface" : "region";
-        TRY(bad_at(r, PATH("loads", load->name, kind, region), "a shape that meets the domain", NULL,
+        TRY(bad_at(r, KEY("loads", load->name, kind, region), "a shape that meets the domain", NULL,
                    "load '%s' acts outside the domain", load->name));
     }
     return FLOE_OK;

@@ -80,7 +80,7 @@ static floe_status check_side(reader *r, int axis, int i)
     scene *s = r->scene;
     const bc_side *side = &s->bc.side[axis][i];
     const char *name = axis_name(&s->mesh, axis), *end = i == SIDE_LOWER ? "lower" : "upper";
-    const char *const *path = PATH("boundaries", name, end);
+    const char *const *path = KEY("boundaries", name, end);
     if (side->kind == BC_PERIODIC && !s->mesh.periodic[axis]) {
         return bad_at(r, path, "periodic on both sides, or on none", NULL,
                       "one side of %s is periodic, the other is not", name);
@@ -95,7 +95,7 @@ static floe_status check_side(reader *r, int axis, int i)
 
 floe_status check_boundaries(reader *r)
 {
-    if (!is_clean(r->root, PATH("boundaries")) || !is_clean(r->root, PATH("domain"))) return FLOE_OK;
+    if (!is_clean(r->root, KEY("boundaries")) || !is_clean(r->root, KEY("domain"))) return FLOE_OK;
     for (int axis = 0; axis < r->scene->mesh.dim; axis++) {
         for (int side = 0; side < 2; side++) TRY(check_side(r, axis, side));
     }

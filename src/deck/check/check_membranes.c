@@ -23,9 +23,8 @@ static floe_status check_masses(reader *r, const scene_body *b, const seed_list 
 {
     for (size_t i = 0; i < list->n; i++) {
         if (list->volume[i] > 0.0 || (long)i + 1 == b->membrane.heavy_point) continue;
-        return bad_at(r, PATH("bodies", b->name, "membrane"), NULL,
-                      "give the curve a length, or the point a heavy_mass", "point %zu of membrane '%s' has no mass",
-                      i + 1, b->name);
+        return bad_at(r, KEY("bodies", b->name, "membrane"), NULL, "give the curve a length, or the point a heavy_mass",
+                      "point %zu of membrane '%s' has no mass", i + 1, b->name);
     }
     return FLOE_OK;
 }
@@ -34,7 +33,7 @@ static floe_status check_masses(reader *r, const scene_body *b, const seed_list 
 static floe_status check_scheme(reader *r, const scene_body *b)
 {
     if (r->scene->method.stress != STRESS_USF) return FLOE_OK;
-    return bad_at(r, PATH("method", "stress"), "usl or musl", NULL,
+    return bad_at(r, KEY("method", "stress"), "usl or musl", NULL,
                   "membrane '%s' is a surface, which is strained at the end of a step", b->name);
 }
 
@@ -45,7 +44,7 @@ static floe_status check_ends(reader *r, int body, size_t n)
         const scene_spring *spring = &r->scene->spring[i];
         for (int e = 0; e < 2; e++) {
             if (spring->end[e].body != body || (size_t)spring->end[e].point <= n) continue;
-            TRY(bad_at(r, PATH("springs", spring->name, side[e], "point"), NULL, NULL,
+            TRY(bad_at(r, KEY("springs", spring->name, side[e], "point"), NULL, NULL,
                        "spring '%s' holds on to point %d of membrane '%s', which has %zu", spring->name,
                        spring->end[e].point, r->scene->body[body].name, n));
         }
@@ -61,12 +60,8 @@ floe_status check_membrane_points(reader *r, int body)
     const bool surface = b->membrane.surface.kind != SHEET_NONE;
     seed_list list;
     floe_status status = body_points(b, r->ctx, &grid, &list);
-    if (status == FLOE_BAD_INPUT) {
-        char cause[CONTEXT_MESSAGE_SIZE];
-        snprintf(cause, sizeof cause, "%s", context_message(r->ctx));
-        context_clear(r->ctx);
-        return bad_at(r, PATH("bodies", b->name, "membrane"), NULL, NULL, "membrane '%s': %s", b->name, cause);
-    }
+    if (status == FLOE_BAD_INPUT)
+        return take_refusal(r, fail_under(r->ctx, status, KEY("bodies", b->name, "membrane")));
     TRY(status);
     status = surface ? check_scheme(r, b) : FLOE_OK;
     if (status == FLOE_OK) status = check_masses(r, b, &list);

@@ -55,35 +55,20 @@ static bool is_listed(const char *const *names, const char *name)
     return false;
 }
 
-/* Takes the message of a check by another room out of the context. */
-static void take_message(context *ctx, char *message, size_t size)
-{
-    snprintf(message, size, "%s", context_message(ctx));
-    context_clear(ctx);
-}
-
 static floe_status check_exact(reader *r)
 {
     const deck_catalogue *catalogue = r->catalogue;
     const scene_verify *verify = &r->scene->verify;
-    if (!catalogue || !catalogue->check_exact || !is_clean(r->root, PATH("verify", "exact"))) return FLOE_OK;
-    const floe_status status = catalogue->check_exact(r->ctx, verify->exact, verify->exact_par, r->scene->mesh.dim);
-    if (status != FLOE_BAD_INPUT) return status;
-    char message[400];
-    take_message(r->ctx, message, sizeof message);
-    return bad_at(r, PATH("verify", "exact"), NULL, NULL, "%s", message);
+    if (!catalogue || !catalogue->check_exact || !is_clean(r->root, KEY("verify", "exact"))) return FLOE_OK;
+    return take_refusal(r, catalogue->check_exact(r->ctx, verify->exact, verify->exact_par, r->scene->mesh.dim));
 }
 
 static floe_status check_reference(reader *r)
 {
     const deck_catalogue *catalogue = r->catalogue;
     const scene_verify *verify = &r->scene->verify;
-    if (!catalogue || !catalogue->check_reference || !is_clean(r->root, PATH("verify", "reference"))) return FLOE_OK;
-    const floe_status status = catalogue->check_reference(r->ctx, verify->reference, verify->reference_par);
-    if (status != FLOE_BAD_INPUT) return status;
-    char message[400];
-    take_message(r->ctx, message, sizeof message);
-    return bad_at(r, PATH("verify", "reference"), NULL, NULL, "%s", message);
+    if (!catalogue || !catalogue->check_reference || !is_clean(r->root, KEY("verify", "reference"))) return FLOE_OK;
+    return take_refusal(r, catalogue->check_reference(r->ctx, verify->reference, verify->reference_par));
 }
 
 static floe_status check_metric(reader *r, const char **names, deck_node *item)
@@ -99,7 +84,7 @@ static floe_status check_metric(reader *r, const char **names, deck_node *item)
 
 static floe_status check_metrics(reader *r)
 {
-    deck_node *list = node_path(r->root, PATH("verify", "metrics"));
+    deck_node *list = node_path(r->root, KEY("verify", "metrics"));
     if (!r->catalogue || !list || list->bad) return FLOE_OK;
     const char **names;
     TRY(list_metrics(r, &names));
@@ -110,7 +95,7 @@ static floe_status check_metrics(reader *r)
 static floe_status check_probes(reader *r)
 {
     const scene *s = r->scene;
-    if (!is_clean(r->root, PATH("domain"))) return FLOE_OK;
+    if (!is_clean(r->root, KEY("domain"))) return FLOE_OK;
     for (int i = 0; i < s->n_probes; i++) {
         const scene_probe *probe = &s->probe[i];
         bool inside = true;
@@ -118,8 +103,8 @@ static floe_status check_probes(reader *r)
             const double x = probe->position[axis];
             inside = inside && x >= s->mesh.lower[axis] && x <= s->mesh.upper[axis];
         }
-        if (inside || !is_clean(r->root, PATH("output", "probes", probe->name))) continue;
-        TRY(bad_at(r, PATH("output", "probes", probe->name), "a place in the domain", NULL,
+        if (inside || !is_clean(r->root, KEY("output", "probes", probe->name))) continue;
+        TRY(bad_at(r, KEY("output", "probes", probe->name), "a place in the domain", NULL,
                    "probe '%s' lies outside the domain", probe->name));
     }
     return FLOE_OK;
@@ -143,8 +128,8 @@ static bool is_axis(const scene_study *study, const char *key)
 static floe_status check_study(reader *r)
 {
     const scene_study *study = &r->scene->study;
-    deck_node *over = node_path(r->root, PATH("study", "over"));
-    deck_node *bars = node_path(r->root, PATH("study", "require"));
+    deck_node *over = node_path(r->root, KEY("study", "over"));
+    deck_node *bars = node_path(r->root, KEY("study", "require"));
     if (study->n_axes == 0) return FLOE_OK;
     if (over && !is_axis(study, study->over)) TRY(bad_name(r, over, false, "axis", axis_candidate, study));
     for (deck_node *bar = bars ? bars->first : NULL; bar; bar = bar->next) {

@@ -239,9 +239,15 @@ static floe_status find_rest(ice *s, int gas, fluid_state *out)
     for (int b = 0; b < given->n_bodies; ++b) {
         const scene_body *body = &given->body[b];
         if (body->material != material) continue;
-        return fluid_state_of(s->ctx, &s->material[gas].eos, body->pressure, body->temperature, body->density, out);
+        return fail_under(
+            s->ctx,
+            fluid_state_of(s->ctx, &s->material[gas].eos, body->pressure, body->temperature, body->density, out),
+            KEY("bodies", body->name));
     }
-    return fluid_state_of(s->ctx, &s->material[gas].eos, given->ambient_pressure, given->ambient_temperature, NAN, out);
+    return fail_under(
+        s->ctx,
+        fluid_state_of(s->ctx, &s->material[gas].eos, given->ambient_pressure, given->ambient_temperature, NAN, out),
+        KEY("ambient"));
 }
 
 /* Heat goes to what cells have of one gas; other loads on gas know nothing of cut cells. */
@@ -252,12 +258,26 @@ static floe_status check_loads(const ice *s)
         const bool heat = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
         const bool taken = heat ? s->n_materials == 1 : load->kind != LOAD_BODY_FORCE || load->body >= 0;
         if (taken) continue;
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "load '%s' acts on gas beside a membrane or a sharp interface, which cut cells do not take; use "
-                    "mpm, or leave it out",
-                    load->name);
+        return fail_key(
+            s->ctx, KEY("loads", load->name),
+            "it acts on gas beside a membrane or a sharp interface, which cut cells do not take; use mpm, or "
+            "leave it out");
     }
     return FLOE_OK;
+}
+
+/* Beside lines gas does nothing but flow. */
+static floe_status check_gases(const ice *s)
+{
+    static const char text[] = "gas beside a membrane that holds it, or a sharp interface, %s; leave it out";
+    for (int r = 0; r < s->n_materials; ++r)
+        if (s->material[r].conductivity > 0.0)
+            return fail_key(s->ctx,
+                            KEY("materials", s->scene->material[s->material[r].scene_material].name, "conductivity"),
+                            text, "does not conduct heat");
+    if (s->scene->n_reactions > 0)
+        return fail_key(s->ctx, KEY("reactions", s->scene->reaction[0].name), text, "does not react");
+    return s->scene->driving ? fail_key(s->ctx, KEY("verify", "sources"), text, "has no sources") : FLOE_OK;
 }
 
 static floe_status new_pools(const ice *s, ice_pools *p)
@@ -281,18 +301,15 @@ floe_status ice_seal_create(ice *s)
 {
     TRY(check_loads(s));
     if (s->scene->method.pressure != PRESSURE_EXPLICIT)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "beside a membrane that holds gas, or a sharp interface, the pressure is explicit: leave "
-                    "'method.pressure' out");
-    if (s->conducts || s->scene->driving || s->scene->n_reactions > 0)
-        return fail(
-            s->ctx, FLOE_BAD_INPUT,
-            "gas beside a membrane that holds it, or a sharp interface, neither conducts heat nor reacts nor has "
-            "sources");
+        return fail_key(
+            s->ctx, KEY("method", "pressure"),
+            "beside a membrane that holds gas, or a sharp interface, the pressure is explicit: leave it out");
+    TRY(check_gases(s));
     find_lines(s);
     if (s->mesh->dim != 2 || s->n_materials > s->seal.n_lines + 1)
-        return fail(s->ctx, FLOE_BAD_INPUT,
-                    "membranes hold gas in two dimensions: each has one inside, and one gas or none is outside all");
+        return fail_key(
+            s->ctx, KEY("bodies"),
+            "membranes hold gas in two dimensions: each has one inside, and one gas or none is outside all");
     TRY(memory_new(s->ctx, &s->work->sealing, 1, sizeof *s->work->sealing));
     struct ice_sealing *w = s->work->sealing;
     for (int g = 0; g < s->n_materials; ++g) {

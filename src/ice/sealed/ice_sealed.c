@@ -288,8 +288,8 @@ static floe_status find_empty(const ice *s)
             for (int i = 0; i < v->b->n[0]; ++i) {
                 const ptrdiff_t at = mesh_index(v->b, i, j, 0);
                 if (!(v->m[0].open[at] > 0.0) || v->m[0].rho[at] > 0.0) continue;
-                return fail(
-                    s->ctx, FLOE_BAD_INPUT,
+                return fail_key(
+                    s->ctx, KEY("ambient"),
                     "the membrane leaves cell (%d, %d) at (%g, %g) to gas '%s', and no body of it is there: let "
                     "bodies fill its side of the membrane (the gas that a membrane `holds` is on its left), or "
                     "make it the `ambient`",

@@ -88,10 +88,10 @@ static floe_status too_thin(const mpm *s, const int node[MESH_MAX_DIM])
 {
     double x[3] = {0.0, 0.0, 0.0};
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_node(s->mesh, a, node[a]);
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "time.solver: static: the solid at about (%g, %g, %g) is too thin for its nodes to tell the gases of "
-                "its two sides apart: refine domain.cell, or use method.interface: sharp",
-                x[0], x[1], x[2]);
+    return fail_key(s->ctx, KEY("time", "solver"),
+                    "static: the solid at about (%g, %g, %g) is too thin for its nodes to tell the gases of "
+                    "its two sides apart: refine domain.cell, or use method.interface: sharp",
+                    x[0], x[1], x[2]);
 }
 
 /* Keeps the squeeze of the nodes that see a gas as what pushes them. */

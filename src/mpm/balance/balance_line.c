@@ -90,11 +90,10 @@ static floe_status make_room(mpm *s)
     struct line_rest *r = s->balance->line;
     const membrane_line *line = line_of(s);
     if (!mpm_membrane_encloses(s, r->body) || line->n < 3)
-        return fail(
-            s->ctx, FLOE_BAD_INPUT,
-            "time.solver: static: membrane '%s' is neither closed nor ends on mirrors, and encloses nothing; use "
-            "dynamic",
-            s->scene->body[s->body[r->body].scene_body].name);
+        return fail_key(s->ctx, KEY("time", "solver"),
+                        "static: membrane '%s' is neither closed nor ends on mirrors, and encloses nothing; use "
+                        "dynamic",
+                        s->scene->body[s->body[r->body].scene_body].name);
     if (r->matrix) return FLOE_OK;
     r->n = line->n;
     TRY(chain_create(&r->matrix, s->ctx, r->n, line->closed));
@@ -379,8 +378,8 @@ static floe_status gather_gas(mpm *s, balance_room *gas, double *energy)
     add_gas(s, &t, gas);
     if (s->gas) {
         if (s->n_gases != 1)
-            return fail(s->ctx, FLOE_BAD_INPUT,
-                        "time.solver: static: the gas that the membrane holds is in %d parts; use dynamic", s->n_gases);
+            return fail_key(s->ctx, KEY("time", "solver"),
+                            "static: the gas that the membrane holds is in %d parts; use dynamic", s->n_gases);
         gas->par = (solid_fluid_par){.eos = *s->gas->law};
         gas->mass = s->gas->mass;
         gas->volume0 = s->gas->volume;

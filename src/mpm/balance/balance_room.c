@@ -104,8 +104,8 @@ static floe_status begin_points(mpm *s, balance_room *r)
                      s->work->tile_sum + (size_t)tile_box_of(s->mesh, &s->mesh->block[b], t).number * SUMS);
     domain_sum_tiles(s->mesh, s->work->tile_sum, SUMS, sum);
     if (!(sum[SUM_VOLUME] > 0.0))
-        return fail(s->ctx, FLOE_BAD_INPUT, "the gas '%s' has no points",
-                    s->scene->body[s->body[r->body].scene_body].name);
+        return fail_key(s->ctx, KEY("bodies", s->scene->body[s->body[r->body].scene_body].name),
+                        "the gas has no points: make its shape larger, or the cells smaller");
     r->mass = r->mass_first = sum[SUM_MASS];
     r->volume0 = sum[SUM_VOLUME0];
     r->volume = r->volume_first = sum[SUM_VOLUME];

@@ -20,13 +20,13 @@ floe_status contact_create(mpm *s)
     TRY(memory_new(s->ctx, &s->contact, 1, sizeof *s->contact));
     struct mpm_contact *c = s->contact;
     c->normal = normal_find(s->scene->contact.normals);
-    if (!c->normal) return fail(s->ctx, FLOE_BAD_INPUT, "there are no normals '%s'", s->scene->contact.normals);
+    if (!c->normal)
+        return fail_key(s->ctx, KEY("contact", "normals"), "there are no normals '%s'", s->scene->contact.normals);
     if (s->basis->support > CONTACT_SUPPORT)
-        return fail(
-            s->ctx, FLOE_BAD_INPUT,
-            "contact with the %s basis: bodies would meet at nodes two cells off, where they have no normals; use one "
-            "of %d nodes along an axis at most, as quadratic",
-            s->basis->name, CONTACT_SUPPORT);
+        return fail_key(s->ctx, KEY("method", "basis"),
+                        "%s, in contact: bodies would meet at nodes two cells off, where they have no normals; use one "
+                        "of %d nodes along an axis at most, as quadratic",
+                        s->basis->name, CONTACT_SUPPORT);
     c->fluids = true;
     for (int b = 0; b < s->n_bodies; ++b) {
         const int group = s->body[b].group;

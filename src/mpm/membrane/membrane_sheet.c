@@ -73,9 +73,9 @@ static floe_status no_direction(const mpm *s, const fields *f, int body, size_t 
 {
     double x[3];
     for (int a = 0; a < 3; ++a) x[a] = field_get(f, P_POS, body, a)[k];
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "the points of membrane '%s' about (%g, %g, %g) make no surface: they are too few, or on one line",
-                s->scene->body[s->body[body].scene_body].name, x[0], x[1], x[2]);
+    return fail_key(s->ctx, KEY("bodies", s->scene->body[s->body[body].scene_body].name, "membrane"),
+                    "its points about (%g, %g, %g) make no surface: they are too few, or on one line", x[0], x[1],
+                    x[2]);
 }
 
 floe_status start_sheet(mpm *s, int body)

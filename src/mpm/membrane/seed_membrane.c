@@ -11,12 +11,7 @@ static bool is_surface(const scene_body *b)
 
 floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list)
 {
-    const floe_status status = body_points(b, s->ctx, grid, list);
-    if (status != FLOE_BAD_INPUT) return status;
-    char cause[CONTEXT_MESSAGE_SIZE];
-    snprintf(cause, sizeof cause, "%s", context_message(s->ctx));
-    context_clear(s->ctx);
-    return fail(s->ctx, FLOE_BAD_INPUT, "membrane '%s': %s", b->name, cause);
+    return fail_under(s->ctx, body_points(b, s->ctx, grid, list), KEY("bodies", b->name, "membrane"));
 }
 
 double slack_of(const mpm *s, int body, size_t number)
@@ -36,7 +31,6 @@ floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n)
     double *mass = &field_get(f, P_MASS, body, 0)[k];
     if (number == m->heavy_point) *mass = m->heavy_mass / scene_extent(s->scene);
     if (*mass > 0.0) return FLOE_OK;
-    return fail(s->ctx, FLOE_BAD_INPUT,
-                "point %ld of membrane '%s' has no mass: give the curve a length, or the point a heavy_mass", number,
-                b->name);
+    return fail_key(s->ctx, KEY("bodies", b->name, "membrane"),
+                    "point %ld has no mass: give the curve a length, or the point a heavy_mass", number);
 }

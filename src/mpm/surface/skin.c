@@ -75,7 +75,8 @@ floe_status seed_skins(mpm *s)
     }
     body_skin *k = &s->work->skin;
     if (k->n == 0)
-        return fail(s->ctx, FLOE_BAD_INPUT, "no solid has a surface inside the domain: leave 'method.interface' out");
+        return fail_key(s->ctx, KEY("method", "interface"),
+                        "sharp: no solid has a surface inside the domain; leave it out");
     memcpy(k->next, k->now, k->n * sizeof *k->now);
     return FLOE_OK;
 }

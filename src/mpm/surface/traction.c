@@ -165,8 +165,8 @@ floe_status seed_surfaces(mpm *s)
         surface_visit(&s->scene->load[l].region, &grid, SURFACE_DIVISIONS, SURFACE_DIAGONALS, add_element, &list);
         TRY(list.status);
         if (s->work->n_surface == before)
-            return fail(s->ctx, FLOE_BAD_INPUT, "load '%s' finds no surface of its shape on the body that it loads",
-                        s->scene->load[l].name);
+            return fail_key(s->ctx, KEY("loads", s->scene->load[l].name, "traction", "surface"),
+                            "no surface of this shape is on the body that it loads; give the shape that bounds it");
     }
     TRY(seed_rooms(s, &list, &grid));
     TRY(seed_contacts(s, &list, &grid));

@@ -26,10 +26,10 @@ static floe_status annulus_prepare(context *ctx, const void *par, int dim, void 
     (void)dim;
     (void)prepared;
     const annulus_par *p = par;
-    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
     if (p->outer_radius > p->inner_radius) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "outer_radius = %g m: must be over inner_radius = %g m", p->outer_radius,
-                p->inner_radius);
+    return fail_key(ctx, KEY("outer_radius"), "%g m: must be over inner_radius = %g m", p->outer_radius,
+                    p->inner_radius);
 }
 
 /* With s = ln(r/r_i)/ln(r_o/r_i): u = U (1 - s), and what shear makes of heat, mu u'^2 = mu (U/ln(r_o/r_i))^2 / r^2, leaves by the

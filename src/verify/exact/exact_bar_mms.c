@@ -34,8 +34,8 @@ static floe_status mms_prepare(context *ctx, const void *par, int dim, void *pre
     c->speed = p->speed > 0.0 ? p->speed : sqrt((c->lambda + 2.0 * p->shear_modulus) / p->density);
     c->k = VERIFY_PI / p->length;
     if (fabs(p->amplitude) * c->k < 1.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "amplitude = %g m: must be below length/pi = %g m, or the bar folds", p->amplitude,
-                1.0 / c->k);
+    return fail_key(ctx, KEY("amplitude"), "%g m: must be below length/pi = %g m, or the bar folds", p->amplitude,
+                    1.0 / c->k);
 }
 
 typedef struct mms_motion {

@@ -24,10 +24,10 @@ static floe_status hot_prepare(context *ctx, const void *par, int dim, void *pre
 {
     (void)prepared;
     const hot_par *p = par;
-    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
     TRY(check_axis(ctx, p->axis, dim));
     if (dim > 1 || p->speed == 0.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "speed = %g m/s: a plate cannot slide in one dimension", p->speed);
+    return fail_key(ctx, KEY("speed"), "%g m/s: a plate cannot slide in one dimension", p->speed);
 }
 
 /* The axis along which the plate moves: y across, x along; z across, x along; x across, y along. */

@@ -65,10 +65,10 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     wave_constants *c = prepared;
     TRY(check_axis(ctx, p->axis, dim));
     TRY(check_whole(ctx, "thermal", p->thermal));
-    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
     const bool thermal = whole(p->thermal) == 1;
     if (thermal && !(p->conductivity > 0.0))
-        return fail(ctx, FLOE_BAD_INPUT, "conductivity = %g W/m/K: heat does not diffuse without one", p->conductivity);
+        return fail_key(ctx, KEY("conductivity"), "%g W/m/K: heat does not diffuse without one", p->conductivity);
     c->k = 2.0 * VERIFY_PI / p->wavelength;
     c->T0 = p->pressure / ((p->gamma - 1.0) * p->heat_capacity * p->density);
     c->s = wave_rate(p, c->k * c->k);

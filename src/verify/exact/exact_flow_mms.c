@@ -29,7 +29,7 @@ static floe_status flow_prepare(context *ctx, const void *par, int dim, void *pr
     (void)prepared;
     const flow_par *p = par;
     if (p->gamma > 1.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
 }
 
 /* A function with its first and second derivatives by x, y, z and t: what arithmetic on such makes of them. */

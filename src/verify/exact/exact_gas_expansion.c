@@ -22,8 +22,7 @@ static floe_status expansion_prepare(context *ctx, const void *par, int dim, voi
     const expansion_par *p = par;
     TRY(check_whole(ctx, "geometry", p->geometry));
     if (p->geometry > 0.0 && dim < 2) {
-        return fail(ctx, FLOE_BAD_INPUT, "geometry = %g: in one dimension there is only a slab, geometry 0",
-                    p->geometry);
+        return fail_key(ctx, KEY("geometry"), "%g: in one dimension there is only a slab, geometry 0", p->geometry);
     }
     const fan_gas gas = {.geometry = whole(p->geometry),
                          .radius = p->radius,

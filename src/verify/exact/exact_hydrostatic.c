@@ -19,7 +19,7 @@ static floe_status column_prepare(context *ctx, const void *par, int dim, void *
 {
     (void)prepared;
     const column_par *p = par;
-    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
     return check_axis(ctx, p->axis, dim);
 }
 

@@ -24,13 +24,12 @@ static floe_status vortex_prepare(context *ctx, const void *par, int dim, void *
     (void)dim;
     (void)prepared;
     const vortex_par *p = par;
-    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
     const double drop =
         (p->gamma - 1.0) * p->strength * p->strength * exp(1.0) / (8.0 * p->gamma * VERIFY_PI * VERIFY_PI);
     if (drop < 1.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT,
-                "strength = %g: the temperature at the centre would be negative (%g of that outside)", p->strength,
-                1.0 - drop);
+    return fail_key(ctx, KEY("strength"), "%g: the temperature at the centre would be negative (%g of that outside)",
+                    p->strength, 1.0 - drop);
 }
 
 /* The place seen from the centre of the nearest image, in radii. */

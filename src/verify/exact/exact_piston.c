@@ -32,8 +32,7 @@ static floe_status piston_prepare(context *ctx, const void *par, int dim, void *
     c->sound = sqrt(p->system.bulk_modulus / p->system.density);
     c->omega = piston_frequency(&p->system, whole(p->mode));
     if (isfinite(c->omega)) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "the piston has no frequency of mode %g: check mass, stiffness and fluid",
-                p->mode);
+    return fail_key(ctx, KEY("mode"), "%g: the piston has no such frequency: check mass, stiffness and fluid", p->mode);
 }
 
 static double piston_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],

@@ -32,9 +32,9 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     wave_constants *c = prepared;
     TRY(check_axis(ctx, p->axis, dim));
     TRY(check_whole(ctx, "moving", p->moving));
-    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
     if (whole(p->moving) == 1 && p->frequency > 0.0)
-        return fail(ctx, FLOE_BAD_INPUT, "frequency = %g Hz: a piston that moves only goes one way here", p->frequency);
+        return fail_key(ctx, KEY("frequency"), "%g Hz: a piston that moves only goes one way here", p->frequency);
     *c = (wave_constants){.law = {p->start, p->ramp, p->frequency}, .sound = sqrt(p->gamma * p->pressure / p->density)};
     return simple_wave_check(ctx, "speed", p->speed, c->sound, p->gamma);
 }

@@ -35,8 +35,8 @@ static floe_status relaxation_prepare(context *ctx, const void *par, int dim, vo
     TRY(check_whole(ctx, "material", p->material));
     TRY(check_axis(ctx, p->axis, dim));
     if (p->first_heat_share + p->second_heat_share <= 1.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "first_heat_share + second_heat_share = %g: must be at most 1",
-                p->first_heat_share + p->second_heat_share);
+    return fail_key(ctx, KEY("first_heat_share"), "%g with second_heat_share: must be at most 1",
+                    p->first_heat_share + p->second_heat_share);
 }
 
 /* 1/tau of the difference of velocities, or of temperatures. */

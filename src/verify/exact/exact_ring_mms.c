@@ -28,8 +28,8 @@ static floe_status ring_prepare(context *ctx, const void *par, int dim, void *pr
     (void)prepared;
     const ring_par *p = par;
     if (p->outer_radius > p->inner_radius) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "outer_radius = %g m: must be over inner_radius = %g m", p->outer_radius,
-                p->inner_radius);
+    return fail_key(ctx, KEY("outer_radius"), "%g m: must be over inner_radius = %g m", p->outer_radius,
+                    p->inner_radius);
 }
 
 /* The angle and its derivatives by R and t. */

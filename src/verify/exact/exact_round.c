@@ -18,8 +18,7 @@ static floe_status round_prepare(context *ctx, const void *par, int dim, void *p
     const round_par *p = par;
     TRY(check_whole(ctx, "about", p->about));
     if (dim == 3 || whole(p->about) == 0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "about = %g is an axis of space; in a plane all is round about a centre, 0",
-                p->about);
+    return fail_key(ctx, KEY("about"), "%g is an axis of space; in a plane all is round about a centre, 0", p->about);
 }
 
 static double round_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],

@@ -105,7 +105,7 @@ static floe_status sedov_prepare(context *ctx, const void *par, int dim, void *p
     const int status = gsl_integration_qags(&f, 0.0, 1.0, 0.0, 1e-12, INTERVALS, room, &integral, &error);
     gsl_integration_workspace_free(room);
     if (status != 0 && !(error <= 1e-10 * integral))
-        return fail(ctx, FLOE_BAD_INPUT, "the energy of the blast cannot be integrated for gamma = %g", p->gamma);
+        return fail_key(ctx, KEY("gamma"), "%g: the energy of the blast cannot be integrated", p->gamma);
     const double g = p->gamma;
     q->alpha = surface[whole(p->radial.geometry)] * q->A0 * q->A0 * 2.0 / (g * g - 1.0) * integral;
     return FLOE_OK;

@@ -32,7 +32,7 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     wave_constants *c = prepared;
     TRY(check_whole(ctx, "sine", p->sine));
     TRY(check_axis(ctx, p->axis, dim));
-    if (!(p->gamma > 1.0)) return fail(ctx, FLOE_BAD_INPUT, "gamma = %g: must be over 1", p->gamma);
+    if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
     c->shape = (profile){.sine = whole(p->sine) == 1, .centre = p->centre, .width = p->width, .period = p->period};
     c->sound = sqrt(p->gamma * p->pressure / p->density);
     const double steepest = 0.5 * (p->gamma + 1.0) * fabs(p->amplitude) * profile_largest_slope(&c->shape);

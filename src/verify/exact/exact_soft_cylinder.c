@@ -85,17 +85,16 @@ static floe_status soft_prepare(context *ctx, const void *par, int dim, void *pr
     const soft_par *p = par;
     soft_profile *c = prepared;
     if (!(p->outer_radius > p->inner_radius))
-        return fail(ctx, FLOE_BAD_INPUT, "outer_radius = %g m: must be over inner_radius = %g m", p->outer_radius,
-                    p->inner_radius);
+        return fail_key(ctx, KEY("outer_radius"), "%g m: must be over inner_radius = %g m", p->outer_radius,
+                        p->inner_radius);
     c->mu = p->shear_modulus;
     c->lambda = p->bulk_modulus - 2.0 / 3.0 * c->mu;
     c->step = (p->outer_radius - p->inner_radius) / STEPS;
     bore w = {p, c, 1.0};
     const double b = find_root(outside_stress, &w, 1.0, 1.5);
     if (!isnan(b) && !isnan(outside_stress(b, &w))) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT,
-                "inner_pressure = %g Pa: opens the bore to more than 1.5 times its radius; it must be less",
-                p->inner_pressure);
+    return fail_key(ctx, KEY("inner_pressure"),
+                    "%g Pa: opens the bore to more than 1.5 times its radius; it must be less", p->inner_pressure);
 }
 
 /* r and r' at R. */

@@ -195,8 +195,8 @@ static floe_status chain_prepare(context *ctx, const void *par, void *prepared)
     TRY(check_whole(ctx, "one_way", p->one_way));
     TRY(check_whole(ctx, "small_strain", p->small_strain));
     if (span(p) > 0.0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "the first and the last point are at the same place (%g, %g)", p->first_x,
-                p->first_y);
+    return fail_key(ctx, KEY("last_x"), "the first and the last point are at the same place (%g, %g)", p->first_x,
+                    p->first_y);
 }
 
 enum { LENGTH, START_ANGLE, RIGID_PERIOD };

@@ -84,10 +84,10 @@ static floe_status vessel_prepare(context *ctx, const void *par, void *prepared)
     (void)prepared;
     const vessel_par *p = par;
     if (!(p->surface > 0.0) == !(p->specific_surface > 0.0))
-        return fail(ctx, FLOE_BAD_INPUT,
-                    "the vessel's grains have a 'specific_surface' or a 'surface', and one of them");
+        return fail_key(ctx, KEY(p->surface > 0.0 ? "surface" : "specific_surface"),
+                        "the vessel's grains have a 'specific_surface' or a 'surface', and one of them");
     if (p->grain_mass < p->volume * p->grain_density) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "%g kg of grains do not fit into %g m3", p->grain_mass, p->volume);
+    return fail_key(ctx, KEY("grain_mass"), "%g kg of grains do not fit into %g m3", p->grain_mass, p->volume);
 }
 
 static floe_status vessel_series(context *ctx, const void *par, const void *prepared, size_t n, const double *t,

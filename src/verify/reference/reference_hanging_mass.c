@@ -97,7 +97,7 @@ static floe_status check_choices(context *ctx, const mass_par *p)
     TRY(check_whole(ctx, "small_strain", p->small_strain));
     TRY(check_whole(ctx, "constant_volume", p->constant_volume));
     if (p->slack == 0.0 || whole(p->one_way)) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "slack = %g m: a spring has none; set one_way: 1 for a string", p->slack);
+    return fail_key(ctx, KEY("slack"), "%g m: a spring has none; set one_way: 1 for a string", p->slack);
 }
 
 static floe_status find_turns(context *ctx, const mass_par *p, mass_motion *m)
@@ -111,8 +111,8 @@ static floe_status find_turns(context *ctx, const mass_par *p, mass_motion *m)
     m->high = find_root(kinetic_at, &s, balanced, far);
     m->low = p->slack > 0.0 ? find_root(kinetic_at, &s, -p->length * (1.0 - 1e-12), 0.0) : 0.0;
     if (isfinite(m->low) && isfinite(m->high)) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "the spring (modulus %g, area %g, length %g) cannot stop the mass %g", p->modulus,
-                p->area, p->length, p->mass);
+    return fail_key(ctx, KEY("mass"), "the spring (modulus %g, area %g, length %g) cannot stop the mass %g", p->modulus,
+                    p->area, p->length, p->mass);
 }
 
 static gsl_integration_glfixed_table *gauss(context *ctx, floe_status *status)

@@ -99,17 +99,17 @@ static floe_status rest_prepare(context *ctx, const void *par, void *prepared)
     TRY(check_whole(ctx, "small_strain", p.small_strain));
     TRY(check_whole(ctx, "constant_volume", p.constant_volume));
     if (!(excess(p.rest_radius, &p) < 0.0)) {
-        return fail(ctx, FLOE_BAD_INPUT,
-                    "gas_pressure = %g and gas_volume = %g do not fill the membrane of rest_radius = %g against "
-                    "outside_pressure = %g: it stays slack, without one shape at rest",
-                    p.gas_pressure, p.gas_volume, p.rest_radius, p.outside_pressure);
+        return fail_key(ctx, KEY("gas_pressure"),
+                        "%g and gas_volume = %g do not fill the membrane of rest_radius = %g against "
+                        "outside_pressure = %g: it stays slack, without one shape at rest",
+                        p.gas_pressure, p.gas_volume, p.rest_radius, p.outside_pressure);
     }
     double hi = p.rest_radius;
     for (int i = 0; i < 200 && excess(hi, &p) < 0.0; i++) hi *= 1.25;
     const double radius = find_root(excess, &p, p.rest_radius, hi);
     if (!isfinite(radius)) {
-        return fail(ctx, FLOE_BAD_INPUT, "modulus = %g and thickness = %g hold the gas at no radius: there is no rest",
-                    p.modulus, p.thickness);
+        return fail_key(ctx, KEY("modulus"), "%g and thickness = %g hold the gas at no radius: there is no rest",
+                        p.modulus, p.thickness);
     }
     *(rest_state *)prepared = state_at(&p, radius);
     return FLOE_OK;
