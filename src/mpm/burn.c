@@ -7,6 +7,7 @@
  * and cells add up to what they were. Volumes follow masses, and what a point is strained by stays: F, J and stress. */
 #include "base/threads.h"
 #include "mpm/spread.h"
+#include "mpm/wall.h"
 
 #include <string.h>
 

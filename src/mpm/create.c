@@ -4,9 +4,12 @@
 #include "mpm/balance/balance.h"
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
+#include "mpm/load.h"
 #include "mpm/membrane/hold.h"
+#include "mpm/membrane/membrane.h"
 #include "mpm/membrane/membrane_normal.h"
 #include "mpm/membrane/membrane_sheet.h"
+#include "mpm/surface/skin.h"
 
 #include <math.h>
 #include <stdlib.h>

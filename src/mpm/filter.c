@@ -1,7 +1,7 @@
 /* The filter of XPIC (Hammerquist and Nairn 2017): of the velocities V that points bring, the part
  *     [I - (I - S S+)^m] V = S sum_r (-1)^(r+1) C(m, r) u_r,   u_1 = S+ V,   u_r = S+ S u_(r-1),
  * is what m rounds between points and nodes leave; the rest the mesh does not see. */
-#include "mpm/work.h"
+#include "mpm/wall.h"
 
 #include <string.h>
 

@@ -14,6 +14,7 @@
 #include "base/threads.h"
 #include "mpm/membrane/line.h"
 #include "mpm/spread.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

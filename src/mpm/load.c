@@ -1,5 +1,5 @@
 /* Loads on points that act on their volume: body forces, energy. Those on surfaces: traction.c. */
-#include "mpm/work.h"
+#include "mpm/load.h"
 #include "scene/state.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 /* The points-only step, straight down (numerics 4.1). */
-#include "mpm/work.h"
+#include "mpm/load.h"
 
 #include <math.h>
 

@@ -1,6 +1,7 @@
 /* What happens at the nodes between the two passes over the points. */
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 

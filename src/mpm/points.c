@@ -1,8 +1,12 @@
 /* The stages that pass over the points, tile by tile. */
 #include "base/threads.h"
 #include "mpm/edge/edge.h"
+#include "mpm/load.h"
 #include "mpm/locate.h"
-#include "mpm/work.h"
+#include "mpm/membrane/membrane.h"
+#include "mpm/surface/skin.h"
+#include "mpm/surface/traction.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,11 @@
 #include "base/memory.h"
 #include "geom/seed.h"
 #include "mpm/edge/edge.h"
-#include "mpm/work.h"
+#include "mpm/membrane/membrane.h"
+#include "mpm/spring.h"
+#include "mpm/surface/skin.h"
+#include "mpm/surface/traction.h"
+#include "mpm/wall.h"
 #include "scene/state.h"
 
 #include <math.h>

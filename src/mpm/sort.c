@@ -1,6 +1,7 @@
 /* The order of points: by tile, then cell, then id, whatever their history; and what becomes of points that leave. */
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
+#include "mpm/surface/skin.h"
 
 #include <math.h>
 #include <string.h>

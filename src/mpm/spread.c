@@ -1,6 +1,7 @@
 #include "mpm/spread.h"
 
 #include "mpm/locate.h"
+#include "mpm/wall.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Supports: nodes inside a region whose velocity is given, as walls give it on the sides of the mesh. York's nets and pendulums hang
  * on walls; a support is for what hangs elsewhere. */
 #include "base/memory.h"
-#include "mpm/work.h"
+#include "mpm/wall.h"
 
 #include <string.h>
 

@@ -1,6 +1,9 @@
 /* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (design 4). */
 #include "mpm/membrane/hold.h"
-#include "mpm/work.h"
+#include "mpm/spring.h"
+#include "mpm/surface/skin.h"
+#include "mpm/surface/traction.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

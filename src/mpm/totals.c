@@ -1,6 +1,7 @@
 /* Sums and limits over the current points: within tiles, then over tiles in order. */
 #include "base/threads.h"
-#include "mpm/work.h"
+#include "mpm/membrane/membrane.h"
+#include "mpm/spring.h"
 
 #include <math.h>
 #include <string.h>

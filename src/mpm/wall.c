@@ -3,7 +3,7 @@
  * fold is a mirror: even for mass and tangential momentum, odd for normal momentum. At every other side it is linear
  * extrapolation, u_-1 = 2 u_0 - u_1: the folded basis is nonnegative, sums to one, reproduces linear fields and
  * interpolates at the wall (numerics 4.3). */
-#include "mpm/work.h"
+#include "mpm/wall.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* Private to the mpm room: kernels, their arguments, and scratch. */
+/* What the files of the mpm room share: kernels, their arguments, the scratch of a run, and passes over tiles. */
 #ifndef MPM_WORK_H
 #define MPM_WORK_H
 
@@ -185,6 +185,7 @@ uint64_t cell_bit(const mesh *m, const tile_box *t, const point_arrays *p, size_
 bool contact_is_near(const mpm *s, const tile_box *t, const point_arrays *p, size_t k);
 /* The cells of a tile in which fluid points meet solid ones; 0 where the tile has only one kind. */
 uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t);
+/* A tile of a block, as the kernels see it. */
 tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block);
 /* Nodes of a tile along each axis that are its own: the last tile owns the upper wall's; a periodic end is node 0 again. */
 void tile_nodes(const mesh *m, const tile_box *t, int end[MESH_MAX_DIM]);
@@ -207,6 +208,11 @@ void gather_nodes(const mpm *s, int blk, const node_target *out);
 /* Copies the window of a tile from node arrays: `count` components interleaved (tile.c). */
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window);
 
+/* All that pushes a group's nodes but points, on top of what N_FORCE holds, with the sides' folds (tile.c). */
+void scatter_loads(mpm *s, int group);
+/* Folds N_FORCE at periodic ends and sides. */
+void fold_forces(mpm *s, int group);
+
 /* Whether C_p comes with the pass that moves the points, as the gradient there (points.c). */
 bool carries_gradient(const mpm *s);
 /* v_p becomes sum S v of a node field, in the next state (points.c). */
@@ -224,6 +230,7 @@ enum { GAIN_HEAT, GAIN_REFERENCE, GAIN_FALL, GAIN_IMPULSE, MPM_GAINS = GAIN_IMPU
 /* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
                           double gain[MPM_GAINS]);
+/* Whether a body has artificial viscosity. */
 bool has_artificial(const mpm_body *b);
 /* Whether the domains of a body's points deform with F (CPDI; create.c). */
 bool keeps_shape(const mpm *s, int body);
@@ -240,147 +247,16 @@ void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool 
 /* Makes a batch the next state of its points, from `start` (stress.c). */
 void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batch *b);
 
-/* ---- walls (wall.c): sums are folded into the nodes of the mesh, and walls hold velocities ---- */
-
-/* Folds N_MASS with N_MOMENTUM, and N_FORCE, where asked for. */
-void fold_walls(mpm *s, int group, bool momentum, bool force);
-/* Whether a side of the domain holds a component of its nodes' velocity. */
-bool wall_holds(const mpm *s, int axis, int side, int component);
-/* The velocity (m/s) that it then has at the end of the step. */
-double wall_target(const mpm *s, int axis, int side, int component);
-/* Folds a field of the nodes that points reached beyond the sides. */
-void fold_field(mpm *s, int group, field_id id);
-/* The same, components of a vector as numbers: mirrors keep their sum. */
-void fold_numbers(mpm *s, int group, field_id id);
-/* Gives the nodes of walls and supports their velocity; `entered` of the impulse goes into the ledger (0: none of it). */
-void impose_walls(mpm *s, int group, field_id velocity, double entered);
-/* Nodes that walls hold do not accelerate. */
-void still_walls(mpm *s, int group);
-/* A node on a mirror bears the image's mass as well: doubles the last of `count` values of such nodes in a tile's window. */
-void mirror_masses(const mpm *s, const tile_box *t, int count, double *window);
-/* Values of the ghost nodes beyond the sides, which points near them take from: mirrored, or extrapolated. */
-void extend_to_ghosts(mpm *s, int group, field_id id);
-/* Momentum that mirrors give, into the ledger: after accelerations are known, before ghosts are extended. */
-void enter_mirrors(mpm *s, int group);
-/* The same of points that take a share of their velocity from the nodes, and nothing else. */
-void enter_mirrored_momenta(mpm *s, int group, double share);
-/* Whether a side is a mirror: symmetry, slip, or the axis. */
-bool wall_mirrors(const mpm *s, int axis, int side);
-
-/* ---- membranes (membrane.c, seed_membrane.c) ---- */
-
-/* The law that the points of a membrane have among the solids'. */
-extern const solid_model point_membrane;
-/* Places and volumes of a membrane's points. Errors: FLOE_BAD_INPUT where they cannot be laid, FLOE_NO_MEMORY. */
-floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *grid, seed_list *list);
-/* Slack and mass of the n-th point of a body (0 first), which lies at k. */
-floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n);
-/* The law of a body; its model is NULL where that is no membrane. */
-membrane_response response_of(const mpm *s, const scene_body *b);
-/* Strain of points [start, end) whose L stands in the batch, and stress along their tangents as they were. FLOE_RETRY for a point that is crushed. */
-floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate);
-/* Lines, normals and tangents of all at the start, and what gas pushes them with. */
-floe_status start_membranes(mpm *s);
-/* FLOE_RETRY, in words: point k would be crushed to nothing. */
-floe_status membrane_torn(const mpm *s, int blk, int body, size_t k);
-/* The strain that the point of a number (0 first) has to take up before it bears. */
-double slack_of(const mpm *s, int body, size_t number);
-/* Strain energy (J/m3 at rest) of points [start, end). */
-void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi);
-
-/* ---- damping and losses ---- */
-
 /* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable (node.c). */
 double damping_left(const mpm *s);
 /* Whether lost kinetic energy is to heat fluid points (heat.c). */
 bool losses_are_heat(const mpm *s);
 
-/* ---- springs (spring.c) ---- */
-
-/* Finds their points, and their lengths at rest. */
-floe_status start_springs(mpm *s);
-/* Adds their forces to N_FORCE of a group. */
-void scatter_springs(mpm *s, int group);
-/* Their energy (J). */
-double spring_energy(const mpm *s);
-/* The rate (1/s) with which they bound the step, and the name of the spring that does. */
-double spring_rate(const mpm *s, const char **name);
-
-/* ---- gas of the cells that pushes: on membranes (outline.c), on surfaces of solids (skin.c) ---- */
-
-/* Room for the forces on membranes that hold gas. */
-floe_status start_push(mpm *s);
-void free_push(context *ctx, struct mpm_work *w);
-/* Adds the forces to N_FORCE of a group. */
-void scatter_push(mpm *s, int group);
-
-/* Markers, laid on the shapes of solids. */
-floe_status seed_skins(mpm *s);
-/* Adds forces (N, two a marker) to N_FORCE of a group, by the nodes that its points bear. */
-void scatter_skins(mpm *s, int group, const double *force);
-/* Where the markers of a group go in the step, with which velocity, and over which way their forces work. */
-void move_skins(mpm *s, int group);
-/* Makes that their state. */
-void commit_skins(mpm *s);
-void free_skins(context *ctx, body_skin *k);
-
 /* What a step in parts keeps of its start (parts.c). */
 void free_kept(context *ctx, struct mpm_work *w);
 
-/* ---- supports (support.c) ---- */
-
-/* Finds the nodes that they hold. */
-floe_status start_supports(mpm *s);
-/* Gives these their velocity; `entered` as impose_walls. */
-void impose_supports(mpm *s, int group, field_id velocity, double entered);
-
 /* Seeding (seed_fill.c): fluids take what slivers of other bodies left, `list` one a body. */
 floe_status fill_cells(const mpm *s, seed_list *list);
-
-/* ---- surfaces under traction, or beside rooms of gas (traction.c) ---- */
-
-/* Surface points, laid on the shapes. Errors: FLOE_BAD_INPUT where a load has no surface, FLOE_NO_MEMORY. */
-floe_status seed_surfaces(mpm *s);
-/* Adds the loads on the surfaces of a group to its N_FORCE. */
-void scatter_surfaces(mpm *s, int group);
-/* The share of a fluid body's surface, as its shape has it inside the mesh, that solids face. */
-double surface_enclosed(const mpm *s, int body);
-/* The force of a unit of pressure of a room, on top of what N_FORCE holds. */
-void scatter_room(mpm *s, int room);
-/* All that pushes a group's nodes but points, on top of what N_FORCE holds, with the sides' folds (tile.c). */
-void scatter_loads(mpm *s, int group);
-/* Folds N_FORCE at periodic ends and sides. */
-void fold_forces(mpm *s, int group);
-/* Moves the surface points of a group with its nodes. */
-void move_surfaces(mpm *s, int group);
-/* Moves them by displacements of a group's nodes, given by global index and component, instead of velocities. */
-typedef double node_displacement(const mpm *s, int group, const int node[MESH_MAX_DIM], int component);
-void carry_surfaces(mpm *s, node_displacement *way);
-/* The same of the markers of skins; of one place of a surface, added to *out. */
-void carry_skins(mpm *s, node_displacement *way);
-void carry_place(const mpm *s, int group, const double x[3], node_displacement *way, double out[3]);
-/* A force (N) on a body's surface, on nodes of its group that its points bear. */
-void push_surface(const mpm *s, int group, const double x[3], const double force[3]);
-/* How a place of a surface moves in the step: with which velocity it goes on, and with which a force on it works on the nodes, in the mean
- * of the step's start and end (m/s). */
-typedef struct surface_motion {
-    double velocity[3], working[3];
-} surface_motion;
-surface_motion surface_motion_at(const mpm *s, int group, const double x[3]);
-
-/* ---- loads on the points themselves (load.c) ---- */
-
-/* Body forces now, into work.acceleration. */
-void set_body_forces(mpm *s);
-/* Whether the force of the scene's exact solution acts on a body's points. */
-bool is_driven(const mpm *s, int body);
-/* A load as statics has it: one without a ramp grows until the run ends. */
-scene_load load_as_solved(const mpm *s, const scene_load *load);
-/* Fraction of the load at the start of the step; solved for at its end (balance.h), where one without a ramp grows until the run
- * ends. */
-double load_now(const mpm *s, const scene_load *load);
-/* What heating loads add in this step, into work.heat. */
-floe_status set_heating(mpm *s);
 
 /* Makes what reactions have left of the points final, before they are sorted; those of which nothing is left are dropped then (burn.c). */
 void burn_commit(mpm *s);

@@ -2,6 +2,8 @@
 #include "mpm/balance/balance.h"
 
 #include "mpm/balance/balance_contact.h"
+#include "mpm/surface/skin.h"
+#include "mpm/surface/traction.h"
 
 #include <math.h>
 #include <string.h>

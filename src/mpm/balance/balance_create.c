@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "mpm/balance/balance_contact.h"
+#include "mpm/surface/traction.h"
 
 enum { MOST_KRYLOV = 1000 };
 

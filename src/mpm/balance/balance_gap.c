@@ -7,6 +7,7 @@
 #include "mpm/balance/balance_contact.h"
 #include "mpm/contact/contact.h"
 #include "mpm/stencil.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,8 @@
 /* What pushes the nodes from outside in a step that is solved for: surfaces, rooms, gas of the cells; and their masses. */
 #include "mpm/balance/balance.h"
+#include "mpm/load.h"
+#include "mpm/surface/skin.h"
+#include "mpm/surface/traction.h"
 
 #include <string.h>
 

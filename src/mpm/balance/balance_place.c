@@ -1,6 +1,7 @@
 /* The basis at the points, with the walls' folds in it. */
 #include "base/memory.h"
 #include "mpm/balance/balance.h"
+#include "mpm/wall.h"
 
 #include <string.h>
 

@@ -3,6 +3,7 @@
  * as one point. */
 #include "base/memory.h"
 #include "mpm/balance/balance.h"
+#include "mpm/load.h"
 #include "scene/state.h"
 
 #include <math.h>

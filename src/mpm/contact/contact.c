@@ -2,7 +2,7 @@
 #include "mpm/contact/contact.h"
 
 #include "base/memory.h"
-#include "mpm/work.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

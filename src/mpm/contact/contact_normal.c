@@ -1,6 +1,6 @@
 /* Normals of the bodies at the nodes about which they meet. */
 #include "mpm/contact/contact.h"
-#include "mpm/work.h"
+#include "mpm/wall.h"
 
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* The lists of lines, of their nodes and of where blocks have those (edge.h), from what is remembered. */
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

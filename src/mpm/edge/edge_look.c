@@ -1,6 +1,7 @@
 /* Which nodes solids fill in part, and which lines hold them. */
 #include "mpm/edge/edge.h"
 #include "mpm/spread.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

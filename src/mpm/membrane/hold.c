@@ -14,8 +14,10 @@
 #include "base/memory.h"
 #include "math/tensor.h"
 #include "mpm/membrane/line.h"
+#include "mpm/membrane/membrane.h"
 #include "mpm/membrane/membrane_sheet.h"
 #include "mpm/stencil.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 #include "base/memory.h"
 #include "mpm/membrane/membrane_normal.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 

@@ -1,9 +1,11 @@
 /* Membranes (York 1997, chapter 5): one layer of points. The total strain is kept in the local frame and grows with the stretch of the
  * tangent (section 5.4.2, in the rate form t.L.t, whose integral is the logarithm of the stretch); the stress is turned back to
  * the axes of the scene, so that forces need no kernel of their own. */
+#include "mpm/membrane/membrane.h"
 #include "mpm/membrane/hold.h"
 #include "mpm/membrane/membrane_normal.h"
 #include "mpm/membrane/membrane_sheet.h"
+#include "mpm/surface/skin.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,7 @@
 #include "mpm/membrane/membrane_normal.h"
 
 #include "base/memory.h"
+#include "mpm/wall.h"
 
 #include <math.h>
 #include <string.h>

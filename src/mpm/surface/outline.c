@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "mpm/membrane/line.h"
 #include "mpm/stencil.h"
+#include "mpm/surface/skin.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,10 @@
 /* Tractions on surfaces: massless points that the grid moves, each with an area and a load. */
+#include "mpm/surface/traction.h"
 #include "base/memory.h"
 #include "geom/surface.h"
 #include "math/small_solve.h"
 #include "mpm/balance/balance.h"
+#include "mpm/load.h"
 #include "mpm/stencil.h"
 #include "scene/state.h"
 

@@ -1,0 +1,39 @@
+/* Walls and supports: sums are folded into the nodes of the mesh, and nodes are held to a velocity. Private to the mpm room. */
+#ifndef MPM_WALL_H
+#define MPM_WALL_H
+
+#include "mpm/work.h"
+
+/* Folds N_MASS with N_MOMENTUM, and N_FORCE, where asked for. */
+void fold_walls(mpm *s, int group, bool momentum, bool force);
+/* Whether a side of the domain holds a component of its nodes' velocity. */
+bool wall_holds(const mpm *s, int axis, int side, int component);
+/* The velocity (m/s) that it then has at the end of the step. */
+double wall_target(const mpm *s, int axis, int side, int component);
+/* Folds a field of the nodes that points reached beyond the sides. */
+void fold_field(mpm *s, int group, field_id id);
+/* The same, components of a vector as numbers: mirrors keep their sum. */
+void fold_numbers(mpm *s, int group, field_id id);
+/* Gives the nodes of walls and supports their velocity; `entered` of the impulse goes into the ledger (0: none of it). */
+void impose_walls(mpm *s, int group, field_id velocity, double entered);
+/* Nodes that walls hold do not accelerate. */
+void still_walls(mpm *s, int group);
+/* A node on a mirror bears the image's mass as well: doubles the last of `count` values of such nodes in a tile's window. */
+void mirror_masses(const mpm *s, const tile_box *t, int count, double *window);
+/* Values of the ghost nodes beyond the sides, which points near them take from: mirrored, or extrapolated. */
+void extend_to_ghosts(mpm *s, int group, field_id id);
+/* Momentum that mirrors give, into the ledger: after accelerations are known, before ghosts are extended. */
+void enter_mirrors(mpm *s, int group);
+/* The same of points that take a share of their velocity from the nodes, and nothing else. */
+void enter_mirrored_momenta(mpm *s, int group, double share);
+/* Whether a side is a mirror: symmetry, slip, or the axis. */
+bool wall_mirrors(const mpm *s, int axis, int side);
+
+/* ---- supports (support.c) ---- */
+
+/* Finds the nodes that they hold. */
+floe_status start_supports(mpm *s);
+/* Gives these their velocity; `entered` as impose_walls. */
+void impose_supports(mpm *s, int group, field_id velocity, double entered);
+
+#endif
