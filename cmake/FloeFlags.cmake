@@ -5,6 +5,8 @@ target_compile_options(floe_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wstrict-prototypes -Wmissing-prototypes
     -Wvla -Werror
     $<$<C_COMPILER_ID:GNU>:-Wdouble-promotion>
+    # a * b + c is two operations on every machine: results do not depend on which has them in one.
+    -ffp-contract=off
     # clang takes the C library's INFINITY, a float, for one, and says which loops it could not vectorise.
     $<$<C_COMPILER_ID:Clang>:-Wno-pass-failed>)
 if(FLOE_SANITIZE)
@@ -32,4 +34,15 @@ endif()
 if(FLOE_NATIVE)
     target_compile_options(floe_flags INTERFACE -march=native)
     set(FLOE_EXTRA_FLAGS "${FLOE_EXTRA_FLAGS} -march=native")
+endif()
+# Kernels in several versions, chosen as floe is loaded (FLOE_WIDE of base/compiler.h): where compiler, linker and loader know how. Sanitizers
+# and counters are not up yet when the choice is made; builds for checks and for one machine have no use for it.
+include(CheckCSourceCompiles)
+check_c_source_compiles("
+    __attribute__((target_clones(\"arch=x86-64-v4\", \"arch=x86-64-v3\", \"default\"))) double twice(double x);
+    double twice(double x) { return x + x; }
+    int main(void) { return twice(0.0) > 0.0; }" FLOE_HAS_CLONES)
+if(FLOE_HAS_CLONES AND CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT FLOE_SANITIZE AND NOT FLOE_SANITIZE_THREADS AND
+   NOT FLOE_FUZZ AND NOT FLOE_COVERAGE AND NOT FLOE_NATIVE)
+    target_compile_definitions(floe_flags INTERFACE FLOE_CLONES=1)
 endif()

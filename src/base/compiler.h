@@ -49,6 +49,15 @@ FLOE_ALWAYS_INLINE double floe_pair_lane(floe_pair a, int lane)
 }
 #endif
 
+/* Of a function: compiled for several generations of processors, one of which is chosen when floe is loaded. What it calls must be inlined
+ * to be so too. Lanes are ordinary double operations, nothing is contracted or reordered: the bits are the same in each. The build
+ * (FloeFlags.cmake) says whether compiler, linker and loader can. */
+#if defined(FLOE_CLONES) && defined(__GNUC__) && !defined(__clang__) && !defined(FLOE_PLAIN_C)
+#define FLOE_WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define FLOE_WIDE
+#endif
+
 /* Whether stages are checked and leaks reported: the debug preset (FLOE_DEBUG). */
 #if defined(FLOE_DEBUG)
 enum { FLOE_CHECKS = 1 };

@@ -17,6 +17,8 @@
  * donor data are kept, so that each flux is computed once. */
 #include "ice/ice_advect.h"
 
+#include "base/choice.h"
+
 #include <math.h>
 
 /* q of numerics 2.5's centring in slab `at`: ring of three slabs. */
@@ -54,14 +56,18 @@ typedef struct slope {
     double g[3], reach, room;
 } slope;
 
-FLOE_ALWAYS_INLINE slope slope_of(const double *centre, const double *const *lower, const double *const *upper,
-                                  ptrdiff_t t, const int dim)
+/* An array at a row, and at the rows or cells beside it along each axis. */
+typedef struct around {
+    const double *at, *lower[3], *upper[3];
+} around;
+
+FLOE_ALWAYS_INLINE slope slope_of(const around *x, ptrdiff_t t, const int dim)
 {
     slope s = {.reach = 0.0};
     double up = 0.0, down = 0.0;
-    const double x = centre[t];
+    const double centre = x->at[t];
     for (int a = 0; a < dim; ++a) {
-        const double below = lower[a][t] - x, above = upper[a][t] - x;
+        const double below = x->lower[a][t] - centre, above = x->upper[a][t] - centre;
         s.g[a] = 0.5 * (above - below);
         s.reach += 0.5 * fabs(s.g[a]);
         up = most(up, most(below, above));
@@ -71,81 +77,120 @@ FLOE_ALWAYS_INLINE slope slope_of(const double *centre, const double *const *low
     return s;
 }
 
-/* Donor data of one row of a slab. */
-FLOE_ALWAYS_INLINE void donor_row(const ice_advect_buffers *w, const ice_view *v, int r, int slab, ptrdiff_t row,
-                                  const int dim, const bool multi)
+/* What the donors of a row are made of; what all their quantities share is kept in rows of the buffers. */
+typedef struct donors {
+    around rho, q[ADVECT_Q];
+    const double *u[3], *dP, *shock, *c, *contact, *kappa, *common,
+        *clip;                          /* contact: one fluid; from kappa on: several */
+    double *out[3][2 * (ADVECT_Q + 1)]; /* by axis: M, g, then N and H of each q */
+    double *const *M, *const *g, *const *y, *fill, *rarest, *leans;
+    double drift[3], lo, hi;
+} donors;
+
+FLOE_ALWAYS_INLINE donors donors_of(const ice_advect_buffers *w, const ice_view *v, int r, int slab, const int dim,
+                                    const bool multi)
 {
     const ice_arrays *m = &v->m[r];
     const int slow = dim - 1, nq = ADVECT_COUNT(dim, multi), ring = (slab + 2) & 1;
     const ptrdiff_t start = ice_slab_start(v->b, dim, slab);
-    const double *rho = m->rho + start, *rho_lo[3], *rho_hi[3], *u[3];
-    const double *q[ADVECT_Q], *q_lo[ADVECT_Q][3], *q_hi[ADVECT_Q][3];
-    double *donor[3][2 * (ADVECT_Q + 1)], drift[3];
+    donors d = {.dP = v->dP + start,
+                .shock = v->shock + start,
+                .c = m->c + start,
+                .clip = w->clip,
+                .contact = w->none,
+                .M = w->M,
+                .g = w->g,
+                .y = w->y,
+                .fill = w->fill,
+                .rarest = w->rarest,
+                .leans = w->leans,
+                .lo = v->limit_lo,
+                .hi = v->limit_hi};
+    if (multi) {
+        d.kappa = v->kappa_sum + start;
+        d.common = v->limiter + start;
+    } else if (v->contact) {
+        d.contact = v->contact + start;
+    }
+    d.rho.at = m->rho + start;
+    for (int i = 0; i < nq; ++i) d.q[i].at = w->q[(slab + 3) % 3][i];
     for (int a = 0; a < dim; ++a) {
         const ptrdiff_t st = v->b->stride[a];
-        rho_lo[a] = rho - st;
-        rho_hi[a] = rho + st;
-        u[a] = m->u[a] + start;
-        drift[a] = -0.5 * v->dt * v->inv_h[a];
-        for (int i = 0; i < 2 * (nq + 1); ++i) donor[a][i] = dim > 1 && a == slow ? w->across[ring][i] : w->along[a][i];
-    }
-    for (int i = 0; i < nq; ++i) {
-        q[i] = w->q[(slab + 3) % 3][i];
-        for (int a = 0; a < dim; ++a) {
-            const bool cross = dim > 1 && a == slow;
-            q_lo[i][a] = cross ? w->q[(slab + 2) % 3][i] : q[i] - v->b->stride[a];
-            q_hi[i][a] = cross ? w->q[(slab + 4) % 3][i] : q[i] + v->b->stride[a];
-        }
-    }
-    const double *dP = v->dP + start, *shock = v->shock + start, *c = m->c + start;
-    const double *kappa = multi ? v->kappa_sum + start : NULL, *common = multi ? v->limiter + start : NULL,
-                 *clip = w->clip;
-    const double *sharp = v->contact && !multi ? v->contact + start : NULL;
-    const double lo = v->limit_lo, hi = v->limit_hi;
-    /* The rows of the buffers and of the fields do not overlap. */
-#pragma omp simd
-    for (ptrdiff_t t = row - 1; t < row + v->b->n[0] + 1; ++t) {
-        const double mass = rho[t];
-        slope g = slope_of(rho, rho_lo, rho_hi, t, dim);
-        const double contact = sharp ? sharp[t] : 0.0;
-        const double f = multi ? common[t] : limit(g.room, g.reach, lo, hi * (1.0 + contact));
-        const double dilatation = multi ? -dP[t] * kappa[t] : -dP[t] / (mass * c[t] * c[t]);
-        const double thin = 1.0 - 0.5 * hi * (1.0 - shock[t]) * dilatation;
-        double fill = least(most(thin, 0.5), 1.5);
-        if (multi) fill *= clip[t];
-        double y[3];
-        for (int a = 0; a < dim; ++a) {
-            g.g[a] *= f;
-            y[a] = drift[a] * u[a][t];
-            if (multi) y[a] = least(most(y[a], -0.5), 0.5);
-        }
-        /* Beside cells without the material q is flat: what they were lent is no state to lean on. */
-        double fewest = 1.0;
-        for (int a = 0; a < dim && multi; ++a)
-            fewest = least(fewest, least(rho_lo[a][t], rho_hi[a][t]) > 1e-6 * mass ? 1.0 : 0.0);
-        const double lowest = multi ? lo * fewest : lo, highest = multi ? hi * fewest : hi;
-        /* The largest ratio of the cell's mean density to that of a corner. */
-        const double rarest = (mass + ICE_TINY) / (most(mass - f * g.reach, 0.0) + ICE_TINY);
-        double M[3];
-        for (int a = 0; a < dim; ++a) {
-            M[a] = mass;
-            for (int b = 0; b < dim; ++b)
-                if (b != a) M[a] += g.g[b] * y[b];
-            donor[a][0][t] = fill * M[a];
-            donor[a][1][t] = fill * g.g[a];
-        }
+        const bool cross = dim > 1 && a == slow;
+        d.u[a] = m->u[a] + start;
+        d.drift[a] = -0.5 * v->dt * v->inv_h[a];
+        d.rho.lower[a] = d.rho.at - st;
+        d.rho.upper[a] = d.rho.at + st;
         for (int i = 0; i < nq; ++i) {
-            const slope G = slope_of(q[i], q_lo[i], q_hi[i], t, dim);
-            const double sloped = multi || i != dim ? 1.0 : 1.0 - contact;
-            const double scale = sloped * mass * limit(G.room, G.reach * rarest, lowest, highest), value = q[i][t];
-            for (int a = 0; a < dim; ++a) {
-                double N = value * (mass + sloped * (M[a] - mass));
-                for (int b = 0; b < dim; ++b)
-                    if (b != a) N += scale * G.g[b] * y[b];
-                donor[a][2 + 2 * i][t] = fill * N;
-                donor[a][3 + 2 * i][t] = fill * (sloped * value * g.g[a] + scale * G.g[a]);
-            }
+            d.q[i].lower[a] = cross ? w->q[(slab + 2) % 3][i] : d.q[i].at - st;
+            d.q[i].upper[a] = cross ? w->q[(slab + 4) % 3][i] : d.q[i].at + st;
         }
+        for (int i = 0; i < 2 * (nq + 1); ++i) d.out[a][i] = cross ? w->across[ring][i] : w->along[a][i];
+    }
+    return d;
+}
+
+/* M and g of a cell, and what its quantities will need of them. */
+FLOE_ALWAYS_INLINE void donate_mass(const donors *d, ptrdiff_t t, const int dim, const bool multi)
+{
+    const double mass = d->rho.at[t];
+    slope s = slope_of(&d->rho, t, dim);
+    const double f = multi ? d->common[t] : limit(s.room, s.reach, d->lo, d->hi * (1.0 + d->contact[t]));
+    const double dilatation = multi ? -d->dP[t] * d->kappa[t] : -d->dP[t] / (mass * d->c[t] * d->c[t]);
+    const double thin = 1.0 - 0.5 * d->hi * (1.0 - d->shock[t]) * dilatation;
+    double fill = least(most(thin, 0.5), 1.5);
+    if (multi) fill *= d->clip[t];
+    double y[3];
+    for (int a = 0; a < dim; ++a) {
+        s.g[a] *= f;
+        y[a] = d->drift[a] * d->u[a][t];
+        if (multi) y[a] = least(most(y[a], -0.5), 0.5);
+    }
+    if (multi) { /* beside cells without the material q is flat: what they were lent is no state to lean on */
+        double fewest = 1.0;
+        for (int a = 0; a < dim; ++a)
+            fewest = least(fewest, least(d->rho.lower[a][t], d->rho.upper[a][t]) > 1e-6 * mass ? 1.0 : 0.0);
+        d->leans[t] = fewest;
+    }
+    /* The largest ratio of the cell's mean density to that of a corner. */
+    d->rarest[t] = (mass + ICE_TINY) / (most(mass - f * s.reach, 0.0) + ICE_TINY);
+    d->fill[t] = fill;
+    for (int a = 0; a < dim; ++a) {
+        double M = mass;
+        for (int b = 0; b < dim; ++b)
+            if (b != a) M += s.g[b] * y[b];
+        d->M[a][t] = M;
+        d->g[a][t] = s.g[a];
+        d->y[a][t] = y[a];
+        d->out[a][0][t] = fill * M;
+        d->out[a][1][t] = fill * s.g[a];
+    }
+}
+
+/* N and H of a cell's quantity number i. */
+FLOE_ALWAYS_INLINE void donate(const donors *d, int i, ptrdiff_t t, const int dim, const bool multi)
+{
+    const slope G = slope_of(&d->q[i], t, dim);
+    const double mass = d->rho.at[t], fill = d->fill[t], value = d->q[i].at[t];
+    const double sloped = multi || i != dim ? 1.0 : 1.0 - d->contact[t], leans = multi ? d->leans[t] : 1.0;
+    const double scale = sloped * mass * limit(G.room, G.reach * d->rarest[t], d->lo * leans, d->hi * leans);
+    for (int a = 0; a < dim; ++a) {
+        double N = value * (mass + sloped * (d->M[a][t] - mass));
+        for (int b = 0; b < dim; ++b)
+            if (b != a) N += scale * G.g[b] * d->y[b][t];
+        d->out[a][2 + 2 * i][t] = fill * N;
+        d->out[a][3 + 2 * i][t] = fill * (sloped * value * d->g[a][t] + scale * G.g[a]);
+    }
+}
+
+/* Donor data of one row of a slab. The rows of the buffers and of the fields do not overlap. */
+FLOE_ALWAYS_INLINE void donor_row(const donors *d, ptrdiff_t from, ptrdiff_t to, const int dim, const bool multi)
+{
+#pragma omp simd
+    for (ptrdiff_t t = from; t < to; ++t) donate_mass(d, t, dim, multi);
+    for (int i = 0; i < ADVECT_COUNT(dim, multi); ++i) {
+#pragma omp simd
+        for (ptrdiff_t t = from; t < to; ++t) donate(d, i, t, dim, multi);
     }
 }
 
@@ -164,76 +209,119 @@ FLOE_ALWAYS_INLINE fall fall_to(double p, double rho, double c, double velocity,
     return (fall){part * least(drop, 0.8), part * drop * p / rho, part};
 }
 
-/* Fluxes through the lower faces, normal to `axis`, of one row: mass, m q of each q, and kinetic energy. */
-FLOE_ALWAYS_INLINE void flux_row(const ice_view *v, int r, int axis, ptrdiff_t start, double *const *left,
-                                 double *const *right, ptrdiff_t back, double *const *flux, ptrdiff_t from,
-                                 ptrdiff_t to, const int dim, const bool multi)
+/* Faces normal to an axis with the donors on either side, each at the face's own index; one slab or part of it. */
+typedef struct faces {
+    int axis;
+    double courant; /* of unit velocity */
+    const double *velocity, *pressure;
+    const double *rho[2], *c[2], *p[2];         /* of the cells below and above */
+    const double *donor[2][2 * (ADVECT_Q + 1)]; /* M, g, then N and H of each q */
+    double *flux[ADVECT_Q + 2];                 /* mass, m q of each q, and kinetic energy */
+} faces;
+
+/* `back`: from a face to its lower cell in the rows of donor data. */
+FLOE_ALWAYS_INLINE faces faces_of(const ice_view *v, int r, int axis, ptrdiff_t start, double *const *lower,
+                                  double *const *upper, ptrdiff_t back, double *const *flux, const int dim,
+                                  const bool multi)
 {
     const int nq = ADVECT_COUNT(dim, multi);
-    const double *velocity = v->m[r].fu[axis] + start, *rho = v->m[r].rho + start, *c = v->m[r].c + start,
-                 *p = v->p + start, *face_pressure = v->fp[axis] + start, courant = v->dt * v->inv_h[axis];
-    const ptrdiff_t down = v->b->stride[axis];
-#pragma omp simd
-    for (ptrdiff_t t = from; t < to; ++t) {
-        const double w = velocity[t];
-        const bool forward = w > 0.0;
-        const double x = (forward ? 0.5 : -0.5) - 0.5 * w * courant;
-        const double M = forward ? left[0][t - back] : right[0][t], g = forward ? left[1][t - back] : right[1][t];
-        fall f = {0.0, 0.0, 0.0};
-        if (!multi) {
-            const ptrdiff_t d = t - down;
-            f = fall_to(forward ? p[d] : p[t], forward ? rho[d] : rho[t], forward ? c[d] : c[t], w, face_pressure[t]);
-        }
-        const double kept = 1.0 - f.mass, mass = kept * (M + g * x);
-        flux[0][t] = w * mass;
-        double square = 0.0;
-        for (int i = 0; i < nq; ++i) {
-            const double N = forward ? left[2 + 2 * i][t - back] : right[2 + 2 * i][t];
-            const double H = forward ? left[3 + 2 * i][t - back] : right[3 + 2 * i][t];
-            double content = kept * (N + H * x);
-            if (i == axis) content += f.velocity * (w * mass - content);
-            if (i == dim) content -= f.energy * mass;
-            flux[1 + i][t] = w * content;
-            if (i < dim) square += content * content;
-        }
-        /* A slab that is all but empty holds momentum by round-off alone: of its donor's mass M, not of its own. */
-        flux[1 + nq][t] = 0.5 * w * square / (mass + 1e-14 * most(M, 0.0) + ICE_TINY);
+    const ice_arrays *m = &v->m[r];
+    faces f = {.axis = axis,
+               .courant = v->dt * v->inv_h[axis],
+               .velocity = m->fu[axis] + start,
+               .pressure = v->fp[axis] + start};
+    for (int side = 0; side < 2; ++side) {
+        const ptrdiff_t at = side == 0 ? start - v->b->stride[axis] : start;
+        f.rho[side] = m->rho + at;
+        f.c[side] = m->c + at;
+        f.p[side] = v->p + at;
     }
+    for (int i = 0; i < 2 * (nq + 1); ++i) {
+        f.donor[0][i] = lower[i] - back;
+        f.donor[1][i] = upper[i];
+    }
+    for (int i = 0; i < nq + 2; ++i) f.flux[i] = flux[i];
+    return f;
 }
 
-/* Next state of one row. Returns how many cells need a closer look: guarded, or bad. */
+/* Fluxes through one face. */
+FLOE_ALWAYS_INLINE void flow(const faces *f, ptrdiff_t t, const int dim, const bool multi)
+{
+    const int nq = ADVECT_COUNT(dim, multi);
+    const double w = f->velocity[t];
+    const choice upwind = choice_of(w > 0.0); /* else from above */
+    const double x = chosen(upwind, 0.5, -0.5) - 0.5 * w * f->courant;
+    double donor[2 * (ADVECT_Q + 1)];
+    for (int i = 0; i < 2 * (nq + 1); ++i) donor[i] = chosen(upwind, f->donor[0][i][t], f->donor[1][i][t]);
+    fall d = {0.0, 0.0, 0.0};
+    if (!multi)
+        d = fall_to(chosen(upwind, f->p[0][t], f->p[1][t]), chosen(upwind, f->rho[0][t], f->rho[1][t]),
+                    chosen(upwind, f->c[0][t], f->c[1][t]), w, f->pressure[t]);
+    const double kept = 1.0 - d.mass, mass = kept * (donor[0] + donor[1] * x);
+    f->flux[0][t] = w * mass;
+    double square = 0.0;
+    for (int i = 0; i < nq; ++i) {
+        double content = kept * (donor[2 + 2 * i] + donor[3 + 2 * i] * x);
+        if (i == f->axis) content += d.velocity * (w * mass - content);
+        if (i == dim) content -= d.energy * mass;
+        f->flux[1 + i][t] = w * content;
+        if (i < dim) square += content * content;
+    }
+    /* A slab that is all but empty holds momentum by round-off alone: of its donor's mass M, not of its own. */
+    f->flux[1 + nq][t] = 0.5 * w * square / (mass + 1e-14 * most(donor[0], 0.0) + ICE_TINY);
+}
+
+/* Fluxes through the lower faces of a row. */
+FLOE_ALWAYS_INLINE void flux_row(const faces *f, ptrdiff_t from, ptrdiff_t to, const int dim, const bool multi)
+{
+#pragma omp simd
+    for (ptrdiff_t t = from; t < to; ++t) flow(f, t, dim, multi);
+}
+
+/* What the update of a row reads and writes, besides the material's own arrays. */
+typedef struct cells {
+    ice_row_flux flux;
+    ice_arrays m;
+    double keep, floor; /* 1 where kinetic energy that is lost becomes heat; J/kg: no less energy than this */
+} cells;
+
+/* Next state of one cell. Returns whether it needs a closer look: guarded, or bad. */
+FLOE_ALWAYS_INLINE bool update(const cells *c, const ice_view *v, ptrdiff_t at, ptrdiff_t t, ptrdiff_t i, const int dim,
+                               const bool multi)
+{
+    const ice_arrays *m = &c->m;
+    const ice_row_flux *f = &c->flux;
+    const int nq = ADVECT_COUNT(dim, multi);
+    const double mass = m->rho[at], next = mass - spread(f, 0, t, i, dim), inverse = 1.0 / (next + ICE_TINY);
+    double old_kinetic = 0.0, kinetic = 0.0;
+    for (int a = 0; a < dim; ++a) {
+        const double u = m->ul[a][at], u1 = (mass * u - spread(f, 1 + a, t, i, dim)) * inverse;
+        old_kinetic += 0.5 * u * u;
+        kinetic += 0.5 * u1 * u1;
+        m->u1[a][at] = u1;
+    }
+    const double plain = (mass * m->el[at] - spread(f, 1 + dim, t, i, dim)) * inverse;
+    const double heat = c->keep * ((mass * old_kinetic - spread(f, 1 + nq, t, i, dim)) * inverse - kinetic);
+    const bool guarded = !(plain + heat - c->floor > ICE_THERMAL_SHARE * kinetic);
+    const double e = plain + (guarded ? most(heat, 0.0) : heat);
+    if (multi) m->vol1[at] = (mass * m->vl[at] - spread(f, 2 + dim, t, i, dim)) * inverse;
+    m->rho1[at] = next;
+    m->e1[at] = e;
+    const double out = ice_outflow(v, m, at, i, dim);
+    const bool present = !multi || m->theta[at] > 1e-6;
+    return (guarded && heat < 0.0) || !(next >= 0.0) || (present && (!(out <= 1.0) || !(e > c->floor)));
+}
+
+/* Next state of one row. Returns how many cells need a closer look. */
 FLOE_ALWAYS_INLINE int update_row(const ice_advect_buffers *w, const ice_view *v, const ice_advect_job *job, int slab,
                                   ptrdiff_t row, const int dim, const bool multi)
 {
-    const ice_arrays *m = &v->m[job->material];
-    const int ring = (slab + 2) & 1, nq = ADVECT_COUNT(dim, multi);
+    const cells c = {ice_row_flux_of(w, v, slab, dim, multi), v->m[job->material], job->conserve ? 1.0 : 0.0,
+                     job->energy_floor};
     const ptrdiff_t start = ice_slab_start(v->b, dim, slab) + row;
-    const double keep = job->conserve ? 1.0 : 0.0, floor = job->energy_floor;
-    double *restrict rho1 = m->rho1, *restrict e1 = m->e1;
     int bad = 0;
 #pragma omp simd reduction(+ : bad)
-    for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
-        const ptrdiff_t at = start + i, t = row + i;
-        const double mass = m->rho[at], next = mass - spread(w, v, 0, ring, t, i, dim),
-                     inverse = 1.0 / (next + ICE_TINY);
-        double old_kinetic = 0.0, kinetic = 0.0;
-        for (int a = 0; a < dim; ++a) {
-            const double u = m->ul[a][at], u1 = (mass * u - spread(w, v, 1 + a, ring, t, i, dim)) * inverse;
-            old_kinetic += 0.5 * u * u;
-            kinetic += 0.5 * u1 * u1;
-            m->u1[a][at] = u1;
-        }
-        const double plain = (mass * m->el[at] - spread(w, v, 1 + dim, ring, t, i, dim)) * inverse;
-        const double heat = keep * ((mass * old_kinetic - spread(w, v, 1 + nq, ring, t, i, dim)) * inverse - kinetic);
-        const bool guarded = !(plain + heat - floor > ICE_THERMAL_SHARE * kinetic);
-        const double e = plain + (guarded ? most(heat, 0.0) : heat);
-        if (multi) m->vol1[at] = (mass * m->vl[at] - spread(w, v, 2 + dim, ring, t, i, dim)) * inverse;
-        rho1[at] = next;
-        e1[at] = e;
-        const double out = ice_outflow(v, m, at, i, dim);
-        const bool present = !multi || m->theta[at] > 1e-6;
-        bad += (guarded && heat < 0.0) || !(next >= 0.0) || (present && (!(out <= 1.0) || !(e > floor)));
-    }
+    for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) bad += update(&c, v, start + i, row + i, i, dim, multi);
     return bad;
 }
 
@@ -255,13 +343,17 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
         const int ring = (slab + 2) & 1;
         centre_slab(&w, v, r, dim > 1 ? slab + 1 : 0, dim, multi);
         if (multi) ice_advect_clip(&w, job, slab);
-        for (int k = ice_slab_first(dim, 1); k < ice_slab_last(v->b, dim, 1); ++k)
-            donor_row(&w, v, r, slab, ice_slab_row(v->b, dim, k), dim, multi);
+        const donors d = donors_of(&w, v, r, slab, dim, multi);
+        for (int k = ice_slab_first(dim, 1); k < ice_slab_last(v->b, dim, 1); ++k) {
+            const ptrdiff_t row = ice_slab_row(v->b, dim, k);
+            donor_row(&d, row - 1, row + v->b->n[0] + 1, dim, multi);
+        }
         if (dim > 1 && slab >= job->first) { /* through the face between slab - 1 and slab, then slab - 1 is complete */
+            const faces f =
+                faces_of(v, r, slow, start, w.across[ring ^ 1], w.across[ring], 0, w.flux_across[ring], dim, multi);
             for (int k = rows_lo; k < rows_hi; ++k) {
                 const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-                flux_row(v, r, slow, start, w.across[ring ^ 1], w.across[ring], 0, w.flux_across[ring], row,
-                         row + v->b->n[0], dim, multi);
+                flux_row(&f, row, row + v->b->n[0], dim, multi);
             }
             ice_advect_tally_across(&w, job, slab);
             for (int k = rows_lo; k < rows_hi && slab > job->first; ++k) {
@@ -270,12 +362,13 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
             }
         }
         if (dim > 1 && (slab < job->first || slab == job->last)) continue;
-        for (int a = 0; a < (dim > 1 ? dim - 1 : 1); ++a)
+        for (int a = 0; a < (dim > 1 ? dim - 1 : 1); ++a) {
+            const faces f = faces_of(v, r, a, start, w.along[a], w.along[a], v->b->stride[a], w.flux[a], dim, multi);
             for (int k = rows_lo; k < rows_hi + (a == 1); ++k) {
                 const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-                flux_row(v, r, a, start, w.along[a], w.along[a], v->b->stride[a], w.flux[a], row,
-                         row + v->b->n[0] + (a == 0), dim, multi);
+                flux_row(&f, row, row + v->b->n[0] + (a == 0), dim, multi);
             }
+        }
         ice_advect_tally_along(&w, job, slab);
         if (dim == 1 && update_row(&w, v, job, 0, ice_slab_row(v->b, dim, 0), dim, multi))
             ice_advect_note(&w, job, 0, 0, &result);
@@ -283,10 +376,10 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
     return result;
 }
 
-#define INSTANCE(d, m)                                                   \
-    static ice_advect_result advect_##d##_##m(const ice_advect_job *job) \
-    {                                                                    \
-        return sweep(job, d, m);                                         \
+#define INSTANCE(d, m)                                                             \
+    FLOE_WIDE static ice_advect_result advect_##d##_##m(const ice_advect_job *job) \
+    {                                                                              \
+        return sweep(job, d, m);                                                   \
     }
 ICE_EACH(INSTANCE)
 ice_advect_slabs *const ice_advect_of[3][2] = ICE_TABLE(advect);

@@ -17,6 +17,10 @@ typedef struct ice_advect_buffers {
     double *flux[2][ADVECT_Q + 2];                   /* inside the slab, by axis */
     double *flux_across[2][ADVECT_Q + 2];            /* through the slab's lower face, ring of two */
     double *clip;                                    /* factor on what leaves slivers */
+    double *M[MESH_MAX_DIM], *g[MESH_MAX_DIM],
+        *y[MESH_MAX_DIM]; /* what the quantities of a donor share (ice_advect.c) */
+    double *fill, *rarest, *leans;
+    double *none; /* zeros */
 } ice_advect_buffers;
 
 /* Slab index 0 of a slab in the linear index of the block, and the slab index of local cell (0, k) in it: in 3-D a slab is a
@@ -41,14 +45,37 @@ FLOE_ALWAYS_INLINE int ice_slab_last(const block *b, const int dim, int ghost)
     return dim == 3 ? b->n[1] + ghost : 1;
 }
 
-/* dt times the divergence of flux number f, per volume, at slab index t of local cell i. */
-FLOE_ALWAYS_INLINE double spread(const ice_advect_buffers *w, const ice_view *v, int f, int ring, ptrdiff_t t,
-                                 ptrdiff_t i, const int dim)
+/* The fluxes that change the cells of a row, by number: inside the slab by axis, through the slab's lower and upper faces; and the row's measures. */
+typedef struct ice_row_flux {
+    const double *inside[2][ADVECT_Q + 2], *below[ADVECT_Q + 2], *above[ADVECT_Q + 2];
+    const double *lower0, *upper0;
+    double inv_h[3], dt;
+    ptrdiff_t stride1;
+} ice_row_flux;
+
+FLOE_ALWAYS_INLINE ice_row_flux ice_row_flux_of(const ice_advect_buffers *w, const ice_view *v, int slab, const int dim,
+                                                const bool multi)
 {
-    double sum = v->upper0[i] * w->flux[0][f][t + 1] - v->lower0[i] * w->flux[0][f][t];
-    if (dim == 3) sum += (w->flux[1][f][t + v->b->stride[1]] - w->flux[1][f][t]) * v->inv_h[1];
-    if (dim > 1) sum += (w->flux_across[ring ^ 1][f][t] - w->flux_across[ring][f][t]) * v->inv_h[dim - 1];
-    return v->dt * sum;
+    const int ring = (slab + 2) & 1;
+    ice_row_flux q = {.lower0 = v->lower0, .upper0 = v->upper0, .dt = v->dt, .stride1 = v->b->stride[1]};
+    for (int a = 0; a < dim; ++a) q.inv_h[a] = v->inv_h[a];
+    for (int f = 0; f < ADVECT_COUNT(dim, multi) + 2; ++f) {
+        q.inside[0][f] = w->flux[0][f];
+        if (dim == 3) q.inside[1][f] = w->flux[1][f];
+        if (dim == 1) continue;
+        q.below[f] = w->flux_across[ring][f];
+        q.above[f] = w->flux_across[ring ^ 1][f];
+    }
+    return q;
+}
+
+/* dt times the divergence of flux number f, per volume, at slab index t of local cell i. */
+FLOE_ALWAYS_INLINE double spread(const ice_row_flux *q, int f, ptrdiff_t t, ptrdiff_t i, const int dim)
+{
+    double sum = q->upper0[i] * q->inside[0][f][t + 1] - q->lower0[i] * q->inside[0][f][t];
+    if (dim == 3) sum += (q->inside[1][f][t + q->stride1] - q->inside[1][f][t]) * q->inv_h[1];
+    if (dim > 1) sum += (q->above[f][t] - q->below[f][t]) * q->inv_h[dim - 1];
+    return q->dt * sum;
 }
 
 /* Share of a cell's volume that leaves it in the step. */

@@ -2,6 +2,7 @@
 #include "ice/ice_advect.h"
 
 #include <math.h>
+#include <string.h>
 
 size_t ice_slab_size(const block *b)
 {
@@ -13,7 +14,7 @@ size_t ice_slab_size(const block *b)
 static size_t rows_of(int dim, bool multi)
 {
     const int nq = ADVECT_COUNT(dim, multi), inside = dim == 3 ? 2 : 1, across = dim > 1 ? 2 : 0;
-    const int rows = 3 * nq + (inside + across) * 2 * (nq + 1) + (inside + across) * (nq + 2) + 1;
+    const int rows = 3 * nq + (inside + across) * 2 * (nq + 1) + (inside + across) * (nq + 2) + 3 * dim + 5;
     return (size_t)rows;
 }
 
@@ -42,7 +43,18 @@ void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, in
         for (int i = 0; i < 2 * (nq + 1); ++i, buffer += size) w->across[ring][i] = buffer;
         for (int i = 0; i < nq + 2; ++i, buffer += size) w->flux_across[ring][i] = buffer;
     }
+    for (int a = 0; a < dim; ++a) {
+        w->M[a] = buffer;
+        w->g[a] = buffer + size;
+        w->y[a] = buffer + 2 * size;
+        buffer += 3 * size;
+    }
     w->clip = buffer;
+    w->fill = buffer + size;
+    w->rarest = buffer + 2 * size;
+    w->leans = buffer + 3 * size;
+    w->none = buffer + 4 * size;
+    memset(w->none, 0, size * sizeof *w->none);
 }
 
 /* Local index along the slab's own slowest axis and rows: (i, j, k) of row k of a slab. */
@@ -151,14 +163,15 @@ static double defect_of(const ice_advect_buffers *w, const ice_advect_job *job, 
 {
     const ice_view *v = job->v;
     const ice_arrays *m = &v->m[job->material];
-    const int dim = v->dim, nq = ADVECT_COUNT(dim, job->s->multi), ring = (slab + 2) & 1;
+    const int dim = v->dim, nq = ADVECT_COUNT(dim, job->s->multi);
     const ptrdiff_t at = start + row + i, t = row + i;
+    const ice_row_flux f = ice_row_flux_of(w, v, slab, dim, job->s->multi);
     double before = m->el[at], after = m->e1[at];
     for (int a = 0; a < dim; ++a) {
         before += 0.5 * m->ul[a][at] * m->ul[a][at];
         after += 0.5 * m->u1[a][at] * m->u1[a][at];
     }
-    const double flown = spread(w, v, 1 + dim, ring, t, i, dim) + spread(w, v, 1 + nq, ring, t, i, dim);
+    const double flown = spread(&f, 1 + dim, t, i, dim) + spread(&f, 1 + nq, t, i, dim);
     return m->rho1[at] * after - (m->rho[at] * before - flown);
 }
 

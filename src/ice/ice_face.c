@@ -59,10 +59,10 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
     }
 }
 
-#define INSTANCE(d, m)                                                                    \
-    static void face_velocity_##d##_##m(const ice_view *v, int r, int axis, int j, int k) \
-    {                                                                                     \
-        face_velocity_row(v, r, axis, j, k, d, m);                                        \
+#define INSTANCE(d, m)                                                                              \
+    FLOE_WIDE static void face_velocity_##d##_##m(const ice_view *v, int r, int axis, int j, int k) \
+    {                                                                                               \
+        face_velocity_row(v, r, axis, j, k, d, m);                                                  \
     }
 ICE_EACH(INSTANCE)
 ice_material_row *const ice_face_velocity_row[3][2] = ICE_TABLE(face_velocity);
@@ -167,7 +167,7 @@ floe_status ice_face_velocity(ice *s)
 }
 
 /* P* = (P_L/rho_L + P_R/rho_R) / (1/rho_L + 1/rho_R) (numerics 2.4; Guilkey et al. 2003, step 6). */
-static void face_pressure_row(const ice_view *v, int axis, int j, int k)
+FLOE_WIDE static void face_pressure_row(const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     const double *restrict P = v->P, *restrict rho = v->rho_sum;

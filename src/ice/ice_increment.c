@@ -73,10 +73,10 @@ FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int
     }
 }
 
-#define INSTANCE(d, m)                                               \
-    static void increment_##d##_##m(const ice_view *v, int j, int k) \
-    {                                                                \
-        increment_row(v, j, k, d, m);                                \
+#define INSTANCE(d, m)                                                         \
+    FLOE_WIDE static void increment_##d##_##m(const ice_view *v, int j, int k) \
+    {                                                                          \
+        increment_row(v, j, k, d, m);                                          \
     }
 ICE_EACH(INSTANCE)
 ice_row *const ice_increment_row[3][2] = ICE_TABLE(increment);
@@ -145,14 +145,14 @@ FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int
     }
 }
 
-#define THETA(d)                                                            \
-    static void limiter_##d(const ice_view *v, int j, int k)                \
-    {                                                                       \
-        limiter_row(v, j, k, d);                                            \
-    }                                                                       \
-    static void theta_##d(const ice_view *v, int r, int axis, int j, int k) \
-    {                                                                       \
-        theta_row(v, r, axis, j, k, d);                                     \
+#define THETA(d)                                                                      \
+    FLOE_WIDE static void limiter_##d(const ice_view *v, int j, int k)                \
+    {                                                                                 \
+        limiter_row(v, j, k, d);                                                      \
+    }                                                                                 \
+    FLOE_WIDE static void theta_##d(const ice_view *v, int r, int axis, int j, int k) \
+    {                                                                                 \
+        theta_row(v, r, axis, j, k, d);                                               \
     }
 THETA(1)
 THETA(2)

@@ -41,10 +41,10 @@ FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int di
     }
 }
 
-#define INSTANCE(d, m)                                            \
-    static void sensor_##d##_##m(const ice_view *v, int j, int k) \
-    {                                                             \
-        sensor_row(v, j, k, d, m);                                \
+#define INSTANCE(d, m)                                                      \
+    FLOE_WIDE static void sensor_##d##_##m(const ice_view *v, int j, int k) \
+    {                                                                       \
+        sensor_row(v, j, k, d, m);                                          \
     }
 ICE_EACH(INSTANCE)
 ice_row *const ice_sensor_row[3][2] = ICE_TABLE(sensor);
@@ -81,10 +81,10 @@ FLOE_ALWAYS_INLINE void contact_row(const ice_view *v, int j, int k, const int d
     }
 }
 
-#define CONTACT(d)                                           \
-    static void contact_##d(const ice_view *v, int j, int k) \
-    {                                                        \
-        contact_row(v, j, k, d);                             \
+#define CONTACT(d)                                                     \
+    FLOE_WIDE static void contact_##d(const ice_view *v, int j, int k) \
+    {                                                                  \
+        contact_row(v, j, k, d);                                       \
     }
 CONTACT(1)
 CONTACT(2)

@@ -11,59 +11,92 @@
 
 #include <math.h>
 
+/* What the pressure on a block's faces is made of: held apart from the view, so that loops know that no store changes it. */
+typedef struct pressed {
+    const double *fp[3], *flux[3], *lower0, *upper0;
+    double dt, inv_h[3];
+    ptrdiff_t stride[3];
+} pressed;
+
+FLOE_ALWAYS_INLINE pressed pressed_of(const ice_view *v, const int dim)
+{
+    pressed f = {.lower0 = v->lower0, .upper0 = v->upper0, .dt = v->dt};
+    for (int a = 0; a < dim; ++a) {
+        f.fp[a] = v->fp[a];
+        f.flux[a] = v->flux[a];
+        f.inv_h[a] = v->inv_h[a];
+        f.stride[a] = v->b->stride[a];
+    }
+    return f;
+}
+
 /* Pressure gradient impulse per volume and the work that faces do on the cell per volume. */
 typedef struct push {
     double impulse[3], work;
 } push;
 
-FLOE_ALWAYS_INLINE push push_of(const ice_view *v, ptrdiff_t at, ptrdiff_t i, const int dim)
+FLOE_ALWAYS_INLINE push push_of(const pressed *f, ptrdiff_t at, ptrdiff_t i, const int dim)
 {
     push q;
-    const double *fp = v->fp[0], *flux = v->flux[0];
-    q.impulse[0] = -v->dt * v->inv_h[0] * (fp[at + 1] - fp[at]);
-    q.work = v->lower0[i] * fp[at] * flux[at] - v->upper0[i] * fp[at + 1] * flux[at + 1];
+    const double *fp = f->fp[0], *flux = f->flux[0];
+    q.impulse[0] = -f->dt * f->inv_h[0] * (fp[at + 1] - fp[at]);
+    q.work = f->lower0[i] * fp[at] * flux[at] - f->upper0[i] * fp[at + 1] * flux[at + 1];
     for (int a = 1; a < dim; ++a) {
-        const ptrdiff_t up = at + v->b->stride[a];
-        q.impulse[a] = -v->dt * v->inv_h[a] * (v->fp[a][up] - v->fp[a][at]);
-        q.work += (v->fp[a][at] * v->flux[a][at] - v->fp[a][up] * v->flux[a][up]) * v->inv_h[a];
+        const ptrdiff_t up = at + f->stride[a];
+        q.impulse[a] = -f->dt * f->inv_h[a] * (f->fp[a][up] - f->fp[a][at]);
+        q.work += (f->fp[a][at] * f->flux[a][at] - f->fp[a][up] * f->flux[a][up]) * f->inv_h[a];
     }
-    q.work *= v->dt;
+    q.work *= f->dt;
     return q;
 }
 
 /* P dP of 2.7. P has been smoothed over neighbours; gas that expands gives no more work than its own pressure does, or a cold cell
  * beside hot ones would pay with energy that it has not got. */
-FLOE_ALWAYS_INLINE double compression_work(const ice_view *v, ptrdiff_t at)
+FLOE_ALWAYS_INLINE double compression_work(const double *advanced, const double *current, const double *increment,
+                                           ptrdiff_t at)
 {
-    const double P = v->P[at], p = v->p[at], dP = v->dP[at];
+    const double P = advanced[at], p = current[at], dP = increment[at];
     return (dP < 0.0 && p < P ? p : P) * dP;
 }
 
-/* One fluid. Returns how many cells fell back to 2.7. */
+/* One fluid, as its rows are worked on. */
+typedef struct single {
+    pressed faces;
+    ice_arrays m;
+    const double *P, *p, *dP;
+    double fall[3], floor; /* m/s: gravity's in the step; J/kg */
+    bool conserve;
+} single;
+
+/* u^L and e^L of a cell. Returns whether it fell back to 2.7. */
+FLOE_ALWAYS_INLINE bool single_cell(const single *g, ptrdiff_t at, ptrdiff_t i, const int dim)
+{
+    const push f = push_of(&g->faces, at, i, dim);
+    const ice_arrays *m = &g->m;
+    const double rho = m->rho[at], inverse = 1.0 / rho, inv_c = 1.0 / m->c[at];
+    double kinetic = 0.0, gain = 0.0;
+    for (int a = 0; a < dim; ++a) {
+        const double u = m->u[a][at], du = f.impulse[a] * inverse, next = u + (du + g->fall[a]);
+        gain += du * 0.5 * (u + next);
+        kinetic += 0.5 * next * next;
+        m->ul[a][at] = next;
+    }
+    const double conserving = m->e[at] + f.work * inverse - gain;
+    const double plain = m->e[at] + compression_work(g->P, g->p, g->dP, at) * (inverse * inverse * inv_c * inv_c);
+    const bool usable = g->conserve && conserving - g->floor > ICE_THERMAL_SHARE * kinetic;
+    m->el[at] = usable ? conserving : plain;
+    return g->conserve && !usable;
+}
+
+/* Returns how many cells fell back to 2.7. */
 FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve, double floor, const int dim)
 {
-    const ice_arrays *m = &v->m[0];
+    single g = {pressed_of(v, dim), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve};
+    for (int a = 0; a < dim; ++a) g.fall[a] = v->dt * v->gravity[a];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
-    double *restrict el = m->el;
     int guarded = 0;
 #pragma omp simd reduction(+ : guarded)
-    for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
-        const ptrdiff_t at = base + i;
-        const push f = push_of(v, at, i, dim);
-        const double rho = m->rho[at], inverse = 1.0 / rho, inv_c = 1.0 / m->c[at];
-        double kinetic = 0.0, gain = 0.0;
-        for (int a = 0; a < dim; ++a) {
-            const double u = m->u[a][at], du = f.impulse[a] * inverse, next = u + (du + v->dt * v->gravity[a]);
-            gain += du * 0.5 * (u + next);
-            kinetic += 0.5 * next * next;
-            m->ul[a][at] = next;
-        }
-        const double conserving = m->e[at] + f.work * inverse - gain;
-        const double plain = m->e[at] + compression_work(v, at) * (inverse * inverse * inv_c * inv_c);
-        const bool usable = conserve && conserving - floor > ICE_THERMAL_SHARE * kinetic;
-        guarded += conserve && !usable;
-        el[at] = usable ? conserving : plain;
-    }
+    for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) guarded += single_cell(&g, base + i, i, dim);
     return guarded;
 }
 
@@ -99,10 +132,11 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
                                  const bool *points, const int dim)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    const pressed faces = pressed_of(v, dim);
     int guarded = 0;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
-        const push f = push_of(v, at, i, dim);
+        const push f = push_of(&faces, at, i, dim);
         double gain = 0.0;
         for (int r = 0; r < v->n_materials; ++r) {
             const ice_arrays *m = &v->m[r];
@@ -118,7 +152,8 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
         }
         const bool beside = ice_holds_points(v, at), whole = conserve && (!beside || v->burns);
         const bool shared = whole && !beside && v->mixed[at] > 1.0;
-        const double solid = beside ? solids_compressibility(v, at, points) : 0.0, plain = compression_work(v, at);
+        const double solid = beside ? solids_compressibility(v, at, points) : 0.0,
+                     plain = compression_work(v->P, v->p, v->dP, at);
         const double heat = f.work - gain - solid * plain, share = 1.0 / (v->kappa_sum[at] - solid);
         bool usable = whole && !shared;
         double given = 0.0;
@@ -152,7 +187,8 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
 /* Energy per volume of the pressure step that 2.7 made or lost in a cell. */
 static double pressure_defect(const ice *s, const ice_view *v, ptrdiff_t at, int i)
 {
-    double made = -push_of(v, at, i, v->dim).work;
+    const pressed faces = pressed_of(v, v->dim);
+    double made = -push_of(&faces, at, i, v->dim).work;
     for (int r = 0; r < v->n_materials; ++r) {
         const ice_arrays *m = &v->m[r];
         double square = 0.0;
@@ -203,7 +239,7 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
 }
 
 #define INSTANCE(d)                                                                                  \
-    static int single_##d(const ice *s, const ice_view *v, int j, int k)                             \
+    FLOE_WIDE static int single_##d(const ice *s, const ice_view *v, int j, int k)                   \
     {                                                                                                \
         const double floor = s->work->energy_floor[v->first];                                        \
         return single_row(v, j, k, s->scene->method.conserve_energy, isnan(floor) ? 0.0 : floor, d); \
