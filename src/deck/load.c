@@ -15,7 +15,6 @@ typedef struct deck_source {
     size_t length;
     const deck_catalogue *catalogue;
     bool axes; /* their values are looked at, too */
-    unit_book units;
 } deck_source;
 
 /* Parses the text and applies the overrides. NULL root: an error has been entered. */
@@ -45,13 +44,8 @@ static floe_status resolve(deck_source *source, const deck_overrides *set, scene
     deck_node *root;
     TRY(make_tree(source, set, arena, errors, &root));
     if (!root) return FLOE_OK;
-    reader r = {.ctx = source->ctx,
-                .scene = s,
-                .catalogue = source->catalogue,
-                .arena = arena,
-                .errors = errors,
-                .units = &source->units,
-                .root = root};
+    reader r = {
+        .ctx = source->ctx, .scene = s, .catalogue = source->catalogue, .arena = arena, .errors = errors, .root = root};
     snprintf(s->path, sizeof s->path, "%s", source->path);
     TRY(read_table(&r, &schema_deck, root, s));
     if (root->kind != NODE_MAP) return FLOE_OK;
@@ -159,7 +153,6 @@ static floe_status load_text(scene **out, deck_source *source, const deck_overri
     scene *s;
     TRY(scene_create(&s, source->ctx));
     const floe_status status = load(s, source, set, &arena, report);
-    units_close(&source->units);
     arena_free(&arena);
     if (status != FLOE_OK) {
         scene_destroy(&s);

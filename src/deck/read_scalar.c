@@ -1,5 +1,6 @@
 /* Numbers, lists of numbers, words and references. */
 #include "deck/schema/schema.h"
+#include "deck/units.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -84,7 +85,7 @@ static bool convert_number(reader *r, const key_spec *key, const char *text, dou
         snprintf(why, WHY_SIZE, "unit '%.40s' in a deck with 'units: none'", unit);
         return false;
     }
-    if (unit[0] && !units_convert(r->units, x, unit, key->unit ? key->unit : "1", why)) return false;
+    if (unit[0] && !units_convert(x, unit, key->unit ? key->unit : "1", why)) return false;
     const param_spec spec = {.range = key->range, .lo = key->lo, .hi = key->hi};
     if (param_in_range(&spec, *x)) return true;
     if (unit[0]) {

@@ -10,22 +10,26 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The parsers of udunits2, of its database and of units, are the whole process's: whoever is in them holds this. */
-static pthread_mutex_t udunits = PTHREAD_MUTEX_INITIALIZER;
+/* The parsers of udunits2, of its database and of units, are the whole process's, and so are the units that it knows, once read: whoever is
+ * in them holds the lock. Reading takes 5 ms, as long as half of a deck's loading, and they never change. */
+static struct unit_book {
+    pthread_mutex_t lock;
+    ut_system *system; /* NULL until a number carries a unit; then for the rest of the process */
+} book = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
 void deck_init(void)
 {
     ut_set_error_message_handler(ut_ignore);
 }
 
-static bool open_book(unit_book *book, char *why)
+static bool open_book(char *why)
 {
-    if (!book->system) book->system = ut_read_xml(NULL);
-    if (!book->system) {
+    if (!book.system) book.system = ut_read_xml(NULL);
+    if (!book.system) {
         snprintf(why, WHY_SIZE,
                  "the unit database of udunits2 cannot be read (package libudunits2-data; UDUNITS2_XML_PATH)");
     }
-    return book->system != NULL;
+    return book.system != NULL;
 }
 
 static bool convert(const ut_unit *from_unit, const ut_unit *to_unit, double *x, const char *from, const char *to,
@@ -50,11 +54,11 @@ static bool convert(const ut_unit *from_unit, const ut_unit *to_unit, double *x,
     return false;
 }
 
-static bool convert_named(unit_book *book, double *x, const char *from, const char *to, char *why)
+static bool convert_named(double *x, const char *from, const char *to, char *why)
 {
-    if (!open_book(book, why)) return false;
-    ut_unit *from_unit = ut_parse(book->system, from, UT_UTF8);
-    ut_unit *to_unit = ut_parse(book->system, to, UT_UTF8);
+    if (!open_book(why)) return false;
+    ut_unit *from_unit = ut_parse(book.system, from, UT_UTF8);
+    ut_unit *to_unit = ut_parse(book.system, to, UT_UTF8);
     bool ok = false;
     if (!from_unit) {
         snprintf(why, WHY_SIZE, "unit '%.40s' is not known", from);
@@ -68,19 +72,10 @@ static bool convert_named(unit_book *book, double *x, const char *from, const ch
     return ok;
 }
 
-bool units_convert(unit_book *book, double *x, const char *from, const char *to, char *why)
+bool units_convert(double *x, const char *from, const char *to, char *why)
 {
-    (void)pthread_mutex_lock(&udunits);
-    const bool ok = convert_named(book, x, from, to, why);
-    (void)pthread_mutex_unlock(&udunits);
+    (void)pthread_mutex_lock(&book.lock);
+    const bool ok = convert_named(x, from, to, why);
+    (void)pthread_mutex_unlock(&book.lock);
     return ok;
-}
-
-void units_close(unit_book *book)
-{
-    if (!book->system) return;
-    (void)pthread_mutex_lock(&udunits);
-    ut_free_system(book->system);
-    (void)pthread_mutex_unlock(&udunits);
-    book->system = NULL;
 }

@@ -8,14 +8,8 @@
 
 enum { WHY_SIZE = 200 };
 
-/* Units known to udunits2; opened at the first number that carries a unit, for it reads files. {0} is closed. */
-typedef struct unit_book {
-    void *system;
-} unit_book;
-
-/* Converts *x from unit `from` to unit `to`. false: *why says what is wrong with `from` (size WHY_SIZE). */
-bool units_convert(unit_book *book, double *x, const char *from, const char *to, char *why);
-void units_close(unit_book *book);
+/* Converts *x from unit `from` to unit `to`, of those known to udunits2. false: *why says what is wrong with `from` (size WHY_SIZE). */
+bool units_convert(double *x, const char *from, const char *to, char *why);
 
 /* Splits "117 GPa" into 117 and "GPa" (*unit points into text, "" when there is none). false: *why says what is wrong.
  * Refused: octal, hexadecimal, nan, inf, underscores, overflow, a unit without a space before it. */

@@ -4,7 +4,6 @@
 #define DECK_SCHEMA_H
 
 #include "deck/errors.h"
-#include "deck/units.h"
 
 typedef enum key_type {
     KEY_NUMBER,  /* double */
@@ -135,7 +134,6 @@ struct reader {
     const deck_catalogue *catalogue;
     deck_arena *arena;
     error_list *errors;
-    unit_book *units;
     deck_node *root;
 };
 
