@@ -19,6 +19,8 @@ typedef struct shape_model {
     double (*level)(const void *par, int dim, const double x[3]);
     /* A bounding box of the inside; false when unbounded. */
     bool (*bounds)(const void *par, int dim, double lo[3], double hi[3]);
+    /* Whether all of that box is inside: fractions are then exact, and found at once. */
+    bool fills_bounds;
     /* Refuses impossible parameters (inner radius over outer): NULL if fine, else what is wrong. */
     const char *(*check)(const void *par, int dim);
 } shape_model;
@@ -37,8 +39,8 @@ typedef struct shape {
 /* Whether x (m) lies inside; the surface does not. */
 bool shape_inside(const shape *s, int dim, const double x[3]);
 
-/* Volume fraction and centroid of the part of the box [lo, hi] inside the shape, by adaptive subdivision to `depth` levels
- * with a linear cut in the smallest boxes (size h). Planes are exact; on a smooth surface of radius R the relative error of
+/* Volume fraction and centroid of the part of the box [lo, hi] inside the shape: of a box (`fills_bounds`) to round-off, else by adaptive
+ * subdivision to `depth` levels with a linear cut in the smallest boxes (size h). Planes are exact; on a smooth surface of radius R the relative error of
  * a body's volume is below h^2/(100 R^2), for the errors of neighbouring boxes cancel; edges cost about h^2/10 a length.
  * centroid is that of the inside part (the middle of the box where the fraction is 0).
  * weight_by_radius: volume elements carry r = x[0] (axisymmetric). */

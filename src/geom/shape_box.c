@@ -54,5 +54,6 @@ const shape_model shape_box = {
     .max_dim = 3,
     .level = box_level,
     .bounds = box_bounds,
+    .fills_bounds = true,
     .check = box_check,
 };

@@ -120,8 +120,10 @@ static void check_bounds(const sample *a)
     for (int i = 0; i < SAMPLES; i++) {
         double x[3];
         sample_point(i, x);
-        if (!shape_inside(&a->s, a->dim, x)) continue;
-        for (int k = 0; k < a->dim; k++) check_true(x[k] >= lo[k] && x[k] <= hi[k]);
+        bool within = true;
+        for (int k = 0; k < a->dim; k++) within = within && x[k] >= lo[k] && x[k] <= hi[k];
+        if (shape_inside(&a->s, a->dim, x)) check_true(within);
+        if (within && a->s.model->fills_bounds) check_true(shape_inside(&a->s, a->dim, x));
     }
 }
 
