@@ -1,6 +1,7 @@
 #include "check.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* Written as !(error <= bound) so that a NaN on any side fails; equal infinities have no finite difference. */
 static void check_error(double a, double b, double bound, const char *a_text, const char *b_text, const char *file,
@@ -50,6 +51,11 @@ double check_random(uint64_t *seed, double lo, double hi)
     z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
     z ^= z >> 31;
     return lo + (hi - lo) * ((double)(z >> 11) * 0x1.0p-53);
+}
+
+bool check_at_length(void)
+{
+    return getenv("FLOE_EVERY") != NULL;
 }
 
 int check_make_context(void **state)

@@ -28,6 +28,9 @@
 /* The next of a repeatable sequence of numbers in [lo, hi); the seed is any number, and is advanced (splitmix64). */
 double check_random(uint64_t *seed, double lo, double hi);
 
+/* Whether the test is run at length (nightly: FLOE_EVERY is set), with what takes too long for every day: finer meshes, all combinations. */
+bool check_at_length(void);
+
 /* Set-up and tear-down of a group of tests whose state is a context. */
 int check_make_context(void **state);
 int check_drop_context(void **state);

@@ -19,11 +19,13 @@ place_stencil stencil_at(const mpm *s, const double x[3])
         first[a] = cell + s->work->basis_1d(xi, 0.25, inv_h, w[a], slope);
         count[a] = s->basis->support;
     }
-    place_stencil st = {.n = 0};
+    place_stencil st; /* most of its room stays unused: it is not cleared */
+    st.n = 0;
     for (int k = 0; k < count[2]; ++k)
         for (int j = 0; j < count[1]; ++j)
             for (int i = 0; i < count[0]; ++i) {
                 memcpy(st.node[st.n], (const int[]){first[0] + i, first[1] + j, first[2] + k}, sizeof st.node[0]);
+                st.mass[st.n] = 0.0;
                 st.w[st.n++] = w[0][i] * w[1][j] * w[2][k];
             }
     return st;

@@ -36,13 +36,15 @@ static void block_in_box(trial *t, const space *in, const char *basis, double ex
 static void test_closed_box(void **unused)
 {
     (void)unused;
-    static const double exchange[] = {0.0, 1e5, 1e15, 1e20};
+    static const double exchange[] = {0.0, 1e5, 1e20, 1e15};
     for (const space *in = spaces; in < spaces + sizeof spaces / sizeof *spaces; ++in)
         for (size_t i = 0; i < basis_registry_size; ++i)
             for (size_t k = 0; k < sizeof exchange / sizeof *exchange; ++k) {
                 trial t;
+                if (k % 2 && strcmp(basis_registry[i]->name, "quadratic") != 0)
+                    continue; /* one shows what lies between */
                 block_in_box(&t, in, basis_registry[i]->name, exchange[k]);
-                trial_steps(&t, in->dim == 3 ? 20 : 200);
+                trial_steps(&t, in->dim == 3 ? 20 : 100);
                 const double mass = ledger_worst(&t, LEDGER_MASS, LEDGER_MASS),
                              momentum = ledger_worst(&t, in->radial ? LEDGER_MOMENTUM_Y : LEDGER_MOMENTUM_X,
                                                      (ledger_quantity)(LEDGER_MOMENTUM_X + in->dim - 1)),
@@ -91,10 +93,11 @@ static void test_energy(void **unused)
 static void test_two_solids(void **unused)
 {
     (void)unused;
-    static const double exchange[] = {1e7, 1e15, 1e20};
+    static const double exchange[] = {1e15, 1e7, 1e20};
     for (size_t i = 0; i < basis_registry_size; ++i)
         for (size_t k = 0; k < sizeof exchange / sizeof *exchange; ++k) {
             trial t;
+            if (k > 0 && strcmp(basis_registry[i]->name, "quadratic") != 0) continue;
             block_in_box(&t, &spaces[1], basis_registry[i]->name, exchange[k]);
             sim_destroy(&t.sim);
             const int heavy = coupled_solid(&t, 50e6, 20e6, 3000.0);
@@ -172,7 +175,7 @@ static void test_rest(void **unused)
                                       : make_ball(&t, (const double[]){0.35, 0.36, 0.0}, 0.21),
                          2);
             coupled_start(&t);
-            trial_steps(&t, 1000);
+            trial_steps(&t, 400);
             const noise n = measure(&t, NULL);
             print_message("%s %-9s at rest: p %.1e, gas %.1e m/s, solid %.1e m/s, stress %.1e Pa\n", in->name,
                           basis_registry[i]->name, n.pressure, n.gas, n.solid, n.stress);
@@ -203,7 +206,7 @@ static noise move_together(const char *basis, double h, double relaxation)
     gas->pressure = COUPLED_PRESSURE;
     memcpy(gas->velocity, velocity, sizeof velocity);
     coupled_start(&t);
-    trial_run(&t, 0.02);
+    trial_run(&t, 0.4 * h); /* by four cells */
     const noise n = measure(&t, velocity);
     print_message(
         "%-9s h %.3f relaxation %.1f, moving together: p %.1e (gas alone %.1e), gas %.1f m/s, solid %.2f m/s, "
@@ -215,18 +218,21 @@ static noise move_together(const char *basis, double h, double relaxation)
     return n;
 }
 
+static void check_together(const char *basis, double h)
+{
+    const noise plain = move_together(basis, h, 0.0);
+    check_true(plain.pressure <= 0.05);
+    check_true(plain.gas <= 5.0 && plain.solid <= 1.0);
+    const noise relaxed = move_together(basis, h, 0.1);
+    check_true(relaxed.open <= 0.05);
+    check_true(relaxed.gas <= 5.0 && relaxed.solid <= 2.0);
+}
+
 static void test_moving_together(void **unused)
 {
     (void)unused;
-    for (size_t i = 0; i < basis_registry_size; ++i)
-        for (int fine = 1; fine <= 2; ++fine) {
-            const noise plain = move_together(basis_registry[i]->name, 0.05 / fine, 0.0);
-            check_true(plain.pressure <= 0.05);
-            check_true(plain.gas <= 5.0 && plain.solid <= 1.0);
-            const noise relaxed = move_together(basis_registry[i]->name, 0.05 / fine, 0.1);
-            check_true(relaxed.open <= 0.05);
-            check_true(relaxed.gas <= 5.0 && relaxed.solid <= 2.0);
-        }
+    for (size_t i = 0; i < basis_registry_size; ++i) check_together(basis_registry[i]->name, 0.05);
+    check_together("linear", 0.025); /* that which has the most, on the coarse mesh */
 }
 
 int main(void)

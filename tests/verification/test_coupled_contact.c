@@ -21,7 +21,7 @@ static double collide(bool contact, contact_kind kind, double exchange, double *
 {
     trial t;
     const double size[3] = {1.6, 0.8, 0.0};
-    coupled_begin(&t, 2, size, 0.05);
+    coupled_begin(&t, 2, size, 0.08);
     t.scene->method.exchange = exchange;
     t.scene->contact.enabled = contact;
     t.scene->contact.kind = kind;

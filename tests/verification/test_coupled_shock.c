@@ -88,6 +88,12 @@ static double pressure_after(const hit *c)
     return p;
 }
 
+/* Whether a basis is tried with everything, for the others. */
+static bool in_full(size_t basis)
+{
+    return strcmp(basis_registry[basis]->name, "quadratic") == 0;
+}
+
 /* From a stiff solid as from a wall: p5/p2 = [(3 g - 1) z - (g - 1)] / [(g - 1) z + g + 1], z = p2/p1. The solid, smeared over the
  * cells about its surface, looks up to a cell too fat (numerics 5.7): measured 1.3 % low at most. */
 static void test_reflected_shock(void **unused)
@@ -98,6 +104,7 @@ static void test_reflected_shock(void **unused)
         for (int a = 0; a < 2; ++a)
             for (int k = 0; k < 2; ++k)
                 for (int fine = 1; fine <= 2; ++fine) {
+                    if (a == k && !in_full(i)) continue;
                     const double h = 0.01 / fine;
                     const hit c = {basis_registry[i]->name, z[a], h, 0.6 + offset[k] * h, 100e9, 60e9, 8000.0};
                     const double ratio = pressure_after(&c) / (z[a] * p_before), expected = reflected_ratio(z[a]);
@@ -116,7 +123,7 @@ static void test_impedance(void **unused)
     static const double bulk[] = {0.5e6, 5e6, 50e6};
     for (size_t i = 0; i < basis_registry_size; ++i)
         for (int k = 0; k < 3; ++k)
-            for (int fine = 1; fine <= 4; fine *= 2) {
+            for (int fine = 1; fine <= (in_full(i) ? 4 : 2); fine *= 2) {
                 const double h = 0.01 / fine, density = 100.0, modulus = bulk[k] * (1.0 + 0.8),
                              z2 = sqrt(density * modulus);
                 const hit c = {basis_registry[i]->name, z, h, 0.6037, bulk[k], 0.6 * bulk[k], density};

@@ -80,8 +80,8 @@ static void test_quadratic_fitted(void **state)
 {
     (void)state;
     check_true(error_of(&(annulus){"quadratic", 0.1, 2, SEED_FITTED}) <= 5.0);
-    check_true(error_of(&(annulus){"quadratic", 0.05, 2, SEED_FITTED}) <= 4.0);
-    check_true(error_of(&(annulus){"quadratic", 0.025, 2, SEED_FITTED}) <= 2.5);
+    check_true(error_of(&(annulus){"quadratic", 0.05, 2, SEED_FITTED}) <= 3.0);
+    if (check_at_length()) check_true(error_of(&(annulus){"quadratic", 0.025, 2, SEED_FITTED}) <= 2.5);
 }
 
 /* Spacings at which a point stands at the very edge of a loaded node's support: 2.8, 2.3 and 2.2 % (6.5, 16.6 and 9.5 % when
@@ -91,7 +91,7 @@ static void test_slivers(void **state)
     (void)state;
     check_true(error_of(&(annulus){"quadratic", 0.04, 2, SEED_FITTED}) <= 3.5);
     check_true(error_of(&(annulus){"quadratic", 0.04, 3, SEED_FITTED}) <= 3.0);
-    check_true(error_of(&(annulus){"quadratic", 0.025, 3, SEED_FITTED}) <= 2.0);
+    if (check_at_length()) check_true(error_of(&(annulus){"quadratic", 0.025, 3, SEED_FITTED}) <= 2.0);
 }
 
 /* Domains of fitted points do not tile; the order of linear elements stays. */

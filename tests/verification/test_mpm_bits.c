@@ -1,7 +1,7 @@
 /* The same bits for any blocks and threads: every point field, by id, after points have crossed cells, tiles and seams. */
 #include "mpm_fixture.h"
 
-enum { STEPS = 250, MAX_POINTS = 2000, MAX_WORDS = 48 };
+enum { STEPS = 150, MAX_POINTS = 2000, MAX_WORDS = 48 };
 
 typedef struct shot {
     size_t points[2];
@@ -100,7 +100,7 @@ static void check_variants(variant v)
 {
     static const struct {
         int blocks[2], threads;
-    } other[] = {{{1, 1}, 2}, {{2, 2}, 1}, {{3, 1}, 2}};
+    } other[] = {{{2, 2}, 2}, {{3, 1}, 1}};
     v.blocks[0] = v.blocks[1] = v.threads = 1;
     shot one = run(&v);
     assert_true(one.points[0] > 300 && one.points[1] > 100);
@@ -115,13 +115,16 @@ static void check_variants(variant v)
     free(one.value);
 }
 
-/* Every basis with every stress scheme. */
+/* Every basis, one of them with every stress scheme. */
 static void test_blocks(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < basis_registry_size; ++i)
+    for (size_t i = 0; i < basis_registry_size; ++i) {
+        const bool all = strcmp(basis_registry[i]->name, "quadratic") == 0;
         for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme)
-            check_variants((variant){.basis = basis_registry[i]->name, .stress = (stress_scheme)scheme});
+            if (all || scheme == (int)(i % 3))
+                check_variants((variant){.basis = basis_registry[i]->name, .stress = (stress_scheme)scheme});
+    }
 }
 
 static void test_periodic(void **state)

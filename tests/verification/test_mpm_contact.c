@@ -60,8 +60,8 @@ static void make_balls(trial *t, int dim, bool axisymmetric, double h)
     }
 }
 
-/* Momentum to round-off of the sum of its sizes, in every geometry, with every basis, stress scheme and kind of contact; and that the
- * balls do meet. */
+/* Momentum to round-off of the sum of its sizes, in every geometry, with every two of basis, stress scheme and kind of contact; and that
+ * the balls do meet. */
 static void test_momentum(void **state)
 {
     (void)state;
@@ -74,6 +74,7 @@ static void test_momentum(void **state)
     for (size_t g = 0; g < sizeof sort / sizeof *sort; ++g) FOR_CONTACT_BASES(i)
     for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme)
         for (int kind = CONTACT_STICK; kind <= CONTACT_FRICTION; ++kind) {
+            if ((kind + scheme + (int)i) % 3 != 0) continue; /* a Latin square */
             trial t;
             make_balls(&t, sort[g].dim, sort[g].axisymmetric, sort[g].h);
             set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 0.99);

@@ -97,6 +97,8 @@ static void test_waves(void **state)
     (void)state;
     for (size_t i = 0; i < basis_registry_size; ++i)
         for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme) {
+            const bool all = strcmp(basis_registry[i]->name, "quadratic") == 0;
+            if (!all && scheme != (int)(i % 3)) continue;
             const wave_errors coarse = wave_error(0.01, basis_registry[i]->name, (stress_scheme)scheme);
             const wave_errors fine = wave_error(0.0025, basis_registry[i]->name, (stress_scheme)scheme);
             check_true(fine.stress <= 0.024);

@@ -250,13 +250,15 @@ static void test_cylinder(void **state)
     check_true(finest <= 0.0025 && log2(smooth / finest) >= 1.75);
 }
 
-/* A hollow sphere in (r, z) and as an octant: measured 0.65 and 0.36 %, and 0.79 %. */
+/* A hollow sphere in (r, z) and as an octant: measured 0.63 and 0.35 %, and 0.81 % (0.68 % at h = 0.1). */
 static void test_sphere(void **state)
 {
     (void)state;
     check_true(shell_run(&(shell){"lame_sphere", "quadratic", 2, true, false, SEED_FITTED, 0.1}) <= 0.008);
     check_true(shell_run(&(shell){"lame_sphere", "quadratic", 2, true, false, SEED_FITTED, 0.05}) <= 0.0045);
-    check_true(shell_run(&(shell){"lame_sphere", "quadratic", 3, false, false, SEED_FITTED, 0.1}) <= 0.01);
+    check_true(shell_run(&(shell){"lame_sphere", "quadratic", 3, false, false, SEED_FITTED, 0.15}) <= 0.01);
+    if (check_at_length())
+        check_true(shell_run(&(shell){"lame_sphere", "quadratic", 3, false, false, SEED_FITTED, 0.1}) <= 0.008);
 }
 
 int main(void)

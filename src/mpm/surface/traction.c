@@ -222,29 +222,27 @@ static void moment_row(const mpm *s, const double x[3], const int node[3], doubl
 }
 
 /* Weights times a linear factor, so that they sum to one and keep their centre at the surface point. False where the nodes
- * that are left cannot do it with shares within one. */
+ * that are left cannot do it with shares within one: the weights are as they were. */
 static bool keep_moments(const mpm *s, const double x[3], place_stencil *st)
 {
     const int n = 1 + s->mesh->dim;
-    double A[16] = {0.0}, c[4] = {1.0}, row[4], sum[4] = {0.0};
-    place_stencil out = *st;
+    double A[16] = {0.0}, c[4] = {1.0}, row[STENCIL_NODES][4], weight[STENCIL_NODES], sum[4] = {0.0};
     for (int i = 0; i < st->n; ++i) {
-        moment_row(s, x, st->node[i], row);
+        moment_row(s, x, st->node[i], row[i]);
         for (int a = 0; a < n; ++a)
-            for (int b = 0; b < n; ++b) A[n * a + b] += st->w[i] * row[a] * row[b];
+            for (int b = 0; b < n; ++b) A[n * a + b] += st->w[i] * row[i][a] * row[i][b];
     }
     if (!small_solve_symmetric(n, A, c)) return false;
     for (int i = 0; i < st->n; ++i) {
         double factor = 0.0;
-        moment_row(s, x, st->node[i], row);
-        for (int a = 0; a < n; ++a) factor += c[a] * row[a];
-        out.w[i] *= factor;
-        if (!(fabs(out.w[i]) <= 1.0)) return false;
-        for (int a = 0; a < n; ++a) sum[a] += out.w[i] * row[a];
+        for (int a = 0; a < n; ++a) factor += c[a] * row[i][a];
+        weight[i] = st->w[i] * factor;
+        if (!(fabs(weight[i]) <= 1.0)) return false;
+        for (int a = 0; a < n; ++a) sum[a] += weight[i] * row[i][a];
     }
     for (int a = 0; a < n; ++a) /* all but singular: what came out is noise */
         if (!(fabs(sum[a] - (a == 0 ? 1.0 : 0.0)) <= 1e-12)) return false;
-    *st = out;
+    memcpy(st->w, weight, (size_t)st->n * sizeof *weight);
     return true;
 }
 
