@@ -105,7 +105,7 @@ FIXTURE bool turn_materials(scene *s, kinship *k)
 
 FIXTURE bool is_box(const shape *s)
 {
-    return s->model == &mapped_model && ((const mapped_par *)s->par)->old.model == shape_find("box");
+    return s->model == &mapped_box;
 }
 
 /* A scene of boxes alone, which the mesh cuts exactly, whose solids the gas feels by the cells that they share with it. */

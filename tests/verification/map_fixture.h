@@ -71,21 +71,27 @@ FIXTURE double mapped_level(const void *par, int dim, const double x[3])
     return p->half == 0.0 ? level : fmax(level, p->half * (p->plane - x[p->map->dim - 1]));
 }
 
+/* Without end along an axis that the old scene does not have. */
 FIXTURE bool mapped_bounds(const void *par, int dim, double lo[3], double hi[3])
 {
     const mapped_par *p = par;
+    const int last = p->map->dim - 1;
     double low[3] = {0.0}, high[3] = {0.0};
-    if (dim != p->map->dim || !p->old.model->bounds(p->old.par, dim, low, high)) return false;
+    if (!p->old.model->bounds(p->old.par, p->map->dim, low, high)) return false;
     map_place(p->map, low);
     map_place(p->map, high);
     for (int a = 0; a < dim; ++a) {
-        lo[a] = fmin(low[a], high[a]);
-        hi[a] = fmax(low[a], high[a]);
+        lo[a] = a <= last ? fmin(low[a], high[a]) : -(double)INFINITY;
+        hi[a] = a <= last ? fmax(low[a], high[a]) : (double)INFINITY;
     }
+    if (p->half > 0.0) lo[last] = fmax(lo[last], p->plane);
+    if (p->half < 0.0) hi[last] = fmin(hi[last], p->plane);
     return true;
 }
 
-static const shape_model mapped_model = {.name = "mapped", .level = mapped_level, .bounds = mapped_bounds};
+static const shape_model mapped_model = {.name = "mapped", .level = mapped_level, .bounds = mapped_bounds},
+                         mapped_box = {
+                             .name = "mapped", .level = mapped_level, .bounds = mapped_bounds, .fills_bounds = true};
 
 FIXTURE mapped_par *map_shape(scene *s, const scene_map *m, shape *it)
 {
@@ -93,7 +99,7 @@ FIXTURE mapped_par *map_shape(scene *s, const scene_map *m, shape *it)
     mapped_par *par;
     check_ok(s->ctx, scene_allocate(s, &par, sizeof *par));
     *par = (mapped_par){m, *it, 0.0, 0.0};
-    *it = (shape){&mapped_model, par};
+    *it = (shape){it->model->fills_bounds ? &mapped_box : &mapped_model, par};
     return par;
 }
 
