@@ -102,13 +102,6 @@ void case_say_choice(const case_list *c, const char *metric, strbuf *out)
     strbuf_append(out, ".");
 }
 
-static void count_cell(strbuf *out, double value)
-{
-    html_number_cell(out);
-    html_count(out, value);
-    html_cell_end(out);
-}
-
 static void settings_cells(const case_list *c, size_t i, const char *name, strbuf *out)
 {
     for (int k = 0; k < c->n_axes; k++) {
@@ -126,34 +119,23 @@ static void time_cell(const case_entry *e, strbuf *out)
     html_cell_end(out);
 }
 
-static void number_cell(strbuf *out, double value, int digits)
-{
-    html_number_cell(out);
-    html_number(out, value, digits);
-    html_cell_end(out);
-}
-
 static void table_row(const case_list *c, size_t i, const char *name, strbuf *out)
 {
     const case_entry *e = &c->list[i];
     html_row_begin(out);
     settings_cells(c, i, name, out);
-    strbuf_append(out, "<td>");
-    html_status(out, e->status);
-    strbuf_append(out, "</td>");
+    html_cell_status(out, e->status);
     for (int k = 0; k < c->n_metrics; k++) {
-        html_number_cell(out);
-        html_error(out, c->metric[k], json_number_of(json_object_get(e->run, "errors"), c->metric[k]),
-                   c->dimensionless);
-        html_cell_end(out);
+        html_cell_error(out, c->metric[k], json_number_of(json_object_get(e->run, "errors"), c->metric[k]),
+                        c->dimensionless);
     }
     for (int k = 0; k < c->n_quantities; k++)
-        number_cell(out, json_number_of(json_object_get(e->run, "quantities"), c->quantity[k]), 6);
+        html_cell_number(out, json_number_of(json_object_get(e->run, "quantities"), c->quantity[k]), 6);
     time_cell(e, out);
-    count_cell(out, json_number_of(e->run, "steps"));
-    count_cell(out, json_number_of(e->run, "points"));
-    count_cell(out, json_number_of(e->run, "cells"));
-    number_cell(out, json_number_of(json_object_get(e->run, "conservation"), "energy"), 2);
+    html_cell_count(out, json_number_of(e->run, "steps"));
+    html_cell_count(out, json_number_of(e->run, "points"));
+    html_cell_count(out, json_number_of(e->run, "cells"));
+    html_cell_number(out, json_number_of(json_object_get(e->run, "conservation"), "energy"), 2);
     html_row_end(out);
 }
 

@@ -195,13 +195,6 @@ static double amount(const csv_table *t, const char *quantity, size_t row)
     return at_row(t, "kinetic", row) + at_row(t, "strain", row) + at_row(t, "internal", row);
 }
 
-static void number_cell(strbuf *out, double value, int digits)
-{
-    html_number_cell(out);
-    html_number(out, value, digits);
-    html_cell_end(out);
-}
-
 static void ledger_row(strbuf *out, const csv_table *t, const char *quantity)
 {
     char name[CSV_NAME];
@@ -216,14 +209,14 @@ static void ledger_row(strbuf *out, const csv_table *t, const char *quantity)
     }
     html_row_begin(out);
     html_cell(out, text);
-    number_cell(out, amount(t, quantity, 0), 6);
+    html_cell_number(out, amount(t, quantity, 0), 6);
     for (int k = 0; k < N_KINDS; k++) {
         (void)snprintf(name, sizeof name, "ledger_%s_%s", quantity, kinds[k]);
-        number_cell(out, at_row(t, name, last), 4);
+        html_cell_number(out, at_row(t, name, last), 4);
     }
-    number_cell(out, amount(t, quantity, last), 6);
+    html_cell_number(out, amount(t, quantity, last), 6);
     (void)snprintf(name, sizeof name, "drift_%s", quantity);
-    number_cell(out, at_row(t, name, last), 2);
+    html_cell_number(out, at_row(t, name, last), 2);
     html_row_end(out);
 }
 

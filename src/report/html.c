@@ -180,6 +180,34 @@ void html_cell_end(strbuf *out)
     strbuf_append(out, "</td>");
 }
 
+void html_cell_number(strbuf *out, double value, int digits)
+{
+    html_number_cell(out);
+    html_number(out, value, digits);
+    html_cell_end(out);
+}
+
+void html_cell_count(strbuf *out, double value)
+{
+    html_number_cell(out);
+    html_count(out, value);
+    html_cell_end(out);
+}
+
+void html_cell_error(strbuf *out, const char *metric, double error, bool dimensionless)
+{
+    html_number_cell(out);
+    html_error(out, metric, error, dimensionless);
+    html_cell_end(out);
+}
+
+void html_cell_status(strbuf *out, const char *status)
+{
+    strbuf_append(out, "<td>");
+    html_status(out, status);
+    html_cell_end(out);
+}
+
 void html_download(strbuf *out, const char *words, const char *name, const char *type, const char *data, size_t size)
 {
     strbuf_append(out, "<a download=\"");

@@ -1,4 +1,4 @@
-/* Pieces of a page. All text is escaped here; the markup is HTML that is also well-formed XML. Private to src/study/report. */
+/* Pieces of a page. All text is escaped here; the markup is HTML that is also well-formed XML. Private to src/report. */
 #ifndef REPORT_HTML_H
 #define REPORT_HTML_H
 
@@ -37,6 +37,11 @@ void html_row_begin(strbuf *out);
 void html_row_end(strbuf *out);
 /* A cell of text. */
 void html_cell(strbuf *out, const char *text);
+/* Cells of a number as html_number, html_count and html_error show it, and of a status. */
+void html_cell_number(strbuf *out, double value, int digits);
+void html_cell_count(strbuf *out, double value);
+void html_cell_error(strbuf *out, const char *metric, double error, bool dimensionless);
+void html_cell_status(strbuf *out, const char *status);
 /* Starts a cell of a number; ends with html_cell_end. */
 void html_number_cell(strbuf *out);
 void html_cell_end(strbuf *out);

@@ -194,9 +194,7 @@ static void errors(const run_view *v)
     {
         html_row_begin(out);
         html_cell(out, name);
-        html_number_cell(out);
-        html_error(out, name, json_is_number(value) ? json_number_value(value) : (double)NAN, v->dimensionless);
-        html_cell_end(out);
+        html_cell_error(out, name, json_is_number(value) ? json_number_value(value) : (double)NAN, v->dimensionless);
         html_row_end(out);
     }
     html_table_end(out);

@@ -44,13 +44,6 @@ static void settings_text(json_t *settings, bool keys, char *text, size_t size)
     }
 }
 
-static void number_cell(strbuf *out, double value)
-{
-    html_number_cell(out);
-    html_number(out, value, 5);
-    html_cell_end(out);
-}
-
 /* A cell for each key of the settings that the search was made for. */
 static void settings_cells(const stability_view *v, const json_t *settings, strbuf *out)
 {
@@ -82,18 +75,14 @@ static void limits_table(const stability_view *v)
         const json_t *limit = json_array_get(v->limits, i);
         html_row_begin(out);
         settings_cells(v, json_object_get(limit, "each"), out);
-        strbuf_append(out, "<td>");
-        html_status(out, json_text_of(limit, "outcome"));
-        strbuf_append(out, "</td>");
-        number_cell(out, json_number_of(limit, "stable"));
-        number_cell(out, json_number_of(limit, "unstable"));
+        html_cell_status(out, json_text_of(limit, "outcome"));
+        html_cell_number(out, json_number_of(limit, "stable"), 5);
+        html_cell_number(out, json_number_of(limit, "unstable"), 5);
         if (isfinite(reference)) {
-            number_cell(out, json_number_of(limit, "stable_over_reference"));
-            number_cell(out, json_number_of(limit, "unstable_over_reference"));
+            html_cell_number(out, json_number_of(limit, "stable_over_reference"), 5);
+            html_cell_number(out, json_number_of(limit, "unstable_over_reference"), 5);
         }
-        html_number_cell(out);
-        html_count(out, json_number_of(limit, "runs"));
-        html_cell_end(out);
+        html_cell_count(out, json_number_of(limit, "runs"));
         html_row_end(out);
     }
     html_table_end(out);
@@ -199,16 +188,10 @@ static void runs_table(const stability_view *v)
             html_text(out, "%s", json_text_of(over, key));
             html_cell_end(out);
         }
-        strbuf_append(out, "<td>");
-        html_status(out, json_text_of(run, "verdict"));
-        strbuf_append(out, "</td>");
-        number_cell(out, json_number_of(run, "energy_ratio"));
-        html_number_cell(out);
-        html_count(out, json_number_of(run, "steps"));
-        html_cell_end(out);
-        html_number_cell(out);
-        html_count(out, json_number_of(run, "rejected_steps"));
-        html_cell_end(out);
+        html_cell_status(out, json_text_of(run, "verdict"));
+        html_cell_number(out, json_number_of(run, "energy_ratio"), 5);
+        html_cell_count(out, json_number_of(run, "steps"));
+        html_cell_count(out, json_number_of(run, "rejected_steps"));
         strbuf_append(out, "<td class=\"wide\">");
         html_text(out, "%s", json_text_of(run, "cause"));
         strbuf_append(out, "</td>");

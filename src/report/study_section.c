@@ -19,13 +19,6 @@ typedef struct study_view {
     char stem[PLOT_STEM]; /* before the names of its plots */
 } study_view;
 
-static void number_cell(strbuf *out, double value, int digits)
-{
-    html_number_cell(out);
-    html_number(out, value, digits);
-    html_cell_end(out);
-}
-
 /* A number with its standard error. */
 static void number_with_error_cells(strbuf *out, double value, double error)
 {
@@ -101,8 +94,8 @@ static void limit_row(strbuf *out, const char *group, const char *quantity, cons
     html_row_begin(out);
     html_cell(out, quantity);
     html_cell(out, group);
-    number_cell(out, json_number_of(limit, "value"), 6);
-    number_cell(out, json_number_of(limit, "order"), 3);
+    html_cell_number(out, json_number_of(limit, "value"), 6);
+    html_cell_number(out, json_number_of(limit, "order"), 3);
     html_number_cell(out);
     html_number(out, 100.0 * json_number_of(limit, "gci_relative"), 3);
     strbuf_append(out, " %%");
@@ -134,9 +127,7 @@ static void bar_row(const study_view *v, const json_t *bar)
     const char *metric = json_text_of(bar, "metric");
     const bool order = strcmp(json_text_of(bar, "of"), "order") == 0;
     html_row_begin(out);
-    strbuf_append(out, "<td>");
-    html_status(out, json_is_true(json_object_get(bar, "met")) ? "met" : "missed");
-    strbuf_append(out, "</td>");
+    html_cell_status(out, json_is_true(json_object_get(bar, "met")) ? "met" : "missed");
     strbuf_append(out, "<td>");
     html_text(out, "%s %s", order ? "order of" : "error", metric);
     strbuf_append(out, "</td>");
