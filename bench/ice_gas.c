@@ -1,5 +1,5 @@
-/* Speed of the ICE step on one core (design 10): one gas in 2-D, second order, 10 M cell updates/s; two gases with every cell
- * mixed at theta = 0.5, 3 M. The flow moves, so that every branch of the limiter is met. Prints the best
+/* Speed of the ICE step on one core (design 10): one gas in 2-D, second order, 10 M cell updates/s; two gases with
+ * every cell mixed at theta = 0.5, 3 M. The flow moves, so that every branch of the limiter is met. Prints the best
  * rate of several repeats with their median, and where the time of the best went. */
 #include "repeat.h"
 
@@ -88,7 +88,8 @@ static floe_status take_steps(const bench_run *r, double *seconds)
     return FLOE_OK;
 }
 
-/* Rates of all repeats, and the stages' seconds in the best; the first, in which caches and memory warm up, is not counted. */
+/* Rates of all repeats, and the stages' seconds in the best; the first, in which caches and memory warm up, is not
+ * counted. */
 static floe_status repeat_steps(const bench_run *r, double cells, double *rate, double *stage)
 {
     double best = 0.0, seconds;

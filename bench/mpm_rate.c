@@ -1,6 +1,7 @@
-/* Point updates a second of whole steps of material points, on the threads of the environment: a line a case, the best of several
- * repeats and their median, with the design's bar for one core. A block of elastic points that moves, so that points cross cells.
- * With an argument: only the cases whose name holds it. STAGES=1 prints where the time goes. */
+/* Point updates a second of whole steps of material points, on the threads of the environment: a line a case, the
+ * best of several repeats and their median, with the design's bar for one core. A block of elastic points that moves,
+ * so that points cross cells. With an argument: only the cases whose name holds it. STAGES=1 prints where the time
+ * goes. */
 #include "repeat.h"
 
 #include "base/timer.h"

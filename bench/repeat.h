@@ -1,5 +1,5 @@
-/* A case measured several times over: what else the machine does only makes it slower, so that the best tells the most, and how far the median
- * is from it how quiet the machine was. */
+/* A case measured several times over: what else the machine does only makes it slower, so that the best tells the most,
+ * and how far the median is from it how quiet the machine was. */
 #ifndef BENCH_REPEAT_H
 #define BENCH_REPEAT_H
 

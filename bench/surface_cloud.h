@@ -1,4 +1,5 @@
-/* Points with their exact normals, and the angles by which estimates are off them: what the benchmarks of normals share. */
+/* Points with their exact normals, and the angles by which estimates are off them: what the benchmarks of normals
+ * share. */
 #ifndef BENCH_SURFACE_CLOUD_H
 #define BENCH_SURFACE_CLOUD_H
 

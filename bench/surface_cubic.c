@@ -1,6 +1,7 @@
-/* Normals to the cubic of Sulsky and York 2000, figure 10: y = c x2 (x - 1) + x + 0.5 with c = 2 and 4. The paper prints angles (1 degree; 32, "rms" 5), but
- * neither the number of the points nor their places: readings of the figure, and how the error goes with points and cells.
- * `bench_surface_cubic NAME`, comma separated, angles in degrees; scripts/results/normals.bash makes docs/results/normals.md of them. */
+/* Normals to the cubic of Sulsky and York 2000, figure 10: y = c x2 (x - 1) + x + 0.5 with c = 2 and 4. The paper
+ * prints angles (1 degree; 32, "rms" 5), but neither the number of the points nor their places: readings of the figure,
+ * and how the error goes with points and cells. `bench_surface_cubic NAME`, comma separated, angles in degrees;
+ * scripts/results/normals.bash makes docs/results/normals.md of them. */
 #include "surface_cloud.h"
 
 static double height(double c, double x)
@@ -63,7 +64,8 @@ static void put_cubic(cloud *p, double c, double from, double to, int n, spacing
 
 /* ---- readings of the figure ---- */
 
-/* Points from x = from to y = upto (INFINITY: to x = 1), on one element from (0, lower) of `size`, or on two such, one above the other. */
+/* Points from x = from to y = upto (INFINITY: to x = 1), on one element from (0, lower) of `size`, or on two such, one
+ * above the other. */
 typedef struct reading {
     const char *what;
     double from, upto, lower, size;
@@ -115,8 +117,8 @@ static int by_most(const void *a, const void *b)
     return ascending(&((const errors *)a)->most, &((const errors *)b)->most);
 }
 
-/* Over a hundred points off the surface: quartiles of the worst angle, and the norm over N (what the paper's table III calls rms) of
- * the median. */
+/* Over a hundred points off the surface: quartiles of the worst angle, and the norm over N (what the paper's table III
+ * calls rms) of the median. */
 static void print_reading(const reading *r, double c)
 {
     static cloud all;

@@ -1,8 +1,10 @@
-/* Normals to unconnected points: the tables of Sulsky and York 2000 (S00) and of chapter 7 of York 1997 (Y97), and how the error of each method
- * goes with points a cell, noise and curvature. One table, comma separated: `bench_surface_normals NAME`; without a name the
- * names are listed. Angles in degrees. scripts/results/normals.bash makes docs/results/normals.md of them.
+/* Normals to unconnected points: the tables of Sulsky and York 2000 (S00) and of chapter 7 of York 1997 (Y97), and how
+ * the error of each method goes with points a cell, noise and curvature. One table, comma separated:
+ * `bench_surface_normals NAME`; without a name the names are listed. Angles in degrees. scripts/results/normals.bash
+ * makes docs/results/normals.md of them.
  *
- * Where the papers do not print the places of their points, they are chosen here, and said in the comment of the table. */
+ * Where the papers do not print the places of their points, they are chosen here, and said in the comment of the
+ * table. */
 #include "surface_cloud.h"
 
 #include "base/timer.h"
@@ -53,7 +55,8 @@ static void put_arc(cloud *c, double x, double y, double radius, double from, do
     }
 }
 
-/* S00 table III: a circle of radius 0.8 about the corner, in radians. N points evenly from 0.1 to pi/2 - 0.1; point off it (0.18, 0.93). */
+/* S00 table III: a circle of radius 0.8 about the corner, in radians. N points evenly from 0.1 to pi/2 - 0.1; point off
+ * it (0.18, 0.93). */
 static void table_circle(void)
 {
     static const double away[3] = {0.18, 0.93, 0.0};
@@ -90,8 +93,9 @@ static void print_draws(const char *what, const cloud *c, int dim, int degree, s
 
 static const char draws_head[] = "set,points,degree,solver,least,median,most,as floe draws,rms\n";
 
-/* S00 figures 7 and 9: a circle of radius 0.3 about the middle. (a) four points over 77 degrees about the diagonal, which have places
- * of their own along both axes; (b) four over 64 degrees about the vertical, in pairs; (c), (d) eight over 100 degrees. */
+/* S00 figures 7 and 9: a circle of radius 0.3 about the middle. (a) four points over 77 degrees about the diagonal,
+ * which have places of their own along both axes; (b) four over 64 degrees about the vertical, in pairs; (c), (d) eight
+ * over 100 degrees. */
 static void table_arcs(void)
 {
     static const struct {
@@ -146,8 +150,8 @@ static void table_space(void)
     print_draws("sphere", &c, 3, 2, SOLVE_QR);
 }
 
-/* Y97 sections 7.6 and 7.7: lines at 45 and (unevenly) 80 degrees, xy + 0.1 x + 0.3 = 0 (moved into the element), a circle of 0.4 about the
- * corner, and an arc of 0.3 about the middle, turned. */
+/* Y97 sections 7.6 and 7.7: lines at 45 and (unevenly) 80 degrees, xy + 0.1 x + 0.3 = 0 (moved into the element), a
+ * circle of 0.4 about the corner, and an arc of 0.3 about the middle, turned. */
 static void table_thesis(void)
 {
     static const double uneven[] = {0.05, 0.1, 0.4, 0.55, 0.9};
@@ -185,7 +189,8 @@ typedef struct contender {
     double par;
 } contender;
 
-/* How errors go is shown of all of them; those by colours have 16 points a cell inside, and are left out where there are none. */
+/* How errors go is shown of all of them; those by colours have 16 points a cell inside, and are left out where there
+ * are none. */
 static const contender contenders[] = {
     {"connectivity", "connectivity", 0},
     {"isosurface", "isosurface", 0},
@@ -213,8 +218,8 @@ static void put_circle(cloud *c, double x, double y, double radius, int n, doubl
     }
 }
 
-/* Y97 section 7.5.1: a cylinder of radius 1, with 180 points a quarter and cells of 0.1, of which the middle quarter of the circle is
- * looked at; with points of a fluid inside, none, 2 x 2 or 4 x 4 a cell. */
+/* Y97 section 7.5.1: a cylinder of radius 1, with 180 points a quarter and cells of 0.1, of which the middle quarter of
+ * the circle is looked at; with points of a fluid inside, none, 2 x 2 or 4 x 4 a cell. */
 static void table_cylinder(void)
 {
     static cloud c;
@@ -247,7 +252,8 @@ static void table_cylinder(void)
     end(&f);
 }
 
-/* Y97 figures 80 to 84, S00 section 4 and figure 6: sets with which linear splines on one element fail. Raw: the element alone. */
+/* Y97 figures 80 to 84, S00 section 4 and figure 6: sets with which linear splines on one element fail. Raw: the
+ * element alone. */
 static void table_degenerate(void)
 {
     static const char *const name[] = {
@@ -313,7 +319,8 @@ static void table_line(void)
 
 /* ---- the dog-bone ---- */
 
-/* Straight pieces and arcs, one after the other, of the quarter of the deck `membrane_dogbone`, and how far along them. */
+/* Straight pieces and arcs, one after the other, of the quarter of the deck `membrane_dogbone`, and how far along
+ * them. */
 typedef struct piece {
     double x[2], to[2]; /* straight: from, to; arc: centre, and radius with the sign of its turn */
     double from, upto;  /* arc: angles in degrees */
@@ -381,8 +388,8 @@ static void put_dogbone(cloud *c, int n)
     close_contour(c);
 }
 
-/* Normals of the exact initial contour (lines and arcs) and of the exact final circle, at the four meshes of Y97 table 5; and of that circle
- * with points moved along the normal by up to a twentieth of their spacing. */
+/* Normals of the exact initial contour (lines and arcs) and of the exact final circle, at the four meshes of Y97 table
+ * 5; and of that circle with points moved along the normal by up to a twentieth of their spacing. */
 static void table_dogbone(void)
 {
     static const double cell[] = {0.4, 0.2, 0.1, 0.05};

@@ -9,8 +9,8 @@
  *     else
  *         fprintf(stderr, "%s\n", floe_message(floe));
  *
- * Objects of one context must not be used by two threads at once; different contexts may. HDF5 is not thread-safe: only one
- * thread of a program may execute runs. */
+ * Objects of one context must not be used by two threads at once; different contexts may. HDF5 is not thread-safe: only
+ * one thread of a program may execute runs. */
 #ifndef FLOE_FLOE_H
 #define FLOE_FLOE_H
 
@@ -33,8 +33,8 @@ typedef struct floe_context floe_context; /* messages and memory */
 typedef struct floe_deck floe_deck;       /* a deck that was read */
 typedef struct floe_run floe_run;         /* a run and its results */
 
-/* Process-wide settings of the libraries behind floe (HDF5, GSL and udunits report to floe instead of printing or aborting).
- * Once for a process is enough, more often is fine. */
+/* Process-wide settings of the libraries behind floe (HDF5, GSL and udunits report to floe instead of printing or
+ * aborting). Once for a process is enough, more often is fine. */
 FLOE_API floe_status floe_init(void);
 /* "0.1.0" */
 FLOE_API const char *floe_version(void);
@@ -45,7 +45,8 @@ FLOE_API void floe_destroy(floe_context **floe);
 /* What went wrong in the last call that failed, with places in the deck; "" if nothing. Valid until the next call. */
 FLOE_API const char *floe_message(const floe_context *floe);
 
-/* Reads the deck at `path`, with n_set replacements "KEY=VALUE" (may be NULL). FLOE_BAD_INPUT: the message holds all errors. */
+/* Reads the deck at `path`, with n_set replacements "KEY=VALUE" (may be NULL). FLOE_BAD_INPUT: the message holds all
+ * errors. */
 FLOE_API floe_status floe_load(floe_context *floe, const char *path, const char *const *set, size_t n_set,
                                floe_deck **deck);
 FLOE_API void floe_deck_destroy(floe_deck **deck);
@@ -62,7 +63,8 @@ FLOE_API floe_status floe_execute(floe_deck *deck, const floe_options *options, 
 FLOE_API void floe_run_destroy(floe_run **run);
 
 /* A number of the run's summary: time, steps, rejected_steps, wall_seconds, cells, points, cell_updates, point_updates,
- * peak_rss_bytes, conservation.mass (momentum, energy), errors.METRIC, counters.NAME, seconds_by_stage.NAME; NAN if there is none. */
+ * peak_rss_bytes, conservation.mass (momentum, energy), errors.METRIC, counters.NAME, seconds_by_stage.NAME; NAN if
+ * there is none. */
 FLOE_API double floe_value(const floe_run *run, const char *name);
 /* "done", "at_rest", "diverged", "interrupted" or "failed". */
 FLOE_API const char *floe_run_status(const floe_run *run);

@@ -1,5 +1,5 @@
-/* One of two doubles without a branch. Compilers make branches of `c ? a : b` where several choices hang on the same condition, and
- * then do not vectorise the loop, or load and compute both sides twice over. */
+/* One of two doubles without a branch. Compilers make branches of `c ? a : b` where several choices hang on the same
+ * condition, and then do not vectorise the loop, or load and compute both sides twice over. */
 #ifndef BASE_CHOICE_H
 #define BASE_CHOICE_H
 

@@ -22,7 +22,8 @@ typedef struct context context;
 
 /* Makes a context that logs to nobody; NULL only when memory is out. The caller owns it. */
 context *context_create(void);
-/* Frees *ctx and sets it NULL; NULL and NULL content are fine. In a debug build a leak of counted memory is reported. */
+/* Frees *ctx and sets it NULL; NULL and NULL content are fine. In a debug build a leak of counted memory is
+ * reported. */
 void context_destroy(context **ctx);
 
 /* Records the message of a failure where it is found, and returns `code` (any thread; the first message of
@@ -31,11 +32,13 @@ floe_status fail(context *ctx, floe_status code, const char *format, ...) FLOE_P
 
 /* The names on the way to a key of the deck: KEY("bodies", "bag", "shape"). */
 #define KEY(...) ((const char *const[]){__VA_ARGS__, NULL})
-/* A failure by what a key of the deck asks for: FLOE_BAD_INPUT, with the message "bodies.bag.shape: CAUSE"; the key is also kept by itself,
- * so that who knows the deck can tell its place. The cause has the value and the remedy (any thread; `key` is copied). */
+/* A failure by what a key of the deck asks for: FLOE_BAD_INPUT, with the message "bodies.bag.shape: CAUSE"; the key is
+ * also kept by itself, so that who knows the deck can tell its place. The cause has the value and the remedy (any
+ * thread; `key` is copied). */
 floe_status fail_key(context *ctx, const char *const *key, const char *format, ...) FLOE_PRINTF(3, 4);
-/* Puts names above the key of a refusal by one who did not know them: "radius" under KEY("bodies", "bag") becomes "bodies.bag.radius"; a
- * FLOE_BAD_INPUT without a key gets this one. Other statuses are let through. Returns `status`. */
+/* Puts names above the key of a refusal by one who did not know them: "radius" under KEY("bodies", "bag") becomes
+ * "bodies.bag.radius"; a FLOE_BAD_INPUT without a key gets this one. Other statuses are let through. Returns
+ * `status`. */
 floe_status fail_under(context *ctx, floe_status status, const char *const *above);
 
 /* The message of the last failure, "" when there is none. Owned by the context. */

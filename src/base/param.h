@@ -24,7 +24,8 @@ typedef struct param_spec {
     const char *doc; /* one line */
 } param_spec;
 
-/* Entries of a table, one line each. `type` is the parameter struct, `field` its double, which has the name of the key. */
+/* Entries of a table, one line each. `type` is the parameter struct, `field` its double, which has the name of the
+ * key. */
 #define PAR_ENTRY(type, field, unit_, range_, lo_, hi_, fallback_, count_, doc_)                    \
     {                                                                                               \
         .key = #field, .unit = unit_, .range = range_, .lo = lo_, .hi = hi_, .fallback = fallback_, \

@@ -33,8 +33,8 @@ static floe_status prepare(batch *b, batch_case *one)
     return FLOE_OK;
 }
 
-/* The next case: the first, or, with several at a time, the most expensive one, so that none is left running alone at the
- * end. b->n: none is waiting. */
+/* The next case: the first, or, with several at a time, the most expensive one, so that none is left running alone at
+ * the end. b->n: none is waiting. */
 static size_t next_case(const batch *b)
 {
     size_t best = b->n;

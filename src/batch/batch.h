@@ -1,8 +1,9 @@
 /* Cases of one deck as processes of their own (`floe run`), some at a time.
  *
- * A case that diverges, is killed, cannot be read or takes too long is a result with its cause, and the rest go on. A finished
- * case leaves FOLDER/case.json, by which a later batch knows it and need not run it again; a case that was cut short is run again
- * from its start. One batch at a time in a folder: DIR and each case's folder are locked while they are written to. */
+ * A case that diverges, is killed, cannot be read or takes too long is a result with its cause, and the rest go on. A
+ * finished case leaves FOLDER/case.json, by which a later batch knows it and need not run it again; a case that was cut
+ * short is run again from its start. One batch at a time in a folder: DIR and each case's folder are locked while they
+ * are written to. */
 #ifndef BATCH_BATCH_H
 #define BATCH_BATCH_H
 
@@ -57,8 +58,8 @@ typedef struct batch_options {
  * FLOE_BAD_INPUT: all errors are in the context's message. */
 floe_status batch_prepare(context *ctx, const batch_options *o, batch_case *one, scene **out);
 
-/* Runs the cases. FLOE_INTERRUPTED when asked to stop: those that have not ended are BATCH_WAITING, and the same batch goes on
- * with them. Other errors are those of the batch itself (its folder, its processes), not of its cases. */
+/* Runs the cases. FLOE_INTERRUPTED when asked to stop: those that have not ended are BATCH_WAITING, and the same batch
+ * goes on with them. Other errors are those of the batch itself (its folder, its processes), not of its cases. */
 floe_status batch_run(context *ctx, const batch_options *o, batch_case *list, size_t n);
 
 /* Takes over the cases that have ended before, and runs none: the others are BATCH_WAITING. */

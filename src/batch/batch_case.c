@@ -16,8 +16,8 @@ void batch_path(const batch_options *o, const batch_case *one, const char *name,
     (void)snprintf(path, BATCH_PATH, "%s/%s/%s", o->dir, one->folder, name);
 }
 
-/* The resolved deck of the case as one number: what only `compare` and `study` read of it, its title, and the threads, of which
- * no result depends, are left out. */
+/* The resolved deck of the case as one number: what only `compare` and `study` read of it, its title, and the threads,
+ * of which no result depends, are left out. */
 static floe_status hash_deck(const scene *s, const deck_catalogue *catalogue, char hash[SHA256_TEXT])
 {
     scene *plain;
@@ -214,8 +214,8 @@ static floe_status make_thin(const batch *b, const batch_case *one)
     return folder_remove(b->ctx, path);
 }
 
-/* A run that is asked to stop says so by its exit status, or, before it listens to signals, dies of the one that asks. The
- * terminal asks all processes of a batch at once. */
+/* A run that is asked to stop says so by its exit status, or, before it listens to signals, dies of the one that asks.
+ * The terminal asks all processes of a batch at once. */
 static bool was_stopped(const batch *b, const batch_job *j, int wait_status)
 {
     const bool asked = j->asked || (b->o->stop && *b->o->stop);

@@ -39,7 +39,8 @@ static floe_status spawn(context *ctx, const char *const *argument, const char *
     return fail(ctx, FLOE_IO, "cannot start '%s': %s", argument[0], strerror(error));
 }
 
-/* A batch that was killed leaves processes that end by themselves within a second or so: their folders are not touched before. */
+/* A batch that was killed leaves processes that end by themselves within a second or so: their folders are not touched
+ * before. */
 static floe_status wait_for_earlier(batch *b, const char *folder)
 {
     enum { PATIENCE = 60 }; /* s */

@@ -1,4 +1,5 @@
-/* Where a batch stands: one bar on a terminal, a plain line now and then elsewhere, and a line for each case that ends. */
+/* Where a batch stands: one bar on a terminal, a plain line now and then elsewhere, and a line for each case that
+ * ends. */
 #include "batch/batch_internal.h"
 
 #include "base/timer.h"

@@ -9,8 +9,8 @@ typedef struct machine_load {
 } machine_load;
 
 machine_load machine_load_now(void);
-/* Processor time that others used between two moments, per wall time: cores. NAN: unknown. What a child uses counts as that of
- * others until the child has been waited for, so both moments must have none running. */
+/* Processor time that others used between two moments, per wall time: cores. NAN: unknown. What a child uses counts as
+ * that of others until the child has been waited for, so both moments must have none running. */
 double machine_load_of_others(const machine_load *from, const machine_load *to);
 
 #endif

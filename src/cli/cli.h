@@ -47,7 +47,8 @@ typedef struct cli_deck {
     char coupling[96]; /* "coupling=NAME", one of `set` */
 } cli_deck;
 
-/* Takes an argument that several commands share: the deck, --set (key 's'), --coupling (key 'c'). ARGP_ERR_UNKNOWN for others. */
+/* Takes an argument that several commands share: the deck, --set (key 's'), --coupling (key 'c'). ARGP_ERR_UNKNOWN for
+ * others. */
 error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *state);
 /* Their entries for an argp table. */
 #define CLI_OPTION_SET                                                                                          \

@@ -86,8 +86,8 @@ static floe_status add_piece(cut_line *c, const int cell[2], const int vertex[2]
     return FLOE_OK;
 }
 
-/* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Held is what
- * lies on its left: of a face across axis 0 the part above x, of one across axis 1 the part below. */
+/* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Held
+ * is what lies on its left: of a face across axis 0 the part above x, of one across axis 1 the part below. */
 static void pass(cut_line *c, int at, int axis, int side, const double x[2], int direction)
 {
     const mesh *m = c->mesh;

@@ -1,10 +1,12 @@
-/* Cells that a membrane, or the surface of a solid, cuts: what it leaves of cells and faces to the gas that it holds, exactly.
+/* Cells that a membrane, or the surface of a solid, cuts: what it leaves of cells and faces to the gas that it holds,
+ * exactly.
  *
- * It is one or several lines of vertices, straight between them, with the gas that they hold on their left. A walk along a line cuts it
- * into pieces that lie in one cell each, and notes where it passes through faces. From these passages follow which nodes are held
- * and what part of each face is; from the faces and the pieces, by Green's theorem, what part of each cell. Nothing is sampled, so
- * that in every cut cell the areas of open faces and of the membrane close to round-off: even pressure pushes nothing.
- * About an axis all of it is weighted with the radius. The walk depends on no block and no thread. */
+ * It is one or several lines of vertices, straight between them, with the gas that they hold on their left. A walk
+ * along a line cuts it into pieces that lie in one cell each, and notes where it passes through faces. From these
+ * passages follow which nodes are held and what part of each face is; from the faces and the pieces, by Green's
+ * theorem, what part of each cell. Nothing is sampled, so that in every cut cell the areas of open faces and of the
+ * membrane close to round-off: even pressure pushes nothing. About an axis all of it is weighted with the radius. The
+ * walk depends on no block and no thread. */
 #ifndef COUPLING_CUT_H
 #define COUPLING_CUT_H
 
@@ -12,7 +14,8 @@
 
 #include <stddef.h>
 
-/* A vertex of a line, and the material point or the marker of a surface (by number, 0 first) that moves it and bears its load. */
+/* A vertex of a line, and the material point or the marker of a surface (by number, 0 first) that moves it and bears
+ * its load. */
 typedef struct cut_vertex {
     double x[2]; /* m */
     int point;
@@ -60,10 +63,11 @@ floe_status cut_create(cut_line *c, context *ctx, const mesh *m);
 void cut_destroy(cut_line *c);
 /* Room for so many vertices and chains; sets n_vertices and n_chains. */
 floe_status cut_reserve(cut_line *c, int vertices, int chains);
-/* Whether gas lies on two sides of something thinner than a cell, in one cell: about x (m). Looks at every pair of pieces, for the start of a run. */
+/* Whether gas lies on two sides of something thinner than a cell, in one cell: about x (m). Looks at every pair of
+ * pieces, for the start of a run. */
 bool cut_is_thin(const cut_line *c, double x[2]);
-/* Finds the cut cells of the lines where their vertices are after a time (s) at these velocities (m/s, two numbers each). As cut_find; `from` keeps on
- * standing. Ends stay on the sides of the mesh. */
+/* Finds the cut cells of the lines where their vertices are after a time (s) at these velocities (m/s, two numbers
+ * each). As cut_find; `from` keeps on standing. Ends stay on the sides of the mesh. */
 floe_status cut_ahead(const cut_line *from, const double *velocity, double time, cut_line *out);
 /* Finds the cut cells from the vertices. Open lines must end on sides of the mesh. FLOE_RETRY where lines cross so
  * that some gas would lie on both its sides. */

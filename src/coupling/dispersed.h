@@ -1,4 +1,5 @@
-/* Spheres dispersed in a carrier: what their laws of drag and heat share. The spheres are the first material of the pair. */
+/* Spheres dispersed in a carrier: what their laws of drag and heat share. The spheres are the first material of the
+ * pair. */
 #ifndef COUPLING_DISPERSED_H
 #define COUPLING_DISPERSED_H
 
@@ -28,8 +29,9 @@ static inline double dispersed_reynolds(const dispersed_par *a, const exchange_p
     return q->density[1] * q->slip * a->diameter / dispersed_viscosity(a, q);
 }
 
-/* There are 6 theta_d/(pi d^3) spheres in a volume. What goes to one sphere alone in the carrier, times that, is theta_d theta_c K:
- * the fraction of the carrier is taken out here. It is kept from 0, where nothing is exchanged anyway. */
+/* There are 6 theta_d/(pi d^3) spheres in a volume. What goes to one sphere alone in the carrier, times that, is
+ * theta_d theta_c K: the fraction of the carrier is taken out here. It is kept from 0, where nothing is exchanged
+ * anyway. */
 static inline double dispersed_share(const exchange_pair *q)
 {
     return 1.0 / fmax(q->theta[1], 1e-6);

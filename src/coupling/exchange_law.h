@@ -1,8 +1,10 @@
-/* Laws of exchange between two materials. One file adds one: exchange_<name>.c ends in a const descriptor `exchange_<name>`.
+/* Laws of exchange between two materials. One file adds one: exchange_<name>.c ends in a const descriptor
+ * `exchange_<name>`.
  *
  * A law gives the coefficient K of the momentum or R of the heat that two interpenetrating materials exchange,
  *     theta_r theta_s K_rs (u_s - u_r) per volume and time,    theta_r theta_s R_rs (T_s - T_r),
- * at a place. It must not be negative, and may depend on the state there, which is then taken as it is before the exchange. */
+ * at a place. It must not be negative, and may depend on the state there, which is then taken as it is before the
+ * exchange. */
 #ifndef COUPLING_EXCHANGE_LAW_H
 #define COUPLING_EXCHANGE_LAW_H
 

@@ -38,7 +38,8 @@ static double solid_temperature(const reaction_cell *c)
     return 0.0;
 }
 
-/* Masses after the reactions so far, and the temperature at which the fluids hold their energy: e = e_0 + c_v (T - T_0) of each. */
+/* Masses after the reactions so far, and the temperature at which the fluids hold their energy: e = e_0 + c_v (T - T_0)
+ * of each. */
 static double mixture(const reaction_solver *s, const double *reacted, double *rho)
 {
     const reaction_cell *c = s->cell;
@@ -152,8 +153,9 @@ static void keep_bounds(const reaction_solver *s, double *reacted)
     }
 }
 
-/* One step of the third order with an estimate of the second (Bogacki and Shampine 1989), from the rates at the start; false where the two
- * differ by more than CVODE may be off. Most cells react slowly over a step that sound has bound, and need no more. */
+/* One step of the third order with an estimate of the second (Bogacki and Shampine 1989), from the rates at the start;
+ * false where the two differ by more than CVODE may be off. Most cells react slowly over a step that sound has bound,
+ * and need no more. */
 static bool step_once(const reaction_solver *s, const double *start, const double *tolerance, double dt,
                       double *reacted)
 {

@@ -1,6 +1,7 @@
-/* Reactions: mass of one material of a cell becomes mass of another (step 4 of Guilkey et al. 2003). One file adds a law of the rate:
- * reaction_<name>.c ends in a const descriptor `reaction_<name>`. Rates are integrated over the step in each cell by one explicit step where that will do, else, however
- * stiff, by CVODE's backward differences, with the temperature that follows from the heat so far; the pressure stays that of the step's start. */
+/* Reactions: mass of one material of a cell becomes mass of another (step 4 of Guilkey et al. 2003). One file adds a
+ * law of the rate: reaction_<name>.c ends in a const descriptor `reaction_<name>`. Rates are integrated over the step
+ * in each cell by one explicit step where that will do, else, however stiff, by CVODE's backward differences, with the
+ * temperature that follows from the heat so far; the pressure stays that of the step's start. */
 #ifndef COUPLING_REACTION_H
 #define COUPLING_REACTION_H
 
@@ -59,8 +60,8 @@ typedef struct reaction_solver reaction_solver;
 /* Solves cells of n reactions (borrowed). Errors: FLOE_NO_MEMORY. */
 floe_status reaction_create(reaction_solver **out, context *ctx, int n, const reaction *list);
 void reaction_destroy(context *ctx, reaction_solver **s);
-/* reacted[k] >= 0: kg per m3 of the cell that reaction k turns over in dt (s); together never more than there is of a reactant, and all of
- * it where less than 1e-12 of the cell's mass would be left. False where CVODE cannot go on. */
+/* reacted[k] >= 0: kg per m3 of the cell that reaction k turns over in dt (s); together never more than there is of a
+ * reactant, and all of it where less than 1e-12 of the cell's mass would be left. False where CVODE cannot go on. */
 bool reaction_integrate(reaction_solver *s, const reaction_cell *cell, double dt, double *reacted);
 
 #endif

@@ -1,5 +1,6 @@
-/* Rows of cells and the rows of nodes about them (numerics 5.1): a value of one centring is a weighted sum over its two neighbours of the other along
- * each axis, with weights of 1/2, doubled at nodes on a non-periodic side of the domain, where half the cells are missing. */
+/* Rows of cells and the rows of nodes about them (numerics 5.1): a value of one centring is a weighted sum over its two
+ * neighbours of the other along each axis, with weights of 1/2, doubled at nodes on a non-periodic side of the domain,
+ * where half the cells are missing. */
 #ifndef COUPLING_STRIP_H
 #define COUPLING_STRIP_H
 
@@ -21,14 +22,15 @@ typedef enum strip_use { STRIP_SUM, STRIP_SUM_PRODUCT, STRIP_ADD_WHERE } strip_u
 
 /* The owned cells of row (j, k), sums over nodes. */
 strip strip_of_cells(const mesh *m, const block *b, int j, int k);
-/* The nodes of row (j, k), sums over the cells inside the domain; one ghost node at each end where a neighbour's cells are at hand. */
+/* The nodes of row (j, k), sums over the cells inside the domain; one ghost node at each end where a neighbour's cells
+ * are at hand. */
 strip strip_of_nodes(const mesh *m, const block *b, int j, int k);
 /* Nodes along an axis for which sums can be taken: [first, end). */
 int strip_first_node(const mesh *m, const block *b, int axis);
 int strip_end_node(const mesh *m, const block *b, int axis);
 
-/* Sums of x (of x y) over a strip into out, all of them arrays of the block. y is of the neighbours' centring in products, of the
- * values' in STRIP_ADD_WHERE, NULL otherwise. Entries without weight are not looked at. */
+/* Sums of x (of x y) over a strip into out, all of them arrays of the block. y is of the neighbours' centring in
+ * products, of the values' in STRIP_ADD_WHERE, NULL otherwise. Entries without weight are not looked at. */
 void strip_sum(const strip *s, const double *x, const double *y, double *out, strip_use use);
 
 #endif

@@ -102,8 +102,8 @@ static void node_change(const transfer *t, int blk, const transfer_pair *pair, c
                   field_get(f, N_VEL_L, pair->group, a), STRIP_ADD_WHERE);
 }
 
-/* A point whose cells are all to lose the share s loses s: with the weights w of mass, sum_p m_p sum_i S_ip sum_c w_ci s_c is what they are to lose
- * together. */
+/* A point whose cells are all to lose the share s loses s: with the weights w of mass, sum_p m_p sum_i S_ip sum_c w_ci
+ * s_c is what they are to lose together. */
 static void share_of_cells(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
 {
     const double most_share = 0.5;

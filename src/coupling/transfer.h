@@ -1,8 +1,10 @@
-/* Between nodes and cells (numerics 5.1, 5.2): the one file that knows both centrings. It sees fields, and neither solver.
+/* Between nodes and cells (numerics 5.1, 5.2): the one file that knows both centrings. It sees fields, and neither
+ * solver.
  *
- * The weight of node i in cell c is w_ci = 2^-d, doubled for each non-periodic side of the domain that the node lies on, since half
- * of its cells are missing there: then the weights of every node sum to one over the cells of the domain, and what goes one way
- * comes back the other way with the same weights, so that mass and momentum are conserved to round-off at every boundary. */
+ * The weight of node i in cell c is w_ci = 2^-d, doubled for each non-periodic side of the domain that the node lies
+ * on, since half of its cells are missing there: then the weights of every node sum to one over the cells of the
+ * domain, and what goes one way comes back the other way with the same weights, so that mass and momentum are conserved
+ * to round-off at every boundary. */
 #ifndef COUPLING_TRANSFER_H
 #define COUPLING_TRANSFER_H
 
@@ -35,10 +37,11 @@ floe_status transfer_pressure_to_nodes(transfer *t);
 floe_status transfer_momentum_to_cells(transfer *t);
 /* v_i^L += sum w dv_c, from C_VELOCITY_CHANGE. */
 floe_status transfer_change_to_nodes(transfer *t);
-/* N_BURNT_SHARE: of the mass about a node, what the reactions ask for in C_REACTED, averaged from the cells as the mass went to them; C_REACTED is the
- * cells' own shares then. A cell loses no more than half of its solid in a step. */
+/* N_BURNT_SHARE: of the mass about a node, what the reactions ask for in C_REACTED, averaged from the cells as the mass
+ * went to them; C_REACTED is the cells' own shares then. A cell loses no more than half of its solid in a step. */
 floe_status transfer_share_to_nodes(transfer *t);
-/* What the points have lost, by the weights of their mass: C_REACTED, C_BURNT_MOMENTUM, C_BURNT_ENERGY per cell volume. */
+/* What the points have lost, by the weights of their mass: C_REACTED, C_BURNT_MOMENTUM, C_BURNT_ENERGY per cell
+ * volume. */
 floe_status transfer_burnt_to_cells(transfer *t);
 
 #endif

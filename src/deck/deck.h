@@ -38,8 +38,8 @@ typedef struct deck_catalogue {
     size_t n_metric;
     const deck_name *quantity;
     size_t n_quantity;
-    /* NULL when the metric can be measured in the scene, "" when there is none of that name, else why it cannot be. NULL
-     * function: every name that `metric` gives can be measured. */
+    /* NULL when the metric can be measured in the scene, "" when there is none of that name, else why it cannot be.
+     * NULL function: every name that `metric` gives can be measured. */
     const char *(*check_metric)(const char *name, const scene *s);
     /* FLOE_BAD_INPUT with the context's message when the parameters contradict each other; may be NULL. */
     floe_status (*check_exact)(context *ctx, const char *name, const void *par, int dim);
@@ -67,16 +67,17 @@ void deck_report_free(deck_report *report);
 void deck_init(void);
 
 /* Reads the deck at `path`, applies `set` (may be NULL) and resolves it into a scene, which the caller owns.
- * FLOE_BAD_INPUT: errors are in *report and the context's message counts them. FLOE_IO: the file cannot be read.
- * No state is kept between calls; several threads may call, each with a context of its own (udunits2, which is not thread-safe, is locked). */
+ * FLOE_BAD_INPUT: errors are in *report and the context's message counts them. FLOE_IO: the file cannot be read. No
+ * state is kept between calls; several threads may call, each with a context of its own (udunits2, which is not
+ * thread-safe, is locked). */
 floe_status deck_load(scene **out, context *ctx, const char *path, const deck_overrides *set,
                       const deck_catalogue *catalogue, deck_report *report);
 /* The same from text in memory (text[length] is 0); `path` names it in messages and in the scene. */
 floe_status deck_load_text(scene **out, context *ctx, const char *path, const char *text, size_t length,
                            const deck_overrides *set, const deck_catalogue *catalogue, deck_report *report);
 
-/* The same, and every value of the deck's axes (compare, study, stability) must make a deck, too: for who writes a deck. A single run
- * takes nothing of them, and batches look at each of their cases. */
+/* The same, and every value of the deck's axes (compare, study, stability) must make a deck, too: for who writes a
+ * deck. A single run takes nothing of them, and batches look at each of their cases. */
 floe_status deck_check(scene **out, context *ctx, const char *path, const deck_overrides *set,
                        const deck_catalogue *catalogue, deck_report *report);
 floe_status deck_check_text(scene **out, context *ctx, const char *path, const char *text, size_t length,

@@ -1,4 +1,5 @@
-/* The errors of a deck, all of them, each with its place, the line, a caret and what was expected. Private to src/deck. */
+/* The errors of a deck, all of them, each with its place, the line, a caret and what was expected. Private to
+ * src/deck. */
 #ifndef DECK_ERRORS_H
 #define DECK_ERRORS_H
 

@@ -27,8 +27,8 @@ static bool takes_away(const override *o)
     return o->value[0] != '\0' && node_is_null(o->fresh);
 }
 
-/* What is not there is not put there to be taken away: --set and an axis may both take the same key. Its name is kept for the schema, unless
- * it is known to have been there. */
+/* What is not there is not put there to be taken away: --set and an axis may both take the same key. Its name is kept
+ * for the schema, unless it is known to have been there. */
 static floe_status note_absent(override *o, deck_node *map, const char *path, size_t length)
 {
     deck_node *absent;

@@ -48,7 +48,8 @@ floe_status end_membrane(reader *r, deck_node *node, scene_body *body);
 /* Fills what depends on more than one key: finish.c, after the tables and before the checks. */
 floe_status finish_scene(reader *r);
 
-/* keys.c: notes in the scene where its keys stand, in the deck or in `set`, for what is refused later (scene/place.h). */
+/* keys.c: notes in the scene where its keys stand, in the deck or in `set`, for what is refused later
+ * (scene/place.h). */
 floe_status note_keys(scene *s, const deck_node *root, const deck_overrides *set);
 
 #endif

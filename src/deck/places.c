@@ -61,7 +61,8 @@ static bool next_line(table *t)
     return false;
 }
 
-/* Cuts the first cell off a line: without the blanks about it, and of a head without its unit, as in "x (m)". NULL: there is none left. */
+/* Cuts the first cell off a line: without the blanks about it, and of a head without its unit, as in "x (m)". NULL:
+ * there is none left. */
 static char *next_cell(char **rest, bool head)
 {
     char *cell = *rest;
@@ -130,7 +131,8 @@ static floe_status read_rows(reader *r, table *t, curve_line *c)
     return FLOE_OK;
 }
 
-/* Where a file that the deck names is: beside the deck, told from the root, so that the resolved deck finds it from anywhere. */
+/* Where a file that the deck names is: beside the deck, told from the root, so that the resolved deck finds it from
+ * anywhere. */
 static floe_status resolve_path(reader *r, deck_node *node, char path[PATH_MOST])
 {
     const char *deck = r->scene->path, *slash = strrchr(deck, '/');
@@ -186,7 +188,8 @@ static floe_status read_places(reader *r, const key_spec *key, deck_node *node, 
     return bad(r, node, custom_places.form, "'%s' is %s", key->key, found);
 }
 
-/* In a comment, what the file held: a run that goes on compares resolved decks, and so sees that the list is another one. */
+/* In a comment, what the file held: a run that goes on compares resolved decks, and so sees that the list is another
+ * one. */
 static void write_digest(writer *w, const curve_line *c)
 {
     char digest[SHA256_TEXT];

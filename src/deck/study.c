@@ -40,8 +40,8 @@ floe_status read_setting(reader *r, deck_node *node, char value[SCENE_VALUE])
     return fits ? FLOE_OK : bad(r, node, NULL, "a value longer than %d characters", SCENE_VALUE - 1);
 }
 
-/* ---- compare.axis: {domain.cell: [0.1, 0.05]}; study.axes: {domain.cell: [0.1, 0.05], coupling: [mpm, ice-mpm]}; with keys that
- * change along: {domain.cell: {values: [0.1, 0.05], with: {bodies.string.membrane.number: [40, 80]}}} ---- */
+/* ---- compare.axis: {domain.cell: [0.1, 0.05]}; study.axes: {domain.cell: [0.1, 0.05], coupling: [mpm, ice-mpm]}; with
+ * keys that change along: {domain.cell: {values: [0.1, 0.05], with: {bodies.string.membrane.number: [40, 80]}}} ---- */
 
 static floe_status check_value(reader *r, deck_node *item, const scene_axis *axis)
 {

@@ -177,8 +177,8 @@ static bool has_solids(const snapshot *s)
     return false;
 }
 
-/* What was asked for a body, NULL if nothing was: beside solids, points of a fluid stand for the cells that it has in other
- * couplings, so that one command draws the same picture of both. */
+/* What was asked for a body, NULL if nothing was: beside solids, points of a fluid stand for the cells that it has in
+ * other couplings, so that one command draws the same picture of both. */
 static const char *wanted(const sheet *h, const snapshot_group *body)
 {
     return body->fluid && has_solids(&h->s) ? h->o->cells : h->o->points;

@@ -1,5 +1,5 @@
-/* Field pictures: a PNG of points coloured by one quantity over cells coloured by another, with axes and colour bars. In one
- * dimension: the quantities over x. Drawn by cairo; large type, so that it can be read on a phone. */
+/* Field pictures: a PNG of points coloured by one quantity over cells coloured by another, with axes and colour bars.
+ * In one dimension: the quantities over x. Drawn by cairo; large type, so that it can be read on a phone. */
 #ifndef DRAW_PICTURE_H
 #define DRAW_PICTURE_H
 

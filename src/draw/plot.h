@@ -1,4 +1,5 @@
-/* Figures: panels of curves, as data (CSV), as a gnuplot script that runs by itself, and, where gnuplot is there, as SVG. */
+/* Figures: panels of curves, as data (CSV), as a gnuplot script that runs by itself, and, where gnuplot is there, as
+ * SVG. */
 #ifndef DRAW_PLOT_H
 #define DRAW_PLOT_H
 
@@ -45,15 +46,15 @@ typedef struct plot_figure {
     size_t n_panels;
 } plot_figure;
 
-/* Writes DIR/NAME.csv (columns panel, series, x, y, label) and DIR/NAME.gp, and has gnuplot make DIR/NAME.svg, which follows
- * the reader's light or dark page. Without gnuplot, or if it fails, a warning is logged and there is no NAME.svg; data and
- * script are written all the same. FLOE_IO when they cannot be. */
+/* Writes DIR/NAME.csv (columns panel, series, x, y, label) and DIR/NAME.gp, and has gnuplot make DIR/NAME.svg, which
+ * follows the reader's light or dark page. Without gnuplot, or if it fails, a warning is logged and there is no
+ * NAME.svg; data and script are written all the same. FLOE_IO when they cannot be. */
 floe_status plot_write(context *ctx, const char *dir, const plot_figure *figure);
 /* The same for several figures of different names, by one gnuplot, with one warning. */
 floe_status plots_write(context *ctx, const char *dir, const plot_figure *figure, size_t n);
 
-/* The two halves of plots_write, for pages that draw in several goes: the data and script of one figure, then the pictures
- * of several. *missing becomes true when there is no gnuplot, and is left alone otherwise. */
+/* The two halves of plots_write, for pages that draw in several goes: the data and script of one figure, then the
+ * pictures of several. *missing becomes true when there is no gnuplot, and is left alone otherwise. */
 floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *figure);
 floe_status plots_draw(context *ctx, const char *dir, const plot_figure *figure, size_t n, bool *missing);
 
@@ -64,7 +65,8 @@ bool plot_is_thinned(const plot_figure *figure);
 struct strbuf;
 void plot_append_style(struct strbuf *out);
 
-/* The stem of a file from any text: what is not a letter, a digit, '.', '_' or '-' becomes '_'; never "" or dots alone. */
+/* The stem of a file from any text: what is not a letter, a digit, '.', '_' or '-' becomes '_'; never "" or dots
+ * alone. */
 void plot_stem(const char *text, char stem[PLOT_STEM]);
 
 #endif

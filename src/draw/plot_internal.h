@@ -41,8 +41,8 @@ void plot_append_axis(strbuf *out, char name, const plot_axis *axis);
 void plot_append_script(strbuf *out, const plot_figure *figure, const char *stem);
 /* The figure's data, for people and other programs. */
 void plot_append_csv(strbuf *out, const plot_figure *figure);
-/* Makes gnuplot's DIR/STEM.svg fit for any page: names of its own for what it refers to, colours for dark pages. What gnuplot has
- * left unfinished is removed; no picture is no failure. */
+/* Makes gnuplot's DIR/STEM.svg fit for any page: names of its own for what it refers to, colours for dark pages. What
+ * gnuplot has left unfinished is removed; no picture is no failure. */
 floe_status plot_finish_svg(context *ctx, const char *dir, const char *stem, const char *title);
 
 /* The palette's colour as "#rrggbb" for light pages (dark false) and dark ones. */

@@ -88,8 +88,8 @@ static int key_rows(const plot_figure *f)
     return most;
 }
 
-/* Reference slopes start from one point in the corner that falling errors leave empty: the lower right one for slopes that
- * rise, the lower left one for those that fall. */
+/* Reference slopes start from one point in the corner that falling errors leave empty: the lower right one for slopes
+ * that rise, the lower left one for those that fall. */
 static void append_slopes(strbuf *out, const plot_panel *panel, const plot_axis *x, const plot_axis *y, int *plots)
 {
     const double x_span = log10(x->hi / x->lo), y_span = log10(y->hi / y->lo);

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Okabe and Ito's colours, the yellow one replaced by what shows on white; second: lighter ones of the same hue, for dark
- * pages. */
+/* Okabe and Ito's colours, the yellow one replaced by what shows on white; second: lighter ones of the same hue, for
+ * dark pages. */
 static const char *const palette[PLOT_COLOURS][2] = {
     {"#0072b2", "#4aa8e0"}, {"#d55e00", "#ff8a3d"}, {"#009e73", "#2fc79b"}, {"#aa3f8c", "#e08cc8"},
     {"#c08400", "#f0b429"}, {"#3fa0d8", "#8cd0f5"}, {"#6b6b6b", "#b0b0b0"}, {"#7a4fbf", "#b394f0"},
@@ -41,7 +41,8 @@ void plot_append_style(strbuf *out)
     strbuf_append(out, "}\n</style>\n");
 }
 
-/* Steps over ` id='...'`; marks keep theirs, with the figure's name before it, all others go, as nothing refers to them. */
+/* Steps over ` id='...'`; marks keep theirs, with the figure's name before it, all others go, as nothing refers to
+ * them. */
 static const char *pass_id(strbuf *out, const char *at, const char *stem)
 {
     const char *value = at + 5, quote = at[4];

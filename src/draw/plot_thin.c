@@ -36,8 +36,8 @@ static place middle(const plot_panel *panel, const plot_series *s, const size_t 
     return sum;
 }
 
-/* Lines: of each bucket the point that makes the largest triangle with the one kept before it and the middle of the next
- * bucket (Steinarsson 2013, "largest triangle three buckets"): corners, steep parts and peaks stay. */
+/* Lines: of each bucket the point that makes the largest triangle with the one kept before it and the middle of the
+ * next bucket (Steinarsson 2013, "largest triangle three buckets"): corners, steep parts and peaks stay. */
 static void thin_line(const plot_panel *panel, const plot_series *s, size_t *index, size_t n, size_t most)
 {
     for (size_t k = 1; k + 1 < most; k++) {
@@ -57,7 +57,8 @@ static void thin_line(const plot_panel *panel, const plot_series *s, size_t *ind
     index[most - 1] = index[n - 1];
 }
 
-/* Clouds: one of each bucket, from another part of it each time, as a fixed stride would beat with points that lie regularly. */
+/* Clouds: one of each bucket, from another part of it each time, as a fixed stride would beat with points that lie
+ * regularly. */
 static void thin_cloud(size_t *index, size_t n, size_t most)
 {
     const double golden = 0.6180339887498949;

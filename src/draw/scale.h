@@ -33,13 +33,13 @@ typedef struct scale_sample {
 floe_status scale_sample_add(scale_sample *sample, context *ctx, const double *value, size_t n);
 void scale_sample_free(scale_sample *sample, context *ctx);
 
-/* The range that shows a sample best: that of all values, unless few of them (half a per cent at either end) more than double it;
- * then the others'. With `about_zero`, a range that holds zero is made the same on both sides. Ends are rounded outwards. Without
- * values, or where all are the same to 1e-9, a range about them. The sample is reordered. */
+/* The range that shows a sample best: that of all values, unless few of them (half a per cent at either end) more than
+ * double it; then the others'. With `about_zero`, a range that holds zero is made the same on both sides. Ends are
+ * rounded outwards. Without values, or where all are the same to 1e-9, a range about them. The sample is reordered. */
 void scale_from_sample(scale *s, scale_sample *sample, bool about_zero);
 
-/* Given lower and upper, chooses how they are shown: the unit gets an SI prefix or a power of ten, and where the range is narrow
- * beside its values an offset is taken off. `unit` is in udunits2 spelling; "1": none. */
+/* Given lower and upper, chooses how they are shown: the unit gets an SI prefix or a power of ten, and where the range
+ * is narrow beside its values an offset is taken off. `unit` is in udunits2 spelling; "1": none. */
 void scale_set_unit(scale *s, const char *unit);
 /* The same for an axis of a place: with the prefix that suits numbers up to `size`, and no offset. */
 void scale_set_unit_for(scale *s, const char *unit, double size);

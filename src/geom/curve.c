@@ -110,7 +110,8 @@ int curve_count(const curve_line *c, int asked, int per_cell, const seed_spec *g
     return (int)fmin(n, LAYER_POINTS_MOST + 1.0); /* too many: seed_curve says so */
 }
 
-/* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997, section 5.4.4). */
+/* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997,
+ * section 5.4.4). */
 static floe_status check_gap(const seed_list *list, context *ctx, const seed_spec *grid, size_t i, size_t j)
 {
     for (int k = 0; k < grid->dim; k++) {

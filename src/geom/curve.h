@@ -34,12 +34,14 @@ typedef struct curve_seeding {
 /* Length (m). */
 double curve_length(const curve_line *c, int dim);
 bool curve_is_closed(const curve_line *c);
-/* How many points it gets: those it lists, else `asked`, else (0) enough for per_cell points along a cell of the grid. */
+/* How many points it gets: those it lists, else `asked`, else (0) enough for per_cell points along a cell of the
+ * grid. */
 int curve_count(const curve_line *c, int asked, int per_cell, const seed_spec *grid);
 
-/* Fills *out with the points of a curve, in order along it: in the middle of equal pieces, each with its piece's length times thickness
- * as volume (times the radius when axisymmetric). Of the grid it takes dimension, geometry and mesh. FLOE_BAD_INPUT names a
- * point outside the mesh, and neighbours more than a cell apart, unless they are in any order: such a membrane is torn. */
+/* Fills *out with the points of a curve, in order along it: in the middle of equal pieces, each with its piece's length
+ * times thickness as volume (times the radius when axisymmetric). Of the grid it takes dimension, geometry and mesh.
+ * FLOE_BAD_INPUT names a point outside the mesh, and neighbours more than a cell apart, unless they are in any order:
+ * such a membrane is torn. */
 floe_status seed_curve(seed_list *out, context *ctx, const curve_line *c, const curve_seeding *how,
                        const seed_spec *grid);
 

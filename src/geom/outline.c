@@ -47,7 +47,8 @@ static double corner_at(const tracer *t, int axis, int i)
     return g->lower[axis] + g->h[axis] * (cell + (double)part / t->divide);
 }
 
-/* Where the surface lies between a corner inside and one outside. Asked as corners are, so that a side along the surface ends where it does. */
+/* Where the surface lies between a corner inside and one outside. Asked as corners are, so that a side along the
+ * surface ends where it does. */
 static void find_crossing(const tracer *t, const double inside[2], const double outside[2], double x[2])
 {
     double lo = 0.0, hi = 1.0;
@@ -100,7 +101,8 @@ static floe_status cut_box(tracer *t, int i, int j)
     }
     if (n_in == 0) return FLOE_OK;
     if (n_in == 1) return add_piece(t, &enters[0], &leaves[0]);
-    /* Two opposite corners are inside: are they one? Going round, an entry is followed by the leave of the same corner. */
+    /* Two opposite corners are inside: are they one? Going round, an entry is followed by the leave of the same
+     * corner. */
     const double centre[2] = {0.5 * (corner[0][0] + corner[2][0]), 0.5 * (corner[0][1] + corner[2][1])};
     const bool one = is_inside(t, centre), first = inside[0]; /* the first crossing met is a leave */
     for (int k = 0; k < 2; ++k) TRY(add_piece(t, &enters[k], &leaves[(one == first) ? k : 1 - k]));

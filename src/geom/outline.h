@@ -1,4 +1,5 @@
-/* The outline of a shape in the plane as chains of points: where the gas beside a solid begins (docs/theory.md, sharp interface). */
+/* The outline of a shape in the plane as chains of points: where the gas beside a solid begins (docs/theory.md, sharp
+ * interface). */
 #ifndef GEOM_OUTLINE_H
 #define GEOM_OUTLINE_H
 
@@ -17,9 +18,9 @@ typedef struct outline {
     size_t n_chains;
 } outline;
 
-/* Traces the part of a shape's surface inside the mesh. Cells are divided into `divide` x `divide` sub-boxes; there is a point wherever the
- * surface meets a side of one, on the surface to round-off, and one at every corner whose two sides are straight. What of the surface lies on
- * a side of the mesh is left out. FLOE_NO_MEMORY. */
+/* Traces the part of a shape's surface inside the mesh. Cells are divided into `divide` x `divide` sub-boxes; there is
+ * a point wherever the surface meets a side of one, on the surface to round-off, and one at every corner whose two
+ * sides are straight. What of the surface lies on a side of the mesh is left out. FLOE_NO_MEMORY. */
 floe_status outline_trace(outline *out, context *ctx, const shape *s, const seed_spec *grid, int divide);
 void outline_free(context *ctx, outline *o);
 

@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-/* Halvings of a cut sub-cell, by dimension: some 2^depth (2-D) or 4^depth (3-D) boxes a cut sub-cell. A disc of 20 cells
- * across and 2 points a cell has its area to 1e-8, a ball its volume to 1e-7; edges and corners of a shape cost more
- * (tests/unit/test_geom_seed.c). */
+/* Halvings of a cut sub-cell, by dimension: some 2^depth (2-D) or 4^depth (3-D) boxes a cut sub-cell. A disc of 20
+ * cells across and 2 points a cell has its area to 1e-8, a ball its volume to 1e-7; edges and corners of a shape cost
+ * more (tests/unit/test_geom_seed.c). */
 static const int cut_depth[4] = {0, 40, 4, 3};
 
 /* Sub-cells with less than this share always join a neighbour: they are round-off of a surface along a cell face. */
@@ -55,8 +55,8 @@ static uint64_t sub_cell_key(const sub_grid *g, sub_cell c)
     return cell * (uint64_t)g->per_cell + sub;
 }
 
-/* A face of the sub-grid, from the cell and the share of it: neighbours compute the same bits. With an offset of half a sub-cell
- * at most, every centre stays in the mesh, and none from beyond it comes in. */
+/* A face of the sub-grid, from the cell and the share of it: neighbours compute the same bits. With an offset of half a
+ * sub-cell at most, every centre stays in the mesh, and none from beyond it comes in. */
 static double sub_face(const sub_grid *g, int axis, int at)
 {
     const int per = g->per[axis];
@@ -230,8 +230,8 @@ static floe_status seeding_merge(seeding *w, context *ctx, const sub_grid *g)
     return FLOE_OK;
 }
 
-/* The cell of each point by its place (the upper wall belongs to the last cell), the half widths, and arrays of just the
- * length needed. */
+/* The cell of each point by its place (the upper wall belongs to the last cell), the half widths, and arrays of just
+ * the length needed. */
 static floe_status seeding_finish(seeding *w, context *ctx, const sub_grid *g)
 {
     const seed_spec *spec = g->spec;

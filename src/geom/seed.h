@@ -7,8 +7,8 @@
 typedef enum seed_method {
     /* The papers': a point at the centre of each sub-cell whose centre is inside, with the whole sub-cell's volume. */
     SEED_LATTICE,
-    /* A point at the centroid of each sub-cell's inside part, with exactly that volume; slivers under `merge` of a sub-cell join their
-     * largest neighbour, keeping mass and first moments. */
+    /* A point at the centroid of each sub-cell's inside part, with exactly that volume; slivers under `merge` of a
+     * sub-cell join their largest neighbour, keeping mass and first moments. */
     SEED_FITTED
 } seed_method;
 
@@ -23,8 +23,8 @@ typedef struct seed_spec {
     double merge; /* fraction of a sub-cell, 0 to 1; 0.3 is usual */
 } seed_spec;
 
-/* Points in the order of global cells, then sub-cells (axis 0 fastest): independent of blocks. Arrays are counted memory
- * owned by the list; seed_list_free releases them. */
+/* Points in the order of global cells, then sub-cells (axis 0 fastest): independent of blocks. Arrays are counted
+ * memory owned by the list; seed_list_free releases them. */
 typedef struct seed_list {
     size_t n;
     double *x[3];    /* m; dim arrays are set */

@@ -18,8 +18,8 @@ typedef struct quadrilateral_par {
 
 static const param_spec quadrilateral_params[] = {CORNER("a", 0), CORNER("b", 1), CORNER("c", 2), CORNER("d", 3)};
 
-/* Square of the distance of x from the line between two corners, and whether the line crosses the ray from x along the first
- * axis. */
+/* Square of the distance of x from the line between two corners, and whether the line crosses the ray from x along the
+ * first axis. */
 static double edge_distance(const double *a, const double *b, const double *x, bool *crosses)
 {
     const double along[2] = {b[0] - a[0], b[1] - a[1]}, from[2] = {x[0] - a[0], x[1] - a[1]};

@@ -196,7 +196,8 @@ static double points_asked(const sheet_surface *s, const sheet_seeding *how, con
     return how->number > 0 ? how->number : sheet_area(s, grid) * per_length * per_length;
 }
 
-/* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997, section 5.4.4). */
+/* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997,
+ * section 5.4.4). */
 static floe_status check_sides(context *ctx, const seed_spec *grid, const double x[3], double side, double other)
 {
     const double h = layer_cell(grid), wider = fmax(side, other);

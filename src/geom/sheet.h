@@ -13,8 +13,8 @@ typedef enum sheet_kind {
     SHEET_POINTS    /* the points themselves */
 } sheet_kind;
 
-/* What lies behind a side of the mesh that goes through the centre (sphere) or the axis (cylinder, revolved) is left out: there the
- * surface goes on as its image. */
+/* What lies behind a side of the mesh that goes through the centre (sphere) or the axis (cylinder, revolved) is left
+ * out: there the surface goes on as its image. */
 typedef struct sheet_surface {
     sheet_kind kind;
     int axis;         /* of the cylinder, or about which the curve is turned: 0 to 2 */
@@ -38,11 +38,11 @@ typedef struct sheet_seeding {
 /* Area (m2) of the part of it that belongs to the mesh. */
 double sheet_area(const sheet_surface *s, const seed_spec *grid);
 
-/* Fills *out with the points of a surface, all of the same area, the sum of which is exact, with area times thickness as volume:
- * on surfaces of revolution in bands of nearly square pieces, the ends of the bands by area (compare Leopardi 2006); on a plane in rows; of
- * a list as they stand.
- * Of the grid it takes the mesh, of three dimensions. FLOE_BAD_INPUT names a point outside the mesh, pieces larger than a cell (such
- * a membrane is torn), a curve that crosses its axis, and a surface without area. */
+/* Fills *out with the points of a surface, all of the same area, the sum of which is exact, with area times thickness
+ * as volume: on surfaces of revolution in bands of nearly square pieces, the ends of the bands by area (compare
+ * Leopardi 2006); on a plane in rows; of a list as they stand. Of the grid it takes the mesh, of three dimensions.
+ * FLOE_BAD_INPUT names a point outside the mesh, pieces larger than a cell (such a membrane is torn), a curve that
+ * crosses its axis, and a surface without area. */
 floe_status seed_sheet(seed_list *out, context *ctx, const sheet_surface *s, const sheet_seeding *how,
                        const seed_spec *grid);
 

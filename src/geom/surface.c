@@ -62,7 +62,8 @@ static double triangle_area(const double a[3], const double b[3], const double c
     return 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
 }
 
-/* The cut of a simplex: a point, a segment, a triangle or a quadrilateral through the edges whose ends differ in sign. */
+/* The cut of a simplex: a point, a segment, a triangle or a quadrilateral through the edges whose ends differ in
+ * sign. */
 static void emit_cut(const cutter *c, double cut[4][3], int n)
 {
     double centre[3] = {0};
@@ -80,7 +81,8 @@ static void emit_cut(const cutter *c, double cut[4][3], int n)
     }
 }
 
-/* Cuts a simplex of dim + 1 corners. Corners inside come first, so that edges inside-outside are met in a fixed order. */
+/* Cuts a simplex of dim + 1 corners. Corners inside come first, so that edges inside-outside are met in a fixed
+ * order. */
 static void cut_simplex(const cutter *c, const double corner[4][3])
 {
     const int corners = c->grid->dim + 1;
@@ -104,8 +106,8 @@ static const int order[3][6][3] = {
     {{0}}, {{0, 1}, {1, 0}}, {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 static const int orders[3] = {1, 2, 6};
 
-/* The simplex on the way from a place along the axes in an order, to the upper side where `upper` has the bit of the axis' turn, and then
- * along a whole edge. */
+/* The simplex on the way from a place along the axes in an order, to the upper side where `upper` has the bit of the
+ * axis' turn, and then along a whole edge. */
 static void cut_along(const cutter *c, const double lo[3], const double hi[3], const double from[3], const int axis[3],
                       int upper)
 {
@@ -133,8 +135,8 @@ static void cut_box(const cutter *c, const double lo[3], const double hi[3])
         for (int upper = middles ? 0 : all; upper <= all; ++upper) cut_along(c, lo, hi, from, order[dim - 1][k], upper);
 }
 
-/* Place of a face of the sub-boxes: neighbours compute the same bits, in whichever cell they are, so that a surface along a face
- * is met once. */
+/* Place of a face of the sub-boxes: neighbours compute the same bits, in whichever cell they are, so that a surface
+ * along a face is met once. */
 static double face_of(const seed_spec *g, int axis, int cell, int at, int divide)
 {
     return g->lower[axis] + g->h[axis] * (cell + (double)at / divide);

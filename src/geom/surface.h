@@ -13,13 +13,15 @@ typedef struct surface_element {
 
 typedef void surface_visitor(void *user, const surface_element *element);
 
-/* How a box is cut into simplices. DIAGONALS: about the diagonal from its lower corner to its upper one, 2 in the plane and 6 in space. Sides of
- * a shape that meet at another corner of the box are one element there, across both. MIDDLES: about its middle and those of its faces, 4 and
- * 24, the same ones however the box is mirrored or its axes are exchanged; sides that meet at a corner of it stay two. */
+/* How a box is cut into simplices. DIAGONALS: about the diagonal from its lower corner to its upper one, 2 in the plane
+ * and 6 in space. Sides of a shape that meet at another corner of the box are one element there, across both. MIDDLES:
+ * about its middle and those of its faces, 4 and 24, the same ones however the box is mirrored or its axes are
+ * exchanged; sides that meet at a corner of it stay two. */
 typedef enum surface_cut { SURFACE_DIAGONALS, SURFACE_MIDDLES } surface_cut;
 
-/* Visits the elements of the part of the surface inside the mesh, in the order of global cells, then of `divide` sub-boxes along
- * each axis of a cell. Each sub-box is cut into simplices, in which the level is taken as linear; centres are then brought onto the surface. */
+/* Visits the elements of the part of the surface inside the mesh, in the order of global cells, then of `divide`
+ * sub-boxes along each axis of a cell. Each sub-box is cut into simplices, in which the level is taken as linear;
+ * centres are then brought onto the surface. */
 void surface_visit(const shape *s, const seed_spec *grid, int divide, surface_cut cut, surface_visitor *visit,
                    void *user);
 

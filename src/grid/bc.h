@@ -42,8 +42,8 @@ typedef struct bc_table {
 
 typedef enum bc_parity { BC_EVEN, BC_ODD } bc_parity;
 
-/* Local indices lo to hi (not included), MESH_MAX_DIM each, of the layers `from` to `to` of a side, counted outwards: 0 is the last
- * of the block's own cells, 1 to MESH_GHOST the ghosts beyond it. All transverse ghosts are covered. */
+/* Local indices lo to hi (not included), MESH_MAX_DIM each, of the layers `from` to `to` of a side, counted outwards: 0
+ * is the last of the block's own cells, 1 to MESH_GHOST the ghosts beyond it. All transverse ghosts are covered. */
 void bc_layers(const block *b, int axis, mesh_side side, int from, int to, int lo[], int hi[]);
 
 /* Fills the ghost cells of one array beyond one non-periodic side of a block by reflection about the wall:

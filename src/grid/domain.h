@@ -1,5 +1,6 @@
 /* The only door from one block to another (design 4): ghosts, tile partials, point migration, ordered reductions.
- * domain_local.c serves several blocks in one process; a message-passing domain can take its place behind the same door. */
+ * domain_local.c serves several blocks in one process; a message-passing domain can take its place behind the same
+ * door. */
 #ifndef GRID_DOMAIN_H
 #define GRID_DOMAIN_H
 
@@ -29,18 +30,19 @@ void domain_fill(domain *d, field_id id, int instance, fill_which which);
 /* Room for `size` doubles of node partials in every global tile: the private sums of a tile's points, which the blocks
  * that see its nodes add up in global tile order. */
 floe_status domain_reserve_partials(domain *d, size_t size);
-/* The partials of a global tile. In another process's domain, tiles next to a block are valid after domain_share_partials. */
+/* The partials of a global tile. In another process's domain, tiles next to a block are valid after
+ * domain_share_partials. */
 double *domain_tile(const domain *d, int tile);
 void domain_share_partials(domain *d);
 
-/* Adds up the two images of every node near a periodic end (node 0 and n, -1 and n-1, 1 and n+1), low image first, and gives both
- * the sum. One ghost layer of nodes is used. */
+/* Adds up the two images of every node near a periodic end (node 0 and n, -1 and n-1, 1 and n+1), low image first, and
+ * gives both the sum. One ghost layer of nodes is used. */
 void domain_fold_periodic(domain *d, field_id id, int instance);
 /* The same with the larger of the two instead of the sum. */
 void domain_fold_periodic_largest(domain *d, field_id id, int instance);
 
-/* sum[count] over tiles, in the order of global tile number, whatever the blocks: `partial` has one row of `count` values
- * per global tile (row-major). */
+/* sum[count] over tiles, in the order of global tile number, whatever the blocks: `partial` has one row of `count`
+ * values per global tile (row-major). */
 void domain_sum_tiles(const mesh *m, const double *partial, int count, double *sum);
 
 #endif

@@ -44,7 +44,8 @@ static int min_int(int a, int b)
     return a < b ? a : b;
 }
 
-/* Copies cells [lo, hi) (global, in the source's numbering) of `from` to `to`, whose numbering is shifted by `shift`. */
+/* Copies cells [lo, hi) (global, in the source's numbering) of `from` to `to`, whose numbering is shifted by
+ * `shift`. */
 static void copy_box(const mesh *m, const block *from, const double *source, const block *to, double *target,
                      const int lo[MESH_MAX_DIM], const int hi[MESH_MAX_DIM], const int shift[MESH_MAX_DIM])
 {

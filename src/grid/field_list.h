@@ -9,7 +9,8 @@
  *               DEFORM the deformation gradient: 3 (d=1: xx yy zz), 5 (d=2: xx xy yx yy zz), 9 (d=3); NORMAL 1 per axis of faces
  * class       STATE double-buffered, checkpointed; FIXED set when points are seeded, moves only with their order,
  *             checkpointed; SCRATCH rebuilt every step; DIAGNOSTIC written for output only
- * Per-body (points), per-group (nodes) and per-material (cells) fields have one instance each: field_get(b, id, instance, comp). */
+ * Per-body (points), per-group (nodes) and per-material (cells) fields have one instance each: field_get(b, id,
+ * instance, comp). */
 #ifndef GRID_FIELD_LIST_H
 #define GRID_FIELD_LIST_H
 

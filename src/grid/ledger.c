@@ -35,7 +35,8 @@ void ledger_discard(ledger *l)
     memset(l->pending_count, 0, sizeof l->pending_count);
 }
 
-/* Momentum is one vector: what an axis that is all but at rest drifts by is a share of the whole, not of its own round-off. */
+/* Momentum is one vector: what an axis that is all but at rest drifts by is a share of the whole, not of its own
+ * round-off. */
 static double scale_of(const ledger *l, ledger_quantity q)
 {
     if (q < LEDGER_MOMENTUM_X || q > LEDGER_MOMENTUM_Z) return l->scale[q];

@@ -1,6 +1,7 @@
-/* The ledger: nothing is silently lost (design 1.6). Every flux through a boundary, source, work and defect is entered; a
- * drift is |Q - Q0 - entries| / max over time of the sum of |q| (design, conventions), of momentum the
- * largest among the axes. Entries of a step are pending until it is committed, so that a rejected step leaves none. Sums are compensated. */
+/* The ledger: nothing is silently lost (design 1.6). Every flux through a boundary, source, work and defect is entered;
+ * a drift is |Q - Q0 - entries| / max over time of the sum of |q| (design, conventions), of momentum the largest among
+ * the axes. Entries of a step are pending until it is committed, so that a rejected step leaves none. Sums are
+ * compensated. */
 #ifndef GRID_LEDGER_H
 #define GRID_LEDGER_H
 

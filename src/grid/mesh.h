@@ -74,7 +74,8 @@ typedef struct mesh {
     block block[MESH_MAX_BLOCKS];
 } mesh;
 
-/* Checks the spec and fills *out; FLOE_BAD_INPUT says what is wrong and the nearest spec that works. No memory is owned. */
+/* Checks the spec and fills *out; FLOE_BAD_INPUT says what is wrong and the nearest spec that works. No memory is
+ * owned. */
 floe_status mesh_init(mesh *out, context *ctx, const mesh_spec *spec);
 
 /* Linear index of local (i, j, k); unused axes have stride 0. */
@@ -93,7 +94,8 @@ static inline double mesh_centre(const mesh *m, int axis, int i)
     return m->lower[axis] + (i + 0.5) * m->h[axis];
 }
 
-/* Volume of a cell (m3; per metre of depth in 2-D, per m2 in 1-D, per radian when axisymmetric), global i along axis 0. */
+/* Volume of a cell (m3; per metre of depth in 2-D, per m2 in 1-D, per radian when axisymmetric), global i along axis
+ * 0. */
 double mesh_cell_volume(const mesh *m, int i);
 /* Area of the lower face, normal to `axis`, of the cell with global index i along axis 0. */
 double mesh_face_area(const mesh *m, int axis, int i);

@@ -1,8 +1,8 @@
 /* Stages: a step is a list of them, straight down one page, each with what it reads and writes.
  *
- * The same list serves three ends. Planned (stages->planning), it only records names and fields, and from that record the
- * fields are registered and `floe plan` is printed; run, it calls the functions and times them; in debug builds it also
- * fills what a stage will write with NaN, checks it afterwards, and checks that nothing else has changed.
+ * The same list serves three ends. Planned (stages->planning), it only records names and fields, and from that record
+ * the fields are registered and `floe plan` is printed; run, it calls the functions and times them; in debug builds it
+ * also fills what a stage will write with NaN, checks it afterwards, and checks that nothing else has changed.
  *
  *     STAGE(s, ALWAYS, points_to_nodes, READS(P_MASS, P_VEL, P_POS), WRITES(N_MASS, N_MOMENTUM));
  *     STAGE(s, s->multi, equilibrium_pressure, READS(C_RHO, C_TEMP), WRITES(C_PRESSURE, C_VOL));

@@ -1,5 +1,5 @@
-/* The sides of the domain: ghosts of cell fields, and what sides impose on faces (numerics 2.13). One table (axis, side) and
- * one loop; a kind of side is a row of `rule_of`. */
+/* The sides of the domain: ghosts of cell fields, and what sides impose on faces (numerics 2.13). One table (axis,
+ * side) and one loop; a kind of side is a row of `rule_of`. */
 #include "ice/ice_internal.h"
 
 #include <math.h>
@@ -37,7 +37,8 @@ static void add_to_ghosts(const block *b, int axis, mesh_side side, double value
             for (int i = lo[0]; i < hi[0]; ++i) a[mesh_index(b, i, j, k)] += value;
 }
 
-/* Continues an array in a straight line beyond a side, by the smaller of the last two differences, none where they differ in sign. */
+/* Continues an array in a straight line beyond a side, by the smaller of the last two differences, none where they
+ * differ in sign. */
 static void extrapolate(const block *b, int axis, mesh_side side, double *a)
 {
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
@@ -104,7 +105,8 @@ static ghost_rule velocity_rule(const ice *s, int axis, mesh_side side, int comp
     }
 }
 
-/* Beyond a wall: its temperature on the face, or the difference of a cell that its heat flux makes, k (T_ghost - T)/h. */
+/* Beyond a wall: its temperature on the face, or the difference of a cell that its heat flux makes, k (T_ghost -
+ * T)/h. */
 static ghost_rule temperature_rule(const ice *s, int axis, mesh_side side, int r)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
@@ -161,7 +163,8 @@ void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, 
     }
 }
 
-/* Beyond an outlet or non-reflecting side through which fluid comes back lies the side's reservoir: its density and energy enter. */
+/* Beyond an outlet or non-reflecting side through which fluid comes back lies the side's reservoir: its density and
+ * energy enter. */
 static void fill_backflow(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
@@ -238,8 +241,8 @@ static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_si
     return m->u[axis][at.cell] + phi * v->dt * (v->gravity[axis] - mobility * gradient);
 }
 
-/* Faces of given pressure move with it, over half a cell; beyond it the pressure does not change. No other side gives way. The
- * explicit u* of such a face becomes that of the implicit centring. */
+/* Faces of given pressure move with it, over half a cell; beyond it the pressure does not change. No other side gives
+ * way. The explicit u* of such a face becomes that of the implicit centring. */
 static void set_mobility(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const ice_arrays *m = &v->m[r];

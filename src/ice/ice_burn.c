@@ -3,9 +3,10 @@
 
 #include <math.h>
 
-/* What a cell counts of a surface, by the fraction psi that solids fill of it: from 0 outside to 1 inside, with most of its rise in cells that hold little.
- * A surface that recedes at r then obeys psi_t + r |grad g(psi)| = 0, whose level sets move the faster the farther out they lie, and
- * catch up: the edge stays a few cells wide, where g = psi would let it spread with the root of the way. */
+/* What a cell counts of a surface, by the fraction psi that solids fill of it: from 0 outside to 1 inside, with most of
+ * its rise in cells that hold little. A surface that recedes at r then obeys psi_t + r |grad g(psi)| = 0, whose level
+ * sets move the faster the farther out they lie, and catch up: the edge stays a few cells wide, where g = psi would let
+ * it spread with the root of the way. */
 static double risen(double psi)
 {
     const double lack = 1.0 - fmin(fmax(psi, 0.0), 1.0);
@@ -20,8 +21,9 @@ static double filled(const ice *s, const ice_view *v, ptrdiff_t at)
     return sum;
 }
 
-/* |grad g| by what lies lower on either side along each axis: along a line through a body the cells add up to g inside for each side of it, whatever
- * the profile between. Solids that touch have no surface there; what there is, each has by its fraction. */
+/* |grad g| by what lies lower on either side along each axis: along a line through a body the cells add up to g inside
+ * for each side of it, whatever the profile between. Solids that touch have no surface there; what there is, each has
+ * by its fraction. */
 double ice_burning_surface(const ice *s, const ice_view *v, int r, ptrdiff_t at)
 {
     const double psi = filled(s, v, at), here = risen(psi);
@@ -36,8 +38,9 @@ double ice_burning_surface(const ice *s, const ice_view *v, int r, ptrdiff_t at)
     return sqrt(square) * v->m[r].theta[at] / psi;
 }
 
-/* Energy (J/m3) that new gas spends on compressing solids. The heat of 2.7 has them take their share of what the cell gives off by its dilatation; what
- * drives that is the new gas, and where it flows off as fast as it forms the solids give nothing. */
+/* Energy (J/m3) that new gas spends on compressing solids. The heat of 2.7 has them take their share of what the cell
+ * gives off by its dilatation; what drives that is the new gas, and where it flows off as fast as it forms the solids
+ * give nothing. */
 static double work_on_solids(const ice *s, const ice_view *v, ptrdiff_t at)
 {
     double compressibility = 0.0;
@@ -46,8 +49,9 @@ static double work_on_solids(const ice *s, const ice_view *v, ptrdiff_t at)
     return compressibility * v->P[at] * ice_created(s, v, at).dP;
 }
 
-/* Mass, momentum and energy of what the points have lost, the heat of the reaction, and what the solid is worth in the law of the cells; kinetic
- * energy that is lost so stays as heat. The pressure's impulse on the solid goes with its mass. */
+/* Mass, momentum and energy of what the points have lost, the heat of the reaction, and what the solid is worth in the
+ * law of the cells; kinetic energy that is lost so stays as heat. The pressure's impulse on the solid goes with its
+ * mass. */
 void ice_join_burnt(const ice *s, const ice_view *v, int k, ptrdiff_t at, int i)
 {
     const reaction *q = &s->work->reactions.list[k];

@@ -25,8 +25,8 @@ static void find_used(const scene *s, bool with_points, bool *used)
         }
 }
 
-/* The least pressure that a fluid of the scene bears (Pa, <= 0), and a half of a solid's bulk modulus at most: what a solid beside it must have a
- * volume at. */
+/* The least pressure that a fluid of the scene bears (Pa, <= 0), and a half of a solid's bulk modulus at most: what a
+ * solid beside it must have a volume at. */
 static double least_pressure(const scene *s, const bool *used, double bulk_modulus)
 {
     double least = 0.0;

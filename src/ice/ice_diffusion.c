@@ -1,4 +1,5 @@
-/* Viscosity and heat conduction of the fluids (numerics 2.6; the face terms: ice_stress.h), second order in time by the midpoint:
+/* Viscosity and heat conduction of the fluids (numerics 2.6; the face terms: ice_stress.h), second order in time by the
+ * midpoint:
  *
  *   rates       F = div tau, H = power into the cell less F.u, from the state at t^n. Half of their effect goes into the face
  *               velocities (dt F / 2 rho) and the advanced pressure (dt/2 of what H does to p), which are values at half the step
@@ -220,7 +221,8 @@ void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axi
     }
 }
 
-/* Heat H into a material raises the pressure of the cell, at its volume, by Gamma kappa H / S, Gamma = (dp/de)_rho / rho. */
+/* Heat H into a material raises the pressure of the cell, at its volume, by Gamma kappa H / S, Gamma = (dp/de)_rho /
+ * rho. */
 void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P)
 {
     const ice_arrays *m = &v->m[r];

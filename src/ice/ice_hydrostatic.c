@@ -1,6 +1,6 @@
-/* Columns at rest (numerics 2.4): where gravity acts, cell states are set so that p_j - p_j+1 = |g| h (rho_j + rho_j+1)/2 from
- * each cell to the one below it, for which face velocities and face pressures balance to round-off. One gravity axis, and the
- * highest cells keep the pressure that they were given. */
+/* Columns at rest (numerics 2.4): where gravity acts, cell states are set so that p_j - p_j+1 = |g| h (rho_j +
+ * rho_j+1)/2 from each cell to the one below it, for which face velocities and face pressures balance to round-off. One
+ * gravity axis, and the highest cells keep the pressure that they were given. */
 #include "ice/ice_internal.h"
 
 #include <math.h>
@@ -45,7 +45,8 @@ static place find(const ice *s, const int cell[MESH_MAX_DIM])
                    mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2])};
 }
 
-/* Densities of a cell at pressure p with its fractions and temperatures; returns their sum. Sets state when asked to. */
+/* Densities of a cell at pressure p with its fractions and temperatures; returns their sum. Sets state when asked
+ * to. */
 static double density_at(const ice *s, place c, double p, const double *theta, const double *T, bool set)
 {
     double sum = 0.0;

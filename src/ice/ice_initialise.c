@@ -146,7 +146,8 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
     return FLOE_OK;
 }
 
-/* The first guess at the equilibrium pressure: of any fluid in the cell by itself, else the ambient's, or the reference. */
+/* The first guess at the equilibrium pressure: of any fluid in the cell by itself, else the ambient's, or the
+ * reference. */
 static void guess_pressure(const ice *s, const ice_view *v, double *p)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
@@ -183,8 +184,8 @@ static void start_solid_volumes(const ice *s, const ice_view *v, const double *p
     }
 }
 
-/* What a membrane leaves of a cell to each gas: its bodies, then the ambient where it is of that gas; without one, the bodies' gas
- * is as dense there as it is in its part of the cell. */
+/* What a membrane leaves of a cell to each gas: its bodies, then the ambient where it is of that gas; without one, the
+ * bodies' gas is as dense there as it is in its part of the cell. */
 static floe_status fill_open(const ice *s, const int cell[2], const double lo[3], content *contents)
 {
     double room = 1.0;

@@ -78,7 +78,8 @@ static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
     }
 }
 
-/* Mean pressure of the region at the start of the step, and the mean of dp/de at constant density, by the fluid's volume. */
+/* Mean pressure of the region at the start of the step, and the mean of dp/de at constant density, by the fluid's
+ * volume. */
 typedef struct region_means {
     double pressure, slope;
 } region_means;

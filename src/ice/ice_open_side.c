@@ -1,10 +1,12 @@
-/* Open sides by characteristics (numerics 2.13). On a face, with u along the outward normal and z = rho c of the mixture,
+/* Open sides by characteristics (numerics 2.13). On a face, with u along the outward normal and z = rho c of the
+ * mixture,
  *     R = p + z u leaves, carried from the cell to the face at half the step,     Q = p - z u enters,
- * and the side says what enters: at a non-reflecting side (locally one-dimensional, Hedstrom 1979) the Q of the state far outside; at a
- * reservoir, flow and pressure lie on the isentrope from its state at rest, u^2/2 = integral of dp/rho.
+ * and the side says what enters: at a non-reflecting side (locally one-dimensional, Hedstrom 1979) the Q of the state
+ * far outside; at a reservoir, flow and pressure lie on the isentrope from its state at rest, u^2/2 = integral of
+ * dp/rho.
  *
- * (Measured on a pulse of sound: Q of the cell instead, drawn to the outside as in Poinsot & Lele 1992, sends back 1 to 3 per cent, and
- * falls with less than the first power of the cell's size, since Q then feeds on its own errors.) */
+ * (Measured on a pulse of sound: Q of the cell instead, drawn to the outside as in Poinsot & Lele 1992, sends back 1 to
+ * 3 per cent, and falls with less than the first power of the cell's size, since Q then feeds on its own errors.) */
 #include "ice/ice_internal.h"
 
 #include <math.h>
@@ -58,7 +60,8 @@ static double fastest(const ice *s, int axis, mesh_side side, int r)
     return sqrt(c2);
 }
 
-/* Inflow w >= 0 with p(w) - z w = R on the isentrope; negative where the fluid leaves against the reservoir's pressure. */
+/* Inflow w >= 0 with p(w) - z w = R on the isentrope; negative where the fluid leaves against the reservoir's
+ * pressure. */
 static ice_side_state from_reservoir(const ice *s, int axis, mesh_side side, double R, double z)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
@@ -79,7 +82,8 @@ static ice_side_state from_reservoir(const ice *s, int axis, mesh_side side, dou
     return (ice_side_state){p, -w};
 }
 
-/* Beyond a side with a reservoir, the state that flows in at the speed of the cell beside it; where that leaves, nothing is changed. */
+/* Beyond a side with a reservoir, the state that flows in at the speed of the cell beside it; where that leaves,
+ * nothing is changed. */
 void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r,
                           ice_ghost kind, int component, double *a)
 {

@@ -1,6 +1,7 @@
-/* Mass exchange (step 4 of Guilkey et al. 2003; numerics 2.3, 2.10): what reactions turn over in the step, the pressure that new volume
- * makes, and the sources of mass, momentum, energy and volume. The product gets the reactant's momentum and energy and the
- * heat; the sums over materials close to round-off. What solids on points lose, the points say (ice_burn.c, mpm/burn.c). */
+/* Mass exchange (step 4 of Guilkey et al. 2003; numerics 2.3, 2.10): what reactions turn over in the step, the pressure
+ * that new volume makes, and the sources of mass, momentum, energy and volume. The product gets the reactant's momentum
+ * and energy and the heat; the sums over materials close to round-off. What solids on points lose, the points say
+ * (ice_burn.c, mpm/burn.c). */
 #include "ice/ice_internal.h"
 
 #include "base/memory.h"
@@ -162,7 +163,8 @@ void ice_created_pressure(const ice *s, const ice_view *v, double *P)
 
 /* ---- sources ---- */
 
-/* `reacted` joins the product, at the reactant's velocity. The kinetic energy that is lost so stays in the product as heat. */
+/* `reacted` joins the product, at the reactant's velocity. The kinetic energy that is lost so stays in the product as
+ * heat. */
 static void join(const ice *s, const ice_view *v, const reaction *q, double reacted, ptrdiff_t at)
 {
     const ice_arrays *from = &v->m[q->reactant], *to = &v->m[q->product];

@@ -1,4 +1,5 @@
-/* The equilibrium of several fluids outside of a step that counts: taken back when a step is rejected, and made anew for output. */
+/* The equilibrium of several fluids outside of a step that counts: taken back when a step is rejected, and made anew
+ * for output. */
 #include "ice/ice_internal.h"
 
 #include <string.h>
@@ -36,7 +37,8 @@ void ice_forget_step(ice *s)
     }
 }
 
-/* A state in which no pressure fills a cell keeps the fractions of the last step; the next step will say what is wrong with it. */
+/* A state in which no pressure fills a cell keeps the fractions of the last step; the next step will say what is wrong
+ * with it. */
 floe_status ice_refresh(ice *s)
 {
     if (!s->multi || s->sealed) return FLOE_OK;

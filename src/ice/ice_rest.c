@@ -125,8 +125,9 @@ static floe_status open_region(const ice *s, ice_rest_region *g, const bc_side *
     return FLOE_OK;
 }
 
-/* Solids let no gas pass cells of which they leave it less than this; what is in them belongs to the region beside. The cells' view of a solid is
- * smeared: a cell into which its surface only just reaches has a quarter of gas, the next one inside a hundredth or two. */
+/* Solids let no gas pass cells of which they leave it less than this; what is in them belongs to the region beside. The
+ * cells' view of a solid is smeared: a cell into which its surface only just reaches has a quarter of gas, the next one
+ * inside a hundredth or two. */
 static const double sliver = 0.1;
 
 /* All cells that hang together with the first `last` of the list, where they leave gas at least `least`. */
@@ -276,7 +277,8 @@ int ice_rest_near(const ice *s, const ice_rest *r, const int cell[MESH_MAX_DIM])
 
 /* ---- the state of rest on the cells ---- */
 
-/* A cell into which gas comes as solids leave must be free for this share; one that had gas keeps it down to the other. */
+/* A cell into which gas comes as solids leave must be free for this share; one that had gas keeps it down to the
+ * other. */
 static const double share_to_enter = 0.01, share_to_stay = 1e-6;
 
 /* What solids take of a cell at a pressure; their volumes there are set. */
@@ -352,8 +354,8 @@ static void measure(const ice *s, const ice_rest *r, const ice_rest_state *state
     }
 }
 
-/* The cells' volume is not quite that of the solids' surface: a factor of densities makes up for it, so that no mass is lost, beside the
- * solids where it can. */
+/* The cells' volume is not quite that of the solids' surface: a factor of densities makes up for it, so that no mass is
+ * lost, beside the solids where it can. */
 static double factor_of(const ice *s, cell_gas g, const ice_rest_state *state, const cell_room *room)
 {
     const double most = 4.0;

@@ -1,5 +1,5 @@
-/* Gas of the cells at rest, for solids whose state of rest is solved for (sim/gas_rest.h): cells of gas that hang together are a region,
- * and a region at rest has one pressure. */
+/* Gas of the cells at rest, for solids whose state of rest is solved for (sim/gas_rest.h): cells of gas that hang
+ * together are a region, and a region at rest has one pressure. */
 #ifndef ICE_ICE_REST_H
 #define ICE_ICE_REST_H
 
@@ -33,12 +33,13 @@ typedef struct ice_rest_state {
 const char *ice_rest_obstacle(const ice *s);
 floe_status ice_rest_create(ice_rest **out, ice *s);
 void ice_rest_destroy(ice_rest **r);
-/* Finds the regions from the state as it is, where the lines are included. Errors: FLOE_BAD_INPUT where a load would pressurise a region that is open, or
- * open sides hold it at two pressures; FLOE_NO_MEMORY. */
+/* Finds the regions from the state as it is, where the lines are included. Errors: FLOE_BAD_INPUT where a load would
+ * pressurise a region that is open, or open sides hold it at two pressures; FLOE_NO_MEMORY. */
 floe_status ice_rest_find(ice *s, ice_rest *r);
 /* Region of a global cell, or of one beside it where that holds none; -1: nor there. */
 int ice_rest_near(const ice *s, const ice_rest *r, const int cell[MESH_MAX_DIM]);
-/* Fills the cells again once the solids have moved (their densities stand, and the lines at SEAL_NEXT): each region with the gas that it has, at rest. FLOE_NO_MEMORY. */
+/* Fills the cells again once the solids have moved (their densities stand, and the lines at SEAL_NEXT): each region
+ * with the gas that it has, at rest. FLOE_NO_MEMORY. */
 floe_status ice_rest_fill(ice *s, const ice_rest *r, const ice_rest_state *state);
 
 #endif

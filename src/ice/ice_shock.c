@@ -1,6 +1,6 @@
-/* Sensors. The shock sensor of numerics 2.5: where flow is compressed by more than half a percent of the sound speed a cell, time
- * centring goes from 1/2 to 1 and the linear bulk viscosity comes in. Smooth compression falls below that as the mesh is
- * refined, so that smooth flow stays second order. */
+/* Sensors. The shock sensor of numerics 2.5: where flow is compressed by more than half a percent of the sound speed a
+ * cell, time centring goes from 1/2 to 1 and the linear bulk viscosity comes in. Smooth compression falls below that as
+ * the mesh is refined, so that smooth flow stays second order. */
 #include "ice/ice_internal.h"
 
 #include <math.h>
@@ -49,10 +49,11 @@ FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int di
 ICE_EACH(INSTANCE)
 ice_row *const ice_sensor_row[3][2] = ICE_TABLE(sensor);
 
-/* The contact sensor: how much of a contact lies across a cell, along the axis that shows most of it. Two signs must be there: a
- * change of density over two cells, from 5 % of it on, which ten times the isentrope's for the change of pressure does not
- * explain; and an inflection, (D_lower - D_upper)/(6 change) > 0 with the second differences D on either side (Colella and
- * Woodward 1984, J. Comput. Phys. 54, 174, eq. 1.16), which a smooth profile of entropy behind a blast has not. */
+/* The contact sensor: how much of a contact lies across a cell, along the axis that shows most of it. Two signs must be
+ * there: a change of density over two cells, from 5 % of it on, which ten times the isentrope's for the change of
+ * pressure does not explain; and an inflection, (D_lower - D_upper)/(6 change) > 0 with the second differences D on
+ * either side (Colella and Woodward 1984, J. Comput. Phys. 54, 174, eq. 1.16), which a smooth profile of entropy behind
+ * a blast has not. */
 FLOE_ALWAYS_INLINE void contact_row(const ice_view *v, int j, int k, const int dim)
 {
     const double jump_from = 0.05, jump_slope = 20.0, bend_from = 0.01, bend_slope = 60.0;

@@ -1,5 +1,6 @@
-/* Where a material is. Most cells of most scenes hold one material, and of the others every velocity, fraction and flux there is zero: kernels over
- * one material's faces leave out what is more than two cells from it in any direction, as far as gradients see. */
+/* Where a material is. Most cells of most scenes hold one material, and of the others every velocity, fraction and flux
+ * there is zero: kernels over one material's faces leave out what is more than two cells from it in any direction, as
+ * far as gradients see. */
 #include "ice/ice_internal.h"
 
 #include "base/memory.h"

@@ -1,5 +1,5 @@
-/* The step of the fluids, in the order of numerics 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): four groups of
- * stages, between which the coupled step puts those of the points. */
+/* The step of the fluids, in the order of numerics 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): four groups
+ * of stages, between which the coupled step puts those of the points. */
 #include "ice/ice_internal.h"
 
 floe_status ice_state_stages(ice *s)

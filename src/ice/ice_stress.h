@@ -1,7 +1,7 @@
 /* Viscous stress and conduction through the faces of a cell (numerics 2.6):
  *     tau = theta mu [grad u + grad u^T] + theta (zeta - 2/3 mu) (div u) 1,     q = theta k grad T,
- * two-point normal derivatives, four-cell transverse ones, the harmonic mean of theta on the face (mu and k are a material's), and
- * about an axis the hoop terms. One always-inline body for each dimension and geometry. */
+ * two-point normal derivatives, four-cell transverse ones, the harmonic mean of theta on the face (mu and k are a
+ * material's), and about an axis the hoop terms. One always-inline body for each dimension and geometry. */
 #ifndef ICE_ICE_STRESS_H
 #define ICE_ICE_STRESS_H
 
@@ -16,7 +16,8 @@ typedef struct diffusing {
     double inv_h[3];
 } diffusing;
 
-/* On the lower face of `axis` at cell R: traction along the axes, and the power that crosses downwards, by stress and heat. */
+/* On the lower face of `axis` at cell R: traction along the axes, and the power that crosses downwards, by stress and
+ * heat. */
 typedef struct face_diffusion {
     double t[3], power;
 } face_diffusion;

@@ -14,7 +14,8 @@ static void fill_lagrangian(const ice *s)
     }
 }
 
-/* Chunks are whole layers of tiles, so that no two threads meet in a tile; what they compute does not depend on them. */
+/* Chunks are whole layers of tiles, so that no two threads meet in a tile; what they compute does not depend on
+ * them. */
 static ice_advect_result advect_block(ice *s, const ice_view *v, int r)
 {
     const block *b = v->b;
@@ -89,8 +90,8 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
     return found > 0;
 }
 
-/* What is left of a material below ice_least_fraction of a cell, or ice_least_share of its mass (a trace of gas in a liquid under tension may fill
- * a lot), is dropped; in slivers, what advection's round-off has left without a
+/* What is left of a material below ice_least_fraction of a cell, or ice_least_share of its mass (a trace of gas in a
+ * liquid under tension may fill a lot), is dropped; in slivers, what advection's round-off has left without a
  * temperature is given the last one at the last pressure (numerics 6). Both are entered in the ledger. */
 static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
 {

@@ -1,6 +1,6 @@
-/* Files as floe writes them: whole or not at all. A file is made beside its place (PATH.tmp), synced, renamed over the old
- * one, and its folder synced, so that neither a kill nor a full disk leaves a damaged one or takes the earlier one away.
- * Every failure is FLOE_IO with the path, the system's reason and what to do about it. */
+/* Files as floe writes them: whole or not at all. A file is made beside its place (PATH.tmp), synced, renamed over the
+ * old one, and its folder synced, so that neither a kill nor a full disk leaves a damaged one or takes the earlier one
+ * away. Every failure is FLOE_IO with the path, the system's reason and what to do about it. */
 #ifndef IO_FILE_H
 #define IO_FILE_H
 
@@ -17,8 +17,8 @@ floe_status file_replace(context *ctx, const char *path, const file_part *part, 
 /* The same with one text, its final NUL left out. */
 floe_status file_replace_text(context *ctx, const char *path, const char *text);
 
-/* The whole of a regular file, with a NUL after its end that `size` (may be NULL) does not count. Counted memory, owned by
- * the caller. */
+/* The whole of a regular file, with a NUL after its end that `size` (may be NULL) does not count. Counted memory, owned
+ * by the caller. */
 floe_status file_read(context *ctx, const char *path, char **data, size_t *size);
 /* True when something of that name is there. */
 bool file_exists(const char *path);

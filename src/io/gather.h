@@ -1,5 +1,5 @@
-/* From blocks to whole arrays and back: cells in global order (z, y, x, last fastest), points in the order of their ids. Both
- * are independent of how the mesh is cut into blocks. */
+/* From blocks to whole arrays and back: cells in global order (z, y, x, last fastest), points in the order of their
+ * ids. Both are independent of how the mesh is cut into blocks. */
 #ifndef IO_GATHER_H
 #define IO_GATHER_H
 

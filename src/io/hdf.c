@@ -6,7 +6,8 @@
 
 enum { MEMORY_INCREMENT = 1 << 20 }; /* bytes by which a file in memory grows */
 
-/* The name under which HDF5 knows a file in memory. It looks for a file of that name first, so there must never be one. */
+/* The name under which HDF5 knows a file in memory. It looks for a file of that name first, so there must never be
+ * one. */
 static const char memory_name[] = "/dev/null/floe";
 
 typedef struct complaint {

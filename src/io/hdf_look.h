@@ -11,7 +11,8 @@ size_t hdf_entries(hdf_file *file, const char *path);
 /* The name of the n-th entry, in alphabetical order. FLOE_IO for a longer one. */
 floe_status hdf_entry(hdf_file *file, const char *path, size_t n, char name[HDF_NAME]);
 
-/* Reads an attribute of at most `most` numbers; *count says how many there are. FLOE_IO if there is none, or of another kind. */
+/* Reads an attribute of at most `most` numbers; *count says how many there are. FLOE_IO if there is none, or of another
+ * kind. */
 floe_status hdf_get_attribute(hdf_file *file, const char *path, const char *name, int most, double *value, int *count);
 /* Reads a text; one that is longer is cut. */
 floe_status hdf_get_text(hdf_file *file, const char *path, const char *name, char text[HDF_NAME]);

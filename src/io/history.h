@@ -6,8 +6,9 @@
 
 typedef struct history history;
 
-/* Begins the history of `s` at `path`, or goes on with it: rows later than `keep_until` (s; -INFINITY: all), and half a row
- * that a kill has left, are dropped in one stroke. Errors: FLOE_IO; FLOE_BAD_INPUT where the file has other columns. */
+/* Begins the history of `s` at `path`, or goes on with it: rows later than `keep_until` (s; -INFINITY: all), and half a
+ * row that a kill has left, are dropped in one stroke. Errors: FLOE_IO; FLOE_BAD_INPUT where the file has other
+ * columns. */
 floe_status history_open(history **out, const sim *s, const char *path, double keep_until);
 void history_close(history **h);
 

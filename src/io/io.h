@@ -4,7 +4,8 @@
 
 #include "base/context.h"
 
-/* Starts HDF5 and stops it from printing its errors: floe puts them into its own messages. Process-wide; main thread. */
+/* Starts HDF5 and stops it from printing its errors: floe puts them into its own messages. Process-wide; main
+ * thread. */
 floe_status io_init(context *ctx);
 
 #endif

@@ -1,5 +1,5 @@
-/* One writer a folder: a lock (POSIX, fcntl) on DIR/.lock. It goes with its process, however that ends, and is not handed on
- * to the processes that it starts. Within one process it does not exclude anything. */
+/* One writer a folder: a lock (POSIX, fcntl) on DIR/.lock. It goes with its process, however that ends, and is not
+ * handed on to the processes that it starts. Within one process it does not exclude anything. */
 #ifndef IO_LOCK_H
 #define IO_LOCK_H
 

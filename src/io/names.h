@@ -12,8 +12,8 @@ double output_scale(const sim *s);
 /* The unit to be written: "1" where the scene is dimensionless. */
 const char *output_unit(const sim *s, const char *unit);
 
-/* Names of bodies, materials and probes as part of dataset and column names: what is not a letter, a digit, '_', '-' or '.' becomes
- * '_'; where two become the same, the later one carries its number. */
+/* Names of bodies, materials and probes as part of dataset and column names: what is not a letter, a digit, '_', '-' or
+ * '.' becomes '_'; where two become the same, the later one carries its number. */
 void body_label(const sim *s, int body, char label[NAME_SIZE]);
 void material_label(const sim *s, int material, char label[NAME_SIZE]);
 void probe_label(const sim *s, int probe, char label[NAME_SIZE]);

@@ -9,8 +9,8 @@ typedef struct probe_value {
     double velocity[MESH_MAX_DIM]; /* m/s, of all materials there together; NAN where nothing is */
 } probe_value;
 
-/* The state of the cell that holds x: of the cells' fields if the scene has cells, else the mean of the points there, by
- * volume for the pressure and by mass for the velocity. All NAN outside the mesh. */
+/* The state of the cell that holds x: of the cells' fields if the scene has cells, else the mean of the points there,
+ * by volume for the pressure and by mass for the velocity. All NAN outside the mesh. */
 probe_value probe_read(const sim *s, const double x[3]);
 
 #endif

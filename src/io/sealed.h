@@ -1,5 +1,6 @@
 /* Sealed files: 512 bytes of floe's own, then an HDF5 file. To HDF5 the first part is a user block, so h5dump, h5py and
- * ParaView open the file as it is; floe checks the seal, a SHA-256 of everything else in the file, before HDF5 sees a byte.
+ * ParaView open the file as it is; floe checks the seal, a SHA-256 of everything else in the file, before HDF5 sees a
+ * byte.
  *
  *   bytes 0-7     0x89 'f' 'l' 'o' 'e' CR LF 0x1a (a transfer as text damages it)
  *   bytes 8-11    kind (sealed_kind), little-endian, as all numbers here
@@ -30,8 +31,8 @@ typedef struct sealed_file {
     size_t size;       /* bytes of that */
 } sealed_file;
 
-/* Reads a file and opens its seal. FLOE_IO with a message of its own for: not a floe file, cut short, too long, damaged,
- * another kind, another format, written by another version of floe (`same_version` only). */
+/* Reads a file and opens its seal. FLOE_IO with a message of its own for: not a floe file, cut short, too long,
+ * damaged, another kind, another format, written by another version of floe (`same_version` only). */
 floe_status sealed_read(context *ctx, const char *path, sealed_kind kind, uint32_t format, bool same_version,
                         sealed_file *out);
 void sealed_free(context *ctx, sealed_file *file);

@@ -67,8 +67,8 @@ double summary_run_seconds(const run_summary *r);
 
 /* Fills version, git, compiler, flags and machine with those of this build and of where it runs. */
 void summary_set_build(run_summary *r);
-/* Fills what the simulation knows: coupling, time, steps, stages, cells, points, updates, field bytes, conservation, counters
- * (those of the ledger are appended). */
+/* Fills what the simulation knows: coupling, time, steps, stages, cells, points, updates, field bytes, conservation,
+ * counters (those of the ledger are appended). */
 floe_status summary_set_sim(run_summary *r, const sim *s);
 
 /* Replaces `path` by the summary. */

@@ -20,8 +20,8 @@ static void add_numbers(strbuf *page, const double value[3])
 
 void xdmf_begin_cells(strbuf *page, const mesh *m)
 {
-    /* ParaView shows two-dimensional meshes in the wrong plane, and reads none of one node across. So an unused axis is a
-     * cell thick: y about 0; z below 0, so that the points lie on the face that one looks at. */
+    /* ParaView shows two-dimensional meshes in the wrong plane, and reads none of one node across. So an unused axis is
+     * a cell thick: y about 0; z below 0, so that the points lie on the face that one looks at. */
     double origin[3] = {m->lower[0], -0.5 * m->h[0], -m->h[0]};
     double spacing[3] = {m->h[0], m->h[0], m->h[0]};
     for (int a = 0; a < m->dim; a++) {

@@ -1,5 +1,5 @@
-/* XDMF: the page that tells ParaView and VisIt what lies where in the snapshots. Each snapshot carries its own part of it as
- * text; fields.xdmf is these parts in a row. */
+/* XDMF: the page that tells ParaView and VisIt what lies where in the snapshots. Each snapshot carries its own part of
+ * it as text; fields.xdmf is these parts in a row. */
 #ifndef IO_XDMF_H
 #define IO_XDMF_H
 
@@ -24,7 +24,8 @@ typedef struct xdmf_array {
 void xdmf_begin_time(strbuf *page, long number, double time);
 /* The grid of the cells: uniform; axes that the mesh does not have are one cell thick. */
 void xdmf_begin_cells(strbuf *page, const mesh *m);
-/* The grid of a body's n points; `index` holds 0 to n - 1, which some readers ask for, `position` the coordinates (n x 3). */
+/* The grid of a body's n points; `index` holds 0 to n - 1, which some readers ask for, `position` the coordinates (n x
+ * 3). */
 void xdmf_begin_points(strbuf *page, const char *body, const xdmf_array *index, const xdmf_array *position);
 void xdmf_add(strbuf *page, const xdmf_array *array);
 /* Ends the innermost grid or collection. */

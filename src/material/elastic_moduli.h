@@ -18,9 +18,11 @@ typedef struct elastic_moduli {
 /* Entries of solid_model (material/solid.h); par begins with an elastic_moduli. */
 double elastic_bulk_modulus(const void *par);
 double elastic_shear_modulus(const void *par);
-/* Longitudinal waves of small strain: c^2 = (K + 4 G / 3) / rho. It bounds plastic waves, and those of failed points. */
+/* Longitudinal waves of small strain: c^2 = (K + 4 G / 3) / rho. It bounds plastic waves, and those of failed
+ * points. */
 void elastic_wave_speed(const void *par, double p_ref, const solid_batch *b, double *c);
-/* J [p^2/(2K) + s:s/(4G)] per initial volume: the work of small strains; laws in rate form have no exact potential at large ones. */
+/* J [p^2/(2K) + s:s/(4G)] per initial volume: the work of small strains; laws in rate form have no exact potential at
+ * large ones. */
 void elastic_strain_energy(const void *par, const solid_batch *b, double *psi);
 /* The same at one point, of Cauchy stress s (xx, yy, zz, xy, yz, zx; Pa) and volume ratio J; J/m3. */
 double elastic_energy_density(const elastic_moduli *a, double J, const double s[6]);

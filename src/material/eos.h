@@ -33,7 +33,8 @@ typedef struct eos_model {
     double (*energy_floor)(const void *par, double rho);
     /* density (kg/m3) at which the law ends: at it and beyond c2 and energy_floor() are NAN. NULL: it holds at any */
     double (*density_limit)(const void *par);
-    /* what is wrong with parameters that each are in range, as the end of a sentence; NULL if nothing. NULL: nothing can be */
+    /* what is wrong with parameters that each are in range, as the end of a sentence; NULL if nothing. NULL: nothing
+     * can be */
     const char *(*check)(const void *par);
 } eos_model;
 

@@ -1,8 +1,8 @@
-/* A liquid of constant sound speed: p = p_0 + c^2 (rho - rho_0), whatever its temperature. The law of linear acoustics, kept at any
- * density.
+/* A liquid of constant sound speed: p = p_0 + c^2 (rho - rho_0), whatever its temperature. The law of linear acoustics,
+ * kept at any density.
  *
- * de = -p dv + c_v dT gives e = c_v T + e_0(rho), e_0 = (p_0 - c^2 rho_0) (1/rho_0 - 1/rho) + c^2 ln(rho/rho_0): the energy of
- * compression from rho_0. */
+ * de = -p dv + c_v dT gives e = c_v T + e_0(rho), e_0 = (p_0 - c^2 rho_0) (1/rho_0 - 1/rho) + c^2 ln(rho/rho_0): the
+ * energy of compression from rho_0. */
 #include "material/barotropic.h"
 #include "material/eos.h"
 

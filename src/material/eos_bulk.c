@@ -4,9 +4,9 @@
  *   p > p_s:  p - p_reference = K/2 (1/J - J),  J = v rho_0
  *   p < p_s:  x = x_s (v_s / v)^(K_s/x_s),      x = p - p_least,  K_s = -v dp/dv at p_s
  *
- * p_least is 0 beside a gas, which at any pressure above zero can so share a cell with a solid; beside a liquid that bears tension, the
- * most that it bears. Value and slope match at p_s. K_s/x_s is of order 1e6 for a metal in gas: v is always found from p, as
- * v_s exp[-(x_s/K_s) ln(x/x_s)], which is well conditioned. */
+ * p_least is 0 beside a gas, which at any pressure above zero can so share a cell with a solid; beside a liquid that
+ * bears tension, the most that it bears. Value and slope match at p_s. K_s/x_s is of order 1e6 for a metal in gas: v is
+ * always found from p, as v_s exp[-(x_s/K_s) ln(x/x_s)], which is well conditioned. */
 #include "material/eos.h"
 #include "material/solid.h"
 
@@ -25,7 +25,8 @@ static const param_spec bulk_params[] = {
             "that pressure: what the fluids beside it can bear at least, 0 or below"),
 };
 
-/* J from s = (p - p_reference)/K: 1/J - J = 2 s. Both forms are the same root; each is free of cancellation on its side. */
+/* J from s = (p - p_reference)/K: 1/J - J = 2 s. Both forms are the same root; each is free of cancellation on its
+ * side. */
 static inline double normal_stretch(double s)
 {
     const double root = sqrt(s * s + 1.0);

@@ -4,7 +4,8 @@
  *   e = c_v T + e_0(V), e_0 = [(A/R1) exp(-R1 V) + (B/R2) exp(-R2 V)] / rho_0,
  *
  * that is p = p_0(V) + omega rho c_v T with p_0 = -de_0/dv = A exp(-R1 V) + B exp(-R2 V). Far out it is an ideal gas of
- * gamma = 1 + omega. e counts from there: what is often given as E_0 per volume of explosive is rho_0 e before it expands. */
+ * gamma = 1 + omega. e counts from there: what is often given as E_0 per volume of explosive is rho_0 e before it
+ * expands. */
 #include "material/eos.h"
 
 #include <math.h>
@@ -66,8 +67,8 @@ static void jwl_energy(const void *par, size_t n, const double *restrict rho, co
     for (size_t i = 0; i < n; i++) e[i] = a->specific_heat * T[i] + cold_at(a, a->density / rho[i]).e;
 }
 
-/* p_0(V) + heat/V = p. The left side falls and is convex, so that Newton climbs to the root from below: from the volume that the heat
- * alone would fill, at which p_0 is still over. */
+/* p_0(V) + heat/V = p. The left side falls and is convex, so that Newton climbs to the root from below: from the volume
+ * that the heat alone would fill, at which p_0 is still over. */
 static double volume_ratio(const jwl_par *a, double p, double heat, double *slope)
 {
     enum { MOST = 200 };

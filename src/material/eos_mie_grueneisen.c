@@ -1,5 +1,5 @@
-/* A solid or liquid under shock, after Mie and Grueneisen: p = p_s(rho) + G (e - e_s(rho)), G = (dp/de)_rho, about the isentrope s
- * through the state (rho_0, T_0, p = 0), e = e_s + c_v (T - T_s).
+/* A solid or liquid under shock, after Mie and Grueneisen: p = p_s(rho) + G (e - e_s(rho)), G = (dp/de)_rho, about the
+ * isentrope s through the state (rho_0, T_0, p = 0), e = e_s + c_v (T - T_s).
  *
  *   rho > rho_0: G = Gamma rho_0, and the Hugoniot from that state is u_shock = c_0 + s u. With eta = 1 - rho_0/rho
  *       f = rho_0 c_0^2 eta (1 - Gamma eta/2) / (1 - s eta)^2,    p = f + G (e - c_v T_0),
@@ -135,8 +135,8 @@ static double isothermal(const mg_par *a, const curve *k, double rho, double T)
     return k->c2 + a->specific_heat * (k->dG * (T - k->T) - k->G * k->G * k->T / (rho * rho));
 }
 
-/* rho < rho_0: (rho_0 c_0^2/n - G_0 c_v T_0) x^n + G_0 c_v T x = p + rho_0 c_0^2/n, G_0 = Gamma rho_0, is convex in x, so that Newton
- * comes down to the root from above: from what each term alone would need. */
+/* rho < rho_0: (rho_0 c_0^2/n - G_0 c_v T_0) x^n + G_0 c_v T x = p + rho_0 c_0^2/n, G_0 = Gamma rho_0, is convex in x,
+ * so that Newton comes down to the root from above: from what each term alone would need. */
 static double expanded_density(const mg_par *a, double p, double T)
 {
     enum { MOST = 100 };

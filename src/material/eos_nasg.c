@@ -1,5 +1,5 @@
-/* Noble-Abel stiffened gas: p + p_inf = (gamma - 1) c_v T / (v - b), e = c_v T + p_inf (v - b) + q. A stiffened gas whose molecules take
- * the room b; with p_inf = 0 the Noble-Abel gas of dense propellant gases. */
+/* Noble-Abel stiffened gas: p + p_inf = (gamma - 1) c_v T / (v - b), e = c_v T + p_inf (v - b) + q. A stiffened gas
+ * whose molecules take the room b; with p_inf = 0 the Noble-Abel gas of dense propellant gases. */
 #include "material/eos.h"
 
 #include <math.h>
@@ -28,7 +28,8 @@ static double room(const nasg_par *a, double rho)
     return free > 0.0 ? free : (double)NAN;
 }
 
-/* With x = (e - q)/(v - b) - p_inf, c_v T per free volume: p + p_inf = (gamma - 1) x, c2 = gamma (gamma - 1) x v^2 / (v - b). */
+/* With x = (e - q)/(v - b) - p_inf, c_v T per free volume: p + p_inf = (gamma - 1) x, c2 = gamma (gamma - 1) x v^2 / (v
+ * - b). */
 static void nasg_pressure(const void *par, size_t n, const double *restrict rho, const double *restrict e,
                           double *restrict p, double *restrict c2)
 {

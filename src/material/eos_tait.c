@@ -1,5 +1,5 @@
-/* A liquid after Tait and Murnaghan: p = p_0 + (K/n) [(rho/rho_0)^n - 1], whatever its temperature. K is the bulk modulus at rho_0 and
- * p_0, n its derivative dK/dp.
+/* A liquid after Tait and Murnaghan: p = p_0 + (K/n) [(rho/rho_0)^n - 1], whatever its temperature. K is the bulk
+ * modulus at rho_0 and p_0, n its derivative dK/dp.
  *
  * de = -p dv + c_v dT gives e = c_v T + e_0(rho), with x = rho/rho_0 and B = K/n
  *   e_0 = {p_0 (1 - 1/x) + B [(x^(n-1) - 1)/(n - 1) - (1 - 1/x)]} / rho_0: the energy of compression from rho_0. */

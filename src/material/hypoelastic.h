@@ -2,7 +2,8 @@
  *
  * sigma <- Q (sigma + dsigma/2) Q^T + dsigma/2,  dsigma = dt (lambda tr(D) I + 2 G D), second order in dt. Q = (I - A)^-1
  * (I + A) is orthogonal to round-off whatever the antisymmetric A (Hughes & Winget 1980); A is W dt/2 stretched by
- * tan(w)/w, w = |W| dt/2 half the angle turned, which makes Q = exp(W dt) to O(w^7). Only src/material includes this. */
+ * tan(w)/w, w = |W| dt/2 half the angle turned, which makes Q = exp(W dt) to O(w^7). Only src/material includes
+ * this. */
 #ifndef MATERIAL_HYPOELASTIC_H
 #define MATERIAL_HYPOELASTIC_H
 
@@ -14,8 +15,8 @@
 enum { XX, YY, ZZ, XY, YZ, ZX };
 
 /* sigma + R + R^T + R B^T with R = B sigma, B = Q - I: keeps the digits of small rotations. `planar` leaves out the
- * products with zeros of a rotation about z and nothing else, so that both forms agree to the bit: which one runs depends
- * on the other points of the batch, and the result must not. */
+ * products with zeros of a rotation about z and nothing else, so that both forms agree to the bit: which one runs
+ * depends on the other points of the batch, and the result must not. */
 FLOE_ALWAYS_INLINE void hypoelastic_rotate(double s[6], double ax, double ay, double az, bool planar)
 {
     const double angle2 = planar ? az * az : ax * ax + ay * ay + az * az;

@@ -20,7 +20,8 @@ static double uniaxial(const membrane_response *r, double strain)
     return stress;
 }
 
-/* Taut in both directions, wrinkled along one, or slack (tension field; York's one-way law where there is one direction). */
+/* Taut in both directions, wrinkled along one, or slack (tension field; York's one-way law where there is one
+ * direction). */
 static void relax(const membrane_response *r, double along, double across, double *stress_along, double *stress_across)
 {
     if (*stress_along >= 0.0 && *stress_across >= 0.0) return;

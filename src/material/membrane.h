@@ -1,6 +1,6 @@
-/* Laws of membranes and strings: one layer of points, stressed along the line that they form and, where the scene has a second
- * direction in the surface, across it (York 1997, chapter 5). One file adds one: membrane_<name>.c ends in a const descriptor
- * `membrane_<name>`; the conformance battery covers it (energy, wave speed, one-way response).
+/* Laws of membranes and strings: one layer of points, stressed along the line that they form and, where the scene has a
+ * second direction in the surface, across it (York 1997, chapter 5). One file adds one: membrane_<name>.c ends in a
+ * const descriptor `membrane_<name>`; the conformance battery covers it (energy, wave speed, one-way response).
  *
  * A law sees the total logarithmic strains in the local frame (section 5.4.2) and answers with the stresses there. */
 #ifndef MATERIAL_MEMBRANE_H
@@ -19,7 +19,8 @@ typedef struct membrane_model {
                    double *stress_across);
     /* The strain across a line stretched by `along` at which the stress across vanishes. */
     double (*free_across)(const void *par, double along);
-    /* Largest slope of the stresses against strain (Pa) at a stretch of one, for the time step: along a single strain, or for two. */
+    /* Largest slope of the stresses against strain (Pa) at a stretch of one, for the time step: along a single strain,
+     * or for two. */
     double (*modulus)(const void *par, bool biaxial);
 } membrane_model;
 
@@ -28,7 +29,8 @@ extern const size_t membrane_registry_size;
 /* NULL if there is none of that name. */
 const membrane_model *membrane_find(const char *name);
 
-/* What becomes of the section as the membrane is stretched: its thickness stays (the volume grows as the area), or its volume. */
+/* What becomes of the section as the membrane is stretched: its thickness stays (the volume grows as the area), or its
+ * volume. */
 typedef enum membrane_section { SECTION_THICKNESS, SECTION_VOLUME } membrane_section;
 
 /* A law as a body has it. */
@@ -41,15 +43,16 @@ typedef struct membrane_response {
     membrane_section section;
 } membrane_response;
 
-/* Stresses of n points. Where the law is one-way no stress is compressive: negative strain is slack, which must be taken up before there
- * is tension again; stretched along one direction and slack along the other, the membrane bears uniaxial tension (tension
- * field). */
+/* Stresses of n points. Where the law is one-way no stress is compressive: negative strain is slack, which must be
+ * taken up before there is tension again; stretched along one direction and slack along the other, the membrane bears
+ * uniaxial tension (tension field). */
 void membrane_stress(const membrane_response *r, size_t n, const double *along, const double *across,
                      double *stress_along, double *stress_across);
 /* Present volume over that at rest: of the section's rule. */
 double membrane_volume_ratio(membrane_section section, double along, double across);
-/* Work (J/m3, of the volume at rest) that brought a point from no strain to these on a straight way: exact with one strain alone, and
- * for `SECTION_VOLUME`; for two strains and constant thickness no potential exists, and the way matters. */
+/* Work (J/m3, of the volume at rest) that brought a point from no strain to these on a straight way: exact with one
+ * strain alone, and for `SECTION_VOLUME`; for two strains and constant thickness no potential exists, and the way
+ * matters. */
 double membrane_energy(const membrane_response *r, double along, double across);
 
 #endif

@@ -1,5 +1,5 @@
-/* A linearly elastic sheet: no stress through its thickness (York 1997, section 5.8, with a strain across that may differ from
- * zero, as in axisymmetry). Stretched along alone: sigma = E / (1 - nu^2) epsilon (equation 5.15). */
+/* A linearly elastic sheet: no stress through its thickness (York 1997, section 5.8, with a strain across that may
+ * differ from zero, as in axisymmetry). Stretched along alone: sigma = E / (1 - nu^2) epsilon (equation 5.15). */
 #include "material/membrane.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* A spring: uniaxial stress in proportion to the elongation. With a section of constant thickness its force is linear in its length,
- * k = E A / L, as that of the springs of York 1997, equation 5.10. */
+/* A spring: uniaxial stress in proportion to the elongation. With a section of constant thickness its force is linear
+ * in its length, k = E A / L, as that of the springs of York 1997, equation 5.10. */
 #include "material/membrane.h"
 
 #include <math.h>

@@ -5,8 +5,8 @@
  *
  *   e1 - e0 = -[(p0 + p1)/2 + q] (v1 - v0) + dt v_mid [2 mu dev D : dev D + kappa (tr D)^2],  p1 = p(rho1, e1),
  *
- * second order in dt where the paper's eq. 23 is first. One Newton iteration from e0 solves it, exactly where p is linear
- * in e (every gas and liquid here), to fourth order in the change of volume elsewhere. */
+ * second order in dt where the paper's eq. 23 is first. One Newton iteration from e0 solves it, exactly where p is
+ * linear in e (every gas and liquid here), to fourth order in the change of volume elsewhere. */
 #include "material/solid.h"
 #include "material/solid_checks.h"
 

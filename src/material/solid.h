@@ -47,8 +47,8 @@ typedef struct solid_model {
     unsigned needs;
     const solid_history *history; /* n_history of them: state of the points, from rest to checkpoint */
     int n_history;                /* <= SOLID_MAX_HISTORY */
-    /* Stress at the end of the step. p_ref (Pa) is subtracted by fluids. Returns 0, or 1 + the first point that is beyond the law (J <= 0,
-     * energy below its floor). */
+    /* Stress at the end of the step. p_ref (Pa) is subtracted by fluids. Returns 0, or 1 + the first point that is
+     * beyond the law (J <= 0, energy below its floor). */
     size_t (*stress)(const void *par, double p_ref, solid_batch *b);
     /* Longitudinal wave speed (m/s), for the time step: c2 = (K + 4G/3)/rho for a solid, of the EOS for a fluid. */
     void (*wave_speed)(const void *par, double p_ref, const solid_batch *b, double *c);
@@ -73,14 +73,15 @@ typedef enum stress_state {
 
 /* Runs the law under a stress state: for STRESS_PLANE and STRESS_UNIAXIAL it solves, point by point, for the free
  * stretch rates that make the free stresses vanish (Broyden iterations on the law itself, two evaluations where it is
- * linear in the step). In: L, F and J of the step, the free axes as they were carried so far (L_zz is normally 0, F_zz that
- * of the step before). Out: a free axis a that stretches by exp(x) more has x/dt added to L_aa, and row a of F and J times
- * exp(x). F_aa is updated for every law, whether it needs F or not. Return value as solid_model.stress; also 1 + the point
- * where the iteration fails, and 1 for a law without moduli (a fluid has no such state). */
+ * linear in the step). In: L, F and J of the step, the free axes as they were carried so far (L_zz is normally 0, F_zz
+ * that of the step before). Out: a free axis a that stretches by exp(x) more has x/dt added to L_aa, and row a of F and
+ * J times exp(x). F_aa is updated for every law, whether it needs F or not. Return value as solid_model.stress; also 1
+ * + the point where the iteration fails, and 1 for a law without moduli (a fluid has no such state). */
 size_t solid_stress_state(const solid_model *model, const void *par, double p_ref, stress_state state, solid_batch *b);
 
-/* The fluid law: an equation of state, a shear and a bulk viscosity, carried by points (York 2000 section 3.3: continuity
- * for density, energy equation with p, viscous and artificial work). Parameters of the `solid` model "fluid". */
+/* The fluid law: an equation of state, a shear and a bulk viscosity, carried by points (York 2000 section 3.3:
+ * continuity for density, energy equation with p, viscous and artificial work). Parameters of the `solid` model
+ * "fluid". */
 typedef struct solid_fluid_par {
     eos eos;
     double shear_viscosity; /* Pa s */

@@ -4,12 +4,13 @@
  *
  * The elastic trial stress (hypoelastic.h) is returned along its deviator: with f = q - y > 0, d alpha = f / (3 G + H),
  * s <- s (1 - 3 G d alpha / q), the mean stress as it was (Wilkins 1964; Simo & Hughes 1998, box 3.1): implicit in the
- * normal, so that any step is stable, and exact where the strain keeps its direction. Plastic work, (y + d y / 2) d alpha,
- * becomes internal energy; the strain energy is elastic alone.
+ * normal, so that any step is stable, and exact where the strain keeps its direction. Plastic work, (y + d y / 2) d
+ * alpha, becomes internal energy; the strain energy is elastic alone.
  *
- * A point whose mean stress stood above tension_strength at the start of a step has failed, for good: it bears no shear and no
- * tension. As it expands it opens, and bears pressure again when the opening has closed. The strain energy at failure becomes
- * internal energy. (At the start, so that the iterations of plane stress cannot fail a point by a trial.) */
+ * A point whose mean stress stood above tension_strength at the start of a step has failed, for good: it bears no shear
+ * and no tension. As it expands it opens, and bears pressure again when the opening has closed. The strain energy at
+ * failure becomes internal energy. (At the start, so that the iterations of plane stress cannot fail a point by a
+ * trial.) */
 #include "material/elastic_moduli.h"
 #include "material/hypoelastic.h"
 #include "material/solid_checks.h"

@@ -51,7 +51,8 @@ static size_t neo_hookean_stress(const void *par, double p_ref, solid_batch *res
     return 0;
 }
 
-/* An upper bound of the largest eigenvalue of B, mean + sqrt(2/3) |dev B|: exact at rest and for a stretch along one axis. */
+/* An upper bound of the largest eigenvalue of B, mean + sqrt(2/3) |dev B|: exact at rest and for a stretch along one
+ * axis. */
 FLOE_ALWAYS_INLINE double largest_square_stretch(const solid_batch *b, size_t i)
 {
     const double xx = left_cauchy_green(b, 0, 0, i), yy = left_cauchy_green(b, 1, 1, i),

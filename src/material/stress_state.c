@@ -2,8 +2,8 @@
  *
  * The unknown x of a free axis is the logarithm of the stretch that it adds to the step: its row of F and J grow by
  * exp(x), its L by x/dt. Each point is solved by Broyden's method (in plane stress, one unknown: the secant method),
- * started from the law's moduli at rest, so that a law that is linear in the step takes one correction. A point that has
- * converged keeps its x while the rest of the batch goes on: its bits do not depend on its neighbours. */
+ * started from the law's moduli at rest, so that a law that is linear in the step takes one correction. A point that
+ * has converged keeps its x while the rest of the batch goes on: its bits do not depend on its neighbours. */
 #include "material/solid.h"
 
 #include <float.h>
@@ -115,8 +115,9 @@ static void next_step(free_solve *s, const free_axes *f, size_t i)
     }
 }
 
-/* Takes the stresses of the trial in; moves the points that need it. Returns 0 when all are done, else 1 + the first that
- * is not. The first trial is never taken as it is, or the free stress of many small steps would add up to the tolerance. */
+/* Takes the stresses of the trial in; moves the points that need it. Returns 0 when all are done, else 1 + the first
+ * that is not. The first trial is never taken as it is, or the free stress of many small steps would add up to the
+ * tolerance. */
 static size_t solve_advance(free_solve *s, const free_axes *f, const solid_batch *b, bool first)
 {
     size_t open = 0;

@@ -1,5 +1,5 @@
-/* How what is imposed follows time: nothing before `start`, then up to one along half a cosine of length `ramp` (0: at once), times a
- * sine of `frequency` (0: none) that begins at `start`. */
+/* How what is imposed follows time: nothing before `start`, then up to one along half a cosine of length `ramp` (0: at
+ * once), times a sine of `frequency` (0: none) that begins at `start`. */
 #ifndef MATH_SWING_H
 #define MATH_SWING_H
 

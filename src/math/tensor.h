@@ -142,7 +142,8 @@ static inline double tensor_norm(const double a[9])
     return sqrt(tensor_contract(a, a));
 }
 
-/* b = a^-1 by cofactors; returns det a. Where that is 0 (or NaN), b is not finite: the caller looks at the return value. */
+/* b = a^-1 by cofactors; returns det a. Where that is 0 (or NaN), b is not finite: the caller looks at the return
+ * value. */
 static inline double tensor_inverse(const double a[9], double b[9])
 {
     const double det = tensor_det(a);
@@ -292,7 +293,8 @@ static inline void symmetric_eigen(const double s[6], double values[3], double v
     eigen_order_(values, vectors, 0, 1);
 }
 
-/* s = V diag(values) V^T: the inverse of symmetric_eigen; with f(values) in place of values, the tensor function f(s). */
+/* s = V diag(values) V^T: the inverse of symmetric_eigen; with f(values) in place of values, the tensor function
+ * f(s). */
 static inline void symmetric_from_eigen(const double values[3], const double vectors[9], double s[6])
 {
     static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
@@ -315,10 +317,10 @@ static inline double tensor_row_norm(const double a[9])
     return norm;
 }
 
-/* e = exp(a) - I for a row norm up to 1, to round-off of its own size: a small motion keeps all its digits.
- * The Taylor series, to the degree at which the next term is below round-off (1/19! for norm 1), every power reduced to a^2, a and I by Cayley-Hamilton,
- * a^3 = I1 a^2 - I2 a + I3, so that a term costs a few scalar operations and no product. Beyond norm 1 that reduction
- * would cancel (Moler and Van Loan, SIAM Review 45, 2003, method 8). */
+/* e = exp(a) - I for a row norm up to 1, to round-off of its own size: a small motion keeps all its digits. The Taylor
+ * series, to the degree at which the next term is below round-off (1/19! for norm 1), every power reduced to a^2, a and
+ * I by Cayley-Hamilton, a^3 = I1 a^2 - I2 a + I3, so that a term costs a few scalar operations and no product. Beyond
+ * norm 1 that reduction would cancel (Moler and Van Loan, SIAM Review 45, 2003, method 8). */
 static inline void tensor_exp_minus_identity(const double a[9], double e[9])
 {
     static const double inverse[19] = {0,        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,

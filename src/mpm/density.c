@@ -4,9 +4,9 @@
  *   quadratic:  rho_c = sum_p m_p S_c(x_p) / V_c, S_c the quadratic B-spline about the cell's centre (Y97 table 12); what would fall
  *               beyond a side comes back, as from a mirror
  *
- * and every point takes the density of its cell. Only meant where the fluid fills its cells: one that a cell shares with
- * another body, or with nothing, is taken for thinner than it is. The sums run over tiles in global order, in each over
- * its points, so that they have the same bits for any blocks; one thread makes them. */
+ * and every point takes the density of its cell. Only meant where the fluid fills its cells: one that a cell shares
+ * with another body, or with nothing, is taken for thinner than it is. The sums run over tiles in global order, in each
+ * over its points, so that they have the same bits for any blocks; one thread makes them. */
 #include "base/memory.h"
 #include "mpm/work.h"
 

@@ -13,7 +13,8 @@ static floe_status project_again(mpm *s)
     return FLOE_OK;
 }
 
-/* What walls and mirrors change of the momentum in a round is in that one's u and in all later ones': `left` of it stays with the points. */
+/* What walls and mirrors change of the momentum in a round is in that one's u and in all later ones': `left` of it
+ * stays with the points. */
 static void set_node_velocities(mpm *s, double left)
 {
     for (int g = 0; g < s->n_groups; ++g) {

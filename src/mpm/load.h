@@ -1,4 +1,5 @@
-/* Loads on the points themselves: body forces, heat, the force of an exact solution (load.c). Private to the mpm room. */
+/* Loads on the points themselves: body forces, heat, the force of an exact solution (load.c). Private to the mpm
+ * room. */
 #ifndef MPM_LOAD_H
 #define MPM_LOAD_H
 
@@ -10,8 +11,8 @@ void set_body_forces(mpm *s);
 bool is_driven(const mpm *s, int body);
 /* A load as statics has it: one without a ramp grows until the run ends. */
 scene_load load_as_solved(const mpm *s, const scene_load *load);
-/* Fraction of the load at the start of the step; solved for at its end (balance.h), where one without a ramp grows until the run
- * ends. */
+/* Fraction of the load at the start of the step; solved for at its end (balance.h), where one without a ramp grows
+ * until the run ends. */
 double load_now(const mpm *s, const scene_load *load);
 /* What heating loads add in this step, into work.heat. */
 floe_status set_heating(mpm *s);

@@ -1,8 +1,8 @@
 /* Material points (numerics 4; Sulsky, Chen, Schreyer 1994; York 1997): solids, and fluids carried by points.
  *
- * mpm_step.c spells out the points-only step; sim/coupled.c interleaves the same stages with those of the cells.
- * Points of a body in a block are sorted by tile, then cell, then id; a tile's points are contiguous. Stages write scratch
- * and next arrays only; mpm_commit makes the step final and restores the order. */
+ * mpm_step.c spells out the points-only step; sim/coupled.c interleaves the same stages with those of the cells. Points
+ * of a body in a block are sorted by tile, then cell, then id; a tile's points are contiguous. Stages write scratch and
+ * next arrays only; mpm_commit makes the step final and restores the order. */
 #ifndef MPM_MPM_H
 #define MPM_MPM_H
 
@@ -35,7 +35,8 @@ typedef struct mpm_points {
     size_t *tile_start; /* block.n_tiles + 1 offsets, owned */
 } mpm_points;
 
-/* Gas of the cells at rest beside the points, as load increments have it (balance.h): one pressure, that of `law` or a given one. */
+/* Gas of the cells at rest beside the points, as load increments have it (balance.h): one pressure, that of `law` or a
+ * given one. */
 typedef struct mpm_gas {
     const eos *law;                          /* not owned */
     double mass, volume, energy;             /* kg, m3, J/kg: at the start of the increment */
@@ -119,7 +120,8 @@ floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, th
 floe_status mpm_membrane_normals(mpm *s);  /* normals of membranes without connections, from where the points are now */
 floe_status mpm_turn_membranes(mpm *s);    /* tangents from where the points are now, and the stress along them */
 
-/* What reactions take of solids: by N_BURNT_SHARE the masses that are left, and what goes with the rest, on the nodes (burn.c). */
+/* What reactions take of solids: by N_BURNT_SHARE the masses that are left, and what goes with the rest, on the nodes
+ * (burn.c). */
 floe_status mpm_burn(mpm *s);
 
 floe_status mpm_give_heat(mpm *s); /* lost kinetic energy to fluid points (heat.c) */
@@ -127,8 +129,8 @@ floe_status mpm_give_heat(mpm *s); /* lost kinetic energy to fluid points (heat.
 /* Before the stages: the kick of the step, body forces. */
 floe_status mpm_begin_step(mpm *s);
 
-/* The stages above in their order, in the three runs between which the coupled step puts the cells: what the nodes weigh,
- * what pushes them, how the points follow. */
+/* The stages above in their order, in the three runs between which the coupled step puts the cells: what the nodes
+ * weigh, what pushes them, how the points follow. */
 floe_status mpm_mass_stages(mpm *s);
 floe_status mpm_burn_stages(mpm *s); /* after masses and N_BURNT_SHARE are known; nothing where nothing burns */
 floe_status mpm_force_stages(mpm *s);
@@ -139,7 +141,8 @@ floe_status mpm_motion_stages(mpm *s);
 floe_status mpm_solve_steps(mpm *s, time_solver solver);
 /* What of the scene cannot be solved for, or NULL. */
 const char *mpm_balance_obstacle(const mpm *s, time_solver solver);
-/* Largest ratio of bulk to shear modulus of the solids, 0 where there is none; *body becomes the scene's body that has it, and is left alone else. */
+/* Largest ratio of bulk to shear modulus of the solids, 0 where there is none; *body becomes the scene's body that has
+ * it, and is left alone else. */
 double mpm_balance_bulk(const mpm *s, int *body);
 /* The largest ratio with which the basis balances loads without locking. */
 double mpm_balance_most_bulk(const mpm *s);
@@ -153,14 +156,16 @@ floe_status mpm_balance_solve(mpm *s);  /* the next state of points, in balance 
 /* The points-only step, a list of the above. */
 floe_status mpm_step(mpm *s);
 
-/* The same in `parts` equal sub-steps, under forces of the gas that stay as they are: all but the last are made final at once, so that a step
- * that goes bad after the first has to be forgotten. Beside lines that cut the gas of the cells alone (parts.c). */
+/* The same in `parts` equal sub-steps, under forces of the gas that stay as they are: all but the last are made final
+ * at once, so that a step that goes bad after the first has to be forgotten. Beside lines that cut the gas of the cells
+ * alone (parts.c). */
 floe_status mpm_step_in_parts(mpm *s);
 /* Puts the points back to where the step has begun. Does nothing where no part of it is final. */
 void mpm_forget_step(mpm *s);
 
 /* Makes the step final: swaps state (fields_commit is the caller's), re-sorts where points changed cell, moves points
- * between blocks, deals with points outside the mesh (reflected at walls within round-off, else deleted into the ledger). */
+ * between blocks, deals with points outside the mesh (reflected at walls within round-off, else deleted into the
+ * ledger). */
 floe_status mpm_commit(mpm *s);
 
 /* Sorts every block's points by tile, cell and id; for whoever has put points there (seeding, restart). */
@@ -181,14 +186,15 @@ floe_status mpm_sum(mpm *s, mpm_totals *out);
 /* Volume-weighted mean of a fluid body's pressure over points inside a region (all where region->model is NULL). */
 floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure);
 
-/* Places (m, three each) of the *n loaded surface points, *stride numbers apart: state that no field holds. NULL: there are none.
- * Valid until the next step. */
+/* Places (m, three each) of the *n loaded surface points, *stride numbers apart: state that no field holds. NULL: there
+ * are none. Valid until the next step. */
 double *mpm_surface(mpm *s, size_t *n, size_t *stride);
-/* The same of the markers on surfaces of solids that cut the cells: places and velocities (m, m/s), six numbers each. */
+/* The same of the markers on surfaces of solids that cut the cells: places and velocities (m, m/s), six numbers
+ * each. */
 double *mpm_skin(mpm *s, size_t *n, size_t *stride);
 
-/* What the lines at the edges of solids remember (edge.h): *n numbers, state that no field holds. NULL: there are none. Valid until the
- * next step. */
+/* What the lines at the edges of solids remember (edge.h): *n numbers, state that no field holds. NULL: there are none.
+ * Valid until the next step. */
 double *mpm_edges_state(mpm *s, size_t *n);
 
 /* Place (m) of the first or the last point of a membrane; NAN where it is lost. */

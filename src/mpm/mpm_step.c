@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* Velocities live half a step behind positions: the first kick is half a step, later ones the mean of old and new step, which
- * makes pure MPM second order in time (design, conventions). Beside cells, everything lives at n. */
+/* Velocities live half a step behind positions: the first kick is half a step, later ones the mean of old and new step,
+ * which makes pure MPM second order in time (design, conventions). Beside cells, everything lives at n. */
 floe_status mpm_begin_step(mpm *s)
 {
     s->work->kick = s->coupled || s->seals ? s->dt : 0.5 * (s->dt_previous + s->dt);
@@ -52,7 +52,8 @@ static bool meets_at_points(const mpm *s)
     return has_contact(s) && s->scene->contact.touch == CONTACT_AT_POINTS;
 }
 
-/* Forces come with the masses where nothing changes the stress before they are used, or where a contact is foreseen with them. */
+/* Forces come with the masses where nothing changes the stress before they are used, or where a contact is foreseen
+ * with them. */
 bool forces_at_once(const mpm *s)
 {
     return !s->coupled && (!is_usf(s) || has_contact(s));

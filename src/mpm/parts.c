@@ -1,6 +1,6 @@
-/* A step of the points in equal parts, beside gas that takes it as one (docs/theory.md, sub-steps): the gas's forces on the lines stay as they
- * are, and the points' own are renewed in each part. Every part but the last is made final before the next, so the start of the
- * step is kept, to be put back where a later stage asks for a smaller one. */
+/* A step of the points in equal parts, beside gas that takes it as one (docs/theory.md, sub-steps): the gas's forces on
+ * the lines stay as they are, and the points' own are renewed in each part. Every part but the last is made final
+ * before the next, so the start of the step is kept, to be put back where a later stage asks for a smaller one. */
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
 
@@ -159,7 +159,8 @@ static floe_status next_part(mpm *s)
     return mpm_commit(s);
 }
 
-/* Markers go on with the velocity of their way in the whole step: that of the last part would be a sample of motions that the gas cannot follow. */
+/* Markers go on with the velocity of their way in the whole step: that of the last part would be a sample of motions
+ * that the gas cannot follow. */
 static void steady_skins(mpm *s, double dt)
 {
     const body_skin *k = &s->work->skin;

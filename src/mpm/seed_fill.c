@@ -1,15 +1,16 @@
 /* Fluids take what slivers of other bodies left (linear basis).
  *
- * Fitted seeding lets a sliver join a point of the next cell. Fluids that take gradients at the centres of cells (locate.h) push
- * the nodes of a cell by their volume there: where a sliver of steel has left a cell, nothing pushes back for the part it
- * filled, and where one of gas has gone the gas pushes too much. A gas that is pressurised then flows from full cells into that
- * part, ever faster, until its points stand on a face and are pushed to and fro across it, each time swelling a little.
- * (Measured on the pressurised cylinder at h = 0.1: 3.4 % of one cell was left, and volumes were 1.16 and 0.83 of what they
- * ought to be before the first point crossed.) Slivers that stay in their cell are no way out: the linear basis has them
- * as stiff springs between nodes that bear little but gas, which no step holds.
+ * Fitted seeding lets a sliver join a point of the next cell. Fluids that take gradients at the centres of cells
+ * (locate.h) push the nodes of a cell by their volume there: where a sliver of steel has left a cell, nothing pushes
+ * back for the part it filled, and where one of gas has gone the gas pushes too much. A gas that is pressurised then
+ * flows from full cells into that part, ever faster, until its points stand on a face and are pushed to and fro across
+ * it, each time swelling a little. (Measured on the pressurised cylinder at h = 0.1: 3.4 % of one cell was left, and
+ * volumes were 1.16 and 0.83 of what they ought to be before the first point crossed.) Slivers that stay in their cell
+ * are no way out: the linear basis has them as stiff springs between nodes that bear little but gas, which no step
+ * holds.
  *
- * So in each cell where fluids stand alone their points get the volume that all bodies together had there before slivers joined.
- * Density is kept, so that mass is off by the slivers' share; solids stay as they are. */
+ * So in each cell where fluids stand alone their points get the volume that all bodies together had there before
+ * slivers joined. Density is kept, so that mass is off by the slivers' share; solids stay as they are. */
 #include "base/memory.h"
 #include "mpm/work.h"
 #include "scene/state.h"

@@ -43,8 +43,8 @@ static floe_status velocity_at(const mpm *s, const mpm_body *b, const double x[3
                     : body_solid_state(s->scene, b->scene_body, x, velocity, stress);
 }
 
-/* C_p is the gradient of the velocity that the body starts with, by differences over half a cell: a motion that is linear in space
- * begins without an error. */
+/* C_p is the gradient of the velocity that the body starts with, by differences over half a cell: a motion that is
+ * linear in space begins without an error. */
 static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const double x[3])
 {
     const int dim = s->mesh->dim;
@@ -61,8 +61,8 @@ static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const d
     return FLOE_OK;
 }
 
-/* How much larger than the sub-cell of a point its domain is: where domains deform they have the volumes of their points, which at a
- * fitted surface are parts of sub-cells or joined ones. Boxes stay sub-cells. */
+/* How much larger than the sub-cell of a point its domain is: where domains deform they have the volumes of their
+ * points, which at a fitted surface are parts of sub-cells or joined ones. Boxes stay sub-cells. */
 static double domain_scale(const mpm *s, int body, const seed_list *list, size_t n)
 {
     double box = s->mesh->geometry == MESH_AXISYMMETRIC ? list->x[0][n] : 1.0;

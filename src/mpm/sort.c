@@ -154,8 +154,8 @@ static bool is_open(bc_kind kind)
            kind == BC_RESERVOIR;
 }
 
-/* Brings a point that lies beyond the mesh back: around a periodic axis, or onto the wall that it cannot have passed but by
- * round-off or a step at the limit. Beyond an open side it stays outside, and is lost. */
+/* Brings a point that lies beyond the mesh back: around a periodic axis, or onto the wall that it cannot have passed
+ * but by round-off or a step at the limit. Beyond an open side it stays outside, and is lost. */
 static bool bring_back(mpm *s, int blk, int body, size_t k)
 {
     const mesh *m = s->mesh;
@@ -174,8 +174,8 @@ static bool bring_back(mpm *s, int blk, int body, size_t k)
     return outside;
 }
 
-/* Deals with the points that left the mesh, in the tiles where some changed cell. True when there are such tiles, so that the
- * order must be made again. */
+/* Deals with the points that left the mesh, in the tiles where some changed cell. True when there are such tiles, so
+ * that the order must be made again. */
 static bool has_moved(mpm *s, int blk, int body)
 {
     const block *b = &s->mesh->block[blk];

@@ -1,5 +1,5 @@
-/* Springs without mass between points, or from a point to a fixed place (York, Sulsky and Schreyer 2000, end of section 4.4: a tether as a
- * force): each end's force goes to the nodes with the weights of its point. */
+/* Springs without mass between points, or from a point to a fixed place (York, Sulsky and Schreyer 2000, end of section
+ * 4.4: a tether as a force): each end's force goes to the nodes with the weights of its point. */
 #include "mpm/spring.h"
 #include "mpm/stencil.h"
 #include "scene/state.h"

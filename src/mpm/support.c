@@ -1,5 +1,5 @@
-/* Supports: nodes inside a region whose velocity is given, as walls give it on the sides of the mesh. York's nets and pendulums hang
- * on walls; a support is for what hangs elsewhere. */
+/* Supports: nodes inside a region whose velocity is given, as walls give it on the sides of the mesh. York's nets and
+ * pendulums hang on walls; a support is for what hangs elsewhere. */
 #include "base/memory.h"
 #include "mpm/wall.h"
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Cuts the field at *at out of its row: an end is put behind it, quotes around it are left out. *at goes to what follows; the
- * return is the field, or NULL where the row has ended. */
+/* Cuts the field at *at out of its row: an end is put behind it, quotes around it are left out. *at goes to what
+ * follows; the return is the field, or NULL where the row has ended. */
 static char *cut_field(char **at, bool *row_ends)
 {
     char *field = *at, *out = *at, *in = *at;

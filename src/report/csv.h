@@ -20,8 +20,8 @@ typedef struct csv_table {
     size_t n_columns, n_rows;
 } csv_table;
 
-/* Reads a table; half a row at its end is left out. FLOE_IO when the file cannot be read; a file without names is an empty
- * table. csv_free afterwards, whatever it returns. */
+/* Reads a table; half a row at its end is left out. FLOE_IO when the file cannot be read; a file without names is an
+ * empty table. csv_free afterwards, whatever it returns. */
 floe_status csv_read(csv_table *t, context *ctx, const char *path);
 void csv_free(csv_table *t);
 /* NULL if there is no column of that name. */

@@ -1,4 +1,5 @@
-/* Pieces of a page. All text is escaped here; the markup is HTML that is also well-formed XML. Private to src/report. */
+/* Pieces of a page. All text is escaped here; the markup is HTML that is also well-formed XML. Private to
+ * src/report. */
 #ifndef REPORT_HTML_H
 #define REPORT_HTML_H
 
@@ -29,8 +30,8 @@ void html_fact_end(strbuf *out);
 void html_fact_text(strbuf *out, const char *name, const char *text);
 void html_facts_end(strbuf *out);
 
-/* Starts a table in a box of its own that scrolls when the page is narrow; `names` are its columns, separated by '|'; those
- * that begin with '#' hold numbers and are aligned to the right. */
+/* Starts a table in a box of its own that scrolls when the page is narrow; `names` are its columns, separated by '|';
+ * those that begin with '#' hold numbers and are aligned to the right. */
 void html_table_begin(strbuf *out, const char *names);
 void html_table_end(strbuf *out);
 void html_row_begin(strbuf *out);

@@ -13,8 +13,8 @@ typedef struct report_options {
     size_t n_times;
 } report_options;
 
-/* Writes the page and its plots. FLOE_BAD_INPUT for a folder without results, before anything is written. What a folder lacks
- * (an older version's, an unfinished run's) is left out of the page. */
+/* Writes the page and its plots. FLOE_BAD_INPUT for a folder without results, before anything is written. What a folder
+ * lacks (an older version's, an unfinished run's) is left out of the page. */
 floe_status report_write(context *ctx, const report_options *options);
 
 #endif

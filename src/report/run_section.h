@@ -22,7 +22,8 @@ floe_status run_view_write(run_view *v);
 floe_status run_history(const run_view *v);
 /* Its fields as pictures, at the times that the page asks for. */
 floe_status run_pictures(const run_view *v);
-/* Its profile (DIR/FILE) beside the exact solution; `by` is NULL, or the column whose values are runs to be told apart. */
+/* Its profile (DIR/FILE) beside the exact solution; `by` is NULL, or the column whose values are runs to be told
+ * apart. */
 floe_status run_profile(page *p, const char *dir, const char *file, const char *stem, const char *by);
 
 /* The title of the deck in a run's folder, or else the folder's own name. */

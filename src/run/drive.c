@@ -47,8 +47,8 @@ static const char *status_of_run(floe_status status, bool at_rest)
     }
 }
 
-/* Threads that wait for each other cost more than they bring in a small scene: unless someone has named a number, it is what
- * the scene can use. The results do not depend on it. */
+/* Threads that wait for each other cost more than they bring in a small scene: unless someone has named a number, it is
+ * what the scene can use. The results do not depend on it. */
 static int choose_threads(const run *r)
 {
     const int named = r->options->threads > 0 ? r->options->threads : r->scene->threads;
@@ -110,7 +110,8 @@ static floe_status check_rest(run *r, double before)
     return sim_check_rest(r->sim, &totals);
 }
 
-/* What is due at the time that a step from `before` has reached. Rows come with the first step past their time, snapshots at it. */
+/* What is due at the time that a step from `before` has reached. Rows come with the first step past their time,
+ * snapshots at it. */
 static floe_status write_due(run *r, double before)
 {
     const double now = r->sim->time;

@@ -5,7 +5,8 @@
 #include "scene/scene.h"
 #include "verify/exact.h"
 
-/* Prepares the exact solution that the scene names; *out stays empty (model NULL) when there is none. The scene must outlive it. */
+/* Prepares the exact solution that the scene names; *out stays empty (model NULL) when there is none. The scene must
+ * outlive it. */
 floe_status initial_exact(const scene *s, exact *out);
 /* Lets bodies with `state: exact` start from the solution at t = 0. The solution must outlive the use of the scene;
  * initial_detach takes it away again. */

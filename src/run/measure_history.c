@@ -1,4 +1,5 @@
-/* Columns of history.csv against the scene's reference. The file is read back, so that the rows of earlier legs count too. */
+/* Columns of history.csv against the scene's reference. The file is read back, so that the rows of earlier legs count
+ * too. */
 #include "base/memory.h"
 #include "io/file.h"
 #include "io/history_columns.h"

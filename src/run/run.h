@@ -1,7 +1,8 @@
-/* Runs: a scene carried from its start, or from a checkpoint, to its end, with all that is written on the way (design 6).
+/* Runs: a scene carried from its start, or from a checkpoint, to its end, with all that is written on the way (design
+ * 6).
  *
- * What is decided on the way (when to write, whether the solids are at rest) depends on the checkpointed state alone, so that
- * a resumed run has the same bits as one that was never stopped. */
+ * What is decided on the way (when to write, whether the solids are at rest) depends on the checkpointed state alone,
+ * so that a resumed run has the same bits as one that was never stopped. */
 #ifndef RUN_RUN_H
 #define RUN_RUN_H
 
@@ -25,9 +26,9 @@ typedef struct run_options {
     log_level sink_detail;
 } run_options;
 
-/* Runs the scene under scene->coupling and fills *out, which is also DIR/summary.json. The result is FLOE_OK (the end, or rest),
- * FLOE_DIVERGED or FLOE_INTERRUPTED (both with a checkpoint, if the state is good), or what else went wrong; the context's
- * message says what. *out holds what was reached in any case. */
+/* Runs the scene under scene->coupling and fills *out, which is also DIR/summary.json. The result is FLOE_OK (the end,
+ * or rest), FLOE_DIVERGED or FLOE_INTERRUPTED (both with a checkpoint, if the state is good), or what else went wrong;
+ * the context's message says what. *out holds what was reached in any case. */
 floe_status run_scene(context *ctx, scene *s, const run_options *options, run_summary *out);
 
 #endif

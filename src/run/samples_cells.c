@@ -11,7 +11,8 @@ static floe_status gather(cell_samples *c, field_id id, int instance, int comp, 
     return FLOE_OK;
 }
 
-/* Where a material is alone, its pressure now is its law's; the field holds the one in equilibrium at the start of the last step. */
+/* Where a material is alone, its pressure now is its law's; the field holds the one in equilibrium at the start of the
+ * last step. */
 static void set_own_pressure(cell_samples *c, const cell_samples *part)
 {
     const eos *law = &c->s->ice->material[part->material].eos;
@@ -141,7 +142,8 @@ static double temperature_at(const cell_samples *c, size_t i)
     return T;
 }
 
-/* The field holds the pressure in equilibrium at the start of the last step; one fluid alone tells its own at the end. */
+/* The field holds the pressure in equilibrium at the start of the last step; one fluid alone tells its own at the
+ * end. */
 static double pressure_at(const cell_samples *c, size_t i)
 {
     if (c->volume || c->fraction || !c->energy) return c->pressure ? c->pressure[i] : (double)NAN;

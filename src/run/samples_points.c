@@ -43,7 +43,8 @@ static floe_status gather_volume(point_samples *p)
     return FLOE_OK;
 }
 
-/* Solutions of solids are given at the place before the load: seeding again tells it, for an id names its place in the seeding. */
+/* Solutions of solids are given at the place before the load: seeding again tells it, for an id names its place in the
+ * seeding. */
 static floe_status find_start(point_samples *p)
 {
     const sim *s = p->s;
@@ -113,7 +114,8 @@ static void place(double *const from[3], int dim, size_t i, double x[3])
     for (int a = 0; a < 3; a++) x[a] = a < dim ? from[a][i] : 0.0;
 }
 
-/* A solution of a plane across an axis, in a scene (r, z) about that axis: its x is r, its z is z, and its yy the hoop stress. */
+/* A solution of a plane across an axis, in a scene (r, z) about that axis: its x is r, its z is z, and its yy the hoop
+ * stress. */
 static bool is_turned(const point_samples *p)
 {
     return p->s->mesh.geometry == MESH_AXISYMMETRIC && strcmp(p->solution->model->name, "lame") == 0;
@@ -151,8 +153,8 @@ static void centre_of(const exact *solution, double centre[3])
     for (int a = 0; a < 3; a++) centre[a] = value ? value[a] : 0.0;
 }
 
-/* Radial stress about the solution's centre, and the hoop stress: in the plane about an axis, or, of a sphere, the mean of the two
- * tangential ones. */
+/* Radial stress about the solution's centre, and the hoop stress: in the plane about an axis, or, of a sphere, the mean
+ * of the two tangential ones. */
 static void polar_stress(const point_samples *p, size_t i, double *radial, double *hoop)
 {
     const bool sphere = strcmp(p->solution->model->name, "lame_sphere") == 0;

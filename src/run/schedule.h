@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-/* The first multiple of `interval` (s) after `time`; INFINITY for an infinite interval. Times within 1e-9 of an interval of a
- * multiple count as having reached it. */
+/* The first multiple of `interval` (s) after `time`; INFINITY for an infinite interval. Times within 1e-9 of an
+ * interval of a multiple count as having reached it. */
 double schedule_next(double time, double interval);
 /* Whether `time` is a multiple. */
 bool schedule_is_due(double time, double interval);

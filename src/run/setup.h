@@ -12,8 +12,8 @@ typedef struct run_setup {
     double exact_seconds; /* wall time that the exact solution has taken, s */
 } run_setup;
 
-/* Sets the scene up under its coupling; it must stay where it is until setup_end, which is called in any case. FLOE_BAD_INPUT: what a run refuses
- * before its first step; the message has the place in the deck. */
+/* Sets the scene up under its coupling; it must stay where it is until setup_end, which is called in any case.
+ * FLOE_BAD_INPUT: what a run refuses before its first step; the message has the place in the deck. */
 floe_status setup_begin(run_setup *u, scene *s);
 void setup_end(run_setup *u);
 

@@ -12,8 +12,8 @@ typedef struct subject {
     int cells;                   /* material of ice, or CELLS_OF_ALL; -1: none */
 } subject;
 
-/* verify.body names points; where its material is in cells, or none is named, the material is measured, and where no material is
- * named either, all of several fluids together; in a scene of solids all points. */
+/* verify.body names points; where its material is in cells, or none is named, the material is measured, and where no
+ * material is named either, all of several fluids together; in a scene of solids all points. */
 subject find_subject(sim *s, const exact *solution);
 
 /* The profile of a one-dimensional scene: every quantity of verify.metrics along x, beside the exact one. */

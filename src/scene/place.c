@@ -26,7 +26,8 @@ static int find_nearest(const scene *s, const char *path)
     return at;
 }
 
-/* What "--set KEY=VALUE" leaves to be said of a key: nothing of the key if it is this one, nor of the value where the cause begins with it. */
+/* What "--set KEY=VALUE" leaves to be said of a key: nothing of the key if it is this one, nor of the value where the
+ * cause begins with it. */
 static void tell_setting(const char *setting, const char *key, const char *cause, char text[CONTEXT_MESSAGE_SIZE])
 {
     const size_t length = strlen(key);

@@ -13,9 +13,9 @@ struct scene_key {
         *setting; /* "domain.cell=0.1": of what was given beside the deck, or taken away; NULL: it stands in the deck */
 };
 
-/* After FLOE_BAD_INPUT: puts the place of the key that was refused in front of the context's message, "deck.yaml:3:8: ", of what is under it, or
- * "--set KEY=VALUE: "; where the deck does not have the key, that of what it would be in. A second call changes nothing. Returns
- * `status`. */
+/* After FLOE_BAD_INPUT: puts the place of the key that was refused in front of the context's message, "deck.yaml:3:8:
+ * ", of what is under it, or "--set KEY=VALUE: "; where the deck does not have the key, that of what it would be in. A
+ * second call changes nothing. Returns `status`. */
 floe_status scene_place(const scene *s, floe_status status);
 
 #endif

@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-/* With normals of their own, a length that they share and no gas that they hold, nothing asks in what order points are listed. */
+/* With normals of their own, a length that they share and no gas that they hold, nothing asks in what order points are
+ * listed. */
 static bool any_order(const scene_membrane *m)
 {
     return m->normals && !m->normals->connected && !isnan(m->length) && m->holds < 0;

@@ -42,8 +42,8 @@ static bool has_walls(const scene *s)
     return false;
 }
 
-/* Gas and wall have one velocity in the cells that they share. There the gas, by far the stiffer, has its way, and the wall's strain
- * is the gas's: an error of the cells at the surface, first order in h. */
+/* Gas and wall have one velocity in the cells that they share. There the gas, by far the stiffer, has its way, and the
+ * wall's strain is the gas's: an error of the cells at the surface, first order in h. */
 static void remark_soft_walls(const scene *s, remark_sink *say, void *user)
 {
     const double soft = 10.0, pressure = highest_pressure(s);
@@ -70,10 +70,10 @@ static bool has_odd_points(const scene *s, const scene_body *b)
     return false;
 }
 
-/* The slope of a quadratic spline has a kink at the middle of each cell. Where a point stands on it, it has one slope for motions to
- * the left and another for those to the right, and short waves feed on the pressure. Cubic splines, with kinks of the curvature,
- * do the same more slowly. Against a reference pressure that is the gas's own there is nothing to feed on; gas that flies apart, or that
- * a membrane holds, has not shown it. */
+/* The slope of a quadratic spline has a kink at the middle of each cell. Where a point stands on it, it has one slope
+ * for motions to the left and another for those to the right, and short waves feed on the pressure. Cubic splines, with
+ * kinks of the curvature, do the same more slowly. Against a reference pressure that is the gas's own there is nothing
+ * to feed on; gas that flies apart, or that a membrane holds, has not shown it. */
 static void remark_knots(const scene *s, remark_sink *say, void *user)
 {
     const double push = 0.01; /* gauge pressures below this share of the gas's are no load */

@@ -2,8 +2,9 @@
 
 #include <math.h>
 
-/* e with p(rho, e) = p by Newton, from p/rho, which is of its size in any units; pressure is linear in e for most equations of state, so
- * that two passes do. A pressure that does not depend on e at all must be that of the density; the fluid then has 300 K. */
+/* e with p(rho, e) = p by Newton, from p/rho, which is of its size in any units; pressure is linear in e for most
+ * equations of state, so that two passes do. A pressure that does not depend on e at all must be that of the density;
+ * the fluid then has 300 K. */
 static bool energy_at_pressure(const eos *law, double rho, double p, double *e)
 {
     const double room_temperature = 300.0;

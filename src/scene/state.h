@@ -1,12 +1,12 @@
-/* What both solvers ask of a scene's bodies and loads, so that a fluid on points and the same fluid on cells start and are
- * driven alike. */
+/* What both solvers ask of a scene's bodies and loads, so that a fluid on points and the same fluid on cells start and
+ * are driven alike. */
 #ifndef SCENE_STATE_H
 #define SCENE_STATE_H
 
 #include "scene/scene.h"
 
-/* State of a fluid from two of pressure (Pa), temperature (K), density (kg/m3); the third is NAN, and is solved for together with
- * the internal energy (J/kg). FLOE_BAD_INPUT where the equation of state has no such state. */
+/* State of a fluid from two of pressure (Pa), temperature (K), density (kg/m3); the third is NAN, and is solved for
+ * together with the internal energy (J/kg). FLOE_BAD_INPUT where the equation of state has no such state. */
 typedef struct fluid_state {
     double density, energy, temperature, pressure;
 } fluid_state;
@@ -25,8 +25,8 @@ seed_spec body_seed_spec(const scene *s, const mesh *m, const scene_body *b);
 /* Its points, with their volumes; ids number them in this order. FLOE_BAD_INPUT says why they cannot be placed. */
 floe_status body_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out);
 
-/* What a scene's masses, forces and energies are multiplied by in outputs: the thickness in 2-D, 2 pi when axisymmetric, else 1. Inside
- * they are for a metre of depth, or a radian. */
+/* What a scene's masses, forces and energies are multiplied by in outputs: the thickness in 2-D, 2 pi when
+ * axisymmetric, else 1. Inside they are for a metre of depth, or a radian. */
 double scene_extent(const scene *s);
 
 /* A step, as loads see it: from t to t_end (s), the step-th since the start of the run (0 is the first). */
@@ -35,18 +35,19 @@ typedef struct load_step {
     long step;
 } load_step;
 
-/* A load as it is where its answer is solved for (time.solver): one without a ramp grows until `end` (s), as else it would come all at
- * once. */
+/* A load as it is where its answer is solved for (time.solver): one without a ramp grows until `end` (s), as else it
+ * would come all at once. */
 scene_load load_until(const scene_load *load, double end);
-/* Fraction of a load's ramp reached at the end of the step: 0 before its start, 1 after the ramp; by steps where ramp_steps is set. */
+/* Fraction of a load's ramp reached at the end of the step: 0 before its start, 1 after the ramp; by steps where
+ * ramp_steps is set. */
 double load_fraction(const scene_load *load, const load_step *step);
 /* LOAD_HEAT: whether the power is on in the step: from its start on; with a ramp and no hold, until that ends. */
 bool load_heats(const scene_load *load, const load_step *step);
 /* LOAD_HEAT: for how much of the step (s) the power is on. */
 double load_heating_time(const scene_load *load, const load_step *step);
-/* LOAD_PRESSURISE: the absolute mean pressure (Pa) that the fluid should have at the end of the step; *active tells whether the
- * load acts in it. The ramp runs from the initial pressure of the fluid's first body. It needs no memory, so that a resumed
- * run goes on as it was. */
+/* LOAD_PRESSURISE: the absolute mean pressure (Pa) that the fluid should have at the end of the step; *active tells
+ * whether the load acts in it. The ramp runs from the initial pressure of the fluid's first body. It needs no memory,
+ * so that a resumed run goes on as it was. */
 double load_scheduled_pressure(const scene *s, const scene_load *load, const load_step *step, bool *active);
 
 #endif

@@ -1,5 +1,5 @@
-/* Load increments of solids in gas on cells: the gas, at rest, is one pressure a region, with which the points are in balance; then the cells hold
- * it. */
+/* Load increments of solids in gas on cells: the gas, at rest, is one pressure a region, with which the points are in
+ * balance; then the cells hold it. */
 #ifndef SIM_GAS_REST_H
 #define SIM_GAS_REST_H
 

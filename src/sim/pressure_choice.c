@@ -1,6 +1,6 @@
-/* Explicit or implicit pressure, by what the rest of the run is predicted to cost (method.pressure auto): steps, with their growth
- * from the present one, times the cost of a step. It goes by the state and by counts of iterations, never by clocks, so that
- * a run takes the same steps every time. */
+/* Explicit or implicit pressure, by what the rest of the run is predicted to cost (method.pressure auto): steps, with
+ * their growth from the present one, times the cost of a step. It goes by the state and by counts of iterations, never
+ * by clocks, so that a run takes the same steps every time. */
 #include "sim/sim.h"
 
 #include <math.h>
@@ -8,8 +8,9 @@
 
 enum { LOOK_EVERY = 64 }; /* steps */
 
-/* Cost of an implicit step, in explicit ones: what it needs anyway, and for every iteration of conjugate gradients. Measured on
- * one core, 32 x 32 to 128 x 128 cells: 0.15 an iteration of a viscous gas, whose steps cost more, to 0.4 of one without viscosity. */
+/* Cost of an implicit step, in explicit ones: what it needs anyway, and for every iteration of conjugate gradients.
+ * Measured on one core, 32 x 32 to 128 x 128 cells: 0.15 an iteration of a viscous gas, whose steps cost more, to 0.4
+ * of one without viscosity. */
 static const double fixed_cost = 1.3, iteration_cost = 0.3;
 /* The other kind must be this much cheaper for a run to change to it. */
 static const double worth_it = 0.8;

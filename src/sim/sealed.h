@@ -1,5 +1,5 @@
-/* The step of gases beside lines that cut the cells, a membrane that holds gas or the surfaces of solids: the lines bear the gases'
- * pressure, and move. */
+/* The step of gases beside lines that cut the cells, a membrane that holds gas or the surfaces of solids: the lines
+ * bear the gases' pressure, and move. */
 #ifndef SIM_SEALED_H
 #define SIM_SEALED_H
 
@@ -29,7 +29,8 @@ void sealed_destroy(struct sealed **t);
 /* Points are seeded; the cells get the gases. */
 floe_status sealed_initialise(sim *s);
 floe_status sealed_step(sim *s);
-/* Of lines that do not move: where they are, for the gases too; and where the points have gone. Errors: as mpm_outline, cut_find. */
+/* Of lines that do not move: where they are, for the gases too; and where the points have gone. Errors: as mpm_outline,
+ * cut_find. */
 floe_status sealed_find_still(sealed *t);
 floe_status sealed_find_moved(sealed *t);
 

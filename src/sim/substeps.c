@@ -1,6 +1,6 @@
-/* Sub-steps of the points (time.substeps): a step of the cells in which the points, whose sound is faster, take several of their own, under a
- * traction of the gas that stays as it is (mpm/parts.c). How many follows from the state and the step, so that a resumed run takes the
- * same. */
+/* Sub-steps of the points (time.substeps): a step of the cells in which the points, whose sound is faster, take several
+ * of their own, under a traction of the gas that stays as it is (mpm/parts.c). How many follows from the state and the
+ * step, so that a resumed run takes the same. */
 #include "sim/light.h"
 
 #include <math.h>
@@ -17,8 +17,9 @@ static const char *obstacle(const sim *s)
     if (s->scene->method.interface != INTERFACE_SHARP)
         return "a membrane that holds gas is as light as the gas that it moves";
     if (s->mpm->contact) return "solids in contact are not known to keep together in sub-steps";
-    /* A force that lags by a step feeds vibrations of the solid, beside gas of its own density and more faster than points and nodes take them away
-     * (measured: at twice the density they stay, at three times they grow; docs/results/substeps.md). */
+    /* A force that lags by a step feeds vibrations of the solid, beside gas of its own density and more faster than
+     * points and nodes take them away (measured: at twice the density they stay, at three times they grow;
+     * docs/results/substeps.md). */
     if (light_solid(s)) return "the gas is denser than a solid, whose vibrations it would feed";
     return NULL;
 }

@@ -1,5 +1,5 @@
-/* Conjugate gradients for symmetric positive definite systems on a solve_grid: SUNDIALS' PCG on vectors of our own. The same bits
- * for any number of threads, as long as matrix and preconditioner give them. */
+/* Conjugate gradients for symmetric positive definite systems on a solve_grid: SUNDIALS' PCG on vectors of our own. The
+ * same bits for any number of threads, as long as matrix and preconditioner give them. */
 #ifndef SOLVE_CG_H
 #define SOLVE_CG_H
 
@@ -10,7 +10,8 @@ typedef struct cg cg;
 /* y = M x on arrays of the solver's grid, each component g->size long. Ghosts of x may be written. */
 typedef void cg_operator(void *user, double *x, double *y);
 
-/* A solver for `components` unknowns at each place of g, which must outlive it. Errors: FLOE_NO_MEMORY. Owner: the caller. */
+/* A solver for `components` unknowns at each place of g, which must outlive it. Errors: FLOE_NO_MEMORY. Owner: the
+ * caller. */
 floe_status cg_create(cg **out, context *ctx, const solve_grid *g, int components, int most_iterations);
 void cg_destroy(cg **c);
 

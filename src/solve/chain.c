@@ -94,8 +94,8 @@ static void substitute(const chain_matrix *m, size_t first, double *x)
     }
 }
 
-/* Where the chain is closed its first point is left out of the elimination: what it sees of the others, by its two components, is in columns
- * 2 and 3, and the inverse of what remains of itself in `inverse[0]`. */
+/* Where the chain is closed its first point is left out of the elimination: what it sees of the others, by its two
+ * components, is in columns 2 and 3, and the inverse of what remains of itself in `inverse[0]`. */
 static bool close_ring(chain_matrix *m)
 {
     const size_t last = m->n - 1;

@@ -1,5 +1,6 @@
-/* Where a linear system lives: the whole mesh as one box of unknowns with a layer of ghosts, whatever blocks the fields have.
- * Unknowns are the cells, or (with one more along each axis) the nodes; every unknown may have several components. */
+/* Where a linear system lives: the whole mesh as one box of unknowns with a layer of ghosts, whatever blocks the fields
+ * have. Unknowns are the cells, or (with one more along each axis) the nodes; every unknown may have several
+ * components. */
 #ifndef SOLVE_GRID_H
 #define SOLVE_GRID_H
 

@@ -12,8 +12,8 @@ struct multigrid {
     level level[MOST_LEVELS];
 };
 
-/* The polynomial is smallest where D^-1 A has eigenvalues from 1/dim, the least that belongs to a change of sign from cell to
- * cell along a coarsened axis, to 2, the largest there is. */
+/* The polynomial is smallest where D^-1 A has eigenvalues from 1/dim, the least that belongs to a change of sign from
+ * cell to cell along a coarsened axis, to 2, the largest there is. */
 static void choose_polynomial(multigrid *m, int dim)
 {
     const double lo = 1.0 / dim, hi = 2.0, middle = 0.5 * (hi + lo), half = 0.5 * (hi - lo);

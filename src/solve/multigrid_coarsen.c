@@ -1,9 +1,9 @@
 /* From a level to the next, along one axis: coarse links and sinks, and the transfer of residuals and corrections.
  *
- * Two cells of a pair and the link between them become one cell, whose value lies in the middle of that link. With resistances
- * R = 1/link (R_m of the link inside a pair, none where a cell is left over at the end), two coarse cells are linked by
- * R_m/2 + R + R_m'/2 in series, and a fine cell takes of the coarse value beyond the share (R_m/2) / (R_m/2 + R + R_m'/2):
- * one quarter where links are alike. */
+ * Two cells of a pair and the link between them become one cell, whose value lies in the middle of that link. With
+ * resistances R = 1/link (R_m of the link inside a pair, none where a cell is left over at the end), two coarse cells
+ * are linked by R_m/2 + R + R_m'/2 in series, and a fine cell takes of the coarse value beyond the share (R_m/2) /
+ * (R_m/2 + R + R_m'/2): one quarter where links are alike. */
 #include "solve/multigrid_level.h"
 
 /* Keeps 1/0 finite: far above any resistance. */

@@ -1,6 +1,6 @@
-/* A symmetric matrix that couples unknowns of a solve_grid with all those within `width` of them along each axis: what points and
- * their basis make of a law's tangent. Every unknown has several components, and each pair of unknowns a block of entries.
- * Rows exist only where points reach. */
+/* A symmetric matrix that couples unknowns of a solve_grid with all those within `width` of them along each axis: what
+ * points and their basis make of a law's tangent. Every unknown has several components, and each pair of unknowns a
+ * block of entries. Rows exist only where points reach. */
 #ifndef SOLVE_NODE_MATRIX_H
 #define SOLVE_NODE_MATRIX_H
 
@@ -41,8 +41,8 @@ static inline double *node_matrix_entries(const node_matrix *m, int row, int c, 
 }
 /* Empties the rows and columns of components that are held: `held` has an array for each, one after the other. */
 void node_matrix_hold(node_matrix *m, const bool *held);
-/* Takes n directions (orthonormal, of all components each) at a row's unknown out of the matrix, which becomes P A P with P the projection
- * onto the others, and has `stiffness` along them. */
+/* Takes n directions (orthonormal, of all components each) at a row's unknown out of the matrix, which becomes P A P
+ * with P the projection onto the others, and has `stiffness` along them. */
 void node_matrix_project(node_matrix *m, int row, int n, const double *direction, double stiffness);
 /* y = A x on arrays of all components; y is 0 where there is no row. */
 void node_matrix_apply(const node_matrix *m, const double *x, double *y);

@@ -1,11 +1,13 @@
-/* Geometric multigrid for matrices of nodes (node_matrix.h): the preconditioner of static and implicit steps of material points.
+/* Geometric multigrid for matrices of nodes (node_matrix.h): the preconditioner of static and implicit steps of
+ * material points.
  *
- * One V cycle, symmetric. Levels have half the nodes along every axis, values between them are linear in between, and coarse
- * matrices are the fine one as coarse values see it (Galerkin), so that they know where the body ends.
- * Smoothing is a Chebyshev polynomial in B A, B the inverse of the matrix's diagonal blocks. At the body's edge, nodes of
- * which points fill but a sliver of the support make A as bad as they are small, and no diagonal cures that: on the finest
- * level the nodes about a cell with such a node are solved for together (de Prenter et al. 2017, Comput. Methods
- * Appl. Mech. Engrg. 316, 297), each such patch weighted by how many it shares its nodes with. The same bits for any threads. */
+ * One V cycle, symmetric. Levels have half the nodes along every axis, values between them are linear in between, and
+ * coarse matrices are the fine one as coarse values see it (Galerkin), so that they know where the body ends.
+ * Smoothing is a Chebyshev polynomial in B A, B the inverse of the matrix's diagonal blocks. At the body's edge, nodes
+ * of which points fill but a sliver of the support make A as bad as they are small, and no diagonal cures that: on the
+ * finest level the nodes about a cell with such a node are solved for together (de Prenter et al. 2017, Comput.
+ * Methods Appl. Mech. Engrg. 316, 297), each such patch weighted by how many it shares its nodes with. The same bits
+ * for any threads. */
 #ifndef SOLVE_NODE_MULTIGRID_H
 #define SOLVE_NODE_MULTIGRID_H
 

@@ -1,5 +1,5 @@
-/* The smoother of node_multigrid: B, an approximate inverse of a node_matrix made of small exact ones, and Chebyshev polynomials in
- * B A. Only node_*.c include this. */
+/* The smoother of node_multigrid: B, an approximate inverse of a node_matrix made of small exact ones, and Chebyshev
+ * polynomials in B A. Only node_*.c include this. */
 #ifndef SOLVE_NODE_SMOOTH_H
 #define SOLVE_NODE_SMOOTH_H
 
@@ -36,8 +36,8 @@ floe_status node_smoother_prepare(node_smoother *s);
 /* Improves x towards A x = b; with `fresh` x is 0 at first. */
 void node_smoother_relax(node_smoother *s, const double *b, double *x, bool fresh);
 
-/* Factors the lower triangle of a symmetric matrix of n rows, stored by rows without the upper one, as L L^T in place, after adding
- * `more` to the diagonal. A row of which nothing is left becomes an empty one, which gives 0. */
+/* Factors the lower triangle of a symmetric matrix of n rows, stored by rows without the upper one, as L L^T in place,
+ * after adding `more` to the diagonal. A row of which nothing is left becomes an empty one, which gives 0. */
 void packed_factor(int n, double *a, double more);
 /* Solves L L^T x = b in place. */
 void packed_solve(int n, const double *a, double *b);

@@ -10,14 +10,15 @@ typedef struct axis_list {
     int n;
 } axis_list;
 
-/* Reads "KEY=V1,V2,...", and behind it ";KEY=V1,V2,..." for keys that change along with the first; commas and semicolons inside
- * brackets, braces and quotes are part of a value. False: what is wrong, with the axis, the value and the remedy, was appended to
- * `errors` as a line. */
+/* Reads "KEY=V1,V2,...", and behind it ";KEY=V1,V2,..." for keys that change along with the first; commas and
+ * semicolons inside brackets, braces and quotes are part of a value. False: what is wrong, with the axis, the value and
+ * the remedy, was appended to `errors` as a line. */
 bool axis_parse(const char *text, scene_axis *axis, strbuf *errors);
 /* The same for an axis whose key alone changes; FLOE_BAD_INPUT with the option's name, "--each". */
 floe_status axis_from_text(context *ctx, const char *option, const char *text, scene_axis *axis);
-/* Puts the axis in the place of the one with its key, or behind the others. If that one has keys that change along, and this one names
- * none, its values take what goes with them; one that is not among them has nothing that does. False as above. */
+/* Puts the axis in the place of the one with its key, or behind the others. If that one has keys that change along, and
+ * this one names none, its values take what goes with them; one that is not among them has nothing that does. False as
+ * above. */
 bool axis_put(axis_list *list, const scene_axis *axis, strbuf *errors);
 /* Adds a line to `errors` for each key that two axes set. */
 void axis_check_keys(const axis_list *list, strbuf *errors);

@@ -55,7 +55,8 @@ static void add_point(plot_series *series, double *x, double *y, double at, doub
     y[series->n++] = value;
 }
 
-/* The next case of a group in the order of `over`, so that a curve goes from the coarsest case to the finest; NULL: no more. */
+/* The next case of a group in the order of `over`, so that a curve goes from the coarsest case to the finest; NULL: no
+ * more. */
 static const study_case *next_case(const study *s, size_t group, const study_case *last)
 {
     const study_case *next = NULL;

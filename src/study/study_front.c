@@ -64,7 +64,8 @@ static curve curve_of(const study *s, size_t group, const char *metric)
     return c;
 }
 
-/* The time in which the group reaches the error, by interpolation between the logarithms; NAN: none of its cases does. */
+/* The time in which the group reaches the error, by interpolation between the logarithms; NAN: none of its cases
+ * does. */
 static double seconds_for(const curve *c, double target)
 {
     for (size_t k = 0; k < c->n; k++) {

@@ -1,5 +1,5 @@
-/* Times that can be compared, without those of outputs, which depend on the disk: each case alone, on one thread, more than once; the fastest counts, as what disturbs a run can only
- * slow it down. */
+/* Times that can be compared, without those of outputs, which depend on the disk: each case alone, on one thread, more
+ * than once; the fastest counts, as what disturbs a run can only slow it down. */
 #include "study/study_parts.h"
 
 #include "base/memory.h"

@@ -159,8 +159,8 @@ bool isosurface_find(isosurface *f)
     return best_score >= 0.0;
 }
 
-/* Normals of the points of a cell, from a function that has been solved. Where its gradient is a small part of what it is at other points,
- * chi has an extreme near the surface, and the direction is no more than a chance. */
+/* Normals of the points of a cell, from a function that has been solved. Where its gradient is a small part of what it
+ * is at other points, chi has an extreme near the surface, and the direction is no more than a chance. */
 static void put_normals(const surface_set *s, const surface_cell *c, const isosurface *f, surface_basis basis,
                         surface_estimate *out)
 {
@@ -226,7 +226,8 @@ static void add_points(const surface_set *s, const surface_cell *c, void *user)
     add_cell(s, c, user);
 }
 
-/* Of the groups of `width` cells about a cell (which lies in its middle, as near as can be) the one with the most points. */
+/* Of the groups of `width` cells about a cell (which lies in its middle, as near as can be) the one with the most
+ * points. */
 static joined_cells join_cells(const surface_set *s, const surface_cell *c, int width)
 {
     joined_cells best = {.points = 0};
@@ -255,7 +256,8 @@ static bool find_on(const surface_set *s, const joined_cells *j, int degree, iso
 {
     begin_element(s, j->at, j->width, degree, f);
     visit_joined(s, j, add_points, f);
-    /* Quadratic functions that vanish on a line are that line times others, and have its normal: any of the solutions will do. */
+    /* Quadratic functions that vanish on a line are that line times others, and have its normal: any of the solutions
+     * will do. */
     return isosurface_find(f) && (degree == 2 || f->rank == f->functions);
 }
 

@@ -4,10 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Pivots below this share of the largest are taken for zero: far above round-off, for a direction that the points hardly see
- * would be filled with their noise (York 1997, section 7.6: points on a line along the mesh). */
+/* Pivots below this share of the largest are taken for zero: far above round-off, for a direction that the points
+ * hardly see would be filled with their noise (York 1997, section 7.6: points on a line along the mesh). */
 static const double rank_tolerance = 1e-7;
-/* With all pivots above this share of the largest the rank is not in doubt, and the triangle needs no further decomposition. */
+/* With all pivots above this share of the largest the rank is not in doubt, and the triangle needs no further
+ * decomposition. */
 static const double plain_pivot = 1e-3;
 
 void least_squares_begin(least_squares *l, surface_solver solver, int n)

@@ -1,9 +1,10 @@
 /* Least squares of a few unknowns, rows taken in one by one. Private to the surface room.
  *
- * Rows are turned at once into the triangle of a QR factorization (Givens; Golub and Van Loan, 4th ed., section 5.2.5), so that any
- * number of rows fits. A triangle with small pivots is then taken to GSL's complete orthogonal decomposition, which finds the rank and, where that is
- * short, the solution of least norm. The normal equations (Sulsky and York 2000, equation 13) are there for comparison: they square
- * the condition, and a singular matrix has no answer but by round-off. */
+ * Rows are turned at once into the triangle of a QR factorization (Givens; Golub and Van Loan, 4th ed., section 5.2.5),
+ * so that any number of rows fits. A triangle with small pivots is then taken to GSL's complete orthogonal
+ * decomposition, which finds the rank and, where that is short, the solution of least norm. The normal equations
+ * (Sulsky and York 2000, equation 13) are there for comparison: they square the condition, and a singular matrix has no
+ * answer but by round-off. */
 #ifndef SURFACE_LEAST_SQUARES_H
 #define SURFACE_LEAST_SQUARES_H
 

@@ -9,8 +9,8 @@ enum { LINK_NEAR = 8 };
 static const double least_cosine = 0.5;
 static const surface_link none = {.of = -1, .axis = -1};
 
-/* An image is told by a digit to the base 3 for each axis (set.c): 0 where it stands, 1 and 2 beyond the lower and the upper side. False
- * for one behind two mirrors, which no single reflection gives. */
+/* An image is told by a digit to the base 3 for each axis (set.c): 0 where it stands, 1 and 2 beyond the lower and the
+ * upper side. False for one behind two mirrors, which no single reflection gives. */
 static bool link_to(const surface_set *s, const surface_neighbour *near, surface_link *out)
 {
     uint32_t code = near->image;

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Entries found so far, in the order of their distance: no more than what tells them apart, for most give way to nearer ones. */
+/* Entries found so far, in the order of their distance: no more than what tells them apart, for most give way to nearer
+ * ones. */
 typedef struct nearest_list {
     double square[SURFACE_MOST_NEAR];
     const surface_entry *entry[SURFACE_MOST_NEAR];

@@ -1,5 +1,5 @@
-/* B-splines along an axis, in cells: the functions of which a colour, or a function with a given isosurface, is made (Sulsky and York 2000,
- * sections 2 and 5; York 1997, appendix A.3). */
+/* B-splines along an axis, in cells: the functions of which a colour, or a function with a given isosurface, is made
+ * (Sulsky and York 2000, sections 2 and 5; York 1997, appendix A.3). */
 #ifndef SURFACE_SPLINE_H
 #define SURFACE_SPLINE_H
 
@@ -41,8 +41,9 @@ FLOE_ALWAYS_INLINE spline_values spline_cubic(double xi)
                                   (4.0 * eta - 3.0 * eta * eta) / 2.0, 0.5 * xi * xi}};
 }
 
-/* At the same four nodes: to cells with the quadratic spline, and from there to the nodes with the gradient of the linear one. A node takes half
- * of the cell on either side, and their difference (York 1997, equations 7.4, 7.5 and 9.10, 9.11). */
+/* At the same four nodes: to cells with the quadratic spline, and from there to the nodes with the gradient of the
+ * linear one. A node takes half of the cell on either side, and their difference (York 1997, equations 7.4, 7.5 and
+ * 9.10, 9.11). */
 FLOE_ALWAYS_INLINE spline_values spline_by_cells(double xi)
 {
     const spline_values cell = spline_quadratic(xi);

@@ -1,10 +1,11 @@
 /* Normals to surfaces that are marked by points without connections (Sulsky and York 2000; York 1997, chapter 7).
  *
- * Points are binned by cell; a method makes, cell by cell, the estimates of the points in it from those in the cell and about it.
- * Behind mirrors and around periodic sides stand images of the points. All sums go in the order of cells and numbers, so that neither
- * blocks nor threads nor the order of the points in memory can change a bit.
+ * Points are binned by cell; a method makes, cell by cell, the estimates of the points in it from those in the cell and
+ * about it. Behind mirrors and around periodic sides stand images of the points. All sums go in the order of cells and
+ * numbers, so that neither blocks nor threads nor the order of the points in memory can change a bit.
  *
- * One file adds one method: surface_<name>.c ends in a const descriptor `surface_<name>`. Decks name it (`normals: name`). */
+ * One file adds one method: surface_<name>.c ends in a const descriptor `surface_<name>`. Decks name it (`normals:
+ * name`). */
 #ifndef SURFACE_SURFACE_H
 #define SURFACE_SURFACE_H
 
@@ -84,7 +85,8 @@ typedef struct surface_method {
     size_t param_size;
     const param_spec *params;
     size_t n_params;
-    /* Estimates of the points of one cell, by number; what has no direction is left as it comes, SURFACE_NONE. Any thread. */
+    /* Estimates of the points of one cell, by number; what has no direction is left as it comes, SURFACE_NONE. Any
+     * thread. */
     void (*cell)(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out);
 } surface_method;
 
@@ -98,19 +100,20 @@ void surface_set_init(surface_set *s, context *ctx, const mesh *m);
 void surface_set_free(surface_set *s);
 /* Takes in n points (m, 3 a point). `place` must stay until normals have been made. */
 floe_status surface_set_points(surface_set *s, size_t n, const double *place);
-/* Takes in the points of what the surface holds (the same form; their numbers are their own), for methods with `needs_inside`. */
+/* Takes in the points of what the surface holds (the same form; their numbers are their own), for methods with
+ * `needs_inside`. */
 floe_status surface_set_inside(surface_set *s, size_t n, const double *place);
 /* The occupied cell at a place of the mesh; NULL where it is empty. */
 const surface_cell *surface_cell_at(const surface_bins *l, const int at[3]);
 
-/* Fills out[n_points]: by the method, and where it finds nothing (or, if that is checked, a wild direction), by the line or plane through
- * the nearest points. */
+/* Fills out[n_points]: by the method, and where it finds nothing (or, if that is checked, a wild direction), by the
+ * line or plane through the nearest points. */
 void surface_normals(const surface_set *s, const surface_method *method, const void *par, surface_estimate *out);
 
-/* Gives all normals (and curvatures) the same side. A point with a reference (3 numbers a point, of any length; zero: none) takes its
- * side. The others take that of their neighbours, nearest first: a chord's end has the normal of its start, mirrored (which is
- * exact on circles). Where nothing is known the point farthest from the middle of all (images included) points away from it.
- * `reference` may be NULL. */
+/* Gives all normals (and curvatures) the same side. A point with a reference (3 numbers a point, of any length; zero:
+ * none) takes its side. The others take that of their neighbours, nearest first: a chord's end has the normal of its
+ * start, mirrored (which is exact on circles). Where nothing is known the point farthest from the middle of all (images
+ * included) points away from it. `reference` may be NULL. */
 floe_status surface_orient(const surface_set *s, const double *reference, surface_estimate *out);
 
 /* The next point of a line in a plane, on one side of a point. */
@@ -120,8 +123,8 @@ typedef struct surface_link {
     int side;     /* SIDE_LOWER or SIDE_UPPER: where that mirror stands */
 } surface_link;
 
-/* Fills out[2 n_points] with the points before and after each along (-n_y, n_x), from where they lie: on either side the nearest
- * less than 60 degrees off that direction. A point without a normal has no links. Two dimensions. */
+/* Fills out[2 n_points] with the points before and after each along (-n_y, n_x), from where they lie: on either side
+ * the nearest less than 60 degrees off that direction. A point without a normal has no links. Two dimensions. */
 void surface_links(const surface_set *s, const surface_estimate *normals, surface_link *out);
 
 #endif

@@ -2,8 +2,8 @@
 
 extern const surface_method surface_isosurface;
 
-/* Seven points, of the eight that nine quadratic splines need (section 8); in space 25 of 26. Section 8 leaves exactly three points
- * open: linear functions are determined by them. */
+/* Seven points, of the eight that nine quadratic splines need (section 8); in space 25 of 26. Section 8 leaves exactly
+ * three points open: linear functions are determined by them. */
 static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
 {
     (void)par;

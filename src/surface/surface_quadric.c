@@ -1,7 +1,8 @@
-/* A polynomial over the tangent plane through the nearest points, weighted by distance: moving least squares (Lancaster and Salkauskas
- * 1981; Alexa et al. 2003). It goes by the spacing of the points and not by the mesh: cells only help to find neighbours. In a plane
- * the polynomial is cubic: with two neighbours on either side it has the slope of the five-point formula, and where arcs and lines
- * join errs less than the chord of the neighbours. In space it is quadratic. */
+/* A polynomial over the tangent plane through the nearest points, weighted by distance: moving least squares (Lancaster
+ * and Salkauskas 1981; Alexa et al. 2003). It goes by the spacing of the points and not by the mesh: cells only help to
+ * find neighbours. In a plane the polynomial is cubic: with two neighbours on either side it has the slope of the
+ * five-point formula, and where arcs and lines join errs less than the chord of the neighbours. In space it is
+ * quadratic. */
 #include "math/tensor.h"
 #include "surface/height.h"
 
@@ -71,7 +72,8 @@ static void look_about(blocks *b, const surface_entry *e, double spread, surroun
     }
 }
 
-/* Sum of the principal curvatures of the height about the point, along the frame's normal side: x holds 1, u, (v,) u2, (uv, v2). */
+/* Sum of the principal curvatures of the height about the point, along the frame's normal side: x holds 1, u, (v,) u2,
+ * (uv, v2). */
 static double curvature_of(int dim, const double *x, double reach)
 {
     if (dim < 3) return -2.0 * x[2] / reach / pow(1.0 + x[1] * x[1], 1.5);

@@ -1,10 +1,12 @@
-/* The collision of two elastic bars, exactly, by the waves in them (Saint-Venant 1867; Goldsmith, Impact (1960), chapter 3):
- * shared by the exact solution of its fields and by the reference of its history. Only src/verify includes this.
+/* The collision of two elastic bars, exactly, by the waves in them (Saint-Venant 1867; Goldsmith, Impact (1960),
+ * chapter 3): shared by the exact solution of its fields and by the reference of its history. Only src/verify includes
+ * this.
  *
- * Bar 0 is on the left. In each bar a wave `out` leaves the face that meets the other bar, runs to the free far end and comes
- * back unchanged after 2 L/c as `in`. At the faces, with impedances z = rho c A, v = out + in and the force is
- * z (in - out) on bar 0 and z (out - in) on bar 1 (pressing positive): both agree in contact, v = 2 (z0 in0 + z1 in1)/(z0 + z1),
- * which lasts as long as in0 > in1; a free face has out = in. So `out` is constant but for steps, which are found in turn. */
+ * Bar 0 is on the left. In each bar a wave `out` leaves the face that meets the other bar, runs to the free far end and
+ * comes back unchanged after 2 L/c as `in`. At the faces, with impedances z = rho c A, v = out + in and the force is z
+ * (in - out) on bar 0 and z (out - in) on bar 1 (pressing positive): both agree in contact, v = 2 (z0 in0 + z1 in1)/(z0
+ * + z1), which lasts as long as in0 > in1; a free face has out = in. So `out` is constant but for steps, which are
+ * found in turn. */
 #ifndef VERIFY_BAR_IMPACT_H
 #define VERIFY_BAR_IMPACT_H
 

@@ -20,8 +20,9 @@ static const int most_halvings[4] = {0, 46, 7, 4};
 /* Boxes a piece may be split into, so that values known only to a noise above `agreement` end the search too. */
 enum { MOST_BOXES = 4096 };
 
-/* Of 4 and 6 points an axis, by dimension: what they differ by is the error of the 4, in the eighth power of a box's size; that of the 6, the
- * result, is in the twelfth. Where a box may be halved often, a kink off the breaks is followed down to this. */
+/* Of 4 and 6 points an axis, by dimension: what they differ by is the error of the 4, in the eighth power of a box's
+ * size; that of the 6, the result, is in the twelfth. Where a box may be halved often, a kink off the breaks is
+ * followed down to this. */
 static const double agreement[4] = {0.0, 1e-13, 1e-12, 1e-12};
 
 typedef struct integrand {

@@ -1,8 +1,8 @@
 /* Exact solutions. One file adds one: exact_<name>.c ends in a const descriptor `exact_<name>`, the build lists it in
  * exact_registry, and the conformance battery covers it unasked (it solves its equations at the sample it carries).
  *
- * Conventions: SI; stress is Cauchy, tension positive; pressure is compression positive; x is always double[3], of which
- * the first `dim` are used. Axisymmetric scenes call with dim 2 and x = (r, z, 0). */
+ * Conventions: SI; stress is Cauchy, tension positive; pressure is compression positive; x is always double[3], of
+ * which the first `dim` are used. Axisymmetric scenes call with dim 2 and x = (r, z, 0). */
 #ifndef VERIFY_EXACT_H
 #define VERIFY_EXACT_H
 
@@ -148,8 +148,8 @@ typedef struct exact {
     void *prepared;  /* owned */
 } exact;
 
-/* Prepares `model` with parameters `par` (borrowed; already in the ranges of its table) for a scene of `dim` dimensions.
- * Errors: FLOE_BAD_INPUT, FLOE_NO_MEMORY; then *out is empty. */
+/* Prepares `model` with parameters `par` (borrowed; already in the ranges of its table) for a scene of `dim`
+ * dimensions. Errors: FLOE_BAD_INPUT, FLOE_NO_MEMORY; then *out is empty. */
 floe_status exact_create(context *ctx, const exact_model *model, const void *par, int dim, exact *out);
 /* Frees what *solution owns and empties it; NULL and an empty solution are fine. */
 void exact_destroy(context *ctx, exact *solution);
@@ -176,9 +176,9 @@ typedef enum exact_average {
 } exact_average;
 
 /* The average of the quantity over the box [lo, hi] at t: Gauss-Legendre, split at the solution's breaks, then halved
- * until 4 and 6 points an axis agree to 1e-13 of the largest value met (1e-12 in two and three dimensions: the 6 are right to round-off by
- * then), or to the depth's end (kinks off the breaks).
- * `flags` is a sum of exact_average. NAN for an empty box, or when any value met is NAN. */
+ * until 4 and 6 points an axis agree to 1e-13 of the largest value met (1e-12 in two and three dimensions: the 6 are
+ * right to round-off by then), or to the depth's end (kinks off the breaks). `flags` is a sum of exact_average. NAN for
+ * an empty box, or when any value met is NAN. */
 double exact_cell_average(const exact *solution, exact_quantity quantity, const double lo[3], const double hi[3],
                           double t, int flags);
 

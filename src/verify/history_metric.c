@@ -57,7 +57,8 @@ static double amplitude(const curve *c)
     return half > 1e-9 * largest ? half : largest;
 }
 
-/* Time between the first and the last crossing of `level` in one direction over their number; NAN for fewer than two. */
+/* Time between the first and the last crossing of `level` in one direction over their number; NAN for fewer than
+ * two. */
 static double crossing_period(const curve *c, double level, double direction)
 {
     double first = NAN;
@@ -95,8 +96,8 @@ static double vertex(const curve *c, size_t i)
     return c->t[i] - (slope_back * on + slope_on * back) / (2.0 * bend);
 }
 
-/* The next turning point from row *from on, and the direction (+1: a maximum) in which it was approached; false at the end.
- * *from becomes the row where it was known. */
+/* The next turning point from row *from on, and the direction (+1: a maximum) in which it was approached; false at the
+ * end. *from becomes the row where it was known. */
 static bool next_turn(const curve *c, size_t *from, size_t *extreme, double *direction, double *time)
 {
     const double least = 0.1 * (c->high - c->low);
@@ -138,7 +139,8 @@ static double turns_error(const curve *c, const curve *ref)
     }
 }
 
-/* Means of e and e^2 over the rows from `start` on, by the trapezoidal rule over time (a lone row counts for itself). */
+/* Means of e and e^2 over the rows from `start` on, by the trapezoidal rule over time (a lone row counts for
+ * itself). */
 static void means(const curve *c, const curve *ref, size_t start, double *mean, double *square)
 {
     double weight = 0.0;

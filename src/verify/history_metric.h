@@ -1,7 +1,7 @@
 /* Errors of a history y(t_i) against its reference, and their names: `hmax_X`, X a quantity of the reference.
  *
- * Lengths of y are measured in its amplitude: half the range of the reference over the times compared, or its largest size
- * where the reference does not change. Nothing is smoothed. */
+ * Lengths of y are measured in its amplitude: half the range of the reference over the times compared, or its largest
+ * size where the reference does not change. Nothing is smoothed. */
 #ifndef VERIFY_HISTORY_METRIC_H
 #define VERIFY_HISTORY_METRIC_H
 
@@ -32,10 +32,11 @@ const char *history_metric_doc(history_metric_kind kind);
 /* Splits "hmax_position": the kind, HISTORY_METRIC_COUNT if it is none, and the place of "position" in the name. */
 history_metric_kind history_metric_parse(const char *name, const char **quantity);
 
-/* The error of value[n] at the times t[n] (s, ascending) against expected[n]. NAN where a value is, for n = 0, and where there
- * is nothing to measure: no amplitude (both are 0 throughout), no period (fewer than two crossings of a kind in either
- * history), numbers of turning points that differ by more than one (the last may lie beyond the end of either). A turning point counts once y has gone back by a tenth of its range. Its
- * time is that of the parabola through the highest row and its neighbours; a crossing's that of the straight line. */
+/* The error of value[n] at the times t[n] (s, ascending) against expected[n]. NAN where a value is, for n = 0, and
+ * where there is nothing to measure: no amplitude (both are 0 throughout), no period (fewer than two crossings of a
+ * kind in either history), numbers of turning points that differ by more than one (the last may lie beyond the end of
+ * either). A turning point counts once y has gone back by a tenth of its range. Its time is that of the parabola
+ * through the highest row and its neighbours; a crossing's that of the straight line. */
 double history_metric_value(history_metric_kind kind, size_t n, const double *t, const double *value,
                             const double *expected);
 

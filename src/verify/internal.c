@@ -35,8 +35,8 @@ double hot_walls_value(const hot_walls *w, exact_quantity quantity, double s)
     }
 }
 
-/* A function that GSL never sees fail: a value that is not finite is noted and taken for a root, which ends the search. GSL's
- * own answer to it would be its error handler, which ends the process unless floe_init has switched it off. */
+/* A function that GSL never sees fail: a value that is not finite is noted and taken for a root, which ends the search.
+ * GSL's own answer to it would be its error handler, which ends the process unless floe_init has switched it off. */
 typedef struct guarded {
     root_function *f;
     void *user;

@@ -9,8 +9,8 @@
 
 #define VERIFY_PI 3.14159265358979323846
 
-/* Flow between plates, from the start: while nu t is less than this part of the height squared, images of the plates say it, later modes do.
- * So many of either leave less than 1e-17. */
+/* Flow between plates, from the start: while nu t is less than this part of the height squared, images of the plates
+ * say it, later modes do. So many of either leave less than 1e-17. */
 #define VERIFY_EARLY 0.05
 enum { VERIFY_IMAGES = 5, VERIFY_MODES = 11 };
 
@@ -27,7 +27,8 @@ floe_status check_whole(context *ctx, const char *key, double x);
 /* Errors: FLOE_BAD_INPUT unless the parameter `axis` is 0 ... dim - 1. */
 floe_status check_axis(context *ctx, double axis, int dim);
 
-/* `value` when the velocity (or displacement) component is `axis`, else 0. `first` is the enumerator of the x component. */
+/* `value` when the velocity (or displacement) component is `axis`, else 0. `first` is the enumerator of the x
+ * component. */
 static inline double along(exact_quantity quantity, exact_quantity first, int axis, double value)
 {
     return (int)quantity - (int)first == axis ? value : 0.0;
@@ -75,11 +76,12 @@ static inline double simple_wave_value(exact_quantity quantity, double rho, doub
                      gamma, heat_capacity);
 }
 
-/* Errors: FLOE_BAD_INPUT unless a gas of that speed of sound can follow the velocity `key`, instead of leaving a vacuum. */
+/* Errors: FLOE_BAD_INPUT unless a gas of that speed of sound can follow the velocity `key`, instead of leaving a
+ * vacuum. */
 floe_status simple_wave_check(context *ctx, const char *key, double velocity, double sound, double gamma);
 
-/* A viscous ideal gas of even pressure between two walls of given temperatures, of which one slides: what two flows have in common at the
- * share s of the way from wall to wall by which conduction alone would be linear. */
+/* A viscous ideal gas of even pressure between two walls of given temperatures, of which one slides: what two flows
+ * have in common at the share s of the way from wall to wall by which conduction alone would be linear. */
 typedef struct hot_walls {
     double pressure, gamma, heat_capacity; /* Pa, 1, J/kg/K: c_v */
     double first, second;                  /* K: of the walls, at s = 0 and s = 1 */
@@ -90,11 +92,12 @@ double hot_walls_value(const hot_walls *w, exact_quantity quantity, double s);
 
 typedef double root_function(double x, void *user);
 
-/* The root of f in [lo, hi] to round-off (Brent's method, GSL); f must change sign there. NAN when it does not, when f is not
- * finite where it is asked, or when memory is out. */
+/* The root of f in [lo, hi] to round-off (Brent's method, GSL); f must change sign there. NAN when it does not, when f
+ * is not finite where it is asked, or when memory is out. */
 double find_root(root_function *f, void *user, double lo, double hi);
 
-/* The profile of a plane wave: a Gaussian exp(-s^2/2), s = (x - centre)/width, or a sine sin(2 pi (x - centre)/width). */
+/* The profile of a plane wave: a Gaussian exp(-s^2/2), s = (x - centre)/width, or a sine sin(2 pi (x -
+ * centre)/width). */
 typedef struct profile {
     bool sine;
     double centre; /* m */

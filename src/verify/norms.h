@@ -22,9 +22,9 @@ typedef struct norm {
     double largest_exact;  /* max |x_exact| */
 } norm;
 
-/* l1 = sum w|e| / sum w, l2 = sqrt(sum w e^2 / sum w), linf = max |e|, in the unit of x; the relative ones are divided by
- * the same mean (or maximum) of the exact values. All NaN when nothing was added; a relative one is NaN or infinite when
- * the exact solution is zero throughout. */
+/* l1 = sum w|e| / sum w, l2 = sqrt(sum w e^2 / sum w), linf = max |e|, in the unit of x; the relative ones are divided
+ * by the same mean (or maximum) of the exact values. All NaN when nothing was added; a relative one is NaN or infinite
+ * when the exact solution is zero throughout. */
 typedef struct norm_result {
     double l1, l1rel, l2, l2rel, linf, linfrel;
 } norm_result;

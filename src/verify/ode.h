@@ -1,4 +1,5 @@
-/* Systems of ordinary differential equations to tight tolerances, by CVODE's Adams methods. Only src/verify includes this. */
+/* Systems of ordinary differential equations to tight tolerances, by CVODE's Adams methods. Only src/verify includes
+ * this. */
 #ifndef VERIFY_ODE_H
 #define VERIFY_ODE_H
 
@@ -17,8 +18,8 @@ typedef struct ode {
     const double *absolute; /* [n], in the unit of y */
 } ode;
 
-/* Solves from y at t = 0 to each of the n_times times t (ascending, >= 0). Errors: FLOE_NO_MEMORY; FLOE_BAD_INPUT with the
- * solver's words where it cannot go on. */
+/* Solves from y at t = 0 to each of the n_times times t (ascending, >= 0). Errors: FLOE_NO_MEMORY; FLOE_BAD_INPUT with
+ * the solver's words where it cannot go on. */
 floe_status ode_solve(context *ctx, const ode *system, const double *y, size_t n_times, const double *t);
 
 #endif

@@ -32,8 +32,9 @@ static double residual(double omega, void *user)
     return p->mass * omega * omega - fluid - p->stiffness * z_cot(omega * spring_time(p));
 }
 
-/* The residual grows from -infinity to infinity between two poles, and from below 0 in the first interval. A root that lies next
- * to a pole to nine digits is a mode in which the piston hardly moves: the edge of the interval stands for it. */
+/* The residual grows from -infinity to infinity between two poles, and from below 0 in the first interval. A root that
+ * lies next to a pole to nine digits is a mode in which the piston hardly moves: the edge of the interval stands for
+ * it. */
 static double root_between(const piston *p, double lo, double hi)
 {
     piston copy = *p;

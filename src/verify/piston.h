@@ -1,7 +1,8 @@
-/* A piston of a mass between a column of fluid, closed at the far end, and a spring, held at the far end: the frequencies
+/* A piston of a mass between a column of fluid, closed at the far end, and a spring, held at the far end: the
+ * frequencies
  *     m omega^2 = rho c A omega cot(omega L/c) + sqrt(K M) omega cot(omega sqrt(M/K))
- * of linear acoustics, the last term being that of a spring of stiffness K and mass M (K alone if M = 0). York (1997), eq. 6.2
- * is the massless spring. Only src/verify includes this. */
+ * of linear acoustics, the last term being that of a spring of stiffness K and mass M (K alone if M = 0). York (1997),
+ * eq. 6.2 is the massless spring. Only src/verify includes this. */
 #ifndef VERIFY_PISTON_H
 #define VERIFY_PISTON_H
 
@@ -34,8 +35,8 @@ typedef struct piston {
 /* Errors: FLOE_BAD_INPUT for a spring with a mass but no stiffness. */
 floe_status piston_check(context *ctx, const piston *p);
 
-/* The angular frequency (rad/s) of the mode-th mode (from 1) in which the piston moves; NAN if it is not found. There is one
- * between any two neighbours of the frequencies at which fluid or spring alone vibrate between fixed ends. */
+/* The angular frequency (rad/s) of the mode-th mode (from 1) in which the piston moves; NAN if it is not found. There
+ * is one between any two neighbours of the frequencies at which fluid or spring alone vibrate between fixed ends. */
 double piston_frequency(const piston *p, int mode);
 
 /* Mass (kg) that would have the kinetic energy of the mode at the piston's velocity: piston, fluid and spring. */

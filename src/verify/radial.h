@@ -1,4 +1,5 @@
-/* Solutions that depend on the distance from a centre: of planes, cylinders and spheres. Only src/verify includes this. */
+/* Solutions that depend on the distance from a centre: of planes, cylinders and spheres. Only src/verify includes
+ * this. */
 #ifndef VERIFY_RADIAL_H
 #define VERIFY_RADIAL_H
 

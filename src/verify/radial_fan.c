@@ -30,8 +30,8 @@ static double source(const fan_gas *gas, const point *p)
     return p->u == 0.0 ? 0.0 : gas->geometry * p->c * p->u / p->r;
 }
 
-/* The crossing of the outward characteristic through p with the inward one through q; at an infinite time where it comes later
- * than `latest`, if at all: in a cylinder or sphere an outward characteristic does not reach the edge. */
+/* The crossing of the outward characteristic through p with the inward one through q; at an infinite time where it
+ * comes later than `latest`, if at all: in a cylinder or sphere an outward characteristic does not reach the edge. */
 static point cross(const fan_gas *gas, const point *p, const point *q, double latest)
 {
     enum { ITERATIONS = 12 };
@@ -210,7 +210,8 @@ static int outermost(const radial_fan *fan, double log_time)
     return lo;
 }
 
-/* Newton's coefficients of the polynomial through value[k] at the numbers k = 0, 1 ...; `value` is overwritten by them. */
+/* Newton's coefficients of the polynomial through value[k] at the numbers k = 0, 1 ...; `value` is overwritten by
+ * them. */
 static void divide_differences(double value[STENCIL])
 {
     for (int order = 1; order < STENCIL; order++) {
@@ -230,8 +231,9 @@ static double polynomial(const double coefficient[STENCIL], double x, double *sl
     return value;
 }
 
-/* Among the characteristics from `from` on, at the label (a number between theirs) whose radius is r: by Newton's rule on
- * the polynomial in the label, which is nearly straight over one interval, within an interval that shrinks about it. */
+/* Among the characteristics from `from` on, at the label (a number between theirs) whose radius is r: by Newton's rule
+ * on the polynomial in the label, which is nearly straight over one interval, within an interval that shrinks about
+ * it. */
 static fan_state between(const fan_node node[STENCIL], int interval, double r)
 {
     double radius[STENCIL], velocity[STENCIL], log_sound[STENCIL];
@@ -261,8 +263,8 @@ static fan_state between(const fan_node node[STENCIL], int interval, double r)
     return (fan_state){polynomial(velocity, label, NULL), exp(polynomial(log_sound, label, NULL))};
 }
 
-/* The last inward characteristic whose radius is not above r, where that of `most` is, `last`: looked for where a straight line
- * between the ends of what is left has r, and in its middle, in turn. */
+/* The last inward characteristic whose radius is not above r, where that of `most` is, `last`: looked for where a
+ * straight line between the ends of what is left has r, and in its middle, in turn. */
 static int interval_of(const radial_fan *fan, double log_time, double r, int most, double last)
 {
     int lo = 0, hi = most;

@@ -1,6 +1,7 @@
-/* References of histories: what a scene's history (the path of a mass, the pressure in a membrane, an energy) should be,
- * as a function of time. One file adds one: reference_<name>.c ends in a const descriptor `reference_<name>`, the build lists
- * it in reference_registry, and the conformance battery covers it unasked. Fields over x and t are in verify/exact.h.
+/* References of histories: what a scene's history (the path of a mass, the pressure in a membrane, an energy) should
+ * be, as a function of time. One file adds one: reference_<name>.c ends in a const descriptor `reference_<name>`, the
+ * build lists it in reference_registry, and the conformance battery covers it unasked. Fields over x and t are in
+ * verify/exact.h.
  *
  * Conventions as there: SI, stress tension positive, pressure compression positive. */
 #ifndef VERIFY_REFERENCE_H
@@ -43,8 +44,8 @@ typedef struct reference_model {
     /* Checks the parameters against each other and fills `prepared` (zeroed before). Errors: FLOE_BAD_INPUT with a
      * message. NULL: nothing to do. */
     floe_status (*prepare)(context *ctx, const void *par, void *prepared);
-    /* value[q * n + i], quantity q at t[i] (s, ascending, t[0] >= 0); NAN where it does not hold. Errors: FLOE_NO_MEMORY,
-     * FLOE_BAD_INPUT where the equations cannot be integrated. */
+    /* value[q * n + i], quantity q at t[i] (s, ascending, t[0] >= 0); NAN where it does not hold. Errors:
+     * FLOE_NO_MEMORY, FLOE_BAD_INPUT where the equations cannot be integrated. */
     floe_status (*series)(context *ctx, const void *par, const void *prepared, size_t n, const double *t,
                           double *value);
     /* The i-th of `scalars`; NULL if there are none. */

@@ -15,8 +15,8 @@ const char *richardson_name(richardson_kind kind)
     return (size_t)kind < RICHARDSON_KIND_COUNT ? names[kind] : "";
 }
 
-/* log of r21^p (r32^p - s)/(r21^p - s), the ratio of neighbouring differences under the power law; it grows with p in both
- * cases, from log(log r32/log r21) at p = 0 for s = 1, and from 0 for s = -1. */
+/* log of r21^p (r32^p - s)/(r21^p - s), the ratio of neighbouring differences under the power law; it grows with p in
+ * both cases, from log(log r32/log r21) at p = 0 for s = 1, and from 0 for s = -1. */
 typedef struct growth {
     double fine, coarse; /* log r21, log r32 */
     bool alternating;    /* s = -1 */

@@ -1,10 +1,10 @@
 /* Richardson extrapolation and the grid convergence index, for sequences f(h) without an exact solution.
  *
  * f = f0 + C h^p is put through three values of the finest spacings (oscillating: the sign of C changes from one to the
- * next), h1 < h2 < h3, with any ratios: p is the root of |f3 - f2|/|f2 - f1| = r21^p (r32^p -+ 1)/(r21^p -+ 1). The index
- * bounds |f - f0| with a safety factor of 1.25, or 3 where the order is not observed (Celik et al., J. Fluids Eng. 130
- * (2008) 078001; Roache, J. Fluids Eng. 116 (1994) 405). More values: least squares (Eca & Hoekstra, J. Comput. Phys. 262
- * (2014) 104). Orders of errors against an exact solution are in verify/order.h. */
+ * next), h1 < h2 < h3, with any ratios: p is the root of |f3 - f2|/|f2 - f1| = r21^p (r32^p -+ 1)/(r21^p -+ 1). The
+ * index bounds |f - f0| with a safety factor of 1.25, or 3 where the order is not observed (Celik et al., J. Fluids
+ * Eng. 130 (2008) 078001; Roache, J. Fluids Eng. 116 (1994) 405). More values: least squares (Eca & Hoekstra, J.
+ * Comput. Phys. 262 (2014) 104). Orders of errors against an exact solution are in verify/order.h. */
 #ifndef VERIFY_RICHARDSON_H
 #define VERIFY_RICHARDSON_H
 
@@ -77,8 +77,8 @@ typedef struct richardson_fit {
     double value, value_error; /* limit and its standard error; unit of f */
     double constant;           /* f - value at h = 1 */
     double deviation;          /* standard deviation of the residuals, n - 3 degrees of freedom; unit of f */
-    /* Of f1, Eca & Hoekstra's: F |f1 - value| + deviation + |residual of f1|, F = 1.25 for 0.5 <= p <= expected + 0.1 (2.1
-     * if not known), else 3; 3 deviation/spread times that with F = 1 if the deviation is over the mean spread
+    /* Of f1, Eca & Hoekstra's: F |f1 - value| + deviation + |residual of f1|, F = 1.25 for 0.5 <= p <= expected + 0.1
+     * (2.1 if not known), else 3; 3 deviation/spread times that with F = 1 if the deviation is over the mean spread
      * (max f - min f)/(n - 1). Unit of f. */
     double uncertainty;
     size_t n;

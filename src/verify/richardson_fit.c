@@ -32,8 +32,8 @@ static double scan_order(int i)
     return least_order * pow(largest_order / least_order, (double)i / SCAN);
 }
 
-/* The order of the least sum of squares: the best of a scan, then golden sections between its neighbours (the sum may have
- * several minima in data with scatter). */
+/* The order of the least sum of squares: the best of a scan, then golden sections between its neighbours (the sum may
+ * have several minima in data with scatter). */
 static double best_order(line *l)
 {
     const double section = 0.5 * (sqrt(5.0) - 1.0);

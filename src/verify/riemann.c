@@ -2,8 +2,8 @@
 
 #include "verify/internal.h"
 
-/* A side seen outwards: `sign` is -1 on the left and +1 on the right, so that one text serves both. The equivalent ideal gas has
- * the specific volume v - b and the pressure p + p_inf. */
+/* A side seen outwards: `sign` is -1 on the left and +1 on the right, so that one text serves both. The equivalent
+ * ideal gas has the specific volume v - b and the pressure p + p_inf. */
 typedef struct outward {
     double density; /* kg/m3, 1/(v - b) */
     double velocity, gamma, sign;

@@ -32,8 +32,8 @@ static floe_status check_coupling(reader *r)
     return check_materials(r);
 }
 
-/* Heavy points reach so far over the nodes of a light body, with splines, that they hold it when it should part: by a few per cent of its
- * velocity at 100 to 1, by all of it at 1e4 (inputs/extreme/impact.yaml). */
+/* Heavy points reach so far over the nodes of a light body, with splines, that they hold it when it should part: by a
+ * few per cent of its velocity at 100 to 1, by all of it at 1e4 (inputs/extreme/impact.yaml). */
 static const double most_density_ratio = 300.0;
 
 static floe_status check_densities(reader *r)

@@ -1,5 +1,5 @@
-/* Membranes as they will be seeded: points inside the domain, neighbours no farther apart than a cell, each with a mass, a step that suits a surface; and the springs
- * that hold on to their points. */
+/* Membranes as they will be seeded: points inside the domain, neighbours no farther apart than a cell, each with a
+ * mass, a step that suits a surface; and the springs that hold on to their points. */
 #include "deck/check/check.h"
 #include "scene/state.h"
 

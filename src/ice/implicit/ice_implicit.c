@@ -2,13 +2,13 @@
  *
  *     u* = u*_0 - phi dt/h v^ (y_R - y_L),     y = phi dP,     dP = -(dt/V) sum_f A_f F / S,     F = sum_r theta^r,f u*^r,
  *
- * so that sound bounds no step. u*_0 is u* by the pressure at the start, with its advection over the step; v^ is what a gradient of
- * pressure does to a material after exchange, which is linear: u* is exact in y, and only the upwind theta^r,f make a search of
- * it. With one fluid one solve does. phi is 1 (backward Euler, which damps what it does not resolve), or 1/2 with
- * `centring: half` (the midpoint rule, which keeps all sound there is).
+ * so that sound bounds no step. u*_0 is u* by the pressure at the start, with its advection over the step; v^ is what a
+ * gradient of pressure does to a material after exchange, which is linear: u* is exact in y, and only the upwind
+ * theta^r,f make a search of it. With one fluid one solve does. phi is 1 (backward Euler, which damps what it does not
+ * resolve), or 1/2 with `centring: half` (the midpoint rule, which keeps all sound there is).
  *
- * The rows for y are symmetric: S/phi on the diagonal, dt^2 phi M / h^2 between two cells, M = sum_r theta^r,f v^r; all times the
- * cell's volume. They are solved by conjugate gradients with multigrid. */
+ * The rows for y are symmetric: S/phi on the diagonal, dt^2 phi M / h^2 between two cells, M = sum_r theta^r,f v^r; all
+ * times the cell's volume. They are solved by conjugate gradients with multigrid. */
 #include "ice/implicit/ice_implicit.h"
 
 #include "base/memory.h"
@@ -18,9 +18,9 @@
 enum { MOST_OUTER = 20, MOST_CG = 200 };
 /* A residual that has grown this much since the best will not come down. */
 static const double hopeless = 100.0;
-/* Norm of the linear residual that is asked for: of the tolerance times the fourth root of the number of cells, between the norm's bound on the
- * largest, which round-off may not let it reach, and the root of its mean square, which says nothing of the largest; and of
- * the largest residual there is, so that every search gets on. */
+/* Norm of the linear residual that is asked for: of the tolerance times the fourth root of the number of cells, between
+ * the norm's bound on the largest, which round-off may not let it reach, and the root of its mean square, which says
+ * nothing of the largest; and of the largest residual there is, so that every search gets on. */
 static const double share_of_tolerance = 0.1, share_of_residual = 0.3;
 
 static bool is_weighted(const ice *s)

@@ -19,7 +19,8 @@ struct ice_implicit {
 floe_status ice_implicit_begin(ice *s);
 /* Adds a step of pressure, from the array of P with its ghosts filled, to u*. */
 void ice_implicit_push(const ice *s);
-/* The right side: b = w (-S y / phi - dt div F); returns the largest |b/w|, the error of a volume as a fraction, DBL_MAX where it is no number. */
+/* The right side: b = w (-S y / phi - dt div F); returns the largest |b/w|, the error of a volume as a fraction,
+ * DBL_MAX where it is no number. */
 double ice_implicit_residual(ice *s);
 /* The matrix of the present u*. */
 void ice_implicit_matrix(ice *s);

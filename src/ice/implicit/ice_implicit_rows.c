@@ -1,5 +1,6 @@
-/* The implicit pressure's passes over the cells and faces of the blocks. Until ice_implicit_finish, C_DP holds what advection, conduction,
- * heating and new volume do to the pressure, and C_PRESSURE_ADVANCED the latest step of pressure. */
+/* The implicit pressure's passes over the cells and faces of the blocks. Until ice_implicit_finish, C_DP holds what
+ * advection, conduction, heating and new volume do to the pressure, and C_PRESSURE_ADVANCED the latest step of
+ * pressure. */
 #include "ice/implicit/ice_implicit.h"
 
 #include <math.h>
@@ -211,7 +212,8 @@ static void sink_row(const ice *s, const ice_view *v, int axis, int j, int k)
     }
 }
 
-/* dt^2 phi M / h^2 times the face's area over that of its box: lower0 V / (h h h) h_0 across axis 0, V / (h h h) else. */
+/* dt^2 phi M / h^2 times the face's area over that of its box: lower0 V / (h h h) h_0 across axis 0, V / (h h h)
+ * else. */
 static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
@@ -307,9 +309,9 @@ void ice_implicit_guess(ice *s)
     ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
 }
 
-/* dP of the volumes as they flow, so that 2.10 keeps the sum of volumes exactly; P by the steps that were solved for, which are
- * smooth where a stiff cell would make a pressure of a residual. Of the bulk viscosity only the part that falls with the square
- * of h: the linear one is for sound that the step resolves. */
+/* dP of the volumes as they flow, so that 2.10 keeps the sum of volumes exactly; P by the steps that were solved for,
+ * which are smooth where a stiff cell would make a pressure of a residual. Of the bulk viscosity only the part that
+ * falls with the square of h: the linear one is for sound that the step resolves. */
 static void finish_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)s;

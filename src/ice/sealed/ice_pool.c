@@ -119,8 +119,8 @@ static bool inside(const mesh *m, const int cell[2])
     return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1];
 }
 
-/* The neighbour whose state a cell takes: the one with most room behind a face that is open while the lines are at `through`, and
- * with more than its own. */
+/* The neighbour whose state a cell takes: the one with most room behind a face that is open while the lines are at
+ * `through`, and with more than its own. */
 static bool find_neighbour(const ice *s, int gas, int place, int through, const ice_member *k, int out[2])
 {
     double best = 0.0;
@@ -167,8 +167,8 @@ static step_places places_of(ice_pool_time when)
     return l;
 }
 
-/* The cell whose state a member takes. A covered cell belongs to whom it flows to or from while it is open, now or at another time of the
- * step. */
+/* The cell whose state a member takes. A covered cell belongs to whom it flows to or from while it is open, now or at
+ * another time of the step. */
 static bool find_host(const ice *s, int gas, const step_places *l, const ice_member *m, int cell[2])
 {
     if (find_neighbour(s, gas, l->at[0], l->at[0], m, cell)) return true;

@@ -1,12 +1,13 @@
-/* What pools do in a step (ice_pool.h): the pressure increment of numerics 2.3 and the Lagrangian values of 2.6 and 2.8, for cells
- * with faces that are partly closed and a wall that moves. The membrane is a wall at the pool's pressure P:
+/* What pools do in a step (ice_pool.h): the pressure increment of numerics 2.3 and the Lagrangian values of 2.6 and
+ * 2.8, for cells with faces that are partly closed and a wall that moves. The membrane is a wall at the pool's pressure
+ * P:
  *
  *     dP = -(dt/V) [sum_f A_f u* + sum_w A_w . v] / S                             V, A_f: what is open
  *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
  *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the way of the wall in the step
  *
- * A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much. Where there is no
- * gas on the other side, the reference pressure pushes on the wall from there. */
+ * A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much.
+ * Where there is no gas on the other side, the reference pressure pushes on the wall from there. */
 #include "ice/ice_stress.h"
 #include "ice/sealed/ice_pool.h"
 
@@ -33,8 +34,8 @@ static ice_pools *pools_in_hand(const ice *s)
     return &s->work->sealing->now[s->gas];
 }
 
-/* All pieces of the lines beside the gas in hand, where the step takes them to pass: each with the member of its cell, the weight of its place,
- * and which way its area points from the gas. */
+/* All pieces of the lines beside the gas in hand, where the step takes them to pass: each with the member of its cell,
+ * the weight of its place, and which way its area points from the gas. */
 typedef struct piece_walk {
     const ice *s;
     const ice_pools *p;
@@ -178,7 +179,8 @@ static double pressure_beyond(const ice *s)
     return s->n_materials == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
 }
 
-/* What the reference pressure does to the membranes about the gas in hand, or to the surfaces, in the step: into the ledger. */
+/* What the reference pressure does to the membranes about the gas in hand, or to the surfaces, in the step: into the
+ * ledger. */
 static void note_surroundings(const ice *s)
 {
     const double beyond = pressure_beyond(s);
@@ -215,8 +217,8 @@ static void add_sources(const ice *s, ice_pools *p)
     add_heat(s, p);
 }
 
-/* Lagrangian velocity and energy of a pool. Where too little energy would be left, it has what compression gives (2.7), and the
- * rest is a defect. */
+/* Lagrangian velocity and energy of a pool. Where too little energy would be left, it has what compression gives (2.7),
+ * and the rest is a defect. */
 typedef struct pool_state {
     double u[2], e;
 } pool_state;

@@ -1,8 +1,8 @@
-/* Gases that a membrane keeps apart (docs/theory.md, sealed membranes). Each gas is one fluid by itself in the cells that the
- * membrane leaves it: its own density, velocity, energy and pressure. The stages are those of one fluid, taken gas by gas, with
- * three differences: cells at the membrane act as pools (ice_pool.h); faces pass what is open of them, in the mean of the step; and
- * where a gas is not, it is lent the state of the cells beside, so that differences near the membrane find something. Nothing
- * passes the membrane, whatever the step, the mesh or the pressures. */
+/* Gases that a membrane keeps apart (docs/theory.md, sealed membranes). Each gas is one fluid by itself in the cells
+ * that the membrane leaves it: its own density, velocity, energy and pressure. The stages are those of one fluid, taken
+ * gas by gas, with three differences: cells at the membrane act as pools (ice_pool.h); faces pass what is open of them,
+ * in the mean of the step; and where a gas is not, it is lent the state of the cells beside, so that differences near
+ * the membrane find something. Nothing passes the membrane, whatever the step, the mesh or the pressures. */
 #include "ice/sealed/ice_pool.h"
 
 #include <math.h>
@@ -129,7 +129,8 @@ double ice_side_open(const ice *s, const block *b, const int local[2], int axis,
 
 /* ---- after the points have moved ---- */
 
-/* Share of the lower face of a local cell that is open to the gas in the mean of the step; beyond the last cell, of its upper face. */
+/* Share of the lower face of a local cell that is open to the gas in the mean of the step; beyond the last cell, of its
+ * upper face. */
 static double mean_open(const ice *s, const block *b, int axis, int i, int j)
 {
     int cell[2] = {b->lo[0] + i, b->lo[1] + j}, side = SIDE_LOWER;
@@ -170,7 +171,8 @@ floe_status ice_sealed_sources(ice *s)
 
 /* ---- what is left where ---- */
 
-/* The plain stage has moved the contents of whole cells; what is beyond the membrane is taken off again, as it was before. */
+/* The plain stage has moved the contents of whole cells; what is beyond the membrane is taken off again, as it was
+ * before. */
 static void add_contents(const ice *s, const ice_member *k, double *sum)
 {
     const ice_view *v = &s->work->sealing->view[k->block];

@@ -1,5 +1,6 @@
-/* Checkpoints: DIR/checkpoint.h5 holds all that a bitwise resume needs, in an order that does not depend on blocks: cells in
- * global order, points in the order of their ids, every STATE and FIXED field of the plan, the ledger, the clocks. */
+/* Checkpoints: DIR/checkpoint.h5 holds all that a bitwise resume needs, in an order that does not depend on blocks:
+ * cells in global order, points in the order of their ids, every STATE and FIXED field of the plan, the ledger, the
+ * clocks. */
 #ifndef IO_CHECKPOINT_H
 #define IO_CHECKPOINT_H
 
@@ -28,17 +29,18 @@ typedef struct checkpoint_run {
     char dt_reason[CHECKPOINT_REASON];
 } checkpoint_run;
 
-/* Replaces the checkpoint at `path` by the present state of `s`, between two steps. On failure the earlier one is untouched. */
+/* Replaces the checkpoint at `path` by the present state of `s`, between two steps. On failure the earlier one is
+ * untouched. */
 floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_run *run);
 
-/* Sets `s`, fresh from sim_create for the same scene, to the state of the checkpoint; points are sorted into their blocks by
- * mpm_resort. FLOE_IO, with a message of its own, for a file that is not there, foreign, cut short, damaged, of another kind,
- * format or version; FLOE_BAD_INPUT for another deck, mesh or plan (the first difference is shown). `s` is changed only when
- * all checks have passed. */
+/* Sets `s`, fresh from sim_create for the same scene, to the state of the checkpoint; points are sorted into their
+ * blocks by mpm_resort. FLOE_IO, with a message of its own, for a file that is not there, foreign, cut short, damaged,
+ * of another kind, format or version; FLOE_BAD_INPUT for another deck, mesh or plan (the first difference is shown).
+ * `s` is changed only when all checks have passed. */
 floe_status checkpoint_read(sim *s, const char *path, checkpoint_run *run);
 
-/* The same from the HDF5 part of a checkpoint in memory, whose seal was checked or, in fuzzing, is not to be: `name` stands
- * for the path in messages. */
+/* The same from the HDF5 part of a checkpoint in memory, whose seal was checked or, in fuzzing, is not to be: `name`
+ * stands for the path in messages. */
 floe_status checkpoint_decode(sim *s, const char *name, const void *image, size_t size, checkpoint_run *run);
 
 #endif

@@ -1,5 +1,6 @@
-/* Snapshots: DIR/fields/NNNNNN.h5, one an output time, and DIR/fields.xdmf, which opens them in viewers (docs/outputs.md).
- * Cells in global order (z, y, x), points in the order of their ids: the same bits for any blocks and threads. */
+/* Snapshots: DIR/fields/NNNNNN.h5, one an output time, and DIR/fields.xdmf, which opens them in viewers
+ * (docs/outputs.md). Cells in global order (z, y, x), points in the order of their ids: the same bits for any blocks
+ * and threads. */
 #ifndef IO_SNAPSHOT_H
 #define IO_SNAPSHOT_H
 
@@ -8,12 +9,13 @@
 /* The snapshots of one run. */
 typedef struct snapshot_series snapshot_series;
 
-/* Takes over DIR (which exists): snapshots later than `keep_until` (s; -INFINITY: all) are removed, the rest are read, and
- * fields.xdmf is made to show just these. `deck` is the resolved deck; its digest goes into every file. */
+/* Takes over DIR (which exists): snapshots later than `keep_until` (s; -INFINITY: all) are removed, the rest are read,
+ * and fields.xdmf is made to show just these. `deck` is the resolved deck; its digest goes into every file. */
 floe_status snapshot_open(snapshot_series **out, context *ctx, const char *dir, const char *deck, double keep_until);
 void snapshot_close(snapshot_series **s);
 
-/* Writes the current state of `s` as the next snapshot, then fields.xdmf. On failure the earlier files are untouched. */
+/* Writes the current state of `s` as the next snapshot, then fields.xdmf. On failure the earlier files are
+ * untouched. */
 floe_status snapshot_write(snapshot_series *series, const sim *s);
 
 /* How many there are, and the time (s) of the last one, -INFINITY if none. */

@@ -43,7 +43,8 @@ static hdf_shape shape_of(const writer *w, bool vector)
     return extent;
 }
 
-/* The array of w->data (or of `integers`) as a dataset with its attributes; *out describes it to XDMF, `path` keeps its name. */
+/* The array of w->data (or of `integers`) as a dataset with its attributes; *out describes it to XDMF, `path` keeps its
+ * name. */
 static floe_status write_array(writer *w, const array_spec *spec, const int64_t *integers, char path[PATH_SIZE],
                                hdf_shape *extent, xdmf_array *out)
 {

@@ -6,7 +6,8 @@
 #include "io/strbuf.h"
 #include "sim/sim.h"
 
-/* Writes cells and points into the open file, and their grids into `page`, under the name `file` of the finished file. */
+/* Writes cells and points into the open file, and their grids into `page`, under the name `file` of the finished
+ * file. */
 floe_status snapshot_content(const sim *s, hdf_file *hdf, strbuf *page, const char *file);
 
 #endif

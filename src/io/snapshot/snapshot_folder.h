@@ -12,15 +12,16 @@ typedef struct snapshot_numbers {
     size_t n, capacity;
 } snapshot_numbers;
 
-/* Lists a folder of snapshots (DIR/fields) into a zeroed `out`; with `tidy`, what a kill has left half written is removed. Free
- * out->number whatever comes back. FLOE_IO when there is no such folder. */
+/* Lists a folder of snapshots (DIR/fields) into a zeroed `out`; with `tidy`, what a kill has left half written is
+ * removed. Free out->number whatever comes back. FLOE_IO when there is no such folder. */
 floe_status snapshot_numbers_list(context *ctx, const char *folder, bool tidy, snapshot_numbers *out);
 
 /* "fields/NNNNNN.h5" */
 void snapshot_file_name(char name[SNAPSHOT_NAME], long number);
 /* DIR/NAME. Counted memory, owned by the caller. */
 floe_status snapshot_join(context *ctx, char **out, const char *dir, const char *name);
-/* Checks the seal of a snapshot, and only then lets HDF5 open it. FLOE_IO says what is wrong with it. `path` must outlive *out. */
+/* Checks the seal of a snapshot, and only then lets HDF5 open it. FLOE_IO says what is wrong with it. `path` must
+ * outlive *out. */
 floe_status snapshot_file_open(context *ctx, const char *path, hdf_file *out);
 
 #endif

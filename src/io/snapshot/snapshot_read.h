@@ -1,5 +1,5 @@
-/* Reading snapshots back (docs/outputs.md): which there are, what each holds, and its arrays as plain numbers.
- * Every file is checked against its SHA-256 before HDF5 reads a byte of it; FLOE_IO says which file is missing, foreign or
+/* Reading snapshots back (docs/outputs.md): which there are, what each holds, and its arrays as plain numbers. Every
+ * file is checked against its SHA-256 before HDF5 reads a byte of it; FLOE_IO says which file is missing, foreign or
  * damaged. HDF5 is not thread-safe: main thread only. */
 #ifndef IO_SNAPSHOT_READ_H
 #define IO_SNAPSHOT_READ_H
@@ -19,7 +19,8 @@ typedef struct snapshot_times {
     size_t n;
 } snapshot_times;
 
-/* The snapshots of the run folder `dir`. Damaged ones are left out, each with a warning in the log. FLOE_IO when none is left. */
+/* The snapshots of the run folder `dir`. Damaged ones are left out, each with a warning in the log. FLOE_IO when none
+ * is left. */
 floe_status snapshot_times_read(snapshot_times *out, context *ctx, const char *dir);
 /* The last one of them that is not damaged, at less cost. */
 floe_status snapshot_last(snapshot_time *out, context *ctx, const char *dir);
@@ -70,8 +71,8 @@ void snapshot_free(snapshot *s);
 
 /* The field of that name, or NULL. */
 const snapshot_field *snapshot_find(const snapshot_group *group, const char *name);
-/* Its values, in memory that the caller owns: cells in the order (z, y, x), x fastest, points by their ids; the components of a
- * vector stand together. */
+/* Its values, in memory that the caller owns: cells in the order (z, y, x), x fastest, points by their ids; the
+ * components of a vector stand together. */
 floe_status snapshot_values(const snapshot *s, const snapshot_group *group, const snapshot_field *field, double **out);
 
 #endif

@@ -1,13 +1,14 @@
-/* The balance of forces at the nodes, solved for the displacement of a whole load increment (statics) or of a step that sound does not
- * bind (balance_motion.c), instead of being stepped to.
+/* The balance of forces at the nodes, solved for the displacement of a whole load increment (statics) or of a step that
+ * sound does not bind (balance_motion.c), instead of being stepped to.
  *
  *     f_ext - sum_p V0 T : grad S = 0,   T = J sigma(F_p) (I + grad u)^-T,   F_p = (I + grad u) F_p^n,
  *
- * (f_ext with the pressure of gas at rest; what gas of the cells has out of balance at the start goes away evenly up to the end of the run)
- * with the shape functions of where the points are at the start of the increment (updated Lagrangian), so that it holds at any
- * strain of the increment. Newton's method: tangents of T with respect to grad u are differences of the law itself, point by
- * point, made symmetric; the matrix of the nodes is assembled from them, and conjugate gradients solve with it under multigrid
- * (solve/node_multigrid.h). Folded bases make the walls, as in the explicit step. Private to the mpm room. */
+ * (f_ext with the pressure of gas at rest; what gas of the cells has out of balance at the start goes away evenly up to
+ * the end of the run) with the shape functions of where the points are at the start of the increment (updated
+ * Lagrangian), so that it holds at any strain of the increment. Newton's method: tangents of T with respect to grad u
+ * are differences of the law itself, point by point, made symmetric; the matrix of the nodes is assembled from them,
+ * and conjugate gradients solve with it under multigrid (solve/node_multigrid.h). Folded bases make the walls, as in
+ * the explicit step. Private to the mpm room. */
 #ifndef MPM_BALANCE_H
 #define MPM_BALANCE_H
 
@@ -17,8 +18,8 @@
 
 enum { BALANCE_GRADIENTS = 9, BALANCE_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
 
-/* The basis at a point along each axis, with what ghosts get folded in: `plain` for components along the wall, and `turned` for the one
- * normal to a mirror, which is odd there. Slopes in 1/m. */
+/* The basis at a point along each axis, with what ghosts get folded in: `plain` for components along the wall, and
+ * `turned` for the one normal to a mirror, which is odd there. Slopes in 1/m. */
 typedef struct axis_place {
     int first;
     double plain[BASIS_MAX_SUPPORT], plain_slope[BASIS_MAX_SUPPORT];
@@ -70,7 +71,8 @@ struct mpm_balance {
     point_place *place;                              /* owned */
     double *pull;                                    /* V0 T (J), n_gradient a point; owned */
     double *tangent;                                 /* d pull / d grad u (J), n_gradient^2 a point; owned */
-    /* On the grid; owned. Displacement and its change (m); forces (N): from outside, of the points at the start and now, what is left. */
+    /* On the grid; owned. Displacement and its change (m); forces (N): from outside, of the points at the start and
+     * now, what is left. */
     double *u, *change, *outer, *pushed, *inner_first, *inner, *left, *trial;
     /* kg, in the first component, and m/s: of nodes with inertia, at the start; else NULL. Owned. */
     double *mass, *velocity;
@@ -88,8 +90,8 @@ struct mpm_balance {
     int *tile_block, *tile_local;  /* of each global tile; owned */
 };
 
-/* How a solver's points are visited: a whole tile's, tiles that share no node at the same time, in an order that neither blocks nor
- * threads change. */
+/* How a solver's points are visited: a whole tile's, tiles that share no node at the same time, in an order that
+ * neither blocks nor threads change. */
 typedef void balance_tile(mpm *s, int blk, int tile, void *user);
 void balance_for_tiles(mpm *s, balance_tile *visit, void *user);
 
@@ -98,14 +100,15 @@ floe_status balance_locate(mpm *s);
 /* The nodes about a point, with its weights. Returns how many. */
 int balance_nodes(const mpm *s, const point_place *p, place_node out[BALANCE_NODES]);
 
-/* Stress and pull of every point at the displacement u, and its next state (balance_points.c). FLOE_RETRY where a point is beyond its
- * law. */
+/* Stress and pull of every point at the displacement u, and its next state (balance_points.c). FLOE_RETRY where a point
+ * is beyond its law. */
 floe_status balance_strain(mpm *s, const double *u);
 /* The tangents there. FLOE_RETRY as above. */
 floe_status balance_tangents(mpm *s, const double *u);
 /* inner = - sum pull : grad S. */
 void balance_pull(mpm *s, double *inner);
-/* outer += sum m S fall (N), `fall` the body force on each body (m/s2); with `drive` also the force of an exact solution. */
+/* outer += sum m S fall (N), `fall` the body force on each body (m/s2); with `drive` also the force of an exact
+ * solution. */
 void balance_weigh(mpm *s, double (*fall)[3], bool drive, double *outer);
 /* share += sum m S (kg). */
 void balance_share(mpm *s, double *share);
@@ -137,7 +140,8 @@ void balance_assemble(mpm *s);
 void balance_hold(mpm *s);
 /* Which nodes points of solids reach. */
 void balance_reach(mpm *s);
-/* Adds a group's node field of the blocks (N_FORCE ...) to an array of the solver's; one of one component is the first of its layer. */
+/* Adds a group's node field of the blocks (N_FORCE ...) to an array of the solver's; one of one component is the first
+ * of its layer. */
 void balance_collect(mpm *s, field_id id, int group, double *out);
 /* The layer that a group moves in. */
 static inline int balance_layer(const mpm *s, int group)
@@ -172,13 +176,13 @@ floe_status rooms_find(mpm *s);
 void rooms_free(mpm *s);
 /* Beside gas on cells (balance_gas.c): a room for each gas that there is in the increment. Errors: FLOE_NO_MEMORY. */
 floe_status rooms_take_gases(mpm *s);
-/* What the gas of such rooms pushes, where solids share cells with it; once the points have been located. Errors: FLOE_BAD_INPUT where a solid is too
- * thin for that. */
+/* What the gas of such rooms pushes, where solids share cells with it; once the points have been located. Errors:
+ * FLOE_BAD_INPUT where a solid is too thin for that. */
 floe_status rooms_squeeze(mpm *s);
 /* Rooms as they are at the start of an increment, and what pushes their walls. */
 floe_status rooms_begin(mpm *s);
-/* Pressures at the displacement u (m); adds their forces (N) to `pushed`. FLOE_RETRY where a room would lose all its volume, or its gas is beyond its
- * law. */
+/* Pressures at the displacement u (m); adds their forces (N) to `pushed`. FLOE_RETRY where a room would lose all its
+ * volume, or its gas is beyond its law. */
 floe_status rooms_push(mpm *s, const double *u, double *pushed);
 /* Adds the forces (N) of the pressures at the start of the increment. */
 void rooms_push_first(mpm *s, double *pushed);

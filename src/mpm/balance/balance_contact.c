@@ -7,7 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* What counts as nothing: of displacements, as a share of the largest; of the length of a condition that others nearly make up. */
+/* What counts as nothing: of displacements, as a share of the largest; of the length of a condition that others nearly
+ * make up. */
 static const double little = 1e-7, dependent = 1e-6;
 
 const char *contact_rest_obstacle(const mpm *s)

@@ -1,13 +1,14 @@
-/* Contact (contact.h) in the balance of forces. At a node where bodies a and b meet along n, with a gap g left between their surfaces,
+/* Contact (contact.h) in the balance of forces. At a node where bodies a and b meet along n, with a gap g left between
+ * their surfaces,
  *
  *     r = n . (u_a - u_b) - g <= 0,     push >= 0,     push r = 0,
  *
- * by normals and gaps of the surfaces that face each other (balance_gap.c), or, where
- * the deck has touch: nodes, by the normals of a step and without gaps. Which of the conditions bind is found along with the displacement
- * (primal-dual active sets; Hueeber, Wohlmuth 2005, Comput. Methods Appl. Mech. Engrg. 194, 3147): one that pulls is let go, one that is broken
- * binds. Those that bind are kept exactly, by projecting what the nodes cannot do out of the matrix, the forces and the preconditioner; what the
- * projection takes of the forces is the push. `stick` binds all components of what has met, both ways; `release` those across n while it is
- * pressed. Private to balance*.c. */
+ * by normals and gaps of the surfaces that face each other (balance_gap.c), or, where the deck has touch: nodes, by the
+ * normals of a step and without gaps. Which of the conditions bind is found along with the displacement (primal-dual
+ * active sets; Hueeber, Wohlmuth 2005, Comput. Methods Appl. Mech. Engrg. 194, 3147): one that pulls is let go, one
+ * that is broken binds. Those that bind are kept exactly, by projecting what the nodes cannot do out of the matrix, the
+ * forces and the preconditioner; what the projection takes of the forces is the push. `stick` binds all components of
+ * what has met, both ways; `release` those across n while it is pressed. Private to balance*.c. */
 #ifndef MPM_BALANCE_CONTACT_H
 #define MPM_BALANCE_CONTACT_H
 
@@ -22,8 +23,8 @@ typedef struct contact_row {
     int layer[2];    /* of a and b */
     double along[3]; /* unit */
     double gap;      /* m */
-    /* m2; m3, m2: of the surfaces of a and b that face each other, as the node sees them: areas, and places along the normal times areas, and those
-     * (balance_gap.c). */
+    /* m2; m3, m2: of the surfaces of a and b that face each other, as the node sees them: areas, and places along the
+     * normal times areas, and those (balance_gap.c). */
     double area[2][3], sum[2], weight[2];
     bool bound;  /* equal, and for good */
     int lead;    /* place among those of the node of the one that it comes and goes with; -1: none */
@@ -43,8 +44,8 @@ struct balance_contact {
     size_t spots, spot_room;
     contact_row *row; /* owned */
     size_t rows, row_room;
-    /* Of each condition that binds: with those before it at its node C = L Q, rows of C the conditions, of Q orthonormal. A condition that follows from
-     * others has an empty row of Q. Owned. */
+    /* Of each condition that binds: with those before it at its node C = L Q, rows of C the conditions, of Q
+     * orthonormal. A condition that follows from others has an empty row of Q. Owned. */
     double *Q;    /* all components of the node */
     double *L;    /* SPOT_ROWS */
     int *spot_of; /* of each node: its place among the spots, -1: none; owned. NULL where gaps are those of points */

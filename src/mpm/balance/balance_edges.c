@@ -50,7 +50,8 @@ void balance_pull_edges(mpm *s, const double *u, double *inner)
     for (int g = 0; g < count_groups(s); ++g) pull_group(s, g, u, inner);
 }
 
-/* Entry of a pair of taps, of component c of the matrix, which lie within the matrix's width of each other, around a periodic end where need be. */
+/* Entry of a pair of taps, of component c of the matrix, which lie within the matrix's width of each other, around a
+ * periodic end where need be. */
 static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int c, double value)
 {
     const int row = m->row[place_of(s, from)];

@@ -116,7 +116,8 @@ static double dot_rows(const mpm *s, const double *x, const double *y, bool diag
     return sum;
 }
 
-/* Whether some mix of the motions makes next to no force: the smallest pivot of their stiffness after those before are taken out. */
+/* Whether some mix of the motions makes next to no force: the smallest pivot of their stiffness after those before are
+ * taken out. */
 static bool moves_freely(int n, double A[MOTIONS][MOTIONS], const double *scale)
 {
     for (int j = 0; j < n; ++j) {

@@ -1,9 +1,10 @@
-/* Gaps between bodies in contact, from surfaces that their displacements carry. A node sees those of each body with its own weights w_i:
+/* Gaps between bodies in contact, from surfaces that their displacements carry. A node sees those of each body with its
+ * own weights w_i:
  *
  *     n ~ sum_a w_i A - sum_b w_i A,     g = mean_b x . n - mean_a x . n,
  *
- * over what faces the other, means by w_i (A . n): the gap that conditions at nodes ask for, to second order in the spacing. Points by
- * themselves say it to a tenth of a cell. */
+ * over what faces the other, means by w_i (A . n): the gap that conditions at nodes ask for, to second order in the
+ * spacing. Points by themselves say it to a tenth of a cell. */
 #include "mpm/balance/balance_contact.h"
 #include "mpm/contact/contact.h"
 #include "mpm/stencil.h"
@@ -44,7 +45,8 @@ static bool bring_inside(const mpm *s, int node[3], seen_element *e)
     return true;
 }
 
-/* Elements whose normal is within 37 degrees of that of a condition face the other body: not the sides of a block, or its corners. */
+/* Elements whose normal is within 37 degrees of that of a condition face the other body: not the sides of a block, or
+ * its corners. */
 static bool faces(const mpm *s, const seen_element *e, const contact_row *r, int side, double *along)
 {
     double square = 0.0;

@@ -1,9 +1,10 @@
-/* Gas of the cells at rest beside solids (sim/gas_rest.h): rooms without points. Where gas and solids share cells its pressure p pushes as
- * in the coupled step, whose points bear p grad theta:
+/* Gas of the cells at rest beside solids (sim/gas_rest.h): rooms without points. Where gas and solids share cells its
+ * pressure p pushes as in the coupled step, whose points bear p grad theta:
  *
  *     f_i = - p sum_p V_p grad S_i(x_p)
  *
- * at the nodes that see the gas; inside a solid the sum vanishes. Where lines cut the cells, their markers are pushed. */
+ * at the nodes that see the gas; inside a solid the sum vanishes. Where lines cut the cells, their markers are
+ * pushed. */
 #include "base/memory.h"
 #include "mpm/balance/balance.h"
 
@@ -27,7 +28,8 @@ floe_status rooms_take_gases(mpm *s)
 
 enum { NO_GAS = -1 };
 
-/* Share of a node's function along an axis that lies in the n-th cell above it: of B-splines, for which GIMP goes too. */
+/* Share of a node's function along an axis that lies in the n-th cell above it: of B-splines, for which GIMP goes
+ * too. */
 static double share_along(int support, int n)
 {
     const int cell = n < 0 ? -1 - n : n;

@@ -1,4 +1,5 @@
-/* Between the nodes of the blocks and those of the solver: what is held, what points reach, and the loads on surfaces. */
+/* Between the nodes of the blocks and those of the solver: what is held, what points reach, and the loads on
+ * surfaces. */
 #include "mpm/balance/balance.h"
 #include "mpm/wall.h"
 

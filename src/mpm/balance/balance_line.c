@@ -1,11 +1,13 @@
-/* A membrane around gas at rest: the line of its points, solved for by itself. No mesh is between, so that it may go any way in one increment.
+/* A membrane around gas at rest: the line of its points, solved for by itself. No mesh is between, so that it may go
+ * any way in one increment.
  *
  *     p grad V(x) = grad U(x),     M e = E - U(x) - p_ref (V - V1),     p = p(M/V, e),
  *
- * x the places of the points, U the strain energy of the pieces between them, V the room inside, E the energy of gas and membrane at the start, motion
- * included: what the way to rest would dissipate is heat of the gas. Newton's method with lambda m (dx/dt as in a viscous bath, m the points' shares of the
- * membrane) added to the matrix: slack pieces bear nothing, and pieces may turn by no more than `most_turn` in one iteration, which
- * sets lambda. Tension alone: the pressure's own stiffness is left out of the matrix, which stays positive. */
+ * x the places of the points, U the strain energy of the pieces between them, V the room inside, E the energy of gas
+ * and membrane at the start, motion included: what the way to rest would dissipate is heat of the gas. Newton's method
+ * with lambda m (dx/dt as in a viscous bath, m the points' shares of the membrane) added to the matrix: slack pieces
+ * bear nothing, and pieces may turn by no more than `most_turn` in one iteration, which sets lambda. Tension alone: the
+ * pressure's own stiffness is left out of the matrix, which stays positive. */
 #include "base/memory.h"
 #include "mpm/balance/balance.h"
 #include "mpm/membrane/line.h"
@@ -28,8 +30,8 @@ struct line_rest {
     int body;
     size_t n;             /* points */
     chain_matrix *matrix; /* owned */
-    /* One number a point, two where forces and places; owned, in one piece that `length` owns. Pieces at rest: from a point to the next, or where the line ends, to
-     * the mirror. */
+    /* One number a point, two where forces and places; owned, in one piece that `length` owns. Pieces at rest: from a
+     * point to the next, or where the line ends, to the mirror. */
     double *length, *volume, *radius, *share; /* m, m3, m; share of the mean volume of a point */
     double end_length[2], end_volume[2];      /* half a piece between an end and its image; 0: none */
     double *room, *left, *step;               /* m, of the room's gradient; N; m */
@@ -237,7 +239,8 @@ static double norm(size_t n, const double *x)
     return sqrt(sum);
 }
 
-/* Forces and matrix where the points are; the room's pressure and stiffness. Returns the share of the forces that is left. */
+/* Forces and matrix where the points are; the room's pressure and stiffness. Returns the share of the forces that is
+ * left. */
 static floe_status balance_pieces(mpm *s, balance_room *gas, double *share)
 {
     struct line_rest *r = s->balance->line;
@@ -320,8 +323,9 @@ static floe_status find_balance(mpm *s, balance_room *gas)
                 MOST_ITERATIONS, share);
 }
 
-/* A point's strain is that of the way between its neighbours (line_strain.c), which is a chord: where the line is curved, shorter than its
- * pieces. They are taken to be at rest at such a length that their strain is that of their points. */
+/* A point's strain is that of the way between its neighbours (line_strain.c), which is a chord: where the line is
+ * curved, shorter than its pieces. They are taken to be at rest at such a length that their strain is that of their
+ * points. */
 static void fit_pieces(mpm *s)
 {
     struct line_rest *r = s->balance->line;

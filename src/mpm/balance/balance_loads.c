@@ -1,4 +1,5 @@
-/* What pushes the nodes from outside in a step that is solved for: surfaces, rooms, gas of the cells; and their masses. */
+/* What pushes the nodes from outside in a step that is solved for: surfaces, rooms, gas of the cells; and their
+ * masses. */
 #include "mpm/balance/balance.h"
 #include "mpm/load.h"
 #include "mpm/surface/skin.h"

@@ -1,6 +1,7 @@
-/* Solids that are all but incompressible. A displacement of the basis that keeps the volume at every point is next to none, so that they take their load by bulk
- * stress that cancels between points: they lock. On a cylinder of ten cells under pressure (docs/results/extreme.md, load_at_once) a Poisson's ratio of 0.49 leaves
- * 2 and 1 % in the hoop stress with quadratic and cubic splines, 50 % with hat functions; one of 0.4999 leaves more than the stress itself. */
+/* Solids that are all but incompressible. A displacement of the basis that keeps the volume at every point is next to
+ * none, so that they take their load by bulk stress that cancels between points: they lock. On a cylinder of ten cells
+ * under pressure (docs/results/extreme.md, load_at_once) a Poisson's ratio of 0.49 leaves 2 and 1 % in the hoop stress
+ * with quadratic and cubic splines, 50 % with hat functions; one of 0.4999 leaves more than the stress itself. */
 #include "mpm/balance/balance.h"
 
 static double ratio_of(const mpm_body *b)

@@ -45,7 +45,8 @@ static void pull_of_node(const mpm *s, const place_node *node, const double *tan
     }
 }
 
-/* Adds a column of the point's matrix: forces on every node for a unit of component c of node j; base: the first component of its layer. */
+/* Adds a column of the point's matrix: forces on every node for a unit of component c of node j; base: the first
+ * component of its layer. */
 static void add_column(const mpm *s, node_matrix *m, const place_node *node, int nodes, int j, int base, int c,
                        const double pull[BALANCE_GRADIENTS], double radius)
 {

@@ -1,5 +1,5 @@
-/* Steps of the trapezoidal rule (Newmark's with constant mean acceleration): the balance of balance.h with inertia. Second order in the
- * step, stable at any, and without damping of its own.
+/* Steps of the trapezoidal rule (Newmark's with constant mean acceleration): the balance of balance.h with inertia.
+ * Second order in the step, stable at any, and without damping of its own.
  *
  *     f_ext(t + dt/2) + (f(0) + f(u)) / 2 = m (2/dt) (u/dt - v) + c m u/dt,     v' = 2 u/dt - v,
  *

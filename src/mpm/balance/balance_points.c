@@ -32,8 +32,8 @@ static double invert(const double G[9], double inverse[9])
     return tensor_inverse(F, inverse);
 }
 
-/* F and J at the end of the increment, and the rate over it that laws in rate form take: grad u at its middle, so that the
- * rotations of Hughes and Winget (1980) are exact. A time of 1 s. */
+/* F and J at the end of the increment, and the rate over it that laws in rate form take: grad u at its middle, so that
+ * the rotations of Hughes and Winget (1980) are exact. A time of 1 s. */
 static void set_increment(solid_batch *b, size_t k, const double G[9])
 {
     double half[9], middle[9], unused[9], F[9], old[9];
@@ -300,8 +300,8 @@ static double next_velocity(const mpm *s, const place_node *node, int nodes, int
     return s->share * (before + change) + (1.0 - s->share) * now;
 }
 
-/* Cells that a point may go in an increment. With a contact two bodies must not come through each other that share no node yet: their points
- * are more than half a cell apart then. */
+/* Cells that a point may go in an increment. With a contact two bodies must not come through each other that share no
+ * node yet: their points are more than half a cell apart then. */
 static double farthest(const mpm *s)
 {
     return s->contact ? 0.25 : 1.0;

@@ -1,6 +1,6 @@
-/* Gas at rest that solids enclose, or that is on cells: one pressure, which pushes its walls by the surface of its shape (of the cells:
- * balance_gas.c) and falls with the volume that they give way. The law of gas as points (material/point_fluid.c) is that of the room, taken
- * as one point. */
+/* Gas at rest that solids enclose, or that is on cells: one pressure, which pushes its walls by the surface of its
+ * shape (of the cells: balance_gas.c) and falls with the volume that they give way. The law of gas as points
+ * (material/point_fluid.c) is that of the room, taken as one point. */
 #include "base/memory.h"
 #include "mpm/balance/balance.h"
 #include "mpm/load.h"

@@ -1,13 +1,15 @@
-/* Bases: the shape functions that carry data between points and nodes (numerics 4.3). One file adds one:
- * basis_<name>.c ends in a const descriptor `basis_<name>`; the conformance battery covers it (partition of unity, linear
+/* Bases: the shape functions that carry data between points and nodes (numerics 4.3). One file adds one: basis_<name>.c
+ * ends in a const descriptor `basis_<name>`; the conformance battery covers it (partition of unity, linear
  * reproduction, gradients against differences, positivity). The 1-D weights live in the always-inline body of
  * basis_1d.h, which the point kernels take as a literal argument.
  *
  * A basis knows nothing of walls: points near one reach the ghost nodes beyond it, and the nodes are folded back
- * (mpm/wall.c), which is the same as folding the shape functions (numerics 4.3) and leaves the kernels without branches.
+ * (mpm/wall.c), which is the same as folding the shape functions (numerics 4.3) and leaves the kernels without
+ * branches.
  *
- * CPDI is the one whose domains have a shape: parallelograms whose sides F turns and stretches (mpm/locate.h). Its weights along an
- * axis, below, are those of a box along the axes; that is what acts at places takes, and what the battery asks. */
+ * CPDI is the one whose domains have a shape: parallelograms whose sides F turns and stretches (mpm/locate.h). Its
+ * weights along an axis, below, are those of a box along the axes; that is what acts at places takes, and what the
+ * battery asks. */
 #ifndef MPM_BASIS_BASIS_H
 #define MPM_BASIS_BASIS_H
 
@@ -25,9 +27,9 @@ typedef struct basis_model {
     int reach;      /* nodes that it may reach beyond its own cell on either side: 0 or 1 */
     int smoothness; /* continuous derivatives */
     bool averaged;  /* the slopes are means over the point's domain, of a finer function than the weights */
-    /* Weights and derivatives (1/m) along one axis; returns the first node's offset from the lower node of the cell. xi:
-     * position in the cell in units of h, 0 <= xi <= 1; half: half width of the point's domain in units of h, 0 < half <= 1/2
-     * (read by GIMP, and CPDI, which takes up to 1); inv_h = 1/h (1/m). */
+    /* Weights and derivatives (1/m) along one axis; returns the first node's offset from the lower node of the cell.
+     * xi: position in the cell in units of h, 0 <= xi <= 1; half: half width of the point's domain in units of h, 0 <
+     * half <= 1/2 (read by GIMP, and CPDI, which takes up to 1); inv_h = 1/h (1/m). */
     int (*weights)(double xi, double half, double inv_h, double *w, double *dw);
 } basis_model;
 

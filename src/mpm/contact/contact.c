@@ -162,8 +162,8 @@ static void recall_states(const node_pass *p, ptrdiff_t at, const int *group, co
     }
 }
 
-/* Writes the velocities; returns what the contact added to the nodes' kinetic energy: its impulses times the means of the
- * velocities before and after the kick. */
+/* Writes the velocities; returns what the contact added to the nodes' kinetic energy: its impulses times the means of
+ * the velocities before and after the kick. */
 static double store_node(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
 {
     double work = 0.0;
@@ -239,7 +239,8 @@ static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], doubl
     sum[SUM_RELEASE] += t.release;
 }
 
-/* Nodes that a tile visits along an axis, [lo, end): its own, [first, own_end), and the ghosts beside them that its block sees. */
+/* Nodes that a tile visits along an axis, [lo, end): its own, [first, own_end), and the ghosts beside them that its
+ * block sees. */
 typedef struct node_range {
     int lo, end, own_end;
 } node_range;

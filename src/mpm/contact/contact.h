@@ -1,18 +1,19 @@
 /* Contact of bodies that have velocity fields of their own (Y97 appendix A.1; Bardenhagen, Brackbill, Sulsky 2000).
  *
- * Each body of the scene's contact is a group of its own at the nodes; all others share one. Where groups meet at a node, the
- * contact corrects their velocities: after forces and walls have acted on v^L, and on the velocities that USF and MUSL
- * take strains from, which obey what v^L decided. Pairs exchange equal and opposite impulses along one normal, so that momentum is kept whatever their number.
- * Bodies outside the contact stick to what they meet, as they do without it; beside cells, each material is a group, and what cells do not
- * hold together moves through each other without a contact. */
+ * Each body of the scene's contact is a group of its own at the nodes; all others share one. Where groups meet at a
+ * node, the contact corrects their velocities: after forces and walls have acted on v^L, and on the velocities that USF
+ * and MUSL take strains from, which obey what v^L decided. Pairs exchange equal and opposite impulses along one normal,
+ * so that momentum is kept whatever their number. Bodies outside the contact stick to what they meet, as they do
+ * without it; beside cells, each material is a group, and what cells do not hold together moves through each other
+ * without a contact. */
 #ifndef MPM_CONTACT_H
 #define MPM_CONTACT_H
 
 #include "mpm/mpm.h"
 #include "mpm/normal/normal.h"
 
-/* Nodes along an axis that a basis may reach: with more, bodies share nodes that neither of them is near, and normals of thin ones
- * are off by up to 90 degrees (measured with the cubic basis). */
+/* Nodes along an axis that a basis may reach: with more, bodies share nodes that neither of them is near, and normals
+ * of thin ones are off by up to 90 degrees (measured with the cubic basis). */
 enum { CONTACT_SUPPORT = 3 };
 
 struct mpm_contact {
@@ -78,7 +79,8 @@ enum { CONTACT_MAX_PAIRS = MPM_MAX_GROUPS * (MPM_MAX_GROUPS - 1) / 2 };
 int contact_find_meetings(const scene_contact *rule, const contact_node *node, contact_meeting *list);
 /* Whether their surfaces have met. */
 bool contact_has_met(const contact_node *node, const contact_meeting *m);
-/* What groups bring to a node but velocities, from the block that has it; of those with mass there: their numbers in `group`. */
+/* What groups bring to a node but velocities, from the block that has it; of those with mass there: their numbers in
+ * `group`. */
 void contact_look(const mpm *s, int blk, const int global[MESH_MAX_DIM], int group[MPM_MAX_GROUPS], contact_node *node);
 
 /* Pairs of bodies that move as one, slide on each other, or are free. */
@@ -86,10 +88,11 @@ typedef struct contact_tally {
     int stick, slip, release;
 } contact_tally;
 
-/* The velocities that a contact leaves at a node, and the states of its pairs; the sum of mass times velocity stays, to round-off. */
+/* The velocities that a contact leaves at a node, and the states of its pairs; the sum of mass times velocity stays, to
+ * round-off. */
 contact_tally contact_resolve(const scene_contact *rule, contact_node *node);
-/* The velocities nearest to those given that obey the states: no motion within pairs that stick, none along the normal of those that
- * slide. */
+/* The velocities nearest to those given that obey the states: no motion within pairs that stick, none along the normal
+ * of those that slide. */
 void contact_impose(contact_node *node);
 
 #endif

@@ -144,9 +144,9 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
     return n;
 }
 
-/* Bodies that pairs join, directly or through others, move in the field of their common centre of mass (Y97 eqs 9.1 to 9.3): they
- * take its velocity, before the kick too, so that points receive the acceleration of that field and keep their own difference from
- * it, as points of one body do. */
+/* Bodies that pairs join, directly or through others, move in the field of their common centre of mass (Y97 eqs 9.1 to
+ * 9.3): they take its velocity, before the kick too, so that points receive the acceleration of that field and keep
+ * their own difference from it, as points of one body do. */
 static void join(contact_node *node, const pair *list, int n)
 {
     int cluster[MPM_MAX_GROUPS];

@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-/* Calls `visit` for the nodes of a tile, its upper ones included, at which two groups have mass; true if there are any. */
+/* Calls `visit` for the nodes of a tile, its upper ones included, at which two groups have mass; true if there are
+ * any. */
 typedef void node_visitor(const mpm *s, const int node[MESH_MAX_DIM]);
 
 static bool visit_meetings(const mpm *s, int blk, const tile_box *t, node_visitor *visit)

@@ -1,5 +1,5 @@
-/* How far bodies reach at the nodes about which they meet: by the points themselves, since a node sees a body up to one and a half cells
- * before it arrives. */
+/* How far bodies reach at the nodes about which they meet: by the points themselves, since a node sees a body up to one
+ * and a half cells before it arrives. */
 #include "mpm/contact/contact.h"
 #include "mpm/work.h"
 
@@ -8,8 +8,8 @@
 
 enum { MAX_WINDOW = 343 };
 
-/* Unit normal of a group at a node: towards the other body of the contact where there is one; zero where it is alone or has none. What is
- * outside the contact, such as the gas behind a skin, does not count. */
+/* Unit normal of a group at a node: towards the other body of the contact where there is one; zero where it is alone or
+ * has none. What is outside the contact, such as the gas behind a skin, does not count. */
 static void direction_at(const mpm *s, int blk, int group, ptrdiff_t at, double out[MESH_MAX_DIM])
 {
     const fields *f = s->domain->fields[blk];

@@ -1,24 +1,27 @@
 /* Edges of solids, held by a penalty (ghost penalty; numerics 8, Coombs 2022).
  *
- * Nodes that a solid fills in part have little to say for themselves: what few points lie in their support sets them, with stresses many
- * times too large. So along each grid line the differences of the order of the basis plus one, D u, of displacements at nodes of which one is filled in
- * part are penalised by the energy
+ * Nodes that a solid fills in part have little to say for themselves: what few points lie in their support sets them,
+ * with stresses many times too large. So along each grid line the differences of the order of the basis plus one, D u,
+ * of displacements at nodes of which one is filled in part are penalised by the energy
  *
  *   1/2 k |D u|^2,   k = gamma M V/h^2      M = rho c^2 of the solid, V of a cell, h along the line,
  *
- * which vanishes for what the basis can represent exactly: no accuracy is lost, no force or moment added. Displacements are not known to the nodes;
- * each line keeps the sum of dt D v, of the velocities that points are strained with, since it became one, and forgets it when it is one no more.
+ * which vanishes for what the basis can represent exactly: no accuracy is lost, no force or moment added. Displacements
+ * are not known to the nodes; each line keeps the sum of dt D v, of the velocities that points are strained with, since
+ * it became one, and forgets it when it is one no more.
  *
- * Nodes without mass would not bear such a spring in an explicit step. So the same differences have inertia, a = k (h/c)^2 for each line:
+ * Nodes without mass would not bear such a spring in an explicit step. So the same differences have inertia, a = k
+ * (h/c)^2 for each line:
  *
  *   (m + sum a D^T D) a_i = f_i
  *
- * whose frequencies c/h are below those of the mesh, so that the stable step stays what it was; half of critical damping, taken implicitly, keeps
- * them quiet, for the velocities of such nodes come anew from the points in each step, and their energy goes astray. The system is solved over the nodes
- * of the lines by conjugate gradients (edge_solve.c), from the accelerations of the last step, in global order: the same bits for any blocks and threads.
+ * whose frequencies c/h are below those of the mesh, so that the stable step stays what it was; half of critical
+ * damping, taken implicitly, keeps them quiet, for the velocities of such nodes come anew from the points in each step,
+ * and their energy goes astray. The system is solved over the nodes of the lines by conjugate gradients (edge_solve.c),
+ * from the accelerations of the last step, in global order: the same bits for any blocks and threads.
  *
- * Which nodes are filled in part is looked for (edge_lines.c) when nodes may have moved by some hundredths of a cell since, or one of a line has lost its mass.
- * Private to the mpm room. */
+ * Which nodes are filled in part is looked for (edge_lines.c) when nodes may have moved by some hundredths of a cell
+ * since, or one of a line has lost its mass. Private to the mpm room. */
 #ifndef MPM_EDGE_H
 #define MPM_EDGE_H
 
@@ -27,7 +30,8 @@
 
 enum { EDGE_TAPS = 5 };
 
-/* A difference along one grid line. Taps beyond a mirror are nodes inside, with the sign of the component along the axis turned. */
+/* A difference along one grid line. Taps beyond a mirror are nodes inside, with the sign of the component along the
+ * axis turned. */
 typedef struct edge_line {
     size_t slot;     /* of its differences among what is remembered; one a component from there on */
     int axis;        /* that it runs along */
@@ -53,7 +57,8 @@ typedef struct edge_node {
     size_t copy, copies;  /* in the list of copies: the first, and how many */
 } edge_node;
 
-/* Inertia of a group's lines as a matrix over its nodes: rows of equal room, of which the first entry is the diagonal's. Owned arrays. */
+/* Inertia of a group's lines as a matrix over its nodes: rows of equal room, of which the first entry is the
+ * diagonal's. Owned arrays. */
 typedef struct edge_matrix {
     int width;       /* entries that a row has room for */
     int *count;      /* that it has */
@@ -81,9 +86,10 @@ typedef struct edge_group {
 
 struct mpm_edges {
     edge_group group[MPM_MAX_GROUPS];
-    /* All that a step must know of those before, for every group and node of the mesh, owned: first the differences (m) by axis of the line and component;
-     * from the following places on accelerations (m/s2) of the last step by component, 0 where no line is; by axis the body of a line plus one, 0 where
-     * none is; and by group how many cells nodes may have moved since lines were looked for. */
+    /* All that a step must know of those before, for every group and node of the mesh, owned: first the differences (m)
+     * by axis of the line and component; from the following places on accelerations (m/s2) of the last step by
+     * component, 0 where no line is; by axis the body of a line plus one, 0 where none is; and by group how many cells
+     * nodes may have moved since lines were looked for. */
     double *memory;
     size_t n_memory, accelerations, lines, travel;
     double *fill;            /* of the group in hand, per global node: share that its solids fill. Owned */
@@ -99,9 +105,11 @@ floe_status edges_create(mpm *s);
 void edges_free(context *ctx, mpm_edges **e);
 /* Lists and room for the points as they were seeded. */
 floe_status edges_start(mpm *s);
-/* Makes a group's lists stand for its solids where they are, from what is remembered where that will do; `anew`: in any case by a look. After masses. */
+/* Makes a group's lists stand for its solids where they are, from what is remembered where that will do; `anew`: in any
+ * case by a look. After masses. */
 floe_status edges_find(mpm *s, int group, bool anew);
-/* Which lines there are, by what solids fill of nodes, into what is remembered; *changed: others than before (edge_look.c). */
+/* Which lines there are, by what solids fill of nodes, into what is remembered; *changed: others than before
+ * (edge_look.c). */
 floe_status edges_look(mpm *s, int group, bool *changed);
 /* Nodes of the mesh, and the number of one among them. */
 static inline size_t edge_all_nodes(const mpm_edges *e)
@@ -114,8 +122,8 @@ static inline size_t edge_number(const mpm_edges *e, const int at[MESH_MAX_DIM])
     return (size_t)at[0] + (size_t)e->nodes[0] * ((size_t)at[1] + (size_t)e->nodes[1] * (size_t)at[2]);
 }
 
-/* Place, among lines by group, node and axis, of that along an axis from a node on. Those from the image of the first inner node have the places of lines
- * from the last node, which would lie beyond the mesh. */
+/* Place, among lines by group, node and axis, of that along an axis from a node on. Those from the image of the first
+ * inner node have the places of lines from the last node, which would lie beyond the mesh. */
 static inline size_t edge_place(const mpm *s, int group, int axis, const int first[MESH_MAX_DIM])
 {
     const mpm_edges *e = s->work->edges;
@@ -163,7 +171,8 @@ static inline bool edge_holds(const edge_node *n, int c)
     return ((n->held >> c) & 1u) != 0;
 }
 
-/* What a unit of D^T gives to the nodes, or to those that are free in component c: none, but beside walls and mirrors. */
+/* What a unit of D^T gives to the nodes, or to those that are free in component c: none, but beside walls and
+ * mirrors. */
 static inline double edge_sum(const edge_group *g, const edge_line *l, int c, bool free_only)
 {
     double sum = 0.0;

@@ -6,8 +6,9 @@
 #include <math.h>
 #include <string.h>
 
-/* Cells that nodes may move before lines are looked for anew. A node that a point reaches meanwhile is filled to the square of that at most, and held some
- * steps later; a body that rests pays for no look. With any way up to 0.1 a soft cylinder that opens by a cell has the same error to 1 %. */
+/* Cells that nodes may move before lines are looked for anew. A node that a point reaches meanwhile is filled to the
+ * square of that at most, and held some steps later; a body that rests pays for no look. With any way up to 0.1 a soft
+ * cylinder that opens by a cell has the same error to 1 %. */
 static const double long_way = 0.02;
 
 /* rho c^2 (Pa) of a body at rest. */
@@ -103,7 +104,8 @@ static bool sees(const mesh *m, const block *b, const edge_node *n, const int pe
     return true;
 }
 
-/* Lists the copies of a node: that of the block which owns it first, then in each block that sees it, and at periodic images. */
+/* Lists the copies of a node: that of the block which owns it first, then in each block that sees it, and at periodic
+ * images. */
 static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
 {
     const mesh *m = s->mesh;
@@ -161,7 +163,8 @@ static double line_extent(const mpm *s, int axis, int tap[EDGE_TAPS][MESH_MAX_DI
     return extent * fmax(radius, 0.25 * m->h[0]);
 }
 
-/* Whether what a line gives to the nodes, or to those that are free, is not nothing as a whole: beside walls and mirrors. */
+/* Whether what a line gives to the nodes, or to those that are free, is not nothing as a whole: beside walls and
+ * mirrors. */
 static bool is_unbalanced(const edge_group *g, const edge_line *l)
 {
     bool held = false;

@@ -6,15 +6,16 @@
 #include <math.h>
 #include <string.h>
 
-/* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of a node inside empty. */
+/* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of a node inside
+ * empty. */
 static const double full_node = 0.95;
 /* One with less is outside. */
 static const double empty_node = 1e-9;
 
 enum { NO_BODY = -1, SHARED = -2 };
 
-/* What the shape function of the first ghost has inside the mesh, in cells: the wall's own fold gives twice as much to the node on the wall and
- * takes it of the next. */
+/* What the shape function of the first ghost has inside the mesh, in cells: the wall's own fold gives twice as much to
+ * the node on the wall and takes it of the next. */
 static double ghost_share(basis_kind kind)
 {
     return kind == BASIS_CUBIC ? 1.0 / 24.0 : kind == BASIS_QUADRATIC ? 1.0 / 48.0 : 0.0;
@@ -104,8 +105,8 @@ static void fill_group(mpm *s, int group)
         if (s->body[body].group == group && edge_body(s, body)) fill_nodes(s, body);
 }
 
-/* The body of a line of nodes plus one; 0 where it is none, for all are full, or one is outside or within reach of another body: bodies that share nodes
- * are not to be glued. */
+/* The body of a line of nodes plus one; 0 where it is none, for all are full, or one is outside or within reach of
+ * another body: bodies that share nodes are not to be glued. */
 static int line_body(const mpm_edges *e, const size_t *number, int taps)
 {
     const int owner = e->owner[number[0]];

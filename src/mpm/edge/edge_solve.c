@@ -116,7 +116,8 @@ static double given_by_lines(const edge_system *y)
     return given;
 }
 
-/* What the solver has left of the residual goes to all free nodes alike: they gain what walls and mirrors give (kg m/s2), to round-off. */
+/* What the solver has left of the residual goes to all free nodes alike: they gain what walls and mirrors give (kg
+ * m/s2), to round-off. */
 static void keep_momentum(const edge_system *y, double given)
 {
     const edge_group *g = y->group;
@@ -163,7 +164,8 @@ static edge_system load_system(const mpm *s, int group, int c, double *room)
     return y;
 }
 
-/* What lines take of the points' kinetic energy, and give back: entered as damping, since their own is no part of the points'. */
+/* What lines take of the points' kinetic energy, and give back: entered as damping, since their own is no part of the
+ * points'. */
 static void enter_work(mpm *s, const edge_system *y)
 {
     double work = 0.0;

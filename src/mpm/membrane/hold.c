@@ -1,10 +1,11 @@
 /* Gas points held by a surface in space, which is closed, alone or with mirrors.
  *
- * Sums over points are no exact integrals: gas of uniform pressure p pushes the nodes inside it by p sum_p V_p grad S_i(x_p), which should be
- * nothing, and swells by sum_p V_p div v(x_p), which should be the change of the room. The points move until the sums vanish, their
- * volumes outgrow the room, and the surface is pushed unevenly. Here points push by p_p - p alone, p = sum_p p_p V_p/room, the
- * surface bears p A n at each of its points, and once a step all volumes grow by room/sum_p V_p, at the cost of their work, so that
- * what p does on the surface is what it takes from the gas. With the material vectors a of the surface
+ * Sums over points are no exact integrals: gas of uniform pressure p pushes the nodes inside it by p sum_p V_p grad
+ * S_i(x_p), which should be nothing, and swells by sum_p V_p div v(x_p), which should be the change of the room. The
+ * points move until the sums vanish, their volumes outgrow the room, and the surface is pushed unevenly. Here points
+ * push by p_p - p alone, p = sum_p p_p V_p/room, the surface bears p A n at each of its points, and once a step all
+ * volumes grow by room/sum_p V_p, at the cost of their work, so that what p does on the surface is what it takes from
+ * the gas. With the material vectors a of the surface
  *
  *   A = V0/thickness |a1 x a2|/|a1 x a2|_0,   room = sum_p (x_p - c) n A along each axis, c the mirror that cuts the surface, if any:
  *
@@ -144,7 +145,8 @@ static void sum_gas(const mpm *s, double sum[HOLD_SUMS])
     domain_sum_tiles(s->mesh, s->work->tile_sum, HOLD_SUMS, sum);
 }
 
-/* From area vectors to forces. A closed surface feels none as a whole; one that a mirror cuts has that of the gas on the mirror. */
+/* From area vectors to forces. A closed surface feels none as a whole; one that a mirror cuts has that of the gas on
+ * the mirror. */
 static void load_surface(mpm *s, gas_hold *h, const hold_axis axis[3], double outwards, double area)
 {
     const double pressure = copysign(h->pressure, h->pressure * outwards);

@@ -126,8 +126,8 @@ static line_end find_mirror(const mpm *s, const double *end, const double *next)
     return (line_end){.axis = -1};
 }
 
-/* Neighbours by number lie within a cell of each other, as seeding sees to; only a list of points with normals of their own may be in
- * any order. */
+/* Neighbours by number lie within a cell of each other, as seeding sees to; only a list of points with normals of their
+ * own may be in any order. */
 static bool is_ordered(const mpm *s, const membrane_line *line)
 {
     double way[3];

@@ -1,8 +1,8 @@
 /* Membranes as lines of points: who follows whom, and the tangents that follow from it. Private to the mpm room.
  *
- * The order along the line is that of the ids (York 2000, section 3.2). Points themselves are sorted by cell, so that each step
- * their places are first put into a table by number; an entry is written by one point alone, and the tangents have the same bits
- * for any blocks and threads. Normals to unordered points can come in behind the same functions. */
+ * The order along the line is that of the ids (York 2000, section 3.2). Points themselves are sorted by cell, so that
+ * each step their places are first put into a table by number; an entry is written by one point alone, and the tangents
+ * have the same bits for any blocks and threads. Normals to unordered points can come in behind the same functions. */
 #ifndef MPM_LINE_H
 #define MPM_LINE_H
 
@@ -54,21 +54,24 @@ void line_free(context *ctx, membrane_line *line);
 void line_update(mpm *s, int body, bool next);
 /* The neighbour before (step -1) or after (+1) a point. */
 line_side line_side_of(const membrane_line *line, size_t number, int step);
-/* Way (m) from the point before to the one after, its length, and its length at rest; at a free end from or to the point itself. */
+/* Way (m) from the point before to the one after, its length, and its length at rest; at a free end from or to the
+ * point itself. */
 double line_way(const mpm *s, int body, size_t number, double way[3], double *rest);
 /* Second difference of places (m) at a point. False at free ends, and beside lost points. */
 bool line_bend(const mpm *s, int body, size_t number, double bend[3]);
-/* Strain energy that a body's line loses in the step, into line->lost: to the difference between nodes and places, and to smoothing, which
- * straightens the next places of the points. */
+/* Strain energy that a body's line loses in the step, into line->lost: to the difference between nodes and places, and
+ * to smoothing, which straightens the next places of the points. */
 void line_settle(mpm *s, int body);
 /* Strains along it where line->x has it, into line->along; across it now, into line->across. */
 void line_take_strains(const mpm *s, int body);
 void line_read_hoops(mpm *s, int body);
-/* The room (m2; about an axis m3 per radian) inside a body's line where line->x has it, and its gradient, two numbers a point. */
+/* The room (m2; about an axis m3 per radian) inside a body's line where line->x has it, and its gradient, two numbers a
+ * point. */
 double membrane_measure(const mpm *s, int body, double *gradient);
 /* Strains along a body's line from its places, into P_STRAIN. */
 void line_strain(const mpm *s, int body, bool next);
-/* Unit tangent at the point of a number (0 first), from its neighbours' places. False where it has none: t is left alone. */
+/* Unit tangent at the point of a number (0 first), from its neighbours' places. False where it has none: t is left
+ * alone. */
 bool line_tangent(const mpm *s, int body, size_t number, double t[3]);
 /* Number of point k of a body in a block. */
 size_t point_number(const mpm *s, int blk, int body, size_t k);

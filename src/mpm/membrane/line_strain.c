@@ -1,11 +1,11 @@
 /* Membranes whose strain comes from the places of their points.
  *
- * The stretch of a point is the way between its neighbours over that at rest: it cannot drift from the shape, as the integral of
- * a rate does. Within a cell the mesh moves the points together, so that what one of them has too much of and another too little no
- * force ever evens out: of a membrane that has snapped taut a third then bears, beside two that hang slack
- * (docs/deviations.md). `smoothing` stands in for that: the points give up a share of the fourth difference of their places in
- * every step. Pieces of the line shorter than a cell straighten and even out; of a wave m points long (2 pi/m)^4 of the share
- * goes in a step, so that what the mesh resolves stays as it is. */
+ * The stretch of a point is the way between its neighbours over that at rest: it cannot drift from the shape, as the
+ * integral of a rate does. Within a cell the mesh moves the points together, so that what one of them has too much of
+ * and another too little no force ever evens out: of a membrane that has snapped taut a third then bears, beside two
+ * that hang slack (docs/deviations.md). `smoothing` stands in for that: the points give up a share of the fourth
+ * difference of their places in every step. Pieces of the line shorter than a cell straighten and even out; of a wave m
+ * points long (2 pi/m)^4 of the share goes in a step, so that what the mesh resolves stays as it is. */
 #include "base/memory.h"
 #include "mpm/membrane/line.h"
 
@@ -131,8 +131,8 @@ static double nominal(const mpm *s, int body, double along, double across)
     return stress * membrane_volume_ratio(r->section, along, across);
 }
 
-/* Nodes work on the rate at a point, and its neighbours' places tell its strain: the difference is lost, or won. USL alone strains
- * by the velocities that move the points, so that it is known. */
+/* Nodes work on the rate at a point, and its neighbours' places tell its strain: the difference is lost, or won. USL
+ * alone strains by the velocities that move the points, so that it is known. */
 static void lose_difference(const mpm *s, int body)
 {
     membrane_line *line = &s->work->line[body];

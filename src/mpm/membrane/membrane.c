@@ -1,6 +1,6 @@
-/* Membranes (York 1997, chapter 5): one layer of points. The total strain is kept in the local frame and grows with the stretch of the
- * tangent (section 5.4.2, in the rate form t.L.t, whose integral is the logarithm of the stretch); the stress is turned back to
- * the axes of the scene, so that forces need no kernel of their own. */
+/* Membranes (York 1997, chapter 5): one layer of points. The total strain is kept in the local frame and grows with the
+ * stretch of the tangent (section 5.4.2, in the rate form t.L.t, whose integral is the logarithm of the stretch); the
+ * stress is turned back to the axes of the scene, so that forces need no kernel of their own. */
 #include "mpm/membrane/membrane.h"
 #include "mpm/membrane/hold.h"
 #include "mpm/membrane/membrane_normal.h"
@@ -58,8 +58,8 @@ static void put_stress(const mpm *s, const fields *f, int body, size_t start, bo
     for (size_t k = 0; k < b->n; ++k) J[k] = membrane_volume_ratio(r->section, b->along[k], b->across[k]);
 }
 
-/* ln |(I + dt L) t|: by how much a step stretches the tangent. To first order dt t.L.t; the rest keeps the strain of a membrane that
- * turns what the places of its points make it. */
+/* ln |(I + dt L) t|: by how much a step stretches the tangent. To first order dt t.L.t; the rest keeps the strain of a
+ * membrane that turns what the places of its points make it. */
 static double stretch_of(const solid_batch *rate, const membrane_batch *b, size_t k, double dt)
 {
     double square = 0.0;
@@ -132,8 +132,8 @@ static void follow_line(const mpm *s, int blk, int body, size_t start, membrane_
     }
 }
 
-/* Tangents of a chunk, across its normals or along its line; a point that finds none keeps the one it had. A surface in space has no one
- * tangent: it bears no stress along one. */
+/* Tangents of a chunk, across its normals or along its line; a point that finds none keeps the one it had. A surface in
+ * space has no one tangent: it bears no stress along one. */
 static void find_tangents(const mpm *s, int blk, int body, size_t start, bool next, membrane_batch *b)
 {
     const fields *f = s->domain->fields[blk];

@@ -12,7 +12,8 @@ floe_status seed_membrane(const mpm *s, const scene_body *b, const seed_spec *gr
 floe_status set_membrane(mpm *s, int blk, int body, size_t k, size_t n);
 /* The law of a body; its model is NULL where that is no membrane. */
 membrane_response response_of(const mpm *s, const scene_body *b);
-/* Strain of points [start, end) whose L stands in the batch, and stress along their tangents as they were. FLOE_RETRY for a point that is crushed. */
+/* Strain of points [start, end) whose L stands in the batch, and stress along their tangents as they were. FLOE_RETRY
+ * for a point that is crushed. */
 floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end, const solid_batch *rate);
 /* Lines, normals and tangents of all at the start, and what gas pushes them with. */
 floe_status start_membranes(mpm *s);

@@ -1,6 +1,7 @@
-/* Membranes as surfaces in space: points in no order, their tangent planes across normals that the points themselves give. The step's velocity
- * gradient stretches a point's two material vectors; once normals are known from where the points have gone, the vectors turn into the
- * new tangent plane, and the stress of plane stress in it goes to the axes of the scene (material/sheet.h). */
+/* Membranes as surfaces in space: points in no order, their tangent planes across normals that the points themselves
+ * give. The step's velocity gradient stretches a point's two material vectors; once normals are known from where the
+ * points have gone, the vectors turn into the new tangent plane, and the stress of plane stress in it goes to the axes
+ * of the scene (material/sheet.h). */
 #include "mpm/membrane/membrane_sheet.h"
 #include "mpm/membrane/membrane.h"
 

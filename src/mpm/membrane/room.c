@@ -35,8 +35,8 @@ static void fix(corner *c, int axis, double value)
     c->own[axis] = false;
 }
 
-/* Corners n to n + 3 of the room of n points: where the last meets its mirror, where the mirrors meet or, about an axis, both ends' feet
- * on it, and where the first meets its mirror. */
+/* Corners n to n + 3 of the room of n points: where the last meets its mirror, where the mirrors meet or, about an
+ * axis, both ends' feet on it, and where the first meets its mirror. */
 static corner corner_of(const outline *o, size_t k)
 {
     const membrane_line *line = o->line;
@@ -71,7 +71,8 @@ static bool is_inside(const outline *o, double x, double y)
     return inside;
 }
 
-/* What a side adds to the area, or about an axis to the volume per radian, the integral of r^2/2 dz; slopes by a and b. */
+/* What a side adds to the area, or about an axis to the volume per radian, the integral of r^2/2 dz; slopes by a and
+ * b. */
 static double side_of(const outline *o, const double a[2], const double b[2], double by_a[2], double by_b[2])
 {
     const double up = b[1] - a[1];

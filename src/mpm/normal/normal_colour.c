@@ -1,5 +1,5 @@
-/* Y97 equations 9.10 and 9.11 in one: the points' colour goes to the centres of cells with the quadratic spline, and from there to the
- * nodes with the gradient of the linear basis. */
+/* Y97 equations 9.10 and 9.11 in one: the points' colour goes to the centres of cells with the quadratic spline, and
+ * from there to the nodes with the gradient of the linear basis. */
 #include "mpm/normal/normal.h"
 #include "surface/spline.h"
 

@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The end of an open line on a mirror: where it meets it. False where the line ends on the mirror itself, or is free. */
+/* The end of an open line on a mirror: where it meets it. False where the line ends on the mirror itself, or is
+ * free. */
 static bool end_on_mirror(const membrane_line *line, bool last, cut_vertex *out)
 {
     const line_end *end = &line->end[last];

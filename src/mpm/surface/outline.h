@@ -1,22 +1,25 @@
-/* What cuts the cells of gas, a membrane that holds gas or the surfaces of solids, as lines: where they are, how they move, and what the gas
- * pushes on them. */
+/* What cuts the cells of gas, a membrane that holds gas or the surfaces of solids, as lines: where they are, how they
+ * move, and what the gas pushes on them. */
 #ifndef MPM_OUTLINE_H
 #define MPM_OUTLINE_H
 
 #include "coupling/cut.h"
 #include "mpm/mpm.h"
 
-/* Vertices from the points of a membrane (a body of ours), now or next; an end of it on a mirror goes on to it. Where the interface is sharp, from
- * the markers of all surfaces, whatever the body, here and below. FLOE_DIVERGED where a point is lost. */
+/* Vertices from the points of a membrane (a body of ours), now or next; an end of it on a mirror goes on to it. Where
+ * the interface is sharp, from the markers of all surfaces, whatever the body, here and below. FLOE_DIVERGED where a
+ * point is lost. */
 floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out);
 /* Velocities (m/s) of the vertices, two numbers each. */
 void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity);
 /* Forces (N) on the vertices, two numbers each, for the step to come. They are kept until the next call. */
 void mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force);
-/* The way (m) over which these forces have worked in the step: that of the nodes, in the mean of its start and its end. */
+/* The way (m) over which these forces have worked in the step: that of the nodes, in the mean of its start and its
+ * end. */
 void mpm_outline_path(const mpm *s, int body, const cut_line *c, double *path);
 
-/* What all points have lost in the step (J), for the gas to take up as heat (method.losses); 0 where it is to be a drift. */
+/* What all points have lost in the step (J), for the gas to take up as heat (method.losses); 0 where it is to be a
+ * drift. */
 double mpm_outline_lost(const mpm *s);
 
 #endif

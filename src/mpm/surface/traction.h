@@ -1,4 +1,5 @@
-/* Surfaces under traction, or beside rooms of gas: massless points with an area, moved by the nodes (traction.c). Private to the mpm room. */
+/* Surfaces under traction, or beside rooms of gas: massless points with an area, moved by the nodes (traction.c).
+ * Private to the mpm room. */
 #ifndef MPM_TRACTION_H
 #define MPM_TRACTION_H
 
@@ -21,8 +22,8 @@ void carry_surfaces(mpm *s, node_displacement *way);
 void carry_place(const mpm *s, int group, const double x[3], node_displacement *way, double out[3]);
 /* A force (N) on a body's surface, on nodes of its group that its points bear. */
 void push_surface(const mpm *s, int group, const double x[3], const double force[3]);
-/* How a place of a surface moves in the step: with which velocity it goes on, and with which a force on it works on the nodes, in the mean
- * of the step's start and end (m/s). */
+/* How a place of a surface moves in the step: with which velocity it goes on, and with which a force on it works on the
+ * nodes, in the mean of the step's start and end (m/s). */
 typedef struct surface_motion {
     double velocity[3], working[3];
 } surface_motion;

@@ -1,6 +1,6 @@
-/* Transfers: what becomes of a point's velocity in a step (numerics 4.2). One file adds one: transfer_<name>.c ends in a const
- * descriptor `transfer_<name>`; the conformance battery covers it with every basis (momentum, uniform motion, and moment of momentum
- * and rigid motion where it claims them).
+/* Transfers: what becomes of a point's velocity in a step (numerics 4.2). One file adds one: transfer_<name>.c ends in
+ * a const descriptor `transfer_<name>`; the conformance battery covers it with every basis (momentum, uniform motion,
+ * and moment of momentum and rigid motion where it claims them).
  *
  * With S the weights of the points on the nodes and S+ the mass-weighted means of points at the nodes, the nodes get
  *     v_i = sum_p S_ip m_p [v_p + C_p (x_i - x_p)] / m_i,

@@ -68,8 +68,9 @@ typedef struct stability {
 } stability;
 
 /* Searches, or maps, and writes its results and the figure. Everything that can be refused is before the first run:
- * FLOE_BAD_INPUT. FLOE_INTERRUPTED: what there is was written, and the same command goes on from there. A run that gives no
- * verdict (killed, out of time) ends its search; the status is then that run's. *out (owned by the caller) may be there after a failure. */
+ * FLOE_BAD_INPUT. FLOE_INTERRUPTED: what there is was written, and the same command goes on from there. A run that
+ * gives no verdict (killed, out of time) ends its search; the status is then that run's. *out (owned by the caller) may
+ * be there after a failure. */
 floe_status stability_run(stability **out, context *ctx, const stability_options *options);
 void stability_destroy(stability **s);
 

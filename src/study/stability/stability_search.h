@@ -1,5 +1,5 @@
-/* The search for the value of a key at which stability ends: bisection, several values at a time where there are processes for them.
- * Pure logic: whoever searches asks for values, has them judged, and tells. */
+/* The search for the value of a key at which stability ends: bisection, several values at a time where there are
+ * processes for them. Pure logic: whoever searches asks for values, has them judged, and tells. */
 #ifndef STUDY_STABILITY_SEARCH_H
 #define STUDY_STABILITY_SEARCH_H
 
@@ -23,7 +23,8 @@ typedef enum search_outcome {
 } search_outcome;
 
 typedef struct search_spec {
-    /* The range, from != to; `to` NAN: none, `from` > 0 is where to start, and the range doubles until it holds a limit. */
+    /* The range, from != to; `to` NAN: none, `from` > 0 is where to start, and the range doubles until it holds a
+     * limit. */
     double from, to;
     double tolerance; /* width of the bracket over the larger of its ends, > 0 */
     int most;         /* values judged on the way, at most SEARCH_MOST */
@@ -49,13 +50,16 @@ typedef struct search {
 } search;
 
 void search_begin(search *s, const search_spec *spec);
-/* The state after all that has been told. It does not depend on the order in which it was told, nor on values off the way. */
+/* The state after all that has been told. It does not depend on the order in which it was told, nor on values off the
+ * way. */
 search_state search_look(const search *s);
-/* Fills x with up to `most` values to judge next: the one that decides, then those that may decide after it. 0: none is wanted. */
+/* Fills x with up to `most` values to judge next: the one that decides, then those that may decide after it. 0: none is
+ * wanted. */
 size_t search_next(const search *s, size_t most, double *x);
 /* Notes a judgement; what does not fit, or is known, is passed over. */
 void search_tell(search *s, double x, search_answer answer);
-/* false if a stable value was seen beyond an unstable one: there is more than one limit, and the search has found one of them. */
+/* false if a stable value was seen beyond an unstable one: there is more than one limit, and the search has found one
+ * of them. */
 bool search_is_monotone(const search *s);
 
 #endif

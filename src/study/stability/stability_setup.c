@@ -160,7 +160,8 @@ static floe_status make_sets(stability *s, const search_spec *spec)
     return FLOE_OK;
 }
 
-/* Every value that is known beforehand must make a deck: for searches the ends of the range and what comes between them. */
+/* Every value that is known beforehand must make a deck: for searches the ends of the range and what comes between
+ * them. */
 static floe_status check_wishes(stability *s, const stability_options *o, const stability_wish *wish, size_t n)
 {
     const batch_options batch = stability_batch(s, o);

@@ -29,7 +29,8 @@ static void measure(choose_curve *c)
                                               log(c->list[before].h / c->list[last].h));
 }
 
-/* What one unit of weight takes (s), by the cheapest thing known: the smallest ratio of any case; NAN: nothing is known. */
+/* What one unit of weight takes (s), by the cheapest thing known: the smallest ratio of any case; NAN: nothing is
+ * known. */
 static double seconds_of_weight(const choose_curve *list, size_t n)
 {
     double least = NAN;
@@ -149,7 +150,8 @@ static void judge(choose_curve *list, size_t n, double tolerance, size_t needed)
     }
 }
 
-/* Of the cases that are done the best: the cheapest within the tolerance if `within`, else the one with the smallest error. */
+/* Of the cases that are done the best: the cheapest within the tolerance if `within`, else the one with the smallest
+ * error. */
 static choose_step find_done(const choose_curve *list, size_t n, double tolerance, bool within)
 {
     choose_step best = {within ? CHOOSE_REACHED : CHOOSE_UNREACHED, n, 0};

@@ -1,8 +1,10 @@
-/* Which case to run next, to reach an error in the least time: from curves of error and time against spacing, as far as they are known.
+/* Which case to run next, to reach an error in the least time: from curves of error and time against spacing, as far as
+ * they are known.
  *
- * A curve is a variant of a scene (basis, coupling, solver, ...) along spacings. Its error is taken to fall as h^order and its time to
- * grow as h^-exponent, both by its own two finest cases, so that what is not known yet can be predicted. Cases are run from cheap to
- * dear; a curve whose predicted time to the tolerance is above the best one's waits, and comes back if the others turn out worse. */
+ * A curve is a variant of a scene (basis, coupling, solver, ...) along spacings. Its error is taken to fall as h^order
+ * and its time to grow as h^-exponent, both by its own two finest cases, so that what is not known yet can be
+ * predicted. Cases are run from cheap to dear; a curve whose predicted time to the tolerance is above the best one's
+ * waits, and comes back if the others turn out worse. */
 #ifndef STUDY_CHOOSE_H
 #define STUDY_CHOOSE_H
 
@@ -38,7 +40,8 @@ typedef struct choose_curve {
     double next_seconds;    /* predicted; NAN: nothing to predict by */
     size_t reach;           /* first case of those left that is predicted to reach the tolerance; n: none */
     double reach_seconds;   /* predicted time of that; INFINITY: none */
-    /* By extrapolation beyond the cases: the spacing at which the tolerance would be met, and the time that it would take; NAN. */
+    /* By extrapolation beyond the cases: the spacing at which the tolerance would be met, and the time that it would
+     * take; NAN. */
     double wanted_h, wanted_seconds;
     choose_standing standing;
 } choose_curve;
@@ -55,8 +58,8 @@ typedef struct choose_step {
     size_t curve, at; /* n curves: there is no such case */
 } choose_step;
 
-/* What to do now, with `left` seconds to go (INFINITY: no limit). `needed` is the number of cases from which a curve has an error that can
- * be relied on: 1 where errors are measured, 3 where they are estimated. */
+/* What to do now, with `left` seconds to go (INFINITY: no limit). `needed` is the number of cases from which a curve
+ * has an error that can be relied on: 1 where errors are measured, 3 where they are estimated. */
 choose_step choose_next(choose_curve *list, size_t n, double tolerance, size_t needed, double left);
 
 #endif

@@ -143,7 +143,8 @@ tolerance_estimate tolerance_estimate_at(const tolerance *t, size_t curve, size_
     return tolerance_estimate_of(values_of(t, curve, at, h, f), h, f);
 }
 
-/* Variants tend to one value: where they differ by more than their estimates, one of these is wrong, and nobody knows which. */
+/* Variants tend to one value: where they differ by more than their estimates, one of these is wrong, and nobody knows
+ * which. */
 static void compare_variants(tolerance *t, size_t curve, size_t at)
 {
     choose_case *one = &t->curve[curve].list[at];

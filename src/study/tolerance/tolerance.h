@@ -1,8 +1,10 @@
-/* `floe run --tolerance`: the answer of a deck to within an error, by the cheapest of the variants that its `study` names.
+/* `floe run --tolerance`: the answer of a deck to within an error, by the cheapest of the variants that its `study`
+ * names.
  *
- * The study's axes give the variants and their spacings. Its cases are run from cheap to dear, each a process, until one of them is within
- * the tolerance (study/tolerance/choose.h). The error is measured where the deck has an exact solution or a reference, and else estimated from
- * the last values of a quantity over spacings. DIR then holds that case's outputs, DIR/cases all that was run, as a study. */
+ * The study's axes give the variants and their spacings. Its cases are run from cheap to dear, each a process, until
+ * one of them is within the tolerance (study/tolerance/choose.h). The error is measured where the deck has an exact
+ * solution or a reference, and else estimated from the last values of a quantity over spacings. DIR then holds that
+ * case's outputs, DIR/cases all that was run, as a study. */
 #ifndef STUDY_TOLERANCE_H
 #define STUDY_TOLERANCE_H
 
@@ -40,8 +42,8 @@ typedef struct tolerance {
 
 /* Runs cases until one is within the tolerance, and makes DIR of it. *out, owned by the caller, says what was done.
  * FLOE_BAD_INPUT: the deck has no study, no spacings, or nothing to measure an error by; nothing was run.
- * FLOE_MISSED_BAR: no case reaches the tolerance, or not in the time given: the message says how near the best came and what it would
- * take; DIR has the best case. FLOE_INTERRUPTED: stopped; the same call goes on. */
+ * FLOE_MISSED_BAR: no case reaches the tolerance, or not in the time given: the message says how near the best came and
+ * what it would take; DIR has the best case. FLOE_INTERRUPTED: stopped; the same call goes on. */
 floe_status tolerance_run(tolerance **out, context *ctx, const tolerance_options *options);
 void tolerance_destroy(tolerance **t);
 
@@ -55,9 +57,10 @@ typedef struct tolerance_estimate {
     const char *how; /* in words */
     double order;    /* observed; NAN */
 } tolerance_estimate;
-/* From n values f over spacings h, coarsest first. Three at least that approach their limit from one side, no faster than with an order of
- * 2.1, are extrapolated: with the observed order and a safety factor of 1.25 if four of them agree on it, else with an order of at
- * most one and a factor of 3. Others are taken to be off by twice what the last three span. */
+/* From n values f over spacings h, coarsest first. Three at least that approach their limit from one side, no faster
+ * than with an order of 2.1, are extrapolated: with the observed order and a safety factor of 1.25 if four of them
+ * agree on it, else with an order of at most one and a factor of 3. Others are taken to be off by twice what the last
+ * three span. */
 tolerance_estimate tolerance_estimate_of(size_t n, const double *h, const double *f);
 
 #endif

@@ -1,5 +1,6 @@
-/* The error of a quantity without an exact solution. One sequence may settle at a wrong value, or pass through the right one, and its
- * observed order is then worth nothing: orders are believed only if four values agree on one (Roache; Eca and Hoekstra 2014). */
+/* The error of a quantity without an exact solution. One sequence may settle at a wrong value, or pass through the
+ * right one, and its observed order is then worth nothing: orders are believed only if four values agree on one
+ * (Roache; Eca and Hoekstra 2014). */
 #include "study/tolerance/tolerance.h"
 
 #include "verify/richardson.h"

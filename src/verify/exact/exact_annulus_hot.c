@@ -32,8 +32,8 @@ static floe_status annulus_prepare(context *ctx, const void *par, int dim, void 
                     p->inner_radius);
 }
 
-/* With s = ln(r/r_i)/ln(r_o/r_i): u = U (1 - s), and what shear makes of heat, mu u'^2 = mu (U/ln(r_o/r_i))^2 / r^2, leaves by the
- * walls: T = T_i + (T_o - T_i) s + mu U^2/(2 k) s (1 - s). */
+/* With s = ln(r/r_i)/ln(r_o/r_i): u = U (1 - s), and what shear makes of heat, mu u'^2 = mu (U/ln(r_o/r_i))^2 / r^2,
+ * leaves by the walls: T = T_i + (T_o - T_i) s + mu U^2/(2 k) s (1 - s). */
 static double annulus_value(const void *par, const void *prepared, exact_quantity quantity, int dim, const double x[3],
                             double t)
 {

@@ -1,5 +1,5 @@
-/* Manufactured solution: a neo-Hookean bar in uniaxial strain, or a box that vibrates along all its axes at once, held at its standing
- * wave by a body force. */
+/* Manufactured solution: a neo-Hookean bar in uniaxial strain, or a box that vibrates along all its axes at once, held
+ * at its standing wave by a body force. */
 #include "verify/internal.h"
 
 typedef struct mms_par {

@@ -1,4 +1,5 @@
-/* Small plane waves of a viscous, heat-conducting ideal gas at rest: damped sound, or heat that diffuses at constant pressure. */
+/* Small plane waves of a viscous, heat-conducting ideal gas at rest: damped sound, or heat that diffuses at constant
+ * pressure. */
 #include "verify/internal.h"
 
 #include <complex.h>
@@ -40,8 +41,9 @@ typedef struct wave_constants {
     double complex s, density, velocity, temperature;
 } wave_constants;
 
-/* The roots of (s rho + nu k2) s (s rho c_v + kappa k2) + k2 [p (s rho c_v + kappa k2) + R rho p s] = 0: one is real (heat), two
- * are sound; the wave up the axis has a negative imaginary part. Solved for s over k (p/rho)^1/2, so that no unit is in it. */
+/* The roots of (s rho + nu k2) s (s rho c_v + kappa k2) + k2 [p (s rho c_v + kappa k2) + R rho p s] = 0: one is real
+ * (heat), two are sound; the wave up the axis has a negative imaginary part. Solved for s over k (p/rho)^1/2, so that
+ * no unit is in it. */
 static double complex wave_rate(const wave_par *p, double k2)
 {
     const double nu = (4.0 / 3.0 * p->viscosity + p->bulk_viscosity) * k2, kappa = p->conductivity * k2;

@@ -1,5 +1,5 @@
-/* Manufactured flow of a viscous, heat-conducting ideal gas: smooth, unsteady, compressible, on a periodic box. Density rests, and
- * momentum has no divergence, so that mass needs no source; momentum and energy do. */
+/* Manufactured flow of a viscous, heat-conducting ideal gas: smooth, unsteady, compressible, on a periodic box. Density
+ * rests, and momentum has no divergence, so that mass needs no source; momentum and energy do. */
 #include "verify/internal.h"
 
 typedef struct flow_par {

@@ -34,8 +34,9 @@ static double erfc_second_integral(double z)
     return 0.25 * (erfc(z) - 2.0 * z * erfc_integral(z));
 }
 
-/* Soon after the start: all is pushed alike but for what the plates hold back. nu t less the sum over n of
- * 4 nu t (-1)^n (ii((n H + y)/s) + ii(((n+1) H - y)/s)), s = 2 sqrt(nu t), ii the second integral of erfc; or its derivative by y. */
+/* Soon after the start: all is pushed alike but for what the plates hold back. nu t less the sum over n of 4 nu t
+ * (-1)^n (ii((n H + y)/s) + ii(((n+1) H - y)/s)), s = 2 sqrt(nu t), ii the second integral of erfc; or its derivative
+ * by y. */
 static double poiseuille_early(const poiseuille_par *p, double y, double diffusion, bool derivative)
 {
     const double spread = 2.0 * sqrt(diffusion);

@@ -1,9 +1,10 @@
-/* Manufactured solution: a ring whose layers turn about the axis, each by an angle of its own and without any strain in itself.
+/* Manufactured solution: a ring whose layers turn about the axis, each by an angle of its own and without any strain in
+ * itself.
  *
  *     alpha = A sin(pi c t) (1 - s^2)^2 + W t,   s = (R - R0)/w,   x = R e_r(Theta + alpha)
  *
- * A shear gamma = R alpha' of one layer against the next keeps J = 1; both faces, s = -1 and 1, are free of traction, and stay but for
- * the spin W of the whole, which turns stretch and stress with it. */
+ * A shear gamma = R alpha' of one layer against the next keeps J = 1; both faces, s = -1 and 1, are free of traction,
+ * and stay but for the spin W of the whole, which turns stretch and stress with it. */
 #include "verify/internal.h"
 
 typedef struct ring_par {

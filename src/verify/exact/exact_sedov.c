@@ -1,7 +1,7 @@
 /* Sedov's blast: energy set free at a plane, a line or a point of a gas without pressure.
  *
- * J. R. Kamm, F. X. Timmes, LA-UR-07-2849 (2007), for uniform density: with j = geometry + 1 and V the similarity variable,
- * x_1 = a V, x_2 = b (c V - 1), x_3 = d (1 - e V), x_4 = b (1 - c V/gamma),
+ * J. R. Kamm, F. X. Timmes, LA-UR-07-2849 (2007), for uniform density: with j = geometry + 1 and V the similarity
+ * variable, x_1 = a V, x_2 = b (c V - 1), x_3 = d (1 - e V), x_4 = b (1 - c V/gamma),
  *     lambda = r/r_shock = x_1^-A0 x_2^-A2 x_3^-A1,    u/u_2 = x_1 lambda,
  *     rho/rho_2 = x_2^A3 x_3^A4 x_4^A5,                p/p_2 = x_1^(A0 j) x_3^(A4 - 2 A1) x_4^(1 + A5).
  * The parameter here is s = x_2^-A2, from 0 at the centre to 1 at the shock, in which lambda is smooth. */

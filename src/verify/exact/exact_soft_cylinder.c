@@ -1,9 +1,9 @@
 /* The pressurised thick cylinder of neo-Hookean material in plane strain, at any strain.
  *
- * With r(R) the place of what was at R, a = r' and b = r/R, the nominal stresses are P_r = mu (a - 1/a) + lambda ln(a b)/a and P_theta, the same
- * with b for a, and balance is dP_r/dR + (P_r - P_theta)/R = 0. As db/dR = (a - b)/R this is an equation for a, integrated from the bore, where
- * the pressure gives a, with the b there by which P_r vanishes outside. Fourth order in 2048 steps; between them r is the cubic through r
- * and r'. */
+ * With r(R) the place of what was at R, a = r' and b = r/R, the nominal stresses are P_r = mu (a - 1/a) + lambda ln(a
+ * b)/a and P_theta, the same with b for a, and balance is dP_r/dR + (P_r - P_theta)/R = 0. As db/dR = (a - b)/R this is
+ * an equation for a, integrated from the bore, where the pressure gives a, with the b there by which P_r vanishes
+ * outside. Fourth order in 2048 steps; between them r is the cubic through r and r'. */
 #include "verify/internal.h"
 
 enum { STEPS = 2048 };

@@ -1,5 +1,5 @@
-/* A pendulum as a chain of bars: point masses in a line, joined by massless bars, the first one held, a heavy one at the end.
- * m_i d2x_i/dt2 = m_i g + tensions of the bars at i, tension = E A eps along the bar, integrated by CVODE. */
+/* A pendulum as a chain of bars: point masses in a line, joined by massless bars, the first one held, a heavy one at
+ * the end. m_i d2x_i/dt2 = m_i g + tensions of the bars at i, tension = E A eps along the bar, integrated by CVODE. */
 #include "verify/internal.h"
 #include "verify/ode.h"
 #include "verify/reference.h"

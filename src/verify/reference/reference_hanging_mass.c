@@ -1,7 +1,8 @@
-/* A mass that falls on a spring, or on a slack string, which have no mass: free fall until the string is taut, one swing of an
- * oscillator, free flight up, and again. With x the stretch beyond the rest length, m v^2/2 + W(x) - m g x is constant. The
- * swing is that of the two-way law between its turning points x_a <= 0 < x_b: with x = c - a cos(theta) the
- * time dt = a sin(theta) d theta/v is the integral of a smooth function (a constant one for Hooke's law). */
+/* A mass that falls on a spring, or on a slack string, which have no mass: free fall until the string is taut, one
+ * swing of an oscillator, free flight up, and again. With x the stretch beyond the rest length, m v^2/2 + W(x) - m g x
+ * is constant. The swing is that of the two-way law between its turning points x_a <= 0 < x_b: with x = c - a
+ * cos(theta) the time dt = a sin(theta) d theta/v is the integral of a smooth function (a constant one for Hooke's
+ * law). */
 #include "verify/internal.h"
 #include "verify/reference.h"
 

@@ -1,9 +1,9 @@
 /* A closed membrane blown up by the gas inside, once it has come to rest: a circle (plane scenes) or a sphere.
  *
- * The surface has the measure S r^k, k = 1 (circle, S = 2 pi) or 2 (sphere, S = 4 pi), and holds the volume S r^(k+1)/(k+1).
- * Equilibrium: p - p_out = k M eps thickness/r, eps = log(r/r0) or r/r0 - 1. Energy: p V/(gamma - 1) + k/2 M eps^2 S r0^k t0
- * + p_out (V - V1) = p0 V0/(gamma - 1), V0 the gas's and V1 the membrane's volume at the start. Everything may be a share of
- * the whole (a quarter, say): S is then that share of it. */
+ * The surface has the measure S r^k, k = 1 (circle, S = 2 pi) or 2 (sphere, S = 4 pi), and holds the volume S
+ * r^(k+1)/(k+1). Equilibrium: p - p_out = k M eps thickness/r, eps = log(r/r0) or r/r0 - 1. Energy: p V/(gamma - 1) +
+ * k/2 M eps^2 S r0^k t0 + p_out (V - V1) = p0 V0/(gamma - 1), V0 the gas's and V1 the membrane's volume at the start.
+ * Everything may be a share of the whole (a quarter, say): S is then that share of it. */
 #include "verify/internal.h"
 #include "verify/reference.h"
 
