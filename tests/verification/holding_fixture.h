@@ -81,6 +81,17 @@ FIXTURE void hold_cells(holding *h, const sim *s)
     }
 }
 
+/* A fluid of which a cell holds nothing has no velocity, energy or specific volume: what stands there is of what was dropped, if any ever
+ * came. */
+FIXTURE void forget_absent(holding *h)
+{
+    for (int id = 0; id < FIELD_COUNT; ++id)
+        for (int r = 0; r < SCENE_MAX_MATERIALS && id != C_RHO; ++r)
+            for (int c = 0; c < 3 && h->cell[id][r][c] && h->cell[C_RHO][r][0]; ++c)
+                for (size_t k = 0; k < h->cells; ++k)
+                    if (h->cell[C_RHO][r][0][k] == 0.0) h->cell[id][r][c][k] = 0.0;
+}
+
 FIXTURE holding hold(const sim *s)
 {
     holding h = {.dim = s->mesh.dim, .cells = mesh_cells(&s->mesh), .time = s->time, .step = s->dt};
@@ -93,6 +104,7 @@ FIXTURE holding hold(const sim *s)
     h.speed = s->dt > 0.0 ? least / s->dt : 0.0;
     hold_points(&h, s);
     hold_cells(&h, s);
+    forget_absent(&h);
     for (size_t k = 0; k < h.points; ++k) h.density = fmax(h.density, h.point[P_MASS][0][k] / h.point[P_VOLUME0][0][k]);
     for (int r = 0; r < SCENE_MAX_MATERIALS; ++r)
         for (size_t k = 0; k < h.cells && h.cell[C_RHO][r][0]; ++k) h.density = fmax(h.density, h.cell[C_RHO][r][0][k]);
