@@ -14,7 +14,6 @@ static const deck_variant variants[] = {
     {"reaction", "closed_vessel_burn", COUPLING_ICE, 1, 1, {"time.fixed_step=null"}},
     {"solid that burns", "burning_block", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.004"}},
     {"drag and heat of two gases", "relaxation", COUPLING_ICE, 1, 1, {"time.fixed_step=null"}},
-    {"membrane in space", "membrane_sphere", COUPLING_MPM, 1, 1, {"domain.cell=0.2"}},
     {"sub-steps", "shock_plate", COUPLING_ICE_MPM, 1, 2, {"domain.cell=0.02", "time.substeps=2"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},
     {"membrane that holds gas", "membrane_circle", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.25"}},

@@ -173,7 +173,7 @@ static void manufactured(void **state)
             const int cells = (dim == 1 ? 64 : dim == 2 ? 16 : 8) << k;
             manufacture(&f, dim, cells);
             fixture_start(&f);
-            fixture_run(&f, dim == 3 ? 0.2 : 0.5);
+            fixture_run(&f, dim == 3 ? 0.1 : 0.5);
             h[k] = 1.0 / cells;
             velocity[k] = error_of(&f, 0);
             temperature[k] = error_of(&f, -1);
