@@ -28,14 +28,19 @@ static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end,
     if (b->law->strain_energy) b->law->strain_energy(b->law_par, batch, psi);
     if (b->membrane.model) membrane_energies(s, blk, body, start, end, psi);
     const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0);
+    const double *velocity[3], *place[3];
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        velocity[a] = field_get(f, P_VEL, body, a);
+        place[a] = field_get(f, P_POS, body, a);
+    }
     for (size_t k = start; k < end; ++k) {
         double square = 0.0;
         for (int a = 0; a < s->mesh->dim; ++a) {
-            const double v = field_get(f, P_VEL, body, a)[k];
+            const double v = velocity[a][k];
             square += v * v;
             sum[SUM_MOMENTUM + a] += mass[k] * v;
             sum[SUM_SCALE + a] += mass[k] * fabs(v);
-            sum[SUM_MOMENT + a] += mass[k] * field_get(f, P_POS, body, a)[k];
+            sum[SUM_MOMENT + a] += mass[k] * place[a][k];
         }
         sum[SUM_MASS] += mass[k];
         sum[SUM_KINETIC] += 0.5 * mass[k] * square;

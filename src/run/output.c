@@ -124,8 +124,8 @@ floe_status output_row(run_output *o, sim *s)
 {
     sim_totals totals;
     double pressure[SCENE_MAX_MATERIALS];
-    TRY(sim_account(s));
     TRY(sim_sum(s, &totals));
+    sim_account_for(s, &totals);
     for (int m = 0; m < s->scene->n_materials; m++) pressure[m] = mean_pressure(s, m);
     return history_append(o->history, s, &(history_row){&totals, pressure});
 }

@@ -51,21 +51,26 @@ floe_status sim_sum(sim *s, sim_totals *out)
     return FLOE_OK;
 }
 
+void sim_account_for(sim *s, const sim_totals *t)
+{
+    ledger *l = &s->ledger;
+    const double energy = t->kinetic + t->strain + t->internal;
+    l->total[LEDGER_MASS] = t->mass;
+    l->total[LEDGER_ENERGY] = energy;
+    l->scale[LEDGER_MASS] = fmax(l->scale[LEDGER_MASS], t->mass);
+    l->scale[LEDGER_ENERGY] = fmax(l->scale[LEDGER_ENERGY], energy);
+    for (int a = 0; a < 3; ++a) {
+        const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + a);
+        l->total[q] = t->momentum[a];
+        l->scale[q] = fmax(l->scale[q], t->mpm.momentum_scale[a] + t->ice.momentum_scale[a]);
+    }
+}
+
 floe_status sim_account(sim *s)
 {
     sim_totals t;
     TRY(sim_sum(s, &t));
-    ledger *l = &s->ledger;
-    const double energy = t.kinetic + t.strain + t.internal;
-    l->total[LEDGER_MASS] = t.mass;
-    l->total[LEDGER_ENERGY] = energy;
-    l->scale[LEDGER_MASS] = fmax(l->scale[LEDGER_MASS], t.mass);
-    l->scale[LEDGER_ENERGY] = fmax(l->scale[LEDGER_ENERGY], energy);
-    for (int a = 0; a < 3; ++a) {
-        const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + a);
-        l->total[q] = t.momentum[a];
-        l->scale[q] = fmax(l->scale[q], t.mpm.momentum_scale[a] + t.ice.momentum_scale[a]);
-    }
+    sim_account_for(s, &t);
     return FLOE_OK;
 }
 

@@ -67,8 +67,9 @@ typedef struct sim_totals {
     mpm_totals mpm;
 } sim_totals;
 floe_status sim_sum(sim *s, sim_totals *out);
-/* Brings the ledger's totals and scales up to date. */
+/* Brings the ledger's totals and scales up to date; from sums that are there already. */
 floe_status sim_account(sim *s);
+void sim_account_for(sim *s, const sim_totals *t);
 /* Brings what is made from the state up to date with it, for output: the cells' view of the solids, volume fractions and temperatures.
  * Steps make it anew, and do not need it. */
 floe_status sim_refresh(sim *s);
