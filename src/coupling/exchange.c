@@ -115,11 +115,14 @@ void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, d
     const present p = find_present(n, mass);
     const bool pair = p.n == 2 && p.fixed < 0;
     exchange_matrix f;
-    if (!pair && p.n + (p.fixed >= 0) > 1) factor(&p, a, n, mass, f);
+    exchange_two two = {0};
+    if (pair)
+        two = exchange_of_two(p.mass[0], p.mass[1], a[p.index[0]][p.index[1]]);
+    else if (p.n + (p.fixed >= 0) > 1)
+        factor(&p, a, n, mass, f);
     for (int c = 0; c < columns; ++c) {
         if (pair)
-            exchange_relax_pair(p.mass[0], p.mass[1], a[p.index[0]][p.index[1]], &value[c][p.index[0]],
-                                &value[c][p.index[1]]);
+            exchange_relax_two(two, &value[c][p.index[0]], &value[c][p.index[1]]);
         else if (p.n > 0 && p.n + (p.fixed >= 0) > 1)
             relax_column(&p, a, f, n, mass, value[c]);
         fill_absent(&p, n, mass, value[c]);

@@ -33,14 +33,31 @@ void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, d
 void exchange_relax_frame(int n, const double *mass, exchange_matrix a, exchange_matrix tangential, int dim,
                           const double *normal, double u[3][EXCHANGE_MAX]);
 
-/* Two free, present materials in closed form: the difference decays, the centre of mass stays. */
-static inline void exchange_relax_pair(double m0, double m1, double a, double *u0, double *u1)
+/* Two free, present materials in closed form: the difference of their values decays, the centre of mass stays. */
+typedef struct exchange_two {
+    double share0, share1; /* of the mass */
+    double kept;           /* of the difference */
+} exchange_two;
+
+/* Masses m0, m1 > 0, coupling a = a_01. */
+static inline exchange_two exchange_of_two(double m0, double m1, double a)
 {
     const double total = m0 + m1, largest = m0 > m1 ? m0 : m1, cut = a < 1e12 * largest ? a : 1e12 * largest;
-    const double centre = (m0 * *u0 + m1 * *u1) / total, rigidity = cut * total;
-    const double difference = (*u0 - *u1) * (m0 * m1) / (m0 * m1 + rigidity);
-    *u0 = centre + m1 / total * difference;
-    *u1 = centre - m0 / total * difference;
+    const double inverse = 1.0 / total, product = m0 * m1;
+    return (exchange_two){m0 * inverse, m1 * inverse, product / (product + cut * total)};
+}
+
+static inline void exchange_relax_two(exchange_two x, double *u0, double *u1)
+{
+    const double centre = x.share0 * *u0 + x.share1 * *u1, difference = x.kept * (*u0 - *u1);
+    *u0 = centre + x.share1 * difference;
+    *u1 = centre - x.share0 * difference;
+}
+
+/* The same for one pair of values. */
+static inline void exchange_relax_pair(double m0, double m1, double a, double *u0, double *u1)
+{
+    exchange_relax_two(exchange_of_two(m0, m1, a), u0, u1);
 }
 
 #endif

@@ -133,24 +133,6 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
     deposit(s, v, at, c.theta, lost, apart);
 }
 
-/* The same for two fluids alone. */
-static void exchange_two_fluids(ice *s, const ice_view *v, ptrdiff_t at)
-{
-    const ice_arrays *m = v->m;
-    const double m0 = m[0].rho[at], m1 = m[1].rho[at], t0 = m[0].theta[at], t1 = m[1].theta[at];
-    const double apart = driven_apart(s, v, at), theta[2] = {t0, t1};
-    double lost = 0.0;
-    for (int a = 0; a < v->dim; ++a) {
-        double u0 = m[0].ul[a][at], u1 = m[1].ul[a][at];
-        lost += 0.5 * (m0 * u0 * u0 + m1 * u1 * u1);
-        exchange_relax_pair(m0, m1, s->dt * t0 * t1 * s->exchange.K[0][1], &u0, &u1);
-        lost -= 0.5 * (m0 * u0 * u0 + m1 * u1 * u1);
-        m[0].ul[a][at] = u0;
-        m[1].ul[a][at] = u1;
-    }
-    deposit(s, v, at, theta, lost, apart);
-}
-
 /* (diag(m c_v) + B) T; temperatures after the sources are T + (e^L - e)/c_v. */
 static void exchange_heat(ice *s, const ice_view *v, ptrdiff_t at)
 {
@@ -182,12 +164,14 @@ static void lone_points(const ice_view *v, int r)
     const ice_rows q = ice_rows_of(v->b, -1, 0);
     const ice_arrays *m = &v->m[r];
 #pragma omp parallel for schedule(static)
-    for (int row = 0; row < q.n; ++row)
-        for (int i = 0; i < v->b->n[0]; ++i) {
-            const ptrdiff_t at = mesh_index(v->b, i, ice_row_j(q, row), ice_row_k(q, row));
-            const double mass = m->rho[at] * v->volume[i];
-            for (int a = 0; a < v->dim; ++a) m->dv[a][at] = mass > 0.0 ? m->source[a][at] / mass : 0.0;
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t from = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        for (int a = 0; a < v->dim; ++a) {
+            const double *restrict rho = m->rho + from, *restrict source = m->source[a] + from;
+            double *restrict change = m->dv[a] + from;
+            for (int i = 0; i < v->b->n[0]; ++i) change[i] = rho[i] > 0.0 ? source[i] / (rho[i] * v->volume[i]) : 0.0;
         }
+    }
 }
 
 /* What is still owed of a block's mixed cells has been made or lost, and goes into the tiles. */
@@ -204,22 +188,25 @@ static void note_owed(const ice *s, const ice_view *v, const ice_cell_list *list
     }
 }
 
-/* Exchange in a block's mixed cells. Returns how many of them still owe energy. */
+static int exchange_cell(ice *s, const ice_view *v, ptrdiff_t at, bool pair)
+{
+    const ptrdiff_t i = v->dim > 1 ? at % v->b->stride[1] - MESH_GHOST : at - MESH_GHOST;
+    if (!pair) exchange_momentum(s, v, at, v->volume[i]);
+    if (s->work->pairs.heat) exchange_heat(s, v, at);
+    return v->owed[at] != 0.0;
+}
+
+/* Exchange in a block's mixed cells, some at a time. Returns how many of them still owe energy. */
 static int exchange_cells(ice *s, const ice_view *v, const ice_cell_list *list)
 {
-    const bool heat = s->work->pairs.heat,
-               pair = s->n_materials == 2 && !s->with_points && s->work->pairs.plain && s->work->reactions.n == 0;
+    enum { SOME = 256 };
+    const bool pair = s->n_materials == 2 && s->work->pairs.plain && s->work->reactions.n == 0;
     int owing = 0;
 #pragma omp parallel for schedule(static) reduction(+ : owing)
-    for (size_t n = 0; n < list->n; ++n) {
-        const ptrdiff_t at = list->at[n];
-        const ptrdiff_t i = v->dim > 1 ? at % v->b->stride[1] - MESH_GHOST : at - MESH_GHOST;
-        if (pair)
-            exchange_two_fluids(s, v, at);
-        else
-            exchange_momentum(s, v, at, v->volume[i]);
-        if (heat) exchange_heat(s, v, at);
-        owing += v->owed[at] != 0.0;
+    for (size_t from = 0; from < list->n; from += SOME) {
+        const size_t to = from + SOME < list->n ? from + SOME : list->n;
+        if (pair) ice_exchange_pair(s, v, list, from, to);
+        for (size_t n = from; n < to; ++n) owing += exchange_cell(s, v, list->at[n], pair);
     }
     return owing;
 }

@@ -367,6 +367,8 @@ void ice_clear_tiles(ice *s);
 /* Adds the tiles up in order and enters them in the ledger. */
 void ice_enter_tiles(ice *s);
 
+/* Momentum exchange of the only two materials, by constants, in cells [from, to) of a list of mixed ones (ice_exchange_pair.c). */
+void ice_exchange_pair(const ice *s, const ice_view *v, const ice_cell_list *list, size_t from, size_t to);
 /* Fills the coefficients of all pairs (ice_pairs.c). Errors: FLOE_BAD_INPUT where a law lacks something. */
 floe_status ice_pairs_resolve(ice *s);
 /* Coefficients at a place: the table of constants, or `own`, filled from it and the laws. */
