@@ -9,16 +9,13 @@
  * 1.6 % continued; more sweeps, or a limit of 0.001 or 0.05 on the room, change the last figure by less than a tenth of it.) */
 #include "ice/ice_internal.h"
 
-/* Fluids that fill less than this of a cell beside a solid have no say in its pressure. */
-static const double no_room = 0.01;
-
 bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at)
 {
     if (!ice_holds_points(v, at)) return false;
     double fluid = 0.0;
     for (int r = 0; r < s->n_materials; ++r)
         if (!s->material[r].points) fluid += v->m[r].theta[at];
-    return fluid < no_room;
+    return fluid < ICE_NO_ROOM;
 }
 
 /* Lists a block's cells without room, in order: which they are stays as it is until the next equilibrium. */

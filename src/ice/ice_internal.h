@@ -277,6 +277,8 @@ ice_reservoir ice_state_at(const eos *law, double p, double T);
 /* Columns at rest (numerics 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);
 
+/* Fluids that fill less than this of a cell beside a solid have no say in its pressure, which is continued into it. */
+#define ICE_NO_ROOM 1e-2
 /* Cells whose pressure is continued into a solid take no increment (ice_continue.c). */
 void ice_hold_continued(const ice *s);
 bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at);
