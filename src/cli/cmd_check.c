@@ -1,6 +1,9 @@
 /* floe check DECK */
 #include "cli/cli.h"
 #include "scene/remark.h"
+#include "study/study.h"
+
+#include <string.h>
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
@@ -13,7 +16,11 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "DECK",
     .doc = "Validate a deck. Every error is shown with its file, line and column, what was expected, and the nearest "
-           "known name. What can be run and will not be right is warned of, with figures. Nothing is written.",
+           "known name. Then the scene is made ready as a run makes it, up to its first step, and so are the cases of "
+           "its study and "
+           "its comparison: all if they are small, else the first and the last. What can be run and will not be right "
+           "is warned of, with "
+           "figures. Nothing is written.",
 };
 
 static void print_cells(const scene *s)
@@ -29,18 +36,63 @@ static void warn(void *user, const char *text)
     context_log(user, LOG_WARNING, "%s", text);
 }
 
+/* The cases of `floe study`, or of `floe compare`. */
+static floe_status rehearse(const cli *c, const cli_deck *d, bool compare)
+{
+    study_rehearsal result;
+    const study_options wanted = {.name = compare ? "compare" : "study",
+                                  .compare = compare,
+                                  .deck = d->path,
+                                  .set = {d->set, d->n_set},
+                                  .repeat = -1,
+                                  .dir = "",
+                                  .stop = c->stop,
+                                  .progress = stderr};
+    TRY(study_rehearse(c->ctx, &wanted, &result));
+    printf("%s: %zu cases", wanted.name, result.cases);
+    if (result.foreseen > 0) printf(", %zu refused, as the deck foresees", result.foreseen);
+    const size_t tried = result.set_up + result.foreseen + result.refused;
+    if (tried < result.cases) printf(", %zu of them made ready", tried);
+    printf("\n");
+    return FLOE_OK;
+}
+
+static floe_status rehearse_batches(const cli *c, const cli_deck *d, const scene *s)
+{
+    if (s->n_runs_as > 1 || s->compare.n_values > 0) TRY(rehearse(c, d, true));
+    return s->study.n_axes > 0 ? rehearse(c, d, false) : FLOE_OK;
+}
+
+static void print_start(const scene *s, const study_ready *ready)
+{
+    if (ready->done)
+        printf("ready to run: %zu points, first step %.3g%s, about %.0f steps\n", ready->points, ready->step,
+               scene_time_unit(s), ready->steps);
+    else
+        printf("not made ready, as it has %.3g cells (%.0e at most): `floe plan` does, and says what memory it takes\n",
+               ready->cells, STUDY_SET_UP_CELLS);
+}
+
 int cmd_check(cli *c, int argc, char **argv)
 {
     cli_deck d = {0};
     scene *s;
     argp_parse(&argp, argc, argv, 0, NULL, &d);
-    const floe_status status = cli_check(c, &d, &s);
+    study_ready ready;
+    floe_status status = cli_check(c, &d, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
+    status = study_set_up(s, &ready);
+    if (status != FLOE_OK) {
+        scene_destroy(&s);
+        return cli_fail(c, status);
+    }
     printf("%s: deck is valid: %s%s%d-D, ", d.path, s->title, s->title[0] ? ", " : "", s->mesh.dim);
     print_cells(s);
     printf(" cells, %d material%s, %d bod%s, coupling %s\n", s->n_materials, s->n_materials == 1 ? "" : "s",
            s->n_bodies, s->n_bodies == 1 ? "y" : "ies", coupling_name(s->coupling));
     scene_remarks(s, warn, c->ctx);
+    print_start(s, &ready);
+    status = rehearse_batches(c, &d, s);
     scene_destroy(&s);
-    return 0;
+    return status == FLOE_OK ? 0 : cli_fail(c, status);
 }

@@ -245,8 +245,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         }
     }
     const char *near = nearest_name(arg, topic_name, NULL);
-    argp_error(state, "there is no list of '%s'%s%s%s", arg, near ? " (did you mean '" : "", near ? near : "",
-               near ? "'?)" : "");
+    argp_error(state, "there is no list of '%s'%s%s%s; `floe list` names them all", arg, near ? " (did you mean '" : "",
+               near ? near : "", near ? "'?)" : "");
     return 0;
 }
 

@@ -81,23 +81,30 @@ static const char *command_name(const void *user, size_t i)
 typedef struct top {
     const cli_command *command;
     int first; /* index of the command in argv */
+    bool help; /* `floe help COMMAND` */
 } top;
 
 static error_t parse_top(int key, char *arg, struct argp_state *state)
 {
     top *t = state->input;
+    if (key == ARGP_KEY_ARG && !t->help && strcmp(arg, "help") == 0) {
+        t->help = true;
+        if (state->next == state->argc) argp_state_help(state, state->out_stream, ARGP_HELP_STD_HELP);
+        return 0;
+    }
     if (key == ARGP_KEY_ARG) {
         t->command = cli_find(arg);
         if (!t->command) {
             const char *near = nearest_name(arg, command_name, NULL);
-            argp_error(state, "unknown command '%s'%s%s%s", arg, near ? " (did you mean '" : "", near ? near : "",
-                       near ? "'?)" : "");
+            argp_error(state, "unknown command '%s'%s%s%s; `floe help` lists them", arg, near ? " (did you mean '" : "",
+                       near ? near : "", near ? "'?)" : "");
         }
         t->first = state->next - 1;
         state->next = state->argc; /* the rest is the command's */
         return 0;
     }
-    if (key == ARGP_KEY_NO_ARGS) argp_usage(state);
+    if (key == ARGP_KEY_NO_ARGS)
+        argp_error(state, "which command? `floe help` lists them; `floe new > deck.yaml` is where to start");
     return ARGP_ERR_UNKNOWN;
 }
 
@@ -137,6 +144,10 @@ static int carry_out(cli *c, const top *t, int argc, char **argv)
     char name[64];
     (void)snprintf(name, sizeof name, "floe %s", t->command->name);
     argv[t->first] = name;
+    if (t->help) {
+        char *const asked[] = {name, "--help", NULL};
+        return t->command->run(c, 2, (char **)asked);
+    }
     context_set_sink(c->ctx, cli_sink, c, LOG_WARNING);
     return t->command->run(c, argc - t->first, argv + t->first);
 }

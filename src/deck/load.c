@@ -180,13 +180,16 @@ floe_status deck_check_text(scene **out, context *ctx, const char *path, const c
 static floe_status read_file(context *ctx, const char *path, char **text, size_t *length)
 {
     FILE *file = fopen(path, "rb");
-    if (!file) return fail(ctx, FLOE_IO, "cannot open deck '%s': %s", path, strerror(errno));
+    if (!file)
+        return fail(ctx, FLOE_IO, "cannot open deck '%s': %s%s", path, strerror(errno),
+                    errno == ENOENT ? " (`floe new > deck.yaml` writes one to start from)" : "");
     floe_status status = memory_new(ctx, text, TREE_MAX_BYTES + 2, 1);
     if (status == FLOE_OK) {
         errno = 0;
         *length = fread(*text, 1, TREE_MAX_BYTES + 1, file);
         if (ferror(file)) {
-            status = fail(ctx, FLOE_IO, "cannot read deck '%s': %s", path, strerror(errno));
+            status = fail(ctx, FLOE_IO, "cannot read deck '%s': %s%s", path, strerror(errno),
+                          errno == EISDIR ? " (name a deck in it)" : "");
             memory_free(ctx, text);
         }
     }

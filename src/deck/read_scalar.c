@@ -82,7 +82,7 @@ static bool convert_number(reader *r, const key_spec *key, const char *text, dou
     const char *unit;
     if (!number_split(text, x, &unit, why)) return false;
     if (unit[0] && r->scene->dimensionless) {
-        snprintf(why, WHY_SIZE, "unit '%.40s' in a deck with 'units: none'", unit);
+        snprintf(why, WHY_SIZE, "unit '%.40s' in a deck with 'units: none': write the number alone", unit);
         return false;
     }
     if (unit[0] && !units_convert(x, unit, key->unit ? key->unit : "1", why)) return false;

@@ -58,14 +58,15 @@ floe_status ice_pairs_resolve(ice *s)
 {
     exchange_table *t = &s->exchange;
     ice_pairs *pairs = &s->work->pairs;
+    const double given = s->scene->method.exchange, all = isnan(given) ? EXCHANGE_LOCKED : given;
     t->n = s->n_materials;
     pairs->table[ICE_NORMAL] = t->K;
     pairs->table[ICE_TANGENTIAL] = t->Kt;
     pairs->table[ICE_HEAT] = t->R;
     for (int r = 0; r < s->n_materials; ++r)
         for (int q = 0; q < r; ++q) {
-            set_pair(t->K, r, q, s->scene->method.exchange);
-            set_pair(t->Kt, r, q, s->scene->method.exchange);
+            set_pair(t->K, r, q, all);
+            set_pair(t->Kt, r, q, all);
             set_pair(t->R, r, q, s->scene->method.heat_exchange);
         }
     for (int i = 0; i < s->scene->n_exchanges; ++i) TRY(resolve_pair(s, &s->scene->exchange[i]));

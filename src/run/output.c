@@ -104,7 +104,12 @@ floe_status output_resume(run_output *o, sim *s, const char *dir)
     char path[OUTPUT_PATH];
     TRY(prepare(o, s, dir));
     output_path(o, "checkpoint.h5", path);
-    if (file_exists(path)) TRY(folder_lock_take(&o->lock, o->ctx, dir));
+    if (!file_exists(path))
+        return fail(o->ctx, FLOE_IO,
+                    "'%s' holds no run to go on with: there is no checkpoint.h5; name its folder with -o, or leave "
+                    "--resume out",
+                    dir);
+    TRY(folder_lock_take(&o->lock, o->ctx, dir));
     TRY(checkpoint_read(s, path, &o->checkpoint));
     TRY(write_deck(o));
     return open_series(o, s, s->time);

@@ -54,6 +54,7 @@ typedef struct study_case {
     size_t group;
     scene_coupling coupling;
     double h;                           /* m: domain.cell along the first axis */
+    double cells;                       /* of the mesh */
     double over;                        /* value on the axis `over`, h if that is the mesh or none; NAN: no number */
     const char **set;                   /* what makes the case of the deck; owned */
     char (*text)[SCENE_SETTING];        /* "KEY=VALUE" of the axes; owned */
@@ -86,6 +87,36 @@ typedef struct study {
  * written, and the message names what was required and not reached. */
 floe_status study_run(study **out, context *ctx, const study_options *options);
 void study_destroy(study **s);
+
+/* ---- before anything runs ---- */
+
+/* A scene of more cells is not set up by `floe check`. */
+#define STUDY_SET_UP_CELLS 1e6
+
+/* How a run of a scene would begin. */
+typedef struct study_ready {
+    bool done;          /* it was set up; false: it has too many cells, or is refused */
+    double cells;       /* of the mesh */
+    size_t points;      /* of material */
+    double step, steps; /* s, and how many of its kind the run would need */
+    const char *reason; /* what limits the step */
+} study_ready;
+
+/* Does with a scene what a run does before its first step, unless it has more than STUDY_SET_UP_CELLS. FLOE_BAD_INPUT, with its place, or
+ * FLOE_DIVERGED: what the run would end with. */
+floe_status study_set_up(scene *s, study_ready *out);
+
+typedef struct study_rehearsal {
+    size_t cases;    /* of the study */
+    size_t set_up;   /* those that were made ready */
+    size_t foreseen; /* those that cannot start, as study.refuse says */
+    size_t refused;  /* those that cannot start, of which it says nothing */
+} study_rehearsal;
+
+/* Plans a study, or a comparison, and sets its cases up: all of them where they are small, else the first and the last. A case that cannot start, which
+ * the deck does not foresee, is warned of. Of the options `deck`, `set`, `name`, `compare`, `repeat` (-1), `stop` and `progress` count; `dir` is not
+ * touched. Errors: those of study_run's plan. */
+floe_status study_rehearse(context *ctx, const study_options *options, study_rehearsal *out);
 
 /* The table of the results, the orders, the limits, the answers and the bars. */
 floe_status study_print(const study *s, FILE *file);

@@ -248,12 +248,11 @@ static floe_status make_cases(study *s, const scene *base)
     return FLOE_OK;
 }
 
-/* Cells times steps, up to a factor. */
-static double cost_of(const mesh_spec *m)
+double study_cells(const mesh_spec *m)
 {
     double cells = 1.0;
     for (int k = 0; k < m->dim; k++) cells *= (m->upper[k] - m->lower[k]) / m->cell[k];
-    return pow(cells, 1.0 + 1.0 / m->dim);
+    return cells;
 }
 
 static void take_scene(study *s, study_case *one, const scene *of)
@@ -261,7 +260,8 @@ static void take_scene(study *s, study_case *one, const scene *of)
     const char *unit;
     one->coupling = of->coupling;
     one->h = one->over = of->mesh.cell[0];
-    one->run->weight = cost_of(&of->mesh);
+    one->cells = study_cells(&of->mesh);
+    one->run->weight = pow(one->cells, 1.0 + 1.0 / of->mesh.dim); /* times steps, up to a factor */
     if (s->over < 0 || strcmp(s->axes.axis[s->over].key, "domain.cell") == 0) return;
     if (!axis_number(s->axes.axis[s->over].value[one->pick[s->over]], &one->over, &unit)) one->over = NAN;
 }

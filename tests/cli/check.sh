@@ -24,6 +24,26 @@ has stderr 'syntax.yaml:4:'
 expect 2 "$FLOE" check "$decks/impossible.yaml"
 has stderr 'impossible.yaml:5:'
 
+# What a run would refuse before its first step, check refuses too, with the place of its key.
+expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/membrane_sphere.yaml" --set boundaries.z.lower=free
+has stderr 'bodies.skin.membrane.holds: it is not closed'
+mv stderr said-by-check
+expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/membrane_sphere.yaml" --set boundaries.z.lower=free -o out
+cmp -s stderr said-by-check || fault 'run and check say different things'
+expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/shock_plate.yaml" --set time.substeps=4 --set method.interface=smeared
+has stderr 'error: --set time.substeps=4: the interface is smeared'
+expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/sod.yaml" --set output.interval=1e-30
+has stderr 'too many for a run to meet their times'
+expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/sod.yaml" --set domain.cell=1e-7
+has stdout 'not made ready'
+
+# Cases that cannot start, and of which the deck does not say so, are warned of; null among the values takes the key away.
+two=$FLOE_SOURCE/inputs/two_bars.yaml
+expect 0 "$FLOE" check "$two" --set 'study={axes: {time.solver: {values: [null, dynamic, static]}}}' --set 'contact={kind: friction, friction: 0.3}'
+has stderr 'warning: case static of `floe study` cannot start: --set time.solver=static: contact.friction other than 0'
+has stdout 'study: 3 cases'
+expect 2 "$FLOE" check "$two" --set 'study.quantities=[nothing]' --set 'study.axes={domain.cell: [0.1]}'
+
 # The same errors stop a run before anything is written.
 expect 2 "$FLOE" run "$decks/many_errors.yaml" -o out
 expect 2 "$FLOE" compare "$decks/many_errors.yaml" -o out

@@ -49,4 +49,4 @@ has stderr 'verify.history names no column'
 expect 2 "$FLOE" check fall.yaml --set verify.metrics='[l1_density]'
 has stderr 'needs verify.exact'
 expect 2 "$FLOE" check fall.yaml --set verify.reference.hanging_mass.one_way=0
-has stderr 'slack = 5 m'
+has stderr 'verify.reference.hanging_mass.slack: 5 m: a spring has none'

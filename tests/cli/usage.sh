@@ -15,6 +15,12 @@ done
 expect 2 "$FLOE"
 expect 2 "$FLOE" chek
 has stderr "did you mean 'check'?"
+expect 0 "$FLOE" help
+has stdout 'stability'
+expect 0 "$FLOE" help run
+has stdout '--max-wall'
+expect 2 "$FLOE" help frobnicate
+has stderr 'lists them'
 expect 2 "$FLOE" run
 has stderr 'which deck?'
 expect 2 "$FLOE" run "$cylinder" --threads 0

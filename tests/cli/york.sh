@@ -58,7 +58,7 @@ refuse() { # refuse TEXT ARGUMENT...
 refuse "spring_mass.yaml:32:" --set domain.cell=0.025 --set 'domain.upper=[0.1, 2]'
 refuse "points 1 and 2, about (0.05, 1.99), are 0.033333 m apart along axis 2, more than a cell of 0.025 m: the membrane would be torn; give it more points" \
     --set domain.cell=0.025 --set 'domain.upper=[0.1, 2]'
-refuse "membrane 'spring': point 1 at (0.05, 2.03, 0) lies outside the domain" --set 'bodies.spring.membrane.curve.points.at.0=[0.05, 2.03]'
+refuse "bodies.spring.membrane: point 1 at (0.05, 2.03, 0) lies outside the domain" --set 'bodies.spring.membrane.curve.points.at.0=[0.05, 2.03]'
 refuse "point 1 of membrane 'spring' has no mass" --set 'bodies.spring.membrane={curve: {points: {at: [[0.05, 1.9]]}}, thickness: 1}'
 refuse "give the curve a length, or the point a heavy_mass" --set 'bodies.spring.membrane={curve: {points: {at: [[0.05, 1.9]]}}, thickness: 1}'
 refuse "spring 't' holds on to point 99 of membrane 'spring', which has 10" \

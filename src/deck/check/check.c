@@ -175,6 +175,9 @@ static floe_status check_couplings(reader *r)
 
 /* ---- ambient, time ---- */
 
+/* A time over the interval has a fraction that tells to 1e-9 whether a snapshot is due (run/schedule.c); of more it would be round-off. */
+#define SNAPSHOTS_MOST 1e6
+
 static floe_status check_ambient(reader *r)
 {
     const scene *s = r->scene;
@@ -196,6 +199,13 @@ static floe_status check_time(reader *r)
     if (is_clean(r->root, KEY("time")) && time->first_step > time->max_step) {
         TRY(bad_at(r, KEY("time", "first_step"), "at most max_step", NULL,
                    "the first step (%g s) is above max_step (%g s)", time->first_step, time->max_step));
+    }
+    if (is_clean(r->root, KEY("time")) && is_clean(r->root, KEY("output")) &&
+        s->output.interval < time->end / SNAPSHOTS_MOST) {
+        TRY(bad_at(r, KEY("output", "interval"), "a millionth of time.end at least",
+                   "rows of history.csv can be as dense as steps: output.history_interval",
+                   "a snapshot every %g s: %.3g until %g s are too many for a run to meet their times",
+                   s->output.interval, time->end / s->output.interval, time->end));
     }
     if (is_clean(r->root, KEY("damping")) && !(s->damping.end > s->damping.start)) {
         TRY(bad_at(r, KEY("damping", "end"), "a time after 'start'", NULL,

@@ -297,6 +297,25 @@ floe_status checkpoint_manifest(const sim *s, const checkpoint_run *run, strbuf 
     return checkpoint_visit_state(s, append_array, out);
 }
 
+/* "time.cfl." of a line "    mpm: 0.5" of a deck: the maps that it is in; "" of one that is in none. */
+static void name_maps(const char *text, size_t line, char path[256])
+{
+    size_t indent = strspn(text + line, " ");
+    path[0] = '\0';
+    while (line > 0 && indent > 0) {
+        size_t above = line - 1;
+        while (above > 0 && text[above - 1] != '\n') above--;
+        const size_t own = strspn(text + above, " "), length = strcspn(text + above + own, ":\n");
+        if (own < indent) {
+            char below[256];
+            (void)snprintf(below, sizeof below, "%s", path);
+            (void)snprintf(path, 256, "%.*s.%.180s", length < 64 ? (int)length : 64, text + above + own, below);
+            indent = own;
+        }
+        line = above;
+    }
+}
+
 floe_status checkpoint_compare(context *ctx, const char *path, const char *what, const char *in_file, const char *here)
 {
     size_t line = 0;
@@ -305,11 +324,15 @@ floe_status checkpoint_compare(context *ctx, const char *path, const char *what,
         if (in_file[i] == '\n') line = i + 1;
     }
     if (in_file[i] == here[i]) return FLOE_OK;
-    const int n = (int)strcspn(in_file + line, "\n");
-    const int m = (int)strcspn(here + line, "\n");
-    return fail(
-        ctx, FLOE_BAD_INPUT,
-        "'%s' is of another %s: it has \"%.*s\" where this run has \"%.*s\"; resume with what it was written for, or "
-        "start again in another folder",
-        path, what, n < 160 ? n : 160, in_file + line, m < 160 ? m : 160, here + line);
+    char before[256], now[256];
+    name_maps(in_file, line, before);
+    name_maps(here, line, now);
+    const char *old = in_file + line + strspn(in_file + line, " "), *fresh = here + line + strspn(here + line, " ");
+    const int n = (int)strcspn(old, "\n");
+    const int m = (int)strcspn(fresh, "\n");
+    return fail(ctx, FLOE_BAD_INPUT,
+                "'%s' is of another %s: it has \"%s%.*s\" where this run has \"%s%.*s\"; resume with what it was "
+                "written for, or "
+                "start again in another folder",
+                path, what, before, n < 160 ? n : 160, old, now, m < 160 ? m : 160, fresh);
 }

@@ -70,6 +70,8 @@ static floe_status take_entry(context *ctx, const char *folder, const char *name
 floe_status snapshot_numbers_list(context *ctx, const char *folder, bool tidy, snapshot_numbers *out)
 {
     DIR *directory = opendir(folder);
+    if (!directory && errno == ENOENT)
+        return fail(ctx, FLOE_IO, "there is no folder '%s': name a folder that `floe run` has written", folder);
     if (!directory) return file_fail(ctx, "cannot list the folder", folder, errno);
     floe_status status = FLOE_OK;
     const struct dirent *entry;
