@@ -32,7 +32,7 @@
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
 #   picture       the pictures of the README
 #   gallery       every deck with its picture
-# Each is made by scripts/results/NAME.bash. Without a name: all, in some thirty minutes. The index, docs/results/README.md, lists every bar, met or missed.
+# Each is made by scripts/results/NAME.bash. Without a name: all, in some hours. The index, docs/results/README.md, lists every bar, met or missed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
