@@ -42,7 +42,9 @@ check_c_source_compiles("
     __attribute__((target_clones(\"arch=x86-64-v4\", \"arch=x86-64-v3\", \"default\"))) double twice(double x);
     double twice(double x) { return x + x; }
     int main(void) { return twice(0.0) > 0.0; }" FLOE_HAS_CLONES)
-if(FLOE_HAS_CLONES AND CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT FLOE_SANITIZE AND NOT FLOE_SANITIZE_THREADS AND
-   NOT FLOE_FUZZ AND NOT FLOE_COVERAGE AND NOT FLOE_NATIVE)
+set(FLOE_CLONES OFF)
+if(FLOE_HAS_CLONES AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release" AND
+   NOT FLOE_SANITIZE AND NOT FLOE_SANITIZE_THREADS AND NOT FLOE_FUZZ AND NOT FLOE_COVERAGE AND NOT FLOE_NATIVE)
+    set(FLOE_CLONES ON)
     target_compile_definitions(floe_flags INTERFACE FLOE_CLONES=1)
 endif()

@@ -80,9 +80,10 @@ FLOE_ALWAYS_INLINE slope slope_of(const around *x, ptrdiff_t t, const int dim)
 /* What the donors of a row are made of; what all their quantities share is kept in rows of the buffers. */
 typedef struct donors {
     around rho, q[ADVECT_Q];
-    const double *u[3], *dP, *shock, *c, *contact, *kappa, *common,
-        *clip;                          /* contact: one fluid; from kappa on: several */
-    double *out[3][2 * (ADVECT_Q + 1)]; /* by axis: M, g, then N and H of each q */
+    const double *u[3], *dP, *shock;
+    const double *c, *contact;           /* of one fluid */
+    const double *kappa, *common, *clip; /* of several: compressibility, factor on gradients, on what leaves slivers */
+    double *out[3][2 * (ADVECT_Q + 1)];  /* by axis: M, g, then N and H of each q */
     double *const *M, *const *g, *const *y, *fill, *rarest, *leans;
     double drift[3], lo, hi;
 } donors;
@@ -316,8 +317,7 @@ FLOE_ALWAYS_INLINE bool update(const cells *c, const ice_view *v, ptrdiff_t at, 
 FLOE_ALWAYS_INLINE int update_row(const ice_advect_buffers *w, const ice_view *v, const ice_advect_job *job, int slab,
                                   ptrdiff_t row, const int dim, const bool multi)
 {
-    const cells c = {ice_row_flux_of(w, v, slab, dim, multi), v->m[job->material], job->conserve ? 1.0 : 0.0,
-                     job->energy_floor};
+    const cells c = {ice_row_flux_of(w, v, slab), v->m[job->material], job->conserve ? 1.0 : 0.0, job->energy_floor};
     const ptrdiff_t start = ice_slab_start(v->b, dim, slab) + row;
     int bad = 0;
 #pragma omp simd reduction(+ : bad)

@@ -53,16 +53,14 @@ typedef struct ice_row_flux {
     ptrdiff_t stride1;
 } ice_row_flux;
 
-FLOE_ALWAYS_INLINE ice_row_flux ice_row_flux_of(const ice_advect_buffers *w, const ice_view *v, int slab, const int dim,
-                                                const bool multi)
+FLOE_ALWAYS_INLINE ice_row_flux ice_row_flux_of(const ice_advect_buffers *w, const ice_view *v, int slab)
 {
     const int ring = (slab + 2) & 1;
     ice_row_flux q = {.lower0 = v->lower0, .upper0 = v->upper0, .dt = v->dt, .stride1 = v->b->stride[1]};
-    for (int a = 0; a < dim; ++a) q.inv_h[a] = v->inv_h[a];
-    for (int f = 0; f < ADVECT_COUNT(dim, multi) + 2; ++f) {
+    for (int a = 0; a < MESH_MAX_DIM; ++a) q.inv_h[a] = v->inv_h[a];
+    for (int f = 0; f < ADVECT_Q + 2; ++f) {
         q.inside[0][f] = w->flux[0][f];
-        if (dim == 3) q.inside[1][f] = w->flux[1][f];
-        if (dim == 1) continue;
+        q.inside[1][f] = w->flux[1][f];
         q.below[f] = w->flux_across[ring][f];
         q.above[f] = w->flux_across[ring ^ 1][f];
     }

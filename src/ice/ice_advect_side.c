@@ -32,7 +32,7 @@ void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, in
 {
     const size_t size = ice_slab_size(b);
     const int nq = ADVECT_COUNT(dim, multi), inside = dim == 3 ? 2 : 1;
-    w->dim = dim;
+    *w = (ice_advect_buffers){.dim = dim};
     for (int ring = 0; ring < 3; ++ring)
         for (int i = 0; i < nq; ++i, buffer += size) w->q[ring][i] = buffer;
     for (int a = 0; a < inside; ++a) {
@@ -165,7 +165,7 @@ static double defect_of(const ice_advect_buffers *w, const ice_advect_job *job, 
     const ice_arrays *m = &v->m[job->material];
     const int dim = v->dim, nq = ADVECT_COUNT(dim, job->s->multi);
     const ptrdiff_t at = start + row + i, t = row + i;
-    const ice_row_flux f = ice_row_flux_of(w, v, slab, dim, job->s->multi);
+    const ice_row_flux f = ice_row_flux_of(w, v, slab);
     double before = m->el[at], after = m->e1[at];
     for (int a = 0; a < dim; ++a) {
         before += 0.5 * m->ul[a][at] * m->ul[a][at];

@@ -10,6 +10,8 @@
  * C_DP keeps the full-step dP by dilatation alone. The advective term is the other half of A in ice_face.c; b is that of `bend_of`. */
 #include "ice/ice_internal.h"
 
+#include "base/choice.h"
+
 #include <math.h>
 
 /* Where the velocity has a kink along an axis, at the foot of a fan or behind a shock: what its central difference over a cell exceeds the smaller of
@@ -118,30 +120,62 @@ FLOE_ALWAYS_INLINE void limiter_row(const ice_view *v, int j, int k, const int d
     }
 }
 
-/* theta of the donor slab at faces normal to `axis`: its value at the slab's centroid, offset by the flow (numerics 2.3). */
+/* What theta at the faces of a row is made of: along the faces' normal, and along the axes beside it. */
+typedef struct donors {
+    const double *theta, *limiter, *velocity, *beside[2]; /* the last: of the cells */
+    double courant, drift[2];                             /* of unit velocity; of the flow aside */
+    ptrdiff_t step, aside[2];
+} donors;
+
+FLOE_ALWAYS_INLINE donors donors_of(const ice_view *v, const ice_arrays *m, int axis, const int dim)
+{
+    donors d = {.theta = m->theta,
+                .limiter = v->limiter,
+                .velocity = m->fu[axis],
+                .courant = v->dt * v->inv_h[axis],
+                .step = v->b->stride[axis]};
+    for (int a = 0, n = 0; a < dim; ++a) {
+        if (a == axis) continue;
+        d.beside[n] = m->u[a];
+        d.drift[n] = 0.25 * v->dt * v->inv_h[a];
+        d.aside[n++] = v->b->stride[a];
+    }
+    return d;
+}
+
+/* theta of the donor slab at a face: its value at the slab's centroid, offset by the flow (numerics 2.3). Both cells are read, one is taken. */
+FLOE_ALWAYS_INLINE double donated(const donors *d, ptrdiff_t R, const int dim)
+{
+    const ptrdiff_t L = R - d->step;
+    const double *theta = d->theta, w = d->velocity[R];
+    const choice upwind = choice_of(w > 0.0);
+    const double rise = chosen(upwind, theta[R] - theta[L - d->step], theta[R + d->step] - theta[L]);
+    double offset = 0.5 * (chosen(upwind, 0.5, -0.5) - 0.5 * w * d->courant) * rise;
+    for (int b = 0; b < dim - 1; ++b) {
+        const ptrdiff_t st = d->aside[b];
+        offset -= d->drift[b] * chosen(upwind, d->beside[b][L], d->beside[b][R]) *
+                  chosen(upwind, theta[L + st] - theta[L - st], theta[R + st] - theta[R - st]);
+    }
+    const double value = chosen(upwind, theta[L], theta[R]) + chosen(upwind, d->limiter[L], d->limiter[R]) * offset;
+    return value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
+}
+
 FLOE_ALWAYS_INLINE void theta_row(const ice_view *v, int r, int axis, int j, int k, const int dim)
 {
     const ice_arrays *m = &v->m[r];
-    const ptrdiff_t base = mesh_index(v->b, 0, j, k), step = v->b->stride[axis];
-    const double *restrict theta = m->theta, *restrict face = m->fu[axis], *restrict limiter = v->limiter;
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     double *restrict out = m->ft[axis], *restrict flux = v->flux[axis];
-    const double courant = v->dt * v->inv_h[axis];
+    const donors d = donors_of(v, m, axis, dim);
     const int n = v->b->n[0] + (axis == 0);
     const ice_span near = ice_near(v, m, j, k, axis == 0, 0, n);
     for (ptrdiff_t R = base; R < base + n; ++R) flux[R] = r == 0 ? 0.0 : flux[R];
     for (ptrdiff_t R = base; R < base + near.first; ++R) out[R] = 0.0;
     for (ptrdiff_t R = base + near.end; R < base + n; ++R) out[R] = 0.0;
+#pragma omp simd
     for (ptrdiff_t R = base + near.first; R < base + near.end; ++R) {
-        const double w = face[R];
-        const ptrdiff_t D = w > 0.0 ? R - step : R;
-        double offset = 0.5 * ((w > 0.0 ? 0.5 : -0.5) - 0.5 * w * courant) * (theta[D + step] - theta[D - step]);
-        for (int a = 0; a < dim; ++a) {
-            const ptrdiff_t st = v->b->stride[a];
-            if (a != axis) offset -= 0.25 * v->dt * v->inv_h[a] * m->u[a][D] * (theta[D + st] - theta[D - st]);
-        }
-        const double value = theta[D] + limiter[D] * offset;
-        out[R] = value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
-        flux[R] += out[R] * w;
+        const double theta = donated(&d, R, dim);
+        out[R] = theta;
+        flux[R] += theta * d.velocity[R];
     }
 }
 

@@ -18,10 +18,10 @@ typedef struct pressed {
     ptrdiff_t stride[3];
 } pressed;
 
-FLOE_ALWAYS_INLINE pressed pressed_of(const ice_view *v, const int dim)
+FLOE_ALWAYS_INLINE pressed pressed_of(const ice_view *v)
 {
     pressed f = {.lower0 = v->lower0, .upper0 = v->upper0, .dt = v->dt};
-    for (int a = 0; a < dim; ++a) {
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
         f.fp[a] = v->fp[a];
         f.flux[a] = v->flux[a];
         f.inv_h[a] = v->inv_h[a];
@@ -91,7 +91,7 @@ FLOE_ALWAYS_INLINE bool single_cell(const single *g, ptrdiff_t at, ptrdiff_t i, 
 /* Returns how many cells fell back to 2.7. */
 FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve, double floor, const int dim)
 {
-    single g = {pressed_of(v, dim), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve};
+    single g = {pressed_of(v), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve};
     for (int a = 0; a < dim; ++a) g.fall[a] = v->dt * v->gravity[a];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     int guarded = 0;
@@ -132,7 +132,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
                                  const bool *points, const int dim)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
-    const pressed faces = pressed_of(v, dim);
+    const pressed faces = pressed_of(v);
     int guarded = 0;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
@@ -187,7 +187,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
 /* Energy per volume of the pressure step that 2.7 made or lost in a cell. */
 static double pressure_defect(const ice *s, const ice_view *v, ptrdiff_t at, int i)
 {
-    const pressed faces = pressed_of(v, v->dim);
+    const pressed faces = pressed_of(v);
     double made = -push_of(&faces, at, i, v->dim).work;
     for (int r = 0; r < v->n_materials; ++r) {
         const ice_arrays *m = &v->m[r];
