@@ -204,7 +204,7 @@ static ptrdiff_t index_of(const mpm *s, int blk, const int global[MESH_MAX_DIM])
 void contact_look(const mpm *s, int blk, const int global[MESH_MAX_DIM], int group[MPM_MAX_GROUPS], contact_node *node)
 {
     const ptrdiff_t at = index_of(s, blk, global);
-    group_view view[MPM_MAX_GROUPS] = {{NULL}};
+    group_view view[MPM_MAX_GROUPS] = {0};
     view_shapes(s, blk, view);
     *node = empty_node(s);
     node->n = find_groups(s, view, at, group);
