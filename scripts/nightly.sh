@@ -5,6 +5,7 @@
 #   faults        every allocation and every write of whole runs fails once
 #   combinations  decks with a few keys set at random (FLOE_COMBINATIONS, 1000): each runs, or is refused with its place
 #   kin           every deck in other units with every method; and mirrored, turned, moved, told in another order
+#   meshes        tests of the solvers on finer meshes than every day's
 #   fuzz          libFuzzer on decks and checkpoints (FLOE_SECONDS each, 1800), with the address and undefined-behaviour sanitizers
 #   sanitize      the tests with the address and undefined-behaviour sanitizers
 #   thread        the tests with the thread sanitizer, two threads (clang, libarcher)
@@ -75,6 +76,16 @@ part_kin() {
     for test in verification_sim_units verification_sim_symmetry; do
         FLOE_EVERY=1 OMP_NUM_THREADS=1 "build/release/tests/$test" >"$totals/$test.txt" 2>&1 || status=1
         grep -E 'runs,| of [a-z/_]+, | at most: |differ|apart' "$totals/$test.txt" | tee -a "$totals/$part.txt"
+    done
+    return $status
+}
+
+part_meshes() {
+    local tests=(verification_coupled_cylinder verification_ice_smooth verification_mpm_annulus verification_mpm_states) test status=0
+    scripts/build.sh release "${tests[@]}" || return
+    for test in "${tests[@]}"; do
+        FLOE_EVERY=1 OMP_NUM_THREADS=1 "build/release/tests/$test" >"$totals/$test.txt" 2>&1 || status=1
+        note "$test: $(grep -cE '^\[ +OK ' "$totals/$test.txt") passed"
     done
     return $status
 }
@@ -167,7 +178,7 @@ part_coverage() {
 }
 
 scripts/setup.sh nightly || exit
-[ $# -gt 0 ] || set -- killed faults combinations kin fuzz sanitize thread valgrind coverage
+[ $# -gt 0 ] || set -- killed faults combinations kin meshes fuzz sanitize thread valgrind coverage
 failed=()
 for part in "$@"; do
     declare -F "part_$part" >/dev/null || { echo "nightly.sh: unknown part '$part'" >&2; exit 2; }

@@ -74,7 +74,7 @@ result_robustness() {
     total valgrind
     write '## Lines that tests run' '' 'Of the `.c` files of each room, by the tests named:' ''
     total coverage
-    write '## How' '' '    scripts/nightly.sh [killed|faults|combinations|kin|fuzz|sanitize|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
+    write '## How' '' '    scripts/nightly.sh [killed|faults|combinations|kin|meshes|fuzz|sanitize|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
         '`FLOE_SECONDS` sets how long each fuzzer runs, `FLOE_TESTS` which tests the sanitizers, valgrind and coverage see; with `FLOE_CONTINUE=1` these' 'go on with the tests that have not passed.' '' 'Made with' ''
     "$floe" --version | sed 's/^/    /' >>"$page"
     write "    $(machine)"
