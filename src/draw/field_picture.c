@@ -291,7 +291,9 @@ static floe_status sheet_make(sheet *h, context *ctx, const char *dir, long numb
     if (is_missing(o->points, h->found_points)) return field_unknown(&h->s, true, o->points);
     if (is_missing(o->cells, h->found_cells)) return field_unknown(&h->s, h->s.grid.n == 0, o->cells);
     if (h->p.cells || h->p.n_points > 0) return FLOE_OK;
-    return fail(ctx, FLOE_BAD_INPUT, "there is nothing to draw: '%s' holds neither points nor cells that are asked for",
+    return fail(ctx, FLOE_BAD_INPUT,
+                "there is nothing to draw: '%s' holds neither points nor cells that are asked for; "
+                "leave --points or --cells out",
                 h->s.path);
 }
 

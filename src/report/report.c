@@ -50,7 +50,10 @@ static floe_status check_folders(context *ctx, const report_options *o)
         const char *dir = o->dir[i];
         if (strlen(dir) >= PAGE_PATH - 512) return fail(ctx, FLOE_BAD_INPUT, "the path '%.100s...' is too long", dir);
         if (kind_of(dir)) continue;
-        if (!file_exists(dir)) return fail(ctx, FLOE_BAD_INPUT, "there is no folder '%s'", dir);
+        if (!file_exists(dir))
+            return fail(ctx, FLOE_BAD_INPUT,
+                        "there is no folder '%s': name one that floe run, compare, study or stability has written",
+                        dir);
         if (holds(dir, "checkpoint.h5") || holds(dir, "history.csv"))
             return fail(ctx, FLOE_BAD_INPUT,
                         "the run in '%s' has not ended, so it has no summary.json: wait for it, or go on with floe run "

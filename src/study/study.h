@@ -102,8 +102,8 @@ typedef struct study_ready {
     const char *reason; /* what limits the step */
 } study_ready;
 
-/* Does with a scene what a run does before its first step, unless it has more than STUDY_SET_UP_CELLS. FLOE_BAD_INPUT, with its place, or
- * FLOE_DIVERGED: what the run would end with. */
+/* Does with a scene what a run does before its first step, unless it has more than STUDY_SET_UP_CELLS. FLOE_BAD_INPUT, with
+ * its place, or FLOE_DIVERGED: what the run would end with. */
 floe_status study_set_up(scene *s, study_ready *out);
 
 typedef struct study_rehearsal {
@@ -113,9 +113,9 @@ typedef struct study_rehearsal {
     size_t refused;  /* those that cannot start, of which it says nothing */
 } study_rehearsal;
 
-/* Plans a study, or a comparison, and sets its cases up: all of them where they are small, else the first and the last. A case that cannot start, which
- * the deck does not foresee, is warned of. Of the options `deck`, `set`, `name`, `compare`, `repeat` (-1), `stop` and `progress` count; `dir` is not
- * touched. Errors: those of study_run's plan. */
+/* Plans a study, or a comparison, and sets its cases up: all of them where they are small, else the first and the last. A
+ * case that cannot start, which the deck does not foresee, is warned of. Of the options `deck`, `set`, `name`, `compare`,
+ * `repeat` (-1), `stop` and `progress` count; `dir` is not touched. Errors: those of study_run's plan. */
 floe_status study_rehearse(context *ctx, const study_options *options, study_rehearsal *out);
 
 /* The table of the results, the orders, the limits, the answers and the bars. */

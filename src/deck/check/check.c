@@ -204,8 +204,9 @@ static floe_status check_time(reader *r)
         s->output.interval < time->end / SNAPSHOTS_MOST) {
         TRY(bad_at(r, KEY("output", "interval"), "a millionth of time.end at least",
                    "rows of history.csv can be as dense as steps: output.history_interval",
-                   "a snapshot every %g s: %.3g until %g s are too many for a run to meet their times",
-                   s->output.interval, time->end / s->output.interval, time->end));
+                   "a snapshot every %g%s: %.3g until %g%s are too many for a run to meet their times",
+                   s->output.interval, scene_time_unit(s), time->end / s->output.interval, time->end,
+                   scene_time_unit(s)));
     }
     if (is_clean(r->root, KEY("damping")) && !(s->damping.end > s->damping.start)) {
         TRY(bad_at(r, KEY("damping", "end"), "a time after 'start'", NULL,
