@@ -133,8 +133,10 @@ floe_status fail_under(context *ctx, floe_status status, const char *const *abov
     (void)snprintf(cause, sizeof cause, "%s", ctx->message + ctx->cause);
     join_names(above, ctx->key);
     const size_t length = strlen(ctx->key);
-    if (own[0] && length + 1 + strlen(own) < sizeof ctx->key)
-        (void)snprintf(ctx->key + length, sizeof ctx->key - length, ".%s", own);
+    if (own[0] && length + 1 + strlen(own) < sizeof ctx->key) {
+        ctx->key[length] = '.';
+        memcpy(ctx->key + length + 1, own, strlen(own) + 1);
+    }
     tell(ctx, cause);
     pthread_mutex_unlock(&ctx->message_lock);
     return status;
