@@ -148,6 +148,9 @@ floe_status ice_time_step(ice *s, step_limit *out);
 floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, double *acoustic);
 /* Least and largest density of any fluid (kg/m3), over the cells that hold it; INFINITY and 0 where none does. */
 void ice_densities(ice *s, double range[2]);
+/* Largest density of any fluid (kg/m3) over the cells that `among` marks (per block, size of a cell array) and of which it fills more than a share; 0
+ * where none does. */
+double ice_densest(const ice *s, const unsigned char *const *among, double share);
 
 /* Totals of the current state over owned cells of the fluids (not of materials carried by points), in tile order:
  * mass, momentum, internal and kinetic energy by material. */

@@ -221,3 +221,33 @@ void ice_densities(ice *s, double range[2])
             if (!s->material[r].points) add_densities(s, &v, r, range);
     }
 }
+
+/* Density of a fluid in a cell of which it fills more than a share; else 0. */
+static double density_of_more(const ice *s, const ice_arrays *m, ptrdiff_t at, double share)
+{
+    const double fills = s->multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
+    if (!(m->rho[at] > 0.0) || !(fills > share)) return 0.0;
+    return s->multi ? 1.0 / m->vol[at] : m->rho[at];
+}
+
+static double densest_in(const ice *s, int id, const unsigned char *among, double share)
+{
+    ice_view v;
+    double found = 0.0;
+    ice_view_make(s, id, &v);
+    const ice_rows q = ice_rows_of(v.b, -1, 0);
+    for (int row = 0; row < q.n; ++row) {
+        const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        for (ptrdiff_t i = base; i < base + v.b->n[0]; ++i)
+            for (int r = 0; among[i] && r < s->n_materials; ++r)
+                if (!s->material[r].points) found = most(found, density_of_more(s, &v.m[r], i, share));
+    }
+    return found;
+}
+
+double ice_densest(const ice *s, const unsigned char *const *among, double share)
+{
+    double found = 0.0;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) found = most(found, densest_in(s, id, among[id], share));
+    return found;
+}

@@ -4,8 +4,9 @@
 
 #include "sim/sim.h"
 
-/* FLOE_BAD_INPUT where a solid is lighter than all of the fluid by more than the interface bears, with the remedy. Points and cells stand. */
-floe_status light_check(const sim *s);
+/* FLOE_BAD_INPUT, after the first step FLOE_DIVERGED, where a solid is lighter than the fluid beside it, in the cells of its points and those about
+ * them, by more than an interface bears, with the remedy. Points and cells stand. Sets s->has_light. */
+floe_status light_check(sim *s);
 /* Largest stable step (s) of a sharp interface beside fluid that is heavier than the solid, `crossing` (s) being that of the cells at a CFL number of
  * one; INFINITY where nothing of the kind is. */
 double light_step(const sim *s, double crossing);

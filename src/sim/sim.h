@@ -32,9 +32,12 @@ typedef struct sim {
     double dt;             /* s: the last accepted step, then the next one's proposal */
     const char *dt_reason; /* what limits it */
     long steps, rejected;
+    char cause[320]; /* why the last step was rejected before it could be taken; "" where it was not */
     double point_updates, cell_updates; /* so far */
     double rest_since; /* s: since when the solids have been at rest (scene.rest); INFINITY: they are not */
     bool at_rest;
+    bool
+        has_light; /* a solid is lighter than an interface with some fluid of the scene bears: looked at before each step (light.h) */
     uint64_t held_before; /* bytes of counted memory that were in use before it was made */
 } sim;
 

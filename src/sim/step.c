@@ -48,6 +48,17 @@ static floe_status first_step(sim *s, double *dt, const char **reason)
     return FLOE_OK;
 }
 
+/* FLOE_DIVERGED where steps would not get anywhere: so small that no run could take as many, as where each lets only half of what is in the way of it pass. */
+static floe_status check_step(const sim *s, double dt, const char *reason)
+{
+    static const double share = 1e-13; /* of the time so far */
+    const char *unit = scene_time_unit(s->scene), *cause = s->cause[0] ? "; the last one was rejected because " : "";
+    const bool lost = dt <= share * s->time;
+    if (dt > 0.0 && isfinite(dt) && !lost) return FLOE_OK;
+    return fail(s->ctx, FLOE_DIVERGED, "the time step has shrunk to %g%s at t = %.6g%s (limited by %s%s%s)", dt, unit,
+                s->time, unit, reason, cause, s->cause);
+}
+
 static floe_status choose_step(sim *s, double until, double *dt, const char **reason)
 {
     const scene_time *t = &s->scene->time;
@@ -63,16 +74,13 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
         if (s->steps > 0) limit(dt, reason, t->growth * s->dt, "growth");
         if (!isnan(t->max_step)) limit(dt, reason, t->max_step, "largest step");
     }
+    TRY(check_step(s, *dt, *reason));
     /* The last steps before an output time share what is left, so that none of them is a sliver. */
     const double left = until - s->time;
     if (*dt >= left)
         limit(dt, reason, left, "output time");
     else if (isnan(t->fixed_step) && !sim_solves(s) && 2.0 * *dt > left)
         limit(dt, reason, 0.5 * left, "output time");
-    const char *unit = scene_time_unit(s->scene);
-    if (!(*dt > 0.0) || !isfinite(*dt) || s->time + *dt == s->time)
-        return fail(s->ctx, FLOE_DIVERGED, "the time step has shrunk to %g%s at t = %.6g%s (limited by %s)", *dt, unit,
-                    s->time, unit, *reason);
     return FLOE_OK;
 }
 
@@ -96,7 +104,7 @@ static void set_step(sim *s, double dt)
 static floe_status take_step(sim *s, double *dt, const char **reason)
 {
     const char *unit = scene_time_unit(s->scene);
-    char cause[CONTEXT_MESSAGE_SIZE] = "";
+    s->cause[0] = '\0';
     for (int tries = 0; tries <= MAX_REJECTIONS; ++tries) {
         set_step(s, *dt);
         const floe_status status = sim_run_stages(s);
@@ -105,16 +113,16 @@ static floe_status take_step(sim *s, double *dt, const char **reason)
         ledger_discard(&s->ledger);
         if (s->ice) ice_forget_step(s->ice);
         s->rejected++;
-        snprintf(cause, sizeof cause, "%s", context_message(s->ctx));
+        (void)snprintf(s->cause, sizeof s->cause, "%s", context_message(s->ctx));
         context_log(s->ctx, LOG_DETAIL, "step %ld at t = %.6g%s rejected with dt = %.3g%s: %s", s->steps + 1, s->time,
-                    unit, *dt, unit, cause);
+                    unit, *dt, unit, s->cause);
         context_clear(s->ctx);
         *dt *= cut;
         *reason = "rejected step";
     }
     return fail(s->ctx, FLOE_DIVERGED,
                 "the step at t = %.6g%s was rejected %d times, down to dt = %.3g%s; the last cause: %s", s->time, unit,
-                MAX_REJECTIONS + 1, *dt, unit, cause);
+                MAX_REJECTIONS + 1, *dt, unit, s->cause);
 }
 
 static floe_status commit(sim *s, double dt)
@@ -136,6 +144,7 @@ floe_status sim_step(sim *s, double until)
 {
     double dt;
     const char *reason;
+    if (s->has_light) TRY(light_check(s));
     TRY(sim_choose_pressure(s));
     TRY(choose_step(s, until, &dt, &reason));
     const bool last = dt == until - s->time;
