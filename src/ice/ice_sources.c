@@ -37,10 +37,10 @@ typedef struct push {
 
 FLOE_ALWAYS_INLINE push push_of(const pressed *f, ptrdiff_t at, ptrdiff_t i, const int dim)
 {
-    push q;
     const double *fp = f->fp[0], *flux = f->flux[0];
-    q.impulse[0] = -f->dt * f->inv_h[0] * (fp[at + 1] - fp[at]);
-    q.work = f->lower0[i] * fp[at] * flux[at] - f->upper0[i] * fp[at + 1] * flux[at + 1];
+    /* (All of it has a value: what is set in part stays in memory in clang's vectors, one for all lanes.) */
+    push q = {{-f->dt * f->inv_h[0] * (fp[at + 1] - fp[at])},
+              f->lower0[i] * fp[at] * flux[at] - f->upper0[i] * fp[at + 1] * flux[at + 1]};
     for (int a = 1; a < dim; ++a) {
         const ptrdiff_t up = at + f->stride[a];
         q.impulse[a] = -f->dt * f->inv_h[a] * (f->fp[a][up] - f->fp[a][at]);
