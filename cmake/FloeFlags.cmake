@@ -48,3 +48,9 @@ if(FLOE_HAS_CLONES AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE S
     set(FLOE_CLONES ON)
     target_compile_definitions(floe_flags INTERFACE FLOE_CLONES=1)
 endif()
+# Kernels for registers of four doubles, chosen as a scene is made (base/compiler.h).
+include(CheckCCompilerFlag)
+check_c_compiler_flag(-mavx2 FLOE_HAS_QUADS)
+if(FLOE_HAS_QUADS)
+    target_compile_definitions(floe_flags INTERFACE FLOE_QUADS=1)
+endif()

@@ -18,13 +18,23 @@ FLOE_ALWAYS_INLINE void stress_body(const elastic_moduli *a, solid_batch *restri
     }
 }
 
+FLOE_WIDE static void stress_in_plane(const elastic_moduli *a, solid_batch *b)
+{
+    stress_body(a, b, true);
+}
+
+FLOE_WIDE static void stress_in_space(const elastic_moduli *a, solid_batch *b)
+{
+    stress_body(a, b, false);
+}
+
 static size_t linear_elastic_stress(const void *par, double p_ref, solid_batch *b)
 {
     (void)p_ref; /* the stress of a solid is gauge already */
     if (spins_about_z_alone(b))
-        stress_body(par, b, true);
+        stress_in_plane(par, b);
     else
-        stress_body(par, b, false);
+        stress_in_space(par, b);
     return solid_first_inverted(b);
 }
 

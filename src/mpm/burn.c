@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-enum { BURN_WINDOW = 343 + 1 }; /* nodes of the largest window; 1: pairs.h */
+enum { BURN_WINDOW = 343 }; /* nodes of the largest window */
 
 /* A point of which less than this is left is taken to the last. */
 static const double least_share = 1e-3;

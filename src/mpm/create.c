@@ -221,8 +221,7 @@ floe_status mpm_register(mpm *s, domain *d)
     s->domain = d;
     for (int id = 0; id < FIELD_COUNT; ++id)
         if (s->stages->uses[id]) TRY(register_field(s, (field_id)id));
-    const size_t components = 1 + 2 * (size_t)s->mesh->dim;
-    const size_t nodes = (size_t)s->work->window_nodes * components, normals = s->contact ? contact_partials(s) : 0;
+    const size_t nodes = (size_t)s->work->window_nodes * MPM_MAX_RECORD, normals = s->contact ? contact_partials(s) : 0;
     TRY(domain_reserve_partials(d, nodes > normals ? nodes : normals));
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int k = 0; k < s->n_bodies; ++k)

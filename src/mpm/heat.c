@@ -19,7 +19,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { HEAT_WINDOW = 343 + 1 }; /* nodes of the largest window; 1: pairs.h */
+enum { HEAT_WINDOW = 343 }; /* nodes of the largest window */
 
 static bool has_fluid(const mpm *s)
 {

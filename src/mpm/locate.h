@@ -5,6 +5,8 @@
 #include "mpm/basis/basis_1d.h"
 #include "mpm/work.h"
 
+#include <string.h>
+
 /* Nodes of a tile's window along a used axis. */
 FLOE_ALWAYS_INLINE int window_width(const int dim, const basis_kind kind)
 {
@@ -31,16 +33,41 @@ FLOE_ALWAYS_INLINE tile_frame frame_of(const mesh *m, const tile_box *t, const i
     return f;
 }
 
-typedef struct stencil {
-    double w[MESH_MAX_DIM][BASIS_MAX_SUPPORT], dw[MESH_MAX_DIM][BASIS_MAX_SUPPORT];
-    int node;                    /* of the window: the first node of the stencil */
-    double offset[MESH_MAX_DIM]; /* m: from the point to the first node along each axis */
-    double radius;               /* m: along the first axis, where the weights were taken */
-} stencil;
+/* Stencils that are worked out together, in loops as wide as the machine. */
+enum { STENCILS = 32 };
 
-/* The cell is clamped to the tile, so that round-off at a cell's face never leaves the window.
+typedef struct stencils {
+    double w[MESH_MAX_DIM][BASIS_MAX_SUPPORT][STENCILS], dw[MESH_MAX_DIM][BASIS_MAX_SUPPORT][STENCILS]; /* 1, 1/m */
+    int node[STENCILS];                    /* of the window: the first node of the stencil */
+    double offset[MESH_MAX_DIM][STENCILS]; /* m: from the point to the first node along each axis */
+    double radius[STENCILS];               /* m: along the first axis, where the weights were taken */
+} stencils;
+
+/* Places of points in their tile, in cells, and the cells that hold them. */
+typedef struct tile_places {
+    double at[MESH_MAX_DIM][STENCILS];
+    int cell[MESH_MAX_DIM][STENCILS];
+} tile_places;
+
+/* The cell is clamped to the tile, so that round-off at a cell's face never leaves the window. */
+FLOE_ALWAYS_INLINE void find_places(tile_places *to, const tile_frame *f, const point_arrays *p, size_t start, int n,
+                                    const int dim)
+{
+    for (int a = 0; a < dim; ++a) {
+        const double *restrict x = p->x[a] + start, lower = f->lower[a], inv_h = f->inv_h[a], first = f->first[a];
+        const int last = f->cells[a] - 1;
+        for (int j = 0; j < n; ++j) {
+            const double at = (x[j] - lower) * inv_h - first;
+            const int cell = (int)at;
+            to->at[a][j] = at;
+            to->cell[a][j] = cell < 0 ? 0 : cell > last ? last : cell;
+        }
+    }
+}
+
+/* Moves places to the centres of their cells, but in cells shared with a solid.
  *
- * `centre`: as if the point stood at its cell's centre. With the linear basis, fluids take their gradients there, in forces
+ * With the linear basis, fluids take their gradients there, in forces
  * and rates alike. Under pressure the gradient at the point itself makes the force depend on where in the cell the points
  * are, which pushes them further apart or together: a negative stiffness of about p/h^2, whose growth at about c/h no
  * viscosity, PIC blend or stress scheme cures (measured on the gas of the pressurised cylinder: e-fold in about 20 steps).
@@ -49,37 +76,45 @@ typedef struct stencil {
  * solid's inertia holds it (the centre there costs 28 for 25 % in the cylinder's stress at h = 0.1). About an axis the hoop
  * terms S/r are part of the divergence, and are taken at the same place. The smooth bases change slowly across a cell, and
  * keep the point's own gradient. */
-FLOE_ALWAYS_INLINE stencil locate(const tile_frame *f, const point_arrays *p, size_t k, const int dim,
-                                  const basis_kind kind, const bool centre)
+FLOE_ALWAYS_INLINE void centre_places(tile_places *to, double *radius, const tile_frame *f, int n, const int dim,
+                                      const basis_kind kind)
 {
-    stencil s;
+    const int width = window_width(dim, kind) - 1 - 2 * basis_reach(kind);
+    for (int j = 0; j < n; ++j) {
+        int bit = 0;
+        for (int a = dim - 1; a >= 0; --a) bit = bit * width + to->cell[a][j];
+        if ((f->shared >> bit) & 1) continue;
+        for (int a = 0; a < dim; ++a) to->at[a][j] = to->cell[a][j] + 0.5;
+        radius[j] = f->lower[0] + (f->first[0] + to->at[0][j]) / f->inv_h[0];
+    }
+}
+
+/* The stencils of the n points from `start`; `centre`: as if they stood at their cells' centres. */
+FLOE_ALWAYS_INLINE void locate_points(stencils *s, const tile_frame *f, const point_arrays *p, size_t start, int n,
+                                      const int dim, const basis_kind kind, const bool centre)
+{
     const int width = window_width(dim, kind);
-    double at[3];
-    int cell[3], bit = 0, bit_row = 1;
-    for (int a = 0; a < dim; ++a) {
-        at[a] = (p->x[a][k] - f->lower[a]) * f->inv_h[a] - f->first[a];
-        cell[a] = (int)at[a];
-        cell[a] = cell[a] < 0 ? 0 : cell[a] >= f->cells[a] ? f->cells[a] - 1 : cell[a];
-        bit += bit_row * cell[a];
-        bit_row *= width - 1 - 2 * basis_reach(kind);
+    tile_places places;
+    find_places(&places, f, p, start, n, dim);
+    memcpy(s->radius, p->x[0] + start, (size_t)n * sizeof *s->radius);
+    if (centre) centre_places(&places, s->radius, f, n, dim, kind);
+    memset(s->node, 0, sizeof s->node);
+    for (int a = 0, row = 1; a < dim; ++a, row *= width) {
+        const double inv_h = f->inv_h[a], *restrict own = kind == BASIS_GIMP ? p->half[a] + start : NULL;
+        for (int j = 0; j < n; ++j) {
+            /* Fluids may swell beyond what three nodes hold. */
+            const double half = kind == BASIS_GIMP && own[j] * inv_h < 0.5 ? own[j] * inv_h : 0.5;
+            double w[BASIS_MAX_SUPPORT], dw[BASIS_MAX_SUPPORT];
+            const int first =
+                places.cell[a][j] + basis_1d(kind, places.at[a][j] - places.cell[a][j], half, inv_h, w, dw);
+            for (int i = 0; i < basis_support(kind); ++i) {
+                s->w[a][i][j] = w[i];
+                s->dw[a][i][j] = dw[i];
+            }
+            s->offset[a][j] = (first - places.at[a][j]) / inv_h;
+            s->node[j] += row * (first + basis_reach(kind));
+        }
     }
-    const bool centred = centre && !((f->shared >> bit) & 1);
-    s.node = 0;
-    int row = 1;
-    for (int a = 0; a < dim; ++a) {
-        /* Fluids may swell beyond what three nodes hold. */
-        const double half = kind == BASIS_GIMP ? fmin(p->half[a][k] * f->inv_h[a], 0.5) : 0.5;
-        const int first = basis_1d(kind, centred ? 0.5 : at[a] - cell[a], half, f->inv_h[a], s.w[a], s.dw[a]);
-        if (a == 0) s.radius = centred ? f->lower[0] + (f->first[0] + cell[0] + 0.5) / f->inv_h[0] : p->x[0][k];
-        s.offset[a] = (cell[a] + first - at[a]) / f->inv_h[a];
-        s.node += row * (cell[a] + first + basis_reach(kind));
-        row *= width;
-    }
-    for (int a = dim; a < 3; ++a) {
-        s.w[a][0] = 1.0;
-        s.dw[a][0] = 0.0;
-    }
-    return s;
 }
 
 /* The domain of a point in CPDI: centre and half sides of a parallelogram (parallelepiped). */
@@ -159,15 +194,14 @@ FLOE_ALWAYS_INLINE point_domain domain_of(const mesh *m, const point_arrays *p, 
 /* A corner of a point's domain: S_i is the mean over the corners of the linear N_i there, and grad S_i that over the domain of the gradient
  * of what the corners interpolate: sum over corners of N_i g/2^d, g = R^-T s, R the half sides and s = +-1 the corner's place on each
  * (Sadeghirad, Brannon and Burghardt 2011). So a corner is a stencil of the linear basis with slopes of its own. */
-FLOE_ALWAYS_INLINE stencil locate_corner(const tile_frame *f, const point_arrays *p, size_t k, const int dim,
-                                         const point_domain *d, const int corner)
+FLOE_ALWAYS_INLINE void locate_corner(stencils *s, int j, const tile_frame *f, const point_arrays *p, size_t k,
+                                      const int dim, const point_domain *d, const int corner)
 {
-    stencil s;
     const int width = window_width(dim, BASIS_CPDI);
     const double share = dim == 1 ? 0.5 : dim == 2 ? 0.25 : 0.125;
     int row = 1;
-    s.node = 0;
-    s.radius = p->x[0][k];
+    s->node[j] = 0;
+    s->radius[j] = p->x[0][k];
     for (int a = 0; a < dim; ++a) {
         const double at = (p->x[a][k] - f->lower[a]) * f->inv_h[a] - f->first[a];
         double place = at, slope = 0.0;
@@ -179,52 +213,59 @@ FLOE_ALWAYS_INLINE stencil locate_corner(const tile_frame *f, const point_arrays
         int cell = (int)(place + 1.0) - 1; /* floor, from -1 on */
         cell = cell < -1 ? -1 : cell > f->cells[a] ? f->cells[a] : cell;
         const double scale = a == 0 ? share : 1.0;
-        s.w[a][0] = scale * (1.0 - (place - cell));
-        s.w[a][1] = scale * (place - cell);
-        for (int i = 0; i < 2; ++i) s.dw[a][i] = slope * f->inv_h[a] * s.w[a][i];
-        s.offset[a] = (cell - at) / f->inv_h[a];
-        s.node += row * (cell + basis_reach(BASIS_CPDI));
+        s->w[a][0][j] = scale * (1.0 - (place - cell));
+        s->w[a][1][j] = scale * (place - cell);
+        for (int i = 0; i < 2; ++i) s->dw[a][i][j] = slope * f->inv_h[a] * s->w[a][i][j];
+        s->offset[a][j] = (cell - at) / f->inv_h[a];
+        s->node[j] += row * (cell + basis_reach(BASIS_CPDI));
         row *= width;
     }
-    for (int a = dim; a < 3; ++a) {
-        s.w[a][0] = 1.0;
-        s.dw[a][0] = 0.0;
-    }
-    return s;
 }
 
-/* One of the stencils of which a point's weights are the sum. */
-FLOE_ALWAYS_INLINE stencil locate_piece(const tile_frame *f, const point_arrays *p, size_t k, const int dim,
-                                        const basis_kind kind, const point_domain *d, const int piece)
+/* Points of which the stencils fit side by side. */
+FLOE_ALWAYS_INLINE int points_at_once(const int dim, const basis_kind kind)
 {
-    return kind == BASIS_CPDI ? locate_corner(f, p, k, dim, d, piece) : locate(f, p, k, dim, kind, false);
+    return STENCILS / basis_pieces(kind, dim);
 }
 
-/* Loops over the rows of a stencil along the first axis: the body sees `row` (index in the window of its first node), `W` (product
- * of the weights of the other axes) and its derivatives `Wy`, `Wz` (1/m), and the nodes `y_` and `z_` along those. What a row's nodes share is then worked out once. */
-#define FOR_ROWS(s, dim, kind, ...)                                                               \
-    do {                                                                                          \
-        const int width_ = window_width(dim, kind), support_ = basis_support(kind);               \
-        for (int z_ = 0; z_ < ((dim) > 2 ? support_ : 1); ++z_)                                   \
-            for (int y_ = 0; y_ < ((dim) > 1 ? support_ : 1); ++y_) {                             \
-                const double W = (s).w[1][(dim) > 1 ? y_ : 0] * (s).w[2][(dim) > 2 ? z_ : 0];     \
-                const double Wy = (dim) > 1 ? (s).dw[1][y_] * (s).w[2][(dim) > 2 ? z_ : 0] : 0.0; \
-                const double Wz = (dim) > 2 ? (s).w[1][y_] * (s).dw[2][z_] : 0.0;                 \
-                const int row = (s).node + width_ * (y_ + width_ * z_);                           \
-                (void)W, (void)Wy, (void)Wz;                                                      \
-                __VA_ARGS__                                                                       \
-            }                                                                                     \
+/* Points of a stencil's strip: from `start`, at most as many as fit. */
+FLOE_ALWAYS_INLINE int strip_length(size_t start, size_t end, const int dim, const basis_kind kind)
+{
+    const size_t most = (size_t)points_at_once(dim, kind);
+    return (int)(end - start < most ? end - start : most);
+}
+
+/* The stencils of the n points from `start`; basis_pieces of them side by side, of which the sum is the point's. */
+FLOE_ALWAYS_INLINE void locate(stencils *s, const mesh *m, const tile_frame *f, const point_arrays *p, size_t start,
+                               int n, const int dim, const basis_kind kind)
+{
+    if (kind != BASIS_CPDI) {
+        locate_points(s, f, p, start, n, dim, kind, false);
+        return;
+    }
+    const int pieces = basis_pieces(kind, dim);
+    for (int i = 0; i < n; ++i) {
+        const size_t k = start + (size_t)i;
+        const point_domain d = domain_of(m, p, k, dim);
+        for (int piece = 0; piece < pieces; ++piece) locate_corner(s, i * pieces + piece, f, p, k, dim, &d, piece);
+    }
+}
+
+/* Loops over the rows along the first axis of the j-th stencil: the body sees `row` (index in the window of its first node), `W` (product
+ * of the weights of the other axes), and the nodes `y_` and `z_` along those. What a row's nodes share is then worked out once. */
+#define FOR_ROWS(s, j, dim, kind, ...)                                                                      \
+    do {                                                                                                    \
+        const int width_ = window_width(dim, kind), support_ = basis_support(kind);                         \
+        for (int z_ = 0; z_ < ((dim) > 2 ? support_ : 1); ++z_)                                             \
+            for (int y_ = 0; y_ < ((dim) > 1 ? support_ : 1); ++y_) {                                       \
+                const double W = ((dim) > 1 ? (s).w[1][y_][j] : 1.0) * ((dim) > 2 ? (s).w[2][z_][j] : 1.0); \
+                const int row = (s).node[j] + width_ * (y_ + width_ * z_);                                  \
+                __VA_ARGS__                                                                                 \
+            }                                                                                               \
     } while (0)
 
-/* Visits the stencils of which the weights of a point are the sum, `s` each. */
-#define FOR_PIECES(s, m, frame, p, k, dim, kind, ...)                                 \
-    do {                                                                              \
-        point_domain domain_ = {.side = {{0.0}}};                                     \
-        if ((kind) == BASIS_CPDI) domain_ = domain_of(m, p, k, dim);                  \
-        for (int piece_ = 0; piece_ < basis_pieces(kind, dim); ++piece_) {            \
-            const stencil s = locate_piece(frame, p, k, dim, kind, &domain_, piece_); \
-            __VA_ARGS__                                                               \
-        }                                                                             \
-    } while (0)
+/* Loops over the stencils of which the weights of the i-th point are the sum, each number `j`. */
+#define FOR_PIECES(j, i, dim, kind) \
+    for (int j = (i)*basis_pieces(kind, dim); j < ((i) + 1) * basis_pieces(kind, dim); ++j)
 
 #endif

@@ -1,8 +1,9 @@
 /* The stages that pass over the points, tile by tile. */
+#include "base/memory.h"
 #include "base/threads.h"
 #include "mpm/edge/edge.h"
+#include "mpm/lanes.h"
 #include "mpm/load.h"
-#include "mpm/locate.h"
 #include "mpm/membrane/membrane.h"
 #include "mpm/surface/skin.h"
 #include "mpm/surface/traction.h"
@@ -11,10 +12,13 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    MAX_GATHERED = 2 * MESH_MAX_DIM + 1,
-    WINDOW_DOUBLES = 343 * MAX_GATHERED + 1 /* the largest window has 7^3 nodes, others 11^2 and 67; 1: pairs.h */
-};
+enum { MAX_NODES = 343 }; /* of a window: 7^3, others 11^2 and 67 */
+
+/* What a pass reads of the nodes of a tile. */
+typedef struct pass_window {
+    _Alignas(MEMORY_ALIGNMENT) double record[MAX_NODES * MPM_MAX_RECORD];
+    double mass[MAX_NODES];
+} pass_window;
 
 floe_status mpm_points_to_nodes(mpm *s)
 {
@@ -52,20 +56,19 @@ static void clear_free_rates(const mpm *s, solid_batch *batch)
 }
 
 /* Loads what a pass reads of the nodes, in the order that the kernels expect. */
-static void load_pass(const mpm *s, int blk, int group, const tile_box *t, tile_pass pass, double *window)
+static void load_pass(const mpm *s, int blk, int group, const tile_box *t, tile_pass pass, pass_window *window)
 {
     const int dim = s->mesh->dim;
-    const double *node[MAX_GATHERED];
-    int count = dim;
+    const double *node[MPM_MAX_RECORD];
+    for (int c = 0; c < MPM_MAX_RECORD; ++c)
+        node[c] = field_get(s->domain->fields[blk], pass.velocity, group, 0); /* padding */
     node_arrays(s, blk, group, pass.velocity, node);
-    if (pass.motion) {
-        node_arrays(s, blk, group, N_ACCEL, node + dim);
-        count += dim;
-    }
-    const bool mass = gather_needs_mass(s->basis->kind, pass.motion, pass.stress || pass.carry);
-    if (mass) node[count++] = field_get(s->domain->fields[blk], N_MASS, group, 0);
-    load_window(s, blk, t, node, count, window);
-    if (mass) mirror_masses(s, t, count, window);
+    if (pass.motion) node_arrays(s, blk, group, N_ACCEL, node + dim);
+    load_window(s, blk, t, node, lanes_room(lanes_of(pass.motion ? 2 * dim : dim)), window->record);
+    if (!gather_needs_mass(s->basis->kind, pass.motion, pass.stress || pass.carry)) return;
+    const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
+    load_window(s, blk, t, &mass, 1, window->mass);
+    mirror_masses(s, t, window->mass);
 }
 
 static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, solid_batch *batch)
@@ -83,7 +86,8 @@ static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, 
  * (numerics 4.6), or is a NaN. Cells as mesh_cell_of has them: x is in the mesh, so that truncation is floor. */
 typedef enum chunk_motion { CELLS_KEPT, CELLS_CHANGED, CELLS_FAR } chunk_motion;
 
-static chunk_motion motion_of(const mesh *m, size_t start, size_t end, const point_arrays *p, const gather_result *out)
+FLOE_WIDE static chunk_motion motion_of(const mesh *m, size_t start, size_t end, const point_arrays *p,
+                                        const gather_result *out)
 {
     long long far = 0, changed = 0; /* as wide as a double, so that the loop is vectorised */
     for (int a = 0; a < m->dim; ++a) {
@@ -124,7 +128,7 @@ static void add_fall(const mpm *s, const point_arrays *p, const gather_result *o
     }
 }
 
-/* With the linear basis the moments are the gradient, which is then taken with light nodes in view (kernels.c). */
+/* With the linear basis the moments are the gradient, which is then taken with light nodes in view (kernels_gather.h). */
 bool carries_gradient(const mpm *s)
 {
     const transfer_carry carry = s->transfer->carry;
@@ -151,16 +155,17 @@ static void store_affine(const mpm *s, int blk, int body, size_t start, size_t e
 
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
 static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
-                             const double *window, solid_batch *batch, double *gain)
+                             const pass_window *window, solid_batch *batch, double *gain)
 {
     const point_arrays p = points_of(s, blk, body, false, pass.motion && !pass.sample && s->transfer->filter);
     const gather_result out = result_of(s, blk, body, pass, batch);
-    const gather_step step = pass.sample ? (gather_step){0.0, 0.0, 0.0} : (gather_step){s->work->kick, s->dt, s->share};
+    gather_step step = {.mass = window->mass};
+    if (!pass.sample) step = (gather_step){s->work->kick, s->dt, s->share, window->mass};
     gather_kernel *gather = kernel_of(s, pass);
     for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         if (pass.stress) clear_free_rates(s, batch);
-        gather(s->mesh, t, &p, k, stop, window, &step, &out);
+        gather(s->mesh, t, &p, k, stop, window->record, &step, &out);
         if (pass.carry) store_affine(s, blk, body, k, stop, batch);
         if (pass.sample) continue;
         if (pass.motion) add_fall(s, &p, &out, k, stop, gain);
@@ -176,7 +181,7 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
 
 static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_batch *batch)
 {
-    double window[WINDOW_DOUBLES];
+    pass_window window;
     int loaded = -1;
     tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     if (pass.stress) box.shared = shared_cells(s, blk, tile, &box);
@@ -185,9 +190,9 @@ static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_ba
         const size_t *range = s->points[blk][body].tile_start + tile;
         const int group = s->body[body].group;
         if (range[0] == range[1]) continue;
-        if (loaded != group) load_pass(s, blk, group, &box, pass, window);
+        if (loaded != group) load_pass(s, blk, group, &box, pass, &window);
         loaded = group;
-        TRY(pass_body(s, blk, body, &box, range, pass, window, batch, gain));
+        TRY(pass_body(s, blk, body, &box, range, pass, &window, batch, gain));
     }
     return FLOE_OK;
 }
@@ -276,7 +281,7 @@ floe_status mpm_grid_pressure(mpm *s)
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 4)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
-            double window[WINDOW_DOUBLES];
+            double window[MAX_NODES];
             const tile_box box = tile_box_of(s->mesh, &s->mesh->block[b], t);
             const double *node = field_get(s->domain->fields[b], N_PRESSURE, 0, 0);
             load_window(s, b, &box, &node, 1, window);

@@ -11,13 +11,14 @@ void spread_numbers(const mpm *s, const tile_box *t, const point_arrays *p, size
     const int dim = s->mesh->dim;
     const basis_kind kind = s->basis->kind;
     const tile_frame frame = frame_of(s->mesh, t, dim);
-    FOR_PIECES(at, s->mesh, &frame, p, k, dim, kind, {
-        FOR_ROWS(at, dim, kind, {
-            for (int x = 0; x < basis_support(kind); ++x) {
-                double *node = window + count * (ptrdiff_t)(row + x);
-                for (int c = 0; c < count; ++c) node[c] += W * at.w[0][x] * number[c];
-            }
-        });
+    stencils at;
+    locate(&at, s->mesh, &frame, p, k, 1, dim, kind);
+    FOR_PIECES(j, 0, dim, kind)
+    FOR_ROWS(at, j, dim, kind, {
+        for (int x = 0; x < basis_support(kind); ++x) {
+            double *node = window + count * (ptrdiff_t)(row + x);
+            for (int c = 0; c < count; ++c) node[c] += W * at.w[0][x][j] * number[c];
+        }
     });
 }
 

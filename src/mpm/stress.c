@@ -77,7 +77,7 @@ void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end,
 }
 
 /* L += half L^2. */
-static void add_square(solid_batch *b, double half)
+FLOE_WIDE static void add_square(solid_batch *b, double half)
 {
     for (size_t k = 0; k < b->n; ++k) {
         double G[9];
@@ -89,7 +89,7 @@ static void add_square(solid_batch *b, double half)
 }
 
 /* The same where nothing leans out of the plane. */
-static void add_square_in_plane(solid_batch *b, double half)
+FLOE_WIDE static void add_square_in_plane(solid_batch *b, double half)
 {
     double *restrict xx = b->L[0], *restrict xy = b->L[1], *restrict yx = b->L[3], *restrict yy = b->L[4],
                      *restrict zz = b->L[8];
@@ -118,7 +118,7 @@ static void centre_rates(const mpm *s, solid_batch *b)
 }
 
 /* F <- (I + A + A^2/2) F with A = dt L, and J = det F: second order, and exact in volume to third. */
-static void advance_F(solid_batch *b)
+FLOE_WIDE static void advance_F(solid_batch *b)
 {
     for (size_t k = 0; k < b->n; ++k) {
         double A[9], B[9], F[9];

@@ -1,4 +1,5 @@
 /* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (design 4). */
+#include "mpm/lanes.h"
 #include "mpm/membrane/hold.h"
 #include "mpm/spring.h"
 #include "mpm/surface/skin.h"
@@ -102,9 +103,10 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     return p;
 }
 
-static int components_of(scatter_mode mode, int dim)
+/* Doubles that a scatter has for a node. */
+static int record_of(scatter_mode mode, int dim)
 {
-    return (mode == SCATTER_FORCE ? 0 : 1 + dim) + (mode == SCATTER_MOMENTUM ? 0 : dim);
+    return (mode == SCATTER_FORCE ? 0 : lanes_of(1 + dim)) + (mode == SCATTER_MOMENTUM ? 0 : lanes_of(dim));
 }
 
 /* One tile's private sums. */
@@ -113,7 +115,7 @@ static void scatter_tile(mpm *s, int group, int blk, int tile, scatter_mode mode
     tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     box.shared = shared_cells(s, blk, tile, &box);
     double *out = domain_tile(s->domain, box.number);
-    const size_t size = (size_t)s->work->window_nodes * (size_t)components_of(mode, s->mesh->dim);
+    const size_t size = (size_t)s->work->window_nodes * (size_t)record_of(mode, s->mesh->dim);
     bool any = false;
     for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start;
@@ -144,16 +146,46 @@ static node_target target_of(const mpm *s, int blk, int group, scatter_mode mode
 {
     const fields *f = s->domain->fields[blk];
     const int dim = s->mesh->dim;
-    node_target t = {.components = components_of(mode, dim), .reach = s->work->reach};
+    node_target t = {.components = record_of(mode, dim), .reach = s->work->reach};
     memcpy(t.window, s->work->window, sizeof t.window);
-    int c = 0;
+    double **force = t.array;
     if (mode != SCATTER_FORCE) {
-        t.array[c++] = field_get(f, N_MASS, group, 0);
-        for (int a = 0; a < dim; ++a) t.array[c++] = field_get(f, N_MOMENTUM, group, a);
+        t.array[0] = field_get(f, N_MASS, group, 0);
+        for (int a = 0; a < dim; ++a) t.array[1 + a] = field_get(f, N_MOMENTUM, group, a);
+        force += lanes_of(1 + dim);
     }
-    if (mode != SCATTER_MOMENTUM)
-        for (int a = 0; a < dim; ++a) t.array[c++] = field_get(f, N_FORCE, group, a);
+    for (int a = 0; mode != SCATTER_MOMENTUM && a < dim; ++a) force[a] = field_get(f, N_FORCE, group, a);
     return t;
+}
+
+/* to[c][i] += from[i record + c] for n nodes and a literal count of components: rows are short, and component after component they
+ * would be mostly beginnings and ends. */
+FLOE_ALWAYS_INLINE void add_components(double *const *array, ptrdiff_t to, const double *from, int record, int n,
+                                       const int count)
+{
+    for (int i = 0; i < n; ++i, from += record)
+        for (int c = 0; c < count; ++c) array[c][to + i] += from[c];
+}
+
+/* Adds n nodes of a tile's window to those of a block, as many components at once as there are side by side. */
+static void add_nodes(const node_target *out, ptrdiff_t to, const double *from, int n)
+{
+    for (int c = 0, run; c < out->components; c += run) {
+        double *const *array = out->array + c;
+        for (run = 0; run < 4 && c + run < out->components && array[run];) ++run;
+        if (run == 1) add_components(array, to, from + c, out->components, n, 1);
+        if (run == 2) add_components(array, to, from + c, out->components, n, 2);
+        if (run == 3) add_components(array, to, from + c, out->components, n, 3);
+        if (run == 4) add_components(array, to, from + c, out->components, n, 4);
+        if (run == 0) run = 1; /* padding */
+    }
+}
+
+/* The larger of each, of one component. */
+static void take_larger(const node_target *out, ptrdiff_t to, const double *from, int n)
+{
+    double *restrict a = out->array[0] + to;
+    for (int i = 0; i < n; ++i) a[i] = fmax(a[i], from[i]);
 }
 
 /* Adds the part of a tile's window row (global node j, k) that lies in a block's nodes. */
@@ -172,13 +204,10 @@ static void add_row(const mpm *s, const block *b, const node_target *out, const 
     const double *from = domain_tile(s->domain, number) +
                          ((ptrdiff_t)(row_k * window[1] + row_j) * window[0] + (lo - x0)) * (ptrdiff_t)out->components;
     const ptrdiff_t to = mesh_index(b, lo - b->lo[0], j - b->lo[1], k - b->lo[2]);
-    for (int c = 0; c < out->components; ++c) {
-        double *restrict a = out->array[c] + to;
-        if (out->largest)
-            for (int i = 0; i < hi - lo; ++i) a[i] = fmax(a[i], from[i * out->components + c]);
-        else
-            for (int i = 0; i < hi - lo; ++i) a[i] += from[i * out->components + c];
-    }
+    if (out->largest)
+        take_larger(out, to, from, hi - lo);
+    else
+        add_nodes(out, to, from, hi - lo);
 }
 
 static void gather_row(const mpm *s, const block *b, const node_target *out, int j, int k)
@@ -192,7 +221,8 @@ static void gather_row(const mpm *s, const block *b, const node_target *out, int
     tiles_about(m, reach, 0, b->lo[0] + b->n[0] + 1, &unused, &x1);
     const ptrdiff_t at = mesh_index(b, -1, j - b->lo[1], k - b->lo[2]);
     for (int c = 0; c < out->components; ++c)
-        for (int i = 0; i < b->n[0] + 3; ++i) out->array[c][at + i] = out->largest ? (double)-INFINITY : 0.0;
+        for (int i = 0; out->array[c] && i < b->n[0] + 3; ++i)
+            out->array[c][at + i] = out->largest ? (double)-INFINITY : 0.0;
     for (int z = z0; z <= z1; ++z)
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x) add_row(s, b, out, (const int[]){x, y, z}, j, k);
@@ -246,6 +276,16 @@ void fold_forces(mpm *s, int group)
     fold_walls(s, group, false, true);
 }
 
+/* to[i count + c] = node[c][from + i] for n nodes and a literal count of components. */
+FLOE_ALWAYS_INLINE void copy_nodes(const double *const *node, ptrdiff_t from, double *restrict to, int n,
+                                   const int count)
+{
+    const double *a[MPM_MAX_RECORD];
+    for (int c = 0; c < count; ++c) a[c] = node[c] + from;
+    for (int i = 0; i < n; ++i, to += count)
+        for (int c = 0; c < count; ++c) to[c] = a[c][i];
+}
+
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window)
 {
     const mesh *m = s->mesh;
@@ -260,7 +300,9 @@ void load_window(const mpm *s, int blk, const tile_box *t, const double *const *
         for (int j = 0; j < nodes[1]; ++j) {
             const ptrdiff_t from = mesh_index(b, first[0], first[1] + j, first[2] + k);
             double *to = window + (ptrdiff_t)((k * size[1] + j) * size[0]) * count;
-            for (int c = 0; c < count; ++c)
-                for (int i = 0; i < nodes[0]; ++i) to[i * count + c] = node[c][from + i];
+            if (count == 1) copy_nodes(node, from, to, nodes[0], 1);
+            if (count == 2) copy_nodes(node, from, to, nodes[0], 2);
+            if (count == 4) copy_nodes(node, from, to, nodes[0], 4);
+            if (count == 8) copy_nodes(node, from, to, nodes[0], 8);
         }
 }

@@ -330,7 +330,7 @@ void enter_mirrored_momenta(mpm *s, int group, double share)
     enter_images(s, group, 0.0, share);
 }
 
-void mirror_masses(const mpm *s, const tile_box *t, int count, double *window)
+void mirror_masses(const mpm *s, const tile_box *t, double *window)
 {
     const mesh *m = s->mesh;
     const int *size = s->work->window;
@@ -346,7 +346,6 @@ void mirror_masses(const mpm *s, const tile_box *t, int count, double *window)
             }
             for (int k = lo[2]; k < hi[2]; ++k)
                 for (int j = lo[1]; j < hi[1]; ++j)
-                    for (int i = lo[0]; i < hi[0]; ++i)
-                        window[((k * size[1] + j) * size[0] + i) * count + count - 1] *= 2.0;
+                    for (int i = lo[0]; i < hi[0]; ++i) window[(k * size[1] + j) * size[0] + i] *= 2.0;
         }
 }

@@ -18,8 +18,8 @@ void fold_numbers(mpm *s, int group, field_id id);
 void impose_walls(mpm *s, int group, field_id velocity, double entered);
 /* Nodes that walls hold do not accelerate. */
 void still_walls(mpm *s, int group);
-/* A node on a mirror bears the image's mass as well: doubles the last of `count` values of such nodes in a tile's window. */
-void mirror_masses(const mpm *s, const tile_box *t, int count, double *window);
+/* A node on a mirror bears the image's mass as well: doubles the masses of such nodes in a tile's window. */
+void mirror_masses(const mpm *s, const tile_box *t, double *window);
 /* Values of the ghost nodes beyond the sides, which points near them take from: mirrored, or extrapolated. */
 void extend_to_ghosts(mpm *s, int group, field_id id);
 /* Momentum that mirrors give, into the ledger: after accelerations are known, before ghosts are extended. */

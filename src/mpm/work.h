@@ -6,7 +6,7 @@
 #include "coupling/cut.h"
 #include "mpm/mpm.h"
 
-enum { MPM_MAX_COMPONENTS = 1 + 2 * MESH_MAX_DIM };
+enum { MPM_MAX_RECORD = 8 }; /* doubles that a node has in a tile's window (lanes.h) */
 
 /* A tile as the kernels see it. */
 typedef struct tile_box {
@@ -34,8 +34,8 @@ typedef struct point_arrays {
     bool centred;           /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
 
-/* Adds what points [start, end) give to the nodes of their tile's window, `out`: interleaved per node, mass and momentum
- * (when asked for), then force (when asked for). */
+/* Adds what points [start, end) give to the nodes of their tile's window, `out`: a record per node, mass and momentum in
+ * lanes_of(1 + dim) doubles (when asked for), then force in lanes_of(dim) (when asked for). */
 typedef void scatter_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                             double *out);
 
@@ -48,16 +48,18 @@ typedef struct gather_result {
 typedef struct gather_step {
     double kick, dt; /* s: the times over which velocities and positions are advanced */
     double flip;
+    const double *mass; /* kg: of the nodes of the window, where light ones matter */
 } gather_step;
 
 /* Moments: C of transfer.h in place of the gradient; not for the linear basis, of which the two are the same. */
 typedef enum gather_mode { GATHER_MOTION, GATHER_GRADIENT, GATHER_BOTH, GATHER_MOMENTS, GATHER_MODES } gather_mode;
 
-/* From the nodes of a tile's window, interleaved per node (see gather_body), to points [start, end). */
+/* From the nodes of a tile's window to points [start, end). A node's record is v^L (or v), then a
+ * where points move, in lanes_room(lanes_of(.)) doubles. */
 typedef void gather_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                            const double *window, const gather_step *step, const gather_result *out);
 
-/* Light nodes matter (kernels.c) where the linear basis takes gradients of accelerated velocities. */
+/* Light nodes matter (kernels_gather.h) where the linear basis takes gradients of accelerated velocities. */
 FLOE_ALWAYS_INLINE bool gather_needs_mass(basis_kind kind, bool motion, bool gradient)
 {
     return kind == BASIS_LINEAR && motion && gradient;
@@ -76,8 +78,11 @@ typedef struct kernel_set {
     scatter_kernel *fill; /* volume of the points at their nodes */
 } kernel_set;
 
-/* The kernels of a dimension, geometry and basis; chosen once. */
+/* The kernels of a dimension, geometry and basis, the fastest that the machine can run; chosen once. */
 kernel_set kernels_of(int dim, mesh_geometry geometry, basis_kind kind);
+/* Those for any machine, and those for registers of four doubles (floe_has_quads): they give the same bits. */
+kernel_set kernels_pairs(int dim, mesh_geometry geometry, basis_kind kind);
+kernel_set kernels_quads(int dim, mesh_geometry geometry, basis_kind kind);
 
 /* Loaded surface points: massless, moved by the grid, each with an area vector (m2) and the load that acts on it. */
 typedef struct surface_point {
@@ -196,16 +201,16 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
 floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress, bool next_velocity);
 /* Node arrays that tiles' partials are summed into; a tile's partials hold the nodes of its window, interleaved. */
 typedef struct node_target {
-    double *array[MPM_MAX_COMPONENTS];
-    int components;
-    int reach;                /* nodes that the window begins before its tile */
-    int window[MESH_MAX_DIM]; /* nodes of it along each axis */
-    bool largest;             /* instead of the sum; -INFINITY where there is nothing */
+    double *array[MPM_MAX_RECORD]; /* NULL: padding */
+    int components;                /* doubles of a record */
+    int reach;                     /* nodes that the window begins before its tile */
+    int window[MESH_MAX_DIM];      /* nodes of it along each axis */
+    bool largest;                  /* instead of the sum; -INFINITY where there is nothing */
 } node_target;
 
 /* Every node that a block sees (its own and one ghost layer) becomes the sum of its active tiles' partials, in global order. */
 void gather_nodes(const mpm *s, int blk, const node_target *out);
-/* Copies the window of a tile from node arrays: `count` components interleaved (tile.c). */
+/* Copies the window of a tile from node arrays: records of 1, 2, 4 or 8 components (tile.c). */
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window);
 
 /* All that pushes a group's nodes but points, on top of what N_FORCE holds, with the sides' folds (tile.c). */

@@ -1,15 +1,16 @@
 /* The kernels of every basis, dimension and geometry, with points anywhere, whose domains have any shape that F gives them: a scalar that
  * is linear in space comes to the points as it is, its gradient too; what points give sums to what they have, about their own places;
- * and no weight is negative. */
+ * and no weight is negative. Every version of the kernels has the same bits. */
 #include "check.h"
 
+#include "mpm/lanes.h"
 #include "mpm/work.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { POINTS = 400, DEFORM = 9 };
+enum { POINTS = 400, DEFORM = 9, WINDOW = 343 * MPM_MAX_RECORD };
 
 static const double h[3] = {0.1, 0.08, 0.125}; /* m */
 
@@ -90,10 +91,10 @@ static double linear(const double x[3])
 }
 static const double slope[3] = {1.3, -0.9, 0.4};
 
-/* `components` values of a field that is linear in space at each node of the window, with one double to spare (pairs.h). */
-static double *linear_window(const cloud *c, int components)
+/* `components` values of a field that is linear in space in the record of each node of the window, which has `record` doubles. */
+static double *linear_window(const cloud *c, int components, int record)
 {
-    double *window = calloc((size_t)(c->nodes * components) + 1, sizeof *window);
+    double *window = calloc((size_t)(c->nodes * record), sizeof *window);
     assert_non_null(window);
     for (int n = 0, rest = 0; n < c->nodes; ++n, rest = n) {
         double x[3] = {0.0};
@@ -101,7 +102,7 @@ static double *linear_window(const cloud *c, int components)
             x[a] = mesh_node(&c->mesh, a, c->tile.first[a] - c->reach + rest % c->window[a]);
             rest /= c->window[a];
         }
-        for (int i = 0; i < components; ++i) window[n * components + i] = (i + 1) * linear(x);
+        for (int i = 0; i < components; ++i) window[n * record + i] = (i + 1) * linear(x);
     }
     return window;
 }
@@ -114,7 +115,7 @@ static void place_of(const cloud *c, size_t k, double x[3])
 /* Values of order one; differences over slivers of 1e-4 cells lose four digits more. */
 static void check_samples(const cloud *c)
 {
-    double out[POINTS], x[3], *window = linear_window(c, 1);
+    double out[POINTS], x[3], *window = linear_window(c, 1, 1);
     c->kernel.sample(&c->mesh, &c->tile, &c->p, 0, POINTS, window, out);
     for (size_t k = 0; k < POINTS; ++k) {
         place_of(c, k, x);
@@ -129,8 +130,8 @@ static void check_gradients(const cloud *c, gather_mode mode)
     static double L[9][POINTS];
     gather_result out = {.L = {0}};
     for (int i = 0; i < 9; ++i) out.L[i] = L[i];
-    double *window = linear_window(c, dim);
-    const gather_step step = {0.0, 0.0, 0.0};
+    double *window = linear_window(c, dim, lanes_of(dim));
+    const gather_step step = {.kick = 0.0};
     c->kernel.gather[mode](&c->mesh, &c->tile, &c->p, 0, POINTS, window, &step, &out);
     for (size_t k = 0; k < POINTS; ++k)
         for (int a = 0; a < dim; ++a)
@@ -141,17 +142,17 @@ static void check_gradients(const cloud *c, gather_mode mode)
 /* One point at a time: its weights on the nodes are its mass there. */
 static void check_weights(const cloud *c)
 {
-    const int components = 1 + c->mesh.dim;
-    double *out = calloc((size_t)(c->nodes * components) + 1, sizeof *out), *nodes = linear_window(c, 1);
+    const int record = lanes_of(1 + c->mesh.dim);
+    double *out = calloc((size_t)(c->nodes * record), sizeof *out), *nodes = linear_window(c, 1, 1);
     assert_non_null(out);
     for (size_t k = 0; k < POINTS; ++k) {
         double sum = 0.0, moment = 0.0, x[3];
-        memset(out, 0, (size_t)(c->nodes * components) * sizeof *out);
+        memset(out, 0, (size_t)(c->nodes * record) * sizeof *out);
         c->kernel.scatter[SCATTER_MOMENTUM](&c->mesh, &c->tile, &c->p, k, k + 1, out);
         for (int n = 0; n < c->nodes; ++n) {
-            check_true(out[n * components] >= -1e-13); /* a place is known to 192 eps of a cell */
-            sum += out[n * components];
-            moment += out[n * components] * nodes[n];
+            check_true(out[n * record] >= -1e-13); /* a place is known to 192 eps of a cell */
+            sum += out[n * record];
+            moment += out[n * record] * nodes[n];
         }
         place_of(c, k, x);
         check_close(sum, 1.0, 1e-14);
@@ -162,7 +163,7 @@ static void check_weights(const cloud *c)
 }
 
 /* Folds the ghosts of a window beyond the sides of the mesh to the nodes inside, linearly (wall.c). */
-static void fold_window(const cloud *c, int axis, int components, double *window)
+static void fold_window(const cloud *c, int axis, int record, double *window)
 {
     const int width = c->window[axis], stride = axis == 0 ? 1 : axis == 1 ? c->window[0] : c->window[0] * c->window[1];
     for (int n = 0; n < c->nodes; ++n) {
@@ -170,9 +171,9 @@ static void fold_window(const cloud *c, int axis, int components, double *window
         const bool lower = i == 0 && c->tile.first[axis] == 0,
                    upper = i == c->tile.cells[axis] + 2 && c->tile.first[axis] + c->tile.cells[axis] == c->mesh.n[axis];
         if (!lower && !upper) continue;
-        const int inward = components * (lower ? stride : -stride);
-        for (int k = 0; k < components; ++k) {
-            double *ghost = window + n * components + k;
+        const int inward = record * (lower ? stride : -stride);
+        for (int k = 0; k < record; ++k) {
+            double *ghost = window + n * record + k;
             ghost[inward] += 2.0 * *ghost;
             ghost[2 * inward] -= *ghost;
             *ghost = 0.0;
@@ -183,9 +184,9 @@ static void fold_window(const cloud *c, int axis, int components, double *window
 /* A point that carries the gradient of a linear field gives every node that field times its mass, next to sides too. */
 static void check_affine(cloud *c)
 {
-    const int dim = c->mesh.dim, components = 1 + dim;
+    const int dim = c->mesh.dim, record = lanes_of(1 + dim);
     static double v[3][POINTS], C[9][POINTS];
-    double *out = calloc((size_t)(c->nodes * components) + 1, sizeof *out), *field = linear_window(c, 1);
+    double *out = calloc((size_t)(c->nodes * record), sizeof *out), *field = linear_window(c, 1, 1);
     assert_non_null(out);
     point_arrays p = c->p;
     for (size_t k = 0; k < POINTS; ++k) {
@@ -199,15 +200,66 @@ static void check_affine(cloud *c)
     for (int a = 0; a < dim; ++a) p.v[a] = v[a];
     for (int i = 0; i < dim * dim; ++i) p.affine[i] = C[i];
     for (size_t k = 0; k < POINTS; ++k) {
-        memset(out, 0, (size_t)(c->nodes * components) * sizeof *out);
+        memset(out, 0, (size_t)(c->nodes * record) * sizeof *out);
         c->kernel.scatter[SCATTER_MOMENTUM](&c->mesh, &c->tile, &p, k, k + 1, out);
-        for (int a = 0; a < dim && c->reach > 0; ++a) fold_window(c, a, components, out);
+        for (int a = 0; a < dim && c->reach > 0; ++a) fold_window(c, a, record, out);
         for (int n = 0; n < c->nodes; ++n)
             for (int a = 0; a < dim; ++a)
-                check_close(out[n * components + 1 + a], out[n * components] * (a + 1) * field[n], 4e-13);
+                check_close(out[n * record + 1 + a], out[n * record] * (a + 1) * field[n], 4e-13);
     }
     free(out);
     free(field);
+}
+
+/* Everything that kernels write, from windows of the same numbers. */
+typedef struct kernel_output {
+    double x[3][POINTS], v[3][POINTS], L[9][POINTS], sample[POINTS];
+    double window[SCATTER_MODES + 1][WINDOW];
+} kernel_output;
+
+static void run_kernels(const cloud *c, const kernel_set *kernel, bool moments, kernel_output *out)
+{
+    const int dim = c->mesh.dim;
+    gather_result to = {.L = {0}};
+    for (int a = 0; a < 3; ++a) {
+        to.x_next[a] = out->x[a];
+        to.v_next[a] = out->v[a];
+    }
+    for (int i = 0; i < 9; ++i) to.L[i] = out->L[i];
+    double *mass = linear_window(c, 1, 1), *both = linear_window(c, 2 * dim, lanes_room(lanes_of(2 * dim)));
+    const gather_step step = {0.3, 0.2, 0.9, mass};
+    if (moments) kernel->gather[GATHER_MOMENTS](&c->mesh, &c->tile, &c->p, 0, POINTS, both, &step, &to);
+    kernel->gather[GATHER_BOTH](&c->mesh, &c->tile, &c->p, 0, moments ? POINTS / 2 : POINTS, both, &step, &to);
+    kernel->sample(&c->mesh, &c->tile, &c->p, 0, POINTS, mass, out->sample);
+    for (int mode = 0; mode < SCATTER_MODES; ++mode)
+        kernel->scatter[mode](&c->mesh, &c->tile, &c->p, 0, POINTS, out->window[mode]);
+    kernel->fill(&c->mesh, &c->tile, &c->p, 0, POINTS, out->window[SCATTER_MODES]);
+    free(mass);
+    free(both);
+}
+
+/* Points with stresses, velocities and masses of their own: kernels for wide registers have the bits of those for any machine. */
+static void check_bits(cloud *c, const basis_model *b, mesh_geometry geometry)
+{
+    if (!floe_has_quads()) return;
+    const kernel_set any = kernels_pairs(c->mesh.dim, geometry, b->kind),
+                     wide = kernels_quads(c->mesh.dim, geometry, b->kind);
+    kernel_output *one = calloc(1, sizeof *one), *other = calloc(1, sizeof *other);
+    assert_non_null(one);
+    assert_non_null(other);
+    uint64_t seed = 11;
+    for (size_t k = 0; k < POINTS; ++k)
+        for (int a = 0; a < 3; ++a) c->v[a][k] = check_random(&seed, -1.0, 1.0);
+    for (int i = 0; i < 6; ++i) c->p.stress[i] = c->v[i % 3];
+    c->p.mass = c->half[0];
+    for (int carried = 0; carried <= 1; ++carried) {
+        for (int i = 0; i < 9; ++i) c->p.affine[i] = carried ? c->deform[i] : NULL;
+        run_kernels(c, &any, b->kind != BASIS_LINEAR, one);
+        run_kernels(c, &wide, b->kind != BASIS_LINEAR, other);
+        assert_memory_equal(one, other, sizeof *one);
+    }
+    free(one);
+    free(other);
 }
 
 static void check_kernels(const basis_model *b, int dim, mesh_geometry geometry, int place)
@@ -219,6 +271,7 @@ static void check_kernels(const basis_model *b, int dim, mesh_geometry geometry,
     check_affine(c);
     check_gradients(c, GATHER_GRADIENT);
     if (b->kind != BASIS_LINEAR) check_gradients(c, GATHER_MOMENTS); /* with the linear basis it is the gradient */
+    check_bits(c, b, geometry);
     free(c);
     context_destroy(&ctx);
 }

@@ -61,29 +61,23 @@ FLOE_ALWAYS_INLINE int basis_cubic_1d(double xi, double inv_h, double *w, double
     return -1;
 }
 
-/* GIMP (Bardenhagen and Kober 2004): the linear hat averaged over the point's domain of half width l. */
-FLOE_ALWAYS_INLINE void basis_gimp_node(double d, double l, double inv_h, double *w, double *dw)
+/* GIMP (Bardenhagen and Kober 2004): the linear hat averaged over the point's domain of half width l: by the distance a = |d| of the node
+ * the domain holds the hat's tip (a < l), lies on one side of it (a < 1 - l), or holds its foot (a < 1 + l). Chosen among, not branched to,
+ * so that many points are worked out at once. */
+FLOE_ALWAYS_INLINE void basis_gimp_node(double d, double l, double over_l, double inv_h, double *w, double *dw)
 {
-    const double a = fabs(d), sign = d < 0.0 ? -1.0 : 1.0;
-    if (a < l) {
-        *w = 1.0 - (a * a + l * l) / (2.0 * l);
-        *dw = -d / l * inv_h;
-    } else if (a < 1.0 - l) {
-        *w = 1.0 - a;
-        *dw = -sign * inv_h;
-    } else if (a < 1.0 + l) {
-        *w = (1.0 + l - a) * (1.0 + l - a) / (4.0 * l);
-        *dw = -sign * (1.0 + l - a) / (2.0 * l) * inv_h;
-    } else {
-        *w = 0.0;
-        *dw = 0.0;
-    }
+    const double a = fabs(d), sign = d < 0.0 ? -1.0 : 1.0, foot = 1.0 + l - a;
+    const double outer = a < 1.0 + l ? 0.25 * foot * foot * over_l : 0.0, side = a < 1.0 - l ? 1.0 - a : outer;
+    const double outer_slope = a < 1.0 + l ? 0.5 * foot * over_l : 0.0, slope = a < 1.0 - l ? 1.0 : outer_slope;
+    *w = a < l ? 1.0 - 0.5 * (a * a * over_l + l) : side;
+    *dw = (a < l ? -d * over_l : -sign * slope) * inv_h;
 }
 
 FLOE_ALWAYS_INLINE int basis_gimp_1d(double xi, double half, double inv_h, double *w, double *dw)
 {
     const int first = xi < 0.5 ? -1 : 0;
-    for (int k = 0; k < 3; ++k) basis_gimp_node(xi - (first + k), half, inv_h, &w[k], &dw[k]);
+    const double over = 1.0 / half;
+    for (int k = 0; k < 3; ++k) basis_gimp_node(xi - (first + k), half, over, inv_h, &w[k], &dw[k]);
     return first;
 }
 

@@ -1,0 +1,206 @@
+/* The point kernels: one always-inline body each, instantiated on {1, 2, axisymmetric, 3} x basis with literal arguments.
+ *
+ * Weights are products of those along the axes, S = w_x w_y w_z, and so sums over nodes are taken axis by axis: what a point gives is
+ * contracted with w_z and w_z' for each plane of its nodes, then with w_y and w_y' for each row, then with w_x and w_x' for each node; and
+ * what it takes is summed along rows, planes, and all.
+ *
+ * A file that includes this has them with lanes as wide as it is compiled for (kernels_pairs.c, kernels_quads.c). */
+#ifndef MPM_KERNELS_BODY_H
+#define MPM_KERNELS_BODY_H
+
+#include "mpm/kernels_gather.h"
+#include "mpm/kernels_scatter.h"
+
+/* Moments of the velocity and of the weights about a point, summed over its nodes. */
+typedef struct point_moments {
+    double B[3][3], D[3][3]; /* m2/s, m2: sum of S v r, of S r r */
+} point_moments;
+
+FLOE_ALWAYS_INLINE void sum_moments(point_moments *sum, const mesh *m, const stencils *s, int j,
+                                    const double *restrict window, const int dim, const basis_kind kind)
+{
+    FOR_ROWS(*s, j, dim, kind, {
+        const double ry = dim > 1 ? s->offset[1][j] + y_ * m->h[1] : 0.0,
+                     rz = dim > 2 ? s->offset[2][j] + z_ * m->h[2] : 0.0;
+        for (int x = 0; x < basis_support(kind); ++x) {
+            const double S = W * s->w[0][x][j], r[3] = {s->offset[0][j] + x * m->h[0], ry, rz};
+            const double *v = window + (ptrdiff_t)(row + x) * lanes_of(dim);
+            for (int a = 0; a < dim; ++a)
+                for (int c = 0; c < dim; ++c) {
+                    sum->B[a][c] += S * v[a] * r[c];
+                    if (kind == BASIS_CPDI) sum->D[a][c] += S * r[a] * r[c];
+                }
+        }
+    });
+    for (int a = 0; kind != BASIS_CPDI && a < dim; ++a)
+        for (int i = 0; i < basis_support(kind); ++i) {
+            const double r = s->offset[a][j] + i * m->h[a];
+            sum->D[a][a] += s->w[a][i][j] * r * r;
+        }
+}
+
+/* C = B/D (transfer.h), rows counted from `start`; the window holds v of each node. D is diagonal where weights are products of those
+ * along the axes, and of a domain that leans it is not. */
+FLOE_ALWAYS_INLINE void moments_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                     const double *restrict window, const gather_result *to, const int dim,
+                                     const basis_kind kind)
+{
+    const tile_frame frame = frame_of(m, t, dim);
+    const size_t origin = start;
+    stencils s;
+    for (int n; start < end; start += (size_t)n) {
+        n = strip_length(start, end, dim, kind);
+        locate(&s, m, &frame, p, start, n, dim, kind);
+        for (int i = 0; i < n; ++i) {
+            point_moments sum = {.B = {{0.0}}};
+            FOR_PIECES(j, i, dim, kind) sum_moments(&sum, m, &s, j, window, dim, kind);
+            double over[3][3] = {{0.0}};
+            if (kind == BASIS_CPDI)
+                (void)domain_invert(sum.D, over, dim);
+            else
+                for (int c = 0; c < dim; ++c) over[c][c] = 1.0 / sum.D[c][c];
+            for (int a = 0; a < dim; ++a)
+                for (int c = 0; c < dim; ++c) {
+                    double C = 0.0;
+                    for (int b = 0; b < dim; ++b) C += sum.B[a][b] * over[b][c];
+                    to->L[3 * a + c][start + (size_t)i - origin] = C;
+                }
+        }
+    }
+}
+
+FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                    const double *restrict window, double *restrict out, const int dim,
+                                    const basis_kind kind)
+{
+    const tile_frame frame = frame_of(m, t, dim);
+    stencils s;
+    for (int n; start < end; start += (size_t)n) {
+        n = strip_length(start, end, dim, kind);
+        locate(&s, m, &frame, p, start, n, dim, kind);
+        for (int i = 0; i < n; ++i) {
+            double sum = 0.0;
+            FOR_PIECES(j, i, dim, kind)
+            FOR_ROWS(s, j, dim, kind, {
+                for (int x = 0; x < basis_support(kind); ++x) sum += W * s.w[0][x][j] * window[row + x];
+            });
+            out[start + (size_t)i] = sum;
+        }
+    }
+}
+
+/* Volume of the points at their nodes. */
+FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                                  double *restrict window, const int dim, const basis_kind kind)
+{
+    const tile_frame frame = frame_of(m, t, dim);
+    stencils s;
+    for (int n; start < end; start += (size_t)n) {
+        n = strip_length(start, end, dim, kind);
+        locate(&s, m, &frame, p, start, n, dim, kind);
+        for (int i = 0; i < n; ++i) {
+            const double volume = p->volume0[start + (size_t)i] * p->J[start + (size_t)i];
+            FOR_PIECES(j, i, dim, kind)
+            FOR_ROWS(s, j, dim, kind, {
+                for (int x = 0; x < basis_support(kind); ++x) window[row + x] += volume * W * s.w[0][x][j];
+            });
+        }
+    }
+}
+
+#define SCATTER(name, dim, axi, kind, momentum, force)                                                               \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, double *out) \
+    {                                                                                                                \
+        const bool centred = (kind) == BASIS_LINEAR && (force) && p->centred, affine = (momentum) && p->affine[0];   \
+        if (centred && affine)                                                                                       \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, (scatter_want){momentum, force, true, true});     \
+        else if (centred)                                                                                            \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, (scatter_want){momentum, force, true, false});    \
+        else if (affine)                                                                                             \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, (scatter_want){momentum, force, false, true});    \
+        else                                                                                                         \
+            scatter_body(m, t, p, start, end, out, dim, axi, kind, (scatter_want){momentum, force, false, false});   \
+    }
+
+#define GATHER(name, dim, axi, kind, motion, gradient)                                                    \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,   \
+                     const double *window, const gather_step *step, const gather_result *out)             \
+    {                                                                                                     \
+        if ((kind) == BASIS_LINEAR && (gradient) && p->centred)                                           \
+            gather_body(m, t, p, start, end, window, step, out, dim, axi, kind, motion, gradient, true);  \
+        else                                                                                              \
+            gather_body(m, t, p, start, end, window, step, out, dim, axi, kind, motion, gradient, false); \
+    }
+
+#define MOMENTS(name, dim, kind)                                                                        \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
+                     const double *window, const gather_step *step, const gather_result *out)           \
+    {                                                                                                   \
+        (void)step;                                                                                     \
+        moments_body(m, t, p, start, end, window, out, dim, kind);                                      \
+    }
+
+#define SAMPLE(name, dim, kind)                                                                         \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
+                     const double *window, double *out)                                                 \
+    {                                                                                                   \
+        sample_body(m, t, p, start, end, window, out, dim, kind);                                       \
+    }
+
+#define FILL(name, dim, kind)                                                                           \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
+                     double *window)                                                                    \
+    {                                                                                                   \
+        fill_body(m, t, p, start, end, window, dim, kind);                                              \
+    }
+
+#define INSTANTIATE(geometry, dim, axi, basis, kind)                    \
+    SCATTER(momentum_##geometry##_##basis, dim, axi, kind, true, false) \
+    SCATTER(force_##geometry##_##basis, dim, axi, kind, false, true)    \
+    SCATTER(all_##geometry##_##basis, dim, axi, kind, true, true)       \
+    GATHER(motion_##geometry##_##basis, dim, axi, kind, true, false)    \
+    GATHER(gradient_##geometry##_##basis, dim, axi, kind, false, true)  \
+    GATHER(both_##geometry##_##basis, dim, axi, kind, true, true)       \
+    MOMENTS(moments_##geometry##_##basis, dim, kind)                    \
+    SAMPLE(sample_##geometry##_##basis, dim, kind)                      \
+    FILL(fill_##geometry##_##basis, dim, kind)
+
+#define KERNELS(geometry, basis)                                                                          \
+    {                                                                                                     \
+        .scatter = {momentum_##geometry##_##basis, force_##geometry##_##basis, all_##geometry##_##basis}, \
+        .gather = {motion_##geometry##_##basis, gradient_##geometry##_##basis, both_##geometry##_##basis, \
+                   moments_##geometry##_##basis},                                                         \
+        .sample = sample_##geometry##_##basis, .fill = fill_##geometry##_##basis                          \
+    }
+
+#define ALL_KERNELS(geometry)                                                                                       \
+    {                                                                                                               \
+        KERNELS(geometry, linear), KERNELS(geometry, gimp), KERNELS(geometry, quadratic), KERNELS(geometry, cubic), \
+            KERNELS(geometry, cpdi)                                                                                 \
+    }
+
+#define ALL_BASES(X, geometry, dim, axi)              \
+    X(geometry, dim, axi, linear, BASIS_LINEAR)       \
+    X(geometry, dim, axi, gimp, BASIS_GIMP)           \
+    X(geometry, dim, axi, quadratic, BASIS_QUADRATIC) \
+    X(geometry, dim, axi, cubic, BASIS_CUBIC)         \
+    X(geometry, dim, axi, cpdi, BASIS_CPDI)
+
+ALL_BASES(INSTANTIATE, line, 1, false)
+ALL_BASES(INSTANTIATE, plane, 2, false)
+ALL_BASES(INSTANTIATE, axisymmetric, 2, true)
+ALL_BASES(INSTANTIATE, solid, 3, false)
+
+FLOE_ALWAYS_INLINE kernel_set kernels_here(int dim, mesh_geometry geometry, basis_kind kind)
+{
+    static const kernel_set table[4][BASIS_KINDS] = {
+        ALL_KERNELS(line),
+        ALL_KERNELS(plane),
+        ALL_KERNELS(axisymmetric),
+        ALL_KERNELS(solid),
+    };
+    const int row = dim == 1 ? 0 : dim == 3 ? 3 : geometry == MESH_AXISYMMETRIC ? 2 : 1;
+    return table[row][kind];
+}
+
+#endif
