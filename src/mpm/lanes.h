@@ -24,9 +24,15 @@ typedef struct lanes {
     floe_quad quad;
 } lanes;
 
+/* All of it has a value, also what n leaves out: compilers may not see that nothing reads that. */
+FLOE_ALWAYS_INLINE lanes lanes_zero(void)
+{
+    return (lanes){floe_pair_of(0.0, 0.0), floe_quad_of(0.0, 0.0, 0.0, 0.0)};
+}
+
 FLOE_ALWAYS_INLINE lanes lanes_at(const double *from, const int n)
 {
-    lanes x;
+    lanes x = lanes_zero();
     if (n > 2) memcpy(&x.quad, from, sizeof x.quad);
     if (n != 4) memcpy(&x.pair, n > 2 ? from + 4 : from, sizeof x.pair);
     return x;
@@ -41,7 +47,7 @@ FLOE_ALWAYS_INLINE void lanes_to(double *to, lanes x, const int n)
 /* Up to four components. */
 FLOE_ALWAYS_INLINE lanes lanes_from(double a, double b, double c, double d, const int n)
 {
-    lanes x;
+    lanes x = lanes_zero();
     if (n > 2)
         x.quad = floe_quad_of(a, b, c, d);
     else
