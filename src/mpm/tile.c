@@ -184,6 +184,7 @@ static void add_nodes(const node_target *out, ptrdiff_t to, const double *from, 
 /* The larger of each, of one component. */
 static void take_larger(const node_target *out, ptrdiff_t to, const double *from, int n)
 {
+    if (!out->array[0]) return; /* padding */
     double *restrict a = out->array[0] + to;
     for (int i = 0; i < n; ++i) a[i] = fmax(a[i], from[i]);
 }
