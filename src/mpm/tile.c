@@ -158,37 +158,6 @@ static node_target target_of(const mpm *s, int blk, int group, scatter_mode mode
     return t;
 }
 
-/* to[c][i] += from[i record + c] for n nodes and a literal count of components: rows are short, and component after component they
- * would be mostly beginnings and ends. */
-FLOE_ALWAYS_INLINE void add_components(double *const *array, ptrdiff_t to, const double *from, int record, int n,
-                                       const int count)
-{
-    for (int i = 0; i < n; ++i, from += record)
-        for (int c = 0; c < count; ++c) array[c][to + i] += from[c];
-}
-
-/* Adds n nodes of a tile's window to those of a block, as many components at once as there are side by side. */
-static void add_nodes(const node_target *out, ptrdiff_t to, const double *from, int n)
-{
-    for (int c = 0, run; c < out->components; c += run) {
-        double *const *array = out->array + c;
-        for (run = 0; run < 4 && c + run < out->components && array[run];) ++run;
-        if (run == 1) add_components(array, to, from + c, out->components, n, 1);
-        if (run == 2) add_components(array, to, from + c, out->components, n, 2);
-        if (run == 3) add_components(array, to, from + c, out->components, n, 3);
-        if (run == 4) add_components(array, to, from + c, out->components, n, 4);
-        if (run == 0) run = 1; /* padding */
-    }
-}
-
-/* The larger of each, of one component. */
-static void take_larger(const node_target *out, ptrdiff_t to, const double *from, int n)
-{
-    if (!out->array[0]) return; /* padding */
-    double *restrict a = out->array[0] + to;
-    for (int i = 0; i < n; ++i) a[i] = fmax(a[i], from[i]);
-}
-
 /* Adds the part of a tile's window row (global node j, k) that lies in a block's nodes. */
 static void add_row(const mpm *s, const block *b, const node_target *out, const int tile[3], int j, int k)
 {
@@ -205,10 +174,14 @@ static void add_row(const mpm *s, const block *b, const node_target *out, const 
     const double *from = domain_tile(s->domain, number) +
                          ((ptrdiff_t)(row_k * window[1] + row_j) * window[0] + (lo - x0)) * (ptrdiff_t)out->components;
     const ptrdiff_t to = mesh_index(b, lo - b->lo[0], j - b->lo[1], k - b->lo[2]);
-    if (out->largest)
-        take_larger(out, to, from, hi - lo);
-    else
-        add_nodes(out, to, from, hi - lo);
+    for (int c = 0; c < out->components; ++c) {
+        if (!out->array[c]) continue;
+        double *restrict a = out->array[c] + to;
+        if (out->largest)
+            for (int i = 0; i < hi - lo; ++i) a[i] = fmax(a[i], from[i * out->components + c]);
+        else
+            for (int i = 0; i < hi - lo; ++i) a[i] += from[i * out->components + c];
+    }
 }
 
 static void gather_row(const mpm *s, const block *b, const node_target *out, int j, int k)
