@@ -40,7 +40,7 @@ static void visit_side(const block *b, int axis, int side, node_visitor *visit, 
 
 /* Visits each node of a side's plane once, in global order, in the block that owns it (a node on the seam of two blocks belongs to
  * the upper one, as its cell does): sums over a side have the same bits for any blocks. */
-typedef void side_visitor(void *user, int blk, ptrdiff_t at, ptrdiff_t inward);
+typedef void side_visitor(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward);
 
 static void visit_side_once(const mesh *m, int axis, int side, side_visitor *visit, void *user)
 {
@@ -58,7 +58,7 @@ static void visit_side_once(const mesh *m, int axis, int side, side_visitor *vis
                     if (cell[a] == m->n[a]) cell[a]--;
                 const int blk = mesh_block_of(m, cell);
                 const block *b = &m->block[blk];
-                visit(user, blk, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2]),
+                visit(user, blk, node, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2]),
                       side == SIDE_LOWER ? b->stride[axis] : -b->stride[axis]);
             }
 }
@@ -189,8 +189,9 @@ static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field
     return r;
 }
 
-static void add_impulse(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
+static void add_impulse(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
+    (void)node;
     (void)inward;
     wall_rule *r = user;
     const fields *f = r->s->domain->fields[blk];
@@ -248,8 +249,9 @@ void impose_walls(mpm *s, int group, field_id velocity, double entered)
 
 /* A node that a wall holds does not accelerate. What its points bring is not stopped, as little as by the image of the body in a
  * mirror, whose momentum cancels theirs at the node: only PIC's share of their velocity is the node's. */
-static void still_sum(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
+static void still_sum(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
+    (void)node;
     (void)inward;
     wall_rule *r = user;
     const fields *f = r->s->domain->fields[blk];
@@ -288,8 +290,9 @@ typedef struct mirror_sum {
 } mirror_sum;
 
 /* What the ghost beyond a mirror was given, and the first inner node, along the axis. */
-static void add_mirror_push(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
+static void add_mirror_push(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
+    (void)node;
     mirror_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
     const double *mass = field_get(f, N_MASS, r->group, 0), *force = field_get(f, N_FORCE, r->group, r->axis),
@@ -297,14 +300,27 @@ static void add_mirror_push(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
     r->sum -= 2.0 * r->kick * (force[at - inward] + mass[at - inward] * acceleration[at + inward]);
 }
 
-static void add_mirror_momentum(void *user, int blk, ptrdiff_t at, ptrdiff_t inward)
+/* Velocity of the first inner node along the axis, as points take it: what they brought, or that of a wall across the mirror which holds it. */
+static double inner_velocity(const mirror_sum *r, const int node[MESH_MAX_DIM], double brought)
+{
+    const mesh *m = r->s->mesh;
+    double v = brought;
+    for (int a = 0; a < m->dim; ++a)
+        for (int side = 0; side < 2; ++side)
+            if (a != r->axis && !m->periodic[a] && node[a] == (side == SIDE_LOWER ? 0 : m->n[a]) &&
+                holds(r->s, a, side))
+                v = wall_target(r->s, a, side, r->axis);
+    return v;
+}
+
+static void add_mirror_momentum(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
     mirror_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
     const double *mass = field_get(f, N_MASS, r->group, 0), *momentum = field_get(f, N_MOMENTUM, r->group, r->axis);
     const ptrdiff_t ghost = at - inward, inner = at + inward;
     /* A ghost without mass may still have a surface's load. */
-    const double v = mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0;
+    const double v = inner_velocity(r, node, mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0);
     r->sum -= 2.0 * r->pic * (momentum[ghost] + mass[ghost] * v);
 }
 

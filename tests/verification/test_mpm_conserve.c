@@ -147,13 +147,34 @@ static void test_fall(void **state)
     }
 }
 
+/* A disc pressed into a corner of a mirror and a wall that holds its nodes, by points that take a part of the nodes' velocity: across the
+ * mirror, the first inner node of that wall has the wall's velocity, and so has its image. */
+static void test_corner(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < basis_registry_size; ++i)
+        for (int axis = 0; axis < 2; ++axis) {
+            trial t;
+            trial_begin(&t, 2, (const double[]){1.6, 1.6, 0.0}, 0.1);
+            set_sides(&t, axis, BC_SLIP, BC_FREE);
+            set_sides(&t, 1 - axis, BC_NO_SLIP, BC_FREE);
+            set_method(&t, basis_registry[i]->name, STRESS_USL, 0.8);
+            scene_body *b = add_body(&t, add_solid(&t, "linear_elastic", bulk, shear, 1.0),
+                                     make_ball(&t, (const double[]){0.35, 0.35, 0.0}, 0.4), 2);
+            b->velocity[0] = -0.3;
+            b->velocity[1] = -0.2;
+            trial_start(&t);
+            trial_run(&t, 0.3);
+            check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MOMENTUM_Y) <= 1e-13);
+            trial_end(&t);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flight),
-        cmocka_unit_test(test_collision),
-        cmocka_unit_test(test_leaving),
-        cmocka_unit_test(test_fall),
+        cmocka_unit_test(test_flight), cmocka_unit_test(test_collision), cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_fall),   cmocka_unit_test(test_corner),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
