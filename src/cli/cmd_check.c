@@ -17,10 +17,8 @@ static const struct argp argp = {
     .args_doc = "DECK",
     .doc = "Validate a deck. Every error is shown with its file, line and column, what was expected, and the nearest "
            "known name. Then the scene is made ready as a run makes it, up to its first step, and so are the cases of "
-           "its study and "
-           "its comparison: all if they are small, else the first and the last. What can be run and will not be right "
-           "is warned of, with "
-           "figures. Nothing is written.",
+           "its study and its comparison: all if they are small, else the first and the last. What can be run and will "
+           "not be right is warned of, with figures. Nothing is written.",
 };
 
 static void print_cells(const scene *s)

@@ -49,9 +49,11 @@ static floe_status rehearse_case(rehearsing *r, size_t i)
     const batch_options batch = study_batch_options(r->s);
     study_ready ready;
     scene *of;
-    char text[LIVE_LINE_SIZE];
-    (void)snprintf(text, sizeof text, "setting up case %zu of %zu: %s", i + 1, r->s->n, r->s->run[i].label);
-    if (live_line_is_due(&r->line)) live_line_show(&r->line, text);
+    if (live_line_is_due(&r->line)) {
+        char text[LIVE_LINE_SIZE];
+        (void)snprintf(text, sizeof text, "setting up case %zu of %zu: %s", i + 1, r->s->n, r->s->run[i].label);
+        live_line_show(&r->line, text);
+    }
     TRY(batch_prepare(r->s->ctx, &batch, &r->s->run[i], &of));
     const floe_status status = study_set_up(of, &ready);
     scene_destroy(&of);
