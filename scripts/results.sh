@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016 # Markdown has backquotes
 # results.sh [NAME...]: runs the studies and writes docs/results from what came out: a page, its data and its plots for each of
+#   defaults      problems that no deck was tuned for, with defaults only
 #   a1            the pressurised cylinder of Guilkey et al. 2003, both couplings, floe's settings and the paper's
 #   edges         edges of solids held by a penalty: stress beside surfaces that cut the mesh; other walls
 #   sod           Sod's shock tube by cells and by points
@@ -49,7 +50,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface substeps ball-net airbag speed gains picture gallery)
+all=(defaults a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface substeps ball-net airbag speed gains picture gallery)
 
 write_index() {
     local page=$results/README.md file

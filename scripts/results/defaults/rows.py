@@ -85,6 +85,14 @@ class Page:
             wanted = "at least " + wanted
         self.bars.append((what, form.format(measured), wanted, "met" if met else "**missed**"))
 
+    def enter(self, index):
+        """Adds the bars to the index of all pages, a CSV file; without one, nowhere."""
+        if not index:
+            return
+        with open(index, "a", newline="") as file:
+            for what, measured, wanted, met in self.bars:
+                file.write('defaults,"%s",%s,%s,%s\n' % (what.replace('"', "'"), measured, wanted, met.strip("*")))
+
 
 def main(names):
     sys.path.insert(0, str(HERE))
@@ -95,6 +103,7 @@ def main(names):
     if page.bars:
         page.write("", "## Bars")
         page.table(("what", "measured", "bar", ""), page.bars)
+        page.enter(os.environ.get("FLOE_BARS"))
     print("\n".join(page.lines))
 
 
