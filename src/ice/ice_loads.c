@@ -47,9 +47,10 @@ static double open_share(const ice_arrays *m, ptrdiff_t at)
 /* Energy per volume that the fluid of one cell receives. */
 typedef double heat_function(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount);
 
+/* `amount`: J/m3 of the fluid. */
 static double heat_by_power(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount)
 {
-    return amount * s->dt * (s->multi ? v->m[r].theta[at] : 1.0);
+    return amount * (s->multi ? v->m[r].theta[at] : 1.0);
 }
 
 /* The same energy per mass everywhere: a region heats evenly, and slivers of thin gas are not singled out. */
@@ -131,13 +132,18 @@ static void pressurise(ice *s, int l, int r)
     add_heat(s, l, r, heat_by_mass, (scheduled - mean.pressure) / mean.slope);
 }
 
+/* What a load by power gives in the step (J/m3). */
+static double heat_of_step(const ice *s, const scene_load *load)
+{
+    return load->target * load_heating_time(load, &(load_step){s->time, s->time + s->dt, s->step});
+}
+
 /* The fluid that a load heats in this step, -1: none. */
 static int heated_by(const ice *s, const scene_load *load)
 {
     const int r = heats(load) ? ice_material_of(s, load->material) : -1;
     if (r < 0 || s->material[r].points || !(s->time + s->dt > load->start)) return -1;
-    if (load->kind == LOAD_PRESSURISE) return r;
-    return load_heats(load, &(load_step){s->time, s->time + s->dt, s->step}) ? r : -1;
+    return load->kind == LOAD_PRESSURISE || heat_of_step(s, load) != 0.0 ? r : -1;
 }
 
 floe_status ice_apply_loads(ice *s)
@@ -150,12 +156,12 @@ floe_status ice_apply_loads(ice *s)
         if (load->kind == LOAD_PRESSURISE)
             pressurise(s, l, r);
         else
-            add_heat(s, l, r, heat_by_power, load->target);
+            add_heat(s, l, r, heat_by_power, heat_of_step(s, load));
     }
     return FLOE_OK;
 }
 
-static void add_pressure(ice *s, int l, int r, double power)
+static void add_pressure(ice *s, int l, int r, double heat)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
@@ -168,7 +174,7 @@ static void add_pressure(ice *s, int l, int r, double power)
             const double volume = s->multi ? m->v[at] : 1.0 / m->rho[at],
                          part = s->multi ? m->kappa[at] / v.kappa_sum[at] : 1.0;
             v.dP[at] += ice_implicit_phi(&v, 0.5 * (1.0 + v.shock[at])) * part * volume * pressure_slope(s, &v, r, at) *
-                        heat_by_power(s, &v, r, at, power);
+                        heat_by_power(s, &v, r, at, heat);
         }
     }
 }
@@ -180,7 +186,7 @@ floe_status ice_load_pressure(ice *s)
         const int r = load->kind == LOAD_HEAT ? heated_by(s, load) : -1;
         if (r < 0) continue;
         TRY(find_regions(s, l));
-        add_pressure(s, l, r, load->target);
+        add_pressure(s, l, r, heat_of_step(s, load));
     }
     return FLOE_OK;
 }

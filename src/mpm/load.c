@@ -84,7 +84,7 @@ floe_status set_heating(mpm *s)
         const scene_load *load = &s->scene->load[l];
         s->work->heat[l] = 0.0;
         if (s->coupled || s->seals) continue; /* the fluids are on the cells */
-        if (load->kind == LOAD_HEAT && load_heats(load, &step)) s->work->heat[l] = load->target * s->dt;
+        if (load->kind == LOAD_HEAT) s->work->heat[l] = load->target * load_heating_time(load, &step);
         if (load->kind != LOAD_PRESSURISE) continue;
         bool active;
         const double scheduled = load_scheduled_pressure(s->scene, load, &step, &active);

@@ -26,6 +26,18 @@ static int find_nearest(const scene *s, const char *path)
     return at;
 }
 
+bool scene_has_key(const scene *s, const char *path)
+{
+    int at = -1;
+    while (*path) {
+        const size_t length = strcspn(path, ".");
+        at = find_under(s, at, path, length);
+        if (at < 0) return false;
+        path += length + (path[length] == '.');
+    }
+    return true;
+}
+
 /* What "--set KEY=VALUE" leaves to be said of a key: nothing of the key if it is this one, nor of the value where the
  * cause begins with it. */
 static void tell_setting(const char *setting, const char *key, const char *cause, char text[CONTEXT_MESSAGE_SIZE])

@@ -18,4 +18,7 @@ struct scene_key {
  * second call changes nothing. Returns `status`. */
 floe_status scene_place(const scene *s, floe_status status);
 
+/* Whether the deck, or --set, has the key of this path ("time.cfl.mpm"). */
+bool scene_has_key(const scene *s, const char *path);
+
 #endif

@@ -1,5 +1,7 @@
 #include "scene/remark.h"
 
+#include "scene/unsupported.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -98,4 +100,5 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
 {
     remark_soft_walls(s, say, user);
     remark_knots(s, say, user);
+    scene_remark_unused(s, say, user);
 }

@@ -101,7 +101,7 @@ static double fraction_at(const scene_load *load, double t, long steps)
 scene_load load_until(const scene_load *load, double end)
 {
     scene_load out = *load;
-    if (load->ramp > 0.0 || !(end > load->start)) return out;
+    if (load->kind == LOAD_HEAT || load->ramp > 0.0 || !(end > load->start)) return out;
     out.ramp = end - load->start;
     out.ramp_steps = 0;
     return out;
@@ -124,12 +124,22 @@ bool load_heats(const scene_load *load, const load_step *step)
     return has_ramp ? ramp_acts(load, step) : step->t_end > load->start;
 }
 
+/* The integral of a ramp from its start to t (s). */
+static double ramp_integral(const scene_load *load, double t)
+{
+    const double gone = fmax(t - load->start, 0.0);
+    if (gone < load->ramp) return 0.5 * gone * gone / load->ramp;
+    return 0.5 * load->ramp + (load->hold ? gone - load->ramp : 0.0);
+}
+
 double load_heating_time(const scene_load *load, const load_step *step)
 {
-    double end = step->t_end;
     if (!load_heats(load, step)) return 0.0;
-    if (load->ramp > 0.0 && load->ramp_steps == 0 && !load->hold) end = fmin(end, load->start + load->ramp);
-    return end - fmax(step->t, load->start);
+    if (load->ramp_steps > 0)
+        return 0.5 * (fraction_at(load, step->t, step->step) + fraction_at(load, step->t_end, step->step + 1)) *
+               (step->t_end - step->t);
+    if (load->ramp > 0.0) return ramp_integral(load, step->t_end) - ramp_integral(load, step->t);
+    return step->t_end - fmax(step->t, load->start);
 }
 
 static double initial_pressure(const scene *s, const scene_load *load)

@@ -3,6 +3,7 @@
 
 #include "base/compiler.h"
 #include "base/memory.h"
+#include "scene/unsupported.h"
 #include "sim/coupled.h"
 #include "sim/gas_rest.h"
 #include "sim/light.h"
@@ -44,7 +45,7 @@ static floe_status check_coupling(const sim *s)
                             "ice-mpm: body '%s' is a membrane, which cells do not see unless it `holds` a gas; use mpm",
                             s->scene->body[b].name);
     if (s->scene->n_bodies == 0) return fail_key(s->ctx, KEY("bodies"), "the scene has none: give one");
-    return FLOE_OK;
+    return scene_refuse_unsupported(s->scene, s->coupling);
 }
 
 floe_status sim_run_stages(sim *s)

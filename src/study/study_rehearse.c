@@ -4,6 +4,8 @@
 #include "base/memory.h"
 #include "run/live_line.h"
 #include "run/setup.h"
+#include "scene/place.h"
+#include "scene/unsupported.h"
 
 enum { TOLD_MOST = 5 /* cases that are warned of one by one */, LIVE_INTERVAL = 1, PLAIN_INTERVAL = 10 };
 
@@ -21,7 +23,7 @@ floe_status study_set_up(scene *s, study_ready *out)
 {
     run_setup setup;
     *out = (study_ready){.cells = study_cells(&s->mesh)};
-    if (out->cells > STUDY_SET_UP_CELLS) return FLOE_OK;
+    if (out->cells > STUDY_SET_UP_CELLS) return scene_place(s, scene_refuse_unsupported(s, s->coupling));
     floe_status status = setup_begin(&setup, s);
     if (status == FLOE_OK) status = sim_predict(setup.sim, &out->step, &out->steps, &out->reason);
     out->points = setup.sim && setup.sim->mpm ? mpm_count(setup.sim->mpm) : 0;
@@ -44,10 +46,11 @@ static void tell(rehearsing *r, const study_case *one)
                     r->s->options->name, context_message(ctx));
 }
 
-static floe_status rehearse_case(rehearsing *r, size_t i)
+/* A case that is one of too many to be set up is at least asked for what its coupling cannot do. */
+static floe_status rehearse_case(rehearsing *r, size_t i, bool all)
 {
     const batch_options batch = study_batch_options(r->s);
-    study_ready ready;
+    study_ready ready = {0};
     scene *of;
     if (live_line_is_due(&r->line)) {
         char text[LIVE_LINE_SIZE];
@@ -55,7 +58,8 @@ static floe_status rehearse_case(rehearsing *r, size_t i)
         live_line_show(&r->line, text);
     }
     TRY(batch_prepare(r->s->ctx, &batch, &r->s->run[i], &of));
-    const floe_status status = study_set_up(of, &ready);
+    const floe_status status =
+        all ? study_set_up(of, &ready) : scene_place(of, scene_refuse_unsupported(of, of->coupling));
     scene_destroy(&of);
     if (ready.done) r->out->set_up++;
     if (status != FLOE_BAD_INPUT && status != FLOE_DIVERGED) return status;
@@ -75,7 +79,7 @@ static floe_status rehearse(study *s, study_rehearsal *out)
     out->cases = s->n;
     for (size_t i = 0; i < s->n && status == FLOE_OK; i++) {
         if (s->options->stop && *s->options->stop) status = fail(s->ctx, FLOE_INTERRUPTED, "stopped");
-        if (status == FLOE_OK && (cells <= all_cells || i == 0 || i + 1 == s->n)) status = rehearse_case(&r, i);
+        if (status == FLOE_OK) status = rehearse_case(&r, i, cells <= all_cells || i == 0 || i + 1 == s->n);
     }
     live_line_clear(&r.line);
     if (status == FLOE_OK && r.told > TOLD_MOST)

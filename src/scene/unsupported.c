@@ -1,0 +1,183 @@
+/* What a coupling cannot do. Each rule is a row: what is looked at, the couplings that cannot do it, and why. */
+#include "scene/unsupported.h"
+
+#include <math.h>
+#include <stddef.h>
+
+enum { AS_MPM = 1 << COUPLING_MPM, AS_ICE = 1 << COUPLING_ICE, AS_ICE_MPM = 1 << COUPLING_ICE_MPM };
+
+static bool is_concerned(scene_coupling coupling, unsigned couplings)
+{
+    return (couplings >> coupling & 1U) != 0;
+}
+
+static bool has_body_of(const scene *s, int material)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].material == material) return true;
+    return false;
+}
+
+/* ---- sides ---- */
+
+static bool side_lets_in(const scene *s, const bc_side *side)
+{
+    (void)s;
+    return side->kind == BC_INLET;
+}
+
+static bool side_is_reservoir(const scene *s, const bc_side *side)
+{
+    (void)s;
+    return side->kind == BC_RESERVOIR;
+}
+
+static bool side_absorbs(const scene *s, const bc_side *side)
+{
+    (void)s;
+    return side->kind == BC_NON_REFLECTING;
+}
+
+/* Points carry stress relative to the reference pressure: that is what acts on them from outside. */
+static bool side_has_other_pressure(const scene *s, const bc_side *side)
+{
+    return side->kind == BC_OUTLET && !(fabs(side->pressure - s->reference_pressure) <= 1e-6 * fabs(side->pressure));
+}
+
+static bool side_has_heat(const scene *s, const bc_side *side)
+{
+    (void)s;
+    const bool wall = side->kind == BC_SLIP || side->kind == BC_NO_SLIP;
+    return wall && (side->temperature > 0.0 || side->heat_flux != 0.0);
+}
+
+static bool wall_cannot_drag(const scene *s, const bc_side *side)
+{
+    if (side->kind != BC_NO_SLIP) return false;
+    for (int m = 0; m < s->n_materials; ++m)
+        if (s->material[m].kind == MATERIAL_FLUID && s->material[m].shear_viscosity > 0.0) return false;
+    return side->velocity[0] != 0.0 || side->velocity[1] != 0.0 || side->velocity[2] != 0.0;
+}
+
+static const struct {
+    unsigned couplings;
+    bool (*applies)(const scene *s, const bc_side *side);
+    const char *why;
+} side_rules[] = {
+    {AS_MPM, side_lets_in,
+     "'inlet' lets a fluid in, and no material points come into being: take ice or ice-mpm, or 'velocity' for a side "
+     "that moves bodies"},
+    {AS_MPM, side_is_reservoir,
+     "'reservoir' lets a fluid in, and no material points come into being: take ice or ice-mpm"},
+    {AS_MPM, side_absorbs, "material points reflect the waves that 'non_reflecting' lets out: take ice or ice-mpm"},
+    {AS_MPM, side_has_other_pressure,
+     "outside of material points there is reference_pressure, and the outlet has another pressure: make them the same, "
+     "or take ice or ice-mpm"},
+    {AS_MPM, side_has_heat,
+     "fluids of material points do not conduct heat, so that the wall's heat has no effect: leave it out, or take ice "
+     "or ice-mpm"},
+    {AS_ICE, wall_cannot_drag,
+     "no fluid is viscous, so that the wall's velocity has no effect: give a fluid a 'viscosity', or take 'slip'"},
+};
+
+static const char *side_axis_name(const scene *s, int axis)
+{
+    static const char *const name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", ""}};
+    return name[s->mesh.geometry == MESH_AXISYMMETRIC][axis];
+}
+
+static floe_status refuse_sides(const scene *s, scene_coupling coupling)
+{
+    for (int a = 0; a < s->mesh.dim; ++a)
+        for (int i = 0; i < 2; ++i)
+            for (size_t k = 0; k < sizeof side_rules / sizeof side_rules[0]; ++k) {
+                if (!is_concerned(coupling, side_rules[k].couplings) || !side_rules[k].applies(s, &s->bc.side[a][i]))
+                    continue;
+                return fail_key(s->ctx, KEY("boundaries", side_axis_name(s, a), i == SIDE_LOWER ? "lower" : "upper"),
+                                "%s: %s", coupling_name(coupling), side_rules[k].why);
+            }
+    return FLOE_OK;
+}
+
+/* ---- materials ---- */
+
+static floe_status refuse_materials(const scene *s, scene_coupling coupling)
+{
+    for (int m = 0; m < s->n_materials && coupling == COUPLING_MPM; ++m) {
+        const scene_material *of = &s->material[m];
+        if (of->kind != MATERIAL_FLUID || !(of->conductivity > 0.0) || !has_body_of(s, m)) continue;
+        return fail_key(s->ctx, KEY("materials", of->name, "conductivity"),
+                        "mpm: fluids of material points do not conduct heat; leave it out, or take ice or ice-mpm");
+    }
+    return FLOE_OK;
+}
+
+/* The material is somewhere: in a body, the ambient, a side or a reaction. */
+static bool is_present(const scene *s, int material)
+{
+    if (has_body_of(s, material) || (s->has_ambient && s->ambient_material == material)) return true;
+    for (int a = 0; a < s->mesh.dim; ++a)
+        for (int i = 0; i < 2; ++i) {
+            const bc_side *side = &s->bc.side[a][i];
+            if ((side->kind == BC_INLET || side->kind == BC_RESERVOIR) && side->material == material) return true;
+        }
+    for (int k = 0; k < s->n_reactions; ++k)
+        if (s->reaction[k].product == material) return true;
+    return false;
+}
+
+/* ---- interactions ---- */
+
+static floe_status refuse_interactions(const scene *s, scene_coupling coupling)
+{
+    static const char one_velocity[] =
+        "mpm: where bodies meet without contact, their material points have one velocity and exchange no heat; leave "
+        "it out, or take ice or ice-mpm";
+    if (coupling == COUPLING_MPM && s->n_exchanges > 0)
+        return fail_key(s->ctx, KEY("exchange", s->exchange[0].name), one_velocity);
+    for (int k = 0; k < s->n_exchanges; ++k)
+        for (int i = 0; i < 2; ++i)
+            if (!is_present(s, s->exchange[k].material[i]))
+                return fail_key(s->ctx, KEY("exchange", s->exchange[k].name, "between"),
+                                "there is no '%s' in the scene: leave the pair out, or give a body of it",
+                                s->material[s->exchange[k].material[i]].name);
+    if (coupling == COUPLING_MPM && !isnan(s->method.exchange))
+        return fail_key(s->ctx, KEY("method", "exchange"), one_velocity);
+    if (coupling == COUPLING_MPM && s->method.heat_exchange > 0.0)
+        return fail_key(s->ctx, KEY("method", "heat_exchange"), one_velocity);
+    if (coupling == COUPLING_MPM && s->n_reactions > 0)
+        return fail_key(s->ctx, KEY("reactions", s->reaction[0].name),
+                        "mpm: materials react in cells, and there are none; leave it out, or take ice or ice-mpm");
+    if (coupling == COUPLING_ICE && (s->time.solver == SOLVER_STATIC || s->time.solver == SOLVER_IMPLICIT))
+        return fail_key(s->ctx, KEY("time", "solver"),
+                        "ice: it is the solver of material points, and there are none; leave it out");
+    if (coupling == COUPLING_ICE && s->damping.rate > 0.0)
+        return fail_key(s->ctx, KEY("damping", "rate"),
+                        "ice: damping acts on material points, and there are none; leave it out");
+    return FLOE_OK;
+}
+
+/* ---- loads ---- */
+
+static floe_status refuse_load(const scene *s, scene_coupling coupling, const scene_load *load)
+{
+    const bool heats = load->kind == LOAD_PRESSURISE || load->kind == LOAD_HEAT;
+    if (heats && load->material >= 0 && !is_present(s, load->material))
+        return fail_key(s->ctx, KEY("loads", load->name, load->kind == LOAD_HEAT ? "heat" : "pressurise", "material"),
+                        "there is no '%s' in the scene: give a body of it, or leave the load out",
+                        s->material[load->material].name);
+    if (load->kind != LOAD_BODY_FORCE || load->body < 0 || coupling == COUPLING_MPM) return FLOE_OK;
+    if (s->material[s->body[load->body].material].kind != MATERIAL_FLUID) return FLOE_OK;
+    return fail_key(s->ctx, KEY("loads", load->name, "body_force", "body"),
+                    "%s: '%s' is a fluid in cells, where it mixes with others of its material: take gravity, or mpm",
+                    coupling_name(coupling), s->body[load->body].name);
+}
+
+floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling)
+{
+    TRY(refuse_sides(s, coupling));
+    TRY(refuse_materials(s, coupling));
+    TRY(refuse_interactions(s, coupling));
+    for (int l = 0; l < s->n_loads; ++l) TRY(refuse_load(s, coupling, &s->load[l]));
+    return FLOE_OK;
+}

@@ -1,0 +1,211 @@
+/* Keys that a coupling does not read, because it has no cells or no points of that kind. Only keys that stand in the
+ * deck, with a value other than the default, are remarked on. */
+#include "scene/place.h"
+#include "scene/unsupported.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    AS_MPM = 1 << COUPLING_MPM,
+    AS_ICE = 1 << COUPLING_ICE,
+    AS_ICE_MPM = 1 << COUPLING_ICE_MPM,
+    LIST_SIZE = 400,
+    PATH_SIZE = 2 * SCENE_NAME
+};
+
+/* The keys found so far, as a text. */
+typedef struct unused_list {
+    const scene *s;
+    char text[LIST_SIZE];
+    size_t length;
+} unused_list;
+
+/* Neither this coupling nor another of runs_as reads it. */
+static bool is_unread(const scene *s, unsigned couplings)
+{
+    for (int k = 0; k < s->n_runs_as; ++k)
+        if (!(couplings >> s->runs_as[k] & 1U)) return false;
+    return (couplings >> s->coupling & 1U) != 0;
+}
+
+static void add_key(unused_list *list, unsigned couplings, const char *path)
+{
+    if (!is_unread(list->s, couplings) || !scene_has_key(list->s, path)) return;
+    const int n = snprintf(list->text + list->length, LIST_SIZE - list->length, "%s%s", list->length ? ", " : "", path);
+    if (n > 0 && list->length + (size_t)n < LIST_SIZE) list->length += (size_t)n;
+    list->text[list->length] = '\0';
+}
+
+/* ---- keys of the whole scene ---- */
+
+#define MEMBER(member) offsetof(scene, member), sizeof(((scene *)0)->member)
+
+static const struct {
+    const char *path;
+    unsigned couplings; /* that do not read it */
+    size_t offset, size;
+} scene_keys[] = {
+    {"domain.stress_state", AS_ICE, MEMBER(stress_state)},
+    {"domain.lattice_offset", AS_ICE, MEMBER(lattice_offset)},
+    {"time.cfl.mpm", AS_ICE, MEMBER(time.cfl_mpm)},
+    {"time.cfl.ice", AS_MPM, MEMBER(time.cfl_ice)},
+    {"time.acoustic_cfl", AS_MPM, MEMBER(time.acoustic_cfl)},
+    {"time.substeps", AS_MPM | AS_ICE, MEMBER(time.substeps)},
+    {"method.basis", AS_ICE, MEMBER(method.basis)},
+    {"method.domain_limit", AS_ICE, MEMBER(method.domain_limit)},
+    {"method.stress", AS_ICE, MEMBER(method.stress)},
+    {"method.transfer", AS_ICE, MEMBER(method.transfer)},
+    {"method.flip", AS_ICE, MEMBER(method.flip)},
+    {"method.filter_order", AS_ICE, MEMBER(method.filter_order)},
+    {"method.point_density", AS_ICE | AS_ICE_MPM, MEMBER(method.density)},
+    {"method.edge_penalty", AS_ICE, MEMBER(method.edge_penalty)},
+    {"method.centring", AS_MPM, MEMBER(method.centring)},
+    {"method.energy", AS_MPM, MEMBER(method.conserve_energy)},
+    {"method.limiter", AS_MPM, MEMBER(method.limiter)},
+    {"method.volume_relaxation", AS_MPM | AS_ICE, MEMBER(method.volume_relaxation)},
+    {"method.interface", AS_MPM | AS_ICE, MEMBER(method.interface)},
+    {"method.pressure", AS_MPM, MEMBER(method.pressure)},
+    {"method.pressure_tolerance", AS_MPM, MEMBER(method.pressure_tolerance)},
+};
+
+/* A text that was shorter than its default leaves the default's end behind it. */
+static bool is_default(const scene *s, const scene *defaults, size_t offset, size_t size)
+{
+    return memcmp((const char *)s + offset, (const char *)defaults + offset, size) == 0;
+}
+
+static void add_scene_keys(unused_list *list)
+{
+    scene *defaults;
+    if (scene_create(&defaults, list->s->ctx) != FLOE_OK) return;
+    for (size_t k = 0; k < sizeof scene_keys / sizeof scene_keys[0]; ++k)
+        if (!is_default(list->s, defaults, scene_keys[k].offset, scene_keys[k].size))
+            add_key(list, scene_keys[k].couplings, scene_keys[k].path);
+    scene_destroy(&defaults);
+}
+
+/* ---- keys of materials and bodies ---- */
+
+static void add_key_of(unused_list *list, unsigned couplings, const char *map, const char *name, const char *key)
+{
+    char path[PATH_SIZE];
+    (void)snprintf(path, sizeof path, "%s.%s.%s", map, name, key);
+    add_key(list, couplings, path);
+}
+
+static void add_material_keys(unused_list *list, const scene_material *m)
+{
+    const bool solid = m->kind == MATERIAL_SOLID;
+    if (m->artificial_linear > 0.0 || m->artificial_quadratic > 0.0)
+        add_key_of(list, solid ? AS_ICE : AS_ICE | AS_ICE_MPM, "materials", m->name, "artificial_viscosity");
+    if (!solid) return;
+    if (!isnan(m->specific_heat)) add_key_of(list, AS_MPM | AS_ICE, "materials", m->name, "specific_heat");
+    if (!isnan(m->tension_switch)) add_key_of(list, AS_MPM | AS_ICE, "materials", m->name, "tension_switch");
+}
+
+static void add_body_keys(unused_list *list, const scene_body *b)
+{
+    enum { USUAL_POINTS = 2 };
+    const double usual_merge = 0.3, usual_temperature = list->s->has_ambient ? list->s->ambient_temperature : 300.0;
+    bool other_points = false;
+    if (list->s->material[b->material].kind == MATERIAL_SOLID) {
+        if (b->membrane.holds >= 0 && b->membrane.surface.kind == SHEET_NONE)
+            add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "membrane.holds");
+        if (b->temperature != usual_temperature) add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "temperature");
+        return;
+    }
+    for (int a = 0; a < list->s->mesh.dim; ++a) other_points = other_points || b->per_cell[a] != USUAL_POINTS;
+    if (other_points) add_key_of(list, AS_ICE | AS_ICE_MPM, "bodies", b->name, "points");
+    if (b->seeding != SEED_FITTED) add_key_of(list, AS_ICE | AS_ICE_MPM, "bodies", b->name, "seeding");
+    if (b->merge != usual_merge) add_key_of(list, AS_ICE | AS_ICE_MPM, "bodies", b->name, "merge");
+}
+
+/* What points lose heats gas points, or the gas that surfaces of points hold. */
+static void add_losses(unused_list *list)
+{
+    const scene *s = list->s;
+    if (s->method.losses == LOSSES_HEAT) add_key(list, scene_is_cut(s) ? AS_ICE : AS_ICE | AS_ICE_MPM, "method.losses");
+}
+
+/* Cells carry absolute pressures: only a load that pressurises counts from the reference. */
+static void add_reference_pressure(unused_list *list)
+{
+    const scene *s = list->s;
+    for (int l = 0; l < s->n_loads; ++l)
+        if (s->load[l].kind == LOAD_PRESSURISE) return;
+    if (s->reference_pressure != 0.0 && isnan(s->verify.probe_pressure)) add_key(list, AS_ICE, "reference_pressure");
+}
+
+/* A material of nothing is most likely a body that was forgotten. */
+static void remark_idle_materials(const scene *s, remark_sink *say, void *user)
+{
+    for (int m = 0; m < s->n_materials; ++m) {
+        bool used = s->has_ambient && s->ambient_material == m;
+        for (int b = 0; b < s->n_bodies; ++b) used = used || s->body[b].material == m || s->body[b].membrane.holds == m;
+        for (int k = 0; k < s->n_reactions; ++k)
+            used = used || s->reaction[k].product == m || s->reaction[k].reactant == m;
+        for (int a = 0; a < s->mesh.dim; ++a)
+            for (int i = 0; i < 2; ++i) used = used || s->bc.side[a][i].material == m;
+        if (used) continue;
+        char text[LIST_SIZE];
+        (void)snprintf(text, sizeof text, "nothing is made of material '%s'", s->material[m].name);
+        say(user, text);
+    }
+}
+
+/* ---- sides ---- */
+
+/* What would flow back through an outlet; points do not. The deck says it of a side, of an axis, or of all. */
+static void add_outlet_keys(unused_list *list, int axis, int end)
+{
+    static const char *const key[] = {"temperature", "material"}, *const end_name[] = {"lower", "upper"};
+    static const char *const axis_name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", ""}};
+    const char *name = axis_name[list->s->mesh.geometry == MESH_AXISYMMETRIC][axis];
+    for (int k = 0; k < 2; ++k) {
+        char side[PATH_SIZE], both[PATH_SIZE], all[PATH_SIZE];
+        (void)snprintf(side, sizeof side, "boundaries.%s.%s.outlet.%s", name, end_name[end], key[k]);
+        (void)snprintf(both, sizeof both, "boundaries.%s.outlet.%s", name, key[k]);
+        (void)snprintf(all, sizeof all, "boundaries.outlet.%s", key[k]);
+        add_key(list, AS_MPM, side);
+        if (end == 0) add_key(list, AS_MPM, both);
+        if (end == 0 && axis == 0) add_key(list, AS_MPM, all);
+    }
+}
+
+static void remark_inviscid_walls(const scene *s, remark_sink *say, void *user)
+{
+    for (int m = 0; m < s->n_materials; ++m)
+        if (s->material[m].kind == MATERIAL_FLUID && s->material[m].shear_viscosity > 0.0) return;
+    for (int a = 0; a < s->mesh.dim && s->coupling == COUPLING_ICE; ++a)
+        for (int i = 0; i < 2; ++i)
+            if (s->bc.side[a][i].kind == BC_NO_SLIP) {
+                say(user, "no fluid is viscous: 'no_slip' sides let the fluid slip. Give it a 'viscosity', or take "
+                          "'slip'");
+                return;
+            }
+}
+
+void scene_remark_unused(const scene *s, remark_sink *say, void *user)
+{
+    static const char *const lacks[COUPLING_COUNT] = {"it has no cells", "it has no material points",
+                                                      "its fluids are in cells"};
+    unused_list list = {.s = s};
+    add_scene_keys(&list);
+    add_losses(&list);
+    add_reference_pressure(&list);
+    for (int m = 0; m < s->n_materials; ++m) add_material_keys(&list, &s->material[m]);
+    for (int b = 0; b < s->n_bodies; ++b) add_body_keys(&list, &s->body[b]);
+    for (int a = 0; a < s->mesh.dim; ++a)
+        for (int i = 0; i < 2; ++i)
+            if (s->bc.side[a][i].kind == BC_OUTLET) add_outlet_keys(&list, a, i);
+    remark_inviscid_walls(s, say, user);
+    remark_idle_materials(s, say, user);
+    if (list.length == 0) return;
+    char text[LIST_SIZE + 2 * SCENE_NAME];
+    (void)snprintf(text, sizeof text, "'%s' does not read these keys, as %s: %s", coupling_name(s->coupling),
+                   lacks[s->coupling], list.text);
+    say(user, text);
+}
