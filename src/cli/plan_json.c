@@ -1,5 +1,7 @@
 #include "cli/plan.h"
 
+#include "sim/interface.h"
+
 #include <jansson.h>
 
 static json_t *names_json(const stage_fields *list)
@@ -58,18 +60,18 @@ static json_t *plan_json(const plan *p)
     const sim *s = p->sim;
     char geometry[64];
     plan_geometry(p, geometry);
-    return json_pack("{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:f, s:f, s:s, s:s, s:s, s:s}",
-                     "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim,
-                     "geometry", geometry, "mesh", mesh_json(&s->mesh), "cells", (json_int_t)i->cells, "points",
-                     (json_int_t)i->points, "basis", s->mpm ? s->mpm->basis->name : NULL, "cell_materials",
-                     s->ice ? s->ice->n_materials : 0, "stages", stages_json(&s->stages), "fields", fields_json(p),
-                     "bytes", bytes_json(i), "dt", i->predicted_dt, "steps", i->predicted_steps, "dt_limit",
-                     i->dt_reason, "solver", s->solver_reason, "pressure",
-                     s->pressure_reason[0] ? s->pressure_reason
-                     : !s->ice             ? ""
-                     : s->ice->implicit    ? "implicit"
-                                           : "explicit",
-                     "substeps", s->substeps_reason);
+    return json_pack(
+        "{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:f, s:f, s:s, s:s, s:s, s:s, s:s}",
+        "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim, "geometry",
+        geometry, "mesh", mesh_json(&s->mesh), "cells", (json_int_t)i->cells, "points", (json_int_t)i->points, "basis",
+        s->mpm ? s->mpm->basis->name : NULL, "cell_materials", s->ice ? s->ice->n_materials : 0, "stages",
+        stages_json(&s->stages), "fields", fields_json(p), "bytes", bytes_json(i), "dt", i->predicted_dt, "steps",
+        i->predicted_steps, "dt_limit", i->dt_reason, "solver", s->solver_reason, "pressure",
+        s->pressure_reason[0] ? s->pressure_reason
+        : !s->ice             ? ""
+        : s->ice->implicit    ? "implicit"
+                              : "explicit",
+        "substeps", s->substeps_reason, "interface", interface_told(s));
 }
 
 floe_status plan_print_json(const plan *p, FILE *file)

@@ -1,6 +1,7 @@
 #include "cli/plan.h"
 
 #include "base/context.h"
+#include "sim/interface.h"
 
 #include <string.h>
 
@@ -58,6 +59,7 @@ static void print_head(const plan *p, FILE *file)
     (void)fprintf(file, " cells of %g m, %zu points, %zu cells with fields\n", m->h[0], p->info.points, p->info.cells);
     if (p->sim->mpm) {
         (void)fprintf(file, "solver: %s\n", p->sim->solver_reason);
+        if (interface_told(p->sim)[0]) (void)fprintf(file, "interface: %s\n", interface_told(p->sim));
         if (p->sim->substeps_reason[0]) (void)fprintf(file, "sub-steps: %s\n", p->sim->substeps_reason);
         (void)fprintf(file, "kernels of the points: %s basis, %s; %s\n", p->sim->mpm->basis->name, geometry,
                       p->scene->method.stress == STRESS_USF   ? "stress first"

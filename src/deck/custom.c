@@ -196,6 +196,22 @@ const custom_key custom_cfl = {
     .form = "a number up to 1 for both solvers, or {mpm: number, ice: number}",
 };
 
+/* ---- method.preset: its keys have taken its place before the schema sees it (preset.c) ---- */
+
+static floe_status read_preset(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    (void)r, (void)key, (void)node, (void)base;
+    return FLOE_OK;
+}
+
+static void write_preset(writer *w, const key_spec *key, const void *base)
+{
+    (void)w, (void)key, (void)base;
+}
+
+const custom_key custom_preset = {
+    .read = read_preset, .write = write_preset, .form = "g03", .json = "{\"const\": \"g03\"}"};
+
 /* ---- time.substeps: 4, or auto ---- */
 
 static floe_status read_substeps(reader *r, const key_spec *key, deck_node *node, void *base)

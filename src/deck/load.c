@@ -2,8 +2,10 @@
 #include "deck/check/check.h"
 #include "deck/override.h"
 #include "deck/parts.h"
+#include "deck/preset.h"
 
 #include "base/memory.h"
+#include "sim/interface.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -34,7 +36,8 @@ static floe_status make_tree(const deck_source *source, const deck_overrides *se
         return error_add(errors, (deck_place){0, 1, 1}, "a map of keys, beginning with 'floe: 1'",
                          "`floe new` writes a deck to start from", "the deck is empty");
     }
-    return override_apply(*root, arena, set, errors);
+    TRY(override_apply(*root, arena, set, errors));
+    return preset_expand(*root, arena, errors);
 }
 
 /* Text to scene; faults of the deck go into `errors`, and the scene is then not to be used. */
@@ -51,6 +54,7 @@ static floe_status resolve(deck_source *source, const deck_overrides *set, scene
     if (root->kind != NODE_MAP) return FLOE_OK;
     TRY(note_keys(s, root, set));
     TRY(finish_scene(&r));
+    if (errors->count == 0) TRY(interface_settle(s));
     return check_scene(&r);
 }
 

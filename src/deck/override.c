@@ -1,5 +1,7 @@
 #include "deck/override.h"
 
+#include "deck/preset.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -136,6 +138,10 @@ static floe_status apply_one(override *o, deck_node *root, int source, const cha
 floe_status override_apply(deck_node *root, deck_arena *arena, const deck_overrides *set, error_list *errors)
 {
     override o = {.arena = arena, .errors = errors};
-    for (size_t i = 0; set && i < set->n; i++) TRY(apply_one(&o, root, (int)i + 1, set->text[i]));
+    TRY(preset_open(root, arena));
+    for (size_t i = 0; set && i < set->n; i++) {
+        TRY(apply_one(&o, root, (int)i + 1, set->text[i]));
+        TRY(preset_open(root, arena));
+    }
     return FLOE_OK;
 }

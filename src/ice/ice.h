@@ -162,6 +162,8 @@ typedef struct ice_totals {
 floe_status ice_sum(ice *s, ice_totals *out);
 /* The reaction (instance of C_REACTED) that uses up a material carried by points, or -1. */
 int ice_burning_of(const ice *s, int material);
+/* Marks the materials that bodies, the ambient and the sides bring to the cells; `used`: one for each of the scene. */
+void ice_find_used(const scene *s, bool with_points, bool *used);
 /* The cells' material of a scene material, or -1. */
 int ice_material_of(const ice *s, int scene_material);
 /* Mass (kg) of a gas in cells of which a membrane leaves it nothing: a leak. */

@@ -6,8 +6,7 @@
 
 #include <math.h>
 
-/* Materials that bodies, the ambient and the sides bring in. */
-static void find_used(const scene *s, bool with_points, bool *used)
+void ice_find_used(const scene *s, bool with_points, bool *used)
 {
     for (int b = 0; b < s->n_bodies; ++b) {
         const int r = s->body[b].material;
@@ -58,7 +57,7 @@ static floe_status resolve_materials(ice *s, bool with_points)
 {
     const scene *whole = s->scene;
     bool used[SCENE_MAX_MATERIALS] = {false};
-    find_used(whole, with_points, used);
+    ice_find_used(whole, with_points, used);
     for (int r = 0; r < whole->n_materials; ++r) {
         if (!used[r]) continue;
         const scene_material *m = &whole->material[r];

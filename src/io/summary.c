@@ -72,6 +72,7 @@ static bool set_all(json_t *object, const run_summary *r)
            json_put(object, "solver", json_string(r->solver)) &&
            json_put(object, "pressure", json_string(r->pressure)) &&
            json_put(object, "substeps", json_string(r->substeps)) &&
+           json_put(object, "interface", json_plain_text(r->interface)) &&
            json_put(object, "units", json_string(r->dimensionless ? "none" : "si")) &&
            json_put(object, "status", json_string(r->status)) &&
            json_put(object, "message", json_plain_text(r->message)) && json_put(object, "time", json_number(r->time)) &&

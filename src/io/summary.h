@@ -34,7 +34,8 @@ typedef struct run_summary {
     char pressure[SUMMARY_TEXT]; /* of cells: explicit or implicit, and why where floe chose; "" without */
     /* Of points beside cells: at most, and why where floe chose; "" where the deck asks for none. */
     char substeps[SUMMARY_TEXT];
-    bool dimensionless;         /* "units": "none", else "si", as summaries of older versions are read */
+    char interface[512]; /* of solids beside fluids on cells, and why where it was left to floe; "": there is none */
+    bool dimensionless;  /* "units": "none", else "si", as summaries of older versions are read */
     char status[SUMMARY_NAME];  /* done, at_rest, diverged, interrupted, ... */
     char message[SUMMARY_TEXT]; /* why it is neither done nor at rest; "" otherwise */
     double time;                /* s, reached */

@@ -119,6 +119,7 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     if (json_object_get(object, "solver")) get_text(r, object, "solver", out->solver, sizeof out->solver);
     if (json_object_get(object, "pressure")) get_text(r, object, "pressure", out->pressure, sizeof out->pressure);
     if (json_object_get(object, "substeps")) get_text(r, object, "substeps", out->substeps, sizeof out->substeps);
+    if (json_object_get(object, "interface")) get_text(r, object, "interface", out->interface, sizeof out->interface);
     const char *units = json_string_value(json_object_get(object, "units"));
     out->dimensionless = units && strcmp(units, "none") == 0;
     get_text(r, object, "status", out->status, sizeof out->status);

@@ -1,5 +1,7 @@
 #include "io/summary.h"
 
+#include "sim/interface.h"
+
 #include <math.h>
 
 /* Fields of the coupling: they exist only where points and cells meet. */
@@ -66,6 +68,7 @@ floe_status summary_set_sim(run_summary *r, const sim *s)
     const char *pressure = !s->ice ? "" : s->ice->implicit ? "implicit" : "explicit";
     (void)snprintf(r->pressure, sizeof r->pressure, "%s", s->pressure_reason[0] ? s->pressure_reason : pressure);
     (void)snprintf(r->substeps, sizeof r->substeps, "%s", s->substeps_reason);
+    (void)snprintf(r->interface, sizeof r->interface, "%s", interface_told(s));
     r->dimensionless = s->scene->dimensionless;
     r->time = s->time;
     r->steps = s->steps;

@@ -11,6 +11,7 @@
 #include "run/state_check.h"
 #include "scene/place.h"
 #include "scene/remark.h"
+#include "sim/interface.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -220,6 +221,7 @@ static void say_start(const run *r, int threads)
 {
     const sim *s = r->sim;
     if (s->mpm) context_log(r->ctx, LOG_INFO, "solver %s", s->solver_reason);
+    if (interface_told(s)[0]) context_log(r->ctx, LOG_INFO, "interface %s", interface_told(s));
     if (s->substeps_reason[0]) context_log(r->ctx, LOG_INFO, "sub-steps %s", s->substeps_reason);
     context_log(r->ctx, LOG_INFO, "%s %s as %s: %zu points, %zu cells, %d thread%s, from t = %.6g%s",
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),

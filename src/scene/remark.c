@@ -1,5 +1,6 @@
 #include "scene/remark.h"
 
+#include "scene/remark_parts.h"
 #include "scene/unsupported.h"
 
 #include <math.h>
@@ -101,4 +102,5 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_soft_walls(s, say, user);
     remark_knots(s, say, user);
     scene_remark_unused(s, say, user);
+    remark_smeared(s, say, user);
 }

@@ -96,7 +96,7 @@ static void set_defaults(scene *s)
                            .max_step = NAN,
                            .growth = 1.1,
                            .fixed_step = NAN,
-                           .substeps = 1};
+                           .substeps = SCENE_SUBSTEPS_OPEN};
     s->stability = (scene_stability){.tolerance = 0.01, .growth = 100.0, .relative_to = NAN};
     s->damping.end = INFINITY;
     s->rest = (scene_rest){.ratio = 1e-6};

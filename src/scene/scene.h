@@ -195,7 +195,7 @@ typedef enum point_losses { LOSSES_DRIFT, LOSSES_HEAT } point_losses;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
 typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AUTO } pressure_scheme;
 /* Where a solid feels the gas of the cells: over the cells that it shares with gas, or on its surface (theory, sharp interface). */
-typedef enum solid_interface { INTERFACE_SMEARED, INTERFACE_SHARP } solid_interface;
+typedef enum solid_interface { INTERFACE_SMEARED, INTERFACE_SHARP, INTERFACE_AUTO } solid_interface;
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
 
 typedef struct scene_method {
@@ -250,6 +250,8 @@ typedef enum time_solver {
     SOLVER_AUTO      /* static where the deck asks for a state of rest and all of it can be had so */
 } time_solver;
 
+enum { SCENE_SUBSTEPS_OPEN = -1 };
+
 typedef struct scene_time {
     double end; /* s */
     time_solver solver;
@@ -262,7 +264,8 @@ typedef struct scene_time {
     double growth;           /* largest ratio of a step to the one before */
     long max_steps;          /* 0: no limit */
     double fixed_step;       /* s, NAN: adaptive */
-    long substeps;           /* of the points in a step of the cells; 0: as many as their stable steps ask for */
+    /* Of the points in a step of the cells; 0: as many as their stable steps ask for; open: the deck does not say. */
+    long substeps;
 } scene_time;
 
 typedef struct scene_damping {
@@ -415,6 +418,7 @@ typedef struct scene {
     int n_supports;
     scene_contact contact;
     scene_method method;
+    char interface_reason[400]; /* what method.interface auto has become and why (sim/interface.h); "": the deck says */
     scene_time time;
     scene_damping damping;
     scene_rest rest;

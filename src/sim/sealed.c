@@ -2,46 +2,7 @@
 
 #include "base/memory.h"
 #include "mpm/surface/outline.h"
-
-/* Cells see the membranes, and no other body: another may stand in the vacuum beyond them, not in a gas. */
-static floe_status check_bodies(const sim *s)
-{
-    for (int b = 0; b < s->scene->n_bodies; ++b) {
-        const scene_material *m = &s->scene->material[s->scene->body[b].material];
-        if (m->kind == MATERIAL_FLUID || s->scene->body[b].membrane.holds >= 0) continue;
-        return fail_key(s->ctx, KEY("bodies", s->scene->body[b].name),
-                        "it stands in the gas beside a membrane that holds one, where cells do not see it; leave the "
-                        "outer gas out, or use mpm");
-    }
-    return FLOE_OK;
-}
-
-/* Surfaces of solids leave their cells to one gas. */
-static floe_status check_sharp(const sim *s)
-{
-    if (scene_holder(s->scene) >= 0)
-        return fail_key(s->ctx, KEY("method", "interface"),
-                        "sharp is for solids, and body '%s' is a membrane that holds a gas: leave it out",
-                        s->scene->body[scene_holder(s->scene)].name);
-    if (s->ice->n_materials == 1) return FLOE_OK;
-    return fail_key(s->ctx, KEY("method", "interface"),
-                    "sharp takes one gas beside the solids, and the scene has %d: use smeared", s->ice->n_materials);
-}
-
-static floe_status check_scene(const sim *s)
-{
-    int holder[SCENE_MAX_HOLDERS];
-    const bool sharp = s->scene->method.interface == INTERFACE_SHARP;
-    if (s->mesh.dim != 2 || s->mesh.periodic[0] || s->mesh.periodic[1])
-        return fail_key(
-            s->ctx,
-            sharp ? KEY("method", "interface")
-                  : KEY("bodies", s->scene->body[scene_holder(s->scene)].name, "membrane", "holds"),
-            "%s needs a domain in two dimensions, plane or axisymmetric, without periodic sides (use %s for others)",
-            sharp ? "sharp" : "a membrane that holds gas", sharp ? "smeared" : "mpm");
-    if (sharp) return check_sharp(s);
-    return s->ice->n_materials == scene_holders(s->scene, holder) ? FLOE_OK : check_bodies(s);
-}
+#include "sim/interface.h"
 
 static floe_status create_line(sealed *t, const mesh *m, int holder, sealed_line *line)
 {
@@ -56,7 +17,7 @@ floe_status sealed_create(sealed **out, sim *s)
 {
     int holder[SCENE_MAX_HOLDERS] = {-1}; /* surfaces of solids have none */
     const int n = scene_holders(s->scene, holder);
-    TRY(check_scene(s));
+    TRY(interface_check(s->scene, &s->mesh));
     TRY(memory_new(s->ctx, out, 1, sizeof **out));
     sealed *t = *out;
     *t = (sealed){.ctx = s->ctx, .stages = &s->stages, .points = s->mpm, .gases = s->ice, .n_lines = n > 0 ? n : 1};
@@ -180,18 +141,10 @@ static floe_status share_losses(sealed *t)
 /* What would only be met as a step that goes bad is said at the start. */
 static floe_status check_lines(const sim *s, floe_status found)
 {
-    double x[2];
     const int holder = scene_holder(s->scene);
     const char *const *key = holder < 0 ? KEY("method", "interface") : KEY("bodies", s->scene->body[holder].name);
     if (found == FLOE_RETRY) return fail_under(s->ctx, FLOE_BAD_INPUT, key); /* the message stands */
-    TRY(found);
-    if (s->scene->method.interface != INTERFACE_SHARP || !cut_is_thin(&s->sealed->line[0].place[SEAL_NOW], x))
-        return FLOE_OK;
-    return fail_key(
-        s->ctx, KEY("method", "interface"),
-        "sharp: a solid is thinner than a cell at (%g, %g), where the gas of its two sides would share it: refine "
-        "domain.cell, or leave it out",
-        x[0], x[1]);
+    return found;
 }
 
 floe_status sealed_initialise(sim *s)

@@ -67,7 +67,7 @@ floe_status sim_choose_substeps(sim *s)
 {
     const long asked = s->scene->time.substeps;
     const char *why_not = obstacle(s);
-    if (asked == 1) return FLOE_OK;
+    if (asked == 1 || asked == SCENE_SUBSTEPS_OPEN) return FLOE_OK;
     if (asked == 0 && !why_not) return choose(s);
     if (asked > 1 && why_not)
         return fail_key(s->ctx, KEY("time", "substeps"), "%ld: %s; leave it out, or use auto", asked, why_not);

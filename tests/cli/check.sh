@@ -7,7 +7,8 @@ decks=$FLOE_SOURCE/tests/cli/decks
 for deck in "$FLOE_SOURCE"/inputs/*.yaml; do
     expect 0 "$FLOE" check "$deck"
     has stdout 'deck is valid'
-    [ ! -s stderr ] || fault "it warns of $deck"
+    # A smeared interface is warned of wherever it is taken.
+    if grep -qv 'method.interface: smeared' stderr; then fault "it warns of $deck"; fi
 done
 
 expect 2 "$FLOE" check "$decks/many_errors.yaml"

@@ -103,8 +103,17 @@ same_as_planned two
 
 deck both ice-mpm "materials: {rubber: $rubber, gas: $gas}
 ambient: {material: gas, $state}
-reference_pressure: 1e5" "bodies: {block: {material: rubber, shape: $left}}"
+reference_pressure: 1e5
+method: {interface: smeared}" "bodies: {block: {material: rubber, shape: $left}}"
 holds both P_STRESS N_MASS C_RHO C_VOL C_VELOCITY_CHANGE P_GRID_PRESSURE
 below 0 "$(json both.json mpm)"
 below 0 "$(json both.json ice)"
 same_as_planned both
+
+deck cut ice-mpm "materials: {rubber: $rubber, gas: $gas}
+ambient: {material: gas, $state}
+reference_pressure: 1e5" "bodies: {block: {material: rubber, shape: $left}}"
+holds cut P_STRESS N_MASS C_RHO C_OPEN
+lacks cut C_VOL C_THETA C_MIXED C_VELOCITY_CHANGE P_GRID_PRESSURE
+if stages cut | grep -q exchange; then fault 'a gas beside a sharp interface exchanges'; fi
+same_as_planned cut

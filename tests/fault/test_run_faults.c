@@ -24,7 +24,10 @@ typedef struct run_variant {
 
 #define OFTEN "output.checkpoint_interval=1e-9", "time.max_steps=6"
 static const run_variant variants[] = {
-    {"both", "pressurized_cylinder", 5, {OFTEN, "coupling=ice-mpm", "domain.cell=0.4", "output.history_interval=1e-9"}},
+    {"both",
+     "pressurized_cylinder",
+     6,
+     {OFTEN, "coupling=ice-mpm", "domain.cell=0.4", "output.history_interval=1e-9", "method.interface=smeared"}},
     {"reaction", "closed_vessel_burn", 2, {OFTEN}},
     {"membrane that holds gas", "membrane_circle", 4, {OFTEN, "coupling=ice-mpm", "domain.cell=0.25"}},
     {"contact", "two_bars", 3, {OFTEN, "domain.cell=0.25"}},

@@ -3,7 +3,12 @@
 #include "verification/coupled_fixture.h"
 
 static const deck_variant variants[] = {
-    {"both", "pressurized_cylinder", COUPLING_ICE_MPM, 1, 2, {"domain.cell=0.4", "method.basis=gimp"}},
+    {"both",
+     "pressurized_cylinder",
+     COUPLING_ICE_MPM,
+     1,
+     3,
+     {"domain.cell=0.4", "method.basis=gimp", "method.interface=smeared"}},
     {"points", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.4"}},
     {"surface loads, static", "annulus_traction", COUPLING_MPM, 1, 2, {"domain.cell=0.4", "time.solver=static"}},

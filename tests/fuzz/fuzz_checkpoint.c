@@ -31,7 +31,8 @@ static checkpoint_run a_run(void)
 
 static void make_scene(void)
 {
-    static const char *const set[] = {"domain.cell=0.4", "method.basis=gimp", "coupling=ice-mpm", "verify=null"};
+    static const char *const set[] = {"domain.cell=0.4", "method.basis=gimp", "coupling=ice-mpm", "verify=null",
+                                      "method.interface=smeared"};
     deck_catalogue *catalogue;
     deck_report report = {0};
     const deck_overrides overrides = {set, sizeof set / sizeof set[0]};

@@ -37,12 +37,32 @@ static void has_fields(const json_t *object, const char *const *names)
 static void has_fields_of_contract(void **state)
 {
     (void)state;
-    static const char *const top[] = {
-        "schema",       "deck",           "coupling",     "solver",         "pressure",
-        "substeps",     "units",          "status",       "message",        "time",
-        "steps",        "rejected_steps", "wall_seconds", "output_seconds", "seconds_by_stage",
-        "cells",        "points",         "cell_updates", "point_updates",  "memory",
-        "conservation", "errors",         "counters",     "floe",           NULL};
+    static const char *const top[] = {"schema",
+                                      "deck",
+                                      "coupling",
+                                      "solver",
+                                      "pressure",
+                                      "substeps",
+                                      "units",
+                                      "status",
+                                      "message",
+                                      "time",
+                                      "steps",
+                                      "rejected_steps",
+                                      "wall_seconds",
+                                      "output_seconds",
+                                      "seconds_by_stage",
+                                      "cells",
+                                      "points",
+                                      "cell_updates",
+                                      "point_updates",
+                                      "memory",
+                                      "conservation",
+                                      "errors",
+                                      "counters",
+                                      "floe",
+                                      "interface",
+                                      NULL};
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};
     static const char *const drift[] = {"mass", "momentum", "energy", NULL};

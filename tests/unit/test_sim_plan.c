@@ -11,7 +11,7 @@ static const deck_variant variants[] = {
      {"domain.cell=0.025", "method.edge_penalty=0.05"}},
     {"points of both kinds", "pressurized_cylinder", COUPLING_MPM, 1, 1, {"domain.cell=0.025"}},
     {"one gas", "closed_box", COUPLING_ICE, 1, 1, {"domain.cell=0.005"}},
-    {"both", "pressurized_cylinder", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.025"}},
+    {"both", "pressurized_cylinder", COUPLING_ICE_MPM, 1, 2, {"domain.cell=0.025", "method.interface=smeared"}},
 };
 
 static uint64_t fields_of(const sim_plan_info *p)

@@ -14,8 +14,8 @@ typedef struct variant {
 
 static void begin(trial *t, const variant *v)
 {
-    const char *const set[] = {v->cell, v->basis};
-    deck_begin(t, v->deck, set, 2);
+    const char *const set[] = {v->cell, v->basis, "method.interface=smeared"}; /* sharp: test_coupled_sharp.c */
+    deck_begin(t, v->deck, set, 3);
     for (int a = 0; a < 2; ++a) t->scene->mesh.blocks[a] = v->blocks;
     use_threads(v->threads);
     check_ok(t->ctx, sim_create(&t->sim, t->ctx, t->scene, COUPLING_ICE_MPM));

@@ -129,10 +129,11 @@ static void what_has_no_rest_is_refused(void **unused)
         {"time.solver=implicit", "fluids on cells flow"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
-        const char *const set[] = {"time.solver=static", "domain.cell=0.1", "time.max_step=1 ms",
-                                   "loads.heating.pressurise.region={ball: {radius: 0.5}}", cases[k].set};
+        const char *const set[] = {"time.solver=static",       "domain.cell=0.1",
+                                   "time.max_step=1 ms",       "loads.heating.pressurise.region={ball: {radius: 0.5}}",
+                                   "method.interface=smeared", cases[k].set};
         trial t;
-        deck_begin(&t, "pressurized_cylinder", set, 5);
+        deck_begin(&t, "pressurized_cylinder", set, 6);
         floe_status status = sim_create(&t.sim, t.ctx, t.scene, t.scene->coupling);
         if (status == FLOE_OK) status = sim_step(t.sim, t.scene->time.end);
         print_message("%s\n", context_message(t.ctx));

@@ -128,10 +128,12 @@ static floe_status check_body(reader *r, const scene_body *b)
 static floe_status check_points_only(reader *r, const char *key, int n)
 {
     const scene_coupling cells[] = {COUPLING_ICE, COUPLING_ICE_MPM};
+    const bool is_cut =
+        scene_is_cut(r->scene) || r->scene->method.interface == INTERFACE_AUTO; /* not settled: another error */
     for (int b = 0; b < r->scene->n_bodies; b++)
         if (r->scene->body[b].material < 0) return FLOE_OK; /* another error */
     for (int i = 0; n > 0 && i < 2; i++) {
-        if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && scene_is_cut(r->scene))) continue;
+        if (!scene_runs_as(r->scene, cells[i]) || (i == 1 && is_cut)) continue;
         return bad_at(r, KEY(key), "coupling: mpm", NULL, "%s act on material points alone, and this deck runs as '%s'",
                       key, coupling_name(cells[i]));
     }

@@ -95,7 +95,7 @@ static const key_spec time_keys[] = {
     {"fixed_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, fixed_step), .otherwise = "steps are adaptive",
      .doc = "every step has this size"},
     {"substeps", KEY_CUSTOM, WITHIN(1, SCENE_MAX_SUBSTEPS), AT(scene_time, substeps), .custom = &custom_substeps,
-     .otherwise = "1",
+     .otherwise = "auto beside a sharp interface, else 1",
      .doc = "steps of the points in one of the cells, beside a sharp interface; auto: as many as their stable steps "
             "ask for"},
 };
@@ -193,6 +193,7 @@ static const choice pressure_choices[] = {
     {0},
 };
 static const choice interface_choices[] = {
+    {"auto", INTERFACE_AUTO, "sharp wherever it takes the scene, else smeared, which is warned of"},
     {"smeared", INTERFACE_SMEARED, "over the cells that they share, as in the papers"},
     {"sharp", INTERFACE_SHARP, "on the surface of the solid, which cuts the cells of the gas: two dimensions, one gas"},
     {0},
@@ -222,6 +223,11 @@ static bool basis_is_cpdi(const scene *s, const void *method)
 }
 
 static const key_spec method_keys[] = {
+    {"preset", KEY_CUSTOM, .custom = &custom_preset, .otherwise = "none",
+     .doc =
+         "choices under one name, which other keys here may change; `method: NAME` is the same. g03: those of Guilkey "
+         "et al. 2003, linear basis functions, stress from the velocities before the forces (usf), FLIP, internal "
+         "energy, a smeared interface, one velocity for solids and fluids in a cell"},
     {"basis", KEY_CUSTOM, AT(scene_method, basis), .custom = &custom_basis, .otherwise = "quadratic",
      .doc = "basis functions of the material points"},
     {"domain_limit", KEY_NUMBER, NULL, WITHIN(0.25, 1.0), AT(scene_method, domain_limit), .fallback = "1",
@@ -257,7 +263,7 @@ static const key_spec method_keys[] = {
      .doc = "R of the heat exchange between each pair of materials that `exchange` does not name"},
     {"volume_relaxation", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, volume_relaxation), .fallback = "0",
      .doc = "share of the volume defect of a cell that is taken back each step"},
-    {"interface", KEY_CHOICE, AT(scene_method, interface), .fallback = "smeared", .choices = interface_choices,
+    {"interface", KEY_CHOICE, AT(scene_method, interface), .fallback = "auto", .choices = interface_choices,
      .doc = "where solids and gas of the cells push each other in ice-mpm"},
     {"pressure", KEY_CHOICE, AT(scene_method, pressure), .fallback = "explicit", .choices = pressure_choices,
      .doc = "how the pressure of ICE is advanced"},

@@ -250,36 +250,6 @@ static floe_status find_rest(ice *s, int gas, fluid_state *out)
         KEY("ambient"));
 }
 
-/* Heat goes to what cells have of one gas; other loads on gas know nothing of cut cells. */
-static floe_status check_loads(const ice *s)
-{
-    for (int l = 0; l < s->scene->n_loads; ++l) {
-        const scene_load *load = &s->scene->load[l];
-        const bool heat = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
-        const bool taken = heat ? s->n_materials == 1 : load->kind != LOAD_BODY_FORCE || load->body >= 0;
-        if (taken) continue;
-        return fail_key(
-            s->ctx, KEY("loads", load->name),
-            "it acts on gas beside a membrane or a sharp interface, which cut cells do not take; use mpm, or "
-            "leave it out");
-    }
-    return FLOE_OK;
-}
-
-/* Beside lines gas does nothing but flow. */
-static floe_status check_gases(const ice *s)
-{
-    static const char text[] = "gas beside a membrane that holds it, or a sharp interface, %s; leave it out";
-    for (int r = 0; r < s->n_materials; ++r)
-        if (s->material[r].conductivity > 0.0)
-            return fail_key(s->ctx,
-                            KEY("materials", s->scene->material[s->material[r].scene_material].name, "conductivity"),
-                            text, "does not conduct heat");
-    if (s->scene->n_reactions > 0)
-        return fail_key(s->ctx, KEY("reactions", s->scene->reaction[0].name), text, "does not react");
-    return s->scene->driving ? fail_key(s->ctx, KEY("verify", "sources"), text, "has no sources") : FLOE_OK;
-}
-
 static floe_status new_pools(const ice *s, ice_pools *p)
 {
     const size_t cells = mesh_cells(s->mesh);
@@ -299,12 +269,6 @@ static void find_lines(ice *s)
 
 floe_status ice_seal_create(ice *s)
 {
-    TRY(check_loads(s));
-    if (s->scene->method.pressure != PRESSURE_EXPLICIT)
-        return fail_key(
-            s->ctx, KEY("method", "pressure"),
-            "beside a membrane that holds gas, or a sharp interface, the pressure is explicit: leave it out");
-    TRY(check_gases(s));
     find_lines(s);
     if (s->mesh->dim != 2 || s->n_materials > s->seal.n_lines + 1)
         return fail_key(

@@ -4,8 +4,14 @@
 #define MPM_OUTLINE_H
 
 #include "coupling/cut.h"
+#include "geom/outline.h"
 #include "mpm/mpm.h"
 
+/* The surface of a solid body of the scene as markers are laid on it at the start, four a cell. To be freed by
+ * outline_free. */
+floe_status mpm_outline_trace(const scene *s, const mesh *m, const scene_body *body, outline *out);
+/* Adds it to the lines of `out`. */
+floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, cut_line *out);
 /* Vertices from the points of a membrane (a body of ours), now or next; an end of it on a mirror goes on to it. Where
  * the interface is sharp, from the markers of all surfaces, whatever the body, here and below. FLOE_DIVERGED where a
  * point is lost. */

@@ -3,7 +3,7 @@
  * to the nodes that the body's points bear (traction.c). */
 #include "mpm/surface/skin.h"
 #include "base/memory.h"
-#include "geom/outline.h"
+#include "mpm/surface/outline.h"
 #include "scene/state.h"
 
 #include <string.h>
@@ -62,13 +62,39 @@ static floe_status add_outline(mpm *s, const mpm_body *b, const outline *o)
     return FLOE_OK;
 }
 
+floe_status mpm_outline_trace(const scene *s, const mesh *m, const scene_body *body, outline *out)
+{
+    const seed_spec grid = body_seed_spec(s, m, body);
+    return outline_trace(out, s->ctx, &body->shape, &grid, SKIN_DIVISIONS);
+}
+
+static floe_status lay_chains(const outline *o, cut_line *out)
+{
+    const int vertices = out->n_vertices, chains = out->n_chains;
+    TRY(cut_reserve(out, vertices + (int)o->n, chains + (int)o->n_chains));
+    for (size_t k = 0; k < o->n; ++k)
+        out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1]}, vertices + (int)k};
+    for (size_t c = 0; c < o->n_chains; ++c)
+        out->chain[chains + (int)c] =
+            (cut_chain){vertices + (int)o->chain[c].first, (int)o->chain[c].n, o->chain[c].closed};
+    return FLOE_OK;
+}
+
+floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, cut_line *out)
+{
+    outline o;
+    TRY(mpm_outline_trace(s, m, body, &o));
+    const floe_status status = lay_chains(&o, out);
+    outline_free(s->ctx, &o);
+    return status;
+}
+
 floe_status seed_skins(mpm *s)
 {
     for (int b = 0; b < s->n_bodies; ++b) {
         const scene_body *body = &s->scene->body[s->body[b].scene_body];
-        const seed_spec grid = body_seed_spec(s->scene, s->mesh, body);
         outline o;
-        TRY(outline_trace(&o, s->ctx, &body->shape, &grid, SKIN_DIVISIONS));
+        TRY(mpm_outline_trace(s->scene, s->mesh, body, &o));
         const floe_status status = add_outline(s, &s->body[b], &o);
         outline_free(s->ctx, &o);
         TRY(status);

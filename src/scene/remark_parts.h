@@ -1,0 +1,10 @@
+/* Remarks with files of their own. Private to remark.c. */
+#ifndef SCENE_REMARK_PARTS_H
+#define SCENE_REMARK_PARTS_H
+
+#include "scene/remark.h"
+
+/* Of solids smeared over cells of fluid. */
+void remark_smeared(const scene *s, remark_sink *say, void *user);
+
+#endif

@@ -1,0 +1,269 @@
+#include "sim/interface.h"
+
+#include "coupling/cut.h"
+#include "ice/ice.h"
+#include "mpm/surface/outline.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* ---- the scene ---- */
+
+static bool is_solid(const scene *s, int body)
+{
+    return s->material[s->body[body].material].kind == MATERIAL_SOLID;
+}
+
+static int count_solids(const scene *s)
+{
+    int n = 0;
+    for (int b = 0; b < s->n_bodies; ++b) n += is_solid(s, b);
+    return n;
+}
+
+static int count_fluids(const scene *s)
+{
+    bool used[SCENE_MAX_MATERIALS] = {false};
+    int n = 0;
+    ice_find_used(s, false, used);
+    for (int r = 0; r < s->n_materials; ++r) n += used[r];
+    return n;
+}
+
+/* The key under which a scene is refused: a membrane's, or that of the interface. */
+static floe_status no_lines(const scene *s, const char *why, const char *instead)
+{
+    const int holder = scene_holder(s);
+    if (holder < 0) return fail_key(s->ctx, KEY("method", "interface"), "sharp %s: use smeared", why);
+    return fail_key(s->ctx, KEY("bodies", s->body[holder].name, "membrane", "holds"),
+                    "a membrane that holds gas %s: use %s", why, instead);
+}
+
+/* ---- what cut cells of gas need, beside membranes too ---- */
+
+static floe_status needs_plane(const scene *s, const mesh *m)
+{
+    if (m->dim == 2 && !m->periodic[0] && !m->periodic[1]) return FLOE_OK;
+    return no_lines(s, "needs a domain in two dimensions, plane or axisymmetric, without periodic sides", "mpm");
+}
+
+static floe_status needs_explicit_pressure(const scene *s, const mesh *m)
+{
+    (void)m;
+    if (s->method.pressure == PRESSURE_EXPLICIT) return FLOE_OK;
+    return fail_key(s->ctx, KEY("method", "pressure"),
+                    "beside a membrane that holds gas, or a sharp interface, the pressure is explicit: leave it out");
+}
+
+/* Heat goes to what cells have of one gas; other loads on gas know nothing of cut cells. */
+static floe_status needs_plain_loads(const scene *s, const mesh *m)
+{
+    (void)m;
+    for (int l = 0; l < s->n_loads; ++l) {
+        const scene_load *load = &s->load[l];
+        const bool heat = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
+        if (heat ? count_fluids(s) == 1 : load->kind != LOAD_BODY_FORCE || load->body >= 0) continue;
+        return fail_key(
+            s->ctx, KEY("loads", load->name),
+            "it acts on gas beside a membrane or a sharp interface, which cut cells do not take; use mpm, or "
+            "leave it out");
+    }
+    return FLOE_OK;
+}
+
+/* Beside lines gas does nothing but flow. */
+static floe_status needs_plain_gas(const scene *s, const mesh *m)
+{
+    static const char text[] = "gas beside a membrane that holds it, or a sharp interface, %s; leave it out";
+    bool used[SCENE_MAX_MATERIALS] = {false};
+    (void)m;
+    ice_find_used(s, false, used);
+    for (int r = 0; r < s->n_materials; ++r)
+        if (used[r] && s->material[r].conductivity > 0.0)
+            return fail_key(s->ctx, KEY("materials", s->material[r].name, "conductivity"), text,
+                            "does not conduct heat");
+    if (s->n_reactions > 0) return fail_key(s->ctx, KEY("reactions", s->reaction[0].name), text, "does not react");
+    return s->driving ? fail_key(s->ctx, KEY("verify", "sources"), text, "has no sources") : FLOE_OK;
+}
+
+/* Cells see the membranes, and no other body: another may stand in the vacuum beyond them, not in a gas. */
+static floe_status needs_membranes_alone(const scene *s, const mesh *m)
+{
+    int holder[SCENE_MAX_HOLDERS];
+    (void)m;
+    if (count_fluids(s) == scene_holders(s, holder)) return FLOE_OK;
+    for (int b = 0; b < s->n_bodies; ++b) {
+        if (!is_solid(s, b) || s->body[b].membrane.holds >= 0) continue;
+        return fail_key(s->ctx, KEY("bodies", s->body[b].name),
+                        "it stands in the gas beside a membrane that holds one, where cells do not see it; leave the "
+                        "outer gas out, or use mpm");
+    }
+    return FLOE_OK;
+}
+
+/* ---- what surfaces of solids need ---- */
+
+static floe_status needs_no_membrane(const scene *s, const mesh *m)
+{
+    const int holder = scene_holder(s);
+    (void)m;
+    if (holder < 0) return FLOE_OK;
+    return fail_key(s->ctx, KEY("method", "interface"),
+                    "sharp is for solids, and body '%s' is a membrane that holds a gas: leave it out",
+                    s->body[holder].name);
+}
+
+static floe_status needs_one_fluid(const scene *s, const mesh *m)
+{
+    const int n = count_fluids(s);
+    (void)m;
+    if (n <= 1) return FLOE_OK;
+    return fail_key(s->ctx, KEY("method", "interface"),
+                    "sharp takes one gas beside the solids, and the scene has %d: use smeared", n);
+}
+
+/* Surfaces pass pressure and, of a viscous gas, shear: no exchange over cells, which would be asked for in vain. */
+static floe_status needs_no_exchange(const scene *s, const mesh *m)
+{
+    static const char text[] = "a sharp interface has no exchange over cells: leave it out, or use interface smeared";
+    (void)m;
+    if (!isnan(s->method.exchange)) return fail_key(s->ctx, KEY("method", "exchange"), text);
+    if (s->method.heat_exchange > 0.0) return fail_key(s->ctx, KEY("method", "heat_exchange"), text);
+    for (int k = 0; k < s->n_exchanges; ++k)
+        for (int i = 0; i < 2; ++i)
+            if (s->material[s->exchange[k].material[i]].kind == MATERIAL_SOLID)
+                return fail_key(s->ctx, KEY("exchange", s->exchange[k].name), text);
+    return FLOE_OK;
+}
+
+/* A place where the lines leave no room for the gas of two sides. */
+static floe_status refuse_thin(const scene *s, const cut_line *line)
+{
+    double x[2];
+    if (!cut_is_thin(line, x)) return FLOE_OK;
+    return fail_key(
+        s->ctx, KEY("method", "interface"),
+        "sharp: a solid is thinner than a cell at (%g, %g), where the gas of its two sides would share it: refine "
+        "domain.cell, or leave it out",
+        x[0], x[1]);
+}
+
+static floe_status check_line(const scene *s, cut_line *line)
+{
+    if (line->n_vertices == 0)
+        return fail_key(s->ctx, KEY("method", "interface"),
+                        "sharp: no solid has a surface inside the domain; leave it out");
+    floe_status status = cut_find(line);
+    if (status == FLOE_RETRY) status = FLOE_BAD_INPUT; /* the message stands */
+    TRY(fail_under(s->ctx, status, KEY("method", "interface")));
+    return refuse_thin(s, line);
+}
+
+/* Surfaces that cut the cells so that each part has its gas. */
+static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
+{
+    cut_line line;
+    floe_status status = cut_create(&line, s->ctx, m);
+    for (int b = 0; status == FLOE_OK && b < s->n_bodies; ++b)
+        if (is_solid(s, b)) status = mpm_outline_lay(s, m, &s->body[b], &line);
+    if (status == FLOE_OK) status = check_line(s, &line);
+    cut_destroy(&line);
+    return status;
+}
+
+/* ---- what surfaces bear, but a better choice for the scene is smeared ---- */
+
+/* Bodies that touch share a side, which gas does not enter when they part; and gas between bodies that come to touch ends the run. */
+static floe_status suits_no_contact(const scene *s, const mesh *m)
+{
+    (void)m;
+    if (!s->contact.enabled || count_solids(s) < 2) return FLOE_OK;
+    return fail_key(s->ctx, KEY("contact"), "bodies that come to touch with gas between end a sharp run");
+}
+
+static floe_status suits_no_sources(const scene *s, const mesh *m)
+{
+    (void)m;
+    return s->verify.sources ? fail_key(s->ctx, KEY("verify", "sources"), "gas beside a sharp interface has no sources")
+                             : FLOE_OK;
+}
+
+/* ---- the table ---- */
+
+typedef enum requirement_of { OF_MEMBRANES = 1, OF_SURFACES = 2, OF_AUTO = 4 } requirement_of;
+
+typedef struct requirement {
+    floe_status (*check)(const scene *s, const mesh *m);
+    unsigned of; /* of what it is asked: requirement_of */
+} requirement;
+
+/* Cheap ones first: the last traces the surfaces. */
+static const requirement requirements[] = {
+    {needs_plane, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_no_membrane, OF_SURFACES | OF_AUTO},
+    {needs_one_fluid, OF_SURFACES | OF_AUTO},
+    {needs_membranes_alone, OF_MEMBRANES},
+    {needs_plain_loads, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_explicit_pressure, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_plain_gas, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_no_exchange, OF_SURFACES | OF_AUTO},
+    {suits_no_contact, OF_AUTO},
+    {suits_no_sources, OF_AUTO},
+    {needs_clear_surfaces, OF_SURFACES | OF_AUTO},
+};
+
+static floe_status check_all(const scene *s, const mesh *m, requirement_of of)
+{
+    for (size_t k = 0; k < sizeof requirements / sizeof *requirements; ++k)
+        if (requirements[k].of & (unsigned)of) TRY(requirements[k].check(s, m));
+    return FLOE_OK;
+}
+
+floe_status interface_check(const scene *s, const mesh *m)
+{
+    return check_all(s, m, s->method.interface == INTERFACE_SHARP ? OF_SURFACES : OF_MEMBRANES);
+}
+
+static bool runs_coupled(const scene *s)
+{
+    for (int k = 0; k < s->n_runs_as; ++k)
+        if (s->runs_as[k] == COUPLING_ICE_MPM) return true;
+    return s->coupling == COUPLING_ICE_MPM;
+}
+
+static void take(scene *s, solid_interface which, const char *why)
+{
+    s->method.interface = which;
+    (void)snprintf(s->interface_reason, sizeof s->interface_reason, "auto: %s%s",
+                   which == INTERFACE_SHARP ? "sharp" : "smeared", why);
+}
+
+static floe_status settle_auto(scene *s)
+{
+    mesh m;
+    char why[sizeof s->interface_reason - 16];
+    s->method.interface = INTERFACE_SMEARED;
+    if (!runs_coupled(s) || count_solids(s) == 0 || count_fluids(s) == 0 || scene_holder(s) >= 0) return FLOE_OK;
+    floe_status status = mesh_init(&m, s->ctx, &s->mesh);
+    if (status == FLOE_OK) status = check_all(s, &m, OF_AUTO);
+    if (status == FLOE_OK) take(s, INTERFACE_SHARP, "");
+    if (status != FLOE_BAD_INPUT) return status;
+    (void)snprintf(why, sizeof why, ", as %s", context_message(s->ctx));
+    context_clear(s->ctx);
+    take(s, INTERFACE_SMEARED, why);
+    return FLOE_OK;
+}
+
+floe_status interface_settle(scene *s)
+{
+    if (s->method.interface == INTERFACE_AUTO) TRY(settle_auto(s));
+    if (s->time.substeps == SCENE_SUBSTEPS_OPEN) s->time.substeps = s->method.interface == INTERFACE_SHARP ? 0 : 1;
+    return FLOE_OK;
+}
+
+const char *interface_told(const sim *s)
+{
+    if (!s->mpm || !s->ice || scene_holder(s->scene) >= 0) return "";
+    if (s->scene->interface_reason[0]) return s->scene->interface_reason;
+    return s->scene->method.interface == INTERFACE_SHARP ? "sharp" : "smeared";
+}

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# method.interface: auto takes sharp where it can and else says why not, in check, plan, run and results alike; smeared is warned of; what
+# sharp cannot do is refused where a deck asks for it. And what auto gives of E1 and E2 of the defaults' rows: the pressure beside walls.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+
+tube=$FLOE_SOURCE/inputs/defaults/e1_shock_tube.yaml
+box=$FLOE_SOURCE/inputs/defaults/e2_charge_in_box.yaml
+coarse=(--set domain.cell=0.02 --set 'domain.upper=[1.62, 0.04]')
+
+# mean FILE COLUMN FROM: of a column of history.csv from a time on.
+mean() {
+    awk -F, -v name="$2" -v from="$3" 'NR == 1 { for (i = 1; i <= NF; i++) { split($i, word, " "); if (word[1] == name) c = i }; next }
+        $1 >= from { sum += $c; n++ } END { if (n > 0) printf "%.9g", sum / n }' "$1"
+}
+# near VALUE EXPECTED SHARE: within a share of it.
+near() {
+    awk -v a="$1" -v b="$2" -v e="$3" 'BEGIN { d = a / b - 1; exit !(a ~ /^[-+0-9.eE]+$/ && d <= e && d >= -e) }' ||
+        fault "'$1' is not within $3 of $2"
+}
+
+# ---- what is taken ----
+
+expect 0 "$FLOE" check "$tube"
+[ ! -s stderr ] || fault 'a sharp interface is warned of'
+expect 0 "$FLOE" plan "$tube" "${coarse[@]}"
+has stdout 'interface: auto: sharp'
+
+# not_sharp WHY SETTING...: auto takes smeared and says why; an explicit sharp is refused. SETTING '-' first: it is not.
+not_sharp() {
+    local why=$1 status=2 set=() setting
+    shift
+    [ "$1" != - ] || { status=0 && shift; }
+    for setting in "$@"; do set+=(--set "$setting"); done
+    expect 0 "$FLOE" check "$tube" "${coarse[@]}" "${set[@]}"
+    has stderr 'method.interface: smeared, as '
+    has stderr "$why"
+    expect "$status" "$FLOE" check "$tube" "${coarse[@]}" "${set[@]}" --set method.interface=sharp
+    [ "$status" = 0 ] || has stderr "$why"
+    expect 0 "$FLOE" check "$tube" "${coarse[@]}" "${set[@]}" --set method.interface=smeared
+    has stderr 'method.interface: smeared, as the deck asks'
+}
+line=('domain={dim: 1, lower: 0, upper: 1.62, cell: 0.02}' 'boundaries={x: symmetry}' 'bodies.driver.shape.box={lower: 0, upper: 0.7}'
+    'bodies.driven.shape.box={lower: 0.7, upper: 1.5}' 'bodies.wall.shape.box={lower: 1.5, upper: 1.62}' 'output.probes=null')
+not_sharp 'two dimensions' "${line[@]}"
+not_sharp 'two dimensions' boundaries.y=periodic 'domain.upper=[1.62, 0.08]'
+not_sharp 'takes one gas' 'materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 900}}}' bodies.driver.material=other
+not_sharp 'cut cells do not take' 'loads={fall: {gravity: {acceleration: [0, -10]}}}'
+not_sharp 'the pressure is explicit' method.pressure=implicit
+not_sharp 'does not conduct heat' materials.air.conductivity=0.03
+not_sharp 'has no exchange over cells' method.exchange=1e7
+not_sharp 'has no exchange over cells' 'exchange={pair: {between: [air, steel], momentum: free}}'
+not_sharp 'thinner than a cell' 'bodies.wall.shape={box: {lower: [1.503, 0], upper: [1.512, 0.04]}}'
+not_sharp 'end a sharp run' - 'contact={kind: release}' \
+    'materials.iron={density: 7850, specific_heat: 460, law: {linear_elastic: {bulk_modulus: 160 GPa, shear_modulus: 80 GPa}}}' \
+    'bodies.more={material: iron, shape: {box: {lower: [1.3, 0], upper: [1.4, 0.04]}}}'
+
+# ---- a run, its results, and its end ----
+
+expect 0 "$FLOE" run "$tube" "${coarse[@]}" -o whole --quiet
+has whole/deck.yaml 'interface: sharp'
+[ "$(json whole/summary.json interface)" = 'auto: sharp' ] || fault 'the summary does not say which was taken'
+expect 0 "$FLOE" run whole/deck.yaml -o again --quiet
+cmp whole/history.csv again/history.csv || fault 'another history from the resolved deck'
+# E1: the pressure behind the shock that came back, in both cells before the wall; 8 cells of 20 mm are behind it at 1.7 ms.
+near "$(mean whole/history.csv first_pressure 1.7e-3)" 701247 0.01
+near "$(mean whole/history.csv second_pressure 1.7e-3)" 701247 0.01
+# One wall at another offset within a cell.
+expect 0 "$FLOE" run "$tube" "${coarse[@]}" -o offset --quiet --set 'bodies.wall.shape={box: {lower: [1.507, 0], upper: [1.62, 0.04]}}' \
+    --set 'bodies.driven.shape={box: {lower: [0.7, 0], upper: [1.507, 0.04]}}'
+near "$(mean offset/history.csv first_pressure 1.75e-3)" 701247 0.01
+
+# E2: what the charge brings is in the box, and beside its walls: (E0 - kinetic - work) (gamma - 1)/V.
+expect 0 "$FLOE" run "$box" -o box --quiet
+[ "$(json box/summary.json interface)" = 'auto: sharp' ] || fault 'a box of points is not sharp'
+room=$(awk -v k="$(mean box/history.csv kinetic_air 5e-3)" -v w="$(mean box/history.csv kinetic_steel 5e-3)" \
+    -v s="$(mean box/history.csv strain_steel 5e-3)" \
+    'BEGIN { c = 3.14159265358979 * 0.15 ^ 2; print 0.4 * ((50e5 * c + 1e5 * (0.64 - c)) / 0.4 - k - w - s) / 0.64 }')
+near "$(mean box/history.csv pressure_air 5e-3)" "$room" 0.005
+near "$(mean box/history.csv middle_pressure 5e-3)" "$room" 0.02
+near "$(mean box/history.csv corner_pressure 5e-3)" "$room" 0.02
+below "$(json box/summary.json energy)" 1e-3
+
+# ---- the papers' choices under one name ----
+
+expect 0 "$FLOE" run "$tube" "${coarse[@]}" -o paper --quiet --set method=g03 --set time.max_steps=2
+for choice in 'basis: linear' 'stress: usf' 'interface: smeared' 'energy: internal'; do has paper/deck.yaml "$choice"; done
+expect 0 "$FLOE" run "$tube" "${coarse[@]}" -o other --quiet --set method=g03 --set method.basis=gimp --set time.max_steps=2
+has other/deck.yaml 'basis: gimp'
+has other/deck.yaml 'stress: usf'
+expect 2 "$FLOE" check "$tube" --set method=g04
+has stderr "'g04' is no 'preset' of 'method'"
