@@ -60,6 +60,7 @@
     X(N_FORCE, "node_force", NODE, VECTOR, "N", SCRATCH, "f_i = internal + external")                                \
     X(N_VEL, "node_velocity", NODE, VECTOR, "m/s", SCRATCH, "v_i")                                                   \
     X(N_VEL_L, "node_velocity_lagrangian", NODE, VECTOR, "m/s", SCRATCH, "v_i^L")                                    \
+    X(N_RESIDUAL, "node_velocity_residual", NODE, VECTOR, "m/s", SCRATCH, "what points do not give back of v_i")     \
     X(N_VEL_FILTERED, "node_velocity_filtered", NODE, VECTOR, "m/s", SCRATCH, "what XPIC keeps of v_i")              \
     X(N_ACCEL, "node_acceleration", NODE, VECTOR, "m/s2", SCRATCH,                                                   \
       "a_i = (v_i^L - v_i) / dt after boundary conditions")                                                          \

@@ -128,6 +128,7 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->transfer = transfer_find(sc->method.transfer);
     if (!s->transfer)
         return fail_key(s->ctx, KEY("method", "transfer"), "there is no transfer '%s'", sc->method.transfer);
+    s->order = sc->method.filter_order > 0 ? sc->method.filter_order : s->transfer->order;
     s->share = isnan(s->transfer->share) ? sc->method.flip : s->transfer->share;
     for (int b = 0; b < sc->n_bodies; ++b)
         if (!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);

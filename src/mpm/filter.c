@@ -40,7 +40,7 @@ static void add_share(const mpm *s, int blk, int group, double factor, bool firs
 
 floe_status mpm_filter_velocities(mpm *s)
 {
-    const int order = s->scene->method.filter_order;
+    const int order = s->order;
     double factor = order; /* (-1)^(r+1) C(m, r) */
     double left = 1.0;     /* the sum of this factor and all later ones */
     for (int r = 1; r <= order; ++r) {

@@ -9,6 +9,7 @@
 #define MPM_KERNELS_BODY_H
 
 #include "mpm/kernels_gather.h"
+#include "mpm/kernels_project.h"
 #include "mpm/kernels_scatter.h"
 
 /* Moments of the velocity and of the weights about a point, summed over its nodes. */
@@ -154,6 +155,13 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
         fill_body(m, t, p, start, end, window, dim, kind);                                              \
     }
 
+#define PROJECT(name, dim, kind)                                                                        \
+    static void name(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end, \
+                     const double *window, double *out)                                                 \
+    {                                                                                                   \
+        project_body(m, t, p, start, end, window, out, dim, kind);                                      \
+    }
+
 #define INSTANTIATE(geometry, dim, axi, basis, kind)                    \
     SCATTER(momentum_##geometry##_##basis, dim, axi, kind, true, false) \
     SCATTER(force_##geometry##_##basis, dim, axi, kind, false, true)    \
@@ -163,14 +171,16 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
     GATHER(both_##geometry##_##basis, dim, axi, kind, true, true)       \
     MOMENTS(moments_##geometry##_##basis, dim, kind)                    \
     SAMPLE(sample_##geometry##_##basis, dim, kind)                      \
-    FILL(fill_##geometry##_##basis, dim, kind)
+    FILL(fill_##geometry##_##basis, dim, kind)                          \
+    PROJECT(project_##geometry##_##basis, dim, kind)
 
 #define KERNELS(geometry, basis)                                                                          \
     {                                                                                                     \
         .scatter = {momentum_##geometry##_##basis, force_##geometry##_##basis, all_##geometry##_##basis}, \
         .gather = {motion_##geometry##_##basis, gradient_##geometry##_##basis, both_##geometry##_##basis, \
                    moments_##geometry##_##basis},                                                         \
-        .sample = sample_##geometry##_##basis, .fill = fill_##geometry##_##basis                          \
+        .sample = sample_##geometry##_##basis, .fill = fill_##geometry##_##basis,                         \
+        .project = project_##geometry##_##basis                                                           \
     }
 
 #define ALL_KERNELS(geometry)                                                                                       \

@@ -77,20 +77,19 @@ FLOE_ALWAYS_INLINE void scatter_stencil(const point_gift *g, const stencils *s, 
  * ghost's share of the weight is +2 at the node on the side and -1 at the first inner one, of the velocity v + C (x - x_p) there, whereas
  * the fold of what the ghost got has that of the velocity at the ghost for both. The sums are the same, but next to the side the inner
  * node, with all but no weight left, would get a momentum all the same: a velocity without bound. `ghost`: in the window. */
-static void move_affine(const mesh *m, const point_arrays *p, size_t k, int axis, ptrdiff_t inward, double share,
-                        double *ghost)
+static void move_affine(const mesh *m, const double C[9], int axis, ptrdiff_t inward, double share, double *ghost)
 {
     const double way = inward > 0 ? m->h[axis] : -m->h[axis];
     for (int a = 0; a < m->dim; ++a) {
-        const double momentum = 2.0 * share * p->affine[m->dim * a + axis][k] * way;
+        const double momentum = 2.0 * share * C[m->dim * a + axis] * way;
         ghost[inward + a] += momentum;
         ghost[2 * inward + a] -= momentum;
     }
 }
 
 /* The same for the ghosts at one end of a stencil along an axis. */
-static void move_affine_row(const mesh *m, const point_arrays *p, size_t k, const stencils *s, int j, int axis,
-                            int side, double mass, int record, const basis_kind kind, double *out)
+static void move_affine_row(const mesh *m, const double C[9], const stencils *s, int j, int axis, int side, double mass,
+                            int record, const basis_kind kind, double *out)
 {
     const int n = basis_support(kind), width = window_width(m->dim, kind), stride[3] = {1, width, width * width};
     const ptrdiff_t inward = (ptrdiff_t)record * (side == SIDE_LOWER ? stride[axis] : -stride[axis]);
@@ -104,21 +103,22 @@ static void move_affine_row(const mesh *m, const point_arrays *p, size_t k, cons
                 const ptrdiff_t node = s->node[j] + x + (ptrdiff_t)stride[1] * y + (ptrdiff_t)stride[2] * z;
                 const double S =
                     s->w[0][x][j] * (m->dim > 1 ? s->w[1][y][j] : 1.0) * (m->dim > 2 ? s->w[2][z][j] : 1.0);
-                move_affine(m, p, k, axis, inward, mass * S, out + node * record + 1);
+                move_affine(m, C, axis, inward, mass * S, out + node * record);
             }
 }
 
-/* The same for a stencil that may reach beyond the mesh. */
-FLOE_ALWAYS_INLINE void extend_affine(const mesh *m, const point_arrays *p, size_t k, const stencils *s, int j,
-                                      double mass, int record, const int dim, const basis_kind kind, double *out)
+/* The same for a stencil that may reach beyond the mesh; `out`: the momentum of the window's first node. */
+FLOE_ALWAYS_INLINE void extend_affine(const mesh *m, const point_arrays *p, size_t k, const double C[9],
+                                      const stencils *s, int j, int record, const int dim, const basis_kind kind,
+                                      double *out)
 {
     for (int a = 0; basis_reach(kind) > 0 && a < dim; ++a) {
         const double first = p->x[a][k] + s->offset[a][j], last = first + (basis_support(kind) - 1) * m->h[a],
                      half = 0.5 * m->h[a];
         if (first < p->linear_side[a][SIDE_LOWER] - half)
-            move_affine_row(m, p, k, s, j, a, SIDE_LOWER, mass, record, kind, out);
+            move_affine_row(m, C, s, j, a, SIDE_LOWER, p->mass[k], record, kind, out);
         if (last > p->linear_side[a][SIDE_UPPER] + half)
-            move_affine_row(m, p, k, s, j, a, SIDE_UPPER, mass, record, kind, out);
+            move_affine_row(m, C, s, j, a, SIDE_UPPER, p->mass[k], record, kind, out);
     }
 }
 
@@ -175,13 +175,14 @@ FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const poi
         for (int i = 0; i < n; ++i) {
             const size_t k = start + (size_t)i;
             point_gift gift;
-            double hoop = 0.0;
+            double hoop = 0.0, C[9];
+            for (int c = 0; want.affine && c < dim * dim; ++c) C[c] = p->affine[c][k];
             if (want.momentum) give_momentum(&gift, p, k, dim, want.affine);
             if (want.force) hoop = give_force(&gift, p, k, body_force, dim, axisymmetric, want.centred);
             FOR_PIECES(j, i, dim, kind)
             {
                 scatter_stencil(&gift, &s, j, m->h, out, M + F, dim, kind, want);
-                if (want.affine) extend_affine(m, p, k, &s, j, p->mass[k], M + F, dim, kind, out);
+                if (want.affine) extend_affine(m, p, k, C, &s, j, M + F, dim, kind, out + 1);
             }
             if (!want.force || !want.centred) continue;
             gift.b = lanes_from(axisymmetric ? hoop / centres.radius[i] : 0.0, 0.0, 0.0, 0.0, F);

@@ -58,6 +58,7 @@ typedef struct mpm {
     const basis_model *basis;
     const transfer_model *transfer;
     double share; /* of FLIP in the velocities of points */
+    int order;    /* of the transfer's filter or sum */
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;
@@ -112,13 +113,15 @@ floe_status mpm_contact_velocity(mpm *s);  /* v_i^L of bodies in contact */
 floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
 floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
 floe_status mpm_filter_velocities(mpm *s); /* XPIC: v_p without what the mesh does not see (filter.c) */
-floe_status mpm_nodes_to_points(mpm *s);   /* v_p, x_p; USL: L_p, F, stress; TPIC: C_p */
-floe_status mpm_carry_moments(mpm *s);     /* APIC: C_p from the moments of v^L about the points */
-floe_status mpm_cell_density(mpm *s);      /* rho_p of fluids from the masses of cells (density.c) */
-floe_status mpm_stress_last(mpm *s);       /* USL with such densities: stress from v_i^L once all points have moved */
-floe_status mpm_remap_stress(mpm *s);      /* MUSL: updated momenta to nodes, then L_p, F, stress */
-floe_status mpm_membrane_normals(mpm *s);  /* normals of membranes without connections, from where the points are now */
-floe_status mpm_turn_membranes(mpm *s);    /* tangents from where the points are now, and the stress along them */
+floe_status
+mpm_restore_velocities(mpm *s);           /* affine FMPM: v^L with what points would not give back of it (restore.c) */
+floe_status mpm_nodes_to_points(mpm *s);  /* v_p, x_p; USL: L_p, F, stress; TPIC: C_p */
+floe_status mpm_carry_moments(mpm *s);    /* APIC: C_p from the moments of v^L about the points */
+floe_status mpm_cell_density(mpm *s);     /* rho_p of fluids from the masses of cells (density.c) */
+floe_status mpm_stress_last(mpm *s);      /* USL with such densities: stress from v_i^L once all points have moved */
+floe_status mpm_remap_stress(mpm *s);     /* MUSL: updated momenta to nodes, then L_p, F, stress */
+floe_status mpm_membrane_normals(mpm *s); /* normals of membranes without connections, from where the points are now */
+floe_status mpm_turn_membranes(mpm *s);   /* tangents from where the points are now, and the stress along them */
 
 /* What reactions take of solids: by N_BURNT_SHARE the masses that are left, and what goes with the rest, on the nodes
  * (burn.c). */

@@ -130,6 +130,10 @@ floe_status mpm_motion_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, P_MASS, P_POS, P_VEL),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, N_VEL_FILTERED, P_POS, P_VEL));
+    STAGE(s, s->transfer->restore, mpm_restore_velocities,
+          READS(N_MASS, N_VEL_L, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), P_MASS,
+                P_POS, DOMAINS),
+          WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L, N_ACCEL));
     STAGE(s, usl, mpm_nodes_to_points,
           READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE), TANGENT, POINT_STATE),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));

@@ -180,7 +180,8 @@ floe_status mpm_node_acceleration(mpm *s)
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
         still_walls(s, g);
         if (s->work->edges) TRY(edges_accelerate(s, g));
-        if (s->work->edges && s->scene->method.stress == STRESS_USL) TRY(edges_strain(s, g, N_VEL_L));
+        if (s->work->edges && s->scene->method.stress == STRESS_USL && !s->transfer->restore)
+            TRY(edges_strain(s, g, N_VEL_L));
         enter_mirrors(s, g);
         extend_to_ghosts(s, g, N_VEL_L);
         extend_to_ghosts(s, g, N_ACCEL);

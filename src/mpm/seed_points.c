@@ -43,8 +43,8 @@ static floe_status velocity_at(const mpm *s, const mpm_body *b, const double x[3
                     : body_solid_state(s->scene, b->scene_body, x, velocity, stress);
 }
 
-/* C_p is the gradient of the velocity that the body starts with, by differences over half a cell: a motion that is
- * linear in space begins without an error. */
+/* C_p is the gradient of the velocity that the body starts with, by differences over half a cell, or over the half of that where the
+ * velocity is known: a motion that is linear in space begins without an error. */
 static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const double x[3])
 {
     const int dim = s->mesh->dim;
@@ -53,10 +53,13 @@ static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const d
         double ahead[3] = {x[0], x[1], x[2]}, behind[3] = {x[0], x[1], x[2]}, v[2][3];
         ahead[c] += way;
         behind[c] -= way;
+        if (!body_velocity_known(s->scene, s->body[body].scene_body, ahead)) ahead[c] = x[c];
+        if (!body_velocity_known(s->scene, s->body[body].scene_body, behind)) behind[c] = x[c];
         TRY(velocity_at(s, &s->body[body], ahead, v[1]));
         TRY(velocity_at(s, &s->body[body], behind, v[0]));
         for (int a = 0; a < dim; ++a)
-            field_get(s->domain->fields[blk], P_AFFINE, body, dim * a + c)[k] = (v[1][a] - v[0][a]) / (2.0 * way);
+            field_get(s->domain->fields[blk], P_AFFINE, body, dim * a + c)[k] =
+                ahead[c] > behind[c] ? (v[1][a] - v[0][a]) / (ahead[c] - behind[c]) : 0.0;
     }
     return FLOE_OK;
 }

@@ -54,8 +54,8 @@ floe_status start_supports(mpm *s)
     return FLOE_OK;
 }
 
-/* A share of the impulse that a support is about to give, of the node's owner. */
-static void enter_impulse(mpm *s, const support_node *node, int group, field_id velocity, double share)
+/* A share of the impulse that a support is about to give, of the node's owner; `change`: the field is one, and is to be zero. */
+static void enter_impulse(mpm *s, const support_node *node, int group, field_id velocity, double share, bool change)
 {
     int cell[3];
     for (int a = 0; a < 3; ++a)
@@ -65,18 +65,18 @@ static void enter_impulse(mpm *s, const support_node *node, int group, field_id 
     const ptrdiff_t at = mesh_index(b, node->node[0] - b->lo[0], node->node[1] - b->lo[1], node->node[2] - b->lo[2]);
     const double mass = field_get(s->domain->fields[blk], N_MASS, group, 0)[at];
     for (int c = 0; c < s->mesh->dim; ++c) {
-        const double target = s->scene->support[node->support].velocity[c];
-        const double impulse = share * mass * (target - field_get(s->domain->fields[blk], velocity, group, c)[at]);
+        const double target = s->scene->support[node->support].velocity[c], wanted = change ? 0.0 : target;
+        const double impulse = share * mass * (wanted - field_get(s->domain->fields[blk], velocity, group, c)[at]);
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, impulse);
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * target);
     }
 }
 
-void impose_supports(mpm *s, int group, field_id velocity, double entered)
+static void hold_nodes(mpm *s, int group, field_id field, double entered, bool change)
 {
     for (size_t k = 0; k < s->work->n_supports; ++k) {
         const support_node *node = &s->work->support[k];
-        if (entered != 0.0) enter_impulse(s, node, group, velocity, entered);
+        if (entered != 0.0) enter_impulse(s, node, group, field, entered, change);
         for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
             const block *b = &s->mesh->block[blk];
             int local[3];
@@ -86,8 +86,18 @@ void impose_supports(mpm *s, int group, field_id velocity, double entered)
                 held = held && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
             }
             for (int c = 0; held && c < s->mesh->dim; ++c)
-                field_get(s->domain->fields[blk], velocity, group, c)[mesh_index(b, local[0], local[1], local[2])] =
-                    s->scene->support[node->support].velocity[c];
+                field_get(s->domain->fields[blk], field, group, c)[mesh_index(b, local[0], local[1], local[2])] =
+                    change ? 0.0 : s->scene->support[node->support].velocity[c];
         }
     }
+}
+
+void impose_supports(mpm *s, int group, field_id velocity, double entered)
+{
+    hold_nodes(s, group, velocity, entered, false);
+}
+
+void hold_supports(mpm *s, int group, field_id change)
+{
+    hold_nodes(s, group, change, 1.0, true);
 }

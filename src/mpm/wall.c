@@ -161,6 +161,7 @@ typedef struct wall_rule {
     const mpm *s;
     int group, axis;
     field_id field;
+    double scale; /* impulse that is entered, of mass times what the field loses */
     double target[MESH_MAX_DIM];
     bool hold[MESH_MAX_DIM];
     double *v[MESH_MAX_DIM]; /* of the block in hand */
@@ -255,28 +256,37 @@ static void still_sum(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff
     (void)inward;
     wall_rule *r = user;
     const fields *f = r->s->domain->fields[blk];
-    const double kept = r->s->share * r->s->work->kick * field_get(f, N_MASS, r->group, 0)[at];
+    const double kept = r->scale * field_get(f, N_MASS, r->group, 0)[at];
     for (int c = 0; c < r->s->mesh->dim; ++c) {
         if (!r->hold[c]) continue;
-        const double impulse = -kept * field_get(f, N_ACCEL, r->group, c)[at];
+        const double impulse = -kept * field_get(f, r->field, r->group, c)[at];
         r->impulse[c] += impulse;
         r->work += impulse * r->target[c];
     }
 }
 
-static void still_side(mpm *s, int axis, int side, int group)
+static void still_side(mpm *s, int axis, int side, int group, field_id field, double scale)
 {
-    wall_rule rule = wall_rule_of(s, axis, side, group, N_ACCEL);
+    wall_rule rule = wall_rule_of(s, axis, side, group, field);
+    rule.scale = scale;
     visit_side_once(s->mesh, axis, side, still_sum, &rule);
     enter_impulse(s, &rule, 1.0);
-    memset(rule.target, 0, sizeof rule.target); /* of the acceleration */
+    memset(rule.target, 0, sizeof rule.target); /* of the change */
     visit_side_blocks(s, axis, side, &rule, impose_node);
 }
 
 void still_walls(mpm *s, int group)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
-        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) still_side(s, axis, side, group);
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
+            still_side(s, axis, side, group, N_ACCEL, s->share * s->work->kick);
+}
+
+void hold_change(mpm *s, int group, field_id change)
+{
+    for (int axis = 0; axis < s->mesh->dim; ++axis)
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) still_side(s, axis, side, group, change, 1.0);
+    hold_supports(s, group, change);
 }
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the
@@ -344,6 +354,36 @@ void enter_mirrors(mpm *s, int group)
 void enter_mirrored_momenta(mpm *s, int group, double share)
 {
     enter_images(s, group, 0.0, share);
+}
+
+/* What the ghost beyond a mirror has of a change of velocities, and what points gave it. */
+typedef struct change_sum {
+    const mpm *s;
+    int group, axis;
+    field_id change;
+    bool given;
+    double sum;
+} change_sum;
+
+static void add_mirrored_change(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
+{
+    (void)node;
+    change_sum *r = user;
+    const fields *f = r->s->domain->fields[blk];
+    const double *mass = field_get(f, N_MASS, r->group, 0), *momentum = field_get(f, N_MOMENTUM, r->group, r->axis),
+                 *change = field_get(f, r->change, r->group, r->axis);
+    r->sum -= 2.0 * ((r->given ? momentum[at - inward] : 0.0) + mass[at - inward] * change[at + inward]);
+}
+
+void enter_mirrored_change(mpm *s, int group, field_id change, double share, bool given)
+{
+    for (int axis = 0; s->work->reach > 0 && axis < s->mesh->dim; ++axis)
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
+            if (!wall_mirrors(s, axis, side)) continue;
+            change_sum r = {.s = s, .group = group, .axis = axis, .change = change, .given = given};
+            visit_side_once(s->mesh, axis, side, add_mirrored_change, &r);
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, share * r.sum);
+        }
 }
 
 void mirror_masses(const mpm *s, const tile_box *t, double *window)

@@ -69,6 +69,11 @@ FLOE_ALWAYS_INLINE bool gather_needs_mass(basis_kind kind, bool motion, bool gra
 typedef void sample_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                            const double *window, double *out);
 
+/* Adds to the nodes of a window, `out`, the momentum that points [start, end) would give back of the velocities in another, `window`,
+ * which they take with the moments about them; lanes_of(dim) doubles a node in both. */
+typedef void project_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                            const double *window, double *out);
+
 typedef enum scatter_mode { SCATTER_MOMENTUM, SCATTER_FORCE, SCATTER_ALL, SCATTER_MODES } scatter_mode;
 
 typedef struct kernel_set {
@@ -76,6 +81,7 @@ typedef struct kernel_set {
     gather_kernel *gather[GATHER_MODES];
     sample_kernel *sample;
     scatter_kernel *fill; /* volume of the points at their nodes */
+    project_kernel *project;
 } kernel_set;
 
 /* The kernels of a dimension, geometry and basis, the fastest that the machine can run; chosen once. */

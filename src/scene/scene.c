@@ -81,7 +81,6 @@ static void set_defaults(scene *s)
     strcpy(s->method.transfer, "flip");
     s->method.flip = 0.99;
     s->method.domain_limit = 1.0;
-    s->method.filter_order = 2;
     s->method.conserve_energy = true;
     s->method.exchange = NAN;
     s->method.volume_relaxation = 0.0;

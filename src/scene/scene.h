@@ -204,7 +204,7 @@ typedef struct scene_method {
     stress_scheme stress;
     char transfer[SCENE_NAME]; /* flip, pic, xpic, apic, tpic: transfer_registry */
     double flip;               /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1 */
-    int filter_order;          /* of transfer xpic, 2 to 20 */
+    int filter_order;          /* of transfers xpic and afmpm, 2 to 20; 0: theirs */
     point_density density;     /* of fluid points (mpm/density.c) */
     point_losses losses;
     double edge_penalty;   /* gamma of the penalty on edges of solids (mpm/edge/edge.h); 0: none */

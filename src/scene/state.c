@@ -61,6 +61,13 @@ static double initial(const scene *s, initial_quantity quantity, int component, 
     return isnan(value) ? otherwise : value;
 }
 
+bool body_velocity_known(const scene *s, int body, const double x[3])
+{
+    for (int a = 0; s->body[body].initial_from_exact && a < s->mesh.dim; ++a)
+        if (isnan(initial(s, INITIAL_VELOCITY, a, x, (double)NAN))) return false;
+    return true;
+}
+
 floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3])
 {
     const scene_body *b = &s->body[body];

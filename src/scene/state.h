@@ -17,6 +17,9 @@ floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double
  * density gives way to a temperature that the deck gives. */
 floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3]);
 
+/* Whether the velocity that a body starts with is known at x: one from an exact solution is so where the solution is. */
+bool body_velocity_known(const scene *s, int body, const double x[3]);
+
 /* Density and velocity, and stress (xx yy zz xy yz zx, Pa), of a solid body at x. */
 floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6]);
 

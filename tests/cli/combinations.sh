@@ -12,7 +12,7 @@ settings=(
     domain.stress_state={uniaxial_strain,uniaxial_stress,plane_strain,plane_stress,full}
     contact.kind={release,stick,friction} contact.criterion={pair,mean,both} contact.touch={points,nodes}
     time.solver={static,implicit,auto} time.increments=3 time.cfl=0.9 time.end={0,-1,1e300} time.fixed_step=1e30
-    method.stress={usl,usf,musl} method.basis={linear,gimp,quadratic,cubic,cpdi} method.transfer={pic,flip,apic,tpic,xpic} method.flip=0.9
+    method.stress={usl,usf,musl} method.basis={linear,gimp,quadratic,cubic,cpdi} method.transfer={pic,flip,apic,tpic,xpic,afmpm} method.flip=0.9
     method.filter_order=2 method.point_density={continuity,cell,quadratic} method.losses={drift,heat} method.edge_penalty={0,0.05}
     method.centring={half,full} method.energy={internal,conserving} method.limiter={none,first_order} method.interface={smeared,sharp}
     method.pressure={explicit,implicit,auto} method.volume_relaxation=0.1

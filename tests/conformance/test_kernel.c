@@ -211,10 +211,41 @@ static void check_affine(cloud *c)
     free(field);
 }
 
+/* Of a linear field points take its value and gradient, and give back what points that carry these do. */
+static void check_projection(cloud *c)
+{
+    const int dim = c->mesh.dim, record = lanes_of(1 + dim), back = lanes_of(dim);
+    static double v[3][POINTS], C[9][POINTS];
+    double *given = calloc((size_t)(c->nodes * record), sizeof *given),
+           *out = calloc((size_t)(c->nodes * back), sizeof *out), *field = linear_window(c, dim, back);
+    assert_non_null(given);
+    assert_non_null(out);
+    point_arrays p = c->p;
+    for (int a = 0; a < dim; ++a) p.v[a] = v[a];
+    for (int i = 0; i < dim * dim; ++i) p.affine[i] = C[i];
+    for (size_t k = 0; k < POINTS; ++k) {
+        double x[3];
+        place_of(c, k, x);
+        for (int a = 0; a < dim; ++a) {
+            v[a][k] = (a + 1) * linear(x);
+            for (int b = 0; b < dim; ++b) C[dim * a + b][k] = (a + 1) * slope[b];
+        }
+        memset(given, 0, (size_t)(c->nodes * record) * sizeof *given);
+        memset(out, 0, (size_t)(c->nodes * back) * sizeof *out);
+        c->kernel.scatter[SCATTER_MOMENTUM](&c->mesh, &c->tile, &p, k, k + 1, given);
+        c->kernel.project(&c->mesh, &c->tile, &p, k, k + 1, field, out);
+        for (int n = 0; n < c->nodes; ++n)
+            for (int a = 0; a < dim; ++a) check_close(out[n * back + a], given[n * record + 1 + a], 4e-12);
+    }
+    free(given);
+    free(out);
+    free(field);
+}
+
 /* Everything that kernels write, from windows of the same numbers. */
 typedef struct kernel_output {
     double x[3][POINTS], v[3][POINTS], L[9][POINTS], sample[POINTS];
-    double window[SCATTER_MODES + 1][WINDOW];
+    double window[SCATTER_MODES + 2][WINDOW];
 } kernel_output;
 
 static void run_kernels(const cloud *c, const kernel_set *kernel, bool moments, kernel_output *out)
@@ -234,6 +265,7 @@ static void run_kernels(const cloud *c, const kernel_set *kernel, bool moments, 
     for (int mode = 0; mode < SCATTER_MODES; ++mode)
         kernel->scatter[mode](&c->mesh, &c->tile, &c->p, 0, POINTS, out->window[mode]);
     kernel->fill(&c->mesh, &c->tile, &c->p, 0, POINTS, out->window[SCATTER_MODES]);
+    kernel->project(&c->mesh, &c->tile, &c->p, 0, POINTS, both, out->window[SCATTER_MODES + 1]);
     free(mass);
     free(both);
 }
@@ -269,6 +301,7 @@ static void check_kernels(const basis_model *b, int dim, mesh_geometry geometry,
     check_samples(c);
     check_weights(c);
     check_affine(c);
+    check_projection(c);
     check_gradients(c, GATHER_GRADIENT);
     if (b->kind != BASIS_LINEAR) check_gradients(c, GATHER_MOMENTS); /* with the linear basis it is the gradient */
     check_bits(c, b, geometry);

@@ -134,6 +134,7 @@ FIXTURE const char *setting(size_t i)
         "method.transfer=apic",
         "method.transfer=tpic",
         "method.transfer=xpic",
+        "method.transfer=afmpm",
         "method.point_density=cell",
         "method.point_density=quadratic",
         "method.losses=heat",

@@ -210,10 +210,11 @@ static bool transfer_is_flip(const scene *s, const void *method)
     (void)s;
     return strcmp(((const scene_method *)method)->transfer, "flip") == 0;
 }
-static bool transfer_is_xpic(const scene *s, const void *method)
+static bool transfer_has_order(const scene *s, const void *method)
 {
     (void)s;
-    return strcmp(((const scene_method *)method)->transfer, "xpic") == 0;
+    const char *transfer = ((const scene_method *)method)->transfer;
+    return strcmp(transfer, "xpic") == 0 || strcmp(transfer, "afmpm") == 0;
 }
 
 static bool basis_is_cpdi(const scene *s, const void *method)
@@ -240,9 +241,9 @@ static const key_spec method_keys[] = {
     {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip), .fallback = "0.99",
      .applies = transfer_is_flip, .belongs = "transfer flip",
      .doc = "share of FLIP in the velocity update of points; the rest is PIC"},
-    {"filter_order", KEY_WHOLE, NULL, WITHIN(2, 20), AT(scene_method, filter_order), .fallback = "2",
-     .applies = transfer_is_xpic, .belongs = "transfer xpic",
-     .doc = "order m: passes between points and nodes of which the filter is made"},
+    {"filter_order", KEY_WHOLE, NULL, WITHIN(2, 20), AT(scene_method, filter_order), .otherwise = "2; of afmpm 4",
+     .applies = transfer_has_order, .belongs = "transfer xpic or afmpm",
+     .doc = "order: passes between points and nodes of which the filter is made"},
     {"point_density", KEY_CHOICE, AT(scene_method, density), .fallback = "continuity", .choices = density_choices,
      .doc = "density of material points of fluids"},
     {"losses", KEY_CHOICE, AT(scene_method, losses), .fallback = "drift", .choices = losses_choices,

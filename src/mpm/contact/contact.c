@@ -78,6 +78,11 @@ static void view_shapes(const mpm *s, int blk, group_view group[MPM_MAX_GROUPS])
     }
 }
 
+static field_id corrected(contact_act act)
+{
+    return act == CONTACT_DECIDE ? N_VEL_L : act == CONTACT_RESTORE ? N_RESIDUAL : N_VEL;
+}
+
 static node_pass pass_of(const mpm *s, int blk, contact_act act)
 {
     node_pass p = {.s = s, .blk = blk, .act = act};
@@ -87,7 +92,7 @@ static node_pass pass_of(const mpm *s, int blk, contact_act act)
         for (int c = 0; c < s->mesh->dim; ++c) {
             p.group[g].momentum[c] = field_get(f, N_MOMENTUM, g, c);
             p.group[g].force[c] = field_get(f, N_FORCE, g, c);
-            p.group[g].v[c] = field_get(f, act == CONTACT_DECIDE ? N_VEL_L : N_VEL, g, c);
+            p.group[g].v[c] = field_get(f, corrected(act), g, c);
         }
         p.group[g].touch = field_get(f, N_TOUCH, g, 0);
     }
@@ -224,7 +229,7 @@ static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], doubl
     load_node(p, at, group, &node);
     if (p->act == CONTACT_FORESEE) push_node(p, at, group, &node);
     contact_tally t = {0};
-    if (p->act == CONTACT_REPEAT)
+    if (p->act == CONTACT_REPEAT || p->act == CONTACT_RESTORE)
         recall_states(p, at, group, &node);
     else
         t = contact_resolve(&p->s->scene->contact, &node);

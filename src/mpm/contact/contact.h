@@ -37,7 +37,8 @@ size_t contact_partials(const mpm *s);
 typedef enum contact_act {
     CONTACT_DECIDE,  /* v^L is corrected, and who touches whom is kept in N_TOUCH; work and counts are entered */
     CONTACT_FORESEE, /* USF: the same from v + kick f/m with the forces so far, but only v_i is corrected */
-    CONTACT_REPEAT   /* MUSL: v_i is corrected as v^L was */
+    CONTACT_REPEAT,  /* MUSL: v_i is corrected as v^L was */
+    CONTACT_RESTORE  /* the same of what is added to either (restore.c) */
 } contact_act;
 void contact_velocities(mpm *s, contact_act act);
 

@@ -10,4 +10,5 @@ const transfer_model transfer_xpic = {
     .cite = "Hammerquist and Nairn 2017",
     .share = 1.0,
     .filter = true,
+    .order = 2,
 };

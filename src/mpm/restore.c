@@ -1,0 +1,156 @@
+/* What smoothing takes is given back: the transfer of affine FMPM (Nairn and Hammerquist 2021, with points that carry the moments of the
+ * velocity about them, Jiang et al. 2015).
+ *
+ * Points that take a velocity v of the nodes, and its moments, and give both back to the nodes leave P v of it. P keeps uniform and turning
+ * motion, momentum and moment of momentum; what lies between takes 1 - lambda of it away in every step, lambda an eigenvalue of P, which
+ * are from 0 to 1. So points take instead
+ *
+ *     v* = v + r_1 + ... + r_(k-1),   r_0 = v,   r_j = r_(j-1) - P r_(j-1),
+ *
+ * of which (1 - lambda)^k is lost, and move and strain with that one velocity: places and deformation go together. Each r_j has
+ * neither momentum nor moment of momentum. Walls and supports hold v, and so take no r; bodies that touch take of it what does not part
+ * them. */
+#include "base/memory.h"
+#include "mpm/contact/contact.h"
+#include "mpm/edge/edge.h"
+#include "mpm/lanes.h"
+#include "mpm/wall.h"
+
+#include <string.h>
+
+enum { RESTORE_WINDOW = 343 }; /* nodes of the largest window */
+
+static void load_residuals(const mpm *s, int blk, int group, const tile_box *t, double *window)
+{
+    const double *node[MPM_MAX_RECORD];
+    for (int c = 0; c < MPM_MAX_RECORD; ++c)
+        node[c] = field_get(s->domain->fields[blk], N_RESIDUAL, group, c < s->mesh->dim ? c : 0); /* padding */
+    load_window(s, blk, t, node, lanes_of(s->mesh->dim), window);
+}
+
+/* One tile's private sums of what its points give back. */
+static void project_tile(mpm *s, int group, int blk, int tile)
+{
+    _Alignas(MEMORY_ALIGNMENT) double window[RESTORE_WINDOW * 4];
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
+    double *out = domain_tile(s->domain, box.number);
+    bool any = false;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *start = s->points[blk][body].tile_start;
+        if (s->body[body].group != group || start[tile] == start[tile + 1]) continue;
+        if (!any) {
+            load_residuals(s, blk, group, &box, window);
+            memset(out, 0, (size_t)(s->work->window_nodes * lanes_of(s->mesh->dim)) * sizeof *out);
+        }
+        any = true;
+        const point_arrays p = points_of(s, blk, body, false, false);
+        s->work->kernel.project(s->mesh, &box, &p, start[tile], start[tile + 1], window, out);
+    }
+    s->work->active[box.number] = any;
+}
+
+/* m P r of a group's residuals, as momenta. */
+static void project_group(mpm *s, int group)
+{
+    const mesh *m = s->mesh;
+    for (int b = 0; b < m->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 4)
+        for (int t = 0; t < m->block[b].n_tiles; ++t) project_tile(s, group, b, t);
+    }
+    domain_share_partials(s->domain);
+    for (int b = 0; b < m->n_blocks; ++b) {
+        node_target out = {.components = lanes_of(m->dim), .reach = s->work->reach};
+        memcpy(out.window, s->work->window, sizeof out.window);
+        for (int a = 0; a < m->dim; ++a) out.array[a] = field_get(s->domain->fields[b], N_MOMENTUM, group, a);
+        gather_nodes(s, b, &out);
+    }
+    domain_fold_periodic(s->domain, N_MOMENTUM, group);
+    if (s->work->reach > 0) fold_field(s, group, N_MOMENTUM);
+}
+
+/* r -= P r. */
+static void subtract_projection(mpm *s, int group)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        const fields *f = s->domain->fields[b];
+        const double *restrict mass = field_get(f, N_MASS, group, 0);
+        const size_t n = s->mesh->block[b].size;
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const double *restrict momentum = field_get(f, N_MOMENTUM, group, c);
+            double *restrict r = field_get(f, N_RESIDUAL, group, c);
+#pragma omp parallel for simd schedule(static)
+            for (size_t k = 0; k < n; ++k) r[k] = mass[k] > 0.0 ? r[k] - momentum[k] / mass[k] : 0.0;
+        }
+    }
+}
+
+static void start_residuals(mpm *s, int group)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int c = 0; c < s->mesh->dim; ++c)
+            memcpy(field_get(s->domain->fields[b], N_RESIDUAL, group, c),
+                   field_get(s->domain->fields[b], N_VEL_L, group, c), s->mesh->block[b].size * sizeof(double));
+}
+
+static void add_residuals(mpm *s, int group)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        const size_t n = s->mesh->block[b].size;
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const double *restrict r = field_get(s->domain->fields[b], N_RESIDUAL, group, c);
+            double *restrict v = field_get(s->domain->fields[b], N_VEL_L, group, c);
+#pragma omp parallel for simd schedule(static)
+            for (size_t k = 0; k < n; ++k) v[k] += r[k];
+        }
+    }
+}
+
+/* The next residual from the last, on all nodes that points reach. */
+static void next_residuals(mpm *s)
+{
+    for (int g = 0; g < s->n_groups; ++g) {
+        project_group(s, g);
+        enter_mirrored_change(s, g, N_RESIDUAL, -1.0, true);
+        subtract_projection(s, g);
+        hold_change(s, g, N_RESIDUAL);
+    }
+    if (s->contact) contact_velocities(s, CONTACT_RESTORE);
+    for (int g = 0; g < s->n_groups; ++g) {
+        enter_mirrored_change(s, g, N_RESIDUAL, 1.0, false);
+        extend_to_ghosts(s, g, N_RESIDUAL);
+    }
+}
+
+static void restore(mpm *s)
+{
+    for (int g = 0; g < s->n_groups; ++g) start_residuals(s, g);
+    for (int j = 1; j < s->order; ++j) {
+        next_residuals(s);
+        for (int g = 0; g < s->n_groups; ++g) add_residuals(s, g);
+    }
+}
+
+/* The linear basis withholds accelerations of light nodes from gradients (kernels_gather.h): what is added to the velocity is part of
+ * them. */
+static void accelerate_more(mpm *s, int group, double sign)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        const size_t n = s->mesh->block[b].size;
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const double *restrict v = field_get(s->domain->fields[b], N_VEL_L, group, c);
+            double *restrict a = field_get(s->domain->fields[b], N_ACCEL, group, c);
+            for (size_t k = 0; k < n; ++k) a[k] += sign * v[k] / s->work->kick;
+        }
+    }
+}
+
+floe_status mpm_restore_velocities(mpm *s)
+{
+    const bool withheld = s->basis->kind == BASIS_LINEAR;
+    for (int g = 0; withheld && g < s->n_groups; ++g) accelerate_more(s, g, -1.0);
+    restore(s);
+    for (int g = 0; withheld && g < s->n_groups; ++g) accelerate_more(s, g, 1.0);
+    for (int g = 0; s->work->edges && s->scene->method.stress == STRESS_USL && g < s->n_groups; ++g)
+        TRY(edges_strain(s, g, N_VEL_L));
+    return FLOE_OK;
+}
