@@ -117,12 +117,12 @@ result_stability() {
     file=$results/stability-line.csv
     "$build/tests/verification_mpm_stability" >"$runs/eigenvalues.txt" 2>&1
     local table=()
-    for ends in slip periodic; do
+    for ends in symmetry periodic; do
         for lattice in 0 -0.4999; do
             for scheme in usl usf musl; do
                 case $lattice in 0) place=centres published=2.0 ;; *) place=sides published=1.1 ;; esac
                 case $place-$scheme in centres-usl) papers=0.76 ;; centres-*) papers=2.10 ;; *) papers=1.05 ;; esac
-                case $ends in slip) text=held ;; *) text=ring ;; esac
+                case $ends in symmetry) text=held ;; *) text=ring ;; esac
                 eigen=$(awk -v e=$text -v p=$place -v s=$scheme '{ sub(/:/, " ") } $1 == e && $2 == p && $3 == s { sub(/.*limit /, ""); print $1 }' "$runs/eigenvalues.txt")
                 : "${eigen:?no eigenvalue for $text $place $scheme in $runs/eigenvalues.txt}"
                 [ $scheme = usl ] && published=-

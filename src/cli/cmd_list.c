@@ -183,8 +183,8 @@ static void list_metrics(void)
 static void list_boundaries(void)
 {
     static const char *const doc[] = {
-        [BC_SYMMETRY] = "mirror: normal velocity odd, everything else even",
-        [BC_SLIP] = "impermeable, free tangential velocity",
+        [BC_SYMMETRY] = "mirror: normal velocity odd, everything else even; it never lets go",
+        [BC_SLIP] = "impermeable, free tangential velocity; solids leave it as they come",
         [BC_NO_SLIP] = "impermeable, tangential velocity of the wall",
         [BC_PERIODIC] = "both sides of an axis are one",
         [BC_INLET] = "fluids: state and velocity given; points: prescribed velocity",

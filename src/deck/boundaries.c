@@ -77,8 +77,9 @@ static const key_spec velocity_keys[] = {
 static const key_table velocity_table = TABLE(velocity_keys);
 
 static const variant side_list[] = {
-    {"symmetry", BC_SYMMETRY, NULL, "a mirror; the same as slip"},
-    {"slip", BC_SLIP, &slip_table, "an impermeable wall without friction"},
+    {"symmetry", BC_SYMMETRY, NULL, "a mirror, beyond which all goes on as its image; it never lets go"},
+    {"slip", BC_SLIP, &slip_table,
+     "an impermeable wall without friction, which solids leave as they come; to a fluid the same as symmetry"},
     {"no_slip", BC_NO_SLIP, &no_slip_table, "an impermeable wall that carries the fluid along"},
     {"periodic", BC_PERIODIC, NULL, "what leaves here enters at the opposite side"},
     {"inlet", BC_INLET, &inlet_table, "a fluid enters"},

@@ -75,6 +75,9 @@
       "how far a body's points reach from the node along its normal there")                                          \
     X(N_TOUCH, "node_touch", NODE, SCALAR, "1", SCRATCH,                                                             \
       "bits of the groups that it moves with (from 0 on) and slides on (from 16 on)")                                \
+    X(N_SIDE_REACH, "node_side_reach", NODE, VECTOR, "m", SCRATCH,                                                   \
+      "how far a group's points reach beyond the side that the node is on, by axis")                                 \
+    X(N_STOPPED, "node_stopped", NODE, VECTOR, "1", SCRATCH, "1 where a side stops the component")                   \
     X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")    \
     X(N_BURNT_SHARE, "node_burnt_share", NODE, SCALAR, "1", SCRATCH,                                                 \
       "of the mass about the node, that reactions take in the step")                                                 \

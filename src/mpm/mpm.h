@@ -104,6 +104,7 @@ floe_status mpm_drive_points(mpm *s);      /* b_p of an exact solution (load.c) 
 floe_status mpm_points_to_nodes(mpm *s);   /* m_i, m_i v_i; and f_i when nothing else will change the stress */
 floe_status mpm_contact_normals(mpm *s);   /* where bodies in contact meet */
 floe_status mpm_contact_reach(mpm *s);     /* and how far they come */
+floe_status mpm_side_reach(mpm *s);        /* how far points reach at sides that let go */
 floe_status mpm_node_velocity(mpm *s);     /* v_i, walls, contact */
 floe_status mpm_stress_first(mpm *s);      /* USF: stress from v_i^n */
 floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) grad S + external */

@@ -68,7 +68,7 @@ static void load_pass(const mpm *s, int blk, int group, const tile_box *t, tile_
     if (!gather_needs_mass(s->basis->kind, pass.motion, pass.stress || pass.carry)) return;
     const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
     load_window(s, blk, t, &mass, 1, window->mass);
-    mirror_masses(s, t, window->mass);
+    mirror_masses(s, group, t, window->mass);
 }
 
 static gather_result result_of(const mpm *s, int blk, int body, tile_pass pass, solid_batch *batch)

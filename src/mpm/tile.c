@@ -58,13 +58,15 @@ uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t)
 }
 
 /* Sides beyond which velocities are extrapolated. */
-static void set_sides(const mpm *s, point_arrays *p)
+static void set_sides(const mpm *s, int group, point_arrays *p)
 {
     const mesh *m = s->mesh;
     for (int a = 0; a < m->dim; ++a) {
         const bool around = m->periodic[a];
-        p->linear_side[a][SIDE_LOWER] = around || wall_mirrors(s, a, SIDE_LOWER) ? (double)-INFINITY : m->lower[a];
-        p->linear_side[a][SIDE_UPPER] = around || wall_mirrors(s, a, SIDE_UPPER) ? (double)INFINITY : m->upper[a];
+        p->linear_side[a][SIDE_LOWER] =
+            around || wall_mirrors(s, group, a, SIDE_LOWER) ? (double)-INFINITY : m->lower[a];
+        p->linear_side[a][SIDE_UPPER] =
+            around || wall_mirrors(s, group, a, SIDE_UPPER) ? (double)INFINITY : m->upper[a];
     }
 }
 
@@ -95,7 +97,7 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     for (int c = 0; s->transfer->carry && c < s->mesh->dim * s->mesh->dim; ++c)
         p.affine[c] = next_velocity ? field_next(f, P_AFFINE, body, c) : field_get(f, P_AFFINE, body, c);
     if (s->basis->kind == BASIS_CPDI) set_domains(s, f, body, &p);
-    set_sides(s, &p);
+    set_sides(s, s->body[body].group, &p);
     p.held = is_held(s, body) ? s->work->hold.pressure : 0.0;
     for (int a = 0; s->driven && a < s->mesh->dim; ++a) p.drive[a] = field_get(f, P_DRIVE, body, a);
     p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);

@@ -1,18 +1,18 @@
 /* Walls at the nodes. Points near a side of the domain reach ghost nodes one layer beyond it; what they gave there is folded
- * into the mesh, and the ghosts are given the velocities that the fold implies. At a symmetry plane or slip wall the
- * fold is a mirror: even for mass and tangential momentum, odd for normal momentum. At every other side it is linear
+ * into the mesh, and the ghosts are given the velocities that the fold implies. At a symmetry plane the
+ * fold is a mirror, and at a slip wall that does not let a group go (wall_side.c): even for mass and tangential momentum, odd for normal momentum. At every other side it is linear
  * extrapolation, u_-1 = 2 u_0 - u_1: the folded basis is nonnegative, sums to one, reproduces linear fields and
  * interpolates at the wall (numerics 4.3). */
 #include "mpm/wall.h"
 
 #include <string.h>
 
-bool wall_mirrors(const mpm *s, int axis, int side)
+bool wall_mirrors(const mpm *s, int group, int axis, int side)
 {
     const bc_kind kind = s->scene->bc.side[axis][side].kind;
     const bool on_axis =
         s->mesh->geometry == MESH_AXISYMMETRIC && axis == 0 && side == SIDE_LOWER && s->mesh->lower[0] == 0.0;
-    return kind == BC_SYMMETRY || kind == BC_SLIP || on_axis;
+    return kind == BC_SYMMETRY || on_axis || (kind == BC_SLIP && !wall_lets_go(s, group, axis, side));
 }
 
 /* Sides that hold all components of the nodes' velocity. */
@@ -22,10 +22,8 @@ static bool holds(const mpm *s, int axis, int side)
     return kind == BC_NO_SLIP || kind == BC_VELOCITY || kind == BC_INLET;
 }
 
-typedef void node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward);
-
 /* Visits the nodes of a side's plane, transverse ghosts included. */
-static void visit_side(const block *b, int axis, int side, node_visitor *visit, void *user)
+void wall_visit(const block *b, int axis, int side, wall_node_visitor *visit, void *user)
 {
     int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
     for (int a = 0; a < b->dim; ++a) {
@@ -40,9 +38,7 @@ static void visit_side(const block *b, int axis, int side, node_visitor *visit, 
 
 /* Visits each node of a side's plane once, in global order, in the block that owns it (a node on the seam of two blocks belongs to
  * the upper one, as its cell does): sums over a side have the same bits for any blocks. */
-typedef void side_visitor(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward);
-
-static void visit_side_once(const mesh *m, int axis, int side, side_visitor *visit, void *user)
+void wall_visit_once(const mesh *m, int axis, int side, wall_side_visitor *visit, void *user)
 {
     int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
     for (int a = 0; a < m->dim; ++a) {
@@ -77,20 +73,20 @@ static void fold_node(void *user, ptrdiff_t at, ptrdiff_t inward)
     r->a[at + inward] += r->inside * ghost;
 }
 
-static void fold_array(const mpm *s, int blk, int axis, int side, bool normal, double *a)
+static void fold_array(const mpm *s, int blk, int group, int axis, int side, bool normal, double *a)
 {
     const double mirror = normal ? -1.0 : 1.0;
-    fold_rule rule = wall_mirrors(s, axis, side) ? (fold_rule){a, 0.0, mirror} : (fold_rule){a, 2.0, -1.0};
-    visit_side(&s->mesh->block[blk], axis, side, fold_node, &rule);
+    fold_rule rule = wall_mirrors(s, group, axis, side) ? (fold_rule){a, 0.0, mirror} : (fold_rule){a, 2.0, -1.0};
+    wall_visit(&s->mesh->block[blk], axis, side, fold_node, &rule);
 }
 
 static void fold_side(const mpm *s, int blk, int axis, int side, int group, bool momentum, bool force)
 {
     const fields *f = s->domain->fields[blk];
-    if (momentum) fold_array(s, blk, axis, side, false, field_get(f, N_MASS, group, 0));
+    if (momentum) fold_array(s, blk, group, axis, side, false, field_get(f, N_MASS, group, 0));
     for (int c = 0; c < s->mesh->dim; ++c) {
-        if (momentum) fold_array(s, blk, axis, side, c == axis, field_get(f, N_MOMENTUM, group, c));
-        if (force) fold_array(s, blk, axis, side, c == axis, field_get(f, N_FORCE, group, c));
+        if (momentum) fold_array(s, blk, group, axis, side, c == axis, field_get(f, N_MOMENTUM, group, c));
+        if (force) fold_array(s, blk, group, axis, side, c == axis, field_get(f, N_FORCE, group, c));
     }
 }
 
@@ -102,7 +98,7 @@ static void fold_components(const mpm *s, int group, field_id id, bool vector)
             for (int side = 0; side < 2; ++side)
                 for (int c = 0; c < components; ++c)
                     if (s->mesh->block[b].at_side[axis][side] && !s->mesh->periodic[axis])
-                        fold_array(s, b, axis, side, vector && c == axis,
+                        fold_array(s, b, group, axis, side, vector && c == axis,
                                    field_get(s->domain->fields[b], id, group, c));
 }
 
@@ -150,8 +146,8 @@ void extend_to_ghosts(mpm *s, int group, field_id id)
                     double *a = field_get(s->domain->fields[b], id, group, c);
                     const double odd = vector && c == axis ? -1.0 : 1.0;
                     extend_rule rule =
-                        wall_mirrors(s, axis, side) ? (extend_rule){a, 0.0, odd} : (extend_rule){a, 2.0, -1.0};
-                    visit_side(&s->mesh->block[b], axis, side, extend_node, &rule);
+                        wall_mirrors(s, group, axis, side) ? (extend_rule){a, 0.0, odd} : (extend_rule){a, 2.0, -1.0};
+                    wall_visit(&s->mesh->block[b], axis, side, extend_node, &rule);
                 }
             }
 }
@@ -168,9 +164,9 @@ typedef struct wall_rule {
     double impulse[MESH_MAX_DIM], work;
 } wall_rule;
 
-bool wall_holds(const mpm *s, int axis, int side, int component)
+bool wall_holds(const mpm *s, int group, int axis, int side, int component)
 {
-    return holds(s, axis, side) || (wall_mirrors(s, axis, side) && component == axis);
+    return holds(s, axis, side) || (wall_mirrors(s, group, axis, side) && component == axis);
 }
 
 double wall_target(const mpm *s, int axis, int side, int component)
@@ -184,7 +180,7 @@ static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field
 {
     wall_rule r = {.s = s, .group = group, .axis = axis, .field = field};
     for (int c = 0; c < s->mesh->dim; ++c) {
-        r.hold[c] = wall_holds(s, axis, side, c);
+        r.hold[c] = wall_holds(s, group, axis, side, c);
         r.target[c] = wall_target(s, axis, side, c);
     }
     return r;
@@ -221,20 +217,24 @@ static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward)
 }
 
 /* Visits a side's nodes in every block, the rule's arrays being those of its field there. */
-static void visit_side_blocks(mpm *s, int axis, int side, wall_rule *r, node_visitor *visit)
+static void visit_side_blocks(mpm *s, int axis, int side, wall_rule *r, wall_node_visitor *visit)
 {
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         if (!s->mesh->block[b].at_side[axis][side]) continue;
         for (int c = 0; c < s->mesh->dim; ++c) r->v[c] = field_get(s->domain->fields[b], r->field, r->group, c);
-        visit_side(&s->mesh->block[b], axis, side, visit, r);
+        wall_visit(&s->mesh->block[b], axis, side, visit, r);
     }
 }
 
 static void impose_side(mpm *s, int axis, int side, int group, field_id velocity, double entered)
 {
+    if (wall_lets_go(s, group, axis, side)) {
+        stop_at_side(s, axis, side, group, velocity, entered);
+        return;
+    }
     wall_rule rule = wall_rule_of(s, axis, side, group, velocity);
     if (entered != 0.0) {
-        visit_side_once(s->mesh, axis, side, add_impulse, &rule);
+        wall_visit_once(s->mesh, axis, side, add_impulse, &rule);
         enter_impulse(s, &rule, entered);
     }
     visit_side_blocks(s, axis, side, &rule, impose_node);
@@ -269,7 +269,7 @@ static void still_side(mpm *s, int axis, int side, int group, field_id field, do
 {
     wall_rule rule = wall_rule_of(s, axis, side, group, field);
     rule.scale = scale;
-    visit_side_once(s->mesh, axis, side, still_sum, &rule);
+    wall_visit_once(s->mesh, axis, side, still_sum, &rule);
     enter_impulse(s, &rule, 1.0);
     memset(rule.target, 0, sizeof rule.target); /* of the change */
     visit_side_blocks(s, axis, side, &rule, impose_node);
@@ -279,13 +279,18 @@ void still_walls(mpm *s, int group)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
-            still_side(s, axis, side, group, N_ACCEL, s->share * s->work->kick);
+            if (!wall_lets_go(s, group, axis, side)) /* whose stop is an impulse that the points get */
+                still_side(s, axis, side, group, N_ACCEL, s->share * s->work->kick);
 }
 
 void hold_change(mpm *s, int group, field_id change)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
-        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) still_side(s, axis, side, group, change, 1.0);
+        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
+            if (wall_lets_go(s, group, axis, side))
+                stop_at_side(s, axis, side, group, change, 1.0);
+            else
+                still_side(s, axis, side, group, change, 1.0);
     hold_supports(s, group, change);
 }
 
@@ -338,10 +343,10 @@ static void enter_images(mpm *s, int group, double kick, double pic)
 {
     for (int axis = 0; s->work->reach > 0 && axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
-            if (!wall_mirrors(s, axis, side)) continue;
+            if (!wall_mirrors(s, group, axis, side)) continue;
             mirror_sum r = {.s = s, .group = group, .axis = axis, .kick = kick, .pic = pic};
-            if (kick != 0.0) visit_side_once(s->mesh, axis, side, add_mirror_push, &r);
-            if (pic != 0.0) visit_side_once(s->mesh, axis, side, add_mirror_momentum, &r);
+            if (kick != 0.0) wall_visit_once(s->mesh, axis, side, add_mirror_push, &r);
+            if (pic != 0.0) wall_visit_once(s->mesh, axis, side, add_mirror_momentum, &r);
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, r.sum);
         }
 }
@@ -379,21 +384,21 @@ void enter_mirrored_change(mpm *s, int group, field_id change, double share, boo
 {
     for (int axis = 0; s->work->reach > 0 && axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
-            if (!wall_mirrors(s, axis, side)) continue;
+            if (!wall_mirrors(s, group, axis, side)) continue;
             change_sum r = {.s = s, .group = group, .axis = axis, .change = change, .given = given};
-            visit_side_once(s->mesh, axis, side, add_mirrored_change, &r);
+            wall_visit_once(s->mesh, axis, side, add_mirrored_change, &r);
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, share * r.sum);
         }
 }
 
-void mirror_masses(const mpm *s, const tile_box *t, double *window)
+void mirror_masses(const mpm *s, int group, const tile_box *t, double *window)
 {
     const mesh *m = s->mesh;
     const int *size = s->work->window;
     for (int axis = 0; axis < m->dim; ++axis)
         for (int side = 0; side < 2; ++side) {
             const bool there = side == SIDE_LOWER ? t->first[axis] == 0 : t->first[axis] + t->cells[axis] == m->n[axis];
-            if (!there || m->periodic[axis] || !wall_mirrors(s, axis, side)) continue;
+            if (!there || m->periodic[axis] || !wall_mirrors(s, group, axis, side)) continue;
             int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
             for (int a = 0; a < m->dim; ++a) {
                 const int wall = s->work->reach + (side == SIDE_LOWER ? 0 : t->cells[a]);

@@ -6,8 +6,8 @@
 
 /* Folds N_MASS with N_MOMENTUM, and N_FORCE, where asked for. */
 void fold_walls(mpm *s, int group, bool momentum, bool force);
-/* Whether a side of the domain holds a component of its nodes' velocity. */
-bool wall_holds(const mpm *s, int axis, int side, int component);
+/* Whether a side of the domain holds a component of its nodes' velocity, whatever comes. */
+bool wall_holds(const mpm *s, int group, int axis, int side, int component);
 /* The velocity (m/s) that it then has at the end of the step. */
 double wall_target(const mpm *s, int axis, int side, int component);
 /* Folds a field of the nodes that points reached beyond the sides. */
@@ -26,15 +26,36 @@ void impose_walls(mpm *s, int group, field_id velocity, double entered);
 /* Nodes that walls hold do not accelerate. */
 void still_walls(mpm *s, int group);
 /* A node on a mirror bears the image's mass as well: doubles the masses of such nodes in a tile's window. */
-void mirror_masses(const mpm *s, const tile_box *t, double *window);
+void mirror_masses(const mpm *s, int group, const tile_box *t, double *window);
 /* Values of the ghost nodes beyond the sides, which points near them take from: mirrored, or extrapolated. */
 void extend_to_ghosts(mpm *s, int group, field_id id);
 /* Momentum that mirrors give, into the ledger: after accelerations are known, before ghosts are extended. */
 void enter_mirrors(mpm *s, int group);
 /* The same of points that take a share of their velocity from the nodes, and nothing else. */
 void enter_mirrored_momenta(mpm *s, int group, double share);
-/* Whether a side is a mirror: symmetry, slip, or the axis. */
-bool wall_mirrors(const mpm *s, int axis, int side);
+/* Whether a side is a mirror to a group: symmetry, the axis, or slip that does not let it go. */
+bool wall_mirrors(const mpm *s, int group, int axis, int side);
+
+typedef void wall_node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward);
+/* Visits the nodes of a side's plane, transverse ghosts included. */
+void wall_visit(const block *b, int axis, int side, wall_node_visitor *visit, void *user);
+typedef void wall_side_visitor(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward);
+/* Visits each node of a side's plane once, in global order, in the block that owns it. */
+void wall_visit_once(const mesh *m, int axis, int side, wall_side_visitor *visit, void *user);
+
+/* ---- sides that let go (wall_side.c) ---- */
+
+/* Whether a side stops a group only where it has come and goes on: slip, and a group of solids alone. */
+bool wall_lets_go(const mpm *s, int group, int axis, int side);
+/* Whether some side does so with some group. */
+bool walls_let_go(const mpm *s);
+/* Nothing has been stopped yet. */
+void clear_stops(mpm *s, int group);
+/* Marks the nodes that a side stops, from v + kick f/m with the forces so far. */
+void foresee_stops(mpm *s, int group);
+/* Takes the velocity into such a side of its nodes: of v^L where points have come, and marks these nodes; of other velocities at the
+ * marked ones. `entered`: as impose_walls. */
+void stop_at_side(mpm *s, int axis, int side, int group, field_id velocity, double entered);
 
 /* ---- supports (support.c) ---- */
 

@@ -97,10 +97,41 @@ static void remark_knots(const scene *s, remark_sink *say, void *user)
     }
 }
 
+/* Whether a body reaches a side, to a cell. */
+static bool reaches_side(const scene *s, const scene_body *b, int axis, int side)
+{
+    double lo[3] = {0.0}, hi[3] = {0.0};
+    const mesh_spec *m = &s->mesh;
+    if (!b->shape.model) return false;
+    if (!b->shape.model->bounds(b->shape.par, m->dim, lo, hi)) return true;
+    return side == 0 ? lo[axis] < m->lower[axis] + m->cell[axis] : hi[axis] > m->upper[axis] - m->cell[axis];
+}
+
+/* Steps that are solved for have no active set at the sides. */
+static void remark_held_sides(const scene *s, remark_sink *say, void *user)
+{
+    if (s->time.solver != SOLVER_STATIC && s->time.solver != SOLVER_IMPLICIT) return;
+    for (int k = 0; k < s->n_bodies; ++k)
+        for (int axis = 0; axis < s->mesh.dim && is_wall(s, &s->body[k]); ++axis)
+            for (int side = 0; side < 2; ++side) {
+                if (s->bc.side[axis][side].kind != BC_SLIP || !reaches_side(s, &s->body[k], axis, side)) continue;
+                char text[REMARK_SIZE];
+                (void)snprintf(
+                    text, sizeof text,
+                    "boundaries.%c.%s: in steps that are solved for, a slip side holds body '%s' as a mirror "
+                    "does, in tension too. Say symmetry where it is meant to stay; else take time.solver "
+                    "dynamic, or a body of its own as the support, with contact",
+                    (s->mesh.geometry == MESH_AXISYMMETRIC ? "rz" : "xyz")[axis], side ? "upper" : "lower",
+                    s->body[k].name);
+                say(user, text);
+            }
+}
+
 void scene_remarks(const scene *s, remark_sink *say, void *user)
 {
     remark_soft_walls(s, say, user);
     remark_knots(s, say, user);
     scene_remark_unused(s, say, user);
     remark_smeared(s, say, user);
+    remark_held_sides(s, say, user);
 }

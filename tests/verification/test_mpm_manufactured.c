@@ -42,25 +42,27 @@ static void test_bars(void **unused)
           COUPLING_MPM,
           1,
           5,
-          {BOX(2, "[0, 0]", "[1, 1]", "0.125"), "boundaries={x: slip, y: slip}", ALL_AXES, SPLINES}},
+          {BOX(2, "[0, 0]", "[1, 1]", "0.125"), "boundaries={x: symmetry, y: symmetry}", ALL_AXES, SPLINES}},
          {"square",
           "bar_mms",
           COUPLING_MPM,
           1,
           5,
-          {BOX(2, "[0, 0]", "[1, 1]", "0.0625"), "boundaries={x: slip, y: slip}", ALL_AXES, SPLINES}}},
+          {BOX(2, "[0, 0]", "[1, 1]", "0.0625"), "boundaries={x: symmetry, y: symmetry}", ALL_AXES, SPLINES}}},
         {{"cube",
           "bar_mms",
           COUPLING_MPM,
           1,
           5,
-          {BOX(3, "[0, 0, 0]", "[1, 1, 1]", "0.25"), "boundaries={x: slip, y: slip, z: slip}", ALL_AXES, SPLINES}},
+          {BOX(3, "[0, 0, 0]", "[1, 1, 1]", "0.25"), "boundaries={x: symmetry, y: symmetry, z: symmetry}", ALL_AXES,
+           SPLINES}},
          {"cube",
           "bar_mms",
           COUPLING_MPM,
           1,
           5,
-          {BOX(3, "[0, 0, 0]", "[1, 1, 1]", "0.125"), "boundaries={x: slip, y: slip, z: slip}", ALL_AXES, SPLINES}}}};
+          {BOX(3, "[0, 0, 0]", "[1, 1, 1]", "0.125"), "boundaries={x: symmetry, y: symmetry, z: symmetry}", ALL_AXES,
+           SPLINES}}}};
     for (int dim = 0; dim < 3; ++dim) {
         const double coarse = first_error(&bar[dim][0], 1e-12), fine = first_error(&bar[dim][1], 1e-12);
         print_message("%s: %.2e %.2e, order %.2f\n", bar[dim][0].name, coarse, fine, log2(coarse / fine));

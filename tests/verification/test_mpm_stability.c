@@ -144,7 +144,7 @@ static void begin_line(trial *t, const line *l, double dt)
 {
     const double size[3] = {POINTS, 0.0, 0.0};
     trial_begin(t, 1, size, 1.0);
-    const bc_kind end = l->ring ? BC_PERIODIC : BC_SLIP;
+    const bc_kind end = l->ring ? BC_PERIODIC : BC_SYMMETRY;
     set_sides(t, 0, end, end);
     set_method(t, "linear", l->stress, 1.0);
     t->scene->lattice_offset[0] = l->place - 0.5;

@@ -22,6 +22,13 @@ FLOE = pathlib.Path(os.environ.get("FLOE", ROOT / "build/release/floe"))
 OUT = pathlib.Path(os.environ.get("FLOE_OUT", ROOT / "out/results/defaults"))
 
 
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
 @dataclasses.dataclass
 class Run:
     """One run of a deck: exit status, CPU seconds, what it printed, and its result folder."""
@@ -34,11 +41,11 @@ class Run:
         return json.loads((self.folder / "summary.json").read_text())
 
     def history(self):
-        """Columns of history.csv by name without unit, as lists of numbers."""
+        """Columns of history.csv by name without unit, as lists of numbers; those of words are NaN."""
         with open(self.folder / "history.csv", newline="") as file:
             rows = list(csv.reader(file))
         names = [name.split(" (")[0] for name in rows[0]]
-        return {name: [float(row[k]) if row[k] else math.nan for row in rows[1:]] for k, name in enumerate(names)}
+        return {name: [number(row[k]) for row in rows[1:]] for k, name in enumerate(names)}
 
     def warnings(self):
         return [line for line in self.text.splitlines() if "warning" in line]

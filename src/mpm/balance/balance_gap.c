@@ -37,7 +37,7 @@ static bool bring_inside(const mpm *s, int node[3], seen_element *e)
         }
         if (node[a] >= 0 && node[a] <= n) continue;
         const int side = node[a] < 0 ? SIDE_LOWER : SIDE_UPPER, wall = side == SIDE_LOWER ? 0 : n;
-        if (!wall_mirrors(s, a, side)) return false;
+        if (!wall_mirrors(s, 0, a, side)) return false;
         node[a] = 2 * wall - node[a];
         e->x[a] = 2.0 * mesh_node(s->mesh, a, wall) - e->x[a];
         e->area[a] = -e->area[a];

@@ -23,7 +23,7 @@ void balance_hold(mpm *s)
     for (int axis = 0; axis < m->dim; ++axis)
         for (int side = 0; side < 2 && !m->periodic[axis]; ++side)
             for (int c = 0; c < m->dim; ++c) {
-                if (!wall_holds(s, axis, side, c)) continue;
+                if (!wall_holds(s, 0, axis, side, c)) continue;
                 const double way = s->dt * wall_target(s, axis, side, c);
                 const int plane = side == SIDE_LOWER ? 0 : w->grid.n[axis] - 1;
                 int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
@@ -91,7 +91,7 @@ double balance_way(const mpm *s, int group, const int node[MESH_MAX_DIM], int c)
         on_wall[a] = wall;
         inside[a] = 2 * wall - node[a];
         const double image = balance_way(s, group, inside, c);
-        if (wall_mirrors(s, a, side)) return a == c ? -image : image;
+        if (wall_mirrors(s, 0, a, side)) return a == c ? -image : image;
         return 2.0 * balance_way(s, group, on_wall, c) - image;
     }
     int at[MESH_MAX_DIM] = {0, 0, 0};

@@ -18,7 +18,7 @@ static void add(axis_place *p, int node, double even, double odd, double even_sl
 static void fold(const mpm *s, axis_place *p, int axis, int side, double w, double dw)
 {
     const int wall = side == SIDE_LOWER ? 0 : s->mesh->n[axis], inside = wall + (side == SIDE_LOWER ? 1 : -1);
-    if (wall_mirrors(s, axis, side)) {
+    if (wall_mirrors(s, 0, axis, side)) {
         add(p, inside, w, -w, dw, -dw);
         return;
     }

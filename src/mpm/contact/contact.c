@@ -191,7 +191,8 @@ static void find_held(const mpm *s, const int global[MESH_MAX_DIM], bool held[ME
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2; ++side) {
             if (s->mesh->periodic[a] || global[a] != (side == SIDE_LOWER ? 0 : s->mesh->n[a])) continue;
-            for (int c = 0; c < s->mesh->dim; ++c) held[c] = held[c] || wall_holds(s, a, side, c);
+            for (int c = 0; c < s->mesh->dim; ++c) held[c] = held[c] || wall_holds(s, 0, a, side, c);
+            held[a] = held[a] || s->scene->bc.side[a][side].kind == BC_SLIP;
         }
 }
 

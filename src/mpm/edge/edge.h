@@ -139,7 +139,8 @@ static inline bool edge_body(const mpm *s, int body)
 }
 
 /* Nodes and weights of the taps of a line along l->axis from a node on; false where one is beyond the mesh. */
-bool edge_find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l);
+bool edge_find_taps(const mpm *s, int group, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM],
+                    edge_line *l);
 /* Calls for every node from which a line along an axis may begin, and for the image of the first inner one. */
 typedef floe_status edge_visit(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user);
 floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user);

@@ -24,13 +24,13 @@ int edge_taps(const mpm *s)
 }
 
 /* Components of a node's velocity that walls or supports hold. */
-static unsigned held_components(const mpm *s, const int at[MESH_MAX_DIM])
+static unsigned held_components(const mpm *s, int group, const int at[MESH_MAX_DIM])
 {
     unsigned held = 0;
     for (int a = 0; a < s->mesh->dim; ++a) {
         if (s->mesh->periodic[a] || (at[a] != 0 && at[a] != s->mesh->n[a])) continue;
         for (int c = 0; c < s->mesh->dim; ++c)
-            if (wall_holds(s, a, at[a] == 0 ? SIDE_LOWER : SIDE_UPPER, c)) held |= 1u << c;
+            if (wall_holds(s, group, a, at[a] == 0 ? SIDE_LOWER : SIDE_UPPER, c)) held |= 1u << c;
     }
     for (size_t k = 0; k < s->work->n_supports; ++k)
         if (memcmp(s->work->support[k].node, at, sizeof s->work->support[k].node) == 0)
@@ -42,7 +42,8 @@ static unsigned held_components(const mpm *s, const int at[MESH_MAX_DIM])
 static const double binomial[EDGE_TAPS + 1][EDGE_TAPS] = {
     [3] = {1, -2, 1}, [4] = {-1, 3, -3, 1}, [5] = {1, -4, 6, -4, 1}};
 
-bool edge_find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM], edge_line *l)
+bool edge_find_taps(const mpm *s, int group, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM],
+                    edge_line *l)
 {
     const mesh *m = s->mesh;
     const int taps = edge_taps(s), axis = l->axis;
@@ -55,7 +56,7 @@ bool edge_find_taps(const mpm *s, const int first[MESH_MAX_DIM], int tap[EDGE_TA
             *x %= m->n[axis];
         } else if (*x < 0 || *x > m->n[axis]) {
             const int side = *x < 0 ? SIDE_LOWER : SIDE_UPPER;
-            if (!wall_mirrors(s, axis, side)) return false;
+            if (!wall_mirrors(s, group, axis, side)) return false;
             *x = side == SIDE_LOWER ? -*x : 2 * m->n[axis] - *x;
             l->weight[1][t] = -binomial[taps][t];
             l->images = true;
@@ -140,7 +141,7 @@ static floe_status list_node(mpm *s, int group, const int at[MESH_MAX_DIM], int 
         *index = g->n_nodes;
         edge_node *n = &g->node[g->n_nodes++];
         memcpy(n->at, at, sizeof n->at);
-        n->held = held_components(s, at);
+        n->held = held_components(s, group, at);
         n->slot = e->accelerations + ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim;
         TRY(list_copies(s, g, n));
     }
@@ -181,7 +182,7 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     const int body = (int)e->memory[e->lines + place] - 1;
     int tap[EDGE_TAPS][MESH_MAX_DIM];
     edge_line l = {.axis = axis, .slot = place * (size_t)s->mesh->dim};
-    if (body < 0 || !edge_find_taps(s, first, tap, &l)) return FLOE_OK;
+    if (body < 0 || !edge_find_taps(s, group, first, tap, &l)) return FLOE_OK;
     l.stiffness = s->scene->method.edge_penalty * modulus_of(s, body) * line_extent(s, axis, tap);
     l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
     for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, tap[t], &l.node[t]));

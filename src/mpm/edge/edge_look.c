@@ -22,13 +22,13 @@ static double ghost_share(basis_kind kind)
 }
 
 /* Volume of a node's shape function along an axis in cells. */
-static double share_along(const mpm *s, int axis, int node)
+static double share_along(const mpm *s, int group, int axis, int node)
 {
     if (s->mesh->periodic[axis]) return 1.0;
     const int side = 2 * node > s->mesh->n[axis] ? SIDE_UPPER : SIDE_LOWER;
     const int in = side == SIDE_UPPER ? s->mesh->n[axis] - node : node;
     if (in > 1) return 1.0;
-    if (wall_mirrors(s, axis, side)) return in == 0 ? 0.5 : 1.0;
+    if (wall_mirrors(s, group, axis, side)) return in == 0 ? 0.5 : 1.0;
     const double ghost = ghost_share(s->basis->kind);
     return in == 0 ? 0.5 + 2.0 * ghost : 1.0 - 2.0 * ghost;
 }
@@ -39,11 +39,11 @@ static double axis_moment(basis_kind kind)
     return kind == BASIS_CUBIC ? 7.0 / 30.0 : kind == BASIS_QUADRATIC ? 13.0 / 64.0 : 1.0 / 6.0;
 }
 
-static double node_volume(const mpm *s, const int at[MESH_MAX_DIM])
+static double node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM])
 {
     double volume = 1.0;
     const double r = mesh_node(s->mesh, 0, at[0]), h = s->mesh->h[0];
-    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a] * share_along(s, a, at[a]);
+    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a] * share_along(s, group, a, at[a]);
     if (s->mesh->geometry != MESH_AXISYMMETRIC) return volume;
     return r > 0.5 * h ? volume * r : volume / 0.5 * axis_moment(s->basis->kind) * h;
 }
@@ -69,7 +69,8 @@ static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
     const double *volume = field_get(s->domain->fields[blk], N_FILL, s->body[body].group, 0);
     const int global[MESH_MAX_DIM] = {b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]};
     const size_t number = edge_number(e, global);
-    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, global);
+    const double fill =
+        volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, s->body[body].group, global);
     if (!(fill > empty_node)) return;
     e->fill[number] += fill;
     e->owner[number] = e->owner[number] == NO_BODY ? body : SHARED;
@@ -119,7 +120,7 @@ static int line_body(const mpm_edges *e, const size_t *number, int taps)
 }
 
 /* The same of the line along an axis from a node on. */
-static int body_from(const mpm *s, int axis, const int first[MESH_MAX_DIM])
+static int body_from(const mpm *s, int group, int axis, const int first[MESH_MAX_DIM])
 {
     const mpm_edges *e = s->work->edges;
     const int taps = edge_taps(s);
@@ -131,7 +132,7 @@ static int body_from(const mpm *s, int axis, const int first[MESH_MAX_DIM])
     } else {
         int tap[EDGE_TAPS][MESH_MAX_DIM];
         edge_line l = {.axis = axis};
-        if (!edge_find_taps(s, first, tap, &l)) return 0;
+        if (!edge_find_taps(s, group, first, tap, &l)) return 0;
         for (int t = 0; t < taps; ++t) number[t] = edge_number(e, tap[t]);
     }
     return line_body(e, number, taps);
@@ -143,7 +144,7 @@ static floe_status judge_line(mpm *s, int group, int axis, const int first[MESH_
     mpm_edges *e = s->work->edges;
     bool *changed = user;
     const size_t place = edge_place(s, group, axis, first), dim = (size_t)s->mesh->dim;
-    const int body = body_from(s, axis, first);
+    const int body = body_from(s, group, axis, first);
     if (body == (int)e->memory[e->lines + place]) return FLOE_OK;
     *changed = true;
     e->memory[e->lines + place] = body;

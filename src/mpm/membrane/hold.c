@@ -85,7 +85,7 @@ static hold_axis look_along(const mpm *s, const gas_hold *h, int axis)
         out.net += h->force[3 * k + (size_t)axis];
     }
     for (int side = 0; side < 2; ++side) {
-        out.cut[side] = wall_mirrors(s, axis, side) && least[side] < m->h[axis];
+        out.cut[side] = wall_mirrors(s, s->body[h->body].group, axis, side) && least[side] < m->h[axis];
         if (out.cut[side]) out.plane = side ? m->upper[axis] : m->lower[axis];
     }
     for (size_t k = 0; k < h->n; ++k)

@@ -110,7 +110,7 @@ bool line_tangent(const mpm *s, int body, size_t number, double t[3])
 }
 
 /* The mirror that an end lies on: less than three quarters of a spacing away, with the line running into it. */
-static line_end find_mirror(const mpm *s, const double *end, const double *next)
+static line_end find_mirror(const mpm *s, int group, const double *end, const double *next)
 {
     double gap[3];
     way_of(s->mesh, next, end, gap);
@@ -120,7 +120,7 @@ static line_end find_mirror(const mpm *s, const double *end, const double *next)
             const double plane = side == SIDE_LOWER ? s->mesh->lower[axis] : s->mesh->upper[axis];
             const double distance = fabs(end[axis] - plane);
             const bool towards = (side == SIDE_LOWER ? -gap[axis] : gap[axis]) > 0.5 * spacing;
-            if (s->mesh->periodic[axis] || !wall_mirrors(s, axis, side) || !towards) continue;
+            if (s->mesh->periodic[axis] || !wall_mirrors(s, group, axis, side) || !towards) continue;
             if (distance < 0.75 * spacing) return (line_end){axis, plane, distance > 0.25 * spacing};
         }
     return (line_end){.axis = -1};
@@ -153,8 +153,8 @@ floe_status line_make(mpm *s, int body)
     line_update(s, body, false);
     line->ordered = is_ordered(s, line);
     if (line->n < 2 || line->closed) return FLOE_OK;
-    line->end[0] = find_mirror(s, line->x, line->x + 3);
-    line->end[1] = find_mirror(s, line->x + 3 * (line->n - 1), line->x + 3 * (line->n - 2));
+    line->end[0] = find_mirror(s, s->body[body].group, line->x, line->x + 3);
+    line->end[1] = find_mirror(s, s->body[body].group, line->x + 3 * (line->n - 1), line->x + 3 * (line->n - 2));
     return FLOE_OK;
 }
 

@@ -122,7 +122,7 @@ floe_status normals_start(mpm *s, int body)
     surface_set_init(&n->set, s->ctx, s->mesh);
     n->set.measures = false;
     for (int a = 0; a < s->mesh->dim; ++a)
-        for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, a, side);
+        for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, s->body[body].group, a, side);
     TRY(memory_new(s->ctx, &n->estimate, s->work->line[body].n, sizeof *n->estimate));
     TRY(memory_new(s->ctx, &n->before, 3 * s->work->line[body].n, sizeof *n->before));
     if (s->work->line[body].link) TRY(memory_new(s->ctx, &n->link, 2 * s->work->line[body].n, sizeof *n->link));

@@ -1,0 +1,194 @@
+/* Sides of the domain as solids meet them: slip lets go, a mirror does not. Free flight, gliding and falling bodies have exact
+ * motions; two bodies that meet head-on are each other's wall. */
+#include "mpm_fixture.h"
+
+static const double bulk = 1000.0, shear = 500.0, gap = 0.05, h = 0.1;
+
+typedef struct sums {
+    double mass, momentum[3], place[3], kinetic;
+} sums;
+
+static void add_point(void *user, const fields *f, int body, size_t k)
+{
+    sums *s = user;
+    const double m = field_get(f, P_MASS, body, 0)[k];
+    s->mass += m;
+    for (int a = 0; field_get(f, P_POS, body, a); ++a) {
+        const double v = field_get(f, P_VEL, body, a)[k];
+        s->momentum[a] += m * v;
+        s->place[a] += m * field_get(f, P_POS, body, a)[k];
+        s->kinetic += 0.5 * m * v * v;
+    }
+}
+
+static sums sum_body(const trial *t, int body)
+{
+    sums s = {.mass = 0.0};
+    visit_points(t, body, add_point, &s);
+    for (int a = 0; a < 3; ++a) s.place[a] /= s.mass;
+    return s;
+}
+
+typedef struct setting {
+    int dim;
+    bool axisymmetric;
+    bool upper; /* the side at the upper end */
+} setting;
+
+static int axis_of(setting g)
+{
+    return g.axisymmetric ? 1 : g.dim - 1;
+}
+
+/* A block `away` from a side of the last axis, with a velocity out of the side. */
+static scene_body *make_block(trial *t, setting g, bc_kind kind, double away, double outward)
+{
+    const double size[3] = {1.0, 1.0, 1.0};
+    double lo[3] = {0.3, 0.3, 0.3}, hi[3] = {0.7, 0.7, 0.7};
+    const int axis = axis_of(g);
+    trial_begin(t, g.dim, size, h);
+    if (g.axisymmetric) {
+        t->scene->mesh.geometry = MESH_AXISYMMETRIC;
+        set_sides(t, 0, BC_SYMMETRY, BC_FREE);
+        lo[0] = 0.0;
+    }
+    set_sides(t, axis, g.upper ? BC_FREE : kind, g.upper ? kind : BC_FREE);
+    lo[axis] = g.upper ? 0.6 - away : away;
+    hi[axis] = lo[axis] + 0.4;
+    scene_body *b = add_body(t, add_solid(t, "neo_hookean", bulk, shear, 1.0), make_box(t, lo, hi), 2);
+    b->velocity[axis] = g.upper ? -outward : outward;
+    return b;
+}
+
+static const setting settings[] = {{1, false, false}, {2, false, true}, {2, true, false}, {3, false, false}};
+
+/* Thrown off a side that lets go, a block flies on as it was thrown, to round-off; a mirror holds it. */
+static void test_thrown(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof settings / sizeof *settings; ++k)
+        for (size_t i = 0; i < basis_registry_size; ++i)
+            for (int scheme = STRESS_USL; scheme <= STRESS_MUSL; ++scheme) {
+                if ((k + i + (size_t)scheme) % 3) continue; /* a Latin square */
+                trial t;
+                make_block(&t, settings[k], BC_SLIP, 0.0, 1.0);
+                set_method(&t, basis_registry[i]->name, (stress_scheme)scheme, 0.99);
+                trial_start(&t);
+                const double energy = sum_body(&t, 0).kinetic;
+                trial_run(&t, 0.3);
+                const sums end = sum_body(&t, 0);
+                const double way =
+                    settings[k].upper ? 1.0 - end.place[axis_of(settings[k])] : end.place[axis_of(settings[k])];
+                check_close(way, 0.2 + t.sim->time, 1e-9);
+                check_close(end.kinetic, energy, 1e-9 * energy);
+                trial_end(&t);
+            }
+    trial t;
+    make_block(&t, settings[1], BC_SYMMETRY, 0.0, 1.0);
+    trial_start(&t);
+    trial_run(&t, 0.3);
+    check_true(1.0 - sum_body(&t, 0).place[1] < 0.25); /* it hangs on its image */
+    trial_end(&t);
+}
+
+/* Along a slip side nothing is lost. */
+static void test_glides(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < basis_registry_size; ++i) {
+        trial t;
+        scene_body *b = make_block(&t, settings[1], BC_SLIP, 0.0, 0.0);
+        b->velocity[0] = 0.5;
+        set_method(&t, basis_registry[i]->name, STRESS_USL, 0.99);
+        trial_start(&t);
+        const double energy = sum_body(&t, 0).kinetic;
+        trial_run(&t, 0.4);
+        check_close(sum_body(&t, 0).place[0], 0.5 + 0.5 * t.sim->time, 1e-9);
+        check_close(sum_body(&t, 0).kinetic, energy, 1e-9 * energy);
+        trial_end(&t);
+    }
+}
+
+/* The same block above y = 1 in place of the side, and a second that comes the other way. */
+static void make_twins(trial *t)
+{
+    const double size[3] = {1.0, 2.0, 1.0};
+    trial_begin(t, 2, size, h);
+    const int rubber = add_solid(t, "neo_hookean", bulk, shear, 1.0);
+    for (int k = 0; k < 2; ++k) {
+        const double lo[3] = {0.3, k ? 0.6 - gap : 1.0 + gap, 0.3}, hi[3] = {0.7, lo[1] + 0.4, 0.7};
+        scene_body *b = add_body(t, rubber, make_box(t, lo, hi), 2);
+        b->velocity[1] = k ? 1.0 : -1.0;
+    }
+    t->scene->contact.enabled = true;
+    t->scene->contact.kind = CONTACT_FRICTION;
+}
+
+/* A block that is half a cell away flies on until it arrives, and leaves as a block does that its twin meets: the side is no better and
+ * no worse than contact. What both lose falls with h. */
+static void test_arrives(void **state)
+{
+    (void)state;
+    static const char *const basis[] = {"linear", "quadratic", "gimp"};
+    for (size_t i = 0; i < sizeof basis / sizeof *basis; ++i) {
+        sums end[2];
+        double start = 0.0;
+        for (int twin = 0; twin < 2; ++twin) {
+            trial t;
+            if (twin)
+                make_twins(&t);
+            else
+                make_block(&t, (setting){2, false, false}, BC_SLIP, gap, -1.0);
+            set_method(&t, basis[i], STRESS_MUSL, 1.0);
+            t.scene->time.fixed_step = 4e-4;
+            trial_start(&t);
+            start = sum_body(&t, 0).kinetic;
+            trial_run(&t, 0.8 * gap);
+            check_close(sum_body(&t, 0).kinetic, start, 1e-9 * start);
+            trial_run(&t, 0.2);
+            end[twin] = sum_body(&t, 0);
+            if (!twin) check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) <= 1e-13);
+            trial_end(&t);
+        }
+        print_message("%s: velocity after the side %.4f, after its twin %.4f\n", basis[i],
+                      end[0].momentum[1] / end[0].mass, end[1].momentum[1] / end[1].mass);
+        check_true(end[0].momentum[1] > 0.6 * end[0].mass);
+        check_close(end[0].momentum[1], end[1].momentum[1], 0.02 * end[1].momentum[1]);
+    }
+}
+
+/* A block that rests on a side bears its weight on it, and is let go when the weight turns round. */
+static void test_rests(void **state)
+{
+    (void)state;
+    const double g = 4.0;
+    trial t;
+    make_block(&t, (setting){2, false, false}, BC_SLIP, 0.0, 0.0);
+    set_method(&t, "quadratic", STRESS_USL, 0.99);
+    scene_load *weight = add_load(&t, LOAD_BODY_FORCE, -1);
+    weight->vector[1] = -g;
+    weight->ramp = 0.1;
+    t.scene->damping.rate = 30.0;
+    t.scene->damping.end = 1.0;
+    trial_start(&t);
+    trial_run(&t, 0.6);
+    const double before = t.sim->ledger.entry[LEDGER_MOMENTUM_Y][LEDGER_BOUNDARY].value, from = t.sim->time;
+    trial_run(&t, 1.0);
+    const sums rest = sum_body(&t, 0);
+    const double borne =
+        (t.sim->ledger.entry[LEDGER_MOMENTUM_Y][LEDGER_BOUNDARY].value - before) / (t.sim->time - from);
+    check_close(borne, rest.mass * g, 1e-3 * rest.mass * g);
+    check_true(fabs(rest.place[1] - 0.2) < 2e-3);
+    trial_end(&t);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_thrown),
+        cmocka_unit_test(test_glides),
+        cmocka_unit_test(test_arrives),
+        cmocka_unit_test(test_rests),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
