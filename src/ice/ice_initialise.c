@@ -65,8 +65,9 @@ static floe_status add_ambient(const ice *s, content *contents, double room)
     return FLOE_OK;
 }
 
-/* The bodies' contents of one cell, earlier bodies first; *left is the room that is left. */
-static floe_status add_bodies(const ice *s, const double lo[3], double *left, content *contents)
+/* The contents of one cell of the bodies that yield, or of those that do not, earlier bodies first; *left is the room
+ * that is left. */
+static floe_status add_bodies_that(const ice *s, bool yield, const double lo[3], double *left, content *contents)
 {
     const scene *given = s->scene;
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
@@ -75,7 +76,7 @@ static floe_status add_bodies(const ice *s, const double lo[3], double *left, co
     for (int b = 0; b < given->n_bodies && room > 0.0; ++b) {
         const scene_body *body = &given->body[b];
         const int r = ice_material_of(s, body->material);
-        if (r < 0 || s->material[r].points) continue;
+        if (r < 0 || s->material[r].points || body->yields != yield) continue;
         double fraction = shape_fraction(&body->shape, s->mesh->dim, lo, hi, radial, 5, centroid);
         if (fraction > 1.0 - 1e-12) fraction = 1.0;
         if (body->fraction > 0.0) fraction *= body->fraction;
@@ -87,6 +88,13 @@ static floe_status add_bodies(const ice *s, const double lo[3], double *left, co
     }
     *left = room;
     return FLOE_OK;
+}
+
+/* The rule of scene/layout.h. */
+static floe_status add_bodies(const ice *s, const double lo[3], double *left, content *contents)
+{
+    TRY(add_bodies_that(s, false, lo, left, contents));
+    return add_bodies_that(s, true, lo, left, contents);
 }
 
 /* The bodies' and the ambient's contents of one cell: the ambient takes what is left. */

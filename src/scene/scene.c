@@ -76,6 +76,7 @@ static void set_defaults(scene *s)
     s->thickness = 1.0;
     s->coupling = COUPLING_MPM;
     s->ambient_material = -1;
+    s->ambient_points = 2;
     strcpy(s->method.basis, "quadratic");
     strcpy(s->contact.normals, "colour");
     strcpy(s->method.transfer, "flip");

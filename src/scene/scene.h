@@ -113,6 +113,7 @@ typedef struct scene_body {
     int per_cell[3];         /* points along each axis of a cell */
     seed_method seeding;
     double merge;
+    bool yields; /* it is left out where it overlaps other bodies (layout.h) */
 } scene_body;
 
 /* An end of a spring: a point of a body, or a place. */
@@ -402,6 +403,7 @@ typedef struct scene {
     bool has_ambient;
     int ambient_material;
     double ambient_pressure, ambient_temperature;
+    int ambient_points; /* along each axis of a cell, as mpm; 0: it is left out */
     scene_material material[SCENE_MAX_MATERIALS];
     int n_materials;
     scene_body body[SCENE_MAX_BODIES];

@@ -48,6 +48,7 @@ static const struct {
     unsigned couplings; /* that do not read it */
     size_t offset, size;
 } scene_keys[] = {
+    {"ambient.points", AS_ICE | AS_ICE_MPM, MEMBER(ambient_points)},
     {"domain.stress_state", AS_ICE, MEMBER(stress_state)},
     {"domain.lattice_offset", AS_ICE, MEMBER(lattice_offset)},
     {"time.cfl.mpm", AS_ICE, MEMBER(time.cfl_mpm)},

@@ -3,6 +3,7 @@
 
 #include "base/compiler.h"
 #include "base/memory.h"
+#include "scene/layout.h"
 #include "scene/unsupported.h"
 #include "sim/coupled.h"
 #include "sim/gas_rest.h"
@@ -106,6 +107,8 @@ static floe_status fill(sim *s)
 {
     TRY(check_coupling(s));
     TRY(mesh_init(&s->mesh, s->ctx, &s->scene->mesh));
+    TRY(scene_lay_out(&s->layout, s->scene, s->coupling, &s->mesh));
+    if (s->layout) s->scene = &s->layout->scene;
     stage_list_init(&s->stages, s->ctx);
     s->stages.checking = FLOE_CHECKS;
     TRY(make_solvers(s, needs_points(s->scene, s->coupling), needs_cells(s->scene, s->coupling)));
@@ -143,5 +146,6 @@ void sim_destroy(sim **s)
     mpm_destroy(&(*s)->mpm);
     domain_destroy(&(*s)->domain);
     stage_list_destroy(&(*s)->stages);
+    memory_free(ctx, &(*s)->layout);
     memory_free(ctx, s);
 }

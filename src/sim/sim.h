@@ -9,8 +9,9 @@
 #include "scene/scene.h"
 
 typedef struct sim {
-    context *ctx;       /* not owned */
-    const scene *scene; /* not owned */
+    context *ctx;                /* not owned */
+    const scene *scene;          /* not owned */
+    struct scene_layout *layout; /* owned; the scene is its, where bodies are not filled as the deck gives them */
     scene_coupling coupling;
     mesh mesh;
     domain *domain; /* owned */

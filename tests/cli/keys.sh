@@ -51,7 +51,7 @@ reference_pressure||reference_pressure=2e5
 domain.geometry|boundaries=slip|domain.geometry=axisymmetric
 domain.stress_state||domain.stress_state=plane_stress
 domain.lower||domain.lower=[-0.1,0]
-domain.upper|ONLY=ice,ice-mpm|domain.upper=[0.9,0.4]
+domain.upper||domain.upper=[0.9,0.4]
 domain.cell||domain.cell=0.05
 domain.lattice_offset|bodies.block.seeding=lattice bodies.other.seeding=lattice bodies.charge.seeding=lattice|domain.lattice_offset=0.25
 domain.thickness||domain.thickness=2
@@ -67,9 +67,10 @@ materials.NAME.viscosity.shear|bodies.charge.velocity=[0,10]|materials.air.visco
 materials.NAME.viscosity.bulk||materials.air.viscosity.bulk=1
 materials.NAME.artificial_viscosity.linear||materials.foam.artificial_viscosity.linear=1
 materials.NAME.artificial_viscosity.quadratic||materials.air.artificial_viscosity.quadratic=2
-ambient.material|ONLY=ice,ice-mpm|ambient.material=argon
-ambient.pressure|ONLY=ice,ice-mpm|ambient.pressure=1.5e5
-ambient.temperature|ONLY=ice,ice-mpm|ambient.temperature=400
+ambient.material||ambient.material=argon
+ambient.pressure||ambient.pressure=1.5e5
+ambient.temperature||ambient.temperature=400
+ambient.points||ambient.points=3
 boundaries.inlet.velocity|boundaries.x.lower={inlet: {velocity: [10,0], pressure: 2e5, temperature: 300, material: air}}|boundaries.x.lower.inlet.velocity=[20,0]
 boundaries.inlet.pressure|boundaries.x.lower={inlet: {velocity: [10,0], pressure: 2e5, temperature: 300, material: air}}|boundaries.x.lower.inlet.pressure=3e5
 boundaries.inlet.temperature|boundaries.x.lower={inlet: {velocity: [10,0], pressure: 2e5, temperature: 300, material: air}}|boundaries.x.lower.inlet.temperature=350
@@ -106,6 +107,7 @@ bodies.NAME.temperature|method.heat_exchange=1e12|bodies.block.temperature=600
 bodies.NAME.density|bodies.charge.temperature=null bodies.charge.density=2|bodies.charge.density=3
 bodies.NAME.fraction||bodies.charge.fraction=0.5
 bodies.NAME.state|verify.exact={uniform: {velocity: [3,0], pressure: 2e5, density: 1.5}}|bodies.charge.state=exact
+bodies.NAME.yields|bodies.extra={material: argon, shape: {box: {lower: [0.1,0.1], upper: [0.28,0.3]}}, pressure: 1e5, temperature: 300}|bodies.charge.yields=true
 bodies.NAME.points||bodies.block.points=3
 bodies.NAME.points||bodies.charge.points=3
 bodies.NAME.seeding||bodies.block.seeding=lattice
@@ -197,6 +199,7 @@ stop.window|stop={kinetic_over_strain: 1e6}|stop.window=1e-3
 stop.after|stop={kinetic_over_strain: 1e6}|stop.after=1e-3
 method.basis||method.basis=gimp
 method.domain_limit|method.basis=cpdi bodies.other.velocity=[-300,0]|method.domain_limit=0.25
+method.preset||method.preset=g03
 method.stress||method.stress=musl
 method.transfer||method.transfer=pic
 method.flip|method.transfer=flip|method.flip=0.5

@@ -41,6 +41,9 @@ static const key_spec ambient_keys[] = {
     {"pressure", KEY_NUMBER, "Pa", AT(scene, ambient_pressure), .required = true, .doc = "absolute pressure"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene, ambient_temperature), .required = true,
      .doc = "temperature"},
+    {"points", KEY_WHOLE, NULL, WITHIN(0, 16), AT(scene, ambient_points), .fallback = "2",
+     .doc =
+         "as mpm: material points along each axis of a cell; 0: it is left out, and reference_pressure stands for it"},
 };
 static const key_table ambient_table = TABLE(ambient_keys);
 

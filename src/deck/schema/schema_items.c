@@ -144,6 +144,10 @@ static const key_spec body_keys[] = {
      .doc = "share of its shape's volume that it takes, in cells; the rest is left to bodies after it and the ambient"},
     {"state", KEY_CHOICE, AT(scene_body, initial_from_exact), .fallback = "given", .choices = state_choices,
      .doc = "where the state at the start comes from"},
+    {"yields", KEY_BOOL, AT(scene_body, yields), .fallback = "false", .applies = body_has_shape,
+     .belongs = shaped_bodies,
+     .doc = "true: it is left out where it overlaps other solids, or other fluids if it is one; fluids always yield to "
+            "solids, and else to the fluids before them; solids that overlap otherwise are refused"},
     {"points", KEY_WHOLES, WITHIN(1, 16), AT(scene_body, per_cell), .fallback = "2",
      .doc = "material points along each axis of a cell; of a membrane, along it"},
     {"seeding", KEY_CHOICE, AT(scene_body, seeding), .fallback = "fitted", .choices = seeding_choices,

@@ -1,0 +1,29 @@
+/* Shapes made of other shapes: what one has in common with another, and what others leave of it. They stand in no
+ * registry: a scene makes them of the shapes of its bodies. */
+#ifndef GEOM_COMPOUND_H
+#define GEOM_COMPOUND_H
+
+#include "geom/shape.h"
+
+enum { COMPOUND_MOST = 32 };
+
+/* The inside of `whole` (everywhere, where its model is NULL) that none of the `less` covers. */
+typedef struct compound {
+    shape whole;
+    int n;
+    shape less[COMPOUND_MOST];
+} compound;
+
+/* The compound as a shape, which refers to it. */
+shape compound_shape(compound *of);
+
+/* The volume (m3; per radian where weighted by the radius) that two shapes share in the box [lo, hi], cut into boxes of
+ * the sizes h (m). */
+double compound_common_volume(const shape *a, const shape *b, int dim, const double lo[3], const double hi[3],
+                              const double h[3], bool weight_by_radius);
+
+/* The volume of a shape in the same boxes. */
+double compound_volume(const shape *s, int dim, const double lo[3], const double hi[3], const double h[3],
+                       bool weight_by_radius);
+
+#endif

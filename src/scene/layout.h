@@ -1,0 +1,19 @@
+/* One rule for bodies that meet, in every coupling: a fluid yields to solids and to the fluids before it in the deck, a
+ * solid with `yields` to other solids; solids that overlap otherwise are refused. As mpm, the ambient is a body of
+ * points that fills what no body fills. */
+#ifndef SCENE_LAYOUT_H
+#define SCENE_LAYOUT_H
+
+#include "geom/compound.h"
+#include "scene/scene.h"
+
+typedef struct scene_layout {
+    scene scene; /* the deck's, with the bodies' shapes as they are filled; nothing in it is owned */
+    compound part[SCENE_MAX_BODIES];
+} scene_layout;
+
+/* Lays out the bodies of a scene for a coupling. *out stays NULL where the deck's shapes are what is filled; the caller
+ * frees it with memory_free. FLOE_BAD_INPUT: bodies that must not overlap, or an ambient that cannot be of points. */
+floe_status scene_lay_out(scene_layout **out, const scene *s, scene_coupling coupling, const mesh *m);
+
+#endif
