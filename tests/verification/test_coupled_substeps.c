@@ -39,16 +39,16 @@ static double pressure_on(double Z)
 static void test_shock(void **unused)
 {
     (void)unused;
-    static const char *const set[] = {STEEL, "domain.upper=[1.6, 0.02]", "boundaries.x=free",
-                                      "bodies.plate.shape={box: {lower: [0.6037, 0], upper: [1.4963, 0.02]}}",
-                                      "time.substeps=auto"};
+    const char *set[] = {STEEL, "domain.upper=[1.6, 0.02]", "boundaries.x=free",
+                         "bodies.plate.shape={box: {lower: [0.6037, 0], upper: [1.4963, 0.02]}}", NULL};
     const double Z = sqrt(7850.0 * (160e9 + 4.0 / 3.0 * 80e9));
     const double expected = (pressure_on(Z) - 1e5) * 0.02 * (1e-3 - 0.641884e-3);
     double steps[2];
     for (int k = 0; k < 2; ++k) {
         trial t;
         mpm_totals m;
-        begin(&t, "shock_plate", set, (size_t)k + 4);
+        set[4] = k ? "time.substeps=auto" : "time.substeps=1";
+        begin(&t, "shock_plate", set, 5);
         trial_run(&t, 1e-3);
         check_ok(t.ctx, mpm_sum(t.sim->mpm, &m));
         steps[k] = (double)t.sim->steps;

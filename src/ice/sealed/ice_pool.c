@@ -97,6 +97,18 @@ static floe_status make_room(ice *s, ice_pools *p)
     return FLOE_OK;
 }
 
+/* Room of a cell that a gas has reached. A gap that opens between bodies in touch holds none, and counts as closed until
+ * it is one room with the gas. */
+static double room_of(const ice *s, int gas, int place, const int cell[2])
+{
+    const double open = ice_open_cell(s, gas, place, cell);
+    if (place != SEAL_NOW || open == 0.0) return open;
+    const int whole[3] = {cell[0], cell[1], 0}, id = mesh_block_of(s->mesh, whole);
+    const block *b = &s->mesh->block[id];
+    const ptrdiff_t at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
+    return field_get(s->domain->fields[id], C_OPEN, gas, 0)[at] > 0.0 ? open : 0.0;
+}
+
 static floe_status add_member(ice *s, int gas, int place, ice_pools *p, const int cell[2])
 {
     const mesh *m = s->mesh;
@@ -108,7 +120,7 @@ static floe_status add_member(ice *s, int gas, int place, ice_pools *p, const in
     *k = (ice_member){.cell = {cell[0], cell[1]}, .block = mesh_block_of(m, whole), .pool = p->n};
     const block *b = &m->block[k->block];
     k->at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
-    k->open = ice_open_cell(s, gas, place, cell);
+    k->open = room_of(s, gas, place, cell);
     for (int f = 0; f < 4; ++f) k->face[f / 2][f % 2] = ice_mean_face(s, gas, cell, f / 2, f % 2);
     *number = p->n++;
     return FLOE_OK;
@@ -128,7 +140,7 @@ static bool find_neighbour(const ice *s, int gas, int place, int through, const 
         int cell[2] = {k->cell[0], k->cell[1]};
         cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
         if (!inside(s->mesh, cell)) continue;
-        const double open = ice_open_cell(s, gas, place, cell);
+        const double open = room_of(s, gas, place, cell);
         const double score = open * ice_open_face(s, gas, through, k->cell, f / 2, f % 2);
         if (!(open > k->open) || !(score > best)) continue;
         best = score;
@@ -144,7 +156,7 @@ static bool find_refuge(const ice *s, int gas, int place, const ice_member *k, i
     for (int n = 0; n < 9; ++n) {
         const int cell[2] = {k->cell[0] + n % 3 - 1, k->cell[1] + n / 3 - 1};
         if (n == 4 || !inside(s->mesh, cell)) continue;
-        const double open = ice_open_cell(s, gas, place, cell);
+        const double open = room_of(s, gas, place, cell);
         if (!(open > best)) continue;
         best = open;
         memcpy(out, cell, sizeof cell);

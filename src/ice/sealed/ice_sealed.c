@@ -217,12 +217,35 @@ static floe_status bad_pool(const ice *s, const ice_pools *p, int pool, double e
                 place, sum[POOL_MASS], sum[POOL_VOLUME], e);
 }
 
+/* A pool that no gas has reached: a gap between bodies in touch, closed to all others. It opens by round-off where their
+ * surfaces, each straight between its own markers, lie on one another, and may grow; at the start only such slivers are
+ * none's. */
+static bool is_void(const ice *s, const ice_pools *p, int pool, bool next)
+{
+    static const double sliver = 1e-6, trace = 1e-3; /* of a cell; of the density that the gas starts with */
+    const double *sum = p->sum + (size_t)pool * POOL_SUMS;
+    const double cell = mesh_cell_volume(s->mesh, p->member[p->lead[pool]].cell[0]);
+    if (sum[POOL_MASS] == 0.0 && next) return true;
+    return sum[POOL_VOLUME] < sliver * cell &&
+           fabs(sum[POOL_MASS]) <= trace * s->work->sealing->rest[s->gas].density * sum[POOL_VOLUME];
+}
+
+static void empty(const ice_arrays *m, ptrdiff_t at, bool next)
+{
+    (next ? m->open1 : m->open)[at] = (next ? m->rho1 : m->rho)[at] = (next ? m->e1 : m->e)[at] = 0.0;
+    for (int a = 0; a < 2; ++a) (next ? m->u1 : m->u)[a][at] = 0.0;
+}
+
 /* One density, velocity and energy for the members of each pool. */
 static floe_status share_out(ice *s, const ice_pools *p, bool next)
 {
     for (int pool = 0; pool < p->count; ++pool) {
         double *sum = p->sum + (size_t)pool * POOL_SUMS, square = 0.0;
         if (sum[POOL_VOLUME] == 0.0 && sum[POOL_MASS] == 0.0) continue;
+        if (is_void(s, p, pool, next)) {
+            sum[POOL_VOLUME] = 0.0;
+            continue;
+        }
         for (int a = 0; a < 2; ++a) {
             sum[POOL_MOMENTUM + a] /= sum[POOL_MASS];
             square += sum[POOL_MOMENTUM + a] * sum[POOL_MOMENTUM + a];
@@ -239,6 +262,10 @@ static floe_status share_out(ice *s, const ice_pools *p, bool next)
         const ice_arrays *m = &s->work->sealing->view[member->block].m[0];
         const double *sum = p->sum + (size_t)member->pool * POOL_SUMS;
         if (!(member->open > 0.0)) continue;
+        if (sum[POOL_VOLUME] == 0.0) {
+            empty(m, member->at, next);
+            continue;
+        }
         (next ? m->rho1 : m->rho)[member->at] = sum[POOL_MASS];
         (next ? m->e1 : m->e)[member->at] = sum[POOL_WORK];
         for (int a = 0; a < 2; ++a) (next ? m->u1 : m->u)[a][member->at] = sum[POOL_MOMENTUM + a];
