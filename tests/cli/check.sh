@@ -106,3 +106,10 @@ expect 0 "$FLOE" check "${tiny[@]}" --set method.basis=cubic
 has stderr 'cubic splines and any number of points'
 expect 0 "$FLOE" run "${tiny[@]}" --set method.basis=cubic --set time.max_steps=1 -o warned
 has warned/run.log 'cubic splines and any number of points'
+
+# Slip sides that hold a solid all the same, and fluids that stick to it.
+expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/pressed_cylinder.yaml" --set boundaries.y.lower=slip
+has stderr "boundaries.y.lower: in steps that are solved for, a slip side holds body 'block'"
+tube=("$FLOE_SOURCE/inputs/extreme/vessel.yaml" --coupling mpm --set damping=null --set stop=null)
+expect 0 "$FLOE" check "${tube[@]}"
+has stderr 'fluid and solid bodies share one velocity'
