@@ -30,12 +30,19 @@ typedef struct search {
 static void follow(const equilibrium_batch *b, const int *id, int n, int r, const double *p, double *v, double *dvdp)
 {
     const eos *law = b->eos[r];
+    double T[EQUILIBRIUM_BATCH];
+    bool frozen = true;
     for (int k = 0; k < n; ++k) {
+        frozen = frozen && !(b->path[r][id[k]].exponent > 0.0);
+        T[k] = b->T[r][id[k]];
+    }
+    if (frozen) law->model->volume(law->par, (size_t)n, p, T, v, dvdp);
+    for (int k = 0; k < n && !frozen; ++k) {
         const isentrope *path = &b->path[r][id[k]];
         if (path->exponent > 0.0)
             v[k] = isentrope_volume(path, p[k], &dvdp[k]);
         else
-            law->model->volume(law->par, 1, &p[k], &b->T[r][id[k]], &v[k], &dvdp[k]);
+            law->model->volume(law->par, 1, &p[k], &T[k], &v[k], &dvdp[k]);
     }
 }
 

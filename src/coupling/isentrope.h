@@ -18,6 +18,9 @@ typedef struct isentrope {
 
 /* False, and an exponent of 0, where the law has no pressure over its floor or no sound speed at (v, e). */
 bool isentrope_through(const eos *law, double v, double e, isentrope *out);
+/* The same of n <= ISENTROPES_MOST states at once. */
+enum { ISENTROPES_MOST = 64 };
+void isentropes_through(const eos *law, int n, const double *v, const double *e, isentrope *out);
 /* v at p > floor, and dv/dp < 0. */
 double isentrope_volume(const isentrope *s, double p, double *dvdp);
 /* e at v: e_0 - int p dv. */

@@ -127,6 +127,7 @@
     X(C_CONTACT, "contact_sensor", CELL, SCALAR, "1", SCRATCH, "of one fluid: 0 smooth, 1 across a contact")         \
     X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")               \
     X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")    \
+    X(C_INTERFACE, "interface", CELL, SCALAR, "1", SCRATCH, "1 at an interface between fluids, else 0")              \
     X(C_WALL, "wall_fraction", CELL, SCALAR, "1", SCRATCH,                                                           \
       "volume fraction of materials that others slip along, smoothed: its gradient is the normal")                   \
     X(C_REACTED, "reacted", CELL, SCALAR, "kg/m3", SCRATCH,                                                          \

@@ -299,7 +299,7 @@ FLOE_ALWAYS_INLINE bool update(const cells *c, const ice_view *v, ptrdiff_t at, 
         const double u = m->ul[a][at], u1 = (mass * u - spread(f, 1 + a, t, i, dim)) * inverse;
         old_kinetic += 0.5 * u * u;
         kinetic += 0.5 * u1 * u1;
-        m->u1[a][at] = u1;
+        m->u1[a][at] = multi ? u1 + 0.0 : u1; /* absent material's is +0, whichever blocks there are */
     }
     const double plain = (mass * m->el[at] - spread(f, 1 + dim, t, i, dim)) * inverse;
     const double heat = c->keep * ((mass * old_kinetic - spread(f, 1 + nq, t, i, dim)) * inverse - kinetic);
@@ -347,6 +347,7 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
         for (int k = ice_slab_first(dim, 1); k < ice_slab_last(v->b, dim, 1); ++k) {
             const ptrdiff_t row = ice_slab_row(v->b, dim, k);
             donor_row(&d, row - 1, row + v->b->n[0] + 1, dim, multi);
+            if (multi && v->sharp) ice_advect_flatten(&w, job, slab, k);
         }
         if (dim > 1 && slab >= job->first) { /* through the face between slab - 1 and slab, then slab - 1 is complete */
             const faces f =
@@ -354,6 +355,7 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
             for (int k = rows_lo; k < rows_hi; ++k) {
                 const ptrdiff_t row = ice_slab_row(v->b, dim, k);
                 flux_row(&f, row, row + v->b->n[0], dim, multi);
+                if (multi && v->sharp) ice_advect_sharpen(job, slow, slab, k, w.flux_across[ring]);
             }
             ice_advect_tally_across(&w, job, slab);
             for (int k = rows_lo; k < rows_hi && slab > job->first; ++k) {
@@ -367,6 +369,7 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep(const ice_advect_job *job, const int 
             for (int k = rows_lo; k < rows_hi + (a == 1); ++k) {
                 const ptrdiff_t row = ice_slab_row(v->b, dim, k);
                 flux_row(&f, row, row + v->b->n[0] + (a == 0), dim, multi);
+                if (multi && v->sharp) ice_advect_sharpen(job, a, slab, k, w.flux[a]);
             }
         }
         ice_advect_tally_along(&w, job, slab);

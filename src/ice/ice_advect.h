@@ -90,6 +90,10 @@ size_t ice_slab_size(const block *b);
 void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, int dim, bool multi);
 /* Where a sliver (theta < 1e-6) would lose more than it has, its outflow is cut to its content. */
 void ice_advect_clip(ice_advect_buffers *w, const ice_advect_job *job, int slab);
+/* At interfaces between fluids (ice_interface_flux.c): donors of row k of a slab without gradients; and fluxes through the lower faces of the row,
+ * normal to `axis`, that are of the pure state of their donor. */
+void ice_advect_flatten(const ice_advect_buffers *w, const ice_advect_job *job, int slab, int k);
+void ice_advect_sharpen(const ice_advect_job *job, int axis, int slab, int k, double *const *flux);
 /* Fluxes through open sides of the domain, into the tiles. */
 void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *job, int slab);
 void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *job, int slab);

@@ -364,6 +364,47 @@ static void zero_outer_faces(const block *b, int axis, double *a)
         }
 }
 
+/* Local face `at` on the upper side along `axis`, in ghost columns of a block: from the block that owns the cell below it, if any does. */
+static void take_side_face(const ice *s, field_id id, int instance, int axis, const block *b, const int *at)
+{
+    const mesh *m = s->mesh;
+    int cell[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        cell[a] = b->lo[a] + at[a] - (a == axis);
+        if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+        if (cell[a] < 0 || cell[a] >= m->n[a]) return;
+    }
+    const block *owner = &m->block[mesh_block_of(m, cell)];
+    const ptrdiff_t from = mesh_index(owner, cell[0] - owner->lo[0], cell[1] - owner->lo[1], cell[2] - owner->lo[2]);
+    const double *source = field_get(s->domain->fields[owner->id], id, instance, axis);
+    field_get(s->domain->fields[b->id], id, instance, axis)[mesh_index(b, at[0], at[1], at[2])] =
+        source[from + owner->stride[axis]];
+}
+
+/* Blocks share their faces as they do cells, and leave out the last face of the domain along an axis. */
+static void fill_side_faces(const ice *s, field_id id, int instance, int axis)
+{
+    const mesh *m = s->mesh;
+    for (int block_id = 0; block_id < m->n_blocks; ++block_id) {
+        const block *b = &m->block[block_id];
+        int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+        if (m->periodic[axis] || !b->at_side[axis][SIDE_UPPER]) continue;
+        for (int a = 0; a < MESH_MAX_DIM; ++a) {
+            const int ghost = a < m->dim ? MESH_GHOST : 0;
+            lo[a] = a == axis ? b->n[a] : -ghost;
+            hi[a] = a == axis ? b->n[a] + 1 : b->n[a] + ghost;
+        }
+        for (int k = lo[2]; k < hi[2]; ++k)
+            for (int j = lo[1]; j < hi[1]; ++j)
+                for (int i = lo[0]; i < hi[0]; ++i) {
+                    const int at[MESH_MAX_DIM] = {i, j, k};
+                    bool own = true;
+                    for (int a = 0; a < MESH_MAX_DIM; ++a) own = own && (a == axis || (at[a] >= 0 && at[a] < b->n[a]));
+                    if (!own) take_side_face(s, id, instance, axis, b, at);
+                }
+    }
+}
+
 void ice_fill_faces(const ice *s, field_id id, int instance)
 {
     const mesh *m = s->mesh;
@@ -371,4 +412,6 @@ void ice_fill_faces(const ice *s, field_id id, int instance)
         for (int axis = 0; axis < m->dim; ++axis)
             zero_outer_faces(&m->block[block_id], axis, field_get(s->domain->fields[block_id], id, instance, axis));
     domain_fill(s->domain, id, instance, FILL_CURRENT);
+    if (!s->work->interfaces) return; /* which bound what a ghost cell gives by all of its faces */
+    for (int axis = 0; axis < m->dim; ++axis) fill_side_faces(s, id, instance, axis);
 }

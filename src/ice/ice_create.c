@@ -148,8 +148,13 @@ static floe_status resolve(ice *s, bool with_points)
     TRY(ice_pairs_resolve(s));
     s->work->threads = threads_most();
     for (int r = 0; r < s->n_materials; ++r) s->work->energy_floor[r] = constant_floor(&s->material[r].eos);
-    for (int r = 0; r < s->n_materials; ++r)
+    int fluids = 0;
+    for (int r = 0; r < s->n_materials; ++r) {
         s->work->reconcile = s->work->reconcile || (isnan(s->work->energy_floor[r]) && !s->material[r].points);
+        fluids += !s->material[r].points;
+    }
+    s->work->interfaces = s->multi && fluids > 1 && !s->with_points;
+    s->work->reconcile = s->work->reconcile || s->work->interfaces;
     resolve_reservoirs(s);
     choose_kernels(s);
     return ice_reactions_resolve(s);
@@ -177,6 +182,7 @@ static void destroy_work(context *ctx, ice_work **work)
     if (!w) return;
     ice_implicit_destroy(ctx, &w->implicit);
     ice_spans_destroy(ctx, w);
+    ice_interfaces_destroy(ctx, w);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b) {
         memory_free(ctx, &w->metric[b]);
         memory_free(ctx, &w->mixed[b].at);
@@ -326,6 +332,7 @@ static floe_status make_scratch(ice *s)
         const int *n = m->block[b].n;
         const size_t cells = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];
         TRY(ice_spans_create(s, b));
+        TRY(ice_interfaces_create(s, b));
         TRY(memory_new(s->ctx, &w->mixed[b].at, cells, sizeof *w->mixed[b].at));
         if (s->with_points) TRY(memory_new(s->ctx, &w->continued[b].at, cells, sizeof *w->continued[b].at));
     }

@@ -59,25 +59,43 @@ static double driven_apart(const ice *s, const ice_view *v, ptrdiff_t at)
     return sum;
 }
 
-/* What closes the energy of a cell of fluids, by rho T, so that none is cooled more than another; where one had less than nothing left, or
- * next to nothing beside its motion, it stays owed. */
+/* Share of each material in what closes the energy of a cell of fluids: by rho T, so that none is cooled more than another; heat of a shock
+ * goes to dispersed fluids by theta kappa, as their own compression has it. */
+static void shares_of(const ice *s, const ice_view *v, ptrdiff_t at, double heat, double *share)
+{
+    double total = 0.0, squeezed = 0.0;
+    for (int r = 0; r < s->n_materials; ++r) {
+        const ice_arrays *m = &v->m[r];
+        if (!(m->rho[at] > 0.0)) continue;
+        total += m->rho[at] * m->T[at];
+        squeezed += m->theta[at] * m->kappa[at];
+    }
+    const double shocked = squeezed > 0.0 ? ice_shocked(v, at, heat) : 0.0;
+    for (int r = 0; r < s->n_materials; ++r) {
+        const ice_arrays *m = &v->m[r];
+        share[r] = m->rho[at] > 0.0 ? (1.0 - shocked) * (m->rho[at] * m->T[at] / total) : 0.0;
+        if (shocked > 0.0 && m->rho[at] > 0.0) share[r] += shocked * (m->theta[at] * m->kappa[at] / squeezed);
+    }
+}
+
+/* What closes the energy of a cell of fluids; where one had less than nothing left, or next to nothing beside its motion, it stays owed. */
 static void settle(const ice *s, const ice_view *v, ptrdiff_t at, double heat)
 {
-    double total = 0.0;
-    for (int r = 0; r < s->n_materials; ++r) total += v->m[r].rho[at] * v->m[r].T[at];
-    const double warming = heat / total;
+    double share[ICE_MAX_MATERIALS];
     bool usable = true;
+    shares_of(s, v, at, heat, share);
     for (int r = 0; r < s->n_materials && heat < 0.0; ++r) {
         const ice_arrays *m = &v->m[r];
         const double floor = s->work->energy_floor[r];
         double kinetic = 0.0;
         if (!(m->rho[at] > 0.0)) continue;
         for (int a = 0; a < v->dim; ++a) kinetic += 0.5 * m->ul[a][at] * m->ul[a][at];
-        usable = usable && m->el[at] + warming * m->T[at] - (isnan(floor) ? 0.0 : floor) > ICE_THERMAL_SHARE * kinetic;
+        const double left = m->el[at] + heat * share[r] / m->rho[at] - (isnan(floor) ? 0.0 : floor);
+        usable = usable && left > ICE_THERMAL_SHARE * kinetic;
     }
     v->owed[at] = usable ? 0.0 : heat;
     for (int r = 0; r < s->n_materials && usable; ++r)
-        if (v->m[r].rho[at] > 0.0) v->m[r].el[at] += warming * v->m[r].T[at];
+        if (v->m[r].rho[at] > 0.0) v->m[r].el[at] += heat * share[r] / v->m[r].rho[at];
 }
 
 /* Kinetic energy that friction has taken becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out, but where gas that

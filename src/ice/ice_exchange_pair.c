@@ -94,8 +94,9 @@ static void add_driven_apart(pair_run *q, int axis)
     }
 }
 
-/* Friction heats by volume fraction. What closes the energy of a cell goes by rho T, so that none is cooled more than another; where one had
- * less than nothing left, or next to nothing beside its motion, it stays owed. */
+/* Friction heats by volume fraction. What closes the energy of a cell goes by rho T, so that none is cooled more than another, the heat of a
+ * shock to dispersed fluids by theta kappa, as their own compression has it; where one had less than nothing left, or next to nothing beside its
+ * motion, it stays owed. */
 static void deposit(const pair_run *q)
 {
     const ice_arrays *m0 = &q->v->m[0], *m1 = &q->v->m[1];
@@ -103,14 +104,23 @@ static void deposit(const pair_run *q)
     const double floor0 = isnan(floor[0]) ? 0.0 : floor[0], floor1 = isnan(floor[1]) ? 0.0 : floor[1];
     const double *rho0 = m0->rho + q->from, *rho1 = m1->rho + q->from;
     const double *theta0 = m0->theta + q->from, *theta1 = m1->theta + q->from;
+    const double *kappa0 = m0->kappa + q->from, *kappa1 = m1->kappa + q->from;
+    const double *sensor = q->v->shock + q->from, none[MOST_CELLS] = {0.0};
+    const double *at_interface = q->v->interface ? q->v->interface + q->from : none;
+    const double shocks = q->v->interface ? 1.0 : 0.0;
     double *restrict e0 = m0->el + q->from, *restrict e1 = m1->el + q->from, *restrict owed = q->v->owed + q->from;
 #pragma omp simd
     for (int i = 0; i < q->n; ++i) {
         const double back = least(q->lost[i], q->apart[i]), heat = owed[i] + back;
         const double friction = (q->lost[i] - back) / (theta0[i] + theta1[i]);
         const double warming = heat / (rho0[i] * T0[i] + rho1[i] * T1[i]);
-        const double warm0 = e0[i] + friction * theta0[i] / rho0[i], next0 = warm0 + warming * T0[i];
-        const double warm1 = e1[i] + friction * theta1[i] / rho1[i], next1 = warm1 + warming * T1[i];
+        const double shock = shocks * sensor[i] * (1.0 - at_interface[i]), shocked = heat > 0.0 ? shock : 0.0;
+        const double squeezed0 = theta0[i] * kappa0[i], squeezed1 = theta1[i] * kappa1[i];
+        const double plain = (1.0 - shocked) * warming, squeeze = shocked * heat / (squeezed0 + squeezed1);
+        const double warm0 = e0[i] + friction * theta0[i] / rho0[i];
+        const double warm1 = e1[i] + friction * theta1[i] / rho1[i];
+        const double next0 = warm0 + plain * T0[i] + squeeze * squeezed0 / rho0[i];
+        const double next1 = warm1 + plain * T1[i] + squeeze * squeezed1 / rho1[i];
         const bool enough0 = next0 - floor0 > ICE_THERMAL_SHARE * 0.5 * q->square[0][i];
         const bool enough1 = next1 - floor1 > ICE_THERMAL_SHARE * 0.5 * q->square[1][i];
         const bool usable = heat < 0.0 ? enough0 & enough1 : true;

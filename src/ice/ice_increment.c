@@ -200,6 +200,7 @@ void ice_face_fractions(const ice *s, const ice_view *v)
     const ice_rows cells = ice_rows_of(v->b, -1, 1);
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < cells.n; ++row) s->work->kernels.limiter(v, ice_row_j(cells, row), ice_row_k(cells, row));
+    if (v->sharp) ice_flatten_interfaces(v);
     for (int axis = 0; axis < v->dim; ++axis) {
         const ice_rows q = ice_rows_of(v->b, axis, 0);
 #pragma omp parallel for schedule(static)
@@ -207,6 +208,7 @@ void ice_face_fractions(const ice *s, const ice_view *v)
             for (int r = 0; r < s->n_materials; ++r)
                 s->work->kernels.face_theta(v, r, axis, ice_row_j(q, row), ice_row_k(q, row));
     }
+    if (v->sharp) ice_sharpen_faces(v);
 }
 
 /* The volume that is missing or in excess is taken back at the rate beta (numerics 5.5). */

@@ -7,6 +7,7 @@
 #include "ice/ice.h"
 
 #include <float.h>
+#include <math.h>
 
 /* Instance of the shared fields that stages work on: the gas in hand where a membrane keeps gases apart. */
 static inline int ice_instance(const ice *s)
@@ -64,9 +65,11 @@ typedef struct ice_view {
     double dt, h[3], inv_h[3], gravity[3];
     /* Face area over cell volume along axis 0 at the lower and upper face of local cell i, from -2 to n + 1; 1/h if plane. */
     const double *lower0, *upper0;
-    const double *volume;  /* m3 of local cell i along axis 0 */
-    const double *area0;   /* of its lower face along axis 0 */
-    const double *radius0; /* m: of that face, where axis 0 is a radius */
+    const double *volume;    /* m3 of local cell i along axis 0 */
+    const double *area0;     /* of its lower face along axis 0 */
+    const double *radius0;   /* m: of that face, where axis 0 is a radius */
+    const double *interface; /* 1 at an interface between fluids, else 0; NULL: none are looked for */
+    const ice_span *sharp;   /* work.sharp of the block */
     double *p, *P, *dP, *shock, *contact, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv, *wall, *owed;
     double *fp[3], *flux[3];
     double base, slope;        /* shock sensor: s = base + slope * sensor */
@@ -232,6 +235,10 @@ typedef struct ice_creation {
 typedef struct ice_mixed_cells {
     equilibrium_batch batch;
     isentrope path[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH];
+    bool frozen[EQUILIBRIUM_BATCH]; /* cells near one pressure, whose T and e stay */
+    /* At the paths' ends: J/kg, J/(kg K), K. */
+    double e[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH], cv[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH],
+        T[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH];
 } ice_mixed_cells;
 
 typedef struct ice_work {
@@ -254,8 +261,11 @@ typedef struct ice_work {
     ice_span *span[MESH_MAX_BLOCKS], *near[MESH_MAX_BLOCKS];
     ice_reservoir reservoir[MESH_MAX_DIM][2];
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
-    /* Some fluid's energy depends on volume at a given temperature: cells are closed along isentropes. */
+    /* Of each row, ghosts too: cells from the first to the last that lie at an interface (ice_interface.c). NULL: none are sharpened. */
+    ice_span *sharp[MESH_MAX_BLOCKS];
+    /* Cells are closed along isentropes: there are several fluids, or one's energy depends on volume at a given temperature. */
     bool reconcile;
+    bool interfaces;             /* cells at interfaces between fluids are found */
     long found[MESH_MAX_BLOCKS]; /* 1 + the step of which a block has e_found and vol_found; 0: of none */
     struct ice_sealing *sealing; /* owned (ice_pool.h); NULL: no membrane holds gas */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
@@ -289,6 +299,27 @@ static inline double ice_room_after(const ice_arrays *m, ptrdiff_t at, double dP
 {
     const double most_change = 10.0, room = m->v[at], next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
     return m->theta[at] < 1e-4 || bound ? least(most(next, room / most_change), room * most_change) : next;
+}
+
+/* Interfaces between fluids (ice_interface.c). Storage of a block's spans; which cells lie at one; */
+floe_status ice_interfaces_create(ice *s, int block_id);
+void ice_interfaces_destroy(context *ctx, ice_work *w);
+floe_status ice_find_interfaces(ice *s);
+/* their gradients are none, and the fractions that they give up at faces are those of a sharp profile. */
+void ice_flatten_interfaces(const ice_view *v);
+void ice_sharpen_faces(const ice_view *v);
+
+/* A fluid whose own pressure is the cell's but for this share is not expanded by it: 2 %, measured (docs/theory.md, "Several fluids"). */
+#define ICE_NEAR_ONE_PRESSURE 0.02
+static inline bool ice_near_pressure(const isentrope *own, double p)
+{
+    return fabs(own->p - p) < ICE_NEAR_ONE_PRESSURE * own->p && own->floor == 0.0;
+}
+
+/* Share of positive heat that goes by theta kappa and not by rho T: of dispersed fluids in a shock. */
+static inline double ice_shocked(const ice_view *v, ptrdiff_t at, double heat)
+{
+    return v->interface && heat > 0.0 ? v->shock[at] * (1.0 - v->interface[at]) : 0.0;
 }
 
 /* Volume fractions at faces and the volume flux that they make, of several materials (2.3). */

@@ -194,48 +194,97 @@ static floe_status explain(const mixture_row *q, const mixture_run *run, int i)
                 place, b->iterations[i], b->p[i], b->residual[i], text);
 }
 
-/* In laws whose energy depends on volume at a given temperature, a frozen T will not do: v(p, T) belongs to another energy than the
- * cell's, and an error of v comes back larger by (gamma - 1) p_inf/(p + p_inf) in each step, 3.4 times in water of gamma 4.4. Such
- * scenes close the cell along isentropes instead. */
+/* A frozen T will not do. In laws whose energy depends on volume at a given temperature v(p, T) belongs to another energy than the cell's, and an
+ * error of v comes back larger by (gamma - 1) p_inf/(p + p_inf) in each step, 3.4 times in water of gamma 4.4. And what upwinding carries ahead of a
+ * shock would expand to v = R T/p without doing work, to be compressed anew in the next step: its energy grows by up to p_2/p_1 in each cell that
+ * the shock passes. So scenes of several fluids close the cell along isentropes. */
 static const isentrope *choose_paths(const mixture_row *q, const mixture_run *run, int k)
 {
     const int r = run->material[k];
     const ice_arrays *m = &q->v->m[r];
     isentrope *path = q->mixed->path[k];
     if (!q->s->work->reconcile || q->s->material[r].points) return NULL;
-    for (int i = 0; i < run->n; ++i)
-        isentrope_through(&q->s->material[r].eos, m->vol[run->from + i], m->e[run->from + i], &path[i]);
+    isentropes_through(&q->s->material[r].eos, run->n, m->vol + run->from, m->e + run->from, path);
     return path;
 }
 
-/* What the paths of a cell end in. Materials at unlike pressures do not do opposite work on their ways to one; the difference goes to all alike,
- * as one change of temperature, so that the cell keeps its energy. Materials without a path take e(v, T). */
-static void follow_paths(const mixture_row *q, const mixture_run *run, int i)
+/* Near one pressure there is nothing to expand, and heat that has changed hands is to do no work: T is frozen in such cells, as far as the laws
+ * bear it, those whose energy is one of temperature alone. */
+static void freeze_near(const mixture_row *q, const mixture_run *run)
 {
     const equilibrium_batch *b = &q->mixed->batch;
+    bool *frozen = q->mixed->frozen, bears = q->s->work->reconcile;
+    for (int k = 0; k < run->count && bears; ++k)
+        bears = b->path[k] && !isnan(q->s->work->energy_floor[run->material[k]]);
+    for (int i = 0; i < run->n; ++i) frozen[i] = bears;
+    for (int k = 0; k < run->count && bears; ++k)
+        for (int i = 0; i < run->n; ++i) frozen[i] = frozen[i] && ice_near_pressure(&b->path[k][i], b->p[i]);
+    for (int k = 0; k < run->count && bears; ++k)
+        for (int i = 0; i < run->n; ++i)
+            if (frozen[i]) q->mixed->path[k][i].exponent = 0.0;
+}
+
+/* Energy at the end of material k's paths in a run, and c_v and T there. */
+static void end_paths(const mixture_row *q, const mixture_run *run, int k)
+{
+    const equilibrium_batch *b = &q->mixed->batch;
+    const eos *law = b->eos[k];
+    double *e = q->mixed->e[k], *cv = q->mixed->cv[k], *T = q->mixed->T[k];
+    for (int i = 0; i < run->n; ++i) q->a[i] = 1.0 / b->v[k][i];
+    law->model->energy(law->par, (size_t)run->n, q->a, b->T[k], e);
+    for (int i = 0; i < run->n; ++i)
+        if (b->path[k][i].exponent > 0.0) e[i] = isentrope_energy(&b->path[k][i], b->v[k][i]);
+    law->model->heat(law->par, (size_t)run->n, q->a, e, cv, q->d);
+    law->model->temperature(law->par, (size_t)run->n, q->a, e, T);
+}
+
+/* Materials at unlike pressures do not do opposite work on their ways to one; the difference goes to all alike, so that the cell keeps its energy:
+ * as one change of temperature, or, where energy is missing, by one factor on the temperatures, below zero none. */
+static void share_rest(const mixture_row *q, const mixture_run *run, int i)
+{
+    const equilibrium_batch *b = &q->mixed->batch;
+    const ice_mixed_cells *c = q->mixed;
     const ptrdiff_t at = run->from + i;
-    double over = 0.0, capacity = 0.0, e[ICE_MAX_MATERIALS], cv[ICE_MAX_MATERIALS];
+    double over = 0.0, capacity = 0.0, content = 0.0;
+    int paths = 0;
     for (int k = 0; k < run->count; ++k) {
         const ice_arrays *m = &q->v->m[run->material[k]];
         if (!b->path[k]) continue;
-        const eos *law = b->eos[k];
-        const double density = 1.0 / b->v[k][i];
-        double alpha;
-        if (b->path[k][i].exponent > 0.0)
-            e[k] = isentrope_energy(&b->path[k][i], b->v[k][i]);
-        else
-            law->model->energy(law->par, 1, &density, &b->T[k][i], &e[k]);
-        law->model->heat(law->par, 1, &density, &e[k], &cv[k], &alpha);
-        over += m->rho[at] * (m->e[at] - e[k]);
-        capacity += m->rho[at] * cv[k];
+        over += m->rho[at] * (m->e[at] - c->e[k][i]);
+        capacity += m->rho[at] * c->cv[k][i];
+        content += m->rho[at] * c->cv[k][i] * most(c->T[k][i], 0.0);
+        paths++;
     }
+    const bool factor = paths > 1 && over < 0.0 && content > 0.0;
     for (int k = 0; k < run->count; ++k) {
         const ice_arrays *m = &q->v->m[run->material[k]];
         if (!b->path[k]) continue;
-        const double density = 1.0 / b->v[k][i];
-        m->e[at] = e[k] + cv[k] * (over / capacity);
+        const double warming = factor ? most(c->T[k][i], 0.0) * (over / content) : over / capacity;
+        m->e[at] = c->e[k][i] + c->cv[k][i] * warming;
         m->vol[at] = b->v[k][i];
-        b->eos[k]->model->temperature(b->eos[k]->par, 1, &density, &m->e[at], &m->T[at]);
+    }
+}
+
+/* What the paths of a run end in; frozen cells keep their energies. Materials without a path take e(v, T). */
+static void follow_paths(const mixture_row *q, const mixture_run *run)
+{
+    const equilibrium_batch *b = &q->mixed->batch;
+    const bool *frozen = q->mixed->frozen;
+    int moved = 0;
+    for (int i = 0; i < run->n; ++i) moved += !frozen[i];
+    if (moved == 0) return;
+    for (int k = 0; k < run->count; ++k)
+        if (b->path[k]) end_paths(q, run, k);
+    for (int i = 0; i < run->n; ++i)
+        if (!frozen[i]) share_rest(q, run, i);
+    for (int k = 0; k < run->count; ++k) {
+        const ice_arrays *m = &q->v->m[run->material[k]];
+        const eos *law = b->eos[k];
+        for (int i = 0; i < run->n && b->path[k]; ++i) {
+            const ptrdiff_t at = run->from + i;
+            const double density = 1.0 / m->vol[at];
+            if (!frozen[i]) law->model->temperature(law->par, 1, &density, &m->e[at], &m->T[at]);
+        }
     }
 }
 
@@ -269,6 +318,7 @@ static void load_batch(const mixture_row *q, const mixture_run *run)
         memcpy(b->T[k], m->T + run->from, (size_t)run->n * sizeof *b->T[k]);
         for (int i = 0; i < run->n; ++i) b->a[k][i] = m->rho[run->from + i] * q->a[i];
     }
+    freeze_near(q, run);
 }
 
 static floe_status solve_batch(mixture_row *q, const mixture_run *run)
@@ -297,12 +347,13 @@ static void set_response(const mixture_row *q, int r, ptrdiff_t from, int n, con
     set_compressibility(m, from, n, q->a);
 }
 
-/* The same of the state that cells have been closed to along isentropes. */
-static void set_followed(const mixture_row *q, int r, ptrdiff_t from, int n)
+/* The same of the state that cells have been closed to along isentropes, and of frozen ones at the solver's v. */
+static void set_followed(const mixture_row *q, int r, ptrdiff_t from, int n, const double *v)
 {
     const ice_arrays *m = &q->v->m[r];
     const eos *law = &q->s->material[r].eos;
-    for (int i = 0; i < n; ++i) q->a[i] = 1.0 / m->vol[from + i];
+    const bool *frozen = q->mixed->frozen;
+    for (int i = 0; i < n; ++i) q->a[i] = 1.0 / (frozen[i] ? v[i] : m->vol[from + i]);
     law->model->pressure(law->par, (size_t)n, q->a, m->e + from, q->d, m->c + from);
     set_compressibility(m, from, n, q->a);
 }
@@ -314,12 +365,12 @@ static void store_batch(const mixture_row *q, const mixture_run *run)
     const bool reconcile = q->s->work->reconcile;
     double *sum = q->v->kappa_sum + run->from;
     memcpy(q->v->p + run->from, b->p, (size_t)run->n * sizeof *b->p);
-    for (int i = 0; i < run->n && reconcile; ++i) follow_paths(q, run, i);
+    if (reconcile) follow_paths(q, run);
     for (int k = 0; k < run->count; ++k) {
         const int r = run->material[k];
         double *theta = q->v->m[r].theta + run->from, *kappa = q->v->m[r].kappa + run->from;
         if (b->path[k])
-            set_followed(q, r, run->from, run->n);
+            set_followed(q, r, run->from, run->n, b->v[k]);
         else
             set_response(q, r, run->from, run->n, b->v[k], q->b);
         for (int i = 0; i < run->n; ++i) {

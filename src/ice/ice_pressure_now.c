@@ -23,6 +23,7 @@ static double of_mixture(const ice *s, const fields *f, ptrdiff_t at, double las
 {
     isentrope path[ICE_MAX_MATERIALS];
     equilibrium_batch b;
+    bool near = true;
     b.n = 0;
     b.p[0] = last;
     for (int r = 0; r < s->n_materials; ++r) {
@@ -34,8 +35,10 @@ static double of_mixture(const ice *s, const fields *f, ptrdiff_t at, double las
         b.eos[k] = law;
         law->model->temperature(law->par, 1, &density, &e, &b.T[k][0]);
         b.path[k] = s->work->reconcile && isentrope_through(law, v, e, &path[k]) ? &path[k] : NULL;
+        near = near && b.path[k] && ice_near_pressure(&path[k], last) && !isnan(s->work->energy_floor[r]);
         b.n++;
     }
+    for (int k = 0; k < b.n && near; ++k) b.path[k] = NULL;
     return equilibrium_solve(&b, 1) == FLOE_OK ? b.p[0] : last;
 }
 

@@ -14,6 +14,7 @@ floe_status ice_state_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO), WHEN(reconciled, C_ENERGY_FOUND),
                  WHEN(reconciled, C_VOLUME_FOUND)));
+    STAGE(s, s->work->interfaces, ice_find_interfaces, READS(C_THETA, C_MIXED), WRITES(C_INTERFACE));
     STAGE(s, p, ice_continue_pressure, READS(C_PRESSURE, C_THETA, C_MIXED), WRITES(C_PRESSURE, C_DP));
     STAGE(s, slips, ice_wall_fraction, READS(C_THETA), WRITES(C_WALL));
     STAGE(s, d, ice_diffusion_rates, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_TEMP), WHEN(m, C_THETA)),
@@ -30,7 +31,8 @@ floe_status ice_pressure_stages(ice *s)
     const pressure_scheme scheme = s->scene->method.pressure;
     const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
                direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
-    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips, r = s->work->reactions.n > 0;
+    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips, r = s->work->reactions.n > 0,
+               f = s->work->interfaces;
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL)),
@@ -39,13 +41,13 @@ floe_status ice_pressure_stages(ice *s)
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
                 WHEN(d, C_DIFFUSION_HEAT), WHEN(d || s->pressurise, C_ENERGY), WHEN(m, C_VOL), WHEN(slips, C_WALL),
-                WHEN(r, C_REACTED)),
+                WHEN(r, C_REACTED), WHEN(f, C_INTERFACE)),
           WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA),
                  WHEN(m, F_FLUX)));
     STAGE(s, direct, ice_pressure_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
-                WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL), WHEN(r, C_REACTED)),
+                WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL), WHEN(r, C_REACTED), WHEN(f, C_INTERFACE)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
     STAGE(s, ALWAYS, ice_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)), WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sources,
@@ -67,7 +69,8 @@ static bool ice_burns(const ice *s)
 
 floe_status ice_exchange_stages(ice *s)
 {
-    const bool m = s->multi, p = s->with_points, r = s->work->reactions.n > 0, b = ice_burns(s);
+    const bool m = s->multi, p = s->with_points, r = s->work->reactions.n > 0, b = ice_burns(s),
+               f = s->work->interfaces;
     STAGE(s, r, ice_mass_exchange,
           READS(C_REACTED, C_RHO, C_VEL_L, C_ENERGY_L, WHEN(b, C_ENERGY), WHEN(b, C_BURNT_MOMENTUM),
                 WHEN(b, C_BURNT_ENERGY), WHEN(b, C_SOURCE), WHEN(b, C_THETA), WHEN(b, C_KAPPA), WHEN(b, C_KAPPA_SUM),
@@ -76,7 +79,7 @@ floe_status ice_exchange_stages(ice *s)
     STAGE(s, m, ice_exchange,
           READS(C_RHO, C_THETA, C_VOL, C_VEL, C_HEAT_OWED, WHEN(s->work->pairs.slips, C_WALL), C_TEMP, C_ENERGY,
                 C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L),
-                WHEN(r, C_RHO_L)),
+                WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE), WHEN(f, C_SHOCK), WHEN(f, C_KAPPA)),
           WRITES(C_VEL_L, C_ENERGY_L, C_HEAT_OWED, WHEN(p, C_VELOCITY_CHANGE)));
     STAGE(s, m, ice_specific_volume,
           READS(C_RHO, C_VOL, C_THETA, C_KAPPA, C_KAPPA_SUM, C_DP, C_MIXED, WHEN(p, C_TMV_RATIO), WHEN(r, C_RHO_L),
@@ -87,11 +90,12 @@ floe_status ice_exchange_stages(ice *s)
 
 floe_status ice_advection_stages(ice *s)
 {
-    const bool m = s->multi, r = s->work->reactions.n > 0;
+    const bool m = s->multi, r = s->work->reactions.n > 0, f = s->work->interfaces;
     STAGE(s, ALWAYS, ice_advect,
           READS(C_RHO, C_VEL, C_ENERGY, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, WHEN(ice_sharpens(s), C_CONTACT),
                 C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(r, C_RHO_L)),
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE),
+                WHEN(f, F_THETA)),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L), WHEN(r, C_RHO_L)));
     return FLOE_OK;
 }

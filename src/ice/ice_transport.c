@@ -100,6 +100,18 @@ static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
     return m->rho1[at] * (m->e1[at] + 0.5 * square);
 }
 
+/* What a sliver's velocity and energy are taken back by is entered in the ledger. */
+static void believe(const ice_view *v, ptrdiff_t at, const ice_arrays *m, double volume, double *tile)
+{
+    const double before = total_energy(m, at, v->dim);
+    double u[3];
+    for (int a = 0; a < v->dim; ++a) u[a] = m->u1[a][at];
+    ice_believe(m, at, v->dim);
+    if (!isfinite(before)) return;
+    tile[TILE_DEFECT] += (total_energy(m, at, v->dim) - before) * volume;
+    for (int a = 0; a < v->dim; ++a) tile[TILE_MOMENTUM_DEFECT + a] += m->rho1[at] * (m->u1[a][at] - u[a]) * volume;
+}
+
 static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, double *tile)
 {
     const ice_arrays *m = &v->m[r];
@@ -141,7 +153,7 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
                 const bool starved = m->rho1[at] < ice_least_share * v->rho_sum[at];
                 if (m->rho1[at] == 0.0 || (fraction >= ice_sliver && !starved)) continue;
                 double *tile = ice_tile(s, b, i, j, k);
-                ice_believe(m, at, v->dim);
+                believe(v, at, m, v->volume[i], tile);
                 if (starved || fraction < ice_least_fraction)
                     drop(v, r, at, v->volume[i], tile);
                 else

@@ -57,6 +57,7 @@ static void gather_shared(const fields *f, bool multi, int instance, ice_view *v
     v->tmv = field_get(f, C_TMV_RATIO, 0, 0);
     v->step = field_next(f, C_PRESSURE_STEP, 0, 0);
     v->last_step = field_get(f, C_PRESSURE_STEP, 0, 0);
+    v->interface = field_get(f, C_INTERFACE, 0, 0);
     v->wall = field_get(f, C_WALL, 0, 0);
     v->owed = field_get(f, C_HEAT_OWED, 0, 0);
     vector(f, field_get, F_PRESSURE, instance, dim, v->fp);
@@ -108,6 +109,7 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
         v->m[r].near = near ? near + (ptrdiff_t)r * rows : NULL;
     }
     gather_shared(f, s->multi, v->first, v);
+    v->sharp = s->work->sharp[block_id];
     for (int k = 0; k < s->work->reactions.n; ++k) {
         v->reacted[k] = field_get(f, C_REACTED, k, 0);
         v->burnt_energy[k] = field_get(f, C_BURNT_ENERGY, k, 0);

@@ -176,6 +176,49 @@ static void remark_held_sides(const scene *s, remark_sink *say, void *user)
             }
 }
 
+static bool is_fluid_of_cells(const scene *s, const scene_body *b)
+{
+    return s->coupling != COUPLING_MPM && s->material[b->material].kind == MATERIAL_FLUID;
+}
+
+/* rho c^2/p of a gas at a pressure and the body's temperature (300 K where it has none); infinite of liquids. */
+static double stiffness_over_pressure(const eos *law, double p, double temperature)
+{
+    const double T = temperature > 0.0 ? temperature : 300.0;
+    double v, dvdp, e, rho, own, c2;
+    if (law->model->pressure_floor(law->par) < 0.0) return INFINITY;
+    law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
+    rho = 1.0 / v;
+    law->model->energy(law->par, 1, &rho, &T, &e);
+    law->model->pressure(law->par, 1, &rho, &e, &own, &c2);
+    return rho * c2 / own;
+}
+
+/* Behind a strong shock the density of a gas of gamma near one is (gamma + 1)/(gamma - 1) times as large, in as many fewer cells, and what is wrong
+ * where the shock begins at another fluid stays in it. */
+static void remark_dense_shocks(const scene *s, remark_sink *say, void *user)
+{
+    const double strong = 1e3, soft = 1.15;
+    for (int k = 0; k < s->n_bodies; ++k)
+        for (int d = 0; d < s->n_bodies; ++d) {
+            const scene_body *driven = &s->body[k], *driver = &s->body[d];
+            if (!is_fluid_of_cells(s, driven) || !is_fluid_of_cells(s, driver) || driven->material == driver->material)
+                continue;
+            if (!(driven->pressure > 0.0 && driver->pressure >= strong * driven->pressure)) continue;
+            const double gamma =
+                stiffness_over_pressure(&s->material[driven->material].eos, driven->pressure, driven->temperature);
+            if (!(gamma < soft)) continue;
+            char text[REMARK_SIZE];
+            (void)snprintf(
+                text, sizeof text,
+                "body '%s' drives the gas of body '%s' with %.3g times its pressure, and the gas has a ratio of "
+                "specific heats of %.3g: behind its shock the density was 33 %% off with 200 cells and 12 %% with "
+                "800 (at 1.09 and 1e5), the velocity 7 and 2 %%. Take finer cells",
+                driver->name, driven->name, driver->pressure / driven->pressure, gamma);
+            say(user, text);
+        }
+}
+
 void scene_remarks(const scene *s, remark_sink *say, void *user)
 {
     remark_soft_walls(s, say, user);
@@ -184,4 +227,5 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_smeared(s, say, user);
     remark_one_velocity(s, say, user);
     remark_held_sides(s, say, user);
+    remark_dense_shocks(s, say, user);
 }

@@ -2,7 +2,7 @@
  * can pay for. The air is then thinned by up to 1e28, and the water beside it is in tension. */
 #include "coupled_fixture.h"
 
-/* Two halves of 1 m of water that fly apart, with air by a share of the volume where they part. Measured, of 1.55e9 J: drift of the energy 6e-8 at most; with heat
+/* Two halves of 1 m of water that fly apart, with air by a share of the volume where they part. Measured, of 1.55e9 J: drift of the energy 6.3e-10 at most; with heat
  * given to the air by volume the run either ended or had 1e13 J. */
 static void tear(double fraction, double speed)
 {
@@ -43,7 +43,7 @@ static void tear(double fraction, double speed)
     check_true(after.internal[air] > 0.0 && after.internal[air] < before.internal[air] + motion);
     check_true(after.kinetic[water] < motion);
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-12);
-    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1e-7);
+    check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1.2e-9);
     trial_end(&t);
 }
 

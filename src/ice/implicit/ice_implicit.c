@@ -95,6 +95,8 @@ static floe_status search(ice *s)
     double best = INFINITY;
     int iterations = 0;
     for (int outer = 0;; ++outer) {
+        /* The outflow of ghost cells at interfaces bounds what they give up. */
+        for (int r = 0; s->work->interfaces && r < s->n_materials; ++r) ice_fill_faces(s, F_VEL, r);
         if (s->multi)
             for (int id = 0; id < s->mesh->n_blocks; ++id) {
                 ice_view v;
