@@ -102,6 +102,7 @@ void batch_progress_report(batch *b, const batch_case *one)
         error_text(one->summary.errors[0].name, one->summary.errors[0].value, one->summary.dimensionless, error);
         (void)fprintf(b->o->progress, ", %s %s", one->summary.errors[0].name, error);
     }
+    if (one->ran && one->summary.n_warnings > 0) (void)fprintf(b->o->progress, ", warned");
     (void)fprintf(b->o->progress, "%s%s\n", one->message[0] ? ": " : "", one->message);
     (void)fflush(b->o->progress);
 }

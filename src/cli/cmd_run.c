@@ -81,6 +81,7 @@ static void print_result(const run_summary *r, const char *dir)
     printf("drift: mass %.1e, momentum %.1e, energy %.1e\n", r->drift_mass, r->drift_momentum, r->drift_energy);
     for (int i = 0; i < r->n_errors; i++) printf("%s: %.6g\n", r->errors[i].name, r->errors[i].value);
     printf("results: %s (fields.xdmf opens in ParaView with its XDMF Reader)\n", dir);
+    if (r->notes[0]) printf("note: %s\n", r->notes);
 }
 
 int cmd_run(cli *c, int argc, char **argv)
@@ -114,5 +115,7 @@ int cmd_run(cli *c, int argc, char **argv)
     scene_destroy(&s);
     if (status != FLOE_OK) return cli_fail(c, status);
     if (!a.quiet) print_result(&summary, a.options.dir);
+    /* Of a quiet run only what makes its answer doubtful. */
+    if (a.quiet && strstr(summary.notes, "WARNING")) (void)fprintf(stderr, "floe: %s\n", summary.notes);
     return 0;
 }

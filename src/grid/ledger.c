@@ -43,13 +43,104 @@ static double scale_of(const ledger *l, ledger_quantity q)
     return fmax(l->scale[LEDGER_MOMENTUM_X], fmax(l->scale[LEDGER_MOMENTUM_Y], l->scale[LEDGER_MOMENTUM_Z]));
 }
 
+double ledger_excess(const ledger *l, ledger_quantity q)
+{
+    double expected = l->initial[q];
+    for (int k = 0; k < LEDGER_KINDS; ++k) expected += l->entry[q][k].value + l->entry[q][k].carry;
+    return l->total[q] - expected;
+}
+
 double ledger_drift(const ledger *l, ledger_quantity q)
 {
     if (l->no_account[q]) return 0.0;
-    double expected = l->initial[q];
-    for (int k = 0; k < LEDGER_KINDS; ++k) expected += l->entry[q][k].value + l->entry[q][k].carry;
-    const double drift = fabs(l->total[q] - expected);
+    const double drift = fabs(ledger_excess(l, q));
     return drift == 0.0 ? 0.0 : drift / scale_of(l, q);
+}
+
+double ledger_largest_drift(const ledger *l, ledger_quantity q)
+{
+    return l->worst[q] == 0.0 ? 0.0 : l->worst[q] / scale_of(l, q);
+}
+
+static bool is_momentum(int q)
+{
+    return q >= LEDGER_MOMENTUM_X && q <= LEDGER_MOMENTUM_Z;
+}
+
+/* What was there at the start and what has come in. */
+static double first_and_let_in(const ledger *l, ledger_quantity q)
+{
+    double sum = l->extent[q];
+    for (int k = 0; k < LEDGER_INPUTS; ++k) sum += l->let_in[q][k];
+    return sum;
+}
+
+/* Of momentum the sum of |p|, but never more than the energy that there can be would give the mass that there can be:
+ * |p| <= (2 m E)^1/2. A run that makes energy from nothing so has no scale that grows with it. Velocities and strains
+ * below `round_off`, in units of the speed of sound, are round-off of a body at rest. */
+static void set_scales(ledger *l)
+{
+    static const double round_off = 1e-10;
+    const double mass = first_and_let_in(l, LEDGER_MASS), energy = first_and_let_in(l, LEDGER_ENERGY);
+    l->scale[LEDGER_MASS] = mass;
+    l->scale[LEDGER_ENERGY] = fmax(energy, round_off * round_off * l->elasticity);
+    const double most = sqrt(2.0 * mass * l->scale[LEDGER_ENERGY]);
+    const double least = round_off * sqrt(2.0 * mass * (energy + l->elasticity));
+    for (int q = LEDGER_MOMENTUM_X; q <= LEDGER_MOMENTUM_Z; ++q) l->scale[q] = fmax(fmin(l->extent[q], most), least);
+}
+
+/* What motion and strain can have had: a decrease of internal energy that left through a boundary was not theirs. */
+static void note_motion(ledger *l, const ledger_state *now)
+{
+    double came = l->motion.internal - now->internal;
+    for (int k = 0; k < LEDGER_INPUTS; ++k) came += l->entry[LEDGER_ENERGY][k].value;
+    l->motion.available = fmax(l->motion.available, l->motion.start + fmax(came, 0.0));
+}
+
+/* Below a share of all energy the gas's part hides what a solid gains, and a loss of accuracy is no divergence. */
+static void count_growth(ledger *l, double time)
+{
+    static const double least_share = 0.1;
+    const double excess = ledger_excess(l, LEDGER_ENERGY);
+    const bool beyond = excess > l->motion.available && excess > least_share * l->scale[LEDGER_ENERGY];
+    if (!beyond)
+        l->motion.beyond = 0.0;
+    else if (time > l->motion.last_look)
+        l->motion.beyond += 1.0;
+    l->motion.last_look = time;
+}
+
+static void note_worst(ledger *l, ledger_quantity q, double time)
+{
+    const double excess = ledger_excess(l, q);
+    /* A NaN is taken, and stays. */
+    if (l->no_account[q] || isnan(l->worst[q]) || fabs(excess) <= fabs(l->worst[q])) return;
+    l->worst[q] = excess;
+    l->worst_time[q] = time;
+}
+
+void ledger_open(ledger *l, const ledger_state *now, double elasticity)
+{
+    memcpy(l->initial, now->total, sizeof l->initial);
+    memcpy(l->total, now->total, sizeof l->total);
+    memcpy(l->extent, now->extent, sizeof l->extent);
+    l->elasticity = elasticity;
+    l->motion = (ledger_motion){.start = now->motion, .internal = now->internal, .available = now->motion};
+    set_scales(l);
+    ledger_discard(l);
+}
+
+void ledger_look(ledger *l, const ledger_state *now, double time)
+{
+    memcpy(l->total, now->total, sizeof l->total);
+    for (int q = 0; q < LEDGER_QUANTITIES; ++q) {
+        if (is_momentum(q)) l->extent[q] = fmax(l->extent[q], now->extent[q]);
+        for (int k = 0; k < LEDGER_INPUTS; ++k) l->let_in[q][k] = fmax(l->let_in[q][k], l->entry[q][k].value);
+    }
+    set_scales(l);
+    note_motion(l, now);
+    count_growth(l, time);
+    for (int q = 0; q < LEDGER_QUANTITIES; ++q) note_worst(l, (ledger_quantity)q, time);
 }
 
 const char *ledger_quantity_name(ledger_quantity q)
@@ -61,10 +152,10 @@ const char *ledger_quantity_name(ledger_quantity q)
 const char *ledger_count_name(ledger_count c)
 {
     static const char *const name[LEDGER_COUNTS] = {
-        "newton_cells",  "newton_iterations",  "newton_fallbacks",     "floors",
-        "energy_guards", "points_lost",        "points_burnt",         "small_nodes",
-        "reorders",      "contact_stick",      "contact_slip",         "contact_release",
-        "normals_plain", "normals_kept",       "pressure_solves",      "outer_iterations",
-        "cg_iterations", "balance_iterations", "balance_cg_iterations"};
+        "newton_cells",  "newton_iterations",  "newton_fallbacks",      "floors",
+        "energy_guards", "points_lost",        "points_burnt",          "small_nodes",
+        "reorders",      "contact_stick",      "contact_slip",          "contact_release",
+        "normals_plain", "normals_kept",       "pressure_solves",       "outer_iterations",
+        "cg_iterations", "balance_iterations", "balance_cg_iterations", "cells_merged"};
     return name[c];
 }

@@ -1,7 +1,7 @@
 /* The ledger: nothing is silently lost (design 1.6). Every flux through a boundary, source, work and defect is entered;
- * a drift is |Q - Q0 - entries| / max over time of the sum of |q| (design, conventions), of momentum the largest among
- * the axes. Entries of a step are pending until it is committed, so that a rejected step leaves none. Sums are
- * compensated. */
+ * a drift is |Q - Q0 - entries| over a scale that does not grow with the error: what was there at the start and what
+ * boundaries and sources have let in. Entries of a step are pending until it is committed, so that a rejected step
+ * leaves none. Sums are compensated. */
 #ifndef GRID_LEDGER_H
 #define GRID_LEDGER_H
 
@@ -45,6 +45,7 @@ typedef enum ledger_count {
     COUNT_CG_ITERATIONS,
     COUNT_BALANCE_ITERATIONS, /* steps of points that are solved for: of Newton's method, of conjugate gradients in them */
     COUNT_BALANCE_KRYLOV,
+    COUNT_CELLS_MERGED, /* small cut cells that shared a larger one's state, over the steps */
     LEDGER_COUNTS
 } ledger_count;
 
@@ -52,10 +53,27 @@ typedef struct ledger_sum {
     double value, carry;
 } ledger_sum; /* compensated (Neumaier) */
 
+enum { LEDGER_INPUTS = LEDGER_SOURCE + 1 }; /* the kinds that let something in: boundary and source */
+
+/* Energy of motion and strain, and what it can have (J). */
+typedef struct ledger_motion {
+    double start;     /* of motion and strain at the start */
+    double internal;  /* of heat and pressure at the start */
+    double available; /* the most so far of: start, what internal energy has lost, and what has come in */
+    double beyond;    /* looks in a row, at different times, by which more than that has come from nothing */
+    double last_look; /* s */
+} ledger_motion;
+
 typedef struct ledger {
-    double initial[LEDGER_QUANTITIES];  /* Q0 */
-    double total[LEDGER_QUANTITIES];    /* Q now */
-    double scale[LEDGER_QUANTITIES];    /* max over time of sum |q| */
+    double initial[LEDGER_QUANTITIES]; /* Q0 */
+    double total[LEDGER_QUANTITIES];   /* Q now */
+    double scale[LEDGER_QUANTITIES];   /* what drifts are measured against; of momentum the largest among the axes */
+    double extent[LEDGER_QUANTITIES];  /* sum of |q|: of mass and energy at the start, of momentum the most so far */
+    double let_in[LEDGER_QUANTITIES][LEDGER_INPUTS]; /* the most so far that boundaries and sources had brought */
+    double worst[LEDGER_QUANTITIES];                 /* the largest excess so far, with its sign */
+    double worst_time[LEDGER_QUANTITIES];            /* s: when */
+    double elasticity; /* J: sum of m c^2 of the solids; a share of it is the round-off of one at rest */
+    ledger_motion motion;
     bool no_account[LEDGER_QUANTITIES]; /* not a balance in this scene: radial momentum about an axis */
     ledger_sum entry[LEDGER_QUANTITIES][LEDGER_KINDS];
     double pending[LEDGER_QUANTITIES][LEDGER_KINDS];
@@ -68,6 +86,24 @@ void ledger_commit(ledger *l);  /* pending entries become part of the account */
 void ledger_discard(ledger *l); /* the step was rejected */
 /* Relative drift of a quantity, entries of all kinds counted; 0 where it has no account. */
 double ledger_drift(const ledger *l, ledger_quantity q);
+/* What is there and should not be: total less the start and all entries; negative where something is lost. */
+double ledger_excess(const ledger *l, ledger_quantity q);
+
+/* The largest of the run so far, with the sign of its excess, against the scale as it is now: what has come in by then is
+ * what an error of the first steps is small beside. */
+double ledger_largest_drift(const ledger *l, ledger_quantity q);
+
+/* What the scene holds now, for a look at the account. */
+typedef struct ledger_state {
+    double total[LEDGER_QUANTITIES];
+    double extent[LEDGER_QUANTITIES]; /* sum of |q| */
+    double motion;                    /* J: kinetic and strain energy */
+    double internal;                  /* J */
+} ledger_state;
+/* The start of the account. `elasticity` (J): sum of m c^2 of the solids. */
+void ledger_open(ledger *l, const ledger_state *now, double elasticity);
+/* Brings totals, scales and the largest drifts up to date. */
+void ledger_look(ledger *l, const ledger_state *now, double time);
 const char *ledger_quantity_name(ledger_quantity q);
 const char *ledger_count_name(ledger_count c);
 

@@ -132,6 +132,12 @@ static void add_ledger(line *l)
             add_named(l, "drift", name, "1", l->names ? 0.0 : ledger_drift(account, (ledger_quantity)q));
     }
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
+        const char *name = ledger_quantity_name((ledger_quantity)q);
+        if (is_used(l->s, q))
+            add_named(l, "largest_drift", name, "1",
+                      l->names ? 0.0 : fabs(ledger_largest_drift(account, (ledger_quantity)q)));
+    }
+    for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS && is_used(l->s, q); k++) {
             if (k == LEDGER_CONTACT && !(l->s->scene->contact.enabled && q == LEDGER_ENERGY)) continue;
             const ledger_sum *sum = &account->entry[q][k];

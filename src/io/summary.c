@@ -50,10 +50,22 @@ static bool set_memory(json_t *object, const run_summary *r)
 
 static bool set_conservation(json_t *object, const run_summary *r)
 {
-    json_t *drift;
+    json_t *drift, *end;
     return set_object(object, "conservation", &drift) && json_put(drift, "mass", json_number(r->drift_mass)) &&
            json_put(drift, "momentum", json_number(r->drift_momentum)) &&
-           json_put(drift, "energy", json_number(r->drift_energy));
+           json_put(drift, "energy", json_number(r->drift_energy)) && set_object(drift, "at_end", &end) &&
+           json_put(end, "mass", json_number(r->end_drift_mass)) &&
+           json_put(end, "momentum", json_number(r->end_drift_momentum)) &&
+           json_put(end, "energy", json_number(r->end_drift_energy));
+}
+
+static bool set_warnings(json_t *object, const run_summary *r)
+{
+    json_t *list = json_array();
+    bool fine = json_put(object, "warnings", list);
+    for (int i = 0; i < r->n_warnings && fine; i++)
+        fine = json_array_append_new(list, json_plain_text(r->warnings[i])) == 0;
+    return fine && json_put(object, "notes", json_plain_text(r->notes));
 }
 
 static bool set_build(json_t *object, const run_summary *r)
@@ -84,8 +96,8 @@ static bool set_all(json_t *object, const run_summary *r)
            json_put(object, "cells", json_integer(r->cells)) && json_put(object, "points", json_integer(r->points)) &&
            json_put(object, "cell_updates", count(r->cell_updates)) &&
            json_put(object, "point_updates", count(r->point_updates)) && set_memory(object, r) &&
-           set_conservation(object, r) && set_values(object, "errors", r->errors, r->n_errors) &&
-           set_counters(object, r) && set_build(object, r);
+           set_conservation(object, r) && set_warnings(object, r) &&
+           set_values(object, "errors", r->errors, r->n_errors) && set_counters(object, r) && set_build(object, r);
 }
 
 struct json_t *summary_json(const run_summary *r)
@@ -128,6 +140,12 @@ floe_status summary_add_error(run_summary *r, context *ctx, const char *name, do
     copy_text(entry->name, sizeof entry->name, name);
     entry->value = value;
     return FLOE_OK;
+}
+
+void summary_add_warning(run_summary *r, const char *text)
+{
+    if (r->n_warnings == SUMMARY_MAX_WARNINGS) return;
+    copy_text(r->warnings[r->n_warnings++], SUMMARY_WARNING, text);
 }
 
 floe_status summary_add_counter(run_summary *r, context *ctx, const char *name, long long value)

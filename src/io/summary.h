@@ -12,7 +12,9 @@ enum {
     SUMMARY_NAME = 64,
     SUMMARY_MAX_STAGES = STAGE_MAX,
     SUMMARY_MAX_ERRORS = 64,
-    SUMMARY_MAX_COUNTERS = 32
+    SUMMARY_MAX_COUNTERS = 32,
+    SUMMARY_WARNING = 1400,
+    SUMMARY_MAX_WARNINGS = 8
 };
 
 /* A number with its name. NAN is written as null, and null is read as NAN. */
@@ -49,7 +51,13 @@ typedef struct run_summary {
     double cell_updates, point_updates;
     long long peak_rss_bytes;
     long long field_bytes_mpm, field_bytes_ice, field_bytes_coupling;
-    double drift_mass, drift_momentum, drift_energy; /* relative; momentum: the worst axis */
+    /* Relative, the largest of the run, and at its end; momentum: the worst axis. */
+    double drift_mass, drift_momentum, drift_energy;
+    double end_drift_mass, end_drift_momentum, end_drift_energy;
+    /* What will not be right, or was not, in words; those beyond the last are left out. */
+    char warnings[SUMMARY_MAX_WARNINGS][SUMMARY_WARNING];
+    int n_warnings;
+    char notes[SUMMARY_TEXT]; /* drifts beyond 1 %, points lost, floors, guards, merged cells; "": none */
     summary_value errors[SUMMARY_MAX_ERRORS];
     int n_errors;
     summary_counter counters[SUMMARY_MAX_COUNTERS];
@@ -62,6 +70,7 @@ typedef struct run_summary {
 /* Adds an error or a counter; what does not fit is FLOE_INTERNAL. */
 floe_status summary_add_error(run_summary *r, context *ctx, const char *name, double value);
 floe_status summary_add_counter(run_summary *r, context *ctx, const char *name, long long value);
+void summary_add_warning(run_summary *r, const char *text);
 
 /* Wall time without that of outputs (s): what the solver needs, and what studies compare. */
 double summary_run_seconds(const run_summary *r);

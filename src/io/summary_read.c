@@ -96,6 +96,25 @@ static void get_conservation(reader *r, const json_t *object, run_summary *out)
     out->drift_mass = get_number(r, drift, "mass");
     out->drift_momentum = get_number(r, drift, "momentum");
     out->drift_energy = get_number(r, drift, "energy");
+    /* Summaries of earlier versions have those at the end alone. */
+    const json_t *end = json_object_get(drift, "at_end") ? get_object(r, drift, "at_end") : drift;
+    out->end_drift_mass = get_number(r, end, "mass");
+    out->end_drift_momentum = get_number(r, end, "momentum");
+    out->end_drift_energy = get_number(r, end, "energy");
+}
+
+static void get_warnings(reader *r, const json_t *object, run_summary *out)
+{
+    size_t i;
+    json_t *value;
+    const json_t *list = json_object_get(object, "warnings");
+    if (!list) return; /* of an earlier version */
+    json_array_foreach(list, i, value)
+    {
+        if (!json_is_string(value)) complain(r, "warnings", "a list of texts");
+        if (json_is_string(value)) summary_add_warning(out, json_string_value(value));
+    }
+    get_text(r, object, "notes", out->notes, sizeof out->notes);
 }
 
 static void get_build(reader *r, const json_t *object, run_summary *out)
@@ -137,6 +156,7 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     out->point_updates = get_number(r, object, "point_updates");
     get_memory(r, object, out);
     get_conservation(r, object, out);
+    get_warnings(r, object, out);
     get_values(r, object, "errors", out->errors, SUMMARY_MAX_ERRORS, &out->n_errors);
     get_counters(r, object, out);
     get_build(r, object, out);

@@ -49,15 +49,23 @@ static void set_points(run_summary *r, const sim *s)
     }
 }
 
+/* The larger; a NaN is taken, and stays. */
+static double larger(double a, double b)
+{
+    return isnan(a) || b <= a ? a : b;
+}
+
 static void set_drifts(run_summary *r, const sim *s)
 {
-    r->drift_mass = ledger_drift(&s->ledger, LEDGER_MASS);
-    r->drift_energy = ledger_drift(&s->ledger, LEDGER_ENERGY);
-    r->drift_momentum = 0.0;
-    for (int a = 0; a < s->mesh.dim; a++) {
-        const double drift = ledger_drift(&s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a));
-        /* A NaN is taken, and stays. */
-        if (!isnan(r->drift_momentum) && !(drift <= r->drift_momentum)) r->drift_momentum = drift;
+    const ledger *l = &s->ledger;
+    r->drift_mass = fabs(ledger_largest_drift(l, LEDGER_MASS));
+    r->drift_energy = fabs(ledger_largest_drift(l, LEDGER_ENERGY));
+    r->end_drift_mass = ledger_drift(l, LEDGER_MASS);
+    r->end_drift_energy = ledger_drift(l, LEDGER_ENERGY);
+    r->drift_momentum = r->end_drift_momentum = 0.0;
+    for (int q = LEDGER_MOMENTUM_X; q < LEDGER_MOMENTUM_X + s->mesh.dim; q++) {
+        r->drift_momentum = larger(r->drift_momentum, fabs(ledger_largest_drift(l, (ledger_quantity)q)));
+        r->end_drift_momentum = larger(r->end_drift_momentum, ledger_drift(l, (ledger_quantity)q));
     }
 }
 

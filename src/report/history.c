@@ -231,9 +231,9 @@ static void ledger(const run_view *v, const csv_table *t)
                           "guards|#at the end|#drift");
     for (size_t i = 0; i < sizeof quantity / sizeof quantity[0]; i++) ledger_row(out, t, quantity[i]);
     html_table_end(out);
-    strbuf_append(
-        out, "<p class=\"note\">The drift is what the ledger does not explain, relative to the largest extent of the "
-             "quantity.</p>\n");
+    strbuf_append(out,
+                  "<p class=\"note\">The drift is what the ledger does not explain, relative to what was there at the "
+                  "start and came in.</p>\n");
 }
 
 /* Which bound the time step had, by the number of steps. */

@@ -9,6 +9,7 @@
 #include "run/schedule.h"
 #include "run/setup.h"
 #include "run/state_check.h"
+#include "run/truth.h"
 #include "scene/place.h"
 #include "scene/remark.h"
 #include "sim/interface.h"
@@ -17,7 +18,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHECKS_PER_WINDOW = 64, ROWS_PER_INTERVAL = 50, WORK_PER_THREAD = 20000 /* points and cells */ };
+enum {
+    CHECKS_PER_WINDOW = 64,
+    STEPS_PER_LOOK = 32,
+    ROWS_PER_INTERVAL = 50,
+    WORK_PER_THREAD = 20000 /* points and cells */
+};
 
 typedef struct run {
     context *ctx;               /* not owned */
@@ -28,6 +34,8 @@ typedef struct run {
     run_output output;          /* owned */
     run_log log;                /* owned */
     progress progress;
+    run_truth truth;
+    int n_remarks;          /* warnings of before the first step */
     double started;         /* wall clock at the start of this leg, s */
     double earlier;         /* wall time of earlier legs, s */
     double measuring;       /* wall time of references and errors, which is not the run's, s */
@@ -106,9 +114,23 @@ static floe_status check_rest(run *r, double before)
 {
     const scene_rest *rest = &r->scene->rest;
     sim_totals totals;
-    if (!rest->enabled || !schedule_is_passed(before, r->sim->time, rest->window / CHECKS_PER_WINDOW)) return FLOE_OK;
+    if (!rest->enabled) return FLOE_OK;
+    const double interval = sim_rest_window(r->sim) / CHECKS_PER_WINDOW;
+    if (!schedule_is_passed(before, r->sim->time, interval)) return FLOE_OK;
     TRY(sim_sum(r->sim, &totals));
     return sim_check_rest(r->sim, &totals);
+}
+
+/* The account is looked at with every row, and often enough between them for its largest drift to be found; by the number
+ * of steps, so that a run that goes on looks when one that was not stopped does. */
+static floe_status look_at_account(run *r)
+{
+    if (r->sim->steps % STEPS_PER_LOOK == 0 || is_finished(r)) TRY(sim_account(r->sim));
+    truth_log(&r->truth, r->sim);
+    if (!sim_has_grown(r->sim)) return FLOE_OK;
+    char text[SIM_GROWTH_TEXT];
+    sim_describe_growth(r->sim, text);
+    return fail(r->ctx, FLOE_DIVERGED, "%s", text);
 }
 
 /* What is due at the time that a step from `before` has reached. Rows come with the first step past their time,
@@ -146,6 +168,7 @@ static floe_status loop(run *r)
         TRY(sim_step(r->sim, next_stop(r)));
         TRY(check_rest(r, before));
         TRY(write_due(r, before));
+        TRY(look_at_account(r));
         progress_show(&r->progress, r->sim);
     }
     return FLOE_OK;
@@ -185,13 +208,17 @@ static floe_status interrupt(run *r)
 /* The state is that of the last good step; if even that is no good, an earlier checkpoint stays. */
 static floe_status diverge(run *r)
 {
-    char cause[CONTEXT_MESSAGE_SIZE];
-    (void)snprintf(cause, sizeof cause, "%.1900s", context_message(r->ctx));
+    char cause[CONTEXT_MESSAGE_SIZE], growth[SIM_GROWTH_TEXT];
+    (void)snprintf(cause, sizeof cause, "%.1200s", context_message(r->ctx));
     context_clear(r->ctx);
-    const bool good = state_is_finite(r->sim);
+    const bool good = state_is_finite(r->sim), grown = sim_has_grown(r->sim);
     if (good) TRY(checkpoint(r));
-    return fail(r->ctx, FLOE_DIVERGED, "%s; %s", cause,
-                good                                ? "the last good state is in checkpoint.h5"
+    /* What was on its way to be ended for its energy has that as its cause, whatever came first. */
+    sim_describe_growth(r->sim, growth);
+    const bool grew = !grown && r->sim->ledger.motion.beyond > 0.0;
+    return fail(r->ctx, FLOE_DIVERGED, "%s%s%s; %s", cause, grew ? "; before, " : "", grew ? growth : "",
+                grown                               ? "the state as it is now is in checkpoint.h5"
+                : good                              ? "the last good state is in checkpoint.h5"
                 : output_has_checkpoint(&r->output) ? "checkpoint.h5 holds an earlier state"
                                                     : "there is no checkpoint");
 }
@@ -208,17 +235,27 @@ static floe_status begin(run *r)
     r->began = true;
     r->earlier = r->output.checkpoint.wall_seconds;
     r->last_checkpoint = wall_seconds();
+    truth_begin(&r->truth, r->sim);
     progress_begin(&r->progress, o->progress, o->label, r->sim);
     return run_log_open(&r->log, r->ctx, o, &r->progress);
 }
 
-static void warn(void *user, const char *text)
+/* A remark: said once, and kept in the summary of every leg. */
+typedef struct remarks {
+    const run *run;
+    run_summary *summary;
+} remarks;
+
+static void take_remark(void *user, const char *text)
 {
-    context_log(user, LOG_WARNING, "%s", text);
+    const remarks *m = user;
+    summary_add_warning(m->summary, text);
+    if (!m->run->options->resume) context_log(m->run->ctx, LOG_WARNING, "%s", text);
 }
 
-static void say_start(const run *r, int threads)
+static void say_start(run *r, run_summary *out)
 {
+    const int threads = (int)out->threads;
     const sim *s = r->sim;
     if (s->mpm) context_log(r->ctx, LOG_INFO, "solver %s", s->solver_reason);
     if (interface_told(s)[0]) context_log(r->ctx, LOG_INFO, "interface %s", interface_told(s));
@@ -227,7 +264,8 @@ static void say_start(const run *r, int threads)
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
                 s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",
                 s->time, scene_time_unit(s->scene));
-    if (!r->options->resume) scene_remarks(s->scene, warn, r->ctx);
+    scene_remarks(s->scene, take_remark, &(remarks){r, out});
+    r->n_remarks = out->n_warnings;
 }
 
 static floe_status start_outputs(run *r)
@@ -250,6 +288,8 @@ static floe_status write_summary(run *r, run_summary *out, const char *status)
 {
     char path[OUTPUT_PATH];
     out->n_counters = 0;
+    out->n_warnings = r->n_remarks;
+    truth_summarise(r->sim, out);
     out->wall_seconds = wall_spent(r);
     out->output_seconds = r->putting_out;
     out->peak_rss_bytes = peak_rss_bytes();
@@ -268,18 +308,22 @@ static void note_cause(const run *r, run_summary *out, floe_status status)
 
 static floe_status run_with_outputs(run *r, run_summary *out)
 {
-    say_start(r, (int)out->threads);
+    say_start(r, out);
     TRY(write_summary(r, out, "running"));
     const floe_status status = scene_place(r->scene, carry_out(r, out));
     progress_clear(&r->progress);
     const char *name = status_of_run(status, r->sim->at_rest);
-    /* What went wrong is for the caller to show: here it is only noted. */
-    context_log(r->ctx, LOG_INFO, "%s at t = %.6g%s after %ld steps%s%s", name, r->sim->time,
-                scene_time_unit(r->sim->scene), r->sim->steps, status == FLOE_OK ? "" : ": ", context_message(r->ctx));
     /* After the checkpoint, which a look at the account must not change. */
     if (status != FLOE_OK) (void)sim_account(r->sim);
+    truth_log(&r->truth, r->sim);
     note_cause(r, out, status);
     const floe_status written = write_summary(r, out, name);
+    /* What went wrong is for the caller to show: here it is only noted. */
+    for (int i = r->n_remarks; i < out->n_warnings && status != FLOE_DIVERGED; i++)
+        context_log(r->ctx, LOG_WARNING, "%s", out->warnings[i]);
+    context_log(r->ctx, LOG_INFO, "%s at t = %.6g%s after %ld steps%s%s%s%s", name, r->sim->time,
+                scene_time_unit(r->sim->scene), r->sim->steps, out->notes[0] ? "; " : "", out->notes,
+                status == FLOE_OK ? "" : ": ", out->message);
     return status != FLOE_OK ? status : written;
 }
 

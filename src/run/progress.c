@@ -15,7 +15,7 @@ void progress_account(progress *p, const ledger *l)
 {
     p->drift = 0.0;
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
-        const double drift = ledger_drift(l, (ledger_quantity)q);
+        const double drift = fabs(ledger_largest_drift(l, (ledger_quantity)q));
         if (drift <= p->drift) continue;
         p->drift = drift;
         p->drifts = ledger_quantity_name((ledger_quantity)q);

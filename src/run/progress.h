@@ -10,7 +10,7 @@ typedef struct progress {
     const char *label;  /* not owned; NULL: none */
     double started;     /* wall clock, s */
     double first_time;  /* s of the scene, at the start */
-    double drift;       /* the worst of the ledger, when it was last up to date */
+    double drift;       /* the largest of the run so far */
     const char *drifts; /* of what */
 } progress;
 

@@ -99,7 +99,7 @@ static void set_defaults(scene *s)
                            .substeps = SCENE_SUBSTEPS_OPEN};
     s->stability = (scene_stability){.tolerance = 0.01, .growth = 100.0, .relative_to = NAN};
     s->damping.end = INFINITY;
-    s->rest = (scene_rest){.ratio = 1e-6};
+    s->rest = (scene_rest){.ratio = 1e-6, .window = NAN};
     s->output = (scene_output){.interval = INFINITY, .history_interval = NAN, .checkpoint_interval = INFINITY};
     s->verify.body = -1;
     s->verify.material = -1;

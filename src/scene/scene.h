@@ -277,7 +277,7 @@ typedef struct scene_damping {
 typedef struct scene_rest {
     bool enabled;
     double ratio;  /* kinetic energy over strain energy of the solids */
-    double window; /* s: must stay below throughout this time */
+    double window; /* s: must stay below throughout this time; NAN: sim_rest_window */
     double after;  /* s: not before (the end of the ramp) */
 } scene_rest;
 

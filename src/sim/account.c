@@ -1,4 +1,4 @@
-/* Sums over both solvers, the ledger's totals, rest, and the figures of a plan. */
+/* Sums over both solvers, the ledger's totals, and the figures of a plan. */
 #include "sim/sim.h"
 
 #include "base/memory.h"
@@ -51,19 +51,53 @@ floe_status sim_sum(sim *s, sim_totals *out)
     return FLOE_OK;
 }
 
+/* Sum of the sizes of all energies: zero points of internal energies are a matter of the law. */
+static double energy_extent(const sim *s, const sim_totals *t)
+{
+    double sum = t->kinetic + fabs(t->strain);
+    for (int b = 0; s->mpm && b < s->mpm->n_bodies; ++b) sum += fabs(t->mpm.internal[b]);
+    for (int r = 0; s->ice && r < s->ice->n_materials; ++r)
+        if (!s->ice->material[r].points) sum += fabs(t->ice.internal[r]);
+    return sum;
+}
+
+static ledger_state state_of(const sim *s, const sim_totals *t)
+{
+    ledger_state now = {.motion = t->kinetic + t->strain, .internal = t->internal};
+    now.total[LEDGER_MASS] = now.extent[LEDGER_MASS] = t->mass;
+    now.total[LEDGER_ENERGY] = t->kinetic + t->strain + t->internal;
+    now.extent[LEDGER_ENERGY] = energy_extent(s, t);
+    for (int a = 0; a < 3; ++a) {
+        now.total[LEDGER_MOMENTUM_X + a] = t->momentum[a];
+        now.extent[LEDGER_MOMENTUM_X + a] = t->mpm.momentum_scale[a] + t->ice.momentum_scale[a];
+    }
+    return now;
+}
+
+/* Sum of m c^2 of the solids, with c^2 = K/rho. */
+static double elasticity_of(const sim *s, const sim_totals *t)
+{
+    double sum = 0.0;
+    for (int b = 0; s->mpm && b < s->mpm->n_bodies; ++b) {
+        const scene_material *m = &s->scene->material[s->mpm->body[b].scene_material];
+        if (m->kind == MATERIAL_SOLID && m->law) sum += t->mpm.mass[b] / m->density * m->law->bulk_modulus(m->law_par);
+    }
+    return sum;
+}
+
+floe_status sim_open_account(sim *s)
+{
+    sim_totals t;
+    TRY(sim_sum(s, &t));
+    const ledger_state now = state_of(s, &t);
+    ledger_open(&s->ledger, &now, elasticity_of(s, &t));
+    return FLOE_OK;
+}
+
 void sim_account_for(sim *s, const sim_totals *t)
 {
-    ledger *l = &s->ledger;
-    const double energy = t->kinetic + t->strain + t->internal;
-    l->total[LEDGER_MASS] = t->mass;
-    l->total[LEDGER_ENERGY] = energy;
-    l->scale[LEDGER_MASS] = fmax(l->scale[LEDGER_MASS], t->mass);
-    l->scale[LEDGER_ENERGY] = fmax(l->scale[LEDGER_ENERGY], energy);
-    for (int a = 0; a < 3; ++a) {
-        const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + a);
-        l->total[q] = t->momentum[a];
-        l->scale[q] = fmax(l->scale[q], t->mpm.momentum_scale[a] + t->ice.momentum_scale[a]);
-    }
+    const ledger_state now = state_of(s, t);
+    ledger_look(&s->ledger, &now, s->time);
 }
 
 floe_status sim_account(sim *s)
@@ -78,18 +112,6 @@ floe_status sim_refresh(sim *s)
 {
     if (s->transfer) TRY(coupled_refresh(s));
     return s->ice ? ice_refresh(s->ice) : FLOE_OK;
-}
-
-floe_status sim_check_rest(sim *s, const sim_totals *t)
-{
-    const scene_rest *r = &s->scene->rest;
-    if (!r->enabled || s->time < r->after || sim_is_static(s)) return FLOE_OK;
-    if (!(t->kinetic_solid <= r->ratio * t->strain))
-        s->rest_since = INFINITY;
-    else if (isinf(s->rest_since))
-        s->rest_since = s->time;
-    s->at_rest = s->time - s->rest_since >= r->window;
-    return FLOE_OK;
 }
 
 /* Fields by who uses them: points and nodes are mpm's, cells and faces ice's, the pressures at nodes and points the coupling's. */

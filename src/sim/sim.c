@@ -93,16 +93,6 @@ static floe_status set_initial_state(sim *s)
     return light_check(s);
 }
 
-/* The ledger's zero, and the scale of what is there. */
-static floe_status open_ledger(sim *s)
-{
-    s->ledger.no_account[LEDGER_MOMENTUM_X] = s->mesh.geometry == MESH_AXISYMMETRIC;
-    TRY(sim_account(s));
-    memcpy(s->ledger.initial, s->ledger.total, sizeof s->ledger.initial);
-    ledger_discard(&s->ledger);
-    return FLOE_OK;
-}
-
 static floe_status fill(sim *s)
 {
     TRY(check_coupling(s));
@@ -115,7 +105,8 @@ static floe_status fill(sim *s)
     TRY(set_initial_state(s));
     TRY(sim_choose_pressure(s));
     TRY(sim_choose_substeps(s));
-    return open_ledger(s);
+    s->ledger.no_account[LEDGER_MOMENTUM_X] = s->mesh.geometry == MESH_AXISYMMETRIC;
+    return sim_open_account(s);
 }
 
 floe_status sim_create(sim **out, context *ctx, const scene *sc, scene_coupling coupling)

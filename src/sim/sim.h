@@ -71,7 +71,9 @@ typedef struct sim_totals {
     mpm_totals mpm;
 } sim_totals;
 floe_status sim_sum(sim *s, sim_totals *out);
-/* Brings the ledger's totals and scales up to date; from sums that are there already. */
+/* Opens the ledger's account with what is there now. */
+floe_status sim_open_account(sim *s);
+/* Brings the ledger's totals, scales and largest drifts up to date; from sums that are there already. */
 floe_status sim_account(sim *s);
 void sim_account_for(sim *s, const sim_totals *t);
 /* Brings what is made from the state up to date with it, for output: the cells' view of the solids, volume fractions and temperatures.
@@ -79,6 +81,14 @@ void sim_account_for(sim *s, const sim_totals *t);
 floe_status sim_refresh(sim *s);
 /* Whether the solids have come to rest (scene.rest): sets rest_since and at_rest from the totals now. */
 floe_status sim_check_rest(sim *s, const sim_totals *t);
+/* How long (s) they must be at rest: what the deck says, else as long as sound needs to cross them several times. */
+double sim_rest_window(const sim *s);
+/* Whether, by the last looks at the account, as much energy has come from nothing as motion and strain can have, and a
+ * tenth of all that there is: no run goes on from there to an answer. */
+bool sim_has_grown(const sim *s);
+/* How much is from nothing, what moves fastest, where, and what to change. */
+enum { SIM_GROWTH_TEXT = 512 };
+void sim_describe_growth(const sim *s, char text[SIM_GROWTH_TEXT]);
 
 /* Whether it goes by load increments that are solved for. */
 static inline bool sim_is_static(const sim *s)

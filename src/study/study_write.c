@@ -31,7 +31,7 @@ static void append_names(const study *s, strbuf *out)
         strbuf_append(out, ",%s%s%s%s", s->metric[k], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
     }
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%s", s->plan.quantity[q]);
-    strbuf_append(out, ",run_seconds (s),timed_runs,disturbed,directory,message%s\n",
+    strbuf_append(out, ",run_seconds (s),timed_runs,disturbed,warnings,directory,message%s\n",
                   study_has_verdicts(s) ? ",verdict,why" : "");
 }
 
@@ -61,7 +61,8 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     }
     for (int k = 0; k < s->n_metrics; k++) strbuf_append(out, ",%.17g", study_error(one, s->metric[k]));
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%.17g", one->quantity[q]);
-    strbuf_append(out, ",%.6g,%d,%s,", one->timing.best, one->timing.n, one->timing.disturbed ? "yes" : "no");
+    strbuf_append(out, ",%.6g,%d,%s,%d,", one->timing.best, one->timing.n, one->timing.disturbed ? "yes" : "no",
+                  one->run->ran ? r->n_warnings : 0);
     strbuf_append_csv(out, one->run->folder);
     strbuf_append(out, ",");
     strbuf_append_csv(out, one->run->message);
@@ -88,7 +89,7 @@ floe_status study_write_csv(const study *s)
 
 /* ---- for people ---- */
 
-enum { HEADING = SCENE_NAME + 32, LEAST_WIDTH = 12 };
+enum { HEADING = SCENE_NAME + 32, LEAST_WIDTH = 12, WARNINGS_SHOWN = 6 };
 
 static int at_least(int width, const char *text)
 {
@@ -173,6 +174,7 @@ static void print_case(const study *s, const study_case *one, FILE *file)
     (void)fprintf(file, "  %9.3g s%s", study_is_done(one) ? one->timing.best : summary_run_seconds(r),
                   one->timing.disturbed ? " disturbed" : "");
     if (!study_is_done(one)) (void)fprintf(file, "  %s", batch_status_name(one->run));
+    if (r->n_warnings > 0) (void)fprintf(file, "  warned");
     if (study_has_verdicts(s)) (void)fprintf(file, "  %s", study_verdict_name(one->verdict));
     if (one->verdict == STUDY_WRONG) (void)fprintf(file, " (%s)", one->why);
     (void)fprintf(file, "\n");
@@ -266,6 +268,34 @@ static void print_verdicts(const study *s, FILE *file)
     }
 }
 
+/* Whether a case before has the same warning. */
+static bool is_warned_before(const study *s, size_t one, const char *text)
+{
+    for (size_t i = 0; i < one; i++) {
+        const run_summary *r = &s->list[i].run->summary;
+        for (int k = 0; s->list[i].run->ran && k < r->n_warnings; k++)
+            if (strcmp(r->warnings[k], text) == 0) return true;
+    }
+    return false;
+}
+
+/* Each warning once, with the first case that has it. */
+static void print_warnings(const study *s, FILE *file)
+{
+    int shown = 0, more = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        const run_summary *r = &s->list[i].run->summary;
+        for (int k = 0; s->list[i].run->ran && k < r->n_warnings; k++) {
+            if (is_warned_before(s, i, r->warnings[k])) continue;
+            if (shown++ < WARNINGS_SHOWN)
+                (void)fprintf(file, "warned, %s: %s\n", s->list[i].run->label, r->warnings[k]);
+            else
+                more++;
+        }
+    }
+    if (more > 0) (void)fprintf(file, "warned: %d more, in the summary.json of the cases\n", more);
+}
+
 floe_status study_print(const study *s, FILE *file)
 {
     if (s->title[0]) (void)fprintf(file, "%s\n", s->title);
@@ -278,5 +308,6 @@ floe_status study_print(const study *s, FILE *file)
     }
     print_answers(s, file);
     print_verdicts(s, file);
+    print_warnings(s, file);
     return print_bars(s, file);
 }

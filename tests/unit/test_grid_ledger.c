@@ -2,6 +2,7 @@
 #include "check.h"
 #include "grid/ledger.h"
 
+#include <math.h>
 #include <string.h>
 
 /* An account of 1 kg m/s along x and next to none along y. */
@@ -65,12 +66,77 @@ static void momentum_is_one_vector(void **state)
     check_close(ledger_drift(&l, LEDGER_MOMENTUM_Z), 0.0, 0.0);
 }
 
+/* A scene at rest with 2 J and 3 kg. */
+static ledger_state some_state(void)
+{
+    ledger_state now = {.motion = 2.0};
+    now.total[LEDGER_MASS] = now.extent[LEDGER_MASS] = 3.0;
+    now.total[LEDGER_ENERGY] = now.extent[LEDGER_ENERGY] = 2.0;
+    return now;
+}
+
+/* An error does not make itself small by growing, and what a run has once shown stays. */
+static void the_scale_does_not_grow_with_the_error(void **state)
+{
+    (void)state;
+    ledger l = {0};
+    ledger_state now = some_state();
+    ledger_open(&l, &now, 0.0);
+    now.total[LEDGER_ENERGY] = now.extent[LEDGER_ENERGY] = now.motion = 19.2;
+    now.total[LEDGER_MOMENTUM_X] = 5.0;
+    now.extent[LEDGER_MOMENTUM_X] = 10.0;
+    ledger_look(&l, &now, 0.5);
+    check_close(ledger_drift(&l, LEDGER_ENERGY), 8.6, 1e-14);
+    check_close(ledger_drift(&l, LEDGER_MOMENTUM_X), 5.0 / sqrt(2.0 * 3.0 * 2.0), 1e-14);
+    now = some_state();
+    ledger_look(&l, &now, 1.0);
+    check_close(ledger_drift(&l, LEDGER_ENERGY), 0.0, 0.0);
+    check_close(ledger_largest_drift(&l, LEDGER_ENERGY), 8.6, 1e-14);
+    check_close(l.worst_time[LEDGER_ENERGY], 0.5, 0.0);
+    check_close(l.motion.available, 2.0, 0.0);
+    /* What comes in is what an error is small beside; what goes out again does not count against it. */
+    ledger_add(&l, LEDGER_ENERGY, LEDGER_SOURCE, 6.0);
+    ledger_commit(&l);
+    now.total[LEDGER_ENERGY] = now.motion = 7.0;
+    ledger_look(&l, &now, 2.0);
+    check_close(ledger_drift(&l, LEDGER_ENERGY), 1.0 / 8.0, 1e-15);
+    ledger_add(&l, LEDGER_ENERGY, LEDGER_SOURCE, -6.0);
+    ledger_commit(&l);
+    now.total[LEDGER_ENERGY] = now.motion = 1.0;
+    ledger_look(&l, &now, 3.0);
+    check_close(ledger_drift(&l, LEDGER_ENERGY), 1.0 / 8.0, 1e-15);
+    check_close(l.motion.available, 8.0, 1e-15);
+    now.total[LEDGER_ENERGY] = (double)NAN;
+    ledger_look(&l, &now, 4.0);
+    now.total[LEDGER_ENERGY] = 2.0;
+    ledger_look(&l, &now, 5.0);
+    assert_true(isnan(ledger_largest_drift(&l, LEDGER_ENERGY)));
+}
+
+/* Of a solid of 1 kg with a speed of sound of 10 m/s, that is at rest but for round-off. */
+static void round_off_at_rest_is_no_drift(void **state)
+{
+    (void)state;
+    ledger l = {0};
+    ledger_state now = {.motion = 0.0};
+    now.total[LEDGER_MASS] = now.extent[LEDGER_MASS] = 1.0;
+    ledger_open(&l, &now, 100.0);
+    now.total[LEDGER_ENERGY] = now.extent[LEDGER_ENERGY] = now.motion = 1e-30;
+    now.total[LEDGER_MOMENTUM_Y] = now.extent[LEDGER_MOMENTUM_Y] = 1e-16;
+    ledger_look(&l, &now, 1.0);
+    assert_true(ledger_drift(&l, LEDGER_ENERGY) < 1e-11);
+    assert_true(ledger_drift(&l, LEDGER_MOMENTUM_Y) < 1e-6);
+    now.total[LEDGER_ENERGY] = 1e-12; /* a strain of 1e-7 is one */
+    ledger_look(&l, &now, 2.0);
+    assert_true(ledger_drift(&l, LEDGER_ENERGY) > 1.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rejected_step_leaves_nothing),
-        cmocka_unit_test(small_entries_are_not_lost),
-        cmocka_unit_test(momentum_is_one_vector),
+        cmocka_unit_test(a_rejected_step_leaves_nothing), cmocka_unit_test(small_entries_are_not_lost),
+        cmocka_unit_test(momentum_is_one_vector),         cmocka_unit_test(the_scale_does_not_grow_with_the_error),
+        cmocka_unit_test(round_off_at_rest_is_no_drift),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

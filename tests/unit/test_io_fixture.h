@@ -172,6 +172,10 @@ static inline void fixture_clocks(fixture *f)
         s->ledger.initial[q] = q + 0.1;
         s->ledger.total[q] = q + 0.2;
         s->ledger.scale[q] = q + 1.0;
+        s->ledger.extent[q] = q + 2.0;
+        s->ledger.let_in[q][LEDGER_SOURCE] = q + 3.0;
+        s->ledger.worst[q] = -0.01 * (q + 1);
+        s->ledger.worst_time[q] = q + 4.0;
         for (int k = 0; k < LEDGER_KINDS; k++) s->ledger.entry[q][k] = (ledger_sum){q + k / 3.0, 1e-20 * k};
     }
     for (int c = 0; c < LEDGER_COUNTS; c++) s->ledger.count[c] = 100 + c;

@@ -19,6 +19,9 @@ static run_summary some_summary(fixture *f)
     (void)snprintf(r.deck, sizeof r.deck, "inputs/pressurized \"cylinder\".yaml");
     summary_set_build(&r);
     check_ok(f->ctx, summary_set_sim(&r, &f->sim));
+    summary_add_warning(&r, "half of it is \"lost\"");
+    summary_add_warning(&r, "and the rest");
+    (void)snprintf(r.notes, sizeof r.notes, "3 points lost");
     check_ok(f->ctx, summary_add_error(&r, f->ctx, "eq13", 0.066));
     check_ok(f->ctx, summary_add_error(&r, f->ctx, "l1_sigma_r", NAN));
     return r;
@@ -37,35 +40,14 @@ static void has_fields(const json_t *object, const char *const *names)
 static void has_fields_of_contract(void **state)
 {
     (void)state;
-    static const char *const top[] = {"schema",
-                                      "deck",
-                                      "coupling",
-                                      "solver",
-                                      "pressure",
-                                      "substeps",
-                                      "units",
-                                      "status",
-                                      "message",
-                                      "time",
-                                      "steps",
-                                      "rejected_steps",
-                                      "wall_seconds",
-                                      "output_seconds",
-                                      "seconds_by_stage",
-                                      "cells",
-                                      "points",
-                                      "cell_updates",
-                                      "point_updates",
-                                      "memory",
-                                      "conservation",
-                                      "errors",
-                                      "counters",
-                                      "floe",
-                                      "interface",
-                                      NULL};
+    static const char *const top[] = {
+        "schema",           "deck",    "coupling", "solver",       "pressure",       "substeps",     "units",
+        "status",           "message", "time",     "steps",        "rejected_steps", "wall_seconds", "output_seconds",
+        "seconds_by_stage", "cells",   "points",   "cell_updates", "point_updates",  "memory",       "conservation",
+        "warnings",         "notes",   "errors",   "counters",     "floe",           "interface",    NULL};
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};
-    static const char *const drift[] = {"mass", "momentum", "energy", NULL};
+    static const char *const drift[] = {"mass", "momentum", "energy", "at_end", NULL};
     static const char *const build[] = {"version", "git", "compiler", "flags", "machine", "threads", NULL};
     fixture f;
     fixture_make(&f, &coupled);

@@ -121,8 +121,7 @@ static void test_flight(void **state)
         trial_start(&t);
         double rate = 0.5;
         visit_points(&t, 0, squeeze, &rate);
-        check_ok(t.ctx, sim_account(t.sim)); /* the account begins after the squeeze */
-        memcpy(t.sim->ledger.initial, t.sim->ledger.total, sizeof t.sim->ledger.initial);
+        check_ok(t.ctx, sim_open_account(t.sim)); /* the account begins after the squeeze */
         trial_run(&t, 2.0);
         const double energy = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
         print_message("%s: energy drift %.1e\n", basis_registry[i]->name, energy);

@@ -107,10 +107,10 @@ static const key_table time_table = TABLE(time_keys);
 static const key_spec stop_keys[] = {
     {"kinetic_over_strain", KEY_NUMBER, NULL, PARAM_POSITIVE, AT(scene_rest, ratio), .fallback = "1e-6",
      .doc = "at rest: kinetic energy of the solids at most this fraction of their strain energy"},
-    {"window", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_rest, window), .fallback = "0",
-     .doc = "it must stay so throughout this time"},
+    {"window", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_rest, window),
+     .otherwise = "five times what sound needs to cross the solids", .doc = "it must stay so throughout this time"},
     {"after", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_rest, after), .fallback = "0",
-     .doc = "not before this time (the end of the ramp)"},
+     .doc = "not before this time, nor before all ramps of loads are over"},
 };
 static const key_table stop_table = TABLE(stop_keys);
 

@@ -279,6 +279,7 @@ static floe_status advect_gas(ice *s)
     TRY(ice_advect(s));
     ice_seal_views(s);
     TRY(ice_pools_make(s, s->gas, POOLS_AFTER, p));
+    ledger_tally(s->ledger, COUNT_CELLS_MERGED, p->n - p->count);
     ice_pools_clear(p);
     for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].pool * POOL_SUMS);
     empty_elsewhere(s);

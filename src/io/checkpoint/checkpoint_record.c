@@ -81,6 +81,12 @@ static const record_row rows[] = {
     DOUBLES("/ledger/initial", ledger_initial, SHAPE_1(LEDGER_QUANTITIES)),
     DOUBLES("/ledger/total", ledger_total, SHAPE_1(LEDGER_QUANTITIES)),
     DOUBLES("/ledger/scale", ledger_scale, SHAPE_1(LEDGER_QUANTITIES)),
+    DOUBLES("/ledger/extent", ledger_extent, SHAPE_1(LEDGER_QUANTITIES)),
+    DOUBLES("/ledger/let_in", ledger_let_in, SHAPE_2(LEDGER_QUANTITIES, LEDGER_INPUTS)),
+    DOUBLES("/ledger/worst", ledger_worst, SHAPE_1(LEDGER_QUANTITIES)),
+    DOUBLES("/ledger/worst_time", ledger_worst_time, SHAPE_1(LEDGER_QUANTITIES)),
+    DOUBLE("/ledger/elasticity", ledger_elasticity),
+    DOUBLES("/ledger/motion", ledger_motion, SHAPE_1(5)),
     DOUBLES("/ledger/entry", ledger_entry, SHAPE_3(LEDGER_QUANTITIES, LEDGER_KINDS, 2)),
     DOUBLES("/ledger/pending", ledger_pending, SHAPE_2(LEDGER_QUANTITIES, LEDGER_KINDS)),
     INTEGERS("/ledger/count", ledger_count, SHAPE_1(LEDGER_COUNTS)),
@@ -96,6 +102,14 @@ static void take_ledger(checkpoint_record *r, const ledger *l)
     memcpy(r->ledger_initial, l->initial, sizeof r->ledger_initial);
     memcpy(r->ledger_total, l->total, sizeof r->ledger_total);
     memcpy(r->ledger_scale, l->scale, sizeof r->ledger_scale);
+    memcpy(r->ledger_extent, l->extent, sizeof r->ledger_extent);
+    memcpy(r->ledger_let_in, l->let_in, sizeof r->ledger_let_in);
+    memcpy(r->ledger_worst, l->worst, sizeof r->ledger_worst);
+    memcpy(r->ledger_worst_time, l->worst_time, sizeof r->ledger_worst_time);
+    r->ledger_elasticity = l->elasticity;
+    const ledger_motion *m = &l->motion;
+    const double motion[] = {m->start, m->internal, m->available, m->beyond, m->last_look};
+    memcpy(r->ledger_motion, motion, sizeof motion);
     memcpy(r->ledger_pending, l->pending, sizeof r->ledger_pending);
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS; k++) {
@@ -114,6 +128,13 @@ static void put_ledger(const checkpoint_record *r, ledger *l)
     memcpy(l->initial, r->ledger_initial, sizeof l->initial);
     memcpy(l->total, r->ledger_total, sizeof l->total);
     memcpy(l->scale, r->ledger_scale, sizeof l->scale);
+    memcpy(l->extent, r->ledger_extent, sizeof l->extent);
+    memcpy(l->let_in, r->ledger_let_in, sizeof l->let_in);
+    memcpy(l->worst, r->ledger_worst, sizeof l->worst);
+    memcpy(l->worst_time, r->ledger_worst_time, sizeof l->worst_time);
+    l->elasticity = r->ledger_elasticity;
+    const double *m = r->ledger_motion;
+    l->motion = (ledger_motion){m[0], m[1], m[2], m[3], m[4]};
     memcpy(l->pending, r->ledger_pending, sizeof l->pending);
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {
         for (int k = 0; k < LEDGER_KINDS; k++) {

@@ -146,17 +146,17 @@ static void lose_difference(const mpm *s, int body)
     }
 }
 
+/* The energy that goes is the method's loss, as that of FLIP: heat of a gas where losses are heat, else drift. Flutter that
+ * the difference of rates and places has fed is no damping. */
 static void smooth(mpm *s, int body)
 {
     membrane_line *line = &s->work->line[body];
-    double sum = 0.0;
-    add_energies(s, body, 1.0);
+    const bool heats = losses_are_heat(s);
+    if (heats) add_energies(s, body, 1.0);
     find_shifts(s, body);
     for (size_t i = 0; i < 3 * line->n; ++i) line->x[i] -= line->shift[i];
     put_places(s, body);
-    add_energies(s, body, -1.0);
-    for (size_t q = 0; q < line->n; ++q) sum += line->lost[q];
-    if (!losses_are_heat(s)) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -sum);
+    if (heats) add_energies(s, body, -1.0);
 }
 
 void line_read_hoops(mpm *s, int body)
