@@ -4,6 +4,8 @@
 #include "mpm/surface/outline.h"
 #include "sim/interface.h"
 
+#include <stdio.h>
+
 static floe_status create_line(sealed *t, const mesh *m, int holder, sealed_line *line)
 {
     line->share = 1.0;
@@ -49,14 +51,25 @@ static floe_status make_room(const sealed *t, sealed_line *line, int vertices)
     return FLOE_OK;
 }
 
+/* Solids that come to touch, or to a side, with gas between them are more than surfaces can follow. */
+static void tell_remedy(context *ctx)
+{
+    char why[256];
+    (void)snprintf(why, sizeof why, "%s", context_message(ctx));
+    context_clear(ctx);
+    (void)fail(ctx, FLOE_RETRY, "%s: sharp ends where solids come to touch each other or a side; use smeared", why);
+}
+
 /* A line that cannot be followed is told with what it is: a membrane, or the surface of the solids. */
 static floe_status find_cuts(const sealed *t, const sealed_line *line, cut_line *place)
 {
     const scene *s = t->points->scene;
     const scene_body *body = &s->body[t->points->body[line->body].scene_body];
     const bool holds = body->membrane.present && body->membrane.holds >= 0;
-    return fail_under(t->ctx, cut_find(place),
-                      holds ? KEY("bodies", body->name, "membrane") : KEY("method", "interface"));
+    const floe_status status = cut_find(place);
+    if (holds) return fail_under(t->ctx, status, KEY("bodies", body->name, "membrane"));
+    if (status == FLOE_RETRY) tell_remedy(t->ctx);
+    return fail_under(t->ctx, status, KEY("method", "interface"));
 }
 
 static floe_status find_line_now(sealed *t, sealed_line *line)

@@ -213,8 +213,11 @@ static floe_status bad_pool(const ice *s, const ice_pools *p, int pool, double e
     const ice_member *lead = &p->member[p->lead[pool]];
     char place[160];
     ice_place(s, &s->mesh->block[lead->block], lead->at, s->gas, place, sizeof place);
-    return fail(s->ctx, FLOE_RETRY, "gas at the membrane, %s: %g kg in %g m3 at %g J/kg would be left in its cells",
-                place, sum[POOL_MASS], sum[POOL_VOLUME], e);
+    const bool sharp = scene_holder(s->scene) < 0;
+    return fail(s->ctx, FLOE_RETRY, "gas at the %s, %s: %g kg in %g m3 at %g J/kg would be left in its cells%s",
+                sharp ? "surface of a solid" : "membrane", place, sum[POOL_MASS], sum[POOL_VOLUME], e,
+                sharp ? ": sharp ends where solids come to touch each other or a side; use method.interface: smeared"
+                      : "");
 }
 
 /* A pool that no gas has reached: a gap between bodies in touch, closed to all others. It opens by round-off where their

@@ -21,9 +21,36 @@ static bool end_on_mirror(const membrane_line *line, bool last, cut_vertex *out)
     return true;
 }
 
-/* The markers, one vertex each. */
-static floe_status outline_skin(const body_skin *k, bool next, cut_line *out)
+/* The end of a chain stays on the side of the mesh where it begins. A body that leaves the side draws the chain out
+ * behind it, and the gas that would come between them has nowhere to come from. */
+static floe_status check_end(const mpm *s, int end, int neighbour)
 {
+    const body_skin *k = &s->work->skin;
+    const int axis = k->pin[end];
+    if (axis < 0 || fabs(k->next[neighbour].x[axis] - k->next[end].x[axis]) < s->mesh->h[axis]) return FLOE_OK;
+    return fail(s->ctx, FLOE_DIVERGED,
+                "a solid has left the side of the domain at (%g, %g) by a cell, and a sharp interface lets no gas "
+                "between them: use method.interface: smeared",
+                k->next[end].x[0], k->next[end].x[1]);
+}
+
+static floe_status check_ends(const mpm *s)
+{
+    const body_skin *k = &s->work->skin;
+    for (int c = 0; c < k->n_chains; ++c) {
+        const int first = k->chain[c].first, last = first + k->chain[c].n - 1;
+        if (k->chain[c].closed) continue;
+        TRY(check_end(s, first, first + 1));
+        TRY(check_end(s, last, last - 1));
+    }
+    return FLOE_OK;
+}
+
+/* The markers, one vertex each. */
+static floe_status outline_skin(const mpm *s, bool next, cut_line *out)
+{
+    const body_skin *k = &s->work->skin;
+    if (next) TRY(check_ends(s));
     TRY(cut_reserve(out, (int)k->n, k->n_chains));
     memcpy(out->chain, k->chain, (size_t)k->n_chains * sizeof *k->chain);
     for (int n = 0; n < (int)k->n; ++n) {
@@ -35,7 +62,7 @@ static floe_status outline_skin(const body_skin *k, bool next, cut_line *out)
 
 floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out)
 {
-    if (s->work->skin.n > 0) return outline_skin(&s->work->skin, next, out);
+    if (s->work->skin.n > 0) return outline_skin(s, next, out);
     const membrane_line *line = &s->work->line[body];
     int n = 0;
     line_update(s, body, next);
