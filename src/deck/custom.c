@@ -261,6 +261,7 @@ static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, 
 
 static void write_listed(writer *w, const key_spec *key, const void *base)
 {
+    if (!((const char *)base + key->offset)[0]) return; /* as the scene asks */
     write_key_name(w, key->key);
     text_print(&w->out, " %s\n", (const char *)base + key->offset);
 }

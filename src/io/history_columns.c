@@ -180,6 +180,21 @@ static void add_room(line *l, int body, const char *label, const history_row *ro
     if (radial) add_named(l, "hoop_stress", label, "Pa", room.hoop);
 }
 
+/* Moment of momentum about the origin, where there is one. */
+static void add_spin(line *l, int body, const char *label, const history_row *row)
+{
+    const mesh *m = &l->s->mesh;
+    double spin[MESH_MAX_DIM] = {0};
+    char name[2 * NAME_SIZE];
+    if (m->dim < 2 || m->geometry == MESH_AXISYMMETRIC) return;
+    for (int a = 0; row && a < MESH_MAX_DIM; a++) spin[a] = row->spin ? l->whole * row->spin[body][a] : (double)NAN;
+    (void)snprintf(name, sizeof name, "angular_momentum_%s", label);
+    if (m->dim == 3)
+        add_vector(l, name, "N m s", spin);
+    else
+        add(l, name, "N m s", spin[2]);
+}
+
 /* Where a body of points is and how it moves, as a whole; of an open membrane also its ends. */
 static void add_body(line *l, int body, const history_row *row)
 {
@@ -197,6 +212,7 @@ static void add_body(line *l, int body, const history_row *row)
     add_vector(l, name, "m", centre);
     (void)snprintf(name, sizeof name, "velocity_%s", label);
     add_vector(l, name, "m/s", velocity);
+    add_spin(l, body, label, row);
     const bool ends = given->membrane.present && given->membrane.surface.kind == SHEET_NONE;
     for (int last = 0; last < 2 && ends && !curve_is_closed(&given->membrane.curve); last++) {
         if (row) mpm_membrane_end(l->s->mpm, body, last == 1, end);

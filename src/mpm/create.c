@@ -113,6 +113,14 @@ static floe_status make_work(mpm *s)
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
+/* Of affine FMPM less with hats: their light nodes would take smaller steps for more (totals.c). */
+static int order_of(const mpm *s)
+{
+    const bool hats = s->basis->kind == BASIS_LINEAR || s->basis->kind == BASIS_GIMP;
+    if (s->scene->method.filter_order > 0) return s->scene->method.filter_order;
+    return s->transfer->restore && hats ? 4 : s->transfer->order;
+}
+
 static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool beside)
 {
     s->scene = sc;
@@ -125,11 +133,12 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     s->coupled = beside && !s->seals;
     s->basis = basis_find(sc->method.basis);
     if (!s->basis) return fail_key(s->ctx, KEY("method", "basis"), "there is no basis '%s'", sc->method.basis);
-    s->transfer = transfer_find(sc->method.transfer);
+    s->transfer = transfer_find(scene_transfer(sc));
     if (!s->transfer)
-        return fail_key(s->ctx, KEY("method", "transfer"), "there is no transfer '%s'", sc->method.transfer);
-    s->order = sc->method.filter_order > 0 ? sc->method.filter_order : s->transfer->order;
-    s->share = isnan(s->transfer->share) ? sc->method.flip : s->transfer->share;
+        return fail_key(s->ctx, KEY("method", "transfer"), "there is no transfer '%s'", scene_transfer(sc));
+    s->order = order_of(s);
+    s->share = s->transfer->share;
+    if (isnan(s->share)) s->share = isnan(sc->method.flip) ? 0.99 : sc->method.flip;
     for (int b = 0; b < sc->n_bodies; ++b)
         if (!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
     for (int b = 0; b < s->n_bodies; ++b) s->driven = s->driven || is_driven(s, b);

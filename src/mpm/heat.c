@@ -42,7 +42,7 @@ static bool is_usl(const mpm *s)
 static void square_nodes(const mpm *s, int blk, int group)
 {
     const fields *f = s->domain->fields[blk];
-    const double kick = s->work->kick, blend = 1.0 - s->scene->method.flip, usl = is_usl(s) ? kick * kick : 0.0;
+    const double kick = s->work->kick, blend = 1.0 - s->share, usl = is_usl(s) ? kick * kick : 0.0;
     double *restrict out = field_get(f, N_LOSS, group, 0);
     const size_t n = s->mesh->block[blk].size;
     memset(out, 0, n * sizeof *out);
@@ -94,7 +94,7 @@ static body_step step_of(const mpm *s, int blk, int body)
 /* What point k has lost (J), `squares` being the nodes' squares at the point. */
 static double loss_of(const mpm *s, const body_step *b, size_t k, size_t number, double squares)
 {
-    const double kick = s->work->kick, f = s->scene->method.flip, usl = is_usl(s) ? kick * kick : 0.0;
+    const double kick = s->work->kick, f = s->share, usl = is_usl(s) ? kick * kick : 0.0;
     double loss = squares;
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double shift = b->line ? b->line->shift[3 * number + (size_t)a] : 0.0;

@@ -128,11 +128,12 @@ void output_end(run_output *o)
 floe_status output_row(run_output *o, sim *s)
 {
     sim_totals totals;
-    double pressure[SCENE_MAX_MATERIALS];
+    double pressure[SCENE_MAX_MATERIALS], spin[SCENE_MAX_BODIES][3];
     TRY(sim_sum(s, &totals));
     sim_account_for(s, &totals);
     for (int m = 0; m < s->scene->n_materials; m++) pressure[m] = mean_pressure(s, m);
-    return history_append(o->history, s, &(history_row){&totals, pressure});
+    for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) mpm_angular_momentum(s->mpm, b, spin[b]);
+    return history_append(o->history, s, &(history_row){&totals, pressure, (const double(*)[3])spin});
 }
 
 floe_status output_snapshot(run_output *o, sim *s)

@@ -70,6 +70,23 @@ bool scene_in_contact(const scene *s, int body)
     return false;
 }
 
+/* Solids alone, in steps that are not solved for. Gas and liquids on points and membranes keep FLIP, and so do solids beside cells: there the
+ * other costs time and gains nothing (docs/defaults.md). */
+static bool moves_solids_alone(const scene *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const scene_material *m = &s->material[s->body[b].material];
+        if (m->kind != MATERIAL_SOLID || m->membrane) return false;
+    }
+    return s->coupling == COUPLING_MPM && s->time.solver == SOLVER_DYNAMIC;
+}
+
+const char *scene_transfer(const scene *s)
+{
+    if (s->method.transfer[0]) return s->method.transfer;
+    return isnan(s->method.flip) && moves_solids_alone(s) ? "afmpm" : "flip";
+}
+
 static void set_defaults(scene *s)
 {
     s->mesh.dim = 2;
@@ -79,8 +96,7 @@ static void set_defaults(scene *s)
     s->ambient_points = 2;
     strcpy(s->method.basis, "quadratic");
     strcpy(s->contact.normals, "colour");
-    strcpy(s->method.transfer, "flip");
-    s->method.flip = 0.99;
+    s->method.flip = NAN;
     s->method.domain_limit = 1.0;
     s->method.conserve_energy = true;
     s->method.exchange = NAN;

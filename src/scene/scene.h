@@ -203,8 +203,8 @@ typedef struct scene_method {
     char basis[SCENE_NAME]; /* linear, gimp, quadratic, cubic, cpdi: basis_registry */
     double domain_limit; /* cells: of basis cpdi, how far a domain may reach from its point along an axis; 0.25 to 1 */
     stress_scheme stress;
-    char transfer[SCENE_NAME]; /* flip, pic, xpic, apic, tpic: transfer_registry */
-    double flip;               /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1 */
+    char transfer[SCENE_NAME]; /* of transfer_registry; "": as the scene asks (scene_transfer) */
+    double flip;               /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1; NAN: 0.99 */
     int filter_order;          /* of transfers xpic and afmpm, 2 to 20; 0: theirs */
     point_density density;     /* of fluid points (mpm/density.c) */
     point_losses losses;
@@ -451,6 +451,8 @@ int scene_axis_settings(const scene_axis *axis);
 void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING]);
 /* The first body whose membrane holds a gas of the cells, or -1. */
 int scene_holder(const scene *s);
+/* The name of the transfer of points: the deck's, else what suits the bodies and the coupling best (docs/defaults.md). */
+const char *scene_transfer(const scene *s);
 /* All of them, up to SCENE_MAX_HOLDERS, in their order; returns how many. */
 int scene_holders(const scene *s, int body[SCENE_MAX_HOLDERS]);
 /* Whether lines cut the cells of gas in ice-mpm: a membrane that holds a gas, or surfaces of solids (interface sharp). */

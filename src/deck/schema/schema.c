@@ -211,7 +211,8 @@ static const choice limiter_choices[] = {
 static bool transfer_is_flip(const scene *s, const void *method)
 {
     (void)s;
-    return strcmp(((const scene_method *)method)->transfer, "flip") == 0;
+    const char *transfer = ((const scene_method *)method)->transfer;
+    return !transfer[0] || strcmp(transfer, "flip") == 0;
 }
 static bool transfer_has_order(const scene *s, const void *method)
 {
@@ -239,14 +240,15 @@ static const key_spec method_keys[] = {
      .doc = "cells that the domain of a point may reach from it along an axis; what is stretched farther is squeezed"},
     {"stress", KEY_CHOICE, AT(scene_method, stress), .fallback = "usl", .choices = stress_choices,
      .doc = "when stresses of points are updated in a step"},
-    {"transfer", KEY_CUSTOM, AT(scene_method, transfer), .custom = &custom_transfer, .otherwise = "flip",
+    {"transfer", KEY_CUSTOM, AT(scene_method, transfer), .custom = &custom_transfer,
+     .otherwise = "`afmpm` for solids alone in dynamic mpm, else and where `flip` is given `flip`",
      .doc = "what becomes of the velocities of points in a step"},
-    {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip), .fallback = "0.99",
+    {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip), .otherwise = "0.99",
      .applies = transfer_is_flip, .belongs = "transfer flip",
      .doc = "share of FLIP in the velocity update of points; the rest is PIC"},
-    {"filter_order", KEY_WHOLE, NULL, WITHIN(2, 20), AT(scene_method, filter_order), .otherwise = "2; of afmpm 4",
-     .applies = transfer_has_order, .belongs = "transfer xpic or afmpm",
-     .doc = "order: passes between points and nodes of which the filter is made"},
+    {"filter_order", KEY_WHOLE, NULL, WITHIN(2, 20), AT(scene_method, filter_order),
+     .otherwise = "2; of afmpm 6, with linear and gimp 4", .applies = transfer_has_order,
+     .belongs = "transfer xpic or afmpm", .doc = "order: passes between points and nodes of which the filter is made"},
     {"point_density", KEY_CHOICE, AT(scene_method, density), .fallback = "continuity", .choices = density_choices,
      .doc = "density of material points of fluids"},
     {"losses", KEY_CHOICE, AT(scene_method, losses), .fallback = "drift", .choices = losses_choices,

@@ -9,7 +9,7 @@ const transfer_model transfer_afmpm = {
     .share = 0.0,
     .carry = CARRY_MOMENTS,
     .restore = true,
-    .order = 4,
+    .order = 6,
     .keeps_spin = true,
     .keeps_rigid_motion = true,
 };

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# The default transfer: rows E4 and E5 of the defaults in little. A disc keeps its moment of momentum through a turn, discs that bounce their
+# energy; both are exact. And which transfer a scene has that names none.
+# shellcheck source=tests/cli/lib.bash
+. "$(dirname "$0")/lib.bash"
+
+spin=$FLOE_SOURCE/inputs/defaults/e4_spin.yaml
+discs=$FLOE_SOURCE/inputs/defaults/e5_discs.yaml
+
+# value ROW NAME: of the first (2) or last ($) row of a column of out/history.csv.
+value() {
+    awk -F, -v name="$2" -v row="$1" 'NR == 1 { for (i = 1; i <= NF; i++) { split($i, word, " "); if (word[1] == name) c = i }; next }
+        NR == 2 { first = $c } { last = $c } END { printf "%.12g", row == 2 ? first : last }' out/history.csv
+}
+# kept COLUMNS LOW HIGH: the sum of columns at the end over that at the start.
+kept() {
+    local column first=0 last=0
+    for column in $1; do
+        first=$(awk -v a="$first" -v b="$(value 2 "$column")" 'BEGIN { printf "%.12g", a + b }')
+        last=$(awk -v a="$last" -v b="$(value end "$column")" 'BEGIN { printf "%.12g", a + b }')
+    done
+    awk -v a="$last" -v b="$first" -v low="$2" -v high="$3" 'BEGIN { exit !(b != 0 && a / b >= low && a / b <= high) }' ||
+        fault "$1: $first has become $last"
+}
+
+expect 0 "$FLOE" run "$spin" -o out --quiet --set time.end=12.566370614359172
+kept angular_momentum_disc 0.999999 1.000001
+kept 'kinetic strain' 0.99 1.002
+rm -rf out
+expect 0 "$FLOE" run "$spin" -o out --quiet --set time.end=12.566370614359172 --set method.flip=0.99
+kept angular_momentum_disc 0.3 0.9 # named by its share: flip
+rm -rf out
+
+expect 0 "$FLOE" run "$discs" -o out --quiet
+kept 'kinetic strain' 0.94 1.005
+rm -rf out
+
+# A step at cfl 1 is one that the basis, transfer and stress bear: energy does not grow.
+for way in 'basis: gimp' 'basis: linear, flip: 1' 'basis: quadratic, transfer: apic' 'basis: quadratic, transfer: afmpm, filter_order: 20'; do
+    expect 0 "$FLOE" run "$spin" -o out --quiet --set time.end=12 --set time.cfl=1 --set "method={$way}"
+    kept 'kinetic strain' 0 1.01
+    rm -rf out
+done
