@@ -113,3 +113,8 @@ has stderr "boundaries.y.lower: in steps that are solved for, a slip side holds 
 tube=("$FLOE_SOURCE/inputs/extreme/vessel.yaml" --coupling mpm --set damping=null --set stop=null)
 expect 0 "$FLOE" check "${tube[@]}"
 has stderr 'fluid and solid bodies share one velocity'
+
+# A liquid at a side that holds no pressure, beside a solid.
+wet=("$FLOE_SOURCE/inputs/shock_plate.yaml" --set 'materials.air.eos={stiffened: {gamma: 4.4, p_inf: 5e8, specific_heat: 1816}}')
+expect 0 "$FLOE" check "${wet[@]}"
+has stderr 'boundaries.x.lower: a free side holds no pressure against a liquid'
