@@ -63,11 +63,11 @@ def measure(page):
         if not held:
             page.bar(f"E2 {label}, {coupling}: warned of", 1.0 if any("smeared" in w for w in r.warnings()) else 0.0, 1, 1)
         if held:
-            bars = (0.005, 0.02) if coupling != "mpm" else (0.02, 0.05)
+            bars = (0.005, 0.02) if coupling != "mpm" else (0.02, 0.02)
             page.bar(f"E2 {label}, {coupling}: mean of the gas, error", abs(whole - 1.0), None, bars[0])
             page.bar(f"E2 {label}, {coupling}: probe at the middle of a wall, error", abs(found[0] - 1.0), None, bars[1])
             page.bar(f"E2 {label}, {coupling}: probe in a corner, error", abs(found[1] - 1.0), None, bars[1])
             page.bar(f"E2 {label}, {coupling}: drift of energy", drift, None, 1e-3)
     page.table(("box", "coupling", "interface", "wanted, kPa", "mean of the gas", "beside a wall", "in a corner", "centre", "drift of energy", "CPU, s"), rows)
-    page.write("In the plane the gas still turns at 10 ms, and its mean pressure differs from place to place by about its rho u^2: least in "
-               "the vortices, most in corners.")
+    page.write("In the plane 2.7 kPa of kinetic energy are left in the mean at 10 ms (h = 0.05): pressures differ from place to place by as much "
+               "and more, up in corners, where the gas stops.")

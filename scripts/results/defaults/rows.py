@@ -48,7 +48,10 @@ class Run:
         return {name: [number(row[k]) for row in rows[1:]] for k, name in enumerate(names)}
 
     def warnings(self):
-        return [line for line in self.text.splitlines() if "warning" in line]
+        """Of the log, since a quiet run prints none; of what it printed where it made no log."""
+        log = self.folder / "run.log"
+        text = log.read_text() if log.exists() else self.text
+        return [line for line in text.splitlines() if "warning" in line]
 
 
 def run(deck, name, coupling=None, settings=(), threads=1):
