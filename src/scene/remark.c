@@ -256,6 +256,27 @@ static void remark_dense_shocks(const scene *s, remark_sink *say, void *user)
         }
 }
 
+/* Beside points fluids are closed at frozen temperatures and have no sharp interfaces (docs/theory.md, "Several fluids"). */
+static void remark_beside_points(const scene *s, remark_sink *say, void *user)
+{
+    const double shock = 10.0;
+    for (int k = 0; k < s->n_bodies && s->coupling == COUPLING_ICE_MPM && has_walls(s); ++k)
+        for (int d = 0; d < s->n_bodies; ++d) {
+            const scene_body *driven = &s->body[k], *driver = &s->body[d];
+            if (!is_fluid_of_cells(s, driven) || !is_fluid_of_cells(s, driver) || driven->material == driver->material)
+                continue;
+            if (!(driven->pressure > 0.0 && driver->pressure >= shock * driven->pressure)) continue;
+            char text[REMARK_SIZE];
+            (void)snprintf(
+                text, sizeof text,
+                "body '%s' drives the fluid of body '%s' with %.3g times its pressure beside solids: there shocks "
+                "between fluids have 3 to 27 %% too much or too little density (pressure ratios of 10 to 1e5), "
+                "those within one fluid 1 %%. Give both one material, if they may be one",
+                driver->name, driven->name, driver->pressure / driven->pressure);
+            say(user, text);
+        }
+}
+
 void scene_remarks(const scene *s, remark_sink *say, void *user)
 {
     remark_soft_walls(s, say, user);
@@ -266,4 +287,5 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_held_sides(s, say, user);
     remark_open_liquids(s, say, user);
     remark_dense_shocks(s, say, user);
+    remark_beside_points(s, say, user);
 }

@@ -76,7 +76,7 @@ same_as_planned touching
 
 deck one ice "materials: {gas: $gas}" "bodies: {all: {material: gas, shape: $all, $state}}"
 holds one C_RHO C_VEL C_ENERGY C_PRESSURE
-lacks one P_POS N_MASS C_THETA C_VOL C_MIXED C_SOURCE C_VELOCITY_CHANGE
+lacks one P_POS N_MASS C_THETA C_VOL C_MIXED C_SOURCE C_VELOCITY_CHANGE C_INTERFACE
 [ "$(json one.json mpm)" = 0 ] || fault 'a gas pays for points'
 [ "$(json one/summary.json newton_cells)" = 0 ] || fault 'one gas has solved for a pressure'
 if stages one | grep -q exchange; then fault 'one gas exchanges with itself'; fi
@@ -95,7 +95,7 @@ same_as_planned implicit
 
 deck two ice "materials: {gas: $gas, heavy: $heavy}" \
     "bodies: {a: {material: gas, shape: $left, $state}, b: {material: heavy, shape: $right, $state}}"
-holds two C_RHO C_VOL C_THETA
+holds two C_RHO C_VOL C_THETA C_INTERFACE
 lacks two P_POS N_MASS C_VELOCITY_CHANGE
 [ "$(json two.json mpm)" = 0 ] || fault 'two gases pay for points'
 stages two | grep -q exchange || fault 'two gases do not exchange'
@@ -106,6 +106,7 @@ ambient: {material: gas, $state}
 reference_pressure: 1e5
 method: {interface: smeared}" "bodies: {block: {material: rubber, shape: $left}}"
 holds both P_STRESS N_MASS C_RHO C_VOL C_VELOCITY_CHANGE P_GRID_PRESSURE
+lacks both C_INTERFACE C_ENERGY_FOUND
 below 0 "$(json both.json mpm)"
 below 0 "$(json both.json ice)"
 same_as_planned both

@@ -67,3 +67,22 @@ expect 0 "$FLOE" check "$decks/g1_products.yaml" --set materials.air.eos.ideal.g
     --set bodies.air.density=1.2 --set bodies.products.pressure=1e10 --set bodies.products.state=null --set bodies.products.density=1630
 cat stdout stderr >said
 has said 'ratio of specific heats of 1.09'
+cat >beside.yaml <<'END'
+floe: 1
+coupling: ice-mpm
+domain: {dim: 2, lower: [0, 0], upper: [1, 0.1], cell: 0.02}
+boundaries: {x: symmetry, y: slip}
+materials:
+  products: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}
+  steel: {density: 7850, specific_heat: 460, law: {linear_elastic: {bulk_modulus: 160 GPa, shear_modulus: 80 GPa}}}
+ambient: {material: air, pressure: 1 bar, temperature: 300}
+bodies:
+  products: {material: products, shape: {box: {lower: [0, 0], upper: [0.4, 0.1]}}, pressure: 100 bar, temperature: 300}
+  air: {material: air, shape: {box: {lower: [0.4, 0], upper: [0.8, 0.1]}}, pressure: 1 bar, temperature: 300}
+  wall: {material: steel, shape: {box: {lower: [0.8, 0], upper: [1, 0.1]}}}
+time: {end: 1e-5}
+END
+expect 0 "$FLOE" check beside.yaml
+cat stdout stderr >said
+has said "body 'products' drives the fluid of body 'air' with 100 times its pressure beside solids"
