@@ -58,6 +58,8 @@ typedef struct solid_model {
     double (*bulk_modulus)(const void *par);
     /* Shear modulus at rest (Pa). 0 for fluids. */
     double (*shear_modulus)(const void *par);
+    /* Stress (Pa) in uniaxial tension at which it first flows; NULL: it never does. */
+    double (*yield_stress)(const void *par);
 } solid_model;
 
 extern const solid_model *const solid_registry[];

@@ -111,6 +111,11 @@ static size_t j2_stress(const void *par, double p_ref, solid_batch *b)
     return solid_first_inverted(b);
 }
 
+static double j2_yield_stress(const void *par)
+{
+    return ((const j2_par *)par)->yield_stress;
+}
+
 const solid_model solid_j2 = {
     .name = "j2",
     .doc = "metal plasticity: von Mises yield, linear isotropic hardening, tension cut-off",
@@ -127,4 +132,5 @@ const solid_model solid_j2 = {
     .strain_energy = elastic_strain_energy,
     .bulk_modulus = elastic_bulk_modulus,
     .shear_modulus = elastic_shear_modulus,
+    .yield_stress = j2_yield_stress,
 };

@@ -79,13 +79,6 @@ bool keeps_F(const mpm *s, int body)
     return (s->body[body].law->needs & SOLID_NEEDS_F) != 0 || keeps_shape(s, body);
 }
 
-static bool has_solids(const mpm *s)
-{
-    for (int b = 0; b < s->n_bodies; ++b)
-        if (!s->body[b].fluid && !s->body[b].membrane.model) return true;
-    return false;
-}
-
 static floe_status make_work(mpm *s)
 {
     TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
@@ -109,7 +102,7 @@ static floe_status make_work(mpm *s)
     TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
     if (s->membranes) TRY(memory_new(s->ctx, &w->line, SCENE_MAX_BODIES, sizeof *w->line));
     if (s->free_normals) TRY(memory_new(s->ctx, &w->normals, SCENE_MAX_BODIES, sizeof *w->normals));
-    if (s->scene->method.edge_penalty > 0.0 && has_solids(s)) TRY(edges_create(s));
+    if (mpm_edge_penalty(s) > 0.0) TRY(edges_create(s));
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 

@@ -199,6 +199,8 @@ double *mpm_surface(mpm *s, size_t *n, size_t *stride);
  * each. */
 double *mpm_skin(mpm *s, size_t *n, size_t *stride);
 
+/* gamma of the penalty on edges of solids: the deck's, else the basis's own; 0: they are not held. */
+double mpm_edge_penalty(const mpm *s);
 /* What the lines at the edges of solids remember (edge.h): *n numbers, state that no field holds. NULL: there are none.
  * Valid until the next step. */
 double *mpm_edges_state(mpm *s, size_t *n);

@@ -8,7 +8,7 @@
 /* Nodes lighter than this mass (kg) take no force: f/m there is noise (numerics 4.4). Cubic splines end as x^3/6 and their slopes as x^2/2, so that what a
  * node that light does to its points falls with x; but as far out as 1e-9 of a point's weight the impulse is 2e-6 of a whole one, and
  * blocks that slid along walls were off by 1e-9 for it. What is left there is the round-off of folded masses. */
-static double small_node(const mpm *s)
+double small_node(const mpm *s)
 {
     return (s->basis->kind == BASIS_CUBIC ? 1e-14 : 1e-9) * s->work->reference_mass;
 }

@@ -260,6 +260,8 @@ void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batc
 
 /* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable (node.c). */
 double damping_left(const mpm *s);
+/* Mass (kg) that a node must exceed to take forces. */
+double small_node(const mpm *s);
 /* Whether lost kinetic energy is to heat fluid points (heat.c). */
 bool losses_are_heat(const mpm *s);
 

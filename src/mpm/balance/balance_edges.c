@@ -29,19 +29,25 @@ floe_status balance_find_edges(mpm *s)
 
 static void pull_group(mpm *s, int layer, const double *u, double *inner)
 {
-    const edge_group *g = &s->work->edges->group[layer];
+    edge_group *g = &s->work->edges->group[layer];
     const size_t dim = (size_t)s->mesh->dim;
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
             const edge_line *l = &g->line[k];
             const size_t base = balance_at(s->balance, layer, c, 0);
-            const double *weight = edge_weights(l, c);
-            double difference = s->work->edges->memory[l->slot + (size_t)c];
+            double *difference = &g->next[k * dim + (size_t)c];
+            *difference = s->work->edges->memory[l->slot + (size_t)c];
             for (int t = 0; t < EDGE_TAPS; ++t)
-                difference += weight[t] * u[base + (size_t)place_of(s, &g->node[l->node[t]])];
-            g->next[k * dim + (size_t)c] = difference;
+                *difference += edge_weights(l, c)[t] * u[base + (size_t)place_of(s, &g->node[l->node[t]])];
+        }
+    edges_let_flow(s, g);
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const edge_line *l = &g->line[k];
+            const size_t base = balance_at(s->balance, layer, c, 0);
+            const double tension = l->stiffness * g->next[k * dim + (size_t)c];
             for (int t = 0; t < EDGE_TAPS; ++t)
-                inner[base + (size_t)place_of(s, &g->node[l->node[t]])] -= l->stiffness * weight[t] * difference;
+                inner[base + (size_t)place_of(s, &g->node[l->node[t]])] -= tension * edge_weights(l, c)[t];
         }
 }
 

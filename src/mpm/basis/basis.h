@@ -26,7 +26,10 @@ typedef struct basis_model {
     int support;    /* nodes along an axis that a point reaches */
     int reach;      /* nodes that it may reach beyond its own cell on either side: 0 or 1 */
     int smoothness; /* continuous derivatives */
-    bool averaged;  /* the slopes are means over the point's domain, of a finer function than the weights */
+    /* gamma with which edges of solids are held unasked (mpm/edge/edge.h): the largest that leaves holes of two cells in
+     * radius, and walls of two cells, as right as they are without; 0: none does. */
+    double edge_penalty;
+    bool averaged; /* the slopes are means over the point's domain, of a finer function than the weights */
     /* Weights and derivatives (1/m) along one axis; returns the first node's offset from the lower node of the cell.
      * xi: position in the cell in units of h, 0 <= xi <= 1; half: half width of the point's domain in units of h, 0 <
      * half <= 1/2 (read by GIMP, and CPDI, which takes up to 1); inv_h = 1/h (1/m). */

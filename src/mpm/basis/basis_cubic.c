@@ -14,6 +14,7 @@ const basis_model basis_cubic = {
     .kind = BASIS_CUBIC,
     .support = 4,
     .reach = 1,
+    .edge_penalty = 0.001,
     .smoothness = 2,
     .weights = weights,
 };

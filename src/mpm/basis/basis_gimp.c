@@ -14,6 +14,7 @@ const basis_model basis_gimp = {
     .kind = BASIS_GIMP,
     .support = 3,
     .reach = 1,
+    .edge_penalty = 0.0005,
     .smoothness = 1,
     .weights = weights,
 };

@@ -14,6 +14,7 @@ const basis_model basis_quadratic = {
     .kind = BASIS_QUADRATIC,
     .support = 3,
     .reach = 1,
+    .edge_penalty = 0.005,
     .smoothness = 1,
     .weights = weights,
 };

@@ -1,7 +1,17 @@
 /* What the lines of edges push and remember (edge.h). */
 #include "mpm/edge/edge.h"
 
+#include <math.h>
 #include <string.h>
+
+double mpm_edge_penalty(const mpm *s)
+{
+    bool solids = false;
+    for (int b = 0; b < s->n_bodies; ++b) solids = solids || edge_body(s, b);
+    if (!solids) return 0.0;
+    if (!isnan(s->scene->method.edge_penalty)) return s->scene->method.edge_penalty;
+    return s->burns ? 0.0 : s->basis->edge_penalty; /* an edge that burns away is not to be held */
+}
 
 static bool is_usf(const mpm *s)
 {
@@ -73,6 +83,17 @@ floe_status mpm_edge_force(mpm *s)
     return FLOE_OK;
 }
 
+void edges_let_flow(const mpm *s, edge_group *g)
+{
+    const size_t dim = (size_t)s->mesh->dim;
+    for (size_t k = 0; k < g->n_lines; ++k) {
+        double *difference = g->next + k * dim, square = 0.0;
+        for (size_t c = 0; c < dim; ++c) square += difference[c] * difference[c];
+        const double length = sqrt(square), most = g->line[k].most;
+        for (size_t c = 0; c < dim && length > most; ++c) difference[c] *= most / length;
+    }
+}
+
 floe_status edges_strain(mpm *s, int group, field_id velocity)
 {
     mpm_edges *e = s->work->edges;
@@ -87,6 +108,7 @@ floe_status edges_strain(mpm *s, int group, field_id velocity)
             g->next[k * (size_t)dim + (size_t)c] =
                 e->memory[g->line[k].slot + (size_t)c] + dt * edge_difference(&g->line[k], c, v);
     }
+    edges_let_flow(s, g);
     return FLOE_OK;
 }
 
@@ -101,6 +123,7 @@ static void commit_group(mpm *s, int group)
         for (size_t c = 0; c < dim; ++c)
             e->memory[g->node[n].slot + c] = g->accelerated[c * (size_t)g->n_nodes + (size_t)n];
     e->memory[e->travel + (size_t)group] = g->travelled;
+    e->memory[e->bearing + (size_t)group] = g->bearing;
 }
 
 void edges_commit(mpm *s)

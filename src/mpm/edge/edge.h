@@ -20,8 +20,12 @@
  * and their energy goes astray. The system is solved over the nodes of the lines by conjugate gradients (edge_solve.c),
  * from the accelerations of the last step, in global order: the same bits for any blocks and threads.
  *
+ * A line bears no more than its solid: beyond |D u| = h y/(rho c^2), y the yield stress, it flows. Lines lie within one
+ * body. They neither reach nodes that another body reaches, nor lead through what is outside: from one side of a slot,
+ * or of a hole of a few cells, to the other.
+ *
  * Which nodes are filled in part is looked for (edge_lines.c) when nodes may have moved by some hundredths of a cell
- * since, or one of a line has lost its mass. Private to the mpm room. */
+ * since, or one has begun to take forces or ceased to. Private to the mpm room. */
 #ifndef MPM_EDGE_H
 #define MPM_EDGE_H
 
@@ -42,6 +46,7 @@ typedef struct edge_line {
     double weight[2][EDGE_TAPS];
     double stiffness; /* N/m: k */
     double inertia;   /* kg: a */
+    double most;      /* m: |D u| that it bears; it flows beyond, as its solid does */
 } edge_line;
 
 /* Where a block has a node: its own, ghosts, and periodic images. */
@@ -80,18 +85,21 @@ typedef struct edge_group {
     double speed;     /* m/s: of the fastest solid of the group at rest */
     double damping;   /* 1/s: of lines over their inertia */
     double travelled; /* cells: by how much nodes may have moved at the end of the step since lines were looked for */
+    double bearing;   /* which nodes take forces in this step, as one number */
     bool listed;      /* the lists are of the lines that are remembered */
     bool looked;      /* for lines in this step */
 } edge_group;
 
 struct mpm_edges {
+    double penalty; /* gamma */
+    bool starting;  /* masses are not known yet */
     edge_group group[MPM_MAX_GROUPS];
     /* All that a step must know of those before, for every group and node of the mesh, owned: first the differences (m)
      * by axis of the line and component; from the following places on accelerations (m/s2) of the last step by
-     * component, 0 where no line is; by axis the body of a line plus one, 0 where none is; and by group how many cells
-     * nodes may have moved since lines were looked for. */
+     * component, 0 where no line is; by axis the body of a line plus one, 0 where none is; by group how many cells
+     * nodes may have moved since lines were looked for; and by group which nodes took forces. */
     double *memory;
-    size_t n_memory, accelerations, lines, travel;
+    size_t n_memory, accelerations, lines, travel, bearing;
     double *fill;            /* of the group in hand, per global node: share that its solids fill. Owned */
     int *owner;              /* the body that fills it; negative: none, or several. Owned */
     int *index;              /* per global node: in the list of the group's nodes, -1: in none. Owned */
@@ -120,6 +128,19 @@ static inline size_t edge_all_nodes(const mpm_edges *e)
 static inline size_t edge_number(const mpm_edges *e, const int at[MESH_MAX_DIM])
 {
     return (size_t)at[0] + (size_t)e->nodes[0] * ((size_t)at[1] + (size_t)e->nodes[1] * (size_t)at[2]);
+}
+
+/* Where the loops over the nodes that a block owns end, from its first on. */
+static inline void edge_own_nodes(const mesh *m, const block *b, int end[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a)
+        end[a] = a < m->dim ? b->n[a] + (b->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 0) : 1;
+}
+
+/* Whether a node takes forces. */
+static inline bool edge_bears(const mpm *s, const double *mass, ptrdiff_t at)
+{
+    return mass[at] > small_node(s);
 }
 
 /* Place, among lines by group, node and axis, of that along an axis from a node on. Those from the image of the first
@@ -199,6 +220,8 @@ void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const doub
 double edges_push(const mpm *s, const edge_group *g, int c, double *force);
 /* Accelerations and v^L of a group with the inertia of its lines. After walls. */
 floe_status edges_accelerate(mpm *s, int group);
+/* Lines flow where those of the next state would bear more than their solid does. */
+void edges_let_flow(const mpm *s, edge_group *g);
 /* The differences of the next state, by the velocities that points are strained with. */
 floe_status edges_strain(mpm *s, int group, field_id velocity);
 /* What the next state has becomes what is remembered. */

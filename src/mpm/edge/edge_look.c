@@ -9,9 +9,6 @@
 /* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of a node inside
  * empty. */
 static const double full_node = 0.95;
-/* One with less is outside. */
-static const double empty_node = 1e-9;
-
 enum { NO_BODY = -1, SHARED = -2 };
 
 /* What the shape function of the first ghost has inside the mesh, in cells: the wall's own fold gives twice as much to
@@ -69,9 +66,11 @@ static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
     const double *volume = field_get(s->domain->fields[blk], N_FILL, s->body[body].group, 0);
     const int global[MESH_MAX_DIM] = {b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]};
     const size_t number = edge_number(e, global);
-    const double fill =
-        volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, s->body[body].group, global);
-    if (!(fill > empty_node)) return;
+    const int own_group = s->body[body].group;
+    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, own_group, global);
+    const bool bears = e->starting || edge_bears(s, field_get(s->domain->fields[blk], N_MASS, own_group, 0),
+                                                 mesh_index(b, local[0], local[1], local[2]));
+    if (!(fill > 0.0) || !bears) return;
     e->fill[number] += fill;
     e->owner[number] = e->owner[number] == NO_BODY ? body : SHARED;
 }
@@ -86,8 +85,8 @@ static void fill_nodes(mpm *s, int body)
     gather_numbers(s, s->body[body].group, (const field_id[]){N_FILL}, 1);
     for (int b = 0; b < m->n_blocks; ++b) {
         const block *bl = &m->block[b];
-        int end[MESH_MAX_DIM] = {1, 1, 1};
-        for (int a = 0; a < m->dim; ++a) end[a] = bl->n[a] + (bl->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 0);
+        int end[MESH_MAX_DIM];
+        edge_own_nodes(m, bl, end);
         for (int k = 0; k < end[2]; ++k)
             for (int j = 0; j < end[1]; ++j)
                 for (int i = 0; i < end[0]; ++i) keep_fill(s, body, b, (const int[]){i, j, k});
@@ -106,17 +105,35 @@ static void fill_group(mpm *s, int group)
         if (s->body[body].group == group && edge_body(s, body)) fill_nodes(s, body);
 }
 
+/* A node with less than this share of what is filled on both sides of it is outside a body that lies on both. */
+static const double hollow_share = 0.5;
+
+/* Whether a line leads from one surface of a body to another through what is outside: through a slot, or across a hole of
+ * a few cells, whose sides are not to be tied. */
+static bool leads_outside(const double *fill, int taps)
+{
+    for (int t = 1; t < taps - 1; ++t) {
+        double before = 0.0, after = 0.0;
+        for (int k = 0; k < t; ++k) before = fmax(before, fmin(fill[k], 1.0));
+        for (int k = t + 1; k < taps; ++k) after = fmax(after, fmin(fill[k], 1.0));
+        if (fill[t] < hollow_share * fmin(before, after)) return true;
+    }
+    return false;
+}
+
 /* The body of a line of nodes plus one; 0 where it is none, for all are full, or one is outside or within reach of
- * another body: bodies that share nodes are not to be glued. */
+ * another body: bodies that share nodes are not to be glued; or it leads outside. */
 static int line_body(const mpm_edges *e, const size_t *number, int taps)
 {
     const int owner = e->owner[number[0]];
+    double fill[EDGE_TAPS];
     bool part = false;
     for (int t = 0; t < taps; ++t) {
         if (owner < 0 || e->owner[number[t]] != owner) return 0;
-        part = part || e->fill[number[t]] < full_node;
+        fill[t] = e->fill[number[t]];
+        part = part || fill[t] < full_node;
     }
-    return part ? owner + 1 : 0;
+    return part && !leads_outside(fill, taps) ? owner + 1 : 0;
 }
 
 /* The same of the line along an axis from a node on. */
@@ -124,8 +141,8 @@ static int body_from(const mpm *s, int group, int axis, const int first[MESH_MAX
 {
     const mpm_edges *e = s->work->edges;
     const int taps = edge_taps(s);
-    size_t number[EDGE_TAPS];
-    if (first[axis] >= 0 && !(e->fill[edge_number(e, first)] > empty_node)) return 0;
+    size_t number[EDGE_TAPS] = {0};
+    if (first[axis] >= 0 && !(e->fill[edge_number(e, first)] > 0.0)) return 0;
     if (first[axis] >= 0 && first[axis] + taps <= e->nodes[axis]) { /* most: nothing is folded */
         const size_t stride = axis == 0 ? 1 : (size_t)e->nodes[0] * (axis == 1 ? 1 : (size_t)e->nodes[1]);
         for (int t = 0; t < taps; ++t) number[t] = edge_number(e, first) + (size_t)t * stride;

@@ -238,9 +238,11 @@ floe_status edges_accelerate(mpm *s, int group)
 floe_status edges_start(mpm *s)
 {
     double *room;
+    if (s->work->edges) s->work->edges->starting = true;
     for (int g = 0; s->work->edges && g < s->n_groups; ++g) {
         TRY(edges_find(s, g, true));
         TRY(edges_scratch(s, &s->work->edges->group[g], V_COUNT, &room));
     }
+    if (s->work->edges) s->work->edges->starting = false;
     return FLOE_OK;
 }
