@@ -66,6 +66,8 @@ static void print_head(const plan *p, FILE *file)
                       : p->scene->method.stress == STRESS_USL ? "stress last"
                                                               : "stress last, velocities mapped again");
     }
+    if (p->sim->mpm && mpm_edge_penalty(p->sim->mpm) > 0.0)
+        (void)fprintf(file, "edges of solids: held, penalty %g\n", mpm_edge_penalty(p->sim->mpm));
     if (p->sim->ice) {
         (void)fprintf(file, "kernels of the cells: %s, %d material%s\n", geometry, p->sim->ice->n_materials,
                       p->sim->ice->n_materials == 1 ? "" : "s");

@@ -277,8 +277,35 @@ static void remark_beside_points(const scene *s, remark_sink *say, void *user)
         }
 }
 
+/* A basis has next to no motion that keeps the volume at every point. Static balance refuses such solids
+ * (sim/statics.c). Figures: the thick cylinder, h = 0.05, both with explicit and with implicit steps. */
+static void remark_locking(const scene *s, remark_sink *say, void *user)
+{
+    const bool cubic = strcmp(s->method.basis, "cubic") == 0, quadratic = strcmp(s->method.basis, "quadratic") == 0;
+    const double most = cubic || quadratic ? 100.0 : 10.0; /* as in mpm/balance/balance_lock.c */
+    const char *found = cubic       ? "2.4 % off at 100 and 5 % at 500"
+                        : quadratic ? "3.7 % off at 100 and 21 % at 500"
+                                    : "36 % off at 10 and 310 % at 100 (quadratic splines: 0.8 and 3.7 %)";
+    const char *remedy = cubic       ? "Take 100 times at most, a Poisson's ratio of 0.495"
+                         : quadratic ? "Take 100 times at most, a Poisson's ratio of 0.495, or method.basis: cubic"
+                                     : "Take 10 times at most, or method.basis: quadratic or cubic";
+    for (int k = 0; k < s->n_bodies && s->coupling != COUPLING_ICE && s->time.solver != SOLVER_STATIC; ++k) {
+        if (!is_wall(s, &s->body[k])) continue;
+        const scene_material *m = &s->material[s->body[k].material];
+        const double ratio = m->law->bulk_modulus(m->law_par) / m->law->shear_modulus(m->law_par);
+        if (!(ratio > most)) continue;
+        char text[REMARK_SIZE];
+        (void)snprintf(text, sizeof text,
+                       "the bulk modulus of body '%s' is %.3g times its shear modulus, with which basis %s locks: on a "
+                       "thick cylinder with ten cells of wall the radial stress was %s. %s",
+                       s->body[k].name, ratio, s->method.basis, found, remedy);
+        say(user, text);
+    }
+}
+
 void scene_remarks(const scene *s, remark_sink *say, void *user)
 {
+    remark_locking(s, say, user);
     remark_soft_walls(s, say, user);
     remark_knots(s, say, user);
     scene_remark_unused(s, say, user);

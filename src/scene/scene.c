@@ -100,6 +100,7 @@ static void set_defaults(scene *s)
     s->method.domain_limit = 1.0;
     s->method.conserve_energy = true;
     s->method.exchange = NAN;
+    s->method.edge_penalty = NAN;
     s->method.volume_relaxation = 0.0;
     s->method.pressure_tolerance = 1e-10;
     s->time = (scene_time){.end = NAN,

@@ -208,7 +208,7 @@ typedef struct scene_method {
     int filter_order;          /* of transfers xpic and afmpm, 2 to 20; 0: theirs */
     point_density density;     /* of fluid points (mpm/density.c) */
     point_losses losses;
-    double edge_penalty;   /* gamma of the penalty on edges of solids (mpm/edge/edge.h); 0: none */
+    double edge_penalty; /* gamma of the penalty on edges of solids (mpm/edge/edge.h); 0: none; NAN: the basis's own */
     ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
     bool conserve_energy;  /* numerics 2.8 */
     ice_limiter limiter;

@@ -147,7 +147,8 @@ static bool holds_points(const node_matrix *m, int row)
     return false;
 }
 
-enum { WINDOW_NODES = 64, PATCH_UNKNOWNS = WINDOW_NODES * NODE_MATRIX_COMPONENTS };
+/* Windows have width + 1 nodes along an axis; the widest are those of cubic splines with held edges. */
+enum { WINDOW_NODES = 5 * 5 * 5, PATCH_UNKNOWNS = WINDOW_NODES * NODE_MATRIX_COMPONENTS };
 
 static floe_status reserve(node_smoother *s, int unknowns)
 {

@@ -41,7 +41,7 @@ static void test_bytes(void **unused)
                       100.0 * ((double)(m.peak_bytes - before) / planned - 1.0));
         check_close_relative((double)fields_of(&later), (double)fields_of(&plan), 0.01);
         check_close_relative(live, planned, 0.01);
-        const bool edges = t.scene->method.edge_penalty > 0.0; /* which keep lists of their own */
+        const bool edges = t.sim->mpm && mpm_edge_penalty(t.sim->mpm) > 0.0; /* which keep lists of their own */
         check_true(plan.scratch_bytes < fields_of(&plan) / (edges ? 1 : 3));
         variant_end(&t, &solution);
     }

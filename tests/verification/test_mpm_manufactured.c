@@ -121,7 +121,6 @@ static void test_implicit(void **unused)
 static state ring_run(int blocks, int threads, const char *path)
 {
     const deck_variant v = {"ring", "ring_mms", COUPLING_MPM, blocks, 1, {"method.transfer=apic"}};
-    checkpoint_run info = {.deck = "floe: 1\n", .identity = "floe: 1\n"};
     exact solution;
     trial t;
     variant_load(&t, &v, &solution);
@@ -130,10 +129,10 @@ static state ring_run(int blocks, int threads, const char *path)
     trial_steps(&t, 12);
     if (path) {
         check_ok(t.ctx, io_init(t.ctx));
-        check_ok(t.ctx, checkpoint_write(t.sim, path, &info));
+        write_checkpoint(&t, path);
         variant_end(&t, &solution);
         begin(&t, &solution, &v);
-        check_ok(t.ctx, checkpoint_read(t.sim, path, &info));
+        read_checkpoint(&t, path);
     }
     trial_steps(&t, 12);
     exact_destroy(t.ctx, &solution); /* the state takes none of it */
