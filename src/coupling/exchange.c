@@ -25,10 +25,41 @@ typedef struct present {
     int fixed; /* a material of infinite mass, or -1 */
 } present;
 
-static present find_present(int n, const double *mass)
+/* Materials that hang together by couplings are solved for about their own centre of mass, the others beside them: what is free of the rest must
+ * not lose its momentum in the rounding of a far heavier one. */
+typedef struct parts {
+    int n, of[EXCHANGE_MAX]; /* -1: absent */
+} parts;
+
+static parts find_parts(int n, const double *mass, exchange_matrix a)
+{
+    parts p = {0};
+    int stack[EXCHANGE_MAX];
+    for (int r = 0; r < n; ++r) p.of[r] = -1;
+    for (int first = 0; first < n; ++first) {
+        if (!(mass[first] > 0.0) || p.of[first] >= 0) continue;
+        int depth = 0;
+        p.of[first] = p.n;
+        stack[depth++] = first;
+        while (depth > 0) {
+            const int r = stack[--depth];
+            for (int s = 0; s < n; ++s) {
+                if (!(mass[s] > 0.0) || p.of[s] >= 0 || !(a[r][s] > 0.0)) continue;
+                p.of[s] = p.n;
+                stack[depth++] = s;
+            }
+        }
+        p.n++;
+    }
+    return p;
+}
+
+/* Those of one part; all of them where `part` is negative. */
+static present find_present(int n, const double *mass, const parts *all, int part)
 {
     present p = {.fixed = -1};
     for (int r = 0; r < n; ++r) {
+        if (part >= 0 && all->of[r] != part) continue;
         if (isinf(mass[r])) {
             p.fixed = r;
         } else if (mass[r] > 0.0) {
@@ -110,23 +141,34 @@ static void fill_absent(const present *p, int n, const double *mass, double *u)
         if (!(mass[r] > 0.0)) u[r] = mean;
 }
 
-void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX])
+static void relax_part(const present *p, int n, const double *mass, exchange_matrix a, int columns,
+                       double value[][EXCHANGE_MAX])
 {
-    const present p = find_present(n, mass);
-    const bool pair = p.n == 2 && p.fixed < 0;
+    const bool pair = p->n == 2 && p->fixed < 0;
     exchange_matrix f;
     exchange_two two = {0};
+    if (p->n == 0 || p->n + (p->fixed >= 0) < 2) return;
     if (pair)
-        two = exchange_of_two(p.mass[0], p.mass[1], a[p.index[0]][p.index[1]]);
-    else if (p.n + (p.fixed >= 0) > 1)
-        factor(&p, a, n, mass, f);
+        two = exchange_of_two(p->mass[0], p->mass[1], a[p->index[0]][p->index[1]]);
+    else
+        factor(p, a, n, mass, f);
     for (int c = 0; c < columns; ++c) {
         if (pair)
-            exchange_relax_two(two, &value[c][p.index[0]], &value[c][p.index[1]]);
-        else if (p.n > 0 && p.n + (p.fixed >= 0) > 1)
-            relax_column(&p, a, f, n, mass, value[c]);
-        fill_absent(&p, n, mass, value[c]);
+            exchange_relax_two(two, &value[c][p->index[0]], &value[c][p->index[1]]);
+        else
+            relax_column(p, a, f, n, mass, value[c]);
     }
+}
+
+void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX])
+{
+    const parts all = find_parts(n, mass, a);
+    for (int part = 0; part < all.n; ++part) {
+        const present p = find_present(n, mass, &all, part);
+        relax_part(&p, n, mass, a, columns, value);
+    }
+    const present p = find_present(n, mass, &all, -1);
+    for (int c = 0; c < columns; ++c) fill_absent(&p, n, mass, value[c]);
 }
 
 /* Reflects vectors so that the normal and the first axis change places; twice is the identity. */
@@ -144,11 +186,14 @@ static void reflect(int n, int dim, const double *normal, double u[3][EXCHANGE_M
     }
 }
 
-void exchange_relax_frame(int n, const double *mass, exchange_matrix a, exchange_matrix tangential, int dim,
-                          const double *normal, double u[3][EXCHANGE_MAX])
+void exchange_relax_frame(int n, const double *mass, const double *theta, bool unlike, exchange_matrix a,
+                          exchange_matrix tangential, int dim, const double *normal, double u[3][EXCHANGE_MAX])
 {
     reflect(n, dim, normal, u);
-    exchange_relax(n, mass, a, 1, u);
-    exchange_relax(n, mass, tangential, dim - 1, u + 1);
+    if (unlike)
+        exchange_relax_parts(n, mass, theta, a, 1, u);
+    else
+        exchange_relax(n, mass, a, 1, u);
+    exchange_relax_parts(n, mass, theta, tangential, dim - 1, u + 1);
     reflect(n, dim, normal, u);
 }

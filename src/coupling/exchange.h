@@ -7,6 +7,7 @@
 #ifndef COUPLING_EXCHANGE_H
 #define COUPLING_EXCHANGE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum { EXCHANGE_MAX = 16 };
@@ -29,9 +30,15 @@ void exchange_couple(int n, exchange_matrix coefficient, const double *theta, do
  * Couplings beyond 1e12 of the largest finite mass are cut to that: they are rigid already. */
 void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX]);
 
-/* Momentum where pairs slip (numerics 2.9): couplings `a` act along the unit vector `normal`, `tangential` across it. u[axis][material]. */
-void exchange_relax_frame(int n, const double *mass, exchange_matrix a, exchange_matrix tangential, int dim,
-                          const double *normal, double u[3][EXCHANGE_MAX]);
+/* The same where pairs differ: what fills next to nothing of the cell and weighs next to nothing of it follows the rest, and carries no force
+ * from one material to another (trace.c). theta: volume fractions. */
+void exchange_relax_parts(int n, const double *mass, const double *theta, exchange_matrix a, int columns,
+                          double value[][EXCHANGE_MAX]);
+
+/* Momentum where pairs slip (numerics 2.9): couplings `a` act along the unit vector `normal`, `tangential` across it. u[axis][material].
+ * unlike: pairs differ along the normal too. */
+void exchange_relax_frame(int n, const double *mass, const double *theta, bool unlike, exchange_matrix a,
+                          exchange_matrix tangential, int dim, const double *normal, double u[3][EXCHANGE_MAX]);
 
 /* Two free, present materials in closed form: the difference of their values decays, the centre of mass stays. */
 typedef struct exchange_two {

@@ -162,6 +162,51 @@ floe_status transfer_burnt_to_cells(transfer *t)
     return FLOE_OK;
 }
 
+/* Momentum in the next array of C_STRESS_ACCEL. */
+static void momentum_before(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
+{
+    const fields *f = t->domain->fields[blk];
+    const strip s = strip_of_cells(t->mesh, &t->mesh->block[blk], j, k);
+    for (int a = 0; a < t->mesh->dim; ++a)
+        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a),
+                  field_next(f, C_STRESS_ACCEL, pair->material, a), STRIP_SUM_PRODUCT);
+}
+
+floe_status transfer_momentum_before(transfer *t)
+{
+    for_rows(t, momentum_before);
+    return FLOE_OK;
+}
+
+/* C_VELOCITY_CHANGE, which the nodes have, takes the momentum after. */
+static void stress_from_nodes(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
+{
+    const block *b = &t->mesh->block[blk];
+    const fields *f = t->domain->fields[blk];
+    const strip s = strip_of_cells(t->mesh, b, j, k);
+    const double *rho = field_get(f, C_RHO, pair->material, 0);
+    for (int a = 0; a < t->mesh->dim; ++a) {
+        const double *u = field_get(f, C_VEL, pair->material, a),
+                     *loaded = field_get(f, C_MOMENTUM_L, pair->material, a);
+        double *after = field_get(f, C_VELOCITY_CHANGE, pair->material, a);
+        double *next = field_next(f, C_STRESS_ACCEL, pair->material, a);
+        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a), after,
+                  STRIP_SUM_PRODUCT);
+        for (int i = 0; i < s.n; ++i) {
+            const ptrdiff_t at = s.at + i;
+            const double mass = rho[at] * mesh_cell_volume(t->mesh, b->lo[0] + i);
+            const double impulse = (loaded[at] - mass * u[at]) + (after[at] - next[at]);
+            next[at] = mass > 0.0 ? impulse / (mass * t->dt) - t->gravity[a] : 0.0;
+        }
+    }
+}
+
+floe_status transfer_stress_to_cells(transfer *t)
+{
+    for_rows(t, stress_from_nodes);
+    return FLOE_OK;
+}
+
 floe_status transfer_change_to_nodes(transfer *t)
 {
     for (int p = 0; p < t->n_pairs; ++p) {

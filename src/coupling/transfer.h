@@ -27,6 +27,7 @@ typedef struct transfer {
     transfer_pair pair[TRANSFER_MAX_PAIRS];
     int n_pairs;
     double reference_pressure; /* Pa */
+    double dt, gravity[3];     /* s, of the step under way; m/s2 */
 } transfer;
 
 /* m_c = sum w m_i, u_c = sum w m_i v_i / m_c: C_RHO, C_VEL and C_TEMP of the solids, in owned cells. */
@@ -37,6 +38,11 @@ floe_status transfer_pressure_to_nodes(transfer *t);
 floe_status transfer_momentum_to_cells(transfer *t);
 /* v_i^L += sum w dv_c, from C_VELOCITY_CHANGE. */
 floe_status transfer_change_to_nodes(transfer *t);
+/* C_STRESS_ACCEL of the solids: what the nodes got from stress, loads, supports and contact in the step, and not from the
+ * cells or from gravity. The first has the momentum of v_i^L with what the cells gave and before supports and contact act
+ * again, the second that after them. */
+floe_status transfer_momentum_before(transfer *t);
+floe_status transfer_stress_to_cells(transfer *t);
 /* N_BURNT_SHARE: of the mass about a node, what the reactions ask for in C_REACTED, averaged from the cells as the mass
  * went to them; C_REACTED is the cells' own shares then. A cell loses no more than half of its solid in a step. */
 floe_status transfer_share_to_nodes(transfer *t);

@@ -109,6 +109,8 @@
       "T of fluids that conduct; at half the step after the sources")                                                \
     X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH,                                          \
       "(m u)^r,L of materials carried by points")                                                                    \
+    X(C_STRESS_ACCEL, "stress_acceleration", CELL, VECTOR, "m/s2", STATE,                                            \
+      "of materials carried by points: what stress, supports and contact gave them in the last step")                \
     X(C_SOURCE, "momentum_source", CELL, VECTOR, "kg m/s", SCRATCH, "pressure-gradient impulse of step 8")           \
     X(C_VELOCITY_CHANGE, "velocity_change", CELL, VECTOR, "m/s", SCRATCH, "dv_c handed back to the nodes")           \
     /* cells, shared by all materials (instance 0) */                                                                \

@@ -193,7 +193,10 @@ floe_status ice_boundary_ghosts(ice *s)
         ice_fill_ghosts(s, C_RHO, r, FILL_CURRENT, GHOST_DENSITY);
         ice_fill_ghosts(s, C_VEL, r, FILL_CURRENT, GHOST_VELOCITY);
         if (!s->material[r].points) ice_fill_ghosts(s, C_ENERGY, r, FILL_CURRENT, GHOST_ENERGY);
-        if (s->material[r].points) ice_fill_ghosts(s, C_TEMP, r, FILL_CURRENT, GHOST_EVEN);
+        if (s->material[r].points) {
+            ice_fill_ghosts(s, C_TEMP, r, FILL_CURRENT, GHOST_EVEN);
+            ice_fill_ghosts(s, C_STRESS_ACCEL, r, FILL_CURRENT, GHOST_EVEN);
+        }
         if (s->multi) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
         for (int axis = 0; axis < m->dim; ++axis)
             for (int side = 0; side < 2; ++side) {

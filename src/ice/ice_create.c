@@ -257,6 +257,7 @@ static field_owner owner_of(const ice *s, field_id id)
     case C_DIFFUSION:
     case C_DIFFUSION_HEAT:
     case C_DIFFUSION_T: return OWNER_FLUIDS;
+    case C_STRESS_ACCEL:
     case C_SOURCE:
     case C_MOMENTUM_L:
     case C_VELOCITY_CHANGE: return OWNER_POINTS;

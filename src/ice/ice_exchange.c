@@ -121,9 +121,13 @@ static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_c
     for (int r = 0; r < c->n; ++r) {
         spot.theta[r] = c->theta[r];
         spot.density[r] = 1.0 / v->m[r].v[at];
+        spot.sound[r] = v->m[r].c[at];
         for (int a = 0; a < c->dim; ++a) spot.u[a][r] = c->u[a][r];
     }
-    if (s->work->pairs.slips) ice_wall_gradient(v, at, gradient);
+    if (s->work->pairs.slips) {
+        ice_wall_gradient(v, at, gradient);
+        ice_pressure_slope(v, at, spot.slope);
+    }
     ice_relax_spot(s, v, c->mass, &spot, s->dt * c->room, s->work->pairs.slips ? gradient : NULL, c->u);
 }
 
@@ -135,7 +139,10 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
     if (s->work->pairs.plain) {
         exchange_matrix a;
         exchange_couple(c.n, s->exchange.K, c.theta, s->dt * c.room, a);
-        exchange_relax(c.n, c.mass, a, c.dim, c.u);
+        if (s->work->pairs.unlike)
+            exchange_relax_parts(c.n, c.mass, c.theta, a, c.dim, c.u);
+        else
+            exchange_relax(c.n, c.mass, a, c.dim, c.u);
     } else {
         relax_by_laws(s, v, at, &c);
     }

@@ -84,7 +84,10 @@ static void exchange_face(const ice *s, const ice_view *v, int axis, double *con
     if (present < 2) return;
     exchange_matrix a;
     exchange_couple(n, s->work->pairs.table[ICE_NORMAL], theta, v->dt, a);
-    exchange_relax(n, mass, a, 1, u);
+    if (s->work->pairs.unlike)
+        exchange_relax_parts(n, mass, theta, a, 1, u);
+    else
+        exchange_relax(n, mass, a, 1, u);
     for (int r = 0; r < n; ++r) value[r][R] = u[0][r];
 }
 
@@ -155,6 +158,7 @@ floe_status ice_face_velocity(ice *s)
             double *velocity[ICE_MAX_MATERIALS];
             for (int r = 0; r < v.n_materials; ++r) {
                 velocity_rows(s, &v, r, axis);
+                if (s->material[r].points) ice_stress_face_velocity(s, &v, r, axis);
                 if (s->diffuses) ice_diffusion_face_velocity(s, &v, r, axis);
                 velocity[r] = v.m[r].fu[axis];
             }

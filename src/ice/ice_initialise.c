@@ -1,4 +1,6 @@
 /* The first state: fluids of bodies and of the ambient, cut by exact fractions; columns at rest under gravity. */
+#include "base/memory.h"
+#include "ice/ice_nearest.h"
 #include "ice/sealed/ice_pool.h"
 #include "scene/state.h"
 
@@ -65,20 +67,27 @@ static floe_status add_ambient(const ice *s, content *contents, double room)
     return FLOE_OK;
 }
 
+/* Share of a cell that a body covers. */
+static double covered_by(const ice *s, const scene_body *body, const double lo[3])
+{
+    const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
+    double hi[3] = {0.0, 0.0, 0.0}, centroid[3];
+    for (int a = 0; a < s->mesh->dim; ++a) hi[a] = lo[a] + s->mesh->h[a];
+    const double fraction = shape_fraction(&body->shape, s->mesh->dim, lo, hi, radial, 5, centroid);
+    return fraction > 1.0 - 1e-12 ? 1.0 : fraction;
+}
+
 /* The contents of one cell of the bodies that yield, or of those that do not, earlier bodies first; *left is the room
  * that is left. */
 static floe_status add_bodies_that(const ice *s, bool yield, const double lo[3], double *left, content *contents)
 {
     const scene *given = s->scene;
-    const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
-    double hi[3] = {0.0, 0.0, 0.0}, centroid[3], room = *left;
-    for (int a = 0; a < s->mesh->dim; ++a) hi[a] = lo[a] + s->mesh->h[a];
+    double room = *left;
     for (int b = 0; b < given->n_bodies && room > 0.0; ++b) {
         const scene_body *body = &given->body[b];
         const int r = ice_material_of(s, body->material);
         if (r < 0 || s->material[r].points || body->yields != yield) continue;
-        double fraction = shape_fraction(&body->shape, s->mesh->dim, lo, hi, radial, 5, centroid);
-        if (fraction > 1.0 - 1e-12) fraction = 1.0;
+        double fraction = covered_by(s, body, lo);
         if (body->fraction > 0.0) fraction *= body->fraction;
         if (fraction > room) fraction = room;
         if (!(fraction > 1e-12)) continue;
@@ -104,6 +113,58 @@ static floe_status fill_cell(const ice *s, const double lo[3], double room, cont
     return room > 0.0 && s->scene->has_ambient ? add_ambient(s, contents, room) : FLOE_OK;
 }
 
+/* Share of a cell that is the ambient's: no body covers it, of fluid or of solid. */
+static double ambient_share(const ice *s, const double lo[3])
+{
+    double left = s->scene->has_ambient ? 1.0 : 0.0;
+    for (int b = 0; b < s->scene->n_bodies && left > 0.0; ++b) {
+        const scene_body *body = &s->scene->body[b];
+        if (ice_material_of(s, body->material) < 0) continue;
+        left -= covered_by(s, body, lo) * (body->fraction > 0.0 ? body->fraction : 1.0);
+    }
+    return left > 1e-9 ? left : 0.0;
+}
+
+/* Fills `room` of a cell with what the fluids of another are. */
+static floe_status add_like(const ice *s, const double lo[3], double room, content *contents)
+{
+    content like[ICE_MAX_MATERIALS];
+    double left = 1.0, filled = 0.0;
+    memset(like, 0, sizeof like);
+    TRY(add_bodies(s, lo, &left, like));
+    const double ambient = fmin(left, ambient_share(s, lo));
+    if (ambient > 0.0) TRY(add_ambient(s, like, ambient));
+    for (int r = 0; r < s->n_materials; ++r) filled += like[r].fraction;
+    for (int r = 0; r < s->n_materials && filled > 0.0; ++r) {
+        content *c = &contents[r];
+        const double share = room / filled;
+        c->fraction += share * like[r].fraction;
+        c->mass += share * like[r].mass;
+        c->energy += share * like[r].energy;
+        for (int a = 0; a < s->mesh->dim; ++a) c->momentum[a] += share * like[r].momentum[a];
+    }
+    return filled > 0.0 || !s->scene->has_ambient ? FLOE_OK : add_ambient(s, contents, room);
+}
+
+/* A cell that a solid shares: what no fluid covers of it lies inside the solid, and is filled as the nearest cell outside, so
+ * that a fluid has the mass and the momentum of its whole volume. */
+static floe_status fill_beside(const ice *s, const double lo[3], double room, int nearest, content *contents)
+{
+    TRY(add_bodies(s, lo, &room, contents));
+    const double ambient = fmin(room, ambient_share(s, lo));
+    if (ambient > 0.0) TRY(add_ambient(s, contents, ambient));
+    room -= ambient;
+    if (!(room > 0.0)) return FLOE_OK;
+    int cell[MESH_MAX_DIM] = {0};
+    double beside[3] = {0.0, 0.0, 0.0};
+    if (nearest < 0) return s->scene->has_ambient ? add_ambient(s, contents, room) : FLOE_OK;
+    cell[0] = nearest % s->mesh->n[0];
+    cell[1] = nearest / s->mesh->n[0] % s->mesh->n[1];
+    cell[2] = nearest / s->mesh->n[0] / s->mesh->n[1];
+    for (int a = 0; a < s->mesh->dim; ++a) beside[a] = mesh_node(s->mesh, a, cell[a]);
+    return add_like(s, beside, room, contents);
+}
+
 static void store(const ice *s, const ice_view *v, ptrdiff_t at, const content *contents)
 {
     double filled = 0.0;
@@ -125,7 +186,14 @@ static void store(const ice *s, const ice_view *v, ptrdiff_t at, const content *
     }
 }
 
-static floe_status initialise_block(const ice *s, const ice_view *v, const double *taken)
+/* Room that solids leave of a cell. One that they all but fill gets no fluid: a sliver would only take up their volume errors. */
+static double room_beside(double taken)
+{
+    const double room = 1.0 - taken;
+    return room < 1e-6 ? 0.0 : room > 1.0 - 1e-12 ? 1.0 : room;
+}
+
+static floe_status initialise_block(const ice *s, const ice_view *v, const double *taken, const int *nearest)
 {
     const block *b = v->b;
     for (int k = 0; k < b->n[2]; ++k)
@@ -136,10 +204,12 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
                                       mesh_node(s->mesh, 2, b->lo[2] + k)};
                 content contents[ICE_MAX_MATERIALS];
                 memset(contents, 0, sizeof contents);
-                /* A cell that solids all but fill gets no fluid: a sliver would only take up their volume errors. */
-                const double room = taken ? 1.0 - taken[at] : 1.0;
-                TRY(fill_cell(s, lo, room < 1e-6 ? 0.0 : room > 1.0 - 1e-12 ? 1.0 : room, contents));
-                double filled = room < 1e-6 ? 1.0 : 0.0;
+                const double room = taken ? room_beside(taken[at]) : 1.0;
+                const int number =
+                    b->lo[0] + i + s->mesh->n[0] * (b->lo[1] + j + s->mesh->n[1] * (b->lo[2] + k)); /* of all cells */
+                TRY(room < 1.0 ? fill_beside(s, lo, room, nearest[number], contents)
+                               : fill_cell(s, lo, room, contents));
+                double filled = room > 0.0 ? 0.0 : 1.0;
                 for (int r = 0; r < s->n_materials; ++r) filled += contents[r].fraction;
                 if (!(filled > 0.0)) {
                     char place[160];
@@ -240,15 +310,24 @@ floe_status ice_sealed_fill(ice *s)
     return FLOE_OK;
 }
 
-floe_status ice_initialise(ice *s, double *const *taken)
+static floe_status initialise_blocks(ice *s, double *const *taken, const int *nearest)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
-        TRY(initialise_block(s, &v, taken ? taken[id] : NULL));
+        TRY(initialise_block(s, &v, taken ? taken[id] : NULL, nearest));
         double *p = field_get(s->domain->fields[id], C_PRESSURE, 0, 0);
         guess_pressure(s, &v, p);
         if (s->multi) start_solid_volumes(s, &v, p);
     }
-    return ice_hydrostatic(s);
+    return FLOE_OK;
+}
+
+floe_status ice_initialise(ice *s, double *const *taken)
+{
+    int *nearest = NULL;
+    if (taken) TRY(ice_nearest_find(s, &nearest));
+    const floe_status status = initialise_blocks(s, taken, nearest);
+    memory_free(s->ctx, &nearest);
+    return status == FLOE_OK ? ice_hydrostatic(s) : status;
 }

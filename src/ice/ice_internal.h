@@ -46,15 +46,15 @@ typedef struct ice_arrays {
     double *open, *open1;         /* share of the cell left to the gas, now and next; NULL: all */
     double *v;                    /* equilibrated v of this step (lies in the next array of C_VOL) */
     double *T, *theta, *c, *kappa;
-    double *fu[3], *ft[3];              /* u*, theta at faces */
-    double *ul[3], *el, *vl;            /* Lagrangian values */
-    double *rho1, *u1[3], *e1, *vol1;   /* next state; vol1 is v */
-    double *e_found, *vol_found;        /* before mixed cells are closed; NULL where that changes no state */
-    double *rhol;                       /* after the mass exchange, of solids too; NULL without reactions */
-    double *source[3], *mom[3], *dv[3]; /* materials carried by points */
-    double *diff[3], *heat, *diffT;     /* ice_diffusion.c */
-    double *mobility[3];                /* at faces, of the implicit pressure */
-    const ice_span *near;               /* of each row, ghosts too: cells that may be near the material; NULL: all */
+    double *fu[3], *ft[3];            /* u*, theta at faces */
+    double *ul[3], *el, *vl;          /* Lagrangian values */
+    double *rho1, *u1[3], *e1, *vol1; /* next state; vol1 is v */
+    double *e_found, *vol_found;      /* before mixed cells are closed; NULL where that changes no state */
+    double *rhol;                     /* after the mass exchange, of solids too; NULL without reactions */
+    double *source[3], *mom[3], *dv[3], *stress[3]; /* materials carried by points; stress: C_STRESS_ACCEL */
+    double *diff[3], *heat, *diffT;                 /* ice_diffusion.c */
+    double *mobility[3];                            /* at faces, of the implicit pressure */
+    const ice_span *near; /* of each row, ghosts too: cells that may be near the material; NULL: all */
 } ice_arrays;
 
 /* One block, ready for the kernels. With one fluid, rho_sum, mean and flux are that fluid's own rho, u and fu. */
@@ -205,6 +205,7 @@ typedef struct ice_pairs {
     ice_pair_law law[3 * SCENE_MAX_EXCHANGES];
     int n;
     bool plain;                   /* constants alone */
+    bool unlike;                  /* of three materials or more, pairs differ */
     bool heat;                    /* some pair exchanges heat */
     bool slips;                   /* some pair has a tangential law of its own */
     bool wall[ICE_MAX_MATERIALS]; /* the gradient of these materials' volume is the normal */
@@ -213,6 +214,7 @@ typedef struct ice_pairs {
 /* Materials at a cell or face, before exchange. */
 typedef struct ice_spot {
     double theta[EXCHANGE_MAX], density[EXCHANGE_MAX], u[3][EXCHANGE_MAX]; /* 1, kg/m3 of the pure material, m/s */
+    double sound[EXCHANGE_MAX], slope[3];                                  /* m/s; Pa/m: the gradient of p */
 } ice_spot;
 
 /* Reactions between materials of the cells. */
@@ -409,6 +411,8 @@ double (*ice_coefficients(const ice *s, ice_coefficient which, const ice_spot *s
                           exchange_matrix own))[EXCHANGE_MAX];
 /* Gradient (1/m) of the volume fraction of the walls, and its direction; false: none to speak of. */
 void ice_wall_gradient(const ice_view *v, ptrdiff_t at, double gradient[3]);
+/* Gradient of p (Pa/m) in a cell. */
+void ice_pressure_slope(const ice_view *v, ptrdiff_t at, double slope[3]);
 bool ice_wall_normal(const ice_view *v, const double gradient[3], double normal[3]);
 /* Momentum exchange of whole vectors; factor: dt at a face, dt TMV/V in a cell; gradient NULL: no pair slips. */
 void ice_relax_spot(const ice *s, const ice_view *v, const double *mass, const ice_spot *spot, double factor,
@@ -416,6 +420,10 @@ void ice_relax_spot(const ice *s, const ice_view *v, const double *mass, const i
 /* Momentum exchange at one face where coefficients depend on the state or pairs slip, of value[r][R]: u*, or what the pressure adds
  * to it along the axis (the mobility of the implicit pressure). */
 void ice_exchange_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R);
+
+/* What stress, supports and contact do to u* of a material that points carry (ice_face_stress.c): along the faces' axis, and along any axis. */
+void ice_stress_face_velocity(const ice *s, const ice_view *v, int r, int axis);
+double ice_stress_kick(const ice *s, const ice_view *v, int r, int axis, int component, ptrdiff_t R);
 
 /* Half a step's force on the face velocities, and half a step's heat on the advanced pressure (the array P); a whole step's of
  * both where the implicit pressure is at its end. */

@@ -54,24 +54,52 @@ static floe_status resolve_pair(ice *s, const scene_exchange *e)
     return e->heat.model ? resolve_law(s, e, e->heat, ICE_HEAT, r, q) : FLOE_OK;
 }
 
+/* Of a law that bears tension. */
+static bool is_liquid(const ice_material *m)
+{
+    return m->eos.model->pressure_floor(m->eos.par) < 0.0;
+}
+
+/* A liquid without viscosity slips along a solid, unless the deck says otherwise. A gas does not: in the cells of an oblique wall it is so light
+ * that the pressure which the wall bears drives it along the surface by the error of the normal (pressurised cylinder: it diverges). */
+static bool slips_by_default(const ice *s, int r, int q)
+{
+    const ice_material *fluid = &s->material[s->material[r].points ? q : r];
+    const bool beside = s->material[r].points != s->material[q].points;
+    return isnan(s->scene->method.exchange) && s->mesh->dim > 1 && beside && fluid->shear_viscosity == 0.0 &&
+           is_liquid(fluid);
+}
+
+/* Pairs that the deck names nowhere. */
+static void resolve_others(ice *s)
+{
+    const double given = s->scene->method.exchange, all = isnan(given) ? EXCHANGE_LOCKED : given;
+    exchange_table *t = &s->exchange;
+    for (int r = 0; r < s->n_materials; ++r)
+        for (int q = 0; q < r; ++q) {
+            const bool slips = slips_by_default(s, r, q);
+            set_pair(t->K, r, q, all);
+            set_pair(t->Kt, r, q, slips ? 0.0 : all);
+            set_pair(t->R, r, q, s->scene->method.heat_exchange);
+            if (slips) note_wall(s, r, q);
+        }
+}
+
 floe_status ice_pairs_resolve(ice *s)
 {
     exchange_table *t = &s->exchange;
     ice_pairs *pairs = &s->work->pairs;
-    const double given = s->scene->method.exchange, all = isnan(given) ? EXCHANGE_LOCKED : given;
     t->n = s->n_materials;
     pairs->table[ICE_NORMAL] = t->K;
     pairs->table[ICE_TANGENTIAL] = t->Kt;
     pairs->table[ICE_HEAT] = t->R;
-    for (int r = 0; r < s->n_materials; ++r)
-        for (int q = 0; q < r; ++q) {
-            set_pair(t->K, r, q, all);
-            set_pair(t->Kt, r, q, all);
-            set_pair(t->R, r, q, s->scene->method.heat_exchange);
-        }
+    resolve_others(s);
     for (int i = 0; i < s->scene->n_exchanges; ++i) TRY(resolve_pair(s, &s->scene->exchange[i]));
     for (int r = 0; r < s->n_materials; ++r)
-        for (int q = 0; q < r; ++q) pairs->heat = pairs->heat || t->R[r][q] > 0.0;
+        for (int q = 0; q < r; ++q) {
+            pairs->heat = pairs->heat || t->R[r][q] > 0.0;
+            pairs->unlike = pairs->unlike || t->K[r][q] != t->K[0][1];
+        }
     for (int i = 0; i < pairs->n; ++i) pairs->heat = pairs->heat || pairs->law[i].which == ICE_HEAT;
     pairs->plain = pairs->n == 0 && !pairs->slips;
     return FLOE_OK;
@@ -176,6 +204,40 @@ bool ice_wall_normal(const ice_view *v, const double gradient[3], double normal[
     return size * v->length > 1e-6; /* none in a uniform mixture */
 }
 
+/* A solid bears a pressure that falls across it; the fluid in its cells feels that fall as a push along the normal, and by the error of the
+ * normal as one along the surface, where nothing stops it. So it is dragged by the solid at the rate 30 |n . grad p|/(rho c) (1 - x)/x, with x from 0
+ * where it fills less than ICE_NO_ROOM of a cell to 1 where it fills half: hard in gas, by as much as the fall is more than its own pressure over a
+ * cell, next to not at all in liquids, and not by waves that run along the surface. Gases keep to their law: their slip is
+ * asked for by name. */
+static void drag_in_solids(const ice *s, const double *mass, const ice_spot *spot, const double normal[3], double dt,
+                           exchange_matrix a, exchange_matrix across)
+{
+    const double strength = 30.0, most_share = 0.5;
+    double fluid = 0.0, push = 0.0;
+    for (int r = 0; r < s->n_materials; ++r)
+        if (!s->material[r].points) fluid += spot->theta[r];
+    if (!(fluid < most_share)) return;
+    for (int x = 0; x < s->mesh->dim; ++x) push += spot->slope[x] * normal[x];
+    const double free = most((fluid - ICE_NO_ROOM) / (most_share - ICE_NO_ROOM), 0.0);
+    for (int r = 0; r < s->n_materials; ++r)
+        for (int q = 0; q < s->n_materials; ++q) {
+            if (s->material[r].points == s->material[q].points) continue;
+            const int f = s->material[r].points ? q : r;
+            if (!is_liquid(&s->material[f])) continue;
+            const double rate = strength * fabs(push) / (spot->density[f] * spot->sound[f]);
+            const double drag = free > 0.0 ? mass[f] * rate * dt * (1.0 / free - 1.0) : (double)INFINITY;
+            across[r][q] = most(across[r][q], least(a[r][q], drag));
+        }
+}
+
+void ice_pressure_slope(const ice_view *v, ptrdiff_t at, double slope[3])
+{
+    for (int a = 0; a < 3; ++a) {
+        const ptrdiff_t st = a < v->dim ? v->b->stride[a] : 0;
+        slope[a] = a < v->dim ? 0.5 * (v->p[at + st] - v->p[at - st]) * v->inv_h[a] : 0.0;
+    }
+}
+
 void ice_relax_spot(const ice *s, const ice_view *v, const double *mass, const ice_spot *spot, double factor,
                     const double *gradient, double u[3][EXCHANGE_MAX])
 {
@@ -184,18 +246,22 @@ void ice_relax_spot(const ice *s, const ice_view *v, const double *mass, const i
     double normal[3];
     exchange_couple(n, ice_coefficients(s, ICE_NORMAL, spot, own), spot->theta, factor, a);
     if (!gradient || !ice_wall_normal(v, gradient, normal)) {
-        exchange_relax(n, mass, a, v->dim, u);
+        if (s->work->pairs.unlike)
+            exchange_relax_parts(n, mass, spot->theta, a, v->dim, u);
+        else
+            exchange_relax(n, mass, a, v->dim, u);
         return;
     }
     exchange_couple(n, ice_coefficients(s, ICE_TANGENTIAL, spot, own), spot->theta, factor, across);
-    exchange_relax_frame(n, mass, a, across, v->dim, normal, u);
+    drag_in_solids(s, mass, spot, normal, v->dt, a, across);
+    exchange_relax_frame(n, mass, spot->theta, s->work->pairs.unlike, a, across, v->dim, normal, u);
 }
 
 /* ---- faces ---- */
 
 /* The velocity before exchange at a face: u* along its axis; across it the mean of both sides, with the kick of the pressure, so
  * that the whole vector is of one time and a kick along an oblique normal stays along it. */
-static void face_vector(const ice_view *v, int r, int axis, ptrdiff_t R, double u[3][EXCHANGE_MAX])
+static void face_vector(const ice *s, const ice_view *v, int r, int axis, ptrdiff_t R, double u[3][EXCHANGE_MAX])
 {
     const ice_arrays *m = &v->m[r];
     const ptrdiff_t L = R - v->b->stride[axis];
@@ -211,6 +277,7 @@ static void face_vector(const ice_view *v, int r, int axis, ptrdiff_t R, double 
         const double mean =
             sum > 0.0 ? (m->rho[L] * m->u[a][L] + m->rho[R] * m->u[a][R]) * inverse : 0.5 * (m->u[a][L] + m->u[a][R]);
         u[a][r] = mean + phi * v->dt * (v->gravity[a] - rise * v->inv_h[a] * room * inverse);
+        if (s->material[r].points) u[a][r] += ice_stress_kick(s, v, r, axis, a, R);
     }
 }
 
@@ -221,13 +288,17 @@ void ice_exchange_face(const ice *s, const ice_view *v, int axis, double *const 
     ice_spot spot;
     int present = 0;
     const bool velocity = value[0] == v->m[0].fu[axis];
+    for (int r = 0; r < s->n_materials; ++r) present += v->m[r].rho[L] + v->m[r].rho[R] > 0.0;
+    if (present < 2) return;
+    present = 0;
     for (int r = 0; r < s->n_materials; ++r) {
         const ice_arrays *m = &v->m[r];
         spot.theta[r] = 0.5 * (m->theta[L] + m->theta[R]);
         spot.density[r] = 2.0 / (m->v[L] + m->v[R]);
+        spot.sound[r] = 0.5 * (m->c[L] + m->c[R]);
         mass[r] = spot.theta[r] > 0.0 ? 0.5 * (m->rho[L] + m->rho[R]) : 0.0;
         present += mass[r] > 0.0;
-        face_vector(v, r, axis, R, spot.u);
+        face_vector(s, v, r, axis, R, spot.u);
         for (int a = 0; a < v->dim && velocity; ++a) u[a][r] = spot.u[a][r];
         u[axis][r] = value[r][R];
     }
@@ -237,6 +308,9 @@ void ice_exchange_face(const ice *s, const ice_view *v, int axis, double *const 
         ice_wall_gradient(v, L, gradient);
         ice_wall_gradient(v, R, other);
         for (int a = 0; a < 3; ++a) gradient[a] = 0.5 * (gradient[a] + other[a]);
+        ice_pressure_slope(v, L, spot.slope);
+        ice_pressure_slope(v, R, other);
+        for (int a = 0; a < 3; ++a) spot.slope[a] = 0.5 * (spot.slope[a] + other[a]);
     }
     ice_relax_spot(s, v, mass, &spot, v->dt, slips ? gradient : NULL, u);
     for (int r = 0; r < s->n_materials; ++r) value[r][R] = u[axis][r];

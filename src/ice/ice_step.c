@@ -6,8 +6,9 @@ floe_status ice_state_stages(ice *s)
 {
     const bool m = s->multi, p = s->with_points, d = s->diffuses, k = s->conducts;
     const bool reconciled = m && s->work->reconcile, slips = m && s->work->pairs.slips;
-    STAGE(s, ALWAYS, ice_boundary_ghosts, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE),
-          WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), C_PRESSURE));
+    STAGE(s, ALWAYS, ice_boundary_ghosts,
+          READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), WHEN(p, C_STRESS_ACCEL), C_PRESSURE),
+          WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), WHEN(p, C_STRESS_ACCEL), C_PRESSURE));
     STAGE(s, ALWAYS, ice_equilibrium_pressure,
           READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(m, C_TEMP), C_PRESSURE),
           WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
@@ -35,7 +36,8 @@ floe_status ice_pressure_stages(ice *s)
                f = s->work->interfaces;
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL)),
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL),
+                WHEN(p, C_STRESS_ACCEL)),
           WRITES(F_VEL, C_SHOCK, WHEN(ice_sharpens(s), C_CONTACT)));
     STAGE(s, implicit, ice_implicit_pressure,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),

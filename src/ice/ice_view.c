@@ -39,6 +39,7 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     vector(f, field_get, C_SOURCE, r, dim, m->source);
     vector(f, field_get, C_MOMENTUM_L, r, dim, m->mom);
     vector(f, field_get, C_VELOCITY_CHANGE, r, dim, m->dv);
+    vector(f, field_get, C_STRESS_ACCEL, r, dim, m->stress);
     vector(f, field_get, F_MOBILITY, r, dim, m->mobility);
 }
 

@@ -139,6 +139,9 @@ floe_status mpm_mass_stages(mpm *s);
 floe_status mpm_burn_stages(mpm *s); /* after masses and N_BURNT_SHARE are known; nothing where nothing burns */
 floe_status mpm_force_stages(mpm *s);
 floe_status mpm_motion_stages(mpm *s);
+/* The last in two: what contact and supports make of the nodes, and what the points make of that. */
+floe_status mpm_node_stages(mpm *s);
+floe_status mpm_point_stages(mpm *s);
 
 /* Steps that are solved for instead of explicit ones (balance.h): a load increment of statics, or a step of implicit
  * dynamics. To be called before the plan is made, of scenes that can be solved for. */

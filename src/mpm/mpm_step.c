@@ -125,13 +125,18 @@ static floe_status turn_stages(mpm *s)
     return FLOE_OK;
 }
 
-floe_status mpm_motion_stages(mpm *s)
+floe_status mpm_node_stages(mpm *s)
 {
-    const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
     STAGE(s, has_contact(s), mpm_contact_velocity,
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L, SIDES), WRITES(N_ACCEL, N_VEL_L, STOPS));
+    return FLOE_OK;
+}
+
+floe_status mpm_point_stages(mpm *s)
+{
+    const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
     STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, SIDES, P_MASS, P_POS, P_VEL),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, N_VEL_FILTERED, P_POS, P_VEL));
     STAGE(s, s->transfer->restore, mpm_restore_velocities,
@@ -157,6 +162,12 @@ floe_status mpm_motion_stages(mpm *s)
           READS(P_MASS, P_POS, P_VEL, DOMAINS, N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
           WRITES(N_LOSS, N_DRY_MASS, P_ENERGY));
     return FLOE_OK;
+}
+
+floe_status mpm_motion_stages(mpm *s)
+{
+    TRY(mpm_node_stages(s));
+    return mpm_point_stages(s);
 }
 
 /* A step that is solved for. */

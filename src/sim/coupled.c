@@ -42,6 +42,7 @@ floe_status transfer_create(transfer **out, sim *s)
     t->mesh = &s->mesh;
     t->stages = &s->stages;
     t->reference_pressure = s->scene->reference_pressure;
+    memcpy(t->gravity, s->ice->gravity, sizeof t->gravity);
     return make_pairs(t, s);
 }
 
@@ -61,6 +62,7 @@ floe_status coupled_step(sim *s)
     mpm *p = s->mpm;
     transfer *t = s->transfer;
     TRY(mpm_begin_step(p));
+    t->dt = s->ice->dt;
     TRY(mpm_mass_stages(p));
     STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM), WRITES(C_RHO, C_VEL, C_TEMP));
     TRY(ice_state_stages(s->ice));
@@ -76,7 +78,11 @@ floe_status coupled_step(sim *s)
     TRY(ice_exchange_stages(s->ice));
     STAGE(t, ALWAYS, transfer_change_to_nodes, READS(C_VELOCITY_CHANGE, N_MASS, N_VEL_L),
           WRITES(C_VELOCITY_CHANGE, N_VEL_L)); /* ghosts of the cells are filled */
-    TRY(mpm_motion_stages(p));
+    STAGE(t, ALWAYS, transfer_momentum_before, READS(N_MASS, N_VEL_L), WRITES(C_STRESS_ACCEL));
+    TRY(mpm_node_stages(p));
+    STAGE(t, ALWAYS, transfer_stress_to_cells, READS(N_MASS, N_VEL_L, C_MOMENTUM_L, C_RHO, C_VEL, C_STRESS_ACCEL),
+          WRITES(C_VELOCITY_CHANGE, C_STRESS_ACCEL));
+    TRY(mpm_point_stages(p));
     TRY(ice_advection_stages(s->ice));
     return FLOE_OK;
 }

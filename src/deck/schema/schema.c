@@ -263,7 +263,7 @@ static const key_spec method_keys[] = {
     {"limiter", KEY_CHOICE, AT(scene_method, limiter), .fallback = "default", .choices = limiter_choices,
      .doc = "advection of ICE"},
     {"exchange", KEY_NUMBER, "kg m-3 s-1", WITHIN(0.0, 1e20), AT(scene_method, exchange),
-     .otherwise = "`locked`: one velocity, in any units",
+     .otherwise = "`locked`: one velocity, in any units; liquids without viscosity slip along solids",
      .doc = "K of the momentum exchange between each pair of materials that `exchange` does not name"},
     {"heat_exchange", KEY_NUMBER, "W m-3 K-1", WITHIN(0.0, 1e30), AT(scene_method, heat_exchange), .fallback = "0",
      .doc = "R of the heat exchange between each pair of materials that `exchange` does not name"},
