@@ -7,7 +7,7 @@
 #include <argp.h>
 #include <signal.h>
 
-enum { CLI_MAX_SET = 128, CLI_PATH = 4096 };
+enum { CLI_MAX_SET = 128, CLI_PATH = 4096, CLI_SUFFIX = 192 };
 
 typedef struct cli {
     context *ctx;                      /* not owned */
@@ -79,5 +79,8 @@ double cli_number(struct argp_state *state, const char *option, const char *arg)
 int cli_whole(struct argp_state *state, const char *option, const char *arg);
 /* The part of a path that names the deck: "a/sod.yaml" gives "sod". */
 void cli_stem(const char *path, char stem[CLI_PATH]);
+/* The name of results that the user has not named: "out/STEM-KIND", and what was set beside the deck ("out/sod-ice-domain.cell=0.01"), so
+ * that variants of a deck have folders of their own. */
+void cli_default_folder(const cli_deck *d, const char *kind, char *dir, size_t size);
 
 #endif

@@ -11,7 +11,7 @@ typedef struct arguments {
     tolerance_arguments tolerance;
     bool quiet;
     int parent; /* process that the run ends with; 0: none */
-    char dir[CLI_PATH + 32];
+    char dir[CLI_PATH + CLI_SUFFIX];
 } arguments;
 
 enum { KEY_MAX_WALL = 1000, KEY_RESUME, KEY_PARENT };
@@ -38,7 +38,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 }
 
 static const struct argp_option options[] = {
-    {"output", 'o', "DIR", 0, "Folder of the results (default: out/DECK-COUPLING, out/DECK-tolerance)", 0},
+    {"output", 'o', "DIR", 0,
+     "Folder of the results (default: out/DECK-COUPLING, out/DECK-tolerance, followed by what --set sets)", 0},
     CLI_OPTION_COUPLING,
     CLI_OPTION_SET,
     {"threads", 't', "N", 0, "Threads (default: what the scene can use); the results do not depend on it", 0},
@@ -99,9 +100,7 @@ int cmd_run(cli *c, int argc, char **argv)
             &(tolerance_run_arguments){&a.deck, a.options.dir, a.options.threads, a.options.max_wall, a.quiet});
     }
     if (!a.options.dir) {
-        char stem[CLI_PATH];
-        cli_stem(a.deck.path, stem);
-        (void)snprintf(a.dir, sizeof a.dir, "out/%s-%s", stem, coupling_name(s->coupling));
+        cli_default_folder(&a.deck, coupling_name(s->coupling), a.dir, sizeof a.dir);
         a.options.dir = a.dir;
     }
     c->quiet = a.quiet;

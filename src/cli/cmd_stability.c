@@ -12,7 +12,7 @@ typedef struct arguments {
     stability_options options;
     const char *over[MAX_AXES], *each[MAX_AXES];
     bool quiet;
-    char dir[CLI_PATH + 32], program[BATCH_PATH];
+    char dir[CLI_PATH + CLI_SUFFIX], program[BATCH_PATH];
 } arguments;
 
 static void add_text(struct argp_state *state, const char **list, size_t *n, const char *arg)
@@ -72,10 +72,8 @@ static const struct argp argp = {
 
 static void set_options(arguments *a, cli *c)
 {
-    char stem[CLI_PATH];
     stability_options *o = &a->options;
-    cli_stem(a->deck.path, stem);
-    (void)snprintf(a->dir, sizeof a->dir, "out/%s-stability", stem);
+    cli_default_folder(&a->deck, "stability", a->dir, sizeof a->dir);
     if (!o->dir) o->dir = a->dir;
     batch_find_program(a->program, program_invocation_name);
     c->quiet = a->quiet;

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "run/catalogue.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -141,4 +142,39 @@ void cli_stem(const char *path, char stem[CLI_PATH])
     (void)snprintf(stem, CLI_PATH, "%s", slash ? slash + 1 : path);
     char *dot = strrchr(stem, '.');
     if (dot && dot != stem) *dot = '\0';
+}
+
+/* Longer names than this are cut short, and told apart by a hash. */
+enum { SUFFIX_MOST = 120 };
+
+/* FNV-1a. */
+static unsigned long hash_of(const cli_deck *d)
+{
+    unsigned long hash = 2166136261UL;
+    for (size_t k = 0; k < d->n_set; k++)
+        for (const char *c = d->set[k]; *c; c++) hash = ((hash ^ (unsigned char)*c) * 16777619UL) & 0xffffffffUL;
+    return hash;
+}
+
+/* "KEY=VALUE", with one '_' for what a file system may not like. */
+static size_t append_setting(char *text, size_t at, size_t size, const char *setting)
+{
+    if (at + 1 < size) text[at++] = '-';
+    for (const char *c = setting; *c && at + 1 < size; c++) {
+        const bool plain = isalnum((unsigned char)*c) || strchr("._-+=", *c);
+        if (plain || text[at - 1] != '_') text[at++] = plain ? *c : '_';
+    }
+    text[at] = '\0';
+    return at;
+}
+
+void cli_default_folder(const cli_deck *d, const char *kind, char *dir, size_t size)
+{
+    char stem[CLI_PATH], suffix[4096] = "";
+    size_t length = 0;
+    cli_stem(d->path, stem);
+    for (size_t k = 0; k < d->n_set; k++)
+        if (d->set[k] != d->coupling) length = append_setting(suffix, length, sizeof suffix, d->set[k]);
+    if (length > SUFFIX_MOST) (void)snprintf(suffix + SUFFIX_MOST, 32, "~%08lx", hash_of(d));
+    (void)snprintf(dir, size, "out/%s-%s%s", stem, kind, suffix);
 }

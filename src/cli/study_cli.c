@@ -27,10 +27,8 @@ error_t study_cli_option(study_arguments *a, int key, char *arg, struct argp_sta
 
 static void set_options(study_arguments *a, const cli *c)
 {
-    char stem[CLI_PATH];
     study_options *o = &a->options;
-    cli_stem(a->deck.path, stem);
-    (void)snprintf(a->dir, sizeof a->dir, "out/%s-%s", stem, o->name);
+    cli_default_folder(&a->deck, o->name, a->dir, sizeof a->dir);
     if (!o->dir) o->dir = a->dir;
     batch_find_program(a->program, program_invocation_name);
     o->program = a->program;

@@ -10,7 +10,7 @@ typedef struct study_arguments {
     study_options options;
     const char *axis[2 * SCENE_MAX_AXES];
     bool quiet;
-    char dir[CLI_PATH + 32], program[BATCH_PATH];
+    char dir[CLI_PATH + CLI_SUFFIX], program[BATCH_PATH];
 } study_arguments;
 
 enum { STUDY_KEY_AGAIN = 2000, STUDY_KEY_REPEAT, STUDY_KEY_MAX_WALL };

@@ -18,10 +18,9 @@ error_t tolerance_cli_option(tolerance_arguments *a, int key, char *arg, struct 
 
 int tolerance_cli_run(cli *c, const tolerance_arguments *a, const tolerance_run_arguments *run)
 {
-    char stem[CLI_PATH], dir[CLI_PATH + 32], program[BATCH_PATH];
+    char dir[CLI_PATH + CLI_SUFFIX], program[BATCH_PATH];
     tolerance *result;
-    cli_stem(run->deck->path, stem);
-    (void)snprintf(dir, sizeof dir, "out/%s-tolerance", stem);
+    cli_default_folder(run->deck, "tolerance", dir, sizeof dir);
     batch_find_program(program, program_invocation_name);
     /* The deck's axis of couplings gives way to the one that was asked for. */
     const char *const coupling = run->deck->coupling;

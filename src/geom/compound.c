@@ -120,3 +120,17 @@ double compound_common_volume(const shape *a, const shape *b, int dim, const dou
     const shape common = {boxes ? &common_box : &common_model, &part};
     return compound_volume(&common, dim, lo, hi, h, weight_by_radius);
 }
+
+double region_share(const shape *region, int dim, const double lo[3], const double hi[3], bool weight_by_radius)
+{
+    enum { DEPTH = 4 };
+    double middle[3] = {0.0}, diagonal2 = 0.0;
+    if (!region || !region->model) return 1.0;
+    for (int a = 0; a < dim; ++a) {
+        middle[a] = 0.5 * (lo[a] + hi[a]);
+        diagonal2 += (hi[a] - lo[a]) * (hi[a] - lo[a]);
+    }
+    const double level = region->model->level(region->par, dim, middle);
+    if (4.0 * level * level >= diagonal2) return level < 0.0 ? 1.0 : 0.0;
+    return fmin(shape_fraction(region, dim, lo, hi, weight_by_radius, DEPTH, middle), 1.0);
+}

@@ -26,4 +26,7 @@ double compound_common_volume(const shape *a, const shape *b, int dim, const dou
 double compound_volume(const shape *s, int dim, const double lo[3], const double hi[3], const double h[3],
                        bool weight_by_radius);
 
+/* Share of the box [lo, hi] that lies inside a region; all of it where the region is NULL or has no model. */
+double region_share(const shape *region, int dim, const double lo[3], const double hi[3], bool weight_by_radius);
+
 #endif

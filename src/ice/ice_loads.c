@@ -1,7 +1,8 @@
 /* Energy added to a fluid in a region: at a given power, or so that its mean pressure follows a ramp (pressurise). */
-#include "ice/ice_internal.h"
+#include "ice/ice_region.h"
 
 #include "base/memory.h"
+#include "geom/compound.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -11,7 +12,17 @@ static bool heats(const scene_load *load)
     return load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
 }
 
-/* Cells of a load's region: those whose centre lies inside. */
+double ice_region_share(const mesh *m, const shape *region, const int cell[MESH_MAX_DIM])
+{
+    double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < m->dim; ++a) {
+        lo[a] = mesh_node(m, a, cell[a]);
+        hi[a] = lo[a] + m->h[a];
+    }
+    return region_share(region, m->dim, lo, hi, m->geometry == MESH_AXISYMMETRIC);
+}
+
+/* Cells of a load's region: those of which some part lies inside, with its share. */
 static floe_status find_region(ice *s, int l, int id)
 {
     const scene_load *load = &s->scene->load[l];
@@ -23,10 +34,9 @@ static floe_status find_region(ice *s, int l, int id)
         for (int j = 0; j < b->n[1]; ++j)
             for (int i = 0; i < b->n[0]; ++i) {
                 const int cell[MESH_MAX_DIM] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
-                double x[3] = {0.0, 0.0, 0.0};
-                for (int a = 0; a < b->dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
-                if (!load->region.model || shape_inside(&load->region, b->dim, x))
-                    list->at[list->n++] = mesh_index(b, i, j, k);
+                const double share = ice_region_share(s->mesh, &load->region, cell);
+                if (!(share > 0.0)) continue;
+                list->at[list->n++] = mesh_index(b, i, j, k);
             }
     return FLOE_OK;
 }
@@ -71,7 +81,8 @@ static void add_heat(ice *s, int l, int r, heat_function *heat, double amount)
             if (!(v.m[r].rho[at] > 0.0)) continue;
             int cell[MESH_MAX_DIM];
             ice_cell_of(v.b, at, cell);
-            const double added = heat(s, &v, r, at, amount);
+            const double added =
+                ice_region_share(s->mesh, &s->scene->load[l].region, cell) * heat(s, &v, r, at, amount);
             v.m[r].el[at] += added / v.m[r].rho[at];
             ice_tile(s, v.b, cell[0], cell[1], cell[2])[TILE_SOURCE_ENERGY] +=
                 added * v.volume[cell[0]] * open_share(&v.m[r], at);
@@ -95,11 +106,12 @@ static double pressure_slope(const ice *s, const ice_view *v, int r, ptrdiff_t a
     return slope;
 }
 
-static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at)
+static void add_means(ice *s, const ice_view *v, int r, ptrdiff_t at, const shape *region)
 {
     int cell[MESH_MAX_DIM];
     ice_cell_of(v->b, at, cell);
-    const double weight = v->volume[cell[0]] * (s->multi ? v->m[r].theta[at] : open_share(&v->m[r], at));
+    const double fluid = v->volume[cell[0]] * (s->multi ? v->m[r].theta[at] : open_share(&v->m[r], at)),
+                 weight = fluid > 0.0 ? fluid * ice_region_share(s->mesh, region, cell) : 0.0;
     double *t = ice_tile(s, v->b, cell[0], cell[1], cell[2]) + TILE_SCRATCH;
     if (!(weight > 0.0)) return;
     t[0] += weight;
@@ -114,7 +126,7 @@ static region_means means_of(ice *s, int l, int r)
         ice_view v;
         ice_view_make(s, id, &v);
         const ice_cell_list *list = &s->work->region[l][id];
-        for (size_t n = 0; n < list->n; ++n) add_means(s, &v, r, list->at[n]);
+        for (size_t n = 0; n < list->n; ++n) add_means(s, &v, r, list->at[n], &s->scene->load[l].region);
     }
     domain_sum_tiles(s->mesh, tile, TILE_VALUES, sum);
     for (size_t t = 0; t < s->work->tiles; ++t)
@@ -170,9 +182,12 @@ static void add_pressure(ice *s, int l, int r, double heat)
         for (size_t n = 0; n < list->n; ++n) {
             const ptrdiff_t at = list->at[n];
             const ice_arrays *m = &v.m[r];
+            int cell[MESH_MAX_DIM];
             if (!(m->rho[at] > 0.0)) continue;
+            ice_cell_of(v.b, at, cell);
+            const double share = ice_region_share(s->mesh, &s->scene->load[l].region, cell);
             const double volume = s->multi ? m->v[at] : 1.0 / m->rho[at],
-                         part = s->multi ? m->kappa[at] / v.kappa_sum[at] : 1.0;
+                         part = share * (s->multi ? m->kappa[at] / v.kappa_sum[at] : 1.0);
             v.dP[at] += ice_implicit_phi(&v, 0.5 * (1.0 + v.shock[at])) * part * volume * pressure_slope(s, &v, r, at) *
                         heat_by_power(s, &v, r, at, heat);
         }

@@ -1,5 +1,6 @@
 /* Regions of gas at rest: found. */
 #include "ice/ice_rest.h"
+#include "ice/ice_region.h"
 
 #include "base/memory.h"
 #include "ice/sealed/ice_pool.h"
@@ -210,13 +211,6 @@ static void weigh_regions(const ice *s, ice_rest *r)
     }
 }
 
-static bool is_heated(const scene_load *load, const mesh *m, const int cell[MESH_MAX_DIM])
-{
-    double x[3] = {0.0, 0.0, 0.0};
-    for (int a = 0; a < m->dim; ++a) x[a] = mesh_centre(m, a, cell[a]);
-    return !load->region.model || shape_inside(&load->region, m->dim, x);
-}
-
 static floe_status pressurise(const ice *s, ice_rest_region *g, const scene_load *load, double pressure)
 {
     if (!g->open) {
@@ -243,12 +237,14 @@ static floe_status apply_load(const ice *s, ice_rest *r, const scene_load *given
         int cell[MESH_MAX_DIM];
         if (r->of[k] < 0) continue;
         cell_of(s->mesh, k, cell);
-        if (!is_heated(&load, s->mesh, cell)) continue;
+        const double share = ice_region_share(s->mesh, &load.region, cell);
+        if (!(share > 0.0)) continue;
         ice_rest_region *g = &r->region[r->of[k]];
         if (load.kind == LOAD_PRESSURISE)
             TRY(pressurise(s, g, &load, pressure));
         else
-            g->heat += load.target * heating * share_of(s, r->material, cell) * mesh_cell_volume(s->mesh, cell[0]);
+            g->heat +=
+                load.target * heating * share * share_of(s, r->material, cell) * mesh_cell_volume(s->mesh, cell[0]);
     }
     return FLOE_OK;
 }

@@ -1,5 +1,5 @@
 /* Totals over the owned cells, in tile order (design 4), and the mean pressure of a region. */
-#include "ice/ice_internal.h"
+#include "ice/ice_region.h"
 
 #include "base/memory.h"
 
@@ -93,12 +93,11 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
                 for (int i = 0; i < v.b->n[0]; ++i) {
                     const ptrdiff_t at = mesh_index(v.b, i, j, k);
                     const int cell[MESH_MAX_DIM] = {v.b->lo[0] + i, v.b->lo[1] + j, v.b->lo[2] + k};
-                    double x[3] = {0.0, 0.0, 0.0};
-                    for (int a = 0; a < v.dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
                     const ice_arrays *m = &v.m[material];
-                    if (!(m->rho[at] > 0.0) || (region && region->model && !shape_inside(region, v.dim, x))) continue;
+                    const double inside = m->rho[at] > 0.0 && region ? ice_region_share(s->mesh, region, cell) : 1.0;
+                    if (!(m->rho[at] > 0.0) || !(inside > 0.0)) continue;
                     const double share = s->multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
-                    const double weight = v.volume[i] * share;
+                    const double weight = inside * v.volume[i] * share;
                     double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, cell);
                     t[0] += weight;
                     t[1] += weight * ice_pressure_now(s, id, material, at);

@@ -1,7 +1,8 @@
 /* Strain, artificial viscosity, heating and the law, in batches of points unpacked to three dimensions. */
+#include "geom/compound.h"
 #include "material/artificial_viscosity.h"
 #include "mpm/membrane/hold.h"
-#include "mpm/work.h"
+#include "mpm/region.h"
 
 #include <math.h>
 #include <string.h>
@@ -181,11 +182,20 @@ static void set_artificial(const mpm *s, const mpm_body *body, solid_batch *b)
                                       body->artificial[0], body->artificial[1]);
 }
 
-static bool in_region(const mpm *s, const fields *f, int body, size_t k, const shape *region)
+/* Of the box that the point had as its part of a cell, as large as it is now. */
+double point_region_share(const mpm *s, const fields *f, int body, size_t k, const shape *region)
 {
-    double x[3] = {0};
-    for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
-    return !region->model || shape_inside(region, s->mesh->dim, x);
+    const scene_body *given = &s->scene->body[s->body[body].scene_body];
+    const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
+    double lo[3] = {0}, hi[3] = {0};
+    if (!region || !region->model) return 1.0;
+    const double stretch = pow(field_get(f, P_J, body, 0)[k], 1.0 / s->mesh->dim);
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double x = field_get(f, P_POS, body, a)[k], half = 0.5 * stretch * s->mesh->h[a] / given->per_cell[a];
+        lo[a] = radial && a == 0 ? fmax(x - half, 0.0) : x - half;
+        hi[a] = x + half;
+    }
+    return region_share(region, s->mesh->dim, lo, hi, radial);
 }
 
 /* Energy of the heating loads into points of a fluid: e += dp / (dp/de), or power dt / rho. Returns what was added (J). */
@@ -203,8 +213,8 @@ static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batc
         const bool by_power = load->kind == LOAD_HEAT;
         if (!by_power) m->fluid_par.eos.model->dpde(m->fluid_par.eos.par, b->n, rho, b->energy, dpde);
         for (size_t k = 0; k < b->n; ++k) {
-            if (!in_region(s, f, body, start + k, &load->region)) continue;
-            const double de = s->work->heat[l] / (by_power ? rho[k] : dpde[k]);
+            const double share = point_region_share(s, f, body, start + k, &load->region);
+            const double de = share * s->work->heat[l] / (by_power ? rho[k] : dpde[k]);
             b->energy[k] += de;
             added += de * mass[start + k];
         }

@@ -1,6 +1,7 @@
 /* Sums and limits over the current points: within tiles, then over tiles in order. */
 #include "base/threads.h"
 #include "mpm/membrane/membrane.h"
+#include "mpm/region.h"
 #include "mpm/spring.h"
 
 #include <math.h>
@@ -100,11 +101,9 @@ static void tile_pressure(const mpm *s, int blk, int tile, int body, const shape
     const double *stress[3];
     for (int c = 0; c < 3; ++c) stress[c] = field_get(f, P_STRESS, body, c);
     for (size_t k = at[tile]; k < at[tile + 1]; ++k) {
-        double x[3] = {0};
-        for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
-        if (region && region->model && !shape_inside(region, s->mesh->dim, x)) continue;
-        sum[0] += volume[k] * J[k];
-        sum[1] -= volume[k] * J[k] * (stress[0][k] + stress[1][k] + stress[2][k]) / 3.0;
+        const double part = point_region_share(s, f, body, k, region) * volume[k] * J[k];
+        sum[0] += part;
+        sum[1] -= part * (stress[0][k] + stress[1][k] + stress[2][k]) / 3.0;
     }
 }
 

@@ -39,6 +39,10 @@ subject find_subject(sim *s, const exact *solution)
     const int bodies = s->mpm ? s->mpm->n_bodies : 0;
     int material = v->material >= 0 ? v->material : first_fluid(s->scene);
     subject what = {.s = s, .solution = solution, .cells = -1};
+    if (v->body < 0 && v->material < 0 && solution->model && exact_is_solid(solution)) {
+        for (int b = 0; b < bodies; b++) what.body[b] = !s->mpm->body[b].fluid;
+        return what;
+    }
     if (v->body >= 0) {
         for (int b = 0; b < bodies; b++) what.body[b] = s->mpm->body[b].scene_body == v->body;
         for (int b = 0; b < bodies; b++) {

@@ -12,7 +12,7 @@ typedef struct subject {
     int cells;                   /* material of ice, or CELLS_OF_ALL; -1: none */
 } subject;
 
-/* verify.body names points; where its material is in cells, or none is named, the material is measured, and where no
+/* Without a body or a material an exact solution of solids is compared with all of them. verify.body names points; where its material is in cells, or none is named, the material is measured, and where no
  * material is named either, all of several fluids together; in a scene of solids all points. */
 subject find_subject(sim *s, const exact *solution);
 

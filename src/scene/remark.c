@@ -309,6 +309,7 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_soft_walls(s, say, user);
     remark_knots(s, say, user);
     scene_remark_unused(s, say, user);
+    remark_shapes(s, say, user);
     remark_smeared(s, say, user);
     remark_one_velocity(s, say, user);
     remark_held_sides(s, say, user);

@@ -5,6 +5,7 @@
 #include "scene/remark.h"
 
 /* Of solids smeared over cells of fluid. */
+void remark_shapes(const scene *s, remark_sink *say, void *user);
 void remark_smeared(const scene *s, remark_sink *say, void *user);
 
 #endif

@@ -128,6 +128,18 @@ static bool is_present(const scene *s, int material)
 
 /* ---- interactions ---- */
 
+/* Beside cells, a membrane needs the gas that it holds. */
+static floe_status refuse_empty_membranes(const scene *s, scene_coupling coupling)
+{
+    for (int b = 0; b < s->n_bodies && coupling == COUPLING_ICE_MPM; ++b) {
+        const scene_membrane *m = &s->body[b].membrane;
+        if (!m->present || m->holds < 0 || is_present(s, m->holds)) continue;
+        return fail_key(s->ctx, KEY("bodies", s->body[b].name, "membrane", "holds"),
+                        "there is no '%s' to hold: give a body of it inside the membrane", s->material[m->holds].name);
+    }
+    return FLOE_OK;
+}
+
 static floe_status refuse_interactions(const scene *s, scene_coupling coupling)
 {
     static const char one_velocity[] =
@@ -177,6 +189,7 @@ floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling)
 {
     TRY(refuse_sides(s, coupling));
     TRY(refuse_materials(s, coupling));
+    TRY(refuse_empty_membranes(s, coupling));
     TRY(refuse_interactions(s, coupling));
     for (int l = 0; l < s->n_loads; ++l) TRY(refuse_load(s, coupling, &s->load[l]));
     return FLOE_OK;

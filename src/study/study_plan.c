@@ -42,6 +42,71 @@ static void add_couplings(study *s, const scene *base, strbuf *errors)
     (void)axis_put(&s->axes, &axis, errors);
 }
 
+/* Whether the command line has an axis of that key. */
+static bool is_of_command_line(const study *s, const char *key)
+{
+    scene_axis axis;
+    strbuf ignored;
+    bool found = false;
+    strbuf_init(&ignored, s->ctx);
+    for (size_t i = 0; i < s->options->n_axis; i++)
+        found = found || (axis_parse(s->options->axis[i], &axis, &ignored) && strcmp(axis.key, key) == 0);
+    strbuf_free(&ignored);
+    return found;
+}
+
+static bool is_set(const study *s, const char *key)
+{
+    const size_t length = strlen(key);
+    const deck_overrides *set = &s->options->set;
+    for (size_t i = 0; i < set->n; i++)
+        if (strncmp(set->text[i], key, length) == 0 && set->text[i][length] == '=') return true;
+    return false;
+}
+
+/* Keys that go along with one that is set too have the values that are set. */
+static void drop_set_along(study *s)
+{
+    for (int k = 0; k < s->axes.n; k++) {
+        scene_axis *axis = &s->axes.axis[k];
+        int kept = 0;
+        for (int i = 0; i < axis->n_with; i++) {
+            if (is_set(s, axis->key) && is_set(s, axis->with[i].key)) continue;
+            if (kept != i) axis->with[kept] = axis->with[i];
+            kept++;
+        }
+        axis->n_with = kept;
+    }
+}
+
+/* "KEY=VALUE" of --set: in place of all values that the deck's axis of that key has. */
+static void take_setting(study *s, const char *text, strbuf *errors)
+{
+    const char *value = strchr(text, '=');
+    const size_t length = value ? (size_t)(value - text) : 0;
+    for (int k = 0; value && k < s->axes.n; k++) {
+        const scene_axis *axis = &s->axes.axis[k];
+        const bool own = strncmp(axis->key, text, length) == 0 && axis->key[length] == '\0';
+        const size_t above = strlen(axis->key);
+        scene_axis one = {.n_values = 1};
+        if (own && strlen(value + 1) < SCENE_VALUE) {
+            memcpy(one.key, axis->key, sizeof one.key);
+            (void)snprintf(one.value[0], SCENE_VALUE, "%s", value + 1);
+            if (!is_of_command_line(s, axis->key))
+                (void)axis_put(&s->axes, &one, errors);
+            else if (axis->n_values != 1 || !axis_same_value(axis->value[0], one.value[0]))
+                strbuf_append(errors, "--set %s: '--axis' varies '%s': leave one of them out\n", text, axis->key);
+            return;
+        }
+        bool along = strncmp(axis->key, text, above) == 0 && text[above] == '.';
+        for (int i = 0; i < axis->n_with; i++)
+            along = along || (strncmp(axis->with[i].key, text, length) == 0 && axis->with[i].key[length] == '\0');
+        if (own || along)
+            strbuf_append(errors, "--set %s: the axis '%s' sets that key, too: give '--axis %s=...' instead\n", text,
+                          axis->key, axis->key);
+    }
+}
+
 static void take_axes(study *s, const scene *base, strbuf *errors)
 {
     const study_options *o = s->options;
@@ -55,6 +120,8 @@ static void take_axes(study *s, const scene *base, strbuf *errors)
     for (size_t i = 0; i < o->n_axis; i++) {
         if (axis_parse(o->axis[i], &axis, errors)) (void)axis_put(&s->axes, &axis, errors);
     }
+    drop_set_along(s);
+    for (size_t i = 0; i < o->set.n; i++) take_setting(s, o->set.text[i], errors);
     axis_check_keys(&s->axes, errors);
     if (s->axes.n == 0)
         strbuf_append(errors,

@@ -61,7 +61,7 @@ materials.NAME.law|ONLY=mpm,ice-mpm|materials.foam.law={neo_hookean: {bulk_modul
 materials.NAME.eos||materials.air.eos={ideal: {gamma: 1.3, specific_heat: 717.5}}
 materials.NAME.density|ONLY=mpm,ice-mpm|materials.foam.density=400
 materials.NAME.specific_heat|method.heat_exchange=1e12 bodies.block.temperature=900|materials.rubber.specific_heat=100
-materials.NAME.tension_switch|bodies.other.velocity=[300,0]|materials.rubber.tension_switch=2e4 materials.foam.tension_switch=2e4
+materials.NAME.tension_switch|method.interface=smeared bodies.other.velocity=[300,0]|materials.rubber.tension_switch=2e4 materials.foam.tension_switch=2e4
 materials.NAME.conductivity||materials.air.conductivity=10
 materials.NAME.viscosity.shear|bodies.charge.velocity=[0,10]|materials.air.viscosity.shear=0.1
 materials.NAME.viscosity.bulk||materials.air.viscosity.bulk=1

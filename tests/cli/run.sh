@@ -41,9 +41,9 @@ same_results threads-1 threads-2
 
 # The default folder.
 expect 0 "$FLOE" run "${tiny[@]}" --quiet --set time.max_steps=3
-is_there out/pressurized_cylinder-mpm/summary.json
-[ "$(json out/pressurized_cylinder-mpm/summary.json steps)" = 3 ] || fault 'not three steps'
-[ "$(json out/pressurized_cylinder-mpm/summary.json status)" = 'done' ] || fault 'not done'
+is_there out/pressurized_cylinder-mpm-domain.cell=0.1-time.max_steps=3/summary.json
+[ "$(json out/pressurized_cylinder-mpm-domain.cell=0.1-time.max_steps=3/summary.json steps)" = 3 ] || fault 'not three steps'
+[ "$(json out/pressurized_cylinder-mpm-domain.cell=0.1-time.max_steps=3/summary.json status)" = 'done' ] || fault 'not done'
 
 # Two runs into one folder: the second is refused, and the first goes on undisturbed.
 "$FLOE" run "$cylinder" --coupling mpm --set domain.cell=0.0125 -o shared --quiet 2>/dev/null &

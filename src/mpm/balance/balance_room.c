@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "mpm/balance/balance.h"
 #include "mpm/load.h"
+#include "mpm/region.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -79,7 +80,26 @@ static double room_state(const balance_room *r, double *pressure, double *slope)
     return c2;
 }
 
-/* What loads do to a room's gas in the increment. */
+/* Below this share of a room's gas, a region only touches the room. */
+static const double least_share = 1e-6;
+
+/* Share of the room's gas that lies in a load's region. */
+static double share_in_region(const mpm *s, const balance_room *r, const shape *region)
+{
+    double inside = 0.0, all = 0.0;
+    if (!region->model) return 1.0;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const fields *f = s->domain->fields[id];
+        const double *volume0 = field_get(f, P_VOLUME0, r->body, 0), *J = field_get(f, P_J, r->body, 0);
+        for (size_t k = 0; k < s->points[id][r->body].n; ++k) {
+            all += volume0[k] * J[k];
+            inside += point_region_share(s, f, r->body, k, region) * volume0[k] * J[k];
+        }
+    }
+    return inside / all;
+}
+
+/* What loads do to a room's gas in the increment. Gas at rest has one pressure: that of a region is the room's. */
 static void read_loads(const mpm *s, balance_room *r)
 {
     const load_step step = {s->time, s->time + s->dt, s->step};
@@ -88,9 +108,12 @@ static void read_loads(const mpm *s, balance_room *r)
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load load = load_as_solved(s, &s->scene->load[l]);
         if (load.material != s->body[r->body].scene_material) continue;
+        const bool heats = load.kind == LOAD_HEAT, pressurises = load.kind == LOAD_PRESSURISE;
+        const double share = heats || pressurises ? share_in_region(s, r, &load.region) : 0.0;
         bool active = false;
-        if (load.kind == LOAD_HEAT) r->heat += load.target * load_heating_time(&load, &step) * r->volume_first;
-        if (load.kind != LOAD_PRESSURISE) continue;
+        if (!(share > least_share)) continue;
+        if (heats) r->heat += load.target * load_heating_time(&load, &step) * share * r->volume_first;
+        if (!pressurises) continue;
         const double scheduled = load_scheduled_pressure(s->scene, &load, &step, &active);
         if (active) r->scheduled = scheduled;
     }
