@@ -4,7 +4,7 @@
 source "$(dirname "$0")/lib.bash"
 
 expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/annulus_traction.yaml" -o slab --quiet --set domain.cell=0.05 --set domain.geometry=axisymmetric \
-    --set domain.stress_state=null --set 'domain.upper=[1.2, 0.4]' --set 'boundaries={z: slip}' \
+    --set domain.stress_state=null --set 'domain.upper=[1.2, 0.4]' --set 'boundaries={z: symmetry}' \
     --set 'bodies.cylinder.shape={box: {lower: [0.5, 0], upper: [1, 0.4]}}' \
     --set 'loads.bore.traction.surface={box: {lower: [0, -1], upper: [0.5, 2]}}' \
     --set 'verify.metrics=[eq13, l1rel_sigma_r, l1rel_sigma_theta, l1rel_stress_yy, l1rel_stress_zz, l1rel_displacement_x]'
