@@ -279,6 +279,15 @@ static floe_status list_group(mpm *s, int group)
     return FLOE_OK;
 }
 
+/* A number below 2^24 that has nothing to do with its neighbours': nodes that a symmetric body loses and gets in pairs
+ * must not cancel in a sum. */
+static double scattered(unsigned x)
+{
+    x = ((x + 1u) ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return (double)((x ^ (x >> 16)) >> 8);
+}
+
 /* One number for which nodes of a group take forces: whole, and small enough to be exact as a sum. */
 static double bearing_nodes(const mpm *s, int group)
 {
@@ -293,8 +302,8 @@ static double bearing_nodes(const mpm *s, int group)
             for (int j = 0; j < end[1]; ++j)
                 for (int i = 0; i < end[0]; ++i) {
                     const int global[MESH_MAX_DIM] = {bl->lo[0] + i, bl->lo[1] + j, bl->lo[2] + k};
-                    const unsigned scattered = ((unsigned)edge_number(s->work->edges, global) + 1u) * 2654435761u;
-                    if (edge_bears(s, mass, mesh_index(bl, i, j, k))) sum += (double)(scattered >> 8);
+                    if (edge_bears(s, mass, mesh_index(bl, i, j, k)))
+                        sum += scattered((unsigned)edge_number(s->work->edges, global));
                 }
     }
     return sum;

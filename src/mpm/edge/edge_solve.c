@@ -157,7 +157,7 @@ static edge_system load_system(const mpm *s, int group, int c, double *room)
     for (int n = 0; n < g->n_nodes; ++n) {
         const bool held = edge_holds(&g->node[n], c);
         y.inverse[n] = 1.0 / (y.mass[n] + y.share * y.inertia[(size_t)n * (size_t)g->matrix.width]);
-        y.before[n] /= y.mass[n];
+        y.before[n] = y.mass[n] > 0.0 ? y.before[n] / y.mass[n] : 0.0;
         if (held) y.raw[n] = 0.0;
         y.x[n] = held ? 0.0 : e->memory[g->node[n].slot + (size_t)c];
     }
