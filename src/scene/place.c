@@ -1,5 +1,6 @@
 #include "scene/place.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* The key called `name`, of `length` characters, right under another; -1: there is none. */
@@ -24,6 +25,18 @@ static int find_nearest(const scene *s, const char *path)
         path += length + (path[length] == '.');
     }
     return at;
+}
+
+void scene_key_place(const scene *s, const char *path, char *text, size_t size)
+{
+    const int k = find_nearest(s, path);
+    const scene_key *at = k < 0 ? NULL : &s->key[k];
+    if (at && !at->setting)
+        (void)snprintf(text, size, "%s:%d:%d: %s: ", s->path, at->line, at->column, path);
+    else if (at)
+        (void)snprintf(text, size, "--set %s: ", at->setting);
+    else
+        (void)snprintf(text, size, "%s: ", path);
 }
 
 bool scene_has_key(const scene *s, const char *path)

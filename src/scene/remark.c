@@ -316,4 +316,5 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_open_liquids(s, say, user);
     remark_dense_shocks(s, say, user);
     remark_beside_points(s, say, user);
+    remark_range(s, say, user);
 }

@@ -8,4 +8,7 @@
 void remark_shapes(const scene *s, remark_sink *say, void *user);
 void remark_smeared(const scene *s, remark_sink *say, void *user);
 
+/* Of magnitudes and times that are hardly what was meant. */
+void remark_range(const scene *s, remark_sink *say, void *user);
+
 #endif
