@@ -7,8 +7,9 @@ decks=$FLOE_SOURCE/tests/cli/decks
 for deck in "$FLOE_SOURCE"/inputs/*.yaml; do
     expect 0 "$FLOE" check "$deck"
     has stdout 'deck is valid'
-    # A smeared interface is warned of wherever it is taken.
-    if grep -qv 'method.interface: smeared' stderr; then fault "it warns of $deck"; fi
+    # A smeared interface is warned of wherever it is taken, and York's weight, a hundred times as heavy as the string that it is made
+    # of, is as slow to sound as no metal is.
+    if grep -v 'method.interface: smeared' stderr | grep -qv "the speed of sound of solid 'weight' is 9.62 m/s"; then fault "it warns of $deck"; fi
 done
 
 expect 2 "$FLOE" check "$decks/many_errors.yaml"
@@ -93,13 +94,14 @@ expect 2 "$FLOE" check "$block" --set coupling=mpm
 has stderr "'mpm' has none"
 
 # What can be run and will not be right: gas of points beside walls that are softer than it, and on the knots of splines.
-vessel=("$FLOE_SOURCE/inputs/extreme/vessel.yaml" --coupling mpm --set materials.wall.law.linear_elastic.bulk_modulus=1e5 --set loads.heating.pressurise.target=100)
+vessel=("$FLOE_SOURCE/inputs/extreme/vessel.yaml" --coupling mpm --set materials.wall.law.linear_elastic.bulk_modulus=1e5
+    --set materials.wall.law.linear_elastic.shear_modulus=4e4 --set materials.wall.density=890 --set loads.heating.pressurise.target=100)
 expect 0 "$FLOE" check "${vessel[@]}"
 has stderr "the bulk modulus of body 'wall' is 0.999 times the largest pressure of the gas"
 expect 0 "$FLOE" check "${vessel[@]}" --set time.solver=static
-[ ! -s stderr ] || fault 'statics have no such error'
+if grep -q 'the largest pressure of the gas' stderr; then fault 'statics have no such error'; fi
 expect 0 "$FLOE" check "${vessel[@]}" --coupling ice-mpm
-[ ! -s stderr ] || fault 'cells have no such error'
+if grep -q 'the largest pressure of the gas' stderr; then fault 'cells have no such error'; fi
 expect 0 "$FLOE" check "${tiny[@]}" --set bodies.bore.points=3
 has stderr 'quadratic splines and an odd number of points'
 expect 0 "$FLOE" check "${tiny[@]}" --set method.basis=cubic
@@ -113,24 +115,21 @@ has stderr "boundaries.y.lower: in steps that are solved for, a slip side holds 
 tube=("$FLOE_SOURCE/inputs/extreme/vessel.yaml" --coupling mpm --set damping=null --set stop=null)
 expect 0 "$FLOE" check "${tube[@]}"
 has stderr 'fluid and solid bodies share one velocity'
-<<<<<<< HEAD
 
 # A liquid at a side that holds no pressure, beside a solid.
 wet=("$FLOE_SOURCE/inputs/shock_plate.yaml" --set 'materials.air.eos={stiffened: {gamma: 4.4, p_inf: 5e8, specific_heat: 1816}}')
 expect 0 "$FLOE" check "${wet[@]}"
 has stderr 'boundaries.x.lower: a free side holds no pressure against a liquid'
 
-=======
 # What would lock is warned of, whatever steps it takes; static balance refuses it (statics.sh).
 annulus=$FLOE_SOURCE/inputs/annulus_traction.yaml
 rubber=(--set domain.cell=0.1 --set materials.steel.law.linear_elastic.shear_modulus=1e8)
 expect 0 "$FLOE" check "$annulus" "${rubber[@]}"
 has stderr "the bulk modulus of body 'cylinder' is 1.17e+03 times its shear modulus, with which basis quadratic locks"
 has stderr '21 % at 500'
-expect 0 "$FLOE" check "$annulus" "${rubber[@]}" --set time.solver=implicit --set time.increments=10 --set stop=null
+expect 0 "$FLOE" check "$annulus" "${rubber[@]}" --set time.solver=implicit --set time.increments=10 --set stop=null --set study=null
 has stderr 'with which basis quadratic locks'
 expect 0 "$FLOE" check "$annulus" --set domain.cell=0.1 --set method.basis=linear --set materials.steel.law.linear_elastic.shear_modulus=1e10
 has stderr '36 % off at 10'
 expect 0 "$FLOE" check "$annulus" --set domain.cell=0.1 --set method.basis=cubic --set materials.steel.law.linear_elastic.shear_modulus=1e10
 [ ! -s stderr ] || fault 'cubic splines bear a ratio of 11.7'
->>>>>>> d1af074 (Edges of solids are held by default, by the basis's own penalty)
