@@ -50,6 +50,12 @@ static bool has_edges(const mpm *s)
     return s->work->edges != NULL;
 }
 
+/* The linear basis keeps accelerations of light nodes out of gradients: what is restored is part of them. */
+static bool withholds(const mpm *s)
+{
+    return s->basis->kind == BASIS_LINEAR;
+}
+
 static bool meets_at_points(const mpm *s)
 {
     return has_contact(s) && s->scene->contact.touch == CONTACT_AT_POINTS;
@@ -140,9 +146,9 @@ floe_status mpm_point_stages(mpm *s)
     STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, SIDES, P_MASS, P_POS, P_VEL),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, N_VEL_FILTERED, P_POS, P_VEL));
     STAGE(s, s->transfer->restore, mpm_restore_velocities,
-          READS(N_MASS, N_VEL_L, N_MOMENTUM, SIDES, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH),
-                P_MASS, P_POS, DOMAINS),
-          WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L, N_ACCEL));
+          READS(N_MASS, N_VEL_L, WHEN(withholds(s), N_ACCEL), N_MOMENTUM, SIDES, WHEN(has_contact(s), N_NORMAL),
+                WHEN(has_contact(s), N_TOUCH), P_MASS, P_POS, DOMAINS),
+          WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L, WHEN(withholds(s), N_ACCEL)));
     STAGE(s, usl, mpm_nodes_to_points,
           READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE), TANGENT, POINT_STATE),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));

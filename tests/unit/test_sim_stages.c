@@ -14,6 +14,7 @@ static const deck_variant variants[] = {
     {"points, gimp, USL", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.basis=gimp"}},
     {"points, MUSL", "pressurized_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.1", "method.stress=musl"}},
     {"surface loads", "annulus_traction", COUPLING_MPM, 1, 1, {"domain.cell=0.1"}},
+    {"solids alone, linear", "defaults/e5_discs", COUPLING_MPM, 2, 1, {"method.basis=linear"}},
     {"gas points, shock", "sod", COUPLING_MPM, 1, 1, {"domain.cell=0.02"}},
     {"bar", "bar_vibration", COUPLING_MPM, 1, 0, {NULL}},
     {"driven ring", "ring_mms", COUPLING_MPM, 2, 2, {"method.stress=usf", "method.basis=cpdi"}},
