@@ -58,6 +58,7 @@ typedef struct edge_copy {
 typedef struct edge_node {
     int at[MESH_MAX_DIM]; /* global */
     unsigned held;        /* bit of each component that a wall or a support holds */
+    int body;             /* whose lines lead there */
     size_t slot;          /* of its acceleration among what is remembered; one a component from there on */
     size_t copy, copies;  /* in the list of copies: the first, and how many */
 } edge_node;
@@ -90,6 +91,14 @@ typedef struct edge_group {
     bool looked;      /* for lines in this step */
 } edge_group;
 
+/* A body's share of the residual in the motions that its lines do not resist: 1, and each coordinate. */
+enum { EDGE_MOTIONS = 1 + MESH_MAX_DIM };
+typedef struct edge_motion {
+    double centre[MESH_MAX_DIM], nodes;         /* cells; how many */
+    double inertia[EDGE_MOTIONS][EDGE_MOTIONS]; /* kg cells^2 */
+    double share[EDGE_MOTIONS];                 /* N cells; then m/s2 per cell */
+} edge_motion;
+
 struct mpm_edges {
     double penalty; /* gamma */
     bool starting;  /* masses are not known yet */
@@ -103,6 +112,7 @@ struct mpm_edges {
     double *fill;            /* of the group in hand, per global node: share that its solids fill. Owned */
     int *owner;              /* the body that fills it; negative: none, or several. Owned */
     int *index;              /* per global node: in the list of the group's nodes, -1: in none. Owned */
+    edge_motion *motion;     /* of each body; owned */
     double *solve;           /* room of the solver; owned */
     size_t solve_room;       /* nodes */
     int nodes[MESH_MAX_DIM]; /* of the whole mesh; a periodic end is node 0 */

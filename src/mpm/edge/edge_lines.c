@@ -141,7 +141,7 @@ static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
 }
 
 /* Place in the group's list of a node. */
-static floe_status list_node(mpm *s, int group, const int at[MESH_MAX_DIM], int *place)
+static floe_status list_node(mpm *s, int group, int body, const int at[MESH_MAX_DIM], int *place)
 {
     mpm_edges *e = s->work->edges;
     edge_group *g = &e->group[group];
@@ -151,6 +151,7 @@ static floe_status list_node(mpm *s, int group, const int at[MESH_MAX_DIM], int 
         *index = g->n_nodes;
         edge_node *n = &g->node[g->n_nodes++];
         memcpy(n->at, at, sizeof n->at);
+        n->body = body;
         n->held = held_components(s, group, at);
         n->slot = e->accelerations + ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim;
         TRY(list_copies(s, g, n));
@@ -196,7 +197,7 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     l.stiffness = e->penalty * modulus_of(s, body) * line_extent(s, axis, tap);
     l.most = longest_of(s, body, axis);
     l.inertia = l.stiffness * s->mesh->h[axis] * s->mesh->h[axis] / (g->speed * g->speed);
-    for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, tap[t], &l.node[t]));
+    for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, body, tap[t], &l.node[t]));
     for (int t = edge_taps(s); t < EDGE_TAPS; ++t) l.node[t] = l.node[0];
     l.unbalanced = is_unbalanced(g, &l);
     TRY(make_room(s->ctx, &g->line, &g->line_room, g->n_lines + 1, sizeof *g->line));
@@ -345,6 +346,7 @@ floe_status edges_create(mpm *s)
     e->n_memory = e->bearing + groups;
     TRY(memory_new(s->ctx, &e->memory, e->n_memory, sizeof *e->memory));
     for (size_t g = 0; g < groups; ++g) e->memory[e->travel + g] = 1.0; /* look at first */
+    TRY(memory_new(s->ctx, &e->motion, (size_t)s->n_bodies, sizeof *e->motion));
     TRY(memory_new(s->ctx, &e->fill, nodes, sizeof *e->fill));
     TRY(memory_new(s->ctx, &e->owner, nodes, sizeof *e->owner));
     return memory_new(s->ctx, &e->index, nodes, sizeof *e->index);
@@ -369,6 +371,7 @@ void edges_free(context *ctx, mpm_edges **e)
         memory_free(ctx, &(*e)->owner);
         memory_free(ctx, &(*e)->index);
         memory_free(ctx, &(*e)->solve);
+        memory_free(ctx, &(*e)->motion);
     }
     memory_free(ctx, e);
 }

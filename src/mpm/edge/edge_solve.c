@@ -8,6 +8,7 @@
 #include "base/memory.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { MAX_ITERATIONS = 500 };
 /* Of the right hand side, in the norm of the diagonal's inverse, the residual may be left. */
@@ -102,6 +103,82 @@ static void solve(edge_system *y)
     }
 }
 
+/* Motion k of a body at a node: uniform, or along a coordinate from the centre of the body's nodes. */
+static double motion_at(const edge_motion *b, const edge_node *n, int k)
+{
+    return k == 0 ? 1.0 : n->at[k - 1] - b->centre[k - 1];
+}
+
+static void centre_bodies(const edge_group *g, edge_motion *body, int n_bodies)
+{
+    memset(body, 0, (size_t)n_bodies * sizeof *body);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        edge_motion *b = &body[g->node[n].body];
+        b->nodes += 1.0;
+        for (int a = 0; a < MESH_MAX_DIM; ++a) b->centre[a] += g->node[n].at[a];
+    }
+    for (int k = 0; k < n_bodies; ++k)
+        for (int a = 0; a < MESH_MAX_DIM && body[k].nodes > 0.0; ++a) body[k].centre[a] /= body[k].nodes;
+}
+
+/* W^T M W and W^T r of every body. */
+static void sum_motions(edge_system *y, edge_motion *body, int motions)
+{
+    const edge_group *g = y->group;
+    for (int k = 0; k < motions; ++k) {
+        for (int n = 0; n < g->n_nodes; ++n) {
+            const edge_node *node = &g->node[n];
+            y->p[n] = edge_holds(node, y->c) ? 0.0 : motion_at(&body[node->body], node, k);
+        }
+        (void)apply(y, y->p, y->Ap);
+        for (int n = 0; n < g->n_nodes; ++n) {
+            edge_motion *b = &body[g->node[n].body];
+            b->share[k] += y->p[n] * y->r[n];
+            for (int l = 0; l < motions; ++l) b->inertia[l][k] += motion_at(b, &g->node[n], l) * y->Ap[n];
+        }
+    }
+}
+
+/* Solves W^T M W q = W^T r in place; a motion that the body's nodes do not tell from others stays 0. */
+static void solve_motions(edge_motion *b, int motions)
+{
+    static const double independent = 1e-10;
+    double diagonal[EDGE_MOTIONS];
+    for (int k = 0; k < motions; ++k) diagonal[k] = b->inertia[k][k];
+    for (int k = 0; k < motions; ++k) {
+        const bool told = b->inertia[k][k] > independent * diagonal[k];
+        for (int l = 0; l < motions; ++l) {
+            const double factor = told && l != k ? b->inertia[l][k] / b->inertia[k][k] : 0.0;
+            for (int j = 0; j < motions; ++j) b->inertia[l][j] -= factor * b->inertia[k][j];
+            b->share[l] -= factor * b->share[k];
+        }
+        if (told) continue;
+        b->share[k] = 0.0;
+        for (int l = 0; l < motions; ++l) b->inertia[l][k] = b->inertia[k][l] = 0.0;
+        b->inertia[k][k] = 1.0;
+    }
+    for (int k = 0; k < motions; ++k) b->share[k] /= b->inertia[k][k];
+}
+
+/* What the solver has left of the residual W^T r in motions W that are linear in space, which lines do not resist, goes
+ * to the body's own nodes: with M the matrix, x += W (W^T M W)^-1 W^T r. So lines give a body as much moment of momentum
+ * as walls and mirrors ask of them, and none if there are none; the error falls, in the norm of M. */
+static void keep_linear_motion(const mpm *s, edge_system *y)
+{
+    edge_motion *body = s->work->edges->motion;
+    const edge_group *g = y->group;
+    const int motions = 1 + s->mesh->dim;
+    centre_bodies(g, body, s->n_bodies);
+    sum_motions(y, body, motions);
+    for (int k = 0; k < s->n_bodies; ++k)
+        if (body[k].nodes > 0.0) solve_motions(&body[k], motions);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        const edge_motion *b = &body[g->node[n].body];
+        if (edge_holds(&g->node[n], y->c)) continue;
+        for (int k = 0; k < motions; ++k) y->x[n] += b->share[k] * motion_at(b, &g->node[n], k);
+    }
+}
+
 /* What lines give to the free nodes (kg m/s2): none, but beside walls and mirrors. */
 static double given_by_lines(const edge_system *y)
 {
@@ -183,6 +260,7 @@ static void accelerate(mpm *s, int group, int c, double *room)
     edge_group *g = &s->work->edges->group[group];
     edge_system y = load_system(s, group, c, room);
     solve(&y);
+    keep_linear_motion(s, &y);
     const double given = given_by_lines(&y);
     keep_momentum(&y, given);
     for (int n = 0; n < g->n_nodes; ++n) {
