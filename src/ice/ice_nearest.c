@@ -84,7 +84,11 @@ floe_status ice_nearest_find(const ice *s, int **out)
     int *nearest, *inside, n = 0;
     TRY(memory_new(s->ctx, out, (size_t)cells, sizeof **out));
     nearest = *out;
-    TRY(memory_new(s->ctx, &inside, (size_t)cells, sizeof *inside));
+    const floe_status status = memory_new(s->ctx, &inside, (size_t)cells, sizeof *inside);
+    if (status != FLOE_OK) {
+        memory_free(s->ctx, out);
+        return status;
+    }
     for (int number = 0; number < cells; ++number) {
         int cell[MESH_MAX_DIM];
         cell_of(m, number, cell);

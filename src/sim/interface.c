@@ -105,12 +105,12 @@ static floe_status needs_membranes_alone(const scene *s, const mesh *m)
 
 static floe_status needs_no_membrane(const scene *s, const mesh *m)
 {
-    const int holder = scene_holder(s);
     (void)m;
-    if (holder < 0) return FLOE_OK;
-    return fail_key(s->ctx, KEY("method", "interface"),
-                    "sharp is for solids, and body '%s' is a membrane that holds a gas: leave it out",
-                    s->body[holder].name);
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->material[s->body[b].material].membrane)
+            return fail_key(s->ctx, KEY("method", "interface"),
+                            "sharp is for solids, and body '%s' is a membrane: leave it out", s->body[b].name);
+    return FLOE_OK;
 }
 
 static floe_status needs_one_fluid(const scene *s, const mesh *m)
