@@ -157,7 +157,7 @@ contact.kind|contact={kind: release, touch: nodes} bodies.other.velocity=[20,20]
 contact.criterion|bodies.third={material: steel, shape: {box: {lower: [0.3,0.25], upper: [0.6,0.4]}}} materials.steel={density: 800, law: {neo_hookean: {bulk_modulus: 2e7, shear_modulus: 2e6}}, specific_heat: 400} contact={kind: release, touch: nodes} bodies.other.velocity=[20,20]|contact.criterion=mean
 contact.touch|contact={kind: release} ONLY=mpm,ice|contact.touch=nodes
 contact.touch|contact={kind: release} bodies.other.velocity=[20,20] ONLY=ice-mpm|contact.touch=nodes
-contact.friction|contact={kind: friction, touch: nodes} bodies.other.velocity=[-20,20]|contact.friction=0.5
+contact.friction|contact={kind: friction, touch: nodes} bodies.other.velocity=[-20,20] time.max_steps=12|contact.friction=0.5
 contact.normals|contact={kind: friction, touch: nodes} bodies.other.velocity=[-20,20] bodies.other.shape={ball: {centre: [0.52,0.1], radius: 0.08}}|contact.normals=mass
 exchange.NAME.between|exchange={e: {between: [air,rubber], momentum: free}} ONLY=mpm,ice-mpm|exchange.e.between=[air,foam]
 exchange.NAME.momentum|bodies.charge.material=argon exchange={e: {between: [air,argon], momentum: free}}|exchange.e.momentum=locked
