@@ -47,7 +47,7 @@ static void test_impact(void **unused)
     }
 }
 
-/* A strip whose surfaces cut cells. Measured: -0.23 and -0.41 % at 10 and 100 m/s with cells of 0.02. */
+/* A strip whose surfaces cut cells, between mirrors: a side that lets go would let it bulge. Measured: 0.08 and 0.15 % at 10 and 100 m/s with cells of 0.02. */
 static void test_sharp_impact(void **unused)
 {
     (void)unused;
@@ -60,11 +60,11 @@ static void test_sharp_impact(void **unused)
             velocity);
         const char *set[] = {
             "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [2.6, 0.04], cell: 0.02}",
-            "boundaries={x: slip, y: slip}", body, "method={basis: quadratic, interface: sharp}",
+            "boundaries={x: slip, y: symmetry}", body, "method={basis: quadratic, interface: sharp}",
             "verify.region={box: {lower: [0, 0], upper: [1, 1]}}"};
         const double off = lost_off(set, sizeof set / sizeof *set, velocity, 0.04);
         print_message("sharp impact at %g m/s: loss of momentum off by %.2g\n", velocity, off);
-        check_close(off, 0.0, 0.006);
+        check_close(off, 0.0, 0.003);
     }
 }
 
