@@ -67,7 +67,7 @@ static double gas_of(const double *of_body)
     return sum;
 }
 
-/* Runs a deck to 10 ms. Measured: energy off by 3e-4 (200 mm) and 2e-4 (500 mm) of the largest so far. */
+/* Runs a deck to 10 ms. Measured: energy off by 3e-4 (200 mm) and 2e-4 (500 mm). */
 static void push_in(const char *deck, const char *const *set, size_t n_set, double probe_mass)
 {
     trial t;

@@ -107,7 +107,8 @@ static double kinetic(const trial *t)
     return totals.kinetic;
 }
 
-/* Two discs meet and part: momentum to round-off, and no more energy than they came with. */
+/* Two discs meet and part: momentum to round-off, and no more energy than they came with. What lines take is in the ledger: of the energy 2.1 % (USF)
+ * and 0.44 % (MUSL) are missing there; USL loses 9 % of its own. */
 static void test_collision(void **unused)
 {
     (void)unused;
@@ -130,7 +131,9 @@ static void test_collision(void **unused)
         for (int k = 0; k < 2; ++k) check_close(after.momentum[k], 0.0, 1e-9); /* nodes all but empty take no force */
         check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) <= 1e-13);
         check_true(kinetic(&t) <= 0.5 * 0.045 * 2.0 * pi * 0.09 * 1.0);
-        print_message("scheme %d: energy ledger %.2e\n", scheme, ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY));
+        const double energy = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
+        print_message("scheme %d: energy ledger %.2e\n", scheme, energy);
+        check_true(energy <= (scheme == STRESS_USL ? 0.1 : scheme == STRESS_USF ? 0.03 : 0.009));
         trial_end(&t);
     }
 }

@@ -21,8 +21,8 @@
  * from the accelerations of the last step, in global order: the same bits for any blocks and threads.
  *
  * A line bears no more than its solid: beyond |D u| = h y/(rho c^2), y the yield stress, it flows. Lines lie within one
- * body. They neither reach nodes that another body reaches, nor lead through what is outside: from one side of a slot,
- * or of a hole of a few cells, to the other.
+ * body. They neither reach nodes that another solid or a membrane reaches, nor lead through what is outside: from one
+ * side of a slot, or of a hole of a few cells, to the other.
  *
  * Which nodes are filled in part is looked for (edge_lines.c) when nodes may have moved by some hundredths of a cell
  * since, or one has begun to take forces or ceased to. Private to the mpm room. */

@@ -58,7 +58,9 @@ static void fill_tile(const mpm *s, int body, int blk, int tile)
     s->work->kernel.fill(s->mesh, &box, &p, range[0], range[1], out);
 }
 
-/* Adds what a body fills of a node, and makes the node its own, or nobody's if another body is there. */
+/* Adds what a solid fills of a node, and makes the node its own, or nobody's if another body is there. Membranes have no
+ * edges, but the nodes that they share with a solid are not its alone: held as if they were, they take the energy of a
+ * membrane that slides along it. Points of fluid share them unharmed: they move with the solid's surface there. */
 static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
 {
     mpm_edges *e = s->work->edges;
@@ -71,6 +73,10 @@ static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
     const bool bears = e->starting || edge_bears(s, field_get(s->domain->fields[blk], N_MASS, own_group, 0),
                                                  mesh_index(b, local[0], local[1], local[2]));
     if (!(fill > 0.0) || !bears) return;
+    if (!edge_body(s, body)) {
+        if (e->owner[number] >= 0) e->owner[number] = SHARED;
+        return;
+    }
     e->fill[number] += fill;
     e->owner[number] = e->owner[number] == NO_BODY ? body : SHARED;
 }
@@ -93,7 +99,7 @@ static void fill_nodes(mpm *s, int body)
     }
 }
 
-/* What the solids of a group fill of every node, and whose it is. */
+/* What the solids of a group fill of every node, and whose it is: membranes come after them. */
 static void fill_group(mpm *s, int group)
 {
     mpm_edges *e = s->work->edges;
@@ -103,6 +109,8 @@ static void fill_group(mpm *s, int group)
     }
     for (int body = 0; body < s->n_bodies; ++body)
         if (s->body[body].group == group && edge_body(s, body)) fill_nodes(s, body);
+    for (int body = 0; body < s->n_bodies; ++body)
+        if (s->body[body].group == group && s->body[body].membrane.model) fill_nodes(s, body);
 }
 
 /* A node with less than this share of what is filled on both sides of it is outside a body that lies on both. */

@@ -242,7 +242,9 @@ static edge_system load_system(const mpm *s, int group, int c, double *room)
 }
 
 /* What lines take of the points' kinetic energy, and give back: entered as damping, since their own is no part of the
- * points'. */
+ * points'. At the velocities of the start: points are accelerated by all of their nodes, so that they have next to
+ * nothing of the square of the kick of a node that is all but empty, where lines balance the stress. Counted, it doubled
+ * what a probe lost that strikes a bag. */
 static void enter_work(mpm *s, const edge_system *y)
 {
     double work = 0.0;
@@ -250,7 +252,7 @@ static void enter_work(mpm *s, const edge_system *y)
     for (int n = 0; n < y->group->n_nodes; ++n) {
         if (edge_holds(&y->group->node[n], y->c)) continue;
         const double force = y->r[n] + y->mass[n] * (y->x[n] - y->raw[n]);
-        work += y->kick * force * (y->before[n] + 0.5 * y->kick * y->x[n]);
+        work += y->kick * force * y->before[n];
     }
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, work);
 }
