@@ -244,6 +244,40 @@ const custom_key custom_substeps = {
     .json = "{\"anyOf\": [{\"type\": \"integer\", \"minimum\": 1, \"maximum\": 128}, {\"const\": \"auto\"}]}",
 };
 
+/* ---- method.exchange: 1e7, or locked ---- */
+
+static floe_status read_exchange(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_method *method = base;
+    if (!node) return FLOE_OK; /* scene_create has set the default */
+    if (node->kind == NODE_SCALAR && strcmp(node->text, "locked") == 0) {
+        method->exchange = INFINITY;
+        return FLOE_OK;
+    }
+    return read_number(r, key, node, &method->exchange);
+}
+
+static void write_exchange(writer *w, const key_spec *key, const void *base)
+{
+    const scene_method *method = base;
+    if (isnan(method->exchange)) return; /* not given */
+    write_key_name(w, key->key);
+    if (isinf(method->exchange)) {
+        text_print(&w->out, " locked\n");
+        return;
+    }
+    text_print(&w->out, " ");
+    write_number(&w->out, method->exchange);
+    text_print(&w->out, "\n");
+}
+
+const custom_key custom_exchange = {
+    .read = read_exchange,
+    .write = write_exchange,
+    .form = "a number from 0 to 1e+20, or locked",
+    .json = "{\"anyOf\": [{\"type\": [\"number\", \"string\"]}, {\"const\": \"locked\"}]}",
+};
+
 /* ---- names out of a registry: method.basis, method.transfer, contact.normals ---- */
 
 static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, void *base)

@@ -73,7 +73,7 @@ static bool slips_by_default(const ice *s, int r, int q)
 /* Pairs that the deck names nowhere. */
 static void resolve_others(ice *s)
 {
-    const double given = s->scene->method.exchange, all = isnan(given) ? EXCHANGE_LOCKED : given;
+    const double given = s->scene->method.exchange, all = isfinite(given) ? given : EXCHANGE_LOCKED;
     exchange_table *t = &s->exchange;
     for (int r = 0; r < s->n_materials; ++r)
         for (int q = 0; q < r; ++q) {

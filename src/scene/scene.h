@@ -212,7 +212,8 @@ typedef struct scene_method {
     ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
     bool conserve_energy;  /* numerics 2.8 */
     ice_limiter limiter;
-    double exchange;           /* K, kg/(m3 s), between all pairs; 0 to 1e20; NAN: locked, one velocity */
+    double
+        exchange; /* K, kg/(m3 s), between all pairs; 0 to 1e20; INFINITY: locked, one velocity; NAN: locked, liquids slip */
     double heat_exchange;      /* R, W/(m3 K) */
     double volume_relaxation;  /* beta of numerics 5.5 */
     solid_interface interface; /* between solids on points and gas on cells */

@@ -153,7 +153,7 @@ static floe_status refuse_interactions(const scene *s, scene_coupling coupling)
                 return fail_key(s->ctx, KEY("exchange", s->exchange[k].name, "between"),
                                 "there is no '%s' in the scene: leave the pair out, or give a body of it",
                                 s->material[s->exchange[k].material[i]].name);
-    if (coupling == COUPLING_MPM && !isnan(s->method.exchange))
+    if (coupling == COUPLING_MPM && isfinite(s->method.exchange)) /* points are locked */
         return fail_key(s->ctx, KEY("method", "exchange"), one_velocity);
     if (coupling == COUPLING_MPM && s->method.heat_exchange > 0.0)
         return fail_key(s->ctx, KEY("method", "heat_exchange"), one_velocity);

@@ -30,15 +30,17 @@ def plateau(run, speed, pressure):
 
 def measure(page):
     page.write("", "## E10: water hammer in tubes of points", "",
-               "Section mean of the pressure behind the front over rho c u (Joukowsky, Korteweg). Tubes of 0.05 m bore, h = 5 mm; the rigid one has a modulus of 2e13 Pa.")
-    cases = [("rigid, 4 cells", None, 0.07, 1e5, 1e-4), ("200 GPa, 4 cells", 2e11, 0.07, 1e5, 2e-4), ("200 GPa, 2 cells", 2e11, 0.06, 1e5, 2e-4),
-             ("200 GPa, 4 cells", 2e11, 0.07, 1.01325e7, 2e-4), ("70 GPa, 4 cells", 7e10, 0.07, 1e5, 2e-4)]
+               "Section mean of the pressure behind the front over rho c u (Joukowsky, Korteweg). Tubes of 0.05 m bore, h = 5 mm; the rigid one has a modulus of 2e13 Pa. "
+               "The softest is 2 m long and looked at after 0.8 ms: Korteweg's plateau is that of a tube in balance, and the tube breathes about it (0.98, 0.96, 0.99 at 0.3, 0.5, 0.7 ms).")
+    cases = [("rigid, 4 cells", None, 0.07, 1e5, 1e-4, 1), ("200 GPa, 4 cells", 2e11, 0.07, 1e5, 2e-4, 1), ("200 GPa, 2 cells", 2e11, 0.06, 1e5, 2e-4, 1),
+             ("200 GPa, 4 cells", 2e11, 0.07, 1.01325e7, 2e-4, 1), ("70 GPa, 4 cells", 7e10, 0.07, 1e5, 8e-4, 2)]
     table = []
-    for number, (name, young, outer, pressure, end) in enumerate(cases):
+    for number, (name, young, outer, pressure, end, length) in enumerate(cases):
         modulus = young or 2e13
         done = rows.run("e10_hammer", f"e10_{number}", settings=[
             f"materials.wall.law.linear_elastic.bulk_modulus={modulus / 3!r}", f"materials.wall.law.linear_elastic.shear_modulus={modulus / 2!r}",
-            f"bodies.tube.shape.box.upper=[{outer}, 1]", f"ambient.pressure={pressure!r}", f"bodies.water.pressure={pressure!r}",
+            f"domain.upper=[0.1, {length}]", f"bodies.tube.shape.box.upper=[{outer}, {length}]", f"bodies.water.shape.box.upper=[0.05, {length}]",
+            f"ambient.pressure={pressure!r}", f"bodies.water.pressure={pressure!r}",
             f"reference_pressure={pressure!r}", f"time.end={end!r}"])
         share = plateau(done, wave_speed(young, outer, pressure), pressure) if done.status == 0 else math.nan
         table.append((name, f"{pressure / 1e5:g}", f"{share:.4f}", f"{done.cpu:.1f}"))

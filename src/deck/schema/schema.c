@@ -262,9 +262,10 @@ static const key_spec method_keys[] = {
      .doc = "energy that ICE advances"},
     {"limiter", KEY_CHOICE, AT(scene_method, limiter), .fallback = "default", .choices = limiter_choices,
      .doc = "advection of ICE"},
-    {"exchange", KEY_NUMBER, "kg m-3 s-1", WITHIN(0.0, 1e20), AT(scene_method, exchange),
-     .otherwise = "`locked`: one velocity, in any units; liquids without viscosity slip along solids",
-     .doc = "K of the momentum exchange between each pair of materials that `exchange` does not name"},
+    {"exchange", KEY_CUSTOM, "kg m-3 s-1", WITHIN(0.0, 1e20), AT(scene_method, exchange), .custom = &custom_exchange,
+     .otherwise = "`locked`, but liquids without viscosity slip along solids",
+     .doc = "K of the momentum exchange between each pair of materials that `exchange` does not name; locked: one "
+            "velocity, in every direction"},
     {"heat_exchange", KEY_NUMBER, "W m-3 K-1", WITHIN(0.0, 1e30), AT(scene_method, heat_exchange), .fallback = "0",
      .doc = "R of the heat exchange between each pair of materials that `exchange` does not name"},
     {"volume_relaxation", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, volume_relaxation), .fallback = "0",
