@@ -25,6 +25,18 @@ static double pushing(const mpm *s, const edge_group *g, size_t k, int c)
                      : s->work->edges->memory[g->line[k].slot + (size_t)c];
 }
 
+void edges_mark_flow(const mpm *s, edge_group *g)
+{
+    static const double nearly = 1.0 - 1e-9;
+    g->n_flowing = 0;
+    for (size_t k = 0; k < g->n_lines; ++k) {
+        double square = 0.0;
+        for (int c = 0; c < s->mesh->dim; ++c) square += pushing(s, g, k, c) * pushing(s, g, k, c);
+        g->line[k].flows = sqrt(square) >= nearly * g->line[k].most;
+        g->n_flowing += g->line[k].flows ? 1 : 0;
+    }
+}
+
 double edges_push(const mpm *s, const edge_group *g, int c, double *force)
 {
     double given = 0.0;

@@ -20,9 +20,9 @@
  * and their energy goes astray. The system is solved over the nodes of the lines by conjugate gradients (edge_solve.c),
  * from the accelerations of the last step, in global order: the same bits for any blocks and threads.
  *
- * A line bears no more than its solid: beyond |D u| = h y/(rho c^2), y the yield stress, it flows. Lines lie within one
- * body. They neither reach nodes that another solid or a membrane reaches, nor lead through what is outside: from one
- * side of a slot, or of a hole of a few cells, to the other.
+ * A line bears no more than its solid: beyond |D u| = h y/(rho c^2), y the yield stress, it flows; what dampens it would
+ * be borne in addition, and does not then. Lines lie within one body. They neither reach nodes that another solid or a
+ * membrane reaches, nor lead through what is outside: from one side of a slot, or of a hole of a few cells, to the other.
  *
  * Which nodes are filled in part is looked for (edge_lines.c) when nodes may have moved by some hundredths of a cell
  * since, or one has begun to take forces or ceased to. Private to the mpm room. */
@@ -40,6 +40,7 @@ typedef struct edge_line {
     size_t slot;     /* of its differences among what is remembered; one a component from there on */
     int axis;        /* that it runs along */
     bool images;     /* some tap is the image of its node in a mirror */
+    bool flows;      /* in this step it bears the most that it can; nothing dampens it then */
     bool unbalanced; /* what it gives to the free nodes may not add up to nothing: an image, or a node that is held */
     int node[EDGE_TAPS]; /* in the list of the group's nodes; taps that the basis does not need have no weight */
     /* Of the taps: of components across the line, and of that along it, which images turn. */
@@ -85,6 +86,7 @@ typedef struct edge_group {
     int n_nodes;
     double speed;     /* m/s: of the fastest solid of the group at rest */
     double damping;   /* 1/s: of lines over their inertia */
+    size_t n_flowing; /* lines that flow in this step */
     double travelled; /* cells: by how much nodes may have moved at the end of the step since lines were looked for */
     double bearing;   /* which nodes take forces in this step, as one number */
     bool listed;      /* the lists are of the lines that are remembered */
@@ -230,6 +232,8 @@ void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const doub
 double edges_push(const mpm *s, const edge_group *g, int c, double *force);
 /* Accelerations and v^L of a group with the inertia of its lines. After walls. */
 floe_status edges_accelerate(mpm *s, int group);
+/* Finds the lines that flow in this step. */
+void edges_mark_flow(const mpm *s, edge_group *g);
 /* Lines flow where those of the next state would bear more than their solid does. */
 void edges_let_flow(const mpm *s, edge_group *g);
 /* The differences of the next state, by the velocities that points are strained with. */

@@ -1,6 +1,6 @@
 /* Accelerations of nodes with the inertia of the lines through them (edge.h):
  *
- *   (m + (1 + kick d) A) a = m a_raw - d A v,   A = sum a D^T D,   d their damping,
+ *   (m + (1 + kick d) A) a = m a_raw - d A v,   A = sum a D^T D,   d their damping, 0 where they flow,
  *
  * by conjugate gradients, preconditioned by the diagonal, from the last step's a. */
 #include "mpm/edge/edge.h"
@@ -50,15 +50,28 @@ static double times_lines(const edge_system *y, int n, const double *p)
     return sum;
 }
 
+/* Ap += factor A_f p, A_f of the lines that flow alone, in nodes that are free. */
+static void add_flowing(const edge_system *y, double factor, const double *p, double *Ap)
+{
+    const edge_group *g = y->group;
+    for (size_t k = 0; k < g->n_lines && g->n_flowing > 0; ++k) {
+        const edge_line *l = &g->line[k];
+        if (!l->flows) continue;
+        const double *w = edge_weights(l, y->c), push = factor * l->inertia * edge_difference(l, y->c, p);
+        for (int t = 0; t < EDGE_TAPS; ++t)
+            if (!edge_holds(&g->node[l->node[t]], y->c)) Ap[l->node[t]] += w[t] * push;
+    }
+}
+
 /* Ap = M p of the system's matrix M, in which held nodes have no rows. Gives p M p. */
 static double apply(const edge_system *y, const double *p, double *Ap)
 {
     const edge_group *g = y->group;
     double curvature = 0.0;
-    for (int n = 0; n < g->n_nodes; ++n) {
+    for (int n = 0; n < g->n_nodes; ++n)
         Ap[n] = edge_holds(&g->node[n], y->c) ? 0.0 : y->mass[n] * p[n] + y->share * times_lines(y, n, p);
-        curvature += p[n] * Ap[n];
-    }
+    add_flowing(y, 1.0 - y->share, p, Ap);
+    for (int n = 0; n < g->n_nodes; ++n) curvature += p[n] * Ap[n];
     return curvature;
 }
 
@@ -77,9 +90,12 @@ static double begin_solve(edge_system *y)
     (void)apply(y, y->x, y->Ap);
     for (int n = 0; n < g->n_nodes; ++n) {
         const bool held = edge_holds(&g->node[n], y->c);
-        const double b = held ? 0.0 : y->mass[n] * y->raw[n] - g->damping * times_lines(y, n, y->before);
-        scale += b * b * y->inverse[n];
-        y->r[n] = b - y->Ap[n];
+        y->r[n] = held ? 0.0 : y->mass[n] * y->raw[n] - g->damping * times_lines(y, n, y->before);
+    }
+    add_flowing(y, g->damping, y->before, y->r);
+    for (int n = 0; n < g->n_nodes; ++n) {
+        scale += y->r[n] * y->r[n] * y->inverse[n];
+        y->r[n] -= y->Ap[n];
         y->p[n] = y->r[n] * y->inverse[n];
     }
     return scale;
@@ -187,8 +203,9 @@ static double given_by_lines(const edge_system *y)
     for (size_t k = 0; k < g->n_lines; ++k) {
         const edge_line *l = &g->line[k];
         if (!l->unbalanced) continue;
+        const double share = l->flows ? 1.0 : y->share, damping = l->flows ? 0.0 : g->damping;
         given -= edge_sum(g, l, y->c, true) * l->inertia *
-                 (y->share * edge_difference(l, y->c, y->x) + g->damping * edge_difference(l, y->c, y->before));
+                 (share * edge_difference(l, y->c, y->x) + damping * edge_difference(l, y->c, y->before));
     }
     return given;
 }
@@ -310,6 +327,7 @@ floe_status edges_accelerate(mpm *s, int group)
     edge_group *g = &e->group[group];
     double *room;
     TRY(edges_scratch(s, g, V_COUNT, &room));
+    edges_mark_flow(s, g);
     for (int c = 0; c < s->mesh->dim; ++c) accelerate(s, group, c, room);
     g->travelled = (g->looked ? 0.0 : e->memory[e->travel + (size_t)group]) + way_of_nodes(s, group);
     return FLOE_OK;
