@@ -264,6 +264,33 @@ static void what_does_not_converge_is_not_sure(void **state)
     check_close_relative(e.relative, 2.0 * 0.4 / 1.4, 1e-12);
 }
 
+/* The coarsest spacing sees next to nothing of the scene: its value is far off, and the span of three that has it in it is no sign that the next
+ * will be as wide. */
+static void a_coarse_outlier_is_no_end(void **state)
+{
+    (void)state;
+    const double h[] = {0.2, 0.1, 0.05, 0.025}, f[] = {1017.0, 1216.0, 1219.5};
+    choose_case list[4];
+    for (size_t k = 0; k < 4; k++) {
+        list[k] = (choose_case){.h = h[k], .weight = pow(h[k], -3.0), .error = NAN};
+        if (k == 3) continue;
+        const tolerance_estimate e = tolerance_estimate_of(k + 1, h, f);
+        list[k].state = CHOOSE_DONE;
+        list[k].seconds = pow(h[k], -3.0);
+        list[k].error = e.relative;
+        list[k].sure = e.sure;
+        list[k].settled = e.settled;
+    }
+    check_close_relative(list[2].error, 2.0 * 202.5 / 1219.5, 1e-12);
+    check_close_relative(list[2].settled, 2.0 * 3.5 / 1219.5, 1e-12);
+    choose_curve curve = {.list = list, .n = 4};
+    const choose_step next = choose_next(&curve, 1, 0.01, 3, INFINITY);
+    assert_int_equal(next.action, CHOOSE_RUN);
+    assert_int_equal(next.at, 3);
+    assert_int_equal(choose_next(&curve, 1, 0.005, 3, INFINITY).action,
+                     CHOOSE_UNREACHED); /* it cannot be less than 0.57 % */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -276,6 +303,7 @@ int main(void)
         cmocka_unit_test(smooth_values_are_extrapolated),
         cmocka_unit_test(estimates_hold_beside_the_asymptotic_range),
         cmocka_unit_test(what_does_not_converge_is_not_sure),
+        cmocka_unit_test(a_coarse_outlier_is_no_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,11 +51,14 @@ static double predict_seconds(const choose_curve *c, size_t k, double of_weight)
     return from->seconds * fmax(ratio, 1.0);
 }
 
-/* The error at h by that order; NAN: there is nothing to predict by. */
+/* The error at h by that order, or less where the coarsest value that counts is about to count no more; NAN: there is
+ * nothing to predict by. */
 static double predict_error(const choose_curve *c, double h, double order)
 {
     const size_t last = done_before(c, c->n, true);
-    return last < c->n ? c->list[last].error * pow(h / c->list[last].h, order) : (double)NAN;
+    if (last == c->n) return NAN;
+    const double by_order = c->list[last].error * pow(h / c->list[last].h, order);
+    return c->list[last].settled > 0.0 ? fmin(by_order, c->list[last].settled) : by_order;
 }
 
 static void find_next(choose_curve *c)

@@ -20,6 +20,7 @@ typedef struct choose_case {
     double seconds; /* of a case that is done: what it took */
     double error;   /* of a case that is done; NAN: not known (yet) */
     bool sure;      /* the error may be relied on */
+    double settled; /* the error of the next finer case if it finds what this one did; 0: not known */
 } choose_case;
 
 typedef enum choose_standing {

@@ -176,6 +176,7 @@ static void take_case(tolerance *t, size_t curve, size_t at)
         const tolerance_estimate e = tolerance_estimate_at(t, curve, at);
         one->error = e.relative;
         one->sure = e.sure;
+        one->settled = e.settled;
     }
 }
 

@@ -56,6 +56,7 @@ typedef struct tolerance_estimate {
     bool sure;       /* the values converge, and are three at least */
     const char *how; /* in words */
     double order;    /* observed; NAN */
+    double settled;  /* what a next value that is the same as the last would be off by; 0: not known */
 } tolerance_estimate;
 /* From n values f over spacings h, coarsest first. Three at least that approach their limit from one side, no faster
  * than with an order of 2.1, are extrapolated: with the observed order and a safety factor of 1.25 if four of them
