@@ -207,8 +207,8 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
                 const double room = taken ? room_beside(taken[at]) : 1.0;
                 const int number =
                     b->lo[0] + i + s->mesh->n[0] * (b->lo[1] + j + s->mesh->n[1] * (b->lo[2] + k)); /* of all cells */
-                TRY(room < 1.0 ? fill_beside(s, lo, room, nearest[number], contents)
-                               : fill_cell(s, lo, room, contents));
+                TRY(nearest && room < 1.0 ? fill_beside(s, lo, room, nearest[number], contents)
+                                          : fill_cell(s, lo, room, contents));
                 double filled = room > 0.0 ? 0.0 : 1.0;
                 for (int r = 0; r < s->n_materials; ++r) filled += contents[r].fraction;
                 if (!(filled > 0.0)) {
