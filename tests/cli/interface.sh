@@ -120,6 +120,10 @@ expect 0 "$FLOE" check "$tube" --coupling mpm --set method=g03
 expect 2 "$FLOE" check "$tube" --coupling mpm --set method.exchange=1e7
 expect 0 "$FLOE" check "$tube" --set 'method={preset: g03, interface: sharp}'
 not_sharp 'has no exchange over cells' method.exchange=locked
+expect 0 "$FLOE" check "$tube" --set method.exchange=locked
+if grep -q 'energy from nowhere' stderr; then fault 'a locked exchange is warned of as a constant'; fi
+expect 0 "$FLOE" check "$tube" --set method.exchange=1e5
+has stderr 'energy from nowhere'
 expect 2 "$FLOE" check "$tube" --set method.exchange=free
 has stderr 'a number from 0 to 1e+20, or locked'
 
