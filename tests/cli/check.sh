@@ -77,6 +77,36 @@ expect 2 "$FLOE" check "$pulse" --set method.pressure=implicit
 has stderr 'does not resolve'
 expect 2 "$FLOE" check "$pulse" --set 'boundaries.x.lower={reservoir: {pressure: -1, temperature: 1}}'
 has stderr "does not exist at -1 Pa"
+# Check and run refuse the same decks: an outlet too, though nothing enters by it, without an ambient that names the fluid.
+cat >outlet.yaml <<'END'
+floe: 1
+coupling: ice
+domain: {dim: 1, lower: [0], upper: [1], cell: 0.05}
+boundaries:
+  x: {lower: slip, upper: {outlet: {pressure: 1e5}}}
+materials:
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}
+  water: {eos: {stiffened: {gamma: 4.4, p_inf: 6e8, specific_heat: 4186}}}
+bodies:
+  gas: {material: air, shape: {box: {lower: [0], upper: [1]}}, pressure: 1e5, temperature: 300}
+time: {end: 1e-3, max_steps: 1}
+END
+for what in check 'run -o outlet'; do
+    # shellcheck disable=SC2086 # two words
+    expect 2 "$FLOE" $what outlet.yaml --set materials.water=null --set boundaries.x.upper.outlet.pressure=-1e5
+    has stderr "'air' does not exist at -100000 Pa: its pressure is above 0 Pa"
+    # shellcheck disable=SC2086
+    expect 2 "$FLOE" $what outlet.yaml --set 'boundaries.x.upper={outlet: {pressure: -1e5, material: air}}'
+    has stderr "'air' does not exist at -100000 Pa"
+    # shellcheck disable=SC2086
+    expect 2 "$FLOE" $what outlet.yaml --set boundaries.x.upper.outlet.pressure=-6e8
+    has stderr "'water' does not exist at -6e+08 Pa"
+    # shellcheck disable=SC2086
+    expect 2 "$FLOE" $what outlet.yaml --set 'boundaries.x.upper={non_reflecting: {pressure: -1e5, material: air}}'
+    has stderr "'air' does not exist at -100000 Pa"
+    # shellcheck disable=SC2086
+    expect 0 "$FLOE" $what outlet.yaml
+done
 
 # Solids that burn: what knows nothing of points that lose mass.
 block=$FLOE_SOURCE/inputs/burning_block.yaml

@@ -50,6 +50,35 @@ static floe_status check_drag(reader *r, const bc_side *side, int axis, const ch
                   "no fluid is viscous: the wall's velocity would have no effect");
 }
 
+static floe_status check_exists(reader *r, const scene_material *m, double pressure, const char *const *path)
+{
+    if (!m->eos.model || pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
+    return bad_at(r, path, NULL, NULL, "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, pressure,
+                  m->eos.model->pressure_floor(m->eos.par));
+}
+
+/* The fluid that exists at the lowest pressure, of which something may leave: a side's own, else of all; -1: none. */
+static int hardiest_fluid(const scene *s, const bc_side *side)
+{
+    int found = -1;
+    if (side->material >= 0) return s->material[side->material].kind == MATERIAL_FLUID ? side->material : -1;
+    for (int m = 0; m < s->n_materials; m++) {
+        const eos *law = &s->material[m].eos, *best = found < 0 ? NULL : &s->material[found].eos;
+        if (s->material[m].kind != MATERIAL_FLUID || !law->model) continue;
+        if (!best || law->model->pressure_floor(law->par) < best->model->pressure_floor(best->par)) found = m;
+    }
+    return found;
+}
+
+/* Cells take the pressure behind a side that nothing enters by, too. Points see none but the reference's, which may be 0. */
+static floe_status check_outside_pressure(reader *r, const bc_side *side, const char *const *path)
+{
+    const scene *s = r->scene;
+    const int fluid = hardiest_fluid(s, side);
+    if (fluid < 0 || (!scene_runs_as(s, COUPLING_ICE) && !scene_runs_as(s, COUPLING_ICE_MPM))) return FLOE_OK;
+    return check_exists(r, &s->material[fluid], side->pressure, path);
+}
+
 /* What lies behind an open side is a fluid that exists at the side's pressure. */
 static floe_status check_open(reader *r, const bc_side *side, const char *const *path)
 {
@@ -61,7 +90,7 @@ static floe_status check_open(reader *r, const bc_side *side, const char *const 
         return bad_at(r, path, "inlet or outlet, or method: {pressure: explicit}", NULL,
                       "'%s' follows waves, which an implicit pressure does not resolve", bc_name(side->kind));
     }
-    if (!holds) return FLOE_OK;
+    if (!holds) return check_outside_pressure(r, side, path);
     if (side->material < 0) {
         return bad_at(r, path, "material: the name of a fluid", NULL,
                       "the scene has no fluid, or several: which enters?");
@@ -70,9 +99,7 @@ static floe_status check_open(reader *r, const bc_side *side, const char *const 
     if (m->kind != MATERIAL_FLUID) {
         return bad_at(r, path, "material: the name of a fluid", NULL, "'%s' is a solid and cannot flow in", m->name);
     }
-    if (!m->eos.model || side->pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
-    return bad_at(r, path, NULL, NULL, "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name,
-                  side->pressure, m->eos.model->pressure_floor(m->eos.par));
+    return check_exists(r, m, side->pressure, path);
 }
 
 static floe_status check_side(reader *r, int axis, int i)
