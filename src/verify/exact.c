@@ -97,6 +97,13 @@ bool exact_is_solid(const exact *solution)
     return e == EXACT_SOLID || e == EXACT_LARGE_SOLID;
 }
 
+bool exact_is_fluid(const exact *solution)
+{
+    const exact_equations e = solution->model->equations;
+    return !solution->model->of_solids_too &&
+           (e == EXACT_EULER || e == EXACT_NAVIER_STOKES || e == EXACT_LINEAR_ACOUSTICS || e == EXACT_INCOMPRESSIBLE);
+}
+
 bool exact_provides(const exact *solution, exact_quantity quantity)
 {
     return (size_t)quantity < EXACT_QUANTITY_COUNT && (solution->model->provides & EXACT_BIT(quantity)) != 0;

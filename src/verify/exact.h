@@ -96,6 +96,7 @@ typedef struct exact_model {
     const char *doc;      /* one line */
     const char *cite;     /* source, with the equation where it has one */
     const char *validity; /* under which conditions it is exact for what floe solves, and its error otherwise */
+    bool of_solids_too;   /* fluid's equations, and a solid's as well */
     exact_equations equations;
     size_t param_size;
     const param_spec *params;
@@ -157,6 +158,8 @@ void exact_destroy(context *ctx, exact *solution);
 bool exact_provides(const exact *solution, exact_quantity quantity);
 /* Whether it is one of a solid: given at places before the load, stress gauge to the reference pressure. */
 bool exact_is_solid(const exact *solution);
+/* Of fluids, and of nothing else: a state that is the same everywhere may be a solid's too. */
+bool exact_is_fluid(const exact *solution);
 /* The quantity at x and t; NAN when the solution does not provide it or does not hold there. */
 double exact_value(const exact *solution, exact_quantity quantity, const double x[3], double t);
 /* Body force per mass at x and t; zero for a solution without one. */

@@ -128,6 +128,16 @@ cylinder_errors() { "$FLOE" run "$cylinder" --coupling mpm --set domain.cell=0.1
 [ "$(cylinder_errors)" = "$(cylinder_errors --set verify.body=null)" ] || fault 'another body is measured where none is named'
 expect 2 "$FLOE" check "$cylinder" --set verify.body=bore
 has stderr 'is of a solid'
+riemann='{riemann: {position: 0.1, left_density: 1, left_pressure: 1, right_density: 0.125, right_pressure: 0.1}}'
+for what in check 'run -o phase'; do
+    # shellcheck disable=SC2086 # two words
+    expect 2 "$FLOE" $what "$cylinder" --coupling mpm --set "verify={exact: $riemann, metrics: [l1_density], body: cylinder}"
+    has stderr "verify.body: the exact solution 'riemann' is of a fluid, and 'steel' is a solid: name a body of a fluid"
+    # shellcheck disable=SC2086
+    expect 2 "$FLOE" $what "$FLOE_SOURCE/inputs/bar_vibration.yaml" --set "verify={exact: $riemann, metrics: [l1_density]}"
+    has stderr "the exact solution 'riemann' is of a fluid, and the scene has none"
+done
+expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/bar_vibration.yaml" --set 'verify={exact: {uniform: {pressure: 0, density: 1}}, metrics: [l1_density]}'
 expect 2 "$FLOE" check lap.yaml --coupling mpm --set 'bodies.dot={material: steel, seeding: lattice, shape: {ball: {centre: [0.051, 0.051], radius: 0.004}}}'
 has stderr 'bodies.dot.shape: no point lies in it'
 expect 2 "$FLOE" check "$FLOE_SOURCE/tests/cli/decks/keys_membrane.yaml" --coupling ice-mpm --set bodies.gas=null

@@ -47,6 +47,7 @@ const exact_model exact_uniform = {
     .cite = "free stream: constants solve every balance law without sources",
     .validity = "no boundary that disturbs the stream, no sources.",
     .equations = EXACT_EULER,
+    .of_solids_too = true,
     .param_size = sizeof(uniform_par),
     .params = uniform_params,
     .n_params = COUNT_OF(uniform_params),
