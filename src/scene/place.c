@@ -31,10 +31,13 @@ void scene_key_place(const scene *s, const char *path, char *text, size_t size)
 {
     const int k = find_nearest(s, path);
     const scene_key *at = k < 0 ? NULL : &s->key[k];
+    const size_t length = strlen(path);
     if (at && !at->setting)
         (void)snprintf(text, size, "%s:%d:%d: %s: ", s->path, at->line, at->column, path);
-    else if (at)
+    else if (at && strncmp(at->setting, path, length) == 0 && at->setting[length] == '=')
         (void)snprintf(text, size, "--set %s: ", at->setting);
+    else if (at)
+        (void)snprintf(text, size, "--set %s: %s: ", at->setting, path);
     else
         (void)snprintf(text, size, "%s: ", path);
 }

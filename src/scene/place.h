@@ -18,8 +18,8 @@ struct scene_key {
  * second call changes nothing. Returns `status`. */
 floe_status scene_place(const scene *s, floe_status status);
 
-/* "deck.yaml:3:8: time.end: " of a key, or of what it would be in; "--set KEY=VALUE: "; "time.end: " where the deck has
- * neither. For remarks. */
+/* "deck.yaml:3:8: time.end: " of a key, or of what it would be in; "--set KEY=VALUE: ", with the key after
+ * it where it is another; "time.end: " where the deck has neither. For remarks. */
 void scene_key_place(const scene *s, const char *path, char *text, size_t size);
 
 /* Whether the deck, or --set, has the key of this path ("time.cfl.mpm"). */

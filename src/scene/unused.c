@@ -12,16 +12,26 @@ enum {
     AS_MPM = 1 << COUPLING_MPM,
     AS_ICE = 1 << COUPLING_ICE,
     AS_ICE_MPM = 1 << COUPLING_ICE_MPM,
-    LIST_SIZE = 400,
-    PATH_SIZE = 2 * SCENE_NAME
+    TEXT_SIZE = 2 * SCENE_NAME + 200,
+    PATH_SIZE = 2 * SCENE_NAME,
+    PLACE_SIZE = 700
 };
 
-/* The keys found so far, as a text. */
+/* Where what is found is said. */
 typedef struct unused_list {
     const scene *s;
-    char text[LIST_SIZE];
-    size_t length;
+    remark_sink *say;
+    void *user;
 } unused_list;
+
+/* A remark that begins with the place of the key. */
+static void say_at(const unused_list *list, const char *path, const char *what)
+{
+    char where[PLACE_SIZE], text[PLACE_SIZE + TEXT_SIZE];
+    scene_key_place(list->s, path, where, sizeof where);
+    (void)snprintf(text, sizeof text, "%s%s", where, what);
+    list->say(list->user, text);
+}
 
 /* Neither this coupling nor another of runs_as reads it. */
 static bool is_unread(const scene *s, unsigned couplings)
@@ -31,12 +41,15 @@ static bool is_unread(const scene *s, unsigned couplings)
     return (couplings >> s->coupling & 1U) != 0;
 }
 
-static void add_key(unused_list *list, unsigned couplings, const char *path)
+static void add_key(const unused_list *list, unsigned couplings, const char *path)
 {
+    static const char *const lacks[COUPLING_COUNT] = {"it has no cells", "it has no material points",
+                                                      "its fluids are in cells"};
+    const scene_coupling coupling = list->s->coupling;
+    char text[TEXT_SIZE];
     if (!is_unread(list->s, couplings) || !scene_has_key(list->s, path)) return;
-    const int n = snprintf(list->text + list->length, LIST_SIZE - list->length, "%s%s", list->length ? ", " : "", path);
-    if (n > 0 && list->length + (size_t)n < LIST_SIZE) list->length += (size_t)n;
-    list->text[list->length] = '\0';
+    (void)snprintf(text, sizeof text, "'%s' does not read this key, as %s", coupling_name(coupling), lacks[coupling]);
+    say_at(list, path, text);
 }
 
 /* ---- keys of the whole scene ---- */
@@ -78,7 +91,7 @@ static bool is_default(const scene *s, const scene *defaults, size_t offset, siz
     return memcmp((const char *)s + offset, (const char *)defaults + offset, size) == 0;
 }
 
-static void add_scene_keys(unused_list *list)
+static void add_scene_keys(const unused_list *list)
 {
     scene *defaults;
     if (scene_create(&defaults, list->s->ctx) != FLOE_OK) return;
@@ -90,14 +103,14 @@ static void add_scene_keys(unused_list *list)
 
 /* ---- keys of materials and bodies ---- */
 
-static void add_key_of(unused_list *list, unsigned couplings, const char *map, const char *name, const char *key)
+static void add_key_of(const unused_list *list, unsigned couplings, const char *map, const char *name, const char *key)
 {
     char path[PATH_SIZE];
     (void)snprintf(path, sizeof path, "%s.%s.%s", map, name, key);
     add_key(list, couplings, path);
 }
 
-static void add_material_keys(unused_list *list, const scene_material *m)
+static void add_material_keys(const unused_list *list, const scene_material *m)
 {
     const bool solid = m->kind == MATERIAL_SOLID;
     if (m->artificial_linear > 0.0 || m->artificial_quadratic > 0.0)
@@ -107,7 +120,7 @@ static void add_material_keys(unused_list *list, const scene_material *m)
     if (!isnan(m->tension_switch)) add_key_of(list, AS_MPM | AS_ICE, "materials", m->name, "tension_switch");
 }
 
-static void add_body_keys(unused_list *list, const scene_body *b)
+static void add_body_keys(const unused_list *list, const scene_body *b)
 {
     enum { USUAL_POINTS = 2 };
     const double usual_merge = 0.3, usual_temperature = list->s->has_ambient ? list->s->ambient_temperature : 300.0;
@@ -125,14 +138,14 @@ static void add_body_keys(unused_list *list, const scene_body *b)
 }
 
 /* What points lose heats gas points, or the gas that surfaces of points hold. */
-static void add_losses(unused_list *list)
+static void add_losses(const unused_list *list)
 {
     const scene *s = list->s;
     if (s->method.losses == LOSSES_HEAT) add_key(list, scene_is_cut(s) ? AS_ICE : AS_ICE | AS_ICE_MPM, "method.losses");
 }
 
 /* Cells carry absolute pressures: only a load that pressurises counts from the reference. */
-static void add_reference_pressure(unused_list *list)
+static void add_reference_pressure(const unused_list *list)
 {
     const scene *s = list->s;
     for (int l = 0; l < s->n_loads; ++l)
@@ -141,8 +154,9 @@ static void add_reference_pressure(unused_list *list)
 }
 
 /* A material of nothing is most likely a body that was forgotten. */
-static void remark_idle_materials(const scene *s, remark_sink *say, void *user)
+static void remark_idle_materials(const unused_list *list)
 {
+    const scene *s = list->s;
     for (int m = 0; m < s->n_materials; ++m) {
         bool used = s->has_ambient && s->ambient_material == m;
         for (int b = 0; b < s->n_bodies; ++b) used = used || s->body[b].material == m || s->body[b].membrane.holds == m;
@@ -151,23 +165,31 @@ static void remark_idle_materials(const scene *s, remark_sink *say, void *user)
         for (int a = 0; a < s->mesh.dim; ++a)
             for (int i = 0; i < 2; ++i) used = used || s->bc.side[a][i].material == m;
         if (used) continue;
-        char text[LIST_SIZE];
+        char text[TEXT_SIZE], path[PATH_SIZE];
         (void)snprintf(text, sizeof text, "nothing is made of material '%s'", s->material[m].name);
-        say(user, text);
+        (void)snprintf(path, sizeof path, "materials.%s", s->material[m].name);
+        say_at(list, path, text);
     }
 }
 
 /* ---- sides ---- */
 
-/* What would flow back through an outlet; points do not. The deck says it of a side, of an axis, or of all. */
-static void add_outlet_keys(unused_list *list, int axis, int end)
+static const char *name_of_axis(const scene *s, int axis)
 {
-    static const char *const key[] = {"temperature", "material"}, *const end_name[] = {"lower", "upper"};
-    static const char *const axis_name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", ""}};
-    const char *name = axis_name[list->s->mesh.geometry == MESH_AXISYMMETRIC][axis];
+    static const char *const name[2][MESH_MAX_DIM] = {{"x", "y", "z"}, {"r", "z", ""}};
+    return name[s->mesh.geometry == MESH_AXISYMMETRIC][axis];
+}
+
+static const char *const name_of_end[] = {"lower", "upper"};
+
+/* What would flow back through an outlet; points do not. The deck says it of a side, of an axis, or of all. */
+static void add_outlet_keys(const unused_list *list, int axis, int end)
+{
+    static const char *const key[] = {"temperature", "material"};
+    const char *name = name_of_axis(list->s, axis);
     for (int k = 0; k < 2; ++k) {
         char side[PATH_SIZE], both[PATH_SIZE], all[PATH_SIZE];
-        (void)snprintf(side, sizeof side, "boundaries.%s.%s.outlet.%s", name, end_name[end], key[k]);
+        (void)snprintf(side, sizeof side, "boundaries.%s.%s.outlet.%s", name, name_of_end[end], key[k]);
         (void)snprintf(both, sizeof both, "boundaries.%s.outlet.%s", name, key[k]);
         (void)snprintf(all, sizeof all, "boundaries.outlet.%s", key[k]);
         add_key(list, AS_MPM, side);
@@ -176,24 +198,26 @@ static void add_outlet_keys(unused_list *list, int axis, int end)
     }
 }
 
-static void remark_inviscid_walls(const scene *s, remark_sink *say, void *user)
+static void remark_inviscid_walls(const unused_list *list)
 {
+    const scene *s = list->s;
     for (int m = 0; m < s->n_materials; ++m)
         if (s->material[m].kind == MATERIAL_FLUID && s->material[m].shear_viscosity > 0.0) return;
     for (int a = 0; a < s->mesh.dim && s->coupling == COUPLING_ICE; ++a)
         for (int i = 0; i < 2; ++i)
             if (s->bc.side[a][i].kind == BC_NO_SLIP) {
-                say(user, "no fluid is viscous: 'no_slip' sides let the fluid slip. Give it a 'viscosity', or take "
-                          "'slip'");
+                char path[PATH_SIZE];
+                (void)snprintf(path, sizeof path, "boundaries.%s.%s", name_of_axis(s, a), name_of_end[i]);
+                say_at(list, path,
+                       "no fluid is viscous: 'no_slip' sides let the fluid slip. Give it a 'viscosity', or "
+                       "take 'slip'");
                 return;
             }
 }
 
 void scene_remark_unused(const scene *s, remark_sink *say, void *user)
 {
-    static const char *const lacks[COUPLING_COUNT] = {"it has no cells", "it has no material points",
-                                                      "its fluids are in cells"};
-    unused_list list = {.s = s};
+    const unused_list list = {.s = s, .say = say, .user = user};
     add_scene_keys(&list);
     add_losses(&list);
     add_reference_pressure(&list);
@@ -202,11 +226,6 @@ void scene_remark_unused(const scene *s, remark_sink *say, void *user)
     for (int a = 0; a < s->mesh.dim; ++a)
         for (int i = 0; i < 2; ++i)
             if (s->bc.side[a][i].kind == BC_OUTLET) add_outlet_keys(&list, a, i);
-    remark_inviscid_walls(s, say, user);
-    remark_idle_materials(s, say, user);
-    if (list.length == 0) return;
-    char text[LIST_SIZE + 2 * SCENE_NAME];
-    (void)snprintf(text, sizeof text, "'%s' does not read these keys, as %s: %s", coupling_name(s->coupling),
-                   lacks[s->coupling], list.text);
-    say(user, text);
+    remark_inviscid_walls(&list);
+    remark_idle_materials(&list);
 }

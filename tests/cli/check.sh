@@ -108,6 +108,29 @@ for what in check 'run -o outlet'; do
     expect 0 "$FLOE" $what outlet.yaml
 done
 
+# Keys that a coupling does not read, and what is left over, are warned of at their places.
+cat >unread.yaml <<'END'
+floe: 1
+coupling: ice
+domain: {dim: 1, lower: [0], upper: [1], cell: 0.05}
+boundaries: {x: {lower: no_slip, upper: slip}}
+materials:
+  air: {eos: {ideal: {gamma: 1.4, specific_heat: 717.5}}}
+  spare: {eos: {ideal: {gamma: 1.6, specific_heat: 300}}}
+bodies:
+  gas: {material: air, shape: {box: {lower: [0], upper: [1]}}, pressure: 1e5, temperature: 300, points: 3}
+method: {basis: gimp}
+time: {end: 1e-3, cfl: {mpm: 0.2}}
+END
+expect 0 "$FLOE" check unread.yaml
+has stderr "unread.yaml:10:17: method.basis: 'ice' does not read this key, as it has no material points"
+has stderr "unread.yaml:11:30: time.cfl.mpm: 'ice' does not read"
+has stderr "unread.yaml:9:105: bodies.gas.points: 'ice' does not read"
+has stderr "unread.yaml:7:3: materials.spare: nothing is made of material 'spare'"
+has stderr 'unread.yaml:4:25: boundaries.x.lower: no fluid is viscous'
+expect 0 "$FLOE" check unread.yaml --set method.basis=linear --set 'method={flip: 0.5, transfer: flip}'
+has stderr '--set method={flip: 0.5, transfer: flip}: method.flip: '
+
 # Solids that burn: what knows nothing of points that lose mass.
 block=$FLOE_SOURCE/inputs/burning_block.yaml
 expect 2 "$FLOE" check "$block" --set method.interface=sharp
