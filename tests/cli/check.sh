@@ -165,6 +165,13 @@ has warned/run.log 'cubic splines and any number of points'
 # Slip sides that hold a solid all the same, and fluids that stick to it.
 expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/pressed_cylinder.yaml" --set boundaries.y.lower=slip
 has stderr "boundaries.y.lower: in steps that are solved for, a slip side holds body 'block'"
+lift=("$FLOE_SOURCE/tests/cli/decks/lift.yaml")
+expect 0 "$FLOE" check "${lift[@]}"
+has stderr "boundaries.y.lower: body 'block' lies within a cell of a slip side"
+expect 0 "$FLOE" check "${lift[@]}" --set 'boundaries.y={lower: symmetry, upper: slip}'
+if grep -q 'within a cell of a slip side' stderr; then fault 'a mirror is meant to hold'; fi
+expect 0 "$FLOE" check "${lift[@]}" --set 'bodies.block.shape.box={lower: [0.4, 0.05], upper: [0.6, 0.35]}'
+if grep -q 'within a cell of a slip side' stderr; then fault 'a cell is open'; fi
 tube=("$FLOE_SOURCE/inputs/extreme/vessel.yaml" --coupling mpm --set damping=null --set stop=null)
 expect 0 "$FLOE" check "${tube[@]}"
 has stderr 'fluid and solid bodies share one velocity'

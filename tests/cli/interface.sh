@@ -98,7 +98,7 @@ below "$(json step/summary.json energy)" 1e-6
 # What sharp cannot go on with ends the run, and the remedy is named: a body that leaves its side, and one that comes to a side.
 expect 3 "$FLOE" run "$FLOE_SOURCE/tests/cli/decks/lift.yaml" -o lift --quiet
 has stderr 'has left the side of the domain'
-has stderr 'use method.interface: smeared'
+has stderr 'leave a whole cell between them'
 expect 3 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/leaving.yaml" --coupling ice-mpm -o leaving --quiet --set method.interface=auto --set 'bodies.block.velocity=[0.6, 0]'
 has stderr 'use method.interface: smeared'
 

@@ -30,7 +30,7 @@ static floe_status check_end(const mpm *s, int end, int neighbour)
     if (axis < 0 || fabs(k->next[neighbour].x[axis] - k->next[end].x[axis]) < s->mesh->h[axis]) return FLOE_OK;
     return fail(s->ctx, FLOE_DIVERGED,
                 "a solid has left the side of the domain at (%g, %g) by a cell, and a sharp interface lets no gas "
-                "between them: use method.interface: smeared",
+                "between them: leave a whole cell between them at the start, or say symmetry where it is meant to stay",
                 k->next[end].x[0], k->next[end].x[1]);
 }
 
