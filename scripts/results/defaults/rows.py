@@ -18,8 +18,8 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
-FLOE = pathlib.Path(os.environ.get("FLOE", ROOT / "build/release/floe"))
-OUT = pathlib.Path(os.environ.get("FLOE_OUT", ROOT / "out/results/defaults"))
+FLOE = pathlib.Path(os.environ.get("FLOE", ROOT / "build/release/floe")).resolve()
+OUT = pathlib.Path(os.environ.get("FLOE_OUT", ROOT / "out/results/defaults")).resolve()
 
 
 def number(text):
