@@ -136,7 +136,7 @@ def measure(page):
     case("mpm", "strip", "mpm", tube(2), "four")
     case("mpm-1d", "line", "mpm", tube(1), "four")
     case("ice", "line, rigid side", "ice", rigid(0.01), "cells")
-    page.table(("tube", "coupling", "interface", "first cell, kPa", "second", "third", "fourth", "CPU, s", "warned of"), rows)
+    page.table(("tube", "coupling", "interface", "first cell, kPa", "second", "third", "fourth", "CPU, s", "smeared, and warned of"), rows)
     arrival = 0.8 / speed
     rows = []
     for h in (0.02, 0.01):
