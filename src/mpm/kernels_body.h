@@ -1,10 +1,10 @@
-/* The point kernels: one always-inline body each, instantiated on {1, 2, axisymmetric, 3} x basis with literal arguments.
+/* The point kernels: one always-inline body each, instantiated with literal arguments by POINT_KERNELS.
  *
  * Weights are products of those along the axes, S = w_x w_y w_z, and so sums over nodes are taken axis by axis: what a point gives is
  * contracted with w_z and w_z' for each plane of its nodes, then with w_y and w_y' for each row, then with w_x and w_x' for each node; and
  * what it takes is summed along rows, planes, and all.
  *
- * A file that includes this has them with lanes as wide as it is compiled for (kernels_pairs.c, kernels_quads.c). */
+ * The build writes one file for each geometry, basis and width of lanes (cmake/FloePointKernels.cmake): all in one took a minute. */
 #ifndef MPM_KERNELS_BODY_H
 #define MPM_KERNELS_BODY_H
 
@@ -162,55 +162,26 @@ FLOE_ALWAYS_INLINE void fill_body(const mesh *m, const tile_box *t, const point_
         project_body(m, t, p, start, end, window, out, dim, kind);                                      \
     }
 
-#define INSTANTIATE(geometry, dim, axi, basis, kind)                    \
-    SCATTER(momentum_##geometry##_##basis, dim, axi, kind, true, false) \
-    SCATTER(force_##geometry##_##basis, dim, axi, kind, false, true)    \
-    SCATTER(all_##geometry##_##basis, dim, axi, kind, true, true)       \
-    GATHER(motion_##geometry##_##basis, dim, axi, kind, true, false)    \
-    GATHER(gradient_##geometry##_##basis, dim, axi, kind, false, true)  \
-    GATHER(both_##geometry##_##basis, dim, axi, kind, true, true)       \
-    MOMENTS(moments_##geometry##_##basis, dim, kind)                    \
-    SAMPLE(sample_##geometry##_##basis, dim, kind)                      \
-    FILL(fill_##geometry##_##basis, dim, kind)                          \
-    PROJECT(project_##geometry##_##basis, dim, kind)
-
-#define KERNELS(geometry, basis)                                                                          \
-    {                                                                                                     \
+/* All kernels of a geometry and a basis, for lanes of a width, as `kernels_<geometry>_<basis>_<width>`. */
+#define POINT_KERNELS(geometry, dim, axi, basis, kind, width)                                             \
+    SCATTER(momentum_##geometry##_##basis, dim, axi, kind, true, false)                                   \
+    SCATTER(force_##geometry##_##basis, dim, axi, kind, false, true)                                      \
+    SCATTER(all_##geometry##_##basis, dim, axi, kind, true, true)                                         \
+    GATHER(motion_##geometry##_##basis, dim, axi, kind, true, false)                                      \
+    GATHER(gradient_##geometry##_##basis, dim, axi, kind, false, true)                                    \
+    GATHER(both_##geometry##_##basis, dim, axi, kind, true, true)                                         \
+    MOMENTS(moments_##geometry##_##basis, dim, kind)                                                      \
+    SAMPLE(sample_##geometry##_##basis, dim, kind)                                                        \
+    FILL(fill_##geometry##_##basis, dim, kind)                                                            \
+    PROJECT(project_##geometry##_##basis, dim, kind)                                                      \
+    extern const kernel_set kernels_##geometry##_##basis##_##width;                                       \
+    const kernel_set kernels_##geometry##_##basis##_##width = {                                           \
         .scatter = {momentum_##geometry##_##basis, force_##geometry##_##basis, all_##geometry##_##basis}, \
         .gather = {motion_##geometry##_##basis, gradient_##geometry##_##basis, both_##geometry##_##basis, \
                    moments_##geometry##_##basis},                                                         \
-        .sample = sample_##geometry##_##basis, .fill = fill_##geometry##_##basis,                         \
-        .project = project_##geometry##_##basis                                                           \
-    }
-
-#define ALL_KERNELS(geometry)                                                                                       \
-    {                                                                                                               \
-        KERNELS(geometry, linear), KERNELS(geometry, gimp), KERNELS(geometry, quadratic), KERNELS(geometry, cubic), \
-            KERNELS(geometry, cpdi)                                                                                 \
-    }
-
-#define ALL_BASES(X, geometry, dim, axi)              \
-    X(geometry, dim, axi, linear, BASIS_LINEAR)       \
-    X(geometry, dim, axi, gimp, BASIS_GIMP)           \
-    X(geometry, dim, axi, quadratic, BASIS_QUADRATIC) \
-    X(geometry, dim, axi, cubic, BASIS_CUBIC)         \
-    X(geometry, dim, axi, cpdi, BASIS_CPDI)
-
-ALL_BASES(INSTANTIATE, line, 1, false)
-ALL_BASES(INSTANTIATE, plane, 2, false)
-ALL_BASES(INSTANTIATE, axisymmetric, 2, true)
-ALL_BASES(INSTANTIATE, solid, 3, false)
-
-FLOE_ALWAYS_INLINE kernel_set kernels_here(int dim, mesh_geometry geometry, basis_kind kind)
-{
-    static const kernel_set table[4][BASIS_KINDS] = {
-        ALL_KERNELS(line),
-        ALL_KERNELS(plane),
-        ALL_KERNELS(axisymmetric),
-        ALL_KERNELS(solid),
+        .sample = sample_##geometry##_##basis,                                                            \
+        .fill = fill_##geometry##_##basis,                                                                \
+        .project = project_##geometry##_##basis,                                                          \
     };
-    const int row = dim == 1 ? 0 : dim == 3 ? 3 : geometry == MESH_AXISYMMETRIC ? 2 : 1;
-    return table[row][kind];
-}
 
 #endif

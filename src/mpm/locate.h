@@ -3,8 +3,9 @@
 #define MPM_LOCATE_H
 
 #include "mpm/basis/basis_1d.h"
-#include "mpm/work.h"
+#include "mpm/kernels.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Nodes of a tile's window along a used axis. */

@@ -1,0 +1,42 @@
+# The point kernels of mpm: one generated file for each geometry, basis and width of lanes, which instantiates
+# mpm/kernels_body.h, and one with the tables of them. The bases are those of the files src/mpm/basis/basis_<name>.c.
+
+# floe_point_kernels(room), before the room's floe_room.
+function(floe_point_kernels room)
+    set(geometries line plane axisymmetric solid)
+    set(dimensions 1 2 2 3)
+    set(about_axis false false true false)
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${room}/basis/basis_*.c")
+    list(TRANSFORM sources REPLACE ".*/basis_([a-z0-9_]+)\\.c" "\\1" OUTPUT_VARIABLE bases)
+
+    set(directory "${CMAKE_BINARY_DIR}/generated/${room}")
+    set(declarations "")
+    set(tables "")
+    foreach(width IN ITEMS pairs quads)
+        string(APPEND tables "\nconst kernel_set *const kernels_table_${width}[KERNEL_SPACES][BASIS_KINDS] = {\n")
+        foreach(geometry dim axi IN ZIP_LISTS geometries dimensions about_axis)
+            string(TOUPPER "${geometry}" space)
+            foreach(basis IN LISTS bases)
+                string(TOUPPER "${basis}" kind)
+                set(name "kernels_${geometry}_${basis}_${width}")
+                file(CONFIGURE OUTPUT "${directory}/${name}.c" @ONLY CONTENT "/* Generated. */
+#include \"mpm/kernels_body.h\"
+
+POINT_KERNELS(@geometry@, @dim@, @axi@, @basis@, BASIS_@kind@, @width@)
+")
+                set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${room} "${directory}/${name}.c")
+                if(width STREQUAL "quads" AND FLOE_HAS_QUADS) # other instructions, the same bits
+                    set_source_files_properties("${directory}/${name}.c" PROPERTIES COMPILE_OPTIONS -mavx2)
+                endif()
+                string(APPEND declarations "extern const kernel_set ${name};\n")
+                string(APPEND tables "    [KERNELS_${space}][BASIS_${kind}] = &${name},\n")
+            endforeach()
+        endforeach()
+        string(APPEND tables "};\n")
+    endforeach()
+    file(CONFIGURE OUTPUT "${directory}/kernels_table.c" @ONLY CONTENT "/* Generated. */
+#include \"mpm/kernels.h\"
+
+@declarations@@tables@")
+    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${room} "${directory}/kernels_table.c")
+endfunction()

@@ -1,0 +1,111 @@
+/* The point kernels: what carries data between the points and the nodes of a tile, and what they take and write. They know no scene and no
+ * run, and so they are compiled again only when they change themselves. */
+#ifndef MPM_KERNELS_H
+#define MPM_KERNELS_H
+
+#include "base/compiler.h"
+#include "grid/mesh.h"
+#include "mpm/basis/basis.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { MPM_MAX_RECORD = 8 }; /* doubles that a node has in a tile's window (lanes.h) */
+
+/* A tile as the kernels see it. */
+typedef struct tile_box {
+    int first[MESH_MAX_DIM]; /* global cell of its corner */
+    int cells[MESH_MAX_DIM]; /* owned cells; the last tile of an axis may be cut short */
+    int number;              /* of the tile in the whole mesh */
+    uint64_t shared;         /* bit of each of its (at most 64) cells that holds points of a solid */
+} tile_box;
+
+/* Arrays of one body in one block, by component (SoA); NULL where the scene has no such field. */
+typedef struct point_arrays {
+    const double *x[3], *v[3], *half[3]; /* m, m/s, m */
+    const double *mass, *volume0, *J;    /* kg, m3, 1 */
+    const double *stress[6];             /* Pa, 1-D xx yy zz; 2-D xx yy zz xy; 3-D xx yy zz xy yz zx */
+    const double *q, *grid_pressure;     /* Pa */
+    const double *affine[9];             /* 1/s, d x d by rows: C_p (transfer.h) */
+    const double *deform[9]; /* 1: F as it is stored, for what shapes domains; NULL: they keep their shape */
+    double domain_limit;     /* cells: how far from its point a domain may reach along an axis */
+    double linear_side
+        [3]
+        [2]; /* m: sides beyond which velocities are extrapolated (wall.c); infinite at those that mirror or repeat */
+    double acceleration[3]; /* m/s2: body forces on this body */
+    const double *drive[3]; /* m/s2: on top of them, on each point */
+    double held;            /* Pa: the pressure that a membrane bears in their place */
+    bool centred;           /* gradients are taken at the cell's centre (locate.h) */
+} point_arrays;
+
+/* Adds what points [start, end) give to the nodes of their tile's window, `out`: a record per node, mass and momentum in
+ * lanes_of(1 + dim) doubles (when asked for), then force in lanes_of(dim) (when asked for). */
+typedef void scatter_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                            double *out);
+
+/* What a gather writes. */
+typedef struct gather_result {
+    double *x_next[3], *v_next[3];
+    double *L[9]; /* rows of a batch, from `start` */
+} gather_result;
+
+typedef struct gather_step {
+    double kick, dt; /* s: the times over which velocities and positions are advanced */
+    double flip;
+    const double *mass; /* kg: of the nodes of the window, where light ones matter */
+} gather_step;
+
+/* Moments: C of transfer.h in place of the gradient; not for the linear basis, of which the two are the same. */
+typedef enum gather_mode { GATHER_MOTION, GATHER_GRADIENT, GATHER_BOTH, GATHER_MOMENTS, GATHER_MODES } gather_mode;
+
+/* From the nodes of a tile's window to points [start, end). A node's record is v^L (or v), then a
+ * where points move, in lanes_room(lanes_of(.)) doubles. */
+typedef void gather_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                           const double *window, const gather_step *step, const gather_result *out);
+
+/* Light nodes matter (kernels_gather.h) where the linear basis takes gradients of accelerated velocities. */
+FLOE_ALWAYS_INLINE bool gather_needs_mass(basis_kind kind, bool motion, bool gradient)
+{
+    return kind == BASIS_LINEAR && motion && gradient;
+}
+
+/* One scalar per node to the points: out[k] for k in [start, end). */
+typedef void sample_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                           const double *window, double *out);
+
+/* Adds to the nodes of a window, `out`, the momentum that points [start, end) would give back of the velocities in another, `window`,
+ * which they take with the moments about them; lanes_of(dim) doubles a node in both. */
+typedef void project_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+                            const double *window, double *out);
+
+typedef enum scatter_mode { SCATTER_MOMENTUM, SCATTER_FORCE, SCATTER_ALL, SCATTER_MODES } scatter_mode;
+
+typedef struct kernel_set {
+    scatter_kernel *scatter[SCATTER_MODES];
+    gather_kernel *gather[GATHER_MODES];
+    sample_kernel *sample;
+    scatter_kernel *fill; /* volume of the points at their nodes */
+    project_kernel *project;
+} kernel_set;
+
+/* The kernels of a dimension, geometry and basis, the fastest that the machine can run; chosen once. */
+kernel_set kernels_of(int dim, mesh_geometry geometry, basis_kind kind);
+/* Those for any machine, and those for registers of four doubles (floe_has_quads): they give the same bits. */
+kernel_set kernels_pairs(int dim, mesh_geometry geometry, basis_kind kind);
+kernel_set kernels_quads(int dim, mesh_geometry geometry, basis_kind kind);
+
+/* Rows of the tables of kernels: what a mesh's dimension and geometry come to. */
+typedef enum kernel_space {
+    KERNELS_LINE,
+    KERNELS_PLANE,
+    KERNELS_AXISYMMETRIC,
+    KERNELS_SOLID,
+    KERNEL_SPACES
+} kernel_space;
+
+/* Generated from the list of bases (cmake/FloePointKernels.cmake). */
+extern const kernel_set *const kernels_table_pairs[KERNEL_SPACES][BASIS_KINDS];
+extern const kernel_set *const kernels_table_quads[KERNEL_SPACES][BASIS_KINDS];
+
+#endif
