@@ -70,6 +70,8 @@ static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, s
 
 void mpm_angular_momentum(mpm *s, int body, double out[3])
 {
+    memset(out, 0, 3 * sizeof *out);
+    if (s->mesh->dim == 1) return; /* along a line nothing turns */
     memset(s->work->tile_sum, 0, mesh_tiles(s->mesh) * MPM_TILE_SUMS * sizeof(double));
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         const point_arrays p = points_of(s, b, body, false, false);

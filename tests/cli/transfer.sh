@@ -35,6 +35,20 @@ expect 0 "$FLOE" run "$discs" -o out --quiet
 kept 'kinetic strain' 0.94 1.005
 rm -rf out
 
+# Along a line, where nothing turns, points have moments too.
+cat >bar.yaml <<'EOF'
+floe: 1
+coupling: mpm
+domain: {dim: 1, lower: [0 m], upper: [1 m], cell: 0.05 m}
+boundaries: {x: free}
+materials: {rubber: {density: 1000 kg/m^3, law: {neo_hookean: {bulk_modulus: 1 MPa, shear_modulus: 0.5 MPa}}}}
+bodies: {bar: {material: rubber, shape: {box: {lower: [0.2], upper: [0.6]}}, velocity: [1]}}
+time: {end: 0.01}
+EOF
+expect 0 "$FLOE" run bar.yaml -o out --quiet
+kept kinetic 0.999999 1.000001
+rm -rf out
+
 # A step at cfl 1 is one that the basis, transfer and stress bear: energy does not grow.
 for way in 'basis: gimp' 'basis: linear, flip: 1' 'basis: quadratic, transfer: apic' 'basis: quadratic, transfer: afmpm, filter_order: 20'; do
     expect 0 "$FLOE" run "$spin" -o out --quiet --set time.end=12 --set time.cfl=1 --set "method={$way}"
