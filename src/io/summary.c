@@ -92,6 +92,7 @@ static bool set_all(json_t *object, const run_summary *r)
            json_put(object, "rejected_steps", json_integer(r->rejected_steps)) &&
            json_put(object, "wall_seconds", json_number(r->wall_seconds)) &&
            json_put(object, "output_seconds", json_number(r->output_seconds)) &&
+           json_put(object, "cpu_seconds", json_number(r->cpu_seconds)) &&
            set_values(object, "seconds_by_stage", r->seconds_by_stage, r->n_stages) &&
            json_put(object, "cells", json_integer(r->cells)) && json_put(object, "points", json_integer(r->points)) &&
            json_put(object, "cell_updates", count(r->cell_updates)) &&

@@ -45,6 +45,7 @@ typedef struct run_summary {
     double wall_seconds; /* earlier legs of a resumed run included */
     /* Of it, what this leg's history, snapshots and checkpoints took; 0 where an older version wrote it. */
     double output_seconds;
+    double cpu_seconds; /* processor time of this leg without outputs, all threads; 0 where an older version wrote it */
     summary_value seconds_by_stage[SUMMARY_MAX_STAGES];
     int n_stages;
     long long cells, points; /* of the whole mesh (0 without cells); at the end */

@@ -149,6 +149,7 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     out->rejected_steps = get_count(r, object, "rejected_steps");
     out->wall_seconds = get_number(r, object, "wall_seconds");
     if (json_object_get(object, "output_seconds")) out->output_seconds = get_number(r, object, "output_seconds");
+    if (json_object_get(object, "cpu_seconds")) out->cpu_seconds = get_number(r, object, "cpu_seconds");
     get_values(r, object, "seconds_by_stage", out->seconds_by_stage, SUMMARY_MAX_STAGES, &out->n_stages);
     out->cells = get_count(r, object, "cells");
     out->points = get_count(r, object, "points");

@@ -40,6 +40,8 @@ typedef struct run {
     double earlier;         /* wall time of earlier legs, s */
     double measuring;       /* wall time of references and errors, which is not the run's, s */
     double putting_out;     /* wall time of outputs, which is the run's, s */
+    double cpu_started;     /* processor time at the start of this leg, s */
+    double cpu_beside;      /* processor time of references, errors and outputs, s */
     double last_checkpoint; /* wall clock, s */
     bool began;             /* outputs are open */
 } run;
@@ -74,18 +76,21 @@ static double wall_spent(const run *r)
 
 static floe_status checkpoint(run *r)
 {
+    const double cpu = cpu_seconds();
     r->last_checkpoint = wall_seconds();
     const floe_status status = output_checkpoint(&r->output, r->sim, wall_spent(r));
     r->putting_out += wall_seconds() - r->last_checkpoint;
+    r->cpu_beside += cpu_seconds() - cpu;
     return status;
 }
 
 /* A row or a snapshot; the time that it takes is told apart, as of short runs it is most. */
 static floe_status put_out(run *r, floe_status (*write)(run_output *o, sim *s))
 {
-    const double before = wall_seconds();
+    const double before = wall_seconds(), cpu = cpu_seconds();
     const floe_status status = write(&r->output, r->sim);
     r->putting_out += wall_seconds() - before;
+    r->cpu_beside += cpu_seconds() - cpu;
     return status;
 }
 
@@ -190,9 +195,10 @@ static floe_status finish(run *r, run_summary *out)
     if (history_last_time(r->output.history) < r->sim->time) TRY(put_out(r, output_row));
     if (snapshot_last_time(r->output.snapshots) < r->sim->time) TRY(put_out(r, output_snapshot));
     TRY(checkpoint(r));
-    const double before = wall_seconds();
+    const double before = wall_seconds(), cpu = cpu_seconds();
     const floe_status status = measure(r, out);
     r->measuring += wall_seconds() - before;
+    r->cpu_beside += cpu_seconds() - cpu;
     return status;
 }
 
@@ -229,9 +235,11 @@ static floe_status begin(run *r)
     TRY(setup_begin(&r->setup, r->scene));
     r->sim = r->setup.sim;
     r->measuring += r->setup.exact_seconds;
-    const double before = wall_seconds();
+    r->cpu_beside += r->setup.exact_cpu_seconds;
+    const double before = wall_seconds(), cpu = cpu_seconds();
     TRY(o->resume ? output_resume(&r->output, r->sim, o->dir) : output_begin(&r->output, r->sim, o->dir));
     r->putting_out += wall_seconds() - before;
+    r->cpu_beside += cpu_seconds() - cpu;
     r->began = true;
     r->earlier = r->output.checkpoint.wall_seconds;
     r->last_checkpoint = wall_seconds();
@@ -292,6 +300,7 @@ static floe_status write_summary(run *r, run_summary *out, const char *status)
     truth_summarise(r->sim, out);
     out->wall_seconds = wall_spent(r);
     out->output_seconds = r->putting_out;
+    out->cpu_seconds = cpu_seconds() - r->cpu_started - r->cpu_beside;
     out->peak_rss_bytes = peak_rss_bytes();
     (void)snprintf(out->status, sizeof out->status, "%s", status);
     TRY(summary_set_sim(out, r->sim));
@@ -336,7 +345,7 @@ static void end(run *r)
 
 floe_status run_scene(context *ctx, scene *s, const run_options *options, run_summary *out)
 {
-    run r = {.ctx = ctx, .scene = s, .options = options, .started = wall_seconds()};
+    run r = {.ctx = ctx, .scene = s, .options = options, .started = wall_seconds(), .cpu_started = cpu_seconds()};
     *out = (run_summary){0};
     (void)snprintf(out->deck, sizeof out->deck, "%s", s->path);
     (void)snprintf(out->coupling, sizeof out->coupling, "%s", coupling_name(s->coupling));

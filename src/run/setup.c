@@ -6,9 +6,10 @@
 
 static floe_status prepare_exact(run_setup *u)
 {
-    const double before = wall_seconds();
+    const double before = wall_seconds(), cpu = cpu_seconds();
     const floe_status status = initial_exact(u->scene, &u->solution);
     u->exact_seconds = wall_seconds() - before;
+    u->exact_cpu_seconds = cpu_seconds() - cpu;
     return status;
 }
 

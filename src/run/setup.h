@@ -6,10 +6,11 @@
 #include "sim/sim.h"
 
 typedef struct run_setup {
-    scene *scene;         /* not owned */
-    exact solution;       /* of verify.exact; owned */
-    sim *sim;             /* owned */
-    double exact_seconds; /* wall time that the exact solution has taken, s */
+    scene *scene;             /* not owned */
+    exact solution;           /* of verify.exact; owned */
+    sim *sim;                 /* owned */
+    double exact_seconds;     /* wall time that the exact solution has taken, s */
+    double exact_cpu_seconds; /* processor time of the same, s */
 } run_setup;
 
 /* Sets the scene up under its coupling; it must stay where it is until setup_end, which is called in any case.

@@ -14,6 +14,7 @@ static run_summary some_summary(fixture *f)
                      .message = "a \"cause\"",
                      .wall_seconds = 1.0 / 3.0,
                      .output_seconds = 0.25,
+                     .cpu_seconds = 0.125,
                      .peak_rss_bytes = 123456789012345,
                      .threads = 2};
     (void)snprintf(r.deck, sizeof r.deck, "inputs/pressurized \"cylinder\".yaml");
@@ -40,11 +41,35 @@ static void has_fields(const json_t *object, const char *const *names)
 static void has_fields_of_contract(void **state)
 {
     (void)state;
-    static const char *const top[] = {
-        "schema",           "deck",    "coupling", "solver",       "pressure",       "substeps",     "units",
-        "status",           "message", "time",     "steps",        "rejected_steps", "wall_seconds", "output_seconds",
-        "seconds_by_stage", "cells",   "points",   "cell_updates", "point_updates",  "memory",       "conservation",
-        "warnings",         "notes",   "errors",   "counters",     "floe",           "interface",    NULL};
+    static const char *const top[] = {"schema",
+                                      "deck",
+                                      "coupling",
+                                      "solver",
+                                      "pressure",
+                                      "substeps",
+                                      "units",
+                                      "status",
+                                      "message",
+                                      "time",
+                                      "steps",
+                                      "rejected_steps",
+                                      "wall_seconds",
+                                      "output_seconds",
+                                      "cpu_seconds",
+                                      "seconds_by_stage",
+                                      "cells",
+                                      "points",
+                                      "cell_updates",
+                                      "point_updates",
+                                      "memory",
+                                      "conservation",
+                                      "warnings",
+                                      "notes",
+                                      "errors",
+                                      "counters",
+                                      "floe",
+                                      "interface",
+                                      NULL};
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};
     static const char *const drift[] = {"mass", "momentum", "energy", "at_end", NULL};
