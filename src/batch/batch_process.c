@@ -21,7 +21,8 @@ static int redirect(posix_spawn_file_actions_t *action, const char *messages)
     int error = posix_spawn_file_actions_addopen(action, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     if (error == 0) error = posix_spawn_file_actions_addopen(action, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     if (error == 0)
-        error = posix_spawn_file_actions_addopen(action, STDERR_FILENO, messages, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        error = posix_spawn_file_actions_addopen(action, STDERR_FILENO, messages,
+                                                 O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
     return error;
 }
 
@@ -88,6 +89,7 @@ static floe_status start(batch *b, const batch_case *one, pid_t *pid)
     TRY(folder_make(b->ctx, folder));
     TRY(wait_for_earlier(b, folder));
     TRY(batch_case_forget(b, one));
+    TRY(file_remove(b->ctx, messages));
     TRY(memory_new(b->ctx, &argument, 2 * one->n_set + OTHERS, sizeof *argument));
     fill(b, one, folder, number, argument);
     const floe_status status = spawn(b->ctx, argument, messages, pid);

@@ -2,6 +2,7 @@
  * ends. */
 #include "batch/batch_internal.h"
 
+#include "base/ordinary.h"
 #include "base/timer.h"
 #include "run/errors.h"
 
@@ -20,7 +21,8 @@ void batch_progress_begin(batch *b)
 static double last_time(const char *path)
 {
     char text[16384];
-    const int file = open(path, O_RDONLY | O_CLOEXEC);
+    const char *special;
+    const int file = ordinary_open(path, O_RDONLY, &special);
     if (file < 0) return NAN;
     const off_t length = lseek(file, 0, SEEK_END);
     const off_t from = length > (off_t)sizeof text - 1 ? length - (off_t)sizeof text + 1 : 0;

@@ -5,11 +5,12 @@
 #include "deck/preset.h"
 
 #include "base/memory.h"
+#include "base/ordinary.h"
 #include "sim/interface.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 typedef struct deck_source {
     context *ctx;
@@ -181,23 +182,38 @@ floe_status deck_check_text(scene **out, context *ctx, const char *path, const c
     return load_text(out, &source, set, report);
 }
 
+static floe_status cannot_open(context *ctx, const char *path, const char *special)
+{
+    if (special)
+        return fail(ctx, FLOE_IO, "cannot read deck '%s': it is %s, not an ordinary file%s", path, special,
+                    strcmp(special, "a folder") == 0 ? " (name a deck in it)" : "");
+    return fail(ctx, FLOE_IO, "cannot open deck '%s': %s%s", path, strerror(errno),
+                errno == ENOENT ? " (`floe new > deck.yaml` writes one to start from)" : "");
+}
+
+/* One byte more than a deck may have tells that there are too many. */
+static floe_status read_all(context *ctx, const char *path, int descriptor, char **text, size_t *length)
+{
+    TRY(memory_new(ctx, text, TREE_MAX_BYTES + 2, 1));
+    *length = 0;
+    while (*length <= TREE_MAX_BYTES) {
+        const ssize_t got = read(descriptor, *text + *length, TREE_MAX_BYTES + 1 - *length);
+        if (got == 0) break;
+        if (got > 0) *length += (size_t)got;
+        if (got > 0 || errno == EINTR) continue;
+        memory_free(ctx, text);
+        return fail(ctx, FLOE_IO, "cannot read deck '%s': %s", path, strerror(errno));
+    }
+    return FLOE_OK;
+}
+
 static floe_status read_file(context *ctx, const char *path, char **text, size_t *length)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return fail(ctx, FLOE_IO, "cannot open deck '%s': %s%s", path, strerror(errno),
-                    errno == ENOENT ? " (`floe new > deck.yaml` writes one to start from)" : "");
-    floe_status status = memory_new(ctx, text, TREE_MAX_BYTES + 2, 1);
-    if (status == FLOE_OK) {
-        errno = 0;
-        *length = fread(*text, 1, TREE_MAX_BYTES + 1, file);
-        if (ferror(file)) {
-            status = fail(ctx, FLOE_IO, "cannot read deck '%s': %s%s", path, strerror(errno),
-                          errno == EISDIR ? " (name a deck in it)" : "");
-            memory_free(ctx, text);
-        }
-    }
-    fclose(file);
+    const char *special;
+    const int descriptor = input_open(path, &special);
+    if (descriptor < 0) return cannot_open(ctx, path, special);
+    const floe_status status = read_all(ctx, path, descriptor, text, length);
+    (void)close(descriptor);
     return status;
 }
 

@@ -1,12 +1,13 @@
 /* Lists of places: in the deck, or in a file of comma-separated values beside it. */
+#include "base/ordinary.h"
 #include "base/sha256.h"
 #include "deck/parts.h"
 #include "deck/units.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 enum { LINE = 1024, PATH_MOST = 4096, ROWS_MOST = 10000000 };
@@ -146,14 +147,10 @@ static floe_status resolve_path(reader *r, deck_node *node, char path[PATH_MOST]
     return n < PATH_MOST ? FLOE_OK : bad(r, node, NULL, "the path is too long");
 }
 
-/* A device or a pipe may never end, or never begin. */
-static FILE *open_file(const char *path)
+static floe_status cannot_open(reader *r, deck_node *node, const char *path, const char *special)
 {
-    struct stat about;
-    if (stat(path, &about) != 0) return NULL;
-    if (S_ISREG(about.st_mode)) return fopen(path, "r");
-    errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
-    return NULL;
+    if (!special) return bad(r, node, custom_places.form, "cannot open '%s': %s", path, strerror(errno));
+    return bad(r, node, custom_places.form, "cannot open '%s': it is %s, not an ordinary file", path, special);
 }
 
 static floe_status read_table_file(reader *r, deck_node *node, curve_line *c)
@@ -161,8 +158,14 @@ static floe_status read_table_file(reader *r, deck_node *node, curve_line *c)
     char path[PATH_MOST];
     TRY(resolve_path(r, node, path));
     if (node->bad) return FLOE_OK;
-    table t = {.file = open_file(path), .name = path, .dim = r->scene->mesh.dim};
-    if (!t.file) return bad(r, node, custom_places.form, "cannot open '%s': %s", path, strerror(errno));
+    const char *special;
+    const int descriptor = ordinary_open(path, O_RDONLY, &special);
+    if (descriptor < 0) return cannot_open(r, node, path, special);
+    table t = {.file = fdopen(descriptor, "r"), .name = path, .dim = r->scene->mesh.dim};
+    if (!t.file) {
+        (void)close(descriptor);
+        return fail(r->ctx, FLOE_NO_MEMORY, "no memory for '%s'", path);
+    }
     read_head(&t, &r->scene->mesh);
     const floe_status status = t.fault[0] ? FLOE_OK : read_rows(r, &t, c);
     fclose(t.file);

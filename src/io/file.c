@@ -1,6 +1,8 @@
 #include "io/file.h"
 
 #include "base/memory.h"
+#include "base/ordinary.h"
+#include "io/file_replace.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -40,98 +42,21 @@ floe_status file_fail(context *ctx, const char *doing, const char *path, int err
                 text ? ")" : "");
 }
 
-/* 0, or the error number. */
-static int write_all(int descriptor, const char *data, size_t size)
+floe_status file_refuse_special(context *ctx, const char *doing, const char *path, const char *special)
 {
-    while (size > 0) {
-        const ssize_t written = write(descriptor, data, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        if (written == 0) return ENOSPC;
-        data += written;
-        size -= (size_t)written;
-    }
-    return 0;
-}
-
-static int sync_descriptor(int descriptor)
-{
-    while (fsync(descriptor) != 0) {
-        if (errno != EINTR) return errno;
-    }
-    return 0;
-}
-
-/* The folder of a path, "." where it names none. Counted memory, owned by the caller. */
-static floe_status folder_of(context *ctx, char **folder, const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    if (!slash) return memory_string(ctx, folder, ".");
-    TRY(memory_string(ctx, folder, path));
-    (*folder)[slash == path ? 1 : slash - path] = '\0';
-    return FLOE_OK;
+    return fail(ctx, FLOE_IO, "%s '%s': it is %s, not an ordinary file: move it away, or choose another name with -o",
+                doing, path, special);
 }
 
 floe_status folder_sync(context *ctx, const char *path)
 {
     const int descriptor = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return file_fail(ctx, "cannot open the folder", path, errno);
-    const int error = sync_descriptor(descriptor);
+    const int error = file_sync_descriptor(descriptor);
     (void)close(descriptor);
     /* Some network file systems cannot sync a folder: nothing more can be done there. */
     if (error != 0 && error != EINVAL && error != ENOTSUP) return file_fail(ctx, "cannot sync the folder", path, error);
     return FLOE_OK;
-}
-
-static floe_status sync_folder_of(context *ctx, const char *path)
-{
-    char *folder;
-    TRY(folder_of(ctx, &folder, path));
-    const floe_status status = folder_sync(ctx, folder);
-    memory_free(ctx, &folder);
-    return status;
-}
-
-/* Writes, syncs and closes a new file. */
-static floe_status write_new(context *ctx, const char *path, const file_part *part, int parts)
-{
-    const int descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0) return file_fail(ctx, "cannot create", path, errno);
-    int error = 0;
-    for (int i = 0; i < parts && error == 0; i++) error = write_all(descriptor, part[i].data, part[i].size);
-    if (error == 0) error = sync_descriptor(descriptor);
-    if (close(descriptor) != 0 && error == 0 && errno != EINTR) error = errno;
-    if (error == 0) return FLOE_OK;
-    (void)unlink(path);
-    return file_fail(ctx, "cannot write", path, error);
-}
-
-static floe_status replace_by(context *ctx, const char *path, const char *temporary)
-{
-    if (rename(temporary, path) != 0) {
-        const int error = errno;
-        (void)unlink(temporary);
-        return file_fail(ctx, "cannot rename a finished file to", path, error);
-    }
-    return sync_folder_of(ctx, path);
-}
-
-floe_status file_replace(context *ctx, const char *path, const file_part *part, int parts)
-{
-    const size_t size = strlen(path) + sizeof ".tmp";
-    char *temporary;
-    TRY(memory_new(ctx, &temporary, size, 1));
-    (void)snprintf(temporary, size, "%s.tmp", path);
-    floe_status status = write_new(ctx, temporary, part, parts);
-    if (status == FLOE_OK) status = replace_by(ctx, path, temporary);
-    memory_free(ctx, &temporary);
-    return status;
-}
-
-floe_status file_replace_text(context *ctx, const char *path, const char *text)
-{
-    const file_part part = {text, strlen(text)};
-    return file_replace(ctx, path, &part, 1);
 }
 
 /* 0, or the error number; the file may have become shorter meanwhile: *got says how much there was. */
@@ -152,8 +77,6 @@ static floe_status read_descriptor(context *ctx, const char *path, int descripto
 {
     struct stat about;
     if (fstat(descriptor, &about) != 0) return file_fail(ctx, "cannot read", path, errno);
-    if (S_ISDIR(about.st_mode)) return fail(ctx, FLOE_IO, "cannot read '%s': it is a folder", path);
-    if (!S_ISREG(about.st_mode)) return fail(ctx, FLOE_IO, "cannot read '%s': it is not an ordinary file", path);
     TRY(memory_new(ctx, data, (size_t)about.st_size + 1, 1));
     const int error = read_all(descriptor, *data, (size_t)about.st_size, size);
     if (error == 0) return FLOE_OK;
@@ -163,9 +86,10 @@ static floe_status read_descriptor(context *ctx, const char *path, int descripto
 
 floe_status file_read(context *ctx, const char *path, char **data, size_t *size)
 {
+    const char *special;
     *data = NULL;
-    /* O_NONBLOCK: a named pipe must be refused, not waited for. */
-    const int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    const int descriptor = ordinary_open(path, O_RDONLY, &special);
+    if (special) return fail(ctx, FLOE_IO, "cannot read '%s': it is %s, not an ordinary file", path, special);
     if (descriptor < 0) return file_fail(ctx, "cannot open", path, errno);
     size_t got = 0;
     const floe_status status = read_descriptor(ctx, path, descriptor, data, &got);
@@ -180,10 +104,10 @@ bool file_exists(const char *path)
     return lstat(path, &about) == 0;
 }
 
-floe_status file_remove(context *ctx, const char *path)
+bool file_is_ordinary(const char *path)
 {
-    if (unlink(path) != 0 && errno != ENOENT) return file_fail(ctx, "cannot remove", path, errno);
-    return FLOE_OK;
+    struct stat about;
+    return lstat(path, &about) == 0 && !special_kind(about.st_mode);
 }
 
 static floe_status make_one(context *ctx, const char *path)
@@ -233,9 +157,15 @@ static floe_status remove_files(context *ctx, const char *path, DIR *folder)
 
 floe_status folder_remove(context *ctx, const char *path)
 {
-    DIR *folder = opendir(path);
-    if (!folder && errno == ENOENT) return FLOE_OK;
-    if (!folder) return file_fail(ctx, "cannot open the folder", path, errno);
+    /* A link to a folder elsewhere is not followed: the files in that are not floe's to remove. */
+    const int descriptor = open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0 && errno == ENOENT) return FLOE_OK;
+    DIR *folder = descriptor < 0 ? NULL : fdopendir(descriptor);
+    if (!folder) {
+        const int error = errno;
+        if (descriptor >= 0) (void)close(descriptor);
+        return file_fail(ctx, "cannot open the folder", path, error);
+    }
     const floe_status status = remove_files(ctx, path, folder);
     (void)closedir(folder);
     TRY(status);
@@ -247,8 +177,13 @@ floe_status folder_remove(context *ctx, const char *path)
 floe_status line_file_open(line_file *file, context *ctx, const char *path)
 {
     *file = (line_file){.ctx = ctx, .descriptor = -1};
+    const char *special;
     TRY(memory_string(ctx, &file->path, path));
-    file->descriptor = open(path, O_WRONLY | O_APPEND | O_CLOEXEC);
+    file->descriptor = ordinary_open(path, O_WRONLY | O_APPEND | O_NOFOLLOW, &special);
+    if (special) {
+        line_file_close(file);
+        return file_refuse_special(ctx, "cannot append to", path, special);
+    }
     const off_t length = file->descriptor < 0 ? -1 : lseek(file->descriptor, 0, SEEK_END);
     if (length < 0) {
         const int error = errno;
@@ -261,7 +196,7 @@ floe_status line_file_open(line_file *file, context *ctx, const char *path)
 
 floe_status line_file_append(line_file *file, const char *line, size_t size)
 {
-    const int error = write_all(file->descriptor, line, size);
+    const int error = file_write_all(file->descriptor, line, size);
     if (error != 0) {
         if (ftruncate(file->descriptor, file->length) != 0) {
             context_log(file->ctx, LOG_WARNING, "'%s' may end in half a line: %s", file->path, strerror(errno));
@@ -274,7 +209,7 @@ floe_status line_file_append(line_file *file, const char *line, size_t size)
 
 floe_status line_file_sync(line_file *file)
 {
-    const int error = sync_descriptor(file->descriptor);
+    const int error = file_sync_descriptor(file->descriptor);
     return error == 0 ? FLOE_OK : file_fail(file->ctx, "cannot sync", file->path, error);
 }
 

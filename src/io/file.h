@@ -1,6 +1,7 @@
 /* Files as floe writes them: whole or not at all. A file is made beside its place (PATH.tmp), synced, renamed over the
  * old one, and its folder synced, so that neither a kill nor a full disk leaves a damaged one or takes the earlier one
- * away. Every failure is FLOE_IO with the path, the system's reason and what to do about it. */
+ * away. What is no ordinary file (a device, a pipe, a socket, a folder, a link) is not replaced, removed, read or
+ * written through. Every failure is FLOE_IO with the path, the system's reason and what to do about it. */
 #ifndef IO_FILE_H
 #define IO_FILE_H
 
@@ -22,12 +23,15 @@ floe_status file_replace_text(context *ctx, const char *path, const char *text);
 floe_status file_read(context *ctx, const char *path, char **data, size_t *size);
 /* True when something of that name is there. */
 bool file_exists(const char *path);
-/* Removes a file; that it is not there is no error. */
+/* True when an ordinary file of that name is there, not a link to one. */
+bool file_is_ordinary(const char *path);
+/* Removes an ordinary file; that it is not there is no error. */
 floe_status file_remove(context *ctx, const char *path);
 
 /* Makes a folder and those above it, and checks that files can be made in it. */
 floe_status folder_make(context *ctx, const char *path);
-/* Removes the files in a folder, and the folder unless there are folders in it; that it is not there is no error. */
+/* Removes the files in a folder, and the folder unless there are folders in it; that it is not there is no error. A link
+ * to a folder is an error. */
 floe_status folder_remove(context *ctx, const char *path);
 /* Makes what was renamed or removed in a folder last through a power cut. */
 floe_status folder_sync(context *ctx, const char *path);

@@ -1,6 +1,8 @@
 #include "io/lock.h"
 
+#include "base/ordinary.h"
 #include "io/file.h"
+#include "io/file_replace.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -42,10 +44,12 @@ static floe_status refuse(context *ctx, const char *dir, int descriptor, int err
 floe_status folder_lock_take(folder_lock *lock, context *ctx, const char *dir)
 {
     char path[LOCK_PATH];
+    const char *special;
     struct flock wanted = whole_file();
     *lock = (folder_lock){0};
     lock_path(dir, path);
-    const int descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    const int descriptor = ordinary_open(path, O_RDWR | O_CREAT | O_NOFOLLOW, &special);
+    if (special) return file_refuse_special(ctx, "cannot lock", path, special);
     if (descriptor < 0) return file_fail(ctx, "cannot open", path, errno);
     if (fcntl(descriptor, F_SETLK, &wanted) == 0) {
         *lock = (folder_lock){true, descriptor};
@@ -65,8 +69,9 @@ void folder_lock_release(folder_lock *lock)
 long folder_lock_holder(const char *dir)
 {
     char path[LOCK_PATH];
+    const char *special;
     lock_path(dir, path);
-    const int descriptor = open(path, O_RDWR | O_CLOEXEC);
+    const int descriptor = ordinary_open(path, O_RDWR | O_NOFOLLOW, &special);
     if (descriptor < 0) return 0;
     const long holder = holder_of(descriptor);
     (void)close(descriptor);

@@ -1,4 +1,4 @@
-/* Faults on order: the test program's own write, fsync and rename, which the linker prefers to those of the C library. The
+/* Faults on order: the test program's own write, fsync and renameat, which the linker prefers to those of the C library. The
  * n-th call of any of them from fault_arm on fails, and all after it while `lasting`. */
 #ifndef TESTS_UNIT_TEST_IO_FAULTS_H
 #define TESTS_UNIT_TEST_IO_FAULTS_H
@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <sys/syscall.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -56,9 +57,12 @@ int fsync(int descriptor)
     return fault.unsynced ? 0 : fdatasync(descriptor);
 }
 
-int rename(const char *from, const char *to)
+long syscall(long number, ...); /* which POSIX does not name */
+
+int renameat(int from_folder, const char *from, int to_folder, const char *to)
 {
-    return fault_strikes() ? -1 : renameat(AT_FDCWD, from, AT_FDCWD, to);
+    if (fault_strikes()) return -1;
+    return (int)syscall(SYS_renameat2, from_folder, from, to_folder, to, 0);
 }
 
 #endif

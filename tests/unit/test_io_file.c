@@ -1,10 +1,15 @@
 /* Files: whole or not at all; folders; texts. */
 #include "test_io_fixture.h"
 
+#include "io/lock.h"
 #include "io/strbuf.h"
 #include "test_io_faults.h"
 
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 
 typedef struct place {
     context *ctx;
@@ -136,13 +141,153 @@ static void appends_whole_lines(void **state)
     holds(p, "head\nrow one\nrow three\n");
 }
 
-static void full_device_is_reported(void **state)
+/* A real refusal of the system in the midst of a line; a device is not written to. */
+static void full_file_is_reported(void **state)
 {
     place *p = *state;
     line_file file;
-    check_ok(p->ctx, line_file_open(&file, p->ctx, "/dev/full"));
-    check_fails(p->ctx, line_file_append(&file, "x\n", 2), FLOE_IO);
+    struct rlimit before;
+    check_fails(p->ctx, line_file_open(&file, p->ctx, "/dev/full"), FLOE_IO);
+    check_ok(p->ctx, file_replace_text(p->ctx, p->path, "head\n"));
+    check_ok(p->ctx, line_file_open(&file, p->ctx, p->path));
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &(struct rlimit){7, before.rlim_max}), 0);
+    void (*const handler)(int) = signal(SIGXFSZ, SIG_IGN);
+    const floe_status status = line_file_append(&file, "row one\n", 8);
+    (void)signal(SIGXFSZ, handler);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
+    check_fails(p->ctx, status, FLOE_IO);
     line_file_close(&file);
+    holds(p, "head\n"); /* no half of a row */
+}
+
+/* Makes what is no ordinary file under a name. */
+typedef void maker(const char *path);
+
+static void make_pipe(const char *path)
+{
+    assert_int_equal(mkfifo(path, 0600), 0);
+}
+static void make_folder(const char *path)
+{
+    assert_int_equal(mkdir(path, 0700), 0);
+}
+static void make_link(const char *path)
+{
+    assert_int_equal(symlink("victim", path), 0);
+}
+static void make_broken_link(const char *path)
+{
+    assert_int_equal(symlink("nowhere", path), 0);
+}
+static void make_socket(const char *path)
+{
+    struct sockaddr_un name = {.sun_family = AF_UNIX};
+    const int end = socket(AF_UNIX, SOCK_STREAM, 0);
+    assert_true(end >= 0 && strlen(path) < sizeof name.sun_path);
+    (void)snprintf(name.sun_path, sizeof name.sun_path, "%s", path);
+    assert_int_equal(bind(end, (struct sockaddr *)&name, sizeof name), 0);
+    (void)close(end);
+}
+
+static const struct {
+    maker *make;
+    mode_t kind;
+    const char *words;
+} special[] = {{make_pipe, S_IFIFO, "a named pipe"},
+               {make_folder, S_IFDIR, "a folder"},
+               {make_link, S_IFLNK, "a symbolic link"},
+               {make_broken_link, S_IFLNK, "a symbolic link"},
+               {make_socket, S_IFSOCK, "a socket"}};
+
+static void refused_for(place *p, floe_status status, const char *words)
+{
+    assert_non_null(strstr(context_message(p->ctx), words));
+    check_fails(p->ctx, status, FLOE_IO);
+}
+
+static void check_kind(const char *path, mode_t kind)
+{
+    struct stat about;
+    assert_int_equal(lstat(path, &about), 0);
+    assert_int_equal(about.st_mode & S_IFMT, kind);
+}
+
+/* What is no ordinary file is not replaced, not removed, not appended to, and not waited for. */
+static void keeps_what_is_no_file(void **state)
+{
+    place *p = *state;
+    char victim[FIXTURE_PATH];
+    line_file file;
+    fixture_path(victim, p->folder, "victim");
+    check_ok(p->ctx, file_replace_text(p->ctx, victim, "mine"));
+    for (size_t k = 0; k < sizeof special / sizeof special[0]; k++) {
+        special[k].make(p->path);
+        refused_for(p, file_replace_text(p->ctx, p->path, "x"), special[k].words);
+        refused_for(p, file_remove(p->ctx, p->path), special[k].words);
+        refused_for(p, line_file_open(&file, p->ctx, p->path), special[k].words);
+        check_kind(p->path, special[k].kind);
+        assert_false(file_exists(p->temporary));
+        assert_int_equal(remove(p->path), 0);
+    }
+    (void)snprintf(p->path, sizeof p->path, "%s", victim);
+    holds(p, "mine");
+}
+
+/* What stands where a new file is made (NAME.tmp) is not written through. */
+static void makes_files_anew(void **state)
+{
+    place *p = *state;
+    char victim[FIXTURE_PATH];
+    fixture_path(victim, p->folder, "victim");
+    check_ok(p->ctx, file_replace_text(p->ctx, victim, "mine"));
+    for (int hard = 0; hard < 2; hard++) {
+        assert_int_equal(hard ? link(victim, p->temporary) : symlink("victim", p->temporary), 0);
+        check_ok(p->ctx, file_replace_text(p->ctx, p->path, "text"));
+        holds(p, "text");
+        assert_false(file_exists(p->temporary));
+    }
+    assert_int_equal(mkdir(p->temporary, 0700), 0);
+    check_fails(p->ctx, file_replace_text(p->ctx, p->path, "later"), FLOE_IO);
+    holds(p, "text");
+    assert_int_equal(rmdir(p->temporary), 0);
+    (void)snprintf(p->path, sizeof p->path, "%s", victim);
+    holds(p, "mine");
+}
+
+/* A folder that is a link is not emptied. */
+static void follows_no_link_to_a_folder(void **state)
+{
+    place *p = *state;
+    char folder[FIXTURE_PATH], link[FIXTURE_PATH];
+    fixture_path(folder, p->folder, "elsewhere");
+    fixture_path(link, p->folder, "link");
+    fixture_path(p->path, p->folder, "elsewhere/file");
+    check_ok(p->ctx, folder_make(p->ctx, folder));
+    check_ok(p->ctx, file_replace_text(p->ctx, p->path, "mine"));
+    assert_int_equal(symlink("elsewhere", link), 0);
+    check_fails(p->ctx, folder_remove(p->ctx, link), FLOE_IO);
+    holds(p, "mine");
+}
+
+/* A lock that is a link makes nothing elsewhere. */
+static void locks_ordinary_files(void **state)
+{
+    place *p = *state;
+    char lock[FIXTURE_PATH];
+    folder_lock taken;
+    fixture_path(lock, p->folder, ".lock");
+    fixture_path(p->path, p->folder, "nowhere");
+    assert_int_equal(symlink("nowhere", lock), 0);
+    refused_for(p, folder_lock_take(&taken, p->ctx, p->folder), "a symbolic link");
+    assert_false(file_exists(p->path));
+    assert_int_equal(remove(lock), 0);
+    make_pipe(lock);
+    assert_int_equal(folder_lock_holder(p->folder), 0); /* and does not wait */
+    refused_for(p, folder_lock_take(&taken, p->ctx, p->folder), "a named pipe");
+    assert_int_equal(remove(lock), 0);
+    check_ok(p->ctx, folder_lock_take(&taken, p->ctx, p->folder));
+    folder_lock_release(&taken);
 }
 
 static void texts_grow(void **state)
@@ -174,7 +319,11 @@ int main(void)
         cmocka_unit_test_setup_teardown(refuses_what_cannot_be, setup, teardown),
         cmocka_unit_test_setup_teardown(makes_folders, setup, teardown),
         cmocka_unit_test_setup_teardown(appends_whole_lines, setup, teardown),
-        cmocka_unit_test_setup_teardown(full_device_is_reported, setup, teardown),
+        cmocka_unit_test_setup_teardown(full_file_is_reported, setup, teardown),
+        cmocka_unit_test_setup_teardown(keeps_what_is_no_file, setup, teardown),
+        cmocka_unit_test_setup_teardown(makes_files_anew, setup, teardown),
+        cmocka_unit_test_setup_teardown(follows_no_link_to_a_folder, setup, teardown),
+        cmocka_unit_test_setup_teardown(locks_ordinary_files, setup, teardown),
         cmocka_unit_test_setup_teardown(texts_grow, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

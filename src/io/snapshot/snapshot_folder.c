@@ -62,7 +62,7 @@ static floe_status take_entry(context *ctx, const char *folder, const char *name
     if (number >= 0) return add_number(ctx, list, number);
     if (!tidy || !is_remnant(name)) return FLOE_OK;
     TRY(snapshot_join(ctx, &path, folder, name));
-    const floe_status status = file_remove(ctx, path);
+    const floe_status status = file_is_ordinary(path) ? file_remove(ctx, path) : FLOE_OK;
     memory_free(ctx, &path);
     return status;
 }

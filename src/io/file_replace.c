@@ -1,0 +1,164 @@
+/* New files. The folder is opened once, and everything is done by names within it: a folder that another takes the place
+ * of meanwhile leads nothing astray. A file is made anew (O_EXCL), so that no link and no device is written through, and
+ * takes the place of ordinary files only. */
+#include "io/file_replace.h"
+
+#include "base/memory.h"
+#include "base/ordinary.h"
+#include "io/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* A file of a folder. */
+typedef struct folder_file {
+    context *ctx;     /* not owned */
+    const char *path; /* for messages; not owned */
+    const char *name; /* its last part */
+    char *temporary;  /* NAME.tmp; owned */
+    int folder;       /* descriptor; -1: closed */
+} folder_file;
+
+int file_write_all(int descriptor, const char *data, size_t size)
+{
+    while (size > 0) {
+        const ssize_t written = write(descriptor, data, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        if (written == 0) return ENOSPC;
+        data += written;
+        size -= (size_t)written;
+    }
+    return 0;
+}
+
+int file_sync_descriptor(int descriptor)
+{
+    while (fsync(descriptor) != 0) {
+        if (errno != EINTR) return errno;
+    }
+    return 0;
+}
+
+static void end(folder_file *f)
+{
+    if (f->folder >= 0) (void)close(f->folder);
+    memory_free(f->ctx, &f->temporary);
+}
+
+/* Opens the folder of a path. */
+static floe_status begin(folder_file *f, context *ctx, const char *path, const char *doing)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t length = slash ? (size_t)(slash - path) : 0;
+    char *folder;
+    *f = (folder_file){.ctx = ctx, .path = path, .name = slash ? slash + 1 : path, .folder = -1};
+    if (f->name[0] == '\0') return file_fail(ctx, doing, path, EISDIR);
+    TRY(memory_string(ctx, &folder, slash ? path : "."));
+    if (slash) folder[length > 0 ? length : 1] = '\0';
+    f->folder = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int error = errno;
+    memory_free(ctx, &folder);
+    return f->folder < 0 ? file_fail(ctx, doing, path, error) : FLOE_OK;
+}
+
+static floe_status name_temporary(folder_file *f)
+{
+    const size_t size = strlen(f->name) + sizeof ".tmp";
+    TRY(memory_new(f->ctx, &f->temporary, size, 1));
+    (void)snprintf(f->temporary, size, "%s.tmp", f->name);
+    return FLOE_OK;
+}
+
+/* What stands under a name of the folder: NULL for nothing or an ordinary file. */
+static const char *special_at(const folder_file *f, const char *name)
+{
+    struct stat about;
+    return fstatat(f->folder, name, &about, AT_SYMLINK_NOFOLLOW) == 0 ? special_kind(about.st_mode) : NULL;
+}
+
+static floe_status refuse_special(const folder_file *f, const char *doing)
+{
+    const char *special = special_at(f, f->name);
+    return special ? file_refuse_special(f->ctx, doing, f->path, special) : FLOE_OK;
+}
+
+/* A new file, -1 on failure. What a kill has left under its name, or someone has put there, goes; a link is not followed. */
+static int create_new(const folder_file *f)
+{
+    enum { FLAGS = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC };
+    const int descriptor = openat(f->folder, f->temporary, FLAGS, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    if (unlinkat(f->folder, f->temporary, 0) != 0 && errno != ENOENT) return -1;
+    return openat(f->folder, f->temporary, FLAGS, 0666);
+}
+
+/* Writes, syncs and closes a new file. */
+static floe_status write_new(const folder_file *f, const file_part *part, int parts)
+{
+    const int descriptor = create_new(f);
+    if (descriptor < 0) return file_fail(f->ctx, "cannot create", f->path, errno);
+    int error = 0;
+    for (int i = 0; i < parts && error == 0; i++) error = file_write_all(descriptor, part[i].data, part[i].size);
+    if (error == 0) error = file_sync_descriptor(descriptor);
+    if (close(descriptor) != 0 && error == 0 && errno != EINTR) error = errno;
+    if (error == 0) return FLOE_OK;
+    (void)unlinkat(f->folder, f->temporary, 0);
+    return file_fail(f->ctx, "cannot write", f->path, error);
+}
+
+static floe_status sync_folder(const folder_file *f)
+{
+    const int error = file_sync_descriptor(f->folder);
+    /* Some network file systems cannot sync a folder: nothing more can be done there. */
+    const bool fine = error == 0 || error == EINVAL || error == ENOTSUP;
+    return fine ? FLOE_OK : file_fail(f->ctx, "cannot sync the folder of", f->path, error);
+}
+
+static floe_status replace(folder_file *f, const file_part *part, int parts)
+{
+    TRY(refuse_special(f, "cannot write"));
+    TRY(name_temporary(f));
+    TRY(write_new(f, part, parts));
+    if (renameat(f->folder, f->temporary, f->folder, f->name) == 0) return sync_folder(f);
+    const int error = errno;
+    (void)unlinkat(f->folder, f->temporary, 0);
+    return file_fail(f->ctx, "cannot rename a finished file to", f->path, error);
+}
+
+floe_status file_replace(context *ctx, const char *path, const file_part *part, int parts)
+{
+    folder_file f;
+    floe_status status = begin(&f, ctx, path, "cannot create");
+    if (status == FLOE_OK) status = replace(&f, part, parts);
+    end(&f);
+    return status;
+}
+
+floe_status file_replace_text(context *ctx, const char *path, const char *text)
+{
+    const file_part part = {text, strlen(text)};
+    return file_replace(ctx, path, &part, 1);
+}
+
+static floe_status remove_ordinary(const folder_file *f)
+{
+    TRY(refuse_special(f, "cannot remove"));
+    if (unlinkat(f->folder, f->name, 0) == 0 || errno == ENOENT) return FLOE_OK;
+    return file_fail(f->ctx, "cannot remove", f->path, errno);
+}
+
+floe_status file_remove(context *ctx, const char *path)
+{
+    struct stat about;
+    folder_file f;
+    if (lstat(path, &about) != 0 && errno == ENOENT) return FLOE_OK;
+    floe_status status = begin(&f, ctx, path, "cannot remove");
+    if (status == FLOE_OK) status = remove_ordinary(&f);
+    end(&f);
+    return status;
+}
