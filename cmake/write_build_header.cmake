@@ -4,7 +4,8 @@ execute_process(COMMAND git -C "${SOURCE}" rev-parse --short=12 HEAD
     OUTPUT_VARIABLE hash OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(NOT failed)
     set(FLOE_GIT "${hash}")
-    execute_process(COMMAND git -C "${SOURCE}" diff --quiet HEAD RESULT_VARIABLE changed ERROR_QUIET)
+    execute_process(COMMAND git -C "${SOURCE}" diff --quiet HEAD -- src include cmake CMakeLists.txt CMakePresets.json
+        RESULT_VARIABLE changed ERROR_QUIET)
     if(changed)
         string(APPEND FLOE_GIT "-modified")
     endif()

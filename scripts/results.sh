@@ -33,7 +33,8 @@
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
 #   picture       the pictures of the README
 #   gallery       every deck with its picture
-# Each is made by scripts/results/NAME.bash. Without a name: all, in some hours. The index, docs/results/README.md, lists every bar, met or missed.
+# Each is made by scripts/results/NAME.py, or by NAME.bash where it is older. `results.sh stale [--strict]` lists the pages that no longer agree with
+# sources, decks and scripts; with --strict it fails if there is any. `results.sh index` writes the index anew. Without a name: all, in some hours. The index, docs/results/README.md, lists every bar, met or missed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -61,6 +62,10 @@ write_index() {
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
+    write '' 'The last line of a page names what it was made from: a hash of `include`, the CMake files and the rooms of `src` that its runs entered' \
+        '(cells alone: all but `mpm` and `surface`; points alone: all but `ice`; single runs: all but `study` and `batch`; `draw` and `report` only where floe drew its figures),' \
+        'one of its decks, one of its script; comments and blanks do not count. `scripts/results.sh stale` lists the pages that no longer agree, and those' \
+        'of before there were stamps (`scripts/results/unstamped.txt`). A page is made anew for its figures, and never to mark it.'
     write '' '| page | what | measured | bar | |' '|---|---|---|---|---|'
     for file in "${all[@]}"; do
         awk -v name=$file 'index($0, name ",\"") == 1 { rest = substr($0, length(name) + 3); q = index(rest, "\",")
@@ -69,6 +74,13 @@ write_index() {
     done
 }
 
+if [ "${1:-}" = stale ]; then
+    FLOE_PAGES=$results exec /usr/bin/python3 scripts/lib/stamp.py "$@"
+fi
+if [ "${1:-}" = index ]; then
+    write_index
+    exit
+fi
 [ $# -gt 0 ] || set -- "${all[@]}"
 for wanted in "$@"; do
     [[ " ${all[*]} " == *" $wanted "* ]] || {
@@ -80,6 +92,12 @@ done
 mkdir -p "$results" out/results
 for wanted in "$@"; do
     echo "$wanted" >&2
-    "result_$wanted"
+    if [ -f "scripts/results/$wanted.py" ]; then
+        FLOE=$floe /usr/bin/python3 scripts/lib/pages.py "$wanted"
+    else
+        name=
+        "result_$wanted"
+        [ -z "$name" ] || stamp_page
+    fi
 done
 write_index

@@ -50,6 +50,9 @@ begin() {
     page=$results/$name.md
     runs=out/results/$name
     commands=()
+    made_also=()
+    kept=
+    earlier_stamp=$(grep -s '^\*Made from sources' "$page" | tail -n 1 || true)
     mkdir -p "$runs" "$results"
     rm -f "$results/$name"-*.svg "$results/$name"-*.csv
     printf '# %s\n\n*Written by `scripts/results.sh %s`; do not edit.*\n\n' "$title" "$name" >"$page"
@@ -102,6 +105,7 @@ floe_run_kept() {
     csv=$runs/$1/history.csv
     if grep -qs '"status": "done"' "$runs/$1/summary.json" && [ -f "$csv" ]; then
         shift
+        kept=1
         note_command run "$@" --quiet
     else
         floe_run "$@"
@@ -153,6 +157,18 @@ finish() {
     write '' 'Made with' ''
     "$floe" --version | sed 's/^/    /' >>"$page"
     write "    $(machine)"
+}
+
+# stamp_page: the last line of the page: what it was made from (scripts/lib/stamp.py), with what else of the tree stands in $made_also. A page
+# that keeps pictures or runs of earlier ones ($kept) keeps its earlier stamp.
+stamp_page() {
+    local line=$earlier_stamp
+    if [ -z "$kept" ]; then
+        line=$(printf '%s\n' "${commands[@]}" | FLOE=$floe /usr/bin/python3 scripts/lib/stamp.py line "$name" "$runs" ${made_also[@]+"${made_also[@]}"}) || return
+    fi
+    [ -n "$line" ] || return 0
+    write '' "$line"
+    sed -i "/^$name\$/d" scripts/results/unstamped.txt
 }
 
 machine() {

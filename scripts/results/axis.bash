@@ -115,6 +115,7 @@ axis_blasts() {
     write '' '## Blasts' '' 'A ball, and a cylinder, of radius 0.4 and pressure and density 1 bursts into 0.1 and 0.125 (Toro, 3rd ed., section 17.1), t = 0.25: cells in (r, z) against' \
         'a reference along the radius by another method on 2000 cells (`verification_ice_blast`). Against the exact solution of Sedov: [shocks](shocks.md).' ''
     commands+=("build/release/tests/verification_ice_blast")
+    made_also+=(tests/verification/test_ice_blast.c)
     "$build/tests/verification_ice_blast" 2>/dev/null | grep -E 'L1|order' | sed 's/^/    /' >>"$page"
 }
 

@@ -1,5 +1,5 @@
-# gallery: one picture of every deck. Sourced by scripts/results.sh. A picture that is there is kept, so that a new deck costs its own
-# run alone: remove docs/results/gallery-*.png to have them made again.
+# gallery: one picture of every deck. Sourced by scripts/results.sh. With GALLERY_KEEP=1 a picture that is there is kept, so that a
+# new deck costs its own run alone; the page then keeps its stamp.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
 
 # What a deck needs for a short run and a telling picture, by its name: arguments of `floe run` | of `floe picture` | what is seen. A deck
@@ -81,7 +81,12 @@ gallery_deck() {
     local file=$1 deck run picture seen
     deck=$(basename "$file" .yaml)
     IFS='|' read -r run picture seen <<<"${gallery[$deck]-||}"
-    [ -f "$results/gallery-$deck.png" ] || gallery_picture "$file" "$deck" "$run" "$picture"
+    if [ -f "$results/gallery-$deck.png" ] && [ -n "${GALLERY_KEEP:-}" ]; then
+        kept=1
+    else
+        gallery_picture "$file" "$deck" "$run" "$picture"
+    fi
+    commands+=("floe run $file${run:+ $run}" 'floe picture')
     write "## $(sed -n 's/^title: *//p' "$file")" '' "\`$file\`${seen:+: $seen}." '' \
         "    floe run $file${run:+ $run} -o out/$deck" "    floe picture out/$deck --width 400${picture:+ $picture}" '' \
         "![$deck](gallery-$deck.png)" ''

@@ -23,6 +23,7 @@ tests_of() {
 
 result_robustness() {
     begin robustness 'What cannot be: kills, faults, bad input'
+    made_also=(tests scripts/nightly.sh)
     local part passed all failed
     for part in killed faults kin; do
         [ -s "out/nightly/$part.txt" ] || scripts/nightly.sh "$part" >"$runs/$part.log" 2>&1 || true

@@ -3,6 +3,7 @@
 
 result_speed() {
     begin speed 'Speed on one core'
+    made_also=(bench)
     local program coupling seconds cells points
     write 'Whole steps, on one core, each rate the best of several repeats: what else a machine does only makes it slower. The bars that the' \
         'programs print are budgets for later work. Rates differ by some ten per cent from' \
