@@ -122,7 +122,7 @@ static char *list_commands(int key, const char *text, void *input)
     (void)snprintf(
         out + at, size - at,
         "\n`floe COMMAND --help` tells more. Exit status: 0 done; 2 bad usage or deck; 3 diverged; 4 input or "
-        "output failed; 5 interrupted, checkpoint written; 6 a required bar was missed.");
+        "output failed; 5 interrupted, checkpoint written; 6 a required bar was missed, or a case has no result.");
     return out;
 }
 

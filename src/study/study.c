@@ -45,7 +45,7 @@ static floe_status carry_out(study *s)
     const floe_status written = write_all(s);
     if (status != FLOE_OK) return status;
     TRY(written);
-    return study_check_bars(s);
+    return study_check_results(s);
 }
 
 floe_status study_run(study **out, context *ctx, const study_options *options)

@@ -82,9 +82,9 @@ typedef struct study {
 } study;
 
 /* Runs all cases and the timed runs, and writes NAME.json, NAME.csv and the figures; *out, owned by the caller, holds the results.
- * A case that diverges or fails is a result. FLOE_BAD_INPUT: axes or cases are wrong, all of them named, and nothing was run or
+ * A case that diverges or fails is a result, and the rest go on. FLOE_BAD_INPUT: axes or cases are wrong, all of them named, and nothing was run or
  * made. FLOE_INTERRUPTED: stopped; what there is was written, and the same call goes on. FLOE_MISSED_BAR: all done and
- * written, and the message names what was required and not reached. */
+ * written, and the message names what was required and not reached, and the cases without a result of which the deck says nothing. */
 floe_status study_run(study **out, context *ctx, const study_options *options);
 void study_destroy(study **s);
 

@@ -120,21 +120,3 @@ void study_bar_text(const study *s, const study_bar_result *r, char *text, size_
     (void)snprintf(text, size, "%s of %s, %s: %s, required: %s %s", r->of_order ? "order" : "error", r->bar->metric,
                    r->where, isfinite(r->value) ? value : "not measured", r->of_order ? "at least" : "at most", limit);
 }
-
-floe_status study_check_bars(const study *s)
-{
-    char all[CONTEXT_MESSAGE_SIZE] = "", text[512];
-    study_bar_result *list;
-    size_t n, missed = 0;
-    TRY(study_bars(s, &list, &n));
-    for (size_t i = 0; i < n; i++) {
-        if (list[i].met) continue;
-        const size_t at = strlen(all);
-        study_bar_text(s, &list[i], text, sizeof text);
-        (void)snprintf(all + at, sizeof all - at, "\n    %s", text);
-        missed++;
-    }
-    memory_free(s->ctx, &list);
-    if (missed > 0) return fail(s->ctx, FLOE_MISSED_BAR, "%zu of %zu required bars missed:%s", missed, n, all);
-    return study_check_verdicts(s);
-}

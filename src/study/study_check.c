@@ -121,22 +121,3 @@ void study_judge(study *s)
 {
     for (size_t i = 0; i < s->n && study_has_verdicts(s); i++) s->list[i].verdict = verdict_of(s, &s->list[i]);
 }
-
-floe_status study_check_verdicts(const study *s)
-{
-    char all[CONTEXT_MESSAGE_SIZE] = "";
-    size_t missed = 0;
-    for (size_t i = 0; i < s->n; i++) {
-        const study_case *one = &s->list[i];
-        const bool fine = one->verdict == STUDY_RIGHT || one->verdict == STUDY_UNJUDGED ||
-                          (one->verdict == STUDY_REFUSED && study_refusal_of(s, one));
-        if (fine) continue;
-        const size_t at = strlen(all);
-        (void)snprintf(all + at, sizeof all - at, "\n    %s, %s: %s", study_verdict_name(one->verdict), one->run->label,
-                       one->why);
-        missed++;
-    }
-    if (missed == 0) return FLOE_OK;
-    return fail(s->ctx, FLOE_MISSED_BAR, "%zu of %zu cases are wrong, or refused without a reason in the deck:%s",
-                missed, s->n, all);
-}

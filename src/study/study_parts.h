@@ -81,8 +81,6 @@ const char *study_verdict_name(study_verdict verdict);
 size_t study_count(const study *s, study_verdict verdict);
 /* The deck's reason why this case may be refused; NULL if it gives none. */
 const char *study_refusal_of(const study *s, const study_case *one);
-/* FLOE_MISSED_BAR with the cases that are wrong, and those refused for which the deck gives no reason. */
-floe_status study_check_verdicts(const study *s);
 
 /* study_bar.c: what the deck requires. */
 /* Is the case one of those? The axis `over` counts only if `all` is set. */
@@ -96,9 +94,12 @@ typedef struct study_bar_result {
 } study_bar_result;
 /* The results of all bars: counted memory, owned by the caller. */
 floe_status study_bars(const study *s, study_bar_result **out, size_t *n);
-/* FLOE_MISSED_BAR with all misses in words. */
-floe_status study_check_bars(const study *s);
 void study_bar_text(const study *s, const study_bar_result *r, char *text, size_t size);
+
+/* study_miss.c: FLOE_MISSED_BAR with what the study has not reached, in words: bars that were missed; then cases that are wrong, or
+ * that have not come to their end, and of which the deck does not say so (study.refuse). One of these is named on the last line. A
+ * case that is out of time has what it was given. */
+floe_status study_check_results(const study *s);
 
 /* study_json.c, study_write.c, study_figure.c: study.json, study.csv, and the figures with their data and scripts. */
 floe_status study_write_json(const study *s);

@@ -361,6 +361,17 @@ static floe_status fail_with(context *ctx, const strbuf *errors)
     return fail(ctx, FLOE_BAD_INPUT, "%.*s", (int)errors->length - 1, strbuf_string(errors));
 }
 
+/* A comparison has no bars, but what the deck's study says may be refused may be here, as far as its axes can tell. */
+static void take_refusals(study *s, const scene *base)
+{
+    for (int k = 0; k < base->study.n_refusals; k++) {
+        const scene_where *where = &base->study.refusal[k].where;
+        bool known = true;
+        for (int i = 0; i < where->n; i++) known = known && axis_find(&s->axes, where->key[i]) >= 0;
+        if (known) s->plan.refusal[s->plan.n_refusals++] = base->study.refusal[k];
+    }
+}
+
 static floe_status plan(study *s, const scene *base, strbuf *errors)
 {
     const study_options *o = s->options;
@@ -373,6 +384,7 @@ static floe_status plan(study *s, const scene *base, strbuf *errors)
     take_axes(s, base, errors);
     choose_over(s, errors);
     check_bars(s, errors);
+    if (o->compare) take_refusals(s, base);
     TRY(fail_with(s->ctx, errors));
     TRY(make_cases(s, base));
     TRY(check_cases(s, errors));

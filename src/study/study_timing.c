@@ -77,7 +77,11 @@ static floe_status run_timed(study *s, batch_case *list, size_t *index, size_t n
     const floe_status status = batch_run(s->ctx, &o, list, n);
     if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
     for (size_t k = 0; k < n; k++) {
-        if (list[k].state == BATCH_ENDED && list[k].status == FLOE_OK) note_time(&s->list[index[k]], &list[k]);
+        if (list[k].state != BATCH_ENDED) continue;
+        if (list[k].status == FLOE_OK)
+            note_time(&s->list[index[k]], &list[k]);
+        else
+            context_log(s->ctx, LOG_WARNING, "a timed run of %s does not count: %s", list[k].label, list[k].message);
     }
     return status;
 }

@@ -22,9 +22,14 @@ done
 
 # Without gnuplot: said, and no failure.
 mkdir bin
-expect 0 env PATH="$work/bin" "$FLOE" compare "${scene[@]}" --axis time.fixed_step=1e-5,1e-4 --set domain.cell=0.1 \
+expect 6 env PATH="$work/bin" "$FLOE" compare "${scene[@]}" --axis time.fixed_step=1e-5,1e-4 --set domain.cell=0.1 \
     --set time.end=1e-3 -o steps
 has stderr 'gnuplot'
 is_there steps/errors.gp
 has stdout 'diverged'
 has steps/compare.csv 'diverged'
+tail -n 1 stderr | grep -q 'diverged, mpm, time.fixed_step=1e-4: ' || fault 'the case that diverged is not on the last line'
+
+# What the deck's study foresees, as far as a comparison has its axes.
+expect 0 "$FLOE" compare "${scene[@]}" --axis time.fixed_step=1e-5,1e-4 --set domain.cell=0.1 --set time.end=1e-3 -o foreseen --quiet \
+    --set 'study={axes: {domain.cell: [0.1]}, refuse: [{why: too long, where: {time.fixed_step: 1e-4}}, {why: too fine, where: {domain.cell: 0.1}}]}'

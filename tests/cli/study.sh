@@ -11,9 +11,16 @@ plain() {
         !/"(wall_seconds|output_seconds|cpu_seconds|peak_rss_bytes)":/' "$1"
 }
 
-# 18 cases, every third of which diverges: the study comes to its end.
+# named_last WORDS: the last line of what was said names a case that has not come to its end.
+named_last() {
+    tail -n 1 stderr | grep -qE -- "$1" || fault "no case that is '$1' on the last line"
+}
+
+# 18 cases, every third of which diverges: the study comes to its end, and says of which nothing was foreseen.
 axes=(--axis 'domain.cell=0.4,0.2' --axis 'time.cfl={mpm: 0.1},0.3,0.5' --axis 'time.fixed_step=1e-5,2e-5,5e-4')
-expect 0 "$FLOE" study "${scene[@]}" "${axes[@]}" -o whole --jobs 2
+expect 6 "$FLOE" study "${scene[@]}" "${axes[@]}" -o whole --jobs 2
+has stderr '6 of 18 cases have not come to their end'
+named_last 'diverged, .*time.fixed_step=5e-4|and [0-9]+ more: .*time.fixed_step=5e-4'
 is_there whole/study.json whole/study.csv whole/errors.csv whole/errors.gp
 [ "$(wc -l <whole/study.csv)" -eq 19 ] || fault 'not 18 cases'
 [ "$(grep -c ',diverged,' whole/study.csv)" -eq 6 ] || fault 'not every third case has diverged'
@@ -31,7 +38,7 @@ wait "$pid" 2>/dev/null || true
 find part -name case.json | sort >finished
 [ "$(wc -l <finished)" -lt 18 ] || fault 'the study was over before it was killed'
 while read -r file; do stat -c '%n %y' "$file" "${file%case.json}summary.json"; done <finished >before
-expect 0 "$FLOE" study "${scene[@]}" "${axes[@]}" -o part --jobs 2
+expect 6 "$FLOE" study "${scene[@]}" "${axes[@]}" -o part --jobs 2
 while read -r file; do stat -c '%n %y' "$file" "${file%case.json}summary.json"; done <finished >after
 cmp before after || fault 'a case that had ended was run again'
 plain whole/study.json >whole.json
@@ -40,10 +47,17 @@ plain part/study.json >part.json
 cmp whole.json part.json || fault 'a study that was killed and resumed has other results'
 has whole.json '"eq13": 0.'
 
+# What the deck foresees is no failure; a reason for another case does not do.
+foreseen=("${scene[@]}" --set domain.cell=0.2 --set 'study={refuse: [{why: far beyond the limit, where: {time.fixed_step: 5e-4}}]}')
+expect 0 "$FLOE" study "${foreseen[@]}" --axis time.fixed_step=5e-4,2e-5 -o foreseen
+expect 6 "$FLOE" study "${foreseen[@]}" --axis time.fixed_step=5e-4,2e-5,4e-4 -o foreseen
+has stderr '1 of 3 cases'
+named_last 'diverged, time.fixed_step=4e-4: '
+
 # A case that was cut short is run again, and one whose deck has changed; the others are not.
 rm part/0.2-0.3-1e-5/case.json
 stat -c '%y' part/0.2-0.5-1e-5/summary.json part/0.2-0.3-1e-5/summary.json >before
-expect 0 "$FLOE" study "${scene[@]}" "${axes[@]}" -o part
+expect 6 "$FLOE" study "${scene[@]}" "${axes[@]}" -o part
 stat -c '%y' part/0.2-0.5-1e-5/summary.json part/0.2-0.3-1e-5/summary.json >after
 [ "$(head -n 1 before)" = "$(head -n 1 after)" ] || fault 'a case that had ended was run again'
 [ "$(tail -n 1 before)" != "$(tail -n 1 after)" ] || fault 'a case that was cut short was not run again'
@@ -73,8 +87,10 @@ pid=$!
 until [ -s killed/0.0125/history.csv ]; do sleep 0.02; done
 "$FLOE" run "${tiny[@]}" -o killed/0.0125 2>refused && fault 'two runs in one folder'
 kill -KILL "$(sed -E 's/.*process ([0-9]+) is writing.*/\1/' refused)"
-wait "$pid" || fault 'a case that was killed ends the study'
-has stderr 'killed by signal 9'
+got=0
+wait "$pid" || got=$?
+[ "$got" -eq 6 ] || fault "status $got of a study with a case that was killed"
+named_last 'failed, domain.cell=0.0125: killed by signal 9'
 has stdout 'failed'
 grep -q '^mpm,"0.0125",.*,failed,' killed/study.csv || fault 'not recorded as failed'
 grep -q '^mpm,"0.4",.*,done,\|^mpm,"0.4",.*,at_rest,' killed/study.csv || fault 'the other case was not run'

@@ -335,7 +335,7 @@ static const key_spec study_keys[] = {
     {"check", KEY_CUSTOM, .custom = &custom_check, .otherwise = "none",
      .doc = "what every case must keep to: it is right, wrong (exit status 6), or was refused"},
     {"refuse", KEY_CUSTOM, .custom = &custom_refuse, .otherwise = "none",
-     .doc = "cases that may be refused, and why; elsewhere a refusal gives exit status 6 too"},
+     .doc = "cases that may diverge or be refused, and why; any other that has no result gives exit status 6"},
 };
 static const key_table study_table = TABLE(study_keys);
 
