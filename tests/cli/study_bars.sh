@@ -17,6 +17,14 @@ is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json bars/
 [ "$(grep -c '"met": true' bars/study.json)" -eq 2 ] || fault 'not two bars met'
 [ "$(grep -c '"met": false' bars/study.json)" -eq 1 ] || fault 'not one bar missed'
 [ "$(grep -c '"same_results": true' bars/study.json)" -eq 4 ] || fault 'repeated runs gave other results'
+# best_of_all FILE: of each case the best time is the least of all of its times, and there are as many as were asked for.
+best_of_all() {
+    tr -d ' \n' <"$1" | grep -o '"best":[^,]*,"timed":true,"all":\[[^]]*\]' | tr '[]:,' '    ' | awk '
+        { least = $6; for (k = 7; k <= NF; k++) if ($k + 0 < least + 0) least = $k
+          if ($2 + 0 != least + 0 || NF - 5 != 2) { print "best " $2 " of " $0; wrong = 1 } }
+        END { exit wrong || NR != 4 }'
+}
+best_of_all bars/study.json || fault 'the best time is not the least of all'
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >before
 expect 6 "$FLOE" study "$cylinder" --set study=null --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >after

@@ -132,6 +132,28 @@ static void spheres(void **unused)
     check_close(theta * (1.0 - theta) * value(&still, theta, rho, 0.0), heat, 1e-12 * heat);
 }
 
+/* Ranz and Marshall's figures: Nu = 2 + 0.6 Re^(1/2) Pr^(1/3) is 8 at Re = 100 and Pr = 1, 14 at Pr = 8, and 62 at Re = 10^4; the law of pure
+ * conduction does not ask for the speed. */
+static void spheres_in_a_stream(void **unused)
+{
+    (void)unused;
+    static const struct {
+        double Re, Pr, Nu;
+    } told[] = {{0.0, 0.71, 2.0}, {100.0, 1.0, 8.0}, {100.0, 8.0, 14.0}, {1e4, 1.0, 62.0}, {1e4, 0.001, 8.0}};
+    sample warm = named("schiller_naumann", EXCHANGE_HEAT);
+    const sample still = named("stokes", EXCHANGE_HEAT);
+    double *Pr = param_find(warm.law->params, warm.law->n_params, warm.par, "prandtl");
+    assert_non_null(Pr);
+    check_close(*Pr, 0.71, 0.0);
+    for (size_t k = 0; k < sizeof told / sizeof *told; ++k) {
+        const double d = 1e-4, mu = 1e-5, theta = 0.3, rho = 1.7, slip = told[k].Re * mu / (rho * d);
+        const double a_sphere = 6.0 / (d * d) * 0.02 / (1.0 - theta);
+        *Pr = told[k].Pr;
+        check_close_relative(value(&warm, theta, rho, slip), a_sphere * told[k].Nu, 1e-12);
+        check_close_relative(value(&still, theta, rho, slip), a_sphere * 2.0, 1e-12);
+    }
+}
+
 /* The carrier's own viscosity stands in where none is given, and its absence is told. */
 static void viscosity(void **unused)
 {
@@ -150,9 +172,8 @@ static void viscosity(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(signs),
-        cmocka_unit_test(slips),
-        cmocka_unit_test(spheres),
+        cmocka_unit_test(signs),     cmocka_unit_test(slips),
+        cmocka_unit_test(spheres),   cmocka_unit_test(spheres_in_a_stream),
         cmocka_unit_test(viscosity),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -45,12 +45,12 @@ static answer run(const char *coupling, double h, size_t n_set, const char *cons
                       .gas = floe_value(r, "errors.rel_gas_pressure"),
                       .sigma_r = floe_value(r, "errors.l1_sigma_r"),
                       .steps = floe_value(r, "steps")};
-    check_true(a.gas <= 5e-3);
-    check_true(floe_value(r, "conservation.mass") <= 1e-12);
-    check_true(floe_value(r, "conservation.momentum") <= 1e-11);
-    print_message("%-8s h = %-6g eq. 13: %.2f %%, L1 of sigma_r %.3g Pa, gas %.3f %%, %g steps, drifts: mass %.1e, "
+    check_true(a.gas <= 1.5e-5);
+    check_true(floe_value(r, "conservation.mass") <= 1e-15);
+    check_true(floe_value(r, "conservation.momentum") <= 3e-12);
+    print_message("%-8s h = %-6g eq. 13: %.2f %%, L1 of sigma_r %.3g Pa, gas %.2e, %g steps, drifts: mass %.1e, "
                   "momentum %.1e, energy %.1e, %.2f s\n",
-                  coupling, h, 100.0 * a.eq13, a.sigma_r, 100.0 * a.gas, a.steps, floe_value(r, "conservation.mass"),
+                  coupling, h, 100.0 * a.eq13, a.sigma_r, a.gas, a.steps, floe_value(r, "conservation.mass"),
                   floe_value(r, "conservation.momentum"), floe_value(r, "conservation.energy"),
                   floe_value(r, "wall_seconds"));
     floe_run_destroy(&r);
@@ -60,18 +60,19 @@ static answer run(const char *coupling, double h, size_t n_set, const char *cons
     return a;
 }
 
-/* With floe's defaults: at most 20 and 10 %. */
+/* With floe's defaults: a third to four fifths above what is measured (2.4 and 0.39 %, 2.5 and 0.36 %), and so below what a pressure on the
+ * solid that is 1 % wrong makes of the finer mesh; likewise with the smeared interface (5.5 and 1.04 %). */
 static void test_defaults(void **state)
 {
     (void)state;
     static const char *const coupling[] = {"ice-mpm", "mpm"};
     for (int c = 0; c < 2; ++c) {
-        check_true(run(coupling[c], 0.1, 0, NULL).eq13 <= 0.2);
-        check_true(run(coupling[c], 0.05, 0, NULL).eq13 <= 0.1);
+        check_true(run(coupling[c], 0.1, 0, NULL).eq13 <= 0.035);
+        check_true(run(coupling[c], 0.05, 0, NULL).eq13 <= 0.007);
     }
     static const char *const smeared[] = {"method.interface=smeared"};
-    check_true(run("ice-mpm", 0.1, 1, smeared).eq13 <= 0.2);
-    check_true(run("ice-mpm", 0.05, 1, smeared).eq13 <= 0.1);
+    check_true(run("ice-mpm", 0.1, 1, smeared).eq13 <= 0.08);
+    check_true(run("ice-mpm", 0.05, 1, smeared).eq13 <= 0.015);
 }
 
 /* With the paper's settings, the linear basis and 2x2 points on a lattice: first order, 0.89 within two standard errors. */
@@ -83,7 +84,10 @@ static void test_paper(void **state)
     const bool all = check_at_length();
     const double h[] = {all ? 0.025 : 0.2, 0.1, 0.05};
     double error[3];
-    for (int k = 0; k < 3; ++k) error[k] = run("ice-mpm", h[k], 3, paper).eq13;
+    for (int k = 0; k < 3; ++k) {
+        error[k] = run("ice-mpm", h[k], 3, paper).eq13;
+        check_true(error[k] <= 2.5 * h[k]); /* 38.3, 20.3 and 10.9 % are measured */
+    }
     order_fit fit;
     context *ctx = context_create();
     check_ok(ctx, order_fit_power(ctx, 3, h, error, &fit));
