@@ -204,7 +204,7 @@ static void find_cause(const batch *b, const batch_job *j, batch_case *one, int 
 /* Removes what is large. */
 static floe_status make_thin(const batch *b, const batch_case *one)
 {
-    static const char *const name[] = {"checkpoint.h5", "fields.xdmf"};
+    static const char *const name[] = {"checkpoint.h5", "checkpoint-previous.h5", "fields.xdmf"};
     char path[BATCH_PATH];
     for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
         batch_path(b->o, one, name[i], path);

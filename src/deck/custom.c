@@ -278,6 +278,44 @@ const custom_key custom_exchange = {
     .json = "{\"anyOf\": [{\"type\": [\"number\", \"string\"]}, {\"const\": \"locked\"}]}",
 };
 
+/* ---- output.checkpoint_interval: 600 s, auto, or off ---- */
+
+static floe_status read_checkpoint_interval(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_output *output = &((scene *)base)->output;
+    if (!node) return FLOE_OK; /* scene_create has set the default */
+    const bool word = node->kind == NODE_SCALAR;
+    if (word && strcmp(node->text, "auto") == 0) {
+        output->checkpoint_interval = NAN;
+        return FLOE_OK;
+    }
+    if (word && strcmp(node->text, "off") == 0) {
+        output->checkpoint_interval = INFINITY;
+        return FLOE_OK;
+    }
+    return read_number(r, key, node, &output->checkpoint_interval);
+}
+
+static void write_checkpoint_interval(writer *w, const key_spec *key, const void *base)
+{
+    const double interval = ((const scene *)base)->output.checkpoint_interval;
+    write_key_name(w, key->key);
+    if (!isfinite(interval)) {
+        text_print(&w->out, isnan(interval) ? " auto\n" : " off\n");
+        return;
+    }
+    text_print(&w->out, " ");
+    write_number(&w->out, interval);
+    text_print(&w->out, "\n");
+}
+
+const custom_key custom_checkpoint_interval = {
+    .read = read_checkpoint_interval,
+    .write = write_checkpoint_interval,
+    .form = "a number > 0, auto, or off",
+    .json = "{\"anyOf\": [{\"type\": [\"number\", \"string\"]}, {\"enum\": [\"auto\", \"off\"]}]}",
+};
+
 /* ---- names out of a registry: method.basis, method.transfer, contact.normals ---- */
 
 static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, void *base)

@@ -27,7 +27,8 @@ extern const custom_key custom_boundaries;
 extern const variants boundary_kinds;
 /* custom.c */
 extern const custom_key custom_version, custom_runs_as, custom_stress_state, custom_cfl, custom_substeps,
-    custom_exchange, custom_preset, custom_metrics, custom_basis, custom_transfer, custom_normals, custom_between;
+    custom_exchange, custom_checkpoint_interval, custom_preset, custom_metrics, custom_basis, custom_transfer,
+    custom_normals, custom_between;
 extern const choice coupling_choices[];
 /* columns.c */
 extern const custom_key custom_columns;

@@ -15,6 +15,9 @@ typedef struct file_part {
 
 /* Replaces the file `path` by the parts, one after another. On failure the earlier file is untouched. */
 floe_status file_replace(context *ctx, const char *path, const file_part *part, int parts);
+/* The same, and the earlier file stays in its folder under the name `kept` (NULL: it goes), which it takes once the new
+ * one is whole and synced. There is a whole file under one of the two names at any time. */
+floe_status file_replace_keeping(context *ctx, const char *path, const char *kept, const file_part *part, int parts);
 /* The same with one text, its final NUL left out. */
 floe_status file_replace_text(context *ctx, const char *path, const char *text);
 

@@ -119,24 +119,60 @@ static floe_status sync_folder(const folder_file *f)
     return fine ? FLOE_OK : file_fail(f->ctx, "cannot sync the folder of", f->path, error);
 }
 
-static floe_status replace(folder_file *f, const file_part *part, int parts)
+/* 0, or the error number. A second name first, so that the first is never without a file; where the file system has no
+ * second names, the file moves. */
+static int rename_keeping_both(const folder_file *f, const char *kept, const char *temporary)
+{
+    (void)unlinkat(f->folder, temporary, 0);
+    if (linkat(f->folder, f->name, f->folder, temporary, 0) != 0) {
+        if (errno == ENOENT) return 0; /* there is nothing to keep */
+        return renameat(f->folder, f->name, f->folder, kept) == 0 ? 0 : errno;
+    }
+    const int error = renameat(f->folder, temporary, f->folder, kept) == 0 ? 0 : errno;
+    /* Of two names of one file, rename leaves both. */
+    (void)unlinkat(f->folder, temporary, 0);
+    return error;
+}
+
+static floe_status keep_earlier(const folder_file *f, const char *kept)
+{
+    const size_t size = strlen(kept) + sizeof ".tmp";
+    char *temporary;
+    TRY(memory_new(f->ctx, &temporary, size, 1));
+    (void)snprintf(temporary, size, "%s.tmp", kept);
+    const int error = rename_keeping_both(f, kept, temporary);
+    memory_free(f->ctx, &temporary);
+    return error == 0 ? FLOE_OK : file_fail(f->ctx, "cannot keep the earlier", f->path, error);
+}
+
+static floe_status replace(folder_file *f, const char *kept, const file_part *part, int parts)
 {
     TRY(refuse_special(f, "cannot write"));
     TRY(name_temporary(f));
     TRY(write_new(f, part, parts));
+    const floe_status status = kept ? keep_earlier(f, kept) : FLOE_OK;
+    if (status != FLOE_OK) {
+        (void)unlinkat(f->folder, f->temporary, 0);
+        return status;
+    }
     if (renameat(f->folder, f->temporary, f->folder, f->name) == 0) return sync_folder(f);
     const int error = errno;
     (void)unlinkat(f->folder, f->temporary, 0);
     return file_fail(f->ctx, "cannot rename a finished file to", f->path, error);
 }
 
-floe_status file_replace(context *ctx, const char *path, const file_part *part, int parts)
+floe_status file_replace_keeping(context *ctx, const char *path, const char *kept, const file_part *part, int parts)
 {
     folder_file f;
     floe_status status = begin(&f, ctx, path, "cannot create");
-    if (status == FLOE_OK) status = replace(&f, part, parts);
+    if (status == FLOE_OK) status = replace(&f, kept, part, parts);
     end(&f);
     return status;
+}
+
+floe_status file_replace(context *ctx, const char *path, const file_part *part, int parts)
+{
+    return file_replace_keeping(ctx, path, NULL, part, parts);
 }
 
 floe_status file_replace_text(context *ctx, const char *path, const char *text)

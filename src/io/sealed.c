@@ -47,8 +47,8 @@ static void seal(const unsigned char *header, const void *image, size_t size, un
     sha256_end(&h, digest);
 }
 
-floe_status sealed_write(context *ctx, const char *path, sealed_kind kind, uint32_t format, const void *image,
-                         size_t size)
+floe_status sealed_write(context *ctx, const char *path, const char *kept, sealed_kind kind, uint32_t format,
+                         const void *image, size_t size)
 {
     _Static_assert(sizeof FLOE_VERSION <= VERSION_SIZE, "the version must fit its place in the header");
     unsigned char header[SEALED_HEADER] = {0};
@@ -59,7 +59,7 @@ floe_status sealed_write(context *ctx, const char *path, sealed_kind kind, uint3
     memcpy(header + VERSION_AT, FLOE_VERSION, sizeof FLOE_VERSION);
     seal(header, image, size, header + DIGEST_AT);
     const file_part part[] = {{header, sizeof header}, {image, size}};
-    return file_replace(ctx, path, part, 2);
+    return file_replace_keeping(ctx, path, kept, part, 2);
 }
 
 /* The file is whole: it is what floe once wrote. */

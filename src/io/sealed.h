@@ -20,9 +20,10 @@ typedef enum sealed_kind { SEALED_CHECKPOINT = 1, SEALED_SNAPSHOT = 2 } sealed_k
 
 enum { SEALED_HEADER = 512 };
 
-/* Writes `size` bytes of HDF5 image under a seal, whole or not at all (io/file). */
-floe_status sealed_write(context *ctx, const char *path, sealed_kind kind, uint32_t format, const void *image,
-                         size_t size);
+/* Writes `size` bytes of HDF5 image under a seal, whole or not at all; `kept` is the name that the earlier file gets in its folder,
+ * NULL: none (io/file). */
+floe_status sealed_write(context *ctx, const char *path, const char *kept, sealed_kind kind, uint32_t format,
+                         const void *image, size_t size);
 
 /* A sealed file in memory. */
 typedef struct sealed_file {

@@ -1,6 +1,7 @@
 /* The time loop of a run, and what happens at its ends. */
 #include "base/threads.h"
 #include "base/timer.h"
+#include "run/checkpoints.h"
 #include "run/log.h"
 #include "run/measure.h"
 #include "run/output.h"
@@ -35,15 +36,15 @@ typedef struct run {
     run_log log;                /* owned */
     progress progress;
     run_truth truth;
-    int n_remarks;          /* warnings of before the first step */
-    double started;         /* wall clock at the start of this leg, s */
-    double earlier;         /* wall time of earlier legs, s */
-    double measuring;       /* wall time of references and errors, which is not the run's, s */
-    double putting_out;     /* wall time of outputs, which is the run's, s */
-    double cpu_started;     /* processor time at the start of this leg, s */
-    double cpu_beside;      /* processor time of references, errors and outputs, s */
-    double last_checkpoint; /* wall clock, s */
-    bool began;             /* outputs are open */
+    int n_remarks;      /* warnings of before the first step */
+    double started;     /* wall clock at the start of this leg, s */
+    double earlier;     /* wall time of earlier legs, s */
+    double measuring;   /* wall time of references and errors, which is not the run's, s */
+    double putting_out; /* wall time of outputs but checkpoints, which is the run's, s */
+    double cpu_started; /* processor time at the start of this leg, s */
+    double cpu_beside;  /* processor time of references, errors and outputs, s */
+    run_checkpoints checkpoints;
+    bool began; /* outputs are open */
 } run;
 
 /* The status of a summary for which there is more than one: "done", "at_rest", "diverged", "interrupted", "failed". */
@@ -77,9 +78,16 @@ static double wall_spent(const run *r)
 static floe_status checkpoint(run *r)
 {
     const double cpu = cpu_seconds();
-    r->last_checkpoint = wall_seconds();
-    const floe_status status = output_checkpoint(&r->output, r->sim, wall_spent(r));
-    r->putting_out += wall_seconds() - r->last_checkpoint;
+    const floe_status status = run_checkpoints_write(&r->checkpoints, wall_spent(r));
+    r->cpu_beside += cpu_seconds() - cpu;
+    return status;
+}
+
+static floe_status checkpoint_if_due(run *r)
+{
+    if (!checkpoint_clock_is_due(&r->checkpoints.clock, wall_seconds())) return FLOE_OK;
+    const double cpu = cpu_seconds();
+    const floe_status status = run_checkpoints_way(&r->checkpoints, wall_spent(r));
     r->cpu_beside += cpu_seconds() - cpu;
     return status;
 }
@@ -148,10 +156,10 @@ static floe_status write_due(run *r, double before)
         progress_account(&r->progress, &r->sim->ledger);
     }
     const double interval = r->scene->output.interval;
-    if (sim_is_static(r->sim) ? schedule_is_passed(before, now, interval) : schedule_is_due(now, interval))
-        TRY(put_out(r, output_snapshot));
-    if (wall_seconds() - r->last_checkpoint < r->scene->output.checkpoint_interval) return FLOE_OK;
-    return checkpoint(r);
+    if (sim_is_static(r->sim) ? !schedule_is_passed(before, now, interval) : !schedule_is_due(now, interval))
+        return FLOE_OK;
+    checkpoint_clock_see_snapshot(&r->checkpoints.clock);
+    return put_out(r, output_snapshot);
 }
 
 static bool is_out_of_time(const run *r)
@@ -174,6 +182,8 @@ static floe_status loop(run *r)
         TRY(check_rest(r, before));
         TRY(write_due(r, before));
         TRY(look_at_account(r));
+        /* Last: whoever goes on from it has all of this step behind him. At the end one is written anyway. */
+        if (!is_finished(r)) TRY(checkpoint_if_due(r));
         progress_show(&r->progress, r->sim);
     }
     return FLOE_OK;
@@ -242,7 +252,7 @@ static floe_status begin(run *r)
     r->cpu_beside += cpu_seconds() - cpu;
     r->began = true;
     r->earlier = r->output.checkpoint.wall_seconds;
-    r->last_checkpoint = wall_seconds();
+    r->checkpoints = run_checkpoints_start(&r->output, r->sim, r->started, r->putting_out);
     truth_begin(&r->truth, r->sim);
     progress_begin(&r->progress, o->progress, o->label, r->sim);
     return run_log_open(&r->log, r->ctx, o, &r->progress);
@@ -272,6 +282,7 @@ static void say_start(run *r, run_summary *out)
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
                 s->mpm ? mpm_count(s->mpm) : 0, s->ice ? mesh_cells(&s->mesh) : 0, threads, threads == 1 ? "" : "s",
                 s->time, scene_time_unit(s->scene));
+    if (r->output.note[0]) context_log(r->ctx, LOG_WARNING, "%s", r->output.note);
     scene_remarks(s->scene, take_remark, &(remarks){r, out});
     r->n_remarks = out->n_warnings;
 }
@@ -280,7 +291,10 @@ static floe_status start_outputs(run *r)
 {
     if (r->options->resume) return FLOE_OK;
     TRY(put_out(r, output_row));
-    return put_out(r, output_snapshot);
+    TRY(put_out(r, output_snapshot));
+    /* A snapshot is much of what a checkpoint is. */
+    r->checkpoints.clock.cost = r->putting_out;
+    return FLOE_OK;
 }
 
 static floe_status carry_out(run *r, run_summary *out)
@@ -299,7 +313,7 @@ static floe_status write_summary(run *r, run_summary *out, const char *status)
     out->n_warnings = r->n_remarks;
     truth_summarise(r->sim, out);
     out->wall_seconds = wall_spent(r);
-    out->output_seconds = r->putting_out;
+    out->output_seconds = r->putting_out + r->checkpoints.seconds;
     out->cpu_seconds = cpu_seconds() - r->cpu_started - r->cpu_beside;
     out->peak_rss_bytes = peak_rss_bytes();
     (void)snprintf(out->status, sizeof out->status, "%s", status);
@@ -324,6 +338,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
     const char *name = status_of_run(status, r->sim->at_rest);
     /* After the checkpoint, which a look at the account must not change. */
     if (status != FLOE_OK) (void)sim_account(r->sim);
+    run_checkpoints_say(&r->checkpoints);
     truth_log(&r->truth, r->sim);
     note_cause(r, out, status);
     const floe_status written = write_summary(r, out, name);

@@ -21,7 +21,7 @@ static floe_status echo_identity(char **out, const scene *s, const deck_catalogu
     scene_keep_run(plain);
     plain->time.end = 1.0;
     plain->time.max_steps = 0;
-    plain->output = (scene_output){INFINITY, NAN, INFINITY};
+    plain->output = (scene_output){INFINITY, NAN, NAN};
     const floe_status status = deck_echo(out, plain, catalogue);
     memory_free(s->ctx, &plain);
     return status;
@@ -86,7 +86,7 @@ static floe_status open_series(run_output *o, const sim *s, double keep_until)
 
 floe_status output_begin(run_output *o, sim *s, const char *dir)
 {
-    static const char *const earlier[] = {"checkpoint.h5", "profile.csv", "summary.json"};
+    static const char *const earlier[] = {OUTPUT_CHECKPOINT, OUTPUT_PREVIOUS, "profile.csv", "summary.json"};
     char path[OUTPUT_PATH];
     TRY(prepare(o, s, dir));
     TRY(folder_make(o->ctx, dir));
@@ -99,18 +99,62 @@ floe_status output_begin(run_output *o, sim *s, const char *dir)
     return open_series(o, s, -INFINITY);
 }
 
-floe_status output_resume(run_output *o, sim *s, const char *dir)
+static bool is_there(const run_output *o, const char *name)
 {
     char path[OUTPUT_PATH];
+    output_path(o, name, path);
+    return file_exists(path);
+}
+
+static floe_status read_one(run_output *o, sim *s, const char *name)
+{
+    char path[OUTPUT_PATH];
+    output_path(o, name, path);
+    return checkpoint_read(s, path, &o->checkpoint);
+}
+
+/* The one before the newest, of which `o->note` says why it will not do. */
+static floe_status read_previous(run_output *o, sim *s)
+{
+    char why[sizeof o->note];
+    const floe_status status = read_one(o, s, OUTPUT_PREVIOUS);
+    (void)snprintf(why, sizeof why, "%s", o->note);
+    if (status == FLOE_OK) {
+        (void)snprintf(o->note, sizeof o->note, "%.800s: going on from the one before it, " OUTPUT_PREVIOUS, why);
+        return FLOE_OK;
+    }
+    char also[CONTEXT_MESSAGE_SIZE];
+    (void)snprintf(also, sizeof also, "%s", context_message(o->ctx));
+    context_clear(o->ctx);
+    return fail(o->ctx, status, "%s; nor will the one before it do: %s", why, also);
+}
+
+/* The newest that is whole. */
+static floe_status read_newest(run_output *o, sim *s)
+{
+    const bool both = is_there(o, OUTPUT_PREVIOUS);
+    if (!is_there(o, OUTPUT_CHECKPOINT)) {
+        (void)snprintf(o->note, sizeof o->note, "there is no " OUTPUT_CHECKPOINT);
+        return read_previous(o, s);
+    }
+    const floe_status status = read_one(o, s, OUTPUT_CHECKPOINT);
+    o->newest_is_whole = status == FLOE_OK;
+    if (status != FLOE_IO || !both) return status;
+    (void)snprintf(o->note, sizeof o->note, "%.800s", context_message(o->ctx));
+    context_clear(o->ctx);
+    return read_previous(o, s);
+}
+
+floe_status output_resume(run_output *o, sim *s, const char *dir)
+{
     TRY(prepare(o, s, dir));
-    output_path(o, "checkpoint.h5", path);
-    if (!file_exists(path))
+    if (!output_has_checkpoint(o))
         return fail(o->ctx, FLOE_IO,
                     "'%s' holds no run to go on with: there is no checkpoint.h5; name its folder with -o, or leave "
                     "--resume out",
                     dir);
     TRY(folder_lock_take(&o->lock, o->ctx, dir));
-    TRY(checkpoint_read(s, path, &o->checkpoint));
+    TRY(read_newest(o, s));
     TRY(write_deck(o));
     return open_series(o, s, s->time);
 }
@@ -142,19 +186,27 @@ floe_status output_snapshot(run_output *o, sim *s)
     return snapshot_write(o->snapshots, s);
 }
 
+floe_status output_sync(run_output *o)
+{
+    return history_sync(o->history);
+}
+
 floe_status output_checkpoint(run_output *o, const sim *s, double wall)
 {
     char path[OUTPUT_PATH];
-    output_path(o, "checkpoint.h5", path);
-    TRY(history_sync(o->history));
+    output_path(o, OUTPUT_CHECKPOINT, path);
+    TRY(output_sync(o));
     o->checkpoint.wall_seconds = wall;
+    /* A damaged one must not take the place of the one before it. */
+    o->checkpoint.kept = o->newest_is_whole ? OUTPUT_PREVIOUS : NULL;
     name_extra(o, s); /* current and next places change roles */
-    return checkpoint_write(s, path, &o->checkpoint);
+    const floe_status status = checkpoint_write(s, path, &o->checkpoint);
+    o->checkpoint.kept = NULL;
+    if (status == FLOE_OK) o->newest_is_whole = true;
+    return status;
 }
 
 bool output_has_checkpoint(const run_output *o)
 {
-    char path[OUTPUT_PATH];
-    output_path(o, "checkpoint.h5", path);
-    return file_exists(path);
+    return is_there(o, OUTPUT_CHECKPOINT) || is_there(o, OUTPUT_PREVIOUS);
 }

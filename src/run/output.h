@@ -10,6 +10,10 @@
 
 enum { OUTPUT_PATH = 4096 };
 
+/* The two latest: the newest, and what that name held before. */
+#define OUTPUT_CHECKPOINT "checkpoint.h5"
+#define OUTPUT_PREVIOUS "checkpoint-previous.h5"
+
 typedef struct run_output {
     context *ctx;               /* not owned */
     const char *dir;            /* not owned */
@@ -19,12 +23,15 @@ typedef struct run_output {
     history *history;           /* owned */
     snapshot_series *snapshots; /* owned */
     checkpoint_run checkpoint;
+    bool newest_is_whole;      /* checkpoint.h5 is, as this run has read or written it */
+    char note[1024];           /* what went otherwise than asked as the run went on, to be said; "": nothing */
     checkpoint_extra extra[3]; /* the loaded surface points; the markers on surfaces of solids; the edges of solids */
 } run_output;
 
 /* Takes over DIR for a run that is at its start. Earlier outputs go, once the folder is known to take new ones. */
 floe_status output_begin(run_output *o, sim *s, const char *dir);
-/* Sets `s` to DIR/checkpoint.h5 and goes on with the outputs that stand there up to its time. */
+/* Sets `s` to DIR/checkpoint.h5, or where that is damaged or gone to the one before it, and goes on with the outputs that
+ * stand there up to its time. */
 floe_status output_resume(run_output *o, sim *s, const char *dir);
 /* Frees what *o owns; a zeroed one is fine. */
 void output_end(run_output *o);
@@ -33,7 +40,9 @@ void output_end(run_output *o);
 floe_status output_row(run_output *o, sim *s);
 /* A snapshot of the fields. */
 floe_status output_snapshot(run_output *o, sim *s);
-/* The checkpoint; `wall` is the wall time spent so far (s), earlier legs included. */
+/* Waits until the rows are on the disk. */
+floe_status output_sync(run_output *o);
+/* A new checkpoint, beside which the one before it stays; `wall` is the wall time spent so far (s), earlier legs included. */
 floe_status output_checkpoint(run_output *o, const sim *s, double wall);
 bool output_has_checkpoint(const run_output *o);
 

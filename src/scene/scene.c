@@ -117,7 +117,7 @@ static void set_defaults(scene *s)
     s->stability = (scene_stability){.tolerance = 0.01, .growth = 100.0, .relative_to = NAN};
     s->damping.end = INFINITY;
     s->rest = (scene_rest){.ratio = 1e-6, .window = NAN};
-    s->output = (scene_output){.interval = INFINITY, .history_interval = NAN, .checkpoint_interval = INFINITY};
+    s->output = (scene_output){.interval = INFINITY, .history_interval = NAN, .checkpoint_interval = NAN};
     s->verify.body = -1;
     s->verify.material = -1;
     s->verify.probe_pressure = NAN;

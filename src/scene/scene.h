@@ -290,7 +290,7 @@ typedef struct scene_probe {
 typedef struct scene_output {
     double interval;            /* s between field snapshots; INFINITY: first and last only */
     double history_interval;    /* s between history rows; NAN: interval / 50 */
-    double checkpoint_interval; /* s of wall time between checkpoints; INFINITY: only at the end and on a signal */
+    double checkpoint_interval; /* s of wall time; NAN: by what they cost; INFINITY: none on the way */
 } scene_output;
 
 /* A column of history.csv, and the quantity of verify.reference that it is compared with. */

@@ -122,7 +122,7 @@ static void sound_checkpoint(fixture *f)
     sealed_file file;
     path_in(path, f->part, "checkpoint.h5");
     if (!file_exists(path)) return;
-    check_ok(f->t.ctx, sealed_read(f->t.ctx, path, SEALED_CHECKPOINT, 2, true, &file));
+    check_ok(f->t.ctx, sealed_read(f->t.ctx, path, SEALED_CHECKPOINT, 3, true, &file));
     sealed_free(f->t.ctx, &file);
 }
 

@@ -55,7 +55,7 @@ static void make_image(void)
     fuzz_require(sim_create(&s, ctx, the_scene, the_scene->coupling) == FLOE_OK, context_message(ctx));
     for (int i = 0; i < 3; i++) fuzz_require(sim_step(s, INFINITY) == FLOE_OK, context_message(ctx));
     fuzz_require(checkpoint_write(s, file, &run) == FLOE_OK, context_message(ctx));
-    fuzz_require(sealed_read(ctx, file, SEALED_CHECKPOINT, 2, true, &sealed) == FLOE_OK, context_message(ctx));
+    fuzz_require(sealed_read(ctx, file, SEALED_CHECKPOINT, 3, true, &sealed) == FLOE_OK, context_message(ctx));
     (void)unlink(file);
     image_size = sealed.size;
     image = malloc(image_size);

@@ -277,7 +277,7 @@ static void refuses_other_kinds(void **state)
     w.data[12] = 99;
     reseal(&w);
     refuses(&w, w.damaged, FLOE_IO, "of format 99");
-    w.data[12] = 2;
+    w.data[12] = 3;
     memcpy(w.data + 24, "0.0.1\0\0\0\0", 9);
     reseal(&w);
     refuses(&w, w.damaged, FLOE_IO, "was written by floe 0.0.1");

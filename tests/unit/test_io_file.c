@@ -59,6 +59,48 @@ static void replaces_whole_files(void **state)
     assert_false(file_exists(p->path));
 }
 
+static void holds_at(place *p, const char *path, const char *expected)
+{
+    char *data = fixture_read(p->ctx, path, NULL);
+    assert_string_equal(data, expected);
+    memory_free(p->ctx, &data);
+}
+
+/* The two latest: the earlier file stays under the other name, and never is there none under either. */
+static void keeps_the_one_before(void **state)
+{
+    place *p = *state;
+    char kept[FIXTURE_PATH], of_kept[FIXTURE_PATH];
+    const file_part one = {"one", 3}, two = {"two", 3}, three = {"three", 5};
+    fixture_path(kept, p->folder, "kept");
+    fixture_path(of_kept, p->folder, "kept.tmp");
+    check_ok(p->ctx, file_remove(p->ctx, p->path));
+    check_ok(p->ctx, file_replace_keeping(p->ctx, p->path, "kept", &one, 1)); /* there is nothing to keep */
+    assert_false(file_exists(kept));
+    check_ok(p->ctx, file_replace_keeping(p->ctx, p->path, "kept", &two, 1));
+    holds(p, "two");
+    holds_at(p, kept, "one");
+    /* A kill between the two names of one file and the new file leaves them so. */
+    assert_int_equal(unlink(kept), 0);
+    assert_int_equal(link(p->path, kept), 0);
+    assert_int_equal(link(p->path, of_kept), 0);
+    check_ok(p->ctx, file_replace_keeping(p->ctx, p->path, "kept", &three, 1));
+    holds(p, "three");
+    holds_at(p, kept, "two");
+    assert_false(file_exists(of_kept));
+    /* Write, sync, the two renames, and the sync of the folder. */
+    for (int n = 1; n <= 5; n++) {
+        fault_arm(n, ENOSPC, true);
+        const floe_status status = file_replace_keeping(p->ctx, p->path, "kept", &one, 1);
+        fault_arm(0, 0, false);
+        check_fails(p->ctx, status, FLOE_IO);
+        holds(p, n < 5 ? "three" : "one");
+        holds_at(p, kept, n < 4 ? "two" : "three");
+        assert_false(file_exists(p->temporary));
+        assert_false(file_exists(of_kept));
+    }
+}
+
 static void keeps_earlier_file_on_faults(void **state)
 {
     place *p = *state;
@@ -314,6 +356,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(replaces_whole_files, setup, teardown),
+        cmocka_unit_test_setup_teardown(keeps_the_one_before, setup, teardown),
         cmocka_unit_test_setup_teardown(keeps_earlier_file_on_faults, setup, teardown),
         cmocka_unit_test_setup_teardown(goes_on_after_signals, setup, teardown),
         cmocka_unit_test_setup_teardown(refuses_what_cannot_be, setup, teardown),

@@ -285,8 +285,12 @@ static const key_spec output_keys[] = {
      .doc = "time between field snapshots"},
     {"history_interval", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene, output.history_interval),
      .otherwise = "interval / 50", .doc = "time between rows of history.csv"},
-    {"checkpoint_interval", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene, output.checkpoint_interval),
-     .otherwise = "at the end and on a signal", .doc = "wall time between checkpoints"},
+    {"checkpoint_interval", KEY_CUSTOM, "s", PARAM_POSITIVE, AT(scene, output.checkpoint_interval),
+     .custom = &custom_checkpoint_interval, .fallback = "auto",
+     .doc =
+         "wall time between checkpoints. `auto`: one at every snapshot and every 2 minutes of wall time, for at most 2 "
+         "% of it; "
+         "`off`: none on the way. One is written at the end, on a signal and when an output fails, whatever this says"},
     {"probes", KEY_NAMED, AT(scene, probe), .items = &items_probes, .doc = "places whose state goes into history.csv"},
 };
 static const key_table output_table = TABLE(output_keys);

@@ -107,7 +107,7 @@ floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_ru
     char *image = NULL;
     size_t size = 0;
     TRY(make_image(s, path, run, &image, &size));
-    const floe_status status = sealed_write(s->ctx, path, SEALED_CHECKPOINT, CHECKPOINT_FORMAT, image, size);
+    const floe_status status = sealed_write(s->ctx, path, run->kept, SEALED_CHECKPOINT, CHECKPOINT_FORMAT, image, size);
     memory_free(s->ctx, &image);
     return status;
 }

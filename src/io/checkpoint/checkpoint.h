@@ -8,6 +8,9 @@
 
 enum { CHECKPOINT_REASON = 96 };
 
+/* Outputs of the time of a checkpoint that could not be written, and that a run which goes on from it writes first. */
+enum { CHECKPOINT_OWED_ROW = 1, CHECKPOINT_OWED_SNAPSHOT = 2, CHECKPOINT_OWED_ALL = 3 };
+
 /* State that is in no field, such as the places of loaded surface points: n entries of `components` numbers, entry i at
  * data[i * stride]. Written as it is, and overwritten by reading. */
 typedef struct checkpoint_extra {
@@ -25,6 +28,9 @@ typedef struct checkpoint_run {
     const checkpoint_extra *extra; /* n_extra entries, the same when writing and reading. Not owned; NULL if none */
     int n_extra;
     double wall_seconds; /* spent so far, earlier legs included */
+    int64_t owed;        /* of CHECKPOINT_OWED_ALL */
+    const char
+        *kept; /* the name that the earlier one gets in the folder; NULL: it goes. Not owned; not set by reading */
     /* Set by reading: sim.dt_reason points here, so that this lives as long as the sim. */
     char dt_reason[CHECKPOINT_REASON];
 } checkpoint_run;

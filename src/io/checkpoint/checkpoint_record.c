@@ -72,6 +72,7 @@ static const record_row rows[] = {
     INTEGER("/sim/steps", steps),
     INTEGER("/sim/rejected", rejected),
     INTEGER("/sim/at_rest", at_rest),
+    INTEGER("/sim/owed", owed),
     DOUBLE("/mpm/time", mpm_time),
     DOUBLE("/mpm/dt", mpm_dt),
     DOUBLE("/mpm/dt_previous", mpm_dt_previous),
@@ -155,6 +156,7 @@ void checkpoint_record_take(checkpoint_record *record, const sim *s, const check
                                   .point_updates = s->point_updates,
                                   .cell_updates = s->cell_updates,
                                   .wall_seconds = run->wall_seconds,
+                                  .owed = run->owed,
                                   .steps = s->steps,
                                   .rejected = s->rejected,
                                   .at_rest = s->at_rest,
@@ -187,6 +189,7 @@ void checkpoint_record_put(const checkpoint_record *record, sim *s, checkpoint_r
     s->rejected = (long)record->rejected;
     s->at_rest = record->at_rest != 0;
     run->wall_seconds = record->wall_seconds;
+    run->owed = record->owed;
     if (s->mpm) {
         s->mpm->time = record->mpm_time;
         s->mpm->dt = record->mpm_dt;
@@ -225,6 +228,10 @@ static floe_status check_record(hdf_file *hdf, const checkpoint_record *r)
         return fail(hdf->ctx, FLOE_IO,
                     "'%s' holds an impossible count: steps %" PRId64 ", rejected %" PRId64 ", at rest %" PRId64,
                     hdf->name, r->steps, r->rejected, r->at_rest);
+    }
+    if (r->owed < 0 || r->owed > CHECKPOINT_OWED_ALL) {
+        return fail(hdf->ctx, FLOE_IO, "'%s' says of outputs that do not exist that they are to be written: %" PRId64,
+                    hdf->name, r->owed);
     }
     return FLOE_OK;
 }

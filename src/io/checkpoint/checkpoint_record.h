@@ -7,13 +7,13 @@
 #include "io/hdf.h"
 #include "io/strbuf.h"
 
-enum { CHECKPOINT_FORMAT = 2 };
+enum { CHECKPOINT_FORMAT = 3 };
 
 typedef struct checkpoint_record {
     double time, dt, rest_since; /* of the simulation, s */
     double point_updates, cell_updates;
     double wall_seconds;
-    int64_t steps, rejected, at_rest;
+    int64_t steps, rejected, at_rest, owed;
     double mpm_time, mpm_dt, mpm_dt_previous; /* s; 0 without points */
     double ice_time, ice_dt;                  /* s; 0 without cells */
     int64_t ice_implicit;                     /* the pressure is; 0 without cells */

@@ -201,7 +201,7 @@ static floe_status write_file(const snapshot_series *series, const char *name, c
 {
     char *path;
     TRY(snapshot_join(series->ctx, &path, series->dir, name));
-    const floe_status status = sealed_write(series->ctx, path, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, image, size);
+    const floe_status status = sealed_write(series->ctx, path, NULL, SEALED_SNAPSHOT, SNAPSHOT_FORMAT, image, size);
     memory_free(series->ctx, &path);
     return status;
 }

@@ -1,0 +1,27 @@
+/* The checkpoints of a run: on its way, and at its ends. */
+#ifndef RUN_CHECKPOINTS_H
+#define RUN_CHECKPOINTS_H
+
+#include "run/checkpoint_clock.h"
+#include "run/output.h"
+
+typedef struct run_checkpoints {
+    run_output *output; /* not owned */
+    sim *sim;           /* not owned */
+    checkpoint_clock clock;
+    double seconds; /* wall time that checkpoints took, those at the ends included */
+    double time;    /* of the latest one, s; NAN: there is none */
+    bool failed;    /* one on the way has, and this was said */
+    bool told;      /* that they are spaced out */
+} run_checkpoints;
+
+/* `started`: wall clock at the start of the run; `cost`: what the first checkpoint is expected to take, s. */
+run_checkpoints run_checkpoints_start(run_output *o, sim *s, double started, double cost);
+/* Writes one now; `wall` as for output_checkpoint. */
+floe_status run_checkpoints_write(run_checkpoints *c, double wall);
+/* Writes one on the way, where the clock says that one is due. That it cannot be written is only said: the run is sound, and the earlier ones stay. */
+floe_status run_checkpoints_way(run_checkpoints *c, double wall);
+/* Says what those on the way took. */
+void run_checkpoints_say(const run_checkpoints *c);
+
+#endif
