@@ -106,12 +106,9 @@ static floe_status make_work(mpm *s)
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
-/* Of affine FMPM less with hats: their light nodes would take smaller steps for more (totals.c). */
 static int order_of(const mpm *s)
 {
-    const bool hats = s->basis->kind == BASIS_LINEAR || s->basis->kind == BASIS_GIMP;
-    if (s->scene->method.filter_order > 0) return s->scene->method.filter_order;
-    return s->transfer->restore && hats ? 4 : s->transfer->order;
+    return s->scene->method.filter_order > 0 ? s->scene->method.filter_order : s->transfer->order;
 }
 
 static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool beside)

@@ -97,7 +97,7 @@ void impose_supports(mpm *s, int group, field_id velocity, double entered)
     hold_nodes(s, group, velocity, entered, false);
 }
 
-void hold_supports(mpm *s, int group, field_id change)
+void hold_supports(mpm *s, int group, field_id change, double share)
 {
-    hold_nodes(s, group, change, 1.0, true);
+    hold_nodes(s, group, change, share, true);
 }

@@ -283,15 +283,15 @@ void still_walls(mpm *s, int group)
                 still_side(s, axis, side, group, N_ACCEL, s->share * s->work->kick);
 }
 
-void hold_change(mpm *s, int group, field_id change)
+void hold_change(mpm *s, int group, field_id change, double share)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
             if (wall_lets_go(s, group, axis, side))
-                stop_at_side(s, axis, side, group, change, 1.0);
+                stop_at_side(s, axis, side, group, change, share);
             else
-                still_side(s, axis, side, group, change, 1.0);
-    hold_supports(s, group, change);
+                still_side(s, axis, side, group, change, share);
+    hold_supports(s, group, change, share);
 }
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the

@@ -14,10 +14,10 @@ double wall_target(const mpm *s, int axis, int side, int component);
 void fold_field(mpm *s, int group, field_id id);
 /* The same, components of a vector as numbers: mirrors keep their sum. */
 void fold_numbers(mpm *s, int group, field_id id);
-/* Takes a change of the nodes' velocities away where walls and supports hold them; that impulse goes into the ledger. */
-void hold_change(mpm *s, int group, field_id change);
+/* Takes a change of the nodes' velocities away where walls and supports hold them; `share` of that impulse goes into the ledger. */
+void hold_change(mpm *s, int group, field_id change, double share);
 /* The same of supports alone. */
-void hold_supports(mpm *s, int group, field_id change);
+void hold_supports(mpm *s, int group, field_id change, double share);
 /* `share` of the momentum that mirrors give points which take a change of velocities from the nodes, into the ledger; `given`: and give
  * back what the ghosts have in N_MOMENTUM. */
 void enter_mirrored_change(mpm *s, int group, field_id change, double share, bool given);

@@ -81,10 +81,23 @@ static bool moves_solids_alone(const scene *s)
     return s->coupling == COUPLING_MPM && s->time.solver == SOLVER_DYNAMIC;
 }
 
+/* Whether the scene looks for the rest that damping brings elastic solids to, which the way there has no part in: what a transfer takes
+ * of their motion is not missed. */
+static bool looks_for_rest(const scene *s)
+{
+    if (!s->rest.enabled || !(s->damping.rate > 0.0) || s->damping.end < s->time.end || s->contact.enabled)
+        return false;
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const solid_model *law = s->material[s->body[b].material].law;
+        if (!law || law->yield_stress || law->n_history > 0) return false;
+    }
+    return true;
+}
+
 const char *scene_transfer(const scene *s)
 {
     if (s->method.transfer[0]) return s->method.transfer;
-    return isnan(s->method.flip) && moves_solids_alone(s) ? "afmpm" : "flip";
+    return isnan(s->method.flip) && moves_solids_alone(s) && !looks_for_rest(s) ? "afmpm" : "flip";
 }
 
 static void set_defaults(scene *s)

@@ -32,7 +32,7 @@ kept angular_momentum_disc 0.3 0.9 # named by its share: flip
 rm -rf out
 
 expect 0 "$FLOE" run "$discs" -o out --quiet
-kept 'kinetic strain' 0.94 1.005
+kept 'kinetic strain' 0.96 1.005 # with four terms alike 0.951
 rm -rf out
 
 # Along a line, where nothing turns, points have moments too.
@@ -49,8 +49,30 @@ expect 0 "$FLOE" run bar.yaml -o out --quiet
 kept kinetic 0.999999 1.000001
 rm -rf out
 
+# Which transfer a scene has that names none: solids alone are restored, but elastic ones that damping brings to the rest that is looked for.
+# planned WORD DECK [SETTING...]: whether restored, yes or no
+planned() {
+    local word=$1 deck=$2 sets=() setting answer=no
+    shift 2
+    for setting in "$@"; do sets+=(--set "$setting"); done
+    expect 0 "$FLOE" plan "$deck" --json "${sets[@]}"
+    ! grep -q restore_velocities stdout || answer=yes
+    [ "$answer" = "$word" ] || fault "$deck $*: restored $answer"
+}
+rest=$FLOE_SOURCE/inputs/annulus_traction.yaml
+yields='materials={steel: {density: 8900, law: {j2: {bulk_modulus: 117 GPa, shear_modulus: 43.8 GPa, yield_stress: 1 GPa}}}}'
+planned yes "$spin"
+planned yes "$FLOE_SOURCE/inputs/taylor_bar.yaml"
+planned no "$rest"
+planned yes "$rest" stop=null
+planned yes "$rest" 'damping={rate: 0}'
+planned yes "$rest" 'damping={rate: 1.2e4, end: 9 ms}'
+planned yes "$rest" "$yields"
+planned no "$rest" method.flip=0.5
+planned yes "$rest" method.transfer=afmpm
+
 # A step at cfl 1 is one that the basis, transfer and stress bear: energy does not grow.
-for way in 'basis: gimp' 'basis: linear, flip: 1' 'basis: quadratic, transfer: apic' 'basis: quadratic, transfer: afmpm, filter_order: 20'; do
+for way in 'basis: quadratic' 'basis: cubic' 'basis: gimp' 'basis: linear, flip: 1' 'basis: quadratic, transfer: apic' 'basis: quadratic, transfer: afmpm, filter_order: 20'; do
     expect 0 "$FLOE" run "$spin" -o out --quiet --set time.end=12 --set time.cfl=1 --set "method={$way}"
     kept 'kinetic strain' 0 1.01
     rm -rf out

@@ -9,7 +9,7 @@ const transfer_model transfer_afmpm = {
     .share = 0.0,
     .carry = CARRY_MOMENTS,
     .restore = true,
-    .order = 6,
+    .order = 4, /* with hats terms alike, else with shares of their own (restore.c) */
     .keeps_spin = true,
     .keeps_rigid_motion = true,
 };
