@@ -1,6 +1,7 @@
 #include "batch/batch_internal.h"
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "base/timer.h"
 #include "io/file.h"
 #include "io/lock.h"
@@ -151,8 +152,10 @@ static floe_status run_all(batch *b)
     b->started = wall_seconds();
     TRY(work_and_wind_up(b));
     if (next_case(b) == b->n) return FLOE_OK;
+    char by[64] = "";
+    if (must_stop(b)) stop_request_text(*b->o->stop, by);
     return fail(b->ctx, FLOE_INTERRUPTED,
-                "stopped; what has ended is kept in '%s': the same command goes on from there", b->o->dir);
+                "stopped%s; what has ended is kept in '%s': the same command goes on from there", by, b->o->dir);
 }
 
 floe_status batch_recall(context *ctx, const batch_options *o, batch_case *list, size_t n)

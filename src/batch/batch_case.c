@@ -2,6 +2,7 @@
 #include "batch/batch_internal.h"
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "base/timer.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -219,7 +220,7 @@ static floe_status make_thin(const batch *b, const batch_case *one)
 static bool was_stopped(const batch *b, const batch_job *j, int wait_status)
 {
     const bool asked = j->asked || (b->o->stop && *b->o->stop);
-    if (WIFSIGNALED(wait_status)) return asked && (WTERMSIG(wait_status) == SIGTERM || WTERMSIG(wait_status) == SIGINT);
+    if (WIFSIGNALED(wait_status)) return asked && stop_request_is(WTERMSIG(wait_status));
     return asked && status_of(wait_status) == FLOE_INTERRUPTED;
 }
 

@@ -11,7 +11,7 @@ enum { CLI_MAX_SET = 128, CLI_PATH = 4096, CLI_SUFFIX = 192 };
 
 typedef struct cli {
     context *ctx;                      /* not owned */
-    const volatile sig_atomic_t *stop; /* becomes non-zero on SIGINT or SIGTERM */
+    const volatile sig_atomic_t *stop; /* becomes the number of a signal that asks to end */
     bool colour;                       /* standard error is a terminal */
     bool quiet;                        /* the log's warnings are not shown */
 } cli;
@@ -21,6 +21,7 @@ typedef struct cli_command {
     const char *doc;
     /* Carries out the command and returns the exit status (design 6); argv[0] is "floe NAME". */
     int (*run)(cli *c, int argc, char **argv);
+    bool ends_in_order; /* looks at cli.stop on its way: signals only ask it to end */
 } cli_command;
 
 extern const cli_command cli_commands[];

@@ -57,7 +57,8 @@ static const struct argp argp = {
     .parser = parse,
     .args_doc = "DECK",
     .doc = "Run a scene. DIR gets summary.json, history.csv, fields/ with fields.xdmf (for ParaView and VisIt), "
-           "checkpoint.h5, the resolved deck.yaml and run.log. Ctrl-C ends the run with a checkpoint.",
+           "checkpoint.h5, the resolved deck.yaml and run.log. Ctrl-C and the signals of batch systems end the run "
+           "with a checkpoint.",
 };
 
 static long long counter_of(const run_summary *r, const char *name)

@@ -1,5 +1,6 @@
 /* floe COMMAND ...: finds the command and hands over. */
 #include "cli/cli.h"
+#include "cli/signals.h"
 #include "deck/errors.h"
 #include "floe/floe.h"
 #include "floe_build.h"
@@ -7,61 +8,21 @@
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 const cli_command cli_commands[] = {
-    {"check", "Validate a deck: every error, with its place", cmd_check},
-    {"plan", "Show stages, fields, memory and steps, without running anything", cmd_plan},
-    {"run", "Run a scene", cmd_run},
-    {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare},
-    {"study", "Run a scene along crossed axes: orders, limits, error against run time", cmd_study},
-    {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability},
-    {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture},
-    {"report", "Make one page of HTML of the results in folders", cmd_report},
-    {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list},
-    {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new},
+    {"check", "Validate a deck: every error, with its place", cmd_check, false},
+    {"plan", "Show stages, fields, memory and steps, without running anything", cmd_plan, false},
+    {"run", "Run a scene", cmd_run, true},
+    {"compare", "Run a scene in every coupling and spacing, side by side", cmd_compare, true},
+    {"study", "Run a scene along crossed axes: orders, limits, error against run time", cmd_study, true},
+    {"stability", "Find how large a value keeps a scene stable, or map two values", cmd_stability, true},
+    {"picture", "Draw snapshots of a run: points and cells in colour, as PNG", cmd_picture, true},
+    {"report", "Make one page of HTML of the results in folders", cmd_report, false},
+    {"list", "List what decks can name: materials, shapes, metrics, ...", cmd_list, false},
+    {"new", "Write a deck to start from, a JSON schema, shell completion", cmd_new, false},
 };
 const size_t cli_n_commands = sizeof cli_commands / sizeof cli_commands[0];
-
-/* Set by the handler alone; the runs look at it between steps. */
-static volatile sig_atomic_t stop_signal = 0;
-
-static void on_signal(int number)
-{
-    stop_signal = number;
-}
-
-/* The first signal asks for an orderly end, a second one ends the program at once. */
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    /* A closed pipe and a file beyond the size limit are errors to report, not ends. */
-    signal(SIGPIPE, SIG_IGN);
-    signal(SIGXFSZ, SIG_IGN);
-}
-
-static volatile sig_atomic_t parent_process = 0;
-
-static void on_alarm(int number)
-{
-    (void)number;
-    if (getppid() != (pid_t)parent_process) stop_signal = SIGTERM;
-}
-
-/* A parent that is killed cannot stop the runs that it has started: they look for it, every half second. */
-void cli_end_with_parent(int parent)
-{
-    const struct itimerval each = {{0, 500000}, {0, 500000}};
-    struct sigaction action = {.sa_handler = on_alarm, .sa_flags = SA_RESTART};
-    parent_process = parent;
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGALRM, &action, NULL);
-    (void)setitimer(ITIMER_REAL, &each, NULL);
-}
 
 const cli_command *cli_find(const char *name)
 {
@@ -149,6 +110,7 @@ static int carry_out(cli *c, const top *t, int argc, char **argv)
         return t->command->run(c, 2, (char **)asked);
     }
     context_set_sink(c->ctx, cli_sink, c, LOG_WARNING);
+    if (t->command->ends_in_order) cli_catch_signals();
     return t->command->run(c, argc - t->first, argv + t->first);
 }
 
@@ -168,12 +130,12 @@ int main(int argc, char **argv)
     argp_program_version_hook = print_version;
     argp_parse(&top_argp, argc, argv, ARGP_IN_ORDER, NULL, &t);
 
-    cli c = {.ctx = context_create(), .stop = &stop_signal, .colour = isatty(STDERR_FILENO) != 0};
+    cli c = {.ctx = context_create(), .stop = cli_stop_signal(), .colour = isatty(STDERR_FILENO) != 0};
     if (!c.ctx) {
         (void)fprintf(stderr, "floe: no memory\n");
         return status_exit(FLOE_NO_MEMORY);
     }
-    catch_signals();
+    cli_ignore_signals();
     const floe_status ready = floe_init();
     int status = ready == FLOE_OK ? carry_out(&c, &t, argc, argv) : cli_fail(&c, ready);
     if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) status = end_of_output(&c);

@@ -1,4 +1,5 @@
 /* The time loop of a run, and what happens at its ends. */
+#include "base/stop.h"
 #include "base/threads.h"
 #include "base/timer.h"
 #include "run/checkpoints.h"
@@ -214,11 +215,14 @@ static floe_status finish(run *r, run_summary *out)
 
 static floe_status interrupt(run *r)
 {
+    char by[64] = "";
+    const int number = r->options->stop ? *r->options->stop : 0;
     TRY(checkpoint(r));
+    stop_request_text(number, by);
     return fail(r->ctx, FLOE_INTERRUPTED,
-                "%s at t = %.6g%s after %ld steps; a checkpoint was written: go on with --resume",
-                is_out_of_time(r) ? "the limit of wall time was reached" : "stopped", r->sim->time,
-                scene_time_unit(r->sim->scene), r->sim->steps);
+                "%s at t = %.6g%s after %ld steps%s; a checkpoint was written: go on with --resume",
+                number == 0 ? "the limit of wall time was reached" : "stopped", r->sim->time,
+                scene_time_unit(r->sim->scene), r->sim->steps, by);
 }
 
 /* The state is that of the last good step; if even that is no good, an earlier checkpoint stays. */

@@ -17,7 +17,7 @@ typedef struct run_options {
     const char *dir;                   /* folder of the outputs, made if it is not there */
     bool resume;                       /* go on from DIR/checkpoint.h5 */
     double max_wall;                   /* s of wall time after which the run stops as if by a signal; 0: no limit */
-    const volatile sig_atomic_t *stop; /* becomes non-zero when the run is asked to stop; NULL: never */
+    const volatile sig_atomic_t *stop; /* becomes a signal's number when the run is asked to stop; NULL: never */
     int threads;                       /* 0: the scene's, else OpenMP's default */
     FILE *progress;                    /* where progress is shown; NULL: nowhere */
     const char *label;                 /* shown before the progress; NULL: none */

@@ -2,6 +2,7 @@
 #include "study/stability/stability_internal.h"
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "io/file.h"
 
 #include <string.h>
@@ -101,9 +102,11 @@ static floe_status carry_out(stability *s, const stability_options *o)
     TRY(stability_write(s));
     TRY(stability_plot(s));
     if (status == FLOE_OK) return check_verdicts(s);
+    char by[64] = "";
+    if (o->stop) stop_request_text(*o->stop, by);
     context_clear(s->ctx);
     return fail(s->ctx, FLOE_INTERRUPTED,
-                "stopped; what has ended is kept in '%s': the same command goes on from there", s->dir);
+                "stopped%s; what has ended is kept in '%s': the same command goes on from there", by, s->dir);
 }
 
 floe_status stability_run(stability **out, context *ctx, const stability_options *options)
