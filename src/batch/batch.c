@@ -16,7 +16,7 @@
 static floe_status prepare(batch *b, batch_case *one)
 {
     one->state = BATCH_WAITING;
-    one->other_cores = NAN;
+    one->other_cores = one->process_seconds = NAN;
     one->kept = one->ran = one->timed_out = one->alone = false;
     if (!one->hash[0]) {
         const floe_status status = batch_prepare(b->ctx, b->o, one, NULL);

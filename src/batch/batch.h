@@ -38,6 +38,7 @@ typedef struct batch_case {
     char message[BATCH_MESSAGE]; /* why it is not FLOE_OK */
     bool alone;                  /* it ran alone on one thread, as far as the batch knows: its time counts */
     double other_cores;          /* processor time that others used while it ran, per wall time; NAN: unknown */
+    double process_seconds;      /* processor time of its whole process, s; NAN: unknown */
     run_summary summary;
 } batch_case;
 

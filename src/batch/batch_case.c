@@ -97,9 +97,10 @@ static floe_status note(batch *b, const batch_case *one)
     char path[BATCH_PATH];
     batch_path(b->o, one, "case.json", path);
     return json_write(b->ctx, path,
-                      json_pack("{s:i, s:s, s:s, s:s, s:{s:b, s:o}}", "schema", 1, "deck_sha256", one->hash, "status",
-                                batch_status_name(one), "message", one->message, "timing", "alone", one->alone,
-                                "other_cores", json_number(one->other_cores)));
+                      json_pack("{s:i, s:s, s:s, s:s, s:{s:b, s:o, s:o}}", "schema", 1, "deck_sha256", one->hash,
+                                "status", batch_status_name(one), "message", one->message, "timing", "alone",
+                                one->alone, "other_cores", json_number(one->other_cores), "process_seconds",
+                                json_number(one->process_seconds)));
 }
 
 static const char *text_of(const json_t *object, const char *key)
@@ -120,9 +121,10 @@ static bool take_note(const batch *b, batch_case *one)
     one->status = one->timed_out ? FLOE_INTERRUPTED : strcmp(status, "diverged") == 0 ? FLOE_DIVERGED : FLOE_OK;
     set_message(one, text_of(object, "message"));
     const json_t *timing = json_object_get(object, "timing");
-    const json_t *cores = json_object_get(timing, "other_cores");
+    const json_t *cores = json_object_get(timing, "other_cores"), *own = json_object_get(timing, "process_seconds");
     one->alone = json_is_true(json_object_get(timing, "alone"));
     one->other_cores = json_is_number(cores) ? json_number_value(cores) : (double)NAN;
+    one->process_seconds = json_is_number(own) ? json_number_value(own) : (double)NAN;
     json_decref(object);
     return same;
 }
@@ -230,6 +232,7 @@ floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
     const machine_load after = machine_load_now();
     one->alone = b->n_jobs == 1 && b->o->threads <= 1;
     one->other_cores = b->n_jobs == 1 ? machine_load_of_others(&j->before, &after) : (double)NAN;
+    one->process_seconds = b->n_jobs == 1 ? after.own_cpu - j->before.own_cpu : (double)NAN;
     one->status = status_of(wait_status);
     (void)read_summary(b, one);
     if (!one->ran && one->status == FLOE_OK) one->status = FLOE_INTERNAL;

@@ -30,14 +30,18 @@ typedef struct study_options {
     FILE *progress;                    /* NULL: quiet */
 } study_options;
 
-/* Wall times of a case. */
+/* Times of a case. */
 typedef struct study_timing {
-    double seconds[STUDY_MAX_REPEAT]; /* s, of each timed run */
+    double seconds[STUDY_MAX_REPEAT]; /* s of wall time, of each timed run */
+    double cpu[STUDY_MAX_REPEAT];     /* s of processor time of the steps, of each timed run */
     double others[STUDY_MAX_REPEAT];  /* cores that others used meanwhile; NAN: unknown */
     int n;                            /* 0: not timed */
     double best;    /* s, without outputs: the fastest timed run; not timed: the run itself, whatever ran beside it */
     double wall;    /* s: all of the best timed run */
-    bool disturbed; /* others used the machine during the best one */
+    double least;   /* s of processor time of the steps, the least of the timed runs; not timed: of the run itself */
+    double scatter; /* how far that may be from the truth, a share of it: (median - least)/least, or what is assumed */
+    double during, taken; /* s of wall time of all timed runs, and of processor time that others used meanwhile */
+    bool disturbed; /* others used the machine during the best one or all of them; not timed, during the run itself */
     bool differs;   /* a timed run gave other results than the first: it must not */
 } study_timing;
 

@@ -100,7 +100,8 @@ static void add_front(const study *s, drawing *d, const char *metric, study_cost
 
 static void add_error_panel(const study *s, drawing *d, const char *metric, study_cost cost)
 {
-    const char *const x_label[] = {"run time without outputs (s)", "updates of points and cells", study_over_label(s)};
+    const char *const x_label[] = {"processor time without outputs (s)", "updates of points and cells",
+                                   study_over_label(s)};
     const double scale = error_is_relative(metric) ? 100.0 : 1.0;
     plot_panel *panel = begin_panel(d, x_label[cost], metric, error_unit(metric, s->dimensionless));
     panel->log_x = panel->log_y = true;

@@ -10,7 +10,7 @@ double study_cost_of(const study_case *one, study_cost cost)
 {
     if (!study_is_done(one)) return NAN;
     switch (cost) {
-    case STUDY_SECONDS: return one->timing.best;
+    case STUDY_SECONDS: return one->timing.least;
     case STUDY_UPDATES: return one->run->summary.cell_updates + one->run->summary.point_updates;
     case STUDY_H: return one->over;
     case STUDY_COSTS: break;
@@ -31,21 +31,22 @@ bool study_is_on_front(const study *s, size_t i, const char *metric, study_cost 
 
 /* ---- answers ---- */
 
-/* A group's cases by time, each with a smaller error than those before it: what the group can do. */
+/* A group's cases by time, each with the largest error of its own and all dearer ones: what the group can do. An error
+ * that happens to be small on a coarse mesh, as it passes through zero, is no accuracy. */
 typedef struct curve {
     double seconds[SCENE_MAX_AXIS], error[SCENE_MAX_AXIS];
+    double scatter; /* the largest of its times' */
     size_t n;
 } curve;
 
-/* The group's cheapest case beyond `seconds` with an error below `error`. */
-static bool next_case(const study *s, size_t group, const char *metric, double seconds, double error, size_t *found)
+/* The group's cheapest case beyond `seconds` that has an error. */
+static bool next_case(const study *s, size_t group, const char *metric, double seconds, size_t *found)
 {
     bool any = false;
     for (size_t i = 0; i < s->n; i++) {
         const study_case *one = &s->list[i];
-        const double e = study_error(one, metric);
-        if (one->group != group || !(e < error) || !(e > 0.0) || !(one->timing.best > seconds)) continue;
-        if (any && s->list[*found].timing.best <= one->timing.best) continue;
+        if (one->group != group || !(study_error(one, metric) > 0.0) || !(one->timing.least > seconds)) continue;
+        if (any && s->list[*found].timing.least <= one->timing.least) continue;
         *found = i;
         any = true;
     }
@@ -55,12 +56,14 @@ static bool next_case(const study *s, size_t group, const char *metric, double s
 static curve curve_of(const study *s, size_t group, const char *metric)
 {
     curve c = {.n = 0};
-    double seconds = 0.0, error = INFINITY;
+    double seconds = 0.0;
     size_t i = 0;
-    while (c.n < SCENE_MAX_AXIS && next_case(s, group, metric, seconds, error, &i)) {
-        c.seconds[c.n] = seconds = s->list[i].timing.best;
-        c.error[c.n++] = error = study_error(&s->list[i], metric);
+    while (c.n < SCENE_MAX_AXIS && next_case(s, group, metric, seconds, &i)) {
+        c.seconds[c.n] = seconds = s->list[i].timing.least;
+        c.error[c.n++] = study_error(&s->list[i], metric);
+        c.scatter = fmax(c.scatter, s->list[i].timing.scatter);
     }
+    for (size_t k = c.n; k-- > 1;) c.error[k - 1] = fmax(c.error[k - 1], c.error[k]);
     return c;
 }
 
@@ -79,7 +82,7 @@ static double seconds_for(const curve *c, double target)
 
 static study_answer answer_for(const study *s, const char *metric, double target)
 {
-    study_answer a = {metric, target, s->n_groups, s->n_groups, NAN, NAN};
+    study_answer a = {metric, target, s->n_groups, s->n_groups, NAN, NAN, 0.0, 0.0};
     for (size_t g = 0; g < s->n_groups; g++) {
         const curve c = curve_of(s, g, metric);
         const double seconds = seconds_for(&c, target);
@@ -87,11 +90,14 @@ static study_answer answer_for(const study *s, const char *metric, double target
         if (a.best == s->n_groups || seconds < a.seconds) {
             a.next = a.best;
             a.next_seconds = a.seconds;
+            a.next_scatter = a.scatter;
             a.best = g;
             a.seconds = seconds;
+            a.scatter = c.scatter;
         } else if (a.next == s->n_groups || seconds < a.next_seconds) {
             a.next = g;
             a.next_seconds = seconds;
+            a.next_scatter = c.scatter;
         }
     }
     return a;
@@ -122,6 +128,11 @@ static double round_down(double x)
     return decade;
 }
 
+bool study_answer_is_close(const study_answer *a)
+{
+    return a->next_seconds / (1.0 + a->next_scatter) < a->seconds * (1.0 + a->scatter);
+}
+
 int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX_TARGETS])
 {
     enum { FINEST = STUDY_MAX_TARGETS - 1 };
@@ -129,6 +140,7 @@ int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX
     double least, most, target[STUDY_MAX_TARGETS];
     int n = 0;
     if (!range_of(s, metric, &least, &most)) return 0;
+    if (error_is_relative(metric)) least = fmax(least, STUDY_ROUND_OFF);
     bool has_one_per_cent = !error_is_relative(metric) || most < one_per_cent;
     /* The finest targets that any case reaches, coarsest first. */
     for (double t = round_down(most); t >= least && t > 0.0; t = round_down(0.99 * t)) {
@@ -166,10 +178,14 @@ void study_answer_text(const study *s, const study_answer *a, char *text, size_t
         char least[ERROR_TEXT];
         error_text(a->metric, study_error(best, a->metric), s->dimensionless, least);
         (void)snprintf(text, size, "no variant reaches %s in %s: the smallest error is %s, %s, %.3g s", target,
-                       a->metric, least, best->run->label, best->timing.best);
+                       a->metric, least, best->run->label, best->timing.least);
     } else if (a->next == s->n_groups) {
         (void)snprintf(text, size, "for %s in %s choose %s, %.3g s%s", target, a->metric, s->group[a->best], a->seconds,
                        s->n_groups > 1 ? "; no other variant reaches it" : "");
+    } else if (study_answer_is_close(a)) {
+        (void)snprintf(text, size, "for %s in %s, %s, %.3g s +- %.0f %%, and %s, %.3g s +- %.0f %%, are not told apart",
+                       target, a->metric, s->group[a->best], a->seconds, 100.0 * a->scatter, s->group[a->next],
+                       a->next_seconds, 100.0 * a->next_scatter);
     } else {
         (void)snprintf(text, size, "for %s in %s choose %s, %.3g s; the next best, %s, needs %.3g s", target, a->metric,
                        s->group[a->best], a->seconds, s->group[a->next], a->next_seconds);

@@ -28,9 +28,11 @@ static json_t *place_json(const study *s, const study_case *one)
 static json_t *timing_json(const study *s, const study_case *one)
 {
     const study_timing *t = &one->timing;
-    return json_pack("{s:o, s:b, s:o, s:o, s:b, s:b}", "best", json_number(t->best), "timed", t->n > 0, "all",
-                     json_numbers(t->seconds, (size_t)t->n), "other_cores", json_numbers(t->others, (size_t)t->n),
-                     "disturbed", t->disturbed, "same_results", s->plan.repeat == 0 || !t->differs);
+    return json_pack("{s:o, s:b, s:o, s:o, s:o, s:o, s:o, s:b, s:b}", "best", json_number(t->best), "timed", t->n > 0,
+                     "all", json_numbers(t->seconds, (size_t)t->n), "cpu", json_number(t->least), "scatter",
+                     json_number(t->scatter), "all_cpu", json_numbers(t->cpu, (size_t)t->n), "other_cores",
+                     json_numbers(t->others, (size_t)t->n), "disturbed", t->disturbed, "same_results",
+                     s->plan.repeat == 0 || !t->differs);
 }
 
 static json_t *quantities_json(const study *s, const study_case *one)
@@ -160,11 +162,12 @@ static json_t *answers_json(const study *s)
         for (int k = 0; k < n; k++) {
             char text[512];
             study_answer_text(s, &a[k], text, sizeof text);
-            json_array_append_new(list,
-                                  json_pack("{s:s, s:f, s:o, s:o, s:o, s:o, s:o}", "metric", a[k].metric, "target",
-                                            a[k].target, "best", group_name(s, a[k].best), "seconds",
-                                            json_number(a[k].seconds), "next", group_name(s, a[k].next), "next_seconds",
-                                            json_number(a[k].next_seconds), "text", json_plain_text(text)));
+            json_array_append_new(list, json_pack("{s:s, s:f, s:o, s:o, s:o, s:o, s:b, s:o}", "metric", a[k].metric,
+                                                  "target", a[k].target, "best", group_name(s, a[k].best), "seconds",
+                                                  json_number(a[k].seconds), "next", group_name(s, a[k].next),
+                                                  "next_seconds", json_number(a[k].next_seconds), "told_apart",
+                                                  a[k].next == s->n_groups || !study_answer_is_close(&a[k]), "text",
+                                                  json_plain_text(text)));
         }
     }
     return list;
@@ -224,9 +227,9 @@ floe_status study_write_json(const study *s)
     char path[BATCH_PATH];
     (void)snprintf(path, sizeof path, "%s/%s.json", s->options->dir, s->options->name);
     json_t *over = s->over < 0 ? json_null() : axis_json(&s->axes.axis[s->over]);
-    json_t *timing = json_pack("{s:i, s:s, s:b, s:o, s:o}", "repeat", s->plan.repeat, "seconds",
-                               "wall_seconds - output_seconds", "disturbed", study_is_disturbed(s), "pareto",
-                               front_json(s, STUDY_SECONDS), "answers", answers_json(s));
+    json_t *timing =
+        json_pack("{s:i, s:s, s:b, s:o, s:o}", "repeat", s->plan.repeat, "seconds", "cpu_seconds", "disturbed",
+                  study_is_disturbed(s), "pareto", front_json(s, STUDY_SECONDS), "answers", answers_json(s));
     return json_write(s->ctx, path,
                       json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", 1, "deck",
                                 json_plain_text(s->options->deck), "title", json_plain_text(s->title), "axis", over,

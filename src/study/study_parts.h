@@ -64,10 +64,15 @@ bool study_is_on_front(const study *s, size_t i, const char *metric, study_cost 
 typedef struct study_answer {
     const char *metric;
     double target;
-    size_t best, next; /* groups; n_groups: none */
-    double seconds, next_seconds;
+    size_t best, next;            /* groups; n_groups: none */
+    double seconds, next_seconds; /* of processor time */
+    double scatter, next_scatter; /* how far those may be off, as shares of them */
 } study_answer;
 enum { STUDY_MAX_TARGETS = 4 };
+/* Relative errors below are those of the arithmetic: nothing is chosen by them. */
+#define STUDY_ROUND_OFF 1e-9
+/* The times of the best and the next overlap: none is the faster one. */
+bool study_answer_is_close(const study_answer *a);
 /* Answers for sensible targets of one metric; returns how many. */
 int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX_TARGETS]);
 void study_answer_text(const study *s, const study_answer *a, char *text, size_t size);

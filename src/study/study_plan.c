@@ -379,6 +379,8 @@ static floe_status plan(study *s, const scene *base, strbuf *errors)
     s->dimensionless = base->dimensionless;
     (void)snprintf(s->exact, sizeof s->exact, "%s", base->verify.exact);
     if (!o->compare) s->plan = base->study;
+    /* What is compared is error against time: a comparison's runs are alone anyhow, unless it is told otherwise. */
+    if (o->compare && o->jobs <= 1 && o->threads <= 1) s->plan.repeat = 1;
     if (o->repeat >= 0) s->plan.repeat = o->repeat;
     if (o->max_wall > 0.0) s->plan.max_wall = o->max_wall;
     take_axes(s, base, errors);

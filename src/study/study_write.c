@@ -31,7 +31,7 @@ static void append_names(const study *s, strbuf *out)
         strbuf_append(out, ",%s%s%s%s", s->metric[k], unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
     }
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%s", s->plan.quantity[q]);
-    strbuf_append(out, ",run_seconds (s),timed_runs,disturbed,warnings,directory,message%s\n",
+    strbuf_append(out, ",run_seconds (s),cpu_seconds (s),scatter,timed_runs,disturbed,warnings,directory,message%s\n",
                   study_has_verdicts(s) ? ",verdict,why" : "");
 }
 
@@ -61,8 +61,8 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     }
     for (int k = 0; k < s->n_metrics; k++) strbuf_append(out, ",%.17g", study_error(one, s->metric[k]));
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%.17g", one->quantity[q]);
-    strbuf_append(out, ",%.6g,%d,%s,%d,", one->timing.best, one->timing.n, one->timing.disturbed ? "yes" : "no",
-                  one->run->ran ? r->n_warnings : 0);
+    strbuf_append(out, ",%.6g,%.6g,%.3g,%d,%s,%d,", one->timing.best, one->timing.least, one->timing.scatter,
+                  one->timing.n, one->timing.disturbed ? "yes" : "no", one->run->ran ? r->n_warnings : 0);
     strbuf_append_csv(out, one->run->folder);
     strbuf_append(out, ",");
     strbuf_append_csv(out, one->run->message);
@@ -152,7 +152,7 @@ static void print_names(const study *s, FILE *file)
     }
     for (int q = 0; q < s->plan.n_quantities; q++)
         (void)fprintf(file, "  %*s", quantity_width(s->plan.quantity[q]), s->plan.quantity[q]);
-    (void)fprintf(file, "  %11s\n", "run time");
+    (void)fprintf(file, "  %11s  %11s\n", "CPU time", "run time");
 }
 
 static void print_case(const study *s, const study_case *one, FILE *file)
@@ -171,7 +171,8 @@ static void print_case(const study *s, const study_case *one, FILE *file)
     }
     for (int q = 0; q < s->plan.n_quantities; q++)
         (void)fprintf(file, "  %*.6g", quantity_width(s->plan.quantity[q]), one->quantity[q]);
-    (void)fprintf(file, "  %9.3g s%s", study_is_done(one) ? one->timing.best : summary_run_seconds(r),
+    (void)fprintf(file, "  %9.3g s  %9.3g s%s", study_is_done(one) ? one->timing.least : r->cpu_seconds,
+                  study_is_done(one) ? one->timing.best : summary_run_seconds(r),
                   one->timing.disturbed ? " disturbed" : "");
     if (!study_is_done(one)) (void)fprintf(file, "  %s", batch_status_name(one->run));
     if (r->n_warnings > 0) (void)fprintf(file, "  warned");
@@ -231,11 +232,16 @@ static void print_timing(const study *s, FILE *file)
     for (size_t i = 0; i < s->n; i++)
         crowded = crowded || (s->plan.repeat == 0 && study_is_done(&s->list[i]) && !s->run[i].alone);
     if (s->plan.repeat > 0)
-        (void)fprintf(file, "times: the best of %d, alone on one thread, without that of outputs", s->plan.repeat);
+        (void)fprintf(
+            file,
+            "times: the best of %d, alone on one thread, of short cases the best of more, without that of outputs",
+            s->plan.repeat);
     if (crowded)
         (void)fprintf(file, "times: not to be compared, as cases ran side by side (--repeat N times them alone)");
-    if (study_is_disturbed(s)) (void)fprintf(file, "; other programs used the machine during the disturbed ones");
-    if (s->plan.repeat > 0 || crowded) (void)fprintf(file, "\n");
+    if (study_is_disturbed(s))
+        (void)fprintf(file, "%sother programs used the machine during the disturbed ones",
+                      s->plan.repeat > 0 || crowded ? "; " : "times: ");
+    if (s->plan.repeat > 0 || crowded || study_is_disturbed(s)) (void)fprintf(file, "\n");
     for (size_t i = 0; i < s->n; i++) {
         if (s->list[i].timing.differs)
             (void)fprintf(file, "%s: repeated runs gave different results, which must not be: please report it\n",

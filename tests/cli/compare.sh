@@ -33,3 +33,14 @@ tail -n 1 stderr | grep -q 'diverged, mpm, time.fixed_step=1e-4: ' || fault 'the
 # What the deck's study foresees, as far as a comparison has its axes.
 expect 0 "$FLOE" compare "${scene[@]}" --axis time.fixed_step=1e-5,1e-4 --set domain.cell=0.1 --set time.end=1e-3 -o foreseen --quiet \
     --set 'study={axes: {domain.cell: [0.1]}, refuse: [{why: too long, where: {time.fixed_step: 1e-4}}, {why: too fine, where: {domain.cell: 0.1}}]}'
+
+# Times: each case is alone; one of less than 50 ms of processor time is run until 0.5 s are spent, unless it is told otherwise.
+expect 0 "$FLOE" compare "${scene[@]}" --axis domain.cell=0.4,0.2 --set time.end=1e-4 -o short --quiet
+# column NAME: its numbers in short/compare.csv.
+column() {
+    awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) { t = $i; sub(/ \(.*/, "", t); if (t == name) at = i } next } { print $at }' short/compare.csv
+}
+paste <(column cpu_seconds) <(column timed_runs) <(column scatter) | awk '$1 < 0.05 && !($2 >= 3 && $2 <= 100 && $3 >= 0) { exit 1 }
+    { n++ } END { exit n != 2 }' || fault "short cases are not repeated: $(cat short/compare.csv)"
+expect 0 "$FLOE" compare "${scene[@]}" --axis domain.cell=0.4 --set time.end=1e-4 --repeat 0 -o untimed --quiet
+[ ! -e untimed/timing ] || fault 'timed in spite of --repeat 0'

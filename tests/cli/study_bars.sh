@@ -11,7 +11,7 @@ has stderr 'required: at least 9.00'
 has stdout 'MISSED: order of eq13, mpm'
 has stdout 'met: error of eq13, domain.cell=0.2, ice-mpm'
 has stdout 'the best of 2, alone on one thread'
-has stdout ' choose '
+grep -qE ' choose | are not told apart' stdout || fault 'no word on what to choose'
 is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json bars/0.2-mpm/fields.xdmf
 [ ! -e bars/timing/0.2-mpm-2/fields ] || fault 'timed runs keep their snapshots'
 [ "$(grep -c '"met": true' bars/study.json)" -eq 2 ] || fault 'not two bars met'
@@ -21,7 +21,7 @@ is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json bars/
 best_of_all() {
     tr -d ' \n' <"$1" | grep -o '"best":[^,]*,"timed":true,"all":\[[^]]*\]' | tr '[]:,' '    ' | awk '
         { least = $6; for (k = 7; k <= NF; k++) if ($k + 0 < least + 0) least = $k
-          if ($2 + 0 != least + 0 || NF - 5 != 2) { print "best " $2 " of " $0; wrong = 1 } }
+          if ($2 + 0 != least + 0 || NF - 5 < 2) { print "best " $2 " of " $0; wrong = 1 } }
         END { exit wrong || NR != 4 }'
 }
 best_of_all bars/study.json || fault 'the best time is not the least of all'

@@ -31,7 +31,8 @@ static void fill_case(fixture *f, int g, int k)
     study_case *one = &f->list[i];
     run_summary *r = &f->run[i].summary;
     *one = (study_case){.pick = {g, k}, .group = (size_t)g, .h = h, .over = h, .run = &f->run[i]};
-    one->timing.best = laws[g].price / (h * h);
+    one->timing.least = laws[g].price / (h * h);
+    one->timing.scatter = 0.01;
     one->quantity[0] = 3.0 + pow(h, laws[g].order);
     f->run[i].state = BATCH_ENDED;
     f->run[i].ran = true;
@@ -119,7 +120,7 @@ static void front_is_what_nobody_beats(void **state)
         bool beaten = false;
         for (size_t j = 0; j < CASES; j++) {
             beaten = beaten || (study_error(&f->list[j], "l2rel_density") < study_error(&f->list[i], "l2rel_density") &&
-                                f->list[j].timing.best < f->list[i].timing.best);
+                                f->list[j].timing.least < f->list[i].timing.least);
         }
         assert_int_equal(study_is_on_front(&f->s, i, "l2rel_density", STUDY_SECONDS), !beaten);
     }
@@ -155,6 +156,55 @@ static void answers_follow_the_laws(void **state)
         check_true(strstr(text, laws[a[k].best].name) && strstr(text, "% in l2rel_density choose"));
     }
     check_true(alone && both);
+}
+
+/* Times that overlap with what they may be off choose none; a tenth of the scatter, and they do. */
+static void close_times_are_not_told_apart(void **state)
+{
+    fixture *f = *state;
+    study_answer a[STUDY_MAX_TARGETS];
+    char text[256];
+    const law close = {"ice-mpm", laws[0].scale, laws[0].order, 1.2 * laws[0].price};
+    for (size_t k = 0; k < SPACINGS; k++) {
+        study_case *one = &f->list[SPACINGS + k];
+        one->timing.least = close.price / (one->h * one->h);
+        f->run[SPACINGS + k].summary.errors[0].value = close.scale * one->h;
+    }
+    for (int wide = 0; wide < 2; wide++) {
+        for (size_t i = 0; i < CASES; i++) f->list[i].timing.scatter = wide ? 0.12 : 0.012;
+        const int n = study_answers(&f->s, "l2rel_density", a);
+        check_true(n >= 1);
+        for (int k = 0; k < n && a[k].best < GROUPS; k++) {
+            assert_int_equal(a[k].best, 0);
+            assert_int_equal(study_answer_is_close(&a[k]), wide);
+            study_answer_text(&f->s, &a[k], text, sizeof text);
+            assert_int_equal(strstr(text, "are not told apart") != NULL, wide);
+            assert_int_equal(strstr(text, "choose mpm") != NULL, !wide);
+        }
+    }
+}
+
+/* An error that passes through zero on a coarse mesh is not what the variant can do there. */
+static void lucky_errors_do_not_count(void **state)
+{
+    fixture *f = *state;
+    study_answer a[STUDY_MAX_TARGETS];
+    f->run[0].summary.errors[0].value = 1e-5; /* mpm, h = 0.2; 0.05 at h = 0.1 */
+    const int n = study_answers(&f->s, "l2rel_density", a);
+    check_true(n >= 1 && a[n - 1].target < 0.0125); /* of what mpm has reached on its finest mesh */
+    for (int k = 0; k < n; k++) check_true(a[k].target >= 0.0125 || a[k].best != 0);
+}
+
+/* Nothing is chosen on round-off. */
+static void round_off_chooses_nothing(void **state)
+{
+    fixture *f = *state;
+    study_answer a[STUDY_MAX_TARGETS];
+    for (size_t i = 0; i < CASES; i++) f->run[i].summary.errors[0].value *= 1e-12;
+    assert_int_equal(study_answers(&f->s, "l2rel_density", a), 0);
+    f->run[0].summary.errors[0].value = 1e-3;
+    const int n = study_answers(&f->s, "l2rel_density", a);
+    for (int k = 0; k < n; k++) check_true(a[k].target >= STUDY_ROUND_OFF);
 }
 
 static void nothing_is_extrapolated(void **state)
@@ -195,13 +245,13 @@ static void bars_judge_groups_and_cases(void **state)
     order.order = 1.5;
     assert_int_equal(judge(f, &order, &met), GROUPS);
     check_true(!met);
-    check_fails(f->ctx, study_check_bars(&f->s), FLOE_MISSED_BAR);
+    check_fails(f->ctx, study_check_results(&f->s), FLOE_MISSED_BAR);
     order.where.n = 1;
     (void)snprintf(order.where.key[0], SCENE_KEY, "coupling");
     (void)snprintf(order.where.value[0], SCENE_VALUE, "ice-mpm");
     assert_int_equal(judge(f, &order, &met), 1);
     check_true(met);
-    check_ok(f->ctx, study_check_bars(&f->s));
+    check_ok(f->ctx, study_check_results(&f->s));
     /* An error is asked of the finest case of each group, or of the cases that are named. */
     scene_bar error = {.metric = "l2rel_density", .order = NAN, .error = 0.0126};
     assert_int_equal(judge(f, &error, &met), GROUPS);
@@ -228,6 +278,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(only_finished_cases_count, set_up, tear_down),
         cmocka_unit_test_setup_teardown(front_is_what_nobody_beats, set_up, tear_down),
         cmocka_unit_test_setup_teardown(answers_follow_the_laws, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(close_times_are_not_told_apart, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lucky_errors_do_not_count, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(round_off_chooses_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(nothing_is_extrapolated, set_up, tear_down),
         cmocka_unit_test_setup_teardown(bars_judge_groups_and_cases, set_up, tear_down),
     };
