@@ -12,7 +12,7 @@ A stamp names content, no commit: a hash of the sources that the page's runs use
 * `draw`, `report` where floe has drawn no figure of the page.
 
 Comments and blanks do not count, neither in C nor in CMake, decks and scripts. Of the modules that a script in Python imports only the
-definitions that it can reach count. A page whose program was not built from the sources that lay there says `modified`: that is a fault.
+definitions that it can reach count; what makes every page (page.bash, pages.py) does not. A page whose program was not built from the sources that lay there says `modified`: that is a fault.
 """
 import ast
 import hashlib
