@@ -1,6 +1,7 @@
 #include "io/hdf.h"
 
 #include "base/memory.h"
+#include "io/hdf_whole.h"
 
 #include <string.h>
 
@@ -59,12 +60,16 @@ floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *
 {
     *out = (hdf_file){.ctx = ctx, .name = name, .id = H5I_INVALID_HID};
     const hid_t access = memory_access();
+    (void)H5PLset_loading_state(0); /* no file may have a plug-in loaded */
     /* HDF5 copies the image and never writes to ours; its interface just lacks the const. */
     void *bytes;
     memcpy(&bytes, &image, sizeof bytes);
     if (H5Pset_file_image(access, bytes, size) >= 0) out->id = H5Fopen(memory_name, H5F_ACC_RDONLY, access);
     (void)H5Pclose(access);
-    return out->id < 0 ? hdf_fail(out, "open", name) : FLOE_OK;
+    if (out->id < 0) return hdf_fail(out, "open", name);
+    const floe_status status = hdf_check_whole(out, size);
+    if (status != FLOE_OK) hdf_close(out);
+    return status;
 }
 
 void hdf_close(hdf_file *file)

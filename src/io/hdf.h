@@ -27,7 +27,8 @@ typedef struct hdf_shape {
 
 /* Opens a new, empty file in memory. `name` is the path that it will have. */
 floe_status hdf_create(hdf_file *out, context *ctx, const char *name);
-/* Opens an image of `size` bytes for reading; HDF5 works on a copy of its own. */
+/* Opens an image of `size` bytes for reading; HDF5 works on a copy of its own. FLOE_IO also for what floe does not write:
+ * links that lead elsewhere, data in other files, filters (io/hdf_whole.h). */
 floe_status hdf_open(hdf_file *out, context *ctx, const char *name, const void *image, size_t size);
 /* Closes the file; a closed one is fine. */
 void hdf_close(hdf_file *file);

@@ -60,7 +60,7 @@ static void burn_body(const mpm *s, int blk, int body, const tile_box *box, cons
     for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
         double taken[SOLID_CHUNK];
-        s->work->kernel.sample(s->mesh, box, &p, k, stop, window, taken - k);
+        s->work->kernel.sample(s->mesh, box, &p, k, stop, window, taken);
         load_batch(s, blk, body, k, stop, false, batch);
         take(s, blk, body, box, k, stop, taken, batch, out);
     }

@@ -115,7 +115,7 @@ static void settle_body(const mpm *s, int blk, int body, const tile_box *t, cons
     double *energy = s->body[body].fluid ? field_next(s->domain->fields[blk], P_ENERGY, body, 0) : NULL;
     for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
-        s->work->kernel.sample(s->mesh, t, &b.now, k, stop, squares, at_points - k);
+        s->work->kernel.sample(s->mesh, t, &b.now, k, stop, squares, at_points);
         for (size_t i = k; i < stop; ++i) {
             const double loss = loss_of(s, &b, i, b.line ? point_number(s, blk, body, i) : 0, at_points[i - k]);
             if (energy) {
@@ -223,7 +223,7 @@ static void heat_tile(const mpm *s, int blk, int tile)
         double *energy = field_next(f, P_ENERGY, body, 0);
         for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
             const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];
-            s->work->kernel.sample(s->mesh, &box, &p, k, stop, window, gain - k);
+            s->work->kernel.sample(s->mesh, &box, &p, k, stop, window, gain);
             for (size_t i = k; i < stop; ++i) energy[i] += gain[i - k];
         }
     }

@@ -70,7 +70,7 @@ FLOE_ALWAYS_INLINE bool gather_needs_mass(basis_kind kind, bool motion, bool gra
     return kind == BASIS_LINEAR && motion && gradient;
 }
 
-/* One scalar per node to the points: out[k] for k in [start, end). */
+/* One scalar per node to the points: out[0] for `start`, out[1] for the next, as far as `end`. */
 typedef void sample_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                            const double *window, double *out);
 

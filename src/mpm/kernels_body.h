@@ -85,7 +85,7 @@ FLOE_ALWAYS_INLINE void sample_body(const mesh *m, const tile_box *t, const poin
             FOR_ROWS(s, j, dim, kind, {
                 for (int x = 0; x < basis_support(kind); ++x) sum += W * s.w[0][x][j] * window[row + x];
             });
-            out[start + (size_t)i] = sum;
+            *out++ = sum;
         }
     }
 }

@@ -287,9 +287,10 @@ floe_status mpm_grid_pressure(mpm *s)
             load_window(s, b, &box, &node, 1, window);
             for (int body = 0; body < s->n_bodies; ++body) {
                 const size_t *at = s->points[b][body].tile_start;
+                if (at[t] == at[t + 1]) continue;
                 const point_arrays p = points_of(s, b, body, false, false);
-                s->work->kernel.sample(s->mesh, &box, &p, at[t], at[t + 1], window,
-                                       field_get(s->domain->fields[b], P_GRID_PRESSURE, body, 0));
+                double *pressure = field_get(s->domain->fields[b], P_GRID_PRESSURE, body, 0);
+                s->work->kernel.sample(s->mesh, &box, &p, at[t], at[t + 1], window, pressure + at[t]);
             }
         }
     }

@@ -53,7 +53,7 @@ static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, s
 {
     const int dim = s->mesh->dim;
     for (int c = 0; p->affine[0] && c < 6; ++c)
-        s->work->kernel.sample(s->mesh, t, p, start, end, w->window[c], w->at[c] - start);
+        s->work->kernel.sample(s->mesh, t, p, start, end, w->window[c], w->at[c]);
     for (size_t k = start; k < end; ++k) {
         double x[3] = {0.0}, v[3] = {0.0};
         for (int a = 0; a < dim; ++a) {

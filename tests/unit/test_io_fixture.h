@@ -179,6 +179,7 @@ static inline void fixture_clocks(fixture *f)
         for (int k = 0; k < LEDGER_KINDS; k++) s->ledger.entry[q][k] = (ledger_sum){q + k / 3.0, 1e-20 * k};
     }
     for (int c = 0; c < LEDGER_COUNTS; c++) s->ledger.count[c] = 100 + c;
+    s->ledger.count[COUNT_POINTS_LOST] = s->ledger.count[COUNT_POINTS_BURNT] = 0; /* none is missing */
 }
 
 static inline void fixture_make(fixture *f, const fixture_spec *spec)

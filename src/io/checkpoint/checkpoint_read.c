@@ -20,6 +20,7 @@ typedef struct incoming {
 typedef struct state_reader {
     sim *s;
     hdf_file *hdf;
+    const checkpoint_record *record;
     incoming body[SCENE_MAX_BODIES];
     double *data;            /* one number for each point or cell; owned */
     size_t room;             /* numbers that data holds */
@@ -48,6 +49,38 @@ static size_t expected(const state_reader *r, const state_array *array)
     return points ? r->body[array->instance].n : mesh_cells(&r->s->mesh);
 }
 
+/* What the values of a field must be beside finite. */
+static const struct bounds {
+    field_id id;
+    double least, most;
+    bool above; /* more than the least */
+    const char *words;
+} bounds[] = {{P_MASS, 0.0, INFINITY, true, "> 0"},    {P_VOLUME0, 0.0, INFINITY, true, "> 0"},
+              {P_SHARE, 0.0, 1.0, true, "> 0, <= 1"},  {P_J, 0.0, INFINITY, true, "> 0"},
+              {P_HALF, 0.0, INFINITY, false, ">= 0"},  {P_BOX, 0.0, INFINITY, false, ">= 0"},
+              {C_RHO, 0.0, INFINITY, false, ">= 0"},   {C_VOL, 0.0, INFINITY, false, ">= 0"},
+              {C_OPEN, 0.0, 1.0, false, "from 0 to 1"}};
+
+static const struct bounds *bounds_of(field_id id)
+{
+    static const struct bounds finite = {.least = -INFINITY, .most = INFINITY, .words = "finite"};
+    for (size_t i = 0; i < sizeof bounds / sizeof bounds[0]; i++)
+        if (bounds[i].id == id) return &bounds[i];
+    return &finite;
+}
+
+static floe_status check_values(const state_reader *r, const state_array *array, size_t n)
+{
+    const struct bounds *b = bounds_of(array->id);
+    for (size_t i = 0; i < n; i++) {
+        const double x = r->data[i];
+        if (isfinite(x) && (b->above ? x > b->least : x >= b->least) && x <= b->most) continue;
+        return fail(r->s->ctx, FLOE_IO, "'%s': '%s' has %g at place %zu, must be %s", r->hdf->name, array->path, x, i,
+                    b->words);
+    }
+    return FLOE_OK;
+}
+
 static floe_status check_array(void *user, const state_array *array)
 {
     state_reader *r = user;
@@ -55,7 +88,10 @@ static floe_status check_array(void *user, const state_array *array)
     hdf_shape has;
     const size_t n = expected(r, array);
     TRY(hdf_describe(r->hdf, array->path, &type, &has));
-    if (type == HDF_DOUBLE && has.rank == 1 && has.extent[0] == n) return FLOE_OK;
+    if (type == HDF_DOUBLE && has.rank == 1 && has.extent[0] == n) {
+        TRY(hdf_read(r->hdf, array->path, HDF_DOUBLE, (hdf_shape){1, {n}}, r->data));
+        return check_values(r, array, n);
+    }
     return fail(r->s->ctx, FLOE_IO, "'%s': '%s' should have %zu numbers, but has %zu", r->hdf->name, array->path, n,
                 hdf_count(has));
 }
@@ -138,11 +174,27 @@ static floe_status check_body(state_reader *r, int body)
     return read_positions(r, body);
 }
 
+/* Of the points that the scene was made with none is missing but those that the run has counted as lost. */
+static floe_status check_points(const state_reader *r)
+{
+    const size_t seeded = r->s->mpm ? mpm_count(r->s->mpm) : 0;
+    const int64_t *count = r->record->ledger_count;
+    const int64_t gone = count[COUNT_POINTS_LOST] + count[COUNT_POINTS_BURNT];
+    size_t n = 0;
+    for (int b = 0; r->s->mpm && b < r->s->mpm->n_bodies; b++) n += r->body[b].n;
+    if (seeded == 0 || (gone >= 0 && n <= seeded && seeded - n == (size_t)gone)) return FLOE_OK;
+    return fail(r->s->ctx, FLOE_IO,
+                "'%s': '/points' has %zu points of the %zu that the scene starts with, where '/ledger/count' knows of "
+                "%" PRId64 " that were lost or burnt",
+                r->hdf->name, n, seeded, gone);
+}
+
 /* All that can be wrong is found here, before the simulation is changed. */
 static floe_status check_state(state_reader *r)
 {
     const int bodies = r->s->mpm ? r->s->mpm->n_bodies : 0;
     for (int b = 0; b < bodies; b++) TRY(check_body(r, b));
+    TRY(check_points(r));
     if (r->s->ice) TRY(make_room(r, mesh_cells(&r->s->mesh)));
     return checkpoint_visit_state(r->s, check_array, r);
 }
@@ -268,7 +320,7 @@ static floe_status read_extra(hdf_file *hdf, const checkpoint_extra *extra)
 static floe_status read_all(sim *s, hdf_file *hdf, checkpoint_run *run)
 {
     checkpoint_record record = {0};
-    state_reader reader = {.s = s, .hdf = hdf};
+    state_reader reader = {.s = s, .hdf = hdf, .record = &record};
     TRY(compare_build(hdf));
     TRY(compare_text(hdf, "/deck/identity", "deck", run->identity));
     TRY(compare_manifest(s, hdf, run));

@@ -220,7 +220,7 @@ floe_status checkpoint_record_write(hdf_file *hdf, const checkpoint_record *reco
 /* The record may come from a fuzzer: nothing in it is believed. rest_since alone may be infinite. */
 static floe_status check_record(hdf_file *hdf, const checkpoint_record *r)
 {
-    if (!isfinite(r->time) || !isfinite(r->dt) || r->dt < 0.0 || isnan(r->rest_since)) {
+    if (!isfinite(r->time) || r->time < 0.0 || !isfinite(r->dt) || r->dt < 0.0 || isnan(r->rest_since)) {
         return fail(hdf->ctx, FLOE_IO, "'%s' holds an impossible time: t = %g s, dt = %g s, at rest since %g s",
                     hdf->name, r->time, r->dt, r->rest_since);
     }
@@ -232,6 +232,12 @@ static floe_status check_record(hdf_file *hdf, const checkpoint_record *r)
     if (r->owed < 0 || r->owed > CHECKPOINT_OWED_ALL) {
         return fail(hdf->ctx, FLOE_IO, "'%s' says of outputs that do not exist that they are to be written: %" PRId64,
                     hdf->name, r->owed);
+    }
+    const double more[] = {r->point_updates, r->cell_updates, r->wall_seconds,    r->mpm_time,
+                           r->mpm_dt,        r->ice_time,     r->mpm_dt_previous, r->ice_dt};
+    for (size_t i = 0; i < sizeof more / sizeof more[0]; i++) {
+        if (isfinite(more[i]) && more[i] >= 0.0) continue;
+        return fail(hdf->ctx, FLOE_IO, "'%s' holds an impossible time or number of updates: %g", hdf->name, more[i]);
     }
     return FLOE_OK;
 }

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "io/hdf_look.h"
+#include "io/snapshot/snapshot_check.h"
 #include "io/snapshot/snapshot_folder.h"
 
 #include <math.h>
@@ -25,6 +26,7 @@ static floe_status read_time(context *ctx, const char *path, double *time)
     hdf_file hdf;
     floe_status status = snapshot_file_open(ctx, path, &hdf);
     if (status == FLOE_OK) status = hdf_read(&hdf, "/time", HDF_DOUBLE, (hdf_shape){0}, time);
+    if (status == FLOE_OK) status = snapshot_check_time(ctx, path, *time);
     hdf_close(&hdf);
     return status;
 }
@@ -112,14 +114,17 @@ static floe_status read_domain(snapshot *s)
     TRY(hdf_get_text(s->hdf, "/", "geometry", geometry));
     s->axisymmetric = strcmp(geometry, "axisymmetric") == 0;
     for (int a = 0; a < 3; a++) {
-        s->cells[a] = a < s->dim ? (int)lround((s->upper[a] - s->lower[a]) / s->cell[a]) : 1;
+        s->cells[a] = 1;
+        if (a < s->dim) TRY(snapshot_count_cells(s, a));
     }
     return FLOE_OK;
 }
 
 static floe_status read_head(snapshot *s)
 {
+    TRY(snapshot_check_version(s));
     TRY(hdf_read(s->hdf, "/time", HDF_DOUBLE, (hdf_shape){0}, &s->time));
+    TRY(snapshot_check_time(s->ctx, s->path, s->time));
     TRY(hdf_get_text(s->hdf, "/time", "unit", s->time_unit));
     TRY(hdf_get_text(s->hdf, "/", "title", s->title));
     TRY(hdf_get_text(s->hdf, "/", "coupling", s->coupling));
@@ -139,7 +144,8 @@ static floe_status read_field(const snapshot *s, const char *group, size_t entri
     TRY(hdf_describe(s->hdf, path, &type, &shape));
     const size_t numbers = hdf_count(shape);
     field->components = numbers == entries ? 1 : 3;
-    if (numbers == entries * (size_t)field->components) return FLOE_OK;
+    if (numbers == entries * (size_t)field->components && entries > 0)
+        return snapshot_check_field(s, path, field, numbers);
     return fail(s->ctx, FLOE_IO, "'%s': '%s' has %zu numbers for %zu entries", s->path, path, numbers, entries);
 }
 
@@ -159,6 +165,7 @@ static floe_status read_grid(snapshot *s)
     (void)snprintf(s->grid.name, sizeof s->grid.name, "cells");
     if (!hdf_has(s->hdf, "/cells")) return FLOE_OK;
     s->grid.n = (size_t)s->cells[0] * (size_t)s->cells[1] * (size_t)s->cells[2];
+    TRY(snapshot_check_mesh(s));
     return read_fields(s, "/cells", &s->grid);
 }
 
@@ -174,7 +181,10 @@ static floe_status read_body(const snapshot *s, snapshot_group *body)
     body->fluid = strcmp(phase, "fluid") == 0;
     TRY(hdf_describe(s->hdf, position, &type, &shape));
     body->n = shape.rank == 2 ? shape.extent[0] : 0;
-    return read_fields(s, path, body);
+    if (body->n == 0 || shape.extent[1] != 3)
+        return fail(s->ctx, FLOE_IO, "'%s': '%s' is no list of places", s->path, position);
+    TRY(read_fields(s, path, body));
+    return snapshot_check_points(s, path, body);
 }
 
 static floe_status read_bodies(snapshot *s)

@@ -40,7 +40,7 @@ void edges_mark_flow(const mpm *s, edge_group *g)
 double edges_push(const mpm *s, const edge_group *g, int c, double *force)
 {
     double given = 0.0;
-    memset(force, 0, (size_t)g->n_nodes * sizeof *force);
+    if (g->n_nodes > 0) memset(force, 0, (size_t)g->n_nodes * sizeof *force);
     for (size_t k = 0; k < g->n_lines; ++k) {
         const edge_line *l = &g->line[k];
         const double tension = -l->stiffness * pushing(s, g, k, c);
