@@ -8,17 +8,39 @@ run_checkpoints run_checkpoints_start(run_output *o, sim *s, double started, dou
 {
     run_checkpoints c = {
         .output = o, .sim = s, .clock = checkpoint_clock_start(s->scene->output.checkpoint_interval, started, cost)};
+    c.steps = -1;
     c.time = output_has_checkpoint(o) ? s->time : (double)NAN;
     return c;
 }
 
-floe_status run_checkpoints_write(run_checkpoints *c, double wall)
+void run_checkpoints_keep_room(run_checkpoints *c)
+{
+    context *ctx = c->sim->ctx;
+    if (isinf(c->clock.interval) || output_keep_room(c->output, c->sim) == FLOE_OK) return;
+    context_log(ctx, LOG_WARNING, "there is no room for a checkpoint should an output fail: %s", context_message(ctx));
+    context_clear(ctx);
+}
+
+static floe_status write_one(run_checkpoints *c, double wall)
 {
     const double begun = wall_seconds();
     const floe_status status = output_checkpoint(c->output, c->sim, wall);
     c->seconds += wall_seconds() - begun;
-    if (status == FLOE_OK) c->time = c->sim->time;
-    return status;
+    if (status != FLOE_OK) return status;
+    c->time = c->sim->time;
+    c->steps = c->sim->steps;
+    c->owed = c->output->checkpoint.owed;
+    return FLOE_OK;
+}
+
+floe_status run_checkpoints_write(run_checkpoints *c, double wall)
+{
+    if (c->steps == c->sim->steps && c->owed == c->output->checkpoint.owed) return FLOE_OK;
+    const floe_status status = write_one(c, wall);
+    if (status != FLOE_IO) return status;
+    context_clear(c->sim->ctx);
+    output_give_room(c->output, c->sim);
+    return write_one(c, wall);
 }
 
 static floe_status pass_over(run_checkpoints *c)
@@ -50,9 +72,9 @@ floe_status run_checkpoints_way(run_checkpoints *c, double wall)
     say_spacing(c);
     /* Rows that are not on the disk are a failed output. */
     TRY(output_sync(c->output));
-    const floe_status status = run_checkpoints_write(c, wall);
+    const floe_status status = write_one(c, wall);
     checkpoint_clock_count(&c->clock, begun, wall_seconds());
-    return status == FLOE_IO ? pass_over(c) : status;
+    return status == FLOE_IO || status == FLOE_NO_MEMORY ? pass_over(c) : status;
 }
 
 void run_checkpoints_say(const run_checkpoints *c)

@@ -103,6 +103,18 @@ static floe_status put_out(run *r, floe_status (*write)(run_output *o, sim *s))
     return status;
 }
 
+/* A snapshot whose page in fields.xdmf could not be written is there, and in the page by now. */
+static floe_status write_owed(run *r)
+{
+    run_output *o = &r->output;
+    const double now = r->sim->time;
+    const int64_t owed = o->checkpoint.owed;
+    if ((owed & CHECKPOINT_OWED_ROW) && history_last_time(o->history) < now) TRY(put_out(r, output_row));
+    if ((owed & CHECKPOINT_OWED_SNAPSHOT) && snapshot_last_time(o->snapshots) < now) TRY(put_out(r, output_snapshot));
+    o->checkpoint.owed = 0;
+    return FLOE_OK;
+}
+
 static double history_interval(const scene *s)
 {
     return isnan(s->output.history_interval) ? s->output.interval / ROWS_PER_INTERVAL : s->output.history_interval;
@@ -151,16 +163,15 @@ static floe_status look_at_account(run *r)
  * snapshots at it. */
 static floe_status write_due(run *r, double before)
 {
-    const double now = r->sim->time;
-    if (schedule_is_passed(before, now, history_interval(r->scene))) {
-        TRY(put_out(r, output_row));
-        progress_account(&r->progress, &r->sim->ledger);
-    }
-    const double interval = r->scene->output.interval;
-    if (sim_is_static(r->sim) ? !schedule_is_passed(before, now, interval) : !schedule_is_due(now, interval))
-        return FLOE_OK;
-    checkpoint_clock_see_snapshot(&r->checkpoints.clock);
-    return put_out(r, output_snapshot);
+    const double now = r->sim->time, interval = r->scene->output.interval;
+    const bool row = schedule_is_passed(before, now, history_interval(r->scene));
+    const bool snapshot =
+        sim_is_static(r->sim) ? schedule_is_passed(before, now, interval) : schedule_is_due(now, interval);
+    r->output.checkpoint.owed = (row ? CHECKPOINT_OWED_ROW : 0) | (snapshot ? CHECKPOINT_OWED_SNAPSHOT : 0);
+    TRY(write_owed(r));
+    if (row) progress_account(&r->progress, &r->sim->ledger);
+    if (snapshot) checkpoint_clock_see_snapshot(&r->checkpoints.clock);
+    return FLOE_OK;
 }
 
 static bool is_out_of_time(const run *r)
@@ -203,8 +214,8 @@ static floe_status measure(run *r, run_summary *out)
 /* The last row and snapshot, unless the time has them, the errors, and the checkpoint. */
 static floe_status finish(run *r, run_summary *out)
 {
-    if (history_last_time(r->output.history) < r->sim->time) TRY(put_out(r, output_row));
-    if (snapshot_last_time(r->output.snapshots) < r->sim->time) TRY(put_out(r, output_snapshot));
+    r->output.checkpoint.owed = CHECKPOINT_OWED_ALL;
+    TRY(write_owed(r));
     TRY(checkpoint(r));
     const double before = wall_seconds(), cpu = cpu_seconds();
     const floe_status status = measure(r, out);
@@ -241,6 +252,23 @@ static floe_status diverge(run *r)
                 : good                              ? "the last good state is in checkpoint.h5"
                 : output_has_checkpoint(&r->output) ? "checkpoint.h5 holds an earlier state"
                                                     : "there is no checkpoint");
+}
+
+/* An output failed. The state is sound: it goes into a checkpoint, with what is owed. */
+static floe_status rescue(run *r)
+{
+    char cause[CONTEXT_MESSAGE_SIZE], saved[128];
+    const char *unit = scene_time_unit(r->sim->scene);
+    (void)snprintf(cause, sizeof cause, "%.1200s", context_message(r->ctx));
+    context_clear(r->ctx);
+    const bool written = state_is_finite(r->sim) && checkpoint(r) == FLOE_OK;
+    context_clear(r->ctx);
+    (void)snprintf(saved, sizeof saved,
+                   isnan(r->checkpoints.time) ? "there is no checkpoint"
+                   : written ? "a checkpoint of t = %.6g%s was written: once that is mended, go on with --resume"
+                             : "the last checkpoint is of t = %.6g%s: once that is mended, go on with --resume",
+                   r->checkpoints.time, unit);
+    return fail(r->ctx, FLOE_IO, "%s; %s", cause, saved);
 }
 
 static floe_status begin(run *r)
@@ -291,11 +319,19 @@ static void say_start(run *r, run_summary *out)
     r->n_remarks = out->n_warnings;
 }
 
+/* What could not be written of the time of the checkpoint, and what comes after it in a step. */
+static floe_status catch_up(run *r)
+{
+    if (r->output.checkpoint.owed == 0) return FLOE_OK;
+    TRY(write_owed(r));
+    return r->sim->steps > 0 ? look_at_account(r) : FLOE_OK;
+}
+
 static floe_status start_outputs(run *r)
 {
-    if (r->options->resume) return FLOE_OK;
-    TRY(put_out(r, output_row));
-    TRY(put_out(r, output_snapshot));
+    if (r->options->resume) return catch_up(r);
+    r->output.checkpoint.owed = CHECKPOINT_OWED_ALL;
+    TRY(write_owed(r));
     /* A snapshot is much of what a checkpoint is. */
     r->checkpoints.clock.cost = r->putting_out;
     return FLOE_OK;
@@ -303,11 +339,15 @@ static floe_status start_outputs(run *r)
 
 static floe_status carry_out(run *r, run_summary *out)
 {
-    TRY(start_outputs(r));
-    const floe_status status = loop(r);
-    if (status == FLOE_OK) return finish(r, out);
-    if (status == FLOE_INTERRUPTED) return interrupt(r);
-    return status == FLOE_DIVERGED ? diverge(r) : status;
+    floe_status status = start_outputs(r);
+    if (status == FLOE_OK) status = loop(r);
+    if (status == FLOE_OK)
+        status = finish(r, out);
+    else if (status == FLOE_INTERRUPTED)
+        status = interrupt(r);
+    else if (status == FLOE_DIVERGED)
+        status = diverge(r);
+    return status == FLOE_IO ? rescue(r) : status;
 }
 
 static floe_status write_summary(run *r, run_summary *out, const char *status)
@@ -337,6 +377,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
 {
     say_start(r, out);
     TRY(write_summary(r, out, "running"));
+    run_checkpoints_keep_room(&r->checkpoints);
     const floe_status status = scene_place(r->scene, carry_out(r, out));
     progress_clear(&r->progress);
     const char *name = status_of_run(status, r->sim->at_rest);
@@ -345,6 +386,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
     run_checkpoints_say(&r->checkpoints);
     truth_log(&r->truth, r->sim);
     note_cause(r, out, status);
+    disk_reserve_release(&r->output.reserve); /* for the summary */
     const floe_status written = write_summary(r, out, name);
     /* What went wrong is for the caller to show: here it is only noted. */
     for (int i = r->n_remarks; i < out->n_warnings && status != FLOE_DIVERGED; i++)

@@ -86,7 +86,8 @@ static floe_status open_series(run_output *o, const sim *s, double keep_until)
 
 floe_status output_begin(run_output *o, sim *s, const char *dir)
 {
-    static const char *const earlier[] = {OUTPUT_CHECKPOINT, OUTPUT_PREVIOUS, "profile.csv", "summary.json"};
+    static const char *const earlier[] = {OUTPUT_CHECKPOINT, OUTPUT_PREVIOUS, OUTPUT_RESERVE, "profile.csv",
+                                          "summary.json"};
     char path[OUTPUT_PATH];
     TRY(prepare(o, s, dir));
     TRY(folder_make(o->ctx, dir));
@@ -166,6 +167,7 @@ void output_end(run_output *o)
     snapshot_close(&o->snapshots);
     memory_free(o->ctx, &o->deck);
     memory_free(o->ctx, &o->identity);
+    disk_reserve_release(&o->reserve);
     folder_lock_release(&o->lock);
 }
 
@@ -177,13 +179,34 @@ floe_status output_row(run_output *o, sim *s)
     sim_account_for(s, &totals);
     for (int m = 0; m < s->scene->n_materials; m++) pressure[m] = mean_pressure(s, m);
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) mpm_angular_momentum(s->mpm, b, spin[b]);
-    return history_append(o->history, s, &(history_row){&totals, pressure, (const double(*)[3])spin});
+    TRY(history_append(o->history, s, &(history_row){&totals, pressure, (const double(*)[3])spin}));
+    o->checkpoint.owed &= ~(int64_t)CHECKPOINT_OWED_ROW;
+    return FLOE_OK;
 }
 
 floe_status output_snapshot(run_output *o, sim *s)
 {
     TRY(sim_refresh(s));
-    return snapshot_write(o->snapshots, s);
+    TRY(snapshot_write(o->snapshots, s));
+    o->checkpoint.owed &= ~(int64_t)CHECKPOINT_OWED_SNAPSHOT;
+    return FLOE_OK;
+}
+
+floe_status output_keep_room(run_output *o, const sim *s)
+{
+    char path[OUTPUT_PATH];
+    output_path(o, OUTPUT_RESERVE, path);
+    name_extra(o, s);
+    return disk_reserve_take(&o->reserve, o->ctx, path, checkpoint_most_bytes(s, &o->checkpoint));
+}
+
+void output_give_room(run_output *o, const sim *s)
+{
+    char path[OUTPUT_PATH];
+    disk_reserve_release(&o->reserve);
+    if (!o->newest_is_whole || disk_free_bytes(o->dir) >= (double)checkpoint_most_bytes(s, &o->checkpoint)) return;
+    output_path(o, OUTPUT_PREVIOUS, path);
+    if (file_remove(o->ctx, path) != FLOE_OK) context_clear(o->ctx);
 }
 
 floe_status output_sync(run_output *o)

@@ -6,6 +6,7 @@
 #include "io/checkpoint/checkpoint.h"
 #include "io/history.h"
 #include "io/lock.h"
+#include "io/reserve.h"
 #include "io/snapshot/snapshot.h"
 
 enum { OUTPUT_PATH = 4096 };
@@ -13,6 +14,7 @@ enum { OUTPUT_PATH = 4096 };
 /* The two latest: the newest, and what that name held before. */
 #define OUTPUT_CHECKPOINT "checkpoint.h5"
 #define OUTPUT_PREVIOUS "checkpoint-previous.h5"
+#define OUTPUT_RESERVE "checkpoint.reserve"
 
 typedef struct run_output {
     context *ctx;               /* not owned */
@@ -23,6 +25,7 @@ typedef struct run_output {
     history *history;           /* owned */
     snapshot_series *snapshots; /* owned */
     checkpoint_run checkpoint;
+    disk_reserve reserve;      /* room for one more */
     bool newest_is_whole;      /* checkpoint.h5 is, as this run has read or written it */
     char note[1024];           /* what went otherwise than asked as the run went on, to be said; "": nothing */
     checkpoint_extra extra[3]; /* the loaded surface points; the markers on surfaces of solids; the edges of solids */
@@ -36,10 +39,14 @@ floe_status output_resume(run_output *o, sim *s, const char *dir);
 /* Frees what *o owns; a zeroed one is fine. */
 void output_end(run_output *o);
 
-/* A row of the history, with the ledger brought up to date. */
+/* A row of the history, with the ledger brought up to date. What could be written is owed no longer. */
 floe_status output_row(run_output *o, sim *s);
 /* A snapshot of the fields. */
 floe_status output_snapshot(run_output *o, sim *s);
+/* Keeps room on the disk for a checkpoint, as DIR/checkpoint.reserve, until it is given back. */
+floe_status output_keep_room(run_output *o, const sim *s);
+/* Gives the room back, and that of the checkpoint before the newest if the disk is still too full for another one. */
+void output_give_room(run_output *o, const sim *s);
 /* Waits until the rows are on the disk. */
 floe_status output_sync(run_output *o);
 /* A new checkpoint, beside which the one before it stays; `wall` is the wall time spent so far (s), earlier legs included. */

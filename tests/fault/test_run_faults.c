@@ -38,6 +38,7 @@ typedef struct fixture {
     trial t;
     char folder[PATH], whole[2 * PATH], part[2 * PATH];
     const run_variant *v;
+    double time; /* s, that the last run has reached */
 } fixture;
 
 static void fixture_begin(fixture *f, const run_variant *v)
@@ -69,7 +70,10 @@ static void fixture_end(fixture *f)
 static floe_status run_in(fixture *f, const char *dir, bool resume)
 {
     run_summary summary;
-    return run_scene(f->t.ctx, f->t.scene, &(run_options){.dir = dir, .resume = resume, .threads = 1}, &summary);
+    const run_options options = {.dir = dir, .resume = resume, .threads = 1};
+    const floe_status status = run_scene(f->t.ctx, f->t.scene, &options, &summary);
+    f->time = summary.time;
+    return status;
 }
 
 static void path_in(char path[3 * PATH], const char *dir, const char *name)
@@ -201,6 +205,56 @@ static int sweep_disk(fixture *f, int error, bool lasting, const char *words)
     return tries;
 }
 
+/* The time that a run says that it has reached and saved. */
+static bool has_saved(fixture *f)
+{
+    char words[64];
+    (void)snprintf(words, sizeof words, "a checkpoint of t = %.6g", f->time);
+    return strstr(context_message(f->t.ctx), words) != NULL;
+}
+
+/* A disk that is full from the n-th call on, but for the room that was kept: no step is lost. */
+static int sweep_full_disk(fixture *f)
+{
+    int n = 1, saved = 0;
+    for (bool fired = true; fired; n += stride(7)) {
+        clear(f->part);
+        fault.relents = true;
+        fault_arm(n, ENOSPC, true);
+        const floe_status status = run_in(f, f->part, false);
+        fired = fault.fired;
+        fault.relents = false;
+        fault_arm(0, 0, false);
+        assert_in_range(n, 1, MOST_FAULTS);
+        if (status == FLOE_OK) continue; /* only a checkpoint has failed */
+        /* Before its first row a run has nothing to lose, and with its summary it has ended. */
+        const bool ended = strstr(context_message(f->t.ctx), "summary.json") != NULL;
+        const bool began = !ended && is_there(f->part, "run.log") && is_there(f->part, "summary.json");
+        if (began && !has_saved(f)) print_error("call %d: %s\n", n, context_message(f->t.ctx));
+        check_true(!began || has_saved(f));
+        saved += began;
+        check_fails(f->t.ctx, status, FLOE_IO);
+        check_true(!is_there(f->part, "checkpoint.reserve"));
+        goes_on(f);
+    }
+    same_results(f);
+    return saved;
+}
+
+static void full_disks_lose_no_step(void **unused)
+{
+    (void)unused;
+    for (size_t k = 0; k < VARIANTS; k++) {
+        fixture f;
+        fixture_begin(&f, &variants[k]);
+        check_ok(f.t.ctx, run_in(&f, f.whole, false));
+        const int saved = sweep_full_disk(&f);
+        print_message("%s: %d times saved from a full disk\n", f.v->name, saved);
+        check_true(saved > 4);
+        fixture_end(&f);
+    }
+}
+
 static void every_write_may_fail(void **unused)
 {
     (void)unused;
@@ -221,6 +275,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(every_write_may_fail),
+        cmocka_unit_test(full_disks_lose_no_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

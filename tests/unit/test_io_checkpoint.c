@@ -6,6 +6,8 @@
 #include "io/sealed.h"
 #include "test_io_faults.h"
 
+#include <sys/stat.h>
+
 static const fixture_spec coupled = {.dim = 2, .cells = {24, 20}, .with_points = true, .with_cells = true};
 
 static fixture_spec empty_one(int blocks_x, int blocks_y)
@@ -97,6 +99,16 @@ static void same_state(const fixture *a, const fixture *b)
     same_clocks(&a->sim, &b->sim);
 }
 
+/* What is kept for it on the disk is enough, and not much more. */
+static void fits_its_room(const fixture *f, const char *path, const checkpoint_run *run)
+{
+    struct stat about;
+    const size_t most = checkpoint_most_bytes(&f->sim, run);
+    assert_int_equal(stat(path, &about), 0);
+    assert_in_range(about.st_size, 1, most);
+    check_true((double)most < 1.1 * (double)about.st_size + 512.0 * 1024.0);
+}
+
 static void round_trips_over_blocks(void **state)
 {
     (void)state;
@@ -120,6 +132,7 @@ static void round_trips_over_blocks(void **state)
     assert_int_equal(b.mpm.points[3][1].tile_start[b.sim.mesh.block[3].n_tiles], b.mpm.points[3][1].n);
     check_ok(b.ctx, checkpoint_write(&b.sim, second, &run));
     fixture_same_files(a.ctx, first, second);
+    fits_its_room(&b, second, &run);
     fixture_free(&b);
     fixture_free(&a);
     fixture_remove_folder(folder);

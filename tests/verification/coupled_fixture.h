@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "deck/deck.h"
 #include "io/checkpoint/checkpoint.h"
+#include "io/file.h"
 #include "io/gather.h"
 #include "io/io.h"
 #include "run/catalogue.h"
@@ -268,7 +269,12 @@ FIXTURE void write_checkpoint(const trial *t, const char *path)
 {
     checkpoint_extra extra[FIXTURE_EXTRAS];
     const checkpoint_run run = checkpoint_of(t, extra);
+    size_t size;
+    char *data;
     check_ok(t->ctx, checkpoint_write(t->sim, path, &run));
+    check_ok(t->ctx, file_read(t->ctx, path, &data, &size));
+    memory_free(t->ctx, &data);
+    assert_in_range(size, 1, checkpoint_most_bytes(t->sim, &run));
 }
 
 FIXTURE void read_checkpoint(const trial *t, const char *path)

@@ -111,3 +111,36 @@ floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_ru
     memory_free(s->ctx, &image);
     return status;
 }
+
+/* What HDF5 adds to each array, and to the file. */
+enum { BYTES_BESIDE_ARRAY = 2048, BYTES_BESIDE_ALL = 256 * 1024 };
+
+typedef struct size_sum {
+    const sim *s;
+    size_t bytes;
+} size_sum;
+
+static size_t body_points(const sim *s, int body)
+{
+    size_t n = 0;
+    for (int b = 0; b < s->mesh.n_blocks; b++) n += s->mpm->points[b][body].n;
+    return n;
+}
+
+static floe_status add_array(void *user, const state_array *array)
+{
+    size_sum *sum = user;
+    const bool points = field_describe(array->id)->centring == FIELD_POINT;
+    const size_t n = points ? body_points(sum->s, array->instance) : mesh_cells(&sum->s->mesh);
+    sum->bytes += n * sizeof(double) + BYTES_BESIDE_ARRAY;
+    return FLOE_OK;
+}
+
+size_t checkpoint_most_bytes(const sim *s, const checkpoint_run *run)
+{
+    size_sum sum = {s, BYTES_BESIDE_ALL};
+    (void)checkpoint_visit_state(s, add_array, &sum);
+    for (int i = 0; i < run->n_extra; i++)
+        sum.bytes += run->extra[i].n * run->extra[i].components * sizeof(double) + BYTES_BESIDE_ARRAY;
+    return sum.bytes + 4 * (strlen(run->deck) + strlen(run->identity));
+}

@@ -39,6 +39,9 @@ typedef struct checkpoint_run {
  * untouched. */
 floe_status checkpoint_write(const sim *s, const char *path, const checkpoint_run *run);
 
+/* No checkpoint of `s` as it is takes more, in bytes. */
+size_t checkpoint_most_bytes(const sim *s, const checkpoint_run *run);
+
 /* Sets `s`, fresh from sim_create for the same scene, to the state of the checkpoint; points are sorted into their
  * blocks by mpm_resort. FLOE_IO, with a message of its own, for a file that is not there, foreign, cut short, damaged,
  * of another kind, format or version; FLOE_BAD_INPUT for another deck, mesh or plan (the first difference is shown).
