@@ -124,6 +124,34 @@ bar() {
     [ "$met" = met ] || printf 'results.sh: %s: missed: %s: %s instead of %s %s\n' "$name" "$1" "$measured" "$3" "$limit" >&2
 }
 
+# order_table FILE COUPLING METRIC...: errors at each spacing, and the fitted order.
+order_table() {
+    local file=$1 coupling=$2 h m b s head='| h | steps |' rule='|---|---|' row orders='| **order** | |'
+    shift 2
+    for m in "$@"; do
+        head+=" $m |"
+        rule+='---|'
+    done
+    write "$head wall time |" "$rule---|"
+    for h in $(cases "$file" "$coupling"); do
+        row="| $h | $(value "$file" "$coupling" "$h" steps) |"
+        for m in "$@"; do row+=" $(printf %.3e "$(value "$file" "$coupling" "$h" "$m")") |"; done
+        write "$row $(printf %.2g "$(value "$file" "$coupling" "$h" wall_seconds)") s |"
+    done
+    for m in "$@"; do
+        read -r b s < <(order "$file" "$coupling" "$m")
+        orders+=$(printf ' **%.2f** ± %.2f |' "$b" "$s")
+    done
+    write "$orders |" ''
+}
+
+# order_bar WHAT FILE COUPLING METRIC LIMIT
+order_bar() {
+    local b s
+    read -r b s < <(order "$2" "$3" "$4")
+    bar "$1 (± $(printf %.2f "$s"))" "$b" '>=' "$5" %.2f
+}
+
 # show_bars: the page's bars as a table.
 show_bars() {
     write '| what | measured | bar | |' '|---|---|---|---|'

@@ -104,8 +104,9 @@ def rooms(tree):
     return sorted({path.split("/")[1] for path in tree.files("src") if path.count("/") > 1})
 
 
-def left_out(tree, couplings, commands, text):
-    """The rooms that runs of these couplings, by these commands, do not enter; `text`: of decks and commands. Nothing is known: none."""
+def left_out(tree, couplings, commands, text, draws):
+    """The rooms that runs of these couplings, by these commands, do not enter; `text`: of decks and commands; `draws`: floe's figures of studies are on the
+    page. Nothing is known: none."""
     out = set()
     if couplings == {"ice"}:
         out |= {"mpm", "surface"}
@@ -113,7 +114,7 @@ def left_out(tree, couplings, commands, text):
         out |= {"ice"}
     if couplings and commands:
         out |= {"report"} - commands
-        if not commands & {"report", "picture", "study", "compare", "stability"}:
+        if not commands & ({"report", "picture", "study", "compare", "stability"} if draws else {"report", "picture"}):
             out |= {"draw"}
         if commands <= {"run", "picture"} and "tolerance" not in text:
             out |= {"study", "batch"}
@@ -306,7 +307,7 @@ def line(name, couplings, commands, version, also=()):
     decks = decks_of(commands) or decks_of("inputs/*.yaml")
     text = commands + "".join(tree.text(deck) for deck in decks)
     words = set(re.findall(r"^ *floe (\w+)", commands, re.MULTILINE))
-    without = sorted(left_out(tree, set(couplings), words, text))
+    without = sorted(left_out(tree, set(couplings), words, text, not script_of(name).endswith(".py")))
     modified = "" if built_from(version, without, also) else "-modified"
     parts = [f"sources {sources_hash(tree, without, also)}{modified}"]
     parts[0] += f" without {' '.join(without)}" if without else ""
