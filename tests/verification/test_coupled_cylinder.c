@@ -94,7 +94,7 @@ static void test_paper(void **state)
     context_destroy(&ctx);
     print_message("slope %.3f +- %.3f\n", fit.order, fit.standard_error);
     check_true(fit.order >= 0.89 - 2.0 * fit.standard_error);
-    check_true(fit.standard_error <= 0.15);
+    check_true(fit.standard_error <= 0.015);
 }
 
 int main(void)

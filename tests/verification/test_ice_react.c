@@ -64,7 +64,7 @@ static void explosion(void **unused)
             fixture_steps(&f, steps, end / steps);
             const double reacted = fixture_value_of(&f, C_RHO, 1) / rho;
             printf("explosion, %d steps: %.9f reacted (%.2f)\n", steps, reacted, xi);
-            check_close(reacted, xi, 1e-6); /* CVODE's tolerance, over a thermal runaway */
+            check_close(reacted, xi, 3.5e-7); /* CVODE's tolerance, over a thermal runaway */
             check_drifts(&f, 1e-13);
             fixture_destroy(&f);
         }
@@ -89,7 +89,7 @@ static void threshold(void **unused)
         const double rho = fixture_value_of(&f, C_RHO, 0);
         fixture_steps(&f, 10, 1e-5);
         const double left = fixture_value_of(&f, C_RHO, 0) / rho;
-        check_close(left, k == 0 ? 1.0 : exp(-1e-4 / tau[k]), k == 0 ? 0.0 : 1e-8);
+        check_close(left, k == 0 ? 1.0 : exp(-1e-4 / tau[k]), k == 0 ? 0.0 : 1.5e-9);
         check_drifts(&f, 1e-13);
         fixture_destroy(&f);
     }
@@ -181,7 +181,7 @@ static void vessel_burns(void **unused)
     printf("vessel: errors of the mass %.2e %.2e %.2e, of the pressure %.2e %.2e %.2e\n", error[0], error[1], error[2],
            pressure[0], pressure[1], pressure[2]);
     check_true(log2(error[0] / error[1]) > 0.9 && log2(error[1] / error[2]) > 0.9);
-    check_true(error[2] < 0.01 && pressure[2] < 0.01);
+    check_true(error[2] < 3e-3 && pressure[2] < 4e-3);
 }
 
 int main(void)

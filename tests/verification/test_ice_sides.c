@@ -146,8 +146,8 @@ static void reservoir(void **state)
         const ptrdiff_t at = mesh_index(&f.mesh.block[0], 8, 0, 0);
         const double found = fixture_array(&f, C_VEL, 0, 0)[at], rho = fixture_array(&f, C_RHO, 0, 0)[at];
         printf("from a reservoir, case %d: u = %.9f of %.9f\n", variant, found, upper ? -u : u);
-        check_close(found, upper ? -u : u, 1e-6);
-        check_close(rho, (1.0 + p_inf) / ((gamma - 1.0) * cv * T), 1e-6);
+        check_close(found, upper ? -u : u, 3e-8);
+        check_close(rho, (1.0 + p_inf) / ((gamma - 1.0) * cv * T), 8e-9);
         check_ledger(&f);
         fixture_destroy(&f);
     }

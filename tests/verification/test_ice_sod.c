@@ -73,7 +73,7 @@ static void error_and_order(void **state)
         fixture_destroy(&f);
     }
     check_true(error[1] <= 0.0026);
-    check_true(fabs(shock) <= 0.003);
+    check_true(fabs(shock) <= 1.2e-3);
     context *ctx = context_create();
     order_fit fit;
     check_ok(ctx, order_fit_power(ctx, 3, h, error, &fit));
