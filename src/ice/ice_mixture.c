@@ -426,7 +426,11 @@ static floe_status close_run(mixture_row *q, const mixture_run *run)
     if (run->count == 0) {
         char place[160];
         ice_place(q->s, q->v->b, run->from, -1, place, sizeof place);
-        return fail(q->s->ctx, FLOE_RETRY, "equilibrium pressure: %s holds no material", place);
+        return fail(
+            q->s->ctx, FLOE_RETRY,
+            "equilibrium pressure: %s holds no material: what was there has left it, and no fluid has followed; fill "
+            "the domain with a fluid (ambient, bodies), or take method.interface: sharp, or a smaller time.cfl",
+            place);
     }
     set_sums(q, run);
     if (run->count == 1)

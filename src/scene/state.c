@@ -68,6 +68,19 @@ bool body_velocity_known(const scene *s, int body, const double x[3])
     return true;
 }
 
+/* A fluid without pressure has no sound, and so no step on the cells to begin with. */
+static floe_status check_begins(const scene *s, const scene_body *b, const fluid_state *state)
+{
+    const eos *law = &s->material[b->material].eos;
+    const double floor = law->model->pressure_floor(law->par);
+    if (s->coupling == COUPLING_MPM || state->pressure > floor) return FLOE_OK;
+    return fail_key(
+        s->ctx, KEY("bodies", b->name, "state"),
+        "exact: the solution '%s' starts from %g Pa, and the pressure of '%s' must be above %g Pa for a run to "
+        "begin; give verify.exact.%s.pressure, far below density speed^2",
+        s->verify.exact, state->pressure, s->material[b->material].name, floor, s->verify.exact);
+}
+
 floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3])
 {
     const scene_body *b = &s->body[body];
@@ -82,9 +95,9 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
             temperature = (double)NAN;
         for (int a = 0; a < 3; ++a) velocity[a] = initial(s, INITIAL_VELOCITY, a, x, velocity[a]);
     }
-    return fail_under(s->ctx,
-                      fluid_state_of(s->ctx, &s->material[b->material].eos, pressure, temperature, density, out),
-                      KEY("bodies", b->name));
+    TRY(fail_under(s->ctx, fluid_state_of(s->ctx, &s->material[b->material].eos, pressure, temperature, density, out),
+                   KEY("bodies", b->name)));
+    return b->initial_from_exact ? check_begins(s, b, out) : FLOE_OK;
 }
 
 floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6])
