@@ -123,7 +123,7 @@ static void put_extra(mpm *s, int which)
 {
     const kept_extra *k = &s->work->kept->extra[which];
     size_t n;
-    double *to = extra_of(s, which, &n);
+    double *to = which == KEPT_EDGES ? mpm_edges_state(s, &n) : extra_of(s, which, &n);
     if (k->n > 0) memcpy(to, k->value, k->n * sizeof *to);
 }
 

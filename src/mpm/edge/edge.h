@@ -74,8 +74,15 @@ typedef struct edge_matrix {
     size_t room;     /* entries */
 } edge_matrix;
 
+/* Nodes lo to end - 1 along each axis. */
+typedef struct edge_box {
+    int lo[MESH_MAX_DIM], end[MESH_MAX_DIM];
+} edge_box;
+
 /* Lines of one group. Owned arrays. */
 typedef struct edge_group {
+    edge_box box;    /* has all nodes of lines that are remembered */
+    edge_box filled; /* in the last look */
     edge_line *line;
     edge_node *node;
     edge_copy *copy;     /* of each node, that of the block which owns it first */
@@ -113,7 +120,7 @@ struct mpm_edges {
     size_t n_memory, accelerations, lines, travel, bearing;
     double *fill;            /* of the group in hand, per global node: share that its solids fill. Owned */
     int *owner;              /* the body that fills it; negative: none, or several. Owned */
-    int *index;              /* per global node: in the list of the group's nodes, -1: in none. Owned */
+    int *index;              /* per global node: in the list that is being made, -1: not in it. Owned */
     edge_motion *motion;     /* of each body; owned */
     double *solve;           /* room of the solver; owned */
     size_t solve_room;       /* nodes */
@@ -174,7 +181,7 @@ static inline bool edge_body(const mpm *s, int body)
 /* Nodes and weights of the taps of a line along l->axis from a node on; false where one is beyond the mesh. */
 bool edge_find_taps(const mpm *s, int group, const int first[MESH_MAX_DIM], int tap[EDGE_TAPS][MESH_MAX_DIM],
                     edge_line *l);
-/* Calls for every node from which a line along an axis may begin, and for the image of the first inner one. */
+/* Calls for every node of the group's box from which a line along an axis may begin, and for the image of the first inner one. */
 typedef floe_status edge_visit(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user);
 floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user);
 

@@ -77,14 +77,15 @@ bool edge_find_taps(const mpm *s, int group, const int first[MESH_MAX_DIM], int 
 
 floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user)
 {
-    const mpm_edges *e = s->work->edges;
+    const edge_box *box = &s->work->edges->group[group].box;
     for (int axis = 0; axis < s->mesh->dim; ++axis) {
-        const bool periodic = s->mesh->periodic[axis];
-        int lo[MESH_MAX_DIM] = {0, 0, 0}, end[MESH_MAX_DIM];
-        memcpy(end, e->nodes, sizeof end);
-        if (!periodic) {
-            lo[axis] = -1;
-            end[axis] = s->mesh->n[axis] + 3 - edge_taps(s);
+        const int last = s->mesh->n[axis] + 3 - edge_taps(s);
+        int lo[MESH_MAX_DIM], end[MESH_MAX_DIM];
+        memcpy(lo, box->lo, sizeof lo);
+        memcpy(end, box->end, sizeof end);
+        if (!s->mesh->periodic[axis]) {
+            if (lo[axis] <= 1) lo[axis] = -1;
+            if (end[axis] > last) end[axis] = last;
         }
         for (int k = lo[2]; k < end[2]; ++k)
             for (int j = lo[1]; j < end[1]; ++j)
@@ -115,11 +116,22 @@ static bool sees(const mesh *m, const block *b, const edge_node *n, const int pe
     return true;
 }
 
+/* Of a node in the only block, which has no images. */
+static floe_status list_only_copy(mpm *s, edge_group *g, edge_node *n)
+{
+    TRY(make_room(s->ctx, &g->copy, &g->copy_room, g->n_copies + 1, sizeof *g->copy));
+    n->copy = g->n_copies++;
+    n->copies = 1;
+    g->copy[n->copy] = (edge_copy){0, mesh_index(&s->mesh->block[0], n->at[0], n->at[1], n->at[2])};
+    return FLOE_OK;
+}
+
 /* Lists the copies of a node: that of the block which owns it first, then in each block that sees it, and at periodic
  * images. */
 static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
 {
     const mesh *m = s->mesh;
+    if (m->n_blocks == 1 && !m->periodic[0] && !m->periodic[1] && !m->periodic[2]) return list_only_copy(s, g, n);
     int cell[MESH_MAX_DIM], images[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < MESH_MAX_DIM; ++a) cell[a] = n->at[a] == m->n[a] ? n->at[a] - 1 : n->at[a];
     for (int a = 0; a < m->dim; ++a) images[a] = m->periodic[a] ? 1 : 0;
@@ -253,23 +265,27 @@ static floe_status clear_matrix(mpm *s, edge_group *g)
 static void forget_nodes(mpm *s, int group)
 {
     mpm_edges *e = s->work->edges;
+    const edge_box *box = &e->group[group].box;
     const size_t all = edge_all_nodes(e), dim = (size_t)s->mesh->dim;
-    for (size_t k = 0; k < all; ++k)
-        if (e->index[k] < 0)
-            memset(e->memory + e->accelerations + ((size_t)group * all + k) * dim, 0, dim * sizeof *e->memory);
+    for (int k = box->lo[2]; k < box->end[2]; ++k)
+        for (int j = box->lo[1]; j < box->end[1]; ++j)
+            for (int i = box->lo[0]; i < box->end[0]; ++i) {
+                const size_t node = edge_number(e, (const int[]){i, j, k});
+                double *accelerations = e->memory + e->accelerations + ((size_t)group * all + node) * dim;
+                if (e->index[node] < 0) memset(accelerations, 0, dim * sizeof *accelerations);
+            }
 }
 
 static floe_status list_group(mpm *s, int group)
 {
     mpm_edges *e = s->work->edges;
     edge_group *g = &e->group[group];
-    const size_t all = edge_all_nodes(e);
     g->listed = false;
     g->n_lines = g->n_copies = 0;
     g->n_nodes = 0;
-    for (size_t k = 0; k < all; ++k) e->index[k] = -1;
     TRY(edge_visit_starts(s, group, list_line, NULL));
     forget_nodes(s, group);
+    for (int n = 0; n < g->n_nodes; ++n) e->index[edge_number(e, g->node[n].at)] = -1;
     g->listed = g->n_nodes == 0; /* no line yet: no rows, and no room for them either */
     if (g->listed) return FLOE_OK;
     TRY(clear_matrix(s, g));
@@ -318,11 +334,17 @@ floe_status edges_find(mpm *s, int group, bool anew)
     const double *bearing = &e->memory[e->bearing + (size_t)group];
     bool changed = false;
     if (!(g->speed > 0.0)) return FLOE_OK;
-    if (!g->listed) TRY(list_group(s, group));
+    if (!g->listed) { /* what is remembered may lie anywhere */
+        g->box = (edge_box){.end = {e->nodes[0], e->nodes[1], e->nodes[2]}};
+        TRY(list_group(s, group));
+    }
     g->bearing = bearing_nodes(s, group);
     g->looked = anew || *travelled > long_way || g->bearing < *bearing || g->bearing > *bearing;
-    if (g->looked) TRY(edges_look(s, group, &changed));
-    return changed ? list_group(s, group) : FLOE_OK;
+    if (!g->looked) return FLOE_OK;
+    TRY(edges_look(s, group, &changed));
+    if (changed) TRY(list_group(s, group));
+    g->box = g->filled;
+    return FLOE_OK;
 }
 
 floe_status edges_create(mpm *s)
@@ -349,7 +371,9 @@ floe_status edges_create(mpm *s)
     TRY(memory_new(s->ctx, &e->motion, (size_t)s->n_bodies, sizeof *e->motion));
     TRY(memory_new(s->ctx, &e->fill, nodes, sizeof *e->fill));
     TRY(memory_new(s->ctx, &e->owner, nodes, sizeof *e->owner));
-    return memory_new(s->ctx, &e->index, nodes, sizeof *e->index);
+    TRY(memory_new(s->ctx, &e->index, nodes, sizeof *e->index));
+    for (size_t k = 0; k < nodes; ++k) e->index[k] = -1;
+    return FLOE_OK;
 }
 
 void edges_free(context *ctx, mpm_edges **e)

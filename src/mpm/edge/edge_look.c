@@ -58,6 +58,14 @@ static void fill_tile(const mpm *s, int body, int blk, int tile)
     s->work->kernel.fill(s->mesh, &box, &p, range[0], range[1], out);
 }
 
+static void take_into(edge_box *box, const int at[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        if (at[a] < box->lo[a]) box->lo[a] = at[a];
+        if (at[a] >= box->end[a]) box->end[a] = at[a] + 1;
+    }
+}
+
 /* Adds what a solid fills of a node, and makes the node its own, or nobody's if another body is there. Membranes have no
  * edges, but the nodes that they share with a solid are not its alone: held as if they were, they take the energy of a
  * membrane that slides along it. Points of fluid share them unharmed: they move with the solid's surface there. */
@@ -78,6 +86,7 @@ static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
         return;
     }
     e->fill[number] += fill;
+    take_into(&e->group[own_group].filled, global);
     e->owner[number] = e->owner[number] == NO_BODY ? body : SHARED;
 }
 
@@ -106,6 +115,10 @@ static void fill_group(mpm *s, int group)
     for (size_t k = 0; k < edge_all_nodes(e); ++k) {
         e->fill[k] = 0.0;
         e->owner[k] = NO_BODY;
+    }
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        e->group[group].filled.lo[a] = e->nodes[a];
+        e->group[group].filled.end[a] = 0;
     }
     for (int body = 0; body < s->n_bodies; ++body)
         if (s->body[body].group == group && edge_body(s, body)) fill_nodes(s, body);
@@ -179,7 +192,12 @@ static floe_status judge_line(mpm *s, int group, int axis, const int first[MESH_
 
 floe_status edges_look(mpm *s, int group, bool *changed)
 {
+    edge_group *g = &s->work->edges->group[group];
     *changed = false;
     fill_group(s, group);
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        if (g->filled.lo[a] < g->box.lo[a]) g->box.lo[a] = g->filled.lo[a];
+        if (g->filled.end[a] > g->box.end[a]) g->box.end[a] = g->filled.end[a];
+    }
     return edge_visit_starts(s, group, judge_line, changed);
 }
