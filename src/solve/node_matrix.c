@@ -4,13 +4,16 @@
 
 #include <string.h>
 
-floe_status node_matrix_create(node_matrix **out, context *ctx, const solve_grid *g, int components, int width)
+floe_status node_matrix_create(node_matrix **out, context *ctx, const solve_grid *g, int components, int width, int arm)
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     node_matrix *m = *out;
-    *m = (node_matrix){.ctx = ctx, .grid = *g, .components = components, .width = width, .side = 2 * width + 1};
+    *m = (node_matrix){
+        .ctx = ctx, .grid = *g, .components = components, .width = width, .arm = arm, .side = 2 * width + 1};
     m->slots = 1;
     for (int a = 0; a < g->dim; ++a) m->slots *= m->side;
+    m->arms = g->dim * arm;
+    m->slots += 2 * m->arms;
     const floe_status status = memory_new(ctx, &m->row, g->size, sizeof *m->row);
     if (status != FLOE_OK) node_matrix_destroy(out);
     return status;
@@ -40,14 +43,31 @@ static int wrapped(const solve_grid *g, int axis, int i)
     return i >= 0 && i < g->n[axis] ? i : -1;
 }
 
+/* How far from its row's unknown that of a slot lies. */
+static void offset_of_slot(const node_matrix *m, int slot, int offset[MESH_MAX_DIM])
+{
+    const int after = slot - (m->slots - m->arms), before = m->arms - 1 - slot;
+    for (int a = 0; a < MESH_MAX_DIM; ++a) offset[a] = 0;
+    if (after >= 0 || before >= 0) {
+        const int arm = after >= 0 ? after : before, far = m->width + 1 + arm % m->arm;
+        offset[arm / m->arm] = after >= 0 ? far : -far;
+        return;
+    }
+    slot -= m->arms;
+    for (int a = 0; a < m->grid.dim; ++a) {
+        offset[a] = slot % m->side - m->width;
+        slot /= m->side;
+    }
+}
+
 /* The place that a slot of the unknown at (i, j, k) couples with, or -1. */
 static int place_of_slot(const node_matrix *m, const int at[MESH_MAX_DIM], int slot)
 {
-    int other[MESH_MAX_DIM] = {0, 0, 0};
+    int offset[MESH_MAX_DIM], other[MESH_MAX_DIM] = {0, 0, 0};
+    offset_of_slot(m, slot, offset);
     for (int a = 0; a < m->grid.dim; ++a) {
-        other[a] = wrapped(&m->grid, a, at[a] + slot % m->side - m->width);
+        other[a] = wrapped(&m->grid, a, at[a] + offset[a]);
         if (other[a] < 0) return -1;
-        slot /= m->side;
     }
     return (int)solve_index(&m->grid, other[0], other[1], other[2]);
 }

@@ -41,12 +41,13 @@ static bool coarse_grid(const solve_grid *g, bool *coarsened, solve_grid *out)
     return any;
 }
 
-static floe_status add_level(node_multigrid *m, const solve_grid *g, int components, int width)
+static floe_status add_level(node_multigrid *m, const solve_grid *g, int components, int width, int arm)
 {
     node_level *l = &m->level[m->n++];
     const size_t size = (size_t)components * g->size;
-    TRY(node_matrix_create(&l->matrix, m->ctx, g, components, width));
-    TRY(node_smoother_create(&l->smoother, l->matrix, m->n == 1));
+    TRY(node_matrix_create(&l->matrix, m->ctx, g, components, width, arm));
+    /* Unknowns that lines bind to those within are light no more: patches about cells would leave out what they are bound to. */
+    TRY(node_smoother_create(&l->smoother, l->matrix, m->n == 1 && arm == 0));
     TRY(memory_new(m->ctx, &l->r, size, sizeof(double)));
     if (m->n == 1) return FLOE_OK;
     TRY(memory_new(m->ctx, &l->x, size, sizeof(double)));
@@ -59,25 +60,27 @@ static int coarse_width(int width)
     return (width + 2) / 2 > 1 ? (width + 2) / 2 : 1;
 }
 
-static floe_status fill(node_multigrid *m, const solve_grid *g, int components, int width)
+static floe_status fill(node_multigrid *m, const solve_grid *g, int components, int width, int arm)
 {
     solve_grid grid = *g, coarse;
-    TRY(add_level(m, &grid, components, width));
+    TRY(add_level(m, &grid, components, width, arm));
+    width += arm; /* coarse unknowns that an arm couples lie beside each other, too */
     while (m->n < MOST_LEVELS && coarse_grid(&grid, m->level[m->n - 1].coarsened, &coarse)) {
         bool all = true;
         for (int a = 0; a < grid.dim; ++a) all = all && m->level[m->n - 1].coarsened[a];
         width = all ? coarse_width(width) : width;
         grid = coarse;
-        TRY(add_level(m, &grid, components, width));
+        TRY(add_level(m, &grid, components, width, 0));
     }
     return FLOE_OK;
 }
 
-floe_status node_multigrid_create(node_multigrid **out, context *ctx, const solve_grid *g, int components, int width)
+floe_status node_multigrid_create(node_multigrid **out, context *ctx, const solve_grid *g, int components, int width,
+                                  int arm)
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->ctx = ctx;
-    const floe_status status = fill(*out, g, components, width);
+    const floe_status status = fill(*out, g, components, width, arm);
     if (status != FLOE_OK) node_multigrid_destroy(out);
     return status;
 }

@@ -15,8 +15,9 @@
 
 typedef struct node_multigrid node_multigrid;
 
-/* For matrices on g (copied) of that many components and that width. Errors: FLOE_NO_MEMORY. Owner: the caller. */
-floe_status node_multigrid_create(node_multigrid **out, context *ctx, const solve_grid *g, int components, int width);
+/* For matrices on g (copied) of that many components, that width and arm. Errors: FLOE_NO_MEMORY. Owner: the caller. */
+floe_status node_multigrid_create(node_multigrid **out, context *ctx, const solve_grid *g, int components, int width,
+                                  int arm);
 void node_multigrid_destroy(node_multigrid **m);
 
 /* The finest matrix, for the caller to shape and fill. */

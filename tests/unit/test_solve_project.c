@@ -46,8 +46,8 @@ static void directions_are_taken_out(void **unused)
         bool all[MOST];
         memset(all, 1, sizeof all);
         assert_true((size_t)COMPONENTS * g.size <= MOST);
-        check_ok(ctx, node_matrix_create(&whole, ctx, &g, COMPONENTS, 1));
-        check_ok(ctx, node_matrix_create(&taken, ctx, &g, COMPONENTS, 1));
+        check_ok(ctx, node_matrix_create(&whole, ctx, &g, COMPONENTS, 1, 0));
+        check_ok(ctx, node_matrix_create(&taken, ctx, &g, COMPONENTS, 1, 0));
         check_ok(ctx, node_matrix_shape(whole, all));
         check_ok(ctx, node_matrix_shape(taken, all));
         fill(whole);

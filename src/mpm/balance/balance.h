@@ -122,8 +122,8 @@ floe_status balance_move(mpm *s);
 /* Whether bodies in contact have their gaps from their surfaces (balance_gap.c), which loaded ones are carried with. */
 bool balance_measures_gaps(const mpm *s);
 
-/* How many nodes away along an axis the matrix reaches, with edges that are held or without. */
-int balance_width(const mpm *s);
+/* How many nodes farther along an axis lines of edges that are held couple than points do. */
+int balance_arm(const mpm *s);
 /* Edges held by a penalty (balance_edges.c; nothing without). The lines of an increment. Errors: FLOE_NO_MEMORY. */
 floe_status balance_find_edges(mpm *s);
 /* Their forces (N) at the displacement u (m), added to `inner`, and the differences that they remember then. */

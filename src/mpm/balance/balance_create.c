@@ -75,7 +75,7 @@ static floe_status make_solver(mpm *s)
     w->components = (size_t)(dim * w->layers) * w->grid.size;
     choose_gradients(s, w);
     TRY(find_tiles(s));
-    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim * w->layers, balance_width(s)));
+    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim * w->layers, s->basis->support - 1, balance_arm(s)));
     TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MOST_KRYLOV));
     TRY(rooms_find(s));
     TRY(contact_rest_create(s));

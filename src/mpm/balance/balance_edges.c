@@ -15,10 +15,10 @@ static int count_groups(const mpm *s)
     return s->work->edges ? s->balance->layers : 0;
 }
 
-int balance_width(const mpm *s)
+int balance_arm(const mpm *s)
 {
     const int lines = s->work->edges ? edge_taps(s) - 1 : 0, points = s->basis->support - 1;
-    return lines > points ? lines : points;
+    return lines > points ? lines - points : 0;
 }
 
 floe_status balance_find_edges(mpm *s)
@@ -56,17 +56,15 @@ void balance_pull_edges(mpm *s, const double *u, double *inner)
     for (int g = 0; g < count_groups(s); ++g) pull_group(s, g, u, inner);
 }
 
-/* Entry of a pair of taps, of component c of the matrix, which lie within the matrix's width of each other, around a
+/* Entry of a pair of taps along an axis, of component c of the matrix, which lie within the matrix's reach of each other, around a
  * periodic end where need be. */
-static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int c, double value)
+static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int axis, int c,
+                     double value)
 {
     const int row = m->row[place_of(s, from)];
-    int offset[MESH_MAX_DIM] = {0, 0, 0};
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        offset[a] = to->at[a] - from->at[a];
-        if (abs(offset[a]) > m->width) offset[a] += offset[a] < 0 ? s->mesh->n[a] : -s->mesh->n[a];
-    }
-    if (row >= 0) node_matrix_entries(m, row, c, c)[node_matrix_slot(m, offset)] += value;
+    int far = to->at[axis] - from->at[axis];
+    if (abs(far) > m->width + m->arm) far += far < 0 ? s->mesh->n[axis] : -s->mesh->n[axis];
+    if (row >= 0) node_matrix_entries(m, row, c, c)[node_matrix_slot_along(m, axis, far)] += value;
 }
 
 static void assemble_group(const mpm *s, int layer, node_matrix *m)
@@ -78,7 +76,7 @@ static void assemble_group(const mpm *s, int layer, node_matrix *m)
             const double *w = edge_weights(l, c);
             for (int i = 0; i < edge_taps(s); ++i)
                 for (int j = 0; j < edge_taps(s); ++j)
-                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], layer * s->mesh->dim + c,
+                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], l->axis, layer * s->mesh->dim + c,
                              l->stiffness * w[i] * w[j]);
         }
 }
