@@ -68,7 +68,7 @@ static void test_held(void **unused)
     trial_start(&t);
     double held = mpm_held_room(t.sim->mpm, 1), now;
     print_message("room of an eighth of a sphere: error %.2e\n", held / room - 1.0);
-    check_true(fabs(held / room - 1.0) < 1e-6); /* quadrics fit a sphere */
+    check_true(fabs(held / room - 1.0) < 1e-11); /* quadrics fit a sphere */
     while (t.sim->time < 0.004) check_ok(t.ctx, sim_step(t.sim, INFINITY));
     mpm_totals sum;
     check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
@@ -76,8 +76,8 @@ static void test_held(void **unused)
     held = mpm_held_room(t.sim->mpm, 1);
     print_message("balloon at rest: pressure off by %.2e, gas volume off the room by %.2e\n", now / pressure - 1.0,
                   sum.volume[0] / held - 1.0);
-    check_true(fabs(now / pressure - 1.0) < 1e-4); /* 2e-5 */
-    check_true(fabs(sum.volume[0] / held - 1.0) < 1e-5);
+    check_true(fabs(now / pressure - 1.0) < 4e-5); /* 2e-5 */
+    check_true(fabs(sum.volume[0] / held - 1.0) < 1e-7);
     assert_true(isnan(mpm_held_room(t.sim->mpm, 0)));
     check_ok(t.ctx, sim_account(t.sim));
     for (int a = 0; a < 3; ++a)

@@ -177,8 +177,8 @@ static void test_rests(void **state)
     const sums rest = sum_body(&t, 0);
     const double borne =
         (t.sim->ledger.entry[LEDGER_MOMENTUM_Y][LEDGER_BOUNDARY].value - before) / (t.sim->time - from);
-    check_close(borne, rest.mass * g, 1e-3 * rest.mass * g);
-    check_true(fabs(rest.place[1] - 0.2) < 2e-3);
+    check_close(borne, rest.mass * g, 4.5e-7 * rest.mass * g);
+    check_true(fabs(rest.place[1] - 0.2) < 3e-4);
     trial_end(&t);
 }
 

@@ -77,7 +77,7 @@ static void bars_across_a_gap(void **unused)
                               push / closes, right.sum, wanted, right.worst / scale,
                               t.sim->ledger.count[COUNT_BALANCE_ITERATIONS]);
             /* Strains are 2e-4; measured 1.2e-4 in one increment, 7e-4 in five, of points that are not quite where the surface is. */
-            check_true(fabs(right.sum - wanted) <= 2e-3 * scale);
+            check_true(fabs(right.sum - wanted) <= 7.5e-4 * scale);
             check_true(right.worst <= 0.04 * scale); /* at the end that is loaded: splines 3 % */
             trial_end(&t);
         }
@@ -106,7 +106,7 @@ static void bars_part_again(void **unused)
                       right.worst / -wanted);
         check_true(t.sim->ledger.count[COUNT_CONTACT_RELEASE] > 0);
         /* On its way the end of the left bar went through some thousandths of a cell, and 60 of stress: gimp leaves 1 % of that in a point. */
-        check_true(left.worst <= 0.02 * 60.0 && right.worst <= 5e-3 * -wanted);
+        check_true(left.worst <= 0.02 * 60.0 && right.worst <= 1.2e-4 * -wanted);
         trial_end(&t);
     }
 }
