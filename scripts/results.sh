@@ -33,6 +33,7 @@
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
 #   picture       the pictures of the README
 #   gallery       every deck with its picture
+#   mutants       faults that the quick tests do not see: only when named, after scripts/mutants.py (hours)
 # Each is made by scripts/results/NAME.py, or by NAME.bash where it is older. `results.sh stale [--strict]` lists the pages that no longer agree with
 # sources, decks and scripts; with --strict it fails if there is any. `results.sh index` writes the index anew. Without a name: all, in some hours. The index, docs/results/README.md, lists every bar, met or missed.
 set -euo pipefail
@@ -58,7 +59,7 @@ write_index() {
     printf '# Results\n\n*Written by `scripts/results.sh`; do not edit.*\n\n' >"$page"
     write 'From runs that anyone can repeat: `scripts/results.sh`, or `scripts/results.sh NAME` for one page. Bars were set before anything' \
         'was measured.' '' '| page | |' '|---|---|'
-    for file in "${all[@]}" before york-points york-membranes; do
+    for file in "${all[@]}" mutants before york-points york-membranes; do
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
@@ -83,7 +84,7 @@ if [ "${1:-}" = index ]; then
 fi
 [ $# -gt 0 ] || set -- "${all[@]}"
 for wanted in "$@"; do
-    [[ " ${all[*]} " == *" $wanted "* ]] || {
+    [[ " ${all[*]} mutants " == *" $wanted "* ]] || {
         echo "results.sh: unknown result '$wanted'; there are: ${all[*]}" >&2
         exit 2
     }

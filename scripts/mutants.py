@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""mutants.py: what do the quick tests not see? Faults are put into the sources one at a time, drawn by a seed from every operator and constant of
+src/mpm, src/ice, src/coupling and src/study in equal shares, and the quick tests that could see one are run until the first fails.
+
+    scripts/mutants.py [--seed S] [--mutants N] [--first K]   builds and runs; goes on where it was stopped
+    scripts/mutants.py --again                                what has survived once more (with new tests, say)
+    scripts/mutants.py --list                                 the draw, and what is known of each
+    scripts/mutants.py --only N                               number N of the draw alone, with what its tests say
+    scripts/mutants.py --page                                 docs/results/mutants.md from what is known
+Equivalent mutants are in scripts/lib/mutation/equivalent.txt, each with its proof; why others may live in survivors.txt beside it."""
+import argparse
+import os
+import shutil
+import sys
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
+sys.dont_write_bytecode = True
+from mutation import page  # noqa: E402
+from mutation.draw import plan  # noqa: E402
+from mutation.tests import Runner, State, build, look, source_hash, try_mutant  # noqa: E402
+
+
+def show(mutants, state):
+    for s in mutants:
+        known = state.data["mutants"].get(s.key(), {"status": "not run", "by": ""})
+        print(f"{s.order:4d} {known['status']:9s} {s.path}:{s.line}: `{s.token}` -> `{s.changed}`{' (rebuilt)' if s.rebuild else ''}: "
+              f"{s.source[:110]}   {known['by']}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seed", type=int, default=18)
+    parser.add_argument("--mutants", type=int, default=200)
+    parser.add_argument("--first", type=int)
+    parser.add_argument("--hours", type=float, default=8.0, help="CPU hours, all together")
+    parser.add_argument("--longest", type=float, default=1e9, help="seconds: leave longer tests for a later call (--again runs what is new)")
+    parser.add_argument("--folder", default=os.path.join(ROOT, "build", "mutants"))
+    for flag in ("again", "list", "page", "no-build"):
+        parser.add_argument("--" + flag, action="store_true")
+    parser.add_argument("--only", type=int, action="append")
+    arguments = parser.parse_args()
+    os.makedirs(arguments.folder, exist_ok=True)
+    os.environ.setdefault("CMAKE_C_COMPILER_LAUNCHER", "ccache" if shutil.which("ccache") else "")
+    state = State(arguments.folder)
+    names, draw, mutants, trees = plan(arguments.seed, arguments.mutants, arguments.folder, state)
+    if arguments.list:
+        return show(mutants, state)
+    if arguments.page:
+        return page.write(arguments.seed, draw, mutants, state, names)
+    print(f"seed {arguments.seed}: {len(mutants)} mutants of {sum(draw.total.values())} sites", flush=True)
+    if not arguments.no_build:
+        build(names, draw, mutants, trees, state)
+    look(state, trees["note"], mutants, arguments.longest)
+    runner = Runner(trees["switch"])
+    commit = source_hash(names)
+    started = time.monotonic()
+    for s in mutants[:arguments.first]:
+        known = state.data["mutants"].get(s.key())
+        wanted = not known or (arguments.again and known["status"] == "survived")
+        if arguments.only:
+            wanted = s.order in arguments.only
+        if not wanted:
+            continue
+        if sum(state.data["cpu"].values()) > 3600.0 * arguments.hours:
+            print("the CPU hours are spent", flush=True)
+            break
+        r = try_mutant(state, runner, s, commit, arguments.longest)
+        print(f"{s.order:4d} {r['status']} {s.path}:{s.line} `{s.token}` -> `{s.changed}` {r['by']} {r['said']} ({r['ran']} tests, {r['cpu']:.1f} s)",
+              flush=True)
+    print(f"{time.monotonic() - started:.0f} s", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
