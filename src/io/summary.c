@@ -98,6 +98,7 @@ static bool set_all(json_t *object, const run_summary *r)
            json_put(object, "cell_updates", count(r->cell_updates)) &&
            json_put(object, "point_updates", count(r->point_updates)) && set_memory(object, r) &&
            set_conservation(object, r) && set_warnings(object, r) &&
+           json_put(object, "reference_accuracy", json_number(r->reference_accuracy)) &&
            set_values(object, "errors", r->errors, r->n_errors) && set_counters(object, r) && set_build(object, r);
 }
 

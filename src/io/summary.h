@@ -58,7 +58,8 @@ typedef struct run_summary {
     /* What will not be right, or was not, in words; those beyond the last are left out. */
     char warnings[SUMMARY_MAX_WARNINGS][SUMMARY_WARNING];
     int n_warnings;
-    char notes[SUMMARY_TEXT]; /* drifts beyond 1 %, points lost, floors, guards, merged cells; "": none */
+    double reference_accuracy; /* the relative error that the exact solution itself may have; 0: none that is known */
+    char notes[SUMMARY_TEXT];  /* drifts beyond 1 %, points lost, floors, guards, merged cells; "": none */
     summary_value errors[SUMMARY_MAX_ERRORS];
     int n_errors;
     summary_counter counters[SUMMARY_MAX_COUNTERS];

@@ -158,6 +158,8 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     get_memory(r, object, out);
     get_conservation(r, object, out);
     get_warnings(r, object, out);
+    if (json_object_get(object, "reference_accuracy"))
+        out->reference_accuracy = get_number(r, object, "reference_accuracy");
     get_values(r, object, "errors", out->errors, SUMMARY_MAX_ERRORS, &out->n_errors);
     get_counters(r, object, out);
     get_build(r, object, out);

@@ -14,13 +14,23 @@ double error_of(const run_summary *r, const char *name)
     return NAN;
 }
 
-bool error_is_relative(const char *name)
+static bool is_ratio_to_exact(const char *name)
 {
     metric m;
-    const char *quantity;
-    if (strncmp(name, "rel_", 4) == 0 || history_metric_parse(name, &quantity) != HISTORY_METRIC_COUNT) return true;
     if (metric_parse(NULL, name, &m) != FLOE_OK) return false;
     return m.kind == METRIC_EQ13 || m.kind == METRIC_L1REL || m.kind == METRIC_L2REL || m.kind == METRIC_LINFREL;
+}
+
+bool error_is_relative(const char *name)
+{
+    const char *quantity;
+    if (strncmp(name, "rel_", 4) == 0 || history_metric_parse(name, &quantity) != HISTORY_METRIC_COUNT) return true;
+    return is_ratio_to_exact(name);
+}
+
+double error_floor(const run_summary *r, const char *name)
+{
+    return is_ratio_to_exact(name) ? r->reference_accuracy : 0.0;
 }
 
 const char *error_unit(const char *name, bool dimensionless)

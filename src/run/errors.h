@@ -10,6 +10,8 @@ enum { ERROR_TEXT = 64 };
 double error_of(const run_summary *r, const char *name);
 /* True for an error that is a ratio, which is shown in per cent. */
 bool error_is_relative(const char *name);
+/* What the exact solution may itself be off in a relative error against it; 0: nothing that is known. */
+double error_floor(const run_summary *r, const char *name);
 /* Unit of an error for people: "%", "" or that of its quantity; a dimensionless scene's have none but "%". */
 const char *error_unit(const char *name, bool dimensionless);
 /* "0.123 %", "4.5 Pa", "-" for NAN. */

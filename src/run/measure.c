@@ -155,6 +155,7 @@ static floe_status measure_gas(sim *s, run_summary *r)
 floe_status measure_errors(sim *s, const exact *solution, run_summary *r)
 {
     const scene_verify *v = &s->scene->verify;
+    if (solution->model) r->reference_accuracy = exact_accuracy(solution);
     for (int i = 0; i < v->n_metrics && solution->model; i++) {
         const subject what = find_subject(s, solution);
         metric m;

@@ -133,6 +133,16 @@ bool study_answer_is_close(const study_answer *a)
     return a->next_seconds / (1.0 + a->next_scatter) < a->seconds * (1.0 + a->scatter);
 }
 
+double study_least_level(const study *s, const char *metric)
+{
+    const double floors = 2.0; /* an error of one floor may be none of the run's */
+    double most = 0.0;
+    for (size_t i = 0; i < s->n; i++) {
+        if (study_is_done(&s->list[i])) most = fmax(most, error_floor(&s->list[i].run->summary, metric));
+    }
+    return error_is_relative(metric) ? fmax(floors * most, STUDY_ROUND_OFF) : 0.0;
+}
+
 int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX_TARGETS])
 {
     enum { FINEST = STUDY_MAX_TARGETS - 1 };
@@ -140,8 +150,9 @@ int study_answers(const study *s, const char *metric, study_answer out[STUDY_MAX
     double least, most, target[STUDY_MAX_TARGETS];
     int n = 0;
     if (!range_of(s, metric, &least, &most)) return 0;
-    if (error_is_relative(metric)) least = fmax(least, STUDY_ROUND_OFF);
-    bool has_one_per_cent = !error_is_relative(metric) || most < one_per_cent;
+    const double offered = study_least_level(s, metric);
+    least = fmax(least, offered);
+    bool has_one_per_cent = !error_is_relative(metric) || most < one_per_cent || offered > one_per_cent;
     /* The finest targets that any case reaches, coarsest first. */
     for (double t = round_down(most); t >= least && t > 0.0; t = round_down(0.99 * t)) {
         if (n == FINEST) {

@@ -71,6 +71,8 @@ typedef struct study_answer {
 enum { STUDY_MAX_TARGETS = 4 };
 /* Relative errors below are those of the arithmetic: nothing is chosen by them. */
 #define STUDY_ROUND_OFF 1e-9
+/* The smallest error by which anything is chosen: above round-off, and above what the reference itself is good for. */
+double study_least_level(const study *s, const char *metric);
 /* The times of the best and the next overlap: none is the faster one. */
 bool study_answer_is_close(const study_answer *a);
 /* Answers for sensible targets of one metric; returns how many. */

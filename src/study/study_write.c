@@ -223,6 +223,10 @@ static void print_answers(const study *s, FILE *file)
             study_answer_text(s, &a[k], text, sizeof text);
             (void)fprintf(file, "%s\n", text);
         }
+        const double least = study_least_level(s, s->metric[m]);
+        if (least > STUDY_ROUND_OFF && s->n_groups > 1)
+            (void)fprintf(file, "below %.2g %% in %s nothing is chosen: the reference is good for %.2g %%\n",
+                          100.0 * least, s->metric[m], 50.0 * least);
     }
 }
 

@@ -136,6 +136,12 @@ exact_breaks exact_find_breaks(const exact *solution, double t)
     return out;
 }
 
+double exact_accuracy(const exact *solution)
+{
+    const exact_model *m = solution->model;
+    return m && m->accuracy ? m->accuracy(solution->par, solution->prepared) : 0.0;
+}
+
 double exact_scalar_value(const exact *solution, const char *name, double t)
 {
     const exact_model *model = solution->model;

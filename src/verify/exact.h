@@ -119,6 +119,9 @@ typedef struct exact_model {
     double (*heat_source)(const void *par, const void *prepared, int dim, const double x[3], double t);
     /* Where it jumps at time t; NULL: nowhere. */
     void (*breaks)(const void *par, const void *prepared, double t, exact_breaks *out);
+    /* The relative error with which it stands for what floe solves (of small strains, of its own nets); NULL: none that is
+     * known. */
+    double (*accuracy)(const void *par, const void *prepared);
     /* The i-th of `scalars` at time t (most do not depend on it); NULL if none. */
     double (*scalar)(const void *par, const void *prepared, size_t i, double t);
 } exact_model;
@@ -168,6 +171,8 @@ void exact_body_force(const exact *solution, const double x[3], double t, double
 double exact_heat_source(const exact *solution, const double x[3], double t);
 /* Planes of discontinuity at t; count is 0 when there are none. */
 exact_breaks exact_find_breaks(const exact *solution, double t);
+/* The relative error that the solution itself may have; 0: it is exact, as far as is known. */
+double exact_accuracy(const exact *solution);
 /* The scalar of that name; NAN if there is none. */
 double exact_scalar_value(const exact *solution, const char *name, double t);
 

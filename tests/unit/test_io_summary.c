@@ -15,6 +15,7 @@ static run_summary some_summary(fixture *f)
                      .wall_seconds = 1.0 / 3.0,
                      .output_seconds = 0.25,
                      .cpu_seconds = 0.125,
+                     .reference_accuracy = 3e-4,
                      .peak_rss_bytes = 123456789012345,
                      .threads = 2};
     (void)snprintf(r.deck, sizeof r.deck, "inputs/pressurized \"cylinder\".yaml");
@@ -69,6 +70,7 @@ static void has_fields_of_contract(void **state)
                                       "counters",
                                       "floe",
                                       "interface",
+                                      "reference_accuracy",
                                       NULL};
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};

@@ -195,6 +195,20 @@ static void lucky_errors_do_not_count(void **state)
     for (int k = 0; k < n; k++) check_true(a[k].target >= 0.0125 || a[k].best != 0);
 }
 
+/* A level below twice what the reference is good for is not offered; of errors that are none against it, it is. */
+static void levels_end_above_the_reference(void **state)
+{
+    fixture *f = *state;
+    study_answer a[STUDY_MAX_TARGETS];
+    for (size_t i = 0; i < CASES; i++) f->run[i].summary.reference_accuracy = 0.004;
+    const int n = study_answers(&f->s, "l2rel_density", a); /* ice-mpm comes to 0.0025 */
+    check_true(n >= 1);
+    for (int k = 0; k < n; k++) check_true(a[k].target >= 0.008);
+    check_close(study_least_level(&f->s, "l2rel_density"), 0.008, 1e-15);
+    check_true(study_least_level(&f->s, "rel_gas_pressure") == STUDY_ROUND_OFF);
+    check_true(study_least_level(&f->s, "l2_density") == 0.0);
+}
+
 /* Nothing is chosen on round-off. */
 static void round_off_chooses_nothing(void **state)
 {
@@ -280,6 +294,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(answers_follow_the_laws, set_up, tear_down),
         cmocka_unit_test_setup_teardown(close_times_are_not_told_apart, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lucky_errors_do_not_count, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(levels_end_above_the_reference, set_up, tear_down),
         cmocka_unit_test_setup_teardown(round_off_chooses_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(nothing_is_extrapolated, set_up, tear_down),
         cmocka_unit_test_setup_teardown(bars_judge_groups_and_cases, set_up, tear_down),

@@ -25,11 +25,23 @@ static void test_lame_values(void **state)
     check_close(get(&f, EXACT_SIGMA_THETA, 0.0, -0.5, 0.0), 5.0 / 3.0 * load, 1e-7);
     check_close(exact_scalar_value(&f.solution, "stress_sum", 0.0), 2.0 / 3.0 * load, 1e-8);
     check_close(exact_scalar_value(&f.solution, "bore_displacement", 0.0), 0.5 * 3.2e-4, 0.5e-6);
+    check_close(exact_accuracy(&f.solution), 3.2e-4, 1e-6); /* the bore's strain, which small strains leave out */
     check_close(get(&f, EXACT_STRESS_XX, 0.7, 0.0, 0.0), get(&f, EXACT_SIGMA_R, 0.7, 0.0, 0.0), 1e-8);
     check_close(get(&f, EXACT_STRESS_YY, 0.7, 0.0, 0.0), get(&f, EXACT_SIGMA_THETA, 0.7, 0.0, 0.0), 1e-8);
     const double shear_stress =
         0.5 * (get(&f, EXACT_SIGMA_R, 0.5, 0.5, 0.0) - get(&f, EXACT_SIGMA_THETA, 0.5, 0.5, 0.0));
     check_close(get(&f, EXACT_STRESS_XY, 0.5, 0.5, 0.0), shear_stress, 1e-8);
+    exact_destroy(ctx, &f.solution);
+
+    make(ctx, &f, "lame", 2, SET({"inner_pressure", 0.1 * load}));
+    check_close(exact_accuracy(&f.solution), 3.2e-5, 1e-7);
+    exact_destroy(ctx, &f.solution);
+
+    /* A sphere's bore: u/r = (P/2G) (r_o^3 (1 + nu) + 2 r_i^3 (1 - 2 nu))/(2 (1 + nu) (r_o^3 - r_i^3)), nu = 1/3. */
+    make(ctx, &f, "lame_sphere", 3, NONE);
+    const double nu = 0.5 * (3.0 * bulk - 2.0 * shear) / (3.0 * bulk + shear);
+    check_close_relative(exact_accuracy(&f.solution),
+                         0.5 * load / shear * (1.0 + nu + 0.25 * (1.0 - 2.0 * nu)) / (2.0 * (1.0 + nu) * 0.875), 1e-12);
     exact_destroy(ctx, &f.solution);
 
     make(ctx, &f, "lame", 2, SET({"outer_pressure", 5e6}, {"centre", 2.0}));

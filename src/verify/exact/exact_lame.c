@@ -72,6 +72,13 @@ static double lame_scalar(const void *par, const void *prepared, size_t i, doubl
     return lame_value(par, prepared, EXACT_DISPLACEMENT_X, 2, bore, t);
 }
 
+/* The bore's strain. */
+static double lame_accuracy(const void *par, const void *prepared)
+{
+    const annulus_par *p = par;
+    return fabs(lame_scalar(par, prepared, BORE_DISPLACEMENT, 0.0)) / p->inner_radius;
+}
+
 static const annulus_par guilkey = ANNULUS_SAMPLE;
 
 const exact_model exact_lame = {
@@ -96,5 +103,6 @@ const exact_model exact_lame = {
     .prepared_size = sizeof(lame_constants),
     .prepare = lame_prepare,
     .value = lame_value,
+    .accuracy = lame_accuracy,
     .scalar = lame_scalar,
 };

@@ -54,6 +54,14 @@ static double sphere_value(const void *par, const void *prepared, exact_quantity
     return is_velocity(quantity) ? 0.0 : (double)NAN;
 }
 
+/* The bore's strain. */
+static double sphere_accuracy(const void *par, const void *prepared)
+{
+    const annulus_par *p = par;
+    const double bore[3] = {p->centre[0] + p->inner_radius, p->centre[1], p->centre[2]};
+    return fabs(sphere_value(par, prepared, EXACT_DISPLACEMENT_X, 3, bore, 0.0)) / p->inner_radius;
+}
+
 static const annulus_par sample_par = ANNULUS_SAMPLE;
 
 const exact_model exact_lame_sphere = {
@@ -75,4 +83,5 @@ const exact_model exact_lame_sphere = {
     .prepared_size = sizeof(sphere_constants),
     .prepare = sphere_prepare,
     .value = sphere_value,
+    .accuracy = sphere_accuracy,
 };
