@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 struct history {
     context *ctx;     /* not owned */
@@ -92,6 +93,12 @@ floe_status history_append(history *h, const sim *s, const history_row *row)
 floe_status history_sync(history *h)
 {
     return line_file_sync(&h->file);
+}
+
+bool history_is_removed(const history *h)
+{
+    struct stat about;
+    return fstat(h->file.descriptor, &about) == 0 && about.st_nlink == 0;
 }
 
 double history_last_time(const history *h)

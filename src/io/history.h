@@ -22,6 +22,8 @@ typedef struct history_row {
 /* Appends a row and hands it to the system. */
 floe_status history_append(history *h, const sim *s, const history_row *row);
 /* Waits until all rows are on the disk; to be called before a checkpoint counts on them. */
+/* The file has no name any more: someone has removed it, or put another in its place. */
+bool history_is_removed(const history *h);
 floe_status history_sync(history *h);
 
 /* Time (s) of the last row, -INFINITY if there is none. */

@@ -38,6 +38,13 @@ bool disk_reserve_is_taken(const disk_reserve *r)
     return r->path != NULL;
 }
 
+floe_status disk_reserve_move(disk_reserve *r, const char *path)
+{
+    if (!r->path) return FLOE_OK;
+    memory_free(r->ctx, &r->path);
+    return memory_string(r->ctx, &r->path, path);
+}
+
 void disk_reserve_release(disk_reserve *r)
 {
     if (!r->path) return;

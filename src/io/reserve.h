@@ -13,6 +13,8 @@ typedef struct disk_reserve {
  * system cannot keep room, none is, and that is no error. */
 floe_status disk_reserve_take(disk_reserve *r, context *ctx, const char *path, size_t bytes);
 bool disk_reserve_is_taken(const disk_reserve *r);
+/* The folder of the file was moved: `path` is its path now. */
+floe_status disk_reserve_move(disk_reserve *r, const char *path);
 /* Gives the room back; a zeroed one is fine. */
 void disk_reserve_release(disk_reserve *r);
 

@@ -3,6 +3,7 @@
 #include "base/threads.h"
 #include "base/timer.h"
 #include "run/checkpoints.h"
+#include "run/follow.h"
 #include "run/log.h"
 #include "run/measure.h"
 #include "run/output.h"
@@ -45,7 +46,9 @@ typedef struct run {
     double cpu_started; /* processor time at the start of this leg, s */
     double cpu_beside;  /* processor time of references, errors and outputs, s */
     run_checkpoints checkpoints;
-    bool began; /* outputs are open */
+    bool checkpoint_wanted; /* at once: the earlier ones were removed */
+    double made_anew;       /* time from which on the outputs are whole, s; NAN: from the start */
+    bool began;             /* outputs are open */
 } run;
 
 /* The status of a summary for which there is more than one: "done", "at_rest", "diverged", "interrupted", "failed". */
@@ -76,17 +79,70 @@ static double wall_spent(const run *r)
     return r->earlier + wall_seconds() - r->started - r->measuring;
 }
 
+/* There are new outputs from here on. A log that cannot be made ends no run. */
+static void begin_anew(run *r)
+{
+    if (run_log_reopen(&r->log, r->output.dir) != FLOE_OK) context_clear(r->ctx);
+    r->made_anew = r->sim->time;
+    r->checkpoint_wanted = true;
+    r->checkpoints.steps = -1;
+    run_checkpoints_keep_room(&r->checkpoints);
+    context_log(r->ctx, LOG_WARNING,
+                "the results in '%s' were removed while the run wrote them: they are those from t = %.6g%s on",
+                r->output.dir, r->made_anew, scene_time_unit(r->scene));
+}
+
+static void say_where(run *r, follow_state state)
+{
+    if (state == FOLLOW_MOVED)
+        context_log(r->ctx, LOG_WARNING, "the folder of the results was moved to '%s': the run goes on there",
+                    r->output.dir);
+    if (state == FOLLOW_ANEW) begin_anew(r);
+}
+
+/* Where the folder is now, before something is written there. */
+static floe_status follow(run *r, follow_state *state)
+{
+    TRY(output_follow(&r->output, r->sim, state));
+    say_where(r, *state);
+    return FLOE_OK;
+}
+
+/* What has failed has, because the folder went at that moment, and is to be tried again. */
+static bool has_followed(run *r)
+{
+    char cause[CONTEXT_MESSAGE_SIZE];
+    follow_state state;
+    (void)snprintf(cause, sizeof cause, "%s", context_message(r->ctx));
+    context_clear(r->ctx);
+    floe_status status = output_follow_failure(&r->output, r->sim, cause, &state);
+    if (status == FLOE_OK) say_where(r, state);
+    /* What was half done there is taken up as on a resume. */
+    if (status == FLOE_OK && state == FOLLOW_MOVED) status = output_reopen(&r->output, r->sim, r->output.dir);
+    if (status == FLOE_OK && state == FOLLOW_MOVED) run_checkpoints_keep_room(&r->checkpoints);
+    if (status == FLOE_OK && state != FOLLOW_HERE) return true;
+    context_clear(r->ctx);
+    (void)fail(r->ctx, FLOE_IO, "%s", cause);
+    return false;
+}
+
 static floe_status checkpoint(run *r)
 {
+    follow_state state;
+    TRY(follow(r, &state));
     const double cpu = cpu_seconds();
-    const floe_status status = run_checkpoints_write(&r->checkpoints, wall_spent(r));
+    floe_status status = run_checkpoints_write(&r->checkpoints, wall_spent(r));
+    if (status == FLOE_IO && has_followed(r)) status = run_checkpoints_write(&r->checkpoints, wall_spent(r));
     r->cpu_beside += cpu_seconds() - cpu;
     return status;
 }
 
 static floe_status checkpoint_if_due(run *r)
 {
-    if (!checkpoint_clock_is_due(&r->checkpoints.clock, wall_seconds())) return FLOE_OK;
+    if (!r->checkpoint_wanted && !checkpoint_clock_is_due(&r->checkpoints.clock, wall_seconds())) return FLOE_OK;
+    follow_state state;
+    TRY(follow(r, &state));
+    r->checkpoint_wanted = false;
     const double cpu = cpu_seconds();
     const floe_status status = run_checkpoints_way(&r->checkpoints, wall_spent(r));
     r->cpu_beside += cpu_seconds() - cpu;
@@ -96,6 +152,8 @@ static floe_status checkpoint_if_due(run *r)
 /* A row or a snapshot; the time that it takes is told apart, as of short runs it is most. */
 static floe_status put_out(run *r, floe_status (*write)(run_output *o, sim *s))
 {
+    follow_state state;
+    TRY(follow(r, &state));
     const double before = wall_seconds(), cpu = cpu_seconds();
     const floe_status status = write(&r->output, r->sim);
     r->putting_out += wall_seconds() - before;
@@ -104,15 +162,22 @@ static floe_status put_out(run *r, floe_status (*write)(run_output *o, sim *s))
 }
 
 /* A snapshot whose page in fields.xdmf could not be written is there, and in the page by now. */
-static floe_status write_owed(run *r)
+static floe_status write_missing(run *r)
 {
-    run_output *o = &r->output;
+    const run_output *o = &r->output;
     const double now = r->sim->time;
     const int64_t owed = o->checkpoint.owed;
     if ((owed & CHECKPOINT_OWED_ROW) && history_last_time(o->history) < now) TRY(put_out(r, output_row));
     if ((owed & CHECKPOINT_OWED_SNAPSHOT) && snapshot_last_time(o->snapshots) < now) TRY(put_out(r, output_snapshot));
-    o->checkpoint.owed = 0;
     return FLOE_OK;
+}
+
+static floe_status write_owed(run *r)
+{
+    floe_status status = write_missing(r);
+    if (status == FLOE_IO && has_followed(r)) status = write_missing(r);
+    if (status == FLOE_OK) r->output.checkpoint.owed = 0;
+    return status;
 }
 
 static double history_interval(const scene *s)
@@ -263,6 +328,7 @@ static floe_status rescue(run *r)
     context_clear(r->ctx);
     const bool written = state_is_finite(r->sim) && checkpoint(r) == FLOE_OK;
     context_clear(r->ctx);
+    if (!output_has_checkpoint(&r->output)) r->checkpoints.time = NAN;
     (void)snprintf(saved, sizeof saved,
                    isnan(r->checkpoints.time) ? "there is no checkpoint"
                    : written ? "a checkpoint of t = %.6g%s was written: once that is mended, go on with --resume"
@@ -350,11 +416,26 @@ static floe_status carry_out(run *r, run_summary *out)
     return status == FLOE_IO ? rescue(r) : status;
 }
 
+/* What is measured of the history is of what there is of it. */
+static void note_loss(const run *r, run_summary *out)
+{
+    char text[160];
+    if (isnan(r->made_anew)) return;
+    (void)snprintf(text, sizeof text,
+                   "the results were removed while the run wrote them: the history is that from t = %.6g%s on",
+                   r->made_anew, scene_time_unit(r->scene));
+    summary_add_warning(out, text);
+}
+
 static floe_status write_summary(run *r, run_summary *out, const char *status)
 {
     char path[OUTPUT_PATH];
+    follow_state state;
+    /* What has already gone wrong was followed as it did. */
+    if (context_message(r->ctx)[0] == '\0') TRY(follow(r, &state));
     out->n_counters = 0;
     out->n_warnings = r->n_remarks;
+    note_loss(r, out);
     truth_summarise(r->sim, out);
     out->wall_seconds = wall_spent(r);
     out->output_seconds = r->putting_out + r->checkpoints.seconds;
@@ -406,7 +487,12 @@ static void end(run *r)
 
 floe_status run_scene(context *ctx, scene *s, const run_options *options, run_summary *out)
 {
-    run r = {.ctx = ctx, .scene = s, .options = options, .started = wall_seconds(), .cpu_started = cpu_seconds()};
+    run r = {.ctx = ctx,
+             .scene = s,
+             .options = options,
+             .made_anew = NAN,
+             .started = wall_seconds(),
+             .cpu_started = cpu_seconds()};
     *out = (run_summary){0};
     (void)snprintf(out->deck, sizeof out->deck, "%s", s->path);
     (void)snprintf(out->coupling, sizeof out->coupling, "%s", coupling_name(s->coupling));

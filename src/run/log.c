@@ -25,23 +25,34 @@ static void write_line(void *user, log_level level, const char *line)
     /* A failure here must not take the place of the message that is being logged: it goes to nobody. */
     context *ctx = log->file.ctx;
     log->file.ctx = NULL;
-    if (size > 0) (void)line_file_append(&log->file, text, strlen(text));
+    if (size > 0 && log->file.path) (void)line_file_append(&log->file, text, strlen(text));
     log->file.ctx = ctx;
     if (!log->options->sink || level > log->options->sink_detail) return;
     progress_clear(log->progress);
     log->options->sink(log->options->sink_user, level, line);
 }
 
-floe_status run_log_open(run_log *log, context *ctx, const run_options *options, progress *p)
+static floe_status open_in(run_log *log, const char *dir, bool keep)
 {
     char path[4096];
+    (void)snprintf(path, sizeof path, "%s/run.log", dir);
+    if (!keep || !file_exists(path)) TRY(file_replace_text(log->ctx, path, ""));
+    return line_file_open(&log->file, log->ctx, path);
+}
+
+floe_status run_log_open(run_log *log, context *ctx, const run_options *options, progress *p)
+{
     *log = (run_log){.ctx = ctx, .options = options, .progress = p, .started = wall_seconds()};
-    (void)snprintf(path, sizeof path, "%s/run.log", options->dir);
-    if (!options->resume || !file_exists(path)) TRY(file_replace_text(ctx, path, ""));
-    TRY(line_file_open(&log->file, ctx, path));
+    TRY(open_in(log, options->dir, options->resume));
     log->open = true;
     context_set_sink(ctx, write_line, log, LOG_DETAIL);
     return FLOE_OK;
+}
+
+floe_status run_log_reopen(run_log *log, const char *dir)
+{
+    line_file_close(&log->file);
+    return open_in(log, dir, true);
 }
 
 void run_log_close(run_log *log)

@@ -17,6 +17,8 @@ typedef struct run_log {
 
 /* Opens DIR/run.log, anew or at its end, and becomes the context's sink. */
 floe_status run_log_open(run_log *log, context *ctx, const run_options *options, progress *p);
+/* Goes on in the folder `dir`, where the log may be or not. */
+floe_status run_log_reopen(run_log *log, const char *dir);
 /* Gives the context its sink of before (options->sink). A log that is not open is fine. */
 void run_log_close(run_log *log);
 

@@ -5,7 +5,9 @@
 #include "run/catalogue.h"
 #include "run/pressure.h"
 
+#include <fcntl.h>
 #include <math.h>
+#include <unistd.h>
 
 void output_path(const run_output *o, const char *name, char path[OUTPUT_PATH])
 {
@@ -61,12 +63,27 @@ static void name_extra(run_output *o, const sim *s)
 
 static floe_status prepare(run_output *o, const sim *s, const char *dir)
 {
-    *o = (run_output){.ctx = s->ctx, .dir = dir};
+    *o = (run_output){.ctx = s->ctx, .dir = dir, .folder = -1};
     TRY(echo(o, s->scene));
     o->checkpoint.deck = o->deck;
     o->checkpoint.identity = o->identity;
     name_extra(o, s);
     return FLOE_OK;
+}
+
+/* Locks it, and keeps it open to be found should it be moved. */
+static floe_status hold_folder(run_output *o)
+{
+    TRY(folder_lock_take(&o->lock, o->ctx, o->dir));
+    o->folder = open(o->dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return FLOE_OK;
+}
+
+static void let_folder_go(run_output *o)
+{
+    if (o->folder >= 0) (void)close(o->folder);
+    o->folder = -1;
+    folder_lock_release(&o->lock);
 }
 
 static floe_status write_deck(const run_output *o)
@@ -91,7 +108,7 @@ floe_status output_begin(run_output *o, sim *s, const char *dir)
     char path[OUTPUT_PATH];
     TRY(prepare(o, s, dir));
     TRY(folder_make(o->ctx, dir));
-    TRY(folder_lock_take(&o->lock, o->ctx, dir));
+    TRY(hold_folder(o));
     TRY(write_deck(o));
     for (size_t i = 0; i < sizeof earlier / sizeof earlier[0]; i++) {
         output_path(o, earlier[i], path);
@@ -154,10 +171,51 @@ floe_status output_resume(run_output *o, sim *s, const char *dir)
                     "'%s' holds no run to go on with: there is no checkpoint.h5; name its folder with -o, or leave "
                     "--resume out",
                     dir);
-    TRY(folder_lock_take(&o->lock, o->ctx, dir));
+    TRY(hold_folder(o));
     TRY(read_newest(o, s));
     TRY(write_deck(o));
     return open_series(o, s, s->time);
+}
+
+floe_status output_move(run_output *o, const char *place)
+{
+    char path[OUTPUT_PATH];
+    (void)snprintf(o->moved, sizeof o->moved, "%.3990s", place);
+    o->dir = o->moved;
+    output_path(o, OUTPUT_RESERVE, path);
+    TRY(disk_reserve_move(&o->reserve, path));
+    return snapshot_move(o->snapshots, o->dir);
+}
+
+/* The earlier ones stay open until there are others: what is written meanwhile fails in order. */
+static floe_status reopen_series(run_output *o, const sim *s)
+{
+    run_output other = *o;
+    other.history = NULL;
+    other.snapshots = NULL;
+    const floe_status status = open_series(&other, s, s->time);
+    run_output *closed = status == FLOE_OK ? o : &other;
+    history_close(&closed->history);
+    snapshot_close(&closed->snapshots);
+    if (status != FLOE_OK) return status;
+    o->history = other.history;
+    o->snapshots = other.snapshots;
+    return FLOE_OK;
+}
+
+floe_status output_reopen(run_output *o, const sim *s, const char *place)
+{
+    char path[OUTPUT_PATH];
+    (void)snprintf(path, sizeof path, "%.3990s", place);
+    TRY(folder_make(o->ctx, path));
+    (void)snprintf(o->moved, sizeof o->moved, "%.3990s", path);
+    o->dir = o->moved;
+    disk_reserve_release(&o->reserve);
+    let_folder_go(o);
+    TRY(hold_folder(o));
+    TRY(write_deck(o));
+    o->newest_is_whole = o->newest_is_whole && is_there(o, OUTPUT_CHECKPOINT);
+    return reopen_series(o, s);
 }
 
 void output_end(run_output *o)
@@ -168,7 +226,7 @@ void output_end(run_output *o)
     memory_free(o->ctx, &o->deck);
     memory_free(o->ctx, &o->identity);
     disk_reserve_release(&o->reserve);
-    folder_lock_release(&o->lock);
+    let_folder_go(o);
 }
 
 floe_status output_row(run_output *o, sim *s)
@@ -186,7 +244,10 @@ floe_status output_row(run_output *o, sim *s)
 
 floe_status output_snapshot(run_output *o, sim *s)
 {
+    char path[OUTPUT_PATH];
     TRY(sim_refresh(s));
+    output_path(o, "fields", path);
+    if (!file_exists(path)) TRY(folder_make(o->ctx, path)); /* someone has removed it */
     TRY(snapshot_write(o->snapshots, s));
     o->checkpoint.owed &= ~(int64_t)CHECKPOINT_OWED_SNAPSHOT;
     return FLOE_OK;

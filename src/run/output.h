@@ -17,13 +17,15 @@ enum { OUTPUT_PATH = 4096 };
 #define OUTPUT_RESERVE "checkpoint.reserve"
 
 typedef struct run_output {
-    context *ctx;               /* not owned */
-    const char *dir;            /* not owned */
-    char *deck;                 /* the resolved deck, owned */
-    char *identity;             /* what must be the same on resume, owned */
-    folder_lock lock;           /* of DIR, as long as the run lasts */
-    history *history;           /* owned */
-    snapshot_series *snapshots; /* owned */
+    context *ctx;                 /* not owned */
+    const char *dir;              /* not owned, or `moved` */
+    char moved[OUTPUT_PATH - 96]; /* where the folder is since it was moved or made anew */
+    int folder;                   /* descriptor of DIR; -1: none */
+    char *deck;                   /* the resolved deck, owned */
+    char *identity;               /* what must be the same on resume, owned */
+    folder_lock lock;             /* of DIR, as long as the run lasts */
+    history *history;             /* owned */
+    snapshot_series *snapshots;   /* owned */
     checkpoint_run checkpoint;
     disk_reserve reserve;      /* room for one more */
     bool newest_is_whole;      /* checkpoint.h5 is, as this run has read or written it */
@@ -36,6 +38,10 @@ floe_status output_begin(run_output *o, sim *s, const char *dir);
 /* Sets `s` to DIR/checkpoint.h5, or where that is damaged or gone to the one before it, and goes on with the outputs that
  * stand there up to its time. */
 floe_status output_resume(run_output *o, sim *s, const char *dir);
+/* Goes on in the folder `place`, to which DIR was moved. */
+floe_status output_move(run_output *o, const char *place);
+/* Goes on in the folder `place`, which is made if it is not there, with what there is of the outputs. */
+floe_status output_reopen(run_output *o, const sim *s, const char *place);
 /* Frees what *o owns; a zeroed one is fine. */
 void output_end(run_output *o);
 

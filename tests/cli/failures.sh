@@ -42,17 +42,6 @@ if [ "$(id -u)" -eq 0 ] && chmod 711 . && stranger "$FLOE" --version >/dev/null 
     has stderr 'ermission'
 fi
 
-# The folder goes while the run writes into it: status 4, and nothing is made anew.
-"$FLOE" run "$cylinder" --coupling mpm --set domain.cell=0.025 --set output.checkpoint_interval=0.01 -o vanishing --quiet 2>stderr &
-pid=$!
-for ((k = 0; k < 500; k++)); do [ -e vanishing/checkpoint.h5 ] && break || sleep 0.02; done
-mv vanishing gone # at one stroke, which rm is not
-got=0
-wait "$pid" || got=$?
-[ "$got" -eq 4 ] || fault "status $got instead of 4 as the folder vanished"
-has stderr 'vanishing'
-[ ! -e vanishing ] || fault 'the folder was made anew'
-
 # No file may grow beyond 64 KB, as if the disk were full: what was there stays. The thread sanitizer keeps its own
 # memory in a file, and cannot bear that.
 if ! "$FLOE" --version | grep -qF fsanitize=thread; then

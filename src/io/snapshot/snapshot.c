@@ -134,6 +134,15 @@ floe_status snapshot_open(snapshot_series **out, context *ctx, const char *dir, 
     return status;
 }
 
+floe_status snapshot_move(snapshot_series *s, const char *dir)
+{
+    char *copy;
+    TRY(memory_string(s->ctx, &copy, dir));
+    memory_free(s->ctx, &s->dir);
+    s->dir = copy;
+    return FLOE_OK;
+}
+
 void snapshot_close(snapshot_series **s)
 {
     if (!s || !*s) return;

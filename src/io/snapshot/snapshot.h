@@ -12,6 +12,8 @@ typedef struct snapshot_series snapshot_series;
 /* Takes over DIR (which exists): snapshots later than `keep_until` (s; -INFINITY: all) are removed, the rest are read,
  * and fields.xdmf is made to show just these. `deck` is the resolved deck; its digest goes into every file. */
 floe_status snapshot_open(snapshot_series **out, context *ctx, const char *dir, const char *deck, double keep_until);
+/* DIR was moved. */
+floe_status snapshot_move(snapshot_series *s, const char *dir);
 void snapshot_close(snapshot_series **s);
 
 /* Writes the current state of `s` as the next snapshot, then fields.xdmf. On failure the earlier files are
