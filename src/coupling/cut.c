@@ -10,7 +10,7 @@ enum { CUT_NEW = -3 };
 enum { ROOM_VERTICES, ROOM_CELLS, ROOM_PIECES, ROOM_CHAINS };
 
 /* Shares this close to none or all are that: round-off of sums of passages. */
-static const double snap = 1e-13;
+static const double snap = 1e-13, crossing = 1e-9;
 
 floe_status cut_create(cut_line *c, context *ctx, const mesh *m)
 {
@@ -222,8 +222,9 @@ static floe_status mark_nodes(cut_line *c)
     return FLOE_OK;
 }
 
-static double snapped(double share)
+static double snapped(double share, bool *sound)
 {
+    *sound = *sound && share >= -crossing && share <= 1.0 + crossing;
     return share < snap ? 0.0 : share > 1.0 - snap ? 1.0 : share;
 }
 
@@ -235,12 +236,12 @@ static floe_status finish_cell(cut_line *c, cut_cell *k)
     const signed char *node = c->node + i[1] * row + i[0];
     const double across = weight_to(m, mesh_node(m, 0, i[0] + 1)) - weight_to(m, mesh_node(m, 0, i[0]));
     const double held[2][2] = {{node[0], node[1]}, {node[0], node[row]}}; /* lower end of each face */
+    bool sound = true;
     for (int axis = 0; axis < 2; ++axis)
         for (int side = 0; side < 2; ++side)
-            k->face[axis][side] = snapped(held[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across));
-    k->open = snapped(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]));
-    bool sound = k->open >= 0.0 && k->open <= 1.0;
-    for (int f = 0; f < 4; ++f) sound = sound && k->face[f / 2][f % 2] >= 0.0 && k->face[f / 2][f % 2] <= 1.0;
+            k->face[axis][side] =
+                snapped(held[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across), &sound);
+    k->open = snapped(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]), &sound);
     if (sound) return FLOE_OK;
     return fail(c->ctx, FLOE_RETRY, "a line that holds gas back crosses itself or another in cell (%d, %d)", i[0],
                 i[1]);

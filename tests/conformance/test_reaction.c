@@ -1,4 +1,4 @@
-/* Every law of a reaction: finite rates that are not negative, none without reactant or below its threshold, none that falls as it gets
+/* Every law of a reaction: finite rates that are not negative, none without reactant or up to its threshold, none that falls as it gets
  * hotter or the pressure rises; and, integrated, never more than there is, however stiff, the same from a solver that has been used.
  *
  * Parameters: the default where there is one; else 400 for a temperature, 1e-3 for a time, 1e6 for a rate, 0.1 for a speed, 0.8 for an exponent. */
@@ -76,8 +76,9 @@ static void check_rates(const law *a)
     double *threshold = param_find(a->model->params, a->model->n_params, par, "threshold");
     if (!threshold) return;
     *threshold = 500.0;
-    const reaction_state below = state(3.0, 499.0, 1e6), above = state(3.0, 501.0, 1e6);
+    const reaction_state below = state(3.0, 499.0, 1e6), at = state(3.0, 500.0, 1e6), above = state(3.0, 501.0, 1e6);
     check_close(a->model->rate(par, &below), 0.0, 0.0);
+    check_close(a->model->rate(par, &at), 0.0, 0.0);
     check_close(a->model->rate(par, &above), rate(a, 3.0, 501.0, 1e6), 0.0);
 }
 

@@ -181,7 +181,8 @@ static void test_two_chains(void **unused)
     context_destroy(&ctx);
 }
 
-/* A plate of half a cell, gas about it; one as thick as two cells; the gas between the two halves of a thick one. */
+/* A plate of half a cell, gas about it; one as thick as two cells; the gas between the two halves of a thick one. Lying and upright, from either side
+ * on. */
 static void test_thin(void **unused)
 {
     (void)unused;
@@ -192,19 +193,54 @@ static void test_thin(void **unused)
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
     static const double low[] = {0.52, 0.52, 0.52}, high[] = {0.57, 0.72, 0.57};
-    for (int k = 0; k < 3; ++k) {
-        const double corner[4][2] = {{0.213, low[k]}, {0.213, high[k]}, {0.787, high[k]}, {0.787, low[k]}};
-        check_ok(ctx, cut_reserve(&c, 12, 1));
-        c.chain[0] = (cut_chain){0, 12, true};
-        for (int n = 0; n < 12; ++n) /* clockwise, three to a side; the last the other way: the gas is inside */
-            for (int a = 0; a < 2; ++a) {
-                const int at = k == 2 ? 11 - n : n;
-                c.vertex[n].x[a] =
-                    corner[at / 3][a] + (at % 3) / 3.0 * (corner[(at / 3 + 1) % 4][a] - corner[at / 3][a]);
+    for (int k = 0; k < 3; ++k)
+        for (int turned = 0; turned < 2; ++turned)
+            for (int start = 0; start < 12; start += 6) {
+                const double corner[4][2] = {{0.213, low[k]}, {0.213, high[k]}, {0.787, high[k]}, {0.787, low[k]}};
+                check_ok(ctx, cut_reserve(&c, 12, 1));
+                c.chain[0] = (cut_chain){0, 12, true};
+                for (int n = 0; n < 12; ++n) /* clockwise, three to a side; the last the other way: the gas is inside */
+                    for (int a = 0; a < 2; ++a) {
+                        const int at = (start + ((k == 2) != turned ? 11 - n : n)) % 12;
+                        c.vertex[n].x[turned ? 1 - a : a] =
+                            corner[at / 3][a] + (at % 3) / 3.0 * (corner[(at / 3 + 1) % 4][a] - corner[at / 3][a]);
+                    }
+                check_ok(ctx, cut_find(&c));
+                assert_int_equal(cut_is_thin(&c, x), k == 0);
             }
-        check_ok(ctx, cut_find(&c));
-        assert_int_equal(cut_is_thin(&c, x), k == 0);
-    }
+    cut_destroy(&c);
+    context_destroy(&ctx);
+}
+
+/* A square about many cells, and in one cell that it holds, or does not, a small one that holds what is held already, or takes what is not. */
+static void test_held_twice(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    mesh m;
+    cut_line c;
+    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
+    check_ok(ctx, cut_create(&c, ctx, &m));
+    static const double corner[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+    for (int outside = 0; outside < 2; ++outside)
+        for (int right = 0; right < 2; ++right)
+            for (double size = 0.004; size < 0.05; size *= 3.0) {
+                const double at = outside ? 0.02 : 0.42;
+                check_ok(ctx, cut_reserve(&c, 8, 2));
+                c.chain[0] = (cut_chain){0, 4, true};
+                c.chain[1] = (cut_chain){4, 4, true};
+                for (int k = 0; k < 4; ++k)
+                    for (int a = 0; a < 2; ++a) {
+                        c.vertex[k].x[a] = 0.213 + 0.574 * corner[k][a];
+                        c.vertex[4 + k].x[a] = at + size * corner[outside != right ? 3 - k : k][a];
+                    }
+                if (right) {
+                    check_ok(ctx, cut_find(&c));
+                    check_close(held(&c), 0.574 * 0.574 + (outside ? 1.0 : -1.0) * size * size, 1e-14);
+                } else {
+                    check_fails(ctx, cut_find(&c), FLOE_RETRY);
+                }
+            }
     cut_destroy(&c);
     context_destroy(&ctx);
 }
@@ -232,6 +268,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_quarter),     cmocka_unit_test(test_closed),
                                        cmocka_unit_test(test_on_the_mesh), cmocka_unit_test(test_two_chains),
-                                       cmocka_unit_test(test_thin),        cmocka_unit_test(test_refused)};
+                                       cmocka_unit_test(test_thin),        cmocka_unit_test(test_held_twice),
+                                       cmocka_unit_test(test_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
