@@ -1,7 +1,7 @@
 /* floe plan DECK: what a scene would do and hold. */
 #include "cli/cli.h"
 #include "cli/plan.h"
-#include "run/setup.h"
+#include "scene/place.h"
 
 typedef struct arguments {
     cli_deck deck;
@@ -26,19 +26,41 @@ static const struct argp argp = {
     .options = options,
     .parser = parse,
     .args_doc = "DECK",
-    .doc = "Show the stages of a step with what each reads and writes, the fields with their bytes, and the steps that "
-           "the run would need. Nothing is run or written.",
+    .doc =
+        "Show the stages of a step with what each reads and writes, the fields with their bytes, and the steps that "
+        "the run would need, and whether the memory of this machine holds it. A scene of more than a million cells is "
+        "described from coarser ones, and takes no memory itself. Nothing is run or written.",
 };
+
+static floe_status print(plan *p, bool json)
+{
+    TRY(sim_plan(p->sim, &p->info));
+    return json ? plan_print_json(p, stdout) : plan_print_text(p, stdout);
+}
 
 static floe_status plan_scene(scene *s, bool json)
 {
     run_setup setup;
-    plan p = {.scene = s};
+    plan p = {.scene = s, .ratio = 1.0, .coarser = 1.0};
     floe_status status = setup_begin(&setup, s);
     p.sim = setup.sim;
-    if (status == FLOE_OK) status = sim_plan(p.sim, &p.info);
-    if (status == FLOE_OK) status = json ? plan_print_json(&p, stdout) : plan_print_text(&p, stdout);
+    if (status == FLOE_OK) memory_need_of(p.sim, &p.need);
+    if (status == FLOE_OK) status = print(&p, json);
     setup_end(&setup);
+    return status;
+}
+
+/* A scene of more cells than one would make ready only to look at it: by a coarser one. */
+static floe_status plan_large(scene *s, bool json)
+{
+    coarse_setup coarse;
+    plan p = {.scene = s};
+    floe_status status = scene_place(s, memory_need_estimate(s, &coarse, &p.need));
+    p.sim = coarse.setup.sim;
+    p.ratio = coarse.ratio;
+    p.coarser = coarse.coarser;
+    if (status == FLOE_OK) status = print(&p, json);
+    coarse_end(&coarse);
     return status;
 }
 
@@ -49,7 +71,7 @@ int cmd_plan(cli *c, int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     floe_status status = cli_load(c, &a.deck, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
-    status = plan_scene(s, a.json);
+    status = memory_cells(&s->mesh) > MEMORY_NEED_CELLS ? plan_large(s, a.json) : plan_scene(s, a.json);
     scene_destroy(&s);
     return status == FLOE_OK ? 0 : cli_fail(c, status);
 }

@@ -3,6 +3,7 @@
 #include "sim/interface.h"
 
 #include <jansson.h>
+#include <math.h>
 
 static json_t *names_json(const stage_fields *list)
 {
@@ -41,16 +42,30 @@ static json_t *fields_json(const plan *p)
     return list;
 }
 
-static json_t *bytes_json(const sim_plan_info *i)
+static json_int_t whole(double x)
 {
-    return json_pack("{s:I, s:I, s:I, s:I}", "mpm", (json_int_t)i->mpm_bytes, "ice", (json_int_t)i->ice_bytes,
-                     "coupling", (json_int_t)i->coupling_bytes, "scratch", (json_int_t)i->scratch_bytes);
+    return (json_int_t)nearbyint(x);
 }
 
-static json_t *mesh_json(const mesh *m)
+static json_t *bytes_json(const plan *p)
+{
+    const sim_plan_info *i = &p->info;
+    const double named = p->ratio * (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes);
+    return json_pack("{s:I, s:I, s:I, s:I}", "mpm", whole(p->ratio * (double)i->mpm_bytes), "ice",
+                     whole(p->ratio * (double)i->ice_bytes), "coupling", whole(p->ratio * (double)i->coupling_bytes),
+                     "scratch", whole(p->need.bytes - named));
+}
+
+static json_t *memory_json(const memory_need *n)
+{
+    return json_pack("{s:f, s:f, s:o, s:b}", "held", n->bytes, "while_writing", n->output_bytes, "available",
+                     isinf(n->available) ? json_null() : json_real(n->available), "fits", n->fits);
+}
+
+static json_t *mesh_json(const plan *p)
 {
     json_t *list = json_array();
-    for (int a = 0; a < m->dim; a++) json_array_append_new(list, json_integer(m->n[a]));
+    for (int a = 0; a < p->sim->mesh.dim; a++) json_array_append_new(list, json_integer(whole(plan_cells(p, a))));
     return list;
 }
 
@@ -60,18 +75,20 @@ static json_t *plan_json(const plan *p)
     const sim *s = p->sim;
     char geometry[64];
     plan_geometry(p, geometry);
-    return json_pack(
-        "{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:f, s:f, s:s, s:s, s:s, s:s, s:s}",
-        "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim, "geometry",
-        geometry, "mesh", mesh_json(&s->mesh), "cells", (json_int_t)i->cells, "points", (json_int_t)i->points, "basis",
-        s->mpm ? s->mpm->basis->name : NULL, "cell_materials", s->ice ? s->ice->n_materials : 0, "stages",
-        stages_json(&s->stages), "fields", fields_json(p), "bytes", bytes_json(i), "dt", i->predicted_dt, "steps",
-        i->predicted_steps, "dt_limit", i->dt_reason, "solver", s->solver_reason, "pressure",
-        s->pressure_reason[0] ? s->pressure_reason
-        : !s->ice             ? ""
-        : s->ice->implicit    ? "implicit"
-                              : "explicit",
-        "substeps", s->substeps_reason, "interface", interface_told(s));
+    return json_pack("{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:o, s:b, s:f, s:f, s:s, s:s, "
+                     "s:s, s:s, s:s}",
+                     "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim,
+                     "geometry", geometry, "mesh", mesh_json(p), "cells", whole(p->ratio * (double)i->cells), "points",
+                     whole(p->ratio * (double)i->points), "basis", s->mpm ? s->mpm->basis->name : NULL,
+                     "cell_materials", s->ice ? s->ice->n_materials : 0, "stages", stages_json(&s->stages), "fields",
+                     fields_json(p), "bytes", bytes_json(p), "memory", memory_json(&p->need), "estimated",
+                     p->ratio != 1.0, "dt", plan_step(p), "steps", plan_steps(p), "dt_limit", i->dt_reason, "solver",
+                     s->solver_reason, "pressure",
+                     s->pressure_reason[0] ? s->pressure_reason
+                     : !s->ice             ? ""
+                     : s->ice->implicit    ? "implicit"
+                                           : "explicit",
+                     "substeps", s->substeps_reason, "interface", interface_told(s));
 }
 
 floe_status plan_print_json(const plan *p, FILE *file)

@@ -3,6 +3,7 @@
 #include "base/context.h"
 #include "sim/interface.h"
 
+#include <math.h>
 #include <string.h>
 
 const char *plan_field_id(field_id id)
@@ -31,7 +32,24 @@ uint64_t plan_field_bytes(const plan *p, field_id id)
 {
     uint64_t bytes = 0;
     for (int b = 0; b < p->sim->mesh.n_blocks; b++) bytes += fields_bytes(p->sim->domain->fields[b], id, id);
-    return bytes;
+    return (uint64_t)((double)bytes * p->ratio);
+}
+
+/* Steps that are not fixed become shorter with the cells. */
+double plan_step(const plan *p)
+{
+    return isnan(p->scene->time.fixed_step) ? p->info.predicted_dt / p->coarser : p->info.predicted_dt;
+}
+
+double plan_steps(const plan *p)
+{
+    return p->info.predicted_steps * (p->info.predicted_dt / plan_step(p));
+}
+
+double plan_cells(const plan *p, int axis)
+{
+    const mesh *m = &p->sim->mesh;
+    return p->ratio == 1.0 ? m->n[axis] : nearbyint((m->upper[axis] - m->lower[axis]) / (m->h[axis] / p->coarser));
 }
 
 int plan_field_instances(const plan *p, field_id id)
@@ -55,8 +73,12 @@ static void print_head(const plan *p, FILE *file)
     char geometry[64];
     plan_geometry(p, geometry);
     (void)fprintf(file, "%s as %s: %s, mesh of ", p->scene->path, coupling_name(p->sim->coupling), geometry);
-    for (int a = 0; a < m->dim; a++) (void)fprintf(file, "%s%d", a ? " x " : "", m->n[a]);
-    (void)fprintf(file, " cells of %g m, %zu points, %zu cells with fields\n", m->h[0], p->info.points, p->info.cells);
+    for (int a = 0; a < m->dim; a++) (void)fprintf(file, "%s%.0f", a ? " x " : "", plan_cells(p, a));
+    (void)fprintf(file, " cells of %g m, %.9g points, %.9g cells with fields\n", m->h[0] / p->coarser,
+                  nearbyint(p->ratio * (double)p->info.points), nearbyint(p->ratio * (double)p->info.cells));
+    if (p->ratio != 1.0)
+        (void)fprintf(file, "described from the same scene on %zu cells; numbers and bytes are estimates\n",
+                      mesh_cells(m));
     if (p->sim->mpm) {
         (void)fprintf(file, "solver: %s\n", p->sim->solver_reason);
         if (interface_told(p->sim)[0]) (void)fprintf(file, "interface: %s\n", interface_told(p->sim));
@@ -110,6 +132,24 @@ static void print_fields(const plan *p, FILE *file)
     }
 }
 
+static void print_memory(const plan *p, FILE *file)
+{
+    const memory_need *n = &p->need;
+    const double gigabyte = 1e9;
+    (void)fprintf(file, "memory: %.3g GB, and %.3g GB more while an output is written", n->bytes / gigabyte,
+                  n->output_bytes / gigabyte);
+    if (isinf(n->available)) {
+        (void)fprintf(file, "; what this machine has is not known\n");
+        return;
+    }
+    (void)fprintf(file, "; this machine has %.3g GB available: %s\n", n->available / gigabyte,
+                  n->fits ? "it fits" : "it does not fit");
+    if (!n->fits)
+        (void)fprintf(file, "        %.3g cells would fit: domain.cell %.2g or more\n", n->fitting_cells,
+                      p->sim->mesh.h[0] / p->coarser *
+                          pow(n->cells / fmax(1.0, n->fitting_cells), 1.0 / p->scene->mesh.dim));
+}
+
 floe_status plan_print_text(const plan *p, FILE *file)
 {
     const sim_plan_info *i = &p->info;
@@ -117,11 +157,12 @@ floe_status plan_print_text(const plan *p, FILE *file)
     print_head(p, file);
     print_stages(&p->sim->stages, file);
     print_fields(p, file);
-    (void)fprintf(file, "\nbytes: points %llu, cells %llu, coupling %llu, scratch %llu, together %.3g MB\n",
-                  (unsigned long long)i->mpm_bytes, (unsigned long long)i->ice_bytes,
-                  (unsigned long long)i->coupling_bytes, (unsigned long long)i->scratch_bytes,
-                  (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes + i->scratch_bytes) / 1e6);
-    (void)fprintf(file, "first step: %.4g%s, limited by %s; about %.0f steps to t = %g%s\n", i->predicted_dt, unit,
-                  i->dt_reason, i->predicted_steps, p->scene->time.end, unit);
+    (void)fprintf(
+        file, "\nbytes: points %.0f, cells %.0f, coupling %.0f, scratch %.0f, together %.3g MB\n",
+        p->ratio * (double)i->mpm_bytes, p->ratio * (double)i->ice_bytes, p->ratio * (double)i->coupling_bytes,
+        p->need.bytes - p->ratio * (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes), p->need.bytes / 1e6);
+    print_memory(p, file);
+    (void)fprintf(file, "first step: %.4g%s, limited by %s; about %.0f steps to t = %g%s\n", plan_step(p), unit,
+                  i->dt_reason, plan_steps(p), p->scene->time.end, unit);
     return FLOE_OK;
 }

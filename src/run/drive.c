@@ -6,6 +6,7 @@
 #include "run/follow.h"
 #include "run/log.h"
 #include "run/measure.h"
+#include "run/memory_need.h"
 #include "run/output.h"
 #include "run/progress.h"
 #include "run/run.h"
@@ -340,6 +341,7 @@ static floe_status rescue(run *r)
 static floe_status begin(run *r)
 {
     const run_options *o = r->options;
+    TRY(scene_place(r->scene, memory_refuse(r->scene)));
     TRY(setup_begin(&r->setup, r->scene));
     r->sim = r->setup.sim;
     r->measuring += r->setup.exact_seconds;

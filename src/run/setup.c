@@ -62,6 +62,7 @@ floe_status setup_begin(run_setup *u, scene *s)
 
 void setup_end(run_setup *u)
 {
+    if (!u->scene) return; /* it was not begun */
     initial_detach(u->scene);
     sim_destroy(&u->sim);
     exact_destroy(u->scene->ctx, &u->solution);
