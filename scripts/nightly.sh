@@ -8,6 +8,8 @@
 #   meshes        tests of the solvers on finer meshes than every day's
 #   fuzz          libFuzzer on decks and checkpoints (FLOE_SECONDS each, 1800), with the address and undefined-behaviour sanitizers
 #   sanitize      the tests with the address and undefined-behaviour sanitizers
+#   decks         every deck of inputs/ in every coupling: some steps, and as many more from its checkpoint, with the address and
+#                 undefined-behaviour sanitizers of gcc and of clang (FLOE_STEPS, 3)
 #   thread        the tests with the thread sanitizer, two threads (clang, libarcher)
 #   valgrind      the tests under valgrind
 #   coverage      lines that the tests run, by room
@@ -131,6 +133,19 @@ part_sanitize() {
     scripts/build.sh sanitize && run_tests sanitize
 }
 
+part_decks() {
+    local preset status=0
+    for preset in sanitize sanitize-clang; do
+        scripts/build.sh "$preset" floe || return
+        FLOE=$PWD/build/$preset/floe FLOE_SOURCE=$PWD FLOE_EVERY=1 FLOE_STEPS=${FLOE_STEPS:-3} FLOE_TOTALS=$PWD/$totals/decks_one.txt \
+            UBSAN_OPTIONS=print_stacktrace=1 LSAN_OPTIONS="suppressions=$PWD/tests/leaks.supp:print_suppressions=0" \
+            bash tests/cli/same_verdict.sh >"$totals/decks_$preset.log" 2>&1 || status=1
+        note "$("build/$preset/floe" --version | sed -nE '2s/,.*//p'): $(cat "$totals/decks_one.txt")"
+        rm -f "$totals/decks_one.txt"
+    done
+    return $status
+}
+
 part_thread() {
     local archer
     archer=$(find /usr/lib/llvm-*/lib -name libarcher.so 2>/dev/null | head -n 1)
@@ -178,7 +193,7 @@ part_coverage() {
 }
 
 scripts/setup.sh nightly || exit
-[ $# -gt 0 ] || set -- killed faults combinations kin meshes fuzz sanitize thread valgrind coverage
+[ $# -gt 0 ] || set -- killed faults combinations kin meshes fuzz sanitize decks thread valgrind coverage
 failed=()
 for part in "$@"; do
     declare -F "part_$part" >/dev/null || { echo "nightly.sh: unknown part '$part'" >&2; exit 2; }

@@ -69,13 +69,16 @@ result_robustness() {
     total fuzz
     write '## Sanitizers and valgrind' '' 'Address and undefined behaviour:' ''
     total sanitize
+    write 'The same sanitizers of both compilers over every deck of `inputs/` in every coupling, the mistakes of `tests/mistakes`, and going on from a checkpoint' \
+        '(`scripts/nightly.sh decks`, `tests/cli/same_verdict.sh`):' ''
+    total decks
     write 'Threads, two of them, with what OpenMP orders known by libarcher:' ''
     total thread
     write 'Valgrind, invalid reads and writes, use of what is not set, definite leaks:' ''
     total valgrind
     write '## Lines that tests run' '' 'Of the `.c` files of each room, by the tests named:' ''
     total coverage
-    write '## How' '' '    scripts/nightly.sh [killed|faults|combinations|kin|meshes|fuzz|sanitize|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
+    write '## How' '' '    scripts/nightly.sh [killed|faults|combinations|kin|meshes|fuzz|sanitize|decks|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
         '`FLOE_SECONDS` sets how long each fuzzer runs, `FLOE_TESTS` which tests the sanitizers, valgrind and coverage see; with `FLOE_CONTINUE=1` these' 'go on with the tests that have not passed.' '' 'Made with' ''
     "$floe" --version | sed 's/^/    /' >>"$page"
     write "    $(machine)"

@@ -1,11 +1,21 @@
 #!/usr/bin/env bash
 # What `check` refuses `run` refuses in the same words, and the other way about: the mistakes of tests/mistakes, decks of inputs/ under
-# every coupling, and what was found apart. FLOE_EVERY: all decks, and each run goes on from its checkpoint.
+# every coupling, and what was found apart. FLOE_EVERY: all decks, and each run goes on from its checkpoint; FLOE_STEPS: of each run (1);
+# FLOE_TOTALS: a file for the totals. So `scripts/nightly.sh decks` takes programs with sanitizers through every deck.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
-apart=0 total=0
+apart=0 total=0 went=0 findings=0
+steps=${FLOE_STEPS:-1}
 
-# verdicts DECK SETTING...: status and words of both; a run takes one step.
+# What sanitizers say of a program.
+look_for_findings() { # FILE WHAT
+    if grep -qE 'runtime error:|Sanitizer:' "$1"; then
+        findings=$((findings + 1))
+        echo "$2: $(grep -E 'runtime error:|Sanitizer:' "$1" | head -n 1)"
+    fi
+}
+
+# verdicts DECK SETTING...: status and words of both; a run takes a step.
 verdicts() {
     local deck=$1 setting arguments=() checked=0 ran=0
     shift
@@ -13,7 +23,10 @@ verdicts() {
     total=$((total + 1))
     "$FLOE" check "$deck" "${arguments[@]}" >/dev/null 2>checked || checked=$?
     rm -rf ran.out
-    "$FLOE" run "$deck" "${arguments[@]}" --set time.max_steps=1 --quiet -o ran.out >/dev/null 2>ran || ran=$?
+    "$FLOE" run "$deck" "${arguments[@]}" --set "time.max_steps=$steps" --quiet -o ran.out >/dev/null 2>ran || ran=$?
+    look_for_findings checked "check $deck $*"
+    look_for_findings ran "run $deck $*"
+    [ "$ran" -ne 0 ] || went=$((went + 1))
     sed -i '/warning:/d' checked ran
     if [ "$checked" -ne "$ran" ] || { [ "$ran" -ne 0 ] && ! cmp -s checked ran; }; then
         apart=$((apart + 1))
@@ -24,10 +37,11 @@ verdicts() {
         apart=$((apart + 1))
         echo "$deck $*: status $ran of both, which is no refusal: $(head -c 300 ran)"
     elif [ "$ran" -eq 0 ] && [ -n "${FLOE_EVERY:-}" ]; then
-        "$FLOE" run "$deck" "${arguments[@]}" --set time.max_steps=2 --quiet -o ran.out --resume >/dev/null 2>resumed || {
+        "$FLOE" run "$deck" "${arguments[@]}" --set "time.max_steps=$((2 * steps))" --quiet -o ran.out --resume >/dev/null 2>resumed || {
             apart=$((apart + 1))
             echo "$deck $*: does not go on from its checkpoint: $(head -c 300 resumed)"
         }
+        look_for_findings resumed "resume $deck $*"
     fi
 }
 
@@ -57,5 +71,7 @@ for deck in "$FLOE_SOURCE"/inputs/*.yaml "$FLOE_SOURCE"/inputs/*/*.yaml; do
     for coupling in mpm ice ice-mpm; do verdicts "$deck" study=null compare=null coupling=$coupling; done
 done
 
-echo "$total scenes, $apart of which check and run judge apart"
-[ "$apart" -eq 0 ] || fault "$apart of $total"
+said="$total scenes, $went of them ran $steps steps${FLOE_EVERY:+ and as many more from a checkpoint}; $apart judged apart by check and run; $findings findings"
+echo "$said"
+[ -z "${FLOE_TOTALS:-}" ] || echo "$said" >>"$FLOE_TOTALS"
+[ $((apart + findings)) -eq 0 ] || fault "$apart of $total, $findings findings"
