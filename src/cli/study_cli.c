@@ -19,6 +19,7 @@ error_t study_cli_option(study_arguments *a, int key, char *arg, struct argp_sta
     case 't': o->threads = cli_whole(state, "threads", arg); return 0;
     case 'q': a->quiet = true; return 0;
     case STUDY_KEY_AGAIN: o->again = true; return 0;
+    case STUDY_KEY_SPOIL: o->spoil = true; return 0;
     case STUDY_KEY_REPEAT: o->repeat = strcmp(arg, "0") == 0 ? 0 : cli_whole(state, "repeat", arg); return 0;
     case STUDY_KEY_MAX_WALL: o->max_wall = cli_number(state, "max-wall", arg); return 0;
     default: return cli_deck_option(&a->deck, key, arg, state);

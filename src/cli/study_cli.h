@@ -13,21 +13,28 @@ typedef struct study_arguments {
     char dir[CLI_PATH + CLI_SUFFIX], program[BATCH_PATH];
 } study_arguments;
 
-enum { STUDY_KEY_AGAIN = 2000, STUDY_KEY_REPEAT, STUDY_KEY_MAX_WALL };
+enum { STUDY_KEY_AGAIN = 2000, STUDY_KEY_REPEAT, STUDY_KEY_MAX_WALL, STUDY_KEY_SPOIL };
 
-#define STUDY_CLI_OPTIONS                                                                                          \
-    CLI_OPTION_SET, {"threads", 't', "N", 0, "Threads of each case (default: 1, at which times are compared)", 0}, \
-        {"jobs", 'j', "N", 0, "Cases at a time; their times then disturb each other", 0},                          \
-        {"repeat",                                                                                                 \
-         STUDY_KEY_REPEAT,                                                                                         \
-         "N",                                                                                                      \
-         0,                                                                                                        \
-         "Time each case N times, alone and on one thread, and take the best (0: do not)",                         \
-         0},                                                                                                       \
-        {"max-wall", STUDY_KEY_MAX_WALL, "S", 0, "Stop a case after S seconds: that is its result", 0},            \
-        {"again", STUDY_KEY_AGAIN, NULL, 0, "Run cases again that have ended before", 0},                          \
-    {                                                                                                              \
-        "quiet", 'q', NULL, 0, "No progress and no table", 0                                                       \
+#define STUDY_CLI_OPTIONS                                                                                            \
+    CLI_OPTION_SET, {"threads", 't', "N", 0, "Threads of each case (default: 1, at which times are compared)", 0},   \
+        {"jobs", 'j', "N", 0, "Cases at a time; their times then disturb each other", 0},                            \
+        {"repeat",                                                                                                   \
+         STUDY_KEY_REPEAT,                                                                                           \
+         "N",                                                                                                        \
+         0,                                                                                                          \
+         "Time each case N times, alone and on one thread, and take the best (0: do not)",                           \
+         0},                                                                                                         \
+        {"max-wall", STUDY_KEY_MAX_WALL, "S", 0, "Stop a case after S seconds: that is its result", 0},              \
+        {"spoil",                                                                                                    \
+         STUDY_KEY_SPOIL,                                                                                            \
+         NULL,                                                                                                       \
+         0,                                                                                                          \
+         "Judge each case again with its result frozen, doubled, halved and mirrored: checks that let one pass are " \
+         "named",                                                                                                    \
+         0},                                                                                                         \
+        {"again", STUDY_KEY_AGAIN, NULL, 0, "Run cases again that have ended before", 0},                            \
+    {                                                                                                                \
+        "quiet", 'q', NULL, 0, "No progress and no table", 0                                                         \
     }
 
 /* Takes an argument that both commands have; ARGP_ERR_UNKNOWN for others. */

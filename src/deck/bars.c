@@ -142,6 +142,8 @@ const custom_key custom_require = {
 static const key_spec check_keys[] = {
     {"of", KEY_TEXT, AT(scene_check, of), .required = true,
      .doc = "an error, `drift_mass`, `drift_momentum`, `drift_energy`, or a column of history.csv, in all its rows"},
+    {"at", KEY_NUMBER, NULL, WITHIN(0, 1), AT(scene_check, at), .otherwise = "all rows",
+     .doc = "of a column: its value at this share of the run's time, from 0 to 1"},
     {"least", KEY_NUMBER, AT(scene_check, least), .otherwise = "any", .doc = "the smallest value that is right"},
     {"most", KEY_NUMBER, AT(scene_check, most), .otherwise = "any", .doc = "the largest value that is right"},
     WHERE(scene_check),
@@ -150,7 +152,7 @@ static const key_table check_table = TABLE(check_keys);
 
 static void clear_check(void *item)
 {
-    *(scene_check *)item = (scene_check){.least = NAN, .most = NAN};
+    *(scene_check *)item = (scene_check){.at = NAN, .least = NAN, .most = NAN};
 }
 
 static const char *check_misses(const void *item)
@@ -174,10 +176,11 @@ static void write_check(writer *w, const key_spec *key, const void *base)
 const custom_key custom_check = {
     .read = read_check,
     .write = write_check,
-    .form = "a list of {of: name, least: number, most: number, where: {key of an axis: value}}",
+    .form = "a list of {of: name, at: share, least: number, most: number, where: {key of an axis: value}}",
     .json = "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
-            "[\"of\"], \"properties\": {\"of\": {\"type\": \"string\"}, \"least\": {\"type\": [\"number\", "
-            "\"string\"]}, \"most\": {\"type\": [\"number\", \"string\"]}, \"where\": {\"type\": \"object\"}}}}",
+            "[\"of\"], \"properties\": {\"of\": {\"type\": \"string\"}, \"at\": {\"type\": [\"number\", "
+            "\"string\"]}, \"least\": {\"type\": [\"number\", \"string\"]}, \"most\": {\"type\": [\"number\", "
+            "\"string\"]}, \"where\": {\"type\": \"object\"}}}}",
 };
 
 /* ---- study.refuse: [{why: text, where: {materials.gas.law: soft}}] ---- */
@@ -217,4 +220,46 @@ const custom_key custom_refuse = {
     .form = "a list of {why: reason, where: {key of an axis: value}}",
     .json = "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
             "[\"why\"], \"properties\": {\"why\": {\"type\": \"string\"}, \"where\": {\"type\": \"object\"}}}}",
+};
+
+/* ---- study.unchanged: [{by: initial mirrored, why: text, where: {bodies.block.velocity: [0, 0]}}] ---- */
+
+static const key_spec unchanged_keys[] = {
+    {"by", KEY_TEXT, AT(scene_unchanged, by), .required = true,
+     .doc = "of frozen, initial, doubled, halved and mirrored those that leave the right answer as it is"},
+    {"why", KEY_TEXT, AT(scene_unchanged, why), .required = true, .doc = "the reason"},
+    WHERE(scene_unchanged),
+};
+static const key_table unchanged_table = TABLE(unchanged_keys);
+
+static void clear_unchanged(void *item)
+{
+    *(scene_unchanged *)item = (scene_unchanged){.why = ""};
+}
+
+static const char *unchanged_misses(const void *item)
+{
+    return ((const scene_unchanged *)item)->by[0] ? NULL : "by: frozen";
+}
+
+static const bar_list unchanged_list =
+    BAR_LIST(&unchanged_table, unchanged, n_unchanged, scene_unchanged, clear_unchanged, unchanged_misses);
+
+static floe_status read_unchanged(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    return read_bar_list(r, key, node, base, &unchanged_list);
+}
+
+static void write_unchanged(writer *w, const key_spec *key, const void *base)
+{
+    write_bar_list(w, key, base, &unchanged_list);
+}
+
+const custom_key custom_unchanged = {
+    .read = read_unchanged,
+    .write = write_unchanged,
+    .form = "a list of {by: spoilers, why: reason, where: {key of an axis: value}}",
+    .json = "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
+            "[\"by\", \"why\"], \"properties\": {\"by\": {\"type\": \"string\"}, \"why\": {\"type\": \"string\"}, "
+            "\"where\": {\"type\": \"object\"}}}}",
 };

@@ -37,7 +37,7 @@ extern const custom_key custom_axis, custom_axes, custom_over, custom_each, cust
 /* The value at a node, as --set takes it. */
 floe_status read_setting(reader *r, deck_node *node, char value[SCENE_VALUE]);
 /* bars.c */
-extern const custom_key custom_require, custom_check, custom_refuse;
+extern const custom_key custom_require, custom_check, custom_refuse, custom_unchanged;
 
 /* true for an axis key of a boundary: "x", "r" ... */
 const char *axis_name(const mesh_spec *spec, int axis);

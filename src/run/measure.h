@@ -17,6 +17,8 @@ floe_status measure_errors(sim *s, const exact *solution, run_summary *r);
 floe_status measure_history_check(const sim *s);
 /* Adds the scene's metrics of histories, measured on all rows of the history at `path`, to the summary's errors. */
 floe_status measure_history(sim *s, const char *path, run_summary *r);
+/* The same, of a history in memory. */
+floe_status measure_history_text(sim *s, const char *text, run_summary *r);
 
 /* DIR/profile.csv, the run beside its exact solution: in one dimension every quantity of verify.metrics along x; in
  * more, where the solution has a radial stress, the stresses of the row of points nearest the x axis through its

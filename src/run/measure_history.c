@@ -100,15 +100,6 @@ static floe_status fill_table(sim *s, const char *text, history_table *h)
     return FLOE_OK;
 }
 
-static floe_status read_table(sim *s, const char *path, history_table *h)
-{
-    char *text;
-    TRY(file_read(s->ctx, path, &text, NULL));
-    const floe_status status = fill_table(s, text, h);
-    memory_free(s->ctx, &text);
-    return status;
-}
-
 static floe_status expect(sim *s, history_table *h)
 {
     const scene_verify *v = &s->scene->verify;
@@ -146,13 +137,23 @@ static floe_status add_errors(sim *s, const history_table *h, run_summary *r)
     return FLOE_OK;
 }
 
-floe_status measure_history(sim *s, const char *path, run_summary *r)
+floe_status measure_history_text(sim *s, const char *text, run_summary *r)
 {
     history_table h = {0};
     if (s->scene->verify.n_columns == 0) return FLOE_OK;
-    floe_status status = read_table(s, path, &h);
+    floe_status status = fill_table(s, text, &h);
     if (status == FLOE_OK) status = expect(s, &h);
     if (status == FLOE_OK) status = add_errors(s, &h, r);
     free_table(s->ctx, &h);
+    return status;
+}
+
+floe_status measure_history(sim *s, const char *path, run_summary *r)
+{
+    char *text;
+    if (s->scene->verify.n_columns == 0) return FLOE_OK;
+    TRY(file_read(s->ctx, path, &text, NULL));
+    const floe_status status = measure_history_text(s, text, r);
+    memory_free(s->ctx, &text);
     return status;
 }

@@ -218,6 +218,12 @@ floe_status output_reopen(run_output *o, const sim *s, const char *place)
     return reopen_series(o, s);
 }
 
+floe_status output_recall(run_output *o, sim *s, const char *dir)
+{
+    TRY(prepare(o, s, dir));
+    return read_newest(o, s);
+}
+
 void output_end(run_output *o)
 {
     if (!o->ctx) return;

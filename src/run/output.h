@@ -42,6 +42,8 @@ floe_status output_resume(run_output *o, sim *s, const char *dir);
 floe_status output_move(run_output *o, const char *place);
 /* Goes on in the folder `place`, which is made if it is not there, with what there is of the outputs. */
 floe_status output_reopen(run_output *o, const sim *s, const char *place);
+/* Sets `s` to the last checkpoint in DIR; no file is written. */
+floe_status output_recall(run_output *o, sim *s, const char *dir);
 /* Frees what *o owns; a zeroed one is fine. */
 void output_end(run_output *o);
 

@@ -345,6 +345,7 @@ typedef struct scene_bar { /* what a study must reach */
 typedef struct scene_check { /* what every case must keep to, to be right */
     /* An error, drift_mass, drift_momentum, drift_energy, or a column of history.csv in all its rows. */
     char of[SCENE_NAME];
+    double at;          /* of a column: at this share of the run's time, not in all rows; NAN: in all rows */
     double least, most; /* NAN: no bound */
     scene_where where;
 } scene_check;
@@ -353,6 +354,12 @@ typedef struct scene_refusal { /* cases that may be refused */
     char why[SCENE_WHY];
     scene_where where;
 } scene_refusal;
+
+typedef struct scene_unchanged { /* spoilers (run/spoil.h) that leave the right answer as it is */
+    char by[SCENE_NAME];         /* their names, blanks between them */
+    char why[SCENE_WHY];
+    scene_where where;
+} scene_unchanged;
 
 typedef struct scene_study {
     bool given;                      /* the deck says something of it */
@@ -369,6 +376,8 @@ typedef struct scene_study {
     int n_checks;
     scene_refusal refusal[SCENE_MAX_BARS];
     int n_refusals;
+    scene_unchanged unchanged[SCENE_MAX_BARS];
+    int n_unchanged;
 } scene_study;
 
 typedef struct scene_stability {

@@ -33,6 +33,7 @@ static floe_status run_all(study *s)
     say_other_builds(s);
     study_take_values(s);
     study_judge(s);
+    if (s->options->spoil) TRY(study_spoil(s));
     study_take_times(s);
     return status == FLOE_OK ? study_time(s) : status;
 }

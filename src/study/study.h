@@ -24,6 +24,7 @@ typedef struct study_options {
     const char *dir;                   /* of the results, one folder in it for each case; made if it is not there */
     int threads;                       /* of each case; 0: one, which is what times are compared at */
     int jobs;                          /* cases at a time; 0: one. Timed runs are alone whatever this says */
+    bool spoil;                        /* each case is judged again as if frozen, doubled, ...: run/spoil.h */
     bool again;                        /* run cases again that have ended before */
     const char *program;               /* the floe program, which runs the cases */
     const volatile sig_atomic_t *stop; /* as in run_options */
@@ -65,6 +66,9 @@ typedef struct study_case {
     double quantity[SCENE_MAX_METRICS]; /* last values of the study's quantities; NAN: none */
     study_verdict verdict;
     char why[BATCH_MESSAGE]; /* the first check that it breaks, or why it was refused; "" if right */
+    bool of_solution;        /* a check of it compares with a solution */
+    unsigned unnoticed;      /* bits of spoilers that its checks let pass, and the deck does not say why */
+    unsigned excused;        /* likewise, and it does */
     study_timing timing;
     batch_case *run; /* in study.run */
 } study_case;

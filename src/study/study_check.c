@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "io/file.h"
+#include "run/errors.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,39 +37,61 @@ const char *study_refusal_of(const study *s, const study_case *one)
 
 /* ---- what a check looks at ---- */
 
-typedef struct value_range {
-    double least, most; /* NAN: not measured, or not a number in some row */
-} value_range;
-
-static value_range range_of_column(const char *history, const char *name)
+static study_range range_of_column(const char *history, const char *name)
 {
-    value_range r = {INFINITY, -INFINITY};
+    study_range r = {INFINITY, -INFINITY};
     const int column = study_find_column(history, name);
     const char *row = strchr(history, '\n');
     bool any = false;
     for (; column >= 0 && row && row[1]; row = strchr(row + 1, '\n')) {
         const double x = study_field(row + 1, column);
         any = true;
-        if (!isfinite(x)) return (value_range){NAN, NAN};
-        r = (value_range){fmin(r.least, x), fmax(r.most, x)};
+        if (!isfinite(x)) return (study_range){NAN, NAN};
+        r = (study_range){fmin(r.least, x), fmax(r.most, x)};
     }
-    return any ? r : (value_range){NAN, NAN};
+    return any ? r : (study_range){NAN, NAN};
 }
 
-static value_range range_of(const study_case *one, const char *history, const char *name)
+static double last_time(const char *history, int column)
 {
-    const run_summary *r = &one->run->summary;
-    double x = study_error(one, name);
-    if (strcmp(name, "drift_mass") == 0) x = r->drift_mass;
-    if (strcmp(name, "drift_momentum") == 0) x = r->drift_momentum;
-    if (strcmp(name, "drift_energy") == 0) x = r->drift_energy;
-    return isnan(x) ? range_of_column(history, name) : (value_range){x, x};
+    double t = NAN;
+    for (const char *row = strchr(history, '\n'); row && row[1]; row = strchr(row + 1, '\n'))
+        t = study_field(row + 1, column);
+    return t;
+}
+
+/* Between two rows along the straight line. */
+static study_range column_at(const char *history, const char *name, double share)
+{
+    const int column = study_find_column(history, name), of_time = study_find_column(history, "time");
+    double before = NAN, t0 = NAN;
+    const double wanted = share * last_time(history, of_time);
+    for (const char *row = strchr(history, '\n'); column >= 0 && row && row[1]; row = strchr(row + 1, '\n')) {
+        const double t = study_field(row + 1, of_time), x = study_field(row + 1, column);
+        if (t >= wanted) {
+            const double value = t > wanted && isfinite(t0) ? before + (x - before) * (wanted - t0) / (t - t0) : x;
+            return (study_range){value, value};
+        }
+        t0 = t;
+        before = x;
+    }
+    return (study_range){NAN, NAN};
+}
+
+study_range study_range_of(const scene_check *check, const run_summary *errors, const run_summary *run,
+                           const char *history)
+{
+    double x = error_of(errors, check->of);
+    if (strcmp(check->of, "drift_mass") == 0) x = run->drift_mass;
+    if (strcmp(check->of, "drift_momentum") == 0) x = run->drift_momentum;
+    if (strcmp(check->of, "drift_energy") == 0) x = run->drift_energy;
+    if (!isnan(x)) return (study_range){x, x};
+    return isnan(check->at) ? range_of_column(history, check->of) : column_at(history, check->of, check->at);
 }
 
 /* ---- verdicts ---- */
 
-/* False: why says what the case breaks. */
-static bool keeps_to(const scene_check *check, value_range r, char why[BATCH_MESSAGE])
+bool study_keeps_to(const scene_check *check, study_range r, char why[BATCH_MESSAGE])
 {
     if (!isfinite(r.least) || !isfinite(r.most))
         (void)snprintf(why, BATCH_MESSAGE, "%s: not measured, or no number", check->of);
@@ -81,14 +104,21 @@ static bool keeps_to(const scene_check *check, value_range r, char why[BATCH_MES
     return false;
 }
 
+static bool is_error(const scene_check *check, const run_summary *r)
+{
+    return !isnan(error_of(r, check->of));
+}
+
 static study_verdict verdict_of_done(const study *s, study_case *one, const char *history)
 {
+    const run_summary *r = &one->run->summary;
     bool asked = false;
     for (int k = 0; k < s->plan.n_checks; k++) {
         const scene_check *check = &s->plan.check[k];
         if (!study_belongs(s, one, &check->where, true)) continue;
         asked = true;
-        if (!keeps_to(check, range_of(one, history, check->of), one->why)) return STUDY_WRONG;
+        one->of_solution = one->of_solution || is_error(check, r);
+        if (!study_keeps_to(check, study_range_of(check, r, r, history), one->why)) return STUDY_WRONG;
     }
     if (asked) return STUDY_RIGHT;
     (void)snprintf(one->why, BATCH_MESSAGE, "no check is asked of it");

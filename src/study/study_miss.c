@@ -60,7 +60,8 @@ static const char *fault_of(const study *s, const study_case *one)
     if (study_has_verdicts(s)) {
         const bool fine = one->verdict == STUDY_RIGHT || one->verdict == STUDY_UNJUDGED ||
                           (one->verdict == STUDY_REFUSED && foreseen);
-        return fine ? NULL : study_verdict_name(one->verdict);
+        if (fine) return one->unnoticed == 0 ? NULL : "blind";
+        return study_verdict_name(one->verdict);
     }
     const batch_case *run = one->run;
     const bool said = run->status == FLOE_DIVERGED || run->status == FLOE_BAD_INPUT;
@@ -75,8 +76,10 @@ static void add_cases(const study *s, misses *m)
         const study_case *one = &s->list[i];
         const char *fault = fault_of(s, one);
         if (!fault) continue;
+        char unnoticed[BATCH_MESSAGE];
+        study_unnoticed_text(one, unnoticed);
         (void)snprintf(name, sizeof name, "%s, %s", fault, one->run->label);
-        add(m, name, study_has_verdicts(s) ? one->why : one->run->message);
+        add(m, name, one->unnoticed != 0 ? unnoticed : study_has_verdicts(s) ? one->why : one->run->message);
     }
     add_last(m);
 }
@@ -93,7 +96,8 @@ floe_status study_check_results(const study *s)
     if (cases.n > 0)
         (void)snprintf(head[1], sizeof head[1], "%s%zu of %zu cases %s:", bars.n > 0 ? "\n" : "", cases.n, s->n,
                        study_has_verdicts(s)
-                           ? "are wrong, or refused without a reason in the deck"
+                           ? s->options->spoil ? "are wrong, checked blindly, or refused without a reason in the deck"
+                                               : "are wrong, or refused without a reason in the deck"
                            : "have not come to their end, and the deck does not say why (study.refuse)");
     return fail(s->ctx, FLOE_MISSED_BAR, "%s%s%s%s", head[0], bars.line, head[1], cases.line);
 }

@@ -191,6 +191,9 @@ static void check_bars(const study *s, strbuf *errors)
     for (int b = 0; b < p->n_bars; b++) check_where(s, &p->bar[b].where, "bar for", p->bar[b].metric, errors);
     for (int b = 0; b < p->n_checks; b++) check_where(s, &p->check[b].where, "check of", p->check[b].of, errors);
     for (int b = 0; b < p->n_refusals; b++) check_where(s, &p->refusal[b].where, "refusal", p->refusal[b].why, errors);
+    for (int b = 0; b < p->n_unchanged; b++)
+        check_where(s, &p->unchanged[b].where, "reason", p->unchanged[b].why, errors);
+    study_check_unchanged(s, errors);
 }
 
 /* ---- cases ---- */

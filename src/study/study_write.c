@@ -32,7 +32,7 @@ static void append_names(const study *s, strbuf *out)
     }
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%s", s->plan.quantity[q]);
     strbuf_append(out, ",run_seconds (s),cpu_seconds (s),scatter,timed_runs,disturbed,warnings,directory,message%s\n",
-                  study_has_verdicts(s) ? ",verdict,why" : "");
+                  study_has_verdicts(s) ? s->options->spoil ? ",verdict,why,judged_by,unnoticed" : ",verdict,why" : "");
 }
 
 static void append_setting(const scene_axis *axis, int pick, strbuf *out)
@@ -69,6 +69,12 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     if (study_has_verdicts(s)) {
         strbuf_append(out, ",%s,", study_verdict_name(one->verdict));
         strbuf_append_csv(out, one->why);
+    }
+    if (study_has_verdicts(s) && s->options->spoil) {
+        char text[BATCH_MESSAGE];
+        study_unnoticed_text(one, text);
+        strbuf_append(out, ",%s,", study_kind_name(s, one));
+        strbuf_append_csv(out, text);
     }
     strbuf_append(out, "\n");
 }
@@ -272,6 +278,7 @@ static void print_verdicts(const study *s, FILE *file)
     if (!study_has_verdicts(s)) return;
     (void)fprintf(file, "%zu cases: %zu right, %zu refused, %zu wrong\n", s->n, study_count(s, STUDY_RIGHT),
                   study_count(s, STUDY_REFUSED), study_count(s, STUDY_WRONG));
+    if (s->options->spoil) (void)fprintf(file, "%zu cases checked blindly\n", study_count_unnoticed(s));
     for (size_t i = 0; i < s->n; i++) {
         const char *reason = s->list[i].verdict == STUDY_REFUSED ? study_refusal_of(s, &s->list[i]) : NULL;
         if (reason) (void)fprintf(file, "refused, %s: %s\n", s->run[i].label, reason);

@@ -342,6 +342,8 @@ static const key_spec study_keys[] = {
      .doc = "what every case must keep to: it is right, wrong (exit status 6), or was refused"},
     {"refuse", KEY_CUSTOM, .custom = &custom_refuse, .otherwise = "none",
      .doc = "cases that may diverge or be refused, and why; any other that has no result gives exit status 6"},
+    {"unchanged", KEY_CUSTOM, .custom = &custom_unchanged, .otherwise = "none",
+     .doc = "what `floe study --spoil` does to a result that leaves the right answer as it is, and why"},
 };
 static const key_table study_table = TABLE(study_keys);
 
