@@ -111,7 +111,8 @@ floe_status sim_account(sim *s)
 floe_status sim_refresh(sim *s)
 {
     if (s->transfer) TRY(coupled_refresh(s));
-    return s->ice ? ice_refresh(s->ice) : FLOE_OK;
+    /* Gas at rest beside a static balance has its pressure already, and no fields of a step. */
+    return s->ice && !s->gas_rest ? ice_refresh(s->ice) : FLOE_OK;
 }
 
 /* Fields by who uses them: points and nodes are mpm's, cells and faces ice's, the pressures at nodes and points the coupling's. */
