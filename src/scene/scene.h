@@ -29,7 +29,7 @@ enum {
     SCENE_MAX_AXES = 6,
     SCENE_MAX_WITH = 12, /* keys that change along with that of an axis */
     SCENE_MAX_OVER = 2,
-    SCENE_MAX_BARS = 32, /* and of checks, and of refusals */
+    SCENE_MAX_BARS = 64, /* and of checks, and of refusals */
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,
     SCENE_MAX_CONTACT = 15, /* bodies in contact: each has a velocity field of its own */
@@ -346,6 +346,7 @@ typedef struct scene_check { /* what every case must keep to, to be right */
     /* An error, drift_mass, drift_momentum, drift_energy, or a column of history.csv in all its rows. */
     char of[SCENE_NAME];
     double at;          /* of a column: at this share of the run's time, not in all rows; NAN: in all rows */
+    bool change;        /* of a column: less its value in the first row */
     double least, most; /* NAN: no bound */
     scene_where where;
 } scene_check;

@@ -54,6 +54,10 @@ typedef enum study_verdict {
     STUDY_WRONG     /* it came to its end and breaks a check, or it crashed, hung or lost its results */
 } study_verdict;
 
+typedef struct study_range {
+    double least, most; /* NAN: not measured, or not a number in some row */
+} study_range;
+
 typedef struct study_case {
     int pick[SCENE_MAX_AXES]; /* index of its value on each axis */
     size_t group;
@@ -87,6 +91,7 @@ typedef struct study {
     char (*group)[STUDY_LABEL];            /* names of the groups; owned */
     const char *metric[STUDY_MAX_METRICS]; /* errors that any case has, in the order in which they come */
     int n_metrics;
+    study_range found[SCENE_MAX_BARS]; /* of each check, over the cases that are right */
 } study;
 
 /* Runs all cases and the timed runs, and writes NAME.json, NAME.csv and the figures; *out, owned by the caller, holds the results.

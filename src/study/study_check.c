@@ -78,15 +78,16 @@ static study_range column_at(const char *history, const char *name, double share
     return (study_range){NAN, NAN};
 }
 
-study_range study_range_of(const scene_check *check, const run_summary *errors, const run_summary *run,
-                           const char *history)
+study_range study_range_of(const scene_check *check, const run_summary *errors, const run_summary *run, const char *csv)
 {
     double x = error_of(errors, check->of);
     if (strcmp(check->of, "drift_mass") == 0) x = run->drift_mass;
     if (strcmp(check->of, "drift_momentum") == 0) x = run->drift_momentum;
     if (strcmp(check->of, "drift_energy") == 0) x = run->drift_energy;
-    if (!isnan(x)) return (study_range){x, x};
-    return isnan(check->at) ? range_of_column(history, check->of) : column_at(history, check->of, check->at);
+    if (!isnan(x) && isnan(check->at)) return (study_range){x, x};
+    const study_range r = isnan(check->at) ? range_of_column(csv, check->of) : column_at(csv, check->of, check->at);
+    const double first = check->change ? column_at(csv, check->of, 0.0).least : 0.0;
+    return (study_range){r.least - first, r.most - first};
 }
 
 /* ---- verdicts ---- */
@@ -109,7 +110,8 @@ static bool is_error(const scene_check *check, const run_summary *r)
     return !isnan(error_of(r, check->of));
 }
 
-static study_verdict verdict_of_done(const study *s, study_case *one, const char *history)
+/* Of a wrong case nothing is found. */
+static study_verdict verdict_of_done(const study *s, study_case *one, const char *history, study_range *found)
 {
     const run_summary *r = &one->run->summary;
     bool asked = false;
@@ -118,14 +120,16 @@ static study_verdict verdict_of_done(const study *s, study_case *one, const char
         if (!study_belongs(s, one, &check->where, true)) continue;
         asked = true;
         one->of_solution = one->of_solution || is_error(check, r);
-        if (!study_keeps_to(check, study_range_of(check, r, r, history), one->why)) return STUDY_WRONG;
+        const study_range range = study_range_of(check, r, r, history);
+        if (!study_keeps_to(check, range, one->why)) return STUDY_WRONG;
+        found[k] = (study_range){fmin(found[k].least, range.least), fmax(found[k].most, range.most)};
     }
     if (asked) return STUDY_RIGHT;
     (void)snprintf(one->why, BATCH_MESSAGE, "no check is asked of it");
     return STUDY_WRONG;
 }
 
-static study_verdict verdict_of(const study *s, study_case *one)
+static study_verdict verdict_of(const study *s, study_case *one, study_range *found)
 {
     char path[BATCH_PATH], *history;
     const batch_case *run = one->run;
@@ -142,12 +146,18 @@ static study_verdict verdict_of(const study *s, study_case *one)
         context_clear(s->ctx);
         return STUDY_WRONG;
     }
-    const study_verdict verdict = verdict_of_done(s, one, history);
+    const study_verdict verdict = verdict_of_done(s, one, history, found);
     memory_free(s->ctx, &history);
     return verdict;
 }
 
 void study_judge(study *s)
 {
-    for (size_t i = 0; i < s->n && study_has_verdicts(s); i++) s->list[i].verdict = verdict_of(s, &s->list[i]);
+    for (int k = 0; k < s->plan.n_checks; k++) s->found[k] = (study_range){INFINITY, -INFINITY};
+    for (size_t i = 0; i < s->n && study_has_verdicts(s); i++) {
+        study_range found[SCENE_MAX_BARS];
+        memcpy(found, s->found, sizeof found);
+        s->list[i].verdict = verdict_of(s, &s->list[i], found);
+        if (s->list[i].verdict == STUDY_RIGHT) memcpy(s->found, found, sizeof found);
+    }
 }

@@ -45,8 +45,11 @@ static json_t *quantities_json(const study *s, const study_case *one)
 static json_t *verdict_json(const study *s, const study_case *one)
 {
     const char *reason = one->verdict == STUDY_REFUSED ? study_refusal_of(s, one) : NULL;
-    return json_pack("{s:s, s:o, s:o}", "is", study_verdict_name(one->verdict), "why", json_plain_text(one->why),
-                     "reason", reason ? json_plain_text(reason) : json_null());
+    char unnoticed[BATCH_MESSAGE];
+    study_unnoticed_text(one, unnoticed);
+    return json_pack("{s:s, s:o, s:o, s:s, s:o}", "is", study_verdict_name(one->verdict), "why",
+                     json_plain_text(one->why), "reason", reason ? json_plain_text(reason) : json_null(), "judged_by",
+                     study_kind_name(one), "unnoticed", json_plain_text(unnoticed));
 }
 
 /* The summary of a case, with its place in the study; a case that never came to one has the rest alone. */
@@ -215,11 +218,30 @@ static json_t *bars_json(const study *s)
     return list;
 }
 
+/* What each check was asked of, and the range of what was found there in cases that are right. */
+static json_t *checks_json(const study *s)
+{
+    json_t *list = json_array();
+    for (int k = 0; k < s->plan.n_checks; k++) {
+        const scene_check *check = &s->plan.check[k];
+        json_t *where = json_object();
+        for (int i = 0; i < check->where.n; i++)
+            json_object_set_new(where, check->where.key[i], json_plain_text(check->where.value[i]));
+        json_array_append_new(list, json_pack("{s:s, s:o, s:b, s:o, s:o, s:o, s:o, s:o}", "of", check->of, "at",
+                                              json_number(check->at), "change", check->change, "least",
+                                              json_number(check->least), "most", json_number(check->most), "where",
+                                              where, "smallest", json_number(s->found[k].least), "largest",
+                                              json_number(s->found[k].most)));
+    }
+    return list;
+}
+
 static json_t *verdicts_json(const study *s)
 {
     if (!study_has_verdicts(s)) return json_null();
-    return json_pack("{s:I, s:I, s:I}", "right", (json_int_t)study_count(s, STUDY_RIGHT), "refused",
-                     (json_int_t)study_count(s, STUDY_REFUSED), "wrong", (json_int_t)study_count(s, STUDY_WRONG));
+    return json_pack("{s:I, s:I, s:I, s:I, s:o}", "right", (json_int_t)study_count(s, STUDY_RIGHT), "refused",
+                     (json_int_t)study_count(s, STUDY_REFUSED), "wrong", (json_int_t)study_count(s, STUDY_WRONG),
+                     "unnoticed", (json_int_t)study_count_unnoticed(s), "checks", checks_json(s));
 }
 
 floe_status study_write_json(const study *s)

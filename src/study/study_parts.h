@@ -83,9 +83,6 @@ void study_answer_text(const study *s, const study_answer *a, char *text, size_t
 /* Fills verdict and why of all cases, after study_take_values. */
 void study_judge(study *s);
 bool study_has_verdicts(const study *s);
-typedef struct study_range {
-    double least, most; /* NAN: not measured, or not a number in some row */
-} study_range;
 /* What a check looks at: an error, a drift of the run, or a column of its history. */
 study_range study_range_of(const scene_check *check, const run_summary *errors, const run_summary *run,
                            const char *history);
@@ -104,7 +101,7 @@ size_t study_count_unnoticed(const study *s);
 /* "frozen doubled": what the checks of a case do not notice. */
 void study_unnoticed_text(const study_case *one, char text[BATCH_MESSAGE]);
 /* "solution", "bound", "blind", "refused", "wrong": by what a case is judged. */
-const char *study_kind_name(const study *s, const study_case *one);
+const char *study_kind_name(const study_case *one);
 /* Warns of words in study.unchanged that name nothing. */
 void study_check_unchanged(const study *s, strbuf *errors);
 

@@ -20,9 +20,8 @@ void study_unnoticed_text(const study_case *one, char text[BATCH_MESSAGE])
     }
 }
 
-const char *study_kind_name(const study *s, const study_case *one)
+const char *study_kind_name(const study_case *one)
 {
-    (void)s;
     if (one->verdict != STUDY_RIGHT) return study_verdict_name(one->verdict);
     if (one->unnoticed != 0) return "blind";
     return one->of_solution ? "solution" : "bound";
@@ -71,7 +70,7 @@ static bool is_excused(const study *s, const study_case *one, spoiler kind)
 static bool is_as_right(const scene_check *check, study_range own, study_range spoiled, bool of_solution)
 {
     const double size = fmax(fabs(own.least), fabs(own.most));
-    if (of_solution) return spoiled.most <= 1.001 * own.most + 1e-3 * check->most;
+    if (of_solution) return spoiled.most <= 3.0 * own.most || spoiled.most <= 0.05 * check->most;
     return fabs(spoiled.least - own.least) <= 1e-6 * size && fabs(spoiled.most - own.most) <= 1e-6 * size;
 }
 
@@ -80,8 +79,7 @@ typedef struct judged {
     bool right;  /* and it is as right as the run's own state */
 } judged;
 
-static judged judge(const study *s, const study_case *one, const run_summary *errors, const char *own,
-                    const char *csv)
+static judged judge(const study *s, const study_case *one, const run_summary *errors, const char *own, const char *csv)
 {
     char why[BATCH_MESSAGE];
     const run_summary *r = &one->run->summary;

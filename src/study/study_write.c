@@ -73,7 +73,7 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     if (study_has_verdicts(s) && s->options->spoil) {
         char text[BATCH_MESSAGE];
         study_unnoticed_text(one, text);
-        strbuf_append(out, ",%s,", study_kind_name(s, one));
+        strbuf_append(out, ",%s,", study_kind_name(one));
         strbuf_append_csv(out, text);
     }
     strbuf_append(out, "\n");
@@ -278,7 +278,7 @@ static void print_verdicts(const study *s, FILE *file)
     if (!study_has_verdicts(s)) return;
     (void)fprintf(file, "%zu cases: %zu right, %zu refused, %zu wrong\n", s->n, study_count(s, STUDY_RIGHT),
                   study_count(s, STUDY_REFUSED), study_count(s, STUDY_WRONG));
-    if (s->options->spoil) (void)fprintf(file, "%zu cases checked blindly\n", study_count_unnoticed(s));
+    if (s->options->spoil) (void)fprintf(file, "checked blindly: %zu\n", study_count_unnoticed(s));
     for (size_t i = 0; i < s->n; i++) {
         const char *reason = s->list[i].verdict == STUDY_REFUSED ? study_refusal_of(s, &s->list[i]) : NULL;
         if (reason) (void)fprintf(file, "refused, %s: %s\n", s->run[i].label, reason);

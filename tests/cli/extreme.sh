@@ -12,3 +12,16 @@ expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --axis mater
 has stdout '4 cases: 2 right, 2 refused, 0 wrong'
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=0.0014 -o lighter
 has stderr "is 0.001 times as heavy as the fluid beside it (1.4 kg/m3), and no interface bears less than 0.009"
+
+# Decks of each kind whose checks notice whatever is done to the result; those of a scene at rest are excused, and are checked to be.
+spoil() { # DECK OPTION...
+    expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/$1.yaml" "${@:2}" --spoil -o "spoiled-$1"
+    has stdout ' 0 wrong'
+    has stdout 'checked blindly: 0'
+}
+spoil impact --axis materials.right.density=1
+spoil torn --axis method.basis=gimp
+spoil tension --axis verify.exact.standing_bar.amplitude=1e-6
+spoil places --axis method.basis=cubic --axis 'domain.lattice_offset=[0, 0]'
+spoil sliver_stream --axis 'bodies.block.shape.box.lower=[0.402, 0]'
+spoil exchange --axis exchange.gases.momentum.constant.coefficient=0,1e+20

@@ -38,3 +38,9 @@ expect 2 "${study[@]}" -o none --set 'study={check: [{of: l1_density, most: 1, w
 has stderr 'is no value of that axis'
 expect 2 "${study[@]}" -o none --set 'study={refuse: [{where: {domain.cell: 0.05}}]}'
 has stderr 'why'
+
+# Spoiled results: a balance notices none, a bound on the mean notices those that it can, an error all of them.
+wave=("$FLOE" study "$FLOE_SOURCE/inputs/extreme/courant_points.yaml" --axis bodies.bar.points=[2] --axis "title=linear usl" --spoil)
+expect 6 "${wave[@]}" -o balance --set 'study={axes: {title: [linear usl]}, check: [{of: drift_mass, most: 1e-12}]}'
+has stderr 'blind, linear usl, [2]: frozen initial doubled halved mirrored'
+has balance/study.json '"judged_by": "blind"'
