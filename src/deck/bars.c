@@ -144,7 +144,8 @@ static const key_spec check_keys[] = {
      .doc = "an error, `drift_mass`, `drift_momentum`, `drift_energy`, or a column of history.csv, in all its rows"},
     {"at", KEY_NUMBER, NULL, WITHIN(0, 1), AT(scene_check, at), .otherwise = "all rows",
      .doc = "of a column: its value at this share of the run's time, from 0 to 1"},
-    {"change", KEY_BOOL, AT(scene_check, change), .fallback = "false", .doc = "of a column: its change since the start"},
+    {"change", KEY_BOOL, AT(scene_check, change), .fallback = "false",
+     .doc = "of a column: its change since the start"},
     {"least", KEY_NUMBER, AT(scene_check, least), .otherwise = "any", .doc = "the smallest value that is right"},
     {"most", KEY_NUMBER, AT(scene_check, most), .otherwise = "any", .doc = "the largest value that is right"},
     WHERE(scene_check),
@@ -177,7 +178,8 @@ static void write_check(writer *w, const key_spec *key, const void *base)
 const custom_key custom_check = {
     .read = read_check,
     .write = write_check,
-    .form = "a list of {of: name, at: share, change: true, least: number, most: number, where: {key of an axis: value}}",
+    .form =
+        "a list of {of: name, at: share, change: true, least: number, most: number, where: {key of an axis: value}}",
     .json = "{\"type\": \"array\", \"items\": {\"type\": \"object\", \"additionalProperties\": false, \"required\": "
             "[\"of\"], \"properties\": {\"of\": {\"type\": \"string\"}, \"change\": {\"type\": \"boolean\"}, "
             "\"at\": {\"type\": [\"number\", "
