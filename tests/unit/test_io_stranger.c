@@ -145,7 +145,7 @@ static void forge(context *ctx, const char *from, const char *to, sealed_kind ki
     assert_int_equal(H5Fget_file_image(hdf, image, (size_t)size), size);
     (void)H5Fclose(hdf);
     (void)H5Pclose(access);
-    check_ok(ctx, sealed_write(ctx, to, kind, format, image, (size_t)size));
+    check_ok(ctx, sealed_write(ctx, to, NULL, kind, format, image, (size_t)size));
     memory_free(ctx, &image);
     sealed_free(ctx, &file);
 }
