@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs killed by SIGKILL at random moments, every second time while a checkpoint is being written, go on from what is left and
-# end with the bits of a run that was left alone. FLOE_KILLS kills of each of FLOE_SCENES (nightly: 50 of all five); FLOE_SEED repeats a
+# end with the bits of a run that was left alone; every third time the newest checkpoint is damaged before. FLOE_KILLS kills of each of FLOE_SCENES (nightly: 50 of all five); FLOE_SEED repeats a
 # choice of moments.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
@@ -45,11 +45,20 @@ kill_once() {
     return 0
 }
 
+# damage FOLDER: a byte of its newest checkpoint, where there is one before it.
+damage() {
+    [ -e "$1/checkpoint.h5" ] && [ -e "$1/checkpoint-previous.h5" ] || return 0
+    # Two names of one file, as a kill may leave them, are two from here on.
+    cp "$1/checkpoint-previous.h5" previous && mv previous "$1/checkpoint-previous.h5"
+    printf '\252\125' | dd of="$1/checkpoint.h5" bs=1 seek=$((600 + RANDOM % 1000)) conv=notrunc status=none
+    damaged=$((damaged + 1))
+}
+
 # go_on FOLDER COMMAND...: resumes; where no checkpoint was written yet that is refused, and the run starts anew.
 go_on() {
     local folder=$1 got=0
     shift
-    if [ ! -e "$folder/checkpoint.h5" ]; then
+    if [ ! -e "$folder/checkpoint.h5" ] && [ ! -e "$folder/checkpoint-previous.h5" ]; then
         early=$((early + 1))
         expect 4 "$@" --resume
         has stderr 'checkpoint.h5'
@@ -69,15 +78,18 @@ kill_scene() {
     for ((n = 1; n <= kills; n++)); do
         rm -rf part
         kill_once part "$seconds" "$n" "${command[@]}" -o part
+        [ $((n % 3)) -ne 0 ] || damage part
         go_on part "${command[@]}" -o part
         same_results "$name" part
         [ "$(json part/summary.json steps)" = "$(json "$name/summary.json" steps)" ] || fault 'other steps'
+        [ ! -e part/checkpoint-previous.h5.tmp ] || fault 'a second name is left'
+        [ ! -e part/checkpoint.reserve ] || fault 'the room that was kept is still taken'
         [ ! -e part/checkpoint.h5.tmp ] || fault 'half a checkpoint is left'
     done
 }
 
-killed=0 finished=0 writing=0 early=0
+killed=0 finished=0 writing=0 early=0 damaged=0
 for name in "${names[@]}"; do kill_scene "$name"; done
 echo "kills: $((kills * ${#names[@]})) of ${#names[@]} scenes: $killed hit a run, $finished came after its end; $writing while a checkpoint" \
-    "was being written; $early before the first one; all ended with the bits of the undisturbed run" | tee "${FLOE_TOTALS:-/dev/null}"
+    "was being written; $early before the first one; $damaged times the newest one was damaged; all ended with the bits of the undisturbed run" | tee "${FLOE_TOTALS:-/dev/null}"
 [ "$killed" -gt 0 ] || [ "$kills" -lt 10 ] || fault 'no kill has hit'
