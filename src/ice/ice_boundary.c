@@ -195,7 +195,9 @@ floe_status ice_boundary_ghosts(ice *s)
         if (!s->material[r].points) ice_fill_ghosts(s, C_ENERGY, r, FILL_CURRENT, GHOST_ENERGY);
         if (s->material[r].points) {
             ice_fill_ghosts(s, C_TEMP, r, FILL_CURRENT, GHOST_EVEN);
-            ice_fill_ghosts(s, C_STRESS_ACCEL, r, FILL_CURRENT, GHOST_EVEN);
+            /* A state of rest that is solved for has no steps, and no acceleration of one. */
+            if (fields_has(s->domain->fields[0], C_STRESS_ACCEL, r))
+                ice_fill_ghosts(s, C_STRESS_ACCEL, r, FILL_CURRENT, GHOST_EVEN);
         }
         if (s->multi) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
         for (int axis = 0; axis < m->dim; ++axis)

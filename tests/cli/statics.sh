@@ -18,6 +18,12 @@ cmp whole/history.csv part/history.csv || fault 'other histories' # the first sn
 last=$(find whole/fields -name '*.h5' | sort | tail -n 1)
 cmp "$last" "part/fields/${last##*/}" || fault 'other bits at the end'
 
+# The cylinder beside gas on cells, either interface: there is no step whose stress the cells could have.
+for interface in smeared sharp; do
+    expect 0 "$FLOE" run "$cylinder" --set domain.cell=0.05 --set time.solver=auto --set method.interface=$interface -o $interface --quiet
+    below "$(json $interface/summary.json eq13)" 0.007
+done
+
 # auto says what it does and why; who is free to move is refused, and so is what moves.
 expect 0 "$FLOE" run "${ring[@]}" --set time.solver=auto -o auto
 has stdout 'solver static: the deck asks for the state of rest'
