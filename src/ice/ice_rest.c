@@ -239,6 +239,8 @@ static floe_status apply_load(const ice *s, ice_rest *r, const scene_load *given
         cell_of(s->mesh, k, cell);
         const double share = ice_region_share(s->mesh, &load.region, cell);
         if (!(share > 0.0)) continue;
+        /* A trace of gas within a wall belongs to whichever side is nearer: it does not say what is pressurised. */
+        if (load.kind == LOAD_PRESSURISE && !s->sealed && r->seen[k] < 0) continue;
         ice_rest_region *g = &r->region[r->of[k]];
         if (load.kind == LOAD_PRESSURISE)
             TRY(pressurise(s, g, &load, pressure));
