@@ -36,6 +36,9 @@ def main():
     parser.add_argument("--first", type=int)
     parser.add_argument("--hours", type=float, default=8.0, help="CPU hours, all together")
     parser.add_argument("--longest", type=float, default=1e9, help="seconds: leave longer tests for a later call (--again runs what is new)")
+    parser.add_argument("--most", type=int, default=10**6, help="tests of one mutant in this call; --again goes on with the rest")
+    parser.add_argument("--room", help="mutants of this room alone")
+    parser.add_argument("--no-look", action="store_true")
     parser.add_argument("--folder", default=os.path.join(ROOT, "build", "mutants"))
     for flag in ("again", "list", "page", "no-build"):
         parser.add_argument("--" + flag, action="store_true")
@@ -52,13 +55,16 @@ def main():
     print(f"seed {arguments.seed}: {len(mutants)} mutants of {sum(draw.total.values())} sites", flush=True)
     if not arguments.no_build:
         build(names, draw, mutants, trees, state)
-    look(state, trees["note"], mutants, arguments.longest)
+    if not arguments.no_look:
+        look(state, trees["note"], mutants, arguments.longest)
     runner = Runner(trees["switch"])
     commit = source_hash(names)
     started = time.monotonic()
     for s in mutants[:arguments.first]:
         known = state.data["mutants"].get(s.key())
         wanted = not known or (arguments.again and known["status"] == "survived")
+        if arguments.room and not s.path.startswith(f"src/{arguments.room}/"):
+            continue
         if arguments.only:
             wanted = s.order in arguments.only
         if not wanted:
@@ -66,7 +72,7 @@ def main():
         if sum(state.data["cpu"].values()) > 3600.0 * arguments.hours:
             print("the CPU hours are spent", flush=True)
             break
-        r = try_mutant(state, runner, s, commit, arguments.longest)
+        r = try_mutant(state, runner, s, commit, arguments.longest, arguments.most)
         print(f"{s.order:4d} {r['status']} {s.path}:{s.line} `{s.token}` -> `{s.changed}` {r['by']} {r['said']} ({r['ran']} tests, {r['cpu']:.1f} s)",
               flush=True)
     print(f"{time.monotonic() - started:.0f} s", flush=True)

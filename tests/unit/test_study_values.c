@@ -249,6 +249,63 @@ static size_t judge(fixture *f, const scene_bar *bar, bool *all_met)
     return n;
 }
 
+/* What is just reached is met, and by the next number not. */
+static void bars_are_met_at_their_limit(void **state)
+{
+    fixture *f = *state;
+    bool met;
+    const double order = study_order_of(&f->s, 0, "l2rel_density").order, finest = 0.5 * 0.025;
+    scene_bar bar = {.metric = "l2rel_density", .order = order, .error = NAN, .where = {.n = 1}};
+    (void)snprintf(bar.where.key[0], SCENE_KEY, "coupling");
+    (void)snprintf(bar.where.value[0], SCENE_VALUE, "mpm");
+    assert_int_equal(judge(f, &bar, &met), 1);
+    check_true(met);
+    bar.order = nextafter(order, 2.0);
+    assert_int_equal(judge(f, &bar, &met), 1);
+    check_true(!met);
+    bar.order = NAN;
+    bar.error = f->run[SPACINGS - 1].summary.errors[0].value;
+    check_close(bar.error, finest, 1e-15);
+    assert_int_equal(judge(f, &bar, &met), 1);
+    check_true(met);
+    bar.error = nextafter(bar.error, 0.0);
+    assert_int_equal(judge(f, &bar, &met), 1);
+    check_true(!met);
+}
+
+/* Levels are 1, 2 and 5 times powers of ten, each once and the coarsest first; one per cent is among them wherever errors are larger, as the
+ * last where it is none of the finest. Errors with a unit are asked in that. */
+static void levels_are_round(void **state)
+{
+    fixture *f = *state;
+    study_answer a[STUDY_MAX_TARGETS];
+    char text[256];
+    for (double scale = 1e-3; scale < 1e2; scale *= 3.7) {
+        double most = 0.0;
+        for (size_t i = 0; i < CASES; i++) {
+            const double error = laws[i / SPACINGS].scale * pow(f->list[i].h, laws[i / SPACINGS].order) * scale;
+            f->run[i].summary.errors[0].value = error;
+            most = fmax(most, error);
+        }
+        const int n = study_answers(&f->s, "l2rel_density", a);
+        int per_cents = 0;
+        check_true(n >= 1);
+        for (int k = 0; k < n; k++) {
+            const double digit = a[k].target / pow(10.0, floor(log10(a[k].target) + 1e-9));
+            check_true(fmin(fmin(fabs(digit - 1.0), fabs(digit - 2.0)), fabs(digit - 5.0)) < 1e-9);
+            check_true(k == 0 || a[k].target < a[k - 1].target || (k == n - 1 && a[k].target == 0.01));
+            check_true(a[k].target <= most);
+            per_cents += fabs(a[k].target - 0.01) < 1e-12;
+        }
+        assert_int_equal(per_cents, most >= 0.01);
+    }
+    for (size_t i = 0; i < CASES; i++)
+        (void)snprintf(f->run[i].summary.errors[0].name, sizeof f->run[i].summary.errors[0].name, "l2_density");
+    const study_answer own = {"l2_density", 0.02, 1, GROUPS, 3.0, NAN, 0.0, 0.0};
+    study_answer_text(&f->s, &own, text, sizeof text);
+    check_true(strncmp(text, "for 0.02 ", 9) == 0 && strstr(text, "choose ice-mpm, 3 s; no other variant reaches it"));
+}
+
 static void bars_judge_groups_and_cases(void **state)
 {
     fixture *f = *state;
@@ -297,6 +354,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(levels_end_above_the_reference, set_up, tear_down),
         cmocka_unit_test_setup_teardown(round_off_chooses_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(nothing_is_extrapolated, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(bars_are_met_at_their_limit, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(levels_are_round, set_up, tear_down),
         cmocka_unit_test_setup_teardown(bars_judge_groups_and_cases, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

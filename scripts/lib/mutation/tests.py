@@ -150,18 +150,35 @@ def test_mark(argv):
     return hashlib.sha256(open(path, "rb").read()).hexdigest()[:12] if os.path.exists(path) else ""
 
 
-def candidates(state, site, killer, longest):
-    """The tests that could see it, cheapest first; one that has killed it before goes first. A rebuilt file's: all."""
-    tests = state.data["tests"]
-    able = [n for n, t in tests.items() if not t["wrong"] and t["cpu"] <= 2.0 * longest and (
-        site.rebuild or site.key() in t["seen"] or site.key() not in t["asked"])]
-    same_room = site.path.split("/")[1]
-    return sorted(able, key=lambda n: (n != killer, tests[n]["cpu"] * (0.5 if same_room in n else 1.0)))
+# What tests of a part are called that is not in the names of its files.
+ALSO = {"balance": {"statics", "rest"}, "edge": {"edges"}, "normal": {"normals"}, "boundary": {"sides"}, "open": {"sides"}, "reaction": {"react"},
+        "heat": {"diffusion"}, "traction": {"force"}, "cut": {"sharp"}, "choose": {"tolerance"}, "wall": {"side"}}
 
 
-def try_mutant(state, runner, site, commit, longest):
+def words_of(path):
+    words = set(re.findall(r"[a-z]+", path.removeprefix("src/"))) - {"c", "h"}
+    return words.union(*(ALSO.get(w, set()) for w in words))
+
+
+def candidates(state, runner, site, killer, longest):
+    """The tests that could see it: those of its own part first, then the cheapest; one that has killed it before goes first. Asked are those in which
+    its value has differed; of a rebuilt file, and of what no look has been taken at, those of its own part at least."""
+    tests, words, costs = state.data["tests"], words_of(site.path), costs_of_tests()
+    for name in runner.tests:
+        tests.setdefault(name, {"mark": "", "cpu": costs.get(name, 5.0), "wrong": "", "asked": [], "seen": []})
+    score = {}
+    for name, t in tests.items():
+        own = len(words & set(name.split("_")))
+        if t["wrong"] or t["cpu"] > 2.0 * longest or name not in runner.tests:
+            continue
+        if site.rebuild or site.key() in t["seen"] or (site.key() not in t["asked"] and own):
+            score[name] = (name != killer, t["cpu"] * 0.2**own)
+    return sorted(score, key=score.get)
+
+
+def try_mutant(state, runner, site, commit, longest, most):
     known = state.data["mutants"].get(site.key(), {})
-    before, tests = cpu_of_children(), candidates(state, site, known.get("by"), longest)
+    before, tests = cpu_of_children(), candidates(state, runner, site, known.get("by"), longest)
     result = {"status": "survived", "by": "", "said": "", "ran": 0, "commit": commit}
     if site.rebuild:
         path = runner.tree.path(site.path)
@@ -172,14 +189,20 @@ def try_mutant(state, runner, site, commit, longest):
     passed = dict(known.get("passed", {}))
     for name in tests:
         test = state.data["tests"][name]
+        mark = test_mark(runner.tests[name][0])
         result["ran"] += 1
-        if passed.get(name) == test["mark"] or fails_alone(state, runner, name):
+        if passed.get(name) == mark:
             continue
+        if len(passed) - len(known.get("passed", {})) >= most:
+            result["left"] = True
+            break
         wrong, _ = runner.run(name, {"FLOE_MUTANT": "0" if site.rebuild else str(site.number)}, 3.0 * test["cpu"] + 2.0)
+        if wrong and fails_alone(state, runner, name):
+            continue
         if wrong:
             result.update(status="killed", by=name, said=wrong)
             break
-        passed[name] = test["mark"]
+        passed[name] = mark
     result["passed"] = passed
     if site.rebuild:
         runner.tree.put(site.path, kept.encode())
@@ -192,11 +215,11 @@ def try_mutant(state, runner, site, commit, longest):
 
 
 def fails_alone(state, runner, name):
-    """No test may fail in the tree of switches with none in force; asked of each before it is used."""
-    t = state.data["tests"][name]
-    if t.get("checked") != t["mark"]:
+    """Whether a test fails in the tree of switches with none in force; asked of each that has failed with one."""
+    t, mark = state.data["tests"][name], test_mark(runner.tests[name][0])
+    if t.get("checked") != mark:
         t["wrong"], t["cpu"] = runner.run(name, {"FLOE_MUTANT": "0"})
-        t["checked"] = t["mark"]
+        t["checked"] = mark
         if t["wrong"]:
             print(f"left out: {name} fails without a mutant: {t['wrong']}", flush=True)
         state.save()
