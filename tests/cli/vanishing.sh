@@ -38,9 +38,14 @@ is_there there/checkpoint.h5 there/summary.json there/fields.xdmf
 
 # Moved, and another run writes under its name: neither disturbs the other.
 started busy
+kill -STOP "$pid" # it must not have seen that the folder has gone before there is another
 mv busy first
 expect 0 "$FLOE" run "${tiny[@]}" -o busy --quiet
+cp -r busy second
+kill -CONT "$pid"
 ended 0
+same_results second busy
+cmp second/checkpoint.h5 busy/checkpoint.h5 || fault "the first run has written into the second's folder"
 same_results whole first
 [ "$(json busy/summary.json status)" = 'done' ] || [ "$(json busy/summary.json status)" = at_rest ] || fault 'the second run is not done'
 
