@@ -6,7 +6,7 @@ result_picture() {
     local runs=out/results/picture coupling
     for coupling in mpm ice-mpm; do
         rm -rf "${runs:?}/$coupling"
-        "$floe" run $a1_deck --coupling $coupling --threads 1 --quiet -o $runs/$coupling
+        "$floe" run inputs/pressurized_cylinder.yaml --coupling $coupling --threads 1 --quiet -o $runs/$coupling
         "$floe" picture $runs/$coupling --points sigma_theta --cells pressure --range 10e6:35e6 --range 0:20e6 \
             -o $results/cylinder-$coupling.png
     done

@@ -1,11 +1,11 @@
 """Sod's shock tube by cells and by points."""
-import csv
 import math
 
 import floe
 import numpy
 from floe import plots
 from order_table import order_of
+from profiles import profile
 
 TITLE = "Sod's shock tube: cells, and points"
 DECK = "inputs/sod.yaml"
@@ -13,14 +13,6 @@ FIELDS = ("density", "velocity_x", "pressure", "internal_energy")
 AS_POINTS = ("--set", "coupling=mpm", "--set", "runs_as=[mpm]")
 # The exact solution at t = 0.143: places of the fan's foot, the contact and the shock; densities on both sides of the contact.
 FOOT, CONTACT, SHOCK, LEFT, RIGHT = 0.489951, 0.632626, 0.750558, 0.4263194, 0.2655737
-
-
-def profile(folder):
-    """Columns of a run's profile.csv by name, without units."""
-    with open(folder / "profile.csv", newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    names = [title.split(" (")[0] for title in rows[0]]
-    return {name: numpy.array([float(row[k]) for row in rows[1:]]) for k, name in enumerate(names)}
 
 
 def shock_error(run):

@@ -15,7 +15,7 @@ result_speed() {
         write '' "## ${program##*/}" ''
         "$program" | sed 's/^/    /' >>"$page"
     done
-    floe_compare cylinder $a1_deck --axis domain.cell=0.025
+    floe_compare cylinder inputs/pressurized_cylinder.yaml --axis domain.cell=0.025
     cp "$csv" $results/speed-cylinder.csv
     write '' '## Pressurised cylinder, h = 0.025 m' '' '| coupling | steps | wall time | per cell and step | per point and step |' \
         '|---|---|---|---|---|'

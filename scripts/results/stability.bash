@@ -83,7 +83,7 @@ stability_density() {
     gas=$(calc %.6g '0.1/sqrt(1.4*19.5e6/1.1768)') # h/c of the gas at the end: 19.5 MPa at the density it began with
     for density in 8.9 89 890 8900 89000; do
         step=$(calc %.6g "0.1/sqrt(175.4e9/$density)")
-        floe_stability density-$density $a1_deck --coupling ice-mpm --set domain.cell=0.1 --set time.end=0.0015 --set time.max_steps=1500 \
+        floe_stability density-$density inputs/pressurized_cylinder.yaml --coupling ice-mpm --set domain.cell=0.1 --set time.end=0.0015 --set time.max_steps=1500 \
             --set materials.steel.density=$density --over time.fixed_step="$(calc %.6g "0.3*$step"):$(calc %.6g "4*$step")" --tolerance 0.03
         stable=$(limit "$csv" found stable) unstable=$(limit "$csv" found unstable)
         : "${stable:?no limit of the step with a density of $density}"
@@ -172,7 +172,7 @@ result_stability() {
     stability_coupled
     stability_centring
     stability_density
-    floe_stability exchange $a1_deck --coupling ice-mpm --set domain.cell=0.1 --set time.end=0.0015 \
+    floe_stability exchange inputs/pressurized_cylinder.yaml --coupling ice-mpm --set domain.cell=0.1 --set time.end=0.0015 \
         --over method.exchange=1:1e10 --tolerance 0.2
     write '## Exchange between gas and solid' '' \
         "The same cylinder. The solid and the gas that is in its cells are tied by K: it is stable from" \
