@@ -60,7 +60,7 @@ class Measure:
 def measured(command, **options):
     """Runs a command: subprocess's result, and its Measure."""
     busy, wall, before = machine_busy(), time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **options)
+    done = subprocess.run(command, **{"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "check": False, **options})
     after, wall = resource.getrusage(resource.RUSAGE_CHILDREN), max(time.monotonic() - wall, 1e-9)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     others = max(0.0, machine_busy() - busy - cpu) / wall
@@ -143,7 +143,7 @@ class Page:
         self.name, self.title = name, title
         self.runs = ROOT / "out/results" / name
         self.lines, self.bars, self.commands, self.measures, self.also = [], [], [], [], []
-        self.couplings = set()
+        self.couplings, self.said = set(), ""
         self.version = program_version()
         self.runs.mkdir(parents=True, exist_ok=True)
         for old in RESULTS.glob(f"{name}-*"):
@@ -190,6 +190,8 @@ class Page:
             shutil.rmtree(place, ignore_errors=True)
             place.parent.mkdir(parents=True, exist_ok=True)
             runs.append(measured(command, cwd=ROOT))
+            if runs[-1][0].returncode < 0:
+                raise RuntimeError(f"{' '.join(words)}: ended by signal {-runs[-1][0].returncode}")
             if runs[-1][0].returncode != 0:
                 break
             summary = floe.Result(place).summary
@@ -211,16 +213,26 @@ class Page:
         return case
 
     def cases(self, command, folder, *words):
-        """`floe study` or `floe compare`: the table of its cases. Times of it are not the page's."""
+        """`floe study` or `floe compare`: the table of its cases. What it has said is in `page.said`, without the line that names the folder."""
         self.note([command, *words])
         place = self.runs / folder
         shutil.rmtree(place, ignore_errors=True)
-        done, _ = measured([str(FLOE), command, *map(str, words), "-o", str(place), "--threads", "1", "--quiet"], cwd=ROOT)
+        done, _ = measured([str(FLOE), command, *map(str, words), "-o", str(place), "--threads", "1"], cwd=ROOT, stderr=subprocess.PIPE)
         if done.returncode not in (0, 6):
-            raise RuntimeError(f"floe {command} {' '.join(map(str, words))}: exit status {done.returncode}: {done.stdout[-2000:]}")
+            raise RuntimeError(f"floe {command} {' '.join(map(str, words))}: exit status {done.returncode}: {done.stderr[-2000:]}")
+        self.said = "\n".join(line for line in done.stdout.splitlines() if not line.startswith("results: "))
         found = floe.Cases(place)
         self.couplings |= set(found.texts("coupling"))
         return found
+
+    def test(self, name, source):
+        """What a test program of the build prints; the page then hangs on its source too."""
+        self.commands.append([f"build/release/tests/{name}"])
+        self.also.append(source)
+        done, _ = measured([str(FLOE.parent / "tests" / name)], cwd=ROOT)
+        if done.returncode != 0:
+            raise RuntimeError(f"{name}: exit status {done.returncode}: {done.stdout[-2000:]}")
+        return done.stdout
 
     # -- the end
 
@@ -251,7 +263,8 @@ class Page:
         self.enter_bars()
         listed = ROOT / "scripts/results/unstamped.txt"
         kept = [line for line in listed.read_text(encoding="utf-8").splitlines() if line != self.name]
-        listed.write_text("\n".join(kept) + "\n", encoding="utf-8")
+        if len(kept) < len(listed.read_text(encoding="utf-8").splitlines()):
+            listed.write_text("\n".join(kept) + "\n", encoding="utf-8")
 
     def enter_bars(self):
         """Puts the page's bars into the index of all, in place of its earlier ones."""

@@ -21,3 +21,5 @@ PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$FLOE_SOURCE/python expect 0 "$python" "$FL
 cat stdout
 PYTHONDONTWRITEBYTECODE=1 expect 0 "$python" "$FLOE_SOURCE/tests/python/test_verdict.py"
 cat stdout
+FLOE=$FLOE PYTHONDONTWRITEBYTECODE=1 expect 0 "$python" "$FLOE_SOURCE/tests/python/test_pages.py"
+cat stdout
