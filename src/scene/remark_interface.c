@@ -1,4 +1,5 @@
 /* What a smeared interface gets wrong in a scene (docs/theory.md, sharp interface; docs/defaults.md has the figures). */
+#include "scene/flight.h"
 #include "scene/remark_parts.h"
 
 #include <math.h>
@@ -67,6 +68,21 @@ static void warn_of_constant(const scene *s, const scene_body *wall, remark_sink
         "1e3 and 1e5 kg/m3/s ended it in two dimensions, 1e7 a box of 50 bar, 1e8 ran. Compare with locked, and "
         "look at drift_energy.",
         s->method.exchange, wall->name);
+    say(user, text);
+}
+
+void remark_flight_out(const scene *s, remark_sink *say, void *user)
+{
+    char text[REMARK_SIZE], side[16];
+    const scene_flight f = scene_flight_out(s);
+    if (s->coupling != COUPLING_ICE_MPM || s->method.interface != INTERFACE_SHARP || f.body < 0) return;
+    scene_side_name(s, f.axis, f.side, side);
+    (void)snprintf(
+        text, sizeof text,
+        "boundaries.%s: body '%s' comes to this side at t = %.3g%s if nothing stops it. Of the gas between a "
+        "sharp surface and a side each step lets a share pass only: steps shrink until the run ends, or points "
+        "are lost beside the side with their momentum. Take method.interface: smeared, or a larger domain",
+        side, s->body[f.body].name, f.time, scene_time_unit(s));
     say(user, text);
 }
 

@@ -7,6 +7,8 @@
 /* Of solids smeared over cells of fluid. */
 void remark_shapes(const scene *s, remark_sink *say, void *user);
 void remark_smeared(const scene *s, remark_sink *say, void *user);
+/* Of solids that fly out of the domain with a sharp interface. */
+void remark_flight_out(const scene *s, remark_sink *say, void *user);
 
 /* Of magnitudes and times that are hardly what was meant. */
 void remark_range(const scene *s, remark_sink *say, void *user);

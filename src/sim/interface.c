@@ -3,6 +3,7 @@
 #include "coupling/cut.h"
 #include "ice/ice.h"
 #include "mpm/surface/outline.h"
+#include "scene/flight.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -188,6 +189,19 @@ static floe_status suits_no_sources(const scene *s, const mesh *m)
                              : FLOE_OK;
 }
 
+/* Of the gas before a surface that comes to a side each step lets a share pass only, and steps shrink to nothing. */
+static floe_status suits_no_flight_out(const scene *s, const mesh *m)
+{
+    char side[16];
+    const scene_flight f = scene_flight_out(s);
+    (void)m;
+    if (f.body < 0) return FLOE_OK;
+    scene_side_name(s, f.axis, f.side, side);
+    return fail_key(s->ctx, KEY("bodies", s->body[f.body].name, "velocity"),
+                    "body '%s' comes to boundaries.%s at t = %.3g%s, where the gas before it ends a sharp run",
+                    s->body[f.body].name, side, f.time, scene_time_unit(s));
+}
+
 /* ---- the table ---- */
 
 typedef enum requirement_of { OF_MEMBRANES = 1, OF_SURFACES = 2, OF_AUTO = 4 } requirement_of;
@@ -209,6 +223,7 @@ static const requirement requirements[] = {
     {needs_no_exchange, OF_SURFACES | OF_AUTO},
     {suits_no_contact, OF_AUTO},
     {suits_no_sources, OF_AUTO},
+    {suits_no_flight_out, OF_AUTO},
     {needs_clear_surfaces, OF_SURFACES | OF_AUTO},
 };
 

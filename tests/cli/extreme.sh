@@ -8,7 +8,7 @@ for deck in "$FLOE_SOURCE"/inputs/extreme/*.yaml; do
 done
 expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/vacuum.yaml" --couplings ice -o vacuum
 has stdout '12 cases: 12 right, 0 refused, 0 wrong'
-expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --axis materials.plate.density=0.014,1.4e-06 --axis method.interface=sharp --axis time.cfl=0.9 -o light
+expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --couplings ice-mpm --axis materials.plate.density=0.014,1.4e-06 --axis method.interface=sharp --axis time.cfl=0.9 -o light
 has stdout '4 cases: 2 right, 2 refused, 0 wrong'
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=0.0014 -o lighter
 has stderr "is 0.001 times as heavy as the fluid beside it (1.4 kg/m3), and no interface bears less than 0.009"
@@ -21,7 +21,7 @@ spoil() { # DECK OPTION...
 }
 spoil impact --axis materials.right.density=1
 spoil torn --axis method.basis=gimp
-spoil tension --axis verify.exact.standing_bar.amplitude=1e-6
+spoil tension --couplings ice-mpm,mpm --axis verify.exact.standing_bar.amplitude=1e-6
 spoil places --axis method.basis=cubic --axis 'domain.lattice_offset=[0, 0]'
 spoil sliver_stream --axis 'bodies.block.shape.box.lower=[0.402, 0]'
 spoil exchange --axis exchange.gases.momentum.constant.coefficient=0,1e+20

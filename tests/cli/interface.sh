@@ -99,8 +99,16 @@ below "$(json step/summary.json energy)" 1e-6
 expect 3 "$FLOE" run "$FLOE_SOURCE/tests/cli/decks/lift.yaml" -o lift --quiet
 has stderr 'has left the side of the domain'
 has stderr 'leave a whole cell between them'
-expect 3 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/leaving.yaml" --coupling ice-mpm -o leaving --quiet --set method.interface=auto --set 'bodies.block.velocity=[0.6, 0]'
+expect 3 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/leaving.yaml" --coupling ice-mpm -o leaving --quiet --set method.interface=sharp --set 'bodies.block.velocity=[0.6, 0]'
 has stderr 'use method.interface: smeared'
+leaving=("$FLOE_SOURCE/inputs/extreme/leaving.yaml" --coupling ice-mpm --set study=null)
+expect 0 "$FLOE" check "${leaving[@]}" --set method.interface=sharp
+has stderr "body 'block' comes to this side at t = 0.417 if nothing stops it"
+expect 0 "$FLOE" check "${leaving[@]}" --set method.interface=auto
+has stderr "smeared, as bodies.block.velocity: body 'block' comes to boundaries.x.upper"
+expect 0 "$FLOE" run "${leaving[@]}" --set method.interface=auto --quiet -o left
+expect 0 "$FLOE" check "${leaving[@]}" --set method.interface=auto --set 'bodies.block.velocity=[-0.3, 0]'
+has stdout 'interface: auto: sharp'
 
 # ---- the papers' choices under one name ----
 
