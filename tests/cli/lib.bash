@@ -49,6 +49,18 @@ below() {
     awk -v a="$1" -v b="$2" 'BEGIN { exit !(a ~ /^[-+0-9.eE]+$/ && a + 0 < b + 0) }' || fault "'$1' is not below $2"
 }
 
+# even_columns DIR: every row of every table (CSV) under the folder has as many fields as there are names above it, and no name stands there twice.
+even_columns() {
+    local file found=0
+    while IFS= read -r file; do
+        found=1
+        awk '{ gsub(/"[^"]*"/, "text"); n = split($0, field, ",") }
+             NR == 1 { wanted = n; for (k = 1; k <= n; k++) if (field[k] == "" || seen[field[k]]++) exit 1 }
+             n != wanted { exit 1 }' "$file" || fault "a table with uneven columns: $file: $(head -n 2 "$file")"
+    done < <(find "$1" -name '*.csv')
+    [ "$found" -eq 1 ] || fault "no table under $1"
+}
+
 # same_results DIR DIR: the same history and snapshots, bit for bit.
 same_results() {
     local file

@@ -75,6 +75,8 @@ has stdout 'no answer: a run gave no verdict; 0 runs'
 has stderr 'the limit of wall time was reached'
 has slow/limits.csv 'no_verdict,nan,nan'
 
+even_columns .
+
 # Interrupted: what there is was written, and the same command goes on.
 "$FLOE" stability "${one[@]}" --set time.max_steps=2000000 -o stopped >stdout 2>stderr &
 pid=$!

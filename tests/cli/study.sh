@@ -109,6 +109,8 @@ has table_si 'l1_density (kg/m3)'
 has units_si/study.csv 'l1_density (kg/m3)'
 has units_si/ice-0.02/profile.csv 'density (kg/m3)'
 
+even_columns .
+
 # A quantity that no history will have is refused before anything runs.
 expect 2 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 --set 'study.quantities=[strian]' -o misspelt
 has stderr "no case's history.csv has a column 'strian'; they have"

@@ -24,6 +24,8 @@ best_of_all() {
           if ($2 + 0 != least + 0 || NF - 5 < 2) { print "best " $2 " of " $0; wrong = 1 } }
         END { exit wrong || NR != 4 }'
 }
+even_columns bars
+[ "$(grep -c '"target":' bars/study.json)" -eq "$(grep -cE '^(for .* (choose|told apart)|no variant reaches )' stdout)" ] || fault 'not all answers are in study.json'
 best_of_all bars/study.json || fault 'the best time is not the least of all'
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >before
 expect 6 "$FLOE" study "$cylinder" --set study=null --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
@@ -41,6 +43,7 @@ expect 0 "$FLOE" study bar_study.yaml -o limits
 has stdout 'limit of strain'
 has limits/study.json '"gci"'
 is_there limits/quantities.csv
+even_columns limits
 
 # A time limit is a result; more time is a reason to run the case again.
 expect 0 "$FLOE" study "$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --axis domain.cell=0.4,0.0125 --max-wall 0.3 -o short
