@@ -245,7 +245,7 @@ static floe_status clear_matrix(mpm *s, edge_group *g)
     edge_matrix *m = &g->matrix;
     const size_t rows = (size_t)g->n_nodes, dim = (size_t)s->mesh->dim;
     m->width = 1 + 2 * (edge_taps(s) - 1) * s->mesh->dim;
-    if (rows * (size_t)m->width > m->room) {
+    if (rows * (size_t)m->width > m->room || !m->inertia) { /* of no rows there is an array, too */
         const size_t some = rows + rows / 4, room = some * (size_t)m->width;
         TRY(memory_resize(s->ctx, &m->count, some, sizeof *m->count));
         TRY(memory_resize(s->ctx, &m->column, room, sizeof *m->column));

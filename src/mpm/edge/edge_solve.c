@@ -32,7 +32,7 @@ floe_status edges_scratch(mpm *s, const edge_group *g, size_t vectors, double **
 {
     mpm_edges *e = s->work->edges;
     const size_t wanted = (size_t)g->n_nodes * vectors;
-    if (wanted > e->solve_room) {
+    if (wanted > e->solve_room || !e->solve) { /* for no nodes there is an array, too */
         TRY(memory_resize(s->ctx, &e->solve, wanted + wanted / 4, sizeof *e->solve));
         e->solve_room = wanted + wanted / 4;
     }
@@ -328,7 +328,7 @@ floe_status edges_accelerate(mpm *s, int group)
     double *room;
     TRY(edges_scratch(s, g, V_COUNT, &room));
     edges_mark_flow(s, g);
-    for (int c = 0; c < s->mesh->dim; ++c) accelerate(s, group, c, room);
+    for (int c = 0; c < s->mesh->dim && g->n_nodes > 0; ++c) accelerate(s, group, c, room);
     g->travelled = (g->looked ? 0.0 : e->memory[e->travel + (size_t)group]) + way_of_nodes(s, group);
     return FLOE_OK;
 }
