@@ -110,7 +110,7 @@ static floe_status place_value(override *o, deck_node *root)
         } else if (node_is_null(node)) {
             node->kind = NODE_MAP; /* "materials:" without a value takes keys */
         } else {
-            return error_add(o->errors, o->at, NULL, NULL, "'%s' is a value: it has no '%s'",
+            return error_add(o->errors, o->at, NULL, NULL, "'%s' is a value: it has no '%s'. Give a map in its place",
                              node->key ? node->key : "the deck", path);
         }
     }

@@ -8,18 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { TEXT_SIZE = 700, KEY_SIZE = 256 };
+enum { TEXT_SIZE = 700 };
 
-typedef struct speaker {
-    const scene *s;
-    remark_sink *say;
-    void *user;
-    char key[KEY_SIZE];
-} speaker;
-
-/* A remark on the key in `w->key`, with its place in the deck. */
-static void remark(const speaker *w, const char *format, ...) FLOE_PRINTF(2, 3);
-static void remark(const speaker *w, const char *format, ...)
+void remark_key(const remark_speaker *w, const char *format, ...)
 {
     char text[TEXT_SIZE], where[TEXT_SIZE], all[2 * TEXT_SIZE];
     va_list arguments;
@@ -31,9 +22,9 @@ static void remark(const speaker *w, const char *format, ...)
     w->say(w->user, all);
 }
 
-static void set_key(speaker *w, const char *map, const char *name, const char *rest)
+void remark_set_key(remark_speaker *w, const char *map, const char *name, const char *rest)
 {
-    (void)snprintf(w->key, KEY_SIZE, "%s.%s%s%s", map, name, rest[0] ? "." : "", rest);
+    (void)snprintf(w->key, REMARK_KEY, "%s.%s%s%s", map, name, rest[0] ? "." : "", rest);
 }
 
 static bool is_solid(const scene_material *m)
@@ -50,44 +41,46 @@ static double sound_of(const scene_material *m)
 
 /* The softest gels have 10 m/s or so, rubbers under load 50 to 1500, metals to 6500, diamond 18000; what is heavier than
  * stone is a metal, whose slowest (lead) has 1200. */
-static void remark_sound(speaker *w, const scene_material *m)
+static void remark_sound(remark_speaker *w, const scene_material *m)
 {
     const double c = sound_of(m), dense = 4000.0;
     const double least = m->density > dense ? 300.0 : 3.0, most = 1e5;
-    set_key(w, "materials", m->name, "law");
+    remark_set_key(w, "materials", m->name, "law");
     if (c < least || c > most)
-        remark(w,
-               "the speed of sound of solid '%s' is %.3g m/s at %g kg/m3: no %s has that. Are the moduli in Pa (give "
-               "the unit: 200 GPa) and the density in kg/m3?",
-               m->name, c, m->density, m->density > dense ? "metal" : "solid");
+        remark_key(
+            w,
+            "the speed of sound of solid '%s' is %.3g m/s at %g kg/m3: no %s has that. Are the moduli in Pa (give "
+            "the unit: 200 GPa) and the density in kg/m3?",
+            m->name, c, m->density, m->density > dense ? "metal" : "solid");
     const double K = m->law->bulk_modulus(m->law_par), G = m->law->shear_modulus(m->law_par);
     if (G > 0.0 && K < 0.05 * G)
-        remark(
+        remark_key(
             w,
             "the bulk modulus of solid '%s' is %.3g of its shear modulus, a Poisson's ratio of %.3g: is one of them in "
             "other units?",
             m->name, K / G, (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G));
-    set_key(w, "materials", m->name, "density");
+    remark_set_key(w, "materials", m->name, "density");
     if (m->density < 5.0 || m->density > 23000.0)
-        remark(w, "solid '%s' has %g kg/m3: light foams have 10, osmium 22600. Is it in kg/m3 (1 g/cm3 is 1000)?",
-               m->name, m->density);
+        remark_key(w, "solid '%s' has %g kg/m3: light foams have 10, osmium 22600. Is it in kg/m3 (1 g/cm3 is 1000)?",
+                   m->name, m->density);
 }
 
-static void remark_temperature(const speaker *w, double kelvin)
+static void remark_temperature(const remark_speaker *w, double kelvin)
 {
     if (kelvin < 60.0)
-        remark(w, "%g K is %.3g degrees Celsius: is it meant to be %g K?", kelvin, kelvin - 273.15, kelvin + 273.15);
+        remark_key(w, "%g K is %.3g degrees Celsius: is it meant to be %g K?", kelvin, kelvin - 273.15,
+                   kelvin + 273.15);
 }
 
-static void remark_materials(speaker *w)
+static void remark_materials(remark_speaker *w)
 {
     for (int m = 0; m < w->s->n_materials && !w->s->dimensionless; ++m) {
         const scene_material *a = &w->s->material[m];
         if (is_solid(a)) remark_sound(w, a);
-        set_key(w, "materials", a->name, "specific_heat");
+        remark_set_key(w, "materials", a->name, "specific_heat");
         if (is_solid(a) && a->specific_heat > 0.0 && (a->specific_heat < 50.0 || a->specific_heat > 2e4))
-            remark(w, "solid '%s' has %g J/kg/K: lead has 130, water 4200. Is it in J/kg/K, and not in kJ?", a->name,
-                   a->specific_heat);
+            remark_key(w, "solid '%s' has %g J/kg/K: lead has 130, water 4200. Is it in J/kg/K, and not in kJ?",
+                       a->name, a->specific_heat);
     }
 }
 
@@ -96,71 +89,80 @@ static double speed_of(const scene_body *b)
     return sqrt(b->velocity[0] * b->velocity[0] + b->velocity[1] * b->velocity[1] + b->velocity[2] * b->velocity[2]);
 }
 
-static void remark_bodies(speaker *w)
+static void remark_bodies(remark_speaker *w)
 {
     const scene *s = w->s;
-    set_key(w, "ambient", "temperature", "");
+    remark_set_key(w, "ambient", "temperature", "");
     if (s->has_ambient && !s->dimensionless) remark_temperature(w, s->ambient_temperature);
     for (int k = 0; k < s->n_bodies; ++k) {
         const scene_body *b = &s->body[k];
         const scene_material *m = &s->material[b->material];
-        set_key(w, "bodies", b->name, "temperature");
+        remark_set_key(w, "bodies", b->name, "temperature");
         if (!s->dimensionless) remark_temperature(w, b->temperature);
-        set_key(w, "bodies", b->name, "velocity");
+        remark_set_key(w, "bodies", b->name, "velocity");
         if (is_solid(m) && speed_of(b) > 3.0 * sound_of(m))
-            remark(w, "body '%s' moves with %.3g times the speed of sound of its material, %.3g: is that meant?",
-                   b->name, speed_of(b) / sound_of(m), sound_of(m));
+            remark_key(w, "body '%s' moves with %.3g times the speed of sound of its material, %.3g: is that meant?",
+                       b->name, speed_of(b) / sound_of(m), sound_of(m));
     }
 }
 
-static void remark_load(speaker *w, const scene_load *load)
+static void remark_load(remark_speaker *w, const scene_load *load)
 {
     const scene *s = w->s;
     const char *unit = scene_time_unit(s);
     const double full = load->start + (load->ramp_steps > 0 ? 0.0 : load->ramp);
-    set_key(w, "loads", load->name, "");
+    remark_set_key(w, "loads", load->name, "");
     if (load->start >= s->time.end)
-        remark(w, "it starts at t = %g%s, and the run ends at %g%s: it never acts", load->start, unit, s->time.end,
-               unit);
+        remark_key(w, "it starts at t = %g%s, and the run ends at %g%s: it never acts. Take an earlier start",
+                   load->start, unit, s->time.end, unit);
     else if (full > s->time.end * (1.0 + 1e-9))
-        remark(w, "its ramp ends at t = %g%s, and the run at %g%s: %.3g of the load is reached", full, unit,
-               s->time.end, unit, (s->time.end - load->start) / load->ramp);
+        remark_key(w,
+                   "its ramp ends at t = %g%s, and the run at %g%s: %.3g of the load is reached. Take a shorter ramp, "
+                   "or end later",
+                   full, unit, s->time.end, unit, (s->time.end - load->start) / load->ramp);
     const double size =
         sqrt(load->vector[0] * load->vector[0] + load->vector[1] * load->vector[1] + load->vector[2] * load->vector[2]);
     if (load->kind == LOAD_BODY_FORCE && !s->dimensionless && size > 1e6)
-        remark(w, "%.3g m/s2 are %.3g times the Earth's gravity", size, size / 9.81);
+        remark_key(w, "%.3g m/s2 are %.3g times the Earth's gravity. Give the acceleration in m/s2", size, size / 9.81);
 }
 
-static void remark_times(speaker *w)
+static void remark_times(remark_speaker *w)
 {
     const scene *s = w->s;
     const char *unit = scene_time_unit(s);
     const double end = s->time.end;
     for (int l = 0; l < s->n_loads; ++l) remark_load(w, &s->load[l]);
-    set_key(w, "output", "interval", "");
+    remark_set_key(w, "output", "interval", "");
     if (isfinite(s->output.interval) && s->output.interval > end * (1.0 + 1e-9))
-        remark(w, "it is longer than the run (%g%s): there are the first and the last snapshot alone", end, unit);
-    set_key(w, "output", "history_interval", "");
+        remark_key(w,
+                   "it is longer than the run (%g%s): there are the first and the last snapshot alone. Take a shorter "
+                   "one for more",
+                   end, unit);
+    remark_set_key(w, "output", "history_interval", "");
     if (s->output.history_interval > end * (1.0 + 1e-9))
-        remark(w, "it is longer than the run (%g%s): there are the first and the last row alone", end, unit);
-    set_key(w, "damping", "start", "");
+        remark_key(
+            w,
+            "it is longer than the run (%g%s): there are the first and the last row alone. Take a shorter one for more",
+            end, unit);
+    remark_set_key(w, "damping", "start", "");
     if (s->damping.rate > 0.0 && s->damping.start >= end)
-        remark(w, "the run ends at %g%s, before there is any damping", end, unit);
-    set_key(w, "stop", "after", "");
+        remark_key(w, "the run ends at %g%s, before there is any damping. Take an earlier start", end, unit);
+    remark_set_key(w, "stop", "after", "");
     if (s->rest.enabled && s->rest.after >= end)
-        remark(w, "the run ends at %g%s, before it is looked for rest", end, unit);
-    set_key(w, "stop", "window", "");
+        remark_key(w, "the run ends at %g%s, before it is looked for rest. Take an earlier time", end, unit);
+    remark_set_key(w, "stop", "window", "");
     if (s->rest.enabled && s->rest.window >= end)
-        remark(w, "it is as long as the run (%g%s), which so never ends at rest", end, unit);
-    set_key(w, "time", "first_step", "");
-    if (s->time.first_step > end) remark(w, "it is longer than the run (%g%s)", end, unit);
-    set_key(w, "time", "fixed_step", "");
-    if (s->time.fixed_step >= end) remark(w, "it is as long as the run (%g%s): there is one step", end, unit);
+        remark_key(w, "it is as long as the run (%g%s), which so never ends at rest. Take a shorter one", end, unit);
+    remark_set_key(w, "time", "first_step", "");
+    if (s->time.first_step > end) remark_key(w, "it is longer than the run (%g%s). Take a shorter one", end, unit);
+    remark_set_key(w, "time", "fixed_step", "");
+    if (s->time.fixed_step >= end)
+        remark_key(w, "it is as long as the run (%g%s): there is one step. Take a shorter one", end, unit);
 }
 
 /* The waves of the solids: a run too short for any to cross a cell, damping that stops all before one has crossed a
  * body. */
-static void remark_waves(speaker *w)
+static void remark_waves(remark_speaker *w)
 {
     const scene *s = w->s;
     double fastest = 0.0, cell = INFINITY;
@@ -169,18 +171,19 @@ static void remark_waves(speaker *w)
             fastest = fmax(fastest, sound_of(&s->material[s->body[k].material]));
     for (int a = 0; a < s->mesh.dim; ++a) cell = fmin(cell, s->mesh.cell[a]);
     if (fastest == 0.0 || s->time.solver != SOLVER_DYNAMIC) return;
-    set_key(w, "time", "end", "");
+    remark_set_key(w, "time", "end", "");
     if (s->time.end * fastest < cell && s->n_loads > 0)
-        remark(w, "sound of %.3g%s crosses %.2g of a cell by then: nothing can have come to the solids", fastest,
-               s->dimensionless ? "" : " m/s", s->time.end * fastest / cell);
-    set_key(w, "damping", "rate", "");
+        remark_key(w, "sound of %.3g%s crosses %.2g of a cell by then: nothing can have come to the solids", fastest,
+                   s->dimensionless ? "" : " m/s", s->time.end * fastest / cell);
+    remark_set_key(w, "damping", "rate", "");
     if (s->damping.rate * cell > 2.0 * fastest)
-        remark(w, "waves are damped out within half a cell: what is to come to rest freezes. The slowest vibration, of "
-                  "angular frequency w, comes to rest soonest at a rate of 2 w");
+        remark_key(
+            w, "waves are damped out within half a cell: what is to come to rest freezes. The slowest vibration, of "
+               "angular frequency w, comes to rest soonest at a rate of 2 w: take a smaller rate");
 }
 
 /* Pressures behind outlets at which the fluid does not exist. */
-static void remark_outlets(speaker *w)
+static void remark_outlets(remark_speaker *w)
 {
     const scene *s = w->s;
     if (!s->has_ambient || !s->material[s->ambient_material].eos.model) return;
@@ -189,17 +192,17 @@ static void remark_outlets(speaker *w)
     for (int a = 0; a < s->mesh.dim; ++a)
         for (int side = 0; side < 2; ++side) {
             if (s->bc.side[a][side].kind != BC_OUTLET || !(s->bc.side[a][side].pressure <= least)) continue;
-            set_key(w, "boundaries",
-                    s->mesh.geometry == MESH_AXISYMMETRIC ? (a ? "z" : "r") : (a ? (a > 1 ? "z" : "y") : "x"),
-                    side ? "upper" : "lower");
-            remark(w, "'%s' does not exist at %g Pa: its pressure is above %g Pa",
-                   s->material[s->ambient_material].name, s->bc.side[a][side].pressure, least);
+            remark_set_key(w, "boundaries",
+                           s->mesh.geometry == MESH_AXISYMMETRIC ? (a ? "z" : "r") : (a ? (a > 1 ? "z" : "y") : "x"),
+                           side ? "upper" : "lower");
+            remark_key(w, "'%s' does not exist at %g Pa: its pressure is above %g Pa. Give the absolute one",
+                       s->material[s->ambient_material].name, s->bc.side[a][side].pressure, least);
         }
 }
 
 void remark_range(const scene *s, remark_sink *say, void *user)
 {
-    speaker w = {.s = s, .say = say, .user = user};
+    remark_speaker w = {.s = s, .say = say, .user = user};
     remark_materials(&w);
     remark_bodies(&w);
     remark_times(&w);

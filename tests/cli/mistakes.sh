@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Two hundred plausible mistakes in ten classes: half of them written down (tests/mistakes/list.txt), half made from the
-# schema by a seed (FLOE_SEED). Each is refused or warned of with its place and what is wrong; none is silent, and no
-# signal ends floe.
+# Three hundred plausible mistakes: two hundred in ten classes, half of them written down (tests/mistakes/list.txt), half made from
+# the schema by a seed (FLOE_SEED); and a hundred numbers that slips of units or sign leave, drawn from tests/mistakes/slips.txt. Each
+# is refused or warned of with its place, what is wrong and what to do; none is silent, and no signal ends floe.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 seed=${FLOE_SEED:-17}
 echo "seed $seed (FLOE_SEED)"
 failed=0 total=0
+# What to do: to give, take or say something else, what would do, or a question about what was meant.
+remedy='[Gg]ive |[Tt]ake |[Ss]ay |[Tt]urn |[Ll]eave |[Nn]ame |[Uu]se |expected:|hint:|or |needs |must |instead|is meant|[Aa]re |\?'
 
 # mistake CLASS DECK SETTINGS WORDS: `check` says the words, by status 2, or by a warning.
 mistake() {
@@ -21,6 +23,8 @@ mistake() {
         echo "$class: $2, $3: '$words' is not said: $(head -c 300 stderr)"
     elif ! grep -qE -- '--set |\.yaml:[0-9]+:[0-9]+' stderr; then
         echo "$class: $2, $3: no place: $(head -c 300 stderr)"
+    elif ! grep -E 'error:|warning:|expected:|hint:' stderr | grep -qE -- "$remedy"; then
+        echo "$class: $2, $3: no remedy: $(head -c 300 stderr)"
     else
         return 0
     fi
@@ -28,7 +32,7 @@ mistake() {
 }
 
 # The decks themselves are without a fault.
-for deck in solid gas; do
+for deck in solid gas contact ball static; do
     expect 0 "$FLOE" check "$FLOE_SOURCE/tests/mistakes/$deck.yaml"
     if grep -q 'warning:' stderr; then fault "a warning without a cause: $(cat stderr)"; fi
 done
@@ -73,6 +77,34 @@ awk -v seed="$seed" '
     }' names >made
 while IFS='|' read -r class deck settings; do mistake "$class" "$deck" "$settings" 'error:'; done <made
 
+# Numbers a factor off: a line of the list and one of its factors, drawn by the seed. The product stands where the number stood.
+awk -F' *[|] *' -v seed="$seed" '
+    /^#/ { next }
+    {
+        n = split($4, factor, " ")
+        for (k = 1; k <= n; k++) { all++; deck[all] = $1; key[all] = $2; value[all] = $3; times[all] = factor[k] }
+    }
+    # Each number of a value, times a factor.
+    function product(text, factor, out) {
+        while (match(text, /(^|[^A-Za-z0-9_.])[-+]?[0-9.]+(e[-+]?[0-9]+)?/)) {
+            word = substr(text, RSTART, RLENGTH)
+            first = substr(word, 1, 1) ~ /[-+0-9.]/ ? "" : substr(word, 1, 1)
+            out = out substr(text, 1, RSTART - 1) first sprintf("%.9g", substr(word, length(first) + 1) * factor)
+            text = substr(text, RSTART + RLENGTH)
+        }
+        return out text
+    }
+    END {
+        srand(seed)
+        for (drawn = 0; drawn < 100; ) {
+            k = 1 + int(rand() * all)
+            if (taken[k]++) continue
+            drawn++
+            print deck[k] "|" key[k] "=" product(value[k], times[k], "")
+        }
+    }' "$FLOE_SOURCE/tests/mistakes/slips.txt" >slips
+while IFS='|' read -r deck settings; do mistake slip "$deck" "$settings" ': '; done <slips
+
 echo "$total mistakes, $failed without their word"
-[ "$total" -eq 200 ] || fault 'not two hundred'
+[ "$total" -eq 300 ] || fault 'not three hundred'
 [ "$failed" -eq 0 ] || fault "$failed of $total"

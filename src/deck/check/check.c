@@ -188,8 +188,8 @@ static floe_status check_ambient(reader *r)
     }
     if (!m->eos.model || s->ambient_pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
     return bad_at(r, KEY("ambient", "pressure"), NULL, NULL,
-                  "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, s->ambient_pressure,
-                  m->eos.model->pressure_floor(m->eos.par));
+                  "'%s' does not exist at %g Pa: its pressure is above %g Pa. Give the absolute one", m->name,
+                  s->ambient_pressure, m->eos.model->pressure_floor(m->eos.par));
 }
 
 static floe_status check_time(reader *r)

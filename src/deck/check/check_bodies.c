@@ -21,8 +21,8 @@ static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_
                       "body '%s' shares its room with others, and material points do not", b->name);
     if (isnan(b->pressure) || !m->eos.model || b->pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
     return bad_at(r, KEY("bodies", b->name, "pressure"), NULL, NULL,
-                  "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, b->pressure,
-                  m->eos.model->pressure_floor(m->eos.par));
+                  "'%s' does not exist at %g Pa: its pressure is above %g Pa. Give the absolute one", m->name,
+                  b->pressure, m->eos.model->pressure_floor(m->eos.par));
 }
 
 /* A surface that holds gas points: they fill its room by their own volumes. */

@@ -53,7 +53,8 @@ static floe_status check_drag(reader *r, const bc_side *side, int axis, const ch
 static floe_status check_exists(reader *r, const scene_material *m, double pressure, const char *const *path)
 {
     if (!m->eos.model || pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
-    return bad_at(r, path, NULL, NULL, "'%s' does not exist at %g Pa: its pressure is above %g Pa", m->name, pressure,
+    return bad_at(r, path, NULL, NULL,
+                  "'%s' does not exist at %g Pa: its pressure is above %g Pa. Give the absolute one", m->name, pressure,
                   m->eos.model->pressure_floor(m->eos.par));
 }
 
