@@ -67,7 +67,8 @@
     X(N_LOSS, "node_loss", NODE, SCALAR, "J", SCRATCH,                                                               \
       "kinetic energy lost about the node, then J/kg of fluid points")                                               \
     X(N_DRY_MASS, "node_dry_mass", NODE, SCALAR, "kg", SCRATCH, "mass of points that are no fluid")                  \
-    X(N_FILL, "node_fill", NODE, SCALAR, "m3", SCRATCH, "volume of solid points about the node (mpm/edge/edge.h)")   \
+    X(N_FILL, "node_fill", NODE, SCALAR, "m3", SCRATCH,                                                              \
+      "volume of solid points about the node (mpm/edge/edge.h), then room that is left there (mpm/settle.c)")        \
     X(N_COLOUR, "node_colour", NODE, SCALAR, "m3", SCRATCH, "phi_i = sum of V0_p times a smoothing kernel")          \
     X(N_NORMAL, "node_normal", NODE, VECTOR, "1/m", SCRATCH,                                                         \
       "-grad phi/phi: towards the outside of a body, of no unit length")                                             \
@@ -75,6 +76,8 @@
       "how far a body's points reach from the node along its normal there")                                          \
     X(N_TOUCH, "node_touch", NODE, SCALAR, "1", SCRATCH,                                                             \
       "bits of the groups that it moves with (from 0 on) and slides on (from 16 on)")                                \
+    X(N_WETTED_AREA, "node_wetted_area", NODE, VECTOR, "m2", SCRATCH,                                                \
+      "of fluid points: sum of V_p grad S_ip, the integral of S_i n over their surface")                             \
     X(N_SIDE_REACH, "node_side_reach", NODE, VECTOR, "m", SCRATCH,                                                   \
       "how far a group's points reach beyond the side that the node is on, by axis")                                 \
     X(N_STOPPED, "node_stopped", NODE, VECTOR, "1", SCRATCH, "1 where a side stops the component")                   \

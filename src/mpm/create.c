@@ -10,17 +10,22 @@
 #include "mpm/membrane/membrane_normal.h"
 #include "mpm/membrane/membrane_sheet.h"
 #include "mpm/surface/skin.h"
+#include "mpm/wetted.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Velocity fields. In pure MPM one for all points (no slip is inherent), but that a body in contact has its own; one a solid
- * material when the cells couple them. */
+/* Velocity fields. In pure MPM one for all points, but that a body in contact has its own, and fluids where they slip along solids
+ * (wetted.h); one a solid material when the cells couple them. */
 static int group_of(const mpm *s, int index)
 {
-    const bool apart = scene_in_contact(s->scene, index);
+    const bool apart = scene_in_contact(s->scene, index), fluid = s->body[s->n_bodies].fluid;
     for (int b = 0; b < s->n_bodies; ++b) {
+        if (!s->coupled && !s->seals && scene_fluids_apart(s->scene)) {
+            if (s->body[b].fluid == fluid) return s->body[b].group;
+            continue;
+        }
         const bool same = s->coupled ? s->body[b].scene_material == s->scene->body[index].material
                                      : !apart && !scene_in_contact(s->scene, s->body[b].scene_body);
         if (same) return s->body[b].group;
@@ -103,6 +108,7 @@ static floe_status make_work(mpm *s)
     if (s->membranes) TRY(memory_new(s->ctx, &w->line, SCENE_MAX_BODIES, sizeof *w->line));
     if (s->free_normals) TRY(memory_new(s->ctx, &w->normals, SCENE_MAX_BODIES, sizeof *w->normals));
     if (mpm_edge_penalty(s) > 0.0) TRY(edges_create(s));
+    if (!s->coupled && !s->seals && scene_fluids_apart(s->scene)) TRY(wetted_create(s));
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
@@ -167,6 +173,7 @@ void mpm_destroy(mpm **s)
         free_skins(ctx, &(*s)->work->skin);
         free_kept(ctx, (*s)->work);
         edges_free(ctx, &(*s)->work->edges);
+        wetted_free(ctx, &(*s)->work->wetted);
         free_hold(ctx, &(*s)->work->hold);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);

@@ -15,6 +15,7 @@
 #include "mpm/membrane/line.h"
 #include "mpm/spread.h"
 #include "mpm/wall.h"
+#include "mpm/wetted.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,6 +32,13 @@ static bool has_fluid(const mpm *s)
 bool losses_are_heat(const mpm *s)
 {
     return s->scene->method.losses == LOSSES_HEAT && !s->coupled && (has_fluid(s) || s->seals);
+}
+
+/* What other transfers than FLIP lose is not known, nor of points that forget their own velocities. */
+bool fluids_keep_losses(const mpm *s)
+{
+    const bool known = isnan(s->transfer->share) && s->share > 0.0;
+    return s->scene->method.losses == LOSSES_OWN && known && !s->coupled && has_fluid(s);
 }
 
 static bool is_usl(const mpm *s)
@@ -54,6 +62,14 @@ static void square_nodes(const mpm *s, int blk, int group)
             out[k] += blend * before * before + usl * a[k] * a[k];
         }
     }
+}
+
+/* And what lines across walls lost, as if the fluid's nodes had it of their own. */
+static floe_status square_all(mpm *s)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int g = 0; g < s->n_groups; ++g) square_nodes(s, b, g);
+    return s->work->wetted ? wetted_add_losses(s) : FLOE_OK;
 }
 
 /* What damping took (J) of the motion of the nodes at a place. */
@@ -243,8 +259,7 @@ static void visit_tiles(const mpm *s, tile_visitor *visit)
 floe_status mpm_give_heat(mpm *s)
 {
     double sum[HEAT_SUMS];
-    for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int g = 0; g < s->n_groups; ++g) square_nodes(s, b, g);
+    TRY(square_all(s));
     visit_tiles(s, settle_tile);
     gather_numbers(s, 0, (const field_id[]){N_LOSS, N_DRY_MASS}, 2);
     visit_tiles(s, close_tile);
@@ -255,5 +270,29 @@ floe_status mpm_give_heat(mpm *s)
     for (int b = 0; b < s->mesh->n_blocks; ++b) share_losses(s, b, sum[SUM_LEFT] / sum[SUM_FLUID]);
     extend_to_ghosts(s, 0, N_LOSS);
     visit_tiles(s, heat_tile);
+    return FLOE_OK;
+}
+
+/* Fluid points of a tile take their own losses. */
+static void keep_tile(const mpm *s, int blk, int tile)
+{
+    const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
+    double squares[HEAT_WINDOW], *at_points = s->work->batch[thread_number()].energy;
+    int loaded = -1;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *range = s->points[blk][body].tile_start + tile;
+        const int group = s->body[body].group;
+        if (!s->body[body].fluid || range[0] == range[1]) continue;
+        const double *node = field_get(s->domain->fields[blk], N_LOSS, group, 0);
+        if (loaded != group) load_window(s, blk, &box, &node, 1, squares);
+        loaded = group;
+        settle_body(s, blk, body, &box, range, squares, at_points, NULL);
+    }
+}
+
+floe_status mpm_keep_losses(mpm *s)
+{
+    TRY(square_all(s));
+    visit_tiles(s, keep_tile);
     return FLOE_OK;
 }

@@ -128,7 +128,11 @@ floe_status mpm_turn_membranes(mpm *s);   /* tangents from where the points are 
  * (burn.c). */
 floe_status mpm_burn(mpm *s);
 
-floe_status mpm_give_heat(mpm *s); /* lost kinetic energy to fluid points (heat.c) */
+floe_status mpm_give_heat(mpm *s);      /* lost kinetic energy to fluid points (heat.c) */
+floe_status mpm_wetted_area(mpm *s);    /* of fluid points at their nodes (wetted.c) */
+floe_status mpm_hold_wetted(mpm *s);    /* normal velocities of fluids and walls */
+floe_status mpm_settle_volumes(mpm *s); /* of gas points, to the room that there is (settle.c) */
+floe_status mpm_keep_losses(mpm *s);    /* of each fluid point to itself (heat.c) */
 
 /* Before the stages: the kick of the step, body forces. */
 floe_status mpm_begin_step(mpm *s);

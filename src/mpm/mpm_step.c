@@ -45,6 +45,11 @@ static bool has_contact(const mpm *s)
     return s->contact != NULL;
 }
 
+static bool has_wetted(const mpm *s)
+{
+    return s->work->wetted != NULL;
+}
+
 static bool has_edges(const mpm *s)
 {
     return s->work->edges != NULL;
@@ -88,6 +93,8 @@ floe_status mpm_mass_stages(mpm *s)
           READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
                 POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
+    STAGE(s, has_wetted(s), mpm_wetted_area, READS(N_MASS, P_POS, P_VOLUME0, P_J, P_STRESS, DOMAINS),
+          WRITES(N_WETTED_AREA));
     STAGE(s, walls_let_go(s), mpm_side_reach, READS(P_POS, P_VOLUME0, P_J, DOMAINS), WRITES(N_SIDE_REACH, N_STOPPED));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
@@ -136,6 +143,8 @@ floe_status mpm_node_stages(mpm *s)
     STAGE(s, has_contact(s), mpm_contact_velocity,
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
+    STAGE(s, has_wetted(s), mpm_hold_wetted, READS(N_MASS, N_MOMENTUM, N_FORCE, N_WETTED_AREA, N_VEL_L),
+          WRITES(N_VEL_L, N_MOMENTUM));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L, SIDES), WRITES(N_ACCEL, N_VEL_L, STOPS));
     return FLOE_OK;
 }
@@ -167,6 +176,10 @@ floe_status mpm_point_stages(mpm *s)
     STAGE(s, losses_are_heat(s), mpm_give_heat,
           READS(P_MASS, P_POS, P_VEL, DOMAINS, N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
           WRITES(N_LOSS, N_DRY_MASS, P_ENERGY));
+    STAGE(s, fluids_keep_losses(s), mpm_keep_losses,
+          READS(P_MASS, P_POS, P_VEL, DOMAINS, N_MASS, N_VEL_L, N_ACCEL, P_ENERGY), WRITES(N_LOSS, P_ENERGY));
+    STAGE(s, settles_volumes(s), mpm_settle_volumes, READS(P_POS, P_VEL, P_VOLUME0, P_MASS, P_J, P_ENERGY, DOMAINS),
+          WRITES(N_FILL, P_J, P_ENERGY));
     return FLOE_OK;
 }
 

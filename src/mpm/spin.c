@@ -52,8 +52,8 @@ static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, s
                        weight_spread *w, double sum[3])
 {
     const int dim = s->mesh->dim;
-    for (int c = 0; p->affine[0] && c < 6; ++c)
-        s->work->kernel.sample(s->mesh, t, p, start, end, w->window[c], w->at[c]);
+    const bool carries = dim > 1 && p->affine[0]; /* along a line no moment is carried */
+    for (int c = 0; carries && c < 6; ++c) s->work->kernel.sample(s->mesh, t, p, start, end, w->window[c], w->at[c]);
     for (size_t k = start; k < end; ++k) {
         double x[3] = {0.0}, v[3] = {0.0};
         for (int a = 0; a < dim; ++a) {
@@ -62,7 +62,7 @@ static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, s
         }
         for (int e = dim == 2 ? 2 : 0; e < 3; ++e) {
             const int a = (e + 1) % 3, b = (e + 2) % 3;
-            const double carried = p->affine[0] ? carried_spin(w, p, k, k - start, x, a, b, dim) : 0.0;
+            const double carried = carries ? carried_spin(w, p, k, k - start, x, a, b, dim) : 0.0;
             sum[e] += p->mass[k] * (x[a] * v[b] - x[b] * v[a] + carried);
         }
     }

@@ -18,6 +18,7 @@ typedef struct membrane_line membrane_line;
 typedef struct kept_points kept_points;
 typedef struct membrane_normals membrane_normals;
 typedef struct mpm_edges mpm_edges;
+typedef struct mpm_wetted mpm_wetted;
 
 /* Where a point was last found: a hint. */
 typedef struct spring_end {
@@ -78,12 +79,14 @@ struct mpm_work {
     int reach;                                                   /* nodes that the window begins before its tile */
     int (*basis_1d)(double, double, double, double *, double *); /* weights of the basis along an axis */
     int body_group[SCENE_MAX_BODIES];                            /* group of a scene body, -1: none of ours */
-    bool *active;          /* per global tile: the group in hand has points there; owned */
-    uint32_t *moved;       /* per global tile: bit of each body of which points have changed cell in the step; owned */
-    double *cell_mass;     /* kg: of a fluid, per global cell; owned, NULL without cell densities */
-    double *tile_sum;      /* per global tile, MPM_TILE_SUMS values; owned */
-    double kick;           /* s: the time over which velocities are kicked */
-    double reference_mass; /* kg: heaviest point, for the small-node rule (numerics 4.4) */
+    bool *active; /* per global tile: the group in hand has points there; owned */
+    mpm_wetted
+        *wetted;     /* where fluids with a velocity field of their own meet solids (wetted.h); owned, NULL: none do */
+    uint32_t *moved; /* per global tile: bit of each body of which points have changed cell in the step; owned */
+    double *cell_mass;                        /* kg: of a fluid, per global cell; owned, NULL without cell densities */
+    double *tile_sum;                         /* per global tile, MPM_TILE_SUMS values; owned */
+    double kick;                              /* s: the time over which velocities are kicked */
+    double reference_mass;                    /* kg: heaviest point, for the small-node rule (numerics 4.4) */
     double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
     double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
     surface_point *surface, *surface_next; /* owned */
@@ -180,6 +183,10 @@ double damping_left(const mpm *s);
 double small_node(const mpm *s);
 /* Whether lost kinetic energy is to heat fluid points (heat.c). */
 bool losses_are_heat(const mpm *s);
+/* Whether fluid points keep what they lose themselves, and nothing else, as heat. */
+bool fluids_keep_losses(const mpm *s);
+/* Whether volumes of gas points are brought back to the room that there is (settle.c). */
+bool settles_volumes(const mpm *s);
 
 /* What a step in parts keeps of its start (parts.c). */
 void free_kept(context *ctx, struct mpm_work *w);

@@ -100,6 +100,23 @@ const char *scene_transfer(const scene *s)
     return isnan(s->method.flip) && moves_solids_alone(s) && !looks_for_rest(s) ? "afmpm" : "flip";
 }
 
+/* Steps that are solved for, contact and membranes have their own rules, other times of the stress and filtered velocities another order of
+ * the step; and what is damped to rest is steadier with one velocity. */
+bool scene_fluids_apart(const scene *s)
+{
+    const char *transfer = scene_transfer(s);
+    const bool plain = strcmp(transfer, "afmpm") != 0 && strcmp(transfer, "xpic") != 0;
+    bool fluids = false, solids = false;
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const scene_material *m = &s->material[s->body[b].material];
+        if (m->membrane) return false;
+        fluids = fluids || m->kind == MATERIAL_FLUID;
+        solids = solids || m->kind == MATERIAL_SOLID;
+    }
+    return s->coupling == COUPLING_MPM && s->time.solver == SOLVER_DYNAMIC && s->method.stress == STRESS_USL && plain &&
+           !s->contact.enabled && !(s->damping.rate > 0.0) && fluids && solids;
+}
+
 static void set_defaults(scene *s)
 {
     s->mesh.dim = 2;

@@ -192,7 +192,7 @@ typedef struct scene_reaction {
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
 typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
 /* What becomes of the kinetic energy that points lose to their nodes (mpm/heat.c). */
-typedef enum point_losses { LOSSES_DRIFT, LOSSES_HEAT } point_losses;
+typedef enum point_losses { LOSSES_DRIFT, LOSSES_HEAT, LOSSES_OWN } point_losses;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
 typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AUTO } pressure_scheme;
 /* Where a solid feels the gas of the cells: over the cells that it shares with gas, or on its surface (theory, sharp interface). */
@@ -464,6 +464,8 @@ void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE
 int scene_holder(const scene *s);
 /* The name of the transfer of points: the deck's, else what suits the bodies and the coupling best (docs/defaults.md). */
 const char *scene_transfer(const scene *s);
+/* Whether fluids on points have a velocity of their own beside solids (mpm/wetted.h). */
+bool scene_fluids_apart(const scene *s);
 /* All of them, up to SCENE_MAX_HOLDERS, in their order; returns how many. */
 int scene_holders(const scene *s, int body[SCENE_MAX_HOLDERS]);
 /* Whether lines cut the cells of gas in ice-mpm: a membrane that holds a gas, or surfaces of solids (interface sharp). */

@@ -175,7 +175,8 @@ static const choice density_choices[] = {
 };
 static const choice losses_choices[] = {
     {"drift", LOSSES_DRIFT, "nothing: the drift of energy shows it"},
-    {"heat", LOSSES_HEAT, "heat of the fluid points about them (pure MPM)"},
+    {"own", LOSSES_OWN, "heat of each fluid point that loses it (pure MPM, transfer flip); else nothing"},
+    {"heat", LOSSES_HEAT, "heat of the fluid points about them, of what solids lose and damping takes too (pure MPM)"},
     {0},
 };
 static const choice centring_choices[] = {
@@ -253,7 +254,7 @@ static const key_spec method_keys[] = {
      .doc = "order: passes between points and nodes of which the filter is made"},
     {"point_density", KEY_CHOICE, AT(scene_method, density), .fallback = "continuity", .choices = density_choices,
      .doc = "density of material points of fluids"},
-    {"losses", KEY_CHOICE, AT(scene_method, losses), .fallback = "drift", .choices = losses_choices,
+    {"losses", KEY_CHOICE, AT(scene_method, losses), .fallback = "own", .choices = losses_choices,
      .doc = "what becomes of the kinetic energy that points lose to their nodes, and damping takes"},
     {"edge_penalty", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, edge_penalty),
      .otherwise = "the basis's own: quadratic 0.005, cubic 0.001, gimp 0.0005, others 0; 0 where a solid burns",

@@ -36,7 +36,7 @@ static double axis_moment(basis_kind kind)
     return kind == BASIS_CUBIC ? 7.0 / 30.0 : kind == BASIS_QUADRATIC ? 13.0 / 64.0 : 1.0 / 6.0;
 }
 
-static double node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM])
+double edge_node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM])
 {
     double volume = 1.0;
     const double r = mesh_node(s->mesh, 0, at[0]), h = s->mesh->h[0];
@@ -77,7 +77,7 @@ static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
     const int global[MESH_MAX_DIM] = {b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]};
     const size_t number = edge_number(e, global);
     const int own_group = s->body[body].group;
-    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, own_group, global);
+    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / edge_node_volume(s, own_group, global);
     const bool bears = e->starting || edge_bears(s, field_get(s->domain->fields[blk], N_MASS, own_group, 0),
                                                  mesh_index(b, local[0], local[1], local[2]));
     if (!(fill > 0.0) || !bears) return;
