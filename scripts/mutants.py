@@ -19,7 +19,7 @@ sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
 sys.dont_write_bytecode = True
 from mutation import page  # noqa: E402
 from mutation.draw import plan  # noqa: E402
-from mutation.tests import Runner, State, build, look, source_hash, try_mutant  # noqa: E402
+from mutation.tests import Runner, State, build, candidates, look, source_hash, try_mutant  # noqa: E402
 
 
 def show(mutants, state):
@@ -27,6 +27,15 @@ def show(mutants, state):
         known = state.data["mutants"].get(s.key(), {"status": "not run", "by": ""})
         print(f"{s.order:4d} {known['status']:9s} {s.path}:{s.line}: `{s.token}` -> `{s.changed}`{' (rebuilt)' if s.rebuild else ''}: "
               f"{s.source[:110]}   {known['by']}")
+
+
+def in_order(state, runner, mutants, arguments):
+    """By the seed; with --most those first whose next tests are the cheapest."""
+    def cost(s):
+        passed = state.data["mutants"].get(s.key(), {}).get("passed", {})
+        left = [n for n in candidates(state, runner, s, None, arguments.longest) if n not in passed]
+        return state.data["tests"][left[0]]["cpu"] if left else 0.0
+    return sorted(mutants, key=cost) if arguments.again and arguments.most < 10**6 else mutants
 
 
 def main():
@@ -60,7 +69,7 @@ def main():
     runner = Runner(trees["switch"])
     commit = source_hash(names)
     started = time.monotonic()
-    for s in mutants[:arguments.first]:
+    for s in in_order(state, runner, mutants[:arguments.first], arguments):
         known = state.data["mutants"].get(s.key())
         wanted = not known or (arguments.again and known["status"] == "survived")
         if arguments.room and not s.path.startswith(f"src/{arguments.room}/"):

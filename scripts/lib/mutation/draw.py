@@ -58,7 +58,7 @@ class Draw:
                     self.sites.append(by_room[room][k])
         self.count, self.excluded = count, excluded
 
-    def choose(self, compiles, numbers):
+    def choose(self, compiles, numbers, run):
         """The first of each room that are not excluded and compile, `count` together. `numbers` keeps the number that each has in the builds,
         so that a change of the sources elsewhere leaves their texts as they are."""
         share = {room: self.count // len(ROOMS) for room in ROOMS}
@@ -68,7 +68,7 @@ class Draw:
             if share[room] == 0:
                 continue
             s.reached = False
-            if s.key() in self.excluded:
+            if s.key() in self.excluded and s.key() not in run:  # one that was proved after its run stays in the draw
                 self.excluded_used.append(s.key())
                 continue
             if not compiles(s):
@@ -125,6 +125,6 @@ def plan(seed, count, folder, state):
     if not os.path.exists(os.path.join(trees["switch"].build, "compile_commands.json")):
         trees["switch"].copy(names, {})
         trees["switch"].configure()
-    mutants = draw.choose(forms_of(draw, Compiler(trees["switch"]), state.data["compiles"]), state.data["numbers"])
+    mutants = draw.choose(forms_of(draw, Compiler(trees["switch"]), state.data["compiles"]), state.data["numbers"], state.data["mutants"])
     state.save()
     return names, draw, mutants, trees

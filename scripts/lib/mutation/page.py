@@ -23,12 +23,27 @@ def of_room(sites, room):
     return [s for s in sites if s.path.startswith(f"src/{room}/")]
 
 
-def table_of_rooms(draw, mutants, run, live):
-    lines = ["| room | sites | drawn | run | killed | alive | proved equivalent |", "|---|---|---|---|---|---|---|"]
+class Count:
+    """Of some mutants: those run, killed, proved equivalent since, and alive."""
+
+    def __init__(self, sites, known, proofs):
+        self.drawn = len(sites)
+        self.run = [s for s in sites if known[s.order]]
+        survived = [s for s in self.run if known[s.order]["status"] == "survived"]
+        self.equal = [s for s in survived if s.key() in proofs]
+        self.alive = [s for s in survived if s.key() not in proofs]
+        self.killed = len(self.run) - len(survived)
+
+    @property
+    def share(self):
+        return self.killed / max(1, self.killed + len(self.alive))
+
+
+def table_of_rooms(draw, mutants, known, proofs):
+    lines = ["| room | sites | drawn | run | killed | alive | equivalent |", "|---|---|---|---|---|---|---|"]
     for room in ROOMS:
-        counts = [len(of_room(sites, room)) for sites in (mutants, run, live)]
-        proved = sum(1 for k in draw.excluded_used if k.startswith(f"src/{room}/"))
-        lines.append(f"| {room} | {draw.total[room]} | {counts[0]} | {counts[1]} | {counts[1] - counts[2]} | {counts[2]} | {proved} |")
+        c = Count(of_room(mutants, room), known, proofs)
+        lines.append(f"| {room} | {draw.total[room]} | {c.drawn} | {len(c.run)} | {c.killed} | {len(c.alive)} | {len(c.equal)} |")
     return lines
 
 
@@ -45,37 +60,38 @@ def table_of_all(mutants, known):
     return lines
 
 
-def alive_of(s, known, why):
-    never = "No quick test gives it another value. " if known["ran"] == 0 else ""
-    return f"* {s.order}: `{s.path}`, line {s.line}: {change_of(s)} in `{s.source}`. {never}{why.get(s.key(), '')}"
+def alive_of(s, known, why, tests):
+    """A survivor: how many of the tests that could see it have been run with it, and what is known of it."""
+    could = {name for name, t in tests.items() if s.rebuild or s.key() in t["seen"] or s.key() not in t["asked"]} | set(known.get("passed", {}))
+    ran = len(known.get("passed", {}))
+    asked = "all of them" if ran >= len(could) else "the longer ones not yet"
+    return (f"* {s.order}: `{s.path}`, line {s.line}: {change_of(s)} in `{s.source}`. "
+            f"{ran} of {len(could)} tests that might see it: {asked}. {why.get(s.key(), '')}".rstrip())
 
 
 def lines_of(seed, draw, mutants, state, names):
     """The page without its title and its stamp, and the share that is killed."""
-    known = {s.order: state.data["mutants"].get(s.key()) for s in mutants}
-    run = [s for s in mutants if known[s.order]]
-    live = [s for s in run if known[s.order]["status"] == "survived"]
-    killed, cpu = len(run) - len(live), state.data["cpu"]
-    share = killed / max(1, len(run))
+    known, proofs, why = {s.order: state.data["mutants"].get(s.key()) for s in mutants}, entries("equivalent.txt"), entries("survivors.txt")
+    all_of, cpu = Count(mutants, known, proofs), state.data["cpu"]
+    tried = [s for s in all_of.alive if not alive_of(s, known[s.order], {}, state.data["tests"]).endswith("not yet.")]
     lines = [f"Faults put into the sources one at a time, and whether the quick tests see them: `scripts/mutants.py --seed {seed} "
-             f"--mutants {len(mutants)}`, then `scripts/mutants.py --seed {seed} --mutants {len(mutants)} --page`.", "",
-             f"* Drawn: {len(mutants)} by seed {seed}, {len(mutants) // len(ROOMS)} a room; run: **{len(run)}**; killed: **{killed}**, {100.0 * share:.1f} %; "
-             f"alive: **{len(live)}**.",
-             f"* Hash of `src`, `tests` and `inputs` at the last run: {', '.join(sorted({k['commit'] for k in known.values() if k}))}"
-             f"; now: {source_hash(names)}.",
+             f"--mutants {len(mutants)}`, then the same with `--page`.", "",
+             f"* Drawn: {len(mutants)} by seed {seed}, {len(mutants) // len(ROOMS)} a room; run: **{len(all_of.run)}**; killed: **{all_of.killed}**; "
+             f"proved equivalent afterwards: {len(all_of.equal)}; alive: **{len(all_of.alive)}**, of which {len(tried)} have had all tests that could see them, "
+             "the others the shorter ones.",
+             f"* Killed, of those that are not equivalent: **{100.0 * all_of.share:.1f} %**; the bar is 95 %.",
+             f"* Hash of `src`, `tests` and `inputs` when they were run: {', '.join(sorted({k['commit'] for k in known.values() if k}))}.",
              f"* CPU time: {cpu['build'] / 60:.0f} min of building, {cpu['look'] / 60:.0f} min of looking which tests see which, {cpu['run'] / 60:.0f} min of running; "
              "a mutant that is run again is counted each time.",
              f"* {sum(1 for s in mutants if s.rebuild)} of them by rebuilding their file (what the compiler must know), the others by a switch in one build.", ""]
-    lines += table_of_rooms(draw, mutants, run, live)
-    why = entries("survivors.txt")
-    lines += ["", "## Alive", ""] + ([alive_of(s, known[s.order], why) for s in live] or ["None."])
+    lines += table_of_rooms(draw, mutants, known, proofs)
+    lines += ["", "## Alive", ""] + ([alive_of(s, known[s.order], why, state.data["tests"]) for s in all_of.alive] or ["None."])
     not_run = [str(s.order) for s in mutants if not known[s.order]]
     lines += ["", f"Not run: {', '.join(not_run)}."] if not_run else []
-    lines += ["", "## What is a site, and how it is run", "", SITES.strip(), "", "## Proved equivalent, and so not drawn", ""]
-    proofs = entries("equivalent.txt")
-    lines += [f"* `{k}`: {proofs[k]}" for k in draw.excluded_used] or ["None."]
-    lines += ["", "## All", ""] + table_of_all(mutants, known)
-    return lines, share
+    lines += ["", "## Equivalent", "", "The next draw leaves them out.", ""]
+    lines += [f"* `{k}`: {proofs[k]}" for k in proofs] or ["None."]
+    lines += ["", "## What is a site, and how it is run", "", SITES.strip(), "", "## All", ""] + table_of_all(mutants, known)
+    return lines, all_of.share
 
 
 def version():

@@ -169,9 +169,10 @@ def candidates(state, runner, site, killer, longest):
     score = {}
     for name, t in tests.items():
         own = len(words & set(name.split("_")))
+        looked = t["mark"] == test_mark(runner.tests[name][0]) and site.key() in t["asked"] if name in runner.tests else False
         if t["wrong"] or t["cpu"] > 2.0 * longest or name not in runner.tests:
             continue
-        if site.rebuild or site.key() in t["seen"] or (site.key() not in t["asked"] and own):
+        if site.rebuild or site.key() in t["seen"] or (own and not looked):
             score[name] = (name != killer, t["cpu"] * 0.2**own)
     return sorted(score, key=score.get)
 
