@@ -46,13 +46,22 @@ floe_status transfer_nodes_to_cells(transfer *t)
     return FLOE_OK;
 }
 
-static void momentum_from_nodes(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
+/* A row's momentum along each axis, to arrays of its block. */
+static void sum_momentum(const transfer *t, int blk, const transfer_pair *pair, int j, int k,
+                         double *const to[MESH_MAX_DIM])
 {
     const fields *f = t->domain->fields[blk];
     const strip s = strip_of_cells(t->mesh, &t->mesh->block[blk], j, k);
     for (int a = 0; a < t->mesh->dim; ++a)
-        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a),
-                  field_get(f, C_MOMENTUM_L, pair->material, a), STRIP_SUM_PRODUCT);
+        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a), to[a],
+                  STRIP_SUM_PRODUCT);
+}
+
+static void momentum_from_nodes(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
+{
+    double *to[MESH_MAX_DIM];
+    for (int a = 0; a < t->mesh->dim; ++a) to[a] = field_get(t->domain->fields[blk], C_MOMENTUM_L, pair->material, a);
+    sum_momentum(t, blk, pair, j, k, to);
 }
 
 floe_status transfer_momentum_to_cells(transfer *t)
@@ -165,11 +174,10 @@ floe_status transfer_burnt_to_cells(transfer *t)
 /* Momentum in the next array of C_STRESS_ACCEL. */
 static void momentum_before(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
 {
-    const fields *f = t->domain->fields[blk];
-    const strip s = strip_of_cells(t->mesh, &t->mesh->block[blk], j, k);
+    double *to[MESH_MAX_DIM];
     for (int a = 0; a < t->mesh->dim; ++a)
-        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a),
-                  field_next(f, C_STRESS_ACCEL, pair->material, a), STRIP_SUM_PRODUCT);
+        to[a] = field_next(t->domain->fields[blk], C_STRESS_ACCEL, pair->material, a);
+    sum_momentum(t, blk, pair, j, k, to);
 }
 
 floe_status transfer_momentum_before(transfer *t)

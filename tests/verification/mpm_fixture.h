@@ -268,4 +268,34 @@ FIXTURE void trial_settle(trial *t, double latest)
     }
 }
 
+/* What the points of a body have together. */
+typedef struct body_sums {
+    double mass, momentum[3], kinetic, largest_error;
+    double place[3]; /* of the centre of mass */
+    double v[3];     /* against which errors of velocities are taken */
+} body_sums;
+
+FIXTURE void add_point_to_sums(void *user, const fields *f, int body, size_t k)
+{
+    body_sums *s = user;
+    const double m = field_get(f, P_MASS, body, 0)[k];
+    s->mass += m;
+    for (int a = 0; field_get(f, P_POS, body, a); ++a) {
+        const double v = field_get(f, P_VEL, body, a)[k];
+        s->momentum[a] += m * v;
+        s->place[a] += m * field_get(f, P_POS, body, a)[k];
+        s->kinetic += 0.5 * m * v * v;
+        s->largest_error = fmax(s->largest_error, fabs(v - s->v[a]));
+    }
+}
+
+FIXTURE body_sums sum_body_points(const trial *t, int body, const double *v)
+{
+    body_sums s = {.mass = 0.0};
+    if (v) memcpy(s.v, v, sizeof s.v);
+    visit_points(t, body, add_point_to_sums, &s);
+    for (int a = 0; a < 3; ++a) s.place[a] /= s.mass;
+    return s;
+}
+
 #endif

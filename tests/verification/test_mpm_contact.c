@@ -14,34 +14,6 @@ static void touch(trial *t, contact_kind kind, double friction)
     t->scene->contact.friction = friction;
 }
 
-typedef struct sums {
-    double mass, momentum[3], place[3], kinetic, largest_error;
-    double v[3]; /* against which errors are taken */
-} sums;
-
-static void add_point(void *user, const fields *f, int body, size_t k)
-{
-    sums *s = user;
-    const double m = field_get(f, P_MASS, body, 0)[k];
-    s->mass += m;
-    for (int a = 0; field_get(f, P_POS, body, a); ++a) {
-        const double v = field_get(f, P_VEL, body, a)[k];
-        s->momentum[a] += m * v;
-        s->place[a] += m * field_get(f, P_POS, body, a)[k];
-        s->kinetic += 0.5 * m * v * v;
-        s->largest_error = fmax(s->largest_error, fabs(v - s->v[a]));
-    }
-}
-
-static sums sum_body(const trial *t, int body, const double *v)
-{
-    sums s = {.mass = 0.0};
-    if (v) memcpy(s.v, v, sizeof s.v);
-    visit_points(t, body, add_point, &s);
-    for (int a = 0; a < 3; ++a) s.place[a] /= s.mass;
-    return s;
-}
-
 /* Two balls that hit each other off centre; on the axis where there is one. */
 static void make_balls(trial *t, int dim, bool axisymmetric, double h)
 {
@@ -157,7 +129,7 @@ static void test_parting(void **state)
         if (kind == CONTACT_STICK) t.scene->contact.touch = CONTACT_AT_NODES;
         trial_start(&t);
         trial_run(&t, 0.5);
-        const double error = fmax(sum_body(&t, 0, va).largest_error, sum_body(&t, 1, vb).largest_error);
+        const double error = fmax(sum_body_points(&t, 0, va).largest_error, sum_body_points(&t, 1, vb).largest_error);
         if (kind == CONTACT_STICK)
             check_true(error > 0.1);
         else
@@ -202,7 +174,7 @@ static void test_slope_slides(void **state)
         trial_steps(&t, 500);
         /* Velocities live half a step behind. */
         const double kicked = t.sim->time - 0.5 * t.scene->time.fixed_step;
-        const sums s = sum_body(&t, 1, NULL);
+        const body_sums s = sum_body_points(&t, 1, NULL);
         const double expected = speed + 0.05 * (sin(slope) - friction * cos(slope)) * kicked;
         const double got = (s.momentum[0] + friction * s.momentum[1]) / s.mass;
         print_message("%s, %s: v = %.6f, exact %.6f, across %.1e\n", basis_registry[i]->name, normal_registry[n]->name,
@@ -265,8 +237,9 @@ static void test_three_bodies(void **state)
         trial_start(&t);
         trial_run(&t, 25.0);
         const double total = 0.5 * 0.01;
-        const double share[] = {sum_body(&t, 0, NULL).momentum[0] / total, sum_body(&t, 1, NULL).momentum[0] / total,
-                                sum_body(&t, 2, NULL).momentum[0] / total};
+        const double share[] = {sum_body_points(&t, 0, NULL).momentum[0] / total,
+                                sum_body_points(&t, 1, NULL).momentum[0] / total,
+                                sum_body_points(&t, 2, NULL).momentum[0] / total};
         print_message("kind %d: shares of the momentum %.4f %.4f %.4f\n", kind, share[0], share[1], share[2]);
         check_close(share[0] + share[1] + share[2], 1.0, 1e-12);
         check_true(share[2] >= 0.9);
@@ -299,12 +272,12 @@ static impact collide(const char *basis, contact_kind kind, double h)
     double before = 0.0;
     while (t.sim->time < 15.0) {
         check_ok(t.ctx, sim_step(t.sim, 15.0));
-        const double now = sum_body(&t, 1, NULL).momentum[0];
+        const double now = sum_body_points(&t, 1, NULL).momentum[0];
         if (r.meet == 0.0 && now > 1e-3 * speed) r.meet = t.sim->time;
         if (fabs(now - before) > 1e-3 * speed * t.sim->dt) r.part = t.sim->time;
         before = now;
     }
-    r.restitution = (sum_body(&t, 1, NULL).momentum[0] - sum_body(&t, 0, NULL).momentum[0]) / speed;
+    r.restitution = (sum_body_points(&t, 1, NULL).momentum[0] - sum_body_points(&t, 0, NULL).momentum[0]) / speed;
     trial_end(&t);
     return r;
 }
