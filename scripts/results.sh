@@ -28,6 +28,7 @@
 #   membrane-3d   membranes as surfaces in space
 #   ball-net      a ball thrown at a net
 #   airbag        York's airbag hit by two cylinders
+#   york-points   material points as York has them: gas, plasticity, axisymmetry, cell crossing
 #   speed         rates of the solvers
 #   gains         error against run time beside the linear-basis baseline: every variant on the cylinder, and five more rows; ten minutes
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
@@ -52,7 +53,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(defaults a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface substeps ball-net airbag speed gains picture gallery)
+all=(defaults a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface substeps ball-net airbag york-points speed gains picture gallery)
 
 write_index() {
     local page=$results/README.md file
