@@ -60,7 +60,7 @@ write_index() {
     printf '# Results\n\n*Written by `scripts/results.sh`; do not edit.*\n\n' >"$page"
     write 'From runs that anyone can repeat: `scripts/results.sh`, or `scripts/results.sh NAME` for one page. Bars were set before anything' \
         'was measured.' '' '| page | |' '|---|---|'
-    for file in "${all[@]}" mutants before york-points york-membranes; do
+    for file in "${all[@]}" mutants before york-membranes; do
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
