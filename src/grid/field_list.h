@@ -80,7 +80,8 @@
       "of fluid points: sum of V_p grad S_ip, the integral of S_i n over their surface")                             \
     X(N_SIDE_REACH, "node_side_reach", NODE, VECTOR, "m", SCRATCH,                                                   \
       "how far a group's points reach beyond the side that the node is on, by axis")                                 \
-    X(N_STOPPED, "node_stopped", NODE, VECTOR, "1", SCRATCH, "1 where a side stops the component")                   \
+    X(N_SIDE_BODY, "node_side_body", NODE, SCALAR, "1", SCRATCH,                                                     \
+      "minus the rank by speed of sound of the slowest solid about the node of a side")                              \
     X(N_PRESSURE, "node_pressure", NODE, SCALAR, "Pa", SCRATCH, "P - p_ref averaged from the cells about a node")    \
     X(N_BURNT_SHARE, "node_burnt_share", NODE, SCALAR, "1", SCRATCH,                                                 \
       "of the mass about the node, that reactions take in the step")                                                 \

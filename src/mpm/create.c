@@ -10,6 +10,7 @@
 #include "mpm/membrane/membrane_normal.h"
 #include "mpm/membrane/membrane_sheet.h"
 #include "mpm/surface/skin.h"
+#include "mpm/wall_overlap.h"
 #include "mpm/wetted.h"
 
 #include <math.h>
@@ -142,7 +143,8 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
         return fail_key(s->ctx, KEY("contact"), "%d velocity fields are more than the %d that a run holds", s->n_groups,
                         MPM_MAX_GROUPS);
     TRY(make_work(s));
-    return sc->contact.enabled ? contact_create(s) : FLOE_OK;
+    if (sc->contact.enabled) TRY(contact_create(s));
+    return overlaps_create(s);
 }
 
 floe_status mpm_create(mpm **out, context *ctx, const scene *sc, const mesh *m, stage_list *stages, ledger *l,
@@ -186,6 +188,7 @@ void mpm_destroy(mpm **s)
     }
     memory_free(ctx, &(*s)->work);
     contact_destroy(*s);
+    overlaps_free(*s);
     balance_destroy(*s);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b)
         for (int k = 0; k < SCENE_MAX_BODIES; ++k) memory_free(ctx, &(*s)->points[b][k].tile_start);

@@ -62,8 +62,9 @@ typedef struct mpm {
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;
-    struct mpm_contact *contact; /* owned; NULL: no body has a velocity of its own */
-    bool coupled;                /* cells hold the fluids: velocities at n, grid pressure on the points */
+    struct mpm_contact *contact;   /* owned; NULL: no body has a velocity of its own */
+    struct mpm_overlaps *overlaps; /* owned; NULL: no side lets go (wall_overlap.h) */
+    bool coupled;                  /* cells hold the fluids: velocities at n, grid pressure on the points */
     bool seals;  /* a membrane or surfaces cut the gas of the cells: whole kicks, so that both get the same impulse */
     bool driven; /* the force of an exact solution acts on points (load.c) */
     bool holds;  /* a surface in space holds gas points (hold.c) */
@@ -116,6 +117,7 @@ floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
 floe_status mpm_filter_velocities(mpm *s); /* XPIC: v_p without what the mesh does not see (filter.c) */
 floe_status
 mpm_restore_velocities(mpm *s);           /* affine FMPM: v^L with what points would not give back of it (restore.c) */
+floe_status mpm_follow_overlaps(mpm *s);  /* how far what presses has given way (wall_overlap.h) */
 floe_status mpm_nodes_to_points(mpm *s);  /* v_p, x_p; USL: L_p, F, stress; TPIC: C_p */
 floe_status mpm_carry_moments(mpm *s);    /* APIC: C_p from the moments of v^L about the points */
 floe_status mpm_cell_density(mpm *s);     /* rho_p of fluids from the masses of cells (density.c) */
@@ -211,6 +213,8 @@ double mpm_edge_penalty(const mpm *s);
 /* What the lines at the edges of solids remember (edge.h): *n numbers, state that no field holds. NULL: there are none.
  * Valid until the next step. */
 double *mpm_edges_state(mpm *s, size_t *n);
+/* The same of what bodies that press on sides have given way (wall_overlap.h). */
+double *mpm_overlaps_state(mpm *s, size_t *n);
 
 /* Place (m) of the first or the last point of a membrane; NAN where it is lost. */
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3]);

@@ -20,8 +20,6 @@ floe_status mpm_begin_step(mpm *s)
         REMEMBERED(8)
 #define MEMBRANE_STRAIN WHEN(s->lines, P_STRAIN), WHEN(s->hoops, P_STRAIN_HOOP)
 #define SURFACE_VECTORS WHEN(s->sheets, P_SURFACE_1), WHEN(s->sheets, P_SURFACE_2)
-#define SIDES WHEN(walls_let_go(s), N_SIDE_REACH), WHEN(walls_let_go(s), N_STOPPED)
-#define STOPS WHEN(walls_let_go(s), N_STOPPED)
 #define DOMAINS                                                                                        \
     WHEN(s->basis->kind == BASIS_GIMP || s->basis->kind == BASIS_CPDI, P_HALF), WHEN(s->boxes, P_BOX), \
         WHEN(s->basis->kind == BASIS_CPDI, P_F)
@@ -66,11 +64,11 @@ static bool meets_at_points(const mpm *s)
     return has_contact(s) && s->scene->contact.touch == CONTACT_AT_POINTS;
 }
 
-/* Forces come with the masses where nothing changes the stress before they are used, or where a contact, with bodies or
- * with sides, is foreseen with them. */
+/* Forces come with the masses where nothing changes the stress before they are used, or where a contact is foreseen with
+ * them. */
 bool forces_at_once(const mpm *s)
 {
-    return !s->coupled && (!is_usf(s) || has_contact(s) || walls_let_go(s));
+    return !s->coupled && (!is_usf(s) || has_contact(s));
 }
 
 static bool is_musl(const mpm *s)
@@ -95,7 +93,7 @@ floe_status mpm_mass_stages(mpm *s)
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
     STAGE(s, has_wetted(s), mpm_wetted_area, READS(N_MASS, P_POS, P_VOLUME0, P_J, P_STRESS, DOMAINS),
           WRITES(N_WETTED_AREA));
-    STAGE(s, walls_let_go(s), mpm_side_reach, READS(P_POS, P_VOLUME0, P_J, DOMAINS), WRITES(N_SIDE_REACH, N_STOPPED));
+    STAGE(s, walls_let_go(s), mpm_side_reach, READS(P_POS, P_VOLUME0, P_J, DOMAINS), WRITES(N_SIDE_REACH, N_SIDE_BODY));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
           WRITES(N_REACH));
@@ -115,8 +113,8 @@ floe_status mpm_force_stages(mpm *s)
 {
     const bool usf = is_usf(s), apart = s->coupled || usf;
     STAGE(s, usf, mpm_node_velocity,
-          READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s) || walls_let_go(s), N_FORCE), SIDES,
-                WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH)),
+          READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
+                WHEN(meets_at_points(s), N_REACH)),
           WRITES(N_VEL));
     STAGE(s, usf && s->cell_density, mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
@@ -125,7 +123,8 @@ floe_status mpm_force_stages(mpm *s)
           READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE), WHEN(s->driven, P_DRIVE)), WRITES(N_FORCE));
     STAGE(s, has_edges(s), mpm_edge_force, READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, DOMAINS, N_FORCE),
           WRITES(N_FILL, N_FORCE));
-    STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE, SIDES), WRITES(N_VEL_L, STOPS));
+    STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE, WHEN(walls_let_go(s), N_SIDE_BODY)),
+          WRITES(WHEN(walls_let_go(s), N_FORCE), N_VEL_L));
     return FLOE_OK;
 }
 
@@ -145,19 +144,20 @@ floe_status mpm_node_stages(mpm *s)
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, has_wetted(s), mpm_hold_wetted, READS(N_MASS, N_MOMENTUM, N_FORCE, N_WETTED_AREA, N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM));
-    STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L, SIDES), WRITES(N_ACCEL, N_VEL_L, STOPS));
+    STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     return FLOE_OK;
 }
 
 floe_status mpm_point_stages(mpm *s)
 {
     const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
-    STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, SIDES, P_MASS, P_POS, P_VEL),
+    STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, P_MASS, P_POS, P_VEL),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, N_VEL_FILTERED, P_POS, P_VEL));
     STAGE(s, s->transfer->restore, mpm_restore_velocities,
-          READS(N_MASS, N_VEL_L, WHEN(withholds(s), N_ACCEL), N_MOMENTUM, SIDES, WHEN(has_contact(s), N_NORMAL),
+          READS(N_MASS, N_VEL_L, WHEN(withholds(s), N_ACCEL), N_MOMENTUM, WHEN(has_contact(s), N_NORMAL),
                 WHEN(has_contact(s), N_TOUCH), P_MASS, P_POS, DOMAINS),
           WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L, WHEN(withholds(s), N_ACCEL)));
+    STAGE(s, walls_let_go(s), mpm_follow_overlaps, READS(N_MASS, N_VEL_L, N_SIDE_REACH, N_SIDE_BODY), WRITES(NOTHING));
     STAGE(s, usl, mpm_nodes_to_points,
           READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE), TANGENT, POINT_STATE),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));
@@ -168,8 +168,8 @@ floe_status mpm_point_stages(mpm *s)
     STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE),
           WRITES(POINT_STATE));
     STAGE(s, is_musl(s), mpm_remap_stress,
-          READS(P_POS, P_VEL, SIDES, WHEN(carries(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL),
-                WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
+          READS(P_POS, P_VEL, WHEN(carries(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH),
+                TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     TRY(turn_stages(s));

@@ -41,7 +41,6 @@ floe_status mpm_node_velocity(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
         divide_momenta(s, g, N_VEL);
-        if (walls_let_go(s) && s->scene->method.stress == STRESS_USF) foresee_stops(s, g);
         impose_walls(s, g, N_VEL, 0.0);
     }
     if (s->contact) contact_velocities(s, s->scene->method.stress == STRESS_USF ? CONTACT_FORESEE : CONTACT_REPEAT);
@@ -151,9 +150,9 @@ static void enter_losses(mpm *s, int group)
 floe_status mpm_node_update(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) {
+        if (walls_let_go(s)) push_off_sides(s, g);
         for (int b = 0; b < s->mesh->n_blocks; ++b) advance_block(s, b, g);
         enter_losses(s, g);
-        if (walls_let_go(s)) clear_stops(s, g);
         impose_walls(s, g, N_VEL_L, 1.0);
     }
     return FLOE_OK;

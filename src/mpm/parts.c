@@ -18,7 +18,7 @@ typedef struct kept_extra {
     double *value;
 } kept_extra;
 
-enum { KEPT_SURFACE, KEPT_SKIN, KEPT_EDGES, KEPT_EXTRAS };
+enum { KEPT_SURFACE, KEPT_SKIN, KEPT_EDGES, KEPT_OVERLAPS, KEPT_EXTRAS };
 
 struct kept_points {
     kept_body body[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
@@ -102,10 +102,11 @@ static double *extra_of(mpm *s, int which, size_t *n)
 {
     const mpm_edges *e = s->work->edges;
     size_t count = e ? e->n_memory : 0, stride = 1;
-    double *value = which == KEPT_SURFACE ? mpm_surface(s, &count, &stride)
-                    : which == KEPT_SKIN  ? mpm_skin(s, &count, &stride)
-                    : e                   ? e->memory
-                                          : NULL;
+    double *value = which == KEPT_SURFACE    ? mpm_surface(s, &count, &stride)
+                    : which == KEPT_SKIN     ? mpm_skin(s, &count, &stride)
+                    : which == KEPT_OVERLAPS ? mpm_overlaps_state(s, &count)
+                    : e                      ? e->memory
+                                             : NULL;
     *n = count * stride;
     return value;
 }

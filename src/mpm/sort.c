@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
 #include "mpm/surface/skin.h"
+#include "mpm/wall_overlap.h"
 
 #include <math.h>
 #include <string.h>
@@ -245,6 +246,7 @@ floe_status mpm_commit(mpm *s)
     s->work->surface_next = swap;
     commit_skins(s);
     edges_commit(s);
+    overlaps_commit(s);
     s->dt_previous = s->dt;
     s->time += s->dt;
     return FLOE_OK;

@@ -229,7 +229,7 @@ static void visit_side_blocks(mpm *s, int axis, int side, wall_rule *r, wall_nod
 static void impose_side(mpm *s, int axis, int side, int group, field_id velocity, double entered)
 {
     if (wall_lets_go(s, group, axis, side)) {
-        stop_at_side(s, axis, side, group, velocity, entered);
+        stop_flowing(s, axis, side, group, velocity, entered);
         return;
     }
     wall_rule rule = wall_rule_of(s, axis, side, group, velocity);
@@ -279,7 +279,7 @@ void still_walls(mpm *s, int group)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
-            if (!wall_lets_go(s, group, axis, side)) /* whose stop is an impulse that the points get */
+            if (!wall_lets_go(s, group, axis, side)) /* whose push is an impulse that the points get */
                 still_side(s, axis, side, group, N_ACCEL, s->share * s->work->kick);
 }
 
@@ -288,7 +288,7 @@ void hold_change(mpm *s, int group, field_id change, double share)
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
             if (wall_lets_go(s, group, axis, side))
-                stop_at_side(s, axis, side, group, change, share);
+                stop_flowing(s, axis, side, group, change, share);
             else
                 still_side(s, axis, side, group, change, share);
     hold_supports(s, group, change, share);

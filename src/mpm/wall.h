@@ -49,13 +49,13 @@ void wall_visit_once(const mesh *m, int axis, int side, wall_side_visitor *visit
 bool wall_lets_go(const mpm *s, int group, int axis, int side);
 /* Whether some side does so with some group. */
 bool walls_let_go(const mpm *s);
-/* Nothing has been stopped yet. */
-void clear_stops(mpm *s, int group);
-/* Marks the nodes that a side stops, from v + kick f/m with the forces so far. */
-void foresee_stops(mpm *s, int group);
-/* Takes the velocity into such a side of its nodes: of v^L where points have come, and marks these nodes; of other velocities at the
- * marked ones. `entered`: as impose_walls. */
-void stop_at_side(mpm *s, int axis, int side, int group, field_id velocity, double entered);
+/* Adds what such sides push to the forces of their nodes, and to the ledger. */
+void push_off_sides(mpm *s, int group);
+/* Takes the velocity into such a side from its nodes where bodies flow: of v^L; of other velocities all of it. `entered`: as
+ * impose_walls. */
+void stop_flowing(mpm *s, int axis, int side, int group, field_id velocity, double entered);
+/* How far bodies have given way at their nodes, from the velocities that points take. */
+void follow_sides(mpm *s);
 
 /* ---- supports (support.c) ---- */
 

@@ -1,10 +1,11 @@
-/* Sides that let go. To a group of solids alone, a slip wall is a body of infinite mass: it stops what has come and goes on, node by
- * node, by contact's own rule (contact.h), and pulls nothing back. A node sees a body up to one and a half cells before it arrives;
+/* Sides that let go. To a group of solids alone, a slip wall is a body of infinite mass: what has come and goes on it pushes back, node by
+ * node, by springs (wall_overlap.h), and pulls nothing back. A node sees a body up to one and a half cells before it arrives;
  * whether it has come is told by the points themselves, each with half its width. What a body loses there is an impulse on its points,
  * unlike at a mirror, beyond which the body goes on as its image. Beyond such a side velocities are continued in a straight line, as
  * beyond any side without a mirror. Fluid points, and solids that share a velocity field with them, keep the mirror; so do membranes
  * that hold a gas in, whose ends are tied to the sides, and steps that are solved for (balance.h). */
 #include "mpm/wall.h"
+#include "mpm/wall_overlap.h"
 
 #include <math.h>
 #include <string.h>
@@ -67,9 +68,9 @@ static int span_of(const mpm *s, const tile_box *t, const point_arrays *p, size_
     return s->basis->support;
 }
 
-/* A point's reach beyond a side, to the nodes of the side's plane that it gives to. */
+/* A point's reach beyond a side, and its body's rank, to the nodes of the side's plane that it gives to. */
 static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, int axis, int side,
-                          double reach, double *out)
+                          double reach, double rank, double *out)
 {
     const int *window = s->work->window, dim = s->mesh->dim;
     int first[MESH_MAX_DIM] = {0, 0, 0}, n[MESH_MAX_DIM] = {1, 1, 1};
@@ -81,8 +82,9 @@ static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p
     for (int z = first[2]; z < first[2] + n[2]; ++z)
         for (int y = first[1]; y < first[1] + n[1]; ++y)
             for (int x = first[0]; x < first[0] + n[0]; ++x) {
-                double *node = &out[(x + window[0] * (y + window[1] * z)) * dim + axis];
-                *node = fmax(*node, reach);
+                double *node = &out[(x + window[0] * (y + window[1] * z)) * (dim + 1)];
+                node[axis] = fmax(node[axis], reach);
+                node[dim] = fmax(node[dim], -rank);
             }
 }
 
@@ -106,7 +108,7 @@ static void scatter_body(const mpm *s, int blk, int body, const tile_box *t, con
                 const double depth = side == SIDE_LOWER ? m->lower[axis] - x : x - m->upper[axis];
                 if (depth < -2.0 * m->h[axis]) continue; /* no basis reaches so far */
                 half_widths(s, body, &p, k, half);
-                scatter_point(s, t, &p, k, axis, side, depth + half[axis], out);
+                scatter_point(s, t, &p, k, axis, side, depth + half[axis], s->overlaps->rank[body], out);
             }
         }
 }
@@ -120,7 +122,7 @@ static void scatter_tile(const mpm *s, int group, int blk, int tile)
         for (int side = 0; side < 2; ++side)
             any = any || (is_at_side(s, &box, axis, side) && wall_lets_go(s, group, axis, side));
     s->work->active[box.number] = any;
-    for (int k = 0; any && k < s->work->window_nodes * s->mesh->dim; ++k) out[k] = -INFINITY;
+    for (int k = 0; any && k < s->work->window_nodes * (s->mesh->dim + 1); ++k) out[k] = -INFINITY;
     for (int body = 0; any && body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start + tile;
         if (s->body[body].group == group && start[0] < start[1]) scatter_body(s, blk, body, &box, start, out);
@@ -136,121 +138,189 @@ floe_status mpm_side_reach(mpm *s)
         }
         domain_share_partials(s->domain);
         for (int b = 0; b < s->mesh->n_blocks; ++b) {
-            node_target to = {.components = s->mesh->dim, .reach = s->work->reach, .largest = true};
+            node_target to = {.components = s->mesh->dim + 1, .reach = s->work->reach, .largest = true};
             memcpy(to.window, s->work->window, sizeof to.window);
             for (int a = 0; a < s->mesh->dim; ++a) to.array[a] = field_get(s->domain->fields[b], N_SIDE_REACH, g, a);
+            to.array[s->mesh->dim] = field_get(s->domain->fields[b], N_SIDE_BODY, g, 0);
             gather_nodes(s, b, &to);
         }
         domain_fold_periodic_largest(s->domain, N_SIDE_REACH, g);
-        clear_stops(s, g);
+        domain_fold_periodic_largest(s->domain, N_SIDE_BODY, g);
     }
     return FLOE_OK;
 }
 
-/* ---- what is stopped ---- */
-
-void clear_stops(mpm *s, int group)
-{
-    for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int a = 0; a < s->mesh->dim; ++a)
-            memset(field_get(s->domain->fields[b], N_STOPPED, group, a), 0, s->mesh->block[b].size * sizeof(double));
-}
+/* ---- what presses ---- */
 
 /* What a side does to the nodes of its plane, along its axis; arrays of the block in hand. */
-typedef struct stop_rule {
+typedef struct side_rule {
     const mpm *s;
     int group, axis, side;
-    field_id velocity;
     double outward; /* 1, -1: sign of velocities into the side */
     double near;    /* m: points this far from the side have come */
-    double kick;    /* s */
-    const double *reach, *mass, *momentum, *force;
-    double *stopped, *v;
-    double impulse;
-} stop_rule;
+    field_id velocity;
+    const double *rank, *mass, *reach;
+    double *v;
+    double *force;
+    double impulse, work;
+} side_rule;
 
-static stop_rule rule_of(const mpm *s, int axis, int side, int group, field_id velocity)
+static side_rule rule_of(const mpm *s, int axis, int side, int group)
 {
     double least = s->mesh->h[0];
     for (int a = 1; a < s->mesh->dim; ++a) least = fmin(least, s->mesh->h[a]);
-    return (stop_rule){.s = s,
+    return (side_rule){.s = s,
                        .group = group,
                        .axis = axis,
                        .side = side,
-                       .velocity = velocity,
                        .outward = side == SIDE_LOWER ? -1.0 : 1.0,
                        .near = 1e-6 * least,
-                       .kick = s->work->kick};
+                       .velocity = N_VEL_L};
 }
 
-static void look_at_block(stop_rule *r, int blk)
+static void look_at_block(side_rule *r, int blk)
 {
     const fields *f = r->s->domain->fields[blk];
+    r->rank = field_get(f, N_SIDE_BODY, r->group, 0);
     r->reach = field_get(f, N_SIDE_REACH, r->group, r->axis);
-    r->stopped = field_get(f, N_STOPPED, r->group, r->axis);
     r->mass = field_get(f, N_MASS, r->group, 0);
-    r->momentum = field_get(f, N_MOMENTUM, r->group, r->axis);
-    if (r->velocity != FIELD_COUNT) r->v = field_get(f, r->velocity, r->group, r->axis);
+    r->force = field_get(f, N_FORCE, r->group, r->axis);
+    r->v = field_get(f, r->velocity, r->group, r->axis);
 }
 
-static void mark_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+/* Of the slowest body about a node with mass that some point has come near the side. */
+static overlap_surface surface_at(const side_rule *r, ptrdiff_t at)
 {
-    (void)inward;
-    const stop_rule *r = user;
-    if (r->reach[at] >= -r->near && r->outward * r->v[at] > 0.0) r->stopped[at] = 1.0;
+    const struct mpm_overlaps *o = r->s->overlaps;
+    return o->surface[o->slowest[(int)-r->rank[at]]];
 }
 
-static void foresee_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+/* Whether points that give to a node have come near the side. */
+static bool is_reached(const side_rule *r, ptrdiff_t at)
 {
-    (void)inward;
-    const stop_rule *r = user;
-    const double after = r->momentum[at] + (r->force ? r->kick * r->force[at] : 0.0);
-    if (r->reach[at] >= -r->near && r->outward * after > 0.0) r->stopped[at] = 1.0;
+    return r->mass[at] > 0.0 && r->rank[at] > -SCENE_MAX_BODIES;
 }
 
-static void stop_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+/* N/m: of the spring at a node. */
+static double stiffness_at(const side_rule *r, ptrdiff_t at)
 {
-    (void)inward;
-    const stop_rule *r = user;
-    if (r->stopped[at] > 0.0) r->v[at] = 0.0;
+    return overlap_stiffness(r->mass[at], surface_at(r, at).speed, r->s->mesh->h[r->axis]);
 }
 
-static void add_stop(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
+/* N, out of the side. */
+static double push_at(const side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at)
 {
-    (void)node;
-    (void)inward;
-    stop_rule *r = user;
-    look_at_block(r, blk);
-    if (r->stopped[at] > 0.0) r->impulse -= r->mass[at] * r->v[at];
+    const struct mpm_overlaps *o = r->s->overlaps;
+    const double overlap = o->now[overlap_of_side(o, r->group, r->axis, r->side, node)], h = r->s->mesh->h[r->axis];
+    if (!(overlap > 0.0) || !is_reached(r, at)) return 0.0;
+    return stiffness_at(r, at) * overlap_push(overlap, h);
 }
 
-static void visit_blocks(mpm *s, stop_rule *r, wall_node_visitor *visit)
+/* Calls for the nodes of a side that a block sees. */
+typedef void side_visitor(side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at);
+
+static void visit_block(side_rule *r, int blk, side_visitor *visit)
 {
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        if (!s->mesh->block[b].at_side[r->axis][r->side]) continue;
-        look_at_block(r, b);
-        if (forces_at_once(s)) r->force = field_get(s->domain->fields[b], N_FORCE, r->group, r->axis);
-        wall_visit(&s->mesh->block[b], r->axis, r->side, visit, r);
+    const mesh *m = r->s->mesh;
+    const block *b = &m->block[blk];
+    int lo[MESH_MAX_DIM] = {0, 0, 0}, end[MESH_MAX_DIM] = {1, 1, 1}, node[MESH_MAX_DIM];
+    if (!b->at_side[r->axis][r->side]) return;
+    for (int a = 0; a < m->dim; ++a) {
+        lo[a] = b->at_side[a][SIDE_LOWER] && !m->periodic[a] ? 0 : b->lo[a] - 1;
+        end[a] = b->lo[a] + b->n[a] + (b->at_side[a][SIDE_UPPER] && !m->periodic[a] ? 1 : 2);
     }
+    lo[r->axis] = r->side == SIDE_LOWER ? 0 : m->n[r->axis];
+    end[r->axis] = lo[r->axis] + 1;
+    look_at_block(r, blk);
+    for (node[2] = lo[2]; node[2] < end[2]; ++node[2])
+        for (node[1] = lo[1]; node[1] < end[1]; ++node[1])
+            for (node[0] = lo[0]; node[0] < end[0]; ++node[0])
+                visit(r, node, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2]));
 }
 
-void foresee_stops(mpm *s, int group)
+static void push_node(side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at)
+{
+    r->force[at] -= r->outward * push_at(r, node, at);
+}
+
+static void add_push(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
+{
+    (void)inward;
+    side_rule *r = user;
+    look_at_block(r, blk);
+    r->impulse -= r->outward * r->s->work->kick * push_at(r, node, at);
+}
+
+void push_off_sides(mpm *s, int group)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2; ++side) {
             if (!wall_lets_go(s, group, axis, side)) continue;
-            stop_rule rule = rule_of(s, axis, side, group, FIELD_COUNT);
-            visit_blocks(s, &rule, foresee_node);
+            side_rule rule = rule_of(s, axis, side, group);
+            wall_visit_once(s->mesh, axis, side, add_push, &rule);
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, rule.impulse);
+            for (int b = 0; b < s->mesh->n_blocks; ++b) visit_block(&rule, b, push_node);
         }
 }
 
-void stop_at_side(mpm *s, int axis, int side, int group, field_id velocity, double entered)
+/* Whether what presses at a node flows: it then loses its approach. */
+static bool flows_at(const side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at)
 {
-    stop_rule rule = rule_of(s, axis, side, group, velocity);
-    if (velocity == N_VEL_L) visit_blocks(s, &rule, mark_node);
+    const struct mpm_overlaps *o = r->s->overlaps;
+    if (!is_reached(r, at)) return false;
+    return o->now[overlap_of_side(o, r->group, r->axis, r->side, node)] >=
+           (1.0 - 1e-9) * surface_at(r, at).flows * r->s->mesh->h[r->axis];
+}
+
+static void stop_node(side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at)
+{
+    if (!flows_at(r, node, at)) return;
+    r->v[at] = r->velocity == N_VEL_L ? r->outward * fmin(0.0, r->outward * r->v[at]) : 0.0;
+}
+
+static void add_stop(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
+{
+    (void)inward;
+    side_rule *r = user;
+    look_at_block(r, blk);
+    if (!flows_at(r, node, at)) return;
+    const double lost = r->velocity == N_VEL_L ? fmax(0.0, r->outward * r->v[at]) : r->outward * r->v[at];
+    r->impulse -= r->outward * r->mass[at] * lost;
+}
+
+void stop_flowing(mpm *s, int axis, int side, int group, field_id velocity, double entered)
+{
+    side_rule rule = rule_of(s, axis, side, group);
+    rule.velocity = velocity;
     if (entered != 0.0) {
         wall_visit_once(s->mesh, axis, side, add_stop, &rule);
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, entered * rule.impulse);
     }
-    visit_blocks(s, &rule, stop_node);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) visit_block(&rule, b, stop_node);
+}
+
+static void follow_node(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
+{
+    (void)inward;
+    side_rule *r = user;
+    struct mpm_overlaps *o = r->s->overlaps;
+    const size_t place = overlap_of_side(o, r->group, r->axis, r->side, node);
+    const double h = r->s->mesh->h[r->axis];
+    look_at_block(r, blk);
+    if (!is_reached(r, at) || !(o->now[place] > 0.0 || r->reach[at] >= -r->near)) return;
+    const double next = fmax(0.0, o->now[place] + r->outward * r->s->dt * r->v[at]);
+    o->next[place] = fmin(next, surface_at(r, at).flows * h);
+    r->work -= stiffness_at(r, at) * (overlap_energy(o->next[place], h) - overlap_energy(o->now[place], h));
+}
+
+void follow_sides(mpm *s)
+{
+    for (int g = 0; g < s->n_groups; ++g)
+        for (int axis = 0; axis < s->mesh->dim; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                if (!wall_lets_go(s, g, axis, side)) continue;
+                side_rule rule = rule_of(s, axis, side, g);
+                wall_visit_once(s->mesh, axis, side, follow_node, &rule);
+                ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, rule.work);
+            }
 }

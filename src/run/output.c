@@ -44,21 +44,24 @@ static void add_extra(run_output *o, const checkpoint_extra *extra)
     if (extra->data) o->extra[o->checkpoint.n_extra++] = *extra;
 }
 
-/* The places of loaded surface points and of the markers on solids, and what edges remember, are state that no field holds. */
+/* The places of loaded surface points and of the markers on solids, what edges remember and how far bodies overlap with sides, are state that no field holds. */
 static void name_extra(run_output *o, const sim *s)
 {
     checkpoint_extra loaded = {.name = "surface_position", .components = 3},
                      skin = {.name = "skin_position_velocity", .components = 6},
-                     edges = {.name = "edge_memory", .components = 1, .stride = 1};
+                     edges = {.name = "edge_memory", .components = 1, .stride = 1},
+                     overlaps = {.name = "side_overlap", .components = 1, .stride = 1};
     if (!s->mpm) return;
     loaded.data = mpm_surface(s->mpm, &loaded.n, &loaded.stride);
     skin.data = mpm_skin(s->mpm, &skin.n, &skin.stride);
     edges.data = mpm_edges_state(s->mpm, &edges.n);
+    overlaps.data = mpm_overlaps_state(s->mpm, &overlaps.n);
     o->checkpoint.extra = o->extra;
     o->checkpoint.n_extra = 0;
     add_extra(o, &loaded);
     add_extra(o, &skin);
     add_extra(o, &edges);
+    add_extra(o, &overlaps);
 }
 
 static floe_status prepare(run_output *o, const sim *s, const char *dir)

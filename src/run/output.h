@@ -27,10 +27,11 @@ typedef struct run_output {
     history *history;             /* owned */
     snapshot_series *snapshots;   /* owned */
     checkpoint_run checkpoint;
-    disk_reserve reserve;      /* room for one more */
-    bool newest_is_whole;      /* checkpoint.h5 is, as this run has read or written it */
-    char note[1024];           /* what went otherwise than asked as the run went on, to be said; "": nothing */
-    checkpoint_extra extra[3]; /* the loaded surface points; the markers on surfaces of solids; the edges of solids */
+    disk_reserve reserve; /* room for one more */
+    bool newest_is_whole; /* checkpoint.h5 is, as this run has read or written it */
+    char note[1024];      /* what went otherwise than asked as the run went on, to be said; "": nothing */
+    checkpoint_extra
+        extra[4]; /* the loaded surface points; the markers on surfaces of solids; the edges of solids; overlaps */
 } run_output;
 
 /* Takes over DIR for a run that is at its start. Earlier outputs go, once the folder is known to take new ones. */

@@ -36,6 +36,14 @@ expect 0 "$FLOE" run "${bars[@]}" -o part-bars --resume --quiet
 same_results whole-bars part-bars
 [ "$(json part-bars/summary.json contact_stick)" = "$(json whole-bars/summary.json contact_stick)" ] || fault 'other contacts'
 
+# The same with a block that rests on a side.
+block=("$FLOE_SOURCE/inputs/defaults/e3_block.yaml" --set domain.cell=0.0125 --set time.end=0.06 --set 'bodies.block.velocity=[0.5,0]' --set 'loads={weight: {gravity: {acceleration: [0,-10]}}}')
+expect 0 "$FLOE" run "${block[@]}" -o whole-block --quiet
+expect 5 "$FLOE" run "${block[@]}" -o part-block --max-wall 0.3
+below "$(json part-block/summary.json steps)" "$(json whole-block/summary.json steps)"
+expect 0 "$FLOE" run "${block[@]}" -o part-block --resume --quiet
+same_results whole-block part-block
+
 # A signal stops a run as the wall clock does.
 "$FLOE" run "${scene[@]}" -o killed --quiet 2>stderr &
 pid=$!

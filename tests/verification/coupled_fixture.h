@@ -247,21 +247,24 @@ FIXTURE void same_steps(begin_trial *begin, const void *one, const void *other, 
     state_free(&found);
 }
 
-enum { FIXTURE_EXTRAS = 3 };
+enum { FIXTURE_EXTRAS = 4 };
 
 /* What is written of a run, and read into one: what no field holds is in the extra arrays. */
 FIXTURE checkpoint_run checkpoint_of(const trial *t, checkpoint_extra extra[FIXTURE_EXTRAS])
 {
     checkpoint_extra surface = {.name = "surface", .components = 3}, skin = {.name = "skin", .components = 6},
-                     edges = {.name = "edges", .components = 1, .stride = 1};
+                     edges = {.name = "edges", .components = 1, .stride = 1},
+                     overlaps = {.name = "overlaps", .components = 1, .stride = 1};
     checkpoint_run run = {.deck = "floe: 1\n", .identity = "floe: 1\n", .extra = extra};
     if (!t->sim->mpm) return run;
     surface.data = mpm_surface(t->sim->mpm, &surface.n, &surface.stride);
     skin.data = mpm_skin(t->sim->mpm, &skin.n, &skin.stride);
     edges.data = mpm_edges_state(t->sim->mpm, &edges.n);
+    overlaps.data = mpm_overlaps_state(t->sim->mpm, &overlaps.n);
     if (surface.data) extra[run.n_extra++] = surface;
     if (skin.data) extra[run.n_extra++] = skin;
     if (edges.data) extra[run.n_extra++] = edges;
+    if (overlaps.data) extra[run.n_extra++] = overlaps;
     return run;
 }
 

@@ -37,7 +37,7 @@ typedef struct variant {
     stress_scheme stress;
     int blocks[2];
     int threads;
-    bool periodic, axisymmetric, plastic, contact, edges;
+    bool periodic, axisymmetric, plastic, contact, edges, slip;
     point_density density;
 } variant;
 
@@ -52,6 +52,7 @@ static shot run(const variant *v)
         t.scene->mesh.blocks[a] = v->blocks[a];
         const bool around = v->periodic && !(v->axisymmetric && a == 0);
         set_sides(&t, a, around ? BC_PERIODIC : BC_SYMMETRY, around ? BC_PERIODIC : BC_NO_SLIP);
+        if (v->slip && a == 1) set_sides(&t, a, BC_SLIP, BC_SLIP);
     }
     set_method(&t, v->basis, v->stress, 0.98);
     t.scene->damping.rate = 0.2;
@@ -69,7 +70,7 @@ static shot run(const variant *v)
     t.scene->material[rubber].artificial_quadratic = 1.0;
     scene_body *a = add_body(&t, soft, make_ball(&t, (const double[]){0.6, 0.55, 0.0}, 0.41), 3);
     a->velocity[0] = 0.9;
-    a->velocity[1] = 0.63;
+    a->velocity[1] = v->slip ? -0.63 : 0.63;
     scene_body *b = add_body(&t, rubber, make_ball(&t, (const double[]){1.7, 1.1, 0.0}, 0.37), 2);
     b->seeding = SEED_FITTED;
     b->density = b->pressure = gas ? 1.0 : (double)NAN;
@@ -172,12 +173,20 @@ static void test_cell_density(void **state)
                                  .density = scheme % 2 ? DENSITY_CELL : DENSITY_QUADRATIC});
 }
 
+/* Pressed on a side that lets go, at which it slides from block to block. */
+static void test_slip(void **state)
+{
+    (void)state;
+    check_variants((variant){.basis = "quadratic", .slip = true, .periodic = true});
+    check_variants((variant){.basis = "linear", .stress = STRESS_MUSL, .slip = true, .plastic = true});
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_blocks),  cmocka_unit_test(test_periodic), cmocka_unit_test(test_axisymmetric),
         cmocka_unit_test(test_plastic), cmocka_unit_test(test_contact),  cmocka_unit_test(test_cell_density),
-        cmocka_unit_test(test_edges),
+        cmocka_unit_test(test_edges),   cmocka_unit_test(test_slip),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -99,8 +99,8 @@ static void make_twins(trial *t)
     t->scene->contact.kind = CONTACT_FRICTION;
 }
 
-/* A block that is half a cell away flies on until it arrives, and leaves as a block does that its twin meets: the side is no better and
- * no worse than contact. What both lose falls with h. */
+/* A block that is half a cell away flies on until it arrives, and leaves with its speed but for what is left as vibration; as fast as one
+ * that its twin meets, at least (contact stops the nodes that touch). */
 static void test_arrives(void **state)
 {
     (void)state;
@@ -127,8 +127,50 @@ static void test_arrives(void **state)
         }
         print_message("%s: velocity after the side %.4f, after its twin %.4f\n", basis[i],
                       end[0].momentum[1] / end[0].mass, end[1].momentum[1] / end[1].mass);
-        check_true(end[0].momentum[1] > 0.6 * end[0].mass);
-        check_close(end[0].momentum[1], end[1].momentum[1], 0.02 * end[1].momentum[1]);
+        check_true(end[0].momentum[1] > 0.9 * end[0].mass);
+        check_true(end[0].momentum[1] > 0.98 * end[1].momentum[1]);
+    }
+}
+
+/* A bar that meets a side leaves with the speed with which it came, pressed for 2 L/c in between, and with its energy: bars of 16 cells,
+ * on and off the lattice of points. Where nodes at the side are stopped at once 0.93 of the energy is left and 0.93 of the speed. */
+static void test_bar(void **state)
+{
+    (void)state;
+    static const char *const basis[] = {"quadratic", "cubic"};
+    const double speed = 0.01, cell = 0.025;
+    for (size_t i = 0; i < 2 * sizeof basis / sizeof *basis; ++i) {
+        trial t;
+        double most = 0.0, energy = 0.0, pressed = 0.0, before = -1.0, spin[3];
+        mpm_totals sum;
+        trial_begin(&t, 1, (const double[]){1.0, 0.0, 0.0}, cell);
+        t.scene->method.flip = NAN; /* the defaults */
+        set_sides(&t, 0, BC_SLIP, BC_FREE);
+        snprintf(t.scene->method.basis, sizeof t.scene->method.basis, "%s", basis[i / 2]);
+        const double left = 0.0125 + 0.007 * (double)(i % 2);
+        const scene_body *bar =
+            add_body(&t, add_solid(&t, "linear_elastic", 1.0 / 3.0, 0.5, 1.0),
+                     make_box(&t, (const double[]){left, 0.0, 0.0}, (const double[]){left + 0.4, 1.0, 1.0}), 2);
+        ((scene_body *)bar)->velocity[0] = -speed;
+        trial_start(&t);
+        while (t.sim->time < 4.0) {
+            check_ok(t.ctx, sim_step(t.sim, 4.0));
+            check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
+            energy = (sum.kinetic[0] + sum.strain[0]) / (0.2 * speed * speed);
+            most = fmax(most, energy);
+            const double now = sum.momentum[0][0] / (0.4 * speed);
+            if (now - before > 0.5 * 2.0 / 0.8 * t.sim->mpm->dt) pressed += t.sim->mpm->dt;
+            before = now;
+        }
+        print_message("%s: speed %.4f, energy %.4f, at most %.4f, pressed %.4f (0.8)\n", basis[i / 2], before, energy,
+                      most, pressed);
+        check_true(energy >= 0.985 && most <= 1.005);
+        check_close(before, 1.0, 0.02);
+        check_close(pressed, 0.8, 2.0 * cell);
+        check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_X) <= 1e-13);
+        mpm_angular_momentum(t.sim->mpm, 0, spin);
+        check_true(spin[0] == 0.0 && spin[1] == 0.0 && spin[2] == 0.0);
+        trial_end(&t);
     }
 }
 
@@ -157,13 +199,49 @@ static void test_rests(void **state)
     trial_end(&t);
 }
 
+/* Under its weight a block that slides by a length along a side, edges held and free, stays about as high as one that does not, and gets no
+ * energy from the nodes that it comes to. */
+static void test_slides_level(void **state)
+{
+    (void)state;
+    const double g = 100.0, mass = 0.16;
+    for (int held = 0; held < 2; ++held) {
+        double height[2];
+        for (int slides = 0; slides < 2; ++slides) {
+            trial t;
+            const double v = slides ? 2.0 : 0.0, box[2][3] = {{0.3, 0.0, 0.0}, {0.7, 0.4, 1.0}};
+            double sum = 0.0, most = 0.0;
+            trial_begin(&t, 2, (const double[]){2.0, 1.0, 1.0}, 0.5 * h);
+            t.scene->method.flip = NAN; /* the defaults */
+            if (held) t.scene->method.edge_penalty = NAN;
+            set_sides(&t, 1, BC_SLIP, BC_FREE);
+            scene_body *b =
+                add_body(&t, add_solid(&t, "neo_hookean", bulk, shear, 1.0), make_box(&t, box[0], box[1]), 2);
+            b->velocity[0] = v;
+            add_load(&t, LOAD_BODY_FORCE, -1)->vector[1] = -g;
+            trial_start(&t);
+            for (int k = 1; k <= 100; ++k) { /* over some swings */
+                mpm_totals total;
+                trial_run(&t, 0.002 * k);
+                const double y = sum_body(&t, 0).place[1];
+                check_ok(t.ctx, mpm_sum(t.sim->mpm, &total));
+                sum += y;
+                most = fmax(most, total.kinetic[0] + total.strain[0] - 0.5 * mass * v * v + mass * g * (y - 0.2));
+            }
+            height[slides] = sum / 100.0;
+            check_true(most <= 0.01 * mass * g * (0.2 - height[slides]));
+            trial_end(&t);
+        }
+        print_message("height %.5f at rest, %.5f sliding\n", height[0], height[1]);
+        check_close(height[1], height[0], 0.05 * (0.2 - height[0]));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_thrown),
-        cmocka_unit_test(test_glides),
-        cmocka_unit_test(test_arrives),
-        cmocka_unit_test(test_rests),
+        cmocka_unit_test(test_thrown), cmocka_unit_test(test_glides), cmocka_unit_test(test_arrives),
+        cmocka_unit_test(test_rests),  cmocka_unit_test(test_bar),    cmocka_unit_test(test_slides_level),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
