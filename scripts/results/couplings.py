@@ -278,7 +278,7 @@ def make(page):
             answers = show_scene(page, scene, found, done)
             summary.append((scene.row, scene.title, scene.error, *[text for _, text in answers]))
             shown.append((scene, found))
-        plot_scenes(page, part.split()[0].lower(), shown)
+        plot_scenes(page, part.lower().replace(" ", "-"), shown)
     page.lines[place:place] = ["", *floe.markdown(("row", "scene", "error", *[f"{100 * level:g} %" for level in LEVELS]), summary), "",
                                "Not here: A6 has no exact answer ([airbag](airbag.md)); E3, E4 and E6 are solids in a vacuum, which are points and nothing else; E5 and E12 have published ranges;",
                                "E7 has no deck; E8 and E9 are refusals ([defaults](defaults.md))."]
