@@ -39,9 +39,10 @@ def main(runs, decks):
         count = collections.Counter(run["verdict"]["judged_by"] for run in study["runs"])
         count["cases"] = len(study["runs"])
         couplings = sorted({run["coupling"] for run in study["runs"]})
+        builds = sorted({run["floe"]["git"] for run in study["runs"] if run.get("floe")})
         total.update(count)
         print(f"row\t| [{stem}](../../{deck}) | {title} | {', '.join(couplings)} | {count['cases']} | "
-              + " | ".join(str(count[kind]) for kind in KINDS) + " |")
+              + " | ".join(str(count[kind]) for kind in KINDS) + f" | {', '.join(builds)} |")
         for run in study["runs"]:
             verdict = run["verdict"]
             if verdict["judged_by"] == "blind":
@@ -52,7 +53,7 @@ def main(runs, decks):
         loose += [f"loose\t* {stem}: {text(check)}: {check['most']:g}, measured {check['largest']:.3g}"
                   for check in study["verdicts"]["checks"] if is_loose(check)]
     print("\n".join(loose))
-    print(f"row\t| all | | | {total['cases']} | " + " | ".join(str(total[kind]) for kind in KINDS) + " |")
+    print(f"row\t| all | | | {total['cases']} | " + " | ".join(str(total[kind]) for kind in KINDS) + " | |")
     for key in ("cases", "unforeseen") + KINDS:
         print(f"{key}\t{total[key]}")
     print(f"loose_checks\t{len(loose)}")
