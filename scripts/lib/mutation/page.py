@@ -40,7 +40,7 @@ class Count:
 
 
 def table_of_rooms(draw, mutants, known, proofs):
-    lines = ["| room | sites | drawn | run | killed | alive | equivalent |", "|---|---|---|---|---|---|---|"]
+    lines = ["| room | sites | drawn | run | killed | alive, or so far | equivalent |", "|---|---|---|---|---|---|---|"]
     for room in ROOMS:
         c = Count(of_room(mutants, room), known, proofs)
         lines.append(f"| {room} | {draw.total[room]} | {c.drawn} | {len(c.run)} | {c.killed} | {len(c.alive)} | {len(c.equal)} |")
@@ -60,32 +60,37 @@ def table_of_all(mutants, known):
     return lines
 
 
+def counts_of(s, known, tests):
+    """How many tests have been run with a survivor, and how many could see it."""
+    passed = set(known.get("passed", {}))
+    could = {name for name, t in tests.items() if s.rebuild or s.key() in t["seen"] or s.key() not in t["asked"]}
+    return len(passed), len(could | passed)
+
+
 def alive_of(s, known, why, tests):
-    """A survivor: how many of the tests that could see it have been run with it, and what is known of it."""
-    could = {name for name, t in tests.items() if s.rebuild or s.key() in t["seen"] or s.key() not in t["asked"]} | set(known.get("passed", {}))
-    ran = len(known.get("passed", {}))
-    asked = "all of them" if ran >= len(could) else "the longer ones not yet"
-    return (f"* {s.order}: `{s.path}`, line {s.line}: {change_of(s)} in `{s.source}`. "
-            f"{ran} of {len(could)} tests that might see it: {asked}. {why.get(s.key(), '')}".rstrip())
+    ran, could = counts_of(s, known, tests)
+    return (f"* {s.order}: `{s.path}`, line {s.line}: {change_of(s)} in `{s.source}`. {ran} of {could} tests. {why.get(s.key(), '')}").rstrip()
 
 
 def lines_of(seed, draw, mutants, state, names):
     """The page without its title and its stamp, and the share that is killed."""
     known, proofs, why = {s.order: state.data["mutants"].get(s.key()) for s in mutants}, entries("equivalent.txt"), entries("survivors.txt")
     all_of, cpu = Count(mutants, known, proofs), state.data["cpu"]
-    tried = [s for s in all_of.alive if not alive_of(s, known[s.order], {}, state.data["tests"]).endswith("not yet.")]
+    open_ones = [s for s in all_of.alive if len(set(counts_of(s, known[s.order], state.data["tests"]))) == 2]
+    alive = [s for s in all_of.alive if s not in open_ones]
     lines = [f"Faults put into the sources one at a time, and whether the quick tests see them: `scripts/mutants.py --seed {seed} "
              f"--mutants {len(mutants)}`, then the same with `--page`.", "",
              f"* Drawn: {len(mutants)} by seed {seed}, {len(mutants) // len(ROOMS)} a room; run: **{len(all_of.run)}**; killed: **{all_of.killed}**; "
-             f"proved equivalent afterwards: {len(all_of.equal)}; alive: **{len(all_of.alive)}**, of which {len(tried)} have had all tests that could see them, "
-             "the others the shorter ones.",
-             f"* Killed, of those that are not equivalent: **{100.0 * all_of.share:.1f} %**; the bar is 95 %.",
-             f"* Hash of `src`, `tests` and `inputs` when they were run: {', '.join(sorted({k['commit'] for k in known.values() if k}))}.",
+             f"proved equivalent afterwards: {len(all_of.equal)}; alive after all tests that could see them: **{len(alive)}**; "
+             f"alive so far, with the longer tests still to be run: **{len(open_ones)}**.",
+             f"* Killed, of those that are not equivalent: **{100.0 * all_of.share:.1f} %** at least; the bar is 95 %.",
+             f"* Sources: commit {base_commit()}{', with changes after it' if base_commit() != head() else ''}. Hash of `src`, `tests` and `inputs` when they were run: {', '.join(sorted({k['commit'] for k in known.values() if k}))}.",
              f"* CPU time: {cpu['build'] / 60:.0f} min of building, {cpu['look'] / 60:.0f} min of looking which tests see which, {cpu['run'] / 60:.0f} min of running; "
              "a mutant that is run again is counted each time.",
              f"* {sum(1 for s in mutants if s.rebuild)} of them by rebuilding their file (what the compiler must know), the others by a switch in one build.", ""]
     lines += table_of_rooms(draw, mutants, known, proofs)
-    lines += ["", "## Alive", ""] + ([alive_of(s, known[s.order], why, state.data["tests"]) for s in all_of.alive] or ["None."])
+    for title, sites in (("Alive", alive), ("Alive so far", open_ones)):
+        lines += ["", "## " + title, ""] + ([alive_of(s, known[s.order], why, state.data["tests"]) for s in sites] or ["None."])
     not_run = [str(s.order) for s in mutants if not known[s.order]]
     lines += ["", f"Not run: {', '.join(not_run)}."] if not_run else []
     lines += ["", "## Equivalent", "", "The next draw leaves them out.", ""]
@@ -94,12 +99,23 @@ def lines_of(seed, draw, mutants, state, names):
     return lines, all_of.share
 
 
+def git(*words):
+    return subprocess.run(("git", "-C", ROOT) + words, capture_output=True, text=True, check=False).stdout.strip()
+
+
+def head():
+    return git("rev-parse", "--short=12", "HEAD")
+
+
+def base_commit():
+    """The last commit that is on main too."""
+    return git("rev-parse", "--short=12", git("merge-base", "HEAD", "main") or "HEAD")
+
+
 def version():
     """As floe would say it that was built here."""
-    def git(*words):
-        return subprocess.run(("git", "-C", ROOT) + words, capture_output=True, text=True, check=True).stdout.strip()
     changed = git("status", "--porcelain", "--", "src", "include", "cmake", "tests")
-    return f"floe ({git('rev-parse', '--short=12', 'HEAD')}{'-modified' if changed else ''})"
+    return f"floe ({head()}{'-modified' if changed else ''})"
 
 
 def write(seed, draw, mutants, state, names):
