@@ -10,7 +10,9 @@ enum { CUT_NEW = -3 };
 enum { ROOM_VERTICES, ROOM_CELLS, ROOM_PIECES, ROOM_CHAINS };
 
 /* Shares this close to none or all are that: round-off of sums of passages. */
-static const double snap = 1e-13, crossing = 1e-9;
+static const double snap = 1e-13;
+/* Lines that cross hold more than all of a cell, or less than none, by more than this: bodies of a deck touch to some nine digits. */
+static const double crossing = 1e-6;
 
 floe_status cut_create(cut_line *c, context *ctx, const mesh *m)
 {

@@ -34,10 +34,12 @@ bool losses_are_heat(const mpm *s)
     return s->scene->method.losses == LOSSES_HEAT && !s->coupled && (has_fluid(s) || s->seals);
 }
 
-/* What other transfers than FLIP lose is not known, nor of points that forget their own velocities. */
+/* What other transfers than FLIP lose is not known, nor of points that forget their own velocities. With hat functions, also at the corners of
+ * CPDI, accelerations of nodes of little mass make losses of nothing: the gradient does not see them (kernels_gather.h). */
 bool fluids_keep_losses(const mpm *s)
 {
-    const bool known = isnan(s->transfer->share) && s->share > 0.0;
+    const bool hats = s->basis->kind == BASIS_LINEAR || s->basis->kind == BASIS_CPDI,
+               known = isnan(s->transfer->share) && s->share > 0.0 && !hats;
     return s->scene->method.losses == LOSSES_OWN && known && !s->coupled && has_fluid(s);
 }
 

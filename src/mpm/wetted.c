@@ -15,6 +15,9 @@ enum { FLUID, SOLID };
 static const double least_area = 0.3;
 /* Nodes that solids fill less hold nothing where there is no wall to speak of. */
 static const double least_fill = 0.1;
+/* Nodes with less of a line's heaviest share of fluid, or with less solid than this many times their fluid, have one velocity: forces on
+ * next to no mass of one of the two would throw the points that see the node's gradient. */
+static const double least_fluid = 0.01, least_solid = 5.0;
 
 static size_t all_nodes(const mpm_wetted *w)
 {
@@ -303,10 +306,10 @@ static void find_lines(const mpm *s)
 
 /* ---- pressures of the lines ---- */
 
-/* Nodes of a line, by their places in the list. */
+/* Nodes of a line that move apart, by their places in the list. */
 typedef struct wetted_line {
     int n;
-    const int *member;
+    int *member;
     double area[3]; /* m2 */
 } wetted_line;
 
@@ -336,11 +339,31 @@ static void push_apart(wetted_node *n, const double impulse[3])
 }
 
 /* One velocity for both. */
-static void join(wetted_node *n)
+static void join_node(wetted_node *n)
 {
     const double mass = n->mass[FLUID] + n->mass[SOLID];
     for (int c = 0; c < 3; ++c)
         n->v[FLUID][c] = n->v[SOLID][c] = (n->mass[FLUID] * n->v[FLUID][c] + n->mass[SOLID] * n->v[SOLID][c]) / mass;
+}
+
+/* Joins nodes of a line that have too little of one of the two, and leaves them out of it: they stand behind its members. */
+static void join_slivers(const mpm *s, wetted_line *line)
+{
+    mpm_wetted *w = s->work->wetted;
+    double most = 0.0;
+    int apart = 0;
+    for (int k = 0; k < line->n; ++k) most = fmax(most, w->node[line->member[k]].mass[FLUID]);
+    for (int k = 0; k < line->n; ++k) {
+        wetted_node *m = &w->node[line->member[k]];
+        if (m->mass[FLUID] < least_fluid * most || m->mass[SOLID] < least_solid * m->mass[FLUID]) {
+            join_node(m);
+            continue;
+        }
+        const int kept = line->member[k];
+        line->member[k] = line->member[apart];
+        line->member[apart++] = kept;
+    }
+    line->n = apart;
 }
 
 /* The fluid's nodes lose a pressure's push N and its reaction goes to the solid's. Of even pressure that is all they are pushed with. */
@@ -417,7 +440,7 @@ static void join_nodes(const mpm *s, const wetted_line *line)
     mpm_wetted *w = s->work->wetted;
     for (int k = 0; k < line->n; ++k) {
         wetted_node *m = &w->node[line->member[k]];
-        if (m->mass[SOLID] > least_fill * w->density * volume_of(s, m->at)) join(m);
+        if (m->mass[SOLID] > least_fill * w->density * volume_of(s, m->at)) join_node(m);
     }
 }
 
@@ -450,14 +473,16 @@ static void hold_line(const mpm *s, int root)
     wetted_line line = {.n = w->first[root + 1] - w->first[root], .member = w->member + w->first[root]};
     for (int k = 0; k < line.n; ++k)
         for (int c = 0; c < 3; ++c) line.area[c] += w->node[line.member[k]].area[c];
+    wetted_line whole = line;
+    join_slivers(s, &line);
     bear_pressure(s, &line);
-    if (is_wall(s, root, &line)) {
+    if (line.n > 0 && is_wall(s, root, &line)) {
         stop_closing(s, &line);
         stop_slip(s, &line);
     } else {
         join_nodes(s, &line);
     }
-    share_loss(w, &line);
+    share_loss(w, &whole);
 }
 
 /* ---- back to the blocks ---- */

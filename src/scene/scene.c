@@ -101,11 +101,13 @@ const char *scene_transfer(const scene *s)
 }
 
 /* Steps that are solved for, contact and membranes have their own rules, other times of the stress and filtered velocities another order of
- * the step; and what is damped to rest is steadier with one velocity. */
+ * the step; and what is damped to rest is steadier with one velocity. With CPDI points at a wall reach corner by corner to nodes of next to no fluid, which
+ * throw them (5 of 30 random scenes of gas, blocks and balls). */
 bool scene_fluids_apart(const scene *s)
 {
     const char *transfer = scene_transfer(s);
-    const bool plain = strcmp(transfer, "afmpm") != 0 && strcmp(transfer, "xpic") != 0;
+    const bool plain = strcmp(transfer, "afmpm") != 0 && strcmp(transfer, "xpic") != 0,
+               corners = strcmp(s->method.basis, "cpdi") == 0;
     bool fluids = false, solids = false;
     for (int b = 0; b < s->n_bodies; ++b) {
         const scene_material *m = &s->material[s->body[b].material];
@@ -114,7 +116,7 @@ bool scene_fluids_apart(const scene *s)
         solids = solids || m->kind == MATERIAL_SOLID;
     }
     return s->coupling == COUPLING_MPM && s->time.solver == SOLVER_DYNAMIC && s->method.stress == STRESS_USL && plain &&
-           !s->contact.enabled && !(s->damping.rate > 0.0) && fluids && solids;
+           !corners && !s->contact.enabled && !(s->damping.rate > 0.0) && fluids && solids;
 }
 
 static void set_defaults(scene *s)

@@ -57,7 +57,8 @@ static void tell_remedy(context *ctx)
     char why[256];
     (void)snprintf(why, sizeof why, "%s", context_message(ctx));
     context_clear(ctx);
-    (void)fail(ctx, FLOE_RETRY, "%s: sharp ends where solids come to touch each other or a side; use smeared", why);
+    (void)fail(ctx, FLOE_RETRY,
+               "%s: sharp ends where solids come to touch each other or a side; use method.interface: smeared", why);
 }
 
 /* A line that cannot be followed is told with what it is: a membrane, or the surface of the solids. */

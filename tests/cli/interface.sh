@@ -107,7 +107,7 @@ has stderr "body 'block' comes to this side at t = 0.417 if nothing stops it"
 expect 0 "$FLOE" check "${leaving[@]}" --set method.interface=auto
 has stderr "smeared, as bodies.block.velocity: body 'block' comes to boundaries.x.upper"
 expect 0 "$FLOE" run "${leaving[@]}" --set method.interface=auto --quiet -o left
-expect 0 "$FLOE" check "${leaving[@]}" --set method.interface=auto --set 'bodies.block.velocity=[-0.3, 0]'
+expect 0 "$FLOE" plan "${leaving[@]}" --set method.interface=auto --set 'bodies.block.velocity=[-0.3, 0]'
 has stdout 'interface: auto: sharp'
 
 # ---- the papers' choices under one name ----

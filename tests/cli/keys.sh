@@ -38,6 +38,7 @@ study.quantities
 study.require
 study.check
 study.refuse
+study.unchanged
 stability.over
 stability.each
 stability.tolerance

@@ -175,7 +175,8 @@ static const choice density_choices[] = {
 };
 static const choice losses_choices[] = {
     {"drift", LOSSES_DRIFT, "nothing: the drift of energy shows it"},
-    {"own", LOSSES_OWN, "heat of each fluid point that loses it (pure MPM, transfer flip); else nothing"},
+    {"own", LOSSES_OWN,
+     "heat of each fluid point that loses it (pure MPM, transfer flip, not with basis linear or cpdi); else nothing"},
     {"heat", LOSSES_HEAT, "heat of the fluid points about them, of what solids lose and damping takes too (pure MPM)"},
     {0},
 };
