@@ -1,4 +1,4 @@
-/* Speed of the ICE step on one core (design 10): one gas in 2-D, second order, 10 M cell updates/s; two gases with
+/* Speed of the ICE step on one core (docs/results/speed.md): one gas in 2-D, second order, 10 M cell updates/s; two gases with
  * every cell mixed at theta = 0.5, 3 M. The flow moves, so that every branch of the limiter is met. Prints the best
  * rate of several repeats with their median, and where the time of the best went. */
 #include "repeat.h"

@@ -40,4 +40,14 @@ complain 'decks without a picture in docs/results/gallery.md (GALLERY_KEEP=1 scr
         name=$(basename "$deck" .yaml)
         grep -qF "](gallery-$name.png)" docs/results/gallery.md && [ -f "docs/results/gallery-$name.png" ] || echo "$deck"
     done)"
+# "theory 2.3" in a comment is a section of docs/theory, and that names files that are there.
+complain 'comments that cite notes outside the repository, or sections that docs/theory does not have' \
+    "$({
+        sed -nE 's/^##? ([0-9]+(\.[0-9]+)?) .*/has \1/p' docs/theory/*.md
+        grep -rnoE '(theory|numerics) [0-9]+(\.[0-9]+)?' src include tests bench --include='*.[ch]' | sed -E 's/^/cites /'
+    } | awk '$1 == "has" { has[$2] = 1 } $1 == "cites" && ($2 ~ /numerics$/ || !($3 in has)) { print $2, $3 }')"
+complain 'files that docs/theory names and that are not there' \
+    "$(grep -ohE '`(src|tests|inputs)/[^`]*`' docs/theory/*.md | tr -d '`' | sort -u | while read -r file; do
+        compgen -G "$file" >/dev/null || echo "$file"
+    done)"
 exit $failed

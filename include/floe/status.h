@@ -1,4 +1,4 @@
-/* Status codes of every fallible floe function, in one list (design 8). */
+/* Status codes of every fallible floe function, in one list (docs/structure.md, A step). */
 #ifndef FLOE_STATUS_H
 #define FLOE_STATUS_H
 

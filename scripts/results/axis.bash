@@ -60,7 +60,7 @@ axis_still() {
 
 axis_still_membranes() {
     write '' '## Two gases and a membrane' '' '`inputs/membrane_balloon.yaml` as `ice-mpm`, gases of one pressure, 1000: at rest on both sides of the ball; a disc across a pipe' \
-        'in a stream at 10, and a ball in such a stream. Areas are means over places in the step, which a curved line closes nearly ([theory](../theory.md)).' '' \
+        'in a stream at 10, and a ball in such a stream. Areas are means over places in the step, which a curved line closes nearly ([theory](../theory/README.md)).' '' \
         '| what | largest change of either pressure | of the velocity of the membrane | gas beyond it |' '|---|---|---|---|'
     floe_run rest inputs/membrane_balloon.yaml --coupling ice-mpm --set 'method={basis: quadratic, flip: 1}' --set "$axis_air" --set damping=null \
         --set 'ambient={material: air, pressure: 1000, temperature: 700}' --set 'boundaries={r: symmetry, z: symmetry}' --set verify=null --set time.end=0.1

@@ -110,7 +110,7 @@ bases_words() {
         '  its places as exact there, not its velocities; splines are a factor of two behind, GIMP with flip and the linear basis do not converge or grow. `pic` keeps nothing of the motion, and `xpic` of order 2' \
         '  five times the error of `tpic`: take `filter_order: 4` or more where things turn (CPDI, h = 0.1: 0.16, 0.051 and 0.043 in place with 2, 4 and 8).' \
         '* **usl, musl** agree; **usf** has about the same displacement, and as stress that of the step'"'"'s start: first order when read at its end.' \
-        '* **What would be first order in time otherwise**: solids take the gradient of velocity at the middle of the step ([theory](../theory.md)); before, cubic splines with 4 points had 7e-5 m' \
+        '* **What would be first order in time otherwise**: solids take the gradient of velocity at the middle of the step ([theory](../theory/README.md)); before, cubic splines with 4 points had 7e-5 m' \
         '  at h = 1/128 and halved with h, for 5e-6 m now.' \
         '* **The drift of energy** is first order in the step: velocities live half a step behind places, and the work of the force is counted between.' '' \
         'So: `method: {basis: cpdi, transfer: tpic}` where solids strain or turn much; quadratic splines with `tpic` or `apic` at small strain. floe'"'"'s default stays quadratic splines with' \

@@ -96,7 +96,7 @@ result_cpdi() {
         "$(awk -F, '$1 == "mpm" && $0 !~ /at_rest/ { n++ } END { print n + 0 }' $results/cpdi-cylinder-cpdi.csv)" '<=' 0 %.0f
     cpdi_fine
     write 'The domain of a point is a parallelogram (in space a parallelepiped) that stretches, shears and turns with it; its corners carry the linear basis' \
-        '([theory](../theory.md)). Beside it the linear basis, GIMP, whose boxes keep their shape (those of fluids swell), and the default, quadratic splines.' '' '## Bars' ''
+        '([theory](../theory/README.md)). Beside it the linear basis, GIMP, whose boxes keep their shape (those of fluids swell), and the default, quadratic splines.' '' '## Bars' ''
     show_bars
     write '' '## Blocks under uniform stress' '' \
         'A block of 4 x 2 (x 2) points a cell is mapped; then every point has the same stress. The largest force on a node inside, over stress times face, should vanish:' '' \

@@ -171,7 +171,7 @@ interface_stream() {
 
 result_interface() {
     begin interface 'Solids in gas: the smeared and the sharp interface'
-    write 'Solids on points in gas on cells, by `method.interface` ([theory](../theory.md), Sharp interface).' ''
+    write 'Solids on points in gas on cells, by `method.interface` ([theory](../theory/README.md), Sharp interface).' ''
     interface_ring
     interface_sphere
     interface_plate

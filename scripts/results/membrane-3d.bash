@@ -181,7 +181,7 @@ surface_checks() {
 result_membrane-3d() {
     begin membrane-3d 'Membranes in space: points on a surface, in no order'
     write 'Plane stress in the tangent plane of each point, with wrinkles; normals by the `quadric` fit to the points as they lie; all of pure MPM. The membrane `holds` the' \
-        'gas of balloon and tube (`docs/theory.md`). Errors are means over the last tenth of the time, against exact rest states (reference `membrane_rest`).'
+        'gas of balloon and tube ([theory](../theory/README.md)). Errors are means over the last tenth of the time, against exact rest states (reference `membrane_rest`).'
     surface_balloon
     surface_at_rest
     surface_checks

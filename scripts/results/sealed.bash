@@ -95,7 +95,7 @@ sealed_ways() {
 result_sealed() {
     begin sealed 'Membranes thinner than a cell that hold gas of the cells'
     local figures worst h
-    write 'Gas on cells inside a membrane of points ([theory](../theory.md)). Errors of the rest are those of means over the last tenth of the time, as in' \
+    write 'Gas on cells inside a membrane of points ([theory](../theory/README.md)). Errors of the rest are those of means over the last tenth of the time, as in' \
         '[membrane-rest](membrane-rest.md). About an axis, a balloon and a tube: [axis](axis.md); bags that are hit: [airbag](airbag.md).'
     sealed_rest
     sealed_piston

@@ -104,7 +104,7 @@ stability_defaults() {
         "The smallest limit of any basis, transfer and time of the stress update on this page is $(printf %.2f "$smallest") h/c, in one dimension; of the coupled cylinder it is" \
         "$(printf %.2f "$loosest") h/c, or $(calc %.2f "$loosest*sqrt(2)") h/(c sqrt 2), which is what floe's CFL number multiplies in two. The default, \`time.cfl: 0.5\` for both solvers, is" \
         "$(calc %.1f "$smallest/0.5") times below the first and $(calc %.1f "$loosest*sqrt(2)/0.5") times below the second, and half of either limit of the pressure of cells, whose step floe divides by sqrt 2 where" \
-        'phi = 1 (theory.md). It follows from the table with that margin. More is not taken: points that a lattice does not put at centres have smaller limits (at the' \
+        'phi = 1 (theory 2.14). It follows from the table with that margin. More is not taken: points that a lattice does not put at centres have smaller limits (at the' \
         'sides of their cells half of those, above), and points move.' ''
 }
 

@@ -102,7 +102,7 @@ substeps_sweep() {
 
 result_substeps() {
     begin substeps 'Sub-steps of the points'
-    write 'With `time.substeps` the points take several steps in one of the cells, under a traction of the gas that stays as it is ([theory](../theory.md), Sub-steps of the points). `auto` takes as many as their stable' \
+    write 'With `time.substeps` the points take several steps in one of the cells, under a traction of the gas that stays as it is ([theory](../theory/README.md), Sub-steps of the points). `auto` takes as many as their stable' \
         'steps ask for; *in the mean* is what came of it.' ''
     substeps_ring
     write '' 'The points cost what they cost without; what is saved is the cells'"'"' part of the time (here half). Other work on the machine shows in the times.'

@@ -55,7 +55,7 @@ void context_log(context *ctx, log_level level, const char *format, ...) FLOE_PR
 
 const char *status_name(floe_status status); /* "FLOE_RETRY" */
 const char *status_text(floe_status status); /* the sentence of FLOE_STATUS_LIST */
-int status_exit(floe_status status);         /* the exit status of the command line (design 6) */
+int status_exit(floe_status status);         /* the exit status of the command line (docs/outputs.md) */
 
 /* Returns from the calling function when `expression` is not FLOE_OK. */
 #define TRY(expression)                                 \

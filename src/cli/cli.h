@@ -19,7 +19,7 @@ typedef struct cli {
 typedef struct cli_command {
     const char *name;
     const char *doc;
-    /* Carries out the command and returns the exit status (design 6); argv[0] is "floe NAME". */
+    /* Carries out the command and returns the exit status (docs/outputs.md); argv[0] is "floe NAME". */
     int (*run)(cli *c, int argc, char **argv);
     bool ends_in_order; /* looks at cli.stop on its way: signals only ask it to end */
 } cli_command;

@@ -1,4 +1,4 @@
-/* The equilibrium pressure of a mixed cell: the p at which its materials fill it (numerics 2.1; Guilkey et al. 2003, eq. 4),
+/* The equilibrium pressure of a mixed cell: the p at which its materials fill it (theory 2.1; Guilkey et al. 2003, eq. 4),
  *     F(p) = sum_r a_r v_r(p) - 1 = 0,    a_r = m_r / V (m_r / TMV with materials carried by points),
  * v_r(p) = v_r(p, T_r) with T_r frozen, or along an isentrope.
  *

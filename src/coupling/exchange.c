@@ -12,7 +12,7 @@ const exchange_model *exchange_find(const char *name)
     return NULL;
 }
 
-/* Beyond this many times the largest mass a coupling adds nothing but cancellation (numerics 2.2). */
+/* Beyond this many times the largest mass a coupling adds nothing but cancellation (theory 2.2). */
 static const double rigid = 1e12;
 
 /* The materials that take part: present and of finite mass. */

@@ -1,4 +1,4 @@
-/* Momentum and heat exchange between the materials of one cell or face, implicit in time (numerics 2.2, 2.9).
+/* Momentum and heat exchange between the materials of one cell or face, implicit in time (theory 2.2, 2.9).
  *
  * Materials r with masses m_r and values u_r are pulled together by a symmetric graph Laplacian,
  *     m_r (u_r' - u_r) = sum_s a_rs (u_s' - u_r'),    a_rs = dt V theta_r theta_s K_rs >= 0,
@@ -35,7 +35,7 @@ void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, d
 void exchange_relax_parts(int n, const double *mass, const double *theta, exchange_matrix a, int columns,
                           double value[][EXCHANGE_MAX]);
 
-/* Momentum where pairs slip (numerics 2.9): couplings `a` act along the unit vector `normal`, `tangential` across it. u[axis][material].
+/* Momentum where pairs slip (theory 2.9): couplings `a` act along the unit vector `normal`, `tangential` across it. u[axis][material].
  * unlike: pairs differ along the normal too. */
 void exchange_relax_frame(int n, const double *mass, const double *theta, bool unlike, exchange_matrix a,
                           exchange_matrix tangential, int dim, const double *normal, double u[3][EXCHANGE_MAX]);

@@ -1,4 +1,4 @@
-/* Rows of cells and the rows of nodes about them (numerics 5.1): a value of one centring is a weighted sum over its two
+/* Rows of cells and the rows of nodes about them (theory 5.1): a value of one centring is a weighted sum over its two
  * neighbours of the other along each axis, with weights of 1/2, doubled at nodes on a non-periodic side of the domain,
  * where half the cells are missing. */
 #ifndef COUPLING_STRIP_H

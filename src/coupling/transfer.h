@@ -1,4 +1,4 @@
-/* Between nodes and cells (numerics 5.1, 5.2): the one file that knows both centrings. It sees fields, and neither
+/* Between nodes and cells (theory 5.1, 5.2): the one file that knows both centrings. It sees fields, and neither
  * solver.
  *
  * The weight of node i in cell c is w_ci = 2^-d, doubled for each non-periodic side of the domain that the node lies

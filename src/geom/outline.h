@@ -1,5 +1,4 @@
-/* The outline of a shape in the plane as chains of points: where the gas beside a solid begins (docs/theory.md, sharp
- * interface). */
+/* The outline of a shape in the plane as chains of points: where the gas beside a solid begins (theory 7.2). */
 #ifndef GEOM_OUTLINE_H
 #define GEOM_OUTLINE_H
 

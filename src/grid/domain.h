@@ -1,4 +1,4 @@
-/* The only door from one block to another (design 4): ghosts, tile partials, point migration, ordered reductions.
+/* The only door from one block to another (docs/structure.md, Tiles): ghosts, tile partials, point migration, ordered reductions.
  * domain_local.c serves several blocks in one process; a message-passing domain can take its place behind the same
  * door. */
 #ifndef GRID_DOMAIN_H

@@ -1,5 +1,5 @@
 /* Every field that floe can hold, on one page. A scene registers only the ones that a stage of its plan names
- * (design 1.2), so a field that is not in the plan has no array.
+ * (docs/structure.md, Fields), so a field that is not in the plan has no array.
  *
  * X(id, name, centring, components, unit, class, meaning)
  *

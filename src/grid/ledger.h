@@ -1,4 +1,4 @@
-/* The ledger: nothing is silently lost (design 1.6). Every flux through a boundary, source, work and defect is entered;
+/* The ledger: nothing is silently lost (theory 10.1). Every flux through a boundary, source, work and defect is entered;
  * a drift is |Q - Q0 - entries| over a scale that does not grow with the error: what was there at the start and what
  * boundaries and sources have let in. Entries of a step are pending until it is committed, so that a rejected step
  * leaves none. Sums are compensated. */

@@ -1,7 +1,7 @@
 /* The mesh: one uniform rectilinear grid of cells that both solvers share, cut into tiles and blocks.
  *
  * Tiles are the unit of every sum: a tile is a fixed box of cells keyed to the global cell index, so that a sum
- * taken within tiles and then over tiles in order has the same bits for any blocks and threads (design 4).
+ * taken within tiles and then over tiles in order has the same bits for any blocks and threads (docs/structure.md, Tiles).
  * Blocks are boxes of whole tiles; each owns its fields. */
 #ifndef GRID_MESH_H
 #define GRID_MESH_H

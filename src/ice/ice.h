@@ -1,4 +1,4 @@
-/* ICE: cell-centred, multi-material, compressible flow on the cells (numerics 2; Guilkey et al. 2003; Kashiwa).
+/* ICE: cell-centred, multi-material, compressible flow on the cells (theory 2; Guilkey et al. 2003; Kashiwa).
  *
  * ice_step.c spells out the fluid-only step; sim/coupled.c interleaves the same stages with those of the points.
  * All stages work on every block of the domain, write scratch and next arrays only, and return FLOE_RETRY (with the cell,
@@ -88,7 +88,7 @@ floe_status ice_register(ice *s, domain *d);
 /* Sets cell states from the scene's bodies (exact fractions by geom) and the ambient, which fills what is left; fluids are cut
  * out where `taken` (volume fraction already taken by solids; per block, size of a cell array; NULL: none) leaves less room.
  * Under gravity, fluids that are given by pressure and temperature at rest start as columns at rest: their pressure is then
- * the one in the highest cells (against gravity), and follows p_j = p_j+1 + |g| h (rho_j + rho_j+1)/2 below (numerics 2.4). */
+ * the one in the highest cells (against gravity), and follows p_j = p_j+1 + |g| h (rho_j + rho_j+1)/2 below (theory 2.4). */
 floe_status ice_initialise(ice *s, double *const *taken);
 
 /* The step under way is rejected: what its stages have changed of the state, where cells of several fluids are closed along
@@ -98,7 +98,7 @@ void ice_forget_step(ice *s);
  * step began. The state, and what comes of it, stays as it is. */
 floe_status ice_refresh(ice *s);
 
-/* The stages, in the order of numerics 5.1 (their names are the ones timed and listed). */
+/* The stages, in the order of theory 5.1 (their names are the ones timed and listed). */
 floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
 floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
 floe_status ice_continue_pressure(ice *s);    /* beside solids: p where they leave no room (ice_continue.c) */

@@ -1,4 +1,4 @@
-/* Advection of the fluids: numerics 2.11, compatible van Leer (VanderHeyden & Kashiwa 1998); Guilkey et al. 2003, step 12.
+/* Advection of the fluids: theory 2.11, compatible van Leer (VanderHeyden & Kashiwa 1998); Guilkey et al. 2003, step 12.
  *
  * What crosses a face in a step fills the slab of thickness |u*| dt upstream of it. Mass density is linear in the donor cell,
  * m(r) = m + g.r; a mass-specific q obeys (m q)(r) = m(r) q + G.r, so that uniform q stays uniform whatever m does. Both are
@@ -21,7 +21,7 @@
 
 #include <math.h>
 
-/* q of numerics 2.5's centring in slab `at`: ring of three slabs. */
+/* q of theory 2.5's centring in slab `at`: ring of three slabs. */
 FLOE_ALWAYS_INLINE void centre_slab(const ice_advect_buffers *w, const ice_view *v, int r, int slab, const int dim,
                                     const bool multi)
 {

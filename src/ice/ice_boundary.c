@@ -1,4 +1,4 @@
-/* The sides of the domain: ghosts of cell fields, and what sides impose on faces (numerics 2.13). One table (axis,
+/* The sides of the domain: ghosts of cell fields, and what sides impose on faces (theory 2.13). One table (axis,
  * side) and one loop; a kind of side is a row of `rule_of`. */
 #include "ice/ice_internal.h"
 

@@ -1,4 +1,4 @@
-/* The pressure where a solid leaves fluids no room (numerics 5.3, 5.4).
+/* The pressure where a solid leaves fluids no room (theory 5.3, 5.4).
  *
  * In a cell that a solid all but fills, the mean stress cancels from the balance: the points carry +p_p I, the cells
  * -theta grad P*. What p is there does not matter, but how smooth it is does, since one is differenced on points, the other on

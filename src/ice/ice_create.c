@@ -36,7 +36,7 @@ static double least_pressure(const scene *s, const bool *used, double bulk_modul
     return fmax(least, -0.5 * bulk_modulus);
 }
 
-/* A solid as the cells see it: the bulk response of its law (numerics 5.4). */
+/* A solid as the cells see it: the bulk response of its law (theory 5.4). */
 static floe_status view_of_solid(ice *s, const scene_material *m, const bool *used, ice_material *out,
                                  eos_bulk_par *par)
 {

@@ -1,4 +1,4 @@
-/* Viscosity and heat conduction of the fluids (numerics 2.6; the face terms: ice_stress.h), second order in time by the
+/* Viscosity and heat conduction of the fluids (theory 2.6; the face terms: ice_stress.h), second order in time by the
  * midpoint:
  *
  *   rates       F = div tau, H = power into the cell less F.u, from the state at t^n. Half of their effect goes into the face

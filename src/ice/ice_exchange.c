@@ -1,4 +1,4 @@
-/* Exchange of momentum and heat in mixed cells (numerics 2.9; Guilkey et al. 2003, step 10), the heat that the exchange makes
+/* Exchange of momentum and heat in mixed cells (theory 2.9; Guilkey et al. 2003, step 10), the heat that the exchange makes
  * (2.8 ii), and what it and the pressure do to materials carried by points (5.1). */
 #include "ice/ice_internal.h"
 

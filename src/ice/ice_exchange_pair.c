@@ -1,4 +1,4 @@
-/* Exchange of momentum where the scene has two materials with a constant coefficient and no reaction (numerics 2.9): in closed form, by runs of
+/* Exchange of momentum where the scene has two materials with a constant coefficient and no reaction (theory 2.9): in closed form, by runs of
  * mixed cells that lie side by side. Kinetic energy goes by the reduced mass mu = m_0 m_1/(m_0 + m_1) and the difference d of the velocities,
  *     1/2 m_0 u_0^2 + 1/2 m_1 u_1^2 = 1/2 (m_0 + m_1) U^2 + 1/2 mu d^2,    U that of the centre of mass, which exchange leaves. */
 #include "ice/ice_internal.h"

@@ -1,4 +1,4 @@
-/* Face velocities: numerics 2.2 with the centring of 2.5; Guilkey et al. 2003, step 3.
+/* Face velocities: theory 2.2 with the centring of 2.5; Guilkey et al. 2003, step 3.
  *
  *     u* = [rho_L (u + A)_L + rho_R (u + A)_R] / (rho_L + rho_R) - phi dt v (p_R - p_L)/h + phi dt g
  *        + (1 - s)/8 (u_L + u_R - u_LL - u_RR)
@@ -67,7 +67,7 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
 ICE_EACH(INSTANCE)
 ice_material_row *const ice_face_velocity_row[3][2] = ICE_TABLE(face_velocity);
 
-/* Momentum exchange at one face, normal component, with face masses mu = (rho_L + rho_R)/2 (numerics 2.2). */
+/* Momentum exchange at one face, normal component, with face masses mu = (rho_L + rho_R)/2 (theory 2.2). */
 static void exchange_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R)
 {
     const ptrdiff_t L = R - v->b->stride[axis];
@@ -170,7 +170,7 @@ floe_status ice_face_velocity(ice *s)
     return FLOE_OK;
 }
 
-/* P* = (P_L/rho_L + P_R/rho_R) / (1/rho_L + 1/rho_R) (numerics 2.4; Guilkey et al. 2003, step 6). */
+/* P* = (P_L/rho_L + P_R/rho_R) / (1/rho_L + 1/rho_R) (theory 2.4; Guilkey et al. 2003, step 6). */
 FLOE_WIDE static void face_pressure_row(const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];

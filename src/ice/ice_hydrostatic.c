@@ -1,4 +1,4 @@
-/* Columns at rest (numerics 2.4): where gravity acts, cell states are set so that p_j - p_j+1 = |g| h (rho_j +
+/* Columns at rest (theory 2.4): where gravity acts, cell states are set so that p_j - p_j+1 = |g| h (rho_j +
  * rho_j+1)/2 from each cell to the one below it, for which face velocities and face pressures balance to round-off. One
  * gravity axis, and the highest cells keep the pressure that they were given. */
 #include "ice/ice_internal.h"

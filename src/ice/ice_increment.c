@@ -1,4 +1,4 @@
-/* The pressure increment: numerics 2.3 with the centring of 2.5 and the bulk viscosity of 2.8 (iv); Guilkey et al. 2003,
+/* The pressure increment: theory 2.3 with the centring of 2.5 and the bulk viscosity of 2.8 (iv); Guilkey et al. 2003,
  * eq. 11.
  *
  *     dP = -(dt/V) sum_f A_f F / S,     F = sum_r theta^r,f u*^r
@@ -107,7 +107,7 @@ FLOE_ALWAYS_INLINE void lower_factor(const ice_view *v, const double *restrict x
     }
 }
 
-/* The common factor on the gradients of all volume fractions and partial densities (numerics 2.11): the smallest of all
+/* The common factor on the gradients of all volume fractions and partial densities (theory 2.11): the smallest of all
  * materials, so that the fractions of a slab add up to one, and where pure densities are uniform, the volumes too. */
 FLOE_ALWAYS_INLINE void limiter_row(const ice_view *v, int j, int k, const int dim)
 {
@@ -143,7 +143,7 @@ FLOE_ALWAYS_INLINE donors donors_of(const ice_view *v, const ice_arrays *m, int 
     return d;
 }
 
-/* theta of the donor slab at a face: its value at the slab's centroid, offset by the flow (numerics 2.3). Both cells are read, one is taken. */
+/* theta of the donor slab at a face: its value at the slab's centroid, offset by the flow (theory 2.3). Both cells are read, one is taken. */
 FLOE_ALWAYS_INLINE double donated(const donors *d, ptrdiff_t R, const int dim)
 {
     const ptrdiff_t L = R - d->step;
@@ -211,7 +211,7 @@ void ice_face_fractions(const ice *s, const ice_view *v)
     if (v->sharp) ice_sharpen_faces(v);
 }
 
-/* The volume that is missing or in excess is taken back at the rate beta (numerics 5.5). */
+/* The volume that is missing or in excess is taken back at the rate beta (theory 5.5). */
 static void relax_volume(const ice *s, const ice_view *v)
 {
     const double beta = s->scene->method.volume_relaxation;

@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-/* The constants of the scheme; docs/theory.md ("Several fluids") has them with what they were chosen by. */
+/* The constants of the scheme; theory 2.15 has them with what they were chosen by. */
 static const double pure = 1e-12;       /* 1: less than this share of a cell is no other fluid */
 static const double range = 0.5;        /* 1: of theta within two cells, at an interface */
 static const double steepness = 2.3;    /* beta: three quarters of the rise within a cell (Xiao, Ii, Chen) */

@@ -149,12 +149,12 @@ struct ice_advect_job {
     const ice *s;
     const ice_view *v;
     int material, first, last;
-    bool conserve;       /* numerics 2.8 (iii) */
+    bool conserve;       /* theory 2.8 (iii) */
     double energy_floor; /* J/kg; -DBL_MAX where the law must be asked cell by cell */
     double *buffer;      /* of the thread */
 };
 
-/* Where heat would leave less thermal energy than this share of the kinetic, it is not conserved (guard of numerics 2.8). */
+/* Where heat would leave less thermal energy than this share of the kinetic, it is not conserved (guard of theory 2.8). */
 #define ICE_THERMAL_SHARE 1e-3
 
 /* Per tile: what a step gathers. */
@@ -230,7 +230,7 @@ typedef struct ice_creation {
     bool any;
     double mass[ICE_MAX_MATERIALS], volume[ICE_MAX_MATERIALS]; /* kg/m3, 1: at the pressure of the step's start */
     double theta[ICE_MAX_MATERIALS];                           /* volume fractions that dP compresses */
-    double dP; /* Pa: full-step increment that takes the new volume back (numerics 2.3) */
+    double dP; /* Pa: full-step increment that takes the new volume back (theory 2.3) */
 } ice_creation;
 
 /* Mixed cells that are solved for side by side. */
@@ -273,7 +273,7 @@ typedef struct ice_work {
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 
-/* Pressures and fractions of several materials in one block (numerics 2.1). */
+/* Pressures and fractions of several materials in one block (theory 2.1). */
 floe_status ice_mixture(ice *s, int block_id, const ice_view *v);
 /* Storage of the spans (work.span, work.near) of a block; where reactions make materials anywhere there is none. */
 floe_status ice_spans_create(ice *s, int block_id);
@@ -286,7 +286,7 @@ void ice_widen_spans(const ice *s, int block_id);
 void ice_keep_found(ice *s, int block_id, const ice_view *v);
 /* State of a law at a pressure and a temperature. */
 ice_reservoir ice_state_at(const eos *law, double p, double T);
-/* Columns at rest (numerics 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
+/* Columns at rest (theory 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);
 
 /* Fluids that fill less than this of a cell beside a solid have no say in its pressure, which is continued into it. */
@@ -295,7 +295,7 @@ floe_status ice_hydrostatic(ice *s);
 void ice_hold_continued(const ice *s);
 bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at);
 
-/* Specific volume of a material after an increment of pressure (numerics 2.10). Slivers, and what is `bound`, lose or gain no more than a factor of
+/* Specific volume of a material after an increment of pressure (theory 2.10). Slivers, and what is `bound`, lose or gain no more than a factor of
  * ten in a step. */
 static inline double ice_room_after(const ice_arrays *m, ptrdiff_t at, double dP, bool bound)
 {
@@ -311,7 +311,7 @@ floe_status ice_find_interfaces(ice *s);
 void ice_flatten_interfaces(const ice_view *v);
 void ice_sharpen_faces(const ice_view *v);
 
-/* A fluid whose own pressure is the cell's but for this share is not expanded by it: 2 %, measured (docs/theory.md, "Several fluids"). */
+/* A fluid whose own pressure is the cell's but for this share is not expanded by it: 2 %, measured (theory 2.15). */
 #define ICE_NEAR_ONE_PRESSURE 0.02
 static inline bool ice_near_pressure(const isentrope *own, double p)
 {
@@ -453,7 +453,7 @@ FLOE_ALWAYS_INLINE double ice_compression(double div, double jump)
     return most(-most(div, jump), 0.0);
 }
 
-/* q of numerics 2.8 (iv) of a fluid squeezed at `squeeze` (m/s over a cell), s its shock sensor. */
+/* q of theory 2.8 (iv) of a fluid squeezed at `squeeze` (m/s over a cell), s its shock sensor. */
 FLOE_ALWAYS_INLINE double ice_bulk_pressure(double rho, double speed, double squeeze, double s)
 {
     const double quadratic = 0.75, linear = 0.3;

@@ -1,4 +1,4 @@
-/* The time step (numerics 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
+/* The time step (theory 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
  * where phi = 1, else 1; with the implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion
  * dt <= 0.9 / (2 D sum h_i^-2), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Slivers
  * (theta < 1e-6) are left out.

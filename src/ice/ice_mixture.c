@@ -1,4 +1,4 @@
-/* The equilibrium pressure stage of several materials (numerics 2.1; Guilkey et al. 2003, step 2). A row is taken by runs of cells that hold the
+/* The equilibrium pressure stage of several materials (theory 2.1; Guilkey et al. 2003, step 2). A row is taken by runs of cells that hold the
  * same materials, so that the laws see cells as they lie: where one is alone the pressure is its law's, where several are the cells of the run are
  * solved side by side. Materials that are absent from a cell get the mean velocity and temperature of those present, and their law's v at p, so
  * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */

@@ -1,4 +1,4 @@
-/* Open sides by characteristics (numerics 2.13). On a face, with u along the outward normal and z = rho c of the
+/* Open sides by characteristics (theory 2.13). On a face, with u along the outward normal and z = rho c of the
  * mixture,
  *     R = p + z u leaves, carried from the cell to the face at half the step,     Q = p - z u enters,
  * and the side says what enters: at a non-reflecting side (locally one-dimensional, Hedstrom 1979) the Q of the state

@@ -1,5 +1,5 @@
 /* What each pair of materials exchanges at a place: constants, laws that see the state there, and the frame in which a pair slips
- * (numerics 2.9). Scenes whose coefficients are constants and that have no slip never come here after they are resolved. */
+ * (theory 2.9). Scenes whose coefficients are constants and that have no slip never come here after they are resolved. */
 #include "coupling/exchange_law.h"
 #include "ice/ice_internal.h"
 

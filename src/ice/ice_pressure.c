@@ -1,4 +1,4 @@
-/* The equilibrium pressure stage (numerics 2.1; Guilkey et al. 2003, step 2) of one fluid: p = p(rho, e), in batches
+/* The equilibrium pressure stage (theory 2.1; Guilkey et al. 2003, step 2) of one fluid: p = p(rho, e), in batches
  * over rows. Several materials: ice_mixture.c. */
 #include "ice/ice_internal.h"
 

@@ -18,7 +18,7 @@ static int count_in(const ice *s, const fields *f, ptrdiff_t at, bool *points)
     return count;
 }
 
-/* Of several fluids (numerics 2.1), closed as ice_mixture.c closes them; `last` where no pressure fills the cell. */
+/* Of several fluids (theory 2.1), closed as ice_mixture.c closes them; `last` where no pressure fills the cell. */
 static double of_mixture(const ice *s, const fields *f, ptrdiff_t at, double last)
 {
     isentrope path[ICE_MAX_MATERIALS];

@@ -1,4 +1,4 @@
-/* Mass exchange (step 4 of Guilkey et al. 2003; numerics 2.3, 2.10): what reactions turn over in the step, the pressure
+/* Mass exchange (step 4 of Guilkey et al. 2003; theory 2.3, 2.10): what reactions turn over in the step, the pressure
  * that new volume makes, and the sources of mass, momentum, energy and volume. The product gets the reactant's momentum
  * and energy and the heat; the sums over materials close to round-off. What solids on points lose, the points say
  * (ice_burn.c, mpm/burn.c). */

@@ -1,4 +1,4 @@
-/* Sensors. The shock sensor of numerics 2.5: where flow is compressed by more than half a percent of the sound speed a
+/* Sensors. The shock sensor of theory 2.5: where flow is compressed by more than half a percent of the sound speed a
  * cell, time centring goes from 1/2 to 1 and the linear bulk viscosity comes in. Smooth compression falls below that as
  * the mesh is refined, so that smooth flow stays second order. */
 #include "ice/ice_internal.h"

@@ -1,4 +1,4 @@
-/* Lagrangian values of the fluids: pressure and gravity (numerics 2.6), heat (2.7, 2.8), viscosity and conduction, loads; and the impulse of
+/* Lagrangian values of the fluids: pressure and gravity (theory 2.6), heat (2.7, 2.8), viscosity and conduction, loads; and the impulse of
  * the pressure on materials carried by points. Guilkey et al. 2003, steps 8 and 9.
  *
  *     u^L = u - dt (theta/rho) grad P* + dt g

@@ -1,4 +1,4 @@
-/* The step of the fluids, in the order of numerics 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): four groups
+/* The step of the fluids, in the order of theory 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): four groups
  * of stages, between which the coupled step puts those of the points. */
 #include "ice/ice_internal.h"
 

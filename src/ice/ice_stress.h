@@ -1,4 +1,4 @@
-/* Viscous stress and conduction through the faces of a cell (numerics 2.6):
+/* Viscous stress and conduction through the faces of a cell (theory 2.6):
  *     tau = theta mu [grad u + grad u^T] + theta (zeta - 2/3 mu) (div u) 1,     q = theta k grad T,
  * two-point normal derivatives, four-cell transverse ones, the harmonic mean of theta on the face (mu and k are a
  * material's), and about an axis the hoop terms. One always-inline body for each dimension and geometry. */

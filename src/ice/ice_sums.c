@@ -1,4 +1,4 @@
-/* Totals over the owned cells, in tile order (design 4), and the mean pressure of a region. */
+/* Totals over the owned cells, in tile order (docs/structure.md, Tiles), and the mean pressure of a region. */
 #include "ice/ice_region.h"
 
 #include "base/memory.h"

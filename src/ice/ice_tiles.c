@@ -1,5 +1,5 @@
 /* Tile partials: what a stage gathers over cells, added up in the order of tiles whatever the blocks and threads
- * (design 4). */
+ * (docs/structure.md, Tiles). */
 #include "ice/ice_internal.h"
 
 #include <stdio.h>

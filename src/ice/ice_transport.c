@@ -1,4 +1,4 @@
-/* The advection stage (numerics 2.11): ghosts of the Lagrangian values, the sweeps, and rejection. */
+/* The advection stage (theory 2.11): ghosts of the Lagrangian values, the sweeps, and rejection. */
 #include "ice/ice_advect.h"
 
 #include <math.h>
@@ -92,7 +92,7 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
 
 /* What is left of a material below ice_least_fraction of a cell, or ice_least_share of its mass (a trace of gas in a
  * liquid under tension may fill a lot), is dropped; in slivers, what advection's round-off has left without a
- * temperature is given the last one at the last pressure (numerics 6). Both are entered in the ledger. */
+ * temperature is given the last one at the last pressure (theory 6). Both are entered in the ledger. */
 static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
 {
     double square = 0.0;

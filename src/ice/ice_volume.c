@@ -1,4 +1,4 @@
-/* Specific volumes after the Lagrangian step (numerics 2.10, 5.5; Guilkey et al. 2003, step 11):
+/* Specific volumes after the Lagrangian step (theory 2.10, 5.5; Guilkey et al. 2003, step 11):
  *     (m v)^L = (m v) - V theta kappa dP,     dP = -D/S + beta (TMV/V - 1)/S,
  * so that the sum over materials grows by V D exactly. kappa is isentropic and holds the heating by compression; the
  * terms in alpha dT of exchange and loads change only how p divides the room in the next step, which its equilibrium

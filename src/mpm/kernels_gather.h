@@ -10,7 +10,7 @@
  * A point with weight S alone on a node gives it an acceleration V sigma grad S / (S m_p), and that gives the point's L a
  * term with (grad S)^2/S. The smooth bases keep it bounded; with the linear one it is 1/(h^2 S), unstable for any step once
  * S < (c dt/h)^2: a disc whose edge crosses a cell's face tears. Velocities before the kick are means over points, and safe
- * (numerics 4.4). The points' velocities take all of the acceleration: momentum is untouched. */
+ * (theory 4.4). The points' velocities take all of the acceleration: momentum is untouched. */
 static const double light_node = 0.25;
 
 /* What is wanted of a gather: literals. `light`: light nodes matter. */
@@ -168,8 +168,8 @@ FLOE_ALWAYS_INLINE void move_point(const point_arrays *p, size_t k, const point_
     }
 }
 
-/* Motion: v_p += sum S a kick blended with sum S v^L; x_p += dt sum S v^L (numerics 4.2).
- * Gradient: L_p = sum v_i (x) grad S; L_hoop = sum S v_r / r (numerics 4.1, 4.5); rows of L are counted from `start`.
+/* Motion: v_p += sum S a kick blended with sum S v^L; x_p += dt sum S v^L (theory 4.2).
+ * Gradient: L_p = sum v_i (x) grad S; L_hoop = sum S v_r / r (theory 4.1, 4.5); rows of L are counted from `start`.
  * `centred`: grad S is taken elsewhere than S (locate.h). */
 FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                                     const double *restrict window, const gather_step *now, const gather_result *to,

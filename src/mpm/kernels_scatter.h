@@ -158,7 +158,7 @@ FLOE_ALWAYS_INLINE double give_force(point_gift *g, const point_arrays *p, size_
     return hoop;
 }
 
-/* f_i = -V (sigma + p_p I - q I) . grad S + S m b (numerics 4.1); hoop term of numerics 4.5. `centred`: grad S is taken
+/* f_i = -V (sigma + p_p I - q I) . grad S + S m b (theory 4.1); hoop term of theory 4.5. `centred`: grad S is taken
  * elsewhere than S (locate.h). */
 FLOE_ALWAYS_INLINE void scatter_body(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                                      double *restrict out, const int dim, const bool axisymmetric,

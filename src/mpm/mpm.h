@@ -1,4 +1,4 @@
-/* Material points (numerics 4; Sulsky, Chen, Schreyer 1994; York 1997): solids, and fluids carried by points.
+/* Material points (theory 4; Sulsky, Chen, Schreyer 1994; York 1997): solids, and fluids carried by points.
  *
  * mpm_step.c spells out the points-only step; sim/coupled.c interleaves the same stages with those of the cells. Points
  * of a body in a block are sorted by tile, then cell, then id; a tile's points are contiguous. Stages write scratch and
@@ -99,7 +99,7 @@ floe_status mpm_register(mpm *s, domain *d);
 /* Seeds the points of every body (geom/seed), sorted into blocks and tiles. */
 floe_status mpm_seed(mpm *s);
 
-/* Stages (numerics 4.1; contact: contact.h). */
+/* Stages (theory 4.1; contact: contact.h). */
 floe_status mpm_hold_gas(mpm *s);          /* what gas that a surface holds pushes it with (hold.c) */
 floe_status mpm_drive_points(mpm *s);      /* b_p of an exact solution (load.c) */
 floe_status mpm_points_to_nodes(mpm *s);   /* m_i, m_i v_i; and f_i when nothing else will change the stress */

@@ -1,4 +1,4 @@
-/* The points-only step, straight down (numerics 4.1). */
+/* The points-only step, straight down (theory 4.1). */
 #include "mpm/load.h"
 #include "mpm/wall.h"
 

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* Nodes lighter than this mass (kg) take no force: f/m there is noise (numerics 4.4). Cubic splines end as x^3/6 and their slopes as x^2/2, so that what a
+/* Nodes lighter than this mass (kg) take no force: f/m there is noise (theory 4.4). Cubic splines end as x^3/6 and their slopes as x^2/2, so that what a
  * node that light does to its points falls with x; but as far out as 1e-9 of a point's weight the impulse is 2e-6 of a whole one, and
  * blocks that slid along walls were off by 1e-9 for it. What is left there is the round-off of folded masses. */
 double small_node(const mpm *s)
@@ -59,7 +59,7 @@ double damping_left(const mpm *s)
     return damping_acts(s) ? 1.0 / (1.0 + s->scene->damping.rate * s->work->kick) : 1.0;
 }
 
-/* v^L = v / (1 + rate kick) + kick f/m, from momenta (numerics 4.4). Damping acts on the velocity that the points brought, never
+/* v^L = v / (1 + rate kick) + kick f/m, from momenta (theory 4.4). Damping acts on the velocity that the points brought, never
  * on what the force adds: beside fluids, f alone is not small at rest (the exchange balances it), and damping it would take a
  * share rate dt of the load away (measured: sigma_theta of the pressurised cylinder off by 3 % at dt = 2.6 us). */
 static void advance_block(const mpm *s, int blk, int group)

@@ -1,4 +1,4 @@
-/* A step of the points in equal parts, beside gas that takes it as one (docs/theory.md, sub-steps): the gas's forces on
+/* A step of the points in equal parts, beside gas that takes it as one (theory 7.3): the gas's forces on
  * the lines stay as they are, and the points' own are renewed in each part. Every part but the last is made final
  * before the next, so the start of the step is kept, to be put back where a later stage asks for a smaller one. */
 #include "base/memory.h"

@@ -196,7 +196,7 @@ static void take_cell_density(const mpm *s, int blk, int body, size_t start, sol
     }
 }
 
-/* Wilkins' artificial viscosity over the step (Y00 eq. 24, with a pressure's units: numerics 9). */
+/* Wilkins' artificial viscosity over the step (Y00 eq. 24, with a pressure's units: theory 11). */
 static void set_artificial(const mpm *s, const mpm_body *body, solid_batch *b)
 {
     double c[SOLID_CHUNK], length = s->mesh->h[0];

@@ -1,4 +1,4 @@
-/* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (design 4). */
+/* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (docs/structure.md, Tiles). */
 #include "mpm/lanes.h"
 #include "mpm/membrane/hold.h"
 #include "mpm/spring.h"

@@ -2,7 +2,7 @@
  * into the mesh, and the ghosts are given the velocities that the fold implies. At a symmetry plane the
  * fold is a mirror, and at a slip wall that does not let a group go (wall_side.c): even for mass and tangential momentum, odd for normal momentum. At every other side it is linear
  * extrapolation, u_-1 = 2 u_0 - u_1: the folded basis is nonnegative, sums to one, reproduces linear fields and
- * interpolates at the wall (numerics 4.3). */
+ * interpolates at the wall (theory 4.3). */
 #include "mpm/wall.h"
 
 #include <string.h>

@@ -86,7 +86,7 @@ struct mpm_work {
     double *cell_mass;                        /* kg: of a fluid, per global cell; owned, NULL without cell densities */
     double *tile_sum;                         /* per global tile, MPM_TILE_SUMS values; owned */
     double kick;                              /* s: the time over which velocities are kicked */
-    double reference_mass;                    /* kg: heaviest point, for the small-node rule (numerics 4.4) */
+    double reference_mass;                    /* kg: heaviest point, for the small-node rule (theory 4.4) */
     double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
     double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
     surface_point *surface, *surface_next; /* owned */

@@ -1,4 +1,4 @@
-/* Errors of a run against its exact solution (design 6): nothing smoothed, no point or cell excluded inside the
+/* Errors of a run against its exact solution (docs/outputs.md): nothing smoothed, no point or cell excluded inside the
  * region. */
 #ifndef RUN_MEASURE_H
 #define RUN_MEASURE_H

@@ -1,4 +1,4 @@
-/* The files of a run: history, snapshots, checkpoint, resolved deck (design 6). */
+/* The files of a run: history, snapshots, checkpoint, resolved deck (docs/outputs.md). */
 #ifndef RUN_OUTPUT_H
 #define RUN_OUTPUT_H
 

@@ -290,7 +290,7 @@ static void remark_dense_shocks(const scene *s, remark_sink *say, void *user)
         }
 }
 
-/* Beside points fluids are closed at frozen temperatures and have no sharp interfaces (docs/theory.md, "Several fluids"). */
+/* Beside points fluids are closed at frozen temperatures and have no sharp interfaces (theory 2.15). */
 static void remark_beside_points(const scene *s, remark_sink *say, void *user)
 {
     const double shock = 10.0;

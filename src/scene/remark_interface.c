@@ -1,4 +1,4 @@
-/* What a smeared interface gets wrong in a scene (docs/theory.md, sharp interface; docs/defaults.md has the figures). */
+/* What a smeared interface gets wrong in a scene (theory 7.2; docs/defaults.md has the figures). */
 #include "scene/flight.h"
 #include "scene/remark_parts.h"
 

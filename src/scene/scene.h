@@ -42,13 +42,13 @@ const char *coupling_name(scene_coupling coupling); /* "mpm", "ice", "ice-mpm" *
 
 typedef enum material_kind { MATERIAL_SOLID, MATERIAL_FLUID } material_kind;
 
-/* Physics only, never a representation (design 5). */
+/* Physics only, never a representation (docs/structure.md, Rooms and floors). */
 typedef struct scene_material {
     char name[SCENE_NAME];
     material_kind kind;
     double density;         /* kg/m3 of a solid at rest; unused for fluids */
     double specific_heat;   /* J/kg/K of a solid, for the cells' view */
-    double tension_switch;  /* Pa > 0: a solid's eos switches to its tension branch below this (numerics 5.4) */
+    double tension_switch;  /* Pa > 0: a solid's eos switches to its tension branch below this (theory 5.4) */
     const solid_model *law; /* solids; NULL for fluids and membranes */
     void *law_par;
     const membrane_model *membrane; /* solids that are membranes or strings; else NULL */
@@ -209,15 +209,15 @@ typedef struct scene_method {
     point_density density;     /* of fluid points (mpm/density.c) */
     point_losses losses;
     double edge_penalty; /* gamma of the penalty on edges of solids (mpm/edge/edge.h); 0: none; NAN: the basis's own */
-    ice_centring centring; /* phi of numerics 2.5: auto is 1/2 smooth, 1 at shocks */
-    bool conserve_energy;  /* numerics 2.8 */
+    ice_centring centring; /* phi of theory 2.5: auto is 1/2 smooth, 1 at shocks */
+    bool conserve_energy;  /* theory 2.8 */
     ice_limiter limiter;
     double
         exchange; /* K, kg/(m3 s), between all pairs; 0 to 1e20; INFINITY: locked, one velocity; NAN: locked, liquids slip */
     double heat_exchange;      /* R, W/(m3 K) */
-    double volume_relaxation;  /* beta of numerics 5.5 */
+    double volume_relaxation;  /* beta of theory 5.5 */
     solid_interface interface; /* between solids on points and gas on cells */
-    pressure_scheme pressure;  /* of ICE: numerics 2.3 or 3, or whichever costs less */
+    pressure_scheme pressure;  /* of ICE: theory 2.3 or 3, or whichever costs less */
     double pressure_tolerance; /* of the implicit pressure: largest error of a cell's volume, as a fraction of it */
 } scene_method;
 
@@ -259,7 +259,7 @@ typedef struct scene_time {
     time_solver solver;
     long increments;  /* equal parts of the run: of the load where the solver is static, steps where it is implicit */
     double tolerance; /* what is left of the forces, as a share of them, where the solver solves for balance */
-    double cfl_mpm, cfl_ice; /* fractions of the limits of numerics 4.6 and 2.14 */
+    double cfl_mpm, cfl_ice; /* fractions of the limits of theory 4.6 and 2.14 */
     double acoustic_cfl;     /* implicit pressure: largest c dt (sum h_i^-2)^1/2 */
     double first_step;       /* s, NAN: from the CFL limit */
     double max_step;         /* s, NAN: none */

@@ -1,4 +1,4 @@
-/* The coupled step (numerics 5.1; Guilkey et al. 2003, section 2.4): stages of points and cells, interleaved on one
+/* The coupled step (theory 5.1; Guilkey et al. 2003, section 2.4): stages of points and cells, interleaved on one
  * mesh. */
 #include "sim/coupled.h"
 

@@ -1,4 +1,4 @@
-/* The coupled step: the stages of points and cells, interleaved (numerics 5.1). */
+/* The coupled step: the stages of points and cells, interleaved (theory 5.1). */
 #ifndef SIM_COUPLED_H
 #define SIM_COUPLED_H
 

@@ -1,4 +1,4 @@
-/* Time steps: chosen, taken, and, where they go bad, taken again smaller (design 8). */
+/* Time steps: chosen, taken, and, where they go bad, taken again smaller (docs/structure.md, A step). */
 #include "sim/gas_rest.h"
 #include "sim/light.h"
 #include "sim/statics.h"

@@ -1,5 +1,5 @@
 /* SUNDIALS vectors on a solve_grid: what its Krylov solvers need, with sums that have the same bits for any number of
- * threads, since they are taken within tiles and then over tiles in order (design 4). */
+ * threads, since they are taken within tiles and then over tiles in order (docs/structure.md, Tiles). */
 #ifndef SOLVE_GRID_VECTOR_H
 #define SOLVE_GRID_VECTOR_H
 

@@ -1,5 +1,5 @@
 /* Every basis of the registry, by name of none: partition of unity, linear fields, derivatives against differences, positivity,
- * smoothness; and the same once nodes beyond a wall are folded into the mesh (numerics 4.3). */
+ * smoothness; and the same once nodes beyond a wall are folded into the mesh (theory 4.3). */
 #include "check.h"
 
 #include "mpm/basis/basis.h"

@@ -1,4 +1,4 @@
-/* The equilibrium pressure over extreme mixtures (numerics 2.1) and the bookkeeping of its solver. */
+/* The equilibrium pressure over extreme mixtures (theory 2.1) and the bookkeeping of its solver. */
 #include "check.h"
 
 #include "base/memory.h"
@@ -128,7 +128,7 @@ static void near_guess_is_quick(void **state)
         mix(t, (const double[]){gas, 0.0, 1.0 - gas}, 1e5, &c, 0);
         c.p[0] = 1.2e5;
         assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
-        check_true(c.iterations[0] <= 6); /* numerics 2.1 */
+        check_true(c.iterations[0] <= 6); /* theory 2.1 */
     }
 }
 

@@ -42,7 +42,7 @@ static void momentum_is_kept(void **state)
     check_true(worst <= 1e-14);
 }
 
-/* tau = 1/[K theta1 theta2 (1/rho1 + 1/rho2)]: one implicit step leaves 1/(1 + dt/tau) of the difference (numerics 2.9). */
+/* tau = 1/[K theta1 theta2 (1/rho1 + 1/rho2)]: one implicit step leaves 1/(1 + dt/tau) of the difference (theory 2.9). */
 static void decay_of_a_pair(void **state)
 {
     (void)state;

@@ -187,7 +187,7 @@ static void test_rest(void **unused)
 }
 
 /* A solid that moves with the gas about it, through the mesh. Points and cells do not carry volume alike, so that this is not exact
- * (numerics 5.5): measured without relaxation of volumes 1.4 % of the pressure anywhere, hardly less on finer meshes; with the
+ * (theory 5.5): measured without relaxation of volumes 1.4 % of the pressure anywhere, hardly less on finer meshes; with the
  * default of 0.1 a step the same 1.2 % in the gas, but 3 to 5 times the pressure in cells that are mostly solid. */
 static noise move_together(const char *basis, double h, double relaxation)
 {

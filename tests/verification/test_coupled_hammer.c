@@ -1,4 +1,4 @@
-/* Water in tubes of points with air outside, the interface smeared: walls that keep fluids apart (numerics 5.3), fluids that slip along them, and
+/* Water in tubes of points with air outside, the interface smeared: walls that keep fluids apart (theory 5.3), fluids that slip along them, and
  * cells of a wall that start with the fluid beside it. */
 #include "coupled_fixture.h"
 

@@ -95,7 +95,7 @@ static bool in_full(size_t basis)
 }
 
 /* From a stiff solid as from a wall: p5/p2 = [(3 g - 1) z - (g - 1)] / [(g - 1) z + g + 1], z = p2/p1. The solid, smeared over the
- * cells about its surface, looks up to a cell too fat (numerics 5.7): measured 1.3 % low at most. */
+ * cells about its surface, looks up to a cell too fat (theory 5.7): measured 1.3 % low at most. */
 static void test_reflected_shock(void **unused)
 {
     (void)unused;

@@ -11,7 +11,7 @@ static void uniform_steps(fixture *f, int n, double dt)
 }
 
 /* Two gases at half a cell each, moving against each other: each step leaves 1/(1 + dt/tau) of the difference, the centre of
- * mass stays, the kinetic energy lost becomes heat (numerics 2.9, 2.8 ii). K from 1 to 1e20. */
+ * mass stays, the kinetic energy lost becomes heat (theory 2.9, 2.8 ii). K from 1 to 1e20. */
 static void relaxation(void **state)
 {
     (void)state;

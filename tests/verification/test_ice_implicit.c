@@ -1,4 +1,4 @@
-/* The implicit pressure (numerics 3): its matrix against differences, order in time, independence of the Mach number, what it must
+/* The implicit pressure (theory 3): its matrix against differences, order in time, independence of the Mach number, what it must
  * keep, what it says when it fails. */
 #include "ice_fixture.h"
 

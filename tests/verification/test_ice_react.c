@@ -95,7 +95,7 @@ static void threshold(void **unused)
     }
 }
 
-/* The new volume is compressed with all the rest (numerics 2.10): sum (m v)^L = V (1 + D), D the dilatation, to round-off. */
+/* The new volume is compressed with all the rest (theory 2.10): sum (m v)^L = V (1 + D), D the dilatation, to round-off. */
 static void volume_is_kept(void **unused)
 {
     (void)unused;

@@ -1,4 +1,4 @@
-/* What must hold to round-off (numerics 2.12): free streams of one and of several materials, closed boxes, blocks and threads. */
+/* What must hold to round-off (theory 2.12): free streams of one and of several materials, closed boxes, blocks and threads. */
 #include "ice_fixture.h"
 
 #ifdef _OPENMP

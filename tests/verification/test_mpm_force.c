@@ -1,4 +1,4 @@
-/* Uniform stress: the nodal forces should vanish, and what is left is the error of points as a quadrature (numerics 4.7): with
+/* Uniform stress: the nodal forces should vanish, and what is left is the error of points as a quadrature (theory 4.7): with
  * points incommensurate with the cells it falls as points-per-cell^-1 for the linear basis, ^-2 for the quadratic one, and
  * is round-off for GIMP and CPDI while their domains tile. And the jump of the force as a point crosses a cell's face (B9). */
 #include "mpm_fixture.h"

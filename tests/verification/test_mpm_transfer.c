@@ -113,7 +113,7 @@ static void test_spin(void **state)
             const double lost = 1.0 - after.moment / before.moment;
             print_message("%-5s %-9s loses %8.1e of its moment of momentum in %ld steps\n", model->name, basis->name,
                           lost, t.sim->steps);
-            /* Forces on nodes of next to no mass are dropped (numerics 4.4), which is all that is lost. */
+            /* Forces on nodes of next to no mass are dropped (theory 4.4), which is all that is lost. */
             const bool even = basis->kind == BASIS_QUADRATIC || basis->kind == BASIS_CUBIC;
             if (model->keeps_spin && even) check_true(fabs(lost) <= 1e-9);
             check_true(isfinite(lost));

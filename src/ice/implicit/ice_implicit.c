@@ -1,4 +1,4 @@
-/* The implicit pressure (numerics 3): the pressure that moves the faces is the one at the end of the step,
+/* The implicit pressure (theory 3): the pressure that moves the faces is the one at the end of the step,
  *
  *     u* = u*_0 - phi dt/h v^ (y_R - y_L),     y = phi dP,     dP = -(dt/V) sum_f A_f F / S,     F = sum_r theta^r,f u*^r,
  *

@@ -15,7 +15,7 @@ struct ice_implicit {
     double *tile;    /* owned; largest residual of every row of the grid */
 };
 
-/* What sound does to u* and P before any step of pressure is known (rows of numerics 3 with dP = 0). */
+/* What sound does to u* and P before any step of pressure is known (rows of theory 3 with dP = 0). */
 floe_status ice_implicit_begin(ice *s);
 /* Adds a step of pressure, from the array of P with its ghosts filled, to u*. */
 void ice_implicit_push(const ice *s);

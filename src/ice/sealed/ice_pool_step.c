@@ -1,4 +1,4 @@
-/* What pools do in a step (ice_pool.h): the pressure increment of numerics 2.3 and the Lagrangian values of 2.6 and
+/* What pools do in a step (ice_pool.h): the pressure increment of theory 2.3 and the Lagrangian values of 2.6 and
  * 2.8, for cells with faces that are partly closed and a wall that moves. The membrane is a wall at the pool's pressure
  * P:
  *

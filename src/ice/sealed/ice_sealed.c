@@ -1,4 +1,4 @@
-/* Gases that a membrane keeps apart (docs/theory.md, sealed membranes). Each gas is one fluid by itself in the cells
+/* Gases that a membrane keeps apart (theory 7.1). Each gas is one fluid by itself in the cells
  * that the membrane leaves it: its own density, velocity, energy and pressure. The stages are those of one fluid, taken
  * gas by gas, with three differences: cells at the membrane act as pools (ice_pool.h); faces pass what is open of them,
  * in the mean of the step; and where a gas is not, it is lent the state of the cells beside, so that differences near

@@ -1,10 +1,10 @@
-/* Bases: the shape functions that carry data between points and nodes (numerics 4.3). One file adds one: basis_<name>.c
+/* Bases: the shape functions that carry data between points and nodes (theory 4.3). One file adds one: basis_<name>.c
  * ends in a const descriptor `basis_<name>`; the conformance battery covers it (partition of unity, linear
  * reproduction, gradients against differences, positivity). The 1-D weights live in the always-inline body of
  * basis_1d.h, which the point kernels take as a literal argument.
  *
  * A basis knows nothing of walls: points near one reach the ghost nodes beyond it, and the nodes are folded back
- * (mpm/wall.c), which is the same as folding the shape functions (numerics 4.3) and leaves the kernels without
+ * (mpm/wall.c), which is the same as folding the shape functions (theory 4.3) and leaves the kernels without
  * branches.
  *
  * CPDI is the one whose domains have a shape: parallelograms whose sides F turns and stretches (mpm/locate.h). Its

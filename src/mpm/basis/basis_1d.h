@@ -1,4 +1,4 @@
-/* One-dimensional weights of every basis, inlined into the point kernels with `kind` a literal (numerics 4.3). */
+/* One-dimensional weights of every basis, inlined into the point kernels with `kind` a literal (theory 4.3). */
 #ifndef MPM_BASIS_BASIS_1D_H
 #define MPM_BASIS_BASIS_1D_H
 

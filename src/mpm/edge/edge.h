@@ -1,4 +1,4 @@
-/* Edges of solids, held by a penalty (ghost penalty; numerics 8, Coombs 2022).
+/* Edges of solids, held by a penalty (ghost penalty; theory 4.10, Coombs 2022).
  *
  * Nodes that a solid fills in part have little to say for themselves: what few points lie in their support sets them,
  * with stresses many times too large. So along each grid line the differences of the order of the basis plus one, D u,

@@ -1,4 +1,4 @@
-/* Surfaces of solids beside gas of the cells (docs/theory.md, sharp interface): chains of markers without mass, laid on
+/* Surfaces of solids beside gas of the cells (theory 7.2): chains of markers without mass, laid on
  * the shapes when the bodies are seeded and carried by the nodes. They are what cuts the cells, and take the gas's push
  * to the nodes that the body's points bear (traction.c). */
 #include "mpm/surface/skin.h"

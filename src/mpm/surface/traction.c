@@ -319,7 +319,7 @@ typedef struct motion_sum {
     int dim;
 } motion_sum;
 
-/* A light node's acceleration is large and moves hardly any point, even at rest (numerics 4.4): a surface that followed it would
+/* A light node's acceleration is large and moves hardly any point, even at rest (theory 4.4): a surface that followed it would
  * leave its body, so it takes that in proportion to the mass. */
 static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
 {

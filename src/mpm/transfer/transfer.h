@@ -1,4 +1,4 @@
-/* Transfers: what becomes of a point's velocity in a step (numerics 4.2). One file adds one: transfer_<name>.c ends in
+/* Transfers: what becomes of a point's velocity in a step (theory 4.2). One file adds one: transfer_<name>.c ends in
  * a const descriptor `transfer_<name>`; the conformance battery covers it with every basis (momentum, uniform motion,
  * and moment of momentum and rigid motion where it claims them).
  *
