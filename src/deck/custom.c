@@ -25,13 +25,18 @@ static const choice *find_choice(const choice *choices, const char *name)
     return NULL;
 }
 
+static bool is_word(const deck_node *node, const char *word)
+{
+    return node->kind == NODE_SCALAR && strcmp(node->text, word) == 0;
+}
+
 /* ---- floe: 1 ---- */
 
 static floe_status read_version(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     (void)base;
     if (!node) return FLOE_OK;
-    if (node->kind == NODE_SCALAR && strcmp(node->text, "1") == 0) return FLOE_OK;
+    if (is_word(node, "1")) return FLOE_OK;
     char found[80];
     node_describe(node, found, sizeof found);
     return bad(r, node, custom_version.form, "'%s' is %s: this floe reads version 1 of the deck format", key->key,
@@ -219,7 +224,7 @@ static floe_status read_substeps(reader *r, const key_spec *key, deck_node *node
     scene_time *time = base;
     key_spec number = *key;
     if (!node) return FLOE_OK; /* scene_create has set the default */
-    if (node->kind == NODE_SCALAR && strcmp(node->text, "auto") == 0) {
+    if (is_word(node, "auto")) {
         time->substeps = 0;
         return FLOE_OK;
     }
@@ -250,7 +255,7 @@ static floe_status read_exchange(reader *r, const key_spec *key, deck_node *node
 {
     scene_method *method = base;
     if (!node) return FLOE_OK; /* scene_create has set the default */
-    if (node->kind == NODE_SCALAR && strcmp(node->text, "locked") == 0) {
+    if (is_word(node, "locked")) {
         method->exchange = INFINITY;
         return FLOE_OK;
     }
@@ -284,12 +289,11 @@ static floe_status read_checkpoint_interval(reader *r, const key_spec *key, deck
 {
     scene_output *output = &((scene *)base)->output;
     if (!node) return FLOE_OK; /* scene_create has set the default */
-    const bool word = node->kind == NODE_SCALAR;
-    if (word && strcmp(node->text, "auto") == 0) {
+    if (is_word(node, "auto")) {
         output->checkpoint_interval = NAN;
         return FLOE_OK;
     }
-    if (word && strcmp(node->text, "off") == 0) {
+    if (is_word(node, "off")) {
         output->checkpoint_interval = INFINITY;
         return FLOE_OK;
     }
@@ -401,7 +405,7 @@ static floe_status read_contact_body(reader *r, deck_node *item, scene_contact *
 
 static floe_status read_between(reader *r, const key_spec *key, deck_node *node, void *base)
 {
-    if (!node || (node->kind == NODE_SCALAR && strcmp(node->text, "all") == 0)) return FLOE_OK;
+    if (!node || is_word(node, "all")) return FLOE_OK;
     if (node->kind != NODE_LIST || node->n < 2) {
         char found[80];
         node_describe(node, found, sizeof found);

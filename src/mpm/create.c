@@ -17,17 +17,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Velocity fields. In pure MPM one for all points, but that a body in contact has its own, and fluids where they slip along solids
- * (wetted.h); one a solid material when the cells couple them. */
+/* Whether fluid points have a velocity field of their own beside solids (wetted.h). */
+static bool parts_fluids(const mpm *s)
+{
+    return !s->coupled && !s->seals && scene_fluids_apart(s->scene);
+}
+
+/* Velocity fields. In pure MPM one for all points, but that a body in contact has its own, and fluids beside solids; one a solid
+ * material when the cells couple them. */
 static int group_of(const mpm *s, int index)
 {
-    const bool apart = scene_in_contact(s->scene, index), fluid = s->body[s->n_bodies].fluid;
+    const bool apart = scene_in_contact(s->scene, index), fluid = s->body[s->n_bodies].fluid, parts = parts_fluids(s);
     for (int b = 0; b < s->n_bodies; ++b) {
-        if (!s->coupled && !s->seals && scene_fluids_apart(s->scene)) {
-            if (s->body[b].fluid == fluid) return s->body[b].group;
-            continue;
-        }
         const bool same = s->coupled ? s->body[b].scene_material == s->scene->body[index].material
+                          : parts    ? s->body[b].fluid == fluid
                                      : !apart && !scene_in_contact(s->scene, s->body[b].scene_body);
         if (same) return s->body[b].group;
     }
@@ -109,7 +112,7 @@ static floe_status make_work(mpm *s)
     if (s->membranes) TRY(memory_new(s->ctx, &w->line, SCENE_MAX_BODIES, sizeof *w->line));
     if (s->free_normals) TRY(memory_new(s->ctx, &w->normals, SCENE_MAX_BODIES, sizeof *w->normals));
     if (mpm_edge_penalty(s) > 0.0) TRY(edges_create(s));
-    if (!s->coupled && !s->seals && scene_fluids_apart(s->scene)) TRY(wetted_create(s));
+    if (parts_fluids(s)) TRY(wetted_create(s));
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 

@@ -473,7 +473,7 @@ static void hold_line(const mpm *s, int root)
     wetted_line line = {.n = w->first[root + 1] - w->first[root], .member = w->member + w->first[root]};
     for (int k = 0; k < line.n; ++k)
         for (int c = 0; c < 3; ++c) line.area[c] += w->node[line.member[k]].area[c];
-    wetted_line whole = line;
+    const wetted_line whole = line;
     join_slivers(s, &line);
     bear_pressure(s, &line);
     if (line.n > 0 && is_wall(s, root, &line)) {

@@ -102,7 +102,7 @@ const char *scene_transfer(const scene *s)
 
 /* Steps that are solved for, contact and membranes have their own rules, other times of the stress and filtered velocities another order of
  * the step; and what is damped to rest is steadier with one velocity. With CPDI points at a wall reach corner by corner to nodes of next to no fluid, which
- * throw them (5 of 30 random scenes of gas, blocks and balls). */
+ * throw them (4 of 28 random scenes of gas, blocks and balls). */
 bool scene_fluids_apart(const scene *s)
 {
     const char *transfer = scene_transfer(s);
