@@ -129,6 +129,12 @@ static void test_range_is_found(void **state)
     const search_spec wide = {.from = 1.0, .to = NAN, .tolerance = 1e-3, .most = 60};
     assert_int_equal(run(&wide, below, &far, 1, &rounds, &asked).outcome, SEARCH_ALL_STABLE);
     assert_int_equal(asked, 21);
+    /* and twenty halvings, values with nine digits */
+    const double near = 1e-12;
+    const search_state low = run(&wide, below, &near, 1, &rounds, &asked);
+    assert_int_equal(low.outcome, SEARCH_ALL_UNSTABLE);
+    assert_int_equal(asked, 21);
+    check_close_relative(low.unstable, ldexp(1.0, -20), 1e-8);
     /* up to where the deck takes no more */
     const double bound[] = {2.0, 5.0}, open[] = {7.0, 5.0};
     const search_spec spec = {.from = 1.0, .to = NAN, .tolerance = 1e-3, .most = 60};

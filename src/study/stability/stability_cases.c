@@ -100,7 +100,6 @@ static floe_status read_energy(const stability *s, const batch_case *one, energy
 
 static void judge(const stability *s, const batch_case *one, stability_probe *p)
 {
-    const char *unit = p->rejected == 1 ? "" : "s";
     if (one->status == FLOE_DIVERGED) {
         p->verdict = VERDICT_DIVERGED;
         (void)snprintf(p->cause, sizeof p->cause, "%s", one->message);
@@ -116,7 +115,7 @@ static void judge(const stability *s, const batch_case *one, stability_probe *p)
                        p->rejected > 0 ? ", and steps were rejected" : "");
     } else if (p->rejected > 0) {
         p->verdict = VERDICT_REJECTED;
-        (void)snprintf(p->cause, sizeof p->cause, "%lld step%s rejected", p->rejected, unit);
+        (void)snprintf(p->cause, sizeof p->cause, "steps rejected: %lld", p->rejected);
     }
 }
 
