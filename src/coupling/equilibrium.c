@@ -5,26 +5,29 @@
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
-enum { MOST_ITERATIONS = 200 };
+enum { MOST_ITERATIONS = 200, STARTING_STEPS = 1 };
 
-static const double residual_tolerance = 1e-13;
+static const double residual_tolerance = 1e-13, interval_tolerance = 4.0 * DBL_EPSILON;
+static const double narrow = 32.0; /* hi/lo of a bracket that Brent's method takes */
 
-/* The solver "bracketed newton" for functions of x > 0 that fall through their root. An iteration takes the function at the root so far and moves
- * the root, so that the function can be found for many roots at once in between. */
-typedef struct bracketed_newton {
-    double f, df;   /* where it was taken last */
-    double lo, hi;  /* f > 0 at lo, f < 0 at hi; 0 and infinity while unknown */
-    bool fell_back; /* the last move was to the middle of the bracket */
-} bracketed_newton;
-
-/* One cell's search for the root of G(x) = x F(x - shift). */
+/* One cell's search for the root of G(x) = x F(x - shift), x > 0, which falls through it. */
 typedef struct search {
-    double shift;    /* makes x = p + shift positive exactly where every law is defined */
-    double F, slope; /* F and dF/dp at the root so far */
-    bracketed_newton state;
-    gsl_function_fdf fdf;
-    gsl_root_fdfsolver solver; /* of `state` and `fdf` */
+    equilibrium_batch *b;
+    int cell;
+    double shift;       /* makes x = p + shift positive exactly where every law is defined */
+    double x, F, slope; /* F and dF/dp where the laws were asked last */
+    double lo, hi;      /* G > 0 at lo, G < 0 at hi; 0 and infinity while unknown */
+    bool refused;       /* the last value that was asked for lies outside of the bracket, or is none */
 } search;
+
+/* GSL's Newton and Brent. Their structs are open and say how large their states are: with the states here nothing is allocated. */
+typedef struct root_solvers {
+    gsl_function_fdf fdf;
+    gsl_function f;
+    gsl_root_fdfsolver newton;
+    gsl_root_fsolver brent;
+    double newton_state[4], brent_state[12];
+} root_solvers;
 
 /* v and dv/dp of material r in the cells named, where some of them follow isentropes. */
 static void follow(const equilibrium_batch *b, const int *id, int n, int r, const double *p, double *v, double *dvdp)
@@ -68,62 +71,68 @@ static void add_material(equilibrium_batch *b, const int *id, int n, bool all, i
     for (int k = 0; k < n && !all; ++k) b->v[r][id[k]] = v[k];
 }
 
-/* p, v, F and dF/dp of the cells named, at the roots so far. */
-static void evaluate(equilibrium_batch *b, search *w, const int *id, int n, bool all)
+/* v, F and dF/dp of the cells named, each at its x, and what that says of its bracket. */
+static void evaluate(equilibrium_batch *b, search *const *w, int n, bool all)
 {
     double p[EQUILIBRIUM_BATCH], sum[EQUILIBRIUM_BATCH], slope[EQUILIBRIUM_BATCH];
+    int id[EQUILIBRIUM_BATCH];
     for (int k = 0; k < n; ++k) {
-        p[k] = b->p[id[k]] = w[id[k]].solver.root - w[id[k]].shift;
+        id[k] = w[k]->cell;
+        p[k] = w[k]->x - w[k]->shift;
         sum[k] = slope[k] = 0.0;
     }
     for (int r = 0; r < b->n; ++r) add_material(b, id, n, all, r, p, sum, slope);
     for (int k = 0; k < n; ++k) {
-        w[id[k]].F = sum[k] - 1.0;
-        w[id[k]].slope = slope[k];
+        search *s = w[k];
+        s->F = sum[k] - 1.0;
+        s->slope = slope[k];
+        if (s->F > 0.0) s->lo = fmax(s->lo, s->x);
+        if (s->F < 0.0) s->hi = fmin(s->hi, s->x);
     }
 }
 
-/* G and its derivative where `evaluate` has been. */
-static void shifted_fdf(double x, void *params, double *f, double *df)
+/* Asks the laws at x, unless they have just been asked or x is none of the bracket. */
+static void look_at(search *s, double x)
 {
-    const search *s = params;
-    *f = x * s->F;
-    *df = s->F + x * s->slope;
+    if (x == s->x) return;
+    s->refused = !(x > 0.0 && x >= s->lo && x <= s->hi && isfinite(x));
+    if (s->refused) return;
+    s->x = x;
+    evaluate(s->b, &s, 1, s->cell == 0);
 }
 
-static int bracketed_newton_set(void *state, gsl_function_fdf *fdf, double *root)
+/* What GSL is told: never a number that is none, at which it would stop the program, and never a slope of zero. */
+static double told(search *s, double value)
 {
-    (void)fdf;
-    (void)root;
-    *(bracketed_newton *)state = (bracketed_newton){.hi = INFINITY};
-    return GSL_SUCCESS;
+    const bool usable = isfinite(value) && value != 0.0;
+    s->refused = s->refused || !usable;
+    return s->refused ? 1.0 : value;
 }
 
-/* Inside an open bracket, whatever is known of it. */
-static double middle(const bracketed_newton *s)
+static double slope_of(const search *s)
 {
-    if (isinf(s->hi)) return 32.0 * s->lo;
-    return s->lo > 0.0 ? sqrt(s->lo) * sqrt(s->hi) : s->hi / 32.0;
+    return s->F + s->x * s->slope;
 }
 
-static int bracketed_newton_iterate(void *state, gsl_function_fdf *fdf, double *root)
+static double shifted(double x, void *params)
 {
-    bracketed_newton *s = state;
-    GSL_FN_FDF_EVAL_F_DF(fdf, *root, &s->f, &s->df);
-    if (s->f > 0.0) s->lo = fmax(s->lo, *root);
-    if (s->f < 0.0) s->hi = fmin(s->hi, *root);
-    const double x = *root - s->f / s->df;
-    s->fell_back = !(x > s->lo && x < s->hi);
-    *root = s->fell_back ? middle(s) : x;
-    return isfinite(s->f) && isfinite(s->df) ? GSL_SUCCESS : GSL_EBADFUNC;
+    search *s = params;
+    look_at(s, x);
+    return s->F == 0.0 && !s->refused ? 0.0 : told(s, x * s->F);
 }
 
-static const gsl_root_fdfsolver_type bracketed_newton_type = {
-    .name = "bracketed newton",
-    .size = sizeof(bracketed_newton),
-    .set = bracketed_newton_set,
-    .iterate = bracketed_newton_iterate,
-};
+static double shifted_slope(double x, void *params)
+{
+    search *s = params;
+    look_at(s, x);
+    return told(s, slope_of(s));
+}
+
+static void shifted_and_slope(double x, void *params, double *f, double *df)
+{
+    *f = shifted(x, params);
+    *df = shifted_slope(x, params);
+}
 
 /* Where to begin without a guess: at the pressure of the material that would fill the cell by itself at the highest one, or, where all
  * of them would be torn, as far above their floors as these are below zero. */
@@ -151,55 +160,117 @@ static void find_floors(const equilibrium_batch *b, int n, double *floor)
     }
 }
 
-/* The solver is a struct of GSL's that its users may make: with one beside each cell nothing is allocated. */
-static void start(equilibrium_batch *b, int c, double floor, search *s)
+static void start(search *s, equilibrium_batch *b, int cell, double floor)
 {
-    s->shift = isfinite(floor) && floor > -DBL_MAX ? -floor : 0.0;
-    s->fdf = (gsl_function_fdf){.fdf = shifted_fdf, .params = s};
-    s->solver = (gsl_root_fdfsolver){.type = &bracketed_newton_type, .state = &s->state};
-    const double guess = b->p[c] + s->shift;
-    gsl_root_fdfsolver_set(&s->solver, &s->fdf, guess > 0.0 && isfinite(guess) ? guess : first_guess(b, c, s->shift));
-    b->iterations[c] = b->fallbacks[c] = 0;
+    const double shift = isfinite(floor) && floor > -DBL_MAX ? -floor : 0.0, guess = b->p[cell] + shift;
+    *s = (search){.b = b, .cell = cell, .shift = shift, .hi = INFINITY};
+    s->x = guess > 0.0 && isfinite(guess) ? guess : first_guess(b, cell, shift);
+    b->iterations[cell] = b->fallbacks[cell] = 0;
 }
 
-static bool closed(const bracketed_newton *s)
+static bool residual_is_small(const search *s)
 {
-    return isfinite(s->hi) && s->hi - s->lo <= 4.0 * DBL_EPSILON * s->hi;
+    return gsl_root_test_residual(s->F, residual_tolerance) == GSL_SUCCESS;
 }
 
-/* One more iteration of a cell that has been evaluated; whether it still moves. A start that the laws do not take is left, an iterate is not. */
-static bool iterate(equilibrium_batch *b, int c, search *s)
+static bool bracket_is_closed(const search *s)
 {
-    b->residual[c] = s->F;
-    b->solved[c] = fabs(s->F) < residual_tolerance;
-    if (b->solved[c]) return false;
-    const bool taken = gsl_root_fdfsolver_iterate(&s->solver) == GSL_SUCCESS;
-    b->solved[c] = closed(&s->state);
-    if (b->solved[c] || (b->iterations[c] > 0 && !taken) || b->iterations[c] == MOST_ITERATIONS) return false;
-    b->iterations[c]++;
-    b->fallbacks[c] += s->state.fell_back;
-    return true;
+    return isfinite(s->hi) && s->lo <= s->hi &&
+           gsl_root_test_interval(s->lo, s->hi, 0.0, interval_tolerance) == GSL_SUCCESS;
 }
 
-/* All cells that still move take their iterations together, so that the laws see them in batches. */
+/* Newton's steps of all cells side by side, so that the laws see them in batches: GSL's method begins where these end. */
+static void come_closer(equilibrium_batch *b, search *w, int cells)
+{
+    search *moving[EQUILIBRIUM_BATCH] = {0};
+    int n = 0;
+    for (int k = 0; k < cells; ++k) moving[n++] = &w[k];
+    evaluate(b, moving, n, true);
+    for (int step = 0; step < STARTING_STEPS && n > 0; ++step) {
+        const int evaluated = n;
+        n = 0;
+        for (int k = 0; k < evaluated; ++k) {
+            search *s = moving[k];
+            const double x = s->x - s->x * s->F / slope_of(s);
+            if (residual_is_small(s) || !(x > s->lo && x < s->hi)) continue;
+            s->x = x;
+            b->iterations[s->cell]++;
+            moving[n++] = s;
+        }
+        if (n > 0) evaluate(b, moving, n, n == cells);
+    }
+}
+
+/* The middle of a wide bracket, whatever is known of it. */
+static double middle(const search *s)
+{
+    if (isinf(s->hi)) return narrow * s->lo;
+    return s->lo > 0.0 ? sqrt(s->lo) * sqrt(s->hi) : s->hi / narrow;
+}
+
+/* Brent's method inside the bracket. */
+static bool finish_by_brent(search *s, root_solvers *g)
+{
+    int *iterations = &s->b->iterations[s->cell];
+    gsl_root_fsolver_set(&g->brent, &g->f, s->lo, s->hi);
+    while (!residual_is_small(s) && !bracket_is_closed(s) && *iterations < MOST_ITERATIONS) {
+        ++*iterations;
+        if (gsl_root_fsolver_iterate(&g->brent) != GSL_SUCCESS || s->refused) return false;
+    }
+    look_at(s, gsl_root_fsolver_root(&g->brent));
+    return residual_is_small(s) || bracket_is_closed(s);
+}
+
+/* Newton's method, from where the batch has come; where a step leaves the bracket the middle of a wide one is the next start, and in a narrow one
+ * Brent's method ends the search. A start that the laws do not take is left, an iterate is not. */
+static bool solve_cell(search *s, root_solvers *g)
+{
+    equilibrium_batch *b = s->b;
+    if (!isfinite(s->F) && b->iterations[s->cell] == 0) look_at(s, first_guess(b, s->cell, s->shift));
+    if (residual_is_small(s)) return true;
+    g->fdf.params = g->f.params = s;
+    gsl_root_fdfsolver_set(&g->newton, &g->fdf, s->x);
+    while (!residual_is_small(s) && b->iterations[s->cell] < MOST_ITERATIONS) {
+        const double lo = s->lo, hi = s->hi;
+        if (!isfinite(s->F)) return false;
+        if (bracket_is_closed(s)) return true;
+        b->iterations[s->cell]++;
+        gsl_root_fdfsolver_iterate(&g->newton);
+        const double x = gsl_root_fdfsolver_root(&g->newton);
+        if (!s->refused && x > lo && x < hi) continue;
+        b->fallbacks[s->cell]++;
+        s->refused = false;
+        if (s->lo > 0.0 && s->hi <= narrow * s->lo) return finish_by_brent(s, g);
+        gsl_root_fdfsolver_set(&g->newton, &g->fdf, middle(s));
+    }
+    return residual_is_small(s);
+}
+
+static bool is_solved(search *s, root_solvers *g)
+{
+    const bool solved = solve_cell(s, g);
+    s->b->p[s->cell] = s->x - s->shift;
+    s->b->residual[s->cell] = s->F;
+    return solved;
+}
+
 floe_status equilibrium_solve(equilibrium_batch *b, int cells)
 {
     search w[EQUILIBRIUM_BATCH];
     double floor[EQUILIBRIUM_BATCH];
-    int id[EQUILIBRIUM_BATCH], moving = cells;
-    bool good = true;
+    root_solvers g = {.fdf = {.f = shifted, .df = shifted_slope, .fdf = shifted_and_slope},
+                      .f = {.function = shifted},
+                      .newton = {.type = gsl_root_fdfsolver_newton, .state = g.newton_state},
+                      .brent = {.type = gsl_root_fsolver_brent, .state = g.brent_state}};
+    bool good = gsl_root_fdfsolver_newton->size <= sizeof g.newton_state &&
+                gsl_root_fsolver_brent->size <= sizeof g.brent_state;
+    if (!good) return FLOE_RETRY;
     find_floors(b, cells, floor);
+    for (int k = 0; k < cells; ++k) start(&w[k], b, k, floor[k]);
+    come_closer(b, w, cells);
     for (int k = 0; k < cells; ++k) {
-        start(b, k, floor[k], &w[k]);
-        id[k] = k;
+        b->solved[k] = is_solved(&w[k], &g);
+        good = good && b->solved[k];
     }
-    while (moving > 0) {
-        const int evaluated = moving;
-        evaluate(b, w, id, evaluated, evaluated == cells);
-        moving = 0;
-        for (int k = 0; k < evaluated; ++k)
-            if (iterate(b, id[k], &w[id[k]])) id[moving++] = id[k];
-    }
-    for (int k = 0; k < cells; ++k) good = good && b->solved[k];
     return good ? FLOE_OK : FLOE_RETRY;
 }

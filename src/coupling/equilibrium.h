@@ -2,10 +2,11 @@
  *     F(p) = sum_r a_r v_r(p) - 1 = 0,    a_r = m_r / V (m_r / TMV with materials carried by points),
  * v_r(p) = v_r(p, T_r) with T_r frozen, or along an isentrope.
  *
- * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is
- * linear for an ideal gas beside an incompressible material; every iterate is kept inside a bracket made from the signs of
- * F, and where Newton leaves it the geometric mean of the bracket is taken. It runs as a root solver of our own behind GSL's interface
- * (gsl_root_fdfsolver), one a cell. Cells are solved side by side, each by itself: what comes out of a cell does not depend on the others. */
+ * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is linear for an ideal gas
+ * beside an incompressible material. It is GSL's (gsl_root_fdfsolver_newton), one cell after the other, and GSL's tests of residual and interval say
+ * when it ends; one step is taken before of all cells side by side, so that the laws see them in batches: most need no other. The signs of F
+ * give a bracket, outside of which no law is asked: where a step leaves a wide one the next start is its geometric mean, and in a narrow one Brent's
+ * method (gsl_root_fsolver_brent) ends the search. What comes out of a cell does not depend on the others. */
 #ifndef COUPLING_EQUILIBRIUM_H
 #define COUPLING_EQUILIBRIUM_H
 
@@ -28,7 +29,7 @@ typedef struct equilibrium_batch {
     double v[EQUILIBRIUM_MAX][EQUILIBRIUM_BATCH]; /* m3/kg at p, out */
     double residual[EQUILIBRIUM_BATCH];           /* F(p), out */
     int iterations[EQUILIBRIUM_BATCH];            /* out */
-    int fallbacks[EQUILIBRIUM_BATCH];             /* iterations that took the geometric mean, out */
+    int fallbacks[EQUILIBRIUM_BATCH];             /* steps of Newton's that left the bracket, out */
     bool solved[EQUILIBRIUM_BATCH];               /* out */
 } equilibrium_batch;
 

@@ -158,6 +158,42 @@ static void starts_without_a_guess(void **state)
     }
 }
 
+/* A law with a bend: v = 1 - atan((p - 1e5)/1e3)/4, on which Newton's method from 5e3 beside the root goes from side to side. */
+static void bent_volume(const void *par, size_t n, const double *p, const double *T, double *v, double *dvdp)
+{
+    (void)par;
+    (void)T;
+    for (size_t i = 0; i < n; ++i) {
+        const double z = (p[i] - 1e5) / 1e3;
+        v[i] = 1.0 - 0.25 * atan(z);
+        dvdp[i] = -0.25 / (1e3 * (1.0 + z * z));
+    }
+}
+
+static double no_floor(const void *par)
+{
+    (void)par;
+    return 0.0;
+}
+
+/* Where Newton's method leaves a narrow bracket Brent's ends the search inside. */
+static void bent_law_is_solved(void **state)
+{
+    (void)state;
+    const eos_model model = {.name = "bent", .volume = bent_volume, .pressure_floor = no_floor};
+    const eos law = {.model = &model};
+    for (int side = -1; side <= 1; side += 2) {
+        equilibrium_batch c = {.n = 1, .eos = {&law}};
+        c.a[0][0] = 1.0;
+        c.T[0][0] = 300.0;
+        c.p[0] = 1e5 + side * 5e3;
+        assert_int_equal(equilibrium_solve(&c, 1), FLOE_OK);
+        check_true(c.fallbacks[0] > 0 && c.iterations[0] <= 20);
+        check_close(c.p[0], 1e5, 1e-9 * 1e5);
+        check_true(fabs(c.residual[0]) < 1e-13);
+    }
+}
+
 /* A cell that cannot be filled gives its last iterate back. */
 static void hopeless_cell_is_refused(void **state)
 {
@@ -205,6 +241,7 @@ int main(void)
         cmocka_unit_test(all_cases_converge),       cmocka_unit_test(near_guess_is_quick),
         cmocka_unit_test(starts_without_a_guess),   cmocka_unit_test(water_in_tension),
         cmocka_unit_test(hopeless_cell_is_refused), cmocka_unit_test(cells_do_not_see_each_other),
+        cmocka_unit_test(bent_law_is_solved),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
 }
