@@ -28,12 +28,12 @@ static void write_where(writer *w, const key_spec *key, const void *base)
     if (where->n == 0) return;
     write_key_name(w, key->key);
     for (int i = 0; i < where->n; i++) {
-        text_print(&w->out, i == 0 ? " {" : ", ");
+        strbuf_append(&w->out, i == 0 ? " {" : ", ");
         write_quoted(&w->out, where->key[i]);
-        text_print(&w->out, ": ");
+        strbuf_append(&w->out, ": ");
         write_quoted(&w->out, where->value[i]);
     }
-    text_print(&w->out, "}\n");
+    strbuf_append(&w->out, "}\n");
 }
 
 static const custom_key custom_where = {
@@ -79,10 +79,10 @@ static void write_bar_list(writer *w, const key_spec *key, const scene_study *st
     const int n = *(const int *)(const void *)((const char *)study + list->count);
     if (n == 0) return;
     write_key_name(w, key->key);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     for (int i = 0; i < n; i++) {
         w->indent++;
-        text_print(&w->out, "%*s-\n", 2 * w->indent, "");
+        strbuf_append(&w->out, "%*s-\n", 2 * w->indent, "");
         w->indent++;
         write_table(w, list->table, (const char *)study + list->first + (size_t)i * list->size);
         w->indent -= 2;

@@ -211,11 +211,11 @@ static void write_boundaries(writer *w, const key_spec *key, const void *base)
 {
     const scene *s = base;
     write_key_name(w, key->key);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     w->indent++;
     for (int axis = 0; axis < s->mesh.dim; axis++) {
         write_key_name(w, axis_name(&s->mesh, axis));
-        text_print(&w->out, "\n");
+        strbuf_append(&w->out, "\n");
         w->indent++;
         for (int side = 0; side < 2; side++) {
             write_key_name(w, side == SIDE_LOWER ? "lower" : "upper");

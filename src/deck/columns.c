@@ -67,10 +67,10 @@ static void write_columns(writer *w, const key_spec *key, const void *base)
     if (verify->n_columns == 0) return;
     write_key_name(w, key->key);
     for (int i = 0; i < verify->n_columns; i++) {
-        text_print(&w->out, "%s%s: ", i == 0 ? " {" : ", ", verify->column[i].quantity);
+        strbuf_append(&w->out, "%s%s: ", i == 0 ? " {" : ", ", verify->column[i].quantity);
         write_quoted(&w->out, verify->column[i].name);
     }
-    text_print(&w->out, "}\n");
+    strbuf_append(&w->out, "}\n");
 }
 
 const custom_key custom_columns = {

@@ -47,7 +47,7 @@ static void write_version(writer *w, const key_spec *key, const void *base)
 {
     (void)base;
     write_key_name(w, key->key);
-    text_print(&w->out, " 1\n");
+    strbuf_append(&w->out, " 1\n");
 }
 
 const custom_key custom_version = {
@@ -91,9 +91,9 @@ static void write_runs_as(writer *w, const key_spec *key, const void *base)
     const scene *s = base;
     write_key_name(w, key->key);
     for (int i = 0; i < s->n_runs_as; i++) {
-        text_print(&w->out, "%s%s", i == 0 ? " [" : ", ", coupling_name(s->runs_as[i]));
+        strbuf_append(&w->out, "%s%s", i == 0 ? " [" : ", ", coupling_name(s->runs_as[i]));
     }
-    text_print(&w->out, "]\n");
+    strbuf_append(&w->out, "]\n");
 }
 
 const custom_key custom_runs_as = {
@@ -156,7 +156,7 @@ static void write_stress_state(writer *w, const key_spec *key, const void *base)
     if (s->stress_state == STRESS_PLANE) state = PLANE_STRESS;
     if (s->stress_state == STRESS_UNIAXIAL) state = UNIAXIAL_STRESS;
     write_key_name(w, key->key);
-    text_print(&w->out, " %s\n", state_choices[state].name);
+    strbuf_append(&w->out, " %s\n", state_choices[state].name);
 }
 
 const custom_key custom_stress_state = {
@@ -189,7 +189,7 @@ static floe_status read_cfl(reader *r, const key_spec *key, deck_node *node, voi
 static void write_cfl(writer *w, const key_spec *key, const void *base)
 {
     write_key_name(w, key->key);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     w->indent++;
     write_table(w, &cfl_table, base);
     w->indent--;
@@ -237,9 +237,9 @@ static void write_substeps(writer *w, const key_spec *key, const void *base)
     const scene_time *time = base;
     write_key_name(w, key->key);
     if (time->substeps == 0)
-        text_print(&w->out, " auto\n");
+        strbuf_append(&w->out, " auto\n");
     else
-        text_print(&w->out, " %ld\n", time->substeps);
+        strbuf_append(&w->out, " %ld\n", time->substeps);
 }
 
 const custom_key custom_substeps = {
@@ -268,12 +268,12 @@ static void write_exchange(writer *w, const key_spec *key, const void *base)
     if (isnan(method->exchange)) return; /* not given */
     write_key_name(w, key->key);
     if (isinf(method->exchange)) {
-        text_print(&w->out, " locked\n");
+        strbuf_append(&w->out, " locked\n");
         return;
     }
-    text_print(&w->out, " ");
+    strbuf_append(&w->out, " ");
     write_number(&w->out, method->exchange);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
 }
 
 const custom_key custom_exchange = {
@@ -305,12 +305,12 @@ static void write_checkpoint_interval(writer *w, const key_spec *key, const void
     const double interval = ((const scene *)base)->output.checkpoint_interval;
     write_key_name(w, key->key);
     if (!isfinite(interval)) {
-        text_print(&w->out, isnan(interval) ? " auto\n" : " off\n");
+        strbuf_append(&w->out, isnan(interval) ? " auto\n" : " off\n");
         return;
     }
-    text_print(&w->out, " ");
+    strbuf_append(&w->out, " ");
     write_number(&w->out, interval);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
 }
 
 const custom_key custom_checkpoint_interval = {
@@ -339,7 +339,7 @@ static void write_listed(writer *w, const key_spec *key, const void *base)
 {
     if (!((const char *)base + key->offset)[0]) return; /* as the scene asks */
     write_key_name(w, key->key);
-    text_print(&w->out, " %s\n", (const char *)base + key->offset);
+    strbuf_append(&w->out, " %s\n", (const char *)base + key->offset);
 }
 
 static const char *basis_candidate(const void *user, size_t i)
@@ -420,8 +420,8 @@ static void write_between(writer *w, const key_spec *key, const void *base)
     const scene_contact *contact = base;
     write_key_name(w, key->key);
     for (int i = 0; i < contact->n_bodies; i++)
-        text_print(&w->out, "%s%s", i == 0 ? " [" : ", ", w->scene->body[contact->body[i]].name);
-    text_print(&w->out, contact->n_bodies > 0 ? "]\n" : " all\n");
+        strbuf_append(&w->out, "%s%s", i == 0 ? " [" : ", ", w->scene->body[contact->body[i]].name);
+    strbuf_append(&w->out, contact->n_bodies > 0 ? "]\n" : " all\n");
 }
 
 const custom_key custom_between = {
@@ -465,8 +465,8 @@ static void write_metrics(writer *w, const key_spec *key, const void *base)
     const scene_verify *verify = base;
     if (verify->n_metrics == 0) return;
     write_key_name(w, key->key);
-    for (int i = 0; i < verify->n_metrics; i++) text_print(&w->out, "%s%s", i == 0 ? " [" : ", ", verify->metric[i]);
-    text_print(&w->out, "]\n");
+    for (int i = 0; i < verify->n_metrics; i++) strbuf_append(&w->out, "%s%s", i == 0 ? " [" : ", ", verify->metric[i]);
+    strbuf_append(&w->out, "]\n");
 }
 
 const custom_key custom_metrics = {

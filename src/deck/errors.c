@@ -80,16 +80,16 @@ static size_t offset_of_column(const char *line, size_t length, int column)
 }
 
 /* Control characters would move a terminal's cursor: they are shown as spaces. */
-static void print_clean(text_buffer *out, const char *text, size_t length)
+static void print_clean(strbuf *out, const char *text, size_t length)
 {
     for (size_t i = 0; i < length; i++) {
         const bool control = (unsigned char)text[i] < 0x20 || text[i] == 0x7F;
-        text_append(out, control ? " " : &text[i], 1);
+        strbuf_append_bytes(out, control ? " " : &text[i], 1);
     }
 }
 
 /* The line and a caret under the column; of a long line the part about the caret. */
-static void print_excerpt(text_buffer *out, const char *text, deck_place at)
+static void print_excerpt(strbuf *out, const char *text, deck_place at)
 {
     size_t length;
     const char *line = find_line(text, at.line, &length);
@@ -100,34 +100,34 @@ static void print_excerpt(text_buffer *out, const char *text, deck_place at)
     size_t to = length - from > LINE_SHOWN ? from + LINE_SHOWN : length;
     while (to < length && continues_character(line[to])) to++;
 
-    text_print(out, "%6d | %s", at.line, from > 0 ? "..." : "");
+    strbuf_append(out, "%6d | %s", at.line, from > 0 ? "..." : "");
     print_clean(out, line + from, to - from);
-    text_print(out, "%s\n       | %s", to < length ? "..." : "", from > 0 ? "   " : "");
+    strbuf_append(out, "%s\n       | %s", to < length ? "..." : "", from > 0 ? "   " : "");
     for (size_t i = from; i < caret; i++) {
-        if (!continues_character(line[i])) text_append(out, " ", 1);
+        if (!continues_character(line[i])) strbuf_append_bytes(out, " ", 1);
     }
-    text_print(out, "^\n");
+    strbuf_append(out, "^\n");
 }
 
-static void print_error(const error_list *list, const deck_error *error, text_buffer *out)
+static void print_error(const error_list *list, const deck_error *error, strbuf *out)
 {
     if (error->at.source > 0 && list->set) {
-        text_print(out, "--set %s: error: %s\n", list->set->text[error->at.source - 1], error->message);
+        strbuf_append(out, "--set %s: error: %s\n", list->set->text[error->at.source - 1], error->message);
     } else {
-        text_print(out, "%s:%d:%d: error: %s\n", list->path, error->at.line, error->at.column, error->message);
+        strbuf_append(out, "%s:%d:%d: error: %s\n", list->path, error->at.line, error->at.column, error->message);
         print_excerpt(out, list->text, error->at);
     }
-    if (error->expected[0]) text_print(out, "         expected: %s\n", error->expected);
-    if (error->hint[0]) text_print(out, "         hint: %s\n", error->hint);
+    if (error->expected[0]) strbuf_append(out, "         expected: %s\n", error->expected);
+    if (error->hint[0]) strbuf_append(out, "         hint: %s\n", error->hint);
 }
 
-void errors_print(const error_list *list, text_buffer *out)
+void errors_print(const error_list *list, strbuf *out)
 {
     size_t shown = 0;
     for (const deck_error *error = list->first; error && shown < ERRORS_SHOWN; error = error->next, shown++) {
         print_error(list, error, out);
     }
-    if (shown < list->count) text_print(out, "%s: and %zu more errors\n", list->path, list->count - shown);
+    if (shown < list->count) strbuf_append(out, "%s: and %zu more errors\n", list->path, list->count - shown);
 }
 
 enum { NAME_LIMIT = 64 };

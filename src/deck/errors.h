@@ -3,8 +3,8 @@
 #ifndef DECK_ERRORS_H
 #define DECK_ERRORS_H
 
+#include "base/strbuf.h"
 #include "deck/deck.h"
-#include "deck/text.h"
 #include "deck/tree.h"
 
 enum { ERRORS_SHOWN = 50 };
@@ -26,7 +26,7 @@ floe_status error_add(error_list *list, deck_place at, const char *expected, con
 /* The first message, NULL when there is no error. */
 const char *error_first(const error_list *list);
 /* Prints all errors. */
-void errors_print(const error_list *list, text_buffer *out);
+void errors_print(const error_list *list, strbuf *out);
 
 /* The candidate nearest to `name` by edit distance, NULL when none is near enough to be meant. `candidate(user, i)`
  * returns the i-th name, NULL at the end. */

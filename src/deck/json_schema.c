@@ -5,7 +5,7 @@
 #include <string.h>
 
 typedef struct sheet {
-    text_buffer out;
+    strbuf out;
     const deck_catalogue *catalogue;
 } sheet;
 
@@ -13,112 +13,112 @@ static void print_key(sheet *j, const key_spec *key);
 
 static void print_string(sheet *j, const char *text)
 {
-    text_print(&j->out, "\"");
+    strbuf_append(&j->out, "\"");
     for (; *text; text++) {
         const unsigned char c = (unsigned char)*text;
         if (c == '"' || c == '\\') {
-            text_print(&j->out, "\\%c", c);
+            strbuf_append(&j->out, "\\%c", c);
         } else if (c < 0x20) {
-            text_print(&j->out, "\\u%04x", c);
+            strbuf_append(&j->out, "\\u%04x", c);
         } else {
-            text_append(&j->out, text, 1);
+            strbuf_append_bytes(&j->out, text, 1);
         }
     }
-    text_print(&j->out, "\"");
+    strbuf_append(&j->out, "\"");
 }
 
 /* "properties" and "required" of a table. */
 static void print_table(sheet *j, const key_table *table)
 {
-    text_print(&j->out, "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {");
+    strbuf_append(&j->out, "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {");
     for (size_t i = 0; i < table->n; i++) {
-        text_print(&j->out, "%s\n", i == 0 ? "" : ",");
+        strbuf_append(&j->out, "%s\n", i == 0 ? "" : ",");
         print_string(j, table->key[i].key);
-        text_print(&j->out, ": {");
+        strbuf_append(&j->out, ": {");
         print_key(j, &table->key[i]);
-        text_print(&j->out, "}");
+        strbuf_append(&j->out, "}");
     }
-    text_print(&j->out, "}, \"required\": [");
+    strbuf_append(&j->out, "}, \"required\": [");
     bool first = true;
     for (size_t i = 0; i < table->n; i++) {
         if (!table->key[i].required || table->key[i].applies) continue;
-        text_print(&j->out, "%s", first ? "" : ", ");
+        strbuf_append(&j->out, "%s", first ? "" : ", ");
         print_string(j, table->key[i].key);
         first = false;
     }
-    text_print(&j->out, "]");
+    strbuf_append(&j->out, "]");
 }
 
 static void print_model(sheet *j, const model_entry *entry)
 {
-    text_print(&j->out, "\n{\"type\": \"object\", \"additionalProperties\": false, \"required\": [");
+    strbuf_append(&j->out, "\n{\"type\": \"object\", \"additionalProperties\": false, \"required\": [");
     print_string(j, entry->name);
-    text_print(&j->out, "], \"properties\": {");
+    strbuf_append(&j->out, "], \"properties\": {");
     print_string(j, entry->name);
-    text_print(&j->out, ": {\"type\": [\"object\", \"null\"], \"additionalProperties\": false, \"properties\": {");
+    strbuf_append(&j->out, ": {\"type\": [\"object\", \"null\"], \"additionalProperties\": false, \"properties\": {");
     for (size_t i = 0; i < entry->n_params; i++) {
         const key_spec key = key_of_param(&entry->params[i]);
-        text_print(&j->out, "%s", i == 0 ? "" : ", ");
+        strbuf_append(&j->out, "%s", i == 0 ? "" : ", ");
         print_string(j, key.key);
-        text_print(&j->out, ": {");
+        strbuf_append(&j->out, ": {");
         print_key(j, &key);
-        text_print(&j->out, "}");
+        strbuf_append(&j->out, "}");
     }
-    text_print(&j->out, "}}}}");
+    strbuf_append(&j->out, "}}}}");
 }
 
 static void print_family(sheet *j, const model_family *family)
 {
     model_entry entry;
-    text_print(&j->out, "\"anyOf\": [{\"enum\": [");
+    strbuf_append(&j->out, "\"anyOf\": [{\"enum\": [");
     for (size_t i = 0; family->get(j->catalogue, i, &entry); i++) {
-        text_print(&j->out, "%s", i == 0 ? "" : ", ");
+        strbuf_append(&j->out, "%s", i == 0 ? "" : ", ");
         print_string(j, entry.name);
     }
-    text_print(&j->out, "%s]}", family->get(j->catalogue, 0, &entry) ? "" : "\"\"");
+    strbuf_append(&j->out, "%s]}", family->get(j->catalogue, 0, &entry) ? "" : "\"\"");
     for (size_t i = 0; family->get(j->catalogue, i, &entry); i++) {
-        text_print(&j->out, ",");
+        strbuf_append(&j->out, ",");
         print_model(j, &entry);
     }
-    text_print(&j->out, "]");
+    strbuf_append(&j->out, "]");
 }
 
 static void print_variants(sheet *j, const variants *kinds)
 {
-    text_print(&j->out, "\"anyOf\": [{\"enum\": [");
+    strbuf_append(&j->out, "\"anyOf\": [{\"enum\": [");
     for (size_t i = 0; i < kinds->n; i++) {
-        text_print(&j->out, "%s", i == 0 ? "" : ", ");
+        strbuf_append(&j->out, "%s", i == 0 ? "" : ", ");
         print_string(j, kinds->list[i].name);
     }
-    text_print(&j->out, "]}");
+    strbuf_append(&j->out, "]}");
     for (size_t i = 0; i < kinds->n; i++) {
         const variant *kind = &kinds->list[i];
         if (!kind->table) continue;
-        text_print(&j->out, ",\n{\"type\": \"object\", \"additionalProperties\": false, \"required\": [");
+        strbuf_append(&j->out, ",\n{\"type\": \"object\", \"additionalProperties\": false, \"required\": [");
         print_string(j, kind->name);
-        text_print(&j->out, "], \"properties\": {");
+        strbuf_append(&j->out, "], \"properties\": {");
         print_string(j, kind->name);
-        text_print(&j->out, ": {");
+        strbuf_append(&j->out, ": {");
         print_table(j, kind->table);
-        text_print(&j->out, "}}}");
+        strbuf_append(&j->out, "}}}");
     }
-    text_print(&j->out, "]");
+    strbuf_append(&j->out, "]");
 }
 
 static void print_boundaries(sheet *j)
 {
     static const char *const axes[] = {"x", "y", "z", "r"};
-    text_print(&j->out, "\"anyOf\": [{\"$ref\": \"#/definitions/side\"}, {\"type\": \"object\", "
-                        "\"additionalProperties\": false, \"properties\": {");
+    strbuf_append(&j->out, "\"anyOf\": [{\"$ref\": \"#/definitions/side\"}, {\"type\": \"object\", "
+                           "\"additionalProperties\": false, \"properties\": {");
     for (size_t i = 0; i < sizeof axes / sizeof axes[0]; i++) {
-        text_print(&j->out, "%s\"%s\": {\"$ref\": \"#/definitions/axis\"}", i == 0 ? "" : ", ", axes[i]);
+        strbuf_append(&j->out, "%s\"%s\": {\"$ref\": \"#/definitions/axis\"}", i == 0 ? "" : ", ", axes[i]);
     }
-    text_print(&j->out, "}}]");
+    strbuf_append(&j->out, "}}]");
 }
 
 static void print_named(sheet *j, const named_items *items)
 {
-    text_print(&j->out, "\"type\": \"object\", \"additionalProperties\": {");
+    strbuf_append(&j->out, "\"type\": \"object\", \"additionalProperties\": {");
     if (items->table) {
         print_table(j, items->table);
     } else if (items->variants) {
@@ -126,17 +126,17 @@ static void print_named(sheet *j, const named_items *items)
     } else {
         print_key(j, items->value);
     }
-    text_print(&j->out, "}");
+    strbuf_append(&j->out, "}");
 }
 
 static void print_choices(sheet *j, const choice *choices)
 {
-    text_print(&j->out, "\"enum\": [");
+    strbuf_append(&j->out, "\"enum\": [");
     for (const choice *c = choices; c->name; c++) {
-        text_print(&j->out, "%s", c == choices ? "" : ", ");
+        strbuf_append(&j->out, "%s", c == choices ? "" : ", ");
         print_string(j, c->name);
     }
-    text_print(&j->out, "]");
+    strbuf_append(&j->out, "]");
 }
 
 static void print_custom(sheet *j, const custom_key *custom)
@@ -144,9 +144,9 @@ static void print_custom(sheet *j, const custom_key *custom)
     if (custom == &custom_boundaries) {
         print_boundaries(j);
     } else if (custom->json) {
-        text_append(&j->out, custom->json + 1, strlen(custom->json) - 2); /* without its braces */
+        strbuf_append_bytes(&j->out, custom->json + 1, strlen(custom->json) - 2); /* without its braces */
     } else {
-        text_print(&j->out, "\"$comment\": ");
+        strbuf_append(&j->out, "\"$comment\": ");
         print_string(j, custom->form);
     }
 }
@@ -154,16 +154,16 @@ static void print_custom(sheet *j, const custom_key *custom)
 static void print_type(sheet *j, const key_spec *key)
 {
     switch (key->type) {
-    case KEY_NUMBER: text_print(&j->out, "\"type\": [\"number\", \"string\"]"); return;
+    case KEY_NUMBER: strbuf_append(&j->out, "\"type\": [\"number\", \"string\"]"); return;
     case KEY_NUMBERS:
     case KEY_VECTOR:
-    case KEY_SPREAD: text_print(&j->out, "\"type\": [\"number\", \"string\", \"array\"]"); return;
-    case KEY_WHOLE: text_print(&j->out, "\"type\": \"integer\""); return;
-    case KEY_WHOLES: text_print(&j->out, "\"type\": [\"integer\", \"array\"]"); return;
-    case KEY_BOOL: text_print(&j->out, "\"type\": \"boolean\""); return;
-    case KEY_TEXT: text_print(&j->out, "\"type\": [\"string\", \"number\"]"); return;
+    case KEY_SPREAD: strbuf_append(&j->out, "\"type\": [\"number\", \"string\", \"array\"]"); return;
+    case KEY_WHOLE: strbuf_append(&j->out, "\"type\": \"integer\""); return;
+    case KEY_WHOLES: strbuf_append(&j->out, "\"type\": [\"integer\", \"array\"]"); return;
+    case KEY_BOOL: strbuf_append(&j->out, "\"type\": \"boolean\""); return;
+    case KEY_TEXT: strbuf_append(&j->out, "\"type\": [\"string\", \"number\"]"); return;
     case KEY_MATERIAL:
-    case KEY_BODY: text_print(&j->out, "\"type\": \"string\""); return;
+    case KEY_BODY: strbuf_append(&j->out, "\"type\": \"string\""); return;
     case KEY_CHOICE: print_choices(j, key->choices); return;
     case KEY_MAP: print_table(j, key->table); return;
     case KEY_NAMED: print_named(j, key->items); return;
@@ -179,29 +179,29 @@ static void print_key(sheet *j, const key_spec *key)
         char text[512];
         const bool unit = key->unit && strcmp(key->unit, "1") != 0;
         snprintf(text, sizeof text, "%s%s%s%s", key->doc, unit ? " [" : "", unit ? key->unit : "", unit ? "]" : "");
-        text_print(&j->out, "\"description\": ");
+        strbuf_append(&j->out, "\"description\": ");
         print_string(j, text);
-        text_print(&j->out, ", ");
+        strbuf_append(&j->out, ", ");
     }
     print_type(j, key);
 }
 
 static void print_definitions(sheet *j)
 {
-    text_print(&j->out, "\"definitions\": {\"side\": {");
+    strbuf_append(&j->out, "\"definitions\": {\"side\": {");
     print_variants(j, &boundary_kinds);
-    text_print(&j->out,
-               "},\n\"axis\": {\"anyOf\": [{\"$ref\": \"#/definitions/side\"}, {\"type\": \"object\", "
-               "\"additionalProperties\": false, \"properties\": {\"lower\": {\"$ref\": \"#/definitions/side\"}, "
-               "\"upper\": {\"$ref\": \"#/definitions/side\"}}}]}},\n");
+    strbuf_append(&j->out,
+                  "},\n\"axis\": {\"anyOf\": [{\"$ref\": \"#/definitions/side\"}, {\"type\": \"object\", "
+                  "\"additionalProperties\": false, \"properties\": {\"lower\": {\"$ref\": \"#/definitions/side\"}, "
+                  "\"upper\": {\"$ref\": \"#/definitions/side\"}}}]}},\n");
 }
 
 floe_status deck_json_schema(char **text, context *ctx, const deck_catalogue *catalogue)
 {
     sheet j = {.out = {.ctx = ctx}, .catalogue = catalogue};
-    text_print(&j.out, "{\"$schema\": \"http://json-schema.org/draft-07/schema#\", \"title\": \"floe deck\",\n");
+    strbuf_append(&j.out, "{\"$schema\": \"http://json-schema.org/draft-07/schema#\", \"title\": \"floe deck\",\n");
     print_definitions(&j);
     print_table(&j, &schema_deck);
-    text_print(&j.out, "}\n");
-    return text_take(&j.out, text);
+    strbuf_append(&j.out, "}\n");
+    return strbuf_take(&j.out, text);
 }

@@ -133,9 +133,9 @@ static floe_status check_axes(deck_source *source, const deck_overrides *set, co
 
 static floe_status write_report(const deck_source *source, const error_list *errors, deck_report *report)
 {
-    text_buffer out = {.ctx = source->ctx};
+    strbuf out = {.ctx = source->ctx};
     errors_print(errors, &out);
-    TRY(text_take(&out, &report->text));
+    TRY(strbuf_take(&out, &report->text));
     report->count = errors->count;
     return fail(source->ctx, FLOE_BAD_INPUT, "%s: %zu error%s", source->path, errors->count,
                 errors->count == 1 ? "" : "s");

@@ -197,7 +197,7 @@ static void write_digest(writer *w, const curve_line *c)
 {
     char digest[SHA256_TEXT];
     sha256_of(c->vertex, 3 * (size_t)c->n_vertices * sizeof *c->vertex, digest);
-    text_print(&w->out, " # %d places, sha256 %s\n", c->n_vertices, digest);
+    strbuf_append(&w->out, " # %d places, sha256 %s\n", c->n_vertices, digest);
 }
 
 static void write_places(writer *w, const key_spec *key, const void *base)
@@ -205,20 +205,20 @@ static void write_places(writer *w, const key_spec *key, const void *base)
     const curve_line *c = base;
     write_key_name(w, key->key);
     if (c->file) {
-        text_print(&w->out, " ");
+        strbuf_append(&w->out, " ");
         write_quoted(&w->out, c->file);
         write_digest(w, c);
         return;
     }
     for (int i = 0; i < c->n_vertices; i++) {
-        text_print(&w->out, "%s[", i == 0 ? " [" : ", ");
+        strbuf_append(&w->out, "%s[", i == 0 ? " [" : ", ");
         for (int axis = 0; axis < w->scene->mesh.dim; axis++) {
-            text_print(&w->out, "%s", axis == 0 ? "" : ", ");
+            strbuf_append(&w->out, "%s", axis == 0 ? "" : ", ");
             write_number(&w->out, c->vertex[3 * i + axis]);
         }
-        text_print(&w->out, "]");
+        strbuf_append(&w->out, "]");
     }
-    text_print(&w->out, "]\n");
+    strbuf_append(&w->out, "]\n");
 }
 
 static floe_status read_sheet_places(reader *r, const key_spec *key, deck_node *node, void *base)

@@ -6,7 +6,7 @@
 #include <string.h>
 
 typedef struct page {
-    text_buffer out;
+    strbuf out;
     const deck_catalogue *catalogue;
 } page;
 
@@ -17,7 +17,7 @@ static bool has_unit(const key_spec *key)
 
 static void print_choices(page *p, const choice *choices)
 {
-    for (const choice *c = choices; c->name; c++) text_print(&p->out, "%s`%s`", c == choices ? "" : ", ", c->name);
+    for (const choice *c = choices; c->name; c++) strbuf_append(&p->out, "%s`%s`", c == choices ? "" : ", ", c->name);
 }
 
 /* A line of documentation as a sentence. */
@@ -25,7 +25,7 @@ static void print_sentence(page *p, const char *text)
 {
     if (!text || !text[0]) return;
     const bool lower = text[0] >= 'a' && text[0] <= 'z';
-    text_print(&p->out, "%c%s.", lower ? text[0] - 'a' + 'A' : text[0], text + 1);
+    strbuf_append(&p->out, "%c%s.", lower ? text[0] - 'a' + 'A' : text[0], text + 1);
 }
 
 /* What the key takes, for any dimension of the scene. */
@@ -35,64 +35,64 @@ static void print_form(page *p, const key_spec *key)
     const param_spec spec = {.range = key->range, .lo = key->lo, .hi = key->hi};
     param_describe_range(&spec, range, sizeof range);
     switch (key->type) {
-    case KEY_NUMBER: text_print(&p->out, "%s", range); break;
-    case KEY_NUMBERS: text_print(&p->out, "a list of %zu, each %s", key->size / sizeof(double), range); break;
-    case KEY_VECTOR: text_print(&p->out, "a list, one for each axis: %s", range); break;
-    case KEY_SPREAD: text_print(&p->out, "%s, or a list with one for each axis", range); break;
-    case KEY_WHOLE: text_print(&p->out, "a whole number from %.0f to %.0f", key->lo, key->hi); break;
+    case KEY_NUMBER: strbuf_append(&p->out, "%s", range); break;
+    case KEY_NUMBERS: strbuf_append(&p->out, "a list of %zu, each %s", key->size / sizeof(double), range); break;
+    case KEY_VECTOR: strbuf_append(&p->out, "a list, one for each axis: %s", range); break;
+    case KEY_SPREAD: strbuf_append(&p->out, "%s, or a list with one for each axis", range); break;
+    case KEY_WHOLE: strbuf_append(&p->out, "a whole number from %.0f to %.0f", key->lo, key->hi); break;
     case KEY_WHOLES:
-        text_print(&p->out, "a whole number from %.0f to %.0f, or a list with one for each axis", key->lo, key->hi);
+        strbuf_append(&p->out, "a whole number from %.0f to %.0f, or a list with one for each axis", key->lo, key->hi);
         break;
-    case KEY_BOOL: text_print(&p->out, "`true`, `false`"); break;
-    case KEY_TEXT: text_print(&p->out, "text"); break;
+    case KEY_BOOL: strbuf_append(&p->out, "`true`, `false`"); break;
+    case KEY_TEXT: strbuf_append(&p->out, "text"); break;
     case KEY_CHOICE: print_choices(p, key->choices); break;
-    case KEY_MATERIAL: text_print(&p->out, "the name of a material"); break;
-    case KEY_BODY: text_print(&p->out, "the name of a body"); break;
-    case KEY_MAP: text_print(&p->out, "a map, see below"); break;
-    case KEY_NAMED: text_print(&p->out, "`name: {...}` for each %s, see below", key->items->noun); break;
-    case KEY_MODEL: text_print(&p->out, "`{name: {...}}` of one %s", key->family->noun); break;
-    case KEY_VARIANT: text_print(&p->out, "`{kind: {...}}` of one %s", key->variants->noun); break;
-    case KEY_CUSTOM: text_print(&p->out, "%s", key->custom->form); break;
+    case KEY_MATERIAL: strbuf_append(&p->out, "the name of a material"); break;
+    case KEY_BODY: strbuf_append(&p->out, "the name of a body"); break;
+    case KEY_MAP: strbuf_append(&p->out, "a map, see below"); break;
+    case KEY_NAMED: strbuf_append(&p->out, "`name: {...}` for each %s, see below", key->items->noun); break;
+    case KEY_MODEL: strbuf_append(&p->out, "`{name: {...}}` of one %s", key->family->noun); break;
+    case KEY_VARIANT: strbuf_append(&p->out, "`{kind: {...}}` of one %s", key->variants->noun); break;
+    case KEY_CUSTOM: strbuf_append(&p->out, "%s", key->custom->form); break;
     }
-    if (has_unit(key)) text_print(&p->out, " [%s]", key->unit);
+    if (has_unit(key)) strbuf_append(&p->out, " [%s]", key->unit);
 }
 
 static void print_default(page *p, const key_spec *key)
 {
     if (key->required) {
-        text_print(&p->out, "**required**");
+        strbuf_append(&p->out, "**required**");
     } else if (key->fallback) {
-        text_print(&p->out, "`%s`", key->fallback);
+        strbuf_append(&p->out, "`%s`", key->fallback);
     } else {
-        text_print(&p->out, "%s", key->otherwise ? key->otherwise : "");
+        strbuf_append(&p->out, "%s", key->otherwise ? key->otherwise : "");
     }
 }
 
 static void print_doc(page *p, const key_spec *key)
 {
-    text_print(&p->out, "%s", key->doc ? key->doc : "");
+    strbuf_append(&p->out, "%s", key->doc ? key->doc : "");
     if (key->type == KEY_CHOICE) {
         for (const choice *c = key->choices; c->name; c++) {
-            if (c->doc) text_print(&p->out, "%s `%s`: %s", c == key->choices ? "." : ";", c->name, c->doc);
+            if (c->doc) strbuf_append(&p->out, "%s `%s`: %s", c == key->choices ? "." : ";", c->name, c->doc);
         }
     }
-    if (key->belongs) text_print(&p->out, " (%.*s only)", (int)strcspn(key->belongs, ":"), key->belongs);
+    if (key->belongs) strbuf_append(&p->out, " (%.*s only)", (int)strcspn(key->belongs, ":"), key->belongs);
 }
 
 static void print_head(page *p)
 {
-    text_print(&p->out, "\n| key | takes | default | meaning |\n|---|---|---|---|\n");
+    strbuf_append(&p->out, "\n| key | takes | default | meaning |\n|---|---|---|---|\n");
 }
 
 static void print_row(page *p, const key_spec *key)
 {
-    text_print(&p->out, "| `%s` | ", key->key);
+    strbuf_append(&p->out, "| `%s` | ", key->key);
     print_form(p, key);
-    text_print(&p->out, " | ");
+    strbuf_append(&p->out, " | ");
     print_default(p, key);
-    text_print(&p->out, " | ");
+    strbuf_append(&p->out, " | ");
     print_doc(p, key);
-    text_print(&p->out, " |\n");
+    strbuf_append(&p->out, " |\n");
 }
 
 static void print_rows(page *p, const key_table *table)
@@ -116,13 +116,13 @@ static void print_params(page *p, const model_entry *entry)
 
 static void print_family(page *p, const char *title, const model_family *family)
 {
-    text_print(&p->out, "\n## %s\n", title);
+    strbuf_append(&p->out, "\n## %s\n", title);
     model_entry entry;
     for (size_t i = 0; family->get(p->catalogue, i, &entry); i++) {
-        text_print(&p->out, "\n### %s\n\n", entry.name);
+        strbuf_append(&p->out, "\n### %s\n\n", entry.name);
         print_sentence(p, entry.doc);
-        if (entry.cite && entry.cite[0]) text_print(&p->out, " Source: %s.", entry.cite);
-        text_print(&p->out, "\n");
+        if (entry.cite && entry.cite[0]) strbuf_append(&p->out, " Source: %s.", entry.cite);
+        strbuf_append(&p->out, "\n");
         print_params(p, &entry);
     }
 }
@@ -130,24 +130,24 @@ static void print_family(page *p, const char *title, const model_family *family)
 static void print_variants(page *p, const variants *kinds)
 {
     for (size_t i = 0; i < kinds->n; i++) {
-        text_print(&p->out, "\n### %s\n\n", kinds->list[i].name);
+        strbuf_append(&p->out, "\n### %s\n\n", kinds->list[i].name);
         print_sentence(p, kinds->list[i].doc);
-        text_print(&p->out, "\n");
+        strbuf_append(&p->out, "\n");
         if (kinds->list[i].table) print_rows(p, kinds->list[i].table);
     }
 }
 
 static void print_names(page *p, const char *title, const deck_name *name, size_t n)
 {
-    text_print(&p->out, "\n## %s\n\n", title);
-    for (size_t i = 0; i < n; i++) text_print(&p->out, "* `%s`: %s\n", name[i].name, name[i].doc ? name[i].doc : "");
+    strbuf_append(&p->out, "\n## %s\n\n", title);
+    for (size_t i = 0; i < n; i++) strbuf_append(&p->out, "* `%s`: %s\n", name[i].name, name[i].doc ? name[i].doc : "");
 }
 
 static void print_title(page *p, const char *name, const char *doc)
 {
-    text_print(&p->out, "\n## %s\n\n", name);
+    strbuf_append(&p->out, "\n## %s\n\n", name);
     print_sentence(p, doc);
-    text_print(&p->out, "\n");
+    strbuf_append(&p->out, "\n");
 }
 
 /* The maps below a table, each in a section of its own; `path` names where it hangs. */
@@ -167,14 +167,14 @@ static void print_sections(page *p, const key_table *table, const char *path)
             if (key->items->table) print_rows(p, key->items->table);
             if (key->items->variants) print_variants(p, key->items->variants);
             if (key->items->value)
-                text_print(&p->out, "\n`NAME: [x, y, z]`: a list, one number for each axis, in m.\n");
+                strbuf_append(&p->out, "\n`NAME: [x, y, z]`: a list, one number for each axis, in m.\n");
             if (key->items->table) print_sections(p, key->items->table, name);
         } else if (key->type == KEY_VARIANT) {
             print_title(p, name, key->doc);
             print_variants(p, key->variants);
         } else if (key->custom == &custom_boundaries) {
             print_title(p, name, key->doc);
-            text_print(&p->out, "\n    %s\n", key->custom->form);
+            strbuf_append(&p->out, "\n    %s\n", key->custom->form);
             print_variants(p, &boundary_kinds);
         }
     }
@@ -209,7 +209,7 @@ static const char preface[] =
 floe_status deck_reference(char **text, context *ctx, const deck_catalogue *catalogue)
 {
     page p = {.out = {.ctx = ctx}, .catalogue = catalogue};
-    text_print(&p.out, "%s", preface);
+    strbuf_append(&p.out, "%s", preface);
     print_rows(&p, &schema_deck);
     print_sections(&p, &schema_deck, "");
     print_family(&p, "Shapes", &family_shape);
@@ -230,5 +230,5 @@ floe_status deck_reference(char **text, context *ctx, const deck_catalogue *cata
     if (catalogue && catalogue->n_metric > 0) print_names(&p, "Metrics", catalogue->metric, catalogue->n_metric);
     if (catalogue && catalogue->n_quantity > 0)
         print_names(&p, "Quantities (the X of metrics)", catalogue->quantity, catalogue->n_quantity);
-    return text_take(&p.out, text);
+    return strbuf_take(&p.out, text);
 }

@@ -1,6 +1,6 @@
 /* The deck that `floe new` writes. */
+#include "base/strbuf.h"
 #include "deck/deck.h"
-#include "deck/text.h"
 
 #include <string.h>
 
@@ -71,13 +71,13 @@ static const char body[] =
 
 floe_status deck_starter(char **text, context *ctx, const char *name)
 {
-    text_buffer out = {.ctx = ctx};
+    strbuf out = {.ctx = ctx};
     const char *title = name && name[0] ? name : "a new scene";
-    text_print(&out, "%stitle: \"", head);
+    strbuf_append(&out, "%stitle: \"", head);
     for (const char *c = title; *c; c++) {
         const bool plain = (unsigned char)*c >= 0x20 && *c != '"' && *c != '\\' && *c != 0x7F;
-        text_append(&out, plain ? c : "_", 1);
+        strbuf_append_bytes(&out, plain ? c : "_", 1);
     }
-    text_print(&out, "\"\n%s", body);
-    return text_take(&out, text);
+    strbuf_append(&out, "\"\n%s", body);
+    return strbuf_take(&out, text);
 }

@@ -6,36 +6,36 @@
 #include <string.h>
 
 /* A value as text on one line, as --set takes it. */
-static void append_flow(text_buffer *out, const deck_node *node)
+static void append_flow(strbuf *out, const deck_node *node)
 {
     if (node->kind == NODE_SCALAR) {
         if (node->quoted)
             write_quoted(out, node->text);
         else
-            text_print(out, "%s", node->text);
+            strbuf_append(out, "%s", node->text);
         return;
     }
-    text_print(out, node->kind == NODE_LIST ? "[" : "{");
+    strbuf_append(out, node->kind == NODE_LIST ? "[" : "{");
     for (const deck_node *child = node->first; child; child = child->next) {
-        if (child != node->first) text_print(out, ", ");
-        if (node->kind == NODE_MAP) text_print(out, "%s: ", child->key);
+        if (child != node->first) strbuf_append(out, ", ");
+        if (node->kind == NODE_MAP) strbuf_append(out, "%s: ", child->key);
         append_flow(out, child);
     }
-    text_print(out, node->kind == NODE_LIST ? "]" : "}");
+    strbuf_append(out, node->kind == NODE_LIST ? "]" : "}");
 }
 
 floe_status read_setting(reader *r, deck_node *node, char value[SCENE_VALUE])
 {
-    text_buffer text = {.ctx = r->ctx};
+    strbuf text = {.ctx = r->ctx};
     if (node_is_null(node)) return bad(r, node, "a value of the key", "an empty value");
     if (node->kind == NODE_SCALAR)
-        text_print(&text, "%s", node->text);
+        strbuf_append(&text, "%s", node->text);
     else
         append_flow(&text, node);
     const bool fits = text.length < SCENE_VALUE;
     snprintf(value, SCENE_VALUE, "%s", text.data ? text.data : "");
     const floe_status status = text.status;
-    text_free(&text);
+    strbuf_free(&text);
     TRY(status);
     return fits ? FLOE_OK : bad(r, node, NULL, "a value longer than %d characters", SCENE_VALUE - 1);
 }
@@ -178,10 +178,10 @@ static void write_list_of(writer *w, const char *key, const char (*value)[SCENE_
 {
     write_quoted(&w->out, key);
     for (int i = 0; i < n; i++) {
-        text_print(&w->out, "%s", i == 0 ? ": [" : ", ");
+        strbuf_append(&w->out, "%s", i == 0 ? ": [" : ", ");
         write_quoted(&w->out, value[i]);
     }
-    text_print(&w->out, "]");
+    strbuf_append(&w->out, "]");
 }
 
 static void write_values(writer *w, const scene_axis *axis)
@@ -191,14 +191,14 @@ static void write_values(writer *w, const scene_axis *axis)
         return;
     }
     write_quoted(&w->out, axis->key);
-    text_print(&w->out, ": {");
+    strbuf_append(&w->out, ": {");
     write_list_of(w, "values", axis->value, axis->n_values);
-    text_print(&w->out, ", with: {");
+    strbuf_append(&w->out, ", with: {");
     for (int k = 0; k < axis->n_with; k++) {
-        text_print(&w->out, "%s", k == 0 ? "" : ", ");
+        strbuf_append(&w->out, "%s", k == 0 ? "" : ", ");
         write_list_of(w, axis->with[k].key, axis->with[k].value, axis->n_values);
     }
-    text_print(&w->out, "}}");
+    strbuf_append(&w->out, "}}");
 }
 
 static void write_axis(writer *w, const key_spec *key, const void *base)
@@ -206,9 +206,9 @@ static void write_axis(writer *w, const key_spec *key, const void *base)
     const scene_axis *axis = (const scene_axis *)(const void *)((const char *)base + key->offset);
     if (axis->n_values == 0) return;
     write_key_name(w, key->key);
-    text_print(&w->out, " {");
+    strbuf_append(&w->out, " {");
     write_values(w, axis);
-    text_print(&w->out, "}\n");
+    strbuf_append(&w->out, "}\n");
 }
 
 static void write_list(writer *w, const key_spec *key, const scene_axis *axis, int n)
@@ -216,10 +216,10 @@ static void write_list(writer *w, const key_spec *key, const scene_axis *axis, i
     if (n == 0) return;
     write_key_name(w, key->key);
     for (int i = 0; i < n; i++) {
-        text_print(&w->out, i == 0 ? " {" : ", ");
+        strbuf_append(&w->out, i == 0 ? " {" : ", ");
         write_values(w, &axis[i]);
     }
-    text_print(&w->out, "}\n");
+    strbuf_append(&w->out, "}\n");
 }
 
 static void write_axes(writer *w, const key_spec *key, const void *base)
@@ -295,10 +295,10 @@ static void write_quantities(writer *w, const key_spec *key, const void *base)
     if (study->n_quantities == 0) return;
     write_key_name(w, key->key);
     for (int i = 0; i < study->n_quantities; i++) {
-        text_print(&w->out, i == 0 ? " [" : ", ");
+        strbuf_append(&w->out, i == 0 ? " [" : ", ");
         write_quoted(&w->out, study->quantity[i]);
     }
-    text_print(&w->out, "]\n");
+    strbuf_append(&w->out, "]\n");
 }
 
 const custom_key custom_quantities = {

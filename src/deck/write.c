@@ -8,43 +8,43 @@
 
 void write_key_name(writer *w, const char *key)
 {
-    text_print(&w->out, "%*s%s:", 2 * w->indent, "", key);
+    strbuf_append(&w->out, "%*s%s:", 2 * w->indent, "", key);
 }
 
 /* The shortest of 15, 16 and 17 digits that reads back as the same double. */
-void write_number(text_buffer *out, double x)
+void write_number(strbuf *out, double x)
 {
     char text[40];
     for (int digits = 15; digits <= 17; digits++) {
         snprintf(text, sizeof text, "%.*g", digits, x);
         if (strtod(text, NULL) == x) break;
     }
-    text_print(out, "%s", text);
+    strbuf_append(out, "%s", text);
 }
 
-void write_quoted(text_buffer *out, const char *text)
+void write_quoted(strbuf *out, const char *text)
 {
-    text_print(out, "\"");
+    strbuf_append(out, "\"");
     for (; *text; text++) {
         const unsigned char c = (unsigned char)*text;
         if (c == '"' || c == '\\') {
-            text_print(out, "\\%c", c);
+            strbuf_append(out, "\\%c", c);
         } else if (c < 0x20 || c == 0x7F) {
-            text_print(out, "\\x%02X", c);
+            strbuf_append(out, "\\x%02X", c);
         } else {
-            text_append(out, text, 1);
+            strbuf_append_bytes(out, text, 1);
         }
     }
-    text_print(out, "\"");
+    strbuf_append(out, "\"");
 }
 
-static void write_numbers(text_buffer *out, const double *x, size_t n)
+static void write_numbers(strbuf *out, const double *x, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
-        text_print(out, "%s", i == 0 ? " [" : ", ");
+        strbuf_append(out, "%s", i == 0 ? " [" : ", ");
         write_number(out, x[i]);
     }
-    text_print(out, "]\n");
+    strbuf_append(out, "]\n");
 }
 
 static long load_whole(const key_spec *key, const void *field)
@@ -94,8 +94,8 @@ static bool is_unset(const key_spec *key, const void *field)
 
 static void write_wholes(writer *w, const int *x)
 {
-    for (int i = 0; i < w->scene->mesh.dim; i++) text_print(&w->out, "%s%d", i == 0 ? " [" : ", ", x[i]);
-    text_print(&w->out, "]\n");
+    for (int i = 0; i < w->scene->mesh.dim; i++) strbuf_append(&w->out, "%s%d", i == 0 ? " [" : ", ", x[i]);
+    strbuf_append(&w->out, "]\n");
 }
 
 static void write_scalar(writer *w, const key_spec *key, const void *base)
@@ -107,25 +107,25 @@ static void write_scalar(writer *w, const key_spec *key, const void *base)
     write_key_name(w, key->key);
     switch (key->type) {
     case KEY_NUMBER:
-        text_print(&w->out, " ");
+        strbuf_append(&w->out, " ");
         write_number(&w->out, *number);
         break;
     case KEY_NUMBERS: write_numbers(&w->out, number, key->size / sizeof *number); return;
     case KEY_VECTOR:
     case KEY_SPREAD: write_numbers(&w->out, number, dim); return;
     case KEY_WHOLES: write_wholes(w, (const int *)(const void *)field); return;
-    case KEY_WHOLE: text_print(&w->out, " %ld", load_whole(key, field)); break;
-    case KEY_BOOL: text_print(&w->out, " %s", *(const bool *)(const void *)field ? "true" : "false"); break;
+    case KEY_WHOLE: strbuf_append(&w->out, " %ld", load_whole(key, field)); break;
+    case KEY_BOOL: strbuf_append(&w->out, " %s", *(const bool *)(const void *)field ? "true" : "false"); break;
     case KEY_TEXT:
-        text_print(&w->out, " ");
+        strbuf_append(&w->out, " ");
         write_quoted(&w->out, field);
         break;
-    case KEY_CHOICE: text_print(&w->out, " %s", choice_of(key, field)); break;
-    case KEY_MATERIAL: text_print(&w->out, " %s", w->scene->material[*(const int *)(const void *)field].name); break;
-    case KEY_BODY: text_print(&w->out, " %s", w->scene->body[*(const int *)(const void *)field].name); break;
+    case KEY_CHOICE: strbuf_append(&w->out, " %s", choice_of(key, field)); break;
+    case KEY_MATERIAL: strbuf_append(&w->out, " %s", w->scene->material[*(const int *)(const void *)field].name); break;
+    case KEY_BODY: strbuf_append(&w->out, " %s", w->scene->body[*(const int *)(const void *)field].name); break;
     default: break;
     }
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
 }
 
 static bool find_entry(writer *w, const model_family *family, const char *name, model_entry *entry)
@@ -145,13 +145,13 @@ static void write_model(writer *w, const key_spec *key, const void *base)
     if (!find_entry(w, key->family, name, &entry)) return;
     write_key_name(w, key->key);
     if (entry.n_params == 0) {
-        text_print(&w->out, " %s\n", name);
+        strbuf_append(&w->out, " %s\n", name);
         return;
     }
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     w->indent++;
     write_key_name(w, name);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     w->indent++;
     for (size_t i = 0; i < entry.n_params; i++) {
         const key_spec param = key_of_param(&entry.params[i]);
@@ -163,14 +163,14 @@ static void write_model(writer *w, const key_spec *key, const void *base)
 /* After "key:", a table on lines of its own; " {}" when it has nothing to say. */
 static void write_nested(writer *w, const key_table *table, const void *base)
 {
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     const size_t before = w->out.length;
     w->indent++;
     write_table(w, table, base);
     w->indent--;
     if (w->out.length == before && w->out.status == FLOE_OK) {
         w->out.length--;
-        text_print(&w->out, " {}\n");
+        strbuf_append(&w->out, " {}\n");
     }
 }
 
@@ -189,10 +189,10 @@ void write_variant(writer *w, const variants *kinds, const void *field)
         const variant *kind = &kinds->list[i];
         if (kind->value != value) continue;
         if (!kind->table) {
-            text_print(&w->out, " %s\n", kind->name);
+            strbuf_append(&w->out, " %s\n", kind->name);
             return;
         }
-        text_print(&w->out, "\n");
+        strbuf_append(&w->out, "\n");
         w->indent++;
         write_key_name(w, kind->name);
         write_nested(w, kind->table, field);
@@ -207,7 +207,7 @@ static void write_named(writer *w, const key_spec *key, const void *base)
     memcpy(&count, (const char *)base + items->count_offset, sizeof count);
     if (count == 0) return;
     write_key_name(w, key->key);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     w->indent++;
     for (int i = 0; i < count; i++) {
         const char *item = (const char *)base + key->offset + (size_t)i * items->item_size;
@@ -234,7 +234,7 @@ static void write_map(writer *w, const key_spec *key, const void *base)
     if (!present) return;
     const size_t start = w->out.length;
     write_key_name(w, key->key);
-    text_print(&w->out, "\n");
+    strbuf_append(&w->out, "\n");
     const size_t before = w->out.length;
     w->indent++;
     write_table(w, key->table, (const char *)base + key->offset);
@@ -269,5 +269,5 @@ floe_status deck_echo(char **text, const scene *s, const deck_catalogue *catalog
 {
     writer w = {.out = {.ctx = s->ctx}, .scene = s, .catalogue = catalogue};
     write_table(&w, &schema_deck, s);
-    return text_take(&w.out, text);
+    return strbuf_take(&w.out, text);
 }

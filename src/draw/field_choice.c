@@ -1,7 +1,7 @@
 #include "draw/field_choice.h"
 
 #include "base/memory.h"
-#include "io/strbuf.h"
+#include "base/strbuf.h"
 
 #include <math.h>
 #include <string.h>

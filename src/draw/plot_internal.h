@@ -2,8 +2,8 @@
 #ifndef DRAW_PLOT_INTERNAL_H
 #define DRAW_PLOT_INTERNAL_H
 
+#include "base/strbuf.h"
 #include "draw/plot.h"
-#include "io/strbuf.h"
 
 /* A figure whose long curves hold fewer points; the rest is the original's. */
 typedef struct plot_thin {

@@ -2,8 +2,8 @@
 #ifndef IO_HISTORY_COLUMNS_H
 #define IO_HISTORY_COLUMNS_H
 
+#include "base/strbuf.h"
 #include "io/history.h"
-#include "io/strbuf.h"
 
 /* Appends the line of names, or that of values, with its newline. `row` is not read for names. */
 floe_status history_names(const sim *s, strbuf *out);

@@ -3,8 +3,8 @@
 #ifndef IO_XDMF_H
 #define IO_XDMF_H
 
+#include "base/strbuf.h"
 #include "grid/mesh.h"
-#include "io/strbuf.h"
 
 /* One array of a snapshot, as an attribute of the grid that is open. */
 typedef struct xdmf_array {

@@ -3,7 +3,7 @@
 #ifndef REPORT_HTML_H
 #define REPORT_HTML_H
 
-#include "io/strbuf.h"
+#include "base/strbuf.h"
 
 /* Formatted text, escaped. */
 void html_text(strbuf *out, const char *format, ...) FLOE_PRINTF(2, 3);

@@ -2,8 +2,8 @@
 #ifndef REPORT_PAGE_H
 #define REPORT_PAGE_H
 
+#include "base/strbuf.h"
 #include "draw/plot.h"
-#include "io/strbuf.h"
 #include "report/report.h"
 
 struct json_t;

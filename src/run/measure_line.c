@@ -1,8 +1,8 @@
 /* A one-dimensional scene beside its exact solution. */
 #include "base/memory.h"
+#include "base/strbuf.h"
 #include "io/file.h"
 #include "io/names.h"
-#include "io/strbuf.h"
 #include "run/samples.h"
 #include "run/subject.h"
 #include "verify/metric.h"

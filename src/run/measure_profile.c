@@ -1,8 +1,8 @@
 /* Stresses along the x axis beside the exact ones. */
 #include "base/memory.h"
+#include "base/strbuf.h"
 #include "io/file.h"
 #include "io/names.h"
-#include "io/strbuf.h"
 #include "run/measure.h"
 #include "run/subject.h"
 

@@ -3,7 +3,7 @@
 #ifndef RUN_SPOIL_H
 #define RUN_SPOIL_H
 
-#include "io/strbuf.h"
+#include "base/strbuf.h"
 #include "io/summary.h"
 #include "run/output.h"
 #include "run/setup.h"

@@ -1,6 +1,6 @@
 #include "run/truth.h"
 
-#include "io/strbuf.h"
+#include "base/strbuf.h"
 
 #include <math.h>
 #include <string.h>

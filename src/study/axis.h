@@ -2,7 +2,7 @@
 #ifndef STUDY_AXIS_H
 #define STUDY_AXIS_H
 
-#include "io/strbuf.h"
+#include "base/strbuf.h"
 #include "scene/scene.h"
 
 typedef struct axis_list {

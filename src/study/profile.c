@@ -1,8 +1,8 @@
 #include "study/profile.h"
 
 #include "base/memory.h"
+#include "base/strbuf.h"
 #include "io/file.h"
-#include "io/strbuf.h"
 
 #include <math.h>
 #include <stdlib.h>

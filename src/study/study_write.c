@@ -2,8 +2,8 @@
 #include "study/study_parts.h"
 
 #include "base/memory.h"
+#include "base/strbuf.h"
 #include "io/file.h"
-#include "io/strbuf.h"
 #include "run/errors.h"
 
 #include <math.h>

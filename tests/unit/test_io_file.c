@@ -1,8 +1,8 @@
 /* Files: whole or not at all; folders; texts. */
 #include "test_io_fixture.h"
 
+#include "base/strbuf.h"
 #include "io/lock.h"
-#include "io/strbuf.h"
 #include "test_io_faults.h"
 
 #include <signal.h>

@@ -138,7 +138,7 @@ struct reader {
 };
 
 struct writer {
-    text_buffer out;
+    strbuf out;
     const scene *scene;
     const deck_catalogue *catalogue;
     int indent;
@@ -172,8 +172,8 @@ int find_body(const scene *s, const char *name);
 /* Writing. */
 void write_table(writer *w, const key_table *table, const void *base);
 void write_key_name(writer *w, const char *key);
-void write_number(text_buffer *out, double x);
+void write_number(strbuf *out, double x);
 void write_variant(writer *w, const variants *kinds, const void *field);
-void write_quoted(text_buffer *out, const char *text);
+void write_quoted(strbuf *out, const char *text);
 
 #endif

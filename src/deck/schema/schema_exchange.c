@@ -79,7 +79,7 @@ static void write_pair(writer *w, const key_spec *key, const void *base)
     const int *pair = (const int *)(const void *)((const char *)base + key->offset);
     const scene_material *material = w->scene->material;
     write_key_name(w, key->key);
-    text_print(&w->out, " [%s, %s]\n", material[pair[0]].name, material[pair[1]].name);
+    strbuf_append(&w->out, " [%s, %s]\n", material[pair[0]].name, material[pair[1]].name);
 }
 
 const custom_key custom_pair = {

@@ -3,9 +3,9 @@
 #ifndef IO_CHECKPOINT_RECORD_H
 #define IO_CHECKPOINT_RECORD_H
 
+#include "base/strbuf.h"
 #include "io/checkpoint/checkpoint.h"
 #include "io/hdf.h"
-#include "io/strbuf.h"
 
 enum { CHECKPOINT_FORMAT = 3 };
 

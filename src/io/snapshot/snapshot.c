@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "base/sha256.h"
+#include "base/strbuf.h"
 #include "floe_build.h"
 #include "io/file.h"
 #include "io/hdf.h"
@@ -9,7 +10,6 @@
 #include "io/sealed.h"
 #include "io/snapshot/snapshot_content.h"
 #include "io/snapshot/snapshot_folder.h"
-#include "io/strbuf.h"
 #include "io/xdmf.h"
 
 #include <math.h>

@@ -2,8 +2,8 @@
 #ifndef IO_SNAPSHOT_CONTENT_H
 #define IO_SNAPSHOT_CONTENT_H
 
+#include "base/strbuf.h"
 #include "io/hdf.h"
-#include "io/strbuf.h"
 #include "sim/sim.h"
 
 /* Writes cells and points into the open file, and their grids into `page`, under the name `file` of the finished

@@ -1,7 +1,7 @@
 /* A search or a map as files: stability.json, its runs as stability.csv, and what was found as limits.csv. */
+#include "base/strbuf.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "io/strbuf.h"
 #include "study/stability/stability.h"
 
 #include <math.h>

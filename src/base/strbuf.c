@@ -1,4 +1,4 @@
-#include "io/strbuf.h"
+#include "base/strbuf.h"
 
 #include "base/memory.h"
 
@@ -41,6 +41,27 @@ void strbuf_append(strbuf *t, const char *format, ...)
     }
     va_end(again);
     va_end(arguments);
+}
+
+void strbuf_append_bytes(strbuf *t, const char *bytes, size_t length)
+{
+    if (!make_room(t, length)) return;
+    memcpy(t->data + t->length, bytes, length);
+    t->length += length;
+    t->data[t->length] = '\0';
+}
+
+floe_status strbuf_take(strbuf *t, char **out)
+{
+    *out = NULL;
+    if (make_room(t, 0)) {
+        if (t->length == 0) t->data[0] = '\0';
+        *out = t->data;
+        t->data = NULL;
+    }
+    const floe_status status = t->status;
+    strbuf_free(t);
+    return status;
 }
 
 void strbuf_append_xml(strbuf *t, const char *plain)

@@ -1,6 +1,6 @@
 /* A text that grows. Once an append has failed, the rest do nothing and `status` says why. */
-#ifndef IO_STRBUF_H
-#define IO_STRBUF_H
+#ifndef BASE_STRBUF_H
+#define BASE_STRBUF_H
 
 #include "base/context.h"
 
@@ -16,6 +16,10 @@ typedef struct strbuf {
 void strbuf_init(strbuf *t, context *ctx);
 void strbuf_free(strbuf *t);
 void strbuf_append(strbuf *t, const char *format, ...) FLOE_PRINTF(2, 3);
+/* `length` bytes as they are. */
+void strbuf_append_bytes(strbuf *t, const char *bytes, size_t length);
+/* Hands the text over (never NULL on success; the caller frees it with memory_free) and empties the buffer. */
+floe_status strbuf_take(strbuf *t, char **out);
 /* Appends with the five characters that XML reserves replaced by their entities, control characters by blanks. */
 void strbuf_append_xml(strbuf *t, const char *plain);
 /* Appends a field of CSV, in quotes, those inside doubled; control characters become blanks. */
