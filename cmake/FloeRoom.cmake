@@ -5,7 +5,7 @@
 set(FLOE_FLOORS
     "base math"
     "grid geom material"
-    "surface"
+    "surface embedded"
     "coupling scene solve"
     "mpm ice"
     "sim"

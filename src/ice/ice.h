@@ -6,8 +6,8 @@
 #ifndef ICE_ICE_H
 #define ICE_ICE_H
 
-#include "coupling/cut.h"
 #include "coupling/exchange.h"
+#include "embedded/cut.h"
 #include "grid/ledger.h"
 #include "grid/stage.h"
 #include "scene/scene.h"
@@ -38,12 +38,12 @@ enum {
 
 /* A membrane between gases, or the surfaces of solids beside one (ice_sealed.c): set by the owner of the step before the stages that read it. */
 typedef struct ice_seal_line {
-    int held;               /* material inside, of no other line; beside solids the one gas */
-    const cut_line *place;  /* SEAL_PLACES: where it is, is thought to pass, and will be; not owned */
-    const double *velocity; /* m/s: of the vertices now, two each; not owned */
-    const double *path;     /* m: their way over the step, as the force works on it, two each; not owned */
-    double *force;          /* N: of all gases on the vertices, two each; not owned */
-    double heat;            /* J: for the held gas beside the membrane, of what the points have lost in the step */
+    int held;                 /* material inside, of no other line; beside solids the one gas */
+    const cut_surface *place; /* SEAL_PLACES: where it is, is thought to pass, and will be; not owned */
+    const double *velocity;   /* m/s: of the vertices now, two each; not owned */
+    const double *path;       /* m: their way over the step, as the force works on it, two each; not owned */
+    double *force;            /* N: of all gases on the vertices, two each; not owned */
+    double heat;              /* J: for the held gas beside the membrane, of what the points have lost in the step */
 } ice_seal_line;
 
 /* All of them: a gas that none holds is outside all. */

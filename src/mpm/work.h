@@ -2,7 +2,7 @@
 #ifndef MPM_WORK_H
 #define MPM_WORK_H
 
-#include "coupling/cut.h"
+#include "embedded/cut.h"
 #include "mpm/kernels.h"
 #include "mpm/mpm.h"
 

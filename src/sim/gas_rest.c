@@ -58,7 +58,7 @@ void gas_rest_destroy(gas_rest **g)
 static floe_status push_markers(gas_rest *g)
 {
     /* Several lines hold gases of several kinds, which do not come here. */
-    const cut_line *c = &g->s->sealed->line[0].place[SEAL_NOW];
+    const cut_surface *c = &g->s->sealed->line[0].place[SEAL_NOW];
     const size_t numbers = 2 * (size_t)c->n_vertices;
     TRY(memory_resize(g->ctx, &g->push, numbers * (size_t)g->cells->n, sizeof *g->push));
     memset(g->push, 0, numbers * (size_t)g->cells->n * sizeof *g->push);

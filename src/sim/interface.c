@@ -1,6 +1,6 @@
 #include "sim/interface.h"
 
-#include "coupling/cut.h"
+#include "embedded/cut.h"
 #include "ice/ice.h"
 #include "mpm/surface/outline.h"
 #include "scene/flight.h"
@@ -138,7 +138,7 @@ static floe_status needs_no_exchange(const scene *s, const mesh *m)
 }
 
 /* A place where the lines leave no room for the gas of two sides. */
-static floe_status refuse_thin(const scene *s, const cut_line *line)
+static floe_status refuse_thin(const scene *s, const cut_surface *line)
 {
     double x[2];
     if (!cut_is_thin(line, x)) return FLOE_OK;
@@ -149,7 +149,7 @@ static floe_status refuse_thin(const scene *s, const cut_line *line)
         x[0], x[1]);
 }
 
-static floe_status check_line(const scene *s, cut_line *line)
+static floe_status check_line(const scene *s, cut_surface *line)
 {
     if (line->n_vertices == 0)
         return fail_key(s->ctx, KEY("method", "interface"),
@@ -163,7 +163,7 @@ static floe_status check_line(const scene *s, cut_line *line)
 /* Surfaces that cut the cells so that each part has its gas. */
 static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
 {
-    cut_line line;
+    cut_surface line;
     floe_status status = cut_create(&line, s->ctx, m);
     for (int b = 0; status == FLOE_OK && b < s->n_bodies; ++b)
         if (is_solid(s, b)) status = mpm_outline_lay(s, m, &s->body[b], &line);

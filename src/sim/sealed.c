@@ -62,7 +62,7 @@ static void tell_remedy(context *ctx)
 }
 
 /* A line that cannot be followed is told with what it is: a membrane, or the surface of the solids. */
-static floe_status find_cuts(const sealed *t, const sealed_line *line, cut_line *place)
+static floe_status find_cuts(const sealed *t, const sealed_line *line, cut_surface *place)
 {
     const scene *s = t->points->scene;
     const scene_body *body = &s->body[t->points->body[line->body].scene_body];
@@ -75,7 +75,7 @@ static floe_status find_cuts(const sealed *t, const sealed_line *line, cut_line 
 
 static floe_status find_line_now(sealed *t, sealed_line *line)
 {
-    cut_line *now = &line->place[SEAL_NOW];
+    cut_surface *now = &line->place[SEAL_NOW];
     TRY(mpm_outline(t->points, line->body, false, now));
     TRY(find_cuts(t, line, now));
     TRY(make_room(t, line, now->n_vertices));
@@ -115,7 +115,7 @@ floe_status sealed_find_still(sealed *t)
 floe_status sealed_find_moved(sealed *t)
 {
     for (int l = 0; l < t->n_lines; ++l) {
-        cut_line *next = &t->line[l].place[SEAL_NEXT];
+        cut_surface *next = &t->line[l].place[SEAL_NEXT];
         TRY(mpm_outline(t->points, t->line[l].body, true, next));
         TRY(find_cuts(t, &t->line[l], next));
     }

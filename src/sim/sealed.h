@@ -3,13 +3,13 @@
 #ifndef SIM_SEALED_H
 #define SIM_SEALED_H
 
-#include "coupling/cut.h"
+#include "embedded/cut.h"
 #include "sim/sim.h"
 
 /* What a step knows of a membrane, or of the surfaces of all solids. */
 typedef struct sealed_line {
     int body;                        /* the membrane's, of the points; 0 for surfaces, which need none */
-    cut_line place[SEAL_PLACES];     /* as in ice_seal_line */
+    cut_surface place[SEAL_PLACES];  /* as in ice_seal_line */
     double *velocity, *path, *force; /* of the vertices, two each; owned */
     int room;                        /* vertices that these hold */
     double share; /* of the mass of all membranes: how much of what the points lose goes into its gas */

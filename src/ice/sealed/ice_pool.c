@@ -68,7 +68,7 @@ static double least_outside(const ice *s, int place, const int cell[2])
 floe_status ice_seal_check(const ice *s, int place)
 {
     for (int l = 0; l < s->seal.n_lines && s->seal.n_lines > 1; ++l) {
-        const cut_line *c = &s->seal.line[l].place[place];
+        const cut_surface *c = &s->seal.line[l].place[place];
         for (int k = 0; k < c->n_cells; ++k) {
             const int *cell = c->cell[k].cell;
             if (least_outside(s, place, cell) >= 0.0) continue;
@@ -220,7 +220,7 @@ static void number_pools(ice_pools *p)
 static floe_status add_cut_cells(ice *s, int gas, int place, int at, ice_pools *p)
 {
     for (int l = 0; l < s->seal.n_lines; ++l) {
-        const cut_line *c = &s->seal.line[l].place[at];
+        const cut_surface *c = &s->seal.line[l].place[at];
         if (ice_outward(s, gas, l) == 0.0) continue;
         for (int k = 0; k < c->n_cells; ++k) TRY(add_member(s, gas, place, p, c->cell[k].cell));
     }

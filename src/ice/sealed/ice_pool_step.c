@@ -60,7 +60,7 @@ static bool next_piece(piece_walk *w)
         if (w->outward == 0.0) continue;
         for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
         if (w->place == SEAL_NEXT) continue;
-        const cut_line *c = &line->place[w->place];
+        const cut_surface *c = &line->place[w->place];
         w->line = line;
         w->piece = &c->piece[w->n];
         w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];

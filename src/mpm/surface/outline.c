@@ -47,7 +47,7 @@ static floe_status check_ends(const mpm *s)
 }
 
 /* The markers, one vertex each. */
-static floe_status outline_skin(const mpm *s, bool next, cut_line *out)
+static floe_status outline_skin(const mpm *s, bool next, cut_surface *out)
 {
     const body_skin *k = &s->work->skin;
     if (next) TRY(check_ends(s));
@@ -60,7 +60,7 @@ static floe_status outline_skin(const mpm *s, bool next, cut_line *out)
     return FLOE_OK;
 }
 
-floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out)
+floe_status mpm_outline(mpm *s, int body, bool next, cut_surface *out)
 {
     if (s->work->skin.n > 0) return outline_skin(s, next, out);
     const membrane_line *line = &s->work->line[body];
@@ -81,7 +81,7 @@ floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out)
     return FLOE_OK;
 }
 
-void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity)
+void mpm_outline_velocity(const mpm *s, int body, const cut_surface *c, double *velocity)
 {
     const body_skin *skin = &s->work->skin;
     for (size_t k = 0; k < skin->n; ++k) memcpy(velocity + 2 * k, skin->now[k].v, 2 * sizeof *velocity);
@@ -97,7 +97,7 @@ void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *vel
         memcpy(velocity + 2 * (ptrdiff_t)k, by_point + 2 * (ptrdiff_t)c->vertex[k].point, 2 * sizeof *velocity);
 }
 
-void mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force)
+void mpm_outline_push(mpm *s, int body, const cut_surface *c, const double *force)
 {
     membrane_push *p = &s->work->push[body];
     if (s->work->skin.n > 0) {
@@ -135,7 +135,7 @@ static void add_velocity(void *user, ptrdiff_t at, double weight, double mass)
     for (int a = 0; a < 2; ++a) m->sum[a] += weight * (m->last * m->v[a][at] - m->change * m->acceleration[a][at]);
 }
 
-void mpm_outline_path(const mpm *s, int body, const cut_line *c, double *path)
+void mpm_outline_path(const mpm *s, int body, const cut_surface *c, double *path)
 {
     const membrane_push *p = &s->work->push[body];
     const int group = s->body[body].group;

@@ -3,7 +3,7 @@
 #ifndef MPM_OUTLINE_H
 #define MPM_OUTLINE_H
 
-#include "coupling/cut.h"
+#include "embedded/cut.h"
 #include "geom/outline.h"
 #include "mpm/mpm.h"
 
@@ -11,18 +11,18 @@
  * outline_free. */
 floe_status mpm_outline_trace(const scene *s, const mesh *m, const scene_body *body, outline *out);
 /* Adds it to the lines of `out`. */
-floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, cut_line *out);
+floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, cut_surface *out);
 /* Vertices from the points of a membrane (a body of ours), now or next; an end of it on a mirror goes on to it. Where
  * the interface is sharp, from the markers of all surfaces, whatever the body, here and below. FLOE_DIVERGED where a
  * point is lost. */
-floe_status mpm_outline(mpm *s, int body, bool next, cut_line *out);
+floe_status mpm_outline(mpm *s, int body, bool next, cut_surface *out);
 /* Velocities (m/s) of the vertices, two numbers each. */
-void mpm_outline_velocity(const mpm *s, int body, const cut_line *c, double *velocity);
+void mpm_outline_velocity(const mpm *s, int body, const cut_surface *c, double *velocity);
 /* Forces (N) on the vertices, two numbers each, for the step to come. They are kept until the next call. */
-void mpm_outline_push(mpm *s, int body, const cut_line *c, const double *force);
+void mpm_outline_push(mpm *s, int body, const cut_surface *c, const double *force);
 /* The way (m) over which these forces have worked in the step: that of the nodes, in the mean of its start and its
  * end. */
-void mpm_outline_path(const mpm *s, int body, const cut_line *c, double *path);
+void mpm_outline_path(const mpm *s, int body, const cut_surface *c, double *path);
 
 /* What all points have lost in the step (J), for the gas to take up as heat (method.losses); 0 where it is to be a
  * drift. */

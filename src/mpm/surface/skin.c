@@ -68,7 +68,7 @@ floe_status mpm_outline_trace(const scene *s, const mesh *m, const scene_body *b
     return outline_trace(out, s->ctx, &body->shape, &grid, SKIN_DIVISIONS);
 }
 
-static floe_status lay_chains(const outline *o, cut_line *out)
+static floe_status lay_chains(const outline *o, cut_surface *out)
 {
     const int vertices = out->n_vertices, chains = out->n_chains;
     TRY(cut_reserve(out, vertices + (int)o->n, chains + (int)o->n_chains));
@@ -80,7 +80,7 @@ static floe_status lay_chains(const outline *o, cut_line *out)
     return FLOE_OK;
 }
 
-floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, cut_line *out)
+floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, cut_surface *out)
 {
     outline o;
     TRY(mpm_outline_trace(s, m, body, &o));

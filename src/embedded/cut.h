@@ -7,8 +7,8 @@
  * theorem, what part of each cell. Nothing is sampled, so that in every cut cell the areas of open faces and of the
  * membrane close to round-off: even pressure pushes nothing. About an axis all of it is weighted with the radius. The
  * walk depends on no block and no thread. */
-#ifndef COUPLING_CUT_H
-#define COUPLING_CUT_H
+#ifndef EMBEDDED_CUT_H
+#define EMBEDDED_CUT_H
 
 #include "grid/mesh.h"
 
@@ -45,7 +45,7 @@ typedef struct cut_cell {
 
 enum { CUT_HELD = -1, CUT_OUTSIDE = -2 };
 
-typedef struct cut_line {
+typedef struct cut_surface {
     context *ctx;       /* not owned */
     const mesh *mesh;   /* not owned */
     cut_vertex *vertex; /* owned; filled by the caller after cut_reserve, as are the chains */
@@ -56,22 +56,22 @@ typedef struct cut_line {
     int n_cells, n_pieces; /* in the order of the lines */
     int *at;               /* of every global cell: its place in `cell`, or CUT_HELD, CUT_OUTSIDE; owned */
     signed char *node;     /* of every global node: 1 held; owned */
-    size_t room[4];        /* for vertices, cells, pieces, chains */
-} cut_line;
+    size_t capacity[4];    /* for vertices, cells, pieces, chains */
+} cut_surface;
 
-floe_status cut_create(cut_line *c, context *ctx, const mesh *m);
-void cut_destroy(cut_line *c);
+floe_status cut_create(cut_surface *c, context *ctx, const mesh *m);
+void cut_destroy(cut_surface *c);
 /* Room for so many vertices and chains; sets n_vertices and n_chains. */
-floe_status cut_reserve(cut_line *c, int vertices, int chains);
+floe_status cut_reserve(cut_surface *c, int vertices, int chains);
 /* Whether gas lies on two sides of something thinner than a cell, in one cell: about x (m). Looks at every pair of
  * pieces, for the start of a run. */
-bool cut_is_thin(const cut_line *c, double x[2]);
+bool cut_is_thin(const cut_surface *c, double x[2]);
 /* Finds the cut cells of the lines where their vertices are after a time (s) at these velocities (m/s, two numbers
  * each). As cut_find; `from` keeps on standing. Ends stay on the sides of the mesh. */
-floe_status cut_ahead(const cut_line *from, const double *velocity, double time, cut_line *out);
+floe_status cut_ahead(const cut_surface *from, const double *velocity, double time, cut_surface *out);
 /* Finds the cut cells from the vertices. Open lines must end on sides of the mesh. FLOE_RETRY where lines cross so
  * that some gas would lie on both its sides. */
-floe_status cut_find(cut_line *c);
+floe_status cut_find(cut_surface *c);
 
 /* Place of a global cell in cut.at and its like. */
 static inline size_t cut_index(const mesh *m, const int cell[2])
@@ -79,12 +79,12 @@ static inline size_t cut_index(const mesh *m, const int cell[2])
     return (size_t)cell[1] * (size_t)m->n[0] + (size_t)cell[0];
 }
 /* Share of a cell, and of one of its faces, that is held; of the gas outside it is one less that. */
-static inline double cut_open(const cut_line *c, const int cell[2])
+static inline double cut_open(const cut_surface *c, const int cell[2])
 {
     const int at = c->at[cut_index(c->mesh, cell)];
     return at >= 0 ? c->cell[at].open : at == CUT_HELD ? 1.0 : 0.0;
 }
-static inline double cut_face(const cut_line *c, const int cell[2], int axis, int side)
+static inline double cut_face(const cut_surface *c, const int cell[2], int axis, int side)
 {
     const int at = c->at[cut_index(c->mesh, cell)];
     return at >= 0 ? c->cell[at].face[axis][side] : at == CUT_HELD ? 1.0 : 0.0;

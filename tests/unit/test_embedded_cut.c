@@ -1,7 +1,7 @@
 /* Cells that a line cuts: shares add up to what the line encloses, every cell's areas close, degenerate lines are no exception. */
 #include "check.h"
 
-#include "coupling/cut.h"
+#include "embedded/cut.h"
 
 #include <math.h>
 
@@ -13,7 +13,7 @@ static void make_mesh(mesh *m, context *ctx, mesh_geometry geometry, double h)
     check_ok(ctx, mesh_init(m, ctx, &spec));
 }
 
-static void arc(cut_line *c, context *ctx, int n, double radius, double from, double to, const double centre[2])
+static void arc(cut_surface *c, context *ctx, int n, double radius, double from, double to, const double centre[2])
 {
     const bool closed = fabs(to - from) > 6.28;
     check_ok(ctx, cut_reserve(c, n, 1));
@@ -25,7 +25,7 @@ static void arc(cut_line *c, context *ctx, int n, double radius, double from, do
 }
 
 /* What a closed polygon encloses, per metre of depth or per radian; an open line is closed along the sides through `corner`. */
-static double enclosed(const cut_line *c, const double corner[2])
+static double enclosed(const cut_surface *c, const double corner[2])
 {
     const bool radial = c->mesh->geometry == MESH_AXISYMMETRIC;
     double sum = 0.0;
@@ -40,7 +40,7 @@ static double enclosed(const cut_line *c, const double corner[2])
     return sum;
 }
 
-static double held(const cut_line *c)
+static double held(const cut_surface *c)
 {
     double sum = 0.0;
     for (int j = 0; j < c->mesh->n[1]; ++j)
@@ -49,7 +49,7 @@ static double held(const cut_line *c)
 }
 
 /* Axial areas of the open faces and of the pieces of each cell add up to nothing; in the plane the others too. */
-static void check_closed(const cut_line *c)
+static void check_closed(const cut_surface *c)
 {
     const bool radial = c->mesh->geometry == MESH_AXISYMMETRIC;
     for (int k = 0; k < c->n_cells; ++k) {
@@ -65,7 +65,7 @@ static void check_closed(const cut_line *c)
     }
 }
 
-static void check_line(cut_line *c, context *ctx, const double corner[2])
+static void check_line(cut_surface *c, context *ctx, const double corner[2])
 {
     check_ok(ctx, cut_find(c));
     check_close(held(c), enclosed(c, corner), 1e-14);
@@ -86,7 +86,7 @@ static void test_quarter(void **unused)
     for (int g = 0; g < 2; ++g)
         for (int n = 0; n < 2; ++n) {
             mesh m;
-            cut_line c;
+            cut_surface c;
             make_mesh(&m, ctx, geometry[g], 0.1);
             check_ok(ctx, cut_create(&c, ctx, &m));
             arc(&c, ctx, vertices[n], 0.57, 0.0, 0.5 * pi, (const double[]){0.0, 0.0});
@@ -103,7 +103,7 @@ static void test_closed(void **unused)
     (void)unused;
     context *ctx = context_create();
     mesh m;
-    cut_line c;
+    cut_surface c;
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
     const double centre[] = {0.451, 0.552};
@@ -128,7 +128,7 @@ static void test_on_the_mesh(void **unused)
     (void)unused;
     context *ctx = context_create();
     mesh m;
-    cut_line c;
+    cut_surface c;
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.125);
     check_ok(ctx, cut_create(&c, ctx, &m));
     for (int kind = 0; kind < 3; ++kind) {
@@ -154,7 +154,7 @@ static void test_two_chains(void **unused)
     (void)unused;
     context *ctx = context_create();
     mesh m;
-    cut_line c;
+    cut_surface c;
     double push[2] = {0.0, 0.0};
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
@@ -188,7 +188,7 @@ static void test_thin(void **unused)
     (void)unused;
     context *ctx = context_create();
     mesh m;
-    cut_line c;
+    cut_surface c;
     double x[2];
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
@@ -218,7 +218,7 @@ static void test_held_twice(void **unused)
     (void)unused;
     context *ctx = context_create();
     mesh m;
-    cut_line c;
+    cut_surface c;
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
     static const double corner[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
@@ -250,7 +250,7 @@ static void test_refused(void **unused)
     (void)unused;
     context *ctx = context_create();
     mesh m;
-    cut_line c;
+    cut_surface c;
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
     arc(&c, ctx, 9, 0.3, 0.0, 1.0, (const double[]){0.0, 0.0}); /* ends inside */

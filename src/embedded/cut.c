@@ -1,4 +1,4 @@
-#include "coupling/cut.h"
+#include "embedded/cut.h"
 
 #include "base/memory.h"
 
@@ -7,21 +7,21 @@
 #include <string.h>
 
 enum { CUT_NEW = -3 };
-enum { ROOM_VERTICES, ROOM_CELLS, ROOM_PIECES, ROOM_CHAINS };
+enum { CAPACITY_VERTICES, CAPACITY_CELLS, CAPACITY_PIECES, CAPACITY_CHAINS };
 
 /* Shares this close to none or all are that: round-off of sums of passages. */
 static const double snap = 1e-13;
 /* Lines that cross hold more than all of a cell, or less than none, by more than this: bodies of a deck touch to some nine digits. */
 static const double crossing = 1e-6;
 
-floe_status cut_create(cut_line *c, context *ctx, const mesh *m)
+floe_status cut_create(cut_surface *c, context *ctx, const mesh *m)
 {
-    *c = (cut_line){.ctx = ctx, .mesh = m};
+    *c = (cut_surface){.ctx = ctx, .mesh = m};
     TRY(memory_new(ctx, &c->at, (size_t)m->n[0] * (size_t)m->n[1], sizeof *c->at));
     return memory_new(ctx, &c->node, (size_t)(m->n[0] + 1) * (size_t)(m->n[1] + 1), sizeof *c->node);
 }
 
-void cut_destroy(cut_line *c)
+void cut_destroy(cut_surface *c)
 {
     if (!c->ctx) return;
     memory_free(c->ctx, &c->vertex);
@@ -33,21 +33,21 @@ void cut_destroy(cut_line *c)
 }
 
 /* Room for one more than n items, growing by half. */
-static floe_status grow(cut_line *c, int which, void *array, size_t n, size_t size)
+static floe_status grow(cut_surface *c, int which, void *array, size_t n, size_t size)
 {
-    if (n < c->room[which]) return FLOE_OK;
+    if (n < c->capacity[which]) return FLOE_OK;
     const size_t wanted = n + n / 2 + 64;
     TRY(memory_resize(c->ctx, array, wanted, size));
-    c->room[which] = wanted;
+    c->capacity[which] = wanted;
     return FLOE_OK;
 }
 
-floe_status cut_reserve(cut_line *c, int vertices, int chains)
+floe_status cut_reserve(cut_surface *c, int vertices, int chains)
 {
     c->n_vertices = vertices;
     c->n_chains = chains;
-    TRY(grow(c, ROOM_CHAINS, &c->chain, (size_t)chains, sizeof *c->chain));
-    return grow(c, ROOM_VERTICES, &c->vertex, (size_t)vertices, sizeof *c->vertex);
+    TRY(grow(c, CAPACITY_CHAINS, &c->chain, (size_t)chains, sizeof *c->chain));
+    return grow(c, CAPACITY_VERTICES, &c->vertex, (size_t)vertices, sizeof *c->vertex);
 }
 
 /* Integral of the weight of an area along axis 0: x, or about an axis r^2/2. */
@@ -57,11 +57,11 @@ static double weight_to(const mesh *m, double x)
 }
 
 /* The cut cell at a global cell, made where it is new. */
-static floe_status touch(cut_line *c, const int cell[2], int *out)
+static floe_status touch(cut_surface *c, const int cell[2], int *out)
 {
     int *at = &c->at[cut_index(c->mesh, cell)];
     if (*at == CUT_NEW) {
-        TRY(grow(c, ROOM_CELLS, &c->cell, (size_t)c->n_cells, sizeof *c->cell));
+        TRY(grow(c, CAPACITY_CELLS, &c->cell, (size_t)c->n_cells, sizeof *c->cell));
         *at = c->n_cells;
         c->cell[c->n_cells++] = (cut_cell){.cell = {cell[0], cell[1]}};
     }
@@ -69,12 +69,12 @@ static floe_status touch(cut_line *c, const int cell[2], int *out)
     return FLOE_OK;
 }
 
-static floe_status add_piece(cut_line *c, const int cell[2], const int vertex[2], const double from[2],
+static floe_status add_piece(cut_surface *c, const int cell[2], const int vertex[2], const double from[2],
                              const double to[2], double share)
 {
     int at;
     TRY(touch(c, cell, &at));
-    TRY(grow(c, ROOM_PIECES, &c->piece, (size_t)c->n_pieces, sizeof *c->piece));
+    TRY(grow(c, CAPACITY_PIECES, &c->piece, (size_t)c->n_pieces, sizeof *c->piece));
     const double radius = c->mesh->geometry == MESH_AXISYMMETRIC ? 0.5 * (from[0] + to[0]) : 1.0;
     c->piece[c->n_pieces++] = (cut_piece){.cell = at,
                                           .vertex = {vertex[0], vertex[1]},
@@ -90,7 +90,7 @@ static floe_status add_piece(cut_line *c, const int cell[2], const int vertex[2]
 
 /* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Held
  * is what lies on its left: of a face across axis 0 the part above x, of one across axis 1 the part below. */
-static void pass(cut_line *c, int at, int axis, int side, const double x[2], int direction)
+static void pass(cut_surface *c, int at, int axis, int side, const double x[2], int direction)
 {
     const mesh *m = c->mesh;
     cut_cell *k = &c->cell[at];
@@ -124,7 +124,7 @@ static double within(const mesh *m, int axis, int cell, double x)
 }
 
 /* From one vertex to the next, cell by cell. */
-static floe_status walk(cut_line *c, const int vertex[2])
+static floe_status walk(cut_surface *c, const int vertex[2])
 {
     const mesh *m = c->mesh;
     const double *a = c->vertex[vertex[0]].x, *b = c->vertex[vertex[1]].x;
@@ -161,7 +161,7 @@ static floe_status walk(cut_line *c, const int vertex[2])
 }
 
 /* An end of an open line passes through the side of the mesh on which it lies; inward at the first vertex. */
-static floe_status pass_side(cut_line *c, int vertex, int inward)
+static floe_status pass_side(cut_surface *c, int vertex, int inward)
 {
     const mesh *m = c->mesh;
     const double *x = c->vertex[vertex].x;
@@ -181,7 +181,7 @@ static floe_status pass_side(cut_line *c, int vertex, int inward)
         x[0], x[1]);
 }
 
-static floe_status walk_chain(cut_line *c, const cut_chain *chain)
+static floe_status walk_chain(cut_surface *c, const cut_chain *chain)
 {
     const int last = chain->first + chain->n - 1;
     for (int k = chain->first; k < last; ++k) TRY(walk(c, (const int[]){k, k + 1}));
@@ -190,14 +190,14 @@ static floe_status walk_chain(cut_line *c, const cut_chain *chain)
     return pass_side(c, last, -1);
 }
 
-static int jump_of(const cut_line *c, int i, int j, int axis, int side)
+static int jump_of(const cut_surface *c, int i, int j, int axis, int side)
 {
     const int at = c->at[cut_index(c->mesh, (const int[]){i, j})];
     return at >= 0 ? c->cell[at].jump[axis][side] : 0;
 }
 
 /* Which nodes are held, from one corner of the mesh along its lowest row and up the columns. */
-static floe_status mark_nodes(cut_line *c)
+static floe_status mark_nodes(cut_surface *c)
 {
     const int nx = c->mesh->n[0], ny = c->mesh->n[1], row = nx + 1;
     int least = 0, most = 0;
@@ -231,7 +231,7 @@ static double snapped(double share, bool *sound)
 }
 
 /* Shares of a cell from what the walk has gathered. */
-static floe_status finish_cell(cut_line *c, cut_cell *k)
+static floe_status finish_cell(cut_surface *c, cut_cell *k)
 {
     const mesh *m = c->mesh;
     const int row = m->n[0] + 1, *i = k->cell;
@@ -249,7 +249,7 @@ static floe_status finish_cell(cut_line *c, cut_cell *k)
                 i[1]);
 }
 
-floe_status cut_find(cut_line *c)
+floe_status cut_find(cut_surface *c)
 {
     const mesh *m = c->mesh;
     const size_t cells = (size_t)m->n[0] * (size_t)m->n[1];
@@ -272,13 +272,13 @@ static bool is_held(const mesh *m, double x, int axis)
     return x == m->lower[axis] || x == m->upper[axis];
 }
 
-static void hold_end(const cut_line *from, int vertex, cut_line *out)
+static void hold_end(const cut_surface *from, int vertex, cut_surface *out)
 {
     for (int a = 0; a < 2; ++a)
         if (is_held(from->mesh, from->vertex[vertex].x[a], a)) out->vertex[vertex].x[a] = from->vertex[vertex].x[a];
 }
 
-floe_status cut_ahead(const cut_line *from, const double *velocity, double time, cut_line *out)
+floe_status cut_ahead(const cut_surface *from, const double *velocity, double time, cut_surface *out)
 {
     TRY(cut_reserve(out, from->n_vertices, from->n_chains));
     memcpy(out->chain, from->chain, (size_t)from->n_chains * sizeof *out->chain);
@@ -295,7 +295,7 @@ floe_status cut_ahead(const cut_line *from, const double *velocity, double time,
     return cut_find(out);
 }
 
-static void middle_of(const cut_line *c, const cut_piece *q, double x[2])
+static void middle_of(const cut_surface *c, const cut_piece *q, double x[2])
 {
     for (int a = 0; a < 2; ++a)
         x[a] = (1.0 - q->share) * c->vertex[q->vertex[0]].x[a] + q->share * c->vertex[q->vertex[1]].x[a];
@@ -308,7 +308,7 @@ static bool is_near_along(const cut_piece *q, const cut_piece *r)
 }
 
 /* Each has the other ahead, on the side that is not held. */
-static bool are_back_to_back(const cut_line *c, const cut_piece *q, const cut_piece *r)
+static bool are_back_to_back(const cut_surface *c, const cut_piece *q, const cut_piece *r)
 {
     double from[2], to[2];
     middle_of(c, q, from);
@@ -320,7 +320,7 @@ static bool are_back_to_back(const cut_line *c, const cut_piece *q, const cut_pi
            way[0] * r->area[0] + way[1] * r->area[1] < -least * length_r;
 }
 
-bool cut_is_thin(const cut_line *c, double x[2])
+bool cut_is_thin(const cut_surface *c, double x[2])
 {
     for (int n = 0; n < c->n_pieces; ++n)
         for (int k = n + 1; k < c->n_pieces; ++k) {
