@@ -1,12 +1,13 @@
 /* Cells that a membrane, or the surface of a solid, cuts: what it leaves of cells and faces to the gas that it holds,
  * exactly.
  *
- * It is one or several lines of vertices, straight between them, with the gas that they hold on their left. A walk
- * along a line cuts it into pieces that lie in one cell each, and notes where it passes through faces. From these
- * passages follow which nodes are held and what part of each face is; from the faces and the pieces, by Green's
- * theorem, what part of each cell. Nothing is sampled, so that in every cut cell the areas of open faces and of the
- * membrane close to round-off: even pressure pushes nothing. About an axis all of it is weighted with the radius. The
- * walk depends on no block and no thread. */
+ * In the plane a surface is one or several lines of vertices, straight between them, with the gas that they hold on
+ * their left; on a line it is points, each with the side on which its gas is. Measures follow by recursion of
+ * dimension: a surface is cut into pieces that lie in one cell each, and noted where it passes through edges of cells.
+ * From these passages follow which nodes are held; on a line that is which faces are, in the plane the passages give
+ * what part of each face is; from the faces and the pieces, by Green's theorem, what part of each cell. Nothing is
+ * sampled, so that in every cut cell the areas of open faces and of the surface close to round-off: even pressure
+ * pushes nothing. About an axis all of it is weighted with the radius. Nothing depends on blocks or threads. */
 #ifndef EMBEDDED_CUT_H
 #define EMBEDDED_CUT_H
 
@@ -21,7 +22,7 @@ typedef struct cut_vertex {
     int point;
 } cut_vertex;
 
-/* A piece of the line in one cell. */
+/* A piece of the surface in one cell; a point is a piece with both ends at its vertex. */
 typedef struct cut_piece {
     int cell;       /* in cut.cell */
     int vertex[2];  /* its ends lie between these, in the order of the line */
@@ -29,18 +30,21 @@ typedef struct cut_piece {
     double area[2]; /* m2 per metre (per radian): area vector, from the held gas outward */
 } cut_piece;
 
-/* One of the lines. */
+/* One of the lines; on a mesh of one dimension, a point. */
 typedef struct cut_chain {
-    int first, n; /* vertices */
+    int first, n; /* vertices; of a point 1 */
     bool closed;  /* the last vertex is joined to the first */
+    int outward;  /* of a point: way of its area, from the held gas outward, +1 or -1; 0: it lies on a side of the mesh
+                     and holds nothing back */
 } cut_chain;
 
-/* A cell that the line goes through. */
+/* A cell that the surface goes through. */
 typedef struct cut_cell {
     int cell[2];       /* global */
     double open;       /* share of its volume that is held */
     double face[2][2]; /* the same of its faces, by axis and side */
-    int jump[2][2];    /* passages of the line through each face, by direction: scratch of the walk */
+    int jump[2][2];    /* passages of a line through each face, by direction: scratch of the walk; of points along the
+                          cell, in [0][0] */
 } cut_cell;
 
 enum { CUT_HELD = -1, CUT_OUTSIDE = -2 };

@@ -31,7 +31,7 @@ typedef struct tracer {
 
 static double level(const tracer *t, const double x[2])
 {
-    return t->shape->model->level(t->shape->par, 2, (const double[3]){x[0], x[1], 0.0});
+    return t->shape->model->level(t->shape->par, t->grid->dim, (const double[3]){x[0], x[1], 0.0});
 }
 
 static bool is_inside(const tracer *t, const double x[2])
@@ -239,7 +239,7 @@ static floe_status close_chain(tracer *t, chain_maker *m)
     return FLOE_OK;
 }
 
-static floe_status follow(tracer *t, chain_maker *m, const side_of_piece *start, size_t first, bool closed)
+static floe_status begin_chain(tracer *t, chain_maker *m, bool closed)
 {
     outline *o = m->out;
     if (o->n_chains == m->chain_room) {
@@ -247,6 +247,12 @@ static floe_status follow(tracer *t, chain_maker *m, const side_of_piece *start,
         TRY(memory_resize(t->ctx, &o->chain, m->chain_room, sizeof *o->chain));
     }
     o->chain[o->n_chains++] = (outline_chain){.first = o->n, .closed = closed};
+    return FLOE_OK;
+}
+
+static floe_status follow(tracer *t, chain_maker *m, const side_of_piece *start, size_t first, bool closed)
+{
+    TRY(begin_chain(t, m, closed));
     TRY(put_next(t, m, t->piece[first].end[0].x, false));
     for (size_t k = first; k < t->n && !t->piece[k].used;) {
         const size_t next = piece_after(t, start, t->piece[k].end[1].side);
@@ -285,11 +291,44 @@ static floe_status trace(tracer *t, outline *out)
     return status;
 }
 
+/* ---- on a line ---- */
+
+static floe_status put_point(tracer *t, chain_maker *m, double x, int into)
+{
+    TRY(begin_chain(t, m, false));
+    m->out->chain[m->out->n_chains - 1].n = 1;
+    m->out->chain[m->out->n_chains - 1].into = into;
+    return put(t, m, (const double[2]){x, 0.0});
+}
+
+/* The surface between two corners, unless it lies on a side of the mesh. */
+static floe_status cut_interval(tracer *t, chain_maker *m, int i)
+{
+    const double corner[2][2] = {{corner_at(t, 0, i), 0.0}, {corner_at(t, 0, i + 1), 0.0}};
+    const bool inside[2] = {is_inside(t, corner[0]), is_inside(t, corner[1])};
+    double x[2];
+    if (inside[0] == inside[1]) return FLOE_OK;
+    find_crossing(t, corner[inside[1]], corner[inside[0]], x);
+    const bool first = i == 0 && x[0] == corner[0][0];
+    if (first || (i + 1 == t->grid->n[0] * t->divide && x[0] == corner[1][0])) return FLOE_OK;
+    return put_point(t, m, x[0], inside[1] ? 1 : -1);
+}
+
+static floe_status trace_line(tracer *t, outline *out)
+{
+    const int last = t->grid->n[0] * t->divide;
+    chain_maker m = {.out = out};
+    const double lower[2] = {corner_at(t, 0, 0), 0.0}, upper[2] = {corner_at(t, 0, last), 0.0};
+    if (is_inside(t, lower)) TRY(put_point(t, &m, lower[0], 0));
+    for (int i = 0; i < last; ++i) TRY(cut_interval(t, &m, i));
+    return is_inside(t, upper) ? put_point(t, &m, upper[0], 0) : FLOE_OK;
+}
+
 floe_status outline_trace(outline *out, context *ctx, const shape *s, const seed_spec *grid, int divide)
 {
     tracer t = {.ctx = ctx, .shape = s, .grid = grid, .divide = divide, .tolerance = 1e-9 * grid->h[0]};
     *out = (outline){0};
-    const floe_status status = trace(&t, out);
+    const floe_status status = grid->dim == 1 ? trace_line(&t, out) : trace(&t, out);
     memory_free(ctx, &t.piece);
     if (status != FLOE_OK) outline_free(ctx, out);
     return status;

@@ -1,4 +1,4 @@
-/* The outline of a shape in the plane as chains of points: where the gas beside a solid begins (theory 7.2). */
+/* The outline of a shape as chains of points, on a line as points: where the gas beside a solid begins (theory 7.2). */
 #ifndef GEOM_OUTLINE_H
 #define GEOM_OUTLINE_H
 
@@ -8,6 +8,8 @@
 typedef struct outline_chain {
     size_t first, n;
     bool closed; /* else it begins and ends on sides of the mesh */
+    int into; /* on a line, where a chain is one point: +1 the shape lies above it, -1 below; 0: the point is where the
+                    shape reaches a side of the mesh */
 } outline_chain;
 
 typedef struct outline {
@@ -19,7 +21,8 @@ typedef struct outline {
 
 /* Traces the part of a shape's surface inside the mesh. Cells are divided into `divide` x `divide` sub-boxes; there is
  * a point wherever the surface meets a side of one, on the surface to round-off, and one at every corner whose two
- * sides are straight. What of the surface lies on a side of the mesh is left out. FLOE_NO_MEMORY. */
+ * sides are straight. What of the surface lies on a side of the mesh is left out, but for the point of a shape on a
+ * line. FLOE_NO_MEMORY. */
 floe_status outline_trace(outline *out, context *ctx, const shape *s, const seed_spec *grid, int divide);
 void outline_free(context *ctx, outline *o);
 

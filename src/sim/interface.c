@@ -42,10 +42,21 @@ static floe_status no_lines(const scene *s, const char *why, const char *instead
 
 /* ---- what cut cells of gas need, beside membranes too ---- */
 
+static bool is_periodic(const mesh *m)
+{
+    return m->periodic[0] || m->periodic[1] || m->periodic[2];
+}
+
 static floe_status needs_plane(const scene *s, const mesh *m)
 {
-    if (m->dim == 2 && !m->periodic[0] && !m->periodic[1]) return FLOE_OK;
+    if (m->dim == 2 && !is_periodic(m)) return FLOE_OK;
     return no_lines(s, "needs a domain in two dimensions, plane or axisymmetric, without periodic sides", "mpm");
+}
+
+static floe_status needs_line_or_plane(const scene *s, const mesh *m)
+{
+    if (m->dim < 3 && !is_periodic(m)) return FLOE_OK;
+    return no_lines(s, "needs a domain in one or two dimensions without periodic sides", "mpm");
 }
 
 static floe_status needs_explicit_pressure(const scene *s, const mesh *m)
@@ -137,27 +148,53 @@ static floe_status needs_no_exchange(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
+static floe_status refuse_thin_at(const scene *s, const double x[2])
+{
+    char place[64];
+    (void)snprintf(place, sizeof place, s->mesh.dim == 1 ? "%g" : "(%g, %g)", x[0], x[1]);
+    return fail_key(
+        s->ctx, KEY("method", "interface"),
+        "sharp: a solid is thinner than a cell at %s, where the gas of its two sides would share it: refine "
+        "domain.cell, or leave it out",
+        place);
+}
+
 /* A place where the lines leave no room for the gas of two sides. */
 static floe_status refuse_thin(const scene *s, const cut_surface *line)
 {
     double x[2];
-    if (!cut_is_thin(line, x)) return FLOE_OK;
-    return fail_key(
-        s->ctx, KEY("method", "interface"),
-        "sharp: a solid is thinner than a cell at (%g, %g), where the gas of its two sides would share it: refine "
-        "domain.cell, or leave it out",
-        x[0], x[1]);
+    return cut_is_thin(line, x) ? refuse_thin_at(s, x) : FLOE_OK;
+}
+
+/* On a line a body that lies between two places where its surface is looked for has none. */
+static floe_status refuse_unseen(const scene *s, const mesh *m, const scene_body *body)
+{
+    double lo[3], hi[3];
+    if (m->dim > 1 || !body->shape.model->bounds(body->shape.par, 1, lo, hi)) return FLOE_OK;
+    return hi[0] > m->lower[0] && lo[0] < m->upper[0] ? refuse_thin_at(s, lo) : FLOE_OK;
+}
+
+static floe_status lay_body(const scene *s, const mesh *m, const scene_body *body, cut_surface *line)
+{
+    const int before = line->n_chains;
+    TRY(mpm_outline_lay(s, m, body, line));
+    return line->n_chains > before ? FLOE_OK : refuse_unseen(s, m, body);
+}
+
+static floe_status refuse_none(const scene *s)
+{
+    return fail_key(s->ctx, KEY("method", "interface"),
+                    "sharp: no solid has a surface inside the domain; leave it out");
 }
 
 static floe_status check_line(const scene *s, cut_surface *line)
 {
-    if (line->n_vertices == 0)
-        return fail_key(s->ctx, KEY("method", "interface"),
-                        "sharp: no solid has a surface inside the domain; leave it out");
+    if (line->n_vertices == 0) return refuse_none(s);
+    if (line->mesh->dim == 1) TRY(refuse_thin(s, line));
     floe_status status = cut_find(line);
     if (status == FLOE_RETRY) status = FLOE_BAD_INPUT; /* the message stands */
     TRY(fail_under(s->ctx, status, KEY("method", "interface")));
-    return refuse_thin(s, line);
+    return line->n_pieces > 0 ? refuse_thin(s, line) : refuse_none(s);
 }
 
 /* Surfaces that cut the cells so that each part has its gas. */
@@ -166,7 +203,7 @@ static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
     cut_surface line;
     floe_status status = cut_create(&line, s->ctx, m);
     for (int b = 0; status == FLOE_OK && b < s->n_bodies; ++b)
-        if (is_solid(s, b)) status = mpm_outline_lay(s, m, &s->body[b], &line);
+        if (is_solid(s, b)) status = lay_body(s, m, &s->body[b], &line);
     if (status == FLOE_OK) status = check_line(s, &line);
     cut_destroy(&line);
     return status;
@@ -213,7 +250,8 @@ typedef struct requirement {
 
 /* Cheap ones first: the last traces the surfaces. */
 static const requirement requirements[] = {
-    {needs_plane, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_plane, OF_MEMBRANES},
+    {needs_line_or_plane, OF_SURFACES | OF_AUTO},
     {needs_no_membrane, OF_SURFACES | OF_AUTO},
     {needs_one_fluid, OF_SURFACES | OF_AUTO},
     {needs_membranes_alone, OF_MEMBRANES},

@@ -42,8 +42,17 @@ not_sharp() {
 }
 line=('domain={dim: 1, lower: 0, upper: 1.62, cell: 0.02}' 'boundaries={x: symmetry}' 'bodies.driver.shape.box={lower: 0, upper: 0.7}'
     'bodies.driven.shape.box={lower: 0.7, upper: 1.5}' 'bodies.wall.shape.box={lower: 1.5, upper: 1.62}' 'output.probes=null')
-not_sharp 'two dimensions' "${line[@]}"
-not_sharp 'two dimensions' boundaries.y=periodic 'domain.upper=[1.62, 0.08]'
+column=('domain={dim: 3, lower: [0, 0, 0], upper: [1.62, 0.02, 0.02], cell: 0.02}' 'boundaries.z=slip'
+    'bodies.driver.shape.box={lower: [0, 0, 0], upper: [0.7, 0.02, 0.02]}' 'bodies.driven.shape.box={lower: [0.7, 0, 0], upper: [1.5, 0.02, 0.02]}'
+    'bodies.wall.shape.box={lower: [1.5, 0, 0], upper: [1.62, 0.02, 0.02]}' 'output.probes=null')
+not_sharp 'one or two dimensions' "${column[@]}"
+expect 0 "$FLOE" check "$tube" "${line[@]/#/--set=}"
+[ ! -s stderr ] || fault 'a sharp interface on a line is warned of'
+not_sharp 'thinner than a cell at 1.503' "${line[@]}" 'bodies.wall.shape={box: {lower: 1.503, upper: 1.512}}'
+not_sharp 'thinner than a cell at 1.501' "${line[@]}" 'bodies.wall.shape={box: {lower: 1.501, upper: 1.502}}' # no place where it is looked for is in it
+not_sharp 'thinner than a cell at 1.51' "${line[@]}" 'bodies.wall.shape={box: {lower: 1.51, upper: 1.525}}' # in two cells
+not_sharp 'no solid has a surface' "${line[@]}" 'bodies.wall.shape={box: {lower: 0, upper: 1.62}}' bodies.driver=null bodies.driven=null
+not_sharp 'without periodic sides' boundaries.y=periodic 'domain.upper=[1.62, 0.08]'
 not_sharp 'takes one gas' 'materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 900}}}' bodies.driver.material=other
 not_sharp 'cut cells do not take' 'loads={fall: {gravity: {acceleration: [0, -10]}}}'
 not_sharp 'the pressure is explicit' method.pressure=implicit
@@ -69,6 +78,15 @@ near "$(mean whole/history.csv second_pressure 1.7e-3)" 701247 0.01
 expect 0 "$FLOE" run "$tube" "${coarse[@]}" -o offset --quiet --set 'bodies.wall.shape={box: {lower: [1.507, 0], upper: [1.62, 0.04]}}' \
     --set 'bodies.driven.shape={box: {lower: [0.7, 0], upper: [1.507, 0.04]}}'
 near "$(mean offset/history.csv first_pressure 1.75e-3)" 701247 0.01
+
+# The same on a line, the wall on a node and within a cell.
+for wall in 1.5 1.507; do
+    expect 0 "$FLOE" run "$tube" "${line[@]/#/--set=}" -o line --quiet --set "bodies.wall.shape.box.lower=$wall" \
+        --set "bodies.driven.shape.box.upper=$wall" --set 'output.probes={first: 1.49, second: 1.47}'
+    [ "$(json line/summary.json interface)" = 'auto: sharp' ] || fault 'a line is not sharp'
+    near "$(mean line/history.csv first_pressure 1.75e-3)" 701247 0.01
+    near "$(mean line/history.csv second_pressure 1.75e-3)" 701247 0.01
+done
 
 # E2: what the charge brings is in the box, and beside its walls: (E0 - kinetic - work) (gamma - 1)/V.
 expect 0 "$FLOE" run "$box" -o box --quiet

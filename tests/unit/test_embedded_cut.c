@@ -17,7 +17,7 @@ static void arc(cut_surface *c, context *ctx, int n, double radius, double from,
 {
     const bool closed = fabs(to - from) > 6.28;
     check_ok(ctx, cut_reserve(c, n, 1));
-    c->chain[0] = (cut_chain){0, n, closed};
+    c->chain[0] = (cut_chain){0, n, closed, 0};
     for (int k = 0; k < n; ++k) {
         const double angle = from + (to - from) * k / (closed ? n : n - 1);
         c->vertex[k] = (cut_vertex){{centre[0] + radius * cos(angle), centre[1] + radius * sin(angle)}, k};
@@ -133,7 +133,7 @@ static void test_on_the_mesh(void **unused)
     check_ok(ctx, cut_create(&c, ctx, &m));
     for (int kind = 0; kind < 3; ++kind) {
         check_ok(ctx, cut_reserve(&c, 9, 1));
-        c.chain[0] = (cut_chain){0, 9, false};
+        c.chain[0] = (cut_chain){0, 9, false, 0};
         for (int k = 0; k < 9; ++k) {
             const double y = 0.125 * k, wiggle = kind == 1 ? (k % 3 - 1) * 1e-16 : 0.0;
             c.vertex[k] = (cut_vertex){{kind == 2 ? 1.0 - y : 0.5 + wiggle, y}, k};
@@ -159,8 +159,8 @@ static void test_two_chains(void **unused)
     make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
     check_ok(ctx, cut_reserve(&c, 130, 2));
-    c.chain[0] = (cut_chain){0, 90, true};
-    c.chain[1] = (cut_chain){90, 40, false};
+    c.chain[0] = (cut_chain){0, 90, true, 0};
+    c.chain[1] = (cut_chain){90, 40, false, 0};
     for (int k = 0; k < 90; ++k) {
         const double angle = -2.0 * pi * k / 90.0;
         c.vertex[k] = (cut_vertex){{0.7 + 0.21 * cos(angle), 0.7 + 0.21 * sin(angle)}, k};
@@ -198,7 +198,7 @@ static void test_thin(void **unused)
             for (int start = 0; start < 12; start += 6) {
                 const double corner[4][2] = {{0.213, low[k]}, {0.213, high[k]}, {0.787, high[k]}, {0.787, low[k]}};
                 check_ok(ctx, cut_reserve(&c, 12, 1));
-                c.chain[0] = (cut_chain){0, 12, true};
+                c.chain[0] = (cut_chain){0, 12, true, 0};
                 for (int n = 0; n < 12; ++n) /* clockwise, three to a side; the last the other way: the gas is inside */
                     for (int a = 0; a < 2; ++a) {
                         const int at = (start + ((k == 2) != turned ? 11 - n : n)) % 12;
@@ -227,8 +227,8 @@ static void test_held_twice(void **unused)
             for (double size = 0.004; size < 0.05; size *= 3.0) {
                 const double at = outside ? 0.02 : 0.42;
                 check_ok(ctx, cut_reserve(&c, 8, 2));
-                c.chain[0] = (cut_chain){0, 4, true};
-                c.chain[1] = (cut_chain){4, 4, true};
+                c.chain[0] = (cut_chain){0, 4, true, 0};
+                c.chain[1] = (cut_chain){4, 4, true, 0};
                 for (int k = 0; k < 4; ++k)
                     for (int a = 0; a < 2; ++a) {
                         c.vertex[k].x[a] = 0.213 + 0.574 * corner[k][a];
@@ -257,7 +257,7 @@ static void test_refused(void **unused)
     check_fails(ctx, cut_find(&c), FLOE_BAD_INPUT);
     const double eight[4][2] = {{0.25, 0.25}, {0.75, 0.75}, {0.25, 0.75}, {0.75, 0.25}};
     check_ok(ctx, cut_reserve(&c, 4, 1));
-    c.chain[0] = (cut_chain){0, 4, true};
+    c.chain[0] = (cut_chain){0, 4, true, 0};
     for (int k = 0; k < 4; ++k) c.vertex[k] = (cut_vertex){{eight[k][0], eight[k][1]}, k};
     check_fails(ctx, cut_find(&c), FLOE_RETRY);
     cut_destroy(&c);

@@ -117,9 +117,43 @@ static void test_wall(void **unused)
     context_destroy(&ctx);
 }
 
+/* On a line: two points a body, by which side of them it lies; of one that reaches a side of the mesh, where it does. */
+static void test_line(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    static const struct {
+        double lower, upper;
+        int n, into[2];
+        double x[2];
+    } bodies[] = {{0.23, 0.61, 2, {1, -1}, {0.23, 0.61}}, {0.3, 0.6, 2, {1, -1}, {0.3, 0.6}},
+                  {0.0, 0.41, 2, {0, -1}, {0.0, 0.41}},   {-0.2, 0.41, 2, {0, -1}, {0.0, 0.41}},
+                  {0.37, 1.0, 2, {1, 0}, {0.37, 1.0}},    {0.0, 1.0, 2, {0, 0}, {0.0, 1.0}},
+                  {1.2, 1.4, 0, {0, 0}, {0.0, 0.0}}};
+    for (size_t k = 0; k < sizeof bodies / sizeof *bodies; k++) {
+        double par[6] = {bodies[k].lower, 0.0, 0.0, bodies[k].upper, 0.0, 0.0};
+        const shape s = shape_of("box", par);
+        const seed_spec grid = {.dim = 1, .h = {0.1, 1.0, 1.0}, .n = {10, 1, 1}};
+        outline o;
+        check_ok(ctx, outline_trace(&o, ctx, &s, &grid, 4));
+        assert_int_equal(o.n_chains, bodies[k].n);
+        for (size_t c = 0; c < o.n_chains; c++) {
+            bool found = false;
+            for (int e = 0; e < 2; e++)
+                found = found || (fabs(o.x[o.chain[c].first][0] - bodies[k].x[e]) < 2e-10 &&
+                                  o.chain[c].into == bodies[k].into[e]);
+            assert_true(found);
+            assert_int_equal(o.chain[c].n, 1);
+        }
+        done(ctx, &o);
+    }
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_ball), cmocka_unit_test(test_ring),
-                                       cmocka_unit_test(test_box), cmocka_unit_test(test_wall)};
+                                       cmocka_unit_test(test_box), cmocka_unit_test(test_wall),
+                                       cmocka_unit_test(test_line)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

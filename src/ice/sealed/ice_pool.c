@@ -61,7 +61,7 @@ static double least_outside(const ice *s, int place, const int cell[2])
 {
     const int nobody = -1;
     double least = ice_open_cell(s, nobody, place, cell);
-    for (int f = 0; f < 4; ++f) least = fmin(least, ice_open_face(s, nobody, place, cell, f / 2, f % 2));
+    for (int f = 0; f < 2 * s->mesh->dim; ++f) least = fmin(least, ice_open_face(s, nobody, place, cell, f / 2, f % 2));
     return least;
 }
 
@@ -121,7 +121,7 @@ static floe_status add_member(ice *s, int gas, int place, ice_pools *p, const in
     const block *b = &m->block[k->block];
     k->at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
     k->open = room_of(s, gas, place, cell);
-    for (int f = 0; f < 4; ++f) k->face[f / 2][f % 2] = ice_mean_face(s, gas, cell, f / 2, f % 2);
+    for (int f = 0; f < 2 * m->dim; ++f) k->face[f / 2][f % 2] = ice_mean_face(s, gas, cell, f / 2, f % 2);
     *number = p->n++;
     return FLOE_OK;
 }
@@ -136,7 +136,7 @@ static bool inside(const mesh *m, const int cell[2])
 static bool find_neighbour(const ice *s, int gas, int place, int through, const ice_member *k, int out[2])
 {
     double best = 0.0;
-    for (int f = 0; f < 4; ++f) {
+    for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         int cell[2] = {k->cell[0], k->cell[1]};
         cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
         if (!inside(s->mesh, cell)) continue;
@@ -282,7 +282,7 @@ static void find_lines(ice *s)
 floe_status ice_seal_create(ice *s)
 {
     find_lines(s);
-    if (s->mesh->dim != 2 || s->n_materials > s->seal.n_lines + 1)
+    if (s->mesh->dim > 2 || s->n_materials > s->seal.n_lines + 1)
         return fail_key(
             s->ctx, KEY("bodies"),
             "membranes hold gas in two dimensions: each has one inside, and one gas or none is outside all");

@@ -79,7 +79,9 @@ static double at_middle(const cut_piece *q, const double *vertex, int a)
 static double along_area(const piece_walk *w, const double *vertex)
 {
     const cut_piece *q = w->piece;
-    return w->outward * (q->area[0] * at_middle(q, vertex, 0) + q->area[1] * at_middle(q, vertex, 1));
+    double sum = 0.0;
+    for (int a = 0; a < w->s->mesh->dim; ++a) sum += q->area[a] * at_middle(q, vertex, a);
+    return w->outward * sum;
 }
 
 /* Force (N) of the gas in hand on a piece: its pressure, and its drag. */
@@ -90,7 +92,7 @@ static void force_on(const piece_walk *w, double force[2])
     const ptrdiff_t at = w->member->at;
     const ice_view *v = view_of(s, w->member);
     const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->finest * hypot(q->area[0], q->area[1]);
-    for (int a = 0; a < 2; ++a)
+    for (int a = 0; a < s->mesh->dim; ++a)
         force[a] = w->outward * v->P[at] * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
 }
 
@@ -108,7 +110,7 @@ static void add_fluxes(const ice *s, ice_pools *p)
         const ice_view *v = view_of(s, m);
         double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
         sum[POOL_VOLUME] += m->open * mesh_cell_volume(s->mesh, m->cell[0]);
-        for (int f = 0; f < 4; ++f) {
+        for (int f = 0; f < 2 * s->mesh->dim; ++f) {
             const int axis = f / 2, side = f % 2;
             const double out = side == SIDE_UPPER ? 1.0 : -1.0;
             sum[POOL_FLUX] +=
@@ -142,7 +144,7 @@ static void add_faces(const ice *s, const ice_member *m, double *sum)
 {
     const ice_view *v = view_of(s, m);
     const double P = v->P[m->at];
-    for (int f = 0; f < 4; ++f) {
+    for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         const int axis = f / 2, side = f % 2;
         const ptrdiff_t at = face_of(v, m, axis, side);
         const double area = (side == SIDE_UPPER ? s->dt : -s->dt) * area_of(s, m, axis, side);
@@ -151,7 +153,7 @@ static void add_faces(const ice *s, const ice_member *m, double *sum)
         if (!s->viscous || !(m->face[axis][side] > 0.0)) continue;
         const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
         const face_diffusion t = ice_sealed_stress(s, v, axis, at, i);
-        for (int a = 0; a < 2; ++a) sum[POOL_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
+        for (int a = 0; a < s->mesh->dim; ++a) sum[POOL_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
         sum[POOL_WORK] += area * m->face[axis][side] * t.power;
     }
     if (s->viscous && m->open > 0.0)
@@ -188,10 +190,10 @@ static void note_surroundings(const ice *s)
     double impulse[2] = {0.0, 0.0}, work = 0.0;
     if (beyond == 0.0) return;
     for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
-        for (int a = 0; a < 2; ++a) impulse[a] -= w.weight * s->dt * beyond * w.piece->area[a];
+        for (int a = 0; a < s->mesh->dim; ++a) impulse[a] -= w.weight * s->dt * beyond * w.piece->area[a];
         work -= w.weight * beyond * along_area(&w, w.line->path);
     }
-    for (int a = radial; a < 2; ++a)
+    for (int a = radial; a < s->mesh->dim; ++a)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, impulse[a]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, work);
 }
@@ -208,7 +210,7 @@ static void add_sources(const ice *s, ice_pools *p)
         const ice_member *m = w.member;
         double *sum = p->sum + (size_t)m->pool * POOL_SUMS, force[2];
         force_on(&w, force);
-        for (int a = 0; a < 2; ++a) {
+        for (int a = 0; a < s->mesh->dim; ++a) {
             const double drag = force[a] - w.outward * view_of(s, m)->P[m->at] * w.piece->area[a];
             sum[POOL_MOMENTUM + a] -= w.weight * s->dt * drag;
             sum[POOL_WORK] -= w.weight * force[a] * at_middle(w.piece, w.line->path, a);
@@ -229,10 +231,11 @@ static pool_state advance(const ice *s, const ice_pools *p, int pool)
     const ice_view *v = view_of(s, lead);
     const ice_arrays *m = &v->m[0];
     const double *sum = p->sum + (size_t)pool * POOL_SUMS, mass = sum[POOL_MASS], floor = s->work->energy_floor[s->gas];
-    pool_state out = {{m->u[0][lead->at], m->u[1][lead->at]}, m->e[lead->at]};
+    pool_state out = {.e = m->e[lead->at]};
+    for (int a = 0; a < s->mesh->dim; ++a) out.u[a] = m->u[a][lead->at];
     if (!(mass > 0.0)) return out;
     double gain = 0.0, kinetic = 0.0;
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < s->mesh->dim; ++a) {
         const double du = sum[POOL_MOMENTUM + a] / mass, u = out.u[a];
         out.u[a] += du;
         gain += du * 0.5 * (u + out.u[a]);
@@ -263,7 +266,7 @@ static void still_elsewhere(const ice *s)
             const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
             for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
                 if (m->open[at] > 0.0) continue;
-                for (int a = 0; a < 2; ++a) m->ul[a][at] = m->u[a][at];
+                for (int a = 0; a < s->mesh->dim; ++a) m->ul[a][at] = m->u[a][at];
                 m->el[at] = m->e[at];
             }
         }
@@ -281,14 +284,14 @@ void ice_pool_sources(const ice *s)
     for (int pool = 0; pool < p->count; ++pool) {
         const pool_state now = advance(s, p, pool);
         double *sum = p->sum + (size_t)pool * POOL_SUMS;
-        for (int a = 0; a < 2; ++a) sum[POOL_MOMENTUM + a] = now.u[a];
+        for (int a = 0; a < s->mesh->dim; ++a) sum[POOL_MOMENTUM + a] = now.u[a];
         sum[POOL_WORK] = now.e;
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
         const ice_arrays *to = &view_of(s, m)->m[0];
         const double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
-        for (int a = 0; a < 2; ++a) to->ul[a][m->at] = sum[POOL_MOMENTUM + a];
+        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[POOL_MOMENTUM + a];
         to->el[m->at] = sum[POOL_WORK];
     }
 }
@@ -297,7 +300,7 @@ void ice_pool_sources(const ice *s)
 static void push_vertices(const piece_walk *w, const double force[2])
 {
     const cut_piece *q = w->piece;
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < w->s->mesh->dim; ++a) {
         w->line->force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
         w->line->force[2 * q->vertex[1] + a] += force[a] * q->share;
     }
@@ -313,7 +316,7 @@ floe_status ice_sealed_load(ice *s)
         for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
             double force[2];
             force_on(&w, force);
-            for (int a = 0; a < 2; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
+            for (int a = 0; a < s->mesh->dim; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
             push_vertices(&w, force);
         }
     }

@@ -33,7 +33,7 @@ static void mark_open(const ice *s)
                 if (m->open[at] > 0.0) continue;
                 m->rho[at] = rest->density;
                 m->e[at] = rest->energy;
-                m->u[0][at] = m->u[1][at] = 0.0;
+                for (int a = 0; a < s->mesh->dim; ++a) m->u[a][at] = 0.0;
             }
     }
 }
@@ -51,19 +51,20 @@ static void lend(const ice_view *v, ptrdiff_t at, double least)
 {
     const ice_arrays *m = &v->m[0];
     double n = 0.0, rho = 0.0, e = 0.0, u[2] = {0.0, 0.0};
-    for (int j = -1; j <= 1; ++j)
+    const int reach = v->b->dim > 1; /* along axis 1 */
+    for (int j = -reach; j <= reach; ++j)
         for (int i = -1; i <= 1; ++i) {
             const ptrdiff_t from = at + i * v->b->stride[0] + j * v->b->stride[1];
             if (!(v->shock[from] >= least)) continue;
             n += 1.0;
             rho += m->rho[from];
             e += m->e[from];
-            for (int a = 0; a < 2; ++a) u[a] += m->u[a][from];
+            for (int a = 0; a < v->b->dim; ++a) u[a] += m->u[a][from];
         }
     if (n == 0.0) return;
     m->rho[at] = rho / n;
     m->e[at] = e / n;
-    for (int a = 0; a < 2; ++a) m->u[a][at] = u[a] / n;
+    for (int a = 0; a < v->b->dim; ++a) m->u[a][at] = u[a] / n;
     v->shock[at] = 0.5 * least;
 }
 
@@ -146,7 +147,7 @@ static floe_status narrow_faces(ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const ice_view *v = &s->work->sealing->view[id];
-        for (int axis = 0; axis < 2; ++axis)
+        for (int axis = 0; axis < s->mesh->dim; ++axis)
 #pragma omp parallel for schedule(static)
             for (int j = 0; j < v->b->n[1] + (axis == 1); ++j)
                 for (int i = 0; i < v->b->n[0] + (axis == 0); ++i)
@@ -181,7 +182,7 @@ static void add_contents(const ice *s, const ice_member *k, double *sum)
     const double volume = mesh_cell_volume(s->mesh, k->cell[0]);
     const double gone = (1.0 - m->open[at]) * m->rho[at] * volume, left = m->rho1[at] * volume;
     double old = m->el[at], now = m->e1[at];
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < s->mesh->dim; ++a) {
         old += 0.5 * m->ul[a][at] * m->ul[a][at];
         now += 0.5 * m->u1[a][at] * m->u1[a][at];
         sum[POOL_MOMENTUM + a] += left * m->u1[a][at] - gone * m->ul[a][at];
@@ -202,7 +203,8 @@ static void empty_elsewhere(const ice *s)
                 const ptrdiff_t at = mesh_index(v->b, i, j, 0);
                 m->open1[at] = ice_open_cell(s, s->gas, SEAL_NEXT, (const int[]){v->b->lo[0] + i, v->b->lo[1] + j});
                 if (m->open1[at] > 0.0) continue;
-                m->rho1[at] = m->e1[at] = m->u1[0][at] = m->u1[1][at] = 0.0;
+                m->rho1[at] = m->e1[at] = 0.0;
+                for (int a = 0; a < s->mesh->dim; ++a) m->u1[a][at] = 0.0;
             }
     }
 }
@@ -233,10 +235,10 @@ static bool is_void(const ice *s, const ice_pools *p, int pool, bool next)
            fabs(sum[POOL_MASS]) <= trace * s->work->sealing->rest[s->gas].density * sum[POOL_VOLUME];
 }
 
-static void empty(const ice_arrays *m, ptrdiff_t at, bool next)
+static void empty(const ice_arrays *m, int dim, ptrdiff_t at, bool next)
 {
     (next ? m->open1 : m->open)[at] = (next ? m->rho1 : m->rho)[at] = (next ? m->e1 : m->e)[at] = 0.0;
-    for (int a = 0; a < 2; ++a) (next ? m->u1 : m->u)[a][at] = 0.0;
+    for (int a = 0; a < dim; ++a) (next ? m->u1 : m->u)[a][at] = 0.0;
 }
 
 /* One density, velocity and energy for the members of each pool. */
@@ -249,7 +251,7 @@ static floe_status share_out(ice *s, const ice_pools *p, bool next)
             sum[POOL_VOLUME] = 0.0;
             continue;
         }
-        for (int a = 0; a < 2; ++a) {
+        for (int a = 0; a < s->mesh->dim; ++a) {
             sum[POOL_MOMENTUM + a] /= sum[POOL_MASS];
             square += sum[POOL_MOMENTUM + a] * sum[POOL_MOMENTUM + a];
         }
@@ -266,12 +268,12 @@ static floe_status share_out(ice *s, const ice_pools *p, bool next)
         const double *sum = p->sum + (size_t)member->pool * POOL_SUMS;
         if (!(member->open > 0.0)) continue;
         if (sum[POOL_VOLUME] == 0.0) {
-            empty(m, member->at, next);
+            empty(m, s->mesh->dim, member->at, next);
             continue;
         }
         (next ? m->rho1 : m->rho)[member->at] = sum[POOL_MASS];
         (next ? m->e1 : m->e)[member->at] = sum[POOL_WORK];
-        for (int a = 0; a < 2; ++a) (next ? m->u1 : m->u)[a][member->at] = sum[POOL_MOMENTUM + a];
+        for (int a = 0; a < s->mesh->dim; ++a) (next ? m->u1 : m->u)[a][member->at] = sum[POOL_MOMENTUM + a];
     }
     return FLOE_OK;
 }
@@ -303,7 +305,7 @@ static void add_first_contents(const ice *s, const ice_member *k, double *sum)
     const double volume = k->open * mesh_cell_volume(s->mesh, k->cell[0]), mass = volume * m->rho[at];
     double e = m->e[at];
     if (!(mass > 0.0)) return; /* a sliver between the line and the body's shape: the pool fills it */
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < s->mesh->dim; ++a) {
         sum[POOL_MOMENTUM + a] += mass * m->u[a][at];
         e += 0.5 * m->u[a][at] * m->u[a][at];
     }

@@ -21,6 +21,15 @@ static bool end_on_mirror(const membrane_line *line, bool last, cut_vertex *out)
     return true;
 }
 
+static floe_status has_left(const mpm *s, int end)
+{
+    const body_skin *k = &s->work->skin;
+    return fail(s->ctx, FLOE_DIVERGED,
+                "a solid has left the side of the domain at (%g, %g) by a cell, and a sharp interface lets no gas "
+                "between them: leave a whole cell between them at the start, or say symmetry where it is meant to stay",
+                k->next[end].x[0], k->next[end].x[1]);
+}
+
 /* The end of a chain stays on the side of the mesh where it begins. A body that leaves the side draws the chain out
  * behind it, and the gas that would come between them has nowhere to come from. */
 static floe_status check_end(const mpm *s, int end, int neighbour)
@@ -28,15 +37,32 @@ static floe_status check_end(const mpm *s, int end, int neighbour)
     const body_skin *k = &s->work->skin;
     const int axis = k->pin[end];
     if (axis < 0 || fabs(k->next[neighbour].x[axis] - k->next[end].x[axis]) < s->mesh->h[axis]) return FLOE_OK;
-    return fail(s->ctx, FLOE_DIVERGED,
-                "a solid has left the side of the domain at (%g, %g) by a cell, and a sharp interface lets no gas "
-                "between them: leave a whole cell between them at the start, or say symmetry where it is meant to stay",
-                k->next[end].x[0], k->next[end].x[1]);
+    return has_left(s, end);
+}
+
+static bool is_wall(bc_kind kind)
+{
+    return kind == BC_SYMMETRY || kind == BC_SLIP || kind == BC_NO_SLIP;
+}
+
+/* The same on a line, of the points of bodies that reached a wall at the start: one to two cells from it they have left. */
+static floe_status check_points(const mpm *s)
+{
+    const body_skin *k = &s->work->skin;
+    for (int c = 0; c < k->n_chains; ++c) {
+        const double x = k->next[k->chain[c].first].x[0], h = s->mesh->h[0];
+        const double gap[2] = {x - s->mesh->lower[0], s->mesh->upper[0] - x};
+        for (int side = 0; side < 2 && k->chain[c].outward == 0; ++side)
+            if (gap[side] >= h && gap[side] < 2.0 * h && is_wall(s->scene->bc.side[0][side].kind))
+                return has_left(s, k->chain[c].first);
+    }
+    return FLOE_OK;
 }
 
 static floe_status check_ends(const mpm *s)
 {
     const body_skin *k = &s->work->skin;
+    if (s->mesh->dim == 1) return check_points(s);
     for (int c = 0; c < k->n_chains; ++c) {
         const int first = k->chain[c].first, last = first + k->chain[c].n - 1;
         if (k->chain[c].closed) continue;
@@ -77,7 +103,7 @@ floe_status mpm_outline(mpm *s, int body, bool next, cut_surface *out)
     }
     n += !line->closed && end_on_mirror(line, true, &out->vertex[n]);
     out->n_vertices = n;
-    out->chain[0] = (cut_chain){0, n, line->closed};
+    out->chain[0] = (cut_chain){.n = n, .closed = line->closed};
     return FLOE_OK;
 }
 

@@ -53,7 +53,8 @@ static floe_status add_outline(mpm *s, const mpm_body *b, const outline *o)
     for (size_t c = 0; c < o->n_chains; ++c) {
         const outline_chain *from = &o->chain[c];
         const size_t at = first + from->first, last = at + from->n - 1;
-        k->chain[k->n_chains++] = (cut_chain){(int)at, (int)from->n, from->closed};
+        k->chain[k->n_chains++] = (cut_chain){(int)at, (int)from->n, from->closed, from->into};
+        if (s->mesh->dim == 1) continue;
         if (from->closed) continue;
         k->pin[at] = side_under(s->mesh, k->now[at].x);
         k->pin[last] = side_under(s->mesh, k->now[last].x);
@@ -76,7 +77,7 @@ static floe_status lay_chains(const outline *o, cut_surface *out)
         out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1]}, vertices + (int)k};
     for (size_t c = 0; c < o->n_chains; ++c)
         out->chain[chains + (int)c] =
-            (cut_chain){vertices + (int)o->chain[c].first, (int)o->chain[c].n, o->chain[c].closed};
+            (cut_chain){vertices + (int)o->chain[c].first, (int)o->chain[c].n, o->chain[c].closed, o->chain[c].into};
     return FLOE_OK;
 }
 

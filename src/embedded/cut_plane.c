@@ -1,0 +1,120 @@
+/* Lines in the plane, cell by cell. */
+#include "embedded/cut_internal.h"
+
+#include <math.h>
+
+static floe_status add_piece(cut_surface *c, const int cell[2], const int vertex[2], const double from[2],
+                             const double to[2], double share)
+{
+    const double radius = c->mesh->geometry == MESH_AXISYMMETRIC ? 0.5 * (from[0] + to[0]) : 1.0;
+    const cut_piece piece = {.vertex = {vertex[0], vertex[1]},
+                             .share = share,
+                             .area = {radius * (to[1] - from[1]), -radius * (to[0] - from[0])}};
+    /* Green's theorem: the piece's part of the held volume, right of the cell's lower side. */
+    const double left = cut_weight_to(c->mesh, mesh_node(c->mesh, 0, cell[0])), middle = 0.5 * (from[0] + to[0]);
+    const double mean =
+        (cut_weight_to(c->mesh, from[0]) + 4.0 * cut_weight_to(c->mesh, middle) + cut_weight_to(c->mesh, to[0])) / 6.0;
+    return cut_add_piece(c, cell, &piece, (mean - left) * (to[1] - from[1]));
+}
+
+/* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Held
+ * is what lies on its left: of a face across axis 0 the part above x, of one across axis 1 the part below. */
+static void pass(cut_surface *c, int at, int axis, int side, const double x[2], int direction)
+{
+    const mesh *m = c->mesh;
+    cut_cell *k = &c->cell[at];
+    k->jump[axis][side] += direction;
+    if (axis == 0) {
+        k->face[0][side] += direction * (mesh_node(m, 1, k->cell[1] + 1) - x[1]);
+    } else {
+        k->face[1][side] -= direction * (cut_weight_to(m, mesh_node(m, 0, k->cell[0] + 1)) - cut_weight_to(m, x[0]));
+    }
+}
+
+static void cell_of(const mesh *m, const double x[2], int cell[2])
+{
+    for (int a = 0; a < 2; ++a) {
+        const int i = mesh_cell_of(m, a, x[a]);
+        cell[a] = i < 0 ? 0 : i >= m->n[a] ? m->n[a] - 1 : i;
+    }
+}
+
+/* Share of the way from a to b at which the side of a cell towards b lies. */
+static double way_to(const mesh *m, const double a[2], const double b[2], int axis, int node)
+{
+    const double t = (mesh_node(m, axis, node) - a[axis]) / (b[axis] - a[axis]);
+    return t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+}
+
+/* Kept on the sides of a cell, so that passages lie on their faces whatever round-off does. */
+static double within(const mesh *m, int axis, int cell, double x)
+{
+    return fmin(fmax(x, mesh_node(m, axis, cell)), mesh_node(m, axis, cell + 1));
+}
+
+/* From one vertex to the next, cell by cell. */
+static floe_status walk(cut_surface *c, const int vertex[2])
+{
+    const mesh *m = c->mesh;
+    const double *a = c->vertex[vertex[0]].x, *b = c->vertex[vertex[1]].x;
+    int cell[2], last[2];
+    double from[2] = {a[0], a[1]}, before = 0.0;
+    cell_of(m, a, cell);
+    cell_of(m, b, last);
+    while (cell[0] != last[0] || cell[1] != last[1]) {
+        double t = INFINITY;
+        int axis = 0;
+        for (int k = 0; k < 2; ++k) {
+            if (cell[k] == last[k]) continue;
+            const double to = way_to(m, a, b, k, last[k] > cell[k] ? cell[k] + 1 : cell[k]);
+            if (!(to < t)) continue;
+            t = to;
+            axis = k;
+        }
+        const int step = last[axis] > cell[axis] ? 1 : -1, other = 1 - axis;
+        double x[2];
+        x[axis] = mesh_node(m, axis, step > 0 ? cell[axis] + 1 : cell[axis]);
+        x[other] = within(m, other, cell[other], a[other] + t * (b[other] - a[other]));
+        TRY(add_piece(c, cell, vertex, from, x, 0.5 * (before + t)));
+        int at;
+        TRY(cut_touch(c, cell, &at));
+        pass(c, at, axis, step > 0 ? SIDE_UPPER : SIDE_LOWER, x, step);
+        cell[axis] += step;
+        TRY(cut_touch(c, cell, &at));
+        pass(c, at, axis, step > 0 ? SIDE_LOWER : SIDE_UPPER, x, step);
+        from[0] = x[0];
+        from[1] = x[1];
+        before = t;
+    }
+    return add_piece(c, cell, vertex, from, b, 0.5 * (before + 1.0));
+}
+
+/* An end of an open line passes through the side of the mesh on which it lies; inward at the first vertex. */
+static floe_status pass_side(cut_surface *c, int vertex, int inward)
+{
+    const mesh *m = c->mesh;
+    const double *x = c->vertex[vertex].x;
+    int cell[2], at;
+    cell_of(m, x, cell);
+    TRY(cut_touch(c, cell, &at));
+    for (int axis = 0; axis < 2; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            if (x[axis] != (side == SIDE_LOWER ? m->lower[axis] : m->upper[axis])) continue;
+            pass(c, at, axis, side, x, side == SIDE_LOWER ? inward : -inward);
+            return FLOE_OK;
+        }
+    return fail(
+        c->ctx, FLOE_BAD_INPUT,
+        "a line that holds gas back ends at (%g, %g), inside the domain: let it end on a symmetry or slip side, or "
+        "close it",
+        x[0], x[1]);
+}
+
+floe_status cut_walk(cut_surface *c, const cut_chain *chain)
+{
+    const int last = chain->first + chain->n - 1;
+    for (int k = chain->first; k < last; ++k) TRY(walk(c, (const int[]){k, k + 1}));
+    if (chain->closed) return walk(c, (const int[]){last, chain->first});
+    TRY(pass_side(c, chain->first, 1));
+    return pass_side(c, last, -1);
+}
