@@ -2,7 +2,7 @@
 #ifndef REPORT_RUN_SECTION_H
 #define REPORT_RUN_SECTION_H
 
-#include "report/csv.h"
+#include "io/csv.h"
 #include "report/page.h"
 
 /* What the sections of one run share. */

@@ -3,6 +3,7 @@
 #ifndef RUN_MEASURE_H
 #define RUN_MEASURE_H
 
+#include "io/csv.h"
 #include "io/summary.h"
 #include "run/samples.h"
 
@@ -18,7 +19,7 @@ floe_status measure_history_check(const sim *s);
 /* Adds the scene's metrics of histories, measured on all rows of the history at `path`, to the summary's errors. */
 floe_status measure_history(sim *s, const char *path, run_summary *r);
 /* The same, of a history in memory. */
-floe_status measure_history_text(sim *s, const char *text, run_summary *r);
+floe_status measure_history_rows(sim *s, const csv_table *rows, run_summary *r);
 
 /* DIR/profile.csv, the run beside its exact solution: in one dimension every quantity of verify.metrics along x; in
  * more, where the solution has a radial stress, the stresses of the row of points nearest the x axis through its

@@ -1,58 +1,12 @@
 /* Columns of history.csv against the scene's reference. The file is read back, so that the rows of earlier legs count
  * too. */
 #include "base/memory.h"
-#include "io/file.h"
 #include "io/history_columns.h"
 #include "run/measure.h"
 #include "verify/history_metric.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-/* The end of the cell that begins at `at`: its comma, newline or NUL. Quoted cells have no quotes inside. */
-static const char *cell_end(const char *at)
-{
-    if (*at == '"') {
-        const char *close = strchr(at + 1, '"');
-        if (close) at = close + 1;
-    }
-    return at + strcspn(at, ",\n");
-}
-
-/* Number of the column called `name`, with or without " (unit)", in the line of names; -1 if there is none. */
-static int find_column(const char *line, const char *name)
-{
-    const size_t length = strlen(name);
-    for (int column = 0;; column++) {
-        const char *end = cell_end(line);
-        if ((size_t)(end - line) >= length && strncmp(line, name, length) == 0 &&
-            (line + length == end || strncmp(line + length, " (", 2) == 0)) {
-            return column;
-        }
-        if (*end != ',') return -1;
-        line = end + 1;
-    }
-}
-
-static double cell_number(const char *line, int column)
-{
-    for (; column > 0; column--) {
-        const char *end = cell_end(line);
-        if (*end != ',') return NAN;
-        line = end + 1;
-    }
-    char *end;
-    const double x = strtod(line, &end);
-    return end == line ? (double)NAN : x;
-}
-
-/* The next line, NULL at the end. */
-static const char *next_line(const char *line)
-{
-    const char *end = strchr(line, '\n');
-    return end && end[1] ? end + 1 : NULL;
-}
 
 floe_status measure_history_check(const sim *s)
 {
@@ -62,7 +16,7 @@ floe_status measure_history_check(const sim *s)
     strbuf_init(&names, s->ctx);
     floe_status status = history_names(s, &names);
     for (int i = 0; i < v->n_columns && status == FLOE_OK; i++) {
-        if (find_column(strbuf_string(&names), v->column[i].name) >= 0) continue;
+        if (csv_names(strbuf_string(&names), v->column[i].name)) continue;
         status = fail_key(s->ctx, KEY("verify", "history", v->column[i].quantity),
                           "this scene's history.csv has no column '%s'; it has %s", v->column[i].name,
                           strbuf_string(&names));
@@ -84,18 +38,21 @@ static void free_table(context *ctx, history_table *h)
     memory_free(ctx, &h->expected);
 }
 
-static floe_status fill_table(sim *s, const char *text, history_table *h)
+static double value_in(const csv_column *column, size_t row)
+{
+    return column ? column->value[row] : (double)NAN;
+}
+
+static floe_status take_rows(sim *s, const csv_table *rows, history_table *h)
 {
     const scene_verify *v = &s->scene->verify;
-    for (const char *row = next_line(text); row; row = next_line(row)) h->n++;
+    h->n = rows->n_rows;
     TRY(memory_new(s->ctx, &h->time, h->n, sizeof *h->time));
     TRY(memory_new(s->ctx, &h->value, h->n * (size_t)v->n_columns, sizeof *h->value));
-    size_t i = 0;
-    for (const char *row = next_line(text); row; row = next_line(row), i++) {
-        h->time[i] = cell_number(row, find_column(text, "time"));
-        for (int c = 0; c < v->n_columns; c++) {
-            h->value[(size_t)c * h->n + i] = cell_number(row, find_column(text, v->column[c].name));
-        }
+    for (size_t i = 0; i < h->n; i++) h->time[i] = value_in(csv_find(rows, "time"), i);
+    for (int c = 0; c < v->n_columns; c++) {
+        const csv_column *column = csv_find(rows, v->column[c].name);
+        for (size_t i = 0; i < h->n; i++) h->value[(size_t)c * h->n + i] = value_in(column, i);
     }
     return FLOE_OK;
 }
@@ -137,11 +94,11 @@ static floe_status add_errors(sim *s, const history_table *h, run_summary *r)
     return FLOE_OK;
 }
 
-floe_status measure_history_text(sim *s, const char *text, run_summary *r)
+floe_status measure_history_rows(sim *s, const csv_table *rows, run_summary *r)
 {
     history_table h = {0};
     if (s->scene->verify.n_columns == 0) return FLOE_OK;
-    floe_status status = fill_table(s, text, &h);
+    floe_status status = take_rows(s, rows, &h);
     if (status == FLOE_OK) status = expect(s, &h);
     if (status == FLOE_OK) status = add_errors(s, &h, r);
     free_table(s->ctx, &h);
@@ -150,10 +107,10 @@ floe_status measure_history_text(sim *s, const char *text, run_summary *r)
 
 floe_status measure_history(sim *s, const char *path, run_summary *r)
 {
-    char *text;
+    csv_table rows;
     if (s->scene->verify.n_columns == 0) return FLOE_OK;
-    TRY(file_read(s->ctx, path, &text, NULL));
-    const floe_status status = measure_history_text(s, text, r);
-    memory_free(s->ctx, &text);
+    floe_status status = csv_read(&rows, s->ctx, path);
+    if (status == FLOE_OK) status = measure_history_rows(s, &rows, r);
+    csv_free(&rows);
     return status;
 }

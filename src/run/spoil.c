@@ -153,7 +153,7 @@ static bool begins(const char *text, const char *with)
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-static column_kind kind_of(const char *name, size_t length)
+static column_kind kind_of(const char *name)
 {
     static const char *const kept[] = {"time",           "steps",   "rejected_steps", "dt",      "mass", "drift_",
                                        "largest_drift_", "ledger_", "gas_in_solids",  "outside_"};
@@ -165,8 +165,7 @@ static column_kind kind_of(const char *name, size_t length)
         if (begins(name, square[i])) return COLUMN_SQUARE;
     for (size_t i = 0; i < sizeof velocity / sizeof velocity[0]; i++)
         if (begins(name, velocity[i])) return COLUMN_VELOCITY;
-    const char *probe = strstr(name, "_velocity_");
-    return probe && (size_t)(probe - name) < length ? COLUMN_VELOCITY : COLUMN_ABOUT_START;
+    return strstr(name, "_velocity_") ? COLUMN_VELOCITY : COLUMN_ABOUT_START;
 }
 
 static double spoil_value(column_kind column, spoiler kind, double first, double value)
@@ -177,44 +176,19 @@ static double spoil_value(column_kind column, spoiler kind, double first, double
     return table[kind].velocity * table[kind].velocity * value;
 }
 
-/* Past the cell, whose quotes have none inside. */
-static const char *skip_cell(const char *at)
+void spoil_history(csv_table *rows, spoiler kind)
 {
-    const char *close = *at == '"' ? strchr(at + 1, '"') : NULL;
-    return (close ? close + 1 : at) + strcspn(close ? close + 1 : at, ",\n");
-}
-
-static void spoil_row(const char *names, const char *first, const char *row, spoiler kind, strbuf *out)
-{
-    for (;;) {
-        const char *name_end = skip_cell(names), *first_end = skip_cell(first), *end = skip_cell(row);
-        const column_kind column = kind_of(names, (size_t)(name_end - names));
-        if (*row == '"' || column == COLUMN_KEPT)
-            strbuf_append(out, "%.*s", (int)(end - row), row);
-        else
-            strbuf_append(out, "%.17g", spoil_value(column, kind, strtod(first, NULL), strtod(row, NULL)));
-        if (*end != ',' || *name_end != ',' || *first_end != ',') break;
-        strbuf_append(out, ",");
-        names = name_end + 1;
-        first = first_end + 1;
-        row = end + 1;
+    for (size_t k = 0; k < rows->n_columns; k++) {
+        csv_column *column = &rows->column[k];
+        const column_kind of = kind_of(column->name);
+        for (size_t row = rows->n_rows; row-- > 0;)
+            column->value[row] = spoil_value(of, kind, column->value[0], column->value[row]);
     }
-    strbuf_append(out, "\n");
 }
 
-floe_status spoil_history(const char *csv, spoiler kind, strbuf *out)
-{
-    const char *row = strchr(csv, '\n');
-    if (!row) return FLOE_OK;
-    const char *first = row + 1;
-    strbuf_append(out, "%.*s", (int)(first - csv), csv);
-    for (; row && row[1]; row = strchr(row + 1, '\n')) spoil_row(csv, first, row + 1, kind, out);
-    return out->status;
-}
-
-floe_status spoil_measure(spoiled_run *r, spoiler kind, const char *csv, run_summary *out)
+floe_status spoil_measure(spoiled_run *r, spoiler kind, const csv_table *rows, run_summary *out)
 {
     TRY(mix(r, kind));
     TRY(measure_errors(r->end.sim, &r->end.solution, out));
-    return measure_history_text(r->end.sim, csv, out);
+    return measure_history_rows(r->end.sim, rows, out);
 }

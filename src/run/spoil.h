@@ -3,7 +3,7 @@
 #ifndef RUN_SPOIL_H
 #define RUN_SPOIL_H
 
-#include "base/strbuf.h"
+#include "io/csv.h"
 #include "io/summary.h"
 #include "run/output.h"
 #include "run/setup.h"
@@ -37,10 +37,10 @@ typedef struct spoiled_run {
 floe_status spoil_open(spoiled_run *r, scene *start, scene *end, const char *dir);
 void spoil_close(spoiled_run *r);
 
-/* Adds the errors of the spoiled state and of the history `csv`, which spoil_history gave, to *out. */
-floe_status spoil_measure(spoiled_run *r, spoiler kind, const char *csv, run_summary *out);
-/* The history as the spoiled run would have written it: energies of motion and strain go with the square, what counts and what is
+/* Adds the errors of the spoiled state and of its history, which spoil_history gave, to *out. */
+floe_status spoil_measure(spoiled_run *r, spoiler kind, const csv_table *rows, run_summary *out);
+/* Makes the values of a history those that the spoiled run would have written: energies of motion and strain go with the square, what counts and what is
  * kept (mass, drifts, ledger) stays. */
-floe_status spoil_history(const char *csv, spoiler kind, strbuf *out);
+void spoil_history(csv_table *rows, spoiler kind);
 
 #endif

@@ -37,56 +37,45 @@ const char *study_refusal_of(const study *s, const study_case *one)
 
 /* ---- what a check looks at ---- */
 
-static study_range range_of_column(const char *history, const char *name)
+static study_range range_of_column(const csv_table *history, const char *name)
 {
     study_range r = {INFINITY, -INFINITY};
-    const int column = study_find_column(history, name);
-    const char *row = strchr(history, '\n');
-    bool any = false;
-    for (; column >= 0 && row && row[1]; row = strchr(row + 1, '\n')) {
-        const double x = study_field(row + 1, column);
-        any = true;
+    const csv_column *column = csv_find(history, name);
+    for (size_t i = 0; column && i < history->n_rows; i++) {
+        const double x = column->value[i];
         if (!isfinite(x)) return (study_range){NAN, NAN};
         r = (study_range){fmin(r.least, x), fmax(r.most, x)};
     }
-    return any ? r : (study_range){NAN, NAN};
-}
-
-static double last_time(const char *history, int column)
-{
-    double t = NAN;
-    for (const char *row = strchr(history, '\n'); row && row[1]; row = strchr(row + 1, '\n'))
-        t = study_field(row + 1, column);
-    return t;
+    return column && history->n_rows > 0 ? r : (study_range){NAN, NAN};
 }
 
 /* Between two rows along the straight line. */
-static study_range column_at(const char *history, const char *name, double share)
+static study_range column_at(const csv_table *history, const char *name, double share)
 {
-    const int column = study_find_column(history, name), of_time = study_find_column(history, "time");
-    double before = NAN, t0 = NAN;
-    const double wanted = share * last_time(history, of_time);
-    for (const char *row = strchr(history, '\n'); column >= 0 && row && row[1]; row = strchr(row + 1, '\n')) {
-        const double t = study_field(row + 1, of_time), x = study_field(row + 1, column);
-        if (t >= wanted) {
-            const double value = t > wanted && isfinite(t0) ? before + (x - before) * (wanted - t0) / (t - t0) : x;
-            return (study_range){value, value};
-        }
-        t0 = t;
-        before = x;
+    const csv_column *column = csv_find(history, name), *time = csv_find(history, "time");
+    if (!column || !time || history->n_rows == 0) return (study_range){NAN, NAN};
+    const double wanted = share * time->value[history->n_rows - 1];
+    for (size_t i = 0; i < history->n_rows; i++) {
+        const double t = time->value[i], x = column->value[i];
+        if (!(t >= wanted)) continue;
+        const double t0 = i > 0 ? time->value[i - 1] : (double)NAN, before = i > 0 ? column->value[i - 1] : (double)NAN;
+        const double value = t > wanted && isfinite(t0) ? before + (x - before) * (wanted - t0) / (t - t0) : x;
+        return (study_range){value, value};
     }
     return (study_range){NAN, NAN};
 }
 
-study_range study_range_of(const scene_check *check, const run_summary *errors, const run_summary *run, const char *csv)
+study_range study_range_of(const scene_check *check, const run_summary *errors, const run_summary *run,
+                           const csv_table *history)
 {
     double x = error_of(errors, check->of);
     if (strcmp(check->of, "drift_mass") == 0) x = run->drift_mass;
     if (strcmp(check->of, "drift_momentum") == 0) x = run->drift_momentum;
     if (strcmp(check->of, "drift_energy") == 0) x = run->drift_energy;
     if (!isnan(x) && isnan(check->at)) return (study_range){x, x};
-    const study_range r = isnan(check->at) ? range_of_column(csv, check->of) : column_at(csv, check->of, check->at);
-    const double first = check->change ? column_at(csv, check->of, 0.0).least : 0.0;
+    const study_range r =
+        isnan(check->at) ? range_of_column(history, check->of) : column_at(history, check->of, check->at);
+    const double first = check->change ? column_at(history, check->of, 0.0).least : 0.0;
     return (study_range){r.least - first, r.most - first};
 }
 
@@ -111,7 +100,7 @@ static bool is_error(const scene_check *check, const run_summary *r)
 }
 
 /* Of a wrong case nothing is found. */
-static study_verdict verdict_of_done(const study *s, study_case *one, const char *history, study_range *found)
+static study_verdict verdict_of_done(const study *s, study_case *one, const csv_table *history, study_range *found)
 {
     const run_summary *r = &one->run->summary;
     bool asked = false;
@@ -131,7 +120,9 @@ static study_verdict verdict_of_done(const study *s, study_case *one, const char
 
 static study_verdict verdict_of(const study *s, study_case *one, study_range *found)
 {
-    char path[BATCH_PATH], *history;
+    char path[BATCH_PATH];
+    csv_table history;
+    study_verdict verdict = STUDY_WRONG;
     const batch_case *run = one->run;
     one->why[0] = '\0';
     if (run->state != BATCH_ENDED) return STUDY_UNJUDGED;
@@ -141,13 +132,13 @@ static study_verdict verdict_of(const study *s, study_case *one, study_range *fo
         return said && run->message[0] ? STUDY_REFUSED : STUDY_WRONG;
     }
     (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->dir, run->folder);
-    if (file_read(s->ctx, path, &history, NULL) != FLOE_OK) {
+    if (csv_read(&history, s->ctx, path) == FLOE_OK) {
+        verdict = verdict_of_done(s, one, &history, found);
+    } else {
         (void)snprintf(one->why, BATCH_MESSAGE, "its history.csv cannot be read");
         context_clear(s->ctx);
-        return STUDY_WRONG;
     }
-    const study_verdict verdict = verdict_of_done(s, one, history, found);
-    memory_free(s->ctx, &history);
+    csv_free(&history);
     return verdict;
 }
 

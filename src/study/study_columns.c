@@ -46,7 +46,7 @@ static bool is_column(const char *lines, const char *name)
 {
     for (const char *line = lines; line && *line; line = strchr(line, '\n')) {
         if (*line == '\n') line++;
-        if (study_find_column(line, name) >= 0) return true;
+        if (csv_names(line, name)) return true;
     }
     return false;
 }

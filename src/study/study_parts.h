@@ -2,6 +2,7 @@
 #ifndef STUDY_STUDY_PARTS_H
 #define STUDY_STUDY_PARTS_H
 
+#include "io/csv.h"
 #include "study/study.h"
 #include "verify/richardson.h"
 
@@ -27,10 +28,6 @@ bool study_is_disturbed(const study *s);
 floe_status study_check_columns(const study *s, strbuf *errors);
 
 /* study_values.c: what the cases have come to. */
-/* The number of the column `name` (whose title may have a unit behind it) in a line of names, from 0; -1 if there is none. */
-int study_find_column(const char *names, const char *name);
-/* The number in that column of a row; NAN if there is none. */
-double study_field(const char *row, int column);
 void study_take_values(study *s);
 bool study_is_done(const study_case *one);
 /* The error of a case that is done; NAN otherwise. */
@@ -85,7 +82,7 @@ void study_judge(study *s);
 bool study_has_verdicts(const study *s);
 /* What a check looks at: an error, a drift of the run, or a column of its history. */
 study_range study_range_of(const scene_check *check, const run_summary *errors, const run_summary *run,
-                           const char *history);
+                           const csv_table *history);
 /* False: why says what the case breaks. */
 bool study_keeps_to(const scene_check *check, study_range r, char why[BATCH_MESSAGE]);
 /* "right", "refused", "wrong", "". */

@@ -79,7 +79,8 @@ typedef struct judged {
     bool right;  /* and it is as right as the run's own state */
 } judged;
 
-static judged judge(const study *s, const study_case *one, const run_summary *errors, const char *own, const char *csv)
+static judged judge(const study *s, const study_case *one, const run_summary *errors, const csv_table *own,
+                    const csv_table *rows)
 {
     char why[BATCH_MESSAGE];
     const run_summary *r = &one->run->summary;
@@ -87,7 +88,7 @@ static judged judge(const study *s, const study_case *one, const run_summary *er
     for (int k = 0; k < s->plan.n_checks; k++) {
         const scene_check *check = &s->plan.check[k];
         if (!study_belongs(s, one, &check->where, true)) continue;
-        const study_range spoiled = study_range_of(check, errors, r, csv);
+        const study_range spoiled = study_range_of(check, errors, r, rows);
         result.passes = result.passes && study_keeps_to(check, spoiled, why);
         result.right = result.right &&
                        is_as_right(check, study_range_of(check, r, r, own), spoiled, !isnan(error_of(r, check->of)));
@@ -95,33 +96,38 @@ static judged judge(const study *s, const study_case *one, const run_summary *er
     return result;
 }
 
-static floe_status spoil_once(const study *s, study_case *one, spoiled_run *run, spoiler kind, const char *csv)
+static floe_status spoil_once(const study *s, study_case *one, spoiled_run *run, spoiler kind, const char *path,
+                              const csv_table *own)
 {
     run_summary errors = {0};
-    strbuf text;
-    strbuf_init(&text, s->ctx);
-    floe_status status = spoil_history(csv, kind, &text);
-    if (status == FLOE_OK) status = spoil_measure(run, kind, strbuf_string(&text), &errors);
+    csv_table rows;
+    floe_status status = csv_read(&rows, s->ctx, path);
     if (status == FLOE_OK) {
-        const judged j = judge(s, one, &errors, csv, strbuf_string(&text));
+        spoil_history(&rows, kind);
+        status = spoil_measure(run, kind, &rows, &errors);
+    }
+    if (status == FLOE_OK) {
+        const judged j = judge(s, one, &errors, own, &rows);
         const bool excused = j.right && is_excused(s, one, kind);
         if (j.passes) *(excused ? &one->excused : &one->unnoticed) |= 1U << kind;
     }
-    strbuf_free(&text);
+    csv_free(&rows);
     return status;
 }
 
 static floe_status spoil_scenes(const study *s, study_case *one, scene *start, scene *end)
 {
-    char dir[BATCH_PATH], path[BATCH_PATH + 16], *csv;
-    spoiled_run run;
+    char dir[BATCH_PATH], path[BATCH_PATH + 16];
+    spoiled_run run = {0};
+    csv_table own;
     (void)snprintf(dir, sizeof dir, "%s/%s", s->options->dir, one->run->folder);
     (void)snprintf(path, sizeof path, "%s/history.csv", dir);
-    TRY(file_read(s->ctx, path, &csv, NULL));
-    floe_status status = spoil_open(&run, start, end, dir);
-    for (int k = 0; k < SPOILER_COUNT && status == FLOE_OK; k++) status = spoil_once(s, one, &run, (spoiler)k, csv);
+    floe_status status = csv_read(&own, s->ctx, path);
+    if (status == FLOE_OK) status = spoil_open(&run, start, end, dir);
+    for (int k = 0; k < SPOILER_COUNT && status == FLOE_OK; k++)
+        status = spoil_once(s, one, &run, (spoiler)k, path, &own);
     spoil_close(&run);
-    memory_free(s->ctx, &csv);
+    csv_free(&own);
     return status;
 }
 

@@ -38,55 +38,19 @@ static void list_metrics(study *s)
     }
 }
 
-int study_find_column(const char *names, const char *name)
-{
-    const size_t length = strlen(name);
-    for (int k = 0;; k++) {
-        const size_t field = strcspn(names, ",\n");
-        if (strncmp(names, name, length) == 0 && (field == length || strncmp(names + length, " (", 2) == 0)) return k;
-        if (names[field] != ',') return -1;
-        names += field + 1;
-    }
-}
-
-double study_field(const char *row, int column)
-{
-    for (; column > 0; column--) {
-        row += strcspn(row, ",\n");
-        if (*row != ',') return NAN;
-        row++;
-    }
-    char *end;
-    const double value = strtod(row, &end);
-    return end == row ? (double)NAN : value;
-}
-
-/* The start of the last whole line. */
-static const char *last_row(char *text)
-{
-    char *end = strrchr(text, '\n');
-    if (!end) return "";
-    *end = '\0';
-    char *before = strrchr(text, '\n');
-    return before ? before + 1 : text;
-}
-
 /* missing[q]: the history has no such column. */
 static void read_quantities(const study *s, study_case *one, bool *missing)
 {
-    char path[BATCH_PATH], *text;
+    char path[BATCH_PATH];
+    csv_table history;
     (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->dir, one->run->folder);
-    if (file_read(s->ctx, path, &text, NULL) != FLOE_OK) {
-        context_clear(s->ctx);
-        return;
+    if (csv_read(&history, s->ctx, path) != FLOE_OK) context_clear(s->ctx);
+    for (int q = 0; q < s->plan.n_quantities && history.text; q++) {
+        const csv_column *column = csv_find(&history, s->plan.quantity[q]);
+        missing[q] = missing[q] || !column;
+        if (column && history.n_rows > 0) one->quantity[q] = column->value[history.n_rows - 1];
     }
-    const char *row = last_row(text);
-    for (int q = 0; q < s->plan.n_quantities; q++) {
-        const int column = study_find_column(text, s->plan.quantity[q]);
-        missing[q] = missing[q] || column < 0;
-        if (column >= 0) one->quantity[q] = study_field(row, column);
-    }
-    memory_free(s->ctx, &text);
+    csv_free(&history);
 }
 
 void study_take_values(study *s)

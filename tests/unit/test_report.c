@@ -1,8 +1,8 @@
 /* What reports are made of: tables of CSV, and numbers as people write them. */
 #include "check.h"
 
+#include "io/csv.h"
 #include "io/file.h"
-#include "report/csv.h"
 #include "report/html.h"
 
 #include <math.h>
@@ -65,6 +65,8 @@ static void tables_are_read(void **state)
     assert_true(isnan(drift->value[0]));
     assert_true(drift->value[1] == -2.5e-16);
     assert_true(t.column[0].value[2] == 2.0);
+    assert_true(csv_names("time (s),\"a, mass\",mass_steel (kg),dt\n1", "dt") && !csv_names("a,b\n", "c"));
+    assert_false(csv_names("time (s),\"a, mass\",mass_steel (kg)\n", "mass"));
     csv_free(&t);
 }
 

@@ -88,14 +88,15 @@ void stability_cases_free(context *ctx, stability_cases *cases)
 /* The energies of a run; a run that has ended before its first row has none. */
 static floe_status read_energy(const stability *s, const batch_case *one, energy_record *energy)
 {
-    char path[BATCH_PATH], *text;
+    char path[BATCH_PATH];
+    csv_table history;
     (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->dir, one->folder);
     *energy = (energy_record){.finite = true};
     if (!file_exists(path)) return FLOE_OK;
-    TRY(file_read(s->ctx, path, &text, NULL));
-    *energy = energy_read(text);
-    memory_free(s->ctx, &text);
-    return FLOE_OK;
+    const floe_status status = csv_read(&history, s->ctx, path);
+    if (status == FLOE_OK) *energy = energy_read(&history);
+    csv_free(&history);
+    return status;
 }
 
 static void judge(const stability *s, const batch_case *one, stability_probe *p)

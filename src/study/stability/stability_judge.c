@@ -39,51 +39,7 @@ void criterion_text(double growth, bool by_energy, char text[CRITERION_TEXT])
         by_energy ? energy : "; growth of energy is not judged, for the work of forces on bodies is in no ledger");
 }
 
-typedef enum column { TIME, KINETIC, STRAIN, INTERNAL, BOUNDARY, SOURCE, COLUMNS } column;
-
-/* The end of a field: a comma or the end of the line, none in quotes. */
-static const char *field_end(const char *at)
-{
-    for (bool quoted = false; *at && *at != '\n' && (quoted || *at != ','); at++) quoted = quoted != (*at == '"');
-    return at;
-}
-
-/* Which of the columns a name with its unit is, "kinetic (J)"; COLUMNS: none. */
-static column column_of(const char *name, size_t length)
-{
-    static const char *const known[COLUMNS] = {
-        "time", "kinetic", "strain", "internal", "ledger_energy_boundary", "ledger_energy_source"};
-    for (int c = 0; c < COLUMNS; c++) {
-        const size_t n = strlen(known[c]);
-        if (length > n && strncmp(name, known[c], n) == 0 && strncmp(name + n, " (", 2) == 0) return (column)c;
-    }
-    return COLUMNS;
-}
-
-/* Reads the names; place[c] is the index of column c, -1 if it is missing. Returns the start of the first row. */
-static const char *read_names(const char *at, int place[COLUMNS])
-{
-    for (int c = 0; c < COLUMNS; c++) place[c] = -1;
-    for (int i = 0; *at && *at != '\n'; i++) {
-        const char *end = field_end(at);
-        const column c = column_of(at, (size_t)(end - at));
-        if (c != COLUMNS) place[c] = i;
-        at = *end == ',' ? end + 1 : end;
-    }
-    return *at ? at + 1 : at;
-}
-
-static const char *read_row(const char *at, const int place[COLUMNS], double value[COLUMNS])
-{
-    for (int i = 0; *at && *at != '\n'; i++) {
-        for (int c = 0; c < COLUMNS; c++) {
-            if (place[c] == i) value[c] = strtod(at, NULL);
-        }
-        const char *end = field_end(at);
-        at = *end == ',' ? end + 1 : end;
-    }
-    return *at ? at + 1 : at;
-}
+enum { TIME, KINETIC, STRAIN, INTERNAL, BOUNDARY, SOURCE, COLUMNS };
 
 /* What motion and strain can have, by a row. */
 static double available(const double first[COLUMNS], const double row[COLUMNS])
@@ -92,17 +48,23 @@ static double available(const double first[COLUMNS], const double row[COLUMNS])
     return first[KINETIC] + first[STRAIN] + fmax(came, 0.0) + fmax(given, 0.0);
 }
 
-energy_record energy_read(const char *text)
+energy_record energy_read(const csv_table *history)
 {
-    int place[COLUMNS];
+    static const char *const name[COLUMNS] = {
+        "time", "kinetic", "strain", "internal", "ledger_energy_boundary", "ledger_energy_source"};
+    const csv_column *column[COLUMNS];
     double first[COLUMNS] = {0}, most = 0.0;
     energy_record e = {.judged = true, .finite = true};
-    const char *at = read_names(text, place);
-    for (int c = 0; c < COLUMNS; c++) e.judged = e.judged && place[c] >= 0;
-    while (e.judged && *at) {
-        double row[COLUMNS] = {0};
-        at = read_row(at, place, row);
-        for (int c = 0; c < COLUMNS; c++) e.finite = e.finite && isfinite(row[c]);
+    for (int c = 0; c < COLUMNS; c++) {
+        column[c] = csv_find(history, name[c]);
+        e.judged = e.judged && column[c];
+    }
+    for (size_t i = 0; e.judged && i < history->n_rows; i++) {
+        double row[COLUMNS];
+        for (int c = 0; c < COLUMNS; c++) {
+            row[c] = column[c]->value[i];
+            e.finite = e.finite && isfinite(row[c]);
+        }
         if (e.rows++ == 0) memcpy(first, row, sizeof first);
         e.last_time = row[TIME];
         most = fmax(most, fmax(available(first, row), round_off * fabs(first[INTERNAL])));

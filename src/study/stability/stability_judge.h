@@ -2,7 +2,7 @@
 #ifndef STUDY_STABILITY_JUDGE_H
 #define STUDY_STABILITY_JUDGE_H
 
-#include "base/context.h"
+#include "io/csv.h"
 
 #include <stdbool.h>
 
@@ -30,11 +30,11 @@ typedef struct energy_record {
     long rows;
 } energy_record;
 
-/* Reads the text of a history.csv. What kinetic and strain energy can come from is the most, up to each row, of: their
+/* Of a history.csv. What kinetic and strain energy can come from is the most, up to each row, of: their
  * sum at the start, plus what the ledger says has come in by boundaries and sources, plus what internal energy has
  * fallen by. The ratio of a stable run stays near one, however much energy gases hold. Round-off of internal energy
  * (1e-9 of it) counts as there. */
-energy_record energy_read(const char *text);
+energy_record energy_read(const csv_table *history);
 
 /* Says in words what makes a run stable. */
 enum { CRITERION_TEXT = 512 };

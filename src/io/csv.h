@@ -1,6 +1,6 @@
-/* Tables of CSV as floe writes them: a line of names with units, then rows. Private to src/study/report. */
-#ifndef REPORT_CSV_H
-#define REPORT_CSV_H
+/* Tables of CSV as floe writes them: a line of names with units, then rows. Fields in quotes may hold commas. */
+#ifndef IO_CSV_H
+#define IO_CSV_H
 
 #include "base/context.h"
 
@@ -23,8 +23,12 @@ typedef struct csv_table {
 /* Reads a table; half a row at its end is left out. FLOE_IO when the file cannot be read; a file without names is an
  * empty table. csv_free afterwards, whatever it returns. */
 floe_status csv_read(csv_table *t, context *ctx, const char *path);
+/* The same of a text. */
+floe_status csv_parse(csv_table *t, context *ctx, const char *text);
 void csv_free(csv_table *t);
 /* NULL if there is no column of that name. */
 const csv_column *csv_find(const csv_table *t, const char *name);
+/* Whether a line of names has a column of that name, with or without a unit. */
+bool csv_names(const char *line, const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-#include "report/csv.h"
+#include "io/csv.h"
 
 #include "base/memory.h"
 #include "io/file.h"
@@ -7,26 +7,33 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Length of the field at the start of a text, with its quotes. */
+static size_t field_length(const char *text)
+{
+    const char *at = text;
+    for (bool quoted = false; *at && (quoted || (*at != ',' && *at != '\n')); at++) quoted = quoted != (*at == '"');
+    return (size_t)(at - text);
+}
+
 /* Cuts the field at *at out of its row: an end is put behind it, quotes around it are left out. *at goes to what
  * follows; the return is the field, or NULL where the row has ended. */
 static char *cut_field(char **at, bool *row_ends)
 {
-    char *field = *at, *out = *at, *in = *at;
-    bool quoted = false;
+    char *const field = *at, *out = field;
     if (*row_ends) return NULL;
-    for (; *in && (quoted || (*in != ',' && *in != '\n')); in++) {
-        if (*in == '"') {
-            const bool doubled = quoted && in[1] == '"';
-            if (!doubled) {
-                quoted = !quoted;
-                continue;
-            }
-            in++;
+    char *const end = field + field_length(field);
+    bool quoted = false;
+    for (const char *in = field; in < end; in++) {
+        const bool doubled = quoted && in[0] == '"' && in[1] == '"';
+        if (*in == '"' && !doubled) {
+            quoted = !quoted;
+            continue;
         }
+        in += doubled;
         *out++ = *in;
     }
-    *row_ends = *in != ',';
-    *at = *in ? in + 1 : in;
+    *row_ends = *end != ',';
+    *at = *end ? end + 1 : end;
     *out = '\0';
     return field;
 }
@@ -41,10 +48,7 @@ static size_t count_lines(const char *text)
 static size_t count_fields(const char *text)
 {
     size_t n = 1;
-    for (bool quoted = false; *text && *text != '\n'; text++) {
-        if (*text == '"') quoted = !quoted;
-        n += *text == ',' && !quoted;
-    }
+    for (; text += field_length(text), *text == ','; text++) n++;
     return n;
 }
 
@@ -82,7 +86,7 @@ static void read_row(csv_table *t, char **at)
     }
 }
 
-static floe_status parse(csv_table *t)
+static floe_status fill_table(csv_table *t)
 {
     char *at = t->text, *last = strrchr(t->text, '\n');
     if (!last) return FLOE_OK;
@@ -107,7 +111,16 @@ floe_status csv_read(csv_table *t, context *ctx, const char *path)
 {
     *t = (csv_table){.ctx = ctx};
     TRY(file_read(ctx, path, &t->text, NULL));
-    return parse(t);
+    return fill_table(t);
+}
+
+floe_status csv_parse(csv_table *t, context *ctx, const char *text)
+{
+    const size_t size = strlen(text) + 1;
+    *t = (csv_table){.ctx = ctx};
+    TRY(memory_new(ctx, &t->text, size, 1));
+    memcpy(t->text, text, size);
+    return fill_table(t);
 }
 
 void csv_free(csv_table *t)
@@ -126,4 +139,17 @@ const csv_column *csv_find(const csv_table *t, const char *name)
         if (strcmp(t->column[k].name, name) == 0) return &t->column[k];
     }
     return NULL;
+}
+
+bool csv_names(const char *line, const char *name)
+{
+    const size_t wanted = strlen(name);
+    for (const char *at = line;; at++) {
+        const size_t length = field_length(at);
+        if (length >= wanted && strncmp(at, name, wanted) == 0 &&
+            (length == wanted || strncmp(at + wanted, " (", 2) == 0))
+            return true;
+        at += length;
+        if (*at != ',') return false;
+    }
 }
