@@ -1,6 +1,8 @@
 /* The order of points: by tile, then cell, then id, from any order; tiles know their ranges; the fields of a point stay together. */
 #include "verification/mpm_fixture.h"
 
+#include "mpm/work.h"
+
 static int cell_in_tile(const mesh *m, const int cell[3])
 {
     int number = 0, row = 1;
@@ -66,8 +68,57 @@ static void test_order(void **state)
     }
 }
 
+/* Beyond a periodic end a point comes back by the period, beyond a wall onto it, and beyond an open side it is lost with what it had. */
+static void test_beyond(void **state)
+{
+    (void)state;
+    trial t;
+    const double upper[3] = {0.75, 0.5, 0.25}, lower[3] = {-0.5, 0.125, -1.0}, all[3] = {1.0, 1.0, 1.0};
+    trial_begin(&t, 3, upper, 0.125);
+    for (int a = 0; a < 3; ++a) t.scene->mesh.lower[a] = lower[a];
+    set_sides(&t, 0, BC_PERIODIC, BC_PERIODIC);
+    set_sides(&t, 1, BC_SLIP, BC_NO_SLIP);
+    set_sides(&t, 2, BC_OUTLET, BC_FREE);
+    add_body(&t, add_solid(&t, "linear_elastic", 3.0, 1.0, 1.0), make_box(&t, lower, all), 1);
+    trial_start(&t);
+    const fields *f = t.sim->domain->fields[0];
+    const size_t n = mpm_count(t.sim->mpm);
+    double *x[3], *mass = field_get(f, P_MASS, 0, 0), wanted[64][3], lost = 0.0;
+    size_t left = 0;
+    assert_int_equal(n, 10 * 3 * 10);
+    for (int a = 0; a < 3; ++a) x[a] = field_get(f, P_POS, 0, a);
+    for (size_t k = 0; k < 64; ++k) { /* inside, below and above, along each axis */
+        const double share[3] = {0.0, -0.375, 0.25};
+        for (int a = 0; a < 3; ++a) {
+            const int kind = (int)(a == 0 ? k : a == 1 ? k / 3 : k / 9) % 3;
+            const double inside = 0.5 * (lower[a] + upper[a]), end = kind == 1 ? lower[a] : upper[a];
+            x[a][k] = kind == 0 ? inside : end + share[kind] * (upper[a] - lower[a]);
+            wanted[k][a] = kind == 0 || a == 2 ? x[a][k] : a == 1 ? end : x[a][k] + (kind == 1 ? 1.25 : -1.25);
+        }
+        left += k / 9 % 3 > 0;
+        lost += k / 9 % 3 > 0 ? mass[k] : 0.0;
+        field_get(f, P_ID, 0, 0)[k] = (double)k;
+    }
+    for (size_t k = 64; k < n; ++k) field_get(f, P_ID, 0, 0)[k] = (double)k;
+    const mesh *m = &t.sim->mesh;
+    for (int k = 0; k < m->tiles[0] * m->tiles[1] * m->tiles[2]; ++k) t.sim->mpm->work->moved[k] = 1;
+    check_ok(t.ctx, mpm_commit(t.sim->mpm));
+    assert_int_equal(mpm_count(t.sim->mpm), n - left);
+    assert_int_equal(t.sim->ledger.pending_count[COUNT_POINTS_LOST], left);
+    check_close(t.sim->ledger.pending[LEDGER_MASS][LEDGER_BOUNDARY], -lost, 1e-15);
+    int seen = 0;
+    for (size_t k = 0; k < n - left; ++k) {
+        const size_t id = (size_t)field_get(f, P_ID, 0, 0)[k];
+        if (id >= 64) continue;
+        for (int a = 0; a < 3; ++a) check_close(field_get(f, P_POS, 0, a)[k], wanted[id][a], 0.0);
+        seen++;
+    }
+    assert_int_equal(seen, 64 - left);
+    trial_end(&t);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_order)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_order), cmocka_unit_test(test_beyond)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
