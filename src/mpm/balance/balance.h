@@ -28,7 +28,7 @@ typedef struct axis_place {
 
 typedef struct point_place {
     axis_place axis[MESH_MAX_DIM];
-    double radius; /* m, about an axis; else 1 */
+    double radius; /* m: the first coordinate, asked for about an axis alone */
 } point_place;
 
 /* A node as a point sees it: weight and gradient (1/m) for each component of what the node carries. */

@@ -82,7 +82,7 @@ floe_status balance_locate(mpm *s)
             for (long long k = 0; k < n; ++k) {
                 for (int a = 0; a < s->mesh->dim; ++a)
                     locate_axis(s, a, p.x[a][k], p.half[a] ? p.half[a][k] : 0.25 * s->mesh->h[a], &place[k].axis[a]);
-                place[k].radius = s->mesh->geometry == MESH_AXISYMMETRIC ? p.x[0][k] : 1.0;
+                place[k].radius = p.x[0][k];
             }
         }
     return FLOE_OK;
