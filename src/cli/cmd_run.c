@@ -80,7 +80,9 @@ static void print_result(const run_summary *r, const char *dir)
     printf("%s: t = %.6g%s, %lld steps (%lld rejected), %.3g s of wall time\n", r->status, r->time,
            r->dimensionless ? "" : " s", r->steps, r->rejected_steps, r->wall_seconds);
     print_solver(r);
-    printf("drift: mass %.1e, momentum %.1e, energy %.1e\n", r->drift_mass, r->drift_momentum, r->drift_energy);
+    printf("drift: mass %.1e, momentum %.1e, ", r->drift_mass, r->drift_momentum);
+    if (!isnan(r->drift_moment)) printf("moment of momentum %.1e, ", r->drift_moment);
+    printf("energy %.1e\n", r->drift_energy);
     for (int i = 0; i < r->n_errors; i++) printf("%s: %.6g\n", r->errors[i].name, r->errors[i].value);
     printf("results: %s (fields.xdmf opens in ParaView with its XDMF Reader)\n", dir);
     if (r->notes[0]) printf("note: %s\n", r->notes);

@@ -16,6 +16,19 @@ void ledger_add(ledger *l, ledger_quantity q, ledger_kind kind, double amount)
     l->pending[q][kind] += amount;
 }
 
+void ledger_turn(ledger *l, ledger_kind kind, const double moment[3], double share)
+{
+    for (int a = 0; a < 3; ++a) l->pending[LEDGER_MOMENT_X + a][kind] += share * moment[a];
+}
+
+void ledger_push(ledger *l, ledger_kind kind, int axis, double impulse, const double x[MESH_MAX_DIM])
+{
+    double moment[3] = {0.0};
+    add_moment(moment, x, axis, impulse);
+    ledger_add(l, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), kind, impulse);
+    ledger_turn(l, kind, moment, 1.0);
+}
+
 void ledger_tally(ledger *l, ledger_count what, long long n)
 {
     l->pending_count[what] += n;
@@ -35,12 +48,23 @@ void ledger_discard(ledger *l)
     memset(l->pending_count, 0, sizeof l->pending_count);
 }
 
+static bool is_momentum(int q)
+{
+    return q >= LEDGER_MOMENTUM_X && q <= LEDGER_MOMENTUM_Z;
+}
+
+static bool is_moment(int q)
+{
+    return q >= LEDGER_MOMENT_X && q <= LEDGER_MOMENT_Z;
+}
+
 /* Momentum is one vector: what an axis that is all but at rest drifts by is a share of the whole, not of its own
  * round-off. */
 static double scale_of(const ledger *l, ledger_quantity q)
 {
-    if (q < LEDGER_MOMENTUM_X || q > LEDGER_MOMENTUM_Z) return l->scale[q];
-    return fmax(l->scale[LEDGER_MOMENTUM_X], fmax(l->scale[LEDGER_MOMENTUM_Y], l->scale[LEDGER_MOMENTUM_Z]));
+    if (q == LEDGER_MASS || q == LEDGER_ENERGY) return l->scale[q];
+    const double *along = l->scale + (is_moment(q) ? LEDGER_MOMENT_X : LEDGER_MOMENTUM_X);
+    return fmax(along[0], fmax(along[1], along[2]));
 }
 
 double ledger_excess(const ledger *l, ledger_quantity q)
@@ -62,11 +86,6 @@ double ledger_largest_drift(const ledger *l, ledger_quantity q)
     return l->worst[q] == 0.0 ? 0.0 : l->worst[q] / scale_of(l, q);
 }
 
-static bool is_momentum(int q)
-{
-    return q >= LEDGER_MOMENTUM_X && q <= LEDGER_MOMENTUM_Z;
-}
-
 /* What was there at the start and what has come in. */
 static double first_and_let_in(const ledger *l, ledger_quantity q)
 {
@@ -77,7 +96,8 @@ static double first_and_let_in(const ledger *l, ledger_quantity q)
 
 /* Of momentum the sum of |p|, but never more than the energy that there can be would give the mass that there can be:
  * |p| <= (2 m E)^1/2. A run that makes energy from nothing so has no scale that grows with it. Velocities and strains
- * below `round_off`, in units of the speed of sound, are round-off of a body at rest. */
+ * below `round_off`, in units of the speed of sound, are round-off of a body at rest. Moments are those of such momenta
+ * at the farthest. */
 static void set_scales(ledger *l)
 {
     static const double round_off = 1e-10;
@@ -87,6 +107,8 @@ static void set_scales(ledger *l)
     const double most = sqrt(2.0 * mass * l->scale[LEDGER_ENERGY]);
     const double least = round_off * sqrt(2.0 * mass * (energy + l->elasticity));
     for (int q = LEDGER_MOMENTUM_X; q <= LEDGER_MOMENTUM_Z; ++q) l->scale[q] = fmax(fmin(l->extent[q], most), least);
+    for (int q = LEDGER_MOMENT_X; q <= LEDGER_MOMENT_Z; ++q)
+        l->scale[q] = fmax(fmin(l->extent[q], most * l->arm), least * l->arm);
 }
 
 /* What motion and strain can have had: a decrease of internal energy that left through a boundary was not theirs. */
@@ -119,6 +141,19 @@ static void note_worst(ledger *l, ledger_quantity q, double time)
     l->worst_time[q] = time;
 }
 
+void ledger_choose(ledger *l, const mesh *m)
+{
+    const bool radial = m->geometry == MESH_AXISYMMETRIC;
+    double square = 0.0;
+    for (int a = 0; a < 3; ++a) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        l->no_account[LEDGER_MOMENTUM_X + a] = a >= m->dim || (radial && a == 0);
+        l->no_account[LEDGER_MOMENT_X + a] = radial || b >= m->dim || c >= m->dim || m->periodic[b] || m->periodic[c];
+        if (a < m->dim) square += 0.25 * (m->upper[a] - m->lower[a]) * (m->upper[a] - m->lower[a]);
+    }
+    l->arm = sqrt(square);
+}
+
 void ledger_open(ledger *l, const ledger_state *now, double elasticity)
 {
     memcpy(l->initial, now->total, sizeof l->initial);
@@ -132,20 +167,24 @@ void ledger_open(ledger *l, const ledger_state *now, double elasticity)
 
 void ledger_look(ledger *l, const ledger_state *now, double time)
 {
-    memcpy(l->total, now->total, sizeof l->total);
     for (int q = 0; q < LEDGER_QUANTITIES; ++q) {
-        if (is_momentum(q)) l->extent[q] = fmax(l->extent[q], now->extent[q]);
+        if (is_moment(q) && !now->turns) continue;
+        l->total[q] = now->total[q];
+        if (is_momentum(q) || is_moment(q)) l->extent[q] = fmax(l->extent[q], now->extent[q]);
         for (int k = 0; k < LEDGER_INPUTS; ++k) l->let_in[q][k] = fmax(l->let_in[q][k], l->entry[q][k].value);
     }
     set_scales(l);
     note_motion(l, now);
     count_growth(l, time);
-    for (int q = 0; q < LEDGER_QUANTITIES; ++q) note_worst(l, (ledger_quantity)q, time);
+    for (int q = 0; q < LEDGER_QUANTITIES; ++q)
+        if (now->turns || !is_moment(q)) note_worst(l, (ledger_quantity)q, time);
 }
 
 const char *ledger_quantity_name(ledger_quantity q)
 {
-    static const char *const name[LEDGER_QUANTITIES] = {"mass", "momentum_x", "momentum_y", "momentum_z", "energy"};
+    static const char *const name[LEDGER_QUANTITIES] = {
+        "mass",   "momentum_x",         "momentum_y",         "momentum_z",
+        "energy", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z"};
     return name[q];
 }
 

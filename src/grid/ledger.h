@@ -5,7 +5,7 @@
 #ifndef GRID_LEDGER_H
 #define GRID_LEDGER_H
 
-#include "base/context.h"
+#include "grid/mesh.h"
 
 typedef enum ledger_quantity {
     LEDGER_MASS,
@@ -13,6 +13,9 @@ typedef enum ledger_quantity {
     LEDGER_MOMENTUM_Y,
     LEDGER_MOMENTUM_Z,
     LEDGER_ENERGY,
+    LEDGER_MOMENT_X, /* of momentum about the origin; in the plane that about z alone */
+    LEDGER_MOMENT_Y,
+    LEDGER_MOMENT_Z,
     LEDGER_QUANTITIES
 } ledger_quantity;
 
@@ -72,15 +75,20 @@ typedef struct ledger {
     double let_in[LEDGER_QUANTITIES][LEDGER_INPUTS]; /* the most so far that boundaries and sources had brought */
     double worst[LEDGER_QUANTITIES];                 /* the largest excess so far, with its sign */
     double worst_time[LEDGER_QUANTITIES];            /* s: when */
+    double arm;                                      /* m: the farthest from the middle of the mesh that momentum is */
     double elasticity; /* J: sum of m c^2 of the solids; a share of it is the round-off of one at rest */
     ledger_motion motion;
-    bool no_account[LEDGER_QUANTITIES]; /* not a balance in this scene: radial momentum about an axis */
+    bool no_account[LEDGER_QUANTITIES]; /* not a balance in this scene (ledger_choose) */
     ledger_sum entry[LEDGER_QUANTITIES][LEDGER_KINDS];
     double pending[LEDGER_QUANTITIES][LEDGER_KINDS];
     long long count[LEDGER_COUNTS], pending_count[LEDGER_COUNTS];
 } ledger;
 
 void ledger_add(ledger *l, ledger_quantity q, ledger_kind kind, double amount);
+/* An impulse along an axis at x (zero along axes that the scene does not have), and its moment. */
+void ledger_push(ledger *l, ledger_kind kind, int axis, double impulse, const double x[MESH_MAX_DIM]);
+/* Moments that were added up, times `share`. */
+void ledger_turn(ledger *l, ledger_kind kind, const double moment[3], double share);
 void ledger_tally(ledger *l, ledger_count what, long long n);
 void ledger_commit(ledger *l);  /* pending entries become part of the account */
 void ledger_discard(ledger *l); /* the step was rejected */
@@ -96,14 +104,27 @@ double ledger_largest_drift(const ledger *l, ledger_quantity q);
 /* What the scene holds now, for a look at the account. */
 typedef struct ledger_state {
     double total[LEDGER_QUANTITIES];
-    double extent[LEDGER_QUANTITIES]; /* sum of |q| */
+    double extent[LEDGER_QUANTITIES]; /* sum of |q|; of moments about the middle of the mesh */
+    bool turns;                       /* moments are known: they cost a pass of their own */
     double motion;                    /* J: kinetic and strain energy */
     double internal;                  /* J */
 } ledger_state;
+/* Which quantities have an account on a mesh: momentum along its axes but a radius, moments of momentum unless an axis of
+ * their plane is periodic, where what leaves comes back elsewhere; about the axis of a body of revolution nothing turns. */
+void ledger_choose(ledger *l, const mesh *m);
 /* The start of the account. `elasticity` (J): sum of m c^2 of the solids. */
 void ledger_open(ledger *l, const ledger_state *now, double elasticity);
 /* Brings totals, scales and the largest drifts up to date. */
 void ledger_look(ledger *l, const ledger_state *now, double time);
+
+/* Adds the moment about the origin of an impulse along an axis at x. */
+static inline void add_moment(double moment[3], const double x[MESH_MAX_DIM], int axis, double impulse)
+{
+    const int next = axis == 2 ? 0 : axis + 1, last = axis == 0 ? 2 : axis - 1;
+    moment[next] += x[last] * impulse;
+    moment[last] -= x[next] * impulse;
+}
+
 const char *ledger_quantity_name(ledger_quantity q);
 const char *ledger_count_name(ledger_count c);
 

@@ -89,6 +89,10 @@ static inline double mesh_node(const mesh *m, int axis, int i)
 {
     return m->lower[axis] + i * m->h[axis];
 }
+static inline void place_of_node(const mesh *m, const int node[MESH_MAX_DIM], double x[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a) x[a] = a < m->dim ? mesh_node(m, a, node[a]) : 0.0;
+}
 static inline double mesh_centre(const mesh *m, int axis, int i)
 {
     return m->lower[axis] + (i + 0.5) * m->h[axis];

@@ -157,7 +157,9 @@ double ice_densest(const ice *s, const unsigned char *const *among, double share
 typedef struct ice_totals {
     double mass[ICE_MAX_MATERIALS], internal[ICE_MAX_MATERIALS], kinetic[ICE_MAX_MATERIALS];
     double momentum[ICE_MAX_MATERIALS][3], momentum_scale[3]; /* scale: sum of |m u| */
-    double max_volume_defect;                                 /* max |TMV/V - 1| */
+    double moment[ICE_MAX_MATERIALS][3],
+        moment_scale[3];      /* kg m2/s: of momentum about the origin; scale: sum of sizes about the middle */
+    double max_volume_defect; /* max |TMV/V - 1| */
 } ice_totals;
 floe_status ice_sum(ice *s, ice_totals *out);
 /* The reaction (instance of C_REACTED) that uses up a material carried by points, or -1. */

@@ -84,16 +84,23 @@ void ice_advect_clip(ice_advect_buffers *w, const ice_advect_job *job, int slab)
     }
 }
 
-/* Enters what row-wise fluxes carry into a cell's tile; sign +1 where the face normal points inward. */
-static void tally(const ice_advect_job *job, double *const *flux, ptrdiff_t t, double area, double sign, int i, int j,
-                  int k)
+static double face_area(const ice_view *v, int axis, int i)
+{
+    return axis == 0 ? v->area0[i] : v->volume[i] * v->inv_h[axis];
+}
+
+/* Enters what row-wise fluxes carry through a side into the tile of its cell; their normal points along the axis. */
+static void tally(const ice_advect_job *job, double *const *flux, ptrdiff_t t, int axis, mesh_side side,
+                  const int cell[MESH_MAX_DIM])
 {
     const ice *s = job->s;
     const int dim = job->v->dim, nq = ADVECT_COUNT(dim, s->multi);
-    double *tile = ice_tile(s, job->v->b, i, j, k);
-    const double scale = sign * area * job->v->dt;
+    const bool upper = side == SIDE_UPPER;
+    double *tile = ice_tile(s, job->v->b, cell[0], cell[1], cell[2]), x[MESH_MAX_DIM];
+    const double scale = (upper ? -1.0 : 1.0) * face_area(job->v, axis, cell[0] + (axis == 0 && upper)) * job->v->dt;
+    ice_side_place(s, job->v->b, axis, upper, cell, x);
     tile[TILE_MASS] += scale * flux[0][t];
-    for (int a = 0; a < dim; ++a) tile[TILE_MOMENTUM + a] += scale * flux[1 + a][t];
+    for (int a = 0; a < dim; ++a) ice_push(tile + TILE_MOMENTUM, x, a, scale * flux[1 + a][t]);
     tile[TILE_ENERGY] += scale * (flux[1 + dim][t] + flux[1 + nq][t]);
 }
 
@@ -101,11 +108,6 @@ static bool open_side(const ice_advect_job *job, int axis, mesh_side side)
 {
     return job->v->b->at_side[axis][side] && !ice_is_wall(job->s->scene->bc.side[axis][side].kind) &&
            !job->s->mesh->periodic[axis];
-}
-
-static double face_area(const ice_view *v, int axis, int i)
-{
-    return axis == 0 ? v->area0[i] : v->volume[i] * v->inv_h[axis];
 }
 
 void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *job, int slab)
@@ -120,8 +122,8 @@ void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *
         int j, l;
         slab_cell(dim, inside, k, &j, &l);
         for (int i = 0; i < v->b->n[0]; ++i)
-            tally(job, w->flux_across[(slab + 2) & 1], ice_slab_row(v->b, dim, k) + i, face_area(v, slow, i),
-                  lower ? 1.0 : -1.0, i, j, l);
+            tally(job, w->flux_across[(slab + 2) & 1], ice_slab_row(v->b, dim, k) + i, slow,
+                  lower ? SIDE_LOWER : SIDE_UPPER, (const int[]){i, j, l});
     }
 }
 
@@ -133,16 +135,16 @@ void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *j
     for (int k = ice_slab_first(dim, 0); k < ice_slab_last(v->b, dim, 0); ++k) {
         slab_cell(dim, slab, k, &j, &l);
         const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-        if (open_side(job, 0, SIDE_LOWER)) tally(job, w->flux[0], row, v->area0[0], 1.0, 0, j, l);
-        if (open_side(job, 0, SIDE_UPPER)) tally(job, w->flux[0], row + n0, v->area0[n0], -1.0, n0 - 1, j, l);
+        if (open_side(job, 0, SIDE_LOWER)) tally(job, w->flux[0], row, 0, SIDE_LOWER, (const int[]){0, j, l});
+        if (open_side(job, 0, SIDE_UPPER)) tally(job, w->flux[0], row + n0, 0, SIDE_UPPER, (const int[]){n0 - 1, j, l});
     }
     if (dim < 3) return;
     for (int side = 0; side < 2; ++side) {
         if (!open_side(job, 1, (mesh_side)side)) continue;
-        const int face = side == SIDE_LOWER ? 0 : v->b->n[1];
+        const int face = side == SIDE_LOWER ? 0 : v->b->n[1], inside = side == SIDE_LOWER ? 0 : v->b->n[1] - 1;
         for (int i = 0; i < n0; ++i)
-            tally(job, w->flux[1], ice_slab_row(v->b, dim, face) + i, face_area(v, 1, i),
-                  side == SIDE_LOWER ? 1.0 : -1.0, i, side == SIDE_LOWER ? 0 : v->b->n[1] - 1, slab);
+            tally(job, w->flux[1], ice_slab_row(v->b, dim, face) + i, 1, (mesh_side)side,
+                  (const int[]){i, inside, slab});
     }
 }
 

@@ -329,8 +329,10 @@ static void note_work(const ice *s, const ice_view *v, int axis, mesh_side side,
     const double open = ice_side_open(s, v->b, (const int[]){at.i, at.j}, axis, at.outward > 0.0);
     const double push = -at.outward * v->dt * area * v->fp[axis][at.face];
     tile[TILE_ENERGY] += push * v->flux[axis][at.face];
+    double x[MESH_MAX_DIM];
+    ice_side_place(s, v->b, axis, at.outward > 0.0, (const int[]){at.i, at.j, at.k}, x);
     /* Radial momentum is no sum of fluxes: it has no account. */
-    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC)) tile[TILE_MOMENTUM + axis] += push * open;
+    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC)) ice_push(tile + TILE_MOMENTUM, x, axis, push * open);
 }
 
 void ice_boundary_work(ice *s)

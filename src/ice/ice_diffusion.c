@@ -173,11 +173,13 @@ static void add_sources(const ice *s, const ice_view *v, int r)
             const double mass = m->rho[at] * v->volume[i];
             m->el[at] += heat;
             tile[TILE_SOURCE_ENERGY] += mass * heat;
+            double x[MESH_MAX_DIM];
+            ice_place_of(s, v->b, (const int[]){i, j, k}, x);
             for (int a = 0; a < v->dim; ++a) {
                 const double du = v->dt * force[a], old = m->ul[a][at], work = du * m->diff[a][at];
                 m->ul[a][at] = old + du;
                 m->el[at] += work - du * (old + 0.5 * du);
-                tile[TILE_SOURCE_MOMENTUM + a] += mass * du;
+                ice_push(tile + TILE_SOURCE_MOMENTUM, x, a, mass * du);
                 tile[TILE_SOURCE_ENERGY] += mass * work;
             }
         }
@@ -323,9 +325,10 @@ static void enter_face(const ice *s, const ice_view *v, int axis, mesh_side side
     const face_diffusion f = diffusion_on(d, axis, at.face, face_i, v->dim, is_radial(v, d));
     const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
     const double scale = at.outward * area * v->dt * ice_side_open(s, v->b, (const int[]){at.i, at.j}, axis, side);
-    double *tile = ice_tile(s, v->b, at.i, at.j, at.k);
+    double *tile = ice_tile(s, v->b, at.i, at.j, at.k), x[MESH_MAX_DIM];
+    ice_side_place(s, v->b, axis, side, (const int[]){at.i, at.j, at.k}, x);
     for (int a = 0; a < v->dim; ++a)
-        if (!(a == 0 && is_radial(v, d))) tile[TILE_MOMENTUM + a] += scale * f.t[a];
+        if (!(a == 0 && is_radial(v, d))) ice_push(tile + TILE_MOMENTUM, x, a, scale * f.t[a]);
     tile[TILE_ENERGY] += scale * f.power;
 }
 

@@ -160,16 +160,16 @@ struct ice_advect_job {
 /* Per tile: what a step gathers. */
 enum {
     TILE_MASS,     /* advected through open sides, inward */
-    TILE_MOMENTUM, /* three */
-    TILE_ENERGY = TILE_MOMENTUM + 3,
+    TILE_MOMENTUM, /* three, and three moments (ice_push) */
+    TILE_ENERGY = TILE_MOMENTUM + 6,
     TILE_DEFECT,          /* J: energy that guards made or took */
     TILE_MASS_DEFECT,     /* kg */
-    TILE_MOMENTUM_DEFECT, /* three */
-    TILE_GUARDS = TILE_MOMENTUM_DEFECT + 3,
+    TILE_MOMENTUM_DEFECT, /* as TILE_MOMENTUM */
+    TILE_GUARDS = TILE_MOMENTUM_DEFECT + 6,
     TILE_FLOORS,
     TILE_SOURCE_ENERGY,                      /* J: gravity's work */
-    TILE_SOURCE_MOMENTUM,                    /* three */
-    TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 3, /* three, of whoever needs them, zero otherwise */
+    TILE_SOURCE_MOMENTUM,                    /* as TILE_MOMENTUM */
+    TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 6, /* three, of whoever needs them, zero otherwise */
     TILE_VALUES = TILE_SCRATCH + 3
 };
 
@@ -398,6 +398,16 @@ static inline int ice_row_k(ice_rows q, int row)
 
 /* The partials of the global tile that holds local cell (i, j, k) of block b. */
 double *ice_tile(const ice *s, const block *b, int i, int j, int k);
+/* Where a block's cell is, and the middle of its face on a side; zero along axes that the mesh does not have. */
+void ice_place_of(const ice *s, const block *b, const int cell[MESH_MAX_DIM], double x[MESH_MAX_DIM]);
+void ice_side_place(const ice *s, const block *b, int axis, bool upper, const int cell[MESH_MAX_DIM],
+                    double x[MESH_MAX_DIM]);
+/* An impulse along an axis at x, and its moment, to six of a tile's. */
+static inline void ice_push(double *tile, const double x[MESH_MAX_DIM], int axis, double impulse)
+{
+    tile[axis] += impulse;
+    add_moment(tile + 3, x, axis, impulse);
+}
 void ice_clear_tiles(ice *s);
 /* Adds the tiles up in order and enters them in the ledger. */
 void ice_enter_tiles(ice *s);

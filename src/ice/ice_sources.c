@@ -225,13 +225,14 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
 {
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
-        double *tile = ice_tile(s, v->b, i, j, k);
+        double *tile = ice_tile(s, v->b, i, j, k), x[MESH_MAX_DIM];
+        ice_place_of(s, v->b, (const int[]){i, j, k}, x);
         for (int r = 0; r < v->n_materials; ++r) {
             if (s->material[v->first + r].points) continue;
             const double mass = v->m[r].rho[at] * v->volume[i];
             for (int a = 0; a < v->dim; ++a) {
                 const double du = v->dt * v->gravity[a];
-                tile[TILE_SOURCE_MOMENTUM + a] += mass * du;
+                ice_push(tile + TILE_SOURCE_MOMENTUM, x, a, mass * du);
                 tile[TILE_SOURCE_ENERGY] += 0.5 * mass * du * (v->m[r].u[a][at] + v->m[r].ul[a][at]);
             }
         }

@@ -6,7 +6,33 @@
 #include <math.h>
 #include <string.h>
 
-enum { SUM_MASS, SUM_INTERNAL, SUM_KINETIC, SUM_MOMENTUM, SUM_SCALE = SUM_MOMENTUM + 3, SUM_VALUES = SUM_SCALE + 3 };
+enum {
+    SUM_MASS,
+    SUM_INTERNAL,
+    SUM_KINETIC,
+    SUM_MOMENTUM,
+    SUM_SCALE = SUM_MOMENTUM + 3,
+    SUM_MOMENT = SUM_SCALE + 3,
+    SUM_SIZE = SUM_MOMENT + 3,
+    SUM_VALUES = SUM_SIZE + 3
+};
+
+/* Moment of a cell's momentum about the origin, and its size about the middle of the mesh. */
+static void add_turning(const mesh *grid, const ice_view *v, const ice_arrays *m, const int *cell, ptrdiff_t at,
+                        double mass, double *sum)
+{
+    double own[3] = {0.0};
+    for (int a = 0; a < v->dim; ++a) {
+        double x[MESH_MAX_DIM] = {0.0}, from[MESH_MAX_DIM] = {0.0};
+        for (int b = 0; b < v->dim; ++b) {
+            x[b] = mesh_centre(grid, b, cell[b]);
+            from[b] = x[b] - 0.5 * (grid->lower[b] + grid->upper[b]);
+        }
+        add_moment(sum + SUM_MOMENT, x, a, mass * m->u[a][at]);
+        add_moment(own, from, a, mass * m->u[a][at]);
+    }
+    for (int a = 0; a < 3; ++a) sum[SUM_SIZE + a] += fabs(own[a]);
+}
 
 static void sum_row(const ice *s, const ice_view *v, int r, int j, int k, double *tile)
 {
@@ -24,6 +50,7 @@ static void sum_row(const ice *s, const ice_view *v, int r, int j, int k, double
             sum[SUM_MOMENTUM + a] += mass * u;
             sum[SUM_SCALE + a] += fabs(mass * u);
         }
+        add_turning(s->mesh, v, m, cell, at, mass, sum);
     }
 }
 
@@ -74,6 +101,10 @@ floe_status ice_sum(ice *s, ice_totals *out)
         for (int a = 0; a < s->mesh->dim; ++a) {
             out->momentum[r][a] = sum[SUM_MOMENTUM + a];
             out->momentum_scale[a] += sum[SUM_SCALE + a];
+        }
+        for (int a = 0; a < 3; ++a) {
+            out->moment[r][a] = sum[SUM_MOMENT + a];
+            out->moment_scale[a] += sum[SUM_SIZE + a];
         }
     }
     out->max_volume_defect = volume_defect(s);

@@ -11,6 +11,18 @@ double *ice_tile(const ice *s, const block *b, int i, int j, int k)
     return s->work->tile + (size_t)mesh_tile_of(s->mesh, cell) * TILE_VALUES;
 }
 
+void ice_place_of(const ice *s, const block *b, const int cell[MESH_MAX_DIM], double x[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a) x[a] = a < b->dim ? mesh_centre(s->mesh, a, b->lo[a] + cell[a]) : 0.0;
+}
+
+void ice_side_place(const ice *s, const block *b, int axis, bool upper, const int cell[MESH_MAX_DIM],
+                    double x[MESH_MAX_DIM])
+{
+    ice_place_of(s, b, cell, x);
+    x[axis] = mesh_node(s->mesh, axis, b->lo[axis] + cell[axis] + upper);
+}
+
 void ice_clear_tiles(ice *s)
 {
     memset(s->work->tile, 0, s->work->tiles * TILE_VALUES * sizeof(double));
@@ -28,6 +40,9 @@ void ice_enter_tiles(ice *s)
         ledger_add(s->ledger, q, LEDGER_SOURCE, sum[TILE_SOURCE_MOMENTUM + a]);
         ledger_add(s->ledger, q, LEDGER_DEFECT, sum[TILE_MOMENTUM_DEFECT + a]);
     }
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, sum + TILE_MOMENTUM + 3, 1.0);
+    ledger_turn(s->ledger, LEDGER_SOURCE, sum + TILE_SOURCE_MOMENTUM + 3, 1.0);
+    ledger_turn(s->ledger, LEDGER_DEFECT, sum + TILE_MOMENTUM_DEFECT + 3, 1.0);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[TILE_ENERGY]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[TILE_SOURCE_ENERGY]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DEFECT, sum[TILE_DEFECT]);

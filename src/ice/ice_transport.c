@@ -101,7 +101,7 @@ static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
 }
 
 /* What a sliver's velocity and energy are taken back by is entered in the ledger. */
-static void believe(const ice_view *v, ptrdiff_t at, const ice_arrays *m, double volume, double *tile)
+static void believe(const ice_view *v, ptrdiff_t at, const ice_arrays *m, double volume, const double *x, double *tile)
 {
     const double before = total_energy(m, at, v->dim);
     double u[3];
@@ -109,20 +109,21 @@ static void believe(const ice_view *v, ptrdiff_t at, const ice_arrays *m, double
     ice_believe(m, at, v->dim);
     if (!isfinite(before)) return;
     tile[TILE_DEFECT] += (total_energy(m, at, v->dim) - before) * volume;
-    for (int a = 0; a < v->dim; ++a) tile[TILE_MOMENTUM_DEFECT + a] += m->rho1[at] * (m->u1[a][at] - u[a]) * volume;
+    for (int a = 0; a < v->dim; ++a)
+        ice_push(tile + TILE_MOMENTUM_DEFECT, x, a, m->rho1[at] * (m->u1[a][at] - u[a]) * volume);
 }
 
-static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, double *tile)
+static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, const double *x, double *tile)
 {
     const ice_arrays *m = &v->m[r];
     const double mass = m->rho1[at] * volume;
     tile[TILE_MASS_DEFECT] -= mass;
-    for (int a = 0; a < v->dim; ++a) tile[TILE_MOMENTUM_DEFECT + a] -= mass * m->u1[a][at];
+    for (int a = 0; a < v->dim; ++a) ice_push(tile + TILE_MOMENTUM_DEFECT, x, a, -mass * m->u1[a][at]);
     tile[TILE_DEFECT] -= total_energy(m, at, v->dim) * volume;
     m->rho1[at] = 0.0;
 }
 
-static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double volume, double *tile)
+static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double volume, const double *x, double *tile)
 {
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
@@ -130,7 +131,7 @@ static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double vo
     law->model->temperature(law->par, 1, &density, &m->e1[at], &T);
     if (T > 0.0 && m->vol1[at] > 0.0 && isfinite(T)) return;
     if (!(m->T[at] > 0.0) || !(v->p[at] > law->model->pressure_floor(law->par))) {
-        drop(v, r, at, volume, tile);
+        drop(v, r, at, volume, x, tile);
         return;
     }
     tile[TILE_DEFECT] -= total_energy(m, at, v->dim) * volume;
@@ -152,12 +153,13 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
                 const double fraction = m->rho1[at] * m->vol1[at];
                 const bool starved = m->rho1[at] < ice_least_share * v->rho_sum[at];
                 if (m->rho1[at] == 0.0 || (fraction >= ice_sliver && !starved)) continue;
-                double *tile = ice_tile(s, b, i, j, k);
-                believe(v, at, m, v->volume[i], tile);
+                double *tile = ice_tile(s, b, i, j, k), x[MESH_MAX_DIM];
+                ice_place_of(s, b, (const int[]){i, j, k}, x);
+                believe(v, at, m, v->volume[i], x, tile);
                 if (starved || fraction < ice_least_fraction)
-                    drop(v, r, at, v->volume[i], tile);
+                    drop(v, r, at, v->volume[i], x, tile);
                 else
-                    mend(s, v, r, at, v->volume[i], tile);
+                    mend(s, v, r, at, v->volume[i], x, tile);
             }
 }
 

@@ -14,9 +14,9 @@ void history_close(history **h);
 
 /* What a row needs that is not in the simulation. */
 typedef struct history_row {
-    const sim_totals *totals;    /* of sim_sum: per metre of depth or per radian; rows hold the whole */
+    const sim_totals
+        *totals; /* of sim_sum and sim_sum_moments: per metre of depth or per radian; rows hold the whole */
     const double *mean_pressure; /* Pa, by scene material; only fluids are looked at, NAN where there is none */
-    const double (*spin)[3]; /* kg m2/s: moment of momentum, by body of points (mpm_angular_momentum); NULL: unknown */
 } history_row;
 
 /* Appends a row and hands it to the system. */

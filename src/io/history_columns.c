@@ -111,15 +111,14 @@ static void add_material(line *l, int material, const history_row *row)
 static const char *unit_of(int quantity)
 {
     if (quantity == LEDGER_MASS) return "kg";
-    return quantity == LEDGER_ENERGY ? "J" : "N s";
+    if (quantity == LEDGER_ENERGY) return "J";
+    return quantity >= LEDGER_MOMENT_X ? "N m s" : "N s";
 }
 
-/* Momenta along axes that the scene does not have, and that along r, are left out. */
+/* Momenta along axes that the scene does not have, that along r, and moments that nothing keeps are left out. */
 static bool is_used(const sim *s, int quantity)
 {
-    const int axis = quantity - LEDGER_MOMENTUM_X;
-    if (s->ledger.no_account[quantity]) return false;
-    return axis < 0 || axis >= MESH_MAX_DIM || axis < s->mesh.dim;
+    return !s->ledger.no_account[quantity];
 }
 
 static void add_ledger(line *l)
@@ -187,7 +186,8 @@ static void add_spin(line *l, int body, const char *label, const history_row *ro
     double spin[MESH_MAX_DIM] = {0};
     char name[2 * NAME_SIZE];
     if (m->dim < 2 || m->geometry == MESH_AXISYMMETRIC) return;
-    for (int a = 0; row && a < MESH_MAX_DIM; a++) spin[a] = row->spin ? l->whole * row->spin[body][a] : (double)NAN;
+    for (int a = 0; row && a < MESH_MAX_DIM; a++)
+        spin[a] = row->totals->turns ? l->whole * row->totals->spin[body][a] : (double)NAN;
     (void)snprintf(name, sizeof name, "angular_momentum_%s", label);
     if (m->dim == 3)
         add_vector(l, name, "N m s", spin);

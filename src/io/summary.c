@@ -53,9 +53,11 @@ static bool set_conservation(json_t *object, const run_summary *r)
     json_t *drift, *end;
     return set_object(object, "conservation", &drift) && json_put(drift, "mass", json_number(r->drift_mass)) &&
            json_put(drift, "momentum", json_number(r->drift_momentum)) &&
+           json_put(drift, "angular_momentum", json_number(r->drift_moment)) &&
            json_put(drift, "energy", json_number(r->drift_energy)) && set_object(drift, "at_end", &end) &&
            json_put(end, "mass", json_number(r->end_drift_mass)) &&
            json_put(end, "momentum", json_number(r->end_drift_momentum)) &&
+           json_put(end, "angular_momentum", json_number(r->end_drift_moment)) &&
            json_put(end, "energy", json_number(r->end_drift_energy));
 }
 

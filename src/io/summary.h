@@ -53,8 +53,9 @@ typedef struct run_summary {
     long long peak_rss_bytes;
     long long field_bytes_mpm, field_bytes_ice, field_bytes_coupling;
     /* Relative, the largest of the run, and at its end; momentum: the worst axis. */
-    double drift_mass, drift_momentum, drift_energy;
-    double end_drift_mass, end_drift_momentum, end_drift_energy;
+    double drift_mass, drift_momentum, drift_moment,
+        drift_energy; /* moment: NAN where the scene has no account of it */
+    double end_drift_mass, end_drift_momentum, end_drift_moment, end_drift_energy;
     /* What will not be right, or was not, in words; those beyond the last are left out. */
     char warnings[SUMMARY_MAX_WARNINGS][SUMMARY_WARNING];
     int n_warnings;

@@ -37,6 +37,12 @@ static double get_number(reader *r, const json_t *object, const char *key)
     return as_number(r, key, json_object_get(object, key));
 }
 
+/* NAN where the summary is of an earlier version that did not have it. */
+static double get_later_number(reader *r, const json_t *object, const char *key)
+{
+    return json_object_get(object, key) ? get_number(r, object, key) : (double)NAN;
+}
+
 static long long get_count(reader *r, const json_t *object, const char *key)
 {
     const json_t *value = json_object_get(object, key);
@@ -95,11 +101,13 @@ static void get_conservation(reader *r, const json_t *object, run_summary *out)
     const json_t *drift = get_object(r, object, "conservation");
     out->drift_mass = get_number(r, drift, "mass");
     out->drift_momentum = get_number(r, drift, "momentum");
+    out->drift_moment = get_later_number(r, drift, "angular_momentum");
     out->drift_energy = get_number(r, drift, "energy");
     /* Summaries of earlier versions have those at the end alone. */
     const json_t *end = json_object_get(drift, "at_end") ? get_object(r, drift, "at_end") : drift;
     out->end_drift_mass = get_number(r, end, "mass");
     out->end_drift_momentum = get_number(r, end, "momentum");
+    out->end_drift_moment = get_later_number(r, end, "angular_momentum");
     out->end_drift_energy = get_number(r, end, "energy");
 }
 

@@ -67,6 +67,14 @@ static void set_drifts(run_summary *r, const sim *s)
         r->drift_momentum = larger(r->drift_momentum, fabs(ledger_largest_drift(l, (ledger_quantity)q)));
         r->end_drift_momentum = larger(r->end_drift_momentum, ledger_drift(l, (ledger_quantity)q));
     }
+    bool turns = false;
+    r->drift_moment = r->end_drift_moment = 0.0;
+    for (int q = LEDGER_MOMENT_X; q <= LEDGER_MOMENT_Z; q++) {
+        turns = turns || !l->no_account[q];
+        r->drift_moment = larger(r->drift_moment, fabs(ledger_largest_drift(l, (ledger_quantity)q)));
+        r->end_drift_moment = larger(r->end_drift_moment, ledger_drift(l, (ledger_quantity)q));
+    }
+    if (!turns) r->drift_moment = r->end_drift_moment = NAN;
 }
 
 floe_status summary_set_sim(run_summary *r, const sim *s)

@@ -196,8 +196,9 @@ typedef struct mpm_totals {
     double moment[SCENE_MAX_BODIES][3]; /* kg m: sum of m_p x_p, which is the mass times the centre of mass */
 } mpm_totals;
 floe_status mpm_sum(mpm *s, mpm_totals *out);
-/* Moment of momentum of a body about the origin (kg m2/s; in the plane z alone), with what C_p carries; not about an axis. */
-void mpm_angular_momentum(mpm *s, int body, double out[3]);
+/* Moment of momentum of a body about the origin (kg m2/s; in the plane z alone), with what C_p carries; not about an axis. `size`: sum of
+ * its points' sizes, about the middle of the mesh. */
+void mpm_angular_momentum(mpm *s, int body, double out[3], double size[3]);
 /* Volume-weighted mean of a fluid body's pressure over points inside a region (all where region->model is NULL). */
 floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure);
 

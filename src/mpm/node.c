@@ -80,7 +80,15 @@ static void advance_block(const mpm *s, int blk, int group)
     }
 }
 
-enum { SUM_DAMPED_MOMENTUM = 0, SUM_DAMPED_ENERGY = 3, SUM_LOST = 4, SUM_SMALL = 7, SUM_COUNT = 8 };
+enum {
+    SUM_DAMPED_MOMENTUM = 0,
+    SUM_DAMPED_MOMENT = 3,
+    SUM_DAMPED_ENERGY = 6,
+    SUM_LOST = 7,
+    SUM_LOST_MOMENT = 10,
+    SUM_SMALL = 13,
+    SUM_COUNT = 14
+};
 
 /* Sums of a group at the nodes of a block, for loops that look at all of them. */
 typedef struct node_view {
@@ -98,12 +106,28 @@ static node_view view_nodes(const mpm *s, int blk, int group)
     return n;
 }
 
-static void add_damped(const double *const *momentum, double mass, ptrdiff_t at, double taken, int dim, double *sum)
+static void add_damped(const mesh *m, const node_view *n, const int node[MESH_MAX_DIM], ptrdiff_t at, double taken,
+                       double *sum)
 {
-    for (int c = 0; c < dim; ++c) {
-        const double lost = taken * momentum[c][at];
+    double x[MESH_MAX_DIM];
+    place_of_node(m, node, x);
+    for (int c = 0; c < m->dim; ++c) {
+        const double momentum = n->momentum[c][at], lost = taken * momentum;
         sum[SUM_DAMPED_MOMENTUM + c] -= lost;
-        if (mass > 0.0) sum[SUM_DAMPED_ENERGY] -= 0.5 * lost * (2.0 * momentum[c][at] - lost) / mass;
+        add_moment(sum + SUM_DAMPED_MOMENT, x, c, -lost);
+        if (n->mass[at] > 0.0) sum[SUM_DAMPED_ENERGY] -= 0.5 * lost * (2.0 * momentum - lost) / n->mass[at];
+    }
+}
+
+/* Most nodes that are dropped have no force. */
+static void add_lost(const mpm *s, const node_view *n, const int node[MESH_MAX_DIM], ptrdiff_t at, double *sum)
+{
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        double x[MESH_MAX_DIM];
+        if (n->force[c][at] == 0.0) continue;
+        place_of_node(s->mesh, node, x);
+        sum[SUM_LOST + c] += s->work->kick * n->force[c][at];
+        add_moment(sum + SUM_LOST_MOMENT, x, c, s->work->kick * n->force[c][at]);
     }
 }
 
@@ -123,9 +147,10 @@ static void tile_losses(const mpm *s, int blk, int tile, int group)
             for (int i = 0; i < end[0]; ++i) {
                 const ptrdiff_t at =
                     mesh_index(b, t.first[0] - b->lo[0] + i, t.first[1] - b->lo[1] + j, t.first[2] - b->lo[2] + k);
-                if (taken > 0.0) add_damped(n.momentum, n.mass[at], at, taken, s->mesh->dim, sum);
+                const int node[MESH_MAX_DIM] = {t.first[0] + i, t.first[1] + j, t.first[2] + k};
+                if (taken > 0.0) add_damped(s->mesh, &n, node, at, taken, sum);
                 if (n.mass[at] > floor) continue;
-                for (int c = 0; c < s->mesh->dim; ++c) sum[SUM_LOST + c] += s->work->kick * n.force[c][at];
+                add_lost(s, &n, node, at, sum);
                 if (n.mass[at] > 0.0) sum[SUM_SMALL] += 1.0;
             }
 }
@@ -143,6 +168,8 @@ static void enter_losses(mpm *s, int group)
         ledger_add(s->ledger, q, LEDGER_DAMPING, sum[SUM_DAMPED_MOMENTUM + c]);
         ledger_add(s->ledger, q, LEDGER_DEFECT, -sum[SUM_LOST + c]);
     }
+    ledger_turn(s->ledger, LEDGER_DAMPING, sum + SUM_DAMPED_MOMENT, 1.0);
+    ledger_turn(s->ledger, LEDGER_DEFECT, sum + SUM_LOST_MOMENT, -1.0);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED_ENERGY]);
     ledger_tally(s->ledger, COUNT_SMALL_NODES, (long long)sum[SUM_SMALL]);
 }

@@ -109,6 +109,18 @@ static floe_status check_motion(const mpm *s, int body, int tile, chunk_motion m
                 s->time, s->scene->body[s->body[body].scene_body].name);
 }
 
+/* Moment of the impulse of a body force along an axis, on a chunk's points. */
+static void add_fall_moment(const mpm *s, const point_arrays *p, int axis, size_t start, size_t end, double moment[3])
+{
+    const double *drive = p->drive[axis];
+    double arm[MESH_MAX_DIM] = {0.0};
+    for (size_t k = start; k < end; ++k) {
+        const double force = p->mass[k] * (p->acceleration[axis] + (drive ? drive[k] : 0.0));
+        for (int a = 0; a < s->mesh->dim; ++a) arm[a] += p->x[a][k] * force;
+    }
+    add_moment(moment, arm, axis, s->work->kick);
+}
+
 /* Impulse and work of a body force on a chunk's points. */
 static void add_fall(const mpm *s, const point_arrays *p, const gather_result *out, size_t start, size_t end,
                      double gain[MPM_GAINS])
@@ -124,6 +136,7 @@ static void add_fall(const mpm *s, const point_arrays *p, const gather_result *o
             fall += force * (next[k] - x[k]);
         }
         gain[GAIN_IMPULSE + a] += s->work->kick * impulse;
+        add_fall_moment(s, p, a, start, end, gain + GAIN_MOMENT);
         gain[GAIN_FALL] += fall;
     }
 }
@@ -205,6 +218,7 @@ static void enter_gains(mpm *s)
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[GAIN_REFERENCE]);
     for (int a = 0; a < s->mesh->dim; ++a)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, sum[GAIN_IMPULSE + a]);
+    ledger_turn(s->ledger, LEDGER_SOURCE, sum + GAIN_MOMENT, 1.0);
 }
 
 /* Runs a pass over every tile; the first failure wins, and the others stop early. */

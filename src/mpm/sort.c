@@ -138,10 +138,11 @@ static void enter_loss(mpm *s, int blk, int body, size_t k)
     const fields *f = s->domain->fields[blk];
     const double mass = field_get(f, P_MASS, body, 0)[k];
     ledger_add(s->ledger, LEDGER_MASS, LEDGER_BOUNDARY, -mass);
-    double kinetic = 0.0;
+    double kinetic = 0.0, x[MESH_MAX_DIM] = {0.0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double v = field_get(f, P_VEL, body, a)[k];
-        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, -mass * v);
+        ledger_push(s->ledger, LEDGER_BOUNDARY, a, -mass * v, x);
         kinetic += 0.5 * mass * v * v;
     }
     const double *energy = field_get(f, P_ENERGY, body, 0);

@@ -3,9 +3,11 @@
 #include "base/threads.h"
 #include "mpm/wall.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { SPIN_WINDOW = 343 }; /* nodes of the largest window */
+enum { SUM_MOMENT, SUM_SIZE = SUM_MOMENT + 3, SUM_END = SUM_SIZE + 3 };
 
 /* Second moments of the weights about points, D = sum S x x^T - x_p x_p^T with places from the tile's corner: xx yy zz xy yz zx. */
 typedef struct weight_spread {
@@ -49,11 +51,15 @@ static double carried_spin(const weight_spread *w, const point_arrays *p, size_t
 }
 
 static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, size_t start, size_t end,
-                       weight_spread *w, double sum[3])
+                       weight_spread *w, double sum[SUM_END])
 {
     const int dim = s->mesh->dim;
+    double middle[3];
+    for (int a = 0; a < 3; ++a) middle[a] = 0.5 * (s->mesh->lower[a] + s->mesh->upper[a]);
     const bool carries = dim > 1 && p->affine[0]; /* along a line no moment is carried */
-    for (int c = 0; carries && c < 6; ++c) s->work->kernel.sample(s->mesh, t, p, start, end, w->window[c], w->at[c]);
+    for (int c = 0; carries && c < 6; ++c)
+        if (pair_of[c][0] < dim && pair_of[c][1] < dim)
+            s->work->kernel.sample(s->mesh, t, p, start, end, w->window[c], w->at[c]);
     for (size_t k = start; k < end; ++k) {
         double x[3] = {0.0}, v[3] = {0.0};
         for (int a = 0; a < dim; ++a) {
@@ -63,14 +69,16 @@ static void add_points(const mpm *s, const tile_box *t, const point_arrays *p, s
         for (int e = dim == 2 ? 2 : 0; e < 3; ++e) {
             const int a = (e + 1) % 3, b = (e + 2) % 3;
             const double carried = carries ? carried_spin(w, p, k, k - start, x, a, b, dim) : 0.0;
-            sum[e] += p->mass[k] * (x[a] * v[b] - x[b] * v[a] + carried);
+            sum[SUM_MOMENT + e] += p->mass[k] * (x[a] * v[b] - x[b] * v[a] + carried);
+            sum[SUM_SIZE + e] += p->mass[k] * fabs((x[a] - middle[a]) * v[b] - (x[b] - middle[b]) * v[a] + carried);
         }
     }
 }
 
-void mpm_angular_momentum(mpm *s, int body, double out[3])
+void mpm_angular_momentum(mpm *s, int body, double out[3], double size[3])
 {
     memset(out, 0, 3 * sizeof *out);
+    memset(size, 0, 3 * sizeof *size);
     if (s->mesh->dim == 1) return; /* along a line nothing turns */
     memset(s->work->tile_sum, 0, mesh_tiles(s->mesh) * MPM_TILE_SUMS * sizeof(double));
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
@@ -89,5 +97,6 @@ void mpm_angular_momentum(mpm *s, int body, double out[3])
     }
     double all[MPM_TILE_SUMS];
     domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_TILE_SUMS, all);
-    for (int a = 0; a < 3; ++a) out[a] = all[a];
+    memcpy(out, all + SUM_MOMENT, 3 * sizeof *out);
+    memcpy(size, all + SUM_SIZE, 3 * sizeof *size);
 }

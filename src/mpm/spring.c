@@ -108,8 +108,7 @@ void scatter_springs(mpm *s, int group)
                 push_nodes(s, group, now.x[e], force);
             /* a fixed place gives the momentum that the other end takes; entered once */
             for (int a = 0; spring->end[e].body < 0 && group == 0 && a < s->mesh->dim; ++a)
-                ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE,
-                           -force[a] * s->work->kick);
+                ledger_push(s->ledger, LEDGER_SOURCE, a, -force[a] * s->work->kick, now.x[e]);
         }
     }
 }

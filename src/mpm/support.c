@@ -64,10 +64,12 @@ static void enter_impulse(mpm *s, const support_node *node, int group, field_id 
     const block *b = &s->mesh->block[blk];
     const ptrdiff_t at = mesh_index(b, node->node[0] - b->lo[0], node->node[1] - b->lo[1], node->node[2] - b->lo[2]);
     const double mass = field_get(s->domain->fields[blk], N_MASS, group, 0)[at];
+    double x[MESH_MAX_DIM];
+    place_of_node(s->mesh, node->node, x);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const double target = s->scene->support[node->support].velocity[c], wanted = change ? 0.0 : target;
         const double impulse = share * mass * (wanted - field_get(s->domain->fields[blk], velocity, group, c)[at]);
-        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, impulse);
+        ledger_push(s->ledger, LEDGER_BOUNDARY, c, impulse, x);
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, impulse * target);
     }
 }

@@ -161,7 +161,7 @@ typedef struct wall_rule {
     double target[MESH_MAX_DIM];
     bool hold[MESH_MAX_DIM];
     double *v[MESH_MAX_DIM]; /* of the block in hand */
-    double impulse[MESH_MAX_DIM], work;
+    double impulse[MESH_MAX_DIM], moment[3], work;
 } wall_rule;
 
 bool wall_holds(const mpm *s, int group, int axis, int side, int component)
@@ -188,15 +188,17 @@ static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field
 
 static void add_impulse(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
-    (void)node;
     (void)inward;
     wall_rule *r = user;
+    double x[MESH_MAX_DIM];
     const fields *f = r->s->domain->fields[blk];
+    place_of_node(r->s->mesh, node, x);
     const double mass = field_get(f, N_MASS, r->group, 0)[at];
     for (int c = 0; c < r->s->mesh->dim; ++c) {
         if (!r->hold[c]) continue;
         const double impulse = mass * (r->target[c] - field_get(f, r->field, r->group, c)[at]);
         r->impulse[c] += impulse;
+        add_moment(r->moment, x, c, impulse);
         r->work += impulse * r->target[c];
     }
 }
@@ -205,6 +207,7 @@ static void enter_impulse(mpm *s, const wall_rule *r, double share)
 {
     for (int c = 0; c < s->mesh->dim; ++c)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, share * r->impulse[c]);
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, r->moment, share);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, share * r->work);
 }
 
@@ -252,15 +255,17 @@ void impose_walls(mpm *s, int group, field_id velocity, double entered)
  * mirror, whose momentum cancels theirs at the node: only PIC's share of their velocity is the node's. */
 static void still_sum(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
-    (void)node;
     (void)inward;
     wall_rule *r = user;
+    double x[MESH_MAX_DIM];
+    place_of_node(r->s->mesh, node, x);
     const fields *f = r->s->domain->fields[blk];
     const double kept = r->scale * field_get(f, N_MASS, r->group, 0)[at];
     for (int c = 0; c < r->s->mesh->dim; ++c) {
         if (!r->hold[c]) continue;
         const double impulse = -kept * field_get(f, r->field, r->group, c)[at];
         r->impulse[c] += impulse;
+        add_moment(r->moment, x, c, impulse);
         r->work += impulse * r->target[c];
     }
 }
@@ -296,27 +301,53 @@ void hold_change(mpm *s, int group, field_id change, double share)
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the
  * normal part comes back with the other sign. Per step, with acceleration a and velocity v of the first inner node, the points gain
- * -2 [kick (f + m a) + pic (p + m v)] more than the nodes did, pic the share of their velocity that they take from the nodes. */
+ * -2 [kick (f + m a) + pic (p + m v)] more than the nodes did, pic the share of their velocity that they take from the nodes.
+ * The tangential part is brought from the ghost to the first inner node and back, over d: that turns by
+ * d x [kick (f - m a) + pic (p - m v)]. */
 typedef struct mirror_sum {
     const mpm *s;
     int group, axis;
     double kick, pic;
-    double sum;
+    double sum, moment[3];
 } mirror_sum;
+
+/* Enters an impulse along the mirror's axis at a node of it. */
+static void turn_back(const mpm *s, const int node[MESH_MAX_DIM], int axis, double impulse, double *sum,
+                      double moment[3])
+{
+    double x[MESH_MAX_DIM];
+    place_of_node(s->mesh, node, x);
+    add_moment(moment, x, axis, impulse);
+    *sum += impulse;
+}
+
+/* The way from the ghost beyond a mirror to the first inner node. */
+static void way_inward(const mpm *s, const int node[MESH_MAX_DIM], int axis, double way[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a) way[a] = 0.0;
+    way[axis] = (node[axis] == 0 ? 2.0 : -2.0) * s->mesh->h[axis];
+}
 
 /* What the ghost beyond a mirror was given, and the first inner node, along the axis. */
 static void add_mirror_push(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
-    (void)node;
     mirror_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
-    const double *mass = field_get(f, N_MASS, r->group, 0), *force = field_get(f, N_FORCE, r->group, r->axis),
-                 *acceleration = field_get(f, N_ACCEL, r->group, r->axis);
-    r->sum -= 2.0 * r->kick * (force[at - inward] + mass[at - inward] * acceleration[at + inward]);
+    const double mass = field_get(f, N_MASS, r->group, 0)[at - inward];
+    double way[MESH_MAX_DIM];
+    way_inward(r->s, node, r->axis, way);
+    for (int c = 0; c < r->s->mesh->dim; ++c) {
+        const double force = field_get(f, N_FORCE, r->group, c)[at - inward];
+        const double acceleration = field_get(f, N_ACCEL, r->group, c)[at + inward];
+        if (c == r->axis)
+            turn_back(r->s, node, c, -2.0 * r->kick * (force + mass * acceleration), &r->sum, r->moment);
+        else
+            add_moment(r->moment, way, c, r->kick * (force - mass * acceleration));
+    }
 }
 
-/* Velocity of the first inner node along the axis, as points take it: what they brought, or that of a wall across the mirror which holds it. */
-static double inner_velocity(const mirror_sum *r, const int node[MESH_MAX_DIM], double brought)
+/* Velocity of the first inner node along an axis, as points take it: what they brought, or that of a wall across the mirror which holds it. */
+static double inner_velocity(const mirror_sum *r, const int node[MESH_MAX_DIM], int axis, double brought)
 {
     const mesh *m = r->s->mesh;
     double v = brought;
@@ -324,7 +355,7 @@ static double inner_velocity(const mirror_sum *r, const int node[MESH_MAX_DIM], 
         for (int side = 0; side < 2; ++side)
             if (a != r->axis && !m->periodic[a] && node[a] == (side == SIDE_LOWER ? 0 : m->n[a]) &&
                 holds(r->s, a, side))
-                v = wall_target(r->s, a, side, r->axis);
+                v = wall_target(r->s, a, side, axis);
     return v;
 }
 
@@ -332,11 +363,19 @@ static void add_mirror_momentum(void *user, int blk, const int node[MESH_MAX_DIM
 {
     mirror_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
-    const double *mass = field_get(f, N_MASS, r->group, 0), *momentum = field_get(f, N_MOMENTUM, r->group, r->axis);
+    const double *mass = field_get(f, N_MASS, r->group, 0);
     const ptrdiff_t ghost = at - inward, inner = at + inward;
-    /* A ghost without mass may still have a surface's load. */
-    const double v = inner_velocity(r, node, mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0);
-    r->sum -= 2.0 * r->pic * (momentum[ghost] + mass[ghost] * v);
+    double way[MESH_MAX_DIM];
+    way_inward(r->s, node, r->axis, way);
+    for (int c = 0; c < r->s->mesh->dim; ++c) {
+        const double *momentum = field_get(f, N_MOMENTUM, r->group, c);
+        /* A ghost without mass may still have a surface's load. */
+        const double v = inner_velocity(r, node, c, mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0);
+        if (c == r->axis)
+            turn_back(r->s, node, c, -2.0 * r->pic * (momentum[ghost] + mass[ghost] * v), &r->sum, r->moment);
+        else
+            add_moment(r->moment, way, c, r->pic * (momentum[ghost] - mass[ghost] * v));
+    }
 }
 
 static void enter_images(mpm *s, int group, double kick, double pic)
@@ -348,6 +387,7 @@ static void enter_images(mpm *s, int group, double kick, double pic)
             if (kick != 0.0) wall_visit_once(s->mesh, axis, side, add_mirror_push, &r);
             if (pic != 0.0) wall_visit_once(s->mesh, axis, side, add_mirror_momentum, &r);
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, r.sum);
+            ledger_turn(s->ledger, LEDGER_BOUNDARY, r.moment, 1.0);
         }
 }
 
@@ -367,17 +407,24 @@ typedef struct change_sum {
     int group, axis;
     field_id change;
     bool given;
-    double sum;
+    double sum, moment[3];
 } change_sum;
 
 static void add_mirrored_change(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
-    (void)node;
     change_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
-    const double *mass = field_get(f, N_MASS, r->group, 0), *momentum = field_get(f, N_MOMENTUM, r->group, r->axis),
-                 *change = field_get(f, r->change, r->group, r->axis);
-    r->sum -= 2.0 * ((r->given ? momentum[at - inward] : 0.0) + mass[at - inward] * change[at + inward]);
+    const double mass = field_get(f, N_MASS, r->group, 0)[at - inward];
+    double way[MESH_MAX_DIM];
+    way_inward(r->s, node, r->axis, way);
+    for (int c = 0; c < r->s->mesh->dim; ++c) {
+        const double given = r->given ? field_get(f, N_MOMENTUM, r->group, c)[at - inward] : 0.0;
+        const double change = field_get(f, r->change, r->group, c)[at + inward];
+        if (c == r->axis)
+            turn_back(r->s, node, c, -2.0 * (given + mass * change), &r->sum, r->moment);
+        else
+            add_moment(r->moment, way, c, given - mass * change);
+    }
 }
 
 void enter_mirrored_change(mpm *s, int group, field_id change, double share, bool given)
@@ -388,6 +435,7 @@ void enter_mirrored_change(mpm *s, int group, field_id change, double share, boo
             change_sum r = {.s = s, .group = group, .axis = axis, .change = change, .given = given};
             wall_visit_once(s->mesh, axis, side, add_mirrored_change, &r);
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, share * r.sum);
+            ledger_turn(s->ledger, LEDGER_BOUNDARY, r.moment, share);
         }
 }
 

@@ -162,7 +162,7 @@ typedef struct side_rule {
     const double *rank, *mass, *reach;
     double *v;
     double *force;
-    double impulse, work;
+    double impulse, moment[3], work;
 } side_rule;
 
 static side_rule rule_of(const mpm *s, int axis, int side, int group)
@@ -243,12 +243,27 @@ static void push_node(side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at)
     r->force[at] -= r->outward * push_at(r, node, at);
 }
 
+/* An impulse along the side's axis at one of its nodes. */
+static void push_side(side_rule *r, const int node[MESH_MAX_DIM], double impulse)
+{
+    double x[MESH_MAX_DIM];
+    place_of_node(r->s->mesh, node, x);
+    r->impulse += impulse;
+    add_moment(r->moment, x, r->axis, impulse);
+}
+
+static void enter_push(mpm *s, const side_rule *r, double share)
+{
+    ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + r->axis), LEDGER_BOUNDARY, share * r->impulse);
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, r->moment, share);
+}
+
 static void add_push(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
     (void)inward;
     side_rule *r = user;
     look_at_block(r, blk);
-    r->impulse -= r->outward * r->s->work->kick * push_at(r, node, at);
+    push_side(r, node, -r->outward * r->s->work->kick * push_at(r, node, at));
 }
 
 void push_off_sides(mpm *s, int group)
@@ -258,7 +273,7 @@ void push_off_sides(mpm *s, int group)
             if (!wall_lets_go(s, group, axis, side)) continue;
             side_rule rule = rule_of(s, axis, side, group);
             wall_visit_once(s->mesh, axis, side, add_push, &rule);
-            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, rule.impulse);
+            enter_push(s, &rule, 1.0);
             for (int b = 0; b < s->mesh->n_blocks; ++b) visit_block(&rule, b, push_node);
         }
 }
@@ -285,7 +300,7 @@ static void add_stop(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_
     look_at_block(r, blk);
     if (!flows_at(r, node, at)) return;
     const double lost = r->velocity == N_VEL_L ? fmax(0.0, r->outward * r->v[at]) : r->outward * r->v[at];
-    r->impulse -= r->outward * r->mass[at] * lost;
+    push_side(r, node, -r->outward * r->mass[at] * lost);
 }
 
 void stop_flowing(mpm *s, int axis, int side, int group, field_id velocity, double entered)
@@ -294,7 +309,7 @@ void stop_flowing(mpm *s, int axis, int side, int group, field_id velocity, doub
     rule.velocity = velocity;
     if (entered != 0.0) {
         wall_visit_once(s->mesh, axis, side, add_stop, &rule);
-        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, entered * rule.impulse);
+        enter_push(s, &rule, entered);
     }
     for (int b = 0; b < s->mesh->n_blocks; ++b) visit_block(&rule, b, stop_node);
 }

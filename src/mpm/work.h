@@ -155,7 +155,14 @@ bool forces_at_once(const mpm *s);
 
 /* What a pass over the points adds: energy (J) of heating loads, of the reference pressure's work, of body forces; and their impulse
  * (N s) by component. */
-enum { GAIN_HEAT, GAIN_REFERENCE, GAIN_FALL, GAIN_IMPULSE, MPM_GAINS = GAIN_IMPULSE + MESH_MAX_DIM };
+enum {
+    GAIN_HEAT,
+    GAIN_REFERENCE,
+    GAIN_FALL,
+    GAIN_IMPULSE,
+    GAIN_MOMENT = GAIN_IMPULSE + MESH_MAX_DIM,
+    MPM_GAINS = GAIN_MOMENT + 3
+};
 
 /* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,

@@ -241,12 +241,12 @@ void output_end(run_output *o)
 floe_status output_row(run_output *o, sim *s)
 {
     sim_totals totals;
-    double pressure[SCENE_MAX_MATERIALS], spin[SCENE_MAX_BODIES][3];
+    double pressure[SCENE_MAX_MATERIALS];
     TRY(sim_sum(s, &totals));
+    sim_sum_moments(s, &totals);
     sim_account_for(s, &totals);
     for (int m = 0; m < s->scene->n_materials; m++) pressure[m] = mean_pressure(s, m);
-    for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) mpm_angular_momentum(s->mpm, b, spin[b]);
-    TRY(history_append(o->history, s, &(history_row){&totals, pressure, (const double(*)[3])spin}));
+    TRY(history_append(o->history, s, &(history_row){&totals, pressure}));
     o->checkpoint.owed &= ~(int64_t)CHECKPOINT_OWED_ROW;
     return FLOE_OK;
 }

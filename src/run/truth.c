@@ -24,8 +24,9 @@ static int bars_passed(const sim *s, int q)
 
 static const char *words_of(int q)
 {
-    static const char *const words[LEDGER_QUANTITIES] = {"mass", "momentum along x", "momentum along y",
-                                                         "momentum along z", "energy"};
+    static const char *const words[LEDGER_QUANTITIES] = {
+        "mass",   "momentum along x",           "momentum along y",           "momentum along z",
+        "energy", "moment of momentum about x", "moment of momentum about y", "moment of momentum about z"};
     return words[q];
 }
 

@@ -51,6 +51,22 @@ floe_status sim_sum(sim *s, sim_totals *out)
     return FLOE_OK;
 }
 
+void sim_sum_moments(sim *s, sim_totals *t)
+{
+    t->turns = true;
+    for (int b = 0; s->mpm && b < s->mpm->n_bodies; ++b) {
+        double size[3];
+        mpm_angular_momentum(s->mpm, b, t->spin[b], size);
+        for (int a = 0; a < 3; ++a) {
+            t->moment[a] += t->spin[b][a];
+            t->moment_scale[a] += size[a];
+        }
+    }
+    for (int r = 0; s->ice && r < s->ice->n_materials; ++r)
+        for (int a = 0; a < 3; ++a) t->moment[a] += t->ice.moment[r][a];
+    for (int a = 0; a < 3; ++a) t->moment_scale[a] += t->ice.moment_scale[a];
+}
+
 /* Sum of the sizes of all energies: zero points of internal energies are a matter of the law. */
 static double energy_extent(const sim *s, const sim_totals *t)
 {
@@ -63,13 +79,15 @@ static double energy_extent(const sim *s, const sim_totals *t)
 
 static ledger_state state_of(const sim *s, const sim_totals *t)
 {
-    ledger_state now = {.motion = t->kinetic + t->strain, .internal = t->internal};
+    ledger_state now = {.motion = t->kinetic + t->strain, .internal = t->internal, .turns = t->turns};
     now.total[LEDGER_MASS] = now.extent[LEDGER_MASS] = t->mass;
     now.total[LEDGER_ENERGY] = t->kinetic + t->strain + t->internal;
     now.extent[LEDGER_ENERGY] = energy_extent(s, t);
     for (int a = 0; a < 3; ++a) {
         now.total[LEDGER_MOMENTUM_X + a] = t->momentum[a];
         now.extent[LEDGER_MOMENTUM_X + a] = t->mpm.momentum_scale[a] + t->ice.momentum_scale[a];
+        now.total[LEDGER_MOMENT_X + a] = t->moment[a];
+        now.extent[LEDGER_MOMENT_X + a] = t->moment_scale[a];
     }
     return now;
 }
@@ -89,6 +107,7 @@ floe_status sim_open_account(sim *s)
 {
     sim_totals t;
     TRY(sim_sum(s, &t));
+    sim_sum_moments(s, &t);
     const ledger_state now = state_of(s, &t);
     ledger_open(&s->ledger, &now, elasticity_of(s, &t));
     return FLOE_OK;

@@ -105,7 +105,7 @@ static floe_status fill(sim *s)
     TRY(set_initial_state(s));
     TRY(sim_choose_pressure(s));
     TRY(sim_choose_substeps(s));
-    s->ledger.no_account[LEDGER_MOMENTUM_X] = s->mesh.geometry == MESH_AXISYMMETRIC;
+    ledger_choose(&s->ledger, &s->mesh);
     return sim_open_account(s);
 }
 

@@ -67,10 +67,15 @@ typedef struct sim_totals {
     double mass, kinetic, strain, internal;
     double kinetic_solid;
     double momentum[3];
+    bool
+        turns; /* sim_sum_moments has added the moments of momentum: kg m2/s, about the origin, and sums of sizes about the mesh's middle */
+    double moment[3], moment_scale[3], spin[SCENE_MAX_BODIES][3]; /* spin: of each body of points */
     ice_totals ice;
     mpm_totals mpm;
 } sim_totals;
 floe_status sim_sum(sim *s, sim_totals *out);
+/* Adds moments of momentum to sums: a pass of its own over the points. */
+void sim_sum_moments(sim *s, sim_totals *t);
 /* Opens the ledger's account with what is there now. */
 floe_status sim_open_account(sim *s);
 /* Brings the ledger's totals, scales and largest drifts up to date; from sums that are there already. */

@@ -173,6 +173,7 @@ static double find_plain(const run_summary *r, const char *name)
         {"peak_rss_bytes", (double)r->peak_rss_bytes},
         {"conservation.mass", r->drift_mass},
         {"conservation.momentum", r->drift_momentum},
+        {"conservation.angular_momentum", r->drift_moment},
         {"conservation.energy", r->drift_energy},
     };
     return find_value(plain, (int)(sizeof plain / sizeof plain[0]), name);

@@ -75,6 +75,44 @@ static ledger_state some_state(void)
     return now;
 }
 
+/* Moments have the scale of the momenta that there can be, at the farthest; a look without them leaves them alone, and where an axis of
+ * their plane is periodic, or a radius, they have no account. */
+static void moments_are_kept_apart(void **state)
+{
+    (void)state;
+    ledger l = {0};
+    mesh m = {.dim = 3, .upper = {6.0, 0.0, 8.0}, .periodic = {true, false, false}};
+    const double x[3] = {2.0, 3.0, 5.0};
+    ledger_choose(&l, &m);
+    assert_true(!l.no_account[LEDGER_MOMENT_X] && l.no_account[LEDGER_MOMENT_Y] && l.no_account[LEDGER_MOMENT_Z]);
+    check_close(l.arm, 5.0, 1e-15);
+    m = (mesh){.dim = 2, .geometry = MESH_AXISYMMETRIC};
+    ledger_choose(&l, &m);
+    assert_true(l.no_account[LEDGER_MOMENTUM_X] && !l.no_account[LEDGER_MOMENTUM_Y] && l.no_account[LEDGER_MOMENT_Z]);
+    l = (ledger){.arm = 2.0};
+    ledger_state now = some_state();
+    now.turns = true;
+    now.extent[LEDGER_MOMENT_Z] = 100.0; /* more than 2 (2 m E)^1/2 */
+    ledger_open(&l, &now, 0.0);
+    /* x x J of (7, 11, 13) */
+    ledger_push(&l, LEDGER_BOUNDARY, 0, 7.0, x);
+    ledger_push(&l, LEDGER_BOUNDARY, 1, 11.0, x);
+    ledger_push(&l, LEDGER_BOUNDARY, 2, 13.0, x);
+    ledger_commit(&l);
+    check_close(l.entry[LEDGER_MOMENT_X][LEDGER_BOUNDARY].value, 3.0 * 13.0 - 5.0 * 11.0, 1e-15);
+    check_close(l.entry[LEDGER_MOMENT_Y][LEDGER_BOUNDARY].value, 5.0 * 7.0 - 2.0 * 13.0, 1e-15);
+    check_close(l.entry[LEDGER_MOMENT_Z][LEDGER_BOUNDARY].value, 2.0 * 11.0 - 3.0 * 7.0, 1e-15);
+    check_close(l.entry[LEDGER_MOMENTUM_Y][LEDGER_BOUNDARY].value, 11.0, 0.0);
+    now.total[LEDGER_MOMENT_Z] = 3.0;
+    ledger_look(&l, &now, 1.0);
+    check_close(ledger_drift(&l, LEDGER_MOMENT_Z), 2.0 / (2.0 * sqrt(2.0 * 3.0 * 2.0)), 1e-14);
+    now.turns = false;
+    now.total[LEDGER_MOMENT_Z] = 9.0;
+    ledger_look(&l, &now, 2.0);
+    check_close(l.total[LEDGER_MOMENT_Z], 3.0, 0.0);
+    check_close(l.worst_time[LEDGER_MOMENT_Z], 1.0, 0.0);
+}
+
 /* An error does not make itself small by growing, and what a run has once shown stays. */
 static void the_scale_does_not_grow_with_the_error(void **state)
 {
@@ -134,8 +172,11 @@ static void round_off_at_rest_is_no_drift(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rejected_step_leaves_nothing), cmocka_unit_test(small_entries_are_not_lost),
-        cmocka_unit_test(momentum_is_one_vector),         cmocka_unit_test(the_scale_does_not_grow_with_the_error),
+        cmocka_unit_test(a_rejected_step_leaves_nothing),
+        cmocka_unit_test(small_entries_are_not_lost),
+        cmocka_unit_test(momentum_is_one_vector),
+        cmocka_unit_test(moments_are_kept_apart),
+        cmocka_unit_test(the_scale_does_not_grow_with_the_error),
         cmocka_unit_test(round_off_at_rest_is_no_drift),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

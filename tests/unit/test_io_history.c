@@ -72,7 +72,7 @@ static void append(fixture *f, history *h, double time)
     static double pressure[SCENE_MAX_MATERIALS];
     const sim_totals totals = some_totals(time);
     pressure[2] = 1.0e7 / 3.0;
-    const history_row row = {&totals, pressure, NULL};
+    const history_row row = {&totals, pressure};
     f->sim.time = time;
     check_ok(f->ctx, history_append(h, &f->sim, &row));
 }
@@ -207,7 +207,7 @@ static void keeps_earlier_when_disk_is_full(void **state)
     history *h;
     char folder[FIXTURE_PATH], path[FIXTURE_PATH];
     const sim_totals totals = some_totals(9.0);
-    const history_row row = {&totals, NULL, NULL};
+    const history_row row = {&totals, NULL};
     size_t before, after;
     fixture_folder(folder);
     fixture_path(path, folder, "history.csv");

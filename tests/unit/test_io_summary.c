@@ -74,7 +74,7 @@ static void has_fields_of_contract(void **state)
                                       NULL};
     static const char *const memory[] = {"peak_rss_bytes", "field_bytes", NULL};
     static const char *const bytes[] = {"mpm", "ice", "coupling", NULL};
-    static const char *const drift[] = {"mass", "momentum", "energy", "at_end", NULL};
+    static const char *const drift[] = {"mass", "momentum", "angular_momentum", "energy", "at_end", NULL};
     static const char *const build[] = {"version", "git", "compiler", "flags", "machine", "threads", NULL};
     fixture f;
     fixture_make(&f, &coupled);

@@ -141,7 +141,7 @@ static void test_bar(void **state)
     const double speed = 0.01, cell = 0.025;
     for (size_t i = 0; i < 2 * sizeof basis / sizeof *basis; ++i) {
         trial t;
-        double most = 0.0, energy = 0.0, pressed = 0.0, before = -1.0, spin[3];
+        double most = 0.0, energy = 0.0, pressed = 0.0, before = -1.0, spin[3], size[3];
         mpm_totals sum;
         trial_begin(&t, 1, (const double[]){1.0, 0.0, 0.0}, cell);
         t.scene->method.flip = NAN; /* the defaults */
@@ -168,7 +168,7 @@ static void test_bar(void **state)
         check_close(before, 1.0, 0.02);
         check_close(pressed, 0.8, 2.0 * cell);
         check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_X) <= 1e-13);
-        mpm_angular_momentum(t.sim->mpm, 0, spin);
+        mpm_angular_momentum(t.sim->mpm, 0, spin, size);
         check_true(spin[0] == 0.0 && spin[1] == 0.0 && spin[2] == 0.0);
         trial_end(&t);
     }

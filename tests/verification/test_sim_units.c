@@ -14,8 +14,8 @@ static const struct {
 /* The power of two of number k of a part of the state. */
 static int power_of(const mesh *m, const scaling *by, const char *part, size_t k)
 {
-    static const char *const clock[] = {"s", "s", "1", "s"}, *const account[] = {"kg", "kg m/s", "kg m/s", "kg m/s",
-                                                                                 "J"};
+    static const char *const clock[] = {"s", "s", "1", "s"}, *const account[] = {"kg", "kg m/s",  "kg m/s",  "kg m/s",
+                                                                                 "J",  "kg m2/s", "kg m2/s", "kg m2/s"};
     if (strcmp(part, "clocks") == 0) return scale_power(by, clock[k]);
     const size_t quantity = k / (2 * LEDGER_KINDS); /* sums and what they carry; then counts */
     if (strcmp(part, "ledger") == 0) return quantity < LEDGER_QUANTITIES ? scale_held(m, by, account[quantity]) : 0;

@@ -187,14 +187,15 @@ static void note_surroundings(const ice *s)
 {
     const double beyond = pressure_beyond(s);
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
-    double impulse[2] = {0.0, 0.0}, work = 0.0;
+    double work = 0.0;
     if (beyond == 0.0) return;
     for (piece_walk w = first_piece(s, pools_in_hand(s)); next_piece(&w);) {
-        for (int a = 0; a < s->mesh->dim; ++a) impulse[a] -= w.weight * s->dt * beyond * w.piece->area[a];
+        double x[MESH_MAX_DIM] = {0.0};
+        for (int a = 0; a < s->mesh->dim; ++a) x[a] = at_middle(w.piece, w.line->path, a);
+        for (int a = radial; a < s->mesh->dim; ++a)
+            ledger_push(s->ledger, LEDGER_BOUNDARY, a, -w.weight * s->dt * beyond * w.piece->area[a], x);
         work -= w.weight * beyond * along_area(&w, w.line->path);
     }
-    for (int a = radial; a < s->mesh->dim; ++a)
-        ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY, impulse[a]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, work);
 }
 

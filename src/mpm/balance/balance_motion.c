@@ -63,12 +63,27 @@ double motion_velocity(const mpm *s, size_t k)
     return 2.0 * s->balance->u[k] / s->dt - s->balance->velocity[k];
 }
 
+/* Where an entry of the solver's grid is. */
+static void place_of_entry(const mpm *s, size_t i, double x[MESH_MAX_DIM])
+{
+    const solve_grid *g = &s->balance->grid;
+    int node[MESH_MAX_DIM] = {0};
+    ptrdiff_t rest = (ptrdiff_t)i;
+    for (int a = g->dim - 1; a >= 0; --a) {
+        node[a] = (int)(rest / g->stride[a]) - 1;
+        rest %= g->stride[a];
+    }
+    place_of_node(s->mesh, node, x);
+}
+
 /* Impulses and work of loads, damping and what holds nodes. */
 void motion_enter(mpm *s)
 {
     const struct mpm_balance *w = s->balance;
     double *share = w->trial, work = 0.0, damped = 0.0, held = 0.0;
     const double rate = motion_damping(s);
+    double pushes[3] = {0.0}, losses[3] = {0.0}, gains[3] = {0.0}, x[MESH_MAX_DIM];
+    bool any_walls = false;
     memset(share, 0, w->components * sizeof *share);
     balance_share(s, share);
     for (int c = 0; c < s->mesh->dim; ++c) {
@@ -78,8 +93,15 @@ void motion_enter(mpm *s)
         for (size_t i = 0; i < w->grid.size; ++i) {
             const size_t k = (size_t)c * w->grid.size + i;
             const double way = w->u[k], loss = rate * w->mass[i] * way;
-            gained += share[k] * (motion_velocity(s, k) - w->velocity[k]);
-            pushed += s->dt * w->outer[k];
+            const double gain = share[k] * (motion_velocity(s, k) - w->velocity[k]), push = s->dt * w->outer[k];
+            gained += gain;
+            pushed += push;
+            if (gain != 0.0 || push != 0.0 || loss != 0.0) {
+                place_of_entry(s, i, x);
+                add_moment(gains, x, c, gain);
+                add_moment(pushes, x, c, push);
+                add_moment(losses, x, c, loss);
+            }
             slowed += loss;
             work += w->outer[k] * way;
             damped += loss * way / s->dt;
@@ -90,7 +112,14 @@ void motion_enter(mpm *s)
         ledger_add(s->ledger, q, LEDGER_SOURCE, pushed);
         ledger_add(s->ledger, q, LEDGER_DAMPING, -slowed);
         if (walls) ledger_add(s->ledger, q, LEDGER_BOUNDARY, gained - pushed + slowed);
+        any_walls = any_walls || walls;
     }
+    ledger_turn(s->ledger, LEDGER_SOURCE, pushes, 1.0);
+    ledger_turn(s->ledger, LEDGER_DAMPING, losses, -1.0);
+    if (any_walls)
+        for (int a = 0; a < 3; ++a)
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENT_X + a), LEDGER_BOUNDARY,
+                       gains[a] - pushes[a] + losses[a]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -damped);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, held);

@@ -37,7 +37,7 @@ void edges_mark_flow(const mpm *s, edge_group *g)
     }
 }
 
-double edges_push(const mpm *s, const edge_group *g, int c, double *force)
+double edges_push(const mpm *s, const edge_group *g, int c, double *force, double moment[3])
 {
     double given = 0.0;
     if (g->n_nodes > 0) memset(force, 0, (size_t)g->n_nodes * sizeof *force);
@@ -45,7 +45,9 @@ double edges_push(const mpm *s, const edge_group *g, int c, double *force)
         const edge_line *l = &g->line[k];
         const double tension = -l->stiffness * pushing(s, g, k, c);
         edge_add(l, c, tension, force);
-        if (l->images) given += tension * edge_sum(g, l, c, false);
+        if (!l->images) continue;
+        given += tension * edge_sum(g, l, c, false);
+        edge_turn(s->mesh, g, l, c, false, tension, moment);
     }
     return given;
 }
@@ -78,9 +80,10 @@ static floe_status push_group(mpm *s, int group)
     double *force;
     TRY(edges_scratch(s, g, 1, &force));
     for (int c = 0; c < s->mesh->dim; ++c) {
-        const double given = edges_push(s, g, c, force);
+        double moment[3] = {0.0};
+        const double given = edges_push(s, g, c, force, moment);
         edges_add_to_copies(s, group, N_FORCE, c, force);
-        ledger_add(s->ledger, edges_momentum(c), LEDGER_BOUNDARY, given * s->work->kick);
+        edges_enter(s, c, given, moment);
     }
     return FLOE_OK;
 }

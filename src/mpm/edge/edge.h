@@ -225,9 +225,24 @@ static inline double edge_sum(const edge_group *g, const edge_line *l, int c, bo
     return sum;
 }
 
-static inline ledger_quantity edges_momentum(int c)
+/* Its moment: that of `given` along c, spread as D^T over the nodes, or over those that are free. */
+static inline void edge_turn(const mesh *m, const edge_group *g, const edge_line *l, int c, bool free_only,
+                             double given, double moment[3])
 {
-    return (ledger_quantity)(LEDGER_MOMENTUM_X + c);
+    for (int t = 0; t < EDGE_TAPS; ++t) {
+        const edge_node *n = &g->node[l->node[t]];
+        double x[MESH_MAX_DIM];
+        if (free_only && edge_holds(n, c)) continue;
+        place_of_node(m, n->at, x);
+        add_moment(moment, x, c, given * edge_weights(l, c)[t]);
+    }
+}
+
+/* What walls and mirrors give in a step: momentum along c, and moments. */
+static inline void edges_enter(mpm *s, int c, double given, const double moment[3])
+{
+    ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + c), LEDGER_BOUNDARY, given * s->work->kick);
+    ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, s->work->kick);
 }
 
 /* Nodes of a line: the order of the basis and two more. */
@@ -239,7 +254,7 @@ void edges_values(const mpm *s, int group, field_id id, int c, double *value);
 /* Adds to it, wherever blocks have the nodes. */
 void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const double *value);
 /* Forces (N) of a group's lines along c on its nodes; gives what mirrors add to their sum. */
-double edges_push(const mpm *s, const edge_group *g, int c, double *force);
+double edges_push(const mpm *s, const edge_group *g, int c, double *force, double moment[3]);
 /* Accelerations and v^L of a group with the inertia of its lines. After walls. */
 floe_status edges_accelerate(mpm *s, int group);
 /* Finds the lines that flow in this step. */

@@ -196,7 +196,7 @@ static void keep_linear_motion(const mpm *s, edge_system *y)
 }
 
 /* What lines give to the free nodes (kg m/s2): none, but beside walls and mirrors. */
-static double given_by_lines(const edge_system *y)
+static double given_by_lines(const mesh *m, const edge_system *y, double moment[3])
 {
     const edge_group *g = y->group;
     double given = 0.0;
@@ -204,8 +204,9 @@ static double given_by_lines(const edge_system *y)
         const edge_line *l = &g->line[k];
         if (!l->unbalanced) continue;
         const double share = l->flows ? 1.0 : y->share, damping = l->flows ? 0.0 : g->damping;
-        given -= edge_sum(g, l, y->c, true) * l->inertia *
-                 (share * edge_difference(l, y->c, y->x) + damping * edge_difference(l, y->c, y->before));
+        const double motion = share * edge_difference(l, y->c, y->x) + damping * edge_difference(l, y->c, y->before);
+        given -= edge_sum(g, l, y->c, true) * l->inertia * motion;
+        edge_turn(m, g, l, y->c, true, -l->inertia * motion, moment);
     }
     return given;
 }
@@ -264,8 +265,8 @@ static edge_system load_system(const mpm *s, int group, int c, double *room)
  * what a probe lost that strikes a bag. */
 static void enter_work(mpm *s, const edge_system *y)
 {
-    double work = 0.0;
-    (void)edges_push(s, y->group, y->c, y->r);
+    double work = 0.0, unused[3] = {0.0};
+    (void)edges_push(s, y->group, y->c, y->r, unused);
     for (int n = 0; n < y->group->n_nodes; ++n) {
         if (edge_holds(&y->group->node[n], y->c)) continue;
         const double force = y->r[n] + y->mass[n] * (y->x[n] - y->raw[n]);
@@ -280,7 +281,8 @@ static void accelerate(mpm *s, int group, int c, double *room)
     edge_system y = load_system(s, group, c, room);
     solve(&y);
     keep_linear_motion(s, &y);
-    const double given = given_by_lines(&y);
+    double moment[3] = {0.0};
+    const double given = given_by_lines(s->mesh, &y, moment);
     keep_momentum(&y, given);
     for (int n = 0; n < g->n_nodes; ++n) {
         g->accelerated[(size_t)c * (size_t)g->n_nodes + (size_t)n] = y.x[n];
@@ -289,7 +291,7 @@ static void accelerate(mpm *s, int group, int c, double *room)
     }
     edges_add_to_copies(s, group, N_ACCEL, c, y.p);
     edges_add_to_copies(s, group, N_VEL_L, c, y.Ap);
-    ledger_add(s->ledger, edges_momentum(c), LEDGER_BOUNDARY, given * y.kick);
+    edges_enter(s, c, given, moment);
     enter_work(s, &y);
 }
 

@@ -149,7 +149,7 @@ static void sum_gas(const mpm *s, double sum[HOLD_SUMS])
  * the mirror. */
 static void load_surface(mpm *s, gas_hold *h, const hold_axis axis[3], double outwards, double area)
 {
-    const double pressure = copysign(h->pressure, h->pressure * outwards);
+    const double pressure = copysign(h->pressure, h->pressure * outwards), *x = s->work->line[h->body].x;
     for (int a = 0; a < 3; ++a) {
         const bool cut = axis[a].cut[0] || axis[a].cut[1];
         const double spread = cut ? 0.0 : axis[a].net / area;
@@ -157,9 +157,13 @@ static void load_surface(mpm *s, gas_hold *h, const hold_axis axis[3], double ou
             double *force = h->force + 3 * k + a;
             *force = pressure * (*force - spread * h->area[k]);
         }
+        double moment[3] = {0.0};
+        for (size_t k = 0; cut && k < h->n; ++k)
+            if (!is_lost(x, k)) add_moment(moment, x + 3 * k, a, h->force[3 * k + (size_t)a]);
         if (cut)
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY,
                        s->work->kick * pressure * axis[a].net);
+        ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, s->work->kick);
     }
 }
 

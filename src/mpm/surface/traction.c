@@ -299,6 +299,7 @@ void scatter_room(mpm *s, int room)
 /* One surface point after the other, so that every block adds up a node in the same order. */
 void scatter_surfaces(mpm *s, int group)
 {
+    double moment[3] = {0.0};
     for (size_t k = 0; k < s->work->n_surface; ++k) {
         const surface_point *p = &s->work->surface[k];
         if (p->load < 0) continue;
@@ -307,9 +308,12 @@ void scatter_surfaces(mpm *s, int group)
         const double pressure = load->target * load_now(s, load);
         const double force[3] = {pressure * p->area[0], pressure * p->area[1], pressure * p->area[2]};
         push_surface(s, group, p->x, force);
-        for (int a = 0; a < s->mesh->dim; ++a)
+        for (int a = 0; a < s->mesh->dim; ++a) {
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, force[a] * s->work->kick);
+            add_moment(moment, p->x, a, force[a]);
+        }
     }
+    ledger_turn(s->ledger, LEDGER_SOURCE, moment, s->work->kick);
 }
 
 typedef struct motion_sum {
