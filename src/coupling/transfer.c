@@ -46,22 +46,19 @@ floe_status transfer_nodes_to_cells(transfer *t)
     return FLOE_OK;
 }
 
-/* A row's momentum along each axis, to arrays of its block. */
-static void sum_momentum(const transfer *t, int blk, const transfer_pair *pair, int j, int k,
-                         double *const to[MESH_MAX_DIM])
+/* A row's momentum along each axis, to the current or next arrays of a field of the cells. */
+static void sum_momentum(const transfer *t, int blk, const transfer_pair *pair, int j, int k, field_id to, bool next)
 {
     const fields *f = t->domain->fields[blk];
     const strip s = strip_of_cells(t->mesh, &t->mesh->block[blk], j, k);
     for (int a = 0; a < t->mesh->dim; ++a)
-        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a), to[a],
-                  STRIP_SUM_PRODUCT);
+        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a),
+                  (next ? field_next : field_get)(f, to, pair->material, a), STRIP_SUM_PRODUCT);
 }
 
 static void momentum_from_nodes(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
 {
-    double *to[MESH_MAX_DIM];
-    for (int a = 0; a < t->mesh->dim; ++a) to[a] = field_get(t->domain->fields[blk], C_MOMENTUM_L, pair->material, a);
-    sum_momentum(t, blk, pair, j, k, to);
+    sum_momentum(t, blk, pair, j, k, C_MOMENTUM_L, false);
 }
 
 floe_status transfer_momentum_to_cells(transfer *t)
@@ -171,13 +168,9 @@ floe_status transfer_burnt_to_cells(transfer *t)
     return FLOE_OK;
 }
 
-/* Momentum in the next array of C_STRESS_ACCEL. */
 static void momentum_before(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
 {
-    double *to[MESH_MAX_DIM];
-    for (int a = 0; a < t->mesh->dim; ++a)
-        to[a] = field_next(t->domain->fields[blk], C_STRESS_ACCEL, pair->material, a);
-    sum_momentum(t, blk, pair, j, k, to);
+    sum_momentum(t, blk, pair, j, k, C_STRESS_ACCEL, true);
 }
 
 floe_status transfer_momentum_before(transfer *t)
@@ -191,17 +184,15 @@ static void stress_from_nodes(const transfer *t, int blk, const transfer_pair *p
 {
     const block *b = &t->mesh->block[blk];
     const fields *f = t->domain->fields[blk];
-    const strip s = strip_of_cells(t->mesh, b, j, k);
     const double *rho = field_get(f, C_RHO, pair->material, 0);
+    sum_momentum(t, blk, pair, j, k, C_VELOCITY_CHANGE, false);
     for (int a = 0; a < t->mesh->dim; ++a) {
         const double *u = field_get(f, C_VEL, pair->material, a),
                      *loaded = field_get(f, C_MOMENTUM_L, pair->material, a);
-        double *after = field_get(f, C_VELOCITY_CHANGE, pair->material, a);
+        const double *after = field_get(f, C_VELOCITY_CHANGE, pair->material, a);
         double *next = field_next(f, C_STRESS_ACCEL, pair->material, a);
-        strip_sum(&s, field_get(f, N_MASS, pair->group, 0), field_get(f, N_VEL_L, pair->group, a), after,
-                  STRIP_SUM_PRODUCT);
-        for (int i = 0; i < s.n; ++i) {
-            const ptrdiff_t at = s.at + i;
+        for (int i = 0; i < b->n[0]; ++i) {
+            const ptrdiff_t at = mesh_index(b, i, j, k);
             const double mass = rho[at] * mesh_cell_volume(t->mesh, b->lo[0] + i);
             const double impulse = (loaded[at] - mass * u[at]) + (after[at] - next[at]);
             next[at] = mass > 0.0 ? impulse / (mass * t->dt) - t->gravity[a] : 0.0;

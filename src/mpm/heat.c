@@ -146,8 +146,9 @@ static void settle_body(const mpm *s, int blk, int body, const tile_box *t, cons
 }
 
 /* Settles the points of one tile; what others than fluids lose, and their masses, go into its private sums. */
-static void settle_tile(const mpm *s, int blk, int tile)
+static void settle_losses_in_tile(mpm *s, int unused, int blk, int tile)
 {
+    (void)unused;
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     double squares[HEAT_WINDOW], *out = domain_tile(s->domain, box.number);
     int loaded = -1;
@@ -183,8 +184,9 @@ static double fluid_at(const mpm *s, int blk, ptrdiff_t at)
 enum { SUM_DAMPED, SUM_LEFT, SUM_FLUID, HEAT_SUMS };
 
 /* What damping took joins the losses of a tile's nodes, and is summed, as is what nodes without fluid hold. */
-static void close_tile(const mpm *s, int blk, int tile)
+static void close_tile(mpm *s, int unused, int blk, int tile)
 {
+    (void)unused;
     const block *b = &s->mesh->block[blk];
     const tile_box t = tile_box_of(s->mesh, b, tile);
     const fields *f = s->domain->fields[blk];
@@ -226,8 +228,9 @@ static bool is_zero(const double *window, int n)
 }
 
 /* Gives fluid points of a tile what its nodes hold for them. */
-static void heat_tile(const mpm *s, int blk, int tile)
+static void heat_tile(mpm *s, int unused, int blk, int tile)
 {
+    (void)unused;
     const fields *f = s->domain->fields[blk];
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     const double *node = field_get(f, N_LOSS, 0, 0);
@@ -247,37 +250,27 @@ static void heat_tile(const mpm *s, int blk, int tile)
     }
 }
 
-/* Calls `visit` for every tile. */
-typedef void tile_visitor(const mpm *s, int blk, int tile);
-
-static void visit_tiles(const mpm *s, tile_visitor *visit)
-{
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) visit(s, b, t);
-    }
-}
-
 floe_status mpm_give_heat(mpm *s)
 {
     double sum[HEAT_SUMS];
     TRY(square_all(s));
-    visit_tiles(s, settle_tile);
+    visit_tiles(s, 0, settle_losses_in_tile);
     gather_numbers(s, 0, (const field_id[]){N_LOSS, N_DRY_MASS}, 2);
-    visit_tiles(s, close_tile);
+    visit_tiles(s, 0, close_tile);
     domain_sum_tiles(s->mesh, s->work->tile_sum, HEAT_SUMS, sum);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED]);
     s->work->lost = (s->part > 0 ? s->work->lost : 0.0) + sum[SUM_LEFT];
     if (s->seals) return FLOE_OK;
     for (int b = 0; b < s->mesh->n_blocks; ++b) share_losses(s, b, sum[SUM_LEFT] / sum[SUM_FLUID]);
     extend_to_ghosts(s, 0, N_LOSS);
-    visit_tiles(s, heat_tile);
+    visit_tiles(s, 0, heat_tile);
     return FLOE_OK;
 }
 
 /* Fluid points of a tile take their own losses. */
-static void keep_tile(const mpm *s, int blk, int tile)
+static void keep_tile(mpm *s, int unused, int blk, int tile)
 {
+    (void)unused;
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     double squares[HEAT_WINDOW], *at_points = s->work->batch[thread_number()].energy;
     int loaded = -1;
@@ -295,6 +288,6 @@ static void keep_tile(const mpm *s, int blk, int tile)
 floe_status mpm_keep_losses(mpm *s)
 {
     TRY(square_all(s));
-    visit_tiles(s, keep_tile);
+    visit_tiles(s, 0, keep_tile);
     return FLOE_OK;
 }

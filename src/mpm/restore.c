@@ -54,10 +54,7 @@ static void project_tile(mpm *s, int group, int blk, int tile)
 static void project_group(mpm *s, int group)
 {
     const mesh *m = s->mesh;
-    for (int b = 0; b < m->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < m->block[b].n_tiles; ++t) project_tile(s, group, b, t);
-    }
+    visit_tiles(s, group, project_tile);
     domain_share_partials(s->domain);
     for (int b = 0; b < m->n_blocks; ++b) {
         node_target out = {.components = lanes_of(m->dim), .reach = s->work->reach};

@@ -34,8 +34,10 @@ bool settles_volumes(const mpm *s)
     return false;
 }
 
-static void fill_tile(const mpm *s, int blk, int tile)
+/* Volume of all points of a tile at its nodes. */
+static void fill_nodes_of_tile(mpm *s, int group, int blk, int tile)
 {
+    (void)group;
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     double *out = domain_tile(s->domain, box.number);
     bool any = false;
@@ -96,11 +98,11 @@ static double settle_points(const mpm *s, int blk, int body, size_t start, size_
     return gained;
 }
 
-static void settle_tile(const mpm *s, int blk, int tile)
+static void settle_volumes_in_tile(mpm *s, int group, int blk, int tile)
 {
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     double window[SETTLE_WINDOW] = {0.0}, empty[SOLID_CHUNK];
-    const double *node = field_get(s->domain->fields[blk], N_FILL, s->work->wetted->fluid, 0);
+    const double *node = field_get(s->domain->fields[blk], N_FILL, group, 0);
     load_window(s, blk, &box, &node, 1, window);
     s->work->tile_sum[box.number] = 0.0;
     const bool swells = !has_surface(window, s->work->window_nodes);
@@ -119,17 +121,11 @@ static void settle_tile(const mpm *s, int blk, int tile)
 floe_status mpm_settle_volumes(mpm *s)
 {
     const int group = s->work->wetted->fluid;
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) fill_tile(s, b, t);
-    }
+    visit_tiles(s, group, fill_nodes_of_tile);
     gather_numbers(s, group, (const field_id[]){N_FILL}, 1);
     for (int b = 0; b < s->mesh->n_blocks; ++b) find_empty(s, b);
     extend_to_ghosts(s, group, N_FILL);
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) settle_tile(s, b, t);
-    }
+    visit_tiles(s, group, settle_volumes_in_tile);
     double gained;
     domain_sum_tiles(s->mesh, s->work->tile_sum, 1, &gained);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, gained);

@@ -3,8 +3,6 @@
 #include "mpm/locate.h"
 #include "mpm/wall.h"
 
-#include <string.h>
-
 void spread_numbers(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, const double *number, int count,
                     double *window)
 {
@@ -26,11 +24,7 @@ void gather_numbers(mpm *s, int group, const field_id *id, int count)
 {
     domain_share_partials(s->domain);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        node_target to = {.reach = s->work->reach};
-        for (int k = 0; k < count; ++k)
-            for (int c = 0; c < field_component_count(field_describe(id[k])->components, s->mesh->dim); ++c)
-                to.array[to.components++] = field_get(s->domain->fields[b], id[k], group, c);
-        memcpy(to.window, s->work->window, sizeof to.window);
+        const node_target to = node_target_of(s, b, group, id, count);
         gather_nodes(s, b, &to);
     }
     for (int c = 0; c < count; ++c) {

@@ -204,6 +204,24 @@ static void gather_row(const mpm *s, const block *b, const node_target *out, int
             for (int x = x0; x <= x1; ++x) add_row(s, b, out, (const int[]){x, y, z}, j, k);
 }
 
+node_target node_target_of(const mpm *s, int blk, int group, const field_id *id, int count)
+{
+    node_target to = {.reach = s->work->reach};
+    for (int k = 0; k < count; ++k)
+        for (int c = 0; c < field_component_count(field_describe(id[k])->components, s->mesh->dim); ++c)
+            to.array[to.components++] = field_get(s->domain->fields[blk], id[k], group, c);
+    memcpy(to.window, s->work->window, sizeof to.window);
+    return to;
+}
+
+void visit_tiles(mpm *s, int group, tile_visitor *visit)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b) {
+#pragma omp parallel for schedule(dynamic, 4)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) visit(s, group, b, t);
+    }
+}
+
 void gather_nodes(const mpm *s, int blk, const node_target *out)
 {
     const mesh *m = s->mesh;

@@ -4,13 +4,11 @@
  * unlike at a mirror, beyond which the body goes on as its image. Beyond such a side velocities are continued in a straight line, as
  * beyond any side without a mirror. Fluid points, and solids that share a velocity field with them, keep the mirror; so do membranes
  * that hold a gas in, whose ends are tied to the sides, and steps that are solved for (balance.h). */
+#include "mpm/reach.h"
 #include "mpm/wall.h"
 #include "mpm/wall_overlap.h"
 
 #include <math.h>
-#include <string.h>
-
-enum { MAX_SIDE_WINDOW = 343 };
 
 /* Groups that some body keeps from being let go. */
 static bool is_loose(const mpm *s, int group)
@@ -55,33 +53,19 @@ static void half_widths(const mpm *s, int body, const point_arrays *p, size_t k,
     for (int a = 0; a < m->dim && lattice > 0.0; ++a) half[a] *= stretch;
 }
 
-/* The nodes of a tile's window that a point gives to along an axis: the first, and returns how many. */
-static int span_of(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, int axis, int *first)
-{
-    const mesh *m = s->mesh;
-    const double inv_h = 1.0 / m->h[axis], at = (p->x[axis][k] - m->lower[axis]) * inv_h - t->first[axis];
-    double w[BASIS_MAX_SUPPORT], dw[BASIS_MAX_SUPPORT];
-    int cell = (int)at;
-    cell = cell < 0 ? 0 : cell >= t->cells[axis] ? t->cells[axis] - 1 : cell;
-    *first = s->work->reach + cell +
-             s->basis->weights(at - cell, p->half[axis] ? p->half[axis][k] * inv_h : 0.5, inv_h, w, dw);
-    return s->basis->support;
-}
-
 /* A point's reach beyond a side, and its body's rank, to the nodes of the side's plane that it gives to. */
 static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, int axis, int side,
                           double reach, double rank, double *out)
 {
     const int *window = s->work->window, dim = s->mesh->dim;
-    int first[MESH_MAX_DIM] = {0, 0, 0}, n[MESH_MAX_DIM] = {1, 1, 1};
-    for (int a = 0; a < dim; ++a) n[a] = span_of(s, t, p, k, a, &first[a]);
+    point_span r = span_of_point(s, t, p, k);
     const int plane = s->work->reach + (side == SIDE_LOWER ? 0 : s->mesh->n[axis]) - t->first[axis];
-    if (plane < first[axis] || plane >= first[axis] + n[axis]) return;
-    first[axis] = plane;
-    n[axis] = 1;
-    for (int z = first[2]; z < first[2] + n[2]; ++z)
-        for (int y = first[1]; y < first[1] + n[1]; ++y)
-            for (int x = first[0]; x < first[0] + n[0]; ++x) {
+    if (plane < r.first[axis] || plane >= r.first[axis] + r.n[axis]) return;
+    r.first[axis] = plane;
+    r.n[axis] = 1;
+    for (int z = r.first[2]; z < r.first[2] + r.n[2]; ++z)
+        for (int y = r.first[1]; y < r.first[1] + r.n[1]; ++y)
+            for (int x = r.first[0]; x < r.first[0] + r.n[0]; ++x) {
                 double *node = &out[(x + window[0] * (y + window[1] * z)) * (dim + 1)];
                 node[axis] = fmax(node[axis], reach);
                 node[dim] = fmax(node[dim], -rank);
@@ -113,17 +97,17 @@ static void scatter_body(const mpm *s, int blk, int body, const tile_box *t, con
         }
 }
 
-static void scatter_tile(const mpm *s, int group, int blk, int tile)
+static void scatter_reach_at_sides(mpm *s, int group, int blk, int tile)
 {
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
-    double *out = domain_tile(s->domain, box.number);
     bool any = false;
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2; ++side)
             any = any || (is_at_side(s, &box, axis, side) && wall_lets_go(s, group, axis, side));
     s->work->active[box.number] = any;
-    for (int k = 0; any && k < s->work->window_nodes * (s->mesh->dim + 1); ++k) out[k] = -INFINITY;
-    for (int body = 0; any && body < s->n_bodies; ++body) {
+    if (!any) return;
+    double *out = start_reach(s, &box, s->mesh->dim + 1);
+    for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start + tile;
         if (s->body[body].group == group && start[0] < start[1]) scatter_body(s, blk, body, &box, start, out);
     }
@@ -131,22 +115,7 @@ static void scatter_tile(const mpm *s, int group, int blk, int tile)
 
 floe_status mpm_side_reach(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
-        for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-            for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) scatter_tile(s, g, b, t);
-        }
-        domain_share_partials(s->domain);
-        for (int b = 0; b < s->mesh->n_blocks; ++b) {
-            node_target to = {.components = s->mesh->dim + 1, .reach = s->work->reach, .largest = true};
-            memcpy(to.window, s->work->window, sizeof to.window);
-            for (int a = 0; a < s->mesh->dim; ++a) to.array[a] = field_get(s->domain->fields[b], N_SIDE_REACH, g, a);
-            to.array[s->mesh->dim] = field_get(s->domain->fields[b], N_SIDE_BODY, g, 0);
-            gather_nodes(s, b, &to);
-        }
-        domain_fold_periodic_largest(s->domain, N_SIDE_REACH, g);
-        domain_fold_periodic_largest(s->domain, N_SIDE_BODY, g);
-    }
+    reach_to_nodes(s, scatter_reach_at_sides, (const field_id[]){N_SIDE_REACH, N_SIDE_BODY}, 2);
     return FLOE_OK;
 }
 

@@ -122,6 +122,10 @@ void tile_nodes(const mesh *m, const tile_box *t, int end[MESH_MAX_DIM]);
 /* Arrays of a body's current state in a block; `next_stress`, `next_velocity` take those from the next state instead. */
 point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity);
 
+/* Calls for every tile of every block, side by side. */
+typedef void tile_visitor(mpm *s, int group, int blk, int tile);
+void visit_tiles(mpm *s, int group, tile_visitor *visit);
+
 /* Point-to-grid of one mode for a group: tile partials, then node fields in global tile order (tile.c). */
 floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress, bool next_velocity);
 /* Node arrays that tiles' partials are summed into; a tile's partials hold the nodes of its window, interleaved. */
@@ -133,6 +137,8 @@ typedef struct node_target {
     bool largest;                  /* instead of the sum; -INFINITY where there is nothing */
 } node_target;
 
+/* Fields of a group, their components in order. */
+node_target node_target_of(const mpm *s, int blk, int group, const field_id *id, int count);
 /* Every node that a block sees (its own and one ghost layer) becomes the sum of its active tiles' partials, in global order. */
 void gather_nodes(const mpm *s, int blk, const node_target *out);
 /* Copies the window of a tile from node arrays: records of 1, 2, 4 or 8 components (tile.c). */

@@ -104,7 +104,7 @@ static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p
             }
 }
 
-static void scatter_tile(const mpm *s, int group, int blk, int tile)
+static void scatter_normals_of_tile(mpm *s, int group, int blk, int tile)
 {
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     double *out = domain_tile(s->domain, box.number);
@@ -149,10 +149,7 @@ floe_status mpm_contact_normals(mpm *s)
 {
     find_meetings(s);
     for (int g = 0; g < s->n_groups; ++g) {
-        for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-            for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) scatter_tile(s, g, b, t);
-        }
+        visit_tiles(s, g, scatter_normals_of_tile);
         domain_share_partials(s->domain);
         gather_normals(s, g);
         domain_fold_periodic(s->domain, N_COLOUR, g);

@@ -1,10 +1,9 @@
 /* How far bodies reach at the nodes about which they meet: by the points themselves, since a node sees a body up to one
  * and a half cells before it arrives. */
 #include "mpm/contact/contact.h"
-#include "mpm/work.h"
+#include "mpm/reach.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { MAX_WINDOW = 343 };
 
@@ -58,30 +57,7 @@ static double half_width(const mpm *s, const point_arrays *p, size_t k)
     return 0.5 * (s->mesh->dim == 1 ? volume : s->mesh->dim == 2 ? sqrt(volume) : cbrt(volume));
 }
 
-/* The nodes of a tile's window that a point gives to. */
-typedef struct support {
-    int first[MESH_MAX_DIM], n[MESH_MAX_DIM];
-    double from[MESH_MAX_DIM]; /* m: from the first node to the point */
-} support;
-
-static support support_of(const mpm *s, const tile_box *t, const point_arrays *p, size_t k)
-{
-    const mesh *m = s->mesh;
-    support r = {{0, 0, 0}, {1, 1, 1}, {0.0, 0.0, 0.0}};
-    for (int a = 0; a < m->dim; ++a) {
-        const double inv_h = 1.0 / m->h[a], at = (p->x[a][k] - m->lower[a]) * inv_h - t->first[a];
-        double w[BASIS_MAX_SUPPORT], dw[BASIS_MAX_SUPPORT];
-        int cell = (int)at;
-        cell = cell < 0 ? 0 : cell >= t->cells[a] ? t->cells[a] - 1 : cell;
-        const int node = cell + s->basis->weights(at - cell, p->half[a] ? p->half[a][k] * inv_h : 0.5, inv_h, w, dw);
-        r.first[a] = node + s->work->reach;
-        r.n[a] = s->basis->support;
-        r.from[a] = (at - node) * m->h[a];
-    }
-    return r;
-}
-
-static void scatter_point(const mpm *s, const support *r, double half, const double (*direction)[MESH_MAX_DIM],
+static void scatter_point(const mpm *s, const point_span *r, double half, const double (*direction)[MESH_MAX_DIM],
                           double *out)
 {
     const int *window = s->work->window;
@@ -97,21 +73,21 @@ static void scatter_point(const mpm *s, const support *r, double half, const dou
             }
 }
 
-static void scatter_tile(const mpm *s, int group, int blk, int tile)
+static void scatter_reach_in_contact(mpm *s, int group, int blk, int tile)
 {
     double direction[MAX_WINDOW][MESH_MAX_DIM] = {{0.0}};
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
-    double *out = domain_tile(s->domain, box.number);
     bool *any = &s->work->active[box.number];
     *any = s->contact->near[box.number] != 0 && find_directions(s, blk, group, &box, direction);
-    for (int k = 0; *any && k < s->work->window_nodes; ++k) out[k] = -INFINITY;
-    for (int body = 0; *any && body < s->n_bodies; ++body) {
+    if (!*any) return;
+    double *out = start_reach(s, &box, 1);
+    for (int body = 0; body < s->n_bodies; ++body) {
         const size_t *start = s->points[blk][body].tile_start;
         if (s->body[body].group != group) continue;
         const point_arrays p = points_of(s, blk, body, false, false);
         for (size_t k = start[tile]; k < start[tile + 1]; ++k) {
             if (!contact_is_near(s, &box, &p, k)) continue;
-            const support r = support_of(s, &box, &p, k);
+            const point_span r = span_of_point(s, &box, &p, k);
             scatter_point(s, &r, half_width(s, &p, k), (const double(*)[MESH_MAX_DIM])direction, out);
         }
     }
@@ -119,19 +95,6 @@ static void scatter_tile(const mpm *s, int group, int blk, int tile)
 
 floe_status mpm_contact_reach(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
-        for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-            for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) scatter_tile(s, g, b, t);
-        }
-        domain_share_partials(s->domain);
-        for (int b = 0; b < s->mesh->n_blocks; ++b) {
-            node_target to = {.components = 1, .reach = s->work->reach, .largest = true};
-            memcpy(to.window, s->work->window, sizeof to.window);
-            to.array[0] = field_get(s->domain->fields[b], N_REACH, g, 0);
-            gather_nodes(s, b, &to);
-        }
-        domain_fold_periodic_largest(s->domain, N_REACH, g);
-    }
+    reach_to_nodes(s, scatter_reach_in_contact, (const field_id[]){N_REACH}, 1);
     return FLOE_OK;
 }
