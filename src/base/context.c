@@ -99,7 +99,7 @@ static void join_names(const char *const *name, char key[CONTEXT_KEY_SIZE])
 }
 
 /* Writes the message anew: the key, and behind it the cause, which is no part of the message. */
-static void tell(context *ctx, const char *cause)
+static void append_cause(context *ctx, const char *cause)
 {
     const char *colon = ctx->key[0] ? ": " : "";
     (void)snprintf(ctx->message, sizeof ctx->message, "%s%s%.1700s", ctx->key, colon, cause);
@@ -117,7 +117,7 @@ floe_status fail_key(context *ctx, const char *const *key, const char *format, .
         format_bounded(cause, sizeof cause, format, arguments);
         va_end(arguments);
         join_names(key, ctx->key);
-        tell(ctx, cause);
+        append_cause(ctx, cause);
         ctx->failed = true;
     }
     pthread_mutex_unlock(&ctx->message_lock);
@@ -137,7 +137,7 @@ floe_status fail_under(context *ctx, floe_status status, const char *const *abov
         ctx->key[length] = '.';
         memcpy(ctx->key + length + 1, own, strlen(own) + 1);
     }
-    tell(ctx, cause);
+    append_cause(ctx, cause);
     pthread_mutex_unlock(&ctx->message_lock);
     return status;
 }

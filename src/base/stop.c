@@ -18,7 +18,7 @@ const stop_request *stop_request_at(size_t i)
     return i < sizeof requests / sizeof requests[0] ? &requests[i] : NULL;
 }
 
-static const stop_request *find(int number)
+static const stop_request *find_signal(int number)
 {
     for (size_t i = 0; stop_request_at(i); i++)
         if (requests[i].number == number) return &requests[i];
@@ -27,12 +27,12 @@ static const stop_request *find(int number)
 
 bool stop_request_is(int number)
 {
-    return find(number) != NULL;
+    return find_signal(number) != NULL;
 }
 
 void stop_request_text(int number, char text[64])
 {
-    const stop_request *r = find(number);
+    const stop_request *r = find_signal(number);
     text[0] = '\0';
     if (r) (void)snprintf(text, 64, " by %s (%s)", r->name, r->meaning);
     if (number == SIGALRM) (void)snprintf(text, 64, " as the program that had started it has ended");

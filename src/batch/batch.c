@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 /* A case of which no deck can be made is a result: it has ended before it began. */
-static floe_status prepare(batch *b, batch_case *one)
+static floe_status prepare_case(batch *b, batch_case *one)
 {
     one->state = BATCH_WAITING;
     one->other_cores = one->process_seconds = NAN;
@@ -47,14 +47,14 @@ static size_t next_case(const batch *b)
     return best;
 }
 
-static bool must_stop(const batch *b)
+static bool batch_must_stop(const batch *b)
 {
     return b->o->stop && *b->o->stop;
 }
 
 static floe_status start_some(batch *b)
 {
-    for (size_t i = next_case(b); b->running < b->n_jobs && i < b->n && !must_stop(b); i = next_case(b))
+    for (size_t i = next_case(b); b->running < b->n_jobs && i < b->n && !batch_must_stop(b); i = next_case(b))
         TRY(batch_process_start(b, i));
     return FLOE_OK;
 }
@@ -92,7 +92,7 @@ static void pause_a_little(void)
     nanosleep(&(struct timespec){0, 10 * 1000 * 1000}, NULL);
 }
 
-static floe_status work(batch *b)
+static floe_status work_off_cases(batch *b)
 {
     do {
         TRY(start_some(b));
@@ -100,7 +100,7 @@ static floe_status work(batch *b)
         end_hanging(b);
         batch_progress_show(b);
         if (b->running > 0) pause_a_little();
-    } while (!must_stop(b) && (b->running > 0 || next_case(b) < b->n));
+    } while (!batch_must_stop(b) && (b->running > 0 || next_case(b) < b->n));
     return FLOE_OK;
 }
 
@@ -122,7 +122,7 @@ static floe_status wind_up(batch *b)
 static floe_status work_and_wind_up(batch *b)
 {
     char first[CONTEXT_MESSAGE_SIZE];
-    const floe_status status = work(b);
+    const floe_status status = work_off_cases(b);
     (void)snprintf(first, sizeof first, "%s", context_message(b->ctx));
     context_clear(b->ctx);
     const floe_status end = wind_up(b);
@@ -144,16 +144,16 @@ static void say_kept(batch *b)
     }
 }
 
-static floe_status run_all(batch *b)
+static floe_status run_all_cases(batch *b)
 {
     batch_progress_begin(b);
-    for (size_t i = 0; i < b->n; i++) TRY(prepare(b, &b->list[i]));
+    for (size_t i = 0; i < b->n; i++) TRY(prepare_case(b, &b->list[i]));
     say_kept(b);
     b->started = wall_seconds();
     TRY(work_and_wind_up(b));
     if (next_case(b) == b->n) return FLOE_OK;
     char by[64] = "";
-    if (must_stop(b)) stop_request_text(*b->o->stop, by);
+    if (batch_must_stop(b)) stop_request_text(*b->o->stop, by);
     return fail(b->ctx, FLOE_INTERRUPTED,
                 "stopped%s; what has ended is kept in '%s': the same command goes on from there", by, b->o->dir);
 }
@@ -161,7 +161,7 @@ static floe_status run_all(batch *b)
 floe_status batch_recall(context *ctx, const batch_options *o, batch_case *list, size_t n)
 {
     batch b = {.ctx = ctx, .o = o, .list = list, .n = n};
-    for (size_t i = 0; i < n; i++) TRY(prepare(&b, &list[i]));
+    for (size_t i = 0; i < n; i++) TRY(prepare_case(&b, &list[i]));
     return FLOE_OK;
 }
 
@@ -172,7 +172,7 @@ floe_status batch_run(context *ctx, const batch_options *o, batch_case *list, si
     TRY(folder_make(ctx, o->dir));
     TRY(folder_lock_take(&lock, ctx, o->dir));
     floe_status status = memory_new(ctx, &b.job, (size_t)b.n_jobs, sizeof *b.job);
-    if (status == FLOE_OK) status = run_all(&b);
+    if (status == FLOE_OK) status = run_all_cases(&b);
     memory_free(ctx, &b.job);
     folder_lock_release(&lock);
     return status;

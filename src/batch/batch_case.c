@@ -34,8 +34,8 @@ static floe_status hash_deck(const scene *s, const deck_catalogue *catalogue, ch
     return FLOE_OK;
 }
 
-static floe_status load(context *ctx, const batch_options *o, const batch_case *one, const deck_catalogue *catalogue,
-                        scene **s)
+static floe_status load_case_scene(context *ctx, const batch_options *o, const batch_case *one,
+                                   const deck_catalogue *catalogue, scene **s)
 {
     deck_report report = {0};
     floe_status status = deck_load(s, ctx, o->deck, &(deck_overrides){one->set, one->n_set}, catalogue, &report);
@@ -53,7 +53,7 @@ floe_status batch_prepare(context *ctx, const batch_options *o, batch_case *one,
     scene *s = NULL;
     if (out) *out = NULL;
     TRY(catalogue_create(&catalogue, ctx));
-    floe_status status = load(ctx, o, one, catalogue, &s);
+    floe_status status = load_case_scene(ctx, o, one, catalogue, &s);
     if (status == FLOE_OK) {
         one->end = s->time.end;
         status = hash_deck(s, catalogue, one->hash);
@@ -92,7 +92,7 @@ static void set_message(batch_case *one, const char *text)
     }
 }
 
-static floe_status note(batch *b, const batch_case *one)
+static floe_status note_case_summary(batch *b, const batch_case *one)
 {
     char path[BATCH_PATH];
     batch_path(b->o, one, "case.json", path);
@@ -249,5 +249,5 @@ floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
     batch_progress_report(b, one);
     if (!is_final(one)) return FLOE_OK;
     if (b->o->thin) TRY(make_thin(b, one));
-    return note(b, one);
+    return note_case_summary(b, one);
 }

@@ -16,7 +16,7 @@
 extern char **environ; /* POSIX: handed on to the processes as it is */
 
 /* What a process says goes to FOLDER/stderr.txt: a run that ends before it has a summary leaves its reason there. */
-static int redirect(posix_spawn_file_actions_t *action, const char *messages)
+static int redirect_messages(posix_spawn_file_actions_t *action, const char *messages)
 {
     int error = posix_spawn_file_actions_addopen(action, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     if (error == 0) error = posix_spawn_file_actions_addopen(action, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
@@ -26,12 +26,12 @@ static int redirect(posix_spawn_file_actions_t *action, const char *messages)
     return error;
 }
 
-static floe_status spawn(context *ctx, const char *const *argument, const char *messages, pid_t *pid)
+static floe_status spawn_process(context *ctx, const char *const *argument, const char *messages, pid_t *pid)
 {
     posix_spawn_file_actions_t action;
     int error = posix_spawn_file_actions_init(&action);
     if (error == 0) {
-        error = redirect(&action, messages);
+        error = redirect_messages(&action, messages);
         /* posix_spawn does not change its arguments. */
         if (error == 0) error = posix_spawn(pid, argument[0], &action, NULL, (char *const *)argument, environ);
         (void)posix_spawn_file_actions_destroy(&action);
@@ -57,7 +57,8 @@ static floe_status wait_for_earlier(batch *b, const char *folder)
     return FLOE_OK;
 }
 
-static void fill(const batch *b, const batch_case *one, const char *folder, char (*number)[32], const char **argument)
+static void fill_arguments(const batch *b, const batch_case *one, const char *folder, char (*number)[32],
+                           const char **argument)
 {
     const batch_options *o = b->o;
     (void)snprintf(number[0], sizeof *number, "%d", o->threads > 0 ? o->threads : 1);
@@ -79,7 +80,7 @@ static void fill(const batch *b, const batch_case *one, const char *folder, char
     argument[n] = o->deck;
 }
 
-static floe_status start(batch *b, const batch_case *one, pid_t *pid)
+static floe_status start_case(batch *b, const batch_case *one, pid_t *pid)
 {
     enum { OTHERS = 16 }; /* arguments, and the NULL after them */
     char folder[BATCH_PATH], messages[BATCH_PATH], number[3][32];
@@ -91,8 +92,8 @@ static floe_status start(batch *b, const batch_case *one, pid_t *pid)
     TRY(batch_case_forget(b, one));
     TRY(file_remove(b->ctx, messages));
     TRY(memory_new(b->ctx, &argument, 2 * one->n_set + OTHERS, sizeof *argument));
-    fill(b, one, folder, number, argument);
-    const floe_status status = spawn(b->ctx, argument, messages, pid);
+    fill_arguments(b, one, folder, number, argument);
+    const floe_status status = spawn_process(b->ctx, argument, messages, pid);
     memory_free(b->ctx, &argument);
     return status;
 }
@@ -102,7 +103,7 @@ floe_status batch_process_start(batch *b, size_t i)
     batch_job *j = b->job;
     while (j->pid != 0) j++;
     *j = (batch_job){.index = i, .started = wall_seconds(), .before = machine_load_now()};
-    TRY(start(b, &b->list[i], &j->pid));
+    TRY(start_case(b, &b->list[i], &j->pid));
     b->list[i].state = BATCH_RUNNING;
     b->running++;
     return FLOE_OK;

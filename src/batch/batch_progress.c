@@ -18,7 +18,7 @@ void batch_progress_begin(batch *b)
 }
 
 /* The time (s) in the last whole row of a history; NAN if there is none yet. */
-static double last_time(const char *path)
+static double last_history_time(const char *path)
 {
     char text[16384];
     const char *special;
@@ -39,16 +39,16 @@ static double last_time(const char *path)
     return number_end == row + 1 ? (double)NAN : time;
 }
 
-static double share_of(const batch *b, const batch_job *j)
+static double job_fraction_done(const batch *b, const batch_job *j)
 {
     const batch_case *one = &b->list[j->index];
     char path[BATCH_PATH];
     batch_path(b->o, one, "history.csv", path);
-    const double share = last_time(path) / one->end;
+    const double share = last_history_time(path) / one->end;
     return share > 0.0 ? fmin(share, 1.0) : 0.0;
 }
 
-static double weight_of(const batch_case *one)
+static double case_cost(const batch_case *one)
 {
     return one->weight > 0.0 ? one->weight : 1.0;
 }
@@ -58,12 +58,12 @@ typedef struct tally {
     double all, kept, done; /* weights: done counts the running ones' shares, not the kept ones */
 } tally;
 
-static tally count(const batch *b)
+static tally count_cases(const batch *b)
 {
     tally t = {0};
     for (size_t i = 0; i < b->n; i++) {
         const batch_case *one = &b->list[i];
-        const double weight = weight_of(one);
+        const double weight = case_cost(one);
         t.all += weight;
         if (one->state != BATCH_ENDED) continue;
         t.ended++;
@@ -71,7 +71,7 @@ static tally count(const batch *b)
         *(one->kept ? &t.kept : &t.done) += weight;
     }
     for (int k = 0; k < b->n_jobs; k++) {
-        if (b->job[k].pid != 0) t.done += weight_of(&b->list[b->job[k].index]) * share_of(b, &b->job[k]);
+        if (b->job[k].pid != 0) t.done += case_cost(&b->list[b->job[k].index]) * job_fraction_done(b, &b->job[k]);
     }
     return t;
 }
@@ -80,7 +80,7 @@ void batch_progress_show(batch *b)
 {
     char text[LIVE_LINE_SIZE], bar[LIVE_LINE_BAR] = "", left[LIVE_LINE_DURATION], failed[48] = "";
     if (!live_line_is_due(&b->line)) return;
-    const tally t = count(b);
+    const tally t = count_cases(b);
     const double share = (t.kept + t.done) / t.all;
     live_line_duration((wall_seconds() - b->started) * (t.all - t.kept - t.done) / t.done, left);
     if (b->line.live) live_line_bar(share, bar);

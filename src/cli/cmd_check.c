@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_check_option(int key, char *arg, struct argp_state *state)
 {
     return cli_deck_option(state->input, key, arg, state);
 }
@@ -13,7 +13,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 static const struct argp_option options[] = {CLI_OPTION_SET, CLI_OPTION_COUPLING, {0}};
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_check_option,
     .args_doc = "DECK",
     .doc = "Validate a deck. Every error is shown with its file, line and column, what was expected, and the nearest "
            "known name. Then the scene is made ready as a run makes it, up to its first step, and so are the cases of "
@@ -29,13 +29,13 @@ static void print_cells(const scene *s)
     }
 }
 
-static void warn(void *user, const char *text)
+static void print_check_warning(void *user, const char *text)
 {
     context_log(user, LOG_WARNING, "%s", text);
 }
 
 /* The cases of `floe study`, or of `floe compare`. */
-static floe_status rehearse(const cli *c, const cli_deck *d, bool compare)
+static floe_status rehearse_cases(const cli *c, const cli_deck *d, bool compare)
 {
     study_rehearsal result;
     const study_options wanted = {.name = compare ? "compare" : "study",
@@ -57,8 +57,8 @@ static floe_status rehearse(const cli *c, const cli_deck *d, bool compare)
 
 static floe_status rehearse_batches(const cli *c, const cli_deck *d, const scene *s)
 {
-    if (s->n_runs_as > 1 || s->compare.n_values > 0) TRY(rehearse(c, d, true));
-    return s->study.n_axes > 0 ? rehearse(c, d, false) : FLOE_OK;
+    if (s->n_runs_as > 1 || s->compare.n_values > 0) TRY(rehearse_cases(c, d, true));
+    return s->study.n_axes > 0 ? rehearse_cases(c, d, false) : FLOE_OK;
 }
 
 static void print_start(const scene *s, const study_ready *ready)
@@ -88,7 +88,7 @@ int cmd_check(cli *c, int argc, char **argv)
     print_cells(s);
     printf(" cells, %d material%s, %d bod%s, coupling %s\n", s->n_materials, s->n_materials == 1 ? "" : "s",
            s->n_bodies, s->n_bodies == 1 ? "y" : "ies", coupling_name(s->coupling));
-    scene_remarks(s, warn, c->ctx);
+    scene_remarks(s, print_check_warning, c->ctx);
     print_start(s, &ready);
     status = rehearse_batches(c, &d, s);
     scene_destroy(&s);

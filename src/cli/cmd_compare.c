@@ -1,7 +1,7 @@
 /* floe compare DECK */
 #include "cli/study_cli.h"
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_compare_option(int key, char *arg, struct argp_state *state)
 {
     return study_cli_option(state->input, key, arg, state);
 }
@@ -14,7 +14,7 @@ static const struct argp_option options[] = {
 };
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_compare_option,
     .args_doc = "DECK",
     .doc =
         "Run a scene in every coupling of its `runs_as` and for every value of an axis, one after the other, and put "

@@ -160,7 +160,7 @@ static void list_references(void)
     }
 }
 
-static void list_metrics(void)
+static void print_metrics(void)
 {
     for (int k = 0; k < METRIC_COUNT; k++) {
         const metric_description d = metric_describe((metric_kind)k);
@@ -197,7 +197,7 @@ static void list_boundaries(void)
     for (size_t k = 0; k < sizeof doc / sizeof doc[0]; k++) printf("  %-10s %s\n", bc_name((bc_kind)k), doc[k]);
 }
 
-static void list_fields(void)
+static void print_fields(void)
 {
     for (int id = 0; id < FIELD_COUNT; id++) {
         const field_info *f = field_describe((field_id)id);
@@ -222,9 +222,9 @@ static const struct {
     {"normals", "normals of bodies in contact, and of membranes", list_normals},
     {"exact", "exact solutions", list_exact},
     {"references", "what histories are compared with", list_references},
-    {"metrics", "errors that can be measured", list_metrics},
+    {"metrics", "errors that can be measured", print_metrics},
     {"boundaries", "conditions on the sides of the domain", list_boundaries},
-    {"fields", "fields that a scene may hold", list_fields},
+    {"fields", "fields that a scene may hold", print_fields},
 };
 enum { TOPICS = sizeof topics / sizeof topics[0] };
 
@@ -234,7 +234,7 @@ static const char *topic_name(const void *user, size_t i)
     return i < TOPICS ? topics[i].name : NULL;
 }
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_list_option(int key, char *arg, struct argp_state *state)
 {
     int *chosen = state->input;
     if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
@@ -251,7 +251,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 }
 
 static const struct argp argp = {
-    .parser = parse,
+    .parser = parse_list_option,
     .args_doc = "[TOPIC]",
     .doc = "List what decks can name, with parameters, units, defaults and sources. TOPIC is one of materials, eos, "
            "laws, membranes, exchange, reactions, shapes, bases, normals, exact, references, metrics, boundaries, "

@@ -15,7 +15,7 @@ typedef struct arguments {
 
 enum { KEY_SCHEMA = 1000, KEY_REFERENCE, KEY_COMPLETION };
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_new_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     switch (key) {
@@ -43,7 +43,7 @@ static const struct argp_option options[] = {
 };
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_new_option,
     .args_doc = "[SCENE]",
     .doc = "Write a commented deck to start from; SCENE is its title.",
 };
@@ -96,7 +96,7 @@ static floe_status make_text(cli *c, const arguments *a, char **text)
     return status;
 }
 
-static floe_status put_text(cli *c, const arguments *a, const char *text)
+static floe_status write_deck_text(cli *c, const arguments *a, const char *text)
 {
     if (!a->file) {
         (void)fputs(text, stdout);
@@ -113,7 +113,7 @@ int cmd_new(cli *c, int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     floe_status status = make_text(c, &a, &text);
     if (status == FLOE_OK) {
-        status = put_text(c, &a, text);
+        status = write_deck_text(c, &a, text);
         memory_free(c->ctx, &text);
     }
     return status == FLOE_OK ? 0 : cli_fail(c, status);

@@ -48,7 +48,7 @@ static int take_width(const char *arg, struct argp_state *state)
     return (int)width;
 }
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_picture_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     switch (key) {
@@ -89,7 +89,7 @@ static const struct argp_option options[] = {
 };
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_picture_option,
     .args_doc = "DIR",
     .doc = "Draw snapshots of a run as PNG: points coloured by one field over cells coloured by another, with axes and "
            "colour bars. DIR is the folder that `floe run` has written. A vector is shown by its magnitude, or by a "
@@ -112,7 +112,7 @@ static floe_status make_folder(cli *c, const char *dir)
     return folder_make(c->ctx, path);
 }
 
-static floe_status draw(cli *c, const arguments *a, long number)
+static floe_status draw_snapshot(cli *c, const arguments *a, long number)
 {
     char path[2 * CLI_PATH];
     name_file(a, number, path);
@@ -126,7 +126,7 @@ static floe_status draw_last(cli *c, const arguments *a)
 {
     snapshot_time last;
     TRY(snapshot_last(&last, c->ctx, a->dir));
-    return draw(c, a, last.number);
+    return draw_snapshot(c, a, last.number);
 }
 
 /* The snapshot nearest to the wanted time. */
@@ -136,7 +136,7 @@ static floe_status draw_nearest(cli *c, const arguments *a, const snapshot_times
     for (size_t i = 0; i < t->n; i++) {
         if (fabs(t->entry[i].time - a->time) < fabs(t->entry[best].time - a->time)) best = i;
     }
-    return draw(c, a, t->entry[best].number);
+    return draw_snapshot(c, a, t->entry[best].number);
 }
 
 static floe_status draw_all(cli *c, arguments *a, const snapshot_times *t)
@@ -144,7 +144,7 @@ static floe_status draw_all(cli *c, arguments *a, const snapshot_times *t)
     TRY(field_picture_common_range(c->ctx, a->dir, t, &a->options));
     for (size_t i = 0; i < t->n; i++) {
         if (*c->stop) return fail(c->ctx, FLOE_INTERRUPTED, "stopped after %zu of %zu pictures", i, t->n);
-        TRY(draw(c, a, t->entry[i].number));
+        TRY(draw_snapshot(c, a, t->entry[i].number));
     }
     return FLOE_OK;
 }

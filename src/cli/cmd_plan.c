@@ -10,7 +10,7 @@ typedef struct arguments {
 
 enum { KEY_JSON = 1000 };
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_plan_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     if (key == KEY_JSON) {
@@ -24,7 +24,7 @@ static const struct argp_option options[] = {
     CLI_OPTION_COUPLING, CLI_OPTION_SET, {"json", KEY_JSON, NULL, 0, "Write JSON", 0}, {0}};
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_plan_option,
     .args_doc = "DECK",
     .doc =
         "Show the stages of a step with what each reads and writes, the fields with their bytes, and the steps that "
@@ -32,7 +32,7 @@ static const struct argp argp = {
         "described from coarser ones, and takes no memory itself. Nothing is run or written.",
 };
 
-static floe_status print(plan *p, bool json)
+static floe_status print_plan(plan *p, bool json)
 {
     TRY(sim_plan(p->sim, &p->info));
     return json ? plan_print_json(p, stdout) : plan_print_text(p, stdout);
@@ -45,7 +45,7 @@ static floe_status plan_scene(scene *s, bool json)
     floe_status status = setup_begin(&setup, s);
     p.sim = setup.sim;
     if (status == FLOE_OK) memory_need_of(p.sim, &p.need);
-    if (status == FLOE_OK) status = print(&p, json);
+    if (status == FLOE_OK) status = print_plan(&p, json);
     setup_end(&setup);
     return status;
 }
@@ -59,7 +59,7 @@ static floe_status plan_large(scene *s, bool json)
     p.sim = coarse.setup.sim;
     p.ratio = coarse.ratio;
     p.coarser = coarse.coarser;
-    if (status == FLOE_OK) status = print(&p, json);
+    if (status == FLOE_OK) status = print_plan(&p, json);
     coarse_end(&coarse);
     return status;
 }

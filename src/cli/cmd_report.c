@@ -36,7 +36,7 @@ static void take_times(arguments *a, const char *text, struct argp_state *state)
     }
 }
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_report_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     switch (key) {
@@ -66,7 +66,7 @@ static const struct argp_option options[] = {
 };
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_report_option,
     .args_doc = "DIR...",
     .doc = "Make one page of HTML of the folders that floe run, compare, study and stability have written: what was "
            "run, errors and run times, plots with their data, conservation, time by stage, pictures of the fields. The "

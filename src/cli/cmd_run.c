@@ -16,7 +16,7 @@ typedef struct arguments {
 
 enum { KEY_MAX_WALL = 1000, KEY_RESUME, KEY_PARENT };
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_run_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     switch (key) {
@@ -54,7 +54,7 @@ static const struct argp_option options[] = {
 };
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_run_option,
     .args_doc = "DECK",
     .doc = "Run a scene. DIR gets summary.json, history.csv, fields/ with fields.xdmf (for ParaView and VisIt), "
            "checkpoint.h5, the resolved deck.yaml and run.log. Ctrl-C and the signals of batch systems end the run "

@@ -21,7 +21,7 @@ static void add_text(struct argp_state *state, const char **list, size_t *n, con
     list[(*n)++] = arg;
 }
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_stability_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     stability_options *o = &a->options;
@@ -61,7 +61,7 @@ static const struct argp_option options[] = {
 };
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_stability_option,
     .args_doc = "DECK",
     .doc =
         "Find the largest value of a key at which a scene stays stable, by bisection, or map the values of two keys. A "
@@ -70,7 +70,7 @@ static const struct argp argp = {
         "has been run is not run again.",
 };
 
-static void set_options(arguments *a, cli *c)
+static void set_stability_options(arguments *a, cli *c)
 {
     stability_options *o = &a->options;
     cli_default_folder(&a->deck, "stability", a->dir, sizeof a->dir);
@@ -96,7 +96,7 @@ int cmd_stability(cli *c, int argc, char **argv)
     floe_status status = cli_load(c, &a.deck, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
     scene_destroy(&s);
-    set_options(&a, c);
+    set_stability_options(&a, c);
     status = stability_run(&result, c->ctx, &a.options);
     if (result && result->n_probes > 0 && !a.quiet) {
         (void)fprintf(stderr, "\n");

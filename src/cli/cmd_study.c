@@ -16,7 +16,7 @@ static void add_list(arguments *a, const char *key, const char *arg, char text[L
     study_cli_axis(&a->study, text, state);
 }
 
-static error_t parse(int key, char *arg, struct argp_state *state)
+static error_t parse_study_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     switch (key) {
@@ -40,7 +40,7 @@ static const struct argp_option options[] = {
 };
 static const struct argp argp = {
     .options = options,
-    .parser = parse,
+    .parser = parse_study_option,
     .args_doc = "DECK",
     .doc =
         "Run a scene along crossed axes: errors, orders, limits without an exact solution, and error against run time. "

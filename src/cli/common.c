@@ -12,12 +12,12 @@
 #include <string.h>
 #include <unistd.h>
 
-static const char *red(const cli *c)
+static const char *red_escape(const cli *c)
 {
     return c->colour ? "\033[1;31m" : "";
 }
 
-static const char *plain(const cli *c)
+static const char *plain_escape(const cli *c)
 {
     return c->colour ? "\033[0m" : "";
 }
@@ -26,7 +26,7 @@ void cli_error(const cli *c, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    (void)fprintf(stderr, "floe: %serror:%s ", red(c), plain(c));
+    (void)fprintf(stderr, "floe: %serror:%s ", red_escape(c), plain_escape(c));
     (void)vfprintf(stderr, format, arguments);
     (void)fprintf(stderr, "\n");
     va_end(arguments);
@@ -58,7 +58,7 @@ static void print_report(const cli *c, const char *text)
 {
     static const char word[] = "error:";
     for (const char *at = strstr(text, word); at; at = strstr(text, word)) {
-        (void)fprintf(stderr, "%.*s%s%s%s", (int)(at - text), text, red(c), word, plain(c));
+        (void)fprintf(stderr, "%.*s%s%s%s", (int)(at - text), text, red_escape(c), word, plain_escape(c));
         text = at + strlen(word);
     }
     (void)fputs(text, stderr);

@@ -100,7 +100,7 @@ static void print_version(FILE *stream, struct argp_state *state)
     (void)fprintf(stream, "floe %s (%s)\n%s, %s\n", FLOE_VERSION, FLOE_GIT, FLOE_COMPILER, FLOE_FLAGS);
 }
 
-static int carry_out(cli *c, const top *t, int argc, char **argv)
+static int run_command(cli *c, const top *t, int argc, char **argv)
 {
     char name[64];
     (void)snprintf(name, sizeof name, "floe %s", t->command->name);
@@ -137,7 +137,7 @@ int main(int argc, char **argv)
     }
     cli_ignore_signals();
     const floe_status ready = floe_init();
-    int status = ready == FLOE_OK ? carry_out(&c, &t, argc, argv) : cli_fail(&c, ready);
+    int status = ready == FLOE_OK ? run_command(&c, &t, argc, argv) : cli_fail(&c, ready);
     if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) status = end_of_output(&c);
     context_destroy(&c.ctx);
     return status;

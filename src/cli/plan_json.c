@@ -42,7 +42,7 @@ static json_t *fields_json(const plan *p)
     return list;
 }
 
-static json_int_t whole(double x)
+static json_int_t json_count(double x)
 {
     return (json_int_t)nearbyint(x);
 }
@@ -51,9 +51,9 @@ static json_t *bytes_json(const plan *p)
 {
     const sim_plan_info *i = &p->info;
     const double named = p->ratio * (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes);
-    return json_pack("{s:I, s:I, s:I, s:I}", "mpm", whole(p->ratio * (double)i->mpm_bytes), "ice",
-                     whole(p->ratio * (double)i->ice_bytes), "coupling", whole(p->ratio * (double)i->coupling_bytes),
-                     "scratch", whole(p->need.bytes - named));
+    return json_pack("{s:I, s:I, s:I, s:I}", "mpm", json_count(p->ratio * (double)i->mpm_bytes), "ice",
+                     json_count(p->ratio * (double)i->ice_bytes), "coupling",
+                     json_count(p->ratio * (double)i->coupling_bytes), "scratch", json_count(p->need.bytes - named));
 }
 
 static json_t *memory_json(const memory_need *n)
@@ -65,7 +65,7 @@ static json_t *memory_json(const memory_need *n)
 static json_t *mesh_json(const plan *p)
 {
     json_t *list = json_array();
-    for (int a = 0; a < p->sim->mesh.dim; a++) json_array_append_new(list, json_integer(whole(plan_cells(p, a))));
+    for (int a = 0; a < p->sim->mesh.dim; a++) json_array_append_new(list, json_integer(json_count(plan_cells(p, a))));
     return list;
 }
 
@@ -78,8 +78,8 @@ static json_t *plan_json(const plan *p)
     return json_pack("{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:o, s:b, s:f, s:f, s:s, s:s, "
                      "s:s, s:s, s:s}",
                      "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim,
-                     "geometry", geometry, "mesh", mesh_json(p), "cells", whole(p->ratio * (double)i->cells), "points",
-                     whole(p->ratio * (double)i->points), "basis", s->mpm ? s->mpm->basis->name : NULL,
+                     "geometry", geometry, "mesh", mesh_json(p), "cells", json_count(p->ratio * (double)i->cells),
+                     "points", json_count(p->ratio * (double)i->points), "basis", s->mpm ? s->mpm->basis->name : NULL,
                      "cell_materials", s->ice ? s->ice->n_materials : 0, "stages", stages_json(&s->stages), "fields",
                      fields_json(p), "bytes", bytes_json(p), "memory", memory_json(&p->need), "estimated",
                      p->ratio != 1.0, "dt", plan_step(p), "steps", plan_steps(p), "dt_limit", i->dt_reason, "solver",

@@ -22,7 +22,7 @@ static first_time insistent[] = {{SIGINT, 0.0}, {SIGQUIT, 0.0}, {SIGTERM, 0.0}};
  * comes twice within this time (s) has come once. */
 static const double SAME = 0.5;
 
-static double now(void)
+static double seconds_now(void)
 {
     struct timespec t;
     (void)clock_gettime(CLOCK_MONOTONIC, &t);
@@ -31,7 +31,7 @@ static double now(void)
 
 static void on_signal(int number)
 {
-    const double at = now();
+    const double at = seconds_now();
     if (stop_signal == 0) stop_signal = number;
     for (size_t i = 0; i < sizeof insistent / sizeof insistent[0]; i++) {
         first_time *f = &insistent[i];

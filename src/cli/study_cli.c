@@ -26,7 +26,7 @@ error_t study_cli_option(study_arguments *a, int key, char *arg, struct argp_sta
     }
 }
 
-static void set_options(study_arguments *a, const cli *c)
+static void set_study_options(study_arguments *a, const cli *c)
 {
     study_options *o = &a->options;
     cli_default_folder(&a->deck, o->name, a->dir, sizeof a->dir);
@@ -49,7 +49,7 @@ int study_cli_run(cli *c, study_arguments *a)
     if (status != FLOE_OK) return cli_fail(c, status);
     scene_destroy(&s);
     c->quiet = a->quiet;
-    set_options(a, c);
+    set_study_options(a, c);
     status = study_run(&result, c->ctx, &a->options);
     if ((status == FLOE_OK || status == FLOE_INTERRUPTED || status == FLOE_MISSED_BAR) && !a->quiet) {
         (void)fprintf(stderr, "\n");
