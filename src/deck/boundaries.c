@@ -112,7 +112,7 @@ const char *axis_name(const mesh_spec *spec, int axis)
     return axis < 3 ? cartesian[axis] : NULL;
 }
 
-static const char *axis_candidate(const void *user, size_t i)
+static const char *candidate_axis_name(const void *user, size_t i)
 {
     const mesh_spec *spec = user;
     return i < (size_t)spec->dim ? axis_name(spec, (int)i) : NULL;
@@ -136,7 +136,7 @@ static bool is_kind(const deck_node *node)
     return false;
 }
 
-static floe_status read_axis(reader *r, deck_node *node, bc_side side[2])
+static floe_status read_boundary_axis(reader *r, deck_node *node, bc_side side[2])
 {
     if (is_kind(node)) {
         TRY(read_variant(r, &boundary_kinds, node, &side[0]));
@@ -187,7 +187,7 @@ static floe_status read_boundaries(reader *r, const key_spec *key, deck_node *no
     if (is_kind(node)) {
         bc_side side[2];
         choose_side(&side[0], BC_FREE);
-        TRY(read_axis(r, node, side));
+        TRY(read_boundary_axis(r, node, side));
         for (int axis = 0; axis < s->mesh.dim; axis++) s->bc.side[axis][0] = s->bc.side[axis][1] = side[0];
         return FLOE_OK;
     }
@@ -199,9 +199,9 @@ static floe_status read_boundaries(reader *r, const key_spec *key, deck_node *no
             TRY(bad_key(r, child, NULL, NULL, "duplicate key '%.80s' (first at line %d, column %d)", child->key,
                         first->key_at.line, first->key_at.column));
         } else if (axis < 0) {
-            TRY(bad_name(r, child, true, "axis", axis_candidate, &s->mesh));
+            TRY(bad_name(r, child, true, "axis", candidate_axis_name, &s->mesh));
         } else {
-            TRY(read_axis(r, child, s->bc.side[axis]));
+            TRY(read_boundary_axis(r, child, s->bc.side[axis]));
         }
     }
     return FLOE_OK;

@@ -10,7 +10,7 @@ typedef struct candidates {
     const char *reference;
 } candidates;
 
-static const char *candidate(const void *user, size_t i)
+static const char *candidate_column(const void *user, size_t i)
 {
     const candidates *c = user;
     if (!c->catalogue || !c->catalogue->reference_quantity || !c->reference[0]) return NULL;
@@ -19,8 +19,8 @@ static const char *candidate(const void *user, size_t i)
 
 static bool is_quantity(const candidates *c, const char *name)
 {
-    for (size_t i = 0; candidate(c, i); i++) {
-        if (strcmp(candidate(c, i), name) == 0) return true;
+    for (size_t i = 0; candidate_column(c, i); i++) {
+        if (strcmp(candidate_column(c, i), name) == 0) return true;
     }
     return false;
 }
@@ -31,7 +31,7 @@ static floe_status read_column(reader *r, deck_node *item, scene_verify *verify)
     scene_column *column = &verify->column[verify->n_columns];
     if (!verify->reference[0]) return bad_key(r, item, NULL, NULL, "there is no verify.reference to compare with");
     if (!is_quantity(&quantities, item->key)) {
-        return bad_name(r, item, true, "quantity of the reference", candidate, &quantities);
+        return bad_name(r, item, true, "quantity of the reference", candidate_column, &quantities);
     }
     if (item->kind != NODE_SCALAR || node_is_null(item) || strlen(item->text) >= sizeof column->name) {
         return bad(r, item, "the name of a column of history.csv, without its unit", "this is no name of a column");

@@ -12,7 +12,7 @@ struct deck_error {
     const char *message, *expected, *hint;
 };
 
-static bool before(deck_place a, deck_place b)
+static bool place_is_before(deck_place a, deck_place b)
 {
     if (a.source != b.source) return a.source < b.source;
     if (a.line != b.line) return a.line < b.line;
@@ -40,7 +40,7 @@ floe_status error_add(error_list *list, deck_place at, const char *expected, con
     TRY(keep_text(list, &error->expected, expected));
     TRY(keep_text(list, &error->hint, hint));
     deck_error **link = &list->first;
-    while (*link && !before(at, (*link)->at)) link = &(*link)->next;
+    while (*link && !place_is_before(at, (*link)->at)) link = &(*link)->next;
     error->next = *link;
     *link = error;
     list->count++;
@@ -132,7 +132,7 @@ void errors_print(const error_list *list, strbuf *out)
 
 enum { NAME_LIMIT = 64 };
 
-static size_t least(size_t a, size_t b)
+static size_t smaller_of(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
@@ -149,9 +149,9 @@ static size_t edit_distance(const char *a, const char *b)
         const size_t *last = row[(i + 2) % 3], *before_last = row[(i + 1) % 3];
         now[0] = i;
         for (size_t j = 1; j <= m; j++) {
-            now[j] = least(least(last[j] + 1, now[j - 1] + 1), last[j - 1] + (a[i - 1] != b[j - 1]));
+            now[j] = smaller_of(smaller_of(last[j] + 1, now[j - 1] + 1), last[j - 1] + (a[i - 1] != b[j - 1]));
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                now[j] = least(now[j], before_last[j - 2] + 1);
+                now[j] = smaller_of(now[j], before_last[j - 2] + 1);
             }
         }
     }

@@ -67,7 +67,7 @@ static void print_model(sheet *j, const model_entry *entry)
     strbuf_append(&j->out, "}}}}");
 }
 
-static void print_family(sheet *j, const model_family *family)
+static void print_family_schema(sheet *j, const model_family *family)
 {
     model_entry entry;
     strbuf_append(&j->out, "\"anyOf\": [{\"enum\": [");
@@ -83,7 +83,7 @@ static void print_family(sheet *j, const model_family *family)
     strbuf_append(&j->out, "]");
 }
 
-static void print_variants(sheet *j, const variants *kinds)
+static void print_variants_schema(sheet *j, const variants *kinds)
 {
     strbuf_append(&j->out, "\"anyOf\": [{\"enum\": [");
     for (size_t i = 0; i < kinds->n; i++) {
@@ -122,14 +122,14 @@ static void print_named(sheet *j, const named_items *items)
     if (items->table) {
         print_table(j, items->table);
     } else if (items->variants) {
-        print_variants(j, items->variants);
+        print_variants_schema(j, items->variants);
     } else {
         print_key(j, items->value);
     }
     strbuf_append(&j->out, "}");
 }
 
-static void print_choices(sheet *j, const choice *choices)
+static void print_choices_schema(sheet *j, const choice *choices)
 {
     strbuf_append(&j->out, "\"enum\": [");
     for (const choice *c = choices; c->name; c++) {
@@ -164,11 +164,11 @@ static void print_type(sheet *j, const key_spec *key)
     case KEY_TEXT: strbuf_append(&j->out, "\"type\": [\"string\", \"number\"]"); return;
     case KEY_MATERIAL:
     case KEY_BODY: strbuf_append(&j->out, "\"type\": \"string\""); return;
-    case KEY_CHOICE: print_choices(j, key->choices); return;
+    case KEY_CHOICE: print_choices_schema(j, key->choices); return;
     case KEY_MAP: print_table(j, key->table); return;
     case KEY_NAMED: print_named(j, key->items); return;
-    case KEY_MODEL: print_family(j, key->family); return;
-    case KEY_VARIANT: print_variants(j, key->variants); return;
+    case KEY_MODEL: print_family_schema(j, key->family); return;
+    case KEY_VARIANT: print_variants_schema(j, key->variants); return;
     case KEY_CUSTOM: print_custom(j, key->custom); return;
     }
 }
@@ -189,7 +189,7 @@ static void print_key(sheet *j, const key_spec *key)
 static void print_definitions(sheet *j)
 {
     strbuf_append(&j->out, "\"definitions\": {\"side\": {");
-    print_variants(j, &boundary_kinds);
+    print_variants_schema(j, &boundary_kinds);
     strbuf_append(&j->out,
                   "},\n\"axis\": {\"anyOf\": [{\"$ref\": \"#/definitions/side\"}, {\"type\": \"object\", "
                   "\"additionalProperties\": false, \"properties\": {\"lower\": {\"$ref\": \"#/definitions/side\"}, "

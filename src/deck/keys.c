@@ -23,7 +23,7 @@ static int count_keys(const deck_node *map, size_t *bytes)
     return n;
 }
 
-static char *put_text(char *to, const char *text)
+static char *append_key_text(char *to, const char *text)
 {
     const size_t size = strlen(text) + 1;
     memcpy(to, text, size);
@@ -45,7 +45,7 @@ static void note_key(key_list *list, const deck_node *node, int above)
                                        .line = at.line,
                                        .column = at.column,
                                        .setting = at.source > 0 ? setting_of(list, at.source) : NULL};
-    list->text = put_text(list->text, node->key);
+    list->text = append_key_text(list->text, node->key);
 }
 
 /* What was taken away comes last: what has been given again stands before it, and is found first. */
@@ -70,7 +70,7 @@ floe_status note_keys(scene *s, const deck_node *root, const deck_overrides *set
     TRY(scene_allocate(s, &list.key, (size_t)n * sizeof *list.key));
     TRY(scene_allocate(s, &settings, bytes));
     list.settings = list.text = settings;
-    for (size_t i = 0; i < n_set; i++) list.text = put_text(list.text, set->text[i]);
+    for (size_t i = 0; i < n_set; i++) list.text = append_key_text(list.text, set->text[i]);
     note_map(&list, root, -1);
     s->key = list.key;
     s->n_keys = list.n;

@@ -42,8 +42,8 @@ static floe_status make_tree(const deck_source *source, const deck_overrides *se
 }
 
 /* Text to scene; faults of the deck go into `errors`, and the scene is then not to be used. */
-static floe_status resolve(deck_source *source, const deck_overrides *set, scene *s, deck_arena *arena,
-                           error_list *errors)
+static floe_status resolve_deck(deck_source *source, const deck_overrides *set, scene *s, deck_arena *arena,
+                                error_list *errors)
 {
     deck_node *root;
     TRY(make_tree(source, set, arena, errors, &root));
@@ -77,15 +77,15 @@ static floe_status try_value(deck_source *source, const deck_overrides *set, con
     error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = &all};
     scene *s;
     TRY(scene_create(&s, source->ctx));
-    const floe_status status = resolve(source, &all, s, arena, &errors);
+    const floe_status status = resolve_deck(source, &all, s, arena, &errors);
     scene_destroy(&s);
     *first = error_first(&errors);
     return status;
 }
 
 /* The place in the deck of a value of an axis under `path`, which ends with the axis' key. */
-static floe_status place_of(const deck_source *source, const deck_overrides *set, deck_arena *arena,
-                            const char *const *path, int i, deck_place *at)
+static floe_status place_of_axis_value(const deck_source *source, const deck_overrides *set, deck_arena *arena,
+                                       const char *const *path, int i, deck_place *at)
 {
     deck_node *root;
     error_list ignored = {.arena = arena};
@@ -106,7 +106,7 @@ static floe_status check_axis(deck_source *source, const deck_overrides *set, co
         deck_place at;
         TRY(try_value(source, set, axis, i, arena, &first));
         if (!first) continue;
-        TRY(place_of(source, set, arena, path, i, &at));
+        TRY(place_of_axis_value(source, set, arena, path, i, &at));
         TRY(error_add(errors, at, NULL, NULL, "with %s=%s: %s", axis->key, axis->value[i], first));
     }
     return FLOE_OK;
@@ -141,11 +141,11 @@ static floe_status write_report(const deck_source *source, const error_list *err
                 errors->count == 1 ? "" : "s");
 }
 
-static floe_status load(scene *s, deck_source *source, const deck_overrides *set, deck_arena *arena,
-                        deck_report *report)
+static floe_status load_deck(scene *s, deck_source *source, const deck_overrides *set, deck_arena *arena,
+                             deck_report *report)
 {
     error_list errors = {.arena = arena, .path = source->path, .text = source->text, .set = set};
-    TRY(resolve(source, set, s, arena, &errors));
+    TRY(resolve_deck(source, set, s, arena, &errors));
     if (errors.count == 0 && source->axes) TRY(check_axes(source, set, s, arena, &errors));
     return errors.count == 0 ? FLOE_OK : write_report(source, &errors, report);
 }
@@ -157,7 +157,7 @@ static floe_status load_text(scene **out, deck_source *source, const deck_overri
     deck_arena arena = {.ctx = source->ctx};
     scene *s;
     TRY(scene_create(&s, source->ctx));
-    const floe_status status = load(s, source, set, &arena, report);
+    const floe_status status = load_deck(s, source, set, &arena, report);
     arena_free(&arena);
     if (status != FLOE_OK) {
         scene_destroy(&s);
@@ -182,7 +182,7 @@ floe_status deck_check_text(scene **out, context *ctx, const char *path, const c
     return load_text(out, &source, set, report);
 }
 
-static floe_status cannot_open(context *ctx, const char *path, const char *special)
+static floe_status refuse_unreadable(context *ctx, const char *path, const char *special)
 {
     if (special)
         return fail(ctx, FLOE_IO, "cannot read deck '%s': it is %s, not an ordinary file%s", path, special,
@@ -192,7 +192,7 @@ static floe_status cannot_open(context *ctx, const char *path, const char *speci
 }
 
 /* One byte more than a deck may have tells that there are too many. */
-static floe_status read_all(context *ctx, const char *path, int descriptor, char **text, size_t *length)
+static floe_status read_whole_file(context *ctx, const char *path, int descriptor, char **text, size_t *length)
 {
     TRY(memory_new(ctx, text, TREE_MAX_BYTES + 2, 1));
     *length = 0;
@@ -211,8 +211,8 @@ static floe_status read_file(context *ctx, const char *path, char **text, size_t
 {
     const char *special;
     const int descriptor = input_open(path, &special);
-    if (descriptor < 0) return cannot_open(ctx, path, special);
-    const floe_status status = read_all(ctx, path, descriptor, text, length);
+    if (descriptor < 0) return refuse_unreadable(ctx, path, special);
+    const floe_status status = read_whole_file(ctx, path, descriptor, text, length);
     (void)close(descriptor);
     return status;
 }

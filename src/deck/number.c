@@ -8,13 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool refuse(char *why, const char *text, const char *reason)
+static bool refuse_number(char *why, const char *text, const char *reason)
 {
     snprintf(why, WHY_SIZE, "'%.60s' %s", text, reason);
     return false;
 }
 
-static size_t digits(const char *text)
+static size_t count_digits(const char *text)
 {
     size_t n = 0;
     while (isdigit((unsigned char)text[n])) n++;
@@ -25,17 +25,17 @@ static size_t digits(const char *text)
 static size_t number_length(const char *text)
 {
     size_t i = text[0] == '+' || text[0] == '-';
-    const size_t whole = digits(text + i);
+    const size_t whole = count_digits(text + i);
     i += whole;
     size_t fraction = 0;
     if (text[i] == '.') {
-        fraction = digits(text + i + 1);
+        fraction = count_digits(text + i + 1);
         if (whole + fraction > 0) i += 1 + fraction;
     }
     if (whole + fraction == 0) return 0;
     if (text[i] != 'e' && text[i] != 'E') return i;
     const size_t sign = text[i + 1] == '+' || text[i + 1] == '-';
-    const size_t exponent = digits(text + i + 1 + sign);
+    const size_t exponent = count_digits(text + i + 1 + sign);
     return exponent > 0 ? i + 1 + sign + exponent : i;
 }
 
@@ -50,11 +50,13 @@ static bool refuse_strange(const char *text, char *why)
 {
     const char *bare = text + (text[0] == '+' || text[0] == '-');
     const char *word = bare + (bare[0] == '.');
-    if (same_word(word, "nan")) return refuse(why, text, "is not a finite number");
-    if (same_word(word, "inf") || same_word(word, "infinity")) return refuse(why, text, "is not a finite number");
-    if (bare[0] == '0' && strchr("xXoObB", bare[1]) && bare[1]) return refuse(why, text, "is not a decimal number");
+    if (same_word(word, "nan")) return refuse_number(why, text, "is not a finite number");
+    if (same_word(word, "inf") || same_word(word, "infinity"))
+        return refuse_number(why, text, "is not a finite number");
+    if (bare[0] == '0' && strchr("xXoObB", bare[1]) && bare[1])
+        return refuse_number(why, text, "is not a decimal number");
     if (bare[0] == '0' && isdigit((unsigned char)bare[1])) {
-        return refuse(why, text, "starts with a zero: octal elsewhere, not taken here");
+        return refuse_number(why, text, "starts with a zero: octal elsewhere, not taken here");
     }
     return true;
 }
@@ -63,19 +65,19 @@ bool number_split(const char *text, double *x, const char **unit, char *why)
 {
     if (!refuse_strange(text, why)) return false;
     const size_t length = number_length(text);
-    if (length == 0) return refuse(why, text, "is not a number");
+    if (length == 0) return refuse_number(why, text, "is not a number");
     const char *rest = text + length;
     if (*rest && *rest != ' ') {
         const bool letter = isalpha((unsigned char)*rest) && strlen(rest) < 12;
-        return refuse(why, text, letter ? "has no space between number and unit" : "goes on after the number");
+        return refuse_number(why, text, letter ? "has no space between number and unit" : "goes on after the number");
     }
     while (*rest == ' ') rest++;
     if (isdigit((unsigned char)*rest) && strncmp(rest, "1/", 2) != 0)
-        return refuse(why, text, "goes on after the number");
+        return refuse_number(why, text, "goes on after the number");
     errno = 0;
     *x = strtod(text, NULL);
-    if (!isfinite(*x)) return refuse(why, text, "is too large for a double");
-    if (errno == ERANGE && fabs(*x) < 1e-300) return refuse(why, text, "is too small for a double");
+    if (!isfinite(*x)) return refuse_number(why, text, "is too large for a double");
+    if (errno == ERANGE && fabs(*x) < 1e-300) return refuse_number(why, text, "is too small for a double");
     *unit = rest;
     return true;
 }
@@ -84,10 +86,10 @@ bool number_whole(const char *text, long *x, char *why)
 {
     if (!refuse_strange(text, why)) return false;
     const size_t sign = text[0] == '+' || text[0] == '-';
-    const size_t n = digits(text + sign);
-    if (n == 0 || text[sign + n] != '\0') return refuse(why, text, "is not a whole number");
+    const size_t n = count_digits(text + sign);
+    if (n == 0 || text[sign + n] != '\0') return refuse_number(why, text, "is not a whole number");
     errno = 0;
     *x = strtol(text, NULL, 10);
-    if (errno == ERANGE) return refuse(why, text, "is too large");
+    if (errno == ERANGE) return refuse_number(why, text, "is too large");
     return true;
 }

@@ -23,14 +23,14 @@ typedef struct parser {
     parse_error *error;
 } parser;
 
-static deck_place place_of(const parser *p, const struct fy_mark *mark)
+static deck_place place_of_mark(const parser *p, const struct fy_mark *mark)
 {
     if (!mark && p->key) return p->key_at; /* an empty value stands nowhere */
     if (!mark) return (deck_place){.source = p->source, .line = 1, .column = 1};
     return (deck_place){.source = p->source, .line = mark->line + 1, .column = mark->column + 1};
 }
 
-static floe_status refuse(parser *p, deck_place at, const char *text, const char *remedy)
+static floe_status refuse_syntax(parser *p, deck_place at, const char *text, const char *remedy)
 {
     p->error->at = at;
     snprintf(p->error->text, sizeof p->error->text, "%s", text);
@@ -39,11 +39,11 @@ static floe_status refuse(parser *p, deck_place at, const char *text, const char
 }
 
 /* A plain name is what a key must be; the tree has no other use for a map's keys. */
-static floe_status take_key(parser *p, struct fy_event *event, deck_place at)
+static floe_status parse_key(parser *p, struct fy_event *event, deck_place at)
 {
     if (event->type != FYET_SCALAR) {
-        return refuse(p, at, "a key of a map must be a name, not a map or a list",
-                      "quote the text that is meant to be the key");
+        return refuse_syntax(p, at, "a key of a map must be a name, not a map or a list",
+                             "quote the text that is meant to be the key");
     }
     size_t length = 0;
     const char *text = fy_token_get_text(event->scalar.value, &length);
@@ -55,7 +55,7 @@ static floe_status take_key(parser *p, struct fy_event *event, deck_place at)
 
 static floe_status add_node(parser *p, deck_node *node)
 {
-    if (++p->nodes > TREE_MAX_NODES) return refuse(p, node->at, "the deck has too many entries", "");
+    if (++p->nodes > TREE_MAX_NODES) return refuse_syntax(p, node->at, "the deck has too many entries", "");
     if (p->depth == 0) {
         p->root = node;
         return FLOE_OK;
@@ -72,7 +72,7 @@ static floe_status add_node(parser *p, deck_node *node)
 
 static floe_status open_node(parser *p, node_kind kind, deck_place at)
 {
-    if (p->depth == TREE_MAX_DEPTH) return refuse(p, at, "maps and lists are nested too deeply", "");
+    if (p->depth == TREE_MAX_DEPTH) return refuse_syntax(p, at, "maps and lists are nested too deeply", "");
     deck_node *node;
     TRY(node_new(p->arena, &node, kind, at));
     TRY(add_node(p, node));
@@ -80,13 +80,13 @@ static floe_status open_node(parser *p, node_kind kind, deck_place at)
     return FLOE_OK;
 }
 
-static floe_status add_scalar(parser *p, struct fy_event *event, deck_place at)
+static floe_status parse_scalar(parser *p, struct fy_event *event, deck_place at)
 {
     deck_node *node;
     size_t length = 0;
     const char *text = fy_token_get_text(event->scalar.value, &length);
     if (!text) length = 0;
-    if (text && memchr(text, '\0', length)) return refuse(p, at, "a zero byte in the text", "");
+    if (text && memchr(text, '\0', length)) return refuse_syntax(p, at, "a zero byte in the text", "");
     TRY(node_new(p->arena, &node, NODE_SCALAR, at));
     TRY(arena_text(p->arena, &node->text, text, length));
     node->quoted = fy_token_scalar_style(event->scalar.value) != FYSS_PLAIN;
@@ -99,7 +99,7 @@ static bool starts_value(const struct fy_event *event)
 }
 
 /* Anchor or tag of an event that starts a value, NULL if it has none. */
-static struct fy_token *decoration(const struct fy_event *event)
+static struct fy_token *anchor_or_tag(const struct fy_event *event)
 {
     const struct fy_event_scalar_data *data = &event->scalar; /* the three share their first members */
     if (event->type == FYET_MAPPING_START)
@@ -110,15 +110,15 @@ static struct fy_token *decoration(const struct fy_event *event)
     return data->anchor ? data->anchor : data->tag;
 }
 
-static floe_status take_value(parser *p, struct fy_event *event, deck_place at)
+static floe_status parse_value(parser *p, struct fy_event *event, deck_place at)
 {
-    if (decoration(event))
-        return refuse(p, at, "anchors (&) and tags (!) are not used in decks", "write the value itself");
-    if (p->depth > 0 && p->open[p->depth - 1]->kind == NODE_MAP && !p->key) return take_key(p, event, at);
+    if (anchor_or_tag(event))
+        return refuse_syntax(p, at, "anchors (&) and tags (!) are not used in decks", "write the value itself");
+    if (p->depth > 0 && p->open[p->depth - 1]->kind == NODE_MAP && !p->key) return parse_key(p, event, at);
     switch (event->type) {
     case FYET_MAPPING_START: return open_node(p, NODE_MAP, at);
     case FYET_SEQUENCE_START: return open_node(p, NODE_LIST, at);
-    default: return add_scalar(p, event, at);
+    default: return parse_scalar(p, event, at);
     }
 }
 
@@ -133,15 +133,16 @@ static int marks_before_text(const struct fy_event *event)
 
 static floe_status take_event(parser *p, struct fy_event *event)
 {
-    deck_place at = place_of(p, fy_event_start_mark(event));
+    deck_place at = place_of_mark(p, fy_event_start_mark(event));
     if (at.column > 1) at.column -= marks_before_text(event);
-    if (event->type == FYET_ALIAS) return refuse(p, at, "aliases (*) are not used in decks", "write the value itself");
+    if (event->type == FYET_ALIAS)
+        return refuse_syntax(p, at, "aliases (*) are not used in decks", "write the value itself");
     if (event->type == FYET_DOCUMENT_START && p->past_document) {
-        return refuse(p, at, "a second document begins here", "a deck is one document: remove the line '---'");
+        return refuse_syntax(p, at, "a second document begins here", "a deck is one document: remove the line '---'");
     }
     if (event->type == FYET_DOCUMENT_END) p->past_document = true;
     if (event->type == FYET_MAPPING_END || event->type == FYET_SEQUENCE_END) p->depth--;
-    return starts_value(event) ? take_value(p, event, at) : FLOE_OK;
+    return starts_value(event) ? parse_value(p, event, at) : FLOE_OK;
 }
 
 /* libfyaml's words for what is wrong, at its place; the first error is the cause, later ones follow from it. */
@@ -150,10 +151,10 @@ static floe_status take_syntax_error(parser *p)
     void *iterator = NULL;
     const struct fy_diag_error *found = fy_diag_errors_iterate(p->diag, &iterator);
     deck_place at = {.source = p->source, .line = 1, .column = 1};
-    if (!found) return refuse(p, at, "the text is not YAML", "");
+    if (!found) return refuse_syntax(p, at, "the text is not YAML", "");
     if (found->line > 0) at.line = found->line;
     if (found->column > 0) at.column = found->column;
-    return refuse(p, at, found->msg ? found->msg : "the text is not YAML", "");
+    return refuse_syntax(p, at, found->msg ? found->msg : "the text is not YAML", "");
 }
 
 static floe_status take_events(parser *p)
@@ -192,7 +193,7 @@ static floe_status check_text(parser *p, const char *text, size_t length)
         if (n == 0 || control || c[0] == 0x7f) {
             char words[64];
             (void)snprintf(words, sizeof words, "the byte 0x%02x stands where a character should", c[0]);
-            return refuse(p, at, words, "a deck is text in UTF-8");
+            return refuse_syntax(p, at, words, "a deck is text in UTF-8");
         }
         at.column = c[0] == '\n' ? 1 : at.column + 1;
         at.line += c[0] == '\n';

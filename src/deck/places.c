@@ -48,7 +48,7 @@ typedef struct table {
 } table;
 
 /* The next line that says something; false at the end, and where it does not fit. */
-static bool next_line(table *t)
+static bool next_table_line(table *t)
 {
     while (fgets(t->text, sizeof t->text, t->file)) {
         t->line++;
@@ -80,10 +80,10 @@ static char *next_cell(char **rest, bool head)
 }
 
 /* Finds the columns that are named as the axes are. */
-static void read_head(table *t, const mesh_spec *axes)
+static void read_column_heads(table *t, const mesh_spec *axes)
 {
     for (int a = 0; a < 3; a++) t->column[a] = -1;
-    if (!next_line(t)) {
+    if (!next_table_line(t)) {
         if (!t->fault[0]) snprintf(t->fault, sizeof t->fault, "it is empty");
         return;
     }
@@ -97,7 +97,7 @@ static void read_head(table *t, const mesh_spec *axes)
             snprintf(t->fault, sizeof t->fault, "its first line names no column '%s'", axis_name(axes, a));
 }
 
-static void read_row(table *t, double place[3])
+static void read_point_row(table *t, double place[3])
 {
     char *rest = t->text;
     int at = 0, found = 0;
@@ -115,11 +115,11 @@ static void read_row(table *t, double place[3])
 }
 
 /* Counts the rows, then takes them. */
-static floe_status read_rows(reader *r, table *t, curve_line *c)
+static floe_status read_point_rows(reader *r, table *t, curve_line *c)
 {
     size_t n = 0;
     const long head = t->line, start = ftell(t->file);
-    while (next_line(t)) n++;
+    while (next_table_line(t)) n++;
     if (n == 0 && !t->fault[0]) snprintf(t->fault, sizeof t->fault, "it has no row below its head");
     if (n > ROWS_MOST) snprintf(t->fault, sizeof t->fault, "it has more than %d rows", ROWS_MOST);
     if (t->fault[0]) return FLOE_OK;
@@ -127,8 +127,8 @@ static floe_status read_rows(reader *r, table *t, curve_line *c)
     t->line = head;
     if (fseek(t->file, start, SEEK_SET) != 0)
         return fail(r->ctx, FLOE_IO, "cannot read '%s': %s", t->name, strerror(errno));
-    while ((size_t)c->n_vertices < n && next_line(t) && !t->fault[0])
-        read_row(t, c->vertex + 3 * (ptrdiff_t)c->n_vertices++);
+    while ((size_t)c->n_vertices < n && next_table_line(t) && !t->fault[0])
+        read_point_row(t, c->vertex + 3 * (ptrdiff_t)c->n_vertices++);
     return FLOE_OK;
 }
 
@@ -147,7 +147,7 @@ static floe_status resolve_path(reader *r, deck_node *node, char path[PATH_MOST]
     return n < PATH_MOST ? FLOE_OK : bad(r, node, NULL, "the path is too long");
 }
 
-static floe_status cannot_open(reader *r, deck_node *node, const char *path, const char *special)
+static floe_status refuse_unreadable(reader *r, deck_node *node, const char *path, const char *special)
 {
     if (!special) return bad(r, node, custom_places.form, "cannot open '%s': %s", path, strerror(errno));
     return bad(r, node, custom_places.form, "cannot open '%s': it is %s, not an ordinary file", path, special);
@@ -160,14 +160,14 @@ static floe_status read_table_file(reader *r, deck_node *node, curve_line *c)
     if (node->bad) return FLOE_OK;
     const char *special;
     const int descriptor = ordinary_open(path, O_RDONLY, &special);
-    if (descriptor < 0) return cannot_open(r, node, path, special);
+    if (descriptor < 0) return refuse_unreadable(r, node, path, special);
     table t = {.file = fdopen(descriptor, "r"), .name = path, .dim = r->scene->mesh.dim};
     if (!t.file) {
         (void)close(descriptor);
         return fail(r->ctx, FLOE_NO_MEMORY, "no memory for '%s'", path);
     }
-    read_head(&t, &r->scene->mesh);
-    const floe_status status = t.fault[0] ? FLOE_OK : read_rows(r, &t, c);
+    read_column_heads(&t, &r->scene->mesh);
+    const floe_status status = t.fault[0] ? FLOE_OK : read_point_rows(r, &t, c);
     fclose(t.file);
     TRY(status);
     if (t.fault[0]) return bad(r, node, NULL, "'%s': %s", path, t.fault);

@@ -7,11 +7,11 @@
 
 enum { WORDS = 512, NAMES_SHOWN = 24 };
 
-static floe_status enter(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
-                         const char *format, va_list arguments) FLOE_PRINTF(6, 0);
+static floe_status enter_error(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
+                               const char *format, va_list arguments) FLOE_PRINTF(6, 0);
 
-static floe_status enter(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
-                         const char *format, va_list arguments)
+static floe_status enter_error(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
+                               const char *format, va_list arguments)
 {
     char message[WORDS];
     vsnprintf(message, sizeof message, format, arguments);
@@ -23,7 +23,7 @@ floe_status bad(reader *r, deck_node *node, const char *expected, const char *fo
 {
     va_list arguments;
     va_start(arguments, format);
-    const floe_status status = enter(r, node, node->at, expected, NULL, format, arguments);
+    const floe_status status = enter_error(r, node, node->at, expected, NULL, format, arguments);
     va_end(arguments);
     return status;
 }
@@ -32,7 +32,7 @@ floe_status bad_key(reader *r, deck_node *node, const char *expected, const char
 {
     va_list arguments;
     va_start(arguments, format);
-    const floe_status status = enter(r, node, node->key_at, expected, hint, format, arguments);
+    const floe_status status = enter_error(r, node, node->key_at, expected, hint, format, arguments);
     va_end(arguments);
     return status;
 }

@@ -53,7 +53,7 @@ static floe_status check_value(reader *r, deck_node *item, const scene_axis *axi
     return FLOE_OK;
 }
 
-static floe_status take_key(reader *r, deck_node *node, char key[SCENE_KEY])
+static floe_status read_axis_key(reader *r, deck_node *node, char key[SCENE_KEY])
 {
     if (strlen(node->key) >= SCENE_KEY) return bad_key(r, node, NULL, NULL, "the key is too long");
     snprintf(key, SCENE_KEY, "%s", node->key);
@@ -70,7 +70,7 @@ static floe_status read_pick(reader *r, deck_node *item, char value[SCENE_VALUE]
 }
 
 /* "[0.1, 0.05]" under the axis' key, or under "values". */
-static floe_status take_values(reader *r, deck_node *list, scene_axis *axis)
+static floe_status read_axis_values(reader *r, deck_node *list, scene_axis *axis)
 {
     if (list->kind != NODE_LIST || list->n == 0)
         return bad(r, list, "a list of values: [0.1, 0.05]", "the axis '%.80s' has no list of values", axis->key);
@@ -83,7 +83,7 @@ static floe_status take_values(reader *r, deck_node *list, scene_axis *axis)
 }
 
 /* "with": as many values of each key as the axis has. */
-static floe_status take_with(reader *r, deck_node *node, scene_axis *axis)
+static floe_status read_with_values(reader *r, deck_node *node, scene_axis *axis)
 {
     if (!node) return FLOE_OK;
     if (node->kind != NODE_MAP)
@@ -92,7 +92,7 @@ static floe_status take_with(reader *r, deck_node *node, scene_axis *axis)
     for (deck_node *list = node->first; list; list = list->next) {
         scene_values *with = &axis->with[axis->n_with++];
         int n = 0;
-        TRY(take_key(r, list, with->key));
+        TRY(read_axis_key(r, list, with->key));
         if (list->kind != NODE_LIST || list->n != (size_t)axis->n_values)
             return bad(r, list, NULL, "'%.80s' is no list of %d values, one for each of '%.80s'", list->key,
                        axis->n_values, axis->key);
@@ -101,30 +101,30 @@ static floe_status take_with(reader *r, deck_node *node, scene_axis *axis)
     return FLOE_OK;
 }
 
-static floe_status take_axis(reader *r, deck_node *node, scene_axis *axis)
+static floe_status read_axis_map(reader *r, deck_node *node, scene_axis *axis)
 {
     *axis = (scene_axis){0};
-    TRY(take_key(r, node, axis->key));
-    if (node->kind != NODE_MAP) return take_values(r, node, axis);
+    TRY(read_axis_key(r, node, axis->key));
+    if (node->kind != NODE_MAP) return read_axis_values(r, node, axis);
     for (deck_node *part = node->first; part; part = part->next) {
         if (strcmp(part->key, "values") != 0 && strcmp(part->key, "with") != 0)
             return bad_key(r, part, custom_axes.form, NULL, "'%.80s' is no key of an axis", part->key);
     }
     deck_node *values = node_find(node, "values");
-    TRY(take_values(r, values ? values : node, axis));
-    return axis->n_values > 0 ? take_with(r, node_find(node, "with"), axis) : FLOE_OK;
+    TRY(read_axis_values(r, values ? values : node, axis));
+    return axis->n_values > 0 ? read_with_values(r, node_find(node, "with"), axis) : FLOE_OK;
 }
 
-static floe_status read_axis(reader *r, const key_spec *key, deck_node *node, void *base)
+static floe_status read_study_axis(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     if (!node) return FLOE_OK;
     if (node->kind != NODE_MAP || node->n != 1)
         return bad(r, node, custom_axis.form, "'axis' is not one key with a list of values");
-    return take_axis(r, node->first, (scene_axis *)(void *)((char *)base + key->offset));
+    return read_axis_map(r, node->first, (scene_axis *)(void *)((char *)base + key->offset));
 }
 
 /* Axes at the key's offset, at most `most`; *n counts them. */
-static floe_status take_axes(reader *r, const key_spec *key, deck_node *node, scene_axis *axis, int *n, int most)
+static floe_status read_axis_list(reader *r, const key_spec *key, deck_node *node, scene_axis *axis, int *n, int most)
 {
     if (!node) return FLOE_OK;
     if (node->kind != NODE_MAP)
@@ -136,7 +136,7 @@ static floe_status take_axes(reader *r, const key_spec *key, deck_node *node, sc
                 TRY(bad_key(r, list, NULL, "put all values into one list", "the axis '%.80s' is given twice",
                             list->key));
         }
-        TRY(take_axis(r, list, &axis[(*n)++]));
+        TRY(read_axis_map(r, list, &axis[(*n)++]));
     }
     return FLOE_OK;
 }
@@ -144,13 +144,13 @@ static floe_status take_axes(reader *r, const key_spec *key, deck_node *node, sc
 static floe_status read_axes(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     scene_study *study = base;
-    return take_axes(r, key, node, study->axis, &study->n_axes, SCENE_MAX_AXES);
+    return read_axis_list(r, key, node, study->axis, &study->n_axes, SCENE_MAX_AXES);
 }
 
 /* Axes whose keys alone change. */
 static floe_status take_lone_axes(reader *r, const key_spec *key, deck_node *node, scene_axis *axis, int *n, int most)
 {
-    TRY(take_axes(r, key, node, axis, n, most));
+    TRY(read_axis_list(r, key, node, axis, n, most));
     for (int i = 0; i < *n; i++) {
         if (axis[i].n_with > 0)
             return bad(r, node_find(node, axis[i].key), NULL, "only axes of studies have keys that change along");
@@ -247,7 +247,7 @@ static void write_over(writer *w, const key_spec *key, const void *base)
     "\"array\"}, "                                                                                                 \
     "\"with\": " LISTS_OF_VALUES "}}]}}"
 const custom_key custom_axis = {
-    .read = read_axis,
+    .read = read_study_axis,
     .write = write_axis,
     .form = "{key.of.the.deck: [value, value, ...]}",
     .json = LISTS_WITH_OTHERS,

@@ -32,8 +32,8 @@ static bool open_book(char *why)
     return book.system != NULL;
 }
 
-static bool convert(const ut_unit *from_unit, const ut_unit *to_unit, double *x, const char *from, const char *to,
-                    char *why)
+static bool convert_unit(const ut_unit *from_unit, const ut_unit *to_unit, double *x, const char *from, const char *to,
+                         char *why)
 {
     if (!ut_are_convertible(from_unit, to_unit)) {
         const bool none = strcmp(to, "1") == 0;
@@ -65,7 +65,7 @@ static bool convert_named(double *x, const char *from, const char *to, char *why
     } else if (!to_unit) {
         snprintf(why, WHY_SIZE, "floe's own unit '%.40s' is not known: please report it", to);
     } else {
-        ok = convert(from_unit, to_unit, x, from, to, why);
+        ok = convert_unit(from_unit, to_unit, x, from, to, why);
     }
     ut_free(from_unit);
     ut_free(to_unit);

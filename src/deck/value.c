@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* The node at a path of names and list indices joined by dots; NULL if there is none. */
-static const deck_node *follow(const deck_node *node, const char *path)
+static const deck_node *node_at_path(const deck_node *node, const char *path)
 {
     while (node && *path) {
         size_t length;
@@ -37,7 +37,7 @@ static floe_status look_up(deck_arena *arena, const char *text, const char *key,
     if (status == FLOE_BAD_INPUT)
         return fail(arena->ctx, FLOE_INTERNAL, "the resolved deck is no YAML: %s", error.text);
     TRY(status);
-    const deck_node *node = follow(root, key);
+    const deck_node *node = node_at_path(root, key);
     if (node && node->kind == NODE_SCALAR && strlen(node->text) < SCENE_VALUE)
         snprintf(value, SCENE_VALUE, "%s", node->text);
     return FLOE_OK;

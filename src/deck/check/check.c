@@ -140,7 +140,7 @@ static int find_solid_body(const scene *s)
     return -1;
 }
 
-static floe_status check_coupling(reader *r, scene_coupling coupling)
+static floe_status check_coupled_phases(reader *r, scene_coupling coupling)
 {
     const scene *s = r->scene;
     deck_node *node = coupling_node(r, coupling);
@@ -169,7 +169,7 @@ static floe_status check_couplings(reader *r)
         return bad_at(r, KEY("coupling"), "a coupling that 'runs_as' lists", NULL, "'runs_as' does not list '%s'",
                       coupling_name(s->coupling));
     }
-    for (int i = 0; i < s->n_runs_as; i++) TRY(check_coupling(r, s->runs_as[i]));
+    for (int i = 0; i < s->n_runs_as; i++) TRY(check_coupled_phases(r, s->runs_as[i]));
     return FLOE_OK;
 }
 

@@ -20,7 +20,7 @@ static floe_status check_materials(reader *r)
     return FLOE_OK;
 }
 
-static floe_status check_coupling(reader *r)
+static floe_status check_contact_coupling(reader *r)
 {
     if (scene_runs_as(r->scene, COUPLING_ICE))
         return bad_at(r, KEY("contact"), "coupling: mpm or ice-mpm", NULL,
@@ -70,5 +70,5 @@ floe_status check_contact(reader *r)
         return bad_at(r, KEY("contact", "between"), "fewer bodies", NULL, "%d bodies in contact are more than %d",
                       members, SCENE_MAX_CONTACT);
     TRY(check_densities(r));
-    return check_coupling(r);
+    return check_contact_coupling(r);
 }

@@ -37,7 +37,7 @@ static floe_status check_scheme(reader *r, const scene_body *b)
                   "membrane '%s' is a surface, which is strained at the end of a step", b->name);
 }
 
-static floe_status check_ends(reader *r, int body, size_t n)
+static floe_status check_membrane_ends(reader *r, int body, size_t n)
 {
     static const char *const side[] = {"from", "to"};
     for (int i = 0; i < r->scene->n_springs; i++) {
@@ -65,7 +65,7 @@ floe_status check_membrane_points(reader *r, int body)
     TRY(status);
     status = surface ? check_scheme(r, b) : FLOE_OK;
     if (status == FLOE_OK) status = check_masses(r, b, &list);
-    if (status == FLOE_OK) status = check_ends(r, body, list.n);
+    if (status == FLOE_OK) status = check_membrane_ends(r, body, list.n);
     seed_list_free(r->ctx, &list);
     return status;
 }

@@ -2,7 +2,7 @@
 #include "deck/check/check.h"
 
 /* The deck says what a pair of materials exchanges. */
-static bool exchanges(const scene *s, int a, int b)
+static bool pair_has_exchange(const scene *s, int a, int b)
 {
     for (int k = 0; k < s->n_exchanges; k++) {
         const int *pair = s->exchange[k].material;
@@ -31,7 +31,7 @@ static floe_status check_burning(reader *r, const scene_reaction *q)
             s->body[s->load[l].body].material == q->reactant)
             return bad_at(r, KEY("loads", s->load[l].name), NULL, NULL,
                           "the surface of body '%s', which is loaded, burns away", s->body[s->load[l].body].name);
-    if (!exchanges(s, q->reactant, q->product))
+    if (!pair_has_exchange(s, q->reactant, q->product))
         return bad_at(
             r, KEY("reactions", q->name, "product"), "exchange: a pair of the two, with momentum: free", NULL,
             "what burns off solid '%s' would be held in the cells that it shares with it: say what the two exchange",

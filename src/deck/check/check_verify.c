@@ -4,14 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *listed(const void *user, size_t i)
+static const char *listed_metric_name(const void *user, size_t i)
 {
     const char *const *names = user;
     return names[i];
 }
 
 /* "l1_X" and "density": "l1_density"; a pattern without an X is a name already. */
-static floe_status expand(deck_arena *arena, const char **out, const char *pattern, const char *quantity)
+static floe_status expand_metric_name(deck_arena *arena, const char **out, const char *pattern, const char *quantity)
 {
     const size_t stem = strlen(pattern) - 1, size = stem + strlen(quantity) + 1;
     char *name;
@@ -40,7 +40,7 @@ static floe_status list_metrics(reader *r, const char ***names)
             continue;
         }
         for (size_t q = 0; q < c->n_quantity; q++) {
-            TRY(expand(r->arena, &name[n++], c->metric[i].name, c->quantity[q].name));
+            TRY(expand_metric_name(r->arena, &name[n++], c->metric[i].name, c->quantity[q].name));
         }
     }
     *names = name;
@@ -77,7 +77,7 @@ static floe_status check_metric(reader *r, const char **names, deck_node *item)
     const char *why = is_listed(names, item->text) ? NULL : "";
     if (catalogue->check_metric) why = catalogue->check_metric(item->text, r->scene);
     if (!why) return FLOE_OK;
-    if (why[0] == '\0') return bad_name(r, item, false, "metric", listed, names);
+    if (why[0] == '\0') return bad_name(r, item, false, "metric", listed_metric_name, names);
     if (r->errors->count > 0) return FLOE_OK; /* it may be a consequence */
     return bad(r, item, NULL, "metric '%.60s': %s", item->text, why);
 }
@@ -110,7 +110,7 @@ static floe_status check_probes(reader *r)
     return FLOE_OK;
 }
 
-static const char *axis_candidate(const void *user, size_t i)
+static const char *candidate_axis_name(const void *user, size_t i)
 {
     const scene_study *study = user;
     return i < (size_t)study->n_axes ? study->axis[i].key : NULL;
@@ -131,11 +131,11 @@ static floe_status check_study(reader *r)
     deck_node *over = node_path(r->root, KEY("study", "over"));
     deck_node *bars = node_path(r->root, KEY("study", "require"));
     if (study->n_axes == 0) return FLOE_OK;
-    if (over && !is_axis(study, study->over)) TRY(bad_name(r, over, false, "axis", axis_candidate, study));
+    if (over && !is_axis(study, study->over)) TRY(bad_name(r, over, false, "axis", candidate_axis_name, study));
     for (deck_node *bar = bars ? bars->first : NULL; bar; bar = bar->next) {
         const deck_node *where = node_find(bar, "where");
         for (deck_node *item = where ? where->first : NULL; item; item = item->next) {
-            if (!is_axis(study, item->key)) TRY(bad_name(r, item, true, "axis", axis_candidate, study));
+            if (!is_axis(study, item->key)) TRY(bad_name(r, item, true, "axis", candidate_axis_name, study));
         }
     }
     return FLOE_OK;
