@@ -101,7 +101,7 @@ void canvas_text(canvas *c, double x, double y, double size, bool bold, canvas_a
 }
 
 /* Takes a character (of UTF-8) off the end of a text. */
-static void shorten(char *text)
+static void drop_last_character(char *text)
 {
     size_t length = strlen(text);
     while (length > 0 && ((unsigned char)text[length - 1] & 0xc0) == 0x80) length--;
@@ -117,7 +117,7 @@ void canvas_text_within(canvas *c, double x, double y, double size, bool bold, c
     (void)snprintf(part, sizeof part, "%s", text);
     (void)snprintf(shown, sizeof shown, "%s", part);
     while (part[0] && canvas_text_width(c, fitting, bold, shown) > most * 1.001) {
-        shorten(part);
+        drop_last_character(part);
         (void)snprintf(shown, sizeof shown, "%s…", part);
     }
     canvas_text(c, x, y, fitting, bold, align, shown);

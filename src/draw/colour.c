@@ -40,7 +40,7 @@ static oklab from_polar(oklch p)
     return (oklab){p.l, p.c * cos(h), p.c * sin(h)};
 }
 
-static double cube(double x)
+static double cube_of(double x)
 {
     return x * x * x;
 }
@@ -52,11 +52,11 @@ static uint32_t srgb_byte(double x)
     return (uint32_t)lround(255.0 * fmin(1.0, fmax(0.0, v)));
 }
 
-static uint32_t srgb(oklab k)
+static uint32_t srgb_of_oklab(oklab k)
 {
-    const double l = cube(k.l + 0.3963377774 * k.a + 0.2158037573 * k.b);
-    const double m = cube(k.l - 0.1055613458 * k.a - 0.0638541728 * k.b);
-    const double s = cube(k.l - 0.0894841775 * k.a - 1.2914855480 * k.b);
+    const double l = cube_of(k.l + 0.3963377774 * k.a + 0.2158037573 * k.b);
+    const double m = cube_of(k.l - 0.1055613458 * k.a - 0.0638541728 * k.b);
+    const double s = cube_of(k.l - 0.0894841775 * k.a - 1.2914855480 * k.b);
     return srgb_byte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s) << 16 |
            srgb_byte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s) << 8 |
            srgb_byte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s);
@@ -67,10 +67,10 @@ static uint32_t on_arc(const arc *curve, double t)
 {
     const oklab p = from_polar(curve->from), q = from_polar(curve->by), r = from_polar(curve->to);
     const double u = (1.0 - t) * (1.0 - t), v = 2.0 * t * (1.0 - t), w = t * t;
-    return srgb((oklab){p.l + (r.l - p.l) * t, u * p.a + v * q.a + w * r.a, u * p.b + v * q.b + w * r.b});
+    return srgb_of_oklab((oklab){p.l + (r.l - p.l) * t, u * p.a + v * q.a + w * r.a, u * p.b + v * q.b + w * r.b});
 }
 
-static uint32_t between(uint32_t a, uint32_t b, double t)
+static uint32_t blend_colours(uint32_t a, uint32_t b, double t)
 {
     uint32_t mixed = 0;
     for (int shift = 0; shift < 24; shift += 8) {
@@ -83,7 +83,7 @@ static uint32_t between(uint32_t a, uint32_t b, double t)
 static uint32_t in_viridis(double t)
 {
     const int i = (int)fmin(31.0, 32.0 * t);
-    return between(viridis[i], viridis[i + 1], 32.0 * t - i);
+    return blend_colours(viridis[i], viridis[i + 1], 32.0 * t - i);
 }
 
 static uint32_t make_colour(colour_kind kind, bool dark, double t)

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-static bool begins(const char *name, const char *with)
+static bool begins_with(const char *name, const char *with)
 {
     return strncmp(name, with, strlen(with)) == 0;
 }
@@ -27,11 +27,11 @@ static void make_label(const char *name, char label[SNAPSHOT_TEXT])
     }
 }
 
-static void take(const snapshot_field *field, const char *name, int component, field_choice *out)
+static void choose_field(const snapshot_field *field, const char *name, int component, field_choice *out)
 {
     out->field = field;
     out->component = component;
-    out->is_signed = component >= 0 || begins(name, "stress_") || begins(name, "sigma_");
+    out->is_signed = component >= 0 || begins_with(name, "stress_") || begins_with(name, "sigma_");
     make_label(name, out->label);
 }
 
@@ -46,7 +46,7 @@ static bool choose_component(const snapshot *s, const snapshot_group *group, con
     (void)snprintf(vector, sizeof vector, "%.*s", (int)length - 2, name);
     const snapshot_field *field = snapshot_find(group, vector);
     if (!axis || axis - axes >= s->dim || !field || field->components != 3) return false;
-    take(field, name, (int)(axis - axes), out);
+    choose_field(field, name, (int)(axis - axes), out);
     return true;
 }
 
@@ -55,7 +55,7 @@ void field_choose(const snapshot *s, const snapshot_group *group, const char *na
     *out = (field_choice){0};
     const snapshot_field *field = snapshot_find(group, name);
     if (field) {
-        take(field, name, -1, out);
+        choose_field(field, name, -1, out);
     } else {
         (void)choose_component(s, group, name, out);
     }
@@ -73,7 +73,7 @@ void field_choose_for_cells(const snapshot *s, field_choice *out)
 {
     field_choose(s, &s->grid, "pressure", out);
     for (size_t i = 0; i < s->grid.n_fields && !out->field; i++) {
-        if (begins(s->grid.field[i].name, "density")) field_choose(s, &s->grid, s->grid.field[i].name, out);
+        if (begins_with(s->grid.field[i].name, "density")) field_choose(s, &s->grid, s->grid.field[i].name, out);
     }
 }
 
@@ -121,7 +121,7 @@ floe_status field_unknown(const snapshot *s, bool points, const char *name)
 }
 
 /* Of three numbers each, in place: a component, or the magnitude (-1). */
-static void reduce(double *value, size_t n, int component)
+static void reduce_vectors(double *value, size_t n, int component)
 {
     for (size_t i = 0; i < n; i++) {
         const double *v = value + 3 * i;
@@ -136,7 +136,7 @@ static const snapshot_field *fraction_of(const snapshot_group *group, const char
     const size_t length = strlen(name);
     for (size_t i = 0; i < group->n_fields; i++) {
         const char *fraction = group->field[i].name;
-        if (!begins(fraction, prefix) || strcmp(fraction, name) == 0) continue;
+        if (!begins_with(fraction, prefix) || strcmp(fraction, name) == 0) continue;
         const char *material = fraction + strlen(prefix);
         const size_t tail = strlen(material);
         if (tail > 0 && length > tail && strcmp(name + length - tail, material) == 0) return &group->field[i];
@@ -162,7 +162,7 @@ static floe_status blank_absent(const snapshot *s, const snapshot_group *group, 
 floe_status field_values(const snapshot *s, const snapshot_group *group, const field_choice *choice, double **out)
 {
     TRY(snapshot_values(s, group, choice->field, out));
-    if (choice->field->components == 3) reduce(*out, group->n, choice->component);
+    if (choice->field->components == 3) reduce_vectors(*out, group->n, choice->component);
     const floe_status status = blank_absent(s, group, choice->field->name, *out);
     if (status != FLOE_OK) memory_free(s->ctx, out);
     return status;

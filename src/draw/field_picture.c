@@ -79,7 +79,7 @@ static void cut_cells(const sheet *h, double *value)
     if (h->s.dim == 3) memmove(value, value + layer * (size_t)middle_layer(&h->s), layer * sizeof *value);
 }
 
-static floe_status add_cells(sheet *h)
+static floe_status draw_cells(sheet *h)
 {
     const snapshot *s = &h->s;
     field_choice choice;
@@ -179,14 +179,14 @@ static bool has_solids(const snapshot *s)
 
 /* What was asked for a body, NULL if nothing was: beside solids, points of a fluid stand for the cells that it has in
  * other couplings, so that one command draws the same picture of both. */
-static const char *wanted(const sheet *h, const snapshot_group *body)
+static const char *field_of_body(const sheet *h, const snapshot_group *body)
 {
     return body->fluid && has_solids(&h->s) ? h->o->cells : h->o->points;
 }
 
 static void choose_for_body(sheet *h, const snapshot_group *body, field_choice *out)
 {
-    const char *name = wanted(h, body);
+    const char *name = field_of_body(h, body);
     if (name) {
         field_choose(&h->s, body, name, out);
         if (name == h->o->points && out->field) h->found_points = true;
@@ -203,7 +203,7 @@ static void note_label(sheet *h, const char *label)
     (void)snprintf(h->of_points + length, SNAPSHOT_TEXT - length, "%s%s", length > 0 ? " and " : "", label);
 }
 
-static floe_status add_body(sheet *h, const snapshot_group *body, picture_points *points)
+static floe_status draw_body(sheet *h, const snapshot_group *body, picture_points *points)
 {
     const snapshot *s = &h->s;
     const snapshot_field *position = snapshot_find(body, "position");
@@ -229,7 +229,7 @@ static floe_status add_body(sheet *h, const snapshot_group *body, picture_points
 }
 
 /* Solids take the first scale, fluids the second; but fluids are drawn first, so that solids keep their outlines. */
-static floe_status add_points(sheet *h)
+static floe_status draw_points(sheet *h)
 {
     size_t fluids = 0, slot[2] = {0, 0};
     TRY(memory_new(h->s.ctx, &h->points, h->s.n_bodies, sizeof *h->points));
@@ -237,8 +237,8 @@ static floe_status add_points(sheet *h)
     slot[0] = fluids;
     for (int fluid = 0; fluid < 2; fluid++) {
         for (size_t b = 0; b < h->s.n_bodies; b++) {
-            if (is_none(wanted(h, &h->s.body[b]))) continue;
-            if (h->s.body[b].fluid == (fluid == 1)) TRY(add_body(h, &h->s.body[b], &h->points[slot[fluid]++]));
+            if (is_none(field_of_body(h, &h->s.body[b]))) continue;
+            if (h->s.body[b].fluid == (fluid == 1)) TRY(draw_body(h, &h->s.body[b], &h->points[slot[fluid]++]));
         }
     }
     h->p.points = h->points;
@@ -286,8 +286,8 @@ static floe_status sheet_make(sheet *h, context *ctx, const char *dir, long numb
     h->s.ctx = ctx;
     TRY(snapshot_read(&h->s, ctx, dir, number));
     set_frame(h);
-    TRY(add_points(h));
-    TRY(add_cells(h));
+    TRY(draw_points(h));
+    TRY(draw_cells(h));
     if (is_missing(o->points, h->found_points)) return field_unknown(&h->s, true, o->points);
     if (is_missing(o->cells, h->found_cells)) return field_unknown(&h->s, h->s.grid.n == 0, o->cells);
     if (h->p.cells || h->p.n_points > 0) return FLOE_OK;

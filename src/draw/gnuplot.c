@@ -25,7 +25,7 @@ static bool write_cd(const char *dir, char *text, size_t size)
 }
 
 /* The exit status of one gnuplot that runs the scripts in turn; -1 when a signal has ended it or memory is out. */
-static int spawn(context *ctx, const char *cd, const char *const *script, size_t n)
+static int run_gnuplot(context *ctx, const char *cd, const char *const *script, size_t n)
 {
     const char **argument;
     posix_spawn_file_actions_t actions;
@@ -52,7 +52,7 @@ static int spawn(context *ctx, const char *cd, const char *const *script, size_t
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-static void warn(context *ctx, const char *dir, const char *script, int status)
+static void warn_of_gnuplot(context *ctx, const char *dir, const char *script, int status)
 {
     if (status == MISSING) {
         context_log(ctx, LOG_WARNING,
@@ -67,16 +67,16 @@ gnuplot_result gnuplot_run(context *ctx, const char *dir, const char *const *scr
 {
     char cd[8192];
     if (n == 0) return GNUPLOT_DONE;
-    int status = write_cd(dir, cd, sizeof cd) ? spawn(ctx, cd, script, n) : -1;
+    int status = write_cd(dir, cd, sizeof cd) ? run_gnuplot(ctx, cd, script, n) : -1;
     if (status == 0) return GNUPLOT_DONE;
     if (status == MISSING || n == 1) {
-        warn(ctx, dir, n == 1 ? script[0] : "*.gp", status);
+        warn_of_gnuplot(ctx, dir, n == 1 ? script[0] : "*.gp", status);
         return status == MISSING ? GNUPLOT_MISSING : GNUPLOT_FAILED;
     }
     /* A script that fails takes those after it along: each by itself. */
     for (size_t i = 0; i < n; i++) {
-        status = spawn(ctx, cd, &script[i], 1);
-        warn(ctx, dir, script[i], status);
+        status = run_gnuplot(ctx, cd, &script[i], 1);
+        warn_of_gnuplot(ctx, dir, script[i], status);
     }
     return GNUPLOT_FAILED;
 }

@@ -61,7 +61,7 @@ static colour_kind choose_colours(const sketch *k, int n)
 }
 
 /* Characters, not bytes. */
-static size_t characters(const char *text)
+static size_t count_characters(const char *text)
 {
     size_t n = 0;
     for (; *text; text++) n += ((unsigned char)*text & 0xc0) != 0x80;
@@ -73,7 +73,7 @@ static const char *title_break(const char *title)
 {
     const char *best = NULL;
     size_t n = 0;
-    if (!title || characters(title) <= TITLE_LINE) return NULL;
+    if (!title || count_characters(title) <= TITLE_LINE) return NULL;
     for (const char *at = title; *at && n <= TITLE_LINE; at++) {
         if (*at == ' ' && at > title) best = at;
         n += ((unsigned char)*at & 0xc0) != 0x80;
@@ -208,7 +208,7 @@ double picture_tick_room(const scale *y, double height)
     size_t longest = 0;
     scale_make_ticks(y, upright_ticks(height), &ticks);
     for (int i = 0; i < ticks.n; i++) {
-        const size_t length = characters(ticks.label[i]);
+        const size_t length = count_characters(ticks.label[i]);
         if (length > longest) longest = length;
     }
     return 0.62 * TICK_SIZE * (double)longest + TICK_LENGTH + 6;
@@ -256,7 +256,7 @@ void picture_draw_axes(sketch *k, frame f, const scale *x, const char *x_label, 
     }
 }
 
-static floe_status prepare(sketch *k)
+static floe_status prepare_sketch(sketch *k)
 {
     const picture *p = k->p;
     for (int n = 0; n < p->n_scales; n++) TRY(choose_scale(k->ctx, p, n, &k->value[n]));
@@ -270,7 +270,7 @@ static floe_status prepare(sketch *k)
     return FLOE_OK;
 }
 
-static floe_status draw(sketch *k, const char *path)
+static floe_status draw_sketch(sketch *k, const char *path)
 {
     const picture *p = k->p;
     const double width = p->width > 0 ? p->width : PICTURE_WIDTH;
@@ -288,8 +288,8 @@ static floe_status draw(sketch *k, const char *path)
 floe_status picture_write(context *ctx, const char *path, const picture *p)
 {
     sketch k = {.ctx = ctx, .p = p};
-    TRY(prepare(&k));
-    const floe_status status = draw(&k, path);
+    TRY(prepare_sketch(&k));
+    const floe_status status = draw_sketch(&k, path);
     canvas_close(&k.paper);
     return status;
 }

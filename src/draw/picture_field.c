@@ -8,7 +8,7 @@
 enum { TALLEST = 860, AXIS_NAME = 58, BELOW_AXIS = 78, SMALLEST = 2 /* px */ };
 
 /* Where the domain is drawn, in units from the left and below the head; the same scale along both axes. */
-static frame place(const sketch *k)
+static frame place_frame(const sketch *k)
 {
     const double extent[2] = {k->p->upper[0] - k->p->lower[0], k->p->upper[1] - k->p->lower[1]};
     const double guess = fmin(TALLEST, 620 * extent[1] / extent[0]);
@@ -22,7 +22,7 @@ static frame place(const sketch *k)
 
 double picture_field_height(const sketch *k)
 {
-    return AXIS_NAME + place(k).height + BELOW_AXIS + k->p->n_scales * picture_bar_height() + 8;
+    return AXIS_NAME + place_frame(k).height + BELOW_AXIS + k->p->n_scales * picture_bar_height() + 8;
 }
 
 /* The cells as an image, a pixel each; row 0 is the top one. */
@@ -44,11 +44,11 @@ static void paint_pixels(const sketch *k, cairo_surface_t *image)
 }
 
 /* px of a place in the domain. */
-static double to_x(const sketch *k, frame f, double x)
+static double field_x(const sketch *k, frame f, double x)
 {
     return f.x + f.width * (x - k->p->lower[0]) / (k->p->upper[0] - k->p->lower[0]);
 }
-static double to_y(const sketch *k, frame f, double y)
+static double field_y(const sketch *k, frame f, double y)
 {
     return f.y + f.height * (k->p->upper[1] - y) / (k->p->upper[1] - k->p->lower[1]);
 }
@@ -64,7 +64,7 @@ static floe_status draw_cells(sketch *k, frame f)
         const double px = c->spacing[0] * f.width / (k->p->upper[0] - k->p->lower[0]);
         paint_pixels(k, image);
         cairo_save(cr);
-        cairo_translate(cr, to_x(k, f, c->lower[0]), to_y(k, f, c->lower[1] + c->n[1] * c->spacing[1]));
+        cairo_translate(cr, field_x(k, f, c->lower[0]), field_y(k, f, c->lower[1] + c->n[1] * c->spacing[1]));
         cairo_scale(cr, px, c->spacing[1] * f.height / (k->p->upper[1] - k->p->lower[1]));
         cairo_set_source_surface(cr, image, 0, 0);
         cairo_pattern_set_filter(cairo_get_source(cr), px < 1.0 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
@@ -98,7 +98,7 @@ static void draw_points(sketch *k, frame f, const picture_points *points)
         const double x = points->x[2 * i], y = points->x[2 * i + 1], edge = points->edge[i] * px;
         if (!isfinite(x) || !isfinite(y) || !isfinite(edge)) continue;
         canvas_colour(&k->paper, colour_of_point(k, points, i));
-        draw_point(k->paper.cr, to_x(k, f, x), to_y(k, f, y), edge);
+        draw_point(k->paper.cr, field_x(k, f, x), field_y(k, f, y), edge);
     }
 }
 
@@ -108,7 +108,7 @@ floe_status picture_draw_field(sketch *k)
     cairo_t *cr = k->paper.cr;
     const double u = k->paper.unit;
     char x_label[2 * SCALE_TEXT], y_label[2 * SCALE_TEXT];
-    frame f = place(k);
+    frame f = place_frame(k);
     f = (frame){round(f.x * u), round((f.y + picture_head_height(p)) * u), fmax(2.0, round(f.width * u)),
                 fmax(2.0, round(f.height * u))};
     cairo_save(cr);

@@ -43,12 +43,12 @@ double picture_profile_height(const sketch *k)
     return height;
 }
 
-static double to_x(const sketch *k, frame f, double x)
+static double profile_x(const sketch *k, frame f, double x)
 {
     return f.x + f.width * (x - k->p->lower[0]) / (k->p->upper[0] - k->p->lower[0]);
 }
 
-static double to_y(const scale *s, frame f, double v)
+static double profile_y(const scale *s, frame f, double v)
 {
     return f.y + f.height * (s->upper - v) / (s->upper - s->lower);
 }
@@ -62,9 +62,9 @@ static void draw_steps(sketch *k, frame f, const scale *s)
     canvas_colour(&k->paper, colour_of_series(k, 0));
     cairo_set_line_width(cr, 3 * k->paper.unit);
     for (int i = 0; i < c->n[0]; i++) {
-        const double left = to_x(k, f, c->lower[0] + i * c->spacing[0]);
-        const double right = to_x(k, f, c->lower[0] + (i + 1) * c->spacing[0]);
-        const double y = to_y(s, f, c->value[i]);
+        const double left = profile_x(k, f, c->lower[0] + i * c->spacing[0]);
+        const double right = profile_x(k, f, c->lower[0] + (i + 1) * c->spacing[0]);
+        const double y = profile_y(s, f, c->value[i]);
         if (!isfinite(y)) {
             drawing = false;
             continue;
@@ -87,7 +87,7 @@ static void draw_dots(sketch *k, frame f, const scale *s, size_t body)
     const double radius = (points->n > 400 ? 2.5 : 4.5) * k->paper.unit;
     canvas_colour(&k->paper, colour_of_series(k, body + 1));
     for (size_t i = 0; i < points->n; i++) {
-        const double x = to_x(k, f, points->x[2 * i]), y = to_y(s, f, points->value[i]);
+        const double x = profile_x(k, f, points->x[2 * i]), y = profile_y(s, f, points->value[i]);
         if (!isfinite(x) || !isfinite(y)) continue;
         cairo_arc(cr, x, y, radius, 0.0, 6.283185307179586);
         cairo_fill(cr);

@@ -80,8 +80,8 @@ floe_status plot_write_data(context *ctx, const char *dir, const plot_figure *fi
     return status;
 }
 
-static floe_status draw(context *ctx, const char *dir, const plot_figure *figure, size_t n, const char **script,
-                        char (*name)[PLOT_STEM + 4], bool *missing)
+static floe_status draw_figures(context *ctx, const char *dir, const plot_figure *figure, size_t n, const char **script,
+                                char (*name)[PLOT_STEM + 4], bool *missing)
 {
     char stem[PLOT_STEM];
     for (size_t i = 0; i < n; i++) {
@@ -105,7 +105,7 @@ floe_status plots_draw(context *ctx, const char *dir, const plot_figure *figure,
     if (n == 0) return FLOE_OK;
     floe_status status = memory_new(ctx, &script, n, sizeof *script);
     if (status == FLOE_OK) status = memory_new(ctx, &name, n, sizeof *name);
-    if (status == FLOE_OK) status = draw(ctx, dir, figure, n, script, name, missing);
+    if (status == FLOE_OK) status = draw_figures(ctx, dir, figure, n, script, name, missing);
     memory_free(ctx, &name);
     memory_free(ctx, &script);
     return status;

@@ -16,7 +16,7 @@ size_t plot_points(const plot_panel *panel, const plot_series *series)
     return n;
 }
 
-static void widen(plot_axis *axis, double value)
+static void widen_range(plot_axis *axis, double value)
 {
     axis->lo = axis->any ? fmin(axis->lo, value) : value;
     axis->hi = axis->any ? fmax(axis->hi, value) : value;
@@ -24,7 +24,7 @@ static void widen(plot_axis *axis, double value)
 }
 
 /* Room around the data, as parts of the range below and above. */
-static void add_room(plot_axis *axis, double below, double above)
+static void add_margin(plot_axis *axis, double below, double above)
 {
     if (!axis->any) {
         *axis = (plot_axis){.lo = 0.0, .hi = 1.0};
@@ -62,13 +62,13 @@ void plot_axes(const plot_panel *panel, plot_axis *x, plot_axis *y)
         const plot_series *s = &panel->series[k];
         for (size_t i = 0; i < s->n; i++) {
             if (!plot_drawable(x->log, s->x[i]) || !plot_drawable(y->log, s->y[i])) continue;
-            widen(x, s->x[i]);
-            widen(y, s->y[i]);
+            widen_range(x, s->x[i]);
+            widen_range(y, s->y[i]);
         }
     }
     const double beside = has_points(panel) ? 0.08 : 0.0;
-    add_room(x, beside, beside);
-    add_room(y, panel->n_slopes > 0 ? 0.2 : 0.06, 0.08);
+    add_margin(x, beside, beside);
+    add_margin(y, panel->n_slopes > 0 ? 0.2 : 0.06, 0.08);
 }
 
 /* One tic: plain digits where they are short, else a power of ten. */
@@ -86,7 +86,7 @@ static void append_tic(strbuf *out, double value, int *tics)
     }
 }
 
-static bool within(const plot_axis *axis, double value)
+static bool is_in_range(const plot_axis *axis, double value)
 {
     return value >= axis->lo * (1.0 - 1e-9) && value <= axis->hi * (1.0 + 1e-9);
 }
@@ -103,7 +103,7 @@ static void append_even_tics(strbuf *out, const plot_axis *axis)
 {
     const double step = even_step(axis);
     int tics = 0;
-    for (double value = step * ceil(axis->lo / step - 1e-9); within(axis, value); value += step)
+    for (double value = step * ceil(axis->lo / step - 1e-9); is_in_range(axis, value); value += step)
         append_tic(out, value, &tics);
 }
 
@@ -117,7 +117,7 @@ static void append_decade_tics(strbuf *out, const plot_axis *axis, double span, 
         if (((power % every) + every) % every != 0) continue;
         for (int k = 0; k < each; k++) {
             const double value = leading[k] * pow(10.0, power);
-            if (within(axis, value)) append_tic(out, value, &tics);
+            if (is_in_range(axis, value)) append_tic(out, value, &tics);
         }
     }
 }

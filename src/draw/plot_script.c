@@ -118,7 +118,7 @@ static void append_slopes(strbuf *out, const plot_panel *panel, const plot_axis 
 }
 
 /* Filled marks first, then open ones, as the palette comes round again. */
-static int marker(int colour)
+static int marker_of_colour(int colour)
 {
     static const int filled[] = {7, 5, 9, 13, 11, 15, 2, 1}, open[] = {6, 4, 8, 12, 10, 14, 3, 1};
     return colour / PLOT_COLOURS % 2 == 0 ? filled[colour % PLOT_COLOURS] : open[colour % PLOT_COLOURS];
@@ -132,7 +132,7 @@ static void append_style(strbuf *out, const plot_series *s)
     if (s->style != PLOT_POINTS)
         strbuf_append(out, " lw %g dt %d", s->emphasis ? 1.4 : 1.8, s->emphasis && s->style != PLOT_LINES ? 3 : 1);
     if (s->style == PLOT_POINTS || s->style == PLOT_LINES_POINTS)
-        strbuf_append(out, " pt %d ps %g", s->emphasis ? 6 : marker(colour), s->emphasis ? 1.5 : 0.7);
+        strbuf_append(out, " pt %d ps %g", s->emphasis ? 6 : marker_of_colour(colour), s->emphasis ? 1.5 : 0.7);
     strbuf_append(out, " lc rgb '%s'", s->emphasis ? PLOT_INK : plot_colour(colour, false));
 }
 
@@ -214,7 +214,7 @@ void plot_append_script(strbuf *out, const plot_figure *f, const char *stem)
     strbuf_append(out, "unset multiplot\nunset output\n");
 }
 
-static void append_rows(strbuf *out, const plot_panel *panel, const plot_series *s, int digits)
+static void append_series_rows(strbuf *out, const plot_panel *panel, const plot_series *s, int digits)
 {
     for (size_t i = 0; i < s->n; i++) {
         strbuf_append_csv(out, text_or_empty(panel->title));
@@ -231,6 +231,6 @@ void plot_append_csv(strbuf *out, const plot_figure *f)
     strbuf_append(out, "panel,series,x,y,label\n");
     for (size_t p = 0; p < f->n_panels; p++) {
         for (size_t k = 0; k < f->panel[p].n_series; k++)
-            append_rows(out, &f->panel[p], &f->panel[p].series[k], f->most > 0 ? 7 : 17);
+            append_series_rows(out, &f->panel[p], &f->panel[p].series[k], f->most > 0 ? 7 : 17);
     }
 }

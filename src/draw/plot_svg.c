@@ -103,7 +103,7 @@ static const char *pass_idle(const char *at)
 }
 
 /* The text as gnuplot left it, from its <svg> on, with names and style put in. */
-static void rewrite(strbuf *out, const char *at, const char *stem, const char *title)
+static void rewrite_svg(strbuf *out, const char *at, const char *stem, const char *title)
 {
     static const char head[] = "<svg", reference[] = "'#gp", canvas[] = "<defs>", name[] = "<title>";
     bool named = false;
@@ -143,14 +143,14 @@ static bool is_whole(const char *text)
     return strstr(text, "</svg>") != NULL;
 }
 
-static floe_status finish(context *ctx, const char *path, const char *stem, const char *title)
+static floe_status finish_svg(context *ctx, const char *path, const char *stem, const char *title)
 {
     char *text;
     strbuf out;
     if (!file_exists(path)) return FLOE_OK;
     TRY(file_read(ctx, path, &text, NULL));
     strbuf_init(&out, ctx);
-    if (is_whole(text)) rewrite(&out, text, stem, title && title[0] ? title : stem);
+    if (is_whole(text)) rewrite_svg(&out, text, stem, title && title[0] ? title : stem);
     floe_status status = out.status;
     if (status == FLOE_OK)
         status = out.length > 0 ? file_replace_text(ctx, path, strbuf_string(&out)) : file_remove(ctx, path);
@@ -164,7 +164,8 @@ floe_status plot_finish_svg(context *ctx, const char *dir, const char *stem, con
     strbuf path;
     strbuf_init(&path, ctx);
     strbuf_append(&path, "%s/%s.svg", dir, stem);
-    const floe_status status = path.status == FLOE_OK ? finish(ctx, strbuf_string(&path), stem, title) : path.status;
+    const floe_status status =
+        path.status == FLOE_OK ? finish_svg(ctx, strbuf_string(&path), stem, title) : path.status;
     strbuf_free(&path);
     return status;
 }

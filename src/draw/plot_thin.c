@@ -9,27 +9,27 @@ typedef struct place {
 } place;
 
 /* Where a point stands in the drawing, but for a factor of each axis, which changes no comparison of triangles. */
-static place place_of(const plot_panel *panel, const plot_series *s, size_t i)
+static place drawing_position(const plot_panel *panel, const plot_series *s, size_t i)
 {
     return (place){panel->log_x ? log10(s->x[i]) : s->x[i], panel->log_y ? log10(s->y[i]) : s->y[i]};
 }
 
-static double triangle(place a, place b, place c)
+static double triangle_size(place a, place b, place c)
 {
     return fabs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
 }
 
 /* The first of n points that belongs to bucket k of `most`: the first and the last bucket hold one point each. */
-static size_t bucket(size_t n, size_t most, size_t k)
+static size_t bucket_start(size_t n, size_t most, size_t k)
 {
     return k == 0 ? 0 : 1 + (size_t)((double)(k - 1) * (double)(n - 2) / (double)(most - 2));
 }
 
-static place middle(const plot_panel *panel, const plot_series *s, const size_t *index, size_t from, size_t to)
+static place bucket_mean(const plot_panel *panel, const plot_series *s, const size_t *index, size_t from, size_t to)
 {
     place sum = {0.0, 0.0};
     for (size_t i = from; i < to; i++) {
-        const place p = place_of(panel, s, index[i]);
+        const place p = drawing_position(panel, s, index[i]);
         sum.x += p.x / (double)(to - from);
         sum.y += p.y / (double)(to - from);
     }
@@ -41,13 +41,13 @@ static place middle(const plot_panel *panel, const plot_series *s, const size_t 
 static void thin_line(const plot_panel *panel, const plot_series *s, size_t *index, size_t n, size_t most)
 {
     for (size_t k = 1; k + 1 < most; k++) {
-        const size_t from = bucket(n, most, k), to = bucket(n, most, k + 1);
-        const place before = place_of(panel, s, index[k - 1]);
-        const place after = middle(panel, s, index, to, k + 2 < most ? bucket(n, most, k + 2) : n);
+        const size_t from = bucket_start(n, most, k), to = bucket_start(n, most, k + 1);
+        const place before = drawing_position(panel, s, index[k - 1]);
+        const place after = bucket_mean(panel, s, index, to, k + 2 < most ? bucket_start(n, most, k + 2) : n);
         size_t best = from;
         double largest = -1.0;
         for (size_t i = from; i < to; i++) {
-            const double area = triangle(before, place_of(panel, s, index[i]), after);
+            const double area = triangle_size(before, drawing_position(panel, s, index[i]), after);
             if (!(area > largest)) continue;
             largest = area;
             best = i;
@@ -63,7 +63,7 @@ static void thin_cloud(size_t *index, size_t n, size_t most)
 {
     const double golden = 0.6180339887498949;
     for (size_t k = 1; k + 1 < most; k++) {
-        const size_t from = bucket(n, most, k), to = bucket(n, most, k + 1);
+        const size_t from = bucket_start(n, most, k), to = bucket_start(n, most, k + 1);
         const double part = golden * (double)k;
         index[k] = index[from + (size_t)((part - floor(part)) * (double)(to - from))];
     }

@@ -30,7 +30,7 @@ void scale_sample_free(scale_sample *sample, context *ctx)
     *sample = (scale_sample){0};
 }
 
-static int compare(const void *a, const void *b)
+static int compare_values(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -58,7 +58,7 @@ static void choose_range(scale *s, scale_sample *sample)
     s->lower = sample->least;
     s->upper = sample->most;
     if (sample->n == 0) return;
-    qsort(sample->value, sample->n, sizeof *sample->value, compare);
+    qsort(sample->value, sample->n, sizeof *sample->value, compare_values);
     const size_t few = sample->n / 200;
     const double low = sample->value[few], high = sample->value[sample->n - 1 - few];
     if (s->upper - s->lower <= 2.0 * (high - low) || !(high > low)) return;
@@ -67,7 +67,7 @@ static void choose_range(scale *s, scale_sample *sample)
 }
 
 /* Something to show where there is but one value. */
-static void widen(scale *s, bool about_zero)
+static void widen_scale(scale *s, bool about_zero)
 {
     const double middle = 0.5 * (s->lower + s->upper);
     const double margin = middle != 0.0 ? 0.1 * fabs(middle) : 1.0;
@@ -79,7 +79,7 @@ void scale_from_sample(scale *s, scale_sample *sample, bool about_zero)
 {
     choose_range(s, sample);
     if (!(s->upper - s->lower > 1e-9 * fmax(fabs(s->lower), fabs(s->upper)))) {
-        widen(s, about_zero);
+        widen_scale(s, about_zero);
         about_zero = false;
     }
     if (about_zero && s->lower < 0.0 && s->upper > 0.0) {
@@ -95,7 +95,7 @@ void scale_from_sample(scale *s, scale_sample *sample, bool about_zero)
 
 static const char superscript[10][4] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
-static void append(char *text, const char *more)
+static void append_label(char *text, const char *more)
 {
     const size_t length = strlen(text);
     (void)snprintf(text + length, SCALE_TEXT - length, "%s", more);
@@ -105,8 +105,8 @@ static void append_power(char *text, int power)
 {
     char digits[16];
     (void)snprintf(digits, sizeof digits, "%d", abs(power));
-    append(text, power < 0 ? "10⁻" : "10");
-    for (const char *d = digits; *d; d++) append(text, superscript[*d - '0']);
+    append_label(text, power < 0 ? "10⁻" : "10");
+    for (const char *d = digits; *d; d++) append_label(text, superscript[*d - '0']);
 }
 
 /* "kg/m3" as "kg/m³"; "1" as "". A digit after a letter is an exponent. */
@@ -116,7 +116,7 @@ static void append_unit(char *text, const char *unit)
     for (char before = ' '; *unit; before = *unit++) {
         const bool exponent = *unit >= '0' && *unit <= '9' && before >= 'A';
         const char plain[2] = {*unit, '\0'};
-        append(text, exponent ? superscript[*unit - '0'] : plain);
+        append_label(text, exponent ? superscript[*unit - '0'] : plain);
     }
 }
 
@@ -145,13 +145,13 @@ static double choose_unit(char text[SCALE_TEXT], double size, const char *unit)
     const int si = choose_power(size, 0.1, 1000.0);
     text[0] = '\0';
     if (takes_prefix(unit) && si >= -9 && si <= 12) {
-        append(text, prefix[si / 3 + 3]);
+        append_label(text, prefix[si / 3 + 3]);
         append_unit(text, unit);
         return pow(10.0, si);
     }
     const int power = choose_power(size, 1e-2, 1e4);
     if (power != 0) append_power(text, power);
-    if (power != 0 && strcmp(unit, "1") != 0) append(text, " ");
+    if (power != 0 && strcmp(unit, "1") != 0) append_label(text, " ");
     append_unit(text, unit);
     return pow(10.0, power);
 }
@@ -171,8 +171,8 @@ void scale_number(char text[SCALE_TEXT], double value, const char *unit, int dig
     char shown[SCALE_TEXT];
     const double factor = choose_unit(shown, fabs(value), unit);
     print_number(text, "%.*g", digits, value / factor);
-    if (shown[0]) append(text, " ");
-    append(text, shown);
+    if (shown[0]) append_label(text, " ");
+    append_label(text, shown);
 }
 
 /* A narrow range far from zero is shown as what is above a round number within or beside it. */

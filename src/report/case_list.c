@@ -16,7 +16,7 @@ static int find_text(const char *const *list, int n, const char *text)
 }
 
 /* Takes note of a text that is new; returns its number, or the last one when there is no more room. */
-static int note(const char **list, int *n, int room, const char *text)
+static int list_text_once(const char **list, int *n, int room, const char *text)
 {
     const int known = find_text(list, *n, text);
     if (known >= 0) return known;
@@ -31,7 +31,7 @@ static double sum_of_counts(const json_t *run)
 }
 
 /* The value of what is varied along a curve: {"domain.cell": "0.05"}. */
-static void take_axis(case_list *c, case_entry *e)
+static void read_axis_value(case_list *c, case_entry *e)
 {
     json_t *axis = json_object_get(e->run, "axis"), *value;
     const char *key;
@@ -51,7 +51,7 @@ static void note_names(json_t *object, const char **list, int *n, int room)
     json_object_foreach(object, name, value)
     {
         (void)value;
-        (void)note(list, n, room, name);
+        (void)list_text_once(list, n, room, name);
     }
 }
 
@@ -62,7 +62,7 @@ static double time_of(const json_t *run)
     return isfinite(best) ? best : isfinite(output) ? wall - output : wall;
 }
 
-static void take_case(case_list *c, const json_t *run)
+static void read_case(case_list *c, const json_t *run)
 {
     case_entry *e = &c->list[c->n++];
     *e = (case_entry){.run = run,
@@ -75,21 +75,21 @@ static void take_case(case_list *c, const json_t *run)
                       .disturbed = json_is_true(json_object_get(json_object_get(run, "timing"), "disturbed"))};
     c->dimensionless = c->dimensionless || strcmp(json_text_of(run, "units"), "none") == 0;
     if (!e->variant[0]) e->variant = json_text_of(run, "coupling");
-    take_axis(c, e);
-    e->colour = note(c->variant, &c->n_variants, CASE_MAX_VARIANTS, e->variant);
+    read_axis_value(c, e);
+    e->colour = list_text_once(c->variant, &c->n_variants, CASE_MAX_VARIANTS, e->variant);
     note_names(json_object_get(run, "errors"), c->metric, &c->n_metrics, CASE_MAX_METRICS);
     note_names(json_object_get(run, "quantities"), c->quantity, &c->n_quantities, CASE_MAX_METRICS);
 }
 
 /* The keys that are varied; older comparisons only had the coupling and one key. */
-static void take_axes(case_list *c, const json_t *object)
+static void read_axis_keys(case_list *c, const json_t *object)
 {
     const json_t *axes = json_object_get(object, "axes");
     for (size_t i = 0; i < json_array_size(axes); i++)
-        (void)note(c->axes, &c->n_axes, CASE_MAX_AXES, json_text_of(json_array_get(axes, i), "key"));
+        (void)list_text_once(c->axes, &c->n_axes, CASE_MAX_AXES, json_text_of(json_array_get(axes, i), "key"));
     if (c->n_axes > 0) return;
-    (void)note(c->axes, &c->n_axes, CASE_MAX_AXES, "coupling");
-    if (c->axis[0]) (void)note(c->axes, &c->n_axes, CASE_MAX_AXES, c->axis);
+    (void)list_text_once(c->axes, &c->n_axes, CASE_MAX_AXES, "coupling");
+    if (c->axis[0]) (void)list_text_once(c->axes, &c->n_axes, CASE_MAX_AXES, c->axis);
 }
 
 /* What the cases are spread along: the spacing where it differs, else the axis if its values are numbers. */
@@ -110,8 +110,8 @@ floe_status case_list_read(case_list *c, context *ctx, const json_t *object)
     const json_t *runs = json_object_get(object, "runs");
     *c = (case_list){.ctx = ctx, .axis = ""};
     TRY(memory_new(ctx, &c->list, json_array_size(runs) + 1, sizeof *c->list));
-    for (size_t i = 0; i < json_array_size(runs); i++) take_case(c, json_array_get(runs, i));
-    take_axes(c, object);
+    for (size_t i = 0; i < json_array_size(runs); i++) read_case(c, json_array_get(runs, i));
+    read_axis_keys(c, object);
     find_direction(c);
     return FLOE_OK;
 }
@@ -151,7 +151,7 @@ void case_title(const case_list *c, const case_entry *e, char title[PAGE_TEXT])
                    e->value[0] ? " = " : "", e->value);
 }
 
-static bool beats(const case_entry *a, const case_entry *b, const char *metric)
+static bool is_better(const case_entry *a, const case_entry *b, const char *metric)
 {
     const double ea = case_error(a, metric), eb = case_error(b, metric);
     return ea <= eb && a->wall <= b->wall && (ea < eb || a->wall < b->wall);
@@ -163,7 +163,7 @@ size_t case_front(const case_list *c, const char *metric, size_t *front)
     for (size_t i = 0; i < c->n; i++) {
         const case_entry *e = &c->list[i];
         bool beaten = !isfinite(case_error(e, metric)) || !isfinite(e->wall);
-        for (size_t k = 0; k < c->n && !beaten; k++) beaten = beats(&c->list[k], e, metric);
+        for (size_t k = 0; k < c->n && !beaten; k++) beaten = is_better(&c->list[k], e, metric);
         if (beaten) continue;
         size_t at = n++;
         for (; at > 0 && c->list[front[at - 1]].wall > e->wall; at--) front[at] = front[at - 1];

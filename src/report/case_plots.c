@@ -19,7 +19,7 @@ typedef struct error_plot {
     plot_panel panel;
 } error_plot;
 
-static double along(const case_list *c, const case_entry *e, measure m)
+static double measure_of_case(const case_list *c, const case_entry *e, measure m)
 {
     return m == BY_PLACE ? case_place(c, e) : m == BY_WALL ? e->wall : e->updates;
 }
@@ -29,7 +29,7 @@ static double shown_error(const case_entry *e, const char *metric)
     return case_error(e, metric) * (error_is_relative(metric) ? 100.0 : 1.0);
 }
 
-static void add_front(error_plot *h, const case_list *c, const char *metric, size_t *front)
+static void add_pareto_front(error_plot *h, const case_list *c, const char *metric, size_t *front)
 {
     const size_t n = case_front(c, metric, front), at = c->n * (size_t)c->n_variants;
     for (size_t i = 0; i < n; i++) {
@@ -52,7 +52,7 @@ static void add_variant(error_plot *h, const case_list *c, const char *metric, m
     for (size_t i = 0; i < c->n; i++) {
         const case_entry *e = &c->list[i];
         if (e->colour != variant || !isfinite(case_error(e, metric))) continue;
-        h->x[at + n] = along(c, e, m);
+        h->x[at + n] = measure_of_case(c, e, m);
         h->y[at + n] = shown_error(e, metric);
         h->label[at + n++] = m == BY_PLACE ? NULL : e->value;
     }
@@ -97,12 +97,12 @@ static void add_slopes(error_plot *h)
 static bool is_positive(const case_list *c, measure m)
 {
     for (size_t i = 0; i < c->n; i++) {
-        if (!(along(c, &c->list[i], m) > 0.0)) return false;
+        if (!(measure_of_case(c, &c->list[i], m) > 0.0)) return false;
     }
     return true;
 }
 
-static floe_status fill(error_plot *h, const case_list *c, const char *stem, const char *metric, measure m)
+static floe_status fill_error_plot(error_plot *h, const case_list *c, const char *stem, const char *metric, measure m)
 {
     const size_t room = c->n * (size_t)(c->n_variants + 1);
     size_t *front;
@@ -115,7 +115,7 @@ static floe_status fill(error_plot *h, const case_list *c, const char *stem, con
     h->panel.series = h->series;
     if (m == BY_WALL) {
         TRY(memory_new(c->ctx, &front, c->n, sizeof *front));
-        add_front(h, c, metric, front);
+        add_pareto_front(h, c, metric, front);
         memory_free(c->ctx, &front);
     }
     for (int k = 0; k < c->n_variants; k++) add_variant(h, c, metric, m, k);
@@ -139,7 +139,7 @@ static floe_status metric_plots(page *p, const case_list *c, const char *stem, c
     TRY(memory_new(p->ctx, &plot, N_MEASURES, sizeof *plot));
     for (int m = 0; m < N_MEASURES && status == FLOE_OK; m++) {
         if (m == BY_PLACE && !c->along_h && !c->along_value) continue;
-        status = fill(&plot[n], c, stem, metric, (measure)m);
+        status = fill_error_plot(&plot[n], c, stem, metric, (measure)m);
         figure[n] = (plot_figure){
             .name = plot[n].name, .title = plot[n].title, .panel = &plot[n].panel, .untitled = true, .n_panels = 1};
         n++;

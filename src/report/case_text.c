@@ -21,7 +21,7 @@ static const case_entry *most_exact(const case_list *c, const char *metric, int 
 }
 
 /* The variant's fastest case with no more than that error. */
-static const case_entry *fastest(const case_list *c, const char *metric, int variant, double error)
+static const case_entry *fastest_case(const case_list *c, const char *metric, int variant, double error)
 {
     const case_entry *best = NULL;
     for (size_t i = 0; i < c->n; i++) {
@@ -67,11 +67,12 @@ static double common_error(const case_list *c, const char *metric)
 }
 
 /* The variants by rising time that they need for that error; returns how many. */
-static int rank(const case_list *c, const char *metric, double error, const case_entry *list[CASE_MAX_VARIANTS])
+static int rank_variants(const case_list *c, const char *metric, double error,
+                         const case_entry *list[CASE_MAX_VARIANTS])
 {
     int n = 0;
     for (int k = 0; k < c->n_variants; k++) {
-        const case_entry *e = fastest(c, metric, k, error);
+        const case_entry *e = fastest_case(c, metric, k, error);
         if (!e) continue;
         int at = n++;
         for (; at > 0 && list[at - 1]->wall > e->wall; at--) list[at] = list[at - 1];
@@ -85,7 +86,7 @@ void case_say_choice(const case_list *c, const char *metric, strbuf *out)
     const case_entry *list[CASE_MAX_VARIANTS];
     const double error = common_error(c, metric);
     if (!isfinite(error)) return;
-    const int n = rank(c, metric, error, list);
+    const int n = rank_variants(c, metric, error, list);
     if (n == 0) return;
     strbuf_append(out, " For no more than ");
     html_error(out, metric, error, c->dimensionless);
@@ -102,7 +103,7 @@ void case_say_choice(const case_list *c, const char *metric, strbuf *out)
     strbuf_append(out, ".");
 }
 
-static void settings_cells(const case_list *c, size_t i, const char *name, strbuf *out)
+static void append_setting_cells(const case_list *c, size_t i, const char *name, strbuf *out)
 {
     for (int k = 0; k < c->n_axes; k++) {
         strbuf_append(out, k == 0 ? "<td><a href=\"#%s-%zu\">" : "<td>", name, i + 1);
@@ -123,7 +124,7 @@ static void table_row(const case_list *c, size_t i, const char *name, strbuf *ou
 {
     const case_entry *e = &c->list[i];
     html_row_begin(out);
-    settings_cells(c, i, name, out);
+    append_setting_cells(c, i, name, out);
     html_cell_status(out, e->status);
     for (int k = 0; k < c->n_metrics; k++) {
         html_cell_error(out, c->metric[k], json_number_of(json_object_get(e->run, "errors"), c->metric[k]),

@@ -41,7 +41,7 @@ static bool is_listed(const char *list, const char *name)
     return false;
 }
 
-static double largest(const csv_table *t, const csv_column *c)
+static double largest_of_column(const csv_table *t, const csv_column *c)
 {
     double most = 0.0;
     for (size_t i = 0; i < t->n_rows; i++) {
@@ -53,7 +53,7 @@ static double largest(const csv_table *t, const csv_column *c)
 /* A column is worth a curve when it is not all zero or missing; a mass only when it changes. */
 static bool is_worth(const csv_table *t, const csv_column *c, const char *group)
 {
-    const double most = largest(t, c);
+    const double most = largest_of_column(t, c);
     if (!(most > 0.0)) return false;
     if (strcmp(group, "mass") != 0) return true;
     for (size_t i = 1; i < t->n_rows; i++) {
@@ -82,7 +82,7 @@ typedef struct history_plot {
     plot_panel panel;
 } history_plot;
 
-static void label(char out[CSV_NAME], const char *name, const char *unit)
+static void label_with_unit(char out[CSV_NAME], const char *name, const char *unit)
 {
     const bool both = name[0] && unit[0];
     (void)snprintf(out, CSV_NAME, "%.100s%s%s%s", name, both ? " (" : "", unit, both ? ")" : "");
@@ -91,18 +91,18 @@ static void label(char out[CSV_NAME], const char *name, const char *unit)
 static void take_column(history_plot *h, const csv_table *t, const csv_column *c, const char *group)
 {
     if (h->n == MAX_SERIES || !is_worth(t, c, group)) return;
-    const double size = largest(t, c);
+    const double size = largest_of_column(t, c);
     h->most = h->n ? fmax(h->most, size) : size;
     h->least = h->n ? fmin(h->least, size) : size;
-    if (h->n == 0) label(h->y_label, "", c->unit);
+    if (h->n == 0) label_with_unit(h->y_label, "", c->unit);
     add_series(h->series, &h->n, t, c);
 }
 
-static void finish(history_plot *h, const run_view *v, const csv_table *t, const char *name, const char *title,
-                   bool log)
+static void finish_history_plot(history_plot *h, const run_view *v, const csv_table *t, const char *name,
+                                const char *title, bool log)
 {
     plot_name(v, name, h->name);
-    label(h->x_label, t->column[0].name, t->column[0].unit);
+    label_with_unit(h->x_label, t->column[0].name, t->column[0].unit);
     (void)snprintf(h->title, sizeof h->title, "%s", title);
     h->panel = (plot_panel){.x_label = h->x_label,
                             .y_label = h->y_label,
@@ -141,7 +141,7 @@ static size_t probe_plots(const run_view *v, const csv_table *t, history_plot *l
         }
         char name[CSV_NAME];
         (void)snprintf(name, sizeof name, "probes-%zu", n);
-        finish(h, v, t, name, "Probes", false);
+        finish_history_plot(h, v, t, name, "Probes", false);
         n += h->n > 0;
     }
     return n;
@@ -156,7 +156,7 @@ static size_t group_plots(const run_view *v, const csv_table *t, history_plot *l
         for (size_t k = 1; k < t->n_columns; k++) {
             if (is_listed(groups[g].columns, t->column[k].name)) take_column(h, t, &t->column[k], groups[g].name);
         }
-        finish(h, v, t, groups[g].name, groups[g].title, groups[g].log);
+        finish_history_plot(h, v, t, groups[g].name, groups[g].title, groups[g].log);
         n += h->n > 0;
     }
     return n;
@@ -164,7 +164,7 @@ static size_t group_plots(const run_view *v, const csv_table *t, history_plot *l
 
 enum { MAX_PROBE_PLOTS = 6, MAX_PLOTS = sizeof groups / sizeof groups[0] + MAX_PROBE_PLOTS };
 
-static floe_status draw(const run_view *v, const csv_table *t)
+static floe_status draw_histories(const run_view *v, const csv_table *t)
 {
     history_plot *list;
     plot_figure figure[MAX_PLOTS];
@@ -189,7 +189,7 @@ static double at_row(const csv_table *t, const char *name, size_t row)
 }
 
 /* Energy is the sum of three columns. */
-static double amount(const csv_table *t, const char *quantity, size_t row)
+static double ledger_amount(const csv_table *t, const char *quantity, size_t row)
 {
     if (strcmp(quantity, "energy") != 0) return at_row(t, quantity, row);
     return at_row(t, "kinetic", row) + at_row(t, "strain", row) + at_row(t, "internal", row);
@@ -203,24 +203,24 @@ static void ledger_row(strbuf *out, const csv_table *t, const char *quantity)
     const csv_column *first = csv_find(t, name);
     if (!first) return;
     char text[CSV_NAME];
-    label(text, quantity, first->unit);
+    label_with_unit(text, quantity, first->unit);
     for (char *c = text; *c; c++) {
         if (*c == '_') *c = ' ';
     }
     html_row_begin(out);
     html_cell(out, text);
-    html_cell_number(out, amount(t, quantity, 0), 6);
+    html_cell_number(out, ledger_amount(t, quantity, 0), 6);
     for (int k = 0; k < N_KINDS; k++) {
         (void)snprintf(name, sizeof name, "ledger_%s_%s", quantity, kinds[k]);
         html_cell_number(out, at_row(t, name, last), 4);
     }
-    html_cell_number(out, amount(t, quantity, last), 6);
+    html_cell_number(out, ledger_amount(t, quantity, last), 6);
     (void)snprintf(name, sizeof name, "drift_%s", quantity);
     html_cell_number(out, at_row(t, name, last), 2);
     html_row_end(out);
 }
 
-static void ledger(const run_view *v, const csv_table *t)
+static void write_ledger_table(const run_view *v, const csv_table *t)
 {
     static const char *const quantity[] = {"mass",       "momentum_x", "momentum_y", "momentum_z",
                                            "momentum_r", "momentum_t", "energy"};
@@ -237,7 +237,7 @@ static void ledger(const run_view *v, const csv_table *t)
 }
 
 /* Which bound the time step had, by the number of steps. */
-static void limits(const run_view *v, const csv_table *t)
+static void write_step_limits(const run_view *v, const csv_table *t)
 {
     strbuf *out = &v->page->body;
     const csv_column *limit = csv_find(t, "dt_limit"), *steps = csv_find(t, "steps");
@@ -278,9 +278,9 @@ floe_status run_history(const run_view *v)
     if (!file_exists(path)) return FLOE_OK;
     floe_status status = csv_read(&t, v->page->ctx, path);
     if (status == FLOE_OK && t.n_rows > 0) {
-        ledger(v, &t);
-        if (!v->brief) limits(v, &t);
-        status = draw(v, &t);
+        write_ledger_table(v, &t);
+        if (!v->brief) write_step_limits(v, &t);
+        status = draw_histories(v, &t);
     }
     csv_free(&t);
     return status;

@@ -12,7 +12,7 @@
 enum { MAX_PICTURES = 32 };
 
 /* The snapshot nearest to a time. */
-static size_t nearest(const snapshot_times *all, double time)
+static size_t nearest_snapshot(const snapshot_times *all, double time)
 {
     size_t best = 0;
     for (size_t i = 0; i < all->n; i++) {
@@ -21,7 +21,7 @@ static size_t nearest(const snapshot_times *all, double time)
     return best;
 }
 
-static void add(snapshot_time *chosen, size_t *n, snapshot_time one)
+static void add_snapshot_time(snapshot_time *chosen, size_t *n, snapshot_time one)
 {
     for (size_t i = 0; i < *n; i++) {
         if (chosen[i].number == one.number) return;
@@ -36,17 +36,17 @@ static floe_status choose_times(const run_view *v, snapshot_time chosen[MAX_PICT
     snapshot_times all;
     *n = 0;
     TRY(snapshot_times_read(&all, v->page->ctx, v->dir));
-    for (size_t i = 0; i < o->n_times; i++) add(chosen, n, all.entry[nearest(&all, o->time[i])]);
+    for (size_t i = 0; i < o->n_times; i++) add_snapshot_time(chosen, n, all.entry[nearest_snapshot(&all, o->time[i])]);
     if (o->n_times == 0) {
-        add(chosen, n, all.entry[0]);
-        add(chosen, n, all.entry[all.n - 1]);
+        add_snapshot_time(chosen, n, all.entry[0]);
+        add_snapshot_time(chosen, n, all.entry[all.n - 1]);
     }
     snapshot_times_free(v->page->ctx, &all);
     return FLOE_OK;
 }
 
 /* Of one case among many the last snapshot is enough, and to find it not all need to be read. */
-static floe_status choose(const run_view *v, snapshot_time chosen[MAX_PICTURES], size_t *n)
+static floe_status choose_snapshots(const run_view *v, snapshot_time chosen[MAX_PICTURES], size_t *n)
 {
     if (!v->brief || v->page->options->n_times > 0) return choose_times(v, chosen, n);
     *n = 1;
@@ -54,8 +54,8 @@ static floe_status choose(const run_view *v, snapshot_time chosen[MAX_PICTURES],
 }
 
 /* Draws one snapshot to FILES/NAME.png and reads it back. */
-static floe_status draw(const run_view *v, long number, const field_picture_options *o, char **png, size_t *size,
-                        char *caption)
+static floe_status draw_snapshot(const run_view *v, long number, const field_picture_options *o, char **png,
+                                 size_t *size, char *caption)
 {
     page *p = v->page;
     char text[64], name[PLOT_STEM], stem[PLOT_STEM], path[PAGE_PATH + PLOT_STEM + 8];
@@ -74,9 +74,9 @@ static floe_status add_picture(const run_view *v, long number, field_picture_opt
     char *light = NULL, *dark = NULL;
     size_t light_size = 0, dark_size = 0;
     char caption[FIELD_CAPTION] = "";
-    floe_status status = draw(v, number, &o, &light, &light_size, caption);
+    floe_status status = draw_snapshot(v, number, &o, &light, &light_size, caption);
     o.dark = true;
-    if (status == FLOE_OK) status = draw(v, number, &o, &dark, &dark_size, NULL);
+    if (status == FLOE_OK) status = draw_snapshot(v, number, &o, &dark, &dark_size, NULL);
     if (status == FLOE_OK) page_picture(p, &(page_image){light, light_size}, &(page_image){dark, dark_size}, caption);
     memory_free(p->ctx, &dark);
     memory_free(p->ctx, &light);
@@ -89,7 +89,7 @@ static floe_status add_pictures(const run_view *v)
     snapshot_time chosen[MAX_PICTURES];
     snapshot_times times = {.entry = chosen};
     field_picture_options o = {0};
-    TRY(choose(v, chosen, &times.n));
+    TRY(choose_snapshots(v, chosen, &times.n));
     /* Pictures beside each other have the same colours for the same values. */
     TRY(field_picture_common_range(p->ctx, v->dir, &times, &o));
     page_heading(p, "Fields");

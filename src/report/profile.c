@@ -35,7 +35,7 @@ static bool is_run(const csv_column *by, size_t row, const char *run)
 }
 
 /* Takes room for n points out of the plot's memory. */
-static void take(profile_plot *h, size_t n, double **x, double **y)
+static void reserve_curve(profile_plot *h, size_t n, double **x, double **y)
 {
     *x = h->value + h->used;
     *y = *x + n;
@@ -49,7 +49,7 @@ static floe_status add_exact(profile_plot *h, const csv_table *t, const csv_colu
     TRY(memory_new(t->ctx, &sorted, t->n_rows, sizeof *sorted));
     for (size_t i = 0; i < t->n_rows; i++) sorted[i] = (point){at->value[i], exact->value[i]};
     qsort(sorted, t->n_rows, sizeof *sorted, by_place);
-    take(h, t->n_rows, &x, &y);
+    reserve_curve(h, t->n_rows, &x, &y);
     for (size_t i = 0; i < t->n_rows; i++) {
         x[i] = sorted[i].x;
         y[i] = sorted[i].y;
@@ -65,7 +65,7 @@ static void add_run(profile_plot *h, const csv_table *t, const csv_column *at, c
 {
     double *x, *y;
     size_t n = 0;
-    take(h, t->n_rows, &x, &y);
+    reserve_curve(h, t->n_rows, &x, &y);
     for (size_t i = 0; i < t->n_rows; i++) {
         if (!is_run(by, i, run)) continue;
         x[n] = at->value[i];
@@ -91,8 +91,8 @@ static int list_runs(const csv_table *t, const csv_column *by, const char *run[M
     return n;
 }
 
-static floe_status fill(profile_plot *h, const csv_table *t, const csv_column *at, const csv_column *measured,
-                        const csv_column *exact, const csv_column *by)
+static floe_status fill_profile_plot(profile_plot *h, const csv_table *t, const csv_column *at,
+                                     const csv_column *measured, const csv_column *exact, const csv_column *by)
 {
     const char *run[MAX_RUNS];
     const int runs = list_runs(t, by, run);
@@ -119,12 +119,12 @@ static floe_status make_plots(const csv_table *t, const char *stem, const char *
         if (!exact) continue;
         profile_plot *h = &list[(*n)++];
         (void)snprintf(h->name, sizeof h->name, "%.60s-profile-%.40s", stem, t->column[k].name);
-        TRY(fill(h, t, at, &t->column[k], exact, runs));
+        TRY(fill_profile_plot(h, t, at, &t->column[k], exact, runs));
     }
     return FLOE_OK;
 }
 
-static floe_status draw(page *p, const csv_table *t, const char *stem, const char *by)
+static floe_status draw_profile(page *p, const csv_table *t, const char *stem, const char *by)
 {
     profile_plot *list;
     plot_figure figure[MAX_PROFILES];
@@ -151,7 +151,7 @@ floe_status run_profile(page *p, const char *dir, const char *file, const char *
     (void)snprintf(path, sizeof path, "%s/%s", dir, file);
     if (!file_exists(path)) return FLOE_OK;
     floe_status status = csv_read(&t, p->ctx, path);
-    if (status == FLOE_OK && t.n_rows > 0) status = draw(p, &t, stem, by);
+    if (status == FLOE_OK && t.n_rows > 0) status = draw_profile(p, &t, stem, by);
     csv_free(&t);
     return status;
 }

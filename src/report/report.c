@@ -29,17 +29,17 @@ static const folder_kind kinds[] = {
 };
 enum { N_KINDS = sizeof kinds / sizeof kinds[0] };
 
-static bool holds(const char *dir, const char *name)
+static bool folder_has_file(const char *dir, const char *name)
 {
     char path[PAGE_PATH + 64];
     (void)snprintf(path, sizeof path, "%s/%s", dir, name);
     return file_exists(path);
 }
 
-static const folder_kind *kind_of(const char *dir)
+static const folder_kind *kind_of_folder(const char *dir)
 {
     for (size_t k = 0; k < N_KINDS; k++) {
-        if (holds(dir, kinds[k].file)) return &kinds[k];
+        if (folder_has_file(dir, kinds[k].file)) return &kinds[k];
     }
     return NULL;
 }
@@ -49,12 +49,12 @@ static floe_status check_folders(context *ctx, const report_options *o)
     for (size_t i = 0; i < o->n_dirs; i++) {
         const char *dir = o->dir[i];
         if (strlen(dir) >= PAGE_PATH - 512) return fail(ctx, FLOE_BAD_INPUT, "the path '%.100s...' is too long", dir);
-        if (kind_of(dir)) continue;
+        if (kind_of_folder(dir)) continue;
         if (!file_exists(dir))
             return fail(ctx, FLOE_BAD_INPUT,
                         "there is no folder '%s': name one that floe run, compare, study or stability has written",
                         dir);
-        if (holds(dir, "checkpoint.h5") || holds(dir, "history.csv"))
+        if (folder_has_file(dir, "checkpoint.h5") || folder_has_file(dir, "history.csv"))
             return fail(ctx, FLOE_BAD_INPUT,
                         "the run in '%s' has not ended, so it has no summary.json: wait for it, or go on with floe run "
                         "--resume",
@@ -124,7 +124,8 @@ static void append_page(const page *p, const char *title, strbuf *out)
 
 static floe_status append_sections(page *p)
 {
-    for (size_t i = 0; i < p->options->n_dirs; i++) TRY(kind_of(p->options->dir[i])->write(p, p->options->dir[i]));
+    for (size_t i = 0; i < p->options->n_dirs; i++)
+        TRY(kind_of_folder(p->options->dir[i])->write(p, p->options->dir[i]));
     if (p->body.status != FLOE_OK) return p->body.status;
     return p->summary.status != FLOE_OK ? p->summary.status : p->contents.status;
 }

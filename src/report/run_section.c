@@ -149,7 +149,7 @@ void run_build_facts(strbuf *out, const json_t *summary, const char *dir, const 
     date_fact(out, dir, file);
 }
 
-static void facts(const run_view *v)
+static void write_run_facts(const run_view *v)
 {
     strbuf *out = &v->page->body;
     const json_t *s = v->summary;
@@ -182,7 +182,7 @@ static void facts(const run_view *v)
     html_facts_end(out);
 }
 
-static void errors(const run_view *v)
+static void write_run_errors(const run_view *v)
 {
     strbuf *out = &v->page->body;
     json_t *list = json_object_get(v->summary, "errors"), *value;
@@ -224,7 +224,7 @@ static size_t sort_stages(const json_t *summary, stage_time list[MAX_STAGES], do
     return n;
 }
 
-static void stages(const run_view *v)
+static void write_stage_times(const run_view *v)
 {
     strbuf *out = &v->page->body;
     stage_time list[MAX_STAGES];
@@ -246,7 +246,7 @@ static void stages(const run_view *v)
     html_table_end(out);
 }
 
-static void counters(const run_view *v)
+static void write_counters(const run_view *v)
 {
     strbuf *out = &v->page->body;
     json_t *list = json_object_get(v->summary, "counters"), *value;
@@ -264,7 +264,7 @@ static void counters(const run_view *v)
 }
 
 /* A text file of the folder, folded. */
-static floe_status verbatim(const run_view *v, const char *name, const char *title)
+static floe_status write_text_file(const run_view *v, const char *name, const char *title)
 {
     char *text;
     TRY(page_read_text(v->page, v->dir, name, &text));
@@ -299,18 +299,18 @@ floe_status run_view_write(run_view *v)
     html_status(out, status);
     html_text(out, " %s", cause);
     strbuf_append(out, "</p>\n");
-    facts(v);
-    errors(v);
+    write_run_facts(v);
+    write_run_errors(v);
     TRY(run_pictures(v));
     TRY(run_profile(v->page, v->dir, "profile.csv", v->stem, NULL));
     TRY(run_history(v));
-    stages(v);
-    if (!v->brief) counters(v);
-    return verbatim(v, "deck.yaml", "The deck as resolved, every default filled in");
+    write_stage_times(v);
+    if (!v->brief) write_counters(v);
+    return write_text_file(v, "deck.yaml", "The deck as resolved, every default filled in");
 }
 
 /* What the summary at the top says of a run. */
-static void summarise(page *p, const char *title, const json_t *summary, const char *cause)
+static void write_run_summary(page *p, const char *title, const json_t *summary, const char *cause)
 {
     strbuf *out = &p->summary;
     json_t *errors_of = json_object_get(summary, "errors"), *value;
@@ -334,7 +334,7 @@ static void summarise(page *p, const char *title, const json_t *summary, const c
     strbuf_append(out, "</li>\n");
 }
 
-static floe_status write_section(page *p, const char *dir, const json_t *summary)
+static floe_status write_run_section(page *p, const char *dir, const json_t *summary)
 {
     char title[PAGE_TEXT], full[PAGE_TEXT + 128], cause[PAGE_TEXT];
     run_view v = {.page = p, .dir = dir, .summary = summary};
@@ -343,9 +343,9 @@ static floe_status write_section(page *p, const char *dir, const json_t *summary
     (void)snprintf(full, sizeof full, "%s, %s", title, json_text_of(summary, "coupling"));
     page_section_begin(p, full);
     (void)snprintf(v.stem, sizeof v.stem, "%02d-%.100s", p->sections, base_name(dir));
-    summarise(p, title, summary, cause);
+    write_run_summary(p, title, summary, cause);
     TRY(run_view_write(&v));
-    TRY(verbatim(&v, "run.log", "What floe said while running"));
+    TRY(write_text_file(&v, "run.log", "What floe said while running"));
     page_section_end(p);
     return FLOE_OK;
 }
@@ -354,7 +354,7 @@ floe_status report_run(page *p, const char *dir)
 {
     json_t *summary;
     TRY(page_read_json(p, dir, "summary.json", &summary));
-    const floe_status status = write_section(p, dir, summary);
+    const floe_status status = write_run_section(p, dir, summary);
     json_decref(summary);
     return status;
 }

@@ -45,7 +45,7 @@ static void settings_text(json_t *settings, bool keys, char *text, size_t size)
 }
 
 /* A cell for each key of the settings that the search was made for. */
-static void settings_cells(const stability_view *v, const json_t *settings, strbuf *out)
+static void append_setting_cells(const stability_view *v, const json_t *settings, strbuf *out)
 {
     const char *key;
     json_t *value;
@@ -74,7 +74,7 @@ static void limits_table(const stability_view *v)
     for (size_t i = 0; i < json_array_size(v->limits); i++) {
         const json_t *limit = json_array_get(v->limits, i);
         html_row_begin(out);
-        settings_cells(v, json_object_get(limit, "each"), out);
+        append_setting_cells(v, json_object_get(limit, "each"), out);
         html_cell_status(out, json_text_of(limit, "outcome"));
         html_cell_number(out, json_number_of(limit, "stable"), 5);
         html_cell_number(out, json_number_of(limit, "unstable"), 5);
@@ -138,7 +138,7 @@ static void map_table(const stability_view *v, json_t *each, const char *const k
 }
 
 /* A map for each combination of the other keys, in the order in which runs have them. */
-static void maps(const stability_view *v)
+static void write_stability_maps(const stability_view *v)
 {
     const char *key[2] = {"", ""}, *name;
     json_t *values;
@@ -181,7 +181,7 @@ static void runs_table(const stability_view *v)
     for (size_t i = 0; i < json_array_size(v->runs); i++) {
         const json_t *run = json_array_get(v->runs, i), *over = json_object_get(run, "over");
         html_row_begin(out);
-        settings_cells(v, json_object_get(run, "each"), out);
+        append_setting_cells(v, json_object_get(run, "each"), out);
         json_object_foreach(v->over, key, value)
         {
             html_number_cell(out);
@@ -226,7 +226,7 @@ static void add_point(energy_plot *e, size_t room, const char *name, double x, d
     s->n++;
 }
 
-static void fill(energy_plot *e, const stability_view *v, const char *key)
+static void fill_energy_plot(energy_plot *e, const stability_view *v, const char *key)
 {
     for (size_t i = 0; i < json_array_size(v->runs); i++) {
         const json_t *run = json_array_get(v->runs, i);
@@ -251,7 +251,7 @@ static floe_status energy_figure(const stability_view *v, const char *stem)
     floe_status status = memory_new(p->ctx, &e->x, MAX_CURVES * room, sizeof *e->x);
     if (status == FLOE_OK) status = memory_new(p->ctx, &e->y, MAX_CURVES * room, sizeof *e->y);
     if (status == FLOE_OK) {
-        fill(e, v, key);
+        fill_energy_plot(e, v, key);
         (void)snprintf(name, sizeof name, "%.90s-energy", stem);
         const plot_panel panel = {.x_label = key,
                                   .y_label = "energy over what there can be",
@@ -269,7 +269,7 @@ static floe_status energy_figure(const stability_view *v, const char *stem)
 }
 
 /* The first limit, or how many there are. */
-static void summarise(const stability_view *v, const char *title)
+static void write_stability_summary(const stability_view *v, const char *title)
 {
     strbuf *out = &v->page->summary;
     const json_t *limit = json_array_get(v->limits, 0);
@@ -288,7 +288,7 @@ static void summarise(const stability_view *v, const char *title)
     strbuf_append(out, "</li>\n");
 }
 
-static floe_status write_section(const stability_view *v)
+static floe_status write_stability_section(const stability_view *v)
 {
     char title[PAGE_TEXT], stem[PLOT_STEM];
     page *p = v->page;
@@ -297,14 +297,14 @@ static floe_status write_section(const stability_view *v)
     if (!title[0]) (void)snprintf(title, sizeof title, "%.400s", base_name(v->dir));
     page_section_begin(p, title);
     (void)snprintf(stem, sizeof stem, "%02d-%.90s", p->sections, base_name(v->dir));
-    summarise(v, title);
+    write_stability_summary(v, title);
     strbuf_append(out, "<p>%zu runs of <code>", json_array_size(v->runs));
     html_text(out, "%s", json_text_of(v->object, "deck"));
     strbuf_append(out, "</code>. What counts as ");
     html_text(out, "%s", json_text_of(v->object, "criterion"));
     strbuf_append(out, ".</p>\n");
     if (v->is_map) {
-        maps(v);
+        write_stability_maps(v);
     } else {
         limits_table(v);
     }
@@ -326,7 +326,7 @@ floe_status report_stability(page *p, const char *dir)
                               .each = json_object_get(object, "each"),
                               .over = json_object_get(object, "over"),
                               .is_map = json_object_size(json_object_get(object, "over")) > 1};
-    const floe_status status = write_section(&v);
+    const floe_status status = write_stability_section(&v);
     json_decref(object);
     return status;
 }

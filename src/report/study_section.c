@@ -63,7 +63,7 @@ static void order_row(strbuf *out, const char *group, const char *metric, const 
 }
 
 /* {group: {metric: {order, stderr, pairs}}} as one table, metric by metric. */
-static void orders(const study_view *v)
+static void write_orders(const study_view *v)
 {
     strbuf *out = &v->page->body;
     const case_list *c = &v->cases;
@@ -105,7 +105,7 @@ static void limit_row(strbuf *out, const char *group, const char *quantity, cons
 }
 
 /* {group: {quantity: Richardson's extrapolation}} */
-static void limits(const study_view *v)
+static void write_extrapolations(const study_view *v)
 {
     strbuf *out = &v->page->body;
     json_t *list = json_object_get(v->object, "limits"), *found;
@@ -150,7 +150,7 @@ static void bar_row(const study_view *v, const json_t *bar)
     html_row_end(out);
 }
 
-static void bars(const study_view *v)
+static void write_bars(const study_view *v)
 {
     const json_t *list = json_object_get(v->object, "bars");
     if (json_array_size(list) == 0) return;
@@ -195,7 +195,7 @@ static const json_t *answers_of(const study_view *v)
 }
 
 /* A sentence of the study's, with a capital and a full stop. */
-static void sentence(const char *text, strbuf *out)
+static void append_sentence(const char *text, strbuf *out)
 {
     html_text(out, "%c%s.", toupper((unsigned char)text[0]), text[0] ? text + 1 : "");
 }
@@ -210,15 +210,15 @@ static void own_answers(const study_view *v, const char *metric, bool all, strbu
         if (json_is_string(json_object_get(one, "best"))) last = one;
         if (!all) continue;
         strbuf_append(out, "<br />");
-        sentence(json_text_of(one, "text"), out);
+        append_sentence(json_text_of(one, "text"), out);
     }
     if (all || !last) return;
     strbuf_append(out, "<br />");
-    sentence(json_text_of(last, "text"), out);
+    append_sentence(json_text_of(last, "text"), out);
 }
 
 /* What a person wants first, an item for each of the first metrics. */
-static void answers(const study_view *v, int metrics, bool all, strbuf *out)
+static void append_answers(const study_view *v, int metrics, bool all, strbuf *out)
 {
     const case_list *c = &v->cases;
     for (int k = 0; k < c->n_metrics && k < metrics; k++) {
@@ -249,7 +249,7 @@ static size_t count_missed(const study_view *v)
     return n;
 }
 
-static void summarise(const study_view *v, const char *title)
+static void write_study_summary(const study_view *v, const char *title)
 {
     page *p = v->page;
     strbuf *out = &p->summary;
@@ -263,11 +263,11 @@ static void summarise(const study_view *v, const char *title)
     if (bad > 0) strbuf_append(out, ", of which %zu did not come to an end", bad);
     if (required > 0) strbuf_append(out, "; %zu of %zu requirements met", required - missed, required);
     strbuf_append(out, "<ul>\n");
-    answers(v, 1, false, out);
+    append_answers(v, 1, false, out);
     strbuf_append(out, "</ul></li>\n");
 }
 
-static void introduce(const study_view *v)
+static void write_introduction(const study_view *v)
 {
     strbuf *out = &v->page->body;
     const case_list *c = &v->cases;
@@ -278,7 +278,7 @@ static void introduce(const study_view *v)
     strbuf_append(out, ".</p>\n");
 }
 
-static void facts(const study_view *v)
+static void write_study_facts(const study_view *v)
 {
     strbuf *out = &v->page->body;
     const double repeat = json_number_of(json_object_get(v->object, "timing"), "repeat");
@@ -291,7 +291,7 @@ static void facts(const study_view *v)
     html_facts_end(out);
 }
 
-static floe_status write_section(study_view *v)
+static floe_status write_study_section(study_view *v)
 {
     char title[PAGE_TEXT];
     page *p = v->page;
@@ -300,18 +300,18 @@ static floe_status write_section(study_view *v)
     page_section_begin(p, title);
     (void)snprintf(v->name, sizeof v->name, "%02d", p->sections);
     (void)snprintf(v->stem, sizeof v->stem, "%02d-%.90s", p->sections, base_name(v->dir));
-    summarise(v, title);
-    introduce(v);
+    write_study_summary(v, title);
+    write_introduction(v);
     strbuf_append(&p->body, "<ul class=\"answers\">\n");
-    answers(v, CASE_MAX_METRICS, true, &p->body);
+    append_answers(v, CASE_MAX_METRICS, true, &p->body);
     strbuf_append(&p->body, "</ul>\n");
-    bars(v);
+    write_bars(v);
     TRY(case_plots(p, &v->cases, v->stem));
     page_heading(p, "Cases");
     case_table(&v->cases, v->name, &p->body);
-    facts(v);
-    orders(v);
-    limits(v);
+    write_study_facts(v);
+    write_orders(v);
+    write_extrapolations(v);
     TRY(run_profile(p, v->dir, "profiles.csv", v->stem, "group"));
     TRY(write_cases(v));
     page_section_end(p);
@@ -324,7 +324,7 @@ static floe_status report_cases(page *p, const char *dir, const char *file)
     TRY(page_read_json(p, dir, file, &object));
     study_view v = {.page = p, .dir = dir, .file = file, .object = object};
     floe_status status = case_list_read(&v.cases, p->ctx, object);
-    if (status == FLOE_OK) status = write_section(&v);
+    if (status == FLOE_OK) status = write_study_section(&v);
     case_list_free(&v.cases);
     json_decref(object);
     return status;
