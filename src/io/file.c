@@ -60,7 +60,7 @@ floe_status folder_sync(context *ctx, const char *path)
 }
 
 /* 0, or the error number; the file may have become shorter meanwhile: *got says how much there was. */
-static int read_all(int descriptor, char *data, size_t size, size_t *got)
+static int read_into_buffer(int descriptor, char *data, size_t size, size_t *got)
 {
     *got = 0;
     while (*got < size) {
@@ -78,7 +78,7 @@ static floe_status read_descriptor(context *ctx, const char *path, int descripto
     struct stat about;
     if (fstat(descriptor, &about) != 0) return file_fail(ctx, "cannot read", path, errno);
     TRY(memory_new(ctx, data, (size_t)about.st_size + 1, 1));
-    const int error = read_all(descriptor, *data, (size_t)about.st_size, size);
+    const int error = read_into_buffer(descriptor, *data, (size_t)about.st_size, size);
     if (error == 0) return FLOE_OK;
     memory_free(ctx, data);
     return file_fail(ctx, "cannot read", path, error);

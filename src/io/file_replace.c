@@ -44,14 +44,14 @@ int file_sync_descriptor(int descriptor)
     return 0;
 }
 
-static void end(folder_file *f)
+static void close_folder_of(folder_file *f)
 {
     if (f->folder >= 0) (void)close(f->folder);
     memory_free(f->ctx, &f->temporary);
 }
 
 /* Opens the folder of a path. */
-static floe_status begin(folder_file *f, context *ctx, const char *path, const char *doing)
+static floe_status open_folder_of(folder_file *f, context *ctx, const char *path, const char *doing)
 {
     const char *slash = strrchr(path, '/');
     const size_t length = slash ? (size_t)(slash - path) : 0;
@@ -145,7 +145,7 @@ static floe_status keep_earlier(const folder_file *f, const char *kept)
     return error == 0 ? FLOE_OK : file_fail(f->ctx, "cannot keep the earlier", f->path, error);
 }
 
-static floe_status replace(folder_file *f, const char *kept, const file_part *part, int parts)
+static floe_status replace_file(folder_file *f, const char *kept, const file_part *part, int parts)
 {
     TRY(refuse_special(f, "cannot write"));
     TRY(name_temporary(f));
@@ -164,9 +164,9 @@ static floe_status replace(folder_file *f, const char *kept, const file_part *pa
 floe_status file_replace_keeping(context *ctx, const char *path, const char *kept, const file_part *part, int parts)
 {
     folder_file f;
-    floe_status status = begin(&f, ctx, path, "cannot create");
-    if (status == FLOE_OK) status = replace(&f, kept, part, parts);
-    end(&f);
+    floe_status status = open_folder_of(&f, ctx, path, "cannot create");
+    if (status == FLOE_OK) status = replace_file(&f, kept, part, parts);
+    close_folder_of(&f);
     return status;
 }
 
@@ -193,8 +193,8 @@ floe_status file_remove(context *ctx, const char *path)
     struct stat about;
     folder_file f;
     if (lstat(path, &about) != 0 && errno == ENOENT) return FLOE_OK;
-    floe_status status = begin(&f, ctx, path, "cannot remove");
+    floe_status status = open_folder_of(&f, ctx, path, "cannot remove");
     if (status == FLOE_OK) status = remove_ordinary(&f);
-    end(&f);
+    close_folder_of(&f);
     return status;
 }

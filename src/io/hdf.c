@@ -249,7 +249,7 @@ static size_t text_size(hid_t set)
     return read_shape(set, &shape) && shape.rank == 0 ? size : 0;
 }
 
-static floe_status read_text(hdf_file *file, const char *path, hid_t set, char **text)
+static floe_status read_dataset_text(hdf_file *file, const char *path, hid_t set, char **text)
 {
     const size_t size = text_size(set);
     if (size == 0) return fail(file->ctx, FLOE_IO, "'%s': '%s' is not a text", file->name, path);
@@ -267,7 +267,7 @@ floe_status hdf_read_text(hdf_file *file, const char *path, char **text)
     hid_t set;
     *text = NULL;
     TRY(open_set(file, path, &set));
-    const floe_status status = read_text(file, path, set, text);
+    const floe_status status = read_dataset_text(file, path, set, text);
     (void)H5Dclose(set);
     return status;
 }

@@ -72,7 +72,7 @@ floe_status hdf_get_attribute(hdf_file *file, const char *path, const char *name
 }
 
 /* floe's texts are of variable length: HDF5 makes room for them. */
-static floe_status read_text(hdf_file *file, const char *path, const char *name, hid_t attribute, char *to)
+static floe_status read_attribute_text(hdf_file *file, const char *path, const char *name, hid_t attribute, char *to)
 {
     long long elements;
     char *text = NULL;
@@ -90,7 +90,7 @@ floe_status hdf_get_text(hdf_file *file, const char *path, const char *name, cha
 {
     hid_t attribute;
     TRY(open_attribute(file, path, name, &attribute));
-    const floe_status status = read_text(file, path, name, attribute, text);
+    const floe_status status = read_attribute_text(file, path, name, attribute, text);
     (void)H5Aclose(attribute);
     return status;
 }

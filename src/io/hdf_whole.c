@@ -64,7 +64,7 @@ static const char *wrong_object(hid_t group, const char *name, size_t size)
     return wrong;
 }
 
-static herr_t look(hid_t group, const char *name, const H5L_info_t *info, void *user)
+static herr_t check_link(hid_t group, const char *name, const H5L_info_t *info, void *user)
 {
     search *s = user;
     s->wrong = wrong_link(info->type);
@@ -77,7 +77,7 @@ static herr_t look(hid_t group, const char *name, const H5L_info_t *info, void *
 floe_status hdf_check_whole(hdf_file *file, size_t size)
 {
     search s = {.size = size};
-    if (H5Lvisit(file->id, H5_INDEX_NAME, H5_ITER_INC, look, &s) < 0) return hdf_fail(file, "list", "/");
+    if (H5Lvisit(file->id, H5_INDEX_NAME, H5_ITER_INC, check_link, &s) < 0) return hdf_fail(file, "list", "/");
     if (!s.wrong) return FLOE_OK;
     return fail(file->ctx, FLOE_IO, "'%s': '/%s' %s: floe writes nothing of the kind, and does not follow it",
                 file->name, s.name, s.wrong);

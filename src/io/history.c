@@ -46,7 +46,7 @@ static floe_status take_rows(history *h, const char *path, double keep_until, st
     return status;
 }
 
-static floe_status begin(history *h, const sim *s, const char *path, double keep_until)
+static floe_status begin_history(history *h, const sim *s, const char *path, double keep_until)
 {
     strbuf content;
     strbuf_init(&content, h->ctx);
@@ -65,7 +65,7 @@ floe_status history_open(history **out, const sim *s, const char *path, double k
     TRY(memory_new(s->ctx, &h, 1, sizeof *h));
     h->ctx = s->ctx;
     h->last_time = -INFINITY;
-    const floe_status status = begin(h, s, path, keep_until);
+    const floe_status status = begin_history(h, s, path, keep_until);
     if (status != FLOE_OK) history_close(&h);
     *out = h;
     return status;

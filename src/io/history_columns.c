@@ -14,33 +14,34 @@ typedef struct line {
     double whole; /* output_scale: from a metre of depth or a radian to all of it */
 } line;
 
-static const char *comma(line *l)
+static const char *column_separator(line *l)
 {
     return l->columns++ > 0 ? "," : "";
 }
 
-static void add(line *l, const char *name, const char *unit, double value)
+static void add_value(line *l, const char *name, const char *unit, double value)
 {
     if (l->names) {
-        strbuf_append(l->out, "%s%s (%s)", comma(l), name, output_unit(l->s, unit));
+        strbuf_append(l->out, "%s%s (%s)", column_separator(l), name, output_unit(l->s, unit));
     } else {
-        strbuf_append(l->out, "%s%.17g", comma(l), isnan(value) ? (double)NAN : value); /* "nan", never "-nan" */
+        strbuf_append(l->out, "%s%.17g", column_separator(l),
+                      isnan(value) ? (double)NAN : value); /* "nan", never "-nan" */
     }
 }
 
 static void add_count(line *l, const char *name, long value)
 {
     if (l->names) {
-        strbuf_append(l->out, "%s%s", comma(l), name);
+        strbuf_append(l->out, "%s%s", column_separator(l), name);
     } else {
-        strbuf_append(l->out, "%s%ld", comma(l), value);
+        strbuf_append(l->out, "%s%ld", column_separator(l), value);
     }
 }
 
 /* In quotes, without any inside. */
 static void add_words(line *l, const char *name, const char *words)
 {
-    strbuf_append(l->out, "%s%s", comma(l), l->names ? name : "\"");
+    strbuf_append(l->out, "%s%s", column_separator(l), l->names ? name : "\"");
     if (l->names) return;
     for (; words && *words; words++) strbuf_append(l->out, "%c", *words == '"' || *words == '\n' ? '\'' : *words);
     strbuf_append(l->out, "\"");
@@ -53,7 +54,7 @@ static void add_vector(line *l, const char *name, const char *unit, const double
     for (int a = 0; a < l->s->mesh.dim; a++) {
         char full[2 * NAME_SIZE + 2];
         (void)snprintf(full, sizeof full, "%s_%c", name, rz ? axis_rz[a] : axis[a]);
-        add(l, full, unit, value[a]);
+        add_value(l, full, unit, value[a]);
     }
 }
 
@@ -87,10 +88,10 @@ static void add_named(line *l, const char *quantity, const char *label, const ch
 {
     char name[2 * NAME_SIZE];
     (void)snprintf(name, sizeof name, "%s_%s", quantity, label);
-    add(l, name, unit, value);
+    add_value(l, name, unit, value);
 }
 
-static void add_material(line *l, int material, const history_row *row)
+static void add_material_columns(line *l, int material, const history_row *row)
 {
     const scene_material *m = &l->s->scene->material[material];
     const bool fluid = m->kind == MATERIAL_FLUID;
@@ -159,7 +160,7 @@ static void add_probe(line *l, int n)
 }
 
 /* What a membrane encloses. */
-static void add_room(line *l, int body, const char *label, const history_row *row)
+static void add_enclosed_gas_columns(line *l, int body, const char *label, const history_row *row)
 {
     const int holds = l->s->scene->body[l->s->mpm->body[body].scene_body].membrane.holds;
     const bool radial = l->s->mesh.geometry == MESH_AXISYMMETRIC;
@@ -192,11 +193,11 @@ static void add_spin(line *l, int body, const char *label, const history_row *ro
     if (m->dim == 3)
         add_vector(l, name, "N m s", spin);
     else
-        add(l, name, "N m s", spin[2]);
+        add_value(l, name, "N m s", spin[2]);
 }
 
 /* Where a body of points is and how it moves, as a whole; of an open membrane also its ends. */
-static void add_body(line *l, int body, const history_row *row)
+static void add_body_columns(line *l, int body, const history_row *row)
 {
     const mpm_body *b = &l->s->mpm->body[body];
     const scene_body *given = &l->s->scene->body[b->scene_body];
@@ -221,29 +222,29 @@ static void add_body(line *l, int body, const history_row *row)
     }
     if (l->s->mpm->holds && given->membrane.holds >= 0)
         add_named(l, "volume", label, "m3", row ? mpm_held_room(l->s->mpm, body) : 0.0);
-    if (mpm_membrane_encloses(l->s->mpm, body)) add_room(l, body, label, row);
+    if (mpm_membrane_encloses(l->s->mpm, body)) add_enclosed_gas_columns(l, body, label, row);
 }
 
-static floe_status walk(const sim *s, const history_row *row, strbuf *out)
+static floe_status visit_columns(const sim *s, const history_row *row, strbuf *out)
 {
     line l = {.s = s, .out = out, .names = !row, .whole = output_scale(s)};
     double momentum[MESH_MAX_DIM] = {0};
     for (int a = 0; a < MESH_MAX_DIM && row; a++) momentum[a] = l.whole * row->totals->momentum[a];
-    add(&l, "time", "s", row ? row->totals->time : 0.0);
+    add_value(&l, "time", "s", row ? row->totals->time : 0.0);
     add_count(&l, "steps", s->steps);
     add_count(&l, "rejected_steps", s->rejected);
-    add(&l, "dt", "s", s->dt);
+    add_value(&l, "dt", "s", s->dt);
     add_words(&l, "dt_limit", s->dt_reason);
-    add(&l, "mass", "kg", row ? l.whole * row->totals->mass : 0.0);
+    add_value(&l, "mass", "kg", row ? l.whole * row->totals->mass : 0.0);
     add_vector(&l, "momentum", "N s", momentum);
-    add(&l, "kinetic", "J", row ? l.whole * row->totals->kinetic : 0.0);
-    add(&l, "strain", "J", row ? l.whole * row->totals->strain : 0.0);
-    add(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
-    for (int m = 0; m < s->scene->n_materials; m++) add_material(&l, m, row);
+    add_value(&l, "kinetic", "J", row ? l.whole * row->totals->kinetic : 0.0);
+    add_value(&l, "strain", "J", row ? l.whole * row->totals->strain : 0.0);
+    add_value(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
+    for (int m = 0; m < s->scene->n_materials; m++) add_material_columns(&l, m, row);
     if (s->sealed && s->scene->method.interface == INTERFACE_SHARP)
-        add(&l, "gas_in_solids", "kg", row ? l.whole * ice_mass_beyond(s->ice, 0) : 0.0);
-    if (s->scene->n_springs > 0) add(&l, "strain_springs", "J", row ? l.whole * row->totals->mpm.springs : 0.0);
-    for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body(&l, b, row);
+        add_value(&l, "gas_in_solids", "kg", row ? l.whole * ice_mass_beyond(s->ice, 0) : 0.0);
+    if (s->scene->n_springs > 0) add_value(&l, "strain_springs", "J", row ? l.whole * row->totals->mpm.springs : 0.0);
+    for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body_columns(&l, b, row);
     add_ledger(&l);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);
     strbuf_append(out, "\n");
@@ -252,10 +253,10 @@ static floe_status walk(const sim *s, const history_row *row, strbuf *out)
 
 floe_status history_names(const sim *s, strbuf *out)
 {
-    return walk(s, NULL, out);
+    return visit_columns(s, NULL, out);
 }
 
 floe_status history_values(const sim *s, const history_row *row, strbuf *out)
 {
-    return walk(s, row, out);
+    return visit_columns(s, row, out);
 }

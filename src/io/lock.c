@@ -28,7 +28,7 @@ static long holder_of(int descriptor)
     return (long)held.l_pid;
 }
 
-static floe_status refuse(context *ctx, const char *dir, int descriptor, int error)
+static floe_status refuse_second_writer(context *ctx, const char *dir, int descriptor, int error)
 {
     if (error == EACCES || error == EAGAIN) {
         return fail(ctx, FLOE_IO,
@@ -55,7 +55,7 @@ floe_status folder_lock_take(folder_lock *lock, context *ctx, const char *dir)
         *lock = (folder_lock){true, descriptor};
         return FLOE_OK;
     }
-    const floe_status status = refuse(ctx, dir, descriptor, errno);
+    const floe_status status = refuse_second_writer(ctx, dir, descriptor, errno);
     (void)close(descriptor);
     return status;
 }

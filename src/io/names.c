@@ -87,7 +87,7 @@ const char *component_name(const sim *s, field_components components, int comp)
 }
 
 /* Appends one character, as far as there is room. */
-static void put(char plain[NAME_SIZE], size_t *at, char c)
+static void append_character(char plain[NAME_SIZE], size_t *at, char c)
 {
     if (*at + 1 < NAME_SIZE) plain[(*at)++] = c;
 }
@@ -95,11 +95,11 @@ static void put(char plain[NAME_SIZE], size_t *at, char c)
 /* One factor such as "m3"; its exponent changes sign where it stands below the line. Returns what follows it. */
 static const char *put_factor(char plain[NAME_SIZE], size_t *at, const char *unit, bool below)
 {
-    if (*at > 0) put(plain, at, ' ');
-    while (*unit && !strchr(" /0123456789", *unit)) put(plain, at, *unit++);
-    if (below) put(plain, at, '-');
-    if (below && (*unit < '0' || *unit > '9')) put(plain, at, '1');
-    while (*unit >= '0' && *unit <= '9') put(plain, at, *unit++);
+    if (*at > 0) append_character(plain, at, ' ');
+    while (*unit && !strchr(" /0123456789", *unit)) append_character(plain, at, *unit++);
+    if (below) append_character(plain, at, '-');
+    if (below && (*unit < '0' || *unit > '9')) append_character(plain, at, '1');
+    while (*unit >= '0' && *unit <= '9') append_character(plain, at, *unit++);
     return unit;
 }
 

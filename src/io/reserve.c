@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 /* 0, or the error number. */
-static int allocate(int descriptor, size_t bytes)
+static int allocate_bytes(int descriptor, size_t bytes)
 {
     int error = EINTR;
     while (error == EINTR) error = posix_fallocate(descriptor, 0, (off_t)bytes);
@@ -23,7 +23,7 @@ floe_status disk_reserve_take(disk_reserve *r, context *ctx, const char *path, s
     TRY(file_remove(ctx, path));
     const int descriptor = open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     if (descriptor < 0) return file_fail(ctx, "cannot create", path, errno);
-    const int error = allocate(descriptor, bytes);
+    const int error = allocate_bytes(descriptor, bytes);
     (void)close(descriptor);
     floe_status status = FLOE_OK;
     if (error == 0) status = memory_string(ctx, &r->path, path);

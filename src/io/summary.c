@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* A count that may be beyond what an integer holds exactly. */
-static json_t *count(double x)
+static json_t *json_count(double x)
 {
     if (x >= 0.0 && x < 9007199254740992.0 && x == floor(x)) return json_integer((json_int_t)x);
     return json_number(x);
@@ -79,7 +79,7 @@ static bool set_build(json_t *object, const run_summary *r)
            json_put(build, "threads", json_integer(r->threads));
 }
 
-static bool set_all(json_t *object, const run_summary *r)
+static bool set_all_values(json_t *object, const run_summary *r)
 {
     return json_put(object, "schema", json_integer(1)) && json_put(object, "deck", json_plain_text(r->deck)) &&
            json_put(object, "coupling", json_string(r->coupling)) &&
@@ -97,8 +97,8 @@ static bool set_all(json_t *object, const run_summary *r)
            json_put(object, "cpu_seconds", json_number(r->cpu_seconds)) &&
            set_values(object, "seconds_by_stage", r->seconds_by_stage, r->n_stages) &&
            json_put(object, "cells", json_integer(r->cells)) && json_put(object, "points", json_integer(r->points)) &&
-           json_put(object, "cell_updates", count(r->cell_updates)) &&
-           json_put(object, "point_updates", count(r->point_updates)) && set_memory(object, r) &&
+           json_put(object, "cell_updates", json_count(r->cell_updates)) &&
+           json_put(object, "point_updates", json_count(r->point_updates)) && set_memory(object, r) &&
            set_conservation(object, r) && set_warnings(object, r) &&
            json_put(object, "reference_accuracy", json_number(r->reference_accuracy)) &&
            set_values(object, "errors", r->errors, r->n_errors) && set_counters(object, r) && set_build(object, r);
@@ -107,7 +107,7 @@ static bool set_all(json_t *object, const run_summary *r)
 struct json_t *summary_json(const run_summary *r)
 {
     json_t *object = json_object();
-    if (object && set_all(object, r)) return object;
+    if (object && set_all_values(object, r)) return object;
     json_decref(object);
     return NULL;
 }

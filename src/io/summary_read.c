@@ -13,7 +13,7 @@ typedef struct reader {
     floe_status status;
 } reader;
 
-static void complain(reader *r, const char *key, const char *expected)
+static void complain_of_value(reader *r, const char *key, const char *expected)
 {
     if (r->status == FLOE_OK) r->status = fail(r->ctx, FLOE_IO, "'%s': '%s' should be %s", r->path, key, expected);
 }
@@ -21,14 +21,14 @@ static void complain(reader *r, const char *key, const char *expected)
 static void get_text(reader *r, const json_t *object, const char *key, char *to, size_t size)
 {
     const char *text = json_string_value(json_object_get(object, key));
-    if (!text) complain(r, key, "a text");
+    if (!text) complain_of_value(r, key, "a text");
     (void)snprintf(to, size, "%s", text ? text : "");
 }
 
 static double as_number(reader *r, const char *key, const json_t *value)
 {
     if (json_is_null(value)) return NAN;
-    if (!json_is_number(value)) complain(r, key, "a number or null");
+    if (!json_is_number(value)) complain_of_value(r, key, "a number or null");
     return json_number_value(value);
 }
 
@@ -46,14 +46,14 @@ static double get_later_number(reader *r, const json_t *object, const char *key)
 static long long get_count(reader *r, const json_t *object, const char *key)
 {
     const json_t *value = json_object_get(object, key);
-    if (!json_is_integer(value)) complain(r, key, "a whole number");
+    if (!json_is_integer(value)) complain_of_value(r, key, "a whole number");
     return json_integer_value(value);
 }
 
 static json_t *get_object(reader *r, const json_t *object, const char *key)
 {
     json_t *value = json_object_get(object, key);
-    if (!json_is_object(value)) complain(r, key, "an object");
+    if (!json_is_object(value)) complain_of_value(r, key, "an object");
     return value;
 }
 
@@ -66,7 +66,7 @@ static void get_values(reader *r, const json_t *object, const char *key, summary
     json_object_foreach(list, name, value)
     {
         if (*n == room) {
-            complain(r, key, "shorter");
+            complain_of_value(r, key, "shorter");
             return;
         }
         (void)snprintf(out[*n].name, sizeof out->name, "%s", name);
@@ -81,7 +81,7 @@ static void get_counters(reader *r, const json_t *object, run_summary *out)
     json_t *list = get_object(r, object, "counters");
     json_object_foreach(list, name, value)
     {
-        if (!json_is_integer(value)) complain(r, name, "a whole number");
+        if (!json_is_integer(value)) complain_of_value(r, name, "a whole number");
         if (r->status == FLOE_OK) r->status = summary_add_counter(out, r->ctx, name, json_integer_value(value));
     }
 }
@@ -119,7 +119,7 @@ static void get_warnings(reader *r, const json_t *object, run_summary *out)
     if (!list) return; /* of an earlier version */
     json_array_foreach(list, i, value)
     {
-        if (!json_is_string(value)) complain(r, "warnings", "a list of texts");
+        if (!json_is_string(value)) complain_of_value(r, "warnings", "a list of texts");
         if (json_is_string(value)) summary_add_warning(out, json_string_value(value));
     }
     get_text(r, object, "notes", out->notes, sizeof out->notes);
@@ -139,7 +139,7 @@ static void get_build(reader *r, const json_t *object, run_summary *out)
 
 static void get_all(reader *r, const json_t *object, run_summary *out)
 {
-    if (get_count(r, object, "schema") != 1) complain(r, "schema", "1: another version of floe wrote this");
+    if (get_count(r, object, "schema") != 1) complain_of_value(r, "schema", "1: another version of floe wrote this");
     get_text(r, object, "deck", out->deck, sizeof out->deck);
     get_text(r, object, "coupling", out->coupling, sizeof out->coupling);
     /* Those of earlier versions do not say, and were explicit. */
@@ -173,7 +173,7 @@ static void get_all(reader *r, const json_t *object, run_summary *out)
     get_build(r, object, out);
 }
 
-static floe_status parse(context *ctx, const char *path, const char *text, size_t size, run_summary *out)
+static floe_status parse_summary(context *ctx, const char *path, const char *text, size_t size, run_summary *out)
 {
     json_error_t error;
     json_t *object = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
@@ -190,7 +190,7 @@ floe_status summary_read(context *ctx, const char *path, run_summary *out)
     size_t size;
     *out = (run_summary){0};
     TRY(file_read(ctx, path, &text, &size));
-    const floe_status status = parse(ctx, path, text, size, out);
+    const floe_status status = parse_summary(ctx, path, text, size, out);
     memory_free(ctx, &text);
     return status;
 }

@@ -88,7 +88,7 @@ typedef struct catalogue_box {
     deck_name metric[METRIC_COUNT + HISTORY_METRIC_COUNT];
 } catalogue_box;
 
-static floe_status fill(catalogue_box *box, context *ctx)
+static floe_status fill_catalogue(catalogue_box *box, context *ctx)
 {
     TRY(memory_new(ctx, &box->exact, exact_registry_size, sizeof *box->exact));
     TRY(memory_new(ctx, &box->reference, reference_registry_size, sizeof *box->reference));
@@ -142,7 +142,7 @@ floe_status catalogue_create(deck_catalogue **out, context *ctx)
     catalogue_box *box;
     *out = NULL;
     TRY(memory_new(ctx, &box, 1, sizeof *box));
-    const floe_status status = fill(box, ctx);
+    const floe_status status = fill_catalogue(box, ctx);
     *out = &box->catalogue;
     if (status != FLOE_OK) catalogue_destroy(ctx, out);
     return status;

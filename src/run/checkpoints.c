@@ -43,7 +43,7 @@ floe_status run_checkpoints_write(run_checkpoints *c, double wall)
     return write_one(c, wall);
 }
 
-static floe_status pass_over(run_checkpoints *c)
+static floe_status skip_checkpoint(run_checkpoints *c)
 {
     context *ctx = c->sim->ctx;
     if (!c->failed)
@@ -74,7 +74,7 @@ floe_status run_checkpoints_way(run_checkpoints *c, double wall)
     TRY(output_sync(c->output));
     const floe_status status = write_one(c, wall);
     checkpoint_clock_count(&c->clock, begun, wall_seconds());
-    return status == FLOE_IO || status == FLOE_NO_MEMORY ? pass_over(c) : status;
+    return status == FLOE_IO || status == FLOE_NO_MEMORY ? skip_checkpoint(c) : status;
 }
 
 void run_checkpoints_say(const run_checkpoints *c)

@@ -102,7 +102,7 @@ static void say_where(run *r, follow_state state)
 }
 
 /* Where the folder is now, before something is written there. */
-static floe_status follow(run *r, follow_state *state)
+static floe_status follow_folder(run *r, follow_state *state)
 {
     TRY(output_follow(&r->output, r->sim, state));
     say_where(r, *state);
@@ -127,10 +127,10 @@ static bool has_followed(run *r)
     return false;
 }
 
-static floe_status checkpoint(run *r)
+static floe_status write_due_checkpoint(run *r)
 {
     follow_state state;
-    TRY(follow(r, &state));
+    TRY(follow_folder(r, &state));
     const double cpu = cpu_seconds();
     floe_status status = run_checkpoints_write(&r->checkpoints, wall_spent(r));
     if (status == FLOE_IO && has_followed(r)) status = run_checkpoints_write(&r->checkpoints, wall_spent(r));
@@ -142,7 +142,7 @@ static floe_status checkpoint_if_due(run *r)
 {
     if (!r->checkpoint_wanted && !checkpoint_clock_is_due(&r->checkpoints.clock, wall_seconds())) return FLOE_OK;
     follow_state state;
-    TRY(follow(r, &state));
+    TRY(follow_folder(r, &state));
     r->checkpoint_wanted = false;
     const double cpu = cpu_seconds();
     const floe_status status = run_checkpoints_way(&r->checkpoints, wall_spent(r));
@@ -154,7 +154,7 @@ static floe_status checkpoint_if_due(run *r)
 static floe_status put_out(run *r, floe_status (*write)(run_output *o, sim *s))
 {
     follow_state state;
-    TRY(follow(r, &state));
+    TRY(follow_folder(r, &state));
     const double before = wall_seconds(), cpu = cpu_seconds();
     const floe_status status = write(&r->output, r->sim);
     r->putting_out += wall_seconds() - before;
@@ -246,16 +246,16 @@ static bool is_out_of_time(const run *r)
 }
 
 /* Asked to stop: by a signal, or by the wall clock. */
-static bool must_stop(const run *r)
+static bool run_must_stop(const run *r)
 {
     return (r->options->stop && *r->options->stop) || is_out_of_time(r);
 }
 
-static floe_status loop(run *r)
+static floe_status run_time_loop(run *r)
 {
     while (!is_finished(r)) {
         const double before = r->sim->time;
-        if (must_stop(r)) return FLOE_INTERRUPTED;
+        if (run_must_stop(r)) return FLOE_INTERRUPTED;
         TRY(sim_step(r->sim, next_stop(r)));
         TRY(check_rest(r, before));
         TRY(write_due(r, before));
@@ -267,7 +267,7 @@ static floe_status loop(run *r)
     return FLOE_OK;
 }
 
-static floe_status measure(run *r, run_summary *out)
+static floe_status measure_run(run *r, run_summary *out)
 {
     char path[OUTPUT_PATH];
     TRY(measure_errors(r->sim, &r->setup.solution, out));
@@ -278,23 +278,23 @@ static floe_status measure(run *r, run_summary *out)
 }
 
 /* The last row and snapshot, unless the time has them, the errors, and the checkpoint. */
-static floe_status finish(run *r, run_summary *out)
+static floe_status finish_run(run *r, run_summary *out)
 {
     r->output.checkpoint.owed = CHECKPOINT_OWED_ALL;
     TRY(write_owed(r));
-    TRY(checkpoint(r));
+    TRY(write_due_checkpoint(r));
     const double before = wall_seconds(), cpu = cpu_seconds();
-    const floe_status status = measure(r, out);
+    const floe_status status = measure_run(r, out);
     r->measuring += wall_seconds() - before;
     r->cpu_beside += cpu_seconds() - cpu;
     return status;
 }
 
-static floe_status interrupt(run *r)
+static floe_status interrupt_run(run *r)
 {
     char by[64] = "";
     const int number = r->options->stop ? *r->options->stop : 0;
-    TRY(checkpoint(r));
+    TRY(write_due_checkpoint(r));
     stop_request_text(number, by);
     return fail(r->ctx, FLOE_INTERRUPTED,
                 "%s at t = %.6g%s after %ld steps%s; a checkpoint was written: go on with --resume",
@@ -303,13 +303,13 @@ static floe_status interrupt(run *r)
 }
 
 /* The state is that of the last good step; if even that is no good, an earlier checkpoint stays. */
-static floe_status diverge(run *r)
+static floe_status end_diverged_run(run *r)
 {
     char cause[CONTEXT_MESSAGE_SIZE], growth[SIM_GROWTH_TEXT];
     (void)snprintf(cause, sizeof cause, "%.1200s", context_message(r->ctx));
     context_clear(r->ctx);
     const bool good = state_is_finite(r->sim), grown = sim_has_grown(r->sim);
-    if (good) TRY(checkpoint(r));
+    if (good) TRY(write_due_checkpoint(r));
     /* What was on its way to be ended for its energy has that as its cause, whatever came first. */
     sim_describe_growth(r->sim, growth);
     const bool grew = !grown && r->sim->ledger.motion.beyond > 0.0;
@@ -321,13 +321,13 @@ static floe_status diverge(run *r)
 }
 
 /* An output failed. The state is sound: it goes into a checkpoint, with what is owed. */
-static floe_status rescue(run *r)
+static floe_status rescue_state(run *r)
 {
     char cause[CONTEXT_MESSAGE_SIZE], saved[128];
     const char *unit = scene_time_unit(r->sim->scene);
     (void)snprintf(cause, sizeof cause, "%.1200s", context_message(r->ctx));
     context_clear(r->ctx);
-    const bool written = state_is_finite(r->sim) && checkpoint(r) == FLOE_OK;
+    const bool written = state_is_finite(r->sim) && write_due_checkpoint(r) == FLOE_OK;
     context_clear(r->ctx);
     if (!output_has_checkpoint(&r->output)) r->checkpoints.time = NAN;
     (void)snprintf(saved, sizeof saved,
@@ -338,7 +338,7 @@ static floe_status rescue(run *r)
     return fail(r->ctx, FLOE_IO, "%s; %s", cause, saved);
 }
 
-static floe_status begin(run *r)
+static floe_status begin_run(run *r)
 {
     const run_options *o = r->options;
     TRY(scene_place(r->scene, memory_refuse(r->scene)));
@@ -405,17 +405,17 @@ static floe_status start_outputs(run *r)
     return FLOE_OK;
 }
 
-static floe_status carry_out(run *r, run_summary *out)
+static floe_status carry_out_run(run *r, run_summary *out)
 {
     floe_status status = start_outputs(r);
-    if (status == FLOE_OK) status = loop(r);
+    if (status == FLOE_OK) status = run_time_loop(r);
     if (status == FLOE_OK)
-        status = finish(r, out);
+        status = finish_run(r, out);
     else if (status == FLOE_INTERRUPTED)
-        status = interrupt(r);
+        status = interrupt_run(r);
     else if (status == FLOE_DIVERGED)
-        status = diverge(r);
-    return status == FLOE_IO ? rescue(r) : status;
+        status = end_diverged_run(r);
+    return status == FLOE_IO ? rescue_state(r) : status;
 }
 
 /* What is measured of the history is of what there is of it. */
@@ -434,7 +434,7 @@ static floe_status write_summary(run *r, run_summary *out, const char *status)
     char path[OUTPUT_PATH];
     follow_state state;
     /* What has already gone wrong was followed as it did. */
-    if (context_message(r->ctx)[0] == '\0') TRY(follow(r, &state));
+    if (context_message(r->ctx)[0] == '\0') TRY(follow_folder(r, &state));
     out->n_counters = 0;
     out->n_warnings = r->n_remarks;
     note_loss(r, out);
@@ -461,7 +461,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
     say_start(r, out);
     TRY(write_summary(r, out, "running"));
     run_checkpoints_keep_room(&r->checkpoints);
-    const floe_status status = scene_place(r->scene, carry_out(r, out));
+    const floe_status status = scene_place(r->scene, carry_out_run(r, out));
     progress_clear(&r->progress);
     const char *name = status_of_run(status, r->sim->at_rest);
     /* After the checkpoint, which a look at the account must not change. */
@@ -480,7 +480,7 @@ static floe_status run_with_outputs(run *r, run_summary *out)
     return status != FLOE_OK ? status : written;
 }
 
-static void end(run *r)
+static void end_run(run *r)
 {
     run_log_close(&r->log);
     output_end(&r->output);
@@ -501,7 +501,7 @@ floe_status run_scene(context *ctx, scene *s, const run_options *options, run_su
     summary_set_build(out);
     /* Memory for each thread is made with the simulation. */
     (void)threads_use(options->threads > 0 ? options->threads : s->threads);
-    floe_status status = begin(&r);
+    floe_status status = begin_run(&r);
     if (status == FLOE_OK) {
         out->threads = choose_threads(&r);
         status = run_with_outputs(&r, out);
@@ -509,6 +509,6 @@ floe_status run_scene(context *ctx, scene *s, const run_options *options, run_su
         (void)snprintf(out->status, sizeof out->status, "%s", status_of_run(status, false));
         note_cause(&r, out, status);
     }
-    end(&r);
+    end_run(&r);
     return status;
 }

@@ -26,7 +26,7 @@ static bool path_of(int folder, char path[OUTPUT_PATH])
 }
 
 /* Where the open folder is now; false where it is nowhere, too. */
-static bool find_place(int folder, char place[OUTPUT_PATH])
+static bool find_folder_path(int folder, char place[OUTPUT_PATH])
 {
     struct stat there, ours;
     return path_of(folder, place) && stat(place, &there) == 0 && fstat(folder, &ours) == 0 && is_same(&there, &ours);
@@ -68,7 +68,7 @@ static void wait_a_little(void)
     (void)nanosleep(&(struct timespec){0, 50 * 1000 * 1000}, NULL);
 }
 
-static floe_status reopen(run_output *o, const sim *s, const char *place)
+static floe_status reopen_outputs(run_output *o, const sim *s, const char *place)
 {
     floe_status status = output_reopen(o, s, place);
     for (int i = 1; i < TRIES && status == FLOE_IO; i++) {
@@ -83,7 +83,7 @@ static floe_status make_anew(run_output *o, const sim *s)
 {
     char place[OUTPUT_PATH];
     (void)snprintf(place, sizeof place, "%.4000s%s", o->dir, is_free(o) ? "" : "-continued");
-    const floe_status status = reopen(o, s, place);
+    const floe_status status = reopen_outputs(o, s, place);
     if (status != FLOE_IO) return status;
     char cause[CONTEXT_MESSAGE_SIZE];
     (void)snprintf(cause, sizeof cause, "%.1200s", context_message(o->ctx));
@@ -99,7 +99,7 @@ floe_status output_follow(run_output *o, const sim *s, follow_state *state)
     if (o->folder < 0) return FLOE_OK;
     if (!history_is_removed(o->history)) {
         if (!has_left(o)) return FLOE_OK;
-        const bool found = find_place(o->folder, place);
+        const bool found = find_folder_path(o->folder, place);
         if (found && is_where_it_was(o, place)) return FLOE_OK;
         if (found) *state = FOLLOW_MOVED;
         if (found) return output_move(o, place);

@@ -57,7 +57,7 @@ subject find_subject(sim *s, const exact *solution)
     return what;
 }
 
-static floe_status add_points(const subject *what, int body, exact_quantity quantity, norm *sum)
+static floe_status add_point_errors(const subject *what, int body, exact_quantity quantity, norm *sum)
 {
     const shape *region = &what->s->scene->verify.region;
     point_samples p;
@@ -70,7 +70,7 @@ static floe_status add_points(const subject *what, int body, exact_quantity quan
     return FLOE_OK;
 }
 
-static floe_status add_cells(const subject *what, exact_quantity quantity, norm *sum)
+static floe_status add_cell_errors(const subject *what, exact_quantity quantity, norm *sum)
 {
     const shape *region = &what->s->scene->verify.region;
     cell_samples c;
@@ -89,16 +89,16 @@ static floe_status measure_norm(const subject *what, const metric *m, double *ou
 {
     const int bodies = what->s->mpm ? what->s->mpm->n_bodies : 0;
     norm sum = {0};
-    if (what->cells >= 0) TRY(add_cells(what, m->quantity, &sum));
+    if (what->cells >= 0) TRY(add_cell_errors(what, m->quantity, &sum));
     for (int b = 0; b < bodies; b++) {
-        if (what->body[b]) TRY(add_points(what, b, m->quantity, &sum));
+        if (what->body[b]) TRY(add_point_errors(what, b, m->quantity, &sum));
     }
     const norm_result result = norm_finish(&sum);
     *out = metric_pick(m->kind, &result);
     return FLOE_OK;
 }
 
-static double parameter(const exact *solution, const char *key)
+static double exact_parameter(const exact *solution, const char *key)
 {
     const double *value = exact_param(solution->model, (void *)solution->par, key);
     return value ? *value : (double)NAN;
@@ -134,8 +134,8 @@ static floe_status measure_eq13(const subject *what, double *out)
     size_t n = 0;
     TRY(memory_new(what->s->ctx, &sum, count_points(what), sizeof *sum));
     const floe_status status = fill_sums(what, sum, &n);
-    *out = guilkey_eq13(n, sum, what->s->scene->verify.probe_pressure, parameter(what->solution, "inner_radius"),
-                        parameter(what->solution, "outer_radius"));
+    *out = guilkey_eq13(n, sum, what->s->scene->verify.probe_pressure, exact_parameter(what->solution, "inner_radius"),
+                        exact_parameter(what->solution, "outer_radius"));
     memory_free(what->s->ctx, &sum);
     return status;
 }

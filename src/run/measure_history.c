@@ -57,7 +57,7 @@ static floe_status take_rows(sim *s, const csv_table *rows, history_table *h)
     return FLOE_OK;
 }
 
-static floe_status expect(sim *s, history_table *h)
+static floe_status expect_history(sim *s, history_table *h)
 {
     const scene_verify *v = &s->scene->verify;
     const reference_model *model = reference_find(v->reference);
@@ -99,7 +99,7 @@ floe_status measure_history_rows(sim *s, const csv_table *rows, run_summary *r)
     history_table h = {0};
     if (s->scene->verify.n_columns == 0) return FLOE_OK;
     floe_status status = take_rows(s, rows, &h);
-    if (status == FLOE_OK) status = expect(s, &h);
+    if (status == FLOE_OK) status = expect_history(s, &h);
     if (status == FLOE_OK) status = add_errors(s, &h, r);
     free_table(s->ctx, &h);
     return status;

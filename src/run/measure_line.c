@@ -31,7 +31,7 @@ static void choose_quantities(const scene_verify *v, line *l)
     l->width = 1 + 2 * (size_t)l->n_quantities;
 }
 
-static void add_points(const point_samples *p, line *l)
+static void add_point_samples(const point_samples *p, line *l)
 {
     for (size_t i = 0; i < p->list.n; i++) {
         double *row = l->row + l->width * l->n++;
@@ -43,7 +43,7 @@ static void add_points(const point_samples *p, line *l)
     }
 }
 
-static void add_cells(const cell_samples *c, line *l)
+static void add_cell_samples(const cell_samples *c, line *l)
 {
     const mesh *m = &c->s->mesh;
     for (size_t i = 0; i < c->n; i++) {
@@ -57,25 +57,25 @@ static void add_cells(const cell_samples *c, line *l)
     }
 }
 
-static floe_status collect(const subject *what, line *l)
+static floe_status collect_line(const subject *what, line *l)
 {
     if (what->cells >= 0) {
         cell_samples c;
         TRY(cell_samples_take(&c, what->s, what->solution, what->cells));
-        add_cells(&c, l);
+        add_cell_samples(&c, l);
         cell_samples_free(&c);
     }
     for (int b = 0; what->s->mpm && b < what->s->mpm->n_bodies; b++) {
         point_samples p;
         if (!what->body[b]) continue;
         TRY(point_samples_take(&p, what->s, what->solution, b));
-        add_points(&p, l);
+        add_point_samples(&p, l);
         point_samples_free(&p);
     }
     return FLOE_OK;
 }
 
-static size_t count(const subject *what)
+static size_t count_line_samples(const subject *what)
 {
     size_t n = what->cells >= 0 ? mesh_cells(&what->s->mesh) : 0;
     for (int b = 0; what->s->mpm && b < what->s->mpm->n_bodies; b++)
@@ -116,8 +116,8 @@ floe_status profile_of_line(sim *s, const exact *solution, const char *path)
     line l = {0};
     choose_quantities(&s->scene->verify, &l);
     if (l.n_quantities == 0) return FLOE_OK;
-    TRY(memory_new(s->ctx, &l.row, count(&what) * l.width, sizeof *l.row));
-    floe_status status = collect(&what, &l);
+    TRY(memory_new(s->ctx, &l.row, count_line_samples(&what) * l.width, sizeof *l.row));
+    floe_status status = collect_line(&what, &l);
     qsort(l.row, l.n, l.width * sizeof *l.row, compare_rows);
     if (status == FLOE_OK) status = write_line(s, &l, path);
     memory_free(s->ctx, &l.row);

@@ -64,7 +64,7 @@ static floe_status write_rows(const sim *s, const char *path, profile_row *row, 
     return status;
 }
 
-static floe_status collect(const point_samples *p, const char *path)
+static floe_status write_point_profile(const point_samples *p, const char *path)
 {
     const scene_body *b = &p->s->scene->body[p->s->mpm->body[p->body].scene_body];
     const double *given = exact_param(p->solution->model, (void *)p->solution->par, "centre");
@@ -99,7 +99,7 @@ floe_status measure_profile(sim *s, const exact *solution, const char *path)
     if (body < 0) return FLOE_OK;
     if (!exact_provides(solution, EXACT_SIGMA_R) || !exact_is_solid(solution)) return FLOE_OK;
     TRY(point_samples_take(&p, s, solution, body));
-    const floe_status status = collect(&p, path);
+    const floe_status status = write_point_profile(&p, path);
     point_samples_free(&p);
     return status;
 }

@@ -71,7 +71,7 @@ void memory_need_of(const sim *s, memory_need *out)
 }
 
 /* One of the two coarse scenes, and what it holds. */
-static floe_status hold(coarse_setup *c, scene *s, double cells, memory_need *out)
+static floe_status measure_coarse_scene(coarse_setup *c, scene *s, double cells, memory_need *out)
 {
     TRY(coarse_begin(c, s, cells));
     memory_need_of(c->setup.sim, out);
@@ -83,14 +83,14 @@ floe_status memory_need_estimate(scene *s, coarse_setup *c, memory_need *out)
     coarse_setup half;
     memory_need less = {0}, more;
     const double own = memory_cells(&s->mesh);
-    const floe_status coarsest = hold(&half, s, enough_cells / pow(2.0, s->mesh.dim), &less);
+    const floe_status coarsest = measure_coarse_scene(&half, s, enough_cells / pow(2.0, s->mesh.dim), &less);
     coarse_end(&half);
     *c = (coarse_setup){0};
     if (coarsest != FLOE_OK) {
         less = (memory_need){0}; /* all of it goes with the cells, then */
         context_clear(s->ctx);
     }
-    TRY(hold(c, s, enough_cells, &more));
+    TRY(measure_coarse_scene(c, s, enough_cells, &more));
     const double slope = (more.bytes - less.bytes) / (more.cells - less.cells);
     const double constant = more.bytes - slope * more.cells;
     *out = (memory_need){.cells = own, .bytes = constant + slope * own};
@@ -100,7 +100,7 @@ floe_status memory_need_estimate(scene *s, coarse_setup *c, memory_need *out)
     return FLOE_OK;
 }
 
-static floe_status refuse(const scene *s, const memory_need *need)
+static floe_status refuse_for_memory(const scene *s, const memory_need *need)
 {
     const double gigabyte = 1e9, cell = s->mesh.cell[0], fitting = fmax(1.0, need->fitting_cells);
     return fail_key(
@@ -120,7 +120,7 @@ floe_status memory_refuse(scene *s)
     if (!(memory_cells(&s->mesh) > MEMORY_NEED_CELLS)) return FLOE_OK;
     const floe_status status = memory_need_estimate(s, &c, &need);
     coarse_end(&c);
-    if (status == FLOE_OK) return need.bytes > plainly * need.available ? refuse(s, &need) : FLOE_OK;
+    if (status == FLOE_OK) return need.bytes > plainly * need.available ? refuse_for_memory(s, &need) : FLOE_OK;
     context_clear(s->ctx); /* what is wrong with the coarse scene may be right with the fine one */
     return FLOE_OK;
 }

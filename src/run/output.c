@@ -29,7 +29,7 @@ static floe_status echo_identity(char **out, const scene *s, const deck_catalogu
     return status;
 }
 
-static floe_status echo(run_output *o, const scene *s)
+static floe_status echo_deck(run_output *o, const scene *s)
 {
     deck_catalogue *catalogue;
     TRY(catalogue_create(&catalogue, o->ctx));
@@ -64,10 +64,10 @@ static void name_extra(run_output *o, const sim *s)
     add_extra(o, &overlaps);
 }
 
-static floe_status prepare(run_output *o, const sim *s, const char *dir)
+static floe_status prepare_outputs(run_output *o, const sim *s, const char *dir)
 {
     *o = (run_output){.ctx = s->ctx, .dir = dir, .folder = -1};
-    TRY(echo(o, s->scene));
+    TRY(echo_deck(o, s->scene));
     o->checkpoint.deck = o->deck;
     o->checkpoint.identity = o->identity;
     name_extra(o, s);
@@ -109,7 +109,7 @@ floe_status output_begin(run_output *o, sim *s, const char *dir)
     static const char *const earlier[] = {OUTPUT_CHECKPOINT, OUTPUT_PREVIOUS, OUTPUT_RESERVE, "profile.csv",
                                           "summary.json"};
     char path[OUTPUT_PATH];
-    TRY(prepare(o, s, dir));
+    TRY(prepare_outputs(o, s, dir));
     TRY(folder_make(o->ctx, dir));
     TRY(hold_folder(o));
     TRY(write_deck(o));
@@ -168,7 +168,7 @@ static floe_status read_newest(run_output *o, sim *s)
 
 floe_status output_resume(run_output *o, sim *s, const char *dir)
 {
-    TRY(prepare(o, s, dir));
+    TRY(prepare_outputs(o, s, dir));
     if (!output_has_checkpoint(o))
         return fail(o->ctx, FLOE_IO,
                     "'%s' holds no run to go on with: there is no checkpoint.h5; name its folder with -o, or leave "
@@ -223,7 +223,7 @@ floe_status output_reopen(run_output *o, const sim *s, const char *place)
 
 floe_status output_recall(run_output *o, sim *s, const char *dir)
 {
-    TRY(prepare(o, s, dir));
+    TRY(prepare_outputs(o, s, dir));
     return read_newest(o, s);
 }
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-static floe_status gather(cell_samples *c, field_id id, int instance, int comp, double **out)
+static floe_status gather_cell_values(cell_samples *c, field_id id, int instance, int comp, double **out)
 {
     TRY(memory_new(c->s->ctx, out, c->n, sizeof **out));
     gather_cells(c->s, id, instance, comp, 1, *out);
@@ -25,7 +25,7 @@ static void set_own_pressure(cell_samples *c, const cell_samples *part)
 }
 
 /* Volume fraction: mass per cell volume times the volume of a mass, or what a membrane leaves. */
-static double fraction(const cell_samples *c, size_t i)
+static double cell_fraction(const cell_samples *c, size_t i)
 {
     if (c->fraction) return c->fraction[i];
     if (c->open) return c->open[i];
@@ -40,7 +40,7 @@ static void add_part(cell_samples *c, const cell_samples *part)
         c->rho[i] += rho;
         c->energy[i] += rho * part->energy[i];
         for (int a = 0; a < c->s->mesh.dim; a++) c->v[a][i] += rho * part->v[a][i];
-        if (part->material == 0) c->fraction[i] = fraction(part, i);
+        if (part->material == 0) c->fraction[i] = cell_fraction(part, i);
     }
 }
 
@@ -51,7 +51,7 @@ static floe_status new_sums(cell_samples *c)
     TRY(memory_new(ctx, &c->energy, c->n, sizeof *c->energy));
     TRY(memory_new(ctx, &c->fraction, c->n, sizeof *c->fraction));
     for (int a = 0; a < c->s->mesh.dim; a++) TRY(memory_new(ctx, &c->v[a], c->n, sizeof *c->v[a]));
-    return gather(c, C_PRESSURE, 0, 0, &c->pressure);
+    return gather_cell_values(c, C_PRESSURE, 0, 0, &c->pressure);
 }
 
 static floe_status take_all(cell_samples *c)
@@ -75,23 +75,23 @@ static floe_status take_all(cell_samples *c)
     return FLOE_OK;
 }
 
-static floe_status take(cell_samples *c)
+static floe_status take_cell_samples(cell_samples *c)
 {
     if (c->material == CELLS_OF_ALL) return take_all(c);
     const fields *f = c->s->domain->fields[0];
-    TRY(gather(c, C_RHO, c->material, 0, &c->rho));
-    if (fields_has(f, C_ENERGY, c->material)) TRY(gather(c, C_ENERGY, c->material, 0, &c->energy));
-    if (fields_has(f, C_VOL, c->material)) TRY(gather(c, C_VOL, c->material, 0, &c->volume));
-    if (fields_has(f, C_OPEN, c->material)) TRY(gather(c, C_OPEN, c->material, 0, &c->open));
-    if (fields_has(f, C_PRESSURE, 0)) TRY(gather(c, C_PRESSURE, 0, 0, &c->pressure));
-    for (int a = 0; a < c->s->mesh.dim; a++) TRY(gather(c, C_VEL, c->material, a, &c->v[a]));
+    TRY(gather_cell_values(c, C_RHO, c->material, 0, &c->rho));
+    if (fields_has(f, C_ENERGY, c->material)) TRY(gather_cell_values(c, C_ENERGY, c->material, 0, &c->energy));
+    if (fields_has(f, C_VOL, c->material)) TRY(gather_cell_values(c, C_VOL, c->material, 0, &c->volume));
+    if (fields_has(f, C_OPEN, c->material)) TRY(gather_cell_values(c, C_OPEN, c->material, 0, &c->open));
+    if (fields_has(f, C_PRESSURE, 0)) TRY(gather_cell_values(c, C_PRESSURE, 0, 0, &c->pressure));
+    for (int a = 0; a < c->s->mesh.dim; a++) TRY(gather_cell_values(c, C_VEL, c->material, a, &c->v[a]));
     return FLOE_OK;
 }
 
 floe_status cell_samples_take(cell_samples *c, const sim *s, const exact *solution, int material)
 {
     *c = (cell_samples){.s = s, .solution = solution, .material = material, .n = mesh_cells(&s->mesh)};
-    const floe_status status = take(c);
+    const floe_status status = take_cell_samples(c);
     if (status != FLOE_OK) cell_samples_free(c);
     return status;
 }
@@ -164,7 +164,7 @@ double cell_value(const cell_samples *c, exact_quantity quantity, size_t i)
     case EXACT_PRESSURE: return pressure_at(c, i);
     case EXACT_INTERNAL_ENERGY: return c->energy ? c->energy[i] : (double)NAN;
     case EXACT_TEMPERATURE: return temperature_at(c, i);
-    case EXACT_VOLUME_FRACTION: return fraction(c, i);
+    case EXACT_VOLUME_FRACTION: return cell_fraction(c, i);
     default: return NAN;
     }
 }
@@ -189,7 +189,7 @@ double cell_weight(const cell_samples *c, size_t i)
 {
     int cell[3];
     index_of(&c->s->mesh, i, cell);
-    return (c->fraction ? 1.0 : fraction(c, i)) * mesh_cell_volume(&c->s->mesh, cell[0]);
+    return (c->fraction ? 1.0 : cell_fraction(c, i)) * mesh_cell_volume(&c->s->mesh, cell[0]);
 }
 
 bool cell_inside(const cell_samples *c, const shape *region, size_t i)

@@ -9,7 +9,7 @@
 
 static const uint64_t ordinal_mask = (UINT64_C(1) << 40) - 1; /* of a point's id (design, conventions) */
 
-static floe_status gather(point_samples *p, field_id id, int comp, double **out)
+static floe_status gather_point_values(point_samples *p, field_id id, int comp, double **out)
 {
     TRY(memory_new(p->s->ctx, out, p->list.n, sizeof **out));
     gather_points(p->s, &p->list, id, comp, 1, *out);
@@ -20,10 +20,11 @@ static floe_status gather_motion(point_samples *p)
 {
     const int dim = p->s->mesh.dim;
     for (int a = 0; a < dim; a++) {
-        TRY(gather(p, P_POS, a, &p->x[a]));
-        TRY(gather(p, P_VEL, a, &p->v[a]));
+        TRY(gather_point_values(p, P_POS, a, &p->x[a]));
+        TRY(gather_point_values(p, P_VEL, a, &p->v[a]));
     }
-    for (int c = 0; c < field_component_count(FIELD_STRESS, dim); c++) TRY(gather(p, P_STRESS, c, &p->stress[c]));
+    for (int c = 0; c < field_component_count(FIELD_STRESS, dim); c++)
+        TRY(gather_point_values(p, P_STRESS, c, &p->stress[c]));
     return FLOE_OK;
 }
 
@@ -31,9 +32,9 @@ static floe_status gather_motion(point_samples *p)
 static floe_status gather_volume(point_samples *p)
 {
     double *J, *mass;
-    TRY(gather(p, P_VOLUME0, 0, &p->volume));
-    TRY(gather(p, P_MASS, 0, &p->density));
-    TRY(gather(p, P_J, 0, &J));
+    TRY(gather_point_values(p, P_VOLUME0, 0, &p->volume));
+    TRY(gather_point_values(p, P_MASS, 0, &p->density));
+    TRY(gather_point_values(p, P_J, 0, &J));
     mass = p->density;
     for (size_t i = 0; i < p->list.n; i++) {
         p->volume[i] *= J[i];
@@ -67,28 +68,28 @@ static floe_status gather_normals(point_samples *p)
     const fields *f = p->s->domain->fields[0];
     const int dim = p->s->mesh.dim;
     if (fields_has(f, P_NORMAL, p->body)) {
-        for (int a = 0; a < dim; a++) TRY(gather(p, P_NORMAL, a, &p->normal[a]));
+        for (int a = 0; a < dim; a++) TRY(gather_point_values(p, P_NORMAL, a, &p->normal[a]));
     } else if (dim == 2 && fields_has(f, P_TANGENT, p->body)) {
-        for (int a = 0; a < dim; a++) TRY(gather(p, P_TANGENT, 1 - a, &p->normal[a]));
+        for (int a = 0; a < dim; a++) TRY(gather_point_values(p, P_TANGENT, 1 - a, &p->normal[a]));
         for (size_t i = 0; i < p->list.n; i++) p->normal[1][i] = -p->normal[1][i];
     }
     return FLOE_OK;
 }
 
-static floe_status take(point_samples *p)
+static floe_status take_point_samples(point_samples *p)
 {
     TRY(point_list_make(&p->list, p->s, p->body));
     TRY(gather_motion(p));
     TRY(gather_volume(p));
     if (exact_provides(p->solution, EXACT_NORMAL)) TRY(gather_normals(p));
-    if (fields_has(p->s->domain->fields[0], P_ENERGY, p->body)) TRY(gather(p, P_ENERGY, 0, &p->energy));
+    if (fields_has(p->s->domain->fields[0], P_ENERGY, p->body)) TRY(gather_point_values(p, P_ENERGY, 0, &p->energy));
     return exact_is_solid(p->solution) ? find_start(p) : FLOE_OK;
 }
 
 floe_status point_samples_take(point_samples *p, const sim *s, const exact *solution, int body)
 {
     *p = (point_samples){.s = s, .solution = solution, .body = body};
-    const floe_status status = take(p);
+    const floe_status status = take_point_samples(p);
     if (status != FLOE_OK) point_samples_free(p);
     return status;
 }
@@ -109,7 +110,7 @@ void point_samples_free(point_samples *p)
     point_list_free(ctx, &p->list);
 }
 
-static void place(double *const from[3], int dim, size_t i, double x[3])
+static void point_position(double *const from[3], int dim, size_t i, double x[3])
 {
     for (int a = 0; a < 3; a++) x[a] = a < dim ? from[a][i] : 0.0;
 }
@@ -124,7 +125,7 @@ static bool is_turned(const point_samples *p)
 /* The place as the solution has it. */
 static void solution_place(const point_samples *p, size_t i, double x[3])
 {
-    place(p->start[0] ? p->start : p->x, p->s->mesh.dim, i, x);
+    point_position(p->start[0] ? p->start : p->x, p->s->mesh.dim, i, x);
     if (!is_turned(p)) return;
     x[2] = x[1];
     x[1] = 0.0;
@@ -202,7 +203,7 @@ static double normal_value(const point_samples *p, exact_quantity quantity, size
 {
     double own[3], wanted[3], across[3];
     if (!p->normal[0]) return NAN;
-    place(p->normal, p->s->mesh.dim, i, own);
+    point_position(p->normal, p->s->mesh.dim, i, own);
     for (int a = 0; a < 3; a++) wanted[a] = point_exact(p, (exact_quantity)(EXACT_NORMAL_X + a), i);
     const double along = vec_dot(own, wanted);
     if (quantity != EXACT_NORMAL) return copysign(1.0, along) * own[quantity - EXACT_NORMAL_X];
@@ -250,6 +251,6 @@ bool point_inside(const point_samples *p, const shape *region, size_t i)
 {
     double x[3];
     if (!region->model) return true;
-    place(p->x, p->s->mesh.dim, i, x);
+    point_position(p->x, p->s->mesh.dim, i, x);
     return shape_inside(region, p->s->mesh.dim, x);
 }

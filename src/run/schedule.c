@@ -4,14 +4,14 @@
 
 static const double slack = 1e-9; /* of an interval */
 
-static double reached(double time, double interval)
+static double last_output_time(double time, double interval)
 {
     return floor(time / interval + slack);
 }
 
 double schedule_next(double time, double interval)
 {
-    return isfinite(interval) ? (reached(time, interval) + 1.0) * interval : (double)INFINITY;
+    return isfinite(interval) ? (last_output_time(time, interval) + 1.0) * interval : (double)INFINITY;
 }
 
 bool schedule_is_due(double time, double interval)
@@ -25,5 +25,5 @@ bool schedule_is_passed(double before, double after, double interval)
 {
     if (!isfinite(interval)) return false;
     if (!(interval > 0.0)) return after > before;
-    return reached(after, interval) > reached(before, interval);
+    return last_output_time(after, interval) > last_output_time(before, interval);
 }

@@ -28,7 +28,7 @@ spoiler spoiler_find(const char *name, size_t length)
     return SPOILER_COUNT;
 }
 
-static double mixed(spoiler kind, bool is_velocity, double start, double end)
+static double mixed_value(spoiler kind, bool is_velocity, double start, double end)
 {
     if (!is_velocity) return start + table[kind].motion * (end - start);
     return isnan(table[kind].velocity) ? start : table[kind].velocity * end;
@@ -82,7 +82,7 @@ static floe_status mix_cells(void *user, field_id id, int instance)
             const double *end = field_next(m->end->domain->fields[b], id, instance, c);
             double *to = field_get(m->end->domain->fields[b], id, instance, c);
             for (size_t i = 0; i < m->end->mesh.block[b].size; i++)
-                to[i] = mixed(m->kind, id == C_VEL, start[i], end[i]);
+                to[i] = mixed_value(m->kind, id == C_VEL, start[i], end[i]);
         }
     return FLOE_OK;
 }
@@ -103,7 +103,7 @@ static floe_status mix_points(void *user, field_id id, int instance)
             const double start = field_get(m->start->domain->fields[from.block], id, instance, c)[from.index];
             const double end = field_next(m->end->domain->fields[to.block], id, instance, c)[to.index];
             field_get(m->end->domain->fields[to.block], id, instance, c)[to.index] =
-                mixed(m->kind, id == P_VEL || id == P_AFFINE, start, end);
+                mixed_value(m->kind, id == P_VEL || id == P_AFFINE, start, end);
         }
     }
     return FLOE_OK;
@@ -119,7 +119,7 @@ static floe_status mix_body(mixing *m, int body)
     return status;
 }
 
-static floe_status mix(const spoiled_run *r, spoiler kind)
+static floe_status mix_columns(const spoiled_run *r, spoiler kind)
 {
     mixing m = {.start = r->start.sim, .end = r->end.sim, .kind = kind};
     TRY(fields_visit(m.end->domain->fields[0], mix_cells, &m));
@@ -148,7 +148,7 @@ void spoil_close(spoiled_run *r)
 
 typedef enum column_kind { COLUMN_KEPT, COLUMN_VELOCITY, COLUMN_SQUARE, COLUMN_ABOUT_START } column_kind;
 
-static bool begins(const char *text, const char *with)
+static bool begins_with(const char *text, const char *with)
 {
     return strncmp(text, with, strlen(with)) == 0;
 }
@@ -160,19 +160,19 @@ static column_kind kind_of(const char *name)
     static const char *const square[] = {"kinetic", "strain"};
     static const char *const velocity[] = {"momentum", "velocity_", "angular_momentum"};
     for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++)
-        if (begins(name, kept[i])) return COLUMN_KEPT;
+        if (begins_with(name, kept[i])) return COLUMN_KEPT;
     for (size_t i = 0; i < sizeof square / sizeof square[0]; i++)
-        if (begins(name, square[i])) return COLUMN_SQUARE;
+        if (begins_with(name, square[i])) return COLUMN_SQUARE;
     for (size_t i = 0; i < sizeof velocity / sizeof velocity[0]; i++)
-        if (begins(name, velocity[i])) return COLUMN_VELOCITY;
+        if (begins_with(name, velocity[i])) return COLUMN_VELOCITY;
     return strstr(name, "_velocity_") ? COLUMN_VELOCITY : COLUMN_ABOUT_START;
 }
 
 static double spoil_value(column_kind column, spoiler kind, double first, double value)
 {
     if (column == COLUMN_KEPT) return value;
-    if (column == COLUMN_ABOUT_START) return mixed(kind, false, first, value);
-    if (column == COLUMN_VELOCITY || isnan(table[kind].velocity)) return mixed(kind, true, first, value);
+    if (column == COLUMN_ABOUT_START) return mixed_value(kind, false, first, value);
+    if (column == COLUMN_VELOCITY || isnan(table[kind].velocity)) return mixed_value(kind, true, first, value);
     return table[kind].velocity * table[kind].velocity * value;
 }
 
@@ -188,7 +188,7 @@ void spoil_history(csv_table *rows, spoiler kind)
 
 floe_status spoil_measure(spoiled_run *r, spoiler kind, const csv_table *rows, run_summary *out)
 {
-    TRY(mix(r, kind));
+    TRY(mix_columns(r, kind));
     TRY(measure_errors(r->end.sim, &r->end.solution, out));
     return measure_history_rows(r->end.sim, rows, out);
 }

@@ -36,7 +36,7 @@ static const char *fate_of(double drift)
     return drift < 0.0 ? "lost" : "from nothing";
 }
 
-static void describe(const sim *s, int q, char text[TEXT])
+static void describe_drift(const sim *s, int q, char text[TEXT])
 {
     const double drift = drift_of(s, q);
     (void)snprintf(text, TEXT, "%s: %.2g %% of what was there at the start and came in is %s by t = %.6g%s",
@@ -57,7 +57,7 @@ void truth_log(run_truth *t, const sim *s)
         const int passed = bars_passed(s, q);
         if (passed <= t->passed[q]) continue;
         t->passed[q] = passed;
-        describe(s, q, text);
+        describe_drift(s, q, text);
         context_log(s->ctx, LOG_INFO, "%s", text);
     }
 }
@@ -113,7 +113,7 @@ void truth_summarise(const sim *s, run_summary *out)
     note_counts(s, &n);
     for (int q = 0; q < LEDGER_QUANTITIES; ++q) {
         if (bars_passed(s, q) < BARS) continue;
-        describe(s, q, text);
+        describe_drift(s, q, text);
         summary_add_warning(out, text);
     }
 }

@@ -29,7 +29,7 @@ static floe_status write_array(void *user, const state_array *array)
 }
 
 /* Lists the points of all bodies, and makes room for the largest array. */
-static floe_status prepare(state_writer *w)
+static floe_status prepare_writer(state_writer *w)
 {
     size_t largest = w->s->ice ? mesh_cells(&w->s->mesh) : 0;
     const int bodies = w->s->mpm ? w->s->mpm->n_bodies : 0;
@@ -43,7 +43,7 @@ static floe_status prepare(state_writer *w)
 static floe_status write_state(const sim *s, hdf_file *hdf)
 {
     state_writer w = {.s = s, .hdf = hdf};
-    floe_status status = prepare(&w);
+    floe_status status = prepare_writer(&w);
     if (status == FLOE_OK) status = checkpoint_visit_state(s, write_array, &w);
     memory_free(s->ctx, &w.data);
     for (int b = 0; b < SCENE_MAX_BODIES; b++) point_list_free(s->ctx, &w.list[b]);
@@ -75,7 +75,7 @@ static floe_status write_manifest(const sim *s, hdf_file *hdf, const checkpoint_
     return status;
 }
 
-static floe_status write_all(const sim *s, hdf_file *hdf, const checkpoint_run *run)
+static floe_status write_checkpoint_image(const sim *s, hdf_file *hdf, const checkpoint_run *run)
 {
     checkpoint_record record;
     checkpoint_record_take(&record, s, run);
@@ -96,7 +96,7 @@ static floe_status make_image(const sim *s, const char *path, const checkpoint_r
 {
     hdf_file hdf;
     TRY(hdf_create(&hdf, s->ctx, path));
-    floe_status status = write_all(s, &hdf, run);
+    floe_status status = write_checkpoint_image(s, &hdf, run);
     if (status == FLOE_OK) status = hdf_image(&hdf, image, size);
     hdf_close(&hdf);
     return status;

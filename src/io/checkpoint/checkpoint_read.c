@@ -34,7 +34,7 @@ static void point_path(char path[128], int body, field_id id, int comp)
     (void)snprintf(path, 128, "/points/%d/%s_%d", body, field_describe(id)->name, comp);
 }
 
-static floe_status make_room(state_reader *r, size_t n)
+static floe_status reserve_values(state_reader *r, size_t n)
 {
     if (r->data && n <= r->room) return FLOE_OK;
     TRY(memory_resize(r->s->ctx, &r->data, n, sizeof *r->data));
@@ -43,7 +43,7 @@ static floe_status make_room(state_reader *r, size_t n)
 }
 
 /* How many numbers an array must have. */
-static size_t expected(const state_reader *r, const state_array *array)
+static size_t expected_length(const state_reader *r, const state_array *array)
 {
     const bool points = field_describe(array->id)->centring == FIELD_POINT;
     return points ? r->body[array->instance].n : mesh_cells(&r->s->mesh);
@@ -86,7 +86,7 @@ static floe_status check_array(void *user, const state_array *array)
     state_reader *r = user;
     hdf_type type;
     hdf_shape has;
-    const size_t n = expected(r, array);
+    const size_t n = expected_length(r, array);
     TRY(hdf_describe(r->hdf, array->path, &type, &has));
     if (type == HDF_DOUBLE && has.rank == 1 && has.extent[0] == n) {
         TRY(hdf_read(r->hdf, array->path, HDF_DOUBLE, (hdf_shape){1, {n}}, r->data));
@@ -168,7 +168,7 @@ static floe_status check_body(state_reader *r, int body)
     }
     const size_t n = has.extent[0];
     r->body[body].n = n;
-    TRY(make_room(r, n));
+    TRY(reserve_values(r, n));
     TRY(memory_new(r->s->ctx, &r->body[body].block, n, 1));
     TRY(check_ids(r, body, n));
     return read_positions(r, body);
@@ -195,11 +195,11 @@ static floe_status check_state(state_reader *r)
     const int bodies = r->s->mpm ? r->s->mpm->n_bodies : 0;
     for (int b = 0; b < bodies; b++) TRY(check_body(r, b));
     TRY(check_points(r));
-    if (r->s->ice) TRY(make_room(r, mesh_cells(&r->s->mesh)));
+    if (r->s->ice) TRY(reserve_values(r, mesh_cells(&r->s->mesh)));
     return checkpoint_visit_state(r->s, check_array, r);
 }
 
-static floe_status reserve(state_reader *r)
+static floe_status reserve_points(state_reader *r)
 {
     const sim *s = r->s;
     const int bodies = s->mpm ? s->mpm->n_bodies : 0;
@@ -224,7 +224,7 @@ static void scatter_points(const state_reader *r, const state_array *array)
 static floe_status read_array(void *user, const state_array *array)
 {
     state_reader *r = user;
-    TRY(hdf_read(r->hdf, array->path, HDF_DOUBLE, (hdf_shape){1, {expected(r, array)}}, r->data));
+    TRY(hdf_read(r->hdf, array->path, HDF_DOUBLE, (hdf_shape){1, {expected_length(r, array)}}, r->data));
     if (field_describe(array->id)->centring == FIELD_POINT) {
         scatter_points(r, array);
     } else {
@@ -245,7 +245,7 @@ static void set_counts(state_reader *r)
 static floe_status read_state(state_reader *r)
 {
     TRY(check_state(r));
-    TRY(reserve(r));
+    TRY(reserve_points(r));
     TRY(checkpoint_visit_state(r->s, read_array, r));
     set_counts(r);
     return FLOE_OK;
@@ -317,7 +317,7 @@ static floe_status read_extra(hdf_file *hdf, const checkpoint_extra *extra)
     return status;
 }
 
-static floe_status read_all(sim *s, hdf_file *hdf, checkpoint_run *run)
+static floe_status read_checkpoint_state(sim *s, hdf_file *hdf, checkpoint_run *run)
 {
     checkpoint_record record = {0};
     state_reader reader = {.s = s, .hdf = hdf, .record = &record};
@@ -339,7 +339,7 @@ floe_status checkpoint_decode(sim *s, const char *name, const void *image, size_
 {
     hdf_file hdf;
     floe_status status = hdf_open(&hdf, s->ctx, name, image, size);
-    if (status == FLOE_OK) status = read_all(s, &hdf, run);
+    if (status == FLOE_OK) status = read_checkpoint_state(s, &hdf, run);
     hdf_close(&hdf);
     return status;
 }

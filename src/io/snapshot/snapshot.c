@@ -43,7 +43,7 @@ static floe_status read_snapshot(context *ctx, const char *path, double *time, c
 }
 
 /* A damaged snapshot must not keep a run from resuming: it is left where it is, out of the page, and said so. */
-static floe_status pass_over(snapshot_series *series, floe_status status)
+static floe_status skip_damaged(snapshot_series *series, floe_status status)
 {
     if (status != FLOE_IO) return status;
     context_log(series->ctx, LOG_WARNING, "left out of fields.xdmf: %s", context_message(series->ctx));
@@ -59,7 +59,7 @@ static floe_status keep_or_remove(snapshot_series *series, const char *path, lon
         const floe_status status = read_snapshot(series->ctx, path, &time, &page);
         if (status != FLOE_OK) {
             series->next = number + 1;
-            return pass_over(series, status);
+            return skip_damaged(series, status);
         }
     }
     if (!(time <= keep_until)) {
@@ -108,7 +108,7 @@ static floe_status take_over_folder(snapshot_series *series, const char *folder,
     return status;
 }
 
-static floe_status take_over(snapshot_series *series, const char *dir, double keep_until)
+static floe_status resume_series(snapshot_series *series, const char *dir, double keep_until)
 {
     char *folder;
     TRY(memory_string(series->ctx, &series->dir, dir));
@@ -128,7 +128,7 @@ floe_status snapshot_open(snapshot_series **out, context *ctx, const char *dir, 
     series->last_time = -INFINITY;
     strbuf_init(&series->times, ctx);
     sha256_of_text(deck, series->deck_sha256);
-    const floe_status status = take_over(series, dir, keep_until);
+    const floe_status status = resume_series(series, dir, keep_until);
     if (status != FLOE_OK) snapshot_close(&series);
     *out = series;
     return status;
@@ -185,7 +185,8 @@ static floe_status write_head(const snapshot_series *series, const sim *s, hdf_f
     return hdf_attribute_text(hdf, "/time", "unit", s->scene->dimensionless ? "1" : "s");
 }
 
-static floe_status fill(const snapshot_series *series, const sim *s, hdf_file *hdf, strbuf *page, const char *name)
+static floe_status fill_snapshot(const snapshot_series *series, const sim *s, hdf_file *hdf, strbuf *page,
+                                 const char *name)
 {
     TRY(write_head(series, s, hdf));
     xdmf_begin_time(page, series->next, s->time);
@@ -200,7 +201,7 @@ static floe_status make_image(const snapshot_series *series, const sim *s, strbu
 {
     hdf_file hdf;
     TRY(hdf_create(&hdf, series->ctx, name));
-    floe_status status = fill(series, s, &hdf, page, name);
+    floe_status status = fill_snapshot(series, s, &hdf, page, name);
     if (status == FLOE_OK) status = hdf_image(&hdf, image, size);
     hdf_close(&hdf);
     return status;

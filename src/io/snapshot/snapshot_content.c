@@ -79,12 +79,12 @@ static floe_status add_array(writer *w, const array_spec *spec)
     return w->page->status;
 }
 
-static size_t entries(const writer *w)
+static size_t count_entries(const writer *w)
 {
     return w->on_points ? w->points->n : mesh_cells(&w->s->mesh);
 }
 
-static void gather(const writer *w, field_id id, int instance, int comp, size_t stride, double *to)
+static void gather_values(const writer *w, field_id id, int instance, int comp, size_t stride, double *to)
 {
     if (w->on_points) {
         gather_points(w->s, w->points, id, comp, stride, to);
@@ -96,8 +96,8 @@ static void gather(const writer *w, field_id id, int instance, int comp, size_t 
 /* A vector in w->data: three numbers an entry, those beyond the scene's dimension 0. */
 static void gather_vector(writer *w, field_id id, int instance)
 {
-    memset(w->data, 0, 3 * entries(w) * sizeof *w->data);
-    for (int c = 0; c < w->s->mesh.dim; c++) gather(w, id, instance, c, 3, w->data + c);
+    memset(w->data, 0, 3 * count_entries(w) * sizeof *w->data);
+    for (int c = 0; c < w->s->mesh.dim; c++) gather_values(w, id, instance, c, 3, w->data + c);
 }
 
 /* Masses and volumes are kept per metre of depth or per radian, and written whole. */
@@ -112,18 +112,18 @@ static void scale_extensive(writer *w, field_id id, size_t numbers)
 static floe_status add_history(writer *w, field_id id, int body)
 {
     const solid_history *h = &w->s->mpm->body[body].law->history[id - P_HISTORY_1];
-    gather(w, id, body, 0, 1, w->data);
+    gather_values(w, id, body, 0, 1, w->data);
     return add_array(w, &(array_spec){.name = h->name, .unit = h->unit, .meaning = h->doc});
 }
 
 /* Beyond a membrane a gas has no pressure: what stands there is lent to it for differences (ice_sealed.c). */
 static floe_status mask_closed(writer *w, int instance, double *data)
 {
-    const size_t n = entries(w);
+    const size_t n = count_entries(w);
     double *open;
     if (!fields_has(w->s->domain->fields[0], C_OPEN, instance)) return FLOE_OK;
     TRY(memory_new(w->s->ctx, &open, n, sizeof *open));
-    gather(w, C_OPEN, instance, 0, 1, open);
+    gather_values(w, C_OPEN, instance, 0, 1, open);
     for (size_t i = 0; i < n; i++) data[i] = open[i] > 0.0 ? data[i] : 0.0;
     memory_free(w->s->ctx, &open);
     return FLOE_OK;
@@ -136,16 +136,16 @@ static floe_status add_field(writer *w, field_id id, int instance, const char *n
     array_spec spec = {.name = name, .unit = info->unit, .meaning = info->meaning};
     if (info->components == FIELD_VECTOR) {
         gather_vector(w, id, instance);
-        scale_extensive(w, id, 3 * entries(w));
+        scale_extensive(w, id, 3 * count_entries(w));
         spec.vector = true;
         return add_array(w, &spec);
     }
     const int components = field_component_count(info->components, w->s->mesh.dim);
     for (int c = 0; c < components; c++) {
         char full[NAME_SIZE];
-        gather(w, id, instance, c, 1, w->data);
+        gather_values(w, id, instance, c, 1, w->data);
         if (id == C_PRESSURE) TRY(mask_closed(w, instance, w->data));
-        scale_extensive(w, id, entries(w));
+        scale_extensive(w, id, count_entries(w));
         const bool named = info->components != FIELD_SCALAR;
         (void)snprintf(full, sizeof full, "%s%s%s", name, named ? "_" : "",
                        named ? component_name(w->s, info->components, c) : "");
