@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool complain(strbuf *errors, const char *text, const char *why)
+static bool complain_of_axis(strbuf *errors, const char *text, const char *why)
 {
     strbuf_append(errors, "axis '%s': %s: write KEY=V1,V2,... as in domain.cell=0.1,0.05\n", text, why);
     return false;
@@ -39,20 +39,20 @@ static int find_value(const scene_axis *axis, const char *value)
 }
 
 /* The key before '=' at *at, which moves behind it. */
-static bool take_key(const char *whole, const char **at, char key[SCENE_KEY], strbuf *errors)
+static bool parse_axis_key(const char *whole, const char **at, char key[SCENE_KEY], strbuf *errors)
 {
     while (isspace((unsigned char)**at)) (*at)++;
     const size_t length = strcspn(*at, "=");
-    if (length == 0 || (*at)[length] == '\0') return complain(errors, whole, "it has no key with values");
-    if (length >= SCENE_KEY) return complain(errors, whole, "its key is too long");
+    if (length == 0 || (*at)[length] == '\0') return complain_of_axis(errors, whole, "it has no key with values");
+    if (length >= SCENE_KEY) return complain_of_axis(errors, whole, "its key is too long");
     (void)snprintf(key, SCENE_KEY, "%.*s", (int)length, *at);
     *at += length + 1;
-    if (**at == '\0') return complain(errors, whole, "its list of values is empty");
+    if (**at == '\0') return complain_of_axis(errors, whole, "its list of values is empty");
     return true;
 }
 
 /* Value number n at *at, blanks around it left out; *at moves to the separator behind it. */
-static bool take_value(const char *whole, const char **at, int n, char value[SCENE_VALUE], strbuf *errors)
+static bool parse_axis_value(const char *whole, const char **at, int n, char value[SCENE_VALUE], strbuf *errors)
 {
     char why[SCENE_VALUE];
     const char *from = *at;
@@ -61,44 +61,44 @@ static bool take_value(const char *whole, const char **at, int n, char value[SCE
     while (length > 0 && isspace((unsigned char)*from)) from++, length--;
     while (length > 0 && isspace((unsigned char)from[length - 1])) length--;
     (void)snprintf(why, sizeof why, "its value %d is empty", n);
-    if (length == 0) return complain(errors, whole, why);
+    if (length == 0) return complain_of_axis(errors, whole, why);
     (void)snprintf(why, sizeof why, "its value %d is longer than %d characters", n, SCENE_VALUE - 1);
-    if (length >= SCENE_VALUE) return complain(errors, whole, why);
+    if (length >= SCENE_VALUE) return complain_of_axis(errors, whole, why);
     (void)snprintf(why, sizeof why, "it has more than %d values", SCENE_MAX_AXIS);
-    if (n > SCENE_MAX_AXIS) return complain(errors, whole, why);
+    if (n > SCENE_MAX_AXIS) return complain_of_axis(errors, whole, why);
     (void)snprintf(value, SCENE_VALUE, "%.*s", (int)length, from);
     return true;
 }
 
-static bool take_values(const char *whole, const char **at, scene_axis *axis, strbuf *errors)
+static bool parse_axis_values(const char *whole, const char **at, scene_axis *axis, strbuf *errors)
 {
     for (;; (*at)++) {
         char value[SCENE_VALUE], why[2 * SCENE_VALUE];
-        if (!take_value(whole, at, axis->n_values + 1, value, errors)) return false;
+        if (!parse_axis_value(whole, at, axis->n_values + 1, value, errors)) return false;
         (void)snprintf(why, sizeof why, "the value '%s' is given twice", value);
-        if (find_value(axis, value) >= 0) return complain(errors, whole, why);
+        if (find_value(axis, value) >= 0) return complain_of_axis(errors, whole, why);
         memcpy(axis->value[axis->n_values++], value, sizeof value);
         if (**at != ',') return true;
     }
 }
 
 /* ";KEY=V1,V2,...": as many values as the axis has. */
-static bool take_with(const char *whole, const char **at, scene_axis *axis, strbuf *errors)
+static bool parse_with_values(const char *whole, const char **at, scene_axis *axis, strbuf *errors)
 {
     char value[SCENE_VALUE], why[2 * SCENE_KEY + 96];
     scene_values *with = &axis->with[axis->n_with];
     int given = 0;
     (void)snprintf(why, sizeof why, "more than %d keys change along with '%s'", SCENE_MAX_WITH, axis->key);
-    if (axis->n_with == SCENE_MAX_WITH) return complain(errors, whole, why);
-    if (!take_key(whole, at, with->key, errors)) return false;
+    if (axis->n_with == SCENE_MAX_WITH) return complain_of_axis(errors, whole, why);
+    if (!parse_axis_key(whole, at, with->key, errors)) return false;
     for (int n = 0; n == 0 || **at == ','; n++) {
         if (n > 0) (*at)++;
-        if (!take_value(whole, at, n + 1, value, errors)) return false;
+        if (!parse_axis_value(whole, at, n + 1, value, errors)) return false;
         if (n < axis->n_values) memcpy(with->value[n], value, sizeof value);
         given = n + 1;
     }
     (void)snprintf(why, sizeof why, "'%s' has %d values for %d of '%s'", with->key, given, axis->n_values, axis->key);
-    if (given != axis->n_values) return complain(errors, whole, why);
+    if (given != axis->n_values) return complain_of_axis(errors, whole, why);
     axis->n_with++;
     return true;
 }
@@ -107,10 +107,10 @@ bool axis_parse(const char *text, scene_axis *axis, strbuf *errors)
 {
     const char *at = text;
     *axis = (scene_axis){0};
-    if (!take_key(text, &at, axis->key, errors) || !take_values(text, &at, axis, errors)) return false;
+    if (!parse_axis_key(text, &at, axis->key, errors) || !parse_axis_values(text, &at, axis, errors)) return false;
     while (*at == ';') {
         at++;
-        if (!take_with(text, &at, axis, errors)) return false;
+        if (!parse_with_values(text, &at, axis, errors)) return false;
     }
     return true;
 }

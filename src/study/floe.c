@@ -33,7 +33,7 @@ struct floe_run {
 static pthread_once_t init_once = PTHREAD_ONCE_INIT;
 static floe_status init_status = FLOE_OK;
 
-static void init(void)
+static void init_library(void)
 {
     gsl_set_error_handler_off();
     deck_init();
@@ -42,7 +42,7 @@ static void init(void)
 
 floe_status floe_init(void)
 {
-    return pthread_once(&init_once, init) == 0 ? init_status : FLOE_INTERNAL;
+    return pthread_once(&init_once, init_library) == 0 ? init_status : FLOE_INTERNAL;
 }
 
 const char *floe_version(void)
@@ -78,13 +78,13 @@ const char *floe_message(const floe_context *floe)
 }
 
 /* Forgets what earlier calls had to say. */
-static void clear(floe_context *floe)
+static void clear_messages(floe_context *floe)
 {
     deck_report_free(&floe->report);
     context_clear(floe->ctx);
 }
 
-static floe_status load(floe_deck *deck, const char *path, const deck_overrides *set)
+static floe_status load_deck(floe_deck *deck, const char *path, const deck_overrides *set)
 {
     floe_context *floe = deck->floe;
     deck_catalogue *catalogue;
@@ -97,10 +97,10 @@ static floe_status load(floe_deck *deck, const char *path, const deck_overrides 
 floe_status floe_load(floe_context *floe, const char *path, const char *const *set, size_t n_set, floe_deck **deck)
 {
     *deck = NULL;
-    clear(floe);
+    clear_messages(floe);
     TRY(memory_new(floe->ctx, deck, 1, sizeof **deck));
     (*deck)->floe = floe;
-    const floe_status status = load(*deck, path, &(deck_overrides){set, n_set});
+    const floe_status status = load_deck(*deck, path, &(deck_overrides){set, n_set});
     if (status != FLOE_OK) floe_deck_destroy(deck);
     return status;
 }
@@ -117,7 +117,7 @@ floe_status floe_execute(floe_deck *deck, const floe_options *options, floe_run 
 {
     context *ctx = deck->floe->ctx;
     *run = NULL;
-    clear(deck->floe);
+    clear_messages(deck->floe);
     if (!options || !options->directory)
         return fail(ctx, FLOE_BAD_INPUT, "a run needs a directory for its results: floe_options.directory");
     TRY(memory_new(ctx, run, 1, sizeof **run));
@@ -137,7 +137,7 @@ void floe_run_destroy(floe_run **run)
 }
 
 /* The rest of `name` after "PREFIX.", NULL if it begins otherwise. */
-static const char *after(const char *name, const char *prefix)
+static const char *rest_after_prefix(const char *name, const char *prefix)
 {
     const size_t length = strlen(prefix);
     return strncmp(name, prefix, length) == 0 && name[length] == '.' ? name + length + 1 : NULL;
@@ -159,7 +159,7 @@ static double find_counter(const run_summary *r, const char *name)
     return NAN;
 }
 
-static double find_plain(const run_summary *r, const char *name)
+static double find_summary_number(const run_summary *r, const char *name)
 {
     const summary_value plain[] = {
         {"time", r->time},
@@ -182,11 +182,11 @@ static double find_plain(const run_summary *r, const char *name)
 double floe_value(const floe_run *run, const char *name)
 {
     const run_summary *r = &run->summary;
-    if (after(name, "errors")) return find_value(r->errors, r->n_errors, after(name, "errors"));
-    if (after(name, "counters")) return find_counter(r, after(name, "counters"));
-    if (after(name, "seconds_by_stage"))
-        return find_value(r->seconds_by_stage, r->n_stages, after(name, "seconds_by_stage"));
-    return find_plain(r, name);
+    if (rest_after_prefix(name, "errors")) return find_value(r->errors, r->n_errors, rest_after_prefix(name, "errors"));
+    if (rest_after_prefix(name, "counters")) return find_counter(r, rest_after_prefix(name, "counters"));
+    if (rest_after_prefix(name, "seconds_by_stage"))
+        return find_value(r->seconds_by_stage, r->n_stages, rest_after_prefix(name, "seconds_by_stage"));
+    return find_summary_number(r, name);
 }
 
 const char *floe_run_status(const floe_run *run)

@@ -36,7 +36,7 @@ static void show_units(csv_table *t)
 }
 
 /* The rows with the source's name and h before each; the names of the columns once. */
-static void append_rows(strbuf *out, const profile_source *source, bool dimensionless, const char *text)
+static void append_profile_rows(strbuf *out, const profile_source *source, bool dimensionless, const char *text)
 {
     const bool first = out->length == 0;
     bool names = true;
@@ -54,7 +54,7 @@ static floe_status read_table(drawing *f, const profile_source *source, csv_tabl
     char *text;
     if (!file_exists(source->path)) return FLOE_OK;
     TRY(file_read(f->ctx, source->path, &text, NULL));
-    append_rows(&f->rows, source, f->dimensionless, text);
+    append_profile_rows(&f->rows, source, f->dimensionless, text);
     const floe_status status = csv_parse(t, f->ctx, text);
     memory_free(f->ctx, &text);
     show_units(t);
@@ -69,7 +69,7 @@ static const csv_column *find_column(const csv_table *t, const char *prefix, con
     return csv_find(t, wanted);
 }
 
-static const csv_column *find_place(const csv_table *t)
+static const csv_column *find_position_column(const csv_table *t)
 {
     const csv_column *r = csv_find(t, "r");
     return r ? r : csv_find(t, "x");
@@ -95,14 +95,14 @@ static void add_panel(drawing *f, const csv_table *finest, const csv_column *col
 {
     plot_panel *panel = &f->panel[f->n_panels];
     char *x_label = f->label[f->n_labels++], *y_label = f->label[f->n_labels++];
-    write_label(find_place(finest), x_label);
+    write_label(find_position_column(finest), x_label);
     write_label(column, y_label);
     *panel = (plot_panel){.series = &f->series[f->n_series], .x_label = x_label, .y_label = y_label};
-    add_series(f, finest, find_place(finest), exact,
+    add_series(f, finest, find_position_column(finest), exact,
                (plot_series){.name = f->exact, .style = PLOT_LINES, .emphasis = true});
     for (size_t i = 0; i < f->n; i++) {
         const csv_table *t = &f->table[i];
-        const csv_column *x = find_place(t), *y = csv_find(t, column->name);
+        const csv_column *x = find_position_column(t), *y = csv_find(t, column->name);
         if (!x || !y) continue;
         add_series(f, t, x, y,
                    (plot_series){.name = f->source[i].name, .style = PLOT_POINTS, .colour = f->source[i].colour});
@@ -112,7 +112,7 @@ static void add_panel(drawing *f, const csv_table *finest, const csv_column *col
 
 static void add_panels(drawing *f, const csv_table *finest)
 {
-    if (!find_place(finest)) return;
+    if (!find_position_column(finest)) return;
     for (size_t k = 0; k < finest->n_columns && f->n_panels < MAX_PANELS; k++) {
         const csv_column *exact = find_column(finest, "exact_", finest->column[k].name);
         if (exact) add_panel(f, finest, &finest->column[k], exact);
@@ -125,7 +125,7 @@ floe_status figure_write(context *ctx, const char *dir, const plot_figure *figur
     return *missing ? FLOE_OK : plots_draw(ctx, dir, figure, 1, missing);
 }
 
-static floe_status draw(drawing *f, const char *dir, bool *missing)
+static floe_status draw_profiles(drawing *f, const char *dir, bool *missing)
 {
     const size_t most = (f->n + 1) * MAX_PANELS;
     const csv_table *finest = NULL;
@@ -157,7 +157,7 @@ floe_status profile_draw(context *ctx, const char *dir, const char *exact, const
     drawing f = {.ctx = ctx, .source = source, .n = n, .exact = exact, .dimensionless = dimensionless};
     strbuf_init(&f.rows, ctx);
     TRY(memory_new(ctx, &f.table, n, sizeof *f.table));
-    const floe_status status = draw(&f, dir, missing);
+    const floe_status status = draw_profiles(&f, dir, missing);
     for (size_t i = 0; i < n; i++) csv_free(&f.table[i]);
     memory_free(ctx, &f.table);
     strbuf_free(&f.rows);

@@ -38,7 +38,7 @@ static floe_status run_all(study *s)
     return status == FLOE_OK ? study_time(s) : status;
 }
 
-static floe_status carry_out(study *s)
+static floe_status run_study(study *s)
 {
     TRY(study_make_plan(s));
     const floe_status status = run_all(s);
@@ -54,7 +54,7 @@ floe_status study_run(study **out, context *ctx, const study_options *options)
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->ctx = ctx;
     (*out)->options = options;
-    return carry_out(*out);
+    return run_study(*out);
 }
 
 void study_destroy(study **s)

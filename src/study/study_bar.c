@@ -52,7 +52,7 @@ static double error_at(const study *s, const study_case *one, const char *metric
 }
 
 /* The finest case of a group, finished or not: `over` is as the axis has it. */
-static size_t finest(const study *s, size_t group)
+static size_t finest_case(const study *s, size_t group)
 {
     size_t best = s->n;
     for (size_t i = 0; i < s->n; i++) {
@@ -85,12 +85,12 @@ static void add_error(const study *s, const scene_bar *bar, size_t i, bar_list *
 }
 
 /* An order is asked of groups; an error of the finest case of each group, or of those that `where` names. */
-static void judge(const study *s, const scene_bar *bar, bar_list *out)
+static void judge_bar(const study *s, const scene_bar *bar, bar_list *out)
 {
     const bool by_case = names_over(s, bar) || s->over < 0;
     for (size_t i = 0; i < s->n; i++) {
         const study_case *one = &s->list[i];
-        const bool last = finest(s, one->group) == i;
+        const bool last = finest_case(s, one->group) == i;
         if (!isnan(bar->order) && last && study_belongs(s, one, &bar->where, false)) add_order(s, bar, one->group, out);
         if (!isnan(bar->error) && (last || by_case) && study_belongs(s, one, &bar->where, by_case))
             add_error(s, bar, i, out);
@@ -101,7 +101,7 @@ floe_status study_bars(const study *s, study_bar_result **out, size_t *n)
 {
     bar_list all = {.n = 0};
     TRY(memory_new(s->ctx, &all.list, 2 * s->n * (size_t)s->plan.n_bars, sizeof *all.list));
-    for (int b = 0; b < s->plan.n_bars; b++) judge(s, &s->plan.bar[b], &all);
+    for (int b = 0; b < s->plan.n_bars; b++) judge_bar(s, &s->plan.bar[b], &all);
     *out = all.list;
     *n = all.n;
     return FLOE_OK;

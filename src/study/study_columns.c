@@ -17,7 +17,7 @@ static floe_status append_names(scene *of, strbuf *names)
 }
 
 /* The cheapest case of a coupling; s->n: none. */
-static size_t cheapest(const study *s, scene_coupling coupling)
+static size_t cheapest_case(const study *s, scene_coupling coupling)
 {
     size_t best = s->n;
     for (size_t i = 0; i < s->n; i++) {
@@ -59,7 +59,7 @@ floe_status study_check_columns(const study *s, strbuf *errors)
     if (s->plan.n_quantities == 0) return FLOE_OK;
     strbuf_init(&names, s->ctx);
     for (int c = 0; c < COUPLING_COUNT && status == FLOE_OK; c++) {
-        const size_t i = cheapest(s, (scene_coupling)c);
+        const size_t i = cheapest_case(s, (scene_coupling)c);
         if (i < s->n) status = add_case(s, i, &names, &all);
     }
     if (status == FLOE_OK) status = names.status;

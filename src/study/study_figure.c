@@ -85,7 +85,8 @@ static plot_panel *begin_panel(drawing *d, const char *x_label, const char *name
 }
 
 /* The marked set: what is neither beaten in error nor in cost. */
-static void add_front(const study *s, drawing *d, const char *metric, study_cost cost, double scale, plot_panel *panel)
+static void add_pareto_front(const study *s, drawing *d, const char *metric, study_cost cost, double scale,
+                             plot_panel *panel)
 {
     double *x, *y;
     plot_series *series = add_series(d, "Pareto front", 0, &x, &y, s->n);
@@ -119,7 +120,7 @@ static void add_error_panel(const study *s, drawing *d, const char *metric, stud
         panel->slope[1] = 2.0;
         panel->n_slopes = 2;
     } else {
-        add_front(s, d, metric, cost, scale, panel);
+        add_pareto_front(s, d, metric, cost, scale, panel);
     }
 }
 
@@ -176,7 +177,7 @@ static floe_status draw_quantities(const study *s, bool *missing)
 }
 
 /* The finest case of a group that has come to its end with a profile; NULL if none. */
-static const study_case *finest(const study *s, size_t group)
+static const study_case *finest_profile(const study *s, size_t group)
 {
     const study_case *best = NULL;
     for (size_t i = 0; i < s->n; i++) {
@@ -192,7 +193,7 @@ static floe_status draw_profile(const study *s, bool *missing)
     size_t n = 0;
     if (s->n_groups > PLOT_COLOURS) return FLOE_OK; /* nobody could tell them apart */
     for (size_t g = 0; g < s->n_groups; g++) {
-        const study_case *one = finest(s, g);
+        const study_case *one = finest_profile(s, g);
         if (!one) continue;
         source[n].name = s->group[g];
         source[n].colour = (int)g;

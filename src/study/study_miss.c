@@ -13,7 +13,7 @@ typedef struct misses {
     size_t n, n_more;
 } misses;
 
-static void add(misses *m, const char *name, const char *why)
+static void add_miss(misses *m, const char *name, const char *why)
 {
     char text[MISS_LINE];
     const size_t at = strlen(m->line);
@@ -46,7 +46,7 @@ static floe_status add_bars(const study *s, misses *m, size_t *all)
         study_bar_text(s, &list[i], text, sizeof text);
         char *limit = strstr(text, ": ");
         if (limit) *limit = '\0';
-        add(m, text, limit ? limit + 2 : "");
+        add_miss(m, text, limit ? limit + 2 : "");
     }
     memory_free(s->ctx, &list);
     add_last(m);
@@ -79,7 +79,7 @@ static void add_cases(const study *s, misses *m)
         char unnoticed[BATCH_MESSAGE];
         study_unnoticed_text(one, unnoticed);
         (void)snprintf(name, sizeof name, "%s, %s", fault, one->run->label);
-        add(m, name, one->unnoticed != 0 ? unnoticed : study_has_verdicts(s) ? one->why : one->run->message);
+        add_miss(m, name, one->unnoticed != 0 ? unnoticed : study_has_verdicts(s) ? one->why : one->run->message);
     }
     add_last(m);
 }

@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* Puts a value into its place, coarsest first. */
-static void insert(study_order *o, double h, double value)
+static void insert_by_spacing(study_order *o, double h, double value)
 {
     if (!isfinite(h) || !(h > 0.0) || !isfinite(value) || o->n == SCENE_MAX_AXIS) return;
     size_t at = o->n++;
@@ -24,7 +24,7 @@ study_order study_order_of(const study *s, size_t group, const char *metric)
     order_fit fit;
     for (size_t i = 0; i < s->n; i++) {
         const double error = study_error(&s->list[i], metric);
-        if (s->list[i].group == group && error > 0.0) insert(&o, s->list[i].over, error);
+        if (s->list[i].group == group && error > 0.0) insert_by_spacing(&o, s->list[i].over, error);
     }
     for (size_t k = 0; k < SCENE_MAX_AXIS; k++) o.pair[k] = NAN;
     if (s->over < 0) return o;
@@ -41,7 +41,7 @@ bool study_limit_of(const study *s, size_t group, int quantity, study_limit *out
 {
     *out = (study_limit){0};
     for (size_t i = 0; i < s->n; i++) {
-        if (s->list[i].group == group) insert(&out->values, s->list[i].over, s->list[i].quantity[quantity]);
+        if (s->list[i].group == group) insert_by_spacing(&out->values, s->list[i].over, s->list[i].quantity[quantity]);
     }
     const study_order *v = &out->values;
     if (s->over < 0 || v->n < 3) return false;

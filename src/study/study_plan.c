@@ -107,7 +107,7 @@ static void take_setting(study *s, const char *text, strbuf *errors)
     }
 }
 
-static void take_axes(study *s, const scene *base, strbuf *errors)
+static void list_axes(study *s, const scene *base, strbuf *errors)
 {
     const study_options *o = s->options;
     scene_axis axis;
@@ -325,7 +325,7 @@ double study_cells(const mesh_spec *m)
     return cells;
 }
 
-static void take_scene(study *s, study_case *one, const scene *of)
+static void read_case_scene(study *s, study_case *one, const scene *of)
 {
     const char *unit;
     one->coupling = of->coupling;
@@ -344,7 +344,7 @@ static floe_status check_cases(study *s, strbuf *errors)
         scene *of;
         const floe_status status = batch_prepare(s->ctx, &batch, &s->run[i], &of);
         if (status == FLOE_OK) {
-            take_scene(s, &s->list[i], of);
+            read_case_scene(s, &s->list[i], of);
             scene_destroy(&of);
         } else if (status == FLOE_BAD_INPUT) {
             if (!strstr(strbuf_string(errors), context_message(s->ctx)))
@@ -375,7 +375,7 @@ static void take_refusals(study *s, const scene *base)
     }
 }
 
-static floe_status plan(study *s, const scene *base, strbuf *errors)
+static floe_status plan_cases(study *s, const scene *base, strbuf *errors)
 {
     const study_options *o = s->options;
     (void)snprintf(s->title, sizeof s->title, "%s", base->title);
@@ -386,7 +386,7 @@ static floe_status plan(study *s, const scene *base, strbuf *errors)
     if (o->compare && o->jobs <= 1 && o->threads <= 1) s->plan.repeat = 1;
     if (o->repeat >= 0) s->plan.repeat = o->repeat;
     if (o->max_wall > 0.0) s->plan.max_wall = o->max_wall;
-    take_axes(s, base, errors);
+    list_axes(s, base, errors);
     choose_over(s, errors);
     check_bars(s, errors);
     if (o->compare) take_refusals(s, base);
@@ -408,7 +408,7 @@ floe_status study_make_plan(study *s)
     strbuf errors;
     TRY(batch_prepare(s->ctx, &batch, &whole, &base));
     strbuf_init(&errors, s->ctx);
-    const floe_status status = plan(s, base, &errors);
+    const floe_status status = plan_cases(s, base, &errors);
     strbuf_free(&errors);
     scene_destroy(&base);
     return status;

@@ -33,7 +33,7 @@ floe_status study_set_up(scene *s, study_ready *out)
 }
 
 /* A case that cannot start is a result of its study; but one that the deck does not foresee is most likely a mistake. */
-static void tell(rehearsing *r, const study_case *one)
+static void tell_refused_case(rehearsing *r, const study_case *one)
 {
     const context *ctx = r->s->ctx;
     if (study_refusal_of(r->s, one)) {
@@ -63,12 +63,12 @@ static floe_status rehearse_case(rehearsing *r, size_t i, bool all)
     scene_destroy(&of);
     if (ready.done) r->out->set_up++;
     if (status != FLOE_BAD_INPUT && status != FLOE_DIVERGED) return status;
-    tell(r, &r->s->list[i]);
+    tell_refused_case(r, &r->s->list[i]);
     context_clear(r->s->ctx);
     return FLOE_OK;
 }
 
-static floe_status rehearse(study *s, study_rehearsal *out)
+static floe_status rehearse_study(study *s, study_rehearsal *out)
 {
     rehearsing r = {.s = s, .out = out};
     floe_status status = FLOE_OK;
@@ -94,7 +94,7 @@ floe_status study_rehearse(context *ctx, const study_options *options, study_reh
     TRY(memory_new(ctx, &s, 1, sizeof *s));
     s->ctx = ctx;
     s->options = options;
-    const floe_status status = rehearse(s, out);
+    const floe_status status = rehearse_study(s, out);
     study_destroy(&s);
     return status;
 }

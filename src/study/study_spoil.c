@@ -48,7 +48,7 @@ void study_check_unchanged(const study *s, strbuf *errors)
     }
 }
 
-static bool names(const char *by, spoiler kind)
+static bool names_spoiler(const char *by, spoiler kind)
 {
     for (by += strspn(by, " "); *by; by += strspn(by, " ")) {
         const size_t length = strcspn(by, " ");
@@ -61,7 +61,7 @@ static bool names(const char *by, spoiler kind)
 static bool is_excused(const study *s, const study_case *one, spoiler kind)
 {
     for (int k = 0; k < s->plan.n_unchanged; k++)
-        if (names(s->plan.unchanged[k].by, kind) && study_belongs(s, one, &s->plan.unchanged[k].where, true))
+        if (names_spoiler(s->plan.unchanged[k].by, kind) && study_belongs(s, one, &s->plan.unchanged[k].where, true))
             return true;
     return false;
 }
@@ -79,8 +79,8 @@ typedef struct judged {
     bool right;  /* and it is as right as the run's own state */
 } judged;
 
-static judged judge(const study *s, const study_case *one, const run_summary *errors, const csv_table *own,
-                    const csv_table *rows)
+static judged judge_spoiled(const study *s, const study_case *one, const run_summary *errors, const csv_table *own,
+                            const csv_table *rows)
 {
     char why[BATCH_MESSAGE];
     const run_summary *r = &one->run->summary;
@@ -107,7 +107,7 @@ static floe_status spoil_once(const study *s, study_case *one, spoiled_run *run,
         status = spoil_measure(run, kind, &rows, &errors);
     }
     if (status == FLOE_OK) {
-        const judged j = judge(s, one, &errors, own, &rows);
+        const judged j = judge_spoiled(s, one, &errors, own, &rows);
         const bool excused = j.right && is_excused(s, one, kind);
         if (j.passes) *(excused ? &one->excused : &one->unnoticed) |= 1U << kind;
     }

@@ -93,7 +93,7 @@ static floe_status check_verdicts(const stability *s)
     return FLOE_OK;
 }
 
-static floe_status carry_out(stability *s, const stability_options *o)
+static floe_status run_stability(stability *s, const stability_options *o)
 {
     TRY(stability_setup(s, o));
     TRY(folder_make(s->ctx, s->dir));
@@ -113,7 +113,7 @@ floe_status stability_run(stability **out, context *ctx, const stability_options
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->ctx = ctx;
-    return carry_out(*out, options);
+    return run_stability(*out, options);
 }
 
 void stability_destroy(stability **s)

@@ -99,7 +99,7 @@ static floe_status read_energy(const stability *s, const batch_case *one, energy
     return status;
 }
 
-static void judge(const stability *s, const batch_case *one, stability_probe *p)
+static void judge_case(const stability *s, const batch_case *one, stability_probe *p)
 {
     if (one->status == FLOE_DIVERGED) {
         p->verdict = VERDICT_DIVERGED;
@@ -126,7 +126,7 @@ static search_answer answer_of(const stability_probe *p, const batch_case *one)
     return p->verdict == VERDICT_STABLE ? SEARCH_STABLE : SEARCH_UNSTABLE;
 }
 
-static floe_status note(stability *s, const stability_wish *wish, const batch_case *one)
+static floe_status note_case(stability *s, const stability_wish *wish, const batch_case *one)
 {
     stability_probe *p = &s->probe[s->n_probes];
     *p = (stability_probe){.set = wish->set, .steps = one->summary.steps, .rejected = one->summary.rejected_steps};
@@ -139,7 +139,7 @@ static floe_status note(stability *s, const stability_wish *wish, const batch_ca
         if (end == p->value[i]) p->x[i] = NAN;
     }
     if (one->ran) TRY(read_energy(s, one, &p->energy));
-    judge(s, one, p);
+    judge_case(s, one, p);
     s->n_probes++;
     if (stability_is_map(s)) return FLOE_OK;
     stability_set *set = &s->set[wish->set];
@@ -160,7 +160,7 @@ static floe_status run_cases(stability *s, const stability_options *o, const sta
     for (size_t i = 0; i < n; i++) {
         /* A run that failed as all were stopped has failed for that. */
         const bool spoilt = stopped && list[i].status != FLOE_OK && list[i].status != FLOE_DIVERGED;
-        if (list[i].state == BATCH_ENDED && !spoilt) TRY(note(s, &wish[i], &list[i]));
+        if (list[i].state == BATCH_ENDED && !spoilt) TRY(note_case(s, &wish[i], &list[i]));
     }
     return status;
 }

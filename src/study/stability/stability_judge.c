@@ -42,7 +42,7 @@ void criterion_text(double growth, bool by_energy, char text[CRITERION_TEXT])
 enum { TIME, KINETIC, STRAIN, INTERNAL, BOUNDARY, SOURCE, COLUMNS };
 
 /* What motion and strain can have, by a row. */
-static double available(const double first[COLUMNS], const double row[COLUMNS])
+static double available_energy(const double first[COLUMNS], const double row[COLUMNS])
 {
     const double came = row[BOUNDARY] + row[SOURCE], given = first[INTERNAL] - row[INTERNAL];
     return first[KINETIC] + first[STRAIN] + fmax(came, 0.0) + fmax(given, 0.0);
@@ -67,7 +67,7 @@ energy_record energy_read(const csv_table *history)
         }
         if (e.rows++ == 0) memcpy(first, row, sizeof first);
         e.last_time = row[TIME];
-        most = fmax(most, fmax(available(first, row), round_off * fabs(first[INTERNAL])));
+        most = fmax(most, fmax(available_energy(first, row), round_off * fabs(first[INTERNAL])));
         const double now = row[KINETIC] + row[STRAIN];
         if (now > 0.0) e.ratio = fmax(e.ratio, now / most);
     }

@@ -22,7 +22,7 @@ static double as_text(double x)
 }
 
 /* Halves ratios, or differences where the range holds zero. */
-static double middle(double a, double b)
+static double middle_of_range(double a, double b)
 {
     return as_text(a > 0.0 && b > 0.0 ? sqrt(a) * sqrt(b) : 0.5 * (a + b));
 }
@@ -38,7 +38,7 @@ static bool is_known(const search *s, double x, search_answer *answer)
 }
 
 /* The judgement of x, if there is one; else x is what is wanted. */
-static bool ask(const search *s, search_state *at, double x, search_answer *answer)
+static bool ask_answer(const search *s, search_state *at, double x, search_answer *answer)
 {
     if (!is_known(s, x, answer)) {
         at->wanted = x;
@@ -60,7 +60,7 @@ static search_outcome one_sided(search_answer answer)
 static bool judge_ends(const search *s, search_state *at)
 {
     search_answer first, second;
-    if (!ask(s, at, s->spec.from, &first) || !ask(s, at, s->spec.to, &second)) return false;
+    if (!ask_answer(s, at, s->spec.from, &first) || !ask_answer(s, at, s->spec.to, &second)) return false;
     if (first != second) return true;
     at->outcome = one_sided(first);
     return false;
@@ -70,12 +70,12 @@ static bool judge_ends(const search *s, search_state *at)
 static bool find_range(const search *s, search_state *at)
 {
     search_answer start, answer;
-    if (!ask(s, at, s->spec.from, &start)) return false;
+    if (!ask_answer(s, at, s->spec.from, &start)) return false;
     const double factor = start == SEARCH_STABLE ? stride : 1.0 / stride;
     double x = s->spec.from;
     for (int k = 0; k < MAX_STRIDES; k++) {
         x = as_text(x * factor);
-        if (!ask(s, at, x, &answer)) return false;
+        if (!ask_answer(s, at, x, &answer)) return false;
         if (answer == SEARCH_REFUSED) break;
         if (answer != start) return true;
     }
@@ -94,9 +94,9 @@ search_state search_look(const search *s)
     search_answer answer;
     if (!(isnan(s->spec.to) ? find_range(s, &at) : judge_ends(s, &at))) return at;
     while (!is_narrow(s, &at)) {
-        const double x = middle(at.stable, at.unstable);
+        const double x = middle_of_range(at.stable, at.unstable);
         const bool spent = at.judged >= s->spec.most || x == at.stable || x == at.unstable;
-        if (!spent && !ask(s, &at, x, &answer)) return at;
+        if (!spent && !ask_answer(s, &at, x, &answer)) return at;
         if (!spent && answer != SEARCH_REFUSED) continue;
         at.outcome = SEARCH_OUT_OF_PROBES;
         return at;
@@ -114,7 +114,7 @@ static bool is_in(const double *x, size_t n, double value)
 }
 
 /* Level by level: what is wanted after k more answers, whichever they are. A supposed answer is told to a copy. */
-static void suppose(const search *s, int depth, size_t most, double *x, size_t *n)
+static void list_likely_questions(const search *s, int depth, size_t most, double *x, size_t *n)
 {
     const search_state at = search_look(s);
     if (at.outcome != SEARCH_OPEN || *n >= most) return;
@@ -125,7 +125,7 @@ static void suppose(const search *s, int depth, size_t most, double *x, size_t *
     for (int answer = SEARCH_STABLE; answer <= SEARCH_UNSTABLE; answer++) {
         search copy = *s;
         search_tell(&copy, at.wanted, (search_answer)answer);
-        suppose(&copy, depth - 1, most, x, n);
+        list_likely_questions(&copy, depth - 1, most, x, n);
     }
 }
 
@@ -134,7 +134,7 @@ size_t search_next(const search *s, size_t most, double *x)
     size_t n = 0;
     for (int depth = 0; n < most && depth < 8; depth++) {
         const size_t before = n;
-        suppose(s, depth, most, x, &n);
+        list_likely_questions(s, depth, most, x, &n);
         if (depth > 1 && n == before) break;
     }
     return n;

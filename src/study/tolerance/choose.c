@@ -16,7 +16,7 @@ static size_t done_before(const choose_curve *c, size_t end, bool with_error)
     return end;
 }
 
-static void measure(choose_curve *c)
+static void measure_order(choose_curve *c)
 {
     c->order = c->exponent = NAN;
     const size_t fine = done_before(c, c->n, true), coarse = fine < c->n ? done_before(c, fine, true) : fine;
@@ -74,7 +74,7 @@ static double order_to_use(const choose_curve *c)
     return isnan(c->order) ? assumed_order : c->order;
 }
 
-static size_t count(const choose_curve *c, choose_state state)
+static size_t count_state(const choose_curve *c, choose_state state)
 {
     size_t n = 0;
     for (size_t k = 0; k < c->n; k++) n += c->list[k].state == state;
@@ -83,7 +83,7 @@ static size_t count(const choose_curve *c, choose_state state)
 
 static void find_reach(choose_curve *c, double tolerance, size_t needed, double of_weight)
 {
-    const size_t done = count(c, CHOOSE_DONE);
+    const size_t done = count_state(c, CHOOSE_DONE);
     c->reach = c->n;
     c->reach_seconds = INFINITY;
     for (size_t k = c->next; k < c->n && c->reach == c->n; k++) {
@@ -100,7 +100,7 @@ static double growth_of(const choose_curve *c, size_t last)
     return last > 0 ? log(c->list[last].weight / c->list[0].weight) / log(c->list[0].h / c->list[last].h) : (double)NAN;
 }
 
-static void extrapolate(choose_curve *c, double tolerance)
+static void extrapolate_cost(choose_curve *c, double tolerance)
 {
     const size_t last = done_before(c, c->n, true);
     c->wanted_h = c->wanted_seconds = NAN;
@@ -113,7 +113,7 @@ static void extrapolate(choose_curve *c, double tolerance)
 /* Out of the running whatever the others do. */
 static choose_standing standing_alone(const choose_curve *c, double tolerance)
 {
-    if (count(c, CHOOSE_FAILED) >= 2) return CHOOSE_BROKEN;
+    if (count_state(c, CHOOSE_FAILED) >= 2) return CHOOSE_BROKEN;
     if (c->next == c->n) return CHOOSE_SPENT;
     const double least = predict_error(c, c->list[c->n - 1].h, fmax(c->order, hoped_order));
     return !isnan(c->order) && least > tolerance ? CHOOSE_HOPELESS : CHOOSE_RUNS;
@@ -135,16 +135,16 @@ static bool is_slower(const choose_curve *c, double best)
     return seconds > best;
 }
 
-static void judge(choose_curve *list, size_t n, double tolerance, size_t needed)
+static void judge_curves(choose_curve *list, size_t n, double tolerance, size_t needed)
 {
     const double of_weight = seconds_of_weight(list, n);
     for (size_t i = 0; i < n; i++) {
         choose_curve *c = &list[i];
-        measure(c);
+        measure_order(c);
         find_next(c);
         c->next_seconds = c->next < c->n ? predict_seconds(c, c->next, of_weight) : (double)NAN;
         find_reach(c, tolerance, needed, of_weight);
-        extrapolate(c, tolerance);
+        extrapolate_cost(c, tolerance);
         c->standing = standing_alone(c, tolerance);
     }
     const double best = best_reach(list, n);
@@ -191,7 +191,7 @@ static choose_step find_cheapest(const choose_curve *list, size_t n)
 
 choose_step choose_next(choose_curve *list, size_t n, double tolerance, size_t needed, double left)
 {
-    judge(list, n, tolerance, needed);
+    judge_curves(list, n, tolerance, needed);
     const choose_step reached = find_done(list, n, tolerance, true);
     if (reached.curve < n) return reached;
     const choose_step next = find_cheapest(list, n);

@@ -159,7 +159,7 @@ static void compare_variants(tolerance *t, size_t curve, size_t at)
     }
 }
 
-static void take_case(tolerance *t, size_t curve, size_t at)
+static void add_case_result(tolerance *t, size_t curve, size_t at)
 {
     const study_case *from = tolerance_case(t, curve, at);
     choose_case *one = &t->curve[curve].list[at];
@@ -186,7 +186,7 @@ static void take_results(tolerance *t)
     study_judge(t->study);
     study_take_times(t->study);
     for (size_t i = 0; i < t->study->n_groups; i++) {
-        for (size_t k = 0; k < t->curve[i].n; k++) take_case(t, i, k);
+        for (size_t k = 0; k < t->curve[i].n; k++) add_case_result(t, i, k);
     }
     for (size_t i = 0; i < t->study->n_groups && t->quantity >= 0; i++) {
         for (size_t k = 0; k < t->curve[i].n; k++) {
@@ -212,7 +212,7 @@ static double seconds_left(const tolerance *t)
     return t->options->budget > 0.0 ? t->options->budget - tolerance_seconds(t) : (double)INFINITY;
 }
 
-static void decide(tolerance *t)
+static void decide_next_cases(tolerance *t)
 {
     const size_t needed = t->quantity < 0 ? 1 : 3;
     take_results(t);
@@ -237,7 +237,7 @@ static floe_status run_cases(tolerance *t)
 {
     const batch_options batch = study_batch_options(t->study);
     TRY(batch_recall(t->ctx, &batch, t->study->run, t->study->n));
-    for (decide(t); t->step.action == CHOOSE_RUN; decide(t)) TRY(run_case(t));
+    for (decide_next_cases(t); t->step.action == CHOOSE_RUN; decide_next_cases(t)) TRY(run_case(t));
     t->met = t->step.action == CHOOSE_REACHED;
     return FLOE_OK;
 }
@@ -251,7 +251,7 @@ static floe_status write_study(const tolerance *t)
 }
 
 /* DIR is this run's alone while it lasts. */
-static floe_status carry_out(tolerance *t)
+static floe_status run_tolerance(tolerance *t)
 {
     folder_lock lock;
     TRY(look_at_deck(t));
@@ -280,7 +280,7 @@ floe_status tolerance_run(tolerance **out, context *ctx, const tolerance_options
     TRY(memory_new(ctx, &t->study, 1, sizeof *t->study));
     t->study->ctx = ctx;
     t->study->options = &t->study_options;
-    return carry_out(t);
+    return run_tolerance(t);
 }
 
 void tolerance_destroy(tolerance **t)

@@ -12,7 +12,7 @@ static bool has_run(const tolerance *t, size_t k)
 }
 
 /* Curve and place in it of the k-th of all cases. */
-static choose_step place_of(const tolerance *t, size_t k)
+static choose_step step_of_case(const tolerance *t, size_t k)
 {
     choose_step at = {CHOOSE_RUN, 0, k};
     while (at.at >= t->curve[at.curve].n) at.at -= t->curve[at.curve++].n;
@@ -39,9 +39,9 @@ static int axis_width(const scene_axis *axis)
 }
 
 /* What is to be said of a case: of the last one of its variant, why it is the last. */
-static void say(const tolerance *t, size_t k, char text[TOLERANCE_TEXT])
+static void describe_case(const tolerance *t, size_t k, char text[TOLERANCE_TEXT])
 {
-    const choose_step at = place_of(t, k);
+    const choose_step at = step_of_case(t, k);
     const study_case *one = tolerance_case(t, at.curve, at.at);
     text[0] = '\0';
     if (t->step.curve < t->study->n_groups && at.curve == t->step.curve && at.at == t->step.at)
@@ -61,7 +61,7 @@ static void print_case(const tolerance *t, size_t k, FILE *file)
         (void)fprintf(file, "%-*s  ", axis_width(&s->axes.axis[i]), s->axes.axis[i].value[one->pick[i]]);
     tolerance_error_text(t, t->list[k].error, text);
     (void)fprintf(file, "%14s  %8.3g s", text, t->list[k].seconds);
-    say(t, k, text);
+    describe_case(t, k, text);
     (void)fprintf(file, "%s%s\n", text[0] ? "  " : "", text);
 }
 

@@ -12,7 +12,7 @@ void tolerance_error_text(const tolerance *t, double error, char text[TOLERANCE_
     error_text(name, error, t->study->dimensionless, text);
 }
 
-static const choose_case *chosen(const tolerance *t)
+static const choose_case *chosen_case(const tolerance *t)
 {
     return &t->curve[t->step.curve].list[t->step.at];
 }
@@ -25,7 +25,7 @@ void tolerance_how(const tolerance *t, char text[TOLERANCE_TEXT])
         return;
     }
     const tolerance_estimate e = tolerance_estimate_at(t, t->step.curve, t->step.at);
-    const bool differ = chosen(t)->error > e.relative;
+    const bool differ = chosen_case(t)->error > e.relative;
     (void)snprintf(text, TOLERANCE_TEXT, "estimated for %s: %s", t->metric,
                    differ ? "what it differs from other variants by, less their estimates" : e.how);
 }
@@ -63,12 +63,12 @@ void tolerance_reason(const tolerance *t, char text[TOLERANCE_TEXT])
     }
     const size_t next = runner_up(t, &seconds, &measured);
     if (next == t->study->n_groups) {
-        (void)snprintf(text, TOLERANCE_TEXT, "within the tolerance in %.3g s%s", chosen(t)->seconds,
+        (void)snprintf(text, TOLERANCE_TEXT, "within the tolerance in %.3g s%s", chosen_case(t)->seconds,
                        t->study->n_groups > 1 ? "; no other variant is known to reach it" : "");
         return;
     }
     (void)snprintf(text, TOLERANCE_TEXT, "within the tolerance in %.3g s; the next best, %.150s, %s %.3g s",
-                   chosen(t)->seconds, t->study->group[next], measured ? "took" : "is predicted to take", seconds);
+                   chosen_case(t)->seconds, t->study->group[next], measured ? "took" : "is predicted to take", seconds);
 }
 
 void tolerance_why_left(const tolerance *t, size_t curve, char text[TOLERANCE_TEXT])
@@ -136,10 +136,10 @@ floe_status tolerance_refuse(const tolerance *t)
     char asked[TOLERANCE_TEXT], best[TOLERANCE_TEXT], beyond[TOLERANCE_TEXT], time[64] = "";
     if (t->step.curve == t->study->n_groups) return refuse_all(t);
     tolerance_error_text(t, t->options->tolerance, asked);
-    tolerance_error_text(t, chosen(t)->error, best);
+    tolerance_error_text(t, chosen_case(t)->error, best);
     say_beyond(t, beyond);
     if (t->step.action == CHOOSE_OUT_OF_TIME) (void)snprintf(time, sizeof time, " in %.3g s", t->options->budget);
     return fail(t->ctx, FLOE_MISSED_BAR, "%s in %s is not reached%s: the best is %s%s, %s, which is what '%s' has%s",
-                asked, t->metric, time, best, chosen(t)->sure ? "" : " (not certain)",
+                asked, t->metric, time, best, chosen_case(t)->sure ? "" : " (not certain)",
                 tolerance_case(t, t->step.curve, t->step.at)->run->label, t->options->dir, beyond);
 }
