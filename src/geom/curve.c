@@ -11,7 +11,7 @@ bool curve_is_closed(const curve_line *c)
     return c->kind == CURVE_CIRCLE || c->closed;
 }
 
-static double distance(int dim, const double *a, const double *b)
+static double curve_distance(int dim, const double *a, const double *b)
 {
     double square = 0.0;
     for (int k = 0; k < dim; k++) square += (b[k] - a[k]) * (b[k] - a[k]);
@@ -19,7 +19,7 @@ static double distance(int dim, const double *a, const double *b)
 }
 
 /* Pieces between vertices: one fewer than vertices, unless it is closed. */
-static int pieces(const curve_line *c)
+static int curve_segments(const curve_line *c)
 {
     return c->closed ? c->n_vertices : c->n_vertices - 1;
 }
@@ -33,32 +33,32 @@ double curve_length(const curve_line *c, int dim)
 {
     double sum = 0.0;
     switch (c->kind) {
-    case CURVE_SEGMENT: return distance(dim, c->from, c->to);
+    case CURVE_SEGMENT: return curve_distance(dim, c->from, c->to);
     case CURVE_ARC: return c->radius * fabs(c->angle_to - c->angle_from);
     case CURVE_CIRCLE: return 2.0 * pi * c->radius;
     default: break;
     }
-    for (int i = 0; i < pieces(c); i++) sum += distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
+    for (int i = 0; i < curve_segments(c); i++) sum += curve_distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
     return sum;
 }
 
 /* The place at a share (0 to 1) of the way from a to b. */
-static void between(const double *a, const double *b, double share, double x[3])
+static void interpolate_vertices(const double *a, const double *b, double share, double x[3])
 {
     for (int k = 0; k < 3; k++) x[k] = a[k] + share * (b[k] - a[k]);
 }
 
 static void place_on_polyline(const curve_line *c, int dim, double way, double x[3])
 {
-    for (int i = 0; i < pieces(c); i++) {
+    for (int i = 0; i < curve_segments(c); i++) {
         const double *a = vertex_at(c, i), *b = vertex_at(c, i + 1);
-        const double piece = distance(dim, a, b);
-        const bool last = i == pieces(c) - 1;
+        const double piece = curve_distance(dim, a, b);
+        const bool last = i == curve_segments(c) - 1;
         if (way > piece && !last) {
             way -= piece;
             continue;
         }
-        between(a, b, piece > 0.0 ? way / piece : 0.0, x);
+        interpolate_vertices(a, b, piece > 0.0 ? way / piece : 0.0, x);
         return;
     }
 }
@@ -69,7 +69,7 @@ static void place_on(const curve_line *c, int dim, double share, double x[3])
     const double whole = c->kind == CURVE_CIRCLE ? 2.0 * pi : c->angle_to - c->angle_from;
     const double angle = (c->kind == CURVE_CIRCLE ? 0.0 : c->angle_from) + share * whole;
     switch (c->kind) {
-    case CURVE_SEGMENT: between(c->from, c->to, share, x); return;
+    case CURVE_SEGMENT: interpolate_vertices(c->from, c->to, share, x); return;
     case CURVE_ARC:
     case CURVE_CIRCLE:
         x[0] = c->centre[0] + c->radius * cos(angle);
@@ -86,8 +86,8 @@ static double share_of_vertex(const curve_line *c, int dim, int i)
     const int n = c->n_vertices;
     double sum = 0.0;
     if (n < 2) return 0.0;
-    if (i > 0 || c->closed) sum += 0.5 * distance(dim, vertex_at(c, (i + n - 1) % n), vertex_at(c, i));
-    if (i < n - 1 || c->closed) sum += 0.5 * distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
+    if (i > 0 || c->closed) sum += 0.5 * curve_distance(dim, vertex_at(c, (i + n - 1) % n), vertex_at(c, i));
+    if (i < n - 1 || c->closed) sum += 0.5 * curve_distance(dim, vertex_at(c, i), vertex_at(c, i + 1));
     return sum;
 }
 
@@ -125,8 +125,8 @@ static floe_status check_gap(const seed_list *list, context *ctx, const seed_spe
     return FLOE_OK;
 }
 
-static floe_status fill(seed_list *list, context *ctx, const curve_line *c, const curve_seeding *how,
-                        const seed_spec *grid)
+static floe_status place_curve_points(seed_list *list, context *ctx, const curve_line *c, const curve_seeding *how,
+                                      const seed_spec *grid)
 {
     const int number = c->kind == CURVE_POINTS ? c->n_vertices : how->number;
     const bool ordered = c->kind != CURVE_POINTS || !how->any_order;
@@ -146,7 +146,7 @@ floe_status seed_curve(seed_list *out, context *ctx, const curve_line *c, const 
                        const seed_spec *grid)
 {
     *out = (seed_list){0};
-    const floe_status status = fill(out, ctx, c, how, grid);
+    const floe_status status = place_curve_points(out, ctx, c, how, grid);
     if (status != FLOE_OK) seed_list_free(ctx, out);
     return status;
 }

@@ -232,7 +232,7 @@ FLOE_ALWAYS_INLINE void cut_box_in(cutter *c, int dim, const double lo[3], const
 }
 
 /* The dimension as a literal: half as fast again in space. */
-static void cut_box(cutter *c, const double lo[3], const double hi[3], double centre)
+static void clip_box_by_dimension(cutter *c, const double lo[3], const double hi[3], double centre)
 {
     switch (c->dim) {
     case 1: cut_box_in(c, 1, lo, hi, centre); break;
@@ -242,7 +242,7 @@ static void cut_box(cutter *c, const double lo[3], const double hi[3], double ce
 }
 
 /* |level| is at most the distance from the surface: a box whose half diagonal is shorter than it is all in or all out. */
-static void subdivide(cutter *c, const double lo[3], const double hi[3], int depth)
+static void subdivide_box(cutter *c, const double lo[3], const double hi[3], int depth)
 {
     double centre[3], diagonal2 = 0.0;
     for (int k = 0; k < c->dim; k++) {
@@ -255,7 +255,7 @@ static void subdivide(cutter *c, const double lo[3], const double hi[3], int dep
         return;
     }
     if (depth == 0) {
-        cut_box(c, lo, hi, level);
+        clip_box_by_dimension(c, lo, hi, level);
         return;
     }
     for (int j = 0; j < 1 << c->dim; j++) {
@@ -264,7 +264,7 @@ static void subdivide(cutter *c, const double lo[3], const double hi[3], int dep
             child_lo[k] = (j >> k) & 1 ? centre[k] : lo[k];
             child_hi[k] = (j >> k) & 1 ? hi[k] : centre[k];
         }
-        subdivide(c, child_lo, child_hi, depth - 1);
+        subdivide_box(c, child_lo, child_hi, depth - 1);
     }
 }
 
@@ -288,7 +288,7 @@ double shape_fraction(const shape *s, int dim, const double lo[3], const double 
     if (s->model->fills_bounds) {
         clip_box(&c, lo, hi);
     } else {
-        subdivide(&c, lo, hi, depth);
+        subdivide_box(&c, lo, hi, depth);
     }
     const moments all = box_moments(&c, lo, hi);
     for (int k = 0; k < dim; k++) {

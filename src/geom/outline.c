@@ -29,14 +29,14 @@ typedef struct tracer {
     size_t n, room;
 } tracer;
 
-static double level(const tracer *t, const double x[2])
+static double level_at(const tracer *t, const double x[2])
 {
     return t->shape->model->level(t->shape->par, t->grid->dim, (const double[3]){x[0], x[1], 0.0});
 }
 
-static bool is_inside(const tracer *t, const double x[2])
+static bool is_inside_shape(const tracer *t, const double x[2])
 {
-    return level(t, x) <= t->tolerance;
+    return level_at(t, x) <= t->tolerance;
 }
 
 /* Place of corner i of the sub-boxes along an axis: neighbours compute the same bits. */
@@ -55,13 +55,13 @@ static void find_crossing(const tracer *t, const double inside[2], const double 
     for (int pass = 0; pass < 60; ++pass) {
         const double middle = 0.5 * (lo + hi);
         for (int a = 0; a < 2; ++a) x[a] = inside[a] + middle * (outside[a] - inside[a]);
-        *(is_inside(t, x) ? &lo : &hi) = middle;
+        *(is_inside_shape(t, x) ? &lo : &hi) = middle;
     }
     if (lo < 1e-7) lo = 0.0; /* the corner itself, but for the tolerance */
     for (int a = 0; a < 2; ++a) x[a] = inside[a] + lo * (outside[a] - inside[a]);
 }
 
-static floe_status add_piece(tracer *t, const crossing *from, const crossing *to)
+static floe_status add_segment(tracer *t, const crossing *from, const crossing *to)
 {
     if (t->n == t->room) {
         t->room = t->room ? 2 * t->room : 256;
@@ -82,7 +82,7 @@ static size_t side_number(const tracer *t, int i, int j, int k)
     return 2 * ((size_t)y * row + (size_t)x) + (size_t)(k % 2);
 }
 
-static floe_status cut_box(tracer *t, int i, int j)
+static floe_status clip_box(tracer *t, int i, int j)
 {
     double corner[4][2];
     bool inside[4];
@@ -90,7 +90,7 @@ static floe_status cut_box(tracer *t, int i, int j)
     int n_in = 0, n_out = 0;
     for (int k = 0; k < 4; ++k) {
         for (int a = 0; a < 2; ++a) corner[k][a] = corner_at(t, a, (a == 0 ? i : j) + corner_of[k][a]);
-        inside[k] = is_inside(t, corner[k]);
+        inside[k] = is_inside_shape(t, corner[k]);
     }
     for (int k = 0; k < 4; ++k) {
         const int next = (k + 1) % 4;
@@ -100,23 +100,23 @@ static floe_status cut_box(tracer *t, int i, int j)
         find_crossing(t, corner[inside[k] ? k : next], corner[inside[k] ? next : k], c->x);
     }
     if (n_in == 0) return FLOE_OK;
-    if (n_in == 1) return add_piece(t, &enters[0], &leaves[0]);
+    if (n_in == 1) return add_segment(t, &enters[0], &leaves[0]);
     /* Two opposite corners are inside: are they one? Going round, an entry is followed by the leave of the same
      * corner. */
     const double centre[2] = {0.5 * (corner[0][0] + corner[2][0]), 0.5 * (corner[0][1] + corner[2][1])};
-    const bool one = is_inside(t, centre), first = inside[0]; /* the first crossing met is a leave */
-    for (int k = 0; k < 2; ++k) TRY(add_piece(t, &enters[k], &leaves[(one == first) ? k : 1 - k]));
+    const bool one = is_inside_shape(t, centre), first = inside[0]; /* the first crossing met is a leave */
+    for (int k = 0; k < 2; ++k) TRY(add_segment(t, &enters[k], &leaves[(one == first) ? k : 1 - k]));
     return FLOE_OK;
 }
 
 /* Sub-boxes of a cell, unless the surface is farther from its centre than its corners are. */
-static floe_status cut_cell(tracer *t, int i, int j)
+static floe_status clip_cell(tracer *t, int i, int j)
 {
     const seed_spec *g = t->grid;
     const double centre[2] = {g->lower[0] + (i + 0.5) * g->h[0], g->lower[1] + (j + 0.5) * g->h[1]};
-    if (fabs(level(t, centre)) > hypot(g->h[0], g->h[1])) return FLOE_OK;
+    if (fabs(level_at(t, centre)) > hypot(g->h[0], g->h[1])) return FLOE_OK;
     for (int y = 0; y < t->divide; ++y)
-        for (int x = 0; x < t->divide; ++x) TRY(cut_box(t, i * t->divide + x, j * t->divide + y));
+        for (int x = 0; x < t->divide; ++x) TRY(clip_box(t, i * t->divide + x, j * t->divide + y));
     return FLOE_OK;
 }
 
@@ -155,14 +155,14 @@ static void mark_followed(const tracer *t, const side_of_piece *start, bool *fol
 }
 
 /* Unit normal, out of the shape. */
-static void normal_at(const tracer *t, const double x[2], double n[2])
+static void outline_normal_at(const tracer *t, const double x[2], double n[2])
 {
     const double step = 1e-6 * t->grid->h[0];
     for (int a = 0; a < 2; ++a) {
         double up[2] = {x[0], x[1]}, down[2] = {x[0], x[1]};
         up[a] += step;
         down[a] -= step;
-        n[a] = level(t, up) - level(t, down);
+        n[a] = level_at(t, up) - level_at(t, down);
     }
     const double length = hypot(n[0], n[1]);
     for (int a = 0; a < 2; ++a) n[a] /= length > 0.0 ? length : 1.0;
@@ -172,15 +172,15 @@ static void normal_at(const tracer *t, const double x[2], double n[2])
 static bool find_corner(const tracer *t, const double a[2], const double b[2], double out[2])
 {
     double n[2], m[2];
-    normal_at(t, a, n);
-    normal_at(t, b, m);
+    outline_normal_at(t, a, n);
+    outline_normal_at(t, b, m);
     const double det = n[0] * m[1] - n[1] * m[0], near = t->grid->h[0] / t->divide;
     if (fabs(det) < 0.3) return false; /* it bends by less than 17 degrees: no corner, or none that matters */
     const double p = n[0] * a[0] + n[1] * a[1], q = m[0] * b[0] + m[1] * b[1];
     out[0] = (p * m[1] - q * n[1]) / det;
     out[1] = (q * n[0] - p * m[0]) / det;
     const double from = hypot(out[0] - a[0], out[1] - a[1]), to = hypot(out[0] - b[0], out[1] - b[1]);
-    return fabs(level(t, out)) < 1e-6 * near && fmin(from, to) > 1e-3 * near && fmax(from, to) < 3.0 * near;
+    return fabs(level_at(t, out)) < 1e-6 * near && fmin(from, to) > 1e-3 * near && fmax(from, to) < 3.0 * near;
 }
 
 /* Points closer than this share of a sub-box are one. */
@@ -191,7 +191,7 @@ typedef struct chain_maker {
     size_t room, chain_room;
 } chain_maker;
 
-static floe_status put(tracer *t, chain_maker *m, const double x[2])
+static floe_status append_vertex(tracer *t, chain_maker *m, const double x[2])
 {
     outline *o = m->out;
     if (o->n == m->room) {
@@ -202,7 +202,7 @@ static floe_status put(tracer *t, chain_maker *m, const double x[2])
     return FLOE_OK;
 }
 
-static double distance(const double a[2], const double b[2])
+static double vertex_distance(const double a[2], const double b[2])
 {
     return hypot(a[0] - b[0], a[1] - b[1]);
 }
@@ -214,12 +214,12 @@ static floe_status put_next(tracer *t, chain_maker *m, const double x[2], bool e
     const outline_chain *c = &o->chain[o->n_chains - 1];
     const double near = together * t->grid->h[0] / t->divide;
     double corner[2];
-    if (o->n > c->first && distance(o->x[o->n - 1], x) < near) {
+    if (o->n > c->first && vertex_distance(o->x[o->n - 1], x) < near) {
         if (!end) return FLOE_OK;
         if (o->n > c->first + 1) o->n--;
     }
-    if (o->n > c->first && find_corner(t, o->x[o->n - 1], x, corner)) TRY(put(t, m, corner));
-    return put(t, m, x);
+    if (o->n > c->first && find_corner(t, o->x[o->n - 1], x, corner)) TRY(append_vertex(t, m, corner));
+    return append_vertex(t, m, x);
 }
 
 /* A chain is closed without its first point again. */
@@ -229,8 +229,8 @@ static floe_status close_chain(tracer *t, chain_maker *m)
     outline_chain *c = &o->chain[o->n_chains - 1];
     const double near = together * t->grid->h[0] / t->divide;
     double corner[2];
-    while (c->closed && o->n > c->first + 1 && distance(o->x[o->n - 1], o->x[c->first]) < near) o->n--;
-    if (c->closed && find_corner(t, o->x[o->n - 1], o->x[c->first], corner)) TRY(put(t, m, corner));
+    while (c->closed && o->n > c->first + 1 && vertex_distance(o->x[o->n - 1], o->x[c->first]) < near) o->n--;
+    if (c->closed && find_corner(t, o->x[o->n - 1], o->x[c->first], corner)) TRY(append_vertex(t, m, corner));
     c->n = o->n - c->first;
     if (c->n < (c->closed ? 3 : 2)) { /* a touch of the grid, no area */
         o->n = c->first;
@@ -250,7 +250,7 @@ static floe_status begin_chain(tracer *t, chain_maker *m, bool closed)
     return FLOE_OK;
 }
 
-static floe_status follow(tracer *t, chain_maker *m, const side_of_piece *start, size_t first, bool closed)
+static floe_status follow_chain(tracer *t, chain_maker *m, const side_of_piece *start, size_t first, bool closed)
 {
     TRY(begin_chain(t, m, closed));
     TRY(put_next(t, m, t->piece[first].end[0].x, false));
@@ -270,16 +270,16 @@ static floe_status link_pieces(tracer *t, chain_maker *m, side_of_piece *start, 
     qsort(start, t->n, sizeof *start, by_side);
     mark_followed(t, start, followed);
     for (size_t k = 0; k < t->n; ++k)
-        if (!followed[k]) TRY(follow(t, m, start, k, false));
+        if (!followed[k]) TRY(follow_chain(t, m, start, k, false));
     for (size_t k = 0; k < t->n; ++k)
-        if (!t->piece[k].used) TRY(follow(t, m, start, k, true));
+        if (!t->piece[k].used) TRY(follow_chain(t, m, start, k, true));
     return FLOE_OK;
 }
 
-static floe_status trace(tracer *t, outline *out)
+static floe_status trace_chains(tracer *t, outline *out)
 {
     for (int j = 0; j < t->grid->n[1]; ++j)
-        for (int i = 0; i < t->grid->n[0]; ++i) TRY(cut_cell(t, i, j));
+        for (int i = 0; i < t->grid->n[0]; ++i) TRY(clip_cell(t, i, j));
     if (t->n == 0) return FLOE_OK;
     side_of_piece *start = NULL;
     bool *followed = NULL;
@@ -298,14 +298,14 @@ static floe_status put_point(tracer *t, chain_maker *m, double x, int into)
     TRY(begin_chain(t, m, false));
     m->out->chain[m->out->n_chains - 1].n = 1;
     m->out->chain[m->out->n_chains - 1].into = into;
-    return put(t, m, (const double[2]){x, 0.0});
+    return append_vertex(t, m, (const double[2]){x, 0.0});
 }
 
 /* The surface between two corners, unless it lies on a side of the mesh. */
 static floe_status cut_interval(tracer *t, chain_maker *m, int i)
 {
     const double corner[2][2] = {{corner_at(t, 0, i), 0.0}, {corner_at(t, 0, i + 1), 0.0}};
-    const bool inside[2] = {is_inside(t, corner[0]), is_inside(t, corner[1])};
+    const bool inside[2] = {is_inside_shape(t, corner[0]), is_inside_shape(t, corner[1])};
     double x[2];
     if (inside[0] == inside[1]) return FLOE_OK;
     find_crossing(t, corner[inside[1]], corner[inside[0]], x);
@@ -319,16 +319,16 @@ static floe_status trace_line(tracer *t, outline *out)
     const int last = t->grid->n[0] * t->divide;
     chain_maker m = {.out = out};
     const double lower[2] = {corner_at(t, 0, 0), 0.0}, upper[2] = {corner_at(t, 0, last), 0.0};
-    if (is_inside(t, lower)) TRY(put_point(t, &m, lower[0], 0));
+    if (is_inside_shape(t, lower)) TRY(put_point(t, &m, lower[0], 0));
     for (int i = 0; i < last; ++i) TRY(cut_interval(t, &m, i));
-    return is_inside(t, upper) ? put_point(t, &m, upper[0], 0) : FLOE_OK;
+    return is_inside_shape(t, upper) ? put_point(t, &m, upper[0], 0) : FLOE_OK;
 }
 
 floe_status outline_trace(outline *out, context *ctx, const shape *s, const seed_spec *grid, int divide)
 {
     tracer t = {.ctx = ctx, .shape = s, .grid = grid, .divide = divide, .tolerance = 1e-9 * grid->h[0]};
     *out = (outline){0};
-    const floe_status status = grid->dim == 1 ? trace_line(&t, out) : trace(&t, out);
+    const floe_status status = grid->dim == 1 ? trace_line(&t, out) : trace_chains(&t, out);
     memory_free(ctx, &t.piece);
     if (status != FLOE_OK) outline_free(ctx, out);
     return status;

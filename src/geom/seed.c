@@ -200,7 +200,7 @@ static size_t largest_neighbour(const seeding *w, const sub_grid *g, size_t i)
 }
 
 /* Adds point i to point j: volume and first moments are kept. */
-static void absorb(seed_list *list, int dim, size_t j, size_t i)
+static void merge_points(seed_list *list, int dim, size_t j, size_t i)
 {
     const double volume = list->volume[j] + list->volume[i];
     for (int k = 0; k < dim; k++) list->x[k][j] += (list->x[k][i] - list->x[k][j]) * (list->volume[i] / volume);
@@ -219,7 +219,7 @@ static floe_status seeding_merge(seeding *w, context *ctx, const sub_grid *g)
     for (size_t i = 0; i < w->list.n; i++) {
         size_t j = i;
         while (w->target[j] != j) j = w->target[j];
-        if (j != i) absorb(&w->list, dim, j, i);
+        if (j != i) merge_points(&w->list, dim, j, i);
     }
     for (size_t i = 0; i < w->list.n; i++) {
         if (w->target[i] != i) continue;

@@ -59,7 +59,7 @@ static bool quadrilateral_bounds(const void *par, int dim, double lo[3], double 
     return true;
 }
 
-static double turn(const double *a, const double *b, const double *c)
+static double turn_of_corner(const double *a, const double *b, const double *c)
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
@@ -67,7 +67,8 @@ static double turn(const double *a, const double *b, const double *c)
 /* Whether the lines from a to b and from c to d cross. */
 static bool lines_cross(const double *a, const double *b, const double *c, const double *d)
 {
-    return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0;
+    return turn_of_corner(a, b, c) * turn_of_corner(a, b, d) < 0.0 &&
+           turn_of_corner(c, d, a) * turn_of_corner(c, d, b) < 0.0;
 }
 
 static const char *quadrilateral_check(const void *par, int dim)
@@ -77,7 +78,7 @@ static const char *quadrilateral_check(const void *par, int dim)
     (void)dim;
     if (lines_cross(p[0], p[1], p[2], p[3]) || lines_cross(p[1], p[2], p[3], p[0]))
         return "its sides cross: give the corners in order around it";
-    if (!(fabs(turn(p[0], p[1], p[2]) + turn(p[0], p[2], p[3])) > 0.0)) return "it has no area";
+    if (!(fabs(turn_of_corner(p[0], p[1], p[2]) + turn_of_corner(p[0], p[2], p[3])) > 0.0)) return "it has no area";
     return NULL;
 }
 

@@ -59,7 +59,7 @@ static profile_piece sphere_piece(const sheet_surface *s, const seed_spec *grid)
 }
 
 /* The two coordinates of a place. */
-static void project(const sheet_surface *s, const double *x, double *r, double *z)
+static void sheet_coordinates(const sheet_surface *s, const double *x, double *r, double *z)
 {
     const int b = (s->axis + 1) % 3, c = (s->axis + 2) % 3;
     *r = hypot(x[b] - s->centre[b], x[c] - s->centre[c]);
@@ -69,8 +69,8 @@ static void project(const sheet_surface *s, const double *x, double *r, double *
 static profile_piece straight_piece(const sheet_surface *s, const double *from, const double *to)
 {
     profile_piece p = {.arc = false};
-    project(s, from, &p.r[0], &p.z[0]);
-    project(s, to, &p.r[1], &p.z[1]);
+    sheet_coordinates(s, from, &p.r[0], &p.z[0]);
+    sheet_coordinates(s, to, &p.r[1], &p.z[1]);
     return p;
 }
 
@@ -88,7 +88,7 @@ static profile_piece arc_piece(const sheet_surface *s)
     return p;
 }
 
-static profile_piece piece_of(const sheet_surface *s, const seed_spec *grid, int i)
+static profile_piece profile_segment(const sheet_surface *s, const seed_spec *grid, int i)
 {
     const curve_line *c = &s->curve;
     if (s->kind == SHEET_SPHERE) return sphere_piece(s, grid);
@@ -137,7 +137,7 @@ static double profile_length(const sheet_surface *s, const seed_spec *grid)
 {
     double sum = 0.0;
     for (int i = 0; i < count_pieces(s); i++) {
-        const profile_piece p = piece_of(s, grid, i);
+        const profile_piece p = profile_segment(s, grid, i);
         sum += piece_length(&p);
     }
     return sum;
@@ -148,7 +148,7 @@ static double area_after(const sheet_surface *s, const seed_spec *grid, double w
 {
     double sum = 0.0;
     for (int i = 0; i < count_pieces(s) && way > 0.0; i++) {
-        const profile_piece p = piece_of(s, grid, i);
+        const profile_piece p = profile_segment(s, grid, i);
         const double length = piece_length(&p);
         sum += piece_area(&p, way < length ? way / length : 1.0);
         way -= length;
@@ -162,7 +162,7 @@ static double place_after(const sheet_surface *s, const seed_spec *grid, double 
     double way = 0.0;
     const int n = count_pieces(s);
     for (int i = 0;; i++) {
-        const profile_piece p = piece_of(s, grid, i);
+        const profile_piece p = profile_segment(s, grid, i);
         const double whole = piece_area(&p, 1.0);
         if (area <= whole || i == n - 1) {
             const double share = share_with(&p, area);
@@ -198,7 +198,8 @@ static double points_asked(const sheet_surface *s, const sheet_seeding *how, con
 
 /* Neighbours in the same cell or in adjacent ones feel each other; farther apart the membrane is torn (York 1997,
  * section 5.4.4). */
-static floe_status check_sides(context *ctx, const seed_spec *grid, const double x[3], double side, double other)
+static floe_status check_point_spacing(context *ctx, const seed_spec *grid, const double x[3], double side,
+                                       double other)
 {
     const double h = layer_cell(grid), wider = fmax(side, other);
     if (wider <= h * (1.0 + 1e-9)) return FLOE_OK;
@@ -264,7 +265,7 @@ static floe_status put_band(seed_list *list, context *ctx, const banding *b, con
         x[axis] = at->z;
         x[one] = b->s->centre[one] + at->r * cos(angle);
         x[two] = b->s->centre[two] + at->r * sin(angle);
-        if (i == 0) TRY(check_sides(ctx, b->grid, x, at->width, at->r * b->sector.width / (double)at->n));
+        if (i == 0) TRY(check_point_spacing(ctx, b->grid, x, at->width, at->r * b->sector.width / (double)at->n));
         TRY(layer_put_point(list, ctx, b->grid, (size_t)(at->first + i), x));
     }
     return FLOE_OK;
@@ -273,7 +274,7 @@ static floe_status put_band(seed_list *list, context *ctx, const banding *b, con
 static floe_status check_profile(context *ctx, const sheet_surface *s, const seed_spec *grid)
 {
     for (int i = 0; i < count_pieces(s); i++) {
-        const profile_piece p = piece_of(s, grid, i);
+        const profile_piece p = profile_segment(s, grid, i);
         for (int k = 0; k <= 64; k++) {
             double r, z;
             piece_place(&p, k / 64.0, &r, &z);
@@ -302,7 +303,7 @@ static floe_status fill_bands(seed_list *list, context *ctx, const banding *b, d
 
 /* ---- planes ---- */
 
-static double length_of(const double a[3])
+static double vector_length(const double a[3])
 {
     return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
@@ -310,7 +311,7 @@ static double length_of(const double a[3])
 static floe_status fill_plane(seed_list *list, context *ctx, const sheet_surface *s, const sheet_seeding *how,
                               const seed_spec *grid)
 {
-    const double area = plane_area(s), first = length_of(s->first), second = length_of(s->second);
+    const double area = plane_area(s), first = vector_length(s->first), second = vector_length(s->second);
     const double along = sqrt(points_asked(s, how, grid) * first / second);
     const double rows = fmax(1.0, round(along * second / first)), row_points = fmax(1.0, round(along));
     TRY(layer_check_number(ctx, rows * row_points));
@@ -321,7 +322,7 @@ static floe_status fill_plane(seed_list *list, context *ctx, const sheet_surface
         const double u = ((double)(i % n) + 0.5) / (double)n, v = ((double)row + 0.5) / (double)m;
         double x[3];
         for (int k = 0; k < 3; k++) x[k] = s->corner[k] + u * s->first[k] + v * s->second[k];
-        if (i == 0) TRY(check_sides(ctx, grid, x, first / (double)n, second / (double)m));
+        if (i == 0) TRY(check_point_spacing(ctx, grid, x, first / (double)n, second / (double)m));
         TRY(layer_put_point(list, ctx, grid, (size_t)i, x));
         list->volume[i] = area / (double)(n * m) * how->thickness;
     }
@@ -338,15 +339,15 @@ static floe_status fill_points(seed_list *list, context *ctx, const sheet_surfac
     TRY(layer_make_room(list, ctx, (size_t)n, 3));
     for (long i = 0; i < n; i++) {
         const double *x = s->curve.vertex + 3 * (ptrdiff_t)i;
-        if (i == 0) TRY(check_sides(ctx, grid, x, side, side));
+        if (i == 0) TRY(check_point_spacing(ctx, grid, x, side, side));
         TRY(layer_put_point(list, ctx, grid, (size_t)i, x));
         list->volume[i] = each * thickness;
     }
     return FLOE_OK;
 }
 
-static floe_status fill(seed_list *list, context *ctx, const sheet_surface *s, const sheet_seeding *how,
-                        const seed_spec *grid)
+static floe_status place_sheet_points(seed_list *list, context *ctx, const sheet_surface *s, const sheet_seeding *how,
+                                      const seed_spec *grid)
 {
     if (s->kind == SHEET_REVOLVED) TRY(check_profile(ctx, s, grid));
     if (!(sheet_area(s, grid) > 0.0)) return fail(ctx, FLOE_BAD_INPUT, "the surface has no area");
@@ -361,7 +362,7 @@ floe_status seed_sheet(seed_list *out, context *ctx, const sheet_surface *s, con
                        const seed_spec *grid)
 {
     *out = (seed_list){0};
-    const floe_status status = fill(out, ctx, s, how, grid);
+    const floe_status status = place_sheet_points(out, ctx, s, how, grid);
     if (status != FLOE_OK) seed_list_free(ctx, out);
     return status;
 }

@@ -12,12 +12,12 @@ typedef struct cutter {
     double step; /* m, of differences */
 } cutter;
 
-static double level(const cutter *c, const double x[3])
+static double level_at(const cutter *c, const double x[3])
 {
     return c->shape->model->level(c->shape->par, c->grid->dim, x);
 }
 
-static void gradient(const cutter *c, const double x[3], double g[3])
+static void level_gradient(const cutter *c, const double x[3], double g[3])
 {
     for (int a = 0; a < 3; ++a) {
         g[a] = 0.0;
@@ -25,31 +25,31 @@ static void gradient(const cutter *c, const double x[3], double g[3])
         double up[3] = {x[0], x[1], x[2]}, down[3] = {x[0], x[1], x[2]};
         up[a] += c->step;
         down[a] -= c->step;
-        g[a] = (level(c, up) - level(c, down)) / (2.0 * c->step);
+        g[a] = (level_at(c, up) - level_at(c, down)) / (2.0 * c->step);
     }
 }
 
 /* Brings the element's centre onto the surface, and gives it its normal. */
-static void emit(const cutter *c, const double centre[3], double area)
+static void emit_element(const cutter *c, const double centre[3], double area)
 {
     surface_element e;
     double g[3];
     memcpy(e.x, centre, sizeof e.x);
     for (int pass = 0; pass < 3; ++pass) {
-        gradient(c, e.x, g);
+        level_gradient(c, e.x, g);
         const double square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
         if (!(square > 0.0)) return;
-        const double move = level(c, e.x) / square;
+        const double move = level_at(c, e.x) / square;
         for (int a = 0; a < 3; ++a) e.x[a] -= move * g[a];
     }
-    gradient(c, e.x, g);
+    level_gradient(c, e.x, g);
     const double length = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     for (int a = 0; a < 3; ++a) e.normal[a] = g[a] / length;
     e.area = c->grid->axisymmetric ? area * e.x[0] : area;
     c->visit(c->user, &e);
 }
 
-static void crossing(const double *a, const double *b, double la, double lb, double x[3])
+static void edge_crossing(const double *a, const double *b, double la, double lb, double x[3])
 {
     const double t = la / (la - lb);
     for (int d = 0; d < 3; ++d) x[d] = a[d] + t * (b[d] - a[d]);
@@ -70,14 +70,14 @@ static void emit_cut(const cutter *c, double cut[4][3], int n)
     for (int k = 0; k < n; ++k)
         for (int a = 0; a < 3; ++a) centre[a] += cut[k][a] / n;
     if (n == 1) {
-        emit(c, centre, 1.0);
+        emit_element(c, centre, 1.0);
     } else if (n == 2) {
         const double d[3] = {cut[1][0] - cut[0][0], cut[1][1] - cut[0][1], cut[1][2] - cut[0][2]};
-        emit(c, centre, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+        emit_element(c, centre, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
     } else if (n == 3) {
-        emit(c, centre, triangle_area(cut[0], cut[1], cut[2]));
+        emit_element(c, centre, triangle_area(cut[0], cut[1], cut[2]));
     } else { /* edges come as ab, ac | bd, cd, so that 0, 1, 3, 2 goes around */
-        emit(c, centre, triangle_area(cut[0], cut[1], cut[3]) + triangle_area(cut[0], cut[3], cut[2]));
+        emit_element(c, centre, triangle_area(cut[0], cut[1], cut[3]) + triangle_area(cut[0], cut[3], cut[2]));
     }
 }
 
@@ -89,7 +89,7 @@ static void cut_simplex(const cutter *c, const double corner[4][3])
     double l[4], cut[4][3];
     int inside[4], outside[4], n_in = 0, n_out = 0, n = 0;
     for (int k = 0; k < corners; ++k) {
-        l[k] = level(c, corner[k]);
+        l[k] = level_at(c, corner[k]);
         if (l[k] < 0.0)
             inside[n_in++] = k;
         else
@@ -97,7 +97,7 @@ static void cut_simplex(const cutter *c, const double corner[4][3])
     }
     for (int i = 0; i < n_in; ++i)
         for (int o = 0; o < n_out; ++o)
-            crossing(corner[inside[i]], corner[outside[o]], l[inside[i]], l[outside[o]], cut[n++]);
+            edge_crossing(corner[inside[i]], corner[outside[o]], l[inside[i]], l[outside[o]], cut[n++]);
     if (n > 0) emit_cut(c, cut, n);
 }
 
@@ -125,7 +125,7 @@ static void cut_along(const cutter *c, const double lo[3], const double hi[3], c
 }
 
 /* lo and hi: opposite corners. */
-static void cut_box(const cutter *c, const double lo[3], const double hi[3])
+static void clip_box(const cutter *c, const double lo[3], const double hi[3])
 {
     const int dim = c->grid->dim, all = (1 << (dim - 1)) - 1;
     const bool middles = c->cut == SURFACE_MIDDLES;
@@ -137,13 +137,13 @@ static void cut_box(const cutter *c, const double lo[3], const double hi[3])
 
 /* Place of a face of the sub-boxes: neighbours compute the same bits, in whichever cell they are, so that a surface
  * along a face is met once. */
-static double face_of(const seed_spec *g, int axis, int cell, int at, int divide)
+static double sub_box_face(const seed_spec *g, int axis, int cell, int at, int divide)
 {
     return g->lower[axis] + g->h[axis] * (cell + (double)at / divide);
 }
 
 /* Sub-boxes of a cell, unless the surface is farther from its centre than its corners are. */
-static void cut_cell(const cutter *c, const int cell[3], int divide)
+static void clip_cell(const cutter *c, const int cell[3], int divide)
 {
     const seed_spec *g = c->grid;
     double centre[3] = {0}, reach = 0.0;
@@ -151,7 +151,7 @@ static void cut_cell(const cutter *c, const int cell[3], int divide)
         centre[a] = g->lower[a] + (cell[a] + 0.5) * g->h[a];
         reach += g->h[a] * g->h[a];
     }
-    if (fabs(level(c, centre)) > sqrt(reach)) return;
+    if (fabs(level_at(c, centre)) > sqrt(reach)) return;
     const int ny = g->dim > 1 ? divide : 1, nz = g->dim > 2 ? divide : 1;
     for (int k = 0; k < nz; ++k)
         for (int j = 0; j < ny; ++j)
@@ -159,10 +159,10 @@ static void cut_cell(const cutter *c, const int cell[3], int divide)
                 const int at[3] = {i, j, k};
                 double lo[3] = {0}, hi[3] = {0};
                 for (int a = 0; a < g->dim; ++a) {
-                    lo[a] = face_of(g, a, cell[a], at[a], divide);
-                    hi[a] = face_of(g, a, cell[a], at[a] + 1, divide);
+                    lo[a] = sub_box_face(g, a, cell[a], at[a], divide);
+                    hi[a] = sub_box_face(g, a, cell[a], at[a] + 1, divide);
                 }
-                cut_box(c, lo, hi);
+                clip_box(c, lo, hi);
             }
 }
 
@@ -172,5 +172,5 @@ void surface_visit(const shape *s, const seed_spec *grid, int divide, surface_cu
     cutter c = {s, grid, cut, visit, user, 1e-6 * grid->h[0]};
     for (int k = 0; k < grid->n[2]; ++k)
         for (int j = 0; j < grid->n[1]; ++j)
-            for (int i = 0; i < grid->n[0]; ++i) cut_cell(&c, (const int[]){i, j, k}, divide);
+            for (int i = 0; i < grid->n[0]; ++i) clip_cell(&c, (const int[]){i, j, k}, divide);
 }

@@ -34,7 +34,7 @@ static int apply_preconditioner(void *data, N_Vector r, N_Vector z, realtype tol
     return 0;
 }
 
-static floe_status fill(cg *c, int most_iterations)
+static floe_status fill_cg(cg *c, int most_iterations)
 {
     if (SUNContext_Create(NULL, &c->sun) != 0)
         return fail(c->ctx, FLOE_NO_MEMORY, "SUNDIALS has no memory for a context");
@@ -54,7 +54,7 @@ floe_status cg_create(cg **out, context *ctx, const solve_grid *g, int component
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     **out = (cg){.ctx = ctx, .grid = g, .components = components};
-    const floe_status status = fill(*out, most_iterations);
+    const floe_status status = fill_cg(*out, most_iterations);
     if (status != FLOE_OK) cg_destroy(out);
     return status;
 }

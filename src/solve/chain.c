@@ -34,7 +34,7 @@ void chain_clear(chain_matrix *m)
     memset(m->next, 0, m->n * sizeof *m->next);
 }
 
-static bool invert(const double a[4], double out[4])
+static bool invert_block(const double a[4], double out[4])
 {
     const double det = a[0] * a[3] - a[1] * a[2];
     if (!(det > 0.0) || !(a[0] > 0.0)) return false;
@@ -46,20 +46,20 @@ static bool invert(const double a[4], double out[4])
 }
 
 /* y -= A x, or A^T x */
-static void take(const double a[4], bool turned, const double x[2], double y[2])
+static void subtract_product(const double a[4], bool turned, const double x[2], double y[2])
 {
     y[0] -= a[0] * x[0] + a[turned ? 2 : 1] * x[1];
     y[1] -= a[turned ? 1 : 2] * x[0] + a[3] * x[1];
 }
 
-static void multiply(const double a[4], const double x[2], double y[2])
+static void multiply_block(const double a[4], const double x[2], double y[2])
 {
     y[0] = a[0] * x[0] + a[1] * x[1];
     y[1] = a[2] * x[0] + a[3] * x[1];
 }
 
 /* Pivots of the points from `first` on: D_i - E^T D^-1 E of the one before. */
-static bool eliminate(chain_matrix *m, size_t first)
+static bool eliminate_points(chain_matrix *m, size_t first)
 {
     for (size_t i = first; i < m->n; ++i) {
         double pivot[4];
@@ -68,28 +68,28 @@ static bool eliminate(chain_matrix *m, size_t first)
             for (int c = 0; c < 2; ++c) {
                 const double column[2] = {m->next[i - 1][c], m->next[i - 1][2 + c]};
                 double x[2], y[2] = {0.0, 0.0};
-                multiply(m->inverse[i - 1], column, x);
-                take(m->next[i - 1], true, x, y);
+                multiply_block(m->inverse[i - 1], column, x);
+                subtract_product(m->next[i - 1], true, x, y);
                 pivot[c] += y[0];
                 pivot[2 + c] += y[1];
             }
-        if (!invert(pivot, m->inverse[i])) return false;
+        if (!invert_block(pivot, m->inverse[i])) return false;
     }
     return true;
 }
 
 /* Solves for the points from `first` on, in place. */
-static void substitute(const chain_matrix *m, size_t first, double *x)
+static void substitute_back(const chain_matrix *m, size_t first, double *x)
 {
     for (size_t i = first + 1; i < m->n; ++i) {
         double y[2];
-        multiply(m->inverse[i - 1], x + 2 * (i - 1), y);
-        take(m->next[i - 1], true, y, x + 2 * i);
+        multiply_block(m->inverse[i - 1], x + 2 * (i - 1), y);
+        subtract_product(m->next[i - 1], true, y, x + 2 * i);
     }
     for (size_t i = m->n; i-- > first;) {
         double y[2];
-        if (i + 1 < m->n) take(m->next[i], false, x + 2 * (i + 1), x + 2 * i);
-        multiply(m->inverse[i], x + 2 * i, y);
+        if (i + 1 < m->n) subtract_product(m->next[i], false, x + 2 * (i + 1), x + 2 * i);
+        multiply_block(m->inverse[i], x + 2 * i, y);
         memcpy(x + 2 * i, y, sizeof y);
     }
 }
@@ -108,33 +108,33 @@ static bool close_ring(chain_matrix *m)
             x[2 + r] += m->next[0][2 * c + r];
             x[2 * last + (size_t)r] += m->next[last][2 * r + c];
         }
-        substitute(m, 1, x);
+        substitute_back(m, 1, x);
         double y[2] = {0.0, 0.0};
-        take(m->next[0], false, x + 2, y);
-        take(m->next[last], true, x + 2 * last, y);
+        subtract_product(m->next[0], false, x + 2, y);
+        subtract_product(m->next[last], true, x + 2 * last, y);
         own[c] += y[0];
         own[2 + c] += y[1];
     }
-    return invert(own, m->inverse[0]);
+    return invert_block(own, m->inverse[0]);
 }
 
 static void solve_plain(const chain_matrix *m, double *x)
 {
     const size_t last = m->n - 1;
     if (!m->closed) {
-        substitute(m, 0, x);
+        substitute_back(m, 0, x);
         return;
     }
     double rest[2] = {x[0], x[1]}, first[2];
-    substitute(m, 1, x);
-    take(m->next[0], false, x + 2, rest);
-    take(m->next[last], true, x + 2 * last, rest);
-    multiply(m->inverse[0], rest, first);
+    substitute_back(m, 1, x);
+    subtract_product(m->next[0], false, x + 2, rest);
+    subtract_product(m->next[last], true, x + 2 * last, rest);
+    multiply_block(m->inverse[0], rest, first);
     for (size_t k = 2; k < 2 * m->n; ++k) x[k] -= m->column[2][k] * first[0] + m->column[3][k] * first[1];
     memcpy(x, first, sizeof first);
 }
 
-static double dot(size_t n, const double *x, const double *y)
+static double dot_product(size_t n, const double *x, const double *y)
 {
     double sum = 0.0;
     for (size_t k = 0; k < n; ++k) sum += x[k] * y[k];
@@ -145,14 +145,14 @@ floe_status chain_solve(chain_matrix *m, double k, const double *g, const double
 {
     const size_t n = 2 * m->n;
     double *z = m->column[0];
-    if (!eliminate(m, m->closed ? 1 : 0) || (m->closed && !close_ring(m)))
+    if (!eliminate_points(m, m->closed ? 1 : 0) || (m->closed && !close_ring(m)))
         return fail(m->ctx, FLOE_RETRY, "the matrix of a chain of %zu points is not positive definite", m->n);
     memcpy(x, b, n * sizeof *x);
     solve_plain(m, x);
     if (k == 0.0) return FLOE_OK;
     memcpy(z, g, n * sizeof *z);
     solve_plain(m, z);
-    const double share = k * dot(n, g, x) / (1.0 + k * dot(n, g, z));
+    const double share = k * dot_product(n, g, x) / (1.0 + k * dot_product(n, g, z));
     for (size_t i = 0; i < n; ++i) x[i] -= share * z[i];
     return FLOE_OK;
 }

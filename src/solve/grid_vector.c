@@ -10,14 +10,14 @@ typedef struct content {
     double *data, *partial; /* owned */
 } content;
 
-static content *of(N_Vector v)
+static content *content_of(N_Vector v)
 {
     return v->content;
 }
 
 double *grid_vector_data(N_Vector v)
 {
-    return of(v)->data;
+    return content_of(v)->data;
 }
 
 /* Linear index of the first unknown of one of the rows of all components. */
@@ -34,8 +34,8 @@ static int rows_of(const content *c)
 
 static void linear_sum(realtype a, N_Vector vx, realtype b, N_Vector vy, N_Vector vz)
 {
-    const content *c = of(vz);
-    const double *x = of(vx)->data, *y = of(vy)->data;
+    const content *c = content_of(vz);
+    const double *x = content_of(vx)->data, *y = content_of(vy)->data;
     double *z = c->data;
     const int rows = rows_of(c), n = c->grid->n[0];
 #pragma omp parallel for schedule(static) if (solve_is_large(c->grid))
@@ -46,9 +46,9 @@ static void linear_sum(realtype a, N_Vector vx, realtype b, N_Vector vy, N_Vecto
     }
 }
 
-static void set_all(realtype value, N_Vector vz)
+static void set_all_values(realtype value, N_Vector vz)
 {
-    const content *c = of(vz);
+    const content *c = content_of(vz);
     const int rows = rows_of(c), n = c->grid->n[0];
     for (int row = 0; row < rows; ++row) {
         const ptrdiff_t base = row_of(c, row);
@@ -56,10 +56,10 @@ static void set_all(realtype value, N_Vector vz)
     }
 }
 
-static void product(N_Vector vx, N_Vector vy, N_Vector vz)
+static void multiply_vectors(N_Vector vx, N_Vector vy, N_Vector vz)
 {
-    const content *c = of(vz);
-    const double *x = of(vx)->data, *y = of(vy)->data;
+    const content *c = content_of(vz);
+    const double *x = content_of(vx)->data, *y = content_of(vy)->data;
     double *z = c->data;
     const int rows = rows_of(c), n = c->grid->n[0];
 #pragma omp parallel for schedule(static) if (solve_is_large(c->grid))
@@ -70,7 +70,7 @@ static void product(N_Vector vx, N_Vector vy, N_Vector vz)
     }
 }
 
-static void scale(realtype factor, N_Vector vx, N_Vector vz)
+static void scale_vector(realtype factor, N_Vector vx, N_Vector vz)
 {
     linear_sum(factor, vx, 0.0, vx, vz);
 }
@@ -104,14 +104,14 @@ static size_t count_tiles(const solve_grid *g)
     return (size_t)tiles_along(g, 0) * (size_t)tiles_along(g, 1) * (size_t)tiles_along(g, 2);
 }
 
-static realtype dot(N_Vector vx, N_Vector vy)
+static realtype dot_product(N_Vector vx, N_Vector vy)
 {
-    const content *w = of(vx);
+    const content *w = content_of(vx);
     const solve_grid *g = w->grid;
     const int tx = tiles_along(g, 0), ty = tiles_along(g, 1), tiles = (int)count_tiles(g);
     double sum = 0.0;
     for (int c = 0; c < w->components; ++c) {
-        const double *x = w->data + (size_t)c * g->size, *y = of(vy)->data + (size_t)c * g->size;
+        const double *x = w->data + (size_t)c * g->size, *y = content_of(vy)->data + (size_t)c * g->size;
 #pragma omp parallel for schedule(static) if (solve_is_large(g))
         for (int t = 0; t < tiles; ++t)
             w->partial[t] = tile_dot(
@@ -121,16 +121,16 @@ static realtype dot(N_Vector vx, N_Vector vy)
     return sum;
 }
 
-static sunindextype length(N_Vector v)
+static sunindextype vector_length(N_Vector v)
 {
-    const content *c = of(v);
+    const content *c = content_of(v);
     return (sunindextype)c->components * c->grid->n[0] * c->grid->n[1] * c->grid->n[2];
 }
 
-static void destroy(N_Vector v)
+static void destroy_vector(N_Vector v)
 {
     if (v == NULL) return;
-    content *c = of(v);
+    content *c = content_of(v);
     if (c != NULL) {
         context *ctx = c->ctx;
         memory_free(ctx, &c->data);
@@ -140,22 +140,22 @@ static void destroy(N_Vector v)
     N_VFreeEmpty(v);
 }
 
-static floe_status fill(N_Vector v, context *ctx, const solve_grid *g, int components, bool *lost)
+static floe_status fill_vector(N_Vector v, context *ctx, const solve_grid *g, int components, bool *lost)
 {
     TRY(memory_new(ctx, &v->content, 1, sizeof(content)));
-    content *c = of(v);
+    content *c = content_of(v);
     *c = (content){.ctx = ctx, .grid = g, .components = components, .lost = lost};
     TRY(memory_new(ctx, &c->data, (size_t)components * g->size, sizeof(double)));
     return memory_new(ctx, &c->partial, count_tiles(g), sizeof(double));
 }
 
-static N_Vector clone(N_Vector v)
+static N_Vector clone_vector(N_Vector v)
 {
-    const content *c = of(v);
+    const content *c = content_of(v);
     N_Vector out = N_VNewEmpty(v->sunctx);
     if (out == NULL) return NULL;
     N_VCopyOps(v, out);
-    if (fill(out, c->ctx, c->grid, c->components, c->lost) != FLOE_OK) *c->lost = true;
+    if (fill_vector(out, c->ctx, c->grid, c->components, c->lost) != FLOE_OK) *c->lost = true;
     return out;
 }
 
@@ -164,17 +164,17 @@ floe_status grid_vector_new(N_Vector *out, context *ctx, SUNContext sun, const s
 {
     *out = N_VNewEmpty(sun);
     if (*out == NULL) return fail(ctx, FLOE_NO_MEMORY, "a vector of the linear solver cannot be made");
-    (*out)->ops->nvclone = clone;
-    (*out)->ops->nvdestroy = destroy;
-    (*out)->ops->nvgetlength = length;
+    (*out)->ops->nvclone = clone_vector;
+    (*out)->ops->nvdestroy = destroy_vector;
+    (*out)->ops->nvgetlength = vector_length;
     (*out)->ops->nvlinearsum = linear_sum;
-    (*out)->ops->nvconst = set_all;
-    (*out)->ops->nvprod = product;
-    (*out)->ops->nvscale = scale;
-    (*out)->ops->nvdotprod = dot;
-    const floe_status status = fill(*out, ctx, g, components, lost);
+    (*out)->ops->nvconst = set_all_values;
+    (*out)->ops->nvprod = multiply_vectors;
+    (*out)->ops->nvscale = scale_vector;
+    (*out)->ops->nvdotprod = dot_product;
+    const floe_status status = fill_vector(*out, ctx, g, components, lost);
     if (status != FLOE_OK) {
-        destroy(*out);
+        destroy_vector(*out);
         *out = NULL;
     }
     return status;

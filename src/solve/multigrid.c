@@ -34,7 +34,7 @@ typedef struct coarsening {
     bool together[MESH_MAX_DIM];   /* still to be coarsened with the others, without a stop */
 } coarsening;
 
-static int strongest(const coarsening *c)
+static int strongest_axis(const coarsening *c)
 {
     int axis = -1;
     for (int a = 0; a < c->dim; ++a)
@@ -49,13 +49,13 @@ static int choose_axis(coarsening *c, bool *smoothed)
     for (int a = 0; a < c->dim; ++a)
         if (c->together[a] && c->n[a] > 1) return a;
     *smoothed = true;
-    const int axis = strongest(c);
+    const int axis = strongest_axis(c);
     for (int a = 0; a < c->dim && axis >= 0; ++a)
         c->together[a] = c->n[a] > 1 && c->strength[a] >= alike * c->strength[axis];
     return axis;
 }
 
-static void halve(coarsening *c, int axis)
+static void halve_axis(coarsening *c, int axis)
 {
     c->together[axis] = false;
     c->n[axis] = (c->n[axis] + 1) / 2;
@@ -71,7 +71,7 @@ static floe_status fill_level(multigrid *m, level *l, bool finest)
     return finest ? FLOE_OK : memory_new(m->ctx, &l->b, size, sizeof(double));
 }
 
-static floe_status fill(multigrid *m, const solve_grid *g, const double *strength)
+static floe_status fill_multigrid(multigrid *m, const solve_grid *g, const double *strength)
 {
     coarsening c = {.dim = g->dim};
     memcpy(c.n, g->n, sizeof c.n);
@@ -82,7 +82,7 @@ static floe_status fill(multigrid *m, const solve_grid *g, const double *strengt
         l->grid = solve_grid_make(c.dim, c.n, c.periodic);
         axis = l->axis = choose_axis(&c, &l->smoothed);
         TRY(fill_level(m, l, m->n == 1));
-        if (axis >= 0) halve(&c, axis);
+        if (axis >= 0) halve_axis(&c, axis);
     }
     return FLOE_OK;
 }
@@ -92,7 +92,7 @@ floe_status multigrid_create(multigrid **out, context *ctx, const solve_grid *g,
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->ctx = ctx;
     choose_polynomial(*out, g->dim);
-    const floe_status status = fill(*out, g, strength);
+    const floe_status status = fill_multigrid(*out, g, strength);
     if (status != FLOE_OK) multigrid_destroy(out);
     return status;
 }
@@ -132,7 +132,7 @@ void multigrid_apply(void *user, double *x, double *y)
 }
 
 /* Two steps of the polynomial on A x = b; from x, or from 0. The result is in l->x. */
-static void smooth(const multigrid *m, const level *l, const double *b, bool fresh)
+static void smooth_level(const multigrid *m, const level *l, const double *b, bool fresh)
 {
     if (fresh)
         level_start(l, b, m->first, l->y, l->x);
@@ -142,13 +142,13 @@ static void smooth(const multigrid *m, const level *l, const double *b, bool fre
 }
 
 /* Down: b of every level from the residual of the one above. */
-static void descend(const multigrid *m, const double *b)
+static void restrict_residuals(const multigrid *m, const double *b)
 {
     for (int k = 0; k + 1 < m->n; ++k) {
         const level *l = &m->level[k];
         const double *here = k == 0 ? b : l->b;
         if (l->smoothed) {
-            smooth(m, l, here, true);
+            smooth_level(m, l, here, true);
             level_residual(l, l->x, here, l->residual);
             level_restrict(l, l->residual, l + 1);
         } else {
@@ -158,14 +158,14 @@ static void descend(const multigrid *m, const double *b)
 }
 
 /* Up: the correction of the level below, smoothed. */
-static void ascend(const multigrid *m, const double *b)
+static void prolong_corrections(const multigrid *m, const double *b)
 {
     const level *last = &m->level[m->n - 1];
     last->x[last->grid.origin] = last->inverse[last->grid.origin] * (m->n == 1 ? b : last->b)[last->grid.origin];
     for (int k = m->n - 2; k >= 0; --k) {
         const level *l = &m->level[k];
         level_prolong(l, l->x, l + 1, l[1].x, !l->smoothed);
-        if (l->smoothed) smooth(m, l, k == 0 ? b : l->b, false);
+        if (l->smoothed) smooth_level(m, l, k == 0 ? b : l->b, false);
     }
 }
 
@@ -173,7 +173,7 @@ void multigrid_cycle(void *user, double *x, double *y)
 {
     const multigrid *m = user;
     const level *top = &m->level[0];
-    descend(m, x);
-    ascend(m, x);
+    restrict_residuals(m, x);
+    prolong_corrections(m, x);
     memcpy(y, top->x, top->grid.size * sizeof *y);
 }

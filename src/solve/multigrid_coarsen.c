@@ -23,7 +23,7 @@ typedef struct crossing {
     ptrdiff_t last;             /* the last fine cell of the pair before; -1: the side of the domain */
 } crossing;
 
-static crossing cross(const level *l, int pair, ptrdiff_t at)
+static crossing links_across(const level *l, int pair, ptrdiff_t at)
 {
     const int n = l->grid.n[l->axis], pairs = (n + 1) / 2;
     const ptrdiff_t s = l->grid.stride[l->axis], start = at - 2 * pair * s;
@@ -58,7 +58,7 @@ static void coarsen_line(level *l, level *coarse, ptrdiff_t at, ptrdiff_t to)
     const bool periodic = l->grid.periodic[l->axis];
     for (int pair = 0; pair < pairs + !periodic; ++pair) {
         const ptrdiff_t first = at + 2 * pair * s;
-        const crossing c = cross(l, pair, first);
+        const crossing c = links_across(l, pair, first);
         const double series = 1.0 + 0.5 * c.link * (c.inner + c.beyond);
         coarse->system.link[l->axis][to + pair * t] = periodic && pairs == 1 ? 0.0 : c.link / series;
         if (pair < pairs) {

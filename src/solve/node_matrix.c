@@ -37,7 +37,7 @@ void node_matrix_destroy(node_matrix **m)
 }
 
 /* Index along an axis brought back around a periodic end; -1: beyond the grid. */
-static int wrapped(const solve_grid *g, int axis, int i)
+static int wrapped_index(const solve_grid *g, int axis, int i)
 {
     if (g->periodic[axis]) return (i % g->n[axis] + g->n[axis]) % g->n[axis];
     return i >= 0 && i < g->n[axis] ? i : -1;
@@ -66,7 +66,7 @@ static int place_of_slot(const node_matrix *m, const int at[MESH_MAX_DIM], int s
     int offset[MESH_MAX_DIM], other[MESH_MAX_DIM] = {0, 0, 0};
     offset_of_slot(m, slot, offset);
     for (int a = 0; a < m->grid.dim; ++a) {
-        other[a] = wrapped(&m->grid, a, at[a] + offset[a]);
+        other[a] = wrapped_index(&m->grid, a, at[a] + offset[a]);
         if (other[a] < 0) return -1;
     }
     return (int)solve_index(&m->grid, other[0], other[1], other[2]);

@@ -60,7 +60,7 @@ static int coarse_width(int width)
     return (width + 2) / 2 > 1 ? (width + 2) / 2 : 1;
 }
 
-static floe_status fill(node_multigrid *m, const solve_grid *g, int components, int width, int arm)
+static floe_status fill_node_multigrid(node_multigrid *m, const solve_grid *g, int components, int width, int arm)
 {
     solve_grid grid = *g, coarse;
     TRY(add_level(m, &grid, components, width, arm));
@@ -80,7 +80,7 @@ floe_status node_multigrid_create(node_multigrid **out, context *ctx, const solv
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->ctx = ctx;
-    const floe_status status = fill(*out, g, components, width, arm);
+    const floe_status status = fill_node_multigrid(*out, g, components, width, arm);
     if (status != FLOE_OK) node_multigrid_destroy(out);
     return status;
 }
@@ -141,7 +141,7 @@ static node_parents parents_of(const node_level *l, const int node[MESH_MAX_DIM]
     return p;
 }
 
-static ptrdiff_t place_of(const solve_grid *g, const int at[MESH_MAX_DIM])
+static ptrdiff_t node_index(const solve_grid *g, const int at[MESH_MAX_DIM])
 {
     int i[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < g->dim; ++a) i[a] = g->periodic[a] ? (at[a] + g->n[a]) % g->n[a] : at[a];
@@ -167,7 +167,7 @@ static floe_status shape_coarse(const node_level *l, node_level *coarse)
         int at[MESH_MAX_DIM];
         node_of_place(&l->matrix->grid, l->matrix->place[row], at);
         const node_parents p = parents_of(l, at);
-        for (int k = 0; k < p.n; ++k) takes_part[place_of(to, p.at[k])] = true;
+        for (int k = 0; k < p.n; ++k) takes_part[node_index(to, p.at[k])] = true;
     }
     const floe_status status = node_matrix_shape(coarse->matrix, takes_part);
     memory_free(coarse->matrix->ctx, &takes_part);
@@ -192,7 +192,7 @@ static void add_blocks(const node_level *l, node_level *coarse, int row, int slo
 {
     const node_matrix *fine = l->matrix, *to = coarse->matrix;
     for (int i = 0; i < p->n; ++i) {
-        const int target = to->row[place_of(&to->grid, p->at[i])];
+        const int target = to->row[node_index(&to->grid, p->at[i])];
         for (int j = 0; j < q->n; ++j) {
             const int at = slot_between(to, p->at[i], q->at[j]);
             const double share = p->share[i] * q->share[j];
@@ -280,7 +280,7 @@ static void restrict_to(const node_level *l, const double *r, node_level *coarse
         node_of_place(&fine->grid, fine->place[row], at);
         const node_parents p = parents_of(l, at);
         for (int k = 0; k < p.n; ++k) {
-            const size_t place = (size_t)place_of(&to->grid, p.at[k]);
+            const size_t place = (size_t)node_index(&to->grid, p.at[k]);
             for (int c = 0; c < fine->components; ++c)
                 coarse->b[(size_t)c * to->grid.size + place] +=
                     p.share[k] * r[(size_t)c * fine->grid.size + (size_t)fine->place[row]];
@@ -288,7 +288,7 @@ static void restrict_to(const node_level *l, const double *r, node_level *coarse
     }
 }
 
-static void prolong(const node_level *l, double *x, const node_level *coarse)
+static void prolong_correction(const node_level *l, double *x, const node_level *coarse)
 {
     const node_matrix *fine = l->matrix, *from = coarse->matrix;
 #pragma omp parallel for schedule(static) if (fine->rows > 2048)
@@ -299,7 +299,7 @@ static void prolong(const node_level *l, double *x, const node_level *coarse)
         for (int c = 0; c < fine->components; ++c) {
             double sum = 0.0;
             for (int k = 0; k < p.n; ++k)
-                sum += p.share[k] * coarse->x[(size_t)c * from->grid.size + (size_t)place_of(&from->grid, p.at[k])];
+                sum += p.share[k] * coarse->x[(size_t)c * from->grid.size + (size_t)node_index(&from->grid, p.at[k])];
             x[(size_t)c * fine->grid.size + (size_t)fine->place[row]] += sum;
         }
     }
@@ -315,7 +315,7 @@ static void solve_exactly(const node_multigrid *m, const double *b, double *x)
 }
 
 /* Down to the exact solution, and up again. `x` and `b` of the finest level are the caller's. */
-static void cycle(node_multigrid *m, const double *b, double *x)
+static void run_v_cycle(node_multigrid *m, const double *b, double *x)
 {
     for (int k = 0; k < m->last; ++k) {
         node_level *l = &m->level[k];
@@ -330,12 +330,12 @@ static void cycle(node_multigrid *m, const double *b, double *x)
     solve_exactly(m, m->last ? m->level[m->last].b : b, m->last ? m->level[m->last].x : x);
     for (int k = m->last - 1; k >= 0; --k) {
         node_level *l = &m->level[k];
-        prolong(l, k ? l->x : x, l + 1);
+        prolong_correction(l, k ? l->x : x, l + 1);
         node_smoother_relax(&l->smoother, k ? l->b : b, k ? l->x : x, false);
     }
 }
 
 void node_multigrid_cycle(void *user, double *x, double *y)
 {
-    cycle(user, x, y);
+    run_v_cycle(user, x, y);
 }

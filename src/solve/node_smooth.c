@@ -15,7 +15,7 @@ static const double light = 0.5;
 /* What patches add to their diagonals, scaled to 1: modes that no point sees would be divided by nothing. */
 static const double floor_of_patch = 1e-10;
 
-static size_t packed(int i, int j)
+static size_t packed_index(int i, int j)
 {
     return (size_t)i * (size_t)(i + 1) / 2 + (size_t)j;
 }
@@ -23,9 +23,9 @@ static size_t packed(int i, int j)
 void packed_factor(int n, double *a, double more)
 {
     for (int i = 0; i < n; ++i) {
-        double *row = a + packed(i, 0);
+        double *row = a + packed_index(i, 0);
         for (int j = 0; j < i; ++j) {
-            const double *other = a + packed(j, 0);
+            const double *other = a + packed_index(j, 0);
             double sum = row[j];
             for (int k = 0; k < j; ++k) sum -= row[k] * other[k];
             row[j] = other[j] > 0.0 ? sum / other[j] : 0.0;
@@ -41,13 +41,13 @@ void packed_factor(int n, double *a, double more)
 void packed_solve(int n, const double *a, double *b)
 {
     for (int i = 0; i < n; ++i) {
-        const double *row = a + packed(i, 0);
+        const double *row = a + packed_index(i, 0);
         double sum = b[i];
         for (int k = 0; k < i; ++k) sum -= row[k] * b[k];
         b[i] = row[i] > 0.0 ? sum / row[i] : 0.0;
     }
     for (int i = n - 1; i >= 0; --i) {
-        const double *row = a + packed(i, 0);
+        const double *row = a + packed_index(i, 0);
         b[i] = row[i] > 0.0 ? b[i] / row[i] : 0.0;
         for (int k = 0; k < i; ++k) b[k] -= row[k] * b[i];
     }
@@ -84,7 +84,7 @@ static void invert_block(const node_matrix *m, int row, double *out)
         for (int c2 = 0; c2 < n; ++c2) a[c * n + c2] = node_matrix_entries(m, row, c, c2)[centre];
     double packed_block[NODE_MATRIX_COMPONENTS * (NODE_MATRIX_COMPONENTS + 1) / 2];
     for (int c = 0; c < n; ++c)
-        for (int c2 = 0; c2 <= c; ++c2) packed_block[packed(c, c2)] = a[c * n + c2];
+        for (int c2 = 0; c2 <= c; ++c2) packed_block[packed_index(c, c2)] = a[c * n + c2];
     packed_factor(n, packed_block, 0.0);
     for (int c = 0; c < n; ++c) {
         double x[NODE_MATRIX_COMPONENTS] = {0.0};
@@ -101,7 +101,7 @@ static int vector_size(const node_matrix *m)
 }
 
 /* Diagonal of the components from `first` on that make a vector. */
-static double weight_of(const node_matrix *m, int row, int first)
+static double vector_diagonal(const node_matrix *m, int row, int first)
 {
     double sum = 0.0;
     for (int c = first; c < first + vector_size(m); ++c) sum += node_matrix_entries(m, row, c, c)[centre_slot(m)];
@@ -109,11 +109,11 @@ static double weight_of(const node_matrix *m, int row, int first)
 }
 
 /* Whether one of the vectors of a node weighs little, or none has anything. */
-static bool is_light(const node_matrix *m, int row, double heaviest)
+static bool has_small_diagonal(const node_matrix *m, int row, double heaviest)
 {
     bool none = true;
     for (int c = 0; c < m->components; c += vector_size(m)) {
-        const double weight = weight_of(m, row, c);
+        const double weight = vector_diagonal(m, row, c);
         if (weight > 0.0 && weight < light * heaviest) return true;
         none = none && !(weight > 0.0);
     }
@@ -150,9 +150,9 @@ static bool holds_points(const node_matrix *m, int row)
 /* Windows have width + 1 nodes along an axis; the widest are those of cubic splines with held edges. */
 enum { WINDOW_NODES = 5 * 5 * 5, PATCH_UNKNOWNS = WINDOW_NODES * NODE_MATRIX_COMPONENTS };
 
-static floe_status reserve(node_smoother *s, int unknowns)
+static floe_status reserve_smoother(node_smoother *s, int unknowns)
 {
-    const size_t factors = packed(unknowns, 0);
+    const size_t factors = packed_index(unknowns, 0);
     if (s->patches == s->patch_room) {
         s->patch_room = s->patch_room ? 2 * s->patch_room : 64;
         TRY(memory_resize(s->ctx, &s->patch, (size_t)s->patch_room, sizeof *s->patch));
@@ -190,7 +190,7 @@ static floe_status add_patch(node_smoother *s, const int *rows, int nodes)
             row[n] = rows[k];
             component[n++] = c;
         }
-    TRY(reserve(s, n));
+    TRY(reserve_smoother(s, n));
     node_patch *p = &s->patch[s->patches++];
     *p = (node_patch){n, s->unknowns, s->factors};
     double *a = s->factor + p->factor, scale[PATCH_UNKNOWNS];
@@ -200,11 +200,11 @@ static floe_status add_patch(node_smoother *s, const int *rows, int nodes)
         scale[i] = 1.0 / sqrt(entry_between(m, row[i], component[i], row[i], component[i]));
         s->share[p->first + (size_t)i] = scale[i];
         for (int j = 0; j <= i; ++j)
-            a[packed(i, j)] = scale[i] * scale[j] * entry_between(m, row[i], component[i], row[j], component[j]);
+            a[packed_index(i, j)] = scale[i] * scale[j] * entry_between(m, row[i], component[i], row[j], component[j]);
     }
     packed_factor(n, a, floor_of_patch);
     s->unknowns += (size_t)n;
-    s->factors += packed(n, 0);
+    s->factors += packed_index(n, 0);
     return FLOE_OK;
 }
 
@@ -215,12 +215,12 @@ static floe_status find_patches(node_smoother *s)
     s->patches = 0;
     s->unknowns = s->factors = 0;
     for (int row = 0; row < m->rows; ++row)
-        for (int c = 0; c < m->components; c += vector_size(m)) heaviest = fmax(heaviest, weight_of(m, row, c));
+        for (int c = 0; c < m->components; c += vector_size(m)) heaviest = fmax(heaviest, vector_diagonal(m, row, c));
     for (int row = 0; row < m->rows; ++row) {
         int rows[WINDOW_NODES];
         bool edge = false;
         const int nodes = window_rows(m, row, rows);
-        for (int k = 0; k < nodes; ++k) edge = edge || (rows[k] >= 0 && is_light(m, rows[k], heaviest));
+        for (int k = 0; k < nodes; ++k) edge = edge || (rows[k] >= 0 && has_small_diagonal(m, rows[k], heaviest));
         if (edge && holds_points(m, row)) TRY(add_patch(s, rows, nodes));
     }
     return FLOE_OK;
@@ -263,7 +263,7 @@ static void apply_inverse(const node_smoother *s, const double *from, double *to
     }
 }
 
-static double norm(const node_matrix *m, const double *x)
+static double matrix_norm(const node_matrix *m, const double *x)
 {
     double sum = 0.0;
     for (int c = 0; c < m->components; ++c)
@@ -287,12 +287,12 @@ static double largest_eigenvalue(const node_smoother *s)
             x[(size_t)c * m->grid.size + (size_t)m->place[row]] = (double)(state >> 8) / 16777216.0 - 0.5;
         }
     for (int k = 0; k < POWER_STEPS; ++k) {
-        const double length = norm(m, x);
+        const double length = matrix_norm(m, x);
         if (!(length > 0.0)) return 1.0;
         for (size_t i = 0; i < (size_t)m->components * m->grid.size; ++i) x[i] /= length;
         node_matrix_apply(m, x, y);
         apply_inverse(s, y, x);
-        value = norm(m, x);
+        value = matrix_norm(m, x);
     }
     return value > 0.0 ? value : 1.0;
 }

@@ -15,8 +15,8 @@ typedef struct colour_nodes {
 } colour_nodes;
 
 /* Weight and gradient of the k-th product of splines, whose places along the axes come back in `at`. */
-static double product(const surface_set *s, const spline_values *along, int per_axis, int k, int at[3],
-                      double gradient[3])
+static double spline_product(const surface_set *s, const spline_values *along, int per_axis, int k, int at[3],
+                             double gradient[3])
 {
     double w = 1.0;
     for (int a = 0; a < 3; ++a) {
@@ -31,7 +31,7 @@ static double product(const surface_set *s, const spline_values *along, int per_
     return w;
 }
 
-static int power(int base, int exponent)
+static int integer_power(int base, int exponent)
 {
     int r = 1;
     for (int k = 0; k < exponent; ++k) r *= base;
@@ -61,11 +61,11 @@ static void spread_point(colour_nodes *n, const surface_entry *e)
 {
     spline_values along[3] = {{0}};
     splines_at(n->s, e, n->rule->spread, along);
-    const int count = power(along[0].n, n->s->mesh->dim);
+    const int count = integer_power(along[0].n, n->s->mesh->dim);
     for (int k = 0; k < count; ++k) {
         int at[3];
         double gradient[3];
-        const double w = product(n->s, along, along[0].n, k, at, gradient);
+        const double w = spline_product(n->s, along, along[0].n, k, at, gradient);
         const int node = node_number(n, e, along, at);
         if (node < 0) continue;
         n->colour[node] += w;
@@ -99,12 +99,12 @@ static void read_normal(const colour_nodes *n, const surface_entry *e, double no
 {
     spline_values along[3] = {{0}};
     splines_at(n->s, e, n->rule->of_nodes ? spline_linear : n->rule->spread, along);
-    const int count = power(along[0].n, n->s->mesh->dim);
+    const int count = integer_power(along[0].n, n->s->mesh->dim);
     memset(normal, 0, 3 * sizeof *normal);
     for (int k = 0; k < count; ++k) {
         int at[3];
         double gradient[3];
-        const double w = product(n->s, along, along[0].n, k, at, gradient);
+        const double w = spline_product(n->s, along, along[0].n, k, at, gradient);
         const int node = node_number(n, e, along, at);
         if (n->rule->of_nodes)
             vec_add_scaled(-w, n->gradient[node], normal);

@@ -19,8 +19,8 @@ typedef struct surroundings {
     sample s[1 + SURFACE_MOST_NEAR];
 } surroundings;
 
-static void project(int dim, int n, const surface_neighbour *near, double reach, const surface_frame *f,
-                    surroundings *out)
+static void project_neighbours(int dim, int n, const surface_neighbour *near, double reach, const surface_frame *f,
+                               surroundings *out)
 {
     const double scale = 1.0 / reach;
     out->n = n + 1;
@@ -33,7 +33,7 @@ static void project(int dim, int n, const surface_neighbour *near, double reach,
 }
 
 /* Monomials of u and v up to a degree; how many there are. */
-static int monomials(int dim, int degree, double u, double v, double row[HEIGHT_TERMS])
+static int fill_monomials(int dim, int degree, double u, double v, double row[HEIGHT_TERMS])
 {
     const double all[HEIGHT_TERMS] = {1.0, u, dim == 3 ? v : u * u, dim == 3 ? u * u : u * u * u, u * v, v * v};
     memcpy(row, all, sizeof all);
@@ -52,7 +52,7 @@ static void add_equations(const surroundings *about, int dim, equations *e)
     for (int k = 0; k < about->n; ++k) {
         const sample *s = &about->s[k];
         double row[HEIGHT_TERMS];
-        (void)monomials(dim, 2, s->u, s->v, row);
+        (void)fill_monomials(dim, 2, s->u, s->v, row);
         for (int i = 0; i < HEIGHT_TERMS; ++i) {
             const double weighted = s->weight * row[i];
             for (int j = 0; j <= i; ++j) e->a[i][j] += weighted * row[j];
@@ -62,7 +62,7 @@ static void add_equations(const surroundings *about, int dim, equations *e)
 }
 
 /* The triangle in place; false where a pivot is small. */
-static bool factorize(int terms, double a[HEIGHT_TERMS][HEIGHT_TERMS])
+static bool factorize_normal_matrix(int terms, double a[HEIGHT_TERMS][HEIGHT_TERMS])
 {
     for (int j = 0; j < terms; ++j) {
         double pivot = a[j][j];
@@ -81,7 +81,7 @@ static bool factorize(int terms, double a[HEIGHT_TERMS][HEIGHT_TERMS])
 static bool solve_equations(int terms, equations *e, height_fit *out)
 {
     double least = INFINITY, most = 0.0;
-    if (!factorize(terms, e->a)) return false;
+    if (!factorize_normal_matrix(terms, e->a)) return false;
     for (int i = 0; i < terms; ++i) {
         double sum = e->b[i];
         for (int k = 0; k < i; ++k) sum -= e->a[i][k] * out->x[k];
@@ -100,18 +100,18 @@ static bool solve_equations(int terms, equations *e, height_fit *out)
 
 /* ---- the triangle, and lower degrees ---- */
 
-static bool solve_rows(const surroundings *about, int dim, int degree, height_fit *out)
+static bool fit_heights(const surroundings *about, int dim, int degree, height_fit *out)
 {
     double row[HEIGHT_TERMS];
     least_squares l;
     least_squares_solution found;
-    const int terms = monomials(dim, degree, 0.0, 0.0, row);
+    const int terms = fill_monomials(dim, degree, 0.0, 0.0, row);
     if (about->n < terms) return false;
     least_squares_begin(&l, SOLVE_QR, terms);
     for (int k = 0; k < about->n; ++k) {
         const sample *s = &about->s[k];
         const double root = sqrt(s->weight);
-        (void)monomials(dim, degree, s->u, s->v, row);
+        (void)fill_monomials(dim, degree, s->u, s->v, row);
         for (int i = 0; i < terms; ++i) row[i] *= root;
         least_squares_add(&l, row, root * s->height);
     }
@@ -127,14 +127,14 @@ bool height_find(int dim, int n, const surface_neighbour *near, double reach, co
     equations e;
     const int highest = dim == 3 ? 2 : 3, terms = dim == 3 ? 6 : 4;
     *out = (height_fit){.condition = 1.0};
-    project(dim, n, near, reach, f, &about);
+    project_neighbours(dim, n, near, reach, f, &about);
     if (about.n >= terms) {
         add_equations(&about, dim, &e);
         if (solve_equations(terms, &e, out)) return true;
     }
     for (int degree = highest; degree > 0; --degree) {
         memset(out->x, 0, sizeof out->x);
-        if (solve_rows(&about, dim, degree, out)) return true;
+        if (fit_heights(&about, dim, degree, out)) return true;
     }
     return false;
 }

@@ -87,7 +87,7 @@ static bool solve_with(const isosurface *f, const double away[3], least_squares_
     return least_squares_solve(&all, found);
 }
 
-static void take(isosurface *f, const least_squares_solution *found)
+static void take_coefficients(isosurface *f, const least_squares_solution *found)
 {
     memcpy(f->chi, found->x, sizeof f->chi);
     f->rank = found->rank;
@@ -99,12 +99,12 @@ bool isosurface_solve(isosurface *f, const double away[3])
 {
     least_squares_solution found;
     if (!solve_with(f, away, &found)) return false;
-    take(f, &found);
+    take_coefficients(f, &found);
     return true;
 }
 
 /* The k-th of a sequence of numbers in [0, 1) (splitmix64; Steele, Lea, Flood 2014). */
-static double drawn(uint64_t k)
+static double random_number(uint64_t k)
 {
     uint64_t z = (k + 1) * UINT64_C(0x9E3779B97F4A7C15);
     z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
@@ -115,7 +115,7 @@ static double drawn(uint64_t k)
 void isosurface_away(const isosurface *f, int k, double away[3])
 {
     for (int a = 0; a < 3; ++a)
-        away[a] = a < f->dim ? f->lower[a] + f->size[a] * drawn(3 * (uint64_t)k + (uint64_t)a) : 0.0;
+        away[a] = a < f->dim ? f->lower[a] + f->size[a] * random_number(3 * (uint64_t)k + (uint64_t)a) : 0.0;
 }
 
 double isosurface_normal(const isosurface *f, const double x[3], double n[3])
@@ -128,7 +128,7 @@ double isosurface_normal(const isosurface *f, const double x[3], double n[3])
 }
 
 /* Least over largest gradient at the points. */
-static double evenness(const isosurface *f)
+static double gradient_ratio(const isosurface *f)
 {
     double least = INFINITY, most = 0.0;
     for (int k = 0; k < f->kept; ++k) {
@@ -148,14 +148,14 @@ bool isosurface_find(isosurface *f)
         double away[3];
         isosurface_away(f, k, away);
         if (!solve_with(f, away, &found) || found.rank < best.rank) continue;
-        take(f, &found);
-        const double score = f->degree == 0 ? 1.0 / found.condition : evenness(f);
+        take_coefficients(f, &found);
+        const double score = f->degree == 0 ? 1.0 / found.condition : gradient_ratio(f);
         if (found.rank == best.rank && !(score > best_score)) continue;
         best = found;
         best_score = score;
         if (found.rank == f->functions && score > (f->degree == 0 ? 1.0 / fair_condition : fair_evenness)) break;
     }
-    take(f, &best);
+    take_coefficients(f, &best);
     return best_score >= 0.0;
 }
 
@@ -176,7 +176,7 @@ static void put_normals(const surface_set *s, const surface_cell *c, const isosu
     }
 }
 
-static void add_cell(const surface_set *s, const surface_cell *c, isosurface *f)
+static void add_cell_equations(const surface_set *s, const surface_cell *c, isosurface *f)
 {
     for (size_t k = 0; c && k < c->n; ++k) isosurface_add(f, s->points.entry[c->first + k].x);
 }
@@ -221,9 +221,9 @@ static void count_points(const surface_set *s, const surface_cell *c, void *user
     *(size_t *)user += c->n;
 }
 
-static void add_points(const surface_set *s, const surface_cell *c, void *user)
+static void add_point_equations(const surface_set *s, const surface_cell *c, void *user)
 {
-    add_cell(s, c, user);
+    add_cell_equations(s, c, user);
 }
 
 /* Of the groups of `width` cells about a cell (which lies in its middle, as near as can be) the one with the most
@@ -255,7 +255,7 @@ static joined_cells gather_cells(const surface_set *s, const surface_cell *c, si
 static bool find_on(const surface_set *s, const joined_cells *j, int degree, isosurface *f)
 {
     begin_element(s, j->at, j->width, degree, f);
-    visit_joined(s, j, add_points, f);
+    visit_joined(s, j, add_point_equations, f);
     /* Quadratic functions that vanish on a line are that line times others, and have its normal: any of the solutions
      * will do. */
     return isosurface_find(f) && (degree == 2 || f->rank == f->functions);

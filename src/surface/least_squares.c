@@ -51,7 +51,7 @@ void least_squares_add(least_squares *l, const double *row, double value)
 }
 
 /* The matrix, n by n, and the right-hand side. */
-static void split(const least_squares *l, double *matrix, double *b)
+static void split_equations(const least_squares *l, double *matrix, double *b)
 {
     const int n = l->n;
     for (int i = 0; i < n; ++i) {
@@ -73,7 +73,7 @@ typedef struct small_permutation {
     gsl_permutation p;
 } small_permutation;
 
-static gsl_permutation *permutation(small_permutation *s, int n)
+static gsl_permutation *view_permutation(small_permutation *s, int n)
 {
     s->p = (gsl_permutation){.size = (size_t)n, .data = s->data};
     return &s->p;
@@ -106,12 +106,12 @@ static bool solve_triangle(const least_squares *l, least_squares_solution *out)
     double matrix[SURFACE_MAX_FUNCTIONS * SURFACE_MAX_FUNCTIONS], b[SURFACE_MAX_FUNCTIONS];
     double q[SURFACE_MAX_FUNCTIONS], z[SURFACE_MAX_FUNCTIONS], work[SURFACE_MAX_FUNCTIONS], rest[SURFACE_MAX_FUNCTIONS];
     small_permutation order;
-    split(l, matrix, b);
+    split_equations(l, matrix, b);
     gsl_matrix_view A = gsl_matrix_view_array(matrix, n, n);
     gsl_vector_view tau_q = gsl_vector_view_array(q, n), tau_z = gsl_vector_view_array(z, n);
     gsl_vector_view w = gsl_vector_view_array(work, n), r = gsl_vector_view_array(rest, n);
     gsl_vector_view x = gsl_vector_view_array(out->x, n), rhs = gsl_vector_view_array(b, n);
-    gsl_permutation *p = permutation(&order, l->n);
+    gsl_permutation *p = view_permutation(&order, l->n);
     double largest = 0.0;
     for (size_t k = 0; k < n * n; ++k) largest = fmax(largest, fabs(matrix[k]));
     if (!(largest > 0.0) || !is_finite((int)(n * n), matrix)) return false;
@@ -134,10 +134,10 @@ static bool solve_normal_equations(const least_squares *l, least_squares_solutio
     double matrix[SURFACE_MAX_FUNCTIONS * SURFACE_MAX_FUNCTIONS], b[SURFACE_MAX_FUNCTIONS];
     small_permutation order;
     int sign;
-    split(l, matrix, b);
+    split_equations(l, matrix, b);
     gsl_matrix_view A = gsl_matrix_view_array(matrix, n, n);
     gsl_vector_view rhs = gsl_vector_view_array(b, n), x = gsl_vector_view_array(out->x, n);
-    gsl_permutation *p = permutation(&order, l->n);
+    gsl_permutation *p = view_permutation(&order, l->n);
     if (!is_finite((int)(n * n), matrix) || gsl_linalg_LU_decomp(&A.matrix, p, &sign)) return false;
     double largest = 0.0, least = INFINITY;
     for (size_t k = 0; k < n; ++k) {
@@ -163,7 +163,7 @@ double least_squares_condition(const least_squares *l)
     const size_t n = (size_t)l->n;
     double matrix[SURFACE_MAX_FUNCTIONS * SURFACE_MAX_FUNCTIONS], b[SURFACE_MAX_FUNCTIONS];
     double right[SURFACE_MAX_FUNCTIONS * SURFACE_MAX_FUNCTIONS], values[SURFACE_MAX_FUNCTIONS];
-    split(l, matrix, b);
+    split_equations(l, matrix, b);
     gsl_matrix_view A = gsl_matrix_view_array(matrix, n, n), V = gsl_matrix_view_array(right, n, n);
     gsl_vector_view S = gsl_vector_view_array(values, n);
     if (!is_finite((int)(n * n), matrix) || gsl_linalg_SV_decomp_jacobi(&A.matrix, &V.matrix, &S.vector))

@@ -17,7 +17,7 @@ static bool comes_before(double square, const surface_entry *one, const nearest_
     return square < l->square[at] || (square == l->square[at] && one < l->entry[at]);
 }
 
-static void insert(nearest_list *l, const surface_entry *one, double square)
+static void insert_neighbour(nearest_list *l, const surface_entry *one, double square)
 {
     int at = l->n;
     if (l->n == l->most) {
@@ -89,7 +89,7 @@ static void find_in_cell(const surface_set *s, const surface_cell *c, const surf
     if (square_to_cell(s->mesh, of, c->at) > (l->n == l->most ? l->square[l->n - 1] : within)) return;
     for (size_t k = 0; k < c->n; ++k) {
         const double square = square_between(of, &first[k]);
-        if (square < within && &first[k] != of) insert(l, &first[k], square);
+        if (square < within && &first[k] != of) insert_neighbour(l, &first[k], square);
     }
 }
 

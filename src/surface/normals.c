@@ -11,7 +11,7 @@ enum { PLAIN_NEAR_2D = 4, PLAIN_NEAR_3D = 8 };
 static const double wild = 0.70710678118654752;
 
 /* Normal of the line or plane through the nearest points. */
-static bool find_plain(const surface_set *s, const surface_entry *e, double n[3])
+static bool plane_normal(const surface_set *s, const surface_entry *e, double n[3])
 {
     surface_neighbour near[PLAIN_NEAR_3D];
     surface_frame f;
@@ -26,7 +26,7 @@ static void look_after(const surface_set *s, const surface_method *method, const
                        surface_estimate *out)
 {
     double plain[3];
-    if (s->mesh->dim == 1 || (out->basis != SURFACE_NONE && !method->checked) || !find_plain(s, e, plain)) return;
+    if (s->mesh->dim == 1 || (out->basis != SURFACE_NONE && !method->checked) || !plane_normal(s, e, plain)) return;
     if (out->basis != SURFACE_NONE && fabs(vec_dot(plain, out->normal)) >= wild) return;
     memcpy(out->normal, plain, sizeof plain);
     out->condition = out->curvature = out->area = NAN;

@@ -29,30 +29,30 @@ static const surface_entry *entry_of(const orienter *o, size_t number)
     return &o->s->points.entry[o->entry[number] - 1];
 }
 
-static bool before(const waiting *a, const waiting *b)
+static bool waits_before(const waiting *a, const waiting *b)
 {
     return a->cost < b->cost || (a->cost == b->cost && a->number < b->number);
 }
 
-static floe_status push(orienter *o, const waiting *one)
+static floe_status push_waiting(orienter *o, const waiting *one)
 {
     if (o->n == o->room) {
         TRY(memory_resize(o->s->ctx, &o->heap, 2 * o->room, sizeof *o->heap));
         o->room *= 2;
     }
     size_t at = o->n++;
-    for (; at > 0 && before(one, &o->heap[(at - 1) / 2]); at = (at - 1) / 2) o->heap[at] = o->heap[(at - 1) / 2];
+    for (; at > 0 && waits_before(one, &o->heap[(at - 1) / 2]); at = (at - 1) / 2) o->heap[at] = o->heap[(at - 1) / 2];
     o->heap[at] = *one;
     return FLOE_OK;
 }
 
-static waiting pop(orienter *o)
+static waiting pop_waiting(orienter *o)
 {
     const waiting least = o->heap[0], last = o->heap[--o->n];
     size_t at = 0;
     for (size_t next = 1; next < o->n; next = 2 * at + 1) {
-        if (next + 1 < o->n && before(&o->heap[next + 1], &o->heap[next])) next++;
-        if (!before(&o->heap[next], &last)) break;
+        if (next + 1 < o->n && waits_before(&o->heap[next + 1], &o->heap[next])) next++;
+        if (!waits_before(&o->heap[next], &last)) break;
         o->heap[at] = o->heap[next];
         at = next;
     }
@@ -80,15 +80,15 @@ static floe_status hand_on(orienter *o, uint32_t number)
         memcpy(w.normal, n, sizeof w.normal);
         if (near[k].square > 0.0) vec_add_scaled(-2.0 * vec_dot(n, near[k].d) / near[k].square, near[k].d, w.normal);
         w.cost = sqrt(near[k].square) * (1.5 - fabs(vec_dot(w.normal, to->normal)));
-        TRY(push(o, &w));
+        TRY(push_waiting(o, &w));
     }
     return FLOE_OK;
 }
 
-static floe_status spread(orienter *o)
+static floe_status spread_orientation(orienter *o)
 {
     while (o->n > 0) {
-        const waiting w = pop(o);
+        const waiting w = pop_waiting(o);
         if (o->done[w.number]) continue;
         turn_to(&o->out[w.number], w.normal);
         o->done[w.number] = true;
@@ -104,7 +104,7 @@ static void find_middle(const surface_set *s, double middle[3])
 }
 
 /* The point farthest from the middle that has no side yet; false when there is none. */
-static bool farthest(const orienter *o, const double middle[3], uint32_t *number)
+static bool farthest_unoriented(const orienter *o, const double middle[3], uint32_t *number)
 {
     double most = -1.0;
     for (size_t k = 0; k < o->s->n_points; ++k) {
@@ -131,15 +131,15 @@ static floe_status give_sides(orienter *o, const double *reference)
     }
     for (size_t k = 0; reference && k < o->s->n_points; ++k)
         if (o->done[k]) TRY(hand_on(o, (uint32_t)k));
-    TRY(spread(o));
+    TRY(spread_orientation(o));
     find_middle(o->s, middle);
-    while (farthest(o, middle, &first)) {
+    while (farthest_unoriented(o, middle, &first)) {
         double away[3];
         for (int a = 0; a < 3; ++a) away[a] = entry_of(o, first)->x[a] - middle[a];
         turn_to(&o->out[first], away);
         o->done[first] = true;
         TRY(hand_on(o, first));
-        TRY(spread(o));
+        TRY(spread_orientation(o));
     }
     return FLOE_OK;
 }

@@ -130,7 +130,7 @@ static size_t most_entries(const surface_set *s, size_t n)
     return n;
 }
 
-static floe_status reserve(surface_set *s, surface_bins *l, size_t n)
+static floe_status reserve_entries(surface_set *s, surface_bins *l, size_t n)
 {
     const size_t entries = most_entries(s, n);
     if (entries <= l->room) return FLOE_OK;
@@ -140,9 +140,9 @@ static floe_status reserve(surface_set *s, surface_bins *l, size_t n)
     return FLOE_OK;
 }
 
-static floe_status fill(surface_set *s, surface_bins *l, size_t n, const double *place)
+static floe_status fill_bins(surface_set *s, surface_bins *l, size_t n, const double *place)
 {
-    TRY(reserve(s, l, n));
+    TRY(reserve_entries(s, l, n));
     l->n = 0;
     for (size_t k = 0; k < n; ++k)
         if (isfinite(place[3 * k] + place[3 * k + 1] + place[3 * k + 2])) add_entries(s, l, (uint32_t)k, place + 3 * k);
@@ -155,12 +155,12 @@ floe_status surface_set_points(surface_set *s, size_t n, const double *place)
 {
     s->n_points = n;
     s->place = place;
-    return fill(s, &s->points, n, place);
+    return fill_bins(s, &s->points, n, place);
 }
 
 floe_status surface_set_inside(surface_set *s, size_t n, const double *place)
 {
-    return fill(s, &s->inside, n, place);
+    return fill_bins(s, &s->inside, n, place);
 }
 
 const surface_cell *surface_cell_at(const surface_bins *l, const int at[3])

@@ -2,14 +2,14 @@
 
 extern const surface_method surface_colour;
 
-static spline_values spread(double xi)
+static spline_values linear_splines(double xi)
 {
     return spline_linear(xi);
 }
 
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_colour(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
 {
-    static const colour_rule rule = {.spread = spread, .first = 0, .n = 2, .of_nodes = true};
+    static const colour_rule rule = {.spread = linear_splines, .first = 0, .n = 2, .of_nodes = true};
     (void)par;
     colour_of_cell(s, &rule, c, out);
 }
@@ -21,5 +21,5 @@ const surface_method surface_colour = {
     .cite = "York 1997, section 7.1",
     .min_dim = 2,
     .needs_inside = true,
-    .cell = cell,
+    .cell = estimate_by_colour,
 };

@@ -2,14 +2,15 @@
 
 extern const surface_method surface_colour_cubic;
 
-static spline_values spread(double xi)
+static spline_values cubic_splines(double xi)
 {
     return spline_cubic(xi);
 }
 
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_cubic_colour(const surface_set *s, const void *par, const surface_cell *c,
+                                     surface_estimate *out)
 {
-    static const colour_rule rule = {.spread = spread, .first = -1, .n = 4, .of_nodes = false};
+    static const colour_rule rule = {.spread = cubic_splines, .first = -1, .n = 4, .of_nodes = false};
     (void)par;
     colour_of_cell(s, &rule, c, out);
 }
@@ -20,5 +21,5 @@ const surface_method surface_colour_cubic = {
     .cite = "York 1997, section 7.3",
     .min_dim = 2,
     .needs_inside = true,
-    .cell = cell,
+    .cell = estimate_by_cubic_colour,
 };

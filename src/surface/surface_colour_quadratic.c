@@ -2,14 +2,15 @@
 
 extern const surface_method surface_colour_quadratic;
 
-static spline_values spread(double xi)
+static spline_values quadratic_splines(double xi)
 {
     return spline_by_cells(xi);
 }
 
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_quadratic_colour(const surface_set *s, const void *par, const surface_cell *c,
+                                         surface_estimate *out)
 {
-    static const colour_rule rule = {.spread = spread, .first = 0, .n = 2, .of_nodes = true};
+    static const colour_rule rule = {.spread = quadratic_splines, .first = 0, .n = 2, .of_nodes = true};
     (void)par;
     colour_of_cell(s, &rule, c, out);
 }
@@ -21,5 +22,5 @@ const surface_method surface_colour_quadratic = {
     .cite = "York 1997, section 7.2",
     .min_dim = 2,
     .needs_inside = true,
-    .cell = cell,
+    .cell = estimate_by_quadratic_colour,
 };

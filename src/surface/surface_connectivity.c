@@ -4,7 +4,8 @@
 
 extern const surface_method surface_connectivity;
 
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_connectivity(const surface_set *s, const void *par, const surface_cell *c,
+                                     surface_estimate *out)
 {
     (void)par;
     for (size_t k = 0; s->mesh->dim == 2 && k < c->n; ++k) {
@@ -30,5 +31,5 @@ const surface_method surface_connectivity = {
     .min_dim = 2,
     .connected = true,
     .exact = true,
-    .cell = cell,
+    .cell = estimate_by_connectivity,
 };

@@ -4,7 +4,7 @@ extern const surface_method surface_isosurface;
 
 /* Seven points, of the eight that nine quadratic splines need (section 8); in space 25 of 26. Section 8 leaves exactly
  * three points open: linear functions are determined by them. */
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_isosurface(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
 {
     (void)par;
     const int dim = s->mesh->dim;
@@ -21,5 +21,5 @@ const surface_method surface_isosurface = {
     .min_dim = 1,
     .exact = true,
     .checked = true,
-    .cell = cell,
+    .cell = estimate_by_isosurface,
 };

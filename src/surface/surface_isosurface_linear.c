@@ -2,7 +2,8 @@
 
 extern const surface_method surface_isosurface_linear;
 
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_linear_isosurface(const surface_set *s, const void *par, const surface_cell *c,
+                                          surface_estimate *out)
 {
     (void)par;
     (void)isosurface_of_cell(s, c, 1, isosurface_enough(s->mesh->dim, 1), out);
@@ -16,5 +17,5 @@ const surface_method surface_isosurface_linear = {
     .min_dim = 1,
     .exact = true,
     .checked = true,
-    .cell = cell,
+    .cell = estimate_by_linear_isosurface,
 };

@@ -2,7 +2,8 @@
 
 extern const surface_method surface_isosurface_quadratic;
 
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_quadratic_isosurface(const surface_set *s, const void *par, const surface_cell *c,
+                                             surface_estimate *out)
 {
     (void)par;
     const int dim = s->mesh->dim;
@@ -18,5 +19,5 @@ const surface_method surface_isosurface_quadratic = {
     .min_dim = 1,
     .exact = true,
     .checked = true,
-    .cell = cell,
+    .cell = estimate_by_quadratic_isosurface,
 };

@@ -58,7 +58,7 @@ static const surface_block *block_of(blocks *b, int ring)
     return &b->ring[ring - 1];
 }
 
-static void look_about(blocks *b, const surface_entry *e, double spread, surroundings *out)
+static void find_neighbours(blocks *b, const surface_entry *e, double spread, surroundings *out)
 {
     const int wanted = scale_count(b->s->mesh->dim);
     int found = 0;
@@ -102,7 +102,7 @@ typedef struct polygon {
 } polygon;
 
 /* What lies nearer to 0 than to (u, v). */
-static void cut(polygon *p, double u, double v)
+static void clip_polygon(polygon *p, double u, double v)
 {
     polygon kept = {.n = 0};
     const double level = 0.5 * (u * u + v * v);
@@ -145,12 +145,12 @@ static double share_of_plane(const surroundings *about, const surface_frame *f)
     for (int k = 0; k < about->n && p.n > 2; ++k) {
         const double a = vec_dot(about->near[k].d, f->u), b = vec_dot(about->near[k].d, f->v), square = a * a + b * b;
         /* A point twice as far as all corners cuts none of them. */
-        if (square > 1e-12 * about->reach * about->reach && square < 4.0 * square_about(&p)) cut(&p, a, b);
+        if (square > 1e-12 * about->reach * about->reach && square < 4.0 * square_about(&p)) clip_polygon(&p, a, b);
     }
     return area_of(&p);
 }
 
-static bool fit(const surroundings *about, bool measures, surface_estimate *out)
+static bool fit_quadric(const surroundings *about, bool measures, surface_estimate *out)
 {
     surface_frame f;
     height_fit found;
@@ -170,7 +170,7 @@ static bool fit(const surroundings *about, bool measures, surface_estimate *out)
     return true;
 }
 
-static void cell(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
+static void estimate_by_quadric(const surface_set *s, const void *par, const surface_cell *c, surface_estimate *out)
 {
     const quadric_par *q = par;
     blocks b = {.s = s, .c = c};
@@ -178,8 +178,8 @@ static void cell(const surface_set *s, const void *par, const surface_cell *c, s
         const surface_entry *e = &s->points.entry[c->first + k];
         if (e->image != 0) continue;
         surroundings about;
-        look_about(&b, e, q->spread, &about);
-        (void)fit(&about, s->measures, &out[e->number]);
+        find_neighbours(&b, e, q->spread, &about);
+        (void)fit_quadric(&about, s->measures, &out[e->number]);
     }
 }
 
@@ -193,5 +193,5 @@ const surface_method surface_quadric = {
     .params = params,
     .n_params = sizeof params / sizeof *params,
     .exact = true,
-    .cell = cell,
+    .cell = estimate_by_quadric,
 };
