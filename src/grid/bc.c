@@ -31,7 +31,7 @@ void bc_layers(const block *b, int axis, mesh_side side, int from, int to, int l
     hi[axis] = lo[axis] + to - from + 1;
 }
 
-static void apply(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
+static void fill_ghosts_by_rule(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
 {
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
     for (int layer = 1; layer <= MESH_GHOST; ++layer) {
@@ -49,15 +49,15 @@ static void apply(const block *b, int axis, mesh_side side, ghost_rule rule, dou
 
 void bc_reflect(const block *b, int axis, mesh_side side, bc_parity parity, double *a)
 {
-    apply(b, axis, side, (ghost_rule){.sign = parity == BC_ODD ? -1.0 : 1.0}, a);
+    fill_ghosts_by_rule(b, axis, side, (ghost_rule){.sign = parity == BC_ODD ? -1.0 : 1.0}, a);
 }
 
 void bc_extrapolate(const block *b, int axis, mesh_side side, double *a)
 {
-    apply(b, axis, side, (ghost_rule){.nearest = true, .sign = 1.0}, a);
+    fill_ghosts_by_rule(b, axis, side, (ghost_rule){.nearest = true, .sign = 1.0}, a);
 }
 
 void bc_constant(const block *b, int axis, mesh_side side, double value, double *a)
 {
-    apply(b, axis, side, (ghost_rule){.constant = true, .value = value}, a);
+    fill_ghosts_by_rule(b, axis, side, (ghost_rule){.constant = true, .value = value}, a);
 }

@@ -151,7 +151,7 @@ static void fold_pair(const block *low, const block *high, int axis, double *a, 
 }
 
 /* The block at the upper end of the domain in the same row of blocks as `low`. */
-static int opposite(const mesh *m, const block *low, int axis)
+static int opposite_block(const mesh *m, const block *low, int axis)
 {
     int cell[MESH_MAX_DIM] = {low->lo[0], low->lo[1], low->lo[2]};
     cell[axis] = m->n[axis] - 1;
@@ -166,7 +166,7 @@ static void fold_periodic(domain *d, field_id id, int instance, bool largest)
         if (!m->periodic[axis]) continue;
         for (int b = 0; b < m->n_blocks; ++b) {
             if (!m->block[b].at_side[axis][SIDE_LOWER]) continue;
-            const int other = opposite(m, &m->block[b], axis);
+            const int other = opposite_block(m, &m->block[b], axis);
             for (int c = 0; c < components; ++c)
                 fold_pair(&m->block[b], &m->block[other], axis, field_get(d->fields[b], id, instance, c),
                           field_get(d->fields[other], id, instance, c), largest);

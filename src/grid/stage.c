@@ -34,7 +34,7 @@ static int find_or_add(stage_list *list, const char *name, const stage_fields *r
     return list->n++;
 }
 
-static bool contains(const stage_fields *f, int id)
+static bool stage_contains(const stage_fields *f, int id)
 {
     for (int k = 0; k < f->n; ++k)
         if (f->id[k] == id) return true;
@@ -69,18 +69,18 @@ static void begin_check(stage_list *list, const stage_record *r)
     if (!list->checksum && memory_new(list->ctx, &list->checksum, FIELD_COUNT, sizeof(uint64_t)) != FLOE_OK) return;
     for (int k = 0; k < r->writes.n; ++k) {
         const int id = r->writes.id[k];
-        if (id == STAGE_NONE || contains(&r->reads, id)) continue;
+        if (id == STAGE_NONE || stage_contains(&r->reads, id)) continue;
         for (int b = 0; b < list->domain->mesh->n_blocks; ++b)
             for (int i = 0; i < FIELD_MAX_INSTANCES; ++i) field_poison(list->domain->fields[b], (field_id)id, i);
     }
     for (int id = 0; id < FIELD_COUNT; ++id)
-        if (!contains(&r->writes, id)) list->checksum[id] = checksum_of(list->domain, (field_id)id);
+        if (!stage_contains(&r->writes, id)) list->checksum[id] = checksum_of(list->domain, (field_id)id);
 }
 
 static floe_status end_check(stage_list *list, const stage_record *r)
 {
     for (int id = 0; list->checksum && id < FIELD_COUNT; ++id)
-        if (!contains(&r->writes, id) && list->checksum[id] != checksum_of(list->domain, (field_id)id))
+        if (!stage_contains(&r->writes, id) && list->checksum[id] != checksum_of(list->domain, (field_id)id))
             return fail(list->ctx, FLOE_INTERNAL, "stage %s changed %s, which is not among what it writes", r->name,
                         field_describe((field_id)id)->name);
     return FLOE_OK;

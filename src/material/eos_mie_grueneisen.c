@@ -61,7 +61,7 @@ static double heat_integral(const mg_par *a, double end)
 }
 
 /* At y = -ln(1 - s eta) >= 0. */
-static curve compressed(const mg_par *a, double y)
+static curve reference_compressed(const mg_par *a, double y)
 {
     const double rho_0 = a->density, square = a->sound_speed * a->sound_speed, Gamma = a->grueneisen, s = a->slope;
     const double eta = -expm1(-y) / s, left = exp(-y), warm = exp(Gamma * eta), rho = rho_0 / (1.0 - eta);
@@ -76,7 +76,7 @@ static curve compressed(const mg_par *a, double y)
 }
 
 /* At x = rho/rho_0 <= 1; `rest` is x - 1. */
-static curve expanded(const mg_par *a, double x, double rest)
+static curve reference_expanded(const mg_par *a, double x, double rest)
 {
     const double square = a->sound_speed * a->sound_speed, Gamma = a->grueneisen, n = Gamma + 1.0, L = log1p(rest);
     const double rise = expm1(Gamma * L);
@@ -91,8 +91,8 @@ static curve expanded(const mg_par *a, double x, double rest)
 static curve curve_at(const mg_par *a, double rho)
 {
     const double rest = (rho - a->density) / a->density;
-    if (rest <= 0.0) return expanded(a, rho / a->density, rest);
-    return compressed(a, -log1p(-a->slope * (rho - a->density) / rho));
+    if (rest <= 0.0) return reference_expanded(a, rho / a->density, rest);
+    return reference_compressed(a, -log1p(-a->slope * (rho - a->density) / rho));
 }
 
 static void mg_pressure(const void *par, size_t n, const double *restrict rho, const double *restrict e,
@@ -159,7 +159,7 @@ static double compressed_density(const mg_par *a, double p, double T)
     const double heat = a->grueneisen * a->density * a->specific_heat;
     double y = 0.0, before = INFINITY;
     for (int k = 0; k < MOST; k++) {
-        const curve c = compressed(a, y);
+        const curve c = reference_compressed(a, y);
         const double eta = -expm1(-y) / a->slope, rho = a->density / (1.0 - eta);
         const double slope = isothermal(a, &c, rho, T) * rho * rho / a->density * exp(-y) / a->slope;
         const double step = fmin((p - c.p - heat * (T - c.T)) / slope, 1.0);

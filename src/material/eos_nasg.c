@@ -22,7 +22,7 @@ static const param_spec nasg_params[] = {
 };
 
 /* v - b; NAN where the molecules would not fit, so that p and c2 are no numbers there. */
-static double room(const nasg_par *a, double rho)
+static double free_volume(const nasg_par *a, double rho)
 {
     const double free = 1.0 / rho - a->covolume;
     return free > 0.0 ? free : (double)NAN;
@@ -36,7 +36,7 @@ static void nasg_pressure(const void *par, size_t n, const double *restrict rho,
     const nasg_par *a = par;
     const double g1 = a->gamma - 1.0;
     for (size_t i = 0; i < n; i++) {
-        const double free = room(a, rho[i]), thermal = (e[i] - a->heat_bond) / free - a->p_inf;
+        const double free = free_volume(a, rho[i]), thermal = (e[i] - a->heat_bond) / free - a->p_inf;
         p[i] = g1 * thermal - a->p_inf;
         c2[i] = a->gamma * g1 * thermal / (rho[i] * rho[i] * free);
     }
@@ -44,7 +44,7 @@ static void nasg_pressure(const void *par, size_t n, const double *restrict rho,
 
 static double cold_energy(const nasg_par *a, double rho)
 {
-    return a->heat_bond + a->p_inf * room(a, rho);
+    return a->heat_bond + a->p_inf * free_volume(a, rho);
 }
 
 static void nasg_temperature(const void *par, size_t n, const double *restrict rho, const double *restrict e,
@@ -78,7 +78,7 @@ static void nasg_dpde(const void *par, size_t n, const double *restrict rho, con
 {
     const nasg_par *a = par;
     (void)e;
-    for (size_t i = 0; i < n; i++) dpde[i] = (a->gamma - 1.0) / room(a, rho[i]);
+    for (size_t i = 0; i < n; i++) dpde[i] = (a->gamma - 1.0) / free_volume(a, rho[i]);
 }
 
 /* At constant p, v - b is proportional to T: alpha = (v - b)/(v T). */
@@ -88,7 +88,7 @@ static void nasg_heat(const void *par, size_t n, const double *restrict rho, con
     const nasg_par *a = par;
     for (size_t i = 0; i < n; i++) {
         cv[i] = a->specific_heat;
-        alpha[i] = room(a, rho[i]) * rho[i] * a->specific_heat / (e[i] - cold_energy(a, rho[i]));
+        alpha[i] = free_volume(a, rho[i]) * rho[i] * a->specific_heat / (e[i] - cold_energy(a, rho[i]));
     }
 }
 

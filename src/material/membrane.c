@@ -12,7 +12,7 @@ const membrane_model *membrane_find(const char *name)
 }
 
 /* Stress along a direction stretched by `strain` with none across it: what a wrinkled or free membrane bears. */
-static double uniaxial(const membrane_response *r, double strain)
+static double uniaxial_stress(const membrane_response *r, double strain)
 {
     const double across = r->model->free_across(r->par, strain);
     double stress, none;
@@ -22,12 +22,13 @@ static double uniaxial(const membrane_response *r, double strain)
 
 /* Taut in both directions, wrinkled along one, or slack (tension field; York's one-way law where there is one
  * direction). */
-static void relax(const membrane_response *r, double along, double across, double *stress_along, double *stress_across)
+static void relax_stress(const membrane_response *r, double along, double across, double *stress_along,
+                         double *stress_across)
 {
     if (*stress_along >= 0.0 && *stress_across >= 0.0) return;
     const bool pulled_along = along > 0.0 && *stress_across < 0.0;
     const bool pulled_across = !pulled_along && across > 0.0 && *stress_along < 0.0;
-    *stress_along = pulled_along ? fmax(uniaxial(r, along), 0.0) : 0.0;
+    *stress_along = pulled_along ? fmax(uniaxial_stress(r, along), 0.0) : 0.0;
     double stress = 0.0, none;
     if (pulled_across) { /* the same with the directions exchanged */
         const double free_along = r->model->free_across(r->par, across);
@@ -41,12 +42,13 @@ void membrane_stress(const membrane_response *r, size_t n, const double *along, 
 {
     if (!r->free_across) {
         r->model->stress(r->par, n, along, across, stress_along, stress_across);
-        for (size_t i = 0; r->one_way && i < n; i++) relax(r, along[i], across[i], &stress_along[i], &stress_across[i]);
+        for (size_t i = 0; r->one_way && i < n; i++)
+            relax_stress(r, along[i], across[i], &stress_along[i], &stress_across[i]);
         return;
     }
     for (size_t i = 0; i < n; i++) {
         stress_across[i] = 0.0;
-        stress_along[i] = r->one_way && along[i] <= 0.0 ? 0.0 : uniaxial(r, along[i]);
+        stress_along[i] = r->one_way && along[i] <= 0.0 ? 0.0 : uniaxial_stress(r, along[i]);
     }
 }
 

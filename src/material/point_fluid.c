@@ -39,7 +39,7 @@ static void viscous_stress(const solid_fluid_par *a, solid_batch *restrict b, do
     }
 }
 
-static void densities(const solid_batch *b, double *restrict rho_0, double *restrict rho_1)
+static void point_densities(const solid_batch *b, double *restrict rho_0, double *restrict rho_1)
 {
     for (size_t i = 0; i < b->n; i++) {
         rho_0[i] = b->rho0[i] / b->J_old[i];
@@ -83,7 +83,7 @@ static size_t fluid_stress(const void *par, double p_ref, solid_batch *restrict 
     if (inverted != 0) return inverted;
 
     double rho_0[SOLID_CHUNK], rho_1[SOLID_CHUNK], heating[SOLID_CHUNK], p[SOLID_CHUNK], c2[SOLID_CHUNK];
-    densities(b, rho_0, rho_1);
+    point_densities(b, rho_0, rho_1);
     viscous_stress(a, b, heating);
     energy_step(a, b, rho_1, rho_0, heating);
     a->eos.model->pressure(a->eos.par, b->n, rho_1, b->energy, p, c2);

@@ -18,7 +18,7 @@ static double lame_lambda(const elastic_moduli *a)
 }
 
 /* The logarithm has a loop of its own: it is a call, and would keep the other from being vectorised. */
-static void logarithms(const solid_batch *b, double *restrict ln_J)
+static void logarithms_of_volume(const solid_batch *b, double *restrict ln_J)
 {
     for (size_t i = 0; i < b->n; i++) ln_J[i] = log(b->J[i]);
 }
@@ -38,7 +38,7 @@ static size_t neo_hookean_stress(const void *par, double p_ref, solid_batch *res
     const size_t inverted = solid_first_inverted(b);
     if (inverted != 0) return inverted;
     double ln_J[SOLID_CHUNK];
-    logarithms(b, ln_J);
+    logarithms_of_volume(b, ln_J);
     for (size_t i = 0; i < b->n; i++) {
         const double over_J = 1.0 / b->J[i], shear = mu * over_J, volumetric = lambda * ln_J[i] * over_J;
         b->stress[XX][i] = shear * (left_cauchy_green(b, 0, 0, i) - 1.0) + volumetric;
@@ -71,7 +71,7 @@ static void neo_hookean_wave_speed(const void *par, double p_ref, const solid_ba
     const double mu = a->shear_modulus, lambda = lame_lambda(a);
     (void)p_ref;
     double ln_J[SOLID_CHUNK];
-    logarithms(b, ln_J);
+    logarithms_of_volume(b, ln_J);
     for (size_t i = 0; i < b->n; i++) {
         const double longitudinal = mu + lambda * (1.0 - ln_J[i]);
         const double stretched = longitudinal > 0.0 ? longitudinal : 0.0;
@@ -84,7 +84,7 @@ static void neo_hookean_strain_energy(const void *par, const solid_batch *b, dou
     const elastic_moduli *a = par;
     const double mu = a->shear_modulus, lambda = lame_lambda(a);
     double ln_J[SOLID_CHUNK];
-    logarithms(b, ln_J);
+    logarithms_of_volume(b, ln_J);
     for (size_t i = 0; i < b->n; i++) {
         const double trace =
             left_cauchy_green(b, 0, 0, i) + left_cauchy_green(b, 1, 1, i) + left_cauchy_green(b, 2, 2, i);

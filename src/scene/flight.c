@@ -9,7 +9,7 @@ static bool lets_points_out(bc_kind kind)
 }
 
 /* When the body's box comes to the side; INFINITY: it does not go there. */
-static double time_to(const scene *s, const scene_body *b, int axis, int side)
+static double time_to_side(const scene *s, const scene_body *b, int axis, int side)
 {
     const mesh_spec *m = &s->mesh;
     double lo[3] = {0.0}, hi[3] = {0.0};
@@ -24,7 +24,7 @@ scene_flight scene_flight_out(const scene *s)
     for (int b = 0; b < s->n_bodies && s->time.solver == SOLVER_DYNAMIC; b++)
         for (int axis = 0; axis < s->mesh.dim && s->material[s->body[b].material].kind == MATERIAL_SOLID; axis++)
             for (int side = 0; side < 2; side++) {
-                const double time = time_to(s, &s->body[b], axis, side);
+                const double time = time_to_side(s, &s->body[b], axis, side);
                 if (lets_points_out(s->bc.side[axis][side].kind) && time < s->time.end)
                     return (scene_flight){b, axis, side, time};
             }

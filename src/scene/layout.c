@@ -55,7 +55,7 @@ static double volume_of(const layout_work *w, int body)
     return compound_volume(&w->s->body[body].shape, m->dim, m->lower, m->upper, m->h, m->geometry == MESH_AXISYMMETRIC);
 }
 
-static bool overlap(const layout_work *w, int a, int b, double *volume)
+static bool bodies_overlap(const layout_work *w, int a, int b, double *volume)
 {
     double cell = 1.0;
     for (int k = 0; k < w->m->dim; ++k) cell *= w->m->h[k];
@@ -87,7 +87,7 @@ static floe_status begin_layout(layout_work *w)
     return FLOE_OK;
 }
 
-static floe_status cut_out(layout_work *w, int body, int from)
+static floe_status subtract_later_bodies(layout_work *w, int body, int from)
 {
     TRY(begin_layout(w));
     compound *part = &w->made->part[body];
@@ -104,9 +104,9 @@ static floe_status lay_out_pair(layout_work *w, int a, int b)
     double volume;
     /* In cells fluids share what solids and the fluids before them leave (ice_initialise.c). */
     if (!solids && w->coupling != COUPLING_MPM) return FLOE_OK;
-    if (is_spread(s, a) || is_spread(s, b) || !overlap(w, a, b, &volume)) return FLOE_OK;
-    if (yields_to(s, a, b)) return cut_out(w, a, b);
-    return yields_to(s, b, a) ? cut_out(w, b, a) : refuse_overlap(w, a, b, volume);
+    if (is_spread(s, a) || is_spread(s, b) || !bodies_overlap(w, a, b, &volume)) return FLOE_OK;
+    if (yields_to(s, a, b)) return subtract_later_bodies(w, a, b);
+    return yields_to(s, b, a) ? subtract_later_bodies(w, b, a) : refuse_overlap(w, a, b, volume);
 }
 
 static floe_status lay_out_bodies(layout_work *w)

@@ -209,7 +209,7 @@ static void remark_traction(remark_speaker *w, const scene_load *load)
 }
 
 /* Of the solids, the smallest bulk modulus (Pa). */
-static double softest(const scene *s)
+static double softest_solid(const scene *s)
 {
     double least = INFINITY;
     for (int k = 0; k < s->n_bodies; ++k) {
@@ -225,9 +225,9 @@ static void remark_target(remark_speaker *w, const scene_load *load)
     double lo[3] = {0.0}, hi[3] = {0.0};
     if (load->kind != LOAD_PRESSURISE) return;
     remark_set_key(w, "loads", load->name, "pressurise.target");
-    if (fabs(load->target) > softest(s))
+    if (fabs(load->target) > softest_solid(s))
         remark_key(w, "it is %.3g times the smallest bulk modulus of the solids: give both in Pa, or with their units",
-                   load->target / softest(s));
+                   load->target / softest_solid(s));
     remark_set_key(w, "loads", load->name, "pressurise.region");
     if (!load->region.model || !load->region.model->bounds(load->region.par, s->mesh.dim, lo, hi)) return;
     for (int a = 0; a < s->mesh.dim; ++a)

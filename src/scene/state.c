@@ -55,7 +55,8 @@ floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double
 }
 
 /* Exact value of a quantity at t = 0, or `otherwise` where the exact solution has none. */
-static double initial(const scene *s, initial_quantity quantity, int component, const double x[3], double otherwise)
+static double initial_value(const scene *s, initial_quantity quantity, int component, const double x[3],
+                            double otherwise)
 {
     const double value = s->initial ? s->initial(s->initial_user, quantity, component, x) : (double)NAN;
     return isnan(value) ? otherwise : value;
@@ -64,7 +65,7 @@ static double initial(const scene *s, initial_quantity quantity, int component, 
 bool body_velocity_known(const scene *s, int body, const double x[3])
 {
     for (int a = 0; s->body[body].initial_from_exact && a < s->mesh.dim; ++a)
-        if (isnan(initial(s, INITIAL_VELOCITY, a, x, (double)NAN))) return false;
+        if (isnan(initial_value(s, INITIAL_VELOCITY, a, x, (double)NAN))) return false;
     return true;
 }
 
@@ -87,13 +88,13 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
     double pressure = b->pressure, temperature = b->temperature, density = b->density;
     for (int a = 0; a < 3; ++a) velocity[a] = b->velocity[a];
     if (b->initial_from_exact) {
-        pressure = initial(s, INITIAL_PRESSURE, 0, x, pressure);
-        density = initial(s, INITIAL_DENSITY, 0, x, density);
+        pressure = initial_value(s, INITIAL_PRESSURE, 0, x, pressure);
+        density = initial_value(s, INITIAL_DENSITY, 0, x, density);
         if (!isnan(temperature) && !isnan(pressure))
             density = (double)NAN;
         else if (!isnan(density))
             temperature = (double)NAN;
-        for (int a = 0; a < 3; ++a) velocity[a] = initial(s, INITIAL_VELOCITY, a, x, velocity[a]);
+        for (int a = 0; a < 3; ++a) velocity[a] = initial_value(s, INITIAL_VELOCITY, a, x, velocity[a]);
     }
     TRY(fail_under(s->ctx, fluid_state_of(s->ctx, &s->material[b->material].eos, pressure, temperature, density, out),
                    KEY("bodies", b->name)));
@@ -106,8 +107,8 @@ floe_status body_solid_state(const scene *s, int body, const double x[3], double
     for (int a = 0; a < 3; ++a) velocity[a] = b->velocity[a];
     for (int c = 0; c < 6; ++c) stress[c] = 0.0;
     if (!b->initial_from_exact) return FLOE_OK;
-    for (int a = 0; a < 3; ++a) velocity[a] = initial(s, INITIAL_VELOCITY, a, x, velocity[a]);
-    for (int c = 0; c < 6; ++c) stress[c] = initial(s, INITIAL_STRESS, c, x, 0.0);
+    for (int a = 0; a < 3; ++a) velocity[a] = initial_value(s, INITIAL_VELOCITY, a, x, velocity[a]);
+    for (int c = 0; c < 6; ++c) stress[c] = initial_value(s, INITIAL_STRESS, c, x, 0.0);
     return FLOE_OK;
 }
 

@@ -1,6 +1,6 @@
 #include "verify/bar_impact.h"
 
-static double lap(const impact_bar *bar)
+static double transit_time(const impact_bar *bar)
 {
     return 2.0 * bar->length / bar->speed;
 }
@@ -56,14 +56,14 @@ static double square_at(const bar_impact *b, int which, double t)
 double bar_impact_velocity(const bar_impact *b, int which, double depth, double t)
 {
     const impact_bar *bar = &b->bar[which];
-    const double back = lap(bar) - depth / bar->speed;
+    const double back = transit_time(bar) - depth / bar->speed;
     return out_at(b, which, t - depth / bar->speed) + out_at(b, which, t - back);
 }
 
 double bar_impact_displacement(const bar_impact *b, int which, double depth, double t)
 {
     const impact_bar *bar = &b->bar[which];
-    const double delay[2] = {depth / bar->speed, lap(bar) - depth / bar->speed};
+    const double delay[2] = {depth / bar->speed, transit_time(bar) - depth / bar->speed};
     double sum = 0.0;
     for (int i = 0; i < 2; i++) sum += once_at(b, which, t - delay[i]) - once_at(b, which, -delay[i]);
     return sum;
@@ -72,20 +72,20 @@ double bar_impact_displacement(const bar_impact *b, int which, double depth, dou
 double bar_impact_force(const bar_impact *b, int which, double depth, double t)
 {
     const impact_bar *bar = &b->bar[which];
-    const double back = lap(bar) - depth / bar->speed;
+    const double back = transit_time(bar) - depth / bar->speed;
     const double excess = out_at(b, which, t - depth / bar->speed) - out_at(b, which, t - back);
     return which == 0 ? bar->impedance * excess : -bar->impedance * excess;
 }
 
 double bar_impact_mean_velocity(const bar_impact *b, int which, double t)
 {
-    const double whole_lap = lap(&b->bar[which]);
+    const double whole_lap = transit_time(&b->bar[which]);
     return 2.0 * (once_at(b, which, t) - once_at(b, which, t - whole_lap)) / whole_lap;
 }
 
 double bar_impact_mean_displacement(const bar_impact *b, int which, double t)
 {
-    const double whole_lap = lap(&b->bar[which]);
+    const double whole_lap = transit_time(&b->bar[which]);
     const double now = twice_at(b, which, t) - twice_at(b, which, t - whole_lap);
     return 2.0 * (now + twice_at(b, which, -whole_lap)) / whole_lap;
 }
@@ -99,7 +99,7 @@ double bar_impact_restitution(const bar_impact *b)
 double bar_impact_energy(const bar_impact *b, int which, double t)
 {
     const impact_bar *bar = &b->bar[which];
-    return bar->impedance * (square_at(b, which, t) - square_at(b, which, t - lap(bar)));
+    return bar->impedance * (square_at(b, which, t) - square_at(b, which, t - transit_time(bar)));
 }
 
 /* The faces while the steps are found. */
@@ -131,7 +131,7 @@ static void note_step(faces *f)
 }
 
 /* Speed at which free faces approach. */
-static double closing(const faces *f)
+static double closing_speed(const faces *f)
 {
     const double speed = f->in[0] - f->in[1];
     return !f->touching && speed > f->still ? 2.0 * speed : 0.0;
@@ -139,25 +139,25 @@ static double closing(const faces *f)
 
 static double next_time(const faces *f)
 {
-    double at = closing(f) > 0.0 ? f->t + f->gap / closing(f) : (double)INFINITY;
+    double at = closing_speed(f) > 0.0 ? f->t + f->gap / closing_speed(f) : (double)INFINITY;
     for (int k = 0; k < 2; k++) {
-        if (f->echo[k] < f->b->n) at = fmin(at, f->b->step[f->echo[k]] + lap(&f->b->bar[k]));
+        if (f->echo[k] < f->b->n) at = fmin(at, f->b->step[f->echo[k]] + transit_time(&f->b->bar[k]));
     }
     return at;
 }
 
 /* What comes back, and what the faces make of it. */
-static void meet(faces *f, double at)
+static void reflect_at_faces(faces *f, double at)
 {
     const bar_impact *b = f->b;
-    const double moment = 1e-12 * (lap(&b->bar[0]) + lap(&b->bar[1]));
-    const double approach = closing(f);
+    const double moment = 1e-12 * (transit_time(&b->bar[0]) + transit_time(&b->bar[1]));
+    const double approach = closing_speed(f);
     const double drift = f->touching ? 0.0 : 2.0 * (f->in[1] - f->in[0]);
     const bool arrives = approach > 0.0 && at >= f->t + f->gap / approach - moment;
     f->gap = arrives ? 0.0 : fmax(f->gap + drift * (at - f->t), 0.0);
     f->t = at;
     for (int k = 0; k < 2; k++) {
-        while (f->echo[k] < b->n && b->step[f->echo[k]] + lap(&b->bar[k]) <= at + moment) {
+        while (f->echo[k] < b->n && b->step[f->echo[k]] + transit_time(&b->bar[k]) <= at + moment) {
             f->in[k] = b->bar[k].wave[f->echo[k]++];
         }
     }
@@ -167,12 +167,12 @@ static void meet(faces *f, double at)
     for (int k = 0; k < 2; k++) f->out[k] = f->touching ? v - f->in[k] : f->in[k];
 }
 
-static bool changed(const faces *f, const double before[2], bool touching)
+static bool contact_changed(const faces *f, const double before[2], bool touching)
 {
     return f->touching != touching || fabs(f->out[0] - before[0]) > f->still || fabs(f->out[1] - before[1]) > f->still;
 }
 
-static void follow(faces *f)
+static void follow_waves(faces *f)
 {
     bar_impact *b = f->b;
     note_step(f);
@@ -184,8 +184,8 @@ static void follow(faces *f)
         }
         const double before[2] = {f->out[0], f->out[1]};
         const bool touching = f->touching;
-        meet(f, at);
-        if (!changed(f, before, touching)) continue;
+        reflect_at_faces(f, at);
+        if (!contact_changed(f, before, touching)) continue;
         note_step(f);
         if (f->touching && !touching) b->contact = fmin(b->contact, at);
         if (touching && !f->touching) b->release = fmin(b->release, at);
@@ -222,6 +222,6 @@ floe_status bar_impact_solve(context *ctx, const bar_impact_par *p, bar_impact *
                .out = {0.5 * p->left_velocity, 0.5 * p->right_velocity},
                .echo = {0, 0},
                .still = 1e-13 * fmax(fabs(p->left_velocity), fabs(p->right_velocity))};
-    follow(&f);
+    follow_waves(&f);
     return FLOE_OK;
 }

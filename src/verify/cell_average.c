@@ -49,8 +49,8 @@ static double weight_at(const integrand *f, const double x[3])
     return weight;
 }
 
-static integral integrate(integrand *f, const double lo[3], const double hi[3], int n, const double *node,
-                          const double *weight)
+static integral integrate_box(integrand *f, const double lo[3], const double hi[3], int n, const double *node,
+                              const double *weight)
 {
     const int count[3] = {n, f->dim > 1 ? n : 1, f->dim > 2 ? n : 1};
     integral sum = {0.0, 0.0};
@@ -78,8 +78,8 @@ static integral integrate(integrand *f, const double lo[3], const double hi[3], 
 
 static integral integrate_adaptively(integrand *f, const double lo[3], const double hi[3], int depth)
 {
-    const integral coarse = integrate(f, lo, hi, COARSE, coarse_node, coarse_weight);
-    const integral fine = integrate(f, lo, hi, FINE, fine_node, fine_weight);
+    const integral coarse = integrate_box(f, lo, hi, COARSE, coarse_node, coarse_weight);
+    const integral fine = integrate_box(f, lo, hi, FINE, fine_node, fine_weight);
     if (f->boxes == 0) f->total = fabs(fine.weight);
     const double enough = agreement[f->dim] * f->total;
     const bool agree =

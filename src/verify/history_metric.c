@@ -50,7 +50,7 @@ static curve curve_of(size_t n, const double *t, const double *y)
     return c;
 }
 
-static double amplitude(const curve *c)
+static double curve_amplitude(const curve *c)
 {
     const double largest = fmax(fabs(c->low), fabs(c->high));
     const double half = 0.5 * (c->high - c->low);
@@ -84,7 +84,7 @@ static double period_of(const curve *c, double level)
 }
 
 /* Time of the parabola's vertex through row i and its neighbours, which need not be evenly spaced. */
-static double vertex(const curve *c, size_t i)
+static double vertex_time(const curve *c, size_t i)
 {
     if (i == 0 || i + 1 >= c->n) return c->t[i];
     const double back = c->t[i] - c->t[i - 1];
@@ -109,7 +109,7 @@ static bool next_turn(const curve *c, size_t *from, size_t *extreme, double *dir
         } else if (*direction * step >= 0.0) {
             *extreme = i;
         } else if (-*direction * step >= least) {
-            *time = vertex(c, *extreme);
+            *time = vertex_time(c, *extreme);
             *from = i;
             *extreme = i;
             *direction = -*direction;
@@ -141,7 +141,7 @@ static double turns_error(const curve *c, const curve *ref)
 
 /* Means of e and e^2 over the rows from `start` on, by the trapezoidal rule over time (a lone row counts for
  * itself). */
-static void means(const curve *c, const curve *ref, size_t start, double *mean, double *square)
+static void mean_errors(const curve *c, const curve *ref, size_t start, double *mean, double *square)
 {
     double weight = 0.0;
     double sum = 0.0;
@@ -183,15 +183,15 @@ double history_metric_value(history_metric_kind kind, size_t n, const double *t,
     }
     const curve c = curve_of(n, t, value);
     const curve ref = curve_of(n, t, expected);
-    const double scale = amplitude(&ref);
+    const double scale = curve_amplitude(&ref);
     const double level = 0.5 * (ref.low + ref.high);
     const double expected_period = period_of(&ref, level);
     double mean, square;
     switch (kind) {
     case HISTORY_MAX: return largest_difference(&c, &ref) / scale;
-    case HISTORY_RMS: means(&c, &ref, 0, &mean, &square); return sqrt(square) / scale;
+    case HISTORY_RMS: mean_errors(&c, &ref, 0, &mean, &square); return sqrt(square) / scale;
     case HISTORY_END: return fabs(value[n - 1] - expected[n - 1]) / scale;
-    case HISTORY_LATE: means(&c, &ref, late_row(&c), &mean, &square); return fabs(mean) / scale;
+    case HISTORY_LATE: mean_errors(&c, &ref, late_row(&c), &mean, &square); return fabs(mean) / scale;
     case HISTORY_PERIOD: return fabs(period_of(&c, level) - expected_period) / expected_period;
     case HISTORY_TURNS: return turns_error(&c, &ref);
     case HISTORY_METRIC_COUNT: break;

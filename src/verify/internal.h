@@ -17,7 +17,7 @@ enum { VERIFY_IMAGES = 5, VERIFY_MODES = 11 };
 #define COUNT_OF(array) (sizeof(array) / sizeof((array)[0]))
 
 /* A parameter that stands for a whole number (an axis, a mode, a choice). */
-static inline int whole(double x)
+static inline int whole_number(double x)
 {
     return (int)lround(x);
 }
@@ -29,7 +29,7 @@ floe_status check_axis(context *ctx, double axis, int dim);
 
 /* `value` when the velocity (or displacement) component is `axis`, else 0. `first` is the enumerator of the x
  * component. */
-static inline double along(exact_quantity quantity, exact_quantity first, int axis, double value)
+static inline double component_along(exact_quantity quantity, exact_quantity first, int axis, double value)
 {
     return (int)quantity - (int)first == axis ? value : 0.0;
 }

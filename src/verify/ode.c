@@ -16,7 +16,7 @@ typedef struct solve {
     char complaint[256];
 } solve;
 
-static int rate(realtype t, N_Vector y, N_Vector dydt, void *user)
+static int ode_rate(realtype t, N_Vector y, N_Vector dydt, void *user)
 {
     const solve *s = user;
     s->system->rate(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt), s->system->user);
@@ -24,7 +24,7 @@ static int rate(realtype t, N_Vector y, N_Vector dydt, void *user)
 }
 
 /* CVODE prints by default; here its words go into the message of the error. */
-static void note(int code, const char *module, const char *function, char *message, void *user)
+static void note_cvode_error(int code, const char *module, const char *function, char *message, void *user)
 {
     (void)module;
     (void)function;
@@ -32,7 +32,7 @@ static void note(int code, const char *module, const char *function, char *messa
     if (code < 0) (void)snprintf(s->complaint, sizeof s->complaint, "%s", message);
 }
 
-static void release(solve *s)
+static void release_solver(solve *s)
 {
     if (s->cvode != NULL) CVodeFree(&s->cvode);
     if (s->newton != NULL) SUNNonlinSolFree(s->newton);
@@ -41,7 +41,7 @@ static void release(solve *s)
     if (s->sun != NULL) SUNContext_Free(&s->sun);
 }
 
-static bool prepare(solve *s, const double *y)
+static bool prepare_solver(solve *s, const double *y)
 {
     const ode *system = s->system;
     if (SUNContext_Create(NULL, &s->sun) != 0) return false;
@@ -52,14 +52,14 @@ static bool prepare(solve *s, const double *y)
     memcpy(N_VGetArrayPointer(s->y), y, system->n * sizeof *y);
     memcpy(N_VGetArrayPointer(s->absolute), system->absolute, system->n * sizeof *y);
     s->newton = SUNNonlinSol_FixedPoint(s->y, 0, s->sun);
-    return s->newton != NULL && CVodeSetErrHandlerFn(s->cvode, note, s) == CV_SUCCESS &&
-           CVodeInit(s->cvode, rate, 0.0, s->y) == CV_SUCCESS &&
+    return s->newton != NULL && CVodeSetErrHandlerFn(s->cvode, note_cvode_error, s) == CV_SUCCESS &&
+           CVodeInit(s->cvode, ode_rate, 0.0, s->y) == CV_SUCCESS &&
            CVodeSVtolerances(s->cvode, system->relative, s->absolute) == CV_SUCCESS &&
            CVodeSetUserData(s->cvode, s) == CV_SUCCESS && CVodeSetMaxNumSteps(s->cvode, -1) == CV_SUCCESS &&
            CVodeSetNonlinearSolver(s->cvode, s->newton) == CV_SUCCESS;
 }
 
-static floe_status run(context *ctx, solve *s, size_t n_times, const double *t)
+static floe_status integrate_times(context *ctx, solve *s, size_t n_times, const double *t)
 {
     for (size_t i = 0; i < n_times; i++) {
         realtype reached = t[i];
@@ -74,8 +74,9 @@ static floe_status run(context *ctx, solve *s, size_t n_times, const double *t)
 floe_status ode_solve(context *ctx, const ode *system, const double *y, size_t n_times, const double *t)
 {
     solve s = {.system = system};
-    const floe_status status = prepare(&s, y) ? run(ctx, &s, n_times, t)
-                                              : fail(ctx, FLOE_NO_MEMORY, "CVODE cannot be set up: %s", s.complaint);
-    release(&s);
+    const floe_status status = prepare_solver(&s, y)
+                                   ? integrate_times(ctx, &s, n_times, t)
+                                   : fail(ctx, FLOE_NO_MEMORY, "CVODE cannot be set up: %s", s.complaint);
+    release_solver(&s);
     return status;
 }

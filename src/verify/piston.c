@@ -25,7 +25,7 @@ static double z_cot(double z)
     return z > 0.0 ? z / tan(z) : 1.0;
 }
 
-static double residual(double omega, void *user)
+static double shock_residual(double omega, void *user)
 {
     const piston *p = user;
     const double fluid = p->bulk_modulus * p->area / p->length * z_cot(omega * fluid_time(p));
@@ -41,9 +41,9 @@ static double root_between(const piston *p, double lo, double hi)
     const double margin = 1e-9 * (hi - lo);
     const double from = lo > 0.0 ? lo + margin : 0.0;
     const double to = hi - margin;
-    if (residual(from, &copy) >= 0.0) return from;
-    if (residual(to, &copy) <= 0.0) return to;
-    return find_root(residual, &copy, from, to);
+    if (shock_residual(from, &copy) >= 0.0) return from;
+    if (shock_residual(to, &copy) <= 0.0) return to;
+    return find_root(shock_residual, &copy, from, to);
 }
 
 double piston_frequency(const piston *p, int mode)

@@ -50,7 +50,7 @@ static inline floe_status radial_check(context *ctx, const radial_par *p, int di
 /* Axes over which the distance is taken: spheres about an axis have two, r and z. */
 static inline int radial_axes(const radial_par *p, int dim)
 {
-    const int axes = p->axes > 0.0 ? whole(p->axes) : whole(p->geometry) + 1;
+    const int axes = p->axes > 0.0 ? whole_number(p->axes) : whole_number(p->geometry) + 1;
     return axes < dim ? axes : dim;
 }
 

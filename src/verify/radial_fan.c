@@ -25,14 +25,14 @@ typedef struct point {
     double t, r, u, c;
 } point;
 
-static double source(const fan_gas *gas, const point *p)
+static double geometric_source(const fan_gas *gas, const point *p)
 {
     return p->u == 0.0 ? 0.0 : gas->geometry * p->c * p->u / p->r;
 }
 
 /* The crossing of the outward characteristic through p with the inward one through q; at an infinite time where it
  * comes later than `latest`, if at all: in a cylinder or sphere an outward characteristic does not reach the edge. */
-static point cross(const fan_gas *gas, const point *p, const point *q, double latest)
+static point cross_characteristics(const fan_gas *gas, const point *p, const point *q, double latest)
 {
     enum { ITERATIONS = 12 };
     const double k = 2.0 / (gas->gamma - 1.0);
@@ -44,8 +44,10 @@ static point cross(const fan_gas *gas, const point *p, const point *q, double la
         const point last = x;
         x.t = (q->r - p->r + outward * p->t - inward * q->t) / (outward - inward);
         x.r = p->r + outward * (x.t - p->t);
-        const double plus = p->u + k * p->c - 0.5 * (source(gas, p) + source(gas, &last)) * (x.t - p->t);
-        const double minus = q->u - k * q->c + 0.5 * (source(gas, q) + source(gas, &last)) * (x.t - q->t);
+        const double plus =
+            p->u + k * p->c - 0.5 * (geometric_source(gas, p) + geometric_source(gas, &last)) * (x.t - p->t);
+        const double minus =
+            q->u - k * q->c + 0.5 * (geometric_source(gas, q) + geometric_source(gas, &last)) * (x.t - q->t);
         x.u = 0.5 * (plus + minus);
         x.c = 0.5 * (plus - minus) / k;
         if (!(x.t <= latest && x.c > 0.0)) return (point){.t = INFINITY};
@@ -80,8 +82,8 @@ floe_status radial_fan_march(context *ctx, const fan_gas *gas, int halvings, rad
         const double head = exp(log_start + stretch_exponent(gas) * spacing * i);
         row[0] = (point){head, gas->radius - gas->sound * head, 0.0, gas->sound};
         for (int j = 1; j <= n; j++) {
-            row[j] =
-                i == 0 ? plane_fan(gas, log_start, spacing * j) : cross(gas, &row[j - 1], &row[j], LATEST * out->limit);
+            row[j] = i == 0 ? plane_fan(gas, log_start, spacing * j)
+                            : cross_characteristics(gas, &row[j - 1], &row[j], LATEST * out->limit);
         }
         for (int j = 0; j <= FAN_NODES && i % fine == 0; j++) {
             const point *x = &row[j * fine];
@@ -93,7 +95,7 @@ floe_status radial_fan_march(context *ctx, const fan_gas *gas, int halvings, rad
 }
 
 /* From errors in the second and fourth power of the spacing, on nets of 1, 1/2 and 1/4 of it. */
-static double extrapolate(double coarse, double middle, double fine)
+static double extrapolate_nets(double coarse, double middle, double fine)
 {
     return (64.0 * fine - 20.0 * middle + coarse) / 45.0;
 }
@@ -101,9 +103,10 @@ static double extrapolate(double coarse, double middle, double fine)
 static fan_node extrapolate_node(const fan_node *a, const fan_node *b, const fan_node *c)
 {
     if (isinf(a->log_time) || isinf(b->log_time) || isinf(c->log_time)) return (fan_node){.log_time = INFINITY};
-    return (fan_node){extrapolate(a->log_time, b->log_time, c->log_time), extrapolate(a->radius, b->radius, c->radius),
-                      extrapolate(a->velocity, b->velocity, c->velocity),
-                      extrapolate(a->log_sound, b->log_sound, c->log_sound)};
+    return (fan_node){extrapolate_nets(a->log_time, b->log_time, c->log_time),
+                      extrapolate_nets(a->radius, b->radius, c->radius),
+                      extrapolate_nets(a->velocity, b->velocity, c->velocity),
+                      extrapolate_nets(a->log_sound, b->log_sound, c->log_sound)};
 }
 
 floe_status radial_fan_solve(context *ctx, const fan_gas *gas, radial_fan *out)
@@ -125,7 +128,7 @@ floe_status radial_fan_solve(context *ctx, const fan_gas *gas, radial_fan *out)
 enum { STENCIL = 8 };
 
 /* Weights of Lagrange's polynomial through STENCIL places. */
-static void lagrange(const double at[STENCIL], double x, double weight[STENCIL])
+static void lagrange_weights(const double at[STENCIL], double x, double weight[STENCIL])
 {
     double before = 1.0;
     for (int i = 0; i < STENCIL; i++) {
@@ -141,7 +144,7 @@ static void lagrange(const double at[STENCIL], double x, double weight[STENCIL])
     }
 }
 
-static int clamp(int i, int lo, int hi)
+static int clamp_index(int i, int lo, int hi)
 {
     return i < lo ? lo : i > hi ? hi : i;
 }
@@ -180,10 +183,10 @@ static fan_node on_inward(const radial_fan *fan, int j, double log_time)
     }
     int known = before + 1;
     while (known <= FAN_NODES && known <= before + STENCIL / 2 && isfinite(fan->node[j][known].log_time)) known++;
-    const int from = clamp(before - STENCIL / 2 + 1, 0, known - STENCIL);
+    const int from = clamp_index(before - STENCIL / 2 + 1, 0, known - STENCIL);
     double at[STENCIL], weight[STENCIL];
     for (int i = 0; i < STENCIL; i++) at[i] = fan->node[j][from + i].log_time;
-    lagrange(at, log_time, weight);
+    lagrange_weights(at, log_time, weight);
     fan_node x = {log_time, 0.0, 0.0, 0.0};
     for (int i = 0; i < STENCIL; i++) {
         const fan_node *node = &fan->node[j][from + i];
@@ -195,7 +198,7 @@ static fan_node on_inward(const radial_fan *fan, int j, double log_time)
 }
 
 /* The outermost inward characteristic that is known at a time. */
-static int outermost(const radial_fan *fan, double log_time)
+static int outermost_known(const radial_fan *fan, double log_time)
 {
     int lo = 0;
     int hi = FAN_NODES + 1;
@@ -220,7 +223,7 @@ static void divide_differences(double value[STENCIL])
 }
 
 /* The polynomial of those coefficients, and its slope where `slope` is not NULL. */
-static double polynomial(const double coefficient[STENCIL], double x, double *slope)
+static double evaluate_polynomial(const double coefficient[STENCIL], double x, double *slope)
 {
     double value = coefficient[STENCIL - 1], rise = 0.0;
     for (int k = STENCIL - 2; k >= 0; k--) {
@@ -234,7 +237,7 @@ static double polynomial(const double coefficient[STENCIL], double x, double *sl
 /* Among the characteristics from `from` on, at the label (a number between theirs) whose radius is r: by Newton's rule
  * on the polynomial in the label, which is nearly straight over one interval, within an interval that shrinks about
  * it. */
-static fan_state between(const fan_node node[STENCIL], int interval, double r)
+static fan_state interpolate_fan(const fan_node node[STENCIL], int interval, double r)
 {
     double radius[STENCIL], velocity[STENCIL], log_sound[STENCIL];
     for (int k = 0; k < STENCIL; k++) {
@@ -250,7 +253,7 @@ static fan_state between(const fan_node node[STENCIL], int interval, double r)
     double label = 0.5 * (lo + hi), last = hi;
     for (int n = 0; n < 60 && fabs(label - last) > 1e-15 * STENCIL; n++) {
         double slope;
-        const double over = polynomial(radius, label, &slope) - r;
+        const double over = evaluate_polynomial(radius, label, &slope) - r;
         if (over <= 0.0) {
             lo = label;
         } else {
@@ -260,7 +263,7 @@ static fan_state between(const fan_node node[STENCIL], int interval, double r)
         label -= over / slope;
         if (!(label >= lo && label <= hi)) label = 0.5 * (lo + hi);
     }
-    return (fan_state){polynomial(velocity, label, NULL), exp(polynomial(log_sound, label, NULL))};
+    return (fan_state){evaluate_polynomial(velocity, label, NULL), exp(evaluate_polynomial(log_sound, label, NULL))};
 }
 
 /* The last inward characteristic whose radius is not above r, where that of `most` is, `last`: looked for where a
@@ -271,7 +274,7 @@ static int interval_of(const radial_fan *fan, double log_time, double r, int mos
     double inner = on_inward(fan, lo, log_time).radius, outer = last;
     for (bool straight = true; hi - lo > 1; straight = !straight) {
         const double share = straight ? (r - inner) / (outer - inner) : 0.5;
-        const int middle = clamp(lo + (int)(share * (hi - lo)), lo + 1, hi - 1);
+        const int middle = clamp_index(lo + (int)(share * (hi - lo)), lo + 1, hi - 1);
         const double radius = on_inward(fan, middle, log_time).radius;
         if (radius <= r) {
             lo = middle;
@@ -287,7 +290,7 @@ static int interval_of(const radial_fan *fan, double log_time, double r, int mos
 static fan_state in_fan(const radial_fan *fan, double r, double t)
 {
     const double log_time = log(t);
-    const int most = outermost(fan, log_time);
+    const int most = outermost_known(fan, log_time);
     const fan_node last = on_inward(fan, most, log_time);
     if (r >= last.radius) { /* a density of nearly nothing: straight to the edge */
         const double edge = fan->gas.radius + fan_front_speed(&fan->gas) * t;
@@ -296,10 +299,10 @@ static fan_state in_fan(const radial_fan *fan, double r, double t)
                            (1.0 - share) * exp(last.log_sound)};
     }
     const int lo = interval_of(fan, log_time, r, most, last.radius);
-    const int from = clamp(lo - STENCIL / 2 + 1, 0, most + 1 - STENCIL);
+    const int from = clamp_index(lo - STENCIL / 2 + 1, 0, most + 1 - STENCIL);
     fan_node node[STENCIL];
     for (int k = 0; k < STENCIL; k++) node[k] = on_inward(fan, from + k, log_time);
-    return between(node, lo - from, r);
+    return interpolate_fan(node, lo - from, r);
 }
 
 fan_state radial_fan_at(const radial_fan *fan, double r, double t)

@@ -52,14 +52,14 @@ static double growth_order(growth *g)
     return find_root(growth_excess, g, fmin(0.0, sign * reach), fmax(0.0, sign * reach));
 }
 
-static richardson settled(double f1)
+static richardson settled_limit(double f1)
 {
     return (richardson){RICHARDSON_EQUAL, NAN, f1, 0.0, 0.0, GCI_SAFETY, NAN};
 }
 
 static richardson from_pair(const double h[2], const double f[2], double expected)
 {
-    if (fabs(f[1] - f[0]) <= sequence_roundoff(f[0], f[1])) return settled(f[0]);
+    if (fabs(f[1] - f[0]) <= sequence_roundoff(f[0], f[1])) return settled_limit(f[0]);
     const double error = (f[0] - f[1]) / expm1(expected * log(h[1] / h[0]));
     return (richardson){.kind = RICHARDSON_ASSUMED,
                         .order = expected,
@@ -70,7 +70,7 @@ static richardson from_pair(const double h[2], const double f[2], double expecte
                         .asymptotic_ratio = NAN};
 }
 
-static growth measure(const double h[3], const double f[3])
+static growth measure_growth(const double h[3], const double f[3])
 {
     const double fine = f[1] - f[0];
     const double coarse = f[2] - f[1];
@@ -83,8 +83,8 @@ static growth measure(const double h[3], const double f[3])
 
 static richardson from_triplet(const double h[3], const double f[3], double expected)
 {
-    if (fabs(f[1] - f[0]) <= sequence_roundoff(f[0], f[1])) return settled(f[0]);
-    growth g = measure(h, f);
+    if (fabs(f[1] - f[0]) <= sequence_roundoff(f[0], f[1])) return settled_limit(f[0]);
+    growth g = measure_growth(h, f);
     const double p = growth_order(&g);
     if (!(p > 0.0)) {
         return (richardson){.kind = g.alternating ? RICHARDSON_OSCILLATING : RICHARDSON_DIVERGENT,
@@ -111,7 +111,7 @@ static void judge_by_fourth(richardson *r, const double h[4], const double f[4])
 {
     const bool converges = r->kind == RICHARDSON_MONOTONE || r->kind == RICHARDSON_OSCILLATORY;
     if (!converges || !isnan(r->asymptotic_ratio)) return;
-    growth next = measure(h + 1, f + 1);
+    growth next = measure_growth(h + 1, f + 1);
     next.alternating = r->kind == RICHARDSON_OSCILLATORY;
     r->asymptotic_ratio = exp(-growth_excess(r->order, &next));
 }

@@ -80,7 +80,7 @@ static void standard_errors(const line *l, richardson_fit *out)
     out->order_error = solved ? out->deviation * sqrt(last[2]) : (double)INFINITY;
 }
 
-static double uncertainty(const richardson_fit *fit, double residual, double error, double spread, double expected)
+static double fit_uncertainty(const richardson_fit *fit, double residual, double error, double spread, double expected)
 {
     if (fit->deviation > spread) return 3.0 * fit->deviation / spread * (error + fit->deviation + residual);
     const bool usual = fit->order >= 0.5 && fit->order <= (isnan(expected) ? 2.0 : expected) + 0.1;
@@ -106,7 +106,7 @@ static void fit_sequence(line *l, double expected, double range, richardson_fit 
     if (out->kind == RICHARDSON_UNFITTED) return;
     standard_errors(l, out);
     const double residual = fabs(s->f[0] - l->value - l->constant * l->power[0]);
-    out->uncertainty = uncertainty(out, residual, fabs(s->f[0] - l->value), range / (double)(s->n - 1), expected);
+    out->uncertainty = fit_uncertainty(out, residual, fabs(s->f[0] - l->value), range / (double)(s->n - 1), expected);
 }
 
 floe_status richardson_fit_power(context *ctx, size_t n, const double *h, const double *f, double expected,

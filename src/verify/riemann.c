@@ -13,7 +13,7 @@ typedef struct outward {
 } outward;
 
 /* v/(v - b) where the equivalent gas has that density: places of waves are stretched by it. */
-static double stretch(const outward *side, double density)
+static double covolume_stretch(const outward *side, double density)
 {
     return 1.0 + side->covolume * density;
 }
@@ -23,7 +23,7 @@ static bool is_vacuum(const riemann_side *side)
     return !(side->density > 0.0);
 }
 
-static outward look(const riemann_side *side, double sign)
+static outward look_outward(const riemann_side *side, double sign)
 {
     const double stiff = side->pressure + side->p_inf, density = side->density / (1.0 - side->covolume * side->density);
     return (outward){.density = density,
@@ -74,7 +74,7 @@ static riemann_wave make_wave(const outward *side, double p)
     const double ratio = fmax((p + side->p_inf) / side->stiff, 0.0);
     riemann_wave wave = {.shock = ratio > 1.0};
     wave.velocity = side->velocity + side->sign * velocity_change(side, p);
-    const double outer = side->sign * side->sound * stretch(side, side->density);
+    const double outer = side->sign * side->sound * covolume_stretch(side, side->density);
     double density;
     if (wave.shock) {
         const double slope = (g - 1.0) / (g + 1.0);
@@ -84,9 +84,10 @@ static riemann_wave make_wave(const outward *side, double p)
     } else {
         density = side->density * pow(ratio, 1.0 / g);
         wave.head = side->velocity + outer;
-        wave.tail = wave.velocity + side->sign * side->sound * pow(ratio, 0.5 * (g - 1.0) / g) * stretch(side, density);
+        wave.tail = wave.velocity +
+                    side->sign * side->sound * pow(ratio, 0.5 * (g - 1.0) / g) * covolume_stretch(side, density);
     }
-    wave.density = density / stretch(side, density);
+    wave.density = density / covolume_stretch(side, density);
     return wave;
 }
 
@@ -109,7 +110,7 @@ static floe_status check_side(context *ctx, const char *name, const riemann_side
 static void solve_beside_vacuum(riemann_solution *out)
 {
     const bool left_empty = is_vacuum(&out->left);
-    const outward gas = left_empty ? look(&out->right, 1.0) : look(&out->left, -1.0);
+    const outward gas = left_empty ? look_outward(&out->right, 1.0) : look_outward(&out->left, -1.0);
     const riemann_wave wave = make_wave(&gas, -gas.p_inf);
     const riemann_wave front = {.velocity = wave.velocity, .head = wave.tail, .tail = wave.tail};
     out->vacuum = true;
@@ -141,7 +142,7 @@ floe_status riemann_solve(context *ctx, const riemann_side *left, const riemann_
         return FLOE_OK;
     }
 
-    star_problem problem = {.left = look(left, -1.0), .right = look(right, 1.0)};
+    star_problem problem = {.left = look_outward(left, -1.0), .right = look_outward(right, 1.0)};
     problem.floor = -fmin(left->p_inf, right->p_inf);
     out->vacuum = star_residual(0.0, &problem) >= 0.0; /* Toro eq. 4.40 */
     if (out->vacuum) {
@@ -168,7 +169,7 @@ static double fan_residual(double ratio, void *user)
     const outward *side = q->side;
     const double g = side->gamma, density = side->density * pow(ratio, 2.0 / (g - 1.0));
     return side->velocity - q->speed +
-           side->sign * side->sound * (2.0 / (g - 1.0) * (ratio - 1.0) + ratio * stretch(side, density));
+           side->sign * side->sound * (2.0 / (g - 1.0) * (ratio - 1.0) + ratio * covolume_stretch(side, density));
 }
 
 /* Inside a fan (Toro eqs 4.56 and 4.63); with a covolume the place belongs to the root of an equation. */
@@ -179,8 +180,8 @@ static riemann_state sample_fan(const outward *side, double speed)
     fan_problem q = {side, speed};
     const double sound = side->covolume > 0.0 ? side->sound * find_root(fan_residual, &q, 0.0, 1.0) : plain;
     const double ratio = fmax(sound / side->sound, 0.0), density = side->density * pow(ratio, 2.0 / (g - 1.0));
-    return (riemann_state){.density = density / stretch(side, density),
-                           .velocity = speed - side->sign * sound * stretch(side, density),
+    return (riemann_state){.density = density / covolume_stretch(side, density),
+                           .velocity = speed - side->sign * sound * covolume_stretch(side, density),
                            .pressure = side->stiff * pow(ratio, 2.0 * g / (g - 1.0)) - side->p_inf};
 }
 
@@ -197,7 +198,7 @@ static riemann_state sample_side(const riemann_solution *solution, double speed,
     if (inside || wave->shock) {
         return (riemann_state){.density = wave->density, .velocity = wave->velocity, .pressure = solution->pressure};
     }
-    const outward seen = look(side, sign);
+    const outward seen = look_outward(side, sign);
     return sample_fan(&seen, speed);
 }
 

@@ -24,7 +24,7 @@ static const param_spec pulse_params[] = {
 
 static profile pulse_profile(const pulse_par *p)
 {
-    return (profile){.sine = whole(p->sine) == 1, .centre = p->centre, .width = p->width, .period = p->period};
+    return (profile){.sine = whole_number(p->sine) == 1, .centre = p->centre, .width = p->width, .period = p->period};
 }
 
 static floe_status pulse_prepare(context *ctx, const void *par, int dim, void *prepared)
@@ -44,13 +44,13 @@ static double pulse_value(const void *par, const void *prepared, exact_quantity 
     (void)dim;
     const pulse_par *p = par;
     const profile shape = pulse_profile(p);
-    const double at = x[whole(p->axis)] - p->velocity * t;
+    const double at = x[whole_number(p->axis)] - p->velocity * t;
     const double up = p->amplitude * profile_value(&shape, at - p->sound_speed * t);
     const double down =
         p->left_amplitude != 0.0 ? p->left_amplitude * profile_value(&shape, at + p->sound_speed * t) : 0.0;
     if (is_velocity(quantity)) {
         const double velocity = p->velocity + (up - down) / (p->density * p->sound_speed);
-        return along(quantity, EXACT_VELOCITY_X, whole(p->axis), velocity);
+        return component_along(quantity, EXACT_VELOCITY_X, whole_number(p->axis), velocity);
     }
     if (quantity == EXACT_PRESSURE) return p->pressure + up + down;
     if (quantity == EXACT_DENSITY) return p->density + (up + down) / (p->sound_speed * p->sound_speed);

@@ -42,7 +42,7 @@ static double annulus_value(const void *par, const void *prepared, exact_quantit
     const annulus_par *p = par;
     const double r = dim > 2 ? hypot(x[0], x[1]) : x[0];
     const double s = log(r / p->inner_radius) / log(p->outer_radius / p->inner_radius);
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, dim - 1, p->speed * (1.0 - s));
+    if (is_velocity(quantity)) return component_along(quantity, EXACT_VELOCITY_X, dim - 1, p->speed * (1.0 - s));
     const hot_walls walls = {p->pressure,          p->gamma,
                              p->heat_capacity,     p->inner_temperature,
                              p->outer_temperature, 0.5 * p->viscosity * p->speed * p->speed / p->conductivity};

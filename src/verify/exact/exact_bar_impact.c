@@ -34,15 +34,15 @@ static double impact_value(const void *par, const void *prepared, exact_quantity
     (void)dim;
     const impact_par *p = par;
     const bar_impact *b = prepared;
-    const int axis = whole(p->axis);
+    const int axis = whole_number(p->axis);
     const int which = x[axis] <= b->bar[0].face ? 0 : 1;
     const double depth = which == 0 ? b->bar[0].face - x[axis] : x[axis] - b->bar[1].face;
     if (!(depth >= 0.0 && depth <= b->bar[which].length) || t < 0.0 || t > b->horizon) return NAN;
     if (is_velocity(quantity)) {
-        return along(quantity, EXACT_VELOCITY_X, axis, bar_impact_velocity(b, which, depth, t));
+        return component_along(quantity, EXACT_VELOCITY_X, axis, bar_impact_velocity(b, which, depth, t));
     }
     if (is_displacement(quantity)) {
-        return along(quantity, EXACT_DISPLACEMENT_X, axis, bar_impact_displacement(b, which, depth, t));
+        return component_along(quantity, EXACT_DISPLACEMENT_X, axis, bar_impact_displacement(b, which, depth, t));
     }
     if (quantity >= EXACT_STRESS_XX && quantity <= EXACT_STRESS_ZZ) {
         const double stress = bar_impact_force(b, which, depth, t) / area_of(p, which);
@@ -64,7 +64,7 @@ static void impact_breaks(const void *par, const void *prepared, double t, exact
 {
     const impact_par *p = par;
     const bar_impact *b = prepared;
-    *out = (exact_breaks){.axis = whole(p->axis)};
+    *out = (exact_breaks){.axis = whole_number(p->axis)};
     for (int which = 0; which < 2; which++) {
         const impact_bar *bar = &b->bar[which];
         const double way = which == 0 ? -1.0 : 1.0;

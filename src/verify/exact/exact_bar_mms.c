@@ -49,7 +49,7 @@ static mms_motion motion_at(const mms_par *p, const mms_constants *c, int dim, c
     mms_motion m = {.stretch = {1.0, 1.0, 1.0}, .volume = 1.0};
     for (int a = 0; a < 3; a++) {
         const double angle = c->k * (x[a] - p->origin);
-        if (a >= dim || (whole(p->axis) != a && whole(p->axis) != ALL_AXES)) continue;
+        if (a >= dim || (whole_number(p->axis) != a && whole_number(p->axis) != ALL_AXES)) continue;
         m.displacement[a] = p->amplitude * sin(angle) * sin(clock);
         m.velocity[a] = p->amplitude * c->k * c->speed * sin(angle) * cos(clock);
         m.stretch[a] = 1.0 + p->amplitude * c->k * cos(angle) * sin(clock);

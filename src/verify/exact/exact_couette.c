@@ -43,7 +43,7 @@ static double couette_early(const couette_par *p, double y, double spread, bool 
 static double couette_shape(const couette_par *p, double y, double t, bool derivative)
 {
     const double steady = derivative ? 1.0 / p->height : y / p->height;
-    if (whole(p->starting) == 0) return steady;
+    if (whole_number(p->starting) == 0) return steady;
     const double k = VERIFY_PI / p->height, diffusion = p->viscosity / p->density * t;
     if (!(diffusion > 0.0)) return derivative || y < p->height ? 0.0 : steady;
     if (diffusion < VERIFY_EARLY * p->height * p->height) return couette_early(p, y, 2.0 * sqrt(diffusion), derivative);

@@ -43,9 +43,9 @@ static double hot_value(const void *par, const void *prepared, exact_quantity qu
     (void)dim;
     (void)t;
     const hot_par *p = par;
-    const int across = whole(p->axis);
+    const int across = whole_number(p->axis);
     const double s = (x[across] - p->origin) / p->height;
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, hot_along(across), p->speed * s);
+    if (is_velocity(quantity)) return component_along(quantity, EXACT_VELOCITY_X, hot_along(across), p->speed * s);
     const hot_walls walls = {p->pressure,          p->gamma,
                              p->heat_capacity,     p->lower_temperature,
                              p->upper_temperature, 0.5 * p->viscosity * p->speed * p->speed / p->conductivity};

@@ -54,8 +54,8 @@ static double complex wave_rate(const wave_par *p, double k2)
                                  &z[1], &z[2]);
     int chosen = 0;
     for (int i = 1; i < 3; i++) {
-        const bool better = whole(p->thermal) == 1 ? fabs(GSL_IMAG(z[i])) < fabs(GSL_IMAG(z[chosen]))
-                                                   : GSL_IMAG(z[i]) < GSL_IMAG(z[chosen]);
+        const bool better = whole_number(p->thermal) == 1 ? fabs(GSL_IMAG(z[i])) < fabs(GSL_IMAG(z[chosen]))
+                                                          : GSL_IMAG(z[i]) < GSL_IMAG(z[chosen]);
         if (better) chosen = i;
     }
     return complex_of(rate * GSL_REAL(z[chosen]), rate * GSL_IMAG(z[chosen]));
@@ -68,7 +68,7 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     TRY(check_axis(ctx, p->axis, dim));
     TRY(check_whole(ctx, "thermal", p->thermal));
     if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
-    const bool thermal = whole(p->thermal) == 1;
+    const bool thermal = whole_number(p->thermal) == 1;
     if (thermal && !(p->conductivity > 0.0))
         return fail_key(ctx, KEY("conductivity"), "%g W/m/K: heat does not diffuse without one", p->conductivity);
     c->k = 2.0 * VERIFY_PI / p->wavelength;
@@ -92,10 +92,10 @@ static double wave_value(const void *par, const void *prepared, exact_quantity q
     (void)dim;
     const wave_par *p = par;
     const wave_constants *c = prepared;
-    const int axis = whole(p->axis);
+    const int axis = whole_number(p->axis);
     const double complex phase = cexp(complex_of(0.0, c->k * x[axis]) + c->s * t);
     const double density = creal(c->density * phase), temperature = creal(c->temperature * phase);
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, creal(c->velocity * phase));
+    if (is_velocity(quantity)) return component_along(quantity, EXACT_VELOCITY_X, axis, creal(c->velocity * phase));
     switch (quantity) {
     case EXACT_DENSITY: return p->density + density;
     case EXACT_PRESSURE: return p->pressure * (1.0 + density / p->density + temperature / c->T0);

@@ -141,7 +141,7 @@ static double flow_value(const void *par, const void *prepared, exact_quantity q
 }
 
 /* div u and its gradient. */
-static double dilatation(const flow_state *s, int dim, double gradient[3])
+static double velocity_divergence(const flow_state *s, int dim, double gradient[3])
 {
     double div = 0.0;
     for (int a = 0; a < dim; a++) {
@@ -161,7 +161,7 @@ static void flow_body_force(const void *par, const void *prepared, int dim, cons
     const flow_par *p = par;
     const flow_state s = flow_at(p, dim, x, t);
     double gradient[3];
-    dilatation(&s, dim, gradient);
+    velocity_divergence(&s, dim, gradient);
     for (int a = 0; a < dim; a++) {
         double pull = s.pressure.d[a] - (p->bulk_viscosity + p->viscosity / 3.0) * gradient[a];
         force[a] = s.velocity[a].d[JET_TIME];
@@ -180,7 +180,7 @@ static double flow_heat_source(const void *par, const void *prepared, int dim, c
     const flow_par *p = par;
     const flow_state s = flow_at(p, dim, x, t);
     double gradient[3];
-    const double div = dilatation(&s, dim, gradient), mu = p->viscosity;
+    const double div = velocity_divergence(&s, dim, gradient), mu = p->viscosity;
     double rate = s.temperature.d[JET_TIME],
            heat = s.pressure.v * div - (p->bulk_viscosity - 2.0 / 3.0 * mu) * div * div;
     for (int a = 0; a < dim; a++) {

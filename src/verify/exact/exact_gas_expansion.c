@@ -24,7 +24,7 @@ static floe_status expansion_prepare(context *ctx, const void *par, int dim, voi
     if (p->geometry > 0.0 && dim < 2) {
         return fail_key(ctx, KEY("geometry"), "%g: in one dimension there is only a slab, geometry 0", p->geometry);
     }
-    const fan_gas gas = {.geometry = whole(p->geometry),
+    const fan_gas gas = {.geometry = whole_number(p->geometry),
                          .radius = p->radius,
                          .sound = sqrt(p->gamma * p->pressure / p->density),
                          .gamma = p->gamma};
@@ -34,7 +34,7 @@ static floe_status expansion_prepare(context *ctx, const void *par, int dim, voi
 /* Axes over which the distance from the centre is taken. */
 static int axes_of(const expansion_par *p, int dim)
 {
-    const int axes = whole(p->geometry) == 2 ? 3 : whole(p->geometry) + 1;
+    const int axes = whole_number(p->geometry) == 2 ? 3 : whole_number(p->geometry) + 1;
     return axes < dim ? axes : dim;
 }
 
@@ -66,7 +66,7 @@ static void expansion_breaks(const void *par, const void *prepared, double t, ex
 {
     const expansion_par *p = par;
     const radial_fan *fan = prepared;
-    if (whole(p->geometry) != 0) return;
+    if (whole_number(p->geometry) != 0) return;
     const double inner = p->radius - fan->gas.sound * t;
     const double outer = p->radius + fan_front_speed(&fan->gas) * t;
     *out = (exact_breaks){.axis = 0, .count = 4, .position = {-outer, -inner, inner, outer}};

@@ -30,7 +30,7 @@ static double column_value(const void *par, const void *prepared, exact_quantity
     (void)dim;
     (void)t;
     const column_par *p = par;
-    const double fall = exp(-p->gravity * p->density / p->pressure * (x[whole(p->axis)] - p->height));
+    const double fall = exp(-p->gravity * p->density / p->pressure * (x[whole_number(p->axis)] - p->height));
     if (is_velocity(quantity)) return 0.0;
     switch (quantity) {
     case EXACT_DENSITY: return p->density * fall;
@@ -49,7 +49,7 @@ static void column_body_force(const void *par, const void *prepared, int dim, co
     (void)x;
     (void)t;
     const column_par *p = par;
-    force[whole(p->axis)] = -p->gravity;
+    force[whole_number(p->axis)] = -p->gravity;
 }
 
 static const column_par sample_par = {

@@ -24,8 +24,8 @@ static double pipe_value(const void *par, const void *prepared, exact_quantity q
     const pipe_par *p = par;
     const double square = x[0] * x[0] + (dim > 2 ? x[1] * x[1] : 0.0);
     if (is_velocity(quantity))
-        return along(quantity, EXACT_VELOCITY_X, dim - 1,
-                     0.25 * p->force * p->density / p->viscosity * (p->radius * p->radius - square));
+        return component_along(quantity, EXACT_VELOCITY_X, dim - 1,
+                               0.25 * p->force * p->density / p->viscosity * (p->radius * p->radius - square));
     switch (quantity) {
     case EXACT_PRESSURE: return p->pressure;
     case EXACT_DENSITY: return p->density;

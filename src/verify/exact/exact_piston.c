@@ -30,7 +30,7 @@ static floe_status piston_prepare(context *ctx, const void *par, int dim, void *
     TRY(check_whole(ctx, "mode", p->mode));
     TRY(piston_check(ctx, &p->system));
     c->sound = sqrt(p->system.bulk_modulus / p->system.density);
-    c->omega = piston_frequency(&p->system, whole(p->mode));
+    c->omega = piston_frequency(&p->system, whole_number(p->mode));
     if (isfinite(c->omega)) return FLOE_OK;
     return fail_key(ctx, KEY("mode"), "%g: the piston has no such frequency: check mass, stiffness and fluid", p->mode);
 }
@@ -41,7 +41,7 @@ static double piston_value(const void *par, const void *prepared, exact_quantity
     (void)dim;
     const piston_par *p = par;
     const piston_constants *c = prepared;
-    const int axis = whole(p->axis);
+    const int axis = whole_number(p->axis);
     const double k = c->omega / c->sound;
     const double from = x[axis] - p->origin;
     const bool fluid = from <= p->system.length;
@@ -49,8 +49,8 @@ static double piston_value(const void *par, const void *prepared, exact_quantity
     const double scale = p->amplitude / sin(k * p->system.length);
     const double shape = fluid ? scale * sin(k * from) : p->amplitude;
     const double strain = scale * k * cos(k * from) * sin(clock);
-    if (is_displacement(quantity)) return along(quantity, EXACT_DISPLACEMENT_X, axis, shape * sin(clock));
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, shape * c->omega * cos(clock));
+    if (is_displacement(quantity)) return component_along(quantity, EXACT_DISPLACEMENT_X, axis, shape * sin(clock));
+    if (is_velocity(quantity)) return component_along(quantity, EXACT_VELOCITY_X, axis, shape * c->omega * cos(clock));
     if (quantity == EXACT_PRESSURE && fluid) return p->pressure - p->system.bulk_modulus * strain;
     if (quantity == EXACT_DENSITY && fluid) return p->system.density * (1.0 - strain);
     return NAN;

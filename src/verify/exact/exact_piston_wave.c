@@ -33,17 +33,17 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     TRY(check_axis(ctx, p->axis, dim));
     TRY(check_whole(ctx, "moving", p->moving));
     if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
-    if (whole(p->moving) == 1 && p->frequency > 0.0)
+    if (whole_number(p->moving) == 1 && p->frequency > 0.0)
         return fail_key(ctx, KEY("frequency"), "%g Hz: a piston that moves only goes one way here", p->frequency);
     *c = (wave_constants){.law = {p->start, p->ramp, p->frequency}, .sound = sqrt(p->gamma * p->pressure / p->density)};
     return simple_wave_check(ctx, "speed", p->speed, c->sound, p->gamma);
 }
 
 /* Where the piston is: the integral of its velocity. */
-static double place_of(const wave_par *p, double t)
+static double piston_position(const wave_par *p, double t)
 {
     const double past = t - p->start;
-    if (whole(p->moving) == 0 || past <= 0.0) return p->origin;
+    if (whole_number(p->moving) == 0 || past <= 0.0) return p->origin;
     const double rising = fmin(past, p->ramp), k = VERIFY_PI / p->ramp;
     return p->origin + p->speed * (0.5 * rising - 0.5 * sin(k * rising) / k + fmax(past - p->ramp, 0.0));
 }
@@ -59,13 +59,14 @@ static double characteristic_lead(double from, void *user)
 {
     const characteristic *c = user;
     const double u = c->par->speed * swing_at(&c->constants->law, from);
-    return place_of(c->par, from) + (c->constants->sound + 0.5 * (c->par->gamma + 1.0) * u) * (c->t - from) - c->at;
+    return piston_position(c->par, from) + (c->constants->sound + 0.5 * (c->par->gamma + 1.0) * u) * (c->t - from) -
+           c->at;
 }
 
 static double velocity_at(const wave_par *p, const wave_constants *c, double x, double t)
 {
     if (!(t > p->start) || x >= p->origin + c->sound * (t - p->start)) return 0.0;
-    if (x < place_of(p, t)) return NAN;
+    if (x < piston_position(p, t)) return NAN;
     characteristic problem = {p, c, x, t};
     const double from = find_root(characteristic_lead, &problem, p->start, t);
     return p->speed * swing_at(&c->law, from);
@@ -77,9 +78,9 @@ static double wave_value(const void *par, const void *prepared, exact_quantity q
     (void)dim;
     const wave_par *p = par;
     const wave_constants *c = prepared;
-    const int axis = whole(p->axis);
+    const int axis = whole_number(p->axis);
     const double u = velocity_at(p, c, x[axis], t), ratio = 1.0 + 0.5 * (p->gamma - 1.0) * u / c->sound;
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, u);
+    if (is_velocity(quantity)) return component_along(quantity, EXACT_VELOCITY_X, axis, u);
     return simple_wave_value(quantity, p->density, p->pressure, p->gamma, p->heat_capacity, ratio);
 }
 

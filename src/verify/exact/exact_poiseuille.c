@@ -55,7 +55,7 @@ static double poiseuille_early(const poiseuille_par *p, double y, double diffusi
 static double poiseuille_shape(const poiseuille_par *p, double y, double t, bool derivative)
 {
     const double steady = derivative ? 0.5 * p->height - y : 0.5 * y * (p->height - y);
-    if (whole(p->starting) == 0) return steady;
+    if (whole_number(p->starting) == 0) return steady;
     const double diffusion = p->viscosity / p->density * t;
     if (!(diffusion > 0.0)) return 0.0;
     if (diffusion < VERIFY_EARLY * p->height * p->height) return poiseuille_early(p, y, diffusion, derivative);

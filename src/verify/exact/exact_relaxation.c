@@ -62,12 +62,12 @@ static double velocity_at(const relaxation_par *p, double t)
     const double mass = p->first_density + p->second_density;
     const double mean = (p->first_density * p->first_velocity + p->second_density * p->second_velocity) / mass;
     const double difference = (p->first_velocity - p->second_velocity) * exp(-t * velocity_rate(p));
-    return whole(p->material) == 1 ? mean + p->second_density / mass * difference
-                                   : mean - p->first_density / mass * difference;
+    return whole_number(p->material) == 1 ? mean + p->second_density / mass * difference
+                                          : mean - p->first_density / mass * difference;
 }
 
 /* The integral of exp(-a s) exp(-b (t - s)) over s from 0 to t, also where a = b. */
-static double convolve(double a, double b, double t)
+static double convolve_exponentials(double a, double b, double t)
 {
     const double gap = (a - b) * t;
     const double slow = exp(-fmin(a, b) * t);
@@ -89,9 +89,9 @@ static double temperature_at(const relaxation_par *p, double t)
     const double mean = (first * p->first_temperature + second * p->second_temperature + heat) / (first + second);
     const double push = drag * energy * (p->first_heat_share / first - p->second_heat_share / second);
     const double difference = (p->first_temperature - p->second_temperature) * exp(-cooling * t) +
-                              (push != 0.0 ? push * convolve(drag, cooling, t) : 0.0);
-    return whole(p->material) == 1 ? mean + second / (first + second) * difference
-                                   : mean - first / (first + second) * difference;
+                              (push != 0.0 ? push * convolve_exponentials(drag, cooling, t) : 0.0);
+    return whole_number(p->material) == 1 ? mean + second / (first + second) * difference
+                                          : mean - first / (first + second) * difference;
 }
 
 static double relaxation_value(const void *par, const void *prepared, exact_quantity quantity, int dim,
@@ -101,11 +101,12 @@ static double relaxation_value(const void *par, const void *prepared, exact_quan
     (void)dim;
     (void)x;
     const relaxation_par *p = par;
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, whole(p->axis), velocity_at(p, t));
+    if (is_velocity(quantity))
+        return component_along(quantity, EXACT_VELOCITY_X, whole_number(p->axis), velocity_at(p, t));
     if (quantity == EXACT_TEMPERATURE) return temperature_at(p, t);
-    if (quantity == EXACT_DENSITY) return whole(p->material) == 1 ? p->first_density : p->second_density;
+    if (quantity == EXACT_DENSITY) return whole_number(p->material) == 1 ? p->first_density : p->second_density;
     if (quantity == EXACT_VOLUME_FRACTION) {
-        return whole(p->material) == 1 ? p->first_volume_fraction : p->second_volume_fraction;
+        return whole_number(p->material) == 1 ? p->first_volume_fraction : p->second_volume_fraction;
     }
     return NAN;
 }

@@ -41,7 +41,7 @@ static floe_status riemann_prepare(context *ctx, const void *par, int dim, void 
 /* Before and at t = 0 the two states as given. */
 static riemann_state state_at(const riemann_par *p, const riemann_solution *solution, const double x[3], double t)
 {
-    const double distance = x[whole(p->axis)] - p->position;
+    const double distance = x[whole_number(p->axis)] - p->position;
     if (t > 0.0) return riemann_sample(solution, distance / t);
     return riemann_sample(solution, distance > 0.0 ? (double)INFINITY : -(double)INFINITY);
 }
@@ -68,7 +68,8 @@ static double riemann_value(const void *par, const void *prepared, exact_quantit
     const riemann_state state = state_at(p, solution, x, t);
     const riemann_side *side = state.left_gas ? &solution->left : &solution->right;
     const double heat = state.left_gas ? p->left_heat_capacity : p->right_heat_capacity;
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, whole(p->axis), state.velocity);
+    if (is_velocity(quantity))
+        return component_along(quantity, EXACT_VELOCITY_X, whole_number(p->axis), state.velocity);
     switch (quantity) {
     case EXACT_DENSITY: return state.density;
     case EXACT_PRESSURE: return state.pressure;
@@ -93,7 +94,7 @@ static void riemann_breaks(const void *par, const void *prepared, double t, exac
     const riemann_par *p = par;
     const riemann_solution *s = prepared;
     const double time = fmax(t, 0.0);
-    *out = (exact_breaks){.axis = whole(p->axis)};
+    *out = (exact_breaks){.axis = whole_number(p->axis)};
     add_break(out, p->position + time * s->left_wave.head);
     add_break(out, p->position + time * s->left_wave.tail);
     add_break(out, p->position + time * s->contact);

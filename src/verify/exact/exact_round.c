@@ -17,7 +17,7 @@ static floe_status round_prepare(context *ctx, const void *par, int dim, void *p
     (void)prepared;
     const round_par *p = par;
     TRY(check_whole(ctx, "about", p->about));
-    if (dim == 3 || whole(p->about) == 0) return FLOE_OK;
+    if (dim == 3 || whole_number(p->about) == 0) return FLOE_OK;
     return fail_key(ctx, KEY("about"), "%g is an axis of space; in a plane all is round about a centre, 0", p->about);
 }
 
@@ -29,7 +29,7 @@ static double round_value(const void *par, const void *prepared, exact_quantity 
     const round_par *p = par;
     double from[3] = {0.0}, square = 0.0;
     for (int a = 0; a < dim; a++) {
-        if (a != whole(p->about) - 1) from[a] = x[a] - p->centre[a];
+        if (a != whole_number(p->about) - 1) from[a] = x[a] - p->centre[a];
         square += from[a] * from[a];
     }
     return from[quantity - EXACT_NORMAL_X] / sqrt(square);

@@ -107,7 +107,7 @@ static floe_status sedov_prepare(context *ctx, const void *par, int dim, void *p
     if (status != 0 && !(error <= 1e-10 * integral))
         return fail_key(ctx, KEY("gamma"), "%g: the energy of the blast cannot be integrated", p->gamma);
     const double g = p->gamma;
-    q->alpha = surface[whole(p->radial.geometry)] * q->A0 * q->A0 * 2.0 / (g * g - 1.0) * integral;
+    q->alpha = surface[whole_number(p->radial.geometry)] * q->A0 * q->A0 * 2.0 / (g * g - 1.0) * integral;
     return FLOE_OK;
 }
 

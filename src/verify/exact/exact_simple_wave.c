@@ -33,7 +33,8 @@ static floe_status wave_prepare(context *ctx, const void *par, int dim, void *pr
     TRY(check_whole(ctx, "sine", p->sine));
     TRY(check_axis(ctx, p->axis, dim));
     if (!(p->gamma > 1.0)) return fail_key(ctx, KEY("gamma"), "%g: must be over 1", p->gamma);
-    c->shape = (profile){.sine = whole(p->sine) == 1, .centre = p->centre, .width = p->width, .period = p->period};
+    c->shape =
+        (profile){.sine = whole_number(p->sine) == 1, .centre = p->centre, .width = p->width, .period = p->period};
     c->sound = sqrt(p->gamma * p->pressure / p->density);
     const double steepest = 0.5 * (p->gamma + 1.0) * fabs(p->amplitude) * profile_largest_slope(&c->shape);
     c->break_time = steepest > 0.0 ? 1.0 / steepest : (double)INFINITY;
@@ -74,7 +75,7 @@ static double wave_value(const void *par, const void *prepared, exact_quantity q
     (void)dim;
     const wave_par *p = par;
     const wave_constants *c = prepared;
-    const int axis = whole(p->axis);
+    const int axis = whole_number(p->axis);
     if (is_velocity(quantity) && (int)quantity - EXACT_VELOCITY_X != axis) return 0.0;
     const double disturbance = disturbance_at(p, c, x[axis], t);
     const double ratio = 1.0 + 0.5 * (p->gamma - 1.0) * disturbance / c->sound; /* of sound speeds */

@@ -31,7 +31,7 @@ typedef struct soft_profile {
 } soft_profile;
 
 /* P along a principal axis of stretch x, y being the other in the plane. */
-static double nominal(const soft_profile *c, double x, double y)
+static double nominal_stress(const soft_profile *c, double x, double y)
 {
     return c->mu * (x - 1.0 / x) + c->lambda * log(x * y) / x;
 }
@@ -40,7 +40,7 @@ static double rate_of_a(const soft_profile *c, double R, double a, double b)
 {
     const double by_a = c->mu * (1.0 + 1.0 / (a * a)) + c->lambda * (1.0 - log(a * b)) / (a * a);
     const double by_b = c->lambda / (a * b);
-    return -((nominal(c, a, b) - nominal(c, b, a)) + by_b * (a - b)) / (R * by_a);
+    return -((nominal_stress(c, a, b) - nominal_stress(c, b, a)) + by_b * (a - b)) / (R * by_a);
 }
 
 /* The bore's condition for a, given b. */
@@ -53,7 +53,7 @@ typedef struct bore {
 static double bore_balance(double a, void *user)
 {
     const bore *w = user;
-    return nominal(w->profile, a, w->b) + w->par->inner_pressure * (w->par->dead > 0.5 ? 1.0 : w->b);
+    return nominal_stress(w->profile, a, w->b) + w->par->inner_pressure * (w->par->dead > 0.5 ? 1.0 : w->b);
 }
 
 /* P_r outside for b at the bore; fills the profile. */
@@ -76,7 +76,7 @@ static double outside_stress(double b, void *user)
         a += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
         c->a[k + 1] = a;
     }
-    return nominal(c, a, c->r[STEPS] / w->par->outer_radius);
+    return nominal_stress(c, a, c->r[STEPS] / w->par->outer_radius);
 }
 
 static floe_status soft_prepare(context *ctx, const void *par, int dim, void *prepared)
@@ -119,7 +119,7 @@ static double soft_value(const void *par, const void *prepared, exact_quantity q
     const double R = hypot(from[0], from[1]), cosine = from[0] / R, sine = from[1] / R;
     double r, a;
     place_at(p, c, R, &r, &a);
-    const double b = r / R, radial = nominal(c, a, b) / b, hoop = nominal(c, b, a) / a;
+    const double b = r / R, radial = nominal_stress(c, a, b) / b, hoop = nominal_stress(c, b, a) / a;
     switch (quantity) {
     case EXACT_SIGMA_R: return radial;
     case EXACT_SIGMA_THETA: return hoop;

@@ -28,7 +28,7 @@ static floe_status disc_prepare(context *ctx, const void *par, int dim, void *pr
     const disc_par *p = par;
     disc_constants *c = prepared;
     TRY(check_whole(ctx, "plane_stress", p->plane_stress));
-    const bool thin = whole(p->plane_stress) == 1;
+    const bool thin = whole_number(p->plane_stress) == 1;
     const double K = p->bulk_modulus;
     const double G = p->shear_modulus;
     const double poisson = 0.5 * (3.0 * K - 2.0 * G) / (3.0 * K + G);

@@ -41,14 +41,14 @@ static double bar_value(const void *par, const void *prepared, exact_quantity qu
     (void)dim;
     const bar_par *p = par;
     const bar_constants *c = prepared;
-    const int axis = whole(p->axis);
+    const int axis = whole_number(p->axis);
     const double angle = c->wave_number * (x[axis] - p->origin);
     const double clock = c->omega * t + p->phase;
     if (is_displacement(quantity)) {
-        return along(quantity, EXACT_DISPLACEMENT_X, axis, p->amplitude * sin(angle) * sin(clock));
+        return component_along(quantity, EXACT_DISPLACEMENT_X, axis, p->amplitude * sin(angle) * sin(clock));
     }
     if (is_velocity(quantity)) {
-        return along(quantity, EXACT_VELOCITY_X, axis, p->amplitude * c->omega * sin(angle) * cos(clock));
+        return component_along(quantity, EXACT_VELOCITY_X, axis, p->amplitude * c->omega * sin(angle) * cos(clock));
     }
     if (quantity >= EXACT_STRESS_XX && quantity <= EXACT_STRESS_ZZ) {
         const double stress = p->modulus * p->amplitude * c->wave_number * cos(angle) * sin(clock);

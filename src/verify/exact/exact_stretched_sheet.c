@@ -34,13 +34,15 @@ static double sheet_value(const void *par, const void *prepared, exact_quantity 
     (void)prepared;
     (void)dim;
     const sheet_par *p = par;
-    const int across = whole(p->across), drawn = (across + 1) % 3, held = (across + 2) % 3;
+    const int across = whole_number(p->across), drawn = (across + 1) % 3, held = (across + 2) % 3;
     const double from = x[drawn] - p->origin[drawn], strain = p->tautness + p->rate * t;
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, drawn, p->rate * from * exp(p->rate * t));
-    if (is_displacement(quantity)) return along(quantity, EXACT_DISPLACEMENT_X, drawn, from * expm1(p->rate * t));
-    if (quantity >= EXACT_NORMAL_X) return along(quantity, EXACT_NORMAL_X, across, 1.0);
-    return along(quantity, EXACT_STRESS_XX, drawn, plane_stress(p, strain, p->tautness)) +
-           along(quantity, EXACT_STRESS_XX, held, plane_stress(p, p->tautness, strain));
+    if (is_velocity(quantity))
+        return component_along(quantity, EXACT_VELOCITY_X, drawn, p->rate * from * exp(p->rate * t));
+    if (is_displacement(quantity))
+        return component_along(quantity, EXACT_DISPLACEMENT_X, drawn, from * expm1(p->rate * t));
+    if (quantity >= EXACT_NORMAL_X) return component_along(quantity, EXACT_NORMAL_X, across, 1.0);
+    return component_along(quantity, EXACT_STRESS_XX, drawn, plane_stress(p, strain, p->tautness)) +
+           component_along(quantity, EXACT_STRESS_XX, held, plane_stress(p, p->tautness, strain));
 }
 
 static const sheet_par sample_par = {

@@ -26,11 +26,11 @@ static double string_value(const void *par, const void *prepared, exact_quantity
     (void)prepared;
     (void)dim;
     const string_par *p = par;
-    const int axis = whole(p->axis);
+    const int axis = whole_number(p->axis);
     const double from = x[axis] - p->origin[axis], strain = log1p(p->rate * t) - p->slack;
-    if (is_velocity(quantity)) return along(quantity, EXACT_VELOCITY_X, axis, p->rate * from);
-    if (is_displacement(quantity)) return along(quantity, EXACT_DISPLACEMENT_X, axis, p->rate * t * from);
-    return along(quantity, EXACT_STRESS_XX, axis, p->modulus * fmax(strain, 0.0));
+    if (is_velocity(quantity)) return component_along(quantity, EXACT_VELOCITY_X, axis, p->rate * from);
+    if (is_displacement(quantity)) return component_along(quantity, EXACT_DISPLACEMENT_X, axis, p->rate * t * from);
+    return component_along(quantity, EXACT_STRESS_XX, axis, p->modulus * fmax(strain, 0.0));
 }
 
 static const string_par sample_par = {

@@ -62,7 +62,7 @@ static double mass_of(const chain *c, size_t i)
 }
 
 /* The bar that ends at moving point i: its vector from the point before, and its length. */
-static double bar(const chain *c, const double *y, size_t i, double along[2])
+static double bar_vector(const chain *c, const double *y, size_t i, double along[2])
 {
     const double *to = y + 2 * i;
     along[0] = to[0] - (i > 0 ? to[-2] : c->p->first_x);
@@ -98,7 +98,7 @@ static void chain_rate(double t, const double *y, double *dydt, void *user)
     const double scale = c->p->modulus * c->p->area;
     for (size_t i = 0; i < c->moving; i++) {
         double along[2];
-        const double length = bar(c, y, i, along);
+        const double length = bar_vector(c, y, i, along);
         const double pull = scale * bar_strain(c, length) / length;
         for (int a = 0; a < 2; a++) {
             force[2 * i + a] -= pull * along[a] / mass_of(c, i);
@@ -107,7 +107,7 @@ static void chain_rate(double t, const double *y, double *dydt, void *user)
     }
 }
 
-static double potential(const chain *c, const double *y)
+static double potential_energy(const chain *c, const double *y)
 {
     double sum = 0.0;
     for (size_t i = 0; i < c->moving; i++) sum += mass_of(c, i) * c->p->gravity * y[2 * i + 1];
@@ -126,7 +126,7 @@ static void chain_take(size_t i, double t, const double *y, void *user)
         double along[2];
         const double *v = velocity + 2 * k;
         kinetic += 0.5 * mass_of(c, k) * (v[0] * v[0] + v[1] * v[1]);
-        strain += bar_energy(c, bar(c, y, k, along));
+        strain += bar_energy(c, bar_vector(c, y, k, along));
     }
     const double all[QUANTITIES] = {[ANGLE] = atan2(last[0] - c->p->first_x, c->p->first_y - last[1]),
                                     [PLACE_X] = last[0],
@@ -135,11 +135,11 @@ static void chain_take(size_t i, double t, const double *y, void *user)
                                     [VELOCITY_Y] = velocity[2 * c->moving - 1],
                                     [KINETIC] = kinetic,
                                     [STRAIN_ENERGY] = strain,
-                                    [WORK] = c->start - potential(c, y)};
+                                    [WORK] = c->start - potential_energy(c, y)};
     for (size_t q = 0; q < QUANTITIES; q++) c->value[q * c->times + i] = all[q];
 }
 
-static double span(const chain_par *p)
+static double chain_span(const chain_par *p)
 {
     return hypot(p->last_x - p->first_x, p->last_y - p->first_y);
 }
@@ -148,9 +148,9 @@ static double span(const chain_par *p)
 static void chain_start(const chain *c, double *state, double *absolute)
 {
     const chain_par *p = c->p;
-    const double size = p->tolerance * span(p);
+    const double size = p->tolerance * chain_span(p);
     const double pull = p->gravity > 0.0 ? p->gravity : p->modulus * p->area / p->end_mass;
-    const double speed = p->tolerance * sqrt(pull * span(p));
+    const double speed = p->tolerance * sqrt(pull * chain_span(p));
     for (size_t i = 0; i < c->moving; i++) {
         const double share = (double)(i + 1) / (double)c->moving;
         state[2 * i] = p->first_x + share * (p->last_x - p->first_x);
@@ -165,17 +165,17 @@ static floe_status chain_series(context *ctx, const void *par, const void *prepa
     (void)prepared;
     const chain_par *p = par;
     chain c = {.p = p,
-               .one_way = whole(p->one_way) == 1,
-               .small_strain = whole(p->small_strain) == 1,
-               .moving = (size_t)whole(p->points) - 1,
+               .one_way = whole_number(p->one_way) == 1,
+               .small_strain = whole_number(p->small_strain) == 1,
+               .moving = (size_t)whole_number(p->points) - 1,
                .times = n,
                .value = value};
     double *state;
-    c.rest = span(p) / (double)c.moving;
+    c.rest = chain_span(p) / (double)c.moving;
     TRY(memory_new(ctx, &state, 8 * c.moving, sizeof *state));
     double *absolute = state + 4 * c.moving;
     chain_start(&c, state, absolute);
-    c.start = potential(&c, state);
+    c.start = potential_energy(&c, state);
     const ode system = {.n = 4 * c.moving,
                         .rate = chain_rate,
                         .take = chain_take,
@@ -194,7 +194,7 @@ static floe_status chain_prepare(context *ctx, const void *par, void *prepared)
     TRY(check_whole(ctx, "points", p->points));
     TRY(check_whole(ctx, "one_way", p->one_way));
     TRY(check_whole(ctx, "small_strain", p->small_strain));
-    if (span(p) > 0.0) return FLOE_OK;
+    if (chain_span(p) > 0.0) return FLOE_OK;
     return fail_key(ctx, KEY("last_x"), "the first and the last point are at the same place (%g, %g)", p->first_x,
                     p->first_y);
 }
@@ -213,12 +213,12 @@ static double chain_scalar(const void *par, const void *prepared, size_t i)
     (void)prepared;
     const chain_par *p = par;
     const double angle = atan2(p->last_x - p->first_x, p->first_y - p->last_y);
-    if (i == LENGTH) return span(p);
+    if (i == LENGTH) return chain_span(p);
     if (i == START_ANGLE) return angle;
     if (fabs(sin(0.5 * angle)) >= 1.0) return INFINITY; /* upside down: it stays */
     gsl_sf_result quarter;
     const int status = gsl_sf_ellint_Kcomp_e(fabs(sin(0.5 * angle)), GSL_PREC_DOUBLE, &quarter);
-    return status == 0 ? 4.0 * sqrt(span(p) / p->gravity) * quarter.val : (double)NAN;
+    return status == 0 ? 4.0 * sqrt(chain_span(p) / p->gravity) * quarter.val : (double)NAN;
 }
 
 /* Y97, boxes 6 and 7, with a quarter of the points: point volumes of (0.1)^2/3.03 m3 at 40 points. */

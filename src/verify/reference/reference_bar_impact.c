@@ -35,7 +35,7 @@ static const reference_quantity impact_quantities[QUANTITIES] = {
 };
 
 /* The place of the bar's centre of mass at the start. */
-static double centre(const impact_bar *bar, int which)
+static double bar_centre(const impact_bar *bar, int which)
 {
     return bar->face + (which == 0 ? -0.5 : 0.5) * bar->length;
 }
@@ -51,7 +51,7 @@ static floe_status impact_series(context *ctx, const void *par, const void *prep
         for (int k = 0; k < 2; k++) {
             const double velocity = bar_impact_mean_velocity(b, k, t[i]);
             const double energy = bar_impact_energy(b, k, t[i]);
-            all[LEFT_POSITION + 2 * k] = centre(&b->bar[k], k) + bar_impact_mean_displacement(b, k, t[i]);
+            all[LEFT_POSITION + 2 * k] = bar_centre(&b->bar[k], k) + bar_impact_mean_displacement(b, k, t[i]);
             all[LEFT_VELOCITY + 2 * k] = velocity;
             all[LEFT_ENERGY + k] = energy;
             all[ENERGY] += energy;

@@ -34,23 +34,24 @@ typedef struct mass_motion {
     double fall, swing; /* s: until it is taut; from there to the lowest point */
 } mass_motion;
 
-static double tension(const mass_par *p, double x)
+static double mass_tension(const mass_par *p, double x)
 {
-    const double strain = whole(p->small_strain) ? x / p->length : log1p(x / p->length);
-    const double area = p->area * (whole(p->constant_volume) ? p->length / (p->length + x) : 1.0);
+    const double strain = whole_number(p->small_strain) ? x / p->length : log1p(x / p->length);
+    const double area = p->area * (whole_number(p->constant_volume) ? p->length / (p->length + x) : 1.0);
     return p->modulus * area * strain;
 }
 
 /* W, the work of the tension. */
-static double work(const mass_par *p, double x)
+static double tension_work(const mass_par *p, double x)
 {
     const double scale = p->modulus * p->area;
     const double log_stretch = log1p(x / p->length);
-    if (whole(p->small_strain)) {
-        return whole(p->constant_volume) ? scale * (x - p->length * log_stretch) : 0.5 * scale * x * x / p->length;
+    if (whole_number(p->small_strain)) {
+        return whole_number(p->constant_volume) ? scale * (x - p->length * log_stretch)
+                                                : 0.5 * scale * x * x / p->length;
     }
-    return whole(p->constant_volume) ? 0.5 * scale * p->length * log_stretch * log_stretch
-                                     : scale * ((p->length + x) * log_stretch - x);
+    return whole_number(p->constant_volume) ? 0.5 * scale * p->length * log_stretch * log_stretch
+                                            : scale * ((p->length + x) * log_stretch - x);
 }
 
 typedef struct swing {
@@ -63,7 +64,7 @@ typedef struct swing {
 static double kinetic_at(double x, void *user)
 {
     const swing *s = user;
-    return s->m->energy + s->p->mass * s->p->gravity * x - work(s->p, x);
+    return s->m->energy + s->p->mass * s->p->gravity * x - tension_work(s->p, x);
 }
 
 /* x = c - a cos(theta), written so that no digits are lost next to the turning points. */
@@ -97,7 +98,7 @@ static floe_status check_choices(context *ctx, const mass_par *p)
     TRY(check_whole(ctx, "one_way", p->one_way));
     TRY(check_whole(ctx, "small_strain", p->small_strain));
     TRY(check_whole(ctx, "constant_volume", p->constant_volume));
-    if (p->slack == 0.0 || whole(p->one_way)) return FLOE_OK;
+    if (p->slack == 0.0 || whole_number(p->one_way)) return FLOE_OK;
     return fail_key(ctx, KEY("slack"), "%g m: a spring has none; set one_way: 1 for a string", p->slack);
 }
 
@@ -108,7 +109,7 @@ static floe_status find_turns(context *ctx, const mass_par *p, mass_motion *m)
     for (int i = 0; i < 60 && kinetic_at(far, &s) > 0.0; i++) far *= 2.0;
     /* The lowest point is beyond that of equilibrium, where the kinetic energy is largest. */
     double balanced = far;
-    while (tension(p, balanced) > p->mass * p->gravity) balanced *= 0.5;
+    while (mass_tension(p, balanced) > p->mass * p->gravity) balanced *= 0.5;
     m->high = find_root(kinetic_at, &s, balanced, far);
     m->low = p->slack > 0.0 ? find_root(kinetic_at, &s, -p->length * (1.0 - 1e-12), 0.0) : 0.0;
     if (isfinite(m->low) && isfinite(m->high)) return FLOE_OK;
@@ -116,7 +117,7 @@ static floe_status find_turns(context *ctx, const mass_par *p, mass_motion *m)
                     p->area, p->length, p->mass);
 }
 
-static gsl_integration_glfixed_table *gauss(context *ctx, floe_status *status)
+static gsl_integration_glfixed_table *gauss_table(context *ctx, floe_status *status)
 {
     enum { NODES = 32 }; /* the integrand is smooth: round-off */
     gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(NODES);
@@ -134,7 +135,7 @@ static floe_status mass_prepare(context *ctx, const void *par, void *prepared)
     m->fall = sqrt(2.0 * p->slack / p->gravity);
     TRY(find_turns(ctx, p, m));
     m->start = acos(fmax(-1.0, (m->high + m->low) / (m->high - m->low)));
-    gsl_integration_glfixed_table *table = gauss(ctx, &status);
+    gsl_integration_glfixed_table *table = gauss_table(ctx, &status);
     TRY(status);
     m->swing = time_to(&(swing){.p = p, .m = m, .table = table}, VERIFY_PI);
     gsl_integration_glfixed_table_free(table);
@@ -182,7 +183,7 @@ static floe_status mass_series(context *ctx, const void *par, const void *prepar
 {
     const mass_par *p = par;
     floe_status status;
-    gsl_integration_glfixed_table *table = gauss(ctx, &status);
+    gsl_integration_glfixed_table *table = gauss_table(ctx, &status);
     TRY(status);
     swing s = {.p = p, .m = prepared, .table = table};
     for (size_t i = 0; i < n; i++) {
@@ -191,9 +192,9 @@ static floe_status mass_series(context *ctx, const void *par, const void *prepar
         const double x = fmax(u - p->slack, 0.0);
         value[POSITION * n + i] = p->origin - u;
         value[VELOCITY * n + i] = -rate;
-        value[TENSION * n + i] = tension(p, x);
+        value[TENSION * n + i] = mass_tension(p, x);
         value[KINETIC * n + i] = 0.5 * p->mass * rate * rate;
-        value[STRAIN_ENERGY * n + i] = work(p, x);
+        value[STRAIN_ENERGY * n + i] = tension_work(p, x);
         value[WORK * n + i] = p->mass * p->gravity * u;
     }
     gsl_integration_glfixed_table_free(table);
@@ -220,7 +221,7 @@ static double mass_scalar(const void *par, const void *prepared, size_t i)
                            [REBOUND] = m->fall + 2.0 * m->swing,
                            [APEX] = 2.0 * (m->fall + m->swing)};
     if (i == DROP) return p->slack + m->high;
-    return i == LARGEST_TENSION ? tension(p, m->high) : time[i];
+    return i == LARGEST_TENSION ? mass_tension(p, m->high) : time[i];
 }
 
 /* Y97, boxes 3 and 5: the slack by logarithmic strain. */

@@ -48,30 +48,30 @@ typedef struct rest_state {
 } rest_state;
 
 /* Of the measure S r^k of the surface. */
-static int power(const rest_par *p)
+static int surface_exponent(const rest_par *p)
 {
-    return whole(p->sphere) + 1;
+    return whole_number(p->sphere) + 1;
 }
 
-static double surface(const rest_par *p)
+static double surface_factor(const rest_par *p)
 {
-    return 2.0 * power(p) * VERIFY_PI * p->share;
+    return 2.0 * surface_exponent(p) * VERIFY_PI * p->share;
 }
 
 static double volume_at(const rest_par *p, double r)
 {
-    return surface(p) * pow(r, power(p) + 1) / (power(p) + 1);
+    return surface_factor(p) * pow(r, surface_exponent(p) + 1) / (surface_exponent(p) + 1);
 }
 
 static rest_state state_at(const rest_par *p, double r)
 {
-    const int k = power(p);
+    const int k = surface_exponent(p);
     const double stretch = r / p->rest_radius;
-    const double strain = whole(p->small_strain) ? stretch - 1.0 : log(stretch);
-    const double thickness = p->thickness * (whole(p->constant_volume) ? pow(stretch, -k) : 1.0);
+    const double strain = whole_number(p->small_strain) ? stretch - 1.0 : log(stretch);
+    const double thickness = p->thickness * (whole_number(p->constant_volume) ? pow(stretch, -k) : 1.0);
     const double stress = p->modulus * strain;
     const double pressure = p->outside_pressure + k * stress * thickness / r;
-    const double wall = surface(p) * pow(p->rest_radius, k) * p->thickness;
+    const double wall = surface_factor(p) * pow(p->rest_radius, k) * p->thickness;
     return (rest_state){{[RADIUS] = r,
                          [RADIUS_LAST] = r,
                          [AREA] = volume_at(p, r),
@@ -83,7 +83,7 @@ static rest_state state_at(const rest_par *p, double r)
 }
 
 /* The energy at rest less that at the start. */
-static double excess(double r, void *user)
+static double excess_energy(double r, void *user)
 {
     const rest_par *p = user;
     const rest_state s = state_at(p, r);
@@ -98,15 +98,15 @@ static floe_status rest_prepare(context *ctx, const void *par, void *prepared)
     TRY(check_whole(ctx, "sphere", p.sphere));
     TRY(check_whole(ctx, "small_strain", p.small_strain));
     TRY(check_whole(ctx, "constant_volume", p.constant_volume));
-    if (!(excess(p.rest_radius, &p) < 0.0)) {
+    if (!(excess_energy(p.rest_radius, &p) < 0.0)) {
         return fail_key(ctx, KEY("gas_pressure"),
                         "%g and gas_volume = %g do not fill the membrane of rest_radius = %g against "
                         "outside_pressure = %g: it stays slack, without one shape at rest",
                         p.gas_pressure, p.gas_volume, p.rest_radius, p.outside_pressure);
     }
     double hi = p.rest_radius;
-    for (int i = 0; i < 200 && excess(hi, &p) < 0.0; i++) hi *= 1.25;
-    const double radius = find_root(excess, &p, p.rest_radius, hi);
+    for (int i = 0; i < 200 && excess_energy(hi, &p) < 0.0; i++) hi *= 1.25;
+    const double radius = find_root(excess_energy, &p, p.rest_radius, hi);
     if (!isfinite(radius)) {
         return fail_key(ctx, KEY("modulus"), "%g and thickness = %g hold the gas at no radius: there is no rest",
                         p.modulus, p.thickness);

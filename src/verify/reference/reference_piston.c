@@ -29,7 +29,7 @@ static floe_status struck_prepare(context *ctx, const void *par, void *prepared)
     const piston *system = &p->system;
     TRY(check_whole(ctx, "modes", p->modes));
     TRY(piston_check(ctx, system));
-    for (int n = 1; n <= whole(p->modes); n++) {
+    for (int n = 1; n <= whole_number(p->modes); n++) {
         const double omega = piston_frequency(system, n);
         const double share = system->mass / piston_modal_mass(system, omega);
         if (!isfinite(omega)) {
@@ -64,7 +64,7 @@ static floe_status struck_series(context *ctx, const void *par, const void *prep
     const struck_par *p = par;
     const piston *system = &p->system;
     for (size_t i = 0; i < QUANTITIES * n; i++) value[i] = 0.0;
-    for (int k = 1; k <= whole(p->modes); k++) {
+    for (int k = 1; k <= whole_number(p->modes); k++) {
         const double omega = piston_frequency(system, k);
         const double velocity = p->velocity * system->mass / piston_modal_mass(system, omega);
         for (size_t i = 0; i < n; i++) {
