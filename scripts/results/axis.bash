@@ -78,7 +78,7 @@ axis_still_membranes() {
         floe_run "carried-$h" inputs/membrane_balloon.yaml "${axis_stream[@]}" --set "domain={dim: 2, geometry: axisymmetric, lower: [0, 0], upper: [0.5, 1.5], cell: $h}" \
             --set 'boundaries={r: {lower: symmetry, upper: slip}, z: {lower: {inlet: {velocity: [0, 10], material: air, pressure: 1000, temperature: 700}}, upper: free}}' \
             --set 'bodies.gas={material: gas, shape: {ball: {centre: [0, 0.5], radius: 0.26}}, pressure: 1000, density: 1, velocity: [0, 10]}' \
-            --set 'bodies.skin.membrane={curve: {arc: {centre: [0, 0.5], radius: 0.25, from: -1.5707963267948966, to: 1.5707963267948966}}, thickness: 0.1, number: 150, holds: gas}'
+            --set 'bodies.skin.membrane={curve: {arc: {centre: [0, 0.5], radius: 0.25, from: -1.5707963267948966, to: 1.5707963267948966}}, thickness: 0.1, number: 150, encloses: gas}'
         axis_still "a ball in a stream, cells of $h" 10
     done
 }

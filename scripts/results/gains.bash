@@ -195,7 +195,7 @@ gains_circle() {
 
 gains_pendulum() {
     write '' '## Pendulum on a string (B5)' '' '`inputs/pendulum.yaml` against a chain of bars: the largest error of the place over the amplitude, and the error of the period. Baseline: linear, stress updated last, strain by its rate, as printed. *Places*:' \
-        '`strain: places`, `smoothing: 0.05`. Points of a string that swings cross cells, and the gradient of velocity at a point jumps; what it has integrated is then not what its neighbours'"'"' places say, and the' \
+        '`strain: positions`, `smoothing: 0.05`. Points of a string that swings cross cells, and the gradient of velocity at a point jumps; what it has integrated is then not what its neighbours'"'"' places say, and the' \
         'difference flutters. Places have no such memory.'
     gains_study b5 1 inputs/pendulum.yaml --set output.interval=1.75 --set method.flip=1 --axis domain.cell=0.2,0.1,0.05 --max-wall 200 \
         --axis 'title=linear as printed,linear musl,gimp musl,linear musl places;method.basis=linear,linear,gimp,linear;method.stress=usl,musl,musl,musl;bodies.string.membrane.strain=rate,rate,rate,places;bodies.string.membrane.smoothing=0,0,0,0.05'

@@ -1,7 +1,7 @@
 # membrane-3d: membranes as surfaces in space. Sourced by scripts/results.sh.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154 # Markdown has backquotes; names are shared with results.sh
 
-# The decks without `holds`: points of the gas push by themselves. The exact rest of the balloon as its start. The dog-bone in (r, z).
+# The decks without `encloses`: points of the gas push by themselves. The exact rest of the balloon as its start. The dog-bone in (r, z).
 surface_free=(--set 'bodies.skin.membrane={surface: {sphere: {centre: [0, 0, 0], radius: 0.5}}, thickness: 0.1, section: volume}'
     --set 'verify.history={pressure: pressure_gas, gas_energy: internal_gas, strain_energy: strain_skin}'
     --set 'verify.metrics=[hlate_pressure, hlate_gas_energy, hlate_strain_energy]')
@@ -69,7 +69,7 @@ surface_balloon() {
         floe_run "sphere-$h" inputs/membrane_sphere.yaml --set "domain.cell=$h"
         surface_row "sphere-$h" $h hlate_pressure hlate_area hlate_gas_energy hlate_strain_energy energy
     done
-    write '' 'The same without `holds`: the points of the gas push by themselves.' '' \
+    write '' 'The same without `encloses`: the points of the gas push by themselves.' '' \
         '| cell | cells across | pressure | volume inside | energy of the gas | strain energy | drift of energy |' '|---|---|---|---|---|---|---|'
     for h in 0.1 0.05; do
         floe_run "free-$h" inputs/membrane_sphere.yaml --set "domain.cell=$h" "${surface_free[@]}"
@@ -88,16 +88,16 @@ surface_at_rest() {
         'The balloon from its exact rest (radius 0.517445, pressure 884.042, stress 2449.6): nothing should happen. Means of the last tenth of 0.02, per cent off the start; *noise*:' \
         'kinetic energy over the gas'"'"'s energy.' '' '| cell | | pressure | strain energy | energy of the gas | noise |' '|---|---|---|---|---|---|'
     for h in 0.1 0.05; do
-        for hold in '' ', holds: gas'; do
+        for hold in '' ', encloses: gas'; do
             run=rest${hold:+-held}-$h
             floe_run "$run" inputs/membrane_sphere.yaml --set "domain.cell=$h" "${surface_free[@]}" "${surface_rest[@]}" --set "bodies.skin.membrane={$surface_rest_skin$hold}"
             write "| $h | ${hold:+held} | $(surface_away "$run" pressure_gas) | $(surface_away "$run" strain_skin) | $(surface_away "$run" internal_gas) | $(calc %.1e "$(surface_column "$run" kinetic) / $(surface_column "$run" internal_gas)") |"
         done
     done
-    write '' 'Without `holds` the pressure of the points is off because their volumes are: p V is right, as is the energy. Two sums over points are no exact integrals: gas of' \
+    write '' 'Without `encloses` the pressure of the points is off because their volumes are: p V is right, as is the energy. Two sums over points are no exact integrals: gas of' \
         'even pressure pushes the nodes inside it by p sum V grad S, which should be nothing, and swells by sum V div v, which should be what the room grows by.' \
         'Points move so as to swell, for that lowers their energy; the finer the cells, the sooner, so that the error grows as cells shrink. The same forces' \
-        'push the membrane unevenly, and its strain energy comes out too large. With `holds` the membrane bears the mean pressure by its own normals and areas, the points' \
+        'push the membrane unevenly, and its strain energy comes out too large. With `encloses` the membrane bears the mean pressure by its own normals and areas, the points' \
         'push by what they differ from it, and their volumes fill the room that normals and areas tell. What is left: the strain energy still creeps, by noise in the' \
         'plane of the membrane, whose points keep a strain each (with 3 points a cell in place of 4 it is 0.10 % off at 0.075); smaller steps make it less.' \
         'Tried and not kept: stretching by the part of the step in the plane alone (no change in eight digits of the energy); `flip: 0.9` (half the strain energy'"'"'s error, three times the' \
@@ -107,7 +107,7 @@ surface_at_rest() {
 surface_tube() {
     local h
     write '' '## Tube' '' '`inputs/membrane_tube.yaml`, the shell of a cylinder between mirrors, its length held.' '' \
-        '| cell | cells across | pressure | drift of energy | pressure without `holds` | drift |' '|---|---|---|---|---|---|'
+        '| cell | cells across | pressure | drift of energy | pressure without `encloses` | drift |' '|---|---|---|---|---|---|'
     for h in 0.1 0.066666666666666667; do
         floe_run "tube-$h" inputs/membrane_tube.yaml --set "domain.cell=$h"
         floe_run "tube-free-$h" inputs/membrane_tube.yaml --set "domain.cell=$h" "${tube_free[@]}"
@@ -134,7 +134,7 @@ surface_dogbone() {
     write '' '## Dog-bone of revolution' '' \
         '`inputs/membrane_revolved.yaml`: a slack contour with corners. A surface bent in two directions cannot become a sphere without stretching and shearing in its plane, so' \
         'that no rest in closed form is known. Beside it the same contour in (r, z), a line of points in their order, by overrides of the same deck (nine points of gas a cell). Pressure: energy of the gas' \
-        'times (gamma - 1) over the volume inside the contour; lengths: radius at the waist, half length; energies of an eighth of the whole. No `holds`:' \
+        'times (gamma - 1) over the volume inside the contour; lengths: radius at the waist, half length; energies of an eighth of the whole. No `encloses`:' \
         'at corners fitted normals misjudge the room, and it drifts by 1 % of the energy here.' '' \
         '| cell | | pressure | volume inside | waist, half length | strain energy | energy of the gas | kinetic, % of it | drift of energy, % |' '|---|---|---|---|---|---|---|---|---|'
     for h in 0.1 0.066666666666666667; do
@@ -180,7 +180,7 @@ surface_checks() {
 
 result_membrane-3d() {
     begin membrane-3d 'Membranes in space: points on a surface, in no order'
-    write 'Plane stress in the tangent plane of each point, with wrinkles; normals by the `quadric` fit to the points as they lie; all of pure MPM. The membrane `holds` the' \
+    write 'Plane stress in the tangent plane of each point, with wrinkles; normals by the `quadric` fit to the points as they lie; all of pure MPM. The membrane `encloses` the' \
         'gas of balloon and tube ([theory](../theory/README.md)). Errors are means over the last tenth of the time, against exact rest states (reference `membrane_rest`).'
     surface_balloon
     surface_at_rest

@@ -78,7 +78,7 @@ def cells(page):
 
 def membranes(page):
     page.write("## Membranes around gas", "", "Errors of the rest, of what is exact for the length and the gas that are there (stepped: [membrane-rest](membrane-rest.md)).")
-    places = ["bodies.skin.membrane.strain=places"]
+    places = ["bodies.skin.membrane.strain=positions"]
     cases = [("circle (A3)", "membrane_circle", 91, None, []),
              *(("dog-bone (A4)", "membrane_dogbone", n, None, ["domain.cell=0.1"]) for n in (56, 100, 200, 600)),
              ("dog-bone, gas on cells (some 3e-4 of it more)", "membrane_dogbone", 600, "ice-mpm", []),
@@ -164,6 +164,6 @@ def make(page):
                "* Between bodies in contact conjugate gradients are not yet independent of h: 28, 25 and 214 iterations in the seven, six and seven of Newton of the first increment of the cylinder on a",
                "  block at h = 0.025, 0.0125 and 0.00625, where the first increment of the last takes minutes and the run is not made here. An increment in which a point would go more than a "
                "quarter of a cell is cut only when it has been solved.",
-               "* Coulomb friction of bodies in contact, whose matrix is not symmetric. Membranes without `strain: places`, surfaces in space, springs and strings are stepped.", "",
+               "* Coulomb friction of bodies in contact, whose matrix is not symmetric. Membranes without `strain: positions`, surfaces in space, springs and strings are stepped.", "",
                "## Bars", "", "Set after first trials.")
     page.show_bars()

@@ -70,6 +70,17 @@ static const key_spec *find_key(const key_table *table, const char *name)
     return NULL;
 }
 
+/* A key that is not in the table: one that has been renamed, or an unknown one. */
+static floe_status refuse_key(reader *r, const key_table *table, deck_node *child)
+{
+    for (size_t i = 0; i < table->n; i++) {
+        const key_spec *key = &table->key[i];
+        if (key->formerly && strcmp(key->formerly, child->key) == 0)
+            return bad_key(r, child, key->key, NULL, "'%s' is now called '%s'", key->formerly, key->key);
+    }
+    return bad_name(r, child, true, "key", key_name, table);
+}
+
 /* Unknown keys, those that were to be taken away among them, and second occurrences. */
 static floe_status check_keys(reader *r, const key_table *table, deck_node *map)
 {
@@ -79,11 +90,11 @@ static floe_status check_keys(reader *r, const key_table *table, deck_node *map)
             TRY(bad_key(r, child, NULL, "remove one of the two", "duplicate key '%.80s' (first at line %d, column %d)",
                         child->key, first->key_at.line, first->key_at.column));
         } else if (!find_key(table, child->key)) {
-            TRY(bad_name(r, child, true, "key", key_name, table));
+            TRY(refuse_key(r, table, child));
         }
     }
     for (deck_node *child = map->absent; child; child = child->next) {
-        if (!child->taken && !find_key(table, child->key)) TRY(bad_name(r, child, true, "key", key_name, table));
+        if (!child->taken && !find_key(table, child->key)) TRY(refuse_key(r, table, child));
     }
     return FLOE_OK;
 }

@@ -200,6 +200,9 @@ static floe_status read_choice(reader *r, const key_spec *key, deck_node *node, 
         }
         return FLOE_OK;
     }
+    const char *const *renamed = key->renamed_choice;
+    if (renamed[0] && strcmp(renamed[0], node->text) == 0)
+        return bad(r, node, renamed[1], "'%s' is now called '%s'", renamed[0], renamed[1]);
     char noun[80];
     snprintf(noun, sizeof noun, "%s", key->key);
     return bad_name(r, node, false, noun, choice_name, key->choices);

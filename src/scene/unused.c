@@ -127,7 +127,7 @@ static void add_body_keys(const unused_list *list, const scene_body *b)
     bool other_points = false;
     if (list->s->material[b->material].kind == MATERIAL_SOLID) {
         if (b->membrane.holds >= 0 && b->membrane.surface.kind == SHEET_NONE)
-            add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "membrane.holds");
+            add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "membrane.encloses");
         if (b->temperature != usual_temperature) add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "temperature");
         return;
     }

@@ -36,7 +36,7 @@ static floe_status no_lines(const scene *s, const char *why, const char *instead
 {
     const int holder = scene_holder(s);
     if (holder < 0) return fail_key(s->ctx, KEY("method", "interface"), "sharp %s: use smeared", why);
-    return fail_key(s->ctx, KEY("bodies", s->body[holder].name, "membrane", "holds"),
+    return fail_key(s->ctx, KEY("bodies", s->body[holder].name, "membrane", "encloses"),
                     "a membrane that holds gas %s: use %s", why, instead);
 }
 

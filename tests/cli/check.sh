@@ -28,7 +28,7 @@ has stderr 'impossible.yaml:5:'
 
 # What a run would refuse before its first step, check refuses too, with the place of its key.
 expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/membrane_sphere.yaml" --set boundaries.z.lower=free
-has stderr 'bodies.skin.membrane.holds: it is not closed'
+has stderr 'bodies.skin.membrane.encloses: it is not closed'
 mv stderr said-by-check
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/membrane_sphere.yaml" --set boundaries.z.lower=free -o out
 cmp -s stderr said-by-check || fault 'run and check say different things'
@@ -196,3 +196,12 @@ expect 0 "$FLOE" check "$annulus" --set domain.cell=0.1 --set method.basis=linea
 has stderr '36 % off at 10'
 expect 0 "$FLOE" check "$annulus" --set domain.cell=0.1 --set method.basis=cubic --set materials.steel.law.linear_elastic.shear_modulus=1e10
 [ ! -s stderr ] || fault 'cubic splines bear a ratio of 11.7'
+
+# Keys and choices under their former names.
+expect 2 "$FLOE" check "$decks/keys_membrane.yaml" --set bodies.skin.membrane.holds=gas
+has stderr "'holds' is now called 'encloses'"
+has stderr 'expected: encloses'
+expect 2 "$FLOE" check "$decks/keys_membrane.yaml" --set bodies.skin.membrane.strain=places
+has stderr "'places' is now called 'positions'"
+expect 2 "$FLOE" check "$decks/keys_membrane.yaml" --set 'springs={s: {from: {place: [0.1, 0.1]}, to: {body: skin, point: 1}, stiffness: 1e7}}'
+has stderr "'place' is now called 'position'"

@@ -27,7 +27,7 @@ for strain in 'places' 'rate'; do
     [ $strain = places ] || smoothing=0
     how=(--set "bodies.skin.membrane.strain=$strain" --set "bodies.skin.membrane.smoothing=$smoothing" --set method.losses=drift)
     expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 1)" -o order --quiet
-    expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.holds=null \
+    expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.encloses=null \
         --set bodies.skin.membrane.normals=quadric -o free --quiet
     close "$(of free strain_skin)" "$(of order strain_skin)" 1e-6
     close "$(of free kinetic)" "$(of order kinetic)" 1e-6
@@ -38,7 +38,7 @@ for strain in 'places' 'rate'; do
 done
 
 # The same bits after a stop, with threads, in blocks.
-free=("$circle" "${runs[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.holds=null --set bodies.skin.membrane.normals=quadric)
+free=("$circle" "${runs[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.encloses=null --set bodies.skin.membrane.normals=quadric)
 expect 0 "$FLOE" run "${free[@]}" -o whole --quiet
 OMP_NUM_THREADS=2 expect 0 "$FLOE" run "${free[@]}" --threads 2 -o threads --quiet
 cmp whole/history.csv threads/history.csv || fault 'other bits with two threads'
@@ -55,7 +55,7 @@ expect 2 "$FLOE" check "$circle" "${runs[@]}" --set bodies.skin.membrane.curve="
 has stderr 'the membrane would be torn'
 expect 2 "$FLOE" check "${free[@]}" --set bodies.skin.membrane.length=null
 has stderr 'the membrane would be torn'
-expect 2 "$FLOE" check "${free[@]}" --set bodies.skin.membrane.holds=gas
+expect 2 "$FLOE" check "${free[@]}" --set bodies.skin.membrane.encloses=gas
 has stderr 'the membrane would be torn'
 
 # On one axis there are no normals to find.

@@ -62,4 +62,4 @@ refuse "bodies.spring.membrane: point 1 at (0.05, 2.03, 0) lies outside the doma
 refuse "point 1 of membrane 'spring' has no mass" --set 'bodies.spring.membrane={curve: {points: {at: [[0.05, 1.9]]}}, thickness: 1}'
 refuse "give the curve a length, or the point a heavy_mass" --set 'bodies.spring.membrane={curve: {points: {at: [[0.05, 1.9]]}}, thickness: 1}'
 refuse "spring 't' holds on to point 99 of membrane 'spring', which has 10" \
-    --set 'springs={t: {stiffness: 1, from: {body: spring, point: 99}, to: {place: [0.05, 1]}}}'
+    --set 'springs={t: {stiffness: 1, from: {body: spring, point: 99}, to: {position: [0.05, 1]}}}'

@@ -116,7 +116,7 @@ static void test_piston(void **unused)
 #define SECOND_DISC(centre, radius, gas_radius, state)                                                              \
     "bodies.more={material: other, shape: {ball: {centre: [" centre ", 0.5], radius: " gas_radius "}}, " state "}", \
         "bodies.second={material: skin, membrane: {curve: {circle: {centre: [" centre ", 0.5], radius: " radius     \
-        "}}, thickness: 0.1, number: 91, holds: other}}"
+        "}}, thickness: 0.1, number: 91, encloses: other}}"
 
 /* Two discs of gas, each of its own kind, in a third; `air` sets its pressure. */
 static void two_discs(trial *t, const char *air, int blocks)
@@ -130,7 +130,7 @@ static void two_discs(trial *t, const char *air, int blocks)
         "materials.other={eos: {ideal: {gamma: 1.67, specific_heat: 1}}}",
         air,
         "bodies.gas.shape={ball: {centre: [0.5, 0.5], radius: 0.33}}",
-        "bodies.skin.membrane={curve: {circle: {centre: [0.5, 0.5], radius: 0.32}}, thickness: 0.1, number: 91, holds: "
+        "bodies.skin.membrane={curve: {circle: {centre: [0.5, 0.5], radius: 0.32}}, thickness: 0.1, number: 91, encloses: "
         "gas}",
         SECOND_DISC("1.09", "0.25", "0.26", "pressure: 1000, density: 2"),
         "method={basis: quadratic, flip: 1}"};
@@ -225,7 +225,7 @@ static void test_two_as_one(void **unused)
         "materials.other={eos: {ideal: {gamma: 1.4, specific_heat: 1}}, viscosity: {shear: 0.2}}",
         "bodies.more={material: other, shape: {ball: {centre: [1.4, 0.5], radius: 0.3}}, pressure: 1000, density: 1}",
         "bodies.second={material: skin, membrane: {curve: {circle: {centre: [1.4, 0.5], radius: 0.3}}, thickness: 0.1, "
-        "number: 91, strain: places, smoothing: 0.05, holds: other}}"};
+        "number: 91, strain: positions, smoothing: 0.05, encloses: other}}"};
     trial alone, both;
     sealed_begin(&alone, "membrane_circle", set, 4);
     trial_run(&alone, 0.004);
@@ -276,13 +276,13 @@ static void test_two_refused(void **unused)
         "verify=null",
         SECOND_DISC("0.2", "0.08", "0.1", "pressure: 1000, density: 2"),
         "bodies.third={material: skin, membrane: {curve: {circle: {centre: [0.5, 0.8], radius: 0.08}}, "
-        "thickness: 0.1, number: 40, holds: other}}",
+        "thickness: 0.1, number: 40, encloses: other}}",
         "materials.other={eos: {ideal: {gamma: 1.67, specific_heat: 1}}}",
         "materials.air={eos: {ideal: {gamma: 1.4, specific_heat: 1}}}",
         "materials.fourth={eos: {ideal: {gamma: 1.4, specific_heat: 1}}}",
-        "bodies.third.membrane.holds=air",
+        "bodies.third.membrane.encloses=air",
         "bodies.fourth={material: skin, membrane: {curve: {circle: {centre: [0.8, 0.8], radius: 0.08}}, "
-        "thickness: 0.1, number: 40, holds: fourth}}"};
+        "thickness: 0.1, number: 40, encloses: fourth}}"};
     const size_t n_set[] = {5, sizeof set / sizeof *set};
     for (int k = 0; k < 2; ++k) {
         context *ctx = context_create();

@@ -86,7 +86,7 @@ static void test_ball_in_stream(void **unused)
         "bodies.gas={material: gas, shape: {ball: {centre: [0, 0.5], radius: 0.26}}, pressure: 1000, density: 1, "
         "velocity: [0, 10]}",
         "bodies.skin.membrane={curve: {arc: {centre: [0, 0.5], radius: 0.25, from: -1.5707963267948966, to: "
-        "1.5707963267948966}}, thickness: 0.1, number: 150, holds: gas}"};
+        "1.5707963267948966}}, thickness: 0.1, number: 150, encloses: gas}"};
     trial t;
     double pressure;
     ice_totals before, after;

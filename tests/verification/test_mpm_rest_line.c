@@ -94,7 +94,7 @@ static const rest_case cases[] = {
      1000.0,
      0.5 * 4.0 / 3.0 * pi * 0.125 / (2.0 * pi),
      1,
-     {"bodies.skin.membrane.strain=places"},
+     {"bodies.skin.membrane.strain=positions"},
      4e-4,
      50},
 };
@@ -178,7 +178,7 @@ static void others_are_refused(void **unused)
     static const struct {
         const char *deck, *why;
     } other[] = {
-        {"airbag_200", "strain: places"}, {"piston_membrane", "springs"}, {"membrane_sphere", "strain: places"}};
+        {"airbag_200", "strain: positions"}, {"piston_membrane", "springs"}, {"membrane_sphere", "strain: positions"}};
     for (size_t k = 0; k < sizeof other / sizeof *other; ++k) {
         const char *const set[] = {"time.solver=static"};
         trial t;

@@ -62,7 +62,7 @@ static void test_held(void **unused)
     static const char *const set[] = {
         "bodies.gas.shape.ball.radius=0.517445", "bodies.gas.pressure=884.042", "bodies.gas.density=0.902263",
         "bodies.skin.membrane={surface: {sphere: {centre: [0, 0, 0], radius: 0.517445}}, thickness: 0.0933714, "
-        "section: volume, slack: -0.0342933, holds: gas}"};
+        "section: volume, slack: -0.0342933, encloses: gas}"};
     trial t;
     deck_begin(&t, "membrane_sphere", set, 4);
     trial_start(&t);

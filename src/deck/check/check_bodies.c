@@ -32,7 +32,7 @@ static floe_status check_hold(reader *r, const scene_body *b)
     bool filled = false;
     for (int i = 0; i < s->n_bodies; i++) filled = filled || s->body[i].material == b->membrane.holds;
     if (!filled)
-        return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), NULL, "add a body of it",
+        return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), NULL, "add a body of it",
                       "membrane '%s' holds '%s', of which there is no body", b->name,
                       s->material[b->membrane.holds].name);
     if (s->method.density != DENSITY_CONTINUITY)
@@ -54,15 +54,15 @@ static floe_status check_holder(reader *r, const scene_body *b)
         if (!other->membrane.present || other->membrane.holds < 0) continue;
         before++;
         if (b->membrane.surface.kind != SHEET_NONE || other->membrane.surface.kind != SHEET_NONE)
-            return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), "one surface that holds a gas", NULL,
+            return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "one surface that holds a gas", NULL,
                           "membrane '%s' holds a gas already", other->name);
         if (other->membrane.holds == b->membrane.holds)
-            return bad_at(r, KEY("bodies", b->name, "membrane", "holds"),
+            return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"),
                           "a fluid of its own, which may have the same eos", NULL, "membrane '%s' holds '%s' already",
                           other->name, s->material[b->membrane.holds].name);
     }
     if (before < SCENE_MAX_HOLDERS) return FLOE_OK;
-    return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), "fewer membranes that hold gas", NULL,
+    return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "fewer membranes that hold gas", NULL,
                   "%d membranes hold gas already", before);
 }
 
@@ -72,12 +72,12 @@ static floe_status check_membrane(reader *r, const scene_body *b)
     const scene *s = r->scene;
     if (is_clean(r->root, KEY("domain"))) TRY(check_membrane_points(r, (int)(b - r->scene->body)));
     if (b->membrane.holds >= 0 && s->material[b->membrane.holds].kind == MATERIAL_SOLID)
-        return bad_at(r, KEY("bodies", b->name, "membrane", "holds"), "the name of a fluid", NULL, "'%s' is a solid",
+        return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "the name of a fluid", NULL, "'%s' is a solid",
                       s->material[b->membrane.holds].name);
     if (b->membrane.holds >= 0) TRY(check_holder(r, b));
     if (b->membrane.holds >= 0 && b->membrane.surface.kind != SHEET_NONE) TRY(check_hold(r, b));
     if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_holder(s) >= 0) return FLOE_OK;
-    return bad_at(r, KEY("bodies", b->name, "membrane"), "holds: the gas on its left; or coupling: mpm", NULL,
+    return bad_at(r, KEY("bodies", b->name, "membrane"), "encloses: the gas on its left; or coupling: mpm", NULL,
                   "cells do not see membrane '%s' unless it holds a gas", b->name);
 }
 

@@ -120,6 +120,8 @@ struct key_spec {
     /* Does the key belong to this item? NULL: always. `belongs` says to what, in words. */
     bool (*applies)(const scene *s, const void *base);
     const char *belongs;
+    const char *formerly;          /* its name in older decks; NULL: the same */
+    const char *renamed_choice[2]; /* a choice that was renamed: its former name and its name now */
 };
 
 #define AT(type, member) .offset = offsetof(type, member), .size = sizeof(((type *)0)->member)

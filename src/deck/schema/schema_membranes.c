@@ -160,8 +160,8 @@ static const choice section_choices[] = {
 
 static const choice strain_choices[] = {
     {"rate", STRAIN_BY_RATE, "it grows with the gradient of velocity at the point"},
-    {"places", STRAIN_BY_PLACES,
-     "the distance of its neighbours, over that at rest; whose neighbours they are follows from `normals`"},
+    {"positions", STRAIN_BY_PLACES,
+     "the distance between its neighbours over that at rest; `normals` says how neighbours are found"},
     {0},
 };
 
@@ -181,13 +181,13 @@ static const key_spec membrane_keys[] = {
     {"normals", KEY_MODEL, .family = &family_normals,
      .otherwise = "`connectivity`, the order of the points along the curve; of a surface `quadric`",
      .doc = "how the normals of the points are found; all but `connectivity` take the points as they lie, in any "
-            "order, and find their neighbours (`strain: places`) from that, too"},
+            "order, and find their neighbours (`strain: positions`) from that, too"},
     {"section", KEY_CHOICE, AT(scene_membrane, section), .fallback = "thickness", .choices = section_choices,
      .doc = "what becomes of it as it is stretched"},
     {"strain", KEY_CHOICE, AT(scene_membrane, strain), .fallback = "rate", .choices = strain_choices,
-     .doc = "how a point knows its strain along the line"},
+     .renamed_choice = {"places", "positions"}, .doc = "how the strain of a point along the curve is found"},
     {"smoothing", KEY_NUMBER, NULL, WITHIN(0.0, 0.0625), AT(scene_membrane, smoothing), .fallback = "0",
-     .doc = "share of the fourth difference of their places that points give up in a step; with `strain: places`"},
+     .doc = "share of the fourth difference of their positions that is taken off in a step; with `strain: positions`"},
     {"slack", KEY_NUMBER, NULL, WITHIN(-2.0, 5.0), AT(scene_membrane, slack), .fallback = "0",
      .doc = "logarithmic strain that must be taken up before there is tension; negative: taut at the start"},
     {"slack_from", KEY_WHOLE, NULL, WITHIN(0, 1e7), AT(scene_membrane, slack_from), .fallback = "0",
@@ -198,10 +198,10 @@ static const key_spec membrane_keys[] = {
      .doc = "a point with a mass of its own, counted from 1; 0: none"},
     {"heavy_mass", KEY_NUMBER, "kg", PARAM_POSITIVE, AT(scene_membrane, heavy_mass), .otherwise = "as the others",
      .doc = "its mass, of the whole scene (for domain.thickness, or the full circle)"},
-    {"holds", KEY_MATERIAL, AT(scene_membrane, holds), .otherwise = "none",
-     .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, which it keeps from whatever is on its "
-            "right; what holds it joins the points in their order, whatever `normals`. Of a surface "
-            "(mpm): the gas points inside, which fill its room"},
+    {"encloses", KEY_MATERIAL, AT(scene_membrane, holds), .formerly = "holds", .otherwise = "none",
+     .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, which it separates from the gas on its "
+            "right; this boundary joins the points in their order, whatever `normals`. Of a surface "
+            "(mpm): the gas points inside, which fill the enclosed volume"},
 };
 const key_table membrane_table = TABLE(membrane_keys);
 
@@ -262,7 +262,7 @@ static floe_status check_strain(reader *r, deck_node *node, const scene_body *b)
 {
     const scene_membrane *m = &b->membrane;
     if (m->strain == STRAIN_BY_PLACES || m->smoothing == 0.0) return FLOE_OK;
-    return bad_key(r, node, "strain: places", NULL,
+    return bad_key(r, node, "strain: positions", NULL,
                    "membrane '%s' has smoothing, which strains by rate would know nothing of", b->name);
 }
 

@@ -15,11 +15,11 @@ static bool end_has_place(const scene *s, const void *end)
 }
 
 static const key_spec end_keys[] = {
-    {"body", KEY_BODY, AT(scene_spring_end, body), .otherwise = "the end is at a place", .doc = "of a point"},
+    {"body", KEY_BODY, AT(scene_spring_end, body), .otherwise = "the end is at a fixed position", .doc = "of a point"},
     {"point", KEY_WHOLE, NULL, WITHIN(1, 2e9), AT(scene_spring_end, point), .required = true, .applies = end_has_body,
      .belongs = "ends at a body", .doc = "number of the point in its body, from 1 (along the curve of a membrane)"},
-    {"place", KEY_VECTOR, "m", AT(scene_spring_end, place), .required = true, .applies = end_has_place,
-     .belongs = "ends without a body", .doc = "where the end is fixed"},
+    {"position", KEY_VECTOR, "m", AT(scene_spring_end, place), .formerly = "place", .required = true,
+     .applies = end_has_place, .belongs = "ends without a body", .doc = "where the end is fixed"},
 };
 static const key_table end_table = TABLE(end_keys);
 

@@ -326,7 +326,7 @@ static floe_status find_empty(const ice *s)
                 return fail_key(
                     s->ctx, KEY("ambient"),
                     "the membrane leaves cell (%d, %d) at (%g, %g) to gas '%s', and no body of it is there: let "
-                    "bodies fill its side of the membrane (the gas that a membrane `holds` is on its left), or "
+                    "bodies fill its side of the membrane (the gas that a membrane `encloses` is on its left), or "
                     "make it the `ambient`",
                     v->b->lo[0] + i, v->b->lo[1] + j, mesh_node(s->mesh, 0, v->b->lo[0] + i),
                     mesh_node(s->mesh, 1, v->b->lo[1] + j),

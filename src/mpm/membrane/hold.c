@@ -219,11 +219,11 @@ static floe_status check_closed(mpm *s, gas_hold *h)
     const double room = room_of(axis);
     const char *name = s->scene->body[s->body[h->body].scene_body].name;
     if (isnan(room))
-        return fail_key(s->ctx, KEY("bodies", name, "membrane", "holds"),
+        return fail_key(s->ctx, KEY("bodies", name, "membrane", "encloses"),
                         "it lies between mirrors on all axes, and its room is not known: leave one of them free");
     for (int a = 0; a < 3; ++a)
         if (tells_room(&axis[a]) && !(fabs(axis[a].room - room) < 0.2 * fabs(room)))
-            return fail_key(s->ctx, KEY("bodies", name, "membrane", "holds"),
+            return fail_key(s->ctx, KEY("bodies", name, "membrane", "encloses"),
                             "it is not closed, alone or with mirrors: along %c it encloses %g m3, on average %g m3; "
                             "close it, or let mirrors cut it",
                             "xyz"[a], fabs(axis[a].room), fabs(room));
