@@ -42,9 +42,10 @@ static floe_status check_coupling(const sim *s)
                             s->scene->body[b].name);
     for (int b = 0; s->coupling == COUPLING_ICE_MPM && b < s->scene->n_bodies; ++b)
         if (s->scene->material[s->scene->body[b].material].membrane && scene_holder(s->scene) < 0)
-            return fail_key(s->ctx, KEY("coupling"),
-                            "ice-mpm: body '%s' is a membrane, which cells do not see unless it `encloses` a gas; use mpm",
-                            s->scene->body[b].name);
+            return fail_key(
+                s->ctx, KEY("coupling"),
+                "ice-mpm: body '%s' is a membrane, which cells do not see unless it `encloses` a gas; use mpm",
+                s->scene->body[b].name);
     if (s->scene->n_bodies == 0) return fail_key(s->ctx, KEY("bodies"), "the scene has none: give one");
     return scene_refuse_unsupported(s->scene, s->coupling);
 }

@@ -64,7 +64,7 @@ support='{s: {region: {box: {lower: [-0.6, -0.3], upper: [-0.4, 0.3]}}}}'
 keeps 1e-14 load block.yaml
 keeps 1e-14 damped block.yaml --set 'damping={rate: 0.5}'
 keeps 1e-14 sprung block.yaml \
-    --set 'springs={s: {from: {body: block, point: 30}, to: {place: [0.9, 0.8]}, stiffness: 0.3}}'
+    --set 'springs={s: {from: {body: block, point: 30}, to: {position: [0.9, 0.8]}, stiffness: 0.3}}'
 keeps 1e-14 rubbed block.yaml --set 'contact={kind: friction, friction: 0.3}'
 keeps 1e-14 held block.yaml --set "supports=$support"
 sed -e 's/dim: 2, stress_state: plane_strain, lower: \[-1, -1\], upper: \[1, 1\], cell: 0.125/dim: 3, lower: [-1, -1, -1], upper: [1, 1, 1], cell: 0.25/' \

@@ -121,19 +121,19 @@ static void test_piston(void **unused)
 /* Two discs of gas, each of its own kind, in a third; `air` sets its pressure. */
 static void two_discs(trial *t, const char *air, int blocks)
 {
-    const char *set[] = {
-        "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [2, 1], cell: 0.1}",
-        "boundaries={x: symmetry, y: symmetry}",
-        "verify=null",
-        "damping=null",
-        "materials.air={eos: {ideal: {gamma: 1.4, specific_heat: 1}}}",
-        "materials.other={eos: {ideal: {gamma: 1.67, specific_heat: 1}}}",
-        air,
-        "bodies.gas.shape={ball: {centre: [0.5, 0.5], radius: 0.33}}",
-        "bodies.skin.membrane={curve: {circle: {centre: [0.5, 0.5], radius: 0.32}}, thickness: 0.1, number: 91, encloses: "
-        "gas}",
-        SECOND_DISC("1.09", "0.25", "0.26", "pressure: 1000, density: 2"),
-        "method={basis: quadratic, flip: 1}"};
+    const char *set[] = {"domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [2, 1], cell: 0.1}",
+                         "boundaries={x: symmetry, y: symmetry}",
+                         "verify=null",
+                         "damping=null",
+                         "materials.air={eos: {ideal: {gamma: 1.4, specific_heat: 1}}}",
+                         "materials.other={eos: {ideal: {gamma: 1.67, specific_heat: 1}}}",
+                         air,
+                         "bodies.gas.shape={ball: {centre: [0.5, 0.5], radius: 0.33}}",
+                         "bodies.skin.membrane={curve: {circle: {centre: [0.5, 0.5], radius: 0.32}}, thickness: 0.1, "
+                         "number: 91, encloses: "
+                         "gas}",
+                         SECOND_DISC("1.09", "0.25", "0.26", "pressure: 1000, density: 2"),
+                         "method={basis: quadratic, flip: 1}"};
     deck_begin(t, "membrane_circle", set, sizeof set / sizeof *set);
     t->scene->mesh.blocks[0] = blocks;
     use_threads(blocks);

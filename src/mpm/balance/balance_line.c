@@ -52,7 +52,8 @@ const char *line_rest_obstacle(const mpm *s)
         }
         if (!body->membrane.model || s->sheets || s->mesh->dim != 2 || normals_are_free(s, b) ||
             given->membrane.strain != STRAIN_BY_PLACES)
-            return "of membranes it takes connected lines with `strain: positions` in two dimensions, and no other solid";
+            return "of membranes it takes connected lines with `strain: positions` in two dimensions, and no other "
+                   "solid";
         membranes++;
     }
     if (membranes != 1 || (gas < 0 && !s->seals)) return "of membranes it takes one, around gas";
