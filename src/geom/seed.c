@@ -9,7 +9,8 @@
  * more (tests/unit/test_geom_seed.c). */
 static const int cut_depth[4] = {0, 40, 4, 3};
 
-/* Sub-cells with less than this share always join a neighbour: they are round-off of a surface along a cell face. */
+/* Sub-cells with less than this share always join a neighbour, or are left out where there is none: they are round-off of a surface along
+ * a cell face. A point of next to no mass between two bodies that share a face goes with their round-off, until it is beyond its law. */
 static const double least_share = 1e-9;
 
 /* A range of global cells, and how sub-cells are numbered: by cell (axis 0 fastest), then within the cell. */
@@ -207,6 +208,13 @@ static void merge_points(seed_list *list, int dim, size_t j, size_t i)
     list->volume[j] = volume;
 }
 
+static bool is_round_off(const seeding *w, const sub_grid *g, size_t i)
+{
+    double lo[3] = {0.0}, hi[3] = {0.0};
+    sub_cell_box(g, sub_cell_of_key(g, w->key[i]), lo, hi);
+    return w->list.volume[i] < least_share * sub_cell_volume(g, lo, hi);
+}
+
 /* Each sliver goes, neighbour by neighbour, to the first that is none, or to the largest of its group. */
 static floe_status seeding_merge(seeding *w, context *ctx, const sub_grid *g)
 {
@@ -222,7 +230,7 @@ static floe_status seeding_merge(seeding *w, context *ctx, const sub_grid *g)
         if (j != i) merge_points(&w->list, dim, j, i);
     }
     for (size_t i = 0; i < w->list.n; i++) {
-        if (w->target[i] != i) continue;
+        if (w->target[i] != i || is_round_off(w, g, i)) continue;
         for (int k = 0; k < dim; k++) w->list.x[k][kept] = w->list.x[k][i];
         w->list.volume[kept++] = w->list.volume[i];
     }

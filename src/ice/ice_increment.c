@@ -9,6 +9,7 @@
  * width of the spacing that it crosses, and what is compressed along one axis as it expands along another has none of it.
  * C_DP keeps the full-step dP by dilatation alone. The advective term is the other half of A in ice_face.c; b is that of `bend_of`. */
 #include "ice/ice_internal.h"
+#include "ice/ice_slip.h"
 
 #include "base/choice.h"
 
@@ -232,6 +233,7 @@ void ice_finish_increment(const ice *s)
         ice_view v;
         ice_view_make(s, id, &v);
         relax_volume(s, &v);
+        if (s->work->pairs.slips) ice_relieve_slip(s, &v);
     }
     if (s->with_points) ice_hold_continued(s);
     if (s->sealed) ice_pool_increment(s);

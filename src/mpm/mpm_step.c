@@ -1,4 +1,5 @@
 /* The points-only step, straight down (theory 4.1). */
+#include "mpm/carry.h"
 #include "mpm/load.h"
 #include "mpm/wall.h"
 
@@ -171,6 +172,7 @@ floe_status mpm_point_stages(mpm *s)
           READS(P_POS, P_VEL, WHEN(carries(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH),
                 TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
+    STAGE(s, carries(s), mpm_stretch_gradients, READS(P_AFFINE), WRITES(P_AFFINE));
     STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     TRY(turn_stages(s));
     STAGE(s, losses_are_heat(s), mpm_give_heat,

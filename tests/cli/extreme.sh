@@ -13,6 +13,10 @@ has stdout '4 cases: 2 right, 2 refused, 0 wrong'
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=0.0014 -o lighter
 has stderr "is 0.001 times as heavy as the fluid beside it (1.4 kg/m3), and no interface bears less than 0.009"
 
+# A liquid at next to no pressure slips along a wall a million times as heavy: its viscosity there is that of the liquid alone.
+expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --couplings ice-mpm --axis materials.plate.density=1400000 --axis method.interface=smeared -o heavy
+has stdout '4 cases: 4 right, 0 refused, 0 wrong'
+
 # Decks of each kind whose checks notice whatever is done to the result; those of a scene at rest are excused, and are checked to be.
 spoil() { # DECK OPTION...
     expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/$1.yaml" "${@:2}" --spoil -o "spoiled-$1"
@@ -20,6 +24,8 @@ spoil() { # DECK OPTION...
     has stdout 'checked blindly: 0'
 }
 spoil impact --axis materials.right.density=1
+spoil unfolded --axis method.transfer=apic --axis method.basis=cubic --axis bodies.string.membrane.strain=rate
+spoil pressure_ratio --axis title="p 1e1, rho 1e6"
 spoil torn --axis method.basis=gimp
 spoil tension --couplings ice-mpm,mpm --axis verify.exact.standing_bar.amplitude=1e-6
 spoil places --axis method.basis=cubic --axis 'domain.lattice_offset=[0, 0]'

@@ -184,6 +184,24 @@ static void test_only_slivers(void **state)
     context_destroy(&ctx);
 }
 
+/* What lies between two bodies that share a face is round-off of its place: no point. A layer of any width that is meant has its points. */
+static void test_round_off(void **state)
+{
+    (void)state;
+    context *ctx = context_create();
+    const double width[2] = {4e-16, 1e-6};
+    for (int w = 0; w < 2; w++) {
+        double par[6] = {0.5, 0.1, 0.0, 0.5 + width[w], 0.9, 1.0};
+        const shape s = shape_of("box", par);
+        seed_list list;
+        const seed_spec spec = spec_of(2, 0.0, 0.25, 4, 2, SEED_FITTED);
+        check_ok(ctx, seed_shape(&list, ctx, &s, &spec));
+        assert_int_equal(list.n > 0, w == 1);
+        seed_list_free(ctx, &list);
+    }
+    context_destroy(&ctx);
+}
+
 static void test_solids_3d(void **state)
 {
     (void)state;
@@ -338,9 +356,9 @@ int main(void)
         cmocka_unit_test(test_disc_area),       cmocka_unit_test(test_quarter_annulus),
         cmocka_unit_test(test_merge_conserves), cmocka_unit_test(test_solids_3d),
         cmocka_unit_test(test_axisymmetric),    cmocka_unit_test(test_aligned_order),
-        cmocka_unit_test(test_only_slivers),    cmocka_unit_test(test_edges),
-        cmocka_unit_test(test_checks),          cmocka_unit_test(test_out_of_memory),
-        cmocka_unit_test(test_offset),
+        cmocka_unit_test(test_only_slivers),    cmocka_unit_test(test_round_off),
+        cmocka_unit_test(test_edges),           cmocka_unit_test(test_checks),
+        cmocka_unit_test(test_out_of_memory),   cmocka_unit_test(test_offset),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
