@@ -212,11 +212,13 @@ class Page:
         self.measures.append(case)
         return case
 
-    def cases(self, command, folder, *words):
-        """`floe study` or `floe compare`: the table of its cases. What it has said is in `page.said`, without the line that names the folder."""
+    def cases(self, command, folder, *words, kept=False):
+        """`floe study` or `floe compare`: the table of its cases. What it has said is in `page.said`, without the line that names the folder. `kept`: goes on
+        with what lies there."""
         self.note([command, *words])
         place = self.runs / folder
-        shutil.rmtree(place, ignore_errors=True)
+        if not kept:
+            shutil.rmtree(place, ignore_errors=True)
         done, _ = measured([str(FLOE), command, *map(str, words), "-o", str(place), "--threads", "1"], cwd=ROOT, stderr=subprocess.PIPE)
         if done.returncode not in (0, 6):
             raise RuntimeError(f"floe {command} {' '.join(map(str, words))}: exit status {done.returncode}: {done.stderr[-2000:]}")

@@ -1,6 +1,5 @@
 /* floe check DECK */
 #include "cli/cli.h"
-#include "scene/remark.h"
 #include "study/study.h"
 
 #include <string.h>
@@ -79,7 +78,7 @@ int cmd_check(cli *c, int argc, char **argv)
     study_ready ready;
     floe_status status = cli_check(c, &d, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
-    status = study_set_up(s, &ready);
+    status = study_set_up(s, &ready, print_check_warning, c->ctx);
     if (status != FLOE_OK) {
         scene_destroy(&s);
         return cli_fail(c, status);
@@ -88,7 +87,6 @@ int cmd_check(cli *c, int argc, char **argv)
     print_cells(s);
     printf(" cells, %d material%s, %d bod%s, coupling %s\n", s->n_materials, s->n_materials == 1 ? "" : "s",
            s->n_bodies, s->n_bodies == 1 ? "y" : "ies", coupling_name(s->coupling));
-    scene_remarks(s, print_check_warning, c->ctx);
     print_start(s, &ready);
     status = rehearse_batches(c, &d, s);
     scene_destroy(&s);

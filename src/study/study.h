@@ -6,6 +6,7 @@
 #define STUDY_STUDY_H
 
 #include "batch/batch.h"
+#include "scene/remark.h"
 #include "study/axis.h"
 
 enum { STUDY_MAX_REPEAT = 100, STUDY_LABEL = 160, STUDY_MAX_METRICS = SUMMARY_MAX_ERRORS };
@@ -116,8 +117,8 @@ typedef struct study_ready {
 } study_ready;
 
 /* Does with a scene what a run does before its first step, unless it has more than STUDY_SET_UP_CELLS. FLOE_BAD_INPUT, with
- * its place, or FLOE_DIVERGED: what the run would end with. */
-floe_status study_set_up(scene *s, study_ready *out);
+ * its place, or FLOE_DIVERGED: what the run would end with. `say` takes the remarks on the scene as it is laid out, a run's own (NULL: nobody). */
+floe_status study_set_up(scene *s, study_ready *out, remark_sink *say, void *user);
 
 typedef struct study_rehearsal {
     size_t cases;    /* of the study */

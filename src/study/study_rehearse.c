@@ -19,15 +19,19 @@ typedef struct rehearsing {
     size_t told;
 } rehearsing;
 
-floe_status study_set_up(scene *s, study_ready *out)
+floe_status study_set_up(scene *s, study_ready *out, remark_sink *say, void *user)
 {
     run_setup setup;
     *out = (study_ready){.cells = study_cells(&s->mesh)};
-    if (out->cells > STUDY_SET_UP_CELLS) return scene_place(s, scene_refuse_unsupported(s, s->coupling));
+    if (out->cells > STUDY_SET_UP_CELLS) {
+        if (say) scene_remarks(s, say, user);
+        return scene_place(s, scene_refuse_unsupported(s, s->coupling));
+    }
     floe_status status = setup_begin(&setup, s);
     if (status == FLOE_OK) status = sim_predict(setup.sim, &out->step, &out->steps, &out->reason);
     out->points = setup.sim && setup.sim->mpm ? mpm_count(setup.sim->mpm) : 0;
     out->done = status == FLOE_OK;
+    if (out->done && say) scene_remarks(setup.sim->scene, say, user);
     setup_end(&setup);
     return status;
 }
@@ -59,7 +63,7 @@ static floe_status rehearse_case(rehearsing *r, size_t i, bool all)
     }
     TRY(batch_prepare(r->s->ctx, &batch, &r->s->run[i], &of));
     const floe_status status =
-        all ? study_set_up(of, &ready) : scene_place(of, scene_refuse_unsupported(of, of->coupling));
+        all ? study_set_up(of, &ready, NULL, NULL) : scene_place(of, scene_refuse_unsupported(of, of->coupling));
     scene_destroy(&of);
     if (ready.done) r->out->set_up++;
     if (status != FLOE_BAD_INPUT && status != FLOE_DIVERGED) return status;
