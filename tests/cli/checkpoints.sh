@@ -39,8 +39,8 @@ expect 0 "$FLOE" run "${scene[@]}" -o part --resume --quiet
 same_results whole part
 has part/run.log 'resume'
 
-# Checkpoints as often as can be, for two to be there; then the newest is cut, changed in the middle, and gone.
-often=("${scene[@]}" --set domain.cell=0.05 --set output.checkpoint_interval=0.005)
+# Checkpoints often enough for two to be there; then the newest is cut, changed in the middle, and gone.
+often=("${scene[@]}" --set domain.cell=0.05 --set output.checkpoint_interval=0.015)
 expect 0 "$FLOE" run "${often[@]}" -o whole-often --quiet
 killed_at two fields/000005.h5 "$FLOE" run "${often[@]}" --quiet
 is_there two/checkpoint.h5 two/checkpoint-previous.h5

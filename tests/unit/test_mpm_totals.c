@@ -1,0 +1,54 @@
+/* What a body has in all: the sums over its points of mass, momentum, first moment and kinetic energy, along each axis. */
+#include "verification/mpm_fixture.h"
+
+static void test_sums(void **state)
+{
+    (void)state;
+    for (int dim = 1; dim <= 3; ++dim) {
+        trial t;
+        uint64_t seed = 3;
+        const double size[3] = {1.0, 0.8, 0.6}, lo[3] = {0.0, 0.0, 0.0}, hi[3] = {0.6, 0.6, 0.6};
+        trial_begin(&t, dim, size, 0.1);
+        for (int k = 0; k < 2; ++k) /* the second one overlaps none */
+            add_body(
+                &t, add_solid(&t, "linear_elastic", 3.0, 1.0, 1.0 + k),
+                make_box(&t, (const double[3]){0.7 * k, lo[1], lo[2]}, (const double[3]){0.6 + 0.4 * k, hi[1], hi[2]}),
+                2);
+        trial_start(&t);
+        const fields *f = t.sim->domain->fields[0];
+        mpm_totals is, wanted = {.springs = 0.0};
+        for (int body = 0; body < 2; ++body)
+            for (size_t k = 0; k < t.sim->mpm->points[0][body].n; ++k) {
+                const double mass = field_get(f, P_MASS, body, 0)[k];
+                wanted.mass[body] += mass;
+                for (int a = 0; a < dim; ++a) {
+                    double *v = &field_get(f, P_VEL, body, a)[k];
+                    *v = check_random(&seed, -1.0 - a, 2.0);
+                    wanted.momentum[body][a] += mass * *v;
+                    wanted.momentum_scale[a] += mass * fabs(*v);
+                    wanted.moment[body][a] += mass * field_get(f, P_POS, body, a)[k];
+                    wanted.kinetic[body] += 0.5 * mass * *v * *v;
+                }
+            }
+        check_ok(t.ctx, mpm_sum(t.sim->mpm, &is));
+        for (int body = 0; body < 2; ++body) {
+            check_close_relative(is.mass[body], wanted.mass[body], 1e-13);
+            check_close_relative(is.volume[body], wanted.mass[body] / (1.0 + body), 1e-13);
+            check_close_relative(is.kinetic[body], wanted.kinetic[body], 1e-13);
+            check_close(is.strain[body], 0.0, 0.0);
+            check_close(is.internal[body], 0.0, 0.0);
+            for (int a = 0; a < 3; ++a) {
+                check_close(is.momentum[body][a], wanted.momentum[body][a], 1e-13);
+                check_close(is.moment[body][a], wanted.moment[body][a], 1e-13);
+                check_close(is.momentum_scale[a], wanted.momentum_scale[a], 1e-13);
+            }
+        }
+        trial_end(&t);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
