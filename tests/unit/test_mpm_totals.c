@@ -1,9 +1,10 @@
-/* What a body has in all: the sums over its points of mass, momentum, first moment and kinetic energy, along each axis. */
-#include "verification/mpm_fixture.h"
+/* What a body has in all: the sums over its points of mass, momentum, first moment and kinetic energy, along each axis; and which gas lies
+ * outside a membrane. */
+#include "verification/coupled_fixture.h"
 
-static void test_sums(void **state)
+static void test_sums(void **unused)
 {
-    (void)state;
+    (void)unused;
     for (int dim = 1; dim <= 3; ++dim) {
         trial t;
         uint64_t seed = 3;
@@ -47,8 +48,39 @@ static void test_sums(void **state)
     }
 }
 
+/* A quarter of a circle between mirrors: gas anywhere in the quadrant is outside where it is farther from the centre than the line. */
+static void test_outside(void **unused)
+{
+    (void)unused;
+    trial t;
+    deck_begin(&t, "membrane_circle", NULL, 0);
+    coupled_start(&t);
+    const fields *f = t.sim->domain->fields[0];
+    const size_t n = t.sim->mpm->points[0][0].n;
+    double *x = field_get(f, P_POS, 0, 0), *y = field_get(f, P_POS, 0, 1);
+    const double *mass = field_get(f, P_MASS, 0, 0);
+    uint64_t seed = 11;
+    for (int pass = 0; pass < 4; ++pass) {
+        membrane_room room;
+        double outside = 0.0;
+        for (size_t k = 0; k < n; ++k) {
+            double radius = check_random(&seed, 0.01, 0.99);
+            const double angle = pass == 3 ? 0.3 : check_random(&seed, 0.01, 1.56);
+            if (fabs(radius - 0.5) < 1e-3 || pass > 1)
+                radius = 0.5 + (k % 2 ? 5e-5 : -5e-5); /* chords are 2e-5 inside */
+            x[k] = radius * cos(angle);
+            y[k] = radius * sin(angle);
+            outside += radius > 0.5 ? mass[k] : 0.0;
+        }
+        mpm_membrane_room(t.sim->mpm, 1, &room);
+        check_close_relative(room.outside, outside, 1e-13);
+        check_close_relative(room.size, 0.25 * acos(-1.0) * 0.25, 1e-4);
+    }
+    trial_end(&t);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums), cmocka_unit_test(test_outside)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
