@@ -247,18 +247,17 @@ static void guess_pressure(const ice *s, const ice_view *v, double *p)
 /* Specific volumes of solids at the first pressure, everywhere: the state that 2.10 carries on. */
 static void start_solid_volumes(const ice *s, const ice_view *v, const double *p)
 {
-    const block *b = v->b;
+    const ice_rows q = ice_rows_of(v->b, -1, 0);
     for (int r = 0; r < s->n_materials; ++r) {
         if (!s->material[r].points) continue;
         const eos *law = &s->material[r].eos;
-        for (int k = 0; k < b->n[2]; ++k)
-            for (int j = 0; j < b->n[1]; ++j)
-                for (int i = 0; i < b->n[0]; ++i) {
-                    const ptrdiff_t at = mesh_index(b, i, j, k);
-                    const double T = 300.0; /* the bulk response does not depend on it */
-                    double dvdp;
-                    law->model->volume(law->par, 1, &p[at], &T, &v->m[r].vol[at], &dvdp);
-                }
+        for (int row = 0; row < q.n; ++row)
+            for (int i = 0; i < v->b->n[0]; ++i) {
+                const ptrdiff_t at = mesh_index(v->b, i, ice_row_j(q, row), ice_row_k(q, row));
+                const double T = 300.0; /* the bulk response does not depend on it */
+                double dvdp;
+                law->model->volume(law->par, 1, &p[at], &T, &v->m[r].vol[at], &dvdp);
+            }
     }
 }
 

@@ -1,8 +1,9 @@
 /* What is done to next to nothing of a fluid in a cell: no more flows out than half of it, and quotients of round-off are not taken for its state;
- * and which way a wall faces. */
+ * which way a wall faces; and what a gas gives up that expands. */
 #include "check.h"
 
 #include "ice/ice_advect.h"
+#include "ice/ice_fall.h"
 
 #include <math.h>
 #include <string.h>
@@ -92,12 +93,32 @@ static void test_wall_normal(void **unused)
     }
 }
 
+/* Nothing up to a drop of 0.3, a half at 7/15, all from 19/30 on; a half of that at half the speed of sound, nothing at three quarters. */
+static void test_fall(void **unused)
+{
+    (void)unused;
+    static const double drop[] = {-1.0, 0.3, 7.0 / 15.0, 19.0 / 30.0, 0.9, 5.0},
+                        part[] = {0.0, 0.0, 0.5, 1.0, 1.0, 1.0};
+    static const double mach[] = {0.0, 0.25, 0.5, 0.75, 3.0}, slow[] = {1.0, 1.0, 0.5, 0.0, 0.0};
+    const double rho = 1.3, c = 340.0, p = 2e5;
+    for (size_t i = 0; i < sizeof drop / sizeof *drop; ++i)
+        for (size_t k = 0; k < sizeof mach / sizeof *mach; ++k)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                const fall f = fall_to(p, rho, c, sign * mach[k] * c, p - drop[i] * rho * c * c);
+                const double wanted = part[i] * slow[k];
+                check_close(f.velocity, wanted, 1e-14);
+                check_close(f.mass, wanted * fmin(drop[i], 0.8), 1e-14);
+                check_close(f.energy, wanted * drop[i] * p / rho, 1e-9);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_believe),
         cmocka_unit_test(test_clip),
         cmocka_unit_test(test_wall_normal),
+        cmocka_unit_test(test_fall),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
