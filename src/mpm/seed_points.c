@@ -1,6 +1,8 @@
 /* Seeding: the points of every body, with their initial state. */
 #include "base/memory.h"
 #include "geom/seed.h"
+#include "material/strain_from_stress.h"
+#include "math/tensor.h"
 #include "mpm/edge/edge.h"
 #include "mpm/membrane/membrane.h"
 #include "mpm/spring.h"
@@ -10,6 +12,25 @@
 #include "scene/state.h"
 
 #include <math.h>
+
+/* A law that goes by F has the stress that the point starts with by its strain. */
+static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double stress[6])
+{
+    static const int slot[3][9] = {{0, 4, 8}, {0, 1, 3, 4, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
+    const fields *f = s->domain->fields[blk];
+    const mpm_body *b = &s->body[body];
+    double F[9];
+    if (!strain_from_stress(b->law, b->law_par, stress, F))
+        return fail_key(s->ctx, KEY("bodies", s->scene->body[b->scene_body].name, "state"),
+                        "exact: the solution starts from stresses up to %g Pa, and law '%s' has no strain with them; "
+                        "give stiffer moduli, or a "
+                        "smaller load",
+                        fmax(fmax(fabs(stress[0]), fabs(stress[1])), fabs(stress[2])), b->law->name);
+    for (int c = 0; c < field_component_count(FIELD_DEFORM, s->mesh->dim); ++c)
+        field_get(f, P_F, body, c)[k] = F[slot[s->mesh->dim - 1][c]];
+    field_get(f, P_J, body, 0)[k] = tensor_det(F);
+    return FLOE_OK;
+}
 
 /* Density at rest and state of one point. Fluids: stress -(p - p_ref) I. */
 static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x[3], double volume)
@@ -26,6 +47,7 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
     } else {
         TRY(body_solid_state(s->scene, b->scene_body, x, velocity, stress));
         if (fields_has(f, P_ENERGY, body)) field_get(f, P_ENERGY, body, 0)[k] = 0.0;
+        if (b->law->needs & SOLID_NEEDS_F) TRY(set_strain(s, blk, body, k, stress));
     }
     field_get(f, P_MASS, body, 0)[k] = density * volume;
     for (int a = 0; a < s->mesh->dim; ++a) field_get(f, P_VEL, body, a)[k] = velocity[a];

@@ -354,4 +354,5 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_beside_points(s, say, user);
     remark_range(s, say, user);
     remark_slips(s, say, user);
+    remark_contrasts(s, say, user);
 }

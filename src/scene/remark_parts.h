@@ -25,6 +25,8 @@ void remark_flight_out(const scene *s, remark_sink *say, void *user);
 
 /* Of magnitudes and times that are hardly what was meant. */
 void remark_range(const scene *s, remark_sink *say, void *user);
+/* Of gases beside other gases, of what is behind sides, and of ramps. */
+void remark_contrasts(const scene *s, remark_sink *say, void *user);
 /* Of those that a slip of units explains: fluids, loads, places and speeds. */
 void remark_slips(const scene *s, remark_sink *say, void *user);
 

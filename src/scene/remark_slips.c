@@ -3,6 +3,7 @@
 #include "scene/remark_parts.h"
 
 #include <math.h>
+#include <string.h>
 
 static bool is_solid(const scene_material *m)
 {
@@ -61,6 +62,13 @@ static void remark_fluid(remark_speaker *w, const scene_material *m)
 
 static void remark_membrane(remark_speaker *w, const scene_material *m)
 {
+    const double c = sqrt(m->membrane->modulus(m->membrane_par, false) / m->density);
+    remark_set_key(w, "materials", m->name, "membrane");
+    if (c < 1.0 || c > 1e5)
+        remark_key(w,
+                   "waves run along membrane '%s' at %.3g m/s at %g kg/m3: rubber has 30, steel 5000, and none beyond "
+                   "20000. Give the modulus in Pa, or with its unit, and the density in kg/m3",
+                   m->name, c, m->density);
     remark_set_key(w, "materials", m->name, "density");
     if (m->density < 5.0 || m->density > 23000.0)
         remark_key(w,
@@ -79,6 +87,28 @@ static void remark_yield(remark_speaker *w, const scene_material *m)
                    "solid '%s' flows at %.3g of its shear modulus: metals at 0.0005 to 0.05, and none beyond 0.2. Give "
                    "yield_stress in Pa, or with its unit",
                    m->name, share);
+}
+
+/* A parameter of a law by its key; NAN where the law has none of that name. */
+static double parameter_of(const scene_material *m, const char *key)
+{
+    for (size_t k = 0; k < m->law->n_params; ++k)
+        if (strcmp(m->law->params[k].key, key) == 0)
+            return *(const double *)((const char *)m->law_par + m->law->params[k].offset);
+    return NAN;
+}
+
+/* Beyond yield a metal is softer than before. */
+static void remark_hardening(remark_speaker *w, const scene_material *m)
+{
+    const double K = m->law->bulk_modulus(m->law_par), G = m->law->shear_modulus(m->law_par);
+    const double E = 9.0 * K * G / (3.0 * K + G), hardening = parameter_of(m, "hardening_modulus");
+    remark_set_key(w, "materials", m->name, "law");
+    if (hardening > E)
+        remark_key(w,
+                   "the hardening_modulus of solid '%s' is %.3g times its Young's modulus, %.3g Pa: metals have a "
+                   "hundredth or less, and none is stiffer once it flows. Give it in Pa, or with its unit",
+                   m->name, hardening / E, E);
 }
 
 /* ---- bodies ---- */
@@ -318,6 +348,7 @@ void remark_slips(const scene *s, remark_sink *say, void *user)
         if (a->kind == MATERIAL_FLUID && a->eos.model) remark_fluid(&w, a);
         if (a->membrane) remark_membrane(&w, a);
         if (is_solid(a)) remark_yield(&w, a);
+        if (is_solid(a)) remark_hardening(&w, a);
     }
     remark_bodies(&w);
     if (!s->dimensionless) remark_flight(&w);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Three hundred plausible mistakes: two hundred in ten classes, half of them written down (tests/mistakes/list.txt), half made from
+# Three hundred and ten plausible mistakes: two hundred and ten in ten classes, more than half of them written down (tests/mistakes/list.txt), half made from
 # the schema by a seed (FLOE_SEED); and a hundred numbers that slips of units or sign leave, drawn from tests/mistakes/slips.txt. Each
 # is refused or warned of with its place, what is wrong and what to do; none is silent, and no signal ends floe.
 # shellcheck source=tests/cli/lib.bash
@@ -115,5 +115,5 @@ awk -F' *[|] *' -v seed="$seed" '
 while IFS='|' read -r deck settings; do mistake slip "$deck" "$settings" ': '; done <slips
 
 echo "$total mistakes, $failed without their word"
-[ "$total" -eq 300 ] || fault 'not three hundred'
+[ "$total" -eq 310 ] || fault 'not three hundred and ten'
 [ "$failed" -eq 0 ] || fault "$failed of $total"

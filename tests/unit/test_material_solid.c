@@ -2,6 +2,8 @@
 #include "check.h"
 
 #include "material/solid.h"
+#include "material/strain_from_stress.h"
+#include "math/tensor.h"
 
 #include <math.h>
 #include <string.h>
@@ -137,14 +139,37 @@ static void test_plane_stress_does_not_drift(void **state)
     }
 }
 
+/* A law that goes by F has its stress back from the strain that is found for it, up to a tenth of its moduli; a stress that no strain has
+ * is told. */
+static void test_strain_from_stress(void **state)
+{
+    (void)state;
+    const solid_model *law = solid_find("neo_hookean");
+    static const double stress[3][6] = {
+        {3e7, -2e7, 1e7, 5e6, -1e6, 2e6}, {-5e7, -5e7, -5e7, 0, 0, 0}, {0, 0, 0, 4e7, 0, 0}};
+    for (int k = 0; k < 3; ++k) {
+        solid_batch b;
+        double F[9];
+        batch_start(&b, 1.0);
+        assert_true(strain_from_stress(law, moduli, stress[k], F));
+        for (int c = 0; c < 9; ++c) b.F[c][0] = F[c];
+        b.J[0] = tensor_det(F);
+        assert_int_equal(law->stress(moduli, 0.0, &b), 0);
+        for (int c = 0; c < 6; ++c) assert_true(fabs(b.stress[c][0] - stress[k][c]) <= 1e-4);
+        check_close(F[1], F[3], 0.0);
+    }
+    double F[9];
+    const double beyond[6] = {-1e13, 0.0, 0.0, 0.0, 0.0, 0.0}, torn[6] = {NAN, 0.0, 0.0, 0.0, 0.0, 0.0};
+    assert_false(strain_from_stress(law, moduli, beyond, F));
+    assert_false(strain_from_stress(law, moduli, torn, F));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_jaumann_shear),
-        cmocka_unit_test(test_neo_hookean_shear),
-        cmocka_unit_test(test_neo_hookean_uniaxial_strain),
-        cmocka_unit_test(test_neo_hookean_plane_stress),
-        cmocka_unit_test(test_stress_state_failure),
+        cmocka_unit_test(test_strain_from_stress),          cmocka_unit_test(test_jaumann_shear),
+        cmocka_unit_test(test_neo_hookean_shear),           cmocka_unit_test(test_neo_hookean_uniaxial_strain),
+        cmocka_unit_test(test_neo_hookean_plane_stress),    cmocka_unit_test(test_stress_state_failure),
         cmocka_unit_test(test_plane_stress_does_not_drift),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
