@@ -65,14 +65,15 @@ floe_status cut_touch(cut_surface *c, const int cell[2], int *out)
     return FLOE_OK;
 }
 
-floe_status cut_add_piece(cut_surface *c, const int cell[2], const cut_piece *piece, double share)
+floe_status cut_add_piece(cut_surface *c, const int cell[2], const cut_piece *piece, const cut_part *part)
 {
     int at;
     TRY(cut_touch(c, cell, &at));
     TRY(grow(c, CAPACITY_PIECES, &c->piece, (size_t)c->n_pieces, sizeof *c->piece));
     c->piece[c->n_pieces] = *piece;
     c->piece[c->n_pieces++].cell = at;
-    c->cell[at].open += share;
+    c->cell[at].open += part->volume;
+    for (int a = 0; a < 2; ++a) c->cell[at].moment[a] += part->moment[a];
     return FLOE_OK;
 }
 
@@ -149,6 +150,8 @@ static bool finish_in_plane(const cut_surface *c, cut_cell *k)
             k->face[axis][side] =
                 snapped(held[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across), &sound);
     k->open = snapped(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]), &sound);
+    k->moment[0] /= across * m->h[1];
+    k->moment[1] = (k->upper + k->moment[1] / across) / m->h[1];
     return sound;
 }
 
@@ -158,6 +161,7 @@ static bool finish_on_line(const cut_surface *c, cut_cell *k)
     const signed char *node = c->node + k->cell[0];
     bool sound = true;
     k->open = snapped(node[1] + k->open / c->mesh->h[0], &sound);
+    k->moment[0] /= c->mesh->h[0];
     for (int side = 0; side < 2; ++side) k->face[0][side] = node[side] > 0 ? 1.0 : 0.0;
     return sound;
 }

@@ -43,7 +43,10 @@ typedef struct cut_cell {
     int cell[2];       /* global */
     double open;       /* share of its volume that is held */
     double face[2][2]; /* the same of its faces, by axis and side */
-    int jump[2][2];    /* passages of a line through each face, by direction: scratch of the walk; of points along the
+    double
+        moment[2];  /* m: of what is held, about the cell's centre, over the cell's volume; about an axis not of [0] */
+    double upper;   /* m2: moment along axis 1 of its upper face across axis 0: scratch of the walk */
+    int jump[2][2]; /* passages of a line through each face, by direction: scratch of the walk; of points along the
                           cell, in [0][0] */
 } cut_cell;
 
@@ -82,11 +85,16 @@ static inline size_t cut_index(const mesh *m, const int cell[2])
 {
     return (size_t)cell[1] * (size_t)m->n[0] + (size_t)cell[0];
 }
-/* Share of a cell, and of one of its faces, that is held; of the gas outside it is one less that. */
+/* Share of a cell, moment, and share of one of its faces, that is held; of the gas outside it is one less that. */
 static inline double cut_open(const cut_surface *c, const int cell[2])
 {
     const int at = c->at[cut_index(c->mesh, cell)];
     return at >= 0 ? c->cell[at].open : at == CUT_HELD ? 1.0 : 0.0;
+}
+static inline double cut_moment(const cut_surface *c, const int cell[2], int axis)
+{
+    const int at = c->at[cut_index(c->mesh, cell)];
+    return at >= 0 ? c->cell[at].moment[axis] : 0.0;
 }
 static inline double cut_face(const cut_surface *c, const int cell[2], int axis, int side)
 {

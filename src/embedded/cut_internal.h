@@ -10,8 +10,12 @@ enum { CUT_NEW = -3 };
 double cut_weight_to(const mesh *m, double x);
 /* The cut cell at a global cell, made where it is new. */
 floe_status cut_touch(cut_surface *c, const int cell[2], int *out);
-/* A piece in a cell, with its part of what is held of the cell, right of its lower side along axis 0. */
-floe_status cut_add_piece(cut_surface *c, const int cell[2], const cut_piece *piece, double held);
+/* A piece's part of what is held of its cell, right of the cell's lower side along axis 0: volume and moments. */
+typedef struct cut_part {
+    double volume, moment[2];
+} cut_part;
+
+floe_status cut_add_piece(cut_surface *c, const int cell[2], const cut_piece *piece, const cut_part *part);
 /* One line of the plane, one point of a line, cut into pieces. */
 floe_status cut_walk(cut_surface *c, const cut_chain *chain);
 floe_status cut_point(cut_surface *c, const cut_chain *chain);

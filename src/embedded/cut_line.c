@@ -25,8 +25,10 @@ floe_status cut_point(cut_surface *c, const cut_chain *chain)
     cell[0] = cell[0] < 0 ? 0 : cell[0] >= m->n[0] ? m->n[0] - 1 : cell[0];
     TRY(cut_touch(c, cell, &at));
     c->cell[at].jump[0][0] += chain->outward;
+    const double left = place_in(m, cell[0], x);
     const cut_piece piece = {.vertex = {chain->first, chain->first}, .area = {chain->outward, 0.0}};
-    return cut_add_piece(c, cell, &piece, chain->outward * place_in(m, cell[0], x));
+    const cut_part part = {chain->outward * left, {chain->outward * 0.5 * left * (left - m->h[0])}};
+    return cut_add_piece(c, cell, &piece, &part);
 }
 
 floe_status cut_join_points(cut_surface *c)

@@ -3,6 +3,25 @@
 
 #include <math.h>
 
+/* Green's theorem, by Simpson's rule, which is exact for what is cubic along a straight piece. */
+static cut_part part_of(const mesh *m, const int cell[2], const double from[2], const double to[2])
+{
+    static const double weight[3] = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
+    const double left = cut_weight_to(m, mesh_node(m, 0, cell[0])), half = 0.5 * m->h[0], up = to[1] - from[1];
+    const bool plane = m->geometry != MESH_AXISYMMETRIC;
+    cut_part p = {0.0, {0.0, 0.0}};
+    for (int k = 0; k < 3; ++k) {
+        const double x = from[0] + 0.5 * k * (to[0] - from[0]), y = from[1] + 0.5 * k * up;
+        const double across = x - mesh_centre(m, 0, cell[0]);
+        if (plane) p.moment[0] += weight[k] * up * 0.5 * (across * across - half * half);
+        p.moment[1] += weight[k] * up * (cut_weight_to(m, x) - left) * (y - mesh_centre(m, 1, cell[1]));
+    }
+    const double middle = 0.5 * (from[0] + to[0]);
+    const double mean = (cut_weight_to(m, from[0]) + 4.0 * cut_weight_to(m, middle) + cut_weight_to(m, to[0])) / 6.0;
+    p.volume = (mean - left) * up;
+    return p;
+}
+
 static floe_status add_piece(cut_surface *c, const int cell[2], const int vertex[2], const double from[2],
                              const double to[2], double share)
 {
@@ -10,11 +29,8 @@ static floe_status add_piece(cut_surface *c, const int cell[2], const int vertex
     const cut_piece piece = {.vertex = {vertex[0], vertex[1]},
                              .share = share,
                              .area = {radius * (to[1] - from[1]), -radius * (to[0] - from[0])}};
-    /* Green's theorem: the piece's part of the held volume, right of the cell's lower side. */
-    const double left = cut_weight_to(c->mesh, mesh_node(c->mesh, 0, cell[0])), middle = 0.5 * (from[0] + to[0]);
-    const double mean =
-        (cut_weight_to(c->mesh, from[0]) + 4.0 * cut_weight_to(c->mesh, middle) + cut_weight_to(c->mesh, to[0])) / 6.0;
-    return cut_add_piece(c, cell, &piece, (mean - left) * (to[1] - from[1]));
+    const cut_part part = part_of(c->mesh, cell, from, to);
+    return cut_add_piece(c, cell, &piece, &part);
 }
 
 /* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Held
@@ -26,6 +42,8 @@ static void pass(cut_surface *c, int at, int axis, int side, const double x[2], 
     k->jump[axis][side] += direction;
     if (axis == 0) {
         k->face[0][side] += direction * (mesh_node(m, 1, k->cell[1] + 1) - x[1]);
+        const double half = 0.5 * m->h[1], above = x[1] - mesh_centre(m, 1, k->cell[1]);
+        if (side == SIDE_UPPER) k->upper += direction * 0.5 * (half * half - above * above);
     } else {
         k->face[1][side] -= direction * (cut_weight_to(m, mesh_node(m, 0, k->cell[0] + 1)) - cut_weight_to(m, x[0]));
     }

@@ -5,8 +5,7 @@
 
 #include <math.h>
 
-/* Whether the scene's fluids are at rest and given by pressure and temperature throughout. */
-static bool asks_for_rest(const ice *s)
+bool ice_asks_for_rest(const ice *s)
 {
     const scene *given = s->scene;
     for (int b = 0; b < given->n_bodies; ++b) {
@@ -101,7 +100,7 @@ static void rest_column(const ice *s, int cell[MESH_MAX_DIM], int axis)
 floe_status ice_hydrostatic(ice *s)
 {
     const int axis = gravity_axis(s);
-    if (axis < 0 || s->mesh->periodic[axis] || !asks_for_rest(s)) return FLOE_OK;
+    if (axis < 0 || s->mesh->periodic[axis] || !ice_asks_for_rest(s)) return FLOE_OK;
     int end[MESH_MAX_DIM] = {s->mesh->n[0], s->mesh->n[1], s->mesh->n[2]};
     end[axis] = 1;
     for (int k = 0; k < end[2]; ++k)

@@ -286,6 +286,8 @@ void ice_widen_spans(const ice *s, int block_id);
 void ice_keep_found(ice *s, int block_id, const ice_view *v);
 /* State of a law at a pressure and a temperature. */
 ice_reservoir ice_state_at(const eos *law, double p, double T);
+/* Whether the scene's fluids are at rest and given by pressure and temperature throughout. */
+bool ice_asks_for_rest(const ice *s);
 /* Columns at rest (theory 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);
 

@@ -6,6 +6,7 @@
  *                      gravity's impulse D_g then does the work D_g . (u + u^L)/2, and a column at rest is not heated
  *     where it cannot: Q^r = theta^r kappa^r P dP per volume (2.7) */
 #include "ice/ice_internal.h"
+#include "ice/sealed/ice_pool.h"
 
 #include "coupling/isentrope.h"
 
@@ -225,6 +226,7 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
 {
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
+        if (s->sealed && ice_is_pooled(s, v->b, i, j)) continue; /* accounts of their own */
         double *tile = ice_tile(s, v->b, i, j, k), x[MESH_MAX_DIM];
         ice_place_of(s, v->b, (const int[]){i, j, k}, x);
         for (int r = 0; r < v->n_materials; ++r) {

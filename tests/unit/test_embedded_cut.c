@@ -48,6 +48,37 @@ static double held(const cut_surface *c)
     return sum;
 }
 
+/* First moments along the axes of what is held, and of what a line encloses (as in `enclosed`). */
+static double first_moment(const cut_surface *c, int axis)
+{
+    double sum = 0.0;
+    for (int j = 0; j < c->mesh->n[1]; ++j)
+        for (int i = 0; i < c->mesh->n[0]; ++i) {
+            const int cell[2] = {i, j};
+            sum += mesh_cell_volume(c->mesh, i) *
+                   (cut_open(c, cell) * mesh_centre(c->mesh, axis, cell[axis]) + cut_moment(c, cell, axis));
+        }
+    return sum;
+}
+
+static double enclosed_moment(const cut_surface *c, const double corner[2], int axis)
+{
+    const bool radial = c->mesh->geometry == MESH_AXISYMMETRIC;
+    double sum = 0.0;
+    for (int k = 0; k < c->n_vertices + !c->chain[0].closed; ++k) {
+        const double *a = k < c->n_vertices ? c->vertex[k].x : corner;
+        const double *b = k + 1 < c->n_vertices                      ? c->vertex[k + 1].x
+                          : c->chain[0].closed || k == c->n_vertices ? c->vertex[0].x
+                                                                     : corner;
+        for (int q = 0; q < 3; ++q) {
+            const double x = a[0] + 0.5 * q * (b[0] - a[0]), y = a[1] + 0.5 * q * (b[1] - a[1]);
+            sum += (q == 1 ? 4.0 : 1.0) / 6.0 * (b[1] - a[1]) * (axis == 0 || radial ? 0.5 * x * x : x) *
+                   (axis == 0 ? 1.0 : y);
+        }
+    }
+    return sum;
+}
+
 /* Axial areas of the open faces and of the pieces of each cell add up to nothing; in the plane the others too. */
 static void check_closed(const cut_surface *c)
 {
@@ -69,6 +100,8 @@ static void check_line(cut_surface *c, context *ctx, const double corner[2])
 {
     check_ok(ctx, cut_find(c));
     check_close(held(c), enclosed(c, corner), 1e-14);
+    for (int a = c->mesh->geometry == MESH_AXISYMMETRIC; a < 2; ++a)
+        check_close(first_moment(c, a), enclosed_moment(c, corner, a), 1e-14);
     check_closed(c);
     for (int j = 0; j < c->mesh->n[1]; ++j)
         for (int i = 0; i + 1 < c->mesh->n[0]; ++i) /* both cells see the same face */

@@ -31,6 +31,25 @@ static double held(const cut_surface *c)
     return sum;
 }
 
+/* First moment of what is held about the lower side, in cells. */
+static double first_moment(const cut_surface *c)
+{
+    double sum = 0.0;
+    for (int i = 0; i < CELLS; ++i) {
+        const int cell[2] = {i, 0};
+        sum += cut_open(c, cell) * (i + 0.5) + cut_moment(c, cell, 0) / c->mesh->h[0];
+    }
+    return sum;
+}
+
+/* The same of what lies between the points. */
+static double moment_between(int n, const double *at, int outward)
+{
+    double sum = 0.0;
+    for (int k = 0; k < n; ++k) sum += (k % 2 ? -outward : outward) * 0.5 * at[k] * at[k];
+    return (n % 2 ? outward : 0) < 0 || (n % 2 == 0 && outward > 0) ? sum + 0.5 * CELLS * CELLS : sum;
+}
+
 /* What lies between the points, in cells. */
 static double between(int n, const double *at, int outward)
 {
@@ -98,6 +117,7 @@ static void test_random(void **unused)
         lay(&c, ctx, n, at, outward);
         check_ok(ctx, cut_find(&c));
         check_close(held(&c), between(n, at, outward), 1e-10);
+        check_close(first_moment(&c), moment_between(n, at, outward), 1e-9);
         check_closed(&c);
         assert_int_equal(c.n_pieces, n);
         n_done++;

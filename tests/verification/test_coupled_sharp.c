@@ -209,7 +209,6 @@ static void test_refused(void **unused)
     static const char *const sets[][2] = {
         {"bodies.behind.material=other", "materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 900}}}"},
         {"boundaries.y=periodic", "domain.upper=[1.5, 0.04]"},
-        {"loads={fall: {gravity: {acceleration: [0, -10]}}}", "title=gravity"},
         {"method={interface: sharp, pressure: implicit}", "title=implicit"},
         {"bodies.plate.shape={box: {lower: [-1, -1], upper: [2, 1]}}", "title=no surface"},
         {"bodies.plate.shape={box: {lower: [0.603, 0], upper: [0.608, 0.02]}}", "title=thin"},

@@ -235,6 +235,7 @@ floe_status ice_pools_make(ice *s, int gas, ice_pool_time when, ice_pools *out)
     for (int k = 0; k < l.n; ++k) TRY(add_cut_cells(s, gas, l.at[0], l.at[k], out));
     for (int k = 0; k < out->n; ++k) TRY(follow(s, gas, &l, out, k));
     number_pools(out);
+    if (ice_has_weight(s)) ice_pools_centre(s, gas, l.at[0], out);
     return FLOE_OK;
 }
 

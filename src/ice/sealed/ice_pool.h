@@ -18,6 +18,7 @@ typedef struct ice_member {
     int block, pool;   /* pool: in the set */
     ptrdiff_t at;      /* index in the block */
     double open;       /* share left to the gas */
+    double above[2];   /* m: of the cell's centre from that of what the pool has open; 0 without gravity */
     double face[2][2]; /* of its faces in the mean of the step, by axis and side */
 } ice_member;
 
@@ -27,7 +28,8 @@ enum {
     POOL_FLUX, /* m3/s out of its open faces and of the membrane */
     POOL_WORK, /* J */
     POOL_MOMENTUM,
-    POOL_SUMS = POOL_MOMENTUM + 2
+    POOL_WEIGHT = POOL_MOMENTUM + 2, /* N s: gravity's impulse */
+    POOL_SUMS = POOL_WEIGHT + 2
 };
 
 typedef struct ice_pools {
@@ -60,6 +62,22 @@ double ice_open_cell(const ice *s, int gas, int place, const int cell[2]);
 double ice_open_face(const ice *s, int gas, int place, const int cell[2], int axis, int side);
 /* Share of a face that is left to a gas in the mean of the step. */
 double ice_mean_face(const ice *s, int gas, const int cell[2], int axis, int side);
+/* ---- gravity (ice_pool_weight.c): in a pool the pressure is linear, P + rho g . (x - centre), so that a gas at rest
+ * pushes on walls anywhere in its cells as it should ---- */
+
+bool ice_has_weight(const ice *s);
+/* Where the cells of pools lie from what these have open. */
+void ice_pools_centre(const ice *s, int gas, int place, ice_pools *p);
+/* What the pressure of the gas in hand (Pa) is at a member's centre, and at a place from there (m), beyond that of its pool. */
+double ice_pool_rise(const ice *s, const ice_pools *p, const ice_member *m, const double from_centre[2]);
+/* Pressures of the gas in hand, at t^n, become those at the centres of the cells. */
+void ice_pool_lift(const ice *s);
+/* Whether a cell shares its state, or has none: its weight is not that of the whole cell. */
+bool ice_is_pooled(const ice *s, const block *b, int i, int j);
+/* First states: a gas at rest that is given by pressure and temperature, in balance; each room keeps the pressure of its
+ * highest cell. */
+floe_status ice_sealed_hydrostatic(ice *s);
+
 /* Sets all sums to zero. */
 void ice_pools_clear(ice_pools *p);
 /* Which way a line's areas point from a gas: +1 from the one that it holds, -1 from that outside all lines; 0: it does

@@ -6,7 +6,8 @@
  *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
  *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the way of the wall in the step
  *
- * A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much.
+ * Under gravity P is linear in the pool: that at its centre stands in dP, and that of a face or a piece in the others,
+ * whose sum then has the pool's weight (ice_pool_weight.c). A viscous gas sticks to it: over half a cell it drags the wall with mu |A_w| (u - v)/(h/2), and is dragged as much.
  * Where there is no gas on the other side, the reference pressure pushes on the wall from there. */
 #include "ice/ice_stress.h"
 #include "ice/sealed/ice_pool.h"
@@ -84,6 +85,27 @@ static double along_area(const piece_walk *w, const double *vertex)
     return w->outward * sum;
 }
 
+/* Of the middle of a piece from the centre of its cell. */
+static void from_centre(const piece_walk *w, double x[2])
+{
+    const cut_surface *c = &w->line->place[w->place];
+    const cut_piece *q = w->piece;
+    for (int a = 0; a < w->s->mesh->dim; ++a)
+        x[a] = (1.0 - q->share) * c->vertex[q->vertex[0]].x[a] + q->share * c->vertex[q->vertex[1]].x[a] -
+               mesh_centre(w->s->mesh, a, w->member->cell[a]);
+}
+
+/* Pressure of the gas in hand on a piece. */
+static double pressure_on(const piece_walk *w)
+{
+    static const double centre[2] = {0.0, 0.0};
+    const double P = view_of(w->s, w->member)->P[w->member->at];
+    double x[2];
+    if (!ice_has_weight(w->s)) return P;
+    from_centre(w, x);
+    return P + ice_pool_rise(w->s, w->p, w->member, x) - ice_pool_rise(w->s, w->p, w->member, centre);
+}
+
 /* Force (N) of the gas in hand on a piece: its pressure, and its drag. */
 static void force_on(const piece_walk *w, double force[2])
 {
@@ -91,9 +113,10 @@ static void force_on(const piece_walk *w, double force[2])
     const cut_piece *q = w->piece;
     const ptrdiff_t at = w->member->at;
     const ice_view *v = view_of(s, w->member);
+    const double P = pressure_on(w);
     const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->finest * hypot(q->area[0], q->area[1]);
     for (int a = 0; a < s->mesh->dim; ++a)
-        force[a] = w->outward * v->P[at] * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
+        force[a] = w->outward * P * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
 }
 
 void ice_pool_centring(const ice *s)
@@ -135,19 +158,33 @@ void ice_pool_increment(const ice *s)
         const double div = sum[POOL_VOLUME] > 0.0 ? sum[POOL_FLUX] / sum[POOL_VOLUME] : 0.0;
         const double squeeze = div < 0.0 ? -v->finest * div : 0.0, dP = -s->dt * div * rho * c * c;
         v->dP[m->at] = dP;
-        v->P[m->at] = of->p[lead->at] + dP + ice_bulk_pressure(rho, c, squeeze, 1.0);
+        const double p0 = ice_has_weight(s) ? v->p[m->at] : of->p[lead->at];
+        v->P[m->at] = p0 + dP + ice_bulk_pressure(rho, c, squeeze, 1.0);
     }
 }
 
+/* Gravity's part of the pressure inside the pool on a face of a member; its impulse is the pool's weight. */
+static double add_weight(const ice *s, const ice_pools *p, const ice_member *m, int axis, int side, double area,
+                         double *sum)
+{
+    static const double centre[2] = {0.0, 0.0};
+    double x[2] = {0.0, 0.0};
+    if (!ice_has_weight(s)) return 0.0;
+    x[axis] = (side == SIDE_UPPER ? 0.5 : -0.5) * s->mesh->h[axis];
+    const double rise = ice_pool_rise(s, p, m, x);
+    sum[POOL_WEIGHT + axis] += area * m->face[axis][side] * rise;
+    return rise - ice_pool_rise(s, p, m, centre);
+}
+
 /* Impulse and work of the faces of a member on its pool. */
-static void add_faces(const ice *s, const ice_member *m, double *sum)
+static void add_faces(const ice *s, const ice_pools *p, const ice_member *m, double *sum)
 {
     const ice_view *v = view_of(s, m);
-    const double P = v->P[m->at];
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         const int axis = f / 2, side = f % 2;
         const ptrdiff_t at = face_of(v, m, axis, side);
         const double area = (side == SIDE_UPPER ? s->dt : -s->dt) * area_of(s, m, axis, side);
+        const double P = v->P[m->at] + add_weight(s, p, m, axis, side, area, sum);
         sum[POOL_MOMENTUM + axis] -= area * m->face[axis][side] * (v->fp[axis][at] - P);
         sum[POOL_WORK] -= area * v->flux[axis][at] * v->fp[axis][at]; /* the flux is of the open part by now */
         if (!s->viscous || !(m->face[axis][side] > 0.0)) continue;
@@ -205,15 +242,19 @@ static void add_sources(const ice *s, ice_pools *p)
         const ice_member *m = &p->member[k];
         double *sum = p->sum + (size_t)m->pool * POOL_SUMS;
         sum[POOL_MASS] += view_of(s, m)->m[0].rho[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
-        add_faces(s, m, sum);
+        add_faces(s, p, m, sum);
     }
     for (piece_walk w = first_piece(s, p); next_piece(&w);) {
         const ice_member *m = w.member;
-        double *sum = p->sum + (size_t)m->pool * POOL_SUMS, force[2];
+        double *sum = p->sum + (size_t)m->pool * POOL_SUMS, force[2], x[2];
+        const double P = pressure_on(&w);
+        from_centre(&w, x);
         force_on(&w, force);
         for (int a = 0; a < s->mesh->dim; ++a) {
-            const double drag = force[a] - w.outward * view_of(s, m)->P[m->at] * w.piece->area[a];
+            const double drag = force[a] - w.outward * P * w.piece->area[a];
             sum[POOL_MOMENTUM + a] -= w.weight * s->dt * drag;
+            if (ice_has_weight(s))
+                sum[POOL_WEIGHT + a] += w.weight * s->dt * w.outward * w.piece->area[a] * ice_pool_rise(s, p, m, x);
             sum[POOL_WORK] -= w.weight * force[a] * at_middle(w.piece, w.line->path, a);
         }
     }
@@ -225,6 +266,22 @@ static void add_sources(const ice *s, ice_pools *p)
 typedef struct pool_state {
     double u[2], e;
 } pool_state;
+
+/* What gravity does to a pool, into the ledger; its work (J) is that of its impulse on the mean velocity. */
+static double note_weight(const ice *s, const ice_member *lead, const double *sum, const double u[2],
+                          const double ul[2])
+{
+    double work = 0.0, x[MESH_MAX_DIM] = {0.0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, lead->cell[a]) - lead->above[a];
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        if (sum[POOL_WEIGHT + a] == 0.0) continue;
+        work += sum[POOL_WEIGHT + a] * 0.5 * (u[a] + ul[a]);
+        if (a > 0 || s->mesh->geometry != MESH_AXISYMMETRIC)
+            ledger_push(s->ledger, LEDGER_SOURCE, a, sum[POOL_WEIGHT + a], x);
+    }
+    if (work != 0.0) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
+    return work;
+}
 
 static pool_state advance(const ice *s, const ice_pools *p, int pool)
 {
@@ -243,7 +300,9 @@ static pool_state advance(const ice *s, const ice_pools *p, int pool)
         kinetic += 0.5 * out.u[a] * out.u[a];
     }
     const double rho = m->rho[lead->at], c = m->c[lead->at], before = out.e;
-    const double conserving = before + sum[POOL_WORK] / mass - gain;
+    const double fallen = note_weight(
+        s, lead, sum, (const double[]){m->u[0][lead->at], s->mesh->dim > 1 ? m->u[1][lead->at] : 0.0}, out.u);
+    const double conserving = before + (sum[POOL_WORK] + fallen) / mass - gain;
     const double plain = before + v->P[lead->at] * v->dP[lead->at] / (rho * rho * c * c);
     const bool usable =
         s->scene->method.conserve_energy && conserving - (isnan(floor) ? 0.0 : floor) > ICE_THERMAL_SHARE * kinetic;

@@ -102,9 +102,16 @@ floe_status ice_sealed_ghosts(ice *s)
 
 /* ---- the plain stages, gas by gas ---- */
 
+static floe_status find_pressure(ice *s)
+{
+    TRY(ice_equilibrium_pressure(s));
+    if (ice_has_weight(s)) ice_pool_lift(s);
+    return FLOE_OK;
+}
+
 floe_status ice_sealed_pressure(ice *s)
 {
-    return for_gases(s, ice_equilibrium_pressure);
+    return for_gases(s, find_pressure);
 }
 
 floe_status ice_sealed_velocity(ice *s)
@@ -350,7 +357,8 @@ static floe_status start_gas(ice *s)
 floe_status ice_sealed_initialise(ice *s)
 {
     TRY(ice_sealed_fill(s));
-    return for_gases(s, start_gas);
+    TRY(for_gases(s, start_gas));
+    return ice_has_weight(s) ? ice_sealed_hydrostatic(s) : FLOE_OK;
 }
 
 /* ---- the stages ---- */
