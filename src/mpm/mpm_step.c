@@ -1,5 +1,6 @@
 /* The points-only step, straight down (theory 4.1). */
 #include "mpm/carry.h"
+#include "mpm/light_nodes.h"
 #include "mpm/load.h"
 #include "mpm/wall.h"
 
@@ -52,12 +53,6 @@ static bool has_wetted(const mpm *s)
 static bool has_edges(const mpm *s)
 {
     return s->work->edges != NULL;
-}
-
-/* The linear basis keeps accelerations of light nodes out of gradients: what is restored is part of them. */
-static bool withholds(const mpm *s)
-{
-    return s->basis->kind == BASIS_LINEAR;
 }
 
 static bool meets_at_points(const mpm *s)
@@ -152,12 +147,15 @@ floe_status mpm_node_stages(mpm *s)
 floe_status mpm_point_stages(mpm *s)
 {
     const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
+    STAGE(s, spares_light_nodes(s), mpm_spare_light_nodes,
+          READS(N_MASS, N_VEL_L, N_ACCEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), P_MASS, P_POS),
+          WRITES(N_FILL, N_RESIDUAL, N_MOMENTUM, N_VEL_L, N_ACCEL));
     STAGE(s, s->transfer->filter, mpm_filter_velocities, READS(N_MASS, N_MOMENTUM, P_MASS, P_POS, P_VEL),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, N_VEL_FILTERED, P_POS, P_VEL));
     STAGE(s, s->transfer->restore, mpm_restore_velocities,
-          READS(N_MASS, N_VEL_L, WHEN(withholds(s), N_ACCEL), N_MOMENTUM, WHEN(has_contact(s), N_NORMAL),
-                WHEN(has_contact(s), N_TOUCH), P_MASS, P_POS, DOMAINS),
-          WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L, WHEN(withholds(s), N_ACCEL)));
+          READS(N_MASS, N_VEL_L, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), P_MASS,
+                P_POS, DOMAINS),
+          WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L));
     STAGE(s, walls_let_go(s), mpm_follow_overlaps, READS(N_MASS, N_VEL_L, N_SIDE_REACH, N_SIDE_BODY), WRITES(NOTHING));
     STAGE(s, usl, mpm_nodes_to_points,
           READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE), TANGENT, POINT_STATE),

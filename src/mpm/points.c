@@ -3,6 +3,7 @@
 #include "base/threads.h"
 #include "mpm/edge/edge.h"
 #include "mpm/lanes.h"
+#include "mpm/light_nodes.h"
 #include "mpm/load.h"
 #include "mpm/membrane/membrane.h"
 #include "mpm/surface/skin.h"
@@ -173,7 +174,8 @@ static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const
     const point_arrays p = points_of(s, blk, body, false, pass.motion && !pass.sample && s->transfer->filter);
     const gather_result out = result_of(s, blk, body, pass, batch);
     gather_step step = {.mass = window->mass};
-    if (!pass.sample) step = (gather_step){s->work->kick, s->dt, s->share, window->mass};
+    const double kick = spares_light_nodes(s) ? 0.0 : s->work->kick; /* gradients then see all of the acceleration */
+    if (!pass.sample) step = (gather_step){kick, s->dt, s->share, window->mass};
     gather_kernel *gather = kernel_of(s, pass);
     for (size_t k = range[0]; k < range[1]; k += SOLID_CHUNK) {
         const size_t stop = k + SOLID_CHUNK < range[1] ? k + SOLID_CHUNK : range[1];

@@ -15,6 +15,7 @@
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
 #include "mpm/lanes.h"
+#include "mpm/light_nodes.h"
 #include "mpm/wall.h"
 
 #include <string.h>
@@ -50,8 +51,8 @@ static void project_tile(mpm *s, int group, int blk, int tile)
     s->work->active[box.number] = any;
 }
 
-/* m P r of a group's residuals, as momenta. */
-static void project_group(mpm *s, int group)
+/* m P r. */
+void project_residuals(mpm *s, int group)
 {
     const mesh *m = s->mesh;
     visit_tiles(s, group, project_tile);
@@ -117,7 +118,7 @@ static void add_residuals(mpm *s, int group, double share)
 static void next_residuals(mpm *s, double share)
 {
     for (int g = 0; g < s->n_groups; ++g) {
-        project_group(s, g);
+        project_residuals(s, g);
         enter_mirrored_change(s, g, N_RESIDUAL, -share, true);
         subtract_projection(s, g);
         hold_change(s, g, N_RESIDUAL, share);
@@ -139,26 +140,9 @@ static void restore(mpm *s)
     }
 }
 
-/* The linear basis withholds accelerations of light nodes from gradients (kernels_gather.h): what is added to the velocity is part of
- * them. */
-static void accelerate_more(mpm *s, int group, double sign)
-{
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-        const size_t n = s->mesh->block[b].size;
-        for (int c = 0; c < s->mesh->dim; ++c) {
-            const double *restrict v = field_get(s->domain->fields[b], N_VEL_L, group, c);
-            double *restrict a = field_get(s->domain->fields[b], N_ACCEL, group, c);
-            for (size_t k = 0; k < n; ++k) a[k] += sign * v[k] / s->work->kick;
-        }
-    }
-}
-
 floe_status mpm_restore_velocities(mpm *s)
 {
-    const bool withheld = s->basis->kind == BASIS_LINEAR;
-    for (int g = 0; withheld && g < s->n_groups; ++g) accelerate_more(s, g, -1.0);
     restore(s);
-    for (int g = 0; withheld && g < s->n_groups; ++g) accelerate_more(s, g, 1.0);
     for (int g = 0; s->work->edges && s->scene->method.stress == STRESS_USL && g < s->n_groups; ++g)
         TRY(edges_strain(s, g, N_VEL_L));
     return FLOE_OK;

@@ -160,26 +160,33 @@ static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t e
     return worst;
 }
 
-/* Most of the time in which sound crosses a cell that a step may take, where that is less than all of it (theory, step): USL with hats from the
- * middle of cells 2^-1/2; of affine FMPM, whose light nodes count for less than their mass, by its order
- * and, beyond 6, held edges (spinning disc, fitted points: 0.6 with quadratic, 0.55 with cubic splines at any penalty). */
+/* Most of h/c that a step may take along a line, by basis (theory 4.6): the eigenvalues of a step of a bar with free ends, 1 to 5 points a cell at
+ * any place, with edges held or not (bodies that touch hold none). What limits it are the light nodes at the ends. */
 static double stable_share(const mpm *s)
 {
+    static const double usl[BASIS_KINDS] = {
+        [BASIS_LINEAR] = 0.5, [BASIS_QUADRATIC] = 0.6, [BASIS_CUBIC] = 1.0, [BASIS_GIMP] = 0.4, [BASIS_CPDI] = 0.4};
+    static const double carried[BASIS_KINDS] = {
+        [BASIS_LINEAR] = 0.6, [BASIS_QUADRATIC] = 0.7, [BASIS_CUBIC] = 1.0, [BASIS_GIMP] = 0.45, [BASIS_CPDI] = 0.55};
     static const struct {
         int order;
-        double smooth, held, gimp, linear;
-    } restored[] = {
-        {2, 0.85, 0.85, 0.7, 0.7}, {4, 0.85, 0.85, 0.55, 0.7}, {6, 0.85, 0.85, 0.45, 0.45}, {20, 0.65, 0.5, 0.2, 0.45}};
+        double quadratic, cubic;
+    } restored[] = {{2, 0.6, 1.0}, {4, 0.4, 0.75}, {6, 0.35, 0.7}, {20, 0.2, 0.35}};
     const basis_kind kind = s->basis->kind;
-    const bool smooth = kind == BASIS_QUADRATIC || kind == BASIS_CUBIC;
-    if (s->transfer->restore) {
+    const bool smooth = kind == BASIS_QUADRATIC || kind == BASIS_CUBIC, is_usl = s->scene->method.stress == STRESS_USL;
+    if (smooth && s->transfer->restore) {
         size_t row = 0;
         while (row + 1 < sizeof restored / sizeof *restored && s->order > restored[row].order) ++row;
-        if (smooth || kind == BASIS_CPDI) return s->work->edges ? restored[row].held : restored[row].smooth;
-        return kind == BASIS_GIMP ? restored[row].gimp : restored[row].linear;
+        return kind == BASIS_QUADRATIC ? restored[row].quadratic : restored[row].cubic;
     }
-    const bool carries = s->transfer->carry != CARRY_NOTHING;
-    return smooth || carries || s->scene->method.stress != STRESS_USL ? 1.0 : 0.7;
+    if (s->transfer->carry != CARRY_NOTHING) return carried[kind];
+    return is_usl ? usl[kind] : 1.0;
+}
+
+/* In the plane and in space the step is less than h/c by the diagonal already, and the worst place is a corner. */
+static double stable_share_here(const mpm *s)
+{
+    return s->mesh->dim == 1 ? stable_share(s) : fmin(1.0, 1.25 * stable_share(s));
 }
 
 floe_status mpm_time_step(mpm *s, step_limit *out)
@@ -211,6 +218,6 @@ floe_status mpm_time_step(mpm *s, step_limit *out)
         worst = of_springs;
     else
         out->reason = s->scene->body[s->body[limiting].scene_body].name;
-    out->dt = worst > 0.0 ? fmin(s->scene->time.cfl_mpm, stable_share(s)) / worst : (double)INFINITY;
+    out->dt = worst > 0.0 ? fmin(s->scene->time.cfl_mpm, stable_share_here(s)) / worst : (double)INFINITY;
     return FLOE_OK;
 }
