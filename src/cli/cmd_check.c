@@ -2,6 +2,8 @@
 #include "cli/cli.h"
 #include "study/study.h"
 
+#include <sys/stat.h>
+
 #include <string.h>
 
 static error_t parse_check_option(int key, char *arg, struct argp_state *state)
@@ -56,6 +58,12 @@ static floe_status rehearse_cases(const cli *c, const cli_deck *d, bool compare)
 
 static floe_status rehearse_batches(const cli *c, const cli_deck *d, const scene *s)
 {
+    struct stat about;
+    const bool batches = s->n_runs_as > 1 || s->compare.n_values > 0 || s->study.n_axes > 0;
+    if (batches && stat(d->path, &about) == 0 && !S_ISREG(about.st_mode)) {
+        printf("cases: not made ready, as each reads the deck anew and '%s' can be read once: give a file\n", d->path);
+        return FLOE_OK;
+    }
     if (s->n_runs_as > 1 || s->compare.n_values > 0) TRY(rehearse_cases(c, d, true));
     return s->study.n_axes > 0 ? rehearse_cases(c, d, false) : FLOE_OK;
 }

@@ -35,6 +35,7 @@ static const struct argp argp = {
 static floe_status print_plan(plan *p, bool json)
 {
     TRY(sim_plan(p->sim, &p->info));
+    disk_need_of(p->scene, p->need.written_bytes, ".", &p->disk);
     return json ? plan_print_json(p, stdout) : plan_print_text(p, stdout);
 }
 

@@ -2,7 +2,7 @@
 #ifndef CLI_PLAN_H
 #define CLI_PLAN_H
 
-#include "run/memory_need.h"
+#include "run/disk_need.h"
 
 #include <stdio.h>
 
@@ -13,6 +13,7 @@ typedef struct plan {
     double ratio;       /* of the scene's cells to the sim's; 1: they are the same */
     double coarser;     /* of the lengths of the sim's cells to the scene's */
     memory_need need;   /* of the scene */
+    disk_need disk;
 } plan;
 
 floe_status plan_print_text(const plan *p, FILE *file);

@@ -62,6 +62,12 @@ static json_t *memory_json(const memory_need *n)
                      isinf(n->available) ? json_null() : json_real(n->available), "fits", n->fits);
 }
 
+static json_t *disk_json(const disk_need *n)
+{
+    return json_pack("{s:f, s:f, s:o, s:b}", "snapshots", n->snapshots, "bytes", n->bytes, "available",
+                     isinf(n->available) ? json_null() : json_real(n->available), "fits", n->fits);
+}
+
 static json_t *mesh_json(const plan *p)
 {
     json_t *list = json_array();
@@ -75,20 +81,20 @@ static json_t *plan_json(const plan *p)
     const sim *s = p->sim;
     char geometry[64];
     plan_geometry(p, geometry);
-    return json_pack("{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:o, s:b, s:f, s:f, s:s, s:s, "
-                     "s:s, s:s, s:s}",
-                     "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim,
-                     "geometry", geometry, "mesh", mesh_json(p), "cells", json_count(p->ratio * (double)i->cells),
-                     "points", json_count(p->ratio * (double)i->points), "basis", s->mpm ? s->mpm->basis->name : NULL,
-                     "cell_materials", s->ice ? s->ice->n_materials : 0, "stages", stages_json(&s->stages), "fields",
-                     fields_json(p), "bytes", bytes_json(p), "memory", memory_json(&p->need), "estimated",
-                     p->ratio != 1.0, "dt", plan_step(p), "steps", plan_steps(p), "dt_limit", i->dt_reason, "solver",
-                     s->solver_reason, "pressure",
-                     s->pressure_reason[0] ? s->pressure_reason
-                     : !s->ice             ? ""
-                     : s->ice->implicit    ? "implicit"
-                                           : "explicit",
-                     "substeps", s->substeps_reason, "interface", interface_told(s));
+    return json_pack(
+        "{s:i, s:s, s:s, s:i, s:s, s:o, s:I, s:I, s:s?, s:i, s:o, s:o, s:o, s:o, s:o, s:b, s:f, s:f, s:s, s:s, "
+        "s:s, s:s, s:s}",
+        "schema", 1, "deck", p->scene->path, "coupling", coupling_name(s->coupling), "dim", s->mesh.dim, "geometry",
+        geometry, "mesh", mesh_json(p), "cells", json_count(p->ratio * (double)i->cells), "points",
+        json_count(p->ratio * (double)i->points), "basis", s->mpm ? s->mpm->basis->name : NULL, "cell_materials",
+        s->ice ? s->ice->n_materials : 0, "stages", stages_json(&s->stages), "fields", fields_json(p), "bytes",
+        bytes_json(p), "memory", memory_json(&p->need), "disk", disk_json(&p->disk), "estimated", p->ratio != 1.0, "dt",
+        plan_step(p), "steps", plan_steps(p), "dt_limit", i->dt_reason, "solver", s->solver_reason, "pressure",
+        s->pressure_reason[0] ? s->pressure_reason
+        : !s->ice             ? ""
+        : s->ice->implicit    ? "implicit"
+                              : "explicit",
+        "substeps", s->substeps_reason, "interface", interface_told(s));
 }
 
 floe_status plan_print_json(const plan *p, FILE *file)

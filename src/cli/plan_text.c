@@ -150,6 +150,18 @@ static void print_memory(const plan *p, FILE *file)
                           pow(n->cells / fmax(1.0, n->fitting_cells), 1.0 / p->scene->mesh.dim));
 }
 
+static void print_disk(const disk_need *n, FILE *file)
+{
+    const double gigabyte = 1e9;
+    (void)fprintf(file, "disk: about %.3g GB, of %.0f snapshots and three checkpoints", n->bytes / gigabyte,
+                  n->snapshots);
+    if (isinf(n->available))
+        (void)fprintf(file, "; what is free here is not known\n");
+    else
+        (void)fprintf(file, "; %.3g GB are free here: %s\n", n->available / gigabyte,
+                      n->fits ? "they fit" : "they do not fit");
+}
+
 floe_status plan_print_text(const plan *p, FILE *file)
 {
     const sim_plan_info *i = &p->info;
@@ -162,6 +174,7 @@ floe_status plan_print_text(const plan *p, FILE *file)
         p->ratio * (double)i->mpm_bytes, p->ratio * (double)i->ice_bytes, p->ratio * (double)i->coupling_bytes,
         p->need.bytes - p->ratio * (double)(i->mpm_bytes + i->ice_bytes + i->coupling_bytes), p->need.bytes / 1e6);
     print_memory(p, file);
+    print_disk(&p->disk, file);
     (void)fprintf(file, "first step: %.4g%s, limited by %s; about %.0f steps to t = %g%s\n", plan_step(p), unit,
                   i->dt_reason, plan_steps(p), p->scene->time.end, unit);
     return FLOE_OK;

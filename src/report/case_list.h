@@ -60,9 +60,6 @@ size_t case_front(const case_list *c, const char *metric, size_t *front);
 floe_status case_plots(page *p, const case_list *c, const char *stem);
 /* "Least eq13: 2.1 % by ..."; false, and nothing, where no case has that error. */
 bool case_say_least(const case_list *c, const char *metric, strbuf *out);
-/* The fastest way to an error that all variants reach, among the cases as they are; nothing with fewer than two
- * variants. */
-void case_say_choice(const case_list *c, const char *metric, strbuf *out);
 /* The table of the cases, each row with a link to NAME-i. */
 void case_table(const case_list *c, const char *name, strbuf *out);
 

@@ -8,25 +8,13 @@
 #include <math.h>
 #include <string.h>
 
-/* The variant's case of least error; NULL if it has none. */
-static const case_entry *most_exact(const case_list *c, const char *metric, int variant)
+/* The case of least error; NULL if none has one. */
+static const case_entry *most_exact(const case_list *c, const char *metric)
 {
     const case_entry *best = NULL;
     for (size_t i = 0; i < c->n; i++) {
         const case_entry *e = &c->list[i];
-        if (variant >= 0 && e->colour != variant) continue;
         if (isfinite(case_error(e, metric)) && (!best || case_error(e, metric) < case_error(best, metric))) best = e;
-    }
-    return best;
-}
-
-/* The variant's fastest case with no more than that error. */
-static const case_entry *fastest_case(const case_list *c, const char *metric, int variant, double error)
-{
-    const case_entry *best = NULL;
-    for (size_t i = 0; i < c->n; i++) {
-        const case_entry *e = &c->list[i];
-        if (e->colour == variant && case_error(e, metric) <= error && (!best || e->wall < best->wall)) best = e;
     }
     return best;
 }
@@ -40,7 +28,7 @@ static void append_case(const case_list *c, const case_entry *e, strbuf *out)
 
 bool case_say_least(const case_list *c, const char *metric, strbuf *out)
 {
-    const case_entry *best = most_exact(c, metric, -1);
+    const case_entry *best = most_exact(c, metric);
     if (!best) return false;
     html_text(out, "Least %s: ", metric);
     strbuf_append(out, "<b>");
@@ -51,56 +39,6 @@ bool case_say_least(const case_list *c, const char *metric, strbuf *out)
     html_seconds(out, best->wall);
     strbuf_append(out, ".");
     return true;
-}
-
-/* The error that every variant reaches: the largest of their least ones; NAN with fewer than two. */
-static double common_error(const case_list *c, const char *metric)
-{
-    double error = NAN;
-    int n = 0;
-    for (int k = 0; k < c->n_variants; k++) {
-        const case_entry *best = most_exact(c, metric, k);
-        if (!best) continue;
-        error = n++ ? fmax(error, case_error(best, metric)) : case_error(best, metric);
-    }
-    return n > 1 ? error : (double)NAN;
-}
-
-/* The variants by rising time that they need for that error; returns how many. */
-static int rank_variants(const case_list *c, const char *metric, double error,
-                         const case_entry *list[CASE_MAX_VARIANTS])
-{
-    int n = 0;
-    for (int k = 0; k < c->n_variants; k++) {
-        const case_entry *e = fastest_case(c, metric, k, error);
-        if (!e) continue;
-        int at = n++;
-        for (; at > 0 && list[at - 1]->wall > e->wall; at--) list[at] = list[at - 1];
-        list[at] = e;
-    }
-    return n;
-}
-
-void case_say_choice(const case_list *c, const char *metric, strbuf *out)
-{
-    const case_entry *list[CASE_MAX_VARIANTS];
-    const double error = common_error(c, metric);
-    if (!isfinite(error)) return;
-    const int n = rank_variants(c, metric, error, list);
-    if (n == 0) return;
-    strbuf_append(out, " For no more than ");
-    html_error(out, metric, error, c->dimensionless);
-    strbuf_append(out, " choose <b>");
-    append_case(c, list[0], out);
-    strbuf_append(out, "</b>, ");
-    html_seconds(out, list[0]->wall);
-    if (n > 1) {
-        strbuf_append(out, "; the next, ");
-        append_case(c, list[1], out);
-        strbuf_append(out, ", needs ");
-        html_seconds(out, list[1]->wall);
-    }
-    strbuf_append(out, ".");
 }
 
 static void append_setting_cells(const case_list *c, size_t i, const char *name, strbuf *out)

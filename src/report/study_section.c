@@ -224,11 +224,7 @@ static void append_answers(const study_view *v, int metrics, bool all, strbuf *o
     for (int k = 0; k < c->n_metrics && k < metrics; k++) {
         strbuf_append(out, "<li>");
         if (!case_say_least(c, c->metric[k], out)) html_text(out, "No case has a %s.", c->metric[k]);
-        if (json_array_size(answers_of(v)) > 0) {
-            own_answers(v, c->metric[k], all, out);
-        } else {
-            case_say_choice(c, c->metric[k], out);
-        }
+        own_answers(v, c->metric[k], all, out);
         strbuf_append(out, "</li>\n");
     }
 }

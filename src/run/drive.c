@@ -6,7 +6,7 @@
 #include "run/follow.h"
 #include "run/log.h"
 #include "run/measure.h"
-#include "run/memory_need.h"
+#include "run/disk_need.h"
 #include "run/output.h"
 #include "run/progress.h"
 #include "run/run.h"
@@ -384,6 +384,7 @@ static void say_start(run *r, run_summary *out)
                 s->time, scene_time_unit(s->scene));
     if (r->output.note[0]) context_log(r->ctx, LOG_WARNING, "%s", r->output.note);
     scene_remarks(s->scene, take_remark, &(remarks){r, out});
+    if (!r->options->resume) disk_need_remark(s, r->options->dir, take_remark, &(remarks){r, out});
     r->n_remarks = out->n_warnings;
 }
 

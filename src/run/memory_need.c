@@ -40,9 +40,12 @@ void coarse_end(coarse_setup *c)
     *c = (coarse_setup){0};
 }
 
-/* Bytes that a snapshot or a checkpoint takes while it is written, as an image that grows, and its copies. The peaks of runs of a
- * million cells, and of nearly as many points, were 5 to 8 times what is written, state and what is fixed. */
-static double output_bytes_of(const sim *s)
+/* An output is an image that grows while it is written, and its copies: the peaks of runs of a million cells, and of nearly as many
+ * points, were 5 to 8 times what is written. */
+static const double image_copies = 7.0;
+
+/* Bytes of the state and of what is fixed. */
+static double written_bytes_of(const sim *s)
 {
     double bytes = 0.0;
     for (int id = 0; id < FIELD_COUNT; id++) {
@@ -52,7 +55,7 @@ static double output_bytes_of(const sim *s)
         for (int b = 0; b < s->mesh.n_blocks; b++)
             bytes += (double)fields_bytes(s->domain->fields[b], (field_id)id, (field_id)id) / copies;
     }
-    return 7.0 * bytes;
+    return bytes;
 }
 
 static void compare_with_machine(memory_need *out)
@@ -65,7 +68,8 @@ void memory_need_of(const sim *s, memory_need *out)
 {
     *out = (memory_need){.cells = (double)mesh_cells(&s->mesh)};
     out->bytes = (double)(memory_read_account(s->ctx).live_bytes - s->held_before);
-    out->output_bytes = output_bytes_of(s);
+    out->written_bytes = written_bytes_of(s);
+    out->output_bytes = image_copies * out->written_bytes;
     compare_with_machine(out);
     out->fitting_cells = out->cells * out->available / (out->bytes + out->output_bytes);
 }
@@ -94,7 +98,8 @@ floe_status memory_need_estimate(scene *s, coarse_setup *c, memory_need *out)
     const double slope = (more.bytes - less.bytes) / (more.cells - less.cells);
     const double constant = more.bytes - slope * more.cells;
     *out = (memory_need){.cells = own, .bytes = constant + slope * own};
-    out->output_bytes = more.output_bytes * (own / more.cells);
+    out->written_bytes = more.written_bytes * (own / more.cells);
+    out->output_bytes = image_copies * out->written_bytes;
     compare_with_machine(out);
     out->fitting_cells = fmax(0.0, (out->available - constant) / (slope + more.output_bytes / more.cells));
     return FLOE_OK;

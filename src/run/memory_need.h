@@ -12,6 +12,7 @@ typedef struct memory_need {
     double cells;         /* of the scene's own mesh */
     double bytes;         /* that a run holds: fields, points, work */
     double output_bytes;  /* more, while an output is written */
+    double written_bytes; /* of the state, as a checkpoint has it */
     double fitting_cells; /* of the same scene, that the available memory would hold */
     double available;     /* bytes; INFINITY: unknown */
     bool fits;

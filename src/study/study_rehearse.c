@@ -2,6 +2,7 @@
 #include "study/study_parts.h"
 
 #include "base/memory.h"
+#include "run/disk_need.h"
 #include "run/live_line.h"
 #include "run/setup.h"
 #include "scene/place.h"
@@ -32,6 +33,7 @@ floe_status study_set_up(scene *s, study_ready *out, remark_sink *say, void *use
     out->points = setup.sim && setup.sim->mpm ? mpm_count(setup.sim->mpm) : 0;
     out->done = status == FLOE_OK;
     if (out->done && say) scene_remarks(setup.sim->scene, say, user);
+    if (out->done && say) disk_need_remark(setup.sim, ".", say, user);
     setup_end(&setup);
     return status;
 }

@@ -209,3 +209,22 @@ expect 2 "$FLOE" check "$decks/keys_membrane.yaml" --set bodies.skin.membrane.st
 has stderr "'places' is now called 'positions'"
 expect 2 "$FLOE" check "$decks/keys_membrane.yaml" --set 'springs={s: {from: {place: [0.1, 0.1]}, to: {body: skin, point: 1}, stiffness: 1e7}}'
 has stderr "'place' is now called 'position'"
+
+# A deck through a pipe is read once, and says so of its cases.
+"$FLOE" check /dev/stdin <"$FLOE_SOURCE/inputs/acoustic_pulse.yaml" >/dev/null
+cat "$FLOE_SOURCE/inputs/acoustic_pulse.yaml" | expect 0 "$FLOE" check /dev/stdin
+has stdout 'can be read once: give a file'
+
+# What a run writes: named by the plan, and warned of where the disk does not hold it.
+many=("$FLOE_SOURCE/inputs/lid_cavity.yaml" --set output.interval=2e-5 --set domain.cell=0.01)
+expect 0 "$FLOE" plan "${many[@]}" --json
+[ "$(json stdout snapshots)" = 1000002.0 ] || fault "$(json stdout snapshots) snapshots"
+free=$(sed -n '/"disk"/,/}/s/^ *"available": \([^,]*\),/\1/p' stdout)
+need=$(sed -n '/"disk"/,/}/s/^ *"bytes": \([^,]*\),/\1/p' stdout)
+fits=$(sed -n '/"disk"/,/}/s/^ *"fits": \([a-z]*\).*/\1/p' stdout)
+awk -v need="$need" 'BEGIN { exit !(need > 1e11) }' || fault "$need bytes"
+expect 0 "$FLOE" check "${many[@]}"
+if [ "$fits" = false ]; then
+    has stderr 'output.interval'
+    has stderr 'take a longer interval, or another disk'
+elif grep -q 'another disk' stderr; then fault "$need of $free bytes are warned of"; fi

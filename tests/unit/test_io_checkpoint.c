@@ -121,6 +121,10 @@ static void round_trips_over_blocks(void **state)
     fixture_path(second, folder, "second.h5");
     fixture_make(&a, &coupled);
     fixture_make(&b, &into);
+    extra_numbers[2][1] = (double)NAN;
+    check_ok(a.ctx, checkpoint_write(&a.sim, first, &run));
+    check_fails(b.ctx, checkpoint_read(&b.sim, first, &run), FLOE_IO);
+    extra_numbers[2][1] = 21.0;
     check_ok(a.ctx, checkpoint_write(&a.sim, first, &run));
     memset(extra_numbers, 0, sizeof extra_numbers);
     run.wall_seconds = 0.0;

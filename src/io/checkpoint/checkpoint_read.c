@@ -308,10 +308,17 @@ static floe_status read_extra(hdf_file *hdf, const checkpoint_extra *extra)
     double *data;
     TRY(memory_new(hdf->ctx, &data, extra->n * extra->components, sizeof *data));
     checkpoint_extra_path(path, extra);
-    const floe_status status = hdf_read(hdf, path, HDF_DOUBLE, (hdf_shape){2, {extra->n, extra->components}}, data);
+    floe_status status = hdf_read(hdf, path, HDF_DOUBLE, (hdf_shape){2, {extra->n, extra->components}}, data);
     for (size_t i = 0; i < extra->n && status == FLOE_OK; i++) {
-        for (size_t c = 0; c < extra->components; c++)
-            extra->data[i * extra->stride + c] = data[i * extra->components + c];
+        for (size_t c = 0; c < extra->components; c++) {
+            const double x = data[i * extra->components + c];
+            if (!isfinite(x)) {
+                status =
+                    fail(hdf->ctx, FLOE_IO, "'%s': '%s' has %g at place %zu, must be finite", hdf->name, path, x, i);
+                break;
+            }
+            extra->data[i * extra->stride + c] = x;
+        }
     }
     memory_free(hdf->ctx, &data);
     return status;
