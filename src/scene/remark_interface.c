@@ -104,7 +104,10 @@ void remark_smeared(const scene *s, remark_sink *say, void *user)
                                       : "",
         has_fluid(s, is_liquid)
             ? " Walls under four cells lose some of a liquid's pressure: of a water hammer in a tube of steel 0.97 "
-              "was left with two cells of wall, 1.00 with four."
+              "was left with two cells of wall, 1.00 with four. And they let it seep in, by some of it at every step: "
+              "a "
+              "tube full of water at 100 bar lost 3 % of its pressure each millisecond at rest and 4 % as it rang, "
+              "with two cells of steel, 0.5 and 1.2 % with four."
             : "");
     say(user, text);
     warn_of_constant(s, wall, say, user);
