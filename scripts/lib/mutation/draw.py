@@ -10,6 +10,14 @@ from mutation.tree import Tree, mutated_text, once
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
 ROOMS = ("mpm", "ice", "coupling", "study")
+# Which modules each share is drawn from: cells that surfaces cut were a part of the coupling, and are drawn with it.
+MODULES = {"embedded": "coupling", **{room: room for room in ROOMS}}
+
+
+def room_of(path):
+    """The share that a source belongs to; None: to none."""
+    part = path.split("/")
+    return MODULES.get(part[1]) if part[0] == "src" and len(part) > 2 else None
 
 
 def names_of_sources():
@@ -46,7 +54,7 @@ class Draw:
         for room in ROOMS:
             sites = []
             for name in names:
-                if name.startswith(f"src/{room}/") and name.endswith((".c", ".h")):
+                if room_of(name) == room and name.endswith((".c", ".h")):
                     self.texts[name] = read(name)
                     sites += sites_of(name, self.texts[name], seed)
             self.total[room] = len(sites)
@@ -64,7 +72,7 @@ class Draw:
         share = {room: self.count // len(ROOMS) for room in ROOMS}
         chosen = []
         for s in self.sites:
-            room = s.path.split("/")[1]
+            room = room_of(s.path)
             if share[room] == 0:
                 continue
             s.reached = False

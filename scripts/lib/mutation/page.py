@@ -3,7 +3,7 @@ import os
 import subprocess
 
 import stamp
-from mutation.draw import ROOMS, ROOT, entries
+from mutation.draw import ROOMS, ROOT, entries, room_of
 from mutation.tests import source_hash
 
 SITES = """
@@ -20,7 +20,7 @@ times its CPU time, and the first that fails ends it. Left out are `source_rules
 
 
 def of_room(sites, room):
-    return [s for s in sites if s.path.startswith(f"src/{room}/")]
+    return [s for s in sites if room_of(s.path) == room]
 
 
 class Count:

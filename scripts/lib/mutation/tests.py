@@ -86,6 +86,7 @@ def source_hash(names):
 
 
 def build(names, draw, mutants, trees, state):
+    """The trees that are asked for: what no look is taken with need not be built."""
     before = cpu_of_children()
     for style, tree in trees.items():
         mutated = {}

@@ -71,7 +71,7 @@ class Tree:
                 with open(os.path.join(self.root, name), "rb") as f:
                     data = f.read()
                 parts = name.split("/")
-                if len(parts) == 3 and parts[0] == "src" and parts[2] == "CMakeLists.txt" and parts[1] in ("mpm", "ice", "coupling", "study"):
+                if len(parts) == 3 and parts[0] == "src" and parts[2] == "CMakeLists.txt" and parts[1] in ("mpm", "ice", "coupling", "embedded", "study"):
                     data = b"add_compile_options(-w)\n" + data
                 self.put(name, data)
                 mode = os.stat(os.path.join(self.root, name)).st_mode
