@@ -147,6 +147,36 @@ static void block_on_block(void **unused)
         }
 }
 
+/* At each node of the face between two blocks that are pressed together one condition is counted, as what its kind does: friction without a
+ * coefficient slides, what releases sticks as long as it presses; where the upper block is drawn away, they let go. */
+static void conditions_are_counted(void **unused)
+{
+    (void)unused;
+    static const contact_kind kind[] = {CONTACT_FRICTION, CONTACT_RELEASE, CONTACT_STICK};
+    /* Of five nodes; the mirror alone holds the one on it across. */
+    static const long long wanted[3][2][3] = {{{0, 5, 0}, {0, 0, 5}}, {{4, 1, 0}, {0, 0, 5}}, {{5, 0, 0}, {5, 0, 0}}};
+    for (int k = 0; k < 3; ++k)
+        for (int apart = 0; apart < 2; ++apart) {
+            trial t;
+            trial_begin(&t, 2, (const double[3]){0.5, 1.0}, 0.1);
+            set_method(&t, "linear", STRESS_USL, 1.0);
+            set_sides(&t, 0, BC_SYMMETRY, BC_FREE);
+            set_sides(&t, 1, BC_SLIP, BC_SLIP);
+            const int rubber = add_solid(&t, "linear_elastic", 1e5, 0.5e5, 1.0);
+            add_body(&t, rubber, make_box(&t, (const double[3]){0.0}, (const double[3]){0.4, 0.5, 0.0}), 2);
+            add_body(&t, rubber, make_box(&t, (const double[3]){0.0, 0.5, 0.0}, (const double[3]){0.4, 1.0, 0.0}), 2);
+            in_contact(&t, kind[k]);
+            scene_load *weight = add_load(&t, LOAD_BODY_FORCE, 1);
+            weight->vector[1] = apart ? 20.0 : -20.0;
+            trial_start(&t);
+            trial_run(&t, 1.0);
+            const long long *count = t.sim->ledger.count;
+            for (int what = 0; what < 3; ++what)
+                assert_int_equal(count[COUNT_CONTACT_STICK + what], wanted[k][apart][what]);
+            trial_end(&t);
+        }
+}
+
 static void refusals(void **unused)
 {
     (void)unused;
@@ -171,10 +201,8 @@ static void refusals(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bars_across_a_gap),
-        cmocka_unit_test(bars_part_again),
-        cmocka_unit_test(block_on_block),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(bars_across_a_gap),      cmocka_unit_test(bars_part_again), cmocka_unit_test(block_on_block),
+        cmocka_unit_test(conditions_are_counted), cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
