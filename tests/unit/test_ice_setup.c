@@ -1,0 +1,88 @@
+/* What the cells begin with: which materials they have, and which fluid lies nearest to a cell inside a solid. */
+#include "verification/coupled_fixture.h"
+
+#include "ice/ice_internal.h"
+#include "ice/ice_nearest.h"
+
+/* A material is used that a body, the ambient, a reaction or an open side is of, and no other: the list of bodies ends where it ends. */
+static void test_used(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    scene *s;
+    bool used[4];
+    check_ok(ctx, scene_create(&s, ctx));
+    s->mesh.dim = 1;
+    s->n_materials = 4;
+    for (int r = 0; r < 4; ++r) s->material[r].kind = r == 2 ? MATERIAL_SOLID : MATERIAL_FLUID;
+    for (int with_points = 0; with_points < 2; ++with_points)
+        for (int ambient = -1; ambient < 4; ++ambient) {
+            s->n_bodies = 2;
+            s->body[0].material = 2;
+            s->body[1].material = 3;
+            s->has_ambient = ambient >= 0 && ambient != 2;
+            s->ambient_material = s->has_ambient ? ambient : 0;
+            for (int r = 0; r < 4; ++r) used[r] = false;
+            ice_find_used(s, with_points, used);
+            for (int r = 0; r < 4; ++r)
+                assert_int_equal(used[r], r == 3 || (r == 2 && with_points) || (s->has_ambient && r == ambient));
+        }
+    scene_destroy(&s);
+    context_destroy(&ctx);
+}
+
+static double square_distance(const mesh *m, int first, int second)
+{
+    double sum = 0.0;
+    for (int a = 0, row = 1; a < m->dim; row *= m->n[a++]) {
+        int steps = abs(first / row % m->n[a] - second / row % m->n[a]);
+        if (m->periodic[a] && 2 * steps > m->n[a]) steps = m->n[a] - steps;
+        sum += steps * steps * m->h[a] * m->h[a];
+    }
+    return sum;
+}
+
+/* Against all cells, one by one: a cell that no solid covers is its own nearest. */
+static void test_nearest(void **unused)
+{
+    (void)unused;
+    for (int dim = 1; dim <= 3; ++dim)
+        for (int periodic = 0; periodic < 2; ++periodic) {
+            trial t;
+            const double size[3] = {1.0, 0.8, 0.6}, centre[3] = {0.1, 0.5, 0.3};
+            coupled_begin(&t, dim, size, dim == 3 ? 0.1 : 0.04);
+            if (periodic) set_sides(&t, 0, BC_PERIODIC, BC_PERIODIC);
+            t.scene->coupling = COUPLING_ICE_MPM;
+            t.scene->method.interface = INTERFACE_SMEARED;
+            coupled_body(&t, coupled_solid(&t, 2e7, 1e7, 1000.0), make_ball(&t, centre, 0.27), 2);
+            coupled_start(&t);
+            const mesh *m = &t.sim->mesh;
+            int *nearest, covered = 0;
+            check_ok(t.ctx, ice_nearest_find(t.sim->ice, &nearest));
+            const int cells = (int)mesh_cells(m);
+            for (int k = 0; k < cells; ++k) {
+                double away = 0.0;
+                for (int a = 0, row = 1; a < dim; row *= m->n[a++])
+                    away += pow(mesh_centre(m, a, k / row % m->n[a]) - centre[a], 2.0);
+                if (away > 0.27 * 0.27) {
+                    assert_int_equal(nearest[k], k);
+                    continue;
+                }
+                covered++;
+                double best = INFINITY;
+                for (int n = 0; n < cells; ++n)
+                    if (nearest[n] == n) best = fmin(best, square_distance(m, k, n));
+                check_close_relative(square_distance(m, k, nearest[k]), best, 1e-12);
+                assert_int_equal(nearest[nearest[k]], nearest[k]);
+            }
+            check_true(covered > 2);
+            memory_free(t.ctx, &nearest);
+            trial_end(&t);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_used), cmocka_unit_test(test_nearest)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
