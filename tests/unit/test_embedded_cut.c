@@ -216,14 +216,15 @@ static void test_two_chains(void **unused)
 
 /* A plate of half a cell, gas about it; one as thick as two cells; the gas between the two halves of a thick one. Lying and upright, from either side
  * on. */
-static void test_thin(void **unused)
+static void check_thin(double h)
 {
-    (void)unused;
     context *ctx = context_create();
     mesh m;
     cut_surface c;
     double x[2];
-    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
+    const double size = 10.0 * h; /* of the mesh */
+    const mesh_spec spec = {.dim = 2, .upper = {size, size}, .cell = {h, h}};
+    check_ok(ctx, mesh_init(&m, ctx, &spec));
     check_ok(ctx, cut_create(&c, ctx, &m));
     static const double low[] = {0.52, 0.52, 0.52}, high[] = {0.57, 0.72, 0.57};
     for (int k = 0; k < 3; ++k)
@@ -236,13 +237,22 @@ static void test_thin(void **unused)
                     for (int a = 0; a < 2; ++a) {
                         const int at = (start + ((k == 2) != turned ? 11 - n : n)) % 12;
                         c.vertex[n].x[turned ? 1 - a : a] =
-                            corner[at / 3][a] + (at % 3) / 3.0 * (corner[(at / 3 + 1) % 4][a] - corner[at / 3][a]);
+                            size *
+                            (corner[at / 3][a] + (at % 3) / 3.0 * (corner[(at / 3 + 1) % 4][a] - corner[at / 3][a]));
                     }
                 check_ok(ctx, cut_find(&c));
                 assert_int_equal(cut_is_thin(&c, x), k == 0);
             }
     cut_destroy(&c);
     context_destroy(&ctx);
+}
+
+static void test_thin(void **unused)
+{
+    (void)unused;
+    check_thin(0.1);
+    check_thin(1e-7); /* what is thin is so in any unit of length */
+    check_thin(1e4);
 }
 
 /* A square about many cells, and in one cell that it holds, or does not, a small one that holds what is held already, or takes what is not. */
