@@ -161,6 +161,39 @@ static void what_has_no_rest_is_refused(void **unused)
     }
 }
 
+/* A plate that is too thin for its nodes to tell the gases of its two sides apart bears nothing where both are at one pressure; not so at two. */
+static void thin_plate_between_equal_gases(void **unused)
+{
+    (void)unused;
+    for (int equal = 0; equal < 2; ++equal) {
+        char sides[256];
+        (void)snprintf(sides, sizeof sides,
+                       "boundaries={x: {lower: {outlet: {pressure: %d Pa, temperature: 300 K}}, upper: {outlet: "
+                       "{pressure: 101325 Pa, "
+                       "temperature: 300 K}}}, y: {lower: no_slip, upper: no_slip}}",
+                       equal ? 101325 : 2 * 101325);
+        const char *const set[] = {"time.solver=static",
+                                   "domain.cell=0.1",
+                                   "loads=null",
+                                   "method.interface=smeared",
+                                   "bodies.bore=null",
+                                   "study=null",
+                                   "verify=null",
+                                   "stop=null",
+                                   "bodies.cylinder.shape={box: {lower: [0.53, -1], upper: [0.68, 9]}}",
+                                   sides};
+        trial t;
+        deck_begin(&t, "pressurized_cylinder", set, sizeof set / sizeof *set);
+        floe_status status = sim_create(&t.sim, t.ctx, t.scene, t.scene->coupling);
+        if (status == FLOE_OK) status = sim_step(t.sim, t.scene->time.end);
+        if (equal)
+            check_ok(t.ctx, status);
+        else
+            check_fails(t.ctx, status, FLOE_BAD_INPUT);
+        trial_end(&t);
+    }
+}
+
 static state solved(const char *interface, int blocks, int threads)
 {
     const char *const set[] = {"time.solver=static", "time.increments=3", "domain.cell=0.05", interface};
@@ -191,6 +224,7 @@ int main(void)
         cmocka_unit_test(gas_and_bar),
         cmocka_unit_test(gas_in_a_bore),
         cmocka_unit_test(what_has_no_rest_is_refused),
+        cmocka_unit_test(thin_plate_between_equal_gases),
         cmocka_unit_test(same_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
