@@ -225,6 +225,14 @@ static void add_body_columns(line *l, int body, const history_row *row)
     if (mpm_membrane_encloses(l->s->mpm, body)) add_enclosed_gas_columns(l, body, label, row);
 }
 
+/* Of all fluids, in cells that solids fill. */
+static double mass_beyond(const sim *s)
+{
+    double sum = 0.0;
+    for (int r = 0; r < s->ice->n_materials; r++) sum += ice_mass_beyond(s->ice, r);
+    return sum;
+}
+
 static floe_status visit_columns(const sim *s, const history_row *row, strbuf *out)
 {
     line l = {.s = s, .out = out, .names = !row, .whole = output_scale(s)};
@@ -242,7 +250,7 @@ static floe_status visit_columns(const sim *s, const history_row *row, strbuf *o
     add_value(&l, "internal", "J", row ? l.whole * row->totals->internal : 0.0);
     for (int m = 0; m < s->scene->n_materials; m++) add_material_columns(&l, m, row);
     if (s->sealed && s->scene->method.interface == INTERFACE_SHARP)
-        add_value(&l, "gas_in_solids", "kg", row ? l.whole * ice_mass_beyond(s->ice, 0) : 0.0);
+        add_value(&l, "gas_in_solids", "kg", row ? l.whole * mass_beyond(s) : 0.0);
     if (s->scene->n_springs > 0) add_value(&l, "strain_springs", "J", row ? l.whole * row->totals->mpm.springs : 0.0);
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body_columns(&l, b, row);
     add_ledger(&l);

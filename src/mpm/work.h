@@ -53,6 +53,7 @@ typedef struct body_skin {
     double *force; /* N, two each: what the gas pushes in the step */
     double *path;  /* m, two each: over which that works */
     cut_chain *chain;
+    int *beside; /* of each chain: the fluid of the cells that it holds back, by its number in the scene */
     int n_chains;
 } body_skin;
 

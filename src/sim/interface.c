@@ -126,13 +126,14 @@ static floe_status needs_no_membrane(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-static floe_status needs_one_fluid(const scene *s, const mesh *m)
+/* Several may be apart from each other (check_rooms), for which there are so many lines. */
+static floe_status needs_few_fluids(const scene *s, const mesh *m)
 {
     const int n = count_fluids(s);
     (void)m;
-    if (n <= 1) return FLOE_OK;
-    return fail_key(s->ctx, KEY("method", "interface"),
-                    "sharp takes one gas beside the solids, and the scene has %d: use smeared", n);
+    if (n <= SCENE_MAX_HOLDERS) return FLOE_OK;
+    return fail_key(s->ctx, KEY("method", "interface"), "sharp takes %d fluids, and the scene has %d: use smeared",
+                    SCENE_MAX_HOLDERS, n);
 }
 
 /* Surfaces pass pressure and, of a viscous gas, shear: no exchange over cells, which would be asked for in vain. */
@@ -175,11 +176,11 @@ static floe_status refuse_unseen(const scene *s, const mesh *m, const scene_body
     return hi[0] > m->lower[0] && lo[0] < m->upper[0] ? refuse_thin_at(s, lo) : FLOE_OK;
 }
 
-static floe_status lay_body(const scene *s, const mesh *m, const scene_body *body, cut_surface *line)
+static floe_status lay_body(const scene *s, const mesh *m, const scene_body *body, int fluid, cut_surface *line)
 {
     const int before = line->n_chains;
-    TRY(mpm_outline_lay(s, m, body, line));
-    return line->n_chains > before ? FLOE_OK : refuse_unseen(s, m, body);
+    TRY(mpm_outline_lay(s, m, body, fluid, line));
+    return fluid >= 0 || line->n_chains > before ? FLOE_OK : refuse_unseen(s, m, body);
 }
 
 static floe_status refuse_none(const scene *s)
@@ -198,16 +199,87 @@ static floe_status check_line(const scene *s, cut_surface *line)
     return line->n_pieces > 0 ? refuse_thin(s, line) : refuse_none(s);
 }
 
+static floe_status lay_bodies(const scene *s, const mesh *m, int fluid, cut_surface *line)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (is_solid(s, b)) TRY(lay_body(s, m, &s->body[b], fluid, line));
+    return FLOE_OK;
+}
+
+/* A cell that another fluid, or none, fills on the side of a fluid. */
+static floe_status refuse_mixed(const scene *s, const mesh *m, int fluid, const int cell[2])
+{
+    char place[64];
+    const double x[3] = {mesh_centre(m, 0, cell[0]), m->dim > 1 ? mesh_centre(m, 1, cell[1]) : 0.0, 0.0};
+    (void)snprintf(place, sizeof place, m->dim == 1 ? "%g" : "(%g, %g)", x[0], x[1]);
+    return fail_key(
+        s->ctx, KEY("method", "interface"),
+        "sharp takes one gas in each room between the solids, and at %s there is another beside %s: use smeared", place,
+        s->material[fluid].name);
+}
+
+/* Of several fluids each has rooms to itself, between solids and the sides of the domain. */
+static floe_status check_rooms(const scene *s, const mesh *m, int fluid, const cut_surface *line)
+{
+    for (int j = 0; j < m->n[1]; ++j)
+        for (int i = 0; i < m->n[0]; ++i) {
+            const int cell[2] = {i, j};
+            const double x[3] = {mesh_centre(m, 0, i), m->dim > 1 ? mesh_centre(m, 1, j) : 0.0, 0.0};
+            const double open = cut_open(line, cell);
+            const bool here = mpm_fluid_at(s, m->dim, x) == fluid;
+            if ((open == 1.0 && !here) || (open == 0.0 && here)) return refuse_mixed(s, m, fluid, cell);
+        }
+    return FLOE_OK;
+}
+
+/* A side brings the fluid of the room that it bounds. */
+static floe_status check_side(const scene *s, const mesh *m, int axis, int side)
+{
+    const bc_side *given = &s->bc.side[axis][side];
+    int cell[2] = {0, 0};
+    if (given->kind != BC_INLET && given->kind != BC_RESERVOIR) return FLOE_OK;
+    cell[axis] = side == SIDE_UPPER ? m->n[axis] - 1 : 0;
+    for (int k = 0; k < (m->dim > 1 ? m->n[1 - axis] : 1); ++k) {
+        if (m->dim > 1) cell[1 - axis] = k;
+        const double x[3] = {mesh_centre(m, 0, cell[0]), m->dim > 1 ? mesh_centre(m, 1, cell[1]) : 0.0, 0.0};
+        const int found = mpm_fluid_at(s, m->dim, x);
+        if (found >= 0 && found != given->material) return refuse_mixed(s, m, given->material, cell);
+    }
+    return FLOE_OK;
+}
+
+/* What divides the domain is seen, and what enters belongs there. */
+static floe_status check_several(const scene *s, const mesh *m)
+{
+    cut_surface all;
+    floe_status status = cut_create(&all, s->ctx, m);
+    if (status == FLOE_OK) status = lay_bodies(s, m, -1, &all);
+    cut_destroy(&all);
+    for (int f = 0; f < 2 * m->dim && status == FLOE_OK; ++f) status = check_side(s, m, f / 2, f % 2);
+    return status;
+}
+
+static floe_status check_fluid(const scene *s, const mesh *m, int fluid)
+{
+    const bool alone = count_fluids(s) == 1;
+    cut_surface line;
+    floe_status status = cut_create(&line, s->ctx, m);
+    if (status == FLOE_OK) status = lay_bodies(s, m, alone ? -1 : fluid, &line);
+    if (status == FLOE_OK) status = check_line(s, &line);
+    if (status == FLOE_OK && !alone) status = check_rooms(s, m, fluid, &line);
+    cut_destroy(&line);
+    return status;
+}
+
 /* Surfaces that cut the cells so that each part has its gas. */
 static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
 {
-    cut_surface line;
-    floe_status status = cut_create(&line, s->ctx, m);
-    for (int b = 0; status == FLOE_OK && b < s->n_bodies; ++b)
-        if (is_solid(s, b)) status = lay_body(s, m, &s->body[b], &line);
-    if (status == FLOE_OK) status = check_line(s, &line);
-    cut_destroy(&line);
-    return status;
+    bool used[SCENE_MAX_MATERIALS] = {false};
+    if (count_fluids(s) > 1) TRY(check_several(s, m));
+    ice_find_used(s, false, used);
+    for (int r = 0; r < s->n_materials; ++r)
+        if (used[r]) TRY(check_fluid(s, m, r));
+    return FLOE_OK;
 }
 
 /* ---- what surfaces bear, but a better choice for the scene is smeared ---- */
@@ -254,7 +326,7 @@ static const requirement requirements[] = {
     {needs_plane, OF_MEMBRANES},
     {needs_line_or_plane, OF_SURFACES | OF_AUTO},
     {needs_no_membrane, OF_SURFACES | OF_AUTO},
-    {needs_one_fluid, OF_SURFACES | OF_AUTO},
+    {needs_few_fluids, OF_SURFACES | OF_AUTO},
     {needs_membranes_alone, OF_MEMBRANES},
     {needs_plain_loads, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_explicit_pressure, OF_MEMBRANES | OF_SURFACES | OF_AUTO},

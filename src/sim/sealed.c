@@ -9,6 +9,7 @@
 static floe_status create_line(sealed *t, const mesh *m, int holder, sealed_line *line)
 {
     line->share = 1.0;
+    line->fluid = -1;
     for (int b = 0; b < t->points->n_bodies; ++b)
         if (t->points->body[b].scene_body == holder) line->body = b;
     for (int k = 0; k < SEAL_PLACES; ++k) TRY(cut_create(&line->place[k], t->ctx, m));
@@ -17,13 +18,20 @@ static floe_status create_line(sealed *t, const mesh *m, int holder, sealed_line
 
 floe_status sealed_create(sealed **out, sim *s)
 {
-    int holder[SCENE_MAX_HOLDERS] = {-1}; /* surfaces of solids have none */
+    int holder[SCENE_MAX_HOLDERS]; /* surfaces of solids have none, and a line for each fluid */
     const int n = scene_holders(s->scene, holder);
     TRY(interface_check(s->scene, &s->mesh));
     TRY(memory_new(s->ctx, out, 1, sizeof **out));
     sealed *t = *out;
-    *t = (sealed){.ctx = s->ctx, .stages = &s->stages, .points = s->mpm, .gases = s->ice, .n_lines = n > 0 ? n : 1};
-    for (int l = 0; l < t->n_lines; ++l) TRY(create_line(t, &s->mesh, holder[l], &t->line[l]));
+    *t = (sealed){.ctx = s->ctx,
+                  .stages = &s->stages,
+                  .points = s->mpm,
+                  .gases = s->ice,
+                  .n_lines = n > 0 ? n : s->ice->n_materials};
+    for (int l = 0; l < t->n_lines; ++l) {
+        TRY(create_line(t, &s->mesh, n > 0 ? holder[l] : -1, &t->line[l]));
+        if (n == 0) t->line[l].fluid = s->ice->material[l].scene_material;
+    }
     return FLOE_OK;
 }
 
@@ -73,11 +81,20 @@ static floe_status find_cuts(const sealed *t, const sealed_line *line, cut_surfa
     return fail_under(t->ctx, status, KEY("method", "interface"));
 }
 
+/* Where a line is, or will be. */
+static floe_status find_place(const sealed *t, const sealed_line *line, bool next, cut_surface *out)
+{
+    if (line->fluid >= 0)
+        TRY(mpm_outline_beside(t->points, line->fluid, next, out));
+    else
+        TRY(mpm_outline(t->points, line->body, next, out));
+    return find_cuts(t, line, out);
+}
+
 static floe_status find_line_now(sealed *t, sealed_line *line)
 {
     cut_surface *now = &line->place[SEAL_NOW];
-    TRY(mpm_outline(t->points, line->body, false, now));
-    TRY(find_cuts(t, line, now));
+    TRY(find_place(t, line, false, now));
     TRY(make_room(t, line, now->n_vertices));
     mpm_outline_velocity(t->points, line->body, now, line->velocity);
     for (int k = 0; k < ICE_SEAL_PLACES; ++k)
@@ -105,8 +122,7 @@ floe_status sealed_find_still(sealed *t)
 {
     for (int l = 0; l < t->n_lines; ++l) {
         sealed_line *line = &t->line[l];
-        TRY(mpm_outline(t->points, line->body, false, &line->place[SEAL_NOW]));
-        TRY(find_cuts(t, line, &line->place[SEAL_NOW]));
+        TRY(find_place(t, line, false, &line->place[SEAL_NOW]));
         t->gases->seal.line[l] = (ice_seal_line){.held = t->gases->seal.line[l].held, .place = line->place};
     }
     return ice_seal_check(t->gases, SEAL_NOW);
@@ -114,16 +130,13 @@ floe_status sealed_find_still(sealed *t)
 
 floe_status sealed_find_moved(sealed *t)
 {
-    for (int l = 0; l < t->n_lines; ++l) {
-        cut_surface *next = &t->line[l].place[SEAL_NEXT];
-        TRY(mpm_outline(t->points, t->line[l].body, true, next));
-        TRY(find_cuts(t, &t->line[l], next));
-    }
+    for (int l = 0; l < t->n_lines; ++l) TRY(find_place(t, &t->line[l], true, &t->line[l].place[SEAL_NEXT]));
     return ice_seal_check(t->gases, SEAL_NEXT);
 }
 
 static floe_status sealed_push_points(sealed *t)
 {
+    mpm_outline_clear(t->points);
     for (int l = 0; l < t->n_lines; ++l)
         mpm_outline_push(t->points, t->line[l].body, &t->line[l].place[SEAL_NOW], t->line[l].force);
     return FLOE_OK;
@@ -145,7 +158,8 @@ static floe_status share_losses(sealed *t)
 {
     mpm_totals sum;
     double mass = 0.0;
-    if (t->n_lines == 1) return FLOE_OK;
+    for (int l = 0; l < t->n_lines && t->line[0].fluid >= 0; ++l) t->line[l].share = 1.0 / t->n_lines;
+    if (t->n_lines == 1 || t->line[0].fluid >= 0) return FLOE_OK;
     TRY(mpm_sum(t->points, &sum));
     for (int l = 0; l < t->n_lines; ++l) mass += sum.mass[t->line[l].body];
     for (int l = 0; l < t->n_lines; ++l) t->line[l].share = sum.mass[t->line[l].body] / mass;

@@ -6,9 +6,10 @@
 #include "embedded/cut.h"
 #include "sim/sim.h"
 
-/* What a step knows of a membrane, or of the surfaces of all solids. */
+/* What a step knows of a membrane, or of the surfaces of all solids beside a fluid. */
 typedef struct sealed_line {
     int body;                        /* the membrane's, of the points; 0 for surfaces, which need none */
+    int fluid;                       /* of surfaces: what they hold back, by its number in the scene; -1: a membrane */
     cut_surface place[SEAL_PLACES];  /* as in ice_seal_line */
     double *velocity, *path, *force; /* of the vertices, two each; owned */
     int room;                        /* vertices that these hold */

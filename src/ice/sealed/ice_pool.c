@@ -67,15 +67,16 @@ static double least_outside(const ice *s, int place, const int cell[2])
 
 floe_status ice_seal_check(const ice *s, int place)
 {
+    const double overlap = scene_holder(s->scene) < 0 ? 1e-6 : 0.0; /* of solids in touch, by round-off */
     for (int l = 0; l < s->seal.n_lines && s->seal.n_lines > 1; ++l) {
         const cut_surface *c = &s->seal.line[l].place[place];
         for (int k = 0; k < c->n_cells; ++k) {
             const int *cell = c->cell[k].cell;
-            if (least_outside(s, place, cell) >= 0.0) continue;
+            if (least_outside(s, place, cell) >= -overlap) continue;
             return fail(s->ctx, FLOE_RETRY,
-                        "membranes that hold gas cross each other, or one stands in the other, in cell (%d, %d) at "
-                        "(%g, %g)",
-                        cell[0], cell[1], mesh_centre(s->mesh, 0, cell[0]), mesh_centre(s->mesh, 1, cell[1]));
+                        "%s cross each other, or one stands in the other, in cell (%d, %d) at (%g, %g)",
+                        overlap > 0.0 ? "solids" : "membranes that hold gas", cell[0], cell[1],
+                        mesh_centre(s->mesh, 0, cell[0]), mesh_centre(s->mesh, 1, cell[1]));
         }
     }
     return FLOE_OK;
@@ -271,12 +272,14 @@ static floe_status new_pools(const ice *s, ice_pools *p)
     return FLOE_OK;
 }
 
-/* The lines, and what each holds; the surfaces of solids are one. */
+/* The lines, and what each holds; the surfaces of solids are one beside each fluid. */
 static void find_lines(ice *s)
 {
     int body[SCENE_MAX_HOLDERS];
     const int holders = scene_holders(s->scene, body);
-    s->seal = (ice_seal){.n_lines = holders > 0 ? holders : 1};
+    const int fluids = s->n_materials < SCENE_MAX_HOLDERS ? s->n_materials : SCENE_MAX_HOLDERS;
+    s->seal = (ice_seal){.n_lines = holders > 0 ? holders : fluids};
+    for (int l = 0; l < fluids && holders == 0; ++l) s->seal.line[l].held = l;
     for (int l = 0; l < holders; ++l) s->seal.line[l].held = ice_material_of(s, s->scene->body[body[l]].membrane.holds);
 }
 

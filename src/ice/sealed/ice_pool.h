@@ -74,7 +74,7 @@ double ice_pool_rise(const ice *s, const ice_pools *p, const ice_member *m, cons
 void ice_pool_lift(const ice *s);
 /* Whether a cell shares its state, or has none: its weight is not that of the whole cell. */
 bool ice_is_pooled(const ice *s, const block *b, int i, int j);
-/* First states: a gas at rest that is given by pressure and temperature, in balance; each room keeps the pressure of its
+/* First states of the gas in hand: at rest that is given by pressure and temperature, in balance; each room keeps the pressure of its
  * highest cell. */
 floe_status ice_sealed_hydrostatic(ice *s);
 

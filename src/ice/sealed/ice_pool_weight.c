@@ -283,15 +283,13 @@ static void fill_rooms(rest_fill *f, int cells)
 floe_status ice_sealed_hydrostatic(ice *s)
 {
     const int cells = (int)mesh_cells(s->mesh);
-    if (!ice_asks_for_rest(s) || s->n_materials != 1) return FLOE_OK;
-    rest_fill f = {.s = s, .p = &s->work->sealing->now[0]};
-    s->gas = 0;
+    if (!ice_asks_for_rest(s)) return FLOE_OK;
+    rest_fill f = {.s = s, .p = &s->work->sealing->now[s->gas]};
     ice_seal_views(s);
     floe_status status = memory_new(s->ctx, &f.pressure, (size_t)cells, sizeof *f.pressure);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.queue, (size_t)cells, sizeof *f.queue);
     if (status == FLOE_OK) fill_rooms(&f, cells);
     memory_free(s->ctx, &f.pressure);
     memory_free(s->ctx, &f.queue);
-    s->gas = -1;
     return status;
 }

@@ -358,7 +358,7 @@ floe_status ice_sealed_initialise(ice *s)
 {
     TRY(ice_sealed_fill(s));
     TRY(for_gases(s, start_gas));
-    return ice_has_weight(s) ? ice_sealed_hydrostatic(s) : FLOE_OK;
+    return ice_has_weight(s) ? for_gases(s, ice_sealed_hydrostatic) : FLOE_OK;
 }
 
 /* ---- the stages ---- */

@@ -72,13 +72,29 @@ static floe_status check_ends(const mpm *s)
     return FLOE_OK;
 }
 
-/* The markers, one vertex each. */
-static floe_status outline_skin(const mpm *s, bool next, cut_surface *out)
+static int first_beside(const body_skin *k)
+{
+    int first = MPM_NO_FLUID;
+    for (int c = 0; c < k->n_chains; ++c)
+        if (k->beside[c] >= 0 && (first < 0 || k->beside[c] < first)) first = k->beside[c];
+    return first;
+}
+
+/* Chains along which bodies are in touch are the first fluid's, which finds nothing there. */
+static bool holds_back(const mpm *s, int chain, int fluid)
+{
+    const int beside = s->work->skin.beside[chain];
+    return beside == fluid || (beside < 0 && fluid == first_beside(&s->work->skin));
+}
+
+floe_status mpm_outline_beside(mpm *s, int fluid, bool next, cut_surface *out)
 {
     const body_skin *k = &s->work->skin;
     if (next) TRY(check_ends(s));
     TRY(cut_reserve(out, (int)k->n, k->n_chains));
-    memcpy(out->chain, k->chain, (size_t)k->n_chains * sizeof *k->chain);
+    out->n_chains = 0;
+    for (int c = 0; c < k->n_chains; ++c)
+        if (holds_back(s, c, fluid)) out->chain[out->n_chains++] = k->chain[c];
     for (int n = 0; n < (int)k->n; ++n) {
         const double *x = (next ? k->next : k->now)[n].x;
         out->vertex[n] = (cut_vertex){{x[0], x[1]}, n};
@@ -88,7 +104,6 @@ static floe_status outline_skin(const mpm *s, bool next, cut_surface *out)
 
 floe_status mpm_outline(mpm *s, int body, bool next, cut_surface *out)
 {
-    if (s->work->skin.n > 0) return outline_skin(s, next, out);
     const membrane_line *line = &s->work->line[body];
     int n = 0;
     line_update(s, body, next);
@@ -126,15 +141,18 @@ void mpm_outline_velocity(const mpm *s, int body, const cut_surface *c, double *
 void mpm_outline_push(mpm *s, int body, const cut_surface *c, const double *force)
 {
     membrane_push *p = &s->work->push[body];
-    if (s->work->skin.n > 0) {
-        memcpy(s->work->skin.force, force, 2 * s->work->skin.n * sizeof *force);
-        return;
-    }
+    for (size_t k = 0; k < 2 * s->work->skin.n; ++k) s->work->skin.force[k] += force[k];
+    if (s->work->skin.n > 0) return;
     memset(p->force, 0, 2 * p->n * sizeof *p->force);
     for (int k = 0; k < c->n_vertices; ++k)
         for (int a = 0; a < 2; ++a) p->force[2 * c->vertex[k].point + a] += force[2 * k + a];
     /* The table of places is the next step's by the time that the forces are scattered again. */
     memcpy(p->x, s->work->line[body].x, 3 * p->n * sizeof *p->x);
+}
+
+void mpm_outline_clear(mpm *s)
+{
+    if (s->work->skin.n > 0) memset(s->work->skin.force, 0, 2 * s->work->skin.n * sizeof *s->work->skin.force);
 }
 
 void scatter_push(mpm *s, int group)

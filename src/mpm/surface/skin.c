@@ -6,6 +6,7 @@
 #include "mpm/surface/outline.h"
 #include "scene/state.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { SKIN_DIVISIONS = 4 }; /* markers per cell edge, about */
@@ -19,6 +20,7 @@ static floe_status make_room(mpm *s, size_t markers, size_t chains)
     TRY(memory_resize(s->ctx, &k->pin, markers, sizeof *k->pin));
     TRY(memory_resize(s->ctx, &k->force, 2 * markers, sizeof *k->force));
     TRY(memory_resize(s->ctx, &k->path, 2 * markers, sizeof *k->path));
+    TRY(memory_resize(s->ctx, &k->beside, chains, sizeof *k->beside));
     return memory_resize(s->ctx, &k->chain, chains, sizeof *k->chain);
 }
 
@@ -39,6 +41,59 @@ static floe_status set_marker(const mpm *s, const mpm_body *b, const double x[2]
     return FLOE_OK;
 }
 
+/* The only fluid of the cells; -1: there are several. */
+static int only_fluid(const scene *s)
+{
+    int found = s->has_ambient ? s->ambient_material : -1;
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const int of = s->body[b].material;
+        if (s->material[of].kind != MATERIAL_FLUID || of == found) continue;
+        if (found >= 0) return -1;
+        found = of;
+    }
+    return found;
+}
+
+int mpm_fluid_at(const scene *s, int dim, const double x[3])
+{
+    int found = s->has_ambient ? s->ambient_material : -1;
+    for (int b = s->n_bodies - 1; b >= 0; --b) {
+        const scene_body *body = &s->body[b];
+        if (!body->shape.model || !shape_inside(&body->shape, dim, x)) continue;
+        if (s->material[body->material].kind != MATERIAL_FLUID) return MPM_IN_A_SOLID;
+        if (!body->yields || found < 0) found = body->material;
+    }
+    return found;
+}
+
+/* A little beyond the middle between two points of a chain, or beyond its only point. */
+static void place_beyond(const mesh *m, const outline *o, const outline_chain *c, size_t k, double x[3])
+{
+    const double *a = o->x[c->first + k], *b = o->x[c->first + (k + 1) % c->n], step = 1e-3 * m->h[0];
+    const double way[2] = {b[0] - a[0], b[1] - a[1]}, length = hypot(way[0], way[1]);
+    x[0] = 0.5 * (a[0] + b[0]) + (m->dim == 1 ? -c->into * step : -step * way[1] / length);
+    x[1] = 0.5 * (a[1] + b[1]) + (m->dim == 1 ? 0.0 : step * way[0] / length);
+    x[2] = 0.0;
+}
+
+int fluid_beside(const scene *s, const mesh *m, const outline *o, size_t chain)
+{
+    const outline_chain *c = &o->chain[chain];
+    const size_t n = m->dim == 1 ? 1 : c->closed ? c->n : c->n - 1;
+    int found = only_fluid(s);
+    if (found >= 0) return found;
+    found = MPM_IN_A_SOLID;
+    for (size_t k = 0; k < n; ++k) {
+        double x[3];
+        place_beyond(m, o, c, k, x);
+        const int fluid = mpm_fluid_at(s, m->dim, x);
+        if (fluid == MPM_IN_A_SOLID) continue;
+        if (found != MPM_IN_A_SOLID && found != fluid) return MPM_FLUIDS_MEET;
+        found = fluid;
+    }
+    return found;
+}
+
 static floe_status add_outline(mpm *s, const mpm_body *b, const outline *o)
 {
     body_skin *k = &s->work->skin;
@@ -53,6 +108,7 @@ static floe_status add_outline(mpm *s, const mpm_body *b, const outline *o)
     for (size_t c = 0; c < o->n_chains; ++c) {
         const outline_chain *from = &o->chain[c];
         const size_t at = first + from->first, last = at + from->n - 1;
+        k->beside[k->n_chains] = fluid_beside(s->scene, s->mesh, o, c);
         k->chain[k->n_chains++] = (cut_chain){(int)at, (int)from->n, from->closed, from->into};
         if (s->mesh->dim == 1) continue;
         if (from->closed) continue;
@@ -69,23 +125,26 @@ floe_status mpm_outline_trace(const scene *s, const mesh *m, const scene_body *b
     return outline_trace(out, s->ctx, &body->shape, &grid, SKIN_DIVISIONS);
 }
 
-static floe_status lay_chains(const outline *o, cut_surface *out)
+static floe_status lay_chains(const scene *s, const mesh *m, const outline *o, int fluid, cut_surface *out)
 {
     const int vertices = out->n_vertices, chains = out->n_chains;
     TRY(cut_reserve(out, vertices + (int)o->n, chains + (int)o->n_chains));
+    out->n_chains = chains;
     for (size_t k = 0; k < o->n; ++k)
         out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1]}, vertices + (int)k};
-    for (size_t c = 0; c < o->n_chains; ++c)
-        out->chain[chains + (int)c] =
+    for (size_t c = 0; c < o->n_chains; ++c) {
+        if (fluid >= 0 && fluid_beside(s, m, o, c) != fluid) continue;
+        out->chain[out->n_chains++] =
             (cut_chain){vertices + (int)o->chain[c].first, (int)o->chain[c].n, o->chain[c].closed, o->chain[c].into};
+    }
     return FLOE_OK;
 }
 
-floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, cut_surface *out)
+floe_status mpm_outline_lay(const scene *s, const mesh *m, const scene_body *body, int fluid, cut_surface *out)
 {
     outline o;
     TRY(mpm_outline_trace(s, m, body, &o));
-    const floe_status status = lay_chains(&o, out);
+    const floe_status status = lay_chains(s, m, &o, fluid, out);
     outline_free(s->ctx, &o);
     return status;
 }
@@ -159,6 +218,7 @@ void free_skins(context *ctx, body_skin *k)
     memory_free(ctx, &k->force);
     memory_free(ctx, &k->path);
     memory_free(ctx, &k->chain);
+    memory_free(ctx, &k->beside);
 }
 
 double *mpm_skin(mpm *s, size_t *n, size_t *stride)

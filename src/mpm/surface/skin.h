@@ -2,6 +2,7 @@
 #ifndef MPM_SKIN_H
 #define MPM_SKIN_H
 
+#include "geom/outline.h"
 #include "mpm/surface/traction.h"
 
 /* ---- on membranes (outline.c) ---- */
@@ -13,6 +14,9 @@ void free_push(context *ctx, struct mpm_work *w);
 void scatter_push(mpm *s, int group);
 
 /* ---- on solids, at markers of their surfaces (skin.c) ---- */
+
+/* The fluid of the cells beside a chain, by its number in the scene, or an mpm_no_fluid. */
+int fluid_beside(const scene *s, const mesh *m, const outline *o, size_t chain);
 
 /* Markers, laid on the shapes of solids. */
 floe_status seed_skins(mpm *s);
