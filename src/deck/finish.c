@@ -1,7 +1,10 @@
 /* Defaults that depend on more than one key. */
 #include "deck/parts.h"
+#include "scene/place.h"
+#include "scene/slender.h"
 
 #include <math.h>
+#include <stdio.h>
 
 enum { ROOM_TEMPERATURE = 300 }; /* K */
 
@@ -23,11 +26,15 @@ static void finish_materials(scene *s)
     }
 }
 
-static void finish_bodies(scene *s)
+/* `sound`: the deck has no fault so far. */
+static void finish_bodies(scene *s, bool sound)
 {
     for (int i = 0; i < s->n_bodies; i++) {
         scene_body *b = &s->body[i];
         for (int axis = s->mesh.dim; axis < MESH_MAX_DIM; axis++) b->per_cell[axis] = 1;
+        char key[SCENE_NAME + 16];
+        (void)snprintf(key, sizeof key, "bodies.%s.points", b->name);
+        if (sound && !scene_has_key(s, key)) slender_seed(s, b);
         const bool solid = b->material >= 0 && s->material[b->material].kind == MATERIAL_SOLID;
         if (!solid || !isnan(b->temperature)) continue;
         b->temperature = s->has_ambient ? s->ambient_temperature : ROOM_TEMPERATURE;
@@ -64,7 +71,7 @@ floe_status finish_scene(reader *r)
 {
     finish_mesh(r->scene);
     finish_materials(r->scene);
-    finish_bodies(r->scene);
+    finish_bodies(r->scene, r->errors->count == 0);
     finish_inlets(r->scene);
     return FLOE_OK;
 }

@@ -2,6 +2,7 @@
 #include "scene/remark_parts.h"
 
 #include "geom/compound.h"
+#include "scene/slender.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -90,6 +91,21 @@ static void remark_thin(const scene *s, const scene_body *b, remark_sink *say, v
     say(user, text);
 }
 
+static void remark_bending(const scene *s, const scene_body *b, remark_sink *say, void *user)
+{
+    int axis;
+    const double across = slender_across(s, b, b->per_cell, &axis);
+    if (s->coupling == COUPLING_ICE || !(across < SLENDER_ENOUGH - 0.5)) return;
+    for (int a = 0; a < s->mesh.dim; ++a)
+        if ((axis < 0 || axis == a) && b->per_cell[a] >= SLENDER_POINTS) return;
+    char text[TEXT_SIZE];
+    (void)snprintf(text, sizeof text,
+                   "body '%s' has %.0f points across: where it bends it is %.2g %% too soft, one part in their number "
+                   "squared. Leave bodies.%s.points out, and it gets more",
+                   b->name, across, 100.0 / (across * across), b->name);
+    say(user, text);
+}
+
 /* Points spread a solid over the cells about its surface, where the fluid is not what it is beside a wall. */
 static void remark_probe(const scene *s, const scene_probe *p, remark_sink *say, void *user)
 {
@@ -114,7 +130,9 @@ void remark_shapes(const scene *s, remark_sink *say, void *user)
     for (int b = 0; b < s->n_bodies; ++b) {
         if (!s->body[b].shape.model) continue;
         remark_outside(s, &s->body[b], say, user);
-        if (s->mesh.dim > 1 && is_solid(s, &s->body[b])) remark_thin(s, &s->body[b], say, user);
+        if (s->mesh.dim == 1 || !is_solid(s, &s->body[b])) continue;
+        remark_thin(s, &s->body[b], say, user);
+        remark_bending(s, &s->body[b], say, user);
     }
     if (s->coupling != COUPLING_ICE_MPM || s->method.interface != INTERFACE_SMEARED) return;
     for (int p = 0; p < s->n_probes; ++p) remark_probe(s, &s->probe[p], say, user);
