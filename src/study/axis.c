@@ -208,11 +208,23 @@ bool axis_number(const char *value, double *number, const char **unit)
     return *end == '\0' || isalpha((unsigned char)*end) || *end == '%';
 }
 
+/* A text without the quotes about all of it, by its length. */
+static const char *without_quotes(const char *text, size_t *length)
+{
+    *length = strlen(text);
+    const char quote = text[0];
+    if ((quote != '"' && quote != '\'') || *length < 2 || strchr(text + 1, quote) != text + *length - 1) return text;
+    *length -= 2;
+    return text + 1;
+}
+
 bool axis_same_value(const char *a, const char *b)
 {
     double x, y;
     const char *of_x, *of_y;
-    if (strcmp(a, b) == 0) return true;
+    size_t length_a, length_b;
+    const char *bare_a = without_quotes(a, &length_a), *bare_b = without_quotes(b, &length_b);
+    if (length_a == length_b && memcmp(bare_a, bare_b, length_a) == 0) return true;
     return axis_number(a, &x, &of_x) && axis_number(b, &y, &of_y) && x == y && strcmp(of_x, of_y) == 0;
 }
 

@@ -25,7 +25,7 @@ spoil() { # DECK OPTION...
 }
 spoil impact --axis materials.right.density=1
 spoil unfolded --axis method.transfer=apic --axis method.basis=cubic --axis bodies.string.membrane.strain=rate
-spoil pressure_ratio
+spoil pressure_ratio --axis 'title="p 1e1, rho 1e6","p 1e10, rho 1e-4"'
 spoil torn --axis method.basis=gimp
 spoil tension --couplings ice-mpm,mpm --axis verify.exact.standing_bar.amplitude=1e-6
 spoil places --axis method.basis=cubic --axis 'domain.lattice_offset=[0, 0]'

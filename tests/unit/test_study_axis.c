@@ -74,6 +74,8 @@ static void numbers_are_known(void **state)
     check_true(!axis_is_numeric(&c) && !axis_is_numeric(&d) && !axis_is_numeric(&e) && !axis_is_numeric(&f));
     check_true(!axis_is_numeric(&g));
     check_true(axis_same_value("0.10", "1e-1") && axis_same_value("2 mm", "2.0 mm") && axis_same_value("ice", "ice"));
+    check_true(axis_same_value("\"p 1, rho 2\"", "p 1, rho 2") && !axis_same_value("\"p 1", "p 1") &&
+               !axis_same_value("\"", "\"\""));
     check_true(!axis_same_value("2 mm", "2 m") && !axis_same_value("ice", "ice-mpm") && !axis_same_value("1", "2"));
 }
 
