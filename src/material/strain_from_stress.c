@@ -63,7 +63,8 @@ bool strain_from_stress(const solid_model *law, const void *par, const double st
             if (!isfinite(left[c])) return false;
             worst = fmax(worst, fabs(left[c]));
         }
-        if (worst <= 1e-13 * size + 1e-16 * (K + G)) return true;
+        /* Places of F are known to 1e-16, and the law takes some differences of them. */
+        if (worst <= 1e-13 * size + 1e-14 * (K + G)) return true;
         strain_by(K, G, left, F);
     }
     return false;
