@@ -90,13 +90,13 @@ def distance(a, b):
 def difference(old, new):
     """What differs most, as text; '' where all bits are the same."""
     a, b = values(old), values(new)
-    if a.keys() != b.keys():
-        return "other columns or fields: " + ", ".join(sorted(a.keys() ^ b.keys())[:3])
-    other = {name: distance(a[name], b[name]) for name in a if bits(a[name]) != bits(b[name])}
-    if not other:
-        return ""
-    worst = max(other, key=other.get)
-    return f"{len(other)} of {len(a)} columns and fields; most: {worst}, {other[worst]:.2g} of its largest value"
+    only, both = sorted(a.keys() ^ b.keys()), sorted(a.keys() & b.keys())
+    other = {name: distance(a[name], b[name]) for name in both if bits(a[name]) != bits(b[name])}
+    said = ["in one of them alone: " + ", ".join(only[:3])] if only else []
+    if other:
+        worst = max(other, key=other.get)
+        said.append(f"{len(other)} of {len(both)} columns and fields; most: {worst}, {other[worst]:.2g} of its largest value")
+    return "; ".join(said)
 
 
 def main():

@@ -75,12 +75,12 @@ static void resolve_body(mpm *s, int index)
 
 bool keeps_shape(const mpm *s, int body)
 {
-    return s->basis->kind == BASIS_CPDI && !s->body[body].membrane.model;
+    return s->basis->fact.shaped && !s->body[body].membrane.model;
 }
 
 bool keeps_box(const mpm *s, int body)
 {
-    return s->basis->kind == BASIS_GIMP && s->body[body].fluid;
+    return s->basis->fact.sized && !s->basis->fact.shaped && s->body[body].fluid;
 }
 
 bool keeps_F(const mpm *s, int body)

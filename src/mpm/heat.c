@@ -38,8 +38,7 @@ bool losses_are_heat(const mpm *s)
  * CPDI, accelerations of nodes of little mass make losses of nothing: the gradient does not see them (kernels_gather.h). */
 bool fluids_keep_losses(const mpm *s)
 {
-    const bool hats = s->basis->kind == BASIS_LINEAR || s->basis->kind == BASIS_CPDI,
-               known = isnan(s->transfer->share) && s->share > 0.0 && !hats;
+    const bool known = isnan(s->transfer->share) && s->share > 0.0 && !s->basis->fact.light_losses;
     return s->scene->method.losses == LOSSES_OWN && known && !s->coupled && has_fluid(s);
 }
 

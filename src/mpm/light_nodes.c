@@ -21,8 +21,7 @@ enum { LIGHT_WINDOW = 343 }; /* nodes of the largest window */
 
 bool spares_light_nodes(const mpm *s)
 {
-    const bool hats = s->basis->kind == BASIS_LINEAR || s->basis->kind == BASIS_GIMP;
-    return hats && s->transfer->carry != CARRY_NOTHING;
+    return s->basis->fact.hats && s->transfer->carry != CARRY_NOTHING;
 }
 
 /* What points give to the nodes: of their masses m v, v the residuals at their places, or m^2. */
@@ -89,7 +88,7 @@ static void start_residuals(mpm *s, int group)
 /* r -= Q r, on all nodes that points reach; `share` of what walls take of it goes into the ledger. */
 static void subtract_mean(mpm *s, int group, double share)
 {
-    if (s->basis->kind == BASIS_LINEAR)
+    if (s->basis->smoothness == 0)
         give_group(s, group, GIVE_RESIDUAL);
     else
         project_residuals(s, group);

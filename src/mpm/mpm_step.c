@@ -22,9 +22,7 @@ floe_status mpm_begin_step(mpm *s)
         REMEMBERED(8)
 #define MEMBRANE_STRAIN WHEN(s->lines, P_STRAIN), WHEN(s->hoops, P_STRAIN_HOOP)
 #define SURFACE_VECTORS WHEN(s->sheets, P_SURFACE_1), WHEN(s->sheets, P_SURFACE_2)
-#define DOMAINS                                                                                        \
-    WHEN(s->basis->kind == BASIS_GIMP || s->basis->kind == BASIS_CPDI, P_HALF), WHEN(s->boxes, P_BOX), \
-        WHEN(s->basis->kind == BASIS_CPDI, P_F)
+#define DOMAINS WHEN(s->basis->fact.sized, P_HALF), WHEN(s->boxes, P_BOX), WHEN(s->basis->fact.shaped, P_F)
 #define TANGENT WHEN(s->lines, P_TANGENT)
 #define POINT_STATE                                                                                               \
     P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE), \

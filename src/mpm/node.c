@@ -10,7 +10,7 @@
  * blocks that slid along walls were off by 1e-9 for it. What is left there is the round-off of folded masses. */
 double small_node(const mpm *s)
 {
-    return (s->basis->kind == BASIS_CUBIC ? 1e-14 : 1e-9) * s->work->reference_mass;
+    return s->basis->fact.least_mass * s->work->reference_mass;
 }
 
 /* Linear index range that covers the nodes of a block and one ghost layer: a whole-array loop is simplest and vectorises. */

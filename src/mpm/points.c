@@ -146,7 +146,7 @@ static void add_fall(const mpm *s, const point_arrays *p, const gather_result *o
 bool carries_gradient(const mpm *s)
 {
     const transfer_carry carry = s->transfer->carry;
-    return carry == CARRY_GRADIENT || (carry == CARRY_MOMENTS && s->basis->kind == BASIS_LINEAR);
+    return carry == CARRY_GRADIENT || (carry == CARRY_MOMENTS && s->basis->smoothness == 0);
 }
 
 static gather_kernel *kernel_of(const mpm *s, tile_pass pass)

@@ -97,8 +97,7 @@ static const double restored_shares[] = {1.0, 1.0, 5.0 / 9.0, 25.0 / 9.0};
 
 static double share_of_residual(const mpm *s, int j)
 {
-    const bool hats = s->basis->kind == BASIS_LINEAR || s->basis->kind == BASIS_GIMP;
-    return s->scene->method.filter_order > 0 || hats ? 1.0 : restored_shares[j];
+    return s->scene->method.filter_order > 0 || s->basis->fact.hats ? 1.0 : restored_shares[j];
 }
 
 static void add_residuals(mpm *s, int group, double share)

@@ -37,7 +37,7 @@ static bool is_membrane(const mpm *s, int body)
 static bool fluids_fill_cells(const mpm *s)
 {
     for (int body = 0; body < s->n_bodies; ++body)
-        if (s->body[body].fluid && s->basis->kind == BASIS_LINEAR) return s->n_bodies > 1;
+        if (s->body[body].fluid && s->basis->smoothness == 0) return s->n_bodies > 1;
     return false;
 }
 

@@ -69,7 +69,7 @@ static void find_empty(const mpm *s, int blk)
             for (int i = lo[0]; i < end[0]; ++i) {
                 const ptrdiff_t at = mesh_index(b, i, j, k);
                 const int global[MESH_MAX_DIM] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
-                empty[at] = 1.0 - empty[at] / edge_node_volume(s, group, global);
+                empty[at] = 1.0 - empty[at] / node_volume(s, group, global);
             }
 }
 

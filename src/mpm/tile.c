@@ -93,10 +93,10 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
     p.volume0 = field_get(f, P_VOLUME0, body, 0);
     p.J = next_stress ? field_next(f, P_J, body, 0) : field_get(f, P_J, body, 0);
     p.q = next_stress ? field_next(f, P_VISCOUS_PRESSURE, body, 0) : field_get(f, P_VISCOUS_PRESSURE, body, 0);
-    p.centred = s->body[body].fluid && s->basis->kind == BASIS_LINEAR;
+    p.centred = s->body[body].fluid && s->basis->smoothness == 0;
     for (int c = 0; s->transfer->carry && c < s->mesh->dim * s->mesh->dim; ++c)
         p.affine[c] = next_velocity ? field_next(f, P_AFFINE, body, c) : field_get(f, P_AFFINE, body, c);
-    if (s->basis->kind == BASIS_CPDI) set_domains(s, f, body, &p);
+    if (s->basis->fact.shaped) set_domains(s, f, body, &p);
     set_sides(s, s->body[body].group, &p);
     p.held = is_held(s, body) ? s->work->hold.pressure : 0.0;
     for (int a = 0; s->driven && a < s->mesh->dim; ++a) p.drive[a] = field_get(f, P_DRIVE, body, a);

@@ -164,23 +164,14 @@ static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t e
  * any place, with edges held or not (bodies that touch hold none). What limits it are the light nodes at the ends. */
 static double stable_share(const mpm *s)
 {
-    static const double usl[BASIS_KINDS] = {
-        [BASIS_LINEAR] = 0.5, [BASIS_QUADRATIC] = 0.6, [BASIS_CUBIC] = 1.0, [BASIS_GIMP] = 0.4, [BASIS_CPDI] = 0.4};
-    static const double carried[BASIS_KINDS] = {
-        [BASIS_LINEAR] = 0.6, [BASIS_QUADRATIC] = 0.7, [BASIS_CUBIC] = 1.0, [BASIS_GIMP] = 0.45, [BASIS_CPDI] = 0.55};
-    static const struct {
-        int order;
-        double quadratic, cubic;
-    } restored[] = {{2, 0.6, 1.0}, {4, 0.4, 0.75}, {6, 0.35, 0.7}, {20, 0.2, 0.35}};
-    const basis_kind kind = s->basis->kind;
-    const bool smooth = kind == BASIS_QUADRATIC || kind == BASIS_CUBIC, is_usl = s->scene->method.stress == STRESS_USL;
-    if (smooth && s->transfer->restore) {
-        size_t row = 0;
-        while (row + 1 < sizeof restored / sizeof *restored && s->order > restored[row].order) ++row;
-        return kind == BASIS_QUADRATIC ? restored[row].quadratic : restored[row].cubic;
+    static const int order[] = {2, 4, 6};
+    if (s->transfer->restore) {
+        int column = 0;
+        while (column < 3 && s->order > order[column]) ++column;
+        return s->basis->fact.restored_share[column];
     }
-    if (s->transfer->carry != CARRY_NOTHING) return carried[kind];
-    return is_usl ? usl[kind] : 1.0;
+    if (s->transfer->carry != CARRY_NOTHING) return s->basis->fact.carried_share;
+    return s->scene->method.stress == STRESS_USL ? s->basis->fact.usl_share : 1.0;
 }
 
 /* In the plane and in space the step is less than h/c by the diagonal already, and the worst place is a corner. */

@@ -25,7 +25,7 @@ static overlap_surface surface_of(const mpm *s, const mpm_body *b)
     overlap_surface r = {.flows = (double)INFINITY};
     r.speed = sqrt(modulus_of(b) / s->scene->material[b->scene_material].density);
     /* Domains of CPDI are cut at such sides, and what overlaps them is cut to slivers whose slopes tear the body: it is all but stopped at once. */
-    if (s->basis->kind == BASIS_CPDI)
+    if (s->basis->fact.shaped)
         r.flows = 1e-3;
     else if (!b->membrane.model && b->law->yield_stress)
         r.flows = b->law->yield_stress(b->law_par) /

@@ -18,17 +18,6 @@ typedef struct wetted_line {
     double area[3]; /* m2 */
 } wetted_line;
 
-static double volume_of(const mpm *s, const int at[MESH_MAX_DIM])
-{
-    double volume = 1.0;
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        const bool end = !s->mesh->periodic[a] && (at[a] == 0 || at[a] == s->mesh->n[a]);
-        volume *= s->mesh->h[a] * (end ? 0.5 : 1.0);
-    }
-    if (s->mesh->geometry == MESH_AXISYMMETRIC) volume *= fmax(mesh_node(s->mesh, 0, at[0]), 0.25 * s->mesh->h[0]);
-    return volume;
-}
-
 /* What a velocity that the fluid's node loses takes of the relative one, the solid's gaining the impulse. */
 static double recoil_of(const wetted_node *n)
 {
@@ -132,7 +121,8 @@ static void stop_slip(const mpm *s, const wetted_line *line)
 /* Whether the fluid stands along a wall there: its surface is about the face of a cell. */
 static bool is_wall(const mpm *s, int root, const wetted_line *line)
 {
-    const double volume = volume_of(s, s->work->wetted->node[root].at), size = sqrt(wetted_dot(line->area, line->area));
+    const double volume = node_volume(s, s->work->wetted->fluid, s->work->wetted->node[root].at),
+                 size = sqrt(wetted_dot(line->area, line->area));
     int axis = 0;
     for (int a = 1; a < s->mesh->dim; ++a)
         if (fabs(line->area[a]) > fabs(line->area[axis])) axis = a;
@@ -145,7 +135,7 @@ static void join_nodes(const mpm *s, const wetted_line *line)
     mpm_wetted *w = s->work->wetted;
     for (int k = 0; k < line->n; ++k) {
         wetted_node *m = &w->node[line->member[k]];
-        if (m->mass[SOLID] > least_fill * w->density * volume_of(s, m->at)) join_node(m);
+        if (m->mass[SOLID] > least_fill * w->density * node_volume(s, w->fluid, m->at)) join_node(m);
     }
 }
 

@@ -193,6 +193,8 @@ void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batc
 
 /* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable (node.c). */
 double damping_left(const mpm *s);
+/* Volume (m3; a radian's about an axis) of the shape function of a global node inside the mesh, which sides fold for the group (node_volume.c). */
+double node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM]);
 /* Mass (kg) that a node must exceed to take forces. */
 double small_node(const mpm *s);
 /* Whether lost kinetic energy is to heat fluid points (heat.c). */

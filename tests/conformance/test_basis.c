@@ -158,11 +158,45 @@ static void test_registry(void **state)
     assert_null(basis_find("cubism"));
 }
 
+/* Integral of r^power times a node's weight over [0, end] cells, by Simpson's rule between the knots. */
+static double integral_of(const basis_model *b, int node, int power, int end)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 2 * end; ++k)
+        for (int n = 0; n <= 20; ++n) {
+            const double x = fmin(0.5 * k + 0.025 * n, 0.5 * (k + 1) - 1e-13);
+            const double rule = n == 0 || n == 20 ? 1.0 : n % 2 ? 4.0 : 2.0;
+            sum += rule * 0.025 / 3.0 * pow(x, power) * spread_at(b, x, 0.5).w[node + 2];
+        }
+    return sum;
+}
+
+/* What a descriptor says of shares beyond a side and about the axis are integrals of its weights. Boxes of points vary, and have those of
+ * the hats that they are means of. */
+static void test_facts(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < basis_registry_size; ++i) {
+        const basis_model *b = basis_registry[i], *of = b->fact.sized ? basis_find("linear") : b;
+        check_close(b->fact.ghost_share, integral_of(of, -1, 0, 1), 1e-7);
+        check_close(b->fact.axis_moment, integral_of(of, 0, 1, 2), 1e-7);
+        assert_in_range(b->fact.edge_taps, 3, 5);
+        check_true(b->fact.least_mass > 0.0 && b->fact.least_mass < 1e-6 && b->fact.most_bulk > 1.0);
+        check_true(b->fact.sized || !b->fact.shaped);
+        check_true(b->fact.usl_share > 0.0 && b->fact.usl_share <= 1.0);
+        check_true(b->fact.carried_share >= b->fact.usl_share && b->fact.carried_share <= 1.0);
+        for (int k = 0; k < 4; ++k) {
+            check_true(b->fact.restored_share[k] > 0.0);
+            check_true(b->fact.restored_share[k] <= (k > 0 ? b->fact.restored_share[k - 1] : b->fact.carried_share));
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_registry),    cmocka_unit_test(test_sums),       cmocka_unit_test(test_wall),
-        cmocka_unit_test(test_derivatives), cmocka_unit_test(test_smoothness),
+        cmocka_unit_test(test_registry), cmocka_unit_test(test_sums),        cmocka_unit_test(test_facts),
+        cmocka_unit_test(test_wall),     cmocka_unit_test(test_derivatives), cmocka_unit_test(test_smoothness),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

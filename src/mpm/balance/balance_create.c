@@ -23,7 +23,7 @@ bool mpm_body_is_enclosed(const mpm *s, int body)
 const char *mpm_balance_obstacle(const mpm *s, time_solver solver)
 {
     if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
-    if (s->basis->kind == BASIS_CPDI)
+    if (s->basis->fact.shaped)
         return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
     if ((s->coupled || s->seals) && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
     if (s->scene->n_springs > 0) return "springs are stepped in time";

@@ -6,16 +6,13 @@
 
 static double ratio_of(const mpm_body *b)
 {
-    if (b->fluid || !b->law) return 0.0;
-    void *par = (void *)b->law_par; /* only looked at */
-    const double *bulk = param_find(b->law->params, b->law->n_params, par, "bulk_modulus");
-    const double *shear = param_find(b->law->params, b->law->n_params, par, "shear_modulus");
-    return bulk && shear ? *bulk / *shear : 0.0;
+    const double shear = b->fluid || !b->law ? 0.0 : b->law->shear_modulus(b->law_par);
+    return shear > 0.0 ? b->law->bulk_modulus(b->law_par) / shear : 0.0;
 }
 
 double mpm_balance_most_bulk(const mpm *s)
 {
-    return s->basis->kind == BASIS_QUADRATIC || s->basis->kind == BASIS_CUBIC ? 100.0 : 10.0;
+    return s->basis->fact.most_bulk;
 }
 
 double mpm_balance_bulk(const mpm *s, int *body)

@@ -20,6 +20,23 @@ typedef enum basis_kind { BASIS_LINEAR, BASIS_GIMP, BASIS_QUADRATIC, BASIS_CUBIC
 
 enum { BASIS_MAX_SUPPORT = 4 };
 
+/* What methods about the weights ask of a basis. It is written in this order, whole: one that is left out does not
+ * compile. */
+typedef struct basis_facts {
+    int edge_taps;        /* nodes of a line of edges (mpm/edge/edge.h): the degree of the splines plus two */
+    double ghost_share;   /* cells: integral over the mesh of the first ghost's shape function beyond a side */
+    double axis_moment;   /* cells^2: integral over r > 0 of r times the shape function of a node on the axis */
+    double least_mass;    /* of the heaviest point's: lighter nodes take no force (node.c) */
+    double most_bulk;     /* bulk over shear modulus with which loads are balanced without locking (balance_lock.c) */
+    double usl_share;     /* most of h/c that a step takes with USL (totals.c, theory 4.6) */
+    double carried_share; /* of points that carry the motion about them */
+    double restored_share[4]; /* of affine FMPM of orders 2, 4, 6 and more */
+    bool hats; /* light nodes are spared (light_nodes.c), and affine FMPM adds all its terms whole (restore.c) */
+    bool light_losses; /* light nodes would make losses of nothing: their accelerations are in no gradient (heat.c) */
+    bool sized;        /* points have boxes */
+    bool shaped;       /* which F turns and stretches */
+} basis_facts;
+
 typedef struct basis_model {
     const char *name, *doc, *cite;
     basis_kind kind;
@@ -29,6 +46,7 @@ typedef struct basis_model {
     /* gamma with which edges of solids are held unasked (mpm/edge/edge.h): the largest that leaves holes of two cells in
      * radius, and walls of two cells, as right as they are without; 0: none does. */
     double edge_penalty;
+    basis_facts fact;
     bool averaged; /* the slopes are means over the point's domain, of a finer function than the weights */
     /* Weights and derivatives (1/m) along one axis; returns the first node's offset from the lower node of the cell.
      * xi: position in the cell in units of h, 0 <= xi <= 1; half: half width of the point's domain in units of h, 0 <

@@ -10,7 +10,15 @@
 /* Nodes along an axis that a point, or a corner of its domain, reaches, and how far the point reaches beyond its own cell. */
 FLOE_ALWAYS_INLINE int basis_support(const basis_kind kind)
 {
-    return kind == BASIS_LINEAR || kind == BASIS_CPDI ? 2 : kind == BASIS_CUBIC ? 4 : 3;
+    switch (kind) {
+    case BASIS_LINEAR:
+    case BASIS_CPDI: return 2;
+    case BASIS_GIMP:
+    case BASIS_QUADRATIC: return 3;
+    case BASIS_CUBIC: return 4;
+    case BASIS_KINDS: break;
+    }
+    return 0;
 }
 /* Stencils of which the weights of a point are the sum: one, or one a corner of its domain. */
 FLOE_ALWAYS_INLINE int basis_pieces(const basis_kind kind, const int dim)
@@ -101,11 +109,15 @@ FLOE_ALWAYS_INLINE int basis_cpdi_1d(double xi, double half, double inv_h, doubl
 
 FLOE_ALWAYS_INLINE int basis_1d(const basis_kind kind, double xi, double half, double inv_h, double *w, double *dw)
 {
-    if (kind == BASIS_LINEAR) return basis_linear_1d(xi, inv_h, w, dw);
-    if (kind == BASIS_QUADRATIC) return basis_quadratic_1d(xi, inv_h, w, dw);
-    if (kind == BASIS_CUBIC) return basis_cubic_1d(xi, inv_h, w, dw);
-    if (kind == BASIS_CPDI) return basis_cpdi_1d(xi, half, inv_h, w, dw);
-    return basis_gimp_1d(xi, half, inv_h, w, dw);
+    switch (kind) {
+    case BASIS_LINEAR: return basis_linear_1d(xi, inv_h, w, dw);
+    case BASIS_GIMP: return basis_gimp_1d(xi, half, inv_h, w, dw);
+    case BASIS_QUADRATIC: return basis_quadratic_1d(xi, inv_h, w, dw);
+    case BASIS_CUBIC: return basis_cubic_1d(xi, inv_h, w, dw);
+    case BASIS_CPDI: return basis_cpdi_1d(xi, half, inv_h, w, dw);
+    case BASIS_KINDS: break;
+    }
+    return 0;
 }
 
 #endif

@@ -16,5 +16,20 @@ const basis_model basis_cpdi = {
     .reach = 1,
     .smoothness = 1,
     .averaged = true,
+    .fact =
+        {
+            3,                        /* edge_taps */
+            0.0,                      /* ghost_share */
+            1.0 / 6.0,                /* axis_moment */
+            1e-9,                     /* least_mass */
+            10.0,                     /* most_bulk */
+            0.4,                      /* usl_share */
+            0.55,                     /* carried_share */
+            {0.55, 0.55, 0.55, 0.55}, /* restored_share */
+            false,                    /* hats */
+            true,                     /* light_losses */
+            true,                     /* sized */
+            true,                     /* shaped */
+        },
     .weights = weights,
 };

@@ -16,5 +16,20 @@ const basis_model basis_gimp = {
     .reach = 1,
     .edge_penalty = 0.0005,
     .smoothness = 1,
+    .fact =
+        {
+            3,                        /* edge_taps */
+            0.0,                      /* ghost_share */
+            1.0 / 6.0,                /* axis_moment */
+            1e-9,                     /* least_mass */
+            10.0,                     /* most_bulk */
+            0.4,                      /* usl_share */
+            0.45,                     /* carried_share */
+            {0.45, 0.45, 0.45, 0.45}, /* restored_share */
+            true,                     /* hats */
+            false,                    /* light_losses */
+            true,                     /* sized */
+            false,                    /* shaped */
+        },
     .weights = weights,
 };

@@ -15,5 +15,20 @@ const basis_model basis_linear = {
     .support = 2,
     .reach = 0,
     .smoothness = 0,
+    .fact =
+        {
+            3,                    /* edge_taps */
+            0.0,                  /* ghost_share */
+            1.0 / 6.0,            /* axis_moment */
+            1e-9,                 /* least_mass */
+            10.0,                 /* most_bulk */
+            0.5,                  /* usl_share */
+            0.6,                  /* carried_share */
+            {0.6, 0.6, 0.6, 0.6}, /* restored_share */
+            true,                 /* hats */
+            true,                 /* light_losses */
+            false,                /* sized */
+            false,                /* shaped */
+        },
     .weights = weights,
 };

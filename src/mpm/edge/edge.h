@@ -172,9 +172,6 @@ static inline size_t edge_place(const mpm *s, int group, int axis, const int fir
     return ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim + (size_t)axis;
 }
 
-/* Volume of a node's shape function in the mesh (m3; m2 r about an axis), with what the sides fold back to it. */
-double edge_node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM]);
-
 /* Whether a solid has edges: membranes have none. */
 static inline bool edge_body(const mpm *s, int body)
 {

@@ -30,7 +30,7 @@ static double longest_of(const mpm *s, int body, int axis)
 
 int edge_taps(const mpm *s)
 {
-    return s->basis->kind == BASIS_CUBIC ? 5 : s->basis->kind == BASIS_QUADRATIC ? 4 : 3;
+    return s->basis->fact.edge_taps;
 }
 
 /* Components of a node's velocity that walls or supports hold. */

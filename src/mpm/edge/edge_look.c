@@ -11,40 +11,6 @@
 static const double full_node = 0.95;
 enum { NO_BODY = -1, SHARED = -2 };
 
-/* What the shape function of the first ghost has inside the mesh, in cells: the wall's own fold gives twice as much to
- * the node on the wall and takes it of the next. */
-static double ghost_share(basis_kind kind)
-{
-    return kind == BASIS_CUBIC ? 1.0 / 24.0 : kind == BASIS_QUADRATIC ? 1.0 / 48.0 : 0.0;
-}
-
-/* Volume of a node's shape function along an axis in cells. */
-static double share_along(const mpm *s, int group, int axis, int node)
-{
-    if (s->mesh->periodic[axis]) return 1.0;
-    const int side = 2 * node > s->mesh->n[axis] ? SIDE_UPPER : SIDE_LOWER;
-    const int in = side == SIDE_UPPER ? s->mesh->n[axis] - node : node;
-    if (in > 1) return 1.0;
-    if (wall_mirrors(s, group, axis, side)) return in == 0 ? 0.5 : 1.0;
-    const double ghost = ghost_share(s->basis->kind);
-    return in == 0 ? 0.5 + 2.0 * ghost : 1.0 - 2.0 * ghost;
-}
-
-/* Mean of r over the shape function of a node on the axis, in cells, times its share along r (0.5). */
-static double axis_moment(basis_kind kind)
-{
-    return kind == BASIS_CUBIC ? 7.0 / 30.0 : kind == BASIS_QUADRATIC ? 13.0 / 64.0 : 1.0 / 6.0;
-}
-
-double edge_node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM])
-{
-    double volume = 1.0;
-    const double r = mesh_node(s->mesh, 0, at[0]), h = s->mesh->h[0];
-    for (int a = 0; a < s->mesh->dim; ++a) volume *= s->mesh->h[a] * share_along(s, group, a, at[a]);
-    if (s->mesh->geometry != MESH_AXISYMMETRIC) return volume;
-    return r > 0.5 * h ? volume * r : volume / 0.5 * axis_moment(s->basis->kind) * h;
-}
-
 /* Volume of the points of a tile at its nodes. */
 static void fill_tile(const mpm *s, int body, int blk, int tile)
 {
@@ -77,7 +43,7 @@ static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
     const int global[MESH_MAX_DIM] = {b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]};
     const size_t number = edge_number(e, global);
     const int own_group = s->body[body].group;
-    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / edge_node_volume(s, own_group, global);
+    const double fill = volume[mesh_index(b, local[0], local[1], local[2])] / node_volume(s, own_group, global);
     const bool bears = e->starting || edge_bears(s, field_get(s->domain->fields[blk], N_MASS, own_group, 0),
                                                  mesh_index(b, local[0], local[1], local[2]));
     if (!(fill > 0.0) || !bears) return;
