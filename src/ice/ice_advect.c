@@ -295,7 +295,7 @@ FLOE_ALWAYS_INLINE bool update(const cells *c, const ice_view *v, ptrdiff_t at, 
     m->rho1[at] = next;
     m->e1[at] = e;
     const double out = ice_outflow(v, m, at, i, dim);
-    const bool present = !multi || m->theta[at] > 1e-6;
+    const bool present = !multi || m->theta[at] > ICE_SLIVER;
     return (guarded && heat < 0.0) || !(next >= 0.0) || (present && (!(out <= 1.0) || !(e > c->floor)));
 }
 

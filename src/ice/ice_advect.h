@@ -101,17 +101,13 @@ void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *j
 void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int slab, int k,
                      ice_advect_result *result);
 
-/* What is left of a material below this share of a cell is dropped (ice_transport.c). */
-static const double ice_least_fraction = 1e-13, ice_least_share = 1e-18;
-/* Below this share of a cell round-off is looked for. */
-static const double ice_sliver = 1e-6;
 /* Takes back the new velocity and energy of a sliver where they are quotients of round-off. */
 void ice_believe(const ice_arrays *m, ptrdiff_t at, int dim);
 
 /* Its mass in the next state is not negative, or only by round-off of what its neighbours hold: less than is dropped anyway. */
 static inline bool ice_mass_stands(const ice_arrays *m, ptrdiff_t at, bool multi)
 {
-    return m->rho1[at] >= 0.0 || (multi && m->rho1[at] * m->vl[at] > -ice_least_fraction);
+    return m->rho1[at] >= 0.0 || (multi && m->rho1[at] * m->vl[at] > -ICE_LEAST_FRACTION);
 }
 
 #endif

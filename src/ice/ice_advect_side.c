@@ -155,8 +155,8 @@ void ice_believe(const ice_arrays *m, ptrdiff_t at, int dim)
     double square = m->c[at] * m->c[at];
     for (int a = 0; a < dim; ++a) square += m->u[a][at] * m->u[a][at];
     for (int a = 0; a < dim; ++a)
-        if (!(m->u1[a][at] * m->u1[a][at] <= 1e4 * square)) m->u1[a][at] = m->u[a][at];
-    if (!(fabs(m->e1[at]) <= 1e4 * (fabs(m->e[at]) + square))) m->e1[at] = m->e[at];
+        if (!(m->u1[a][at] * m->u1[a][at] <= ICE_MOST_GAIN * square)) m->u1[a][at] = m->u[a][at];
+    if (!(fabs(m->e1[at]) <= ICE_MOST_GAIN * (fabs(m->e[at]) + square))) m->e1[at] = m->e[at];
 }
 
 /* Energy per volume that the update of a cell has made out of nothing: what the guard left out. */
@@ -187,16 +187,17 @@ void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int
     slab_cell(dim, slab, k, &j, &l);
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = start + row + i;
-        const bool present = !job->s->multi || m->theta[at] > 1e-6;
+        const bool present = !job->s->multi || m->theta[at] > ICE_SLIVER;
         if (!ice_mass_stands(m, at, job->s->multi) ||
             (present && (!(ice_outflow(v, m, at, i, dim) <= 1.0) || !(m->e1[at] > job->energy_floor)))) {
             result->bad++;
             continue;
         }
         if (!job->conserve || !(m->rho1[at] > 0.0)) continue;
-        if (job->s->multi && m->rho1[at] * m->vol1[at] < ice_sliver) ice_believe(m, at, dim);
+        if (job->s->multi && m->rho1[at] * m->vol1[at] < ICE_SLIVER) ice_believe(m, at, dim);
         const double defect = defect_of(w, job, slab, start, row, i);
-        if (!(defect > 1e-12 * m->rho1[at] * m->e1[at])) continue; /* round-off of cells that were not guarded */
+        if (!(defect > ICE_COUNTED_DEFECT * m->rho1[at] * m->e1[at]))
+            continue; /* round-off of cells that were not guarded */
         double *tile = ice_tile(job->s, v->b, i, j, l);
         tile[TILE_DEFECT] += defect * v->volume[i];
         tile[TILE_GUARDS] += 1.0;

@@ -58,7 +58,7 @@ void ice_join_burnt(const ice *s, const ice_view *v, int k, ptrdiff_t at, int i)
     const ice_arrays *from = &v->m[q->reactant], *to = &v->m[q->product];
     const double lost = v->reacted[k][at], before = to->rhol[at], mass = before + lost;
     double heat = before * to->el[at] + lost * (from->e[at] + q->heat), kinetic = v->burnt_energy[k][at];
-    const bool last = !(from->rho[at] - lost > 1e-12 * from->rho[at]); /* all but round-off */
+    const bool last = !(from->rho[at] - lost > ICE_LAST_OF_REACTANT * from->rho[at]); /* all but round-off */
     const double share = last ? 1.0 : lost / from->rho[at];
     for (int a = 0; a < v->dim; ++a) {
         const double pushed = share * from->source[a][at], u = to->ul[a][at];

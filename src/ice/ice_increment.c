@@ -27,10 +27,11 @@ FLOE_ALWAYS_INLINE double bend_of(const double *restrict u, ptrdiff_t at, ptrdif
                  upper = (u[at + 2 * step] - u[at + step]) - above;
     const double third = fabs(upper - second) + fabs(second - lower),
                  room = fabs(lower) + 2.0 * fabs(second) + fabs(upper) + 0.25 * (fabs(below) + fabs(above));
-    const double kink = least(most(4.0 * (third / (room + ICE_TINY) - 0.15), 0.0), 1.0);
-    const double pace = 0.5 * fabs(centre) * inv_c, strong = least(400.0 * pace, 1.0) * most(1.0 - 12.0 * pace, 0.0);
+    const double kink = least(most(ICE_KINK_STEEPNESS * (third / (room + ICE_TINY) - ICE_KINK_FOOT), 0.0), 1.0);
+    const double pace = 0.5 * fabs(centre) * inv_c,
+                 strong = least(ICE_KINK_ONSET * pace, 1.0) * most(1.0 - ICE_KINK_END * pace, 0.0);
     const double limited = most(least(below, above), 0.0) + least(most(below, above), 0.0), excess = centre - limited;
-    return kink * strong * (0.7 * excess + 0.3 * fabs(excess)); /* 0.4 of it in compression */
+    return kink * strong * (ICE_KINK_MEAN * excess + ICE_KINK_SIGNED * fabs(excess));
 }
 
 FLOE_ALWAYS_INLINE void increment_row(const ice_view *v, int j, int k, const int dim, const bool multi)

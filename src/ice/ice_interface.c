@@ -13,14 +13,6 @@
 #include <math.h>
 
 /* The constants of the scheme; theory 2.15 has them with what they were chosen by. */
-static const double pure = 1e-12;       /* 1: less than this share of a cell is no other fluid */
-static const double range = 0.5;        /* 1: of theta within two cells, at an interface */
-static const double steepness = 2.3;    /* beta: three quarters of the rise within a cell (Xiao, Ii, Chen) */
-static const double least_beta = 0.01;  /* along an axis that lies in the interface (the same) */
-static const double foot = 0.02;        /* 1: so little of a fluid lies at its own side of the cell (measured) */
-static const double foot_share = 0.4;   /* 1: of it that may leave through one face in a step (measured) */
-static const double tie = 1e-9;         /* 1: neighbours that differ by less are the same */
-static const double least_reach = 1e-9; /* 1: thinner slabs have the cell's mean */
 
 enum { MOST_FACES = 2 * MESH_MAX_DIM };
 
@@ -48,14 +40,14 @@ static bool at_interface(const ice_view *v, ptrdiff_t at)
     for (int r = 0; r < v->n_materials; ++r) {
         const double *theta = v->m[r].theta;
         double lo = theta[at], hi = theta[at];
-        if (!(lo > pure && lo < 1.0 - pure)) continue;
+        if (!(lo > ICE_INTERFACE_PURE && lo < 1.0 - ICE_INTERFACE_PURE)) continue;
         for (int a = 0; a < v->dim; ++a)
             for (int k = -2; k <= 2; ++k) {
                 const double beside = theta[at + k * v->b->stride[a]];
                 lo = least(lo, beside);
                 hi = most(hi, beside);
             }
-        if (hi - lo > range) return true;
+        if (hi - lo > ICE_INTERFACE_RANGE) return true;
     }
     return false;
 }
@@ -139,13 +131,14 @@ static double profile_mean(double here, bool rises, double beta, double x1, doub
 static double steepness_along(const ice_view *v, const double *theta, ptrdiff_t at, int axis)
 {
     double along = 0.0, square = 0.0;
-    if (v->dim == 1) return steepness;
+    if (v->dim == 1) return ICE_INTERFACE_STEEPNESS;
     for (int a = 0; a < v->dim; ++a) {
         const double rise = theta[at + v->b->stride[a]] - theta[at - v->b->stride[a]];
         if (a == axis) along = fabs(rise);
         square += rise * rise;
     }
-    return square > 0.0 ? steepness * along / sqrt(square) + least_beta : least_beta;
+    return square > 0.0 ? ICE_INTERFACE_STEEPNESS * along / sqrt(square) + ICE_INTERFACE_LEAST_STEEPNESS
+                        : ICE_INTERFACE_LEAST_STEEPNESS;
 }
 
 /* A slab that leaves a cell: through its upper or lower face, `reach` cells thick, `part` of the cell's volume. */
@@ -161,12 +154,14 @@ static double slab_fraction(const ice_view *v, const double *theta, ptrdiff_t at
     const ptrdiff_t step = v->b->stride[q->axis];
     const double below = theta[at - step], here = theta[at], above = theta[at + step];
     const double rise = here - below, next = above - here;
-    const bool rises = above > below, monotone = (rises ? least(rise, next) : -most(rise, next)) > -tie;
-    if (!monotone || !(fabs(above - below) > tie) || !(q->reach > least_reach) || !(here > pure && here < 1.0 - pure))
+    const bool rises = above > below, monotone = (rises ? least(rise, next) : -most(rise, next)) > -ICE_INTERFACE_TIE;
+    if (!monotone || !(fabs(above - below) > ICE_INTERFACE_TIE) || !(q->reach > ICE_INTERFACE_LEAST_REACH) ||
+        !(here > ICE_INTERFACE_PURE && here < 1.0 - ICE_INTERFACE_PURE))
         return here;
     const bool towards_more = rises == q->upper;
-    if (here < foot) return towards_more ? least(1.0, foot_share * here / q->part) : 0.0;
-    if (here > 1.0 - foot) return towards_more ? 1.0 : most(0.0, 1.0 - foot_share * (1.0 - here) / q->part);
+    if (here < ICE_INTERFACE_FOOT) return towards_more ? least(1.0, ICE_INTERFACE_FOOT_SHARE * here / q->part) : 0.0;
+    if (here > 1.0 - ICE_INTERFACE_FOOT)
+        return towards_more ? 1.0 : most(0.0, 1.0 - ICE_INTERFACE_FOOT_SHARE * (1.0 - here) / q->part);
     const double mean =
         profile_mean(here, rises, steepness_along(v, theta, at, q->axis), q->upper ? 1.0 - q->reach : 0.0, q->reach);
     return most(least(mean, here / q->part), (here - (1.0 - q->part)) / q->part);

@@ -5,6 +5,7 @@
 #include "coupling/equilibrium.h"
 #include "coupling/reaction.h"
 #include "ice/ice.h"
+#include "ice/ice_constants.h"
 
 #include <float.h>
 #include <math.h>
@@ -20,9 +21,6 @@ static inline bool ice_sharpens(const ice *s)
 {
     return !s->multi && !s->sealed && s->scene->method.limiter == ICE_LIMITER_DEFAULT;
 }
-
-/* Keeps 0/0 of absent material at 0 without a branch; far below any density, speed squared or compressibility. */
-#define ICE_TINY 1e-200
 
 /* Without fmin's care for NaN, so that they vectorise. */
 FLOE_ALWAYS_INLINE double least(double a, double b)
@@ -153,9 +151,6 @@ struct ice_advect_job {
     double energy_floor; /* J/kg; -DBL_MAX where the law must be asked cell by cell */
     double *buffer;      /* of the thread */
 };
-
-/* Where heat would leave less thermal energy than this share of the kinetic, it is not conserved (guard of theory 2.8). */
-#define ICE_THERMAL_SHARE 1e-3
 
 /* Per tile: what a step gathers. */
 enum {
@@ -291,8 +286,6 @@ bool ice_asks_for_rest(const ice *s);
 /* Columns at rest (theory 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);
 
-/* Fluids that fill less than this of a cell beside a solid have no say in its pressure, which is continued into it. */
-#define ICE_NO_ROOM 1e-2
 /* Cells whose pressure is continued into a solid take no increment (ice_continue.c). */
 void ice_hold_continued(const ice *s);
 bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at);
@@ -301,8 +294,9 @@ bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at);
  * ten in a step. */
 static inline double ice_room_after(const ice_arrays *m, ptrdiff_t at, double dP, bool bound)
 {
-    const double most_change = 10.0, room = m->v[at], next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
-    return m->theta[at] < 1e-4 || bound ? least(most(next, room / most_change), room * most_change) : next;
+    const double room = m->v[at], next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
+    const bool held = m->theta[at] < ICE_BOUND_FRACTION || bound;
+    return held ? least(most(next, room / ICE_MOST_ROOM_CHANGE), room * ICE_MOST_ROOM_CHANGE) : next;
 }
 
 /* Interfaces between fluids (ice_interface.c). Storage of a block's spans; which cells lie at one; */
@@ -313,8 +307,7 @@ floe_status ice_find_interfaces(ice *s);
 void ice_flatten_interfaces(const ice_view *v);
 void ice_sharpen_faces(const ice_view *v);
 
-/* A fluid whose own pressure is the cell's but for this share is not expanded by it: 2 %, measured (theory 2.15). */
-#define ICE_NEAR_ONE_PRESSURE 0.02
+/* Whether a fluid's own pressure is the cell's (theory 2.15). */
 static inline bool ice_near_pressure(const isentrope *own, double p)
 {
     return fabs(own->p - p) < ICE_NEAR_ONE_PRESSURE * own->p && own->floor == 0.0;

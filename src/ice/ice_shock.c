@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-static const double threshold = 0.005, steepness = 20.0;
-
 FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int dim, const bool multi)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
@@ -33,7 +31,7 @@ FLOE_ALWAYS_INLINE void sensor_row(const ice_view *v, int j, int k, const int di
         }
         /* Wood's speed in a mixture */
         const double inv_c = multi ? sqrt(rho[at] * kappa[at]) : 1.0 / c[at];
-        const double raw = steepness * (half * ice_compression(div, jump) * inv_c - threshold);
+        const double raw = ICE_SHOCK_STEEPNESS * (half * ice_compression(div, jump) * inv_c - ICE_SHOCK_FOOT);
         const double sensor = raw < 0.0 ? 0.0 : raw > 1.0 ? 1.0 : raw;
         const double points = multi && mixed[at] >= ICE_WITH_POINTS ? 1.0 : 0.0;
         const double s = least + slope * sensor;

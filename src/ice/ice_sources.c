@@ -101,11 +101,6 @@ FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve
     return guarded;
 }
 
-/* Beside solids, a fluid that fills less than this of a cell is heated in proportion. There dP is the solid's, and what the motion
- * of its points takes back of it (2.10, 5.5) is no expansion of the fluid: a sliver would gain heat without end (measured on the
- * pressurised cylinder: e of 1e11 J/kg at theta = 1e-5, and the time step with it). */
-#define FULL_HEAT 1e-2
-
 /* A fluid's gain of energy per mass by the reversible work of dP: P dP, and where its volume changes by more than a twentieth, what its isentrope
  * has between the volumes (ice_volume.c), since a trace of gas in a liquid would else gain in one step what it expands against. */
 static double reversible_gain(const ice *s, const ice_view *v, int r, ptrdiff_t at, double work)
@@ -113,7 +108,7 @@ static double reversible_gain(const ice *s, const ice_view *v, int r, ptrdiff_t 
     const ice_arrays *m = &v->m[r];
     const double linear = m->theta[at] * m->kappa[at] * work / m->rho[at], squeeze = m->kappa[at] * v->dP[at];
     isentrope path;
-    if (!s->work->reconcile || fabs(squeeze) <= 0.05) return linear;
+    if (!s->work->reconcile || fabs(squeeze) <= ICE_LINEAR_SQUEEZE) return linear;
     if (!isentrope_through(&s->material[v->first + r].eos, m->v[at], m->e[at], &path)) return linear;
     return isentrope_energy(&path, ice_room_after(m, at, v->dP[at], false)) - m->e[at];
 }
@@ -170,7 +165,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
         for (int r = 0; r < v->n_materials; ++r) {
             const ice_arrays *m = &v->m[r];
             if (points[r]) continue;
-            const double theta = m->theta[at], sliver = !beside ? 1.0 : fmin(1.0, theta / FULL_HEAT);
+            const double theta = m->theta[at], sliver = !beside ? 1.0 : fmin(1.0, theta / ICE_FULL_HEAT);
             if (shared && m->rho[at] > 0.0) {
                 const double gained = reversible_gain(s, v, r, at, plain);
                 m->el[at] = m->e[at] + gained;

@@ -47,7 +47,7 @@ static const char *fault_of(const ice *s, const ice_view *v, int r, ptrdiff_t at
 {
     const ice_arrays *m = &v->m[r];
     if (!ice_mass_stands(m, at, s->multi)) return "its mass would become negative or is no number";
-    if (s->multi && !(m->theta[at] > 1e-6)) return NULL;
+    if (s->multi && !(m->theta[at] > ICE_SLIVER)) return NULL;
     if (!(ice_outflow(v, m, at, i, v->dim) <= 1.0)) return "more would flow out than it holds";
     const eos *law = &s->material[v->first + r].eos;
     if (!(m->rho1[at] > 0.0)) return NULL;
@@ -90,7 +90,7 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
     return found > 0;
 }
 
-/* What is left of a material below ice_least_fraction of a cell, or ice_least_share of its mass (a trace of gas in a
+/* What is left of a material below ICE_LEAST_FRACTION of a cell, or ICE_LEAST_SHARE of its mass (a trace of gas in a
  * liquid under tension may fill a lot), is dropped; in slivers, what advection's round-off has left without a
  * temperature is given the last one at the last pressure (theory 6). Both are entered in the ledger. */
 static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
@@ -151,12 +151,12 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
             for (int i = 0; i < b->n[0]; ++i) {
                 const ptrdiff_t at = mesh_index(b, i, j, k);
                 const double fraction = m->rho1[at] * m->vol1[at];
-                const bool starved = m->rho1[at] < ice_least_share * v->rho_sum[at];
-                if (m->rho1[at] == 0.0 || (fraction >= ice_sliver && !starved)) continue;
+                const bool starved = m->rho1[at] < ICE_LEAST_SHARE * v->rho_sum[at];
+                if (m->rho1[at] == 0.0 || (fraction >= ICE_SLIVER && !starved)) continue;
                 double *tile = ice_tile(s, b, i, j, k), x[MESH_MAX_DIM];
                 ice_place_of(s, b, (const int[]){i, j, k}, x);
                 believe(v, at, m, v->volume[i], x, tile);
-                if (starved || fraction < ice_least_fraction)
+                if (starved || fraction < ICE_LEAST_FRACTION)
                     drop(v, r, at, v->volume[i], x, tile);
                 else
                     mend(s, v, r, at, v->volume[i], x, tile);
