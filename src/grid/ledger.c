@@ -154,6 +154,11 @@ void ledger_choose(ledger *l, const mesh *m)
     l->arm = sqrt(square);
 }
 
+void ledger_leave_moments(ledger *l)
+{
+    for (int a = 0; a < 3; ++a) l->no_account[LEDGER_MOMENT_X + a] = true;
+}
+
 void ledger_open(ledger *l, const ledger_state *now, double elasticity)
 {
     memcpy(l->initial, now->total, sizeof l->initial);

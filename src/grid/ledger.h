@@ -112,6 +112,8 @@ typedef struct ledger_state {
 /* Which quantities have an account on a mesh: momentum along its axes but a radius, moments of momentum unless an axis of
  * their plane is periodic, where what leaves comes back elsewhere; about the axis of a body of revolution nothing turns. */
 void ledger_choose(ledger *l, const mesh *m);
+/* No account of moments of momentum: beside cut cells, where what a side and a wall give a merged cell has no one place. */
+void ledger_leave_moments(ledger *l);
 /* The start of the account. `elasticity` (J): sum of m c^2 of the solids. */
 void ledger_open(ledger *l, const ledger_state *now, double elasticity);
 /* Brings totals, scales and the largest drifts up to date. */

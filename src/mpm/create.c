@@ -116,9 +116,11 @@ static floe_status make_work(mpm *s)
     return memory_new(s->ctx, &w->batch, (size_t)w->threads, sizeof *w->batch);
 }
 
+/* Beside cells two terms: spin is kept as by four, at a third of their cost (docs/defaults.md). */
 static int order_of(const mpm *s)
 {
-    return s->scene->method.filter_order > 0 ? s->scene->method.filter_order : s->transfer->order;
+    if (s->scene->method.filter_order > 0) return s->scene->method.filter_order;
+    return (s->coupled || s->seals) && s->transfer->restore ? 2 : s->transfer->order;
 }
 
 static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool beside)
@@ -141,6 +143,9 @@ static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stag
     if (isnan(s->share)) s->share = isnan(sc->method.flip) ? 0.99 : sc->method.flip;
     for (int b = 0; b < sc->n_bodies; ++b)
         if (!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
+    for (int b = 0; b < s->n_bodies; ++b)
+        s->blends_by_way =
+            s->blends_by_way || (s->body[b].fluid && isnan(s->transfer->share) && isnan(sc->method.flip));
     for (int b = 0; b < s->n_bodies; ++b) s->driven = s->driven || is_driven(s, b);
     if (s->n_groups > MPM_MAX_GROUPS)
         return fail_key(s->ctx, KEY("contact"), "%d velocity fields are more than the %d that a run holds", s->n_groups,

@@ -57,8 +57,10 @@ typedef struct mpm {
     ledger *ledger;     /* not owned */
     const basis_model *basis;
     const transfer_model *transfer;
-    double share; /* of FLIP in the velocities of points */
-    int order;    /* of the transfer's filter or sum */
+    double share;       /* of FLIP in the velocities of points, in this step */
+    bool blends_by_way; /* it goes by the cells that points cross (mpm_begin_step) */
+    double fastest;     /* 1/s: most cells that a point of the current state crosses in a second (mpm_time_step) */
+    int order;          /* of the transfer's filter or sum */
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;

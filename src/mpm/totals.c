@@ -135,11 +135,17 @@ static void add_viscous_rate(const mpm_body *b, const solid_batch *batch, double
     for (size_t k = 0; k < batch->n; ++k) rate[k] += 2.0 * mu * batch->J[k] / batch->rho0[k] * inverse_square;
 }
 
-/* Largest rate (1/s) at which information or a point crosses cells, over a chunk: c |1/h| + sum |v| / h. */
-static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch)
+/* Largest rates (1/s) over points: at which information or a point crosses cells, c |1/h| + sum |v| / h; and at which points do. */
+typedef struct crossing_rates {
+    double all, points;
+} crossing_rates;
+
+/* Over a chunk. */
+static crossing_rates chunk_rates(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch)
 {
     const mpm_body *b = &s->body[body];
-    double rate[SOLID_CHUNK], inverse_square = 0.0, worst = 0.0;
+    double rate[SOLID_CHUNK], motion[SOLID_CHUNK] = {0.0}, inverse_square = 0.0;
+    crossing_rates worst = {0.0, 0.0};
     const size_t n = end - start;
     load_speed_batch(s, blk, body, start, end, batch);
     b->law->wave_speed(b->law_par, s->scene->reference_pressure, batch, rate);
@@ -153,10 +159,13 @@ static double chunk_rate(const mpm *s, int blk, int body, size_t start, size_t e
     for (int a = 0; a < s->mesh->dim; ++a) {
         const double *restrict v = field_get(s->domain->fields[blk], P_VEL, body, a) + start;
         const double inv_h = 1.0 / s->mesh->h[a];
-        for (size_t k = 0; k < n; ++k) rate[k] += fabs(v[k]) * inv_h;
+        for (size_t k = 0; k < n; ++k) motion[k] += fabs(v[k]) * inv_h;
     }
-    for (size_t k = 0; k < n; ++k)
-        if (!(rate[k] <= worst)) worst = rate[k];
+    for (size_t k = 0; k < n; ++k) {
+        rate[k] += motion[k];
+        if (!(rate[k] <= worst.all)) worst.all = rate[k];
+        if (motion[k] > worst.points) worst.points = motion[k];
+    }
     return worst;
 }
 
@@ -182,17 +191,18 @@ static double stable_share_here(const mpm *s)
 
 floe_status mpm_time_step(mpm *s, step_limit *out)
 {
-    double worst = 0.0;
+    double worst = 0.0, fastest = 0.0;
     int limiting = 0;
     for (int body = 0; body < s->n_bodies; ++body) {
         double rate = 0.0;
         for (int b = 0; b < s->mesh->n_blocks; ++b) {
             const size_t n = s->points[b][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;
-#pragma omp parallel for schedule(static) reduction(max : rate)
+#pragma omp parallel for schedule(static) reduction(max : rate, fastest)
             for (size_t k = 0; k < chunks; ++k) {
                 const size_t start = k * SOLID_CHUNK, end = start + SOLID_CHUNK < n ? start + SOLID_CHUNK : n;
-                const double r = chunk_rate(s, b, body, start, end, &s->work->batch[thread_number()]);
-                if (r > rate || isnan(r)) rate = isnan(r) ? (double)INFINITY : r;
+                const crossing_rates r = chunk_rates(s, b, body, start, end, &s->work->batch[thread_number()]);
+                if (r.all > rate || isnan(r.all)) rate = isnan(r.all) ? (double)INFINITY : r.all;
+                fastest = fmax(fastest, r.points);
             }
         }
         if (rate > worst) {
@@ -203,6 +213,7 @@ floe_status mpm_time_step(mpm *s, step_limit *out)
     if (!isfinite(worst))
         return fail(s->ctx, FLOE_DIVERGED, "a wave speed or velocity of body '%s' is not finite at t = %.6g s",
                     s->scene->body[s->body[limiting].scene_body].name, s->time);
+    s->fastest = fastest;
     out->reason = s->scene->body[s->body[limiting].scene_body].name;
     const double of_springs = spring_rate(s, &out->reason);
     if (of_springs > worst)

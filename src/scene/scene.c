@@ -70,15 +70,15 @@ bool scene_in_contact(const scene *s, int body)
     return false;
 }
 
-/* Solids alone, in steps that are not solved for. Gas and liquids on points and membranes keep FLIP, and so do solids beside cells: there the
- * other costs time and gains nothing (docs/defaults.md). */
-static bool moves_solids_alone(const scene *s)
+/* Whether points are solids alone, in steps that are not solved for. Gas and liquids on points, and membranes, keep FLIP (docs/defaults.md). */
+static bool points_are_solids(const scene *s)
 {
+    const bool fluids_on_points = s->coupling == COUPLING_MPM;
     for (int b = 0; b < s->n_bodies; ++b) {
         const scene_material *m = &s->material[s->body[b].material];
-        if (m->kind != MATERIAL_SOLID || m->membrane) return false;
+        if (m->membrane || (fluids_on_points && m->kind == MATERIAL_FLUID)) return false;
     }
-    return s->coupling == COUPLING_MPM && s->time.solver == SOLVER_DYNAMIC;
+    return s->time.solver == SOLVER_DYNAMIC;
 }
 
 /* Whether the scene looks for the rest that damping brings elastic solids to, which the way there has no part in: what a transfer takes
@@ -97,7 +97,7 @@ static bool looks_for_rest(const scene *s)
 const char *scene_transfer(const scene *s)
 {
     if (s->method.transfer[0]) return s->method.transfer;
-    return isnan(s->method.flip) && moves_solids_alone(s) && !looks_for_rest(s) ? "afmpm" : "flip";
+    return isnan(s->method.flip) && points_are_solids(s) && !looks_for_rest(s) ? "afmpm" : "flip";
 }
 
 /* Steps that are solved for, contact and membranes have their own rules, other times of the stress and filtered velocities another order of

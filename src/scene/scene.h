@@ -204,9 +204,11 @@ typedef struct scene_method {
     double domain_limit; /* cells: of basis cpdi, how far a domain may reach from its point along an axis; 0.25 to 1 */
     stress_scheme stress;
     char transfer[SCENE_NAME]; /* of transfer_registry; "": as the scene asks (scene_transfer) */
-    double flip;               /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1; NAN: 0.99 */
-    int filter_order;          /* of transfers xpic and afmpm, 2 to 20; 0: theirs */
-    point_density density;     /* of fluid points (mpm/density.c) */
+    double
+        flip; /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1; NAN: 0.99, with fluids on points 1 less 0.1 for each cell that
+                                * the fastest point crosses in the step */
+    int filter_order;      /* of transfers xpic and afmpm, 2 to 20; 0: theirs */
+    point_density density; /* of fluid points (mpm/density.c) */
     point_losses losses;
     double edge_penalty; /* gamma of the penalty on edges of solids (mpm/edge/edge.h); 0: none; NAN: the basis's own */
     ice_centring centring; /* phi of theory 2.5: auto is 1/2 smooth, 1 at shocks */

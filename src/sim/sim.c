@@ -107,6 +107,7 @@ static floe_status fill(sim *s)
     TRY(sim_choose_pressure(s));
     TRY(sim_choose_substeps(s));
     ledger_choose(&s->ledger, &s->mesh);
+    if (s->sealed) ledger_leave_moments(&s->ledger);
     return sim_open_account(s);
 }
 

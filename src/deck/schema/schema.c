@@ -244,14 +244,16 @@ static const key_spec method_keys[] = {
     {"stress", KEY_CHOICE, AT(scene_method, stress), .fallback = "usl", .choices = stress_choices,
      .doc = "when stresses of points are updated in a step"},
     {"transfer", KEY_CUSTOM, AT(scene_method, transfer), .custom = &custom_transfer,
-     .otherwise = "`afmpm` for solids alone in dynamic mpm, unless elastic ones are damped to rest, else and where "
-                  "`flip` is given `flip`",
+     .otherwise =
+         "`afmpm` where points are solids alone, in dynamic steps, unless elastic ones are damped to rest; else "
+         "and where `flip` is given `flip`",
      .doc = "what becomes of the velocities of points in a step"},
-    {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip), .otherwise = "0.99",
+    {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip),
+     .otherwise = "0.99; with fluids on points 1 less 0.1 for each cell that the fastest point crosses in the step",
      .applies = transfer_is_flip, .belongs = "transfer flip",
      .doc = "share of FLIP in the velocity update of points; the rest is PIC"},
     {"filter_order", KEY_WHOLE, NULL, WITHIN(2, 20), AT(scene_method, filter_order),
-     .otherwise = "2; of afmpm 4, with linear and gimp alike, else with shares of their own",
+     .otherwise = "2; of afmpm beside cells 2, else 4, with linear and gimp alike, else with shares of their own",
      .applies = transfer_has_order, .belongs = "transfer xpic or afmpm",
      .doc = "order: passes between points and nodes of which the filter is made"},
     {"point_density", KEY_CHOICE, AT(scene_method, density), .fallback = "continuity", .choices = density_choices,
