@@ -70,12 +70,12 @@ static void tell_remedy(context *ctx)
 }
 
 /* A line that cannot be followed is told with what it is: a membrane, or the surface of the solids. */
-static floe_status find_cuts(const sealed *t, const sealed_line *line, cut_surface *place)
+static floe_status tell_of_line(const sealed *t, const sealed_line *line, floe_status status)
 {
     const scene *s = t->points->scene;
     const scene_body *body = &s->body[t->points->body[line->body].scene_body];
     const bool holds = body->membrane.present && body->membrane.holds >= 0;
-    const floe_status status = cut_find(place);
+    if (status == FLOE_OK) return status;
     if (holds) return fail_under(t->ctx, status, KEY("bodies", body->name, "membrane"));
     if (status == FLOE_RETRY) tell_remedy(t->ctx);
     return fail_under(t->ctx, status, KEY("method", "interface"));
@@ -88,7 +88,7 @@ static floe_status find_place(const sealed *t, const sealed_line *line, bool nex
         TRY(mpm_outline_beside(t->points, line->fluid, next, out));
     else
         TRY(mpm_outline(t->points, line->body, next, out));
-    return find_cuts(t, line, out);
+    return tell_of_line(t, line, cut_find(out));
 }
 
 static floe_status find_line_now(sealed *t, sealed_line *line)
@@ -98,7 +98,9 @@ static floe_status find_line_now(sealed *t, sealed_line *line)
     TRY(make_room(t, line, now->n_vertices));
     mpm_outline_velocity(t->points, line->body, now, line->velocity);
     for (int k = 0; k < ICE_SEAL_PLACES; ++k)
-        TRY(cut_ahead(now, line->velocity, (k + 0.5) / ICE_SEAL_PLACES * t->gases->dt, &line->place[SEAL_MEAN + k]));
+        TRY(tell_of_line(
+            t, line,
+            cut_ahead(now, line->velocity, (k + 0.5) / ICE_SEAL_PLACES * t->gases->dt, &line->place[SEAL_MEAN + k])));
     return FLOE_OK;
 }
 

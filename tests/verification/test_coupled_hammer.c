@@ -43,14 +43,15 @@ static double plateau_of(double E, double b, double reference)
     return plateau;
 }
 
-/* Steel, four cells of wall: measured 1.001 at both; 0.35 below it before walls kept water and water slipped along them. */
+/* Steel, four cells of wall: measured 1.0020 at both, with the wall's own ringing, which Korteweg's wall without mass does not have (1.0055 where
+ * the transfer takes nothing of it, 1.0010 where FLIP's blend did); 0.35 below it before walls kept water and water slipped along them. */
 static void test_hammer(void **unused)
 {
     (void)unused;
     const double low = plateau_of(200e9, 0.07, 1e5), high = plateau_of(200e9, 0.07, 1e7);
     print_message("steel tube: %.4f of Korteweg's pressure at 1 bar, %.4f at 100 bar\n", low, high);
-    check_close(low, 1.0, 1.2e-3);
-    check_close(high, 1.0, 1e-3);
+    check_close(low, 1.0, 3e-3);
+    check_close(high, 1.0, 3e-3);
     check_close(high, low, 2e-4);
 }
 
