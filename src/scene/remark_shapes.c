@@ -98,12 +98,12 @@ static void remark_bending(const scene *s, const scene_body *b, remark_sink *say
     if (s->coupling == COUPLING_ICE || !(across < SLENDER_ENOUGH - 0.5)) return;
     for (int a = 0; a < s->mesh.dim; ++a)
         if ((axis < 0 || axis == a) && b->per_cell[a] >= SLENDER_POINTS) return;
-    char text[TEXT_SIZE];
-    (void)snprintf(text, sizeof text,
-                   "body '%s' has %.0f points across: where it bends it is %.2g %% too soft, one part in their number "
-                   "squared. Leave bodies.%s.points out, and it gets more",
-                   b->name, across, 100.0 / (across * across), b->name);
-    say(user, text);
+    remark_speaker w = {.s = s, .say = say, .user = user};
+    remark_set_key(&w, "bodies", b->name, "points");
+    remark_key(&w,
+               "body '%s' has %.0f points across: where it bends it is %.2g %% too soft, one part in their number "
+               "squared. Leave its points out, and it gets more",
+               b->name, across, 100.0 / (across * across));
 }
 
 /* Points spread a solid over the cells about its surface, where the fluid is not what it is beside a wall. */
