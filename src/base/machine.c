@@ -1,4 +1,5 @@
 #include "base/machine.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -26,11 +27,9 @@ void machine_describe(char *text, size_t size)
     struct utsname system;
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     processor_name(name, sizeof name);
-    size_t at = (size_t)snprintf(text, size, "%s", name);
-    if (at < size && processors > 0)
-        at += (size_t)snprintf(text + at, size - at, "%s%ld processor%s", at ? ", " : "", processors,
-                               processors > 1 ? "s" : "");
-    if (at < size && uname(&system) >= 0)
-        (void)snprintf(text + at, size - at, "%s%s %s %s", at ? ", " : "", system.sysname, system.release,
-                       system.machine);
+    (void)snprintf(text, size, "%s", name);
+    if (processors > 0)
+        text_add(text, size, "%s%ld processor%s", text[0] ? ", " : "", processors, processors > 1 ? "s" : "");
+    if (uname(&system) >= 0)
+        text_add(text, size, "%s%s %s %s", text[0] ? ", " : "", system.sysname, system.release, system.machine);
 }

@@ -5,6 +5,8 @@
 #include "floe/floe.h"
 #include "floe_build.h"
 
+#include "base/text.h"
+
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,13 +79,12 @@ static char *list_commands(int key, const char *text, void *input)
     for (size_t i = 0; i < cli_n_commands; i++) size += strlen(cli_commands[i].doc) + 32;
     char *out = malloc(size);
     if (!out) return (char *)text;
-    size_t at = (size_t)snprintf(out, size, "Commands:\n");
+    (void)snprintf(out, size, "Commands:\n");
     for (size_t i = 0; i < cli_n_commands; i++)
-        at += (size_t)snprintf(out + at, size - at, "  %-9s  %s\n", cli_commands[i].name, cli_commands[i].doc);
-    (void)snprintf(
-        out + at, size - at,
-        "\n`floe COMMAND --help` tells more. Exit status: 0 done; 2 bad usage or deck; 3 diverged; 4 input or "
-        "output failed; 5 interrupted, checkpoint written; 6 a required bar was missed, or a case has no result.");
+        text_add(out, size, "  %-9s  %s\n", cli_commands[i].name, cli_commands[i].doc);
+    text_add(out, size,
+             "\n`floe COMMAND --help` tells more. Exit status: 0 done; 2 bad usage or deck; 3 diverged; 4 input or "
+             "output failed; 5 interrupted, checkpoint written; 6 a required bar was missed, or a case has no result.");
     return out;
 }
 

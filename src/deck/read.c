@@ -1,6 +1,8 @@
 /* Reading by table: unknown, duplicate and missing keys, defaults, and the way from a key to its reader. */
 #include "deck/schema/schema.h"
 
+#include "base/text.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -41,12 +43,8 @@ floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
                      const char *(*candidate)(const void *user, size_t i), const void *user)
 {
     char all[WORDS] = "";
-    size_t length = 0;
-    for (size_t i = 0; candidate(user, i) && length < sizeof all; i++) {
-        const char *next = i < NAMES_SHOWN ? candidate(user, i) : "...";
-        length += (size_t)snprintf(all + length, sizeof all - length, "%s%s", i > 0 ? ", " : "", next);
-        if (i == NAMES_SHOWN) break;
-    }
+    for (size_t i = 0; i <= NAMES_SHOWN && candidate(user, i); i++)
+        text_add(all, sizeof all, "%s%s", i > 0 ? ", " : "", i < NAMES_SHOWN ? candidate(user, i) : "...");
     const char *name = at_key ? node->key : node->text;
     const char *nearest = nearest_name(name, candidate, user);
     const char *start = nearest ? " (did you mean '" : "", *end = nearest ? "'?)" : "";

@@ -2,6 +2,8 @@
 #include "deck/schema/schema.h"
 #include "deck/units.h"
 
+#include "base/text.h"
+
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,16 +19,14 @@ static void describe_number(const key_spec *key, char *text, size_t size)
 {
     const param_spec spec = {.range = key->range, .lo = key->lo, .hi = key->hi};
     param_describe_range(&spec, text, size);
-    const size_t length = strlen(text);
-    if (has_unit(key) && length < size) snprintf(text + length, size - length, " in %s, or with its unit", key->unit);
+    if (has_unit(key)) text_add(text, size, " in %s, or with its unit", key->unit);
 }
 
 static void describe_choices(const key_spec *key, char *text, size_t size)
 {
-    size_t length = 0;
-    for (const choice *c = key->choices; c->name && length < size; c++) {
-        length += (size_t)snprintf(text + length, size - length, "%s%s", c == key->choices ? "" : ", ", c->name);
-    }
+    text[0] = '\0';
+    for (const choice *c = key->choices; c->name; c++)
+        text_add(text, size, "%s%s", c == key->choices ? "" : ", ", c->name);
 }
 
 static void describe_list(const key_spec *key, size_t n, bool alone, char *text, size_t size)

@@ -1,6 +1,7 @@
 #include "draw/field_picture.h"
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "draw/field_choice.h"
 #include "draw/picture.h"
 #include "draw/scale.h"
@@ -198,9 +199,8 @@ static void choose_for_body(sheet *h, const snapshot_group *body, field_choice *
 
 static void note_label(sheet *h, const char *label)
 {
-    const size_t length = strlen(h->of_points);
     if (strstr(h->of_points, label)) return;
-    (void)snprintf(h->of_points + length, SNAPSHOT_TEXT - length, "%s%s", length > 0 ? " and " : "", label);
+    text_add(h->of_points, SNAPSHOT_TEXT, "%s%s", h->of_points[0] ? " and " : "", label);
 }
 
 static floe_status draw_body(sheet *h, const snapshot_group *body, picture_points *points)

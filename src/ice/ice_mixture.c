@@ -2,6 +2,7 @@
  * same materials, so that the laws see cells as they lie: where one is alone the pressure is its law's, where several are the cells of the run are
  * solved side by side. Materials that are absent from a cell get the mean velocity and temperature of those present, and their law's v at p, so
  * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */
+#include "base/text.h"
 #include "base/threads.h"
 #include "ice/ice_internal.h"
 
@@ -183,12 +184,10 @@ static void set_temperatures(const mixture_row *q, const mixture_run *run)
 static floe_status explain(const mixture_row *q, const mixture_run *run, int i)
 {
     const equilibrium_batch *b = &q->mixed->batch;
-    char place[160], text[512];
-    int used = 0;
+    char place[160], text[512] = "";
     ice_place(q->s, q->v->b, run->from + i, -1, place, sizeof place);
-    for (int k = 0; k < run->count && used < (int)sizeof text - 80; ++k)
-        used += snprintf(text + used, sizeof text - (size_t)used, " [%d] %.6g kg/m3 at %.6g K", run->material[k],
-                         b->a[k][i], b->T[k][i]);
+    for (int k = 0; k < run->count; ++k)
+        text_add(text, sizeof text, " [%d] %.6g kg/m3 at %.6g K", run->material[k], b->a[k][i], b->T[k][i]);
     return fail(q->s->ctx, FLOE_RETRY,
                 "equilibrium pressure, %s: no pressure fills it after %d iterations (p = %g Pa, excess volume %g;%s)",
                 place, b->iterations[i], b->p[i], b->residual[i], text);

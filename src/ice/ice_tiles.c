@@ -2,6 +2,8 @@
  * (docs/structure.md, Tiles). */
 #include "ice/ice_internal.h"
 
+#include "base/text.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -88,8 +90,8 @@ void ice_place(const ice *s, const block *b, ptrdiff_t at, int r, char *text, si
         cell[a] = (int)(rest / b->stride[a]) - MESH_GHOST + b->lo[a];
         rest %= b->stride[a];
     }
-    int used = snprintf(text, size, "cell (%d", cell[0]);
-    for (int a = 1; a < b->dim; ++a) used += snprintf(text + used, size - (size_t)used, ", %d", cell[a]);
+    (void)snprintf(text, size, "cell (%d", cell[0]);
+    for (int a = 1; a < b->dim; ++a) text_add(text, size, ", %d", cell[a]);
     const char *name = r >= 0 ? s->scene->material[s->material[r].scene_material].name : "";
-    snprintf(text + used, size - (size_t)used, r >= 0 ? "), material %d (%s)" : ")", r, name);
+    text_add(text, size, r >= 0 ? "), material %d (%s)" : ")", r, name);
 }

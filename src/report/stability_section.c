@@ -1,5 +1,6 @@
 /* The folder of `floe stability`. */
 #include "base/memory.h"
+#include "base/text.h"
 #include "report/html.h"
 #include "report/page.h"
 #include "report/run_section.h"
@@ -33,14 +34,11 @@ static void settings_text(json_t *settings, bool keys, char *text, size_t size)
 {
     const char *key;
     json_t *value;
-    size_t at = 0;
     text[0] = '\0';
     json_object_foreach(settings, key, value)
     {
         const char *word = json_string_value(value);
-        if (at < size)
-            at += (size_t)snprintf(text + at, size - at, "%s%s%s%s", at ? ", " : "", keys ? key : "", keys ? " = " : "",
-                                   word ? word : "");
+        text_add(text, size, "%s%s%s%s", text[0] ? ", " : "", keys ? key : "", keys ? " = " : "", word ? word : "");
     }
 }
 

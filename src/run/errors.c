@@ -3,6 +3,8 @@
 #include "verify/history_metric.h"
 #include "verify/metric.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -57,6 +59,5 @@ void error_text(const char *name, double error, bool dimensionless, char text[ER
 {
     const char *unit = isfinite(error) ? error_unit(name, dimensionless) : "";
     error_number(name, error, text);
-    const size_t at = strlen(text);
-    (void)snprintf(text + at, ERROR_TEXT - at, "%s%s", unit[0] ? " " : "", unit);
+    text_add(text, ERROR_TEXT, "%s%s", unit[0] ? " " : "", unit);
 }

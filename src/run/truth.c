@@ -1,6 +1,7 @@
 #include "run/truth.h"
 
 #include "base/strbuf.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <string.h>
@@ -64,13 +65,12 @@ void truth_log(run_truth *t, const sim *s)
 
 typedef struct notes {
     char *text;
-    size_t size, used;
+    size_t size;
 } notes;
 
 static void add_note(notes *n, const char *note)
 {
-    const int added = snprintf(n->text + n->used, n->size - n->used, "%s%s", n->used ? "; " : "", note);
-    if (added > 0) n->used += (size_t)added < n->size - n->used ? (size_t)added : n->size - n->used - 1;
+    text_add(n->text, n->size, "%s%s", n->text[0] ? "; " : "", note);
 }
 
 static void note_drifts(const sim *s, notes *n)
@@ -106,7 +106,8 @@ static void note_counts(const sim *s, notes *n)
 
 void truth_summarise(const sim *s, run_summary *out)
 {
-    notes n = {out->notes, sizeof out->notes, 0};
+    notes n = {out->notes, sizeof out->notes};
+    out->notes[0] = '\0';
     char text[TEXT];
     out->notes[0] = '\0';
     note_drifts(s, &n);

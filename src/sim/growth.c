@@ -2,6 +2,8 @@
  * nothing is left of the answer; numbers may stay finite for long. */
 #include "sim/sim.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -72,8 +74,8 @@ static fastest find_fastest(const sim *s)
 
 static void name_place(const sim *s, const fastest *f, char text[128])
 {
-    int n = 0;
-    for (int a = 0; a < s->mesh.dim; ++a) n += snprintf(text + n, 128 - (size_t)n, "%s%.4g", a ? ", " : "", f->x[a]);
+    text[0] = '\0';
+    for (int a = 0; a < s->mesh.dim; ++a) text_add(text, 128, "%s%.4g", a ? ", " : "", f->x[a]);
 }
 
 static void name_remedy(const sim *s, char text[160])

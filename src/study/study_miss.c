@@ -2,6 +2,7 @@
 #include "study/study_parts.h"
 
 #include "base/memory.h"
+#include "base/text.h"
 
 #include <string.h>
 
@@ -20,20 +21,18 @@ static void add_miss(misses *m, const char *name, const char *why)
     const int length = snprintf(text, sizeof text, "\n    %.180s: %.200s", name, why);
     m->n++;
     if (m->n_more == 0 && at + (size_t)length + sizeof m->more + 32 < sizeof m->line) {
-        (void)snprintf(m->line + at, sizeof m->line - at, "%s", text);
+        text_add(m->line, sizeof m->line, "%s", text);
         return;
     }
     const size_t end = strlen(m->more);
     m->n_more++;
-    if (end + strlen(name) + 8 < sizeof m->more)
-        (void)snprintf(m->more + end, sizeof m->more - end, "%s%s", end ? "; " : "", name);
+    if (end + strlen(name) + 8 < sizeof m->more) text_add(m->more, sizeof m->more, "%s%s", end ? "; " : "", name);
 }
 
 static void add_last(misses *m)
 {
-    const size_t at = strlen(m->line);
     if (m->n_more == 0) return;
-    (void)snprintf(m->line + at, sizeof m->line - at, "\n    and %zu more: %s", m->n_more, m->more);
+    text_add(m->line, sizeof m->line, "\n    and %zu more: %s", m->n_more, m->more);
 }
 
 static floe_status add_bars(const study *s, misses *m, size_t *all)
