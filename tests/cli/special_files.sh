@@ -59,7 +59,7 @@ is_there out/report.html
 # What a case of a study says goes to a new file.
 study=("$FLOE" study "${tiny[@]}" --set study=null --axis "time.max_steps=1,2" --quiet -o cases)
 "${study[@]}" >stdout 2>stderr || true
-for case in cases/1 cases/2; do ln -sf "$work/victim" "$case/stderr.txt"; done
+for case in cases/mpm-1 cases/mpm-2; do ln -sf "$work/victim" "$case/stderr.txt"; done
 within 60 4 "${study[@]}" --again
 has stderr 'a symbolic link'
 [ "$(cat victim)" = mine ] || fault 'the messages of a case were written through a link'
