@@ -88,6 +88,8 @@ static bool is_unset(const key_spec *key, const void *field)
     case KEY_MATERIAL:
     case KEY_BODY: memcpy(&index, field, sizeof index); return index < 0;
     case KEY_TEXT: return *(const char *)field == '\0';
+    /* What no deck may give says that it was left out. */
+    case KEY_WHOLE: return key->otherwise && (double)load_whole(key, field) < key->lo;
     default: return false;
     }
 }

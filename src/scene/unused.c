@@ -144,6 +144,15 @@ static void add_losses(const unused_list *list)
     if (s->method.losses == LOSSES_HEAT) add_key(list, scene_is_cut(s) ? AS_ICE : AS_ICE | AS_ICE_MPM, "method.losses");
 }
 
+/* The order of a filter or a sum, where no transfer is named and the default has neither. */
+static void add_filter_order(const unused_list *list)
+{
+    const scene *s = list->s;
+    if (s->coupling == COUPLING_ICE || s->method.transfer[0] || strcmp(scene_transfer(s), "flip") != 0) return;
+    if (scene_has_key(s, "method.filter_order"))
+        say_at(list, "method.filter_order", "transfer is flip here, which has no order: name transfer xpic or afmpm");
+}
+
 /* Cells carry absolute pressures: only a load that pressurises counts from the reference. */
 static void add_reference_pressure(const unused_list *list)
 {
@@ -220,6 +229,7 @@ void scene_remark_unused(const scene *s, remark_sink *say, void *user)
     const unused_list list = {.s = s, .say = say, .user = user};
     add_scene_keys(&list);
     add_losses(&list);
+    add_filter_order(&list);
     add_reference_pressure(&list);
     for (int m = 0; m < s->n_materials; ++m) add_material_keys(&list, &s->material[m]);
     for (int b = 0; b < s->n_bodies; ++b) add_body_keys(&list, &s->body[b]);

@@ -99,3 +99,14 @@ for way in 'basis: quadratic' 'basis: cubic' 'basis: gimp' 'basis: linear, flip:
     kept 'kinetic strain' 0 1.01
     rm -rf out
 done
+
+# The order may stand without a transfer, whose default may have one; left out, the resolved deck leaves it out, and loads again.
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/defaults/e4_spin.yaml" -o plain --quiet --set time.max_steps=2 --set domain.cell=0.125
+if grep -q filter_order plain/deck.yaml; then fault 'an order that nobody gave'; fi
+expect 0 "$FLOE" check plain/deck.yaml
+expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/defaults/e4_spin.yaml" -o six --quiet --set time.max_steps=2 --set domain.cell=0.125 --set method.filter_order=6
+has six/deck.yaml 'filter_order: 6'
+expect 0 "$FLOE" check six/deck.yaml
+if cmp -s plain/history.csv six/history.csv; then fault 'an order that nothing heeds'; fi
+expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/defaults/e4_spin.yaml" --set method.filter_order=6 --set time.solver=implicit --set time.max_step=0.1
+has stderr 'transfer is flip here, which has no order'

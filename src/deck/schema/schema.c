@@ -217,11 +217,12 @@ static bool transfer_is_flip(const scene *s, const void *method)
     const char *transfer = ((const scene_method *)method)->transfer;
     return !transfer[0] || strcmp(transfer, "flip") == 0;
 }
+/* Or none is named: the default may be afmpm (scene_transfer), and where it is not the key is remarked on. */
 static bool transfer_has_order(const scene *s, const void *method)
 {
     (void)s;
     const char *transfer = ((const scene_method *)method)->transfer;
-    return strcmp(transfer, "xpic") == 0 || strcmp(transfer, "afmpm") == 0;
+    return !transfer[0] || strcmp(transfer, "xpic") == 0 || strcmp(transfer, "afmpm") == 0;
 }
 
 static bool basis_is_cpdi(const scene *s, const void *method)
