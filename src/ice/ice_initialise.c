@@ -63,7 +63,7 @@ static floe_status add_ambient(const ice *s, content *contents, double room)
         s->ctx,
         fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN, &state),
         KEY("ambient")));
-    add(&contents[r], s->mesh->dim, room, &state, (const double[3]){0.0, 0.0, 0.0});
+    add(&contents[r], s->mesh->dim, room, &state, given->ambient_velocity);
     return FLOE_OK;
 }
 

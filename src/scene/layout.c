@@ -131,7 +131,11 @@ static double highest_pressure(const scene *s)
 /* Without points, the reference pressure stands for the ambient, which has no inertia then. */
 static floe_status check_without_points(const scene *s)
 {
-    const double little = 1e-3;
+    const double little = 1e-3, *v = s->ambient_velocity;
+    if (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0)
+        return fail_key(s->ctx, KEY("ambient", "velocity"),
+                        "mpm: without points the ambient is what acts as reference_pressure, and has no inertia: give "
+                        "it points, or leave its velocity out");
     if (fabs(s->ambient_pressure - s->reference_pressure) <= little * highest_pressure(s)) return FLOE_OK;
     return fail_key(
         s->ctx, KEY("ambient", "points"),
@@ -215,6 +219,7 @@ static floe_status add_ambient(layout_work *w)
                       .merge = 0.3,
                       .membrane = {.length = NAN, .heavy_mass = NAN, .holds = -1}};
     for (int a = 0; a < MESH_MAX_DIM; ++a) b->per_cell[a] = a < w->m->dim ? s->ambient_points : 1;
+    for (int a = 0; a < MESH_MAX_DIM; ++a) b->velocity[a] = s->ambient_velocity[a];
     filled->n_bodies++;
     return name_ambient(s, b->name);
 }

@@ -41,6 +41,7 @@ static const key_spec ambient_keys[] = {
     {"pressure", KEY_NUMBER, "Pa", AT(scene, ambient_pressure), .required = true, .doc = "absolute pressure"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene, ambient_temperature), .required = true,
      .doc = "temperature"},
+    {"velocity", KEY_VECTOR, "m/s", AT(scene, ambient_velocity), .otherwise = "0", .doc = "at the start"},
     {"points", KEY_WHOLE, NULL, WITHIN(0, 16), AT(scene, ambient_points), .fallback = "2",
      .doc =
          "as mpm: material points along each axis of a cell; 0: it is left out, and reference_pressure stands for it"},
