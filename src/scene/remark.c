@@ -1,5 +1,6 @@
 #include "scene/remark.h"
 
+#include "scene/reach.h"
 #include "scene/remark_parts.h"
 #include "scene/unsupported.h"
 
@@ -97,54 +98,6 @@ static void remark_knots(const scene *s, remark_sink *say, void *user)
     }
 }
 
-/* Whether a body reaches a side, to a cell. */
-static bool reaches_side(const scene *s, const scene_body *b, int axis, int side)
-{
-    double lo[3] = {0.0}, hi[3] = {0.0};
-    const mesh_spec *m = &s->mesh;
-    if (!b->shape.model) return false;
-    if (!b->shape.model->bounds(b->shape.par, m->dim, lo, hi)) return true;
-    return side == 0 ? lo[axis] < m->lower[axis] + m->cell[axis] : hi[axis] > m->upper[axis] - m->cell[axis];
-}
-
-static bool is_liquid(const scene *s, int material)
-{
-    const eos *e = &s->material[material].eos;
-    return s->material[material].kind == MATERIAL_FLUID && e->model && e->model->pressure_floor(e->par) < 0.0;
-}
-
-static bool liquid_reaches(const scene *s, int axis, int side)
-{
-    if (s->has_ambient && is_liquid(s, s->ambient_material)) return true;
-    for (int k = 0; k < s->n_bodies; ++k)
-        if (is_liquid(s, s->body[k].material) && reaches_side(s, &s->body[k], axis, side)) return true;
-    return false;
-}
-
-static char axis_letter(const scene *s, int axis)
-{
-    return (s->mesh.geometry == MESH_AXISYMMETRIC ? "rz" : "xyz")[axis];
-}
-
-/* A free side has the pressure that is inside. What leaves there goes on leaving, the liquid comes to bear tension, and that draws it in
- * again: a swing with a solid that grows. Gas, which empties its cells little, has not shown it. */
-static void remark_open_liquids(const scene *s, remark_sink *say, void *user)
-{
-    if (s->coupling != COUPLING_ICE_MPM || !has_walls(s)) return;
-    for (int axis = 0; axis < s->mesh.dim; ++axis)
-        for (int side = 0; side < 2; ++side) {
-            if (s->bc.side[axis][side].kind != BC_FREE || !liquid_reaches(s, axis, side)) continue;
-            char text[REMARK_SIZE];
-            (void)snprintf(
-                text, sizeof text,
-                "boundaries.%c.%s: a free side holds no pressure against a liquid. Beside solids, 80 kPa over "
-                "the reference grew to between 80 MPa and 10 GPa within 4 ms. Take outlet or non_reflecting, "
-                "which have a pressure: with them nothing grew",
-                axis_letter(s, axis), side ? "upper" : "lower");
-            say(user, text);
-        }
-}
-
 static bool has_gas_of_points(const scene *s)
 {
     for (int k = 0; k < s->n_bodies; ++k)
@@ -209,7 +162,7 @@ static void remark_held_sides(const scene *s, remark_sink *say, void *user)
         for (int axis = 0; axis < s->mesh.dim && is_wall(s, &s->body[k]); ++axis)
             for (int side = 0; side < 2; ++side) {
                 const char *holder = holder_at_sides(s, k);
-                if (!holder || s->bc.side[axis][side].kind != BC_SLIP || !reaches_side(s, &s->body[k], axis, side))
+                if (!holder || s->bc.side[axis][side].kind != BC_SLIP || !body_reaches_side(s, &s->body[k], axis, side))
                     continue;
                 char text[REMARK_SIZE];
                 (void)snprintf(
@@ -231,7 +184,7 @@ static void remark_leaving_sides(const scene *s, remark_sink *say, void *user)
     if (s->coupling != COUPLING_ICE_MPM || s->time.solver != SOLVER_DYNAMIC) return;
     for (int k = 0; k < s->n_bodies; ++k)
         for (int axis = 0; axis < s->mesh.dim && is_wall(s, &s->body[k]); ++axis) {
-            const bool at[2] = {reaches_side(s, &s->body[k], axis, 0), reaches_side(s, &s->body[k], axis, 1)};
+            const bool at[2] = {body_reaches_side(s, &s->body[k], axis, 0), body_reaches_side(s, &s->body[k], axis, 1)};
             const int side = at[0] ? 0 : 1;
             if (at[0] == at[1] || s->bc.side[axis][side].kind != BC_SLIP) continue;
             char text[REMARK_SIZE];
@@ -349,7 +302,6 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_one_velocity(s, say, user);
     remark_held_sides(s, say, user);
     remark_leaving_sides(s, say, user);
-    remark_open_liquids(s, say, user);
     remark_dense_shocks(s, say, user);
     remark_beside_points(s, say, user);
     remark_range(s, say, user);

@@ -1,0 +1,29 @@
+#include "scene/reach.h"
+
+bool body_reaches_side(const scene *s, const scene_body *b, int axis, int side)
+{
+    double lo[3] = {0.0}, hi[3] = {0.0};
+    const mesh_spec *m = &s->mesh;
+    if (!b->shape.model) return false;
+    if (!b->shape.model->bounds(b->shape.par, m->dim, lo, hi)) return true;
+    return side == 0 ? lo[axis] < m->lower[axis] + m->cell[axis] : hi[axis] > m->upper[axis] - m->cell[axis];
+}
+
+static bool is_liquid(const scene *s, int material)
+{
+    const eos *e = &s->material[material].eos;
+    return s->material[material].kind == MATERIAL_FLUID && e->model && e->model->pressure_floor(e->par) < 0.0;
+}
+
+bool liquid_reaches_side(const scene *s, int axis, int side)
+{
+    if (s->has_ambient && is_liquid(s, s->ambient_material)) return true;
+    for (int k = 0; k < s->n_bodies; ++k)
+        if (is_liquid(s, s->body[k].material) && body_reaches_side(s, &s->body[k], axis, side)) return true;
+    return false;
+}
+
+char axis_letter(const scene *s, int axis)
+{
+    return (s->mesh.geometry == MESH_AXISYMMETRIC ? "rz" : "xyz")[axis];
+}
