@@ -417,7 +417,7 @@ typedef struct scene {
     int ambient_material;
     double ambient_pressure, ambient_temperature;
     double ambient_velocity[3]; /* m/s */
-    int ambient_points; /* along each axis of a cell, as mpm; 0: it is left out */
+    int ambient_points;         /* along each axis of a cell, as mpm; 0: it is left out */
     scene_material material[SCENE_MAX_MATERIALS];
     int n_materials;
     scene_body body[SCENE_MAX_BODIES];
