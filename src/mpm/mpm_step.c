@@ -6,13 +6,13 @@
 
 #include <math.h>
 
-/* Where fluids are on points and the deck gives no share of FLIP, the PIC share of a step is 0.1 for each cell that the fastest point crosses,
- * so that what it filters does not depend on the number of steps. A constant share per step is a viscosity that grows as the step falls: a
- * vortex at a Mach number of 1/40 lost 43 % of its energy at cfl 0.5 and all of it at 0.05 (theory 4.2). */
+/* Where fluids are on points and the deck gives no share of FLIP, the PIC share of a step is 0.6 for each cell that the fastest point crosses,
+ * and at most 0.01, so that what it filters of a slow flow does not depend on the number of steps. A constant share per step is a viscosity that
+ * grows as the step falls: a vortex at a Mach number of 1/40 lost 43 % of its energy at cfl 0.5 and all of it at 0.05 (theory 4.2). */
 static void take_flip_share(mpm *s)
 {
-    static const double lost_per_cell = 0.1;
-    if (s->blends_by_way) s->share = 1.0 - fmin(lost_per_cell * s->fastest * s->dt, 1.0);
+    static const double lost_per_cell = 0.6, most = 0.01;
+    if (s->blends_by_way) s->share = 1.0 - fmin(lost_per_cell * s->fastest * s->dt, most);
 }
 
 /* Velocities live half a step behind positions: the first kick is half a step, later ones the mean of old and new step,

@@ -205,8 +205,8 @@ typedef struct scene_method {
     stress_scheme stress;
     char transfer[SCENE_NAME]; /* of transfer_registry; "": as the scene asks (scene_transfer) */
     double
-        flip; /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1; NAN: 0.99, with fluids on points 1 less 0.1 for each cell that
-                                * the fastest point crosses in the step */
+        flip; /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1; NAN: 0.99, with fluids on points 1 less 0.6 for each cell that
+                                * the fastest point crosses in the step, where that is more */
     int filter_order;      /* of transfers xpic and afmpm, 2 to 20; 0: theirs */
     point_density density; /* of fluid points (mpm/density.c) */
     point_losses losses;

@@ -251,7 +251,8 @@ static const key_spec method_keys[] = {
          "and where `flip` is given `flip`",
      .doc = "what becomes of the velocities of points in a step"},
     {"flip", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_method, flip),
-     .otherwise = "0.99; with fluids on points 1 less 0.1 for each cell that the fastest point crosses in the step",
+     .otherwise = "0.99; with fluids on points more where they are slow: 1 less 0.6 for each cell that the fastest "
+                  "point crosses in the step",
      .applies = transfer_is_flip, .belongs = "transfer flip",
      .doc = "share of FLIP in the velocity update of points; the rest is PIC"},
     {"filter_order", KEY_WHOLE, NULL, WITHIN(2, 20), AT(scene_method, filter_order),
