@@ -56,7 +56,7 @@ typedef struct solid_model {
     void (*strain_energy)(const void *par, const solid_batch *b, double *psi);
     /* Isothermal bulk modulus at rest (Pa): what the cells see of the solid (eos_bulk.c). 0 for fluids. */
     double (*bulk_modulus)(const void *par);
-    /* Shear modulus at rest (Pa). 0 for fluids. */
+    /* Shear modulus at rest (Pa). 0 for fluids; NULL: membranes have none. */
     double (*shear_modulus)(const void *par);
     /* Stress (Pa) in uniaxial tension at which it first flows; NULL: it never does. */
     double (*yield_stress)(const void *par);

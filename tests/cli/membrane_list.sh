@@ -22,9 +22,9 @@ close() {
 runs=(--set runs_as=null --set time.max_steps=60 --set time.end=0.01 --set verify=null --set bodies.skin.membrane.number=null --set bodies.skin.membrane.length=0.78539816339744831)
 
 # In order and connected; in any order and free: the same strains, and what they store. By rate and by places.
-for strain in 'places' 'rate'; do
+for strain in 'positions' 'rate'; do
     smoothing=0.05
-    [ $strain = places ] || smoothing=0
+    [ $strain = positions ] || smoothing=0
     how=(--set "bodies.skin.membrane.strain=$strain" --set "bodies.skin.membrane.smoothing=$smoothing" --set method.losses=drift)
     expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 1)" -o order --quiet
     expect 0 "$FLOE" run "$circle" "${runs[@]}" "${how[@]}" --set bodies.skin.membrane.curve="$(list 34)" --set bodies.skin.membrane.encloses=null \

@@ -28,7 +28,7 @@ has stderr "'surface' belongs to scenes in 3-D"
 for field in P_SURFACE_1 P_SURFACE_2 P_NORMAL; do has plan.json "$field"; done
 if grep -qE 'P_TANGENT|P_STRAIN' plan.json; then fault 'a surface holds tangents'; fi
 expect 2 "$FLOE" run "$sphere" --set boundaries.z.lower=free -o out
-has stderr 'membrane_sphere.yaml:45:14: bodies.skin.membrane.encloses: it is not closed, alone or with mirrors: along x it encloses'
+has stderr 'membrane_sphere.yaml:45:17: bodies.skin.membrane.encloses: it is not closed, alone or with mirrors: along x it encloses'
 rm -rf out
 for surface in '{cylinder: {centre: [0, 0, 0], radius: 0.5, from: 0.1, to: 0.5}}' '{plane: {corner: [0.1, 0.1, 0.3], first: [0.4, 0, 0], second: [0, 0.4, 0]}}' \
     '{revolve: {axis: y, centre: [0, 0, 0], curve: {segment: {from: [0.5, 0, 0], to: [0.3, 0.4, 0]}}}}'; do

@@ -6,7 +6,8 @@
 
 static double ratio_of(const mpm_body *b)
 {
-    const double shear = b->fluid || !b->law ? 0.0 : b->law->shear_modulus(b->law_par);
+    const double shear =
+        b->law && b->law->shear_modulus ? b->law->shear_modulus(b->law_par) : 0.0; /* fluids and membranes have none */
     return shear > 0.0 ? b->law->bulk_modulus(b->law_par) / shear : 0.0;
 }
 
