@@ -1,6 +1,6 @@
 /* Normals to the cubic of Sulsky and York 2000, figure 10: y = c x2 (x - 1) + x + 0.5 with c = 2 and 4. The paper
- * prints angles (1 degree; 32, "rms" 5), but neither the number of the points nor their places: readings of the figure,
- * and how the error goes with points and cells. `bench_surface_cubic NAME`, comma separated, angles in degrees;
+ * prints angles (1 degree; 32, "rms" 5), but neither the number of the points nor their positions: readings of the
+ * figure, and how the error goes with points and cells. `bench_surface_cubic NAME`, comma separated, angles in degrees;
  * scripts/results/normals.bash makes docs/results/normals.md of them. */
 #include "surface_cloud.h"
 

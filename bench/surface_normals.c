@@ -3,7 +3,7 @@
  * `bench_surface_normals NAME`; without a name the names are listed. Angles in degrees. scripts/results/normals.bash
  * makes docs/results/normals.md of them.
  *
- * Where the papers do not print the places of their points, they are chosen here, and said in the comment of the
+ * Where the papers do not print the positions of their points, they are chosen here, and said in the comment of the
  * table. */
 #include "surface_cloud.h"
 

@@ -1,4 +1,4 @@
-# floe_build.h: version, git hash, compiler and flags, for the rooms that report them. Remade at every build, written
+# floe_build.h: version, git hash, compiler and flags, for the modules that report them. Remade at every build, written
 # only when it changes, so that a commit recompiles no more than its readers.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 string(STRIP "-std=c11 ${CMAKE_C_FLAGS} ${CMAKE_C_FLAGS_${build_type}} ${FLOE_EXTRA_FLAGS}" flags)

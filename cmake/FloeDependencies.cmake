@@ -1,4 +1,4 @@
-# Third-party libraries: found here, linked by the rooms that name them (docs/dependencies.md says why each).
+# Third-party libraries: found here, linked by the modules that name them (docs/dependencies.md says why each).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS C)
@@ -14,7 +14,7 @@ if(NOT HDF5_FOUND)
 endif()
 find_package(SUNDIALS 6.4 REQUIRED COMPONENTS nvecserial sunlinsolpcg sunlinsoldense sunmatrixdense sunnonlinsolfixedpoint cvode)
 
-# Short names for the rooms' LINK lists.
+# Short names for the modules' LINK lists.
 set(FLOE_GSL PkgConfig::GSL)
 set(FLOE_FYAML PkgConfig::FYAML)
 set(FLOE_UDUNITS PkgConfig::UDUNITS)

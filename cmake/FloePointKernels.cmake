@@ -1,15 +1,15 @@
 # The point kernels of mpm: one generated file for each geometry, basis and width of lanes, which instantiates
 # mpm/kernels_body.h, and one with the tables of them. The bases are those of the files src/mpm/basis/basis_<name>.c.
 
-# floe_point_kernels(room), before the room's floe_room.
-function(floe_point_kernels room)
+# floe_point_kernels(module), before the module's floe_module.
+function(floe_point_kernels module)
     set(geometries line plane axisymmetric solid)
     set(dimensions 1 2 2 3)
     set(about_axis false false true false)
-    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${room}/basis/basis_*.c")
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${module}/basis/basis_*.c")
     list(TRANSFORM sources REPLACE ".*/basis_([a-z0-9_]+)\\.c" "\\1" OUTPUT_VARIABLE bases)
 
-    set(directory "${CMAKE_BINARY_DIR}/generated/${room}")
+    set(directory "${CMAKE_BINARY_DIR}/generated/${module}")
     set(declarations "")
     set(tables "")
     foreach(width IN ITEMS pairs quads)
@@ -24,7 +24,7 @@ function(floe_point_kernels room)
 
 POINT_KERNELS(@geometry@, @dim@, @axi@, @basis@, BASIS_@kind@, @width@)
 ")
-                set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${room} "${directory}/${name}.c")
+                set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${module} "${directory}/${name}.c")
                 if(width STREQUAL "quads" AND FLOE_HAS_QUADS) # other instructions, the same bits
                     set_source_files_properties("${directory}/${name}.c" PROPERTIES COMPILE_OPTIONS -mavx2)
                 endif()
@@ -38,5 +38,5 @@ POINT_KERNELS(@geometry@, @dim@, @axi@, @basis@, BASIS_@kind@, @width@)
 #include \"mpm/kernels.h\"
 
 @declarations@@tables@")
-    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${room} "${directory}/kernels_table.c")
+    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${module} "${directory}/kernels_table.c")
 endfunction()

@@ -4,7 +4,7 @@
 #   killed        runs of five scenes killed by SIGKILL at random moments and resumed (FLOE_KILLS of each, 50)
 #   faults        every allocation and every write of whole runs fails once
 #   combinations  decks with a few keys set at random (FLOE_COMBINATIONS, 1000): each runs, or is refused with its place
-#   kin           every deck in other units with every method; and mirrored, turned, moved, told in another order
+#   metamorphic   every deck in other units with every method; and mirrored, turned, moved, told in another order
 #   meshes        tests of the solvers on finer meshes than every day's
 #   fuzz          libFuzzer on decks and checkpoints (FLOE_SECONDS each, 1800), with the address and undefined-behaviour sanitizers
 #   sanitize      the tests with the address and undefined-behaviour sanitizers
@@ -72,7 +72,7 @@ part_killed() {
         FLOE_SCENES='points coupled sealed reaction contact' bash tests/cli/killed.sh
 }
 
-part_kin() {
+part_metamorphic() {
     scripts/build.sh release verification_sim_units verification_sim_symmetry || return
     local test status=0
     for test in verification_sim_units verification_sim_symmetry; do
@@ -193,7 +193,7 @@ part_coverage() {
 }
 
 scripts/setup.sh nightly || exit
-[ $# -gt 0 ] || set -- killed faults combinations kin meshes fuzz sanitize decks thread valgrind coverage
+[ $# -gt 0 ] || set -- killed faults combinations metamorphic meshes fuzz sanitize decks thread valgrind coverage
 failed=()
 for part in "$@"; do
     declare -F "part_$part" >/dev/null || { echo "nightly.sh: unknown part '$part'" >&2; exit 2; }

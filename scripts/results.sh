@@ -30,7 +30,7 @@
 #   airbag        York's airbag hit by two cylinders
 #   york-points   material points as York has them: gas, plasticity, axisymmetry, cell crossing
 #   speed         rates of the solvers
-#   gains         error against run time beside the linear-basis baseline: every variant on the cylinder, and five more rows; ten minutes
+#   cost_accuracy error against run time beside the linear-basis baseline: every variant on the cylinder, and five more rows; ten minutes
 #   studies       the studies that stand in the decks: every coupling and basis, error against run time
 #   picture       the pictures of the README
 #   gallery       every deck with its picture
@@ -53,7 +53,7 @@ for file in scripts/results/*.bash; do
 done
 
 # The pages, in the order of the index.
-all=(defaults a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface substeps ball-net airbag york-points speed gains picture gallery)
+all=(defaults a1 edges studies couplings sod shocks waves bases cpdi transport conservation exchange statics implicit stability extreme robustness contact normals axis membrane-3d membrane-rest sealed interface substeps ball-net airbag york-points speed cost_accuracy picture gallery)
 
 write_index() {
     local page=$results/README.md file
@@ -64,7 +64,7 @@ write_index() {
         [ -f $results/$file.md ] && write "| [$file]($file.md) | $(sed -n '1s/^# //p' $results/$file.md) |"
     done
     [ -f "$bars" ] || return 0
-    write '' 'The last line of a page names what it was made from: a hash of `include`, the CMake files and the rooms of `src` that its runs entered' \
+    write '' 'The last line of a page names what it was made from: a hash of `include`, the CMake files and the modules of `src` that its runs entered' \
         '(cells alone: all but `mpm` and `surface`; points alone: all but `ice`; single runs: all but `study` and `batch`; `draw` and `report` only where floe drew its figures),' \
         'one of its decks, one of its script; comments and blanks do not count. `scripts/results.sh stale` lists the pages that no longer agree, and those' \
         'of before there were stamps (`scripts/results/unstamped.txt`). A page is made anew for its figures, and never to mark it.'

@@ -5,7 +5,7 @@
     stamp.py stale [--strict]               lists the stale pages; fails on faulty ones, with --strict on stale ones too
 
 A stamp names content, no commit: a hash of the sources that the page's runs used, one of its decks, one of its script. The sources are
-`include`, the CMake files, and the rooms of `src` but those that the runs cannot have entered:
+`include`, the CMake files, and the modules of `src` but those that the runs cannot have entered:
 
 * `mpm`, `surface` where every run was on cells alone (`ice`); `ice` where every run was of points alone (`mpm`);
 * `study`, `batch` where the page has only single runs;
@@ -100,12 +100,12 @@ def digest(parts):
 
 # ---- sources ----
 
-def rooms(tree):
+def modules(tree):
     return sorted({path.split("/")[1] for path in tree.files("src") if path.count("/") > 1})
 
 
 def left_out(tree, couplings, commands, text, draws):
-    """The rooms that runs of these couplings, by these commands, do not enter; `text`: of decks and commands; `draws`: floe's figures of studies are on the
+    """The modules that runs of these couplings, by these commands, do not enter; `text`: of decks and commands; `draws`: floe's figures of studies are on the
     page. Nothing is known: none."""
     out = set()
     if couplings == {"ice"}:
@@ -118,12 +118,12 @@ def left_out(tree, couplings, commands, text, draws):
             out |= {"draw"}
         if commands <= {"run", "picture"} and "tolerance" not in text:
             out |= {"study", "batch"}
-    return out & set(rooms(tree))
+    return out & set(modules(tree))
 
 
 def sources_hash(tree, without, also=()):
     files = tree.files("src", "include", "cmake", "CMakeLists.txt", "CMakePresets.json", *also)
-    kept = [path for path in files if not any(path.startswith(f"src/{room}/") for room in without)]
+    kept = [path for path in files if not any(path.startswith(f"src/{module}/") for module in without)]
     return digest((path, bare(path, tree.text(path))) for path in kept)
 
 

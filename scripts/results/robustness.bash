@@ -25,7 +25,7 @@ result_robustness() {
     begin robustness 'What cannot be: kills, faults, bad input'
     made_also=(tests scripts/nightly.sh)
     local part passed all failed
-    for part in killed faults kin; do
+    for part in killed faults metamorphic; do
         [ -s "out/nightly/$part.txt" ] || scripts/nightly.sh "$part" >"$runs/$part.log" 2>&1 || true
     done
     bar 'kills by SIGKILL of five scenes, all resumed to the bits of the undisturbed run' "$(sed -n 's/^kills: \([0-9]*\) .*/\1/p' out/nightly/killed.txt)" '>=' 250 %d
@@ -33,14 +33,14 @@ result_robustness() {
     bar 'decks spoiled in one key that were not refused at their place' "$(counted faults 'not refused')" '<=' 0 %d
     bar 'allocations of whole runs that were made to fail' "$(counted faults 'faults up to')" '>=' 1000 %d
     bar 'writes, syncs and renames of whole runs that were made to fail' "$(counted faults 'faults of calls')" '>=' 300 %d
-    bar 'changes of the decks that must change nothing: runs that differ without a reason' "$(grep -oE '[0-9]+ wrong' out/nightly/kin.txt | awk '{ n += $1 } END { print NR ? n : "nan" }')" '<=' 0 %d
+    bar 'changes of the decks that must change nothing: runs that differ without a reason' "$(grep -oE '[0-9]+ wrong' out/nightly/metamorphic.txt | awk '{ n += $1 } END { print NR ? n : "nan" }')" '<=' 0 %d
     bar 'stages after which a step was rejected' "$(counted faults 'stages')" '>=' 200 %d
     for part in sanitize:'the address and undefined-behaviour sanitizers' thread:'the thread sanitizer' valgrind:'valgrind'; do
         read -r passed all failed < <(tests_of "${part%%:*}") || continue
         bar "tests with findings of ${part#*:}" "$failed" '<=' 0 %d
         bar "tests that have passed under ${part#*:}, of $all" "$passed" '>=' "$all" %d
     done
-    bar 'lines of the rooms mpm, ice and coupling that tests run, least of the three (%)' \
+    bar 'lines of the modules mpm, ice and coupling that tests run, least of the three (%)' \
         "$(sed -nE 's/^(mpm|ice|coupling) +([0-9.]+) %.*/\2/p' out/nightly/coverage.txt 2>/dev/null | sort -g | head -n 1)" '>=' 90 %.1f
     write 'Totals of `scripts/nightly.sh`; the quick tests take a sample of each. What a part finds makes it fail.' '' '## Bars' ''
     show_bars
@@ -58,7 +58,7 @@ result_robustness() {
         'every basis, transfer, limiter, solver and contact that it bears, to the same bits (`tests/verification/test_sim_units.c`, 60 steps, two sets of units). Mirrored,' \
         'its axes exchanged, moved by whole cells, its bodies or its materials in another order, a body told as two, with a fluid of which there is nothing, as a slab of one' \
         'cell in space, to round-off (`tests/verification/test_sim_symmetry.c`, 20 steps; a new deck is asked as well). What differs has its reason in the test:' ''
-    total kin
+    total metamorphic
     write 'Found so, and mended: on cells that are no squares the bulk viscosity and the shock sensor took the length V^(1/d), too much along the finer axis: a tube' \
         'of cells 1 x 8 had 23 % less kinetic energy than one of a single row (now the same to round-off; the error of the tube of Sod was 52 % larger, now the same), and in slabs of one cell the density was off by 6 % after 20 steps where the depth was 16 times the side, and no step was right where it was a million times; the state of a fluid given by' \
         'pressure and density was searched from 300 K, and a cell without a guess at its pressure from 1e5 Pa; a reference and an exact solution knew a unit.' ''
@@ -78,7 +78,7 @@ result_robustness() {
     total valgrind
     write '## Lines that tests run' '' 'Of the `.c` files of each room, by the tests named:' ''
     total coverage
-    write '## How' '' '    scripts/nightly.sh [killed|faults|combinations|kin|meshes|fuzz|sanitize|decks|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
+    write '## How' '' '    scripts/nightly.sh [killed|faults|combinations|metamorphic|meshes|fuzz|sanitize|decks|thread|valgrind|coverage]...' '    scripts/results.sh robustness' '' \
         '`FLOE_SECONDS` sets how long each fuzzer runs, `FLOE_TESTS` which tests the sanitizers, valgrind and coverage see; with `FLOE_CONTINUE=1` these' 'go on with the tests that have not passed.' '' 'Made with' ''
     "$floe" --version | sed 's/^/    /' >>"$page"
     write "    $(machine)"

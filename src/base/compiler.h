@@ -1,4 +1,4 @@
-/* The one header that knows compilers. Everything here has a plain C11 fallback; FLOE_PLAIN_C, defined, asks for it. */
+/* The only header with compiler-specific code. Everything here has a plain C11 fallback, which FLOE_PLAIN_C selects. */
 #ifndef BASE_COMPILER_H
 #define BASE_COMPILER_H
 

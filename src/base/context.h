@@ -30,15 +30,15 @@ void context_destroy(context **ctx);
  * a failure is kept until context_clear). A message says what was wrong, the values, and the remedy. */
 floe_status fail(context *ctx, floe_status code, const char *format, ...) FLOE_PRINTF(3, 4);
 
-/* The names on the way to a key of the deck: KEY("bodies", "bag", "shape"). */
+/* The path of a key of the deck: KEY("bodies", "bag", "shape"). */
 #define KEY(...) ((const char *const[]){__VA_ARGS__, NULL})
-/* A failure by what a key of the deck asks for: FLOE_BAD_INPUT, with the message "bodies.bag.shape: CAUSE"; the key is
- * also kept by itself, so that who knows the deck can tell its place. The cause has the value and the remedy (any
- * thread; `key` is copied). */
+/* A failure caused by a key of the deck: FLOE_BAD_INPUT, with the message "bodies.bag.shape: CAUSE". The key is also
+ * stored by itself, so that the reader of the deck can add its line and column. The cause has the value and the remedy
+ * (any thread; `key` is copied). */
 floe_status fail_key(context *ctx, const char *const *key, const char *format, ...) FLOE_PRINTF(3, 4);
-/* Puts names above the key of a refusal by one who did not know them: "radius" under KEY("bodies", "bag") becomes
- * "bodies.bag.radius"; a FLOE_BAD_INPUT without a key gets this one. Other statuses are let through. Returns
- * `status`. */
+/* Puts a prefix before the key of a refusal by a function that knows only the end of it: "radius" under KEY("bodies",
+ * "bag") becomes "bodies.bag.radius"; a FLOE_BAD_INPUT without a key gets this one. Other statuses do not change.
+ * Returns `status`. */
 floe_status fail_under(context *ctx, floe_status status, const char *const *above);
 
 /* The message of the last failure, "" when there is none. Owned by the context. */

@@ -67,8 +67,8 @@ void sha256_add(sha256 *h, const void *data, size_t size)
             size -= sizeof h->block;
             continue;
         }
-        const size_t room = sizeof h->block - h->filled;
-        const size_t n = size < room ? size : room;
+        const size_t reserved = sizeof h->block - h->filled;
+        const size_t n = size < reserved ? size : reserved;
         memcpy(h->block + h->filled, byte, n);
         h->filled += n;
         byte += n;

@@ -16,7 +16,7 @@ void strbuf_free(strbuf *t)
     strbuf_init(t, t->ctx);
 }
 
-static bool make_room(strbuf *t, size_t more)
+static bool reserve_bytes(strbuf *t, size_t more)
 {
     if (t->status != FLOE_OK) return false;
     const size_t needed = t->length + more + 1;
@@ -35,7 +35,7 @@ void strbuf_append(strbuf *t, const char *format, ...)
     const int length = vsnprintf(NULL, 0, format, arguments);
     if (length < 0) {
         t->status = fail(t->ctx, FLOE_INTERNAL, "a text could not be formatted: \"%.200s\"", format);
-    } else if (make_room(t, (size_t)length)) {
+    } else if (reserve_bytes(t, (size_t)length)) {
         (void)vsnprintf(t->data + t->length, (size_t)length + 1, format, again);
         t->length += (size_t)length;
     }
@@ -45,7 +45,7 @@ void strbuf_append(strbuf *t, const char *format, ...)
 
 void strbuf_append_bytes(strbuf *t, const char *bytes, size_t length)
 {
-    if (!make_room(t, length)) return;
+    if (!reserve_bytes(t, length)) return;
     memcpy(t->data + t->length, bytes, length);
     t->length += length;
     t->data[t->length] = '\0';
@@ -54,7 +54,7 @@ void strbuf_append_bytes(strbuf *t, const char *bytes, size_t length)
 floe_status strbuf_take(strbuf *t, char **out)
 {
     *out = NULL;
-    if (make_room(t, 0)) {
+    if (reserve_bytes(t, 0)) {
         if (t->length == 0) t->data[0] = '\0';
         *out = t->data;
         t->data = NULL;
@@ -89,7 +89,7 @@ void strbuf_append_base64(strbuf *t, const void *data, size_t size)
 {
     static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     const unsigned char *byte = data;
-    if (!make_room(t, 4 * ((size + 2) / 3))) return;
+    if (!reserve_bytes(t, 4 * ((size + 2) / 3))) return;
     for (size_t i = 0; i < size; i += 3) {
         const unsigned b = i + 1 < size ? byte[i + 1] : 0, c = i + 2 < size ? byte[i + 2] : 0;
         const unsigned group = (unsigned)byte[i] << 16 | b << 8 | c;

@@ -4,7 +4,7 @@
 
 double wall_seconds(void); /* monotonic, from an arbitrary origin */
 double cpu_seconds(void);  /* of the process */
-/* The most memory that the process has held at a time (bytes); 0 where the system does not tell. */
+/* Peak memory of the process (bytes); 0 where the system does not report it. */
 long long peak_rss_bytes(void);
 
 #endif

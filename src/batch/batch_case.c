@@ -149,7 +149,7 @@ void batch_case_keep(batch *b, batch_case *one)
     if (is_final(&found) && !too_short) *one = found;
 }
 
-floe_status batch_case_forget(batch *b, const batch_case *one)
+floe_status batch_case_discard(batch *b, const batch_case *one)
 {
     static const char *const name[] = {"case.json", "summary.json"};
     char path[BATCH_PATH];

@@ -37,7 +37,7 @@ void batch_path(const batch_options *o, const batch_case *one, const char *name,
 /* Takes over a case that has ended before, if its case.json is of the same deck; `kept` says whether. */
 void batch_case_keep(batch *b, batch_case *one);
 /* Forgets what an earlier run has left of its result. */
-floe_status batch_case_forget(batch *b, const batch_case *one);
+floe_status batch_case_discard(batch *b, const batch_case *one);
 /* Makes a result of how the process has ended, and notes it in case.json if it is final. */
 floe_status batch_case_collect(batch *b, batch_job *j, int wait_status);
 

@@ -89,7 +89,7 @@ static floe_status start_case(batch *b, const batch_case *one, pid_t *pid)
     batch_path(b->o, one, "stderr.txt", messages);
     TRY(folder_make(b->ctx, folder));
     TRY(wait_for_earlier(b, folder));
-    TRY(batch_case_forget(b, one));
+    TRY(batch_case_discard(b, one));
     TRY(file_remove(b->ctx, messages));
     TRY(memory_new(b->ctx, &argument, 2 * one->n_set + OTHERS, sizeof *argument));
     fill_arguments(b, one, folder, number, argument);

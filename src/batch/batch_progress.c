@@ -4,7 +4,7 @@
 
 #include "base/ordinary.h"
 #include "base/timer.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <fcntl.h>
 #include <math.h>

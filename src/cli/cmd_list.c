@@ -3,7 +3,7 @@
 #include "cli/plan.h"
 #include "coupling/exchange_law.h"
 #include "coupling/reaction.h"
-#include "deck/errors.h"
+#include "deck/deck_errors.h"
 #include "geom/shape.h"
 #include "material/membrane.h"
 #include "mpm/basis/basis.h"

@@ -1,7 +1,7 @@
 /* floe plan DECK: what a scene would do and hold. */
 #include "cli/cli.h"
 #include "cli/plan.h"
-#include "scene/place.h"
+#include "scene/deck_location.h"
 
 typedef struct arguments {
     cli_deck deck;
@@ -56,7 +56,7 @@ static floe_status plan_large(scene *s, bool json)
 {
     coarse_setup coarse;
     plan p = {.scene = s};
-    floe_status status = scene_place(s, memory_need_estimate(s, &coarse, &p.need));
+    floe_status status = scene_deck_location(s, memory_need_estimate(s, &coarse, &p.need));
     p.sim = coarse.setup.sim;
     p.ratio = coarse.ratio;
     p.coarser = coarse.coarser;

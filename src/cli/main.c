@@ -1,7 +1,7 @@
 /* floe COMMAND ...: finds the command and hands over. */
 #include "cli/cli.h"
 #include "cli/signals.h"
-#include "deck/errors.h"
+#include "deck/deck_errors.h"
 #include "floe/floe.h"
 #include "floe_build.h"
 

@@ -94,7 +94,7 @@ static json_t *plan_json(const plan *p)
         : !s->ice             ? ""
         : s->ice->implicit    ? "implicit"
                               : "explicit",
-        "substeps", s->substeps_reason, "interface", interface_told(s));
+        "substeps", s->substeps_reason, "interface", interface_in_words(s));
 }
 
 floe_status plan_print_json(const plan *p, FILE *file)

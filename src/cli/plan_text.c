@@ -81,7 +81,7 @@ static void print_head(const plan *p, FILE *file)
                       mesh_cells(m));
     if (p->sim->mpm) {
         (void)fprintf(file, "solver: %s\n", p->sim->solver_reason);
-        if (interface_told(p->sim)[0]) (void)fprintf(file, "interface: %s\n", interface_told(p->sim));
+        if (interface_in_words(p->sim)[0]) (void)fprintf(file, "interface: %s\n", interface_in_words(p->sim));
         if (p->sim->substeps_reason[0]) (void)fprintf(file, "sub-steps: %s\n", p->sim->substeps_reason);
         (void)fprintf(file, "kernels of the points: %s basis, %s; %s\n", p->sim->mpm->basis->name, geometry,
                       p->scene->method.stress == STRESS_USF   ? "stress first"
@@ -89,7 +89,7 @@ static void print_head(const plan *p, FILE *file)
                                                               : "stress last, velocities mapped again");
     }
     if (p->sim->mpm && mpm_edge_penalty(p->sim->mpm) > 0.0)
-        (void)fprintf(file, "edges of solids: held, penalty %g\n", mpm_edge_penalty(p->sim->mpm));
+        (void)fprintf(file, "edges of solids: ghost penalty %g\n", mpm_edge_penalty(p->sim->mpm));
     if (p->sim->ice) {
         (void)fprintf(file, "kernels of the cells: %s, %d material%s\n", geometry, p->sim->ice->n_materials,
                       p->sim->ice->n_materials == 1 ? "" : "s");

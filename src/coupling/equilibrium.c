@@ -29,8 +29,9 @@ typedef struct root_solvers {
     double newton_state[4], brent_state[12];
 } root_solvers;
 
-/* v and dv/dp of material r in the cells named, where some of them follow isentropes. */
-static void follow(const equilibrium_batch *b, const int *id, int n, int r, const double *p, double *v, double *dvdp)
+/* v and dv/dp of material r in the given cells, some of which follow isentropes. */
+static void follow_isentropes(const equilibrium_batch *b, const int *id, int n, int r, const double *p, double *v,
+                              double *dvdp)
 {
     const eos *law = b->eos[r];
     double T[EQUILIBRIUM_BATCH];
@@ -61,7 +62,7 @@ static void add_material(equilibrium_batch *b, const int *id, int n, bool all, i
         T_of[k] = b->T[r][id[k]];
     }
     if (b->path[r])
-        follow(b, id, n, r, p, v, dvdp);
+        follow_isentropes(b, id, n, r, p, v, dvdp);
     else
         b->eos[r]->model->volume(b->eos[r]->par, (size_t)n, p, T, v, dvdp);
     for (int k = 0; k < n; ++k) {
@@ -72,7 +73,7 @@ static void add_material(equilibrium_batch *b, const int *id, int n, bool all, i
 }
 
 /* v, F and dF/dp of the cells named, each at its x, and what that says of its bracket. */
-static void evaluate(equilibrium_batch *b, search *const *w, int n, bool all)
+static void evaluate_residual(equilibrium_batch *b, search *const *w, int n, bool all)
 {
     double p[EQUILIBRIUM_BATCH], sum[EQUILIBRIUM_BATCH], slope[EQUILIBRIUM_BATCH];
     int id[EQUILIBRIUM_BATCH];
@@ -98,10 +99,10 @@ static void look_at(search *s, double x)
     s->refused = !(x > 0.0 && x >= s->lo && x <= s->hi && isfinite(x));
     if (s->refused) return;
     s->x = x;
-    evaluate(s->b, &s, 1, s->cell == 0);
+    evaluate_residual(s->b, &s, 1, s->cell == 0);
 }
 
-/* What GSL is told: never a number that is none, at which it would stop the program, and never a slope of zero. */
+/* Values passed to GSL: never NaN, at which it would abort the program, and never a slope of zero. */
 static double told(search *s, double value)
 {
     const bool usable = isfinite(value) && value != 0.0;
@@ -160,7 +161,7 @@ static void find_floors(const equilibrium_batch *b, int n, double *floor)
     }
 }
 
-static void start(search *s, equilibrium_batch *b, int cell, double floor)
+static void start_search(search *s, equilibrium_batch *b, int cell, double floor)
 {
     const double shift = isfinite(floor) && floor > -DBL_MAX ? -floor : 0.0, guess = b->p[cell] + shift;
     *s = (search){.b = b, .cell = cell, .shift = shift, .hi = INFINITY};
@@ -185,7 +186,7 @@ static void come_closer(equilibrium_batch *b, search *w, int cells)
     search *moving[EQUILIBRIUM_BATCH] = {0};
     int n = 0;
     for (int k = 0; k < cells; ++k) moving[n++] = &w[k];
-    evaluate(b, moving, n, true);
+    evaluate_residual(b, moving, n, true);
     for (int step = 0; step < STARTING_STEPS && n > 0; ++step) {
         const int evaluated = n;
         n = 0;
@@ -197,12 +198,12 @@ static void come_closer(equilibrium_batch *b, search *w, int cells)
             b->iterations[s->cell]++;
             moving[n++] = s;
         }
-        if (n > 0) evaluate(b, moving, n, n == cells);
+        if (n > 0) evaluate_residual(b, moving, n, n == cells);
     }
 }
 
 /* The middle of a wide bracket, whatever is known of it. */
-static double middle(const search *s)
+static double bracket_middle(const search *s)
 {
     if (isinf(s->hi)) return narrow * s->lo;
     return s->lo > 0.0 ? sqrt(s->lo) * sqrt(s->hi) : s->hi / narrow;
@@ -241,7 +242,7 @@ static bool solve_cell(search *s, root_solvers *g)
         b->fallbacks[s->cell]++;
         s->refused = false;
         if (s->lo > 0.0 && s->hi <= narrow * s->lo) return finish_by_brent(s, g);
-        gsl_root_fdfsolver_set(&g->newton, &g->fdf, middle(s));
+        gsl_root_fdfsolver_set(&g->newton, &g->fdf, bracket_middle(s));
     }
     return residual_is_small(s);
 }
@@ -266,7 +267,7 @@ floe_status equilibrium_solve(equilibrium_batch *b, int cells)
                 gsl_root_fsolver_brent->size <= sizeof g.brent_state;
     if (!good) return FLOE_RETRY;
     find_floors(b, cells, floor);
-    for (int k = 0; k < cells; ++k) start(&w[k], b, k, floor[k]);
+    for (int k = 0; k < cells; ++k) start_search(&w[k], b, k, floor[k]);
     come_closer(b, w, cells);
     for (int k = 0; k < cells; ++k) {
         b->solved[k] = is_solved(&w[k], &g);

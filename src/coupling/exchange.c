@@ -25,8 +25,8 @@ typedef struct present {
     int fixed; /* a material of infinite mass, or -1 */
 } present;
 
-/* Materials that hang together by couplings are solved for about their own centre of mass, the others beside them: what is free of the rest must
- * not lose its momentum in the rounding of a far heavier one. */
+/* Materials that are connected by couplings are solved for about their own centre of mass, the others beside them: what
+ * is free of the rest must not lose its momentum in the rounding of a far heavier one. */
 typedef struct parts {
     int n, of[EXCHANGE_MAX]; /* -1: absent */
 } parts;
@@ -72,10 +72,10 @@ static present find_present(int n, const double *mass, const parts *all, int par
     return p;
 }
 
-void exchange_couple(int n, exchange_matrix coefficient, const double *theta, double factor, exchange_matrix a)
+void exchange_couple(int n, exchange_matrix coefficient, const double *theta, double factor_matrix, exchange_matrix a)
 {
     for (int r = 0; r < n; ++r)
-        for (int s = 0; s < n; ++s) a[r][s] = r == s ? 0.0 : factor * theta[r] * theta[s] * coefficient[r][s];
+        for (int s = 0; s < n; ++s) a[r][s] = r == s ? 0.0 : factor_matrix * theta[r] * theta[s] * coefficient[r][s];
 }
 
 static double centre_of_mass(const present *p, const double *u)
@@ -86,7 +86,7 @@ static double centre_of_mass(const present *p, const double *u)
 }
 
 /* Lower triangle of diag(m) + A over the free materials, factored L D L^T in place without pivots: it is positive definite. */
-static void factor(const present *p, exchange_matrix a, int n, const double *mass, exchange_matrix f)
+static void factor_matrix(const present *p, exchange_matrix a, int n, const double *mass, exchange_matrix f)
 {
     const double most = rigid * p->largest;
     for (int i = 0; i < p->n; ++i) {
@@ -106,7 +106,7 @@ static void factor(const present *p, exchange_matrix a, int n, const double *mas
     }
 }
 
-static void substitute(int n, exchange_matrix f, double *y)
+static void substitute_back(int n, exchange_matrix f, double *y)
 {
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < i; ++k) y[i] -= f[i][k] * y[k];
@@ -126,7 +126,7 @@ static void relax_column(const present *p, exchange_matrix a, exchange_matrix f,
         for (int s = 0; s < n; ++s)
             if (isinf(mass[s])) y[i] += fmin(a[p->index[i]][s], most) * (u[s] - reference);
     }
-    substitute(p->n, f, y);
+    substitute_back(p->n, f, y);
     double drift = 0.0;
     for (int i = 0; i < p->n; ++i) drift += p->mass[i] * y[i];
     drift = p->fixed >= 0 ? 0.0 : drift / p->total;
@@ -151,7 +151,7 @@ static void relax_part(const present *p, int n, const double *mass, exchange_mat
     if (pair)
         two = exchange_of_two(p->mass[0], p->mass[1], a[p->index[0]][p->index[1]]);
     else
-        factor(p, a, n, mass, f);
+        factor_matrix(p, a, n, mass, f);
     for (int c = 0; c < columns; ++c) {
         if (pair)
             exchange_relax_two(two, &value[c][p->index[0]], &value[c][p->index[1]]);
@@ -172,7 +172,7 @@ void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, d
 }
 
 /* Reflects vectors so that the normal and the first axis change places; twice is the identity. */
-static void reflect(int n, int dim, const double *normal, double u[3][EXCHANGE_MAX])
+static void reflect_normal_to_axis(int n, int dim, const double *normal, double u[3][EXCHANGE_MAX])
 {
     double w[3] = {normal[0], 0.0, 0.0}, square = 0.0;
     const double sign = normal[0] > 0.0 ? -1.0 : 1.0; /* to -e_0 or +e_0, whichever is further away */
@@ -189,11 +189,11 @@ static void reflect(int n, int dim, const double *normal, double u[3][EXCHANGE_M
 void exchange_relax_frame(int n, const double *mass, const double *theta, bool unlike, exchange_matrix a,
                           exchange_matrix tangential, int dim, const double *normal, double u[3][EXCHANGE_MAX])
 {
-    reflect(n, dim, normal, u);
+    reflect_normal_to_axis(n, dim, normal, u);
     if (unlike)
         exchange_relax_parts(n, mass, theta, a, 1, u);
     else
         exchange_relax(n, mass, a, 1, u);
     exchange_relax_parts(n, mass, theta, tangential, dim - 1, u + 1);
-    reflect(n, dim, normal, u);
+    reflect_normal_to_axis(n, dim, normal, u);
 }

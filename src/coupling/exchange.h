@@ -30,8 +30,8 @@ void exchange_couple(int n, exchange_matrix coefficient, const double *theta, do
  * Couplings beyond 1e12 of the largest finite mass are cut to that: they are rigid already. */
 void exchange_relax(int n, const double *mass, exchange_matrix a, int columns, double value[][EXCHANGE_MAX]);
 
-/* The same where pairs differ: what fills next to nothing of the cell and weighs next to nothing of it follows the rest, and carries no force
- * from one material to another (trace.c). theta: volume fractions. */
+/* The same for pairs with different coefficients. A trace material, with a negligible share of the cell's volume and
+ * mass, follows the others and transmits no force between them (trace.c). theta: volume fractions. */
 void exchange_relax_parts(int n, const double *mass, const double *theta, exchange_matrix a, int columns,
                           double value[][EXCHANGE_MAX]);
 

@@ -12,7 +12,7 @@ static const param_spec momentum_params[] = {PAR_BETWEEN(constant_par, coefficie
 static const param_spec heat_params[] = {PAR_BETWEEN(constant_par, coefficient, "W m-3 K-1", 0.0, 1e30, NAN,
                                                      "R of the heat theta1 theta2 R (T2 - T1) per volume and time")};
 
-static double coefficient(const void *par, const exchange_pair *pair)
+static double constant_coefficient(const void *par, const exchange_pair *pair)
 {
     (void)pair;
     return ((const constant_par *)par)->coefficient;
@@ -26,10 +26,10 @@ const exchange_model exchange_constant = {
                                    .params = momentum_params,
                                    .n_params = 1,
                                    .uniform = true,
-                                   .coefficient = coefficient},
+                                   .coefficient = constant_coefficient},
             [EXCHANGE_HEAT] = {.param_size = sizeof(constant_par),
                                .params = heat_params,
                                .n_params = 1,
                                .uniform = true,
-                               .coefficient = coefficient}},
+                               .coefficient = constant_coefficient}},
 };

@@ -1,7 +1,7 @@
 /* No exchange. */
 #include "coupling/exchange_law.h"
 
-static double coefficient(const void *par, const exchange_pair *pair)
+static double free_coefficient(const void *par, const exchange_pair *pair)
 {
     (void)par;
     (void)pair;
@@ -11,6 +11,6 @@ static double coefficient(const void *par, const exchange_pair *pair)
 const exchange_model exchange_free = {
     .name = "free",
     .doc = "no exchange; as `tangential` of a pair: one slips along the other",
-    .law = {[EXCHANGE_MOMENTUM] = {.uniform = true, .coefficient = coefficient},
-            [EXCHANGE_HEAT] = {.uniform = true, .coefficient = coefficient}},
+    .law = {[EXCHANGE_MOMENTUM] = {.uniform = true, .coefficient = free_coefficient},
+            [EXCHANGE_HEAT] = {.uniform = true, .coefficient = free_coefficient}},
 };

@@ -1,7 +1,7 @@
 /* One velocity, or one temperature, wherever both materials are. */
 #include "coupling/exchange_law.h"
 
-static double coefficient(const void *par, const exchange_pair *pair)
+static double locked_coefficient(const void *par, const exchange_pair *pair)
 {
     (void)par;
     (void)pair;
@@ -11,6 +11,6 @@ static double coefficient(const void *par, const exchange_pair *pair)
 const exchange_model exchange_locked = {
     .name = "locked",
     .doc = "one velocity, or one temperature: no difference is left after a step",
-    .law = {[EXCHANGE_MOMENTUM] = {.uniform = true, .coefficient = coefficient},
-            [EXCHANGE_HEAT] = {.uniform = true, .coefficient = coefficient}},
+    .law = {[EXCHANGE_MOMENTUM] = {.uniform = true, .coefficient = locked_coefficient},
+            [EXCHANGE_HEAT] = {.uniform = true, .coefficient = locked_coefficient}},
 };

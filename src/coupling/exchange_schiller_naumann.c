@@ -18,14 +18,14 @@ static const param_spec heat_params[] = {
     PAR_POSITIVE(sphere_heat_par, prandtl, "1", 0.71, "Prandtl number of the carrier"),
 };
 
-static double momentum(const void *par, const exchange_pair *q)
+static double schiller_naumann_drag(const void *par, const exchange_pair *q)
 {
     const dispersed_par *a = &((const sphere_par *)par)->spheres;
     const double Re = dispersed_reynolds(a, q);
     return dispersed_stokes(a, q) * fmax(1.0 + 0.15 * pow(Re, 0.687), 0.44 / 24.0 * Re);
 }
 
-static double heat(const void *par, const exchange_pair *q)
+static double ranz_marshall_heat(const void *par, const exchange_pair *q)
 {
     const sphere_heat_par *a = par;
     const double d = a->spheres.diameter, Re = dispersed_reynolds(&a->spheres, q);
@@ -33,7 +33,7 @@ static double heat(const void *par, const exchange_pair *q)
     return 6.0 * a->conductivity * nusselt / (d * d) * dispersed_share(q);
 }
 
-static const char *check(const void *par, const double viscosity[2])
+static const char *check_viscosity(const void *par, const double viscosity[2])
 {
     return dispersed_check(par, viscosity); /* both parameter structs begin with the spheres */
 }
@@ -45,11 +45,11 @@ const exchange_model exchange_schiller_naumann = {
     .law = {[EXCHANGE_MOMENTUM] = {.param_size = sizeof(sphere_par),
                                    .params = momentum_params,
                                    .n_params = 2,
-                                   .coefficient = momentum,
-                                   .check = check},
+                                   .coefficient = schiller_naumann_drag,
+                                   .check = check_viscosity},
             [EXCHANGE_HEAT] = {.param_size = sizeof(sphere_heat_par),
                                .params = heat_params,
                                .n_params = 4,
-                               .coefficient = heat,
-                               .check = check}},
+                               .coefficient = ranz_marshall_heat,
+                               .check = check_viscosity}},
 };

@@ -15,18 +15,18 @@ static const param_spec heat_params[] = {
     PAR_POSITIVE(conduction_par, conductivity, "W m-1 K-1", NAN, "of the carrier, the second material"),
 };
 
-static double momentum(const void *par, const exchange_pair *q)
+static double stokes_drag(const void *par, const exchange_pair *q)
 {
     return dispersed_stokes(&((const stokes_par *)par)->spheres, q);
 }
 
-static double heat(const void *par, const exchange_pair *q)
+static double conduction_heat(const void *par, const exchange_pair *q)
 {
     const conduction_par *a = par;
     return 12.0 * a->conductivity / (a->diameter * a->diameter) * dispersed_share(q);
 }
 
-static const char *check(const void *par, const double viscosity[2])
+static const char *check_viscosity(const void *par, const double viscosity[2])
 {
     return dispersed_check(&((const stokes_par *)par)->spheres, viscosity);
 }
@@ -38,8 +38,10 @@ const exchange_model exchange_stokes = {
     .law = {[EXCHANGE_MOMENTUM] = {.param_size = sizeof(stokes_par),
                                    .params = momentum_params,
                                    .n_params = 2,
-                                   .coefficient = momentum,
-                                   .check = check},
-            [EXCHANGE_HEAT] =
-                {.param_size = sizeof(conduction_par), .params = heat_params, .n_params = 2, .coefficient = heat}},
+                                   .coefficient = stokes_drag,
+                                   .check = check_viscosity},
+            [EXCHANGE_HEAT] = {.param_size = sizeof(conduction_par),
+                               .params = heat_params,
+                               .n_params = 2,
+                               .coefficient = conduction_heat}},
 };

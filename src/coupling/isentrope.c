@@ -3,7 +3,7 @@
 #include <math.h>
 
 /* Through (v, e), where the law has p and c2. */
-static bool through(double floor, double v, double e, double p, double c2, isentrope *out)
+static bool pass_isentrope_through(double floor, double v, double e, double p, double c2, isentrope *out)
 {
     *out = (isentrope){.v = v, .e = e, .p = p, .floor = floor, .exponent = 1.0 / v * c2 / (p - floor)};
     const bool good = v > 0.0 && out->p > out->floor && out->exponent > 0.0 && isfinite(out->exponent);
@@ -16,7 +16,7 @@ bool isentrope_through(const eos *law, double v, double e, isentrope *out)
     const double rho = 1.0 / v;
     double p, c2;
     law->model->pressure(law->par, 1, &rho, &e, &p, &c2);
-    return through(law->model->pressure_floor(law->par), v, e, p, c2, out);
+    return pass_isentrope_through(law->model->pressure_floor(law->par), v, e, p, c2, out);
 }
 
 void isentropes_through(const eos *law, int n, const double *v, const double *e, isentrope *out)
@@ -25,7 +25,7 @@ void isentropes_through(const eos *law, int n, const double *v, const double *e,
     double rho[ISENTROPES_MOST], p[ISENTROPES_MOST], c2[ISENTROPES_MOST];
     for (int i = 0; i < n; ++i) rho[i] = 1.0 / v[i];
     law->model->pressure(law->par, (size_t)n, rho, e, p, c2);
-    for (int i = 0; i < n; ++i) through(floor, v[i], e[i], p[i], c2[i], &out[i]);
+    for (int i = 0; i < n; ++i) pass_isentrope_through(floor, v[i], e[i], p[i], c2[i], &out[i]);
 }
 
 double isentrope_volume(const isentrope *s, double p, double *dvdp)

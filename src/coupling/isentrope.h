@@ -1,4 +1,4 @@
-/* How a fluid in a mixed cell gives way without heat, from its state (v_0, e_0) at p_0 = p(v_0, e_0):
+/* The isentropic expansion or compression of a fluid in a mixed cell, from its state (v_0, e_0) at p_0 = p(v_0, e_0):
  *     (p - floor) v^G = (p_0 - floor) v_0^G,    G = rho c^2/(p_0 - floor), floor the law's least pressure,
  * which has the isentrope's slope at that state, and is the isentrope itself for ideal and stiffened gas, Tait's law
  * and the acoustic liquid. */

@@ -15,7 +15,7 @@ static const double relative = 1e-9, absolute = 1e-13;
 struct reaction_solver {
     int n;
     const reaction *list;      /* not owned */
-    const reaction_cell *cell; /* of the solve under way */
+    const reaction_cell *cell; /* of the solve in progress */
     SUNContext sun;
     N_Vector y, tolerance;
     SUNMatrix jacobian;
@@ -40,7 +40,7 @@ static double solid_temperature(const reaction_cell *c)
 
 /* Masses after the reactions so far, and the temperature at which the fluids hold their energy: e = e_0 + c_v (T - T_0)
  * of each. */
-static double mixture(const reaction_solver *s, const double *reacted, double *rho)
+static double mixture_temperature(const reaction_solver *s, const double *reacted, double *rho)
 {
     const reaction_cell *c = s->cell;
     double energy = 0.0, capacity = 0.0;
@@ -62,10 +62,10 @@ static double mixture(const reaction_solver *s, const double *reacted, double *r
     return capacity > 0.0 ? energy / capacity : solid_temperature(c);
 }
 
-static void rates(const reaction_solver *s, const double *reacted, double *rate)
+static void reaction_rates(const reaction_solver *s, const double *reacted, double *rate)
 {
     double rho[REACTION_MAX_MATERIALS];
-    const double T = mixture(s, reacted, rho);
+    const double T = mixture_temperature(s, reacted, rho);
     for (int k = 0; k < s->n; k++) {
         const reaction *q = &s->list[k];
         const reaction_state state = {.reactant = rho[q->reactant],
@@ -78,15 +78,15 @@ static void rates(const reaction_solver *s, const double *reacted, double *rate)
     }
 }
 
-static int derivative(realtype t, N_Vector y, N_Vector dydt, void *user)
+static int reaction_derivative(realtype t, N_Vector y, N_Vector dydt, void *user)
 {
     (void)t;
-    rates(user, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt));
+    reaction_rates(user, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt));
     return 0;
 }
 
 /* CVODE prints by default; its failure is in what it returns. */
-static void silent(int code, const char *module, const char *function, char *message, void *user)
+static void ignore_message(int code, const char *module, const char *function, char *message, void *user)
 {
     (void)code;
     (void)module;
@@ -95,7 +95,7 @@ static void silent(int code, const char *module, const char *function, char *mes
     (void)user;
 }
 
-static bool prepare(reaction_solver *s)
+static bool prepare_solver(reaction_solver *s)
 {
     if (SUNContext_Create(NULL, &s->sun) != 0) return false;
     s->y = N_VNew_Serial(s->n, s->sun);
@@ -106,8 +106,8 @@ static bool prepare(reaction_solver *s)
     s->linear = SUNLinSol_Dense(s->y, s->jacobian, s->sun);
     N_VConst(0.0, s->y);
     N_VConst(1.0, s->tolerance);
-    return s->linear && CVodeSetErrHandlerFn(s->cvode, silent, NULL) == CV_SUCCESS &&
-           CVodeInit(s->cvode, derivative, 0.0, s->y) == CV_SUCCESS &&
+    return s->linear && CVodeSetErrHandlerFn(s->cvode, ignore_message, NULL) == CV_SUCCESS &&
+           CVodeInit(s->cvode, reaction_derivative, 0.0, s->y) == CV_SUCCESS &&
            CVodeSVtolerances(s->cvode, relative, s->tolerance) == CV_SUCCESS &&
            CVodeSetUserData(s->cvode, s) == CV_SUCCESS && CVodeSetMaxNumSteps(s->cvode, 20000) == CV_SUCCESS &&
            CVodeSetLinearSolver(s->cvode, s->linear, s->jacobian) == CV_SUCCESS;
@@ -118,7 +118,7 @@ floe_status reaction_create(reaction_solver **out, context *ctx, int n, const re
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->n = n;
     (*out)->list = list;
-    if (prepare(*out)) return FLOE_OK;
+    if (prepare_solver(*out)) return FLOE_OK;
     reaction_destroy(ctx, out);
     return fail(ctx, FLOE_NO_MEMORY, "CVODE cannot be set up for %d reactions", n);
 }
@@ -161,11 +161,11 @@ static bool step_once(const reaction_solver *s, const double *start, const doubl
 {
     double k2[REACTION_MAX], k3[REACTION_MAX], k4[REACTION_MAX], y[REACTION_MAX];
     for (int k = 0; k < s->n; k++) y[k] = 0.5 * dt * start[k];
-    rates(s, y, k2);
+    reaction_rates(s, y, k2);
     for (int k = 0; k < s->n; k++) y[k] = 0.75 * dt * k2[k];
-    rates(s, y, k3);
+    reaction_rates(s, y, k3);
     for (int k = 0; k < s->n; k++) y[k] = dt / 9.0 * (2.0 * start[k] + 3.0 * k2[k] + 4.0 * k3[k]);
-    rates(s, y, k4);
+    reaction_rates(s, y, k4);
     for (int k = 0; k < s->n; k++) {
         const double error = dt * (-5.0 / 72.0 * start[k] + k2[k] / 12.0 + k3[k] / 9.0 - 0.125 * k4[k]);
         if (!(fabs(error) <= relative * y[k] + tolerance[k])) return false;
@@ -183,7 +183,7 @@ bool reaction_integrate(reaction_solver *s, const reaction_cell *cell, double dt
         y[k] = reacted[k] = 0.0;
         tolerance[k] = absolute * cell->rho[s->list[k].reactant] + 1e-200;
     }
-    rates(s, reacted, start);
+    reaction_rates(s, reacted, start);
     for (int k = 0; k < s->n; k++) any = any || start[k] > 0.0;
     if (!any) return true;
     if (step_once(s, start, tolerance, dt, reacted)) {

@@ -14,7 +14,7 @@ static const param_spec params[] = {
     PAR_NONNEGATIVE(arrhenius_par, threshold, "K", 0.0, "nothing reacts below this temperature"),
 };
 
-static double rate(const void *par, const reaction_state *q)
+static double arrhenius_rate(const void *par, const reaction_state *q)
 {
     const arrhenius_par *a = par;
     if (!(q->T > a->threshold)) return 0.0;
@@ -28,5 +28,5 @@ const reaction_model reaction_arrhenius = {
     .param_size = sizeof(arrhenius_par),
     .params = params,
     .n_params = sizeof params / sizeof *params,
-    .rate = rate,
+    .rate = arrhenius_rate,
 };

@@ -18,7 +18,7 @@ static const param_spec params[] = {
     PAR_NONNEGATIVE(burn_par, threshold, "K", 0.0, "nothing burns below this temperature of the cell"),
 };
 
-static double rate(const void *par, const reaction_state *q)
+static double burn_rate(const void *par, const reaction_state *q)
 {
     const burn_par *a = par;
     if (!(q->T > a->threshold) || !(q->p > 0.0)) return 0.0;
@@ -34,5 +34,5 @@ const reaction_model reaction_burn = {
     .param_size = sizeof(burn_par),
     .params = params,
     .n_params = sizeof params / sizeof *params,
-    .rate = rate,
+    .rate = burn_rate,
 };

@@ -12,7 +12,7 @@ static const param_spec params[] = {
     PAR_POSITIVE(threshold_par, time, "s", NAN, "in which all but 1/e of it does"),
 };
 
-static double rate(const void *par, const reaction_state *q)
+static double threshold_rate(const void *par, const reaction_state *q)
 {
     const threshold_par *a = par;
     return q->T > a->temperature ? q->reactant / a->time : 0.0;
@@ -25,5 +25,5 @@ const reaction_model reaction_threshold = {
     .param_size = sizeof(threshold_par),
     .params = params,
     .n_params = sizeof params / sizeof *params,
-    .rate = rate,
+    .rate = threshold_rate,
 };

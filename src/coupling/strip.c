@@ -3,7 +3,7 @@
 #include "base/compiler.h"
 
 /* 2 at a node on a non-periodic side of the domain, else 1 (local node index along an axis). */
-static double doubling(const mesh *m, const block *b, int axis, int i)
+static double side_factor(const mesh *m, const block *b, int axis, int i)
 {
     if (m->periodic[axis]) return 1.0;
     return (b->at_side[axis][SIDE_LOWER] && i == 0) || (b->at_side[axis][SIDE_UPPER] && i == b->n[axis]) ? 2.0 : 1.0;
@@ -12,14 +12,14 @@ static double doubling(const mesh *m, const block *b, int axis, int i)
 /* Weights, in halves, of the two nodes of cell i. */
 static void nodes_of_cell(const mesh *m, const block *b, int axis, int i, double share[2])
 {
-    share[0] = doubling(m, b, axis, i);
-    share[1] = doubling(m, b, axis, i + 1);
+    share[0] = side_factor(m, b, axis, i);
+    share[1] = side_factor(m, b, axis, i + 1);
 }
 
 /* Of the two cells of node i, those outside the domain without any. */
 static void cells_of_node(const mesh *m, const block *b, int axis, int i, double share[2])
 {
-    const double weight = doubling(m, b, axis, i);
+    const double weight = side_factor(m, b, axis, i);
     share[0] = m->periodic[axis] || !b->at_side[axis][SIDE_LOWER] || i != 0 ? weight : 0.0;
     share[1] = m->periodic[axis] || !b->at_side[axis][SIDE_UPPER] || i != b->n[axis] ? weight : 0.0;
 }

@@ -1,9 +1,10 @@
-/* Exchange where pairs differ and a third material is there in traces.
+/* Exchange between pairs with different coefficients, with a third material in traces.
  *
- * Water slips along a wall; a trace of air, locked to both, would lock them to each other, however little of it there is: exchange is implicit,
- * and a coupling without limit carries a force without limit through any mass. So a trace takes part in two ways, by its weight w:
- * with couplings of at most m w/(1 - w) in the system of all, and with what is left of them by following the mean of its heavier partners, which
- * get back what it takes and no more: what it carries from one to the other then vanishes with its mass.
+ * Water slips along a wall; a trace of air that is locked to both would lock them to each other, however small its
+ * mass: exchange is implicit, and a coupling without limit carries a force without limit through any mass. So a trace
+ * takes part in two ways, by its weight w: with couplings of at most m w/(1 - w) in the system of all, and with what is
+ * left of them by following the mean of its heavier partners, which get back what it takes and no more: what it carries
+ * from one to the other then vanishes with its mass.
  *
  * w is 0 below a share of 1e-4 of the cell and 1 from 1e-2 on, by mass or by volume, whichever is more. */
 #include "coupling/exchange.h"
@@ -11,7 +12,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-static double weight_of(double share)
+static double weight_of_fraction(double share)
 {
     const double none = 1e-4, all = 1e-2, x = (log(share) - log(none)) / (log(all) - log(none));
     return x <= 0.0 ? 0.0 : x >= 1.0 ? 1.0 : x * x * (3.0 - 2.0 * x);
@@ -29,7 +30,7 @@ static bool find_traces(int n, const double *mass, const double *theta, double *
     }
     if (present < 3 || isinf(total)) return false;
     for (int r = 0; r < n; ++r) {
-        weight[r] = mass[r] > 0.0 ? weight_of(fmax(mass[r] / total, theta[r])) : 1.0;
+        weight[r] = mass[r] > 0.0 ? weight_of_fraction(fmax(mass[r] / total, theta[r])) : 1.0;
         found = found || weight[r] < 1.0;
     }
     return found;

@@ -1,5 +1,5 @@
 /* What a study must reach: study.require, study.check and study.refuse, each with the cases that it is for. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,15 +36,15 @@ static void write_where(writer *w, const key_spec *key, const void *base)
     strbuf_append(&w->out, "}\n");
 }
 
-static const custom_key custom_where = {
+static const special_key special_where = {
     .read = read_where,
     .write = write_where,
     .form = "{key of an axis: value}",
 };
-#define WHERE(type)                                                                               \
-    {                                                                                             \
-        "where", KEY_CUSTOM, AT(type, where), .custom = &custom_where, .otherwise = "everywhere", \
-                                              .doc = "only for these values of axes"              \
+#define WHERE(type)                                                                                  \
+    {                                                                                                \
+        "where", KEY_SPECIAL, AT(type, where), .special = &special_where, .otherwise = "everywhere", \
+                                               .doc = "only for these values of axes"                \
     }
 
 /* ---- lists of tables ---- */
@@ -62,7 +62,7 @@ static floe_status read_bar_list(reader *r, const key_spec *key, deck_node *node
 {
     int *n = (int *)(void *)((char *)study + list->count);
     if (!node) return FLOE_OK;
-    if (node->kind != NODE_LIST) return bad(r, node, key->custom->form, "'%s' is not a list", key->key);
+    if (node->kind != NODE_LIST) return bad(r, node, key->special->form, "'%s' is not a list", key->key);
     if (node->n > SCENE_MAX_BARS) return bad(r, node, NULL, "more than %d in '%s'", SCENE_MAX_BARS, key->key);
     for (deck_node *item = node->first; item; item = item->next) {
         void *one = (char *)study + list->first + (size_t)(*n)++ * list->size;
@@ -128,7 +128,7 @@ static void write_require(writer *w, const key_spec *key, const void *base)
     write_bar_list(w, key, base, &require_list);
 }
 
-const custom_key custom_require = {
+const special_key special_require = {
     .read = read_require,
     .write = write_require,
     .form = "a list of {metric: name, order: at least, error: at most, where: {key of an axis: value}}",
@@ -175,7 +175,7 @@ static void write_check(writer *w, const key_spec *key, const void *base)
     write_bar_list(w, key, base, &check_list);
 }
 
-const custom_key custom_check = {
+const special_key special_check = {
     .read = read_check,
     .write = write_check,
     .form =
@@ -218,7 +218,7 @@ static void write_refuse(writer *w, const key_spec *key, const void *base)
     write_bar_list(w, key, base, &refuse_list);
 }
 
-const custom_key custom_refuse = {
+const special_key special_refuse = {
     .read = read_refuse,
     .write = write_refuse,
     .form = "a list of {why: reason, where: {key of an axis: value}}",
@@ -259,7 +259,7 @@ static void write_unchanged(writer *w, const key_spec *key, const void *base)
     write_bar_list(w, key, base, &unchanged_list);
 }
 
-const custom_key custom_unchanged = {
+const special_key special_unchanged = {
     .read = read_unchanged,
     .write = write_unchanged,
     .form = "a list of {by: spoilers, why: reason, where: {key of an axis: value}}",

@@ -1,5 +1,5 @@
 /* boundaries: {x: {lower: symmetry, upper: {outlet: {...}}}, y: periodic}, or one kind for every side. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -191,7 +191,7 @@ static floe_status read_boundaries(reader *r, const key_spec *key, deck_node *no
         for (int axis = 0; axis < s->mesh.dim; axis++) s->bc.side[axis][0] = s->bc.side[axis][1] = side[0];
         return FLOE_OK;
     }
-    if (node->kind != NODE_MAP) return bad(r, node, custom_boundaries.form, "'boundaries' is a list");
+    if (node->kind != NODE_MAP) return bad(r, node, special_boundaries.form, "'boundaries' is a list");
     for (deck_node *child = node->first; child; child = child->next) {
         const int axis = find_axis(&s->mesh, child->key);
         const deck_node *first = node_find(node, child->key);
@@ -226,7 +226,7 @@ static void write_boundaries(writer *w, const key_spec *key, const void *base)
     w->indent--;
 }
 
-const custom_key custom_boundaries = {
+const special_key special_boundaries = {
     .read = read_boundaries,
     .write = write_boundaries,
     .form = "{x: {lower: kind, upper: kind}, y: kind, ...} (r, z when axisymmetric), or one kind for every side",

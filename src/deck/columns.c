@@ -1,5 +1,5 @@
 /* verify.history: {position: last_string_y, ...} */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -55,7 +55,7 @@ static floe_status read_columns(reader *r, const key_spec *key, deck_node *node,
     if (node->kind != NODE_MAP) {
         char found[80];
         node_describe(node, found, sizeof found);
-        return bad(r, node, custom_columns.form, "'%s' is %s", key->key, found);
+        return bad(r, node, special_columns.form, "'%s' is %s", key->key, found);
     }
     for (deck_node *item = node->first; item; item = item->next) TRY(read_column(r, item, base));
     return FLOE_OK;
@@ -73,7 +73,7 @@ static void write_columns(writer *w, const key_spec *key, const void *base)
     strbuf_append(&w->out, "}\n");
 }
 
-const custom_key custom_columns = {
+const special_key special_columns = {
     .read = read_columns,
     .write = write_columns,
     .form = "{quantity: column, ...}",

@@ -5,7 +5,8 @@
 #include "base/param.h"
 #include "scene/scene.h"
 
-/* What the deck takes from rooms that it cannot see, filled by the caller (once; nothing is owned by the deck). */
+/* What the deck needs from modules that it cannot include, filled by the caller (once; nothing is owned by the
+ * deck). */
 typedef struct deck_exact { /* an exact solution, as far as the deck needs it */
     const char *name, *doc, *cite;
     const param_spec *params;

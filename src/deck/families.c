@@ -1,5 +1,5 @@
 /* Registries as the reader sees them: shapes, laws of solids, equations of state, exact solutions. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <stdio.h>
 #include <string.h>

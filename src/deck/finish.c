@@ -1,6 +1,6 @@
 /* Defaults that depend on more than one key. */
-#include "deck/parts.h"
-#include "scene/place.h"
+#include "deck/deck_internal.h"
+#include "scene/deck_location.h"
 #include "scene/slender.h"
 
 #include <math.h>

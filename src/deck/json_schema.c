@@ -1,5 +1,5 @@
 /* The schema as a JSON schema (draft 7): completion and first checks in editors. `floe check` is stricter. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -139,15 +139,15 @@ static void print_choices_schema(sheet *j, const choice *choices)
     strbuf_append(&j->out, "]");
 }
 
-static void print_custom(sheet *j, const custom_key *custom)
+static void print_special(sheet *j, const special_key *special)
 {
-    if (custom == &custom_boundaries) {
+    if (special == &special_boundaries) {
         print_boundaries(j);
-    } else if (custom->json) {
-        strbuf_append_bytes(&j->out, custom->json + 1, strlen(custom->json) - 2); /* without its braces */
+    } else if (special->json) {
+        strbuf_append_bytes(&j->out, special->json + 1, strlen(special->json) - 2); /* without its braces */
     } else {
         strbuf_append(&j->out, "\"$comment\": ");
-        print_string(j, custom->form);
+        print_string(j, special->form);
     }
 }
 
@@ -169,7 +169,7 @@ static void print_type(sheet *j, const key_spec *key)
     case KEY_NAMED: print_named(j, key->items); return;
     case KEY_MODEL: print_family_schema(j, key->family); return;
     case KEY_VARIANT: print_variants_schema(j, key->variants); return;
-    case KEY_CUSTOM: print_custom(j, key->custom); return;
+    case KEY_SPECIAL: print_special(j, key->special); return;
     }
 }
 

@@ -1,6 +1,6 @@
 /* Notes in the scene where each key of its deck stands. */
-#include "deck/parts.h"
-#include "scene/place.h"
+#include "deck/deck_internal.h"
+#include "scene/deck_location.h"
 
 #include <string.h>
 
@@ -39,7 +39,7 @@ static const char *setting_of(const key_list *list, int source)
 
 static void note_key(key_list *list, const deck_node *node, int above)
 {
-    const deck_place at = node->kind == NODE_MAP ? node->key_at : node->at;
+    const deck_location at = node->kind == NODE_MAP ? node->key_at : node->at;
     list->key[list->n++] = (scene_key){.name = list->text,
                                        .above = above,
                                        .line = at.line,

@@ -10,7 +10,7 @@
 typedef struct override {
     deck_arena *arena;
     error_list *errors;
-    deck_place at;
+    deck_location at;
     const char *key, *value;
     deck_node *fresh; /* the value's tree */
 } override;
@@ -120,7 +120,7 @@ static floe_status place_value(override *o, deck_node *root)
 static floe_status apply_one(override *o, deck_node *root, int source, const char *text)
 {
     const char *equals = strchr(text, '=');
-    o->at = (deck_place){source, 1, 1};
+    o->at = (deck_location){source, 1, 1};
     if (!equals || equals == text) {
         return error_add(o->errors, o->at, "K=V: domain.cell=0.0125", NULL, "this is no key with a value");
     }

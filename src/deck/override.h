@@ -2,7 +2,7 @@
 #ifndef DECK_OVERRIDE_H
 #define DECK_OVERRIDE_H
 
-#include "deck/errors.h"
+#include "deck/deck_errors.h"
 
 /* Applies all of them in order. Keys are paths: names and list indices (from 0) joined by dots; maps on the way are
  * made where they are missing. Faults are entered in the errors. */

@@ -17,20 +17,20 @@ typedef struct parser {
     deck_node *open[TREE_MAX_DEPTH]; /* maps and lists not yet closed */
     int depth;
     const char *key; /* key read, its value awaited */
-    deck_place key_at;
+    deck_location key_at;
     deck_node *root;
     bool past_document; /* the first document has ended */
     parse_error *error;
 } parser;
 
-static deck_place place_of_mark(const parser *p, const struct fy_mark *mark)
+static deck_location place_of_mark(const parser *p, const struct fy_mark *mark)
 {
     if (!mark && p->key) return p->key_at; /* an empty value stands nowhere */
-    if (!mark) return (deck_place){.source = p->source, .line = 1, .column = 1};
-    return (deck_place){.source = p->source, .line = mark->line + 1, .column = mark->column + 1};
+    if (!mark) return (deck_location){.source = p->source, .line = 1, .column = 1};
+    return (deck_location){.source = p->source, .line = mark->line + 1, .column = mark->column + 1};
 }
 
-static floe_status refuse_syntax(parser *p, deck_place at, const char *text, const char *remedy)
+static floe_status refuse_syntax(parser *p, deck_location at, const char *text, const char *remedy)
 {
     p->error->at = at;
     snprintf(p->error->text, sizeof p->error->text, "%s", text);
@@ -39,7 +39,7 @@ static floe_status refuse_syntax(parser *p, deck_place at, const char *text, con
 }
 
 /* A plain name is what a key must be; the tree has no other use for a map's keys. */
-static floe_status parse_key(parser *p, struct fy_event *event, deck_place at)
+static floe_status parse_key(parser *p, struct fy_event *event, deck_location at)
 {
     if (event->type != FYET_SCALAR) {
         return refuse_syntax(p, at, "a key of a map must be a name, not a map or a list",
@@ -70,7 +70,7 @@ static floe_status add_node(parser *p, deck_node *node)
     return FLOE_OK;
 }
 
-static floe_status open_node(parser *p, node_kind kind, deck_place at)
+static floe_status open_node(parser *p, node_kind kind, deck_location at)
 {
     if (p->depth == TREE_MAX_DEPTH) return refuse_syntax(p, at, "maps and lists are nested too deeply", "");
     deck_node *node;
@@ -80,7 +80,7 @@ static floe_status open_node(parser *p, node_kind kind, deck_place at)
     return FLOE_OK;
 }
 
-static floe_status parse_scalar(parser *p, struct fy_event *event, deck_place at)
+static floe_status parse_scalar(parser *p, struct fy_event *event, deck_location at)
 {
     deck_node *node;
     size_t length = 0;
@@ -110,7 +110,7 @@ static struct fy_token *anchor_or_tag(const struct fy_event *event)
     return data->anchor ? data->anchor : data->tag;
 }
 
-static floe_status parse_value(parser *p, struct fy_event *event, deck_place at)
+static floe_status parse_value(parser *p, struct fy_event *event, deck_location at)
 {
     if (anchor_or_tag(event))
         return refuse_syntax(p, at, "anchors (&) and tags (!) are not used in decks", "write the value itself");
@@ -133,7 +133,7 @@ static int marks_before_text(const struct fy_event *event)
 
 static floe_status take_event(parser *p, struct fy_event *event)
 {
-    deck_place at = place_of_mark(p, fy_event_start_mark(event));
+    deck_location at = place_of_mark(p, fy_event_start_mark(event));
     if (at.column > 1) at.column -= marks_before_text(event);
     if (event->type == FYET_ALIAS)
         return refuse_syntax(p, at, "aliases (*) are not used in decks", "write the value itself");
@@ -150,7 +150,7 @@ static floe_status take_syntax_error(parser *p)
 {
     void *iterator = NULL;
     const struct fy_diag_error *found = fy_diag_errors_iterate(p->diag, &iterator);
-    deck_place at = {.source = p->source, .line = 1, .column = 1};
+    deck_location at = {.source = p->source, .line = 1, .column = 1};
     if (!found) return refuse_syntax(p, at, "the text is not YAML", "");
     if (found->line > 0) at.line = found->line;
     if (found->column > 0) at.column = found->column;
@@ -185,7 +185,7 @@ static size_t character_length(const unsigned char *c, size_t left)
 /* libfyaml 0.7.12 does not come back from some texts that are not UTF-8 (a directive with a byte 0xff in it). */
 static floe_status check_text(parser *p, const char *text, size_t length)
 {
-    deck_place at = {.source = p->source, .line = 1, .column = 1};
+    deck_location at = {.source = p->source, .line = 1, .column = 1};
     for (size_t i = 0; i < length;) {
         const unsigned char *c = (const unsigned char *)text + i;
         const size_t n = character_length(c, length - i);
@@ -235,7 +235,7 @@ floe_status parse_yaml(deck_node **root, deck_arena *arena, int source, const ch
     if (p.fyp) fy_parser_destroy(p.fyp);
     if (p.diag) fy_diag_unref(p.diag);
     if (status != FLOE_OK) return status;
-    if (!p.root) TRY(node_new(arena, &p.root, NODE_SCALAR, (deck_place){source, 1, 1}));
+    if (!p.root) TRY(node_new(arena, &p.root, NODE_SCALAR, (deck_location){source, 1, 1}));
     *root = p.root;
     return FLOE_OK;
 }

@@ -37,7 +37,7 @@ static const preset *find_preset(const char *name)
     return NULL;
 }
 
-static floe_status add_scalar(deck_arena *arena, deck_node *map, const char *key, const char *value, deck_place at)
+static floe_status add_scalar(deck_arena *arena, deck_node *map, const char *key, const char *value, deck_location at)
 {
     deck_node *child;
     TRY(node_new(arena, &child, NODE_SCALAR, at));

@@ -3,7 +3,7 @@
 #ifndef DECK_PRESET_H
 #define DECK_PRESET_H
 
-#include "deck/errors.h"
+#include "deck/deck_errors.h"
 #include "deck/tree.h"
 
 /* `method: NAME` as the map that it stands for, so that --set finds keys under it. */

@@ -9,10 +9,10 @@
 
 enum { WORDS = 512, NAMES_SHOWN = 24 };
 
-static floe_status enter_error(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
+static floe_status enter_error(reader *r, deck_node *node, deck_location at, const char *expected, const char *hint,
                                const char *format, va_list arguments) FLOE_PRINTF(6, 0);
 
-static floe_status enter_error(reader *r, deck_node *node, deck_place at, const char *expected, const char *hint,
+static floe_status enter_error(reader *r, deck_node *node, deck_location at, const char *expected, const char *hint,
                                const char *format, va_list arguments)
 {
     char message[WORDS];
@@ -117,7 +117,7 @@ static floe_status read_absent(reader *r, const key_spec *key, deck_node *map, v
     if (key->type == KEY_MAP && !key->present) {
         return read_table(r, key->table, NULL, (char *)base + key->offset);
     }
-    if (key->type == KEY_CUSTOM) return key->custom->read(r, key, NULL, base);
+    if (key->type == KEY_SPECIAL) return key->special->read(r, key, NULL, base);
     return FLOE_OK;
 }
 
@@ -166,7 +166,7 @@ floe_status read_key(reader *r, const key_spec *key, deck_node *node, void *base
     case KEY_NAMED: return read_named(r, key, node, base);
     case KEY_MODEL: return read_model(r, key, node, base);
     case KEY_VARIANT: return read_variant(r, key->variants, node, (char *)base + key->offset);
-    case KEY_CUSTOM: return key->custom->read(r, key, node, base);
+    case KEY_SPECIAL: return key->special->read(r, key, node, base);
     default: return read_scalar(r, key, node, base);
     }
 }

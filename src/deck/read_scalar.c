@@ -56,7 +56,7 @@ void describe_expected(const key_spec *key, int dim, char *text, size_t size)
     case KEY_NAMED: snprintf(text, size, "name: {...}, one entry for each %s", key->items->noun); return;
     case KEY_MODEL: snprintf(text, size, "{name: {parameters}} of one %s", key->family->noun); return;
     case KEY_VARIANT: snprintf(text, size, "{kind: {keys}} of one %s", key->variants->noun); return;
-    case KEY_CUSTOM: snprintf(text, size, "%s", key->custom->form); return;
+    case KEY_SPECIAL: snprintf(text, size, "%s", key->special->form); return;
     }
     snprintf(text, size, "a value");
 }

@@ -55,7 +55,7 @@ void arena_free(deck_arena *arena)
     }
 }
 
-floe_status node_new(deck_arena *arena, deck_node **out, node_kind kind, deck_place at)
+floe_status node_new(deck_arena *arena, deck_node **out, node_kind kind, deck_location at)
 {
     TRY(arena_new(arena, out, sizeof **out));
     **out = (deck_node){.kind = kind, .text = "", .at = at, .key_at = at};

@@ -1,5 +1,5 @@
-/* The deck as a tree of nodes that remember where they stand in the source: what parse.c makes, what --set edits and
- * what the schema reads. Nodes and texts live in an arena and go together. Private to src/deck. */
+/* The deck as a tree of nodes with their lines and columns in the source: parse.c builds it, --set edits it, and the
+ * schema reads it. Nodes and texts live in an arena and go together. Private to src/deck. */
 #ifndef DECK_TREE_H
 #define DECK_TREE_H
 
@@ -16,19 +16,19 @@ enum {
 
 typedef enum node_kind { NODE_SCALAR, NODE_LIST, NODE_MAP } node_kind;
 
-typedef struct deck_place {
+typedef struct deck_location {
     int source;       /* 0: the deck file; n: the n-th --set (1 is the first) */
     int line, column; /* from 1; column counts characters */
-} deck_place;
+} deck_location;
 
 typedef struct deck_node {
     node_kind kind;
-    bool quoted;       /* a scalar in quotes or a block */
-    bool bad;          /* an error was found here or below */
-    const char *text;  /* scalars; "" when empty */
-    const char *key;   /* in a map: the key's text; NULL elsewhere */
-    deck_place key_at; /* in a map */
-    deck_place at;     /* of the value */
+    bool quoted;          /* a scalar in quotes or a block */
+    bool bad;             /* an error was found here or below */
+    const char *text;     /* scalars; "" when empty */
+    const char *key;      /* in a map: the key's text; NULL elsewhere */
+    deck_location key_at; /* in a map */
+    deck_location at;     /* of the value */
     struct deck_node *parent, *first, *last, *next;
     struct deck_node *absent; /* maps: what --set was to take away, chained by next */
     size_t n;                 /* children */
@@ -48,12 +48,12 @@ floe_status arena_new(deck_arena *arena, void *out, size_t size);
 floe_status arena_text(deck_arena *arena, const char **out, const char *text, size_t length);
 void arena_free(deck_arena *arena);
 
-floe_status node_new(deck_arena *arena, deck_node **out, node_kind kind, deck_place at);
+floe_status node_new(deck_arena *arena, deck_node **out, node_kind kind, deck_location at);
 /* Makes `child` the last child of `parent`. */
 void node_append(deck_node *parent, deck_node *child);
-/* Puts `fresh` where `old` stands in its parent, under the same key; `old` is forgotten. */
+/* Replaces `old` by `fresh` in its parent, under the same key. */
 void node_replace(deck_node *old, deck_node *fresh);
-/* Takes `child` out of its parent; it is forgotten. */
+/* Removes `child` from its parent. */
 void node_remove(deck_node *child);
 /* Puts `child`, which is none of its children, among the absent of `map`. */
 void node_note_absent(deck_node *map, deck_node *child);
@@ -71,7 +71,7 @@ bool node_is_null(const deck_node *node);
 /* Parses YAML text into a tree (parse.c, the only file that sees libfyaml). On a syntax error *root is NULL and the
  * message, its place and FLOE_BAD_INPUT are returned in *error; other failures are in the context. */
 typedef struct parse_error {
-    deck_place at;
+    deck_location at;
     char text[256];
     char remedy[160]; /* "" if there is none */
 } parse_error;

@@ -1,5 +1,5 @@
 /* The echo: a scene written back through the tables that read it. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -261,7 +261,7 @@ void write_table(writer *w, const key_table *table, const void *base)
             write_key_name(w, key->key);
             write_variant(w, key->variants, (const char *)base + key->offset);
             break;
-        case KEY_CUSTOM: key->custom->write(w, key, base); break;
+        case KEY_SPECIAL: key->special->write(w, key, base); break;
         default: write_scalar(w, key, base); break;
         }
     }

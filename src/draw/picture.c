@@ -1,4 +1,4 @@
-#include "draw/picture_parts.h"
+#include "draw/picture_internal.h"
 
 #include <math.h>
 #include <string.h>
@@ -202,7 +202,7 @@ static int upright_ticks(double height_in_units)
     return (int)fmax(2.0, fmin(8.0, height_in_units / 54));
 }
 
-double picture_tick_room(const scale *y, double height)
+double picture_tick_width(const scale *y, double height)
 {
     scale_ticks ticks;
     size_t longest = 0;

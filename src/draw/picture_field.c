@@ -1,5 +1,5 @@
 /* Points over cells, in the plane. */
-#include "draw/picture_parts.h"
+#include "draw/picture_internal.h"
 
 #include "base/memory.h"
 
@@ -12,11 +12,11 @@ static frame place_frame(const sketch *k)
 {
     const double extent[2] = {k->p->upper[0] - k->p->lower[0], k->p->upper[1] - k->p->lower[1]};
     const double guess = fmin(TALLEST, 620 * extent[1] / extent[0]);
-    const double left = MARGIN + picture_tick_room(&k->axis[1], guess);
-    const double room = 720 - left - MARGIN;
-    const double per_metre = fmin(room / extent[0], TALLEST / extent[1]);
+    const double left = MARGIN + picture_tick_width(&k->axis[1], guess);
+    const double width = 720 - left - MARGIN;
+    const double per_metre = fmin(width / extent[0], TALLEST / extent[1]);
     frame f = {.y = AXIS_NAME, .width = extent[0] * per_metre, .height = extent[1] * per_metre};
-    f.x = left + 0.5 * (room - f.width);
+    f.x = left + 0.5 * (width - f.width);
     return f;
 }
 

@@ -1,5 +1,5 @@
 /* One dimension: each quantity over x, cells as steps, points as dots. */
-#include "draw/picture_parts.h"
+#include "draw/picture_internal.h"
 
 #include <math.h>
 
@@ -163,7 +163,7 @@ void picture_draw_profile(sketch *k)
     double left = 0.0, y = picture_head_height(p) * u;
     for (int n = 0; n < p->n_scales; n++) {
         const scale s = with_margin(k, n);
-        left = fmax(left, MARGIN + picture_tick_room(&s, PANEL));
+        left = fmax(left, MARGIN + picture_tick_width(&s, PANEL));
     }
     for (int n = 0; n < p->n_scales; n++) {
         y += panel_head(p, n) * u;

@@ -60,7 +60,7 @@ static void append_blocks(strbuf *out, const plot_figure *f)
     }
 }
 
-/* Columns of the key that the longest name leaves room for. */
+/* Columns of the key that the longest name leaves space for. */
 static int key_columns(const plot_panel *panel, int *names)
 {
     size_t longest = 1;

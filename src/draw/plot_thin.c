@@ -131,15 +131,15 @@ static floe_status thin_all(context *ctx, plot_thin *t)
                    sizeof *t->value)); /* x and y, each point with a gap before it */
     TRY(memory_new(ctx, &index, longest, sizeof *index));
     plot_series *next = t->series;
-    double *room = t->value;
+    double *scratch = t->value;
     for (size_t p = 0; p < f->n_panels; p++) {
         t->panel[p] = f->panel[p];
         t->panel[p].series = next;
         for (size_t k = 0; k < f->panel[p].n_series; k++, next++) {
             *next = f->panel[p].series[k];
             if (!is_thinned(f, next)) continue;
-            thin_series(&f->panel[p], next, f->most, index, room);
-            room += 4 * f->most;
+            thin_series(&f->panel[p], next, f->most, index, scratch);
+            scratch += 4 * f->most;
         }
     }
     memory_free(ctx, &index);

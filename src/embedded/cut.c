@@ -30,7 +30,7 @@ void cut_destroy(cut_surface *c)
     memory_free(c->ctx, &c->node);
 }
 
-/* Room for one more than n items, growing by half. */
+/* Space for one more than n items, growing by half. */
 static floe_status grow(cut_surface *c, int which, void *array, size_t n, size_t size)
 {
     if (n < c->capacity[which]) return FLOE_OK;
@@ -110,7 +110,7 @@ static void bound_nodes(const cut_surface *c, int n, int *least, int *most)
     }
 }
 
-/* Which nodes are held: 1, or 0. On a line a node that lies in two bodies has -1. */
+/* Which nodes are inside: 1, or 0. In one dimension a node that lies in two bodies has -1. */
 static floe_status mark_nodes(cut_surface *c)
 {
     const int nodes = (c->mesh->n[0] + 1) * (c->mesh->dim > 1 ? c->mesh->n[1] + 1 : 1);
@@ -118,19 +118,18 @@ static floe_status mark_nodes(cut_surface *c)
     int least, most;
     number_nodes(c);
     bound_nodes(c, nodes, &least, &most);
-    if (most == least) { /* no surface leaves its cell: they hold what they go round the other way */
+    if (most == least) { /* no boundary leaves its cell: they enclose the outside of themselves */
         double inside = 0.0;
         for (int k = 0; k < c->n_cells; ++k) inside += c->cell[k].open;
         most = least + (inside >= 0.0);
     }
     if (most - least > 1 + overlap)
-        return fail(c->ctx, FLOE_RETRY,
-                    "a line that holds gas back crosses itself or another: gas would lie on both its sides");
+        return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses itself or another: gas would lie on both its sides");
     for (int k = 0; k < nodes; ++k) c->node[k] = (signed char)(c->node[k] - most + 1);
     return overlap ? cut_join_points(c) : FLOE_OK;
 }
 
-static double snapped(double share, bool *sound)
+static double snapped_share(double share, bool *sound)
 {
     *sound = *sound && share >= -crossing && share <= 1.0 + crossing;
     return share < snap ? 0.0 : share > 1.0 - snap ? 1.0 : share;
@@ -143,13 +142,13 @@ static bool finish_in_plane(const cut_surface *c, cut_cell *k)
     const int row = m->n[0] + 1, *i = k->cell;
     const signed char *node = c->node + i[1] * row + i[0];
     const double across = cut_weight_to(m, mesh_node(m, 0, i[0] + 1)) - cut_weight_to(m, mesh_node(m, 0, i[0]));
-    const double held[2][2] = {{node[0], node[1]}, {node[0], node[row]}}; /* lower end of each face */
+    const double inside[2][2] = {{node[0], node[1]}, {node[0], node[row]}}; /* lower end of each face */
     bool sound = true;
     for (int axis = 0; axis < 2; ++axis)
         for (int side = 0; side < 2; ++side)
             k->face[axis][side] =
-                snapped(held[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across), &sound);
-    k->open = snapped(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]), &sound);
+                snapped_share(inside[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across), &sound);
+    k->open = snapped_share(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]), &sound);
     k->moment[0] /= across * m->h[1];
     k->moment[1] = (k->upper + k->moment[1] / across) / m->h[1];
     return sound;
@@ -160,7 +159,7 @@ static bool finish_on_line(const cut_surface *c, cut_cell *k)
 {
     const signed char *node = c->node + k->cell[0];
     bool sound = true;
-    k->open = snapped(node[1] + k->open / c->mesh->h[0], &sound);
+    k->open = snapped_share(node[1] + k->open / c->mesh->h[0], &sound);
     k->moment[0] /= c->mesh->h[0];
     for (int side = 0; side < 2; ++side) k->face[0][side] = node[side] > 0 ? 1.0 : 0.0;
     return sound;
@@ -179,7 +178,7 @@ static floe_status check_thickness(const cut_surface *c, const cut_cell *k)
 static floe_status finish_cell(cut_surface *c, cut_cell *k)
 {
     if (c->mesh->dim == 1 ? finish_on_line(c, k) : finish_in_plane(c, k)) return check_thickness(c, k);
-    return fail(c->ctx, FLOE_RETRY, "a line that holds gas back crosses itself or another in cell (%d, %d)", k->cell[0],
+    return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses itself or another in cell (%d, %d)", k->cell[0],
                 k->cell[1]);
 }
 
@@ -187,9 +186,9 @@ static floe_status finish_cell(cut_surface *c, cut_cell *k)
 static floe_status finish_whole(const cut_surface *c, int i, int j, int *out)
 {
     const int node = c->node[j * (c->mesh->n[0] + 1) + i];
-    *out = node > 0 ? CUT_HELD : CUT_OUTSIDE;
+    *out = node > 0 ? CUT_INSIDE : CUT_OUTSIDE;
     if (node >= 0) return FLOE_OK;
-    return fail(c->ctx, FLOE_RETRY, "a surface that holds gas back crosses another at cell %d", i);
+    return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses another at cell %d", i);
 }
 
 floe_status cut_find(cut_surface *c)
@@ -211,7 +210,7 @@ floe_status cut_find(cut_surface *c)
 }
 
 /* On an axis whose side an end lies on, it stays there. */
-static bool is_held(const mesh *m, double x, int axis)
+static bool is_on_side(const mesh *m, double x, int axis)
 {
     return x == m->lower[axis] || x == m->upper[axis];
 }
@@ -219,7 +218,7 @@ static bool is_held(const mesh *m, double x, int axis)
 static void hold_end(const cut_surface *from, int vertex, cut_surface *out)
 {
     for (int a = 0; a < 2; ++a)
-        if (is_held(from->mesh, from->vertex[vertex].x[a], a)) out->vertex[vertex].x[a] = from->vertex[vertex].x[a];
+        if (is_on_side(from->mesh, from->vertex[vertex].x[a], a)) out->vertex[vertex].x[a] = from->vertex[vertex].x[a];
 }
 
 floe_status cut_ahead(const cut_surface *from, const double *velocity, double time, cut_surface *out)

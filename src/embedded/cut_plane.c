@@ -57,7 +57,7 @@ static void cell_of(const mesh *m, const double x[2], int cell[2])
     }
 }
 
-/* Share of the way from a to b at which the side of a cell towards b lies. */
+/* Share of the segment from a to b at which it crosses the side of a cell towards b. */
 static double way_to(const mesh *m, const double a[2], const double b[2], int axis, int node)
 {
     const double t = (mesh_node(m, axis, node) - a[axis]) / (b[axis] - a[axis]);
@@ -71,7 +71,7 @@ static double within(const mesh *m, int axis, int cell, double x)
 }
 
 /* From one vertex to the next, cell by cell. */
-static floe_status walk(cut_surface *c, const int vertex[2])
+static floe_status trace_segment(cut_surface *c, const int vertex[2])
 {
     const mesh *m = c->mesh;
     const double *a = c->vertex[vertex[0]].x, *b = c->vertex[vertex[1]].x;
@@ -121,18 +121,17 @@ static floe_status pass_side(cut_surface *c, int vertex, int inward)
             pass(c, at, axis, side, x, side == SIDE_LOWER ? inward : -inward);
             return FLOE_OK;
         }
-    return fail(
-        c->ctx, FLOE_BAD_INPUT,
-        "a line that holds gas back ends at (%g, %g), inside the domain: let it end on a symmetry or slip side, or "
-        "close it",
-        x[0], x[1]);
+    return fail(c->ctx, FLOE_BAD_INPUT,
+                "a boundary of gas ends at (%g, %g), inside the domain: let it end on a symmetry or slip side, or "
+                "close it",
+                x[0], x[1]);
 }
 
 floe_status cut_walk(cut_surface *c, const cut_chain *chain)
 {
     const int last = chain->first + chain->n - 1;
-    for (int k = chain->first; k < last; ++k) TRY(walk(c, (const int[]){k, k + 1}));
-    if (chain->closed) return walk(c, (const int[]){last, chain->first});
+    for (int k = chain->first; k < last; ++k) TRY(trace_segment(c, (const int[]){k, k + 1}));
+    if (chain->closed) return trace_segment(c, (const int[]){last, chain->first});
     TRY(pass_side(c, chain->first, 1));
     return pass_side(c, last, -1);
 }

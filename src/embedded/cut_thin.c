@@ -17,7 +17,7 @@ static bool is_near_along(const cut_piece *q, const cut_piece *r)
     return abs(q->vertex[0] - r->vertex[0]) <= 2 || q->vertex[0] == r->vertex[1] || q->vertex[1] == r->vertex[0];
 }
 
-/* Each has the other ahead, on the side that is not held. */
+/* Each lies on the outer side of the other. */
 static bool are_back_to_back(const cut_surface *c, const cut_piece *q, const cut_piece *r)
 {
     double from[2], to[2];

@@ -1,5 +1,5 @@
-/* Shapes made of other shapes: what one has in common with another, and what others leave of it. They stand in no
- * registry: a scene makes them of the shapes of its bodies. */
+/* Intersections and differences of shapes. They are in no registry: a scene makes them from the shapes of its
+ * bodies. */
 #ifndef GEOM_COMPOUND_H
 #define GEOM_COMPOUND_H
 

@@ -48,17 +48,17 @@ static void interpolate_vertices(const double *a, const double *b, double share,
     for (int k = 0; k < 3; k++) x[k] = a[k] + share * (b[k] - a[k]);
 }
 
-static void place_on_polyline(const curve_line *c, int dim, double way, double x[3])
+static void place_on_polyline(const curve_line *c, int dim, double length_along, double x[3])
 {
     for (int i = 0; i < curve_segments(c); i++) {
         const double *a = vertex_at(c, i), *b = vertex_at(c, i + 1);
         const double piece = curve_distance(dim, a, b);
         const bool last = i == curve_segments(c) - 1;
-        if (way > piece && !last) {
-            way -= piece;
+        if (length_along > piece && !last) {
+            length_along -= piece;
             continue;
         }
-        interpolate_vertices(a, b, piece > 0.0 ? way / piece : 0.0, x);
+        interpolate_vertices(a, b, piece > 0.0 ? length_along / piece : 0.0, x);
         return;
     }
 }
@@ -131,7 +131,7 @@ static floe_status place_curve_points(seed_list *list, context *ctx, const curve
     const int number = c->kind == CURVE_POINTS ? c->n_vertices : how->number;
     const bool ordered = c->kind != CURVE_POINTS || !how->any_order;
     TRY(layer_check_number(ctx, number));
-    TRY(layer_make_room(list, ctx, (size_t)number, grid->dim));
+    TRY(layer_reserve(list, ctx, (size_t)number, grid->dim));
     for (int i = 0; i < number; i++) {
         double x[3] = {0.0}, length;
         point_of(c, how, grid->dim, i, x, &length);

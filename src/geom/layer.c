@@ -14,7 +14,7 @@ floe_status layer_check_number(context *ctx, double n)
         (double)LAYER_POINTS_MOST);
 }
 
-floe_status layer_make_room(seed_list *list, context *ctx, size_t n, int dim)
+floe_status layer_reserve(seed_list *list, context *ctx, size_t n, int dim)
 {
     list->n = n;
     TRY(memory_new(ctx, &list->volume, n, sizeof(double)));

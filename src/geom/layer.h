@@ -1,5 +1,5 @@
-/* One layer of points: what curves (curve.c) and surfaces in space (sheet.c) share as they are filled. Private to the
- * geom room. */
+/* One layer of points: what curves (curve.c) and surfaces in space (sheet_seeding.c) share as they are filled. Private to the
+ * geom module. */
 #ifndef GEOM_LAYER_H
 #define GEOM_LAYER_H
 
@@ -10,8 +10,8 @@ enum { LAYER_POINTS_MOST = 100000000 }; /* points of one surface */
 /* FLOE_BAD_INPUT unless a surface of n points can be filled at all; n as it was counted, before it became a whole
  * number. */
 floe_status layer_check_number(context *ctx, double n);
-/* Makes room for n points in an empty list. */
-floe_status layer_make_room(seed_list *list, context *ctx, size_t n, int dim);
+/* Makes space for n points in an empty list. */
+floe_status layer_reserve(seed_list *list, context *ctx, size_t n, int dim);
 /* Puts point i into the list; the upper wall belongs to the last cell. FLOE_BAD_INPUT names a point outside the
  * mesh. */
 floe_status layer_put_point(seed_list *list, context *ctx, const seed_spec *grid, size_t i, const double x[3]);

@@ -113,7 +113,7 @@ static double sub_cell_share(const sub_grid *g, const shape *s, sub_cell c, doub
 /* The points as they are found, with what merging needs. */
 typedef struct seeding {
     seed_list list;
-    size_t room;
+    size_t reserved;
     uint64_t *key;  /* ascending */
     double *share;  /* of the sub-cell */
     size_t *target; /* where a sliver goes; itself for what stays */
@@ -121,13 +121,13 @@ typedef struct seeding {
 
 static floe_status seeding_grow(seeding *w, context *ctx, int dim)
 {
-    if (w->list.n < w->room) return FLOE_OK;
-    const size_t room = w->room == 0 ? 256 : 2 * w->room;
-    for (int k = 0; k < dim; k++) TRY(memory_resize(ctx, &w->list.x[k], room, sizeof(double)));
-    TRY(memory_resize(ctx, &w->list.volume, room, sizeof(double)));
-    TRY(memory_resize(ctx, &w->key, room, sizeof(uint64_t)));
-    TRY(memory_resize(ctx, &w->share, room, sizeof(double)));
-    w->room = room;
+    if (w->list.n < w->reserved) return FLOE_OK;
+    const size_t reserved = w->reserved == 0 ? 256 : 2 * w->reserved;
+    for (int k = 0; k < dim; k++) TRY(memory_resize(ctx, &w->list.x[k], reserved, sizeof(double)));
+    TRY(memory_resize(ctx, &w->list.volume, reserved, sizeof(double)));
+    TRY(memory_resize(ctx, &w->key, reserved, sizeof(uint64_t)));
+    TRY(memory_resize(ctx, &w->share, reserved, sizeof(double)));
+    w->reserved = reserved;
     return FLOE_OK;
 }
 
@@ -182,7 +182,7 @@ static size_t seeding_find(const seeding *w, uint64_t key)
 }
 
 /* The face neighbour with the largest share, if that is larger than the sub-cell's own (or equal and earlier, so that
- * chains of slivers end); else the sub-cell itself. */
+ * chains of small volume fractions end); else the sub-cell itself. */
 static size_t largest_neighbour(const seeding *w, const sub_grid *g, size_t i)
 {
     const sub_cell c = sub_cell_of_key(g, w->key[i]);

@@ -7,8 +7,8 @@
 typedef enum seed_method {
     /* The papers': a point at the centre of each sub-cell whose centre is inside, with the whole sub-cell's volume. */
     SEED_LATTICE,
-    /* A point at the centroid of each sub-cell's inside part, with exactly that volume; slivers under `merge` of a
-     * sub-cell join their largest neighbour, keeping mass and first moments. */
+    /* A point at the centroid of each sub-cell's inside part, with exactly that volume; small volume fractions under
+     * `merge` of a sub-cell join their largest neighbour, keeping mass and first moments. */
     SEED_FITTED
 } seed_method;
 

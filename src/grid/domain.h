@@ -27,7 +27,7 @@ typedef enum fill_which { FILL_CURRENT, FILL_NEXT } fill_which;
  * edges and corners included. Ghosts beyond a non-periodic side are left to grid/bc. */
 void domain_fill(domain *d, field_id id, int instance, fill_which which);
 
-/* Room for `size` doubles of node partials in every global tile: the private sums of a tile's points, which the blocks
+/* Space for `size` doubles of node partials in every global tile: the private sums of a tile's points, which the blocks
  * that see its nodes add up in global tile order. */
 floe_status domain_reserve_partials(domain *d, size_t size);
 /* The partials of a global tile. In another process's domain, tiles next to a block are valid after

@@ -76,7 +76,7 @@ double ledger_excess(const ledger *l, ledger_quantity q)
 
 double ledger_drift(const ledger *l, ledger_quantity q)
 {
-    if (l->no_account[q]) return 0.0;
+    if (l->not_conserved[q]) return 0.0;
     const double drift = fabs(ledger_excess(l, q));
     return drift == 0.0 ? 0.0 : drift / scale_of(l, q);
 }
@@ -136,7 +136,7 @@ static void note_worst(ledger *l, ledger_quantity q, double time)
 {
     const double excess = ledger_excess(l, q);
     /* A NaN is taken, and stays. */
-    if (l->no_account[q] || isnan(l->worst[q]) || fabs(excess) <= fabs(l->worst[q])) return;
+    if (l->not_conserved[q] || isnan(l->worst[q]) || fabs(excess) <= fabs(l->worst[q])) return;
     l->worst[q] = excess;
     l->worst_time[q] = time;
 }
@@ -147,8 +147,9 @@ void ledger_choose(ledger *l, const mesh *m)
     double square = 0.0;
     for (int a = 0; a < 3; ++a) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
-        l->no_account[LEDGER_MOMENTUM_X + a] = a >= m->dim || (radial && a == 0);
-        l->no_account[LEDGER_MOMENT_X + a] = radial || b >= m->dim || c >= m->dim || m->periodic[b] || m->periodic[c];
+        l->not_conserved[LEDGER_MOMENTUM_X + a] = a >= m->dim || (radial && a == 0);
+        l->not_conserved[LEDGER_MOMENT_X + a] =
+            radial || b >= m->dim || c >= m->dim || m->periodic[b] || m->periodic[c];
         if (a < m->dim) square += 0.25 * (m->upper[a] - m->lower[a]) * (m->upper[a] - m->lower[a]);
     }
     l->arm = sqrt(square);
@@ -156,7 +157,7 @@ void ledger_choose(ledger *l, const mesh *m)
 
 void ledger_leave_moments(ledger *l)
 {
-    for (int a = 0; a < 3; ++a) l->no_account[LEDGER_MOMENT_X + a] = true;
+    for (int a = 0; a < 3; ++a) l->not_conserved[LEDGER_MOMENT_X + a] = true;
 }
 
 void ledger_open(ledger *l, const ledger_state *now, double elasticity)

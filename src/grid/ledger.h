@@ -22,7 +22,7 @@ typedef enum ledger_quantity {
 typedef enum ledger_kind {
     LEDGER_BOUNDARY, /* through the sides of the domain, inward positive */
     LEDGER_SOURCE,   /* heating, body forces, tractions, prescribed motion */
-    LEDGER_DAMPING,  /* taken by viscous damping and by FLIP/PIC blending, where it is known */
+    LEDGER_DAMPING,  /* removed by viscous damping and by FLIP/PIC blending, where it is known */
     LEDGER_DEFECT,   /* floors, clamps, guards, deleted points */
     LEDGER_CONTACT,  /* work of the forces between bodies in contact */
     LEDGER_KINDS
@@ -35,7 +35,7 @@ typedef enum ledger_count {
     COUNT_FLOORS,
     COUNT_ENERGY_GUARDS,
     COUNT_POINTS_LOST,
-    COUNT_POINTS_BURNT, /* whose mass a reaction has taken to the last */
+    COUNT_POINTS_BURNT, /* points that a reaction has consumed entirely */
     COUNT_SMALL_NODES,
     COUNT_REORDERS,
     COUNT_CONTACT_STICK, /* pairs of bodies at nodes, over the steps: that move as one, slide, or part */
@@ -78,7 +78,7 @@ typedef struct ledger {
     double arm;                                      /* m: the farthest from the middle of the mesh that momentum is */
     double elasticity; /* J: sum of m c^2 of the solids; a share of it is the round-off of one at rest */
     ledger_motion motion;
-    bool no_account[LEDGER_QUANTITIES]; /* not a balance in this scene (ledger_choose) */
+    bool not_conserved[LEDGER_QUANTITIES]; /* not a balance in this scene (ledger_choose) */
     ledger_sum entry[LEDGER_QUANTITIES][LEDGER_KINDS];
     double pending[LEDGER_QUANTITIES][LEDGER_KINDS];
     long long count[LEDGER_COUNTS], pending_count[LEDGER_COUNTS];
@@ -90,9 +90,9 @@ void ledger_push(ledger *l, ledger_kind kind, int axis, double impulse, const do
 /* Moments that were added up, times `share`. */
 void ledger_turn(ledger *l, ledger_kind kind, const double moment[3], double share);
 void ledger_tally(ledger *l, ledger_count what, long long n);
-void ledger_commit(ledger *l);  /* pending entries become part of the account */
+void ledger_commit(ledger *l);  /* adds the pending entries to the ledger */
 void ledger_discard(ledger *l); /* the step was rejected */
-/* Relative drift of a quantity, entries of all kinds counted; 0 where it has no account. */
+/* Relative drift of a quantity, with entries of all kinds; 0 where it is not conserved. */
 double ledger_drift(const ledger *l, ledger_quantity q);
 /* What is there and should not be: total less the start and all entries; negative where something is lost. */
 double ledger_excess(const ledger *l, ledger_quantity q);
@@ -101,7 +101,7 @@ double ledger_excess(const ledger *l, ledger_quantity q);
  * what an error of the first steps is small beside. */
 double ledger_largest_drift(const ledger *l, ledger_quantity q);
 
-/* What the scene holds now, for a look at the account. */
+/* Current totals of the scene, for a check of the ledger. */
 typedef struct ledger_state {
     double total[LEDGER_QUANTITIES];
     double extent[LEDGER_QUANTITIES]; /* sum of |q|; of moments about the middle of the mesh */
@@ -109,12 +109,12 @@ typedef struct ledger_state {
     double motion;                    /* J: kinetic and strain energy */
     double internal;                  /* J */
 } ledger_state;
-/* Which quantities have an account on a mesh: momentum along its axes but a radius, moments of momentum unless an axis of
- * their plane is periodic, where what leaves comes back elsewhere; about the axis of a body of revolution nothing turns. */
+/* Quantities that are conserved on a mesh: momentum along its axes except a radius, and moments of momentum unless an
+ * axis of their plane is periodic; in axisymmetric scenes there is no rotation about the axis. */
 void ledger_choose(ledger *l, const mesh *m);
 /* No account of moments of momentum: beside cut cells, where what a side and a wall give a merged cell has no one place. */
 void ledger_leave_moments(ledger *l);
-/* The start of the account. `elasticity` (J): sum of m c^2 of the solids. */
+/* Starts the ledger. `elasticity` (J): sum of m c^2 of the solids. */
 void ledger_open(ledger *l, const ledger_state *now, double elasticity);
 /* Brings totals, scales and the largest drifts up to date. */
 void ledger_look(ledger *l, const ledger_state *now, double time);

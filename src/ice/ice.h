@@ -14,21 +14,22 @@
 
 enum { ICE_MAX_MATERIALS = SCENE_MAX_MATERIALS };
 
-/* A material as the cells see it. Instance r of the cell fields is material r of this list. */
+/* A material on the cells. Instance r of the cell fields is material r of this list. */
 typedef struct ice_material {
     int scene_material;     /* index in scene.material */
     eos eos;                /* of a solid: its bulk response (eos "bulk") */
     double shear_viscosity; /* Pa s */
     double bulk_viscosity;  /* Pa s */
     double conductivity;    /* W/m/K */
-    /* Carried by material points: not advected, no viscous or gravity source here, no heat of compression. */
+    /* Carried by material points: not advected on cells; no viscous or gravity source and no heat of compression here. */
     bool points;
 } ice_material;
 
-/* Gases: one inside each membrane, and one outside all. Places of a line in a step: where it is (SEAL_NOW), ICE_SEAL_PLACES of equal weight where
- * it is thought to pass, the means of which are the step's areas (from SEAL_MEAN on), and where it will be (SEAL_NEXT). */
+/* Gases: one inside each membrane, and one outside all. Positions of a boundary in a step: at its start (SEAL_NOW),
+ * ICE_SEAL_PLACES predicted ones of equal weight whose means are the apertures of the step (from SEAL_MEAN on), and at
+ * its end (SEAL_NEXT). */
 enum {
-    ICE_SEALED_GASES = SCENE_MAX_HOLDERS + 1,
+    ICE_SEALED_GASES = SCENE_MAX_ENCLOSING + 1,
     ICE_SEAL_PLACES = 4,
     SEAL_NOW = 0,
     SEAL_MEAN = 1,
@@ -36,19 +37,20 @@ enum {
     SEAL_PLACES = SEAL_NEXT + 1
 };
 
-/* A membrane between gases, or the surfaces of solids beside one (ice_sealed.c): set by the owner of the step before the stages that read it. */
+/* An embedded boundary: a membrane between gases, or the surfaces of solids (ice_sealed.c). Set by the owner of the
+ * step before the stages that read it. */
 typedef struct ice_seal_line {
-    int held;                 /* material inside, of no other line; beside solids the one gas */
-    const cut_surface *place; /* SEAL_PLACES: where it is, is thought to pass, and will be; not owned */
+    int enclosed;             /* material inside, a different one for each membrane; beside solids the only gas */
+    const cut_surface *place; /* SEAL_PLACES: at the start, predicted, and at the end; not owned */
     const double *velocity;   /* m/s: of the vertices now, two each; not owned */
-    const double *path;       /* m: their way over the step, as the force works on it, two each; not owned */
-    double *force;            /* N: of all gases on the vertices, two each; not owned */
-    double heat;              /* J: for the held gas beside the membrane, of what the points have lost in the step */
+    const double *path; /* m: their displacement in the step, over which the force does work, two each; not owned */
+    double *force;      /* N: of all gases on the vertices, two each; not owned */
+    double heat;        /* J: heat of the enclosed gas, of the energy that points have lost in the step */
 } ice_seal_line;
 
-/* All of them: a gas that none holds is outside all. */
+/* All boundaries: a gas that none encloses is outside all. */
 typedef struct ice_seal {
-    ice_seal_line line[SCENE_MAX_HOLDERS];
+    ice_seal_line line[SCENE_MAX_ENCLOSING];
     int n_lines;
 } ice_seal;
 
@@ -63,8 +65,8 @@ typedef struct ice {
     int n_materials;
     bool with_points; /* some material is carried by points */
     bool multi;       /* more than one material: volume fractions, specific volumes, Newton, exchange */
-    bool sealed; /* a membrane lies between the gases: each has its cells, its density and its pressure to itself */
-    int gas;     /* sealed: the one that stages work on, -1 between them */
+    bool sealed;      /* embedded boundaries separate the gases: each has cells, density and pressure of its own */
+    int gas;          /* sealed: the current gas of the stages; -1 between them */
     ice_seal seal;
     bool viscous;
     bool conducts;
@@ -73,7 +75,7 @@ typedef struct ice {
     bool implicit;           /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     double gravity[3];       /* m/s2 */
     exchange_table exchange; /* K_rs and R_rs */
-    double time, dt;         /* s: of the step under way */
+    double time, dt;         /* s: of the current step */
     long step;               /* committed steps so far, kept by the owner of the run (ramps counted in steps) */
     eos_bulk_par bulk[ICE_MAX_MATERIALS]; /* parameters of the solids' cell view */
     struct ice_work *work;                /* owned scratch (tile partials, row buffers) */
@@ -85,31 +87,32 @@ floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, s
 void ice_destroy(ice **s);
 /* Registers the fields that the planned stages use (stages->uses) and allocates scratch. */
 floe_status ice_register(ice *s, domain *d);
-/* Sets cell states from the scene's bodies (exact fractions by geom) and the ambient, which fills what is left; fluids are cut
- * out where `taken` (volume fraction already taken by solids; per block, size of a cell array; NULL: none) leaves less room.
- * Under gravity, fluids that are given by pressure and temperature at rest start as columns at rest: their pressure is then
- * the one in the highest cells (against gravity), and follows p_j = p_j+1 + |g| h (rho_j + rho_j+1)/2 below (theory 2.4). */
+/* Sets cell states from the scene's bodies (exact volume fractions by geom) and the ambient, which fills the rest;
+ * fluids fill at most what `taken` leaves (volume fraction of solids; per block, size of a cell array; NULL: none).
+ * Under gravity, fluids that are given by pressure and temperature at rest start as columns at rest: their pressure is
+ * then the one in the highest cells (against gravity), and follows p_j = p_j+1 + |g| h (rho_j + rho_j+1)/2 below
+ * (theory 2.4). */
 floe_status ice_initialise(ice *s, double *const *taken);
 
-/* The step under way is rejected: what its stages have changed of the state, where cells of several fluids are closed along
- * isentropes, is put back. Everything else they have written is scratch or the next state. */
-void ice_forget_step(ice *s);
-/* Volume fractions and temperatures of several fluids of the state as it is, for output: between steps they are those with which the last
- * step began. The state, and what comes of it, stays as it is. */
+/* Rolls back the current step: restores the state where its stages have changed it (closure of cells of several fluids
+ * along isentropes). Everything else that they have written is scratch or the next state. */
+void ice_rollback_step(ice *s);
+/* Volume fractions and temperatures of several fluids in the current state, for output: between steps the fields have
+ * those of the start of the last step. The state does not change. */
 floe_status ice_refresh(ice *s);
 
 /* The stages, in the order of theory 5.1 (their names are the ones timed and listed). */
 floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
 floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
-floe_status ice_continue_pressure(ice *s);    /* beside solids: p where they leave no room (ice_continue.c) */
+floe_status ice_continue_pressure(ice *s);    /* beside solids: p in cells that they fill (ice_continue.c) */
 floe_status ice_diffusion_rates(ice *s);      /* viscosity and conduction (2.6): their rates at the start of the step */
-floe_status ice_wall_fraction(ice *s);        /* where pairs slip: what their normals are taken from */
-floe_status ice_react(ice *s);                /* step 4 of G03: what reactions turn over in the step */
+floe_status ice_wall_fraction(ice *s);        /* for pairs that slip: the field whose gradient gives their normals */
+floe_status ice_react(ice *s);                /* step 4 of G03: masses that react in the step */
 floe_status ice_face_velocity(ice *s);        /* 2.2: u*, exchange at faces */
 floe_status ice_pressure_increment(ice *s);   /* 2.3: dP, P, shock sensor; theta at faces */
 floe_status ice_implicit_pressure(ice *s);    /* 3, instead of 2.3: also corrects u* */
 floe_status ice_face_pressure(ice *s);        /* 2.4 */
-/* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy of the fluids; C_SOURCE of what points carry */
+/* 2.6, 2.7, 2.8, loads: Lagrangian mass, momentum, energy of the fluids; C_SOURCE of materials on points */
 floe_status ice_sources(ice *s);
 /* With materials carried by points, between ice_sources and ice_exchange C_MOMENTUM_L of these must be set from the nodes
  * (V rho^r u^L without C_SOURCE); ice_exchange adds C_SOURCE and leaves C_VELOCITY_CHANGE, the change by both. */
@@ -118,26 +121,27 @@ floe_status ice_exchange(ice *s);        /* 2.9: momentum and heat between mater
 floe_status ice_specific_volume(ice *s); /* 2.10, 5.5 */
 floe_status ice_advect(ice *s);          /* 2.11: next state of the fluids */
 
-/* The stages in four groups, between which the coupled step puts those of the points; ice_step is the four in a row. */
-floe_status ice_state_stages(ice *s);    /* ghosts to reactions: what the cells hold, and what is to become of it */
+/* The stages in four groups, between which the coupled step has those of the points; ice_step is all four. */
+floe_status ice_state_stages(ice *s);    /* ghosts to reactions: the state of the cells */
 floe_status ice_pressure_stages(ice *s); /* face velocities to sources */
 floe_status ice_exchange_stages(ice *s); /* exchange, specific volume */
 floe_status ice_advection_stages(ice *s);
-/* With gases that a membrane holds: before the points move, and after. */
+/* With separated gases: before the points move, and after. */
 floe_status ice_sealed_pressure_stages(ice *s);
 floe_status ice_sealed_flow_stages(ice *s);
-/* Stages of these (ice_sealed.c). Each does one after the other what the plain stages do for each gas by itself. */
-floe_status ice_sealed_ghosts(ice *s);        /* where the gas is not: the state beside it, for differences */
+/* Their stages (ice_sealed.c). Each applies the plain stages to one gas after the other. */
+floe_status ice_sealed_ghosts(ice *s);        /* extrapolates states into cells without the gas, for differences */
 floe_status ice_sealed_pressure(ice *s);      /* 2.1 */
 floe_status ice_sealed_velocity(ice *s);      /* 2.2 */
 floe_status ice_sealed_increment(ice *s);     /* 2.3 */
 floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */
-floe_status ice_sealed_load(ice *s);          /* forces on the lines */
-floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the membrane */
-floe_status ice_sealed_advect(ice *s);        /* 2.11, and what is left where */
-/* FLOE_RETRY where membranes cross each other at a place (SEAL_NOW to SEAL_NEXT), or one stands in the other: with where. */
+floe_status ice_sealed_load(ice *s);          /* forces on the boundaries */
+floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the boundaries */
+floe_status ice_sealed_advect(ice *s);        /* 2.11, with the new open fractions */
+/* FLOE_RETRY where boundaries cross each other at a position (SEAL_NOW to SEAL_NEXT), or one lies inside another; the
+ * message says where. */
 floe_status ice_seal_check(const ice *s, int place);
-/* Open fractions and states at the start; the lines stand where they are now. */
+/* Open fractions and states at the start, with the boundaries at their current positions. */
 floe_status ice_sealed_initialise(ice *s);
 /* The fluid-only step. */
 floe_status ice_step(ice *s);
@@ -146,10 +150,10 @@ floe_status ice_step(ice *s);
 floe_status ice_time_step(ice *s, step_limit *out);
 /* The same with the explicit and with the implicit pressure, and the rate of sound, max c (sum h_i^-2)^1/2 (1/s). */
 floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, double *acoustic);
-/* Least and largest density of any fluid (kg/m3), over the cells that hold it; INFINITY and 0 where none does. */
+/* Smallest and largest density of any fluid (kg/m3), over the cells that contain it; INFINITY and 0 where none does. */
 void ice_densities(ice *s, double range[2]);
-/* Largest density of any fluid (kg/m3) over the cells that `among` marks (per block, size of a cell array) and of which it fills more than a share; 0
- * where none does. */
+/* Largest density of any fluid (kg/m3) over the cells that `among` marks (per block, size of a cell array) and in which
+ * its volume fraction exceeds `share`; 0 where none does. */
 double ice_densest(const ice *s, const unsigned char *const *among, double share);
 
 /* Totals of the current state over owned cells of the fluids (not of materials carried by points), in tile order:
@@ -162,16 +166,17 @@ typedef struct ice_totals {
     double max_volume_defect; /* max |TMV/V - 1| */
 } ice_totals;
 floe_status ice_sum(ice *s, ice_totals *out);
-/* The reaction (instance of C_REACTED) that uses up a material carried by points, or -1. */
+/* The reaction (instance of C_REACTED) that consumes a material on points, or -1. */
 int ice_burning_of(const ice *s, int material);
 /* Marks the materials that bodies, the ambient and the sides bring to the cells; `used`: one for each of the scene. */
 void ice_find_used(const scene *s, bool with_points, bool *used);
 /* The cells' material of a scene material, or -1. */
 int ice_material_of(const ice *s, int scene_material);
-/* Mass (kg) of a gas in cells of which a membrane leaves it nothing: a leak. */
+/* Mass (kg) of a gas in cells that are closed to it: a leak. */
 double ice_mass_beyond(ice *s, int material);
-/* Pressure (Pa) of a cell, local index `at` of a block, in its state now: of the law of `material` (in s->material), which is there, where
- * it is alone or a membrane keeps it apart; of several fluids, their equilibrium; beside points, the last equilibrium there was. */
+/* Current pressure (Pa) of a cell, local index `at` of a block: by the law of `material` (in s->material) where it is
+ * alone or separated by a boundary; of several fluids, their equilibrium; beside points, the last equilibrium
+ * pressure. */
 double ice_pressure_now(const ice *s, int block_id, int material, ptrdiff_t at);
 /* Volume-weighted mean pressure of a fluid (index in s->material) over cells whose centre lies in a region (weights theta V). */
 floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure);

@@ -1,24 +1,25 @@
-/* Advection of the fluids: theory 2.11, compatible van Leer (VanderHeyden & Kashiwa 1998); Guilkey et al. 2003, step 12.
+/* Advection of the fluids: theory 2.11, compatible van Leer (VanderHeyden & Kashiwa 1998); Guilkey et al. 2003, step
+ * 12.
  *
- * What crosses a face in a step fills the slab of thickness |u*| dt upstream of it. Mass density is linear in the donor cell,
- * m(r) = m + g.r; a mass-specific q obeys (m q)(r) = m(r) q + G.r, so that uniform q stays uniform whatever m does. Both are
- * taken at the slab's centroid, half the slab from the face and half the transverse path of the flow aside. Written per face
- * axis, with x the normal and y the transverse offset in cells, a donor offers
+ * The volume that crosses a face in a step is the slab of thickness |u*| dt upstream of it. Mass density is linear in
+ * the donor cell, m(r) = m + g.r; a mass-specific q obeys (m q)(r) = m(r) q + G.r, so that uniform q stays uniform
+ * whatever m does. Both are taken at the slab's centroid, half the slab from the face and half the transverse path of
+ * the flow aside. Written per face axis, with x the normal and y the transverse offset in cells, a donor offers
  *     mass  M + g_n x,  M = m + g_t.y        m q  N + H x,  N = q M + G_t.y,  H = q g_n + G_n.
- * Two factors make the fluxes second order in time in moving flow: q is the mean of the values before and after the Lagrangian
- * step (after it, where s = 1), and the slab has thinned by half the step's dilatation, 1 - (1 - s) D/2.
+ * Two factors make the fluxes second order in time in moving flow: q is the mean of the values before and after the
+ * Lagrangian step (after it, where s = 1), and the slab has thinned by half the step's dilatation, 1 - (1 - s) D/2.
  *
- * One fluid has two more. At a contact, where density jumps and pressure does not, the gradient of mass may be twice the central
- * one (within the neighbours' bounds), and energy per volume is flat: the contact stays three to four cells wide, and pressure
- * does not see it. Where a cell falls apart, p far above the pressure on its face, the mean over the cell is not what leaves it:
- * the slab has the density and energy of the isentrope down to P*, and the face's velocity.
+ * One fluid has two more. At a contact, where density jumps and pressure does not, the gradient of mass may be twice
+ * the central one (within the neighbours' bounds), and energy per volume is flat: the contact stays three to four cells
+ * wide, and pressure does not see it. Where a cell falls apart, p far above the pressure on its face, the mean over the
+ * cell is not what leaves it: the slab has the density and energy of the isentrope down to P*, and the face's velocity.
  *
- * A block is swept slab by slab: a slab is a layer of cells across the slowest axis (the whole row in 1-D). Two layers of
- * donor data are kept, so that each flux is computed once. */
+ * A block is swept slab by slab: a slab is a layer of cells across the slowest axis (the whole row in 1-D). Two layers
+ * of donor data are kept, so that each flux is computed once. */
 #include "ice/ice_advect.h"
 
 #include "base/choice.h"
-#include "ice/ice_fall.h"
+#include "ice/ice_expansion.h"
 
 #include <math.h>
 
@@ -45,16 +46,16 @@ FLOE_ALWAYS_INLINE void centre_slab(const ice_advect_buffers *w, const ice_view 
 }
 
 /* Factor on the gradient that keeps the corners of a cell within its neighbours. */
-FLOE_ALWAYS_INLINE double limit(double room, double reach, double lo, double hi)
+FLOE_ALWAYS_INLINE double limit(double margin, double reach, double lo, double hi)
 {
-    const double factor = room / (reach + ICE_TINY), bounded = factor < hi ? factor : hi;
+    const double factor = margin / (reach + ICE_TINY), bounded = factor < hi ? factor : hi;
     return bounded > lo ? bounded : lo;
 }
 
 /* Half the central difference along each axis, the sum of their halves (how far a corner lies from the centre) and the
  * smaller of the rises to the highest and the falls to the lowest neighbour. */
 typedef struct slope {
-    double g[3], reach, room;
+    double g[3], reach, margin;
 } slope;
 
 /* An array at a row, and at the rows or cells beside it along each axis. */
@@ -74,7 +75,7 @@ FLOE_ALWAYS_INLINE slope slope_of(const around *x, ptrdiff_t t, const int dim)
         up = most(up, most(below, above));
         down = most(down, most(-below, -above));
     }
-    s.room = least(up, down);
+    s.margin = least(up, down);
     return s;
 }
 
@@ -82,9 +83,10 @@ FLOE_ALWAYS_INLINE slope slope_of(const around *x, ptrdiff_t t, const int dim)
 typedef struct donors {
     around rho, q[ADVECT_Q];
     const double *u[3], *dP, *shock;
-    const double *c, *contact;           /* of one fluid */
-    const double *kappa, *common, *clip; /* of several: compressibility, factor on gradients, on what leaves slivers */
-    double *out[3][2 * (ADVECT_Q + 1)];  /* by axis: M, g, then N and H of each q */
+    const double *c, *contact; /* of one fluid */
+    const double *kappa, *common,
+        *clip; /* of several: compressibility, factor on gradients, on what leaves small volume fractions */
+    double *out[3][2 * (ADVECT_Q + 1)]; /* by axis: M, g, then N and H of each q */
     double *const *M, *const *g, *const *y, *fill, *rarest, *leans;
     double drift[3], lo, hi;
 } donors;
@@ -137,7 +139,7 @@ FLOE_ALWAYS_INLINE void donate_mass(const donors *d, ptrdiff_t t, const int dim,
 {
     const double mass = d->rho.at[t];
     slope s = slope_of(&d->rho, t, dim);
-    const double f = multi ? d->common[t] : limit(s.room, s.reach, d->lo, d->hi * (1.0 + d->contact[t]));
+    const double f = multi ? d->common[t] : limit(s.margin, s.reach, d->lo, d->hi * (1.0 + d->contact[t]));
     const double dilatation = multi ? -d->dP[t] * d->kappa[t] : -d->dP[t] / (mass * d->c[t] * d->c[t]);
     const double thin = 1.0 - 0.5 * d->hi * (1.0 - d->shock[t]) * dilatation;
     double fill = least(most(thin, 0.5), 1.5);
@@ -175,7 +177,7 @@ FLOE_ALWAYS_INLINE void donate(const donors *d, int i, ptrdiff_t t, const int di
     const slope G = slope_of(&d->q[i], t, dim);
     const double mass = d->rho.at[t], fill = d->fill[t], value = d->q[i].at[t];
     const double sloped = multi || i != dim ? 1.0 : 1.0 - d->contact[t], leans = multi ? d->leans[t] : 1.0;
-    const double scale = sloped * mass * limit(G.room, G.reach * d->rarest[t], d->lo * leans, d->hi * leans);
+    const double scale = sloped * mass * limit(G.margin, G.reach * d->rarest[t], d->lo * leans, d->hi * leans);
     for (int a = 0; a < dim; ++a) {
         double N = value * (mass + sloped * (d->M[a][t] - mass));
         for (int b = 0; b < dim; ++b)
@@ -240,10 +242,10 @@ FLOE_ALWAYS_INLINE void flow(const faces *f, ptrdiff_t t, const int dim, const b
     const double x = chosen(upwind, 0.5, -0.5) - 0.5 * w * f->courant;
     double donor[2 * (ADVECT_Q + 1)];
     for (int i = 0; i < 2 * (nq + 1); ++i) donor[i] = chosen(upwind, f->donor[0][i][t], f->donor[1][i][t]);
-    fall d = {0.0, 0.0, 0.0};
+    expansion d = {0.0, 0.0, 0.0};
     if (!multi)
-        d = fall_to(chosen(upwind, f->p[0][t], f->p[1][t]), chosen(upwind, f->rho[0][t], f->rho[1][t]),
-                    chosen(upwind, f->c[0][t], f->c[1][t]), w, f->pressure[t]);
+        d = expansion_to(chosen(upwind, f->p[0][t], f->p[1][t]), chosen(upwind, f->rho[0][t], f->rho[1][t]),
+                         chosen(upwind, f->c[0][t], f->c[1][t]), w, f->pressure[t]);
     const double kept = 1.0 - d.mass, mass = kept * (donor[0] + donor[1] * x);
     f->flux[0][t] = w * mass;
     double square = 0.0;
@@ -295,7 +297,7 @@ FLOE_ALWAYS_INLINE bool update(const cells *c, const ice_view *v, ptrdiff_t at, 
     m->rho1[at] = next;
     m->e1[at] = e;
     const double out = ice_outflow(v, m, at, i, dim);
-    const bool present = !multi || m->theta[at] > ICE_SLIVER;
+    const bool present = !multi || m->theta[at] > ICE_TRACE_FRACTION;
     return (guarded && heat < 0.0) || !(next >= 0.0) || (present && (!(out <= 1.0) || !(e > c->floor)));
 }
 

@@ -16,7 +16,7 @@ typedef struct ice_advect_buffers {
     double *across[2][2 * (ADVECT_Q + 1)];           /* for faces to the next slab, ring of two */
     double *flux[2][ADVECT_Q + 2];                   /* inside the slab, by axis */
     double *flux_across[2][ADVECT_Q + 2];            /* through the slab's lower face, ring of two */
-    double *clip;                                    /* factor on what leaves slivers */
+    double *clip;                                    /* factor on what leaves small volume fractions */
     double *M[MESH_MAX_DIM], *g[MESH_MAX_DIM],
         *y[MESH_MAX_DIM]; /* what the quantities of a donor share (ice_advect.c) */
     double *fill, *rarest, *leans;
@@ -88,7 +88,7 @@ FLOE_ALWAYS_INLINE double ice_outflow(const ice_view *v, const ice_arrays *m, pt
 /* Doubles of one slab, and the division of a thread's buffer. */
 size_t ice_slab_size(const block *b);
 void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, int dim, bool multi);
-/* Where a sliver (theta < 1e-6) would lose more than it has, its outflow is cut to its content. */
+/* Outflow of a trace fraction (theta < 1e-6) is limited to its content. */
 void ice_advect_clip(ice_advect_buffers *w, const ice_advect_job *job, int slab);
 /* At interfaces between fluids (ice_interface_flux.c): donors of row k of a slab without gradients; and fluxes through the lower faces of the row,
  * normal to `axis`, that are of the pure state of their donor. */
@@ -101,8 +101,8 @@ void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *j
 void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int slab, int k,
                      ice_advect_result *result);
 
-/* Takes back the new velocity and energy of a sliver where they are quotients of round-off. */
-void ice_believe(const ice_arrays *m, ptrdiff_t at, int dim);
+/* Clips the new velocity and energy of a trace fraction where they are quotients of round-off. */
+void ice_clip_roundoff(const ice_arrays *m, ptrdiff_t at, int dim);
 
 /* Its mass in the next state is not negative, or only by round-off of what its neighbours hold: less than is dropped anyway. */
 static inline bool ice_mass_stands(const ice_arrays *m, ptrdiff_t at, bool multi)

@@ -1,4 +1,5 @@
-/* Beside the sweep of ice_advect.c: storage, slivers, open sides, cells that need a closer look; and the stage itself. */
+/* Beside the sweep of ice_advect.c: storage, small volume fractions, open sides, cells that need a closer look; and the
+ * stage itself. */
 #include "ice/ice_advect.h"
 
 #include <math.h>
@@ -11,7 +12,7 @@ size_t ice_slab_size(const block *b)
 }
 
 /* How many slabs' worth of rows a thread uses. */
-static size_t rows_of(int dim, bool multi)
+static size_t count_slab_rows(int dim, bool multi)
 {
     const int nq = ADVECT_COUNT(dim, multi), inside = dim == 3 ? 2 : 1, across = dim > 1 ? 2 : 0;
     const int rows = 3 * nq + (inside + across) * 2 * (nq + 1) + (inside + across) * (nq + 2) + 3 * dim + 5;
@@ -25,7 +26,7 @@ size_t ice_advect_buffer(const ice *s)
         const size_t size = ice_slab_size(&s->mesh->block[id]);
         largest = size > largest ? size : largest;
     }
-    return largest * rows_of(s->mesh->dim, s->multi);
+    return largest * count_slab_rows(s->mesh->dim, s->multi);
 }
 
 void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, int dim, bool multi)
@@ -90,8 +91,8 @@ static double face_area(const ice_view *v, int axis, int i)
 }
 
 /* Enters what row-wise fluxes carry through a side into the tile of its cell; their normal points along the axis. */
-static void tally(const ice_advect_job *job, double *const *flux, ptrdiff_t t, int axis, mesh_side side,
-                  const int cell[MESH_MAX_DIM])
+static void enter_fluxes(const ice_advect_job *job, double *const *flux, ptrdiff_t t, int axis, mesh_side side,
+                         const int cell[MESH_MAX_DIM])
 {
     const ice *s = job->s;
     const int dim = job->v->dim, nq = ADVECT_COUNT(dim, s->multi);
@@ -122,8 +123,8 @@ void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *
         int j, l;
         slab_cell(dim, inside, k, &j, &l);
         for (int i = 0; i < v->b->n[0]; ++i)
-            tally(job, w->flux_across[(slab + 2) & 1], ice_slab_row(v->b, dim, k) + i, slow,
-                  lower ? SIDE_LOWER : SIDE_UPPER, (const int[]){i, j, l});
+            enter_fluxes(job, w->flux_across[(slab + 2) & 1], ice_slab_row(v->b, dim, k) + i, slow,
+                         lower ? SIDE_LOWER : SIDE_UPPER, (const int[]){i, j, l});
     }
 }
 
@@ -135,22 +136,23 @@ void ice_advect_tally_along(const ice_advect_buffers *w, const ice_advect_job *j
     for (int k = ice_slab_first(dim, 0); k < ice_slab_last(v->b, dim, 0); ++k) {
         slab_cell(dim, slab, k, &j, &l);
         const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-        if (open_side(job, 0, SIDE_LOWER)) tally(job, w->flux[0], row, 0, SIDE_LOWER, (const int[]){0, j, l});
-        if (open_side(job, 0, SIDE_UPPER)) tally(job, w->flux[0], row + n0, 0, SIDE_UPPER, (const int[]){n0 - 1, j, l});
+        if (open_side(job, 0, SIDE_LOWER)) enter_fluxes(job, w->flux[0], row, 0, SIDE_LOWER, (const int[]){0, j, l});
+        if (open_side(job, 0, SIDE_UPPER))
+            enter_fluxes(job, w->flux[0], row + n0, 0, SIDE_UPPER, (const int[]){n0 - 1, j, l});
     }
     if (dim < 3) return;
     for (int side = 0; side < 2; ++side) {
         if (!open_side(job, 1, (mesh_side)side)) continue;
         const int face = side == SIDE_LOWER ? 0 : v->b->n[1], inside = side == SIDE_LOWER ? 0 : v->b->n[1] - 1;
         for (int i = 0; i < n0; ++i)
-            tally(job, w->flux[1], ice_slab_row(v->b, dim, face) + i, 1, (mesh_side)side,
-                  (const int[]){i, inside, slab});
+            enter_fluxes(job, w->flux[1], ice_slab_row(v->b, dim, face) + i, 1, (mesh_side)side,
+                         (const int[]){i, inside, slab});
     }
 }
 
-/* So little may be left of a material that its velocity and energy are quotients of round-off, of any size: what they were before the
- * step stands for those that no flow could have brought. */
-void ice_believe(const ice_arrays *m, ptrdiff_t at, int dim)
+/* The remaining mass of a material may be so small that its velocity and energy are quotients of round-off; values that
+ * no inflow could have produced are replaced by those before the step. */
+void ice_clip_roundoff(const ice_arrays *m, ptrdiff_t at, int dim)
 {
     double square = m->c[at] * m->c[at];
     for (int a = 0; a < dim; ++a) square += m->u[a][at] * m->u[a][at];
@@ -187,14 +189,14 @@ void ice_advect_note(const ice_advect_buffers *w, const ice_advect_job *job, int
     slab_cell(dim, slab, k, &j, &l);
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = start + row + i;
-        const bool present = !job->s->multi || m->theta[at] > ICE_SLIVER;
+        const bool present = !job->s->multi || m->theta[at] > ICE_TRACE_FRACTION;
         if (!ice_mass_stands(m, at, job->s->multi) ||
             (present && (!(ice_outflow(v, m, at, i, dim) <= 1.0) || !(m->e1[at] > job->energy_floor)))) {
             result->bad++;
             continue;
         }
         if (!job->conserve || !(m->rho1[at] > 0.0)) continue;
-        if (job->s->multi && m->rho1[at] * m->vol1[at] < ICE_SLIVER) ice_believe(m, at, dim);
+        if (job->s->multi && m->rho1[at] * m->vol1[at] < ICE_TRACE_FRACTION) ice_clip_roundoff(m, at, dim);
         const double defect = defect_of(w, job, slab, start, row, i);
         if (!(defect > ICE_COUNTED_DEFECT * m->rho1[at] * m->e1[at]))
             continue; /* round-off of cells that were not guarded */

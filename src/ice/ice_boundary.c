@@ -39,7 +39,7 @@ static void add_to_ghosts(const block *b, int axis, mesh_side side, double value
 
 /* Continues an array in a straight line beyond a side, by the smaller of the last two differences, none where they
  * differ in sign. */
-static void extrapolate(const block *b, int axis, mesh_side side, double *a)
+static void extrapolate_beyond_side(const block *b, int axis, mesh_side side, double *a)
 {
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
     bc_layers(b, axis, side, 0, 0, lo, hi);
@@ -63,7 +63,7 @@ static void apply_rule(const block *b, int axis, mesh_side side, ghost_rule rule
         if (rule.value != 0.0) add_to_ghosts(b, axis, side, rule.value, a);
         break;
     case ACT_NEAREST: bc_extrapolate(b, axis, side, a); break;
-    case ACT_LINEAR: extrapolate(b, axis, side, a); break;
+    case ACT_LINEAR: extrapolate_beyond_side(b, axis, side, a); break;
     case ACT_VALUE: bc_constant(b, axis, side, rule.value, a); break;
     case ACT_ODD:
         bc_reflect(b, axis, side, BC_ODD, a);
@@ -240,15 +240,15 @@ static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_si
 {
     const ice_arrays *m = &v->m[r];
     const double phi = 0.5 * (1.0 + v->shock[at.cell]), given = s->scene->bc.side[axis][side].pressure;
-    const double room = s->multi ? m->theta[at.cell] : 1.0,
-                 mobility = m->rho[at.cell] > 0.0 ? room / m->rho[at.cell] : 0.0;
+    const double theta = s->multi ? m->theta[at.cell] : 1.0,
+                 mobility = m->rho[at.cell] > 0.0 ? theta / m->rho[at.cell] : 0.0;
     const double gradient = at.outward * (given - v->p[at.cell]) * 2.0 * v->inv_h[axis];
     return m->u[axis][at.cell] + phi * v->dt * (v->gravity[axis] - mobility * gradient);
 }
 
-/* Faces of given pressure move with it, over half a cell; beyond it the pressure does not change. No other side gives
- * way. The explicit u* of such a face becomes that of the implicit centring. */
-static void set_mobility(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+/* Faces of given pressure move with it, over half a cell; beyond it the pressure does not change. At no other side does
+ * u* change with the pressure. The explicit u* of such a face becomes that of the implicit centring. */
+static void set_side_mobility(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const ice_arrays *m = &v->m[r];
     const bool gives = s->scene->bc.side[axis][side].kind == BC_OUTLET && m->rho[at.cell] > 0.0;
@@ -261,7 +261,7 @@ static void set_mobility(const ice *s, const ice_view *v, int axis, mesh_side si
 
 void ice_boundary_mobility(const ice *s, const ice_view *v, int r)
 {
-    ice_visit_sides(s, v, r, set_mobility);
+    ice_visit_sides(s, v, r, set_side_mobility);
 }
 
 static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
@@ -290,7 +290,7 @@ void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r)
 }
 
 /* Of the fluid at a side with a velocity: the side's own, and what the fluid has by passing it. */
-static double acceleration(const ice *s, const ice_view *v, int axis, const bc_side *wall, side_face at)
+static double side_acceleration(const ice *s, const ice_view *v, int axis, const bc_side *wall, side_face at)
 {
     const double t = s->time + 0.5 * s->dt, u = bc_velocity(wall, axis, t);
     const double slope = 2.0 * at.outward * (u - v->mean[axis][at.cell]) * v->inv_h[axis];
@@ -308,9 +308,9 @@ static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side si
     else if (by_characteristics(wall->kind))
         v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
     else {
-        double pull = v->gravity[axis];
-        if (wall->kind == BC_VELOCITY) pull -= acceleration(s, v, axis, wall, at);
-        v->fp[axis][at.face] = v->P[at.cell] + 0.5 * at.outward * v->rho_sum[at.cell] * pull * v->h[axis];
+        double body_acceleration = v->gravity[axis];
+        if (wall->kind == BC_VELOCITY) body_acceleration -= side_acceleration(s, v, axis, wall, at);
+        v->fp[axis][at.face] = v->P[at.cell] + 0.5 * at.outward * v->rho_sum[at.cell] * body_acceleration * v->h[axis];
     }
 }
 
@@ -327,12 +327,13 @@ static void note_work(const ice *s, const ice_view *v, int axis, mesh_side side,
     const int face_i = at.i + (axis == 0 && at.outward > 0.0);
     const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
     const double open = ice_side_open(s, v->b, (const int[]){at.i, at.j}, axis, at.outward > 0.0);
-    const double push = -at.outward * v->dt * area * v->fp[axis][at.face];
-    tile[TILE_ENERGY] += push * v->flux[axis][at.face];
+    const double side_impulse = -at.outward * v->dt * area * v->fp[axis][at.face];
+    tile[TILE_ENERGY] += side_impulse * v->flux[axis][at.face];
     double x[MESH_MAX_DIM];
     ice_side_place(s, v->b, axis, at.outward > 0.0, (const int[]){at.i, at.j, at.k}, x);
-    /* Radial momentum is no sum of fluxes: it has no account. */
-    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC)) ice_push(tile + TILE_MOMENTUM, x, axis, push * open);
+    /* Radial momentum is not conserved: it is no sum of fluxes. */
+    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC))
+        ice_push(tile + TILE_MOMENTUM, x, axis, side_impulse * open);
 }
 
 void ice_boundary_work(ice *s)
@@ -352,7 +353,7 @@ static void faces_inside(const block *b, int along, int axis, int *first, int *e
     *end = b->n[along] + (b->at_side[along][SIDE_UPPER] ? along == axis : ghost);
 }
 
-static void zero(double *a, ptrdiff_t from, ptrdiff_t to)
+static void zero_range(double *a, ptrdiff_t from, ptrdiff_t to)
 {
     for (ptrdiff_t at = from; at < to; ++at) a[at] = 0.0;
 }
@@ -366,8 +367,8 @@ static void zero_outer_faces(const block *b, int axis, double *a)
         for (int j = b->dim > 1 ? -MESH_GHOST : 0; j < b->n[1] + (b->dim > 1 ? MESH_GHOST : 0); ++j) {
             const ptrdiff_t row = mesh_index(b, 0, j, k), last = row + b->n[0] + MESH_GHOST;
             const bool outside = j < first[1] || j >= end[1] || k < first[2] || k >= end[2];
-            zero(a, row - MESH_GHOST, outside ? last : row + first[0]);
-            zero(a, row + end[0], last);
+            zero_range(a, row - MESH_GHOST, outside ? last : row + first[0]);
+            zero_range(a, row + end[0], last);
         }
 }
 

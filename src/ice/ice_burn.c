@@ -7,13 +7,13 @@
  * its rise in cells that hold little. A surface that recedes at r then obeys psi_t + r |grad g(psi)| = 0, whose level
  * sets move the faster the farther out they lie, and catch up: the edge stays a few cells wide, where g = psi would let
  * it spread with the root of the way. */
-static double risen(double psi)
+static double burning_weight(double psi)
 {
     const double lack = 1.0 - fmin(fmax(psi, 0.0), 1.0);
     return 1.0 - lack * lack * lack;
 }
 
-static double filled(const ice *s, const ice_view *v, ptrdiff_t at)
+static double solid_fraction(const ice *s, const ice_view *v, ptrdiff_t at)
 {
     double sum = 0.0;
     for (int r = 0; r < s->n_materials; ++r)
@@ -26,12 +26,13 @@ static double filled(const ice *s, const ice_view *v, ptrdiff_t at)
  * by its fraction. */
 double ice_burning_surface(const ice *s, const ice_view *v, int r, ptrdiff_t at)
 {
-    const double psi = filled(s, v, at), here = risen(psi);
+    const double psi = solid_fraction(s, v, at), here = burning_weight(psi);
     double square = 0.0;
     if (!(psi > 0.0)) return 0.0;
     for (int a = 0; a < v->dim; ++a) {
         const ptrdiff_t st = v->b->stride[a];
-        const double below = risen(filled(s, v, at - st)), above = risen(filled(s, v, at + st));
+        const double below = burning_weight(solid_fraction(s, v, at - st)),
+                     above = burning_weight(solid_fraction(s, v, at + st));
         const double rise = v->inv_h[a] * (fmax(here - below, 0.0) + fmax(here - above, 0.0));
         square += rise * rise;
     }
@@ -61,9 +62,9 @@ void ice_join_burnt(const ice *s, const ice_view *v, int k, ptrdiff_t at, int i)
     const bool last = !(from->rho[at] - lost > ICE_LAST_OF_REACTANT * from->rho[at]); /* all but round-off */
     const double share = last ? 1.0 : lost / from->rho[at];
     for (int a = 0; a < v->dim; ++a) {
-        const double pushed = share * from->source[a][at], u = to->ul[a][at];
-        const double next = (before * u + v->burnt_momentum[k][a][at] + pushed / v->volume[i]) / mass;
-        from->source[a][at] -= pushed;
+        const double momentum = share * from->source[a][at], u = to->ul[a][at];
+        const double next = (before * u + v->burnt_momentum[k][a][at] + momentum / v->volume[i]) / mass;
+        from->source[a][at] -= momentum;
         kinetic += 0.5 * (before * u * u - mass * next * next);
         to->ul[a][at] = next;
     }

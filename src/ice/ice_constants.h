@@ -39,25 +39,26 @@
 /* Neighbours that differ by less are the same; thinner slabs have the cell's mean: round-off. */
 #define ICE_INTERFACE_TIE 1e-9
 #define ICE_INTERFACE_LEAST_REACH 1e-9
-/* A fluid whose own pressure is the cell's but for this share is not expanded by it. Measured: larger leaves out work, smaller lets heat that has
- * changed hands do some. */
+/* A fluid whose own pressure differs from that of the cell by less than this share is not expanded to it. Measured:
+ * larger leaves out work, smaller lets heat that has changed hands do some. */
 #define ICE_NEAR_ONE_PRESSURE 0.02
 /* Change of volume from which the gain by dP is that of the isentrope and no longer linear: larger is cheaper and heats traces of gas. */
 #define ICE_LINEAR_SQUEEZE 0.05
 
 /* ---- fluids beside solids that points carry (theory 2.10, 5.5) ---- */
 
-/* Fluids that fill less than this of a cell beside a solid have no say in its pressure, which is continued into it. Larger moves the wall outwards,
- * smaller lets slivers set pressures that they have no mass for. */
-#define ICE_NO_ROOM 1e-2
-/* And are heated in proportion below this: else a sliver gains heat without end (e of 1e11 J/kg on the pressurised cylinder, measured). */
+/* Fluids with a smaller volume fraction beside a solid do not determine the pressure of their cell; it is extrapolated
+ * from neighbours. Larger moves the wall outwards, smaller lets traces with almost no mass determine the pressure. */
+#define ICE_LEAST_FLUID_FRACTION 1e-2
+/* Below this fraction they are heated in proportion to it: else a trace would gain heat without bound (e of 1e11 J/kg
+ * on the pressurised cylinder, measured). */
 #define ICE_FULL_HEAT 1e-2
-/* Volume fraction below which a specific volume changes by no more than a factor, and the factor: slivers keep a state instead of what round-off
- * makes of them. */
+/* Volume fraction below which a specific volume changes at most by a factor, and that factor: traces keep a physical
+ * state in spite of round-off. */
 #define ICE_BOUND_FRACTION 1e-4
-#define ICE_MOST_ROOM_CHANGE 10.0
+#define ICE_MOST_VOLUME_CHANGE 10.0
 
-/* ---- guards (theory 2.8, 2.11): what is next to none is given up in favour of a state that stands ---- */
+/* ---- guards (theory 2.8, 2.11): traces are changed so that their state stays valid ---- */
 
 /* Where heat would leave less thermal energy than this share of the kinetic, it is not conserved: larger makes energy, smaller negative heat. */
 #define ICE_THERMAL_SHARE 1e-3
@@ -65,7 +66,7 @@
 #define ICE_LEAST_FRACTION 1e-13
 #define ICE_LEAST_SHARE 1e-18
 /* Below this share of a cell a material's velocity and energy may be quotients of round-off: its outflow and energy bind no step, */
-#define ICE_SLIVER 1e-6
+#define ICE_TRACE_FRACTION 1e-6
 /* and squares of velocities and energies are taken back where they are larger than this times those before. */
 #define ICE_MOST_GAIN 1e4
 /* Energy made by guards, of a cell's, that is counted; mass that a reaction leaves, of its reactant, that is taken too: round-off. */

@@ -1,12 +1,13 @@
-/* The pressure where a solid leaves fluids no room (theory 5.3, 5.4).
+/* The pressure in cells that a solid fills (theory 5.3, 5.4).
  *
  * In a cell that a solid all but fills, the mean stress cancels from the balance: the points carry +p_p I, the cells
- * -theta grad P*. What p is there does not matter, but how smooth it is does, since one is differenced on points, the other on
- * faces, and they cancel only to truncation error. The solid's own bulk pressure serves badly: in tension it falls from the
- * fluid's pressure to nothing within a cell of the surface. So p is continued into the solid as smoothly as can be,
- * harmonically: each such cell takes the mean of its neighbours, one sweep a step from where the last step left it.
- * (Measured on the pressurised cylinder, eq. 13 at h = 0.1, 0.05, 0.025: 7.0, 3.8, 2.5 % with the bulk pressure, 6.1, 2.1,
- * 1.6 % continued; more sweeps, or a limit of 0.001 or 0.05 on the room, change the last figure by less than a tenth of it.) */
+ * -theta grad P*. What p is there does not matter, but how smooth it is does, since one is differenced on points, the
+ * other on faces, and they cancel only to truncation error. The solid's own bulk pressure serves badly: in tension it
+ * falls from the fluid's pressure to nothing within a cell of the surface. So p is continued into the solid as smoothly
+ * as can be, harmonically: each such cell takes the mean of its neighbours, one sweep a step from where the last step
+ * left it. (Measured on the pressurised cylinder, eq. 13 at h = 0.1, 0.05, 0.025: 7.0, 3.8, 2.5 % with the bulk
+ * pressure, 6.1, 2.1, 1.6 % continued; more sweeps, or a limit of 0.001 or 0.05 on the room, change the last figure by
+ * less than a tenth of it.) */
 #include "ice/ice_internal.h"
 
 bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at)
@@ -15,10 +16,10 @@ bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at)
     double fluid = 0.0;
     for (int r = 0; r < s->n_materials; ++r)
         if (!s->material[r].points) fluid += v->m[r].theta[at];
-    return fluid < ICE_NO_ROOM;
+    return fluid < ICE_LEAST_FLUID_FRACTION;
 }
 
-/* Lists a block's cells without room, in order: which they are stays as it is until the next equilibrium. */
+/* Lists a block's cells without fluid volume, in order; the list is valid until the next equilibrium. */
 static void list_continued(const ice *s, const ice_view *v, ice_cell_list *list)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
@@ -76,7 +77,7 @@ floe_status ice_continue_pressure(ice *s)
     return FLOE_OK;
 }
 
-void ice_hold_continued(const ice *s)
+void ice_constrain_continued(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;

@@ -24,8 +24,8 @@ void ice_find_used(const scene *s, bool with_points, bool *used)
         }
 }
 
-/* The least pressure that a fluid of the scene bears (Pa, <= 0), and a half of a solid's bulk modulus at most: what a
- * solid beside it must have a volume at. */
+/* The least pressure of a fluid of the scene (Pa, <= 0), at most half of a solid's bulk modulus in size: a solid beside
+ * it must have a volume at this pressure. */
 static double least_pressure(const scene *s, const bool *used, double bulk_modulus)
 {
     double least = 0.0;
@@ -140,7 +140,7 @@ static void choose_kernels(ice *s)
                                      .advect = ice_advect_of[d][m]};
 }
 
-static floe_status resolve(ice *s, bool with_points)
+static floe_status resolve_states(ice *s, bool with_points)
 {
     TRY(resolve_materials(s, with_points));
     resolve_loads(s);
@@ -171,7 +171,7 @@ floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, s
     made->stages = stages;
     made->ledger = l;
     made->implicit = s->method.pressure == PRESSURE_IMPLICIT;
-    const floe_status status = resolve(made, with_points);
+    const floe_status status = resolve_states(made, with_points);
     if (status != FLOE_OK) ice_destroy(out);
     return status;
 }
@@ -268,7 +268,7 @@ static field_owner owner_of(const ice *s, field_id id)
     }
 }
 
-static bool owns(const ice *s, field_owner owner, int r)
+static bool owns_field(const ice *s, field_owner owner, int r)
 {
     switch (owner) {
     case OWNER_FLUIDS: return !s->material[r].points;
@@ -287,7 +287,7 @@ static floe_status register_fields(ice *s, domain *d)
         const bool reactions = owner == OWNER_REACTIONS || owner == OWNER_BURNS;
         const int instances = owner == OWNER_SHARED ? 1 : reactions ? s->work->reactions.n : s->n_materials;
         for (int r = 0; r < instances; ++r)
-            if (owns(s, owner, r)) TRY(domain_add(d, (field_id)id, r));
+            if (owns_field(s, owner, r)) TRY(domain_add(d, (field_id)id, r));
     }
     return FLOE_OK;
 }

@@ -14,7 +14,7 @@
 #include <math.h>
 
 /* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
-static bool diffuses(const ice *s, int r)
+static bool material_diffuses(const ice *s, int r)
 {
     const ice_material *m = &s->material[r];
     return !m->points &&
@@ -156,7 +156,7 @@ static void add_source_rates(const ice *s, const ice_view *v, int r)
 }
 
 /* At half the step, with the velocities there, onto the Lagrangian values and into the ledger. */
-static void add_sources(const ice *s, const ice_view *v, int r)
+static void add_exact_sources(const ice *s, const ice_view *v, int r)
 {
     const ice_arrays *m = &v->m[r];
     const ice_rows q = ice_rows_of(v->b, -1, 0);
@@ -213,7 +213,7 @@ void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axi
     const ice_arrays *m = &v->m[r];
     const ptrdiff_t step = v->b->stride[axis];
     const ice_rows q = ice_rows_of(v->b, axis, 0);
-    if (!diffuses(s, r)) return;
+    if (!material_diffuses(s, r)) return;
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
@@ -230,7 +230,7 @@ void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P)
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
     const ice_rows q = ice_rows_of(v->b, -1, 0);
-    if (!diffuses(s, r)) return;
+    if (!material_diffuses(s, r)) return;
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row)), n = v->b->n[0];
@@ -249,7 +249,7 @@ void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P)
 /* ---- the whole step ---- */
 
 /* x.grad of a cell field by central differences. */
-static double carried(const ice_view *v, const ice_arrays *m, const double *x, ptrdiff_t at)
+static double convective_derivative(const ice_view *v, const ice_arrays *m, const double *x, ptrdiff_t at)
 {
     double sum = 0.0;
     for (int a = 0; a < v->dim; ++a) {
@@ -267,9 +267,9 @@ static void advance_temperature(const ice *s, const ice_view *v, int r, ptrdiff_
     const double smooth = 1.0 - v->shock[at], rho = m->rho[at], half = 0.5 * v->dt;
     if (s->multi && !(v->mixed[at] == 1.0 && rho > 0.0)) return;
     const double squeeze = v->dP[at] * (s->multi ? v->kappa_sum[at] : 1.0 / (rho * m->c[at] * m->c[at]));
-    const double density = rho + smooth * (0.5 * rho * squeeze - half * carried(v, m, m->rho, at));
-    const double energy =
-        m->e[at] + smooth * (0.5 * (m->el[at] - m->e[at]) + half * (m->heat[at] / rho - carried(v, m, m->e, at)));
+    const double density = rho + smooth * (0.5 * rho * squeeze - half * convective_derivative(v, m, m->rho, at));
+    const double energy = m->e[at] + smooth * (0.5 * (m->el[at] - m->e[at]) +
+                                               half * (m->heat[at] / rho - convective_derivative(v, m, m->e, at)));
     double T;
     law->model->temperature(law->par, 1, &density, &energy, &T);
     if (density > 0.0 && T > 0.0 && isfinite(T)) m->diffT[at] = T;
@@ -281,12 +281,13 @@ static void advance_velocity(const ice_view *v, int r, ptrdiff_t at)
     const ice_arrays *m = &v->m[r];
     const double smooth = 1.0 - v->shock[at], half = 0.5 * v->dt;
     for (int a = 0; a < v->dim; ++a) {
-        const double u = m->u[a][at], push = m->rho[at] > 0.0 ? half * m->diff[a][at] / m->rho[at] : 0.0;
-        m->diff[a][at] = u + smooth * (0.5 * (m->ul[a][at] - u) + push - half * carried(v, m, m->u[a], at));
+        const double u = m->u[a][at], impulse = m->rho[at] > 0.0 ? half * m->diff[a][at] / m->rho[at] : 0.0;
+        m->diff[a][at] =
+            u + smooth * (0.5 * (m->ul[a][at] - u) + impulse - half * convective_derivative(v, m, m->u[a], at));
     }
 }
 
-static void advance(const ice *s, const ice_view *v, int r)
+static void advance_to_half(const ice *s, const ice_view *v, int r)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
 #pragma omp parallel for schedule(static)
@@ -299,16 +300,16 @@ static void advance(const ice *s, const ice_view *v, int r)
     }
 }
 
-static diffusing halfway(const ice *s, const ice_view *v, int r)
+static diffusing values_at_half(const ice *s, const ice_view *v, int r)
 {
     const ice_arrays *m = &v->m[r];
     return diffusing_of(s, v, r, (const double *const[3]){m->diff[0], m->diff[1], m->diff[2]},
                         s->conducts ? m->diffT : NULL);
 }
 
-static void apply(const ice *s, const ice_view *v, int r)
+static void apply_diffusion(const ice *s, const ice_view *v, int r)
 {
-    const diffusing d = halfway(s, v, r);
+    const diffusing d = values_at_half(s, v, r);
     each_row(s, v, r, &d, apply_rows);
 }
 
@@ -334,7 +335,7 @@ static void enter_face(const ice *s, const ice_view *v, int axis, mesh_side side
 
 static void note_face(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
-    const diffusing d = halfway(s, v, r);
+    const diffusing d = values_at_half(s, v, r);
     enter_face(s, v, axis, side, at, &d);
 }
 
@@ -346,13 +347,13 @@ static void note_sides(const ice *s, const ice_view *v, int r)
 void ice_diffuse(const ice *s)
 {
     for (int r = 0; r < s->n_materials; ++r) {
-        if (!diffuses(s, r)) continue;
-        each_block(s, r, advance);
+        if (!material_diffuses(s, r)) continue;
+        each_block(s, r, advance_to_half);
         ice_fill_ghosts(s, C_DIFFUSION, r, FILL_CURRENT, GHOST_VELOCITY);
         if (s->conducts) ice_fill_ghosts(s, C_DIFFUSION_T, r, FILL_CURRENT, GHOST_TEMPERATURE);
-        each_block(s, r, apply);
+        each_block(s, r, apply_diffusion);
         each_block(s, r, note_sides);
-        if (s->scene->driving) each_block(s, r, add_sources);
+        if (s->scene->driving) each_block(s, r, add_exact_sources);
     }
 }
 

@@ -8,14 +8,14 @@
 typedef struct mixed_cell {
     int n, dim;
     double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[3][EXCHANGE_MAX];
-    double room; /* TMV / V */
+    double volume_ratio; /* TMV / V */
 } mixed_cell;
 
-static void gather(const ice *s, const ice_view *v, ptrdiff_t at, double volume, mixed_cell *c)
+static void gather_mixture(const ice *s, const ice_view *v, ptrdiff_t at, double volume, mixed_cell *c)
 {
     c->n = s->n_materials;
     c->dim = v->dim;
-    c->room = v->tmv ? v->tmv[at] : 1.0;
+    c->volume_ratio = v->tmv ? v->tmv[at] : 1.0;
     for (int r = 0; r < c->n; ++r) {
         const ice_arrays *m = &v->m[r];
         c->mass[r] = m->rho[at];
@@ -31,7 +31,7 @@ static void gather(const ice *s, const ice_view *v, ptrdiff_t at, double volume,
     }
 }
 
-static double kinetic(const mixed_cell *c)
+static double kinetic_energy(const mixed_cell *c)
 {
     double sum = 0.0;
     for (int r = 0; r < c->n; ++r)
@@ -79,7 +79,7 @@ static void shares_of(const ice *s, const ice_view *v, ptrdiff_t at, double heat
 }
 
 /* What closes the energy of a cell of fluids; where one had less than nothing left, or next to nothing beside its motion, it stays owed. */
-static void settle(const ice *s, const ice_view *v, ptrdiff_t at, double heat)
+static void settle_energy(const ice *s, const ice_view *v, ptrdiff_t at, double heat)
 {
     double share[ICE_MAX_MATERIALS];
     bool usable = true;
@@ -87,20 +87,22 @@ static void settle(const ice *s, const ice_view *v, ptrdiff_t at, double heat)
     for (int r = 0; r < s->n_materials && heat < 0.0; ++r) {
         const ice_arrays *m = &v->m[r];
         const double floor = s->work->energy_floor[r];
-        double kinetic = 0.0;
+        double kinetic_energy = 0.0;
         if (!(m->rho[at] > 0.0)) continue;
-        for (int a = 0; a < v->dim; ++a) kinetic += 0.5 * m->ul[a][at] * m->ul[a][at];
+        for (int a = 0; a < v->dim; ++a) kinetic_energy += 0.5 * m->ul[a][at] * m->ul[a][at];
         const double left = m->el[at] + heat * share[r] / m->rho[at] - (isnan(floor) ? 0.0 : floor);
-        usable = usable && left > ICE_THERMAL_SHARE * kinetic;
+        usable = usable && left > ICE_THERMAL_SHARE * kinetic_energy;
     }
     v->owed[at] = usable ? 0.0 : heat;
     for (int r = 0; r < s->n_materials && usable; ++r)
         if (v->m[r].rho[at] > 0.0) v->m[r].el[at] += heat * share[r] / v->m[r].rho[at];
 }
 
-/* Kinetic energy that friction has taken becomes heat of the fluids, by volume fraction; beside solids it is theirs, and left out, but where gas that
- * burns off them makes its way out. What the pressure had driven apart closes its own account. */
-static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const double *theta, double lost, double apart)
+/* Kinetic energy dissipated by friction becomes heat of the fluids, in proportion to volume fraction; beside solids it
+ * is theirs and not entered, except where burnt gas leaves them. Velocity differences due to the pressure close their
+ * own energy balance. */
+static void deposit_friction(const ice *s, const ice_view *v, ptrdiff_t at, const double *theta, double lost,
+                             double apart)
 {
     const bool beside = ice_holds_points(v, at);
     if (!s->scene->method.conserve_energy || (beside && !v->burns)) return;
@@ -111,7 +113,7 @@ static void deposit(const ice *s, const ice_view *v, ptrdiff_t at, const double 
     for (int r = 0; r < s->n_materials && friction > 0.0; ++r)
         if (v->m[r].rho[at] > 0.0 && !s->material[r].points)
             v->m[r].el[at] += friction * theta[r] / total / v->m[r].rho[at];
-    if (!beside) settle(s, v, at, v->owed[at] + back);
+    if (!beside) settle_energy(s, v, at, v->owed[at] + back);
 }
 
 static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_cell *c)
@@ -128,17 +130,17 @@ static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_c
         ice_wall_gradient(v, at, gradient);
         ice_pressure_slope(v, at, spot.slope);
     }
-    ice_relax_spot(s, v, c->mass, &spot, s->dt * c->room, s->work->pairs.slips ? gradient : NULL, c->u);
+    ice_relax_spot(s, v, c->mass, &spot, s->dt * c->volume_ratio, s->work->pairs.slips ? gradient : NULL, c->u);
 }
 
 static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double volume)
 {
     mixed_cell c;
-    gather(s, v, at, volume, &c);
-    const double before = kinetic(&c), apart = ice_holds_points(v, at) ? 0.0 : driven_apart(s, v, at);
+    gather_mixture(s, v, at, volume, &c);
+    const double before = kinetic_energy(&c), apart = ice_holds_points(v, at) ? 0.0 : driven_apart(s, v, at);
     if (s->work->pairs.plain) {
         exchange_matrix a;
-        exchange_couple(c.n, s->exchange.K, c.theta, s->dt * c.room, a);
+        exchange_couple(c.n, s->exchange.K, c.theta, s->dt * c.volume_ratio, a);
         if (s->work->pairs.unlike)
             exchange_relax_parts(c.n, c.mass, c.theta, a, c.dim, c.u);
         else
@@ -146,7 +148,7 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
     } else {
         relax_by_laws(s, v, at, &c);
     }
-    const double lost = before - kinetic(&c);
+    const double lost = before - kinetic_energy(&c);
     for (int r = 0; r < c.n; ++r)
         for (int x = 0; x < c.dim; ++x) {
             const ice_arrays *m = &v->m[r];
@@ -155,7 +157,7 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
             else if (m->rho[at] > 0.0)
                 m->dv[x][at] = c.u[x][r] - m->mom[x][at] / (m->rho[at] * volume);
         }
-    deposit(s, v, at, c.theta, lost, apart);
+    deposit_friction(s, v, at, c.theta, lost, apart);
 }
 
 /* (diag(m c_v) + B) T; temperatures after the sources are T + (e^L - e)/c_v. */

@@ -22,14 +22,14 @@ typedef struct pair_run {
     double apart[MOST_CELLS]; /* J/m3: that the pressure has made in the step, driving light and heavy apart */
 } pair_run;
 
-static void weigh(pair_run *q)
+static void compute_weights(pair_run *q)
 {
     const ice_arrays *m = q->v->m;
     const double *tmv = q->v->tmv, strength = q->s->dt * q->s->exchange.K[0][1];
     for (int i = 0; i < q->n; ++i) {
         const ptrdiff_t at = q->from + i;
-        const double m0 = m[0].rho[at], m1 = m[1].rho[at], room = tmv ? tmv[at] : 1.0;
-        const exchange_two two = exchange_of_two(m0, m1, strength * room * m[0].theta[at] * m[1].theta[at]);
+        const double m0 = m[0].rho[at], m1 = m[1].rho[at], volume_ratio = tmv ? tmv[at] : 1.0;
+        const exchange_two two = exchange_of_two(m0, m1, strength * volume_ratio * m[0].theta[at] * m[1].theta[at]);
         q->share0[i] = two.share0;
         q->share1[i] = two.share1;
         q->kept[i] = two.kept;
@@ -39,7 +39,7 @@ static void weigh(pair_run *q)
 }
 
 /* Volumes (m3) of the cells. */
-static const double *volumes(const pair_run *q)
+static const double *cell_volumes(const pair_run *q)
 {
     const ptrdiff_t in_row = q->v->dim > 1 ? q->from % q->v->b->stride[1] : q->from;
     return q->v->volume + in_row - MESH_GHOST;
@@ -49,7 +49,7 @@ static const double *volumes(const pair_run *q)
 static void take_velocity(pair_run *q, int r, int axis)
 {
     const ice_arrays *m = &q->v->m[r];
-    const double *rho = m->rho + q->from, *volume = volumes(q);
+    const double *rho = m->rho + q->from, *volume = cell_volumes(q);
     if (q->s->material[r].points) {
         const double *momentum = m->mom[axis] + q->from, *source = m->source[axis] + q->from;
         for (int i = 0; i < q->n; ++i) q->u[r][i] = (momentum[i] + source[i]) / (rho[i] * volume[i]);
@@ -62,7 +62,7 @@ static void take_velocity(pair_run *q, int r, int axis)
 static void give_velocity(pair_run *q, int r, int axis)
 {
     const ice_arrays *m = &q->v->m[r];
-    const double *rho = m->rho + q->from, *volume = volumes(q);
+    const double *rho = m->rho + q->from, *volume = cell_volumes(q);
     if (q->s->material[r].points) {
         const double *momentum = m->mom[axis] + q->from;
         double *change = m->dv[axis] + q->from;
@@ -72,7 +72,7 @@ static void give_velocity(pair_run *q, int r, int axis)
     }
 }
 
-static void relax(pair_run *q)
+static void relax_velocities(pair_run *q)
 {
     for (int i = 0; i < q->n; ++i) {
         const exchange_two two = {q->share0[i], q->share1[i], q->kept[i]};
@@ -97,7 +97,7 @@ static void add_driven_apart(pair_run *q, int axis)
 /* Friction heats by volume fraction. What closes the energy of a cell goes by rho T, so that none is cooled more than another, the heat of a
  * shock to dispersed fluids by theta kappa, as their own compression has it; where one had less than nothing left, or next to nothing beside its
  * motion, it stays owed. */
-static void deposit(const pair_run *q)
+static void deposit_friction_rows(const pair_run *q)
 {
     const ice_arrays *m0 = &q->v->m[0], *m1 = &q->v->m[1];
     const double *floor = q->s->work->energy_floor, *T0 = m0->T + q->from, *T1 = m1->T + q->from;
@@ -133,16 +133,16 @@ static void deposit(const pair_run *q)
 static void exchange_run(pair_run *q)
 {
     const bool heats = q->s->scene->method.conserve_energy && !q->s->with_points;
-    weigh(q);
+    compute_weights(q);
     for (int a = 0; a < q->v->dim; ++a) {
         take_velocity(q, 0, a);
         take_velocity(q, 1, a);
         if (heats) add_driven_apart(q, a);
-        relax(q);
+        relax_velocities(q);
         give_velocity(q, 0, a);
         give_velocity(q, 1, a);
     }
-    if (heats) deposit(q);
+    if (heats) deposit_friction_rows(q);
 }
 
 void ice_exchange_pair(const ice *s, const ice_view *v, const ice_cell_list *list, size_t from, size_t to)

@@ -28,8 +28,8 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
     const double *restrict rho = m->rho, *restrict p = v->p, *restrict shock = v->shock, *restrict theta = m->theta,
                            *restrict c = m->c;
     double *restrict face = m->fu[axis];
-    const double push = v->dt * v->inv_h[axis], fall = v->dt * v->gravity[axis], sharpen = 0.125 * v->limit_hi,
-                 drawn = (multi ? 1.0 : 1.5) * (1.0 - v->limit_lo);
+    const double pressure_impulse = v->dt * v->inv_h[axis], gravity_impulse = v->dt * v->gravity[axis],
+                 sharpen = 0.125 * v->limit_hi, drawn = (multi ? 1.0 : 1.5) * (1.0 - v->limit_lo);
     double quarter[3];
     ptrdiff_t st[3];
     for (int a = 0; a < dim; ++a) {
@@ -51,9 +51,9 @@ FLOE_ALWAYS_INLINE void face_velocity_row(const ice_view *v, int r, int axis, in
         const double phi = 0.5 + 0.25 * (shock[L] + shock[R]),
                      smooth = 1.0 - (shock[L] > shock[R] ? shock[L] : shock[R]);
         const double mean = rho[L] * (w[L] + (1.0 - shock[L]) * left) + rho[R] * (w[R] + (1.0 - shock[R]) * right);
-        const double room = multi ? theta[L] + theta[R] : 2.0;
+        const double fractions = multi ? theta[L] + theta[R] : 2.0;
         const double here = multi ? sum * inverse : 1.0; /* what is absent has no velocity of its own */
-        face[R] = (mean - phi * push * room * (p[R] - p[L])) * inverse + here * phi * fall +
+        face[R] = (mean - phi * pressure_impulse * fractions * (p[R] - p[L])) * inverse + here * phi * gravity_impulse +
                   here * sharpen * smooth * (1.0 + drawn * fan(w[R] - w[L], c[L] + c[R])) *
                       (w[L] + w[R] - w[L - step] - w[R + step]);
     }
@@ -148,7 +148,7 @@ floe_status ice_face_velocity(ice *s)
         ice_view_make(s, id, &v);
         sensor_rows(s, &v);
     }
-    if (s->sealed) ice_pool_centring(s);
+    if (s->sealed) ice_merged_centring(s);
     ice_fill_ghosts(s, C_SHOCK, ice_instance(s), FILL_CURRENT, GHOST_EVEN);
     if (ice_sharpens(s)) ice_fill_ghosts(s, C_CONTACT, 0, FILL_CURRENT, GHOST_EVEN);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {

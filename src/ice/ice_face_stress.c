@@ -1,9 +1,10 @@
-/* What stress does to the face velocities of materials that points carry.
+/* Effect of stress on the face velocities of materials on points.
  *
- * The momentum of such a material has two parts, div[theta (sigma + p I)] and -theta grad p (theory 5.3). In a wall at rest they balance.
- * The face velocities of theory 2.2 know the second alone: a wall in balance between two pressures would pass fluid at
- * phi dt |grad p|/rho, locked or not, and lose what it is to keep apart. The stress is known only after the pressure is, so
- * the faces take that of the last step (C_STRESS_ACCEL, with the reactions of supports and of contact):
+ * The momentum of such a material has two parts, div[theta (sigma + p I)] and -theta grad p (theory 5.3). In a wall at
+ * rest they balance. The face velocities of theory 2.2 contain the second alone: a wall in balance between two
+ * pressures would pass fluid at phi dt |grad p|/rho, locked or not, and lose what it is to keep apart. The stress is
+ * known only after the pressure is, so the faces take that of the last step (C_STRESS_ACCEL, with the reactions of
+ * supports and of contact):
  *     u* += phi dt a_f,   a_f = (rho_L a_L + rho_R a_R)/(rho_L + rho_R). */
 #include "ice/ice_internal.h"
 

@@ -37,7 +37,7 @@ typedef struct place {
     ptrdiff_t at;
 } place;
 
-static place find(const ice *s, const int cell[MESH_MAX_DIM])
+static place find_cell(const ice *s, const int cell[MESH_MAX_DIM])
 {
     const block *b = &s->mesh->block[mesh_block_of(s->mesh, cell)];
     return (place){b, s->domain->fields[b->id],
@@ -63,7 +63,7 @@ static double density_at(const ice *s, place c, double p, const double *theta, c
 }
 
 /* Fractions and temperatures of a cell as it was initialised. */
-static void composition(const ice *s, place c, double *theta, double *T)
+static void initial_composition(const ice *s, place c, double *theta, double *T)
 {
     for (int r = 0; r < s->n_materials; ++r) {
         const double rho = field_get(c.f, C_RHO, r, 0)[c.at];
@@ -83,8 +83,8 @@ static void rest_column(const ice *s, int cell[MESH_MAX_DIM], int axis)
     double above_p = 0.0, above_rho = 0.0, theta[ICE_MAX_MATERIALS], T[ICE_MAX_MATERIALS];
     for (int step = 0; step < n; ++step) {
         cell[axis] = down < 0 ? n - 1 - step : step;
-        const place c = find(s, cell);
-        composition(s, c, theta, T);
+        const place c = find_cell(s, cell);
+        initial_composition(s, c, theta, T);
         double p = step == 0 ? field_get(c.f, C_PRESSURE, 0, 0)[c.at] : above_p;
         for (int iteration = 0; iteration < 60 && step > 0; ++iteration) {
             const double next = above_p + weight * (above_rho + density_at(s, c, p, theta, T, false));

@@ -26,8 +26,8 @@ FLOE_ALWAYS_INLINE double bend_of(const double *restrict u, ptrdiff_t at, ptrdif
     const double second = above - below, lower = below - (u[at - step] - u[at - 2 * step]),
                  upper = (u[at + 2 * step] - u[at + step]) - above;
     const double third = fabs(upper - second) + fabs(second - lower),
-                 room = fabs(lower) + 2.0 * fabs(second) + fabs(upper) + 0.25 * (fabs(below) + fabs(above));
-    const double kink = least(most(ICE_KINK_STEEPNESS * (third / (room + ICE_TINY) - ICE_KINK_FOOT), 0.0), 1.0);
+                 scale = fabs(lower) + 2.0 * fabs(second) + fabs(upper) + 0.25 * (fabs(below) + fabs(above));
+    const double kink = least(most(ICE_KINK_STEEPNESS * (third / (scale + ICE_TINY) - ICE_KINK_FOOT), 0.0), 1.0);
     const double pace = 0.5 * fabs(centre) * inv_c,
                  strong = least(ICE_KINK_ONSET * pace, 1.0) * most(1.0 - ICE_KINK_END * pace, 0.0);
     const double limited = most(least(below, above), 0.0) + least(most(below, above), 0.0), excess = centre - limited;
@@ -236,8 +236,8 @@ void ice_finish_increment(const ice *s)
         relax_volume(s, &v);
         if (s->work->pairs.slips) ice_relieve_slip(s, &v);
     }
-    if (s->with_points) ice_hold_continued(s);
-    if (s->sealed) ice_pool_increment(s);
+    if (s->with_points) ice_constrain_continued(s);
+    if (s->sealed) ice_merged_increment(s);
     ice_fill_ghosts(s, C_PRESSURE_ADVANCED, ice_instance(s), FILL_CURRENT, GHOST_EVEN);
     ice_fill_ghosts(s, C_DP, ice_instance(s), FILL_CURRENT, GHOST_ZERO_OPEN);
 }

@@ -1,7 +1,7 @@
 /* The first state: fluids of bodies and of the ambient, cut by exact fractions; columns at rest under gravity. */
 #include "base/memory.h"
 #include "ice/ice_nearest.h"
-#include "ice/sealed/ice_pool.h"
+#include "ice/sealed/ice_merged_cells.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ typedef struct content {
     double fraction, mass, momentum[3], energy;
 } content;
 
-static void add(content *c, int dim, double fraction, const fluid_state *state, const double *velocity)
+static void add_content(content *c, int dim, double fraction, const fluid_state *state, const double *velocity)
 {
     double square = 0.0;
     c->fraction += fraction;
@@ -25,7 +25,7 @@ static void add(content *c, int dim, double fraction, const fluid_state *state, 
 }
 
 /* Three Gauss points an axis: the average of a smooth exact state to sixth order. */
-static floe_status add_exact(const ice *s, content *c, int body, double fraction, const double lo[3])
+static floe_status add_exact_content(const ice *s, content *c, int body, double fraction, const double lo[3])
 {
     static const double at[3] = {0.1127016653792583, 0.5, 0.8872983346207417},
                         weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
@@ -39,22 +39,23 @@ static floe_status add_exact(const ice *s, content *c, int body, double fraction
         }
         if (s->mesh->geometry == MESH_AXISYMMETRIC) share *= x[0] / (lo[0] + 0.5 * s->mesh->h[0]);
         TRY(body_fluid_state(s->scene, body, x, &state, velocity));
-        add(c, dim, share, &state, velocity);
+        add_content(c, dim, share, &state, velocity);
     }
     return FLOE_OK;
 }
 
-static floe_status add_body(const ice *s, content *c, int body, double fraction, const double lo[3])
+static floe_status add_body_content(const ice *s, content *c, int body, double fraction, const double lo[3])
 {
     double velocity[3];
     fluid_state state;
-    if (s->scene->body[body].initial_from_exact && s->scene->initial) return add_exact(s, c, body, fraction, lo);
+    if (s->scene->body[body].initial_from_exact && s->scene->initial)
+        return add_exact_content(s, c, body, fraction, lo);
     TRY(body_fluid_state(s->scene, body, lo, &state, velocity));
-    add(c, s->mesh->dim, fraction, &state, velocity);
+    add_content(c, s->mesh->dim, fraction, &state, velocity);
     return FLOE_OK;
 }
 
-static floe_status add_ambient(const ice *s, content *contents, double room)
+static floe_status add_ambient_content(const ice *s, content *contents, double free)
 {
     const scene *given = s->scene;
     const int r = ice_material_of(s, given->ambient_material);
@@ -63,7 +64,7 @@ static floe_status add_ambient(const ice *s, content *contents, double room)
         s->ctx,
         fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN, &state),
         KEY("ambient")));
-    add(&contents[r], s->mesh->dim, room, &state, given->ambient_velocity);
+    add_content(&contents[r], s->mesh->dim, free, &state, given->ambient_velocity);
     return FLOE_OK;
 }
 
@@ -77,25 +78,25 @@ static double covered_by(const ice *s, const scene_body *body, const double lo[3
     return fraction > 1.0 - 1e-12 ? 1.0 : fraction;
 }
 
-/* The contents of one cell of the bodies that yield, or of those that do not, earlier bodies first; *left is the room
- * that is left. */
+/* The contents of one cell of the bodies that yield, or of those that do not, earlier bodies first; *left is the free
+ * volume fraction. */
 static floe_status add_bodies_that(const ice *s, bool yield, const double lo[3], double *left, content *contents)
 {
     const scene *given = s->scene;
-    double room = *left;
-    for (int b = 0; b < given->n_bodies && room > 0.0; ++b) {
+    double free = *left;
+    for (int b = 0; b < given->n_bodies && free > 0.0; ++b) {
         const scene_body *body = &given->body[b];
         const int r = ice_material_of(s, body->material);
         if (r < 0 || s->material[r].points || body->yields != yield) continue;
         double fraction = covered_by(s, body, lo);
         if (body->fraction > 0.0) fraction *= body->fraction;
-        if (fraction > room) fraction = room;
+        if (fraction > free) fraction = free;
         if (!(fraction > 1e-12)) continue;
-        room -= fraction;
-        if (room < 1e-12) room = 0.0;
-        TRY(add_body(s, &contents[r], b, fraction, lo));
+        free -= fraction;
+        if (free < 1e-12) free = 0.0;
+        TRY(add_body_content(s, &contents[r], b, fraction, lo));
     }
-    *left = room;
+    *left = free;
     return FLOE_OK;
 }
 
@@ -106,11 +107,11 @@ static floe_status add_bodies(const ice *s, const double lo[3], double *left, co
     return add_bodies_that(s, true, lo, left, contents);
 }
 
-/* The bodies' and the ambient's contents of one cell: the ambient takes what is left. */
-static floe_status fill_cell(const ice *s, const double lo[3], double room, content *contents)
+/* The contents of one cell: bodies first, then the ambient in the free fraction. */
+static floe_status fill_cell(const ice *s, const double lo[3], double free, content *contents)
 {
-    TRY(add_bodies(s, lo, &room, contents));
-    return room > 0.0 && s->scene->has_ambient ? add_ambient(s, contents, room) : FLOE_OK;
+    TRY(add_bodies(s, lo, &free, contents));
+    return free > 0.0 && s->scene->has_ambient ? add_ambient_content(s, contents, free) : FLOE_OK;
 }
 
 /* Share of a cell that is the ambient's: no body covers it, of fluid or of solid. */
@@ -125,47 +126,47 @@ static double ambient_share(const ice *s, const double lo[3])
     return left > 1e-9 ? left : 0.0;
 }
 
-/* Fills `room` of a cell with what the fluids of another are. */
-static floe_status add_like(const ice *s, const double lo[3], double room, content *contents)
+/* Fills the fraction `free` of a cell with the fluids of another cell, in their proportions. */
+static floe_status add_like(const ice *s, const double lo[3], double free, content *contents)
 {
     content like[ICE_MAX_MATERIALS];
     double left = 1.0, filled = 0.0;
     memset(like, 0, sizeof like);
     TRY(add_bodies(s, lo, &left, like));
     const double ambient = fmin(left, ambient_share(s, lo));
-    if (ambient > 0.0) TRY(add_ambient(s, like, ambient));
+    if (ambient > 0.0) TRY(add_ambient_content(s, like, ambient));
     for (int r = 0; r < s->n_materials; ++r) filled += like[r].fraction;
     for (int r = 0; r < s->n_materials && filled > 0.0; ++r) {
         content *c = &contents[r];
-        const double share = room / filled;
+        const double share = free / filled;
         c->fraction += share * like[r].fraction;
         c->mass += share * like[r].mass;
         c->energy += share * like[r].energy;
         for (int a = 0; a < s->mesh->dim; ++a) c->momentum[a] += share * like[r].momentum[a];
     }
-    return filled > 0.0 || !s->scene->has_ambient ? FLOE_OK : add_ambient(s, contents, room);
+    return filled > 0.0 || !s->scene->has_ambient ? FLOE_OK : add_ambient_content(s, contents, free);
 }
 
 /* A cell that a solid shares: what no fluid covers of it lies inside the solid, and is filled as the nearest cell outside, so
  * that a fluid has the mass and the momentum of its whole volume. */
-static floe_status fill_beside(const ice *s, const double lo[3], double room, int nearest, content *contents)
+static floe_status fill_beside(const ice *s, const double lo[3], double free, int nearest, content *contents)
 {
-    TRY(add_bodies(s, lo, &room, contents));
-    const double ambient = fmin(room, ambient_share(s, lo));
-    if (ambient > 0.0) TRY(add_ambient(s, contents, ambient));
-    room -= ambient;
-    if (!(room > 0.0)) return FLOE_OK;
+    TRY(add_bodies(s, lo, &free, contents));
+    const double ambient = fmin(free, ambient_share(s, lo));
+    if (ambient > 0.0) TRY(add_ambient_content(s, contents, ambient));
+    free -= ambient;
+    if (!(free > 0.0)) return FLOE_OK;
     int cell[MESH_MAX_DIM] = {0};
     double beside[3] = {0.0, 0.0, 0.0};
-    if (nearest < 0) return s->scene->has_ambient ? add_ambient(s, contents, room) : FLOE_OK;
+    if (nearest < 0) return s->scene->has_ambient ? add_ambient_content(s, contents, free) : FLOE_OK;
     cell[0] = nearest % s->mesh->n[0];
     cell[1] = nearest / s->mesh->n[0] % s->mesh->n[1];
     cell[2] = nearest / s->mesh->n[0] / s->mesh->n[1];
     for (int a = 0; a < s->mesh->dim; ++a) beside[a] = mesh_node(s->mesh, a, cell[a]);
-    return add_like(s, beside, room, contents);
+    return add_like(s, beside, free, contents);
 }
 
-static void store(const ice *s, const ice_view *v, ptrdiff_t at, const content *contents)
+static void store_contents(const ice *s, const ice_view *v, ptrdiff_t at, const content *contents)
 {
     double filled = 0.0;
     for (int r = 0; r < s->n_materials; ++r) filled += contents[r].fraction;
@@ -186,11 +187,12 @@ static void store(const ice *s, const ice_view *v, ptrdiff_t at, const content *
     }
 }
 
-/* Room that solids leave of a cell. One that they all but fill gets no fluid: a sliver would only take up their volume errors. */
-static double room_beside(double taken)
+/* Volume fraction that solids leave free in a cell. A cell that they almost fill gets no fluid, which would only absorb
+ * their volume errors. */
+static double fraction_beside(double taken)
 {
-    const double room = 1.0 - taken;
-    return room < 1e-6 ? 0.0 : room > 1.0 - 1e-12 ? 1.0 : room;
+    const double free = 1.0 - taken;
+    return free < 1e-6 ? 0.0 : free > 1.0 - 1e-12 ? 1.0 : free;
 }
 
 static floe_status initialise_block(const ice *s, const ice_view *v, const double *taken, const int *nearest)
@@ -204,12 +206,12 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
                                       mesh_node(s->mesh, 2, b->lo[2] + k)};
                 content contents[ICE_MAX_MATERIALS];
                 memset(contents, 0, sizeof contents);
-                const double room = taken ? room_beside(taken[at]) : 1.0;
+                const double free = taken ? fraction_beside(taken[at]) : 1.0;
                 const int number =
                     b->lo[0] + i + s->mesh->n[0] * (b->lo[1] + j + s->mesh->n[1] * (b->lo[2] + k)); /* of all cells */
-                TRY(nearest && room < 1.0 ? fill_beside(s, lo, room, nearest[number], contents)
-                                          : fill_cell(s, lo, room, contents));
-                double filled = room > 0.0 ? 0.0 : 1.0;
+                TRY(nearest && free < 1.0 ? fill_beside(s, lo, free, nearest[number], contents)
+                                          : fill_cell(s, lo, free, contents));
+                double filled = free > 0.0 ? 0.0 : 1.0;
                 for (int r = 0; r < s->n_materials; ++r) filled += contents[r].fraction;
                 if (!(filled > 0.0)) {
                     char place[160];
@@ -219,7 +221,7 @@ static floe_status initialise_block(const ice *s, const ice_view *v, const doubl
                         "%s at (%g, %g, %g) is empty: no body covers it; give an `ambient`, or a body of fluid there",
                         place, lo[0], lo[1], lo[2]);
                 }
-                store(s, v, at, contents);
+                store_contents(s, v, at, contents);
             }
     return FLOE_OK;
 }
@@ -265,14 +267,14 @@ static void start_solid_volumes(const ice *s, const ice_view *v, const double *p
  * bodies' gas is as dense there as it is in its part of the cell. */
 static floe_status fill_open(const ice *s, const int cell[2], const double lo[3], content *contents)
 {
-    double room = 1.0;
-    TRY(add_bodies(s, lo, &room, contents));
+    double free = 1.0;
+    TRY(add_bodies(s, lo, &free, contents));
     for (int r = 0; r < s->n_materials; ++r) {
         const double open = ice_open_cell(s, r, SEAL_NOW, cell);
         const bool ambient = s->scene->has_ambient && ice_material_of(s, s->scene->ambient_material) == r;
         content *c = &contents[r];
         if (open == 0.0) memset(c, 0, sizeof *c);
-        if (ambient && c->fraction < open) TRY(add_ambient(s, contents, open - c->fraction));
+        if (ambient && c->fraction < open) TRY(add_ambient_content(s, contents, open - c->fraction));
     }
     return FLOE_OK;
 }
@@ -288,7 +290,7 @@ static void store_open(const ice *s, const ice_view *v, const int cell[2], ptrdi
         contents[r].fraction = 1.0 / s->n_materials; /* stored as they are */
         for (int a = 0; a < 2; ++a) contents[r].momentum[a] /= share > 0.0 ? share : 1.0;
     }
-    store(s, v, at, contents);
+    store_contents(s, v, at, contents);
 }
 
 floe_status ice_sealed_fill(ice *s)

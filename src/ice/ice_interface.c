@@ -16,7 +16,7 @@
 
 enum { MOST_FACES = 2 * MESH_MAX_DIM };
 
-static size_t rows_of(const block *b)
+static size_t count_rows(const block *b)
 {
     return (size_t)ice_rows_of(b, -1, MESH_GHOST).n;
 }
@@ -25,7 +25,7 @@ floe_status ice_interfaces_create(ice *s, int block_id)
 {
     const bool sharp = s->scene->method.limiter != ICE_LIMITER_FIRST_ORDER;
     if (!s->work->interfaces || !sharp) return FLOE_OK;
-    return memory_new(s->ctx, &s->work->sharp[block_id], rows_of(&s->mesh->block[block_id]), sizeof(ice_span));
+    return memory_new(s->ctx, &s->work->sharp[block_id], count_rows(&s->mesh->block[block_id]), sizeof(ice_span));
 }
 
 void ice_interfaces_destroy(context *ctx, ice_work *w)
@@ -212,9 +212,9 @@ static void give_through(const ice_view *v, ptrdiff_t at, int i, int axis, bool 
     }
 }
 
-/* Of the fluids that would give more than they have, less at every face, and more of those that have something left, in proportion to it: as much as
- * the others fall short of (all faces together take no more than the cell's volume). */
-static void bound(const ice_view *v, ptrdiff_t at, giving *g)
+/* Fluids whose outflow would exceed their content give less at every face, and those with content left give more, in
+ * proportion to it: as much as the others fall short of (all faces together take no more than the cell's volume). */
+static void bound_outflow(const ice_view *v, ptrdiff_t at, giving *g)
 {
     double factor[ICE_MAX_MATERIALS], left[ICE_MAX_MATERIALS];
     bool over = false;
@@ -244,13 +244,13 @@ static void bound(const ice_view *v, ptrdiff_t at, giving *g)
 }
 
 /* The faces among them that are the block's own take it. c: local cell. */
-static void give(const ice_view *v, const int *c)
+static void give_through_faces(const ice_view *v, const int *c)
 {
     const ptrdiff_t at = mesh_index(v->b, c[0], c[1], c[2]);
     giving g = {.n = 0};
     for (int a = 0; a < v->dim; ++a)
         for (int upper = 0; upper < 2; ++upper) give_through(v, at, c[0], a, upper, &g);
-    bound(v, at, &g);
+    bound_outflow(v, at, &g);
     for (int n = 0; n < g.n; ++n) {
         const int axis = n / 2, number = c[axis] + n % 2;
         bool own = number >= 0 && number <= v->b->n[axis];
@@ -286,7 +286,7 @@ void ice_sharpen_faces(const ice_view *v)
         const int j = ice_row_j(cells, row), k = ice_row_k(cells, row);
         const ice_span marked = v->sharp[ice_row_number(v->b, j, k)];
         for (int i = marked.first; i < marked.end; ++i)
-            if (v->interface[mesh_index(v->b, i, j, k)] > 0.0) give(v, (const int[]){i, j, k});
+            if (v->interface[mesh_index(v->b, i, j, k)] > 0.0) give_through_faces(v, (const int[]){i, j, k});
     }
     for (int axis = 0; axis < v->dim; ++axis) {
         const ice_rows q = ice_rows_of(v->b, axis, 0);

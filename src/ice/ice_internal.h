@@ -1,4 +1,5 @@
-/* What the files of the ICE room share: the scratch of a run, a block as the kernels see it, and the kernel table. */
+/* Shared by the files of the ice module: the scratch of a run, the view of a block that kernels take, and the table of
+ * kernels. */
 #ifndef ICE_ICE_INTERNAL_H
 #define ICE_ICE_INTERNAL_H
 
@@ -10,19 +11,19 @@
 #include <float.h>
 #include <math.h>
 
-/* Instance of the shared fields that stages work on: the gas in hand where a membrane keeps gases apart. */
+/* Instance of the shared fields that stages work on: the current gas where boundaries separate gases. */
 static inline int ice_instance(const ice *s)
 {
     return s->sealed && s->gas >= 0 ? s->gas : 0;
 }
 
-/* One fluid, limited, has its contacts sharpened (C_CONTACT). */
+/* Whether contact discontinuities of a single fluid are sharpened (C_CONTACT). */
 static inline bool ice_sharpens(const ice *s)
 {
     return !s->multi && !s->sealed && s->scene->method.limiter == ICE_LIMITER_DEFAULT;
 }
 
-/* Without fmin's care for NaN, so that they vectorise. */
+/* These do not treat NaN as fmin does, so that they vectorise. */
 FLOE_ALWAYS_INLINE double least(double a, double b)
 {
     return a < b ? a : b;
@@ -41,21 +42,21 @@ typedef struct ice_span {
 /* A material's arrays in one block; NULL where the plan has no such field. Face arrays hold one axis each. */
 typedef struct ice_arrays {
     double *rho, *u[3], *e, *vol; /* current state; vol: incoming v */
-    double *open, *open1;         /* share of the cell left to the gas, now and next; NULL: all */
+    double *open, *open1;         /* open fraction of the cell, now and next; NULL: 1 */
     double *v;                    /* equilibrated v of this step (lies in the next array of C_VOL) */
     double *T, *theta, *c, *kappa;
     double *fu[3], *ft[3];            /* u*, theta at faces */
     double *ul[3], *el, *vl;          /* Lagrangian values */
     double *rho1, *u1[3], *e1, *vol1; /* next state; vol1 is v */
-    double *e_found, *vol_found;      /* before mixed cells are closed; NULL where that changes no state */
+    double *e_found, *vol_found;      /* before the closure of mixed cells; NULL where that changes no state */
     double *rhol;                     /* after the mass exchange, of solids too; NULL without reactions */
     double *source[3], *mom[3], *dv[3], *stress[3]; /* materials carried by points; stress: C_STRESS_ACCEL */
     double *diff[3], *heat, *diffT;                 /* ice_diffusion.c */
     double *mobility[3];                            /* at faces, of the implicit pressure */
-    const ice_span *near; /* of each row, ghosts too: cells that may be near the material; NULL: all */
+    const ice_span *near; /* of each row, with ghosts: cells that may be near the material; NULL: all */
 } ice_arrays;
 
-/* One block, ready for the kernels. With one fluid, rho_sum, mean and flux are that fluid's own rho, u and fu. */
+/* View of a block for kernels. With one fluid, rho_sum, mean and flux are rho, u and fu of that fluid. */
 typedef struct ice_view {
     const block *b;
     int dim, n_materials; /* those in m */
@@ -66,37 +67,39 @@ typedef struct ice_view {
     const double *volume;    /* m3 of local cell i along axis 0 */
     const double *area0;     /* of its lower face along axis 0 */
     const double *radius0;   /* m: of that face, where axis 0 is a radius */
-    const double *interface; /* 1 at an interface between fluids, else 0; NULL: none are looked for */
+    const double *interface; /* 1 at an interface between fluids, else 0; NULL: interfaces are not sought */
     const ice_span *sharp;   /* work.sharp of the block */
     double *p, *P, *dP, *shock, *contact, *rho_sum, *kappa_sum, *mean[3], *limiter, *mixed, *tmv, *wall, *owed;
     double *fp[3], *flux[3];
     double base, slope;        /* shock sensor: s = base + slope * sensor */
-    double limit_lo, limit_hi; /* limiter factors are kept between these: none 1,1; default 0,1; first order 0,0 */
+    double limit_lo, limit_hi; /* limiter factors lie between these: none 1,1; default 0,1; first order 0,0 */
     double length, finest;     /* m: the largest spacing and the smallest */
-    double share[3];           /* of each axis' spacing in the largest: one on square cells */
-    bool burns;                /* some solid on points is used up */
-    double advance; /* half steps that u* and P are ahead in time: 1; 2 where the implicit pressure is at the end */
+    double share[3];           /* ratio of each axis' spacing to the largest: one on square cells */
+    bool burns;                /* some solid on points reacts */
+    double
+        advance; /* half time steps by which u* and P are ahead: 1; 2 where the implicit pressure is that of the end of the step */
     double *step, *last_step; /* implicit: phi dP of this step and of the last */
     double *reacted[REACTION_MAX];
     double *burnt_momentum[REACTION_MAX][3], *burnt_energy[REACTION_MAX]; /* NULL where the reactant is a fluid */
     ice_arrays m[ICE_MAX_MATERIALS];
 } ice_view;
 
-/* C_MIXED holds the number of materials in a cell, and this more where one of them is carried by points. */
+/* C_MIXED is the number of materials in a cell, plus this where one of them is carried by points. */
 enum { ICE_WITH_POINTS = 64 };
 static inline bool ice_holds_points(const ice_view *v, ptrdiff_t at)
 {
     return v->mixed[at] >= ICE_WITH_POINTS;
 }
 
-/* Number of row (j, k) of a block with its ghosts. */
+/* Index of row (j, k) of a block with its ghosts. */
 static inline int ice_row_number(const block *b, int j, int k)
 {
     const int wide = b->dim > 1 ? b->n[1] + 2 * MESH_GHOST : 1;
     return (b->dim > 2 ? (k + MESH_GHOST) * wide : 0) + (b->dim > 1 ? j + MESH_GHOST : 0);
 }
 
-/* Of a row's values [lo, hi), those that can be other than zero for a material; `further` more at the upper end (1 for faces along axis 0). */
+/* Of a row's values [lo, hi), those that may be non-zero for a material; `further` more at the upper end (1 for faces
+ * along axis 0). */
 static inline ice_span ice_near(const ice_view *v, const ice_arrays *m, int j, int k, int further, int lo, int hi)
 {
     if (!m->near) return (ice_span){lo, hi};
@@ -109,7 +112,8 @@ static inline ice_span ice_near(const ice_view *v, const ice_arrays *m, int j, i
  * fluid or several; the tables are indexed [dim - 1][multi]. */
 typedef void ice_row(const ice_view *v, int j, int k);
 typedef void ice_material_row(const ice_view *v, int r, int axis, int j, int k);
-typedef int ice_source_row(const ice *s, const ice_view *v, int j, int k); /* how many cells were guarded */
+typedef int ice_source_row(const ice *s, const ice_view *v, int j,
+                           int k); /* returns the number of cells with a guard */
 typedef struct ice_advect_job ice_advect_job;
 typedef struct ice_advect_result {
     int bad, guarded;
@@ -125,7 +129,7 @@ extern ice_row *const ice_limiter_row[3];
 extern ice_source_row *const ice_source_row_of[3][2];
 extern ice_advect_slabs *const ice_advect_of[3][2];
 
-/* Chosen once, when the scene is resolved. */
+/* Kernels, chosen once when the scene is resolved. */
 typedef struct ice_kernels {
     ice_row *sensor, *contact, *increment, *limiter;
     ice_material_row *face_velocity, *face_theta;
@@ -148,27 +152,27 @@ struct ice_advect_job {
     const ice_view *v;
     int material, first, last;
     bool conserve;       /* theory 2.8 (iii) */
-    double energy_floor; /* J/kg; -DBL_MAX where the law must be asked cell by cell */
+    double energy_floor; /* J/kg; -DBL_MAX where it must be evaluated cell by cell */
     double *buffer;      /* of the thread */
 };
 
-/* Per tile: what a step gathers. */
+/* Sums of a step for each tile. */
 enum {
     TILE_MASS,     /* advected through open sides, inward */
     TILE_MOMENTUM, /* three, and three moments (ice_push) */
     TILE_ENERGY = TILE_MOMENTUM + 6,
-    TILE_DEFECT,          /* J: energy that guards made or took */
+    TILE_DEFECT,          /* J: energy added or removed by guards */
     TILE_MASS_DEFECT,     /* kg */
     TILE_MOMENTUM_DEFECT, /* as TILE_MOMENTUM */
     TILE_GUARDS = TILE_MOMENTUM_DEFECT + 6,
     TILE_FLOORS,
     TILE_SOURCE_ENERGY,                      /* J: gravity's work */
     TILE_SOURCE_MOMENTUM,                    /* as TILE_MOMENTUM */
-    TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 6, /* three, of whoever needs them, zero otherwise */
+    TILE_SCRATCH = TILE_SOURCE_MOMENTUM + 6, /* three, scratch of any stage, otherwise zero */
     TILE_VALUES = TILE_SCRATCH + 3
 };
 
-/* State of the fluid that an inlet brings, or that lies behind an outlet. */
+/* State of the fluid at an inlet or beyond an outlet. */
 typedef struct ice_reservoir {
     double rho, e, T, v;
 } ice_reservoir;
@@ -178,32 +182,33 @@ typedef struct ice_cell_list {
     size_t n;
 } ice_cell_list;
 
-/* Storage of the implicit pressure (ice_implicit.c); NULL in scenes that do not ask for it. */
+/* Storage of the implicit pressure (ice_implicit.c); NULL in scenes without it. */
 typedef struct ice_implicit ice_implicit;
 floe_status ice_implicit_create(ice *s);
 void ice_implicit_destroy(context *ctx, ice_implicit **w);
 
-/* The coefficients of ice.exchange: momentum along the normal of pairs that slip (and all of it elsewhere), across it, heat. */
+/* Coefficients of ice.exchange: of momentum along the normal of pairs that slip (of all momentum elsewhere), of
+ * tangential momentum, of heat. */
 typedef enum ice_coefficient { ICE_NORMAL, ICE_TANGENTIAL, ICE_HEAT, ICE_COEFFICIENTS } ice_coefficient;
 
-/* A law of exchange that sees the state of its pair. */
+/* An exchange law that depends on the state of its pair. */
 typedef struct ice_pair_law {
     int first, second;
-    ice_coefficient which; /* it stands for */
+    ice_coefficient which; /* which coefficient it gives */
     const struct exchange_law *model;
     const void *par; /* the scene's */
 } ice_pair_law;
 
-/* What `exchange` of the deck asks for beyond constants. */
+/* Exchange laws of the deck. */
 typedef struct ice_pairs {
     double (*table[ICE_COEFFICIENTS])[EXCHANGE_MAX]; /* constants, in ice.exchange */
     ice_pair_law law[3 * SCENE_MAX_EXCHANGES];
     int n;
     bool plain;                   /* constants alone */
-    bool unlike;                  /* of three materials or more, pairs differ */
+    bool unlike;                  /* of three or more materials, pairs have different constants */
     bool heat;                    /* some pair exchanges heat */
     bool slips;                   /* some pair has a tangential law of its own */
-    bool wall[ICE_MAX_MATERIALS]; /* the gradient of these materials' volume is the normal */
+    bool wall[ICE_MAX_MATERIALS]; /* the gradient of these materials' volume fraction is the normal */
 } ice_pairs;
 
 /* Materials at a cell or face, before exchange. */
@@ -220,19 +225,19 @@ typedef struct ice_reactions {
     reaction_solver **solver; /* one a thread */
 } ice_reactions;
 
-/* What reactions make of one cell in the step, per cell volume. */
+/* Effect of reactions on one cell in the step, per cell volume. */
 typedef struct ice_creation {
     bool any;
     double mass[ICE_MAX_MATERIALS], volume[ICE_MAX_MATERIALS]; /* kg/m3, 1: at the pressure of the step's start */
     double theta[ICE_MAX_MATERIALS];                           /* volume fractions that dP compresses */
-    double dP; /* Pa: full-step increment that takes the new volume back (theory 2.3) */
+    double dP; /* Pa: full-step pressure increment that compensates the new volume (theory 2.3) */
 } ice_creation;
 
-/* Mixed cells that are solved for side by side. */
+/* Mixed cells whose equilibrium is solved as a batch. */
 typedef struct ice_mixed_cells {
     equilibrium_batch batch;
     isentrope path[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH];
-    bool frozen[EQUILIBRIUM_BATCH]; /* cells near one pressure, whose T and e stay */
+    bool frozen[EQUILIBRIUM_BATCH]; /* cells almost in equilibrium, whose T and e stay */
     /* At the paths' ends: J/kg, J/(kg K), K. */
     double e[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH], cv[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH],
         T[ICE_MAX_MATERIALS][EQUILIBRIUM_BATCH];
@@ -251,7 +256,7 @@ typedef struct ice_work {
     unsigned **set;                       /* one a thread, a row long; NULL with one fluid */
     ice_mixed_cells *cells;               /* one a thread; NULL with one fluid */
     ice_cell_list mixed[MESH_MAX_BLOCKS]; /* owned cells with more than one material, in order */
-    /* owned cells whose pressure is continued into a solid (ice_continue.c) */
+    /* owned cells inside a solid whose pressure is extrapolated from the fluid (ice_continue.c) */
     ice_cell_list continued[MESH_MAX_BLOCKS];
     /* Of each material and row, ghosts too: cells from the first to the last that have the material (ice_span.c), and the same with two
      * rows and two cells more on every side; NULL where it is not looked for. */
@@ -260,25 +265,26 @@ typedef struct ice_work {
     double energy_floor[ICE_MAX_MATERIALS]; /* J/kg where the law's floor is constant, else NAN */
     /* Of each row, ghosts too: cells from the first to the last that lie at an interface (ice_interface.c). NULL: none are sharpened. */
     ice_span *sharp[MESH_MAX_BLOCKS];
-    /* Cells are closed along isentropes: there are several fluids, or one's energy depends on volume at a given temperature. */
+    /* Mixed cells are closed along isentropes: there are several fluids, or the energy of one depends on volume at
+     * given temperature. */
     bool reconcile;
     bool interfaces;             /* cells at interfaces between fluids are found */
-    long found[MESH_MAX_BLOCKS]; /* 1 + the step of which a block has e_found and vol_found; 0: of none */
-    struct ice_sealing *sealing; /* owned (ice_pool.h); NULL: no membrane holds gas */
+    long found[MESH_MAX_BLOCKS]; /* 1 + the step whose e_found and vol_found a block has; 0: none */
+    struct ice_sealing *sealing; /* owned (ice_merged_cells.h); NULL: no embedded boundaries */
     ice_cell_list region[SCENE_MAX_LOADS][MESH_MAX_BLOCKS]; /* owned cells of heat and pressurise loads */
 } ice_work;
 
 /* Pressures and fractions of several materials in one block (theory 2.1). */
 floe_status ice_mixture(ice *s, int block_id, const ice_view *v);
-/* Storage of the spans (work.span, work.near) of a block; where reactions make materials anywhere there is none. */
+/* Allocates the spans (work.span, work.near) of a block; none where reactions may produce a material in any cell. */
 floe_status ice_spans_create(ice *s, int block_id);
 void ice_spans_destroy(context *ctx, ice_work *w);
-/* Notes in which cells of a row a material is, from its density with ghosts. */
+/* Finds the cells of a row that contain a material, from its density with ghosts. */
 void ice_note_span(const ice *s, const block *b, int r, int j, int k, const double *rho);
-/* near from span, once all rows are noted. */
+/* Sets `near` from `span`, after all rows have been searched. */
 void ice_widen_spans(const ice *s, int block_id);
-/* Keeps what closing the cells of a block is going to change of the state, for ice_forget_step. */
-void ice_keep_found(ice *s, int block_id, const ice_view *v);
+/* Saves the state that the closure of a block's cells will change, for ice_rollback_step. */
+void ice_save_found(ice *s, int block_id, const ice_view *v);
 /* State of a law at a pressure and a temperature. */
 ice_reservoir ice_state_at(const eos *law, double p, double T);
 /* Whether the scene's fluids are at rest and given by pressure and temperature throughout. */
@@ -286,24 +292,26 @@ bool ice_asks_for_rest(const ice *s);
 /* Columns at rest (theory 2.4), where gravity acts on fluids at rest given by pressure and temperature. */
 floe_status ice_hydrostatic(ice *s);
 
-/* Cells whose pressure is continued into a solid take no increment (ice_continue.c). */
-void ice_hold_continued(const ice *s);
+/* Cells with extrapolated pressure take no pressure increment (ice_continue.c). */
+void ice_constrain_continued(const ice *s);
 bool ice_is_continued(const ice *s, const ice_view *v, ptrdiff_t at);
 
-/* Specific volume of a material after an increment of pressure (theory 2.10). Slivers, and what is `bound`, lose or gain no more than a factor of
- * ten in a step. */
-static inline double ice_room_after(const ice_arrays *m, ptrdiff_t at, double dP, bool bound)
+/* Specific volume of a material after a pressure increment (theory 2.10). Materials with a small volume fraction, and
+ * `bound` ones, change by a factor of ten at most in a step. */
+static inline double ice_specific_volume_after(const ice_arrays *m, ptrdiff_t at, double dP, bool bound)
 {
-    const double room = m->v[at], next = room - m->theta[at] * m->kappa[at] * dP / m->rho[at];
-    const bool held = m->theta[at] < ICE_BOUND_FRACTION || bound;
-    return held ? least(most(next, room / ICE_MOST_ROOM_CHANGE), room * ICE_MOST_ROOM_CHANGE) : next;
+    const double specific_volume = m->v[at], next = specific_volume - m->theta[at] * m->kappa[at] * dP / m->rho[at];
+    const bool bounded = m->theta[at] < ICE_BOUND_FRACTION || bound;
+    return bounded
+               ? least(most(next, specific_volume / ICE_MOST_VOLUME_CHANGE), specific_volume * ICE_MOST_VOLUME_CHANGE)
+               : next;
 }
 
-/* Interfaces between fluids (ice_interface.c). Storage of a block's spans; which cells lie at one; */
+/* Interfaces between fluids (ice_interface.c): storage of a block's spans; the cells at interfaces; */
 floe_status ice_interfaces_create(ice *s, int block_id);
 void ice_interfaces_destroy(context *ctx, ice_work *w);
 floe_status ice_find_interfaces(ice *s);
-/* their gradients are none, and the fractions that they give up at faces are those of a sharp profile. */
+/* gradients there are zero, and fractions at faces are those of a sharp profile. */
 void ice_flatten_interfaces(const ice_view *v);
 void ice_sharpen_faces(const ice_view *v);
 
@@ -313,35 +321,35 @@ static inline bool ice_near_pressure(const isentrope *own, double p)
     return fabs(own->p - p) < ICE_NEAR_ONE_PRESSURE * own->p && own->floor == 0.0;
 }
 
-/* Share of positive heat that goes by theta kappa and not by rho T: of dispersed fluids in a shock. */
+/* Share of positive heat that is distributed by theta kappa and not by rho T: for dispersed fluids in a shock. */
 static inline double ice_shocked(const ice_view *v, ptrdiff_t at, double heat)
 {
     return v->interface && heat > 0.0 ? v->shock[at] * (1.0 - v->interface[at]) : 0.0;
 }
 
-/* Volume fractions at faces and the volume flux that they make, of several materials (2.3). */
+/* Volume fractions at faces and volume fluxes, of several materials (2.3). */
 void ice_face_fractions(const ice *s, const ice_view *v);
-/* Once dP and P are known: volumes relaxed, continued cells held, ghosts. */
+/* After dP and P are known: relaxes volumes, constrains cells with extrapolated pressure, sets ghosts. */
 void ice_finish_increment(const ice *s);
 
 void ice_view_make(const ice *s, int block_id, ice_view *v);
 
-/* How a field is continued into the ghosts beyond a side. */
+/* How ghost cells beyond a side are set. */
 typedef enum ice_ghost {
     GHOST_EVEN,      /* mirrored; nearest cell at open sides */
     GHOST_ZERO_OPEN, /* mirrored; zero at open sides */
-    GHOST_VELOCITY,  /* a vector: normal component odd at walls; the wall's or inlet's values */
+    GHOST_VELOCITY,  /* a vector: normal component odd at walls; values of the wall or inlet */
     GHOST_DENSITY,
     GHOST_ENERGY,
-    GHOST_TEMPERATURE, /* as walls and inlets have it */
+    GHOST_TEMPERATURE, /* temperature of walls and inlets */
     GHOST_VOLUME       /* as EVEN; the reservoir's value at inlets */
 } ice_ghost;
 void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind);
-/* Ghost faces of F_VEL, so that the outflow of ghost cells is known. */
+/* Sets ghost faces of F_VEL, so that the outflow of ghost cells is known. */
 void ice_fill_faces(const ice *s, field_id id, int instance);
 bool ice_is_wall(bc_kind kind);
-/* Exchanges momentum at the faces normal to `axis`: of velocities, one array a material, or of whatever else is to be shared out
- * as they are. */
+/* Exchanges momentum at the faces normal to `axis`: of velocities, one array a material, or of other quantities that
+ * are exchanged in the same way. */
 void ice_exchange_faces(const ice *s, const ice_view *v, int axis, double *const *value);
 /* Sides behind which a state of a fluid lies. */
 bool ice_has_reservoir(bc_kind kind);
@@ -441,18 +449,18 @@ floe_status ice_reactions_resolve(ice *s);
 void ice_reactions_destroy(context *ctx, ice_work *w);
 /* Surface (m2/m3) at which a solid on points burns, in a cell (ice_burn.c). */
 double ice_burning_surface(const ice *s, const ice_view *v, int r, ptrdiff_t at);
-/* What reaction k has taken of the points of a cell, local index i along axis 0, joins its product. */
+/* Adds what reaction k has consumed of the points of a cell, local index i along axis 0, to its product. */
 void ice_join_burnt(const ice *s, const ice_view *v, int k, ptrdiff_t at, int i);
 ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at);
 /* The pressure of new volume, added to the array P in owned cells. */
 void ice_created_pressure(const ice *s, const ice_view *v, double *P);
 /* From the mass exchange on, rho is what it left. */
 void ice_view_lagrangian(ice_view *v);
-/* Viscosity of the gas in hand that a membrane keeps apart, of the state at t^n: first order in time. */
+/* Viscosity of the current gas that a membrane keeps apart, of the state at t^n: first order in time. */
 void ice_diffuse_sealed(const ice *s);
-/* How fast a cell is squeezed (m/s over the largest spacing): by div u, and by the sum of its parts along the axes, each by its spacing
- * over the largest, whichever is less. Both are the same on square cells; on others the volume's own length, V^(1/d), would make the
- * viscosity along the finer axis larger than explicit steps bear. */
+/* Rate of compression of a cell (m/s over the largest spacing): the lesser of div u and the sum of its terms along the
+ * axes, each times its spacing over the largest. Both are the same on square cells; on others the volume's own length,
+ * V^(1/d), would make the viscosity along the finer axis larger than explicit steps bear. */
 FLOE_ALWAYS_INLINE double ice_compression(double div, double jump)
 {
     return most(-most(div, jump), 0.0);
@@ -465,15 +473,15 @@ FLOE_ALWAYS_INLINE double ice_bulk_pressure(double rho, double speed, double squ
     return rho * squeeze * (quadratic * squeeze + s * linear * speed);
 }
 
-/* Share of a face on a side of the domain that is open to the gas in hand: 1 without membranes. */
+/* Share of a face on a side of the domain that is open to the current gas: 1 without membranes. */
 double ice_side_open(const ice *s, const block *b, const int local[2], int axis, int side);
 
-/* Pools (ice_pool.c). */
+/* Pools (ice_merged_cells.c). */
 floe_status ice_seal_create(ice *s);
 void ice_seal_destroy(context *ctx, struct ice_sealing **w);
-void ice_pool_centring(const ice *s);
-void ice_pool_increment(const ice *s);
-void ice_pool_sources(const ice *s);
+void ice_merged_centring(const ice *s);
+void ice_merged_increment(const ice *s);
+void ice_merged_sources(const ice *s);
 
 /* Loads (pressurise, heat) on the Lagrangian energies. */
 floe_status ice_apply_loads(ice *s);

@@ -59,7 +59,7 @@ typedef struct mixture {
     double density, compressibility, tie;
 } mixture;
 
-static void add_share(mixture *m, double theta, double rho, double kappa)
+static void add_material_share(mixture *m, double theta, double rho, double kappa)
 {
     m->density += theta * rho;
     m->compressibility += theta * kappa;
@@ -83,12 +83,12 @@ static mixture mixture_about(const ice *s, const ice_view *v, int r, ptrdiff_t a
         double p, c2 = c * c;
         if (q != r) s->material[q].eos.model->pressure(s->material[q].eos.par, 1, &density, &a->e[at], &p, &c2);
         free -= theta;
-        add_share(&m, theta, density, 1.0 / (density * c2));
+        add_material_share(&m, theta, density, 1.0 / (density * c2));
         if (q != r) m.tie += tie_of(s, r, q) * theta / rho;
     }
     for (int q = 0; q < s->n_materials && free > 0.0; ++q) {
         if (!s->material[q].points) continue;
-        add_share(&m, free, s->bulk[q].density, 1.0 / s->bulk[q].bulk_modulus);
+        add_material_share(&m, free, s->bulk[q].density, 1.0 / s->bulk[q].bulk_modulus);
         m.tie += tie_of(s, r, q) * free / rho;
         break;
     }

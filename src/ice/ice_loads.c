@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-static bool heats(const scene_load *load)
+static bool adds_heat(const scene_load *load)
 {
     return load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
 }
@@ -63,7 +63,8 @@ static double heat_by_power(const ice *s, const ice_view *v, int r, ptrdiff_t at
     return amount * (s->multi ? v->m[r].theta[at] : 1.0);
 }
 
-/* The same energy per mass everywhere: a region heats evenly, and slivers of thin gas are not singled out. */
+/* The same energy per mass everywhere: a region heats evenly, and small volume fractions of thin gas are not singled
+ * out. */
 static double heat_by_mass(const ice *s, const ice_view *v, int r, ptrdiff_t at, double amount)
 {
     (void)s;
@@ -134,7 +135,7 @@ static region_means means_of(ice *s, int l, int r)
     return (region_means){sum[TILE_SCRATCH + 1] / sum[TILE_SCRATCH], sum[TILE_SCRATCH + 2] / sum[TILE_SCRATCH]};
 }
 
-static void pressurise(ice *s, int l, int r)
+static void set_gas_pressure(ice *s, int l, int r)
 {
     bool active;
     const load_step step = {s->time, s->time + s->dt, s->step};
@@ -153,7 +154,7 @@ static double heat_of_step(const ice *s, const scene_load *load)
 /* The fluid that a load heats in this step, -1: none. */
 static int heated_by(const ice *s, const scene_load *load)
 {
-    const int r = heats(load) ? ice_material_of(s, load->material) : -1;
+    const int r = adds_heat(load) ? ice_material_of(s, load->material) : -1;
     if (r < 0 || s->material[r].points || !(s->time + s->dt > load->start)) return -1;
     return load->kind == LOAD_PRESSURISE || heat_of_step(s, load) != 0.0 ? r : -1;
 }
@@ -166,7 +167,7 @@ floe_status ice_apply_loads(ice *s)
         if (r < 0) continue;
         TRY(find_regions(s, l));
         if (load->kind == LOAD_PRESSURISE)
-            pressurise(s, l, r);
+            set_gas_pressure(s, l, r);
         else
             add_heat(s, l, r, heat_by_power, heat_of_step(s, load));
     }

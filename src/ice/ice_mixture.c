@@ -62,7 +62,7 @@ static mixture_run run_from(const mixture_row *q, int i)
 }
 
 /* sum over the materials of a run of rho x; x: an array of each. */
-static void weigh(const mixture_row *q, const mixture_run *run, const double *const *x, double *restrict sum)
+static void sum_weighted(const mixture_row *q, const mixture_run *run, const double *const *x, double *restrict sum)
 {
     for (int k = 0; k < run->count; ++k) {
         const double *restrict rho = q->v->m[run->material[k]].rho + run->from, *restrict value = x[k] + run->from;
@@ -79,7 +79,7 @@ static void set_mean_velocity(const mixture_row *q, const mixture_run *run, int 
         memcpy(mean, u[0] + run->from, (size_t)run->n * sizeof *mean);
         return;
     }
-    weigh(q, run, u, mean);
+    sum_weighted(q, run, u, mean);
     for (int i = 0; i < run->n; ++i) mean[i] /= rho[i];
 }
 
@@ -99,7 +99,7 @@ static void set_sums(const mixture_row *q, const mixture_run *run)
     const double *volume[ICE_MAX_MATERIALS];
     for (int k = 0; k < run->count; ++k) volume[k] = v->m[run->material[k]].vol;
     if (run->points)
-        weigh(q, run, volume, v->tmv + run->from);
+        sum_weighted(q, run, volume, v->tmv + run->from);
     else
         for (int i = 0; i < run->n; ++i) v->tmv[run->from + i] = 1.0;
 }
@@ -135,8 +135,8 @@ static floe_status explain_alone(const mixture_row *q, int r, ptrdiff_t from, in
     return FLOE_OK;
 }
 
-/* Where one material is alone p is its law's. A fluid fills its cells; a solid takes the room of its v, the points bring its T, and the law has
- * its e. */
+/* Where one material is alone p is its law's. A fluid fills its cells; a solid occupies the volume of its v, the points
+ * give its T, and the law has its e. */
 static floe_status set_alone(const mixture_row *q, const mixture_run *run)
 {
     const int r = run->material[0], n = run->n;
@@ -166,7 +166,7 @@ static floe_status set_alone(const mixture_row *q, const mixture_run *run)
 /* ---- several materials ---- */
 
 /* T of fluids; of solids the points bring T, and the law has e. */
-static void set_temperatures(const mixture_row *q, const mixture_run *run)
+static void set_mixture_temperatures(const mixture_row *q, const mixture_run *run)
 {
     for (int k = 0; k < run->count; ++k) {
         const int r = run->material[k];
@@ -181,7 +181,7 @@ static void set_temperatures(const mixture_row *q, const mixture_run *run)
     }
 }
 
-static floe_status explain(const mixture_row *q, const mixture_run *run, int i)
+static floe_status explain_mixture_fault(const mixture_row *q, const mixture_run *run, int i)
 {
     const equilibrium_batch *b = &q->mixed->batch;
     char place[160], text[512] = "";
@@ -287,8 +287,9 @@ static void follow_paths(const mixture_row *q, const mixture_run *run)
     }
 }
 
-/* Where fluids have next to no room the last pressure is one that was continued into the solid (ice_continue.c). What the solid itself had is in
- * its volume, which the last step has carried on: without it these cells, a third of those beside a cylinder, take six iterations for one or two. */
+/* Where fluids have almost no volume the last pressure was extrapolated into the solid (ice_continue.c). What the solid
+ * itself had is in its volume, which the last step has carried on: without it these cells, a third of those beside a
+ * cylinder, take six iterations for one or two. */
 static void guess_crowded(const mixture_row *q, const mixture_run *run)
 {
     equilibrium_batch *b = &q->mixed->batch;
@@ -296,9 +297,9 @@ static void guess_crowded(const mixture_row *q, const mixture_run *run)
         const ice_arrays *m = &q->v->m[run->material[k]];
         if (!q->s->material[run->material[k]].points) continue;
         for (int i = 0; i < run->n; ++i) {
-            const double room = m->vol[run->from + i], density = 1.0 / room;
+            const double specific_volume = m->vol[run->from + i], density = 1.0 / specific_volume;
             double c2;
-            if (b->a[k][i] * room > 1.0 - ICE_NO_ROOM)
+            if (b->a[k][i] * specific_volume > 1.0 - ICE_LEAST_FLUID_FRACTION)
                 b->eos[k]->model->pressure(b->eos[k]->par, 1, &density, &m->e[run->from + i], &b->p[i], &c2);
         }
     }
@@ -325,7 +326,7 @@ static floe_status solve_batch(mixture_row *q, const mixture_run *run)
     const equilibrium_batch *b = &q->mixed->batch;
     const bool solved = equilibrium_solve(&q->mixed->batch, run->n) == FLOE_OK;
     for (int i = 0; i < run->n; ++i) {
-        if (!solved && !b->solved[i]) return explain(q, run, i);
+        if (!solved && !b->solved[i]) return explain_mixture_fault(q, run, i);
         const int in_row = run->first + i;
         if (!q->owned || in_row < MESH_GHOST || in_row >= q->n - MESH_GHOST) continue;
         q->cells++;
@@ -381,7 +382,7 @@ static void store_batch(const mixture_row *q, const mixture_run *run)
 
 static floe_status set_mixed(mixture_row *q, const mixture_run *run)
 {
-    set_temperatures(q, run);
+    set_mixture_temperatures(q, run);
     load_batch(q, run);
     if (run->points) guess_crowded(q, run);
     TRY(solve_batch(q, run));
@@ -398,7 +399,7 @@ static double defined_pressure(double p, double floor)
 }
 
 /* The mean velocity and temperature of those present, weighted by mass, and what the law makes of it at the cell's pressure. */
-static void lend_state(const mixture_row *q, const mixture_run *run, int r)
+static void extrapolate_gas_state(const mixture_row *q, const mixture_run *run, int r)
 {
     const ice_view *v = q->v;
     const ice_arrays *m = &v->m[r];
@@ -407,7 +408,7 @@ static void lend_state(const mixture_row *q, const mixture_run *run, int r)
     const double *present[ICE_MAX_MATERIALS], *p = v->p + run->from, *rho = v->rho_sum + run->from;
     double *T = m->T + run->from;
     for (int k = 0; k < run->count; ++k) present[k] = v->m[run->material[k]].T;
-    weigh(q, run, present, T);
+    sum_weighted(q, run, present, T);
     for (int i = 0; i < run->n; ++i) {
         T[i] /= rho[i];
         m->theta[run->from + i] = 0.0;
@@ -437,7 +438,7 @@ static floe_status close_run(mixture_row *q, const mixture_run *run)
     else
         TRY(set_mixed(q, run));
     for (int r = 0; r < q->v->n_materials; ++r)
-        if (!(q->set[run->first] >> r & 1u)) lend_state(q, run, r);
+        if (!(q->set[run->first] >> r & 1u)) extrapolate_gas_state(q, run, r);
     return FLOE_OK;
 }
 
@@ -459,7 +460,7 @@ static floe_status mix_row(mixture_row *q, int j, int k)
     return FLOE_OK;
 }
 
-static mixture_row row_of(ice *s, const ice_view *v, int id, int j, int k)
+static mixture_row mixture_row_of(ice *s, const ice_view *v, int id, int j, int k)
 {
     const int n = v->b->n[0] + 2 * MESH_GHOST;
     double *buffer = s->work->buffer[thread_number()];
@@ -495,11 +496,11 @@ floe_status ice_mixture(ice *s, int block_id, const ice_view *v)
     const ice_rows rows = ice_rows_of(v->b, -1, MESH_GHOST);
     long cells = 0, iterations = 0, fallbacks = 0;
     int bad = 0;
-    ice_keep_found(s, block_id, v);
+    ice_save_found(s, block_id, v);
 #pragma omp parallel for schedule(static) reduction(+ : cells, iterations, fallbacks, bad)
     for (int row = 0; row < rows.n; ++row) {
         const int j = ice_row_j(rows, row), k = ice_row_k(rows, row);
-        mixture_row q = row_of(s, v, block_id, j, k);
+        mixture_row q = mixture_row_of(s, v, block_id, j, k);
         bad += mix_row(&q, j, k) != FLOE_OK;
         cells += q.cells;
         iterations += q.iterations;

@@ -13,12 +13,12 @@
 
 /* ---- reservoirs ---- */
 
-/* How pressure, density and energy of a law fall with the speed along an isentrope. */
+/* Decrease of pressure, density and energy with the speed along an isentrope. */
 typedef struct gas_state {
     double p, rho, e;
 } gas_state;
 
-static gas_state fall_of(const eos *law, const gas_state *at, double u)
+static gas_state expansion_rate(const eos *law, const gas_state *at, double u)
 {
     double p, c2;
     law->model->pressure(law->par, 1, &at->rho, &at->e, &p, &c2);
@@ -26,24 +26,25 @@ static gas_state fall_of(const eos *law, const gas_state *at, double u)
     return (gas_state){-at->rho * u, drho, p / (at->rho * at->rho) * drho};
 }
 
-static gas_state moved(gas_state from, gas_state by, double step)
+static gas_state moved_state(gas_state from, gas_state by, double step)
 {
     return (gas_state){from.p + step * by.p, from.rho + step * by.rho, from.e + step * by.e};
 }
 
 /* Speed u, up to that of sound, along the isentrope from a state at rest at p0. */
-static ice_reservoir expand(const eos *law, double p0, const ice_reservoir *rest, double u)
+static ice_reservoir expand_isentropically(const eos *law, double p0, const ice_reservoir *rest, double u)
 {
     enum { STEPS = 8 };
     const double step = u / STEPS;
     gas_state y = {p0, rest->rho, rest->e};
     for (int n = 0; n < STEPS; ++n) { /* Runge and Kutta's of order 4, with the speed as the clock */
         const double at = n * step;
-        const gas_state a = fall_of(law, &y, at), ya = moved(y, a, 0.5 * step);
-        const gas_state b = fall_of(law, &ya, at + 0.5 * step), yb = moved(y, b, 0.5 * step);
-        const gas_state c = fall_of(law, &yb, at + 0.5 * step), yc = moved(y, c, step);
-        const gas_state d = fall_of(law, &yc, at + step);
-        y = moved(moved(moved(moved(y, a, step / 6.0), b, step / 3.0), c, step / 3.0), d, step / 6.0);
+        const gas_state a = expansion_rate(law, &y, at), ya = moved_state(y, a, 0.5 * step);
+        const gas_state b = expansion_rate(law, &ya, at + 0.5 * step), yb = moved_state(y, b, 0.5 * step);
+        const gas_state c = expansion_rate(law, &yb, at + 0.5 * step), yc = moved_state(y, c, step);
+        const gas_state d = expansion_rate(law, &yc, at + step);
+        y = moved_state(moved_state(moved_state(moved_state(y, a, step / 6.0), b, step / 3.0), c, step / 3.0), d,
+                        step / 6.0);
     }
     ice_reservoir out = {.rho = y.rho, .e = y.e, .v = 1.0 / y.rho};
     law->model->temperature(law->par, 1, &out.rho, &out.e, &out.T);
@@ -51,7 +52,7 @@ static ice_reservoir expand(const eos *law, double p0, const ice_reservoir *rest
 }
 
 /* The speed beyond which a reservoir's gas is not led: the one of sound at rest. */
-static double fastest(const ice *s, int axis, mesh_side side, int r)
+static double sound_speed_at_rest(const ice *s, int axis, mesh_side side, int r)
 {
     const ice_reservoir *rest = &s->work->reservoir[axis][side];
     const eos *law = &s->material[r].eos;
@@ -69,10 +70,10 @@ static ice_side_state from_reservoir(const ice *s, int axis, mesh_side side, dou
     const int r = ice_material_of(s, wall->material);
     double w = (wall->pressure - R) / z, p = wall->pressure;
     if (!(w > 0.0)) return (ice_side_state){wall->pressure, -w};
-    const double most_speed = fastest(s, axis, side, r);
+    const double most_speed = sound_speed_at_rest(s, axis, side, r);
     w = fmin(w, most_speed);
     for (int k = 0; k < 8; ++k) {
-        const ice_reservoir now = expand(&s->material[r].eos, wall->pressure, rest, w);
+        const ice_reservoir now = expand_isentropically(&s->material[r].eos, wall->pressure, rest, w);
         double c2;
         s->material[r].eos.model->pressure(s->material[r].eos.par, 1, &now.rho, &now.e, &p, &c2);
         const double step = (p - z * w - R) / (now.rho * w + z);
@@ -91,7 +92,7 @@ void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axi
     if (s->material[r].scene_material != wall->material) return;
     const ice_reservoir *rest = &s->work->reservoir[axis][side];
     const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0,
-                 most_speed = fastest(s, axis, side, r);
+                 most_speed = sound_speed_at_rest(s, axis, side, r);
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
     bc_layers(b, axis, side, 0, 0, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
@@ -103,7 +104,7 @@ void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axi
                 if (!(speed > 0.0)) continue;
                 double value = component == axis ? inward * speed : 0.0;
                 if (kind != GHOST_VELOCITY) {
-                    const ice_reservoir now = expand(&s->material[r].eos, wall->pressure, rest, speed);
+                    const ice_reservoir now = expand_isentropically(&s->material[r].eos, wall->pressure, rest, speed);
                     value = kind == GHOST_DENSITY  ? now.rho
                             : kind == GHOST_ENERGY ? now.e
                             : kind == GHOST_VOLUME ? now.v

@@ -54,7 +54,7 @@ static floe_status resolve_pair(ice *s, const scene_exchange *e)
     return e->heat.model ? resolve_law(s, e, e->heat, ICE_HEAT, r, q) : FLOE_OK;
 }
 
-/* Of a law that bears tension. */
+/* Whether the law has tension. */
 static bool is_liquid(const ice_material *m)
 {
     return m->eos.model->pressure_floor(m->eos.par) < 0.0;
@@ -142,7 +142,7 @@ static double wall_fraction(const ice *s, const ice_view *v, ptrdiff_t at)
 
 /* Binomial weights over five cells along each axis. A normal that is off by eps takes sin^2(eps) of the slip a step from gas that is
  * locked along it: the smoother the fraction, the less (SMOOTH). */
-static double smoothed(const ice *s, const ice_view *v, ptrdiff_t at)
+static double smoothed_fraction(const ice *s, const ice_view *v, ptrdiff_t at)
 {
     static const double weight[5] = {1.0 / 16.0, 4.0 / 16.0, 6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0};
     const ptrdiff_t *st = v->b->stride;
@@ -166,7 +166,7 @@ floe_status ice_wall_fraction(ice *s)
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) {
             const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
-            for (ptrdiff_t at = base; at < base + v.b->n[0]; ++at) v.wall[at] = smoothed(s, &v, at);
+            for (ptrdiff_t at = base; at < base + v.b->n[0]; ++at) v.wall[at] = smoothed_fraction(s, &v, at);
         }
     }
     ice_fill_ghosts(s, C_WALL, 0, FILL_CURRENT, GHOST_EVEN);
@@ -206,25 +206,25 @@ bool ice_wall_normal(const ice_view *v, const double gradient[3], double normal[
 
 /* A solid bears a pressure that falls across it; the fluid in its cells feels that fall as a push along the normal, and by the error of the
  * normal as one along the surface, where nothing stops it. So it is dragged by the solid at the rate 30 |n . grad p|/(rho c) (1 - x)/x, with x from 0
- * where it fills less than ICE_NO_ROOM of a cell to 1 where it fills half: hard in gas, by as much as the fall is more than its own pressure over a
+ * where it fills less than ICE_LEAST_FLUID_FRACTION of a cell to 1 where it fills half: hard in gas, by as much as the fall is more than its own pressure over a
  * cell, next to not at all in liquids, and not by waves that run along the surface. Gases keep to their law: their slip is
  * asked for by name. */
 static void drag_in_solids(const ice *s, const double *mass, const ice_spot *spot, const double normal[3], double dt,
                            exchange_matrix a, exchange_matrix across)
 {
     const double strength = 30.0, most_share = 0.5;
-    double fluid = 0.0, push = 0.0;
+    double fluid = 0.0, slope_along = 0.0;
     for (int r = 0; r < s->n_materials; ++r)
         if (!s->material[r].points) fluid += spot->theta[r];
     if (!(fluid < most_share)) return;
-    for (int x = 0; x < s->mesh->dim; ++x) push += spot->slope[x] * normal[x];
-    const double free = most((fluid - ICE_NO_ROOM) / (most_share - ICE_NO_ROOM), 0.0);
+    for (int x = 0; x < s->mesh->dim; ++x) slope_along += spot->slope[x] * normal[x];
+    const double free = most((fluid - ICE_LEAST_FLUID_FRACTION) / (most_share - ICE_LEAST_FLUID_FRACTION), 0.0);
     for (int r = 0; r < s->n_materials; ++r)
         for (int q = 0; q < s->n_materials; ++q) {
             if (s->material[r].points == s->material[q].points) continue;
             const int f = s->material[r].points ? q : r;
             if (!is_liquid(&s->material[f])) continue;
-            const double rate = strength * fabs(push) / (spot->density[f] * spot->sound[f]);
+            const double rate = strength * fabs(slope_along) / (spot->density[f] * spot->sound[f]);
             const double drag = free > 0.0 ? mass[f] * rate * dt * (1.0 / free - 1.0) : (double)INFINITY;
             across[r][q] = most(across[r][q], least(a[r][q], drag));
         }
@@ -266,7 +266,7 @@ static void face_vector(const ice *s, const ice_view *v, int r, int axis, ptrdif
     const ice_arrays *m = &v->m[r];
     const ptrdiff_t L = R - v->b->stride[axis];
     const double sum = m->rho[L] + m->rho[R], inverse = 1.0 / (sum + ICE_TINY);
-    const double phi = 0.5 + 0.25 * (v->shock[L] + v->shock[R]), room = m->theta[L] + m->theta[R];
+    const double phi = 0.5 + 0.25 * (v->shock[L] + v->shock[R]), fractions = m->theta[L] + m->theta[R];
     for (int a = 0; a < v->dim; ++a) {
         if (a == axis) {
             u[a][r] = m->fu[a][R];
@@ -276,7 +276,7 @@ static void face_vector(const ice *s, const ice_view *v, int r, int axis, ptrdif
         const double rise = 0.25 * (v->p[L + st] - v->p[L - st] + v->p[R + st] - v->p[R - st]);
         const double mean =
             sum > 0.0 ? (m->rho[L] * m->u[a][L] + m->rho[R] * m->u[a][R]) * inverse : 0.5 * (m->u[a][L] + m->u[a][R]);
-        u[a][r] = mean + phi * v->dt * (v->gravity[a] - rise * v->inv_h[a] * room * inverse);
+        u[a][r] = mean + phi * v->dt * (v->gravity[a] - rise * v->inv_h[a] * fractions * inverse);
         if (s->material[r].points) u[a][r] += ice_stress_kick(s, v, r, axis, a, R);
     }
 }

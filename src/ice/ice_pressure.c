@@ -16,7 +16,7 @@ static bool finish_row(const double *restrict p, double *restrict c, ptrdiff_t f
     return bad == 0;
 }
 
-static floe_status explain(const ice *s, const ice_view *v)
+static floe_status explain_pressure_fault(const ice *s, const ice_view *v)
 {
     const ice_arrays *m = &v->m[0];
     for (int k = 0; k < v->b->n[2]; ++k)
@@ -47,7 +47,7 @@ static floe_status single_fluid(ice *s, const ice_view *v)
         law->model->pressure(law->par, (size_t)n, m->rho + from, m->e + from, v->p + from, m->c + from);
         bad += !finish_row(v->p, m->c, from, from + n);
     }
-    return bad ? explain(s, v) : FLOE_OK;
+    return bad ? explain_pressure_fault(s, v) : FLOE_OK;
 }
 
 floe_status ice_equilibrium_pressure(ice *s)

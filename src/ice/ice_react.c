@@ -68,7 +68,7 @@ static double surface_of(const ice_view *v, int r, ptrdiff_t at)
 }
 
 /* False: nothing can react. */
-static bool gather(const ice *s, const ice_view *v, ptrdiff_t at, reaction_cell *c)
+static bool gather_reaction_cell(const ice *s, const ice_view *v, ptrdiff_t at, reaction_cell *c)
 {
     const ice_reactions *all = &s->work->reactions;
     bool any = false;
@@ -101,7 +101,8 @@ static bool react_row(const ice *s, const ice_view *v, ptrdiff_t base)
     for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
         double reacted[REACTION_MAX] = {0.0};
         reaction_cell c;
-        if (gather(s, v, at, &c)) good = reaction_integrate(all->solver[thread_number()], &c, v->dt, reacted) && good;
+        if (gather_reaction_cell(s, v, at, &c))
+            good = reaction_integrate(all->solver[thread_number()], &c, v->dt, reacted) && good;
         for (int k = 0; k < all->n; ++k) v->reacted[k][at] = reacted[k];
     }
     return good;
@@ -165,7 +166,7 @@ void ice_created_pressure(const ice *s, const ice_view *v, double *P)
 
 /* `reacted` joins the product, at the reactant's velocity. The kinetic energy that is lost so stays in the product as
  * heat. */
-static void join(const ice *s, const ice_view *v, const reaction *q, double reacted, ptrdiff_t at)
+static void add_to_product(const ice *s, const ice_view *v, const reaction *q, double reacted, ptrdiff_t at)
 {
     const ice_arrays *from = &v->m[q->reactant], *to = &v->m[q->product];
     const double before = to->rhol[at], mass = before + reacted;
@@ -194,8 +195,8 @@ static void exchange_row(const ice *s, const ice_view *v, int j, int k)
             if (all->burns[n])
                 ice_join_burnt(s, v, n, at, i);
             else
-                join(s, v, q, reacted, at);
-            /* The heat that solids hold has no account (their temperature is the scene's): it comes in here. */
+                add_to_product(s, v, q, reacted, at);
+            /* The heat of solids is not in the ledger (their temperature is that of the scene): it is entered here. */
             const double brought = q->heat + (all->burns[n] ? v->m[q->reactant].e[at] : 0.0);
             ice_tile(s, v->b, i, j, k)[TILE_SOURCE_ENERGY] += reacted * brought * v->volume[i];
         }

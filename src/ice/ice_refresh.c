@@ -4,24 +4,24 @@
 
 #include <string.h>
 
-static void copy(const ice_view *v, double *to, const double *from)
+static void copy_cells(const ice_view *v, double *to, const double *from)
 {
     memcpy(to, from, v->b->size * sizeof *to);
 }
 
-void ice_keep_found(ice *s, int block_id, const ice_view *v)
+void ice_save_found(ice *s, int block_id, const ice_view *v)
 {
     if (!s->work->reconcile) return;
     for (int r = 0; r < v->n_materials; ++r) {
         const ice_arrays *m = &v->m[r];
         if (!m->e_found) continue;
-        copy(v, m->e_found, m->e);
-        copy(v, m->vol_found, m->vol);
+        copy_cells(v, m->e_found, m->e);
+        copy_cells(v, m->vol_found, m->vol);
     }
     s->work->found[block_id] = s->step + 1;
 }
 
-void ice_forget_step(ice *s)
+void ice_rollback_step(ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         if (s->work->found[id] != s->step + 1) continue;
@@ -30,8 +30,8 @@ void ice_forget_step(ice *s)
         for (int r = 0; r < v.n_materials; ++r) {
             const ice_arrays *m = &v.m[r];
             if (!m->e_found) continue;
-            copy(&v, m->e, m->e_found);
-            copy(&v, m->vol, m->vol_found);
+            copy_cells(&v, m->e, m->e_found);
+            copy_cells(&v, m->vol, m->vol_found);
         }
         s->work->found[id] = 0;
     }
@@ -45,7 +45,7 @@ floe_status ice_refresh(ice *s)
     const ledger counted = *s->ledger;
     floe_status status = ice_boundary_ghosts(s);
     if (status == FLOE_OK) status = ice_equilibrium_pressure(s);
-    ice_forget_step(s);
+    ice_rollback_step(s);
     *s->ledger = counted;
     if (status != FLOE_RETRY) return status;
     context_clear(s->ctx);

@@ -6,13 +6,14 @@
  *                      gravity's impulse D_g then does the work D_g . (u + u^L)/2, and a column at rest is not heated
  *     where it cannot: Q^r = theta^r kappa^r P dP per volume (2.7) */
 #include "ice/ice_internal.h"
-#include "ice/sealed/ice_pool.h"
+#include "ice/sealed/ice_merged_cells.h"
 
 #include "coupling/isentrope.h"
 
 #include <math.h>
 
-/* What the pressure on a block's faces is made of: held apart from the view, so that loops know that no store changes it. */
+/* What the pressure on a block's faces is made of: apart from the view, so that the compiler knows that no store
+ * changes it. */
 typedef struct pressed {
     const double *fp[3], *flux[3], *lower0, *upper0;
     double dt, inv_h[3];
@@ -32,16 +33,16 @@ FLOE_ALWAYS_INLINE pressed pressed_of(const ice_view *v)
 }
 
 /* Pressure gradient impulse per volume and the work that faces do on the cell per volume. */
-typedef struct push {
+typedef struct pressure_force {
     double impulse[3], work;
-} push;
+} pressure_force;
 
-FLOE_ALWAYS_INLINE push push_of(const pressed *f, ptrdiff_t at, ptrdiff_t i, const int dim)
+FLOE_ALWAYS_INLINE pressure_force pressure_force_of(const pressed *f, ptrdiff_t at, ptrdiff_t i, const int dim)
 {
     const double *fp = f->fp[0], *flux = f->flux[0];
     /* (All of it has a value: what is set in part stays in memory in clang's vectors, one for all lanes.) */
-    push q = {{-f->dt * f->inv_h[0] * (fp[at + 1] - fp[at])},
-              f->lower0[i] * fp[at] * flux[at] - f->upper0[i] * fp[at + 1] * flux[at + 1]};
+    pressure_force q = {{-f->dt * f->inv_h[0] * (fp[at + 1] - fp[at])},
+                        f->lower0[i] * fp[at] * flux[at] - f->upper0[i] * fp[at + 1] * flux[at + 1]};
     for (int a = 1; a < dim; ++a) {
         const ptrdiff_t up = at + f->stride[a];
         q.impulse[a] = -f->dt * f->inv_h[a] * (f->fp[a][up] - f->fp[a][at]);
@@ -65,19 +66,19 @@ typedef struct single {
     pressed faces;
     ice_arrays m;
     const double *P, *p, *dP;
-    double fall[3], floor; /* m/s: gravity's in the step; J/kg */
+    double gravity_impulse[3], floor; /* m/s: gravity's in the step; J/kg */
     bool conserve;
 } single;
 
 /* u^L and e^L of a cell. Returns whether it fell back to 2.7. */
 FLOE_ALWAYS_INLINE bool single_cell(const single *g, ptrdiff_t at, ptrdiff_t i, const int dim)
 {
-    const push f = push_of(&g->faces, at, i, dim);
+    const pressure_force f = pressure_force_of(&g->faces, at, i, dim);
     const ice_arrays *m = &g->m;
     const double rho = m->rho[at], inverse = 1.0 / rho, inv_c = 1.0 / m->c[at];
     double kinetic = 0.0, gain = 0.0;
     for (int a = 0; a < dim; ++a) {
-        const double u = m->u[a][at], du = f.impulse[a] * inverse, next = u + (du + g->fall[a]);
+        const double u = m->u[a][at], du = f.impulse[a] * inverse, next = u + (du + g->gravity_impulse[a]);
         gain += du * 0.5 * (u + next);
         kinetic += 0.5 * next * next;
         m->ul[a][at] = next;
@@ -93,7 +94,7 @@ FLOE_ALWAYS_INLINE bool single_cell(const single *g, ptrdiff_t at, ptrdiff_t i, 
 FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve, double floor, const int dim)
 {
     single g = {pressed_of(v), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve};
-    for (int a = 0; a < dim; ++a) g.fall[a] = v->dt * v->gravity[a];
+    for (int a = 0; a < dim; ++a) g.gravity_impulse[a] = v->dt * v->gravity[a];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     int guarded = 0;
 #pragma omp simd reduction(+ : guarded)
@@ -110,7 +111,7 @@ static double reversible_gain(const ice *s, const ice_view *v, int r, ptrdiff_t 
     isentrope path;
     if (!s->work->reconcile || fabs(squeeze) <= ICE_LINEAR_SQUEEZE) return linear;
     if (!isentrope_through(&s->material[v->first + r].eos, m->v[at], m->e[at], &path)) return linear;
-    return isentrope_energy(&path, ice_room_after(m, at, v->dP[at], false)) - m->e[at];
+    return isentrope_energy(&path, ice_specific_volume_after(m, at, v->dP[at], false)) - m->e[at];
 }
 
 /* sum theta kappa of those that points carry. */
@@ -132,7 +133,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
     int guarded = 0;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
-        const push f = push_of(&faces, at, i, dim);
+        const pressure_force f = pressure_force_of(&faces, at, i, dim);
         double gain = 0.0;
         for (int r = 0; r < v->n_materials; ++r) {
             const ice_arrays *m = &v->m[r];
@@ -165,14 +166,14 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
         for (int r = 0; r < v->n_materials; ++r) {
             const ice_arrays *m = &v->m[r];
             if (points[r]) continue;
-            const double theta = m->theta[at], sliver = !beside ? 1.0 : fmin(1.0, theta / ICE_FULL_HEAT);
+            const double theta = m->theta[at], trace_factor = !beside ? 1.0 : fmin(1.0, theta / ICE_FULL_HEAT);
             if (shared && m->rho[at] > 0.0) {
                 const double gained = reversible_gain(s, v, r, at, plain);
                 m->el[at] = m->e[at] + gained;
                 given += m->rho[at] * gained;
                 continue;
             }
-            const double part = theta * m->kappa[at] * (usable ? share * heat : plain) * sliver;
+            const double part = theta * m->kappa[at] * (usable ? share * heat : plain) * trace_factor;
             m->el[at] = m->e[at] + (m->rho[at] > 0.0 ? part / m->rho[at] : 0.0);
         }
         v->owed[at] = shared ? heat - given : 0.0;
@@ -184,7 +185,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice *s, const ice_view *v, int j, int k, 
 static double pressure_defect(const ice *s, const ice_view *v, ptrdiff_t at, int i)
 {
     const pressed faces = pressed_of(v);
-    double made = -push_of(&faces, at, i, v->dim).work;
+    double made = -pressure_force_of(&faces, at, i, v->dim).work;
     for (int r = 0; r < v->n_materials; ++r) {
         const ice_arrays *m = &v->m[r];
         double square = 0.0;
@@ -204,7 +205,7 @@ static void note_guards(const ice *s, const ice_view *v, int j, int k)
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
         if (s->multi && v->mixed[at] > 1.0) continue;      /* several fluids, or a solid */
-        if (s->sealed && v->m[0].open[at] < 1.0) continue; /* pools keep accounts of their own */
+        if (s->sealed && v->m[0].open[at] < 1.0) continue; /* merged cells have sums of their own */
         const double made = pressure_defect(s, v, at, i);
         double scale = 0.0;
         for (int r = 0; r < v->n_materials; ++r)
@@ -221,7 +222,7 @@ static void note_gravity(const ice *s, const ice_view *v, int j, int k)
 {
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
-        if (s->sealed && ice_is_pooled(s, v->b, i, j)) continue; /* accounts of their own */
+        if (s->sealed && ice_is_merged(s, v->b, i, j)) continue; /* accounts of their own */
         double *tile = ice_tile(s, v->b, i, j, k), x[MESH_MAX_DIM];
         ice_place_of(s, v->b, (const int[]){i, j, k}, x);
         for (int r = 0; r < v->n_materials; ++r) {
@@ -280,7 +281,7 @@ floe_status ice_sources(ice *s)
     }
     if (s->diffuses) ice_diffuse(s);
     if (s->sealed && s->viscous) ice_diffuse_sealed(s);
-    if (s->sealed) ice_pool_sources(s);
+    if (s->sealed) ice_merged_sources(s);
     ice_boundary_work(s);
     TRY(ice_apply_loads(s));
     ice_enter_tiles(s);

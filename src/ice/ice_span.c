@@ -5,14 +5,14 @@
 
 #include "base/memory.h"
 
-static size_t rows_of(const block *b)
+static size_t count_rows(const block *b)
 {
     return (size_t)ice_rows_of(b, -1, MESH_GHOST).n;
 }
 
 floe_status ice_spans_create(ice *s, int block_id)
 {
-    const size_t spans = rows_of(&s->mesh->block[block_id]) * (size_t)s->n_materials;
+    const size_t spans = count_rows(&s->mesh->block[block_id]) * (size_t)s->n_materials;
     if (s->work->reactions.n > 0) return FLOE_OK;
     TRY(memory_new(s->ctx, &s->work->span[block_id], spans, sizeof(ice_span)));
     return memory_new(s->ctx, &s->work->near[block_id], spans, sizeof(ice_span));
@@ -33,7 +33,7 @@ void ice_note_span(const ice *s, const block *b, int r, int j, int k, const doub
     if (!s->work->span[b->id]) return;
     while (first < end && !(rho[row + first] > 0.0)) ++first;
     while (end > first && !(rho[row + end - 1] > 0.0)) --end;
-    s->work->span[b->id][(size_t)r * rows_of(b) + (size_t)ice_row_number(b, j, k)] = (ice_span){first, end};
+    s->work->span[b->id][(size_t)r * count_rows(b) + (size_t)ice_row_number(b, j, k)] = (ice_span){first, end};
 }
 
 /* Rows about j along an axis, [lo, hi), that the block has. */
@@ -44,7 +44,7 @@ static void rows_about(const block *b, int axis, int j, int *lo, int *hi)
     *hi = j + reach + 1 < b->n[axis] + ghost ? j + reach + 1 : b->n[axis] + ghost;
 }
 
-static ice_span widened(const block *b, const ice_span *span, int j, int k)
+static ice_span widened_span(const block *b, const ice_span *span, int j, int k)
 {
     int j0, j1, k0, k1;
     ice_span all = {b->n[0] + MESH_GHOST, -MESH_GHOST};
@@ -66,12 +66,12 @@ void ice_widen_spans(const ice *s, int block_id)
     const ice_rows q = ice_rows_of(b, -1, MESH_GHOST);
     if (!s->work->near[block_id]) return;
     for (int r = 0; r < s->n_materials; ++r) {
-        const ice_span *span = s->work->span[block_id] + (size_t)r * rows_of(b);
-        ice_span *near = s->work->near[block_id] + (size_t)r * rows_of(b);
+        const ice_span *span = s->work->span[block_id] + (size_t)r * count_rows(b);
+        ice_span *near = s->work->near[block_id] + (size_t)r * count_rows(b);
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) {
             const int j = ice_row_j(q, row), k = ice_row_k(q, row);
-            near[ice_row_number(b, j, k)] = widened(b, span, j, k);
+            near[ice_row_number(b, j, k)] = widened_span(b, span, j, k);
         }
     }
 }

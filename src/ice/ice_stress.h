@@ -48,13 +48,13 @@ FLOE_ALWAYS_INLINE face_diffusion diffusion_on(const diffusing *d, int axis, ptr
     return f;
 }
 
-/* The same of the gas in hand that a membrane keeps apart, of the state at t^n. */
+/* The same of the current gas that a membrane keeps apart, of the state at t^n. */
 face_diffusion ice_sealed_stress(const ice *s, const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i);
 
-/* The gas in hand's radial force on a cell by its hoop stress, per volume; 0 in the plane. */
+/* Radial force per volume of the hoop stress on a cell; 0 in the plane. */
 double ice_sealed_hoop(const ice *s, const ice_view *v, ptrdiff_t at, ptrdiff_t i);
 
-/* -tau_tt / r about an axis: the hoop stress pulls towards it, and works on no face. */
+/* -tau_tt / r in axisymmetric scenes: the hoop stress acts towards the axis and does no work on faces. */
 FLOE_ALWAYS_INLINE double diffusion_hoop(const diffusing *d, ptrdiff_t at, ptrdiff_t i, const int dim)
 {
     const double r = 0.5 * (d->radius[i] + d->radius[i + 1]), rate = d->u[0][at] / r;

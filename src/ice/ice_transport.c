@@ -47,7 +47,7 @@ static const char *fault_of(const ice *s, const ice_view *v, int r, ptrdiff_t at
 {
     const ice_arrays *m = &v->m[r];
     if (!ice_mass_stands(m, at, s->multi)) return "its mass would become negative or is no number";
-    if (s->multi && !(m->theta[at] > ICE_SLIVER)) return NULL;
+    if (s->multi && !(m->theta[at] > ICE_TRACE_FRACTION)) return NULL;
     if (!(ice_outflow(v, m, at, i, v->dim) <= 1.0)) return "more would flow out than it holds";
     const eos *law = &s->material[v->first + r].eos;
     if (!(m->rho1[at] > 0.0)) return NULL;
@@ -58,7 +58,7 @@ static const char *fault_of(const ice *s, const ice_view *v, int r, ptrdiff_t at
 }
 
 /* The first faulty cell of the block, as a message. */
-static floe_status explain(const ice *s, const ice_view *v, int r)
+static floe_status explain_transport_fault(const ice *s, const ice_view *v, int r)
 {
     const block *b = v->b;
     for (int k = 0; k < b->n[2]; ++k)
@@ -91,8 +91,8 @@ static bool below_floor(const ice *s, const ice_view *v, int r)
 }
 
 /* What is left of a material below ICE_LEAST_FRACTION of a cell, or ICE_LEAST_SHARE of its mass (a trace of gas in a
- * liquid under tension may fill a lot), is dropped; in slivers, what advection's round-off has left without a
- * temperature is given the last one at the last pressure (theory 6). Both are entered in the ledger. */
+ * liquid under tension may fill a lot), is dropped; in small volume fractions, what advection's round-off has left
+ * without a temperature is given the last one at the last pressure (theory 6). Both are entered in the ledger. */
 static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
 {
     double square = 0.0;
@@ -100,20 +100,21 @@ static double total_energy(const ice_arrays *m, ptrdiff_t at, int dim)
     return m->rho1[at] * (m->e1[at] + 0.5 * square);
 }
 
-/* What a sliver's velocity and energy are taken back by is entered in the ledger. */
-static void believe(const ice_view *v, ptrdiff_t at, const ice_arrays *m, double volume, const double *x, double *tile)
+/* The change of velocity and energy of a trace fraction is entered into the ledger. */
+static void clip_roundoff(const ice_view *v, ptrdiff_t at, const ice_arrays *m, double volume, const double *x,
+                          double *tile)
 {
     const double before = total_energy(m, at, v->dim);
     double u[3];
     for (int a = 0; a < v->dim; ++a) u[a] = m->u1[a][at];
-    ice_believe(m, at, v->dim);
+    ice_clip_roundoff(m, at, v->dim);
     if (!isfinite(before)) return;
     tile[TILE_DEFECT] += (total_energy(m, at, v->dim) - before) * volume;
     for (int a = 0; a < v->dim; ++a)
         ice_push(tile + TILE_MOMENTUM_DEFECT, x, a, m->rho1[at] * (m->u1[a][at] - u[a]) * volume);
 }
 
-static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, const double *x, double *tile)
+static void drop_material(const ice_view *v, int r, ptrdiff_t at, double volume, const double *x, double *tile)
 {
     const ice_arrays *m = &v->m[r];
     const double mass = m->rho1[at] * volume;
@@ -123,7 +124,8 @@ static void drop(const ice_view *v, int r, ptrdiff_t at, double volume, const do
     m->rho1[at] = 0.0;
 }
 
-static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double volume, const double *x, double *tile)
+static void mend_material(const ice *s, const ice_view *v, int r, ptrdiff_t at, double volume, const double *x,
+                          double *tile)
 {
     const ice_arrays *m = &v->m[r];
     const eos *law = &s->material[r].eos;
@@ -131,7 +133,7 @@ static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double vo
     law->model->temperature(law->par, 1, &density, &m->e1[at], &T);
     if (T > 0.0 && m->vol1[at] > 0.0 && isfinite(T)) return;
     if (!(m->T[at] > 0.0) || !(v->p[at] > law->model->pressure_floor(law->par))) {
-        drop(v, r, at, volume, x, tile);
+        drop_material(v, r, at, volume, x, tile);
         return;
     }
     tile[TILE_DEFECT] -= total_energy(m, at, v->dim) * volume;
@@ -142,7 +144,7 @@ static void mend(const ice *s, const ice_view *v, int r, ptrdiff_t at, double vo
     tile[TILE_FLOORS] += 1.0;
 }
 
-static void tidy_slivers(const ice *s, const ice_view *v, int r)
+static void clip_traces(const ice *s, const ice_view *v, int r)
 {
     const block *b = v->b;
     const ice_arrays *m = &v->m[r];
@@ -152,14 +154,14 @@ static void tidy_slivers(const ice *s, const ice_view *v, int r)
                 const ptrdiff_t at = mesh_index(b, i, j, k);
                 const double fraction = m->rho1[at] * m->vol1[at];
                 const bool starved = m->rho1[at] < ICE_LEAST_SHARE * v->rho_sum[at];
-                if (m->rho1[at] == 0.0 || (fraction >= ICE_SLIVER && !starved)) continue;
+                if (m->rho1[at] == 0.0 || (fraction >= ICE_TRACE_FRACTION && !starved)) continue;
                 double *tile = ice_tile(s, b, i, j, k), x[MESH_MAX_DIM];
                 ice_place_of(s, b, (const int[]){i, j, k}, x);
-                believe(v, at, m, v->volume[i], x, tile);
+                clip_roundoff(v, at, m, v->volume[i], x, tile);
                 if (starved || fraction < ICE_LEAST_FRACTION)
-                    drop(v, r, at, v->volume[i], x, tile);
+                    drop_material(v, r, at, v->volume[i], x, tile);
                 else
-                    mend(s, v, r, at, v->volume[i], x, tile);
+                    mend_material(s, v, r, at, v->volume[i], x, tile);
             }
 }
 
@@ -196,8 +198,8 @@ floe_status ice_advect(ice *s)
             if (s->material[v.first + r].points) continue;
             const ice_advect_result result = advect_block(s, &v, r);
             if (result.bad || (isnan(s->work->energy_floor[v.first + r]) && below_floor(s, &v, r)))
-                TRY(explain(s, &v, r));
-            if (s->multi) tidy_slivers(s, &v, r);
+                TRY(explain_transport_fault(s, &v, r));
+            if (s->multi) clip_traces(s, &v, r);
         }
     }
     ice_enter_tiles(s);

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-static void vector(const fields *f, double *(*get)(const fields *, field_id, int, int), field_id id, int instance,
-                   int dim, double *out[3])
+static void view_vector(const fields *f, double *(*get)(const fields *, field_id, int, int), field_id id, int instance,
+                        int dim, double *out[3])
 {
     for (int a = 0; a < dim; ++a) out[a] = get(f, id, instance, a);
 }
@@ -30,17 +30,17 @@ static void gather_material(const fields *f, int r, int dim, ice_arrays *m)
     m->rhol = field_get(f, C_RHO_L, r, 0);
     m->heat = field_get(f, C_DIFFUSION_HEAT, r, 0);
     m->diffT = field_get(f, C_DIFFUSION_T, r, 0);
-    vector(f, field_get, C_DIFFUSION, r, dim, m->diff);
-    vector(f, field_get, C_VEL, r, dim, m->u);
-    vector(f, field_next, C_VEL, r, dim, m->u1);
-    vector(f, field_get, C_VEL_L, r, dim, m->ul);
-    vector(f, field_get, F_VEL, r, dim, m->fu);
-    vector(f, field_get, F_THETA, r, dim, m->ft);
-    vector(f, field_get, C_SOURCE, r, dim, m->source);
-    vector(f, field_get, C_MOMENTUM_L, r, dim, m->mom);
-    vector(f, field_get, C_VELOCITY_CHANGE, r, dim, m->dv);
-    vector(f, field_get, C_STRESS_ACCEL, r, dim, m->stress);
-    vector(f, field_get, F_MOBILITY, r, dim, m->mobility);
+    view_vector(f, field_get, C_DIFFUSION, r, dim, m->diff);
+    view_vector(f, field_get, C_VEL, r, dim, m->u);
+    view_vector(f, field_next, C_VEL, r, dim, m->u1);
+    view_vector(f, field_get, C_VEL_L, r, dim, m->ul);
+    view_vector(f, field_get, F_VEL, r, dim, m->fu);
+    view_vector(f, field_get, F_THETA, r, dim, m->ft);
+    view_vector(f, field_get, C_SOURCE, r, dim, m->source);
+    view_vector(f, field_get, C_MOMENTUM_L, r, dim, m->mom);
+    view_vector(f, field_get, C_VELOCITY_CHANGE, r, dim, m->dv);
+    view_vector(f, field_get, C_STRESS_ACCEL, r, dim, m->stress);
+    view_vector(f, field_get, F_MOBILITY, r, dim, m->mobility);
 }
 
 /* Shared by all materials, or the own ones of a gas that a membrane keeps apart. */
@@ -61,7 +61,7 @@ static void gather_shared(const fields *f, bool multi, int instance, ice_view *v
     v->interface = field_get(f, C_INTERFACE, 0, 0);
     v->wall = field_get(f, C_WALL, 0, 0);
     v->owed = field_get(f, C_HEAT_OWED, 0, 0);
-    vector(f, field_get, F_PRESSURE, instance, dim, v->fp);
+    view_vector(f, field_get, F_PRESSURE, instance, dim, v->fp);
     v->rho_sum = multi ? field_get(f, C_RHO_SUM, 0, 0) : v->m[0].rho;
     for (int a = 0; a < dim; ++a) {
         v->mean[a] = multi ? field_get(f, C_VEL_MEAN, 0, a) : v->m[0].u[a];
@@ -114,7 +114,7 @@ void ice_view_make(const ice *s, int block_id, ice_view *v)
     for (int k = 0; k < s->work->reactions.n; ++k) {
         v->reacted[k] = field_get(f, C_REACTED, k, 0);
         v->burnt_energy[k] = field_get(f, C_BURNT_ENERGY, k, 0);
-        vector(f, field_get, C_BURNT_MOMENTUM, k, m->dim, v->burnt_momentum[k]);
+        view_vector(f, field_get, C_BURNT_MOMENTUM, k, m->dim, v->burnt_momentum[k]);
     }
 }
 

@@ -14,14 +14,14 @@ static bool row_volumes(const ice *s, const ice_view *v, int r, ptrdiff_t base)
     double *out = s->material[r].points ? m->vol1 : m->vl;
     bool good = true;
     for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
-        const double room = m->v[at];
+        const double specific_volume = m->v[at];
         if (!(m->rho[at] > 0.0)) {
-            out[at] = room;
+            out[at] = specific_volume;
             continue;
         }
         double dP = v->dP[at];
         if (v->tmv && ice_holds_points(v, at)) dP += beta * (v->tmv[at] - 1.0) / v->kappa_sum[at];
-        const double next = ice_room_after(m, at, dP, s->material[r].points);
+        const double next = ice_specific_volume_after(m, at, dP, s->material[r].points);
         good = good && next > 0.0;
         out[at] = next;
     }
@@ -48,7 +48,7 @@ static bool reacted_volumes(const ice *s, const ice_view *v, ptrdiff_t base)
     return good;
 }
 
-static floe_status explain(const ice *s, const ice_view *v, int r, ptrdiff_t base)
+static floe_status explain_volume_fault(const ice *s, const ice_view *v, int r, ptrdiff_t base)
 {
     for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
         if (s->material[r].points || !(v->m[r].rho[at] > 0.0) || v->m[r].vl[at] > 0.0) continue;
@@ -67,7 +67,7 @@ static floe_status add_created(const ice *s, const ice_view *v)
     for (int row = 0; row < q.n; ++row) {
         const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
         if (reacted_volumes(s, v, base)) continue;
-        for (int r = 0; r < s->n_materials; ++r) TRY(explain(s, v, r, base));
+        for (int r = 0; r < s->n_materials; ++r) TRY(explain_volume_fault(s, v, r, base));
     }
     return FLOE_OK;
 }
@@ -81,7 +81,7 @@ floe_status ice_specific_volume(ice *s)
         for (int r = 0; r < s->n_materials; ++r)
             for (int row = 0; row < q.n; ++row) {
                 const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
-                if (!row_volumes(s, &v, r, base)) TRY(explain(s, &v, r, base));
+                if (!row_volumes(s, &v, r, base)) TRY(explain_volume_fault(s, &v, r, base));
             }
         if (s->work->reactions.n > 0) TRY(add_created(s, &v));
     }

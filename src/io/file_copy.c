@@ -55,7 +55,7 @@ static floe_status copy_entries(context *ctx, copy_job *j, DIR *folder, bool (*l
     return FLOE_OK;
 }
 
-/* "FOLDER/" with room for a name behind it. */
+/* "FOLDER/" with space for a name behind it. */
 static floe_status make_path(context *ctx, const char *folder, char **path, size_t *size, size_t *at)
 {
     enum { NAME = 256 };

@@ -1,5 +1,5 @@
-/* The little of HDF5 that floe uses: files that live in memory, arrays, texts and attributes, by absolute path.
- * Only this room's .c files that include it see HDF5. HDF5 is not thread-safe: main thread only. */
+/* The part of HDF5 that floe uses: files in memory, arrays, texts and attributes, by absolute path. Only .c files of
+ * this module include HDF5. HDF5 is not thread-safe: main thread only. */
 #ifndef IO_HDF_H
 #define IO_HDF_H
 

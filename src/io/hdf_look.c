@@ -71,7 +71,7 @@ floe_status hdf_get_attribute(hdf_file *file, const char *path, const char *name
     return status;
 }
 
-/* floe's texts are of variable length: HDF5 makes room for them. */
+/* floe's texts are of variable length: HDF5 makes space for them. */
 static floe_status read_attribute_text(hdf_file *file, const char *path, const char *name, hid_t attribute, char *to)
 {
     long long elements;

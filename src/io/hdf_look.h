@@ -1,4 +1,4 @@
-/* Looking around in an HDF5 file that floe may not know by heart: names, attributes, numbers of any type. */
+/* Inspection of an HDF5 file of unknown content: names, attributes, numbers of any type. */
 #ifndef IO_HDF_LOOK_H
 #define IO_HDF_LOOK_H
 

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* A line under way. */
+/* A line in progress. */
 typedef struct line {
     const sim *s;
     strbuf *out;
@@ -119,7 +119,7 @@ static const char *unit_of(int quantity)
 /* Momenta along axes that the scene does not have, that along r, and moments that nothing keeps are left out. */
 static bool is_used(const sim *s, int quantity)
 {
-    return !s->ledger.no_account[quantity];
+    return !s->ledger.not_conserved[quantity];
 }
 
 static void add_ledger(line *l)
@@ -162,22 +162,22 @@ static void add_probe(line *l, int n)
 /* What a membrane encloses. */
 static void add_enclosed_gas_columns(line *l, int body, const char *label, const history_row *row)
 {
-    const int holds = l->s->scene->body[l->s->mpm->body[body].scene_body].membrane.holds;
+    const int holds = l->s->scene->body[l->s->mpm->body[body].scene_body].membrane.encloses;
     const bool radial = l->s->mesh.geometry == MESH_AXISYMMETRIC;
-    membrane_room room = {0};
-    if (row) mpm_membrane_room(l->s->mpm, body, &room);
+    membrane_enclosure enclosure = {0};
+    if (row) mpm_membrane_enclosure(l->s->mpm, body, &enclosure);
     if (row && l->s->sealed && holds >= 0) { /* the gas is on the cells */
-        room.pressure = row->mean_pressure ? row->mean_pressure[holds] : (double)NAN;
-        room.outside = ice_mass_beyond(l->s->ice, ice_material_of(l->s->ice, holds));
+        enclosure.pressure = row->mean_pressure ? row->mean_pressure[holds] : (double)NAN;
+        enclosure.outside = ice_mass_beyond(l->s->ice, ice_material_of(l->s->ice, holds));
     }
     if (radial)
-        add_named(l, "volume", label, "m3", l->whole * room.size);
+        add_named(l, "volume", label, "m3", l->whole * enclosure.size);
     else
-        add_named(l, "area", label, "m2", room.size);
-    add_named(l, "pressure_in", label, "Pa", room.pressure);
-    add_named(l, "outside", label, "kg", l->whole * room.outside);
-    add_named(l, "stress", label, "Pa", room.stress);
-    if (radial) add_named(l, "hoop_stress", label, "Pa", room.hoop);
+        add_named(l, "area", label, "m2", enclosure.size);
+    add_named(l, "pressure_in", label, "Pa", enclosure.pressure);
+    add_named(l, "outside", label, "kg", l->whole * enclosure.outside);
+    add_named(l, "stress", label, "Pa", enclosure.stress);
+    if (radial) add_named(l, "hoop_stress", label, "Pa", enclosure.hoop);
 }
 
 /* Moment of momentum about the origin, where there is one. */
@@ -220,8 +220,8 @@ static void add_body_columns(line *l, int body, const history_row *row)
         (void)snprintf(name, sizeof name, "%s_%s", last ? "last" : "first", label);
         add_vector(l, name, "m", end);
     }
-    if (l->s->mpm->holds && given->membrane.holds >= 0)
-        add_named(l, "volume", label, "m3", row ? mpm_held_room(l->s->mpm, body) : 0.0);
+    if (l->s->mpm->encloses && given->membrane.encloses >= 0)
+        add_named(l, "volume", label, "m3", row ? mpm_enclosed_volume(l->s->mpm, body) : 0.0);
     if (mpm_membrane_encloses(l->s->mpm, body)) add_enclosed_gas_columns(l, body, label, row);
 }
 

@@ -1,4 +1,4 @@
-/* What the io room needs of a process: called once, by floe_init. */
+/* Initialises what the io module needs of a process: called once, by floe_init. */
 #ifndef IO_IO_H
 #define IO_IO_H
 

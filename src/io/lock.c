@@ -23,9 +23,9 @@ static struct flock whole_file(void)
 /* The process that keeps a lock from being taken; 0: none. */
 static long holder_of(int descriptor)
 {
-    struct flock held = whole_file();
-    if (fcntl(descriptor, F_GETLK, &held) != 0 || held.l_type == F_UNLCK) return 0;
-    return (long)held.l_pid;
+    struct flock lock = whole_file();
+    if (fcntl(descriptor, F_GETLK, &lock) != 0 || lock.l_type == F_UNLCK) return 0;
+    return (long)lock.l_pid;
 }
 
 static floe_status refuse_second_writer(context *ctx, const char *dir, int descriptor, int error)

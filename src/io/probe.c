@@ -15,13 +15,13 @@ static void add_cell(const sim *s, int n, ptrdiff_t at, probe_sum *sum)
         const double *rho = field_get(f, C_RHO, r, 0), *open = field_get(f, C_OPEN, r, 0);
         if (!rho) continue;
         const double share = open ? open[at] : 1.0;
-        const bool held = rho[at] > 0.0 && share > 0.0;
+        const bool present = rho[at] > 0.0 && share > 0.0;
         sum->mass += share * rho[at];
         for (int a = 0; a < s->mesh.dim; a++) {
             const double *u = field_get(f, C_VEL, r, a);
             if (u) sum->momentum[a] += share * rho[at] * u[at];
         }
-        if (!held || (!open && counted)) continue;
+        if (!present || (!open && counted)) continue;
         counted = true;
         sum->volume += share;
         sum->pressure += share * ice_pressure_now(s->ice, n, r, at);

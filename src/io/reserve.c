@@ -30,7 +30,7 @@ floe_status disk_reserve_take(disk_reserve *r, context *ctx, const char *path, s
     if (error == 0 && status == FLOE_OK) return FLOE_OK;
     (void)unlink(path);
     if (error == 0 || error == EINVAL || error == EOPNOTSUPP || error == ENOTSUP) return status;
-    return file_fail(ctx, "cannot keep room as", path, error);
+    return file_fail(ctx, "cannot reserve disk space as", path, error);
 }
 
 bool disk_reserve_is_taken(const disk_reserve *r)

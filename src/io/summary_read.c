@@ -57,7 +57,7 @@ static json_t *get_object(reader *r, const json_t *object, const char *key)
     return value;
 }
 
-static void get_values(reader *r, const json_t *object, const char *key, summary_value *out, int room, int *n)
+static void get_values(reader *r, const json_t *object, const char *key, summary_value *out, int reserved, int *n)
 {
     const char *name;
     json_t *value;
@@ -65,7 +65,7 @@ static void get_values(reader *r, const json_t *object, const char *key, summary
     *n = 0;
     json_object_foreach(list, name, value)
     {
-        if (*n == room) {
+        if (*n == reserved) {
             complain_of_value(r, key, "shorter");
             return;
         }

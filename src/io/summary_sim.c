@@ -70,7 +70,7 @@ static void set_drifts(run_summary *r, const sim *s)
     bool turns = false;
     r->drift_moment = r->end_drift_moment = 0.0;
     for (int q = LEDGER_MOMENT_X; q <= LEDGER_MOMENT_Z; q++) {
-        turns = turns || !l->no_account[q];
+        turns = turns || !l->not_conserved[q];
         r->drift_moment = larger(r->drift_moment, fabs(ledger_largest_drift(l, (ledger_quantity)q)));
         r->end_drift_moment = larger(r->end_drift_moment, ledger_drift(l, (ledger_quantity)q));
     }
@@ -84,7 +84,7 @@ floe_status summary_set_sim(run_summary *r, const sim *s)
     const char *pressure = !s->ice ? "" : s->ice->implicit ? "implicit" : "explicit";
     (void)snprintf(r->pressure, sizeof r->pressure, "%s", s->pressure_reason[0] ? s->pressure_reason : pressure);
     (void)snprintf(r->substeps, sizeof r->substeps, "%s", s->substeps_reason);
-    (void)snprintf(r->interface, sizeof r->interface, "%s", interface_told(s));
+    (void)snprintf(r->interface, sizeof r->interface, "%s", interface_in_words(s));
     r->dimensionless = s->scene->dimensionless;
     r->time = s->time;
     r->steps = s->steps;

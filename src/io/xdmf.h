@@ -1,5 +1,5 @@
-/* XDMF: the page that tells ParaView and VisIt what lies where in the snapshots. Each snapshot carries its own part of
- * it as text; fields.xdmf is these parts in a row. */
+/* XDMF: the file that describes the content of the snapshots to ParaView and VisIt. Each snapshot carries its own part
+ * of it as text; fields.xdmf is these parts in a row. */
 #ifndef IO_XDMF_H
 #define IO_XDMF_H
 

@@ -1,6 +1,6 @@
-/* Laws of membranes and strings: one layer of points, stressed along the line that they form and, where the scene has a
- * second direction in the surface, across it (York 1997, chapter 5). One file adds one: membrane_<name>.c ends in a
- * const descriptor `membrane_<name>`; the conformance battery covers it (energy, wave speed, one-way response).
+/* Laws of membranes and strings: one layer of points, with stress along its curve and, where the scene has a second
+ * direction in the surface, across it (York 1997, chapter 5). One file adds one: membrane_<name>.c ends in a const
+ * descriptor `membrane_<name>`; the conformance battery covers it (energy, wave speed, one-way response).
  *
  * A law sees the total logarithmic strains in the local frame (section 5.4.2) and answers with the stresses there. */
 #ifndef MATERIAL_MEMBRANE_H
@@ -13,7 +13,7 @@ typedef struct membrane_model {
     size_t param_size;
     const param_spec *params;
     size_t n_params;
-    bool isotropic; /* bears alike in all directions: what a surface in space asks for (sheet.h) */
+    bool isotropic; /* isotropic in the surface, as a surface in three dimensions requires (sheet.h) */
     /* Cauchy stresses (Pa) of n points from their strains along the line and across it. */
     void (*stress)(const void *par, size_t n, const double *along, const double *across, double *stress_along,
                    double *stress_across);
@@ -50,9 +50,9 @@ void membrane_stress(const membrane_response *r, size_t n, const double *along, 
                      double *stress_along, double *stress_across);
 /* Present volume over that at rest: of the section's rule. */
 double membrane_volume_ratio(membrane_section section, double along, double across);
-/* Work (J/m3, of the volume at rest) that brought a point from no strain to these on a straight way: exact with one
- * strain alone, and for `SECTION_VOLUME`; for two strains and constant thickness no potential exists, and the way
- * matters. */
+/* Strain energy (J/m3 of the volume at rest) along a straight path from zero strain to these strains: exact with one
+ * strain alone, and for `SECTION_VOLUME`; for two strains and constant thickness no potential exists, and the energy
+ * depends on the path. */
 double membrane_energy(const membrane_response *r, double along, double across);
 
 #endif

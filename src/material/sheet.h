@@ -2,9 +2,9 @@
  *
  * Its state are two material vectors of the surface, at rest unit and normal to each other: F restricted to the tangent
  * plane, F = a_1 (x) E_1 + a_2 (x) E_2. They stretch with the velocity gradient and turn with the normal; C_ij = a_i .
- * a_j knows nothing of either frame. The law sees the logarithms of the principal stretches (York 1997, section 5.4.2,
- * in two dimensions), and its stresses go along the principal directions: any isotropic law of membrane.h, wrinkles and
- * slack included (tension field, Reissner 1938). */
+ * a_j does not depend on either frame. The law sees the logarithms of the principal stretches (York 1997, section
+ * 5.4.2, in two dimensions), and its stresses go along the principal directions: any isotropic law of membrane.h,
+ * wrinkles and slack included (tension field, Reissner 1938). */
 #ifndef MATERIAL_SHEET_H
 #define MATERIAL_SHEET_H
 
@@ -18,8 +18,8 @@ typedef struct sheet_point {
 void sheet_start(const double normal[3], double stretch, sheet_point *p);
 /* a <- (I + dt L) a: L in 1/s, row-major. False where it comes out of the numbers, or flat. */
 bool sheet_stretch(const double L[9], double dt, sheet_point *p);
-/* Turns the vectors, on the shortest way, into the plane across a unit normal (either side); their lengths and their
- * angle stay. A normal of length zero, or one along the plane, turns nothing. */
+/* Rotates the vectors by the smallest angle into the plane normal to a unit vector (of either sign); their lengths and
+ * their angle do not change. A normal of length zero, or one in the plane, changes nothing. */
 void sheet_turn(const double normal[3], sheet_point *p);
 /* Principal logarithmic strains, the larger first, and unit directions of them in space. */
 void sheet_strain(const sheet_point *p, double strain[2], double direction[2][3]);

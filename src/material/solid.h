@@ -34,7 +34,7 @@ typedef enum solid_needs {
     SOLID_HAS_ENERGY = 2
 } solid_needs;
 
-/* A number that a point carries along because its law remembers. */
+/* A history variable of a law, which a point carries. */
 typedef struct solid_history {
     const char *name, *unit, *doc; /* as snapshots show it; name as a dataset's */
 } solid_history;
@@ -99,7 +99,8 @@ typedef struct eos_bulk_par {
     double specific_heat;      /* J/kg/K */
     double reference_pressure; /* Pa: where density holds; > 0 is not needed */
     double switch_pressure;    /* Pa, over least_pressure: below it the tension branch */
-    double least_pressure; /* Pa, <= 0: above which p stays; 0 beside gas, what a liquid bears of tension beside that */
+    double
+        least_pressure; /* Pa, <= 0: lower bound of p; 0 beside gas, the tensile strength of a liquid beside a liquid */
 } eos_bulk_par;
 
 #endif

@@ -1,10 +1,11 @@
-/* Solids that burn: what reactions of the cells take of the points (step 4 of Guilkey et al. 2003).
+/* Reacting solids: mass that reactions on cells take from the points (step 4 of Guilkey et al. 2003).
  *
- * The cells say which share s_c of their solid is to go (coupling/transfer.h); averaged to nodes and taken at the points as a pressure is, it
- * is the share f_p of each point, so that the points lose together what the cells have asked for: sum_p f_p m_p = sum_c s_c m_c. Mass,
- * momentum and energy that they lose, f_p m_p (1, v_p, psi/rho_0 + v_p^2/2), go to the nodes and on to the cells as masses do, and what
- * is left goes on in the step. It all happens at the velocities with which the step begins, before anything pushes, so that mass and momentum of points
- * and cells add up to what they were. Volumes follow masses, and what a point is strained by stays: F, J and stress. */
+ * The cells say which share s_c of their solid is to go (coupling/node_cell_transfer.h); averaged to nodes and taken at the
+ * points as a pressure is, it is the share f_p of each point, so that the points lose together what the cells have
+ * asked for: sum_p f_p m_p = sum_c s_c m_c. Mass, momentum and energy that they lose, f_p m_p (1, v_p, psi/rho_0 +
+ * v_p^2/2), go to the nodes and on to the cells as masses do, and what is left goes on in the step. It all happens at
+ * the velocities with which the step begins, before anything pushes, so that mass and momentum of points and cells add
+ * up to what they were. Volumes follow masses, and what a point is strained by stays: F, J and stress. */
 #include "base/threads.h"
 #include "mpm/spread.h"
 #include "mpm/wall.h"
@@ -13,7 +14,7 @@
 
 enum { BURN_WINDOW = 343 }; /* nodes of the largest window */
 
-/* A point of which less than this is left is taken to the last. */
+/* A point with less than this share of its mass is consumed entirely. */
 static const double least_share = 1e-3;
 
 /* The shares of a tile's nodes; false where all are none. */
@@ -27,9 +28,9 @@ static bool load_shares(const mpm *s, int blk, const tile_box *box, int group, d
     return false;
 }
 
-/* Takes the share `taken` of points [start, end), whose state stands in the batch. */
-static void take(const mpm *s, int blk, int body, const tile_box *box, size_t start, size_t end, const double *taken,
-                 const solid_batch *batch, double *out)
+/* Removes the share `taken` from points [start, end), whose state is in the batch. */
+static void burn_points(const mpm *s, int blk, int body, const tile_box *box, size_t start, size_t end,
+                        const double *taken, const solid_batch *batch, double *out)
 {
     const fields *f = s->domain->fields[blk];
     const mpm_body *b = &s->body[body];
@@ -62,7 +63,7 @@ static void burn_body(const mpm *s, int blk, int body, const tile_box *box, cons
         double taken[SOLID_CHUNK];
         s->work->kernel.sample(s->mesh, box, &p, k, stop, window, taken);
         load_batch(s, blk, body, k, stop, false, batch);
-        take(s, blk, body, box, k, stop, taken, batch, out);
+        burn_points(s, blk, body, box, k, stop, taken, batch, out);
     }
 }
 
@@ -91,7 +92,7 @@ static bool burns_group(const mpm *s, int group)
     return false;
 }
 
-/* All mass is left, where nothing is taken. */
+/* All mass remains where nothing reacts. */
 static void begin_masses(const mpm *s)
 {
     for (int b = 0; b < s->mesh->n_blocks; ++b)

@@ -1,15 +1,15 @@
 /* From the scene to a set of bodies, fields and kernels. */
 #include "base/memory.h"
 #include "base/threads.h"
-#include "mpm/balance/balance.h"
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
-#include "mpm/load.h"
-#include "mpm/membrane/hold.h"
-#include "mpm/membrane/membrane.h"
+#include "mpm/implicit/implicit.h"
+#include "mpm/membrane/enclosed_gas.h"
 #include "mpm/membrane/membrane_normal.h"
+#include "mpm/membrane/membrane_points.h"
 #include "mpm/membrane/membrane_sheet.h"
-#include "mpm/surface/skin.h"
+#include "mpm/point_loads.h"
+#include "mpm/surface/surface_markers.h"
 #include "mpm/wall_overlap.h"
 #include "mpm/wetted.h"
 
@@ -68,8 +68,8 @@ static void resolve_body(mpm *s, int index)
     s->sheets = s->sheets || (m->membrane && is_sheet(s, s->n_bodies));
     s->lines = s->lines || (m->membrane && !is_sheet(s, s->n_bodies));
     s->free_normals = s->free_normals || normals_are_free(s, s->n_bodies);
-    s->placed = s->placed || (m->membrane && sc->body[index].membrane.strain == STRAIN_BY_PLACES);
-    s->hoops = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
+    s->placed = s->placed || (m->membrane && sc->body[index].membrane.strain == STRAIN_BY_POSITIONS);
+    s->axisymmetric_membranes = s->membranes && s->mesh->geometry == MESH_AXISYMMETRIC;
     s->n_bodies++;
 }
 
@@ -109,7 +109,7 @@ static floe_status make_work(mpm *s)
     TRY(memory_new(s->ctx, &w->active, tiles, sizeof *w->active));
     TRY(memory_new(s->ctx, &w->moved, tiles, sizeof *w->moved));
     TRY(memory_new(s->ctx, &w->tile_sum, tiles * MPM_TILE_SUMS, sizeof *w->tile_sum));
-    if (s->membranes) TRY(memory_new(s->ctx, &w->line, SCENE_MAX_BODIES, sizeof *w->line));
+    if (s->membranes) TRY(memory_new(s->ctx, &w->curve, SCENE_MAX_BODIES, sizeof *w->curve));
     if (s->free_normals) TRY(memory_new(s->ctx, &w->normals, SCENE_MAX_BODIES, sizeof *w->normals));
     if (mpm_edge_penalty(s) > 0.0) TRY(edges_create(s));
     if (parts_fluids(s)) TRY(wetted_create(s));
@@ -123,15 +123,16 @@ static int order_of(const mpm *s)
     return (s->coupled || s->seals) && s->transfer->restore ? 2 : s->transfer->order;
 }
 
-static floe_status fill(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool beside)
+static floe_status fill_solver(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool beside)
 {
     s->scene = sc;
     s->mesh = m;
     s->stages = stages;
     s->ledger = l;
-    s->parts = 1;
+    s->n_substeps = 1;
     s->seals = beside && scene_is_cut(sc);
-    s->holds = !beside && scene_holder(sc) >= 0 && sc->body[scene_holder(sc)].membrane.surface.kind != SHEET_NONE;
+    s->encloses = !beside && scene_enclosing_body(sc) >= 0 &&
+                  sc->body[scene_enclosing_body(sc)].membrane.surface.kind != SHEET_NONE;
     s->coupled = beside && !s->seals;
     s->basis = basis_find(sc->method.basis);
     if (!s->basis) return fail_key(s->ctx, KEY("method", "basis"), "there is no basis '%s'", sc->method.basis);
@@ -160,15 +161,15 @@ floe_status mpm_create(mpm **out, context *ctx, const scene *sc, const mesh *m, 
 {
     TRY(memory_new(ctx, out, 1, sizeof **out));
     (*out)->ctx = ctx;
-    const floe_status status = fill(*out, sc, m, stages, l, beside_cells);
+    const floe_status status = fill_solver(*out, sc, m, stages, l, beside_cells);
     if (status != FLOE_OK) mpm_destroy(out);
     return status;
 }
 
 static void free_lines(context *ctx, struct mpm_work *w)
 {
-    for (int b = 0; w->line && b < SCENE_MAX_BODIES; ++b) line_free(ctx, &w->line[b]);
-    memory_free(ctx, &w->line);
+    for (int b = 0; w->curve && b < SCENE_MAX_BODIES; ++b) membrane_curve_free(ctx, &w->curve[b]);
+    memory_free(ctx, &w->curve);
     for (int b = 0; w->normals && b < SCENE_MAX_BODIES; ++b) normals_free(&w->normals[b]);
     memory_free(ctx, &w->normals);
 }
@@ -179,12 +180,12 @@ void mpm_destroy(mpm **s)
     context *ctx = (*s)->ctx;
     if ((*s)->work) {
         free_lines(ctx, (*s)->work);
-        free_push(ctx, (*s)->work);
-        free_skins(ctx, &(*s)->work->skin);
-        free_kept(ctx, (*s)->work);
+        free_membrane_force(ctx, (*s)->work);
+        free_markers(ctx, &(*s)->work->markers);
+        free_saved_points(ctx, (*s)->work);
         edges_free(ctx, &(*s)->work->edges);
         wetted_free(ctx, &(*s)->work->wetted);
-        free_hold(ctx, &(*s)->work->hold);
+        free_enclosure(ctx, &(*s)->work->enclosure);
         memory_free(ctx, &(*s)->work->active);
         memory_free(ctx, &(*s)->work->moved);
         memory_free(ctx, &(*s)->work->cell_mass);
@@ -197,7 +198,7 @@ void mpm_destroy(mpm **s)
     memory_free(ctx, &(*s)->work);
     contact_destroy(*s);
     overlaps_free(*s);
-    balance_destroy(*s);
+    implicit_destroy(*s);
     for (int b = 0; b < MESH_MAX_BLOCKS; ++b)
         for (int k = 0; k < SCENE_MAX_BODIES; ++k) memory_free(ctx, &(*s)->points[b][k].tile_start);
     memory_free(ctx, s);

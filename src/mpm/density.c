@@ -32,7 +32,7 @@ static int fold_cell(const mesh *m, int axis, int cell)
     return cell < 0 ? 0 : cell >= m->n[axis] ? m->n[axis] - 1 : cell;
 }
 
-/* Where a point stands: its cell, and the cells about it with their weights along each axis. */
+/* The cell of a point, and the cells about it with their weights along each axis. */
 typedef struct cell_stencil {
     int cell[3][3];
     double w[3][3];
@@ -67,7 +67,7 @@ static void add_point(const mpm *s, const cell_stencil *at, double mass, double 
         }
 }
 
-static void places(const mpm *s, int blk, int body, const double *x[3])
+static void point_positions(const mpm *s, int blk, int body, const double *x[3])
 {
     const fields *f = s->domain->fields[blk];
     const bool next = s->scene->method.stress != STRESS_USF; /* stress first: the points have not moved yet */
@@ -98,7 +98,7 @@ static void sum_masses(const mpm *s, int material, double *sum)
         for (int body = 0; body < s->n_bodies; ++body) {
             if (s->body[body].scene_material != material) continue;
             const double *x[3], *mass = field_get(s->domain->fields[blk], P_MASS, body, 0);
-            places(s, blk, body, x);
+            point_positions(s, blk, body, x);
             const size_t *at = s->points[blk][body].tile_start + local;
             for (size_t k = at[0]; k < at[1]; ++k) {
                 const cell_stencil where = stencil_of(s, x, k);
@@ -112,7 +112,7 @@ static void give_densities(const mpm *s, int blk, int body, const double *sum)
 {
     double *density = field_get(s->domain->fields[blk], P_DENSITY, body, 0);
     const double *x[3];
-    places(s, blk, body, x);
+    point_positions(s, blk, body, x);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < s->points[blk][body].n; ++k) {
         int cell[3] = {0, 0, 0};

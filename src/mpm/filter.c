@@ -13,14 +13,14 @@ static floe_status project_again(mpm *s)
     return FLOE_OK;
 }
 
-/* What walls and mirrors change of the momentum in a round is in that one's u and in all later ones': `left` of it
+/* What walls and mirrors change of the momentum in a round is in that one's u and in all later ones': `undamped` of it
  * stays with the points. */
-static void set_node_velocities(mpm *s, double left)
+static void set_node_velocities(mpm *s, double undamped)
 {
     for (int g = 0; g < s->n_groups; ++g) {
         divide_momenta(s, g, N_VEL);
-        enter_mirrored_momenta(s, g, left);
-        impose_walls(s, g, N_VEL, left);
+        enter_mirrored_momenta(s, g, undamped);
+        impose_walls(s, g, N_VEL, undamped);
         extend_to_ghosts(s, g, N_VEL);
     }
 }
@@ -42,11 +42,11 @@ floe_status mpm_filter_velocities(mpm *s)
 {
     const int order = s->order;
     double factor = order; /* (-1)^(r+1) C(m, r) */
-    double left = 1.0;     /* the sum of this factor and all later ones */
+    double undamped = 1.0; /* the sum of this factor and all later ones */
     for (int r = 1; r <= order; ++r) {
         if (r > 1) TRY(project_again(s));
-        set_node_velocities(s, left);
-        left -= factor;
+        set_node_velocities(s, undamped);
+        undamped -= factor;
         for (int g = 0; g < s->n_groups; ++g)
             for (int b = 0; b < s->mesh->n_blocks; ++b) add_share(s, b, g, factor, r == 1);
         factor *= -(double)(order - r) / (r + 1);

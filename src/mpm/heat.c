@@ -8,11 +8,11 @@
  * summed over the points: what blending takes of the motion that the nodes do not see, of that which they smooth, and in USL the
  * work that the stress does on v^L, where the points follow v_p + dt a_p. (USF and MUSL strain by the
  * velocities that the next kick starts from, and need no such term.) Every term is positive. A fluid point keeps its own
- * loss as heat. That of other points, what a membrane loses of its strain energy (line_strain.c; it may win some) and what damping takes of
+ * loss as heat. That of other points, what a membrane loses of its strain energy (membrane_strain.c; it may win some) and what damping takes of
  * the nodes' motion go to the nodes, and from each to the fluid points about it by their mass; what nodes without fluid hold
  * all fluid points get by their mass. Where a membrane holds gas of the cells there are no fluid points: the sum is the gas's. */
 #include "base/threads.h"
-#include "mpm/membrane/line.h"
+#include "mpm/membrane/membrane_curve.h"
 #include "mpm/spread.h"
 #include "mpm/wall.h"
 #include "mpm/wetted.h"
@@ -93,7 +93,7 @@ static double damped_at(const mpm *s, int blk, ptrdiff_t at)
 typedef struct body_step {
     point_arrays now;
     double *x_next[3], *v_next[3];
-    const membrane_line *line; /* that smoothing may have moved; NULL */
+    const membrane_curve *line; /* that smoothing may have moved; NULL */
 } body_step;
 
 static body_step step_of(const mpm *s, int blk, int body)
@@ -104,7 +104,7 @@ static body_step step_of(const mpm *s, int blk, int body)
         b.x_next[a] = field_next(f, P_POS, body, a);
         b.v_next[a] = field_next(f, P_VEL, body, a);
     }
-    if (s->work->line && s->work->line[body].rest) b.line = &s->work->line[body];
+    if (s->work->curve && s->work->curve[body].rest) b.line = &s->work->curve[body];
     return b;
 }
 
@@ -207,7 +207,7 @@ static void close_tile(mpm *s, int unused, int blk, int tile)
 }
 
 /* Losses become energy for each kilogram of fluid, and `all` (J/kg) comes to each. */
-static void share_losses(const mpm *s, int blk, double all)
+static void share_losses_by_mass(const mpm *s, int blk, double all)
 {
     const fields *f = s->domain->fields[blk];
     double *restrict loss = field_get(f, N_LOSS, 0, 0);
@@ -258,16 +258,16 @@ floe_status mpm_give_heat(mpm *s)
     visit_tiles(s, 0, close_tile);
     domain_sum_tiles(s->mesh, s->work->tile_sum, HEAT_SUMS, sum);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, sum[SUM_DAMPED]);
-    s->work->lost = (s->part > 0 ? s->work->lost : 0.0) + sum[SUM_LEFT];
+    s->work->lost = (s->substep > 0 ? s->work->lost : 0.0) + sum[SUM_LEFT];
     if (s->seals) return FLOE_OK;
-    for (int b = 0; b < s->mesh->n_blocks; ++b) share_losses(s, b, sum[SUM_LEFT] / sum[SUM_FLUID]);
+    for (int b = 0; b < s->mesh->n_blocks; ++b) share_losses_by_mass(s, b, sum[SUM_LEFT] / sum[SUM_FLUID]);
     extend_to_ghosts(s, 0, N_LOSS);
     visit_tiles(s, 0, heat_tile);
     return FLOE_OK;
 }
 
 /* Fluid points of a tile take their own losses. */
-static void keep_tile(mpm *s, int unused, int blk, int tile)
+static void save_tile(mpm *s, int unused, int blk, int tile)
 {
     (void)unused;
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
@@ -287,6 +287,6 @@ static void keep_tile(mpm *s, int unused, int blk, int tile)
 floe_status mpm_keep_losses(mpm *s)
 {
     TRY(square_all(s));
-    visit_tiles(s, 0, keep_tile);
+    visit_tiles(s, 0, save_tile);
     return FLOE_OK;
 }

@@ -1,5 +1,5 @@
-/* The point kernels: what carries data between the points and the nodes of a tile, and what they take and write. They know no scene and no
- * run, and so they are compiled again only when they change themselves. */
+/* The point kernels: transfer between the points and the nodes of a tile, and its arguments. They depend on no scene
+ * and no run, so that they are compiled again only when they change themselves. */
 #ifndef MPM_KERNELS_H
 #define MPM_KERNELS_H
 
@@ -33,14 +33,14 @@ typedef struct point_arrays {
     double linear_side
         [3]
         [2]; /* m: sides beyond which velocities are extrapolated (wall.c); infinite at those that mirror or repeat */
-    double acceleration[3]; /* m/s2: body forces on this body */
-    const double *drive[3]; /* m/s2: on top of them, on each point */
-    double held;            /* Pa: the pressure that a membrane bears in their place */
-    bool centred;           /* gradients are taken at the cell's centre (locate.h) */
+    double acceleration[3];   /* m/s2: body forces on this body */
+    const double *drive[3];   /* m/s2: on top of them, on each point */
+    double enclosed_pressure; /* Pa: the mean pressure that the membrane takes instead */
+    bool centred;             /* gradients are taken at the cell's centre (locate.h) */
 } point_arrays;
 
-/* Adds what points [start, end) give to the nodes of their tile's window, `out`: a record per node, mass and momentum in
- * lanes_of(1 + dim) doubles (when asked for), then force in lanes_of(dim) (when asked for). */
+/* Adds the contributions of points [start, end) to the nodes of their tile's window, `out`: a record per node, mass and
+ * momentum in lanes_of(1 + dim) doubles (if requested), then force in lanes_of(dim) (if requested). */
 typedef void scatter_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                             double *out);
 
@@ -60,7 +60,7 @@ typedef struct gather_step {
 typedef enum gather_mode { GATHER_MOTION, GATHER_GRADIENT, GATHER_BOTH, GATHER_MOMENTS, GATHER_MODES } gather_mode;
 
 /* From the nodes of a tile's window to points [start, end). A node's record is v^L (or v), then a
- * where points move, in lanes_room(lanes_of(.)) doubles. */
+ * where points move, in lanes_reserved(lanes_of(.)) doubles. */
 typedef void gather_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
                            const double *window, const gather_step *step, const gather_result *out);
 

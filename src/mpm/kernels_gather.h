@@ -5,12 +5,13 @@
 #include "mpm/lanes.h"
 #include "mpm/locate.h"
 
-/* A node lighter than this share of a point lends the point's velocity gradient its acceleration in proportion only.
+/* A node with less mass than this share of a point's contributes its acceleration to the point's velocity gradient only
+ * in proportion.
  *
- * A point with weight S alone on a node gives it an acceleration V sigma grad S / (S m_p), and that gives the point's L a
- * term with (grad S)^2/S. The smooth bases keep it bounded; with the linear one it is 1/(h^2 S), unstable for any step once
- * S < (c dt/h)^2: a disc whose edge crosses a cell's face tears. Velocities before the kick are means over points, and safe
- * (theory 4.4). The points' velocities take all of the acceleration: momentum is untouched. */
+ * A point with weight S alone on a node gives it an acceleration V sigma grad S / (S m_p), and that gives the point's L
+ * a term with (grad S)^2/S. The smooth bases keep it bounded; with the linear one it is 1/(h^2 S), unstable for any
+ * step once S < (c dt/h)^2: a disc whose edge crosses a cell's face tears. Velocities before the kick are means over
+ * points, and safe (theory 4.4). The points' velocities take all of the acceleration: momentum is untouched. */
 static const double light_node = 0.25;
 
 /* What is wanted of a gather: literals. `light`: light nodes matter. */
@@ -181,7 +182,7 @@ FLOE_ALWAYS_INLINE void gather_body(const mesh *m, const tile_box *t, const poin
     const int F = lanes_of(dim);
     const tile_frame frame = frame_of(m, t, dim);
     const int V = seen_lanes(dim, want);
-    const nodes_seen nodes = {window, lanes_room(V), now->mass, now->kick};
+    const nodes_seen nodes = {window, lanes_reserved(V), now->mass, now->kick};
     const gather_result out = *to;
     const gather_step step = *now;
     const size_t origin = start;

@@ -73,7 +73,7 @@ FLOE_ALWAYS_INLINE void project_body(const mesh *m, const tile_box *t, const poi
     const scatter_want give = {.force = true};
     const int F = lanes_of(dim);
     const tile_frame frame = frame_of(m, t, dim);
-    const nodes_seen nodes = {window, lanes_room(F), NULL, 0.0};
+    const nodes_seen nodes = {window, lanes_reserved(F), NULL, 0.0};
     stencils s;
     for (int n; start < end; start += (size_t)n) {
         n = strip_length(start, end, dim, kind);

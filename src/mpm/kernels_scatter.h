@@ -16,8 +16,8 @@ typedef struct point_gift {
     lanes b, T[3]; /* m b, and the hoop's; columns of -V (sigma + p_p I - q I) */
 } point_gift;
 
-/* What is left of a gift to the i-th node along an axis: of a product of weights, the factor of that axis is taken. r: from the point to
- * the node (m). */
+/* Contribution to the i-th node along an axis, after the factor of that axis in the product of weights is applied. r:
+ * from the point to the node (m). */
 FLOE_ALWAYS_INLINE point_gift give_along(const point_gift *g, const int axis, double w, double dw, double r,
                                          const int dim, const scatter_want want)
 {
@@ -34,7 +34,7 @@ FLOE_ALWAYS_INLINE point_gift give_along(const point_gift *g, const int axis, do
     return to;
 }
 
-/* Adds what is left of a gift to the nodes of a row. */
+/* Adds contributions to the nodes of a row. */
 FLOE_ALWAYS_INLINE void scatter_row(const point_gift *g, const stencils *s, int j, const double h[3],
                                     double *restrict node, const int record, const int dim, const basis_kind kind,
                                     const scatter_want want)
@@ -79,9 +79,9 @@ FLOE_ALWAYS_INLINE void scatter_stencil(const point_gift *g, const stencils *s, 
  * node, with all but no weight left, would get a momentum all the same: a velocity without bound. `ghost`: in the window. */
 static void move_affine(const mesh *m, const double C[9], int axis, ptrdiff_t inward, double share, double *ghost)
 {
-    const double way = inward > 0 ? m->h[axis] : -m->h[axis];
+    const double distance = inward > 0 ? m->h[axis] : -m->h[axis];
     for (int a = 0; a < m->dim; ++a) {
-        const double momentum = 2.0 * share * C[m->dim * a + axis] * way;
+        const double momentum = 2.0 * share * C[m->dim * a + axis] * distance;
         ghost[inward + a] += momentum;
         ghost[2 * inward + a] -= momentum;
     }
@@ -144,7 +144,7 @@ FLOE_ALWAYS_INLINE double give_force(point_gift *g, const point_arrays *p, size_
     static const int stored[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}; /* xx yy zz xy yz zx */
     const int F = lanes_of(dim);
     const double minus_v = -p->volume0[k] * p->J[k];
-    const double add = (p->grid_pressure ? p->grid_pressure[k] : 0.0) - (p->q ? p->q[k] : 0.0) + p->held;
+    const double add = (p->grid_pressure ? p->grid_pressure[k] : 0.0) - (p->q ? p->q[k] : 0.0) + p->enclosed_pressure;
     for (int c = 0; c < dim; ++c) {
         double column[4] = {0.0};
         for (int a = 0; a < dim; ++a) column[a] = minus_v * (p->stress[stored[a][c]][k] + (a == c ? add : 0.0));

@@ -13,7 +13,7 @@ FLOE_ALWAYS_INLINE int lanes_of(const int components)
 }
 
 /* Doubles from one such vector to the next in the window of a tile: none of its quads lies across two lines of the cache. */
-FLOE_ALWAYS_INLINE int lanes_room(const int n)
+FLOE_ALWAYS_INLINE int lanes_reserved(const int n)
 {
     return n > 4 ? 8 : n;
 }

@@ -24,7 +24,7 @@ bool spares_light_nodes(const mpm *s)
     return s->basis->fact.hats && s->transfer->carry != CARRY_NOTHING;
 }
 
-/* What points give to the nodes: of their masses m v, v the residuals at their places, or m^2. */
+/* What points give to the nodes: of their masses m v, v the residuals at their positions, or m^2. */
 typedef enum light_gift { GIVE_RESIDUAL, GIVE_MASS } light_gift;
 
 static void give_points(const mpm *s, const tile_box *t, const point_arrays *p, const size_t range[2], light_gift gift,
@@ -103,7 +103,7 @@ static void subtract_mean(mpm *s, int group, double share)
                 r[k] = mass[k] > 0.0 ? r[k] - momentum[k] / mass[k] : 0.0;
         }
     }
-    hold_change(s, group, N_RESIDUAL, share);
+    constrain_change(s, group, N_RESIDUAL, share);
 }
 
 /* r = W r; ghosts then have what their nodes have. */

@@ -1,4 +1,5 @@
-/* Light nodes, of the linear basis and GIMP with points that carry the motion about them (light_nodes.c). Private to the mpm room. */
+/* Light nodes, of the linear basis and GIMP with points that carry the motion about them (light_nodes.c). Private to
+ * the mpm module. */
 #ifndef MPM_LIGHT_NODES_H
 #define MPM_LIGHT_NODES_H
 

@@ -149,10 +149,10 @@ FLOE_ALWAYS_INLINE double domain_invert(double a[3][3], double b[3][3], const in
     return det;
 }
 
-/* How far a domain may reach along an axis, in cells: the deck's limit, and no farther than sides that do not mirror, beyond which
- * velocities are extrapolated: a corner of a domain that leans would give nodes inside negative weights. A point on such a side keeps a
- * sliver. */
-FLOE_ALWAYS_INLINE double domain_room(const mesh *m, const point_arrays *p, size_t k, int axis)
+/* Largest half width of a domain along an axis, in cells: the deck's limit, and not beyond sides that are no mirrors,
+ * where velocities are extrapolated and a corner of an inclined domain would give interior nodes negative weights. A
+ * point on such a side keeps a small width. */
+FLOE_ALWAYS_INLINE double domain_limit_at_side(const mesh *m, const point_arrays *p, size_t k, int axis)
 {
     const double sliver = 1e-4;
     const double below = (p->x[axis][k] - p->linear_side[axis][0]) / m->h[axis],
@@ -176,10 +176,10 @@ FLOE_ALWAYS_INLINE point_domain domain_of(const mesh *m, const point_arrays *p, 
             d.side[a][b] = stretch * p->half[b][k] / m->h[a];
             width[a] += fabs(d.side[a][b]);
         }
-        const double room = domain_room(m, p, k, a);
-        if (!(width[a] <= room)) {
-            for (int b = 0; b < dim; ++b) d.side[a][b] *= room / width[a];
-            width[a] = room;
+        const double limit = domain_limit_at_side(m, p, k, a);
+        if (!(width[a] <= limit)) {
+            for (int b = 0; b < dim; ++b) d.side[a][b] *= limit / width[a];
+            width[a] = limit;
         }
         box *= width[a];
     }

@@ -1,7 +1,7 @@
 /* The points-only step, straight down (theory 4.1). */
 #include "mpm/carry.h"
 #include "mpm/light_nodes.h"
-#include "mpm/load.h"
+#include "mpm/point_loads.h"
 #include "mpm/wall.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ floe_status mpm_begin_step(mpm *s)
 #define HISTORY                                                                                              \
     REMEMBERED(1), REMEMBERED(2), REMEMBERED(3), REMEMBERED(4), REMEMBERED(5), REMEMBERED(6), REMEMBERED(7), \
         REMEMBERED(8)
-#define MEMBRANE_STRAIN WHEN(s->lines, P_STRAIN), WHEN(s->hoops, P_STRAIN_HOOP)
+#define MEMBRANE_STRAIN WHEN(s->lines, P_STRAIN), WHEN(s->axisymmetric_membranes, P_STRAIN_HOOP)
 #define SURFACE_VECTORS WHEN(s->sheets, P_SURFACE_1), WHEN(s->sheets, P_SURFACE_2)
 #define DOMAINS WHEN(s->basis->fact.sized, P_HALF), WHEN(s->boxes, P_BOX), WHEN(s->basis->fact.shaped, P_F)
 #define TANGENT WHEN(s->lines, P_TANGENT)
@@ -43,7 +43,7 @@ static bool is_usf(const mpm *s)
     return s->scene->method.stress == STRESS_USF;
 }
 
-static bool carries(const mpm *s)
+static bool advects_points(const mpm *s)
 {
     return s->transfer->carry != CARRY_NOTHING;
 }
@@ -89,10 +89,10 @@ floe_status mpm_mass_stages(mpm *s)
 {
     const bool force = forces_at_once(s), drive = s->driven && force;
     STAGE(s, s->driven, mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
-    STAGE(s, s->holds, mpm_hold_gas, READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J),
-          WRITES(NOTHING));
+    STAGE(s, s->encloses, mpm_enclosed_pressure,
+          READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J), WRITES(NOTHING));
     STAGE(s, ALWAYS, mpm_points_to_nodes,
-          READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
+          READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
                 POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
     STAGE(s, has_wetted(s), mpm_wetted_area, READS(N_MASS, P_POS, P_VOLUME0, P_J, P_STRESS, DOMAINS),
@@ -107,8 +107,8 @@ floe_status mpm_mass_stages(mpm *s)
 floe_status mpm_burn_stages(mpm *s)
 {
     STAGE(s, s->burns, mpm_burn,
-          READS(N_BURNT_SHARE, N_MASS, N_MOMENTUM, P_MASS, P_SHARE, P_VOLUME0, P_POS, P_VEL, WHEN(carries(s), P_AFFINE),
-                DOMAINS, POINT_STATE),
+          READS(N_BURNT_SHARE, N_MASS, N_MOMENTUM, P_MASS, P_SHARE, P_VOLUME0, P_POS, P_VEL,
+                WHEN(advects_points(s), P_AFFINE), DOMAINS, POINT_STATE),
           WRITES(N_BURNT_SHARE, N_MASS, N_MOMENTUM, N_BURNT, N_BURNT_MOMENTUM, N_BURNT_ENERGY, P_MASS_LEFT));
     return FLOE_OK;
 }
@@ -146,7 +146,7 @@ floe_status mpm_node_stages(mpm *s)
     STAGE(s, has_contact(s), mpm_contact_velocity,
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
-    STAGE(s, has_wetted(s), mpm_hold_wetted, READS(N_MASS, N_MOMENTUM, N_FORCE, N_WETTED_AREA, N_VEL_L),
+    STAGE(s, has_wetted(s), mpm_constrain_wetted, READS(N_MASS, N_MOMENTUM, N_FORCE, N_WETTED_AREA, N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     return FLOE_OK;
@@ -170,15 +170,15 @@ floe_status mpm_point_stages(mpm *s)
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));
     STAGE(s, !usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE)),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE)));
-    STAGE(s, carries(s) && !carries_gradient(s), mpm_carry_moments, READS(N_VEL_L, P_POS), WRITES(P_AFFINE));
+    STAGE(s, advects_points(s) && !carries_gradient(s), mpm_carry_moments, READS(N_VEL_L, P_POS), WRITES(P_AFFINE));
     STAGE(s, s->cell_density && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
     STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE),
           WRITES(POINT_STATE));
     STAGE(s, is_musl(s), mpm_remap_stress,
-          READS(P_POS, P_VEL, WHEN(carries(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH),
-                TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
+          READS(P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL),
+                WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
-    STAGE(s, carries(s), mpm_stretch_gradients, READS(P_AFFINE), WRITES(P_AFFINE));
+    STAGE(s, advects_points(s), mpm_stretch_gradients, READS(P_AFFINE), WRITES(P_AFFINE));
     STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     TRY(turn_stages(s));
     STAGE(s, losses_are_heat(s), mpm_give_heat,
@@ -198,20 +198,20 @@ floe_status mpm_motion_stages(mpm *s)
 }
 
 /* A step that is solved for. */
-static floe_status balance_stages(mpm *s)
+static floe_status implicit_stages(mpm *s)
 {
     if (s->membranes) {
-        STAGE(s, ALWAYS, mpm_rest_line, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, TANGENT, POINT_STATE),
+        STAGE(s, ALWAYS, mpm_membrane_equilibrium, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, TANGENT, POINT_STATE),
               WRITES(P_POS, P_VEL, POINT_STATE));
         return turn_stages(s);
     }
     STAGE(s, s->driven, mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
-    STAGE(s, ALWAYS, mpm_balance_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
+    STAGE(s, ALWAYS, mpm_implicit_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
           WRITES(N_REACH));
-    STAGE(s, ALWAYS, mpm_balance_loads, READS(N_MASS), WRITES(N_FORCE));
-    STAGE(s, ALWAYS, mpm_balance_solve,
+    STAGE(s, ALWAYS, mpm_implicit_loads, READS(N_MASS), WRITES(N_FORCE));
+    STAGE(s, ALWAYS, mpm_implicit_solve,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,
                 P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->driven, P_DRIVE), POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
@@ -220,7 +220,7 @@ static floe_status balance_stages(mpm *s)
 
 floe_status mpm_step(mpm *s)
 {
-    if (s->balance) return balance_stages(s);
+    if (s->implicit) return implicit_stages(s);
     TRY(mpm_begin_step(s));
     TRY(mpm_mass_stages(s));
     TRY(mpm_force_stages(s));

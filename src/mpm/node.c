@@ -5,9 +5,10 @@
 
 #include <math.h>
 
-/* Nodes lighter than this mass (kg) take no force: f/m there is noise (theory 4.4). Cubic splines end as x^3/6 and their slopes as x^2/2, so that what a
- * node that light does to its points falls with x; but as far out as 1e-9 of a point's weight the impulse is 2e-6 of a whole one, and
- * blocks that slid along walls were off by 1e-9 for it. What is left there is the round-off of folded masses. */
+/* Nodes with less mass (kg) take no force: f/m there is noise (theory 4.4). Cubic splines end as x^3/6 and their slopes
+ * as x^2/2, so that what a node that light does to its points falls with x; but as far out as 1e-9 of a point's weight
+ * the impulse is 2e-6 of a whole one, and blocks that slid along walls were off by 1e-9 for it. What is left there is
+ * the round-off of folded masses. */
 double small_node(const mpm *s)
 {
     return s->basis->fact.least_mass * s->work->reference_mass;
@@ -66,7 +67,7 @@ static void advance_block(const mpm *s, int blk, int group)
 {
     const fields *f = s->domain->fields[blk];
     const double *restrict mass = field_get(f, N_MASS, group, 0);
-    const double kick = s->work->kick, floor = small_node(s), left = damping_left(s);
+    const double kick = s->work->kick, floor = small_node(s), undamped = damping_left(s);
     const size_t n = node_count(s, blk);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const double *restrict momentum = field_get(f, N_MOMENTUM, group, c);
@@ -75,7 +76,7 @@ static void advance_block(const mpm *s, int blk, int group)
 #pragma omp parallel for simd schedule(static)
         for (size_t k = 0; k < n; ++k) {
             const double impulse = mass[k] > floor ? kick * force[k] : 0.0;
-            v[k] = mass[k] > 0.0 ? (left * momentum[k] + impulse) / mass[k] : 0.0;
+            v[k] = mass[k] > 0.0 ? (undamped * momentum[k] + impulse) / mass[k] : 0.0;
         }
     }
 }

@@ -4,9 +4,9 @@
 #include "mpm/edge/edge.h"
 #include "mpm/lanes.h"
 #include "mpm/light_nodes.h"
-#include "mpm/load.h"
-#include "mpm/membrane/membrane.h"
-#include "mpm/surface/skin.h"
+#include "mpm/membrane/membrane_points.h"
+#include "mpm/point_loads.h"
+#include "mpm/surface/surface_markers.h"
 #include "mpm/surface/traction.h"
 #include "mpm/wall.h"
 
@@ -37,7 +37,7 @@ floe_status mpm_node_force(mpm *s)
 
 /* What a pass does with each tile. */
 typedef struct tile_pass {
-    field_id velocity; /* node field that L is taken from */
+    field_id velocity; /* node field of which L is the gradient */
     bool motion, stress;
     bool sample; /* motion: v_p becomes that velocity, and nothing moves */
     bool carry;  /* C_p (transfer.h) from that velocity */
@@ -65,7 +65,7 @@ static void load_pass(const mpm *s, int blk, int group, const tile_box *t, tile_
         node[c] = field_get(s->domain->fields[blk], pass.velocity, group, 0); /* padding */
     node_arrays(s, blk, group, pass.velocity, node);
     if (pass.motion) node_arrays(s, blk, group, N_ACCEL, node + dim);
-    load_window(s, blk, t, node, lanes_room(lanes_of(pass.motion ? 2 * dim : dim)), window->record);
+    load_window(s, blk, t, node, lanes_reserved(lanes_of(pass.motion ? 2 * dim : dim)), window->record);
     if (!gather_needs_mass(s->basis->kind, pass.motion, pass.stress || pass.carry)) return;
     const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
     load_window(s, blk, t, &mass, 1, window->mass);
@@ -130,19 +130,20 @@ static void add_fall(const mpm *s, const point_arrays *p, const gather_result *o
         const double b = p->acceleration[a], *restrict x = p->x[a], *restrict next = out->x_next[a];
         const double *drive = p->drive[a];
         if (b == 0.0 && !drive) continue;
-        double impulse = 0.0, fall = 0.0;
+        double impulse = 0.0, work = 0.0;
         for (size_t k = start; k < end; ++k) {
             const double force = p->mass[k] * (b + (drive ? drive[k] : 0.0));
             impulse += force;
-            fall += force * (next[k] - x[k]);
+            work += force * (next[k] - x[k]);
         }
         gain[GAIN_IMPULSE + a] += s->work->kick * impulse;
         add_fall_moment(s, p, a, start, end, gain + GAIN_MOMENT);
-        gain[GAIN_FALL] += fall;
+        gain[GAIN_BODY_FORCE] += work;
     }
 }
 
-/* With the linear basis the moments are the gradient, which is then taken with light nodes in view (kernels_gather.h). */
+/* With the linear basis the moments are the gradient, which is then taken with corrections for nodes of small mass
+ * (kernels_gather.h). */
 bool carries_gradient(const mpm *s)
 {
     const transfer_carry carry = s->transfer->carry;
@@ -216,7 +217,7 @@ static void enter_gains(mpm *s)
 {
     double sum[MPM_GAINS];
     domain_sum_tiles(s->mesh, s->work->tile_sum, MPM_GAINS, sum);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[GAIN_HEAT] + sum[GAIN_FALL]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, sum[GAIN_HEAT] + sum[GAIN_BODY_FORCE]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, sum[GAIN_REFERENCE]);
     for (int a = 0; a < s->mesh->dim; ++a)
         ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, sum[GAIN_IMPULSE + a]);
@@ -271,7 +272,7 @@ floe_status mpm_nodes_to_points(mpm *s)
     TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl, .carry = carries_gradient(s)}));
     for (int g = 0; g < s->n_groups; ++g) {
         move_surfaces(s, g);
-        move_skins(s, g);
+        move_markers(s, g);
     }
     return FLOE_OK;
 }

@@ -1,4 +1,5 @@
-/* How far points reach at nodes, by the points themselves: the largest of what each has to say. Private to the mpm room. */
+/* How far points reach at nodes, by the points themselves: the largest of what each has to say. Private to the mpm
+ * module. */
 #ifndef MPM_REACH_H
 #define MPM_REACH_H
 

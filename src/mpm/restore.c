@@ -120,7 +120,7 @@ static void next_residuals(mpm *s, double share)
         project_residuals(s, g);
         enter_mirrored_change(s, g, N_RESIDUAL, -share, true);
         subtract_projection(s, g);
-        hold_change(s, g, N_RESIDUAL, share);
+        constrain_change(s, g, N_RESIDUAL, share);
     }
     if (s->contact) contact_velocities(s, CONTACT_RESTORE);
     for (int g = 0; g < s->n_groups; ++g) {
@@ -129,7 +129,7 @@ static void next_residuals(mpm *s, double share)
     }
 }
 
-static void restore(mpm *s)
+static void restore_accelerations(mpm *s)
 {
     for (int g = 0; g < s->n_groups; ++g) start_residuals(s, g);
     for (int j = 1; j < s->order; ++j) {
@@ -141,7 +141,7 @@ static void restore(mpm *s)
 
 floe_status mpm_restore_velocities(mpm *s)
 {
-    restore(s);
+    restore_accelerations(s);
     for (int g = 0; s->work->edges && s->scene->method.stress == STRESS_USL && g < s->n_groups; ++g)
         TRY(edges_strain(s, g, N_VEL_L));
     return FLOE_OK;

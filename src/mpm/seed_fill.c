@@ -1,6 +1,6 @@
-/* Fluids take what slivers of other bodies left (linear basis).
+/* Fluids fill small gaps beside other bodies (linear basis).
  *
- * Fitted seeding lets a sliver join a point of the next cell. Fluids that take gradients at the centres of cells
+ * Fitted seeding merges small volumes into a point of the next cell. Fluids that take gradients at the centres of cells
  * (locate.h) push the nodes of a cell by their volume there: where a sliver of steel has left a cell, nothing pushes
  * back for the part it filled, and where one of gas has gone the gas pushes too much. A gas that is pressurised then
  * flows from full cells into that part, ever faster, until its points stand on a face and are pushed to and fro across
@@ -9,8 +9,9 @@
  * are no way out: the linear basis has them as stiff springs between nodes that bear little but gas, which no step
  * holds.
  *
- * So in each cell where fluids stand alone their points get the volume that all bodies together had there before
- * slivers joined. Density is kept, so that mass is off by the slivers' share; solids stay as they are. */
+ * So in each cell where fluids stand alone their points get the volume that all bodies together had there before small
+ * volume fractions joined. Density is kept, so that mass is off by the small volume fractions' share; solids stay as
+ * they are. */
 #include "base/memory.h"
 #include "mpm/work.h"
 #include "scene/state.h"
@@ -41,7 +42,7 @@ static bool fluids_fill_cells(const mpm *s)
     return false;
 }
 
-/* What the shape of a body has in each cell: as it is seeded where no sliver joins another. */
+/* Volume of a body's shape in each cell, as it is seeded without merging. */
 static floe_status add_shape(const mpm *s, int body, double *sum)
 {
     const scene_body *b = &s->scene->body[s->body[body].scene_body];
@@ -67,7 +68,7 @@ static floe_status add_contents(const mpm *s, const seed_list *list, cell_conten
     return FLOE_OK;
 }
 
-static void fill(const mpm *s, const cell_contents *c, seed_list *list)
+static void fill_fluid_cells(const mpm *s, const cell_contents *c, seed_list *list)
 {
     for (int body = 0; body < s->n_bodies; ++body)
         for (size_t n = 0; s->body[body].fluid && n < list[body].n; ++n) {
@@ -85,7 +86,7 @@ floe_status fill_cells(const mpm *s, seed_list *list)
     if (status == FLOE_OK) status = memory_new(s->ctx, &c.points, cells, sizeof *c.points);
     if (status == FLOE_OK) status = memory_new(s->ctx, &c.solid, cells, sizeof *c.solid);
     if (status == FLOE_OK) status = add_contents(s, list, &c);
-    if (status == FLOE_OK) fill(s, &c, list);
+    if (status == FLOE_OK) fill_fluid_cells(s, &c, list);
     memory_free(s->ctx, &c.solid);
     memory_free(s->ctx, &c.points);
     memory_free(s->ctx, &c.shape);

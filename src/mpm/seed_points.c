@@ -4,9 +4,9 @@
 #include "material/strain_from_stress.h"
 #include "math/tensor.h"
 #include "mpm/edge/edge.h"
-#include "mpm/membrane/membrane.h"
+#include "mpm/membrane/membrane_points.h"
 #include "mpm/spring.h"
-#include "mpm/surface/skin.h"
+#include "mpm/surface/surface_markers.h"
 #include "mpm/surface/traction.h"
 #include "mpm/wall.h"
 #include "scene/state.h"
@@ -71,10 +71,10 @@ static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const d
 {
     const int dim = s->mesh->dim;
     for (int c = 0; c < dim; ++c) {
-        const double way = 0.25 * s->mesh->h[c];
+        const double step = 0.25 * s->mesh->h[c];
         double ahead[3] = {x[0], x[1], x[2]}, behind[3] = {x[0], x[1], x[2]}, v[2][3];
-        ahead[c] += way;
-        behind[c] -= way;
+        ahead[c] += step;
+        behind[c] -= step;
         if (!body_velocity_known(s->scene, s->body[body].scene_body, ahead)) ahead[c] = x[c];
         if (!body_velocity_known(s->scene, s->body[body].scene_body, behind)) behind[c] = x[c];
         TRY(velocity_at(s, &s->body[body], ahead, v[1]));
@@ -166,7 +166,7 @@ floe_status mpm_seed(mpm *s)
     for (int body = 0; body < s->n_bodies; ++body) seed_list_free(s->ctx, &list[body]);
     TRY(status);
     TRY(seed_surfaces(s));
-    if (s->seals && scene_holder(s->scene) < 0) TRY(seed_skins(s));
+    if (s->seals && scene_enclosing_body(s->scene) < 0) TRY(seed_markers(s));
     TRY(mpm_resort(s));
     TRY(start_membranes(s));
     TRY(start_supports(s));

@@ -1,12 +1,14 @@
-/* Volumes of gas points, brought back to the room that there is.
+/* Scales the volumes of gas points to the free volume.
  *
- * Sums over points are no exact integrals: gas of even pressure swells by sum_p V_p div v, which is not what its room does, and it loses
- * energy to the motion as its points move so that the sum grows. In a box of steel its volumes had outgrown the room by a fifth after a blast
- * had been reflected some times, and its pressure was as much too low. What is overfull or left empty at the nodes is
- * e_i = 1 - sum_p V_p S_ip/V_i, of all points; a gas point that moves by `way` cells in the step takes V <- V (1 + pace way sum_i S_ip e_i), and keeps
- * its energy, so that in the end p = (gamma - 1) e rho is that of the room. Points at rest are left alone: seeding leaves e_i of some per
- * cent about walls that cut cells. Beside a node that is half empty, as at a surface towards nothing, nothing swells. A change of
- * volume against the reference pressure, which the nodes' forces leave out, is paid by the energy, as in stress.c. */
+ * Sums over points are not exact integrals: the volume of gas of uniform pressure changes by sum_p V_p div v, which is
+ * not the change of the free volume, and the gas loses energy as its points move so that the sum grows. In a steel box
+ * its volumes exceeded the free volume by a fifth after a blast had been reflected some times, and its pressure was as
+ * much too low. What is overfull or left empty at the nodes is e_i = 1 - sum_p V_p S_ip/V_i, of all points; a gas point
+ * that moves by `crossed` cells in the step takes V <- V (1 + pace way sum_i S_ip e_i), and keeps its energy, so that in
+ * the end p = (gamma - 1) e rho is that of the room. Points at rest are left alone: seeding leaves e_i of some per cent
+ * about walls that cut cells. Beside a node that is half empty, as at a surface towards nothing, nothing swells. A
+ * change of volume against the reference pressure, which the nodes' forces leave out, is paid by the energy, as in
+ * stress.c. */
 #include "mpm/edge/edge.h"
 #include "mpm/spread.h"
 #include "mpm/wall.h"
@@ -16,9 +18,9 @@
 #include <string.h>
 
 enum { SETTLE_WINDOW = 343 };
-/* Share of e that is gone a cell's way on. */
+/* Relative decay of e over the motion by one cell. */
 static const double pace = 0.5;
-/* The most of a volume that goes in a step, and the emptiness of a node that is at a surface. */
+/* The largest relative change of a volume in a step, and the empty share of a node at a surface. */
 static const double most = 0.1, half_empty = 0.5;
 
 /* Liquids hold their volumes by pressures that a change of some per cent is out of all proportion to. */
@@ -87,9 +89,9 @@ static double settle_points(const mpm *s, int blk, int body, size_t start, size_
     const point_arrays p = points_of(s, blk, body, false, false);
     double *J = field_next(f, P_J, body, 0), *energy = field_next(f, P_ENERGY, body, 0), gained = 0.0;
     for (size_t k = start; k < end; ++k) {
-        double way = 0.0;
-        for (int a = 0; a < s->mesh->dim; ++a) way += fabs(p.v[a][k]) * s->dt / s->mesh->h[a];
-        const double top = swells ? most : 0.0, change = fmax(-most, fmin(top, pace * way * empty[k - start]));
+        double crossed = 0.0;
+        for (int a = 0; a < s->mesh->dim; ++a) crossed += fabs(p.v[a][k]) * s->dt / s->mesh->h[a];
+        const double top = swells ? most : 0.0, change = fmax(-most, fmin(top, pace * crossed * empty[k - start]));
         const double gain = -s->scene->reference_pressure * change * J[k] * p.volume0[k];
         energy[k] += gain / p.mass[k];
         gained += gain;

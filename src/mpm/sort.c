@@ -1,7 +1,7 @@
 /* The order of points: by tile, then cell, then id, whatever their history; and what becomes of points that leave. */
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
-#include "mpm/surface/skin.h"
+#include "mpm/surface/surface_markers.h"
 #include "mpm/wall_overlap.h"
 
 #include <math.h>
@@ -68,12 +68,12 @@ static void order_by_id(uint32_t *order, size_t n, const double *id)
 }
 
 /* Scratch of one sort. */
-typedef struct sort_room {
+typedef struct sort_scratch {
     int *key;
     uint32_t *order, *count;
-} sort_room;
+} sort_scratch;
 
-static void free_room(context *ctx, sort_room *r)
+static void free_sort_scratch(context *ctx, sort_scratch *r)
 {
     memory_free(ctx, &r->key);
     memory_free(ctx, &r->order);
@@ -81,7 +81,7 @@ static void free_room(context *ctx, sort_room *r)
 }
 
 /* Counting sort on the keys; points that are GONE drop out. Returns how many stay. */
-static size_t count_sort(const sort_room *r, size_t n, int keys, const double *id)
+static size_t count_sort(const sort_scratch *r, size_t n, int keys, const double *id)
 {
     memset(r->count, 0, ((size_t)keys + 1) * sizeof(uint32_t));
     for (size_t k = 0; k < n; ++k)
@@ -97,7 +97,7 @@ static size_t count_sort(const sort_room *r, size_t n, int keys, const double *i
     return keys ? r->count[keys - 1] : 0;
 }
 
-static floe_status sort_with(mpm *s, int blk, int body, sort_room *r)
+static floe_status sort_with(mpm *s, int blk, int body, sort_scratch *r)
 {
     const mesh *m = s->mesh;
     const block *b = &m->block[blk];
@@ -119,9 +119,9 @@ static floe_status sort_with(mpm *s, int blk, int body, sort_room *r)
 
 static floe_status sort_body(mpm *s, int blk, int body)
 {
-    sort_room room = {0};
-    const floe_status status = sort_with(s, blk, body, &room);
-    free_room(s->ctx, &room);
+    sort_scratch scratch = {0};
+    const floe_status status = sort_with(s, blk, body, &scratch);
+    free_sort_scratch(s->ctx, &scratch);
     return status;
 }
 
@@ -211,7 +211,7 @@ static floe_status copy_point(mpm *s, int from, int to, int body, size_t k)
 }
 
 /* Points whose cell belongs to another block go there; sorting drops them here. */
-static floe_status migrate(mpm *s, int body)
+static floe_status migrate_points(mpm *s, int body)
 {
     const mesh *m = s->mesh;
     size_t before[MESH_MAX_BLOCKS];
@@ -239,13 +239,13 @@ floe_status mpm_commit(mpm *s)
             if (has_moved(s, b, body)) moved = true;
         if (!moved) continue;
         ledger_tally(s->ledger, COUNT_REORDERS, 1);
-        if (s->mesh->n_blocks > 1) TRY(migrate(s, body));
+        if (s->mesh->n_blocks > 1) TRY(migrate_points(s, body));
         for (int b = 0; b < s->mesh->n_blocks; ++b) TRY(sort_body(s, b, body));
     }
     surface_point *swap = s->work->surface;
     s->work->surface = s->work->surface_next;
     s->work->surface_next = swap;
-    commit_skins(s);
+    commit_markers(s);
     edges_commit(s);
     overlaps_commit(s);
     s->dt_previous = s->dt;

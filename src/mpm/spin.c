@@ -1,5 +1,5 @@
-/* Moment of momentum of points about the origin: that of their places and velocities, and that of the motion about each point which a
- * transfer carries (transfer.h), m_p sum_i S_ip (x_i - x_p) x C_p (x_i - x_p). */
+/* Moment of momentum of points about the origin: that of their positions and velocities, and that of the motion about
+ * each point which a transfer carries (transfer.h), m_p sum_i S_ip (x_i - x_p) x C_p (x_i - x_p). */
 #include "base/threads.h"
 #include "mpm/wall.h"
 

@@ -100,10 +100,10 @@ void scatter_springs(mpm *s, int group)
         const scene_spring *spring = &s->scene->spring[n];
         spring_now now;
         if (!look_at_spring(s, n, &now)) continue;
-        const double pull = stiffness_of(s, spring) * now.stretch;
+        const double tension = stiffness_of(s, spring) * now.stretch;
         for (int e = 0; e < 2; ++e) {
             double force[3];
-            for (int a = 0; a < 3; ++a) force[a] = (e == 0 ? pull : -pull) * now.unit[a];
+            for (int a = 0; a < 3; ++a) force[a] = (e == 0 ? tension : -tension) * now.unit[a];
             if (spring->end[e].body >= 0 && s->work->body_group[spring->end[e].body] == group)
                 push_nodes(s, group, now.x[e], force);
             /* a fixed place gives the momentum that the other end takes; entered once */

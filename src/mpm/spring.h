@@ -1,4 +1,4 @@
-/* Springs and tethers between points, or from one to a place (spring.c). Private to the mpm room. */
+/* Springs and tethers between points, or between a point and a fixed position (spring.c). Private to the mpm module. */
 #ifndef MPM_SPRING_H
 #define MPM_SPRING_H
 

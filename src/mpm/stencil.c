@@ -19,7 +19,7 @@ place_stencil stencil_at(const mpm *s, const double x[3])
         first[a] = cell + s->work->basis_1d(xi, 0.25, inv_h, w[a], slope);
         count[a] = s->basis->support;
     }
-    place_stencil st; /* most of its room stays unused: it is not cleared */
+    place_stencil st; /* most of it stays unused: it is not cleared */
     st.n = 0;
     for (int k = 0; k < count[2]; ++k)
         for (int j = 0; j < count[1]; ++j)
@@ -42,12 +42,12 @@ void visit_stencil(const block *b, const place_stencil *st, stencil_node *visit,
 {
     for (int i = 0; i < st->n; ++i) {
         int local[3];
-        bool held = true;
+        bool in_block = true;
         for (int a = 0; a < 3; ++a) {
             local[a] = st->node[i][a] - b->lo[a];
-            held = held && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
+            in_block = in_block && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
         }
-        if (held) visit(user, mesh_index(b, local[0], local[1], local[2]), st->w[i], st->mass[i]);
+        if (in_block) visit(user, mesh_index(b, local[0], local[1], local[2]), st->w[i], st->mass[i]);
     }
 }
 

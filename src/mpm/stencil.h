@@ -1,5 +1,5 @@
 /* The nodes about any place of the mesh, for what acts at places instead of on the points of a tile: loaded surfaces,
- * springs. Private to the mpm room. */
+ * springs. Private to the mpm module. */
 #ifndef MPM_STENCIL_H
 #define MPM_STENCIL_H
 
@@ -7,7 +7,7 @@
 
 enum { STENCIL_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
 
-/* Nodes by global index, with their weights; `mass` is for whoever weighs them. */
+/* Nodes by global index, with their weights; `mass` if the caller needs it. */
 typedef struct place_stencil {
     int n;
     int node[STENCIL_NODES][3];

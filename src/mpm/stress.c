@@ -1,7 +1,7 @@
 /* Strain, artificial viscosity, heating and the law, in batches of points unpacked to three dimensions. */
 #include "geom/compound.h"
 #include "material/artificial_viscosity.h"
-#include "mpm/membrane/hold.h"
+#include "mpm/membrane/enclosed_gas.h"
 #include "mpm/region.h"
 
 #include <math.h>
@@ -161,7 +161,7 @@ FLOE_WIDE static void find_growth(const mpm *s, const solid_batch *b, double *re
     }
 }
 
-static void grow(solid_batch *b, const double *growth)
+static void grow_volumes(solid_batch *b, const double *growth)
 {
     for (size_t k = 0; k < b->n; ++k) b->J[k] = b->J_old[k] * growth[k];
 }
@@ -299,7 +299,7 @@ static void advance_shape(const mpm *s, int body, solid_batch *b)
     if (!s->cell_density || !m->fluid) centre_rates(s, b);
     if (keeps_F(s, body)) advance_F(b);
     if (placed)
-        grow(b, growth);
+        grow_volumes(b, growth);
     else if (!(m->law->needs & SOLID_NEEDS_F))
         advance_J(b);
 }
@@ -310,7 +310,7 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
     load_batch(s, blk, body, start, end, false, b);
     advance_shape(s, body, b);
     if (keeps_box(s, body)) swell_boxes(s, blk, body, start, b);
-    fill_room(s, body, b);
+    scale_to_enclosed_volume(s, body, b);
     if (fields_has(s->domain->fields[blk], P_DENSITY, body)) take_cell_density(s, blk, body, start, b);
     if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);
     if (m->fluid) gain[GAIN_HEAT] += add_heat(s, blk, body, start, b);

@@ -82,12 +82,12 @@ static void hold_nodes(mpm *s, int group, field_id field, double entered, bool c
         for (int blk = 0; blk < s->mesh->n_blocks; ++blk) {
             const block *b = &s->mesh->block[blk];
             int local[3];
-            bool held = true;
+            bool in_block = true;
             for (int a = 0; a < 3; ++a) {
                 local[a] = node->node[a] - b->lo[a];
-                held = held && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
+                in_block = in_block && (a >= b->dim || (local[a] >= -1 && local[a] <= b->n[a] + 1));
             }
-            for (int c = 0; held && c < s->mesh->dim; ++c)
+            for (int c = 0; in_block && c < s->mesh->dim; ++c)
                 field_get(s->domain->fields[blk], field, group, c)[mesh_index(b, local[0], local[1], local[2])] =
                     change ? 0.0 : s->scene->support[node->support].velocity[c];
         }
@@ -99,7 +99,7 @@ void impose_supports(mpm *s, int group, field_id velocity, double entered)
     hold_nodes(s, group, velocity, entered, false);
 }
 
-void hold_supports(mpm *s, int group, field_id change, double share)
+void constrain_supports(mpm *s, int group, field_id change, double share)
 {
     hold_nodes(s, group, change, share, true);
 }

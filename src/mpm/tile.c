@@ -1,8 +1,8 @@
 /* Sums from points to nodes: private sums in tiles, then nodes from tiles in global tile order (docs/structure.md, Tiles). */
 #include "mpm/lanes.h"
-#include "mpm/membrane/hold.h"
+#include "mpm/membrane/enclosed_gas.h"
 #include "mpm/spring.h"
-#include "mpm/surface/skin.h"
+#include "mpm/surface/surface_markers.h"
 #include "mpm/surface/traction.h"
 #include "mpm/wall.h"
 
@@ -98,7 +98,7 @@ point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool n
         p.affine[c] = next_velocity ? field_next(f, P_AFFINE, body, c) : field_get(f, P_AFFINE, body, c);
     if (s->basis->fact.shaped) set_domains(s, f, body, &p);
     set_sides(s, s->body[body].group, &p);
-    p.held = is_held(s, body) ? s->work->hold.pressure : 0.0;
+    p.enclosed_pressure = is_enclosed_gas(s, body) ? s->work->enclosure.pressure : 0.0;
     for (int a = 0; s->driven && a < s->mesh->dim; ++a) p.drive[a] = field_get(f, P_DRIVE, body, a);
     p.grid_pressure = field_get(f, P_GRID_PRESSURE, body, 0);
     memcpy(p.acceleration, s->work->acceleration[body], sizeof p.acceleration);
@@ -112,7 +112,8 @@ static int record_of(scatter_mode mode, int dim)
 }
 
 /* One tile's private sums. */
-static void scatter_tile(mpm *s, int group, int blk, int tile, scatter_mode mode, bool next_stress, bool next_velocity)
+static void scatter_tile_sums(mpm *s, int group, int blk, int tile, scatter_mode mode, bool next_stress,
+                              bool next_velocity)
 {
     tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     box.shared = shared_cells(s, blk, tile, &box);
@@ -238,7 +239,8 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
     const mesh *m = s->mesh;
     for (int b = 0; b < m->n_blocks; ++b) {
 #pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < m->block[b].n_tiles; ++t) scatter_tile(s, group, b, t, mode, next_stress, next_velocity);
+        for (int t = 0; t < m->block[b].n_tiles; ++t)
+            scatter_tile_sums(s, group, b, t, mode, next_stress, next_velocity);
     }
     domain_share_partials(s->domain);
     for (int b = 0; b < m->n_blocks; ++b) {
@@ -258,9 +260,9 @@ void scatter_loads(mpm *s, int group)
 {
     scatter_surfaces(s, group); /* they look at the masses */
     scatter_springs(s, group);
-    scatter_push(s, group);
-    if (!s->balance) scatter_skins(s, group, s->work->skin.force);
-    scatter_hold(s, group);
+    scatter_membrane_force(s, group);
+    if (!s->implicit) scatter_markers(s, group, s->work->markers.force);
+    scatter_enclosed_pressure(s, group);
     fold_forces(s, group);
 }
 

@@ -1,6 +1,6 @@
 /* Sums and limits over the current points: within tiles, then over tiles in order. */
 #include "base/threads.h"
-#include "mpm/membrane/membrane.h"
+#include "mpm/membrane/membrane_points.h"
 #include "mpm/region.h"
 #include "mpm/spring.h"
 

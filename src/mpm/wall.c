@@ -15,8 +15,8 @@ bool wall_mirrors(const mpm *s, int group, int axis, int side)
     return kind == BC_SYMMETRY || on_axis || (kind == BC_SLIP && !wall_lets_go(s, group, axis, side));
 }
 
-/* Sides that hold all components of the nodes' velocity. */
-static bool holds(const mpm *s, int axis, int side)
+/* Whether a side constrains all components of the nodes' velocity. */
+static bool side_constrains_all(const mpm *s, int axis, int side)
 {
     const bc_kind kind = s->scene->bc.side[axis][side].kind;
     return kind == BC_NO_SLIP || kind == BC_VELOCITY || kind == BC_INLET;
@@ -159,20 +159,20 @@ typedef struct wall_rule {
     field_id field;
     double scale; /* impulse that is entered, of mass times what the field loses */
     double target[MESH_MAX_DIM];
-    bool hold[MESH_MAX_DIM];
+    bool constrains[MESH_MAX_DIM];
     double *v[MESH_MAX_DIM]; /* of the block in hand */
     double impulse[MESH_MAX_DIM], moment[3], work;
 } wall_rule;
 
-bool wall_holds(const mpm *s, int group, int axis, int side, int component)
+bool wall_constrains(const mpm *s, int group, int axis, int side, int component)
 {
-    return holds(s, axis, side) || (wall_mirrors(s, group, axis, side) && component == axis);
+    return side_constrains_all(s, axis, side) || (wall_mirrors(s, group, axis, side) && component == axis);
 }
 
 double wall_target(const mpm *s, int axis, int side, int component)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
-    if (!holds(s, axis, side)) return 0.0;
+    if (!side_constrains_all(s, axis, side)) return 0.0;
     return wall->kind == BC_VELOCITY ? bc_velocity(wall, component, s->time + s->dt) : wall->velocity[component];
 }
 
@@ -180,7 +180,7 @@ static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field
 {
     wall_rule r = {.s = s, .group = group, .axis = axis, .field = field};
     for (int c = 0; c < s->mesh->dim; ++c) {
-        r.hold[c] = wall_holds(s, group, axis, side, c);
+        r.constrains[c] = wall_constrains(s, group, axis, side, c);
         r.target[c] = wall_target(s, axis, side, c);
     }
     return r;
@@ -195,7 +195,7 @@ static void add_impulse(void *user, int blk, const int node[MESH_MAX_DIM], ptrdi
     place_of_node(r->s->mesh, node, x);
     const double mass = field_get(f, N_MASS, r->group, 0)[at];
     for (int c = 0; c < r->s->mesh->dim; ++c) {
-        if (!r->hold[c]) continue;
+        if (!r->constrains[c]) continue;
         const double impulse = mass * (r->target[c] - field_get(f, r->field, r->group, c)[at]);
         r->impulse[c] += impulse;
         add_moment(r->moment, x, c, impulse);
@@ -216,7 +216,7 @@ static void impose_node(void *user, ptrdiff_t at, ptrdiff_t inward)
     (void)inward;
     const wall_rule *r = user;
     for (int c = 0; c < r->s->mesh->dim; ++c)
-        if (r->hold[c]) r->v[c][at] = r->target[c];
+        if (r->constrains[c]) r->v[c][at] = r->target[c];
 }
 
 /* Visits a side's nodes in every block, the rule's arrays being those of its field there. */
@@ -262,7 +262,7 @@ static void still_sum(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff
     const fields *f = r->s->domain->fields[blk];
     const double kept = r->scale * field_get(f, N_MASS, r->group, 0)[at];
     for (int c = 0; c < r->s->mesh->dim; ++c) {
-        if (!r->hold[c]) continue;
+        if (!r->constrains[c]) continue;
         const double impulse = -kept * field_get(f, r->field, r->group, c)[at];
         r->impulse[c] += impulse;
         add_moment(r->moment, x, c, impulse);
@@ -284,11 +284,11 @@ void still_walls(mpm *s, int group)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
-            if (!wall_lets_go(s, group, axis, side)) /* whose push is an impulse that the points get */
+            if (!wall_lets_go(s, group, axis, side)) /* whose force is an impulse on the points */
                 still_side(s, axis, side, group, N_ACCEL, s->share * s->work->kick);
 }
 
-void hold_change(mpm *s, int group, field_id change, double share)
+void constrain_change(mpm *s, int group, field_id change, double share)
 {
     for (int axis = 0; axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side)
@@ -296,7 +296,7 @@ void hold_change(mpm *s, int group, field_id change, double share)
                 stop_flowing(s, axis, side, group, change, share);
             else
                 still_side(s, axis, side, group, change, share);
-    hold_supports(s, group, change, share);
+    constrain_supports(s, group, change, share);
 }
 
 /* A mirror gives a body the momentum that its image loses: of what the points gave the ghost (force f, mass m, momentum p), the
@@ -321,7 +321,7 @@ static void turn_back(const mpm *s, const int node[MESH_MAX_DIM], int axis, doub
     *sum += impulse;
 }
 
-/* The way from the ghost beyond a mirror to the first inner node. */
+/* Distance from the ghost beyond a mirror to the first inner node. */
 static void way_inward(const mpm *s, const int node[MESH_MAX_DIM], int axis, double way[MESH_MAX_DIM])
 {
     for (int a = 0; a < MESH_MAX_DIM; ++a) way[a] = 0.0;
@@ -354,7 +354,7 @@ static double inner_velocity(const mirror_sum *r, const int node[MESH_MAX_DIM], 
     for (int a = 0; a < m->dim; ++a)
         for (int side = 0; side < 2; ++side)
             if (a != r->axis && !m->periodic[a] && node[a] == (side == SIDE_LOWER ? 0 : m->n[a]) &&
-                holds(r->s, a, side))
+                side_constrains_all(r->s, a, side))
                 v = wall_target(r->s, a, side, axis);
     return v;
 }

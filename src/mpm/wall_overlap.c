@@ -1,4 +1,4 @@
-/* Overlaps: room for them, and the law of the springs (wall_overlap.h). */
+/* Overlaps: space for them, and the law of the springs (wall_overlap.h). */
 #include "mpm/wall_overlap.h"
 
 #include "base/memory.h"
@@ -24,7 +24,8 @@ static overlap_surface surface_of(const mpm *s, const mpm_body *b)
 {
     overlap_surface r = {.flows = (double)INFINITY};
     r.speed = sqrt(modulus_of(b) / s->scene->material[b->scene_material].density);
-    /* Domains of CPDI are cut at such sides, and what overlaps them is cut to slivers whose slopes tear the body: it is all but stopped at once. */
+    /* Domains of CPDI are cut at such sides, and what overlaps them is cut to small volume fractions whose slopes tear
+     * the body: it is all but stopped at once. */
     if (s->basis->fact.shaped)
         r.flows = 1e-3;
     else if (!b->membrane.model && b->law->yield_stress)

@@ -1,28 +1,29 @@
-/* Sides that let go. To a group of solids alone, a slip wall is a body of infinite mass: what has come and goes on it pushes back, node by
- * node, by springs (wall_overlap.h), and pulls nothing back. A node sees a body up to one and a half cells before it arrives;
- * whether it has come is told by the points themselves, each with half its width. What a body loses there is an impulse on its points,
- * unlike at a mirror, beyond which the body goes on as its image. Beyond such a side velocities are continued in a straight line, as
- * beyond any side without a mirror. Fluid points, and solids that share a velocity field with them, keep the mirror; so do membranes
- * that hold a gas in, whose ends are tied to the sides, and steps that are solved for (balance.h). */
+/* Unilateral sides. For a group of solids alone, a slip wall is a body of infinite mass: contact springs at the nodes
+ * (wall_overlap.h) act on bodies that have reached it, in compression only. A node has mass of a body up to one and a
+ * half cells before it arrives; whether it has come is told by the points themselves, each with half its width. What a
+ * body loses there is an impulse on its points, unlike at a mirror, beyond which the body goes on as its image. Beyond
+ * such a side velocities are continued in a straight line, as beyond any side without a mirror. Fluid points, and
+ * solids that share a velocity field with them, keep the mirror; so do membranes around a gas in, whose ends are tied
+ * to the sides, and steps that are solved for (implicit.h). */
 #include "mpm/reach.h"
 #include "mpm/wall.h"
 #include "mpm/wall_overlap.h"
 
 #include <math.h>
 
-/* Groups that some body keeps from being let go. */
+/* Groups for which some body makes sides bilateral. */
 static bool is_loose(const mpm *s, int group)
 {
     for (int b = 0; b < s->n_bodies; ++b) {
         const mpm_body *body = &s->body[b];
-        if (body->group == group && (body->fluid || (body->membrane.model && (s->seals || s->holds)))) return false;
+        if (body->group == group && (body->fluid || (body->membrane.model && (s->seals || s->encloses)))) return false;
     }
     return true;
 }
 
 bool wall_lets_go(const mpm *s, int group, int axis, int side)
 {
-    return s->scene->bc.side[axis][side].kind == BC_SLIP && !s->mesh->periodic[axis] && !s->balance &&
+    return s->scene->bc.side[axis][side].kind == BC_SLIP && !s->mesh->periodic[axis] && !s->implicit &&
            is_loose(s, group);
 }
 
@@ -54,8 +55,8 @@ static void half_widths(const mpm *s, int body, const point_arrays *p, size_t k,
 }
 
 /* A point's reach beyond a side, and its body's rank, to the nodes of the side's plane that it gives to. */
-static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, int axis, int side,
-                          double reach, double rank, double *out)
+static void scatter_reach_at_side(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, int axis, int side,
+                                  double reach, double rank, double *out)
 {
     const int *window = s->work->window, dim = s->mesh->dim;
     point_span r = span_of_point(s, t, p, k);
@@ -92,7 +93,7 @@ static void scatter_body(const mpm *s, int blk, int body, const tile_box *t, con
                 const double depth = side == SIDE_LOWER ? m->lower[axis] - x : x - m->upper[axis];
                 if (depth < -2.0 * m->h[axis]) continue; /* no basis reaches so far */
                 half_widths(s, body, &p, k, half);
-                scatter_point(s, t, &p, k, axis, side, depth + half[axis], s->overlaps->rank[body], out);
+                scatter_reach_at_side(s, t, &p, k, axis, side, depth + half[axis], s->overlaps->rank[body], out);
             }
         }
 }
@@ -207,7 +208,7 @@ static void visit_block(side_rule *r, int blk, side_visitor *visit)
                 visit(r, node, mesh_index(b, node[0] - b->lo[0], node[1] - b->lo[1], node[2] - b->lo[2]));
 }
 
-static void push_node(side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at)
+static void predict_side_velocity(side_rule *r, const int node[MESH_MAX_DIM], ptrdiff_t at)
 {
     r->force[at] -= r->outward * push_at(r, node, at);
 }
@@ -243,7 +244,7 @@ void push_off_sides(mpm *s, int group)
             side_rule rule = rule_of(s, axis, side, group);
             wall_visit_once(s->mesh, axis, side, add_push, &rule);
             enter_push(s, &rule, 1.0);
-            for (int b = 0; b < s->mesh->n_blocks; ++b) visit_block(&rule, b, push_node);
+            for (int b = 0; b < s->mesh->n_blocks; ++b) visit_block(&rule, b, predict_side_velocity);
         }
 }
 

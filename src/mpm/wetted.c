@@ -67,7 +67,7 @@ static floe_status store_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdi
     return FLOE_OK;
 }
 
-floe_status mpm_hold_wetted(mpm *s)
+floe_status mpm_constrain_wetted(mpm *s)
 {
     mpm_wetted *w = s->work->wetted;
     TRY(wetted_list(s));

@@ -34,7 +34,7 @@ typedef struct mpm_wetted {
     int *index;          /* per global node: in the list, -1: in none; owned */
     wetted_node *node;   /* owned */
     int *member, *first; /* nodes in the order of their lines' roots, and by root where its own begin; owned */
-    int n, room;
+    int n, reserved;
 } mpm_wetted;
 
 floe_status wetted_create(mpm *s);

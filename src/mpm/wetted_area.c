@@ -40,7 +40,7 @@ static void pass_by(point_arrays *p, int dim, size_t n)
     p->J += n;
 }
 
-/* As what a stress of -1 Pa pushes the nodes with, in whatever way the basis and the geometry have it. */
+/* The nodal forces of a stress of -1 Pa, for any basis and geometry. */
 static void push_evenly(const mpm *s, const tile_box *t, point_arrays p, size_t start, size_t end, double *out)
 {
     double even[2][SOLID_CHUNK];
@@ -49,7 +49,7 @@ static void push_evenly(const mpm *s, const tile_box *t, point_arrays p, size_t 
         even[1][k] = 0.0;
     }
     p.q = p.grid_pressure = NULL;
-    p.held = 0.0;
+    p.enclosed_pressure = 0.0;
     memset(p.acceleration, 0, sizeof p.acceleration);
     for (int a = 0; a < MESH_MAX_DIM; ++a) p.drive[a] = NULL;
     for (int c = 0; c < 6; ++c) p.stress[c] = even[c < 3 ? 0 : 1];

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* A line whose areas sum to less than this of the face of a cell is no wall that a fluid stands along. */
+/* A line whose areas sum to less than this share of a cell's face is not a wall along which a fluid lies. */
 static const double least_area = 0.3;
 /* Nodes that solids fill less hold nothing where there is no wall to speak of. */
 static const double least_fill = 0.1;
@@ -11,7 +11,7 @@ static const double least_fill = 0.1;
  * next to no mass of one of the two would throw the points that see the node's gradient. */
 static const double least_fluid = 0.01, least_solid = 5.0;
 
-/* Nodes of a line that move apart, by their places in the list. */
+/* Nodes of a line that move apart, by their positions in the list. */
 typedef struct wetted_line {
     int n;
     int *member;
@@ -40,7 +40,7 @@ static void join_node(wetted_node *n)
         n->v[FLUID][c] = n->v[SOLID][c] = (n->mass[FLUID] * n->v[FLUID][c] + n->mass[SOLID] * n->v[SOLID][c]) / mass;
 }
 
-/* Joins nodes of a line that have too little of one of the two, and leaves them out of it: they stand behind its members. */
+/* Merges nodes of a line with too little area of one of the two into its members and drops them from the line. */
 static void join_slivers(const mpm *s, wetted_line *line)
 {
     mpm_wetted *w = s->work->wetted;
@@ -60,7 +60,8 @@ static void join_slivers(const mpm *s, wetted_line *line)
     line->n = apart;
 }
 
-/* The fluid's nodes lose a pressure's push N and its reaction goes to the solid's. Of even pressure that is all they are pushed with. */
+/* The nodes of the fluid lose the pressure force along N, and those of the solid get its reaction. With uniform
+ * pressure these are the only forces. */
 static void bear_pressure(const mpm *s, const wetted_line *line)
 {
     mpm_wetted *w = s->work->wetted;
@@ -97,7 +98,7 @@ static void stop_closing(const mpm *s, const wetted_line *line)
     }
 }
 
-/* Ends what is left of the relative velocity along the wall, in the mean of the line as well. */
+/* Removes the remaining relative velocity along the wall, also that of the mean of the line. */
 static void stop_slip(const mpm *s, const wetted_line *line)
 {
     mpm_wetted *w = s->work->wetted;
@@ -118,7 +119,7 @@ static void stop_slip(const mpm *s, const wetted_line *line)
     }
 }
 
-/* Whether the fluid stands along a wall there: its surface is about the face of a cell. */
+/* Whether the fluid lies along a wall there: its surface is about the face of a cell. */
 static bool is_wall(const mpm *s, int root, const wetted_line *line)
 {
     const double volume = node_volume(s, s->work->wetted->fluid, s->work->wetted->node[root].at),
@@ -139,7 +140,8 @@ static void join_nodes(const mpm *s, const wetted_line *line)
     }
 }
 
-/* Kinetic energy (J) that a node has lost to what held it: impulses times the means of the velocities before and after the kick. */
+/* Kinetic energy (J) that a node has lost to its constraint: impulses times the means of the velocities before and
+ * after the forces. */
 static double lost_at(const wetted_node *n)
 {
     double lost = 0.0;

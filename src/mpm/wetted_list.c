@@ -24,14 +24,14 @@ floe_status wetted_visit(mpm *s, int blk, const int lo[MESH_MAX_DIM], const int 
     return FLOE_OK;
 }
 
-/* Components that the sides hold have no area. */
-static void leave_held_out(const mpm *s, wetted_node *n)
+/* Components that the sides constrain have no area. */
+static void drop_constrained(const mpm *s, wetted_node *n)
 {
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2; ++side) {
             if (s->mesh->periodic[a] || n->at[a] != (side == SIDE_LOWER ? 0 : s->mesh->n[a])) continue;
             for (int c = 0; c < s->mesh->dim; ++c)
-                if (wall_holds(s, 0, a, side, c)) n->area[c] = 0.0;
+                if (wall_constrains(s, 0, a, side, c)) n->area[c] = 0.0;
             n->area[a] = 0.0;
         }
 }
@@ -40,11 +40,11 @@ static floe_status list_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdif
 {
     mpm_wetted *w = s->work->wetted;
     const fields *f = s->domain->fields[blk];
-    if (w->n == w->room) {
-        w->room = w->room ? 2 * w->room : 256;
-        TRY(memory_resize(s->ctx, &w->node, (size_t)w->room, sizeof *w->node));
-        TRY(memory_resize(s->ctx, &w->member, (size_t)w->room, sizeof *w->member));
-        TRY(memory_resize(s->ctx, &w->first, (size_t)w->room + 1, sizeof *w->first));
+    if (w->n == w->reserved) {
+        w->reserved = w->reserved ? 2 * w->reserved : 256;
+        TRY(memory_resize(s->ctx, &w->node, (size_t)w->reserved, sizeof *w->node));
+        TRY(memory_resize(s->ctx, &w->member, (size_t)w->reserved, sizeof *w->member));
+        TRY(memory_resize(s->ctx, &w->first, (size_t)w->reserved + 1, sizeof *w->first));
     }
     wetted_node n = {.at = {at[0], at[1], at[2]}, .number = wetted_number(w, at)};
     for (int g = 0; g < 2; ++g) {
@@ -60,7 +60,7 @@ static floe_status list_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdif
         n.area[c] = field_get(f, N_WETTED_AREA, w->fluid, c)[local];
         n.force[c] = field_get(f, N_FORCE, w->fluid, c)[local];
     }
-    leave_held_out(s, &n);
+    drop_constrained(s, &n);
     w->node[w->n++] = n;
     return FLOE_OK;
 }
@@ -104,7 +104,8 @@ int wetted_find(const mpm *s, const int at[MESH_MAX_DIM])
     return w->index[wetted_number(w, g)];
 }
 
-/* Whether j, on the line of k, comes before it on the way to the wall: ties go to the place, so that no two nodes lead to each other. */
+/* Whether j, on the line of k, lies nearer to the wall: ties are decided by position, so that no two nodes point to
+ * each other. */
 static bool leads(const wetted_node *j, const wetted_node *k)
 {
     const double a = wetted_dot(j->area, j->area), b = wetted_dot(k->area, k->area);
@@ -122,9 +123,9 @@ static int next_on_line(const mpm *s, int k)
     int axis = 0, best = k;
     for (int a = 1; a < s->mesh->dim; ++a)
         if (fabs(n->area[a]) > fabs(n->area[axis])) axis = a;
-    for (int way = -1; way <= 1; way += 2) {
+    for (int direction = -1; direction <= 1; direction += 2) {
         int at[MESH_MAX_DIM] = {n->at[0], n->at[1], n->at[2]};
-        at[axis] += way;
+        at[axis] += direction;
         const int j = wetted_find(s, at);
         if (j >= 0 && wetted_dot(w->node[j].area, n->area) > 0.0 && leads(&w->node[j], &w->node[best])) best = j;
     }

@@ -1,4 +1,4 @@
-/* What the files of the mpm room share: the scratch of a run, and passes over tiles. */
+/* Shared by the files of the mpm module: the scratch of a run, and passes over tiles. */
 #ifndef MPM_WORK_H
 #define MPM_WORK_H
 
@@ -6,21 +6,21 @@
 #include "mpm/kernels.h"
 #include "mpm/mpm.h"
 
-/* Loaded surface points: massless, moved by the grid, each with an area vector (m2) and the load that acts on it. */
+/* Loaded surface points: massless, moved by the nodes, each with an area vector (m2) and the load that acts on it. */
 typedef struct surface_point {
     double x[3], area[3];
-    int load; /* -1: none, but the gas of a room */
-    int room; /* number of the room (balance.h), -1: none */
-    int body; /* of the scene, in contact, of whose surface it is (balance_gap.c); -1: none */
+    int load;     /* -1: none, but the pressure of an enclosed gas */
+    int enclosed; /* number of the enclosed gas (implicit.h), -1: none */
+    int body;     /* of the scene: the body in contact whose surface this is (implicit_gap.c); -1: none */
 } surface_point;
 
-typedef struct membrane_line membrane_line;
-typedef struct kept_points kept_points;
+typedef struct membrane_curve membrane_curve;
+typedef struct saved_points saved_points;
 typedef struct membrane_normals membrane_normals;
 typedef struct mpm_edges mpm_edges;
 typedef struct mpm_wetted mpm_wetted;
 
-/* Where a point was last found: a hint. */
+/* Where a point was last found: a first guess for the next search. */
 typedef struct spring_end {
     int block;
     size_t index;
@@ -31,44 +31,45 @@ typedef struct spring_state {
     double rest_length; /* m */
 } spring_state;
 
-/* What gas pushes on a membrane (outline.c), by number of its points. Owned arrays. */
-typedef struct membrane_push {
-    size_t n;      /* 0: the body holds no gas of the cells */
-    double *x;     /* m, three each: where the points are at the start of the step */
+/* Forces of gas on a membrane (boundary.c), by number of its points. Owned arrays. */
+typedef struct membrane_force {
+    size_t n;      /* 0: the body encloses no gas of the cells */
+    double *x;     /* m, three each: positions of the points at the start of the step */
     double *v;     /* m/s, two each: scratch */
     double *force; /* N, two each */
-} membrane_push;
+} membrane_force;
 
 /* A marker on the surface of a solid. */
-typedef struct skin_marker {
+typedef struct surface_marker {
     double x[3], v[3]; /* m, m/s */
-} skin_marker;
+} surface_marker;
 
-/* Markers on the surfaces of solids, where gas of the cells ends and pushes (skin.c). Owned arrays; n = 0: the interface is not sharp. */
-typedef struct body_skin {
+/* Markers on the surfaces of solids, on which gas of the cells exerts its pressure (surface_markers.c). Owned arrays; n
+ * = 0: the interface is not sharp. */
+typedef struct surface_markers {
     size_t n;
-    skin_marker *now, *next;
-    int *group;    /* in which each moves */
-    int *pin;      /* axis of the side of the mesh that it stays on; -1: none */
-    double *force; /* N, two each: what the gas pushes in the step */
-    double *path;  /* m, two each: over which that works */
+    surface_marker *now, *next;
+    int *group;    /* velocity field of each */
+    int *pin;      /* axis of the side of the mesh on which it stays; -1: none */
+    double *force; /* N, two each: forces of the gas in the step */
+    double *path;  /* m, two each: displacement over which these forces do work */
     cut_chain *chain;
     int *beside; /* of each chain: the fluid of the cells that it holds back, by its number in the scene */
     int n_chains;
-} body_skin;
+} surface_markers;
 
-/* Gas points that a surface in space holds (hold.c). */
-typedef struct gas_hold {
-    size_t n;        /* points of the surface; 0: none holds gas */
+/* Gas points that a surface in three dimensions encloses (enclosed_gas.c). */
+typedef struct gas_enclosure {
+    size_t n;        /* points of the surface; 0: none encloses gas */
     int body;        /* the surface's */
     int material;    /* the gas's, in the scene */
-    double *force;   /* N, three each: of the gas's mean pressure, by number of the points; owned */
+    double *force;   /* N, three each: forces of the mean pressure of the gas, by number of the points; owned */
     double *area;    /* m2: by number of the points; owned */
-    double pressure; /* Pa: the mean of the gas's, over the reference pressure */
-    double growth;   /* the room over the volume of all gas points */
-} gas_hold;
+    double pressure; /* Pa: mean pressure of the gas less the reference pressure */
+    double growth;   /* the enclosed volume over the volume of all gas points */
+} gas_enclosure;
 
-/* A node, by global index, that a support holds. */
+/* A node, by global index, that a support constrains. */
 typedef struct support_node {
     int node[MESH_MAX_DIM], support;
 } support_node;
@@ -77,34 +78,35 @@ struct mpm_work {
     kernel_set kernel;
     int window[MESH_MAX_DIM]; /* nodes of a tile's window along each axis */
     int window_nodes;
-    int reach;                                                   /* nodes that the window begins before its tile */
+    int reach;                                                   /* nodes by which the window begins before its tile */
     int (*basis_1d)(double, double, double, double *, double *); /* weights of the basis along an axis */
     int body_group[SCENE_MAX_BODIES];                            /* group of a scene body, -1: none of ours */
-    bool *active; /* per global tile: the group in hand has points there; owned */
-    mpm_wetted
-        *wetted;     /* where fluids with a velocity field of their own meet solids (wetted.h); owned, NULL: none do */
-    uint32_t *moved; /* per global tile: bit of each body of which points have changed cell in the step; owned */
-    double *cell_mass;                        /* kg: of a fluid, per global cell; owned, NULL without cell densities */
-    double *tile_sum;                         /* per global tile, MPM_TILE_SUMS values; owned */
-    double kick;                              /* s: the time over which velocities are kicked */
-    double reference_mass;                    /* kg: heaviest point, for the small-node rule (theory 4.4) */
+    bool *active; /* per global tile: the current group has points there; owned */
+    mpm_wetted *
+        wetted; /* wetted surfaces of solids, where fluids have a velocity field of their own (wetted.h); owned, NULL: none */
+    uint32_t *moved;       /* per global tile: bit of each body of which points have changed cell in the step; owned */
+    double *cell_mass;     /* kg: of a fluid, per global cell; owned, NULL without cell densities */
+    double *tile_sum;      /* per global tile, MPM_TILE_SUMS values; owned */
+    double kick;           /* s: the time over which forces change velocities in the step */
+    double reference_mass; /* kg: heaviest point, for the small-node rule (theory 4.4) */
     double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
     double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
     surface_point *surface, *surface_next; /* owned */
     size_t n_surface;
     solid_batch *batch; /* one per thread; owned */
     spring_state spring[SCENE_MAX_SPRINGS];
-    membrane_push push[SCENE_MAX_BODIES]; /* of our bodies */
-    double lost; /* J: of points and nodes in the step, for a gas of the cells as heat; 0 where losses are none */
-    body_skin skin;
-    gas_hold hold;
+    membrane_force membrane_force[SCENE_MAX_BODIES]; /* of our bodies */
+    double
+        lost; /* J: energy lost by points and nodes in the step, heat of a gas on cells; 0 where losses are not heat */
+    surface_markers markers;
+    gas_enclosure enclosure;
     support_node *support; /* owned */
     size_t n_supports;
-    bool burnt;                /* P_MASS_LEFT is, for the rest of the step, the mass of points that burn */
-    membrane_line *line;       /* one a body (line.h); owned, NULL without membranes */
+    bool burnt;                /* P_MASS_LEFT is the mass of reacting points for the rest of the step */
+    membrane_curve *curve;     /* one a body (membrane_curve.h); owned, NULL without membranes */
     membrane_normals *normals; /* one a body (membrane_normal.h); owned, NULL where all membranes are connected */
     mpm_edges *edges;          /* edge.h; owned, NULL where the deck asks for none */
-    kept_points *kept;         /* parts.c; owned, NULL until a step is taken in parts */
+    saved_points *saved;       /* point_substeps.c; owned, NULL until a step has substeps */
     int threads;
 };
 
@@ -118,9 +120,10 @@ bool contact_is_near(const mpm *s, const tile_box *t, const point_arrays *p, siz
 uint64_t shared_cells(const mpm *s, int blk, int tile, const tile_box *t);
 /* A tile of a block, as the kernels see it. */
 tile_box tile_box_of(const mesh *m, const block *b, int tile_in_block);
-/* Nodes of a tile along each axis that are its own: the last tile owns the upper wall's; a periodic end is node 0 again. */
+/* Nodes that a tile owns along each axis: the last tile owns those of the upper wall; a periodic end is node 0
+ * again. */
 void tile_nodes(const mesh *m, const tile_box *t, int end[MESH_MAX_DIM]);
-/* Arrays of a body's current state in a block; `next_stress`, `next_velocity` take those from the next state instead. */
+/* Arrays of a body's current state in a block; with `next_stress`, `next_velocity` these are of the next state. */
 point_arrays points_of(const mpm *s, int blk, int body, bool next_stress, bool next_velocity);
 
 /* Calls for every tile of every block, side by side. */
@@ -133,39 +136,40 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
 typedef struct node_target {
     double *array[MPM_MAX_RECORD]; /* NULL: padding */
     int components;                /* doubles of a record */
-    int reach;                     /* nodes that the window begins before its tile */
+    int reach;                     /* nodes by which the window begins before its tile */
     int window[MESH_MAX_DIM];      /* nodes of it along each axis */
     bool largest;                  /* instead of the sum; -INFINITY where there is nothing */
 } node_target;
 
 /* Fields of a group, their components in order. */
 node_target node_target_of(const mpm *s, int blk, int group, const field_id *id, int count);
-/* Every node that a block sees (its own and one ghost layer) becomes the sum of its active tiles' partials, in global order. */
+/* Every node of a block and of one ghost layer becomes the sum of the partials of its active tiles, in global order. */
 void gather_nodes(const mpm *s, int blk, const node_target *out);
 /* Copies the window of a tile from node arrays: records of 1, 2, 4 or 8 components (tile.c). */
 void load_window(const mpm *s, int blk, const tile_box *t, const double *const *node, int count, double *window);
 
-/* All that pushes a group's nodes but points, on top of what N_FORCE holds, with the sides' folds (tile.c). */
+/* Adds all nodal forces of a group but those of stress (loads, membranes, gas) to N_FORCE, and folds them at sides
+ * (tile.c). */
 void scatter_loads(mpm *s, int group);
 /* Folds N_FORCE at periodic ends and sides. */
 void fold_forces(mpm *s, int group);
 
-/* Whether C_p comes with the pass that moves the points, as the gradient there (points.c). */
+/* Whether C_p is computed in the pass that moves the points, as the velocity gradient (points.c). */
 bool carries_gradient(const mpm *s);
 /* v_p becomes sum S v of a node field, in the next state (points.c). */
 floe_status sample_velocities(mpm *s, field_id velocity);
-/* v_i = momentum over mass, none where there is no mass, on the nodes of every block (node.c). */
+/* v_i = momentum over mass, zero where there is no mass, on the nodes of every block (node.c). */
 void divide_momenta(mpm *s, int group, field_id out);
 
 /* Whether forces are scattered with the masses (mpm_step.c). */
 bool forces_at_once(const mpm *s);
 
-/* What a pass over the points adds: energy (J) of heating loads, of the reference pressure's work, of body forces; and their impulse
- * (N s) by component. */
+/* Sums of a pass over the points: energy (J) of heating loads, work of the reference pressure and of body forces, and
+ * the impulse (N s) of the latter by component. */
 enum {
     GAIN_HEAT,
     GAIN_REFERENCE,
-    GAIN_FALL,
+    GAIN_BODY_FORCE,
     GAIN_IMPULSE,
     GAIN_MOMENT = GAIN_IMPULSE + MESH_MAX_DIM,
     MPM_GAINS = GAIN_MOMENT + 3
@@ -178,39 +182,41 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
 bool has_artificial(const mpm_body *b);
 /* Whether the domains of a body's points deform with F (CPDI; create.c). */
 bool keeps_shape(const mpm *s, int body);
-/* Whether the boxes of a body's points swell with them (GIMP, fluids). */
+/* Whether the domains of a body's points grow with their volume (GIMP, fluids). */
 bool keeps_box(const mpm *s, int body);
-/* Whether F is kept, for the shape of domains or for the law. */
+/* Whether F is stored, for the shape of domains or for the law. */
 bool keeps_F(const mpm *s, int body);
 /* The time (s) over which stress is advanced (stress.c). */
 double strain_step(const mpm *s);
-/* Fills a batch with what wave speeds take of points [start, end) (stress.c). */
+/* Fills a batch with the state that wave speeds of points [start, end) need (stress.c). */
 void load_speed_batch(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch);
 /* Fills a batch with the current state of points [start, end) (stress.c). */
 void load_batch(const mpm *s, int blk, int body, size_t start, size_t end, bool next, solid_batch *batch);
 /* Makes a batch the next state of its points, from `start` (stress.c). */
 void store_batch(const mpm *s, int blk, int body, size_t start, const solid_batch *b);
 
-/* Share of a node's velocity that viscous damping leaves: taken implicitly, so that any rate is stable (node.c). */
+/* Share of a node's velocity that remains after viscous damping, which is implicit, so that any rate is stable
+ * (node.c). */
 double damping_left(const mpm *s);
 /* Volume (m3; a radian's about an axis) of the shape function of a global node inside the mesh, which sides fold for the group (node_volume.c). */
 double node_volume(const mpm *s, int group, const int at[MESH_MAX_DIM]);
-/* Mass (kg) that a node must exceed to take forces. */
+/* Threshold (kg): nodes with less mass take no forces. */
 double small_node(const mpm *s);
 /* Whether lost kinetic energy is to heat fluid points (heat.c). */
 bool losses_are_heat(const mpm *s);
-/* Whether fluid points keep what they lose themselves, and nothing else, as heat. */
+/* Whether each fluid point gets its own kinetic loss, and nothing else, as heat. */
 bool fluids_keep_losses(const mpm *s);
-/* Whether volumes of gas points are brought back to the room that there is (settle.c). */
+/* Whether volumes of gas points are scaled to the free volume (settle.c). */
 bool settles_volumes(const mpm *s);
 
-/* What a step in parts keeps of its start (parts.c). */
-void free_kept(context *ctx, struct mpm_work *w);
+/* Frees the saved start of a step with substeps (point_substeps.c). */
+void free_saved_points(context *ctx, struct mpm_work *w);
 
-/* Seeding (seed_fill.c): fluids take what slivers of other bodies left, `list` one a body. */
+/* Seeding (seed_fill.c): fluids fill small gaps beside other bodies; `list`: one a body. */
 floe_status fill_cells(const mpm *s, seed_list *list);
 
-/* Makes what reactions have left of the points final, before they are sorted; those of which nothing is left are dropped then (burn.c). */
+/* Commits the masses that reactions have left of the points, before sorting; points without mass are dropped then
+ * (burn.c). */
 void burn_commit(mpm *s);
 
 #endif

@@ -16,11 +16,11 @@ static int find_text(const char *const *list, int n, const char *text)
 }
 
 /* Takes note of a text that is new; returns its number, or the last one when there is no more room. */
-static int list_text_once(const char **list, int *n, int room, const char *text)
+static int list_text_once(const char **list, int *n, int reserved, const char *text)
 {
     const int known = find_text(list, *n, text);
     if (known >= 0) return known;
-    if (*n < room) list[(*n)++] = text;
+    if (*n < reserved) list[(*n)++] = text;
     return *n - 1;
 }
 
@@ -44,14 +44,14 @@ static void read_axis_value(case_list *c, case_entry *e)
 }
 
 /* Takes note of the names of an object's members. */
-static void note_names(json_t *object, const char **list, int *n, int room)
+static void note_names(json_t *object, const char **list, int *n, int reserved)
 {
     const char *name;
     json_t *value;
     json_object_foreach(object, name, value)
     {
         (void)value;
-        (void)list_text_once(list, n, room, name);
+        (void)list_text_once(list, n, reserved, name);
     }
 }
 

@@ -52,8 +52,8 @@ double case_error(const case_entry *e, const char *metric);
 const char *case_setting(const case_entry *e, const char *key);
 /* "mpm, domain.cell = 0.05" */
 void case_title(const case_list *c, const case_entry *e, char title[PAGE_TEXT]);
-/* The cases that no other beats in both error and run time, by rising run time; returns how many. front: room for
- * n, gets their numbers in the list. */
+/* The cases that no other beats in both error and run time, by rising run time; returns how many. front: space for n,
+ * gets their numbers in the list. */
 size_t case_front(const case_list *c, const char *metric, size_t *front);
 
 /* Plots of each metric over spacing, run time and updates, and of each quantity over spacing. */

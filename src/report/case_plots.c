@@ -1,7 +1,7 @@
 /* Errors of cases as plots: over the spacing, the run time, the updates. */
 #include "base/memory.h"
 #include "report/case_list.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -104,11 +104,11 @@ static bool is_positive(const case_list *c, measure m)
 
 static floe_status fill_error_plot(error_plot *h, const case_list *c, const char *stem, const char *metric, measure m)
 {
-    const size_t room = c->n * (size_t)(c->n_variants + 1);
+    const size_t reserved = c->n * (size_t)(c->n_variants + 1);
     size_t *front;
-    TRY(memory_new(c->ctx, &h->x, room, sizeof *h->x));
-    TRY(memory_new(c->ctx, &h->y, room, sizeof *h->y));
-    TRY(memory_new(c->ctx, &h->label, room, sizeof *h->label));
+    TRY(memory_new(c->ctx, &h->x, reserved, sizeof *h->x));
+    TRY(memory_new(c->ctx, &h->y, reserved, sizeof *h->y));
+    TRY(memory_new(c->ctx, &h->label, reserved, sizeof *h->label));
     name_plot(h, c, stem, metric, m);
     h->panel.log_x = is_positive(c, m);
     h->panel.log_y = true;

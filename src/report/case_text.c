@@ -2,7 +2,7 @@
 #include "base/memory.h"
 #include "report/case_list.h"
 #include "report/html.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <jansson.h>
 #include <math.h>

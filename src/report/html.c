@@ -1,6 +1,6 @@
 #include "report/html.h"
 
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* A page under way, and what its sections share. Private to src/study/report. */
+/* A page in progress, and what its sections share. Private to src/study/report. */
 #ifndef REPORT_PAGE_H
 #define REPORT_PAGE_H
 

@@ -72,12 +72,13 @@ static floe_status add_picture(const run_view *v, long number, field_picture_opt
 {
     page *p = v->page;
     char *light = NULL, *dark = NULL;
-    size_t light_size = 0, dark_size = 0;
+    size_t light_solid_size = 0, dark_size = 0;
     char caption[FIELD_CAPTION] = "";
-    floe_status status = draw_snapshot(v, number, &o, &light, &light_size, caption);
+    floe_status status = draw_snapshot(v, number, &o, &light, &light_solid_size, caption);
     o.dark = true;
     if (status == FLOE_OK) status = draw_snapshot(v, number, &o, &dark, &dark_size, NULL);
-    if (status == FLOE_OK) page_picture(p, &(page_image){light, light_size}, &(page_image){dark, dark_size}, caption);
+    if (status == FLOE_OK)
+        page_picture(p, &(page_image){light, light_solid_size}, &(page_image){dark, dark_size}, caption);
     memory_free(p->ctx, &dark);
     memory_free(p->ctx, &light);
     return status;

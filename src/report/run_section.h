@@ -28,7 +28,7 @@ floe_status run_profile(page *p, const char *dir, const char *file, const char *
 
 /* The title of the deck in a run's folder, or else the folder's own name. */
 floe_status run_title(page *p, const char *dir, char title[PAGE_TEXT]);
-/* Facts of a list under way: with what it was run, and when FILE of the folder was written. */
+/* Facts of a list in progress: with what it was run, and when FILE of the folder was written. */
 void run_build_facts(strbuf *out, const struct json_t *summary, const char *dir, const char *file);
 /* The last part of a path. */
 const char *base_name(const char *path);

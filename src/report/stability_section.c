@@ -207,7 +207,7 @@ typedef struct energy_plot {
     size_t n;
 } energy_plot;
 
-static void add_point(energy_plot *e, size_t room, const char *name, double x, double y)
+static void add_point(energy_plot *e, size_t reserved, const char *name, double x, double y)
 {
     size_t k = 0;
     while (k < e->n && strcmp(e->name[k], name) != 0) k++;
@@ -216,11 +216,14 @@ static void add_point(energy_plot *e, size_t room, const char *name, double x, d
     if (k == e->n) {
         e->n++;
         (void)snprintf(e->name[k], PAGE_TEXT, "%s", name);
-        *s = (plot_series){
-            .name = e->name[k], .style = PLOT_POINTS, .colour = (int)k, .x = e->x + k * room, .y = e->y + k * room};
+        *s = (plot_series){.name = e->name[k],
+                           .style = PLOT_POINTS,
+                           .colour = (int)k,
+                           .x = e->x + k * reserved,
+                           .y = e->y + k * reserved};
     }
-    e->x[k * room + s->n] = x;
-    e->y[k * room + s->n] = y;
+    e->x[k * reserved + s->n] = x;
+    e->y[k * reserved + s->n] = y;
     s->n++;
 }
 
@@ -241,13 +244,13 @@ static floe_status energy_figure(const stability_view *v, const char *stem)
 {
     page *p = v->page;
     energy_plot *e;
-    const size_t room = json_array_size(v->runs);
+    const size_t reserved = json_array_size(v->runs);
     const char *key = first_key(v->over);
     char name[PLOT_STEM];
-    if (v->is_map || room == 0) return FLOE_OK;
+    if (v->is_map || reserved == 0) return FLOE_OK;
     TRY(memory_new(p->ctx, &e, 1, sizeof *e));
-    floe_status status = memory_new(p->ctx, &e->x, MAX_CURVES * room, sizeof *e->x);
-    if (status == FLOE_OK) status = memory_new(p->ctx, &e->y, MAX_CURVES * room, sizeof *e->y);
+    floe_status status = memory_new(p->ctx, &e->x, MAX_CURVES * reserved, sizeof *e->x);
+    if (status == FLOE_OK) status = memory_new(p->ctx, &e->y, MAX_CURVES * reserved, sizeof *e->y);
     if (status == FLOE_OK) {
         fill_energy_plot(e, v, key);
         (void)snprintf(name, sizeof name, "%.90s-energy", stem);

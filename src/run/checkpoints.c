@@ -13,11 +13,12 @@ run_checkpoints run_checkpoints_start(run_output *o, sim *s, double started, dou
     return c;
 }
 
-void run_checkpoints_keep_room(run_checkpoints *c)
+void run_checkpoints_reserve(run_checkpoints *c)
 {
     context *ctx = c->sim->ctx;
-    if (isinf(c->clock.interval) || output_keep_room(c->output, c->sim) == FLOE_OK) return;
-    context_log(ctx, LOG_WARNING, "there is no room for a checkpoint should an output fail: %s", context_message(ctx));
+    if (isinf(c->clock.interval) || output_reserve_disk(c->output, c->sim) == FLOE_OK) return;
+    context_log(ctx, LOG_WARNING, "there is no disk space for a checkpoint should an output fail: %s",
+                context_message(ctx));
     context_clear(ctx);
 }
 
@@ -39,7 +40,7 @@ floe_status run_checkpoints_write(run_checkpoints *c, double wall)
     const floe_status status = write_one(c, wall);
     if (status != FLOE_IO) return status;
     context_clear(c->sim->ctx);
-    output_give_room(c->output, c->sim);
+    output_release_disk(c->output, c->sim);
     return write_one(c, wall);
 }
 

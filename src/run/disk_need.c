@@ -1,7 +1,7 @@
 #include "run/disk_need.h"
 
 #include "io/reserve.h"
-#include "scene/place.h"
+#include "scene/deck_location.h"
 
 #include <math.h>
 #include <stdio.h>

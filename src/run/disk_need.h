@@ -7,7 +7,7 @@
 
 typedef struct disk_need {
     double snapshots; /* how many, the first and the last with them */
-    double bytes;     /* of all, and of three checkpoints: the two latest, and room for another */
+    double bytes;     /* of all, and of three checkpoints: the two latest, and space for another */
     double available; /* bytes; INFINITY: unknown */
     bool fits;
 } disk_need;

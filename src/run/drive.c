@@ -14,7 +14,7 @@
 #include "run/setup.h"
 #include "run/state_check.h"
 #include "run/truth.h"
-#include "scene/place.h"
+#include "scene/deck_location.h"
 #include "scene/remark.h"
 #include "sim/interface.h"
 
@@ -87,7 +87,7 @@ static void begin_anew(run *r)
     r->made_anew = r->sim->time;
     r->checkpoint_wanted = true;
     r->checkpoints.steps = -1;
-    run_checkpoints_keep_room(&r->checkpoints);
+    run_checkpoints_reserve(&r->checkpoints);
     context_log(r->ctx, LOG_WARNING,
                 "the results in '%s' were removed while the run wrote them: they are those from t = %.6g%s on",
                 r->output.dir, r->made_anew, scene_time_unit(r->scene));
@@ -120,7 +120,7 @@ static bool has_followed(run *r)
     if (status == FLOE_OK) say_where(r, state);
     /* What was half done there is taken up as on a resume. */
     if (status == FLOE_OK && state == FOLLOW_MOVED) status = output_reopen(&r->output, r->sim, r->output.dir);
-    if (status == FLOE_OK && state == FOLLOW_MOVED) run_checkpoints_keep_room(&r->checkpoints);
+    if (status == FLOE_OK && state == FOLLOW_MOVED) run_checkpoints_reserve(&r->checkpoints);
     if (status == FLOE_OK && state != FOLLOW_HERE) return true;
     context_clear(r->ctx);
     (void)fail(r->ctx, FLOE_IO, "%s", cause);
@@ -215,9 +215,9 @@ static floe_status check_rest(run *r, double before)
 
 /* The account is looked at with every row, and often enough between them for its largest drift to be found; by the number
  * of steps, so that a run that goes on looks when one that was not stopped does. */
-static floe_status look_at_account(run *r)
+static floe_status check_ledger(run *r)
 {
-    if (r->sim->steps % STEPS_PER_LOOK == 0 || is_finished(r)) TRY(sim_account(r->sim));
+    if (r->sim->steps % STEPS_PER_LOOK == 0 || is_finished(r)) TRY(sim_update_ledger(r->sim));
     truth_log(&r->truth, r->sim);
     if (!sim_has_grown(r->sim)) return FLOE_OK;
     char text[SIM_GROWTH_TEXT];
@@ -235,7 +235,7 @@ static floe_status write_due(run *r, double before)
         sim_is_static(r->sim) ? schedule_is_passed(before, now, interval) : schedule_is_due(now, interval);
     r->output.checkpoint.owed = (row ? CHECKPOINT_OWED_ROW : 0) | (snapshot ? CHECKPOINT_OWED_SNAPSHOT : 0);
     TRY(write_owed(r));
-    if (row) progress_account(&r->progress, &r->sim->ledger);
+    if (row) progress_show_ledger(&r->progress, &r->sim->ledger);
     if (snapshot) checkpoint_clock_see_snapshot(&r->checkpoints.clock);
     return FLOE_OK;
 }
@@ -259,7 +259,7 @@ static floe_status run_time_loop(run *r)
         TRY(sim_step(r->sim, next_stop(r)));
         TRY(check_rest(r, before));
         TRY(write_due(r, before));
-        TRY(look_at_account(r));
+        TRY(check_ledger(r));
         /* Last: whoever goes on from it has all of this step behind him. At the end one is written anyway. */
         if (!is_finished(r)) TRY(checkpoint_if_due(r));
         progress_show(&r->progress, r->sim);
@@ -341,7 +341,7 @@ static floe_status rescue_state(run *r)
 static floe_status begin_run(run *r)
 {
     const run_options *o = r->options;
-    TRY(scene_place(r->scene, memory_refuse(r->scene)));
+    TRY(scene_deck_location(r->scene, memory_refuse(r->scene)));
     TRY(setup_begin(&r->setup, r->scene));
     r->sim = r->setup.sim;
     r->measuring += r->setup.exact_seconds;
@@ -376,7 +376,7 @@ static void say_start(run *r, run_summary *out)
     const int threads = (int)out->threads;
     const sim *s = r->sim;
     if (s->mpm) context_log(r->ctx, LOG_INFO, "solver %s", s->solver_reason);
-    if (interface_told(s)[0]) context_log(r->ctx, LOG_INFO, "interface %s", interface_told(s));
+    if (interface_in_words(s)[0]) context_log(r->ctx, LOG_INFO, "interface %s", interface_in_words(s));
     if (s->substeps_reason[0]) context_log(r->ctx, LOG_INFO, "sub-steps %s", s->substeps_reason);
     context_log(r->ctx, LOG_INFO, "%s %s as %s: %zu points, %zu cells, %d thread%s, from t = %.6g%s",
                 r->options->resume ? "resume" : "start", r->scene->path, coupling_name(s->coupling),
@@ -393,7 +393,7 @@ static floe_status catch_up(run *r)
 {
     if (r->output.checkpoint.owed == 0) return FLOE_OK;
     TRY(write_owed(r));
-    return r->sim->steps > 0 ? look_at_account(r) : FLOE_OK;
+    return r->sim->steps > 0 ? check_ledger(r) : FLOE_OK;
 }
 
 static floe_status start_outputs(run *r)
@@ -461,12 +461,12 @@ static floe_status run_with_outputs(run *r, run_summary *out)
 {
     say_start(r, out);
     TRY(write_summary(r, out, "running"));
-    run_checkpoints_keep_room(&r->checkpoints);
-    const floe_status status = scene_place(r->scene, carry_out_run(r, out));
+    run_checkpoints_reserve(&r->checkpoints);
+    const floe_status status = scene_deck_location(r->scene, carry_out_run(r, out));
     progress_clear(&r->progress);
     const char *name = status_of_run(status, r->sim->at_rest);
     /* After the checkpoint, which a look at the account must not change. */
-    if (status != FLOE_OK) (void)sim_account(r->sim);
+    if (status != FLOE_OK) (void)sim_update_ledger(r->sim);
     run_checkpoints_say(&r->checkpoints);
     truth_log(&r->truth, r->sim);
     note_cause(r, out, status);

@@ -67,7 +67,7 @@ static void compare_with_machine(memory_need *out)
 void memory_need_of(const sim *s, memory_need *out)
 {
     *out = (memory_need){.cells = (double)mesh_cells(&s->mesh)};
-    out->bytes = (double)(memory_read_account(s->ctx).live_bytes - s->held_before);
+    out->bytes = (double)(memory_read_account(s->ctx).live_bytes - s->bytes_before);
     out->written_bytes = written_bytes_of(s);
     out->output_bytes = image_copies * out->written_bytes;
     compare_with_machine(out);

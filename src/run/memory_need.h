@@ -39,8 +39,8 @@ void memory_need_of(const sim *s, memory_need *out);
 /* What a scene of many cells would hold. `c` gets the finer of the two coarse ones (coarse_end in any case). */
 floe_status memory_need_estimate(scene *s, coarse_setup *c, memory_need *out);
 
-/* FLOE_BAD_INPUT before a run that plainly has no room, with what would fit: a scene of more than MEMORY_NEED_CELLS whose need is
- * half as much again as what is available. */
+/* FLOE_BAD_INPUT before a run that does not fit into memory, with what would fit: a scene of more than
+ * MEMORY_NEED_CELLS whose need is half as much again as what is available. */
 floe_status memory_refuse(scene *s);
 
 #endif

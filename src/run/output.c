@@ -48,18 +48,18 @@ static void add_extra(run_output *o, const checkpoint_extra *extra)
 static void name_extra(run_output *o, const sim *s)
 {
     checkpoint_extra loaded = {.name = "surface_position", .components = 3},
-                     skin = {.name = "skin_position_velocity", .components = 6},
+                     markers = {.name = "skin_position_velocity", .components = 6},
                      edges = {.name = "edge_memory", .components = 1, .stride = 1},
                      overlaps = {.name = "side_overlap", .components = 1, .stride = 1};
     if (!s->mpm) return;
     loaded.data = mpm_surface(s->mpm, &loaded.n, &loaded.stride);
-    skin.data = mpm_skin(s->mpm, &skin.n, &skin.stride);
+    markers.data = mpm_surface_markers(s->mpm, &markers.n, &markers.stride);
     edges.data = mpm_edges_state(s->mpm, &edges.n);
     overlaps.data = mpm_overlaps_state(s->mpm, &overlaps.n);
     o->checkpoint.extra = o->extra;
     o->checkpoint.n_extra = 0;
     add_extra(o, &loaded);
-    add_extra(o, &skin);
+    add_extra(o, &markers);
     add_extra(o, &edges);
     add_extra(o, &overlaps);
 }
@@ -244,7 +244,7 @@ floe_status output_row(run_output *o, sim *s)
     double pressure[SCENE_MAX_MATERIALS];
     TRY(sim_sum(s, &totals));
     sim_sum_moments(s, &totals);
-    sim_account_for(s, &totals);
+    sim_update_ledger_from(s, &totals);
     for (int m = 0; m < s->scene->n_materials; m++) pressure[m] = mean_pressure(s, m);
     TRY(history_append(o->history, s, &(history_row){&totals, pressure}));
     o->checkpoint.owed &= ~(int64_t)CHECKPOINT_OWED_ROW;
@@ -262,7 +262,7 @@ floe_status output_snapshot(run_output *o, sim *s)
     return FLOE_OK;
 }
 
-floe_status output_keep_room(run_output *o, const sim *s)
+floe_status output_reserve_disk(run_output *o, const sim *s)
 {
     char path[OUTPUT_PATH];
     output_path(o, OUTPUT_RESERVE, path);
@@ -270,7 +270,7 @@ floe_status output_keep_room(run_output *o, const sim *s)
     return disk_reserve_take(&o->reserve, o->ctx, path, checkpoint_most_bytes(s, &o->checkpoint));
 }
 
-void output_give_room(run_output *o, const sim *s)
+void output_release_disk(run_output *o, const sim *s)
 {
     char path[OUTPUT_PATH];
     disk_reserve_release(&o->reserve);

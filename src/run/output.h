@@ -11,7 +11,7 @@
 
 enum { OUTPUT_PATH = 4096 };
 
-/* The two latest: the newest, and what that name held before. */
+/* The two latest: the newest, and the one before it. */
 #define OUTPUT_CHECKPOINT "checkpoint.h5"
 #define OUTPUT_PREVIOUS "checkpoint-previous.h5"
 #define OUTPUT_RESERVE "checkpoint.reserve"
@@ -27,7 +27,7 @@ typedef struct run_output {
     history *history;             /* owned */
     snapshot_series *snapshots;   /* owned */
     checkpoint_run checkpoint;
-    disk_reserve reserve; /* room for one more */
+    disk_reserve reserve; /* space for one more */
     bool newest_is_whole; /* checkpoint.h5 is, as this run has read or written it */
     char note[1024];      /* what went otherwise than asked as the run went on, to be said; "": nothing */
     checkpoint_extra
@@ -52,10 +52,10 @@ void output_end(run_output *o);
 floe_status output_row(run_output *o, sim *s);
 /* A snapshot of the fields. */
 floe_status output_snapshot(run_output *o, sim *s);
-/* Keeps room on the disk for a checkpoint, as DIR/checkpoint.reserve, until it is given back. */
-floe_status output_keep_room(run_output *o, const sim *s);
-/* Gives the room back, and that of the checkpoint before the newest if the disk is still too full for another one. */
-void output_give_room(run_output *o, const sim *s);
+/* Reserves disk space for a checkpoint, as DIR/checkpoint.reserve, until it is released. */
+floe_status output_reserve_disk(run_output *o, const sim *s);
+/* Releases the space, and that of the checkpoint before the newest if the disk is still too full for another one. */
+void output_release_disk(run_output *o, const sim *s);
 /* Waits until the rows are on the disk. */
 floe_status output_sync(run_output *o);
 /* A new checkpoint, beside which the one before it stays; `wall` is the wall time spent so far (s), earlier legs included. */

@@ -11,7 +11,7 @@ void progress_begin(progress *p, FILE *file, const char *label, const sim *s)
     live_line_begin(&p->line, file, 0.2, 5.0);
 }
 
-void progress_account(progress *p, const ledger *l)
+void progress_show_ledger(progress *p, const ledger *l)
 {
     p->drift = 0.0;
     for (int q = 0; q < LEDGER_QUANTITIES; q++) {

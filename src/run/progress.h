@@ -17,7 +17,7 @@ typedef struct progress {
 /* Begins at the present time of `s`. */
 void progress_begin(progress *p, FILE *file, const char *label, const sim *s);
 /* Takes note of the ledger, which has just been brought up to date. */
-void progress_account(progress *p, const ledger *l);
+void progress_show_ledger(progress *p, const ledger *l);
 /* Shows where the run stands, if it is time to; cheap enough to be called after every step. */
 void progress_show(progress *p, const sim *s);
 /* Takes the live line away, so that other lines can be written. */

@@ -2,7 +2,7 @@
 
 #include "base/timer.h"
 #include "run/measure.h"
-#include "scene/place.h"
+#include "scene/deck_location.h"
 
 static floe_status prepare_exact(run_setup *u)
 {
@@ -57,7 +57,7 @@ static floe_status set_up(run_setup *u)
 floe_status setup_begin(run_setup *u, scene *s)
 {
     *u = (run_setup){.scene = s};
-    return scene_place(s, set_up(u));
+    return scene_deck_location(s, set_up(u));
 }
 
 void setup_end(run_setup *u)

@@ -51,7 +51,7 @@ static floe_status keep_cells(void *user, field_id id, int instance)
     return FLOE_OK;
 }
 
-static floe_status keep_points(void *user, field_id id, int instance)
+static floe_status save_points(void *user, field_id id, int instance)
 {
     const sim *s = user;
     const field_info *info = field_describe(id);
@@ -68,7 +68,7 @@ static floe_status keep_points(void *user, field_id id, int instance)
 typedef struct mixing {
     const sim *start, *end;
     spoiler kind;
-    point_list from, to; /* of the body under way, at the start and at the end */
+    point_list from, to; /* of the body in progress, at the start and at the end */
 } mixing;
 
 static floe_status mix_cells(void *user, field_id id, int instance)
@@ -134,7 +134,7 @@ floe_status spoil_open(spoiled_run *r, scene *start, scene *end, const char *dir
     TRY(setup_begin(&r->end, end));
     TRY(output_recall(&r->files, r->end.sim, dir));
     TRY(fields_visit(r->end.sim->domain->fields[0], keep_cells, r->end.sim));
-    return r->end.sim->mpm ? fields_visit(r->end.sim->domain->fields[0], keep_points, r->end.sim) : FLOE_OK;
+    return r->end.sim->mpm ? fields_visit(r->end.sim->domain->fields[0], save_points, r->end.sim) : FLOE_OK;
 }
 
 void spoil_close(spoiled_run *r)

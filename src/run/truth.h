@@ -1,5 +1,5 @@
-/* What a run says of its own truth: how far mass, momentum and energy have drifted, and what was lost, floored, guarded
- * or merged on the way. */
+/* A run's report on its own accuracy: drifts of mass, momentum and energy, and counts of lost points, floors, guards
+ * and merged cells. */
 #ifndef RUN_TRUTH_H
 #define RUN_TRUTH_H
 
@@ -10,7 +10,7 @@ typedef struct run_truth {
     int passed[LEDGER_QUANTITIES];
 } run_truth;
 
-/* From the account as it is: what a run that goes on has said already is not said again. */
+/* From the current ledger; a resumed run does not repeat what was logged before. */
 void truth_begin(run_truth *t, const sim *s);
 /* Logs each bar, 1 and 10 %, when a drift passes it. Cheap enough for every step. */
 void truth_log(run_truth *t, const sim *s);

@@ -1,4 +1,4 @@
-/* Where bodies go that nothing stops. */
+/* Free flight of bodies. */
 #ifndef SCENE_FLIGHT_H
 #define SCENE_FLIGHT_H
 

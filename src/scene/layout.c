@@ -217,7 +217,7 @@ static floe_status add_ambient(layout_work *w)
                       .density = NAN,
                       .seeding = SEED_FITTED,
                       .merge = 0.3,
-                      .membrane = {.length = NAN, .heavy_mass = NAN, .holds = -1}};
+                      .membrane = {.length = NAN, .heavy_mass = NAN, .encloses = -1}};
     for (int a = 0; a < MESH_MAX_DIM; ++a) b->per_cell[a] = a < w->m->dim ? s->ambient_points : 1;
     for (int a = 0; a < MESH_MAX_DIM; ++a) b->velocity[a] = s->ambient_velocity[a];
     filled->n_bodies++;

@@ -1,6 +1,6 @@
-/* One rule for bodies that meet, in every coupling: a fluid yields to solids and to the fluids before it in the deck, a
- * solid with `yields` to other solids; solids that overlap otherwise are refused. As mpm, the ambient is a body of
- * points that fills what no body fills. */
+/* The rule for overlapping bodies in every coupling: a solid replaces a fluid, a fluid replaces the fluids after it in
+ * the deck, and other solids replace a solid with `yields`; other overlaps of solids are refused. In mpm, the ambient
+ * is a body of points that fills the rest of the domain. */
 #ifndef SCENE_LAYOUT_H
 #define SCENE_LAYOUT_H
 

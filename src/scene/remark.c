@@ -1,7 +1,7 @@
 #include "scene/remark.h"
 
 #include "scene/reach.h"
-#include "scene/remark_parts.h"
+#include "scene/remark_internal.h"
 #include "scene/unsupported.h"
 
 #include <math.h>
@@ -80,13 +80,13 @@ static bool has_odd_points(const scene *s, const scene_body *b)
  * to feed on; gas that flies apart, or that a membrane holds, has not shown it. */
 static void remark_knots(const scene *s, remark_sink *say, void *user)
 {
-    const double push = 0.01; /* gauge pressures below this share of the gas's are no load */
+    const double threshold = 0.01; /* gauge pressures below this share of the gas's are no load */
     const bool quadratic = strcmp(s->method.basis, "quadratic") == 0, cubic = strcmp(s->method.basis, "cubic") == 0;
     for (int k = 0; k < s->n_bodies && has_walls(s) && s->mesh.dim > 1 && s->time.solver == SOLVER_DYNAMIC; ++k) {
         const scene_body *b = &s->body[k];
         if (!is_gas_of_points(s, b) || !(cubic || (quadratic && has_odd_points(s, b)))) continue;
         const double pressure = pressure_of(s, b);
-        if (!(fabs(pressure - s->reference_pressure) > push * pressure)) continue;
+        if (!(fabs(pressure - s->reference_pressure) > threshold * pressure)) continue;
         char text[REMARK_SIZE];
         (void)snprintf(
             text, sizeof text,
@@ -156,7 +156,7 @@ static const char *holder_at_sides(const scene *s, int body)
     return NULL;
 }
 
-static void remark_held_sides(const scene *s, remark_sink *say, void *user)
+static void remark_constrained_sides(const scene *s, remark_sink *say, void *user)
 {
     for (int k = 0; k < s->n_bodies; ++k)
         for (int axis = 0; axis < s->mesh.dim && is_wall(s, &s->body[k]); ++axis)
@@ -165,14 +165,14 @@ static void remark_held_sides(const scene *s, remark_sink *say, void *user)
                 if (!holder || s->bc.side[axis][side].kind != BC_SLIP || !body_reaches_side(s, &s->body[k], axis, side))
                     continue;
                 char text[REMARK_SIZE];
-                (void)snprintf(
-                    text, sizeof text,
-                    "boundaries.%c.%s: %s, a slip side holds body '%s' as a mirror does, in tension too. Say symmetry "
-                    "where it is meant to stay; else take %s",
-                    axis_letter(s, axis), side ? "upper" : "lower", holder, s->body[k].name,
-                    s->time.solver == SOLVER_DYNAMIC
-                        ? "coupling ice-mpm"
-                        : "time.solver dynamic, or a body of its own as the support, with contact");
+                (void)snprintf(text, sizeof text,
+                               "boundaries.%c.%s: %s, a slip side constrains body '%s' as a mirror does, also in "
+                               "tension. Say symmetry "
+                               "where it is meant to stay; else take %s",
+                               axis_letter(s, axis), side ? "upper" : "lower", holder, s->body[k].name,
+                               s->time.solver == SOLVER_DYNAMIC
+                                   ? "coupling ice-mpm"
+                                   : "time.solver dynamic, or a body of its own as the support, with contact");
                 say(user, text);
             }
 }
@@ -269,7 +269,7 @@ static void remark_beside_points(const scene *s, remark_sink *say, void *user)
 static void remark_locking(const scene *s, remark_sink *say, void *user)
 {
     const bool cubic = strcmp(s->method.basis, "cubic") == 0, quadratic = strcmp(s->method.basis, "quadratic") == 0;
-    const double most = cubic || quadratic ? 100.0 : 10.0; /* as in mpm/balance/balance_lock.c */
+    const double most = cubic || quadratic ? 100.0 : 10.0; /* as in mpm/implicit/implicit_locking.c */
     const char *found = cubic       ? "2.4 % off at 100 and 5 % at 500"
                         : quadratic ? "3.7 % off at 100 and 21 % at 500"
                                     : "36 % off at 10 and 310 % at 100 (quadratic splines: 0.8 and 3.7 %)";
@@ -300,7 +300,7 @@ void scene_remarks(const scene *s, remark_sink *say, void *user)
     remark_smeared(s, say, user);
     remark_flight_out(s, say, user);
     remark_one_velocity(s, say, user);
-    remark_held_sides(s, say, user);
+    remark_constrained_sides(s, say, user);
     remark_leaving_sides(s, say, user);
     remark_dense_shocks(s, say, user);
     remark_beside_points(s, say, user);

@@ -1,4 +1,4 @@
-/* Remarks on a scene that can be run and will not be right: for `floe check` and the log of a run. */
+/* Warnings about a scene that can run but will not give the right answer: for `floe check` and the log of a run. */
 #ifndef SCENE_REMARK_H
 #define SCENE_REMARK_H
 
@@ -7,7 +7,7 @@
 /* Takes a remark: a sentence or two, without a line's end. */
 typedef void remark_sink(void *user, const char *text);
 
-/* Says all that there is to say; nothing of most scenes. */
+/* Gives all warnings; most scenes have none. */
 void scene_remarks(const scene *s, remark_sink *say, void *user);
 
 #endif

@@ -1,6 +1,6 @@
 /* Numbers that are plausible alone, and not beside others of the scene: a gas a thousandth as dense as the one about it, a reservoir behind a
  * side a hundred times as hot as what leaves, a ramp that is over before anything can have moved. */
-#include "scene/remark_parts.h"
+#include "scene/remark_internal.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* What a smeared interface gets wrong in a scene (theory 7.2; docs/defaults.md has the figures). */
 #include "scene/flight.h"
-#include "scene/remark_parts.h"
+#include "scene/remark_internal.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -90,7 +90,7 @@ void remark_smeared(const scene *s, remark_sink *say, void *user)
 {
     const scene_body *wall = first_wall(s);
     if (s->coupling != COUPLING_ICE_MPM || s->time.solver != SOLVER_DYNAMIC || !wall) return;
-    if (s->method.interface != INTERFACE_SMEARED || scene_holder(s) >= 0 || !has_fluid(s, is_any)) return;
+    if (s->method.interface != INTERFACE_SMEARED || scene_enclosing_body(s) >= 0 || !has_fluid(s, is_any)) return;
     char text[REMARK_SIZE], cause[sizeof s->interface_reason + 64];
     say_cause(s, cause, sizeof cause);
     (void)snprintf(

@@ -1,7 +1,7 @@
 /* Numbers that can be read and run, and are hardly what was meant: units a thousand times off, temperatures in Celsius,
  * loads and outputs that never come. Magnitudes are looked at where units are SI. */
-#include "scene/place.h"
-#include "scene/remark_parts.h"
+#include "scene/deck_location.h"
+#include "scene/remark_internal.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* Remarks on shapes: bodies that the mesh cannot carry, or that lie elsewhere, and probes beside smeared solids. */
-#include "scene/remark_parts.h"
+#include "scene/remark_internal.h"
 
 #include "geom/compound.h"
 #include "scene/slender.h"

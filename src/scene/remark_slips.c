@@ -1,6 +1,6 @@
 /* Numbers a thousand times off that can be read and run: of fluids, yield, loads, sizes, speeds, damping and rest. Each is held against
  * what the scene itself says, or against what matter is like. */
-#include "scene/remark_parts.h"
+#include "scene/remark_internal.h"
 
 #include <math.h>
 #include <string.h>
@@ -213,14 +213,14 @@ static void remark_flight(remark_speaker *w)
     if (!flies_alone(s) || !bounds_of(s, &s->body[0], lo, hi)) return;
     remark_set_key(w, "bodies", s->body[0].name, "velocity");
     for (int a = 0; a < s->mesh.dim; ++a) {
-        const double way = s->body[0].velocity[a] * s->time.end;
-        const int side = way > 0.0 ? 1 : 0;
+        const double flight = s->body[0].velocity[a] * s->time.end;
+        const int side = flight > 0.0 ? 1 : 0;
         const double left = side ? s->mesh.upper[a] - hi[a] : lo[a] - s->mesh.lower[a];
-        if (s->bc.side[a][side].kind == BC_FREE && fabs(way) > left + hi[a] - lo[a])
+        if (s->bc.side[a][side].kind == BC_FREE && fabs(flight) > left + hi[a] - lo[a])
             remark_key(w,
                        "body '%s' flies %.3g m until the end, and out of the mesh after %.3g m: turn its velocity, or "
                        "end the run before",
-                       s->body[0].name, fabs(way), left);
+                       s->body[0].name, fabs(flight), left);
     }
 }
 

@@ -39,18 +39,18 @@ void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE
     (void)snprintf(text, SCENE_SETTING, "%s=%s", key, value);
 }
 
-int scene_holders(const scene *s, int body[SCENE_MAX_HOLDERS])
+int scene_enclosing_bodies(const scene *s, int body[SCENE_MAX_ENCLOSING])
 {
     int n = 0;
-    for (int b = 0; b < s->n_bodies && n < SCENE_MAX_HOLDERS; ++b)
-        if (s->body[b].membrane.present && s->body[b].membrane.holds >= 0) body[n++] = b;
+    for (int b = 0; b < s->n_bodies && n < SCENE_MAX_ENCLOSING; ++b)
+        if (s->body[b].membrane.present && s->body[b].membrane.encloses >= 0) body[n++] = b;
     return n;
 }
 
-int scene_holder(const scene *s)
+int scene_enclosing_body(const scene *s)
 {
-    int body[SCENE_MAX_HOLDERS];
-    return scene_holders(s, body) > 0 ? body[0] : -1;
+    int body[SCENE_MAX_ENCLOSING];
+    return scene_enclosing_bodies(s, body) > 0 ? body[0] : -1;
 }
 
 bool scene_is_cut(const scene *s)
@@ -58,7 +58,7 @@ bool scene_is_cut(const scene *s)
     if (s->method.interface == INTERFACE_SHARP)
         for (int b = 0; b < s->n_bodies; ++b)
             if (s->material[s->body[b].material].kind == MATERIAL_SOLID) return true;
-    return scene_holder(s) >= 0;
+    return scene_enclosing_body(s) >= 0;
 }
 
 bool scene_in_contact(const scene *s, int body)

@@ -6,7 +6,7 @@
 #include "base/context.h"
 #include "geom/seed.h"
 #include "geom/shape.h"
-#include "geom/sheet.h"
+#include "geom/sheet_seeding.h"
 #include "grid/bc.h"
 #include "grid/mesh.h"
 #include "material/eos.h"
@@ -23,7 +23,7 @@ enum {
     SCENE_MAX_EXCHANGES = 66, /* all pairs of materials */
     SCENE_MAX_SPRINGS = 64,
     SCENE_MAX_SUPPORTS = 16,
-    SCENE_MAX_HOLDERS = 3, /* membranes that hold gas of the cells */
+    SCENE_MAX_ENCLOSING = 3, /* membranes that enclose gas on cells */
     SCENE_MAX_SUBSTEPS = 128,
     SCENE_MAX_AXIS = 32, /* values of an axis */
     SCENE_MAX_AXES = 6,
@@ -42,7 +42,7 @@ const char *coupling_name(scene_coupling coupling); /* "mpm", "ice", "ice-mpm" *
 
 typedef enum material_kind { MATERIAL_SOLID, MATERIAL_FLUID } material_kind;
 
-/* Physics only, never a representation (docs/structure.md, Rooms and floors). */
+/* Physics only, never a representation (docs/structure.md, Modules and layers). */
 typedef struct scene_material {
     char name[SCENE_NAME];
     material_kind kind;
@@ -62,7 +62,7 @@ typedef struct scene_material {
     double artificial_quadratic; /* A2 */
 } scene_material;
 
-/* Quantities that an initial state is asked for. */
+/* Quantities of an initial state. */
 typedef enum initial_quantity {
     INITIAL_DENSITY,
     INITIAL_PRESSURE,
@@ -70,14 +70,15 @@ typedef enum initial_quantity {
     INITIAL_STRESS    /* by component, xx yy zz xy yz zx */
 } initial_quantity;
 
-/* The exact solution at t = 0, if the scene names one: asked for a quantity at a place; NAN where it does not give it. */
+/* The exact solution at t = 0, if the scene names one: a quantity at a position; NAN where it does not define it. */
 typedef double initial_function(void *user, initial_quantity quantity, int component, const double x[3]);
 
 /* What the exact solution needs at x and t beside the laws of the scene: force per mass (m/s2); returns heat per volume (W/m3). */
 typedef double source_function(void *user, const double x[3], double t, double force[3]);
 
-/* Where a membrane's strain along its line comes from: the gradient of velocity at each point, or the places of its neighbours. */
-typedef enum membrane_strain { STRAIN_BY_RATE, STRAIN_BY_PLACES } membrane_strain;
+/* How a membrane's strain along its curve is found: from the gradient of velocity at each point, or from the positions
+ * of its neighbours. */
+typedef enum membrane_strain { STRAIN_BY_RATE, STRAIN_BY_POSITIONS } membrane_strain;
 
 /* One layer of points along a curve (York 1997, chapter 5), counted from 1 along it, or on a surface in space. */
 typedef struct scene_membrane {
@@ -91,12 +92,13 @@ typedef struct scene_membrane {
     void *normals_par;
     membrane_section section;
     membrane_strain strain;
-    double smoothing; /* share of the fourth difference of places that goes in a step, 0 to 1/16; by places only */
-    double slack;     /* strain that must be taken up before there is tension; < 0: taut at the start */
+    double
+        smoothing; /* share of the fourth difference of positions that a step removes, 0 to 1/16; only with strain by positions */
+    double slack;             /* strain that must be taken up before there is tension; < 0: taut at the start */
     int slack_from, slack_to; /* points that have it; 0: the first, the last */
     int heavy_point;          /* 0: none */
     double heavy_mass;        /* kg, of the whole scene */
-    int holds;                /* material of the gas on its left, which it holds beside cells; -1: none */
+    int encloses;             /* material of the gas on its left, which it encloses; -1: none */
 } scene_membrane;
 
 typedef struct scene_body {
@@ -113,12 +115,12 @@ typedef struct scene_body {
     int per_cell[3];         /* points along each axis of a cell */
     seed_method seeding;
     double merge;
-    bool yields; /* it is left out where it overlaps other bodies (layout.h) */
+    bool yields; /* other bodies replace it where they overlap (layout.h) */
 } scene_body;
 
-/* An end of a spring: a point of a body, or a place. */
+/* An end of a spring: a point of a body, or a fixed position. */
 typedef struct scene_spring_end {
-    int body;        /* -1: a place */
+    int body;        /* -1: a fixed position */
     int point;       /* of the body, counted from 1 in the order of seeding */
     double place[3]; /* m */
 } scene_spring_end;
@@ -129,7 +131,7 @@ typedef struct scene_spring {
     scene_spring_end end[2];
     double stiffness;   /* N/m, of the whole scene */
     double rest_length; /* m; NAN: as it is at the start */
-    bool one_way;       /* a tether: it only pulls */
+    bool one_way;       /* a tether: it has no compression */
 } scene_spring;
 
 /* Nodes whose velocity is given. */
@@ -156,7 +158,7 @@ typedef struct scene_load {
     double start; /* s */
     double ramp;  /* s; 0 with ramp_steps > 0 means that many steps */
     long ramp_steps;
-    bool hold;        /* keep to the target after the ramp, until the end */
+    bool hold;        /* the target is kept after the ramp, until the end */
     double target;    /* Pa (pressurise: gauge to reference_pressure; traction), W/m3 (heat) */
     double vector[3]; /* m/s2 */
 } scene_load;
@@ -169,7 +171,7 @@ typedef struct scene_exchange_law {
     void *par;
 } scene_exchange_law;
 
-/* What two materials exchange, where the deck says so. */
+/* Exchange between two materials. */
 typedef struct scene_exchange {
     char name[SCENE_NAME];
     int material[2];               /* indices of scene.material */
@@ -191,11 +193,12 @@ typedef struct scene_reaction {
 
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
 typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
-/* What becomes of the kinetic energy that points lose to their nodes (mpm/heat.c). */
+/* Use of the kinetic energy that points lose to their nodes (mpm/heat.c). */
 typedef enum point_losses { LOSSES_DRIFT, LOSSES_HEAT, LOSSES_OWN } point_losses;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
 typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AUTO } pressure_scheme;
-/* Where a solid feels the gas of the cells: over the cells that it shares with gas, or on its surface (theory, sharp interface). */
+/* How gas on cells acts on a solid: over the cells that both share, or on the surface of the solid (theory, sharp
+ * interface). */
 typedef enum solid_interface { INTERFACE_SMEARED, INTERFACE_SHARP, INTERFACE_AUTO } solid_interface;
 typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
 
@@ -225,7 +228,7 @@ typedef struct scene_method {
 
 typedef enum contact_kind {
     CONTACT_STICK,   /* one velocity wherever bodies meet: the no-slip contact that is inherent in one field */
-    CONTACT_RELEASE, /* the same while they approach, each its own while they part (Y97 A.1) */
+    CONTACT_RELEASE, /* the same while they approach, separate velocities while they separate (Y97 A.1) */
     CONTACT_FRICTION /* unilateral along the normal, Coulomb friction across it (Bardenhagen et al. 2000) */
 } contact_kind;
 
@@ -249,9 +252,9 @@ typedef struct scene_contact {
 /* How the solids get from one time to the next. */
 typedef enum time_solver {
     SOLVER_DYNAMIC,  /* explicit steps */
-    SOLVER_STATIC,   /* load increments, each in balance */
-    SOLVER_IMPLICIT, /* steps that sound does not bind, each in balance with inertia */
-    SOLVER_AUTO      /* static where the deck asks for a state of rest and all of it can be had so */
+    SOLVER_STATIC,   /* load increments, each in equilibrium */
+    SOLVER_IMPLICIT, /* implicit time steps, in equilibrium with inertia, which the speed of sound does not limit */
+    SOLVER_AUTO      /* static where the deck asks for a state of rest and static steps support all of the scene */
 } time_solver;
 
 enum { SCENE_SUBSTEPS_OPEN = -1 };
@@ -260,7 +263,7 @@ typedef struct scene_time {
     double end; /* s */
     time_solver solver;
     long increments;  /* equal parts of the run: of the load where the solver is static, steps where it is implicit */
-    double tolerance; /* what is left of the forces, as a share of them, where the solver solves for balance */
+    double tolerance; /* residual over external forces at which implicit steps have converged */
     double cfl_mpm, cfl_ice; /* fractions of the limits of theory 4.6 and 2.14 */
     double acoustic_cfl;     /* implicit pressure: largest c dt (sum h_i^-2)^1/2 */
     double first_step;       /* s, NAN: from the CFL limit */
@@ -292,7 +295,7 @@ typedef struct scene_probe {
 typedef struct scene_output {
     double interval;            /* s between field snapshots; INFINITY: first and last only */
     double history_interval;    /* s between history rows; NAN: interval / 50 */
-    double checkpoint_interval; /* s of wall time; NAN: by what they cost; INFINITY: none on the way */
+    double checkpoint_interval; /* s of wall time; NAN: by their cost; INFINITY: none during the run */
 } scene_output;
 
 /* A column of history.csv, and the quantity of verify.reference that it is compared with. */
@@ -339,12 +342,12 @@ typedef struct scene_where { /* cases of a study: those in which these axes have
 
 typedef struct scene_bar { /* what a study must reach */
     char metric[SCENE_NAME];
-    double order; /* at least; NAN: not asked for */
-    double error; /* at most, in the metric's unit; NAN: not asked for */
+    double order; /* at least; NAN: no bar */
+    double error; /* at most, in the metric's unit; NAN: no bar */
     scene_where where;
 } scene_bar;
 
-typedef struct scene_check { /* what every case must keep to, to be right */
+typedef struct scene_check { /* a condition that every case must satisfy */
     /* An error, drift_mass, drift_momentum, drift_energy, or a column of history.csv in all its rows. */
     char of[SCENE_NAME];
     double at;          /* of a column: at this share of the run's time, not in all rows; NAN: in all rows */
@@ -395,11 +398,11 @@ typedef struct scene_stability {
     double relative_to; /* what limits are shown over; NAN: nothing */
 } scene_stability;
 
-typedef struct scene_key scene_key; /* scene/place.h */
+typedef struct scene_key scene_key; /* scene/deck_location.h */
 
 typedef struct scene {
     context *ctx;   /* not owned */
-    scene_key *key; /* where its keys stand in the deck, those of a map behind it; n_keys */
+    scene_key *key; /* lines and columns of its keys, those of a map after it; n_keys */
     int n_keys;
     char title[256], source[256], path[512];
     mesh_spec mesh;
@@ -463,15 +466,15 @@ const char *scene_time_unit(const scene *s);
 int scene_axis_settings(const scene_axis *axis);
 /* "KEY=VALUE" of the k-th of them, its own first, at the axis' value number `pick`. */
 void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING]);
-/* The first body whose membrane holds a gas of the cells, or -1. */
-int scene_holder(const scene *s);
+/* The first body whose membrane encloses gas on cells, or -1. */
+int scene_enclosing_body(const scene *s);
 /* The name of the transfer of points: the deck's, else what suits the bodies and the coupling best (docs/defaults.md). */
 const char *scene_transfer(const scene *s);
 /* Whether fluids on points have a velocity of their own beside solids (mpm/wetted.h). */
 bool scene_fluids_apart(const scene *s);
-/* All of them, up to SCENE_MAX_HOLDERS, in their order; returns how many. */
-int scene_holders(const scene *s, int body[SCENE_MAX_HOLDERS]);
-/* Whether lines cut the cells of gas in ice-mpm: a membrane that holds a gas, or surfaces of solids (interface sharp). */
+/* All of them, up to SCENE_MAX_ENCLOSING, in their order; returns how many. */
+int scene_enclosing_bodies(const scene *s, int body[SCENE_MAX_ENCLOSING]);
+/* Whether ice-mpm has embedded boundaries: a membrane that encloses gas, or surfaces of solids (interface sharp). */
 bool scene_is_cut(const scene *s);
 /* Whether a body takes part in the scene's contact. */
 bool scene_in_contact(const scene *s, int body);

@@ -7,14 +7,14 @@
  * the fluid then has 300 K. */
 static bool energy_at_pressure(const eos *law, double rho, double p, double *e)
 {
-    const double room_temperature = 300.0;
+    const double usual_temperature = 300.0;
     double now, c2, slope;
     *e = p / rho;
     for (int k = 0; k < 50; ++k) {
         law->model->pressure(law->par, 1, &rho, e, &now, &c2);
         law->model->dpde(law->par, 1, &rho, e, &slope);
         if (slope == 0.0) {
-            law->model->energy(law->par, 1, &rho, &room_temperature, e);
+            law->model->energy(law->par, 1, &rho, &usual_temperature, e);
             return fabs(now - p) <= 1e-6 * rho * c2;
         }
         if (fabs(now - p) <= 1e-15 * fabs(p)) return true;
@@ -133,7 +133,7 @@ double load_fraction(const scene_load *load, const load_step *step)
     return fraction_at(load, step->t_end, step->step + 1);
 }
 
-/* Whether a ramp is under way in the step, or held after it. */
+/* Whether a ramp is in progress in the step, or held after it. */
 static bool ramp_acts(const scene_load *load, const load_step *step)
 {
     return load_fraction(load, step) > 0.0 && (load->hold || fraction_at(load, step->t, step->step) < 1.0);

@@ -135,9 +135,10 @@ static floe_status refuse_empty_membranes(const scene *s, scene_coupling couplin
 {
     for (int b = 0; b < s->n_bodies && coupling == COUPLING_ICE_MPM; ++b) {
         const scene_membrane *m = &s->body[b].membrane;
-        if (!m->present || m->holds < 0 || is_present(s, m->holds)) continue;
+        if (!m->present || m->encloses < 0 || is_present(s, m->encloses)) continue;
         return fail_key(s->ctx, KEY("bodies", s->body[b].name, "membrane", "encloses"),
-                        "there is no '%s' to hold: give a body of it inside the membrane", s->material[m->holds].name);
+                        "there is no '%s' to enclose: give a body of it inside the membrane",
+                        s->material[m->encloses].name);
     }
     return FLOE_OK;
 }

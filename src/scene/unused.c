@@ -1,6 +1,6 @@
 /* Keys that a coupling does not read, because it has no cells or no points of that kind. Only keys that stand in the
  * deck, with a value other than the default, are remarked on. */
-#include "scene/place.h"
+#include "scene/deck_location.h"
 #include "scene/unsupported.h"
 
 #include <math.h>
@@ -126,7 +126,7 @@ static void add_body_keys(const unused_list *list, const scene_body *b)
     const double usual_merge = 0.3, usual_temperature = list->s->has_ambient ? list->s->ambient_temperature : 300.0;
     bool other_points = false;
     if (list->s->material[b->material].kind == MATERIAL_SOLID) {
-        if (b->membrane.holds >= 0 && b->membrane.surface.kind == SHEET_NONE)
+        if (b->membrane.encloses >= 0 && b->membrane.surface.kind == SHEET_NONE)
             add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "membrane.encloses");
         if (b->temperature != usual_temperature) add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "temperature");
         return;
@@ -168,7 +168,8 @@ static void remark_idle_materials(const unused_list *list)
     const scene *s = list->s;
     for (int m = 0; m < s->n_materials; ++m) {
         bool used = s->has_ambient && s->ambient_material == m;
-        for (int b = 0; b < s->n_bodies; ++b) used = used || s->body[b].material == m || s->body[b].membrane.holds == m;
+        for (int b = 0; b < s->n_bodies; ++b)
+            used = used || s->body[b].material == m || s->body[b].membrane.encloses == m;
         for (int k = 0; k < s->n_reactions; ++k)
             used = used || s->reaction[k].product == m || s->reaction[k].reactant == m;
         for (int a = 0; a < s->mesh.dim; ++a)

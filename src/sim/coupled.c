@@ -3,7 +3,7 @@
 #include "sim/coupled.h"
 
 #include "base/memory.h"
-#include "coupling/transfer.h"
+#include "coupling/node_cell_transfer.h"
 
 #include <string.h>
 

@@ -9,7 +9,7 @@ void transfer_destroy(struct transfer **t);
 floe_status coupled_step(sim *s);
 /* The solids' densities and velocities on the cells, from their points. */
 floe_status coupled_refresh(sim *s);
-/* Initial state of both: points are seeded already; the cells get the fluids around them. */
+/* Initial state of the cells: fluids around the points, which have been seeded. */
 floe_status coupled_initialise(sim *s);
 
 #endif

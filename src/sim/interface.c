@@ -2,7 +2,7 @@
 
 #include "embedded/cut.h"
 #include "ice/ice.h"
-#include "mpm/surface/outline.h"
+#include "mpm/surface/boundary.h"
 #include "scene/flight.h"
 
 #include <math.h>
@@ -34,10 +34,10 @@ static int count_fluids(const scene *s)
 /* The key under which a scene is refused: a membrane's, or that of the interface. */
 static floe_status no_lines(const scene *s, const char *why, const char *instead)
 {
-    const int holder = scene_holder(s);
+    const int holder = scene_enclosing_body(s);
     if (holder < 0) return fail_key(s->ctx, KEY("method", "interface"), "sharp %s: use smeared", why);
     return fail_key(s->ctx, KEY("bodies", s->body[holder].name, "membrane", "encloses"),
-                    "a membrane that holds gas %s: use %s", why, instead);
+                    "a membrane around gas %s: use %s", why, instead);
 }
 
 /* ---- what cut cells of gas need, beside membranes too ---- */
@@ -64,17 +64,19 @@ static floe_status needs_explicit_pressure(const scene *s, const mesh *m)
     (void)m;
     if (s->method.pressure == PRESSURE_EXPLICIT) return FLOE_OK;
     return fail_key(s->ctx, KEY("method", "pressure"),
-                    "beside a membrane that holds gas, or a sharp interface, the pressure is explicit: leave it out");
+                    "beside a membrane around gas, or a sharp interface, the pressure is explicit: leave it out");
 }
 
-/* Heat goes to what cells have of one gas, and gravity, beside solids, to all of it; other loads on gas know nothing of cut cells. */
+/* Heat goes to what cells have of one gas, and gravity, beside solids, to all of it; other loads on gas do not support
+ * cut cells. */
 static floe_status needs_plain_loads(const scene *s, const mesh *m)
 {
     (void)m;
     for (int l = 0; l < s->n_loads; ++l) {
         const scene_load *load = &s->load[l];
         const bool heat = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
-        if (heat ? count_fluids(s) == 1 : load->kind != LOAD_BODY_FORCE || load->body >= 0 || scene_holder(s) < 0)
+        if (heat ? count_fluids(s) == 1
+                 : load->kind != LOAD_BODY_FORCE || load->body >= 0 || scene_enclosing_body(s) < 0)
             continue;
         return fail_key(
             s->ctx, KEY("loads", load->name),
@@ -87,7 +89,7 @@ static floe_status needs_plain_loads(const scene *s, const mesh *m)
 /* Beside lines gas does nothing but flow. */
 static floe_status needs_plain_gas(const scene *s, const mesh *m)
 {
-    static const char text[] = "gas beside a membrane that holds it, or a sharp interface, %s; leave it out";
+    static const char text[] = "gas beside a membrane around it, or a sharp interface, %s; leave it out";
     bool used[SCENE_MAX_MATERIALS] = {false};
     (void)m;
     ice_find_used(s, false, used);
@@ -99,16 +101,17 @@ static floe_status needs_plain_gas(const scene *s, const mesh *m)
     return s->driving ? fail_key(s->ctx, KEY("verify", "sources"), text, "has no sources") : FLOE_OK;
 }
 
-/* Cells see the membranes, and no other body: another may stand in the vacuum beyond them, not in a gas. */
+/* On cells only the membranes exist, and no other body: another body may be in the vacuum outside them, not in a
+ * gas. */
 static floe_status needs_membranes_alone(const scene *s, const mesh *m)
 {
-    int holder[SCENE_MAX_HOLDERS];
+    int holder[SCENE_MAX_ENCLOSING];
     (void)m;
-    if (count_fluids(s) == scene_holders(s, holder)) return FLOE_OK;
+    if (count_fluids(s) == scene_enclosing_bodies(s, holder)) return FLOE_OK;
     for (int b = 0; b < s->n_bodies; ++b) {
-        if (!is_solid(s, b) || s->body[b].membrane.holds >= 0) continue;
+        if (!is_solid(s, b) || s->body[b].membrane.encloses >= 0) continue;
         return fail_key(s->ctx, KEY("bodies", s->body[b].name),
-                        "it stands in the gas beside a membrane that holds one, where cells do not see it; leave the "
+                        "it stands in the gas beside a membrane around one, where cells do not see it; leave the "
                         "outer gas out, or use mpm");
     }
     return FLOE_OK;
@@ -126,17 +129,17 @@ static floe_status needs_no_membrane(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-/* Several may be apart from each other (check_rooms), for which there are so many lines. */
+/* Several may be apart from each other (check_regions), for which there are so many lines. */
 static floe_status needs_few_fluids(const scene *s, const mesh *m)
 {
     const int n = count_fluids(s);
     (void)m;
-    if (n <= SCENE_MAX_HOLDERS) return FLOE_OK;
+    if (n <= SCENE_MAX_ENCLOSING) return FLOE_OK;
     return fail_key(s->ctx, KEY("method", "interface"), "sharp takes %d fluids, and the scene has %d: use smeared",
-                    SCENE_MAX_HOLDERS, n);
+                    SCENE_MAX_ENCLOSING, n);
 }
 
-/* Surfaces pass pressure and, of a viscous gas, shear: no exchange over cells, which would be asked for in vain. */
+/* Surfaces pass pressure and, of a viscous gas, shear: exchange over cells has no effect there. */
 static floe_status needs_no_exchange(const scene *s, const mesh *m)
 {
     static const char text[] = "a sharp interface has no exchange over cells: leave it out, or use interface smeared";
@@ -161,7 +164,7 @@ static floe_status refuse_thin_at(const scene *s, const double x[2])
         place);
 }
 
-/* A place where the lines leave no room for the gas of two sides. */
+/* A position where the boundaries leave no space between them for gas. */
 static floe_status refuse_thin(const scene *s, const cut_surface *line)
 {
     double x[2];
@@ -179,7 +182,7 @@ static floe_status refuse_unseen(const scene *s, const mesh *m, const scene_body
 static floe_status lay_body(const scene *s, const mesh *m, const scene_body *body, int fluid, cut_surface *line)
 {
     const int before = line->n_chains;
-    TRY(mpm_outline_lay(s, m, body, fluid, line));
+    TRY(mpm_boundary_add(s, m, body, fluid, line));
     return fluid >= 0 || line->n_chains > before ? FLOE_OK : refuse_unseen(s, m, body);
 }
 
@@ -219,7 +222,7 @@ static floe_status refuse_mixed(const scene *s, const mesh *m, int fluid, const 
 }
 
 /* Of several fluids each has rooms to itself, between solids and the sides of the domain. */
-static floe_status check_rooms(const scene *s, const mesh *m, int fluid, const cut_surface *line)
+static floe_status check_regions(const scene *s, const mesh *m, int fluid, const cut_surface *line)
 {
     for (int j = 0; j < m->n[1]; ++j)
         for (int i = 0; i < m->n[0]; ++i) {
@@ -266,7 +269,7 @@ static floe_status check_fluid(const scene *s, const mesh *m, int fluid)
     floe_status status = cut_create(&line, s->ctx, m);
     if (status == FLOE_OK) status = lay_bodies(s, m, alone ? -1 : fluid, &line);
     if (status == FLOE_OK) status = check_line(s, &line);
-    if (status == FLOE_OK && !alone) status = check_rooms(s, m, fluid, &line);
+    if (status == FLOE_OK && !alone) status = check_regions(s, m, fluid, &line);
     cut_destroy(&line);
     return status;
 }
@@ -282,7 +285,7 @@ static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-/* ---- what surfaces bear, but a better choice for the scene is smeared ---- */
+/* ---- what surfaces support, though smeared is the better choice for the scene ---- */
 
 /* Bodies that touch share a side, which gas does not enter when they part; and gas between bodies that come to touch ends the run. */
 static floe_status suits_no_contact(const scene *s, const mesh *m)
@@ -357,7 +360,7 @@ static bool runs_coupled(const scene *s)
     return s->coupling == COUPLING_ICE_MPM;
 }
 
-static void take(scene *s, solid_interface which, const char *why)
+static void choose_interface(scene *s, solid_interface which, const char *why)
 {
     s->method.interface = which;
     (void)snprintf(s->interface_reason, sizeof s->interface_reason, "auto: %s%s",
@@ -369,14 +372,15 @@ static floe_status settle_auto(scene *s)
     mesh m;
     char why[sizeof s->interface_reason - 16];
     s->method.interface = INTERFACE_SMEARED;
-    if (!runs_coupled(s) || count_solids(s) == 0 || count_fluids(s) == 0 || scene_holder(s) >= 0) return FLOE_OK;
+    if (!runs_coupled(s) || count_solids(s) == 0 || count_fluids(s) == 0 || scene_enclosing_body(s) >= 0)
+        return FLOE_OK;
     floe_status status = mesh_init(&m, s->ctx, &s->mesh);
     if (status == FLOE_OK) status = check_all(s, &m, OF_AUTO);
-    if (status == FLOE_OK) take(s, INTERFACE_SHARP, "");
+    if (status == FLOE_OK) choose_interface(s, INTERFACE_SHARP, "");
     if (status != FLOE_BAD_INPUT) return status;
     (void)snprintf(why, sizeof why, ", as %s", context_message(s->ctx));
     context_clear(s->ctx);
-    take(s, INTERFACE_SMEARED, why);
+    choose_interface(s, INTERFACE_SMEARED, why);
     return FLOE_OK;
 }
 
@@ -387,9 +391,9 @@ floe_status interface_settle(scene *s)
     return FLOE_OK;
 }
 
-const char *interface_told(const sim *s)
+const char *interface_in_words(const sim *s)
 {
-    if (!s->mpm || !s->ice || scene_holder(s->scene) >= 0) return "";
+    if (!s->mpm || !s->ice || scene_enclosing_body(s->scene) >= 0) return "";
     if (s->scene->interface_reason[0]) return s->scene->interface_reason;
     return s->scene->method.interface == INTERFACE_SHARP ? "sharp" : "smeared";
 }

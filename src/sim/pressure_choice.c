@@ -51,7 +51,7 @@ static void clear_steps(sim *s)
         memset(field_get(s->domain->fields[b], C_PRESSURE_STEP, 0, 0), 0, s->mesh.block[b].size * sizeof(double));
 }
 
-static void choose(sim *s, bool implicit, const char *reason)
+static void choose_pressure_solver(sim *s, bool implicit, const char *reason)
 {
     const bool first = s->steps == 0, changed = implicit != s->ice->implicit;
     if (!first && !changed) return;
@@ -64,7 +64,7 @@ static void choose(sim *s, bool implicit, const char *reason)
 
 floe_status sim_choose_pressure(sim *s)
 {
-    if (!s->ice || s->gas_rest || s->scene->method.pressure != PRESSURE_AUTO || s->steps % LOOK_EVERY != 0)
+    if (!s->ice || s->quasi_static_gas || s->scene->method.pressure != PRESSURE_AUTO || s->steps % LOOK_EVERY != 0)
         return FLOE_OK;
     step_limit direct, implicit;
     double acoustic, bound;
@@ -74,7 +74,7 @@ floe_status sim_choose_pressure(sim *s)
     if (!isnan(t->fixed_step)) {
         const double largest = direct.dt / t->cfl_ice;
         (void)snprintf(reason, sizeof reason, "the fixed step is %.3g of the explicit limit", t->fixed_step / largest);
-        choose(s, t->fixed_step > largest, reason);
+        choose_pressure_solver(s, t->fixed_step > largest, reason);
         return FLOE_OK;
     }
     TRY(common_bound(s, &bound));
@@ -89,6 +89,6 @@ floe_status sim_choose_pressure(sim *s)
     (void)snprintf(reason, sizeof reason,
                    "about %.3g implicit steps, at the cost of %.3g explicit ones each, against %.3g explicit steps",
                    steps, cost, steps_direct);
-    choose(s, takes, reason);
+    choose_pressure_solver(s, takes, reason);
     return FLOE_OK;
 }

@@ -6,9 +6,9 @@
 #include "scene/layout.h"
 #include "scene/unsupported.h"
 #include "sim/coupled.h"
-#include "sim/gas_rest.h"
-#include "sim/light.h"
-#include "sim/sealed.h"
+#include "sim/light_solid_check.h"
+#include "sim/quasi_static_gas.h"
+#include "sim/sealed_gases.h"
 #include "sim/statics.h"
 
 #include <math.h>
@@ -41,7 +41,7 @@ static floe_status check_coupling(const sim *s)
                             "ice: body '%s' is a solid, which cells cannot carry; use ice-mpm or mpm",
                             s->scene->body[b].name);
     for (int b = 0; s->coupling == COUPLING_ICE_MPM && b < s->scene->n_bodies; ++b)
-        if (s->scene->material[s->scene->body[b].material].membrane && scene_holder(s->scene) < 0)
+        if (s->scene->material[s->scene->body[b].material].membrane && scene_enclosing_body(s->scene) < 0)
             return fail_key(
                 s->ctx, KEY("coupling"),
                 "ice-mpm: body '%s' is a membrane, which cells do not see unless it `encloses` a gas; use mpm",
@@ -52,7 +52,7 @@ static floe_status check_coupling(const sim *s)
 
 floe_status sim_run_stages(sim *s)
 {
-    if (s->gas_rest) return gas_rest_step(s);
+    if (s->quasi_static_gas) return quasi_static_gas_step(s);
     if (s->sealed) return sealed_step(s);
     if (s->mpm && s->ice) return coupled_step(s);
     return s->mpm ? mpm_step(s->mpm) : ice_step(s->ice);
@@ -91,10 +91,10 @@ static floe_status set_initial_state(sim *s)
         TRY(sealed_initialise(s));
     else if (s->ice)
         TRY(ice_initialise(s->ice, NULL));
-    return light_check(s);
+    return light_solid_check(s);
 }
 
-static floe_status fill(sim *s)
+static floe_status fill_sim(sim *s)
 {
     TRY(check_coupling(s));
     TRY(mesh_init(&s->mesh, s->ctx, &s->scene->mesh));
@@ -108,22 +108,22 @@ static floe_status fill(sim *s)
     TRY(sim_choose_substeps(s));
     ledger_choose(&s->ledger, &s->mesh);
     if (s->sealed) ledger_leave_moments(&s->ledger);
-    return sim_open_account(s);
+    return sim_open_ledger(s);
 }
 
 floe_status sim_create(sim **out, context *ctx, const scene *sc, scene_coupling coupling)
 {
-    const uint64_t held = memory_read_account(ctx).live_bytes;
+    const uint64_t bytes = memory_read_account(ctx).live_bytes;
     TRY(memory_new(ctx, out, 1, sizeof **out));
     sim *s = *out;
-    s->held_before = held;
+    s->bytes_before = bytes;
     s->ctx = ctx;
     s->scene = sc;
     s->coupling = coupling;
     s->dt_reason = "first step";
     s->rest_since = INFINITY;
-    s->most_parts = s->parts = 1;
-    const floe_status status = fill(s);
+    s->most_substeps = s->n_substeps = 1;
+    const floe_status status = fill_sim(s);
     if (status != FLOE_OK) sim_destroy(out);
     return status;
 }
@@ -132,7 +132,7 @@ void sim_destroy(sim **s)
 {
     if (!s || !*s) return;
     context *ctx = (*s)->ctx;
-    gas_rest_destroy(&(*s)->gas_rest);
+    quasi_static_gas_destroy(&(*s)->quasi_static_gas);
     transfer_destroy(&(*s)->transfer);
     sealed_destroy(&(*s)->sealed);
     ice_destroy(&(*s)->ice);

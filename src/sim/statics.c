@@ -1,6 +1,6 @@
 #include "sim/statics.h"
 
-#include "sim/gas_rest.h"
+#include "sim/quasi_static_gas.h"
 
 #include <math.h>
 
@@ -10,14 +10,14 @@ static const double round_off = 1e-9; /* what many equal increments may miss the
 /* Why a state of rest cannot be solved for, or NULL; `guess`: nor is likely to be. */
 static const char *obstacle_to(const sim *s, time_solver solver, bool guess)
 {
-    const char *obstacle = mpm_balance_obstacle(s->mpm, solver);
-    return obstacle || !s->ice ? obstacle : gas_rest_obstacle(s, guess);
+    const char *obstacle = mpm_implicit_obstacle(s->mpm, solver);
+    return obstacle || !s->ice ? obstacle : quasi_static_gas_obstacle(s, guess);
 }
 
 static floe_status check_locking(const sim *s)
 {
     int body = 0;
-    const double ratio = mpm_balance_bulk(s->mpm, &body), most = mpm_balance_most_bulk(s->mpm);
+    const double ratio = mpm_implicit_bulk_ratio(s->mpm, &body), most = mpm_implicit_most_bulk_ratio(s->mpm);
     if (ratio <= most) return FLOE_OK;
     return fail_key(s->ctx, KEY("time", "solver"),
                     "static: the bulk modulus of body '%s' is %.3g times its shear modulus, with which basis "
@@ -31,7 +31,7 @@ static const char *obstacle_to_rest(const sim *s)
 {
     int body = 0;
     if (!s->scene->rest.enabled) return "the deck asks for no state of rest";
-    if (mpm_balance_bulk(s->mpm, &body) > mpm_balance_most_bulk(s->mpm))
+    if (mpm_implicit_bulk_ratio(s->mpm, &body) > mpm_implicit_most_bulk_ratio(s->mpm))
         return "a solid is all but incompressible, and would lock";
     return obstacle_to(s, SOLVER_STATIC, true);
 }
@@ -62,7 +62,7 @@ floe_status sim_choose_solver(sim *s)
     if (obstacle) return fail_key(s->ctx, KEY("time", "solver"), "%s: %s; use dynamic", solver_name(solver), obstacle);
     if (solver == SOLVER_STATIC) TRY(check_locking(s));
     TRY(mpm_solve_steps(s->mpm, solver));
-    return s->ice ? gas_rest_create(&s->gas_rest, s) : FLOE_OK;
+    return s->ice ? quasi_static_gas_create(&s->quasi_static_gas, s) : FLOE_OK;
 }
 
 void statics_step(const sim *s, double left, double *dt, const char **reason)

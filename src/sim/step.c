@@ -1,6 +1,6 @@
 /* Time steps: chosen, taken, and, where they go bad, taken again smaller (docs/structure.md, A step). */
-#include "sim/gas_rest.h"
-#include "sim/light.h"
+#include "sim/light_solid_check.h"
+#include "sim/quasi_static_gas.h"
 #include "sim/statics.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ enum { MAX_REJECTIONS = 10 };
 static const double cut = 0.5; /* of the step, at each rejection */
 
 /* Names the tightest of the limits so far. */
-static void limit(double *dt, const char **reason, double candidate, const char *name)
+static void limit_step(double *dt, const char **reason, double candidate, const char *name)
 {
     if (candidate < *dt) {
         *dt = candidate;
@@ -25,11 +25,12 @@ static floe_status stable_step(sim *s, double *dt, const char **reason)
     step_limit points = {INFINITY, *reason}, cells = points;
     if (s->mpm) TRY(mpm_time_step(s->mpm, &points));
     if (s->ice) TRY(ice_time_step(s->ice, &cells));
-    if (s->most_parts > 1) sim_take_substeps(s, cells.dt, &points);
-    limit(dt, reason, points.dt, points.reason);
-    limit(dt, reason, cells.dt, cells.reason);
+    if (s->most_substeps > 1) sim_take_substeps(s, cells.dt, &points);
+    limit_step(dt, reason, points.dt, points.reason);
+    limit_step(dt, reason, cells.dt, cells.reason);
     if (s->sealed)
-        limit(dt, reason, light_step(s, cells.dt / s->scene->time.cfl_ice), "gas on a solid lighter than it");
+        limit_step(dt, reason, light_solid_step(s, cells.dt / s->scene->time.cfl_ice),
+                   "gas on a solid lighter than it");
     return FLOE_OK;
 }
 
@@ -38,12 +39,12 @@ static floe_status first_step(sim *s, double *dt, const char **reason)
 {
     const double given = s->scene->time.first_step;
     if (!isnan(given)) {
-        limit(dt, reason, given, "first step");
+        limit_step(dt, reason, given, "first step");
     } else if (s->ice && s->ice->implicit) {
         step_limit direct, implicit;
         double acoustic;
         TRY(ice_time_steps(s->ice, &direct, &implicit, &acoustic));
-        limit(dt, reason, direct.dt, "first step");
+        limit_step(dt, reason, direct.dt, "first step");
     }
     return FLOE_OK;
 }
@@ -65,22 +66,22 @@ static floe_status choose_step(sim *s, double until, double *dt, const char **re
     if (sim_solves(s)) {
         statics_step(s, until - s->time, dt, reason);
     } else if (!isnan(t->fixed_step)) {
-        if (s->most_parts > 1) TRY(stable_step(s, dt, reason)); /* it says how many sub-steps this takes */
+        if (s->most_substeps > 1) TRY(stable_step(s, dt, reason)); /* it says how many sub-steps this takes */
         *dt = t->fixed_step;
         *reason = "fixed step";
     } else {
         TRY(stable_step(s, dt, reason));
         if (s->steps == 0) TRY(first_step(s, dt, reason));
-        if (s->steps > 0) limit(dt, reason, t->growth * s->dt, "growth");
-        if (!isnan(t->max_step)) limit(dt, reason, t->max_step, "largest step");
+        if (s->steps > 0) limit_step(dt, reason, t->growth * s->dt, "growth");
+        if (!isnan(t->max_step)) limit_step(dt, reason, t->max_step, "largest step");
     }
     TRY(check_step(s, *dt, *reason));
     /* The last steps before an output time share what is left, so that none of them is a sliver. */
     const double left = until - s->time;
     if (*dt >= left)
-        limit(dt, reason, left, "output time");
+        limit_step(dt, reason, left, "output time");
     else if (isnan(t->fixed_step) && !sim_solves(s) && 2.0 * *dt > left)
-        limit(dt, reason, 0.5 * left, "output time");
+        limit_step(dt, reason, 0.5 * left, "output time");
     return FLOE_OK;
 }
 
@@ -90,8 +91,8 @@ static void set_step(sim *s, double dt)
         s->mpm->dt = dt;
         s->mpm->time = s->time;
         s->mpm->step = s->steps;
-        s->mpm->parts = s->parts;
-        s->mpm->part = 0;
+        s->mpm->n_substeps = s->n_substeps;
+        s->mpm->substep = 0;
     }
     if (s->ice) {
         s->ice->dt = dt;
@@ -108,10 +109,10 @@ static floe_status take_step(sim *s, double *dt, const char **reason)
     for (int tries = 0; tries <= MAX_REJECTIONS; ++tries) {
         set_step(s, *dt);
         const floe_status status = sim_run_stages(s);
-        if (status != FLOE_OK && s->mpm) mpm_forget_step(s->mpm);
+        if (status != FLOE_OK && s->mpm) mpm_rollback_step(s->mpm);
         if (status != FLOE_RETRY) return status;
         ledger_discard(&s->ledger);
-        if (s->ice) ice_forget_step(s->ice);
+        if (s->ice) ice_rollback_step(s->ice);
         s->rejected++;
         (void)snprintf(s->cause, sizeof s->cause, "%s", context_message(s->ctx));
         context_log(s->ctx, LOG_DETAIL, "step %ld at t = %.6g%s rejected with dt = %.3g%s: %s", s->steps + 1, s->time,
@@ -125,15 +126,15 @@ static floe_status take_step(sim *s, double *dt, const char **reason)
                 MAX_REJECTIONS + 1, *dt, unit, s->cause);
 }
 
-static floe_status commit(sim *s, double dt)
+static floe_status commit_step(sim *s, double dt)
 {
     for (int b = 0; b < s->mesh.n_blocks; ++b) fields_commit(s->domain->fields[b]);
     if (s->mpm) {
-        s->point_updates += (double)s->mpm->parts * (double)mpm_count(s->mpm);
+        s->point_updates += (double)s->mpm->n_substeps * (double)mpm_count(s->mpm);
         TRY(mpm_commit(s->mpm));
     }
     if (s->ice) s->cell_updates += (double)mesh_cells(&s->mesh);
-    if (s->gas_rest) TRY(gas_rest_commit(s));
+    if (s->quasi_static_gas) TRY(quasi_static_gas_commit(s));
     ledger_commit(&s->ledger);
     s->time += dt;
     s->steps++;
@@ -144,13 +145,13 @@ floe_status sim_step(sim *s, double until)
 {
     double dt;
     const char *reason;
-    if (s->has_light) TRY(light_check(s));
+    if (s->has_light) TRY(light_solid_check(s));
     TRY(sim_choose_pressure(s));
     TRY(choose_step(s, until, &dt, &reason));
     const bool last = dt == until - s->time;
     const double full = dt;
     TRY(take_step(s, &dt, &reason));
-    TRY(commit(s, dt));
+    TRY(commit_step(s, dt));
     if (last && dt == full) s->time = until; /* no round-off in an output time */
     if (s->mpm) s->mpm->time = s->time;
     /* A step shortened to meet an output time must not hold the next one back. */

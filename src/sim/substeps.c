@@ -1,26 +1,26 @@
 /* Sub-steps of the points (time.substeps): a step of the cells in which the points, whose sound is faster, take several
- * of their own, under a traction of the gas that stays as it is (mpm/parts.c). How many follows from the state and the
+ * of their own, under a traction of the gas that stays as it is (mpm/point_substeps.c). How many follows from the state and the
  * step, so that a resumed run takes the same. */
-#include "sim/light.h"
+#include "sim/light_solid_check.h"
 
 #include <math.h>
 
 static const double round_off = 1e-9; /* what a step may miss a whole number of stable ones by */
 
 /* Why the points of this scene take the cells' step whole, or NULL. */
-static const char *obstacle(const sim *s)
+static const char *substep_obstacle(const sim *s)
 {
     if (!s->mpm || !s->ice) return "points and cells do not share the scene";
     if (sim_solves(s)) return "the points' steps are solved for";
     if (!s->sealed)
         return "the interface is smeared, where exchange takes each step of the points (method.interface: sharp)";
     if (s->scene->method.interface != INTERFACE_SHARP)
-        return "a membrane that holds gas is as light as the gas that it moves";
+        return "a membrane around gas is as light as the gas that it moves";
     if (s->mpm->contact) return "solids in contact are not known to keep together in sub-steps";
     /* A force that lags by a step feeds vibrations of the solid, beside gas of its own density and more faster than
      * points and nodes take them away (measured: at twice the density they stay, at three times they grow;
      * docs/results/substeps.md). */
-    if (light_solid(s)) return "the gas is denser than a solid, whose vibrations it would feed";
+    if (has_lighter_solid(s)) return "the gas is denser than a solid, whose vibrations it would feed";
     return NULL;
 }
 
@@ -28,7 +28,7 @@ static const char *obstacle(const sim *s)
 static double marker_step(const sim *s)
 {
     size_t n, stride;
-    const double *marker = mpm_skin(s->mpm, &n, &stride);
+    const double *marker = mpm_surface_markers(s->mpm, &n, &stride);
     double rate = 0.0;
     for (size_t k = 0; k < n; ++k) {
         double of_marker = 0.0;
@@ -43,35 +43,35 @@ void sim_take_substeps(sim *s, double cells, step_limit *points)
     const scene_time *t = &s->scene->time;
     const double step = !isnan(t->fixed_step) ? t->fixed_step : isnan(t->max_step) ? cells : fmin(cells, t->max_step);
     const double parts = ceil((1.0 - round_off) * step / points->dt);
-    s->parts = t->substeps > 0 || parts >= s->most_parts ? s->most_parts : parts > 1.0 ? (int)parts : 1;
-    if (s->parts > 1 && light_solid(s)) s->parts = 1; /* gas may have become so */
-    points->dt *= s->parts;
-    const double marked = s->parts > 1 ? marker_step(s) : (double)INFINITY;
+    s->n_substeps = t->substeps > 0 || parts >= s->most_substeps ? s->most_substeps : parts > 1.0 ? (int)parts : 1;
+    if (s->n_substeps > 1 && has_lighter_solid(s)) s->n_substeps = 1; /* gas may have become so */
+    points->dt *= s->n_substeps;
+    const double marked = s->n_substeps > 1 ? marker_step(s) : (double)INFINITY;
     if (marked < points->dt) *points = (step_limit){marked, "way of the surfaces"};
 }
 
-static floe_status choose(sim *s)
+static floe_status choose_substeps(sim *s)
 {
     step_limit points, cells;
     TRY(mpm_time_step(s->mpm, &points));
     TRY(ice_time_step(s->ice, &cells));
-    s->most_parts = SCENE_MAX_SUBSTEPS;
+    s->most_substeps = SCENE_MAX_SUBSTEPS;
     (void)snprintf(
         s->substeps_reason, sizeof s->substeps_reason,
         "auto: as many as the step asks for, %d at most; at the start the cells' stable step is %.3g of the points'",
-        s->most_parts, cells.dt / points.dt);
+        s->most_substeps, cells.dt / points.dt);
     return FLOE_OK;
 }
 
 floe_status sim_choose_substeps(sim *s)
 {
     const long asked = s->scene->time.substeps;
-    const char *why_not = obstacle(s);
+    const char *why_not = substep_obstacle(s);
     if (asked == 1 || asked == SCENE_SUBSTEPS_OPEN) return FLOE_OK;
-    if (asked == 0 && !why_not) return choose(s);
+    if (asked == 0 && !why_not) return choose_substeps(s);
     if (asked > 1 && why_not)
         return fail_key(s->ctx, KEY("time", "substeps"), "%ld: %s; leave it out, or use auto", asked, why_not);
-    s->most_parts = asked == 0 ? 1 : (int)asked;
+    s->most_substeps = asked == 0 ? 1 : (int)asked;
     if (asked == 0)
         (void)snprintf(s->substeps_reason, sizeof s->substeps_reason, "1: %s", why_not);
     else

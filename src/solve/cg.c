@@ -14,7 +14,7 @@ struct cg {
     SUNContext sun;
     SUNLinearSolver solver;
     N_Vector b, x, weight;
-    cg_operator *matrix, *preconditioner; /* of the solve under way */
+    cg_operator *matrix, *preconditioner; /* of the solve in progress */
     void *user;
 };
 

@@ -1,6 +1,6 @@
 /* Symmetric systems of a chain of points in a plane: 2 x 2 blocks on the diagonal and between a point and the next,
- * open or closed in a ring, and a term k g g^T on top, by which all of them hang together (the room inside a membrane).
- * Solved exactly, by elimination along the chain. */
+ * open or closed in a ring, and a term k g g^T on top, by which all of them are connected (the volume inside a
+ * membrane). Solved exactly, by elimination along the chain. */
 #ifndef SOLVE_CHAIN_H
 #define SOLVE_CHAIN_H
 

@@ -103,7 +103,7 @@ floe_status node_matrix_shape(node_matrix *m, const bool *takes_part)
     return FLOE_OK;
 }
 
-void node_matrix_hold(node_matrix *m, const bool *held)
+void node_matrix_constrain(node_matrix *m, const bool *constrained)
 {
     const size_t size = m->grid.size;
     for (int row = 0; row < m->rows; ++row) {
@@ -111,9 +111,9 @@ void node_matrix_hold(node_matrix *m, const bool *held)
         for (int c = 0; c < m->components; ++c)
             for (int c2 = 0; c2 < m->components; ++c2) {
                 double *value = node_matrix_entries(m, row, c, c2);
-                const bool whole = held[(size_t)c * size + (size_t)m->place[row]];
+                const bool whole = constrained[(size_t)c * size + (size_t)m->place[row]];
                 for (int slot = 0; slot < m->slots; ++slot)
-                    if (whole || held[(size_t)c2 * size + (size_t)column[slot]]) value[slot] = 0.0;
+                    if (whole || constrained[(size_t)c2 * size + (size_t)column[slot]]) value[slot] = 0.0;
             }
     }
 }

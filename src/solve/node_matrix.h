@@ -50,8 +50,8 @@ static inline double *node_matrix_entries(const node_matrix *m, int row, int c, 
     return m->value +
            (((size_t)row * (size_t)m->components + (size_t)c) * (size_t)m->components + (size_t)c2) * (size_t)m->slots;
 }
-/* Empties the rows and columns of components that are held: `held` has an array for each, one after the other. */
-void node_matrix_hold(node_matrix *m, const bool *held);
+/* Sets the rows and columns of constrained components to zero: `constrained` has one array for each component, in order. */
+void node_matrix_constrain(node_matrix *m, const bool *constrained);
 /* Takes n directions (orthonormal, of all components each) at a row's unknown out of the matrix, which becomes P A P
  * with P the projection onto the others, and has `stiffness` along them. */
 void node_matrix_project(node_matrix *m, int row, int n, const double *direction, double stiffness);

@@ -153,18 +153,18 @@ enum { WINDOW_NODES = 5 * 5 * 5, PATCH_UNKNOWNS = WINDOW_NODES * NODE_MATRIX_COM
 static floe_status reserve_smoother(node_smoother *s, int unknowns)
 {
     const size_t factors = packed_index(unknowns, 0);
-    if (s->patches == s->patch_room) {
-        s->patch_room = s->patch_room ? 2 * s->patch_room : 64;
-        TRY(memory_resize(s->ctx, &s->patch, (size_t)s->patch_room, sizeof *s->patch));
+    if (s->patches == s->patches_reserved) {
+        s->patches_reserved = s->patches_reserved ? 2 * s->patches_reserved : 64;
+        TRY(memory_resize(s->ctx, &s->patch, (size_t)s->patches_reserved, sizeof *s->patch));
     }
-    if (s->unknowns + (size_t)unknowns > s->unknown_room) {
-        s->unknown_room = 2 * s->unknown_room + (size_t)unknowns;
-        TRY(memory_resize(s->ctx, &s->unknown, s->unknown_room, sizeof *s->unknown));
-        TRY(memory_resize(s->ctx, &s->share, s->unknown_room, sizeof *s->share));
+    if (s->unknowns + (size_t)unknowns > s->unknowns_reserved) {
+        s->unknowns_reserved = 2 * s->unknowns_reserved + (size_t)unknowns;
+        TRY(memory_resize(s->ctx, &s->unknown, s->unknowns_reserved, sizeof *s->unknown));
+        TRY(memory_resize(s->ctx, &s->share, s->unknowns_reserved, sizeof *s->share));
     }
-    if (s->factors + factors > s->factor_room) {
-        s->factor_room = 2 * s->factor_room + factors;
-        TRY(memory_resize(s->ctx, &s->factor, s->factor_room, sizeof *s->factor));
+    if (s->factors + factors > s->factors_reserved) {
+        s->factors_reserved = 2 * s->factors_reserved + factors;
+        TRY(memory_resize(s->ctx, &s->factor, s->factors_reserved, sizeof *s->factor));
     }
     return FLOE_OK;
 }

@@ -19,11 +19,11 @@ typedef struct node_smoother {
     bool patched;              /* whether edges have patches */
     bool *covered;             /* rows that patches solve for; owned */
     node_patch *patch;         /* owned */
-    int patches, patch_room;
+    int patches, patches_reserved;
     size_t *unknown; /* entries of the arrays, of all patches; owned */
     double *share;   /* square roots of how much of an unknown a patch has; owned */
     double *factor;  /* owned */
-    size_t unknowns, unknown_room, factors, factor_room;
+    size_t unknowns, unknowns_reserved, factors, factors_reserved;
     double largest;               /* eigenvalue of B A, with a margin */
     double *residual, *step, *to; /* scratch on the grid; owned */
 } node_smoother;

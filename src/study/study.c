@@ -1,4 +1,4 @@
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "floe_build.h"

@@ -1,8 +1,8 @@
 /* Required orders and errors, and whether they were reached. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* Verdicts: a case is right, was refused, or is wrong. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "io/file.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Whether the quantities of a study are columns of its cases' histories, before anything runs. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "io/history_columns.h"
 #include "run/setup.h"

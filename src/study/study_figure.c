@@ -1,9 +1,9 @@
 /* Figures of a study: errors against spacing, work and time; quantities against spacing. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "draw/plot.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 #include "study/profile.h"
 
 #include <math.h>
@@ -38,13 +38,13 @@ static void drawing_free(drawing *d)
     memory_free(d->ctx, &d->number);
 }
 
-/* A new curve with room for n points; x and y are to be filled. */
-static plot_series *add_series(drawing *d, const char *name, int colour, double **x, double **y, size_t room)
+/* A new curve with space for n points; x and y are to be filled. */
+static plot_series *add_series(drawing *d, const char *name, int colour, double **x, double **y, size_t reserved)
 {
     plot_series *series = &d->series[d->n_series++];
     *x = &d->number[d->n_numbers];
-    *y = *x + room;
-    d->n_numbers += 2 * room;
+    *y = *x + reserved;
+    d->n_numbers += 2 * reserved;
     *series = (plot_series){.name = name, .style = PLOT_LINES_POINTS, .colour = colour, .x = *x, .y = *y};
     return series;
 }

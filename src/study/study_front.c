@@ -1,7 +1,7 @@
 /* Error against cost: who is cheapest. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <math.h>
 #include <string.h>

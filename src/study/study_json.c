@@ -1,7 +1,7 @@
 /* A study as JSON: study.json, compare.json. What depends on the machine stands in objects named `timing`, and in a
  * summary's wall_seconds, output_seconds, seconds_by_stage and peak_rss_bytes. */
 #include "io/json.h"
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 

@@ -1,5 +1,5 @@
 /* What a study has not reached. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "base/text.h"

@@ -1,5 +1,5 @@
 /* Orders of errors, and limits of quantities, over the axis `over`. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "verify/order.h"
 

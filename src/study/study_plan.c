@@ -1,5 +1,5 @@
 /* From a deck and its axes to the cases of a study. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 

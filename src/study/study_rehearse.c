@@ -1,11 +1,11 @@
 /* Cases made ready as their runs would make them, and left at that. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "run/disk_need.h"
 #include "run/live_line.h"
 #include "run/setup.h"
-#include "scene/place.h"
+#include "scene/deck_location.h"
 #include "scene/unsupported.h"
 
 enum { TOLD_MOST = 5 /* cases that are warned of one by one */, LIVE_INTERVAL = 1, PLAIN_INTERVAL = 10 };
@@ -26,7 +26,7 @@ floe_status study_set_up(scene *s, study_ready *out, remark_sink *say, void *use
     *out = (study_ready){.cells = study_cells(&s->mesh)};
     if (out->cells > STUDY_SET_UP_CELLS) {
         if (say) scene_remarks(s, say, user);
-        return scene_place(s, scene_refuse_unsupported(s, s->coupling));
+        return scene_deck_location(s, scene_refuse_unsupported(s, s->coupling));
     }
     floe_status status = setup_begin(&setup, s);
     if (status == FLOE_OK) status = sim_predict(setup.sim, &out->step, &out->steps, &out->reason);
@@ -64,8 +64,8 @@ static floe_status rehearse_case(rehearsing *r, size_t i, bool all)
         live_line_show(&r->line, text);
     }
     TRY(batch_prepare(r->s->ctx, &batch, &r->s->run[i], &of));
-    const floe_status status =
-        all ? study_set_up(of, &ready, NULL, NULL) : scene_place(of, scene_refuse_unsupported(of, of->coupling));
+    const floe_status status = all ? study_set_up(of, &ready, NULL, NULL)
+                                   : scene_deck_location(of, scene_refuse_unsupported(of, of->coupling));
     scene_destroy(&of);
     if (ready.done) r->out->set_up++;
     if (status != FLOE_BAD_INPUT && status != FLOE_DIVERGED) return status;

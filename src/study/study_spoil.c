@@ -1,9 +1,9 @@
 /* Checks that could not have failed: each case that is right is judged again with its result spoiled. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "io/file.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 #include "run/spoil.h"
 
 #include <math.h>

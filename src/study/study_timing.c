@@ -1,7 +1,7 @@
 /* Times that can be compared, without those of outputs, which depend on the disk: each case alone, on one thread, more
  * than once; the fastest counts, as what disturbs a run can only slow it down. A short case is run until there is
  * something to measure. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "batch/machine_load.h"

@@ -1,9 +1,9 @@
 /* What the cases have come to: errors, and the last values of columns of their histories. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "io/file.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 /* A study as a table: for people, and as CSV. */
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include "base/memory.h"
 #include "base/strbuf.h"
 #include "io/file.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Normals by the gradient of a colour (York 1997, sections 7.1 to 7.3): every point, of the surface and of what it
- * holds, has the same colour, which is spread over nodes. Private to the surface room. */
+ * holds, has the same colour, which is spread over nodes. Private to the surface module. */
 #ifndef SURFACE_COLOUR_H
 #define SURFACE_COLOUR_H
 

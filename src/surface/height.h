@@ -1,4 +1,4 @@
-/* Heights over a plane by a polynomial of weighted least squares. Private to the surface room.
+/* Heights over a plane by a polynomial of weighted least squares. Private to the surface module.
  *
  * In places over the reach the problem is of order one, and its normal equations lose no more than the square of a
  * small condition: they take a row in a third of the time that rotations take, and a Cholesky factorization (Golub and

@@ -1,6 +1,6 @@
 /* A function chi with the surface as an isosurface (Sulsky and York 2000, sections 3 and 5): 1 at its points, 0 at a
  * point off it, in the least squares sense, on one element by splines of degree 1 or 2 (0: of one gradient). Its
- * gradient is normal to the surface. Private to the surface room, but for those who reproduce the paper. */
+ * gradient is normal to the surface. Private to the surface module, but for those who reproduce the paper. */
 #ifndef SURFACE_ISOSURFACE_H
 #define SURFACE_ISOSURFACE_H
 

@@ -1,4 +1,4 @@
-/* Least squares of a few unknowns, rows taken in one by one. Private to the surface room.
+/* Least squares of a few unknowns, rows taken in one by one. Private to the surface module.
  *
  * Rows are turned at once into the triangle of a QR factorization (Givens; Golub and Van Loan, 4th ed., section 5.2.5),
  * so that any number of rows fits. A triangle with small pivots is then taken to GSL's complete orthogonal

@@ -1,4 +1,4 @@
-/* The nearest points of a point. Private to the surface room. */
+/* The nearest points of a point. Private to the surface module. */
 #ifndef SURFACE_NEIGHBOURS_H
 #define SURFACE_NEIGHBOURS_H
 

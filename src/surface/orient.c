@@ -21,7 +21,7 @@ typedef struct orienter {
     size_t *entry; /* 1 + the entry of each point that is no image; 0: it is lost. Owned */
     bool *done;    /* owned */
     waiting *heap; /* least cost first; owned */
-    size_t n, room;
+    size_t n, reserved;
 } orienter;
 
 static const surface_entry *entry_of(const orienter *o, size_t number)
@@ -36,9 +36,9 @@ static bool waits_before(const waiting *a, const waiting *b)
 
 static floe_status push_waiting(orienter *o, const waiting *one)
 {
-    if (o->n == o->room) {
-        TRY(memory_resize(o->s->ctx, &o->heap, 2 * o->room, sizeof *o->heap));
-        o->room *= 2;
+    if (o->n == o->reserved) {
+        TRY(memory_resize(o->s->ctx, &o->heap, 2 * o->reserved, sizeof *o->heap));
+        o->reserved *= 2;
     }
     size_t at = o->n++;
     for (; at > 0 && waits_before(one, &o->heap[(at - 1) / 2]); at = (at - 1) / 2) o->heap[at] = o->heap[(at - 1) / 2];
@@ -147,10 +147,10 @@ static floe_status give_sides(orienter *o, const double *reference)
 static floe_status orient_with(orienter *o, const double *reference)
 {
     const surface_set *s = o->s;
-    o->room = s->n_points + ALONG_3D;
+    o->reserved = s->n_points + ALONG_3D;
     TRY(memory_new(s->ctx, &o->entry, s->n_points, sizeof *o->entry));
     TRY(memory_new(s->ctx, &o->done, s->n_points, sizeof *o->done));
-    TRY(memory_new(s->ctx, &o->heap, o->room, sizeof *o->heap));
+    TRY(memory_new(s->ctx, &o->heap, o->reserved, sizeof *o->heap));
     for (size_t k = 0; k < s->points.n; ++k)
         if (s->points.entry[k].image == 0) o->entry[s->points.entry[k].number] = k + 1;
     return give_sides(o, reference);

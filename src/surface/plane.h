@@ -1,4 +1,4 @@
-/* The line or plane through points, by the moments of their places. Private to the surface room. */
+/* The line or plane through points, by the moments of their positions. Private to the surface module. */
 #ifndef SURFACE_PLANE_H
 #define SURFACE_PLANE_H
 

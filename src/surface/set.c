@@ -133,10 +133,10 @@ static size_t most_entries(const surface_set *s, size_t n)
 static floe_status reserve_entries(surface_set *s, surface_bins *l, size_t n)
 {
     const size_t entries = most_entries(s, n);
-    if (entries <= l->room) return FLOE_OK;
+    if (entries <= l->reserved) return FLOE_OK;
     TRY(memory_resize(s->ctx, &l->entry, entries, sizeof *l->entry));
     TRY(memory_resize(s->ctx, &l->cell, entries, sizeof *l->cell));
-    l->room = entries;
+    l->reserved = entries;
     return FLOE_OK;
 }
 

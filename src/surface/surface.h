@@ -58,7 +58,7 @@ typedef struct surface_cell {
 /* Entries in the order of cells (last axis slowest), numbers, images. */
 typedef struct surface_bins {
     surface_entry *entry;
-    size_t n, room;
+    size_t n, reserved;
     surface_cell *cell;
     size_t n_cells;
 } surface_bins;

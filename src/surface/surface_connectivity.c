@@ -13,10 +13,10 @@ static void estimate_by_connectivity(const surface_set *s, const void *par, cons
         const size_t n = s->n_points, p = e->number;
         if (e->image != 0) continue;
         const size_t before = p > 0 ? p - 1 : s->closed ? n - 1 : p, after = p + 1 < n ? p + 1 : s->closed ? 0 : p;
-        double way[3], normal[3];
-        for (int a = 0; a < 3; ++a) way[a] = s->place[3 * after + a] - s->place[3 * before + a];
-        normal[0] = way[1];
-        normal[1] = -way[0];
+        double chord[3], normal[3];
+        for (int a = 0; a < 3; ++a) chord[a] = s->place[3 * after + a] - s->place[3 * before + a];
+        normal[0] = chord[1];
+        normal[1] = -chord[0];
         normal[2] = 0.0;
         if (!(vec_normalize(normal) > 0.0)) continue;
         for (int a = 0; a < 3; ++a) out[p].normal[a] = normal[a];

@@ -3,7 +3,7 @@
 #ifndef VERIFY_ANNULUS_H
 #define VERIFY_ANNULUS_H
 
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct annulus_par {
     double inner_radius, outer_radius, inner_pressure, outer_pressure;

@@ -10,7 +10,7 @@
 #ifndef VERIFY_BAR_IMPACT_H
 #define VERIFY_BAR_IMPACT_H
 
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct bar_impact_par {
     double left_length, left_density, left_modulus, left_area, left_velocity;

@@ -1,4 +1,4 @@
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-/* A solve under way: what must be released, and the last complaint. */
+/* A solve in progress: what must be released, and the last complaint. */
 typedef struct solve {
     const ode *system;
     SUNContext sun;

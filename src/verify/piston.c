@@ -1,6 +1,6 @@
 #include "verify/piston.h"
 
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 floe_status piston_check(context *ctx, const piston *p)
 {

@@ -3,7 +3,7 @@
 #ifndef VERIFY_RADIAL_H
 #define VERIFY_RADIAL_H
 
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 /* What a deck says of it: parameters of the struct's end, in this order. */
 typedef struct radial_par {

@@ -1,7 +1,7 @@
 #include "verify/richardson.h"
 
 #include "base/memory.h"
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 #include "verify/sequence.h"
 
 static const char *const names[] = {

@@ -1,6 +1,6 @@
 #include "verify/riemann.h"
 
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 /* A side seen outwards: `sign` is -1 on the left and +1 on the right, so that one text serves both. The equivalent
  * ideal gas has the specific volume v - b and the pressure p + p_inf. */

@@ -1,7 +1,7 @@
 /* The exact Riemann problem between two Noble-Abel stiffened gases, p + gamma p_inf = (gamma - 1) e/(v - b), each with
  * its own gamma, p_inf and b (both 0: an ideal gas), vacuum included. Toro, Riemann Solvers, 3rd ed. (2009), chapter 4,
  * with p replaced by p + p_inf (Ivings, Causon & Toro 1998) and v by v - b in the relations across a wave: these hold
- * differences of v alone. A covolume only stretches the places of waves, by v/(v - b). */
+ * differences of v alone. A covolume only stretches the positions of waves, by v/(v - b). */
 #ifndef VERIFY_RIEMANN_H
 #define VERIFY_RIEMANN_H
 

@@ -138,7 +138,7 @@ has stderr 'cannot burn where surfaces cut the cells'
 expect 2 "$FLOE" check "$block" --set method.edge_penalty=0.05
 has stderr 'and its edge with it'
 expect 2 "$FLOE" check "$block" --set 'exchange={}'
-has stderr 'would be held in the cells'
+has stderr 'would be locked in the cells'
 expect 2 "$FLOE" check "$block" --set 'reactions.more={reactant: propellant, product: gas, rate: {threshold: {temperature: 300, time: 1}}}'
 has stderr "uses up the solid 'propellant' already"
 expect 2 "$FLOE" check "$block" --set 'loads={push: {traction: {body: block, surface: {box: {lower: [15 mm, 15 mm], upper: [25 mm, 25 mm]}}, pressure: 1 MPa}}}'
@@ -164,7 +164,7 @@ has warned/run.log 'cubic splines and any number of points'
 
 # Slip sides that hold a solid all the same, and fluids that stick to it.
 expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/pressed_cylinder.yaml" --set boundaries.y.lower=slip
-has stderr "boundaries.y.lower: in steps that are solved for, a slip side holds body 'block'"
+has stderr "boundaries.y.lower: in steps that are solved for, a slip side constrains body 'block'"
 lift=("$FLOE_SOURCE/tests/cli/decks/lift.yaml")
 expect 0 "$FLOE" check "${lift[@]}"
 has stderr "boundaries.y.lower: body 'block' lies within a cell of a slip side"

@@ -60,5 +60,5 @@ done
 mount -t tmpfs -o size=300k none disk
 got=0
 "$FLOE" run "${scene[@]}" --set time.max_steps=5 -o disk/out >stdout 2>stderr || got=$?
-has stderr 'there is no room for a checkpoint should an output fail'
+has stderr 'there is no disk space for a checkpoint should an output fail'
 umount disk

@@ -8,7 +8,7 @@ kills=${FLOE_KILLS:-1}
 RANDOM=${FLOE_SEED:-$(date +%N | sed 's/^0*//' | cut -c 1-4)}
 inputs=$FLOE_SOURCE/inputs
 
-# Points; points in gas on cells; a membrane that holds gas; a reaction of gases; bodies in contact.
+# Points; points in gas on cells; a membrane around gas; a reaction of gases; bodies in contact.
 read -ra names <<<"${FLOE_SCENES:-coupled sealed}"
 points=("$cylinder" --coupling mpm --set domain.cell=0.1)
 coupled=("$cylinder" --coupling ice-mpm --set domain.cell=0.1 --set time.end=0.02)

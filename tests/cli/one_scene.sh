@@ -141,7 +141,7 @@ expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/bar_vibration.yaml" --set 'verify={e
 expect 2 "$FLOE" check lap.yaml --coupling mpm --set 'bodies.dot={material: steel, seeding: lattice, shape: {ball: {centre: [0.051, 0.051], radius: 0.004}}}'
 has stderr 'bodies.dot.shape: no point lies in it'
 expect 2 "$FLOE" check "$FLOE_SOURCE/tests/cli/decks/keys_membrane.yaml" --coupling ice-mpm --set bodies.gas=null
-has stderr "bodies.skin.membrane.encloses: there is no 'gas' to hold"
+has stderr "bodies.skin.membrane.encloses: there is no 'gas' to enclose"
 
 # What the mesh cannot carry is warned of, with figures.
 expect 0 "$FLOE" check lap.yaml --set 'bodies.ball.shape={box: {lower: [0.43, 0.2], upper: [0.48, 0.8]}}' --set method.interface=smeared

@@ -112,7 +112,7 @@ static void place_of(const cloud *c, size_t k, double x[3])
     for (int a = 0; a < 3; ++a) x[a] = a < c->mesh.dim ? c->x[a][k] : 0.0;
 }
 
-/* Values of order one; differences over slivers of 1e-4 cells lose four digits more. */
+/* Values of order one; differences over small volume fractions of 1e-4 cells lose four digits more. */
 static void check_samples(const cloud *c)
 {
     double out[POINTS], x[3], *window = linear_window(c, 1, 1);
@@ -257,7 +257,7 @@ static void run_kernels(const cloud *c, const kernel_set *kernel, bool moments, 
         to.v_next[a] = out->v[a];
     }
     for (int i = 0; i < 9; ++i) to.L[i] = out->L[i];
-    double *mass = linear_window(c, 1, 1), *both = linear_window(c, 2 * dim, lanes_room(lanes_of(2 * dim)));
+    double *mass = linear_window(c, 1, 1), *both = linear_window(c, 2 * dim, lanes_reserved(lanes_of(2 * dim)));
     const gather_step step = {0.3, 0.2, 0.9, mass};
     if (moments) kernel->gather[GATHER_MOMENTS](&c->mesh, &c->tile, &c->p, 0, POINTS, both, &step, &to);
     kernel->gather[GATHER_BOTH](&c->mesh, &c->tile, &c->p, 0, moments ? POINTS / 2 : POINTS, both, &step, &to);

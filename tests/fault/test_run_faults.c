@@ -6,7 +6,7 @@
 #include "io/checkpoint/checkpoint.h"
 #include "io/file.h"
 #include "io/io.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 #include "run/run.h"
 #include "unit/test_io_faults.h"
 

@@ -235,7 +235,7 @@ static state run(const deck_variant *v, int fail_at, int *stages)
     assert_string_equal(context_message(t.ctx), "");
     take_steps_of(&t, full);
     trial_steps(&t, AFTER);
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     state s = state_of(t.sim);
     state_add_ledger(&s, t.sim);
     variant_end(&t, &solution);

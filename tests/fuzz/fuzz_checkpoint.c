@@ -7,7 +7,7 @@
 #include "deck/deck.h"
 #include "io/checkpoint/checkpoint.h"
 #include "io/io.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 #include "run/catalogue.h"
 
 #include <hdf5.h>

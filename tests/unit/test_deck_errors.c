@@ -1,7 +1,7 @@
 /* Decks that must be refused: each at its line and column, in words that help. */
 #include "unit/test_deck_common.h"
 
-#include "scene/place.h"
+#include "scene/deck_location.h"
 
 #include <stdio.h>
 
@@ -436,13 +436,13 @@ static void what_a_run_refuses_has_its_place(void **state)
     scene *s;
     check_ok(f->ctx, deck_load_text(&s, f->ctx, "deck.yaml", sound, strlen(sound), &set, &f->store.catalogue, &report));
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
-        assert_int_equal(scene_place(s, fail_key(f->ctx, refused[i].key, "why")), FLOE_BAD_INPUT);
+        assert_int_equal(scene_deck_location(s, fail_key(f->ctx, refused[i].key, "why")), FLOE_BAD_INPUT);
         assert_string_equal(context_message(f->ctx), refused[i].told);
-        assert_int_equal(scene_place(s, FLOE_BAD_INPUT), FLOE_BAD_INPUT);
+        assert_int_equal(scene_deck_location(s, FLOE_BAD_INPUT), FLOE_BAD_INPUT);
         assert_string_equal(context_message(f->ctx), refused[i].told);
         context_clear(f->ctx);
     }
-    assert_int_equal(scene_place(s, FLOE_OK), FLOE_OK);
+    assert_int_equal(scene_deck_location(s, FLOE_OK), FLOE_OK);
     deck_report_free(&report);
     scene_destroy(&s);
 }

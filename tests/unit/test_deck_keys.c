@@ -4,7 +4,7 @@
 #include "check.h"
 
 #include "base/memory.h"
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 #include "run/catalogue.h"
 
 #include <math.h>
@@ -246,7 +246,7 @@ static void spoil_type(walk *w, const key_spec *key)
     case KEY_VARIANT: refuse_value(w, key->key, "nonesuch", "nonesuch"); break;
     case KEY_MAP:
     case KEY_NAMED: refuse_value(w, key->key, "nonesuch", key->key); break;
-    case KEY_CUSTOM: break; /* test_deck_errors.c */
+    case KEY_SPECIAL: break; /* test_deck_errors.c */
     }
 }
 
@@ -263,7 +263,7 @@ static void spoil_any(walk *w, const key_spec *key)
         refuse_value(w, key->key, "[1, 2]", key->key);
     } else if (key->type == KEY_NAMED) {
         refuse_value(w, key->key, "{9: {}}", "9");
-    } else if (key->type != KEY_CUSTOM && key->type != KEY_CHOICE && key->type != KEY_MATERIAL &&
+    } else if (key->type != KEY_SPECIAL && key->type != KEY_CHOICE && key->type != KEY_MATERIAL &&
                key->type != KEY_BODY) {
         refuse_value(w, key->key, "{a: 1}", key->key);
     }

@@ -2,7 +2,7 @@
 #include "check.h"
 
 #include "base/memory.h"
-#include "draw/colour.h"
+#include "draw/colour_scale.h"
 #include "draw/picture.h"
 #include "io/file.h"
 

@@ -143,7 +143,7 @@ static void test_on_a_node(void **unused)
         assert_int_equal(c.cell[0].cell[0], side ? 4 : 5);
         check_close(c.cell[0].open, 1.0, 0.0);
         assert_int_equal(c.at[side ? 5 : 4], CUT_OUTSIDE);
-        assert_int_equal(c.at[side ? 3 : 6], CUT_HELD);
+        assert_int_equal(c.at[side ? 3 : 6], CUT_INSIDE);
     }
     cut_destroy(&c);
     context_destroy(&ctx);

@@ -166,7 +166,8 @@ static void test_merge_conserves(void **state)
     }
 }
 
-/* A body of slivers alone, all alike: they end in one point at its centre, and the choice between equals ends. */
+/* A body of small volume fractions alone, all alike: they end in one point at its centre, and the choice between equals
+ * ends. */
 static void test_only_slivers(void **state)
 {
     (void)state;

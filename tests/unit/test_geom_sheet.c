@@ -2,7 +2,7 @@
 #include "check.h"
 
 #include "base/memory.h"
-#include "geom/sheet.h"
+#include "geom/sheet_seeding.h"
 
 #include <math.h>
 #include <string.h>
@@ -169,7 +169,8 @@ static void refusals(void **state)
     expect_bad(&endless, 1000000000, &grid, too_many);
 }
 
-/* A list of the points of a sphere has their places and volumes; its area is given, and its points must not be torn from each other. */
+/* A list of the points of a sphere has their positions and volumes; its area is given, and its points must not be torn
+ * from each other. */
 static void test_list(void **state)
 {
     (void)state;

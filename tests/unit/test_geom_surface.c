@@ -1,7 +1,7 @@
 /* Elements of surfaces: complete, and the same from whichever side they are seen. */
 #include "check.h"
 
-#include "geom/surface.h"
+#include "geom/surface_elements.h"
 
 #include <math.h>
 #include <string.h>

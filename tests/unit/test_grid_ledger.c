@@ -62,7 +62,7 @@ static void momentum_is_one_vector(void **state)
     l.scale[LEDGER_ENERGY] = 1e-30;
     l.total[LEDGER_ENERGY] = 1e-30;
     check_close(ledger_drift(&l, LEDGER_ENERGY), 1.0, 0.0);
-    l.no_account[LEDGER_MOMENTUM_Z] = true;
+    l.not_conserved[LEDGER_MOMENTUM_Z] = true;
     check_close(ledger_drift(&l, LEDGER_MOMENTUM_Z), 0.0, 0.0);
 }
 
@@ -84,11 +84,13 @@ static void moments_are_kept_apart(void **state)
     mesh m = {.dim = 3, .upper = {6.0, 0.0, 8.0}, .periodic = {true, false, false}};
     const double x[3] = {2.0, 3.0, 5.0};
     ledger_choose(&l, &m);
-    assert_true(!l.no_account[LEDGER_MOMENT_X] && l.no_account[LEDGER_MOMENT_Y] && l.no_account[LEDGER_MOMENT_Z]);
+    assert_true(!l.not_conserved[LEDGER_MOMENT_X] && l.not_conserved[LEDGER_MOMENT_Y] &&
+                l.not_conserved[LEDGER_MOMENT_Z]);
     check_close(l.arm, 5.0, 1e-15);
     m = (mesh){.dim = 2, .geometry = MESH_AXISYMMETRIC};
     ledger_choose(&l, &m);
-    assert_true(l.no_account[LEDGER_MOMENTUM_X] && !l.no_account[LEDGER_MOMENTUM_Y] && l.no_account[LEDGER_MOMENT_Z]);
+    assert_true(l.not_conserved[LEDGER_MOMENTUM_X] && !l.not_conserved[LEDGER_MOMENTUM_Y] &&
+                l.not_conserved[LEDGER_MOMENT_Z]);
     l = (ledger){.arm = 2.0};
     ledger_state now = some_state();
     now.turns = true;

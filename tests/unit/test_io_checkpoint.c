@@ -3,7 +3,7 @@
 
 #include "base/sha256.h"
 #include "io/checkpoint/checkpoint.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 #include "test_io_faults.h"
 
 #include <sys/stat.h>
@@ -100,7 +100,7 @@ static void same_state(const fixture *a, const fixture *b)
 }
 
 /* What is kept for it on the disk is enough, and not much more. */
-static void fits_its_room(const fixture *f, const char *path, const checkpoint_run *run)
+static void fits_reserved_size(const fixture *f, const char *path, const checkpoint_run *run)
 {
     struct stat about;
     const size_t most = checkpoint_most_bytes(&f->sim, run);
@@ -136,7 +136,7 @@ static void round_trips_over_blocks(void **state)
     assert_int_equal(b.mpm.points[3][1].tile_start[b.sim.mesh.block[3].n_tiles], b.mpm.points[3][1].n);
     check_ok(b.ctx, checkpoint_write(&b.sim, second, &run));
     fixture_same_files(a.ctx, first, second);
-    fits_its_room(&b, second, &run);
+    fits_reserved_size(&b, second, &run);
     fixture_free(&b);
     fixture_free(&a);
     fixture_remove_folder(folder);

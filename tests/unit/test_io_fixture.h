@@ -1,5 +1,5 @@
-/* A simulation made by hand for the tests of the io room: two solids and a gas as points, and three materials in cells, with
- * values that depend on the place and the point alone, never on the blocks. */
+/* A simulation made by hand for the tests of the io module: two solids and a gas as points, and three materials in
+ * cells, with values that depend on the place and the point alone, never on the blocks. */
 #ifndef TESTS_UNIT_TEST_IO_FIXTURE_H
 #define TESTS_UNIT_TEST_IO_FIXTURE_H
 

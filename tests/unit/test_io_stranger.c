@@ -4,7 +4,7 @@
 
 #include "io/checkpoint/checkpoint.h"
 #include "io/checkpoint/checkpoint_record.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 #include "io/snapshot/snapshot.h"
 #include "io/snapshot/snapshot_folder.h"
 #include "io/snapshot/snapshot_read.h"

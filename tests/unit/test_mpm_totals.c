@@ -61,7 +61,7 @@ static void test_outside(void **unused)
     const double *mass = field_get(f, P_MASS, 0, 0);
     uint64_t seed = 11;
     for (int pass = 0; pass < 4; ++pass) {
-        membrane_room room;
+        membrane_enclosure room;
         double outside = 0.0;
         for (size_t k = 0; k < n; ++k) {
             double radius = check_random(&seed, 0.01, 0.99);
@@ -72,7 +72,7 @@ static void test_outside(void **unused)
             y[k] = radius * sin(angle);
             outside += radius > 0.5 ? mass[k] : 0.0;
         }
-        mpm_membrane_room(t.sim->mpm, 1, &room);
+        mpm_membrane_enclosure(t.sim->mpm, 1, &room);
         check_close_relative(room.outside, outside, 1e-13);
         check_close_relative(room.size, 0.25 * acos(-1.0) * 0.25, 1e-4);
     }

@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "io/file.h"
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -133,7 +133,8 @@ static void curves_go_from_coarse_to_fine(void **state)
                "\"\",\"mpm\",0.10000000000000001,3.1000000000000001,\n");
 }
 
-/* Of each group the finest case that has come to its end, with the columns that it has; the exact curve at the places of the one with most rows. */
+/* Of each group the finest case that has come to its end, with the columns that it has; the exact curve at the
+ * positions of the one with most rows. */
 static void profiles_are_of_the_finest_cases(void **state)
 {
     const fixture *f = *state;

@@ -2,7 +2,7 @@
 #include "check.h"
 
 #include "base/memory.h"
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 
 #include <string.h>
 

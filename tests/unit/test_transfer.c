@@ -2,7 +2,7 @@
  * and momentum are kept to round-off; a uniform velocity stays uniform; blocks do not show. */
 #include "check.h"
 
-#include "coupling/transfer.h"
+#include "coupling/node_cell_transfer.h"
 
 #include <math.h>
 #include <string.h>

@@ -106,7 +106,7 @@ FIXTURE void variant_end(trial *t, exact *solution)
 /* Everything that a run goes on from: STATE and FIXED fields in global order, clocks, ledger. */
 typedef struct state {
     double *value; /* malloc */
-    size_t n, room;
+    size_t n, reserved;
     struct {
         const char *name; /* of a field, the ledger, clocks */
         size_t start;
@@ -121,11 +121,11 @@ FIXTURE void state_part(state *s, const char *name)
     s->part[s->n_parts++].start = s->n;
 }
 
-FIXTURE double *state_room(state *s, size_t n)
+FIXTURE double *state_reserve(state *s, size_t n)
 {
-    if (s->n + n > s->room) {
-        s->room = 2 * (s->n + n);
-        s->value = realloc(s->value, s->room * sizeof *s->value);
+    if (s->n + n > s->reserved) {
+        s->reserved = 2 * (s->n + n);
+        s->value = realloc(s->value, s->reserved * sizeof *s->value);
         assert_non_null(s->value);
     }
     s->n += n;
@@ -146,13 +146,13 @@ FIXTURE floe_status state_add_field(void *user, field_id id, int instance)
     state_part(job->out, info->name);
     if (info->centring == FIELD_CELL) {
         const size_t n = mesh_cells(&job->sim->mesh);
-        for (int c = 0; c < components; ++c) gather_cells(job->sim, id, instance, c, 1, state_room(job->out, n));
+        for (int c = 0; c < components; ++c) gather_cells(job->sim, id, instance, c, 1, state_reserve(job->out, n));
         return FLOE_OK;
     }
     assert_int_equal(info->centring, FIELD_POINT);
     point_list list;
     TRY(point_list_make(&list, job->sim, instance));
-    for (int c = 0; c < components; ++c) gather_points(job->sim, &list, id, c, 1, state_room(job->out, list.n));
+    for (int c = 0; c < components; ++c) gather_points(job->sim, &list, id, c, 1, state_reserve(job->out, list.n));
     point_list_free(job->sim->ctx, &list);
     return FLOE_OK;
 }
@@ -164,7 +164,7 @@ FIXTURE state state_of(const sim *s)
     check_ok(s->ctx, fields_visit(s->domain->fields[0], state_add_field, &job));
     state_part(&out, "clocks");
     const double clocks[] = {s->time, s->dt, (double)s->steps, s->mpm ? s->mpm->dt_previous : 0.0};
-    memcpy(state_room(&out, 4), clocks, sizeof clocks);
+    memcpy(state_reserve(&out, 4), clocks, sizeof clocks);
     return out;
 }
 
@@ -172,8 +172,8 @@ FIXTURE void state_add_ledger(state *out, const sim *s)
 {
     const size_t n = sizeof s->ledger.entry / sizeof(double);
     state_part(out, "ledger");
-    memcpy(state_room(out, n), s->ledger.entry, sizeof s->ledger.entry);
-    for (int c = 0; c < LEDGER_COUNTS; ++c) *state_room(out, 1) = (double)s->ledger.count[c];
+    memcpy(state_reserve(out, n), s->ledger.entry, sizeof s->ledger.entry);
+    for (int c = 0; c < LEDGER_COUNTS; ++c) *state_reserve(out, 1) = (double)s->ledger.count[c];
 }
 
 FIXTURE void state_free(state *s)
@@ -203,7 +203,7 @@ FIXTURE void same_state(const state *a, const state *b)
 /* Ends a trial with its whole state, ledger included; the caller's, for state_free. */
 FIXTURE state trial_finish(trial *t)
 {
-    check_ok(t->ctx, sim_account(t->sim));
+    check_ok(t->ctx, sim_update_ledger(t->sim));
     state s = state_of(t->sim);
     state_add_ledger(&s, t->sim);
     trial_end(t);
@@ -258,7 +258,7 @@ FIXTURE checkpoint_run checkpoint_of(const trial *t, checkpoint_extra extra[FIXT
     checkpoint_run run = {.deck = "floe: 1\n", .identity = "floe: 1\n", .extra = extra};
     if (!t->sim->mpm) return run;
     surface.data = mpm_surface(t->sim->mpm, &surface.n, &surface.stride);
-    skin.data = mpm_skin(t->sim->mpm, &skin.n, &skin.stride);
+    skin.data = mpm_surface_markers(t->sim->mpm, &skin.n, &skin.stride);
     edges.data = mpm_edges_state(t->sim->mpm, &edges.n);
     overlaps.data = mpm_overlaps_state(t->sim->mpm, &overlaps.n);
     if (surface.data) extra[run.n_extra++] = surface;

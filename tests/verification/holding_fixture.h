@@ -20,7 +20,7 @@ typedef struct holding {
     double size;              /* m: of the domain */
 } holding;
 
-FIXTURE double *holding_room(size_t n)
+FIXTURE double *holding_reserve(size_t n)
 {
     double *x = malloc((n + 1) * sizeof *x);
     assert_non_null(x);
@@ -28,7 +28,7 @@ FIXTURE double *holding_room(size_t n)
     return x;
 }
 
-FIXTURE bool is_held(field_id id)
+FIXTURE bool is_enclosed_gas(field_id id)
 {
     const field_info *info = field_describe(id);
     return (info->class == FIELD_STATE || info->class == FIELD_FIXED) && id != P_ID;
@@ -39,10 +39,10 @@ FIXTURE void hold_body(holding *h, const sim *s, int body, size_t start, const p
     for (size_t k = 0; k < list->n; ++k) h->material[start + k] = s->mpm->body[body].scene_material;
     for (int id = 0; id < FIELD_COUNT; ++id) {
         const field_info *info = field_describe((field_id)id);
-        if (info->centring != FIELD_POINT || !is_held((field_id)id)) continue;
+        if (info->centring != FIELD_POINT || !is_enclosed_gas((field_id)id)) continue;
         if (!fields_has(s->domain->fields[0], (field_id)id, body)) continue;
         for (int c = 0; c < field_component_count(info->components, h->dim); ++c) {
-            if (!h->point[id][c]) h->point[id][c] = holding_room(h->points);
+            if (!h->point[id][c]) h->point[id][c] = holding_reserve(h->points);
             gather_points(s, list, (field_id)id, c, 1, h->point[id][c] + start);
         }
     }
@@ -68,13 +68,13 @@ FIXTURE void hold_cells(holding *h, const sim *s)
 {
     for (int id = 0; id < FIELD_COUNT && s->ice; ++id) {
         const field_info *info = field_describe((field_id)id);
-        if (info->centring != FIELD_CELL || !is_held((field_id)id)) continue;
+        if (info->centring != FIELD_CELL || !is_enclosed_gas((field_id)id)) continue;
         const bool shared = id == C_PRESSURE || id == C_PRESSURE_STEP;
         for (int r = 0; r < (shared ? 1 : s->ice->n_materials); ++r) {
             if (!fields_has(s->domain->fields[0], (field_id)id, r)) continue;
             const int to = shared ? SCENE_MAX_MATERIALS : s->ice->material[r].scene_material;
             for (int c = 0; c < field_component_count(info->components, h->dim); ++c) {
-                h->cell[id][to][c] = holding_room(h->cells);
+                h->cell[id][to][c] = holding_reserve(h->cells);
                 gather_cells(s, (field_id)id, r, c, 1, h->cell[id][to][c]);
             }
         }
@@ -124,12 +124,12 @@ FIXTURE void holding_free(holding *h)
 /* ---- who is who ---- */
 
 /* How a changed scene goes with the first: the map, and which material is which. */
-typedef struct kinship {
+typedef struct transformation {
     scene_map map;
     int material[SCENE_MAX_MATERIALS]; /* of the first scene, by that of the changed one; -1: none */
     double depth;  /* m: of the changed scene, one cell thick, where the first has two axes; else 1 */
     long moved[3]; /* cells by which all was moved along periodic axes */
-} kinship;
+} transformation;
 
 /* Sorts indices by these numbers. */
 static const double *sort_by;
@@ -141,7 +141,8 @@ FIXTURE int by_number(const void *a, const void *b)
 }
 
 /* For each point of `changed` that of `first`, by its place mapped back; false where there is none within `reach` or two have the same. */
-FIXTURE bool match_points(const holding *first, const holding *changed, const kinship *k, double reach, size_t *partner)
+FIXTURE bool match_points(const holding *first, const holding *changed, const transformation *k, double reach,
+                          size_t *partner)
 {
     if (first->points != changed->points) return false;
     size_t *order = malloc((first->points + 1) * sizeof *order);
@@ -180,7 +181,7 @@ FIXTURE bool match_points(const holding *first, const holding *changed, const ki
 }
 
 /* For each cell of `changed` that of `first`. */
-FIXTURE void match_cells(const holding *first, const holding *changed, const kinship *k, size_t *partner)
+FIXTURE void match_cells(const holding *first, const holding *changed, const transformation *k, size_t *partner)
 {
     for (size_t c = 0; c < changed->cells; ++c) {
         const long at[3] = {(long)(c % (size_t)changed->n[0]), (long)(c / (size_t)changed->n[0]) % changed->n[1],
@@ -225,7 +226,7 @@ FIXTURE int component_at(field_components components, int dim, int row, int colu
 enum { NOT_COMPARED = -2, MUST_VANISH = -1 };
 
 /* Component of the first scene's field that is component c of the changed one's, and its sign; 0: the sign is left open. */
-FIXTURE int component_of(field_id id, const kinship *k, int dim, int c, double *sign)
+FIXTURE int component_of(field_id id, const transformation *k, int dim, int c, double *sign)
 {
     const scene_map *m = &k->map;
     const field_info *info = field_describe(id);
@@ -283,8 +284,8 @@ FIXTURE void compare_arrays(apart *out, const holding *h, field_id id, const dou
 }
 
 /* How far what they hold is apart, over the size of the field; places are in the velocities and strains. */
-FIXTURE apart holdings_apart(const holding *first, const holding *changed, const kinship *k, const size_t *points,
-                             const size_t *cells)
+FIXTURE apart holdings_apart(const holding *first, const holding *changed, const transformation *k,
+                             const size_t *points, const size_t *cells)
 {
     apart out = {0};
     for (int id = 0; id < FIELD_COUNT; ++id)

@@ -1,4 +1,4 @@
-/* A scene on the cells, made in C and stepped by itself: what the tests of the ICE room share. */
+/* A scene on the cells, made in C and stepped by itself: what the tests of the ICE module share. */
 #ifndef TESTS_VERIFICATION_ICE_FIXTURE_H
 #define TESTS_VERIFICATION_ICE_FIXTURE_H
 
@@ -165,7 +165,7 @@ static inline void fixture_account(fixture *f, ledger *l)
         for (int a = 0; a < 3; ++a) total[LEDGER_MOMENTUM_X + a] += t.momentum[r][a];
     }
     for (int q = 0; q < LEDGER_QUANTITIES; ++q) {
-        l->no_account[q] = q >= LEDGER_MOMENT_X; /* advection keeps these to truncation, not to round-off */
+        l->not_conserved[q] = q >= LEDGER_MOMENT_X; /* advection keeps these to truncation, not to round-off */
         l->total[q] = total[q];
         const double size =
             q >= LEDGER_MOMENTUM_X && q <= LEDGER_MOMENTUM_Z ? t.momentum_scale[q - LEDGER_MOMENTUM_X] : fabs(total[q]);

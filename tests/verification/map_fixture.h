@@ -1,4 +1,5 @@
-/* A scene turned, mirrored, moved or laid into space: places, vectors and sides of it by one map of the axes. */
+/* A scene rotated, mirrored, shifted or extended to more dimensions: positions, vectors and sides by one map of the
+ * axes. */
 #ifndef TESTS_VERIFICATION_MAP_FIXTURE_H
 #define TESTS_VERIFICATION_MAP_FIXTURE_H
 
@@ -105,7 +106,8 @@ FIXTURE mapped_par *map_shape(scene *s, const scene_map *m, shape *it)
 
 /* ---- curves ---- */
 
-/* The same line; that of a membrane that holds gas the other way round where a map makes right of left, so that the gas is on its left. */
+/* The same line; that of a membrane around gas the other way round where a map makes right of left, so that the gas is
+ * on its left. */
 FIXTURE void map_curve(scene *s, const scene_map *m, curve_line *c, bool holds)
 {
     const bool turned = holds && map_reverses(m), mirrors = map_reverses(m);
@@ -217,7 +219,7 @@ FIXTURE void map_body(scene *s, const scene_map *m, scene_body *b)
     for (int a = 0; a < m->dim; ++a) b->per_cell[a] = per_cell[m->from[a]];
     (void)map_shape(s, m, &b->shape);
     map_vector(m, b->velocity);
-    if (b->membrane.present) map_curve(s, m, &b->membrane.curve, b->membrane.holds >= 0);
+    if (b->membrane.present) map_curve(s, m, &b->membrane.curve, b->membrane.encloses >= 0);
 }
 
 /* The whole scene, its exact solution attached; the map must outlive it. Surfaces in space stay what they are. */

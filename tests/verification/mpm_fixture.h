@@ -233,7 +233,7 @@ FIXTURE void visit_points(const trial *t, int body, point_visitor *visit, void *
 FIXTURE double ledger_worst(trial *t, ledger_quantity first, ledger_quantity last)
 {
     double worst = 0.0;
-    check_ok(t->ctx, sim_account(t->sim));
+    check_ok(t->ctx, sim_update_ledger(t->sim));
     for (int q = first; q <= (int)last; ++q)
         if (!(ledger_drift(&t->sim->ledger, (ledger_quantity)q) <= worst))
             worst = ledger_drift(&t->sim->ledger, (ledger_quantity)q);
@@ -262,7 +262,7 @@ FIXTURE void trial_settle(trial *t, double latest)
         check_ok(t->ctx, sim_step(t->sim, INFINITY));
         if (t->sim->time < next) continue;
         next += 1e-4;
-        check_ok(t->ctx, sim_account(t->sim));
+        check_ok(t->ctx, sim_update_ledger(t->sim));
         check_ok(t->ctx, sim_sum(t->sim, &totals));
         check_ok(t->ctx, sim_check_rest(t->sim, &totals));
     }

@@ -4,7 +4,7 @@
 
 #include "mpm_fixture.h"
 
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <ctype.h>
 
@@ -94,12 +94,12 @@ FIXTURE void scale_variant(const scene *s, const scaling *by, const variants *ki
 
 FIXTURE void scale_custom(const scene *s, const scaling *by, const key_spec *key, void *base)
 {
-    if (key->custom == &custom_boundaries)
+    if (key->special == &special_boundaries)
         for (int k = 0; k < 2 * MESH_MAX_DIM; ++k)
             scale_variant(s, by, &boundary_kinds, &((scene *)base)->bc.side[k / 2][k % 2]);
-    const curve_line *c = key->custom == &custom_places         ? base
-                          : key->custom == &custom_sheet_places ? &((sheet_surface *)base)->curve
-                                                                : NULL;
+    const curve_line *c = key->special == &special_positions         ? base
+                          : key->special == &special_sheet_positions ? &((sheet_surface *)base)->curve
+                                                                     : NULL;
     if (c) scale_numbers(c->vertex, 3 * (size_t)c->n_vertices, scale_power(by, "m"));
 }
 
@@ -145,7 +145,7 @@ FIXTURE void scale_table(const scene *s, const scaling *by, const key_table *tab
         case KEY_NAMED: scale_items(s, by, key, base); break;
         case KEY_MODEL: scale_model(by, key, field); break;
         case KEY_VARIANT: scale_variant(s, by, key->variants, field); break;
-        case KEY_CUSTOM: scale_custom(s, by, key, base); break;
+        case KEY_SPECIAL: scale_custom(s, by, key, base); break;
         default: break;
         }
     }

@@ -1,4 +1,4 @@
-/* Decks with a membrane that holds gas of the cells, and what tells whether anything has happened or has passed. */
+/* Decks with a membrane around gas of the cells, and what tells whether anything has happened or has passed. */
 #ifndef TESTS_VERIFICATION_SEALED_FIXTURE_H
 #define TESTS_VERIFICATION_SEALED_FIXTURE_H
 

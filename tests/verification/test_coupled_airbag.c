@@ -15,13 +15,13 @@ static void push_in(const push_case *c)
     trial t;
     mpm_totals start, sum;
     ice_totals gas, later;
-    membrane_room room;
+    membrane_enclosure enclosure;
     sealed_begin(&t, c->deck, c->set, c->n_set);
     check_ok(t.ctx, mpm_sum(t.sim->mpm, &start));
     check_ok(t.ctx, ice_sum(t.sim->ice, &gas));
-    mpm_membrane_room(t.sim->mpm, BAG, &room);
+    mpm_membrane_enclosure(t.sim->mpm, BAG, &enclosure);
     /* what the bag encloses it fills, of the printed density */
-    check_close_relative(gas.mass[0], 1.2156 * room.size, 1e-12);
+    check_close_relative(gas.mass[0], 1.2156 * enclosure.size, 1e-12);
     trial_run(&t, 0.01);
     check_ok(t.ctx, mpm_sum(t.sim->mpm, &sum));
     check_ok(t.ctx, ice_sum(t.sim->ice, &later));

@@ -60,13 +60,13 @@ static void keep(trial *t, state *s)
 {
     double pressure;
     const int gas = 1;
-    check_ok(t->ctx, sim_account(t->sim));
+    check_ok(t->ctx, sim_update_ledger(t->sim));
     *s = state_of(t->sim);
     state_add_ledger(s, t->sim);
     check_ok(t->ctx,
              ice_mean_pressure(t->sim->ice, ice_material_of(t->sim->ice, gas), &t->scene->load[0].region, &pressure));
     state_part(s, "mean pressure");
-    *state_room(s, 1) = pressure;
+    *state_reserve(s, 1) = pressure;
 }
 
 /* Written after some steps, read into a fresh simulation with other blocks: the same from the first step on. */

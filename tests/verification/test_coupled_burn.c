@@ -29,10 +29,10 @@ static burning look(trial *t)
     check_ok(t->ctx, sim_sum(t->sim, &now));
     const int gas = ice_material_of(t->sim->ice, GAS);
     const mesh *m = &t->sim->mesh;
-    double room = 1.0;
-    for (int a = 0; a < m->dim; ++a) room *= m->upper[a] - m->lower[a];
+    double volume = 1.0;
+    for (int a = 0; a < m->dim; ++a) volume *= m->upper[a] - m->lower[a];
     burning b = {now.mpm.mass[BLOCK], now.ice.mass[gas], now.ice.internal[gas], 0.0};
-    b.pressure = 0.25 * b.energy / (room - b.solid / 1600.0);
+    b.pressure = 0.25 * b.energy / (volume - b.solid / 1600.0);
     return b;
 }
 

@@ -27,7 +27,7 @@ static void begin(trial *t, const deck_variant *v, int blocks, int threads, exac
 static state after(trial *t, long steps)
 {
     trial_steps(t, steps);
-    check_ok(t->ctx, sim_account(t->sim));
+    check_ok(t->ctx, sim_update_ledger(t->sim));
     state s = state_of(t->sim);
     state_add_ledger(&s, t->sim);
     return s;

@@ -110,7 +110,7 @@ static void test_weight(void **unused)
     mpm_totals m;
     begin(&t, "shock_plate", set, 8);
     trial_run(&t, 1.5707963267948966 / omega); /* where it is fastest: the scale of the drifts */
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     trial_run(&t, 3.1415926535897932 / omega);
     check_ok(t.ctx, mpm_sum(t.sim->mpm, &m));
     const double way = m.moment[0][0] / mass - 0.5045;

@@ -1,5 +1,6 @@
-/* A membrane that holds gas of the cells: nothing passes it, at rest and in a stream nothing happens, what the gas loses it gains, a
- * piston swings as it should, a circle comes to its exact rest; the same bits for any blocks, any threads and after a restart. */
+/* A membrane around gas of the cells: nothing passes it, at rest and in a stream nothing happens, what the gas loses it
+ * gains, a piston swings as it should, a circle comes to its exact rest; the same bits for any blocks, any threads and
+ * after a restart. */
 #include "sealed_fixture.h"
 
 #include "io/checkpoint/checkpoint.h"
@@ -80,9 +81,9 @@ static void test_circle(void **unused)
     double x[3], pressure;
     sealed_begin(&t, "membrane_circle", set, 3);
     trial_run(&t, 0.0025); /* outward at full speed: the scale of the drifts */
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     trial_run(&t, 0.06);
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-13);
     check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) < 1e-12);
     check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 7e-8);
@@ -181,7 +182,7 @@ static void test_two_move(void **unused)
             check_close_relative(after.mass[gas], before.mass[gas], 1e-13);
             check_close(deviation_of(&t, C_RHO, gas, 0, 0.0).outside, 0.0, 0.0);
         }
-        check_ok(t.ctx, sim_account(t.sim));
+        check_ok(t.ctx, sim_update_ledger(t.sim));
         check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y) < 1e-12);
         const double energy = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
         check_true(energy < 3e-4); /* measured 1.4e-4, which falls with the step */
@@ -200,15 +201,15 @@ typedef struct bag {
 
 static bag bag_of(trial *t, int body, int gas)
 {
-    membrane_room room;
+    membrane_enclosure enclosure;
     ice_totals sum;
     bag out;
-    mpm_membrane_room(t->sim->mpm, body, &room);
+    mpm_membrane_enclosure(t->sim->mpm, body, &enclosure);
     check_ok(t->ctx, ice_mean_pressure(t->sim->ice, gas, NULL, &out.pressure));
     check_ok(t->ctx, ice_sum(t->sim->ice, &sum));
     out.mass = sum.mass[gas];
-    out.area = room.size;
-    out.stress = room.stress;
+    out.area = enclosure.size;
+    out.stress = enclosure.stress;
     return out;
 }
 
@@ -271,7 +272,7 @@ static void test_two_crossed(void **unused)
 static void test_two_refused(void **unused)
 {
     (void)unused;
-    static const char *const words[] = {"holds 'other' already", "3 membranes hold gas already"};
+    static const char *const words[] = {"encloses 'other' already", "3 membranes enclose gas already"};
     const char *set[] = {
         "verify=null",
         SECOND_DISC("0.2", "0.08", "0.1", "pressure: 1000, density: 2"),

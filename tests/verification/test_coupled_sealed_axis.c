@@ -1,5 +1,5 @@
-/* A membrane that holds gas of the cells about an axis: at rest and in a stream nothing happens, a balloon and a tube come to their exact
- * rests, nothing passes; the same bits for any blocks. */
+/* A membrane around gas of the cells about an axis: at rest and in a stream nothing happens, a balloon and a tube come
+ * to their exact rests, nothing passes; the same bits for any blocks. */
 #include "sealed_fixture.h"
 
 /* Points that keep all of their motion: nothing but damping takes energy. */
@@ -116,17 +116,17 @@ typedef struct rest_case {
 static void check_rest(const rest_case *c)
 {
     trial t;
-    membrane_room room;
+    membrane_enclosure enclosure;
     double first[3], pressure;
     sealed_begin(&t, "membrane_balloon", c->set, c->n_set);
     trial_run(&t, t.scene->time.end);
     mpm_membrane_end(t.sim->mpm, 0, false, first);
-    mpm_membrane_room(t.sim->mpm, 0, &room);
+    mpm_membrane_enclosure(t.sim->mpm, 0, &enclosure);
     check_ok(t.ctx, ice_mean_pressure(t.sim->ice, 0, NULL, &pressure));
-    print_message("radius %.6f, pressure %.3f, stresses %.2f and %.2f, energy %.1e\n", first[0], pressure, room.stress,
-                  room.hoop, ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY));
+    print_message("radius %.6f, pressure %.3f, stresses %.2f and %.2f, energy %.1e\n", first[0], pressure,
+                  enclosure.stress, enclosure.hoop, ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY));
     check_close_relative(first[0], c->radius, c->tolerance);
-    check_close_relative(room.size, c->volume * pow(c->radius, c->power), 3.0 * c->tolerance);
+    check_close_relative(enclosure.size, c->volume * pow(c->radius, c->power), 3.0 * c->tolerance);
     check_close_relative(pressure, c->pressure, c->tolerance);
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-13);
     check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 5e-4);

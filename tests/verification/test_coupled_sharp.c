@@ -123,7 +123,7 @@ static void test_ring(void **unused)
     stress_sum s = {0.0, 0.0};
     begin(&t, "pressurized_cylinder", set, 2);
     trial_run(&t, 0.7e-3); /* outward: the scale of the drifts */
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     trial_run(&t, 4e-3);
     visit_points(&t, 0, add_trace, &s);
     print_message("ring: equation 13 %.4f\n", s.error / s.weight);
@@ -158,7 +158,7 @@ static void test_sphere(void **unused)
     mean_sum s = {0.0, 0.0};
     begin(&t, "pressurized_sphere", set, 2);
     trial_run(&t, 0.7e-3); /* outward: the scale of the drifts */
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     trial_run(&t, 4e-3);
     visit_points(&t, 0, add_sum, &s);
     print_message("sphere: mean stress off by %.2g\n", s.found / s.expected - 1.0);

@@ -119,7 +119,7 @@ static void test_one_is_none(void **unused)
         trial t;
         begin(&t, "shock_plate", set, (size_t)k + 1);
         trial_steps(&t, 150);
-        assert_int_equal(t.sim->parts, 1);
+        assert_int_equal(t.sim->n_substeps, 1);
         s[k] = trial_finish(&t);
     }
     same_state(&s[0], &s[1]);
@@ -194,7 +194,7 @@ static void test_refused(void **unused)
         check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, list[k].coupling));
         print_message("%s\n", t.sim->substeps_reason);
         assert_int_equal(strncmp(t.sim->substeps_reason, "1: ", 3), 0);
-        assert_int_equal(t.sim->most_parts, 1);
+        assert_int_equal(t.sim->most_substeps, 1);
         trial_end(&t);
     }
 }

@@ -5,7 +5,7 @@ typedef struct vessel {
     const char *basis;
     int per_cell;
     double kick;    /* m/s: size of the velocities at first, random */
-    double scatter; /* of the points about their places, in shares of the room that their cell leaves them */
+    double scatter; /* of the points about their positions, in shares of the room that their cell leaves them */
 } vessel;
 
 static double chance(const fields *f, int body, size_t k, int number)
@@ -121,7 +121,7 @@ static void test_flight(void **state)
         trial_start(&t);
         double rate = 0.5;
         visit_points(&t, 0, squeeze, &rate);
-        check_ok(t.ctx, sim_open_account(t.sim)); /* the account begins after the squeeze */
+        check_ok(t.ctx, sim_open_ledger(t.sim)); /* the account begins after the squeeze */
         trial_run(&t, 2.0);
         const double energy = ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY);
         print_message("%s: energy drift %.1e\n", basis_registry[i]->name, energy);

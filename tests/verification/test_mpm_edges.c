@@ -215,12 +215,12 @@ static void add_radial(void *user, const fields *f, int body, size_t k)
 static double ring_error(const ring_case *ring, const char *basis, const char *edges)
 {
     char inner[96], bore[96], outer[96], cell[96], held[96], with[96], upper[96];
-    const double room = ring->cell * (ceil(1.12 * ring->outer / ring->cell) + 1.0);
+    const double width = ring->cell * (ceil(1.12 * ring->outer / ring->cell) + 1.0);
     (void)snprintf(inner, sizeof inner, "bodies.cylinder.shape.annulus.inner_radius=%.17g", ring->inner);
     (void)snprintf(outer, sizeof outer, "bodies.cylinder.shape.annulus.outer_radius=%.17g", ring->outer);
     (void)snprintf(bore, sizeof bore, "loads.bore.traction.surface.ball.radius=%.17g", ring->inner);
     (void)snprintf(cell, sizeof cell, "domain.cell=%.17g", ring->cell);
-    (void)snprintf(upper, sizeof upper, "domain.upper=[%.17g, %.17g]", room, room);
+    (void)snprintf(upper, sizeof upper, "domain.upper=[%.17g, %.17g]", width, width);
     (void)snprintf(held, sizeof held, "method.edge_penalty=%s", edges);
     (void)snprintf(with, sizeof with, "method.basis=%s", basis);
     const char *const set[] = {inner, outer, bore, cell, upper, held, with, "time.solver=static"};

@@ -44,7 +44,7 @@ static void test_spring_mass(void **unused)
     deck_begin(&t, "spring_mass", set, 1);
     trial_start(&t);
     trial_run(&t, 0.005); /* halfway down, at full speed: the scale of the drift */
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     const lowest found = find_lowest(&t, 0.02);
     const double stiffness = 1e6 * 0.1 / 0.3, mass = 3.33;
     check_close_relative(found.time, pi * sqrt(mass / stiffness), 0.002);
@@ -206,7 +206,7 @@ typedef struct rest_way {
 static void check_rest(const rest_way *way)
 {
     trial t;
-    membrane_room room;
+    membrane_enclosure enclosure;
     skin_sum skin = {0};
     size_t n = 0;
     while (n < 4 && way->set[n]) n++;
@@ -214,13 +214,13 @@ static void check_rest(const rest_way *way)
     trial_start(&t);
     trial_run(&t, t.scene->time.end);
     visit_points(&t, 1, add_skin_point, &skin);
-    mpm_membrane_room(t.sim->mpm, 1, &room);
+    mpm_membrane_enclosure(t.sim->mpm, 1, &enclosure);
     check_close_relative(skin.radius / skin.n, 0.50226579, way->radius);
-    check_close_relative(room.size, 0.25 * pi * 0.50226579 * 0.50226579, 2.5 * way->radius + 2e-4);
-    check_close_relative(room.pressure, 989.21713, way->pressure);
-    check_close_relative(room.stress, 4968.4992, way->stress);
-    check_close_relative(skin.stress / skin.n, room.stress, 1e-2);
-    check_close(room.outside, 0.0, 0.0);
+    check_close_relative(enclosure.size, 0.25 * pi * 0.50226579 * 0.50226579, 2.5 * way->radius + 2e-4);
+    check_close_relative(enclosure.pressure, 989.21713, way->pressure);
+    check_close_relative(enclosure.stress, 4968.4992, way->stress);
+    check_close_relative(skin.stress / skin.n, enclosure.stress, 1e-2);
+    check_close(enclosure.outside, 0.0, 0.0);
     check_true(ledger_worst(&t, LEDGER_MASS, LEDGER_MASS) < 1e-14);
     check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < way->drift);
     trial_end(&t);

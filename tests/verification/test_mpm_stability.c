@@ -1,11 +1,11 @@
-/* York's line of five points (York 1997, chapter 8): the largest stable time step against the eigenvalues of the linearised step,
- * for points in the middle of their cells and at their sides, for each time of the stress update, between walls and round a ring.
+/* York's line of five points (York 1997, chapter 8): the largest stable time step against the eigenvalues of the
+ * linearised step, for points in the middle of their cells and at their sides, for each time of the stress update,
+ * between walls and round a ring.
  *
- * The reference is the amplification matrix of one step with the points held in their places, written down here on its own, from
- * the equations of York and of Sulsky et al.; no code of the solver's is in it. A node that a wall holds has neither velocity nor
- * acceleration. One thing beside the papers' scheme is in the matrix as it is in floe: a node lighter than a quarter of a
- * point lends USL's strain its acceleration in proportion only.
- */
+ * The reference is the amplification matrix of one step with the points held in their positions, written down here on
+ * its own, from the equations of York and of Sulsky et al.; no code of the solver's is in it. A node that a wall holds
+ * has neither velocity nor acceleration. One thing beside the papers' scheme is in the matrix as it is in floe: a node
+ * lighter than a quarter of a point lends USL's strain its acceleration in proportion only. */
 #include "mpm_fixture.h"
 
 #include <gsl/gsl_complex_math.h>
@@ -45,7 +45,7 @@ static shapes shapes_of(const line *l)
     return s;
 }
 
-static bool is_held(const line *l, const shapes *s, int node)
+static bool is_enclosed_gas(const line *l, const shapes *s, int node)
 {
     return !l->ring && (node == 0 || node == s->nodes - 1);
 }
@@ -57,7 +57,7 @@ static void node_velocity(const line *l, const shapes *s, const double *v, doubl
         double momentum = 0.0;
         for (int p = 0; p < POINTS; ++p) momentum += s->S[i][p] * v[p];
         out[i] = s->mass[i] > 0.0 ? momentum / s->mass[i] : 0.0;
-        if (is_held(l, s, i)) out[i] = 0.0;
+        if (is_enclosed_gas(l, s, i)) out[i] = 0.0;
     }
 }
 
@@ -82,7 +82,7 @@ static void linear_step(const line *l, double dt, double state[STATES])
     for (int i = 0; i < s.nodes; ++i) {
         double force = 0.0;
         for (int p = 0; p < POINTS; ++p) force -= s.G[i][p] * stress[p];
-        after[i] = is_held(l, &s, i) || s.mass[i] == 0.0 ? 0.0 : before[i] + dt * force / (density * s.mass[i]);
+        after[i] = is_enclosed_gas(l, &s, i) || s.mass[i] == 0.0 ? 0.0 : before[i] + dt * force / (density * s.mass[i]);
         a[i] = (after[i] - before[i]) / dt;
         const double lent = fmin(s.mass[i] / light_node, 1.0);
         u[i] = after[i] - (1.0 - lent) * dt * a[i];

@@ -482,7 +482,7 @@ static state solved(const deck_variant *v, int blocks, int threads)
     use_threads(threads);
     coupled_start(&t);
     trial_run(&t, t.scene->time.end);
-    check_ok(t.ctx, sim_account(t.sim));
+    check_ok(t.ctx, sim_update_ledger(t.sim));
     state s = state_of(t.sim);
     state_add_ledger(&s, t.sim);
     variant_end(&t, &solution);

@@ -1,5 +1,5 @@
-/* Gas points in a thick steel cylinder (Guilkey et al. 2003, section 3), pressurised: a quarter in plane strain with fitted points,
- * whose slivers at the surface join others. */
+/* Gas points in a thick steel cylinder (Guilkey et al. 2003, section 3), pressurised: a quarter in plane strain with
+ * fitted points, whose small volume fractions at the surface join others. */
 #include "mpm_fixture.h"
 
 static const double bore = 0.5, outside = 1.0, ambient = 101325.0;
@@ -62,8 +62,9 @@ static gas_cells count_gas_cells(const contents *c)
 
 static const int meshes[] = {12, 15, 24};
 
-/* With the linear basis gas fills the cells that no point of the steel is in, whose slivers have left; other bases have it as its
- * shape is. (Measured: 3.4e-3, -3.8e-3 and 4e-4 of the gas is added.) The steel is as it is either way. */
+/* With the linear basis gas fills the cells that no point of the steel is in, whose small volume fractions have left;
+ * other bases have it as its shape is. (Measured: 3.4e-3, -3.8e-3 and 4e-4 of the gas is added.) The steel is as it is
+ * either way. */
 static void test_gas_fills_cells(void **state)
 {
     (void)state;
@@ -97,9 +98,10 @@ static void add_extremes(void *user, const fields *f, int body, size_t k)
     e->speed = fmax(e->speed, hypot(field_get(f, P_VEL, body, 0)[k], field_get(f, P_VEL, body, 1)[k]));
 }
 
-/* The steel gives way by 1e-4 of the bore's volume: the gas stays where it is. Measured: J from 0.973 to 1.026, up to 0.04 m/s;
- * with cells that slivers leave partly empty 0.4 to 6 and 650 m/s, before the time step shrank to nothing at 2.3 ms. With GIMP slivers at the steel
- * settle, 0.952 to 1.153, up to 0.07 m/s; with boxes that keep their size up to 1.7 m/s by then, at h = 0.1, and growing. */
+/* The steel gives way by 1e-4 of the bore's volume: the gas stays where it is. Measured: J from 0.973 to 1.026, up to
+ * 0.04 m/s; with cells that small volume fractions leave partly empty 0.4 to 6 and 650 m/s, before the time step shrank
+ * to nothing at 2.3 ms. With GIMP small volume fractions at the steel settle, 0.952 to 1.153, up to 0.07 m/s; with
+ * boxes that keep their size up to 1.7 m/s by then, at h = 0.1, and growing. */
 static void test_gas_stays(void **state)
 {
     (void)state;

@@ -37,7 +37,7 @@ static void make_channel(trial *t, const channel *c)
     trial_start(t);
     channel copy = *c;
     visit_points(t, 0, set_sine, &copy);
-    check_ok(t->ctx, sim_open_account(t->sim));
+    check_ok(t->ctx, sim_open_ledger(t->sim));
 }
 
 typedef struct profile {

@@ -1,12 +1,12 @@
 /* Scenes that are one scene in theory are one in their results: mirrored, with axes exchanged, moved by whole cells, with bodies or
  * materials in another order, a body told as two, a fluid more of which there is nothing, a plane scene as a slab of one cell. Every deck
  * of inputs/ is asked (nightly; a few of them quickly); what differs beyond round-off is a fault, or is named here with its reason. */
-#include "kin_fixture.h"
 #include "metamorphic_fixture.h"
+#include "transformed_scenes_fixture.h"
 
 static const struct {
     const char *name;
-    make_kin *make;
+    transform_scene *make;
 } change[] = {
     {"mirror x", mirror_x},       {"mirror y", mirror_y},  {"mirror z", mirror_z},        {"swap", swap_axes},
     {"move", move_all},           {"bodies", turn_bodies}, {"materials", turn_materials}, {"split", split_body},
@@ -110,19 +110,19 @@ static void judge(const char *what, const subject *s, bool matched, const apart 
     }
 }
 
-static void compare_courses(const char *what, const subject *s, const kinship *k, const course *first,
-                            const course *kin, tally *count)
+static void compare_courses(const char *what, const subject *s, const transformation *k, const course *first,
+                            const course *transformed, tally *count)
 {
-    size_t *points = malloc((kin->start.points + 1) * sizeof *points);
-    size_t *cells = malloc((kin->start.cells + 1) * sizeof *cells);
+    size_t *points = malloc((transformed->start.points + 1) * sizeof *points);
+    size_t *cells = malloc((transformed->start.cells + 1) * sizeof *cells);
     const double reach = 1e-6 * s->t.scene->mesh.cell[0];
-    const bool matched = match_points(&first->start, &kin->start, k, reach, points);
+    const bool matched = match_points(&first->start, &transformed->start, k, reach, points);
     apart start = {0}, end = {0};
-    match_cells(&first->start, &kin->start, k, cells);
-    if (matched) start = holdings_apart(&first->start, &kin->start, k, points, cells);
-    const bool kept = first->end.points == first->start.points && kin->end.points == kin->start.points;
-    if (matched && kept) end = holdings_apart(&first->end, &kin->end, k, points, cells);
-    if (first->done != kin->done || !kept) end = (apart){(double)INFINITY, "steps"};
+    match_cells(&first->start, &transformed->start, k, cells);
+    if (matched) start = holdings_apart(&first->start, &transformed->start, k, points, cells);
+    const bool kept = first->end.points == first->start.points && transformed->end.points == transformed->start.points;
+    if (matched && kept) end = holdings_apart(&first->end, &transformed->end, k, points, cells);
+    if (first->done != transformed->done || !kept) end = (apart){(double)INFINITY, "steps"};
     judge(what, s, matched, &start, &end, count);
     free(points);
     free(cells);
@@ -139,19 +139,19 @@ static bool has_sheets(const scene *s)
 static void check_change(subject *s, size_t which, long steps, const course *first, tally *count)
 {
     assert_true(subject_load(s) && subject_attach(s));
-    kinship k = {.map = map_none(s->t.scene->mesh.dim), .depth = 1.0};
+    transformation k = {.map = map_none(s->t.scene->mesh.dim), .depth = 1.0};
     for (int i = 0; i < SCENE_MAX_MATERIALS; ++i) k.material[i] = i;
     if (!has_sheets(s->t.scene) && change[which].make(s->t.scene, &k)) {
         check_ok(s->t.ctx, sim_create(&s->t.sim, s->t.ctx, s->t.scene, s->coupling));
-        course kin;
-        course_run(s, steps, &kin);
-        compare_courses(change[which].name, s, &k, first, &kin, count);
-        course_free(&kin);
+        course transformed;
+        course_run(s, steps, &transformed);
+        compare_courses(change[which].name, s, &k, first, &transformed, count);
+        course_free(&transformed);
     }
     subject_end(s);
 }
 
-static void check_kin(subject *s, void *user, tally *count)
+static void check_transformed(subject *s, void *user, tally *count)
 {
     const long steps = *(const long *)user;
     course first;
@@ -169,10 +169,10 @@ static void test_symmetry(void **unused)
     long steps = getenv("FLOE_EVERY") ? 20 : 8;
     tally count = {0};
     if (getenv("FLOE_EVERY"))
-        check_decks(false, check_kin, &steps, &count);
+        check_decks(false, check_transformed, &steps, &count);
     else
         for (size_t k = 0; k < sizeof quick / sizeof *quick; ++k)
-            check_deck(quick[k], false, check_kin, &steps, &count);
+            check_deck(quick[k], false, check_transformed, &steps, &count);
     print_tally("symmetry", &count);
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
         if (needed[k].runs > 0)

@@ -73,7 +73,7 @@ static bool run_scaled(subject *s, const scaling *by, long steps, state *out)
     scale_scene(s->t.scene, by);
     if (!subject_start(s)) return false;
     const bool done = subject_steps(s, steps);
-    check_ok(s->t.ctx, sim_account(s->t.sim));
+    check_ok(s->t.ctx, sim_update_ledger(s->t.sim));
     *out = state_of(s->t.sim);
     state_add_ledger(out, s->t.sim);
     return done;

@@ -1,4 +1,4 @@
-"""Which mutants there are: drawn from all sites by a seed, room by room, without those that are proved equivalent or do not compile."""
+"""Which mutants there are: drawn from all sites by a seed, module by module, without those that are proved equivalent or do not compile."""
 import json
 import os
 import subprocess
@@ -9,12 +9,12 @@ from mutation.tree import Tree, mutated_text, once
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
-ROOMS = ("mpm", "ice", "coupling", "study")
+DRAWN = ("mpm", "ice", "coupling", "study")
 # Which modules each share is drawn from: cells that surfaces cut were a part of the coupling, and are drawn with it.
-MODULES = {"embedded": "coupling", **{room: room for room in ROOMS}}
+MODULES = {"embedded": "coupling", **{module: module for module in DRAWN}}
 
 
-def room_of(path):
+def module_of(path):
     """The share that a source belongs to; None: to none."""
     part = path.split("/")
     return MODULES.get(part[1]) if part[0] == "src" and len(part) > 2 else None
@@ -46,34 +46,34 @@ def read(name):
 
 
 class Draw:
-    """The mutants of a seed, room by room in turn, and how many sites there are."""
+    """The mutants of a seed, module by module in turn, and how many sites there are."""
 
     def __init__(self, names, seed, count, excluded):
         self.texts, self.total, self.excluded_used = {}, {}, []
-        by_room = {}
-        for room in ROOMS:
+        by_module = {}
+        for module in DRAWN:
             sites = []
             for name in names:
-                if room_of(name) == room and name.endswith((".c", ".h")):
+                if module_of(name) == module and name.endswith((".c", ".h")):
                     self.texts[name] = read(name)
                     sites += sites_of(name, self.texts[name], seed)
-            self.total[room] = len(sites)
-            by_room[room] = sorted(sites, key=lambda s: s.rank(seed))
+            self.total[module] = len(sites)
+            by_module[module] = sorted(sites, key=lambda s: s.rank(seed))
         self.sites = []
-        for k in range(max(len(s) for s in by_room.values())):
-            for room in ROOMS:
-                if k < len(by_room[room]):
-                    self.sites.append(by_room[room][k])
+        for k in range(max(len(s) for s in by_module.values())):
+            for module in DRAWN:
+                if k < len(by_module[module]):
+                    self.sites.append(by_module[module][k])
         self.count, self.excluded = count, excluded
 
     def choose(self, compiles, numbers, run):
-        """The first of each room that are not excluded and compile, `count` together. `numbers` keeps the number that each has in the builds,
+        """The first of each module that are not excluded and compile, `count` together. `numbers` keeps the number that each has in the builds,
         so that a change of the sources elsewhere leaves their texts as they are."""
-        share = {room: self.count // len(ROOMS) for room in ROOMS}
+        share = {module: self.count // len(DRAWN) for module in DRAWN}
         chosen = []
         for s in self.sites:
-            room = room_of(s.path)
-            if share[room] == 0:
+            module = module_of(s.path)
+            if share[module] == 0:
                 continue
             s.reached = False
             if s.key() in self.excluded and s.key() not in run:  # one that was proved after its run stays in the draw
@@ -81,7 +81,7 @@ class Draw:
                 continue
             if not compiles(s):
                 continue
-            share[room] -= 1
+            share[module] -= 1
             chosen.append(s)
             s.order = len(chosen)
             s.number = numbers.setdefault(s.key(), len(numbers) + 1)
@@ -89,7 +89,7 @@ class Draw:
 
 
 class Compiler:
-    """Whether a mutated text compiles, by the command of its file (a header's: of any file of its room)."""
+    """Whether a mutated text compiles, by the command of its file (a header's: of any file of its module)."""
 
     def __init__(self, tree):
         self.tree = tree
@@ -99,8 +99,8 @@ class Compiler:
     def good(self, name, text):
         entry = self.command.get(name)
         if entry is None:
-            room = "/".join(name.split("/")[:2])
-            entry = next(e for n, e in sorted(self.command.items()) if n.startswith(room + "/"))
+            module = "/".join(name.split("/")[:2])
+            entry = next(e for n, e in sorted(self.command.items()) if n.startswith(module + "/"))
         words = [w for w in entry["command"].split() if not w.endswith("ccache")]
         words = words[:words.index("-o")] + ["-w", "-mavx2", "-fsyntax-only", "-x", "c"]
         folder = os.path.dirname(self.tree.path(name))

@@ -3,7 +3,7 @@ import os
 import subprocess
 
 import stamp
-from mutation.draw import ROOMS, ROOT, entries, room_of
+from mutation.draw import DRAWN, ROOT, entries, module_of
 from mutation.tests import source_hash
 
 SITES = """
@@ -19,8 +19,8 @@ times its CPU time, and the first that fails ends it. Left out are `source_rules
 """
 
 
-def of_room(sites, room):
-    return [s for s in sites if room_of(s.path) == room]
+def of_module(sites, module):
+    return [s for s in sites if module_of(s.path) == module]
 
 
 class Count:
@@ -39,11 +39,11 @@ class Count:
         return self.killed / max(1, self.killed + len(self.alive))
 
 
-def table_of_rooms(draw, mutants, known, proofs):
-    lines = ["| room | sites | drawn | run | killed | alive, or so far | equivalent |", "|---|---|---|---|---|---|---|"]
-    for room in ROOMS:
-        c = Count(of_room(mutants, room), known, proofs)
-        lines.append(f"| {room} | {draw.total[room]} | {c.drawn} | {len(c.run)} | {c.killed} | {len(c.alive)} | {len(c.equal)} |")
+def table_of_modules(draw, mutants, known, proofs):
+    lines = ["| module | sites | drawn | run | killed | alive, or so far | equivalent |", "|---|---|---|---|---|---|---|"]
+    for module in DRAWN:
+        c = Count(of_module(mutants, module), known, proofs)
+        lines.append(f"| {module} | {draw.total[module]} | {c.drawn} | {len(c.run)} | {c.killed} | {len(c.alive)} | {len(c.equal)} |")
     return lines
 
 
@@ -80,7 +80,7 @@ def lines_of(seed, draw, mutants, state, names):
     alive = [s for s in all_of.alive if s not in open_ones]
     lines = [f"Faults put into the sources one at a time, and whether the quick tests see them: `scripts/mutants.py --seed {seed} "
              f"--mutants {len(mutants)}`, then the same with `--page`.", "",
-             f"* Drawn: {len(mutants)} by seed {seed}, {len(mutants) // len(ROOMS)} a room; run: **{len(all_of.run)}**; killed: **{all_of.killed}**; "
+             f"* Drawn: {len(mutants)} by seed {seed}, {len(mutants) // len(DRAWN)} a module; run: **{len(all_of.run)}**; killed: **{all_of.killed}**; "
              f"proved equivalent afterwards: {len(all_of.equal)}; alive after all tests that could see them: **{len(alive)}**; "
              f"alive so far, with the longer tests still to be run: **{len(open_ones)}**.",
              f"* Killed, of those that are not equivalent: **{100.0 * all_of.share:.1f} %** at least; the bar is 95 %.",
@@ -88,7 +88,7 @@ def lines_of(seed, draw, mutants, state, names):
              f"* CPU time: {cpu['build'] / 60:.0f} min of building, {cpu['look'] / 60:.0f} min of looking which tests see which, {cpu['run'] / 60:.0f} min of running; "
              "a mutant that is run again is counted each time.",
              f"* {sum(1 for s in mutants if s.rebuild)} of them by rebuilding their file (what the compiler must know), the others by a switch in one build.", ""]
-    lines += table_of_rooms(draw, mutants, known, proofs)
+    lines += table_of_modules(draw, mutants, known, proofs)
     for title, sites in (("Alive", alive), ("Alive so far", open_ones)):
         lines += ["", "## " + title, ""] + ([alive_of(s, known[s.order], why, state.data["tests"]) for s in sites] or ["None."])
     not_run = [str(s.order) for s in mutants if not known[s.order]]

@@ -1,6 +1,6 @@
 #include "deck/check/check.h"
 
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -149,7 +149,7 @@ static floe_status check_coupled_phases(reader *r, scene_coupling coupling)
     if (coupling == COUPLING_ICE && solid >= 0) {
         return bad(r, node, "mpm or ice-mpm", "'ice' has no solids, and body '%s' is one", s->body[solid].name);
     }
-    if (coupling == COUPLING_ICE_MPM && scene_holder(s) < 0 && !node_find(r->root, "ambient")) {
+    if (coupling == COUPLING_ICE_MPM && scene_enclosing_body(s) < 0 && !node_find(r->root, "ambient")) {
         return bad(r, node, "ambient: {material: ..., pressure: ..., temperature: ...}",
                    "'ice-mpm' needs to know what surrounds the bodies: 'ambient' is missing");
     }

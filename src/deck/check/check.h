@@ -14,8 +14,8 @@ bool is_clean(deck_node *root, const char *const *key);
 floe_status bad_at(reader *r, const char *const *path, const char *expected, const char *hint, const char *format, ...)
     FLOE_PRINTF(5, 6);
 
-/* After FLOE_BAD_INPUT of another room: its refusal, out of the context, as an error at its key; other statuses are let
- * through. */
+/* After FLOE_BAD_INPUT of another module: its refusal, taken from the context, as an error at its key; other statuses
+ * do not change. */
 floe_status take_refusal(reader *r, floe_status status);
 
 /* Does a coupling belong to runs_as? */

@@ -18,7 +18,7 @@ static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_
 {
     if (b->fraction < 1.0 && scene_runs_as(r->scene, COUPLING_MPM))
         return bad_at(r, KEY("bodies", b->name, "fraction"), "coupling: ice or ice-mpm, and no mpm in runs_as", NULL,
-                      "body '%s' shares its room with others, and material points do not", b->name);
+                      "body '%s' shares its volume with others, which material points cannot", b->name);
     if (isnan(b->pressure) || !m->eos.model || b->pressure > m->eos.model->pressure_floor(m->eos.par)) return FLOE_OK;
     return bad_at(r, KEY("bodies", b->name, "pressure"), NULL, NULL,
                   "'%s' does not exist at %g Pa: its pressure is above %g Pa. Give the absolute one", m->name,
@@ -30,18 +30,18 @@ static floe_status check_hold(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;
     bool filled = false;
-    for (int i = 0; i < s->n_bodies; i++) filled = filled || s->body[i].material == b->membrane.holds;
+    for (int i = 0; i < s->n_bodies; i++) filled = filled || s->body[i].material == b->membrane.encloses;
     if (!filled)
         return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), NULL, "add a body of it",
-                      "membrane '%s' holds '%s', of which there is no body", b->name,
-                      s->material[b->membrane.holds].name);
+                      "membrane '%s' encloses '%s', of which there is no body", b->name,
+                      s->material[b->membrane.encloses].name);
     if (s->method.density != DENSITY_CONTINUITY)
         return bad_at(r, KEY("method", "point_density"), "continuity", NULL,
-                      "gas that surface '%s' holds has its density by its own volume", b->name);
+                      "gas that surface '%s' encloses has its density by its own volume", b->name);
     for (int a = 0; a < s->mesh.dim; a++)
         if (s->mesh.periodic[a])
             return bad_at(r, KEY("boundaries"), "no periodic sides", NULL,
-                          "surface '%s' holds gas, and a room that goes through periodic sides is not known", b->name);
+                          "surface '%s' encloses gas, whose volume across periodic sides is not known", b->name);
     return FLOE_OK;
 }
 
@@ -51,19 +51,19 @@ static floe_status check_holder(reader *r, const scene_body *b)
     const scene *s = r->scene;
     int before = 0;
     for (const scene_body *other = s->body; other < b; ++other) {
-        if (!other->membrane.present || other->membrane.holds < 0) continue;
+        if (!other->membrane.present || other->membrane.encloses < 0) continue;
         before++;
         if (b->membrane.surface.kind != SHEET_NONE || other->membrane.surface.kind != SHEET_NONE)
-            return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "one surface that holds a gas", NULL,
-                          "membrane '%s' holds a gas already", other->name);
-        if (other->membrane.holds == b->membrane.holds)
+            return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "one surface around a gas", NULL,
+                          "membrane '%s' encloses a gas already", other->name);
+        if (other->membrane.encloses == b->membrane.encloses)
             return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"),
-                          "a fluid of its own, which may have the same eos", NULL, "membrane '%s' holds '%s' already",
-                          other->name, s->material[b->membrane.holds].name);
+                          "a fluid of its own, which may have the same eos", NULL,
+                          "membrane '%s' encloses '%s' already", other->name, s->material[b->membrane.encloses].name);
     }
-    if (before < SCENE_MAX_HOLDERS) return FLOE_OK;
-    return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "fewer membranes that hold gas", NULL,
-                  "%d membranes hold gas already", before);
+    if (before < SCENE_MAX_ENCLOSING) return FLOE_OK;
+    return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "fewer membranes around gas", NULL,
+                  "%d membranes enclose gas already", before);
 }
 
 /* Beside cells membranes hold gases; others are strings that gas passes. */
@@ -71,21 +71,21 @@ static floe_status check_membrane(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;
     if (is_clean(r->root, KEY("domain"))) TRY(check_membrane_points(r, (int)(b - r->scene->body)));
-    if (b->membrane.holds >= 0 && s->material[b->membrane.holds].kind == MATERIAL_SOLID)
+    if (b->membrane.encloses >= 0 && s->material[b->membrane.encloses].kind == MATERIAL_SOLID)
         return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "the name of a fluid", NULL, "'%s' is a solid",
-                      s->material[b->membrane.holds].name);
-    if (b->membrane.holds >= 0) TRY(check_holder(r, b));
-    if (b->membrane.holds >= 0 && b->membrane.surface.kind != SHEET_NONE) TRY(check_hold(r, b));
-    if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_holder(s) >= 0) return FLOE_OK;
+                      s->material[b->membrane.encloses].name);
+    if (b->membrane.encloses >= 0) TRY(check_holder(r, b));
+    if (b->membrane.encloses >= 0 && b->membrane.surface.kind != SHEET_NONE) TRY(check_hold(r, b));
+    if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_enclosing_body(s) >= 0) return FLOE_OK;
     return bad_at(r, KEY("bodies", b->name, "membrane"), "encloses: the gas on its left; or coupling: mpm", NULL,
-                  "cells do not see membrane '%s' unless it holds a gas", b->name);
+                  "cells do not see membrane '%s' unless it encloses a gas", b->name);
 }
 
-/* What the cells of a coupled run need to know of a solid; beside a membrane that holds gas they see none. */
+/* What the cells of a coupled run need to know of a solid; beside a membrane around gas they see none. */
 static floe_status check_solid_body(reader *r, const scene_body *b, const scene_material *m)
 {
     if (!scene_runs_as(r->scene, COUPLING_ICE_MPM) || !is_clean(r->root, KEY("materials", m->name))) return FLOE_OK;
-    if (scene_holder(r->scene) >= 0) return FLOE_OK;
+    if (scene_enclosing_body(r->scene) >= 0) return FLOE_OK;
     (void)b;
     if (isnan(m->specific_heat)) {
         return bad_at(r, KEY("materials", m->name, "specific_heat"), "specific_heat: a number > 0 in J/kg/K", NULL,

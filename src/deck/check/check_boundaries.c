@@ -1,7 +1,7 @@
 /* The sides of the domain against each other and against the materials. */
 #include "deck/check/check.h"
 
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -32,10 +32,10 @@ static floe_status check_burning(reader *r, const scene_reaction *q)
             return bad_at(r, KEY("loads", s->load[l].name), NULL, NULL,
                           "the surface of body '%s', which is loaded, burns away", s->body[s->load[l].body].name);
     if (!pair_has_exchange(s, q->reactant, q->product))
-        return bad_at(
-            r, KEY("reactions", q->name, "product"), "exchange: a pair of the two, with momentum: free", NULL,
-            "what burns off solid '%s' would be held in the cells that it shares with it: say what the two exchange",
-            name);
+        return bad_at(r, KEY("reactions", q->name, "product"), "exchange: a pair of the two, with momentum: free", NULL,
+                      "gas that burns off solid '%s' would be locked in the cells that it shares with it: say what the "
+                      "two exchange",
+                      name);
     for (const scene_reaction *other = s->reaction; other < q; other++)
         if (other->reactant == q->reactant)
             return bad_at(r, KEY("reactions", q->name, "reactant"), "one reaction for each solid", NULL,

@@ -1,5 +1,5 @@
 /* The deck from the top. Keys are read in the order of these tables: a key may rely on those before it. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <string.h>
 
@@ -19,7 +19,7 @@ static const key_spec domain_keys[] = {
     {"dim", KEY_WHOLE, WITHIN(1, 3), AT(scene, mesh.dim), .fallback = "2", .doc = "dimension of the scene"},
     {"geometry", KEY_CHOICE, AT(scene, mesh.geometry), .fallback = "cartesian", .choices = geometry_choices,
      .doc = "coordinates"},
-    {"stress_state", KEY_CUSTOM, AT(scene, stress_state), .custom = &custom_stress_state,
+    {"stress_state", KEY_SPECIAL, AT(scene, stress_state), .special = &special_stress_state,
      .otherwise = "uniaxial_strain in 1-D, plane_strain in 2-D, else full",
      .doc = "what holds out of the plane of the scene, for material points"},
     {"lower", KEY_VECTOR, "m", AT(scene, mesh.lower), .required = true, .doc = "lower corner of the domain"},
@@ -84,7 +84,7 @@ static const key_spec time_keys[] = {
      .doc = "what may be left of the forces on the nodes, as a share of them"},
     {"end", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, end), .required = true,
      .doc = "time at which the run ends"},
-    {"cfl", KEY_CUSTOM, .custom = &custom_cfl, .otherwise = "0.5",
+    {"cfl", KEY_SPECIAL, .special = &special_cfl, .otherwise = "0.5",
      .doc = "fraction of the stability limit of each solver"},
     {"acoustic_cfl", KEY_NUMBER, NULL, WITHIN(0.1, 1e9), AT(scene_time, acoustic_cfl), .fallback = "1000",
      .doc = "with the implicit pressure: cells that sound may cross in a step, c dt (sum of h^-2)^1/2"},
@@ -98,7 +98,7 @@ static const key_spec time_keys[] = {
      .doc = "the run ends after that many steps; 0: no limit"},
     {"fixed_step", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene_time, fixed_step), .otherwise = "steps are adaptive",
      .doc = "every step has this size"},
-    {"substeps", KEY_CUSTOM, WITHIN(1, SCENE_MAX_SUBSTEPS), AT(scene_time, substeps), .custom = &custom_substeps,
+    {"substeps", KEY_SPECIAL, WITHIN(1, SCENE_MAX_SUBSTEPS), AT(scene_time, substeps), .special = &special_substeps,
      .otherwise = "auto beside a sharp interface, else 1",
      .doc = "steps of the points in one of the cells, beside a sharp interface; auto: as many as their stable steps "
             "ask for"},
@@ -146,7 +146,7 @@ static bool contact_rubs(const scene *s, const void *contact)
 }
 
 static const key_spec contact_keys[] = {
-    {"between", KEY_CUSTOM, .custom = &custom_between, .otherwise = "all solid bodies",
+    {"between", KEY_SPECIAL, .special = &special_between, .otherwise = "all solid bodies",
      .doc = "bodies with velocities of their own; all others stick to what they meet, fluids to the first of the list "
             "that is there"},
     {"kind", KEY_CHOICE, AT(scene_contact, kind), .fallback = "release", .choices = contact_choices,
@@ -157,7 +157,7 @@ static const key_spec contact_keys[] = {
      .doc = "where two bodies can be in contact"},
     {"friction", KEY_NUMBER, NULL, PARAM_NONNEGATIVE, AT(scene_contact, friction), .fallback = "0",
      .applies = contact_rubs, .belongs = "kind friction", .doc = "coefficient mu"},
-    {"normals", KEY_CUSTOM, AT(scene_contact, normals), .custom = &custom_normals, .otherwise = "colour",
+    {"normals", KEY_SPECIAL, AT(scene_contact, normals), .special = &special_normals, .otherwise = "colour",
      .doc = "how the normals of bodies on the grid are made"},
 };
 static const key_table contact_table = TABLE(contact_keys);
@@ -233,19 +233,19 @@ static bool basis_is_cpdi(const scene *s, const void *method)
 }
 
 static const key_spec method_keys[] = {
-    {"preset", KEY_CUSTOM, .custom = &custom_preset, .otherwise = "none",
+    {"preset", KEY_SPECIAL, .special = &special_preset, .otherwise = "none",
      .doc =
          "choices under one name, which other keys here may change; `method: NAME` is the same. g03: those of Guilkey "
          "et al. 2003, linear basis functions, stress from the velocities before the forces (usf), FLIP, internal "
          "energy, a smeared interface, one velocity for solids and fluids in a cell"},
-    {"basis", KEY_CUSTOM, AT(scene_method, basis), .custom = &custom_basis, .otherwise = "quadratic",
+    {"basis", KEY_SPECIAL, AT(scene_method, basis), .special = &special_basis, .otherwise = "quadratic",
      .doc = "basis functions of the material points"},
     {"domain_limit", KEY_NUMBER, NULL, WITHIN(0.25, 1.0), AT(scene_method, domain_limit), .fallback = "1",
      .applies = basis_is_cpdi, .belongs = "basis cpdi",
      .doc = "cells that the domain of a point may reach from it along an axis; what is stretched farther is squeezed"},
     {"stress", KEY_CHOICE, AT(scene_method, stress), .fallback = "usl", .choices = stress_choices,
      .doc = "when stresses of points are updated in a step"},
-    {"transfer", KEY_CUSTOM, AT(scene_method, transfer), .custom = &custom_transfer,
+    {"transfer", KEY_SPECIAL, AT(scene_method, transfer), .special = &special_transfer,
      .otherwise =
          "`afmpm` where points are solids alone, in dynamic steps, unless elastic ones are damped to rest; else "
          "and where `flip` is given `flip`",
@@ -272,7 +272,7 @@ static const key_spec method_keys[] = {
      .doc = "energy that ICE advances"},
     {"limiter", KEY_CHOICE, AT(scene_method, limiter), .fallback = "default", .choices = limiter_choices,
      .doc = "advection of ICE"},
-    {"exchange", KEY_CUSTOM, "kg m-3 s-1", WITHIN(0.0, 1e20), AT(scene_method, exchange), .custom = &custom_exchange,
+    {"exchange", KEY_SPECIAL, "kg m-3 s-1", WITHIN(0.0, 1e20), AT(scene_method, exchange), .special = &special_exchange,
      .otherwise = "`locked`, but liquids without viscosity slip along solids",
      .doc = "K of the momentum exchange between each pair of materials that `exchange` does not name; locked: one "
             "velocity, in every direction"},
@@ -295,8 +295,8 @@ static const key_spec output_keys[] = {
      .doc = "time between field snapshots"},
     {"history_interval", KEY_NUMBER, "s", PARAM_POSITIVE, AT(scene, output.history_interval),
      .otherwise = "interval / 50", .doc = "time between rows of history.csv"},
-    {"checkpoint_interval", KEY_CUSTOM, "s", PARAM_POSITIVE, AT(scene, output.checkpoint_interval),
-     .custom = &custom_checkpoint_interval, .fallback = "auto",
+    {"checkpoint_interval", KEY_SPECIAL, "s", PARAM_POSITIVE, AT(scene, output.checkpoint_interval),
+     .special = &special_checkpoint_interval, .fallback = "auto",
      .doc =
          "wall time between checkpoints. `auto`: one at every snapshot and every 2 minutes of wall time, for at most 2 "
          "% of it; "
@@ -313,9 +313,9 @@ static const key_spec verify_keys[] = {
      .doc = "exact solution that fields are compared with"},
     {"reference", KEY_MODEL, .family = &family_reference, .otherwise = "none; metrics of histories need it",
      .doc = "reference that columns of history.csv are compared with"},
-    {"history", KEY_CUSTOM, .custom = &custom_columns, .otherwise = "none",
+    {"history", KEY_SPECIAL, .special = &special_columns, .otherwise = "none",
      .doc = "the column of history.csv, without its unit, that is compared with a quantity of the reference"},
-    {"metrics", KEY_CUSTOM, .custom = &custom_metrics, .otherwise = "none", .doc = "errors that are reported"},
+    {"metrics", KEY_SPECIAL, .special = &special_metrics, .otherwise = "none", .doc = "errors that are reported"},
     {"body", KEY_BODY, AT(scene_verify, body), .otherwise = "all points of the material",
      .doc = "whose points are measured"},
     {"material", KEY_MATERIAL, AT(scene_verify, material),
@@ -328,13 +328,13 @@ static const key_spec verify_keys[] = {
 static const key_table verify_table = TABLE(verify_keys);
 
 static const key_spec compare_keys[] = {
-    {"axis", KEY_CUSTOM, AT(scene, compare), .custom = &custom_axis, .required = true,
+    {"axis", KEY_SPECIAL, AT(scene, compare), .special = &special_axis, .required = true,
      .doc = "the key that `floe compare` varies, and its values"},
 };
 static const key_table compare_table = TABLE(compare_keys);
 
 static const key_spec study_keys[] = {
-    {"axes", KEY_CUSTOM, AT(scene_study, axis), .custom = &custom_axes, .otherwise = "those of the command line",
+    {"axes", KEY_SPECIAL, AT(scene_study, axis), .special = &special_axes, .otherwise = "those of the command line",
      .doc = "keys that `floe study` varies, and their values; all combinations are run"},
     {"over", KEY_TEXT, AT(scene_study, over), .otherwise = "domain.cell, else the first axis of numbers",
      .doc = "the axis that orders are taken over"},
@@ -342,23 +342,23 @@ static const key_spec study_keys[] = {
      .doc = "timed runs of each case, alone and on one thread, of which the fastest counts; 0: not timed"},
     {"max_wall", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_study, max_wall), .fallback = "0",
      .doc = "wall time after which a case is stopped; 0: no limit"},
-    {"quantities", KEY_CUSTOM, .custom = &custom_quantities, .otherwise = "none",
+    {"quantities", KEY_SPECIAL, .special = &special_quantities, .otherwise = "none",
      .doc = "columns of history.csv whose last values are extrapolated (Richardson, grid convergence index)"},
-    {"require", KEY_CUSTOM, .custom = &custom_require, .otherwise = "none",
+    {"require", KEY_SPECIAL, .special = &special_require, .otherwise = "none",
      .doc = "orders and errors that must be reached: a miss gives exit status 6"},
-    {"check", KEY_CUSTOM, .custom = &custom_check, .otherwise = "none",
+    {"check", KEY_SPECIAL, .special = &special_check, .otherwise = "none",
      .doc = "what every case must keep to: it is right, wrong (exit status 6), or was refused"},
-    {"refuse", KEY_CUSTOM, .custom = &custom_refuse, .otherwise = "none",
+    {"refuse", KEY_SPECIAL, .special = &special_refuse, .otherwise = "none",
      .doc = "cases that may diverge or be refused, and why; any other that has no result gives exit status 6"},
-    {"unchanged", KEY_CUSTOM, .custom = &custom_unchanged, .otherwise = "none",
+    {"unchanged", KEY_SPECIAL, .special = &special_unchanged, .otherwise = "none",
      .doc = "what `floe study --spoil` does to a result that leaves the right answer as it is, and why"},
 };
 static const key_table study_table = TABLE(study_keys);
 
 static const key_spec stability_keys[] = {
-    {"over", KEY_CUSTOM, .custom = &custom_over, .otherwise = "that of the command line",
+    {"over", KEY_SPECIAL, .special = &special_over, .otherwise = "that of the command line",
      .doc = "the key whose limit `floe stability` searches, and the range; or two keys and their values, for a map"},
-    {"each", KEY_CUSTOM, .custom = &custom_each, .otherwise = "none",
+    {"each", KEY_SPECIAL, .special = &special_each, .otherwise = "none",
      .doc = "the search is made for every combination of these values"},
     {"tolerance", KEY_NUMBER, NULL, WITHIN(1e-8, 0.5), AT(scene_stability, tolerance), .fallback = "0.01",
      .doc = "the limit lies between a stable and an unstable value this close, as a fraction of them"},
@@ -370,14 +370,14 @@ static const key_spec stability_keys[] = {
 static const key_table stability_table = TABLE(stability_keys);
 
 static const key_spec deck_keys[] = {
-    {"floe", KEY_CUSTOM, .custom = &custom_version, .required = true, .doc = "version of the deck format: 1"},
+    {"floe", KEY_SPECIAL, .special = &special_version, .required = true, .doc = "version of the deck format: 1"},
     {"title", KEY_TEXT, AT(scene, title), .otherwise = "none", .doc = "one line that names the scene"},
     {"source", KEY_TEXT, AT(scene, source), .otherwise = "none", .doc = "where the scene comes from"},
     {"units", KEY_CHOICE, AT(scene, dimensionless), .fallback = "si", .choices = unit_choices,
      .doc = "whether numbers have units"},
     {"coupling", KEY_CHOICE, AT(scene, coupling), .required = true, .choices = coupling_choices,
      .doc = "how fluids are represented"},
-    {"runs_as", KEY_CUSTOM, .custom = &custom_runs_as, .otherwise = "[coupling]",
+    {"runs_as", KEY_SPECIAL, .special = &special_runs_as, .otherwise = "[coupling]",
      .doc = "couplings that `floe compare` runs"},
     {"reference_pressure", KEY_NUMBER, "Pa", AT(scene, reference_pressure), .fallback = "0",
      .doc = "p_ref: material points carry stress relative to it"},
@@ -387,7 +387,7 @@ static const key_spec deck_keys[] = {
     {"ambient", KEY_MAP, .table = &ambient_table, .present = 1 + offsetof(scene, has_ambient),
      .otherwise = "none; needed by ice-mpm, and by ice where bodies leave cells empty",
      .doc = "the fluid that fills what no body fills"},
-    {"boundaries", KEY_CUSTOM, AT(scene, bc), .custom = &custom_boundaries,
+    {"boundaries", KEY_SPECIAL, AT(scene, bc), .special = &special_boundaries,
      .otherwise = "free (symmetry at the axis r = 0)", .doc = "conditions on the sides of the domain"},
     {"bodies", KEY_NAMED, AT(scene, body), .items = &items_bodies,
      .doc = "regions filled with a material at the start"},

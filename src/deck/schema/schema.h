@@ -3,7 +3,7 @@
 #ifndef DECK_SCHEMA_H
 #define DECK_SCHEMA_H
 
-#include "deck/errors.h"
+#include "deck/deck_errors.h"
 
 typedef enum key_type {
     KEY_NUMBER,  /* double */
@@ -21,7 +21,7 @@ typedef enum key_type {
     KEY_NAMED,    /* name: item, name: item ... */
     KEY_MODEL,    /* {name: {parameters}} of a registry */
     KEY_VARIANT,  /* {kind: {keys}}, each kind with a table of its own */
-    KEY_CUSTOM
+    KEY_SPECIAL
 } key_type;
 
 typedef struct key_spec key_spec;
@@ -89,7 +89,7 @@ typedef struct named_items {
     floe_status (*end)(reader *r, deck_node *node, void *item);
 } named_items;
 
-typedef struct custom_key {
+typedef struct special_key {
     floe_status (*read)(reader *r, const key_spec *key, deck_node *node, void *base); /* node NULL: absent */
     void (*write)(writer *w, const key_spec *key, const void *base);
     const char *form; /* what is written, for the reference and for messages */
@@ -97,7 +97,7 @@ typedef struct custom_key {
     /* Of a name out of a registry: what it names, and the registry's names (user: the deck_catalogue; NULL ends them). */
     const char *noun;
     const char *(*candidate)(const void *user, size_t i);
-} custom_key;
+} special_key;
 
 struct key_spec {
     const char *key;
@@ -115,7 +115,7 @@ struct key_spec {
     const named_items *items;   /* KEY_NAMED */
     const variants *variants;   /* KEY_VARIANT */
     const model_family *family; /* KEY_MODEL */
-    const custom_key *custom;   /* KEY_CUSTOM */
+    const special_key *special; /* KEY_SPECIAL */
     size_t present;             /* 1 + offset of a bool that says whether the key was given; 0: none */
     /* Does the key belong to this item? NULL: always. `belongs` says to what, in words. */
     bool (*applies)(const scene *s, const void *base);

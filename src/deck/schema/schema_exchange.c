@@ -1,6 +1,6 @@
 /* What pairs of materials exchange. */
 #include "coupling/exchange_law.h"
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 /* ---- laws ---- */
 
@@ -62,7 +62,7 @@ static floe_status read_pair(reader *r, const key_spec *key, deck_node *node, vo
     if (node->kind != NODE_LIST || node->n != 2) {
         char found[80];
         node_describe(node, found, sizeof found);
-        return bad(r, node, custom_pair.form, "'%s' is %s", key->key,
+        return bad(r, node, special_pair.form, "'%s' is %s", key->key,
                    node->kind == NODE_LIST ? "a list of another length" : found);
     }
     for (int i = 0; i < 2; i++) {
@@ -71,7 +71,7 @@ static floe_status read_pair(reader *r, const key_spec *key, deck_node *node, vo
         if (pair[i] < 0) return bad_name(r, item, false, "material", material_candidate, r->scene);
     }
     if (pair[0] != pair[1]) return FLOE_OK;
-    return bad(r, node, custom_pair.form, "material '%s' is named twice", r->scene->material[pair[0]].name);
+    return bad(r, node, special_pair.form, "material '%s' is named twice", r->scene->material[pair[0]].name);
 }
 
 static void write_pair(writer *w, const key_spec *key, const void *base)
@@ -82,7 +82,7 @@ static void write_pair(writer *w, const key_spec *key, const void *base)
     strbuf_append(&w->out, " [%s, %s]\n", material[pair[0]].name, material[pair[1]].name);
 }
 
-const custom_key custom_pair = {
+const special_key special_pair = {
     .read = read_pair,
     .write = write_pair,
     .form = "a list of two materials",
@@ -92,7 +92,7 @@ const custom_key custom_pair = {
 /* ---- items ---- */
 
 static const key_spec exchange_keys[] = {
-    {"between", KEY_CUSTOM, AT(scene_exchange, material), .custom = &custom_pair, .required = true,
+    {"between", KEY_SPECIAL, AT(scene_exchange, material), .special = &special_pair, .required = true,
      .doc = "the two materials; laws of dispersed particles take the first as the particles"},
     {"momentum", KEY_MODEL, AT(scene_exchange, momentum), .family = &family_momentum,
      .otherwise = "constant, of method.exchange", .doc = "what holds their velocities together"},

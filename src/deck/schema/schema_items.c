@@ -1,5 +1,5 @@
 /* Materials, bodies, loads and probes. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -167,7 +167,7 @@ static floe_status begin_body(reader *r, deck_node *node, void *item)
     b->material = -1;
     b->pressure = b->temperature = b->density = NAN;
     b->membrane.length = b->membrane.heavy_mass = NAN;
-    b->membrane.holds = -1;
+    b->membrane.encloses = -1;
     return FLOE_OK;
 }
 

@@ -1,5 +1,5 @@
 /* Membranes and strings: bodies that lie along a curve or on a surface in space. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -35,13 +35,13 @@ static const key_spec circle_keys[] = {
 static const key_table circle_table = TABLE(circle_keys);
 
 static const key_spec polyline_keys[] = {
-    {"vertices", KEY_CUSTOM, .custom = &custom_places, .required = true, .doc = "straight from one to the next"},
+    {"vertices", KEY_SPECIAL, .special = &special_positions, .required = true, .doc = "straight from one to the next"},
     {"closed", KEY_BOOL, AT(curve_line, closed), .fallback = "false", .doc = "true: the last is joined to the first"},
 };
 static const key_table polyline_table = TABLE(polyline_keys);
 
 static const key_spec points_keys[] = {
-    {"at", KEY_CUSTOM, .custom = &custom_places, .required = true, .doc = "every material point, in order"},
+    {"at", KEY_SPECIAL, .special = &special_positions, .required = true, .doc = "every material point, in order"},
     {"closed", KEY_BOOL, AT(curve_line, closed), .fallback = "false", .doc = "true: the last is joined to the first"},
 };
 static const key_table points_table = TABLE(points_keys);
@@ -110,7 +110,8 @@ static const key_spec plane_keys[] = {
 static const key_table plane_table = TABLE(plane_keys);
 
 static const key_spec listed_keys[] = {
-    {"at", KEY_CUSTOM, .custom = &custom_sheet_places, .required = true, .doc = "every material point, in any order"},
+    {"at", KEY_SPECIAL, .special = &special_sheet_positions, .required = true,
+     .doc = "every material point, in any order"},
     {"area", KEY_NUMBER, "m2", PARAM_POSITIVE, AT(sheet_surface, area), .required = true,
      .doc = "of the surface, which they share alike"},
 };
@@ -160,7 +161,7 @@ static const choice section_choices[] = {
 
 static const choice strain_choices[] = {
     {"rate", STRAIN_BY_RATE, "it grows with the gradient of velocity at the point"},
-    {"positions", STRAIN_BY_PLACES,
+    {"positions", STRAIN_BY_POSITIONS,
      "the distance between its neighbours over that at rest; `normals` says how neighbours are found"},
     {0},
 };
@@ -198,7 +199,7 @@ static const key_spec membrane_keys[] = {
      .doc = "a point with a mass of its own, counted from 1; 0: none"},
     {"heavy_mass", KEY_NUMBER, "kg", PARAM_POSITIVE, AT(scene_membrane, heavy_mass), .otherwise = "as the others",
      .doc = "its mass, of the whole scene (for domain.thickness, or the full circle)"},
-    {"encloses", KEY_MATERIAL, AT(scene_membrane, holds), .formerly = "holds", .otherwise = "none",
+    {"encloses", KEY_MATERIAL, AT(scene_membrane, encloses), .formerly = "holds", .otherwise = "none",
      .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, which it separates from the gas on its "
             "right; this boundary joins the points in their order, whatever `normals`. Of a surface "
             "(mpm): the gas points inside, which fill the enclosed volume"},
@@ -229,7 +230,7 @@ static floe_status check_surface(reader *r, deck_node *node, scene_body *b)
     if (m->surface.kind == SHEET_POINTS && m->number > 0)
         return bad_key(r, node, NULL, "leave 'number' out", "membrane '%s' lists its points and gives their number",
                        b->name);
-    if (m->strain == STRAIN_BY_PLACES)
+    if (m->strain == STRAIN_BY_POSITIONS)
         return bad_key(r, node, "strain: rate", NULL,
                        "the points of membrane '%s' lie on a surface, and have no neighbours along a line", b->name);
     const scene_material *law = b->material < 0 ? NULL : &r->scene->material[b->material];
@@ -261,7 +262,7 @@ static floe_status check_count(reader *r, deck_node *node, const scene_body *b)
 static floe_status check_strain(reader *r, deck_node *node, const scene_body *b)
 {
     const scene_membrane *m = &b->membrane;
-    if (m->strain == STRAIN_BY_PLACES || m->smoothing == 0.0) return FLOE_OK;
+    if (m->strain == STRAIN_BY_POSITIONS || m->smoothing == 0.0) return FLOE_OK;
     return bad_key(r, node, "strain: positions", NULL,
                    "membrane '%s' has smoothing, which strains by rate would know nothing of", b->name);
 }

@@ -1,7 +1,7 @@
 /* Reactions: what of the cells becomes another fluid. */
 #include "coupling/reaction.h"
 #include "deck/check/check.h"
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 static bool rate_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {

@@ -1,5 +1,5 @@
 /* Springs between points, and supports that hold nodes. */
-#include "deck/parts.h"
+#include "deck/deck_internal.h"
 
 #include <math.h>
 

@@ -18,8 +18,8 @@
 enum { MOST_OUTER = 20, MOST_CG = 200 };
 /* A residual that has grown this much since the best will not come down. */
 static const double hopeless = 100.0;
-/* Norm of the linear residual that is asked for: of the tolerance times the fourth root of the number of cells, between
- * the norm's bound on the largest, which round-off may not let it reach, and the root of its mean square, which says
+/* Required norm of the linear residual: of the tolerance times the fourth root of the number of cells, between the
+ * norm's bound on the largest, which round-off may not let it reach, and the root of its mean square, which says
  * nothing of the largest; and of the largest residual there is, so that every search gets on. */
 static const double share_of_tolerance = 0.1, share_of_residual = 0.3;
 
@@ -37,7 +37,7 @@ static void set_weights(const ice *s, ice_implicit *w)
             w->weight[solve_row(&w->grid, row) + i] = box / mesh_cell_volume(s->mesh, i);
 }
 
-static floe_status fill(const ice *s, ice_implicit *w)
+static floe_status fill_implicit(const ice *s, ice_implicit *w)
 {
     double strength[MESH_MAX_DIM];
     for (int a = 0; a < MESH_MAX_DIM; ++a) strength[a] = 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
@@ -56,7 +56,7 @@ static floe_status fill(const ice *s, ice_implicit *w)
 floe_status ice_implicit_create(ice *s)
 {
     TRY(memory_new(s->ctx, &s->work->implicit, 1, sizeof(ice_implicit)));
-    return fill(s, s->work->implicit); /* what it has made goes with the work */
+    return fill_implicit(s, s->work->implicit); /* what it has made goes with the work */
 }
 
 void ice_implicit_destroy(context *ctx, ice_implicit **w)
@@ -89,7 +89,7 @@ static int solve_once(ice *s, double residual)
 }
 
 /* The search for y. */
-static floe_status search(ice *s)
+static floe_status search_time_weight(ice *s)
 {
     const double tolerance = s->scene->method.pressure_tolerance;
     double best = INFINITY;
@@ -124,7 +124,7 @@ floe_status ice_implicit_pressure(ice *s)
     TRY(ice_implicit_begin(s));
     ice_implicit_guess(s);
     ice_implicit_push(s);
-    TRY(search(s));
+    TRY(search_time_weight(s));
     for (int r = 0; s->multi && r < s->n_materials; ++r) ice_fill_faces(s, F_VEL, r);
     ice_implicit_finish(s);
     return FLOE_OK;

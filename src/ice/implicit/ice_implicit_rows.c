@@ -8,7 +8,7 @@
 
 /* Calls `visit` for every owned row of every block; rows of faces normal to `axis`, or of cells (-1). */
 typedef void row_visitor(const ice *s, const ice_view *v, int axis, int j, int k);
-static void for_rows(const ice *s, int axis, row_visitor *visit)
+static void for_face_rows(const ice *s, int axis, row_visitor *visit)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
@@ -51,15 +51,15 @@ static bool inner_faces(const ice *s, const ice_view *v, int axis, int j, int k,
     return !(lower && at == 0) && !(upper && at == b->n[axis]);
 }
 
-static void set_mobility(const ice *s, const ice_view *v, int axis, int j, int k)
+static void set_face_mobility(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     for (int r = 0; r < s->n_materials; ++r) {
         const double *restrict rho = v->m[r].rho, *restrict theta = v->m[r].theta;
         double *restrict out = v->m[r].mobility[axis];
         for (ptrdiff_t R = base; R < base + n; ++R) {
-            const double room = s->multi ? theta[R - step] + theta[R] : 2.0;
-            out[R] = room / (rho[R - step] + rho[R] + ICE_TINY);
+            const double fractions = s->multi ? theta[R - step] + theta[R] : 2.0;
+            out[R] = fractions / (rho[R - step] + rho[R] + ICE_TINY);
         }
     }
 }
@@ -70,7 +70,7 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
     ptrdiff_t from, to;
     if (!inner_faces(s, v, axis, j, k, &from, &to)) return;
     const ptrdiff_t step = v->b->stride[axis];
-    const double push = v->dt * v->inv_h[axis], fall = v->dt * v->gravity[axis];
+    const double pressure_impulse = v->dt * v->inv_h[axis], gravity_impulse = v->dt * v->gravity[axis];
     const double *restrict p = v->p, *restrict c = v->dP, *restrict shock = v->shock;
     for (int r = 0; r < s->n_materials; ++r) {
         const double *restrict mobility = v->m[r].mobility[axis];
@@ -79,14 +79,15 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
         for (ptrdiff_t R = from; R < to; ++R) {
             const ptrdiff_t L = R - step;
             const double now = 0.5 + 0.25 * (shock[L] + shock[R]), phi = ice_implicit_phi(v, now), more = phi - now;
-            face[R] += more * fall - push * mobility[R] * (more * (p[R] - p[L]) + phi * (c[R] - c[L]));
+            face[R] +=
+                more * gravity_impulse - pressure_impulse * mobility[R] * (more * (p[R] - p[L]) + phi * (c[R] - c[L]));
         }
     }
 }
 
 floe_status ice_implicit_begin(ice *s)
 {
-    for_rows(s, -1, advect_pressure);
+    for_face_rows(s, -1, advect_pressure);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
@@ -95,7 +96,7 @@ floe_status ice_implicit_begin(ice *s)
     }
     TRY(ice_load_pressure(s));
     ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_rows(s, axis, set_mobility);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, set_face_mobility);
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
         ice_view_make(s, id, &v);
@@ -106,14 +107,14 @@ floe_status ice_implicit_begin(ice *s)
         }
         for (int r = 0; r < s->n_materials; ++r) ice_boundary_mobility(s, &v, r);
     }
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_rows(s, axis, centre_face);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, centre_face);
     return FLOE_OK;
 }
 
 static void push_face(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
-    const double push = v->dt * v->inv_h[axis];
+    const double pressure_impulse = v->dt * v->inv_h[axis];
     const double *restrict y = v->P, *restrict shock = v->shock;
     for (int r = 0; r < s->n_materials; ++r) {
         const double *restrict mobility = v->m[r].mobility[axis];
@@ -122,14 +123,14 @@ static void push_face(const ice *s, const ice_view *v, int axis, int j, int k)
         for (ptrdiff_t R = base; R < base + n; ++R) {
             const ptrdiff_t L = R - step;
             const double phi = ice_implicit_phi(v, 0.5 + 0.25 * (shock[L] + shock[R]));
-            face[R] -= push * phi * mobility[R] * (y[R] - y[L]);
+            face[R] -= pressure_impulse * phi * mobility[R] * (y[R] - y[L]);
         }
     }
 }
 
 void ice_implicit_push(const ice *s)
 {
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_rows(s, axis, push_face);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, push_face);
 }
 
 /* Index on the solver's grid of the first cell of a row. */
@@ -138,14 +139,14 @@ static ptrdiff_t grid_row(const ice *s, const block *b, int j, int k)
     return solve_index(&s->work->implicit->grid, b->lo[0], b->lo[1] + j, b->lo[2] + k);
 }
 
-static double stiffness(const ice_view *v, ptrdiff_t at)
+static double cell_compressibility(const ice_view *v, ptrdiff_t at)
 {
     const double c = v->m[0].c[at];
     return v->kappa_sum ? 1.0 / v->kappa_sum[at] : v->rho_sum[at] * c * c;
 }
 
 /* div F of a cell. */
-static double divergence(const ice_view *v, ptrdiff_t at, ptrdiff_t i)
+static double flux_divergence(const ice_view *v, ptrdiff_t at, ptrdiff_t i)
 {
     double div = v->upper0[i] * v->flux[0][at + 1] - v->lower0[i] * v->flux[0][at];
     for (int a = 1; a < v->dim; ++a) div += (v->flux[a][at + v->b->stride[a]] - v->flux[a][at]) * v->inv_h[a];
@@ -179,8 +180,9 @@ static void residual_row(const ice *s, const ice_view *v, int axis, int j, int k
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
         const double phi = ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at]));
-        const double held = s->with_points && ice_is_continued(s, v, at) ? 0.0 : 1.0;
-        const double r = held * (-v->step[at] / (phi * stiffness(v, at)) - v->dt * divergence(v, at, i));
+        const double constrained = s->with_points && ice_is_continued(s, v, at) ? 0.0 : 1.0;
+        const double r =
+            constrained * (-v->step[at] / (phi * cell_compressibility(v, at)) - v->dt * flux_divergence(v, at, i));
         largest = most(largest, fabs(r));
         sound = sound && isfinite(r);
         b[i] = r * weight_of(v, i);
@@ -196,7 +198,7 @@ double ice_implicit_residual(ice *s)
     const int rows = solve_rows(&w->grid);
     double largest = 0.0;
     memset(w->tile, 0, (size_t)rows * sizeof(double));
-    for_rows(s, -1, residual_row);
+    for_face_rows(s, -1, residual_row);
     for (int row = 0; row < rows; ++row) largest = most(largest, w->tile[row]);
     return largest;
 }
@@ -208,7 +210,7 @@ static void sink_row(const ice *s, const ice_view *v, int axis, int j, int k)
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
         const double phi = ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at]));
-        sink[i] = weight_of(v, i) / (phi * stiffness(v, at));
+        sink[i] = weight_of(v, i) / (phi * cell_compressibility(v, at));
     }
 }
 
@@ -230,8 +232,8 @@ static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
     }
 }
 
-/* A held cell keeps its pressure: links to it become sinks of its neighbours, and it takes no part. */
-static void cut_out(const ice *s, const ice_view *v, int i, int j, int k)
+/* A constrained cell keeps its pressure: links to it become sinks of its neighbours, and it is not an unknown. */
+static void constrain_cell(const ice *s, const ice_view *v, int i, int j, int k)
 {
     const solve_grid *g = &s->work->implicit->grid;
     const link_system q = multigrid_system(s->work->implicit->m);
@@ -253,7 +255,7 @@ static void drop_sink(const ice *s, const ice_view *v, int i, int j, int k)
     multigrid_system(s->work->implicit->m).sink[grid_row(s, v->b, j, k) + i] = 0.0;
 }
 
-static void for_held(const ice *s, void (*visit)(const ice *s, const ice_view *v, int i, int j, int k))
+static void for_constrained(const ice *s, void (*visit)(const ice *s, const ice_view *v, int i, int j, int k))
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         ice_view v;
@@ -267,11 +269,11 @@ static void for_held(const ice *s, void (*visit)(const ice *s, const ice_view *v
 
 void ice_implicit_matrix(ice *s)
 {
-    for_rows(s, -1, sink_row);
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_rows(s, axis, link_row);
+    for_face_rows(s, -1, sink_row);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, link_row);
     if (s->with_points) {
-        for_held(s, cut_out);
-        for_held(s, drop_sink);
+        for_constrained(s, constrain_cell);
+        for_constrained(s, drop_sink);
     }
     multigrid_prepare(s->work->implicit->m);
 }
@@ -289,7 +291,7 @@ static void take_row(const ice *s, const ice_view *v, int axis, int j, int k)
 
 void ice_implicit_take(ice *s)
 {
-    for_rows(s, -1, take_row);
+    for_face_rows(s, -1, take_row);
     ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
 }
 
@@ -298,34 +300,34 @@ static void guess_row(const ice *s, const ice_view *v, int axis, int j, int k)
     (void)axis;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
-        const bool held = s->with_points && ice_is_continued(s, v, at);
-        v->P[at] = v->step[at] = held ? 0.0 : v->last_step[at];
+        const bool constrained = s->with_points && ice_is_continued(s, v, at);
+        v->P[at] = v->step[at] = constrained ? 0.0 : v->last_step[at];
     }
 }
 
 void ice_implicit_guess(ice *s)
 {
-    for_rows(s, -1, guess_row);
+    for_face_rows(s, -1, guess_row);
     ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
 }
 
 /* dP of the volumes as they flow, so that 2.10 keeps the sum of volumes exactly; P by the steps that were solved for,
  * which are smooth where a stiff cell would make a pressure of a residual. Of the bulk viscosity only the part that
  * falls with the square of h: the linear one is for sound that the step resolves. */
-static void finish_row(const ice *s, const ice_view *v, int axis, int j, int k)
+static void finish_pressure_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)s;
     (void)axis;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
-        const double div = divergence(v, at, i), squeeze = v->length * ice_compression(div, jump_over(v, at, i));
+        const double div = flux_divergence(v, at, i), squeeze = v->length * ice_compression(div, jump_over(v, at, i));
         v->P[at] = v->p[at] + (v->dP[at] + v->step[at]) + v->rho_sum[at] * squeeze * squeeze;
-        v->dP[at] = -v->dt * div * stiffness(v, at);
+        v->dP[at] = -v->dt * div * cell_compressibility(v, at);
     }
 }
 
 void ice_implicit_finish(ice *s)
 {
-    for_rows(s, -1, finish_row);
+    for_face_rows(s, -1, finish_pressure_row);
     ice_finish_increment(s);
 }

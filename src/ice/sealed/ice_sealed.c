@@ -1,9 +1,9 @@
-/* Gases that a membrane keeps apart (theory 7.1). Each gas is one fluid by itself in the cells
- * that the membrane leaves it: its own density, velocity, energy and pressure. The stages are those of one fluid, taken
- * gas by gas, with three differences: cells at the membrane act as pools (ice_pool.h); faces pass what is open of them,
- * in the mean of the step; and where a gas is not, it is lent the state of the cells beside, so that differences near
- * the membrane find something. Nothing passes the membrane, whatever the step, the mesh or the pressures. */
-#include "ice/sealed/ice_pool.h"
+/* Gases separated by embedded boundaries (theory 7.1). Each gas is a single fluid in the cells that are open to it,
+ * with density, velocity, energy and pressure of its own. The stages are those of one fluid, taken gas by gas, with
+ * three differences: cells at the membrane act as pools (ice_merged_cells.h); faces pass what is open of them, in the mean of
+ * the step; and where a gas is not, it is lent the state of the cells beside, so that differences near the membrane
+ * find something. Nothing passes the membrane, whatever the step, the mesh or the pressures. */
+#include "ice/sealed/ice_merged_cells.h"
 
 #include <math.h>
 
@@ -19,7 +19,7 @@ static floe_status for_gases(ice *s, plain_stage *stage)
 
 /* ---- where the gas is not ---- */
 
-/* Marks, while the stage runs, of cells that have a state; they stand in the array of the shock sensor. */
+/* Marks of cells that have a state, during the stage; stored in the array of the shock sensor. */
 static void mark_open(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
@@ -46,8 +46,8 @@ static void fill_state(const ice *s)
     ice_fill_ghosts(s, C_SHOCK, s->gas, FILL_CURRENT, GHOST_EVEN);
 }
 
-/* A cell without the gas takes the mean of those around that have a state: marks of at least `least`. */
-static void lend(const ice_view *v, ptrdiff_t at, double least)
+/* Extrapolates a state into a cell without the gas: the mean of its neighbours with marks of at least `least`. */
+static void extrapolate_state(const ice_view *v, ptrdiff_t at, double least)
 {
     const ice_arrays *m = &v->m[0];
     double n = 0.0, rho = 0.0, e = 0.0, u[2] = {0.0, 0.0};
@@ -69,7 +69,7 @@ static void lend(const ice_view *v, ptrdiff_t at, double least)
 }
 
 /* Two layers: as far as differences reach. */
-static void lend_layers(const ice *s)
+static void extrapolate_layers(const ice *s)
 {
     double least = 1.0;
     for (int layer = 0; layer < 2; ++layer, least *= 0.5) {
@@ -79,24 +79,24 @@ static void lend_layers(const ice *s)
             for (int j = 0; j < v->b->n[1]; ++j)
                 for (int i = 0; i < v->b->n[0]; ++i) {
                     const ptrdiff_t at = mesh_index(v->b, i, j, 0);
-                    if (v->shock[at] < least) lend(v, at, least);
+                    if (v->shock[at] < least) extrapolate_state(v, at, least);
                 }
         }
     }
 }
 
-static floe_status lend_states(ice *s)
+static floe_status extrapolate_states(ice *s)
 {
-    TRY(ice_pools_make(s, s->gas, POOLS_BEFORE, &s->work->sealing->now[s->gas]));
+    TRY(ice_merge_cells(s, s->gas, MERGE_BEFORE, &s->work->sealing->now[s->gas]));
     ice_seal_views(s);
     mark_open(s);
-    lend_layers(s);
+    extrapolate_layers(s);
     return FLOE_OK;
 }
 
 floe_status ice_sealed_ghosts(ice *s)
 {
-    TRY(for_gases(s, lend_states));
+    TRY(for_gases(s, extrapolate_states));
     return ice_boundary_ghosts(s);
 }
 
@@ -105,7 +105,7 @@ floe_status ice_sealed_ghosts(ice *s)
 static floe_status find_pressure(ice *s)
 {
     TRY(ice_equilibrium_pressure(s));
-    if (ice_has_weight(s)) ice_pool_lift(s);
+    if (ice_has_weight(s)) ice_merged_lift(s);
     return FLOE_OK;
 }
 
@@ -163,10 +163,10 @@ static floe_status narrow_faces(ice *s)
     return FLOE_OK;
 }
 
-/* Cells that the membrane uncovers in the step are among the pools by now: work is done on what flows into them. */
+/* Cells that the boundary uncovers in the step are merged by now: work is done on the gas that flows into them. */
 static floe_status narrow_and_push(ice *s)
 {
-    TRY(ice_pools_make(s, s->gas, POOLS_MOVING, &s->work->sealing->now[s->gas]));
+    TRY(ice_merge_cells(s, s->gas, MERGE_MOVING, &s->work->sealing->now[s->gas]));
     ice_seal_views(s);
     TRY(narrow_faces(s));
     return ice_sources(s);
@@ -177,10 +177,10 @@ floe_status ice_sealed_sources(ice *s)
     return for_gases(s, narrow_and_push);
 }
 
-/* ---- what is left where ---- */
+/* ---- open fractions ---- */
 
-/* The plain stage has moved the contents of whole cells; what is beyond the membrane is taken off again, as it was
- * before. */
+/* The stage for whole cells has advected their full volume; the part beyond the boundary is subtracted again with its
+ * old state. */
 static void add_contents(const ice *s, const ice_member *k, double *sum)
 {
     const ice_view *v = &s->work->sealing->view[k->block];
@@ -192,11 +192,11 @@ static void add_contents(const ice *s, const ice_member *k, double *sum)
     for (int a = 0; a < s->mesh->dim; ++a) {
         old += 0.5 * m->ul[a][at] * m->ul[a][at];
         now += 0.5 * m->u1[a][at] * m->u1[a][at];
-        sum[POOL_MOMENTUM + a] += left * m->u1[a][at] - gone * m->ul[a][at];
+        sum[MERGED_MOMENTUM + a] += left * m->u1[a][at] - gone * m->ul[a][at];
     }
-    sum[POOL_MASS] += left - gone;
-    sum[POOL_WORK] += left * now - gone * old;
-    sum[POOL_VOLUME] += k->open * volume;
+    sum[MERGED_MASS] += left - gone;
+    sum[MERGED_WORK] += left * now - gone * old;
+    sum[MERGED_VOLUME] += k->open * volume;
 }
 
 /* Cells away from the membrane that the gas does not reach hold nothing. */
@@ -216,84 +216,84 @@ static void empty_elsewhere(const ice *s)
     }
 }
 
-static floe_status bad_pool(const ice *s, const ice_pools *p, int pool, double e)
+static floe_status bad_merged_cells(const ice *s, const ice_merged_cells *p, int merged, double e)
 {
-    const double *sum = p->sum + (size_t)pool * POOL_SUMS;
-    const ice_member *lead = &p->member[p->lead[pool]];
+    const double *sum = p->sum + (size_t)merged * MERGED_SUMS;
+    const ice_member *lead = &p->member[p->lead[merged]];
     char place[160];
     ice_place(s, &s->mesh->block[lead->block], lead->at, s->gas, place, sizeof place);
-    const bool sharp = scene_holder(s->scene) < 0;
+    const bool sharp = scene_enclosing_body(s->scene) < 0;
     return fail(s->ctx, FLOE_RETRY, "gas at the %s, %s: %g kg in %g m3 at %g J/kg would be left in its cells%s",
-                sharp ? "surface of a solid" : "membrane", place, sum[POOL_MASS], sum[POOL_VOLUME], e,
+                sharp ? "surface of a solid" : "membrane", place, sum[MERGED_MASS], sum[MERGED_VOLUME], e,
                 sharp ? ": sharp ends where solids come to touch each other or a side; use method.interface: smeared"
                       : "");
 }
 
-/* A pool that no gas has reached: a gap between bodies in touch, closed to all others. It opens by round-off where their
- * surfaces, each straight between its own markers, lie on one another, and may grow; at the start only such slivers are
- * none's. */
-static bool is_void(const ice *s, const ice_pools *p, int pool, bool next)
+/* Merged cells that no gas has reached: a gap between bodies in contact, closed to all others. It opens by round-off
+ * where their surfaces, straight between different markers, lie on one another, and may grow; at the start only such
+ * small volume fractions are none's. */
+static bool is_void(const ice *s, const ice_merged_cells *p, int merged, bool next)
 {
     static const double sliver = 1e-6, trace = 1e-3; /* of a cell; of the density that the gas starts with */
-    const double *sum = p->sum + (size_t)pool * POOL_SUMS;
-    const double cell = mesh_cell_volume(s->mesh, p->member[p->lead[pool]].cell[0]);
-    if (sum[POOL_MASS] == 0.0 && next) return true;
-    return sum[POOL_VOLUME] < sliver * cell &&
-           fabs(sum[POOL_MASS]) <= trace * s->work->sealing->rest[s->gas].density * sum[POOL_VOLUME];
+    const double *sum = p->sum + (size_t)merged * MERGED_SUMS;
+    const double cell = mesh_cell_volume(s->mesh, p->member[p->lead[merged]].cell[0]);
+    if (sum[MERGED_MASS] == 0.0 && next) return true;
+    return sum[MERGED_VOLUME] < sliver * cell &&
+           fabs(sum[MERGED_MASS]) <= trace * s->work->sealing->rest[s->gas].density * sum[MERGED_VOLUME];
 }
 
-static void empty(const ice_arrays *m, int dim, ptrdiff_t at, bool next)
+static void empty_cell(const ice_arrays *m, int dim, ptrdiff_t at, bool next)
 {
     (next ? m->open1 : m->open)[at] = (next ? m->rho1 : m->rho)[at] = (next ? m->e1 : m->e)[at] = 0.0;
     for (int a = 0; a < dim; ++a) (next ? m->u1 : m->u)[a][at] = 0.0;
 }
 
-/* One density, velocity and energy for the members of each pool. */
-static floe_status share_out(ice *s, const ice_pools *p, bool next)
+/* One density, velocity and energy for the members of each merged cell. */
+static floe_status share_out(ice *s, const ice_merged_cells *p, bool next)
 {
-    for (int pool = 0; pool < p->count; ++pool) {
-        double *sum = p->sum + (size_t)pool * POOL_SUMS, square = 0.0;
-        if (sum[POOL_VOLUME] == 0.0 && sum[POOL_MASS] == 0.0) continue;
-        if (is_void(s, p, pool, next)) {
-            sum[POOL_VOLUME] = 0.0;
+    for (int merged = 0; merged < p->count; ++merged) {
+        double *sum = p->sum + (size_t)merged * MERGED_SUMS, square = 0.0;
+        if (sum[MERGED_VOLUME] == 0.0 && sum[MERGED_MASS] == 0.0) continue;
+        if (is_void(s, p, merged, next)) {
+            sum[MERGED_VOLUME] = 0.0;
             continue;
         }
         for (int a = 0; a < s->mesh->dim; ++a) {
-            sum[POOL_MOMENTUM + a] /= sum[POOL_MASS];
-            square += sum[POOL_MOMENTUM + a] * sum[POOL_MOMENTUM + a];
+            sum[MERGED_MOMENTUM + a] /= sum[MERGED_MASS];
+            square += sum[MERGED_MOMENTUM + a] * sum[MERGED_MOMENTUM + a];
         }
-        sum[POOL_WORK] = sum[POOL_WORK] / sum[POOL_MASS] - 0.5 * square;
-        const double rho = sum[POOL_MASS] / sum[POOL_VOLUME];
+        sum[MERGED_WORK] = sum[MERGED_WORK] / sum[MERGED_MASS] - 0.5 * square;
+        const double rho = sum[MERGED_MASS] / sum[MERGED_VOLUME];
         const eos *law = &s->material[s->gas].eos;
-        if (!(rho > 0.0) || !isfinite(rho) || !(sum[POOL_WORK] > law->model->energy_floor(law->par, rho)))
-            return bad_pool(s, p, pool, sum[POOL_WORK]);
-        sum[POOL_MASS] = rho;
+        if (!(rho > 0.0) || !isfinite(rho) || !(sum[MERGED_WORK] > law->model->energy_floor(law->par, rho)))
+            return bad_merged_cells(s, p, merged, sum[MERGED_WORK]);
+        sum[MERGED_MASS] = rho;
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *member = &p->member[k];
         const ice_arrays *m = &s->work->sealing->view[member->block].m[0];
-        const double *sum = p->sum + (size_t)member->pool * POOL_SUMS;
+        const double *sum = p->sum + (size_t)member->merged * MERGED_SUMS;
         if (!(member->open > 0.0)) continue;
-        if (sum[POOL_VOLUME] == 0.0) {
-            empty(m, s->mesh->dim, member->at, next);
+        if (sum[MERGED_VOLUME] == 0.0) {
+            empty_cell(m, s->mesh->dim, member->at, next);
             continue;
         }
-        (next ? m->rho1 : m->rho)[member->at] = sum[POOL_MASS];
-        (next ? m->e1 : m->e)[member->at] = sum[POOL_WORK];
-        for (int a = 0; a < s->mesh->dim; ++a) (next ? m->u1 : m->u)[a][member->at] = sum[POOL_MOMENTUM + a];
+        (next ? m->rho1 : m->rho)[member->at] = sum[MERGED_MASS];
+        (next ? m->e1 : m->e)[member->at] = sum[MERGED_WORK];
+        for (int a = 0; a < s->mesh->dim; ++a) (next ? m->u1 : m->u)[a][member->at] = sum[MERGED_MOMENTUM + a];
     }
     return FLOE_OK;
 }
 
 static floe_status advect_gas(ice *s)
 {
-    ice_pools *p = &s->work->sealing->next[s->gas];
+    ice_merged_cells *p = &s->work->sealing->next[s->gas];
     TRY(ice_advect(s));
     ice_seal_views(s);
-    TRY(ice_pools_make(s, s->gas, POOLS_AFTER, p));
+    TRY(ice_merge_cells(s, s->gas, MERGE_AFTER, p));
     ledger_tally(s->ledger, COUNT_CELLS_MERGED, p->n - p->count);
-    ice_pools_clear(p);
-    for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].pool * POOL_SUMS);
+    ice_clear_merged(p);
+    for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].merged * MERGED_SUMS);
     empty_elsewhere(s);
     return share_out(s, p, true);
 }
@@ -311,17 +311,17 @@ static void add_first_contents(const ice *s, const ice_member *k, double *sum)
     const ptrdiff_t at = k->at;
     const double volume = k->open * mesh_cell_volume(s->mesh, k->cell[0]), mass = volume * m->rho[at];
     double e = m->e[at];
-    if (!(mass > 0.0)) return; /* a sliver between the line and the body's shape: the pool fills it */
+    if (!(mass > 0.0)) return; /* a small volume between the boundary and the body's shape: merging fills it */
     for (int a = 0; a < s->mesh->dim; ++a) {
-        sum[POOL_MOMENTUM + a] += mass * m->u[a][at];
+        sum[MERGED_MOMENTUM + a] += mass * m->u[a][at];
         e += 0.5 * m->u[a][at] * m->u[a][at];
     }
-    sum[POOL_MASS] += mass;
-    sum[POOL_WORK] += mass * e;
-    sum[POOL_VOLUME] += volume;
+    sum[MERGED_MASS] += mass;
+    sum[MERGED_WORK] += mass * e;
+    sum[MERGED_VOLUME] += volume;
 }
 
-/* Room that no body fills. */
+/* Checks that bodies fill the open volume of every gas. */
 static floe_status find_empty(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
@@ -345,11 +345,12 @@ static floe_status find_empty(const ice *s)
 
 static floe_status start_gas(ice *s)
 {
-    ice_pools *p = &s->work->sealing->now[s->gas];
+    ice_merged_cells *p = &s->work->sealing->now[s->gas];
     ice_seal_views(s);
-    TRY(ice_pools_make(s, s->gas, POOLS_BEFORE, p));
-    ice_pools_clear(p);
-    for (int k = 0; k < p->n; ++k) add_first_contents(s, &p->member[k], p->sum + (size_t)p->member[k].pool * POOL_SUMS);
+    TRY(ice_merge_cells(s, s->gas, MERGE_BEFORE, p));
+    ice_clear_merged(p);
+    for (int k = 0; k < p->n; ++k)
+        add_first_contents(s, &p->member[k], p->sum + (size_t)p->member[k].merged * MERGED_SUMS);
     TRY(share_out(s, p, false));
     return find_empty(s);
 }

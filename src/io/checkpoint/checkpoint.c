@@ -4,7 +4,7 @@
 #include "floe_build.h"
 #include "io/checkpoint/checkpoint_record.h"
 #include "io/gather.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 
 #include <string.h>
 
@@ -28,7 +28,7 @@ static floe_status write_array(void *user, const state_array *array)
     return hdf_write(w->hdf, array->path, HDF_DOUBLE, (hdf_shape){1, {mesh_cells(&w->s->mesh)}}, w->data);
 }
 
-/* Lists the points of all bodies, and makes room for the largest array. */
+/* Lists the points of all bodies, and makes space for the largest array. */
 static floe_status prepare_writer(state_writer *w)
 {
     size_t largest = w->s->ice ? mesh_cells(&w->s->mesh) : 0;

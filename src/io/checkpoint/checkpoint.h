@@ -11,8 +11,8 @@ enum { CHECKPOINT_REASON = 96 };
 /* Outputs of the time of a checkpoint that could not be written, and that a run which goes on from it writes first. */
 enum { CHECKPOINT_OWED_ROW = 1, CHECKPOINT_OWED_SNAPSHOT = 2, CHECKPOINT_OWED_ALL = 3 };
 
-/* State that is in no field, such as the places of loaded surface points: n entries of `components` numbers, entry i at
- * data[i * stride]. Written as it is, and overwritten by reading. */
+/* State that is in no field, such as the positions of loaded surface points: n entries of `components` numbers, entry i
+ * at data[i * stride]. Written as it is, and overwritten by reading. */
 typedef struct checkpoint_extra {
     const char *name; /* unique; letters, digits and '_' */
     double *data;     /* not owned */

@@ -3,7 +3,7 @@
 #include "io/checkpoint/checkpoint.h"
 #include "io/checkpoint/checkpoint_record.h"
 #include "io/gather.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -23,7 +23,7 @@ typedef struct state_reader {
     const checkpoint_record *record;
     incoming body[SCENE_MAX_BODIES];
     double *data;            /* one number for each point or cell; owned */
-    size_t room;             /* numbers that data holds */
+    size_t reserved;         /* numbers that data holds */
     double *x[MESH_MAX_DIM]; /* owned; while places are found */
 } state_reader;
 
@@ -36,9 +36,9 @@ static void point_path(char path[128], int body, field_id id, int comp)
 
 static floe_status reserve_values(state_reader *r, size_t n)
 {
-    if (r->data && n <= r->room) return FLOE_OK;
+    if (r->data && n <= r->reserved) return FLOE_OK;
     TRY(memory_resize(r->s->ctx, &r->data, n, sizeof *r->data));
-    r->room = n;
+    r->reserved = n;
     return FLOE_OK;
 }
 

@@ -7,7 +7,7 @@
 #include "io/file.h"
 #include "io/hdf.h"
 #include "io/names.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 #include "io/snapshot/snapshot_content.h"
 #include "io/snapshot/snapshot_folder.h"
 #include "io/xdmf.h"

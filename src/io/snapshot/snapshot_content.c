@@ -296,7 +296,7 @@ typedef struct written {
     xdmf_array array;
 } written;
 
-/* Whole numbers: the points' ids, or their places in the list. */
+/* Whole numbers: the points' ids, or their positions in the list. */
 static floe_status write_numbers(writer *w, const array_spec *spec, bool ids, written *out)
 {
     int64_t *number;

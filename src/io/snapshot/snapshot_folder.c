@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "io/file.h"
-#include "io/sealed.h"
+#include "io/sealed_file.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -27,7 +27,7 @@ typedef struct basis_facts {
     double ghost_share;   /* cells: integral over the mesh of the first ghost's shape function beyond a side */
     double axis_moment;   /* cells^2: integral over r > 0 of r times the shape function of a node on the axis */
     double least_mass;    /* of the heaviest point's: lighter nodes take no force (node.c) */
-    double most_bulk;     /* bulk over shear modulus with which loads are balanced without locking (balance_lock.c) */
+    double most_bulk;     /* bulk over shear modulus with which loads are balanced without locking (implicit_locking.c) */
     double usl_share;     /* most of h/c that a step takes with USL (totals.c, theory 4.6) */
     double carried_share; /* of points that carry the motion about them */
     double restored_share[4]; /* of affine FMPM of orders 2, 4, 6 and more */
@@ -43,8 +43,8 @@ typedef struct basis_model {
     int support;    /* nodes along an axis that a point reaches */
     int reach;      /* nodes that it may reach beyond its own cell on either side: 0 or 1 */
     int smoothness; /* continuous derivatives */
-    /* gamma with which edges of solids are held unasked (mpm/edge/edge.h): the largest that leaves holes of two cells in
-     * radius, and walls of two cells, as right as they are without; 0: none does. */
+    /* default gamma of the ghost penalty at edges of solids (mpm/edge/edge.h): the largest with which holes of two
+     * cells in radius and walls of two cells are as accurate as without; 0: none. */
     double edge_penalty;
     basis_facts fact;
     bool averaged; /* the slopes are means over the point's domain, of a finer function than the weights */

@@ -2,7 +2,7 @@
 
 extern const basis_model basis_cpdi;
 
-static int weights(double xi, double half, double inv_h, double *w, double *dw)
+static int cpdi_weights(double xi, double half, double inv_h, double *w, double *dw)
 {
     return basis_1d(BASIS_CPDI, xi, half, inv_h, w, dw);
 }
@@ -31,5 +31,5 @@ const basis_model basis_cpdi = {
             true,                     /* sized */
             true,                     /* shaped */
         },
-    .weights = weights,
+    .weights = cpdi_weights,
 };

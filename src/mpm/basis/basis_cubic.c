@@ -2,7 +2,7 @@
 
 extern const basis_model basis_cubic;
 
-static int weights(double xi, double half, double inv_h, double *w, double *dw)
+static int cubic_weights(double xi, double half, double inv_h, double *w, double *dw)
 {
     return basis_1d(BASIS_CUBIC, xi, half, inv_h, w, dw);
 }
@@ -31,5 +31,5 @@ const basis_model basis_cubic = {
             false,                  /* sized */
             false,                  /* shaped */
         },
-    .weights = weights,
+    .weights = cubic_weights,
 };

@@ -2,7 +2,7 @@
 
 extern const basis_model basis_gimp;
 
-static int weights(double xi, double half, double inv_h, double *w, double *dw)
+static int gimp_weights(double xi, double half, double inv_h, double *w, double *dw)
 {
     return basis_1d(BASIS_GIMP, xi, half, inv_h, w, dw);
 }
@@ -31,5 +31,5 @@ const basis_model basis_gimp = {
             true,                     /* sized */
             false,                    /* shaped */
         },
-    .weights = weights,
+    .weights = gimp_weights,
 };

@@ -2,7 +2,7 @@
 
 extern const basis_model basis_linear;
 
-static int weights(double xi, double half, double inv_h, double *w, double *dw)
+static int linear_weights(double xi, double half, double inv_h, double *w, double *dw)
 {
     return basis_1d(BASIS_LINEAR, xi, half, inv_h, w, dw);
 }
@@ -30,5 +30,5 @@ const basis_model basis_linear = {
             false,                /* sized */
             false,                /* shaped */
         },
-    .weights = weights,
+    .weights = linear_weights,
 };

@@ -78,7 +78,7 @@ static void view_shapes(const mpm *s, int blk, group_view group[MPM_MAX_GROUPS])
     }
 }
 
-static field_id corrected(contact_act act)
+static field_id corrected_field(contact_act act)
 {
     return act == CONTACT_DECIDE ? N_VEL_L : act == CONTACT_RESTORE ? N_RESIDUAL : N_VEL;
 }
@@ -92,7 +92,7 @@ static node_pass pass_of(const mpm *s, int blk, contact_act act)
         for (int c = 0; c < s->mesh->dim; ++c) {
             p.group[g].momentum[c] = field_get(f, N_MOMENTUM, g, c);
             p.group[g].force[c] = field_get(f, N_FORCE, g, c);
-            p.group[g].v[c] = field_get(f, corrected(act), g, c);
+            p.group[g].v[c] = field_get(f, corrected_field(act), g, c);
         }
         p.group[g].touch = field_get(f, N_TOUCH, g, 0);
     }
@@ -134,16 +134,16 @@ static void load_node(const node_pass *p, ptrdiff_t at, const int *group, contac
     }
 }
 
-/* Velocities after the forces so far, but where a wall holds them. */
-static void push_node(const node_pass *p, ptrdiff_t at, const int *group, contact_node *node)
+/* Velocities after the forces so far, except where a wall constrains them. */
+static void predict_node_velocities(const node_pass *p, ptrdiff_t at, const int *group, contact_node *node)
 {
     for (int k = 0; k < node->n; ++k)
         for (int c = 0; c < node->dim; ++c)
-            if (!node->held[c])
+            if (!node->constrained[c])
                 node->body[k].v[c] += p->s->work->kick * p->group[group[k]].force[c][at] / node->body[k].mass;
 }
 
-static void keep_states(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
+static void save_states(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
 {
     uint32_t bits[MPM_MAX_GROUPS] = {0};
     for (int a = 0; a < node->n; ++a)
@@ -186,13 +186,13 @@ static double store_node(const node_pass *p, ptrdiff_t at, const int *group, con
 }
 
 /* Components that the sides hold at a node; `global`: its index in the mesh. */
-static void find_held(const mpm *s, const int global[MESH_MAX_DIM], bool held[MESH_MAX_DIM])
+static void find_constrained(const mpm *s, const int global[MESH_MAX_DIM], bool constrained[MESH_MAX_DIM])
 {
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2; ++side) {
             if (s->mesh->periodic[a] || global[a] != (side == SIDE_LOWER ? 0 : s->mesh->n[a])) continue;
-            for (int c = 0; c < s->mesh->dim; ++c) held[c] = held[c] || wall_holds(s, 0, a, side, c);
-            held[a] = held[a] || s->scene->bc.side[a][side].kind == BC_SLIP;
+            for (int c = 0; c < s->mesh->dim; ++c) constrained[c] = constrained[c] || wall_constrains(s, 0, a, side, c);
+            constrained[a] = constrained[a] || s->scene->bc.side[a][side].kind == BC_SLIP;
         }
 }
 
@@ -226,15 +226,15 @@ static void visit_node(const node_pass *p, const int global[MESH_MAX_DIM], doubl
     if (groups < 2) return;
     contact_node node = empty_node(p->s);
     node.n = groups;
-    find_held(p->s, global, node.held);
+    find_constrained(p->s, global, node.constrained);
     load_node(p, at, group, &node);
-    if (p->act == CONTACT_FORESEE) push_node(p, at, group, &node);
+    if (p->act == CONTACT_FORESEE) predict_node_velocities(p, at, group, &node);
     contact_tally t = {0};
     if (p->act == CONTACT_REPEAT || p->act == CONTACT_RESTORE)
         recall_states(p, at, group, &node);
     else
         t = contact_resolve(&p->s->scene->contact, &node);
-    if (p->act == CONTACT_DECIDE) keep_states(p, at, group, &node);
+    if (p->act == CONTACT_DECIDE) save_states(p, at, group, &node);
     if (p->act == CONTACT_FORESEE) load_node(p, at, group, &node);
     if (p->act != CONTACT_DECIDE) contact_impose(&node);
     const double work = store_node(p, at, group, &node);

@@ -6,11 +6,11 @@
 
 enum { MAX_SWEEPS = 64 };
 
-/* What holds a pair together. */
+/* The constraint of a pair. */
 typedef enum bond {
     BOND_ALL,    /* no relative motion */
     BOND_NORMAL, /* none along the normal */
-    BOND_PUSH    /* none into each other; across the normal as far as friction goes */
+    BOND_PUSH    /* none into each other; along the surface up to the friction limit */
 } bond;
 
 typedef struct pair {
@@ -18,24 +18,24 @@ typedef struct pair {
     double n[3]; /* unit normal from a to b */
     double mass; /* kg: m_a m_b / (m_a + m_b) */
     bond bond;
-    double push;    /* kg m/s: impulse along n, which a loses and b gains */
-    double drag[3]; /* kg m/s: across n; all of it where bond is BOND_ALL */
+    double normal_impulse;        /* kg m/s: impulse along n from a to b */
+    double tangential_impulse[3]; /* kg m/s: tangential impulse; all of it where bond is BOND_ALL */
 } pair;
 
-static double dot(const double a[3], const double b[3])
+static double dot_product(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Unit vector along x without its held components; zero where there is none. */
-static void unit(const contact_node *node, const double x[3], double out[3])
+/* Unit vector along x without its constrained components; zero where there is none. */
+static void unit_vector(const contact_node *node, const double x[3], double out[3])
 {
-    for (int c = 0; c < 3; ++c) out[c] = node->held[c] ? 0.0 : x[c];
-    const double length = sqrt(dot(out, out));
+    for (int c = 0; c < 3; ++c) out[c] = node->constrained[c] ? 0.0 : x[c];
+    const double length = sqrt(dot_product(out, out));
     for (int c = 0; c < 3; ++c) out[c] = length > 0.0 ? out[c] / length : 0.0;
 }
 
-/* Velocities of the centre of mass, before and after the kick. */
+/* Velocities of the centre of mass, before and after the forces. */
 typedef struct common {
     double v0[3], v[3];
 } common;
@@ -62,19 +62,19 @@ static common mean_velocity(const contact_node *node)
 static bool moves_in(const contact_body *b, const double mean[3], const double n[3])
 {
     const double relative[3] = {b->v[0] - mean[0], b->v[1] - mean[1], b->v[2] - mean[2]};
-    return dot(relative, n) > 0.0;
+    return dot_product(relative, n) > 0.0;
 }
 
-static bool approach(const scene_contact *rule, const contact_node *node, const pair *p, const double mean[3])
+static bool bodies_approach(const scene_contact *rule, const contact_node *node, const pair *p, const double mean[3])
 {
     const contact_body *a = &node->body[p->a], *b = &node->body[p->b];
     double own_a[3], own_b[3];
-    if (dot(p->n, p->n) == 0.0) return true; /* no normal: nothing says that they part */
+    if (dot_product(p->n, p->n) == 0.0) return true; /* no normal: nothing says that they part */
     switch (rule->criterion) {
     case CONTACT_MEAN: return moves_in(a, mean, p->n);
     case CONTACT_BOTH:
-        unit(node, a->normal, own_a);
-        unit(node, b->normal, own_b);
+        unit_vector(node, a->normal, own_a);
+        unit_vector(node, b->normal, own_b);
         return moves_in(a, mean, own_a) || moves_in(b, mean, own_b);
     default: return moves_in(a, b->v, p->n); /* Y97 eq. 9.7 */
     }
@@ -85,7 +85,7 @@ static void pair_normal(const contact_node *node, int a, int b, double out[3])
 {
     const contact_body *A = &node->body[a], *B = &node->body[b];
     const double n[3] = {A->normal[0] - B->normal[0], A->normal[1] - B->normal[1], A->normal[2] - B->normal[2]};
-    unit(node, n, out);
+    unit_vector(node, n, out);
 }
 
 static pair make_pair(const contact_node *node, int a, int b, bond kind)
@@ -96,7 +96,7 @@ static pair make_pair(const contact_node *node, int a, int b, bond kind)
     return p;
 }
 
-/* Whether a pair of which one body is outside the contact has to do with each other. */
+/* Whether a pair interacts of which one body is outside the contact. */
 static bool sticks_outside(const contact_node *node, int a, int b)
 {
     if (node->apart) return false;
@@ -139,7 +139,7 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
         const bool ruled = m->named && rule->kind != CONTACT_STICK;
         if (!contact_has_met(node, m)) continue;
         const pair p = make_pair(node, m->a, m->b, ruled && rule->kind == CONTACT_FRICTION ? BOND_PUSH : BOND_ALL);
-        if (!ruled || approach(rule, node, &p, mean.v)) list[n++] = p;
+        if (!ruled || bodies_approach(rule, node, &p, mean.v)) list[n++] = p;
     }
     return n;
 }
@@ -147,7 +147,7 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
 /* Bodies that pairs join, directly or through others, move in the field of their common centre of mass (Y97 eqs 9.1 to
  * 9.3): they take its velocity, before the kick too, so that points receive the acceleration of that field and keep
  * their own difference from it, as points of one body do. */
-static void join(contact_node *node, const pair *list, int n)
+static void join_bonded(contact_node *node, const pair *list, int n)
 {
     int cluster[MPM_MAX_GROUPS];
     for (int k = 0; k < node->n; ++k) cluster[k] = k;
@@ -171,7 +171,7 @@ static void join(contact_node *node, const pair *list, int n)
 }
 
 /* a loses the impulse, b gains it. */
-static void exchange(contact_node *node, const pair *p, const double impulse[3])
+static void exchange_impulse(contact_node *node, const pair *p, const double impulse[3])
 {
     contact_body *a = &node->body[p->a], *b = &node->body[p->b];
     for (int c = 0; c < 3; ++c) {
@@ -180,24 +180,26 @@ static void exchange(contact_node *node, const pair *p, const double impulse[3])
     }
 }
 
-/* Brings one pair to rest as far as its bond goes; returns the size of the change. */
-static double relax(contact_node *node, pair *p, double friction)
+/* Removes the relative velocity of one pair that its bond does not allow; returns the size of the change. */
+static double relax_pair(contact_node *node, pair *p, double friction)
 {
     const contact_body *a = &node->body[p->a], *b = &node->body[p->b];
-    double wanted[3], impulse[3], drag[3];
+    double wanted[3], impulse[3], tangential_impulse[3];
     for (int c = 0; c < 3; ++c) wanted[c] = p->mass * (a->v[c] - b->v[c]);
-    const double along = p->bond == BOND_ALL ? 0.0 : dot(wanted, p->n);
-    const double push = p->bond == BOND_PUSH ? fmax(0.0, p->push + along) : p->push + along;
-    for (int c = 0; c < 3; ++c) drag[c] = p->drag[c] + wanted[c] - along * p->n[c];
-    const double size = sqrt(dot(drag, drag)), most = friction * push;
+    const double along = p->bond == BOND_ALL ? 0.0 : dot_product(wanted, p->n);
+    const double normal_impulse =
+        p->bond == BOND_PUSH ? fmax(0.0, p->normal_impulse + along) : p->normal_impulse + along;
+    for (int c = 0; c < 3; ++c) tangential_impulse[c] = p->tangential_impulse[c] + wanted[c] - along * p->n[c];
+    const double size = sqrt(dot_product(tangential_impulse, tangential_impulse)), most = friction * normal_impulse;
     const double kept = p->bond == BOND_ALL ? 1.0 : p->bond == BOND_NORMAL ? 0.0 : size <= most ? 1.0 : most / size;
     for (int c = 0; c < 3; ++c) {
-        impulse[c] = kept * drag[c] - p->drag[c] + (push - p->push) * p->n[c];
-        p->drag[c] = kept * drag[c];
+        impulse[c] =
+            kept * tangential_impulse[c] - p->tangential_impulse[c] + (normal_impulse - p->normal_impulse) * p->n[c];
+        p->tangential_impulse[c] = kept * tangential_impulse[c];
     }
-    p->push = push;
-    exchange(node, p, impulse);
-    return sqrt(dot(impulse, impulse));
+    p->normal_impulse = normal_impulse;
+    exchange_impulse(node, p, impulse);
+    return sqrt(dot_product(impulse, impulse));
 }
 
 /* Two bodies need one sweep; more, until the impulses stand still. Any sweep keeps the momentum. */
@@ -206,8 +208,9 @@ static void relax_all(contact_node *node, pair *list, int n, double friction)
     for (int sweep = 0; sweep < MAX_SWEEPS; ++sweep) {
         double change = 0.0, total = 0.0;
         for (int k = 0; k < n; ++k) {
-            change += relax(node, &list[k], friction);
-            total += fabs(list[k].push) + sqrt(dot(list[k].drag, list[k].drag));
+            change += relax_pair(node, &list[k], friction);
+            total += fabs(list[k].normal_impulse) +
+                     sqrt(dot_product(list[k].tangential_impulse, list[k].tangential_impulse));
         }
         if (node->n == 2 || change <= 1e-14 * total) return;
     }
@@ -216,8 +219,11 @@ static void relax_all(contact_node *node, pair *list, int n, double friction)
 static contact_state state_of(const pair *p, double friction)
 {
     if (p->bond != BOND_PUSH) return CONTACT_STICKS;
-    if (p->push == 0.0) return CONTACT_FREE;
-    return sqrt(dot(p->drag, p->drag)) < (1.0 - 1e-12) * friction * p->push ? CONTACT_STICKS : CONTACT_SLIDES;
+    if (p->normal_impulse == 0.0) return CONTACT_FREE;
+    return sqrt(dot_product(p->tangential_impulse, p->tangential_impulse)) <
+                   (1.0 - 1e-12) * friction * p->normal_impulse
+               ? CONTACT_STICKS
+               : CONTACT_SLIDES;
 }
 
 static contact_tally set_states(const scene_contact *rule, contact_node *node, const pair *list, int n)
@@ -242,7 +248,7 @@ contact_tally contact_resolve(const scene_contact *rule, contact_node *node)
     if (rule->kind == CONTACT_FRICTION)
         relax_all(node, list, n, rule->friction);
     else
-        join(node, list, n);
+        join_bonded(node, list, n);
     return set_states(rule, node, list, n);
 }
 
@@ -260,5 +266,5 @@ void contact_impose(contact_node *node)
     if (slides)
         relax_all(node, list, n, 0.0);
     else
-        join(node, list, n);
+        join_bonded(node, list, n);
 }

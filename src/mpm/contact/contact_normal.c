@@ -77,7 +77,7 @@ bool contact_is_near(const mpm *s, const tile_box *t, const point_arrays *p, siz
 }
 
 /* Adds what one point gives to the window of its tile. */
-static void scatter_point(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, double *window)
+static void scatter_normal_of_point(const mpm *s, const tile_box *t, const point_arrays *p, size_t k, double *window)
 {
     const mesh *m = s->mesh;
     const struct mpm_contact *c = s->contact;
@@ -116,7 +116,7 @@ static void scatter_normals_of_tile(mpm *s, int group, int blk, int tile)
         any = true;
         const point_arrays p = points_of(s, blk, body, false, false);
         for (size_t k = start[tile]; k < start[tile + 1]; ++k)
-            if (contact_is_near(s, &box, &p, k)) scatter_point(s, &box, &p, k, out);
+            if (contact_is_near(s, &box, &p, k)) scatter_normal_of_point(s, &box, &p, k, out);
     }
     s->work->active[box.number] = any;
 }

@@ -57,8 +57,8 @@ static double half_width(const mpm *s, const point_arrays *p, size_t k)
     return 0.5 * (s->mesh->dim == 1 ? volume : s->mesh->dim == 2 ? sqrt(volume) : cbrt(volume));
 }
 
-static void scatter_point(const mpm *s, const point_span *r, double half, const double (*direction)[MESH_MAX_DIM],
-                          double *out)
+static void scatter_reach_of_point(const mpm *s, const point_span *r, double half,
+                                   const double (*direction)[MESH_MAX_DIM], double *out)
 {
     const int *window = s->work->window;
     const double *h = s->mesh->h;
@@ -88,7 +88,7 @@ static void scatter_reach_in_contact(mpm *s, int group, int blk, int tile)
         for (size_t k = start[tile]; k < start[tile + 1]; ++k) {
             if (!contact_is_near(s, &box, &p, k)) continue;
             const point_span r = span_of_point(s, &box, &p, k);
-            scatter_point(s, &r, half_width(s, &p, k), (const double(*)[MESH_MAX_DIM])direction, out);
+            scatter_reach_of_point(s, &r, half_width(s, &p, k), (const double(*)[MESH_MAX_DIM])direction, out);
         }
     }
 }

@@ -1,4 +1,4 @@
-/* What the lines of edges push and remember (edge.h). */
+/* Forces and history of the penalised lines (edge.h). */
 #include "mpm/edge/edge.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ double mpm_edge_penalty(const mpm *s)
     for (int b = 0; b < s->n_bodies; ++b) solids = solids || edge_body(s, b);
     if (!solids) return 0.0;
     if (!isnan(s->scene->method.edge_penalty)) return s->scene->method.edge_penalty;
-    return s->burns ? 0.0 : s->basis->edge_penalty; /* an edge that burns away is not to be held */
+    return s->burns ? 0.0 : s->basis->edge_penalty; /* an edge that burns has no penalty */
 }
 
 static bool is_usf(const mpm *s)
@@ -18,8 +18,8 @@ static bool is_usf(const mpm *s)
     return s->scene->method.stress == STRESS_USF;
 }
 
-/* The difference that line k of a group pushes with. */
-static double pushing(const mpm *s, const edge_group *g, size_t k, int c)
+/* The difference that gives the force of line k of a group. */
+static double edge_velocity_jump(const mpm *s, const edge_group *g, size_t k, int c)
 {
     return is_usf(s) ? g->next[k * (size_t)s->mesh->dim + (size_t)c]
                      : s->work->edges->memory[g->line[k].slot + (size_t)c];
@@ -31,7 +31,8 @@ void edges_mark_flow(const mpm *s, edge_group *g)
     g->n_flowing = 0;
     for (size_t k = 0; k < g->n_lines; ++k) {
         double square = 0.0;
-        for (int c = 0; c < s->mesh->dim; ++c) square += pushing(s, g, k, c) * pushing(s, g, k, c);
+        for (int c = 0; c < s->mesh->dim; ++c)
+            square += edge_velocity_jump(s, g, k, c) * edge_velocity_jump(s, g, k, c);
         g->line[k].flows = sqrt(square) >= nearly * g->line[k].most;
         g->n_flowing += g->line[k].flows ? 1 : 0;
     }
@@ -43,7 +44,7 @@ double edges_push(const mpm *s, const edge_group *g, int c, double *force, doubl
     if (g->n_nodes > 0) memset(force, 0, (size_t)g->n_nodes * sizeof *force);
     for (size_t k = 0; k < g->n_lines; ++k) {
         const edge_line *l = &g->line[k];
-        const double tension = -l->stiffness * pushing(s, g, k, c);
+        const double tension = -l->stiffness * edge_velocity_jump(s, g, k, c);
         edge_add(l, c, tension, force);
         if (!l->images) continue;
         given += tension * edge_sum(g, l, c, false);
@@ -138,7 +139,7 @@ static void commit_group(mpm *s, int group)
         for (size_t c = 0; c < dim; ++c)
             e->memory[g->node[n].slot + c] = g->accelerated[c * (size_t)g->n_nodes + (size_t)n];
     e->memory[e->travel + (size_t)group] = g->travelled;
-    e->memory[e->bearing + (size_t)group] = g->bearing;
+    e->memory[e->loaded_nodes + (size_t)group] = g->loaded_nodes;
 }
 
 void edges_commit(mpm *s)

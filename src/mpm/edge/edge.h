@@ -1,31 +1,31 @@
-/* Edges of solids, held by a penalty (ghost penalty; theory 4.10, Coombs 2022).
+/* Ghost penalty at the edges of solids (theory 4.10, Coombs 2022).
  *
- * Nodes that a solid fills in part have little to say for themselves: what few points lie in their support sets them,
- * with stresses many times too large. So along each grid line the differences of the order of the basis plus one, D u,
- * of displacements at nodes of which one is filled in part are penalised by the energy
+ * At nodes whose support a solid fills only in part, few points determine the motion, and stresses there can be many
+ * times too large. Along each grid line, therefore, the difference D u of the nodal displacements, of the order of the
+ * basis plus one, is penalised where one of its nodes is filled in part. The penalty energy is
  *
  *   1/2 k |D u|^2,   k = gamma M V/h^2      M = rho c^2 of the solid, V of a cell, h along the line,
  *
- * which vanishes for what the basis can represent exactly: no accuracy is lost, no force or moment added. Displacements
- * are not known to the nodes; each line keeps the sum of dt D v, of the velocities that points are strained with, since
- * it became one, and forgets it when it is one no more.
+ * It vanishes for displacements that the basis represents exactly, so that no accuracy is lost and no net force or
+ * moment is added. Nodes do not store displacements: each line sums dt D v of the velocities that strain the points,
+ * from the time when it becomes penalised until it no longer is.
  *
- * Nodes without mass would not bear such a spring in an explicit step. So the same differences have inertia, a = k
- * (h/c)^2 for each line:
+ * In an explicit step such a spring would be unstable at nodes without mass. The same differences therefore have
+ * inertia, a = k (h/c)^2 for each line:
  *
  *   (m + sum a D^T D) a_i = f_i
  *
- * whose frequencies c/h are below those of the mesh, so that the stable step stays what it was; half of critical
- * damping, taken implicitly, keeps them quiet, for the velocities of such nodes come anew from the points in each step,
- * and their energy goes astray. The system is solved over the nodes of the lines by conjugate gradients (edge_solve.c),
- * from the accelerations of the last step, in global order: the same bits for any blocks and threads.
+ * Its frequencies c/h are below those of the mesh, so that the stable time step does not change. Implicit damping with
+ * half of the critical value is added, since the velocities of such nodes are interpolated anew from the points in each
+ * step. Conjugate gradients (edge_solve.c) solve the system over the nodes of the lines, starting from the
+ * accelerations of the last step, with sums in global order: the same bits for any blocks and threads.
  *
- * A line bears no more than its solid: beyond |D u| = h y/(rho c^2), y the yield stress, it flows; what dampens it would
- * be borne in addition, and does not then. Lines lie within one body. They neither reach nodes that another solid or a
- * membrane reaches, nor lead through what is outside: from one side of a slot, or of a hole of a few cells, to the other.
+ * A line yields as its solid does: beyond |D u| = h y/(rho c^2), y the yield stress, its force is constant and its
+ * damping is off. Lines lie within one body. They have no node that another solid or a membrane reaches, and do not
+ * cross space outside the body: a slot, or a hole of a few cells.
  *
- * Which nodes are filled in part is looked for (edge_lines.c) when nodes may have moved by some hundredths of a cell
- * since, or one has begun to take forces or ceased to. Private to the mpm room. */
+ * The partly filled nodes are searched again (edge_lines.c) when nodes may have moved by some hundredths of a cell
+ * since the last search, or when the set of loaded nodes changes. Private to the mpm module. */
 #ifndef MPM_EDGE_H
 #define MPM_EDGE_H
 
@@ -34,23 +34,23 @@
 
 enum { EDGE_TAPS = 5 };
 
-/* A difference along one grid line. Taps beyond a mirror are nodes inside, with the sign of the component along the
- * axis turned. */
+/* A finite difference along one grid line. Taps beyond a mirror are nodes inside, with the sign of the component along
+ * the axis reversed. */
 typedef struct edge_line {
-    size_t slot;     /* of its differences among what is remembered; one a component from there on */
+    size_t slot;     /* index of its differences in the history, one for each component from there on */
     int axis;        /* that it runs along */
     bool images;     /* some tap is the image of its node in a mirror */
-    bool flows;      /* in this step it bears the most that it can; nothing dampens it then */
-    bool unbalanced; /* what it gives to the free nodes may not add up to nothing: an image, or a node that is held */
-    int node[EDGE_TAPS]; /* in the list of the group's nodes; taps that the basis does not need have no weight */
-    /* Of the taps: of components across the line, and of that along it, which images turn. */
+    bool flows;      /* in this step it yields; it is not damped then */
+    bool unbalanced; /* its forces on unconstrained nodes need not sum to zero: it has an image or a constrained node */
+    int node[EDGE_TAPS]; /* in the list of the group's nodes; taps beyond the order of the basis have zero weight */
+    /* Weights of the taps, for components across the line and for the one along it, whose sign images reverse. */
     double weight[2][EDGE_TAPS];
     double stiffness; /* N/m: k */
     double inertia;   /* kg: a */
-    double most;      /* m: |D u| that it bears; it flows beyond, as its solid does */
+    double most;      /* m: |D u| at which it yields, as its solid does */
 } edge_line;
 
-/* Where a block has a node: its own, ghosts, and periodic images. */
+/* Copies of a node in blocks: owned, ghosts, and periodic images. */
 typedef struct edge_copy {
     int block;
     ptrdiff_t at;
@@ -58,20 +58,20 @@ typedef struct edge_copy {
 
 typedef struct edge_node {
     int at[MESH_MAX_DIM]; /* global */
-    unsigned held;        /* bit of each component that a wall or a support holds */
-    int body;             /* whose lines lead there */
-    size_t slot;          /* of its acceleration among what is remembered; one a component from there on */
+    unsigned constrained; /* bit of each component that a wall or a support constrains */
+    int body;             /* whose lines have this node */
+    size_t slot;          /* index of its acceleration in the history, one for each component from there on */
     size_t copy, copies;  /* in the list of copies: the first, and how many */
 } edge_node;
 
-/* Inertia of a group's lines as a matrix over its nodes: rows of equal room, of which the first entry is the
- * diagonal's. Owned arrays. */
+/* Inertia of a group's lines as a sparse matrix over its nodes: rows of equal width, the first entry of each the
+ * diagonal. Owned arrays. */
 typedef struct edge_matrix {
-    int width;       /* entries that a row has room for */
-    int *count;      /* that it has */
+    int width;       /* reserved entries of a row */
+    int *count;      /* used entries of each row */
     int *column;     /* the same for all components */
-    double *inertia; /* kg: sum of a D^T D, by component, `room` entries apart, row and entry */
-    size_t room;     /* entries */
+    double *inertia; /* kg: sum of a D^T D, by component (`reserved` entries apart), row and entry */
+    size_t reserved; /* entries */
 } edge_matrix;
 
 /* Nodes lo to end - 1 along each axis. */
@@ -81,26 +81,27 @@ typedef struct edge_box {
 
 /* Lines of one group. Owned arrays. */
 typedef struct edge_group {
-    edge_box box;    /* has all nodes of lines that are remembered */
-    edge_box filled; /* in the last look */
+    edge_box box;    /* contains all nodes of lines in the history */
+    edge_box filled; /* filled nodes in the last search */
     edge_line *line;
     edge_node *node;
-    edge_copy *copy;     /* of each node, that of the block which owns it first */
+    edge_copy *copy;     /* of each node, first that of the block which owns it */
     double *next;        /* m: differences of the next state, by line and component */
-    double *accelerated; /* m/s2: of the step in hand, by component and node */
+    double *accelerated; /* m/s2: of the current step, by component and node */
     edge_matrix matrix;
-    size_t n_lines, line_room, n_copies, copy_room, node_room, next_room;
+    size_t n_lines, lines_reserved, n_copies, copies_reserved, nodes_reserved, next_reserved;
     int n_nodes;
-    double speed;     /* m/s: of the fastest solid of the group at rest */
-    double damping;   /* 1/s: of lines over their inertia */
-    size_t n_flowing; /* lines that flow in this step */
-    double travelled; /* cells: by how much nodes may have moved at the end of the step since lines were looked for */
-    double bearing;   /* which nodes take forces in this step, as one number */
-    bool listed;      /* the lists are of the lines that are remembered */
-    bool looked;      /* for lines in this step */
+    double speed;        /* m/s: of the fastest solid of the group at rest */
+    double damping;      /* 1/s: damping of lines over their inertia */
+    size_t n_flowing;    /* lines that yield in this step */
+    double travelled;    /* cells: largest motion of nodes since the last search, at the end of the step */
+    double loaded_nodes; /* hash of the set of nodes that take forces in this step */
+    bool listed;         /* the lists agree with the history */
+    bool looked;         /* lines were searched in this step */
 } edge_group;
 
-/* A body's share of the residual in the motions that its lines do not resist: 1, and each coordinate. */
+/* Projection of a body's residual onto the motions that its lines do not resist: uniform, and linear in each
+ * coordinate. */
 enum { EDGE_MOTIONS = 1 + MESH_MAX_DIM };
 typedef struct edge_motion {
     double centre[MESH_MAX_DIM], nodes;         /* cells; how many */
@@ -110,35 +111,35 @@ typedef struct edge_motion {
 
 struct mpm_edges {
     double penalty; /* gamma */
-    bool starting;  /* masses are not known yet */
+    bool starting;  /* before masses are known */
     edge_group group[MPM_MAX_GROUPS];
-    /* All that a step must know of those before, for every group and node of the mesh, owned: first the differences (m)
-     * by axis of the line and component; from the following places on accelerations (m/s2) of the last step by
-     * component, 0 where no line is; by axis the body of a line plus one, 0 where none is; by group how many cells
-     * nodes may have moved since lines were looked for; and by group which nodes took forces. */
+    /* History of the lines, for every group and node of the mesh, owned: first the differences (m) by axis of the line
+     * and component; from the offsets below on, accelerations (m/s2) of the last step by component, 0 where no line is;
+     * by axis the body of a line plus one, 0 where none is; by group how many cells nodes may have moved since the last
+     * search; and by group the hash of the loaded nodes. */
     double *memory;
-    size_t n_memory, accelerations, lines, travel, bearing;
-    double *fill;            /* of the group in hand, per global node: share that its solids fill. Owned */
+    size_t n_memory, accelerations, lines, travel, loaded_nodes;
+    double *fill;            /* of the current group, per global node: share that its solids fill. Owned */
     int *owner;              /* the body that fills it; negative: none, or several. Owned */
-    int *index;              /* per global node: in the list that is being made, -1: not in it. Owned */
+    int *index;              /* per global node: index in the list that is being made, -1: not in it. Owned */
     edge_motion *motion;     /* of each body; owned */
-    double *solve;           /* room of the solver; owned */
-    size_t solve_room;       /* nodes */
+    double *solve;           /* scratch of the solver; owned */
+    size_t scratch_reserved; /* nodes */
     int nodes[MESH_MAX_DIM]; /* of the whole mesh; a periodic end is node 0 */
 };
 
-/* Room for a scene whose deck asks for it. */
+/* Allocates storage where the deck requests the penalty. */
 floe_status edges_create(mpm *s);
 void edges_free(context *ctx, mpm_edges **e);
-/* Lists and room for the points as they were seeded. */
+/* Lists and storage for the seeded points. */
 floe_status edges_start(mpm *s);
-/* Makes a group's lists stand for its solids where they are, from what is remembered where that will do; `anew`: in any
- * case by a look. After masses. */
+/* Updates a group's lists, from the history where that is still valid; `anew`: by a new search in any case. After
+ * masses. */
 floe_status edges_find(mpm *s, int group, bool anew);
-/* Which lines there are, by what solids fill of nodes, into what is remembered; *changed: others than before
- * (edge_look.c). */
+/* Finds the lines from the filled shares of nodes and writes them into the history; *changed: they differ from the last
+ * ones (edge_detect.c). */
 floe_status edges_look(mpm *s, int group, bool *changed);
-/* Nodes of the mesh, and the number of one among them. */
+/* Number of nodes of the mesh, and index of one of them. */
 static inline size_t edge_all_nodes(const mpm_edges *e)
 {
     return (size_t)e->nodes[0] * (size_t)e->nodes[1] * (size_t)e->nodes[2];
@@ -149,7 +150,7 @@ static inline size_t edge_number(const mpm_edges *e, const int at[MESH_MAX_DIM])
     return (size_t)at[0] + (size_t)e->nodes[0] * ((size_t)at[1] + (size_t)e->nodes[1] * (size_t)at[2]);
 }
 
-/* Where the loops over the nodes that a block owns end, from its first on. */
+/* End of the loops over the nodes that a block owns. */
 static inline void edge_own_nodes(const mesh *m, const block *b, int end[MESH_MAX_DIM])
 {
     for (int a = 0; a < MESH_MAX_DIM; ++a)
@@ -163,7 +164,7 @@ static inline bool edge_bears(const mpm *s, const double *mass, ptrdiff_t at)
 }
 
 /* Place, among lines by group, node and axis, of that along an axis from a node on. Those from the image of the first
- * inner node have the places of lines from the last node, which would lie beyond the mesh. */
+ * inner node have the positions of lines from the last node, which would lie beyond the mesh. */
 static inline size_t edge_place(const mpm *s, int group, int axis, const int first[MESH_MAX_DIM])
 {
     const mpm_edges *e = s->work->edges;
@@ -207,9 +208,9 @@ static inline void edge_add(const edge_line *l, int c, double factor, double *ou
     for (int t = 0; t < EDGE_TAPS; ++t) out[l->node[t]] += factor * w[t];
 }
 
-static inline bool edge_holds(const edge_node *n, int c)
+static inline bool edge_constrains(const edge_node *n, int c)
 {
-    return ((n->held >> c) & 1u) != 0;
+    return ((n->constrained >> c) & 1u) != 0;
 }
 
 /* What a unit of D^T gives to the nodes, or to those that are free in component c: none, but beside walls and
@@ -218,7 +219,7 @@ static inline double edge_sum(const edge_group *g, const edge_line *l, int c, bo
 {
     double sum = 0.0;
     for (int t = 0; t < EDGE_TAPS; ++t)
-        if (!free_only || !edge_holds(&g->node[l->node[t]], c)) sum += edge_weights(l, c)[t];
+        if (!free_only || !edge_constrains(&g->node[l->node[t]], c)) sum += edge_weights(l, c)[t];
     return sum;
 }
 
@@ -229,7 +230,7 @@ static inline void edge_turn(const mesh *m, const edge_group *g, const edge_line
     for (int t = 0; t < EDGE_TAPS; ++t) {
         const edge_node *n = &g->node[l->node[t]];
         double x[MESH_MAX_DIM];
-        if (free_only && edge_holds(n, c)) continue;
+        if (free_only && edge_constrains(n, c)) continue;
         place_of_node(m, n->at, x);
         add_moment(moment, x, c, given * edge_weights(l, c)[t]);
     }
@@ -244,7 +245,7 @@ static inline void edges_enter(mpm *s, int c, double given, const double moment[
 
 /* Nodes of a line: the order of the basis and two more. */
 int edge_taps(const mpm *s);
-/* Room for some vectors over a group's nodes, until it is asked for again. */
+/* Scratch for vectors over a group's nodes, valid until the next call. */
 floe_status edges_scratch(mpm *s, const edge_group *g, size_t vectors, double **out);
 /* One component of a field at the nodes of a group's list. */
 void edges_values(const mpm *s, int group, field_id id, int c, double *value);
@@ -254,9 +255,9 @@ void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const doub
 double edges_push(const mpm *s, const edge_group *g, int c, double *force, double moment[3]);
 /* Accelerations and v^L of a group with the inertia of its lines. After walls. */
 floe_status edges_accelerate(mpm *s, int group);
-/* Finds the lines that flow in this step. */
+/* Finds the lines that yield in this step. */
 void edges_mark_flow(const mpm *s, edge_group *g);
-/* Lines flow where those of the next state would bear more than their solid does. */
+/* Lines yield where their next state would exceed the yield stress of their solid. */
 void edges_let_flow(const mpm *s, edge_group *g);
 /* The differences of the next state, by the velocities that points are strained with. */
 floe_status edges_strain(mpm *s, int group, field_id velocity);

@@ -34,18 +34,18 @@ int edge_taps(const mpm *s)
 }
 
 /* Components of a node's velocity that walls or supports hold. */
-static unsigned held_components(const mpm *s, int group, const int at[MESH_MAX_DIM])
+static unsigned constrained_components(const mpm *s, int group, const int at[MESH_MAX_DIM])
 {
-    unsigned held = 0;
+    unsigned constrained = 0;
     for (int a = 0; a < s->mesh->dim; ++a) {
         if (s->mesh->periodic[a] || (at[a] != 0 && at[a] != s->mesh->n[a])) continue;
         for (int c = 0; c < s->mesh->dim; ++c)
-            if (wall_holds(s, group, a, at[a] == 0 ? SIDE_LOWER : SIDE_UPPER, c)) held |= 1u << c;
+            if (wall_constrains(s, group, a, at[a] == 0 ? SIDE_LOWER : SIDE_UPPER, c)) constrained |= 1u << c;
     }
     for (size_t k = 0; k < s->work->n_supports; ++k)
         if (memcmp(s->work->support[k].node, at, sizeof s->work->support[k].node) == 0)
-            held |= (1u << s->mesh->dim) - 1u;
-    return held;
+            constrained |= (1u << s->mesh->dim) - 1u;
+    return constrained;
 }
 
 /* Weights of the taps of a difference, by their number. */
@@ -94,18 +94,19 @@ floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user)
     return FLOE_OK;
 }
 
-/* Room for so many items in a list. */
-static floe_status make_room(context *ctx, void *list, size_t *room, size_t items, size_t size)
+/* Space for so many items in a list. */
+static floe_status reserve_items(context *ctx, void *list, size_t *reserved, size_t items, size_t size)
 {
-    if (items <= *room) return FLOE_OK;
+    if (items <= *reserved) return FLOE_OK;
     const size_t wanted = items < 128 ? 256 : 2 * items;
     TRY(memory_resize(ctx, list, wanted, size));
-    *room = wanted;
+    *reserved = wanted;
     return FLOE_OK;
 }
 
 /* Where a block sees a node, moved by whole periods: false where it does not. */
-static bool sees(const mesh *m, const block *b, const edge_node *n, const int period[MESH_MAX_DIM], ptrdiff_t *at)
+static bool find_in_block(const mesh *m, const block *b, const edge_node *n, const int period[MESH_MAX_DIM],
+                          ptrdiff_t *at)
 {
     int local[MESH_MAX_DIM];
     for (int a = 0; a < MESH_MAX_DIM; ++a) {
@@ -119,7 +120,7 @@ static bool sees(const mesh *m, const block *b, const edge_node *n, const int pe
 /* Of a node in the only block, which has no images. */
 static floe_status list_only_copy(mpm *s, edge_group *g, edge_node *n)
 {
-    TRY(make_room(s->ctx, &g->copy, &g->copy_room, g->n_copies + 1, sizeof *g->copy));
+    TRY(reserve_items(s->ctx, &g->copy, &g->copies_reserved, g->n_copies + 1, sizeof *g->copy));
     n->copy = g->n_copies++;
     n->copies = 1;
     g->copy[n->copy] = (edge_copy){0, mesh_index(&s->mesh->block[0], n->at[0], n->at[1], n->at[2])};
@@ -144,8 +145,9 @@ static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
                     for (int b = 0; b < m->n_blocks; ++b) {
                         const bool first = b == own && x == 0 && y == 0 && z == 0;
                         ptrdiff_t at;
-                        if (first != (round == 0) || !sees(m, &m->block[b], n, (const int[]){x, y, z}, &at)) continue;
-                        TRY(make_room(s->ctx, &g->copy, &g->copy_room, g->n_copies + 1, sizeof *g->copy));
+                        if (first != (round == 0) || !find_in_block(m, &m->block[b], n, (const int[]){x, y, z}, &at))
+                            continue;
+                        TRY(reserve_items(s->ctx, &g->copy, &g->copies_reserved, g->n_copies + 1, sizeof *g->copy));
                         g->copy[g->n_copies++] = (edge_copy){b, at};
                     }
     n->copies = g->n_copies - n->copy;
@@ -159,12 +161,12 @@ static floe_status list_node(mpm *s, int group, int body, const int at[MESH_MAX_
     edge_group *g = &e->group[group];
     int *index = &e->index[edge_number(e, at)];
     if (*index < 0) {
-        TRY(make_room(s->ctx, &g->node, &g->node_room, (size_t)g->n_nodes + 1, sizeof *g->node));
+        TRY(reserve_items(s->ctx, &g->node, &g->nodes_reserved, (size_t)g->n_nodes + 1, sizeof *g->node));
         *index = g->n_nodes;
         edge_node *n = &g->node[g->n_nodes++];
         memcpy(n->at, at, sizeof n->at);
         n->body = body;
-        n->held = held_components(s, group, at);
+        n->constrained = constrained_components(s, group, at);
         n->slot = e->accelerations + ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim;
         TRY(list_copies(s, g, n));
     }
@@ -191,9 +193,9 @@ static double line_extent(const mpm *s, int axis, int tap[EDGE_TAPS][MESH_MAX_DI
  * mirrors. */
 static bool is_unbalanced(const edge_group *g, const edge_line *l)
 {
-    bool held = false;
-    for (int t = 0; t < EDGE_TAPS; ++t) held = held || g->node[l->node[t]].held != 0;
-    return held || l->images;
+    bool constrained = false;
+    for (int t = 0; t < EDGE_TAPS; ++t) constrained = constrained || g->node[l->node[t]].constrained != 0;
+    return constrained || l->images;
 }
 
 static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user)
@@ -212,7 +214,7 @@ static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_M
     for (int t = 0; t < edge_taps(s); ++t) TRY(list_node(s, group, body, tap[t], &l.node[t]));
     for (int t = edge_taps(s); t < EDGE_TAPS; ++t) l.node[t] = l.node[0];
     l.unbalanced = is_unbalanced(g, &l);
-    TRY(make_room(s->ctx, &g->line, &g->line_room, g->n_lines + 1, sizeof *g->line));
+    TRY(reserve_items(s->ctx, &g->line, &g->lines_reserved, g->n_lines + 1, sizeof *g->line));
     g->line[g->n_lines++] = l;
     return FLOE_OK;
 }
@@ -234,26 +236,26 @@ static void add_line(edge_matrix *m, const edge_line *l, int dim, int taps)
             const size_t at = entry_of(m, l->node[i], l->node[j]);
             for (int c = 0; c < dim; ++c) {
                 const double weight = edge_weights(l, c)[i] * edge_weights(l, c)[j];
-                m->inertia[(size_t)c * m->room + at] += weight * l->inertia;
+                m->inertia[(size_t)c * m->reserved + at] += weight * l->inertia;
             }
         }
 }
 
-/* Room for the nodes' rows, all empty but for their diagonals. */
+/* Space for the nodes' rows, all empty but for their diagonals. */
 static floe_status clear_matrix(mpm *s, edge_group *g)
 {
     edge_matrix *m = &g->matrix;
     const size_t rows = (size_t)g->n_nodes, dim = (size_t)s->mesh->dim;
     m->width = 1 + 2 * (edge_taps(s) - 1) * s->mesh->dim;
-    if (rows * (size_t)m->width > m->room || !m->inertia) { /* of no rows there is an array, too */
-        const size_t some = rows + rows / 4, room = some * (size_t)m->width;
+    if (rows * (size_t)m->width > m->reserved || !m->inertia) { /* of no rows there is an array, too */
+        const size_t some = rows + rows / 4, reserved = some * (size_t)m->width;
         TRY(memory_resize(s->ctx, &m->count, some, sizeof *m->count));
-        TRY(memory_resize(s->ctx, &m->column, room, sizeof *m->column));
-        TRY(memory_resize(s->ctx, &m->inertia, room * dim, sizeof *m->inertia));
+        TRY(memory_resize(s->ctx, &m->column, reserved, sizeof *m->column));
+        TRY(memory_resize(s->ctx, &m->inertia, reserved * dim, sizeof *m->inertia));
         TRY(memory_resize(s->ctx, &g->accelerated, some * dim, sizeof *g->accelerated));
-        m->room = room;
+        m->reserved = reserved;
     }
-    memset(m->inertia, 0, m->room * dim * sizeof *m->inertia);
+    memset(m->inertia, 0, m->reserved * dim * sizeof *m->inertia);
     for (int n = 0; n < g->n_nodes; ++n) {
         m->count[n] = 0;
         (void)entry_of(m, n, n);
@@ -261,8 +263,8 @@ static floe_status clear_matrix(mpm *s, edge_group *g)
     return FLOE_OK;
 }
 
-/* What nodes of no line had is forgotten. */
-static void forget_nodes(mpm *s, int group)
+/* Clears the history of nodes without a line. */
+static void rollback_nodes(mpm *s, int group)
 {
     mpm_edges *e = s->work->edges;
     const edge_box *box = &e->group[group].box;
@@ -284,13 +286,13 @@ static floe_status list_group(mpm *s, int group)
     g->n_lines = g->n_copies = 0;
     g->n_nodes = 0;
     TRY(edge_visit_starts(s, group, list_line, NULL));
-    forget_nodes(s, group);
+    rollback_nodes(s, group);
     for (int n = 0; n < g->n_nodes; ++n) e->index[edge_number(e, g->node[n].at)] = -1;
-    g->listed = g->n_nodes == 0; /* no line yet: no rows, and no room for them either */
+    g->listed = g->n_nodes == 0; /* no line yet: no rows, and no space for them either */
     if (g->listed) return FLOE_OK;
     TRY(clear_matrix(s, g));
     for (size_t k = 0; k < g->n_lines; ++k) add_line(&g->matrix, &g->line[k], s->mesh->dim, edge_taps(s));
-    TRY(make_room(s->ctx, &g->next, &g->next_room, g->n_lines * (size_t)s->mesh->dim, sizeof *g->next));
+    TRY(reserve_items(s->ctx, &g->next, &g->next_reserved, g->n_lines * (size_t)s->mesh->dim, sizeof *g->next));
     memset(g->accelerated, 0, (size_t)g->n_nodes * (size_t)s->mesh->dim * sizeof *g->accelerated);
     g->listed = true;
     return FLOE_OK;
@@ -298,7 +300,7 @@ static floe_status list_group(mpm *s, int group)
 
 /* A number below 2^24 that has nothing to do with its neighbours': nodes that a symmetric body loses and gets in pairs
  * must not cancel in a sum. */
-static double scattered(unsigned x)
+static double scrambled_number(unsigned x)
 {
     x = ((x + 1u) ^ (x >> 16)) * 0x7feb352du;
     x = (x ^ (x >> 15)) * 0x846ca68bu;
@@ -306,7 +308,7 @@ static double scattered(unsigned x)
 }
 
 /* One number for which nodes of a group take forces: whole, and small enough to be exact as a sum. */
-static double bearing_nodes(const mpm *s, int group)
+static double loaded_nodes_number(const mpm *s, int group)
 {
     const mesh *m = s->mesh;
     double sum = 0.0;
@@ -320,7 +322,7 @@ static double bearing_nodes(const mpm *s, int group)
                 for (int i = 0; i < end[0]; ++i) {
                     const int global[MESH_MAX_DIM] = {bl->lo[0] + i, bl->lo[1] + j, bl->lo[2] + k};
                     if (edge_bears(s, mass, mesh_index(bl, i, j, k)))
-                        sum += scattered((unsigned)edge_number(s->work->edges, global));
+                        sum += scrambled_number((unsigned)edge_number(s->work->edges, global));
                 }
     }
     return sum;
@@ -331,15 +333,15 @@ floe_status edges_find(mpm *s, int group, bool anew)
     mpm_edges *e = s->work->edges;
     edge_group *g = &e->group[group];
     double *travelled = &e->memory[e->travel + (size_t)group];
-    const double *bearing = &e->memory[e->bearing + (size_t)group];
+    const double *loaded_nodes = &e->memory[e->loaded_nodes + (size_t)group];
     bool changed = false;
     if (!(g->speed > 0.0)) return FLOE_OK;
     if (!g->listed) { /* what is remembered may lie anywhere */
         g->box = (edge_box){.end = {e->nodes[0], e->nodes[1], e->nodes[2]}};
         TRY(list_group(s, group));
     }
-    g->bearing = bearing_nodes(s, group);
-    g->looked = anew || *travelled > long_way || g->bearing < *bearing || g->bearing > *bearing;
+    g->loaded_nodes = loaded_nodes_number(s, group);
+    g->looked = anew || *travelled > long_way || g->loaded_nodes < *loaded_nodes || g->loaded_nodes > *loaded_nodes;
     if (!g->looked) return FLOE_OK;
     TRY(edges_look(s, group, &changed));
     if (changed) TRY(list_group(s, group));
@@ -364,8 +366,8 @@ floe_status edges_create(mpm *s)
     e->accelerations = groups * nodes * dim * dim;
     e->lines = e->accelerations + groups * nodes * dim;
     e->travel = e->lines + groups * nodes * dim;
-    e->bearing = e->travel + groups;
-    e->n_memory = e->bearing + groups;
+    e->loaded_nodes = e->travel + groups;
+    e->n_memory = e->loaded_nodes + groups;
     TRY(memory_new(s->ctx, &e->memory, e->n_memory, sizeof *e->memory));
     for (size_t g = 0; g < groups; ++g) e->memory[e->travel + g] = 1.0; /* look at first */
     TRY(memory_new(s->ctx, &e->motion, (size_t)s->n_bodies, sizeof *e->motion));

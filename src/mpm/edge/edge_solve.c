@@ -32,9 +32,9 @@ floe_status edges_scratch(mpm *s, const edge_group *g, size_t vectors, double **
 {
     mpm_edges *e = s->work->edges;
     const size_t wanted = (size_t)g->n_nodes * vectors;
-    if (wanted > e->solve_room || !e->solve) { /* for no nodes there is an array, too */
+    if (wanted > e->scratch_reserved || !e->solve) { /* for no nodes there is an array, too */
         TRY(memory_resize(s->ctx, &e->solve, wanted + wanted / 4, sizeof *e->solve));
-        e->solve_room = wanted + wanted / 4;
+        e->scratch_reserved = wanted + wanted / 4;
     }
     *out = e->solve;
     return FLOE_OK;
@@ -57,19 +57,19 @@ static void add_flowing(const edge_system *y, double factor, const double *p, do
     for (size_t k = 0; k < g->n_lines && g->n_flowing > 0; ++k) {
         const edge_line *l = &g->line[k];
         if (!l->flows) continue;
-        const double *w = edge_weights(l, y->c), push = factor * l->inertia * edge_difference(l, y->c, p);
+        const double *w = edge_weights(l, y->c), force = factor * l->inertia * edge_difference(l, y->c, p);
         for (int t = 0; t < EDGE_TAPS; ++t)
-            if (!edge_holds(&g->node[l->node[t]], y->c)) Ap[l->node[t]] += w[t] * push;
+            if (!edge_constrains(&g->node[l->node[t]], y->c)) Ap[l->node[t]] += w[t] * force;
     }
 }
 
-/* Ap = M p of the system's matrix M, in which held nodes have no rows. Gives p M p. */
-static double apply(const edge_system *y, const double *p, double *Ap)
+/* Ap = M p of the system's matrix M, in which constrained nodes have no rows. Gives p M p. */
+static double apply_matrix(const edge_system *y, const double *p, double *Ap)
 {
     const edge_group *g = y->group;
     double curvature = 0.0;
     for (int n = 0; n < g->n_nodes; ++n)
-        Ap[n] = edge_holds(&g->node[n], y->c) ? 0.0 : y->mass[n] * p[n] + y->share * times_lines(y, n, p);
+        Ap[n] = edge_constrains(&g->node[n], y->c) ? 0.0 : y->mass[n] * p[n] + y->share * times_lines(y, n, p);
     add_flowing(y, 1.0 - y->share, p, Ap);
     for (int n = 0; n < g->n_nodes; ++n) curvature += p[n] * Ap[n];
     return curvature;
@@ -87,10 +87,10 @@ static double begin_solve(edge_system *y)
 {
     const edge_group *g = y->group;
     double scale = 0.0;
-    (void)apply(y, y->x, y->Ap);
+    (void)apply_matrix(y, y->x, y->Ap);
     for (int n = 0; n < g->n_nodes; ++n) {
-        const bool held = edge_holds(&g->node[n], y->c);
-        y->r[n] = held ? 0.0 : y->mass[n] * y->raw[n] - g->damping * times_lines(y, n, y->before);
+        const bool constrained = edge_constrains(&g->node[n], y->c);
+        y->r[n] = constrained ? 0.0 : y->mass[n] * y->raw[n] - g->damping * times_lines(y, n, y->before);
     }
     add_flowing(y, g->damping, y->before, y->r);
     for (int n = 0; n < g->n_nodes; ++n) {
@@ -101,13 +101,13 @@ static double begin_solve(edge_system *y)
     return scale;
 }
 
-static void solve(edge_system *y)
+static void solve_edge_system(edge_system *y)
 {
     const int n_nodes = y->group->n_nodes;
     const double enough = solver_tolerance * solver_tolerance * begin_solve(y);
     double square = weighted_square(y);
     for (int k = 0; k < MAX_ITERATIONS && square > enough; ++k) {
-        const double curvature = apply(y, y->p, y->Ap);
+        const double curvature = apply_matrix(y, y->p, y->Ap);
         if (!(curvature > 0.0)) return;
         const double step = square / curvature, before = square;
         for (int n = 0; n < n_nodes; ++n) {
@@ -144,9 +144,9 @@ static void sum_motions(edge_system *y, edge_motion *body, int motions)
     for (int k = 0; k < motions; ++k) {
         for (int n = 0; n < g->n_nodes; ++n) {
             const edge_node *node = &g->node[n];
-            y->p[n] = edge_holds(node, y->c) ? 0.0 : motion_at(&body[node->body], node, k);
+            y->p[n] = edge_constrains(node, y->c) ? 0.0 : motion_at(&body[node->body], node, k);
         }
-        (void)apply(y, y->p, y->Ap);
+        (void)apply_matrix(y, y->p, y->Ap);
         for (int n = 0; n < g->n_nodes; ++n) {
             edge_motion *b = &body[g->node[n].body];
             b->share[k] += y->p[n] * y->r[n];
@@ -155,7 +155,7 @@ static void sum_motions(edge_system *y, edge_motion *body, int motions)
     }
 }
 
-/* Solves W^T M W q = W^T r in place; a motion that the body's nodes do not tell from others stays 0. */
+/* Solves W^T M W q = W^T r in place; a motion that is linearly dependent on others at the body's nodes stays 0. */
 static void solve_motions(edge_motion *b, int motions)
 {
     static const double independent = 1e-10;
@@ -190,7 +190,7 @@ static void keep_linear_motion(const mpm *s, edge_system *y)
         if (body[k].nodes > 0.0) solve_motions(&body[k], motions);
     for (int n = 0; n < g->n_nodes; ++n) {
         const edge_motion *b = &body[g->node[n].body];
-        if (edge_holds(&g->node[n], y->c)) continue;
+        if (edge_constrains(&g->node[n], y->c)) continue;
         for (int k = 0; k < motions; ++k) y->x[n] += b->share[k] * motion_at(b, &g->node[n], k);
     }
 }
@@ -218,26 +218,26 @@ static void keep_momentum(const edge_system *y, double given)
     const edge_group *g = y->group;
     double left = given, mass = 0.0;
     for (int n = 0; n < g->n_nodes; ++n) {
-        if (edge_holds(&g->node[n], y->c)) continue;
+        if (edge_constrains(&g->node[n], y->c)) continue;
         left += y->mass[n] * (y->raw[n] - y->x[n]);
         mass += y->mass[n];
     }
     for (int n = 0; n < g->n_nodes && mass > 0.0; ++n)
-        if (!edge_holds(&g->node[n], y->c)) y->x[n] += left / mass;
+        if (!edge_constrains(&g->node[n], y->c)) y->x[n] += left / mass;
 }
 
-static edge_system load_system(const mpm *s, int group, int c, double *room)
+static edge_system load_system(const mpm *s, int group, int c, double *scratch)
 {
     const mpm_edges *e = s->work->edges;
     const edge_group *g = &e->group[group];
     const size_t rows = (size_t)g->n_nodes;
     double *v[V_COUNT];
-    for (size_t k = 0; k < V_COUNT; ++k) v[k] = room + k * rows;
+    for (size_t k = 0; k < V_COUNT; ++k) v[k] = scratch + k * rows;
     edge_system y = {.group = g,
                      .c = c,
                      .kick = s->work->kick,
                      .share = 1.0 + s->work->kick * g->damping,
-                     .inertia = g->matrix.inertia + (size_t)c * g->matrix.room,
+                     .inertia = g->matrix.inertia + (size_t)c * g->matrix.reserved,
                      .mass = v[V_MASS],
                      .inverse = v[V_INVERSE],
                      .raw = v[V_RAW],
@@ -250,11 +250,11 @@ static edge_system load_system(const mpm *s, int group, int c, double *room)
     edges_values(s, group, N_MOMENTUM, c, y.before);
     edges_values(s, group, N_ACCEL, c, y.raw);
     for (int n = 0; n < g->n_nodes; ++n) {
-        const bool held = edge_holds(&g->node[n], c);
+        const bool constrained = edge_constrains(&g->node[n], c);
         y.inverse[n] = 1.0 / (y.mass[n] + y.share * y.inertia[(size_t)n * (size_t)g->matrix.width]);
         y.before[n] = y.mass[n] > 0.0 ? y.before[n] / y.mass[n] : 0.0;
-        if (held) y.raw[n] = 0.0;
-        y.x[n] = held ? 0.0 : e->memory[g->node[n].slot + (size_t)c];
+        if (constrained) y.raw[n] = 0.0;
+        y.x[n] = constrained ? 0.0 : e->memory[g->node[n].slot + (size_t)c];
     }
     return y;
 }
@@ -268,25 +268,25 @@ static void enter_work(mpm *s, const edge_system *y)
     double work = 0.0, unused[3] = {0.0};
     (void)edges_push(s, y->group, y->c, y->r, unused);
     for (int n = 0; n < y->group->n_nodes; ++n) {
-        if (edge_holds(&y->group->node[n], y->c)) continue;
+        if (edge_constrains(&y->group->node[n], y->c)) continue;
         const double force = y->r[n] + y->mass[n] * (y->x[n] - y->raw[n]);
         work += y->kick * force * y->before[n];
     }
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, work);
 }
 
-static void accelerate(mpm *s, int group, int c, double *room)
+static void accelerate_nodes(mpm *s, int group, int c, double *scratch)
 {
     edge_group *g = &s->work->edges->group[group];
-    edge_system y = load_system(s, group, c, room);
-    solve(&y);
+    edge_system y = load_system(s, group, c, scratch);
+    solve_edge_system(&y);
     keep_linear_motion(s, &y);
     double moment[3] = {0.0};
     const double given = given_by_lines(s->mesh, &y, moment);
     keep_momentum(&y, given);
     for (int n = 0; n < g->n_nodes; ++n) {
         g->accelerated[(size_t)c * (size_t)g->n_nodes + (size_t)n] = y.x[n];
-        y.p[n] = edge_holds(&g->node[n], c) ? 0.0 : y.x[n] - y.raw[n];
+        y.p[n] = edge_constrains(&g->node[n], c) ? 0.0 : y.x[n] - y.raw[n];
         y.Ap[n] = y.kick * y.p[n];
     }
     edges_add_to_copies(s, group, N_ACCEL, c, y.p);
@@ -317,31 +317,32 @@ static double fastest_of(const mpm *s, int blk, int group, int c)
 /* Cells that nodes move in the step at most. */
 static double way_of_nodes(const mpm *s, int group)
 {
-    double way = 0.0;
+    double displacement = 0.0;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int c = 0; c < s->mesh->dim; ++c) way = fmax(way, fastest_of(s, b, group, c) * s->dt / s->mesh->h[c]);
-    return way;
+        for (int c = 0; c < s->mesh->dim; ++c)
+            displacement = fmax(displacement, fastest_of(s, b, group, c) * s->dt / s->mesh->h[c]);
+    return displacement;
 }
 
 floe_status edges_accelerate(mpm *s, int group)
 {
     mpm_edges *e = s->work->edges;
     edge_group *g = &e->group[group];
-    double *room;
-    TRY(edges_scratch(s, g, V_COUNT, &room));
+    double *scratch;
+    TRY(edges_scratch(s, g, V_COUNT, &scratch));
     edges_mark_flow(s, g);
-    for (int c = 0; c < s->mesh->dim && g->n_nodes > 0; ++c) accelerate(s, group, c, room);
+    for (int c = 0; c < s->mesh->dim && g->n_nodes > 0; ++c) accelerate_nodes(s, group, c, scratch);
     g->travelled = (g->looked ? 0.0 : e->memory[e->travel + (size_t)group]) + way_of_nodes(s, group);
     return FLOE_OK;
 }
 
 floe_status edges_start(mpm *s)
 {
-    double *room;
+    double *scratch;
     if (s->work->edges) s->work->edges->starting = true;
     for (int g = 0; s->work->edges && g < s->n_groups; ++g) {
         TRY(edges_find(s, g, true));
-        TRY(edges_scratch(s, &s->work->edges->group[g], V_COUNT, &room));
+        TRY(edges_scratch(s, &s->work->edges->group[g], V_COUNT, &scratch));
     }
     if (s->work->edges) s->work->edges->starting = false;
     return FLOE_OK;

@@ -15,7 +15,7 @@ bool normals_are_free(const mpm *s, int body)
 /* The numbers of the normals that are there, in the order of the points' numbers; a lost point has none. */
 static void load_normals(const mpm *s, int body, double *by_number)
 {
-    memset(by_number, 0, 3 * s->work->line[body].n * sizeof *by_number);
+    memset(by_number, 0, 3 * s->work->curve[body].n * sizeof *by_number);
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double *n = field_get(s->domain->fields[b], P_NORMAL, body, a);
@@ -66,14 +66,14 @@ static void load_inside(const mpm *s, membrane_normals *n, bool next)
 }
 
 /* Neighbours along the line, from where the points and their normals are. */
-static void link_points(const mpm *s, const membrane_normals *n, membrane_line *line)
+static void link_points(const mpm *s, const membrane_normals *n, membrane_curve *curve)
 {
     surface_links(&n->set, n->estimate, n->link);
-    for (size_t k = 0; k < 2 * line->n; ++k) {
+    for (size_t k = 0; k < 2 * curve->n; ++k) {
         const surface_link *l = &n->link[k];
-        line->link[k] = (line_link){.of = l->of, .mirror.axis = l->axis};
+        curve->link[k] = (curve_link){.of = l->of, .mirror.axis = l->axis};
         if (l->axis >= 0)
-            line->link[k].mirror.plane = l->side == SIDE_LOWER ? s->mesh->lower[l->axis] : s->mesh->upper[l->axis];
+            curve->link[k].mirror.plane = l->side == SIDE_LOWER ? s->mesh->lower[l->axis] : s->mesh->upper[l->axis];
     }
 }
 
@@ -81,10 +81,10 @@ static void link_points(const mpm *s, const membrane_normals *n, membrane_line *
 static floe_status make_normals(mpm *s, int body, bool next)
 {
     membrane_normals *n = &s->work->normals[body];
-    membrane_line *line = &s->work->line[body];
+    membrane_curve *curve = &s->work->curve[body];
     const scene_membrane *m = &s->scene->body[s->body[body].scene_body].membrane;
-    line_update(s, body, next);
-    TRY(surface_set_points(&n->set, line->n, line->x));
+    membrane_curve_update(s, body, next);
+    TRY(surface_set_points(&n->set, curve->n, curve->x));
     if (n->inside) {
         load_inside(s, n, next);
         TRY(surface_set_inside(&n->set, n->n_inside, n->inside));
@@ -92,7 +92,7 @@ static floe_status make_normals(mpm *s, int body, bool next)
     surface_normals(&n->set, m->normals, m->normals_par, n->estimate);
     TRY(surface_orient(&n->set, n->before, n->estimate));
     store_normals(s, body, next);
-    if (line->link) link_points(s, n, line);
+    if (curve->link) link_points(s, n, curve);
     return FLOE_OK;
 }
 
@@ -107,7 +107,7 @@ floe_status mpm_membrane_normals(mpm *s)
     return FLOE_OK;
 }
 
-static floe_status room_inside(const mpm *s, membrane_normals *n)
+static floe_status allocate_inside(const mpm *s, membrane_normals *n)
 {
     for (int body = 0; body < s->n_bodies; ++body) {
         n->seeded[body] = s->body[body].fluid ? mpm_body_points(s, body) : 0;
@@ -123,10 +123,10 @@ floe_status normals_start(mpm *s, int body)
     n->set.measures = false;
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, s->body[body].group, a, side);
-    TRY(memory_new(s->ctx, &n->estimate, s->work->line[body].n, sizeof *n->estimate));
-    TRY(memory_new(s->ctx, &n->before, 3 * s->work->line[body].n, sizeof *n->before));
-    if (s->work->line[body].link) TRY(memory_new(s->ctx, &n->link, 2 * s->work->line[body].n, sizeof *n->link));
-    if (s->scene->body[s->body[body].scene_body].membrane.normals->needs_inside) TRY(room_inside(s, n));
+    TRY(memory_new(s->ctx, &n->estimate, s->work->curve[body].n, sizeof *n->estimate));
+    TRY(memory_new(s->ctx, &n->before, 3 * s->work->curve[body].n, sizeof *n->before));
+    if (s->work->curve[body].link) TRY(memory_new(s->ctx, &n->link, 2 * s->work->curve[body].n, sizeof *n->link));
+    if (s->scene->body[s->body[body].scene_body].membrane.normals->needs_inside) TRY(allocate_inside(s, n));
     return make_normals(s, body, false);
 }
 

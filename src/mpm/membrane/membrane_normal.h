@@ -1,8 +1,9 @@
-/* Normals of membranes whose points are not connected, by the methods of the surface room. Private to the mpm room. */
+/* Normals of membranes whose points are not connected, by the methods of the surface module. Private to the mpm
+ * module. */
 #ifndef MPM_MEMBRANE_NORMAL_H
 #define MPM_MEMBRANE_NORMAL_H
 
-#include "mpm/membrane/line.h"
+#include "mpm/membrane/membrane_curve.h"
 #include "surface/surface.h"
 
 /* Of one body. */
@@ -17,7 +18,7 @@ typedef struct membrane_normals {
 
 /* Whether a body's normals are made without connections. */
 bool normals_are_free(const mpm *s, int body);
-/* Room for a body's normals, and the first of them; its line has been made (line.h). */
+/* Space for a body's normals, and the first of them; its line has been made (membrane_curve.h). */
 floe_status normals_start(mpm *s, int body);
 void normals_free(membrane_normals *n);
 

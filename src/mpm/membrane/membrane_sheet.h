@@ -1,9 +1,9 @@
-/* Membranes as surfaces in space (membrane_sheet.c). Private to the mpm room. */
+/* Membranes as surfaces in space (membrane_sheet.c). Private to the mpm module. */
 #ifndef MPM_MEMBRANE_SHEET_H
 #define MPM_MEMBRANE_SHEET_H
 
 #include "material/sheet.h"
-#include "mpm/membrane/line.h"
+#include "mpm/membrane/membrane_curve.h"
 
 /* Whether a body is a surface in space. */
 bool is_sheet(const mpm *s, int body);

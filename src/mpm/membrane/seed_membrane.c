@@ -1,5 +1,5 @@
 /* Seeding of membranes: points along a curve or on a surface, with slack, and with masses of their own. */
-#include "mpm/membrane/membrane.h"
+#include "mpm/membrane/membrane_points.h"
 #include "scene/state.h"
 
 #include <stdio.h>

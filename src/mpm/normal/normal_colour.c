@@ -5,7 +5,7 @@
 
 extern const normal_model normal_colour;
 
-static normal_weights weights(const basis_model *basis, double xi, double half, double inv_h)
+static normal_weights colour_weights(const basis_model *basis, double xi, double half, double inv_h)
 {
     const spline_values by_cells = spline_by_cells(xi);
     normal_weights r = {.first = by_cells.first, .n = by_cells.n};
@@ -23,5 +23,5 @@ const normal_model normal_colour = {
     .doc = "gradient of a colour function, smoothed by quadratic interpolation to cells",
     .cite = "York 1997, equations 9.10, 9.11",
     .reach = 1,
-    .weights = weights,
+    .weights = colour_weights,
 };

@@ -1,10 +1,10 @@
 /* Tractions on surfaces: massless points that the grid moves, each with an area and a load. */
 #include "mpm/surface/traction.h"
 #include "base/memory.h"
-#include "geom/surface.h"
+#include "geom/surface_elements.h"
 #include "math/small_solve.h"
-#include "mpm/balance/balance.h"
-#include "mpm/load.h"
+#include "mpm/implicit/implicit.h"
+#include "mpm/point_loads.h"
 #include "mpm/stencil.h"
 #include "scene/state.h"
 
@@ -14,13 +14,13 @@
 enum { SURFACE_DIVISIONS = 4 }; /* surface elements per cell edge, about */
 
 /* A node with this share of the mass of the heaviest node about takes all that the basis gives it. */
-static const double bearing_mass = 3e-4;
+static const double mass_threshold = 3e-4;
 /* One with this share moves a surface with all of its acceleration. */
 static const double steady_mass = 0.1;
 
 typedef struct surface_list {
     mpm *s;
-    int load, room, body;
+    int load, enclosed, body;
     floe_status status;
     size_t capacity;
 } surface_list;
@@ -60,11 +60,11 @@ static void add_point(surface_list *list, const surface_element *e, double side)
     if (list->status != FLOE_OK) return;
     surface_point *p = &list->s->work->surface[list->s->work->n_surface++];
     p->load = list->load;
-    p->room = list->room;
+    p->enclosed = list->enclosed;
     p->body = list->body;
     for (int a = 0; a < 3; ++a) {
         p->x[a] = e->x[a];
-        p->area[a] = side * e->area * e->normal[a]; /* a pressure pushes into the body */
+        p->area[a] = side * e->area * e->normal[a]; /* a pressure acts into the body */
     }
 }
 
@@ -82,7 +82,7 @@ static int faced_solid(const mpm *s, const surface_element *e)
     return -1;
 }
 
-static void add_room_element(void *user, const surface_element *e)
+static void add_enclosing_element(void *user, const surface_element *e)
 {
     surface_list *list = user;
     add_point(list, e, faced_solid(list->s, e) >= 0 ? 1.0 : 0.0);
@@ -123,14 +123,14 @@ double surface_enclosed(const mpm *s, int body)
     return c.all > 0.0 ? c.faced / c.all : 1.0;
 }
 
-/* Surfaces that the gas of a room pushes (balance.h). */
-static floe_status seed_rooms(mpm *s, surface_list *list, const seed_spec *grid)
+/* Surfaces of enclosed gases (implicit.h). */
+static floe_status seed_enclosing_surfaces(mpm *s, surface_list *list, const seed_spec *grid)
 {
     list->load = -1;
-    for (int r = 0; s->balance && r < s->balance->n_rooms; ++r) {
-        list->room = r;
-        surface_visit(&s->scene->body[s->body[s->balance->room[r].body].scene_body].shape, grid, SURFACE_DIVISIONS,
-                      SURFACE_DIAGONALS, add_room_element, list);
+    for (int r = 0; s->implicit && r < s->implicit->n_gases; ++r) {
+        list->enclosed = r;
+        surface_visit(&s->scene->body[s->body[s->implicit->gas_set[r].body].scene_body].shape, grid, SURFACE_DIVISIONS,
+                      SURFACE_DIAGONALS, add_enclosing_element, list);
         TRY(list->status);
     }
     return FLOE_OK;
@@ -141,12 +141,12 @@ static void add_outer_element(void *user, const surface_element *e)
     add_point(user, e, e->area > 0.0 ? 1.0 : 0.0);
 }
 
-/* Surfaces that are to meet others, where that is solved for (balance_gap.c): areas point outward. Gaps are as good as the two surfaces at a
+/* Surfaces that are to meet others, where that is solved for (implicit_gap.c): areas point outward. Gaps are as good as the two surfaces at a
  * node are complete: sides that meet at a corner, such as one on a mirror, are not to be one element that faces neither way. */
 static floe_status seed_contacts(mpm *s, surface_list *list, const seed_spec *grid)
 {
-    list->load = list->room = -1;
-    for (int b = 0; b < s->n_bodies && balance_measures_gaps(s); ++b) {
+    list->load = list->enclosed = -1;
+    for (int b = 0; b < s->n_bodies && implicit_measures_gaps(s); ++b) {
         list->body = s->body[b].scene_body;
         if (!scene_in_contact(s->scene, list->body)) continue;
         surface_visit(&s->scene->body[list->body].shape, grid, SURFACE_DIVISIONS, SURFACE_MIDDLES, add_outer_element,
@@ -158,7 +158,7 @@ static floe_status seed_contacts(mpm *s, surface_list *list, const seed_spec *gr
 
 floe_status seed_surfaces(mpm *s)
 {
-    surface_list list = {.s = s, .room = -1, .body = -1};
+    surface_list list = {.s = s, .enclosed = -1, .body = -1};
     const seed_spec grid = surface_grid(s);
     for (int l = 0; l < s->scene->n_loads; ++l) {
         if (s->scene->load[l].kind != LOAD_TRACTION) continue;
@@ -170,7 +170,7 @@ floe_status seed_surfaces(mpm *s)
             return fail_key(s->ctx, KEY("loads", s->scene->load[l].name, "traction", "surface"),
                             "no surface of this shape is on the body that it loads; give the shape that bounds it");
     }
-    TRY(seed_rooms(s, &list, &grid));
+    TRY(seed_enclosing_surfaces(s, &list, &grid));
     TRY(seed_contacts(s, &list, &grid));
     if (s->work->n_surface)
         memcpy(s->work->surface_next, s->work->surface, s->work->n_surface * sizeof *s->work->surface);
@@ -190,7 +190,7 @@ static double mass_at(const mpm *s, const block *b, const double *mass, const in
     return mass[mesh_index(b, at[0] - b->lo[0], at[1] - b->lo[1], at[2] - b->lo[2])];
 }
 
-static void weigh_nodes(const mpm *s, int group, const double x[3], place_stencil *st)
+static void relative_masses_of_nodes(const mpm *s, int group, const double x[3], place_stencil *st)
 {
     const int blk = place_block(s, x);
     const double *mass = field_get(s->domain->fields[blk], N_MASS, group, 0);
@@ -202,13 +202,13 @@ static void weigh_nodes(const mpm *s, int group, const double x[3], place_stenci
     for (int i = 0; i < st->n; ++i) st->mass[i] = heaviest > 0.0 ? st->mass[i] / heaviest : 1.0;
 }
 
-/* Multiplies the weights by how well each node is borne by points. False: all are borne, and nothing has changed. */
+/* Reduces the weights of nodes with little mass. False: all have enough mass, and nothing has changed. */
 static bool bear_load(place_stencil *st)
 {
     bool changed = false;
     for (int i = 0; i < st->n; ++i) {
-        if (st->mass[i] >= bearing_mass) continue;
-        st->w[i] *= st->mass[i] / bearing_mass;
+        if (st->mass[i] >= mass_threshold) continue;
+        st->w[i] *= st->mass[i] / mass_threshold;
         changed = true;
     }
     return changed;
@@ -253,14 +253,14 @@ static void keep_sum(place_stencil *st)
     for (int i = 0; i < st->n; ++i) st->w[i] /= sum;
 }
 
-/* Shares of a surface point's load. The basis alone would push nodes whose support the surface enters but no point does, or
- * hardly: nothing balances such a force but the huge stress of the one point at the support's edge (75 times the stress there,
- * measured on an annulus with 3 x 3 points a cell). So a node takes of the load as its mass allows, and the others take the
- * rest so that force and moment stay. */
+/* Shares of a surface point's load. The basis alone would load nodes whose support contains the surface but hardly any
+ * point: such a force is balanced only by the huge stress of the one point at the edge of the support (75 times the
+ * stress there, measured on an annulus with 3 x 3 points a cell). So a node takes of the load as its mass allows, and
+ * the others take the rest so that force and moment stay. */
 static place_stencil surface_locate(const mpm *s, int group, const double x[3])
 {
     place_stencil st = stencil_at(s, x);
-    weigh_nodes(s, group, x, &st);
+    relative_masses_of_nodes(s, group, x, &st);
     if (bear_load(&st) && !keep_moments(s, x, &st)) keep_sum(&st);
     return st;
 }
@@ -277,7 +277,7 @@ static void add_force(void *user, ptrdiff_t at, double weight, double mass)
     for (int a = 0; a < f->dim; ++a) f->force[a][at] += weight * f->value[a];
 }
 
-void push_surface(const mpm *s, int group, const double x[3], const double force[3])
+void add_surface_force(const mpm *s, int group, const double x[3], const double force[3])
 {
     const place_stencil st = surface_locate(s, group, x);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
@@ -290,10 +290,11 @@ void push_surface(const mpm *s, int group, const double x[3], const double force
     }
 }
 
-void scatter_room(mpm *s, int room)
+void scatter_gas_pressure(mpm *s, int enclosed)
 {
     for (size_t k = 0; k < s->work->n_surface; ++k)
-        if (s->work->surface[k].room == room) push_surface(s, 0, s->work->surface[k].x, s->work->surface[k].area);
+        if (s->work->surface[k].enclosed == enclosed)
+            add_surface_force(s, 0, s->work->surface[k].x, s->work->surface[k].area);
 }
 
 /* One surface point after the other, so that every block adds up a node in the same order. */
@@ -307,7 +308,7 @@ void scatter_surfaces(mpm *s, int group)
         if (s->work->body_group[load->body] != group) continue;
         const double pressure = load->target * load_now(s, load);
         const double force[3] = {pressure * p->area[0], pressure * p->area[1], pressure * p->area[2]};
-        push_surface(s, group, p->x, force);
+        add_surface_force(s, group, p->x, force);
         for (int a = 0; a < s->mesh->dim; ++a) {
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, force[a] * s->work->kick);
             add_moment(moment, p->x, a, force[a]);
@@ -319,7 +320,7 @@ void scatter_surfaces(mpm *s, int group)
 typedef struct motion_sum {
     const double *v[3], *acceleration[3];
     surface_motion out;
-    double kick, left; /* of damping: share that it leaves */
+    double kick, undamped; /* of damping: share that it leaves */
     int dim;
 } motion_sum;
 
@@ -332,14 +333,14 @@ static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
     for (int a = 0; a < m->dim; ++a) {
         const double v = m->v[a][at], change = m->acceleration[a][at];
         m->out.velocity[a] += weight * (v - without * change);
-        m->out.working[a] += weight * 0.5 * ((1.0 + m->left) * v - m->left * m->kick * change);
+        m->out.working[a] += weight * 0.5 * ((1.0 + m->undamped) * v - m->undamped * m->kick * change);
     }
 }
 
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
 {
     const int b = place_block(s, x);
-    motion_sum m = {.dim = s->mesh->dim, .kick = s->work->kick, .left = damping_left(s)};
+    motion_sum m = {.dim = s->mesh->dim, .kick = s->work->kick, .undamped = damping_left(s)};
     for (int a = 0; a < m.dim; ++a) {
         m.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
         m.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);
@@ -364,20 +365,20 @@ void move_surfaces(mpm *s, int group)
             power += pressure * p->area[a] * m.velocity[a];
         }
         s->work->surface_next[k].load = p->load;
-        s->work->surface_next[k].room = p->room;
+        s->work->surface_next[k].enclosed = p->enclosed;
         s->work->surface_next[k].body = p->body;
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, power * s->dt);
     }
 }
 
-void carry_place(const mpm *s, int group, const double x[3], node_displacement *way, double out[3])
+void displace_position(const mpm *s, int group, const double x[3], node_displacement *displacement, double out[3])
 {
     const place_stencil st = surface_locate(s, group, x);
     for (int i = 0; i < st.n; ++i)
-        for (int a = 0; a < s->mesh->dim; ++a) out[a] += st.w[i] * way(s, group, st.node[i], a);
+        for (int a = 0; a < s->mesh->dim; ++a) out[a] += st.w[i] * displacement(s, group, st.node[i], a);
 }
 
-void carry_surfaces(mpm *s, node_displacement *way)
+void displace_surfaces(mpm *s, node_displacement *displacement)
 {
     for (size_t k = 0; k < s->work->n_surface; ++k) {
         const surface_point *p = &s->work->surface[k];
@@ -385,7 +386,7 @@ void carry_surfaces(mpm *s, node_displacement *way)
         const int group = body < 0 ? 0 : s->work->body_group[body];
         surface_point *next = &s->work->surface_next[k];
         *next = *p;
-        carry_place(s, group, p->x, way, next->x);
+        displace_position(s, group, p->x, displacement, next->x);
     }
 }
 

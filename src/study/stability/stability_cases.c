@@ -40,7 +40,7 @@ static void name_folder(const stability *s, const stability_wish *wish, char fol
         (void)snprintf(folder, 256, "%02zu-%.9g", wish->set + 1, wish->x);
 }
 
-/* Settings go from the outside in: the user's, those of the combination, the value. `text` has room for the last
+/* Settings go from the outside in: the user's, those of the combination, the value. `text` has space for the last
  * two. */
 static void fill_case(const stability *s, const stability_options *o, const stability_wish *wish, const char **set,
                       char *text, batch_case *one)

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "io/file.h"
 #include "io/lock.h"
-#include "run/errors.h"
+#include "run/run_errors.h"
 #include "study/tolerance/tolerance_parts.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef STUDY_TOLERANCE_PARTS_H
 #define STUDY_TOLERANCE_PARTS_H
 
-#include "study/study_parts.h"
+#include "study/study_internal.h"
 #include "study/tolerance/tolerance.h"
 
 /* tolerance.c */

@@ -1,7 +1,7 @@
 /* A run to a tolerance in words. */
 #include "study/tolerance/tolerance_parts.h"
 
-#include "run/errors.h"
+#include "run/run_errors.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* d'Alembert's solution of linear acoustics on a uniform stream. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct pulse_par {
     double density, sound_speed, pressure, velocity;

@@ -1,5 +1,5 @@
 /* An ideal gas between two round walls of given temperatures, the inner one sliding along the axis. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 #include <math.h>
 

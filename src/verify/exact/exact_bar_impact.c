@@ -67,12 +67,12 @@ static void impact_breaks(const void *par, const void *prepared, double t, exact
     *out = (exact_breaks){.axis = whole_number(p->axis)};
     for (int which = 0; which < 2; which++) {
         const impact_bar *bar = &b->bar[which];
-        const double way = which == 0 ? -1.0 : 1.0;
+        const double direction = which == 0 ? -1.0 : 1.0;
         add_front(out, bar->face);
         for (int i = b->n - 1; i >= 0; i--) {
             const double run = bar->speed * (t - b->step[i]);
             if (run > 2.0 * bar->length) break;
-            if (run >= 0.0) add_front(out, bar->face + way * (run < bar->length ? run : 2.0 * bar->length - run));
+            if (run >= 0.0) add_front(out, bar->face + direction * (run < bar->length ? run : 2.0 * bar->length - run));
         }
     }
 }

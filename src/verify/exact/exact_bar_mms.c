@@ -1,6 +1,6 @@
 /* Manufactured solution: a neo-Hookean bar in uniaxial strain, or a box that vibrates along all its axes at once, held
  * at its standing wave by a body force. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct mms_par {
     double length, bulk_modulus, shear_modulus, density, amplitude, speed, origin, axis;
@@ -85,9 +85,9 @@ static void mms_body_force(const void *par, const void *prepared, int dim, const
     const mms_par *p = par;
     const mms_constants *c = prepared;
     const mms_motion m = motion_at(p, c, dim, x, t);
-    const double mu = p->shear_modulus, pull = c->lambda * (log(m.volume) - 1.0) - mu;
+    const double mu = p->shear_modulus, tension = c->lambda * (log(m.volume) - 1.0) - mu;
     for (int a = 0; a < 3; a++) {
-        const double stiffness = mu - pull / (m.stretch[a] * m.stretch[a]);
+        const double stiffness = mu - tension / (m.stretch[a] * m.stretch[a]);
         force[a] = c->k * c->k * m.displacement[a] * (stiffness / p->density - c->speed * c->speed);
     }
 }

@@ -1,5 +1,5 @@
 /* Flow between a fixed and a moving plate, from the start or steady. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct couette_par {
     double height, speed, density, viscosity, pressure, starting, origin;

@@ -1,5 +1,5 @@
 /* Flow of an ideal gas between plates of given temperatures, one of them moving, heated by its own shear. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct hot_par {
     double height, speed, pressure, gamma, heat_capacity, viscosity, conductivity, lower_temperature, upper_temperature,

@@ -1,6 +1,6 @@
 /* Small plane waves of a viscous, heat-conducting ideal gas at rest: damped sound, or heat that diffuses at constant
  * pressure. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 #include <complex.h>
 #include <gsl/gsl_poly.h>

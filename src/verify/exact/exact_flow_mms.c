@@ -1,6 +1,6 @@
 /* Manufactured flow of a viscous, heat-conducting ideal gas: smooth, unsteady, compressible, on a periodic box. Density
  * rests, and momentum has no divergence, so that mass needs no source; momentum and energy do. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct flow_par {
     double density, pressure, gamma, heat_capacity, viscosity, bulk_viscosity, conductivity;
@@ -163,13 +163,13 @@ static void flow_body_force(const void *par, const void *prepared, int dim, cons
     double gradient[3];
     velocity_divergence(&s, dim, gradient);
     for (int a = 0; a < dim; a++) {
-        double pull = s.pressure.d[a] - (p->bulk_viscosity + p->viscosity / 3.0) * gradient[a];
+        double stress_term = s.pressure.d[a] - (p->bulk_viscosity + p->viscosity / 3.0) * gradient[a];
         force[a] = s.velocity[a].d[JET_TIME];
         for (int b = 0; b < dim; b++) {
             force[a] += s.velocity[b].v * s.velocity[a].d[b];
-            pull -= p->viscosity * s.velocity[a].dd[b][b];
+            stress_term -= p->viscosity * s.velocity[a].dd[b][b];
         }
-        force[a] += pull / s.density.v;
+        force[a] += stress_term / s.density.v;
     }
 }
 

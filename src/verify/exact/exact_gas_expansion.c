@@ -1,5 +1,5 @@
 /* A body of gas at rest that expands into a vacuum. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 #include "verify/radial_fan.h"
 
 typedef struct expansion_par {

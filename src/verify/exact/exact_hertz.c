@@ -1,5 +1,5 @@
 /* Two long elastic cylinders, or one and a plane, pressed together without friction. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* A column of ideal gas at rest, at one temperature. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct column_par {
     double density, pressure, gamma, heat_capacity, gravity, height, axis;

@@ -1,5 +1,5 @@
 /* A vortex in equilibrium, carried round a periodic box by a uniform stream. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct vortex_par {
     double density, pressure, gamma, heat_capacity;

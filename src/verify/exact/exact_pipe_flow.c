@@ -1,5 +1,5 @@
 /* Steady flow along a round pipe under a body force. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* A sprung piston on a column of compressible fluid, vibrating in one of its modes. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 #include "verify/piston.h"
 
 typedef struct piston_par {

@@ -1,6 +1,6 @@
 /* The simple wave that a moving piston, or a side that imposes a velocity, sends into an ideal gas at rest. */
 #include "math/swing.h"
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct wave_par {
     double density, pressure, gamma, heat_capacity, speed, start, ramp, frequency, origin, moving, axis;

@@ -1,5 +1,5 @@
 /* Flow between two fixed plates under a body force, from the start or steady. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct poiseuille_par {
     double height, force, density, viscosity, pressure, starting, origin;
@@ -43,9 +43,9 @@ static double poiseuille_early(const poiseuille_par *p, double y, double diffusi
     double sum = derivative ? 0.0 : diffusion;
     for (int n = 0; n < VERIFY_IMAGES; n++) {
         const double lower = (n * p->height + y) / spread, upper = ((n + 1) * p->height - y) / spread;
-        const double held = derivative ? -spread * (erfc_integral(lower) - erfc_integral(upper))
+        const double term = derivative ? -spread * (erfc_integral(lower) - erfc_integral(upper))
                                        : 4.0 * diffusion * (erfc_second_integral(lower) + erfc_second_integral(upper));
-        sum -= n % 2 == 0 ? held : -held;
+        sum -= n % 2 == 0 ? term : -term;
     }
     return sum;
 }

@@ -1,5 +1,5 @@
 /* Two interpenetrating fluids that come to one velocity and one temperature by exchange. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct relaxation_par {
     double first_density, first_volume_fraction, first_velocity, first_temperature, first_heat_capacity;
@@ -87,9 +87,9 @@ static double temperature_at(const relaxation_par *p, double t)
 
     const double heat = (p->first_heat_share + p->second_heat_share) * energy * -expm1(-drag * t);
     const double mean = (first * p->first_temperature + second * p->second_temperature + heat) / (first + second);
-    const double push = drag * energy * (p->first_heat_share / first - p->second_heat_share / second);
+    const double drag_work = drag * energy * (p->first_heat_share / first - p->second_heat_share / second);
     const double difference = (p->first_temperature - p->second_temperature) * exp(-cooling * t) +
-                              (push != 0.0 ? push * convolve_exponentials(drag, cooling, t) : 0.0);
+                              (drag_work != 0.0 ? drag_work * convolve_exponentials(drag, cooling, t) : 0.0);
     return whole_number(p->material) == 1 ? mean + second / (first + second) * difference
                                           : mean - first / (first + second) * difference;
 }

@@ -1,5 +1,5 @@
 /* The Riemann problem of two ideal, stiffened or Noble-Abel stiffened gases: shock tubes of one or two materials. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 #include "verify/riemann.h"
 
 typedef struct riemann_par {

@@ -5,7 +5,7 @@
  *
  * A shear gamma = R alpha' of one layer against the next keeps J = 1; both faces, s = -1 and 1, are free of traction,
  * and stay but for the spin W of the whole, which turns stretch and stress with it. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct ring_par {
     double inner_radius, outer_radius, shear_modulus, density, amplitude, frequency, spin;

@@ -1,5 +1,5 @@
 /* Normals of what is round about a place or an axis. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct round_par {
     double about;

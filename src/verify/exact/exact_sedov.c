@@ -98,12 +98,12 @@ static floe_status sedov_prepare(context *ctx, const void *par, int dim, void *p
     sedov *q = prepared;
     TRY(radial_check(ctx, &p->radial, dim));
     *q = exponents_of(p->radial.geometry + 1.0, p->gamma);
-    gsl_integration_workspace *room = gsl_integration_workspace_alloc(INTERVALS);
-    if (room == NULL) return fail(ctx, FLOE_NO_MEMORY, "no memory for a quadrature");
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(INTERVALS);
+    if (workspace == NULL) return fail(ctx, FLOE_NO_MEMORY, "no memory for a quadrature");
     const gsl_function f = {.function = energy_density, .params = q};
     double integral, error;
-    const int status = gsl_integration_qags(&f, 0.0, 1.0, 0.0, 1e-12, INTERVALS, room, &integral, &error);
-    gsl_integration_workspace_free(room);
+    const int status = gsl_integration_qags(&f, 0.0, 1.0, 0.0, 1e-12, INTERVALS, workspace, &integral, &error);
+    gsl_integration_workspace_free(workspace);
     if (status != 0 && !(error <= 1e-10 * integral))
         return fail_key(ctx, KEY("gamma"), "%g: the energy of the blast cannot be integrated", p->gamma);
     const double g = p->gamma;

@@ -1,5 +1,5 @@
 /* The simple wave of an ideal gas: an exact nonlinear sound wave, up to the time at which it breaks. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct wave_par {
     double density, pressure, gamma, velocity, heat_capacity;

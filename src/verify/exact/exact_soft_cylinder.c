@@ -4,7 +4,7 @@
  * b)/a and P_theta, the same with b for a, and balance is dP_r/dR + (P_r - P_theta)/R = 0. As db/dR = (a - b)/R this is
  * an equation for a, integrated from the bore, where the pressure gives a, with the b there by which P_r vanishes
  * outside. Fourth order in 2048 steps; between them r is the cubic through r and r'. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 enum { STEPS = 2048 };
 

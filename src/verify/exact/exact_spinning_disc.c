@@ -1,5 +1,5 @@
 /* A disc, or a cylinder, that spins about its axis: a motion with large rotations and small strains. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct disc_par {
     double radius, density, bulk_modulus, shear_modulus, spin, plane_stress;

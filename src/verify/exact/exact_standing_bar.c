@@ -1,5 +1,5 @@
 /* A bar vibrating along its axis in one of its modes. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct bar_par {
     double length, modulus, density, amplitude, mode, free_end, phase, origin, axis;

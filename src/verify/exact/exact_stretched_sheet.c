@@ -1,5 +1,5 @@
 /* A flat sheet that is drawn out along one direction and held across it: uniform plane stress. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct sheet_par {
     double modulus, poisson_ratio, rate, tautness, across;
@@ -34,7 +34,7 @@ static double sheet_value(const void *par, const void *prepared, exact_quantity 
     (void)prepared;
     (void)dim;
     const sheet_par *p = par;
-    const int across = whole_number(p->across), drawn = (across + 1) % 3, held = (across + 2) % 3;
+    const int across = whole_number(p->across), drawn = (across + 1) % 3, fixed = (across + 2) % 3;
     const double from = x[drawn] - p->origin[drawn], strain = p->tautness + p->rate * t;
     if (is_velocity(quantity))
         return component_along(quantity, EXACT_VELOCITY_X, drawn, p->rate * from * exp(p->rate * t));
@@ -42,7 +42,7 @@ static double sheet_value(const void *par, const void *prepared, exact_quantity 
         return component_along(quantity, EXACT_DISPLACEMENT_X, drawn, from * expm1(p->rate * t));
     if (quantity >= EXACT_NORMAL_X) return component_along(quantity, EXACT_NORMAL_X, across, 1.0);
     return component_along(quantity, EXACT_STRESS_XX, drawn, plane_stress(p, strain, p->tautness)) +
-           component_along(quantity, EXACT_STRESS_XX, held, plane_stress(p, p->tautness, strain));
+           component_along(quantity, EXACT_STRESS_XX, fixed, plane_stress(p, p->tautness, strain));
 }
 
 static const sheet_par sample_par = {

@@ -1,5 +1,5 @@
 /* The Taylor-Green array of decaying vortices, two dimensions, incompressible. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct green_par {
     double density, viscosity, pressure, speed, wavelength;

@@ -1,5 +1,5 @@
 /* A string that pulls itself straight: its points fly apart from one of them, evenly. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct string_par {
     double modulus, rate, slack, axis;

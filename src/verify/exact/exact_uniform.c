@@ -1,5 +1,5 @@
 /* A uniform stream: what must stay as it is. */
-#include "verify/internal.h"
+#include "verify/verify_internal.h"
 
 typedef struct uniform_par {
     double density, pressure, internal_energy, temperature, volume_fraction;

@@ -1,8 +1,8 @@
 /* A pendulum as a chain of bars: point masses in a line, joined by massless bars, the first one held, a heavy one at
  * the end. m_i d2x_i/dt2 = m_i g + tensions of the bars at i, tension = E A eps along the bar, integrated by CVODE. */
-#include "verify/internal.h"
 #include "verify/ode.h"
 #include "verify/reference.h"
+#include "verify/verify_internal.h"
 
 #include "base/memory.h"
 
@@ -99,10 +99,10 @@ static void chain_rate(double t, const double *y, double *dydt, void *user)
     for (size_t i = 0; i < c->moving; i++) {
         double along[2];
         const double length = bar_vector(c, y, i, along);
-        const double pull = scale * bar_strain(c, length) / length;
+        const double tension = scale * bar_strain(c, length) / length;
         for (int a = 0; a < 2; a++) {
-            force[2 * i + a] -= pull * along[a] / mass_of(c, i);
-            if (i > 0) force[2 * i - 2 + a] += pull * along[a] / c->p->point_mass;
+            force[2 * i + a] -= tension * along[a] / mass_of(c, i);
+            if (i > 0) force[2 * i - 2 + a] += tension * along[a] / c->p->point_mass;
         }
     }
 }
@@ -149,8 +149,8 @@ static void chain_start(const chain *c, double *state, double *absolute)
 {
     const chain_par *p = c->p;
     const double size = p->tolerance * chain_span(p);
-    const double pull = p->gravity > 0.0 ? p->gravity : p->modulus * p->area / p->end_mass;
-    const double speed = p->tolerance * sqrt(pull * chain_span(p));
+    const double tension = p->gravity > 0.0 ? p->gravity : p->modulus * p->area / p->end_mass;
+    const double speed = p->tolerance * sqrt(tension * chain_span(p));
     for (size_t i = 0; i < c->moving; i++) {
         const double share = (double)(i + 1) / (double)c->moving;
         state[2 * i] = p->first_x + share * (p->last_x - p->first_x);

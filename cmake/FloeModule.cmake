@@ -1,0 +1,185 @@
+# Modules: each folder of src is an object library that sees the headers of itself and of the modules on lower layers.
+# The compiler is the judge: a module's only floe include directory holds links to what it may see, and nothing else.
+
+# Layers, lowest first; the modules of one layer do not see each other.
+set(FLOE_LAYERS
+    "base math"
+    "grid geom material"
+    "surface embedded"
+    "coupling scene solve"
+    "mpm ice"
+    "sim"
+    "deck io verify"
+    "run draw"
+    "batch"
+    "study report"
+    "cli")
+string(REPLACE " " ";" FLOE_ALL_MODULES "${FLOE_LAYERS}")
+
+# The modules below `module`, in `out`.
+function(floe_modules_below module out)
+    set(below "")
+    foreach(layer IN LISTS FLOE_LAYERS)
+        string(REPLACE " " ";" modules "${layer}")
+        if(module IN_LIST modules)
+            set(${out} "${below}" PARENT_SCOPE)
+            return()
+        endif()
+        list(APPEND below ${modules})
+    endforeach()
+    message(FATAL_ERROR "floe: '${module}' is in no layer; see FLOE_LAYERS in cmake/FloeModule.cmake")
+endfunction()
+
+# Fills `directory` with links to the named modules and to the public headers; links of an earlier configure go first.
+function(floe_link_modules directory)
+    file(REMOVE_RECURSE "${directory}")
+    file(MAKE_DIRECTORY "${directory}")
+    foreach(module IN LISTS ARGN)
+        file(CREATE_LINK "${CMAKE_SOURCE_DIR}/src/${module}" "${directory}/${module}" SYMBOLIC)
+    endforeach()
+    file(CREATE_LINK "${CMAKE_SOURCE_DIR}/include/floe" "${directory}/floe" SYMBOLIC)
+endfunction()
+
+# Every module at once, for the tests and the benchmarks.
+set(FLOE_ALL_MODULES_DIR "${CMAKE_BINARY_DIR}/modules/all")
+floe_link_modules("${FLOE_ALL_MODULES_DIR}" ${FLOE_ALL_MODULES})
+
+# floe_module(name [LINK libraries...] [DEFINE definitions...] [BUILD_HEADER])
+# Makes the object library floe_<name> of src/<name>/*.c and src/<name>/*/*.c, generated registries included.
+# LINK: third-party libraries. DEFINE: instead of _POSIX_C_SOURCE=200809L. BUILD_HEADER: the module reads floe_build.h.
+# A module without a source file yet is no target, and nothing else notices.
+function(floe_module name)
+    cmake_parse_arguments(PARSE_ARGV 1 module "BUILD_HEADER" "" "LINK;DEFINE")
+    set_property(GLOBAL APPEND PROPERTY FLOE_LINK ${module_LINK})
+    if(FLOE_MODULES AND NOT name IN_LIST FLOE_MODULES)
+        return()
+    endif()
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${name}/*.c" "${CMAKE_SOURCE_DIR}/src/${name}/*/*.c")
+    get_property(generated GLOBAL PROPERTY FLOE_GENERATED_${name})
+    if(name STREQUAL "cli" AND NOT EXISTS "${CMAKE_SOURCE_DIR}/src/cli/main.c")
+        return()
+    endif()
+    if(NOT sources)
+        return()
+    endif()
+
+    floe_modules_below(${name} below)
+    set(include_dir "${CMAKE_BINARY_DIR}/modules/${name}")
+    floe_link_modules("${include_dir}" ${name} ${below})
+
+    set(target floe_${name})
+    add_library(${target} OBJECT ${sources} ${generated})
+    target_include_directories(${target} PRIVATE "${include_dir}")
+    target_link_libraries(${target} PRIVATE floe_flags ${module_LINK})
+    if(NOT module_DEFINE)
+        set(module_DEFINE _POSIX_C_SOURCE=200809L)
+    endif()
+    target_compile_definitions(${target} PRIVATE ${module_DEFINE})
+    if(module_BUILD_HEADER)
+        target_include_directories(${target} PRIVATE "${FLOE_BUILD_HEADER_DIR}")
+        add_dependencies(${target} floe_build_header)
+    endif()
+    if(NOT name STREQUAL "cli")
+        set_property(GLOBAL APPEND PROPERTY FLOE_OBJECTS ${target})
+    endif()
+endfunction()
+
+# floe_registry(module prefix header type [SUBDIR dir]), before the module's floe_module.
+# One file adds one thing: every src/<module>/[dir/]<prefix>_<name>.c defines `const <type> <prefix>_<name>`, and the
+# generated source defines, in alphabetical order of the names,
+#     const <type> *const <prefix>_registry[];   const size_t <prefix>_registry_size;
+# The header declares these two (extern) and the type. Without the header nothing is generated.
+# Helpers that several such files share must not be named <prefix>_*.c.
+function(floe_registry module prefix header type)
+    cmake_parse_arguments(PARSE_ARGV 4 registry "" "SUBDIR" "")
+    set(directory "${CMAKE_SOURCE_DIR}/src/${module}")
+    if(registry_SUBDIR)
+        string(APPEND directory "/${registry_SUBDIR}")
+    endif()
+    file(GLOB found CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${header}")
+    file(GLOB sources CONFIGURE_DEPENDS "${directory}/${prefix}_*.c")
+    if(NOT found)
+        return()
+    endif()
+
+    set(declarations "")
+    set(entries "")
+    foreach(source IN LISTS sources)
+        get_filename_component(entry "${source}" NAME_WE)
+        string(APPEND declarations "extern const ${type} ${entry};\n")
+        string(APPEND entries "    &${entry},\n")
+    endforeach()
+    list(LENGTH sources size)
+    set(output "${CMAKE_BINARY_DIR}/generated/${module}/${prefix}_registry.c")
+    file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT "/* Generated from the names of the source files. */
+#include \"@header@\"
+
+#include <stddef.h>
+
+@declarations@
+/* The NULL at the end is not counted; it lets an empty registry be an array. */
+const @type@ *const @prefix@_registry[] = {
+@entries@    NULL,
+};
+const size_t @prefix@_registry_size = @size@;
+")
+    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${module} "${output}")
+endfunction()
+
+# libfloe, its public headers and pkg-config file; and floe_archive, the same objects for the executable and the tests.
+function(floe_library)
+    get_property(modules GLOBAL PROPERTY FLOE_OBJECTS)
+    get_property(libraries GLOBAL PROPERTY FLOE_LINK)
+    list(REMOVE_DUPLICATES libraries)
+    set(objects "")
+    foreach(module IN LISTS modules)
+        list(APPEND objects $<TARGET_OBJECTS:${module}>)
+    endforeach()
+
+    add_library(floe_archive STATIC ${objects})
+    target_link_libraries(floe_archive PUBLIC floe_flags ${libraries})
+
+    add_library(floe_shared SHARED ${objects})
+    set_target_properties(floe_shared PROPERTIES OUTPUT_NAME floe VERSION ${PROJECT_VERSION}
+        SOVERSION ${PROJECT_VERSION_MAJOR})
+    target_link_libraries(floe_shared PRIVATE floe_flags ${libraries})
+
+    install(TARGETS floe_shared LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(DIRECTORY "${CMAKE_SOURCE_DIR}/include/floe" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.h")
+    # The pkg-config file finds its prefix from its own place, so that an installed tree may be moved.
+    file(RELATIVE_PATH FLOE_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+    configure_file("${CMAKE_SOURCE_DIR}/cmake/floe.pc.in" "${CMAKE_BINARY_DIR}/floe.pc" @ONLY)
+    install(FILES "${CMAKE_BINARY_DIR}/floe.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# The command line, once it has a main.
+function(floe_executable)
+    if(NOT TARGET floe_cli)
+        return()
+    endif()
+    add_executable(floe $<TARGET_OBJECTS:floe_cli>)
+    target_link_libraries(floe PRIVATE floe_archive)
+    install(TARGETS floe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# floe_embed(module file symbol), before the module's floe_module: src/<module>/<file> as
+#     const unsigned char <symbol>[];   const size_t <symbol>_size;
+function(floe_embed module file symbol)
+    set(source "${CMAKE_SOURCE_DIR}/src/${module}/${file}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+    file(READ "${source}" bytes HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+    string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
+    set(output "${CMAKE_BINARY_DIR}/generated/${module}/${symbol}.c")
+    file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT "/* Generated from src/@module@/@file@. */
+#include <stddef.h>
+
+extern const unsigned char @symbol@[];
+extern const size_t @symbol@_size;
+const unsigned char @symbol@[] = {
+@bytes@};
+const size_t @symbol@_size = sizeof @symbol@;
+")
+    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${module} "${output}")
+endfunction()

@@ -1,0 +1,176 @@
+#include "geom/surface_elements.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct cutter {
+    const shape *shape;
+    const seed_spec *grid;
+    surface_cut cut;
+    surface_visitor *visit;
+    void *user;
+    double step; /* m, of differences */
+} cutter;
+
+static double level_at(const cutter *c, const double x[3])
+{
+    return c->shape->model->level(c->shape->par, c->grid->dim, x);
+}
+
+static void level_gradient(const cutter *c, const double x[3], double g[3])
+{
+    for (int a = 0; a < 3; ++a) {
+        g[a] = 0.0;
+        if (a >= c->grid->dim) continue;
+        double up[3] = {x[0], x[1], x[2]}, down[3] = {x[0], x[1], x[2]};
+        up[a] += c->step;
+        down[a] -= c->step;
+        g[a] = (level_at(c, up) - level_at(c, down)) / (2.0 * c->step);
+    }
+}
+
+/* Brings the element's centre onto the surface, and gives it its normal. */
+static void emit_element(const cutter *c, const double centre[3], double area)
+{
+    surface_element e;
+    double g[3];
+    memcpy(e.x, centre, sizeof e.x);
+    for (int pass = 0; pass < 3; ++pass) {
+        level_gradient(c, e.x, g);
+        const double square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+        if (!(square > 0.0)) return;
+        const double move = level_at(c, e.x) / square;
+        for (int a = 0; a < 3; ++a) e.x[a] -= move * g[a];
+    }
+    level_gradient(c, e.x, g);
+    const double length = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    for (int a = 0; a < 3; ++a) e.normal[a] = g[a] / length;
+    e.area = c->grid->axisymmetric ? area * e.x[0] : area;
+    c->visit(c->user, &e);
+}
+
+static void edge_crossing(const double *a, const double *b, double la, double lb, double x[3])
+{
+    const double t = la / (la - lb);
+    for (int d = 0; d < 3; ++d) x[d] = a[d] + t * (b[d] - a[d]);
+}
+
+static double triangle_area(const double a[3], const double b[3], const double c[3])
+{
+    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    return 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+}
+
+/* The cut of a simplex: a point, a segment, a triangle or a quadrilateral through the edges whose ends differ in
+ * sign. */
+static void emit_cut(const cutter *c, double cut[4][3], int n)
+{
+    double centre[3] = {0};
+    for (int k = 0; k < n; ++k)
+        for (int a = 0; a < 3; ++a) centre[a] += cut[k][a] / n;
+    if (n == 1) {
+        emit_element(c, centre, 1.0);
+    } else if (n == 2) {
+        const double d[3] = {cut[1][0] - cut[0][0], cut[1][1] - cut[0][1], cut[1][2] - cut[0][2]};
+        emit_element(c, centre, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    } else if (n == 3) {
+        emit_element(c, centre, triangle_area(cut[0], cut[1], cut[2]));
+    } else { /* edges come as ab, ac | bd, cd, so that 0, 1, 3, 2 goes around */
+        emit_element(c, centre, triangle_area(cut[0], cut[1], cut[3]) + triangle_area(cut[0], cut[3], cut[2]));
+    }
+}
+
+/* Cuts a simplex of dim + 1 corners. Corners inside come first, so that edges inside-outside are met in a fixed
+ * order. */
+static void cut_simplex(const cutter *c, const double corner[4][3])
+{
+    const int corners = c->grid->dim + 1;
+    double l[4], cut[4][3];
+    int inside[4], outside[4], n_in = 0, n_out = 0, n = 0;
+    for (int k = 0; k < corners; ++k) {
+        l[k] = level_at(c, corner[k]);
+        if (l[k] < 0.0)
+            inside[n_in++] = k;
+        else
+            outside[n_out++] = k;
+    }
+    for (int i = 0; i < n_in; ++i)
+        for (int o = 0; o < n_out; ++o)
+            edge_crossing(corner[inside[i]], corner[outside[o]], l[inside[i]], l[outside[o]], cut[n++]);
+    if (n > 0) emit_cut(c, cut, n);
+}
+
+/* The orders of a line's, a plane's and space's axes. */
+static const int order[3][6][3] = {
+    {{0}}, {{0, 1}, {1, 0}}, {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+static const int orders[3] = {1, 2, 6};
+
+/* The simplex on the way from a place along the axes in an order, to the upper side where `upper` has the bit of the
+ * axis' turn, and then along a whole edge. */
+static void cut_along(const cutter *c, const double lo[3], const double hi[3], const double from[3], const int axis[3],
+                      int upper)
+{
+    const int last = c->grid->dim - 1;
+    double corner[4][3], at[3] = {from[0], from[1], from[2]};
+    for (int k = 0; k < last; ++k) {
+        memcpy(corner[k], at, sizeof at);
+        at[axis[k]] = ((upper >> k) & 1) != 0 ? hi[axis[k]] : lo[axis[k]];
+    }
+    for (int end = 0; end < 2; ++end) {
+        at[axis[last]] = end ? hi[axis[last]] : lo[axis[last]];
+        memcpy(corner[last + end], at, sizeof at);
+    }
+    cut_simplex(c, (const double(*)[3])corner);
+}
+
+/* lo and hi: opposite corners. */
+static void clip_box(const cutter *c, const double lo[3], const double hi[3])
+{
+    const int dim = c->grid->dim, all = (1 << (dim - 1)) - 1;
+    const bool middles = c->cut == SURFACE_MIDDLES;
+    double from[3];
+    for (int a = 0; a < 3; ++a) from[a] = middles ? 0.5 * (lo[a] + hi[a]) : lo[a];
+    for (int k = 0; k < orders[dim - 1]; ++k)
+        for (int upper = middles ? 0 : all; upper <= all; ++upper) cut_along(c, lo, hi, from, order[dim - 1][k], upper);
+}
+
+/* Place of a face of the sub-boxes: neighbours compute the same bits, in whichever cell they are, so that a surface
+ * along a face is met once. */
+static double sub_box_face(const seed_spec *g, int axis, int cell, int at, int divide)
+{
+    return g->lower[axis] + g->h[axis] * (cell + (double)at / divide);
+}
+
+/* Sub-boxes of a cell, unless the surface is farther from its centre than its corners are. */
+static void clip_cell(const cutter *c, const int cell[3], int divide)
+{
+    const seed_spec *g = c->grid;
+    double centre[3] = {0}, reach = 0.0;
+    for (int a = 0; a < g->dim; ++a) {
+        centre[a] = g->lower[a] + (cell[a] + 0.5) * g->h[a];
+        reach += g->h[a] * g->h[a];
+    }
+    if (fabs(level_at(c, centre)) > sqrt(reach)) return;
+    const int ny = g->dim > 1 ? divide : 1, nz = g->dim > 2 ? divide : 1;
+    for (int k = 0; k < nz; ++k)
+        for (int j = 0; j < ny; ++j)
+            for (int i = 0; i < divide; ++i) {
+                const int at[3] = {i, j, k};
+                double lo[3] = {0}, hi[3] = {0};
+                for (int a = 0; a < g->dim; ++a) {
+                    lo[a] = sub_box_face(g, a, cell[a], at[a], divide);
+                    hi[a] = sub_box_face(g, a, cell[a], at[a] + 1, divide);
+                }
+                clip_box(c, lo, hi);
+            }
+}
+
+void surface_visit(const shape *s, const seed_spec *grid, int divide, surface_cut cut, surface_visitor *visit,
+                   void *user)
+{
+    cutter c = {s, grid, cut, visit, user, 1e-6 * grid->h[0]};
+    for (int k = 0; k < grid->n[2]; ++k)
+        for (int j = 0; j < grid->n[1]; ++j)
+            for (int i = 0; i < grid->n[0]; ++i) clip_cell(&c, (const int[]){i, j, k}, divide);
+}

@@ -1,0 +1,387 @@
+/* The step of merged cells (ice_merged_cells.h): the pressure increment of theory 2.3 and the Lagrangian values of 2.6
+ * and 2.8, for cells with partly closed faces and a moving wall. The boundary is a wall at the pressure P of the merged
+ * cells:
+ *
+ *     dP = -(dt/V) [sum_f A_f u* + sum_w A_w . v] / S                             V, A_f: what is open
+ *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
+ *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the way of the wall in the step
+ *
+ * Under gravity P is linear in the pool: that at its centre stands in dP, and that of a face or a piece in the others,
+ * whose sum then has the pool's weight (ice_merged_weight.c). A viscous gas sticks to it: over half a cell it drags the
+ * wall with mu |A_w| (u - v)/(h/2), and is dragged as much. Where there is no gas on the other side, the reference
+ * pressure pushes on the wall from there. */
+#include "ice/ice_stress.h"
+#include "ice/sealed/ice_merged_cells.h"
+
+#include <math.h>
+
+/* Area (m2) of the whole lower or upper face of a member's cell. */
+static double area_of(const ice *s, const ice_member *k, int axis, int side)
+{
+    return mesh_face_area(s->mesh, axis, k->cell[0] + (axis == 0 && side == SIDE_UPPER));
+}
+
+static ptrdiff_t face_of(const ice_view *v, const ice_member *k, int axis, int side)
+{
+    return k->at + (side == SIDE_UPPER ? v->b->stride[axis] : 0);
+}
+
+static const ice_view *view_of(const ice *s, const ice_member *k)
+{
+    return &s->work->sealing->view[k->block];
+}
+
+static ice_merged_cells *merged_cells_of_gas(const ice *s)
+{
+    return &s->work->sealing->now[s->gas];
+}
+
+/* All pieces of the lines beside the current gas, where the step takes them to pass: each with the member of its cell,
+ * the weight of its place, and which way its area points from the gas. */
+typedef struct piece_walk {
+    const ice *s;
+    const ice_merged_cells *p;
+    int number, place, n; /* of the line, of its places, of the piece */
+    double weight, outward;
+    const ice_seal_line *line;
+    const cut_piece *piece;
+    const ice_member *member;
+} piece_walk;
+
+static piece_walk first_piece(const ice *s, const ice_merged_cells *p)
+{
+    return (piece_walk){.s = s, .p = p, .place = SEAL_MEAN, .n = -1, .weight = 1.0 / ICE_SEAL_PLACES};
+}
+
+static bool next_piece(piece_walk *w)
+{
+    const ice_seal *seal = &w->s->seal;
+    for (w->n++; w->number < seal->n_lines; w->number++, w->place = SEAL_MEAN, w->n = 0) {
+        const ice_seal_line *line = &seal->line[w->number];
+        w->outward = ice_outward(w->s, w->s->gas, w->number);
+        if (w->outward == 0.0) continue;
+        for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
+        if (w->place == SEAL_NEXT) continue;
+        const cut_surface *c = &line->place[w->place];
+        w->line = line;
+        w->piece = &c->piece[w->n];
+        w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];
+        return true;
+    }
+    return false;
+}
+
+/* Component of a vector of the vertices in the middle of a piece. */
+static double at_middle(const cut_piece *q, const double *vertex, int a)
+{
+    return (1.0 - q->share) * vertex[2 * q->vertex[0] + a] + q->share * vertex[2 * q->vertex[1] + a];
+}
+
+/* The same along the piece's area, outward from the current gas. */
+static double along_area(const piece_walk *w, const double *vertex)
+{
+    const cut_piece *q = w->piece;
+    double sum = 0.0;
+    for (int a = 0; a < w->s->mesh->dim; ++a) sum += q->area[a] * at_middle(q, vertex, a);
+    return w->outward * sum;
+}
+
+/* Of the middle of a piece from the centre of its cell. */
+static void from_centre(const piece_walk *w, double x[2])
+{
+    const cut_surface *c = &w->line->place[w->place];
+    const cut_piece *q = w->piece;
+    for (int a = 0; a < w->s->mesh->dim; ++a)
+        x[a] = (1.0 - q->share) * c->vertex[q->vertex[0]].x[a] + q->share * c->vertex[q->vertex[1]].x[a] -
+               mesh_centre(w->s->mesh, a, w->member->cell[a]);
+}
+
+/* Pressure of the current gas on a piece. */
+static double pressure_on(const piece_walk *w)
+{
+    static const double centre[2] = {0.0, 0.0};
+    const double P = view_of(w->s, w->member)->P[w->member->at];
+    double x[2];
+    if (!ice_has_weight(w->s)) return P;
+    from_centre(w, x);
+    return P + ice_merged_rise(w->s, w->p, w->member, x) - ice_merged_rise(w->s, w->p, w->member, centre);
+}
+
+/* Force (N) of the current gas on a piece: its pressure, and its drag. */
+static void force_on(const piece_walk *w, double force[2])
+{
+    const ice *s = w->s;
+    const cut_piece *q = w->piece;
+    const ptrdiff_t at = w->member->at;
+    const ice_view *v = view_of(s, w->member);
+    const double P = pressure_on(w);
+    const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->finest * hypot(q->area[0], q->area[1]);
+    for (int a = 0; a < s->mesh->dim; ++a)
+        force[a] = w->outward * P * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
+}
+
+void ice_merged_centring(const ice *s)
+{
+    const ice_merged_cells *p = merged_cells_of_gas(s);
+    ice_seal_views(s);
+    for (int k = 0; k < p->n; ++k) view_of(s, &p->member[k])->shock[p->member[k].at] = 1.0;
+}
+
+static void add_fluxes(const ice *s, ice_merged_cells *p)
+{
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_view *v = view_of(s, m);
+        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        sum[MERGED_VOLUME] += m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        for (int f = 0; f < 2 * s->mesh->dim; ++f) {
+            const int axis = f / 2, side = f % 2;
+            const double out = side == SIDE_UPPER ? 1.0 : -1.0;
+            sum[MERGED_FLUX] +=
+                out * m->face[axis][side] * area_of(s, m, axis, side) * v->flux[axis][face_of(v, m, axis, side)];
+        }
+    }
+    for (piece_walk w = first_piece(s, p); next_piece(&w);)
+        p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_FLUX] += w.weight * along_area(&w, w.line->velocity);
+}
+
+void ice_merged_increment(const ice *s)
+{
+    ice_merged_cells *p = merged_cells_of_gas(s);
+    ice_seal_views(s);
+    ice_clear_merged(p);
+    add_fluxes(s, p);
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->merged]];
+        const ice_view *v = view_of(s, m), *of = view_of(s, lead);
+        const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        const double rho = of->m[0].rho[lead->at], c = of->m[0].c[lead->at];
+        const double div = sum[MERGED_VOLUME] > 0.0 ? sum[MERGED_FLUX] / sum[MERGED_VOLUME] : 0.0;
+        const double squeeze = div < 0.0 ? -v->finest * div : 0.0, dP = -s->dt * div * rho * c * c;
+        v->dP[m->at] = dP;
+        const double p0 = ice_has_weight(s) ? v->p[m->at] : of->p[lead->at];
+        v->P[m->at] = p0 + dP + ice_bulk_pressure(rho, c, squeeze, 1.0);
+    }
+}
+
+/* Gravity's part of the pressure inside the pool on a face of a member; its impulse is the pool's weight. */
+static double add_weight(const ice *s, const ice_merged_cells *p, const ice_member *m, int axis, int side, double area,
+                         double *sum)
+{
+    static const double centre[2] = {0.0, 0.0};
+    double x[2] = {0.0, 0.0};
+    if (!ice_has_weight(s)) return 0.0;
+    x[axis] = (side == SIDE_UPPER ? 0.5 : -0.5) * s->mesh->h[axis];
+    const double rise = ice_merged_rise(s, p, m, x);
+    sum[MERGED_WEIGHT + axis] += area * m->face[axis][side] * rise;
+    return rise - ice_merged_rise(s, p, m, centre);
+}
+
+/* Impulse and work of the faces of a member on its merged cells. */
+static void add_faces(const ice *s, const ice_merged_cells *p, const ice_member *m, double *sum)
+{
+    const ice_view *v = view_of(s, m);
+    for (int f = 0; f < 2 * s->mesh->dim; ++f) {
+        const int axis = f / 2, side = f % 2;
+        const ptrdiff_t at = face_of(v, m, axis, side);
+        const double area = (side == SIDE_UPPER ? s->dt : -s->dt) * area_of(s, m, axis, side);
+        const double P = v->P[m->at] + add_weight(s, p, m, axis, side, area, sum);
+        sum[MERGED_MOMENTUM + axis] -= area * m->face[axis][side] * (v->fp[axis][at] - P);
+        sum[MERGED_WORK] -= area * v->flux[axis][at] * v->fp[axis][at]; /* the flux is of the open part by now */
+        if (!s->viscous || !(m->face[axis][side] > 0.0)) continue;
+        const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
+        const face_diffusion t = ice_sealed_stress(s, v, axis, at, i);
+        for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
+        sum[MERGED_WORK] += area * m->face[axis][side] * t.power;
+    }
+    if (s->viscous && m->open > 0.0)
+        sum[MERGED_MOMENTUM] += s->dt * m->open * mesh_cell_volume(s->mesh, m->cell[0]) *
+                                ice_sealed_hoop(s, v, m->at, m->cell[0] - v->b->lo[0]);
+}
+
+/* Heat of an enclosed gas goes to its merged cells in proportion to their mass. */
+static void add_gas_heat(const ice *s, ice_merged_cells *p)
+{
+    double mass = 0.0, heat = 0.0;
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        if (s->seal.line[l].enclosed == s->gas) heat = s->seal.line[l].heat;
+    if (heat == 0.0) return;
+    for (int n = 0; n < p->count; ++n) mass += p->sum[(size_t)n * MERGED_SUMS + MERGED_MASS];
+    for (int n = 0; n < p->count && mass > 0.0; ++n) {
+        double *sum = p->sum + (size_t)n * MERGED_SUMS;
+        sum[MERGED_WORK] += heat * sum[MERGED_MASS] / mass;
+    }
+}
+
+/* Pressure (Pa) outside the membranes where there is no gas; the stress of solids is against it. */
+static double pressure_beyond(const ice *s)
+{
+    return s->n_materials == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
+}
+
+/* What the reference pressure does to the membranes about the current gas, or to the surfaces, in the step: into the
+ * ledger. */
+static void note_surroundings(const ice *s)
+{
+    const double beyond = pressure_beyond(s);
+    const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
+    double work = 0.0;
+    if (beyond == 0.0) return;
+    for (piece_walk w = first_piece(s, merged_cells_of_gas(s)); next_piece(&w);) {
+        double x[MESH_MAX_DIM] = {0.0};
+        for (int a = 0; a < s->mesh->dim; ++a) x[a] = at_middle(w.piece, w.line->path, a);
+        for (int a = radial; a < s->mesh->dim; ++a)
+            ledger_push(s->ledger, LEDGER_BOUNDARY, a, -w.weight * s->dt * beyond * w.piece->area[a], x);
+        work -= w.weight * beyond * along_area(&w, w.line->path);
+    }
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, work);
+}
+
+static void add_exact_sources(const ice *s, ice_merged_cells *p)
+{
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        sum[MERGED_MASS] += view_of(s, m)->m[0].rho[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        add_faces(s, p, m, sum);
+    }
+    for (piece_walk w = first_piece(s, p); next_piece(&w);) {
+        const ice_member *m = w.member;
+        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS, force[2], x[2];
+        const double P = pressure_on(&w);
+        from_centre(&w, x);
+        force_on(&w, force);
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double drag = force[a] - w.outward * P * w.piece->area[a];
+            sum[MERGED_MOMENTUM + a] -= w.weight * s->dt * drag;
+            if (ice_has_weight(s))
+                sum[MERGED_WEIGHT + a] += w.weight * s->dt * w.outward * w.piece->area[a] * ice_merged_rise(s, p, m, x);
+            sum[MERGED_WORK] -= w.weight * force[a] * at_middle(w.piece, w.line->path, a);
+        }
+    }
+    add_gas_heat(s, p);
+}
+
+/* Lagrangian velocity and energy of merged cells. Where too little energy would remain, they have that of compression
+ * alone (2.7), and the rest is entered as a defect. */
+typedef struct merged_state {
+    double u[2], e;
+} merged_state;
+
+/* What gravity does to a pool, into the ledger; its work (J) is that of its impulse on the mean velocity. */
+static double note_weight(const ice *s, const ice_member *lead, const double *sum, const double u[2],
+                          const double ul[2])
+{
+    double work = 0.0, x[MESH_MAX_DIM] = {0.0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, lead->cell[a]) - lead->above[a];
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        if (sum[MERGED_WEIGHT + a] == 0.0) continue;
+        work += sum[MERGED_WEIGHT + a] * 0.5 * (u[a] + ul[a]);
+        if (a > 0 || s->mesh->geometry != MESH_AXISYMMETRIC)
+            ledger_push(s->ledger, LEDGER_SOURCE, a, sum[MERGED_WEIGHT + a], x);
+    }
+    if (work != 0.0) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
+    return work;
+}
+
+static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p, int merged)
+{
+    const ice_member *lead = &p->member[p->lead[merged]];
+    const ice_view *v = view_of(s, lead);
+    const ice_arrays *m = &v->m[0];
+    const double *sum = p->sum + (size_t)merged * MERGED_SUMS, mass = sum[MERGED_MASS],
+                 floor = s->work->energy_floor[s->gas];
+    merged_state out = {.e = m->e[lead->at]};
+    for (int a = 0; a < s->mesh->dim; ++a) out.u[a] = m->u[a][lead->at];
+    if (!(mass > 0.0)) return out;
+    double gain = 0.0, kinetic = 0.0;
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const double du = sum[MERGED_MOMENTUM + a] / mass, u = out.u[a];
+        out.u[a] += du;
+        gain += du * 0.5 * (u + out.u[a]);
+        kinetic += 0.5 * out.u[a] * out.u[a];
+    }
+    const double rho = m->rho[lead->at], c = m->c[lead->at], before = out.e;
+    const double fallen = note_weight(
+        s, lead, sum, (const double[]){m->u[0][lead->at], s->mesh->dim > 1 ? m->u[1][lead->at] : 0.0}, out.u);
+    const double conserving = before + (sum[MERGED_WORK] + fallen) / mass - gain;
+    const double plain = before + v->P[lead->at] * v->dP[lead->at] / (rho * rho * c * c);
+    const bool usable =
+        s->scene->method.conserve_energy && conserving - (isnan(floor) ? 0.0 : floor) > ICE_THERMAL_SHARE * kinetic;
+    out.e = usable ? conserving : plain;
+    if (!usable) {
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DEFECT, mass * (plain - conserving));
+        ledger_tally(s->ledger, COUNT_ENERGY_GUARDS, 1);
+    }
+    return out;
+}
+
+/* Where the gas is not, nothing moves. */
+static void still_elsewhere(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->work->sealing->view[id];
+        const ice_arrays *m = &v->m[0];
+        const ice_rows q = ice_rows_of(v->b, -1, 0);
+#pragma omp parallel for schedule(static)
+        for (int row = 0; row < q.n; ++row) {
+            const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+            for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
+                if (m->open[at] > 0.0) continue;
+                for (int a = 0; a < s->mesh->dim; ++a) m->ul[a][at] = m->u[a][at];
+                m->el[at] = m->e[at];
+            }
+        }
+    }
+}
+
+void ice_merged_sources(const ice *s)
+{
+    ice_merged_cells *p = merged_cells_of_gas(s);
+    ice_seal_views(s);
+    still_elsewhere(s);
+    ice_clear_merged(p);
+    add_exact_sources(s, p);
+    note_surroundings(s);
+    for (int merged = 0; merged < p->count; ++merged) {
+        const merged_state now = advance_merged_cells(s, p, merged);
+        double *sum = p->sum + (size_t)merged * MERGED_SUMS;
+        for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] = now.u[a];
+        sum[MERGED_WORK] = now.e;
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_arrays *to = &view_of(s, m)->m[0];
+        const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[MERGED_MOMENTUM + a];
+        to->el[m->at] = sum[MERGED_WORK];
+    }
+}
+
+/* Shares a force on a piece out to the vertices between which it lies. */
+static void push_vertices(const piece_walk *w, const double force[2])
+{
+    const cut_piece *q = w->piece;
+    for (int a = 0; a < w->s->mesh->dim; ++a) {
+        w->line->force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
+        w->line->force[2 * q->vertex[1] + a] += force[a] * q->share;
+    }
+}
+
+floe_status ice_sealed_load(ice *s)
+{
+    const double beyond = pressure_beyond(s);
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        for (int k = 0; k < 2 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
+    for (s->gas = 0; s->gas < s->n_materials; ++s->gas) {
+        ice_seal_views(s);
+        for (piece_walk w = first_piece(s, merged_cells_of_gas(s)); next_piece(&w);) {
+            double force[2];
+            force_on(&w, force);
+            for (int a = 0; a < s->mesh->dim; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
+            push_vertices(&w, force);
+        }
+    }
+    s->gas = -1;
+    return FLOE_OK;
+}

@@ -1,0 +1,298 @@
+/* Newton's method for a load increment. */
+#include "mpm/implicit/implicit.h"
+
+#include "mpm/implicit/implicit_contact.h"
+#include "mpm/surface/surface_markers.h"
+#include "mpm/surface/traction.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_NEWTON = 30, MOST_CONTACT_ITERATIONS = 60 /* with contacts */, MOST_HALVINGS = 6 };
+/* Relative residual at which conjugate gradients stop in an iteration of Newton's method. */
+static const double forcing = 1e-4;
+/* An iteration that reduces the residual less than to this share gets a new matrix. */
+static const double slow = 1e-2;
+/* Relative round-off of differences of velocities. */
+static const double round_off = 1e-6;
+/* An iteration that increases the residual by this factor has diverged, unless it is the first, in which parts with
+ * little stiffness may rotate. */
+static const double astray = 1e4;
+
+static double constrained_norm(const struct mpm_implicit *w, const double *x)
+{
+    double sum = 0.0;
+    for (size_t k = 0; k < w->components; ++k) sum += x[k] * x[k];
+    return sqrt(sum);
+}
+
+/* Stress and internal forces at the displacement u, and the residual of the unconstrained components. */
+static floe_status evaluate_residual(mpm *s, const double *u)
+{
+    struct mpm_implicit *w = s->implicit;
+    TRY(implicit_strain(s, u));
+    implicit_internal_force(s, w->internal);
+    implicit_edge_force(s, u, w->internal);
+    TRY(enclosed_gases_force(s, u, w->gas_force));
+    for (size_t k = 0; k < w->components; ++k) {
+        w->residual[k] = w->external[k] + w->gas_force[k] + w->internal[k];
+        if (w->unbalanced) w->residual[k] -= w->unbalanced_left * w->unbalanced[k];
+        if (w->mass) w->residual[k] += 0.5 * (w->internal_first[k] - w->internal[k]) - motion_force(s, k, u[k]);
+        if (w->constrained[k] || !w->reached[k]) w->residual[k] = 0.0;
+    }
+    implicit_contact_forces(s);
+    return FLOE_OK;
+}
+
+/* The increment from u that satisfies the constraints and the active contact conditions. False: u satisfies them. */
+static bool find_constraint_step(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    bool any = false;
+    for (size_t k = 0; k < w->components; ++k) {
+        w->constraint_step[k] = w->constrained[k] ? w->prescribed[k] - w->u[k] : 0.0;
+        any = any || w->constraint_step[k] != 0.0;
+    }
+    return implicit_contact_closing_step(s, w->u, w->constraint_step) || any;
+}
+
+/* Moves the residual of that increment to the other components. */
+static void solve_increment(mpm *s, const node_matrix *m)
+{
+    struct mpm_implicit *w = s->implicit;
+    node_matrix_apply(m, w->constraint_step, w->trial);
+    for (size_t k = 0; k < w->components; ++k)
+        if (!w->constrained[k]) w->residual[k] -= w->trial[k];
+    implicit_contact_project(s, w->residual);
+}
+
+static void make_matrix(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    node_matrix *m = node_multigrid_matrix(w->solver);
+    implicit_assemble(s);
+    implicit_assemble_edges(s, m);
+    if (w->mass) motion_stiffen(s, m);
+    if (find_constraint_step(s)) solve_increment(s, m);
+    implicit_contact_project_matrix(s, m);
+    node_matrix_constrain(m, w->constrained);
+}
+
+/* Nothing may be free to move; what is comes to rest on what it meets, if it meets anything. */
+static floe_status check_free(mpm *s)
+{
+    const floe_status status = implicit_check_rigid_motions(s);
+    if (status != FLOE_DIVERGED || !implicit_contact_bind_all(s)) return status;
+    context_clear(s->ctx);
+    make_matrix(s);
+    return implicit_check_rigid_motions(s);
+}
+
+/* The matrix at u. Loads on nodes outside the support of all points are dropped. */
+static floe_status renew_matrix(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    const bool first = !w->ready;
+    TRY(implicit_tangents(s, w->u));
+    if (first) TRY(node_matrix_shape(node_multigrid_matrix(w->solver), w->row));
+    make_matrix(s);
+    if (first && !w->mass) TRY(check_free(s));
+    w->ready = true;
+    return node_multigrid_prepare(w->solver);
+}
+
+static void apply_preconditioner(void *user, double *x, double *y)
+{
+    const mpm *s = user;
+    const struct mpm_implicit *w = s->implicit;
+    node_multigrid_cycle(w->solver, x, y);
+    for (size_t k = 0; k < w->components; ++k)
+        if (w->constrained[k]) y[k] = 0.0;
+    implicit_contact_project(s, y);
+}
+
+static void multiply_tangent(void *user, double *x, double *y)
+{
+    const mpm *s = user;
+    node_multigrid_apply(s->implicit->solver, x, y);
+    enclosed_gases_stiffness(s->implicit, x, y);
+}
+
+/* Scale of the forces, now or at the start, against which the residual is measured. */
+static double force_scale(const mpm *s)
+{
+    const struct mpm_implicit *w = s->implicit;
+    double inertia = 0.0;
+    for (size_t k = 0; w->mass && k < w->components; ++k) {
+        const double impulse = w->mass[k % w->grid.size] * w->velocity[k];
+        inertia += impulse * impulse;
+    }
+    return constrained_norm(w, w->external) + constrained_norm(w, w->gas_force) +
+           fmax(constrained_norm(w, w->internal), constrained_norm(w, w->internal_first)) +
+           round_off * sqrt(inertia) * 2.0 / s->dt;
+}
+
+/* A step along the change, halved while points are beyond their law. */
+static floe_status take_change(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    double share = 1.0;
+    for (int halving = 0; halving <= MOST_HALVINGS; ++halving, share *= 0.5) {
+        context_clear(s->ctx);
+        for (size_t k = 0; k < w->components; ++k) w->trial[k] = w->u[k] + share * w->change[k];
+        const floe_status status = evaluate_residual(s, w->trial);
+        if (status == FLOE_RETRY) continue;
+        TRY(status);
+        memcpy(w->u, w->trial, w->components * sizeof *w->u);
+        return FLOE_OK;
+    }
+    return FLOE_RETRY;
+}
+
+static floe_status solve_change(mpm *s, double tolerance)
+{
+    struct mpm_implicit *w = s->implicit;
+    for (size_t k = 0; k < w->components; ++k)
+        if (w->constrained[k]) w->residual[k] = 0.0;
+    const double had = constrained_norm(w, w->residual);
+    const cg_result r =
+        cg_solve(w->krylov, multiply_tangent, apply_preconditioner, s, w->residual, NULL, tolerance, w->change);
+    w->krylov_iterations += r.iterations;
+    if (!r.converged && !(r.residual < 0.1 * had))
+        return fail(s->ctx, FLOE_RETRY,
+                    "the matrix of the load increment cannot be solved with: %d iterations left %g of %g", r.iterations,
+                    r.residual, had);
+    return FLOE_OK;
+}
+
+static floe_status iterate_newton(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    const double tolerance = s->scene->time.tolerance;
+    const int most = w->contact ? MOST_CONTACT_ITERATIONS : MOST_NEWTON;
+    bool stale = true;
+    double before = INFINITY;
+    for (w->newton = 0;; ++w->newton) {
+        const bool turned = implicit_contact_update(s, w->u), driven = find_constraint_step(s);
+        const double left = constrained_norm(w, w->residual), scale = force_scale(s);
+        if (!turned && !driven && left <= tolerance * scale) return FLOE_OK;
+        if (turned) before = INFINITY;
+        if (w->newton == most || (w->newton > 1 && !(left <= astray * before)))
+            return fail(s->ctx, FLOE_RETRY, "after %d iterations of Newton's method %.3g of the forces is left",
+                        w->newton, left / scale);
+        if (stale || turned || driven || left > slow * before) TRY(renew_matrix(s));
+        stale = false;
+        TRY(solve_change(s, fmax(forcing * constrained_norm(w, w->residual), 0.1 * tolerance * scale)));
+        for (size_t k = 0; k < w->components; ++k) w->change[k] += w->constraint_step[k];
+        TRY(take_change(s));
+        before = left;
+    }
+}
+
+/* Logs the residual and the iterations. */
+static void log_residual(const mpm *s)
+{
+    const struct mpm_implicit *w = s->implicit;
+    const double scale = force_scale(s);
+    context_log(s->ctx, w->mass ? LOG_DETAIL : LOG_INFO,
+                "%s to t = %.6g%s: %d iterations of Newton's method, %d of conjugate gradients, %.1e of the "
+                "forces left",
+                w->mass ? "step" : "load increment", s->time + s->dt, scene_time_unit(s->scene), w->newton,
+                w->krylov_iterations, scale > 0.0 ? constrained_norm(w, w->residual) / scale : 0.0);
+}
+
+/* Work of walls, loads and body forces; forces change linearly with the displacement over the increment. */
+static void enter_constraint_work(mpm *s)
+{
+    const struct mpm_implicit *w = s->implicit;
+    double work = 0.0;
+    for (size_t k = 0; k < w->components; ++k) work -= 0.5 * (w->internal_first[k] + w->internal[k]) * w->u[k];
+    work -= enclosed_gases_enter(s);
+    implicit_enter_edges(s);
+    implicit_contact_enter(s);
+    if (w->mass)
+        motion_enter(s);
+    else
+        ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
+    ledger_tally(s->ledger, COUNT_BALANCE_ITERATIONS, w->newton);
+    ledger_tally(s->ledger, COUNT_BALANCE_KRYLOV, w->krylov_iterations);
+}
+
+static void drop_unreached(const struct mpm_implicit *w, double *force)
+{
+    for (size_t k = 0; k < w->components; ++k)
+        if (!w->reached[k]) force[k] = 0.0;
+}
+
+/* From where the nodes would be without forces. */
+static floe_status start_motion(mpm *s)
+{
+    motion_begin(s);
+    motion_guess(s, s->implicit->u);
+    return evaluate_residual(s, s->implicit->u);
+}
+
+/* Forces that were not in balance at the start, and the share of them that is left to later increments. */
+static void find_unbalanced(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    implicit_body_force(s, w->acceleration_first, false, w->external_first);
+    drop_unreached(w, w->external_first);
+    w->unbalanced_left = fmax(0.0, 1.0 - s->dt / (s->scene->time.end - s->time));
+    if (w->unbalanced_left < round_off) w->unbalanced_left = 0.0;
+    enclosed_gases_first_force(s, w->unbalanced);
+    for (size_t k = 0; k < w->components; ++k)
+        w->unbalanced[k] = w->constrained[k] ? 0.0 : w->unbalanced[k] + w->external_first[k] + w->internal_first[k];
+}
+
+/* Shape functions of the points, constraints and external forces. */
+static floe_status prepare_system(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    TRY(implicit_locate(s));
+    TRY(implicit_find_edges(s));
+    implicit_constrain(s);
+    implicit_find_reached(s);
+    TRY(implicit_contact_find(s));
+    implicit_body_force(s, s->work->acceleration, true, w->external);
+    TRY(enclosed_gases_smear(s));
+    drop_unreached(w, w->external);
+    for (int r = 0; r < w->n_gases; ++r) drop_unreached(w, w->gas_set[r].unit_force);
+    return enclosed_gases_begin(s);
+}
+
+/* Forces at the start of the step, and the first guess of the displacement. */
+static floe_status start_step(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    memset(w->u, 0, w->components * sizeof *w->u);
+    w->ready = false;
+    w->krylov_iterations = 0;
+    w->unbalanced_left = 0.0;
+    TRY(evaluate_residual(s, w->u));
+    memcpy(w->internal_first, w->internal, w->components * sizeof *w->internal);
+    if (w->mass) return start_motion(s);
+    if (!w->unbalanced) return FLOE_OK;
+    find_unbalanced(s);
+    return evaluate_residual(s, w->u);
+}
+
+/* Updates points, surfaces and enclosed gases from the displacement of the nodes. */
+static floe_status update_points(mpm *s)
+{
+    displace_surfaces(s, implicit_displacement);
+    displace_markers(s, implicit_displacement);
+    TRY(implicit_move(s));
+    enclosed_gases_store(s);
+    enter_constraint_work(s);
+    return FLOE_OK;
+}
+
+floe_status mpm_implicit_solve(mpm *s)
+{
+    TRY(prepare_system(s));
+    TRY(start_step(s));
+    TRY(iterate_newton(s));
+    log_residual(s);
+    return update_points(s);
+}

@@ -1,0 +1,123 @@
+/* Steps that are solved for: of which scenes, and what they need. */
+#include "mpm/implicit/implicit.h"
+
+#include "base/memory.h"
+#include "mpm/implicit/implicit_contact.h"
+#include "mpm/surface/traction.h"
+
+enum { MOST_KRYLOV = 1000 };
+
+static const char *obstacle_to_motion(const mpm *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].fluid) return "fluids flow";
+    if (s->transfer->carry || s->transfer->filter) return "of the transfers it has flip and pic";
+    return NULL;
+}
+
+bool mpm_body_is_enclosed(const mpm *s, int body)
+{
+    return surface_enclosed(s, body) > 1.0 - 1e-9;
+}
+
+const char *mpm_implicit_obstacle(const mpm *s, time_solver solver)
+{
+    if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
+    if (s->basis->fact.shaped)
+        return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
+    if ((s->coupled || s->seals) && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
+    if (s->scene->n_springs > 0) return "springs are stepped in time";
+    if (s->membranes) return solver == SOLVER_STATIC ? curve_rest_obstacle(s) : "membranes have no stiffness across";
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))
+            return "a fluid is not enclosed by solids all along its shape, and would flow";
+    if (s->contact && solver == SOLVER_IMPLICIT) return "bodies in contact have velocities of their own";
+    return implicit_contact_obstacle(s);
+}
+
+static solve_grid node_grid(const mesh *m)
+{
+    int n[MESH_MAX_DIM] = {1, 1, 1};
+    for (int a = 0; a < m->dim; ++a) n[a] = m->n[a] + (m->periodic[a] ? 0 : 1);
+    return solve_grid_make(m->dim, n, m->periodic);
+}
+
+static void choose_gradients(const mpm *s, struct mpm_implicit *w)
+{
+    const int dim = s->mesh->dim;
+    for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j) w->gradient[w->n_gradient++] = 3 * i + j;
+    if (s->mesh->geometry == MESH_AXISYMMETRIC) w->gradient[w->n_gradient++] = 8;
+}
+
+static floe_status find_tiles(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    const size_t tiles = mesh_tiles(s->mesh);
+    TRY(memory_new(s->ctx, &w->tile_block, tiles, sizeof *w->tile_block));
+    TRY(memory_new(s->ctx, &w->tile_local, tiles, sizeof *w->tile_local));
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
+            const int number = tile_box_of(s->mesh, &s->mesh->block[b], t).number;
+            w->tile_block[number] = b;
+            w->tile_local[number] = t;
+        }
+    return FLOE_OK;
+}
+
+static floe_status make_solver(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    const int dim = s->mesh->dim;
+    w->grid = node_grid(s->mesh);
+    w->layers = s->contact ? s->n_groups : 1;
+    for (int b = 0; b < s->n_bodies; ++b) w->layer[b] = implicit_layer(s, s->body[b].group);
+    w->components = (size_t)(dim * w->layers) * w->grid.size;
+    choose_gradients(s, w);
+    TRY(find_tiles(s));
+    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim * w->layers, s->basis->support - 1, implicit_arm(s)));
+    TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MOST_KRYLOV));
+    TRY(enclosed_gases_find(s));
+    TRY(implicit_contact_create(s));
+    double **array[] = {&w->gas_force, &w->u,        &w->change, &w->external,   &w->internal_first,
+                        &w->internal,  &w->residual, &w->trial,  &w->prescribed, &w->constraint_step};
+    for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
+        TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
+    if (s->coupled || s->seals) {
+        TRY(memory_new(s->ctx, &w->external_first, w->components, sizeof *w->external_first));
+        TRY(memory_new(s->ctx, &w->unbalanced, w->components, sizeof *w->unbalanced));
+    }
+    if (s->solver == SOLVER_IMPLICIT) {
+        TRY(memory_new(s->ctx, &w->mass, w->components, sizeof *w->mass));
+        TRY(memory_new(s->ctx, &w->velocity, w->components, sizeof *w->velocity));
+    }
+    TRY(memory_new(s->ctx, &w->constrained, w->components, sizeof *w->constrained));
+    TRY(memory_new(s->ctx, &w->row, w->grid.size, sizeof *w->row));
+    return memory_new(s->ctx, &w->reached, w->components, sizeof *w->reached);
+}
+
+floe_status mpm_solve_steps(mpm *s, time_solver solver)
+{
+    s->solver = solver;
+    TRY(memory_new(s->ctx, &s->implicit, 1, sizeof *s->implicit));
+    return s->membranes ? curve_rest_create(s) : make_solver(s);
+}
+
+void implicit_destroy(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    if (!w) return;
+    curve_rest_destroy(s);
+    cg_destroy(&w->krylov);
+    enclosed_gases_free(s);
+    implicit_contact_free(s);
+    node_multigrid_destroy(&w->solver);
+    memory_free(s->ctx, &w->external_first);
+    memory_free(s->ctx, &w->unbalanced);
+    void *owned[] = {&w->mass,     &w->velocity, &w->gas_force,  &w->weights,    &w->point_force,
+                     &w->tangent,  &w->u,        &w->change,     &w->external,   &w->internal_first,
+                     &w->internal, &w->residual, &w->trial,      &w->prescribed, &w->constrained,
+                     &w->reached,  &w->row,      &w->tile_block, &w->tile_local, &w->constraint_step};
+    for (size_t k = 0; k < sizeof owned / sizeof *owned; ++k) memory_free(s->ctx, owned[k]);
+    memory_free(s->ctx, &s->implicit);
+}

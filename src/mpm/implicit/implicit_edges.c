@@ -1,0 +1,106 @@
+/* Ghost penalty at edges (edge.h) in the implicit solver: forces of its lines and their stiffness. */
+#include "mpm/edge/edge.h"
+#include "mpm/implicit/implicit.h"
+
+#include <stdlib.h>
+
+static int node_index(const mpm *s, const edge_node *n)
+{
+    return (int)solve_index(&s->implicit->grid, n->at[0], n->at[1], n->at[2]);
+}
+
+/* Groups with the penalty: one for each displacement field. */
+static int count_groups(const mpm *s)
+{
+    return s->work->edges ? s->implicit->layers : 0;
+}
+
+int implicit_arm(const mpm *s)
+{
+    const int lines = s->work->edges ? edge_taps(s) - 1 : 0, points = s->basis->support - 1;
+    return lines > points ? lines - points : 0;
+}
+
+floe_status implicit_find_edges(mpm *s)
+{
+    for (int g = 0; g < count_groups(s); ++g) TRY(edges_find(s, g, true));
+    return FLOE_OK;
+}
+
+static void pull_group(mpm *s, int layer, const double *u, double *internal)
+{
+    edge_group *g = &s->work->edges->group[layer];
+    const size_t dim = (size_t)s->mesh->dim;
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const edge_line *l = &g->line[k];
+            const size_t base = implicit_index(s->implicit, layer, c, 0);
+            double *difference = &g->next[k * dim + (size_t)c];
+            *difference = s->work->edges->memory[l->slot + (size_t)c];
+            for (int t = 0; t < EDGE_TAPS; ++t)
+                *difference += edge_weights(l, c)[t] * u[base + (size_t)node_index(s, &g->node[l->node[t]])];
+        }
+    edges_let_flow(s, g);
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const edge_line *l = &g->line[k];
+            const size_t base = implicit_index(s->implicit, layer, c, 0);
+            const double tension = l->stiffness * g->next[k * dim + (size_t)c];
+            for (int t = 0; t < EDGE_TAPS; ++t)
+                internal[base + (size_t)node_index(s, &g->node[l->node[t]])] -= tension * edge_weights(l, c)[t];
+        }
+}
+
+void implicit_edge_force(mpm *s, const double *u, double *internal)
+{
+    for (int g = 0; g < count_groups(s); ++g) pull_group(s, g, u, internal);
+}
+
+/* Entry of a pair of taps along an axis, of component c of the matrix, which lie within the matrix's reach of each other, around a
+ * periodic end where need be. */
+static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const edge_node *to, int axis, int c,
+                     double value)
+{
+    const int row = m->row[node_index(s, from)];
+    int far = to->at[axis] - from->at[axis];
+    if (abs(far) > m->width + m->arm) far += far < 0 ? s->mesh->n[axis] : -s->mesh->n[axis];
+    if (row >= 0) node_matrix_entries(m, row, c, c)[node_matrix_slot_along(m, axis, far)] += value;
+}
+
+static void assemble_group(const mpm *s, int layer, node_matrix *m)
+{
+    const edge_group *g = &s->work->edges->group[layer];
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const edge_line *l = &g->line[k];
+            const double *w = edge_weights(l, c);
+            for (int i = 0; i < edge_taps(s); ++i)
+                for (int j = 0; j < edge_taps(s); ++j)
+                    add_pair(s, m, &g->node[l->node[i]], &g->node[l->node[j]], l->axis, layer * s->mesh->dim + c,
+                             l->stiffness * w[i] * w[j]);
+        }
+}
+
+void implicit_assemble_edges(mpm *s, node_matrix *m)
+{
+    for (int g = 0; g < count_groups(s); ++g) assemble_group(s, g, m);
+}
+
+static double gain_of_group(const mpm *s, const edge_group *g)
+{
+    double energy = 0.0;
+    for (size_t k = 0; k < g->n_lines; ++k)
+        for (int c = 0; c < s->mesh->dim; ++c) {
+            const double before = s->work->edges->memory[g->line[k].slot + (size_t)c];
+            const double now = g->next[k * (size_t)s->mesh->dim + (size_t)c];
+            energy += 0.5 * g->line[k].stiffness * (now * now - before * before);
+        }
+    return energy;
+}
+
+void implicit_enter_edges(mpm *s)
+{
+    double energy = 0.0;
+    for (int g = 0; g < count_groups(s); ++g) energy += gain_of_group(s, &s->work->edges->group[g]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -energy);
+}

@@ -1,0 +1,127 @@
+/* Steps of the trapezoidal rule (Newmark's with constant mean acceleration): the balance of implicit.h with inertia.
+ * Second order in the step, stable at any, and without damping of its own.
+ *
+ *     f_ext(t + dt/2) + (f(0) + f(u)) / 2 = m (2/dt) (u/dt - v) + c m u/dt,     v' = 2 u/dt - v,
+ *
+ * f the forces of the points, v and m of the nodes as the points bring them, c the deck's damping. */
+#include "mpm/implicit/implicit.h"
+
+#include <string.h>
+
+/* The node fields of the blocks, as the solver's arrays: collected as forces are. */
+void motion_begin(mpm *s)
+{
+    struct mpm_implicit *w = s->implicit;
+    memset(w->velocity, 0, w->components * sizeof *w->velocity);
+    memset(w->mass, 0, w->components * sizeof *w->mass);
+    for (int g = 0; g < s->n_groups; ++g) {
+        implicit_collect(s, N_MOMENTUM, g, w->velocity);
+        implicit_collect(s, N_MASS, g, w->mass);
+    }
+    for (size_t k = 0; k < w->components; ++k) {
+        const double m = w->mass[k % w->grid.size];
+        w->velocity[k] = m > 0.0 ? w->velocity[k] / m : 0.0;
+    }
+}
+
+/* Nodes keep their velocity; constrained components take the prescribed displacement. */
+void motion_guess(const mpm *s, double *u)
+{
+    const struct mpm_implicit *w = s->implicit;
+    for (size_t k = 0; k < w->components; ++k)
+        u[k] = w->constrained[k] ? w->prescribed[k] : w->reached[k] ? s->dt * w->velocity[k] : 0.0;
+}
+
+/* Rate (1/s) of the deck's damping in the step. */
+static double motion_damping(const mpm *s)
+{
+    const scene_damping *d = &s->scene->damping;
+    return s->time >= d->start && s->time < d->end ? d->rate : 0.0;
+}
+
+double motion_force(const mpm *s, size_t k, double u)
+{
+    const struct mpm_implicit *w = s->implicit;
+    const double v = u / s->dt;
+    return w->mass[k % w->grid.size] * (2.0 / s->dt * (v - w->velocity[k]) + motion_damping(s) * v);
+}
+
+/* Half the stiffness of the points, and the inertia of the nodes. */
+void motion_stiffen(const mpm *s, node_matrix *m)
+{
+    const struct mpm_implicit *w = s->implicit;
+    const double rate = 2.0 / (s->dt * s->dt) + motion_damping(s) / s->dt;
+    const size_t entries = (size_t)m->slots * (size_t)m->components * (size_t)m->components;
+    for (size_t k = 0; k < (size_t)m->rows * entries; ++k) m->value[k] *= 0.5;
+    for (int row = 0; row < m->rows; ++row)
+        for (int c = 0; c < m->components; ++c)
+            node_matrix_entries(m, row, c, c)[m->slots / 2] += rate * w->mass[m->place[row]];
+}
+
+double motion_velocity(const mpm *s, size_t k)
+{
+    return 2.0 * s->implicit->u[k] / s->dt - s->implicit->velocity[k];
+}
+
+/* Where an entry of the solver's grid is. */
+static void place_of_entry(const mpm *s, size_t i, double x[MESH_MAX_DIM])
+{
+    const solve_grid *g = &s->implicit->grid;
+    int node[MESH_MAX_DIM] = {0};
+    ptrdiff_t rest = (ptrdiff_t)i;
+    for (int a = g->dim - 1; a >= 0; --a) {
+        node[a] = (int)(rest / g->stride[a]) - 1;
+        rest %= g->stride[a];
+    }
+    place_of_node(s->mesh, node, x);
+}
+
+/* Impulses and work of loads, damping and what holds nodes. */
+void motion_enter(mpm *s)
+{
+    const struct mpm_implicit *w = s->implicit;
+    double *share = w->trial, work = 0.0, damped = 0.0, constraint_work = 0.0;
+    const double rate = motion_damping(s);
+    double pushes[3] = {0.0}, losses[3] = {0.0}, gains[3] = {0.0}, x[MESH_MAX_DIM];
+    bool any_walls = false;
+    memset(share, 0, w->components * sizeof *share);
+    implicit_node_mass(s, share);
+    for (int c = 0; c < s->mesh->dim; ++c) {
+        const ledger_quantity q = (ledger_quantity)(LEDGER_MOMENTUM_X + c);
+        double gained = 0.0, gas_force = 0.0, slowed = 0.0;
+        bool walls = false;
+        for (size_t i = 0; i < w->grid.size; ++i) {
+            const size_t k = (size_t)c * w->grid.size + i;
+            const double displacement = w->u[k], loss = rate * w->mass[i] * displacement;
+            const double gain = share[k] * (motion_velocity(s, k) - w->velocity[k]), push = s->dt * w->external[k];
+            gained += gain;
+            gas_force += push;
+            if (gain != 0.0 || push != 0.0 || loss != 0.0) {
+                place_of_entry(s, i, x);
+                add_moment(gains, x, c, gain);
+                add_moment(pushes, x, c, push);
+                add_moment(losses, x, c, loss);
+            }
+            slowed += loss;
+            work += w->external[k] * displacement;
+            damped += loss * displacement / s->dt;
+            walls = walls || w->constrained[k];
+            if (w->constrained[k])
+                constraint_work += displacement * (motion_force(s, k, displacement) - w->external[k] -
+                                                   0.5 * (w->internal_first[k] + w->internal[k]));
+        }
+        ledger_add(s->ledger, q, LEDGER_SOURCE, gas_force);
+        ledger_add(s->ledger, q, LEDGER_DAMPING, -slowed);
+        if (walls) ledger_add(s->ledger, q, LEDGER_BOUNDARY, gained - gas_force + slowed);
+        any_walls = any_walls || walls;
+    }
+    ledger_turn(s->ledger, LEDGER_SOURCE, pushes, 1.0);
+    ledger_turn(s->ledger, LEDGER_DAMPING, losses, -1.0);
+    if (any_walls)
+        for (int a = 0; a < 3; ++a)
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENT_X + a), LEDGER_BOUNDARY,
+                       gains[a] - pushes[a] + losses[a]);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -damped);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, constraint_work);
+}

@@ -1,0 +1,229 @@
+/* Surfaces of solids beside gas of the cells (theory 7.2): chains of massless markers, placed on the shapes when the
+ * bodies are seeded and moved by the nodes. They are the embedded boundary in the cells, and transfer the force of the
+ * gas to nodes with mass (traction.c). */
+#include "mpm/surface/surface_markers.h"
+#include "base/memory.h"
+#include "mpm/surface/boundary.h"
+#include "scene/state.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SKIN_DIVISIONS = 4 }; /* markers per cell edge, about */
+
+static floe_status reserve_markers(mpm *s, size_t markers, size_t chains)
+{
+    surface_markers *k = &s->work->markers;
+    TRY(memory_resize(s->ctx, &k->now, markers, sizeof *k->now));
+    TRY(memory_resize(s->ctx, &k->next, markers, sizeof *k->next));
+    TRY(memory_resize(s->ctx, &k->group, markers, sizeof *k->group));
+    TRY(memory_resize(s->ctx, &k->pin, markers, sizeof *k->pin));
+    TRY(memory_resize(s->ctx, &k->force, 2 * markers, sizeof *k->force));
+    TRY(memory_resize(s->ctx, &k->path, 2 * markers, sizeof *k->path));
+    TRY(memory_resize(s->ctx, &k->beside, chains, sizeof *k->beside));
+    return memory_resize(s->ctx, &k->chain, chains, sizeof *k->chain);
+}
+
+/* Axis of the side of the mesh on which a chain ends. */
+static int side_under(const mesh *m, const double x[2])
+{
+    for (int a = 0; a < 2; ++a)
+        if (x[a] == m->lower[a] || x[a] == m->upper[a]) return a;
+    return -1;
+}
+
+static floe_status set_marker(const mpm *s, const mpm_body *b, const double x[2], surface_marker *out)
+{
+    double v[3], stress[6];
+    *out = (surface_marker){.x = {x[0], x[1]}};
+    TRY(body_solid_state(s->scene, b->scene_body, out->x, v, stress));
+    memcpy(out->v, v, 2 * sizeof *v);
+    return FLOE_OK;
+}
+
+/* The only fluid of the cells; -1: there are several. */
+static int only_fluid(const scene *s)
+{
+    int found = s->has_ambient ? s->ambient_material : -1;
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const int of = s->body[b].material;
+        if (s->material[of].kind != MATERIAL_FLUID || of == found) continue;
+        if (found >= 0) return -1;
+        found = of;
+    }
+    return found;
+}
+
+int mpm_fluid_at(const scene *s, int dim, const double x[3])
+{
+    int found = s->has_ambient ? s->ambient_material : -1;
+    for (int b = s->n_bodies - 1; b >= 0; --b) {
+        const scene_body *body = &s->body[b];
+        if (!body->shape.model || !shape_inside(&body->shape, dim, x)) continue;
+        if (s->material[body->material].kind != MATERIAL_FLUID) return MPM_IN_A_SOLID;
+        if (!body->yields || found < 0) found = body->material;
+    }
+    return found;
+}
+
+/* A little beyond the middle between two points of a chain, or beyond its only point. */
+static void place_beyond(const mesh *m, const contour *o, const contour_chain *c, size_t k, double x[3])
+{
+    const double *a = o->x[c->first + k], *b = o->x[c->first + (k + 1) % c->n], step = 1e-3 * m->h[0];
+    const double displacement[2] = {b[0] - a[0], b[1] - a[1]}, length = hypot(displacement[0], displacement[1]);
+    x[0] = 0.5 * (a[0] + b[0]) + (m->dim == 1 ? -c->into * step : -step * displacement[1] / length);
+    x[1] = 0.5 * (a[1] + b[1]) + (m->dim == 1 ? 0.0 : step * displacement[0] / length);
+    x[2] = 0.0;
+}
+
+int fluid_beside(const scene *s, const mesh *m, const contour *o, size_t chain)
+{
+    const contour_chain *c = &o->chain[chain];
+    const size_t n = m->dim == 1 ? 1 : c->closed ? c->n : c->n - 1;
+    int found = only_fluid(s);
+    if (found >= 0) return found;
+    found = MPM_IN_A_SOLID;
+    for (size_t k = 0; k < n; ++k) {
+        double x[3];
+        place_beyond(m, o, c, k, x);
+        const int fluid = mpm_fluid_at(s, m->dim, x);
+        if (fluid == MPM_IN_A_SOLID) continue;
+        if (found != MPM_IN_A_SOLID && found != fluid) return MPM_FLUIDS_MEET;
+        found = fluid;
+    }
+    return found;
+}
+
+static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
+{
+    surface_markers *k = &s->work->markers;
+    const size_t first = k->n, chains = (size_t)k->n_chains;
+    if (o->n == 0) return FLOE_OK;
+    TRY(reserve_markers(s, first + o->n, chains + o->n_chains));
+    for (size_t n = 0; n < o->n; ++n) {
+        TRY(set_marker(s, b, o->x[n], &k->now[first + n]));
+        k->group[first + n] = b->group;
+        k->pin[first + n] = -1;
+    }
+    for (size_t c = 0; c < o->n_chains; ++c) {
+        const contour_chain *from = &o->chain[c];
+        const size_t at = first + from->first, last = at + from->n - 1;
+        k->beside[k->n_chains] = fluid_beside(s->scene, s->mesh, o, c);
+        k->chain[k->n_chains++] = (cut_chain){(int)at, (int)from->n, from->closed, from->into};
+        if (s->mesh->dim == 1) continue;
+        if (from->closed) continue;
+        k->pin[at] = side_under(s->mesh, k->now[at].x);
+        k->pin[last] = side_under(s->mesh, k->now[last].x);
+    }
+    k->n += o->n;
+    return FLOE_OK;
+}
+
+floe_status mpm_boundary_trace(const scene *s, const mesh *m, const scene_body *body, contour *out)
+{
+    const seed_spec grid = body_seed_spec(s, m, body);
+    return contour_trace(out, s->ctx, &body->shape, &grid, SKIN_DIVISIONS);
+}
+
+static floe_status lay_chains(const scene *s, const mesh *m, const contour *o, int fluid, cut_surface *out)
+{
+    const int vertices = out->n_vertices, chains = out->n_chains;
+    TRY(cut_reserve(out, vertices + (int)o->n, chains + (int)o->n_chains));
+    out->n_chains = chains;
+    for (size_t k = 0; k < o->n; ++k)
+        out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1]}, vertices + (int)k};
+    for (size_t c = 0; c < o->n_chains; ++c) {
+        if (fluid >= 0 && fluid_beside(s, m, o, c) != fluid) continue;
+        out->chain[out->n_chains++] =
+            (cut_chain){vertices + (int)o->chain[c].first, (int)o->chain[c].n, o->chain[c].closed, o->chain[c].into};
+    }
+    return FLOE_OK;
+}
+
+floe_status mpm_boundary_add(const scene *s, const mesh *m, const scene_body *body, int fluid, cut_surface *out)
+{
+    contour o;
+    TRY(mpm_boundary_trace(s, m, body, &o));
+    const floe_status status = lay_chains(s, m, &o, fluid, out);
+    contour_free(s->ctx, &o);
+    return status;
+}
+
+floe_status seed_markers(mpm *s)
+{
+    for (int b = 0; b < s->n_bodies; ++b) {
+        const scene_body *body = &s->scene->body[s->body[b].scene_body];
+        contour o;
+        TRY(mpm_boundary_trace(s->scene, s->mesh, body, &o));
+        const floe_status status = add_contour(s, &s->body[b], &o);
+        contour_free(s->ctx, &o);
+        TRY(status);
+    }
+    surface_markers *k = &s->work->markers;
+    if (k->n == 0)
+        return fail_key(s->ctx, KEY("method", "interface"),
+                        "sharp: no solid has a surface inside the domain; leave it out");
+    memcpy(k->next, k->now, k->n * sizeof *k->now);
+    return FLOE_OK;
+}
+
+void scatter_markers(mpm *s, int group, const double *force)
+{
+    const surface_markers *k = &s->work->markers;
+    for (size_t n = 0; n < k->n; ++n)
+        if (k->group[n] == group)
+            add_surface_force(s, group, k->now[n].x, (const double[3]){force[2 * n], force[2 * n + 1], 0.0});
+}
+
+void move_markers(mpm *s, int group)
+{
+    const surface_markers *k = &s->work->markers;
+    for (size_t n = 0; n < k->n; ++n) {
+        if (k->group[n] != group) continue;
+        const surface_motion m = surface_motion_at(s, group, k->now[n].x);
+        for (int a = 0; a < 2; ++a) {
+            k->next[n].v[a] = k->pin[n] == a ? 0.0 : m.velocity[a];
+            k->next[n].x[a] = k->now[n].x[a] + s->dt * k->next[n].v[a];
+            k->path[2 * n + (size_t)a] = (s->substep > 0 ? k->path[2 * n + (size_t)a] : 0.0) + s->dt * m.working[a];
+        }
+    }
+}
+
+void displace_markers(mpm *s, node_displacement *displacement)
+{
+    const surface_markers *k = &s->work->markers;
+    for (size_t n = 0; n < k->n; ++n) {
+        const double *x = k->now[n].x;
+        surface_marker *next = &k->next[n];
+        *next = (surface_marker){.x = {x[0], x[1]}};
+        displace_position(s, k->group[n], x, displacement, next->x);
+        if (k->pin[n] >= 0) next->x[k->pin[n]] = x[k->pin[n]];
+    }
+}
+
+void commit_markers(mpm *s)
+{
+    surface_markers *k = &s->work->markers;
+    surface_marker *swap = k->now;
+    k->now = k->next;
+    k->next = swap;
+}
+
+void free_markers(context *ctx, surface_markers *k)
+{
+    memory_free(ctx, &k->now);
+    memory_free(ctx, &k->next);
+    memory_free(ctx, &k->group);
+    memory_free(ctx, &k->pin);
+    memory_free(ctx, &k->force);
+    memory_free(ctx, &k->path);
+    memory_free(ctx, &k->chain);
+    memory_free(ctx, &k->beside);
+}
+
+double *mpm_surface_markers(mpm *s, size_t *n, size_t *stride)
+{
+    *n = s->work->markers.n;
+    *stride = sizeof(surface_marker) / sizeof(double);
+    return *n ? s->work->markers.now[0].x : NULL;
+}

@@ -1,0 +1,34 @@
+/* Forces of gas on cells on membranes and surfaces of solids. Private to the mpm module; boundary.h is for the
+ * cells. */
+#ifndef MPM_SURFACE_MARKERS_H
+#define MPM_SURFACE_MARKERS_H
+
+#include "geom/contour.h"
+#include "mpm/surface/traction.h"
+
+/* ---- on membranes (boundary.c) ---- */
+
+/* Allocates the forces on membranes that enclose gas. */
+floe_status start_membrane_force(mpm *s);
+void free_membrane_force(context *ctx, struct mpm_work *w);
+/* Adds the forces to N_FORCE of a group. */
+void scatter_membrane_force(mpm *s, int group);
+
+/* ---- on solids, at markers on their surfaces (surface_markers.c) ---- */
+
+/* The fluid of the cells beside a chain, by its number in the scene, or an mpm_no_fluid. */
+int fluid_beside(const scene *s, const mesh *m, const contour *o, size_t chain);
+
+/* Places markers on the shapes of solids. */
+floe_status seed_markers(mpm *s);
+/* Adds forces (N, two a marker) to N_FORCE of a group, on nodes with mass. */
+void scatter_markers(mpm *s, int group, const double *force);
+/* Next positions and velocities of the markers of a group, and the displacement over which their forces do work. */
+void move_markers(mpm *s, int group);
+/* Moves them by nodal displacements instead. */
+void displace_markers(mpm *s, node_displacement *displacement);
+/* Commits their next state. */
+void commit_markers(mpm *s);
+void free_markers(context *ctx, surface_markers *k);
+
+#endif

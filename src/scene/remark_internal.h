@@ -1,0 +1,33 @@
+/* Remarks with files of their own. Private to remark.c. */
+#ifndef SCENE_REMARK_INTERNAL_H
+#define SCENE_REMARK_INTERNAL_H
+
+#include "scene/remark.h"
+
+enum { REMARK_KEY = 256 };
+
+typedef struct remark_speaker {
+    const scene *s;
+    remark_sink *say;
+    void *user;
+    char key[REMARK_KEY];
+} remark_speaker;
+
+/* A remark on the key in `w->key`, with its place in the deck. */
+void remark_key(const remark_speaker *w, const char *format, ...) FLOE_PRINTF(2, 3);
+void remark_set_key(remark_speaker *w, const char *map, const char *name, const char *rest);
+
+/* Of solids smeared over cells of fluid. */
+void remark_shapes(const scene *s, remark_sink *say, void *user);
+void remark_smeared(const scene *s, remark_sink *say, void *user);
+/* Of solids that fly out of the domain with a sharp interface. */
+void remark_flight_out(const scene *s, remark_sink *say, void *user);
+
+/* Of magnitudes and times that are hardly what was meant. */
+void remark_range(const scene *s, remark_sink *say, void *user);
+/* Of gases beside other gases, of what is behind sides, and of ramps. */
+void remark_contrasts(const scene *s, remark_sink *say, void *user);
+/* Of those that a slip of units explains: fluids, loads, places and speeds. */
+void remark_slips(const scene *s, remark_sink *say, void *user);
+
+#endif

@@ -1,0 +1,150 @@
+#include "sim/light_solid_check.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Least density of the solid over that of the fluid. Beside lighter solids the sharp interface swings up from round-off, in steps a hundred times smaller than sound
+ * asks for at 1e-3, however small they are at 1e-4; the smeared one gives them the wrong share of the momentum of their cells: of that which sound brings, 0.115 off at
+ * 0.01, 1.3 times as much at 0.001 (docs/results/extreme.md, impedance). */
+static const double least_share = 0.9e-2;
+
+/* Of a cell: what smears into cells that solids fill, where they are squeezed or their motion spreads over cells, is no neighbour. */
+static const double trace = 0.05;
+
+static bool is_solid(const scene *s, int body)
+{
+    const scene_material *m = &s->material[s->body[body].material];
+    return m->kind == MATERIAL_SOLID && m->law;
+}
+
+static double density_of(const scene *s, int body)
+{
+    return s->material[s->body[body].material].density;
+}
+
+/* The lightest solid of the scene that is no membrane; -1: there is none. */
+static int lightest_body(const scene *s)
+{
+    int found = -1;
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (is_solid(s, b) && (found < 0 || density_of(s, b) < density_of(s, found))) found = b;
+    return found;
+}
+
+/* Marks a cell and those about it. */
+static void mark_about(const mesh *m, const int centre[MESH_MAX_DIM], unsigned char *const *mark)
+{
+    int step[MESH_MAX_DIM] = {0, 0, 0};
+    const int all = m->dim == 1 ? 3 : m->dim == 2 ? 9 : 27;
+    for (int k = 0; k < all; ++k) {
+        int cell[MESH_MAX_DIM] = {0, 0, 0}, rest = k;
+        bool inside = true;
+        for (int a = 0; a < m->dim; ++a, rest /= 3) {
+            step[a] = rest % 3 - 1;
+            cell[a] = centre[a] + step[a];
+            if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+            inside = inside && cell[a] >= 0 && cell[a] < m->n[a];
+        }
+        if (!inside) continue;
+        const int id = mesh_block_of(m, cell);
+        const int *lo = m->block[id].lo;
+        mark[id][mesh_index(&m->block[id], cell[0] - lo[0], cell[1] - lo[1], cell[2] - lo[2])] = 1;
+    }
+}
+
+/* Marks the cells in which a body has points, and those about them: with these it shares the nodes. */
+static void mark_body(const sim *s, int body, unsigned char *const *mark)
+{
+    const mesh *m = &s->mesh;
+    for (int id = 0; id < m->n_blocks; ++id) {
+        int last[MESH_MAX_DIM] = {-1, -1, -1};
+        for (size_t k = 0; k < s->mpm->points[id][body].n; ++k) {
+            int cell[MESH_MAX_DIM] = {0, 0, 0};
+            for (int a = 0; a < m->dim; ++a)
+                cell[a] = mesh_cell_of(m, a, field_get(s->domain->fields[id], P_POS, body, a)[k]);
+            if (memcmp(cell, last, sizeof cell) != 0) mark_about(m, cell, mark);
+            memcpy(last, cell, sizeof last);
+        }
+    }
+}
+
+static floe_status refuse_light_solid(const sim *s, int body, double fluid)
+{
+    const double rho = density_of(s->scene, body);
+    char why[512];
+    (void)snprintf(why, sizeof why,
+                   "body '%s' (%g kg/m3) is %.3g times as heavy as the fluid beside it (%g kg/m3), and no interface "
+                   "bears less than %.2g: make it heavier, or leave it out",
+                   s->scene->body[body].name, rho, rho / fluid, fluid, least_share);
+    if (s->steps > 0) return fail(s->ctx, FLOE_DIVERGED, "at t = %.6g%s %s", s->time, scene_time_unit(s->scene), why);
+    const scene_material *m = &s->scene->material[s->scene->body[body].material];
+    return fail_key(s->ctx, KEY("materials", m->name, "density"), "%s", why);
+}
+
+/* Looks at the fluid beside one body. `mark`: per block, for each of its cells. */
+static floe_status find_fluid_beside(sim *s, int b, unsigned char *const *mark)
+{
+    const int body = s->mpm->body[b].scene_body;
+    for (int id = 0; id < s->mesh.n_blocks; ++id) memset(mark[id], 0, s->mesh.block[id].size);
+    mark_body(s, b, mark);
+    const double fluid = ice_densest(s->ice, (const unsigned char *const *)mark, trace);
+    return density_of(s->scene, body) >= least_share * fluid ? FLOE_OK : refuse_light_solid(s, body, fluid);
+}
+
+static bool is_light_solid(const sim *s, int b, double fluid)
+{
+    const int body = s->mpm->body[b].scene_body;
+    return is_solid(s->scene, body) && density_of(s->scene, body) < least_share * fluid;
+}
+
+/* Checks the bodies that are too light for a fluid of the density `fluid` (kg/m3). */
+static floe_status look_at_bodies(sim *s, double fluid)
+{
+    unsigned char *mark[MESH_MAX_BLOCKS] = {NULL};
+    floe_status status = FLOE_OK;
+    for (int id = 0; status == FLOE_OK && id < s->mesh.n_blocks; ++id)
+        status = memory_new(s->ctx, &mark[id], s->mesh.block[id].size, 1);
+    for (int b = 0; status == FLOE_OK && b < s->mpm->n_bodies; ++b)
+        if (is_light_solid(s, b, fluid)) status = find_fluid_beside(s, b, mark);
+    for (int id = 0; id < s->mesh.n_blocks; ++id) memory_free(s->ctx, &mark[id]);
+    return status;
+}
+
+floe_status light_solid_check(sim *s)
+{
+    double range[2];
+    const bool sharp = s->scene->method.interface == INTERFACE_SHARP;
+    const int body = s->mpm && s->ice ? lightest_body(s->scene) : -1;
+    if (body < 0 || (s->sealed && !sharp) || sim_is_static(s)) return FLOE_OK;
+    ice_densities(s->ice, range);
+    s->has_light = s->has_light || density_of(s->scene, body) < least_share * range[1];
+    return s->has_light ? look_at_bodies(s, range[1]) : FLOE_OK;
+}
+
+/* Density of the lightest solid over that of the densest fluid; infinity where there is no such solid. */
+static double least_ratio(const sim *s)
+{
+    double range[2];
+    const int body = lightest_body(s->scene);
+    if (body < 0) return INFINITY;
+    ice_densities(s->ice, range);
+    return density_of(s->scene, body) / range[1];
+}
+
+bool has_lighter_solid(const sim *s)
+{
+    return least_ratio(s) < 1.0;
+}
+
+/* The pressure of a step is what the surface's velocity before it makes of the fluid, and the surface has the inertia of the nodes next to it: a layer of
+ * fluid that is heavier than these throws it back and forth. Over h/c (density of the solid / of the fluid)^(1/2), at a hundredth of the fluid's density, a surface in
+ * the middle of a cell is calm in steps of 0.2 and swings up at 0.28; elsewhere in the cell it bears more. At a CFL number of one sound crosses a cell of equal sides
+ * in two steps (ice_limit.c). At equal densities a CFL number of 0.9 is too much there, at twice the density it is not. */
+double light_solid_step(const sim *s, double crossing)
+{
+    static const double share = 0.35;
+    return s->scene->method.interface == INTERFACE_SHARP ? share * crossing * sqrt(least_ratio(s)) : (double)INFINITY;
+}

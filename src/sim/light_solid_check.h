@@ -1,0 +1,17 @@
+/* Solids lighter than the fluid of the cells about them. */
+#ifndef SIM_LIGHT_SOLID_CHECK_H
+#define SIM_LIGHT_SOLID_CHECK_H
+
+#include "sim/sim.h"
+
+/* Refuses solids that are lighter than the fluid beside them (in the cells of their points and adjacent ones) by more
+ * than the interface is stable with: FLOE_BAD_INPUT before the first step, else FLOE_DIVERGED, with the remedy. States
+ * of points and cells must be valid. Sets s->has_light. */
+floe_status light_solid_check(sim *s);
+/* Largest stable time step (s) of a sharp interface beside fluid heavier than the solid; `crossing` (s) is that of the
+ * cells at a CFL number of one. INFINITY where there is no such solid. */
+double light_solid_step(const sim *s, double crossing);
+/* Whether some fluid is denser than the lightest solid beside it. */
+bool has_lighter_solid(const sim *s);
+
+#endif
