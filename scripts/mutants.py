@@ -18,7 +18,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
 sys.dont_write_bytecode = True
 from mutation import page  # noqa: E402
-from mutation.draw import plan, room_of  # noqa: E402
+from mutation.draw import plan, module_of  # noqa: E402
 from mutation.tests import Runner, State, build, candidates, look, source_hash, try_mutant  # noqa: E402
 
 
@@ -46,7 +46,7 @@ def main():
     parser.add_argument("--hours", type=float, default=8.0, help="CPU hours, all together")
     parser.add_argument("--longest", type=float, default=1e9, help="seconds: leave longer tests for a later call (--again runs what is new)")
     parser.add_argument("--most", type=int, default=10**6, help="tests of one mutant in this call; --again goes on with the rest")
-    parser.add_argument("--room", help="mutants of this room alone")
+    parser.add_argument("--module", help="mutants of this module alone")
     parser.add_argument("--no-look", action="store_true", help="what is new is asked of the tests of its own part alone")
     parser.add_argument("--folder", default=os.path.join(ROOT, "build", "mutants"))
     for flag in ("again", "list", "page", "no-build"):
@@ -72,7 +72,7 @@ def main():
     for s in in_order(state, runner, mutants[:arguments.first], arguments):
         known = state.data["mutants"].get(s.key())
         wanted = not known or (arguments.again and known["status"] == "survived")
-        if arguments.room and room_of(s.path) != arguments.room:
+        if arguments.module and module_of(s.path) != arguments.module:
             continue
         if arguments.only:
             wanted = s.order in arguments.only

@@ -12,7 +12,7 @@
 #                 undefined-behaviour sanitizers of gcc and of clang (FLOE_STEPS, 3)
 #   thread        the tests with the thread sanitizer, two threads (clang, libarcher)
 #   valgrind      the tests under valgrind
-#   coverage      lines that the tests run, by room
+#   coverage      lines that the tests run, by module
 # FLOE_TESTS: a regular expression of ctest that chooses the tests of sanitize, thread, valgrind and coverage (all). Which of them have passed is
 # in out/nightly/PART.passed; with FLOE_CONTINUE=1 these four do the others only. FLOE_LIMIT: the longest that one test may take, in seconds (3600).
 set -uo pipefail
@@ -178,16 +178,16 @@ part_valgrind() {
 
 part_coverage() {
     scripts/build.sh coverage || return
-    local room file status=0
+    local module file status=0
     [ -n "${FLOE_CONTINUE:-}" ] || find build/coverage -name '*.gcda' -delete
     run_tests coverage || status=1
-    for room in src/*/; do
-        room=$(basename "$room")
-        find "build/coverage/src/$room" -name '*.gcda' 2>/dev/null | while read -r file; do
+    for module in src/*/; do
+        module=$(basename "$module")
+        find "build/coverage/src/$module" -name '*.gcda' 2>/dev/null | while read -r file; do
             gcov -n -o "$(dirname "$file")" "$file" 2>/dev/null
-        done | awk -v room="$room" -v source="src/$room/" '/^File / { mine = index($0, source) && /\.c\x27$/ }
+        done | awk -v module="$module" -v source="src/$module/" '/^File / { mine = index($0, source) && /\.c\x27$/ }
             mine && /^Lines executed/ { split($0, part, /[:% ]+/); n = $NF; all += n; run += part[3] / 100 * n; mine = 0 }
-            END { if (all) printf "%-9s %5.1f %% of %5d lines\n", room, 100 * run / all, all }'
+            END { if (all) printf "%-9s %5.1f %% of %5d lines\n", module, 100 * run / all, all }'
     done | tee -a "$totals/coverage.txt"
     return $status
 }

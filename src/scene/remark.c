@@ -1,7 +1,7 @@
 #include "scene/remark.h"
 
-#include "scene/reach.h"
 #include "scene/remark_internal.h"
+#include "scene/scene_reach.h"
 #include "scene/unsupported.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* What a coupling cannot do. Each rule is a row: what is looked at, the couplings that cannot do it, and why. */
 #include "scene/unsupported.h"
 
-#include "scene/reach.h"
+#include "scene/scene_reach.h"
 
 #include <math.h>
 #include <stddef.h>

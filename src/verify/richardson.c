@@ -1,8 +1,8 @@
 #include "verify/richardson.h"
 
 #include "base/memory.h"
-#include "verify/verify_internal.h"
 #include "verify/sequence.h"
+#include "verify/verify_internal.h"
 
 static const char *const names[] = {
 #define RICHARDSON_ENTRY(enumerator, name) [enumerator] = name,

@@ -1,6 +1,6 @@
 /* A body of gas at rest that expands into a vacuum. */
-#include "verify/verify_internal.h"
 #include "verify/radial_fan.h"
+#include "verify/verify_internal.h"
 
 typedef struct expansion_par {
     double radius, density, pressure, gamma, geometry;

@@ -1,6 +1,6 @@
 /* A sprung piston on a column of compressible fluid, vibrating in one of its modes. */
-#include "verify/verify_internal.h"
 #include "verify/piston.h"
+#include "verify/verify_internal.h"
 
 typedef struct piston_par {
     piston system; /* first: PISTON_PARAMS */

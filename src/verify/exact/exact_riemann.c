@@ -1,6 +1,6 @@
 /* The Riemann problem of two ideal, stiffened or Noble-Abel stiffened gases: shock tubes of one or two materials. */
-#include "verify/verify_internal.h"
 #include "verify/riemann.h"
+#include "verify/verify_internal.h"
 
 typedef struct riemann_par {
     double left_density, left_velocity, left_pressure, left_gamma, left_p_inf, left_covolume, left_heat_capacity;

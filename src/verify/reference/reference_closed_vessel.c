@@ -1,9 +1,9 @@
 /* Grains that burn in a closed vessel: dm/dt = -rho S r_0 (p/p_0)^n, p = (gamma - 1) U/(V - m/rho), U the energy of the
  * gas, which takes the grains' energy and the heat with every mass; the grains are incompressible and exchange no heat.
  * Their surface is S = sigma m/rho, or that of a body that keeps its form, S = S_0 (m/m_0)^f. */
-#include "verify/verify_internal.h"
 #include "verify/ode.h"
 #include "verify/reference.h"
+#include "verify/verify_internal.h"
 
 typedef struct vessel_par {
     double volume, grain_mass, grain_density, grain_energy, heat;

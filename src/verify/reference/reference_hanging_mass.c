@@ -3,8 +3,8 @@
  * is constant. The swing is that of the two-way law between its turning points x_a <= 0 < x_b: with x = c - a
  * cos(theta) the time dt = a sin(theta) d theta/v is the integral of a smooth function (a constant one for Hooke's
  * law). */
-#include "verify/verify_internal.h"
 #include "verify/reference.h"
+#include "verify/verify_internal.h"
 
 #include <gsl/gsl_integration.h>
 

@@ -4,8 +4,8 @@
  * r^(k+1)/(k+1). Equilibrium: p - p_out = k M eps thickness/r, eps = log(r/r0) or r/r0 - 1. Energy: p V/(gamma - 1) +
  * k/2 M eps^2 S r0^k t0 + p_out (V - V1) = p0 V0/(gamma - 1), V0 the gas's and V1 the membrane's volume at the start.
  * Everything may be a share of the whole (a quarter, say): S is then that share of it. */
-#include "verify/verify_internal.h"
 #include "verify/reference.h"
+#include "verify/verify_internal.h"
 
 typedef struct rest_par {
     double sphere, rest_radius, thickness, modulus, gas_pressure, gas_volume, gamma, outside_pressure, enclosed, share;

@@ -1,8 +1,8 @@
 /* The same piston as in exact_piston, struck: all at rest, the piston alone has a velocity. Its motion is the sum over
  * the modes of velocity m/M_n sin(omega_n t)/omega_n, M_n the mode's mass at the piston. */
-#include "verify/verify_internal.h"
 #include "verify/piston.h"
 #include "verify/reference.h"
+#include "verify/verify_internal.h"
 
 typedef struct struck_par {
     piston system; /* first: PISTON_PARAMS */

@@ -1,4 +1,4 @@
-#include "scene/reach.h"
+#include "scene/scene_reach.h"
 
 bool body_reaches_side(const scene *s, const scene_body *b, int axis, int side)
 {

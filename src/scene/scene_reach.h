@@ -1,6 +1,6 @@
 /* What lies at the sides of the domain at the start. */
-#ifndef SCENE_REACH_H
-#define SCENE_REACH_H
+#ifndef SCENE_SCENE_REACH_H
+#define SCENE_SCENE_REACH_H
 
 #include "scene/scene.h"
 
