@@ -217,11 +217,20 @@ static floe_status refuse_mixed(const scene *s, const mesh *m, int fluid, const 
     (void)snprintf(place, sizeof place, m->dim == 1 ? "%g" : "(%g, %g)", x[0], x[1]);
     return fail_key(
         s->ctx, KEY("method", "interface"),
-        "sharp takes one gas in each room between the solids, and at %s there is another beside %s: use smeared", place,
+        "sharp takes one gas in each region between the solids, and at %s there is another beside %s: use smeared",
+        place, s->material[fluid].name);
+}
+
+/* A fluid beside no solid, where others are. */
+static floe_status refuse_unbounded(const scene *s, int fluid)
+{
+    return fail_key(
+        s->ctx, KEY("method", "interface"),
+        "sharp takes one gas in each region between the solids, and %s shares one with another: use smeared",
         s->material[fluid].name);
 }
 
-/* Of several fluids each has rooms to itself, between solids and the sides of the domain. */
+/* Of several fluids each has regions to itself, between solids and the sides of the domain. */
 static floe_status check_regions(const scene *s, const mesh *m, int fluid, const cut_surface *line)
 {
     for (int j = 0; j < m->n[1]; ++j)
@@ -235,7 +244,7 @@ static floe_status check_regions(const scene *s, const mesh *m, int fluid, const
     return FLOE_OK;
 }
 
-/* A side brings the fluid of the room that it bounds. */
+/* A side brings the fluid of the region that it bounds. */
 static floe_status check_side(const scene *s, const mesh *m, int axis, int side)
 {
     const bc_side *given = &s->bc.side[axis][side];
@@ -268,6 +277,7 @@ static floe_status check_fluid(const scene *s, const mesh *m, int fluid)
     cut_surface line;
     floe_status status = cut_create(&line, s->ctx, m);
     if (status == FLOE_OK) status = lay_bodies(s, m, alone ? -1 : fluid, &line);
+    if (status == FLOE_OK && !alone && line.n_chains == 0) status = refuse_unbounded(s, fluid);
     if (status == FLOE_OK) status = check_line(s, &line);
     if (status == FLOE_OK && !alone) status = check_regions(s, m, fluid, &line);
     cut_destroy(&line);
