@@ -100,13 +100,18 @@ static void number_nodes(cut_surface *c)
         }
 }
 
+static int node_of(const cut_surface *c, int k)
+{
+    return (int)c->node[k];
+}
+
 /* Least and most of the numbers. */
 static void bound_nodes(const cut_surface *c, int n, int *least, int *most)
 {
-    *least = *most = c->node[0];
+    *least = *most = node_of(c, 0);
     for (int k = 1; k < n; ++k) {
-        *least = c->node[k] < *least ? c->node[k] : *least;
-        *most = c->node[k] > *most ? c->node[k] : *most;
+        *least = node_of(c, k) < *least ? node_of(c, k) : *least;
+        *most = node_of(c, k) > *most ? node_of(c, k) : *most;
     }
 }
 
@@ -185,7 +190,7 @@ static floe_status finish_cell(cut_surface *c, cut_cell *k)
 /* A cell that no surface cuts: of it a node below none lies in two bodies, by more than round-off. */
 static floe_status finish_whole(const cut_surface *c, int i, int j, int *out)
 {
-    const int node = c->node[j * (c->mesh->n[0] + 1) + i];
+    const int node = node_of(c, j * (c->mesh->n[0] + 1) + i);
     *out = node > 0 ? CUT_INSIDE : CUT_OUTSIDE;
     if (node >= 0) return FLOE_OK;
     return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses another at cell %d", i);

@@ -46,8 +46,8 @@ static void stretch_body(const mpm *s, int blk, int body)
 {
     const fields *f = s->domain->fields[blk];
     const int dim = s->mesh->dim;
-    double *row[9] = {NULL};
-    for (int c = 0; c < dim * dim; ++c) row[c] = field_next(f, P_AFFINE, body, c);
+    double *row[9];
+    for (int c = 0; c < 9; ++c) row[c] = field_next(f, P_AFFINE, body, c < dim * dim ? c : 0);
     const ptrdiff_t n = (ptrdiff_t)s->points[blk][body].n;
 #pragma omp parallel for schedule(static)
     for (ptrdiff_t k = 0; k < n; ++k) {

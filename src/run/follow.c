@@ -53,10 +53,10 @@ static bool is_where_it_was(const run_output *o, const char *place)
 }
 
 /* The place is free, or only the files are gone from it. */
-static bool is_free(const run_output *o)
+static bool is_free(const run_output *o, const char *place)
 {
     struct stat there, ours;
-    if (lstat(o->dir, &there) != 0) return true;
+    if (lstat(place, &there) != 0) return true;
     return fstat(o->folder, &ours) == 0 && is_same(&there, &ours);
 }
 
@@ -68,12 +68,18 @@ static void wait_a_little(void)
     (void)nanosleep(&(struct timespec){0, 50 * 1000 * 1000}, NULL);
 }
 
-static floe_status reopen_outputs(run_output *o, const sim *s, const char *place)
+/* Under the folder's name, or beside what has taken it: by now, or between two tries. */
+static floe_status reopen_outputs(run_output *o, const sim *s)
 {
-    floe_status status = output_reopen(o, s, place);
-    for (int i = 1; i < TRIES && status == FLOE_IO; i++) {
-        context_clear(o->ctx);
-        wait_a_little();
+    char wanted[OUTPUT_PATH], place[OUTPUT_PATH];
+    (void)snprintf(wanted, sizeof wanted, "%.4000s", o->dir);
+    floe_status status = FLOE_IO;
+    for (int i = 0; i < TRIES && status == FLOE_IO; i++) {
+        if (i > 0) {
+            context_clear(o->ctx);
+            wait_a_little();
+        }
+        (void)snprintf(place, sizeof place, "%.4000s%s", wanted, is_free(o, wanted) ? "" : "-continued");
         status = output_reopen(o, s, place);
     }
     return status;
@@ -81,9 +87,7 @@ static floe_status reopen_outputs(run_output *o, const sim *s, const char *place
 
 static floe_status make_anew(run_output *o, const sim *s)
 {
-    char place[OUTPUT_PATH];
-    (void)snprintf(place, sizeof place, "%.4000s%s", o->dir, is_free(o) ? "" : "-continued");
-    const floe_status status = reopen_outputs(o, s, place);
+    const floe_status status = reopen_outputs(o, s);
     if (status != FLOE_IO) return status;
     char cause[CONTEXT_MESSAGE_SIZE];
     (void)snprintf(cause, sizeof cause, "%.1200s", context_message(o->ctx));

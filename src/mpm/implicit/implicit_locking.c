@@ -6,8 +6,8 @@
 
 static double ratio_of(const mpm_body *b)
 {
-    const double shear =
-        b->law && b->law->shear_modulus ? b->law->shear_modulus(b->law_par) : 0.0; /* fluids and membranes have none */
+    if (!b->law || !b->law->shear_modulus) return 0.0; /* membranes */
+    const double shear = b->law->shear_modulus(b->law_par);
     return shear > 0.0 ? b->law->bulk_modulus(b->law_par) / shear : 0.0;
 }
 
