@@ -19,7 +19,8 @@ def wave_speed(young, outer, pressure):
 def plateau(run, speed, pressure):
     """Section mean of p - p0 over rho c u from 1/4 to 2/3 of the way to the front, in the last snapshot."""
     with h5py.File(sorted((run.folder / "fields").glob("*.h5"))[-1]) as file:
-        p = numpy.squeeze(file["cells/pressure"][...])
+        cells = file["cells"]
+        p = numpy.squeeze(cells["pressure_water" if "pressure_water" in cells else "pressure"][...])
         time = float(file.attrs["time"])
         h = file.attrs["cell"]
     r, z = (numpy.arange(p.shape[1]) + 0.5) * h[0], (numpy.arange(p.shape[0]) + 0.5) * h[1]
