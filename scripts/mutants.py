@@ -6,7 +6,7 @@ src/mpm, src/ice, src/coupling and src/study in equal shares, and the quick test
     scripts/mutants.py --again                                what has survived once more (with new tests, say)
     scripts/mutants.py --list                                 the draw, and what is known of each
     scripts/mutants.py --only N                               number N of the draw alone, with what its tests say
-    scripts/mutants.py --page                                 docs/results/mutants.md from what is known
+    scripts/mutants.py --page [--fresh S N]                   docs/results/mutants.md from what is known, with N mutants of another seed
 Equivalent mutants are in scripts/lib/mutation/equivalent.txt, each with its proof; why others may live in survivors.txt beside it."""
 import argparse
 import os
@@ -52,6 +52,7 @@ def main():
     for flag in ("again", "list", "page", "no-build"):
         parser.add_argument("--" + flag, action="store_true")
     parser.add_argument("--only", type=int, action="append")
+    parser.add_argument("--fresh", type=int, nargs=2, action="append", default=[], metavar=("SEED", "MUTANTS"), help="another draw on the page")
     arguments = parser.parse_args()
     os.makedirs(arguments.folder, exist_ok=True)
     os.environ.setdefault("CMAKE_C_COMPILER_LAUNCHER", "ccache" if shutil.which("ccache") else "")
@@ -60,7 +61,8 @@ def main():
     if arguments.list:
         return show(mutants, state)
     if arguments.page:
-        return page.write(arguments.seed, draw, mutants, state, names)
+        fresh = [(seed, plan(seed, count, arguments.folder, state)[2]) for seed, count in arguments.fresh]
+        return page.write(arguments.seed, draw, mutants, state, names, fresh)
     print(f"seed {arguments.seed}: {len(mutants)} mutants of {sum(draw.total.values())} sites", flush=True)
     if not arguments.no_build:
         build(names, draw, mutants, {k: tree for k, tree in trees.items() if k == "switch" or not arguments.no_look}, state)

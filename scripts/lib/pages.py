@@ -1,5 +1,12 @@
 #!/usr/bin/env python3
-"""What pages of docs/results are made with. `pages.py NAME` makes the page of scripts/results/NAME.py, which has a function make(page).
+"""The pages of docs/results, and what they are made with.
+
+    scripts/results.sh [NAME...]           makes pages, each by scripts/results/NAME.py, which has a TITLE and a function make(page); without a name all, in some hours
+    scripts/results.sh list                says which there are
+    scripts/results.sh stale [--strict]    lists those that no longer agree with sources, decks and scripts; with --strict it fails if there is any
+    scripts/results.sh index               writes the index, docs/results/README.md, which lists every bar, met or missed
+
+FLOE is the program, build/release/floe.
 
 A page runs decks by `page.run`, one at a time, each on one thread. Every case is measured: processor time of its steps, wall time, and how
 much the rest of the machine was used meanwhile. A case of less than 50 ms is run again until 0.5 s of processor time are spent.
@@ -18,12 +25,14 @@ import statistics
 import subprocess
 import sys
 import time
+import traceback
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "python"), str(ROOT / "scripts/lib"), str(ROOT / "scripts/results")]
 sys.path.append(str(ROOT / "scripts/results/defaults"))
 
 import floe  # noqa: E402
+import pages_index  # noqa: E402
 import stamp  # noqa: E402
 
 FLOE = pathlib.Path(os.environ.get("FLOE", ROOT / "build/release/floe")).resolve()
@@ -144,6 +153,8 @@ class Page:
         self.runs = ROOT / "out/results" / name
         self.lines, self.bars, self.commands, self.measures, self.also = [], [], [], [], []
         self.couplings, self.said = set(), ""
+        self.beside = False  # whether the page shows its commands where it shows what they have made
+        self.kept = False    # whether something on it is of an earlier making: the page then keeps its earlier stamp
         self.version = program_version()
         self.runs.mkdir(parents=True, exist_ok=True)
         for old in RESULTS.glob(f"{name}-*"):
@@ -180,7 +191,7 @@ class Page:
         print("  " + " ".join(self.commands[-1]), file=sys.stderr, flush=True)
 
     def run(self, deck, folder, coupling=None, settings=(), once=False, more=()):
-        """`floe run` of a deck (its path from the root), measured; `settings` are KEY=VALUE. `once`: its time is of no interest."""
+        """`floe run` of a deck (its path from the root), measured; `settings` are KEY=VALUE. `once`: its time is of no interest, nor whether others have disturbed it."""
         words = ["run", deck] + (["--coupling", coupling] if coupling else []) + [part for one in settings for part in ("--set", one)] + list(more)
         self.note(words)
         place = self.runs / folder
@@ -209,7 +220,8 @@ class Page:
             case.wall = summary["wall_seconds"] - summary["output_seconds"]
         else:
             print(f"    exit status {done.returncode}: {done.stdout.strip()[-300:]}", file=sys.stderr)
-        self.measures.append(case)
+        if not once:
+            self.measures.append(case)
         return case
 
     def cases(self, command, folder, *words, kept=False):
@@ -227,11 +239,42 @@ class Page:
         self.couplings |= set(found.texts("coupling"))
         return found
 
-    def test(self, name, source):
-        """What a test program of the build prints; the page then hangs on its source too."""
-        self.commands.append([f"build/release/tests/{name}"])
+    def limits(self, folder, *words):
+        """`floe stability`: the rows of its limits.csv, as {column: text}."""
+        self.note(["stability", *words])
+        place = self.runs / folder
+        shutil.rmtree(place, ignore_errors=True)
+        done, _ = measured([str(FLOE), "stability", *map(str, words), "-o", str(place), "--threads", "1"], cwd=ROOT)
+        if done.returncode != 0:
+            raise RuntimeError(f"floe stability {' '.join(map(str, words))}: exit status {done.returncode}: {done.stdout[-2000:]}")
+        self.couplings |= stamp.couplings_under(place)
+        with open(place / "limits.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def gather(self):
+        """Takes note of the couplings of all runs in the page's folder, whoever has made them."""
+        self.couplings |= stamp.couplings_under(self.runs)
+
+    def drawn(self, run, name, text, *words, said=True):
+        """`floe picture` of a run, as NAME.png beside the page, which shows it from here on (`said`: the command is among those of the page)."""
+        if said:
+            self.note(["picture", *words])
+        else:
+            self.commands.append(["floe", "picture"])
+        done, _ = measured([str(FLOE), "picture", str(run.folder), *map(str, words), "-o", str(RESULTS / f"{name}.png")], cwd=ROOT)
+        if done.returncode != 0:
+            raise RuntimeError(f"floe picture {run.folder}: exit status {done.returncode}: {done.stdout[-2000:]}")
+        self.lines += ["", f"![{text}]({name}.png)", ""]
+
+    def data(self, name, path):
+        """Copies a file of numbers beside the page."""
+        shutil.copyfile(path, RESULTS / f"{self.name}-{name}.csv")
+
+    def test(self, name, source, folder="tests"):
+        """What a test program of the build prints (of bench/: a benchmark); the page then hangs on its source too."""
+        self.commands.append([f"build/release/{folder}/{name}"])
         self.also.append(source)
-        done, _ = measured([str(FLOE.parent / "tests" / name)], cwd=ROOT)
+        done, _ = measured([str(FLOE.parent / folder / name)], cwd=ROOT)
         if done.returncode != 0:
             raise RuntimeError(f"{name}: exit status {done.returncode}: {done.stdout[-2000:]}")
         return done.stdout
@@ -246,36 +289,36 @@ class Page:
         return (f"{len(disturbed)} of {len(self.measures)} times were disturbed, marked *: others used {max(one.others for one in self.measures):.1f} cores at most, "
                 f"with up to {max(one.switches for one in self.measures):.0f} involuntary switches a second. Processor times bear that better than wall times; errors do not feel it.")
 
+    def earlier_stamp(self):
+        """The last line of the page as it lies there; "" where it has no stamp."""
+        path = RESULTS / f"{self.name}.md"
+        last = path.read_text(encoding="utf-8").rstrip().splitlines()[-1] if path.is_file() else ""
+        return last if stamp.STAMP.match(last) else ""
+
     def finish(self):
         version = program_version()
         if version != self.version:
             raise RuntimeError("the program was built again while the page was made")
         model = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(encoding="ascii"), re.MULTILINE)
-        lines = [f"# {self.title}", "", f"*Written by `scripts/results.sh {self.name}`; do not edit.*", "", *self.lines, "", "## How", "",
-                 "Each run has one thread. The commands, with `build/release/floe` as `floe`:", ""]
+        lines = [f"# {self.title}", "", f"*Written by `scripts/results.sh {self.name}`; do not edit.*", "", *self.lines, "", "## How", ""]
         named = re.sub(r" \([0-9a-f]+\)", "", version)  # a commit may vanish, and the stamp names the sources
-        lines += ["    " + command for command in merged(self.commands)]
+        if self.beside:
+            lines += ["Each run has one thread; the commands stand above, with `build/release/floe` as `floe`."]
+        else:
+            lines += ["Each run has one thread. The commands, with `build/release/floe` as `floe`:", "", *("    " + command for command in merged(self.commands))]
         lines += ["", "Made with", "", *["    " + line for line in named.splitlines()],
                   f"    {model.group(1) if model else os.uname().machine}, {os.cpu_count()} cores"]
         if self.measures:
             lines += ["", self.disturbance()]
         text = "\n".join("    " + " ".join(words) for words in self.commands)
-        lines += ["", stamp.line(self.name, self.couplings, text, version, tuple(self.also))]
+        lines += ["", self.earlier_stamp() if self.kept else stamp.line(self.name, self.couplings, text, version, tuple(self.also))]
         (RESULTS / f"{self.name}.md").write_text(re.sub(r"\n{3,}", "\n\n", "\n".join(lines)) + "\n", encoding="utf-8")
-        self.enter_bars()
+        if self.kept:
+            return
         listed = ROOT / "scripts/results/unstamped.txt"
         kept = [line for line in listed.read_text(encoding="utf-8").splitlines() if line != self.name]
         if len(kept) < len(listed.read_text(encoding="utf-8").splitlines()):
             listed.write_text("\n".join(kept) + "\n", encoding="utf-8")
-
-    def enter_bars(self):
-        """Puts the page's bars into the index of all, in place of its earlier ones."""
-        index = RESULTS / "bars.csv"
-        rows = index.read_text(encoding="utf-8").splitlines() if index.exists() else ["page,what,measured,bar,met"]
-        rows = [row for row in rows if not row.startswith(self.name + ",")]
-        for what, value, limit, met in self.bars:
-            rows.append(f'{self.name},"{what}",{value},{limit},{met}')
-        index.write_text("\n".join(rows) + "\n", encoding="utf-8")
 
 
 def write_csv(path, header, rows):
@@ -285,20 +328,51 @@ def write_csv(path, header, rows):
         writer.writerows(rows)
 
 
-def main():
-    if len(sys.argv) != 2:
-        print(__doc__, file=sys.stderr)
-        return 2
-    module = importlib.import_module(sys.argv[1])
+def make_page(name):
+    module = importlib.import_module(name)
+    page = Page(name, module.TITLE)
+    module.make(page)
+    page.finish()
+
+
+def make_pages(names):
+    """Makes pages one after the other; one that fails is told, and the others are made. Then the record of bits of their sources, and the index."""
     (ROOT / "out/results").mkdir(parents=True, exist_ok=True)
+    failed = []
     with open(ROOT / "out/results/.alone", "w", encoding="ascii") as alone:
         fcntl.flock(alone, fcntl.LOCK_EX)  # two pages at a time would measure each other
-        page = Page(sys.argv[1], module.TITLE)
-        module.make(page)
-        page.finish()
+        for name in names:
+            print(name, file=sys.stderr, flush=True)
+            try:
+                make_page(name)
+            except Exception:  # pylint: disable=broad-except  # whatever it is, hours of other pages are not lost
+                traceback.print_exc()
+                failed.append(name)
+    pages_index.write_index()
+    if failed:
+        print(f"not made: {', '.join(failed)}", file=sys.stderr)
+    recorded = subprocess.run([sys.executable, str(ROOT / "scripts/same_bits.py"), "record"], env=dict(os.environ, FLOE=str(FLOE)), check=False).returncode
+    return 1 if failed else recorded
+
+
+def main(words):
+    known = dict(pages_index.described())
+    if words[:1] in (["-h"], ["--help"]):
+        print(__doc__)
+    elif words[:1] == ["list"]:
+        print("\n".join(f"{name:14} {said}" for name, said in known.items()))
+    elif words[:1] == ["stale"]:
+        return stamp.list_stale("--strict" in words, RESULTS)
+    elif words[:1] == ["index"]:
+        pages_index.write_index()
+    elif unknown := [name for name in words if name not in known]:
+        print(f"results.sh: unknown result '{unknown[0]}'; there are: {', '.join(known)}", file=sys.stderr)
+        return 2
+    else:
+        return make_pages(words or [name for name in pages_index.ORDER if name in known])
     return 0
 
 
 if __name__ == "__main__":
     sys.modules["pages"] = sys.modules["__main__"]
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

@@ -12,15 +12,21 @@ A stamp names content, no commit: a hash of the sources that the page's runs use
 * `draw`, `report` where floe has drawn no figure of the page.
 
 Comments and blanks do not count, neither in C nor in CMake, decks and scripts. Of the modules that a script in Python imports only the
-definitions that it can reach count; what makes every page (page.bash, pages.py) does not. A page whose program was not built from the sources that lay there says `modified`: that is a fault.
+definitions that it can reach count; what makes every page (pages.py, pages_index.py) does not. A page whose program was not built from the sources that lay there says `modified`: that is a fault.
+
+A page of other sources is fresh all the same if its decks give the same bits under both (bits.py, scripts/same_bits.py record).
 """
 import ast
+import functools
 import hashlib
+import itertools
 import os
 import pathlib
 import re
 import subprocess
 import sys
+
+import bits
 
 ROOT = pathlib.Path(os.environ.get("FLOE_SOURCE", pathlib.Path(__file__).resolve().parents[2]))
 SCRIPTS = "scripts/results"
@@ -121,10 +127,27 @@ def left_out(tree, couplings, commands, text, draws):
     return out & set(modules(tree))
 
 
-def sources_hash(tree, without, also=()):
+def sources_hash(tree, without, also=(), text_of=None):
+    """`text_of(path)`: what counts of a file, where that is known already."""
     files = tree.files("src", "include", "cmake", "CMakeLists.txt", "CMakePresets.json", *also)
     kept = [path for path in files if not any(path.startswith(f"src/{module}/") for module in without)]
-    return digest((path, bare(path, tree.text(path))) for path in kept)
+    return digest((path, text_of(path) if text_of else bare(path, tree.text(path))) for path in kept)
+
+
+def name_of(without, also):
+    """By which a record has the hash of the sources of a page that leaves out modules and hangs on other files."""
+    return " ".join(without) + (f"; {' '.join(also)}" if also else "")
+
+
+def sources_names(tree, others):
+    """The hash of the sources by the modules that a page may leave out, as its stamp has them (left_out), and by the files of `others` that it hangs on besides."""
+    text_of = functools.cache(lambda path: bare(path, tree.text(path)))
+    names = {}
+    for entered in itertools.product(((), ("mpm", "surface"), ("ice",)), ((), ("report",)), ((), ("draw",)), ((), ("study", "batch"))):
+        without = sorted(set(itertools.chain(*entered)) & set(modules(tree)))
+        for also in ((), *others):
+            names.setdefault(name_of(without, also), sources_hash(tree, without, also, text_of))
+    return names
 
 
 def built_from(version, without, also):
@@ -166,6 +189,10 @@ def decks_hash(tree, names):
             if tree.has(path):
                 parts.append((path, tree.text(path)))
     return digest(parts)
+
+
+def file_hash(tree, name):
+    return digest([(name, bare(name, tree.text(name)))])
 
 
 def brief(names):
@@ -337,12 +364,35 @@ def faults_of(name, stamp, is_listed):
     return "made by a program of other sources than it names" if stamp["modified"] else None
 
 
-def changes_of(name, stamp):
-    """Which of sources, decks and script are not what the stamp says."""
-    tree, out = Tree(), []
+def commands_in(text):
+    """The commands of a page: what is under its last heading How."""
+    return text.rpartition("\n## How\n")[2]
+
+
+def why_other_sources(tree, stamp, text, records):
+    """Why a page is not as good as made from the sources that lie here, from other ones; None: it is."""
     without, also = (stamp["without"] or "").split(), (stamp["also"] or "").split()
-    if sources_hash(tree, without, also) != stamp["sources"]:
-        out.append("sources")
+    now = sources_hash(tree, without, also)
+    if now == stamp["sources"]:
+        return None
+    named = {name: [one for one in records if one.names.get(name_of(without, also)) == name] for name in (stamp["sources"], now)}
+    if not all(named.values()):
+        return f"sources, no record of bits of those {'that it names' if not named[stamp['sources']] else 'that lie here'}"
+    decks = {name: tree.text(name) for name in decks_of(stamp["names"] or "")}
+    texts = [tree.text(name) for name in sorted({key[1] for one in records for key in one.rows}) if tree.has(name)]
+    deck_hash = functools.cache(lambda name: decks_hash(tree, [name]) if name.endswith(".yaml") else file_hash(tree, name))
+    found = [bits.differences(before, after, commands_in(text), decks, also, deck_hash, texts)
+             for before in named[stamp["sources"]] for after in named[now]]
+    least = min(found, key=len)
+    return f"sources: {'; '.join(least[:3])}{f'; and {len(least) - 3} more' if len(least) > 3 else ''}" if least else None
+
+
+def changes_of(name, stamp, text, records):
+    """Which of sources, decks and script are not what the stamp says, nor of the same effect."""
+    tree, out = Tree(), []
+    why = why_other_sources(tree, stamp, text, records)
+    if why:
+        out.append(why)
     if decks_hash(tree, decks_of(stamp["names"] or "")) != stamp["decks"]:
         out.append("decks")
     if not script_of(name) or script_hash(name) != stamp["script"]:
@@ -359,6 +409,7 @@ def stamp_in(text):
 def list_stale(strict, folder):
     listed = set(bare_lines((ROOT / SCRIPTS / "unstamped.txt").read_text(encoding="utf-8")).split())
     faults, stale = [], [(name, "no stamp") for name in sorted(listed)]
+    records = list(bits.read(ROOT / bits.FOLDER).values())
     pages = {path.stem: path.read_text(encoding="utf-8") for path in sorted(pathlib.Path(folder).glob("*.md")) if path.stem != "README"}
     faults += [(name, "on scripts/results/unstamped.txt, and there is no such page") for name in sorted(listed - set(pages))]
     for name, text in pages.items():
@@ -366,7 +417,7 @@ def list_stale(strict, folder):
         fault = faults_of(name, stamp, name in listed)
         if fault:
             faults.append((name, fault))
-        elif stamp and (changes := changes_of(name, stamp)):
+        elif stamp and (changes := changes_of(name, stamp, text, records)):
             stale.append((name, "other " + ", ".join(changes)))
     for kind, found in (("stale", sorted(stale)), ("faulty", faults)):
         for name, why in found:

@@ -76,7 +76,7 @@ class Table:
 
     def add_run(self, stem, run):
         verdict = run["verdict"]
-        name, warned = f"{stem}, {run['directory']}", [word for word in run["warnings"] if "does not read this key" not in word]
+        name, warned = f"{stem}, {run['directory']}", [word for word in run.get("warnings", []) if "does not read this key" not in word]
         if verdict["judged_by"] == "blind":
             self.blind.append(f"* {name}: {verdict['unnoticed']}")
         if verdict["judged_by"] == "wrong":

@@ -99,6 +99,16 @@ def lines_of(seed, draw, mutants, state, names):
     return lines, all_of.share
 
 
+def lines_of_fresh(seed, mutants, state):
+    """Another draw: how many are killed that nobody looked for."""
+    known, proofs, why = {s.order: state.data["mutants"].get(s.key()) for s in mutants}, entries("equivalent.txt"), entries("survivors.txt")
+    c = Count(mutants, known, proofs)
+    lines = ["", f"## Another draw, seed {seed}", "", f"None of the tests that see these was written for them: what is seen of faults that nobody looked for. "
+             f"Drawn: {c.drawn}; run: {len(c.run)}; killed: **{c.killed}**; proved equivalent: {len(c.equal)}; alive so far: {len(c.alive)}. "
+             f"Killed, of those that are not equivalent: **{100.0 * c.share:.1f} %** at least.", ""]
+    return lines + [alive_of(s, known[s.order], why, state.data["tests"]) for s in c.alive]
+
+
 def git(*words):
     return subprocess.run(("git", "-C", ROOT) + words, capture_output=True, text=True, check=False).stdout.strip()
 
@@ -118,8 +128,11 @@ def version():
     return f"floe ({head()}{'-modified' if changed else ''})"
 
 
-def write(seed, draw, mutants, state, names):
+def write(seed, draw, mutants, state, names, fresh):
+    """`fresh`: more draws, as (seed, mutants)."""
     lines, _ = lines_of(seed, draw, mutants, state, names)
+    at = lines.index("## Equivalent") - 1
+    lines[at:at] = [line for other, drawn in fresh for line in lines_of_fresh(other, drawn, state)]
     text = ["# Mutants: faults that the quick tests see, and those that they do not", "", "*Written by `scripts/mutants.py --page`; do not edit.*", ""]
     text += lines + ["", stamp.line("mutants", set(), "", version(), ("tests",))]
     with open(os.path.join(ROOT, "docs/results/mutants.md"), "w", encoding="utf-8") as f:

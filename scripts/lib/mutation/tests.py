@@ -1,4 +1,5 @@
 """Tests under limits, which of them could see a mutant, and which does."""
+import collections
 import hashlib
 import json
 import os
@@ -153,7 +154,11 @@ def test_mark(argv):
 
 # What tests of a part are called that is not in the names of its files.
 ALSO = {"balance": {"statics", "rest"}, "edge": {"edges"}, "normal": {"normals"}, "boundary": {"sides"}, "open": {"sides"}, "reaction": {"react"},
-        "heat": {"diffusion"}, "traction": {"force"}, "cut": {"sharp"}, "choose": {"tolerance"}, "wall": {"side"}}
+        "heat": {"diffusion"}, "traction": {"force"}, "cut": {"sharp"}, "choose": {"tolerance"}, "wall": {"side"},
+        "coupling": {"coupled"}, "strip": {"transfer"}, "cell": {"transfer"}, "trace": {"exchange"}, "dispersed": {"exchange", "law"},
+        "equilibrium": {"exchange"}, "implicit": {"statics", "rest"}, "loads": {"force"}, "seed": {"sort"}, "scatter": {"kernel", "bits"},
+        "gather": {"kernel", "bits"}, "project": {"kernel", "bits"}, "stencil": {"basis", "bits"}, "merged": {"sealed"}, "json": {"bars"},
+        "write": {"bars"}, "profile": {"compare", "report"}, "figure": {"compare"}, "miss": {"bars", "check"}, "front": {"values"}}
 
 
 def words_of(path):
@@ -161,15 +166,22 @@ def words_of(path):
     return words.union(*(ALSO.get(w, set()) for w in words))
 
 
+def killers_of_file(state, path):
+    """How many mutants of a file each test has killed."""
+    known = state.data["mutants"].items()
+    return collections.Counter(m["by"] for key, m in known if m["status"] == "killed" and key.startswith(path + "|"))
+
+
 def candidates(state, runner, site, killer, longest):
-    """The tests that could see it: those of its own part first, then the cheapest; one that has killed it before goes first. Asked are those in which
-    its value has differed; of a rebuilt file, and of what no look has been taken at, those of its own part at least."""
-    tests, words, costs = state.data["tests"], words_of(site.path), costs_of_tests()
+    """The tests that could see it: those of its own part and those that have killed others of its file first, then the cheapest; one that has killed
+    it before goes first. Asked are those in which its value has differed; of a rebuilt file, and of what no look has been taken at, those of its own
+    part at least."""
+    tests, words, costs, killers = state.data["tests"], words_of(site.path), costs_of_tests(), killers_of_file(state, site.path)
     for name in runner.tests:
         tests.setdefault(name, {"mark": "", "cpu": costs.get(name, 5.0), "wrong": "", "asked": [], "seen": []})
     score = {}
     for name, t in tests.items():
-        own = len(words & set(name.split("_")))
+        own = len(words & set(name.split("_"))) + min(killers[name], 2)
         looked = t["mark"] == test_mark(runner.tests[name][0]) and site.key() in t["asked"] if name in runner.tests else False
         if t["wrong"] or t["cpu"] > 2.0 * longest or name not in runner.tests:
             continue

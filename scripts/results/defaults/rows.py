@@ -95,29 +95,20 @@ class Page:
             wanted = "at least " + wanted
         self.bars.append((what, form.format(measured), wanted, "met" if met else "**missed**"))
 
-    def enter(self, index):
-        """Adds the bars to the index of all pages, a CSV file; without one, nowhere."""
-        if not index:
-            return
-        with open(index, "a", newline="") as file:
-            for what, measured, wanted, met in self.bars:
-                file.write('defaults,"%s",%s,%s,%s\n' % (what.replace('"', "'"), measured, wanted, met.strip("*")))
 
-
-def main(names):
+def measured(names=()):
+    """The page of the named rows, or of all."""
     sys.path.insert(0, str(HERE))
-    names = names or sorted(path.stem for path in HERE.glob("[a-z][0-9]*.py") if "_" not in path.stem)  # e12_elements: a reference
     page = Page()
-    for name in names:
+    for name in names or sorted(path.stem for path in HERE.glob("[a-z][0-9]*.py") if "_" not in path.stem):  # e12_elements: a reference
         importlib.import_module(name).measure(page)
     if page.bars:
         page.write("", "## Bars")
         page.table(("what", "measured", "bar", ""), page.bars)
-        page.enter(os.environ.get("FLOE_BARS"))
-    print("\n".join(page.lines))
+    return page
 
 
 if __name__ == "__main__":
     # The rows import this file as a module; both names must mean one Page.
     sys.modules["rows"] = sys.modules["__main__"]
-    main(sys.argv[1:])
+    print("\n".join(measured(sys.argv[1:]).lines))
