@@ -58,7 +58,7 @@ static void stir(ice *s, const domain *d, const mesh *m)
                 field_get(d->fields[0], C_ENERGY, r, 0)[at] = e;
                 field_get(d->fields[0], C_VEL, r, 0)[at] = 100.0 * sin(x) * cos(y);
                 field_get(d->fields[0], C_VEL, r, 1)[at] = -100.0 * cos(x) * sin(y);
-                if (s->multi) field_get(d->fields[0], C_VOL, r, 0)[at] = v;
+                if (ice_is_mixture(s)) field_get(d->fields[0], C_VOL, r, 0)[at] = v;
                 field_get(d->fields[0], C_PRESSURE, 0, 0)[at] = p;
             }
         }

@@ -3,7 +3,7 @@ add_library(floe_flags INTERFACE)
 target_link_libraries(floe_flags INTERFACE OpenMP::OpenMP_C Threads::Threads m)
 target_compile_options(floe_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wstrict-prototypes -Wmissing-prototypes
-    -Wvla -Werror
+    -Wvla $<$<BOOL:${FLOE_WERROR}>:-Werror>
     $<$<C_COMPILER_ID:GNU>:-Wdouble-promotion>
     # a * b + c is two operations on every machine: results do not depend on which has them in one.
     -ffp-contract=off

@@ -27,13 +27,13 @@ complain 'more than 700 lines: split the file' \
 complain 'compilers are known to src/base/compiler.h and floe.h, threads to src/base/threads.c: no #if or attribute elsewhere' \
     "$(grep -rnE '#( *)if|__attribute__|__builtin_' src include bench --include='*.[ch]' | grep -vE '#ifndef [A-Z0-9_]+_H$' |
         grep -vE '^(src/base/(compiler\.h|threads\.c)|include/floe/floe\.h):')"
-only_in 'gsl/' coupling surface verify study
+only_in 'gsl/' coupling surface verify library
 only_in 'sunlinsol/sunlinsol_pcg' solve
 only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)/' coupling verify solve
 only_in 'hdf5' io
 only_in 'cairo' draw
 only_in '(libfyaml|udunits)' deck
-only_in 'jansson' io batch study report cli
+only_in 'jansson' base deck io batch study report cli
 only_in 'argp' cli
 complain 'decks without a picture in docs/results/gallery.md (GALLERY_KEEP=1 scripts/results.sh gallery)' \
     "$(for deck in inputs/*.yaml; do
@@ -49,6 +49,29 @@ complain 'comments that cite notes outside the repository, or sections that docs
 complain 'files that docs/theory names and that are not there' \
     "$(grep -ohE '`(src|tests|inputs)/[^`]*`' docs/theory/*.md | tr -d '`' | sort -u | while read -r file; do
         compgen -G "$file" >/dev/null || echo "$file"
+    done)"
+# Headers of a large module that other modules do not see concern some of its files, not most of them.
+complain 'headers inside a module that more than 20 of its files see, directly or through others: one a concern' \
+    "$(for module in mpm ice; do # all kernels of ice are written in terms of a view, and its constants are one table
+        grep -rnoE "#include \"$module/[^\"]*\"" src | awk -v module="$module" '
+            { split($0, at, ":"); sub(/^src\//, "", at[1]); sub(/.*#include "/, ""); sub(/"$/, ""); sees[at[1]] = sees[at[1]] " " $0
+              if (at[1] !~ "^" module "/") mark($0, shown) }
+            function mark(header, seen,    list, n, i) {
+                if (header in seen) return
+                seen[header] = 1
+                n = split(sees[header], list, " ")
+                for (i = 1; i <= n; ++i) mark(list[i], seen)
+            }
+            END {
+                for (header in shown) { delete shown[header]; mark(header, public) }
+                for (file in sees) if (file ~ "^" module "/.*[.]c$") {
+                    split("", seen)
+                    n = split(sees[file], list, " ")
+                    for (i = 1; i <= n; ++i) mark(list[i], seen)
+                    for (header in seen) ++count[header]
+                }
+                for (header in count) if (count[header] > 20 && !(header in public) && header !~ /ice_(view|constants).h$/) print "src/" header ": " count[header]
+            }'
     done)"
 complain 'file names that two folders of src have' "$(find src -name '*.[ch]' -printf '%f\n' | sort | uniq -d)"
 # Words that floe once had for itself, where the field has its own: neither they nor names with them as a part come back as identifiers.

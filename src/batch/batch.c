@@ -17,7 +17,7 @@ static floe_status prepare_case(batch *b, batch_case *one)
 {
     one->state = BATCH_WAITING;
     one->other_cores = one->process_seconds = NAN;
-    one->kept = one->ran = one->timed_out = one->alone = false;
+    one->kept = one->ran = one->timed_out = one->alone = one->resumed = one->start_over = false;
     if (!one->hash[0]) {
         const floe_status status = batch_prepare(b->ctx, b->o, one, NULL);
         if (status == FLOE_BAD_INPUT) {

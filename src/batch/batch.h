@@ -2,8 +2,8 @@
  *
  * A case that diverges, is killed, cannot be read or takes too long is a result with its cause, and the rest go on. A
  * finished case leaves FOLDER/case.json, by which a later batch knows it and need not run it again; a case that was cut
- * short is run again from its start. One batch at a time in a folder: DIR and each case's folder are locked while they
- * are written to. */
+ * short can go on from its checkpoint, and else is run again from its start. One batch at a time in a folder: DIR and
+ * each case's folder are locked while they are written to. */
 #ifndef BATCH_BATCH_H
 #define BATCH_BATCH_H
 
@@ -34,6 +34,8 @@ typedef struct batch_case {
                                     made of it), FLOE_INTERNAL (killed by a signal), ... */
     bool ran;           /* summary holds something */
     bool kept;          /* it was finished before and has not been run again */
+    bool resumed;       /* it went on from its checkpoint: its times are those of no single run */
+    bool start_over;    /* its checkpoint could not be gone on with */
     bool timed_out;     /* max_wall was reached */
     char message[BATCH_MESSAGE]; /* why it is not FLOE_OK */
     bool alone;                  /* it ran alone on one thread, as far as the batch knows: its time counts */
@@ -48,8 +50,10 @@ typedef struct batch_options {
     const char *dir;
     int jobs;           /* cases at a time; 0: one */
     int threads;        /* of each; 0: one */
-    double max_wall;    /* s of each case; 0: no limit */
+    double max_wall;    /* s of each case, or of each leg of one that goes on; 0: no limit */
     bool keep_finished; /* cases that have ended before with the very same resolved deck are not run again */
+    bool go_on;         /* a case that was cut short goes on from its checkpoint, if this build of floe began it, of the
+                           very same resolved deck */
     bool thin;          /* of a case that has ended, its snapshots and checkpoint are removed */
     const volatile sig_atomic_t *stop; /* becomes non-zero when the batch is asked to stop; NULL: never */
     FILE *progress;                    /* NULL: quiet */

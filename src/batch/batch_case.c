@@ -97,10 +97,10 @@ static floe_status note_case_summary(batch *b, const batch_case *one)
     char path[BATCH_PATH];
     batch_path(b->o, one, "case.json", path);
     return json_write(b->ctx, path,
-                      json_pack("{s:i, s:s, s:s, s:s, s:{s:b, s:o, s:o}}", "schema", 1, "deck_sha256", one->hash,
+                      json_pack("{s:i, s:s, s:s, s:s, s:{s:b, s:b, s:o, s:o}}", "schema", 1, "deck_sha256", one->hash,
                                 "status", batch_status_name(one), "message", one->message, "timing", "alone",
-                                one->alone, "other_cores", json_number(one->other_cores), "process_seconds",
-                                json_number(one->process_seconds)));
+                                one->alone, "resumed", one->resumed, "other_cores", json_number(one->other_cores),
+                                "process_seconds", json_number(one->process_seconds)));
 }
 
 static const char *text_of(const json_t *object, const char *key)
@@ -123,6 +123,7 @@ static bool take_note(const batch *b, batch_case *one)
     const json_t *timing = json_object_get(object, "timing");
     const json_t *cores = json_object_get(timing, "other_cores"), *own = json_object_get(timing, "process_seconds");
     one->alone = json_is_true(json_object_get(timing, "alone"));
+    one->resumed = json_is_true(json_object_get(timing, "resumed"));
     one->other_cores = json_is_number(cores) ? json_number_value(cores) : (double)NAN;
     one->process_seconds = json_is_number(own) ? json_number_value(own) : (double)NAN;
     json_decref(object);
@@ -135,6 +136,8 @@ static bool read_summary(const batch *b, batch_case *one)
     batch_path(b->o, one, "summary.json", path);
     one->ran = file_exists(path) && summary_read(b->ctx, path, &one->summary) == FLOE_OK;
     context_clear(b->ctx);
+    /* A summary has them of its last leg alone. */
+    if (one->ran && one->resumed) one->summary.cpu_seconds = one->summary.output_seconds = NAN;
     return one->ran;
 }
 
@@ -226,13 +229,21 @@ static bool was_stopped(const batch *b, const batch_job *j, int wait_status)
     return asked && status_of(wait_status) == FLOE_INTERRUPTED;
 }
 
+/* A run that ends in an error of its files or its deck may have been given a checkpoint that is none: it is begun anew. */
+static bool was_refused(const batch_case *one, int wait_status)
+{
+    return one->resumed && WIFEXITED(wait_status) &&
+           (one->status == FLOE_BAD_INPUT || one->status == FLOE_IO || one->status == FLOE_INTERNAL);
+}
+
 floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
 {
     batch_case *one = &b->list[j->index];
     const machine_load after = machine_load_now();
-    one->alone = b->n_jobs == 1 && b->o->threads <= 1;
-    one->other_cores = b->n_jobs == 1 ? machine_load_of_others(&j->before, &after) : (double)NAN;
-    one->process_seconds = b->n_jobs == 1 ? after.own_cpu - j->before.own_cpu : (double)NAN;
+    const bool timed = b->n_jobs == 1 && !one->resumed;
+    one->alone = timed && b->o->threads <= 1;
+    one->other_cores = timed ? machine_load_of_others(&j->before, &after) : (double)NAN;
+    one->process_seconds = timed ? after.own_cpu - j->before.own_cpu : (double)NAN;
     one->status = status_of(wait_status);
     (void)read_summary(b, one);
     if (!one->ran && one->status == FLOE_OK) one->status = FLOE_INTERNAL;
@@ -246,8 +257,17 @@ floe_status batch_case_collect(batch *b, batch_job *j, int wait_status)
         one->status = FLOE_INTERRUPTED;
         return FLOE_OK;
     }
+    if (was_refused(one, wait_status)) {
+        context_log(b->ctx, LOG_WARNING, "%s does not go on from its checkpoint, and is begun anew: %s", one->label,
+                    one->message);
+        one->state = BATCH_WAITING;
+        one->start_over = true;
+        return FLOE_OK;
+    }
     batch_progress_report(b, one);
     if (!is_final(one)) return FLOE_OK;
     if (b->o->thin) TRY(make_thin(b, one));
-    return note_case_summary(b, one);
+    TRY(note_case_summary(b, one));
+    /* Last, so that a batch killed in between finds the case either as begun or as ended. */
+    return batch_case_clear_begin(b, one);
 }

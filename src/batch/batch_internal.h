@@ -41,6 +41,14 @@ floe_status batch_case_discard(batch *b, const batch_case *one);
 /* Makes a result of how the process has ended, and notes it in case.json if it is final. */
 floe_status batch_case_collect(batch *b, batch_job *j, int wait_status);
 
+/* batch_resume.c */
+/* Whether the case goes on from the checkpoint in its folder. */
+bool batch_case_goes_on(const batch *b, const batch_case *one);
+/* Notes of which deck and build the folder's run is, after the checkpoints of any other have gone. */
+floe_status batch_case_begin(batch *b, const batch_case *one);
+/* Removes that note, of a case that has ended. */
+floe_status batch_case_clear_begin(batch *b, const batch_case *one);
+
 /* batch_process.c */
 /* Starts the case's process in a free place. */
 floe_status batch_process_start(batch *b, size_t i);

@@ -72,6 +72,7 @@ static void fill_arguments(const batch *b, const batch_case *one, const char *fo
         argument[n++] = "--max-wall";
         argument[n++] = number[2];
     }
+    if (one->resumed) argument[n++] = "--resume";
     for (size_t k = 0; k < one->n_set; k++) {
         argument[n++] = "--set";
         argument[n++] = one->set[k];
@@ -80,7 +81,7 @@ static void fill_arguments(const batch *b, const batch_case *one, const char *fo
     argument[n] = o->deck;
 }
 
-static floe_status start_case(batch *b, const batch_case *one, pid_t *pid)
+static floe_status start_case(batch *b, batch_case *one, pid_t *pid)
 {
     enum { OTHERS = 16 }; /* arguments, and the NULL after them */
     char folder[BATCH_PATH], messages[BATCH_PATH], number[3][32];
@@ -89,7 +90,9 @@ static floe_status start_case(batch *b, const batch_case *one, pid_t *pid)
     batch_path(b->o, one, "stderr.txt", messages);
     TRY(folder_make(b->ctx, folder));
     TRY(wait_for_earlier(b, folder));
+    one->resumed = batch_case_goes_on(b, one);
     TRY(batch_case_discard(b, one));
+    if (!one->resumed) TRY(batch_case_begin(b, one));
     TRY(file_remove(b->ctx, messages));
     TRY(memory_new(b->ctx, &argument, 2 * one->n_set + OTHERS, sizeof *argument));
     fill_arguments(b, one, folder, number, argument);

@@ -48,6 +48,9 @@ typedef struct cli_deck {
     char coupling[96]; /* "coupling=NAME", one of `set` */
 } cli_deck;
 
+/* Makes the cases of the deck's study and comparison ready, as their runs would be, and prints how many there are. */
+floe_status cli_check_batches(const cli *c, const cli_deck *d, const scene *s);
+
 /* Takes an argument that several commands share: the deck, --set (key 's'), --coupling (key 'c'). ARGP_ERR_UNKNOWN for
  * others. */
 error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *state);

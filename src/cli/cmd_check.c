@@ -1,10 +1,6 @@
 /* floe check DECK */
 #include "cli/cli.h"
-#include "study/study.h"
-
-#include <sys/stat.h>
-
-#include <string.h>
+#include "run/ready.h"
 
 static error_t parse_check_option(int key, char *arg, struct argp_state *state)
 {
@@ -35,47 +31,14 @@ static void print_check_warning(void *user, const char *text)
     context_log(user, LOG_WARNING, "%s", text);
 }
 
-/* The cases of `floe study`, or of `floe compare`. */
-static floe_status rehearse_cases(const cli *c, const cli_deck *d, bool compare)
-{
-    study_rehearsal result;
-    const study_options wanted = {.name = compare ? "compare" : "study",
-                                  .compare = compare,
-                                  .deck = d->path,
-                                  .set = {d->set, d->n_set},
-                                  .repeat = -1,
-                                  .dir = "",
-                                  .stop = c->stop,
-                                  .progress = stderr};
-    TRY(study_rehearse(c->ctx, &wanted, &result));
-    printf("%s: %zu cases", wanted.name, result.cases);
-    if (result.foreseen > 0) printf(", %zu refused, as the deck foresees", result.foreseen);
-    const size_t tried = result.set_up + result.foreseen + result.refused;
-    if (tried < result.cases) printf(", %zu of them made ready", tried);
-    printf("\n");
-    return FLOE_OK;
-}
-
-static floe_status rehearse_batches(const cli *c, const cli_deck *d, const scene *s)
-{
-    struct stat about;
-    const bool batches = s->n_runs_as > 1 || s->compare.n_values > 0 || s->study.n_axes > 0;
-    if (batches && stat(d->path, &about) == 0 && !S_ISREG(about.st_mode)) {
-        printf("cases: not made ready, as each reads the deck anew and '%s' can be read once: give a file\n", d->path);
-        return FLOE_OK;
-    }
-    if (s->n_runs_as > 1 || s->compare.n_values > 0) TRY(rehearse_cases(c, d, true));
-    return s->study.n_axes > 0 ? rehearse_cases(c, d, false) : FLOE_OK;
-}
-
-static void print_start(const scene *s, const study_ready *ready)
+static void print_start(const scene *s, const run_ready *ready)
 {
     if (ready->done)
         printf("ready to run: %zu points, first step %.3g%s, about %.0f steps\n", ready->points, ready->step,
                scene_time_unit(s), ready->steps);
     else
         printf("not made ready, as it has %.3g cells (%.0e at most): `floe plan` does, and says what memory it takes\n",
-               ready->cells, STUDY_SET_UP_CELLS);
+               ready->cells, RUN_READY_CELLS);
 }
 
 int cmd_check(cli *c, int argc, char **argv)
@@ -83,10 +46,10 @@ int cmd_check(cli *c, int argc, char **argv)
     cli_deck d = {0};
     scene *s;
     argp_parse(&argp, argc, argv, 0, NULL, &d);
-    study_ready ready;
+    run_ready ready;
     floe_status status = cli_check(c, &d, &s);
     if (status != FLOE_OK) return cli_fail(c, status);
-    status = study_set_up(s, &ready, print_check_warning, c->ctx);
+    status = run_make_ready(s, &ready, print_check_warning, c->ctx);
     if (status != FLOE_OK) {
         scene_destroy(&s);
         return cli_fail(c, status);
@@ -96,7 +59,7 @@ int cmd_check(cli *c, int argc, char **argv)
     printf(" cells, %d material%s, %d bod%s, coupling %s\n", s->n_materials, s->n_materials == 1 ? "" : "s",
            s->n_bodies, s->n_bodies == 1 ? "y" : "ies", coupling_name(s->coupling));
     print_start(s, &ready);
-    status = rehearse_batches(c, &d, s);
+    status = cli_check_batches(c, &d, s);
     scene_destroy(&s);
     return status == FLOE_OK ? 0 : cli_fail(c, status);
 }

@@ -19,7 +19,8 @@ static const struct argp argp = {
     .doc =
         "Run a scene in every coupling of its `runs_as` and for every value of an axis, one after the other, and put "
         "errors, orders and run times side by side. The same command goes on with a comparison that was stopped, and "
-        "runs no case again that has ended. DIR gets compare.json, compare.csv, errors.svg, profile.svg (where the "
+        "runs no case again that has ended; one that was cut short goes on from its checkpoint. DIR gets compare.json, "
+        "compare.csv, errors.svg, profile.svg (where the "
         "exact solution has a profile) with their data and scripts, and a folder for each case.",
 };
 

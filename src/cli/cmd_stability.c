@@ -1,18 +1,13 @@
 /* floe stability DECK */
-#include "cli/cli.h"
+#include "cli/batch_cli.h"
 #include "study/stability/stability.h"
 
-#include <errno.h>
-#include <string.h>
-
-enum { MAX_AXES = 16, KEY_EACH = 1000, KEY_TOLERANCE, KEY_GROWTH, KEY_RELATIVE, KEY_MAX_WALL };
+enum { MAX_AXES = 16, KEY_EACH = 1000, KEY_TOLERANCE, KEY_GROWTH, KEY_RELATIVE };
 
 typedef struct arguments {
-    cli_deck deck;
+    batch_arguments batch;
     stability_options options;
     const char *over[MAX_AXES], *each[MAX_AXES];
-    bool quiet;
-    char dir[CLI_PATH + CLI_SUFFIX], program[BATCH_PATH];
 } arguments;
 
 static void add_text(struct argp_state *state, const char **list, size_t *n, const char *arg)
@@ -31,12 +26,7 @@ static error_t parse_stability_option(int key, char *arg, struct argp_state *sta
     case KEY_TOLERANCE: o->tolerance = cli_number(state, "tolerance", arg); return 0;
     case KEY_GROWTH: o->growth = cli_number(state, "growth", arg); return 0;
     case KEY_RELATIVE: o->relative_to = cli_number(state, "relative-to", arg); return 0;
-    case KEY_MAX_WALL: o->max_wall = cli_number(state, "max-wall", arg); return 0;
-    case 'j': o->jobs = cli_whole(state, "jobs", arg); return 0;
-    case 't': o->threads = cli_whole(state, "threads", arg); return 0;
-    case 'o': o->dir = arg; return 0;
-    case 'q': a->quiet = true; return 0;
-    default: return cli_deck_option(&a->deck, key, arg, state);
+    default: return batch_cli_option(&a->batch, key, arg, state);
     }
 }
 
@@ -54,7 +44,7 @@ static const struct argp_option options[] = {
     CLI_OPTION_SET,
     {"jobs", 'j', "N", 0, "Runs at a time; the limits do not depend on it", 0},
     {"threads", 't', "N", 0, "Threads of each run (default: 1)", 0},
-    {"max-wall", KEY_MAX_WALL, "S", 0, "Most seconds for each run; one that takes longer ends its search", 0},
+    {"max-wall", BATCH_KEY_MAX_WALL, "S", 0, "Most seconds for each run; one that takes longer ends its search", 0},
     {"output", 'o', "DIR", 0, "Folder of the results (default: out/DECK-stability)", 0},
     {"quiet", 'q', NULL, 0, "No progress and no table", 0},
     {0},
@@ -70,38 +60,23 @@ static const struct argp argp = {
         "has been run is not run again.",
 };
 
-static void set_stability_options(arguments *a, cli *c)
-{
-    stability_options *o = &a->options;
-    cli_default_folder(&a->deck, "stability", a->dir, sizeof a->dir);
-    if (!o->dir) o->dir = a->dir;
-    batch_find_program(a->program, program_invocation_name);
-    c->quiet = a->quiet;
-    o->over = a->over;
-    o->each = a->each;
-    o->program = a->program;
-    o->deck = a->deck.path;
-    o->set = (deck_overrides){a->deck.set, a->deck.n_set};
-    o->stop = c->stop;
-    o->progress = a->quiet ? NULL : stderr;
-}
-
 int cmd_stability(cli *c, int argc, char **argv)
 {
     arguments a = {0};
     stability *result = NULL;
-    scene *s;
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    /* The deck's own errors are shown as `check` shows them. */
-    floe_status status = cli_load(c, &a.deck, &s);
+    stability_options *o = &a.options;
+    floe_status status = batch_cli_begin(c, &a.batch, "stability");
     if (status != FLOE_OK) return cli_fail(c, status);
-    scene_destroy(&s);
-    set_stability_options(&a, c);
-    status = stability_run(&result, c->ctx, &a.options);
-    if (result && result->n_probes > 0 && !a.quiet) {
+    o->batch = a.batch.batch;
+    o->set = (deck_overrides){a.batch.deck.set, a.batch.deck.n_set};
+    o->over = a.over;
+    o->each = a.each;
+    status = stability_run(&result, c->ctx, o);
+    if (result && result->n_probes > 0 && !c->quiet) {
         (void)fprintf(stderr, "\n");
         const floe_status printed = stability_print(result, stdout);
-        printf("results: %s\n", a.options.dir);
+        printf("results: %s\n", o->batch.dir);
         if (status == FLOE_OK) status = printed;
     }
     stability_destroy(&result);

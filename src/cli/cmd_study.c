@@ -45,7 +45,8 @@ static const struct argp argp = {
     .doc =
         "Run a scene along crossed axes: errors, orders, limits without an exact solution, and error against run time. "
         "A case that diverges or fails is a result. The same command goes on with a study that was stopped or killed, "
-        "and runs no case again that has ended. DIR gets study.json, study.csv, errors.svg, profile.svg with their "
+        "and runs no case again that has ended; one that was cut short goes on from its checkpoint. DIR gets "
+        "study.json, study.csv, errors.svg, profile.svg with their "
         "data and scripts, and a folder for each case.",
 };
 

@@ -1,8 +1,9 @@
 #include "cli/plan.h"
 
+#include "base/json_value.h"
+#include "base/memory.h"
 #include "sim/interface.h"
 
-#include <jansson.h>
 #include <math.h>
 
 static json_t *names_json(const stage_fields *list)
@@ -99,10 +100,10 @@ static json_t *plan_json(const plan *p)
 
 floe_status plan_print_json(const plan *p, FILE *file)
 {
-    json_t *object = plan_json(p);
-    const bool fine = object && json_dumpf(object, file, JSON_INDENT(2) | JSON_REAL_PRECISION(17)) == 0;
-    json_decref(object);
-    if (!fine) return fail(p->sim->ctx, FLOE_IO, "cannot write the plan");
-    (void)fputc('\n', file);
-    return FLOE_OK;
+    context *ctx = p->sim->ctx;
+    char *text;
+    TRY(json_to_text(ctx, &text, plan_json(p)));
+    const bool fine = fputs(text, file) >= 0;
+    memory_free(ctx, &text);
+    return fine ? FLOE_OK : fail(ctx, FLOE_IO, "cannot write the plan");
 }

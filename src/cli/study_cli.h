@@ -2,18 +2,16 @@
 #ifndef CLI_STUDY_CLI_H
 #define CLI_STUDY_CLI_H
 
-#include "cli/cli.h"
+#include "cli/batch_cli.h"
 #include "study/study.h"
 
 typedef struct study_arguments {
-    cli_deck deck;
+    batch_arguments batch;
     study_options options;
     const char *axis[2 * SCENE_MAX_AXES];
-    bool quiet;
-    char dir[CLI_PATH + CLI_SUFFIX], program[BATCH_PATH];
 } study_arguments;
 
-enum { STUDY_KEY_AGAIN = 2000, STUDY_KEY_REPEAT, STUDY_KEY_MAX_WALL, STUDY_KEY_SPOIL };
+enum { STUDY_KEY_AGAIN = 2000, STUDY_KEY_REPEAT, STUDY_KEY_SPOIL };
 
 #define STUDY_CLI_OPTIONS                                                                                            \
     CLI_OPTION_SET, {"threads", 't', "N", 0, "Threads of each case (default: 1, at which times are compared)", 0},   \
@@ -24,7 +22,7 @@ enum { STUDY_KEY_AGAIN = 2000, STUDY_KEY_REPEAT, STUDY_KEY_MAX_WALL, STUDY_KEY_S
          0,                                                                                                          \
          "Time each case N times, alone and on one thread, and take the best (0: do not)",                           \
          0},                                                                                                         \
-        {"max-wall", STUDY_KEY_MAX_WALL, "S", 0, "Stop a case after S seconds: that is its result", 0},              \
+        {"max-wall", BATCH_KEY_MAX_WALL, "S", 0, "Stop a case after S seconds: that is its result", 0},              \
         {"spoil",                                                                                                    \
          STUDY_KEY_SPOIL,                                                                                            \
          NULL,                                                                                                       \

@@ -1,4 +1,5 @@
 #include "cli/tolerance_cli.h"
+#include "study/tolerance/tolerance.h"
 
 #include <errno.h>
 
@@ -24,15 +25,15 @@ int tolerance_cli_run(cli *c, const tolerance_arguments *a, const tolerance_run_
     batch_find_program(program, program_invocation_name);
     /* The deck's axis of couplings gives way to the one that was asked for. */
     const char *const coupling = run->deck->coupling;
-    const tolerance_options o = {.study = {.deck = run->deck->path,
+    const tolerance_options o = {.study = {.batch = {.deck = run->deck->path,
+                                                     .max_wall = run->max_wall,
+                                                     .threads = run->threads,
+                                                     .program = program,
+                                                     .stop = c->stop,
+                                                     .progress = run->quiet ? NULL : stderr},
                                            .set = {run->deck->set, run->deck->n_set},
                                            .axis = &coupling,
-                                           .n_axis = coupling[0] ? 1 : 0,
-                                           .max_wall = run->max_wall,
-                                           .threads = run->threads,
-                                           .program = program,
-                                           .stop = c->stop,
-                                           .progress = run->quiet ? NULL : stderr},
+                                           .n_axis = coupling[0] ? 1 : 0},
                                  .dir = run->dir ? run->dir : dir,
                                  .tolerance = a->tolerance,
                                  .metric = a->metric,

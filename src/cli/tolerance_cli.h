@@ -3,7 +3,6 @@
 #define CLI_TOLERANCE_CLI_H
 
 #include "cli/cli.h"
-#include "study/tolerance/tolerance.h"
 
 typedef struct tolerance_arguments {
     double tolerance; /* 0: not asked for */

@@ -3,6 +3,7 @@
 #ifndef COUPLING_DISPERSED_H
 #define COUPLING_DISPERSED_H
 
+#include "coupling/coupling_constants.h"
 #include "coupling/exchange_law.h"
 
 #include <math.h>
@@ -34,7 +35,7 @@ static inline double dispersed_reynolds(const dispersed_par *a, const exchange_p
  * anyway. */
 static inline double dispersed_share(const exchange_pair *q)
 {
-    return 1.0 / fmax(q->theta[1], 1e-6);
+    return 1.0 / fmax(q->theta[1], DISPERSED_LEAST_CARRIER);
 }
 
 /* Stokes' 3 pi mu d u per sphere as K, without the correction for inertia. */

@@ -1,23 +1,20 @@
 #include "coupling/equilibrium.h"
 
+#include "coupling/coupling_constants.h"
+
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
-
-enum { MOST_ITERATIONS = 200, STARTING_STEPS = 1 };
-
-static const double residual_tolerance = 1e-13, interval_tolerance = 4.0 * DBL_EPSILON;
-static const double narrow = 32.0; /* hi/lo of a bracket that Brent's method takes */
 
 /* One cell's search for the root of G(x) = x F(x - shift), x > 0, which falls through it. */
 typedef struct search {
     equilibrium_batch *b;
     int cell;
     double shift;       /* makes x = p + shift positive exactly where every law is defined */
-    double x, F, slope; /* F and dF/dp where the laws were asked last */
+    double x, F, slope; /* F and dF/dp where the laws were evaluated last */
     double lo, hi;      /* G > 0 at lo, G < 0 at hi; 0 and infinity while unknown */
-    bool refused;       /* the last value that was asked for lies outside of the bracket, or is none */
+    bool refused;       /* the last requested value lies outside of the bracket, or is none */
 } search;
 
 /* GSL's Newton and Brent. Their structs are open and say how large their states are: with the states here nothing is allocated. */
@@ -92,8 +89,8 @@ static void evaluate_residual(equilibrium_batch *b, search *const *w, int n, boo
     }
 }
 
-/* Asks the laws at x, unless they have just been asked or x is none of the bracket. */
-static void look_at(search *s, double x)
+/* Evaluates the laws at x, unless that has just been done or x lies outside of the bracket. */
+static void evaluate_at(search *s, double x)
 {
     if (x == s->x) return;
     s->refused = !(x > 0.0 && x >= s->lo && x <= s->hi && isfinite(x));
@@ -103,7 +100,7 @@ static void look_at(search *s, double x)
 }
 
 /* Values passed to GSL: never NaN, at which it would abort the program, and never a slope of zero. */
-static double told(search *s, double value)
+static double passable_value(search *s, double value)
 {
     const bool usable = isfinite(value) && value != 0.0;
     s->refused = s->refused || !usable;
@@ -115,24 +112,24 @@ static double slope_of(const search *s)
     return s->F + s->x * s->slope;
 }
 
-static double shifted(double x, void *params)
+static double shifted_residual(double x, void *params)
 {
     search *s = params;
-    look_at(s, x);
-    return s->F == 0.0 && !s->refused ? 0.0 : told(s, x * s->F);
+    evaluate_at(s, x);
+    return s->F == 0.0 && !s->refused ? 0.0 : passable_value(s, x * s->F);
 }
 
-static double shifted_slope(double x, void *params)
+static double shifted_residual_slope(double x, void *params)
 {
     search *s = params;
-    look_at(s, x);
-    return told(s, slope_of(s));
+    evaluate_at(s, x);
+    return passable_value(s, slope_of(s));
 }
 
 static void shifted_and_slope(double x, void *params, double *f, double *df)
 {
-    *f = shifted(x, params);
-    *df = shifted_slope(x, params);
+    *f = shifted_residual(x, params);
+    *df = shifted_residual_slope(x, params);
 }
 
 /* Where to begin without a guess: at the pressure of the material that would fill the cell by itself at the highest one, or, where all
@@ -171,13 +168,13 @@ static void start_search(search *s, equilibrium_batch *b, int cell, double floor
 
 static bool residual_is_small(const search *s)
 {
-    return gsl_root_test_residual(s->F, residual_tolerance) == GSL_SUCCESS;
+    return gsl_root_test_residual(s->F, EQUILIBRIUM_RESIDUAL) == GSL_SUCCESS;
 }
 
 static bool bracket_is_closed(const search *s)
 {
     return isfinite(s->hi) && s->lo <= s->hi &&
-           gsl_root_test_interval(s->lo, s->hi, 0.0, interval_tolerance) == GSL_SUCCESS;
+           gsl_root_test_interval(s->lo, s->hi, 0.0, EQUILIBRIUM_INTERVAL) == GSL_SUCCESS;
 }
 
 /* Newton's steps of all cells side by side, so that the laws see them in batches: GSL's method begins where these end. */
@@ -187,7 +184,7 @@ static void come_closer(equilibrium_batch *b, search *w, int cells)
     int n = 0;
     for (int k = 0; k < cells; ++k) moving[n++] = &w[k];
     evaluate_residual(b, moving, n, true);
-    for (int step = 0; step < STARTING_STEPS && n > 0; ++step) {
+    for (int step = 0; step < EQUILIBRIUM_STARTING_STEPS && n > 0; ++step) {
         const int evaluated = n;
         n = 0;
         for (int k = 0; k < evaluated; ++k) {
@@ -205,8 +202,8 @@ static void come_closer(equilibrium_batch *b, search *w, int cells)
 /* The middle of a wide bracket, whatever is known of it. */
 static double bracket_middle(const search *s)
 {
-    if (isinf(s->hi)) return narrow * s->lo;
-    return s->lo > 0.0 ? sqrt(s->lo) * sqrt(s->hi) : s->hi / narrow;
+    if (isinf(s->hi)) return EQUILIBRIUM_NARROW * s->lo;
+    return s->lo > 0.0 ? sqrt(s->lo) * sqrt(s->hi) : s->hi / EQUILIBRIUM_NARROW;
 }
 
 /* Brent's method inside the bracket. */
@@ -214,11 +211,11 @@ static bool finish_by_brent(search *s, root_solvers *g)
 {
     int *iterations = &s->b->iterations[s->cell];
     gsl_root_fsolver_set(&g->brent, &g->f, s->lo, s->hi);
-    while (!residual_is_small(s) && !bracket_is_closed(s) && *iterations < MOST_ITERATIONS) {
+    while (!residual_is_small(s) && !bracket_is_closed(s) && *iterations < EQUILIBRIUM_MOST_ITERATIONS) {
         ++*iterations;
         if (gsl_root_fsolver_iterate(&g->brent) != GSL_SUCCESS || s->refused) return false;
     }
-    look_at(s, gsl_root_fsolver_root(&g->brent));
+    evaluate_at(s, gsl_root_fsolver_root(&g->brent));
     return residual_is_small(s) || bracket_is_closed(s);
 }
 
@@ -227,11 +224,11 @@ static bool finish_by_brent(search *s, root_solvers *g)
 static bool solve_cell(search *s, root_solvers *g)
 {
     equilibrium_batch *b = s->b;
-    if (!isfinite(s->F) && b->iterations[s->cell] == 0) look_at(s, first_guess(b, s->cell, s->shift));
+    if (!isfinite(s->F) && b->iterations[s->cell] == 0) evaluate_at(s, first_guess(b, s->cell, s->shift));
     if (residual_is_small(s)) return true;
     g->fdf.params = g->f.params = s;
     gsl_root_fdfsolver_set(&g->newton, &g->fdf, s->x);
-    while (!residual_is_small(s) && b->iterations[s->cell] < MOST_ITERATIONS) {
+    while (!residual_is_small(s) && b->iterations[s->cell] < EQUILIBRIUM_MOST_ITERATIONS) {
         const double lo = s->lo, hi = s->hi;
         if (!isfinite(s->F)) return false;
         if (bracket_is_closed(s)) return true;
@@ -241,7 +238,7 @@ static bool solve_cell(search *s, root_solvers *g)
         if (!s->refused && x > lo && x < hi) continue;
         b->fallbacks[s->cell]++;
         s->refused = false;
-        if (s->lo > 0.0 && s->hi <= narrow * s->lo) return finish_by_brent(s, g);
+        if (s->lo > 0.0 && s->hi <= EQUILIBRIUM_NARROW * s->lo) return finish_by_brent(s, g);
         gsl_root_fdfsolver_set(&g->newton, &g->fdf, bracket_middle(s));
     }
     return residual_is_small(s);
@@ -259,8 +256,8 @@ floe_status equilibrium_solve(equilibrium_batch *b, int cells)
 {
     search w[EQUILIBRIUM_BATCH];
     double floor[EQUILIBRIUM_BATCH];
-    root_solvers g = {.fdf = {.f = shifted, .df = shifted_slope, .fdf = shifted_and_slope},
-                      .f = {.function = shifted},
+    root_solvers g = {.fdf = {.f = shifted_residual, .df = shifted_residual_slope, .fdf = shifted_and_slope},
+                      .f = {.function = shifted_residual},
                       .newton = {.type = gsl_root_fdfsolver_newton, .state = g.newton_state},
                       .brent = {.type = gsl_root_fsolver_brent, .state = g.brent_state}};
     bool good = gsl_root_fdfsolver_newton->size <= sizeof g.newton_state &&

@@ -5,7 +5,7 @@
  * F falls strictly. Newton's method is taken on (p + s) F(p), s = -(largest pressure floor of the materials), which is linear for an ideal gas
  * beside an incompressible material. It is GSL's (gsl_root_fdfsolver_newton), one cell after the other, and GSL's tests of residual and interval say
  * when it ends; one step is taken before of all cells side by side, so that the laws see them in batches: most need no other. The signs of F
- * give a bracket, outside of which no law is asked: where a step leaves a wide one the next start is its geometric mean, and in a narrow one Brent's
+ * give a bracket, outside of which no law is evaluated: where a step leaves a wide one the next start is its geometric mean, and in a narrow one Brent's
  * method (gsl_root_fsolver_brent) ends the search. What comes out of a cell does not depend on the others. */
 #ifndef COUPLING_EQUILIBRIUM_H
 #define COUPLING_EQUILIBRIUM_H

@@ -1,5 +1,6 @@
 #include "coupling/exchange.h"
 
+#include "coupling/coupling_constants.h"
 #include "coupling/exchange_law.h"
 
 #include <math.h>
@@ -11,9 +12,6 @@ const exchange_model *exchange_find(const char *name)
         if (strcmp(exchange_registry[i]->name, name) == 0) return exchange_registry[i];
     return NULL;
 }
-
-/* Beyond this many times the largest mass a coupling adds nothing but cancellation (theory 2.2). */
-static const double rigid = 1e12;
 
 /* The materials that take part: present and of finite mass. */
 typedef struct present {
@@ -88,7 +86,7 @@ static double centre_of_mass(const present *p, const double *u)
 /* Lower triangle of diag(m) + A over the free materials, factored L D L^T in place without pivots: it is positive definite. */
 static void factor_matrix(const present *p, exchange_matrix a, int n, const double *mass, exchange_matrix f)
 {
-    const double most = rigid * p->largest;
+    const double most = EXCHANGE_RIGID * p->largest;
     for (int i = 0; i < p->n; ++i) {
         const int r = p->index[i];
         double row = p->mass[i];
@@ -119,7 +117,7 @@ static void substitute_back(int n, exchange_matrix f, double *y)
 static void relax_column(const present *p, exchange_matrix a, exchange_matrix f, int n, const double *mass, double *u)
 {
     const double reference = p->fixed >= 0 ? u[p->fixed] : centre_of_mass(p, u);
-    const double most = rigid * p->largest;
+    const double most = EXCHANGE_RIGID * p->largest;
     double y[EXCHANGE_MAX];
     for (int i = 0; i < p->n; ++i) {
         y[i] = p->mass[i] * (u[p->index[i]] - reference);

@@ -7,6 +7,8 @@
 #ifndef COUPLING_EXCHANGE_H
 #define COUPLING_EXCHANGE_H
 
+#include "coupling/coupling_constants.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -49,7 +51,8 @@ typedef struct exchange_two {
 /* Masses m0, m1 > 0, coupling a = a_01. */
 static inline exchange_two exchange_of_two(double m0, double m1, double a)
 {
-    const double total = m0 + m1, largest = m0 > m1 ? m0 : m1, cut = a < 1e12 * largest ? a : 1e12 * largest;
+    const double total = m0 + m1, largest = m0 > m1 ? m0 : m1,
+                 cut = a < EXCHANGE_RIGID * largest ? a : EXCHANGE_RIGID * largest;
     const double inverse = 1.0 / total, product = m0 * m1;
     return (exchange_two){m0 * inverse, m1 * inverse, product / (product + cut * total)};
 }

@@ -32,7 +32,7 @@ typedef struct exchange_law {
     size_t param_size;
     const param_spec *params;
     size_t n_params;
-    bool uniform; /* the coefficient is a constant: it is asked for once, with no pair (NULL) */
+    bool uniform; /* the coefficient is a constant: it is evaluated once, with no pair (NULL) */
     /* NULL: the model has no law for this. */
     double (*coefficient)(const void *par, const exchange_pair *pair);
     /* What the pair lacks, in words; NULL if nothing. May be NULL. viscosity: of both materials, Pa s. */

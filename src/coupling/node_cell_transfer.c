@@ -1,4 +1,5 @@
 #include "coupling/node_cell_transfer.h"
+#include "coupling/coupling_constants.h"
 
 #include "coupling/strip.h"
 
@@ -112,7 +113,6 @@ static void node_change(const transfer *t, int blk, const transfer_pair *pair, c
  * s_c is what they are to lose together. */
 static void share_of_cells(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
 {
-    const double most_share = 0.5;
     const block *b = &t->mesh->block[blk];
     const fields *f = t->domain->fields[blk];
     if (pair->reaction < 0) return;
@@ -120,7 +120,7 @@ static void share_of_cells(const transfer *t, int blk, const transfer_pair *pair
     double *share = field_get(f, C_REACTED, pair->reaction, 0);
     for (int i = 0; i < b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(b, i, j, k);
-        share[at] = share[at] > 0.0 ? fmin(share[at] / rho[at], most_share) : 0.0;
+        share[at] = share[at] > 0.0 ? fmin(share[at] / rho[at], TRANSFER_MOST_SHARE) : 0.0;
     }
 }
 

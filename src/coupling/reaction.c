@@ -1,5 +1,7 @@
 #include "coupling/reaction.h"
 
+#include "coupling/coupling_constants.h"
+
 #include "base/memory.h"
 
 #include <cvode/cvode.h>
@@ -8,9 +10,6 @@
 #include <string.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-
-/* Of the mass turned over, relative; and of the reactant. */
-static const double relative = 1e-9, absolute = 1e-13;
 
 struct reaction_solver {
     int n;
@@ -108,7 +107,7 @@ static bool prepare_solver(reaction_solver *s)
     N_VConst(1.0, s->tolerance);
     return s->linear && CVodeSetErrHandlerFn(s->cvode, ignore_message, NULL) == CV_SUCCESS &&
            CVodeInit(s->cvode, reaction_derivative, 0.0, s->y) == CV_SUCCESS &&
-           CVodeSVtolerances(s->cvode, relative, s->tolerance) == CV_SUCCESS &&
+           CVodeSVtolerances(s->cvode, REACTION_RELATIVE, s->tolerance) == CV_SUCCESS &&
            CVodeSetUserData(s->cvode, s) == CV_SUCCESS && CVodeSetMaxNumSteps(s->cvode, 20000) == CV_SUCCESS &&
            CVodeSetLinearSolver(s->cvode, s->linear, s->jacobian) == CV_SUCCESS;
 }
@@ -147,7 +146,7 @@ static void keep_bounds(const reaction_solver *s, double *reacted)
         double gone = 0.0;
         for (int k = 0; k < s->n; k++)
             if (s->list[k].reactant == r) gone += reacted[k];
-        if (!(gone > 0.0) || gone < c->rho[r] - 1e-12 * sum) continue;
+        if (!(gone > 0.0) || gone < c->rho[r] - REACTION_LAST * sum) continue;
         for (int k = 0; k < s->n; k++)
             if (s->list[k].reactant == r) reacted[k] *= c->rho[r] / gone;
     }
@@ -168,7 +167,7 @@ static bool step_once(const reaction_solver *s, const double *start, const doubl
     reaction_rates(s, y, k4);
     for (int k = 0; k < s->n; k++) {
         const double error = dt * (-5.0 / 72.0 * start[k] + k2[k] / 12.0 + k3[k] / 9.0 - 0.125 * k4[k]);
-        if (!(fabs(error) <= relative * y[k] + tolerance[k])) return false;
+        if (!(fabs(error) <= REACTION_RELATIVE * y[k] + tolerance[k])) return false;
     }
     for (int k = 0; k < s->n; k++) reacted[k] = y[k];
     return true;
@@ -181,7 +180,7 @@ bool reaction_integrate(reaction_solver *s, const reaction_cell *cell, double dt
     s->cell = cell;
     for (int k = 0; k < s->n; k++) {
         y[k] = reacted[k] = 0.0;
-        tolerance[k] = absolute * cell->rho[s->list[k].reactant] + 1e-200;
+        tolerance[k] = REACTION_ABSOLUTE * cell->rho[s->list[k].reactant] + 1e-200;
     }
     reaction_rates(s, reacted, start);
     for (int k = 0; k < s->n; k++) any = any || start[k] > 0.0;
@@ -192,7 +191,7 @@ bool reaction_integrate(reaction_solver *s, const reaction_cell *cell, double dt
     }
     realtype reached;
     if (CVodeReInit(s->cvode, 0.0, s->y) != CV_SUCCESS ||
-        CVodeSVtolerances(s->cvode, relative, s->tolerance) != CV_SUCCESS ||
+        CVodeSVtolerances(s->cvode, REACTION_RELATIVE, s->tolerance) != CV_SUCCESS ||
         /* CVODE keeps a copy */ CVodeSetStopTime(s->cvode, dt) != CV_SUCCESS ||
         CVode(s->cvode, dt, s->y, &reached, CV_NORMAL) < 0)
         return false;

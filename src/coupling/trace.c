@@ -1,8 +1,8 @@
 /* Exchange between pairs with different coefficients, with a third material in traces.
  *
  * Water slips along a wall; a trace of air that is locked to both would lock them to each other, however small its
- * mass: exchange is implicit, and a coupling without limit carries a force without limit through any mass. So a trace
- * takes part in two ways, by its weight w: with couplings of at most m w/(1 - w) in the system of all, and with what is
+ * mass: exchange is implicit, and a coupling without limit transmits a force without limit through any mass. So a trace
+ * takes part twice, by its weight w: with couplings of at most m w/(1 - w) in the system of all, and with what is
  * left of them by following the mean of its heavier partners, which get back what it takes and no more: what it carries
  * from one to the other then vanishes with its mass.
  *
@@ -14,7 +14,7 @@
 
 static double weight_of_fraction(double share)
 {
-    const double none = 1e-4, all = 1e-2, x = (log(share) - log(none)) / (log(all) - log(none));
+    const double x = (log(share) - log(TRACE_NONE)) / (log(TRACE_ALL) - log(TRACE_NONE));
     return x <= 0.0 ? 0.0 : x >= 1.0 ? 1.0 : x * x * (3.0 - 2.0 * x);
 }
 
@@ -45,7 +45,7 @@ static void limit_couplings(int n, const double *mass, const double *weight, exc
             limited[r][s] = r == s ? 0.0 : a[r][s];
             if (w == 1.0 || !(limited[r][s] > 0.0)) continue;
             const double most = fmin(mass[r], mass[s]) * w / (1.0 - w);
-            limited[r][s] = a[r][s] < 1e12 * most ? a[r][s] * most / (a[r][s] + most) : most;
+            limited[r][s] = a[r][s] < EXCHANGE_RIGID * most ? a[r][s] * most / (a[r][s] + most) : most;
         }
 }
 

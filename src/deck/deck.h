@@ -3,7 +3,7 @@
 #define DECK_DECK_H
 
 #include "base/param.h"
-#include "scene/scene.h"
+#include "scene/batches.h"
 
 /* What the deck needs from modules that it cannot include, filled by the caller (once; nothing is owned by the
  * deck). */
@@ -25,6 +25,10 @@ typedef struct deck_name {
 } deck_name;
 
 typedef struct deck_catalogue {
+    const solid_model *law; /* laws of solids and equations of state beside floe's own: a program's */
+    size_t n_law;
+    const eos_model *eos;
+    size_t n_eos;
     const deck_exact *exact;
     size_t n_exact;
     const deck_history_reference *reference;

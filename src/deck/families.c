@@ -37,14 +37,19 @@ static const char *shape_check(const model_entry *entry, const void *par, int di
     return m->check ? m->check(par, dim) : NULL;
 }
 
-const model_family family_shape = {"shape", shape_get, shape_store, shape_fetch, shape_check};
+const model_family family_shape = {"shape", shape_get, shape_store, shape_fetch, shape_check, NULL};
 
+static model_entry law_entry(const solid_model *m)
+{
+    return (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+}
+
+/* floe's own, then those of the program. */
 static bool law_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
-    (void)catalogue;
-    if (i >= solid_registry_size) return false;
-    const solid_model *m = solid_registry[i];
-    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    const size_t own = solid_registry_size, added = catalogue ? catalogue->n_law : 0;
+    if (i >= own + added) return false;
+    *out = law_entry(i < own ? solid_registry[i] : &catalogue->law[i - own]);
     return true;
 }
 
@@ -64,6 +69,13 @@ static bool law_fetch(const void *field, const char **name, const void **par)
     return true;
 }
 
+static bool law_chosen(const void *field, model_entry *out)
+{
+    const scene_material *m = field;
+    if (m->law) *out = law_entry(m->law);
+    return m->law;
+}
+
 /* Moduli that no stable isotropic solid has: nu outside (-1, 1/2) goes with K <= 0 or G < 0. */
 static const char *law_check(const model_entry *entry, const void *par, int dim)
 {
@@ -77,7 +89,7 @@ static const char *law_check(const model_entry *entry, const void *par, int dim)
     return nu > -1.0 && nu <= 0.5 ? NULL : "Poisson's ratio is outside -1 ... 0.5";
 }
 
-const model_family family_law = {"law", law_get, law_store, law_fetch, law_check};
+const model_family family_law = {"law", law_get, law_store, law_fetch, law_check, law_chosen};
 
 static bool membrane_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -104,7 +116,7 @@ static bool membrane_fetch(const void *field, const char **name, const void **pa
     return true;
 }
 
-const model_family family_membrane = {"membrane law", membrane_get, membrane_store, membrane_fetch, NULL};
+const model_family family_membrane = {"membrane law", membrane_get, membrane_store, membrane_fetch, NULL, NULL};
 
 static bool normals_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -139,15 +151,27 @@ static const char *normals_check(const model_entry *entry, const void *par, int 
     return dim > 1 || m->connected ? NULL : "a line of one dimension has none to find";
 }
 
-const model_family family_normals = {"way to make normals", normals_get, normals_store, normals_fetch, normals_check};
+const model_family family_normals = {"way to make normals", normals_get,   normals_store,
+                                     normals_fetch,         normals_check, NULL};
+
+static model_entry eos_entry(const eos_model *m)
+{
+    return (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+}
 
 static bool eos_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
-    (void)catalogue;
-    if (i >= eos_registry_size) return false;
-    const eos_model *m = eos_registry[i];
-    *out = (model_entry){m->name, m->doc, m->cite, m->params, m->n_params, m->param_size, m};
+    const size_t own = eos_registry_size, added = catalogue ? catalogue->n_eos : 0;
+    if (i >= own + added) return false;
+    *out = eos_entry(i < own ? eos_registry[i] : &catalogue->eos[i - own]);
     return true;
+}
+
+static bool eos_chosen(const void *field, model_entry *out)
+{
+    const eos *e = field;
+    if (e->model) *out = eos_entry(e->model);
+    return e->model;
 }
 
 static void eos_store(void *field, const model_entry *entry, void *par)
@@ -173,7 +197,7 @@ static const char *eos_check(const model_entry *entry, const void *par, int dim)
     return m->check ? m->check(par) : NULL;
 }
 
-const model_family family_eos = {"equation of state", eos_get, eos_store, eos_fetch, eos_check};
+const model_family family_eos = {"equation of state", eos_get, eos_store, eos_fetch, eos_check, eos_chosen};
 
 static bool exact_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -208,7 +232,7 @@ static const char *exact_check(const model_entry *entry, const void *par, int di
     return NULL;
 }
 
-const model_family family_exact = {"exact solution", exact_get, exact_store, exact_fetch, exact_check};
+const model_family family_exact = {"exact solution", exact_get, exact_store, exact_fetch, exact_check, NULL};
 
 static bool reference_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -234,4 +258,4 @@ static bool reference_fetch(const void *field, const char **name, const void **p
     return true;
 }
 
-const model_family family_reference = {"reference", reference_get, reference_store, reference_fetch, NULL};
+const model_family family_reference = {"reference", reference_get, reference_store, reference_fetch, NULL, NULL};

@@ -116,17 +116,18 @@ static floe_status check_axis(deck_source *source, const deck_overrides *set, co
 static floe_status check_axes(deck_source *source, const deck_overrides *set, const scene *s, deck_arena *arena,
                               error_list *errors)
 {
-    TRY(check_axis(source, set, &s->compare, KEY("compare", "axis", s->compare.key), arena, errors));
-    for (int i = 0; i < s->study.n_axes; i++) {
-        const scene_axis *axis = &s->study.axis[i];
+    const scene_batches *b = s->batches;
+    TRY(check_axis(source, set, &b->compare, KEY("compare", "axis", b->compare.key), arena, errors));
+    for (int i = 0; i < b->study.n_axes; i++) {
+        const scene_axis *axis = &b->study.axis[i];
         TRY(check_axis(source, set, axis, KEY("study", "axes", axis->key), arena, errors));
     }
-    for (int i = 0; i < s->stability.n_over; i++) {
-        const scene_axis *axis = &s->stability.over[i];
+    for (int i = 0; i < b->stability.n_over; i++) {
+        const scene_axis *axis = &b->stability.over[i];
         TRY(check_axis(source, set, axis, KEY("stability", "over", axis->key), arena, errors));
     }
-    for (int i = 0; i < s->stability.n_each; i++) {
-        const scene_axis *axis = &s->stability.each[i];
+    for (int i = 0; i < b->stability.n_each; i++) {
+        const scene_axis *axis = &b->stability.each[i];
         TRY(check_axis(source, set, axis, KEY("stability", "each", axis->key), arena, errors));
     }
     return FLOE_OK;

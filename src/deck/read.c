@@ -49,7 +49,7 @@ floe_status bad_name(reader *r, deck_node *node, bool at_key, const char *noun,
     const char *nearest = nearest_name(name, candidate, user);
     const char *start = nearest ? " (did you mean '" : "", *end = nearest ? "'?)" : "";
     if (!nearest) nearest = "";
-    const char *expected = all[0] ? all : "none is defined in this deck";
+    const char *expected = all[0] ? all : "none is defined in this deck, or in this build of floe";
     if (at_key) return bad_key(r, node, expected, NULL, "unknown %s '%.80s'%s%s%s", noun, name, start, nearest, end);
     return bad(r, node, expected, "unknown %s '%.80s'%s%s%s", noun, name, start, nearest, end);
 }
@@ -115,7 +115,7 @@ static floe_status read_absent(reader *r, const key_spec *key, deck_node *map, v
     }
     if (key->fallback) return read_fallback(r, key, base);
     if (key->type == KEY_MAP && !key->present) {
-        return read_table(r, key->table, NULL, (char *)base + key->offset);
+        return read_table(r, key->table, NULL, (char *)struct_of_map(key, base) + key->offset);
     }
     if (key->type == KEY_SPECIAL) return key->special->read(r, key, NULL, base);
     return FLOE_OK;
@@ -147,11 +147,12 @@ floe_status read_table(reader *r, const key_table *table, deck_node *map, void *
 
 static floe_status read_map(reader *r, const key_spec *key, deck_node *node, void *base)
 {
+    char *of = struct_of_map(key, base);
     if (key->present) {
         const bool given = true;
-        memcpy((char *)base + key->present - 1, &given, sizeof given);
+        memcpy(of + key->present - 1, &given, sizeof given);
     }
-    return read_table(r, key->table, node, (char *)base + key->offset);
+    return read_table(r, key->table, node, of + key->offset);
 }
 
 floe_status read_key(reader *r, const key_spec *key, deck_node *node, void *base)

@@ -143,8 +143,10 @@ static void write_model(writer *w, const key_spec *key, const void *base)
     const char *name;
     const void *par;
     model_entry entry;
-    if (!key->family->fetch((const char *)base + key->offset, &name, &par)) return;
-    if (!find_entry(w, key->family, name, &entry)) return;
+    const model_family *family = key->family;
+    const char *field = (const char *)base + key->offset;
+    if (!family->fetch(field, &name, &par)) return;
+    if (!(family->chosen ? family->chosen(field, &entry) : find_entry(w, family, name, &entry))) return;
     write_key_name(w, key->key);
     if (entry.n_params == 0) {
         strbuf_append(&w->out, " %s\n", name);
@@ -232,14 +234,15 @@ static void write_named(writer *w, const key_spec *key, const void *base)
 static void write_map(writer *w, const key_spec *key, const void *base)
 {
     bool present = true;
-    if (key->present) memcpy(&present, (const char *)base + key->present - 1, sizeof present);
-    if (!present) return;
+    const char *of = struct_of_map(key, base);
+    if (of && key->present) memcpy(&present, of + key->present - 1, sizeof present);
+    if (!of || !present) return;
     const size_t start = w->out.length;
     write_key_name(w, key->key);
     strbuf_append(&w->out, "\n");
     const size_t before = w->out.length;
     w->indent++;
-    write_table(w, key->table, (const char *)base + key->offset);
+    write_table(w, key->table, of + key->offset);
     w->indent--;
     if (w->out.length == before && w->out.status == FLOE_OK) {
         w->out.length = start; /* nothing under it: as if it were not there */

@@ -5,8 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { CAPACITY_VERTICES, CAPACITY_CELLS, CAPACITY_PIECES, CAPACITY_CHAINS };
-
 /* Shares this close to none or all are that: round-off of sums of passages. */
 static const double snap = 1e-13;
 /* Lines that cross hold more than all of a cell, or less than none, by more than this: bodies of a deck touch to some nine digits. */
@@ -15,8 +13,8 @@ static const double crossing = 1e-6;
 floe_status cut_create(cut_surface *c, context *ctx, const mesh *m)
 {
     *c = (cut_surface){.ctx = ctx, .mesh = m};
-    TRY(memory_new(ctx, &c->at, (size_t)m->n[0] * (size_t)m->n[1], sizeof *c->at));
-    return memory_new(ctx, &c->node, (size_t)(m->n[0] + 1) * (size_t)(m->n[1] + 1), sizeof *c->node);
+    TRY(memory_new(ctx, &c->at, mesh_cells(m), sizeof *c->at));
+    return memory_new(ctx, &c->node, (size_t)cut_nodes(m), sizeof *c->node);
 }
 
 void cut_destroy(cut_surface *c)
@@ -24,14 +22,14 @@ void cut_destroy(cut_surface *c)
     if (!c->ctx) return;
     memory_free(c->ctx, &c->vertex);
     memory_free(c->ctx, &c->chain);
+    memory_free(c->ctx, &c->triangle);
     memory_free(c->ctx, &c->cell);
     memory_free(c->ctx, &c->piece);
     memory_free(c->ctx, &c->at);
     memory_free(c->ctx, &c->node);
 }
 
-/* Space for one more than n items, growing by half. */
-static floe_status grow(cut_surface *c, int which, void *array, size_t n, size_t size)
+floe_status cut_grow(cut_surface *c, int which, void *array, size_t n, size_t size)
 {
     if (n < c->capacity[which]) return FLOE_OK;
     const size_t wanted = n + n / 2 + 64;
@@ -44,8 +42,14 @@ floe_status cut_reserve(cut_surface *c, int vertices, int chains)
 {
     c->n_vertices = vertices;
     c->n_chains = chains;
-    TRY(grow(c, CAPACITY_CHAINS, &c->chain, (size_t)chains, sizeof *c->chain));
-    return grow(c, CAPACITY_VERTICES, &c->vertex, (size_t)vertices, sizeof *c->vertex);
+    TRY(cut_grow(c, CAPACITY_CHAINS, &c->chain, (size_t)chains, sizeof *c->chain));
+    return cut_grow(c, CAPACITY_VERTICES, &c->vertex, (size_t)vertices, sizeof *c->vertex);
+}
+
+floe_status cut_reserve_triangles(cut_surface *c, int triangles)
+{
+    c->n_triangles = triangles;
+    return cut_grow(c, CAPACITY_TRIANGLES, &c->triangle, (size_t)triangles, sizeof *c->triangle);
 }
 
 double cut_weight_to(const mesh *m, double x)
@@ -53,34 +57,34 @@ double cut_weight_to(const mesh *m, double x)
     return m->geometry == MESH_AXISYMMETRIC ? 0.5 * x * x : x;
 }
 
-floe_status cut_touch(cut_surface *c, const int cell[2], int *out)
+floe_status cut_touch(cut_surface *c, const int cell[3], int *out)
 {
     int *at = &c->at[cut_index(c->mesh, cell)];
     if (*at == CUT_NEW) {
-        TRY(grow(c, CAPACITY_CELLS, &c->cell, (size_t)c->n_cells, sizeof *c->cell));
+        TRY(cut_grow(c, CAPACITY_CELLS, &c->cell, (size_t)c->n_cells, sizeof *c->cell));
         *at = c->n_cells;
-        c->cell[c->n_cells++] = (cut_cell){.cell = {cell[0], cell[1]}};
+        c->cell[c->n_cells++] = (cut_cell){.cell = {cell[0], cell[1], cell[2]}};
     }
     *out = *at;
     return FLOE_OK;
 }
 
-floe_status cut_add_piece(cut_surface *c, const int cell[2], const cut_piece *piece, const cut_part *part)
+floe_status cut_add_piece(cut_surface *c, const int cell[3], const cut_piece *piece, const cut_part *part)
 {
     int at;
     TRY(cut_touch(c, cell, &at));
-    TRY(grow(c, CAPACITY_PIECES, &c->piece, (size_t)c->n_pieces, sizeof *c->piece));
+    TRY(cut_grow(c, CAPACITY_PIECES, &c->piece, (size_t)c->n_pieces, sizeof *c->piece));
     c->piece[c->n_pieces] = *piece;
     c->piece[c->n_pieces++].cell = at;
     c->cell[at].open += part->volume;
-    for (int a = 0; a < 2; ++a) c->cell[at].moment[a] += part->moment[a];
+    for (int a = 0; a < c->mesh->dim; ++a) c->cell[at].moment[a] += part->moment[a];
     return FLOE_OK;
 }
 
-static int jump_of(const cut_surface *c, int i, int j, int axis, int side)
+static int jump_of(const cut_surface *c, int i, int j, int k, int axis, int which)
 {
-    const int at = c->at[cut_index(c->mesh, (const int[]){i, j})];
-    return at >= 0 ? c->cell[at].jump[axis][side] : 0;
+    const int at = c->at[cut_index(c->mesh, (const int[]){i, j, k})];
+    return at >= 0 ? c->cell[at].jump[axis][which] : 0;
 }
 
 /* Numbers of all nodes, rising by one where a surface is passed into what it holds: from one corner of the mesh along its
@@ -91,13 +95,51 @@ static void number_nodes(cut_surface *c)
     const int nx = c->mesh->n[0], ny = c->mesh->dim > 1 ? c->mesh->n[1] : 0, row = nx + 1;
     c->node[0] = 0;
     for (int i = 0; i < nx; ++i)
-        c->node[i + 1] =
-            (signed char)(c->node[i] - (c->mesh->dim > 1 ? jump_of(c, i, 0, 1, SIDE_LOWER) : jump_of(c, i, 0, 0, 0)));
+        c->node[i + 1] = (signed char)(c->node[i] - (c->mesh->dim > 1 ? jump_of(c, i, 0, 0, 1, SIDE_LOWER)
+                                                                      : jump_of(c, i, 0, 0, 0, 0)));
     for (int j = 0; j < ny; ++j)
         for (int i = 0; i <= nx; ++i) {
-            const int jump = i < nx ? jump_of(c, i, j, 0, SIDE_LOWER) : jump_of(c, nx - 1, j, 0, SIDE_UPPER);
+            const int jump = i < nx ? jump_of(c, i, j, 0, 0, SIDE_LOWER) : jump_of(c, nx - 1, j, 0, 0, SIDE_UPPER);
             c->node[(j + 1) * row + i] = (signed char)(c->node[j * row + i] + jump);
         }
+}
+
+/* Crossings of the edge that runs along an axis from a node. */
+static int along_edge(const cut_surface *c, const int node[3], int axis)
+{
+    int cell[3], which = 0;
+    for (int a = 0; a < 3; ++a) {
+        const bool last = node[a] == c->mesh->n[a];
+        cell[a] = last ? node[a] - 1 : node[a];
+        if (last) which += a == (axis + 1) % 3 ? 1 : 2;
+    }
+    return jump_of(c, cell[0], cell[1], cell[2], axis, which);
+}
+
+/* The same in space: along one edge of the mesh, from there over one of its sides, and from there through it. */
+static void number_nodes_in_space(cut_surface *c)
+{
+    const int *n = c->mesh->n;
+    const ptrdiff_t row = n[0] + 1, layer = row * (n[1] + 1);
+    c->node[0] = 0;
+    for (int i = 0; i < n[0]; ++i)
+        c->node[i + 1] = (signed char)(c->node[i] + along_edge(c, (const int[]){i, 0, 0}, 0));
+    for (int j = 0; j < n[1]; ++j)
+        for (int i = 0; i <= n[0]; ++i)
+            c->node[(j + 1) * row + i] = (signed char)(c->node[j * row + i] + along_edge(c, (const int[]){i, j, 0}, 1));
+    for (int k = 0; k < n[2]; ++k)
+        for (int j = 0; j <= n[1]; ++j)
+            for (int i = 0; i <= n[0]; ++i) {
+                const ptrdiff_t at = k * layer + j * row + i;
+                c->node[at + layer] = (signed char)(c->node[at] + along_edge(c, (const int[]){i, j, k}, 2));
+            }
+}
+
+int cut_nodes(const mesh *m)
+{
+    int nodes = 1;
+    for (int a = 0; a < m->dim; ++a) nodes *= m->n[a] + 1;
+    return nodes;
 }
 
 static int node_of(const cut_surface *c, int k)
@@ -115,18 +157,29 @@ static void bound_nodes(const cut_surface *c, int n, int *least, int *most)
     }
 }
 
+/* What surfaces hold that no node lies in, but for its size. */
+static double enclosed_volume(const cut_surface *c)
+{
+    double inside = 0.0;
+    for (int k = 0; k < c->n_cells && c->mesh->dim < 3; ++k) inside += c->cell[k].open;
+    for (int k = 0; k < c->n_pieces && c->mesh->dim == 3; ++k)
+        inside += c->piece[k].area[0] * (cut_at_middle(c, &c->piece[k], 0) - c->mesh->lower[0]);
+    return inside;
+}
+
 /* Which nodes are inside: 1, or 0. In one dimension a node that lies in two bodies has -1. */
 static floe_status mark_nodes(cut_surface *c)
 {
-    const int nodes = (c->mesh->n[0] + 1) * (c->mesh->dim > 1 ? c->mesh->n[1] + 1 : 1);
+    const int nodes = cut_nodes(c->mesh);
     const int overlap = c->mesh->dim == 1;
     int least, most;
-    number_nodes(c);
+    if (c->mesh->dim == 3)
+        number_nodes_in_space(c);
+    else
+        number_nodes(c);
     bound_nodes(c, nodes, &least, &most);
     if (most == least) { /* no boundary leaves its cell: they enclose the outside of themselves */
-        double inside = 0.0;
-        for (int k = 0; k < c->n_cells; ++k) inside += c->cell[k].open;
-        most = least + (inside >= 0.0);
+        most = least + (enclosed_volume(c) >= 0.0);
     }
     if (most - least > 1 + overlap)
         return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses itself or another: gas would lie on both its sides");
@@ -134,7 +187,7 @@ static floe_status mark_nodes(cut_surface *c)
     return overlap ? cut_join_points(c) : FLOE_OK;
 }
 
-static double snapped_share(double share, bool *sound)
+double cut_snapped_share(double share, bool *sound)
 {
     *sound = *sound && share >= -crossing && share <= 1.0 + crossing;
     return share < snap ? 0.0 : share > 1.0 - snap ? 1.0 : share;
@@ -152,8 +205,8 @@ static bool finish_in_plane(const cut_surface *c, cut_cell *k)
     for (int axis = 0; axis < 2; ++axis)
         for (int side = 0; side < 2; ++side)
             k->face[axis][side] =
-                snapped_share(inside[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across), &sound);
-    k->open = snapped_share(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]), &sound);
+                cut_snapped_share(inside[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across), &sound);
+    k->open = cut_snapped_share(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]), &sound);
     k->moment[0] /= across * m->h[1];
     k->moment[1] = (k->upper + k->moment[1] / across) / m->h[1];
     return sound;
@@ -164,7 +217,7 @@ static bool finish_on_line(const cut_surface *c, cut_cell *k)
 {
     const signed char *node = c->node + k->cell[0];
     bool sound = true;
-    k->open = snapped_share(node[1] + k->open / c->mesh->h[0], &sound);
+    k->open = cut_snapped_share(node[1] + k->open / c->mesh->h[0], &sound);
     k->moment[0] /= c->mesh->h[0];
     for (int side = 0; side < 2; ++side) k->face[0][side] = node[side] > 0 ? 1.0 : 0.0;
     return sound;
@@ -188,9 +241,9 @@ static floe_status finish_cell(cut_surface *c, cut_cell *k)
 }
 
 /* A cell that no surface cuts: of it a node below none lies in two bodies, by more than round-off. */
-static floe_status finish_whole(const cut_surface *c, int i, int j, int *out)
+static floe_status finish_whole(const cut_surface *c, int i, int j, int k, int *out)
 {
-    const int node = node_of(c, j * (c->mesh->n[0] + 1) + i);
+    const int node = node_of(c, (int)cut_node(c->mesh, (const int[]){i, j, k}));
     *out = node > 0 ? CUT_INSIDE : CUT_OUTSIDE;
     if (node >= 0) return FLOE_OK;
     return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses another at cell %d", i);
@@ -199,18 +252,21 @@ static floe_status finish_whole(const cut_surface *c, int i, int j, int *out)
 floe_status cut_find(cut_surface *c)
 {
     const mesh *m = c->mesh;
-    const size_t cells = (size_t)m->n[0] * (size_t)m->n[1];
+    const size_t cells = mesh_cells(m);
     c->n_cells = c->n_pieces = 0;
     for (size_t k = 0; k < cells; ++k) c->at[k] = CUT_NEW;
+    if (m->dim == 3) TRY(cut_triangles(c));
     for (int k = 0; k < c->n_chains; ++k)
         TRY(c->mesh->dim == 1 ? cut_point(c, &c->chain[k]) : cut_walk(c, &c->chain[k]));
     TRY(mark_nodes(c));
-    for (int k = 0; k < c->n_cells; ++k) TRY(finish_cell(c, &c->cell[k]));
-    for (int j = 0; j < m->n[1]; ++j)
-        for (int i = 0; i < m->n[0]; ++i) {
-            int *at = &c->at[cut_index(m, (const int[]){i, j})];
-            if (*at == CUT_NEW) TRY(finish_whole(c, i, j, at));
-        }
+    if (m->dim == 3) TRY(cut_finish_in_space(c));
+    for (int k = 0; k < c->n_cells && m->dim < 3; ++k) TRY(finish_cell(c, &c->cell[k]));
+    for (int k = 0; k < m->n[2]; ++k)
+        for (int j = 0; j < m->n[1]; ++j)
+            for (int i = 0; i < m->n[0]; ++i) {
+                int *at = &c->at[cut_index(m, (const int[]){i, j, k})];
+                if (*at == CUT_NEW) TRY(finish_whole(c, i, j, k, at));
+            }
     return FLOE_OK;
 }
 
@@ -222,17 +278,29 @@ static bool is_on_side(const mesh *m, double x, int axis)
 
 static void hold_end(const cut_surface *from, int vertex, cut_surface *out)
 {
-    for (int a = 0; a < 2; ++a)
+    for (int a = 0; a < from->mesh->dim; ++a)
         if (is_on_side(from->mesh, from->vertex[vertex].x[a], a)) out->vertex[vertex].x[a] = from->vertex[vertex].x[a];
+}
+
+/* The same of the ends of a triangle's sides that no other joins. */
+static void hold_rims(const cut_surface *from, const cut_triangle *t, cut_surface *out)
+{
+    for (int k = 0; k < 3; ++k) {
+        if (!(t->rim >> k & 1)) continue;
+        hold_end(from, t->vertex[k], out);
+        hold_end(from, t->vertex[(k + 1) % 3], out);
+    }
 }
 
 floe_status cut_ahead(const cut_surface *from, const double *velocity, double time, cut_surface *out)
 {
     TRY(cut_reserve(out, from->n_vertices, from->n_chains));
-    memcpy(out->chain, from->chain, (size_t)from->n_chains * sizeof *out->chain);
+    if (from->n_triangles > 0) TRY(cut_reserve_triangles(out, from->n_triangles));
+    if (from->n_chains > 0) memcpy(out->chain, from->chain, (size_t)from->n_chains * sizeof *out->chain);
+    if (from->n_triangles > 0) memcpy(out->triangle, from->triangle, (size_t)from->n_triangles * sizeof *out->triangle);
     for (int k = 0; k < from->n_vertices; ++k) {
         out->vertex[k].point = from->vertex[k].point;
-        for (int a = 0; a < 2; ++a) out->vertex[k].x[a] = from->vertex[k].x[a] + time * velocity[2 * k + a];
+        for (int a = 0; a < 3; ++a) out->vertex[k].x[a] = from->vertex[k].x[a] + time * velocity[3 * k + a];
     }
     for (int c = 0; c < from->n_chains; ++c) {
         const cut_chain *chain = &from->chain[c];
@@ -240,5 +308,6 @@ floe_status cut_ahead(const cut_surface *from, const double *velocity, double ti
         hold_end(from, chain->first, out);
         hold_end(from, chain->first + chain->n - 1, out);
     }
+    for (int k = 0; k < from->n_triangles; ++k) hold_rims(from, &from->triangle[k], out);
     return cut_find(out);
 }

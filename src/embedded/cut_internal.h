@@ -9,17 +9,33 @@ enum { CUT_NEW = -3 };
 /* Integral of the weight of areas along axis 0: x, or r^2/2 in axisymmetric scenes. */
 double cut_weight_to(const mesh *m, double x);
 /* The cut cell of a global cell; added where it is new. */
-floe_status cut_touch(cut_surface *c, const int cell[2], int *out);
+floe_status cut_touch(cut_surface *c, const int cell[3], int *out);
 /* Contribution of a piece to the open volume of its cell and its moments, measured from the cell's lower side along
  * axis 0. */
 typedef struct cut_part {
-    double volume, moment[2];
+    double volume, moment[3];
 } cut_part;
 
-floe_status cut_add_piece(cut_surface *c, const int cell[2], const cut_piece *piece, const cut_part *part);
+floe_status cut_add_piece(cut_surface *c, const int cell[3], const cut_piece *piece, const cut_part *part);
 /* Splits one polyline of the plane, or one point in one dimension, into pieces. */
 floe_status cut_walk(cut_surface *c, const cut_chain *chain);
 floe_status cut_point(cut_surface *c, const cut_chain *chain);
+/* Splits the triangles into pieces, and finishes the cells that they cut once nodes are numbered. */
+floe_status cut_triangles(cut_surface *c);
+floe_status cut_finish_in_space(cut_surface *c);
+/* Space for one more than n items of a kind, growing by half. */
+enum { CAPACITY_VERTICES, CAPACITY_CELLS, CAPACITY_PIECES, CAPACITY_CHAINS, CAPACITY_TRIANGLES };
+floe_status cut_grow(cut_surface *c, int which, void *array, size_t n, size_t size);
+/* A share that round-off keeps from none or all is that; unsound where it is far outside. */
+double cut_snapped_share(double share, bool *sound);
+/* Nodes of the mesh, and number of one in `node`. */
+int cut_nodes(const mesh *m);
+static inline ptrdiff_t cut_node(const mesh *m, const int node[3])
+{
+    ptrdiff_t at = node[0];
+    if (m->dim > 1) at += (ptrdiff_t)node[1] * (m->n[0] + 1);
+    return m->dim > 2 ? at + (ptrdiff_t)node[2] * (m->n[0] + 1) * (m->n[1] + 1) : at;
+}
 /* In one dimension: where two bodies touch at a node, or overlap there by round-off, their points are moved into one
  * cell, whose open fraction becomes zero. A larger overlap gives a negative open fraction. */
 floe_status cut_join_points(cut_surface *c);

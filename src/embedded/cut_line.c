@@ -18,7 +18,7 @@ floe_status cut_point(cut_surface *c, const cut_chain *chain)
     const mesh *m = c->mesh;
     const double x = c->vertex[chain->first].x[0];
     if (chain->outward == 0) return FLOE_OK;
-    int cell[2] = {mesh_cell_of(m, 0, x), 0}, at;
+    int cell[3] = {mesh_cell_of(m, 0, x), 0, 0}, at;
     const double way = place_in(m, cell[0], x);
     if (chain->outward > 0 && way == 0.0) cell[0]--;
     if (chain->outward < 0 && way == m->h[0]) cell[0]++;
@@ -26,7 +26,7 @@ floe_status cut_point(cut_surface *c, const cut_chain *chain)
     TRY(cut_touch(c, cell, &at));
     c->cell[at].jump[0][0] += chain->outward;
     const double left = place_in(m, cell[0], x);
-    const cut_piece piece = {.vertex = {chain->first, chain->first}, .area = {chain->outward, 0.0}};
+    const cut_piece piece = {.vertex = {chain->first, chain->first}, .weight = {1.0}, .area = {chain->outward, 0.0}};
     const cut_part part = {chain->outward * left, {chain->outward * 0.5 * left * (left - m->h[0])}};
     return cut_add_piece(c, cell, &piece, &part);
 }
@@ -35,7 +35,7 @@ floe_status cut_join_points(cut_surface *c)
 {
     for (int n = 0; n < c->n_pieces; ++n) {
         cut_piece *q = &c->piece[n];
-        const int next[2] = {c->cell[q->cell].cell[0] + 1, 0};
+        const int next[3] = {c->cell[q->cell].cell[0] + 1, 0, 0};
         const double x = c->vertex[q->vertex[0]].x[0];
         int at;
         if (q->area[0] < 0.0 || c->node[next[0]] >= 0 || next[0] == c->mesh->n[0]) continue;

@@ -4,12 +4,12 @@
 #include <math.h>
 
 /* Green's theorem, by Simpson's rule, which is exact for what is cubic along a straight piece. */
-static cut_part part_of(const mesh *m, const int cell[2], const double from[2], const double to[2])
+static cut_part part_of(const mesh *m, const int cell[3], const double from[2], const double to[2])
 {
     static const double weight[3] = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
     const double left = cut_weight_to(m, mesh_node(m, 0, cell[0])), half = 0.5 * m->h[0], up = to[1] - from[1];
     const bool plane = m->geometry != MESH_AXISYMMETRIC;
-    cut_part p = {0.0, {0.0, 0.0}};
+    cut_part p = {0.0, {0.0}};
     for (int k = 0; k < 3; ++k) {
         const double x = from[0] + 0.5 * k * (to[0] - from[0]), y = from[1] + 0.5 * k * up;
         const double across = x - mesh_centre(m, 0, cell[0]);
@@ -22,12 +22,12 @@ static cut_part part_of(const mesh *m, const int cell[2], const double from[2], 
     return p;
 }
 
-static floe_status add_piece(cut_surface *c, const int cell[2], const int vertex[2], const double from[2],
+static floe_status add_piece(cut_surface *c, const int cell[3], const int vertex[2], const double from[2],
                              const double to[2], double share)
 {
     const double radius = c->mesh->geometry == MESH_AXISYMMETRIC ? 0.5 * (from[0] + to[0]) : 1.0;
     const cut_piece piece = {.vertex = {vertex[0], vertex[1]},
-                             .share = share,
+                             .weight = {1.0 - share, share},
                              .area = {radius * (to[1] - from[1]), -radius * (to[0] - from[0])}};
     const cut_part part = part_of(c->mesh, cell, from, to);
     return cut_add_piece(c, cell, &piece, &part);
@@ -49,8 +49,9 @@ static void pass(cut_surface *c, int at, int axis, int side, const double x[2], 
     }
 }
 
-static void cell_of(const mesh *m, const double x[2], int cell[2])
+static void cell_of(const mesh *m, const double x[2], int cell[3])
 {
+    cell[2] = 0;
     for (int a = 0; a < 2; ++a) {
         const int i = mesh_cell_of(m, a, x[a]);
         cell[a] = i < 0 ? 0 : i >= m->n[a] ? m->n[a] - 1 : i;
@@ -58,7 +59,7 @@ static void cell_of(const mesh *m, const double x[2], int cell[2])
 }
 
 /* Share of the segment from a to b at which it crosses the side of a cell towards b. */
-static double way_to(const mesh *m, const double a[2], const double b[2], int axis, int node)
+static double share_to(const mesh *m, const double a[2], const double b[2], int axis, int node)
 {
     const double t = (mesh_node(m, axis, node) - a[axis]) / (b[axis] - a[axis]);
     return t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
@@ -75,7 +76,7 @@ static floe_status trace_segment(cut_surface *c, const int vertex[2])
 {
     const mesh *m = c->mesh;
     const double *a = c->vertex[vertex[0]].x, *b = c->vertex[vertex[1]].x;
-    int cell[2], last[2];
+    int cell[3], last[3];
     double from[2] = {a[0], a[1]}, before = 0.0;
     cell_of(m, a, cell);
     cell_of(m, b, last);
@@ -84,7 +85,7 @@ static floe_status trace_segment(cut_surface *c, const int vertex[2])
         int axis = 0;
         for (int k = 0; k < 2; ++k) {
             if (cell[k] == last[k]) continue;
-            const double to = way_to(m, a, b, k, last[k] > cell[k] ? cell[k] + 1 : cell[k]);
+            const double to = share_to(m, a, b, k, last[k] > cell[k] ? cell[k] + 1 : cell[k]);
             if (!(to < t)) continue;
             t = to;
             axis = k;
@@ -112,7 +113,7 @@ static floe_status pass_side(cut_surface *c, int vertex, int inward)
 {
     const mesh *m = c->mesh;
     const double *x = c->vertex[vertex].x;
-    int cell[2], at;
+    int cell[3], at;
     cell_of(m, x, cell);
     TRY(cut_touch(c, cell, &at));
     for (int axis = 0; axis < 2; ++axis)

@@ -7,7 +7,7 @@
 
 typedef enum bc_kind {
     BC_SYMMETRY, /* mirror: normal velocity odd, everything else even; to fluids a slip wall is the same */
-    BC_SLIP,     /* impermeable, free tangential velocity; solids leave it as they come (mpm/wall_side.c) */
+    BC_SLIP,     /* impermeable, free tangential velocity; solids leave it as they come (mpm/nodes/wall_side.c) */
     BC_NO_SLIP,  /* impermeable, tangential velocity of the wall */
     BC_PERIODIC,
     BC_INLET,          /* fluids: density, velocity, temperature given; points: prescribed velocity */

@@ -26,7 +26,7 @@ typedef enum field_components {
 } field_components;
 typedef enum field_class { FIELD_STATE, FIELD_FIXED, FIELD_SCRATCH, FIELD_DIAGNOSTIC } field_class;
 
-enum { FIELD_MAX_COMPONENTS = 9, FIELD_MAX_INSTANCES = 16 };
+enum { FIELD_MAX_COMPONENTS = 9, FIELD_MAX_INSTANCES = 32 };
 
 typedef struct field_info {
     const char *name, *unit, *meaning;

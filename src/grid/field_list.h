@@ -54,6 +54,8 @@
       "m_p when reactions have taken what they do in the step")                                                      \
     X(P_DENSITY, "cell_density", POINT, SCALAR, "kg/m3", SCRATCH, "rho_p of a fluid from the masses of cells")       \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
+    X(P_MEAN_PRESSURE, "mean_pressure", POINT, SCALAR, "Pa", SCRATCH,                                                \
+      "what the mean over the points of a cell adds to a point's normal stresses, and p_p")                          \
     /* nodes, instance: velocity group */                                                                            \
     X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                       \
     X(N_MOMENTUM, "node_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "m_i v_i")                                       \
@@ -68,7 +70,7 @@
       "kinetic energy lost about the node, then J/kg of fluid points")                                               \
     X(N_DRY_MASS, "node_dry_mass", NODE, SCALAR, "kg", SCRATCH, "mass of points that are no fluid")                  \
     X(N_FILL, "node_fill", NODE, SCALAR, "m3", SCRATCH,                                                              \
-      "volume of solid points about the node (mpm/edge/edge.h), then room that is left there (mpm/settle.c)")        \
+      "volume of solid points about the node (mpm/edge/edge.h), then room that is left there (mpm/fluid/settle.c)")  \
     X(N_COLOUR, "node_colour", NODE, SCALAR, "m3", SCRATCH, "phi_i = sum of V0_p times a smoothing kernel")          \
     X(N_NORMAL, "node_normal", NODE, VECTOR, "1/m", SCRATCH,                                                         \
       "-grad phi/phi: towards the outside of a body, of no unit length")                                             \

@@ -21,6 +21,7 @@ typedef struct ice_material {
     double shear_viscosity; /* Pa s */
     double bulk_viscosity;  /* Pa s */
     double conductivity;    /* W/m/K */
+    double energy_floor;    /* J/kg where the law's floor is constant, else NAN */
     /* Carried by material points: not advected on cells; no viscous or gravity source and no heat of compression here. */
     bool points;
 } ice_material;
@@ -42,9 +43,9 @@ enum {
 typedef struct ice_seal_line {
     int enclosed;             /* material inside, a different one for each membrane; beside solids the only gas */
     const cut_surface *place; /* SEAL_PLACES: at the start, predicted, and at the end; not owned */
-    const double *velocity;   /* m/s: of the vertices now, two each; not owned */
-    const double *path; /* m: their displacement in the step, over which the force does work, two each; not owned */
-    double *force;      /* N: of all gases on the vertices, two each; not owned */
+    const double *velocity;   /* m/s: of the vertices now, three each; not owned */
+    const double *path; /* m: their displacement in the step, over which the force does work, three each; not owned */
+    double *force;      /* N: of all gases on the vertices, three each; not owned */
     double heat;        /* J: heat of the enclosed gas, of the energy that points have lost in the step */
 } ice_seal_line;
 
@@ -54,7 +55,24 @@ typedef struct ice_seal {
     int n_lines;
 } ice_seal;
 
-typedef struct ice {
+/* Materials that share cells, and there one pressure, one volume flux and the exchange between them: all materials, or those on one
+ * side of embedded boundaries. Its fields of common quantities (C_PRESSURE and others) are instance `number`, those of its materials
+ * instances first to first + n - 1. */
+typedef struct ice_region {
+    int number, first, n;
+} ice_region;
+
+typedef struct ice ice;
+
+/* Geometry of cells that embedded boundaries cut, as far as whole cells and sides must know it (sealed/ice_sealed.c). */
+typedef struct ice_cut_geometry {
+    /* Share of a face on a side of the domain that is open to a region. local: cell of the block. */
+    double (*side_aperture)(const ice *s, int region, const block *b, const int local[3], int axis, int side);
+    /* Whether gravity on a cell is in the sums of merged cells. */
+    bool (*is_merged)(const ice *s, int region, const block *b, int i, int j, int k);
+} ice_cut_geometry;
+
+struct ice {
     context *ctx;       /* not owned */
     const scene *scene; /* not owned */
     const mesh *mesh;   /* not owned */
@@ -63,23 +81,35 @@ typedef struct ice {
     ledger *ledger;     /* not owned */
     ice_material material[ICE_MAX_MATERIALS];
     int n_materials;
-    bool with_points; /* some material is carried by points */
-    bool multi;       /* more than one material: volume fractions, specific volumes, Newton, exchange */
-    bool sealed;      /* embedded boundaries separate the gases: each has cells, density and pressure of its own */
-    int gas;          /* sealed: the current gas of the stages; -1 between them */
+    ice_region region[ICE_MAX_MATERIALS]; /* one, or with embedded boundaries one a gas */
+    int n_regions;
+    const ice_cut_geometry *cut; /* NULL: all cells are whole */
+    bool with_points;            /* some material is carried by points */
+    bool implicit;               /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     ice_seal seal;
-    bool viscous;
-    bool conducts;
-    bool diffuses;           /* viscous or conducting, or driven by an exact solution's sources */
-    bool pressurise;         /* some load adds energy to a fluid */
-    bool implicit;           /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     double gravity[3];       /* m/s2 */
     exchange_table exchange; /* K_rs and R_rs */
     double time, dt;         /* s: of the current step */
     long step;               /* committed steps so far, kept by the owner of the run (ramps counted in steps) */
     eos_bulk_par bulk[ICE_MAX_MATERIALS]; /* parameters of the solids' cell view */
-    struct ice_work *work;                /* owned scratch (tile partials, row buffers) */
-} ice;
+    /* Storage of the parts of the solver, each known to its part alone; owned. NULL where the scene has no use for it. */
+    struct ice_storage *storage;
+    struct ice_reservoirs *reservoirs;
+    struct ice_closure *closure;
+    struct ice_continued *continued;
+    struct ice_interfaces *interfaces;
+    struct ice_pairs *pairs;
+    struct ice_reactions *reactions;
+    struct ice_heated *heated;
+    struct ice_sealing *sealing;
+    struct ice_implicit *rows;
+};
+
+/* Whether some region has several materials: volume fractions, specific volumes, an equilibrium pressure, exchange. */
+static inline bool ice_is_mixture(const ice *s)
+{
+    return s->region[0].n > 1;
+}
 
 /* Resolves the scene's fluids (and, with solids as points, their cell view) into *out; registers nothing. */
 floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
@@ -104,6 +134,7 @@ floe_status ice_refresh(ice *s);
 /* The stages, in the order of theory 5.1 (their names are the ones timed and listed). */
 floe_status ice_boundary_ghosts(ice *s); /* ghosts of the state: blocks, periodic axes, boundary conditions (2.13) */
 floe_status ice_equilibrium_pressure(ice *s); /* 2.1: p, theta, c, kappa, S; one fluid: p = eos(rho, e) */
+floe_status ice_find_interfaces(ice *s);      /* 2.15: the cells at interfaces between fluids */
 floe_status ice_continue_pressure(ice *s);    /* beside solids: p in cells that they fill (ice_continue.c) */
 floe_status ice_diffusion_rates(ice *s);      /* viscosity and conduction (2.6): their rates at the start of the step */
 floe_status ice_wall_fraction(ice *s);        /* for pairs that slip: the field whose gradient gives their normals */

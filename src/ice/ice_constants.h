@@ -22,6 +22,42 @@
 #define ICE_KINK_MEAN 0.7
 #define ICE_KINK_SIGNED 0.3
 
+/* Of the viscosity at kinks, per limited gradient. More damps what a centred step rings, and smears the foot of fans. */
+#define ICE_KINK_VISCOSITY 0.6
+/* q of a shock: coefficients of the square of the velocity's jump over a cell and of the jump times the speed of sound (von Neumann and Richtmyer;
+ * Landshoff). Less rings, more widens the shock. */
+#define ICE_SHOCK_QUADRATIC 0.75
+#define ICE_SHOCK_LINEAR 0.3
+/* Share of a cell's stiffness by which carried pressure may change the advanced one: any multiple of its own beside a vacuum otherwise. */
+#define ICE_CARRIED_PRESSURE 0.25
+
+/* ---- contacts and fans of one fluid (theory 2.5, 2.11): from where on, and how fast they count in full ---- */
+
+/* Jump of density over two cells, of the density. Smaller takes smooth profiles for contacts, larger lets weak contacts spread. */
+#define ICE_CONTACT_FOOT 0.05
+#define ICE_CONTACT_STEEPNESS 20.0
+/* Its inflection (Colella and Woodward 1984, eq. 1.16; there 0.05 and 20): the same trade. */
+#define ICE_INFLECTION_FOOT 0.01
+#define ICE_INFLECTION_STEEPNESS 60.0
+/* So many times the isentrope's change of density explains no contact. */
+#define ICE_CONTACT_COMPRESSION 10.0
+/* Expansion of a cell, of the speed of sound, at which the mean at a face has more than the linear reconstruction, how fast it rises, and how much more
+ * at most, beside other fluids the first. More sharpens fans and lets sound grow. */
+#define ICE_FAN_FOOT 0.005
+#define ICE_FAN_STEEPNESS 20.0
+#define ICE_FAN_BESIDE_OTHERS 1.0
+#define ICE_FAN_ALONE 1.5
+/* Drop of pressure to the face, of rho c^2, from which a slab is expanded to it; the rise; the largest expansion; and the speeds of sound over which
+ * it vanishes, from the foot of 1/2 to 3/4. Earlier or faster would expand fans that the mesh resolves. */
+#define ICE_EXPANSION_FOOT 0.3
+#define ICE_EXPANSION_STEEPNESS 3.0
+#define ICE_MOST_EXPANSION 0.8
+#define ICE_EXPANSION_SLOW 1.5
+#define ICE_EXPANSION_SLOWING 2.0
+/* Bounds of the thickness of a donor slab, over that before its dilatation. */
+#define ICE_LEAST_SLAB 0.5
+#define ICE_MOST_SLAB 1.5
+
 /* ---- interfaces of several fluids (theory 2.15) ---- */
 
 /* Less than this share of a cell is no other fluid: round-off. */
@@ -58,6 +94,57 @@
 #define ICE_BOUND_FRACTION 1e-4
 #define ICE_MOST_VOLUME_CHANGE 10.0
 
+/* A liquid in a cell of which it has less than this share is dragged by the solid, times so many times the rate at which the pressure across the solid
+ * would drive it along an oblique surface (theory 2.9). Less lets it be driven out of the wall, more locks it. */
+#define ICE_DRAG_SHARE 0.5
+#define ICE_DRAG_STRENGTH 30.0
+/* Gradient of a wall's fraction, per cell, from which it has a normal: in a uniform mixture it is round-off's. */
+#define ICE_LEAST_WALL_SLOPE 1e-6
+/* Cells of which solids leave less than this get no fluid at the start, which would only absorb errors of volume. */
+#define ICE_LEAST_FIRST_FRACTION 1e-6
+/* K: of solids, whose bulk response does not depend on it. */
+#define ICE_ANY_TEMPERATURE 300.0
+
+/* ---- the time step (theory 2.14) ---- */
+
+/* Of the stable step of diffusion. */
+#define ICE_DIFFUSION_SHARE 0.9
+/* A fluid has the mixture's speed of sound where exchange is so many times faster than sound crosses a cell. Smaller is unstable for loosely
+ * tied fluids, larger lets hot traces bind the step. */
+#define ICE_TIED 10.0
+
+/* ---- embedded boundaries (theory 7.1) ---- */
+
+/* A cell of which less than this is open to a gas is merged with a neighbour. Larger merges more cells than the step needs, smaller bounds the step. */
+#define ICE_SMALL_CELL 0.5
+/* A gap between bodies in contact, of a cell, and a density, of that at the start, below which it holds no gas: round-off of their surfaces. */
+#define ICE_GAP_FRACTION 1e-6
+#define ICE_GAP_DENSITY 1e-3
+/* Solids in contact may overlap by this share of a cell, and what is left outside several boundaries be off by that: round-off. */
+#define ICE_CONTACT_OVERLAP 1e-6
+#define ICE_OPEN_ROUND_OFF 1e-13
+
+/* ---- gas at rest beside solids in equilibrium (theory 9) ---- */
+
+/* Smeared solids let no gas pass cells of which they leave it less than this: larger closes narrow gaps, smaller lets gas through thin walls. */
+#define ICE_PASSING_FRACTION 0.1
+/* Gas enters a cell that solids leave from this share on, and stays in it down to the other: the distance between keeps cells from alternating. */
+#define ICE_SHARE_TO_ENTER 0.01
+#define ICE_SHARE_TO_STAY 1e-6
+/* Largest factor on the densities beside solids by which a region has its mass; beyond, all its cells share the difference. */
+#define ICE_MOST_DENSITY_FACTOR 4.0
+
+/* ---- the implicit pressure (theory 3) ---- */
+
+enum { ICE_MOST_OUTER = 20, ICE_MOST_CG = 200 };
+/* A residual that has grown this much since the best will not come down. */
+#define ICE_HOPELESS_RESIDUAL 100.0
+/* Required norm of the linear residual: of the tolerance times the fourth root of the number of cells, between the
+ * norm's bound on the largest, which round-off may not let it reach, and the root of its mean square, which says
+ * nothing of the largest; and of the largest residual there is, so that every search gets on. */
+#define ICE_SHARE_OF_TOLERANCE 0.1
+#define ICE_SHARE_OF_RESIDUAL 0.3
+
 /* ---- guards (theory 2.8, 2.11): traces are changed so that their state stays valid ---- */
 
 /* Where heat would leave less thermal energy than this share of the kinetic, it is not conserved: larger makes energy, smaller negative heat. */
@@ -69,6 +156,12 @@
 #define ICE_TRACE_FRACTION 1e-6
 /* and squares of velocities and energies are taken back where they are larger than this times those before. */
 #define ICE_MOST_GAIN 1e4
+/* At most so much of a trace leaves its cell in a step. */
+#define ICE_MOST_TRACE_OUTFLOW 0.5
+/* A donor's gradients are flat where a neighbour has less than this share of its density: that has no state of its own. */
+#define ICE_LEAST_NEIGHBOUR 1e-6
+/* Of a value, or of a donor's mass: round-off. */
+#define ICE_ROUND_OFF 1e-14
 /* Energy made by guards, of a cell's, that is counted; mass that a reaction leaves, of its reactant, that is taken too: round-off. */
 #define ICE_COUNTED_DEFECT 1e-12
 #define ICE_LAST_OF_REACTANT 1e-12

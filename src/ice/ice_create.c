@@ -1,28 +1,17 @@
 /* Making the ICE solver: which materials, which loads, which fields, which kernels. */
-#include "ice/ice_internal.h"
+#include "ice/equilibrium/ice_equilibrium.h"
+#include "ice/exchange/ice_exchange.h"
+#include "ice/flux/ice_flux.h"
+#include "ice/implicit/ice_implicit.h"
+#include "ice/points/ice_points.h"
+#include "ice/sealed/ice_sealed.h"
+#include "ice/sides/ice_sides.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_state.h"
 
 #include "base/memory.h"
-#include "base/threads.h"
 
 #include <math.h>
-
-void ice_find_used(const scene *s, bool with_points, bool *used)
-{
-    for (int b = 0; b < s->n_bodies; ++b) {
-        const int r = s->body[b].material;
-        used[r] = s->material[r].kind == MATERIAL_FLUID || with_points;
-    }
-    if (s->has_ambient) used[s->ambient_material] = true;
-    for (int k = 0; k < s->n_reactions; ++k) used[s->reaction[k].product] = true;
-    for (int a = 0; a < s->mesh.dim; ++a)
-        for (int side = 0; side < 2; ++side) {
-            const bc_side *wall = &s->bc.side[a][side];
-            const bool fluid = wall->material >= 0 && wall->material < s->n_materials &&
-                               s->material[wall->material].kind == MATERIAL_FLUID;
-            if ((wall->kind == BC_INLET || wall->kind == BC_RESERVOIR) && fluid && !s->mesh.periodic[a])
-                used[wall->material] = true;
-        }
-}
 
 /* The least pressure of a fluid of the scene (Pa, <= 0), at most half of a solid's bulk modulus in size: a solid beside
  * it must have a volume at this pressure. */
@@ -53,6 +42,15 @@ static floe_status view_of_solid(ice *s, const scene_material *m, const bool *us
     return FLOE_OK;
 }
 
+/* The law's energy floor where it is the same for densities from 1e-6 to 1e6 kg/m3, else NAN. */
+static double constant_floor(const eos *law)
+{
+    const double a = law->model->energy_floor(law->par, 1e-6), b = law->model->energy_floor(law->par, 1.0),
+                 c = law->model->energy_floor(law->par, 1e6);
+    if (a == b && b == c) return a;
+    return NAN;
+}
+
 static floe_status resolve_materials(ice *s, bool with_points)
 {
     const scene *whole = s->scene;
@@ -71,93 +69,41 @@ static floe_status resolve_materials(ice *s, bool with_points)
                                   .conductivity = m->conductivity};
         out->scene_material = r;
         s->with_points = s->with_points || out->points;
-        s->viscous = s->viscous || out->shear_viscosity > 0.0 || out->bulk_viscosity > 0.0;
-        s->conducts = s->conducts || out->conductivity > 0.0;
+        out->energy_floor = constant_floor(&out->eos);
         s->n_materials++;
     }
-    s->diffuses = (s->viscous || s->conducts || whole->driving) && !scene_is_cut(whole);
     if (s->n_materials == 0)
         return fail_key(s->ctx, KEY("coupling"), "%s: no fluid is in the scene: give a body of a fluid, or `ambient`",
                         coupling_name(whole->coupling));
-    s->sealed = scene_is_cut(whole);
-    s->gas = -1;
-    s->multi = s->n_materials > 1 && !s->sealed;
     return FLOE_OK;
 }
 
-static void resolve_loads(ice *s)
+/* One region; with embedded boundaries one a gas. */
+static void resolve_regions(ice *s)
+{
+    s->cut = scene_is_cut(s->scene) ? &ice_sealed_geometry : NULL;
+    s->n_regions = s->cut ? s->n_materials : 1;
+    for (int g = 0; g < s->n_regions; ++g) s->region[g] = (ice_region){g, g, s->cut ? 1 : s->n_materials};
+}
+
+static void resolve_gravity(ice *s)
 {
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
-        if (load->kind == LOAD_PRESSURISE || load->kind == LOAD_HEAT) s->pressurise = true;
         if (load->kind == LOAD_BODY_FORCE && load->body < 0)
             for (int a = 0; a < s->mesh->dim; ++a) s->gravity[a] += load->vector[a];
     }
 }
 
-ice_reservoir ice_state_at(const eos *law, double p, double T)
-{
-    ice_reservoir out = {.T = T};
-    double dvdp;
-    law->model->volume(law->par, 1, &p, &T, &out.v, &dvdp);
-    out.rho = 1.0 / out.v;
-    law->model->energy(law->par, 1, &out.rho, &T, &out.e);
-    return out;
-}
-
-/* What inlets bring, what reservoirs hold, and what lies behind outlets that say so. */
-static void resolve_reservoirs(ice *s)
-{
-    for (int a = 0; a < s->mesh->dim; ++a)
-        for (int side = 0; side < 2; ++side) {
-            const bc_side *wall = &s->scene->bc.side[a][side];
-            if (!ice_has_reservoir(wall->kind)) continue;
-            const int r = ice_material_of(s, wall->material);
-            if (r < 0 || s->material[r].points || !(wall->temperature > 0.0)) continue;
-            s->work->reservoir[a][side] = ice_state_at(&s->material[r].eos, wall->pressure, wall->temperature);
-        }
-}
-
-/* The law's energy floor where it is the same for densities from 1e-6 to 1e6 kg/m3, else NAN. */
-static double constant_floor(const eos *law)
-{
-    const double a = law->model->energy_floor(law->par, 1e-6), b = law->model->energy_floor(law->par, 1.0),
-                 c = law->model->energy_floor(law->par, 1e6);
-    if (a == b && b == c) return a;
-    return NAN;
-}
-
-static void choose_kernels(ice *s)
-{
-    const int d = s->mesh->dim - 1, m = s->multi;
-    s->work->kernels = (ice_kernels){.sensor = ice_sensor_row[d][m],
-                                     .contact = ice_contact_row[d],
-                                     .increment = ice_increment_row[d][m],
-                                     .limiter = ice_limiter_row[d],
-                                     .face_velocity = ice_face_velocity_row[d][m],
-                                     .face_theta = ice_face_theta_row[d],
-                                     .sources = ice_source_row_of[d][m],
-                                     .advect = ice_advect_of[d][m]};
-}
-
 static floe_status resolve_states(ice *s, bool with_points)
 {
     TRY(resolve_materials(s, with_points));
-    resolve_loads(s);
-    TRY(memory_new(s->ctx, &s->work, 1, sizeof *s->work));
-    TRY(ice_pairs_resolve(s));
-    s->work->threads = threads_most();
-    for (int r = 0; r < s->n_materials; ++r) s->work->energy_floor[r] = constant_floor(&s->material[r].eos);
-    int fluids = 0;
-    for (int r = 0; r < s->n_materials; ++r) {
-        s->work->reconcile = s->work->reconcile || (isnan(s->work->energy_floor[r]) && !s->material[r].points);
-        fluids += !s->material[r].points;
-    }
-    s->work->interfaces = s->multi && fluids > 1 && !s->with_points;
-    s->work->reconcile = s->work->reconcile || s->work->interfaces;
-    resolve_reservoirs(s);
-    choose_kernels(s);
-    return ice_reactions_resolve(s);
+    resolve_regions(s);
+    resolve_gravity(s);
+    TRY(ice_pairs_create(s));
+    TRY(ice_reservoirs_create(s));
+    TRY(ice_heated_create(s));
+    return ice_reactions_create(s);
 }
 
 floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
@@ -176,51 +122,26 @@ floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, s
     return status;
 }
 
-static void destroy_work(context *ctx, ice_work **work)
-{
-    ice_work *w = *work;
-    if (!w) return;
-    ice_implicit_destroy(ctx, &w->implicit);
-    ice_spans_destroy(ctx, w);
-    ice_interfaces_destroy(ctx, w);
-    for (int b = 0; b < MESH_MAX_BLOCKS; ++b) {
-        memory_free(ctx, &w->metric[b]);
-        memory_free(ctx, &w->mixed[b].at);
-        memory_free(ctx, &w->continued[b].at);
-    }
-    for (int l = 0; l < SCENE_MAX_LOADS; ++l)
-        for (int b = 0; b < MESH_MAX_BLOCKS; ++b) memory_free(ctx, &w->region[l][b].at);
-    for (int t = 0; t < w->threads; ++t) {
-        if (w->buffer) memory_free(ctx, &w->buffer[t]);
-        if (w->set) memory_free(ctx, &w->set[t]);
-    }
-    ice_reactions_destroy(ctx, w);
-    ice_seal_destroy(ctx, &w->sealing);
-    memory_free(ctx, &w->buffer);
-    memory_free(ctx, &w->set);
-    memory_free(ctx, &w->cells);
-    memory_free(ctx, &w->tile);
-    memory_free(ctx, work);
-}
-
 void ice_destroy(ice **s)
 {
     if (!s || !*s) return;
-    context *ctx = (*s)->ctx;
-    destroy_work(ctx, &(*s)->work);
+    ice *w = *s;
+    context *ctx = w->ctx;
+    ice_implicit_destroy(ctx, &w->rows);
+    ice_sealing_destroy(ctx, &w->sealing);
+    ice_heated_destroy(ctx, &w->heated);
+    ice_reactions_destroy(ctx, &w->reactions);
+    ice_pairs_destroy(ctx, &w->pairs);
+    ice_continued_destroy(ctx, &w->continued);
+    ice_closure_destroy(ctx, &w->closure);
+    ice_reservoirs_destroy(ctx, &w->reservoirs);
+    ice_storage_destroy(ctx, &w->storage);
     memory_free(ctx, s);
 }
 
-int ice_material_of(const ice *s, int wanted)
-{
-    for (int r = 0; r < s->n_materials; ++r)
-        if (s->material[r].scene_material == wanted) return r;
-    return -1;
-}
-
-/* Which materials a field has instances of. */
+/* What a field has instances of. */
 typedef enum field_owner {
-    OWNER_SHARED,
+    OWNER_REGIONS,
     OWNER_ALL,
     OWNER_FLUIDS,
     OWNER_POINTS,
@@ -228,14 +149,9 @@ typedef enum field_owner {
     OWNER_BURNS
 } field_owner;
 
-static field_owner owner_of(const ice *s, field_id id)
+static field_owner owner_of(field_id id)
 {
     switch (id) {
-    case C_PRESSURE:
-    case C_PRESSURE_ADVANCED:
-    case C_DP:
-    case C_SHOCK:
-    case F_PRESSURE: return s->sealed ? OWNER_ALL : OWNER_SHARED;
     case C_RHO:
     case C_VEL:
     case C_ENERGY:
@@ -264,7 +180,7 @@ static field_owner owner_of(const ice *s, field_id id)
     case C_REACTED: return OWNER_REACTIONS;
     case C_BURNT_MOMENTUM:
     case C_BURNT_ENERGY: return OWNER_BURNS;
-    default: return OWNER_SHARED;
+    default: return OWNER_REGIONS;
     }
 }
 
@@ -273,7 +189,7 @@ static bool owns_field(const ice *s, field_owner owner, int r)
     switch (owner) {
     case OWNER_FLUIDS: return !s->material[r].points;
     case OWNER_POINTS: return s->material[r].points;
-    case OWNER_BURNS: return s->work->reactions.burns[r];
+    case OWNER_BURNS: return ice_burns(s, r);
     default: return true;
     }
 }
@@ -283,59 +199,13 @@ static floe_status register_fields(ice *s, domain *d)
     for (int id = 0; id < FIELD_COUNT; ++id) {
         const field_centring centring = field_describe((field_id)id)->centring;
         if (!s->stages->uses[id] || (centring != FIELD_CELL && centring != FIELD_FACE)) continue;
-        const field_owner owner = owner_of(s, (field_id)id);
+        const field_owner owner = owner_of((field_id)id);
         const bool reactions = owner == OWNER_REACTIONS || owner == OWNER_BURNS;
-        const int instances = owner == OWNER_SHARED ? 1 : reactions ? s->work->reactions.n : s->n_materials;
+        const int instances = owner == OWNER_REGIONS ? s->n_regions
+                              : reactions            ? ice_reaction_count(s)
+                                                     : s->n_materials;
         for (int r = 0; r < instances; ++r)
             if (owns_field(s, owner, r)) TRY(domain_add(d, (field_id)id, r));
-    }
-    return FLOE_OK;
-}
-
-/* Volumes are positive in the ghosts beyond the axis too, which mirror the cells inside. */
-static floe_status make_metrics(ice *s)
-{
-    const mesh *m = s->mesh;
-    for (int id = 0; id < m->n_blocks; ++id) {
-        const block *b = &m->block[id];
-        const int run = b->n[0] + 2 * MESH_GHOST + 1;
-        TRY(memory_new(s->ctx, &s->work->metric[id], (size_t)run * 5, sizeof(double)));
-        double *metric = s->work->metric[id];
-        for (int i = 0; i < run; ++i) {
-            const int cell = b->lo[0] + i - MESH_GHOST;
-            const double volume = fabs(mesh_cell_volume(m, cell));
-            const bool plane = m->geometry == MESH_CARTESIAN;
-            metric[i] = plane ? 1.0 / m->h[0] : fabs(mesh_face_area(m, 0, cell)) / volume;
-            metric[run + i] = plane ? 1.0 / m->h[0] : fabs(mesh_face_area(m, 0, cell + 1)) / volume;
-            metric[2 * run + i] = volume;
-            metric[3 * run + i] = fabs(mesh_face_area(m, 0, cell));
-            metric[4 * run + i] = mesh_node(m, 0, cell);
-        }
-    }
-    return FLOE_OK;
-}
-
-static floe_status make_scratch(ice *s)
-{
-    ice_work *w = s->work;
-    const mesh *m = s->mesh;
-    w->tiles = mesh_tiles(m);
-    TRY(memory_new(s->ctx, &w->tile, w->tiles * TILE_VALUES, sizeof(double)));
-    TRY(memory_new(s->ctx, &w->buffer, (size_t)w->threads, sizeof *w->buffer));
-    const size_t row = 16 * ((size_t)m->n[0] + 8), sweep = ice_advect_buffer(s);
-    for (int t = 0; t < w->threads; ++t)
-        TRY(memory_new(s->ctx, &w->buffer[t], row > sweep ? row : sweep, sizeof(double)));
-    if (!s->multi) return FLOE_OK;
-    TRY(memory_new(s->ctx, &w->cells, (size_t)w->threads, sizeof *w->cells));
-    TRY(memory_new(s->ctx, &w->set, (size_t)w->threads, sizeof *w->set));
-    for (int t = 0; t < w->threads; ++t) TRY(memory_new(s->ctx, &w->set[t], (size_t)m->n[0] + 8, sizeof(unsigned)));
-    for (int b = 0; b < m->n_blocks; ++b) {
-        const int *n = m->block[b].n;
-        const size_t cells = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];
-        TRY(ice_spans_create(s, b));
-        TRY(ice_interfaces_create(s, b));
-        TRY(memory_new(s->ctx, &w->mixed[b].at, cells, sizeof *w->mixed[b].at));
-        if (s->with_points) TRY(memory_new(s->ctx, &w->continued[b].at, cells, sizeof *w->continued[b].at));
     }
     return FLOE_OK;
 }
@@ -344,8 +214,9 @@ floe_status ice_register(ice *s, domain *d)
 {
     s->domain = d;
     TRY(register_fields(s, d));
-    TRY(make_metrics(s));
-    if (s->sealed) TRY(ice_seal_create(s));
-    TRY(make_scratch(s));
+    if (s->cut) TRY(ice_sealing_create(s));
+    TRY(ice_storage_create(s, ice_advect_buffer(s), ice_is_mixture(s) && ice_reaction_count(s) == 0));
+    if (ice_is_mixture(s)) TRY(ice_closure_create(s));
+    if (s->with_points) TRY(ice_continued_create(s));
     return s->scene->method.pressure == PRESSURE_EXPLICIT ? FLOE_OK : ice_implicit_create(s);
 }

@@ -1,13 +1,14 @@
 /* The time step (theory 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
  * where phi = 1, else 1; with the implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion
- * dt <= 0.9 / (2 D sum h_i^-2), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Slivers
+ * dt <= 0.9 / (2 D sum h_i^-2), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces
  * (theta < 1e-6) are left out.
  *
  * A fluid that is tied to the others of its cell faster than sound crosses the cell carries sound at Wood's speed of the mixture,
- * not at its own: a hot sliver of gas beside a solid does not limit the step. All of it comes from the fluids' state alone (what
+ * not at its own: a hot trace of gas beside a solid does not limit the step. All of it comes from the fluids' state alone (what
  * they leave of a cell is the solids'), so that a resumed run takes the same steps. */
 #include "base/threads.h"
-#include "ice/ice_internal.h"
+#include "ice/ice_constants.h"
+#include "ice/state/ice_state.h"
 
 #include <math.h>
 
@@ -32,7 +33,7 @@ typedef struct rate_factors {
 static rate_factors factors_of(const ice *s, const ice_view *v, int r)
 {
     const ice_material *m = &s->material[r];
-    const bool full = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points || s->sealed;
+    const bool full = s->scene->method.centring == ICE_CENTRING_FULL || s->with_points || s->cut;
     double inverse_square = 0.0;
     for (int a = 0; a < v->dim; ++a) inverse_square += v->inv_h[a] * v->inv_h[a];
     return (rate_factors){full ? sqrt(2.0) : 1.0, sqrt(inverse_square),
@@ -49,12 +50,12 @@ static rates cell_rates(const ice_view *v, int r, const rate_factors *f, ptrdiff
     rates x = {speed, c * f->root, speed + f->centring * c * f->root, 0.0};
     if (f->viscosity > 0.0 || f->conductivity > 0.0) {
         const double diffusion = f->conductivity > 0.0 ? most(f->viscosity, f->conductivity / cv) : f->viscosity;
-        x.diffusion = 2.0 / 0.9 * diffusion / rho * inverse_square;
+        x.diffusion = 2.0 / ICE_DIFFUSION_SHARE * diffusion / rho * inverse_square;
     }
     return x;
 }
 
-/* What a cell holds of everything. */
+/* All materials of a cell together. */
 typedef struct mixture {
     double density, compressibility, tie;
 } mixture;
@@ -77,7 +78,7 @@ static mixture mixture_about(const ice *s, const ice_view *v, int r, ptrdiff_t a
     double free = 1.0;
     mixture m = {0.0, 0.0, 0.0};
     for (int q = 0; q < s->n_materials; ++q) {
-        const ice_arrays *a = &v->m[q];
+        const ice_fluid *a = &v->m[q];
         if (s->material[q].points || !(a->rho[at] > 0.0)) continue;
         const double theta = a->rho[at] * a->vol[at], density = 1.0 / a->vol[at];
         double p, c2 = c * c;
@@ -97,33 +98,34 @@ static mixture mixture_about(const ice *s, const ice_view *v, int r, ptrdiff_t a
 
 static double signal_speed(const ice *s, const ice_view *v, int r, ptrdiff_t at, double rho, double c)
 {
-    if (!s->multi || v->m[r].rho[at] * v->m[r].vol[at] > 1.0 - 1e-12) return c;
+    if (!v->multi || v->m[r].rho[at] * v->m[r].vol[at] > 1.0 - 1e-12) return c;
     const mixture m = mixture_about(s, v, r, at, rho, c);
     const double crossing = c / v->finest;
-    return m.tie > 10.0 * crossing ? fmin(c, 1.0 / sqrt(m.density * m.compressibility)) : c;
+    return m.tie > ICE_TIED * crossing ? fmin(c, 1.0 / sqrt(m.density * m.compressibility)) : c;
 }
 
 /* One row of one material: density of the pure material and sound speed from its current state. */
 static bool row_rates(const ice *s, const ice_view *v, int r, int j, int k, double *work, rates *largest)
 {
-    const ice_arrays *m = &v->m[r];
+    const ice_fluid *m = &v->m[r];
     const eos *law = &s->material[r].eos;
     const rate_factors factors = factors_of(s, v, r);
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0];
     double *rho = work, *e = work + n, *p = work + 2 * n, *c2 = work + 3 * n, *cv = work + 4 * n, *alpha = work + 5 * n;
     for (ptrdiff_t i = 0; i < n; ++i) {
-        const bool here = s->multi ? m->rho[base + i] * m->vol[base + i] > 1e-6 : !m->open || m->open[base + i] > 0.0;
-        rho[i] = s->multi ? 1.0 / m->vol[base + i] : m->rho[base + i];
+        const bool here =
+            v->multi ? m->rho[base + i] * m->vol[base + i] > ICE_TRACE_FRACTION : !m->open || m->open[base + i] > 0.0;
+        rho[i] = v->multi ? 1.0 / m->vol[base + i] : m->rho[base + i];
         e[i] = m->e[base + i];
         if (!here) rho[i] = NAN;
     }
     law->model->pressure(law->par, (size_t)n, rho, e, p, c2);
-    if (s->conducts) law->model->heat(law->par, (size_t)n, rho, e, cv, alpha);
+    if (factors.conductivity > 0.0) law->model->heat(law->par, (size_t)n, rho, e, cv, alpha);
     for (ptrdiff_t i = 0; i < n; ++i) {
         if (isnan(rho[i])) continue;
         if (!(c2[i] > 0.0)) return false;
         const double c = signal_speed(s, v, r, base + i, rho[i], sqrt(c2[i]));
-        const rates x = cell_rates(v, r, &factors, base + i, rho[i], c, s->conducts ? cv[i] : 0.0);
+        const rates x = cell_rates(v, r, &factors, base + i, rho[i], c, factors.conductivity > 0.0 ? cv[i] : 0.0);
         if (!isfinite(x.signal)) return false;
         raise_to(largest, x);
     }
@@ -138,7 +140,7 @@ static bool block_rates(const ice *s, const ice_view *v, int r, rates *largest)
 #pragma omp parallel for schedule(static) reduction(max : flow, sound, signal, diffusion) reduction(+ : bad)
     for (int row = 0; row < q.n; ++row) {
         rates x = {0.0, 0.0, 0.0, 0.0};
-        bad += !row_rates(s, v, r, ice_row_j(q, row), ice_row_k(q, row), s->work->buffer[thread_number()], &x);
+        bad += !row_rates(s, v, r, ice_row_j(q, row), ice_row_k(q, row), ice_buffer(s, thread_number()), &x);
         flow = most(flow, x.flow);
         sound = most(sound, x.sound);
         signal = most(signal, x.signal);
@@ -167,9 +169,8 @@ floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, dou
 {
     rates largest = {0.0, 0.0, 0.0, 0.0};
     double gravity = 0.0;
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
+    ice_view v;
+    for (int id = 0; ice_next_view(s, NULL, &id, &v);) {
         for (int a = 0; a < v.dim; ++a) gravity = fmax(gravity, fabs(s->gravity[a]) / v.h[a]);
         for (int r = 0; r < s->n_materials; ++r)
             if (!s->material[r].points && !block_rates(s, &v, r, &largest))
@@ -191,17 +192,17 @@ floe_status ice_time_step(ice *s, step_limit *out)
     return FLOE_OK;
 }
 
-static void add_densities(const ice *s, const ice_view *v, int r, double range[2])
+static void add_densities(const ice_view *v, int r, double range[2])
 {
-    const ice_arrays *m = &v->m[r];
+    const ice_fluid *m = &v->m[r];
     const ice_rows q = ice_rows_of(v->b, -1, 0);
     double lowest = range[0], highest = range[1];
 #pragma omp parallel for schedule(static) reduction(min : lowest) reduction(max : highest)
     for (int row = 0; row < q.n; ++row) {
-        const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        const ptrdiff_t base = ice_row_start(v->b, q, row);
         for (ptrdiff_t i = base; i < base + v->b->n[0]; ++i) {
             if (!(m->rho[i] > 0.0) || (m->open && !(m->open[i] > 0.0))) continue;
-            const double rho = s->multi ? 1.0 / m->vol[i] : m->rho[i];
+            const double rho = v->multi ? 1.0 / m->vol[i] : m->rho[i];
             lowest = least(lowest, rho);
             highest = most(highest, rho);
         }
@@ -214,33 +215,32 @@ void ice_densities(ice *s, double range[2])
 {
     range[0] = INFINITY;
     range[1] = 0.0;
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
+    ice_view v;
+    for (int id = 0; ice_next_view(s, NULL, &id, &v);) {
         for (int r = 0; r < s->n_materials; ++r)
-            if (!s->material[r].points) add_densities(s, &v, r, range);
+            if (!s->material[r].points) add_densities(&v, r, range);
     }
 }
 
 /* Density of a fluid in a cell of which it fills more than a share; else 0. */
-static double density_of_more(const ice *s, const ice_arrays *m, ptrdiff_t at, double share)
+static double density_of_more(bool multi, const ice_fluid *m, ptrdiff_t at, double share)
 {
-    const double fills = s->multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
+    const double fills = multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
     if (!(m->rho[at] > 0.0) || !(fills > share)) return 0.0;
-    return s->multi ? 1.0 / m->vol[at] : m->rho[at];
+    return multi ? 1.0 / m->vol[at] : m->rho[at];
 }
 
 static double densest_in(const ice *s, int id, const unsigned char *among, double share)
 {
     ice_view v;
     double found = 0.0;
-    ice_view_make(s, id, &v);
+    ice_view_make(s, NULL, id, &v);
     const ice_rows q = ice_rows_of(v.b, -1, 0);
     for (int row = 0; row < q.n; ++row) {
-        const ptrdiff_t base = mesh_index(v.b, 0, ice_row_j(q, row), ice_row_k(q, row));
+        const ptrdiff_t base = ice_row_start(v.b, q, row);
         for (ptrdiff_t i = base; i < base + v.b->n[0]; ++i)
             for (int r = 0; among[i] && r < s->n_materials; ++r)
-                if (!s->material[r].points) found = most(found, density_of_more(s, &v.m[r], i, share));
+                if (!s->material[r].points) found = most(found, density_of_more(v.multi, &v.m[r], i, share));
     }
     return found;
 }

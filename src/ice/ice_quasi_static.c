@@ -1,9 +1,15 @@
 /* Regions of gas at rest: found. */
 #include "ice/ice_quasi_static.h"
-#include "ice/ice_region.h"
 
 #include "base/memory.h"
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/exchange/ice_exchange.h"
+#include "ice/ice_constants.h"
+#include "ice/sealed/ice_sealed.h"
+#include "ice/sides/ice_sides.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_cells.h"
+#include "ice/state/ice_materials.h"
+#include "scene/state.h"
 
 #include <math.h>
 #include <string.h>
@@ -33,7 +39,7 @@ static const char *obstacle_at_sides(const ice *s)
 const char *ice_quasi_static_obstacle(const ice *s)
 {
     if (only_fluid(s) < 0) return "gases of several kinds on cells mix";
-    if (s->work->reactions.n > 0) return "gases react";
+    if (ice_reaction_count(s) > 0) return "gases react";
     for (int a = 0; a < s->mesh->dim; ++a)
         if (s->gravity[a] != 0.0) return "gas on cells under gravity has no single pressure";
     return scene_enclosing_body(s->scene) < 0 ? obstacle_at_sides(s) : NULL; /* else it does not get there */
@@ -61,40 +67,13 @@ void ice_quasi_static_destroy(ice_quasi_static **r)
     memory_free(ctx, r);
 }
 
-static int cell_number(const mesh *m, const int cell[MESH_MAX_DIM])
-{
-    return cell[0] + m->n[0] * (cell[1] + m->n[1] * cell[2]);
-}
-
-static void cell_of(const mesh *m, int number, int cell[MESH_MAX_DIM])
-{
-    cell[0] = number % m->n[0];
-    cell[1] = number / m->n[0] % m->n[1];
-    cell[2] = number / m->n[0] / m->n[1];
-}
-
-/* A cell's place in its block. */
-typedef struct cell_place {
-    const fields *f;
-    ptrdiff_t at;
-    double volume; /* m3 */
-} cell_place;
-
-static cell_place place_of(const ice *s, const int cell[MESH_MAX_DIM])
-{
-    const block *b = &s->mesh->block[mesh_block_of(s->mesh, cell)];
-    return (cell_place){s->domain->fields[b->id],
-                        mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]),
-                        mesh_cell_volume(s->mesh, cell[0])};
-}
-
 /* Volume fraction of the gas in a cell. */
 static double gas_share_of_cell(const ice *s, int r, const int cell[MESH_MAX_DIM])
 {
-    const cell_place c = place_of(s, cell);
-    if (s->sealed) return ice_open_cell(s, r, SEAL_NOW, cell);
+    const ice_owned_cell c = ice_find_cell(s, cell);
+    if (s->cut) return ice_open_cell(s, ice_region_of(s, r)->number, SEAL_NOW, cell);
     const double rho = field_get(c.f, C_RHO, r, 0)[c.at];
-    return s->multi ? rho * field_get(c.f, C_VOL, r, 0)[c.at] : rho > 0.0 ? 1.0 : 0.0;
+    return ice_is_mixture(s) ? rho * field_get(c.f, C_VOL, r, 0)[c.at] : rho > 0.0 ? 1.0 : 0.0;
 }
 
 /* The cell beside another, around a periodic end where need be. False beyond a side. */
@@ -108,7 +87,7 @@ static bool step_to(const mesh *m, const int from[MESH_MAX_DIM], int axis, int s
 
 static bool gas_passes_face(const ice *s, const ice_quasi_static *r, const int cell[MESH_MAX_DIM], int axis, int side)
 {
-    return !s->sealed || ice_open_face(s, r->material, SEAL_NOW, cell, axis, side) > 0.0;
+    return !s->cut || ice_open_face(s, ice_region_of(s, r->material)->number, SEAL_NOW, cell, axis, side) > 0.0;
 }
 
 static floe_status open_region(const ice *s, ice_gas_region *g, const bc_side *side)
@@ -127,11 +106,6 @@ static floe_status open_region(const ice *s, ice_gas_region *g, const bc_side *s
     return FLOE_OK;
 }
 
-/* Solids let no gas pass cells of which they leave it less than this; what is in them belongs to the region beside. The
- * cells' view of a solid is smeared: a cell into which its surface only just reaches has a quarter of gas, the next one
- * inside a hundredth or two. */
-static const double sliver = 0.1;
-
 /* Adds all cells connected with the first `last` of the list whose gas fraction is at least `least`. */
 static floe_status collect_connected_cells(const ice *s, ice_quasi_static *r, int last, double least)
 {
@@ -139,7 +113,7 @@ static floe_status collect_connected_cells(const ice *s, ice_quasi_static *r, in
     for (int first = 0; first < last; ++first) {
         const int number = r->of[r->list[first]];
         int cell[MESH_MAX_DIM], next[MESH_MAX_DIM];
-        cell_of(m, r->list[first], cell);
+        ice_numbered_cell(m, r->list[first], cell);
         for (int f = 0; f < 2 * m->dim; ++f) {
             if (!gas_passes_face(s, r, cell, f / 2, f % 2)) continue;
             if (!step_to(m, cell, f / 2, f % 2, next)) {
@@ -147,7 +121,7 @@ static floe_status collect_connected_cells(const ice *s, ice_quasi_static *r, in
                 if (!ice_is_wall(side->kind)) TRY(open_region(s, &r->region[number], side));
                 continue;
             }
-            const int to = cell_number(m, next);
+            const int to = ice_cell_number(m, next);
             if (r->of[to] >= 0 || !(gas_share_of_cell(s, r->material, next) > least)) continue;
             r->of[to] = number;
             r->list[last++] = to;
@@ -162,7 +136,7 @@ static floe_status start_regions(ice *s, ice_quasi_static *r, double least)
     const int cells = (int)mesh_cells(s->mesh);
     for (int k = 0; k < cells; ++k) {
         int cell[MESH_MAX_DIM];
-        cell_of(s->mesh, k, cell);
+        ice_numbered_cell(s->mesh, k, cell);
         if (r->of[k] >= 0 || !(gas_share_of_cell(s, r->material, cell) > least)) continue;
         TRY(memory_resize(s->ctx, &r->region, (size_t)r->n + 1, sizeof *r->region));
         r->region[r->n] = (ice_gas_region){.prescribed_pressure = NAN};
@@ -179,8 +153,8 @@ static floe_status find_regions(ice *s, ice_quasi_static *r)
     int last = 0;
     r->n = 0;
     for (int k = 0; k < cells; ++k) r->of[k] = -1;
-    if (s->sealed) return start_regions(s, r, 0.0);
-    TRY(start_regions(s, r, sliver));
+    if (s->cut) return start_regions(s, r, 0.0);
+    TRY(start_regions(s, r, ICE_PASSING_FRACTION));
     for (int k = 0; k < cells; ++k)
         if (r->of[k] >= 0) r->list[last++] = k;
     TRY(collect_connected_cells(s, r, last, 0.0));
@@ -195,19 +169,20 @@ static void measure_regions(const ice *s, ice_quasi_static *r)
         int cell[MESH_MAX_DIM];
         r->seen[k] = -1;
         if (r->of[k] < 0) continue;
-        cell_of(s->mesh, k, cell);
-        const cell_place c = place_of(s, cell);
+        ice_numbered_cell(s->mesh, k, cell);
+        const ice_owned_cell c = ice_find_cell(s, cell);
+        const double volume = mesh_cell_volume(s->mesh, cell[0]);
         ice_gas_region *g = &r->region[r->of[k]];
         const double share = gas_share_of_cell(s, r->material, cell);
-        if (share > sliver) r->seen[k] = r->of[k];
-        const double mass = field_get(c.f, C_RHO, r->material, 0)[c.at] * c.volume * (s->sealed ? share : 1.0);
+        if (share > ICE_PASSING_FRACTION) r->seen[k] = r->of[k];
+        const double mass = field_get(c.f, C_RHO, r->material, 0)[c.at] * volume * (s->cut ? share : 1.0);
         double energy = field_get(c.f, C_ENERGY, r->material, 0)[c.at];
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double u = field_get(c.f, C_VEL, r->material, a)[c.at];
             energy += 0.5 * u * u;
         }
         g->mass += mass;
-        g->volume += share * c.volume;
+        g->volume += share * volume;
         g->energy += mass * energy;
     }
 }
@@ -237,11 +212,11 @@ static floe_status apply_load(const ice *s, ice_quasi_static *r, const scene_loa
     for (int k = 0; k < cells && (active || heating > 0.0); ++k) {
         int cell[MESH_MAX_DIM];
         if (r->of[k] < 0) continue;
-        cell_of(s->mesh, k, cell);
+        ice_numbered_cell(s->mesh, k, cell);
         const double share = ice_region_share(s->mesh, &load.region, cell);
         if (!(share > 0.0)) continue;
         /* A trace of gas within a wall belongs to whichever side is nearer: it does not say what is pressurised. */
-        if (load.kind == LOAD_PRESSURISE && !s->sealed && r->seen[k] < 0) continue;
+        if (load.kind == LOAD_PRESSURISE && !s->cut && r->seen[k] < 0) continue;
         ice_gas_region *g = &r->region[r->of[k]];
         if (load.kind == LOAD_PRESSURISE)
             TRY(pressurise_region(s, g, &load, pressure));
@@ -266,28 +241,24 @@ floe_status ice_quasi_static_find(ice *s, ice_quasi_static *r)
 int ice_gas_region_near(const ice *s, const ice_quasi_static *r, const int cell[MESH_MAX_DIM])
 {
     const mesh *m = s->mesh;
-    int found = r->of[cell_number(m, cell)];
+    int found = r->of[ice_cell_number(m, cell)];
     for (int f = 0; f < 2 * m->dim && found < 0; ++f) {
         int beside[MESH_MAX_DIM];
-        if (step_to(m, cell, f / 2, f % 2, beside)) found = r->of[cell_number(m, beside)];
+        if (step_to(m, cell, f / 2, f % 2, beside)) found = r->of[ice_cell_number(m, beside)];
     }
     return found;
 }
 
 /* ---- the state of rest on the cells ---- */
 
-/* A cell into which gas comes as solids leave must be free for this share; one that had gas keeps it down to the
- * other. */
-static const double share_to_enter = 0.01, share_to_stay = 1e-6;
-
 /* What solids take of a cell at a pressure; their volumes there are set. */
-static double take_solids(const ice *s, const cell_place *c, double pressure)
+static double take_solids(const ice *s, const ice_owned_cell *c, double pressure)
 {
     double taken = 0.0;
-    for (int r = 0; r < s->n_materials && s->multi; ++r) {
+    for (int r = 0; r < s->n_materials && ice_is_mixture(s); ++r) {
         if (!s->material[r].points) continue;
         const eos *law = &s->material[r].eos;
-        const double T = 300.0; /* the bulk response does not depend on it */
+        const double T = ICE_ANY_TEMPERATURE;
         double *v = &field_get(c->f, C_VOL, r, 0)[c->at], dvdp;
         law->model->volume(law->par, 1, &pressure, &T, v, &dvdp);
         taken += field_get(c->f, C_RHO, r, 0)[c->at] * *v;
@@ -304,13 +275,14 @@ typedef struct cell_gas {
 static cell_gas gas_of(const ice *s, const ice_quasi_static *r, const ice_gas_region_state *state, int number)
 {
     int cell[MESH_MAX_DIM];
-    cell_of(s->mesh, number, cell);
-    const cell_place c = place_of(s, cell);
-    const int region = r->n == 1 ? 0 : ice_gas_region_near(s, r, cell); /* a membrane may have gone far */
+    ice_numbered_cell(s->mesh, number, cell);
+    const ice_owned_cell c = ice_find_cell(s, cell);
+    const int region = r->n == 1 ? 0 : ice_gas_region_near(s, r, cell); /* a membrane may have moved far */
     const bool had = r->of[number] >= 0;
     const double pressure = region >= 0 ? state[region].pressure : s->scene->reference_pressure;
-    double share = s->sealed ? ice_open_cell(s, r->material, SEAL_NEXT, cell) : 1.0 - take_solids(s, &c, pressure);
-    if (!s->sealed && !(share > (had ? share_to_stay : share_to_enter))) share = 0.0;
+    double share = s->cut ? ice_open_cell(s, ice_region_of(s, r->material)->number, SEAL_NEXT, cell)
+                          : 1.0 - take_solids(s, &c, pressure);
+    if (!s->cut && !(share > (had ? ICE_SHARE_TO_STAY : ICE_SHARE_TO_ENTER))) share = 0.0;
     return (cell_gas){region, region >= 0 ? share : 0.0};
 }
 
@@ -318,17 +290,18 @@ static void set_cell(const ice *s, const ice_quasi_static *r, int number, const 
                      double factor)
 {
     int cell[MESH_MAX_DIM];
-    cell_of(s->mesh, number, cell);
-    const cell_place c = place_of(s, cell);
+    ice_numbered_cell(s->mesh, number, cell);
+    const ice_owned_cell c = ice_find_cell(s, cell);
     const bool has = g.share > 0.0;
     const int m = r->material;
     const double density = has ? factor * state[g.region].mass / state[g.region].volume : 0.0;
-    field_get(c.f, C_RHO, m, 0)[c.at] = density * (s->multi ? g.share : 1.0);
+    field_get(c.f, C_RHO, m, 0)[c.at] = density * (ice_is_mixture(s) ? g.share : 1.0);
     field_get(c.f, C_ENERGY, m, 0)[c.at] = has ? state[g.region].energy : 0.0;
     for (int a = 0; a < s->mesh->dim; ++a) field_get(c.f, C_VEL, m, a)[c.at] = 0.0;
-    if (s->multi) field_get(c.f, C_VOL, m, 0)[c.at] = has ? state[g.region].volume / state[g.region].mass : 0.0;
-    if (s->sealed) field_get(c.f, C_OPEN, m, 0)[c.at] = g.share;
-    field_get(c.f, C_PRESSURE, s->sealed ? m : 0, 0)[c.at] =
+    if (ice_is_mixture(s))
+        field_get(c.f, C_VOL, m, 0)[c.at] = has ? state[g.region].volume / state[g.region].mass : 0.0;
+    if (s->cut) field_get(c.f, C_OPEN, m, 0)[c.at] = g.share;
+    field_get(c.f, C_PRESSURE, ice_region_of(s, m)->number, 0)[c.at] =
         g.region >= 0 ? state[g.region].pressure : s->scene->reference_pressure;
 }
 
@@ -339,7 +312,7 @@ typedef struct region_volumes {
 
 static bool is_clear(const ice *s, cell_gas g)
 {
-    return s->multi && g.share > 1.0 - 1e-12;
+    return ice_is_mixture(s) && g.share > 1.0 - 1e-12;
 }
 
 static void measure_volumes(const ice *s, const ice_quasi_static *r, const ice_gas_region_state *state,
@@ -358,11 +331,10 @@ static void measure_volumes(const ice *s, const ice_quasi_static *r, const ice_g
  * lost, beside the solids where it can. */
 static double factor_of(const ice *s, cell_gas g, const ice_gas_region_state *state, const region_volumes *volumes)
 {
-    const double most = 4.0;
     if (!(g.share > 0.0)) return 1.0;
     const double all = state[g.region].volume, clear = volumes[g.region].clear, shared = volumes[g.region].shared;
     const double beside = (all - clear) / shared;
-    if (!(beside > 1.0 / most && beside < most)) return all / (clear + shared);
+    if (!(beside > 1.0 / ICE_MOST_DENSITY_FACTOR && beside < ICE_MOST_DENSITY_FACTOR)) return all / (clear + shared);
     return is_clear(s, g) ? 1.0 : beside;
 }
 

@@ -1,11 +1,42 @@
 /* The step of the fluids, in the order of theory 5.1 (Guilkey et al. 2003, section 2.4, steps 2 to 12): four groups
  * of stages, between which the coupled step puts those of the points. */
-#include "ice/ice_internal.h"
+#include "ice/equilibrium/ice_equilibrium.h"
+#include "ice/exchange/ice_exchange.h"
+#include "ice/flux/ice_flux.h"
+#include "ice/fraction/ice_fraction.h"
+#include "ice/implicit/ice_implicit.h"
+#include "ice/points/ice_points.h"
+#include "ice/pressure/ice_pressure.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_materials.h"
+
+/* A stage is that of one region after the other. */
+#define OF_REGIONS(stage)                                                         \
+    floe_status stage(ice *s)                                                     \
+    {                                                                             \
+        for (int g = 0; g < s->n_regions; ++g) TRY(stage##_of(s, &s->region[g])); \
+        return FLOE_OK;                                                           \
+    }
+OF_REGIONS(ice_equilibrium_pressure)
+OF_REGIONS(ice_find_interfaces)
+OF_REGIONS(ice_continue_pressure)
+OF_REGIONS(ice_wall_fraction)
+OF_REGIONS(ice_diffusion_rates)
+OF_REGIONS(ice_react)
+OF_REGIONS(ice_face_velocity)
+OF_REGIONS(ice_implicit_pressure)
+OF_REGIONS(ice_pressure_increment)
+OF_REGIONS(ice_face_pressure)
+OF_REGIONS(ice_sources)
+OF_REGIONS(ice_mass_exchange)
+OF_REGIONS(ice_exchange)
+OF_REGIONS(ice_specific_volume)
+OF_REGIONS(ice_advect)
 
 floe_status ice_state_stages(ice *s)
 {
-    const bool m = s->multi, p = s->with_points, d = s->diffuses, k = s->conducts;
-    const bool reconciled = m && s->work->reconcile, slips = m && s->work->pairs.slips;
+    const bool m = ice_is_mixture(s), p = s->with_points, d = ice_diffuses(s), k = ice_conducts(s);
+    const bool reconciled = m && ice_follows_isentropes(s, &s->region[0]), slips = m && ice_some_pair_slips(s);
     STAGE(s, ALWAYS, ice_boundary_ghosts,
           READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), WHEN(p, C_STRESS_ACCEL), C_PRESSURE),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), WHEN(p, C_TEMP), WHEN(p, C_STRESS_ACCEL), C_PRESSURE));
@@ -15,35 +46,35 @@ floe_status ice_state_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO), WHEN(reconciled, C_ENERGY_FOUND),
                  WHEN(reconciled, C_VOLUME_FOUND)));
-    STAGE(s, s->work->interfaces, ice_find_interfaces, READS(C_THETA, C_MIXED), WRITES(C_INTERFACE));
+    STAGE(s, ice_has_interfaces(s, &s->region[0]), ice_find_interfaces, READS(C_THETA, C_MIXED), WRITES(C_INTERFACE));
     STAGE(s, p, ice_continue_pressure, READS(C_PRESSURE, C_THETA, C_MIXED), WRITES(C_PRESSURE, C_DP));
     STAGE(s, slips, ice_wall_fraction, READS(C_THETA), WRITES(C_WALL));
     STAGE(s, d, ice_diffusion_rates, READS(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_TEMP), WHEN(m, C_THETA)),
           WRITES(C_DIFFUSION, C_DIFFUSION_HEAT, WHEN(k, C_DIFFUSION_T)));
-    STAGE(s, s->work->reactions.n > 0, ice_react, READS(C_RHO, C_ENERGY, C_VOL, C_TEMP, C_THETA, C_PRESSURE),
+    STAGE(s, ice_reaction_count(s) > 0, ice_react, READS(C_RHO, C_ENERGY, C_VOL, C_TEMP, C_THETA, C_PRESSURE),
           WRITES(C_REACTED));
     return FLOE_OK;
 }
 
 floe_status ice_pressure_stages(ice *s)
 {
-    const bool m = s->multi, p = s->with_points, d = s->diffuses, k = s->conducts;
+    const bool m = ice_is_mixture(s), p = s->with_points, d = ice_diffuses(s), k = ice_conducts(s);
     const bool plan = s->stages->planning;
     const pressure_scheme scheme = s->scene->method.pressure;
     const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
                direct = plan ? scheme != PRESSURE_IMPLICIT : !s->implicit;
-    const bool named = m && !s->work->pairs.plain, slips = m && s->work->pairs.slips, r = s->work->reactions.n > 0,
-               f = s->work->interfaces;
+    const bool named = m && ice_some_pair_asks(s), slips = m && ice_some_pair_slips(s), r = ice_reaction_count(s) > 0,
+               f = ice_has_interfaces(s, &s->region[0]);
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL),
                 WHEN(p, C_STRESS_ACCEL)),
-          WRITES(F_VEL, C_SHOCK, WHEN(ice_sharpens(s), C_CONTACT)));
+          WRITES(F_VEL, C_SHOCK, WHEN(ice_sharpens_contacts(s), C_CONTACT)));
     STAGE(s, implicit, ice_implicit_pressure,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
-                WHEN(d, C_DIFFUSION_HEAT), WHEN(d || s->pressurise, C_ENERGY), WHEN(m, C_VOL), WHEN(slips, C_WALL),
-                WHEN(r, C_REACTED), WHEN(f, C_INTERFACE)),
+                WHEN(d, C_DIFFUSION_HEAT), WHEN(d || ice_some_load_heats(s), C_ENERGY), WHEN(m, C_VOL),
+                WHEN(slips, C_WALL), WHEN(r, C_REACTED), WHEN(f, C_INTERFACE)),
           WRITES(F_VEL, F_MOBILITY, C_PRESSURE_STEP, C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA),
                  WHEN(m, F_FLUX)));
     STAGE(s, direct, ice_pressure_increment,
@@ -61,25 +92,17 @@ floe_status ice_pressure_stages(ice *s)
     return FLOE_OK;
 }
 
-/* Some solid on points is used up. */
-static bool ice_burns(const ice *s)
-{
-    for (int k = 0; k < s->work->reactions.n; ++k)
-        if (s->work->reactions.burns[k]) return true;
-    return false;
-}
-
 floe_status ice_exchange_stages(ice *s)
 {
-    const bool m = s->multi, p = s->with_points, r = s->work->reactions.n > 0, b = ice_burns(s),
-               f = s->work->interfaces;
+    const bool m = ice_is_mixture(s), p = s->with_points, r = ice_reaction_count(s) > 0, b = ice_some_solid_burns(s),
+               f = ice_has_interfaces(s, &s->region[0]);
     STAGE(s, r, ice_mass_exchange,
           READS(C_REACTED, C_RHO, C_VEL_L, C_ENERGY_L, WHEN(b, C_ENERGY), WHEN(b, C_BURNT_MOMENTUM),
                 WHEN(b, C_BURNT_ENERGY), WHEN(b, C_SOURCE), WHEN(b, C_THETA), WHEN(b, C_KAPPA), WHEN(b, C_KAPPA_SUM),
                 WHEN(b, C_VOL), WHEN(b, C_PRESSURE_ADVANCED)),
           WRITES(C_RHO_L, C_VEL_L, C_ENERGY_L, WHEN(b, C_SOURCE)));
     STAGE(s, m, ice_exchange,
-          READS(C_RHO, C_THETA, C_VOL, C_VEL, C_HEAT_OWED, WHEN(s->work->pairs.slips, C_WALL), C_TEMP, C_ENERGY,
+          READS(C_RHO, C_THETA, C_VOL, C_VEL, C_HEAT_OWED, WHEN(ice_some_pair_slips(s), C_WALL), C_TEMP, C_ENERGY,
                 C_MIXED, C_VEL_L, C_ENERGY_L, WHEN(p, C_TMV_RATIO), WHEN(p, C_SOURCE), WHEN(p, C_MOMENTUM_L),
                 WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE), WHEN(f, C_SHOCK), WHEN(f, C_KAPPA)),
           WRITES(C_VEL_L, C_ENERGY_L, C_HEAT_OWED, WHEN(p, C_VELOCITY_CHANGE)));
@@ -92,12 +115,12 @@ floe_status ice_exchange_stages(ice *s)
 
 floe_status ice_advection_stages(ice *s)
 {
-    const bool m = s->multi, r = s->work->reactions.n > 0, f = s->work->interfaces;
+    const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, f = ice_has_interfaces(s, &s->region[0]);
     STAGE(s, ALWAYS, ice_advect,
-          READS(C_RHO, C_VEL, C_ENERGY, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, WHEN(ice_sharpens(s), C_CONTACT),
-                C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE),
-                WHEN(f, F_THETA)),
+          READS(C_RHO, C_VEL, C_ENERGY, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK,
+                WHEN(ice_sharpens_contacts(s), C_CONTACT), C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL),
+                WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP),
+                WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE), WHEN(f, F_THETA)),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L), WHEN(r, C_RHO_L)));
     return FLOE_OK;
 }

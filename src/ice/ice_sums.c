@@ -1,5 +1,7 @@
 /* Totals over the owned cells, in tile order (docs/structure.md, Tiles), and the mean pressure of a region. */
-#include "ice/ice_region.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_cells.h"
+#include "ice/state/ice_tiles.h"
 
 #include "base/memory.h"
 
@@ -18,7 +20,7 @@ enum {
 };
 
 /* Moment of a cell's momentum about the origin, and its size about the middle of the mesh. */
-static void add_turning(const mesh *grid, const ice_view *v, const ice_arrays *m, const int *cell, ptrdiff_t at,
+static void add_turning(const mesh *grid, const ice_view *v, const ice_fluid *m, const int *cell, ptrdiff_t at,
                         double mass, double *sum)
 {
     double own[3] = {0.0};
@@ -36,7 +38,7 @@ static void add_turning(const mesh *grid, const ice_view *v, const ice_arrays *m
 
 static void sum_row(const ice *s, const ice_view *v, int r, int j, int k, double *tile)
 {
-    const ice_arrays *m = &v->m[r];
+    const ice_fluid *m = &v->m[r];
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, i, j, k);
         const int cell[MESH_MAX_DIM] = {v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k};
@@ -56,10 +58,9 @@ static void sum_row(const ice *s, const ice_view *v, int r, int j, int k, double
 
 static void sum_material(const ice *s, int r, double *tile, double *sum)
 {
-    memset(tile, 0, s->work->tiles * SUM_VALUES * sizeof(double));
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
+    memset(tile, 0, mesh_tiles(s->mesh) * SUM_VALUES * sizeof(double));
+    ice_view v;
+    for (int id = 0; ice_next_view(s, NULL, &id, &v);) {
         const ice_rows q = ice_rows_of(v.b, -1, 0);
         const int chunk = ice_rows_chunk(s, q);
 #pragma omp parallel for schedule(static, chunk)
@@ -72,9 +73,8 @@ static void sum_material(const ice *s, int r, double *tile, double *sum)
 static double volume_defect(const ice *s)
 {
     double most = 0.0;
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
+    ice_view v;
+    for (int id = 0; ice_next_view(s, NULL, &id, &v);) {
         if (!v.tmv) return 0.0;
         const ice_rows q = ice_rows_of(v.b, -1, 0);
         for (int row = 0; row < q.n; ++row)
@@ -90,7 +90,7 @@ floe_status ice_sum(ice *s, ice_totals *out)
 {
     memset(out, 0, sizeof *out);
     double *tile;
-    TRY(memory_new(s->ctx, &tile, s->work->tiles * SUM_VALUES, sizeof(double)));
+    TRY(memory_new(s->ctx, &tile, mesh_tiles(s->mesh) * SUM_VALUES, sizeof(double)));
     for (int r = 0; r < s->n_materials; ++r) {
         if (s->material[r].points) continue;
         double sum[SUM_VALUES];
@@ -115,25 +115,20 @@ floe_status ice_sum(ice *s, ice_totals *out)
 floe_status ice_mean_pressure(ice *s, int material, const shape *region, double *pressure)
 {
     double *tile, sum[2];
-    TRY(memory_new(s->ctx, &tile, s->work->tiles * 2, sizeof(double)));
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
-        for (int k = 0; k < v.b->n[2]; ++k)
-            for (int j = 0; j < v.b->n[1]; ++j)
-                for (int i = 0; i < v.b->n[0]; ++i) {
-                    const ptrdiff_t at = mesh_index(v.b, i, j, k);
-                    const int cell[MESH_MAX_DIM] = {v.b->lo[0] + i, v.b->lo[1] + j, v.b->lo[2] + k};
-                    const ice_arrays *m = &v.m[material];
-                    const double inside = m->rho[at] > 0.0 && region ? ice_region_share(s->mesh, region, cell) : 1.0;
-                    if (!(m->rho[at] > 0.0) || !(inside > 0.0)) continue;
-                    const double share = s->multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
-                    const double weight = inside * v.volume[i] * share;
-                    double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, cell);
-                    t[0] += weight;
-                    t[1] += weight * ice_pressure_now(s, id, material, at);
-                }
-    }
+    TRY(memory_new(s->ctx, &tile, mesh_tiles(s->mesh) * 2, sizeof(double)));
+    ice_view v;
+    for (int id = 0; ice_next_view(s, NULL, &id, &v);)
+        for (ice_walk c = ICE_FIRST; ice_next_cell(v.b, &c);) {
+            const ptrdiff_t at = c.at;
+            const ice_fluid *m = &v.m[material];
+            const double inside = m->rho[at] > 0.0 && region ? ice_region_share(s->mesh, region, c.cell) : 1.0;
+            if (!(m->rho[at] > 0.0) || !(inside > 0.0)) continue;
+            const double share = v.multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
+            const double weight = inside * v.volume[c.in[0]] * share;
+            double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, c.cell);
+            t[0] += weight;
+            t[1] += weight * ice_pressure_now(s, v.b->id, material, at);
+        }
     domain_sum_tiles(s->mesh, tile, 2, sum);
     memory_free(s->ctx, &tile);
     *pressure = sum[1] / sum[0];
@@ -143,10 +138,9 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
 double ice_mass_beyond(ice *s, int material)
 {
     double sum = 0.0;
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
-        const ice_arrays *m = &v.m[material];
+    ice_view v;
+    for (int id = 0; ice_next_view(s, NULL, &id, &v);) {
+        const ice_fluid *m = &v.m[material];
         for (int j = 0; j < v.b->n[1]; ++j)
             for (int i = 0; i < v.b->n[0] && m->open; ++i) {
                 const ptrdiff_t at = mesh_index(v.b, i, j, 0);

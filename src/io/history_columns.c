@@ -220,7 +220,7 @@ static void add_body_columns(line *l, int body, const history_row *row)
         (void)snprintf(name, sizeof name, "%s_%s", last ? "last" : "first", label);
         add_vector(l, name, "m", end);
     }
-    if (l->s->mpm->encloses && given->membrane.encloses >= 0)
+    if (l->s->mpm->enclosure && given->membrane.encloses >= 0)
         add_named(l, "volume", label, "m3", row ? mpm_enclosed_volume(l->s->mpm, body) : 0.0);
     if (mpm_membrane_encloses(l->s->mpm, body)) add_enclosed_gas_columns(l, body, label, row);
 }

@@ -9,35 +9,24 @@
 #define MATERIAL_SOLID_H
 
 #include "base/param.h"
+#include "floe/law.h"
 #include "material/eos.h"
 
-enum { SOLID_CHUNK = 64, SOLID_MAX_HISTORY = 8 };
+enum { SOLID_CHUNK = FLOE_LAW_POINTS, SOLID_MAX_HISTORY = FLOE_LAW_HISTORY };
 
-/* Index order of 3x3 tensors: xx xy xz yx yy yz zx zy zz (row-major). Stress: xx yy zz xy yz zx. */
-typedef struct solid_batch {
-    size_t n;                 /* points, <= SOLID_CHUNK */
-    double dt;                /* s */
-    double L[9][SOLID_CHUNK]; /* 1/s, velocity gradient over the step */
-    double F[9][SOLID_CHUNK]; /* deformation gradient at the end of the step (laws with SOLID_NEEDS_F) */
-    double J[SOLID_CHUNK], J_old[SOLID_CHUNK]; /* V/V0 at the end and the start of the step */
-    double rho0[SOLID_CHUNK];                  /* kg/m3: m_p / V0_p */
-    double stress[6][SOLID_CHUNK];             /* Pa: in at n, out at n+1; gauge to p_ref, tension positive */
-    double energy[SOLID_CHUNK];                /* J/kg: in at n, out at n+1 (laws with SOLID_HAS_ENERGY) */
-    double q[SOLID_CHUNK]; /* Pa: artificial viscous pressure over the step, compression positive (in) */
-    double history[SOLID_MAX_HISTORY][SOLID_CHUNK]; /* in at n, out at n+1, in the law's order; 0 at first */
-} solid_batch;
+/* A batch of points, as laws of a program see it, too. Index order of 3x3 tensors: xx xy xz yx yy yz zx zy zz
+ * (row-major). Stress: xx yy zz xy yz zx, gauge to p_ref. */
+typedef floe_solid_batch solid_batch;
 
 typedef enum solid_needs {
     /* Keep F; without it J alone is kept. */
-    SOLID_NEEDS_F = 1,
+    SOLID_NEEDS_F = FLOE_NEEDS_F,
     /* Carries internal energy as state: of fluids all, of solids what is no strain energy; takes rho0 and q. */
-    SOLID_HAS_ENERGY = 2
+    SOLID_HAS_ENERGY = FLOE_HAS_ENERGY
 } solid_needs;
 
-/* A history variable of a law, which a point carries. */
-typedef struct solid_history {
-    const char *name, *unit, *doc; /* as snapshots show it; name as a dataset's */
-} solid_history;
+/* A history variable of a law, which a point carries, as snapshots show it. */
+typedef floe_history solid_history;
 
 typedef struct solid_model {
     const char *name, *doc, *cite;

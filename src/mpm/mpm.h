@@ -12,7 +12,10 @@
 #include "mpm/transfer/transfer.h"
 #include "scene/scene.h"
 
-enum { MPM_MAX_GROUPS = FIELD_MAX_INSTANCES };
+#include <stdint.h>
+
+enum { MPM_MAX_GROUPS = 16 };
+_Static_assert((int)FIELD_MAX_INSTANCES >= (int)SCENE_MAX_BODIES, "the points of every body of a scene have fields");
 
 /* Points of one body. Instance b of the point fields is body b of this list. */
 typedef struct mpm_body {
@@ -24,10 +27,15 @@ typedef struct mpm_body {
     double specific_heat;      /* J/kg/K, of solids, for the cells' view */
     bool fluid;
     bool burns;                 /* a reaction uses it up */
+    bool mean_strain;           /* one rate of volume and one pressure a cell (state/mean_strain.h) */
     int group;                  /* velocity field it moves in: instance of the node fields */
     double artificial[2];       /* A1, A2 */
     membrane_response membrane; /* model NULL: it is none */
 } mpm_body;
+
+/* What is on cells beside the points. CELLS_SMEARED: fluids, whose pressure acts on the points. CELLS_CUT: gas that
+ * embedded boundaries cut: full steps of velocity, so that gas and points get the same impulse. */
+typedef enum mpm_cells { CELLS_NONE, CELLS_SMEARED, CELLS_CUT } mpm_cells;
 
 /* Points of one body in one block: a view on the block's fields. */
 typedef struct mpm_points {
@@ -57,40 +65,49 @@ typedef struct mpm {
     ledger *ledger;     /* not owned */
     const basis_model *basis;
     const transfer_model *transfer;
-    double share;       /* share of FLIP in the velocities of points, in this step */
-    bool blends_by_way; /* it goes by the cells that points cross (mpm_begin_step) */
-    double fastest;     /* 1/s: most cells that a point of the current state crosses in a second (mpm_time_step) */
-    int order;          /* of the transfer's filter or sum */
+    double share;   /* share of FLIP in the velocities of points, in this step */
+    double fastest; /* 1/s: most cells that a point of the current state crosses in a second (mpm_time_step) */
+    int order;      /* of the transfer's filter or sum */
     mpm_body body[SCENE_MAX_BODIES];
     int n_bodies;
     int n_groups;
     struct mpm_contact *contact;   /* owned; NULL: all bodies share one velocity field */
     struct mpm_overlaps *overlaps; /* owned; NULL: no side releases bodies (wall_overlap.h) */
-    bool coupled;                  /* fluids are on cells: the pressure of the cells acts on the points */
-    bool
-        seals; /* embedded boundaries cut the gas of the cells: full steps of velocity, so that gas and points get the same impulse */
-    bool driven;                            /* the force of an exact solution acts on points (point_loads.c) */
-    bool encloses;                          /* a surface in three dimensions encloses gas points (enclosed_gas.c) */
-    bool boxes;                             /* points of some fluid have domains that grow with them (GIMP) */
-    bool needs_F, has_energy, artificial;   /* some body's law keeps F, energy, artificial pressure */
-    bool cell_density;                      /* densities of fluid points come from the masses in cells */
-    bool burns;                             /* some body reacts (burn.c) */
-    int n_history;                          /* largest number of history variables of a law */
-    bool placed;                            /* some membrane has its strain from positions */
-    bool membranes, axisymmetric_membranes; /* some body is a membrane; membranes have hoop strain */
-    bool lines, sheets;                     /* some membrane is a curve; a surface in three dimensions */
-    bool free_normals;                      /* some membrane has normals without connections */
+    mpm_cells cells;               /* what is on cells beside the points */
+    bool carries[FIELD_COUNT];     /* point fields that some body carries, if a stage names them (create.c) */
+    int n_history;                 /* largest number of history variables of a law */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
-    double time;                   /* s: at the start of the step */
-    double dt, dt_previous;        /* s; dt_previous 0 before the first step */
+    int body_group[SCENE_MAX_BODIES]; /* group of a scene body, -1: none of ours */
+    double reference_mass;            /* kg: heaviest point, for the small-node rule (theory 4.4) */
+    uint32_t *moved;        /* per global tile: bit of each body of which points have changed cell in the step; owned */
+    double time;            /* s: at the start of the step */
+    double dt, dt_previous; /* s; dt_previous 0 before the first step */
+    double kick;            /* s: the time over which forces change velocities in the step */
+    double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
+    double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
+    double
+        lost; /* J: energy lost by points and nodes in the step, heat of a gas on cells; 0 where losses are not heat */
+    bool burnt;                    /* P_MASS_LEFT is the mass of reacting points for the rest of the step */
     long step;                     /* committed steps so far, kept by the owner of the run */
     int n_substeps, substep;       /* substeps of the step, and how many of them are committed (point_substeps.c) */
-    struct mpm_work *work;         /* owned: tile partials, kernel table */
     time_solver solver;            /* SOLVER_AUTO has been chosen by then */
     struct mpm_implicit *implicit; /* owned; NULL: steps are explicit */
     mpm_gas *gas;                  /* gases on cells in the increment; not owned */
     int n_gases;
     const int *gas_of; /* of every global cell: the gas in it, -1: almost none; not owned */
+    /* What a part of the module keeps, known to that part alone. Owned; NULL where the scene has nothing of the kind. */
+    struct mpm_windows *windows;      /* transfer/windows.h */
+    struct mpm_scratch *scratch;      /* transfer/scratch.h */
+    struct mpm_supports *supports;    /* nodes/supports.h */
+    struct mpm_edges *edges;          /* edge/edge.h */
+    struct mpm_wetted *wetted;        /* fluid/wetted.h */
+    double *cell_mass;                /* kg: of a fluid, per global cell (fluid/density.c) */
+    struct spring_state *springs;     /* loads/spring.h */
+    struct mpm_surfaces *surfaces;    /* surface/surfaces.h */
+    struct membrane_curve *curve;     /* one a body (membrane/membrane_curve.h) */
+    struct membrane_normals *normals; /* one a body (membrane/membrane_normal.h) */
+    struct gas_enclosure *enclosure;  /* membrane/enclosed_gas.h */
+    struct saved_points *saved;       /* point_substeps.c */
 } mpm;
 
 /* Resolves the scene's bodies into *out: all of them in pure MPM, those of solids beside cells. Registers nothing. */
@@ -112,12 +129,15 @@ floe_status mpm_side_reach(mpm *s);        /* how far points reach at sides that
 floe_status mpm_node_velocity(mpm *s);     /* v_i, walls, contact */
 floe_status mpm_stress_first(mpm *s);      /* USF: stress from v_i^n */
 floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) grad S + external */
-floe_status mpm_edge_force(mpm *s);        /* f_i of the penalty on edges of solids (edge.h) */
-floe_status mpm_node_update(mpm *s);       /* v_i^L with damping and walls */
-floe_status mpm_contact_velocity(mpm *s);  /* contact: v_i^L of bodies that meet */
-floe_status mpm_node_acceleration(mpm *s); /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
-floe_status mpm_grid_pressure(mpm *s);     /* coupled: p_p from the nodes */
-floe_status mpm_filter_velocities(mpm *s); /* XPIC: v_p without its null space on the mesh (filter.c) */
+floe_status
+mpm_share_pressures(mpm *s); /* means over cells of bodies that are all but incompressible (mean_strain.h) */
+floe_status mpm_share_new_pressures(mpm *s); /* the same of the stress that the step has found (USF) */
+floe_status mpm_edge_force(mpm *s);          /* f_i of the penalty on edges of solids (edge.h) */
+floe_status mpm_node_update(mpm *s);         /* v_i^L with damping and walls */
+floe_status mpm_contact_velocity(mpm *s);    /* contact: v_i^L of bodies that meet */
+floe_status mpm_node_acceleration(mpm *s);   /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
+floe_status mpm_grid_pressure(mpm *s);       /* coupled: p_p from the nodes */
+floe_status mpm_filter_velocities(mpm *s);   /* XPIC: v_p without its null space on the mesh (filter.c) */
 floe_status
 mpm_restore_velocities(mpm *s);          /* affine FMPM: v^L plus the part that points would not return (restore.c) */
 floe_status mpm_follow_overlaps(mpm *s); /* overlaps of bodies pressed against sides (wall_overlap.h) */

@@ -1,8 +1,12 @@
 /* The points-only step, straight down (theory 4.1). */
-#include "mpm/carry.h"
-#include "mpm/light_nodes.h"
-#include "mpm/point_loads.h"
-#include "mpm/wall.h"
+#include "mpm/fluid/fluid.h"
+#include "mpm/loads/point_loads.h"
+#include "mpm/mpm_constants.h"
+#include "mpm/nodes/light_nodes.h"
+#include "mpm/nodes/sides.h"
+#include "mpm/step.h"
+#include "mpm/transfer/carry.h"
+#include "mpm/transfer/scatter.h"
 
 #include <math.h>
 
@@ -11,8 +15,8 @@
  * grows as the step falls: a vortex at a Mach number of 1/40 lost 43 % of its energy at cfl 0.5 and all of it at 0.05 (theory 4.2). */
 static void take_flip_share(mpm *s)
 {
-    static const double lost_per_cell = 0.6, most = 0.01;
-    if (s->blends_by_way) s->share = 1.0 - fmin(lost_per_cell * s->fastest * s->dt, most);
+    const bool unasked = isnan(s->transfer->share) && isnan(s->scene->method.flip);
+    if (unasked && has_fluid_points(s)) s->share = 1.0 - fmin(MPM_PIC_PER_CELL * s->fastest * s->dt, MPM_PIC_MOST);
 }
 
 /* Velocities live half a step behind positions: the first kick is half a step, later ones the mean of old and new step,
@@ -20,8 +24,8 @@ static void take_flip_share(mpm *s)
 floe_status mpm_begin_step(mpm *s)
 {
     take_flip_share(s);
-    s->work->kick = s->coupled || s->seals ? s->dt : 0.5 * (s->dt_previous + s->dt);
-    s->work->burnt = false;
+    s->kick = s->cells != CELLS_NONE ? s->dt : 0.5 * (s->dt_previous + s->dt);
+    s->burnt = false;
     set_body_forces(s);
     return FLOE_OK;
 }
@@ -30,13 +34,14 @@ floe_status mpm_begin_step(mpm *s)
 #define HISTORY                                                                                              \
     REMEMBERED(1), REMEMBERED(2), REMEMBERED(3), REMEMBERED(4), REMEMBERED(5), REMEMBERED(6), REMEMBERED(7), \
         REMEMBERED(8)
-#define MEMBRANE_STRAIN WHEN(s->lines, P_STRAIN), WHEN(s->axisymmetric_membranes, P_STRAIN_HOOP)
-#define SURFACE_VECTORS WHEN(s->sheets, P_SURFACE_1), WHEN(s->sheets, P_SURFACE_2)
-#define DOMAINS WHEN(s->basis->fact.sized, P_HALF), WHEN(s->boxes, P_BOX), WHEN(s->basis->fact.shaped, P_F)
-#define TANGENT WHEN(s->lines, P_TANGENT)
-#define POINT_STATE                                                                                               \
-    P_STRESS, P_J, WHEN(s->has_energy, P_ENERGY), WHEN(s->needs_F, P_F), WHEN(s->artificial, P_VISCOUS_PRESSURE), \
-        WHEN(s->boxes, P_BOX), HISTORY, MEMBRANE_STRAIN, SURFACE_VECTORS
+#define MEMBRANE_STRAIN WHEN(s->carries[P_TANGENT], P_STRAIN), WHEN(s->carries[P_STRAIN_HOOP], P_STRAIN_HOOP)
+#define SURFACE_VECTORS WHEN(s->carries[P_SURFACE_1], P_SURFACE_1), WHEN(s->carries[P_SURFACE_1], P_SURFACE_2)
+#define DOMAINS WHEN(s->basis->fact.sized, P_HALF), WHEN(s->carries[P_BOX], P_BOX), WHEN(s->basis->fact.shaped, P_F)
+#define TANGENT WHEN(s->carries[P_TANGENT], P_TANGENT)
+#define POINT_STATE                                                                                        \
+    P_STRESS, P_J, WHEN(s->carries[P_ENERGY], P_ENERGY), WHEN(s->carries[P_F], P_F),                       \
+        WHEN(s->carries[P_VISCOUS_PRESSURE], P_VISCOUS_PRESSURE), WHEN(s->carries[P_BOX], P_BOX), HISTORY, \
+        MEMBRANE_STRAIN, SURFACE_VECTORS
 
 static bool is_usf(const mpm *s)
 {
@@ -55,12 +60,12 @@ static bool has_contact(const mpm *s)
 
 static bool has_wetted(const mpm *s)
 {
-    return s->work->wetted != NULL;
+    return s->wetted != NULL;
 }
 
 static bool has_edges(const mpm *s)
 {
-    return s->work->edges != NULL;
+    return s->edges != NULL;
 }
 
 static bool meets_at_points(const mpm *s)
@@ -72,7 +77,7 @@ static bool meets_at_points(const mpm *s)
  * them. */
 bool forces_at_once(const mpm *s)
 {
-    return !s->coupled && (!is_usf(s) || has_contact(s));
+    return s->cells != CELLS_SMEARED && (!is_usf(s) || has_contact(s));
 }
 
 static bool is_musl(const mpm *s)
@@ -87,13 +92,15 @@ static bool is_usl(const mpm *s)
 
 floe_status mpm_mass_stages(mpm *s)
 {
-    const bool force = forces_at_once(s), drive = s->driven && force;
-    STAGE(s, s->driven, mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
-    STAGE(s, s->encloses, mpm_enclosed_pressure,
+    const bool force = forces_at_once(s), drive = s->carries[P_DRIVE] && force;
+    STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
+    STAGE(s, s->enclosure, mpm_enclosed_pressure,
           READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J), WRITES(NOTHING));
+    STAGE(s, force && s->carries[P_MEAN_PRESSURE], mpm_share_pressures, READS(P_POS, P_VOLUME0, POINT_STATE),
+          WRITES(P_MEAN_PRESSURE));
     STAGE(s, ALWAYS, mpm_points_to_nodes,
           READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
-                POINT_STATE),
+                WHEN(force && s->carries[P_MEAN_PRESSURE], P_MEAN_PRESSURE), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
     STAGE(s, has_wetted(s), mpm_wetted_area, READS(N_MASS, P_POS, P_VOLUME0, P_J, P_STRESS, DOMAINS),
           WRITES(N_WETTED_AREA));
@@ -106,7 +113,7 @@ floe_status mpm_mass_stages(mpm *s)
 
 floe_status mpm_burn_stages(mpm *s)
 {
-    STAGE(s, s->burns, mpm_burn,
+    STAGE(s, s->carries[P_SHARE], mpm_burn,
           READS(N_BURNT_SHARE, N_MASS, N_MOMENTUM, P_MASS, P_SHARE, P_VOLUME0, P_POS, P_VEL,
                 WHEN(advects_points(s), P_AFFINE), DOMAINS, POINT_STATE),
           WRITES(N_BURNT_SHARE, N_MASS, N_MOMENTUM, N_BURNT, N_BURNT_MOMENTUM, N_BURNT_ENERGY, P_MASS_LEFT));
@@ -115,16 +122,25 @@ floe_status mpm_burn_stages(mpm *s)
 
 floe_status mpm_force_stages(mpm *s)
 {
-    const bool usf = is_usf(s), apart = s->coupled || usf;
+    const bool usf = is_usf(s), apart = s->cells == CELLS_SMEARED || usf;
     STAGE(s, usf, mpm_node_velocity,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_FORCE), WHEN(has_contact(s), N_NORMAL),
                 WHEN(meets_at_points(s), N_REACH)),
           WRITES(N_VEL));
-    STAGE(s, usf && s->cell_density, mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
-    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
+    STAGE(s, usf && s->cell_mass, mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
+    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_mass, P_DENSITY)),
           WRITES(POINT_STATE));
+    const bool shared = apart && s->carries[P_MEAN_PRESSURE];
+    STAGE(s, shared && usf, mpm_share_new_pressures,
+          READS(P_POS, P_VOLUME0, POINT_STATE, WHEN(s->cells == CELLS_SMEARED, P_GRID_PRESSURE)),
+          WRITES(P_MEAN_PRESSURE));
+    STAGE(s, shared && !usf, mpm_share_pressures,
+          READS(P_POS, P_VOLUME0, POINT_STATE, WHEN(s->cells == CELLS_SMEARED, P_GRID_PRESSURE)),
+          WRITES(P_MEAN_PRESSURE));
     STAGE(s, apart, mpm_node_force,
-          READS(P_POS, POINT_STATE, WHEN(s->coupled, P_GRID_PRESSURE), WHEN(s->driven, P_DRIVE)), WRITES(N_FORCE));
+          READS(P_POS, POINT_STATE, WHEN(shared, P_MEAN_PRESSURE), WHEN(s->cells == CELLS_SMEARED, P_GRID_PRESSURE),
+                WHEN(s->carries[P_DRIVE], P_DRIVE)),
+          WRITES(N_FORCE));
     STAGE(s, has_edges(s), mpm_edge_force, READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, DOMAINS, N_FORCE),
           WRITES(N_FILL, N_FORCE));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE, WHEN(walls_let_go(s), N_SIDE_BODY)),
@@ -132,12 +148,22 @@ floe_status mpm_force_stages(mpm *s)
     return FLOE_OK;
 }
 
+/* Whether some membrane has its strain from the positions of its points. */
+static bool has_strain_by_positions(const mpm *s)
+{
+    for (int b = 0; s->curve && b < s->n_bodies; ++b)
+        if (s->body[b].membrane.model && s->scene->body[s->body[b].scene_body].membrane.strain == STRAIN_BY_POSITIONS)
+            return true;
+    return false;
+}
+
 static floe_status turn_stages(mpm *s)
 {
-    STAGE(s, s->membranes, mpm_turn_membranes,
-          READS(P_ID, P_POS, P_VOLUME0, WHEN(s->free_normals, P_NORMAL), TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN,
+    const bool by_positions = has_strain_by_positions(s);
+    STAGE(s, s->curve, mpm_turn_membranes,
+          READS(P_ID, P_POS, P_VOLUME0, WHEN(s->normals, P_NORMAL), TANGENT, P_STRESS, P_J, MEMBRANE_STRAIN,
                 SURFACE_VECTORS),
-          WRITES(TANGENT, P_STRESS, P_J, SURFACE_VECTORS, WHEN(s->placed, P_POS), WHEN(s->placed, P_STRAIN)));
+          WRITES(TANGENT, P_STRESS, P_J, SURFACE_VECTORS, WHEN(by_positions, P_POS), WHEN(by_positions, P_STRAIN)));
     return FLOE_OK;
 }
 
@@ -154,7 +180,7 @@ floe_status mpm_node_stages(mpm *s)
 
 floe_status mpm_point_stages(mpm *s)
 {
-    const bool usl = is_usl(s) && !s->cell_density; /* stress in the pass that moves the points */
+    const bool usl = is_usl(s) && !s->cell_mass; /* stress in the pass that moves the points */
     STAGE(s, spares_light_nodes(s), mpm_spare_light_nodes,
           READS(N_MASS, N_VEL_L, N_ACCEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), P_MASS, P_POS),
           WRITES(N_FILL, N_RESIDUAL, N_MOMENTUM, N_VEL_L, N_ACCEL));
@@ -166,20 +192,21 @@ floe_status mpm_point_stages(mpm *s)
           WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L));
     STAGE(s, walls_let_go(s), mpm_follow_overlaps, READS(N_MASS, N_VEL_L, N_SIDE_REACH, N_SIDE_BODY), WRITES(NOTHING));
     STAGE(s, usl, mpm_nodes_to_points,
-          READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE), TANGENT, POINT_STATE),
+          READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->carries[P_DRIVE], P_DRIVE), TANGENT, POINT_STATE),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));
-    STAGE(s, !usl, mpm_nodes_to_points, READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->driven, P_DRIVE)),
+    STAGE(s, !usl, mpm_nodes_to_points,
+          READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->carries[P_DRIVE], P_DRIVE)),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE)));
     STAGE(s, advects_points(s) && !carries_gradient(s), mpm_carry_moments, READS(N_VEL_L, P_POS), WRITES(P_AFFINE));
-    STAGE(s, s->cell_density && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
+    STAGE(s, s->cell_mass && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
     STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE),
           WRITES(POINT_STATE));
     STAGE(s, is_musl(s), mpm_remap_stress,
           READS(P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL),
-                WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE, WHEN(s->cell_density, P_DENSITY)),
+                WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE, WHEN(s->cell_mass, P_DENSITY)),
           WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
     STAGE(s, advects_points(s), mpm_stretch_gradients, READS(P_AFFINE), WRITES(P_AFFINE));
-    STAGE(s, s->free_normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
+    STAGE(s, s->normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     TRY(turn_stages(s));
     STAGE(s, losses_are_heat(s), mpm_give_heat,
           READS(P_MASS, P_POS, P_VEL, DOMAINS, N_MASS, N_VEL_L, N_ACCEL, P_ENERGY),
@@ -200,12 +227,12 @@ floe_status mpm_motion_stages(mpm *s)
 /* A step that is solved for. */
 static floe_status implicit_stages(mpm *s)
 {
-    if (s->membranes) {
+    if (s->curve) {
         STAGE(s, ALWAYS, mpm_membrane_equilibrium, READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, TANGENT, POINT_STATE),
               WRITES(P_POS, P_VEL, POINT_STATE));
         return turn_stages(s);
     }
-    STAGE(s, s->driven, mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
+    STAGE(s, s->carries[P_DRIVE], mpm_drive_points, READS(P_REST), WRITES(P_DRIVE));
     STAGE(s, ALWAYS, mpm_implicit_masses, READS(P_ID, P_MASS, P_POS, P_VEL, DOMAINS), WRITES(N_MASS, N_MOMENTUM));
     STAGE(s, has_contact(s), mpm_contact_normals, READS(N_MASS, P_POS, P_VOLUME0, DOMAINS), WRITES(N_COLOUR, N_NORMAL));
     STAGE(s, meets_at_points(s), mpm_contact_reach, READS(N_MASS, N_NORMAL, P_POS, P_VOLUME0, P_J, DOMAINS),
@@ -213,7 +240,7 @@ static floe_status implicit_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_implicit_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_implicit_solve,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,
-                P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->driven, P_DRIVE), POINT_STATE),
+                P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->carries[P_DRIVE], P_DRIVE), POINT_STATE),
           WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }

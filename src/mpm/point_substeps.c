@@ -1,8 +1,11 @@
-/* A step of the points in equal parts, beside gas that takes it as one (theory 7.3): the gas's forces on
- * the lines stay as they are, and the points' own are renewed in each part. Every part but the last is made final
- * before the next, so the start of the step is kept, to be put back where a later stage asks for a smaller one. */
+/* A step of the points in equal substeps, beside gas that takes it as one (theory 7.3). The forces of the gas on the
+ * boundaries are constant, and the points' own forces are computed in each substep. Every substep but the last is
+ * committed before the next, so the state at the start of the step is saved, and restored if a later stage requires a
+ * smaller step. */
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
+#include "mpm/step.h"
+#include "mpm/surface/surfaces.h"
 
 #include <string.h>
 
@@ -12,29 +15,29 @@ typedef struct saved_body {
     double *value; /* the arrays of their state, `n` numbers each, one after the other */
 } saved_body;
 
-/* State that no field holds. Owned. */
+/* State outside the fields. Owned. */
 typedef struct saved_extra {
     size_t n, reserved;
     double *value;
 } saved_extra;
 
-enum { KEPT_SURFACE, KEPT_SKIN, KEPT_EDGES, KEPT_OVERLAPS, KEPT_EXTRAS };
+enum { SAVED_SURFACE, SAVED_MARKERS, SAVED_EDGES, SAVED_OVERLAPS, SAVED_EXTRAS };
 
-struct saved_points {
+typedef struct saved_points {
     saved_body body[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
-    saved_extra extra[KEPT_EXTRAS];
+    saved_extra extra[SAVED_EXTRAS];
     double dt_previous; /* s */
-};
+} saved_points;
 
-void free_saved_points(context *ctx, struct mpm_work *w)
+void free_saved_points(mpm *s)
 {
-    for (int b = 0; w->saved && b < MESH_MAX_BLOCKS; ++b)
+    for (int b = 0; s->saved && b < MESH_MAX_BLOCKS; ++b)
         for (int k = 0; k < SCENE_MAX_BODIES; ++k) {
-            memory_free(ctx, &w->saved->body[b][k].tile_start);
-            memory_free(ctx, &w->saved->body[b][k].value);
+            memory_free(s->ctx, &s->saved->body[b][k].tile_start);
+            memory_free(s->ctx, &s->saved->body[b][k].value);
         }
-    for (int k = 0; w->saved && k < KEPT_EXTRAS; ++k) memory_free(ctx, &w->saved->extra[k].value);
-    memory_free(ctx, &w->saved);
+    for (int k = 0; s->saved && k < SAVED_EXTRAS; ++k) memory_free(s->ctx, &s->saved->extra[k].value);
+    memory_free(s->ctx, &s->saved);
 }
 
 static floe_status reserve_values(context *ctx, double **value, size_t *reserved, size_t n)
@@ -46,7 +49,7 @@ static floe_status reserve_values(context *ctx, double **value, size_t *reserved
 
 /* ---- points ---- */
 
-/* Takes an array of a body's state in a block, and its place among what is kept. */
+/* Visits an array of a body's state in a block, with its copy. */
 typedef void array_visitor(double *array, size_t n, double *saved);
 
 static void save_array(double *array, size_t n, double *saved)
@@ -54,7 +57,7 @@ static void save_array(double *array, size_t n, double *saved)
     memcpy(saved, array, n * sizeof *array);
 }
 
-static void put_array(double *array, size_t n, double *saved)
+static void restore_array(double *array, size_t n, double *saved)
 {
     memcpy(array, saved, n * sizeof *array);
 }
@@ -76,7 +79,7 @@ static size_t visit_arrays(const mpm *s, int blk, int body, size_t n, array_visi
 
 static floe_status save_body(mpm *s, int blk, int body)
 {
-    saved_body *k = &s->work->saved->body[blk][body];
+    saved_body *k = &s->saved->body[blk][body];
     const mpm_points *p = &s->points[blk][body];
     const size_t tiles = (size_t)s->mesh->block[blk].n_tiles + 1;
     TRY(reserve_values(s->ctx, &k->value, &k->reserved, p->n * visit_arrays(s, blk, body, 0, NULL, NULL)));
@@ -87,44 +90,42 @@ static floe_status save_body(mpm *s, int blk, int body)
     return FLOE_OK;
 }
 
-static void put_body(mpm *s, int blk, int body)
+static void restore_body(mpm *s, int blk, int body)
 {
-    const saved_body *k = &s->work->saved->body[blk][body];
+    const saved_body *k = &s->saved->body[blk][body];
     mpm_points *p = &s->points[blk][body];
     p->n = k->n;
     memcpy(p->tile_start, k->tile_start, ((size_t)s->mesh->block[blk].n_tiles + 1) * sizeof *k->tile_start);
-    (void)visit_arrays(s, blk, body, k->n, put_array, k->value);
+    (void)visit_arrays(s, blk, body, k->n, restore_array, k->value);
 }
 
-/* ---- what no field holds ---- */
+/* ---- state outside the fields ---- */
 
+/* All but the history of edges, whose lists are invalid once it may have been changed. */
 static double *extra_of(mpm *s, int which, size_t *n)
 {
-    const mpm_edges *e = s->work->edges;
-    size_t count = e ? e->n_memory : 0, stride = 1;
-    double *value = which == KEPT_SURFACE    ? mpm_surface(s, &count, &stride)
-                    : which == KEPT_SKIN     ? mpm_surface_markers(s, &count, &stride)
-                    : which == KEPT_OVERLAPS ? mpm_overlaps_state(s, &count)
-                    : e                      ? e->memory
-                                             : NULL;
+    size_t count = 0, stride = 1;
+    double *value = which == SAVED_SURFACE   ? mpm_surface(s, &count, &stride)
+                    : which == SAVED_MARKERS ? mpm_surface_markers(s, &count, &stride)
+                                             : mpm_overlaps_state(s, &count);
     *n = count * stride;
     return value;
 }
 
 static floe_status save_extra(mpm *s, int which)
 {
-    saved_extra *k = &s->work->saved->extra[which];
-    const double *from = extra_of(s, which, &k->n);
+    saved_extra *k = &s->saved->extra[which];
+    const double *from = which == SAVED_EDGES ? edges_history(s, &k->n) : extra_of(s, which, &k->n);
     TRY(reserve_values(s->ctx, &k->value, &k->reserved, k->n));
     if (k->n > 0) memcpy(k->value, from, k->n * sizeof *from);
     return FLOE_OK;
 }
 
-static void put_extra(mpm *s, int which)
+static void restore_extra(mpm *s, int which)
 {
-    const saved_extra *k = &s->work->saved->extra[which];
+    const saved_extra *k = &s->saved->extra[which];
     size_t n;
-    double *to = which == KEPT_EDGES ? mpm_edges_state(s, &n) : extra_of(s, which, &n);
+    double *to = which == SAVED_EDGES ? mpm_edges_state(s, &n) : extra_of(s, which, &n);
     if (k->n > 0) memcpy(to, k->value, k->n * sizeof *to);
 }
 
@@ -132,11 +133,11 @@ static void put_extra(mpm *s, int which)
 
 static floe_status save_state(mpm *s)
 {
-    if (!s->work->saved) TRY(memory_new(s->ctx, &s->work->saved, 1, sizeof *s->work->saved));
+    if (!s->saved) TRY(memory_new(s->ctx, &s->saved, 1, sizeof *s->saved));
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int body = 0; body < s->n_bodies; ++body) TRY(save_body(s, b, body));
-    for (int k = 0; k < KEPT_EXTRAS; ++k) TRY(save_extra(s, k));
-    s->work->saved->dt_previous = s->dt_previous;
+    for (int k = 0; k < SAVED_EXTRAS; ++k) TRY(save_extra(s, k));
+    s->saved->dt_previous = s->dt_previous;
     return FLOE_OK;
 }
 
@@ -145,15 +146,15 @@ void mpm_rollback_step(mpm *s)
     size_t n;
     if (s->substep == 0) return;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int body = 0; body < s->n_bodies; ++body) put_body(s, b, body);
-    for (int e = 0; e < KEPT_EXTRAS; ++e) put_extra(s, e);
+        for (int body = 0; body < s->n_bodies; ++body) restore_body(s, b, body);
+    for (int e = 0; e < SAVED_EXTRAS; ++e) restore_extra(s, e);
     (void)mpm_edges_state(s, &n); /* lists of edges belong to the step that was rolled back */
-    s->dt_previous = s->work->saved->dt_previous;
+    s->dt_previous = s->saved->dt_previous;
     s->substep = 0;
 }
 
-/* The part in hand becomes what the next one starts from. */
-static floe_status next_part(mpm *s)
+/* Commits the substep: the next one starts from its state. */
+static floe_status commit_substep(mpm *s)
 {
     s->substep++;
     for (int b = 0; b < s->mesh->n_blocks; ++b) fields_commit_points(s->domain->fields[b]);
@@ -164,11 +165,12 @@ static floe_status next_part(mpm *s)
  * follow. */
 static void steady_markers(mpm *s, double dt)
 {
-    const surface_markers *k = &s->work->markers;
-    const double *start = s->work->saved->extra[KEPT_SKIN].value;
+    const surface_markers *k = &s->surfaces->markers;
+    const double *start = s->saved->extra[SAVED_MARKERS].value;
     const size_t stride = sizeof(surface_marker) / sizeof(double);
     for (size_t n = 0; n < k->n; ++n)
-        for (size_t a = 0; a < 2; ++a) k->next[n].v[a] = (k->next[n].x[a] - start[n * stride + a]) / dt;
+        for (size_t a = 0; a < (size_t)s->mesh->dim; ++a)
+            k->next[n].v[a] = (k->next[n].x[a] - start[n * stride + a]) / dt;
 }
 
 floe_status mpm_step_in_substeps(mpm *s)
@@ -179,7 +181,7 @@ floe_status mpm_step_in_substeps(mpm *s)
     s->dt = dt / s->n_substeps;
     while (s->substep < s->n_substeps - 1) {
         TRY(mpm_step(s));
-        TRY(next_part(s));
+        TRY(commit_substep(s));
     }
     TRY(mpm_step(s));
     steady_markers(s, dt);

@@ -2,6 +2,7 @@
 #include "base/stop.h"
 #include "base/threads.h"
 #include "base/timer.h"
+#include "run/advance.h"
 #include "run/checkpoints.h"
 #include "run/disk_need.h"
 #include "run/follow.h"
@@ -13,7 +14,6 @@
 #include "run/schedule.h"
 #include "run/setup.h"
 #include "run/state_check.h"
-#include "run/truth.h"
 #include "scene/deck_location.h"
 #include "scene/remark.h"
 #include "sim/interface.h"
@@ -22,12 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    CHECKS_PER_WINDOW = 64,
-    STEPS_PER_LOOK = 32,
-    ROWS_PER_INTERVAL = 50,
-    WORK_PER_THREAD = 20000 /* points and cells */
-};
+enum { ROWS_PER_INTERVAL = 50 };
 
 typedef struct run {
     context *ctx;               /* not owned */
@@ -62,17 +57,6 @@ static const char *status_of_run(floe_status status, bool at_rest)
     case FLOE_INTERRUPTED: return "interrupted";
     default: return "failed";
     }
-}
-
-/* Threads that wait for each other cost more than they bring in a small scene: unless someone has named a number, it is
- * what the scene can use. The results do not depend on it. */
-static int choose_threads(const run *r)
-{
-    const int named = r->options->threads > 0 ? r->options->threads : r->scene->threads;
-    const int most = threads_use(named);
-    const size_t work = (r->sim->mpm ? mpm_count(r->sim->mpm) : 0) + (r->sim->ice ? mesh_cells(&r->sim->mesh) : 0);
-    if (named > 0 || getenv("OMP_NUM_THREADS") || work / WORK_PER_THREAD + 1 >= (size_t)most) return most;
-    return threads_use((int)(work / WORK_PER_THREAD) + 1);
 }
 
 static double wall_spent(const run *r)
@@ -195,36 +179,6 @@ static double next_stop(const run *r)
     return next < end - 1e-9 * fmin(interval, end) ? next : end;
 }
 
-static bool is_finished(const run *r)
-{
-    const scene_time *t = &r->scene->time;
-    return r->sim->at_rest || !(r->sim->time < t->end) || (t->max_steps > 0 && r->sim->steps >= t->max_steps);
-}
-
-/* Rest is looked for often enough, yet not at every step: it costs a pass over the points. */
-static floe_status check_rest(run *r, double before)
-{
-    const scene_rest *rest = &r->scene->rest;
-    sim_totals totals;
-    if (!rest->enabled) return FLOE_OK;
-    const double interval = sim_rest_window(r->sim) / CHECKS_PER_WINDOW;
-    if (!schedule_is_passed(before, r->sim->time, interval)) return FLOE_OK;
-    TRY(sim_sum(r->sim, &totals));
-    return sim_check_rest(r->sim, &totals);
-}
-
-/* The account is looked at with every row, and often enough between them for its largest drift to be found; by the number
- * of steps, so that a run that goes on looks when one that was not stopped does. */
-static floe_status check_ledger(run *r)
-{
-    if (r->sim->steps % STEPS_PER_LOOK == 0 || is_finished(r)) TRY(sim_update_ledger(r->sim));
-    truth_log(&r->truth, r->sim);
-    if (!sim_has_grown(r->sim)) return FLOE_OK;
-    char text[SIM_GROWTH_TEXT];
-    sim_describe_growth(r->sim, text);
-    return fail(r->ctx, FLOE_DIVERGED, "%s", text);
-}
-
 /* What is due at the time that a step from `before` has reached. Rows come with the first step past their time,
  * snapshots at it. */
 static floe_status write_due(run *r, double before)
@@ -251,17 +205,24 @@ static bool run_must_stop(const run *r)
     return (r->options->stop && *r->options->stop) || is_out_of_time(r);
 }
 
+static floe_status call_hook(const run *r, step_hook *hook)
+{
+    return hook ? hook(r->options->hook_user, r->sim) : FLOE_OK;
+}
+
 static floe_status run_time_loop(run *r)
 {
-    while (!is_finished(r)) {
+    while (!advance_is_finished(r->sim)) {
         const double before = r->sim->time;
         if (run_must_stop(r)) return FLOE_INTERRUPTED;
+        TRY(call_hook(r, r->options->before_step));
         TRY(sim_step(r->sim, next_stop(r)));
-        TRY(check_rest(r, before));
+        TRY(advance_check_rest(r->sim, before));
         TRY(write_due(r, before));
-        TRY(check_ledger(r));
+        TRY(advance_check_ledger(r->sim, &r->truth));
+        TRY(call_hook(r, r->options->after_step));
         /* Last: whoever goes on from it has all of this step behind him. At the end one is written anyway. */
-        if (!is_finished(r)) TRY(checkpoint_if_due(r));
+        if (!advance_is_finished(r->sim)) TRY(checkpoint_if_due(r));
         progress_show(&r->progress, r->sim);
     }
     return FLOE_OK;
@@ -294,12 +255,14 @@ static floe_status interrupt_run(run *r)
 {
     char by[64] = "";
     const int number = r->options->stop ? *r->options->stop : 0;
+    context_clear(r->ctx); /* of what a hook has said */
     TRY(write_due_checkpoint(r));
     stop_request_text(number, by);
+    if (number == 0 && !is_out_of_time(r)) (void)snprintf(by, sizeof by, " by the program");
     return fail(r->ctx, FLOE_INTERRUPTED,
                 "%s at t = %.6g%s after %ld steps%s; a checkpoint was written: go on with --resume",
-                number == 0 ? "the limit of wall time was reached" : "stopped", r->sim->time,
-                scene_time_unit(r->sim->scene), r->sim->steps, by);
+                by[0] ? "stopped" : "the limit of wall time was reached", r->sim->time, scene_time_unit(r->sim->scene),
+                r->sim->steps, by);
 }
 
 /* The state is that of the last good step; if even that is no good, an earlier checkpoint stays. */
@@ -393,7 +356,7 @@ static floe_status catch_up(run *r)
 {
     if (r->output.checkpoint.owed == 0) return FLOE_OK;
     TRY(write_owed(r));
-    return r->sim->steps > 0 ? check_ledger(r) : FLOE_OK;
+    return r->sim->steps > 0 ? advance_check_ledger(r->sim, &r->truth) : FLOE_OK;
 }
 
 static floe_status start_outputs(run *r)
@@ -504,7 +467,7 @@ floe_status run_scene(context *ctx, scene *s, const run_options *options, run_su
     (void)threads_use(options->threads > 0 ? options->threads : s->threads);
     floe_status status = begin_run(&r);
     if (status == FLOE_OK) {
-        out->threads = choose_threads(&r);
+        out->threads = advance_choose_threads(r.sim, options->threads);
         status = run_with_outputs(&r, out);
     } else {
         (void)snprintf(out->status, sizeof out->status, "%s", status_of_run(status, false));

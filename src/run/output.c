@@ -227,6 +227,19 @@ floe_status output_recall(run_output *o, sim *s, const char *dir)
     return read_newest(o, s);
 }
 
+floe_status output_save(run_output *o, const sim *s, const char *path)
+{
+    if (!o->deck) TRY(prepare_outputs(o, s, NULL));
+    name_extra(o, s);
+    return checkpoint_write(s, path, &o->checkpoint);
+}
+
+floe_status output_restore(run_output *o, sim *s, const char *path)
+{
+    TRY(prepare_outputs(o, s, NULL));
+    return checkpoint_read(s, path, &o->checkpoint);
+}
+
 void output_end(run_output *o)
 {
     if (!o->ctx) return;

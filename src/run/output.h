@@ -45,6 +45,10 @@ floe_status output_move(run_output *o, const char *place);
 floe_status output_reopen(run_output *o, const sim *s, const char *place);
 /* Sets `s` to the last checkpoint in DIR; no file is written. */
 floe_status output_recall(run_output *o, sim *s, const char *dir);
+/* The state of `s` as a checkpoint at `path`, and back into an `s` at its start; *o is zeroed before the first call and
+ * must stay as long as `s`. */
+floe_status output_save(run_output *o, const sim *s, const char *path);
+floe_status output_restore(run_output *o, sim *s, const char *path);
 /* Frees what *o owns; a zeroed one is fine. */
 void output_end(run_output *o);
 

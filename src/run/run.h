@@ -12,6 +12,9 @@
 #include <signal.h>
 #include <stdio.h>
 
+/* Called around steps; anything but FLOE_OK ends the run as a failed step would, FLOE_INTERRUPTED in order. */
+typedef floe_status step_hook(void *user, sim *s);
+
 /* How a run is to be carried out. {0} is a quiet run without limits into no folder: `dir` must be set. */
 typedef struct run_options {
     const char *dir;                   /* folder of the outputs, made if it is not there */
@@ -24,6 +27,8 @@ typedef struct run_options {
     log_sink *sink;                    /* gets the log beside DIR/run.log, and stays the context's sink; NULL: none */
     void *sink_user;
     log_level sink_detail;
+    step_hook *before_step, *after_step; /* NULL: none */
+    void *hook_user;
 } run_options;
 
 /* Runs the scene under scene->coupling and fills *out, which is also DIR/summary.json. The result is FLOE_OK (the end,

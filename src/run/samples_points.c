@@ -243,7 +243,7 @@ double point_exact(const point_samples *p, exact_quantity quantity, size_t i)
     double x[3], t = s->time;
     solution_place(p, i, x);
     /* In pure MPM velocities are those of half a step ago (design, conventions). */
-    if (velocity && !s->mpm->coupled && !sim_solves(s)) t -= 0.5 * s->mpm->dt_previous;
+    if (velocity && s->mpm->cells != CELLS_SMEARED && !sim_solves(s)) t -= 0.5 * s->mpm->dt_previous;
     return exact_value(p->solution, quantity, x, t);
 }
 

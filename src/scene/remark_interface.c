@@ -8,16 +8,10 @@
 
 enum { REMARK_SIZE = 1400 };
 
-static bool is_wall(const scene *s, const scene_body *b)
-{
-    const scene_material *m = &s->material[b->material];
-    return m->kind == MATERIAL_SOLID && !m->membrane;
-}
-
 static const scene_body *first_wall(const scene *s)
 {
     for (int b = 0; b < s->n_bodies; ++b)
-        if (is_wall(s, &s->body[b])) return &s->body[b];
+        if (remark_is_solid(&s->material[s->body[b].material])) return &s->body[b];
     return NULL;
 }
 

@@ -17,6 +17,11 @@ typedef struct remark_speaker {
 void remark_key(const remark_speaker *w, const char *format, ...) FLOE_PRINTF(2, 3);
 void remark_set_key(remark_speaker *w, const char *map, const char *name, const char *rest);
 
+/* A solid with a law of its own: no membrane. */
+bool remark_is_solid(const scene_material *m);
+/* Speed of waves of compression in such a solid, m/s. */
+double remark_solid_sound(const scene_material *m);
+
 /* Of solids smeared over cells of fluid. */
 void remark_shapes(const scene *s, remark_sink *say, void *user);
 void remark_smeared(const scene *s, remark_sink *say, void *user);

@@ -27,13 +27,12 @@ void remark_set_key(remark_speaker *w, const char *map, const char *name, const 
     (void)snprintf(w->key, REMARK_KEY, "%s.%s%s%s", map, name, rest[0] ? "." : "", rest);
 }
 
-static bool is_solid(const scene_material *m)
+bool remark_is_solid(const scene_material *m)
 {
     return m->kind == MATERIAL_SOLID && m->law && !m->membrane;
 }
 
-/* Of waves of compression, m/s. */
-static double sound_of(const scene_material *m)
+double remark_solid_sound(const scene_material *m)
 {
     const double modulus = m->law->bulk_modulus(m->law_par) + 4.0 / 3.0 * m->law->shear_modulus(m->law_par);
     return sqrt(modulus / m->density);
@@ -43,7 +42,7 @@ static double sound_of(const scene_material *m)
  * stone is a metal, whose slowest (lead) has 1200. */
 static void remark_sound(remark_speaker *w, const scene_material *m)
 {
-    const double c = sound_of(m), dense = 4000.0;
+    const double c = remark_solid_sound(m), dense = 4000.0;
     const double least = m->density > dense ? 300.0 : 3.0, most = 1e5;
     remark_set_key(w, "materials", m->name, "law");
     if (c < least || c > most)
@@ -76,9 +75,9 @@ static void remark_materials(remark_speaker *w)
 {
     for (int m = 0; m < w->s->n_materials && !w->s->dimensionless; ++m) {
         const scene_material *a = &w->s->material[m];
-        if (is_solid(a)) remark_sound(w, a);
+        if (remark_is_solid(a)) remark_sound(w, a);
         remark_set_key(w, "materials", a->name, "specific_heat");
-        if (is_solid(a) && a->specific_heat > 0.0 && (a->specific_heat < 50.0 || a->specific_heat > 2e4))
+        if (remark_is_solid(a) && a->specific_heat > 0.0 && (a->specific_heat < 50.0 || a->specific_heat > 2e4))
             remark_key(w, "solid '%s' has %g J/kg/K: lead has 130, water 4200. Is it in J/kg/K, and not in kJ?",
                        a->name, a->specific_heat);
     }
@@ -100,9 +99,9 @@ static void remark_bodies(remark_speaker *w)
         remark_set_key(w, "bodies", b->name, "temperature");
         if (!s->dimensionless) remark_temperature(w, b->temperature);
         remark_set_key(w, "bodies", b->name, "velocity");
-        if (is_solid(m) && speed_of(b) > 3.0 * sound_of(m))
+        if (remark_is_solid(m) && speed_of(b) > 3.0 * remark_solid_sound(m))
             remark_key(w, "body '%s' moves with %.3g times the speed of sound of its material, %.3g: is that meant?",
-                       b->name, speed_of(b) / sound_of(m), sound_of(m));
+                       b->name, speed_of(b) / remark_solid_sound(m), remark_solid_sound(m));
     }
 }
 
@@ -167,8 +166,8 @@ static void remark_waves(remark_speaker *w)
     const scene *s = w->s;
     double fastest = 0.0, cell = INFINITY;
     for (int k = 0; k < s->n_bodies; ++k)
-        if (is_solid(&s->material[s->body[k].material]))
-            fastest = fmax(fastest, sound_of(&s->material[s->body[k].material]));
+        if (remark_is_solid(&s->material[s->body[k].material]))
+            fastest = fmax(fastest, remark_solid_sound(&s->material[s->body[k].material]));
     for (int a = 0; a < s->mesh.dim; ++a) cell = fmin(cell, s->mesh.cell[a]);
     if (fastest == 0.0 || s->time.solver != SOLVER_DYNAMIC) return;
     remark_set_key(w, "time", "end", "");

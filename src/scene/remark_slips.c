@@ -5,16 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-static bool is_solid(const scene_material *m)
-{
-    return m->kind == MATERIAL_SOLID && m->law && !m->membrane;
-}
-
-static double sound_of_solid(const scene_material *m)
-{
-    return sqrt((m->law->bulk_modulus(m->law_par) + 4.0 / 3.0 * m->law->shear_modulus(m->law_par)) / m->density);
-}
-
 /* ---- materials ---- */
 
 /* A fluid at the density rho (kg/m3) or, where that is no number, at a pressure and a temperature. */
@@ -230,7 +220,7 @@ static void remark_traction(remark_speaker *w, const scene_load *load)
 {
     const scene *s = w->s;
     const scene_material *m = load->body >= 0 ? &s->material[s->body[load->body].material] : NULL;
-    if (load->kind != LOAD_TRACTION || !m || !is_solid(m)) return;
+    if (load->kind != LOAD_TRACTION || !m || !remark_is_solid(m)) return;
     const double share = fabs(load->target) / m->law->bulk_modulus(m->law_par);
     remark_set_key(w, "loads", load->name, "traction.pressure");
     if (share > 0.1)
@@ -244,7 +234,7 @@ static double softest_solid(const scene *s)
     double least = INFINITY;
     for (int k = 0; k < s->n_bodies; ++k) {
         const scene_material *m = &s->material[s->body[k].material];
-        if (is_solid(m)) least = fmin(least, m->law->bulk_modulus(m->law_par));
+        if (remark_is_solid(m)) least = fmin(least, m->law->bulk_modulus(m->law_par));
     }
     return least;
 }
@@ -277,7 +267,7 @@ static void remark_weight(remark_speaker *w, const scene_load *load)
     for (int k = 0; k < s->n_bodies; ++k) {
         double lo[3] = {0.0}, hi[3] = {0.0}, most = 0.0;
         const scene_material *m = &s->material[s->body[k].material];
-        if ((load->body >= 0 && load->body != k) || !is_solid(m) || !bounds_of(s, &s->body[k], lo, hi)) continue;
+        if ((load->body >= 0 && load->body != k) || !remark_is_solid(m) || !bounds_of(s, &s->body[k], lo, hi)) continue;
         for (int a = 0; a < s->mesh.dim; ++a) most = fmax(most, fabs(load->vector[a]) * (hi[a] - lo[a]));
         const double share = m->density * most / m->law->bulk_modulus(m->law_par);
         if (share > 1.0)
@@ -293,7 +283,7 @@ static double longest_body(const scene *s)
     double most = 0.0;
     for (int k = 0; k < s->n_bodies; ++k) {
         double lo[3] = {0.0}, hi[3] = {0.0};
-        if (!is_solid(&s->material[s->body[k].material]) || !bounds_of(s, &s->body[k], lo, hi)) continue;
+        if (!remark_is_solid(&s->material[s->body[k].material]) || !bounds_of(s, &s->body[k], lo, hi)) continue;
         for (int a = 0; a < s->mesh.dim; ++a)
             most = fmax(most, fmin(hi[a], s->mesh.upper[a]) - fmax(lo[a], s->mesh.lower[a]));
     }
@@ -305,8 +295,8 @@ static void remark_rest(remark_speaker *w)
     const scene *s = w->s;
     double slowest = INFINITY;
     for (int k = 0; k < s->n_bodies; ++k)
-        if (is_solid(&s->material[s->body[k].material]))
-            slowest = fmin(slowest, sound_of_solid(&s->material[s->body[k].material]));
+        if (remark_is_solid(&s->material[s->body[k].material]))
+            slowest = fmin(slowest, remark_solid_sound(&s->material[s->body[k].material]));
     if (!s->rest.enabled || !isfinite(slowest) || s->time.solver != SOLVER_DYNAMIC) return;
     remark_set_key(w, "stop", "kinetic_over_strain", "");
     if (s->rest.ratio >= 1e-3)
@@ -347,8 +337,8 @@ void remark_slips(const scene *s, remark_sink *say, void *user)
         const scene_material *a = &s->material[m];
         if (a->kind == MATERIAL_FLUID && a->eos.model) remark_fluid(&w, a);
         if (a->membrane) remark_membrane(&w, a);
-        if (is_solid(a)) remark_yield(&w, a);
-        if (is_solid(a)) remark_hardening(&w, a);
+        if (remark_is_solid(a)) remark_yield(&w, a);
+        if (remark_is_solid(a)) remark_hardening(&w, a);
     }
     remark_bodies(&w);
     if (!s->dimensionless) remark_flight(&w);

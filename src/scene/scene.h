@@ -25,16 +25,10 @@ enum {
     SCENE_MAX_SUPPORTS = 16,
     SCENE_MAX_ENCLOSING = 3, /* membranes that enclose gas on cells */
     SCENE_MAX_SUBSTEPS = 128,
-    SCENE_MAX_AXIS = 32, /* values of an axis */
-    SCENE_MAX_AXES = 6,
-    SCENE_MAX_WITH = 12, /* keys that change along with that of an axis */
-    SCENE_MAX_OVER = 2,
-    SCENE_MAX_BARS = 64, /* and of checks, and of refusals */
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,
     SCENE_MAX_CONTACT = 15, /* bodies in contact: each has a velocity field of its own */
-    SCENE_NAME = 64,
-    SCENE_WHY = 256
+    SCENE_NAME = 64
 };
 
 typedef enum scene_coupling { COUPLING_MPM, COUPLING_ICE, COUPLING_ICE_MPM, COUPLING_COUNT } scene_coupling;
@@ -193,7 +187,7 @@ typedef struct scene_reaction {
 
 typedef enum stress_scheme { STRESS_USL, STRESS_USF, STRESS_MUSL } stress_scheme;
 typedef enum point_density { DENSITY_CONTINUITY, DENSITY_CELL, DENSITY_QUADRATIC } point_density;
-/* Use of the kinetic energy that points lose to their nodes (mpm/heat.c). */
+/* Use of the kinetic energy that points lose to their nodes (mpm/fluid/heat.c). */
 typedef enum point_losses { LOSSES_DRIFT, LOSSES_HEAT, LOSSES_OWN } point_losses;
 typedef enum ice_centring { ICE_CENTRING_AUTO, ICE_CENTRING_HALF, ICE_CENTRING_FULL } ice_centring;
 typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AUTO } pressure_scheme;
@@ -211,7 +205,7 @@ typedef struct scene_method {
         flip; /* of transfer flip: 1 FLIP, 0 PIC; 0 to 1; NAN: 0.99, with fluids on points 1 less 0.6 for each cell that
                                 * the fastest point crosses in the step, where that is more */
     int filter_order;      /* of transfers xpic and afmpm, 2 to 20; 0: theirs */
-    point_density density; /* of fluid points (mpm/density.c) */
+    point_density density; /* of fluid points (mpm/fluid/density.c) */
     point_losses losses;
     double edge_penalty; /* gamma of the penalty on edges of solids (mpm/edge/edge.h); 0: none; NAN: the basis's own */
     ice_centring centring; /* phi of theory 2.5: auto is 1/2 smooth, 1 at shocks */
@@ -319,85 +313,6 @@ typedef struct scene_verify {
     double probe_pressure; /* Pa: pressure P of eq. 13 and of the gas error, NAN if unused */
 } scene_verify;
 
-/* Sizes of a deck key, of its value as YAML text, and of both as "KEY=VALUE". */
-enum { SCENE_KEY = 128, SCENE_VALUE = 96, SCENE_SETTING = SCENE_KEY + SCENE_VALUE };
-
-typedef struct scene_values { /* a key that changes along with that of an axis */
-    char key[SCENE_KEY];
-    char value[SCENE_MAX_AXIS][SCENE_VALUE]; /* one for each value of the axis */
-} scene_values;
-
-typedef struct scene_axis { /* one axis of `compare`, `study` or `stability` */
-    char key[SCENE_KEY];    /* deck key */
-    char value[SCENE_MAX_AXIS][SCENE_VALUE];
-    int n_values;
-    scene_values with[SCENE_MAX_WITH];
-    int n_with;
-} scene_axis;
-
-typedef struct scene_where { /* cases of a study: those in which these axes have these values; n = 0: all */
-    char key[SCENE_MAX_AXES][SCENE_KEY], value[SCENE_MAX_AXES][SCENE_VALUE];
-    int n;
-} scene_where;
-
-typedef struct scene_bar { /* what a study must reach */
-    char metric[SCENE_NAME];
-    double order; /* at least; NAN: no bar */
-    double error; /* at most, in the metric's unit; NAN: no bar */
-    scene_where where;
-} scene_bar;
-
-typedef struct scene_check { /* a condition that every case must satisfy */
-    /* An error, drift_mass, drift_momentum, drift_energy, or a column of history.csv in all its rows. */
-    char of[SCENE_NAME];
-    double at;          /* of a column: at this share of the run's time, not in all rows; NAN: in all rows */
-    bool change;        /* of a column: less its value in the first row */
-    double least, most; /* NAN: no bound */
-    scene_where where;
-} scene_check;
-
-typedef struct scene_refusal { /* cases that may be refused */
-    char why[SCENE_WHY];
-    scene_where where;
-} scene_refusal;
-
-typedef struct scene_unchanged { /* spoilers (run/spoil.h) that leave the right answer as it is */
-    char by[SCENE_NAME];         /* their names, blanks between them */
-    char why[SCENE_WHY];
-    scene_where where;
-} scene_unchanged;
-
-typedef struct scene_study {
-    bool given;                      /* the deck says something of it */
-    scene_axis axis[SCENE_MAX_AXES]; /* crossed; the first varies slowest */
-    int n_axes;
-    char over[SCENE_KEY]; /* axis that orders are taken over; "": domain.cell, else the first axis of numbers */
-    int repeat;           /* timed runs of each case, alone on one thread; the best counts; 0: none */
-    double max_wall;      /* s of each case; 0: no limit */
-    char quantity[SCENE_MAX_METRICS][SCENE_NAME]; /* columns of history.csv whose last values are extrapolated */
-    int n_quantities;
-    scene_bar bar[SCENE_MAX_BARS];
-    int n_bars;
-    scene_check check[SCENE_MAX_BARS];
-    int n_checks;
-    scene_refusal refusal[SCENE_MAX_BARS];
-    int n_refusals;
-    scene_unchanged unchanged[SCENE_MAX_BARS];
-    int n_unchanged;
-} scene_study;
-
-typedef struct scene_stability {
-    bool given; /* the deck says something of it */
-    /* One: a search, its values from and to; two: a map; none: the command line says. */
-    scene_axis over[SCENE_MAX_OVER];
-    int n_over;
-    scene_axis each[SCENE_MAX_AXES]; /* crossed; the search is made for every combination */
-    int n_each;
-    double tolerance;   /* of the limit, relative */
-    double growth;      /* of energy over what there can be */
-    double relative_to; /* what limits are shown over; NAN: nothing */
-} scene_stability;
-
 typedef struct scene_key scene_key; /* scene/deck_location.h */
 
 typedef struct scene {
@@ -445,9 +360,8 @@ typedef struct scene {
     scene_probe probe[SCENE_MAX_PROBES];
     int n_probes;
     scene_verify verify;
-    scene_axis compare;        /* axis of `floe compare` */
-    scene_study study;         /* of `floe study` */
-    scene_stability stability; /* of `floe stability` */
+    struct scene_batches
+        *batches;              /* of compare, study and stability (scene/batches.h); no run reads them. NULL: none */
     initial_function *initial; /* set by the run when a body asks for it */
     void *initial_user;
     /* Of fluids on the cells; set by the run when verify.sources asks for it; NULL: none. Its user: initial_user. */
@@ -462,15 +376,17 @@ floe_status scene_create(scene **out, context *ctx);
 void scene_destroy(scene **s);
 /* What follows a time in a message: " s", or nothing where the scene has no units. */
 const char *scene_time_unit(const scene *s);
-/* How many keys an axis sets: its own, and those that change along with it. */
-int scene_axis_settings(const scene_axis *axis);
-/* "KEY=VALUE" of the k-th of them, its own first, at the axis' value number `pick`. */
-void scene_axis_setting(const scene_axis *axis, int k, int pick, char text[SCENE_SETTING]);
 /* The first body whose membrane encloses gas on cells, or -1. */
 int scene_enclosing_body(const scene *s);
 /* The name of the transfer of points: the deck's, else what suits the bodies and the coupling best (docs/defaults.md). */
 const char *scene_transfer(const scene *s);
-/* Whether fluids on points have a velocity of their own beside solids (mpm/wetted.h). */
+/* The largest pressure (Pa, absolute) that the deck gives a fluid on points; 0: there is none. */
+double scene_gas_pressure(const scene *s);
+/* The largest (Pa, absolute) that it gives a body of a fluid. */
+double scene_body_pressure(const scene *s, const scene_body *b);
+/* Whether the basis is one with which gas of points beside softer walls is right: with others its points stream along the wall. */
+bool scene_wall_bases(const scene *s);
+/* Whether fluids on points have a velocity of their own beside solids (mpm/fluid/wetted.h). */
 bool scene_fluids_apart(const scene *s);
 /* All of them, up to SCENE_MAX_ENCLOSING, in their order; returns how many. */
 int scene_enclosing_bodies(const scene *s, int body[SCENE_MAX_ENCLOSING]);

@@ -66,9 +66,9 @@ floe_status coupled_step(sim *s)
     TRY(mpm_mass_stages(p));
     STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM), WRITES(C_RHO, C_VEL, C_TEMP));
     TRY(ice_state_stages(s->ice));
-    STAGE(t, p->burns, transfer_share_to_nodes, READS(C_REACTED, C_RHO), WRITES(C_REACTED, N_BURNT_SHARE));
+    STAGE(t, p->carries[P_SHARE], transfer_share_to_nodes, READS(C_REACTED, C_RHO), WRITES(C_REACTED, N_BURNT_SHARE));
     TRY(mpm_burn_stages(p));
-    STAGE(t, p->burns, transfer_burnt_to_cells, READS(C_REACTED, N_BURNT, N_BURNT_MOMENTUM, N_BURNT_ENERGY),
+    STAGE(t, p->carries[P_SHARE], transfer_burnt_to_cells, READS(C_REACTED, N_BURNT, N_BURNT_MOMENTUM, N_BURNT_ENERGY),
           WRITES(C_REACTED, C_BURNT_MOMENTUM, C_BURNT_ENERGY));
     TRY(ice_pressure_stages(s->ice));
     STAGE(t, ALWAYS, transfer_pressure_to_nodes, READS(C_PRESSURE_ADVANCED), WRITES(C_PRESSURE_ADVANCED, N_PRESSURE));

@@ -53,10 +53,9 @@ static floe_status needs_plane(const scene *s, const mesh *m)
     return no_lines(s, "needs a domain in two dimensions, plane or axisymmetric, without periodic sides", "mpm");
 }
 
-static floe_status needs_line_or_plane(const scene *s, const mesh *m)
+static floe_status needs_open_ends(const scene *s, const mesh *m)
 {
-    if (m->dim < 3 && !is_periodic(m)) return FLOE_OK;
-    return no_lines(s, "needs a domain in one or two dimensions without periodic sides", "mpm");
+    return is_periodic(m) ? no_lines(s, "needs a domain without periodic sides", "mpm") : FLOE_OK;
 }
 
 static floe_status needs_explicit_pressure(const scene *s, const mesh *m)
@@ -153,10 +152,25 @@ static floe_status needs_no_exchange(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-static floe_status refuse_thin_at(const scene *s, const double x[2])
+static void name_place(int dim, const double x[3], char *place, size_t size)
+{
+    if (dim == 1)
+        (void)snprintf(place, size, "%g", x[0]);
+    else if (dim == 2)
+        (void)snprintf(place, size, "(%g, %g)", x[0], x[1]);
+    else
+        (void)snprintf(place, size, "(%g, %g, %g)", x[0], x[1], x[2]);
+}
+
+static void middle_of(const mesh *m, const int cell[3], double x[3])
+{
+    for (int a = 0; a < 3; ++a) x[a] = a < m->dim ? mesh_centre(m, a, cell[a]) : 0.0;
+}
+
+static floe_status refuse_thin_at(const scene *s, const double x[3])
 {
     char place[64];
-    (void)snprintf(place, sizeof place, s->mesh.dim == 1 ? "%g" : "(%g, %g)", x[0], x[1]);
+    name_place(s->mesh.dim, x, place, sizeof place);
     return fail_key(
         s->ctx, KEY("method", "interface"),
         "sharp: a solid is thinner than a cell at %s, where the gas of its two sides would share it: refine "
@@ -167,8 +181,10 @@ static floe_status refuse_thin_at(const scene *s, const double x[2])
 /* A position where the boundaries leave no space between them for gas. */
 static floe_status refuse_thin(const scene *s, const cut_surface *line)
 {
-    double x[2];
-    return cut_is_thin(line, x) ? refuse_thin_at(s, x) : FLOE_OK;
+    double x[3];
+    bool thin;
+    TRY(cut_find_thin(line, &thin, x));
+    return thin ? refuse_thin_at(s, x) : FLOE_OK;
 }
 
 /* On a line a body that lies between two places where its surface is looked for has none. */
@@ -181,9 +197,9 @@ static floe_status refuse_unseen(const scene *s, const mesh *m, const scene_body
 
 static floe_status lay_body(const scene *s, const mesh *m, const scene_body *body, int fluid, cut_surface *line)
 {
-    const int before = line->n_chains;
+    const int before = line->n_chains + line->n_triangles;
     TRY(mpm_boundary_add(s, m, body, fluid, line));
-    return fluid >= 0 || line->n_chains > before ? FLOE_OK : refuse_unseen(s, m, body);
+    return fluid >= 0 || line->n_chains + line->n_triangles > before ? FLOE_OK : refuse_unseen(s, m, body);
 }
 
 static floe_status refuse_none(const scene *s)
@@ -210,11 +226,12 @@ static floe_status lay_bodies(const scene *s, const mesh *m, int fluid, cut_surf
 }
 
 /* A cell that another fluid, or none, fills on the side of a fluid. */
-static floe_status refuse_mixed(const scene *s, const mesh *m, int fluid, const int cell[2])
+static floe_status refuse_mixed(const scene *s, const mesh *m, int fluid, const int cell[3])
 {
     char place[64];
-    const double x[3] = {mesh_centre(m, 0, cell[0]), m->dim > 1 ? mesh_centre(m, 1, cell[1]) : 0.0, 0.0};
-    (void)snprintf(place, sizeof place, m->dim == 1 ? "%g" : "(%g, %g)", x[0], x[1]);
+    double x[3];
+    middle_of(m, cell, x);
+    name_place(m->dim, x, place, sizeof place);
     return fail_key(
         s->ctx, KEY("method", "interface"),
         "sharp takes one gas in each region between the solids, and at %s there is another beside %s: use smeared",
@@ -233,14 +250,16 @@ static floe_status refuse_unbounded(const scene *s, int fluid)
 /* Of several fluids each has regions to itself, between solids and the sides of the domain. */
 static floe_status check_regions(const scene *s, const mesh *m, int fluid, const cut_surface *line)
 {
-    for (int j = 0; j < m->n[1]; ++j)
-        for (int i = 0; i < m->n[0]; ++i) {
-            const int cell[2] = {i, j};
-            const double x[3] = {mesh_centre(m, 0, i), m->dim > 1 ? mesh_centre(m, 1, j) : 0.0, 0.0};
-            const double open = cut_open(line, cell);
-            const bool here = mpm_fluid_at(s, m->dim, x) == fluid;
-            if ((open == 1.0 && !here) || (open == 0.0 && here)) return refuse_mixed(s, m, fluid, cell);
-        }
+    for (int k = 0; k < m->n[2]; ++k)
+        for (int j = 0; j < m->n[1]; ++j)
+            for (int i = 0; i < m->n[0]; ++i) {
+                const int cell[3] = {i, j, k};
+                double x[3];
+                middle_of(m, cell, x);
+                const double open = cut_open(line, cell);
+                const bool here = mpm_fluid_at(s, m->dim, x) == fluid;
+                if ((open == 1.0 && !here) || (open == 0.0 && here)) return refuse_mixed(s, m, fluid, cell);
+            }
     return FLOE_OK;
 }
 
@@ -248,12 +267,15 @@ static floe_status check_regions(const scene *s, const mesh *m, int fluid, const
 static floe_status check_side(const scene *s, const mesh *m, int axis, int side)
 {
     const bc_side *given = &s->bc.side[axis][side];
-    int cell[2] = {0, 0};
+    const int e = (axis + 1) % 3, f = (axis + 2) % 3;
+    int cell[3] = {0, 0, 0};
     if (given->kind != BC_INLET && given->kind != BC_RESERVOIR) return FLOE_OK;
     cell[axis] = side == SIDE_UPPER ? m->n[axis] - 1 : 0;
-    for (int k = 0; k < (m->dim > 1 ? m->n[1 - axis] : 1); ++k) {
-        if (m->dim > 1) cell[1 - axis] = k;
-        const double x[3] = {mesh_centre(m, 0, cell[0]), m->dim > 1 ? mesh_centre(m, 1, cell[1]) : 0.0, 0.0};
+    for (int k = 0; k < m->n[e] * m->n[f]; ++k) {
+        double x[3];
+        cell[e] = k % m->n[e];
+        cell[f] = k / m->n[e];
+        middle_of(m, cell, x);
         const int found = mpm_fluid_at(s, m->dim, x);
         if (found >= 0 && found != given->material) return refuse_mixed(s, m, given->material, cell);
     }
@@ -277,7 +299,7 @@ static floe_status check_fluid(const scene *s, const mesh *m, int fluid)
     cut_surface line;
     floe_status status = cut_create(&line, s->ctx, m);
     if (status == FLOE_OK) status = lay_bodies(s, m, alone ? -1 : fluid, &line);
-    if (status == FLOE_OK && !alone && line.n_chains == 0) status = refuse_unbounded(s, fluid);
+    if (status == FLOE_OK && !alone && line.n_chains + line.n_triangles == 0) status = refuse_unbounded(s, fluid);
     if (status == FLOE_OK) status = check_line(s, &line);
     if (status == FLOE_OK && !alone) status = check_regions(s, m, fluid, &line);
     cut_destroy(&line);
@@ -337,7 +359,7 @@ typedef struct requirement {
 /* Cheap ones first: the last traces the surfaces. */
 static const requirement requirements[] = {
     {needs_plane, OF_MEMBRANES},
-    {needs_line_or_plane, OF_SURFACES | OF_AUTO},
+    {needs_open_ends, OF_SURFACES | OF_AUTO},
     {needs_no_membrane, OF_SURFACES | OF_AUTO},
     {needs_few_fluids, OF_SURFACES | OF_AUTO},
     {needs_membranes_alone, OF_MEMBRANES},

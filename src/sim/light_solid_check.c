@@ -134,9 +134,9 @@ static double least_ratio(const sim *s)
     return density_of(s->scene, body) / range[1];
 }
 
-bool has_lighter_solid(const sim *s)
+bool has_dense_fluid(const sim *s, double share)
 {
-    return least_ratio(s) < 1.0;
+    return share * least_ratio(s) < 1.0;
 }
 
 /* The pressure of a step is what the surface's velocity before it makes of the fluid, and the surface has the inertia of the nodes next to it: a layer of

@@ -11,7 +11,7 @@ floe_status light_solid_check(sim *s);
 /* Largest stable time step (s) of a sharp interface beside fluid heavier than the solid; `crossing` (s) is that of the
  * cells at a CFL number of one. INFINITY where there is no such solid. */
 double light_solid_step(const sim *s, double crossing);
-/* Whether some fluid is denser than the lightest solid beside it. */
-bool has_lighter_solid(const sim *s);
+/* Whether some fluid has more than this share of the density of the scene's lightest solid. */
+bool has_dense_fluid(const sim *s, double share);
 
 #endif

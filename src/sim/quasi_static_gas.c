@@ -59,18 +59,16 @@ static floe_status push_markers(quasi_static_gas *g)
 {
     /* Several lines hold gases of several kinds, which do not come here. */
     const cut_surface *c = &g->s->sealed->line[0].place[SEAL_NOW];
-    const size_t numbers = 2 * (size_t)c->n_vertices;
+    const size_t numbers = 3 * (size_t)c->n_vertices;
     TRY(memory_resize(g->ctx, &g->unit_force, numbers * (size_t)g->cells->n, sizeof *g->unit_force));
     memset(g->unit_force, 0, numbers * (size_t)g->cells->n * sizeof *g->unit_force);
     for (int r = 0; r < g->cells->n; ++r) g->gas[r].unit_force = g->unit_force + numbers * (size_t)r;
     for (int k = 0; k < c->n_pieces; ++k) {
         const cut_piece *p = &c->piece[k];
-        const int *at = c->cell[p->cell].cell,
-                  region = ice_gas_region_near(g->s->ice, g->cells, (const int[]){at[0], at[1], 0});
-        for (int end = 0; end < 2 && region >= 0; ++end)
-            for (int a = 0; a < 2; ++a)
-                g->gas[region].unit_force[2 * c->vertex[p->vertex[end]].point + a] +=
-                    (end == 1 ? p->share : 1.0 - p->share) * p->area[a];
+        const int *at = c->cell[p->cell].cell, region = ice_gas_region_near(g->s->ice, g->cells, at);
+        for (int end = 0; end < c->mesh->dim && region >= 0; ++end)
+            for (int a = 0; a < c->mesh->dim; ++a)
+                g->gas[region].unit_force[3 * c->vertex[p->vertex[end]].point + a] += p->weight[end] * p->area[a];
     }
     return FLOE_OK;
 }
@@ -106,7 +104,7 @@ static floe_status quasi_static_gas_move(quasi_static_gas *g)
 floe_status quasi_static_gas_step(sim *s)
 {
     quasi_static_gas *g = s->quasi_static_gas;
-    const bool cut = s->sealed, m = s->ice->multi;
+    const bool cut = s->sealed, m = ice_is_mixture(s->ice);
     STAGE(g, ALWAYS, quasi_static_gas_find,
           READS(P_ID, P_POS, C_RHO, C_VEL, C_ENERGY, C_PRESSURE, C_TEMP, WHEN(cut, C_OPEN), WHEN(m, C_VOL),
                 WHEN(m, C_SOUND), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),

@@ -52,9 +52,9 @@ void sealed_destroy(sealed **t)
 static floe_status reserve_vertices(const sealed *t, sealed_line *line, int vertices)
 {
     if (vertices <= line->reserved) return FLOE_OK;
-    TRY(memory_resize(t->ctx, &line->velocity, 2 * (size_t)vertices, sizeof(double)));
-    TRY(memory_resize(t->ctx, &line->path, 2 * (size_t)vertices, sizeof(double)));
-    TRY(memory_resize(t->ctx, &line->force, 2 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &line->velocity, 3 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &line->path, 3 * (size_t)vertices, sizeof(double)));
+    TRY(memory_resize(t->ctx, &line->force, 3 * (size_t)vertices, sizeof(double)));
     line->reserved = vertices;
     return FLOE_OK;
 }

@@ -11,7 +11,7 @@ typedef struct sealed_line {
     int body;  /* body of the membrane, of the points; 0 for surfaces */
     int fluid; /* of surfaces: the fluid that they bound, by its number in the scene; -1: a membrane */
     cut_surface place[SEAL_PLACES];  /* its positions, as in ice_seal_line */
-    double *velocity, *path, *force; /* of the vertices, two numbers each; owned */
+    double *velocity, *path, *force; /* of the vertices, three numbers each; owned */
     int reserved;                    /* vertices for which these are allocated */
     double share; /* its share of the mass of all membranes, and of the lost energy of points that heats its gas */
 } sealed_line;

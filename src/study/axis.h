@@ -3,7 +3,7 @@
 #define STUDY_AXIS_H
 
 #include "base/strbuf.h"
-#include "scene/scene.h"
+#include "scene/batches.h"
 
 typedef struct axis_list {
     scene_axis axis[SCENE_MAX_AXES];

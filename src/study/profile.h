@@ -2,7 +2,7 @@
 #ifndef STUDY_PROFILE_H
 #define STUDY_PROFILE_H
 
-#include "draw/plot.h"
+#include "base/context.h"
 
 typedef struct profile_source {
     const char *name;
@@ -14,11 +14,8 @@ typedef struct profile_source {
 /* Writes DIR/profiles.csv, the rows of all sources with their names and h before them, and DIR/profile.csv, .gp and,
  * with gnuplot, .svg: a panel for every quantity that has an exact value, with at most 400 points of a curve
  * (profiles.csv has all). Nothing is done when no source is there, or none has such a quantity. `exact` names the exact
- * solution; *missing as in figure_write. */
+ * solution; *missing as in curves_write. */
 floe_status profile_draw(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
                          bool dimensionless, bool *missing);
-
-/* Writes a figure; once gnuplot was found to be missing, its data and script alone, without another warning. */
-floe_status figure_write(context *ctx, const char *dir, const plot_figure *figure, bool *missing);
 
 #endif

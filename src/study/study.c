@@ -27,7 +27,8 @@ static floe_status write_all(const study *s)
 /* The cases, then the timed runs; when stopped on the way, what there is. */
 static floe_status run_all(study *s)
 {
-    const batch_options batch = study_batch_options(s);
+    batch_options batch = study_batch_options(s);
+    batch.go_on = !s->options->again;
     floe_status status = batch_run(s->ctx, &batch, s->run, s->n);
     if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
     say_other_builds(s);
@@ -61,10 +62,7 @@ void study_destroy(study **s)
 {
     if (!s || !*s) return;
     context *ctx = (*s)->ctx;
-    for (size_t i = 0; (*s)->list && i < (*s)->n; i++) {
-        memory_free(ctx, &(*s)->list[i].set);
-        memory_free(ctx, &(*s)->list[i].text);
-    }
+    for (size_t i = 0; (*s)->list && i < (*s)->n; i++) case_settings_free(&(*s)->list[i].settings, ctx);
     memory_free(ctx, &(*s)->list);
     memory_free(ctx, &(*s)->run);
     memory_free(ctx, &(*s)->group);

@@ -7,29 +7,24 @@
 
 #include "batch/batch.h"
 #include "scene/remark.h"
-#include "study/axis.h"
+#include "study/crossed.h"
 
 enum { STUDY_MAX_REPEAT = 100, STUDY_LABEL = 160, STUDY_MAX_METRICS = SUMMARY_MAX_ERRORS };
 
 typedef struct study_options {
     const char *name; /* stem of the results: "study", "compare" */
     bool compare;     /* axes are the deck's runs_as and compare.axis, not those of `study` */
-    const char *deck; /* path */
+    /* Deck, folder of the results, program, stop and progress; of each case its threads (times are compared at one) and
+     * max_wall (0: the deck's); jobs, beside which timed runs are alone whatever it says. The rest is the study's. */
+    batch_options batch;
     deck_overrides set;
     /* n_axis of "KEY=V1,V2,...": instead of the deck's axis of that key (of `compare`: of its one axis). */
     const char *const *axis;
     size_t n_axis;
-    const char *over;                  /* instead of the deck's; NULL: the deck's */
-    int repeat;                        /* timed runs of each case; < 0: as the deck says */
-    double max_wall;                   /* s of each case; 0: as the deck says */
-    const char *dir;                   /* of the results, one folder in it for each case; made if it is not there */
-    int threads;                       /* of each case; 0: one, which is what times are compared at */
-    int jobs;                          /* cases at a time; 0: one. Timed runs are alone whatever this says */
-    bool spoil;                        /* each case is judged again as if frozen, doubled, ...: run/spoil.h */
-    bool again;                        /* run cases again that have ended before */
-    const char *program;               /* the floe program, which runs the cases */
-    const volatile sig_atomic_t *stop; /* as in run_options */
-    FILE *progress;                    /* NULL: quiet */
+    const char *over; /* instead of the deck's; NULL: the deck's */
+    int repeat;       /* timed runs of each case; < 0: as the deck says */
+    bool spoil;       /* each case is judged again as if frozen, doubled, ...: run/spoil.h */
+    bool again;       /* run cases again that have ended before */
 } study_options;
 
 /* Times of a case. */
@@ -66,8 +61,7 @@ typedef struct study_case {
     double h;                           /* m: domain.cell along the first axis */
     double cells;                       /* of the mesh */
     double over;                        /* value on the axis `over`, h if that is the mesh or none; NAN: no number */
-    const char **set;                   /* what makes the case of the deck; owned */
-    char (*text)[SCENE_SETTING];        /* "KEY=VALUE" of the axes; owned */
+    case_settings settings;             /* what makes the case of the deck; owned */
     double quantity[SCENE_MAX_METRICS]; /* last values of the study's quantities; NAN: none */
     study_verdict verdict;
     char why[BATCH_MESSAGE]; /* the first check that it breaks, or why it was refused; "" if right */
@@ -104,22 +98,6 @@ void study_destroy(study **s);
 
 /* ---- before anything runs ---- */
 
-/* A scene of more cells is not set up by `floe check`. */
-#define STUDY_SET_UP_CELLS 1e6
-
-/* How a run of a scene would begin. */
-typedef struct study_ready {
-    bool done;          /* it was set up; false: it has too many cells, or is refused */
-    double cells;       /* of the mesh */
-    size_t points;      /* of material */
-    double step, steps; /* s, and how many of its kind the run would need */
-    const char *reason; /* what limits the step */
-} study_ready;
-
-/* Does with a scene what a run does before its first step, unless it has more than STUDY_SET_UP_CELLS. FLOE_BAD_INPUT, with
- * its place, or FLOE_DIVERGED: what the run would end with. `say` takes the remarks on the scene as it is laid out, a run's own (NULL: nobody). */
-floe_status study_set_up(scene *s, study_ready *out, remark_sink *say, void *user);
-
 typedef struct study_rehearsal {
     size_t cases;    /* of the study */
     size_t set_up;   /* those that were made ready */
@@ -128,7 +106,7 @@ typedef struct study_rehearsal {
 } study_rehearsal;
 
 /* Plans a study, or a comparison, and sets its cases up: all of them where they are small, else the first and the last. A
- * case that cannot start, which the deck does not foresee, is warned of. Of the options `deck`, `set`, `name`, `compare`,
+ * case that cannot start, which the deck does not foresee, is warned of. Of the options `batch.deck`, `set`, `name`, `compare`,
  * `repeat` (-1), `stop` and `progress` count; `dir` is not touched. Errors: those of study_run's plan. */
 floe_status study_rehearse(context *ctx, const study_options *options, study_rehearsal *out);
 

@@ -131,7 +131,7 @@ static study_verdict verdict_of(const study *s, study_case *one, study_range *fo
         (void)snprintf(one->why, BATCH_MESSAGE, "%s", run->message);
         return said && run->message[0] ? STUDY_REFUSED : STUDY_WRONG;
     }
-    (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->dir, run->folder);
+    (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->batch.dir, run->folder);
     if (csv_read(&history, s->ctx, path) == FLOE_OK) {
         verdict = verdict_of_done(s, one, &history, found);
     } else {

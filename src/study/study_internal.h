@@ -9,7 +9,6 @@
 /* study_plan.c: axes, cases, groups; every case's deck is checked. */
 floe_status study_make_plan(study *s);
 batch_options study_batch_options(const study *s);
-double study_cells(const mesh_spec *m);
 /* "h" for the mesh, else the key. */
 const char *study_axis_name(const scene_axis *axis);
 /* "h (m)", "h" of a dimensionless scene, or the key of `over`. */

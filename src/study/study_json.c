@@ -8,21 +8,11 @@
 #include <math.h>
 #include <string.h>
 
-/* {key: value} of the axes */
-static json_t *settings_json(const study *s, const study_case *one)
-{
-    json_t *object = json_object();
-    for (int k = 0; k < s->axes.n; k++)
-        json_put(object, s->axes.axis[k].key, json_string(s->axes.axis[k].value[one->pick[k]]));
-    return object;
-}
-
 /* The axis that is varied within a group, as `compare.json` has always had it. */
 static json_t *place_json(const study *s, const study_case *one)
 {
     if (s->over < 0) return json_object();
-    const scene_axis *axis = &s->axes.axis[s->over];
-    return json_pack("{s:s}", axis->key, axis->value[one->pick[s->over]]);
+    return crossed_json(&s->axes.axis[s->over], 1, &one->pick[s->over]);
 }
 
 static json_t *timing_json(const study *s, const study_case *one)
@@ -63,7 +53,7 @@ static json_t *case_json(const study *s, const study_case *one)
         json_put(object, "directory", json_string(run->folder)) &&
         json_put(object, "group", json_plain_text(s->group[one->group])) &&
         json_put(object, "h", json_number(one->h)) && json_put(object, "axis", place_json(s, one)) &&
-        json_put(object, "settings", settings_json(s, one)) &&
+        json_put(object, "settings", crossed_json(s->axes.axis, s->axes.n, one->pick)) &&
         json_put(object, "quantities", quantities_json(s, one)) && json_put(object, "timing", timing_json(s, one)) &&
         (!study_has_verdicts(s) || json_put(object, "verdict", verdict_json(s, one))))
         return object;
@@ -176,20 +166,13 @@ static json_t *answers_json(const study *s)
     return list;
 }
 
-static json_t *values_json(const char (*value)[SCENE_VALUE], int n)
-{
-    json_t *values = json_array();
-    for (int i = 0; i < n; i++) json_array_append_new(values, json_string(value[i]));
-    return values;
-}
-
 static json_t *axis_json(const scene_axis *axis)
 {
-    json_t *object = json_pack("{s:s, s:o}", "key", axis->key, "values", values_json(axis->value, axis->n_values));
+    json_t *object = json_pack("{s:s, s:o}", "key", axis->key, "values", axis_values_json(axis->value, axis->n_values));
     if (axis->n_with == 0) return object;
     json_t *with = json_object();
     for (int i = 0; i < axis->n_with; i++)
-        json_put(with, axis->with[i].key, values_json(axis->with[i].value, axis->n_values));
+        json_put(with, axis->with[i].key, axis_values_json(axis->with[i].value, axis->n_values));
     json_put(object, "with", with);
     return object;
 }
@@ -247,15 +230,15 @@ static json_t *verdicts_json(const study *s)
 floe_status study_write_json(const study *s)
 {
     char path[BATCH_PATH];
-    (void)snprintf(path, sizeof path, "%s/%s.json", s->options->dir, s->options->name);
+    (void)snprintf(path, sizeof path, "%s/%s.json", s->options->batch.dir, s->options->name);
     json_t *over = s->over < 0 ? json_null() : axis_json(&s->axes.axis[s->over]);
     json_t *timing =
         json_pack("{s:i, s:s, s:b, s:o, s:o}", "repeat", s->plan.repeat, "seconds", "cpu_seconds", "disturbed",
                   study_is_disturbed(s), "pareto", front_json(s, STUDY_SECONDS), "answers", answers_json(s));
     return json_write(s->ctx, path,
                       json_pack("{s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema", 1, "deck",
-                                json_plain_text(s->options->deck), "title", json_plain_text(s->title), "axis", over,
-                                "axes", axes_json(s), "runs", runs_json(s), "orders", orders_json(s), "limits",
+                                json_plain_text(s->options->batch.deck), "title", json_plain_text(s->title), "axis",
+                                over, "axes", axes_json(s), "runs", runs_json(s), "orders", orders_json(s), "limits",
                                 limits_json(s), "pareto", front_json(s, STUDY_UPDATES), "bars", bars_json(s),
                                 "verdicts", verdicts_json(s), "timing", timing));
 }

@@ -2,6 +2,7 @@
 #include "study/study_internal.h"
 
 #include "base/memory.h"
+#include "run/memory_need.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -9,16 +10,10 @@
 
 batch_options study_batch_options(const study *s)
 {
-    const study_options *o = s->options;
-    return (batch_options){.program = o->program,
-                           .deck = o->deck,
-                           .dir = o->dir,
-                           .jobs = o->jobs,
-                           .threads = o->threads,
-                           .max_wall = s->plan.max_wall,
-                           .keep_finished = !o->again,
-                           .stop = o->stop,
-                           .progress = o->progress};
+    batch_options batch = s->options->batch;
+    batch.max_wall = s->plan.max_wall;
+    batch.keep_finished = !s->options->again;
+    return batch;
 }
 
 const char *study_axis_name(const scene_axis *axis)
@@ -113,9 +108,11 @@ static void list_axes(study *s, const scene *base, strbuf *errors)
     scene_axis axis;
     if (o->compare) {
         add_couplings(s, base, errors);
-        if (o->n_axis == 0 && base->compare.n_values > 0) (void)axis_put(&s->axes, &base->compare, errors);
+        if (o->n_axis == 0 && base->batches->compare.n_values > 0)
+            (void)axis_put(&s->axes, &base->batches->compare, errors);
     } else {
-        for (int i = 0; i < base->study.n_axes; i++) (void)axis_put(&s->axes, &base->study.axis[i], errors);
+        for (int i = 0; i < base->batches->study.n_axes; i++)
+            (void)axis_put(&s->axes, &base->batches->study.axis[i], errors);
     }
     for (size_t i = 0; i < o->n_axis; i++) {
         if (axis_parse(o->axis[i], &axis, errors)) (void)axis_put(&s->axes, &axis, errors);
@@ -198,35 +195,17 @@ static void check_bars(const study *s, strbuf *errors)
 
 /* ---- cases ---- */
 
-static void pick_values(const study *s, study_case *one, size_t i)
-{
-    for (int k = s->axes.n - 1; k >= 0; k--) {
-        one->pick[k] = (int)(i % (size_t)s->axes.axis[k].n_values);
-        i /= (size_t)s->axes.axis[k].n_values;
-    }
-}
-
 /* Settings of a case: the user's, then the axes'. The deck's own study is of no use to a single run. */
 static floe_status set_case(const study *s, const scene *base, study_case *one)
 {
-    const deck_overrides *set = &s->options->set;
-    size_t n = 0, own = 0;
+    size_t own = 0;
     for (int k = 0; k < s->axes.n; k++) own += (size_t)scene_axis_settings(&s->axes.axis[k]);
-    TRY(memory_new(s->ctx, &one->set, set->n + 2 + own, sizeof *one->set));
-    TRY(memory_new(s->ctx, &one->text, own, sizeof *one->text));
-    for (; n < set->n; n++) one->set[n] = set->text[n];
-    if (base->study.given) one->set[n++] = "study=null";
-    if (base->compare.n_values > 0) one->set[n++] = "compare=null";
-    char(*text)[SCENE_SETTING] = one->text;
-    for (int k = 0; k < s->axes.n; k++) {
-        const scene_axis *axis = &s->axes.axis[k];
-        for (int i = 0; i < scene_axis_settings(axis); i++, text++) {
-            scene_axis_setting(axis, i, one->pick[k], *text);
-            one->set[n++] = *text;
-        }
-    }
-    one->run->set = one->set;
-    one->run->n_set = n;
+    TRY(case_settings_make(&one->settings, s->ctx, &s->options->set, own + 2));
+    if (base->batches->study.given) case_settings_add(&one->settings, "study=null");
+    if (base->batches->compare.n_values > 0) case_settings_add(&one->settings, "compare=null");
+    for (int k = 0; k < s->axes.n; k++) case_settings_pick(&one->settings, &s->axes.axis[k], one->pick[k]);
+    one->run->set = one->settings.set;
+    one->run->n_set = one->settings.n;
     return FLOE_OK;
 }
 
@@ -300,15 +279,14 @@ static void name_group(study *s, const study_case *one)
 
 static floe_status make_cases(study *s, const scene *base)
 {
-    s->n = 1;
-    for (int k = 0; k < s->axes.n; k++) s->n *= (size_t)s->axes.axis[k].n_values;
+    s->n = crossed_count(s->axes.axis, s->axes.n);
     TRY(memory_new(s->ctx, &s->list, s->n, sizeof *s->list));
     TRY(memory_new(s->ctx, &s->run, s->n, sizeof *s->run));
     TRY(memory_new(s->ctx, &s->group, s->n, sizeof *s->group));
     for (size_t i = 0; i < s->n; i++) {
         study_case *one = &s->list[i];
         one->run = &s->run[i];
-        pick_values(s, one, i);
+        crossed_pick(s->axes.axis, s->axes.n, i, one->pick);
         TRY(set_case(s, base, one));
         name_folder(s, one, one->run->folder, sizeof one->run->folder);
         make_unique(s, i);
@@ -318,19 +296,12 @@ static floe_status make_cases(study *s, const scene *base)
     return FLOE_OK;
 }
 
-double study_cells(const mesh_spec *m)
-{
-    double cells = 1.0;
-    for (int k = 0; k < m->dim; k++) cells *= (m->upper[k] - m->lower[k]) / m->cell[k];
-    return cells;
-}
-
 static void read_case_scene(study *s, study_case *one, const scene *of)
 {
     const char *unit;
     one->coupling = of->coupling;
     one->h = one->over = of->mesh.cell[0];
-    one->cells = study_cells(&of->mesh);
+    one->cells = memory_cells(&of->mesh);
     one->run->weight = pow(one->cells, 1.0 + 1.0 / of->mesh.dim); /* times steps, up to a factor */
     if (s->over < 0 || strcmp(s->axes.axis[s->over].key, "domain.cell") == 0) return;
     if (!axis_number(s->axes.axis[s->over].value[one->pick[s->over]], &one->over, &unit)) one->over = NAN;
@@ -367,11 +338,11 @@ static floe_status fail_with(context *ctx, const strbuf *errors)
 /* A comparison has no bars, but what the deck's study says may be refused may be here, as far as its axes can tell. */
 static void take_refusals(study *s, const scene *base)
 {
-    for (int k = 0; k < base->study.n_refusals; k++) {
-        const scene_where *where = &base->study.refusal[k].where;
+    for (int k = 0; k < base->batches->study.n_refusals; k++) {
+        const scene_where *where = &base->batches->study.refusal[k].where;
         bool known = true;
         for (int i = 0; i < where->n; i++) known = known && axis_find(&s->axes, where->key[i]) >= 0;
-        if (known) s->plan.refusal[s->plan.n_refusals++] = base->study.refusal[k];
+        if (known) s->plan.refusal[s->plan.n_refusals++] = base->batches->study.refusal[k];
     }
 }
 
@@ -381,11 +352,11 @@ static floe_status plan_cases(study *s, const scene *base, strbuf *errors)
     (void)snprintf(s->title, sizeof s->title, "%s", base->title);
     s->dimensionless = base->dimensionless;
     (void)snprintf(s->exact, sizeof s->exact, "%s", base->verify.exact);
-    if (!o->compare) s->plan = base->study;
+    if (!o->compare) s->plan = base->batches->study;
     /* What is compared is error against time: a comparison's runs are alone anyhow, unless it is told otherwise. */
-    if (o->compare && o->jobs <= 1 && o->threads <= 1) s->plan.repeat = 1;
+    if (o->compare && o->batch.jobs <= 1 && o->batch.threads <= 1) s->plan.repeat = 1;
     if (o->repeat >= 0) s->plan.repeat = o->repeat;
-    if (o->max_wall > 0.0) s->plan.max_wall = o->max_wall;
+    if (o->batch.max_wall > 0.0) s->plan.max_wall = o->batch.max_wall;
     list_axes(s, base, errors);
     choose_over(s, errors);
     check_bars(s, errors);

@@ -4,10 +4,11 @@
 #include "base/strbuf.h"
 #include "io/csv.h"
 #include "io/file.h"
+#include "study/curves.h"
 
 #include <string.h>
 
-enum { MAX_PANELS = 64, LABEL = 128, MOST_POINTS = 400 /* of a curve in the figure */ };
+enum { MAX_PANELS = 64, MOST_POINTS = 400 /* of a curve in the figure */ };
 
 typedef struct drawing {
     context *ctx; /* not owned */
@@ -16,11 +17,8 @@ typedef struct drawing {
     size_t n;
     const char *exact;
     bool dimensionless;
-    strbuf rows;          /* of all sources; owned */
-    plot_panel *panel;    /* owned */
-    plot_series *series;  /* owned */
-    char (*label)[LABEL]; /* of axes; owned */
-    size_t n_panels, n_series, n_labels;
+    strbuf rows;   /* of all sources; owned */
+    curves curves; /* owned */
 } drawing;
 
 /* Stresses are shown in MPa. */
@@ -80,24 +78,19 @@ static void add_series(drawing *f, const csv_table *t, const csv_column *x, cons
     like.x = x->value;
     like.y = y->value;
     like.n = t->n_rows;
-    f->series[f->n_series++] = like;
-    f->panel[f->n_panels].n_series++;
+    curves_series(&f->curves, like);
 }
 
-static void write_label(const csv_column *c, char label[LABEL])
+static char *label_of(drawing *f, const csv_column *c)
 {
-    const char *unit = is_large(c->unit) ? "MPa" : c->unit;
-    (void)snprintf(label, LABEL, "%.*s%s%s%s", LABEL - 48, c->name, unit[0] ? " (" : "", unit, unit[0] ? ")" : "");
+    return curves_label(&f->curves, c->name, is_large(c->unit) ? "MPa" : c->unit);
 }
 
 /* One quantity: as it is exactly, at the positions of the finest table, and in every source. */
 static void add_panel(drawing *f, const csv_table *finest, const csv_column *column, const csv_column *exact)
 {
-    plot_panel *panel = &f->panel[f->n_panels];
-    char *x_label = f->label[f->n_labels++], *y_label = f->label[f->n_labels++];
-    write_label(find_position_column(finest), x_label);
-    write_label(column, y_label);
-    *panel = (plot_panel){.series = &f->series[f->n_series], .x_label = x_label, .y_label = y_label};
+    char *x_label = label_of(f, find_position_column(finest)), *y_label = label_of(f, column);
+    curves_panel(&f->curves, (plot_panel){.x_label = x_label, .y_label = y_label});
     add_series(f, finest, find_position_column(finest), exact,
                (plot_series){.name = f->exact, .style = PLOT_LINES, .emphasis = true});
     for (size_t i = 0; i < f->n; i++) {
@@ -107,27 +100,19 @@ static void add_panel(drawing *f, const csv_table *finest, const csv_column *col
         add_series(f, t, x, y,
                    (plot_series){.name = f->source[i].name, .style = PLOT_POINTS, .colour = f->source[i].colour});
     }
-    f->n_panels++;
 }
 
 static void add_panels(drawing *f, const csv_table *finest)
 {
     if (!find_position_column(finest)) return;
-    for (size_t k = 0; k < finest->n_columns && f->n_panels < MAX_PANELS; k++) {
+    for (size_t k = 0; k < finest->n_columns && f->curves.n_panels < MAX_PANELS; k++) {
         const csv_column *exact = find_column(finest, "exact_", finest->column[k].name);
         if (exact) add_panel(f, finest, &finest->column[k], exact);
     }
 }
 
-floe_status figure_write(context *ctx, const char *dir, const plot_figure *figure, bool *missing)
-{
-    TRY(plot_write_data(ctx, dir, figure));
-    return *missing ? FLOE_OK : plots_draw(ctx, dir, figure, 1, missing);
-}
-
 static floe_status draw_profiles(drawing *f, const char *dir, bool *missing)
 {
-    const size_t most = (f->n + 1) * MAX_PANELS;
     const csv_table *finest = NULL;
     char path[4096];
     for (size_t i = 0; i < f->n; i++) {
@@ -138,31 +123,22 @@ static floe_status draw_profiles(drawing *f, const char *dir, bool *missing)
     TRY(f->rows.status);
     (void)snprintf(path, sizeof path, "%s/profiles.csv", dir);
     TRY(file_replace_text(f->ctx, path, strbuf_string(&f->rows)));
-    TRY(memory_new(f->ctx, &f->panel, MAX_PANELS, sizeof *f->panel));
-    TRY(memory_new(f->ctx, &f->series, most, sizeof *f->series));
-    TRY(memory_new(f->ctx, &f->label, 2 * MAX_PANELS, sizeof *f->label));
+    TRY(curves_make(&f->curves, f->ctx, MAX_PANELS, (f->n + 1) * MAX_PANELS, 0, 2 * MAX_PANELS));
     add_panels(f, finest);
-    if (f->n_panels == 0) return FLOE_OK;
-    const plot_figure figure = {.name = "profile",
-                                .columns = f->n_panels > 1 ? 2 : 1,
-                                .most = MOST_POINTS,
-                                .panel = f->panel,
-                                .n_panels = f->n_panels};
-    return figure_write(f->ctx, dir, &figure, missing);
+    return curves_write(&f->curves, dir, (plot_figure){.name = "profile", .most = MOST_POINTS}, missing);
 }
 
 floe_status profile_draw(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
                          bool dimensionless, bool *missing)
 {
-    drawing f = {.ctx = ctx, .source = source, .n = n, .exact = exact, .dimensionless = dimensionless};
+    drawing f = {
+        .ctx = ctx, .curves.ctx = ctx, .source = source, .n = n, .exact = exact, .dimensionless = dimensionless};
     strbuf_init(&f.rows, ctx);
     TRY(memory_new(ctx, &f.table, n, sizeof *f.table));
     const floe_status status = draw_profiles(&f, dir, missing);
     for (size_t i = 0; i < n; i++) csv_free(&f.table[i]);
     memory_free(ctx, &f.table);
     strbuf_free(&f.rows);
-    memory_free(ctx, &f.panel);
-    memory_free(ctx, &f.series);
-    memory_free(ctx, &f.label);
+    curves_free(&f.curves);
     return status;
 }

@@ -2,9 +2,8 @@
 #include "study/study_internal.h"
 
 #include "base/memory.h"
-#include "run/disk_need.h"
 #include "run/live_line.h"
-#include "run/setup.h"
+#include "run/ready.h"
 #include "scene/deck_location.h"
 #include "scene/unsupported.h"
 
@@ -19,24 +18,6 @@ typedef struct rehearsing {
     live_line line;
     size_t told;
 } rehearsing;
-
-floe_status study_set_up(scene *s, study_ready *out, remark_sink *say, void *user)
-{
-    run_setup setup;
-    *out = (study_ready){.cells = study_cells(&s->mesh)};
-    if (out->cells > STUDY_SET_UP_CELLS) {
-        if (say) scene_remarks(s, say, user);
-        return scene_deck_location(s, scene_refuse_unsupported(s, s->coupling));
-    }
-    floe_status status = setup_begin(&setup, s);
-    if (status == FLOE_OK) status = sim_predict(setup.sim, &out->step, &out->steps, &out->reason);
-    out->points = setup.sim && setup.sim->mpm ? mpm_count(setup.sim->mpm) : 0;
-    out->done = status == FLOE_OK;
-    if (out->done && say) scene_remarks(setup.sim->scene, say, user);
-    if (out->done && say) disk_need_remark(setup.sim, ".", say, user);
-    setup_end(&setup);
-    return status;
-}
 
 /* A case that cannot start is a result of its study; but one that the deck does not foresee is most likely a mistake. */
 static void tell_refused_case(rehearsing *r, const study_case *one)
@@ -56,7 +37,7 @@ static void tell_refused_case(rehearsing *r, const study_case *one)
 static floe_status rehearse_case(rehearsing *r, size_t i, bool all)
 {
     const batch_options batch = study_batch_options(r->s);
-    study_ready ready = {0};
+    run_ready ready = {0};
     scene *of;
     if (live_line_is_due(&r->line)) {
         char text[LIVE_LINE_SIZE];
@@ -64,7 +45,7 @@ static floe_status rehearse_case(rehearsing *r, size_t i, bool all)
         live_line_show(&r->line, text);
     }
     TRY(batch_prepare(r->s->ctx, &batch, &r->s->run[i], &of));
-    const floe_status status = all ? study_set_up(of, &ready, NULL, NULL)
+    const floe_status status = all ? run_make_ready(of, &ready, NULL, NULL)
                                    : scene_deck_location(of, scene_refuse_unsupported(of, of->coupling));
     scene_destroy(&of);
     if (ready.done) r->out->set_up++;
@@ -81,10 +62,10 @@ static floe_status rehearse_study(study *s, study_rehearsal *out)
     double cells = 0.0;
     TRY(study_make_plan(s));
     for (size_t i = 0; i < s->n; i++) cells += s->list[i].cells;
-    live_line_begin(&r.line, s->options->progress, LIVE_INTERVAL, PLAIN_INTERVAL);
+    live_line_begin(&r.line, s->options->batch.progress, LIVE_INTERVAL, PLAIN_INTERVAL);
     out->cases = s->n;
     for (size_t i = 0; i < s->n && status == FLOE_OK; i++) {
-        if (s->options->stop && *s->options->stop) status = fail(s->ctx, FLOE_INTERRUPTED, "stopped");
+        if (s->options->batch.stop && *s->options->batch.stop) status = fail(s->ctx, FLOE_INTERRUPTED, "stopped");
         if (status == FLOE_OK) status = rehearse_case(&r, i, cells <= all_cells || i == 0 || i + 1 == s->n);
     }
     live_line_clear(&r.line);

@@ -120,7 +120,7 @@ static floe_status spoil_scenes(const study *s, study_case *one, scene *start, s
     char dir[BATCH_PATH], path[BATCH_PATH + 16];
     spoiled_run run = {0};
     csv_table own;
-    (void)snprintf(dir, sizeof dir, "%s/%s", s->options->dir, one->run->folder);
+    (void)snprintf(dir, sizeof dir, "%s/%s", s->options->batch.dir, one->run->folder);
     (void)snprintf(path, sizeof path, "%s/history.csv", dir);
     floe_status status = csv_read(&own, s->ctx, path);
     if (status == FLOE_OK) status = spoil_open(&run, start, end, dir);

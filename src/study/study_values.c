@@ -43,7 +43,7 @@ static void read_quantities(const study *s, study_case *one, bool *missing)
 {
     char path[BATCH_PATH];
     csv_table history;
-    (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->dir, one->run->folder);
+    (void)snprintf(path, sizeof path, "%s/%s/history.csv", s->options->batch.dir, one->run->folder);
     if (csv_read(&history, s->ctx, path) != FLOE_OK) context_clear(s->ctx);
     for (int q = 0; q < s->plan.n_quantities && history.text; q++) {
         const csv_column *column = csv_find(&history, s->plan.quantity[q]);

@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "base/strbuf.h"
-#include "io/file.h"
 #include "run/run_errors.h"
 
 #include <math.h>
@@ -38,10 +37,9 @@ static void append_names(const study *s, strbuf *out)
 static void append_setting(const scene_axis *axis, int pick, strbuf *out)
 {
     if (strcmp(axis->key, "coupling") == 0)
-        strbuf_append(out, "%s", axis->value[pick]);
+        strbuf_append(out, "%s,", axis->value[pick]);
     else
-        strbuf_append_csv(out, axis->value[pick]);
-    strbuf_append(out, ",");
+        csv_append_field(out, axis->value[pick]);
 }
 
 static void append_case(const study *s, const study_case *one, strbuf *out)
@@ -63,8 +61,7 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
     for (int q = 0; q < s->plan.n_quantities; q++) strbuf_append(out, ",%.17g", one->quantity[q]);
     strbuf_append(out, ",%.6g,%.6g,%.3g,%d,%s,%d,", one->timing.best, one->timing.least, one->timing.scatter,
                   one->timing.n, one->timing.disturbed ? "yes" : "no", one->run->ran ? r->n_warnings : 0);
-    strbuf_append_csv(out, one->run->folder);
-    strbuf_append(out, ",");
+    csv_append_field(out, one->run->folder);
     strbuf_append_csv(out, one->run->message);
     if (study_has_verdicts(s)) {
         strbuf_append(out, ",%s,", study_verdict_name(one->verdict));
@@ -81,35 +78,16 @@ static void append_case(const study *s, const study_case *one, strbuf *out)
 
 floe_status study_write_csv(const study *s)
 {
-    char path[BATCH_PATH];
     strbuf out;
     strbuf_init(&out, s->ctx);
     append_names(s, &out);
     for (size_t i = 0; i < s->n; i++) append_case(s, &s->list[i], &out);
-    (void)snprintf(path, sizeof path, "%s/%s.csv", s->options->dir, s->options->name);
-    const floe_status status =
-        out.status == FLOE_OK ? file_replace_text(s->ctx, path, strbuf_string(&out)) : out.status;
-    strbuf_free(&out);
-    return status;
+    return csv_write_rows(&out, s->options->batch.dir, s->options->name);
 }
 
 /* ---- for people ---- */
 
-enum { HEADING = SCENE_NAME + 32, LEAST_WIDTH = 12, WARNINGS_SHOWN = 6 };
-
-static int at_least(int width, const char *text)
-{
-    const int length = (int)strlen(text);
-    return length > width ? length : width;
-}
-
-/* Width of an axis' column: words to the left, numbers to the right. */
-static int axis_width(const scene_axis *axis)
-{
-    int width = at_least(6, study_axis_name(axis));
-    for (int i = 0; i < axis->n_values; i++) width = at_least(width, axis->value[i]);
-    return width;
-}
+enum { HEADING = SCENE_NAME + 32, LEAST_WIDTH = 12, LEAST_AXIS = 6, WARNINGS_SHOWN = 6 };
 
 /* "l1_pressure (Pa)" */
 static void metric_heading(const study *s, const char *metric, char text[HEADING])
@@ -123,11 +101,11 @@ static int metric_width(const study *s, const char *metric)
 {
     char text[HEADING];
     metric_heading(s, metric, text);
-    int width = at_least(LEAST_WIDTH, text);
+    int width = width_at_least(LEAST_WIDTH, text);
     for (size_t i = 0; i < s->n; i++) {
         char number[ERROR_TEXT];
         error_number(metric, study_error(&s->list[i], metric), number);
-        width = at_least(width, number);
+        width = width_at_least(width, number);
     }
     return width;
 }
@@ -135,7 +113,7 @@ static int metric_width(const study *s, const char *metric)
 /* "%.6g" needs no more than the least width. */
 static int quantity_width(const char *quantity)
 {
-    return at_least(LEAST_WIDTH, quantity);
+    return width_at_least(LEAST_WIDTH, quantity);
 }
 
 static void print_axis_cell(const scene_axis *axis, const char *text, FILE *file)
@@ -144,7 +122,10 @@ static void print_axis_cell(const scene_axis *axis, const char *text, FILE *file
     const char *unit;
     const bool number = axis_number(axis->value[0], &x, &unit);
     /* A negative width is one to the left. */
-    (void)fprintf(file, "%*s  ", number ? axis_width(axis) : -axis_width(axis), text);
+    (void)fprintf(file, "%*s  ",
+                  number ? axis_width(axis, study_axis_name(axis), LEAST_AXIS)
+                         : -axis_width(axis, study_axis_name(axis), LEAST_AXIS),
+                  text);
 }
 
 static void print_names(const study *s, FILE *file)

@@ -12,6 +12,14 @@ is_there out/compare.json out/compare.csv out/errors.gp out/errors.csv out/profi
 [ "$(json out/compare.json schema)" = 1 ] || fault 'no schema'
 has out/compare.json '"orders"'
 has out/compare.json '"stderr"'
+tr -d ' \n' <out/compare.json | grep -q '"orders":{"mpm":{"eq13":{"order":' || fault 'no order of the only group'
+[ "$(head -n 1 out/compare.csv | cut -d, -f1-4)" = 'coupling,domain.cell,h (m),status' ] || fault 'other columns than those of the axes'
+for slope in 1 2; do has out/errors.gp "set label 'slope $slope'"; done
+
+# Couplings alone: an empty column in the place of an axis.
+expect 0 "$FLOE" compare "$FLOE_SOURCE/inputs/sod.yaml" --set compare=null --set output=null --set domain.cell=0.1 --set time.end=0.01 --repeat 0 -o alone --quiet
+[ "$(cut -d, -f1-2 alone/compare.csv | tr '\n' ' ')" = 'coupling,case ice,"" mpm,"" ' ] || fault "other columns: $(cut -d, -f1-2 alone/compare.csv)"
+
 if command -v gnuplot >/dev/null; then is_there out/errors.svg out/profile.svg; fi
 
 # Two at a time: the same numbers.
@@ -35,12 +43,22 @@ expect 0 "$FLOE" compare "${scene[@]}" --axis time.fixed_step=1e-5,1e-4 --set do
     --set 'study={axes: {domain.cell: [0.1]}, refuse: [{why: too long, where: {time.fixed_step: 1e-4}}, {why: too fine, where: {domain.cell: 0.1}}]}'
 
 # Times: each case is alone; one of less than 50 ms of processor time is run until 0.5 s are spent, unless it is told otherwise.
-expect 0 "$FLOE" compare "${scene[@]}" --axis domain.cell=0.4,0.2 --set time.end=1e-4 -o short --quiet
+expect 0 "$FLOE" compare "${scene[@]}" --axis domain.cell=0.2,0.4 --set time.end=1e-4 -o short
+cp stdout warned
 # column NAME: its numbers in short/compare.csv.
 column() {
     awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) { t = $i; sub(/ \(.*/, "", t); if (t == name) at = i } next } { print $at }' short/compare.csv
 }
 paste <(column cpu_seconds) <(column timed_runs) <(column scatter) | awk '$1 < 0.05 && !($2 >= 3 && $2 <= 100 && $3 >= 0) { exit 1 }
     { n++ } END { exit n != 2 }' || fault "short cases are not repeated: $(cat short/compare.csv)"
+# Each warning once, with the first case that has it, and that of the coarse mesh alone with the second; of more than six how many there are.
+cat short/mpm-*/summary.json | awk '/"warnings": \[/ { inside = 1; next } inside && /^ *\]/ { inside = 0 } inside' | sed 's/,$//' | sort -u >warnings
+all=$(wc -l <warnings)
+shown=$((all < 6 ? all : 6))
+[ "$all" -gt 0 ] || fault 'nothing to warn of'
+[ "$(grep -c '^warned, ' warned)" -eq "$shown" ] || fault "not $shown warnings"
+[ "$(grep '^warned, ' warned | sort -u | wc -l)" -eq "$shown" ] || fault 'a warning twice'
+[ "$all" -eq "$shown" ] || has warned "warned: $((all - shown)) more"
+
 expect 0 "$FLOE" compare "${scene[@]}" --axis domain.cell=0.4 --set time.end=1e-4 --repeat 0 -o untimed --quiet
 [ ! -e untimed/timing ] || fault 'timed in spite of --repeat 0'

@@ -26,8 +26,11 @@ spoil() { # DECK OPTION...
 spoil impact --axis materials.right.density=1
 spoil unfolded --axis method.transfer=apic --axis method.basis=cubic --axis bodies.string.membrane.strain=rate
 spoil pressure_ratio --axis 'title="p 1e1, rho 1e6","p 1e10, rho 1e-4"'
+spoil crumpled_points --axis method.transfer=apic --axis method.basis=quadratic --axis materials.skin.one_way=true --axis bodies.skin.membrane.strain=rate
 spoil torn --axis method.basis=gimp
 spoil tension --couplings ice-mpm,mpm --axis verify.exact.standing_bar.amplitude=1e-6
+spoil vessel --couplings mpm --axis time.solver=dynamic --axis method.interface=smeared --axis materials.wall.law.linear_elastic.bulk_modulus=1e5
+spoil foam --couplings mpm --axis materials.foam.density=1.4e-3 --axis 'bodies.lid.velocity=[0.1, 0]'
 spoil places --axis method.basis=cubic --axis 'domain.lattice_offset=[0, 0]'
 spoil sliver_stream --axis 'bodies.block.shape.box.lower=[0.402, 0]'
 spoil exchange --axis exchange.gases.momentum.constant.coefficient=0,1e+20

@@ -35,6 +35,25 @@ is_there out/summary.json out/fields.xdmf
 expect 1 ./run_deck "$work/moved/share/floe/inputs/sod.yaml" other domain.cel=0.05
 has stderr 'domain.cel'
 
+# Stepped by a program, and with a law of its own: each compares a number with an exact solution, or with floe's own law.
+expect 0 "$cc" "${flags[@]}" "$FLOE_SOURCE/examples/sod_steps.c" -o sod_steps "${floe_flags[@]}" -lm
+expect 0 ./sod_steps
+has stdout 't = 0.200'
+
+# The CMake package of the moved tree, as a project of its own uses it.
+mkdir project
+cat >project/CMakeLists.txt <<EOF
+cmake_minimum_required(VERSION 3.22)
+project(uses_floe LANGUAGES C)
+find_package(floe REQUIRED)
+add_executable(own_law $FLOE_SOURCE/examples/own_law.c)
+target_link_libraries(own_law PRIVATE floe::floe m)
+EOF
+expect 0 cmake -S project -B project/build -DCMAKE_PREFIX_PATH="$work/moved" -DCMAKE_C_COMPILER="$cc" -DCMAKE_C_FLAGS="$sanitizers"
+expect 0 cmake --build project/build
+expect 0 project/build/own_law
+has stdout 'strain energy 877.6'
+
 # HDF5 by either of its names.
 hdf5=hdf5-serial
 pkg-config --exists "$hdf5" || hdf5=hdf5

@@ -45,7 +45,8 @@ line=('domain={dim: 1, lower: 0, upper: 1.62, cell: 0.02}' 'boundaries={x: symme
 column=('domain={dim: 3, lower: [0, 0, 0], upper: [1.62, 0.02, 0.02], cell: 0.02}' 'boundaries.z=slip'
     'bodies.driver.shape.box={lower: [0, 0, 0], upper: [0.7, 0.02, 0.02]}' 'bodies.driven.shape.box={lower: [0.7, 0, 0], upper: [1.5, 0.02, 0.02]}'
     'bodies.wall.shape.box={lower: [1.5, 0, 0], upper: [1.62, 0.02, 0.02]}' 'output.probes=null')
-not_sharp 'one or two dimensions' "${column[@]}"
+expect 0 "$FLOE" check "$tube" "${coarse[@]}" "${column[@]/#/--set=}"
+[ ! -s stderr ] || fault 'a sharp interface in space is warned of'
 expect 0 "$FLOE" check "$tube" "${line[@]/#/--set=}"
 [ ! -s stderr ] || fault 'a sharp interface on a line is warned of'
 not_sharp 'thinner than a cell at 1.503' "${line[@]}" 'bodies.wall.shape={box: {lower: 1.503, upper: 1.512}}'

@@ -70,3 +70,16 @@ same_results() {
         cmp "$file" "$2/fields/${file##*/}" || fault "other bits in ${file##*/}"
     done
 }
+
+# kill_with_runs PID: kills a program and the runs that it has started, and waits until all have gone. Runs are found first: they
+# end by themselves once their parent has gone, but not at once.
+kill_with_runs() {
+    local pid=$1 run runs
+    runs=$(cat "/proc/$pid/task/$pid/children" 2>/dev/null || true)
+    # shellcheck disable=SC2086 # none or several
+    kill -KILL "$pid" $runs 2>/dev/null || true
+    { wait "$pid"; } 2>/dev/null || true
+    for run in $runs; do
+        while kill -0 "$run" 2>/dev/null && ! grep -qs '^State:[[:space:]]*Z' "/proc/$run/status"; do sleep 0.01; done
+    done
+}

@@ -24,9 +24,19 @@ best_of_all() {
           if ($2 + 0 != least + 0 || NF - 5 < 2) { print "best " $2 " of " $0; wrong = 1 } }
         END { exit wrong || NR != 4 }'
 }
+# The same of processor time; its scatter is how far the median is above the least, and more where others have disturbed the runs.
+least_of_all() {
+    tr -d ' \n' <"$1" | grep -o '"cpu":[^,]*,"scatter":[^,]*,"all_cpu":\[[^]]*\]' | tr '[]:,' '    ' | awk '
+        { n = NF - 5; for (k = 1; k <= n; k++) t[k] = $(k + 5) + 0
+          for (i = 1; i <= n; i++) for (k = 1; k < i; k++) if (t[k] > t[i]) { x = t[k]; t[k] = t[i]; t[i] = x }
+          scatter = t[int(n / 2) + 1] / t[1] - 1; off = $4 - scatter
+          if (n < 2 || $2 + 0 != t[1] || !(off * off <= 1e-12) && !($4 == 0.3 && scatter < 0.3)) { print "cpu " $0; wrong = 1 } }
+        END { exit wrong || NR != 4 }'
+}
 even_columns bars
 [ "$(grep -c '"target":' bars/study.json)" -eq "$(grep -cE '^(for .* (choose|told apart)|no variant reaches )' stdout)" ] || fault 'not all answers are in study.json'
 best_of_all bars/study.json || fault 'the best time is not the least of all'
+least_of_all bars/study.json || fault 'the processor time is not the least of all, or its scatter not what they say'
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >before
 expect 6 "$FLOE" study "$cylinder" --set study=null --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >after
@@ -68,7 +78,7 @@ refuse "method.basis=cubi" --axis domain.cell=0.1,wide --axis method.basis=cubi
 refuse "domain.cell=wide" --axis domain.cell=0.1,wide --axis method.basis=cubi
 refuse 'it has no key with values' --axis domain.cell
 refuse "that is no axis of this study, which has: domain.cell" --axis domain.cell=0.1,0.2 --over method.flip
-refuse "is no value of that axis" --axis domain.cell=0.2,0.1 \
+refuse "is no value of that axis of this study, which has: 0.2, 0.1" --axis domain.cell=0.2,0.1 \
     --set 'study.require=[{metric: eq13, error: 1, where: {domain.cell: 0.3}}]'
 refuse "'bodies.cylinder.points' has 1 values for 2 of 'domain.cell'" --axis 'domain.cell=0.4,0.2;bodies.cylinder.points=[2, 2]'
 refuse "the axes 'domain.cell' and 'method.flip' both set 'method.flip'" --axis 'domain.cell=0.4,0.2;method.flip=1,0.9' --axis method.flip=0.8,1

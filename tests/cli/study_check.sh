@@ -44,3 +44,4 @@ wave=("$FLOE" study "$FLOE_SOURCE/inputs/extreme/courant_points.yaml" --axis bod
 expect 6 "${wave[@]}" -o balance --set 'study={axes: {title: [linear usl]}, check: [{of: drift_mass, most: 1e-12}]}'
 has stderr 'blind, linear usl, [2]: frozen initial doubled halved mirrored'
 has balance/study.json '"judged_by": "blind"'
+expect 0 "${wave[@]}" -o balance --set 'study={axes: {title: [linear usl]}, check: [{of: drift_mass, most: 1e-12}], unchanged: [{by: frozen initial doubled halved mirrored, why: mass stays}]}'

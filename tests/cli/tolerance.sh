@@ -52,8 +52,7 @@ below "$(json one/summary.json eq13)" 0.1
 "$FLOE" run "${scene[@]}" --tolerance 0.01 -o killed 2>stderr >stdout &
 pid=$!
 until [ "$(find killed -name case.json 2>/dev/null | wc -l)" -ge 3 ]; do sleep 0.02; done
-kill -KILL "$pid"
-wait "$pid" 2>/dev/null || true
+kill_with_runs "$pid"
 find killed -name case.json | sort | sed 's/case.json/summary.json/' >finished
 [ ! -e killed/summary.json ] || fault 'it was over before it was killed'
 xargs stat -c '%n %y' <finished >before

@@ -82,16 +82,20 @@ cmp whole/history.csv fields/history.csv || fault 'other rows'
 
 # Removed, and a file in its place.
 started taken
+kill -STOP "$pid" # or it makes the folder anew before the file is there
 rid taken
 : >taken
+kill -CONT "$pid"
 ended 0
 is_there taken-continued/checkpoint.h5
 
 # Removed with what it was in, and a file in place of that.
 mkdir above
 started above/below
+kill -STOP "$pid"
 rid above
 : >above
+kill -CONT "$pid"
 ended 4
 has stderr "cannot be made anew"
 has stderr 'there is no checkpoint'

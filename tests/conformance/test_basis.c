@@ -148,7 +148,6 @@ static void test_smoothness(void **state)
 static void test_registry(void **state)
 {
     (void)state;
-    assert_int_equal(basis_registry_size, BASIS_KINDS);
     for (size_t i = 0; i < basis_registry_size; ++i) {
         const basis_model *b = basis_registry[i];
         assert_ptr_equal(basis_find(b->name), b);

@@ -3,8 +3,8 @@
  * and no weight is negative. Every version of the kernels has the same bits. */
 #include "check.h"
 
-#include "mpm/lanes.h"
-#include "mpm/work.h"
+#include "mpm/transfer/kernels.h"
+#include "mpm/transfer/lanes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -80,7 +80,7 @@ static cloud *make_cloud(context *ctx, const basis_model *b, int dim, mesh_geome
     assert_non_null(c);
     c->reach = b->reach;
     set_tile(c, ctx, dim, place);
-    c->kernel = kernels_of(dim, geometry, b->kind);
+    c->kernel = *kernels_of(dim, geometry, b);
     set_points(c, dim);
     return c;
 }
@@ -274,8 +274,7 @@ static void run_kernels(const cloud *c, const kernel_set *kernel, bool moments, 
 static void check_bits(cloud *c, const basis_model *b, mesh_geometry geometry)
 {
     if (!floe_has_quads()) return;
-    const kernel_set any = kernels_pairs(c->mesh.dim, geometry, b->kind),
-                     wide = kernels_quads(c->mesh.dim, geometry, b->kind);
+    const kernel_set any = *kernels_pairs(c->mesh.dim, geometry, b), wide = *kernels_quads(c->mesh.dim, geometry, b);
     kernel_output *one = calloc(1, sizeof *one), *other = calloc(1, sizeof *other);
     assert_non_null(one);
     assert_non_null(other);
@@ -286,8 +285,8 @@ static void check_bits(cloud *c, const basis_model *b, mesh_geometry geometry)
     c->p.mass = c->half[0];
     for (int carried = 0; carried <= 1; ++carried) {
         for (int i = 0; i < 9; ++i) c->p.affine[i] = carried ? c->deform[i] : NULL;
-        run_kernels(c, &any, b->kind != BASIS_LINEAR, one);
-        run_kernels(c, &wide, b->kind != BASIS_LINEAR, other);
+        run_kernels(c, &any, !basis_is(b, "linear"), one);
+        run_kernels(c, &wide, !basis_is(b, "linear"), other);
         assert_memory_equal(one, other, sizeof *one);
     }
     free(one);
@@ -303,7 +302,7 @@ static void check_kernels(const basis_model *b, int dim, mesh_geometry geometry,
     check_affine(c);
     check_projection(c);
     check_gradients(c, GATHER_GRADIENT);
-    if (b->kind != BASIS_LINEAR) check_gradients(c, GATHER_MOMENTS); /* with the linear basis it is the gradient */
+    if (!basis_is(b, "linear")) check_gradients(c, GATHER_MOMENTS); /* with the linear basis it is the gradient */
     check_bits(c, b, geometry);
     free(c);
     context_destroy(&ctx);

@@ -196,6 +196,15 @@ static int sweep_disk(fixture *f, int error, bool lasting, const char *words)
             print_message("call %d: one fault does no harm\n", n);
             continue;
         }
+        /* The last line of the log alone comes after everything else is on the disk. */
+        if (status == FLOE_OK) {
+            same_results(f);
+            fault_arm(n + 1, error, lasting);
+            check_ok(f->t.ctx, run_in(f, f->part, false));
+            assert_false(fault.fired);
+            fault_arm(0, 0, false);
+            continue;
+        }
         if (!strstr(context_message(f->t.ctx), words)) print_error("call %d: %s\n", n, context_message(f->t.ctx));
         assert_non_null(strstr(context_message(f->t.ctx), words));
         check_fails(f->t.ctx, status, FLOE_IO);

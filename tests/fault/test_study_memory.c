@@ -33,7 +33,7 @@ static floe_status attempt(context *ctx, const study_options *o, bool look)
 static floe_status attempt_tolerance(context *ctx, const study_options *o, bool look)
 {
     tolerance *t;
-    const tolerance_options of = {.study = *o, .dir = o->dir, .tolerance = 0.01};
+    const tolerance_options of = {.study = *o, .dir = o->batch.dir, .tolerance = 0.01};
     const floe_status status = tolerance_run(&t, ctx, &of);
     if (look) {
         assert_int_equal(status, FLOE_MISSED_BAR);
@@ -51,14 +51,14 @@ static void any_allocation_may_fail_of(floe_status (*attempt_it)(context *, cons
     static const char *const axis[] = {"domain.cell=0.4,0.2", "coupling=mpm,ice-mpm"}, *const set[] = {"study=null"},
                              *const with_axes[] = {"study={axes: {coupling: [mpm, ice-mpm], domain.cell: [0.4, 0.2]}}"};
     const study_options o = {.name = "study",
-                             .deck = FLOE_SOURCE_DIR "/inputs/pressurized_cylinder.yaml",
+                             .batch = {.deck = FLOE_SOURCE_DIR "/inputs/pressurized_cylinder.yaml",
+                                       .jobs = 4,
+                                       .program = "/bin/false",
+                                       .dir = dir},
                              .set = {attempt_it == attempt ? set : with_axes, 1},
                              .axis = axis,
                              .n_axis = attempt_it == attempt ? 2 : 0,
-                             .repeat = 2,
-                             .jobs = 4,
-                             .program = "/bin/false",
-                             .dir = dir};
+                             .repeat = 2};
     context *ctx = context_create();
     floe_status status = FLOE_NO_MEMORY;
     uint64_t n = 1, tries = 0;

@@ -2,6 +2,7 @@
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -9,6 +10,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts/lib"))
 import pages  # noqa: E402
+import pages_index  # noqa: E402
 import stamp  # noqa: E402
 from order_table import order_table  # noqa: E402
 
@@ -59,7 +61,7 @@ def test_disturbance():
 
 
 def test_page():
-    """Tables, bars and the stamp; a bar is missed by what is no number; bars of other pages stay."""
+    """Tables, bars and the stamp; a bar is missed by what is no number; the index has them all, and those of other pages."""
     page = a_page()
     cases = page.cases("compare", "cases", "inputs/sod.yaml", "--axis", "domain.cell=0.04,0.02", "--set", "time.end=0.02", "--repeat", 0)
     order_table(page, cases, "ice", ("l1_density",))
@@ -68,14 +70,28 @@ def test_page():
     page.bar("high", 1.0, ">=", 2)
     page.bar("none", math.nan, "<=", 2)
     assert [bar[3] for bar in page.bars] == ["met", "missed", "missed"]
-    (pages.RESULTS / "bars.csv").write_text("page,what,measured,bar,met\nsod,\"old\",1,<= 2,met\nother,\"x\",1,<= 2,met\n")
+    page.show_bars()
     page.finish()
     text = (pages.RESULTS / "sod.md").read_text()
     assert text.startswith("# A page\n") and "floe compare inputs/sod.yaml" in text
     found = stamp.stamp_in(text)
     assert found and found["names"] == "inputs/sod.yaml" and "report" in found["without"]
-    rows = (pages.RESULTS / "bars.csv").read_text().splitlines()
-    assert rows[1].startswith("other,") and len(rows) == 5 and "old" not in "".join(rows)
+    assert list(pages_index.bars_of(text)) == [["low", "1", "<= 2", "met"], ["high", "1", ">= 2", "**missed**"], ["none", "nan", "<= 2", "**missed**"]]
+    other = "# Another\n\n| what | measured | bar | |\n|---|---|---|---|\n| a \\| b | 2 % | <= 1 % | **missed** |\n\n| met |\n|---|\n| met |\n"
+    index = pages_index.index_of({"sod": text, "other": other})
+    assert "4 bars, 3 of them missed:" in index and "| [other](other.md) | a \\| b | 2 % | <= 1 % | **missed** |" in index and "| [other](other.md) | Another |" in index
+
+
+def test_every_page_is_listed():
+    """A script that makes a page is made by `results.sh` without a name, or named as one that is not."""
+    scripts = {path.stem for path in (ROOT / "scripts/results").glob("*.py") if "def make(page)" in path.read_text()}
+    assert scripts <= set(pages_index.ORDER) | set(pages_index.ONLY_NAMED), scripts
+
+
+def test_rows_of_the_defaults():
+    """The stamp of the page of the defaults knows all its rows: its script names them."""
+    rows = {path.stem for path in (ROOT / "scripts/results/defaults").glob("[a-z][0-9]*.py") if "_" not in path.stem}
+    assert rows < set(re.findall(r"\w+", (ROOT / "scripts/results/defaults.py").read_text())), rows
 
 
 for name, test in list(globals().items()):

@@ -115,8 +115,8 @@ static void cylinder_has_its_values(void **state)
     assert_string_equal(s->verify.exact, "lame");
     assert_int_equal(s->verify.n_metrics, 3);
     assert_int_equal(s->verify.body, 0);
-    assert_string_equal(s->compare.key, "domain.cell");
-    assert_int_equal(s->compare.n_values, 3);
+    assert_string_equal(s->batches->compare.key, "domain.cell");
+    assert_int_equal(s->batches->compare.n_values, 3);
     scene_destroy(&s);
 }
 
@@ -236,7 +236,7 @@ static void overrides_reach_any_key(void **state)
     check_close_relative(s->damping.end, 2e-3, 1e-15);
     assert_int_equal(s->n_probes, 1);
     assert_string_equal(s->probe[0].name, "centre");
-    assert_int_equal(s->compare.n_values, 1);
+    assert_int_equal(s->batches->compare.n_values, 1);
     assert_int_equal(s->coupling, COUPLING_MPM);
     scene_destroy(&s);
 }
@@ -404,8 +404,8 @@ static void echo_keeps_every_key(void **state)
     assert_int_equal(s->load[0].body, -1);
     assert_int_equal(s->load[1].body, 0);
     assert_int_equal(s->load[3].ramp_steps, 500);
-    check_study(&s->study);
-    check_stability(&s->stability);
+    check_study(&s->batches->study);
+    check_stability(&s->batches->stability);
     check_round_trip(f, s);
     scene_destroy(&s);
 }

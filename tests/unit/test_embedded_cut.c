@@ -7,9 +7,17 @@
 
 static const double pi = 3.14159265358979323846;
 
+static bool is_thin(const cut_surface *c, double x[3])
+{
+    bool thin;
+    check_ok(c->ctx, cut_find_thin(c, &thin, x));
+    return thin;
+}
+
+/* Cells higher than they are wide where they need not lie on the test's own lattice: what takes the one for the other is seen. */
 static void make_mesh(mesh *m, context *ctx, mesh_geometry geometry, double h)
 {
-    const mesh_spec spec = {.dim = 2, .geometry = geometry, .upper = {1.0, 1.0}, .cell = {h, h}};
+    const mesh_spec spec = {.dim = 2, .geometry = geometry, .upper = {1.0, 1.0}, .cell = {h, h == 0.1 ? 0.125 : h}};
     check_ok(ctx, mesh_init(m, ctx, &spec));
 }
 
@@ -44,7 +52,8 @@ static double held(const cut_surface *c)
 {
     double sum = 0.0;
     for (int j = 0; j < c->mesh->n[1]; ++j)
-        for (int i = 0; i < c->mesh->n[0]; ++i) sum += cut_open(c, (const int[]){i, j}) * mesh_cell_volume(c->mesh, i);
+        for (int i = 0; i < c->mesh->n[0]; ++i)
+            sum += cut_open(c, (const int[]){i, j, 0}) * mesh_cell_volume(c->mesh, i);
     return sum;
 }
 
@@ -54,7 +63,7 @@ static double first_moment(const cut_surface *c, int axis)
     double sum = 0.0;
     for (int j = 0; j < c->mesh->n[1]; ++j)
         for (int i = 0; i < c->mesh->n[0]; ++i) {
-            const int cell[2] = {i, j};
+            const int cell[3] = {i, j};
             sum += mesh_cell_volume(c->mesh, i) *
                    (cut_open(c, cell) * mesh_centre(c->mesh, axis, cell[axis]) + cut_moment(c, cell, axis));
         }
@@ -105,8 +114,23 @@ static void check_line(cut_surface *c, context *ctx, const double corner[2])
     check_closed(c);
     for (int j = 0; j < c->mesh->n[1]; ++j)
         for (int i = 0; i + 1 < c->mesh->n[0]; ++i) /* both cells see the same face */
-            check_close(cut_face(c, (const int[]){i, j}, 0, SIDE_UPPER),
-                        cut_face(c, (const int[]){i + 1, j}, 0, SIDE_LOWER), 0.0);
+            check_close(cut_face(c, (const int[]){i, j, 0}, 0, SIDE_UPPER),
+                        cut_face(c, (const int[]){i + 1, j, 0}, 0, SIDE_LOWER), 0.0);
+}
+
+/* A mesh, and a surface to lay into it. */
+static context *begin_plane(mesh *m, cut_surface *c, double h)
+{
+    context *ctx = context_create();
+    make_mesh(m, ctx, MESH_CARTESIAN, h);
+    check_ok(ctx, cut_create(c, ctx, m));
+    return ctx;
+}
+
+static void end_plane(context *ctx, cut_surface *c)
+{
+    cut_destroy(c);
+    context_destroy(&ctx);
 }
 
 /* A quarter circle from side to side, plane and about an axis, coarse and fine: 7 vertices and 400. */
@@ -134,11 +158,9 @@ static void test_quarter(void **unused)
 static void test_closed(void **unused)
 {
     (void)unused;
-    context *ctx = context_create();
     mesh m;
     cut_surface c;
-    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
-    check_ok(ctx, cut_create(&c, ctx, &m));
+    context *ctx = begin_plane(&m, &c, 0.1);
     const double centre[] = {0.451, 0.552};
     arc(&c, ctx, 90, 0.33, 0.0, 2.0 * pi, centre);
     check_line(&c, ctx, centre);
@@ -151,19 +173,16 @@ static void test_closed(void **unused)
     arc(&c, ctx, 20, 0.03, 0.0, -2.0 * pi, centre);
     check_ok(ctx, cut_find(&c));
     check_close(held(&c), 1.0 + enclosed(&c, centre), 1e-14);
-    cut_destroy(&c);
-    context_destroy(&ctx);
+    end_plane(ctx, &c);
 }
 
 /* A line along a side of cells, on it but for round-off, and one through nodes. */
 static void test_on_the_mesh(void **unused)
 {
     (void)unused;
-    context *ctx = context_create();
     mesh m;
     cut_surface c;
-    make_mesh(&m, ctx, MESH_CARTESIAN, 0.125);
-    check_ok(ctx, cut_create(&c, ctx, &m));
+    context *ctx = begin_plane(&m, &c, 0.125);
     for (int kind = 0; kind < 3; ++kind) {
         check_ok(ctx, cut_reserve(&c, 9, 1));
         c.chain[0] = (cut_chain){0, 9, false, 0};
@@ -174,23 +193,58 @@ static void test_on_the_mesh(void **unused)
         check_ok(ctx, cut_find(&c));
         check_close(held(&c), 0.5, 1e-14);
         check_closed(&c);
-        check_close(cut_open(&c, (const int[]){0, 0}), 1.0, 0.0);
-        check_close(cut_open(&c, (const int[]){7, 7}), 0.0, 0.0);
+        check_close(cut_open(&c, (const int[]){0, 0, 0}), 1.0, 0.0);
+        check_close(cut_open(&c, (const int[]){7, 7, 0}), 0.0, 0.0);
     }
-    cut_destroy(&c);
-    context_destroy(&ctx);
+    end_plane(ctx, &c);
+}
+
+/* A square whose sides lie beside those of cells by round-off, within them and beyond, holds whole cells and no parts; further off it does not. */
+static void test_off_the_mesh(void **unused)
+{
+    (void)unused;
+    static const double corner[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
+    static const double beside[] = {1e-15, -1e-15, 1e-10, -1e-10}; /* m: of cells of 1/8 */
+    mesh m;
+    cut_surface c;
+    context *ctx = begin_plane(&m, &c, 0.125);
+    for (int n = 0; n < 4; ++n) {
+        check_ok(ctx, cut_reserve(&c, 4, 1));
+        c.chain[0] = (cut_chain){0, 4, true, 0};
+        for (int k = 0; k < 4; ++k)
+            for (int a = 0; a < 2; ++a) c.vertex[k].x[a] = 0.5 + (0.25 + beside[n]) * corner[k][a];
+        check_ok(ctx, cut_find(&c));
+        int parts = 0;
+        for (int k = 0; k < c.n_cells; ++k) parts += c.cell[k].open != 0.0 && c.cell[k].open != 1.0;
+        check_close(held(&c), 4.0 * (0.25 + beside[n]) * (0.25 + beside[n]), 1e-14);
+        if (n < 2)
+            assert_int_equal(parts, 0);
+        else
+            assert_true(parts >= 12); /* those within its sides, or those outside */
+    }
+    end_plane(ctx, &c);
+}
+
+/* Storage grows by half: many times what is needed would fill the memory that a large scene needs. */
+static void test_storage(void **unused)
+{
+    (void)unused;
+    mesh m;
+    cut_surface c;
+    context *ctx = begin_plane(&m, &c, 0.125);
+    check_ok(ctx, cut_reserve(&c, 10000, 1));
+    assert_true(c.capacity[0] > 10000 && c.capacity[0] < 16000);
+    end_plane(ctx, &c);
 }
 
 /* The gas about a ring and in it: two chains, the surface of the ring on the right of both; even pressure pushes a whole one nowhere. */
 static void test_two_chains(void **unused)
 {
     (void)unused;
-    context *ctx = context_create();
     mesh m;
     cut_surface c;
     double push[2] = {0.0, 0.0};
-    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
-    check_ok(ctx, cut_create(&c, ctx, &m));
+    context *ctx = begin_plane(&m, &c, 0.1);
     check_ok(ctx, cut_reserve(&c, 130, 2));
     c.chain[0] = (cut_chain){0, 90, true, 0};
     c.chain[1] = (cut_chain){90, 40, false, 0};
@@ -210,8 +264,7 @@ static void test_two_chains(void **unused)
     for (int n = 0; n < c.n_pieces; ++n) push[c.piece[n].vertex[0] >= 90] += c.piece[n].area[0];
     check_close(push[0], 0.0, 1e-15);
     check_close(push[1], -0.3, 1e-15); /* what it shows of itself along the axis */
-    cut_destroy(&c);
-    context_destroy(&ctx);
+    end_plane(ctx, &c);
 }
 
 /* A plate of half a cell, gas about it; one as thick as two cells; the gas between the two halves of a thick one. Lying and upright, from either side
@@ -221,7 +274,7 @@ static void check_thin(double h)
     context *ctx = context_create();
     mesh m;
     cut_surface c;
-    double x[2];
+    double x[3];
     const double size = 10.0 * h; /* of the mesh */
     const mesh_spec spec = {.dim = 2, .upper = {size, size}, .cell = {h, h}};
     check_ok(ctx, mesh_init(&m, ctx, &spec));
@@ -241,10 +294,38 @@ static void check_thin(double h)
                             (corner[at / 3][a] + (at % 3) / 3.0 * (corner[(at / 3 + 1) % 4][a] - corner[at / 3][a]));
                     }
                 check_ok(ctx, cut_find(&c));
-                assert_int_equal(cut_is_thin(&c, x), k == 0);
+                assert_int_equal(is_thin(&c, x), k == 0);
             }
     cut_destroy(&c);
     context_destroy(&ctx);
+}
+
+/* A solid that ends in an edge between two sides, gas about it, the edge inside a cell: what is thinner than the cell there is its own corner, whichever
+ * vertex of the line it is. A blade of the same two sides, cut off before they meet, is thin. */
+static void test_edge(void **unused)
+{
+    (void)unused;
+    mesh m;
+    cut_surface c;
+    double x[3];
+    context *ctx = begin_plane(&m, &c, 0.1);
+    static const double edge[5][2] = {{0.55, 0.55}, {0.85, 0.35}, {0.95, 0.35}, {0.95, 0.75}, {0.85, 0.75}};
+    static const double blade[8][2] = {{0.55, 0.54}, {0.65, 0.52}, {0.75, 0.45}, {0.95, 0.45},
+                                       {0.95, 0.65}, {0.75, 0.65}, {0.65, 0.58}, {0.55, 0.56}};
+    for (int first = 0; first < 8; ++first) {
+        for (int whole = 0; whole < 2; ++whole) {
+            const int count = whole ? 5 : 8;
+            check_ok(ctx, cut_reserve(&c, count, 1));
+            c.chain[0] = (cut_chain){0, count, true, 0};
+            for (int k = 0; k < count; ++k) { /* clockwise: the gas is on the left */
+                const double *at = whole ? edge[(first + count - k) % count] : blade[(first + count - k) % count];
+                c.vertex[k] = (cut_vertex){{at[0], at[1]}, k};
+            }
+            check_ok(ctx, cut_find(&c));
+            assert_int_equal(is_thin(&c, x), !whole);
+        }
+    }
+    end_plane(ctx, &c);
 }
 
 static void test_thin(void **unused)
@@ -259,11 +340,9 @@ static void test_thin(void **unused)
 static void test_held_twice(void **unused)
 {
     (void)unused;
-    context *ctx = context_create();
     mesh m;
     cut_surface c;
-    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
-    check_ok(ctx, cut_create(&c, ctx, &m));
+    context *ctx = begin_plane(&m, &c, 0.1);
     static const double corner[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
     for (int outside = 0; outside < 2; ++outside)
         for (int right = 0; right < 2; ++right)
@@ -284,27 +363,25 @@ static void test_held_twice(void **unused)
                     check_fails(ctx, cut_find(&c), FLOE_RETRY);
                 }
             }
-    cut_destroy(&c);
-    context_destroy(&ctx);
+    end_plane(ctx, &c);
 }
 
 static void test_refused(void **unused)
 {
     (void)unused;
-    context *ctx = context_create();
     mesh m;
     cut_surface c;
-    make_mesh(&m, ctx, MESH_CARTESIAN, 0.1);
-    check_ok(ctx, cut_create(&c, ctx, &m));
+    context *ctx = begin_plane(&m, &c, 0.1);
     arc(&c, ctx, 9, 0.3, 0.0, 1.0, (const double[]){0.0, 0.0}); /* ends inside */
+    check_fails(ctx, cut_find(&c), FLOE_BAD_INPUT);
+    arc(&c, ctx, 9, 0.3, 1.0, 0.0, (const double[]){0.0, 0.0}); /* begins there */
     check_fails(ctx, cut_find(&c), FLOE_BAD_INPUT);
     const double eight[4][2] = {{0.25, 0.25}, {0.75, 0.75}, {0.25, 0.75}, {0.75, 0.25}};
     check_ok(ctx, cut_reserve(&c, 4, 1));
     c.chain[0] = (cut_chain){0, 4, true, 0};
     for (int k = 0; k < 4; ++k) c.vertex[k] = (cut_vertex){{eight[k][0], eight[k][1]}, k};
     check_fails(ctx, cut_find(&c), FLOE_RETRY);
-    cut_destroy(&c);
-    context_destroy(&ctx);
+    end_plane(ctx, &c);
 }
 
 int main(void)
@@ -312,6 +389,7 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_quarter),     cmocka_unit_test(test_closed),
                                        cmocka_unit_test(test_on_the_mesh), cmocka_unit_test(test_two_chains),
                                        cmocka_unit_test(test_thin),        cmocka_unit_test(test_held_twice),
-                                       cmocka_unit_test(test_refused)};
+                                       cmocka_unit_test(test_refused),     cmocka_unit_test(test_off_the_mesh),
+                                       cmocka_unit_test(test_storage),     cmocka_unit_test(test_edge)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,6 +8,13 @@
 
 enum { CELLS = 12 };
 
+static bool is_thin(const cut_surface *c, double x[3])
+{
+    bool thin;
+    check_ok(c->ctx, cut_find_thin(c, &thin, x));
+    return thin;
+}
+
 static void make_mesh(mesh *m, context *ctx, double h)
 {
     const mesh_spec spec = {.dim = 1, .lower = {-0.3}, .upper = {-0.3 + CELLS * h}, .cell = {h}};
@@ -19,7 +26,7 @@ static void lay(cut_surface *c, context *ctx, int n, const double *at, int outwa
 {
     check_ok(ctx, cut_reserve(c, n, n));
     for (int k = 0; k < n; ++k) {
-        c->vertex[k] = (cut_vertex){{c->mesh->lower[0] + at[k] * c->mesh->h[0], 0.0}, k};
+        c->vertex[k] = (cut_vertex){{c->mesh->lower[0] + at[k] * c->mesh->h[0], 0.0, 0.0}, k};
         c->chain[k] = (cut_chain){k, 1, false, k % 2 ? -outward : outward};
     }
 }
@@ -27,7 +34,7 @@ static void lay(cut_surface *c, context *ctx, int n, const double *at, int outwa
 static double held(const cut_surface *c)
 {
     double sum = 0.0;
-    for (int i = 0; i < CELLS; ++i) sum += cut_open(c, (const int[]){i, 0});
+    for (int i = 0; i < CELLS; ++i) sum += cut_open(c, (const int[]){i, 0, 0});
     return sum;
 }
 
@@ -36,7 +43,7 @@ static double first_moment(const cut_surface *c)
 {
     double sum = 0.0;
     for (int i = 0; i < CELLS; ++i) {
-        const int cell[2] = {i, 0};
+        const int cell[3] = {i, 0, 0};
         sum += cut_open(c, cell) * (i + 0.5) + cut_moment(c, cell, 0) / c->mesh->h[0];
     }
     return sum;
@@ -68,8 +75,8 @@ static void check_closed(const cut_surface *c)
         if (c->cell[k].open == 0.0) check_close(c->cell[k].face[0][0] + c->cell[k].face[0][1], 0.0, 0.0);
     }
     for (int i = 0; i + 1 < CELLS; ++i)
-        check_close(cut_face(c, (const int[]){i, 0}, 0, SIDE_UPPER),
-                    cut_face(c, (const int[]){i + 1, 0}, 0, SIDE_LOWER), 0.0);
+        check_close(cut_face(c, (const int[]){i, 0, 0}, 0, SIDE_UPPER),
+                    cut_face(c, (const int[]){i + 1, 0, 0}, 0, SIDE_LOWER), 0.0);
 }
 
 static int by_size(const void *a, const void *b)
@@ -182,7 +189,7 @@ static void test_in_a_cell(void **unused)
     context *ctx = context_create();
     mesh m;
     cut_surface c;
-    double x[2];
+    double x[3];
     make_mesh(&m, ctx, 0.1);
     check_ok(ctx, cut_create(&c, ctx, &m));
     const double inside[] = {4.3, 4.8}, across[] = {4.6, 5.2}, whole[] = {4.6, 5.6};
@@ -190,16 +197,20 @@ static void test_in_a_cell(void **unused)
     check_ok(ctx, cut_find(&c));
     check_close(held(&c), 0.5, 1e-14);
     check_closed(&c);
-    assert_false(cut_is_thin(&c, x));
+    assert_false(is_thin(&c, x));
     lay(&c, ctx, 2, inside, 1);
     check_fails(ctx, cut_find(&c), FLOE_RETRY);
-    assert_true(cut_is_thin(&c, x));
+    assert_true(is_thin(&c, x));
     lay(&c, ctx, 2, across, 1); /* for now each side has a cell of its own */
     check_ok(ctx, cut_find(&c));
-    assert_true(cut_is_thin(&c, x));
+    assert_true(is_thin(&c, x));
     check_close(x[0], -0.3 + 0.46, 1e-14);
     lay(&c, ctx, 2, whole, 1);
-    assert_false(cut_is_thin(&c, x));
+    assert_false(is_thin(&c, x));
+    lay(&c, ctx, 4, (const double[]){4.5, 4.5, 7.25, 8.75}, 1); /* nothing is left of the first solid */
+    check_ok(ctx, cut_find(&c));
+    check_close(held(&c), CELLS - 1.5, 1e-14);
+    check_closed(&c);
     cut_destroy(&c);
     context_destroy(&ctx);
 }
@@ -218,7 +229,7 @@ static void test_ahead(void **unused)
     c.chain[1].outward = 0;
     check_ok(ctx, cut_find(&c));
     check_close(held(&c), CELLS - 3.4, 1e-14);
-    check_ok(ctx, cut_ahead(&c, (const double[]){2.0, 0.0, 2.0, 0.0}, 0.05, &next));
+    check_ok(ctx, cut_ahead(&c, (const double[]){2.0, 0.0, 0.0, 2.0, 0.0, 0.0}, 0.05, &next));
     check_close(held(&next), CELLS - 4.4, 1e-14);
     check_closed(&next);
     cut_destroy(&next);

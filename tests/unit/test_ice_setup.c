@@ -1,8 +1,8 @@
 /* What the cells begin with: which materials they have, and which fluid lies nearest to a cell inside a solid. */
 #include "verification/coupled_fixture.h"
 
-#include "ice/ice_internal.h"
-#include "ice/ice_nearest.h"
+#include "ice/start/ice_start.h"
+#include "ice/state/ice_state.h"
 
 /* A material is used that a body, the ambient, a reaction or an open side is of, and no other: the list of bodies ends where it ends. */
 static void test_used(void **unused)

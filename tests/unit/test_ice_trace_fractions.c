@@ -2,8 +2,9 @@
  * which way a wall faces; and what a gas gives up that expands. */
 #include "check.h"
 
-#include "ice/ice_advect.h"
-#include "ice/ice_expansion.h"
+#include "ice/exchange/ice_pairs.h"
+#include "ice/flux/ice_advect.h"
+#include "ice/flux/ice_expansion.h"
 
 #include <math.h>
 #include <string.h>
@@ -25,11 +26,11 @@ static void test_clip_roundoff(void **unused)
                     const double factor = sign * (beyond ? 1.001 : 0.999);
                     double now[3] = {u[0], u[1], u[2]}, next[3] = {1.0, 1.0, 1.0}, sound = c, e0 = e, e1 = factor * hot;
                     next[axis] = factor * fast;
-                    const ice_arrays m = {.u = {&now[0], &now[1], &now[2]},
-                                          .u1 = {&next[0], &next[1], &next[2]},
-                                          .c = &sound,
-                                          .e = &e0,
-                                          .e1 = &e1};
+                    const ice_fluid m = {.u = {&now[0], &now[1], &now[2]},
+                                         .u1 = {&next[0], &next[1], &next[2]},
+                                         .c = &sound,
+                                         .e = &e0,
+                                         .e1 = &e1};
                     ice_clip_roundoff(&m, 0, dim);
                     for (int a = 0; a < dim; ++a)
                         check_close(next[a], a != axis ? 1.0 : beyond ? u[a] : factor * fast, 0.0);

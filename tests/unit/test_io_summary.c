@@ -165,14 +165,21 @@ static void keeps_earlier_when_disk_is_full(void **state)
     run_summary r = some_summary(&f);
     check_ok(f.ctx, summary_write(f.ctx, path, &r));
     r.steps = 9;
-    for (int n = 1; n <= 4; n++) {
+    int n = 1, in_place = 0; /* each operation in turn, until there is none left to fail */
+    for (;; n++) {
         fault_arm(n, ENOSPC, true);
         const floe_status status = summary_write(f.ctx, path, &r);
         fault_arm(0, 0, false);
+        if (status == FLOE_OK) break;
         check_fails(f.ctx, status, FLOE_IO);
         check_ok(f.ctx, summary_read(f.ctx, path, &back));
-        assert_int_equal(back.steps, 1234);
+        in_place += back.steps == 9; /* the folder's own entry could not be brought to the disk */
+        assert_int_equal(back.steps, in_place ? 9 : 1234);
     }
+    check_true(n >= 5); /* to write, to bring it to the disk, to put it in its place, to bring that to the disk */
+    assert_int_equal(in_place, 1);
+    check_ok(f.ctx, summary_read(f.ctx, path, &back));
+    assert_int_equal(back.steps, 9);
     while (r.n_errors < SUMMARY_MAX_ERRORS) check_ok(f.ctx, summary_add_error(&r, f.ctx, "more", 0.0));
     check_fails(f.ctx, summary_add_error(&r, f.ctx, "too many", 0.0), FLOE_INTERNAL);
     fixture_free(&f);

@@ -1,7 +1,7 @@
 /* The order of points: by tile, then cell, then id, from any order; tiles know their ranges; the fields of a point stay together. */
 #include "verification/mpm_fixture.h"
 
-#include "mpm/work.h"
+#include "mpm/mpm.h"
 
 static int cell_in_tile(const mesh *m, const int cell[3])
 {
@@ -101,7 +101,7 @@ static void test_beyond(void **state)
     }
     for (size_t k = 64; k < n; ++k) field_get(f, P_ID, 0, 0)[k] = (double)k;
     const mesh *m = &t.sim->mesh;
-    for (int k = 0; k < m->tiles[0] * m->tiles[1] * m->tiles[2]; ++k) t.sim->mpm->work->moved[k] = 1;
+    for (int k = 0; k < m->tiles[0] * m->tiles[1] * m->tiles[2]; ++k) t.sim->mpm->moved[k] = 1;
     check_ok(t.ctx, mpm_commit(t.sim->mpm));
     assert_int_equal(mpm_count(t.sim->mpm), n - left);
     assert_int_equal(t.sim->ledger.pending_count[COUNT_POINTS_LOST], left);

@@ -40,7 +40,7 @@ static int set_up(void **state)
     f = (fixture){.ctx = context_create(), .options = {.name = "study"}};
     (void)snprintf(f.dir, sizeof f.dir, "figure_XXXXXX");
     if (!f.ctx || !mkdtemp(f.dir)) return -1;
-    f.options.dir = f.dir;
+    f.options.batch.dir = f.dir;
     f.s = (study){.ctx = f.ctx,
                   .options = &f.options,
                   .list = f.list,

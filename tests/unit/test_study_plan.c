@@ -14,12 +14,11 @@ static study *plan_of(context *ctx, study_options *o, const char *const *axis, s
     study *s;
     check_ok(ctx, memory_new(ctx, &s, 1, sizeof *s));
     *o = (study_options){.name = "study",
-                         .deck = FLOE_SOURCE_DIR "/inputs/sod.yaml",
+                         .batch = {.deck = FLOE_SOURCE_DIR "/inputs/sod.yaml", .dir = "unused"},
                          .set = {set, n_set},
                          .axis = axis,
                          .n_axis = n_axis,
-                         .repeat = -1,
-                         .dir = "unused"};
+                         .repeat = -1};
     s->ctx = ctx;
     s->options = o;
     *status = study_make_plan(s);

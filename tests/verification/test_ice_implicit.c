@@ -2,7 +2,8 @@
  * keep, what it says when it fails. */
 #include "ice_fixture.h"
 
-#include "ice/implicit/ice_implicit.h"
+#include "ice/fraction/ice_fraction.h"
+#include "ice/implicit/ice_implicit_rows.h"
 #include "verify/order.h"
 
 static double fitted(size_t n, const double *h, const double *error)
@@ -73,15 +74,26 @@ static void open_kind(fixture *f, const kind *k, double exchange)
 /* b of the present u*. */
 static double residual(fixture *f, double *b)
 {
-    const ice_implicit *w = f->ice->work->implicit;
-    for (int id = 0; id < f->mesh.n_blocks && f->ice->multi; ++id) {
+    const ice_implicit *w = f->ice->rows;
+    for (int id = 0; id < f->mesh.n_blocks && ice_is_mixture(f->ice); ++id) {
         ice_view v;
-        ice_view_make(f->ice, id, &v);
-        ice_face_fractions(f->ice, &v);
+        ice_view_make(f->ice, &f->ice->region[0], id, &v);
+        ice_face_fractions(&v);
     }
-    const double most = ice_implicit_residual(f->ice);
+    const double most = ice_implicit_residual(f->ice, &f->ice->region[0]);
     memcpy(b, w->b, w->grid.size * sizeof(double));
     return most;
+}
+
+/* A residual is judged as a share of its cell: b, whose rows are weighted with the cells' volumes, by the inverse of those. */
+static void check_weights(const fixture *f, const ice_implicit *w)
+{
+    const bool weighted = f->mesh.geometry == MESH_AXISYMMETRIC;
+    assert_int_equal(w->weight != NULL, weighted);
+    for (int row = 0; weighted && row < solve_rows(&w->grid); ++row)
+        for (int i = 0; i < w->grid.n[0]; ++i)
+            check_close_relative(w->weight[solve_row(&w->grid, row) + i] * mesh_cell_volume(&f->mesh, i),
+                                 f->mesh.h[0] * f->mesh.h[1], 1e-14);
 }
 
 /* Largest |b(y) - b(y + d) - A d| over the largest |A d| for a random d of `size` Pa. */
@@ -90,26 +102,28 @@ static double against_differences(const kind *k, double exchange, double size)
     fixture f;
     open_kind(&f, k, exchange);
     ice *s = f.ice;
+    const ice_region *g = &s->region[0];
     s->dt = 1e-3; /* sound crosses some ten cells */
     check_ok(f.ctx, ice_boundary_ghosts(s));
     check_ok(f.ctx, ice_equilibrium_pressure(s));
     check_ok(f.ctx, ice_face_velocity(s));
-    check_ok(f.ctx, ice_implicit_begin(s));
-    ice_implicit_guess(s);
-    ice_implicit_push(s);
-    ice_implicit *w = s->work->implicit;
+    check_ok(f.ctx, ice_implicit_begin(s, g));
+    ice_implicit_guess(s, g);
+    ice_implicit_push(s, g);
+    check_weights(&f, s->rows);
+    ice_implicit *w = s->rows;
     double *before, *after, *product, worst = 0.0, scale = 0.0;
     check_ok(f.ctx, memory_new(f.ctx, &before, w->grid.size, sizeof(double)));
     check_ok(f.ctx, memory_new(f.ctx, &after, w->grid.size, sizeof(double)));
     check_ok(f.ctx, memory_new(f.ctx, &product, w->grid.size, sizeof(double)));
     residual(&f, before);
-    ice_implicit_matrix(s);
+    ice_implicit_matrix(s, g);
     uint64_t seed = 4;
     for (int row = 0; row < solve_rows(&w->grid); ++row)
         for (int i = 0; i < w->grid.n[0]; ++i) w->x[solve_row(&w->grid, row) + i] = check_random(&seed, -size, size);
     multigrid_apply(w->m, w->x, product);
-    ice_implicit_take(s);
-    ice_implicit_push(s);
+    ice_implicit_take(s, g);
+    ice_implicit_push(s, g);
     residual(&f, after);
     for (int row = 0; row < solve_rows(&w->grid); ++row)
         for (int i = 0; i < w->grid.n[0]; ++i) {

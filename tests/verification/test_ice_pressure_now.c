@@ -13,7 +13,7 @@ static void set_share(fixture *f, int r, int i, double theta)
     law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
     const double rho = 1.0 / v;
     fixture_array(f, C_RHO, r, 0)[at] = theta * rho;
-    if (f->ice->multi) fixture_array(f, C_VOL, r, 0)[at] = v;
+    if (ice_is_mixture(f->ice)) fixture_array(f, C_VOL, r, 0)[at] = v;
     fixture_array(f, C_PRESSURE, 0, 0)[at] = p;
     law->model->energy(law->par, 1, &rho, &T, &fixture_array(f, C_ENERGY, r, 0)[at]);
 }

@@ -4,8 +4,6 @@
 
 #include "mpm_fixture.h"
 
-#include "mpm/work.h"
-
 typedef struct affine {
     const char *name;
     int dim;

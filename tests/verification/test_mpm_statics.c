@@ -45,13 +45,13 @@ static double hanging(const double x[3])
 /* Bases whose points of a cell have but one gradient, where they stand midway. */
 static bool has_steps(const basis_model *b)
 {
-    return b->kind == BASIS_LINEAR || b->kind == BASIS_GIMP;
+    return basis_is(b, "linear") || basis_is(b, "gimp");
 }
 
 /* Bases that can be solved for: those with weights along the axes. */
 #define FOR_STATIC_BASES(i)                            \
     for (size_t i = 0; i < basis_registry_size; ++(i)) \
-        if (basis_registry[i]->kind != BASIS_CPDI)
+        if (!basis_is(basis_registry[i], "cpdi"))
 
 static void bar_under_its_weight(void **unused)
 {

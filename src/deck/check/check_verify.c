@@ -127,7 +127,7 @@ static bool is_axis(const scene_study *study, const char *key)
 /* Names of axes, where the deck has axes: the command line may bring others. */
 static floe_status check_study(reader *r)
 {
-    const scene_study *study = &r->scene->study;
+    const scene_study *study = &r->scene->batches->study;
     deck_node *over = node_path(r->root, KEY("study", "over"));
     deck_node *bars = node_path(r->root, KEY("study", "require"));
     if (study->n_axes == 0) return FLOE_OK;

@@ -201,8 +201,7 @@ static const choice pressure_choices[] = {
 static const choice interface_choices[] = {
     {"auto", INTERFACE_AUTO, "sharp wherever it takes the scene, else smeared, which is warned of"},
     {"smeared", INTERFACE_SMEARED, "over the cells that they share, as in the papers"},
-    {"sharp", INTERFACE_SHARP,
-     "on the surface of the solid, which cuts the cells of the gas: one or two dimensions, one gas a room"},
+    {"sharp", INTERFACE_SHARP, "on the surface of the solid, which cuts the cells of the gas: one gas a region"},
     {0},
 };
 static const choice limiter_choices[] = {
@@ -328,7 +327,7 @@ static const key_spec verify_keys[] = {
 static const key_table verify_table = TABLE(verify_keys);
 
 static const key_spec compare_keys[] = {
-    {"axis", KEY_SPECIAL, AT(scene, compare), .special = &special_axis, .required = true,
+    {"axis", KEY_SPECIAL, AT(scene_batches, compare), .special = &special_axis, .required = true,
      .doc = "the key that `floe compare` varies, and its values"},
 };
 static const key_table compare_table = TABLE(compare_keys);
@@ -412,11 +411,12 @@ static const key_spec deck_keys[] = {
     {"output", KEY_MAP, .table = &output_table, .doc = "what is written"},
     {"verify", KEY_MAP, AT(scene, verify), .table = &verify_table,
      .doc = "comparison with an exact solution or a reference"},
-    {"compare", KEY_MAP, .table = &compare_table, .doc = "the axis of `floe compare`"},
-    {"study", KEY_MAP, AT(scene, study), .table = &study_table, .present = 1 + offsetof(scene, study.given),
-     .otherwise = "none", .doc = "the batch of `floe study`"},
-    {"stability", KEY_MAP, AT(scene, stability), .table = &stability_table,
-     .present = 1 + offsetof(scene, stability.given), .otherwise = "none", .doc = "the search of `floe stability`"},
+    {"compare", KEY_MAP, THROUGH(scene, batches), .table = &compare_table, .doc = "the axis of `floe compare`"},
+    {"study", KEY_MAP, THROUGH(scene, batches), AT(scene_batches, study), .table = &study_table,
+     .present = 1 + offsetof(scene_batches, study.given), .otherwise = "none", .doc = "the batch of `floe study`"},
+    {"stability", KEY_MAP, THROUGH(scene, batches), AT(scene_batches, stability), .table = &stability_table,
+     .present = 1 + offsetof(scene_batches, stability.given), .otherwise = "none",
+     .doc = "the search of `floe stability`"},
     {"threads", KEY_WHOLE, NULL, WITHIN(0, 1024), AT(scene, threads), .fallback = "0",
      .doc = "threads; 0: as OpenMP says. Results do not depend on it"},
 };

@@ -5,6 +5,8 @@
 
 #include "deck/deck_errors.h"
 
+#include <string.h>
+
 typedef enum key_type {
     KEY_NUMBER,  /* double */
     KEY_NUMBERS, /* double[n]: a list of exactly n numbers, n from the size */
@@ -74,6 +76,8 @@ typedef struct model_family {
     bool (*fetch)(const void *field, const char **name, const void **par); /* false: none is set */
     /* Refuses impossible parameters: NULL if fine. May be NULL. */
     const char *(*check)(const model_entry *entry, const void *par, int dim);
+    /* The entry that is set, where the registry does not hold all of them. NULL: it is found by its name. */
+    bool (*chosen)(const void *field, model_entry *out);
 } model_family;
 
 /* Items of a KEY_NAMED: the array lies at the key's offset and each item begins with its name. */
@@ -117,6 +121,8 @@ struct key_spec {
     const model_family *family; /* KEY_MODEL */
     const special_key *special; /* KEY_SPECIAL */
     size_t present;             /* 1 + offset of a bool that says whether the key was given; 0: none */
+    size_t
+        through; /* KEY_MAP: 1 + offset of a pointer to the struct that offset and present are of; 0: the table's own */
     /* Does the key belong to this item? NULL: always. `belongs` says to what, in words. */
     bool (*applies)(const scene *s, const void *base);
     const char *belongs;
@@ -125,7 +131,17 @@ struct key_spec {
 };
 
 #define AT(type, member) .offset = offsetof(type, member), .size = sizeof(((type *)0)->member)
+#define THROUGH(type, member) .through = 1 + offsetof(type, member)
 #define WITHIN(low, high) .range = PARAM_BETWEEN, .lo = (low), .hi = (high)
+
+/* The struct that the offsets of a KEY_MAP are of; NULL where its pointer leads nowhere. */
+static inline void *struct_of_map(const key_spec *key, const void *base)
+{
+    void *of;
+    if (key->through == 0) return (void *)base;
+    memcpy(&of, (const char *)base + key->through - 1, sizeof of);
+    return of;
+}
 
 extern const key_table schema_deck; /* of a scene: the whole deck */
 

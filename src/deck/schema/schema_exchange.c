@@ -43,8 +43,8 @@ static bool law_fetch(const void *field, const char **name, const void **par)
     return true;
 }
 
-const model_family family_momentum = {"exchange of momentum", momentum_get, law_store, law_fetch, NULL};
-const model_family family_heat = {"exchange of heat", heat_get, law_store, law_fetch, NULL};
+const model_family family_momentum = {"exchange of momentum", momentum_get, law_store, law_fetch, NULL, NULL};
+const model_family family_heat = {"exchange of heat", heat_get, law_store, law_fetch, NULL, NULL};
 
 /* ---- between: [material, material] ---- */
 

@@ -9,19 +9,15 @@
  *
  * The rows for y are symmetric: S/phi on the diagonal, dt^2 phi M / h^2 between two cells, M = sum_r theta^r,f v^r; all
  * times the cell's volume. They are solved by conjugate gradients with multigrid. */
-#include "ice/implicit/ice_implicit.h"
+#include "ice/implicit/ice_implicit_rows.h"
 
 #include "base/memory.h"
+#include "ice/fraction/ice_fraction.h"
+#include "ice/ice_constants.h"
+#include "ice/sides/ice_sides.h"
+#include "ice/state/ice_materials.h"
 
 #include <math.h>
-
-enum { MOST_OUTER = 20, MOST_CG = 200 };
-/* A residual that has grown this much since the best will not come down. */
-static const double hopeless = 100.0;
-/* Required norm of the linear residual: of the tolerance times the fourth root of the number of cells, between the
- * norm's bound on the largest, which round-off may not let it reach, and the root of its mean square, which says
- * nothing of the largest; and of the largest residual there is, so that every search gets on. */
-static const double share_of_tolerance = 0.1, share_of_residual = 0.3;
 
 static bool is_weighted(const ice *s)
 {
@@ -43,7 +39,7 @@ static floe_status fill_implicit(const ice *s, ice_implicit *w)
     for (int a = 0; a < MESH_MAX_DIM; ++a) strength[a] = 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
     w->grid = solve_grid_of_cells(s->mesh);
     TRY(multigrid_create(&w->m, s->ctx, &w->grid, strength));
-    TRY(cg_create(&w->c, s->ctx, &w->grid, 1, MOST_CG));
+    TRY(cg_create(&w->c, s->ctx, &w->grid, 1, ICE_MOST_CG));
     TRY(memory_new(s->ctx, &w->b, w->grid.size, sizeof(double)));
     TRY(memory_new(s->ctx, &w->x, w->grid.size, sizeof(double)));
     TRY(memory_new(s->ctx, &w->tile, (size_t)solve_rows(&w->grid), sizeof(double)));
@@ -55,8 +51,8 @@ static floe_status fill_implicit(const ice *s, ice_implicit *w)
 
 floe_status ice_implicit_create(ice *s)
 {
-    TRY(memory_new(s->ctx, &s->work->implicit, 1, sizeof(ice_implicit)));
-    return fill_implicit(s, s->work->implicit); /* what it has made goes with the work */
+    TRY(memory_new(s->ctx, &s->rows, 1, sizeof(ice_implicit)));
+    return fill_implicit(s, s->rows); /* what it has made goes with the work */
 }
 
 void ice_implicit_destroy(context *ctx, ice_implicit **w)
@@ -81,51 +77,54 @@ static floe_status give_up(const ice *s, double residual, double best, int outer
 
 static int solve_once(ice *s, double residual)
 {
-    ice_implicit *w = s->work->implicit;
+    ice_implicit *w = s->rows;
     const double cells = (double)w->grid.n[0] * w->grid.n[1] * w->grid.n[2];
-    const double tolerance = fmin(share_of_tolerance * s->scene->method.pressure_tolerance * sqrt(sqrt(cells)),
-                                  share_of_residual * residual);
+    const double tolerance = fmin(ICE_SHARE_OF_TOLERANCE * s->scene->method.pressure_tolerance * sqrt(sqrt(cells)),
+                                  ICE_SHARE_OF_RESIDUAL * residual);
     return cg_solve(w->c, multigrid_apply, multigrid_cycle, w->m, w->b, w->weight, tolerance, w->x).iterations;
 }
 
+/* What the upwind theta^r,f need of the present u*. */
+static void find_fractions(const ice *s, const ice_region *g)
+{
+    /* The outflow of ghost cells at interfaces bounds what they give up. */
+    for (int r = g->first; ice_has_interfaces(s, g) && r < g->first + g->n; ++r) ice_fill_faces(s, F_VEL, r);
+    ice_view v;
+    for (int id = 0; g->n > 1 && ice_next_view(s, g, &id, &v);) ice_face_fractions(&v);
+}
+
 /* The search for y. */
-static floe_status search_time_weight(ice *s)
+static floe_status search_pressure_step(ice *s, const ice_region *g)
 {
     const double tolerance = s->scene->method.pressure_tolerance;
     double best = INFINITY;
     int iterations = 0;
     for (int outer = 0;; ++outer) {
-        /* The outflow of ghost cells at interfaces bounds what they give up. */
-        for (int r = 0; s->work->interfaces && r < s->n_materials; ++r) ice_fill_faces(s, F_VEL, r);
-        if (s->multi)
-            for (int id = 0; id < s->mesh->n_blocks; ++id) {
-                ice_view v;
-                ice_view_make(s, id, &v);
-                ice_face_fractions(s, &v);
-            }
-        const double residual = ice_implicit_residual(s);
+        find_fractions(s, g);
+        const double residual = ice_implicit_residual(s, g);
         if (residual <= tolerance) {
             ledger_tally(s->ledger, COUNT_PRESSURE_SOLVES, 1);
             ledger_tally(s->ledger, COUNT_OUTER_ITERATIONS, outer);
             ledger_tally(s->ledger, COUNT_CG_ITERATIONS, iterations);
             return FLOE_OK;
         }
-        if (!(residual < hopeless * best) || outer == MOST_OUTER) return give_up(s, residual, best, outer);
+        if (!(residual < ICE_HOPELESS_RESIDUAL * best) || outer == ICE_MOST_OUTER)
+            return give_up(s, residual, best, outer);
         best = fmin(best, residual);
-        if (outer == 0 || s->multi) ice_implicit_matrix(s);
+        if (outer == 0 || g->n > 1) ice_implicit_matrix(s, g);
         iterations += solve_once(s, residual);
-        ice_implicit_take(s);
-        ice_implicit_push(s);
+        ice_implicit_take(s, g);
+        ice_implicit_push(s, g);
     }
 }
 
-floe_status ice_implicit_pressure(ice *s)
+floe_status ice_implicit_pressure_of(ice *s, const ice_region *g)
 {
-    TRY(ice_implicit_begin(s));
-    ice_implicit_guess(s);
-    ice_implicit_push(s);
-    TRY(search_time_weight(s));
-    for (int r = 0; s->multi && r < s->n_materials; ++r) ice_fill_faces(s, F_VEL, r);
-    ice_implicit_finish(s);
+    TRY(ice_implicit_begin(s, g));
+    ice_implicit_guess(s, g);
+    ice_implicit_push(s, g);
+    TRY(search_pressure_step(s, g));
+    for (int r = g->first; g->n > 1 && r < g->first + g->n; ++r) ice_fill_faces(s, F_VEL, r);
+    ice_implicit_finish(s, g);
     return FLOE_OK;
 }

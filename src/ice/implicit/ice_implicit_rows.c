@@ -1,18 +1,28 @@
 /* The implicit pressure's passes over the cells and faces of the blocks. Until ice_implicit_finish, C_DP holds what
  * advection, conduction, heating and new volume do to the pressure, and C_PRESSURE_ADVANCED the latest step of
  * pressure. */
-#include "ice/implicit/ice_implicit.h"
+#include "ice/implicit/ice_implicit_rows.h"
 
+#include "ice/exchange/ice_exchange.h"
+#include "ice/ice_constants.h"
+#include "ice/points/ice_points.h"
+#include "ice/pressure/ice_pressure.h"
+#include "ice/shock/ice_shock.h"
+#include "ice/sides/ice_sides.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_cells.h"
+#include "ice/state/ice_materials.h"
+
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 /* Calls `visit` for every owned row of every block; rows of faces normal to `axis`, or of cells (-1). */
 typedef void row_visitor(const ice *s, const ice_view *v, int axis, int j, int k);
-static void for_face_rows(const ice *s, int axis, row_visitor *visit)
+static void for_face_rows(const ice *s, const ice_region *g, int axis, row_visitor *visit)
 {
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
+    ice_view v;
+    for (int id = 0; ice_next_view(s, g, &id, &v);) {
         const ice_rows q = ice_rows_of(v.b, axis, 0);
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) visit(s, &v, axis, ice_row_j(q, row), ice_row_k(q, row));
@@ -53,12 +63,13 @@ static bool inner_faces(const ice *s, const ice_view *v, int axis, int j, int k,
 
 static void set_face_mobility(const ice *s, const ice_view *v, int axis, int j, int k)
 {
+    (void)s;
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
-    for (int r = 0; r < s->n_materials; ++r) {
+    for (int r = 0; r < v->n_materials; ++r) {
         const double *restrict rho = v->m[r].rho, *restrict theta = v->m[r].theta;
         double *restrict out = v->m[r].mobility[axis];
         for (ptrdiff_t R = base; R < base + n; ++R) {
-            const double fractions = s->multi ? theta[R - step] + theta[R] : 2.0;
+            const double fractions = v->multi ? theta[R - step] + theta[R] : 2.0;
             out[R] = fractions / (rho[R - step] + rho[R] + ICE_TINY);
         }
     }
@@ -72,7 +83,7 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
     const ptrdiff_t step = v->b->stride[axis];
     const double pressure_impulse = v->dt * v->inv_h[axis], gravity_impulse = v->dt * v->gravity[axis];
     const double *restrict p = v->p, *restrict c = v->dP, *restrict shock = v->shock;
-    for (int r = 0; r < s->n_materials; ++r) {
+    for (int r = 0; r < v->n_materials; ++r) {
         const double *restrict mobility = v->m[r].mobility[axis];
         double *restrict face = v->m[r].fu[axis];
 #pragma omp simd
@@ -85,38 +96,37 @@ static void centre_face(const ice *s, const ice_view *v, int axis, int j, int k)
     }
 }
 
-floe_status ice_implicit_begin(ice *s)
+floe_status ice_implicit_begin(ice *s, const ice_region *g)
 {
-    for_face_rows(s, -1, advect_pressure);
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
-        if (s->work->reactions.n > 0) ice_created_pressure(s, &v, v.dP);
-        for (int r = 0; r < s->n_materials && s->diffuses; ++r) ice_diffusion_pressure(s, &v, r, v.dP);
+    const bool diffuses = ice_diffuses(s);
+    for_face_rows(s, g, -1, advect_pressure);
+    ice_view v;
+    for (int id = 0; ice_next_view(s, g, &id, &v);) {
+        if (ice_reaction_count(s) > 0) ice_created_pressure(s, &v, v.dP);
+        for (int r = 0; r < v.n_materials && diffuses; ++r) ice_diffusion_pressure(s, &v, r, v.dP);
     }
-    TRY(ice_load_pressure(s));
-    ice_fill_ghosts(s, C_DP, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, set_face_mobility);
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
-        for (int axis = 0; axis < v.dim && s->multi; ++axis) {
+    TRY(ice_load_pressure(s, g));
+    ice_fill_ghosts(s, C_DP, g->number, FILL_CURRENT, GHOST_ZERO_OPEN);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, set_face_mobility);
+    for (int id = 0; ice_next_view(s, g, &id, &v);) {
+        for (int axis = 0; axis < v.dim && v.multi; ++axis) {
             double *mobility[ICE_MAX_MATERIALS];
-            for (int r = 0; r < s->n_materials; ++r) mobility[r] = v.m[r].mobility[axis];
+            for (int r = 0; r < v.n_materials; ++r) mobility[r] = v.m[r].mobility[axis];
             ice_exchange_faces(s, &v, axis, mobility);
         }
-        for (int r = 0; r < s->n_materials; ++r) ice_boundary_mobility(s, &v, r);
+        for (int r = 0; r < v.n_materials; ++r) ice_boundary_mobility(s, &v, r);
     }
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, centre_face);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, centre_face);
     return FLOE_OK;
 }
 
 static void push_face(const ice *s, const ice_view *v, int axis, int j, int k)
 {
+    (void)s;
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     const double pressure_impulse = v->dt * v->inv_h[axis];
     const double *restrict y = v->P, *restrict shock = v->shock;
-    for (int r = 0; r < s->n_materials; ++r) {
+    for (int r = 0; r < v->n_materials; ++r) {
         const double *restrict mobility = v->m[r].mobility[axis];
         double *restrict face = v->m[r].fu[axis];
 #pragma omp simd
@@ -128,15 +138,15 @@ static void push_face(const ice *s, const ice_view *v, int axis, int j, int k)
     }
 }
 
-void ice_implicit_push(const ice *s)
+void ice_implicit_push(const ice *s, const ice_region *g)
 {
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, push_face);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, push_face);
 }
 
 /* Index on the solver's grid of the first cell of a row. */
 static ptrdiff_t grid_row(const ice *s, const block *b, int j, int k)
 {
-    return solve_index(&s->work->implicit->grid, b->lo[0], b->lo[1] + j, b->lo[2] + k);
+    return solve_index(&s->rows->grid, b->lo[0], b->lo[1] + j, b->lo[2] + k);
 }
 
 static double cell_compressibility(const ice_view *v, ptrdiff_t at)
@@ -173,14 +183,14 @@ static double weight_of(const ice_view *v, ptrdiff_t i)
 static void residual_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)axis;
-    ice_implicit *w = s->work->implicit;
+    ice_implicit *w = s->rows;
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     double *restrict b = w->b + grid_row(s, v->b, j, k), largest = 0.0;
     bool sound = true;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
         const double phi = ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at]));
-        const double constrained = s->with_points && ice_is_continued(s, v, at) ? 0.0 : 1.0;
+        const double constrained = s->with_points && ice_is_continued(v, at) ? 0.0 : 1.0;
         const double r =
             constrained * (-v->step[at] / (phi * cell_compressibility(v, at)) - v->dt * flux_divergence(v, at, i));
         largest = most(largest, fabs(r));
@@ -192,13 +202,13 @@ static void residual_row(const ice *s, const ice_view *v, int axis, int j, int k
     *tile = most(*tile, sound ? largest : DBL_MAX);
 }
 
-double ice_implicit_residual(ice *s)
+double ice_implicit_residual(ice *s, const ice_region *g)
 {
-    ice_implicit *w = s->work->implicit;
+    ice_implicit *w = s->rows;
     const int rows = solve_rows(&w->grid);
     double largest = 0.0;
     memset(w->tile, 0, (size_t)rows * sizeof(double));
-    for_face_rows(s, -1, residual_row);
+    for_face_rows(s, g, -1, residual_row);
     for (int row = 0; row < rows; ++row) largest = most(largest, w->tile[row]);
     return largest;
 }
@@ -206,7 +216,7 @@ double ice_implicit_residual(ice *s)
 static void sink_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)axis;
-    double *sink = multigrid_system(s->work->implicit->m).sink + grid_row(s, v->b, j, k);
+    double *sink = multigrid_system(s->rows->m).sink + grid_row(s, v->b, j, k);
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
         const double phi = ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at]));
@@ -220,12 +230,12 @@ static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     const double square = v->dt * v->dt * v->inv_h[axis] * v->inv_h[axis];
-    double *link = multigrid_system(s->work->implicit->m).link[axis] + grid_row(s, v->b, j, k);
+    double *link = multigrid_system(s->rows->m).link[axis] + grid_row(s, v->b, j, k);
     for (ptrdiff_t i = 0; i < n; ++i) {
         const ptrdiff_t R = base + i, L = R - step;
         double mobility = 0.0;
-        for (int r = 0; r < s->n_materials; ++r)
-            mobility += (s->multi ? v->m[r].ft[axis][R] : 1.0) * v->m[r].mobility[axis][R];
+        for (int r = 0; r < v->n_materials; ++r)
+            mobility += (v->multi ? v->m[r].ft[axis][R] : 1.0) * v->m[r].mobility[axis][R];
         const double phi = ice_implicit_phi(v, 0.5 + 0.25 * (v->shock[L] + v->shock[R]));
         const double area = axis == 0 ? v->lower0[i] * weight_of(v, i) * v->h[0] : weight_of(v, i);
         link[i] = square * phi * mobility * area;
@@ -235,8 +245,8 @@ static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
 /* A constrained cell keeps its pressure: links to it become sinks of its neighbours, and it is not an unknown. */
 static void constrain_cell(const ice *s, const ice_view *v, int i, int j, int k)
 {
-    const solve_grid *g = &s->work->implicit->grid;
-    const link_system q = multigrid_system(s->work->implicit->m);
+    const solve_grid *g = &s->rows->grid;
+    const link_system q = multigrid_system(s->rows->m);
     const int cell[MESH_MAX_DIM] = {v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k};
     const ptrdiff_t at = solve_index(g, cell[0], cell[1], cell[2]);
     for (int a = 0; a < g->dim; ++a)
@@ -252,36 +262,33 @@ static void constrain_cell(const ice *s, const ice_view *v, int i, int j, int k)
 
 static void drop_sink(const ice *s, const ice_view *v, int i, int j, int k)
 {
-    multigrid_system(s->work->implicit->m).sink[grid_row(s, v->b, j, k) + i] = 0.0;
+    multigrid_system(s->rows->m).sink[grid_row(s, v->b, j, k) + i] = 0.0;
 }
 
-static void for_constrained(const ice *s, void (*visit)(const ice *s, const ice_view *v, int i, int j, int k))
+static void for_constrained(const ice *s, const ice_region *g,
+                            void (*visit)(const ice *s, const ice_view *v, int i, int j, int k))
 {
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        ice_view v;
-        ice_view_make(s, id, &v);
-        for (int k = 0; k < v.b->n[2]; ++k)
-            for (int j = 0; j < v.b->n[1]; ++j)
-                for (int i = 0; i < v.b->n[0]; ++i)
-                    if (ice_is_continued(s, &v, mesh_index(v.b, i, j, k))) visit(s, &v, i, j, k);
-    }
+    ice_view v;
+    for (int id = 0; ice_next_view(s, g, &id, &v);)
+        for (ice_walk c = ICE_FIRST; ice_next_cell(v.b, &c);)
+            if (ice_is_continued(&v, c.at)) visit(s, &v, c.in[0], c.in[1], c.in[2]);
 }
 
-void ice_implicit_matrix(ice *s)
+void ice_implicit_matrix(ice *s, const ice_region *g)
 {
-    for_face_rows(s, -1, sink_row);
-    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, axis, link_row);
+    for_face_rows(s, g, -1, sink_row);
+    for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, link_row);
     if (s->with_points) {
-        for_constrained(s, constrain_cell);
-        for_constrained(s, drop_sink);
+        for_constrained(s, g, constrain_cell);
+        for_constrained(s, g, drop_sink);
     }
-    multigrid_prepare(s->work->implicit->m);
+    multigrid_prepare(s->rows->m);
 }
 
 static void take_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)axis;
-    const double *x = s->work->implicit->x + grid_row(s, v->b, j, k);
+    const double *x = s->rows->x + grid_row(s, v->b, j, k);
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
         v->P[at] = x[i];
@@ -289,10 +296,10 @@ static void take_row(const ice *s, const ice_view *v, int axis, int j, int k)
     }
 }
 
-void ice_implicit_take(ice *s)
+void ice_implicit_take(ice *s, const ice_region *g)
 {
-    for_face_rows(s, -1, take_row);
-    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
+    for_face_rows(s, g, -1, take_row);
+    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, g->number, FILL_CURRENT, GHOST_ZERO_OPEN);
 }
 
 static void guess_row(const ice *s, const ice_view *v, int axis, int j, int k)
@@ -300,15 +307,15 @@ static void guess_row(const ice *s, const ice_view *v, int axis, int j, int k)
     (void)axis;
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
-        const bool constrained = s->with_points && ice_is_continued(s, v, at);
+        const bool constrained = s->with_points && ice_is_continued(v, at);
         v->P[at] = v->step[at] = constrained ? 0.0 : v->last_step[at];
     }
 }
 
-void ice_implicit_guess(ice *s)
+void ice_implicit_guess(ice *s, const ice_region *g)
 {
-    for_face_rows(s, -1, guess_row);
-    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, 0, FILL_CURRENT, GHOST_ZERO_OPEN);
+    for_face_rows(s, g, -1, guess_row);
+    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, g->number, FILL_CURRENT, GHOST_ZERO_OPEN);
 }
 
 /* dP of the volumes as they flow, so that 2.10 keeps the sum of volumes exactly; P by the steps that were solved for,
@@ -326,8 +333,8 @@ static void finish_pressure_row(const ice *s, const ice_view *v, int axis, int j
     }
 }
 
-void ice_implicit_finish(ice *s)
+void ice_implicit_finish(ice *s, const ice_region *g)
 {
-    for_face_rows(s, -1, finish_pressure_row);
-    ice_finish_increment(s);
+    for_face_rows(s, g, -1, finish_pressure_row);
+    ice_finish_increment(s, g);
 }

@@ -1,63 +1,65 @@
-/* Pools of cells: which cells share a state (ice_merged_cells.h). */
+/* Merged cells: which cells share a state (ice_merged_cells.h). */
 #include "ice/sealed/ice_merged_cells.h"
 
 #include "base/memory.h"
+#include "ice/ice_constants.h"
+#include "ice/state/ice_materials.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A cell of which less than this is left to a gas shares a neighbour's state. */
-static const double small_cell = 0.5;
+bool ice_encloses(const ice *s, int line, int region)
+{
+    const int r = s->seal.line[line].enclosed;
+    return r >= 0 && ice_region_of(s, r)->number == region;
+}
 
-/* Outside several lines a share this close to none is none: round-off of their sum. */
-static const double none = 1e-13;
-
-/* The line that holds a gas; -1: none does. */
-static int line_of(const ice *s, int gas)
+/* The boundary that encloses a region; -1: none does. */
+static int line_of(const ice *s, int region)
 {
     for (int l = 0; l < s->seal.n_lines; ++l)
-        if (s->seal.line[l].enclosed == gas) return l;
+        if (ice_encloses(s, l, region)) return l;
     return -1;
 }
 
 static double outside_share(const ice *s, double enclosed)
 {
-    return s->seal.n_lines > 1 && fabs(1.0 - enclosed) < none ? 0.0 : 1.0 - enclosed;
+    return s->seal.n_lines > 1 && fabs(1.0 - enclosed) < ICE_OPEN_ROUND_OFF ? 0.0 : 1.0 - enclosed;
 }
 
-double ice_open_cell(const ice *s, int gas, int place, const int cell[2])
+double ice_open_cell(const ice *s, int region, int place, const int cell[3])
 {
-    const int own = line_of(s, gas);
+    const int own = line_of(s, region);
     double enclosed = 0.0;
     if (own >= 0) return cut_open(&s->seal.line[own].place[place], cell);
     for (int l = 0; l < s->seal.n_lines; ++l) enclosed += cut_open(&s->seal.line[l].place[place], cell);
     return outside_share(s, enclosed);
 }
 
-double ice_open_face(const ice *s, int gas, int place, const int cell[2], int axis, int side)
+double ice_open_face(const ice *s, int region, int place, const int cell[3], int axis, int side)
 {
-    const int own = line_of(s, gas);
+    const int own = line_of(s, region);
     double enclosed = 0.0;
     if (own >= 0) return cut_face(&s->seal.line[own].place[place], cell, axis, side);
     for (int l = 0; l < s->seal.n_lines; ++l) enclosed += cut_face(&s->seal.line[l].place[place], cell, axis, side);
     return outside_share(s, enclosed);
 }
 
-double ice_mean_face(const ice *s, int gas, const int cell[2], int axis, int side)
+double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int side)
 {
     double sum = 0.0;
-    for (int k = 0; k < ICE_SEAL_PLACES; ++k) sum += ice_open_face(s, gas, SEAL_MEAN + k, cell, axis, side);
+    for (int k = 0; k < ICE_SEAL_PLACES; ++k) sum += ice_open_face(s, region, SEAL_MEAN + k, cell, axis, side);
     return sum / ICE_SEAL_PLACES;
 }
 
-double ice_outward(const ice *s, int gas, int line)
+double ice_outward(const ice *s, int region, int line)
 {
-    const int own = line_of(s, gas);
+    const int own = line_of(s, region);
     return own < 0 ? -1.0 : own == line ? 1.0 : 0.0;
 }
 
 /* What is left outside all lines, at least, of a cell and of its faces. */
-static double least_outside(const ice *s, int place, const int cell[2])
+static double least_outside(const ice *s, int place, const int cell[3])
 {
     const int nobody = -1;
     double least = ice_open_cell(s, nobody, place, cell);
@@ -67,7 +69,7 @@ static double least_outside(const ice *s, int place, const int cell[2])
 
 floe_status ice_seal_check(const ice *s, int place)
 {
-    const double overlap = scene_enclosing_body(s->scene) < 0 ? 1e-6 : 0.0; /* of solids in touch, by round-off */
+    const double overlap = scene_enclosing_body(s->scene) < 0 ? ICE_CONTACT_OVERLAP : 0.0; /* of solids */
     for (int l = 0; l < s->seal.n_lines && s->seal.n_lines > 1; ++l) {
         const cut_surface *c = &s->seal.line[l].place[place];
         for (int k = 0; k < c->n_cells; ++k) {
@@ -100,49 +102,49 @@ static floe_status reserve_members(ice *s, ice_merged_cells *p)
 
 /* Open fraction of a cell that a gas has reached. A gap that opens between bodies in contact has no gas, and counts as
  * closed until it is connected with the gas. */
-static double fluid_volume_of_cell(const ice *s, int gas, int place, const int cell[2])
+static double fluid_volume_of_cell(const ice *s, const ice_region *g, int place, const int cell[3])
 {
-    const double open = ice_open_cell(s, gas, place, cell);
+    const double open = ice_open_cell(s, g->number, place, cell);
     if (place != SEAL_NOW || open == 0.0) return open;
-    const int whole[3] = {cell[0], cell[1], 0}, id = mesh_block_of(s->mesh, whole);
+    const int id = mesh_block_of(s->mesh, cell);
     const block *b = &s->mesh->block[id];
-    const ptrdiff_t at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
-    return field_get(s->domain->fields[id], C_OPEN, gas, 0)[at] > 0.0 ? open : 0.0;
+    const ptrdiff_t at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]);
+    return field_get(s->domain->fields[id], C_OPEN, g->first, 0)[at] > 0.0 ? open : 0.0;
 }
 
-static floe_status add_member(ice *s, int gas, int place, ice_merged_cells *p, const int cell[2])
+static floe_status add_member(ice *s, int place, ice_merged_cells *p, const int cell[3])
 {
     const mesh *m = s->mesh;
     int *number = &p->place[cut_index(m, cell)];
     if (*number >= 0) return FLOE_OK;
     TRY(reserve_members(s, p));
-    const int whole[3] = {cell[0], cell[1], 0};
     ice_member *k = &p->member[p->n];
-    *k = (ice_member){.cell = {cell[0], cell[1]}, .block = mesh_block_of(m, whole), .merged = p->n};
+    *k = (ice_member){.cell = {cell[0], cell[1], cell[2]}, .block = mesh_block_of(m, cell), .merged = p->n};
     const block *b = &m->block[k->block];
-    k->at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], 0);
-    k->open = fluid_volume_of_cell(s, gas, place, cell);
-    for (int f = 0; f < 2 * m->dim; ++f) k->face[f / 2][f % 2] = ice_mean_face(s, gas, cell, f / 2, f % 2);
+    k->at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]);
+    k->open = fluid_volume_of_cell(s, p->region, place, cell);
+    for (int f = 0; f < 2 * m->dim; ++f)
+        k->face[f / 2][f % 2] = ice_mean_face(s, p->region->number, cell, f / 2, f % 2);
     *number = p->n++;
     return FLOE_OK;
 }
 
-static bool is_in_domain(const mesh *m, const int cell[2])
+static bool is_in_domain(const mesh *m, const int cell[3])
 {
-    return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1];
+    return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1] && cell[2] >= 0 && cell[2] < m->n[2];
 }
 
 /* The neighbour with which a cell is merged: the one with the largest open fraction, larger than its own, behind a face
  * that is open with the boundaries at `through`. */
-static bool find_neighbour(const ice *s, int gas, int place, int through, const ice_member *k, int out[2])
+static bool find_neighbour(const ice *s, const ice_region *g, int place, int through, const ice_member *k, int out[3])
 {
     double best = 0.0;
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
-        int cell[2] = {k->cell[0], k->cell[1]};
+        int cell[3] = {k->cell[0], k->cell[1], k->cell[2]};
         cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
         if (!is_in_domain(s->mesh, cell)) continue;
-        const double open = fluid_volume_of_cell(s, gas, place, cell);
-        const double score = open * ice_open_face(s, gas, through, k->cell, f / 2, f % 2);
+        const double open = fluid_volume_of_cell(s, g, place, cell);
+        const double score = open * ice_open_face(s, g->number, through, k->cell, f / 2, f % 2);
         if (!(open > k->open) || !(score > best)) continue;
         best = score;
         memcpy(out, cell, sizeof cell);
@@ -150,14 +152,16 @@ static bool find_neighbour(const ice *s, int gas, int place, int through, const 
     return best > 0.0;
 }
 
-/* Of a cell that is all covered and has no such neighbour, the roomiest of all around. */
-static bool find_refuge(const ice *s, int gas, int place, const ice_member *k, int out[2])
+/* Of a cell that is all covered and has no such neighbour, the one with the largest open fraction of all around. */
+static bool find_refuge(const ice *s, const ice_region *g, int place, const ice_member *k, int out[3])
 {
     double best = 0.0;
-    for (int n = 0; n < 9; ++n) {
-        const int cell[2] = {k->cell[0] + n % 3 - 1, k->cell[1] + n / 3 - 1};
-        if (n == 4 || !is_in_domain(s->mesh, cell)) continue;
-        const double open = fluid_volume_of_cell(s, gas, place, cell);
+    const int around = s->mesh->dim > 2 ? 27 : 9;
+    for (int n = 0; n < around; ++n) {
+        const int cell[3] = {k->cell[0] + n % 3 - 1, k->cell[1] + n / 3 % 3 - 1,
+                             k->cell[2] + (s->mesh->dim > 2 ? n / 9 - 1 : 0)};
+        if (n == around / 2 || !is_in_domain(s->mesh, cell)) continue;
+        const double open = fluid_volume_of_cell(s, g, place, cell);
         if (!(open > best)) continue;
         best = open;
         memcpy(out, cell, sizeof cell);
@@ -182,21 +186,21 @@ static step_places places_of(ice_merge_time when)
 
 /* The cell whose state a member takes. A covered cell belongs to whom it flows to or from while it is open, now or at
  * another time of the step. */
-static bool find_host(const ice *s, int gas, const step_places *l, const ice_member *m, int cell[2])
+static bool find_host(const ice *s, const ice_region *g, const step_places *l, const ice_member *m, int cell[3])
 {
-    if (find_neighbour(s, gas, l->at[0], l->at[0], m, cell)) return true;
+    if (find_neighbour(s, g, l->at[0], l->at[0], m, cell)) return true;
     for (int k = 1; k < l->n && m->open == 0.0; ++k)
-        if (find_neighbour(s, gas, l->at[0], l->at[k], m, cell)) return true;
-    return m->open == 0.0 && find_refuge(s, gas, l->at[0], m, cell);
+        if (find_neighbour(s, g, l->at[0], l->at[k], m, cell)) return true;
+    return m->open == 0.0 && find_refuge(s, g, l->at[0], m, cell);
 }
 
 /* The member with which another is merged; itself where it is not. */
-static floe_status root_member(ice *s, int gas, const step_places *l, ice_merged_cells *p, int k)
+static floe_status root_member(ice *s, const step_places *l, ice_merged_cells *p, int k)
 {
-    int cell[2];
+    int cell[3];
     const ice_member *m = &p->member[k];
-    if (m->open >= small_cell || !find_host(s, gas, l, m, cell)) return FLOE_OK;
-    TRY(add_member(s, gas, l->at[0], p, cell));
+    if (m->open >= ICE_SMALL_CELL || !find_host(s, p->region, l, m, cell)) return FLOE_OK;
+    TRY(add_member(s, l->at[0], p, cell));
     p->member[k].merged = p->place[cut_index(s->mesh, cell)];
     return FLOE_OK;
 }
@@ -218,61 +222,61 @@ static void number_merged_cells(ice_merged_cells *p)
 }
 
 /* Cells that the boundaries of a gas cut at a position are members. */
-static floe_status add_cut_cells(ice *s, int gas, int place, int at, ice_merged_cells *p)
+static floe_status add_cut_cells(ice *s, int place, int at, ice_merged_cells *p)
 {
     for (int l = 0; l < s->seal.n_lines; ++l) {
         const cut_surface *c = &s->seal.line[l].place[at];
-        if (ice_outward(s, gas, l) == 0.0) continue;
-        for (int k = 0; k < c->n_cells; ++k) TRY(add_member(s, gas, place, p, c->cell[k].cell));
+        if (ice_outward(s, p->region->number, l) == 0.0) continue;
+        for (int k = 0; k < c->n_cells; ++k) TRY(add_member(s, place, p, c->cell[k].cell));
     }
     return FLOE_OK;
 }
 
-floe_status ice_merge_cells(ice *s, int gas, ice_merge_time when, ice_merged_cells *out)
+floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out)
 {
     const step_places l = places_of(when);
     for (int k = 0; k < out->n; ++k) out->place[cut_index(s->mesh, out->member[k].cell)] = -1;
     out->n = 0;
-    for (int k = 0; k < l.n; ++k) TRY(add_cut_cells(s, gas, l.at[0], l.at[k], out));
-    for (int k = 0; k < out->n; ++k) TRY(root_member(s, gas, &l, out, k));
+    for (int k = 0; k < l.n; ++k) TRY(add_cut_cells(s, l.at[0], l.at[k], out));
+    for (int k = 0; k < out->n; ++k) TRY(root_member(s, &l, out, k));
     number_merged_cells(out);
-    if (ice_has_weight(s)) ice_merged_centre(s, gas, l.at[0], out);
+    if (ice_has_weight(s)) ice_merged_centre(s, l.at[0], out);
     return FLOE_OK;
 }
 
-void ice_seal_views(const ice *s)
+void ice_seal_views(const ice *s, const ice_region *g)
 {
-    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_make(s, id, &s->work->sealing->view[id]);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_make(s, g, id, &s->sealing->view[id]);
 }
 
 /* The initial state of a gas, of its first body or of the ambient. */
-static floe_status find_rest(ice *s, int gas, fluid_state *out)
+static floe_status find_rest(ice *s, int r, fluid_state *out)
 {
     const scene *given = s->scene;
-    const int material = s->material[gas].scene_material;
+    const int material = s->material[r].scene_material;
     for (int b = 0; b < given->n_bodies; ++b) {
         const scene_body *body = &given->body[b];
         if (body->material != material) continue;
         return fail_under(
-            s->ctx,
-            fluid_state_of(s->ctx, &s->material[gas].eos, body->pressure, body->temperature, body->density, out),
+            s->ctx, fluid_state_of(s->ctx, &s->material[r].eos, body->pressure, body->temperature, body->density, out),
             KEY("bodies", body->name));
     }
     return fail_under(
         s->ctx,
-        fluid_state_of(s->ctx, &s->material[gas].eos, given->ambient_pressure, given->ambient_temperature, NAN, out),
+        fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN, out),
         KEY("ambient"));
 }
 
-static floe_status new_merged_cells(const ice *s, ice_merged_cells *p)
+static floe_status new_merged_cells(const ice *s, const ice_region *g, ice_merged_cells *p)
 {
+    p->region = g;
     const size_t cells = mesh_cells(s->mesh);
     TRY(memory_new(s->ctx, &p->place, cells, sizeof *p->place));
     for (size_t k = 0; k < cells; ++k) p->place[k] = -1;
     return FLOE_OK;
 }
 
-/* The lines, and what each holds; the surfaces of solids are one beside each fluid. */
+/* The boundaries and the material that each encloses; the surfaces of solids are one boundary beside each fluid. */
 static void find_lines(ice *s)
 {
     int body[SCENE_MAX_ENCLOSING];
@@ -284,19 +288,19 @@ static void find_lines(ice *s)
         s->seal.line[l].enclosed = ice_material_of(s, s->scene->body[body[l]].membrane.encloses);
 }
 
-floe_status ice_seal_create(ice *s)
+floe_status ice_sealing_create(ice *s)
 {
     find_lines(s);
-    if (s->mesh->dim > 2 || s->n_materials > s->seal.n_lines + 1)
+    if ((s->mesh->dim > 2 && scene_enclosing_body(s->scene) >= 0) || s->n_materials > s->seal.n_lines + 1)
         return fail_key(
             s->ctx, KEY("bodies"),
             "membranes enclose gas in two dimensions: each has one inside, and one gas or none is outside all");
-    TRY(memory_new(s->ctx, &s->work->sealing, 1, sizeof *s->work->sealing));
-    struct ice_sealing *w = s->work->sealing;
-    for (int g = 0; g < s->n_materials; ++g) {
-        TRY(new_merged_cells(s, &w->now[g]));
-        TRY(new_merged_cells(s, &w->next[g]));
-        TRY(find_rest(s, g, &w->rest[g]));
+    TRY(memory_new(s->ctx, &s->sealing, 1, sizeof *s->sealing));
+    ice_sealing *w = s->sealing;
+    for (int g = 0; g < s->n_regions; ++g) {
+        TRY(new_merged_cells(s, &s->region[g], &w->now[g]));
+        TRY(new_merged_cells(s, &s->region[g], &w->next[g]));
+        TRY(find_rest(s, s->region[g].first, &w->rest[g]));
     }
     return memory_new(s->ctx, &w->view, (size_t)s->mesh->n_blocks, sizeof *w->view);
 }
@@ -309,7 +313,7 @@ static void free_merged_cells(context *ctx, ice_merged_cells *p)
     memory_free(ctx, &p->sum);
 }
 
-void ice_seal_destroy(context *ctx, struct ice_sealing **w)
+void ice_sealing_destroy(context *ctx, ice_sealing **w)
 {
     if (!*w) return;
     for (int g = 0; g < ICE_SEALED_GASES; ++g) {

@@ -1,5 +1,5 @@
-/* Gases separated by embedded boundaries: merged cells, and the geometry that the step needs. Private to the ice
- * module.
+/* Gases separated by embedded boundaries: merged cells, and the geometry that the step needs. Only this folder
+ * includes it.
  *
  * A cut cell with a small volume of a gas cannot have a state of its own: any flux would empty it. It is therefore
  * merged with its largest neighbour through an open face: mass, momentum and energy of the merged cells are summed and
@@ -8,17 +8,18 @@
 #ifndef ICE_MERGED_CELLS_H
 #define ICE_MERGED_CELLS_H
 
-#include "ice/ice_internal.h"
+#include "ice/sealed/ice_sealed.h"
+#include "ice/sides/ice_sides.h"
 #include "scene/state.h"
 
 /* A cut cell, or a cell that is merged with one. */
 typedef struct ice_member {
-    int cell[2];       /* global */
+    int cell[3];       /* global */
     int block, merged; /* merged: index of its merged cell */
     ptrdiff_t at;      /* index in the block */
     double open;       /* open fraction of the gas */
-    double above[2];   /* m: of the cell's centre from that of what the pool has open; 0 without gravity */
-    double face[2][2]; /* mean apertures of its faces in the step, by axis and side */
+    double above[3];   /* m: of the cell's centre from the open centroid of its merged cells; 0 without gravity */
+    double face[3][2]; /* mean apertures of its faces in the step, by axis and side */
 } ice_member;
 
 enum {
@@ -27,61 +28,61 @@ enum {
     MERGED_FLUX, /* m3/s: flux out of its open faces and of the boundary */
     MERGED_WORK, /* J */
     MERGED_MOMENTUM,
-    MERGED_WEIGHT = MERGED_MOMENTUM + 2, /* N s: gravity's impulse */
-    MERGED_SUMS = MERGED_WEIGHT + 2
+    MERGED_WEIGHT = MERGED_MOMENTUM + MESH_MAX_DIM, /* N s: gravity's impulse */
+    MERGED_SUMS = MERGED_WEIGHT + MESH_MAX_DIM
 };
 
 typedef struct ice_merged_cells {
-    ice_member *member; /* owned */
-    int n, count;       /* numbers of members and of merged cells */
-    int *lead;          /* of each merged cell: its largest member; owned */
-    int *place;         /* of every global cell: its index among the members, else -1; owned */
-    double *sum;        /* MERGED_SUMS of each merged cell; owned */
+    const ice_region *region; /* not owned */
+    ice_member *member;       /* owned */
+    int n, count;             /* numbers of members and of merged cells */
+    int *lead;                /* of each merged cell: its largest member; owned */
+    int *place;               /* of every global cell: its index among the members, else -1; owned */
+    double *sum;              /* MERGED_SUMS of each merged cell; owned */
     size_t reserved;
 } ice_merged_cells;
 
-struct ice_sealing {
+typedef struct ice_sealing {
     ice_merged_cells now[ICE_SEALED_GASES], next[ICE_SEALED_GASES];
     fluid_state rest[ICE_SEALED_GASES]; /* state of each gas in cells far from it */
-    ice_view *view;                     /* of every block, for the current gas; owned */
-};
+    ice_view *view;                     /* of every block, for one region at a time (ice_seal_views); owned */
+} ice_sealing;
 
 /* At which positions of the boundaries cells are merged: before the points move, over the step, and after it. */
 typedef enum ice_merge_time { MERGE_BEFORE, MERGE_MOVING, MERGE_AFTER } ice_merge_time;
 /* Merges the cells of a gas for the positions of the boundaries. All cells that are cut during the step are members,
  * whatever their open fraction. */
-floe_status ice_merge_cells(ice *s, int gas, ice_merge_time when, ice_merged_cells *out);
-/* Initial states of all gases in their open cells. */
-floe_status ice_sealed_fill(ice *s);
-/* Views of the current gas, one for each block. */
-void ice_seal_views(const ice *s);
-/* Open fraction of a cell, and aperture of one of its faces, for a gas at a position of the boundaries (SEAL_NOW to
- * SEAL_NEXT). */
-double ice_open_cell(const ice *s, int gas, int place, const int cell[2]);
-double ice_open_face(const ice *s, int gas, int place, const int cell[2], int axis, int side);
-/* Mean aperture of a face for a gas in the step. */
-double ice_mean_face(const ice *s, int gas, const int cell[2], int axis, int side);
+floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out);
+/* Makes the views of a region's blocks. */
+void ice_seal_views(const ice *s, const ice_region *g);
+/* Mean aperture of a face for a region in the step. */
+double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int side);
 /* ---- gravity (ice_merged_weight.c): the pressure in merged cells is linear, P + rho g . (x - centre), so that the
  * pressure of a gas at rest on walls is exact anywhere in its cells ---- */
 
 bool ice_has_weight(const ice *s);
 /* Positions of the members relative to the open centroid of their merged cells. */
-void ice_merged_centre(const ice *s, int gas, int place, ice_merged_cells *p);
-/* Pressure difference (Pa) of the current gas between a position relative to a member's centre (m) and its merged
+void ice_merged_centre(const ice *s, int place, ice_merged_cells *p);
+/* Pressure difference (Pa) between a position relative to a member's centre (m) and its merged
  * cells. */
-double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[2]);
-/* Converts the pressures of the current gas at t^n to those at the centres of the cells. */
-void ice_merged_lift(const ice *s);
+double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3]);
+/* Converts the pressures of a region at t^n to those at the centres of the cells. */
+void ice_merged_lift(const ice *s, const ice_region *g);
 /* Whether a cell is merged or closed, so that its weight is not that of the whole cell. */
-bool ice_is_merged(const ice *s, const block *b, int i, int j);
-/* Initial states of the current gas: hydrostatic equilibrium where it is at rest and given by pressure and temperature;
- * each region keeps the pressure of its highest cell. */
-floe_status ice_sealed_hydrostatic(ice *s);
+bool ice_is_merged(const ice *s, int region, const block *b, int i, int j, int k);
+
+/* ---- the step of merged cells (ice_merged_step.c) ---- */
+
+void ice_merged_centring(const ice *s, const ice_region *g);
+void ice_merged_increment(const ice *s, const ice_region *g);
+void ice_merged_sources(const ice *s, const ice_region *g);
 
 /* Sets all sums to zero. */
 void ice_clear_merged(ice_merged_cells *p);
-/* Sign of a boundary's area vectors for a gas: +1 for the gas that it encloses, -1 for the gas outside; 0: it does not
- * bound the gas. */
-double ice_outward(const ice *s, int gas, int line);
+/* Sign of a boundary's area vectors for a region: +1 for the one that it encloses, -1 for the one outside; 0: it does not
+ * bound the region. */
+double ice_outward(const ice *s, int region, int line);
+/* Whether a boundary encloses a region. */
+bool ice_encloses(const ice *s, int line, int region);
 
 #endif

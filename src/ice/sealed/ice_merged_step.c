@@ -4,14 +4,18 @@
  *
  *     dP = -(dt/V) [sum_f A_f u* + sum_w A_w . v] / S                             V, A_f: what is open
  *     M du = -dt [sum_f A_f (P* - P)]                                            since sum_f A_f + sum_w A_w = 0
- *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the way of the wall in the step
+ *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the displacement of the wall in the step
  *
- * Under gravity P is linear in the pool: that at its centre stands in dP, and that of a face or a piece in the others,
- * whose sum then has the pool's weight (ice_merged_weight.c). A viscous gas sticks to it: over half a cell it drags the
+ * Under gravity P is linear in the merged cells: dP has the value at their centre, the other sums that at the face or
+ * piece, so that they include the weight of the cells (ice_merged_weight.c). A viscous gas sticks to it: over half a cell it drags the
  * wall with mu |A_w| (u - v)/(h/2), and is dragged as much. Where there is no gas on the other side, the reference
  * pressure pushes on the wall from there. */
-#include "ice/ice_stress.h"
 #include "ice/sealed/ice_merged_cells.h"
+
+#include "ice/ice_constants.h"
+#include "ice/shock/ice_shock.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_materials.h"
 
 #include <math.h>
 
@@ -28,16 +32,16 @@ static ptrdiff_t face_of(const ice_view *v, const ice_member *k, int axis, int s
 
 static const ice_view *view_of(const ice *s, const ice_member *k)
 {
-    return &s->work->sealing->view[k->block];
+    return &s->sealing->view[k->block];
 }
 
-static ice_merged_cells *merged_cells_of_gas(const ice *s)
+static ice_merged_cells *merged_cells_of(const ice *s, const ice_region *g)
 {
-    return &s->work->sealing->now[s->gas];
+    return &s->sealing->now[g->number];
 }
 
 /* All pieces of the lines beside the current gas, where the step takes them to pass: each with the member of its cell,
- * the weight of its place, and which way its area points from the gas. */
+ * the weight of its place, and the sign of its area, outward from the gas. */
 typedef struct piece_walk {
     const ice *s;
     const ice_merged_cells *p;
@@ -58,7 +62,7 @@ static bool next_piece(piece_walk *w)
     const ice_seal *seal = &w->s->seal;
     for (w->n++; w->number < seal->n_lines; w->number++, w->place = SEAL_MEAN, w->n = 0) {
         const ice_seal_line *line = &seal->line[w->number];
-        w->outward = ice_outward(w->s, w->s->gas, w->number);
+        w->outward = ice_outward(w->s, w->p->region->number, w->number);
         if (w->outward == 0.0) continue;
         for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
         if (w->place == SEAL_NEXT) continue;
@@ -71,10 +75,17 @@ static bool next_piece(piece_walk *w)
     return false;
 }
 
-/* Component of a vector of the vertices in the middle of a piece. */
-static double at_middle(const cut_piece *q, const double *vertex, int a)
+static double piece_size(const cut_piece *q)
 {
-    return (1.0 - q->share) * vertex[2 * q->vertex[0] + a] + q->share * vertex[2 * q->vertex[1] + a];
+    return q->area[2] == 0.0 ? hypot(q->area[0], q->area[1]) : hypot(hypot(q->area[0], q->area[1]), q->area[2]);
+}
+
+/* Component of a vector of the vertices in the middle of a piece. */
+static double at_middle(const cut_piece *q, int dim, const double *vertex, int a)
+{
+    double sum = q->weight[0] * vertex[3 * q->vertex[0] + a];
+    for (int k = 1; k < dim; ++k) sum += q->weight[k] * vertex[3 * q->vertex[k] + a];
+    return sum;
 }
 
 /* The same along the piece's area, outward from the current gas. */
@@ -82,48 +93,48 @@ static double along_area(const piece_walk *w, const double *vertex)
 {
     const cut_piece *q = w->piece;
     double sum = 0.0;
-    for (int a = 0; a < w->s->mesh->dim; ++a) sum += q->area[a] * at_middle(q, vertex, a);
+    for (int a = 0; a < w->s->mesh->dim; ++a) sum += q->area[a] * at_middle(q, w->s->mesh->dim, vertex, a);
     return w->outward * sum;
 }
 
 /* Of the middle of a piece from the centre of its cell. */
-static void from_centre(const piece_walk *w, double x[2])
+static void from_centre(const piece_walk *w, double x[3])
 {
     const cut_surface *c = &w->line->place[w->place];
     const cut_piece *q = w->piece;
     for (int a = 0; a < w->s->mesh->dim; ++a)
-        x[a] = (1.0 - q->share) * c->vertex[q->vertex[0]].x[a] + q->share * c->vertex[q->vertex[1]].x[a] -
-               mesh_centre(w->s->mesh, a, w->member->cell[a]);
+        x[a] = cut_at_middle(c, q, a) - mesh_centre(w->s->mesh, a, w->member->cell[a]);
 }
 
 /* Pressure of the current gas on a piece. */
 static double pressure_on(const piece_walk *w)
 {
-    static const double centre[2] = {0.0, 0.0};
+    static const double centre[3] = {0.0};
     const double P = view_of(w->s, w->member)->P[w->member->at];
-    double x[2];
+    double x[3];
     if (!ice_has_weight(w->s)) return P;
     from_centre(w, x);
     return P + ice_merged_rise(w->s, w->p, w->member, x) - ice_merged_rise(w->s, w->p, w->member, centre);
 }
 
 /* Force (N) of the current gas on a piece: its pressure, and its drag. */
-static void force_on(const piece_walk *w, double force[2])
+static void force_on(const piece_walk *w, double force[3])
 {
     const ice *s = w->s;
     const cut_piece *q = w->piece;
     const ptrdiff_t at = w->member->at;
     const ice_view *v = view_of(s, w->member);
     const double P = pressure_on(w);
-    const double drag = 2.0 * s->material[s->gas].shear_viscosity / v->finest * hypot(q->area[0], q->area[1]);
+    const double drag = 2.0 * v->material[0].shear_viscosity / v->finest * piece_size(q);
     for (int a = 0; a < s->mesh->dim; ++a)
-        force[a] = w->outward * P * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, w->line->velocity, a));
+        force[a] =
+            w->outward * P * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, s->mesh->dim, w->line->velocity, a));
 }
 
-void ice_merged_centring(const ice *s)
+void ice_merged_centring(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = merged_cells_of_gas(s);
-    ice_seal_views(s);
+    const ice_merged_cells *p = merged_cells_of(s, g);
+    ice_seal_views(s, g);
     for (int k = 0; k < p->n; ++k) view_of(s, &p->member[k])->shock[p->member[k].at] = 1.0;
 }
 
@@ -145,10 +156,10 @@ static void add_fluxes(const ice *s, ice_merged_cells *p)
         p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_FLUX] += w.weight * along_area(&w, w.line->velocity);
 }
 
-void ice_merged_increment(const ice *s)
+void ice_merged_increment(const ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = merged_cells_of_gas(s);
-    ice_seal_views(s);
+    ice_merged_cells *p = merged_cells_of(s, g);
+    ice_seal_views(s, g);
     ice_clear_merged(p);
     add_fluxes(s, p);
     for (int k = 0; k < p->n; ++k) {
@@ -164,12 +175,12 @@ void ice_merged_increment(const ice *s)
     }
 }
 
-/* Gravity's part of the pressure inside the pool on a face of a member; its impulse is the pool's weight. */
+/* Gravity's part of the pressure inside merged cells on a face of a member; its impulse is their weight. */
 static double add_weight(const ice *s, const ice_merged_cells *p, const ice_member *m, int axis, int side, double area,
                          double *sum)
 {
-    static const double centre[2] = {0.0, 0.0};
-    double x[2] = {0.0, 0.0};
+    static const double centre[3] = {0.0};
+    double x[3] = {0.0};
     if (!ice_has_weight(s)) return 0.0;
     x[axis] = (side == SIDE_UPPER ? 0.5 : -0.5) * s->mesh->h[axis];
     const double rise = ice_merged_rise(s, p, m, x);
@@ -181,6 +192,7 @@ static double add_weight(const ice *s, const ice_merged_cells *p, const ice_memb
 static void add_faces(const ice *s, const ice_merged_cells *p, const ice_member *m, double *sum)
 {
     const ice_view *v = view_of(s, m);
+    const bool viscous = ice_is_viscous(s);
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         const int axis = f / 2, side = f % 2;
         const ptrdiff_t at = face_of(v, m, axis, side);
@@ -188,15 +200,15 @@ static void add_faces(const ice *s, const ice_merged_cells *p, const ice_member 
         const double P = v->P[m->at] + add_weight(s, p, m, axis, side, area, sum);
         sum[MERGED_MOMENTUM + axis] -= area * m->face[axis][side] * (v->fp[axis][at] - P);
         sum[MERGED_WORK] -= area * v->flux[axis][at] * v->fp[axis][at]; /* the flux is of the open part by now */
-        if (!s->viscous || !(m->face[axis][side] > 0.0)) continue;
+        if (!viscous || !(m->face[axis][side] > 0.0)) continue;
         const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
-        const face_diffusion t = ice_sealed_stress(s, v, axis, at, i);
+        const ice_face_diffusion t = ice_sealed_stress(v, axis, at, i);
         for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
         sum[MERGED_WORK] += area * m->face[axis][side] * t.power;
     }
-    if (s->viscous && m->open > 0.0)
+    if (viscous && m->open > 0.0)
         sum[MERGED_MOMENTUM] += s->dt * m->open * mesh_cell_volume(s->mesh, m->cell[0]) *
-                                ice_sealed_hoop(s, v, m->at, m->cell[0] - v->b->lo[0]);
+                                ice_sealed_hoop(v, m->at, m->cell[0] - v->b->lo[0]);
 }
 
 /* Heat of an enclosed gas goes to its merged cells in proportion to their mass. */
@@ -204,7 +216,7 @@ static void add_gas_heat(const ice *s, ice_merged_cells *p)
 {
     double mass = 0.0, heat = 0.0;
     for (int l = 0; l < s->seal.n_lines; ++l)
-        if (s->seal.line[l].enclosed == s->gas) heat = s->seal.line[l].heat;
+        if (ice_encloses(s, l, p->region->number)) heat = s->seal.line[l].heat;
     if (heat == 0.0) return;
     for (int n = 0; n < p->count; ++n) mass += p->sum[(size_t)n * MERGED_SUMS + MERGED_MASS];
     for (int n = 0; n < p->count && mass > 0.0; ++n) {
@@ -216,20 +228,20 @@ static void add_gas_heat(const ice *s, ice_merged_cells *p)
 /* Pressure (Pa) outside the membranes where there is no gas; the stress of solids is against it. */
 static double pressure_beyond(const ice *s)
 {
-    return s->n_materials == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
+    return s->n_regions == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
 }
 
 /* What the reference pressure does to the membranes about the current gas, or to the surfaces, in the step: into the
  * ledger. */
-static void note_surroundings(const ice *s)
+static void enter_surroundings(const ice *s, const ice_region *g)
 {
     const double beyond = pressure_beyond(s);
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
     double work = 0.0;
     if (beyond == 0.0) return;
-    for (piece_walk w = first_piece(s, merged_cells_of_gas(s)); next_piece(&w);) {
+    for (piece_walk w = first_piece(s, merged_cells_of(s, g)); next_piece(&w);) {
         double x[MESH_MAX_DIM] = {0.0};
-        for (int a = 0; a < s->mesh->dim; ++a) x[a] = at_middle(w.piece, w.line->path, a);
+        for (int a = 0; a < s->mesh->dim; ++a) x[a] = at_middle(w.piece, s->mesh->dim, w.line->path, a);
         for (int a = radial; a < s->mesh->dim; ++a)
             ledger_push(s->ledger, LEDGER_BOUNDARY, a, -w.weight * s->dt * beyond * w.piece->area[a], x);
         work -= w.weight * beyond * along_area(&w, w.line->path);
@@ -247,7 +259,7 @@ static void add_exact_sources(const ice *s, ice_merged_cells *p)
     }
     for (piece_walk w = first_piece(s, p); next_piece(&w);) {
         const ice_member *m = w.member;
-        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS, force[2], x[2];
+        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS, force[3], x[3];
         const double P = pressure_on(&w);
         from_centre(&w, x);
         force_on(&w, force);
@@ -256,7 +268,7 @@ static void add_exact_sources(const ice *s, ice_merged_cells *p)
             sum[MERGED_MOMENTUM + a] -= w.weight * s->dt * drag;
             if (ice_has_weight(s))
                 sum[MERGED_WEIGHT + a] += w.weight * s->dt * w.outward * w.piece->area[a] * ice_merged_rise(s, p, m, x);
-            sum[MERGED_WORK] -= w.weight * force[a] * at_middle(w.piece, w.line->path, a);
+            sum[MERGED_WORK] -= w.weight * force[a] * at_middle(w.piece, s->mesh->dim, w.line->path, a);
         }
     }
     add_gas_heat(s, p);
@@ -265,12 +277,12 @@ static void add_exact_sources(const ice *s, ice_merged_cells *p)
 /* Lagrangian velocity and energy of merged cells. Where too little energy would remain, they have that of compression
  * alone (2.7), and the rest is entered as a defect. */
 typedef struct merged_state {
-    double u[2], e;
+    double u[3], e;
 } merged_state;
 
-/* What gravity does to a pool, into the ledger; its work (J) is that of its impulse on the mean velocity. */
-static double note_weight(const ice *s, const ice_member *lead, const double *sum, const double u[2],
-                          const double ul[2])
+/* What gravity does to merged cells, into the ledger; its work (J) is that of its impulse on the mean velocity. */
+static double enter_weight(const ice *s, const ice_member *lead, const double *sum, const double u[3],
+                           const double ul[3])
 {
     double work = 0.0, x[MESH_MAX_DIM] = {0.0};
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, lead->cell[a]) - lead->above[a];
@@ -288,9 +300,9 @@ static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p
 {
     const ice_member *lead = &p->member[p->lead[merged]];
     const ice_view *v = view_of(s, lead);
-    const ice_arrays *m = &v->m[0];
+    const ice_fluid *m = &v->m[0];
     const double *sum = p->sum + (size_t)merged * MERGED_SUMS, mass = sum[MERGED_MASS],
-                 floor = s->work->energy_floor[s->gas];
+                 floor = v->material[0].energy_floor;
     merged_state out = {.e = m->e[lead->at]};
     for (int a = 0; a < s->mesh->dim; ++a) out.u[a] = m->u[a][lead->at];
     if (!(mass > 0.0)) return out;
@@ -302,8 +314,9 @@ static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p
         kinetic += 0.5 * out.u[a] * out.u[a];
     }
     const double rho = m->rho[lead->at], c = m->c[lead->at], before = out.e;
-    const double fallen = note_weight(
-        s, lead, sum, (const double[]){m->u[0][lead->at], s->mesh->dim > 1 ? m->u[1][lead->at] : 0.0}, out.u);
+    double was[3] = {0.0};
+    for (int a = 0; a < s->mesh->dim; ++a) was[a] = m->u[a][lead->at];
+    const double fallen = enter_weight(s, lead, sum, was, out.u);
     const double conserving = before + (sum[MERGED_WORK] + fallen) / mass - gain;
     const double plain = before + v->P[lead->at] * v->dP[lead->at] / (rho * rho * c * c);
     const bool usable =
@@ -316,16 +329,16 @@ static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p
     return out;
 }
 
-/* Where the gas is not, nothing moves. */
-static void still_elsewhere(const ice *s)
+/* Cells without the gas keep their state. */
+static void keep_elsewhere(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->work->sealing->view[id];
-        const ice_arrays *m = &v->m[0];
+        const ice_view *v = &s->sealing->view[id];
+        const ice_fluid *m = &v->m[0];
         const ice_rows q = ice_rows_of(v->b, -1, 0);
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) {
-            const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+            const ptrdiff_t base = ice_row_start(v->b, q, row);
             for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
                 if (m->open[at] > 0.0) continue;
                 for (int a = 0; a < s->mesh->dim; ++a) m->ul[a][at] = m->u[a][at];
@@ -335,14 +348,14 @@ static void still_elsewhere(const ice *s)
     }
 }
 
-void ice_merged_sources(const ice *s)
+void ice_merged_sources(const ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = merged_cells_of_gas(s);
-    ice_seal_views(s);
-    still_elsewhere(s);
+    ice_merged_cells *p = merged_cells_of(s, g);
+    ice_seal_views(s, g);
+    keep_elsewhere(s);
     ice_clear_merged(p);
     add_exact_sources(s, p);
-    note_surroundings(s);
+    enter_surroundings(s, g);
     for (int merged = 0; merged < p->count; ++merged) {
         const merged_state now = advance_merged_cells(s, p, merged);
         double *sum = p->sum + (size_t)merged * MERGED_SUMS;
@@ -351,7 +364,7 @@ void ice_merged_sources(const ice *s)
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
-        const ice_arrays *to = &view_of(s, m)->m[0];
+        const ice_fluid *to = &view_of(s, m)->m[0];
         const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
         for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[MERGED_MOMENTUM + a];
         to->el[m->at] = sum[MERGED_WORK];
@@ -359,12 +372,22 @@ void ice_merged_sources(const ice *s)
 }
 
 /* Shares a force on a piece out to the vertices between which it lies. */
-static void push_vertices(const piece_walk *w, const double force[2])
+static void push_vertices(const piece_walk *w, const double force[3])
 {
     const cut_piece *q = w->piece;
-    for (int a = 0; a < w->s->mesh->dim; ++a) {
-        w->line->force[2 * q->vertex[0] + a] += force[a] * (1.0 - q->share);
-        w->line->force[2 * q->vertex[1] + a] += force[a] * q->share;
+    for (int k = 0; k < w->s->mesh->dim; ++k)
+        for (int a = 0; a < w->s->mesh->dim; ++a) w->line->force[3 * q->vertex[k] + a] += force[a] * q->weight[k];
+}
+
+/* Forces of a region on the boundaries beside it. */
+static void load_vertices(const ice *s, const ice_region *g, double beyond)
+{
+    ice_seal_views(s, g);
+    for (piece_walk w = first_piece(s, merged_cells_of(s, g)); next_piece(&w);) {
+        double force[3];
+        force_on(&w, force);
+        for (int a = 0; a < s->mesh->dim; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
+        push_vertices(&w, force);
     }
 }
 
@@ -372,16 +395,7 @@ floe_status ice_sealed_load(ice *s)
 {
     const double beyond = pressure_beyond(s);
     for (int l = 0; l < s->seal.n_lines; ++l)
-        for (int k = 0; k < 2 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
-    for (s->gas = 0; s->gas < s->n_materials; ++s->gas) {
-        ice_seal_views(s);
-        for (piece_walk w = first_piece(s, merged_cells_of_gas(s)); next_piece(&w);) {
-            double force[2];
-            force_on(&w, force);
-            for (int a = 0; a < s->mesh->dim; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
-            push_vertices(&w, force);
-        }
-    }
-    s->gas = -1;
+        for (int k = 0; k < 3 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
+    for (int g = 0; g < s->n_regions; ++g) load_vertices(s, &s->region[g], beyond);
     return FLOE_OK;
 }

@@ -1,8 +1,9 @@
-/* Gravity in pools (ice_merged_cells.h; theory 7.4), and gas at rest between walls. A pool has one density and one pressure, that at the centre of what
- * it has open; away from there it is P + rho g . (x - centre), whose forces on faces and pieces add up to the pool's
+/* Gravity in merged cells (ice_merged_cells.h; theory 7.4), and gas at rest between walls. Merged cells have one density and one pressure, that at the
+ * centroid of their open volume; away from there it is P + rho g . (x - centre), whose forces on faces and pieces add up to their
  * weight (Gauss). At the centres of its cells that is what the stages of whole cells ask for, whose differences then
  * balance as those of a plain column do (theory 2.4). */
 #include "ice/sealed/ice_merged_cells.h"
+#include "ice/state/ice_materials.h"
 
 #include "base/memory.h"
 
@@ -11,22 +12,22 @@
 
 bool ice_has_weight(const ice *s)
 {
-    return s->gravity[0] != 0.0 || s->gravity[1] != 0.0;
+    return s->gravity[0] != 0.0 || s->gravity[1] != 0.0 || s->gravity[2] != 0.0;
 }
 
 /* Moment (m) of what a gas has of a cell about the cell's centre, over the cell's volume. */
-static double moment_of(const ice *s, int gas, int place, const int cell[2], int axis)
+static double moment_of(const ice *s, int region, int place, const int cell[3], int axis)
 {
     double enclosed = 0.0;
     for (int l = 0; l < s->seal.n_lines; ++l) {
         const double moment = cut_moment(&s->seal.line[l].place[place], cell, axis);
-        if (s->seal.line[l].enclosed == gas) return moment;
+        if (ice_encloses(s, l, region)) return moment;
         enclosed += moment;
     }
     return -enclosed;
 }
 
-void ice_merged_centre(const ice *s, int gas, int place, ice_merged_cells *p)
+void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
 {
     ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k) {
@@ -35,7 +36,8 @@ void ice_merged_centre(const ice *s, int gas, int place, ice_merged_cells *p)
         const double volume = mesh_cell_volume(s->mesh, m->cell[0]);
         sum[MERGED_VOLUME] += m->open * volume;
         for (int a = 0; a < s->mesh->dim; ++a) {
-            const double moment = m->open > 0.0 && m->open < 1.0 ? moment_of(s, gas, place, m->cell, a) : 0.0;
+            const double moment =
+                m->open > 0.0 && m->open < 1.0 ? moment_of(s, p->region->number, place, m->cell, a) : 0.0;
             sum[MERGED_MOMENTUM + a] += volume * (m->open * mesh_centre(s->mesh, a, m->cell[a]) + moment);
         }
     }
@@ -49,12 +51,12 @@ void ice_merged_centre(const ice *s, int gas, int place, ice_merged_cells *p)
     }
 }
 
-double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[2])
+double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member *m, const double from_centre[3])
 {
     const ice_member *lead = &p->member[p->lead[m->merged]];
     double sum = 0.0;
     for (int a = 0; a < s->mesh->dim; ++a) sum += s->gravity[a] * (m->above[a] + from_centre[a]);
-    return s->work->sealing->view[lead->block].m[0].rho[lead->at] * sum;
+    return s->sealing->view[lead->block].m[0].rho[lead->at] * sum;
 }
 
 /* Sets the pressure of a cell in its block, and in those that see it as a ghost. */
@@ -67,18 +69,20 @@ static void set_pressure(const ice *s, const ice_member *m, double p)
             const int local = m->cell[a] - b->lo[a];
             seen = seen && local >= -MESH_GHOST && local < b->n[a] + MESH_GHOST;
         }
-        if (seen) s->work->sealing->view[id].p[mesh_index(b, m->cell[0] - b->lo[0], m->cell[1] - b->lo[1], 0)] = p;
+        if (seen)
+            s->sealing->view[id].p[mesh_index(b, m->cell[0] - b->lo[0], m->cell[1] - b->lo[1], m->cell[2] - b->lo[2])] =
+                p;
     }
 }
 
-void ice_merged_lift(const ice *s)
+void ice_merged_lift(const ice *s, const ice_region *g)
 {
-    static const double centre[2] = {0.0, 0.0};
-    ice_merged_cells *p = &s->work->sealing->now[s->gas];
-    ice_seal_views(s);
+    static const double centre[3] = {0.0};
+    ice_merged_cells *p = &s->sealing->now[g->number];
+    ice_seal_views(s, g);
     for (int n = 0; n < p->count; ++n) {
         const ice_member *lead = &p->member[p->lead[n]];
-        p->sum[(size_t)n * MERGED_SUMS] = s->work->sealing->view[lead->block].p[lead->at];
+        p->sum[(size_t)n * MERGED_SUMS] = s->sealing->view[lead->block].p[lead->at];
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
@@ -86,16 +90,16 @@ void ice_merged_lift(const ice *s)
     }
 }
 
-bool ice_is_merged(const ice *s, const block *b, int i, int j)
+bool ice_is_merged(const ice *s, int region, const block *b, int i, int j, int k)
 {
-    const int cell[2] = {b->lo[0] + i, b->lo[1] + j};
+    const int cell[3] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k};
     const size_t at = cut_index(s->mesh, cell);
-    return s->work->sealing->now[s->gas].place[at] >= 0 || ice_open_cell(s, s->gas, SEAL_NOW, cell) == 0.0;
+    return s->sealing->now[region].place[at] >= 0 || ice_open_cell(s, region, SEAL_NOW, cell) == 0.0;
 }
 
 /* ---- the start ---- */
 
-/* Rooms of gas, filled cell by cell from the highest one of each. */
+/* Connected parts of a gas, filled cell by cell from the highest one of each. */
 typedef struct rest_fill {
     ice *s;
     const ice_merged_cells *p;
@@ -103,60 +107,66 @@ typedef struct rest_fill {
     int *queue, n, next; /* cells reached; owned */
 } rest_fill;
 
-static void cell_at(const mesh *m, int number, int cell[2])
+static const eos *law_of(const rest_fill *f)
 {
-    cell[0] = number % m->n[0];
-    cell[1] = number / m->n[0];
+    return &f->s->material[f->p->region->first].eos;
 }
 
-static const ice_view *view_at(const ice *s, const int cell[2], ptrdiff_t *at)
+static void cell_at(const mesh *m, int number, int cell[3])
 {
-    const int whole[3] = {cell[0], cell[1], 0}, id = mesh_block_of(s->mesh, whole);
-    const ice_view *v = &s->work->sealing->view[id];
-    *at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], 0);
+    cell[0] = number % m->n[0];
+    cell[1] = number / m->n[0] % m->n[1];
+    cell[2] = number / m->n[0] / m->n[1];
+}
+
+static const ice_view *view_at(const ice *s, const int cell[3], ptrdiff_t *at)
+{
+    const int id = mesh_block_of(s->mesh, cell);
+    const ice_view *v = &s->sealing->view[id];
+    *at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], cell[2] - v->b->lo[2]);
     return v;
 }
 
-static double temperature_at(const ice *s, const int cell[2])
+static double temperature_at(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
-    const eos *law = &s->material[s->gas].eos;
+    const eos *law = &v->material[0].eos;
     double T;
     law->model->temperature(law->par, 1, &v->m[0].rho[at], &v->m[0].e[at], &T);
     return T;
 }
 
-static double pressure_at(const ice *s, const int cell[2])
+static double pressure_at(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
-    const eos *law = &s->material[s->gas].eos;
+    const eos *law = &v->material[0].eos;
     double p, c2;
     law->model->pressure(law->par, 1, &v->m[0].rho[at], &v->m[0].e[at], &p, &c2);
     return p;
 }
 
 /* Pressure p of a state of temperature T with p = base + weight (share rho(p) + other). */
-static double solve(const ice *s, double base, double weight, double share, double other, double T)
+static double solve_pressure(const eos *law, double base, double weight, double share, double other, double T)
 {
     double p = base;
     for (int pass = 0; pass < 60; ++pass) {
-        const double next = base + weight * (share * ice_state_at(&s->material[s->gas].eos, p, T).rho + other);
+        const double next = base + weight * (share * ice_state_at(law, p, T).rho + other);
         if (next == p) break;
         p = next;
     }
     return p;
 }
 
-static bool has_gas(const ice *s, const int cell[2])
+static bool has_gas(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
     return v->m[0].open[at] > 0.0;
 }
 
-static void reach(rest_fill *f, int number, double p)
+static void mark_reached(rest_fill *f, int number, double p)
 {
     f->pressure[number] = p;
     f->queue[f->n++] = number;
@@ -167,39 +177,40 @@ static void reach_beside(rest_fill *f, int number)
 {
     const ice *s = f->s;
     const mesh *m = s->mesh;
-    const eos *law = &s->material[s->gas].eos;
-    int here[2];
+    const eos *law = law_of(f);
+    int here[3];
     cell_at(m, number, here);
     const double rho = ice_state_at(law, f->pressure[number], temperature_at(s, here)).rho;
     for (int side = 0; side < 2 * m->dim; ++side) {
-        int cell[2] = {here[0], here[1]};
+        int cell[3] = {here[0], here[1], here[2]};
         const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
         cell[axis] += step;
         if (cell[axis] < 0 || cell[axis] >= m->n[axis] || !has_gas(s, cell)) continue;
-        if (!(ice_open_face(s, s->gas, SEAL_NOW, here, axis, side % 2) > 0.0)) continue;
-        const int other = cell[1] * m->n[0] + cell[0];
+        if (!(ice_open_face(s, f->p->region->number, SEAL_NOW, here, axis, side % 2) > 0.0)) continue;
+        const int other = (int)cut_index(m, cell);
         if (!isnan(f->pressure[other])) continue;
         const double weight = 0.5 * step * s->gravity[axis] * m->h[axis];
-        reach(f, other, solve(s, f->pressure[number], weight, 1.0, rho, temperature_at(s, cell)));
+        mark_reached(f, other,
+                     solve_pressure(law_of(f), f->pressure[number], weight, 1.0, rho, temperature_at(s, cell)));
     }
 }
 
 /* How high a cell lies, against gravity (m2/s2). */
 static double height_of(const ice *s, int number)
 {
-    int cell[2];
+    int cell[3];
     double sum = 0.0;
     cell_at(s->mesh, number, cell);
     for (int a = 0; a < s->mesh->dim; ++a) sum -= s->gravity[a] * mesh_centre(s->mesh, a, cell[a]);
     return sum;
 }
 
-/* The highest cell with gas that no room has reached; -1: none. */
-static int highest(const rest_fill *f, int cells)
+/* The highest cell with gas that has not been reached; -1: none. */
+static int highest_cell(const rest_fill *f, int cells)
 {
     int found = -1;
     for (int k = 0; k < cells; ++k) {
-        int cell[2];
+        int cell[3];
         cell_at(f->s->mesh, k, cell);
         if (!isnan(f->pressure[k]) || !has_gas(f->s, cell)) continue;
         if (found < 0 || height_of(f->s, k) > height_of(f->s, found)) found = k;
@@ -207,7 +218,7 @@ static int highest(const rest_fill *f, int cells)
     return found;
 }
 
-static void set_state(const ice *s, const int cell[2], ice_reservoir state)
+static void set_state(const ice *s, const int cell[3], ice_reservoir state)
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
@@ -215,8 +226,8 @@ static void set_state(const ice *s, const int cell[2], ice_reservoir state)
     v->m[0].e[at] = state.e;
 }
 
-/* Pressure at the centre of a pool: the one that balances that of a whole cell above or below it. Where it has none, that
- * of its largest cell. */
+/* Pressure at the centre of merged cells: the one that balances that of a whole cell above or below it. Where it has none, that
+ * of their largest cell. */
 static double balance_merged_cell(const rest_fill *f, int merged, double T)
 {
     const ice *s = f->s;
@@ -225,29 +236,29 @@ static double balance_merged_cell(const rest_fill *f, int merged, double T)
     for (int k = 0; k < f->p->n; ++k) {
         const ice_member *q = &f->p->member[k];
         for (int side = 0; side < 2 * m->dim && q->merged == merged; ++side) {
-            int cell[2] = {q->cell[0], q->cell[1]};
+            int cell[3] = {q->cell[0], q->cell[1], q->cell[2]};
             const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
             cell[axis] += step;
             if (s->gravity[axis] == 0.0 || cell[axis] < 0 || cell[axis] >= m->n[axis]) continue;
             if (f->p->place[cut_index(m, cell)] >= 0 || !(q->open > 0.0) || !has_gas(s, cell)) continue;
-            if (!(ice_open_face(s, s->gas, SEAL_NOW, q->cell, axis, side % 2) > 0.0)) continue;
+            if (!(ice_open_face(s, f->p->region->number, SEAL_NOW, q->cell, axis, side % 2) > 0.0)) continue;
             ptrdiff_t at;
             const double rho = view_at(s, cell, &at)->m[0].rho[at], half = 0.5 * step * s->gravity[axis] * m->h[axis];
             double lever = 0.0;
             for (int a = 0; a < m->dim; ++a) lever += s->gravity[a] * q->above[a];
             /* p + rho' lever = p_cell - half (rho + rho') */
-            return solve(s, f->pressure[cell[1] * m->n[0] + cell[0]] - half * rho, -1.0, half + lever, 0.0, T);
+            return solve_pressure(law_of(f), f->pressure[cut_index(m, cell)] - half * rho, -1.0, half + lever, 0.0, T);
         }
     }
     double lever = 0.0;
     for (int a = 0; a < m->dim; ++a) lever += s->gravity[a] * lead->above[a];
-    return solve(s, f->pressure[lead->cell[1] * m->n[0] + lead->cell[0]], -1.0, lever, 0.0, T);
+    return solve_pressure(law_of(f), f->pressure[cut_index(m, lead->cell)], -1.0, lever, 0.0, T);
 }
 
 static void fill_merged_cells(const rest_fill *f)
 {
     const ice *s = f->s;
-    const eos *law = &s->material[s->gas].eos;
+    const eos *law = law_of(f);
     for (int n = 0; n < f->p->count; ++n) {
         const ice_member *lead = &f->p->member[f->p->lead[n]];
         if (!has_gas(s, lead->cell)) continue;
@@ -259,37 +270,42 @@ static void fill_merged_cells(const rest_fill *f)
     }
 }
 
-/* Whole cells first, at the temperatures that they were given; then pools, in balance with them. */
+/* Whole cells first, at the temperatures that they were given; then merged cells, in balance with them. */
 static void fill_regions(rest_fill *f, int cells)
 {
     const ice *s = f->s;
     for (int k = 0; k < cells; ++k) f->pressure[k] = NAN;
-    for (int top = highest(f, cells); top >= 0; top = highest(f, cells)) {
-        int cell[2];
+    for (int top = highest_cell(f, cells); top >= 0; top = highest_cell(f, cells)) {
+        int cell[3];
         cell_at(s->mesh, top, cell);
-        reach(f, top, pressure_at(s, cell));
+        mark_reached(f, top, pressure_at(s, cell));
         while (f->next < f->n) reach_beside(f, f->queue[f->next++]);
     }
     for (int k = 0; k < f->n; ++k) {
-        int cell[2];
+        int cell[3];
         cell_at(s->mesh, f->queue[k], cell);
         if (f->p->place[f->queue[k]] >= 0) continue;
         const double T = temperature_at(s, cell);
-        set_state(s, cell, ice_state_at(&s->material[s->gas].eos, f->pressure[f->queue[k]], T));
+        set_state(s, cell, ice_state_at(law_of(f), f->pressure[f->queue[k]], T));
     }
     fill_merged_cells(f);
 }
 
-floe_status ice_sealed_hydrostatic(ice *s)
+static floe_status bring_to_rest(ice *s, const ice_region *g)
 {
     const int cells = (int)mesh_cells(s->mesh);
-    if (!ice_asks_for_rest(s)) return FLOE_OK;
-    rest_fill f = {.s = s, .p = &s->work->sealing->now[s->gas]};
-    ice_seal_views(s);
+    rest_fill f = {.s = s, .p = &s->sealing->now[g->number]};
+    ice_seal_views(s, g);
     floe_status status = memory_new(s->ctx, &f.pressure, (size_t)cells, sizeof *f.pressure);
     if (status == FLOE_OK) status = memory_new(s->ctx, &f.queue, (size_t)cells, sizeof *f.queue);
     if (status == FLOE_OK) fill_regions(&f, cells);
     memory_free(s->ctx, &f.pressure);
     memory_free(s->ctx, &f.queue);
     return status;
+}
+
+floe_status ice_sealed_hydrostatic(ice *s)
+{
+    for (int g = 0; g < s->n_regions && ice_has_weight(s); ++g) TRY(bring_to_rest(s, &s->region[g]));
+    return FLOE_OK;
 }

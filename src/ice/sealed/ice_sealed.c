@@ -1,34 +1,39 @@
 /* Gases separated by embedded boundaries (theory 7.1). Each gas is a single fluid in the cells that are open to it,
- * with density, velocity, energy and pressure of its own. The stages are those of one fluid, taken gas by gas, with
- * three differences: cells at the membrane act as pools (ice_merged_cells.h); faces pass what is open of them, in the mean of
- * the step; and where a gas is not, it is lent the state of the cells beside, so that differences near the membrane
- * find something. Nothing passes the membrane, whatever the step, the mesh or the pressures. */
+ * with density, velocity, energy and pressure of its own. The stages are those of one fluid, applied to one region after the other, with
+ * three differences: cells at the boundary are merged (ice_merged_cells.h); fluxes are multiplied by the mean aperture of the face in
+ * the step; and the state of a gas is extrapolated into cells without it, for the differences near the boundary.
+ * Nothing crosses the boundary, whatever the step, the mesh or the pressures. */
 #include "ice/sealed/ice_merged_cells.h"
+
+#include "ice/equilibrium/ice_equilibrium.h"
+#include "ice/flux/ice_flux.h"
+#include "ice/ice_constants.h"
+#include "ice/pressure/ice_pressure.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_cells.h"
 
 #include <math.h>
 
-typedef floe_status plain_stage(ice *s);
-
-static floe_status for_gases(ice *s, plain_stage *stage)
+static floe_status for_regions(ice *s, floe_status (*stage)(ice *, const ice_region *))
 {
-    floe_status status = FLOE_OK;
-    for (s->gas = 0; s->gas < s->n_materials && status == FLOE_OK; ++s->gas) status = stage(s);
-    s->gas = -1;
-    return status;
+    for (int g = 0; g < s->n_regions; ++g) TRY(stage(s, &s->region[g]));
+    return FLOE_OK;
 }
 
-/* ---- where the gas is not ---- */
+/* ---- cells without the gas ---- */
 
 /* Marks of cells that have a state, during the stage; stored in the array of the shock sensor. */
-static void mark_open(const ice *s)
+static void mark_open(const ice *s, const ice_region *g)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->work->sealing->view[id];
-        const fluid_state *rest = &s->work->sealing->rest[s->gas];
-        const ice_arrays *m = &v->m[0];
-        for (int j = 0; j < v->b->n[1]; ++j)
+        const ice_view *v = &s->sealing->view[id];
+        const fluid_state *rest = &s->sealing->rest[g->number];
+        const ice_fluid *m = &v->m[0];
+        const ice_rows q = ice_rows_of(v->b, -1, 0);
+        for (int row = 0; row < q.n; ++row)
             for (int i = 0; i < v->b->n[0]; ++i) {
-                const ptrdiff_t at = mesh_index(v->b, i, j, 0);
+                const int j = ice_row_j(q, row), k = ice_row_k(q, row);
+                const ptrdiff_t at = mesh_index(v->b, i, j, k);
                 v->shock[at] = m->open[at] > 0.0 ? 1.0 : 0.0;
                 if (m->open[at] > 0.0) continue;
                 m->rho[at] = rest->density;
@@ -38,29 +43,36 @@ static void mark_open(const ice *s)
     }
 }
 
-static void fill_state(const ice *s)
+static void fill_state(const ice *s, const ice_region *g)
 {
-    ice_fill_ghosts(s, C_RHO, s->gas, FILL_CURRENT, GHOST_DENSITY);
-    ice_fill_ghosts(s, C_VEL, s->gas, FILL_CURRENT, GHOST_VELOCITY);
-    ice_fill_ghosts(s, C_ENERGY, s->gas, FILL_CURRENT, GHOST_ENERGY);
-    ice_fill_ghosts(s, C_SHOCK, s->gas, FILL_CURRENT, GHOST_EVEN);
+    ice_fill_ghosts(s, C_RHO, g->first, FILL_CURRENT, GHOST_DENSITY);
+    ice_fill_ghosts(s, C_VEL, g->first, FILL_CURRENT, GHOST_VELOCITY);
+    ice_fill_ghosts(s, C_ENERGY, g->first, FILL_CURRENT, GHOST_ENERGY);
+    ice_fill_ghosts(s, C_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
+}
+
+/* Way to cell c of those around, along axis 0 first. */
+static ptrdiff_t neighbour(const block *b, int c)
+{
+    ptrdiff_t way = (c % 3 - 1) * b->stride[0];
+    if (b->dim > 1) way += (c / 3 % 3 - 1) * b->stride[1];
+    return b->dim > 2 ? way + (c / 9 - 1) * b->stride[2] : way;
 }
 
 /* Extrapolates a state into a cell without the gas: the mean of its neighbours with marks of at least `least`. */
 static void extrapolate_state(const ice_view *v, ptrdiff_t at, double least)
 {
-    const ice_arrays *m = &v->m[0];
-    double n = 0.0, rho = 0.0, e = 0.0, u[2] = {0.0, 0.0};
-    const int reach = v->b->dim > 1; /* along axis 1 */
-    for (int j = -reach; j <= reach; ++j)
-        for (int i = -1; i <= 1; ++i) {
-            const ptrdiff_t from = at + i * v->b->stride[0] + j * v->b->stride[1];
-            if (!(v->shock[from] >= least)) continue;
-            n += 1.0;
-            rho += m->rho[from];
-            e += m->e[from];
-            for (int a = 0; a < v->b->dim; ++a) u[a] += m->u[a][from];
-        }
+    const ice_fluid *m = &v->m[0];
+    double n = 0.0, rho = 0.0, e = 0.0, u[3] = {0.0};
+    const int around = v->b->dim == 1 ? 3 : v->b->dim == 2 ? 9 : 27;
+    for (int c = 0; c < around; ++c) {
+        const ptrdiff_t from = at + neighbour(v->b, c);
+        if (!(v->shock[from] >= least)) continue;
+        n += 1.0;
+        rho += m->rho[from];
+        e += m->e[from];
+        for (int a = 0; a < v->b->dim; ++a) u[a] += m->u[a][from];
+    }
     if (n == 0.0) return;
     m->rho[at] = rho / n;
     m->e[at] = e / n;
@@ -69,112 +81,137 @@ static void extrapolate_state(const ice_view *v, ptrdiff_t at, double least)
 }
 
 /* Two layers: as far as differences reach. */
-static void extrapolate_layers(const ice *s)
+static void extrapolate_layers(const ice *s, const ice_region *g)
 {
     double least = 1.0;
     for (int layer = 0; layer < 2; ++layer, least *= 0.5) {
-        fill_state(s);
+        fill_state(s, g);
         for (int id = 0; id < s->mesh->n_blocks; ++id) {
-            const ice_view *v = &s->work->sealing->view[id];
-            for (int j = 0; j < v->b->n[1]; ++j)
-                for (int i = 0; i < v->b->n[0]; ++i) {
-                    const ptrdiff_t at = mesh_index(v->b, i, j, 0);
+            const ice_view *v = &s->sealing->view[id];
+            const ice_rows q = ice_rows_of(v->b, -1, 0);
+            for (int row = 0; row < q.n; ++row) {
+                const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
+                for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at)
                     if (v->shock[at] < least) extrapolate_state(v, at, least);
-                }
+            }
         }
     }
 }
 
-static floe_status extrapolate_states(ice *s)
+static floe_status extrapolate_states(ice *s, const ice_region *g)
 {
-    TRY(ice_merge_cells(s, s->gas, MERGE_BEFORE, &s->work->sealing->now[s->gas]));
-    ice_seal_views(s);
-    mark_open(s);
-    extrapolate_layers(s);
+    TRY(ice_merge_cells(s, MERGE_BEFORE, &s->sealing->now[g->number]));
+    ice_seal_views(s, g);
+    mark_open(s, g);
+    extrapolate_layers(s, g);
     return FLOE_OK;
 }
 
 floe_status ice_sealed_ghosts(ice *s)
 {
-    TRY(for_gases(s, extrapolate_states));
+    TRY(for_regions(s, extrapolate_states));
     return ice_boundary_ghosts(s);
 }
 
 /* ---- the plain stages, gas by gas ---- */
 
-static floe_status find_pressure(ice *s)
+static floe_status find_pressure(ice *s, const ice_region *g)
 {
-    TRY(ice_equilibrium_pressure(s));
-    if (ice_has_weight(s)) ice_merged_lift(s);
+    TRY(ice_equilibrium_pressure_of(s, g));
+    if (ice_has_weight(s)) ice_merged_lift(s, g);
     return FLOE_OK;
 }
 
 floe_status ice_sealed_pressure(ice *s)
 {
-    return for_gases(s, find_pressure);
+    return for_regions(s, find_pressure);
+}
+
+static floe_status find_velocity(ice *s, const ice_region *g)
+{
+    ice_find_cell_sensors(s, g);
+    ice_merged_centring(s, g);
+    ice_find_face_velocity(s, g);
+    return FLOE_OK;
 }
 
 floe_status ice_sealed_velocity(ice *s)
 {
-    return for_gases(s, ice_face_velocity);
+    return for_regions(s, find_velocity);
+}
+
+static floe_status find_increment(ice *s, const ice_region *g)
+{
+    ice_find_increment(s, g);
+    ice_merged_increment(s, g);
+    ice_fill_increment(s, g);
+    return FLOE_OK;
 }
 
 floe_status ice_sealed_increment(ice *s)
 {
-    return for_gases(s, ice_pressure_increment);
+    return for_regions(s, find_increment);
 }
 
 floe_status ice_sealed_face_pressure(ice *s)
 {
-    return for_gases(s, ice_face_pressure);
+    return for_regions(s, ice_face_pressure_of);
 }
 
-double ice_side_open(const ice *s, const block *b, const int local[2], int axis, int side)
+static double side_aperture(const ice *s, int region, const block *b, const int local[3], int axis, int side)
 {
-    if (!s->sealed || s->gas < 0) return 1.0;
-    return ice_mean_face(s, s->gas, (const int[]){b->lo[0] + local[0], b->lo[1] + local[1]}, axis, side);
+    return ice_mean_face(s, region, (const int[]){b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]}, axis,
+                         side);
 }
+
+const ice_cut_geometry ice_sealed_geometry = {side_aperture, ice_is_merged};
 
 /* ---- after the points have moved ---- */
 
 /* Share of the lower face of a local cell that is open to the gas in the mean of the step; beyond the last cell, of its
  * upper face. */
-static double mean_open(const ice *s, const block *b, int axis, int i, int j)
+static double mean_open(const ice *s, const ice_region *g, const block *b, int axis, int i, int j, int k)
 {
-    int cell[2] = {b->lo[0] + i, b->lo[1] + j}, side = SIDE_LOWER;
+    int cell[3] = {b->lo[0] + i, b->lo[1] + j, b->lo[2] + k}, side = SIDE_LOWER;
     if (cell[axis] == s->mesh->n[axis]) {
         cell[axis]--;
         side = SIDE_UPPER;
     }
-    return ice_mean_face(s, s->gas, cell, axis, side);
+    return ice_mean_face(s, g->number, cell, axis, side);
 }
 
 /* From velocities of the gas to volume fluxes per area of the whole face. */
-static floe_status narrow_faces(ice *s)
+static floe_status apply_apertures(ice *s, const ice_region *g)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->work->sealing->view[id];
-        for (int axis = 0; axis < s->mesh->dim; ++axis)
+        const ice_view *v = &s->sealing->view[id];
+        for (int axis = 0; axis < s->mesh->dim; ++axis) {
+            const ice_rows q = ice_rows_of(v->b, axis, 0);
 #pragma omp parallel for schedule(static)
-            for (int j = 0; j < v->b->n[1] + (axis == 1); ++j)
+            for (int row = 0; row < q.n; ++row) {
+                const int j = ice_row_j(q, row), k = ice_row_k(q, row);
                 for (int i = 0; i < v->b->n[0] + (axis == 0); ++i)
-                    v->m[0].fu[axis][mesh_index(v->b, i, j, 0)] *= mean_open(s, v->b, axis, i, j);
+                    v->m[0].fu[axis][mesh_index(v->b, i, j, k)] *= mean_open(s, g, v->b, axis, i, j, k);
+            }
+        }
     }
     return FLOE_OK;
 }
 
 /* Cells that the boundary uncovers in the step are merged by now: work is done on the gas that flows into them. */
-static floe_status narrow_and_push(ice *s)
+static floe_status find_sources(ice *s, const ice_region *g)
 {
-    TRY(ice_merge_cells(s, s->gas, MERGE_MOVING, &s->work->sealing->now[s->gas]));
-    ice_seal_views(s);
-    TRY(narrow_faces(s));
-    return ice_sources(s);
+    TRY(ice_merge_cells(s, MERGE_MOVING, &s->sealing->now[g->number]));
+    ice_seal_views(s, g);
+    TRY(apply_apertures(s, g));
+    ice_find_sources(s, g);
+    ice_merged_sources(s, g);
+    return ice_finish_sources(s, g);
 }
 
 floe_status ice_sealed_sources(ice *s)
 {
-    return for_gases(s, narrow_and_push);
+    return for_regions(s, find_sources);
 }
 
 /* ---- open fractions ---- */
@@ -183,8 +220,8 @@ floe_status ice_sealed_sources(ice *s)
  * old state. */
 static void add_contents(const ice *s, const ice_member *k, double *sum)
 {
-    const ice_view *v = &s->work->sealing->view[k->block];
-    const ice_arrays *m = &v->m[0];
+    const ice_view *v = &s->sealing->view[k->block];
+    const ice_fluid *m = &v->m[0];
     const ptrdiff_t at = k->at;
     const double volume = mesh_cell_volume(s->mesh, k->cell[0]);
     const double gone = (1.0 - m->open[at]) * m->rho[at] * volume, left = m->rho1[at] * volume;
@@ -199,16 +236,19 @@ static void add_contents(const ice *s, const ice_member *k, double *sum)
     sum[MERGED_VOLUME] += k->open * volume;
 }
 
-/* Cells away from the membrane that the gas does not reach hold nothing. */
-static void empty_elsewhere(const ice *s)
+/* Cells away from the boundary that are closed to the gas are empty. */
+static void empty_elsewhere(const ice *s, const ice_region *g)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->work->sealing->view[id];
-        const ice_arrays *m = &v->m[0];
-        for (int j = 0; j < v->b->n[1]; ++j)
+        const ice_view *v = &s->sealing->view[id];
+        const ice_fluid *m = &v->m[0];
+        const ice_rows q = ice_rows_of(v->b, -1, 0);
+        for (int row = 0; row < q.n; ++row)
             for (int i = 0; i < v->b->n[0]; ++i) {
-                const ptrdiff_t at = mesh_index(v->b, i, j, 0);
-                m->open1[at] = ice_open_cell(s, s->gas, SEAL_NEXT, (const int[]){v->b->lo[0] + i, v->b->lo[1] + j});
+                const int j = ice_row_j(q, row), k = ice_row_k(q, row);
+                const ptrdiff_t at = mesh_index(v->b, i, j, k);
+                m->open1[at] = ice_open_cell(s, g->number, SEAL_NEXT,
+                                             (const int[]){v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k});
                 if (m->open1[at] > 0.0) continue;
                 m->rho1[at] = m->e1[at] = 0.0;
                 for (int a = 0; a < s->mesh->dim; ++a) m->u1[a][at] = 0.0;
@@ -221,7 +261,7 @@ static floe_status bad_merged_cells(const ice *s, const ice_merged_cells *p, int
     const double *sum = p->sum + (size_t)merged * MERGED_SUMS;
     const ice_member *lead = &p->member[p->lead[merged]];
     char place[160];
-    ice_place(s, &s->mesh->block[lead->block], lead->at, s->gas, place, sizeof place);
+    ice_place(s, &s->mesh->block[lead->block], lead->at, p->region->first, place, sizeof place);
     const bool sharp = scene_enclosing_body(s->scene) < 0;
     return fail(s->ctx, FLOE_RETRY, "gas at the %s, %s: %g kg in %g m3 at %g J/kg would be left in its cells%s",
                 sharp ? "surface of a solid" : "membrane", place, sum[MERGED_MASS], sum[MERGED_VOLUME], e,
@@ -234,15 +274,14 @@ static floe_status bad_merged_cells(const ice *s, const ice_merged_cells *p, int
  * small volume fractions are none's. */
 static bool is_void(const ice *s, const ice_merged_cells *p, int merged, bool next)
 {
-    static const double sliver = 1e-6, trace = 1e-3; /* of a cell; of the density that the gas starts with */
     const double *sum = p->sum + (size_t)merged * MERGED_SUMS;
     const double cell = mesh_cell_volume(s->mesh, p->member[p->lead[merged]].cell[0]);
     if (sum[MERGED_MASS] == 0.0 && next) return true;
-    return sum[MERGED_VOLUME] < sliver * cell &&
-           fabs(sum[MERGED_MASS]) <= trace * s->work->sealing->rest[s->gas].density * sum[MERGED_VOLUME];
+    return sum[MERGED_VOLUME] < ICE_GAP_FRACTION * cell &&
+           fabs(sum[MERGED_MASS]) <= ICE_GAP_DENSITY * s->sealing->rest[p->region->number].density * sum[MERGED_VOLUME];
 }
 
-static void empty_cell(const ice_arrays *m, int dim, ptrdiff_t at, bool next)
+static void empty_cell(const ice_fluid *m, int dim, ptrdiff_t at, bool next)
 {
     (next ? m->open1 : m->open)[at] = (next ? m->rho1 : m->rho)[at] = (next ? m->e1 : m->e)[at] = 0.0;
     for (int a = 0; a < dim; ++a) (next ? m->u1 : m->u)[a][at] = 0.0;
@@ -264,14 +303,14 @@ static floe_status share_out(ice *s, const ice_merged_cells *p, bool next)
         }
         sum[MERGED_WORK] = sum[MERGED_WORK] / sum[MERGED_MASS] - 0.5 * square;
         const double rho = sum[MERGED_MASS] / sum[MERGED_VOLUME];
-        const eos *law = &s->material[s->gas].eos;
+        const eos *law = &s->material[p->region->first].eos;
         if (!(rho > 0.0) || !isfinite(rho) || !(sum[MERGED_WORK] > law->model->energy_floor(law->par, rho)))
             return bad_merged_cells(s, p, merged, sum[MERGED_WORK]);
         sum[MERGED_MASS] = rho;
     }
     for (int k = 0; k < p->n; ++k) {
         const ice_member *member = &p->member[k];
-        const ice_arrays *m = &s->work->sealing->view[member->block].m[0];
+        const ice_fluid *m = &s->sealing->view[member->block].m[0];
         const double *sum = p->sum + (size_t)member->merged * MERGED_SUMS;
         if (!(member->open > 0.0)) continue;
         if (sum[MERGED_VOLUME] == 0.0) {
@@ -285,29 +324,29 @@ static floe_status share_out(ice *s, const ice_merged_cells *p, bool next)
     return FLOE_OK;
 }
 
-static floe_status advect_gas(ice *s)
+static floe_status advect_gas(ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = &s->work->sealing->next[s->gas];
-    TRY(ice_advect(s));
-    ice_seal_views(s);
-    TRY(ice_merge_cells(s, s->gas, MERGE_AFTER, p));
+    ice_merged_cells *p = &s->sealing->next[g->number];
+    TRY(ice_advect_of(s, g));
+    ice_seal_views(s, g);
+    TRY(ice_merge_cells(s, MERGE_AFTER, p));
     ledger_tally(s->ledger, COUNT_CELLS_MERGED, p->n - p->count);
     ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].merged * MERGED_SUMS);
-    empty_elsewhere(s);
+    empty_elsewhere(s, g);
     return share_out(s, p, true);
 }
 
 floe_status ice_sealed_advect(ice *s)
 {
-    return for_gases(s, advect_gas);
+    return for_regions(s, advect_gas);
 }
 
 /* ---- the start ---- */
 
 static void add_first_contents(const ice *s, const ice_member *k, double *sum)
 {
-    const ice_arrays *m = &s->work->sealing->view[k->block].m[0];
+    const ice_fluid *m = &s->sealing->view[k->block].m[0];
     const ptrdiff_t at = k->at;
     const double volume = k->open * mesh_cell_volume(s->mesh, k->cell[0]), mass = volume * m->rho[at];
     double e = m->e[at];
@@ -325,10 +364,12 @@ static void add_first_contents(const ice *s, const ice_member *k, double *sum)
 static floe_status find_empty(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const ice_view *v = &s->work->sealing->view[id];
-        for (int j = 0; j < v->b->n[1]; ++j)
+        const ice_view *v = &s->sealing->view[id];
+        const ice_rows q = ice_rows_of(v->b, -1, 0);
+        for (int row = 0; row < q.n; ++row)
             for (int i = 0; i < v->b->n[0]; ++i) {
-                const ptrdiff_t at = mesh_index(v->b, i, j, 0);
+                const int j = ice_row_j(q, row), k = ice_row_k(q, row);
+                const ptrdiff_t at = mesh_index(v->b, i, j, k);
                 if (!(v->m[0].open[at] > 0.0) || v->m[0].rho[at] > 0.0) continue;
                 return fail_key(
                     s->ctx, KEY("ambient"),
@@ -336,18 +377,17 @@ static floe_status find_empty(const ice *s)
                     "bodies fill its side of the membrane (the gas that a membrane `encloses` is on its left), or "
                     "make it the `ambient`",
                     v->b->lo[0] + i, v->b->lo[1] + j, mesh_node(s->mesh, 0, v->b->lo[0] + i),
-                    mesh_node(s->mesh, 1, v->b->lo[1] + j),
-                    s->scene->material[s->material[s->gas].scene_material].name);
+                    mesh_node(s->mesh, 1, v->b->lo[1] + j), s->scene->material[v->material[0].scene_material].name);
             }
     }
     return FLOE_OK;
 }
 
-static floe_status start_gas(ice *s)
+static floe_status start_gas(ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = &s->work->sealing->now[s->gas];
-    ice_seal_views(s);
-    TRY(ice_merge_cells(s, s->gas, MERGE_BEFORE, p));
+    ice_merged_cells *p = &s->sealing->now[g->number];
+    ice_seal_views(s, g);
+    TRY(ice_merge_cells(s, MERGE_BEFORE, p));
     ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k)
         add_first_contents(s, &p->member[k], p->sum + (size_t)p->member[k].merged * MERGED_SUMS);
@@ -355,11 +395,9 @@ static floe_status start_gas(ice *s)
     return find_empty(s);
 }
 
-floe_status ice_sealed_initialise(ice *s)
+floe_status ice_sealed_merge_start(ice *s)
 {
-    TRY(ice_sealed_fill(s));
-    TRY(for_gases(s, start_gas));
-    return ice_has_weight(s) ? for_gases(s, ice_sealed_hydrostatic) : FLOE_OK;
+    return for_regions(s, start_gas);
 }
 
 /* ---- the stages ---- */

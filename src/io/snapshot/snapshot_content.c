@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "io/gather.h"
-#include "io/names.h"
+#include "io/output_field.h"
 #include "io/xdmf.h"
 
 #include <math.h>
@@ -100,22 +100,6 @@ static void gather_vector(writer *w, field_id id, int instance)
     for (int c = 0; c < w->s->mesh.dim; c++) gather_values(w, id, instance, c, 3, w->data + c);
 }
 
-/* Masses and volumes are kept per metre of depth or per radian, and written whole. */
-static void scale_extensive(writer *w, field_id id, size_t numbers)
-{
-    if (id != P_MASS && id != P_VOLUME0) return;
-    const double factor = output_scale(w->s);
-    for (size_t i = 0; i < numbers; i++) w->data[i] *= factor;
-}
-
-/* A number that the body's law remembers, as the law calls it. */
-static floe_status add_history(writer *w, field_id id, int body)
-{
-    const solid_history *h = &w->s->mpm->body[body].law->history[id - P_HISTORY_1];
-    gather_values(w, id, body, 0, 1, w->data);
-    return add_array(w, &(array_spec){.name = h->name, .unit = h->unit, .meaning = h->doc});
-}
-
 /* Beyond a membrane a gas has no pressure: what stands there is lent to it for differences (ice_sealed.c). */
 static floe_status mask_closed(writer *w, int instance, double *data)
 {
@@ -129,57 +113,21 @@ static floe_status mask_closed(writer *w, int instance, double *data)
     return FLOE_OK;
 }
 
-/* All components of a registered field, under `name`. */
-static floe_status add_field(writer *w, field_id id, int instance, const char *name)
-{
-    const field_info *info = field_describe(id);
-    array_spec spec = {.name = name, .unit = info->unit, .meaning = info->meaning};
-    if (info->components == FIELD_VECTOR) {
-        gather_vector(w, id, instance);
-        scale_extensive(w, id, 3 * count_entries(w));
-        spec.vector = true;
-        return add_array(w, &spec);
-    }
-    const int components = field_component_count(info->components, w->s->mesh.dim);
-    for (int c = 0; c < components; c++) {
-        char full[NAME_SIZE];
-        gather_values(w, id, instance, c, 1, w->data);
-        if (id == C_PRESSURE) TRY(mask_closed(w, instance, w->data));
-        scale_extensive(w, id, count_entries(w));
-        const bool named = info->components != FIELD_SCALAR;
-        (void)snprintf(full, sizeof full, "%s%s%s", name, named ? "_" : "",
-                       named ? component_name(w->s, info->components, c) : "");
-        spec.name = full;
-        TRY(add_array(w, &spec));
-    }
-    return FLOE_OK;
-}
-
-/* State, what is fixed at seeding, and the two fields of the cells that users ask for. */
-static bool is_written(field_id id)
-{
-    const field_info *info = field_describe(id);
-    return info->class == FIELD_STATE || info->class == FIELD_FIXED || info->class == FIELD_DIAGNOSTIC ||
-           id == C_THETA || id == C_TEMP;
-}
-
-/* Of all materials alike; of each gas where a membrane keeps them apart. */
-static bool is_shared_by_materials(const fields *f, field_id id)
-{
-    return id >= C_PRESSURE && !fields_has(f, id, 1);
-}
-
-static floe_status visit_cells(void *user, field_id id, int instance)
+/* Masses and volumes are kept per metre of depth or per radian, and written whole. */
+static floe_status add_field(void *user, const output_field *field)
 {
     writer *w = user;
-    const field_info *info = field_describe(id);
-    char name[2 * NAME_SIZE], material[NAME_SIZE];
-    if (info->centring != FIELD_CELL || !is_written(id)) return FLOE_OK;
-    if (is_shared_by_materials(w->s->domain->fields[0], id)) return add_field(w, id, instance, info->name);
-    if (instance >= w->s->ice->n_materials) return FLOE_OK;
-    material_label(w->s, w->s->ice->material[instance].scene_material, material);
-    (void)snprintf(name, sizeof name, "%s_%s", info->name, material);
-    return add_field(w, id, instance, name);
+    const bool vector = field_describe(field->id)->components == FIELD_VECTOR;
+    if (field->id == P_ID || field->id == P_POS) return FLOE_OK; /* written apart */
+    if (vector)
+        gather_vector(w, field->id, field->instance);
+    else
+        gather_values(w, field->id, field->instance, field->comp, 1, w->data);
+    if (field->id == C_PRESSURE) TRY(mask_closed(w, field->instance, w->data));
+    const size_t numbers = (vector ? 3 : 1) * count_entries(w);
+    for (size_t i = 0; i < numbers && field->scale != 1.0; i++) w->data[i] *= field->scale;
+    return add_array(
+        w, &(array_spec){.name = field->name, .unit = field->unit, .meaning = field->meaning, .vector = vector});
 }
 
 static floe_status write_cells(writer *w)
@@ -189,7 +137,7 @@ static floe_status write_cells(writer *w)
     (void)snprintf(w->group, sizeof w->group, "/cells");
     w->on_points = false;
     xdmf_begin_cells(w->page, m);
-    TRY(fields_visit(w->s->domain->fields[0], visit_cells, w));
+    TRY(output_fields_of_cells(w->s, add_field, w));
     xdmf_end(w->page);
     if (!hdf_has(w->hdf, "/cells")) return FLOE_OK;
     TRY(hdf_attribute(w->hdf, "/cells", "lower", HDF_DOUBLE, m->dim, m->lower));
@@ -198,16 +146,6 @@ static floe_status write_cells(writer *w)
     TRY(hdf_attribute_text(w->hdf, "/cells", "unit", output_unit(w->s, "m")));
     return hdf_attribute_text(w->hdf, "/cells", "geometry",
                               m->geometry == MESH_AXISYMMETRIC ? "axisymmetric" : "cartesian");
-}
-
-static floe_status visit_points(void *user, field_id id, int instance)
-{
-    writer *w = user;
-    const field_info *info = field_describe(id);
-    if (info->centring != FIELD_POINT || instance != w->points->body || !is_written(id)) return FLOE_OK;
-    if (id == P_ID || id == P_POS) return FLOE_OK; /* written apart */
-    if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return add_history(w, id, instance);
-    return add_field(w, id, instance, info->name);
 }
 
 /* The stress tensor of each point, xx yy zz xy yz zx; unused components 0. */
@@ -352,7 +290,7 @@ static floe_status write_body(writer *w)
     if (w->points->n == 0) return FLOE_OK;
     TRY(begin_points(w, label));
     TRY(add_id(w));
-    TRY(fields_visit(w->s->domain->fields[0], visit_points, w));
+    TRY(output_fields_of_points(w->s, w->points->body, add_field, w));
     TRY(add_derived(w));
     TRY(describe_body(w));
     xdmf_end(w->page);

@@ -1,13 +1,13 @@
-/* Bases: the shape functions that carry data between points and nodes (theory 4.3). One file adds one: basis_<name>.c
- * ends in a const descriptor `basis_<name>`; the conformance battery covers it (partition of unity, linear
- * reproduction, gradients against differences, positivity). The 1-D weights live in the always-inline body of
- * basis_1d.h, which the point kernels take as a literal argument.
+/* Bases: the shape functions that carry data between points and nodes (theory 4.3). One file adds one: basis_<name>.h
+ * has the weights along an axis, `basis_<name>_weights`, always inlined, and ends in a const descriptor `basis_<name>`.
+ * The build lists the files; the point kernels are instantiated for each (basis_inline.h), and the conformance battery
+ * covers it (partition of unity, linear reproduction, gradients against differences, positivity).
  *
  * A basis knows nothing of walls: points near one reach the ghost nodes beyond it, and the nodes are folded back
- * (mpm/wall.c), which is the same as folding the shape functions (theory 4.3) and leaves the kernels without
+ * (mpm/nodes/wall.c), which is the same as folding the shape functions (theory 4.3) and leaves the kernels without
  * branches.
  *
- * CPDI is the one whose domains have a shape: parallelograms whose sides F turns and stretches (mpm/locate.h). Its
+ * CPDI is the one whose domains have a shape: parallelograms whose sides F turns and stretches (mpm/transfer/locate.h). Its
  * weights along an axis, below, are those of a box along the axes; that is what acts at places takes, and what the
  * battery asks. */
 #ifndef MPM_BASIS_BASIS_H
@@ -15,8 +15,6 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-
-typedef enum basis_kind { BASIS_LINEAR, BASIS_GIMP, BASIS_QUADRATIC, BASIS_CUBIC, BASIS_CPDI, BASIS_KINDS } basis_kind;
 
 enum { BASIS_MAX_SUPPORT = 4 };
 
@@ -39,7 +37,6 @@ typedef struct basis_facts {
 
 typedef struct basis_model {
     const char *name, *doc, *cite;
-    basis_kind kind;
     int support;    /* nodes along an axis that a point reaches */
     int reach;      /* nodes that it may reach beyond its own cell on either side: 0 or 1 */
     int smoothness; /* continuous derivatives */
@@ -58,5 +55,8 @@ extern const basis_model *const basis_registry[];
 extern const size_t basis_registry_size;
 /* NULL if there is none of that name. */
 const basis_model *basis_find(const char *name);
+bool basis_is(const basis_model *b, const char *name);
+/* Its index in the registry. */
+int basis_number(const basis_model *b);
 
 #endif

@@ -2,7 +2,9 @@
 #include "mpm/contact/contact.h"
 
 #include "base/memory.h"
-#include "mpm/wall.h"
+#include "grid/tile_box.h"
+#include "mpm/nodes/constraints.h"
+#include "mpm/transfer/scratch.h"
 
 #include <math.h>
 #include <string.h>
@@ -140,7 +142,7 @@ static void predict_node_velocities(const node_pass *p, ptrdiff_t at, const int 
     for (int k = 0; k < node->n; ++k)
         for (int c = 0; c < node->dim; ++c)
             if (!node->constrained[c])
-                node->body[k].v[c] += p->s->work->kick * p->group[group[k]].force[c][at] / node->body[k].mass;
+                node->body[k].v[c] += p->s->kick * p->group[group[k]].force[c][at] / node->body[k].mass;
 }
 
 static void save_states(const node_pass *p, ptrdiff_t at, const int *group, const contact_node *node)
@@ -185,20 +187,21 @@ static double store_node(const node_pass *p, ptrdiff_t at, const int *group, con
     return work;
 }
 
-/* Components that the sides hold at a node; `global`: its index in the mesh. */
+/* Components that the sides constrain at a node; slip sides release bodies, but normals have none across them. `global`: its index. */
 static void find_constrained(const mpm *s, const int global[MESH_MAX_DIM], bool constrained[MESH_MAX_DIM])
 {
-    for (int a = 0; a < s->mesh->dim; ++a)
-        for (int side = 0; side < 2; ++side) {
-            if (s->mesh->periodic[a] || global[a] != (side == SIDE_LOWER ? 0 : s->mesh->n[a])) continue;
-            for (int c = 0; c < s->mesh->dim; ++c) constrained[c] = constrained[c] || wall_constrains(s, 0, a, side, c);
-            constrained[a] = constrained[a] || s->scene->bc.side[a][side].kind == BC_SLIP;
-        }
+    const unsigned components = side_constraints(s, 0, global);
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        const int side = global[a] == 0 ? SIDE_LOWER : SIDE_UPPER;
+        const bool at_side = !s->mesh->periodic[a] && (global[a] == 0 || global[a] == s->mesh->n[a]);
+        constrained[a] = is_constrained(components, a) || (at_side && s->scene->bc.side[a][side].kind == BC_SLIP);
+    }
 }
 
 static contact_node empty_node(const mpm *s)
 {
-    return (contact_node){.dim = s->mesh->dim, .h = s->contact->h, .apart = s->coupled, .fluids = s->contact->fluids};
+    return (contact_node){
+        .dim = s->mesh->dim, .h = s->contact->h, .apart = s->cells == CELLS_SMEARED, .fluids = s->contact->fluids};
 }
 
 static ptrdiff_t index_of(const mpm *s, int blk, const int global[MESH_MAX_DIM])
@@ -269,7 +272,7 @@ static void visit_tile(const node_pass *p, int tile)
     const mesh *m = p->s->mesh;
     const block *b = &m->block[p->blk];
     const tile_box t = tile_box_of(m, b, tile);
-    double *sum = p->s->work->tile_sum + (size_t)t.number * SUM_COUNT;
+    double *sum = p->s->scratch->tile_sum + (size_t)t.number * SUM_COUNT;
     node_range r[MESH_MAX_DIM];
     for (int a = 0; a < MESH_MAX_DIM; ++a) r[a] = range_of(m, b, &t, a);
     memset(sum, 0, SUM_COUNT * sizeof *sum);
@@ -291,7 +294,7 @@ void contact_velocities(mpm *s, contact_act act)
     }
     if (act != CONTACT_DECIDE) return;
     double sum[SUM_COUNT];
-    domain_sum_tiles(s->mesh, s->work->tile_sum, SUM_COUNT, sum);
+    domain_sum_tiles(s->mesh, s->scratch->tile_sum, SUM_COUNT, sum);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_CONTACT, sum[SUM_WORK]);
     ledger_tally(s->ledger, COUNT_CONTACT_STICK, (long long)sum[SUM_STICK]);
     ledger_tally(s->ledger, COUNT_CONTACT_SLIP, (long long)sum[SUM_SLIP]);

@@ -8,6 +8,7 @@
 #ifndef MPM_CONTACT_H
 #define MPM_CONTACT_H
 
+#include "grid/tile_box.h"
 #include "mpm/mpm.h"
 #include "mpm/normal/normal.h"
 
@@ -92,5 +93,9 @@ contact_tally contact_resolve(const scene_contact *rule, contact_node *node);
 /* The nearest velocities that obey the contact states: no relative motion of pairs that stick, none along the normal of
  * those that slide. */
 void contact_impose(contact_node *node);
+
+struct point_arrays;
+/* Whether a point may reach a node where bodies in contact meet. */
+bool contact_is_near(const mpm *s, const tile_box *t, const struct point_arrays *p, size_t k);
 
 #endif

@@ -1,5 +1,7 @@
 /* Contact at one node: which pairs of bodies touch, and what impulses they exchange. */
+
 #include "mpm/contact/contact.h"
+#include "mpm/mpm_constants.h"
 
 #include <math.h>
 #include <string.h>
@@ -124,7 +126,7 @@ int contact_find_meetings(const scene_contact *rule, const contact_node *node, c
 
 bool contact_has_met(const contact_node *node, const contact_meeting *m)
 {
-    return m->gap <= 1e-6 * node->h;
+    return m->gap <= MPM_CLOSED_GAP * node->h;
 }
 
 /* Pairs that are in contact now. */

@@ -1,6 +1,9 @@
 /* Normals of the bodies at the nodes about which they meet. */
+#include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
-#include "mpm/wall.h"
+#include "mpm/nodes/ghosts.h"
+#include "mpm/transfer/point_arrays.h"
+#include "mpm/transfer/windows.h"
 
 #include <string.h>
 
@@ -62,11 +65,11 @@ static void find_meetings(mpm *s)
 #pragma omp parallel for schedule(dynamic, 8)
         for (int t = 0; t < m->block[b].n_tiles; ++t) {
             const tile_box box = tile_box_of(m, &m->block[b], t);
-            s->work->active[box.number] = visit_meetings(s, b, &box, NULL);
+            s->windows->active[box.number] = visit_meetings(s, b, &box, NULL);
         }
         for (int t = 0; t < m->block[b].n_tiles; ++t) {
             const tile_box box = tile_box_of(m, &m->block[b], t);
-            if (s->work->active[box.number]) visit_meetings(s, b, &box, mark_cells);
+            if (s->windows->active[box.number]) visit_meetings(s, b, &box, mark_cells);
         }
     }
 }
@@ -118,7 +121,7 @@ static void scatter_normals_of_tile(mpm *s, int group, int blk, int tile)
         for (size_t k = start[tile]; k < start[tile + 1]; ++k)
             if (contact_is_near(s, &box, &p, k)) scatter_normal_of_point(s, &box, &p, k, out);
     }
-    s->work->active[box.number] = any;
+    s->windows->active[box.number] = any;
 }
 
 static void gather_normals(const mpm *s, int group)

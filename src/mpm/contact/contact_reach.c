@@ -1,11 +1,12 @@
 /* How far bodies reach at the nodes about which they meet: by the points themselves, since a node sees a body up to one
  * and a half cells before it arrives. */
+#include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
-#include "mpm/reach.h"
+#include "mpm/transfer/point_arrays.h"
+#include "mpm/transfer/reach.h"
+#include "mpm/transfer/windows.h"
 
 #include <math.h>
-
-enum { MAX_WINDOW = 343 };
 
 /* Unit normal of a group at a node: towards the other body of the contact where there is one; zero where it is alone or
  * has none. What is outside the contact, such as the gas behind a skin, does not count. */
@@ -32,7 +33,7 @@ static void direction_at(const mpm *s, int blk, int group, ptrdiff_t at, double 
 static bool find_directions(const mpm *s, int blk, int group, const tile_box *t, double (*out)[MESH_MAX_DIM])
 {
     const block *b = &s->mesh->block[blk];
-    const int *window = s->work->window, reach = s->work->reach;
+    const int *window = s->windows->window, reach = s->windows->reach;
     bool any = false;
     int nodes[MESH_MAX_DIM] = {1, 1, 1}, first[MESH_MAX_DIM] = {0, 0, 0};
     for (int a = 0; a < s->mesh->dim; ++a) {
@@ -60,7 +61,7 @@ static double half_width(const mpm *s, const point_arrays *p, size_t k)
 static void scatter_reach_of_point(const mpm *s, const point_span *r, double half,
                                    const double (*direction)[MESH_MAX_DIM], double *out)
 {
-    const int *window = s->work->window;
+    const int *window = s->windows->window;
     const double *h = s->mesh->h;
     for (int z = 0; z < r->n[2]; ++z)
         for (int y = 0; y < r->n[1]; ++y)
@@ -75,9 +76,9 @@ static void scatter_reach_of_point(const mpm *s, const point_span *r, double hal
 
 static void scatter_reach_in_contact(mpm *s, int group, int blk, int tile)
 {
-    double direction[MAX_WINDOW][MESH_MAX_DIM] = {{0.0}};
+    double direction[MPM_MAX_WINDOW][MESH_MAX_DIM] = {{0.0}};
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
-    bool *any = &s->work->active[box.number];
+    bool *any = &s->windows->active[box.number];
     *any = s->contact->near[box.number] != 0 && find_directions(s, blk, group, &box, direction);
     if (!*any) return;
     double *out = start_reach(s, &box, 1);

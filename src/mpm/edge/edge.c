@@ -1,6 +1,9 @@
 /* Forces and history of the penalised lines (edge.h). */
 #include "mpm/edge/edge.h"
 
+#include "mpm/edge/edge_lines.h"
+#include "mpm/state/stress.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -10,7 +13,7 @@ double mpm_edge_penalty(const mpm *s)
     for (int b = 0; b < s->n_bodies; ++b) solids = solids || edge_body(s, b);
     if (!solids) return 0.0;
     if (!isnan(s->scene->method.edge_penalty)) return s->scene->method.edge_penalty;
-    return s->burns ? 0.0 : s->basis->edge_penalty; /* an edge that burns has no penalty */
+    return s->carries[P_SHARE] ? 0.0 : s->basis->edge_penalty; /* an edge that burns has no penalty */
 }
 
 static bool is_usf(const mpm *s)
@@ -21,8 +24,7 @@ static bool is_usf(const mpm *s)
 /* The difference that gives the force of line k of a group. */
 static double edge_velocity_jump(const mpm *s, const edge_group *g, size_t k, int c)
 {
-    return is_usf(s) ? g->next[k * (size_t)s->mesh->dim + (size_t)c]
-                     : s->work->edges->memory[g->line[k].slot + (size_t)c];
+    return is_usf(s) ? g->next[k * (size_t)s->mesh->dim + (size_t)c] : s->edges->memory[g->line[k].slot + (size_t)c];
 }
 
 void edges_mark_flow(const mpm *s, edge_group *g)
@@ -55,7 +57,7 @@ double edges_push(const mpm *s, const edge_group *g, int c, double *force, doubl
 
 void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const double *value)
 {
-    const edge_group *g = &s->work->edges->group[group];
+    const edge_group *g = &s->edges->group[group];
     double *field[MESH_MAX_BLOCKS];
     for (int b = 0; b < s->mesh->n_blocks; ++b) field[b] = field_get(s->domain->fields[b], id, group, c);
     for (int n = 0; n < g->n_nodes; ++n) {
@@ -66,7 +68,7 @@ void edges_add_to_copies(const mpm *s, int group, field_id id, int c, const doub
 
 void edges_values(const mpm *s, int group, field_id id, int c, double *value)
 {
-    const edge_group *g = &s->work->edges->group[group];
+    const edge_group *g = &s->edges->group[group];
     const double *field[MESH_MAX_BLOCKS];
     for (int b = 0; b < s->mesh->n_blocks; ++b) field[b] = field_get(s->domain->fields[b], id, group, c);
     for (int n = 0; n < g->n_nodes; ++n) {
@@ -77,7 +79,7 @@ void edges_values(const mpm *s, int group, field_id id, int c, double *value)
 
 static floe_status push_group(mpm *s, int group)
 {
-    const edge_group *g = &s->work->edges->group[group];
+    const edge_group *g = &s->edges->group[group];
     double *force;
     TRY(edges_scratch(s, g, 1, &force));
     for (int c = 0; c < s->mesh->dim; ++c) {
@@ -112,7 +114,7 @@ void edges_let_flow(const mpm *s, edge_group *g)
 
 floe_status edges_strain(mpm *s, int group, field_id velocity)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
     const double dt = strain_step(s);
     const int dim = s->mesh->dim;
@@ -130,7 +132,7 @@ floe_status edges_strain(mpm *s, int group, field_id velocity)
 
 static void commit_group(mpm *s, int group)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     const edge_group *g = &e->group[group];
     const size_t dim = (size_t)s->mesh->dim;
     for (size_t k = 0; k < g->n_lines; ++k)
@@ -144,12 +146,18 @@ static void commit_group(mpm *s, int group)
 
 void edges_commit(mpm *s)
 {
-    for (int g = 0; s->work->edges && g < s->n_groups; ++g) commit_group(s, g);
+    for (int g = 0; s->edges && g < s->n_groups; ++g) commit_group(s, g);
+}
+
+const double *edges_history(const mpm *s, size_t *n)
+{
+    *n = s->edges ? s->edges->n_memory : 0;
+    return s->edges ? s->edges->memory : NULL;
 }
 
 double *mpm_edges_state(mpm *s, size_t *n)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     *n = e ? e->n_memory : 0;
     for (int g = 0; e && g < s->n_groups; ++g) e->group[g].listed = false; /* who asks may write there */
     return e ? e->memory : NULL;

@@ -1,14 +1,17 @@
-/* Which nodes solids fill in part, and which lines hold them. */
+/* Nodes that solids fill in part, and the lines that are penalised there. */
+#include "grid/tile_box.h"
 #include "mpm/edge/edge.h"
-#include "mpm/spread.h"
-#include "mpm/wall.h"
+#include "mpm/edge/edge_lines.h"
+#include "mpm/mpm_constants.h"
+#include "mpm/nodes/node.h"
+#include "mpm/transfer/kernels.h"
+#include "mpm/transfer/point_arrays.h"
+#include "mpm/transfer/spread.h"
+#include "mpm/transfer/windows.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of a node inside
- * empty. */
-static const double full_node = 0.95;
 enum { NO_BODY = -1, SHARED = -2 };
 
 /* Volume of the points of a tile at its nodes. */
@@ -17,11 +20,11 @@ static void fill_tile_volumes(const mpm *s, int body, int blk, int tile)
     const tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     const size_t *range = s->points[blk][body].tile_start + tile;
     double *out = domain_tile(s->domain, box.number);
-    s->work->active[box.number] = range[0] < range[1];
+    s->windows->active[box.number] = range[0] < range[1];
     if (range[0] == range[1]) return;
-    memset(out, 0, (size_t)s->work->window_nodes * sizeof *out);
+    memset(out, 0, (size_t)s->windows->window_nodes * sizeof *out);
     const point_arrays p = points_of(s, blk, body, false, false);
-    s->work->kernel.fill(s->mesh, &box, &p, range[0], range[1], out);
+    s->windows->kernel->fill(s->mesh, &box, &p, range[0], range[1], out);
 }
 
 static void take_into(edge_box *box, const int at[MESH_MAX_DIM])
@@ -32,12 +35,12 @@ static void take_into(edge_box *box, const int at[MESH_MAX_DIM])
     }
 }
 
-/* Adds what a solid fills of a node, and makes the node its own, or nobody's if another body is there. Membranes have no
- * edges, but the nodes that they share with a solid are not its alone: held as if they were, they take the energy of a
- * membrane that slides along it. Points of fluid share them unharmed: they move with the solid's surface there. */
-static void keep_fill(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
+/* Adds the share of a node that a body fills. The solid becomes the owner of the node, which has none if another body is
+ * there. Membranes have no edges, but lines on nodes that they share with a solid would take the energy of a membrane
+ * that slides along it. Fluid points may share them: they move with the surface of the solid there. */
+static void add_filled_share(mpm *s, int body, int blk, const int local[MESH_MAX_DIM])
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     const block *b = &s->mesh->block[blk];
     const double *volume = field_get(s->domain->fields[blk], N_FILL, s->body[body].group, 0);
     const int global[MESH_MAX_DIM] = {b->lo[0] + local[0], b->lo[1] + local[1], b->lo[2] + local[2]};
@@ -70,14 +73,14 @@ static void fill_nodes(mpm *s, int body)
         edge_own_nodes(m, bl, end);
         for (int k = 0; k < end[2]; ++k)
             for (int j = 0; j < end[1]; ++j)
-                for (int i = 0; i < end[0]; ++i) keep_fill(s, body, b, (const int[]){i, j, k});
+                for (int i = 0; i < end[0]; ++i) add_filled_share(s, body, b, (const int[]){i, j, k});
     }
 }
 
 /* What the solids of a group fill of every node, and whose it is: membranes come after them. */
 static void fill_group(mpm *s, int group)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     for (size_t k = 0; k < edge_all_nodes(e); ++k) {
         e->fill[k] = 0.0;
         e->owner[k] = NO_BODY;
@@ -92,9 +95,6 @@ static void fill_group(mpm *s, int group)
         if (s->body[body].group == group && s->body[body].membrane.model) fill_nodes(s, body);
 }
 
-/* A node with less than this share of what is filled on both sides of it is outside a body that lies on both. */
-static const double hollow_share = 0.5;
-
 /* Whether a line leads from one surface of a body to another through what is outside: through a slot, or across a hole of
  * a few cells, whose sides are not to be tied. */
 static bool leads_outside(const double *fill, int taps)
@@ -103,7 +103,7 @@ static bool leads_outside(const double *fill, int taps)
         double before = 0.0, after = 0.0;
         for (int k = 0; k < t; ++k) before = fmax(before, fmin(fill[k], 1.0));
         for (int k = t + 1; k < taps; ++k) after = fmax(after, fmin(fill[k], 1.0));
-        if (fill[t] < hollow_share * fmin(before, after)) return true;
+        if (fill[t] < MPM_HOLLOW_NODE * fmin(before, after)) return true;
     }
     return false;
 }
@@ -118,7 +118,7 @@ static int line_body(const mpm_edges *e, const size_t *number, int taps)
     for (int t = 0; t < taps; ++t) {
         if (owner < 0 || e->owner[number[t]] != owner) return 0;
         fill[t] = e->fill[number[t]];
-        part = part || fill[t] < full_node;
+        part = part || fill[t] < MPM_FULL_NODE;
     }
     return part && !leads_outside(fill, taps) ? owner + 1 : 0;
 }
@@ -126,7 +126,7 @@ static int line_body(const mpm_edges *e, const size_t *number, int taps)
 /* The same of the line along an axis from a node on. */
 static int body_from(const mpm *s, int group, int axis, const int first[MESH_MAX_DIM])
 {
-    const mpm_edges *e = s->work->edges;
+    const mpm_edges *e = s->edges;
     const int taps = edge_taps(s);
     size_t number[EDGE_TAPS] = {0};
     if (first[axis] >= 0 && !(e->fill[edge_number(e, first)] > 0.0)) return 0;
@@ -145,7 +145,7 @@ static int body_from(const mpm *s, int group, int axis, const int first[MESH_MAX
 /* Clears the history of lines that are no longer penalised. */
 static floe_status judge_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     bool *changed = user;
     const size_t place = edge_place(s, group, axis, first), dim = (size_t)s->mesh->dim;
     const int body = body_from(s, group, axis, first);
@@ -158,7 +158,7 @@ static floe_status judge_line(mpm *s, int group, int axis, const int first[MESH_
 
 floe_status edges_look(mpm *s, int group, bool *changed)
 {
-    edge_group *g = &s->work->edges->group[group];
+    edge_group *g = &s->edges->group[group];
     *changed = false;
     fill_group(s, group);
     for (int a = 0; a < MESH_MAX_DIM; ++a) {

@@ -1,22 +1,21 @@
 /* The lists of lines, of their nodes and of where blocks have those (edge.h), from what is remembered. */
+#include "mpm/edge/edge_lines.h"
 #include "base/memory.h"
 #include "mpm/edge/edge.h"
-#include "mpm/wall.h"
+#include "mpm/mpm_constants.h"
+#include "mpm/nodes/constraints.h"
+#include "mpm/nodes/sides.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Cells that nodes may move before lines are looked for anew, though the same nodes take forces; a body that rests pays
- * for no look. With any way up to 0.1 a soft cylinder that opens by a cell has the same error to 1 %. A node that points
- * newly reach is held at once: until it is, what few they are strain by as much as it pleases, and its lines would keep
- * that (GIMP on the thick cylinder at h = 0.05, where lines wanted more mass than forces do: 16 % for 9). */
-static const double long_way = 0.05;
-
-/* rho c^2 (Pa) of a body at rest. */
+/* rho c^2 (Pa) of a body at rest, but no more than that of a body with a Poisson's ratio of a third and the same shear modulus: where the bulk
+ * modulus is far larger, a penalty of its size would hold the edges as stiff as the volume is, which their motion does not change. */
 static double modulus_of(const mpm *s, int body)
 {
     const mpm_body *b = &s->body[body];
-    return b->law->bulk_modulus(b->law_par) + 4.0 / 3.0 * b->law->shear_modulus(b->law_par);
+    const double shear = b->law->shear_modulus(b->law_par), bulk = b->law->bulk_modulus(b->law_par);
+    return fmin(bulk, 8.0 / 3.0 * shear) + 4.0 / 3.0 * shear;
 }
 
 /* |D u| (m) along an axis at which the stress of a line of full stiffness, rho c^2 |D u|/h, is that at which the body
@@ -31,21 +30,6 @@ static double longest_of(const mpm *s, int body, int axis)
 int edge_taps(const mpm *s)
 {
     return s->basis->fact.edge_taps;
-}
-
-/* Components of a node's velocity that walls or supports hold. */
-static unsigned constrained_components(const mpm *s, int group, const int at[MESH_MAX_DIM])
-{
-    unsigned constrained = 0;
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        if (s->mesh->periodic[a] || (at[a] != 0 && at[a] != s->mesh->n[a])) continue;
-        for (int c = 0; c < s->mesh->dim; ++c)
-            if (wall_constrains(s, group, a, at[a] == 0 ? SIDE_LOWER : SIDE_UPPER, c)) constrained |= 1u << c;
-    }
-    for (size_t k = 0; k < s->work->n_supports; ++k)
-        if (memcmp(s->work->support[k].node, at, sizeof s->work->support[k].node) == 0)
-            constrained |= (1u << s->mesh->dim) - 1u;
-    return constrained;
 }
 
 /* Weights of the taps of a difference, by their number. */
@@ -77,7 +61,7 @@ bool edge_find_taps(const mpm *s, int group, const int first[MESH_MAX_DIM], int 
 
 floe_status edge_visit_starts(mpm *s, int group, edge_visit *visit, void *user)
 {
-    const edge_box *box = &s->work->edges->group[group].box;
+    const edge_box *box = &s->edges->group[group].box;
     for (int axis = 0; axis < s->mesh->dim; ++axis) {
         const int last = s->mesh->n[axis] + 3 - edge_taps(s);
         int lo[MESH_MAX_DIM], end[MESH_MAX_DIM];
@@ -157,7 +141,7 @@ static floe_status list_copies(mpm *s, edge_group *g, edge_node *n)
 /* Place in the group's list of a node. */
 static floe_status list_node(mpm *s, int group, int body, const int at[MESH_MAX_DIM], int *place)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
     int *index = &e->index[edge_number(e, at)];
     if (*index < 0) {
@@ -166,7 +150,7 @@ static floe_status list_node(mpm *s, int group, int body, const int at[MESH_MAX_
         edge_node *n = &g->node[g->n_nodes++];
         memcpy(n->at, at, sizeof n->at);
         n->body = body;
-        n->constrained = constrained_components(s, group, at);
+        n->constrained = node_constraints(s, group, at);
         n->slot = e->accelerations + ((size_t)group * edge_all_nodes(e) + edge_number(e, at)) * (size_t)s->mesh->dim;
         TRY(list_copies(s, g, n));
     }
@@ -201,7 +185,7 @@ static bool is_unbalanced(const edge_group *g, const edge_line *l)
 static floe_status list_line(mpm *s, int group, int axis, const int first[MESH_MAX_DIM], void *user)
 {
     (void)user;
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
     const size_t place = edge_place(s, group, axis, first);
     const int body = (int)e->memory[e->lines + place] - 1;
@@ -266,7 +250,7 @@ static floe_status clear_matrix(mpm *s, edge_group *g)
 /* Clears the history of nodes without a line. */
 static void rollback_nodes(mpm *s, int group)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     const edge_box *box = &e->group[group].box;
     const size_t all = edge_all_nodes(e), dim = (size_t)s->mesh->dim;
     for (int k = box->lo[2]; k < box->end[2]; ++k)
@@ -280,7 +264,7 @@ static void rollback_nodes(mpm *s, int group)
 
 static floe_status list_group(mpm *s, int group)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
     g->listed = false;
     g->n_lines = g->n_copies = 0;
@@ -322,7 +306,7 @@ static double loaded_nodes_number(const mpm *s, int group)
                 for (int i = 0; i < end[0]; ++i) {
                     const int global[MESH_MAX_DIM] = {bl->lo[0] + i, bl->lo[1] + j, bl->lo[2] + k};
                     if (edge_bears(s, mass, mesh_index(bl, i, j, k)))
-                        sum += scrambled_number((unsigned)edge_number(s->work->edges, global));
+                        sum += scrambled_number((unsigned)edge_number(s->edges, global));
                 }
     }
     return sum;
@@ -330,7 +314,7 @@ static double loaded_nodes_number(const mpm *s, int group)
 
 floe_status edges_find(mpm *s, int group, bool anew)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
     double *travelled = &e->memory[e->travel + (size_t)group];
     const double *loaded_nodes = &e->memory[e->loaded_nodes + (size_t)group];
@@ -341,7 +325,8 @@ floe_status edges_find(mpm *s, int group, bool anew)
         TRY(list_group(s, group));
     }
     g->loaded_nodes = loaded_nodes_number(s, group);
-    g->looked = anew || *travelled > long_way || g->loaded_nodes < *loaded_nodes || g->loaded_nodes > *loaded_nodes;
+    g->looked =
+        anew || *travelled > MPM_EDGE_TRAVEL || g->loaded_nodes < *loaded_nodes || g->loaded_nodes > *loaded_nodes;
     if (!g->looked) return FLOE_OK;
     TRY(edges_look(s, group, &changed));
     if (changed) TRY(list_group(s, group));
@@ -351,8 +336,8 @@ floe_status edges_find(mpm *s, int group, bool anew)
 
 floe_status edges_create(mpm *s)
 {
-    TRY(memory_new(s->ctx, &s->work->edges, 1, sizeof *s->work->edges));
-    mpm_edges *e = s->work->edges;
+    TRY(memory_new(s->ctx, &s->edges, 1, sizeof *s->edges));
+    mpm_edges *e = s->edges;
     e->penalty = mpm_edge_penalty(s);
     for (int a = 0; a < MESH_MAX_DIM; ++a)
         e->nodes[a] = s->mesh->n[a] + (a < s->mesh->dim && !s->mesh->periodic[a] ? 1 : 0);
@@ -378,10 +363,12 @@ floe_status edges_create(mpm *s)
     return FLOE_OK;
 }
 
-void edges_free(context *ctx, mpm_edges **e)
+void edges_free(mpm *s)
 {
-    for (int k = 0; *e && k < MPM_MAX_GROUPS; ++k) {
-        edge_group *g = &(*e)->group[k];
+    context *ctx = s->ctx;
+    mpm_edges *e = s->edges;
+    for (int k = 0; e && k < MPM_MAX_GROUPS; ++k) {
+        edge_group *g = &e->group[k];
         memory_free(ctx, &g->line);
         memory_free(ctx, &g->node);
         memory_free(ctx, &g->copy);
@@ -391,13 +378,13 @@ void edges_free(context *ctx, mpm_edges **e)
         memory_free(ctx, &g->matrix.column);
         memory_free(ctx, &g->matrix.inertia);
     }
-    if (*e) {
-        memory_free(ctx, &(*e)->memory);
-        memory_free(ctx, &(*e)->fill);
-        memory_free(ctx, &(*e)->owner);
-        memory_free(ctx, &(*e)->index);
-        memory_free(ctx, &(*e)->solve);
-        memory_free(ctx, &(*e)->motion);
+    if (e) {
+        memory_free(ctx, &e->memory);
+        memory_free(ctx, &e->fill);
+        memory_free(ctx, &e->owner);
+        memory_free(ctx, &e->index);
+        memory_free(ctx, &e->solve);
+        memory_free(ctx, &e->motion);
     }
-    memory_free(ctx, e);
+    memory_free(ctx, &s->edges);
 }

@@ -6,13 +6,11 @@
 #include "mpm/edge/edge.h"
 
 #include "base/memory.h"
+#include "mpm/edge/edge_lines.h"
+#include "mpm/mpm_constants.h"
 
 #include <math.h>
 #include <string.h>
-
-enum { MAX_ITERATIONS = 500 };
-/* Of the right hand side, in the norm of the diagonal's inverse, the residual may be left. */
-static const double solver_tolerance = 1e-2;
 
 /* Vectors over the nodes of a group's list. */
 enum { V_MASS, V_INVERSE, V_RAW, V_BEFORE, V_X, V_R, V_P, V_AP, V_COUNT };
@@ -30,7 +28,7 @@ typedef struct edge_system {
 
 floe_status edges_scratch(mpm *s, const edge_group *g, size_t vectors, double **out)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     const size_t wanted = (size_t)g->n_nodes * vectors;
     if (wanted > e->scratch_reserved || !e->solve) { /* for no nodes there is an array, too */
         TRY(memory_resize(s->ctx, &e->solve, wanted + wanted / 4, sizeof *e->solve));
@@ -104,9 +102,9 @@ static double begin_solve(edge_system *y)
 static void solve_edge_system(edge_system *y)
 {
     const int n_nodes = y->group->n_nodes;
-    const double enough = solver_tolerance * solver_tolerance * begin_solve(y);
+    const double enough = MPM_EDGE_TOLERANCE * MPM_EDGE_TOLERANCE * begin_solve(y);
     double square = weighted_square(y);
-    for (int k = 0; k < MAX_ITERATIONS && square > enough; ++k) {
+    for (int k = 0; k < MPM_EDGE_ITERATIONS && square > enough; ++k) {
         const double curvature = apply_matrix(y, y->p, y->Ap);
         if (!(curvature > 0.0)) return;
         const double step = square / curvature, before = square;
@@ -158,17 +156,16 @@ static void sum_motions(edge_system *y, edge_motion *body, int motions)
 /* Solves W^T M W q = W^T r in place; a motion that is linearly dependent on others at the body's nodes stays 0. */
 static void solve_motions(edge_motion *b, int motions)
 {
-    static const double independent = 1e-10;
     double diagonal[EDGE_MOTIONS];
     for (int k = 0; k < motions; ++k) diagonal[k] = b->inertia[k][k];
     for (int k = 0; k < motions; ++k) {
-        const bool told = b->inertia[k][k] > independent * diagonal[k];
+        const bool known = b->inertia[k][k] > MPM_EDGE_INDEPENDENT * diagonal[k];
         for (int l = 0; l < motions; ++l) {
-            const double factor = told && l != k ? b->inertia[l][k] / b->inertia[k][k] : 0.0;
+            const double factor = known && l != k ? b->inertia[l][k] / b->inertia[k][k] : 0.0;
             for (int j = 0; j < motions; ++j) b->inertia[l][j] -= factor * b->inertia[k][j];
             b->share[l] -= factor * b->share[k];
         }
-        if (told) continue;
+        if (known) continue;
         b->share[k] = 0.0;
         for (int l = 0; l < motions; ++l) b->inertia[l][k] = b->inertia[k][l] = 0.0;
         b->inertia[k][k] = 1.0;
@@ -181,7 +178,7 @@ static void solve_motions(edge_motion *b, int motions)
  * as walls and mirrors ask of them, and none if there are none; the error falls, in the norm of M. */
 static void keep_linear_motion(const mpm *s, edge_system *y)
 {
-    edge_motion *body = s->work->edges->motion;
+    edge_motion *body = s->edges->motion;
     const edge_group *g = y->group;
     const int motions = 1 + s->mesh->dim;
     centre_bodies(g, body, s->n_bodies);
@@ -228,15 +225,15 @@ static void keep_momentum(const edge_system *y, double given)
 
 static edge_system load_system(const mpm *s, int group, int c, double *scratch)
 {
-    const mpm_edges *e = s->work->edges;
+    const mpm_edges *e = s->edges;
     const edge_group *g = &e->group[group];
     const size_t rows = (size_t)g->n_nodes;
     double *v[V_COUNT];
     for (size_t k = 0; k < V_COUNT; ++k) v[k] = scratch + k * rows;
     edge_system y = {.group = g,
                      .c = c,
-                     .kick = s->work->kick,
-                     .share = 1.0 + s->work->kick * g->damping,
+                     .kick = s->kick,
+                     .share = 1.0 + s->kick * g->damping,
                      .inertia = g->matrix.inertia + (size_t)c * g->matrix.reserved,
                      .mass = v[V_MASS],
                      .inverse = v[V_INVERSE],
@@ -277,7 +274,7 @@ static void enter_work(mpm *s, const edge_system *y)
 
 static void accelerate_nodes(mpm *s, int group, int c, double *scratch)
 {
-    edge_group *g = &s->work->edges->group[group];
+    edge_group *g = &s->edges->group[group];
     edge_system y = load_system(s, group, c, scratch);
     solve_edge_system(&y);
     keep_linear_motion(s, &y);
@@ -326,7 +323,7 @@ static double way_of_nodes(const mpm *s, int group)
 
 floe_status edges_accelerate(mpm *s, int group)
 {
-    mpm_edges *e = s->work->edges;
+    mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
     double *scratch;
     TRY(edges_scratch(s, g, V_COUNT, &scratch));
@@ -339,11 +336,11 @@ floe_status edges_accelerate(mpm *s, int group)
 floe_status edges_start(mpm *s)
 {
     double *scratch;
-    if (s->work->edges) s->work->edges->starting = true;
-    for (int g = 0; s->work->edges && g < s->n_groups; ++g) {
+    if (s->edges) s->edges->starting = true;
+    for (int g = 0; s->edges && g < s->n_groups; ++g) {
         TRY(edges_find(s, g, true));
-        TRY(edges_scratch(s, &s->work->edges->group[g], V_COUNT, &scratch));
+        TRY(edges_scratch(s, &s->edges->group[g], V_COUNT, &scratch));
     }
-    if (s->work->edges) s->work->edges->starting = false;
+    if (s->edges) s->edges->starting = false;
     return FLOE_OK;
 }

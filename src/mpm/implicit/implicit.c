@@ -1,23 +1,12 @@
 /* Newton's method for a load increment. */
 #include "mpm/implicit/implicit.h"
 
+#include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/surface/surface_markers.h"
-#include "mpm/surface/traction.h"
 
 #include <math.h>
 #include <string.h>
-
-enum { MOST_NEWTON = 30, MOST_CONTACT_ITERATIONS = 60 /* with contacts */, MOST_HALVINGS = 6 };
-/* Relative residual at which conjugate gradients stop in an iteration of Newton's method. */
-static const double forcing = 1e-4;
-/* An iteration that reduces the residual less than to this share gets a new matrix. */
-static const double slow = 1e-2;
-/* Relative round-off of differences of velocities. */
-static const double round_off = 1e-6;
-/* An iteration that increases the residual by this factor has diverged, unless it is the first, in which parts with
- * little stiffness may rotate. */
-static const double astray = 1e4;
 
 static double constrained_norm(const struct mpm_implicit *w, const double *x)
 {
@@ -129,7 +118,7 @@ static double force_scale(const mpm *s)
     }
     return constrained_norm(w, w->external) + constrained_norm(w, w->gas_force) +
            fmax(constrained_norm(w, w->internal), constrained_norm(w, w->internal_first)) +
-           round_off * sqrt(inertia) * 2.0 / s->dt;
+           MPM_NEWTON_ROUND_OFF * sqrt(inertia) * 2.0 / s->dt;
 }
 
 /* A step along the change, halved while points are beyond their law. */
@@ -137,7 +126,7 @@ static floe_status take_change(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
     double share = 1.0;
-    for (int halving = 0; halving <= MOST_HALVINGS; ++halving, share *= 0.5) {
+    for (int halving = 0; halving <= MPM_MOST_HALVINGS; ++halving, share *= 0.5) {
         context_clear(s->ctx);
         for (size_t k = 0; k < w->components; ++k) w->trial[k] = w->u[k] + share * w->change[k];
         const floe_status status = evaluate_residual(s, w->trial);
@@ -169,7 +158,7 @@ static floe_status iterate_newton(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
     const double tolerance = s->scene->time.tolerance;
-    const int most = w->contact ? MOST_CONTACT_ITERATIONS : MOST_NEWTON;
+    const int most = w->contact ? MPM_MOST_CONTACT_ITERATIONS : MPM_MOST_NEWTON;
     bool stale = true;
     double before = INFINITY;
     for (w->newton = 0;; ++w->newton) {
@@ -177,12 +166,12 @@ static floe_status iterate_newton(mpm *s)
         const double left = constrained_norm(w, w->residual), scale = force_scale(s);
         if (!turned && !driven && left <= tolerance * scale) return FLOE_OK;
         if (turned) before = INFINITY;
-        if (w->newton == most || (w->newton > 1 && !(left <= astray * before)))
+        if (w->newton == most || (w->newton > 1 && !(left <= MPM_NEWTON_DIVERGED * before)))
             return fail(s->ctx, FLOE_RETRY, "after %d iterations of Newton's method %.3g of the forces is left",
                         w->newton, left / scale);
-        if (stale || turned || driven || left > slow * before) TRY(renew_matrix(s));
+        if (stale || turned || driven || left > MPM_NEWTON_SLOW * before) TRY(renew_matrix(s));
         stale = false;
-        TRY(solve_change(s, fmax(forcing * constrained_norm(w, w->residual), 0.1 * tolerance * scale)));
+        TRY(solve_change(s, fmax(MPM_NEWTON_FORCING * constrained_norm(w, w->residual), 0.1 * tolerance * scale)));
         for (size_t k = 0; k < w->components; ++k) w->change[k] += w->constraint_step[k];
         TRY(take_change(s));
         before = left;
@@ -239,7 +228,7 @@ static void find_unbalanced(mpm *s)
     implicit_body_force(s, w->acceleration_first, false, w->external_first);
     drop_unreached(w, w->external_first);
     w->unbalanced_left = fmax(0.0, 1.0 - s->dt / (s->scene->time.end - s->time));
-    if (w->unbalanced_left < round_off) w->unbalanced_left = 0.0;
+    if (w->unbalanced_left < MPM_NEWTON_ROUND_OFF) w->unbalanced_left = 0.0;
     enclosed_gases_first_force(s, w->unbalanced);
     for (size_t k = 0; k < w->components; ++k)
         w->unbalanced[k] = w->constrained[k] ? 0.0 : w->unbalanced[k] + w->external_first[k] + w->internal_first[k];
@@ -254,7 +243,7 @@ static floe_status prepare_system(mpm *s)
     implicit_constrain(s);
     implicit_find_reached(s);
     TRY(implicit_contact_find(s));
-    implicit_body_force(s, s->work->acceleration, true, w->external);
+    implicit_body_force(s, s->acceleration, true, w->external);
     TRY(enclosed_gases_smear(s));
     drop_unreached(w, w->external);
     for (int r = 0; r < w->n_gases; ++r) drop_unreached(w, w->gas_set[r].unit_force);

@@ -12,7 +12,8 @@
 #ifndef MPM_IMPLICIT_H
 #define MPM_IMPLICIT_H
 
-#include "mpm/work.h"
+#include "mpm/implicit/implicit_view.h"
+#include "mpm/mpm.h"
 #include "solve/cg.h"
 #include "solve/node_multigrid.h"
 
@@ -125,10 +126,6 @@ double implicit_displacement(const mpm *s, int group, const int node[MESH_MAX_DI
  * than a cell. */
 floe_status implicit_move(mpm *s);
 
-/* Whether contact gaps are measured between the surfaces of the bodies (implicit_gap.c), which then move with the
- * loaded surfaces. */
-bool implicit_measures_gaps(const mpm *s);
-
 /* By how many nodes along an axis the edge penalty couples farther than points do. */
 int implicit_arm(const mpm *s);
 /* Ghost penalty at the edges of solids (implicit_edges.c; these do nothing without it). Lists the penalised lines of an
@@ -163,8 +160,6 @@ static inline size_t implicit_index(const struct mpm_implicit *w, int layer, int
 }
 /* FLOE_DIVERGED, with the cause, where a connected part of the points could move as a rigid body (implicit_rigid.c). */
 floe_status implicit_check_rigid_motions(mpm *s);
-
-void implicit_destroy(mpm *s);
 
 /* Inertia (implicit_motion.c). Mass and velocity of the nodes at the start of the step. */
 void motion_begin(mpm *s);

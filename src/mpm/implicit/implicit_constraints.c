@@ -1,51 +1,28 @@
 /* Maps between the nodes of the blocks and those of the solver: constraints, supports of the points, and surface
  * loads. */
 #include "mpm/implicit/implicit.h"
-#include "mpm/wall.h"
+#include "mpm/nodes/constraints.h"
+#include "mpm/nodes/sides.h"
 
 #include <string.h>
 
-static void constrain_node(struct mpm_implicit *w, int node, int c, double displacement)
+static void constrain_component(void *user, const int node[MESH_MAX_DIM], int c, double velocity)
 {
+    const mpm *s = user;
+    struct mpm_implicit *w = s->implicit;
     for (int l = 0; l < w->layers; ++l) {
-        const size_t at = implicit_index(w, l, c, node);
+        const size_t at = implicit_index(w, l, c, (int)solve_index(&w->grid, node[0], node[1], node[2]));
         w->constrained[at] = true;
-        w->prescribed[at] = displacement;
+        w->prescribed[at] = s->dt * velocity;
     }
 }
 
 void implicit_constrain(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
-    const mesh *m = s->mesh;
     memset(w->constrained, 0, w->components * sizeof *w->constrained);
     memset(w->prescribed, 0, w->components * sizeof *w->prescribed);
-    for (int axis = 0; axis < m->dim; ++axis)
-        for (int side = 0; side < 2 && !m->periodic[axis]; ++side)
-            for (int c = 0; c < m->dim; ++c) {
-                if (!wall_constrains(s, 0, axis, side, c)) continue;
-                const double displacement = s->dt * wall_target(s, axis, side, c);
-                const int plane = side == SIDE_LOWER ? 0 : w->grid.n[axis] - 1;
-                int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-                for (int a = 0; a < m->dim; ++a) {
-                    lo[a] = a == axis ? plane : 0;
-                    hi[a] = a == axis ? plane + 1 : w->grid.n[a];
-                }
-                for (int k = lo[2]; k < hi[2]; ++k)
-                    for (int j = lo[1]; j < hi[1]; ++j)
-                        for (int i = lo[0]; i < hi[0]; ++i) {
-                            constrain_node(w, (int)solve_index(&w->grid, i, j, k), c, displacement);
-                        }
-            }
-    for (size_t k = 0; k < s->work->n_supports; ++k) {
-        const support_node *node = &s->work->support[k];
-        int i[MESH_MAX_DIM] = {0, 0, 0};
-        for (int a = 0; a < m->dim; ++a) i[a] = m->periodic[a] ? node->node[a] % m->n[a] : node->node[a];
-        for (int c = 0; c < m->dim; ++c) {
-            constrain_node(w, (int)solve_index(&w->grid, i[0], i[1], i[2]), c,
-                           s->dt * s->scene->support[node->support].velocity[c]);
-        }
-    }
+    visit_constraints(s, 0, constrain_component, s);
 }
 
 static void reach_tile(mpm *s, int blk, int tile, void *user)

@@ -3,18 +3,15 @@
 
 #include "base/memory.h"
 #include "mpm/contact/contact.h"
+#include "mpm/implicit/implicit_constants.h"
 
 #include <math.h>
 #include <string.h>
 
-/* What counts as nothing: of displacements, as a share of the largest; of the length of a condition that others nearly
- * make up. */
-static const double little = 1e-7, dependent = 1e-6;
-
 const char *implicit_contact_obstacle(const mpm *s)
 {
     if (!s->contact) return NULL;
-    if (s->coupled || s->seals) return "bodies are in contact beside fluids on cells";
+    if (s->cells != CELLS_NONE) return "bodies are in contact beside fluids on cells";
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].fluid) return "bodies are in contact beside fluids";
     if (s->n_groups * s->mesh->dim > NODE_MATRIX_COMPONENTS)
@@ -65,7 +62,7 @@ static floe_status reserve_contact(mpm *s)
     return memory_resize(s->ctx, &c->L, c->rows_reserved * SPOT_ROWS, sizeof *c->L);
 }
 
-/* A node, as it is looked at: components that nothing holds. */
+/* What a node's contact conditions depend on; they have no component that is constrained. */
 typedef struct spot_view {
     int dim, layer[2];
     bool constrained[3];
@@ -97,7 +94,7 @@ static void add_across(struct implicit_contact *c, const spot_view *v, const dou
             for (int a = 0; a < 3; ++a) t[a] -= part * found[k][a];
         }
         for (int a = 0; a < 3; ++a) square += t[a] * t[a];
-        if (!(square > dependent)) continue;
+        if (!(square > MPM_CONTACT_DEPENDENT)) continue;
         for (int a = 0; a < 3; ++a) found[count][a] = t[a] / sqrt(square);
         add_row(c, v, found[count], 0.0, lead);
         c->row[c->rows - 1].bound = lead < 0;
@@ -188,7 +185,7 @@ static void orthogonalise_condition(const mpm *s, const contact_spot *spot, int 
     }
     double square = 0.0;
     for (int k = 0; k < n; ++k) square += q[k] * q[k];
-    L[i] = square > dependent ? sqrt(square) : 0.0;
+    L[i] = square > MPM_CONTACT_DEPENDENT ? sqrt(square) : 0.0;
     for (int k = 0; k < n; ++k) q[k] = L[i] > 0.0 ? q[k] / L[i] : 0.0;
 }
 
@@ -302,7 +299,7 @@ bool implicit_contact_update(mpm *s, const double *u)
     if (!c) return false;
     double most = 0.0;
     for (size_t k = 0; k < c->rows; ++k) most = fmax(most, fabs(c->row[k].normal_force));
-    const double tolerated_tension = s->scene->time.tolerance * most, step = little * largest_gap(w, u);
+    const double tolerated_tension = s->scene->time.tolerance * most, step = MPM_CONTACT_NOTHING * largest_gap(w, u);
     for (size_t k = 0; k < c->spots; ++k)
         for (int i = 0; i < c->spot[k].rows; ++i) {
             contact_row *r = &c->row[c->spot[k].first + (size_t)i];
@@ -340,7 +337,7 @@ bool implicit_contact_closing_step(const mpm *s, const double *u, double *step)
     const struct implicit_contact *c = s->implicit->contact;
     const int n = components_of(s);
     bool any = false;
-    const double least = c ? 1e-2 * little * largest_gap(s->implicit, u) : 0.0;
+    const double least = c ? 1e-2 * MPM_CONTACT_NOTHING * largest_gap(s->implicit, u) : 0.0;
     for (size_t k = 0; c && k < c->spots; ++k) {
         const contact_spot *spot = &c->spot[k];
         double part[SPOT_ROWS], sum[NODE_MATRIX_COMPONENTS] = {0.0};

@@ -13,6 +13,7 @@
 #ifndef MPM_IMPLICIT_CONTACT_H
 #define MPM_IMPLICIT_CONTACT_H
 
+#include "mpm/contact/contact.h"
 #include "mpm/implicit/implicit.h"
 
 enum {

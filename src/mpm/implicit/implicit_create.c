@@ -1,11 +1,11 @@
 /* Steps that are solved for: of which scenes, and what they need. */
-#include "mpm/implicit/implicit.h"
-
 #include "base/memory.h"
+#include "grid/tile_box.h"
+#include "mpm/contact/contact.h"
+#include "mpm/implicit/implicit.h"
+#include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/surface/traction.h"
-
-enum { MOST_KRYLOV = 1000 };
 
 static const char *obstacle_to_motion(const mpm *s)
 {
@@ -25,9 +25,9 @@ const char *mpm_implicit_obstacle(const mpm *s, time_solver solver)
     if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
     if (s->basis->fact.shaped)
         return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
-    if ((s->coupled || s->seals) && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
+    if (s->cells != CELLS_NONE && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
     if (s->scene->n_springs > 0) return "springs are stepped in time";
-    if (s->membranes) return solver == SOLVER_STATIC ? curve_rest_obstacle(s) : "membranes have no stiffness across";
+    if (s->curve) return solver == SOLVER_STATIC ? curve_rest_obstacle(s) : "membranes have no stiffness across";
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))
             return "a fluid is not enclosed by solids all along its shape, and would flow";
@@ -76,14 +76,14 @@ static floe_status make_solver(mpm *s)
     choose_gradients(s, w);
     TRY(find_tiles(s));
     TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim * w->layers, s->basis->support - 1, implicit_arm(s)));
-    TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MOST_KRYLOV));
+    TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MPM_MOST_KRYLOV));
     TRY(enclosed_gases_find(s));
     TRY(implicit_contact_create(s));
     double **array[] = {&w->gas_force, &w->u,        &w->change, &w->external,   &w->internal_first,
                         &w->internal,  &w->residual, &w->trial,  &w->prescribed, &w->constraint_step};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
         TRY(memory_new(s->ctx, array[k], w->components, sizeof(double)));
-    if (s->coupled || s->seals) {
+    if (s->cells != CELLS_NONE) {
         TRY(memory_new(s->ctx, &w->external_first, w->components, sizeof *w->external_first));
         TRY(memory_new(s->ctx, &w->unbalanced, w->components, sizeof *w->unbalanced));
     }
@@ -100,7 +100,17 @@ floe_status mpm_solve_steps(mpm *s, time_solver solver)
 {
     s->solver = solver;
     TRY(memory_new(s->ctx, &s->implicit, 1, sizeof *s->implicit));
-    return s->membranes ? curve_rest_create(s) : make_solver(s);
+    return s->curve ? curve_rest_create(s) : make_solver(s);
+}
+
+int implicit_gases(const mpm *s)
+{
+    return s->implicit ? s->implicit->n_gases : 0;
+}
+
+int implicit_gas_body(const mpm *s, int gas)
+{
+    return s->implicit->gas_set[gas].body;
 }
 
 void implicit_destroy(mpm *s)

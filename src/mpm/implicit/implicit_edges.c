@@ -1,5 +1,6 @@
 /* Ghost penalty at edges (edge.h) in the implicit solver: forces of its lines and their stiffness. */
 #include "mpm/edge/edge.h"
+#include "mpm/edge/edge_lines.h"
 #include "mpm/implicit/implicit.h"
 
 #include <stdlib.h>
@@ -12,12 +13,12 @@ static int node_index(const mpm *s, const edge_node *n)
 /* Groups with the penalty: one for each displacement field. */
 static int count_groups(const mpm *s)
 {
-    return s->work->edges ? s->implicit->layers : 0;
+    return s->edges ? s->implicit->layers : 0;
 }
 
 int implicit_arm(const mpm *s)
 {
-    const int lines = s->work->edges ? edge_taps(s) - 1 : 0, points = s->basis->support - 1;
+    const int lines = s->edges ? edge_taps(s) - 1 : 0, points = s->basis->support - 1;
     return lines > points ? lines - points : 0;
 }
 
@@ -29,14 +30,14 @@ floe_status implicit_find_edges(mpm *s)
 
 static void pull_group(mpm *s, int layer, const double *u, double *internal)
 {
-    edge_group *g = &s->work->edges->group[layer];
+    edge_group *g = &s->edges->group[layer];
     const size_t dim = (size_t)s->mesh->dim;
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
             const edge_line *l = &g->line[k];
             const size_t base = implicit_index(s->implicit, layer, c, 0);
             double *difference = &g->next[k * dim + (size_t)c];
-            *difference = s->work->edges->memory[l->slot + (size_t)c];
+            *difference = s->edges->memory[l->slot + (size_t)c];
             for (int t = 0; t < EDGE_TAPS; ++t)
                 *difference += edge_weights(l, c)[t] * u[base + (size_t)node_index(s, &g->node[l->node[t]])];
         }
@@ -69,7 +70,7 @@ static void add_pair(const mpm *s, node_matrix *m, const edge_node *from, const 
 
 static void assemble_group(const mpm *s, int layer, node_matrix *m)
 {
-    const edge_group *g = &s->work->edges->group[layer];
+    const edge_group *g = &s->edges->group[layer];
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
             const edge_line *l = &g->line[k];
@@ -91,7 +92,7 @@ static double gain_of_group(const mpm *s, const edge_group *g)
     double energy = 0.0;
     for (size_t k = 0; k < g->n_lines; ++k)
         for (int c = 0; c < s->mesh->dim; ++c) {
-            const double before = s->work->edges->memory[g->line[k].slot + (size_t)c];
+            const double before = s->edges->memory[g->line[k].slot + (size_t)c];
             const double now = g->next[k * (size_t)s->mesh->dim + (size_t)c];
             energy += 0.5 * g->line[k].stiffness * (now * now - before * before);
         }
@@ -101,6 +102,6 @@ static double gain_of_group(const mpm *s, const edge_group *g)
 void implicit_enter_edges(mpm *s)
 {
     double energy = 0.0;
-    for (int g = 0; g < count_groups(s); ++g) energy += gain_of_group(s, &s->work->edges->group[g]);
+    for (int g = 0; g < count_groups(s); ++g) energy += gain_of_group(s, &s->edges->group[g]);
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_DAMPING, -energy);
 }

@@ -2,9 +2,12 @@
  * implicit_gas.c) and decreases as its volume grows. The law of gas as points (material/point_fluid.c) is that of the
  * enclosed gas, taken as one point. */
 #include "base/memory.h"
+#include "grid/tile_box.h"
 #include "mpm/implicit/implicit.h"
-#include "mpm/point_loads.h"
-#include "mpm/region.h"
+#include "mpm/implicit/implicit_constants.h"
+#include "mpm/loads/point_loads.h"
+#include "mpm/state/region.h"
+#include "mpm/transfer/scratch.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -34,13 +37,13 @@ void enclosed_gases_free(mpm *s)
 
 enum { SUM_MASS, SUM_VOLUME0, SUM_VOLUME, SUM_ENERGY, SUMS };
 
-static void sum_tile(const mpm *s, int blk, int tile, int body, double sum[SUMS])
+static void sum_tile(mpm *s, int blk, int tile, void *user, double *sum)
 {
+    const int body = *(const int *)user;
     const fields *f = s->domain->fields[blk];
     const size_t *range = s->points[blk][body].tile_start + tile;
     const double *mass = field_get(f, P_MASS, body, 0), *volume0 = field_get(f, P_VOLUME0, body, 0),
                  *J = field_get(f, P_J, body, 0), *energy = field_get(f, P_ENERGY, body, 0);
-    for (int k = 0; k < SUMS; ++k) sum[k] = 0.0;
     for (size_t k = range[0]; k < range[1]; ++k) {
         sum[SUM_MASS] += mass[k];
         sum[SUM_VOLUME0] += volume0[k];
@@ -80,9 +83,6 @@ static double enclosed_gas_state(const enclosed_gas *r, double *pressure, double
     return c2;
 }
 
-/* Below this share of a gas, a region only touches it. */
-static const double least_share = 1e-6;
-
 /* Share of the gas that lies in the region of a load. */
 static double share_in_region(const mpm *s, const enclosed_gas *r, const shape *region)
 {
@@ -100,7 +100,7 @@ static double share_in_region(const mpm *s, const enclosed_gas *r, const shape *
 }
 
 /* Effect of the loads on a gas in the increment. Gas at rest has one pressure, so that a pressure prescribed in a
- * region holds for all of it. */
+ * region is that of all of it. */
 static void read_loads(const mpm *s, enclosed_gas *r)
 {
     const load_step step = {s->time, s->time + s->dt, s->step};
@@ -112,7 +112,7 @@ static void read_loads(const mpm *s, enclosed_gas *r)
         const bool heats = load.kind == LOAD_HEAT, pressurises = load.kind == LOAD_PRESSURISE;
         const double share = heats || pressurises ? share_in_region(s, r, &load.region) : 0.0;
         bool active = false;
-        if (!(share > least_share)) continue;
+        if (!(share > MPM_ENCLOSED_SHARE)) continue;
         if (heats) r->heat += load.target * load_heating_time(&load, &step) * share * r->volume_first;
         if (!pressurises) continue;
         const double scheduled = load_scheduled_pressure(s->scene, &load, &step, &active);
@@ -123,11 +123,7 @@ static void read_loads(const mpm *s, enclosed_gas *r)
 static floe_status begin_points(mpm *s, enclosed_gas *r)
 {
     double sum[SUMS], slope;
-    for (int b = 0; b < s->mesh->n_blocks; ++b)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t)
-            sum_tile(s, b, t, r->body,
-                     s->work->tile_sum + (size_t)tile_box_of(s->mesh, &s->mesh->block[b], t).number * SUMS);
-    domain_sum_tiles(s->mesh, s->work->tile_sum, SUMS, sum);
+    sum_over_tiles(s, SUMS, sum_tile, &r->body, sum);
     if (!(sum[SUM_VOLUME] > 0.0))
         return fail_key(s->ctx, KEY("bodies", s->scene->body[s->body[r->body].scene_body].name),
                         "the gas has no points: make its shape larger, or the cells smaller");
@@ -145,7 +141,7 @@ enum { MOST_EXPANSIONS = 50 };
 /* Gas that is open comes to the pressure of its sides along its isentrope, whatever mass that takes. */
 static floe_status begin_open_gas(mpm *s, enclosed_gas *r)
 {
-    solid_batch *b = &s->work->batch[0];
+    solid_batch *b = &s->scratch->batch[0];
     double volume = r->volume_first, slope;
     for (int k = 0; k < MOST_EXPANSIONS; ++k) {
         TRY(expand_gas(s, r, volume, b));
@@ -193,7 +189,7 @@ static double dot_product(const struct mpm_implicit *w, const double *x, const d
 /* Pressure, energy and stiffness of a gas after a change of its volume. */
 floe_status enclosed_gas_set(mpm *s, enclosed_gas *r, double gain)
 {
-    solid_batch *b = &s->work->batch[0];
+    solid_batch *b = &s->scratch->batch[0];
     double slope;
     TRY(expand_gas(s, r, r->volume_first + gain, b));
     r->volume = r->volume_first + gain;
@@ -262,7 +258,7 @@ void enclosed_gas_store(mpm *s, const enclosed_gas *r, int blk)
         for (int a = 0; a < dim; ++a) {
             field_next(f, P_POS, r->body, a)[k] = field_get(f, P_POS, r->body, a)[k];
             field_next(f, P_VEL, r->body, a)[k] = 0.0;
-            if (s->boxes) field_next(f, P_BOX, r->body, a)[k] = field_get(f, P_BOX, r->body, a)[k];
+            if (s->carries[P_BOX]) field_next(f, P_BOX, r->body, a)[k] = field_get(f, P_BOX, r->body, a)[k];
         }
     }
     if (fields_has(f, P_VISCOUS_PRESSURE, r->body))

@@ -5,10 +5,12 @@
  *
  * over what faces the other, means by w_i (A . n): the gap that conditions at nodes ask for, to second order in the
  * spacing. Points by themselves say it to a tenth of a cell. */
-#include "mpm/contact/contact.h"
+#include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
-#include "mpm/stencil.h"
-#include "mpm/wall.h"
+#include "mpm/mpm_constants.h"
+#include "mpm/nodes/sides.h"
+#include "mpm/surface/surfaces.h"
+#include "mpm/transfer/stencil.h"
 
 #include <math.h>
 #include <string.h>
@@ -82,13 +84,13 @@ static void add_element(mpm *s, const seen_element *e, gap_pass pass)
 
 static void for_elements(mpm *s, gap_pass pass)
 {
-    for (size_t k = 0; k < s->work->n_surface; ++k) {
-        const surface_point *p = &s->work->surface[k];
+    for (size_t k = 0; k < s->surfaces->n_loaded; ++k) {
+        const surface_point *p = &s->surfaces->loaded[k];
         if (p->body < 0) continue;
         const place_stencil st = stencil_at(s, p->x);
         for (int i = 0; i < st.n; ++i) {
             int node[3] = {st.node[i][0], st.node[i][1], st.node[i][2]};
-            seen_element e = {.layer = implicit_layer(s, s->work->body_group[p->body]), .weight = st.w[i]};
+            seen_element e = {.layer = implicit_layer(s, s->body_group[p->body]), .weight = st.w[i]};
             memcpy(e.x, p->x, sizeof e.x);
             memcpy(e.area, p->area, sizeof e.area);
             if (e.weight == 0.0 || !bring_inside(s, node, &e)) continue;
@@ -131,7 +133,7 @@ static void set_gap(const mpm *s, contact_row *r)
 {
     if (r->bound || r->lead >= 0 || !(r->weight[0] > 0.0) || !(r->weight[1] > 0.0)) return;
     const double gap = r->sum[1] / r->weight[1] - r->sum[0] / r->weight[0];
-    r->active = gap <= 1e-6 * s->contact->h;
+    r->active = gap <= MPM_CLOSED_GAP * s->contact->h;
     r->gap = r->active ? 0.0 : gap;
 }
 

@@ -1,12 +1,13 @@
 /* Gas on cells at rest beside solids (sim/quasi_static_gas.h): enclosed gases without points. Where gas and solids
- * share cells its pressure p pushes as in the coupled step, whose points bear p grad theta:
+ * share cells its pressure p acts as in the coupled step, in which points have the force p grad theta:
  *
  *     f_i = - p sum_p V_p grad S_i(x_p)
  *
- * at the nodes that see the gas; inside a solid the sum vanishes. Where lines cut the cells, their markers are
- * pushed. */
+ * at the nodes in the support of the gas; inside a solid the sum vanishes. Where embedded boundaries cut the cells, the
+ * pressure acts on their markers. */
 #include "base/memory.h"
 #include "mpm/implicit/implicit.h"
+#include "mpm/implicit/implicit_constants.h"
 
 #include <math.h>
 #include <string.h>
@@ -80,8 +81,7 @@ static gas_view see_gas(const mpm *s, const int node[MESH_MAX_DIM])
 /* Of a node that reaches two gases one must be next to nothing, or their pressure the same. */
 static bool tells_apart(const mpm *s, const gas_view *v)
 {
-    const double little = 0.03;
-    if (v->gas[1] == NO_GAS || !(fmin(v->share[0], v->share[1]) > little)) return true;
+    if (v->gas[1] == NO_GAS || !(fmin(v->share[0], v->share[1]) > MPM_TWO_GASES_SHARE)) return true;
     const mpm_gas *gas[2] = {&s->gas[v->gas[0]], &s->gas[v->gas[1]]};
     return gas[0]->open && gas[1]->open && gas[0]->prescribed_pressure == gas[1]->prescribed_pressure;
 }

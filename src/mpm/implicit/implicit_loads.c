@@ -1,8 +1,8 @@
 /* External nodal forces of an implicit step: surface loads, enclosed gases, gas on cells; and their masses. */
 #include "mpm/implicit/implicit.h"
-#include "mpm/point_loads.h"
+#include "mpm/loads/point_loads.h"
 #include "mpm/surface/surface_markers.h"
-#include "mpm/surface/traction.h"
+#include "mpm/transfer/scatter.h"
 
 #include <string.h>
 
@@ -22,7 +22,7 @@ static void clear_forces(mpm *s, int group)
 static void collect_loads(mpm *s, double *out)
 {
     memset(out, 0, s->implicit->components * sizeof *out);
-    s->work->kick = 0.0; /* no impulse is entered */
+    s->kick = 0.0; /* no impulse is entered */
     set_body_forces(s);
     for (int g = 0; g < s->n_groups; ++g) {
         clear_forces(s, g);
@@ -38,7 +38,7 @@ static void collect_first_loads(mpm *s)
     s->dt = 0.0;
     s->step--;
     collect_loads(s, s->implicit->external_first);
-    memcpy(s->implicit->acceleration_first, s->work->acceleration, sizeof s->work->acceleration);
+    memcpy(s->implicit->acceleration_first, s->acceleration, sizeof s->acceleration);
     s->dt = dt;
     s->step++;
 }

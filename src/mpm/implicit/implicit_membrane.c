@@ -11,6 +11,7 @@
  * that it stays positive definite. */
 #include "base/memory.h"
 #include "mpm/implicit/implicit.h"
+#include "mpm/implicit/implicit_constants.h"
 #include "mpm/membrane/membrane_curve.h"
 #include "mpm/membrane/membrane_normal.h"
 #include "solve/chain.h"
@@ -23,7 +24,6 @@ enum { MOST_ITERATIONS = 5000, MOST_ENERGIES = 60 };
 static const double most_turn = 0.05;
 static const double least_share =
     1e-10; /* lambda over the largest stiffness: it keeps the matrix of an unconstrained ring regular */
-static const double difference = 1e-7;    /* of strains, for slopes */
 static const double energy_close = 1e-13; /* of the gas */
 static const double still =
     1e-12; /* rotation (rad) of a step by round-off alone: the residual is as small as it gets */
@@ -52,13 +52,13 @@ const char *curve_rest_obstacle(const mpm *s)
             gas = body->scene_material;
             continue;
         }
-        if (!body->membrane.model || s->sheets || s->mesh->dim != 2 || normals_are_free(s, b) ||
+        if (!body->membrane.model || s->carries[P_SURFACE_1] || s->mesh->dim != 2 || normals_are_free(s, b) ||
             given->membrane.strain != STRAIN_BY_POSITIONS)
             return "of membranes it takes connected lines with `strain: positions` in two dimensions, and no other "
                    "solid";
         membranes++;
     }
-    if (membranes != 1 || (gas < 0 && !s->seals)) return "of membranes it takes one, around gas";
+    if (membranes != 1 || (gas < 0 && s->cells != CELLS_CUT)) return "of membranes it takes one, around gas";
     if (s->scene->n_loads > 0 || s->scene->n_supports > 0) return "membranes with loads or supports are stepped";
     return NULL;
 }
@@ -82,7 +82,7 @@ void curve_rest_destroy(mpm *s)
 
 static membrane_curve *line_of(const mpm *s)
 {
-    return &s->work->curve[s->implicit->curve->body];
+    return &s->curve[s->implicit->curve->body];
 }
 
 static bool is_radial(const mpm *s)
@@ -162,9 +162,9 @@ static piece_work work_of(const mpm *s, double volume, double along, double acro
     work_at(s, volume, strain, w.work);
     for (int a = 0; a < 2; ++a) {
         double more[2] = {along, across}, next[2];
-        more[a] += difference;
+        more[a] += MPM_TANGENT_DIFFERENCE;
         work_at(s, volume, more, next);
-        w.slope[a] = fmax(0.0, (next[a] - w.work[a]) / difference);
+        w.slope[a] = fmax(0.0, (next[a] - w.work[a]) / MPM_TANGENT_DIFFERENCE);
     }
     w.energy = volume * membrane_energy(&s->body[s->implicit->curve->body].membrane, along, across);
     return w;
@@ -418,7 +418,7 @@ static void store_line(mpm *s, int blk)
     for (size_t k = 0; k < s->points[blk][body].n; ++k) {
         const size_t q = point_number(s, blk, body, k);
         for (int a = 0; a < 2; ++a) field_next(f, P_POS, body, a)[k] = x[3 * q + (size_t)a];
-        if (s->axisymmetric_membranes)
+        if (s->carries[P_STRAIN_HOOP])
             field_next(f, P_STRAIN_HOOP, body, 0)[k] =
                 field_get(f, P_STRAIN_HOOP, body, 0)[k] + log(x[3 * q] / field_get(f, P_POS, body, 0)[k]);
     }
@@ -435,7 +435,7 @@ static void store_rest(mpm *s, enclosed_gas *gas, double points_volume)
             if (s->body[b].fluid) enclosed_gas_store(s, gas, blk);
             if (b == s->implicit->curve->body) store_line(s, blk);
         }
-    for (size_t t = 0; t < mesh_tiles(s->mesh); ++t) s->work->moved[t] = UINT32_MAX; /* the order is made anew */
+    for (size_t t = 0; t < mesh_tiles(s->mesh); ++t) s->moved[t] = UINT32_MAX; /* the order is made anew */
 }
 
 floe_status mpm_membrane_equilibrium(mpm *s)
@@ -445,7 +445,7 @@ floe_status mpm_membrane_equilibrium(mpm *s)
     double energy;
     membrane_curve_update(s, w->curve->body, false);
     TRY(reserve_curve(s));
-    if (s->axisymmetric_membranes) membrane_curve_hoop_strains(s, w->curve->body);
+    if (s->carries[P_STRAIN_HOOP]) membrane_curve_hoop_strains(s, w->curve->body);
     measure_pieces(s);
     TRY(gather_gas(s, &gas, &energy));
     const double volume = gas.volume, enclosed = membrane_measure(s, w->curve->body, w->curve->volume_gradient);

@@ -76,7 +76,7 @@ static void place_of_entry(const mpm *s, size_t i, double x[MESH_MAX_DIM])
     place_of_node(s->mesh, node, x);
 }
 
-/* Impulses and work of loads, damping and what holds nodes. */
+/* Impulses and work of loads, damping and constraints. */
 void motion_enter(mpm *s)
 {
     const struct mpm_implicit *w = s->implicit;

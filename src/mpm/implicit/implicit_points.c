@@ -2,6 +2,10 @@
 #include "base/threads.h"
 #include "math/tensor.h"
 #include "mpm/implicit/implicit.h"
+#include "mpm/implicit/implicit_constants.h"
+#include "mpm/state/stress.h"
+#include "mpm/transfer/point_arrays.h"
+#include "mpm/transfer/scratch.h"
 
 #include <math.h>
 #include <string.h>
@@ -110,7 +114,7 @@ static floe_status for_chunks(mpm *s, const double *u, chunk_visit *visit)
 #pragma omp parallel for schedule(dynamic, 4)
             for (int c = 0; c < chunks; ++c) {
                 const size_t start = (size_t)c * SOLID_CHUNK, end = start + SOLID_CHUNK < n ? start + SOLID_CHUNK : n;
-                const floe_status status = visit(s, blk, body, start, end, u, &s->work->batch[thread_number()]);
+                const floe_status status = visit(s, blk, body, start, end, u, &s->scratch->batch[thread_number()]);
                 if (status != FLOE_OK) {
 #pragma omp atomic write
                     worst = status;
@@ -150,8 +154,6 @@ floe_status implicit_strain(mpm *s, const double *u)
     return for_chunks(s, u, strain_chunk);
 }
 
-static const double difference = 1e-7; /* of grad u: an error of as much of the tangent, far above round-off */
-
 static floe_status tangent_chunk(mpm *s, int blk, int body, size_t start, size_t end, const double *u, solid_batch *b)
 {
     const struct mpm_implicit *w = s->implicit;
@@ -161,7 +163,7 @@ static floe_status tangent_chunk(mpm *s, int blk, int body, size_t start, size_t
     gather_chunk(s, blk, body, start, end, u, G);
     for (size_t c = 0; c < n; ++c) {
         double *row = G[w->gradient[c]];
-        for (size_t k = 0; k < end - start; ++k) row[k] += difference;
+        for (size_t k = 0; k < end - start; ++k) row[k] += MPM_TANGENT_DIFFERENCE;
         const size_t bad = run_law(s, blk, body, start, end, G, b);
         if (bad) return refuse_displacement(s, blk, body, start + bad - 1);
         for (size_t k = start; k < end; ++k) {
@@ -169,9 +171,9 @@ static floe_status tangent_chunk(mpm *s, int blk, int body, size_t start, size_t
             const double *before = w->point_force + (first + k) * n;
             double *tangent = w->tangent + (first + k) * n * n;
             point_force_of(s, b, k - start, G, volume0[k], force);
-            for (size_t r = 0; r < n; ++r) tangent[r * n + c] = (force[r] - before[r]) / difference;
+            for (size_t r = 0; r < n; ++r) tangent[r * n + c] = (force[r] - before[r]) / MPM_TANGENT_DIFFERENCE;
         }
-        for (size_t k = 0; k < end - start; ++k) row[k] -= difference;
+        for (size_t k = 0; k < end - start; ++k) row[k] -= MPM_TANGENT_DIFFERENCE;
     }
     for (size_t k = start; k < end; ++k) {
         double *tangent = w->tangent + (first + k) * n * n;
@@ -340,6 +342,6 @@ floe_status implicit_move(mpm *s)
             for (int c = 0; fields_has(f, P_AFFINE, body) && c < gradients; ++c)
                 memset(field_next(f, P_AFFINE, body, c), 0, n * sizeof(double));
         }
-    for (size_t t = 0; t < mesh_tiles(s->mesh); ++t) s->work->moved[t] = UINT32_MAX; /* the order is made anew */
+    for (size_t t = 0; t < mesh_tiles(s->mesh); ++t) s->moved[t] = UINT32_MAX; /* the order is made anew */
     return FLOE_OK;
 }

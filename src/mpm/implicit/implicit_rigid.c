@@ -1,15 +1,13 @@
 /* Whether what is connected could move as a rigid body: then no displacement balances its loads. */
 #include "base/memory.h"
 #include "math/tensor.h"
+#include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { MOTIONS = 6 };
-/* A rigid motion of which the matrix makes less than this share of what its diagonal would is free. */
-static const double hardly = 1e-9;
-
 /* What the motions are looked at with. A unit is a layer of a row: row times layers plus layer. */
 typedef struct free_search {
     int *part; /* of each unit: the lowest one that it is connected with */
@@ -122,7 +120,7 @@ static bool moves_freely(int n, double A[MOTIONS][MOTIONS], const double *scale)
 {
     for (int j = 0; j < n; ++j) {
         if (!(scale[j] > 0.0)) continue; /* constrained in all components */
-        if (A[j][j] <= hardly * scale[j]) return true;
+        if (A[j][j] <= MPM_RIGID_STIFFNESS * scale[j]) return true;
         for (int i = j + 1; i < n; ++i)
             for (int k = j + 1; k < n; ++k) A[i][k] -= A[i][j] * A[j][k] / A[j][j];
     }

@@ -1,7 +1,8 @@
 /* The basis at the points, with the walls' folds in it. */
 #include "base/memory.h"
 #include "mpm/implicit/implicit.h"
-#include "mpm/wall.h"
+#include "mpm/nodes/sides.h"
+#include "mpm/transfer/point_arrays.h"
 
 #include <string.h>
 
@@ -34,7 +35,7 @@ static void locate_axis(const mpm *s, int axis, double x, double half, axis_weig
     int cell = mesh_cell_of(m, axis, x);
     cell = cell < 0 ? 0 : cell >= n ? n - 1 : cell;
     double w[BASIS_MAX_SUPPORT], dw[BASIS_MAX_SUPPORT];
-    const int first = cell + s->work->basis_1d((x - mesh_node(m, axis, cell)) * inv_h, half * inv_h, inv_h, w, dw);
+    const int first = cell + s->basis->weights((x - mesh_node(m, axis, cell)) * inv_h, half * inv_h, inv_h, w, dw);
     *out = (axis_weights){.first = first};
     if (!m->periodic[axis]) {
         if (out->first + support > n + 1) out->first = n + 1 - support;

@@ -8,27 +8,29 @@
  * of this scaling is taken from the gas, so that the work done on the surface equals the energy lost by the gas. With
  * the material vectors a of the surface
  *
- *   A = V0/thickness |a1 x a2|/|a1 x a2|_0,   room = sum_p (x_p - c) n A along each axis, c the mirror that cuts the surface, if any:
+ *   A = V0/thickness |a1 x a2|/|a1 x a2|_0,   V = sum_p (x_p - c) n A along each axis, c the mirror that cuts the surface, if any:
  *
  * Along an axis on which mirrors cut the surface on both sides the areas of the caps are not known; V is the mean over
  * the other axes. */
 #include "mpm/membrane/enclosed_gas.h"
 
 #include "base/memory.h"
+#include "grid/tile_box.h"
 #include "math/tensor.h"
 #include "mpm/membrane/membrane_curve.h"
 #include "mpm/membrane/membrane_points.h"
 #include "mpm/membrane/membrane_sheet.h"
-#include "mpm/stencil.h"
-#include "mpm/wall.h"
+#include "mpm/nodes/sides.h"
+#include "mpm/transfer/scratch.h"
+#include "mpm/transfer/stencil.h"
 
 #include <math.h>
 #include <string.h>
 
 bool is_enclosed_gas(const mpm *s, int body)
 {
-    const gas_enclosure *h = &s->work->enclosure;
-    return h->n > 0 && s->body[body].fluid && s->body[body].scene_material == h->material;
+    const gas_enclosure *h = s->enclosure;
+    return h && h->n > 0 && s->body[body].fluid && s->body[body].scene_material == h->material;
 }
 
 static double area_of(const mpm *s, const fields *f, int body, size_t k, double slack)
@@ -77,7 +79,7 @@ typedef struct enclosure_axis {
 static enclosure_axis look_along(const mpm *s, const gas_enclosure *h, int axis)
 {
     const mesh *m = s->mesh;
-    const double *x = s->work->curve[h->body].x;
+    const double *x = s->curve[h->body].x;
     enclosure_axis out = {.plane = 0.5 * (m->lower[axis] + m->upper[axis])};
     double least[2] = {INFINITY, INFINITY};
     for (size_t k = 0; k < h->n; ++k) {
@@ -123,36 +125,31 @@ static double measure_enclosure(mpm *s, gas_enclosure *h, enclosure_axis axis[3]
     return area;
 }
 
-enum { SUM_WORK, SUM_VOLUME, HOLD_SUMS };
+enum { SUM_WORK, SUM_VOLUME, GAS_SUMS };
 
-/* sum p V (J, of gauge pressures) and sum V (m3) of the gas. */
-static void sum_gas(const mpm *s, double sum[HOLD_SUMS])
+/* p V (J, of gauge pressures) and V (m3) of the gas. */
+static void add_gas(mpm *s, int blk, int tile, void *unused, double *sum)
 {
-    memset(s->work->tile_sum, 0, mesh_tiles(s->mesh) * HOLD_SUMS * sizeof(double));
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
-            double *to = s->work->tile_sum + (size_t)tile_box_of(s->mesh, &s->mesh->block[b], t).number * HOLD_SUMS;
-            for (int body = 0; body < s->n_bodies; ++body) {
-                const size_t *at = s->points[b][body].tile_start;
-                if (!is_enclosed_gas(s, body)) continue;
-                const point_arrays p = points_of(s, b, body, false, false);
-                for (size_t k = at[t]; k < at[t + 1]; ++k) {
-                    const double volume = p.volume0[k] * p.J[k];
-                    to[SUM_WORK] -= volume * (p.stress[0][k] + p.stress[1][k] + p.stress[2][k]) / 3.0;
-                    to[SUM_VOLUME] += volume;
-                }
-            }
+    (void)unused;
+    for (int body = 0; body < s->n_bodies; ++body) {
+        const size_t *at = s->points[blk][body].tile_start;
+        if (!is_enclosed_gas(s, body)) continue;
+        const fields *f = s->domain->fields[blk];
+        const double *volume0 = field_get(f, P_VOLUME0, body, 0), *J = field_get(f, P_J, body, 0), *stress[3];
+        for (int c = 0; c < 3; ++c) stress[c] = field_get(f, P_STRESS, body, c);
+        for (size_t k = at[tile]; k < at[tile + 1]; ++k) {
+            const double volume = volume0[k] * J[k];
+            sum[SUM_WORK] -= volume * (stress[0][k] + stress[1][k] + stress[2][k]) / 3.0;
+            sum[SUM_VOLUME] += volume;
         }
     }
-    domain_sum_tiles(s->mesh, s->work->tile_sum, HOLD_SUMS, sum);
 }
 
 /* From area vectors to forces. A closed surface feels none as a whole; one that a mirror cuts has that of the gas on
  * the mirror. */
 static void load_surface(mpm *s, gas_enclosure *h, const enclosure_axis axis[3], double outwards, double area)
 {
-    const double pressure = copysign(h->pressure, h->pressure * outwards), *x = s->work->curve[h->body].x;
+    const double pressure = copysign(h->pressure, h->pressure * outwards), *x = s->curve[h->body].x;
     for (int a = 0; a < 3; ++a) {
         const bool cut = axis[a].cut[0] || axis[a].cut[1];
         const double spread = cut ? 0.0 : axis[a].net / area;
@@ -165,18 +162,18 @@ static void load_surface(mpm *s, gas_enclosure *h, const enclosure_axis axis[3],
             if (!is_lost(x, k)) add_moment(moment, x + 3 * k, a, h->force[3 * k + (size_t)a]);
         if (cut)
             ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_BOUNDARY,
-                       s->work->kick * pressure * axis[a].net);
-        ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, s->work->kick);
+                       s->kick * pressure * axis[a].net);
+        ledger_turn(s->ledger, LEDGER_BOUNDARY, moment, s->kick);
     }
 }
 
 floe_status mpm_enclosed_pressure(mpm *s)
 {
-    gas_enclosure *h = &s->work->enclosure;
+    gas_enclosure *h = s->enclosure;
     enclosure_axis axis[3];
-    double sum[HOLD_SUMS];
+    double sum[GAS_SUMS];
     const double area = measure_enclosure(s, h, axis), volume = mean_volume(axis);
-    sum_gas(s, sum);
+    sum_over_tiles(s, GAS_SUMS, add_gas, NULL, sum);
     h->pressure = sum[SUM_WORK] / fabs(volume);
     h->growth = fabs(volume) / sum[SUM_VOLUME];
     if (!isfinite(h->pressure) || !isfinite(h->growth) || volume == 0.0)
@@ -189,18 +186,18 @@ floe_status mpm_enclosed_pressure(mpm *s)
 
 double mpm_enclosed_volume(mpm *s, int body)
 {
-    gas_enclosure *h = &s->work->enclosure;
+    gas_enclosure *h = s->enclosure;
     enclosure_axis axis[3];
-    if (h->n == 0 || h->body != body) return NAN;
+    if (!h || h->n == 0 || h->body != body) return NAN;
     (void)measure_enclosure(s, h, axis);
     return fabs(mean_volume(axis));
 }
 
 void scatter_enclosed_pressure(mpm *s, int group)
 {
-    const gas_enclosure *h = &s->work->enclosure;
-    if (h->n == 0 || s->body[h->body].group != group) return;
-    const double *x = s->work->curve[h->body].x;
+    const gas_enclosure *h = s->enclosure;
+    if (!h || h->n == 0 || s->body[h->body].group != group) return;
+    const double *x = s->curve[h->body].x;
     for (size_t k = 0; k < h->n; ++k)
         if (!is_lost(x, k)) push_nodes(s, group, x + 3 * k, h->force + 3 * k);
 }
@@ -208,13 +205,13 @@ void scatter_enclosed_pressure(mpm *s, int group)
 void scale_to_enclosed_volume(const mpm *s, int body, solid_batch *b)
 {
     if (!is_enclosed_gas(s, body)) return;
-    const double growth = s->work->enclosure.growth;
+    const double growth = s->enclosure->growth;
     for (size_t k = 0; k < b->n; ++k) b->J[k] *= growth;
     for (size_t k = 0; k < b->n && s->step == 0; ++k)
         b->J_old[k] *= growth; /* at the start the gas fills the enclosed volume without work */
 }
 
-/* Rooms along different axes are the same where the surface is closed. */
+/* Volumes by different axes are equal where the surface is closed. */
 static floe_status check_closed(mpm *s, gas_enclosure *h)
 {
     enclosure_axis axis[3];
@@ -235,19 +232,21 @@ static floe_status check_closed(mpm *s, gas_enclosure *h)
 
 floe_status start_enclosure(mpm *s)
 {
-    gas_enclosure *h = &s->work->enclosure;
+    gas_enclosure *h = s->enclosure;
     const int holder = scene_enclosing_body(s->scene);
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].scene_body == holder) h->body = b;
     h->material = s->scene->body[holder].membrane.encloses;
-    h->n = s->work->curve[h->body].n;
+    h->n = s->curve[h->body].n;
     TRY(memory_new(s->ctx, &h->force, 3 * h->n, sizeof *h->force));
     TRY(memory_new(s->ctx, &h->area, h->n, sizeof *h->area));
     return check_closed(s, h);
 }
 
-void free_enclosure(context *ctx, gas_enclosure *h)
+void free_enclosure(mpm *s)
 {
-    memory_free(ctx, &h->force);
-    memory_free(ctx, &h->area);
+    if (!s->enclosure) return;
+    memory_free(s->ctx, &s->enclosure->force);
+    memory_free(s->ctx, &s->enclosure->area);
+    memory_free(s->ctx, &s->enclosure);
 }

@@ -1,6 +1,8 @@
+#include "mpm/membrane/membrane_curve.h"
+
 #include "base/memory.h"
 #include "mpm/membrane/membrane_normal.h"
-#include "mpm/wall.h"
+#include "mpm/nodes/sides.h"
 
 #include <math.h>
 
@@ -13,7 +15,7 @@ size_t point_number(const mpm *s, int blk, int body, size_t k)
 
 void membrane_curve_update(mpm *s, int body, bool next)
 {
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_curve *curve = &s->curve[body];
     for (size_t i = 0; i < 3 * curve->n; ++i) curve->x[i] = i % 3 < (size_t)s->mesh->dim ? (double)NAN : 0.0;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int a = 0; a < s->mesh->dim; ++a) {
@@ -80,7 +82,7 @@ static double reach_of(const membrane_curve *curve, size_t number, int step, dou
 
 double membrane_curve_chord(const mpm *s, int body, size_t number, double chord[3], double *rest)
 {
-    const membrane_curve *curve = &s->work->curve[body];
+    const membrane_curve *curve = &s->curve[body];
     double before[3], after[3];
     *rest = reach_of(curve, number, -1, before) + reach_of(curve, number, 1, after);
     chord_of(s->mesh, before, after, chord);
@@ -89,7 +91,7 @@ double membrane_curve_chord(const mpm *s, int body, size_t number, double chord[
 
 bool membrane_curve_second_difference(const mpm *s, int body, size_t number, double bend[3])
 {
-    const membrane_curve *curve = &s->work->curve[body];
+    const membrane_curve *curve = &s->curve[body];
     const double *own = curve->x + 3 * number;
     double before[3], after[3], back[3], on[3];
     if (isnan(own[0]) || !neighbour_position(curve, number, -1, before) || !neighbour_position(curve, number, 1, after))
@@ -103,7 +105,7 @@ bool membrane_curve_second_difference(const mpm *s, int body, size_t number, dou
 bool membrane_curve_tangent(const mpm *s, int body, size_t number, double t[3])
 {
     double chord[3], rest;
-    if (s->work->curve[body].n < 2) return false;
+    if (s->curve[body].n < 2) return false;
     const double length = membrane_curve_chord(s, body, number, chord, &rest);
     if (!(length > 0.0)) return false;
     for (int a = 0; a < 3; ++a) t[a] = chord[a] / length;
@@ -142,7 +144,7 @@ static bool is_ordered(const mpm *s, const membrane_curve *curve)
 
 floe_status membrane_curve_make(mpm *s, int body)
 {
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_curve *curve = &s->curve[body];
     const scene_body *b = &s->scene->body[s->body[body].scene_body];
     *curve = (membrane_curve){.n = mpm_body_points(s, body), .closed = curve_is_closed(&b->membrane.curve)};
     curve->end[0].axis = curve->end[1].axis = -1;
@@ -168,7 +170,7 @@ void membrane_curve_free(context *ctx, membrane_curve *curve)
 
 void mpm_membrane_end(const mpm *s, int body, bool last, double x[3])
 {
-    const size_t wanted = last ? s->work->curve[body].n - 1 : 0;
+    const size_t wanted = last ? s->curve[body].n - 1 : 0;
     for (int a = 0; a < 3; ++a) x[a] = NAN;
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (size_t k = 0; k < s->points[b][body].n; ++k) {

@@ -8,7 +8,7 @@
 #ifndef MPM_MEMBRANE_CURVE_H
 #define MPM_MEMBRANE_CURVE_H
 
-#include "mpm/work.h"
+#include "mpm/mpm.h"
 
 /* An open end on a mirror continues behind it. */
 typedef struct curve_end {

@@ -1,7 +1,8 @@
 #include "mpm/membrane/membrane_normal.h"
 
 #include "base/memory.h"
-#include "mpm/wall.h"
+#include "mpm/membrane/membrane_curve.h"
+#include "mpm/nodes/sides.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,7 +16,7 @@ bool normals_are_free(const mpm *s, int body)
 /* The numbers of the normals that are there, in the order of the points' numbers; a lost point has none. */
 static void load_normals(const mpm *s, int body, double *by_number)
 {
-    memset(by_number, 0, 3 * s->work->curve[body].n * sizeof *by_number);
+    memset(by_number, 0, 3 * s->curve[body].n * sizeof *by_number);
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double *n = field_get(s->domain->fields[b], P_NORMAL, body, a);
@@ -27,7 +28,7 @@ static void load_normals(const mpm *s, int body, double *by_number)
 /* A point without a direction keeps the normal that it had. */
 static void store_normals(const mpm *s, int body, bool next)
 {
-    const membrane_normals *n = &s->work->normals[body];
+    const membrane_normals *n = &s->normals[body];
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int a = 0; a < s->mesh->dim; ++a) {
             double *to = (next ? field_next : field_get)(s->domain->fields[b], P_NORMAL, body, a);
@@ -80,8 +81,8 @@ static void link_points(const mpm *s, const membrane_normals *n, membrane_curve 
 /* Normals of a body from where its points are now, or next. */
 static floe_status make_normals(mpm *s, int body, bool next)
 {
-    membrane_normals *n = &s->work->normals[body];
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_normals *n = &s->normals[body];
+    membrane_curve *curve = &s->curve[body];
     const scene_membrane *m = &s->scene->body[s->body[body].scene_body].membrane;
     membrane_curve_update(s, body, next);
     TRY(surface_set_points(&n->set, curve->n, curve->x));
@@ -100,9 +101,9 @@ floe_status mpm_membrane_normals(mpm *s)
 {
     for (int body = 0; body < s->n_bodies; ++body) {
         if (!normals_are_free(s, body)) continue;
-        load_normals(s, body, s->work->normals[body].before);
+        load_normals(s, body, s->normals[body].before);
         TRY(make_normals(s, body, true));
-        count_bases(s, &s->work->normals[body]);
+        count_bases(s, &s->normals[body]);
     }
     return FLOE_OK;
 }
@@ -118,14 +119,14 @@ static floe_status allocate_inside(const mpm *s, membrane_normals *n)
 
 floe_status normals_start(mpm *s, int body)
 {
-    membrane_normals *n = &s->work->normals[body];
+    membrane_normals *n = &s->normals[body];
     surface_set_init(&n->set, s->ctx, s->mesh);
     n->set.measures = false;
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2; ++side) n->set.mirror[a][side] = wall_mirrors(s, s->body[body].group, a, side);
-    TRY(memory_new(s->ctx, &n->estimate, s->work->curve[body].n, sizeof *n->estimate));
-    TRY(memory_new(s->ctx, &n->before, 3 * s->work->curve[body].n, sizeof *n->before));
-    if (s->work->curve[body].link) TRY(memory_new(s->ctx, &n->link, 2 * s->work->curve[body].n, sizeof *n->link));
+    TRY(memory_new(s->ctx, &n->estimate, s->curve[body].n, sizeof *n->estimate));
+    TRY(memory_new(s->ctx, &n->before, 3 * s->curve[body].n, sizeof *n->before));
+    if (s->curve[body].link) TRY(memory_new(s->ctx, &n->link, 2 * s->curve[body].n, sizeof *n->link));
     if (s->scene->body[s->body[body].scene_body].membrane.normals->needs_inside) TRY(allocate_inside(s, n));
     return make_normals(s, body, false);
 }

@@ -3,7 +3,7 @@
 #ifndef MPM_MEMBRANE_NORMAL_H
 #define MPM_MEMBRANE_NORMAL_H
 
-#include "mpm/membrane/membrane_curve.h"
+#include "mpm/mpm.h"
 #include "surface/surface.h"
 
 /* Of one body. */

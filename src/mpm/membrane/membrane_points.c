@@ -2,9 +2,12 @@
  * stretch of the tangent (section 5.4.2, in the rate form t.L.t, whose integral is the logarithm of the stretch); the
  * stress is turned back to the axes of the scene, so that forces need no kernel of their own. */
 #include "mpm/membrane/membrane_points.h"
+
 #include "mpm/membrane/enclosed_gas.h"
+#include "mpm/membrane/membrane_curve.h"
 #include "mpm/membrane/membrane_normal.h"
 #include "mpm/membrane/membrane_sheet.h"
+#include "mpm/state/stress.h"
 #include "mpm/surface/surface_markers.h"
 
 #include <math.h>
@@ -24,7 +27,7 @@ static void load_strain(const mpm *s, const fields *f, int body, size_t start, s
     field_getter *get = next ? field_next : field_get;
     b->n = n;
     memcpy(b->along, get(f, P_STRAIN, body, 0) + start, n * sizeof(double));
-    if (s->axisymmetric_membranes)
+    if (s->carries[P_STRAIN_HOOP])
         memcpy(b->across, get(f, P_STRAIN_HOOP, body, 0) + start, n * sizeof(double));
     else
         memset(b->across, 0, n * sizeof(double));
@@ -93,20 +96,21 @@ floe_status strain_membrane(mpm *s, int blk, int body, size_t start, size_t end,
     membrane_batch b;
     load_strain(s, f, body, start, end - start, false, &b);
     load_tangent(s, f, body, start, false, &b);
-    const bool places = s->work->curve[body].rest != NULL;
+    const bool places = s->curve[body].rest != NULL;
     /* USF's tangents stand at the end of the time over which it strains. */
-    const double dt = strain_step(s), sign = s->scene->method.stress == STRESS_USF && !s->coupled ? -1.0 : 1.0;
+    const double dt = strain_step(s),
+                 sign = s->scene->method.stress == STRESS_USF && s->cells != CELLS_SMEARED ? -1.0 : 1.0;
     for (size_t k = 0; k < b.n; ++k) {
         if (b.t[0][k] == 0.0 && b.t[1][k] == 0.0 && b.t[2][k] == 0.0) continue;
         if (places)
-            s->work->curve[body].pace[point_number(s, blk, body, start + k)] = dt * rate_along(rate, &b, k);
+            s->curve[body].pace[point_number(s, blk, body, start + k)] = dt * rate_along(rate, &b, k);
         else
             b.along[k] += sign * stretch_of(rate, &b, k, sign * dt);
-        if (s->axisymmetric_membranes) b.across[k] += sign * log1p(sign * dt * rate->L[8][k]);
+        if (s->carries[P_STRAIN_HOOP]) b.across[k] += sign * log1p(sign * dt * rate->L[8][k]);
         if (!isfinite(b.along[k] + b.across[k])) return membrane_torn(s, blk, body, start + k);
     }
     memcpy(field_next(f, P_STRAIN, body, 0) + start, b.along, b.n * sizeof(double));
-    if (s->axisymmetric_membranes)
+    if (s->carries[P_STRAIN_HOOP])
         memcpy(field_next(f, P_STRAIN_HOOP, body, 0) + start, b.across, b.n * sizeof(double));
     put_stress(s, f, body, start, true, &b);
     return FLOE_OK;
@@ -149,7 +153,7 @@ static void find_tangents(const mpm *s, int blk, int body, size_t start, bool ne
 /* Tangents of a body; with `stress` also the stress along them. */
 static void turn_body(mpm *s, int body, bool next, bool stress)
 {
-    const bool places = s->work->curve[body].rest != NULL;
+    const bool places = s->curve[body].rest != NULL;
     if (places || !normals_are_free(s, body)) membrane_curve_update(s, body, next);
     if (places && next && !s->implicit) membrane_curve_settle(s, body);
     if (places) membrane_curve_strain(s, body, next);
@@ -168,7 +172,7 @@ static void turn_body(mpm *s, int body, bool next, bool stress)
 
 floe_status mpm_turn_membranes(mpm *s)
 {
-    const bool stress = s->scene->method.stress != STRESS_USF || s->coupled;
+    const bool stress = s->scene->method.stress != STRESS_USF || s->cells == CELLS_SMEARED;
     for (int body = 0; body < s->n_bodies; ++body) {
         if (!s->body[body].membrane.model) continue;
         if (is_sheet(s, body))
@@ -190,8 +194,8 @@ floe_status start_membranes(mpm *s)
         else
             turn_body(s, body, false, true);
     }
-    if (s->encloses) TRY(start_enclosure(s));
-    return s->seals && scene_enclosing_body(s->scene) >= 0 ? start_membrane_force(s) : FLOE_OK;
+    if (s->enclosure) TRY(start_enclosure(s));
+    return s->cells == CELLS_CUT && scene_enclosing_body(s->scene) >= 0 ? start_membrane_force(s) : FLOE_OK;
 }
 
 void membrane_energies(const mpm *s, int blk, int body, size_t start, size_t end, double *psi)

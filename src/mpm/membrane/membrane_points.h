@@ -2,7 +2,7 @@
 #ifndef MPM_MEMBRANE_H
 #define MPM_MEMBRANE_H
 
-#include "mpm/work.h"
+#include "mpm/mpm.h"
 
 /* The law that the points of a membrane have among the solids'. */
 extern const solid_model point_membrane;

@@ -3,7 +3,10 @@
  * points have gone, the vectors turn into the new tangent plane, and the stress of plane stress in it goes to the axes
  * of the scene (material/sheet.h). */
 #include "mpm/membrane/membrane_sheet.h"
+
+#include "mpm/membrane/membrane_curve.h"
 #include "mpm/membrane/membrane_points.h"
+#include "mpm/state/stress.h"
 
 #include <math.h>
 

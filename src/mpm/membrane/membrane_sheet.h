@@ -3,7 +3,7 @@
 #define MPM_MEMBRANE_SHEET_H
 
 #include "material/sheet.h"
-#include "mpm/membrane/membrane_curve.h"
+#include "mpm/mpm.h"
 
 /* Whether a body is a surface in space. */
 bool is_sheet(const mpm *s, int body);

@@ -1,12 +1,14 @@
 /* Membranes whose strain comes from the positions of their points.
  *
  * The stretch of a point is the distance of its neighbours over that at rest: unlike the integral of a rate, it cannot
- * drift from the shape. Within a cell the mesh moves the points together, so that what one of them has too much of and
- * another too little no force ever evens out: of a membrane that has snapped taut a third then bears, beside two that
- * hang slack (docs/deviations.md). `smoothing` stands in for that: the points give up a share of the fourth difference
- * of their positions in every step. Pieces of the line shorter than a cell straighten and even out; of a wave m points
- * long (2 pi/m)^4 of the share goes in a step, so that what the mesh resolves stays as it is. */
+ * drift from the shape. Within a cell the mesh moves the points together, so that no force evens out differences of strain
+ * between points of one cell: of a membrane that has snapped taut a third of the points then carries the load, and two
+ * thirds are slack (docs/deviations.md). `smoothing` replaces such a force: in every step the points lose a share of the
+ * fourth difference of their positions. Segments shorter than a cell straighten and even out; a wave m points long
+ * loses (2 pi/m)^4 of the share in a step, so that waves which the mesh resolves do not change. */
 #include "base/memory.h"
+#include "grid/tile_box.h"
+#include "mpm/fluid/fluid.h"
 #include "mpm/membrane/membrane_curve.h"
 
 #include <math.h>
@@ -31,7 +33,7 @@ static void read_table(const mpm *s, int body, field_id id, bool next, double *t
 
 floe_status membrane_curve_measure(mpm *s, int body)
 {
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_curve *curve = &s->curve[body];
     const bool around = s->mesh->geometry == MESH_AXISYMMETRIC;
     TRY(memory_new(s->ctx, &curve->rest, 13 * curve->n, sizeof *curve->rest));
     curve->volume = curve->rest + curve->n;
@@ -54,7 +56,7 @@ floe_status membrane_curve_measure(mpm *s, int body)
 
 void membrane_curve_strains_at(const mpm *s, int body)
 {
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_curve *curve = &s->curve[body];
     for (size_t q = 0; q < curve->n; ++q) {
         double chord[3], rest;
         const double length = membrane_curve_chord(s, body, q, chord, &rest);
@@ -64,7 +66,7 @@ void membrane_curve_strains_at(const mpm *s, int body)
 
 void membrane_curve_strain(const mpm *s, int body, bool next)
 {
-    const membrane_curve *curve = &s->work->curve[body];
+    const membrane_curve *curve = &s->curve[body];
     membrane_curve_strains_at(s, body);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         double *strain = (next ? field_next : field_get)(s->domain->fields[b], P_STRAIN, body, 0);
@@ -75,7 +77,7 @@ void membrane_curve_strain(const mpm *s, int body, bool next)
 /* Adds the energies of the points, with a sign, to what is lost. */
 static void add_energies(const mpm *s, int body, double sign)
 {
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_curve *curve = &s->curve[body];
     membrane_curve_strains_at(s, body);
     for (size_t q = 0; q < curve->n; ++q)
         curve->lost[q] +=
@@ -85,7 +87,7 @@ static void add_energies(const mpm *s, int body, double sign)
 /* The share of the fourth difference of positions that smoothing removes. */
 static void find_shifts(const mpm *s, int body)
 {
-    const membrane_curve *curve = &s->work->curve[body];
+    const membrane_curve *curve = &s->curve[body];
     const double share = membrane_of(s, body)->smoothing;
     double *second = curve->bend;
     for (size_t q = 0; q < curve->n; ++q)
@@ -106,11 +108,11 @@ static void find_shifts(const mpm *s, int body)
 /* Gives the points their new places, and notes the tiles in which one has changed cell. */
 static void put_places(const mpm *s, int body)
 {
-    const membrane_curve *curve = &s->work->curve[body];
+    const membrane_curve *curve = &s->curve[body];
     for (int b = 0; b < s->mesh->n_blocks; ++b)
         for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
             const size_t *at = s->points[b][body].tile_start;
-            uint32_t *moved = &s->work->moved[tile_box_of(s->mesh, &s->mesh->block[b], t).number];
+            uint32_t *moved = &s->moved[tile_box_of(s->mesh, &s->mesh->block[b], t).number];
             for (int a = 0; a < s->mesh->dim; ++a) {
                 double *x = field_next(s->domain->fields[b], P_POS, body, a);
                 const double *from = field_get(s->domain->fields[b], P_POS, body, a);
@@ -136,7 +138,7 @@ static double nominal_stress(const mpm *s, int body, double along, double across
  * alone strains by the velocities that move the points, so that it is known. */
 static void lose_difference(const mpm *s, int body)
 {
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_curve *curve = &s->curve[body];
     if (s->scene->method.stress != STRESS_USL) return;
     read_table(s, body, P_STRAIN, false, curve->before);
     membrane_curve_strains_at(s, body);
@@ -151,7 +153,7 @@ static void lose_difference(const mpm *s, int body)
  * that the difference of rates and places has fed is no damping. */
 static void smooth_flutter(mpm *s, int body)
 {
-    membrane_curve *curve = &s->work->curve[body];
+    membrane_curve *curve = &s->curve[body];
     const bool heats = losses_are_heat(s);
     if (heats) add_energies(s, body, 1.0);
     find_shifts(s, body);
@@ -162,14 +164,14 @@ static void smooth_flutter(mpm *s, int body)
 
 void membrane_curve_hoop_strains(mpm *s, int body)
 {
-    read_table(s, body, P_STRAIN_HOOP, false, s->work->curve[body].across);
+    read_table(s, body, P_STRAIN_HOOP, false, s->curve[body].across);
 }
 
 void membrane_curve_settle(mpm *s, int body)
 {
-    const membrane_curve *curve = &s->work->curve[body];
+    const membrane_curve *curve = &s->curve[body];
     memset(curve->lost, 0, curve->n * sizeof *curve->lost);
-    if (s->axisymmetric_membranes) read_table(s, body, P_STRAIN_HOOP, true, curve->across);
+    if (s->carries[P_STRAIN_HOOP]) read_table(s, body, P_STRAIN_HOOP, true, curve->across);
     if (losses_are_heat(s)) lose_difference(s, body);
     if (membrane_of(s, body)->smoothing > 0.0) smooth_flutter(s, body);
 }

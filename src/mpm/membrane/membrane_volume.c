@@ -1,6 +1,8 @@
 /* Area or volume that a membrane encloses, in the plane or axisymmetric: a closed one, or one whose ends lie on
  * mirrors. */
+#include "grid/tile_box.h"
 #include "mpm/membrane/membrane_curve.h"
+#include "mpm/transfer/scratch.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,7 +10,7 @@
 bool mpm_membrane_encloses(const mpm *s, int body)
 {
     if (s->mesh->dim != 2 || !s->body[body].membrane.model) return false;
-    const membrane_curve *curve = &s->work->curve[body];
+    const membrane_curve *curve = &s->curve[body];
     return curve->n > 2 && curve->ordered && (curve->closed || (curve->end[0].axis >= 0 && curve->end[1].axis >= 0));
 }
 
@@ -20,7 +22,7 @@ typedef struct contour {
 
 static contour contour_of(const mpm *s, int body)
 {
-    return (contour){&s->work->curve[body], s->mesh->geometry == MESH_AXISYMMETRIC};
+    return (contour){&s->curve[body], s->mesh->geometry == MESH_AXISYMMETRIC};
 }
 
 /* A corner of the enclosed area: which of its coordinates are those of a point. */
@@ -123,47 +125,54 @@ double membrane_measure(const mpm *s, int body, double *gradient)
     return size_of(&o, gradient);
 }
 
-enum { SUM_PRESSURE, SUM_OUTSIDE, SUM_STRESS, SUM_HOOP, SUM_VOLUME, ROOM_SUMS };
+enum { SUM_PRESSURE, SUM_OUTSIDE, SUM_STRESS, SUM_HOOP, SUM_VOLUME, MEMBRANE_SUMS };
 
 static void add_fluid(const mpm *s, int blk, int tile, int body, const contour *o, double *sum)
 {
     const fields *f = s->domain->fields[blk];
     const size_t *at = s->points[blk][body].tile_start;
-    const point_arrays p = points_of(s, blk, body, false, false);
+    const double *volume0 = field_get(f, P_VOLUME0, body, 0), *J = field_get(f, P_J, body, 0), *stress[3];
+    const double *x = field_get(f, P_POS, body, 0), *y = field_get(f, P_POS, body, 1);
+    for (int c = 0; c < 3; ++c) stress[c] = field_get(f, P_STRESS, body, c);
     for (size_t k = at[tile]; k < at[tile + 1]; ++k) {
-        const double gauge = -(p.stress[0][k] + p.stress[1][k] + p.stress[2][k]) / 3.0;
-        sum[SUM_PRESSURE] += p.volume0[k] * p.J[k] * (gauge + s->scene->reference_pressure);
-        if (!is_inside(o, p.x[0][k], p.x[1][k])) sum[SUM_OUTSIDE] += field_get(f, P_MASS, body, 0)[k];
+        const double gauge = -(stress[0][k] + stress[1][k] + stress[2][k]) / 3.0;
+        sum[SUM_PRESSURE] += volume0[k] * J[k] * (gauge + s->scene->reference_pressure);
+        if (!is_inside(o, x[k], y[k])) sum[SUM_OUTSIDE] += field_get(f, P_MASS, body, 0)[k];
     }
 }
 
 static void add_membrane(const mpm *s, int blk, int tile, int body, double *sum)
 {
+    const fields *f = s->domain->fields[blk];
     const size_t *at = s->points[blk][body].tile_start;
-    const point_arrays p = points_of(s, blk, body, false, false);
+    const double *volume0 = field_get(f, P_VOLUME0, body, 0), *stress[3];
+    for (int c = 0; c < 3; ++c) stress[c] = field_get(f, P_STRESS, body, c);
     for (size_t k = at[tile]; k < at[tile + 1]; ++k) {
-        sum[SUM_STRESS] += p.volume0[k] * (p.stress[0][k] + p.stress[1][k]);
-        sum[SUM_HOOP] += p.volume0[k] * p.stress[2][k];
-        sum[SUM_VOLUME] += p.volume0[k];
+        sum[SUM_STRESS] += volume0[k] * (stress[0][k] + stress[1][k]);
+        sum[SUM_HOOP] += volume0[k] * stress[2][k];
+        sum[SUM_VOLUME] += volume0[k];
     }
+}
+
+typedef struct enclosure_sum {
+    const contour *o;
+    int body;
+} enclosure_sum;
+
+static void add_tile(mpm *s, int blk, int tile, void *user, double *sum)
+{
+    const enclosure_sum *e = user;
+    for (int k = 0; k < s->n_bodies; ++k)
+        if (s->body[k].fluid) add_fluid(s, blk, tile, k, e->o, sum);
+    add_membrane(s, blk, tile, e->body, sum);
 }
 
 void mpm_membrane_enclosure(mpm *s, int body, membrane_enclosure *out)
 {
     const contour o = contour_of(s, body);
+    double sum[MEMBRANE_SUMS];
     membrane_curve_update(s, body, false);
-    memset(s->work->tile_sum, 0, mesh_tiles(s->mesh) * ROOM_SUMS * sizeof(double));
-    for (int b = 0; b < s->mesh->n_blocks; ++b) {
-#pragma omp parallel for schedule(dynamic, 4)
-        for (int t = 0; t < s->mesh->block[b].n_tiles; ++t) {
-            double *sum = s->work->tile_sum + (size_t)tile_box_of(s->mesh, &s->mesh->block[b], t).number * ROOM_SUMS;
-            for (int k = 0; k < s->n_bodies; ++k)
-                if (s->body[k].fluid) add_fluid(s, b, t, k, &o, sum);
-            add_membrane(s, b, t, body, sum);
-        }
-    }
-    double sum[ROOM_SUMS];
-    domain_sum_tiles(s->mesh, s->work->tile_sum, ROOM_SUMS, sum);
+    sum_over_tiles(s, MEMBRANE_SUMS, add_tile, &(enclosure_sum){&o, body}, sum);
     out->size = size_of(&o, NULL);
     out->pressure = sum[SUM_PRESSURE] / out->size;
     out->outside = sum[SUM_OUTSIDE];

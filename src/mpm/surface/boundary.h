@@ -21,9 +21,9 @@ floe_status mpm_boundary_vertices(mpm *s, int body, bool next, cut_surface *out)
 /* With a sharp interface: vertices from the markers of all surfaces, and chains of those that bound a fluid, by its
  * number in the scene. The functions below use them for any body. */
 floe_status mpm_boundary_beside(mpm *s, int fluid, bool next, cut_surface *out);
-/* Velocities (m/s) of the vertices, two numbers each. */
+/* Velocities (m/s) of the vertices, three numbers each. */
 void mpm_boundary_velocity(const mpm *s, int body, const cut_surface *c, double *velocity);
-/* Adds forces (N) on the vertices, two numbers each, for the next step to those of other fluids. They are stored until
+/* Adds forces (N) on the vertices, three numbers each, for the next step to those of other fluids. They are stored until
  * they are cleared. */
 void mpm_boundary_force(mpm *s, int body, const cut_surface *c, const double *force);
 void mpm_boundary_clear(mpm *s);

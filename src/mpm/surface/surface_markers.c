@@ -2,42 +2,49 @@
  * bodies are seeded and moved by the nodes. They are the embedded boundary in the cells, and transfer the force of the
  * gas to nodes with mass (traction.c). */
 #include "mpm/surface/surface_markers.h"
+
 #include "base/memory.h"
+#include "geom/facets.h"
 #include "mpm/surface/boundary.h"
+#include "mpm/surface/surfaces.h"
+#include "mpm/surface/traction.h"
 #include "scene/state.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { SKIN_DIVISIONS = 4 }; /* markers per cell edge, about */
+enum {
+    SKIN_DIVISIONS = 4, /* markers per cell edge, about */
+    SKIN_FACETS = 2     /* the same in space, where pieces cost as many squared */
+};
 
 static floe_status reserve_markers(mpm *s, size_t markers, size_t chains)
 {
-    surface_markers *k = &s->work->markers;
+    surface_markers *k = &s->surfaces->markers;
     TRY(memory_resize(s->ctx, &k->now, markers, sizeof *k->now));
     TRY(memory_resize(s->ctx, &k->next, markers, sizeof *k->next));
     TRY(memory_resize(s->ctx, &k->group, markers, sizeof *k->group));
     TRY(memory_resize(s->ctx, &k->pin, markers, sizeof *k->pin));
-    TRY(memory_resize(s->ctx, &k->force, 2 * markers, sizeof *k->force));
-    TRY(memory_resize(s->ctx, &k->path, 2 * markers, sizeof *k->path));
+    TRY(memory_resize(s->ctx, &k->force, 3 * markers, sizeof *k->force));
+    TRY(memory_resize(s->ctx, &k->path, 3 * markers, sizeof *k->path));
     TRY(memory_resize(s->ctx, &k->beside, chains, sizeof *k->beside));
     return memory_resize(s->ctx, &k->chain, chains, sizeof *k->chain);
 }
 
-/* Axis of the side of the mesh on which a chain ends. */
+/* Axis across the side of the mesh on which a chain ends, as a bit. */
 static int side_under(const mesh *m, const double x[2])
 {
     for (int a = 0; a < 2; ++a)
-        if (x[a] == m->lower[a] || x[a] == m->upper[a]) return a;
-    return -1;
+        if (x[a] == m->lower[a] || x[a] == m->upper[a]) return 1 << a;
+    return 0;
 }
 
-static floe_status set_marker(const mpm *s, const mpm_body *b, const double x[2], surface_marker *out)
+static floe_status set_marker(const mpm *s, const mpm_body *b, const double *x, surface_marker *out)
 {
     double v[3], stress[6];
-    *out = (surface_marker){.x = {x[0], x[1]}};
+    *out = (surface_marker){.x = {x[0], x[1], s->mesh->dim > 2 ? x[2] : 0.0}};
     TRY(body_solid_state(s->scene, b->scene_body, out->x, v, stress));
-    memcpy(out->v, v, 2 * sizeof *v);
+    memcpy(out->v, v, (size_t)s->mesh->dim * sizeof *v);
     return FLOE_OK;
 }
 
@@ -96,14 +103,14 @@ int fluid_beside(const scene *s, const mesh *m, const contour *o, size_t chain)
 
 static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
 {
-    surface_markers *k = &s->work->markers;
+    surface_markers *k = &s->surfaces->markers;
     const size_t first = k->n, chains = (size_t)k->n_chains;
     if (o->n == 0) return FLOE_OK;
     TRY(reserve_markers(s, first + o->n, chains + o->n_chains));
     for (size_t n = 0; n < o->n; ++n) {
         TRY(set_marker(s, b, o->x[n], &k->now[first + n]));
         k->group[first + n] = b->group;
-        k->pin[first + n] = -1;
+        k->pin[first + n] = 0;
     }
     for (size_t c = 0; c < o->n_chains; ++c) {
         const contour_chain *from = &o->chain[c];
@@ -119,6 +126,129 @@ static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
     return FLOE_OK;
 }
 
+/* ---- in space ---- */
+
+static floe_status make_facets(const scene *s, const mesh *m, const scene_body *body, facet_surface *out)
+{
+    const seed_spec grid = body_seed_spec(s, m, body);
+    return facets_make(out, s->ctx, &body->shape, &grid, SKIN_FACETS);
+}
+
+/* A little beyond the middle of a facet, on the side of the gas. */
+static void place_off(const mesh *m, const facet_surface *o, const facet *f, double x[3])
+{
+    const double *p = o->x[f->vertex[0]], *q = o->x[f->vertex[1]], *r = o->x[f->vertex[2]];
+    double into[3], length = 0.0;
+    for (int a = 0; a < 3; ++a) {
+        const int e = (a + 1) % 3, g = (a + 2) % 3;
+        into[a] = (q[e] - p[e]) * (r[g] - p[g]) - (q[g] - p[g]) * (r[e] - p[e]);
+        length += into[a] * into[a];
+    }
+    for (int a = 0; a < 3; ++a)
+        x[a] = (p[a] + q[a] + r[a]) / 3.0 - (length > 0.0 ? 1e-2 * m->h[0] * into[a] / sqrt(length) : 0.0);
+}
+
+static int joined(int *up, int v)
+{
+    while (up[v] != v) v = up[v] = up[up[v]];
+    return v;
+}
+
+/* The fluid beside each connected part of a surface, for every facet: as fluid_beside has it of a chain. */
+static floe_status find_facing(const scene *s, const mesh *m, const facet_surface *o, int *facing)
+{
+    const int only = only_fluid(s);
+    int *up = NULL;
+    for (int n = 0; n < o->n_facets; ++n) facing[n] = only;
+    if (only >= 0 || o->n_facets == 0) return FLOE_OK;
+    TRY(memory_new(s->ctx, &up, 2 * (size_t)o->n, sizeof *up));
+    int *found = up + o->n;
+    for (int v = 0; v < o->n; ++v) {
+        up[v] = v;
+        found[v] = MPM_IN_A_SOLID;
+    }
+    for (int n = 0; n < o->n_facets; ++n)
+        for (int k = 1; k < 3; ++k) up[joined(up, o->facet[n].vertex[k])] = joined(up, o->facet[n].vertex[0]);
+    for (int n = 0; n < o->n_facets; ++n) {
+        double x[3];
+        int *of = &found[joined(up, o->facet[n].vertex[0])];
+        place_off(m, o, &o->facet[n], x);
+        const int fluid = mpm_fluid_at(s, 3, x);
+        if (fluid != MPM_IN_A_SOLID) *of = *of == MPM_IN_A_SOLID || *of == fluid ? fluid : MPM_FLUIDS_MEET;
+    }
+    for (int n = 0; n < o->n_facets; ++n) facing[n] = found[joined(up, o->facet[n].vertex[0])];
+    memory_free(s->ctx, &up);
+    return FLOE_OK;
+}
+
+static floe_status reserve_triangles(mpm *s, int triangles)
+{
+    surface_markers *k = &s->surfaces->markers;
+    TRY(memory_resize(s->ctx, &k->triangle, (size_t)triangles, sizeof *k->triangle));
+    return memory_resize(s->ctx, &k->facing, (size_t)triangles, sizeof *k->facing);
+}
+
+/* Ends on sides of the mesh stay on them. */
+static void pin_rims(const mpm *s, const cut_triangle *t)
+{
+    const surface_markers *k = &s->surfaces->markers;
+    for (int n = 0; n < 3; ++n) {
+        const int end[2] = {t->vertex[n], t->vertex[(n + 1) % 3]};
+        for (int a = 0; a < 3 && (t->rim >> n & 1); ++a) {
+            const double x = k->now[end[0]].x[a];
+            if (x != k->now[end[1]].x[a] || (x != s->mesh->lower[a] && x != s->mesh->upper[a])) continue;
+            for (int i = 0; i < 2; ++i) k->pin[end[i]] |= 1 << a;
+        }
+    }
+}
+
+static floe_status add_facets(mpm *s, const mpm_body *b, const facet_surface *o)
+{
+    surface_markers *k = &s->surfaces->markers;
+    const int first = (int)k->n, triangles = k->n_triangles;
+    if (o->n_facets == 0) return FLOE_OK;
+    TRY(reserve_markers(s, k->n + (size_t)o->n, 1));
+    TRY(reserve_triangles(s, triangles + o->n_facets));
+    for (int n = 0; n < o->n; ++n) {
+        TRY(set_marker(s, b, o->x[n], &k->now[first + n]));
+        k->group[first + n] = b->group;
+        k->pin[first + n] = 0;
+    }
+    TRY(find_facing(s->scene, s->mesh, o, k->facing + triangles));
+    for (int n = 0; n < o->n_facets; ++n) {
+        const facet *f = &o->facet[n];
+        k->triangle[triangles + n] =
+            (cut_triangle){{first + f->vertex[0], first + f->vertex[1], first + f->vertex[2]}, f->rim};
+        pin_rims(s, &k->triangle[triangles + n]);
+    }
+    k->n += (size_t)o->n;
+    k->n_triangles += o->n_facets;
+    return FLOE_OK;
+}
+
+static floe_status lay_facets(const scene *s, const mesh *m, const facet_surface *o, int fluid, cut_surface *out)
+{
+    const int vertices = out->n_vertices, triangles = out->n_triangles;
+    int *facing = NULL;
+    TRY(cut_reserve(out, vertices + o->n, 0));
+    TRY(cut_reserve_triangles(out, triangles + o->n_facets));
+    out->n_triangles = triangles;
+    for (int k = 0; k < o->n; ++k)
+        out->vertex[vertices + k] = (cut_vertex){{o->x[k][0], o->x[k][1], o->x[k][2]}, vertices + k};
+    TRY(memory_new(s->ctx, &facing, (size_t)o->n_facets + 1, sizeof *facing));
+    const floe_status status = find_facing(s, m, o, facing);
+    for (int n = 0; n < o->n_facets && status == FLOE_OK; ++n) {
+        const int *v = o->facet[n].vertex;
+        if (fluid >= 0 && facing[n] != fluid) continue;
+        out->triangle[out->n_triangles++] =
+            (cut_triangle){{vertices + v[0], vertices + v[1], vertices + v[2]}, o->facet[n].rim};
+    }
+    memory_free(s->ctx, &facing);
+    return status;
+}
+
+/* ---- of bodies ---- */
+
 floe_status mpm_boundary_trace(const scene *s, const mesh *m, const scene_body *body, contour *out)
 {
     const seed_spec grid = body_seed_spec(s, m, body);
@@ -131,7 +261,7 @@ static floe_status lay_chains(const scene *s, const mesh *m, const contour *o, i
     TRY(cut_reserve(out, vertices + (int)o->n, chains + (int)o->n_chains));
     out->n_chains = chains;
     for (size_t k = 0; k < o->n; ++k)
-        out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1]}, vertices + (int)k};
+        out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1], 0.0}, vertices + (int)k};
     for (size_t c = 0; c < o->n_chains; ++c) {
         if (fluid >= 0 && fluid_beside(s, m, o, c) != fluid) continue;
         out->chain[out->n_chains++] =
@@ -142,6 +272,13 @@ static floe_status lay_chains(const scene *s, const mesh *m, const contour *o, i
 
 floe_status mpm_boundary_add(const scene *s, const mesh *m, const scene_body *body, int fluid, cut_surface *out)
 {
+    if (m->dim == 3) {
+        facet_surface f;
+        TRY(make_facets(s, m, body, &f));
+        const floe_status laid = lay_facets(s, m, &f, fluid, out);
+        facets_free(s->ctx, &f);
+        return laid;
+    }
     contour o;
     TRY(mpm_boundary_trace(s, m, body, &o));
     const floe_status status = lay_chains(s, m, &o, fluid, out);
@@ -149,17 +286,27 @@ floe_status mpm_boundary_add(const scene *s, const mesh *m, const scene_body *bo
     return status;
 }
 
+static floe_status seed_on_body(mpm *s, const mpm_body *b)
+{
+    const scene_body *body = &s->scene->body[b->scene_body];
+    if (s->mesh->dim == 3) {
+        facet_surface f;
+        TRY(make_facets(s->scene, s->mesh, body, &f));
+        const floe_status status = add_facets(s, b, &f);
+        facets_free(s->ctx, &f);
+        return status;
+    }
+    contour o;
+    TRY(mpm_boundary_trace(s->scene, s->mesh, body, &o));
+    const floe_status status = add_contour(s, b, &o);
+    contour_free(s->ctx, &o);
+    return status;
+}
+
 floe_status seed_markers(mpm *s)
 {
-    for (int b = 0; b < s->n_bodies; ++b) {
-        const scene_body *body = &s->scene->body[s->body[b].scene_body];
-        contour o;
-        TRY(mpm_boundary_trace(s->scene, s->mesh, body, &o));
-        const floe_status status = add_contour(s, &s->body[b], &o);
-        contour_free(s->ctx, &o);
-        TRY(status);
-    }
-    surface_markers *k = &s->work->markers;
+    for (int b = 0; b < s->n_bodies; ++b) TRY(seed_on_body(s, &s->body[b]));
+    surface_markers *k = &s->surfaces->markers;
     if (k->n == 0)
         return fail_key(s->ctx, KEY("method", "interface"),
                         "sharp: no solid has a surface inside the domain; leave it out");
@@ -169,41 +316,41 @@ floe_status seed_markers(mpm *s)
 
 void scatter_markers(mpm *s, int group, const double *force)
 {
-    const surface_markers *k = &s->work->markers;
+    const surface_markers *k = &s->surfaces->markers;
     for (size_t n = 0; n < k->n; ++n)
-        if (k->group[n] == group)
-            add_surface_force(s, group, k->now[n].x, (const double[3]){force[2 * n], force[2 * n + 1], 0.0});
+        if (k->group[n] == group) add_surface_force(s, group, k->now[n].x, force + 3 * n);
 }
 
 void move_markers(mpm *s, int group)
 {
-    const surface_markers *k = &s->work->markers;
+    const surface_markers *k = &s->surfaces->markers;
     for (size_t n = 0; n < k->n; ++n) {
         if (k->group[n] != group) continue;
         const surface_motion m = surface_motion_at(s, group, k->now[n].x);
-        for (int a = 0; a < 2; ++a) {
-            k->next[n].v[a] = k->pin[n] == a ? 0.0 : m.velocity[a];
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            k->next[n].v[a] = k->pin[n] >> a & 1 ? 0.0 : m.velocity[a];
             k->next[n].x[a] = k->now[n].x[a] + s->dt * k->next[n].v[a];
-            k->path[2 * n + (size_t)a] = (s->substep > 0 ? k->path[2 * n + (size_t)a] : 0.0) + s->dt * m.working[a];
+            k->path[3 * n + (size_t)a] = (s->substep > 0 ? k->path[3 * n + (size_t)a] : 0.0) + s->dt * m.working[a];
         }
     }
 }
 
 void displace_markers(mpm *s, node_displacement *displacement)
 {
-    const surface_markers *k = &s->work->markers;
+    const surface_markers *k = &s->surfaces->markers;
     for (size_t n = 0; n < k->n; ++n) {
         const double *x = k->now[n].x;
         surface_marker *next = &k->next[n];
-        *next = (surface_marker){.x = {x[0], x[1]}};
+        *next = (surface_marker){.x = {x[0], x[1], x[2]}};
         displace_position(s, k->group[n], x, displacement, next->x);
-        if (k->pin[n] >= 0) next->x[k->pin[n]] = x[k->pin[n]];
+        for (int a = 0; a < s->mesh->dim; ++a)
+            if (k->pin[n] >> a & 1) next->x[a] = x[a];
     }
 }
 
 void commit_markers(mpm *s)
 {
-    surface_markers *k = &s->work->markers;
+    surface_markers *k = &s->surfaces->markers;
     surface_marker *swap = k->now;
     k->now = k->next;
     k->next = swap;
@@ -219,11 +366,13 @@ void free_markers(context *ctx, surface_markers *k)
     memory_free(ctx, &k->path);
     memory_free(ctx, &k->chain);
     memory_free(ctx, &k->beside);
+    memory_free(ctx, &k->triangle);
+    memory_free(ctx, &k->facing);
 }
 
 double *mpm_surface_markers(mpm *s, size_t *n, size_t *stride)
 {
-    *n = s->work->markers.n;
+    *n = s->surfaces->markers.n;
     *stride = sizeof(surface_marker) / sizeof(double);
-    return *n ? s->work->markers.now[0].x : NULL;
+    return *n ? s->surfaces->markers.now[0].x : NULL;
 }

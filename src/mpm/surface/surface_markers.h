@@ -4,13 +4,13 @@
 #define MPM_SURFACE_MARKERS_H
 
 #include "geom/contour.h"
+#include "mpm/surface/surfaces.h"
 #include "mpm/surface/traction.h"
 
 /* ---- on membranes (boundary.c) ---- */
 
 /* Allocates the forces on membranes that enclose gas. */
 floe_status start_membrane_force(mpm *s);
-void free_membrane_force(context *ctx, struct mpm_work *w);
 /* Adds the forces to N_FORCE of a group. */
 void scatter_membrane_force(mpm *s, int group);
 
@@ -21,7 +21,7 @@ int fluid_beside(const scene *s, const mesh *m, const contour *o, size_t chain);
 
 /* Places markers on the shapes of solids. */
 floe_status seed_markers(mpm *s);
-/* Adds forces (N, two a marker) to N_FORCE of a group, on nodes with mass. */
+/* Adds forces (N, three a marker) to N_FORCE of a group, on nodes with mass. */
 void scatter_markers(mpm *s, int group, const double *force);
 /* Next positions and velocities of the markers of a group, and the displacement over which their forces do work. */
 void move_markers(mpm *s, int group);

@@ -1,11 +1,14 @@
 /* Tractions on surfaces: massless points that the grid moves, each with an area and a load. */
 #include "mpm/surface/traction.h"
+
 #include "base/memory.h"
 #include "geom/surface_elements.h"
 #include "math/small_solve.h"
-#include "mpm/implicit/implicit.h"
-#include "mpm/point_loads.h"
-#include "mpm/stencil.h"
+#include "mpm/implicit/implicit_view.h"
+#include "mpm/loads/point_loads.h"
+#include "mpm/nodes/node.h"
+#include "mpm/surface/surfaces.h"
+#include "mpm/transfer/stencil.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -43,14 +46,14 @@ static double side_of_body(const mpm *s, int body, const surface_element *e)
     return outside == inside ? 0.0 : outside ? 1.0 : -1.0;
 }
 
-/* Room doubles as it fills. */
+/* The capacity is doubled when it is used up. */
 static floe_status reserve_surface(surface_list *list)
 {
-    struct mpm_work *w = list->s->work;
-    if (w->n_surface < list->capacity) return FLOE_OK;
+    struct mpm_surfaces *w = list->s->surfaces;
+    if (w->n_loaded < list->capacity) return FLOE_OK;
     list->capacity = list->capacity ? 2 * list->capacity : 256;
-    TRY(memory_resize(list->s->ctx, &w->surface, list->capacity, sizeof *w->surface));
-    return memory_resize(list->s->ctx, &w->surface_next, list->capacity, sizeof *w->surface_next);
+    TRY(memory_resize(list->s->ctx, &w->loaded, list->capacity, sizeof *w->loaded));
+    return memory_resize(list->s->ctx, &w->loaded_next, list->capacity, sizeof *w->loaded_next);
 }
 
 static void add_point(surface_list *list, const surface_element *e, double side)
@@ -58,7 +61,7 @@ static void add_point(surface_list *list, const surface_element *e, double side)
     if (side == 0.0 || list->status != FLOE_OK) return;
     list->status = reserve_surface(list);
     if (list->status != FLOE_OK) return;
-    surface_point *p = &list->s->work->surface[list->s->work->n_surface++];
+    surface_point *p = &list->s->surfaces->loaded[list->s->surfaces->n_loaded++];
     p->load = list->load;
     p->enclosed = list->enclosed;
     p->body = list->body;
@@ -127,9 +130,9 @@ double surface_enclosed(const mpm *s, int body)
 static floe_status seed_enclosing_surfaces(mpm *s, surface_list *list, const seed_spec *grid)
 {
     list->load = -1;
-    for (int r = 0; s->implicit && r < s->implicit->n_gases; ++r) {
+    for (int r = 0; r < implicit_gases(s); ++r) {
         list->enclosed = r;
-        surface_visit(&s->scene->body[s->body[s->implicit->gas_set[r].body].scene_body].shape, grid, SURFACE_DIVISIONS,
+        surface_visit(&s->scene->body[s->body[implicit_gas_body(s, r)].scene_body].shape, grid, SURFACE_DIVISIONS,
                       SURFACE_DIAGONALS, add_enclosing_element, list);
         TRY(list->status);
     }
@@ -162,18 +165,18 @@ floe_status seed_surfaces(mpm *s)
     const seed_spec grid = surface_grid(s);
     for (int l = 0; l < s->scene->n_loads; ++l) {
         if (s->scene->load[l].kind != LOAD_TRACTION) continue;
-        const size_t before = s->work->n_surface;
+        const size_t before = s->surfaces->n_loaded;
         list.load = l;
         surface_visit(&s->scene->load[l].region, &grid, SURFACE_DIVISIONS, SURFACE_DIAGONALS, add_element, &list);
         TRY(list.status);
-        if (s->work->n_surface == before)
+        if (s->surfaces->n_loaded == before)
             return fail_key(s->ctx, KEY("loads", s->scene->load[l].name, "traction", "surface"),
                             "no surface of this shape is on the body that it loads; give the shape that bounds it");
     }
     TRY(seed_enclosing_surfaces(s, &list, &grid));
     TRY(seed_contacts(s, &list, &grid));
-    if (s->work->n_surface)
-        memcpy(s->work->surface_next, s->work->surface, s->work->n_surface * sizeof *s->work->surface);
+    if (s->surfaces->n_loaded)
+        memcpy(s->surfaces->loaded_next, s->surfaces->loaded, s->surfaces->n_loaded * sizeof *s->surfaces->loaded);
     return FLOE_OK;
 }
 
@@ -292,29 +295,29 @@ void add_surface_force(const mpm *s, int group, const double x[3], const double 
 
 void scatter_gas_pressure(mpm *s, int enclosed)
 {
-    for (size_t k = 0; k < s->work->n_surface; ++k)
-        if (s->work->surface[k].enclosed == enclosed)
-            add_surface_force(s, 0, s->work->surface[k].x, s->work->surface[k].area);
+    for (size_t k = 0; k < s->surfaces->n_loaded; ++k)
+        if (s->surfaces->loaded[k].enclosed == enclosed)
+            add_surface_force(s, 0, s->surfaces->loaded[k].x, s->surfaces->loaded[k].area);
 }
 
 /* One surface point after the other, so that every block adds up a node in the same order. */
 void scatter_surfaces(mpm *s, int group)
 {
     double moment[3] = {0.0};
-    for (size_t k = 0; k < s->work->n_surface; ++k) {
-        const surface_point *p = &s->work->surface[k];
+    for (size_t k = 0; k < s->surfaces->n_loaded; ++k) {
+        const surface_point *p = &s->surfaces->loaded[k];
         if (p->load < 0) continue;
         const scene_load *load = &s->scene->load[p->load];
-        if (s->work->body_group[load->body] != group) continue;
+        if (s->body_group[load->body] != group) continue;
         const double pressure = load->target * load_now(s, load);
         const double force[3] = {pressure * p->area[0], pressure * p->area[1], pressure * p->area[2]};
         add_surface_force(s, group, p->x, force);
         for (int a = 0; a < s->mesh->dim; ++a) {
-            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, force[a] * s->work->kick);
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + a), LEDGER_SOURCE, force[a] * s->kick);
             add_moment(moment, p->x, a, force[a]);
         }
     }
-    ledger_turn(s->ledger, LEDGER_SOURCE, moment, s->work->kick);
+    ledger_turn(s->ledger, LEDGER_SOURCE, moment, s->kick);
 }
 
 typedef struct motion_sum {
@@ -340,7 +343,7 @@ static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
 {
     const int b = place_block(s, x);
-    motion_sum m = {.dim = s->mesh->dim, .kick = s->work->kick, .undamped = damping_left(s)};
+    motion_sum m = {.dim = s->mesh->dim, .kick = s->kick, .undamped = damping_left(s)};
     for (int a = 0; a < m.dim; ++a) {
         m.v[a] = field_get(s->domain->fields[b], N_VEL_L, group, a);
         m.acceleration[a] = field_get(s->domain->fields[b], N_ACCEL, group, a);
@@ -352,21 +355,21 @@ surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
 
 void move_surfaces(mpm *s, int group)
 {
-    for (size_t k = 0; k < s->work->n_surface; ++k) {
-        const surface_point *p = &s->work->surface[k];
+    for (size_t k = 0; k < s->surfaces->n_loaded; ++k) {
+        const surface_point *p = &s->surfaces->loaded[k];
         const scene_load *load = &s->scene->load[p->load];
-        if (s->work->body_group[load->body] != group) continue;
+        if (s->body_group[load->body] != group) continue;
         const surface_motion m = surface_motion_at(s, group, p->x);
         const double pressure = load->target * load_now(s, load);
         double power = 0.0;
         for (int a = 0; a < 3; ++a) {
-            s->work->surface_next[k].x[a] = p->x[a] + s->dt * m.velocity[a];
-            s->work->surface_next[k].area[a] = p->area[a];
+            s->surfaces->loaded_next[k].x[a] = p->x[a] + s->dt * m.velocity[a];
+            s->surfaces->loaded_next[k].area[a] = p->area[a];
             power += pressure * p->area[a] * m.velocity[a];
         }
-        s->work->surface_next[k].load = p->load;
-        s->work->surface_next[k].enclosed = p->enclosed;
-        s->work->surface_next[k].body = p->body;
+        s->surfaces->loaded_next[k].load = p->load;
+        s->surfaces->loaded_next[k].enclosed = p->enclosed;
+        s->surfaces->loaded_next[k].body = p->body;
         ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, power * s->dt);
     }
 }
@@ -380,11 +383,11 @@ void displace_position(const mpm *s, int group, const double x[3], node_displace
 
 void displace_surfaces(mpm *s, node_displacement *displacement)
 {
-    for (size_t k = 0; k < s->work->n_surface; ++k) {
-        const surface_point *p = &s->work->surface[k];
+    for (size_t k = 0; k < s->surfaces->n_loaded; ++k) {
+        const surface_point *p = &s->surfaces->loaded[k];
         const int body = p->load < 0 ? p->body : s->scene->load[p->load].body;
-        const int group = body < 0 ? 0 : s->work->body_group[body];
-        surface_point *next = &s->work->surface_next[k];
+        const int group = body < 0 ? 0 : s->body_group[body];
+        surface_point *next = &s->surfaces->loaded_next[k];
         *next = *p;
         displace_position(s, group, p->x, displacement, next->x);
     }
@@ -392,7 +395,7 @@ void displace_surfaces(mpm *s, node_displacement *displacement)
 
 double *mpm_surface(mpm *s, size_t *n, size_t *stride)
 {
-    *n = s->work->n_surface;
+    *n = s->surfaces->n_loaded;
     *stride = sizeof(surface_point) / sizeof(double);
-    return *n ? s->work->surface[0].x : NULL;
+    return *n ? s->surfaces->loaded[0].x : NULL;
 }

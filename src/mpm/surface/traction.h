@@ -3,7 +3,7 @@
 #ifndef MPM_TRACTION_H
 #define MPM_TRACTION_H
 
-#include "mpm/work.h"
+#include "mpm/mpm.h"
 
 /* Places surface points on the shapes. Errors: FLOE_BAD_INPUT where a load has no surface, FLOE_NO_MEMORY. */
 floe_status seed_surfaces(mpm *s);

@@ -58,7 +58,7 @@ static size_t next_wishes(const stability *s, int jobs, stability_wish *wish)
 static floe_status run_search(stability *s, const stability_options *o)
 {
     stability_wish *wish;
-    const int jobs = o->jobs > 0 ? o->jobs : 1;
+    const int jobs = o->batch.jobs > 0 ? o->batch.jobs : 1;
     floe_status status = memory_new(s->ctx, &wish, s->n_sets * SEARCH_MOST, sizeof *wish);
     for (size_t n = 1; status == FLOE_OK && n > 0;) {
         n = next_wishes(s, jobs, wish);
@@ -70,13 +70,13 @@ static floe_status run_search(stability *s, const stability_options *o)
 
 static floe_status run_map(stability *s, const stability_options *o)
 {
-    const size_t rows = (size_t)s->over[0].n_values, columns = (size_t)s->over[1].n_values;
-    const size_t n = s->n_sets * rows * columns;
+    const size_t cells = crossed_count(s->over, 2), n = s->n_sets * cells;
     stability_wish *wish;
     TRY(memory_new(s->ctx, &wish, n, sizeof *wish));
-    for (size_t i = 0; i < n; i++)
-        wish[i] =
-            (stability_wish){.set = i / (rows * columns), .value = {(int)(i / columns % rows), (int)(i % columns)}};
+    for (size_t i = 0; i < n; i++) {
+        wish[i].set = i / cells;
+        crossed_pick(s->over, 2, i % cells, wish[i].value);
+    }
     const floe_status status = stability_round(s, o, wish, n);
     memory_free(s->ctx, &wish);
     return status;
@@ -103,7 +103,7 @@ static floe_status run_stability(stability *s, const stability_options *o)
     TRY(stability_plot(s));
     if (status == FLOE_OK) return check_verdicts(s);
     char by[64] = "";
-    if (o->stop) stop_request_text(*o->stop, by);
+    if (o->batch.stop) stop_request_text(*o->batch.stop, by);
     context_clear(s->ctx);
     return fail(s->ctx, FLOE_INTERRUPTED,
                 "stopped%s; what has ended is kept in '%s': the same command goes on from there", by, s->dir);

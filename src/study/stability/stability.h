@@ -11,20 +11,15 @@
 enum { STABILITY_UNIT = 32, STABILITY_LABEL = 640 };
 
 typedef struct stability_options {
-    const char *deck; /* path */
+    /* Deck, folder of the results, program, stop and progress; of each run its threads and max_wall; jobs, on which no
+     * limit depends. The rest is the search's. */
+    batch_options batch;
     deck_overrides set;
     const char *const *over; /* "KEY", "KEY=FROM:TO", or two of "KEY=V1,V2,..."; n_over 0: the deck's stability.over */
     size_t n_over;
     const char *const *each; /* "KEY=V1,V2,...": the search is made for every combination; n_each 0: the deck's */
     size_t n_each;
     double tolerance, growth, relative_to; /* 0: the deck's */
-    const char *dir;                       /* of the results; made if it is not there */
-    int threads;                           /* of each run; 0: one */
-    int jobs;                              /* runs at a time; 0: one. The limits do not depend on it */
-    double max_wall;                       /* s of each run; 0: no limit */
-    const char *program;                   /* the floe program */
-    const volatile sig_atomic_t *stop;     /* as in batch_options */
-    FILE *progress;                        /* NULL: quiet */
 } stability_options;
 
 /* One run. */

@@ -2,25 +2,19 @@
 #include "study/stability/stability_internal.h"
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "io/file.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { SETTING = SCENE_KEY + SCENE_VALUE + 2 };
-
 batch_options stability_batch(const stability *s, const stability_options *o)
 {
-    return (batch_options){.program = o->program,
-                           .deck = o->deck,
-                           .dir = s->dir,
-                           .jobs = o->jobs,
-                           .threads = o->threads,
-                           .max_wall = o->max_wall,
-                           .keep_finished = true,
-                           .stop = o->stop,
-                           .progress = o->progress};
+    batch_options batch = o->batch;
+    batch.dir = s->dir;
+    batch.keep_finished = true;
+    return batch;
 }
 
 /* The text of the wish's value of an axis. */
@@ -40,48 +34,40 @@ static void name_folder(const stability *s, const stability_wish *wish, char fol
         (void)snprintf(folder, 256, "%02zu-%.9g", wish->set + 1, wish->x);
 }
 
-/* Settings go from the outside in: the user's, those of the combination, the value. `text` has space for the last
- * two. */
-static void fill_case(const stability *s, const stability_options *o, const stability_wish *wish, const char **set,
-                      char *text, batch_case *one)
+/* Settings go from the outside in: the user's, those of the combination, the value. */
+static floe_status make_case(const stability *s, const stability_options *o, const stability_wish *wish,
+                             case_settings *settings, batch_case *one)
 {
-    const stability_set *combination = &s->set[wish->set];
     char value[SCENE_VALUE], label[STABILITY_LABEL];
-    *one = (batch_case){.set = set};
+    TRY(case_settings_make(settings, s->ctx, &o->set, (size_t)(s->n_each + s->n_over)));
     stability_set_label(s, wish->set, label);
-    for (size_t i = 0; i < o->set.n; i++) set[one->n_set++] = o->set.text[i];
-    for (int i = 0; i < s->n_each; i++, text += SETTING) {
-        (void)snprintf(text, SETTING, "%s=%s", s->each[i].key, s->each[i].value[combination->value[i]]);
-        set[one->n_set++] = text;
-    }
-    for (int i = 0; i < s->n_over; i++, text += SETTING) {
+    for (int i = 0; i < s->n_each; i++) case_settings_pick(settings, &s->each[i], s->set[wish->set].value[i]);
+    for (int i = 0; i < s->n_over; i++) {
         wish_value(s, wish, i, value, sizeof value);
-        (void)snprintf(text, SETTING, "%s=%s", s->over[i].key, value);
-        set[one->n_set++] = text;
-        const size_t used = strlen(label);
-        (void)snprintf(label + used, sizeof label - used, "%s%s", used > 0 ? ", " : "", text);
+        case_settings_put(settings, s->over[i].key, value);
+        text_add(label, sizeof label, "%s%s=%s", label[0] ? ", " : "", s->over[i].key, value);
     }
+    *one = (batch_case){.set = settings->set, .n_set = settings->n};
     (void)snprintf(one->label, sizeof one->label, "%.159s", label);
     name_folder(s, wish, one->folder);
+    return FLOE_OK;
 }
 
 floe_status stability_cases_make(stability_cases *cases, const stability *s, const stability_options *o,
                                  const stability_wish *wish, size_t n)
 {
-    const size_t own = (size_t)s->n_each + (size_t)s->n_over, all = o->set.n + own;
     *cases = (stability_cases){0};
     TRY(memory_new(s->ctx, &cases->list, n, sizeof *cases->list));
-    TRY(memory_new(s->ctx, &cases->set, n * all, sizeof *cases->set));
-    TRY(memory_new(s->ctx, &cases->text, n * own, SETTING));
-    for (size_t i = 0; i < n; i++)
-        fill_case(s, o, &wish[i], cases->set + i * all, cases->text + i * own * SETTING, &cases->list[i]);
+    TRY(memory_new(s->ctx, &cases->settings, n, sizeof *cases->settings));
+    for (cases->n = 0; cases->n < n; cases->n++)
+        TRY(make_case(s, o, &wish[cases->n], &cases->settings[cases->n], &cases->list[cases->n]));
     return FLOE_OK;
 }
 
 void stability_cases_free(context *ctx, stability_cases *cases)
 {
-    memory_free(ctx, &cases->text);
-    memory_free(ctx, &cases->set);
+    for (size_t i = 0; i < cases->n; i++) case_settings_free(&cases->settings[i], ctx);
+    memory_free(ctx, &cases->settings);
     memory_free(ctx, &cases->list);
 }
 
@@ -156,7 +142,7 @@ static floe_status run_cases(stability *s, const stability_options *o, const sta
     const batch_options batch = stability_batch(s, o);
     const floe_status status = batch_run(s->ctx, &batch, list, n);
     if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
-    const bool stopped = o->stop && *o->stop;
+    const bool stopped = o->batch.stop && *o->batch.stop;
     for (size_t i = 0; i < n; i++) {
         /* A run that failed as all were stopped has failed for that. */
         const bool spoilt = stopped && list[i].status != FLOE_OK && list[i].status != FLOE_DIVERGED;

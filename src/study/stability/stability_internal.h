@@ -2,6 +2,7 @@
 #ifndef STUDY_STABILITY_INTERNAL_H
 #define STUDY_STABILITY_INTERNAL_H
 
+#include "study/crossed.h"
 #include "study/stability/stability.h"
 
 /* A value that is to be run. */
@@ -18,8 +19,8 @@ floe_status stability_setup(stability *s, const stability_options *o);
 /* The wishes as cases of a batch; the caller frees them. */
 typedef struct stability_cases {
     batch_case *list;
-    const char **set;
-    char *text;
+    case_settings *settings; /* n of both */
+    size_t n;
 } stability_cases;
 floe_status stability_cases_make(stability_cases *cases, const stability *s, const stability_options *o,
                                  const stability_wish *wish, size_t n);

@@ -1,4 +1,5 @@
 /* A search or a map for people. */
+#include "study/crossed.h"
 #include "study/stability/stability.h"
 
 #include <math.h>
@@ -6,27 +7,23 @@
 
 enum { COLUMN = 12 };
 
-static int width_of(const char *name)
-{
-    const int n = (int)strlen(name);
-    return n > COLUMN ? n : COLUMN;
-}
-
 static void print_set_names(const stability *s, FILE *file)
 {
-    for (int i = 0; i < s->n_each; i++) (void)fprintf(file, "%*s  ", width_of(s->each[i].key), s->each[i].key);
+    for (int i = 0; i < s->n_each; i++)
+        (void)fprintf(file, "%*s  ", width_at_least(COLUMN, s->each[i].key), s->each[i].key);
 }
 
 static void print_set_values(const stability *s, size_t set, FILE *file)
 {
     for (int i = 0; i < s->n_each; i++)
-        (void)fprintf(file, "%*s  ", width_of(s->each[i].key), s->each[i].value[s->set[set].value[i]]);
+        (void)fprintf(file, "%*s  ", width_at_least(COLUMN, s->each[i].key), s->each[i].value[s->set[set].value[i]]);
 }
 
 static void print_probe(const stability *s, const stability_probe *p, FILE *file)
 {
     print_set_values(s, p->set, file);
-    for (int i = 0; i < s->n_over; i++) (void)fprintf(file, "%*s  ", width_of(s->over[i].key), p->value[i]);
+    for (int i = 0; i < s->n_over; i++)
+        (void)fprintf(file, "%*s  ", width_at_least(COLUMN, s->over[i].key), p->value[i]);
     if (isfinite(s->relative_to)) (void)fprintf(file, "%10.4f  ", p->x[0] / s->relative_to);
     (void)fprintf(file, "%-14s  %10.3g  %8lld  %8lld  %.90s\n", verdict_name(p->verdict), p->energy.ratio, p->steps,
                   p->rejected, p->cause);
@@ -35,7 +32,8 @@ static void print_probe(const stability *s, const stability_probe *p, FILE *file
 static void print_probes(const stability *s, FILE *file)
 {
     print_set_names(s, file);
-    for (int i = 0; i < s->n_over; i++) (void)fprintf(file, "%*s  ", width_of(s->over[i].key), s->over[i].key);
+    for (int i = 0; i < s->n_over; i++)
+        (void)fprintf(file, "%*s  ", width_at_least(COLUMN, s->over[i].key), s->over[i].key);
     if (isfinite(s->relative_to)) (void)fprintf(file, "over %-5.3g  ", s->relative_to);
     (void)fprintf(file, "%-14s  %10s  %8s  %8s  %s\n", "verdict", "energy", "steps", "rejected", "cause");
     for (size_t k = 0; k < s->n_sets; k++) {
@@ -117,7 +115,7 @@ static void print_limits(const stability *s, FILE *file)
 static void print_map(const stability *s, size_t set, FILE *file)
 {
     char label[STABILITY_LABEL];
-    const int first = width_of(s->over[0].key);
+    const int first = width_at_least(COLUMN, s->over[0].key);
     stability_set_label(s, set, label);
     (void)fprintf(file, "%s%s%*s  %s\n%*s ", label, label[0] ? "\n" : "", first, s->over[0].key, s->over[1].key, first,
                   "");

@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "run/catalogue.h"
-#include "study/axis.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -90,7 +89,7 @@ static void take_deck_range(const scene_stability *deck, range *r)
 /* One key: a search. */
 static floe_status take_search(stability *s, const stability_options *o, const scene *sc, search_spec *spec)
 {
-    const scene_stability *deck = &sc->stability;
+    const scene_stability *deck = &sc->batches->stability;
     range r = {0};
     s->n_over = 1;
     if (o->n_over == 0) {
@@ -121,13 +120,14 @@ static floe_status take_map(stability *s, const stability_options *o, const scen
 
 static floe_status take_over(stability *s, const stability_options *o, const scene *sc, search_spec *spec)
 {
-    const size_t n = o->n_over > 0 ? o->n_over : (size_t)sc->stability.n_over;
+    const size_t n = o->n_over > 0 ? o->n_over : (size_t)sc->batches->stability.n_over;
     if (n == 1) return take_search(s, o, sc, spec);
-    if (n == 2) return take_map(s, o, &sc->stability);
+    if (n == 2) return take_map(s, o, &sc->batches->stability);
     if (n > 2)
         return fail(s->ctx, FLOE_BAD_INPUT, "--over is given once for a search, twice for a map, not %zu times", n);
     return fail(s->ctx, FLOE_BAD_INPUT,
-                "over what? --over KEY=FROM:TO, or a section 'stability: {over: {KEY: [FROM, TO]}}' in '%s'", o->deck);
+                "over what? --over KEY=FROM:TO, or a section 'stability: {over: {KEY: [FROM, TO]}}' in '%s'",
+                o->batch.deck);
 }
 
 static floe_status take_each(stability *s, const stability_options *o, const scene_stability *deck)
@@ -146,15 +146,10 @@ static floe_status take_each(stability *s, const stability_options *o, const sce
 /* All combinations of `each`, the first key slowest. */
 static floe_status make_sets(stability *s, const search_spec *spec)
 {
-    s->n_sets = 1;
-    for (int i = 0; i < s->n_each; i++) s->n_sets *= (size_t)s->each[i].n_values;
+    s->n_sets = crossed_count(s->each, s->n_each);
     TRY(memory_new(s->ctx, &s->set, s->n_sets, sizeof *s->set));
     for (size_t k = 0; k < s->n_sets; k++) {
-        size_t rest = k;
-        for (int i = s->n_each - 1; i >= 0; i--) {
-            s->set[k].value[i] = (int)(rest % (size_t)s->each[i].n_values);
-            rest /= (size_t)s->each[i].n_values;
-        }
+        crossed_pick(s->each, s->n_each, k, s->set[k].value);
         search_begin(&s->set[k].search, spec);
     }
     return FLOE_OK;
@@ -182,11 +177,10 @@ static floe_status check_search(stability *s, const stability_options *o, size_t
 
 static floe_status check_map(stability *s, const stability_options *o, size_t set)
 {
-    for (int i = 0; i < s->over[0].n_values; i++) {
-        for (int k = 0; k < s->over[1].n_values; k++) {
-            const stability_wish wish = {.set = set, .value = {i, k}};
-            TRY(check_wishes(s, o, &wish, 1));
-        }
+    for (size_t i = 0; i < crossed_count(s->over, 2); i++) {
+        stability_wish wish = {.set = set};
+        crossed_pick(s->over, 2, i, wish.value);
+        TRY(check_wishes(s, o, &wish, 1));
     }
     return FLOE_OK;
 }
@@ -202,7 +196,7 @@ static bool energy_is_told(const scene *sc)
 
 static floe_status take_scene(stability *s, const stability_options *o, const scene *sc)
 {
-    const scene_stability *deck = &sc->stability;
+    const scene_stability *deck = &sc->batches->stability;
     search_spec spec = {.from = NAN, .to = NAN, .most = SEARCH_MOST};
     s->dimensionless = sc->dimensionless;
     (void)snprintf(s->title, sizeof s->title, "%s", sc->title);
@@ -221,12 +215,11 @@ static floe_status take_scene(stability *s, const stability_options *o, const sc
 
 floe_status stability_setup(stability *s, const stability_options *o)
 {
-    const batch_options batch = {.deck = o->deck, .program = o->program, .dir = o->dir};
     batch_case plain = {.set = o->set.text, .n_set = o->set.n};
     scene *sc;
-    TRY(memory_string(s->ctx, &s->deck_path, o->deck));
-    TRY(memory_string(s->ctx, &s->dir, o->dir));
-    TRY(batch_prepare(s->ctx, &batch, &plain, &sc));
+    TRY(memory_string(s->ctx, &s->deck_path, o->batch.deck));
+    TRY(memory_string(s->ctx, &s->dir, o->batch.dir));
+    TRY(batch_prepare(s->ctx, &o->batch, &plain, &sc));
     const floe_status status = take_scene(s, o, sc);
     scene_destroy(&sc);
     return status;

@@ -72,7 +72,7 @@ static floe_status look_at_deck(tolerance *t)
     scene *of;
     TRY(batch_prepare(t->ctx, &batch, &whole, &of));
     floe_status status = FLOE_OK;
-    if (of->study.n_axes == 0)
+    if (of->batches->study.n_axes == 0)
         status = fail(
             t->ctx, FLOE_BAD_INPUT,
             "--tolerance chooses among the cases of the deck's study, and this deck has none: add what may vary, as in "
@@ -274,8 +274,8 @@ floe_status tolerance_run(tolerance **out, context *ctx, const tolerance_options
     t->study_options = options->study;
     (void)snprintf(t->cases, sizeof t->cases, "%s/cases", options->dir);
     t->study_options.name = "study";
-    t->study_options.dir = t->cases;
-    t->study_options.jobs = 1;
+    t->study_options.batch.dir = t->cases;
+    t->study_options.batch.jobs = 1;
     t->study_options.repeat = 0;
     TRY(memory_new(ctx, &t->study, 1, sizeof *t->study));
     t->study->ctx = ctx;

@@ -31,13 +31,6 @@ static size_t next_by_time(const tolerance *t, double seconds, size_t after)
     return best;
 }
 
-static int axis_width(const scene_axis *axis)
-{
-    int width = (int)strlen(study_axis_name(axis));
-    for (int i = 0; i < axis->n_values; i++) width = (int)fmax(width, (double)strlen(axis->value[i]));
-    return width;
-}
-
 /* What is to be said of a case: of the last one of its variant, why it is the last. */
 static void describe_case(const tolerance *t, size_t k, char text[TOLERANCE_TEXT])
 {
@@ -58,7 +51,8 @@ static void print_case(const tolerance *t, size_t k, FILE *file)
     const study *s = t->study;
     const study_case *one = &s->list[t->index[k]];
     for (int i = 0; i < s->axes.n; i++)
-        (void)fprintf(file, "%-*s  ", axis_width(&s->axes.axis[i]), s->axes.axis[i].value[one->pick[i]]);
+        (void)fprintf(file, "%-*s  ", axis_width(&s->axes.axis[i], study_axis_name(&s->axes.axis[i]), 0),
+                      s->axes.axis[i].value[one->pick[i]]);
     tolerance_error_text(t, t->list[k].error, text);
     (void)fprintf(file, "%14s  %8.3g s", text, t->list[k].seconds);
     describe_case(t, k, text);
@@ -83,7 +77,8 @@ void tolerance_print(const tolerance *t, FILE *file)
     if (!t->curve || !t->published) return;
     if (s->title[0]) (void)fprintf(file, "%s\n", s->title);
     for (int i = 0; i < s->axes.n; i++)
-        (void)fprintf(file, "%-*s  ", axis_width(&s->axes.axis[i]), study_axis_name(&s->axes.axis[i]));
+        (void)fprintf(file, "%-*s  ", axis_width(&s->axes.axis[i], study_axis_name(&s->axes.axis[i]), 0),
+                      study_axis_name(&s->axes.axis[i]));
     (void)fprintf(file, "%14s  %10s\n", t->metric, "time");
     double seconds = -1.0;
     for (size_t k = next_by_time(t, seconds, SIZE_MAX); k < s->n; k = next_by_time(t, seconds, k)) {

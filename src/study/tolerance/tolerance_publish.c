@@ -8,21 +8,13 @@
 #include <math.h>
 #include <string.h>
 
-/* {key: value} of what makes the case of the deck, keys that change along with an axis included. */
-static json_t *settings_of(const study *s, const study_case *one)
-{
-    json_t *object = json_object();
-    for (int k = 0; k < s->axes.n; k++)
-        json_put(object, s->axes.axis[k].key, json_string(s->axes.axis[k].value[one->pick[k]]));
-    return object;
-}
-
 static json_t *case_json(const tolerance *t, size_t curve, size_t at)
 {
     const choose_case *c = &t->curve[curve].list[at];
     const study_case *one = tolerance_case(t, curve, at);
     return json_pack("{s:o, s:o, s:s, s:o, s:o, s:b}", "directory", json_plain_text(one->run->folder), "settings",
-                     settings_of(t->study, one), "status", batch_status_name(one->run), "seconds",
+                     crossed_json(t->study->axes.axis, t->study->axes.n, one->pick), "status",
+                     batch_status_name(one->run), "seconds",
                      json_number(c->state == CHOOSE_DONE ? c->seconds : (double)NAN), "error", json_number(c->error),
                      "sure", c->sure);
 }
@@ -63,8 +55,9 @@ static json_t *choice_json(const tolerance *t)
     return json_pack("{s:o, s:s, s:b, s:o, s:b, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "asked",
                      json_number(t->options->tolerance), "metric", t->metric, "met", t->met, "estimate",
                      json_number(c->error), "sure", c->sure, "how", json_plain_text(how), "choice",
-                     settings_of(t->study, one), "directory", json_plain_text(one->run->folder), "reason",
-                     json_plain_text(reason), "seconds", json_number(tolerance_seconds(t)), "budget",
+                     crossed_json(t->study->axes.axis, t->study->axes.n, one->pick), "directory",
+                     json_plain_text(one->run->folder), "reason", json_plain_text(reason), "seconds",
+                     json_number(tolerance_seconds(t)), "budget",
                      json_number(t->options->budget > 0.0 ? t->options->budget : (double)NAN), "variants",
                      variants_json(t), "cases", cases_json(t));
 }

@@ -1,0 +1,429 @@
+/* The sides of the domain: ghosts of cell fields, and what sides impose on faces (theory 2.13). One table (axis,
+ * side) and one loop; a kind of side is a row of `rule_of`. */
+#include "ice/sides/ice_open_side.h"
+#include "ice/state/ice_cells.h"
+#include "ice/state/ice_materials.h"
+#include "ice/state/ice_tiles.h"
+
+#include <math.h>
+
+bool ice_is_wall(bc_kind kind)
+{
+    return kind == BC_SYMMETRY || kind == BC_SLIP || kind == BC_NO_SLIP;
+}
+
+/* Sides that characteristics decide. */
+static bool by_characteristics(bc_kind kind)
+{
+    return kind == BC_NON_REFLECTING || kind == BC_RESERVOIR;
+}
+
+/* What becomes of one array beyond a side. */
+typedef enum ghost_act { ACT_MIRROR, ACT_NEAREST, ACT_LINEAR, ACT_VALUE, ACT_ODD } ghost_act;
+typedef struct ghost_rule {
+    ghost_act act;
+    double value;
+} ghost_rule; /* MIRROR: value + mirror; ODD: 2 value - mirror */
+
+/* Ghosts beyond one side, with `value` added. */
+static void add_to_ghosts(const block *b, int axis, mesh_side side, double value, double *a)
+{
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 1, MESH_GHOST, lo, hi);
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) a[mesh_index(b, i, j, k)] += value;
+}
+
+/* Continues an array in a straight line beyond a side, by the smaller of the last two differences, none where they
+ * differ in sign. */
+static void extrapolate_beyond_side(const block *b, int axis, mesh_side side, double *a)
+{
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 0, 0, lo, hi);
+    const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                const double last = a[at] - a[at - out], before = a[at - out] - a[at - 2 * out];
+                const double slope = last * before > 0.0 ? copysign(fmin(fabs(last), fabs(before)), last) : 0.0;
+                a[at + out] = a[at] + slope;
+                a[at + 2 * out] = a[at] + 2.0 * slope;
+            }
+}
+
+static void apply_rule(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
+{
+    switch (rule.act) {
+    case ACT_MIRROR:
+        bc_reflect(b, axis, side, BC_EVEN, a);
+        if (rule.value != 0.0) add_to_ghosts(b, axis, side, rule.value, a);
+        break;
+    case ACT_NEAREST: bc_extrapolate(b, axis, side, a); break;
+    case ACT_LINEAR: extrapolate_beyond_side(b, axis, side, a); break;
+    case ACT_VALUE: bc_constant(b, axis, side, rule.value, a); break;
+    case ACT_ODD:
+        bc_reflect(b, axis, side, BC_ODD, a);
+        if (rule.value != 0.0) add_to_ghosts(b, axis, side, 2.0 * rule.value, a);
+        break;
+    }
+}
+
+/* Whether a material is in the region of the one that a side brings: the density beyond the side is then none of its own. */
+static bool shares_cells(const ice *s, int r, int side_material)
+{
+    const int brought = ice_material_of(s, side_material);
+    return brought < 0 ? !s->cut : ice_region_of(s, r) == ice_region_of(s, brought);
+}
+
+static double reservoir_value(const ice *s, int axis, mesh_side side, int r, ice_ghost kind, bool *given)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const ice_reservoir *in = &s->reservoirs->state[axis][side];
+    const bool enters = s->material[r].scene_material == wall->material;
+    *given = enters || (kind == GHOST_DENSITY && shares_cells(s, r, wall->material));
+    switch (kind) {
+    case GHOST_DENSITY: return enters ? in->rho : 0.0;
+    case GHOST_ENERGY: return in->e;
+    case GHOST_TEMPERATURE: return in->T;
+    default: return in->v;
+    }
+}
+
+static ghost_rule velocity_rule(const ice *s, int axis, mesh_side side, int component)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const bool normal = component == axis, viscous = ice_is_viscous(s);
+    const double given =
+        wall->kind == BC_VELOCITY ? bc_velocity(wall, component, s->time + 0.5 * s->dt) : wall->velocity[component];
+    switch (wall->kind) {
+    case BC_SYMMETRY:
+    case BC_SLIP: return (ghost_rule){normal ? ACT_ODD : ACT_MIRROR, 0.0};
+    case BC_NO_SLIP:
+    case BC_VELOCITY:
+        if (normal) return (ghost_rule){ACT_ODD, wall->kind == BC_VELOCITY ? given : 0.0};
+        return (ghost_rule){viscous ? ACT_ODD : ACT_MIRROR, viscous ? given : 0.0};
+    case BC_INLET: return (ghost_rule){ACT_VALUE, wall->velocity[component]};
+    case BC_NON_REFLECTING: return (ghost_rule){ACT_LINEAR, 0.0};
+    default: return (ghost_rule){ACT_NEAREST, 0.0};
+    }
+}
+
+/* Beyond a wall: its temperature on the face, or the difference of a cell that its heat flux makes, k (T_ghost -
+ * T)/h. */
+static ghost_rule temperature_rule(const ice *s, int axis, mesh_side side, int r)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const double k = s->material[r].conductivity;
+    if (wall->kind != BC_SLIP && wall->kind != BC_NO_SLIP) return (ghost_rule){ACT_MIRROR, 0.0};
+    if (wall->temperature > 0.0) return (ghost_rule){ACT_ODD, wall->temperature};
+    return (ghost_rule){ACT_MIRROR, k > 0.0 ? wall->heat_flux * s->mesh->h[axis] / k : 0.0};
+}
+
+static ghost_rule rule_of(const ice *s, int axis, mesh_side side, int r, int component, ice_ghost kind)
+{
+    const bc_kind side_kind = s->scene->bc.side[axis][side].kind;
+    const bool open =
+        side_kind == BC_INLET || side_kind == BC_OUTLET || side_kind == BC_FREE || by_characteristics(side_kind);
+    if (kind == GHOST_VELOCITY) return velocity_rule(s, axis, side, component);
+    const bool crossed = side_kind == BC_NON_REFLECTING ||
+                         (side_kind == BC_VELOCITY && s->scene->bc.side[axis][side].velocity[axis] != 0.0);
+    if (crossed && (kind == GHOST_DENSITY || kind == GHOST_ENERGY)) return (ghost_rule){ACT_LINEAR, 0.0};
+    if (!open && kind == GHOST_TEMPERATURE) return temperature_rule(s, axis, side, r);
+    if (!open) return (ghost_rule){ACT_MIRROR, 0.0};
+    if (kind == GHOST_ZERO_OPEN) return (ghost_rule){ACT_VALUE, 0.0};
+    if (side_kind == BC_INLET && kind != GHOST_EVEN) {
+        bool given;
+        const double value = reservoir_value(s, axis, side, r, kind, &given);
+        if (given) return (ghost_rule){ACT_VALUE, value};
+    }
+    return (ghost_rule){ACT_NEAREST, 0.0};
+}
+
+static void fill_beyond(const ice *s, const block *b, int axis, mesh_side side, int r, int component, ice_ghost kind,
+                        double *a)
+{
+    const bool state = kind == GHOST_VELOCITY || kind == GHOST_DENSITY || kind == GHOST_ENERGY || kind == GHOST_VOLUME;
+    apply_rule(b, axis, side, rule_of(s, axis, side, r, component, kind), a);
+    if (state && s->scene->bc.side[axis][side].kind == BC_RESERVOIR)
+        ice_reservoir_ghosts(s, b, s->domain->fields[b->id], axis, side, r, kind, component, a);
+}
+
+void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
+{
+    const mesh *m = s->mesh;
+    const int components = field_component_count(field_describe(id)->components, m->dim);
+    domain_fill(s->domain, id, instance, which);
+    for (int block_id = 0; block_id < m->n_blocks; ++block_id) {
+        const block *b = &m->block[block_id];
+        const fields *f = s->domain->fields[block_id];
+        for (int c = 0; c < components; ++c) {
+            double *a = which == FILL_NEXT ? field_next(f, id, instance, c) : field_get(f, id, instance, c);
+            for (int axis = 0; axis < m->dim; ++axis)
+                for (int side = 0; side < 2; ++side)
+                    if (b->at_side[axis][side] && !m->periodic[axis])
+                        fill_beyond(s, b, axis, (mesh_side)side, instance, c, kind, a);
+        }
+    }
+}
+
+/* Beyond an outlet or non-reflecting side through which fluid comes back lies the side's reservoir: its density and
+ * energy enter. */
+static void fill_backflow(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const ice_reservoir *in = &s->reservoirs->state[axis][side];
+    const bool enters = s->material[r].scene_material == wall->material;
+    const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
+    double *rho = field_get(f, C_RHO, r, 0), *e = field_get(f, C_ENERGY, r, 0), *vol = field_get(f, C_VOL, r, 0);
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    if (!shares_cells(s, r, wall->material)) return; /* a membrane keeps it from this side */
+    bc_layers(b, axis, side, 1, MESH_GHOST, lo, hi);
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                if (!(inward * u[at] > 0.0)) continue;
+                rho[at] = enters ? in->rho : 0.0;
+                if (enters) e[at] = in->e;
+                if (enters && vol) vol[at] = in->v;
+            }
+}
+
+floe_status ice_boundary_ghosts(ice *s)
+{
+    const mesh *m = s->mesh;
+    for (int r = 0; r < s->n_materials; ++r) {
+        ice_fill_ghosts(s, C_RHO, r, FILL_CURRENT, GHOST_DENSITY);
+        ice_fill_ghosts(s, C_VEL, r, FILL_CURRENT, GHOST_VELOCITY);
+        if (!s->material[r].points) ice_fill_ghosts(s, C_ENERGY, r, FILL_CURRENT, GHOST_ENERGY);
+        if (s->material[r].points) {
+            ice_fill_ghosts(s, C_TEMP, r, FILL_CURRENT, GHOST_EVEN);
+            /* A state of rest that is solved for has no steps, and no acceleration of one. */
+            if (fields_has(s->domain->fields[0], C_STRESS_ACCEL, r))
+                ice_fill_ghosts(s, C_STRESS_ACCEL, r, FILL_CURRENT, GHOST_EVEN);
+        }
+        if (ice_region_of(s, r)->n > 1) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
+        for (int axis = 0; axis < m->dim; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                const bc_kind kind = s->scene->bc.side[axis][side].kind;
+                if (m->periodic[axis] || (kind != BC_OUTLET && kind != BC_NON_REFLECTING) || s->material[r].points)
+                    continue;
+                if (!(s->reservoirs->state[axis][side].rho > 0.0)) continue;
+                for (int id = 0; id < m->n_blocks; ++id)
+                    if (m->block[id].at_side[axis][side])
+                        fill_backflow(s, &m->block[id], s->domain->fields[id], axis, (mesh_side)side, r);
+            }
+    }
+    for (int g = 0; g < s->n_regions; ++g)
+        if (s->region[g].n > 1) ice_fill_ghosts(s, C_PRESSURE, g, FILL_CURRENT, GHOST_EVEN);
+    return FLOE_OK;
+}
+
+void ice_visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit)
+{
+    const block *b = v->b;
+    for (int axis = 0; axis < b->dim; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            if (!b->at_side[axis][side] || s->mesh->periodic[axis]) continue;
+            int hi[MESH_MAX_DIM] = {b->n[0], b->n[1], b->n[2]}, lo[MESH_MAX_DIM] = {0, 0, 0};
+            lo[axis] = side == SIDE_LOWER ? 0 : b->n[axis] - 1;
+            hi[axis] = lo[axis] + 1;
+            for (int k = lo[2]; k < hi[2]; ++k)
+                for (int j = lo[1]; j < hi[1]; ++j)
+                    for (int i = lo[0]; i < hi[0]; ++i) {
+                        const ptrdiff_t cell = mesh_index(b, i, j, k);
+                        const ptrdiff_t face = side == SIDE_LOWER ? cell : cell + b->stride[axis];
+                        visit(s, v, axis, (mesh_side)side, r,
+                              (side_face){face, cell, i, j, k, side == SIDE_LOWER ? -1.0 : 1.0});
+                    }
+        }
+}
+
+/* Given pressure on the face: the same difference as inside, over half a cell. */
+static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const ice_fluid *m = &v->m[r];
+    const double phi = 0.5 * (1.0 + v->shock[at.cell]), given = s->scene->bc.side[axis][side].pressure;
+    const double theta = v->multi ? m->theta[at.cell] : 1.0,
+                 mobility = m->rho[at.cell] > 0.0 ? theta / m->rho[at.cell] : 0.0;
+    const double gradient = at.outward * (given - v->p[at.cell]) * 2.0 * v->inv_h[axis];
+    return m->u[axis][at.cell] + phi * v->dt * (v->gravity[axis] - mobility * gradient);
+}
+
+/* Faces of given pressure move with it, over half a cell; beyond it the pressure does not change. At no other side does
+ * u* change with the pressure. The explicit u* of such a face becomes that of the implicit centring. */
+static void set_side_mobility(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const ice_fluid *m = &v->m[r];
+    const bool gives = s->scene->bc.side[axis][side].kind == BC_OUTLET && m->rho[at.cell] > 0.0;
+    m->mobility[axis][at.face] = gives ? 2.0 * (v->multi ? m->theta[at.cell] : 1.0) / m->rho[at.cell] : 0.0;
+    if (!gives) return;
+    const double now = 0.5 * (1.0 + v->shock[at.cell]), change = ice_implicit_phi(v, now) - now;
+    const double gradient = at.outward * (s->scene->bc.side[axis][side].pressure - v->p[at.cell]) * v->inv_h[axis];
+    m->fu[axis][at.face] += change * v->dt * (v->gravity[axis] - m->mobility[axis][at.face] * gradient);
+}
+
+void ice_boundary_mobility(const ice *s, const ice_view *v, int r)
+{
+    ice_visit_sides(s, v, r, set_side_mobility);
+}
+
+static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    double *face = v->m[r].fu[axis];
+    switch (wall->kind) {
+    case BC_SYMMETRY:
+    case BC_SLIP:
+    case BC_NO_SLIP: face[at.face] = 0.0; break;
+    case BC_VELOCITY: face[at.face] = bc_velocity(wall, axis, s->time + 0.5 * s->dt); break;
+    case BC_INLET: face[at.face] = wall->velocity[axis]; break;
+    case BC_NON_REFLECTING:
+    case BC_RESERVOIR:
+        face[at.face] = at.outward * ice_characteristic(s, v, axis, side, at).velocity + v->m[r].u[axis][at.cell] -
+                        v->mean[axis][at.cell];
+        break;
+    case BC_OUTLET: face[at.face] = outlet_velocity(s, v, axis, side, r, at); break;
+    default: break; /* free: as between equal cells */
+    }
+}
+
+void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r)
+{
+    ice_visit_sides(s, v, r, set_velocity);
+}
+
+/* Of the fluid at a side with a velocity: the side's own, and what the fluid has by passing it. */
+static double side_acceleration(const ice *s, const ice_view *v, int axis, const bc_side *wall, side_face at)
+{
+    const double t = s->time + 0.5 * s->dt, u = bc_velocity(wall, axis, t);
+    const double slope = 2.0 * at.outward * (u - v->mean[axis][at.cell]) * v->inv_h[axis];
+    return wall->velocity[axis] * swing_rate(&wall->course, t) + u * slope;
+}
+
+static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const bc_side *wall = &s->scene->bc.side[axis][side];
+    (void)r;
+    if (wall->kind == BC_OUTLET)
+        v->fp[axis][at.face] = wall->pressure;
+    else if (wall->kind == BC_FREE)
+        v->fp[axis][at.face] = v->P[at.cell];
+    else if (by_characteristics(wall->kind))
+        v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
+    else {
+        double body_acceleration = v->gravity[axis];
+        if (wall->kind == BC_VELOCITY) body_acceleration -= side_acceleration(s, v, axis, wall, at);
+        v->fp[axis][at.face] = v->P[at.cell] + 0.5 * at.outward * v->rho_sum[at.cell] * body_acceleration * v->h[axis];
+    }
+}
+
+void ice_boundary_face_pressure(const ice *s, const ice_view *v)
+{
+    ice_visit_sides(s, v, 0, set_pressure);
+}
+
+static void enter_side_work(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    (void)r;
+    (void)side;
+    double *tile = ice_tile(s, v->b, at.i, at.j, at.k);
+    const int face_i = at.i + (axis == 0 && at.outward > 0.0);
+    const double area = axis == 0 ? v->area0[face_i] : v->volume[at.i] * v->inv_h[axis];
+    const double open = ice_side_aperture(s, v, (const int[]){at.i, at.j, at.k}, axis, at.outward > 0.0);
+    const double side_impulse = -at.outward * v->dt * area * v->fp[axis][at.face];
+    tile[TILE_ENERGY] += side_impulse * v->flux[axis][at.face];
+    double x[MESH_MAX_DIM];
+    ice_side_place(s, v->b, axis, at.outward > 0.0, (const int[]){at.i, at.j, at.k}, x);
+    /* Radial momentum is not conserved: it is no sum of fluxes. */
+    if (!(axis == 0 && s->mesh->geometry == MESH_AXISYMMETRIC))
+        ice_add_impulse(tile + TILE_MOMENTUM, x, axis, side_impulse * open);
+}
+
+void ice_boundary_work(ice *s, const ice_region *g)
+{
+    ice_view v;
+    for (int id = 0; ice_next_view(s, g, &id, &v);) ice_visit_sides(s, &v, 0, enter_side_work);
+}
+
+/* Local faces along `along`, [first, end), that lie in the domain, of those normal to `axis`. */
+static void faces_inside(const block *b, int along, int axis, int *first, int *end)
+{
+    const int ghost = along < b->dim ? MESH_GHOST : 0;
+    *first = b->at_side[along][SIDE_LOWER] ? 0 : -ghost;
+    *end = b->n[along] + (b->at_side[along][SIDE_UPPER] ? along == axis : ghost);
+}
+
+static void zero_range(double *a, ptrdiff_t from, ptrdiff_t to)
+{
+    for (ptrdiff_t at = from; at < to; ++at) a[at] = 0.0;
+}
+
+/* Zero beyond the domain, where no outflow is to be known; the domain's own faces stay. */
+static void zero_outer_faces(const block *b, int axis, double *a)
+{
+    int first[MESH_MAX_DIM], end[MESH_MAX_DIM];
+    for (int d = 0; d < MESH_MAX_DIM; ++d) faces_inside(b, d, axis, &first[d], &end[d]);
+    for (int k = b->dim > 2 ? -MESH_GHOST : 0; k < b->n[2] + (b->dim > 2 ? MESH_GHOST : 0); ++k)
+        for (int j = b->dim > 1 ? -MESH_GHOST : 0; j < b->n[1] + (b->dim > 1 ? MESH_GHOST : 0); ++j) {
+            const ptrdiff_t row = mesh_index(b, 0, j, k), last = row + b->n[0] + MESH_GHOST;
+            const bool outside = j < first[1] || j >= end[1] || k < first[2] || k >= end[2];
+            zero_range(a, row - MESH_GHOST, outside ? last : row + first[0]);
+            zero_range(a, row + end[0], last);
+        }
+}
+
+/* Local face `at` on the upper side along `axis`, in ghost columns of a block: from the block that owns the cell below it, if any does. */
+static void take_side_face(const ice *s, field_id id, int instance, int axis, const block *b, const int *at)
+{
+    const mesh *m = s->mesh;
+    int cell[MESH_MAX_DIM];
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        cell[a] = b->lo[a] + at[a] - (a == axis);
+        if (m->periodic[a]) cell[a] = (cell[a] + m->n[a]) % m->n[a];
+        if (cell[a] < 0 || cell[a] >= m->n[a]) return;
+    }
+    const block *owner = &m->block[mesh_block_of(m, cell)];
+    const ptrdiff_t from = mesh_index(owner, cell[0] - owner->lo[0], cell[1] - owner->lo[1], cell[2] - owner->lo[2]);
+    const double *source = field_get(s->domain->fields[owner->id], id, instance, axis);
+    field_get(s->domain->fields[b->id], id, instance, axis)[mesh_index(b, at[0], at[1], at[2])] =
+        source[from + owner->stride[axis]];
+}
+
+/* Blocks share their faces as they do cells, and leave out the last face of the domain along an axis. */
+static void fill_side_faces(const ice *s, field_id id, int instance, int axis)
+{
+    const mesh *m = s->mesh;
+    for (int block_id = 0; block_id < m->n_blocks; ++block_id) {
+        const block *b = &m->block[block_id];
+        int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+        if (m->periodic[axis] || !b->at_side[axis][SIDE_UPPER]) continue;
+        for (int a = 0; a < MESH_MAX_DIM; ++a) {
+            const int ghost = a < m->dim ? MESH_GHOST : 0;
+            lo[a] = a == axis ? b->n[a] : -ghost;
+            hi[a] = a == axis ? b->n[a] + 1 : b->n[a] + ghost;
+        }
+        for (int k = lo[2]; k < hi[2]; ++k)
+            for (int j = lo[1]; j < hi[1]; ++j)
+                for (int i = lo[0]; i < hi[0]; ++i) {
+                    const int at[MESH_MAX_DIM] = {i, j, k};
+                    bool own = true;
+                    for (int a = 0; a < MESH_MAX_DIM; ++a) own = own && (a == axis || (at[a] >= 0 && at[a] < b->n[a]));
+                    if (!own) take_side_face(s, id, instance, axis, b, at);
+                }
+    }
+}
+
+void ice_fill_faces(const ice *s, field_id id, int instance)
+{
+    const mesh *m = s->mesh;
+    for (int block_id = 0; block_id < m->n_blocks; ++block_id)
+        for (int axis = 0; axis < m->dim; ++axis)
+            zero_outer_faces(&m->block[block_id], axis, field_get(s->domain->fields[block_id], id, instance, axis));
+    domain_fill(s->domain, id, instance, FILL_CURRENT);
+    if (!ice_has_interfaces(s, ice_region_of(s, instance)))
+        return; /* which bound what a ghost cell gives by all of its faces */
+    for (int axis = 0; axis < m->dim; ++axis) fill_side_faces(s, id, instance, axis);
+}

@@ -1,0 +1,14 @@
+/* What is added to the Lagrangian values of whole cells; only this folder includes it. */
+#ifndef ICE_LAGRANGIAN_H
+#define ICE_LAGRANGIAN_H
+
+#include "ice/source/ice_source.h"
+
+/* Viscosity and conduction of the whole step, added to the Lagrangian values of all blocks. */
+void ice_diffuse(const ice *s, const ice_region *g);
+/* Viscosity beside embedded boundaries, of the state at t^n: first order in time. */
+void ice_diffuse_sealed(const ice *s, const ice_region *g);
+/* Loads (pressurise, heat) on the Lagrangian energies. */
+floe_status ice_apply_loads(ice *s, const ice_region *g);
+
+#endif

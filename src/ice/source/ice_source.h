@@ -1,0 +1,36 @@
+/* Sources of the Lagrangian step: pressure, viscosity, conduction, loads (theory 2.6 to 2.8). */
+#ifndef ICE_SOURCE_H
+#define ICE_SOURCE_H
+
+#include "ice/ice_view.h"
+
+/* Half a step's force on the face velocities, and half a step's heat on the advanced pressure (the array P); a whole step's of
+ * both where the implicit pressure is at its end. */
+void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axis);
+void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P);
+floe_status ice_diffusion_rates_of(ice *s, const ice_region *g);
+/* What stresses and hoop stresses of a region beside embedded boundaries do, of the state at t^n: on the lower face of `axis` at R, of
+ * local cell i along axis 0, and to a cell. */
+typedef struct ice_face_diffusion {
+    double t[3], power; /* traction along the axes; power that crosses downwards, by stress and heat */
+} ice_face_diffusion;
+ice_face_diffusion ice_sealed_stress(const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i);
+/* Radial force per volume of the hoop stress on a cell; 0 in the plane. */
+double ice_sealed_hoop(const ice_view *v, ptrdiff_t at, ptrdiff_t i);
+
+/* Lagrangian values of a region's fluids. Its parts: those of whole cells; what sides and loads do, and the tiles into the ledger. */
+floe_status ice_sources_of(ice *s, const ice_region *g);
+void ice_find_sources(ice *s, const ice_region *g);
+floe_status ice_finish_sources(ice *s, const ice_region *g);
+
+/* Cells of the loads that heat fluids; none without such loads. Some load adds energy to a fluid. */
+floe_status ice_heated_create(ice *s);
+void ice_heated_destroy(context *ctx, struct ice_heated **w);
+bool ice_some_load_heats(const ice *s);
+/* What heating at a given power does to the pressure over the step, at the volumes there are, onto the array of dP: for the
+ * implicit pressure, in whose one step the flow relieves it. */
+floe_status ice_load_pressure(ice *s, const ice_region *g);
+/* Share of a cell that lies in a region of a load; 1 where that has no model. */
+double ice_region_share(const mesh *m, const shape *region, const int cell[MESH_MAX_DIM]);
+
+#endif

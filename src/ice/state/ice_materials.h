@@ -1,0 +1,26 @@
+/* Questions about the materials of the cells. */
+#ifndef ICE_MATERIALS_H
+#define ICE_MATERIALS_H
+
+#include "ice/ice_view.h"
+
+const ice_region *ice_region_of(const ice *s, int material);
+bool ice_is_viscous(const ice *s);
+bool ice_conducts(const ice *s);
+/* Some fluid of whole cells is viscous or conducts, or an exact solution's sources drive it. */
+bool ice_diffuses(const ice *s);
+/* Cells at interfaces between fluids of a region are found. */
+bool ice_has_interfaces(const ice *s, const ice_region *g);
+/* Mixed cells of a region are closed along isentropes: it has several fluids, or the energy of one depends on volume at given
+ * temperature. */
+bool ice_follows_isentropes(const ice *s, const ice_region *g);
+/* Whether contact discontinuities of a single fluid are sharpened (C_CONTACT). */
+bool ice_sharpens_contacts(const ice *s);
+/* Density, energy and specific volume of a fluid. */
+typedef struct ice_reservoir {
+    double rho, e, T, v;
+} ice_reservoir;
+/* State of a law at a pressure and a temperature. */
+ice_reservoir ice_state_at(const eos *law, double p, double T);
+
+#endif

@@ -1,0 +1,29 @@
+/* Constants of statics and implicit dynamics, as in mpm_constants.h. */
+#ifndef MPM_IMPLICIT_CONSTANTS_H
+#define MPM_IMPLICIT_CONSTANTS_H
+
+/* Iterations of Newton's method, of contact conditions in one of them, halvings of an increment, and of conjugate gradients. */
+enum { MPM_MOST_NEWTON = 30, MPM_MOST_CONTACT_ITERATIONS = 60, MPM_MOST_HALVINGS = 6, MPM_MOST_KRYLOV = 1000 };
+/* Relative residual at which conjugate gradients stop in an iteration of Newton's method: smaller costs time, larger iterations. */
+#define MPM_NEWTON_FORCING 1e-4
+/* An iteration that reduces the residual less than to this share gets a new matrix. */
+#define MPM_NEWTON_SLOW 1e-2
+/* Relative round-off of differences of velocities. */
+#define MPM_NEWTON_ROUND_OFF 1e-6
+/* An iteration that increases the residual by this factor has diverged, unless it is the first, in which parts with little stiffness
+ * may rotate. */
+#define MPM_NEWTON_DIVERGED 1e4
+/* Difference of grad u for the tangents of a law, and of strains for those of a membrane: an error of as much of the tangent, far
+ * above round-off. */
+#define MPM_TANGENT_DIFFERENCE 1e-7
+/* Of displacements, this share of the largest is nothing; of the length of a contact condition, what others make up to it. */
+#define MPM_CONTACT_NOTHING 1e-7
+#define MPM_CONTACT_DEPENDENT 1e-6
+/* A rigid motion of which the matrix makes less than this share of what its diagonal would is free. */
+#define MPM_RIGID_STIFFNESS 1e-9
+/* Below this share of a gas, a region only touches it. */
+#define MPM_ENCLOSED_SHARE 1e-6
+/* Of a node that reaches two gases one must have less than this share, or their pressure be the same. */
+#define MPM_TWO_GASES_SHARE 0.03
+
+#endif

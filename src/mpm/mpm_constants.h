@@ -1,0 +1,84 @@
+/* Constants of the schemes for material points: what each is, where it comes from, and which error it trades for which. Facts of a basis
+ * are members of its descriptor (basis/basis.h). Weights of stencils and quadratures, which follow from their order, stand where they are
+ * used, and so do the three constants of the point kernels (transfer/locate.h, transfer/kernels_gather.h), which are compiled apart; those of the implicit solver have a
+ * table of their own (implicit/implicit_constants.h). Those
+ * without a source are of our own choice; "measured" where runs have chosen. */
+#ifndef MPM_MPM_CONSTANTS_H
+#define MPM_MPM_CONSTANTS_H
+
+/* ---- transfer and steps (theory 4.1, 4.2) ---- */
+
+/* Share of PIC in a step for each cell that the fastest point crosses, and at most, where fluids are on points and the deck gives
+ * no share of FLIP. Measured: larger damps vortices, smaller leaves noise in gas. */
+#define MPM_PIC_PER_CELL 0.6
+#define MPM_PIC_MOST 0.01
+/* Share of FLIP in a step elsewhere, where neither transfer nor deck gives one. The usual choice: smaller is steadier and more viscous. */
+#define MPM_FLIP_SHARE 0.99
+/* Least volume of a lump of points, over that before the step, of which the rates of a step are taken. Measured: bars of one point a cell
+ * that met at two fifths of their speed of sound gained energy with 0.1; larger leaves out compressions that are real. */
+#define MPM_LEAST_LUMP_VOLUME 0.8
+/* Stable steps in several dimensions over those along a line (theory 4.6). Measured. */
+#define MPM_STEP_IN_SPACE 1.25
+/* A point with less than this share of its mass is consumed entirely by its reaction: smaller keeps light, unsteady points. */
+#define MPM_BURNT_OUT 1e-3
+
+/* ---- all but incompressible bodies (theory 4.16) ---- */
+
+/* Bulk over shear modulus above which the points of a cell share one rate of volume and one pressure (a Poisson's ratio of 0.41). Measured
+ * on the thick cylinder: below it means change the stress by less than a tenth of its error. */
+#define MPM_STIFF_BULK 5.0
+
+/* ---- fluids on points (theory 4.9) ---- */
+
+/* Relative decay of the excess volume at nodes over the motion by one cell; the largest relative change of a volume in a step; the
+ * empty share of a node at a free surface. Measured: faster disturbs sound, slower lets gas points overfill the volume. */
+#define MPM_VOLUME_PACE 0.5
+#define MPM_VOLUME_CHANGE 0.1
+#define MPM_SURFACE_EMPTY 0.5
+/* A line of nodes whose areas sum to less than this share of a cell's face is no wall with fluid along it; there nodes that solids fill less
+ * are not merged. */
+#define MPM_WALL_AREA 0.3
+#define MPM_WALL_FILL 0.1
+/* Nodes with less than this share of the fluid of the line's heaviest node, or of their own fluid's mass in solid, have one velocity: forces on
+ * almost no mass of one of the two would accelerate the points that see the node's gradient. Nodes that are merged tie fluid and solid along the wall, in
+ * every step: with a hundredth a cylinder that sinks in water (twice as heavy, four cells in radius) goes 0.053 m where it should go 0.0997,
+ * with this 0.0941; with a hundredth of this it goes 0.0948, and ends in some scenes. */
+#define MPM_WALL_LEAST_NODE 1e-4
+/* Of the mass at a node, so little fluid has no part in its heat: round-off. */
+#define MPM_DRY_NODE 1e-9
+
+/* ---- sides and contact (theory 4.7, 4.8) ---- */
+
+/* w over c/h of the contact springs at unilateral sides. At 1 half a cell's mass on such a spring is damped just critically by the waves
+ * that it sends into its body (impedance rho c); stiffer, it oscillates by itself, at a frequency that the mesh does not carry and transfers
+ * take away. Measured: a bar of 8, 16 and 32 cells that meets a side keeps 0.986, 0.995, 0.996 of its energy; with 0.7 it keeps 0.994,
+ * 0.997, 0.998, and is pressed for longer; with 1.2 it keeps 0.952, 0.985, 0.996. */
+#define MPM_SIDE_STIFFNESS 0.85
+/* Cells of overlap where the force is twice that of the first slope; and the slope at which hardening ends, over the first. Larger
+ * overlaps, or a spring that is not stable. */
+#define MPM_SIDE_HARDENING 0.5
+#define MPM_SIDE_MOST_SLOPE 8.0
+/* Overlap over spacing at which bodies yield that have no yield stress to go by. */
+#define MPM_SIDE_YIELD 1e-3
+/* Gaps of less than this share of a cell are closed: round-off. */
+#define MPM_CLOSED_GAP 1e-6
+
+/* ---- edges of solids (theory 4.10) ---- */
+
+/* Cells that nodes may move before the penalised lines are searched again, though the same nodes take forces; a body at rest is not
+ * searched again. Measured: up to 0.1 a soft cylinder that opens by a cell has the same error to 1 %. A node that points newly reach is
+ * searched at once: until then its few points strain freely, and its lines would store that (GIMP on the thick cylinder at h = 0.05, where
+ * lines needed more mass than forces do: 16 % for 9). */
+#define MPM_EDGE_TRAVEL 0.05
+/* A node of which solids fill less is filled in part; points that do not stand on a lattice leave some of an inner node empty. */
+#define MPM_FULL_NODE 0.95
+/* A node with less than this share of what is filled on both sides of it is outside a body that lies on both. */
+#define MPM_HOLLOW_NODE 0.5
+/* Conjugate gradients of the accelerations end at this residual over the right-hand side, in the norm of the inverse diagonal, or after
+ * so many iterations: smaller costs time and changes no error. */
+#define MPM_EDGE_TOLERANCE 1e-2
+enum { MPM_EDGE_ITERATIONS = 500 };
+/* A motion of a body that others make up to this share is left out: round-off. */
+#define MPM_EDGE_INDEPENDENT 1e-10
+
+#endif

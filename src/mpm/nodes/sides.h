@@ -1,0 +1,18 @@
+/* What sides of the domain are to a velocity field: questions alone (wall.c, wall_side.c). */
+#ifndef MPM_SIDES_H
+#define MPM_SIDES_H
+
+#include "mpm/mpm.h"
+
+/* Whether a side is a mirror for a group: symmetry, the axis, or slip that does not release it. */
+bool wall_mirrors(const mpm *s, int group, int axis, int side);
+/* Whether a side of the domain constrains a component of its nodes' velocity. */
+bool wall_constrains(const mpm *s, int group, int axis, int side, int component);
+/* The prescribed velocity (m/s) of that component at the end of the step. */
+double wall_target(const mpm *s, int axis, int side, int component);
+/* Whether a side constrains a group only in compression: slip sides, for groups of solids alone. */
+bool wall_lets_go(const mpm *s, int group, int axis, int side);
+/* Whether some side is unilateral for some group. */
+bool walls_let_go(const mpm *s);
+
+#endif

@@ -1,0 +1,138 @@
+/* One rate of volume and one pressure a cell (mean_strain.h). A node has as many velocities as the scene has dimensions, and the points of a
+ * cell, each with a volume of its own to keep, ask for more than that: what hardly changes its volume then hardly moves, or bears by
+ * pressures that cancel between points. Means over the points of a body in a cell ask for one. Strain and force take the same means, so that
+ * the nodes' work is what the points store. */
+#include "mpm/state/mean_strain.h"
+
+#include "mpm/mpm_constants.h"
+
+static bool is_stiff(const mpm_body *b)
+{
+    if (b->fluid) return b->fluid_par.eos.model->pressure_floor(b->fluid_par.eos.par) < 0.0;
+    return b->law->shear_modulus &&
+           b->law->bulk_modulus(b->law_par) > MPM_STIFF_BULK * b->law->shear_modulus(b->law_par);
+}
+
+bool body_needs_mean_strain(const mpm *s, const mpm_body *b)
+{
+    const bool free_axis = !b->fluid && s->scene->stress_state != STRESS_FULL; /* which keeps the volume by itself */
+    const bool by_cells = b->fluid && s->scene->method.density != DENSITY_CONTINUITY;
+    return s->mesh->dim > 1 && !b->membrane.model && !free_axis && !by_cells && is_stiff(b);
+}
+
+static bool same_cell(const mpm *s, const double *const x[MESH_MAX_DIM], size_t i, size_t j)
+{
+    for (int a = 0; a < s->mesh->dim; ++a)
+        if (mesh_cell_of(s->mesh, a, x[a][i]) != mesh_cell_of(s->mesh, a, x[a][j])) return false;
+    return true;
+}
+
+/* End of the run of points of one cell that begins at `start`: points are sorted by cell. */
+static size_t end_of_cell(const mpm *s, const double *const x[MESH_MAX_DIM], size_t start, size_t end)
+{
+    size_t k = start + 1;
+    while (k < end && same_cell(s, x, start, k)) ++k;
+    return k;
+}
+
+size_t mean_strain_chunk(const mpm *s, int body, const double *const x[MESH_MAX_DIM], size_t start, size_t end)
+{
+    if (end - start <= SOLID_CHUNK) return end;
+    size_t stop = start + SOLID_CHUNK;
+    if (!s->body[body].mean_strain) return stop;
+    while (stop > start && same_cell(s, x, stop - 1, stop)) --stop;
+    return stop > start ? stop : start + SOLID_CHUNK; /* a cell of more points than a chunk is several */
+}
+
+static double rate_of_volume(const solid_batch *b, size_t k)
+{
+    return b->L[0][k] + b->L[4][k] + b->L[8][k];
+}
+
+void take_mean_rates(const mpm *s, int blk, int body, size_t start, solid_batch *b, double *growth)
+{
+    const fields *f = s->domain->fields[blk];
+    const int axes = s->mesh->geometry == MESH_AXISYMMETRIC ? 3 : s->mesh->dim;
+    const double *volume0 = field_get(f, P_VOLUME0, body, 0) + start, *x[MESH_MAX_DIM] = {NULL};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a) + start;
+    for (size_t first = 0, stop; first < b->n; first = stop) {
+        stop = end_of_cell(s, x, first, b->n);
+        double volume = 0.0, rate = 0.0, grown = 0.0;
+        for (size_t k = first; k < stop; ++k) {
+            const double own = volume0[k] * b->J_old[k];
+            volume += own;
+            rate += own * rate_of_volume(b, k);
+            if (growth) grown += own * growth[k];
+        }
+        for (size_t k = first; k < stop; ++k) {
+            const double more = (rate / volume - rate_of_volume(b, k)) / axes;
+            for (int a = 0; a < axes; ++a) b->L[a < s->mesh->dim ? 4 * a : 8][k] += more;
+            if (growth) growth[k] = grown / volume;
+        }
+    }
+}
+
+/* The points of a body in a block; of its stress what the nodes' forces are made of. */
+typedef struct stressed_points {
+    const double *x[MESH_MAX_DIM], *volume0, *J, *stress[3],
+        *q;              /* m, m3, 1, Pa; q: NULL without artificial viscosity */
+    const double *cells; /* Pa: of the cells at the points; NULL: there are none */
+    double *more;        /* Pa: P_MEAN_PRESSURE */
+} stressed_points;
+
+static stressed_points stressed_points_of(const fields *f, int dim, int body, bool next)
+{
+    double *(*get)(const fields *, field_id, int, int) = next ? field_next : field_get;
+    stressed_points p = {.volume0 = field_get(f, P_VOLUME0, body, 0),
+                         .J = get(f, P_J, body, 0),
+                         .q = get(f, P_VISCOUS_PRESSURE, body, 0),
+                         .cells = field_get(f, P_GRID_PRESSURE, body, 0),
+                         .more = field_get(f, P_MEAN_PRESSURE, body, 0)};
+    for (int a = 0; a < dim; ++a) p.x[a] = field_get(f, P_POS, body, a);
+    for (int c = 0; c < 3; ++c) p.stress[c] = get(f, P_STRESS, body, c);
+    return p;
+}
+
+/* Mean of the normal stresses (Pa), less what artificial viscosity takes off. */
+static double mean_stress(const stressed_points *p, size_t k)
+{
+    return (p->stress[0][k] + p->stress[1][k] + p->stress[2][k]) / 3.0 - (p->q ? p->q[k] : 0.0);
+}
+
+static void share_in_tile(const mpm *s, const stressed_points *p, const size_t range[2])
+{
+    for (size_t first = range[0], stop; first < range[1]; first = stop) {
+        stop = end_of_cell(s, p->x, first, range[1]);
+        double volume = 0.0, stress = 0.0;
+        for (size_t k = first; k < stop; ++k) {
+            const double own = p->volume0[k] * p->J[k];
+            volume += own;
+            stress += own * mean_stress(p, k);
+        }
+        for (size_t k = first; k < stop; ++k)
+            p->more[k] = stress / volume - mean_stress(p, k) + (p->cells ? p->cells[k] : 0.0);
+    }
+}
+
+static floe_status share_pressures(mpm *s, bool next)
+{
+    for (int blk = 0; blk < s->mesh->n_blocks; ++blk)
+        for (int body = 0; body < s->n_bodies; ++body) {
+            if (!s->body[body].mean_strain) continue;
+            const stressed_points p = stressed_points_of(s->domain->fields[blk], s->mesh->dim, body, next);
+            const size_t *start = s->points[blk][body].tile_start;
+#pragma omp parallel for schedule(dynamic, 4)
+            for (int t = 0; t < s->mesh->block[blk].n_tiles; ++t) share_in_tile(s, &p, start + t);
+        }
+    return FLOE_OK;
+}
+
+floe_status mpm_share_pressures(mpm *s)
+{
+    return share_pressures(s, false);
+}
+
+floe_status mpm_share_new_pressures(mpm *s)
+{
+    return share_pressures(s, true);
+}

@@ -1,0 +1,11 @@
+/* Seeding of points. */
+#ifndef MPM_SEED_FILL_H
+#define MPM_SEED_FILL_H
+
+#include "geom/seed.h"
+#include "mpm/mpm.h"
+
+/* Seeding (seed_fill.c): fluids fill small gaps beside other bodies; `list`: one a body. */
+floe_status fill_cells(const mpm *s, seed_list *list);
+
+#endif

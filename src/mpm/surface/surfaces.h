@@ -1,0 +1,54 @@
+/* Surfaces on which loads and gas act. */
+#ifndef MPM_SURFACES_H
+#define MPM_SURFACES_H
+
+#include "embedded/cut.h"
+#include "mpm/mpm.h"
+
+/* Loaded surface points: massless, moved by the nodes, each with an area vector (m2) and the load that acts on it. */
+typedef struct surface_point {
+    double x[3], area[3];
+    int load;     /* -1: none, but the pressure of an enclosed gas */
+    int enclosed; /* number of the enclosed gas (implicit.h), -1: none */
+    int body;     /* of the scene: the body in contact whose surface this is (implicit_gap.c); -1: none */
+} surface_point;
+
+/* Forces of gas on a membrane (boundary.c), by number of its points. Owned arrays. */
+typedef struct membrane_force {
+    size_t n;      /* 0: the body encloses no gas of the cells */
+    double *x;     /* m, three each: positions of the points at the start of the step */
+    double *v;     /* m/s, two each: scratch */
+    double *force; /* N, two each */
+} membrane_force;
+
+/* A marker on the surface of a solid. */
+typedef struct surface_marker {
+    double x[3], v[3]; /* m, m/s */
+} surface_marker;
+
+/* Markers on the surfaces of solids, on which gas of the cells exerts its pressure (surface_markers.c). Owned arrays; n
+ * = 0: the interface is not sharp. */
+typedef struct surface_markers {
+    size_t n;
+    surface_marker *now, *next;
+    int *group;    /* velocity field of each */
+    int *pin;      /* bit a: it stays on a side of the mesh across axis a */
+    double *force; /* N, three each: forces of the gas in the step */
+    double *path;  /* m, three each: displacement over which these forces do work */
+    cut_chain *chain;
+    int *beside; /* of each chain: the fluid of the cells that it holds back, by its number in the scene */
+    int n_chains;
+    cut_triangle *triangle; /* in space, in place of chains */
+    int *facing;            /* of each triangle: as `beside` */
+    int n_triangles;
+} surface_markers;
+
+struct mpm_surfaces {
+    surface_point *loaded, *loaded_next; /* owned */
+    size_t n_loaded;
+    membrane_force membrane_force[SCENE_MAX_BODIES]; /* of our bodies */
+    surface_markers markers;
+};
+void surfaces_free(mpm *s);
+
+#endif
