@@ -9,13 +9,13 @@
 #include <math.h>
 #include <string.h>
 
-/* rho c^2 (Pa) of a body at rest, but no more than that of a body with a Poisson's ratio of a third and the same shear modulus: where the bulk
+/* rho c^2 (Pa) of a body at rest, but no more than that of a body with a Poisson's ratio of 0.35 and the same shear modulus: where the bulk
  * modulus is far larger, a penalty of its size would hold the edges as stiff as the volume is, which their motion does not change. */
 static double modulus_of(const mpm *s, int body)
 {
     const mpm_body *b = &s->body[body];
     const double shear = b->law->shear_modulus(b->law_par), bulk = b->law->bulk_modulus(b->law_par);
-    return fmin(bulk, 8.0 / 3.0 * shear) + 4.0 / 3.0 * shear;
+    return fmin(bulk, 3.0 * shear) + 4.0 / 3.0 * shear;
 }
 
 /* |D u| (m) along an axis at which the stress of a line of full stiffness, rho c^2 |D u|/h, is that at which the body
