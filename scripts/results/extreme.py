@@ -1,7 +1,7 @@
 """extreme: every deck of inputs/extreme as a study with verdicts, and what comes of each case.
 
 Hours. The studies are kept deck by deck and, since `floe study` goes on with what has been stopped, case by case in out/results/extreme. What was made of other sources
-or of another deck is made anew; the sources of a deck are those that its couplings enter (scripts/lib/stamp.py).
+or of another deck is made anew, unless a record shows the same bits of the deck under both; the sources of a deck are those that its couplings enter (scripts/lib/stamp.py).
 """
 import collections
 import json
@@ -10,6 +10,7 @@ import pathlib
 import re
 import shutil
 
+import bits
 import pages
 import stamp
 
@@ -28,12 +29,17 @@ def made_of(deck, without):
 
 
 def is_kept(note, deck):
-    """Whether the runs that lie there are of these sources and of this deck."""
+    """Whether the runs that lie there are of this deck, and of these sources or of others that give the same bits."""
     try:
         found = json.loads(note.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        without, sources = found["without"], found["sources"]
+    except (OSError, ValueError, KeyError):
         return False
-    return found == made_of(deck, found.get("without", []))
+    if found["deck"] != stamp.decks_hash(stamp.Tree(), [deck]):
+        return False
+    records = bits.read(stamp.ROOT / bits.FOLDER).values()
+    made = {"without": " ".join(without), "also": None, "sources": sources, "names": deck}
+    return not stamp.why_other_sources(stamp.Tree(), made, f"\n## How\n    floe study {deck} --spoil\n", records)
 
 
 def study_of(page, deck):
