@@ -11,7 +11,7 @@ SCRIPTS = ROOT / "scripts/results"
 ORDER = ("defaults", "a1", "edges", "studies", "couplings", "sod", "shocks", "waves", "bases", "cpdi", "transport", "conservation", "exchange", "statics", "implicit", "stability", "extreme",
          "robustness", "contact", "normals", "axis", "membrane-3d", "membrane-rest", "sealed", "interface", "substeps", "ball-net", "airbag", "york-points", "york-membranes", "speed",
          "cost_accuracy", "picture", "gallery")
-ONLY_NAMED = ("mutants", "before")  # of scripts/mutants.py (hours), and of two trees by scripts/results/before_after.py
+ONLY_NAMED = ("mutants",)  # of scripts/mutants.py (hours)
 
 ABOUT = """
 The last line of a page names what it was made from: a hash of `include`, the CMake files and the modules of `src` that its runs entered
