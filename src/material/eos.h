@@ -50,4 +50,10 @@ typedef struct eos {
     void *par; /* model->param_size bytes, owned by the scene's material */
 } eos;
 
+/* Whether it bears tension. False where there is no law. */
+static inline bool eos_is_liquid(const eos *law)
+{
+    return law->model && law->model->pressure_floor(law->par) < 0.0;
+}
+
 #endif

@@ -186,7 +186,7 @@ static double stiffness_over_pressure(const eos *law, double p, double temperatu
 {
     const double T = temperature > 0.0 ? temperature : 300.0;
     double v, dvdp, e, rho, own, c2;
-    if (law->model->pressure_floor(law->par) < 0.0) return INFINITY;
+    if (eos_is_liquid(law)) return INFINITY;
     law->model->volume(law->par, 1, &p, &T, &v, &dvdp);
     rho = 1.0 / v;
     law->model->energy(law->par, 1, &rho, &T, &e);

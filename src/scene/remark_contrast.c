@@ -6,7 +6,7 @@
 
 static bool is_gas(const scene_material *m)
 {
-    return m->kind == MATERIAL_FLUID && m->eos.model && !(m->eos.model->pressure_floor(m->eos.par) < 0.0);
+    return m->kind == MATERIAL_FLUID && m->eos.model && !eos_is_liquid(&m->eos);
 }
 
 /* kg/m3, of a pressure and a temperature. */

@@ -30,14 +30,14 @@ static bool is_any(const scene_material *m)
     return m->eos.model != NULL;
 }
 
-static bool is_liquid(const scene_material *m)
+static bool is_not_ideal(const scene_material *m)
 {
     return m->eos.model && strcmp(m->eos.model->name, "ideal") != 0;
 }
 
 static bool is_inviscid_gas(const scene_material *m)
 {
-    return m->eos.model && !is_liquid(m) && !(m->shear_viscosity > 0.0);
+    return m->eos.model && !is_not_ideal(m) && !(m->shear_viscosity > 0.0);
 }
 
 /* Why floe has taken it, or what would let it take the other. */
@@ -96,7 +96,7 @@ void remark_smeared(const scene *s, remark_sink *say, void *user)
         has_fluid(s, is_inviscid_gas) ? " A gas without viscosity is held along it as if it had one, unless "
                                         "`exchange` has `tangential: free` for the pair."
                                       : "",
-        has_fluid(s, is_liquid)
+        has_fluid(s, is_not_ideal)
             ? " Walls under four cells lose some of a liquid's pressure: of a water hammer in a tube of steel 0.97 "
               "was left with two cells of wall, 1.00 with four. And they let it seep in, by some of it at every step: "
               "a "

@@ -30,7 +30,7 @@ static fluid_state state_of(const eos *law, double p, double T)
 /* Per kelvin xenon has 95 J/kg at constant volume, hydrogen 10200; sound in liquids is between that in helium (180 m/s) and in molten metals. */
 static void remark_fluid(remark_speaker *w, const scene_material *m)
 {
-    const bool liquid = m->eos.model->pressure_floor(m->eos.par) < 0.0;
+    const bool liquid = eos_is_liquid(&m->eos);
     const fluid_state f = state_of(&m->eos, 1e5, 300.0);
     remark_set_key(w, "materials", m->name, "eos");
     if (f.heat > 0.0 && (f.heat < 40.0 || f.heat > 2e4))
@@ -118,7 +118,7 @@ static double smallest_cell(const scene *s)
 
 static void remark_gas(const remark_speaker *w, const eos *law, double p, double T)
 {
-    if (!(p > 0.0) || !(T > 0.0) || !law->model || law->model->pressure_floor(law->par) < 0.0) return;
+    if (!(p > 0.0) || !(T > 0.0) || !law->model || eos_is_liquid(law)) return;
     const double rho = state_of(law, p, T).rho, cell = smallest_cell(w->s);
     if (T > 5e4) remark_key(w, "%g K: the surface of the sun has 5800 K. Give the temperature in K", T);
     if (rho > 500.0 && T < 2000.0)

@@ -11,8 +11,7 @@ bool body_reaches_side(const scene *s, const scene_body *b, int axis, int side)
 
 static bool is_liquid(const scene *s, int material)
 {
-    const eos *e = &s->material[material].eos;
-    return s->material[material].kind == MATERIAL_FLUID && e->model && e->model->pressure_floor(e->par) < 0.0;
+    return s->material[material].kind == MATERIAL_FLUID && eos_is_liquid(&s->material[material].eos);
 }
 
 bool liquid_reaches_side(const scene *s, int axis, int side)

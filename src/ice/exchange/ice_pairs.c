@@ -58,12 +58,6 @@ static floe_status resolve_pair(ice *s, const scene_exchange *e)
     return e->heat.model ? resolve_law(s, e, e->heat, ICE_HEAT, r, q) : FLOE_OK;
 }
 
-/* Whether the law has tension. */
-static bool is_liquid(const ice_material *m)
-{
-    return m->eos.model->pressure_floor(m->eos.par) < 0.0;
-}
-
 /* A liquid without viscosity slips along a solid, unless the deck says otherwise. A gas does not: in the cells of an oblique wall it is so light
  * that the pressure which the wall bears drives it along the surface by the error of the normal (pressurised cylinder: it diverges). */
 static bool slips_by_default(const ice *s, int r, int q)
@@ -71,7 +65,7 @@ static bool slips_by_default(const ice *s, int r, int q)
     const ice_material *fluid = &s->material[s->material[r].points ? q : r];
     const bool beside = s->material[r].points != s->material[q].points;
     return isnan(s->scene->method.exchange) && s->mesh->dim > 1 && beside && fluid->shear_viscosity == 0.0 &&
-           is_liquid(fluid);
+           eos_is_liquid(&fluid->eos);
 }
 
 /* Pairs that the deck names nowhere. */
@@ -249,7 +243,7 @@ static void drag_in_solids(const ice_view *v, const double *mass, const ice_spot
         for (int q = 0; q < v->n_materials; ++q) {
             if (v->material[r].points == v->material[q].points) continue;
             const int f = v->material[r].points ? q : r;
-            if (!is_liquid(&v->material[f])) continue;
+            if (!eos_is_liquid(&v->material[f].eos)) continue;
             const double rate = ICE_DRAG_STRENGTH * fabs(slope_along) / (spot->density[f] * spot->sound[f]);
             const double drag = free > 0.0 ? mass[f] * rate * v->dt * (1.0 / free - 1.0) : (double)INFINITY;
             across[r][q] = most(across[r][q], least(a[r][q], drag));

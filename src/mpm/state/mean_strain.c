@@ -8,7 +8,7 @@
 
 static bool is_stiff(const mpm_body *b)
 {
-    if (b->fluid) return b->fluid_par.eos.model->pressure_floor(b->fluid_par.eos.par) < 0.0;
+    if (b->fluid) return eos_is_liquid(&b->fluid_par.eos);
     return b->law->shear_modulus &&
            b->law->bulk_modulus(b->law_par) > MPM_STIFF_BULK * b->law->shear_modulus(b->law_par);
 }
