@@ -113,16 +113,17 @@ static floe_status find_field(floe_simulation *s, const char *name, const named_
 
 /* ---- views ---- */
 
-static size_t entries_along(const floe_simulation *s, const named_field *f, const block *b, int axis)
+/* Entries of so many cells along an axis, of a block or of the whole mesh. */
+static size_t entries_along(const floe_simulation *s, const named_field *f, const int n[MESH_MAX_DIM], int axis)
 {
-    return (size_t)b->n[axis] + (f->centring == FLOE_NODES && axis < s->sim->mesh.dim ? 1 : 0);
+    return (size_t)n[axis] + (f->centring == FLOE_NODES && axis < s->sim->mesh.dim ? 1 : 0);
 }
 
 static void view_of_grid(const floe_simulation *s, const named_field *f, int n, floe_view *view)
 {
     const block *b = &s->sim->mesh.block[n];
     for (int a = 0; a < 3; a++) {
-        view->shape[a] = entries_along(s, f, b, a);
+        view->shape[a] = entries_along(s, f, b->n, a);
         view->stride[a] = b->stride[a];
         view->first[a] = (size_t)b->lo[a];
     }
@@ -178,17 +179,11 @@ floe_mesh floe_get_mesh(const floe_simulation *s)
 
 /* ---- copies ---- */
 
-/* Entries of the whole mesh along an axis. */
-static size_t whole_along(const floe_simulation *s, const named_field *f, int axis)
-{
-    const mesh *m = &s->sim->mesh;
-    return (size_t)m->n[axis] + (f->centring == FLOE_NODES && axis < m->dim ? 1 : 0);
-}
-
 static void copy_block(const floe_simulation *s, const named_field *f, int n, double *to)
 {
     const floe_view v = view_of(s, f, n);
-    const size_t nx = whole_along(s, f, 0), ny = whole_along(s, f, 1), width = (size_t)v.components;
+    const int *cells = s->sim->mesh.n;
+    const size_t nx = entries_along(s, f, cells, 0), ny = entries_along(s, f, cells, 1), width = (size_t)v.components;
     for (size_t k = 0; k < v.shape[2]; k++)
         for (size_t j = 0; j < v.shape[1]; j++)
             for (size_t i = 0; i < v.shape[0]; i++) {
@@ -212,9 +207,11 @@ static floe_status copy_points(floe_simulation *s, const named_field *f, size_t 
 
 static size_t count_numbers(const floe_simulation *s, const named_field *f)
 {
+    const int *cells = s->sim->mesh.n;
     size_t n = 0;
     if (f->centring != FLOE_POINTS)
-        return (size_t)f->components * whole_along(s, f, 0) * whole_along(s, f, 1) * whole_along(s, f, 2);
+        return (size_t)f->components * entries_along(s, f, cells, 0) * entries_along(s, f, cells, 1) *
+               entries_along(s, f, cells, 2);
     for (int b = 0; b < s->sim->mesh.n_blocks; b++) n += s->sim->mpm->points[b][f->body].n;
     return n * (size_t)f->components;
 }

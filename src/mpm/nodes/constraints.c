@@ -27,11 +27,8 @@ unsigned node_constraints(const mpm *s, int group, const int node[MESH_MAX_DIM])
 /* One component on a whole side. */
 static void visit_side(const mesh *m, int axis, int side, int c, double velocity, constraint_visitor *visit, void *user)
 {
-    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-    for (int a = 0; a < m->dim; ++a) {
-        lo[a] = a == axis && side == SIDE_UPPER ? m->n[a] : 0;
-        hi[a] = a == axis ? lo[a] + 1 : m->n[a] + (m->periodic[a] ? 0 : 1);
-    }
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    side_node_range(m, axis, side, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) visit(user, (const int[]){i, j, k}, c, velocity);

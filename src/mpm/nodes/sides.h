@@ -15,4 +15,13 @@ bool wall_lets_go(const mpm *s, int group, int axis, int side);
 /* Whether some side is unilateral for some group. */
 bool walls_let_go(const mpm *s);
 
+/* The nodes of a side's plane, from lo to below hi along each axis; a periodic axis has no node at its upper end. */
+static inline void side_node_range(const mesh *m, int axis, int side, int lo[MESH_MAX_DIM], int hi[MESH_MAX_DIM])
+{
+    for (int a = 0; a < MESH_MAX_DIM; ++a) {
+        lo[a] = a == axis && side == SIDE_UPPER ? m->n[a] : 0;
+        hi[a] = a == axis ? lo[a] + 1 : m->n[a] + (a < m->dim && !m->periodic[a] ? 1 : 0);
+    }
+}
+
 #endif

@@ -46,11 +46,8 @@ void wall_visit(const block *b, int axis, int side, wall_node_visitor *visit, vo
  * the upper one, as its cell does): sums over a side have the same bits for any blocks. */
 void wall_visit_once(const mesh *m, int axis, int side, wall_side_visitor *visit, void *user)
 {
-    int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
-    for (int a = 0; a < m->dim; ++a) {
-        lo[a] = a == axis && side == SIDE_UPPER ? m->n[a] : 0;
-        hi[a] = a == axis ? lo[a] + 1 : m->n[a] + (m->periodic[a] ? 0 : 1);
-    }
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    side_node_range(m, axis, side, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) {
@@ -314,41 +311,34 @@ typedef struct mirror_sum {
     const mpm *s;
     int group, axis;
     double kick, pic;
+    field_id given, change; /* f, FIELD_COUNT: none, and a */
     double sum, moment[3];
 } mirror_sum;
 
-/* Enters an impulse along the mirror's axis at a node of it. */
-static void turn_back(const mpm *s, const int node[MESH_MAX_DIM], int axis, double impulse, double *sum,
-                      double moment[3])
+/* Adds a component of what a ghost was given, and of what its mass makes of the first inner node's change. */
+static void add_image(mirror_sum *r, const int node[MESH_MAX_DIM], int c, double share, double given, double reaction)
 {
-    double x[MESH_MAX_DIM];
-    place_of_node(s->mesh, node, x);
-    add_moment(moment, x, axis, impulse);
-    *sum += impulse;
+    const mesh *m = r->s->mesh;
+    double x[MESH_MAX_DIM] = {0.0};
+    if (c != r->axis) {
+        x[r->axis] = (node[r->axis] == 0 ? 2.0 : -2.0) * m->h[r->axis]; /* from the ghost to the first inner node */
+        add_moment(r->moment, x, c, share * (given - reaction));
+        return;
+    }
+    const double impulse = -2.0 * share * (given + reaction);
+    place_of_node(m, node, x);
+    add_moment(r->moment, x, c, impulse);
+    r->sum += impulse;
 }
 
-/* Distance from the ghost beyond a mirror to the first inner node. */
-static void distance_inward(const mpm *s, const int node[MESH_MAX_DIM], int axis, double arm[MESH_MAX_DIM])
-{
-    for (int a = 0; a < MESH_MAX_DIM; ++a) arm[a] = 0.0;
-    arm[axis] = (node[axis] == 0 ? 2.0 : -2.0) * s->mesh->h[axis];
-}
-
-/* What the ghost beyond a mirror was given, and the first inner node, along the axis. */
-static void add_mirror_push(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
+static void add_mirrored_change(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
     mirror_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
     const double mass = field_get(f, N_MASS, r->group, 0)[at - inward];
-    double arm[MESH_MAX_DIM];
-    distance_inward(r->s, node, r->axis, arm);
     for (int c = 0; c < r->s->mesh->dim; ++c) {
-        const double force = field_get(f, N_FORCE, r->group, c)[at - inward];
-        const double acceleration = field_get(f, N_ACCEL, r->group, c)[at + inward];
-        if (c == r->axis)
-            turn_back(r->s, node, c, -2.0 * r->kick * (force + mass * acceleration), &r->sum, r->moment);
-        else
-            add_moment(r->moment, arm, c, r->kick * (force - mass * acceleration));
+        const double given = r->given == FIELD_COUNT ? 0.0 : field_get(f, r->given, r->group, c)[at - inward];
+        add_image(r, node, c, r->kick, given, mass * field_get(f, r->change, r->group, c)[at + inward]);
     }
 }
 
@@ -365,84 +355,55 @@ static double inner_velocity(const mirror_sum *r, const int node[MESH_MAX_DIM], 
     return v;
 }
 
-static void add_mirror_momentum(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
+static void add_mirrored_momentum(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
 {
     mirror_sum *r = user;
     const fields *f = r->s->domain->fields[blk];
     const double *mass = field_get(f, N_MASS, r->group, 0);
     const ptrdiff_t ghost = at - inward, inner = at + inward;
-    double arm[MESH_MAX_DIM];
-    distance_inward(r->s, node, r->axis, arm);
     for (int c = 0; c < r->s->mesh->dim; ++c) {
         const double *momentum = field_get(f, N_MOMENTUM, r->group, c);
         /* A ghost without mass may still have a surface's load. */
         const double v = inner_velocity(r, node, c, mass[inner] > 0.0 ? momentum[inner] / mass[inner] : 0.0);
-        if (c == r->axis)
-            turn_back(r->s, node, c, -2.0 * r->pic * (momentum[ghost] + mass[ghost] * v), &r->sum, r->moment);
-        else
-            add_moment(r->moment, arm, c, r->pic * (momentum[ghost] - mass[ghost] * v));
+        add_image(r, node, c, r->pic, momentum[ghost], mass[ghost] * v);
     }
 }
 
-static void enter_images(mpm *s, int group, double kick, double pic)
+/* Enters the share `entered` of each mirror's sum. */
+static void enter_images(mpm *s, const mirror_sum *of, double entered)
 {
     for (int axis = 0; s->windows->reach > 0 && axis < s->mesh->dim; ++axis)
         for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
-            if (!wall_mirrors(s, group, axis, side)) continue;
-            mirror_sum r = {.s = s, .group = group, .axis = axis, .kick = kick, .pic = pic};
-            if (kick != 0.0) wall_visit_once(s->mesh, axis, side, add_mirror_push, &r);
-            if (pic != 0.0) wall_visit_once(s->mesh, axis, side, add_mirror_momentum, &r);
-            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, r.sum);
-            ledger_turn(s->ledger, LEDGER_BOUNDARY, r.moment, 1.0);
+            if (!wall_mirrors(s, of->group, axis, side)) continue;
+            mirror_sum r = *of;
+            r.axis = axis;
+            if (r.kick != 0.0) wall_visit_once(s->mesh, axis, side, add_mirrored_change, &r);
+            if (r.pic != 0.0) wall_visit_once(s->mesh, axis, side, add_mirrored_momentum, &r);
+            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, entered * r.sum);
+            ledger_turn(s->ledger, LEDGER_BOUNDARY, r.moment, entered);
         }
 }
 
 void enter_mirrors(mpm *s, int group)
 {
-    enter_images(s, group, s->kick, 1.0 - s->share);
+    enter_images(
+        s,
+        &(mirror_sum){
+            .s = s, .group = group, .kick = s->kick, .pic = 1.0 - s->share, .given = N_FORCE, .change = N_ACCEL},
+        1.0);
 }
 
 void enter_mirrored_momenta(mpm *s, int group, double share)
 {
-    enter_images(s, group, 0.0, share);
-}
-
-/* What the ghost beyond a mirror has of a change of velocities, and what points gave it. */
-typedef struct change_sum {
-    const mpm *s;
-    int group, axis;
-    field_id change;
-    bool given;
-    double sum, moment[3];
-} change_sum;
-
-static void add_mirrored_change(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward)
-{
-    change_sum *r = user;
-    const fields *f = r->s->domain->fields[blk];
-    const double mass = field_get(f, N_MASS, r->group, 0)[at - inward];
-    double arm[MESH_MAX_DIM];
-    distance_inward(r->s, node, r->axis, arm);
-    for (int c = 0; c < r->s->mesh->dim; ++c) {
-        const double given = r->given ? field_get(f, N_MOMENTUM, r->group, c)[at - inward] : 0.0;
-        const double change = field_get(f, r->change, r->group, c)[at + inward];
-        if (c == r->axis)
-            turn_back(r->s, node, c, -2.0 * (given + mass * change), &r->sum, r->moment);
-        else
-            add_moment(r->moment, arm, c, given - mass * change);
-    }
+    enter_images(s, &(mirror_sum){.s = s, .group = group, .pic = share}, 1.0);
 }
 
 void enter_mirrored_change(mpm *s, int group, field_id change, double share, bool given)
 {
-    for (int axis = 0; s->windows->reach > 0 && axis < s->mesh->dim; ++axis)
-        for (int side = 0; side < 2 && !s->mesh->periodic[axis]; ++side) {
-            if (!wall_mirrors(s, group, axis, side)) continue;
-            change_sum r = {.s = s, .group = group, .axis = axis, .change = change, .given = given};
-            wall_visit_once(s->mesh, axis, side, add_mirrored_change, &r);
-            ledger_add(s->ledger, (ledger_quantity)(LEDGER_MOMENTUM_X + axis), LEDGER_BOUNDARY, share * r.sum);
-            ledger_turn(s->ledger, LEDGER_BOUNDARY, r.moment, share);
-        }
+    enter_images(
+        s,
+        &(mirror_sum){.s = s, .group = group, .kick = 1.0, .given = given ? N_MOMENTUM : FIELD_COUNT, .change = change},
+        share);
 }
 
 void mirror_masses(const mpm *s, int group, const tile_box *t, double *window)
