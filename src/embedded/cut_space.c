@@ -13,6 +13,7 @@
 #include "embedded/cut_internal.h"
 
 #include "base/memory.h"
+#include "math/tensor.h"
 
 #include <math.h>
 
@@ -133,14 +134,6 @@ static int axis_behind(const cutter *t, const polygon *p, const double area[3])
     return -1;
 }
 
-static void twice_area(const double a[3], const double b[3], const double c[3], double out[3])
-{
-    for (int d = 0; d < 3; ++d) {
-        const int e = (d + 1) % 3, f = (d + 2) % 3;
-        out[d] = (b[e] - a[e]) * (c[f] - a[f]) - (b[f] - a[f]) * (c[e] - a[e]);
-    }
-}
-
 /* Area vector, weights of the middle, and integrals over the area of u_d and of (u_d - middle of the cell)^2 / 2. */
 typedef struct polygon_sums {
     double area[3], weight[3], first, square[3];
@@ -152,14 +145,14 @@ static polygon_sums sum_polygon(const polygon *p, const int cell[3])
     double middle[2] = {0.0, 0.0};
     for (int k = 1; k + 1 < p->n; ++k) {
         double part[3];
-        twice_area(p->at[0].u, p->at[k].u, p->at[k + 1].u, part);
+        triangle_normal(p->at[0].u, p->at[k].u, p->at[k + 1].u, part);
         for (int d = 0; d < 3; ++d) s.area[d] += 0.5 * part[d];
     }
-    const double square = s.area[0] * s.area[0] + s.area[1] * s.area[1] + s.area[2] * s.area[2];
+    const double square = vec_dot(s.area, s.area);
     for (int k = 1; k + 1 < p->n && square > 0.0; ++k) {
         const corner *a = &p->at[0], *b = &p->at[k], *c = &p->at[k + 1];
         double part[3], share = 0.0;
-        twice_area(a->u, b->u, c->u, part);
+        triangle_normal(a->u, b->u, c->u, part);
         for (int d = 0; d < 3; ++d) share += 0.5 * part[d] * s.area[d] / square;
         for (int i = 0; i < 2; ++i) middle[i] += share * (a->w[i] + b->w[i] + c->w[i]) / 3.0;
         for (int d = 0; d < 3; ++d) {

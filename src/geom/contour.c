@@ -31,7 +31,7 @@ typedef struct tracer {
 
 static double level_at(const tracer *t, const double x[2])
 {
-    return t->shape->model->level(t->shape->par, t->grid->dim, (const double[3]){x[0], x[1], 0.0});
+    return shape_level(t->shape, t->grid->dim, (const double[3]){x[0], x[1], 0.0});
 }
 
 static bool is_inside_shape(const tracer *t, const double x[2])
@@ -51,12 +51,8 @@ static double corner_at(const tracer *t, int axis, int i)
  * surface ends where it does. */
 static void find_crossing(const tracer *t, const double inside[2], const double outside[2], double x[2])
 {
-    double lo = 0.0, hi = 1.0;
-    for (int pass = 0; pass < 60; ++pass) {
-        const double middle = 0.5 * (lo + hi);
-        for (int a = 0; a < 2; ++a) x[a] = inside[a] + middle * (outside[a] - inside[a]);
-        *(is_inside_shape(t, x) ? &lo : &hi) = middle;
-    }
+    const double from[3] = {inside[0], inside[1], 0.0}, to[3] = {outside[0], outside[1], 0.0};
+    double middle[3], lo = shape_crossing(t->shape, t->grid->dim, t->tolerance, from, to, 60, middle);
     if (lo < 1e-7) lo = 0.0; /* the corner itself, but for the tolerance */
     for (int a = 0; a < 2; ++a) x[a] = inside[a] + lo * (outside[a] - inside[a]);
 }
@@ -157,15 +153,10 @@ static void mark_followed(const tracer *t, const side_of_piece *start, bool *fol
 /* Unit normal, out of the shape. */
 static void contour_normal_at(const tracer *t, const double x[2], double n[2])
 {
-    const double step = 1e-6 * t->grid->h[0];
-    for (int a = 0; a < 2; ++a) {
-        double up[2] = {x[0], x[1]}, down[2] = {x[0], x[1]};
-        up[a] += step;
-        down[a] -= step;
-        n[a] = level_at(t, up) - level_at(t, down);
-    }
-    const double length = hypot(n[0], n[1]);
-    for (int a = 0; a < 2; ++a) n[a] /= length > 0.0 ? length : 1.0;
+    double out[3];
+    shape_differences(t->shape, t->grid->dim, (const double[3]){x[0], x[1], 0.0}, 1e-6 * t->grid->h[0], out);
+    const double length = hypot(out[0], out[1]);
+    for (int a = 0; a < 2; ++a) n[a] = out[a] / (length > 0.0 ? length : 1.0);
 }
 
 /* A corner between two points: where the lines through them meet, if that is on the surface. */

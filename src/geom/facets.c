@@ -3,7 +3,7 @@
  * edges; so edges and corners of a shape are vertices. About each edge that is crossed the vertices of its four boxes are
  * two triangles. The lattice stands askew in the mesh, whose planes are where shapes like to have theirs. What lies
  * beyond the mesh is cut off. */
-#include "geom/facets.h"
+#include "geom/facets_internal.h"
 
 #include "base/memory.h"
 #include "math/tensor.h"
@@ -26,23 +26,9 @@ static const double on_surface = 1e-9;
 /* Directions in which planes of an edge differ less than this are one plane. */
 static const double one_plane = 0.05;
 
-typedef struct lattice {
-    context *ctx;
-    const shape *shape;
-    const seed_spec *grid;
-    double size[3];      /* m: of a box */
-    int n[3];            /* boxes along each axis */
-    signed char *inside; /* of each corner; owned */
-    int *vertex;         /* of each box, -1: none; owned */
-    double (*normal)[3]; /* of each vertex; of one on an edge none; owned */
-    size_t capacity[3];  /* vertices, facets, normals */
-    bool crowded;        /* some box is passed by more than one piece of surface */
-    facet_surface *out;
-} lattice;
-
 static double level_at(const lattice *l, const double x[3])
 {
-    return l->shape->model->level(l->shape->par, 3, x);
+    return shape_level(l->shape, 3, x);
 }
 
 static double corner_at(const lattice *l, int axis, int i)
@@ -70,28 +56,11 @@ static bool is_inside(const lattice *l, const double x[3])
     return level_at(l, x) <= on_surface * shortest(l->size);
 }
 
-static void gradient_at(const lattice *l, const double x[3], double out[3])
+/* Unit normal, out of the shape. */
+static void normal_at(const lattice *l, const double x[3], double out[3])
 {
-    const double step = 1e-5 * shortest(l->size);
-    double size = 0.0;
-    for (int a = 0; a < 3; ++a) {
-        double lo[3] = {x[0], x[1], x[2]}, hi[3] = {x[0], x[1], x[2]};
-        lo[a] -= step;
-        hi[a] += step;
-        out[a] = level_at(l, hi) - level_at(l, lo);
-        size += out[a] * out[a];
-    }
-    for (int a = 0; a < 3; ++a) out[a] = size > 0.0 ? out[a] / sqrt(size) : 0.0;
-}
-
-static void find_crossing(const lattice *l, const double inside[3], const double outside[3], double x[3])
-{
-    double lo = 0.0, hi = 1.0;
-    for (int pass = 0; pass < 50; ++pass) {
-        const double middle = 0.5 * (lo + hi);
-        for (int a = 0; a < 3; ++a) x[a] = inside[a] + middle * (outside[a] - inside[a]);
-        *(is_inside(l, x) ? &lo : &hi) = middle;
-    }
+    shape_differences(l->shape, 3, x, 1e-5 * shortest(l->size), out);
+    vec_normalize(out);
 }
 
 /* Planes that touch the surface at its crossings of a box's edges. */
@@ -111,8 +80,8 @@ static void add_crossing(const lattice *l, const int from[3], int axis, touching
         a[k] = corner_at(l, k, from[k]);
         b[k] = corner_at(l, k, to[k]);
     }
-    find_crossing(l, first ? a : b, first ? b : a, t->x[t->n]);
-    gradient_at(l, t->x[t->n], t->normal[t->n]);
+    shape_crossing(l->shape, 3, on_surface * shortest(l->size), first ? a : b, first ? b : a, 50, t->x[t->n]);
+    normal_at(l, t->x[t->n], t->normal[t->n]);
     t->n++;
 }
 
@@ -132,10 +101,8 @@ static touching touch_box(const lattice *l, const int box[3])
 static bool are_one_side(const touching *t)
 {
     for (int i = 0; i < t->n; ++i)
-        for (int k = 0; k < i; ++k) {
-            const double *n = t->normal[i], *m = t->normal[k];
-            if (!(n[0] * m[0] + n[1] * m[1] + n[2] * m[2] > one_side)) return false;
-        }
+        for (int k = 0; k < i; ++k)
+            if (!(vec_dot(t->normal[i], t->normal[k]) > one_side)) return false;
     return true;
 }
 
@@ -182,7 +149,7 @@ static floe_status reserve_facets(lattice *l, int which, void *array, size_t n, 
     return memory_resize(l->ctx, array, l->capacity[which], size);
 }
 
-static floe_status add_vertex(lattice *l, const double x[3], const double normal[3], int *number)
+floe_status facets_add_vertex(lattice *l, const double x[3], const double normal[3], int *number)
 {
     facet_surface *o = l->out;
     TRY(reserve_facets(l, 0, &o->x, (size_t)o->n, sizeof *o->x));
@@ -195,7 +162,7 @@ static floe_status add_vertex(lattice *l, const double x[3], const double normal
     return FLOE_OK;
 }
 
-static floe_status add_facet(lattice *l, int i, int j, int k)
+floe_status facets_add_facet(lattice *l, int i, int j, int k)
 {
     facet_surface *o = l->out;
     if (i == j || j == k || k == i) return FLOE_OK;
@@ -236,11 +203,11 @@ static floe_status put_vertex(lattice *l, const int box[3])
     l->crowded = l->crowded || !is_passed_once(l, box);
     if (meet_planes(l, &t, x) == 1)
         for (int pass = 0; pass < 3; ++pass) {
-            gradient_at(l, x, normal);
+            normal_at(l, x, normal);
             const double level = level_at(l, x);
             for (int a = 0; a < 3; ++a) x[a] -= level * normal[a];
         }
-    return add_vertex(l, x, normal, number);
+    return facets_add_vertex(l, x, normal, number);
 }
 
 static double distance2(const double a[3], const double b[3])
@@ -267,8 +234,8 @@ static floe_status put_facets(lattice *l, const int from[3], int axis)
     }
     const double(*x)[3] = (const double(*)[3])l->out->x;
     const bool turn = distance2(x[v[1]], x[v[3]]) < (1.0 - 1e-9) * distance2(x[v[0]], x[v[2]]);
-    TRY(add_facet(l, v[turn], v[turn + 1], v[turn + 2]));
-    return add_facet(l, v[turn + 2], v[(turn + 3) % 4], v[turn]);
+    TRY(facets_add_facet(l, v[turn], v[turn + 1], v[turn + 2]));
+    return facets_add_facet(l, v[turn + 2], v[(turn + 3) % 4], v[turn]);
 }
 
 typedef floe_status lattice_visitor(lattice *l, const int at[3]);
@@ -302,19 +269,6 @@ static floe_status put_facets_from(lattice *l, const int at[3])
 
 /* ---- volumes of curved sides ---- */
 
-/* Twice the area of a facet. */
-static double double_area(const facet_surface *o, const facet *f)
-{
-    const double *p = o->x[f->vertex[0]], *q = o->x[f->vertex[1]], *r = o->x[f->vertex[2]];
-    double sum = 0.0;
-    for (int a = 0; a < 3; ++a) {
-        const int e = (a + 1) % 3, g = (a + 2) % 3;
-        const double c = (q[e] - p[e]) * (r[g] - p[g]) - (q[g] - p[g]) * (r[e] - p[e]);
-        sum += c * c;
-    }
-    return sqrt(sum);
-}
-
 /* Mean level over a facet whose corners lie on the surface: of the middles of its sides, exact to the second order. */
 static double mean_level(const lattice *l, const facet *f)
 {
@@ -333,174 +287,18 @@ static floe_status balance_volume(lattice *l)
     double(*sum)[2] = NULL;
     TRY(memory_new(l->ctx, &sum, (size_t)o->n + 1, sizeof *sum));
     for (int n = 0; n < o->n_facets; ++n) {
-        const double area = double_area(o, &o->facet[n]), level = mean_level(l, &o->facet[n]);
+        const int *v = o->facet[n].vertex;
+        double normal[3];
+        triangle_normal(o->x[v[0]], o->x[v[1]], o->x[v[2]], normal);
+        const double area = vec_norm(normal), level = mean_level(l, &o->facet[n]);
         for (int k = 0; k < 3; ++k) {
-            sum[o->facet[n].vertex[k]][0] += area;
-            sum[o->facet[n].vertex[k]][1] += area * level;
+            sum[v[k]][0] += area;
+            sum[v[k]][1] += area * level;
         }
     }
     for (int v = 0; v < o->n; ++v)
         for (int a = 0; a < 3 && sum[v][0] > 0.0; ++a) o->x[v][a] -= sum[v][1] / sum[v][0] * l->normal[v][a];
     memory_free(l->ctx, &sum);
-    return FLOE_OK;
-}
-
-/* ---- sides of the mesh ---- */
-
-/* Sides of facets by their lower vertex: what lies between them and the higher one. */
-typedef struct edge_table {
-    int *first; /* of each vertex, -1: none; owned */
-    int *next, *other, *value;
-    int n, capacity;
-} edge_table;
-
-static void free_edges(context *ctx, edge_table *t)
-{
-    memory_free(ctx, &t->first);
-    memory_free(ctx, &t->next);
-    memory_free(ctx, &t->other);
-    memory_free(ctx, &t->value);
-}
-
-static floe_status make_edges(context *ctx, int vertices, int edges, edge_table *t)
-{
-    *t = (edge_table){.capacity = edges};
-    TRY(memory_new(ctx, &t->first, (size_t)vertices + 1, sizeof *t->first));
-    for (int k = 0; k < vertices; ++k) t->first[k] = -1;
-    TRY(memory_new(ctx, &t->next, (size_t)edges + 1, sizeof *t->next));
-    TRY(memory_new(ctx, &t->other, (size_t)edges + 1, sizeof *t->other));
-    return memory_new(ctx, &t->value, (size_t)edges + 1, sizeof *t->value);
-}
-
-/* The value between two vertices, `start` where it is new. */
-static int *edge_value(edge_table *t, int i, int j, int start)
-{
-    const int low = i < j ? i : j, high = i < j ? j : i;
-    for (int k = t->first[low]; k >= 0; k = t->next[k])
-        if (t->other[k] == high) return &t->value[k];
-    const int k = t->n++;
-    t->other[k] = high;
-    t->value[k] = start;
-    t->next[k] = t->first[low];
-    t->first[low] = k;
-    return &t->value[k];
-}
-
-typedef struct side_cut {
-    lattice *l;
-    edge_table edges;
-    int axis;
-    double plane, inward; /* m; +1 where the mesh lies above it */
-} side_cut;
-
-static double height(const side_cut *c, int v)
-{
-    return c->inward * (c->l->out->x[v][c->axis] - c->plane);
-}
-
-static floe_status vertex_between(side_cut *c, int i, int j, int *out)
-{
-    facet_surface *o = c->l->out;
-    int *known = edge_value(&c->edges, i, j, -1);
-    *out = *known;
-    if (*known >= 0) return FLOE_OK;
-    const int low = i < j ? i : j, high = i < j ? j : i;
-    const double t = height(c, low) / (height(c, low) - height(c, high));
-    static const double none[3] = {0.0};
-    double x[3];
-    for (int a = 0; a < 3; ++a) {
-        const double p = o->x[low][a], q = o->x[high][a];
-        x[a] = p == q ? p : p + t * (q - p);
-    }
-    x[c->axis] = c->plane;
-    TRY(add_vertex(c->l, x, none, out));
-    *known = *out;
-    return FLOE_OK;
-}
-
-/* The part of a facet inside, as a fan. */
-static floe_status cut_facet(side_cut *c, facet f)
-{
-    int kept[4], n = 0;
-    bool inside = false;
-    for (int k = 0; k < 3; ++k) {
-        const int i = f.vertex[k], j = f.vertex[(k + 1) % 3];
-        const double here = height(c, i), there = height(c, j);
-        if (here >= 0.0) kept[n++] = i;
-        inside = inside || here > 0.0;
-        if (here * there < 0.0) TRY(vertex_between(c, i, j, &kept[n++]));
-    }
-    for (int k = 1; k + 1 < n && inside; ++k) TRY(add_facet(c->l, kept[0], kept[k], kept[k + 1]));
-    return FLOE_OK;
-}
-
-static floe_status cut_at_side(lattice *l, int axis, int side)
-{
-    facet_surface *o = l->out;
-    const double lower = l->grid->lower[axis], h = l->grid->h[axis];
-    side_cut c = {
-        .l = l, .axis = axis, .plane = side ? lower + l->grid->n[axis] * h : lower, .inward = side ? -1.0 : 1.0};
-    const int facets = o->n_facets;
-    facet *old = o->facet;
-    for (int v = 0; v < o->n; ++v)
-        if (fabs(height(&c, v)) < 1e-9 * h) o->x[v][axis] = c.plane;
-    floe_status status = make_edges(l->ctx, o->n, 3 * facets, &c.edges);
-    o->facet = NULL;
-    o->n_facets = 0;
-    l->capacity[1] = 0;
-    for (int n = 0; n < facets && status == FLOE_OK; ++n) status = cut_facet(&c, old[n]);
-    memory_free(l->ctx, &old);
-    free_edges(l->ctx, &c.edges);
-    return status;
-}
-
-static bool on_one_side(const lattice *l, const double x[3], const double y[3])
-{
-    for (int a = 0; a < 3; ++a) {
-        const double lower = l->grid->lower[a], upper = lower + l->grid->n[a] * l->grid->h[a];
-        if ((x[a] == lower && y[a] == lower) || (x[a] == upper && y[a] == upper)) return true;
-    }
-    return false;
-}
-
-/* Marks the sides of facets that no other joins. */
-static floe_status find_rims(lattice *l)
-{
-    facet_surface *o = l->out;
-    edge_table t;
-    floe_status status = make_edges(l->ctx, o->n, 3 * o->n_facets, &t);
-    for (int n = 0; n < 3 * o->n_facets && status == FLOE_OK; ++n) {
-        const int i = o->facet[n / 3].vertex[n % 3], j = o->facet[n / 3].vertex[(n % 3 + 1) % 3];
-        *edge_value(&t, i, j, 0) += i < j ? 1 : -1;
-    }
-    for (int n = 0; n < 3 * o->n_facets && status == FLOE_OK; ++n) {
-        const int i = o->facet[n / 3].vertex[n % 3], j = o->facet[n / 3].vertex[(n % 3 + 1) % 3];
-        if (*edge_value(&t, i, j, 0) == 0) continue;
-        o->facet[n / 3].rim |= (unsigned char)(1u << n % 3);
-        if (!on_one_side(l, o->x[i], o->x[j]))
-            status =
-                fail(l->ctx, FLOE_BAD_INPUT, "the surface of the shape has a hole at (%g, %g, %g): refine domain.cell",
-                     o->x[i][0], o->x[i][1], o->x[i][2]);
-    }
-    free_edges(l->ctx, &t);
-    return status;
-}
-
-/* Vertices that no facet has are left out. */
-static floe_status drop_vertices(lattice *l)
-{
-    facet_surface *o = l->out;
-    int *number = NULL, n = 0;
-    TRY(memory_new(l->ctx, &number, (size_t)o->n + 1, sizeof *number));
-    for (int k = 0; k < 3 * o->n_facets; ++k) number[o->facet[k / 3].vertex[k % 3]] = 1;
-    for (int v = 0; v < o->n; ++v) {
-        if (!number[v]) continue;
-        memmove(o->x[n], o->x[v], sizeof *o->x);
-        number[v] = n++;
-    }
-    o->n = n;
-    for (int k = 0; k < 3 * o->n_facets; ++k) o->facet[k / 3].vertex[k % 3] = number[o->facet[k / 3].vertex[k % 3]];
-    memory_free(l->ctx, &number);
     return FLOE_OK;
 }
 
@@ -518,9 +316,7 @@ static floe_status contour_lattice(lattice *l)
     TRY(visit_lattice(l, 0, 0, put_vertex));
     TRY(visit_lattice(l, 1, 1, put_facets_from));
     TRY(balance_volume(l));
-    for (int side = 0; side < 6; ++side) TRY(cut_at_side(l, side / 2, side % 2));
-    TRY(drop_vertices(l));
-    return find_rims(l);
+    return facets_cut_at_sides(l);
 }
 
 /* With boxes of a size; crowded: some hold more than one piece of the surface. */

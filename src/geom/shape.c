@@ -12,5 +12,32 @@ const shape_model *shape_find(const char *name)
 
 bool shape_inside(const shape *s, int dim, const double x[3])
 {
-    return s->model->level(s->par, dim, x) < 0.0;
+    return shape_level(s, dim, x) < 0.0;
+}
+
+double shape_level(const shape *s, int dim, const double x[3])
+{
+    return s->model->level(s->par, dim, x);
+}
+
+void shape_differences(const shape *s, int dim, const double x[3], double step, double out[3])
+{
+    for (int a = 0; a < 3; a++) {
+        double low[3] = {x[0], x[1], x[2]}, high[3] = {x[0], x[1], x[2]};
+        low[a] -= step;
+        high[a] += step;
+        out[a] = a < dim ? shape_level(s, dim, high) - shape_level(s, dim, low) : 0.0;
+    }
+}
+
+double shape_crossing(const shape *s, int dim, double tolerance, const double inside[3], const double outside[3],
+                      int passes, double x[3])
+{
+    double lo = 0.0, hi = 1.0;
+    for (int pass = 0; pass < passes; pass++) {
+        const double middle = 0.5 * (lo + hi);
+        for (int a = 0; a < 3; a++) x[a] = inside[a] + middle * (outside[a] - inside[a]);
+        *(shape_level(s, dim, x) <= tolerance ? &lo : &hi) = middle;
+    }
+    return lo;
 }

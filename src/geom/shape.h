@@ -39,6 +39,15 @@ typedef struct shape {
 /* Whether x (m) lies inside; the surface does not. */
 bool shape_inside(const shape *s, int dim, const double x[3]);
 
+/* Level of the shape at x (m). */
+double shape_level(const shape *s, int dim, const double x[3]);
+/* Differences of the level over two steps about x along each axis, which point out of the shape. */
+void shape_differences(const shape *s, int dim, const double x[3], double step, double out[3]);
+/* Bisection between a point inside and one outside, points whose level is `tolerance` at most being inside: x is the last point looked at. Returns the
+ * largest share of the way at which a point was inside. */
+double shape_crossing(const shape *s, int dim, double tolerance, const double inside[3], const double outside[3],
+                      int passes, double x[3]);
+
 /* Volume fraction and centroid of the part of the box [lo, hi] inside the shape: of a box (`fills_bounds`) to round-off, else by adaptive
  * subdivision to `depth` levels with a linear cut in the smallest boxes (size h). Planes are exact; on a smooth surface of radius R the relative error of
  * a body's volume is below h^2/(100 R^2), for the errors of neighbouring boxes cancel; edges cost about h^2/10 a length.

@@ -1,6 +1,7 @@
 #include "geom/sheet_seeding.h"
 
 #include "geom/layer.h"
+#include "math/tensor.h"
 
 #include <math.h>
 
@@ -178,9 +179,9 @@ static double place_after(const sheet_surface *s, const seed_spec *grid, double 
 
 static double plane_area(const sheet_surface *s)
 {
-    const double *a = s->first, *b = s->second;
-    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
-    return sqrt(x * x + y * y + z * z);
+    double n[3];
+    vec_cross(s->first, s->second, n);
+    return vec_norm(n);
 }
 
 double sheet_area(const sheet_surface *s, const seed_spec *grid)
@@ -303,15 +304,10 @@ static floe_status fill_bands(seed_list *list, context *ctx, const banding *b, d
 
 /* ---- planes ---- */
 
-static double vector_length(const double a[3])
-{
-    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
 static floe_status fill_plane(seed_list *list, context *ctx, const sheet_surface *s, const sheet_seeding *how,
                               const seed_spec *grid)
 {
-    const double area = plane_area(s), first = vector_length(s->first), second = vector_length(s->second);
+    const double area = plane_area(s), first = vec_norm(s->first), second = vec_norm(s->second);
     const double along = sqrt(points_asked(s, how, grid) * first / second);
     const double rows = fmax(1.0, round(along * second / first)), row_points = fmax(1.0, round(along));
     TRY(layer_check_number(ctx, rows * row_points));

@@ -1,5 +1,7 @@
 #include "geom/surface_elements.h"
 
+#include "math/tensor.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -14,7 +16,7 @@ typedef struct cutter {
 
 static double level_at(const cutter *c, const double x[3])
 {
-    return c->shape->model->level(c->shape->par, c->grid->dim, x);
+    return shape_level(c->shape, c->grid->dim, x);
 }
 
 static void level_gradient(const cutter *c, const double x[3], double g[3])
@@ -57,9 +59,9 @@ static void edge_crossing(const double *a, const double *b, double la, double lb
 
 static double triangle_area(const double a[3], const double b[3], const double c[3])
 {
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    return 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    double n[3];
+    triangle_normal(a, b, c, n);
+    return 0.5 * vec_norm(n);
 }
 
 /* The cut of a simplex: a point, a segment, a triangle or a quadrilateral through the edges whose ends differ in

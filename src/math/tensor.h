@@ -33,6 +33,13 @@ static inline void vec_cross(const double a[3], const double b[3], double c[3])
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* n = (b - a) x (c - a): the normal of a triangle, as long as twice its area. */
+static inline void triangle_normal(const double a[3], const double b[3], const double c[3], double n[3])
+{
+    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    vec_cross(u, v, n);
+}
+
 /* y += factor * x. */
 static inline void vec_add_scaled(double factor, const double x[3], double y[3])
 {

@@ -1,5 +1,6 @@
 /* Contact at one node: which pairs of bodies touch, and what impulses they exchange. */
 
+#include "math/tensor.h"
 #include "mpm/contact/contact.h"
 #include "mpm/mpm_constants.h"
 
@@ -24,16 +25,11 @@ typedef struct pair {
     double tangential_impulse[3]; /* kg m/s: tangential impulse; all of it where bond is BOND_ALL */
 } pair;
 
-static double dot_product(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Unit vector along x without its constrained components; zero where there is none. */
 static void unit_vector(const contact_node *node, const double x[3], double out[3])
 {
     for (int c = 0; c < 3; ++c) out[c] = node->constrained[c] ? 0.0 : x[c];
-    const double length = sqrt(dot_product(out, out));
+    const double length = vec_norm(out);
     for (int c = 0; c < 3; ++c) out[c] = length > 0.0 ? out[c] / length : 0.0;
 }
 
@@ -64,14 +60,14 @@ static common mean_velocity(const contact_node *node)
 static bool moves_in(const contact_body *b, const double mean[3], const double n[3])
 {
     const double relative[3] = {b->v[0] - mean[0], b->v[1] - mean[1], b->v[2] - mean[2]};
-    return dot_product(relative, n) > 0.0;
+    return vec_dot(relative, n) > 0.0;
 }
 
 static bool bodies_approach(const scene_contact *rule, const contact_node *node, const pair *p, const double mean[3])
 {
     const contact_body *a = &node->body[p->a], *b = &node->body[p->b];
     double own_a[3], own_b[3];
-    if (dot_product(p->n, p->n) == 0.0) return true; /* no normal: nothing says that they part */
+    if (vec_dot(p->n, p->n) == 0.0) return true; /* no normal: nothing says that they part */
     switch (rule->criterion) {
     case CONTACT_MEAN: return moves_in(a, mean, p->n);
     case CONTACT_BOTH:
@@ -188,11 +184,11 @@ static double relax_pair(contact_node *node, pair *p, double friction)
     const contact_body *a = &node->body[p->a], *b = &node->body[p->b];
     double wanted[3], impulse[3], tangential_impulse[3];
     for (int c = 0; c < 3; ++c) wanted[c] = p->mass * (a->v[c] - b->v[c]);
-    const double along = p->bond == BOND_ALL ? 0.0 : dot_product(wanted, p->n);
+    const double along = p->bond == BOND_ALL ? 0.0 : vec_dot(wanted, p->n);
     const double normal_impulse =
         p->bond == BOND_PUSH ? fmax(0.0, p->normal_impulse + along) : p->normal_impulse + along;
     for (int c = 0; c < 3; ++c) tangential_impulse[c] = p->tangential_impulse[c] + wanted[c] - along * p->n[c];
-    const double size = sqrt(dot_product(tangential_impulse, tangential_impulse)), most = friction * normal_impulse;
+    const double size = vec_norm(tangential_impulse), most = friction * normal_impulse;
     const double kept = p->bond == BOND_ALL ? 1.0 : p->bond == BOND_NORMAL ? 0.0 : size <= most ? 1.0 : most / size;
     for (int c = 0; c < 3; ++c) {
         impulse[c] =
@@ -201,7 +197,7 @@ static double relax_pair(contact_node *node, pair *p, double friction)
     }
     p->normal_impulse = normal_impulse;
     exchange_impulse(node, p, impulse);
-    return sqrt(dot_product(impulse, impulse));
+    return vec_norm(impulse);
 }
 
 /* Two bodies need one sweep; more, until the impulses stand still. Any sweep keeps the momentum. */
@@ -211,8 +207,7 @@ static void relax_all(contact_node *node, pair *list, int n, double friction)
         double change = 0.0, total = 0.0;
         for (int k = 0; k < n; ++k) {
             change += relax_pair(node, &list[k], friction);
-            total += fabs(list[k].normal_impulse) +
-                     sqrt(dot_product(list[k].tangential_impulse, list[k].tangential_impulse));
+            total += fabs(list[k].normal_impulse) + vec_norm(list[k].tangential_impulse);
         }
         if (node->n == 2 || change <= 1e-14 * total) return;
     }
@@ -222,10 +217,8 @@ static contact_state state_of(const pair *p, double friction)
 {
     if (p->bond != BOND_PUSH) return CONTACT_STICKS;
     if (p->normal_impulse == 0.0) return CONTACT_FREE;
-    return sqrt(dot_product(p->tangential_impulse, p->tangential_impulse)) <
-                   (1.0 - 1e-12) * friction * p->normal_impulse
-               ? CONTACT_STICKS
-               : CONTACT_SLIDES;
+    return vec_norm(p->tangential_impulse) < (1.0 - 1e-12) * friction * p->normal_impulse ? CONTACT_STICKS
+                                                                                          : CONTACT_SLIDES;
 }
 
 static contact_tally set_states(const scene_contact *rule, contact_node *node, const pair *list, int n)

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "geom/facets.h"
+#include "math/tensor.h"
 #include "mpm/surface/boundary.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/surface/traction.h"
@@ -14,8 +15,8 @@
 #include <string.h>
 
 enum {
-    SKIN_DIVISIONS = 4, /* markers per cell edge, about */
-    SKIN_FACETS = 2     /* the same in space, where pieces cost as many squared */
+    CONTOUR_DIVISIONS = 4, /* markers per cell edge, about */
+    FACET_DIVISIONS = 2    /* the same in space, where pieces cost as many squared */
 };
 
 static floe_status reserve_markers(mpm *s, size_t markers, size_t chains)
@@ -39,12 +40,17 @@ static int side_under(const mesh *m, const double x[2])
     return 0;
 }
 
-static floe_status set_marker(const mpm *s, const mpm_body *b, const double *x, surface_marker *out)
+/* Marker n at x, of a body's group, free to move. */
+static floe_status set_marker(mpm *s, const mpm_body *b, size_t n, const double *x)
 {
+    surface_markers *k = &s->surfaces->markers;
+    surface_marker *out = &k->now[n];
     double v[3], stress[6];
     *out = (surface_marker){.x = {x[0], x[1], s->mesh->dim > 2 ? x[2] : 0.0}};
     TRY(body_solid_state(s->scene, b->scene_body, out->x, v, stress));
     memcpy(out->v, v, (size_t)s->mesh->dim * sizeof *v);
+    k->group[n] = b->group;
+    k->pin[n] = 0;
     return FLOE_OK;
 }
 
@@ -107,11 +113,7 @@ static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
     const size_t first = k->n, chains = (size_t)k->n_chains;
     if (o->n == 0) return FLOE_OK;
     TRY(reserve_markers(s, first + o->n, chains + o->n_chains));
-    for (size_t n = 0; n < o->n; ++n) {
-        TRY(set_marker(s, b, o->x[n], &k->now[first + n]));
-        k->group[first + n] = b->group;
-        k->pin[first + n] = 0;
-    }
+    for (size_t n = 0; n < o->n; ++n) TRY(set_marker(s, b, first + n, o->x[n]));
     for (size_t c = 0; c < o->n_chains; ++c) {
         const contour_chain *from = &o->chain[c];
         const size_t at = first + from->first, last = at + from->n - 1;
@@ -131,21 +133,18 @@ static floe_status add_contour(mpm *s, const mpm_body *b, const contour *o)
 static floe_status make_facets(const scene *s, const mesh *m, const scene_body *body, facet_surface *out)
 {
     const seed_spec grid = body_seed_spec(s, m, body);
-    return facets_make(out, s->ctx, &body->shape, &grid, SKIN_FACETS);
+    return facets_make(out, s->ctx, &body->shape, &grid, FACET_DIVISIONS);
 }
 
 /* A little beyond the middle of a facet, on the side of the gas. */
 static void place_off(const mesh *m, const facet_surface *o, const facet *f, double x[3])
 {
     const double *p = o->x[f->vertex[0]], *q = o->x[f->vertex[1]], *r = o->x[f->vertex[2]];
-    double into[3], length = 0.0;
-    for (int a = 0; a < 3; ++a) {
-        const int e = (a + 1) % 3, g = (a + 2) % 3;
-        into[a] = (q[e] - p[e]) * (r[g] - p[g]) - (q[g] - p[g]) * (r[e] - p[e]);
-        length += into[a] * into[a];
-    }
+    double into[3];
+    triangle_normal(p, q, r, into);
+    const double length = vec_norm(into);
     for (int a = 0; a < 3; ++a)
-        x[a] = (p[a] + q[a] + r[a]) / 3.0 - (length > 0.0 ? 1e-2 * m->h[0] * into[a] / sqrt(length) : 0.0);
+        x[a] = (p[a] + q[a] + r[a]) / 3.0 - (length > 0.0 ? 1e-2 * m->h[0] * into[a] / length : 0.0);
 }
 
 static int joined(int *up, int v)
@@ -209,11 +208,7 @@ static floe_status add_facets(mpm *s, const mpm_body *b, const facet_surface *o)
     if (o->n_facets == 0) return FLOE_OK;
     TRY(reserve_markers(s, k->n + (size_t)o->n, 1));
     TRY(reserve_triangles(s, triangles + o->n_facets));
-    for (int n = 0; n < o->n; ++n) {
-        TRY(set_marker(s, b, o->x[n], &k->now[first + n]));
-        k->group[first + n] = b->group;
-        k->pin[first + n] = 0;
-    }
+    for (int n = 0; n < o->n; ++n) TRY(set_marker(s, b, (size_t)(first + n), o->x[n]));
     TRY(find_facing(s->scene, s->mesh, o, k->facing + triangles));
     for (int n = 0; n < o->n_facets; ++n) {
         const facet *f = &o->facet[n];
@@ -252,7 +247,7 @@ static floe_status lay_facets(const scene *s, const mesh *m, const facet_surface
 floe_status mpm_boundary_trace(const scene *s, const mesh *m, const scene_body *body, contour *out)
 {
     const seed_spec grid = body_seed_spec(s, m, body);
-    return contour_trace(out, s->ctx, &body->shape, &grid, SKIN_DIVISIONS);
+    return contour_trace(out, s->ctx, &body->shape, &grid, CONTOUR_DIVISIONS);
 }
 
 static floe_status lay_chains(const scene *s, const mesh *m, const contour *o, int fluid, cut_surface *out)
