@@ -85,7 +85,7 @@ def join_lines(lines):
 
 
 def bare_lines(text):
-    """YAML, shell and CMake without lines of comment, and without what follows a # behind a blank where no quote is near."""
+    """YAML and CMake without lines of comment, and without what follows a # behind a blank where no quote is near."""
     lines = (line if re.search("[\"']", line) else re.sub(r"\s#.*", "", line) for line in text.splitlines())
     return "\n".join(line.rstrip() for line in lines if line.strip() and not line.lstrip().startswith("#"))
 
@@ -110,9 +110,8 @@ def modules(tree):
     return sorted({path.split("/")[1] for path in tree.files("src") if path.count("/") > 1})
 
 
-def left_out(tree, couplings, commands, text, draws):
-    """The modules that runs of these couplings, by these commands, do not enter; `text`: of decks and commands; `draws`: floe's figures of studies are on the
-    page. Nothing is known: none."""
+def left_out(tree, couplings, commands, text):
+    """The modules that runs of these couplings, by these commands, do not enter; `text`: of decks and commands. Nothing is known: none."""
     out = set()
     if couplings == {"ice"}:
         out |= {"mpm", "surface"}
@@ -120,7 +119,7 @@ def left_out(tree, couplings, commands, text, draws):
         out |= {"ice"}
     if couplings and commands:
         out |= {"report"} - commands
-        if not commands & ({"report", "picture", "study", "compare", "stability"} if draws else {"report", "picture"}):
+        if not commands & {"report", "picture"}:
             out |= {"draw"}
         if commands <= {"run", "picture"} and "tolerance" not in text:
             out |= {"study", "batch"}
@@ -209,7 +208,8 @@ def brief(names):
 
 def script_of(name):
     """The script that makes a page; None: there is none."""
-    return next((path for path in (f"{SCRIPTS}/{name}.py", f"{SCRIPTS}/{name}.bash") if (ROOT / path).is_file()), None)
+    path = f"{SCRIPTS}/{name}.py"
+    return path if (ROOT / path).is_file() else None
 
 
 def without_docstrings(tree):
@@ -298,32 +298,8 @@ def python_parts(path):
     return sorted(parts)
 
 
-def shell_parts(path):
-    """The script, those whose functions it calls, and what Python and data it names."""
-    texts = {str(one.relative_to(ROOT)): one.read_text(encoding="utf-8") for one in (ROOT / SCRIPTS).glob("*.bash")}
-    owner = {name: file for file, text in texts.items() for name in re.findall(r"^(\w+)\(\)", text, re.MULTILINE)}
-    wanted, waiting = set(), [path]
-    while waiting:
-        file = waiting.pop()
-        if file in wanted:
-            continue
-        wanted.add(file)
-        words = set(re.findall(r"\w+", bare_lines(texts[file])))
-        waiting += [owner[word] for word in words if word in owner]
-    parts = [(file, bare_lines(texts[file])) for file in sorted(wanted)]
-    for file in sorted(wanted):
-        for word in sorted(set(re.findall(rf"{SCRIPTS}/[\w./-]+\.(?:csv|py)", texts[file]))):
-            parts += [(word, (ROOT / word).read_text(encoding="utf-8"))] if word.endswith(".csv") else []
-            folder = os.path.dirname(word)
-            if word.endswith(".py"):
-                parts += [part for one in (sorted(map(str, (ROOT / folder).glob("*.py"))) if folder != SCRIPTS else [ROOT / word])
-                          for part in python_parts(os.path.relpath(one, ROOT))]
-    return sorted(set(parts))
-
-
 def script_hash(name):
-    path = script_of(name)
-    return digest(python_parts(path) if path.endswith(".py") else shell_parts(path))
+    return digest(python_parts(script_of(name)))
 
 
 # ---- a page's line ----
@@ -334,7 +310,7 @@ def line(name, couplings, commands, version, also=()):
     decks = decks_of(commands) or decks_of("inputs/*.yaml")
     text = commands + "".join(tree.text(deck) for deck in decks)
     words = set(re.findall(r"^ *floe (\w+)", commands, re.MULTILINE))
-    without = sorted(left_out(tree, set(couplings), words, text, not script_of(name).endswith(".py")))
+    without = sorted(left_out(tree, set(couplings), words, text))
     modified = "" if built_from(version, without, also) else "-modified"
     parts = [f"sources {sources_hash(tree, without, also)}{modified}"]
     parts[0] += f" without {' '.join(without)}" if without else ""

@@ -51,7 +51,7 @@ def study_of(page, deck):
         note.write_text(json.dumps(made_of(deck, [])), encoding="utf-8")
     couplings = set(page.cases("study", stem, deck, "--spoil", kept=True).texts("coupling"))
     tree = stamp.Tree()
-    note.write_text(json.dumps(made_of(deck, sorted(stamp.left_out(tree, couplings, {"study"}, tree.text(deck), False)))), encoding="utf-8")
+    note.write_text(json.dumps(made_of(deck, sorted(stamp.left_out(tree, couplings, {"study"}, tree.text(deck))))), encoding="utf-8")
     return json.loads((page.runs / stem / "study.json").read_text(encoding="utf-8"))
 
 

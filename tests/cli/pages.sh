@@ -26,7 +26,7 @@ echo 'project(x) # a name' >CMakeLists.txt
 echo 'time: {end: 1}' >inputs/a.yaml
 printf 'import lib\nlib.used()\n' >scripts/results/one.py
 printf 'def used():\n    """Says one."""\n    return 1\n\n\ndef other():\n    return 2\n' >scripts/lib/lib.py
-printf 'result_two() {\n    echo 2\n}\n' >scripts/results/two.bash
+printf 'print(2)\n' >scripts/results/two.py
 echo old >scripts/results/unstamped.txt
 echo '# Old' >docs/results/old.md
 echo '  "coupling": "ice",' >runs/ice/summary.json
@@ -54,13 +54,13 @@ has docs/results/two.md 'without report'
 says 0 '3 pages: 2 fresh, 1 stale, 0 faulty'
 says 1 'stale: old: no stamp' --strict
 
-# What cannot change a figure makes nothing stale: comments, blanks, docstrings, definitions that are not reached, rooms that are not entered.
+# What cannot change a figure makes nothing stale: comments, blanks, docstrings, definitions that are not reached, modules that are not entered.
 printf '/* Returns one. */\nint ice(void)   { // always\n\n    return 1; }\n' >src/ice/ice.c
 echo 'int page(void) { return 2; }' >src/report/page.c
 printf '# A deck.\n\ntime: {end: 1} # s\n' >inputs/a.yaml
 printf 'import lib\n# Calls it.\nlib.used()\n' >scripts/results/one.py
 printf 'def used():\n    """Says 1."""\n    return 1\n\n\ndef other():\n    return 3\n' >scripts/lib/lib.py
-printf '# two: says it.\nresult_two() {\n\n    echo 2\n}\n' >scripts/results/two.bash
+printf '# Says it.\n\nprint(  2 )\n' >scripts/results/two.py
 says 0 '2 fresh, 1 stale'
 
 # What can, does: each alone.
@@ -80,7 +80,7 @@ changed src/sim/sim.c 'const char *sim = "/* 1 */";' two sources 0
 changed CMakeLists.txt 'project(y)' one sources 0
 changed inputs/a.yaml 'time: {end: 2}' one decks 0
 changed scripts/lib/lib.py 'def used(): return 4' one script 1
-changed scripts/results/two.bash 'result_two() { echo 3; }' two script 1
+changed scripts/results/two.py 'print(3)' two script 1
 
 # What no page may be.
 git commit -qam two
@@ -100,7 +100,7 @@ faulty one 'no stamp, or none that can be read'
 echo '# New' >docs/results/new.md
 says 1 'faulty: new: no command makes it'
 rm docs/results/new.md
-rm scripts/results/two.bash
+rm scripts/results/two.py
 faulty two 'no command makes it'
 echo one >>scripts/results/unstamped.txt
 faulty one 'has a stamp'
