@@ -50,7 +50,7 @@ typedef struct cut_cell {
     double open;       /* open fraction: share of its volume inside the boundary */
     double face[3][2]; /* apertures of its faces, by axis and side */
     double
-        moment[3]; /* m: of what is held, about the cell's centre, over the cell's volume; about an axis not of [0] */
+        moment[3]; /* m: of its open part, about the cell's centre, over the cell's volume; about an axis not of [0] */
     double upper;  /* m2: moment along axis 1 of its upper face across axis 0: scratch of the walk */
     /* Scratch. In the plane crossings of each face, by axis and side; on a line those along the cell, in [0][0]; in space
      * those of the edges along each axis (cut_space.c). */
@@ -102,7 +102,7 @@ static inline double cut_at_middle(const cut_surface *c, const cut_piece *q, int
     for (int k = 1; k < c->mesh->dim; ++k) sum += q->weight[k] * c->vertex[q->vertex[k]].x[axis];
     return sum;
 }
-/* Share of a cell, moment, and share of one of its faces, that is held; of the gas outside it is one less that. */
+/* Open fraction of a cell, moment of its open part, and aperture of one of its faces; of the gas outside it is one less that. */
 static inline double cut_open(const cut_surface *c, const int cell[3])
 {
     const int at = c->at[cut_index(c->mesh, cell)];

@@ -70,7 +70,7 @@
       "kinetic energy lost about the node, then J/kg of fluid points")                                               \
     X(N_DRY_MASS, "node_dry_mass", NODE, SCALAR, "kg", SCRATCH, "mass of points that are no fluid")                  \
     X(N_FILL, "node_fill", NODE, SCALAR, "m3", SCRATCH,                                                              \
-      "volume of solid points about the node (mpm/edge/edge.h), then room that is left there (mpm/fluid/settle.c)")  \
+      "volume of solid points about the node (mpm/edge/edge.h), then free volume beside them (mpm/fluid/settle.c)")  \
     X(N_COLOUR, "node_colour", NODE, SCALAR, "m3", SCRATCH, "phi_i = sum of V0_p times a smoothing kernel")          \
     X(N_NORMAL, "node_normal", NODE, VECTOR, "1/m", SCRATCH,                                                         \
       "-grad phi/phi: towards the outside of a body, of no unit length")                                             \

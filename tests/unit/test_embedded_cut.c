@@ -48,7 +48,7 @@ static double enclosed(const cut_surface *c, const double corner[2])
     return sum;
 }
 
-static double held(const cut_surface *c)
+static double enclosed_volume(const cut_surface *c)
 {
     double sum = 0.0;
     for (int j = 0; j < c->mesh->n[1]; ++j)
@@ -57,7 +57,7 @@ static double held(const cut_surface *c)
     return sum;
 }
 
-/* First moments along the axes of what is held, and of what a line encloses (as in `enclosed`). */
+/* First moments along the axes of the open parts of cells, and of what a line encloses (as in `enclosed`). */
 static double first_moment(const cut_surface *c, int axis)
 {
     double sum = 0.0;
@@ -108,7 +108,7 @@ static void check_closed(const cut_surface *c)
 static void check_line(cut_surface *c, context *ctx, const double corner[2])
 {
     check_ok(ctx, cut_find(c));
-    check_close(held(c), enclosed(c, corner), 1e-14);
+    check_close(enclosed_volume(c), enclosed(c, corner), 1e-14);
     for (int a = c->mesh->geometry == MESH_AXISYMMETRIC; a < 2; ++a)
         check_close(first_moment(c, a), enclosed_moment(c, corner, a), 1e-14);
     check_closed(c);
@@ -168,11 +168,11 @@ static void test_closed(void **unused)
     check_line(&c, ctx, centre);
     arc(&c, ctx, 90, 0.33, 0.0, -2.0 * pi, centre);
     check_ok(ctx, cut_find(&c));
-    check_close(held(&c), 1.0 + enclosed(&c, centre), 1e-14);
+    check_close(enclosed_volume(&c), 1.0 + enclosed(&c, centre), 1e-14);
     check_closed(&c);
     arc(&c, ctx, 20, 0.03, 0.0, -2.0 * pi, centre);
     check_ok(ctx, cut_find(&c));
-    check_close(held(&c), 1.0 + enclosed(&c, centre), 1e-14);
+    check_close(enclosed_volume(&c), 1.0 + enclosed(&c, centre), 1e-14);
     end_plane(ctx, &c);
 }
 
@@ -191,7 +191,7 @@ static void test_on_the_mesh(void **unused)
             c.vertex[k] = (cut_vertex){{kind == 2 ? 1.0 - y : 0.5 + wiggle, y}, k};
         }
         check_ok(ctx, cut_find(&c));
-        check_close(held(&c), 0.5, 1e-14);
+        check_close(enclosed_volume(&c), 0.5, 1e-14);
         check_closed(&c);
         check_close(cut_open(&c, (const int[]){0, 0, 0}), 1.0, 0.0);
         check_close(cut_open(&c, (const int[]){7, 7, 0}), 0.0, 0.0);
@@ -216,7 +216,7 @@ static void test_off_the_mesh(void **unused)
         check_ok(ctx, cut_find(&c));
         int parts = 0;
         for (int k = 0; k < c.n_cells; ++k) parts += c.cell[k].open != 0.0 && c.cell[k].open != 1.0;
-        check_close(held(&c), 4.0 * (0.25 + beside[n]) * (0.25 + beside[n]), 1e-14);
+        check_close(enclosed_volume(&c), 4.0 * (0.25 + beside[n]) * (0.25 + beside[n]), 1e-14);
         if (n < 2)
             assert_int_equal(parts, 0);
         else
@@ -259,8 +259,8 @@ static void test_two_chains(void **unused)
     c.vertex[90].x[0] = c.vertex[129].x[1] = 0.0;
     check_ok(ctx, cut_find(&c));
     check_closed(&c);
-    check_close(held(&c), 1.0 - 45.0 * 0.21 * 0.21 * sin(2.0 * pi / 90.0) - 19.5 * 0.3 * 0.3 * sin(0.5 * pi / 39.0),
-                1e-13);
+    check_close(enclosed_volume(&c),
+                1.0 - 45.0 * 0.21 * 0.21 * sin(2.0 * pi / 90.0) - 19.5 * 0.3 * 0.3 * sin(0.5 * pi / 39.0), 1e-13);
     for (int n = 0; n < c.n_pieces; ++n) push[c.piece[n].vertex[0] >= 90] += c.piece[n].area[0];
     check_close(push[0], 0.0, 1e-15);
     check_close(push[1], -0.3, 1e-15); /* what it shows of itself along the axis */
@@ -336,8 +336,8 @@ static void test_thin(void **unused)
     check_thin(1e4);
 }
 
-/* A square about many cells, and in one cell that it holds, or does not, a small one that holds what is held already, or takes what is not. */
-static void test_held_twice(void **unused)
+/* A square about many cells, and in one cell inside it, or outside, a small one that encloses what is enclosed already, or takes away what is not. */
+static void test_enclosed_twice(void **unused)
 {
     (void)unused;
     mesh m;
@@ -358,7 +358,7 @@ static void test_held_twice(void **unused)
                     }
                 if (right) {
                     check_ok(ctx, cut_find(&c));
-                    check_close(held(&c), 0.574 * 0.574 + (outside ? 1.0 : -1.0) * size * size, 1e-14);
+                    check_close(enclosed_volume(&c), 0.574 * 0.574 + (outside ? 1.0 : -1.0) * size * size, 1e-14);
                 } else {
                     check_fails(ctx, cut_find(&c), FLOE_RETRY);
                 }
@@ -388,7 +388,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_quarter),     cmocka_unit_test(test_closed),
                                        cmocka_unit_test(test_on_the_mesh), cmocka_unit_test(test_two_chains),
-                                       cmocka_unit_test(test_thin),        cmocka_unit_test(test_held_twice),
+                                       cmocka_unit_test(test_thin),        cmocka_unit_test(test_enclosed_twice),
                                        cmocka_unit_test(test_refused),     cmocka_unit_test(test_off_the_mesh),
                                        cmocka_unit_test(test_storage),     cmocka_unit_test(test_edge)};
     return cmocka_run_group_tests(tests, NULL, NULL);

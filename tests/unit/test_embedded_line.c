@@ -31,14 +31,14 @@ static void lay(cut_surface *c, context *ctx, int n, const double *at, int outwa
     }
 }
 
-static double held(const cut_surface *c)
+static double enclosed_length(const cut_surface *c)
 {
     double sum = 0.0;
     for (int i = 0; i < CELLS; ++i) sum += cut_open(c, (const int[]){i, 0, 0});
     return sum;
 }
 
-/* First moment of what is held about the lower side, in cells. */
+/* First moment of the enclosed gas about the lower side, in cells. */
 static double first_moment(const cut_surface *c)
 {
     double sum = 0.0;
@@ -123,7 +123,7 @@ static void test_random(void **unused)
         if (!is_clear(n, at, outward) || between(n, at, outward) < n) continue; /* some node is in gas */
         lay(&c, ctx, n, at, outward);
         check_ok(ctx, cut_find(&c));
-        check_close(held(&c), between(n, at, outward), 1e-10);
+        check_close(enclosed_length(&c), between(n, at, outward), 1e-10);
         check_close(first_moment(&c), moment_between(n, at, outward), 1e-9);
         check_closed(&c);
         assert_int_equal(c.n_pieces, n);
@@ -175,7 +175,7 @@ static void test_touch(void **unused)
                 continue;
             }
             check_ok(ctx, cut_find(&c));
-            check_close(held(&c), 5.5 + fmax(apart[k], 0.0), 2e-7);
+            check_close(enclosed_length(&c), 5.5 + fmax(apart[k], 0.0), 2e-7);
             check_closed(&c);
         }
     cut_destroy(&c);
@@ -195,13 +195,13 @@ static void test_in_a_cell(void **unused)
     const double inside[] = {4.3, 4.8}, across[] = {4.6, 5.2}, whole[] = {4.6, 5.6};
     lay(&c, ctx, 2, inside, -1);
     check_ok(ctx, cut_find(&c));
-    check_close(held(&c), 0.5, 1e-14);
+    check_close(enclosed_length(&c), 0.5, 1e-14);
     check_closed(&c);
     assert_false(is_thin(&c, x));
     lay(&c, ctx, 2, inside, 1);
     check_fails(ctx, cut_find(&c), FLOE_RETRY);
     assert_true(is_thin(&c, x));
-    lay(&c, ctx, 2, across, 1); /* for now each side has a cell of its own */
+    lay(&c, ctx, 2, across, 1); /* its sides lie in two cells, less than a cell apart */
     check_ok(ctx, cut_find(&c));
     assert_true(is_thin(&c, x));
     check_close(x[0], -0.3 + 0.46, 1e-14);
@@ -209,7 +209,7 @@ static void test_in_a_cell(void **unused)
     assert_false(is_thin(&c, x));
     lay(&c, ctx, 4, (const double[]){4.5, 4.5, 7.25, 8.75}, 1); /* nothing is left of the first solid */
     check_ok(ctx, cut_find(&c));
-    check_close(held(&c), CELLS - 1.5, 1e-14);
+    check_close(enclosed_length(&c), CELLS - 1.5, 1e-14);
     check_closed(&c);
     cut_destroy(&c);
     context_destroy(&ctx);
@@ -228,9 +228,9 @@ static void test_ahead(void **unused)
     lay(&c, ctx, 2, (const double[]){3.4, 0.0}, -1);
     c.chain[1].outward = 0;
     check_ok(ctx, cut_find(&c));
-    check_close(held(&c), CELLS - 3.4, 1e-14);
+    check_close(enclosed_length(&c), CELLS - 3.4, 1e-14);
     check_ok(ctx, cut_ahead(&c, (const double[]){2.0, 0.0, 0.0, 2.0, 0.0, 0.0}, 0.05, &next));
-    check_close(held(&next), CELLS - 4.4, 1e-14);
+    check_close(enclosed_length(&next), CELLS - 4.4, 1e-14);
     check_closed(&next);
     cut_destroy(&next);
     cut_destroy(&c);

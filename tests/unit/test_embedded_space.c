@@ -268,7 +268,7 @@ static void polyhedron(double out[4])
 }
 
 /* The same of all cells. */
-static void held(const cut_surface *c, double out[4])
+static void enclosed_moments(const cut_surface *c, double out[4])
 {
     memset(out, 0, 4 * sizeof *out);
     for (int k = 0; k < CELLS; ++k)
@@ -329,7 +329,7 @@ static void look(const cut_surface *c, bool inside, worst *w)
 {
     double solid[4], gas[4];
     polyhedron(solid);
-    held(c, gas);
+    enclosed_moments(c, gas);
     for (int k = 0; k < 4; ++k) {
         const double all = (k == 0 ? 1.0 : 0.5 * CELLS) * CELLS * CELLS * CELLS;
         raise(k == 0 ? &w->volume : &w->moment, fabs(gas[k] - (inside ? solid[k] : all - solid[k])));
@@ -375,7 +375,7 @@ static void test_bodies(void **unused)
     context_destroy(&ctx);
 }
 
-/* A surface over the whole mesh, from side to side, its vertices at any height or all on planes: what lies below it is held, or what lies above. Bodies
+/* A surface over the whole mesh, from side to side, its vertices at any height or all on planes: what lies below it is open, or what lies above. Bodies
  * turned about the diagonal, so that it ends on each pair of sides. */
 static void make_sheet(int m, int axis, int kind, unsigned char *rim)
 {
@@ -427,7 +427,7 @@ static void test_sides(void **unused)
         for (int k = 0; k < b.triangles; ++k) /* sides run backwards where the corners do */
             c.triangle[k].rim = below ? rim[k] : (unsigned char)((rim[k] & 2) | (rim[k] & 1) << 2 | (rim[k] & 4) >> 2);
         check_ok(ctx, cut_find(&c));
-        held(&c, gas);
+        enclosed_moments(&c, gas);
         const double under = below_sheet(axis);
         check_close(gas[0], below ? under : CELLS * CELLS * CELLS - under, 1e-8);
         look_at_cells(&c, &w);
@@ -532,11 +532,11 @@ static void test_in_a_cell(void **unused)
         polyhedron(solid);
         lay(&c, ctx, inside, NULL);
         check_ok(ctx, cut_find(&c));
-        held(&c, gas);
+        enclosed_moments(&c, gas);
         check_close(gas[0], inside ? solid[0] : CELLS * CELLS * CELLS - solid[0], 1e-10);
         for (int k = 0; k < 3 * b.n; ++k) velocity[k] = 1.0 + k % 3;
         check_ok(ctx, cut_ahead(&c, velocity, 0.03, &next));
-        held(&next, gas);
+        enclosed_moments(&next, gas);
         check_close(gas[0], inside ? solid[0] : CELLS * CELLS * CELLS - solid[0], 1e-10);
         for (int a = 0; a < 3; ++a) check_close(next.vertex[7].x[a] - c.vertex[7].x[a], 0.03 * (1.0 + a), 1e-15);
     }
