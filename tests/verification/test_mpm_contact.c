@@ -247,6 +247,94 @@ static void test_three_bodies(void **state)
     }
 }
 
+/* ---- the stages, at nodes whose velocities and forces are set ---- */
+
+/* Two blocks, side by side along x and as long as the periodic domain along y: normals are along x, to the bit. */
+static void make_pair(trial *t)
+{
+    const double size[3] = {2.0, 0.8, 0.0};
+    trial_begin(t, 2, size, 0.1);
+    set_sides(t, 1, BC_PERIODIC, BC_PERIODIC);
+    set_method(t, "quadratic", STRESS_MUSL, 1.0);
+    const int solid = add_solid(t, "linear_elastic", bulk, shear, 1.0),
+              heavy = add_solid(t, "linear_elastic", 9.0, 4.0, 3.0);
+    add_body(t, solid, make_box(t, (const double[]){0.6, 0.0, 0.0}, (const double[]){1.0, 0.8, 0.0}), 2);
+    add_body(t, heavy, make_box(t, (const double[]){1.0, 0.0, 0.0}, (const double[]){1.4, 0.8, 0.0}), 2);
+    touch(t, CONTACT_FRICTION, 0.0);
+    t->scene->contact.touch = CONTACT_AT_NODES;
+    snprintf(t->scene->method.transfer, sizeof t->scene->method.transfer,
+             "afmpm"); /* it adds to velocities (restore.c) */
+    t->scene->method.filter_order = 2;
+    t->scene->method.flip = (double)NAN;
+    trial_start(t);
+    trial_steps(t, 1);
+}
+
+/* At every node each block gets a velocity along x before (v) and in `id`, and a force that adds `kicked` to it; along y each has its own. */
+static void set_nodes(const trial *t, field_id id, const double v[2], const double kicked[2])
+{
+    const fields *f = t->sim->domain->fields[0];
+    for (int g = 0; g < 2; ++g)
+        for (size_t k = 0; k < t->sim->mesh.block[0].size; ++k) {
+            const double mass = field_get(f, N_MASS, g, 0)[k], along = 0.5 - g;
+            for (int a = 0; a < 2; ++a) {
+                field_get(f, N_MOMENTUM, g, a)[k] = mass * (a == 0 ? v[g] : along);
+                field_get(f, N_FORCE, g, a)[k] = a == 0 ? mass * kicked[g] / t->sim->mpm->kick : 0.0;
+                field_get(f, id, g, a)[k] = a == 0 ? v[g] : along;
+            }
+        }
+}
+
+/* Where blocks meet they have one velocity along x, that of the centre of mass, or each its own; along y each its own. Returns how many meet. */
+static int check_nodes(const trial *t, field_id id, bool met, const double v[2])
+{
+    const fields *f = t->sim->domain->fields[0];
+    const double *mass[2] = {field_get(f, N_MASS, 0, 0), field_get(f, N_MASS, 1, 0)};
+    int meetings = 0;
+    for (size_t k = 0; k < t->sim->mesh.block[0].size; ++k) {
+        if (!(mass[0][k] > 0.0 && mass[1][k] > 0.0)) continue;
+        const double common = (mass[0][k] * v[0] + mass[1][k] * v[1]) / (mass[0][k] + mass[1][k]);
+        ++meetings;
+        for (int g = 0; g < 2; ++g) {
+            check_close(field_get(f, id, g, 0)[k], met ? common : v[g], met ? 1e-15 : 0.0);
+            check_close(field_get(f, id, g, 1)[k], 0.5 - g, met ? 1e-15 : 0.0);
+        }
+    }
+    return meetings;
+}
+
+/* Without friction: what v^L decides binds the velocities of which MUSL takes strains, and what is added to either, whether those approach or part;
+ * USF decides by what the forces so far will do, and binds the velocities before them. */
+static void test_stages(void **state)
+{
+    (void)state;
+    const double closing[2] = {0.3, -0.2}, parting[2] = {-0.2, 0.3}, none[2] = {0.0, 0.0};
+    trial t;
+    make_pair(&t);
+    mpm *s = t.sim->mpm;
+    for (int met = 0; met < 2; ++met) {
+        const double *decided = met ? closing : parting, *other = met ? parting : closing;
+        const double forced[2] = {2.0 * decided[0], 2.0 * decided[1]};
+        set_nodes(&t, N_VEL_L, decided, none);
+        contact_velocities(s, CONTACT_DECIDE);
+        const int meetings = check_nodes(&t, N_VEL_L, met, decided);
+        check_true(meetings >= 8);
+        set_nodes(&t, N_VEL, other, none);
+        contact_velocities(s, CONTACT_REPEAT);
+        check_nodes(&t, N_VEL, met, other);
+        set_nodes(&t, N_RESIDUAL, other, none);
+        contact_velocities(s, CONTACT_RESTORE);
+        check_nodes(&t, N_RESIDUAL, met, other);
+        set_nodes(&t, N_VEL, other, forced);
+        contact_velocities(s, CONTACT_FORESEE);
+        check_nodes(&t, N_VEL, met, other);
+        set_nodes(&t, N_VEL, decided, (const double[]){1.5 * other[0], 1.5 * other[1]});
+        contact_velocities(s, CONTACT_FORESEE);
+        check_nodes(&t, N_VEL, !met, decided);
+    }
+    trial_end(&t);
+}
+
 typedef struct impact {
     double meet, part, restitution;
 } impact;
@@ -327,7 +415,7 @@ int main(void)
         cmocka_unit_test(test_momentum),     cmocka_unit_test(test_stick_is_no_slip),
         cmocka_unit_test(test_parting),      cmocka_unit_test(test_slope_slides),
         cmocka_unit_test(test_slope_sticks), cmocka_unit_test(test_three_bodies),
-        cmocka_unit_test(test_impact),
+        cmocka_unit_test(test_impact),       cmocka_unit_test(test_stages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
