@@ -129,9 +129,10 @@ static void turn_condition(const mpm *s, const contact_spot *spot, int i)
     for (int k = 1; i + k < spot->rows && r[k].lead == i; ++k) remove_components(r, k, r[k].along);
 }
 
+/* Rows that are bound or led have no weights (add_to_row). */
 static void set_gap(const mpm *s, contact_row *r)
 {
-    if (r->bound || r->lead >= 0 || !(r->weight[0] > 0.0) || !(r->weight[1] > 0.0)) return;
+    if (!(r->weight[0] > 0.0) || !(r->weight[1] > 0.0)) return;
     const double gap = r->sum[1] / r->weight[1] - r->sum[0] / r->weight[0];
     r->active = gap <= MPM_CLOSED_GAP * s->contact->h;
     r->gap = r->active ? 0.0 : gap;
