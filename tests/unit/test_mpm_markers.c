@@ -1,0 +1,75 @@
+/* Surfaces of solids beside gas of the cells: which fluid each part of one faces, and which of its ends stay on a side of the mesh. */
+#include "verification/coupled_fixture.h"
+
+#include "mpm/surface/boundary.h"
+#include "mpm/surface/surfaces.h"
+
+static const double inner = 0.35, outer = 0.63;
+
+/* A shell about the corner of a box, whose sides through that corner are mirrors; lengths in units. */
+static void make_shell(trial *t, int dim, double unit)
+{
+    const double size = 0.8 * unit;
+    coupled_begin(t, dim, (const double[3]){size, size, size}, 0.1 * unit);
+    for (int a = 0; a < dim; ++a) set_sides(t, a, BC_SYMMETRY, BC_SLIP);
+    t->scene->method.interface = INTERFACE_SHARP;
+    coupled_body(t, coupled_solid(t, 1e7, 6e6, 1000.0), make_ring(t, inner * unit, outer * unit), 2);
+}
+
+/* One gas about the shell, and another, a body that comes after it, inside: a part of the surface faces the one that it touches, however small the scene. */
+static void test_facing(void **unused)
+{
+    (void)unused;
+    for (int dim = 2; dim <= 3; ++dim)
+        for (double unit = 1.0; unit > 1e-4; unit *= 1e-3) {
+            trial t;
+            mesh m;
+            int n[3];
+            make_shell(&t, dim, unit);
+            const int gas[2] = {t.scene->ambient_material, add_gas(&t, 1.6, 500.0)};
+            coupled_body(&t, gas[1], make_ball(&t, (const double[3]){0.0, 0.0, 0.0}, inner * unit), 2);
+            check_ok(t.ctx, mesh_init(&m, t.ctx, &t.scene->mesh));
+            for (int k = 0; k < 3; ++k) {
+                cut_surface c;
+                check_ok(t.ctx, cut_create(&c, t.ctx, &m));
+                check_ok(t.ctx, mpm_boundary_add(t.scene, &m, &t.scene->body[0], k < 2 ? gas[k] : -1, &c));
+                n[k] = dim == 2 ? c.n_chains : c.n_triangles;
+                for (int part = 0; k < 2 && part < n[k]; ++part) {
+                    const double *x = c.vertex[dim == 2 ? c.chain[part].first : c.triangle[part].vertex[0]].x;
+                    check_close_relative(sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]), (k ? inner : outer) * unit,
+                                         0.01);
+                }
+                cut_destroy(&c);
+            }
+            check_true(n[0] > 0 && n[1] > 0);
+            assert_int_equal(n[0] + n[1], n[2]);
+            trial_end(&t);
+        }
+}
+
+/* Markers on a mirror, where the surface ends, stay on it: no others do. */
+static void test_pins(void **unused)
+{
+    (void)unused;
+    for (int dim = 2; dim <= 3; ++dim) {
+        trial t;
+        make_shell(&t, dim, 1.0);
+        coupled_start(&t);
+        const surface_markers *k = &t.sim->mpm->surfaces->markers;
+        int pinned = 0;
+        for (size_t i = 0; i < k->n; ++i) {
+            int wanted = 0;
+            for (int a = 0; a < dim; ++a) wanted |= k->now[i].x[a] == 0.0 ? 1 << a : 0;
+            assert_int_equal(k->pin[i], wanted);
+            pinned += wanted > 0;
+        }
+        check_true(pinned >= (dim == 2 ? 4 : 30) && pinned < (int)k->n);
+        trial_end(&t);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_facing), cmocka_unit_test(test_pins)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
