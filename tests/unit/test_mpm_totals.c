@@ -1,5 +1,5 @@
-/* What a body has in all: the sums over its points of mass, momentum, first moment and kinetic energy, along each axis; and which gas lies
- * outside a membrane. */
+/* What a body has in all: the sums over its points of mass, momentum, first moment and kinetic energy, along each axis; what
+ * limits the step; and which gas lies outside a membrane. */
 #include "verification/coupled_fixture.h"
 
 static void test_sums(void **unused)
@@ -48,6 +48,39 @@ static void test_sums(void **unused)
     }
 }
 
+/* What limits the step: the speed of waves in uniaxial strain, with the linear term of artificial viscosity as much more on either side and the quadratic
+ * one by sqrt(q/rho); and motion. Across the diagonal of a cell. */
+static void test_step(void **unused)
+{
+    (void)unused;
+    static const double linear[] = {0.0, 0.3}, pressure = 0.02, velocity[3] = {0.3, -0.2, 0.1}, bulk = 3.0, shear = 1.5;
+    for (int dim = 1; dim <= 3; ++dim)
+        for (int k = 0; k < 2; ++k) {
+            trial t;
+            step_limit limit;
+            trial_begin(&t, dim, (const double[3]){0.4, 0.4, 0.4}, 0.1);
+            set_method(&t, "gimp", STRESS_MUSL, 1.0); /* a share of one of the step of the bar */
+            t.scene->time.cfl_mpm = 0.7;
+            const int solid = add_solid(&t, "linear_elastic", bulk, shear, 2.0);
+            t.scene->material[solid].artificial_linear = linear[k];
+            t.scene->material[solid].artificial_quadratic = k;
+            add_body(&t, solid, make_box(&t, (const double[3]){0.1, 0.1, 0.1}, (const double[3]){0.3, 0.3, 0.3}), 2);
+            trial_start(&t);
+            const fields *f = t.sim->domain->fields[0];
+            double expected = sqrt((bulk + 4.0 / 3.0 * shear) / 2.0) * (1.0 + 2.0 * linear[k]) * sqrt(dim) / 0.1;
+            const size_t last = t.sim->mpm->points[0][0].n - 1;
+            if (k) field_get(f, P_VISCOUS_PRESSURE, 0, 0)[last] = pressure;
+            if (k) expected += 2.0 * sqrt(pressure / 2.0) * sqrt(dim) / 0.1;
+            for (int a = 0; a < dim; ++a) {
+                field_get(f, P_VEL, 0, a)[last] = velocity[a];
+                expected += fabs(velocity[a]) / 0.1;
+            }
+            check_ok(t.ctx, mpm_time_step(t.sim->mpm, &limit));
+            check_close_relative(limit.dt, 0.7 / expected, 1e-13);
+            trial_end(&t);
+        }
+}
+
 /* A quarter of a circle between mirrors: gas anywhere in the quadrant is outside where it is farther from the centre than the line. */
 static void test_outside(void **unused)
 {
@@ -81,6 +114,7 @@ static void test_outside(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums), cmocka_unit_test(test_outside)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums), cmocka_unit_test(test_step),
+                                       cmocka_unit_test(test_outside)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -140,6 +140,43 @@ static void fixture_liquid(fixture *f)
         fixture_param(m->eos.model->params, m->eos.model->n_params, m->eos.par, values[k].key, 0, values[k].value);
 }
 
+/* ---- a surface that recedes ---- */
+
+/* A block of the reactant on whole cells, by its surface: the gradients of its volume fraction, a half over h across each of its faces, in the cells
+ * that have some of it. What burns in a short step is rho r_0 dt times that. */
+static void surface_burns(void **unused)
+{
+    (void)unused;
+    enum { CELLS = 8, BLOCK = 4 };
+    const double h = 1.0 / CELLS, velocity = 1e-3, dt = 1e-6;
+    for (int dim = 1; dim <= 2; ++dim) {
+        fixture f;
+        fixture_create(&f, dim, (const int[]){CELLS, CELLS}, (const double[]){1.0, 1.0}, true);
+        fixture_liquid(&f);
+        fixture_fluid(&f, "ideal", 1.25, 1400.0, 0.0);
+        fixture_box(&f, 0, (const double[]){0.25, 0.25}, (const double[]){0.75, 0.75}, 1e5, 300.0, (double)NAN);
+        fixture_fill(&f, 1, 1e5, 300.0, (double)NAN);
+        react(&f, 0, 1, "burn", 0.0, 3,
+              (const fixture_value[]){{"velocity", velocity, 0}, {"pressure", 1e5, 0}, {"exponent", 0.0, 0}});
+        fixture_start(&f);
+        double before[CELLS * CELLS], burnt = 0.0, density = 0.0;
+        const int rows = dim == 1 ? 1 : CELLS;
+        for (int k = 0; k < CELLS * rows; ++k) {
+            before[k] = fixture_array(&f, C_RHO, 0, 0)[mesh_index(&f.mesh.block[0], k % CELLS, k / CELLS, 0)];
+            density = fmax(density, before[k]);
+        }
+        fixture_steps(&f, 1, dt);
+        for (int k = 0; k < CELLS * rows; ++k)
+            burnt += before[k] - fixture_array(&f, C_RHO, 0, 0)[mesh_index(&f.mesh.block[0], k % CELLS, k / CELLS, 0)];
+        const double faces = dim == 1 ? 2.0 * 0.5 : 4.0 * (BLOCK - 2) * 0.5 + 4.0 * 0.5 * sqrt(2.0);
+        const double wanted = density * velocity * dt * faces / h;
+        printf("%d-D: %.12g kg/m3 burnt for %.12g: %.1e\n", dim, burnt, wanted, burnt / wanted - 1.0);
+        check_close_relative(burnt, wanted, 2.5e-8); /* 1.2e-8 of it has burnt by then */
+        check_drifts(&f, 1e-13);
+        fixture_destroy(&f);
+    }
+}
+
 /* Grains of 0.2 % of the volume against the equation of the vessel: the pressure is that of the step's start, hence order one. */
 static double vessel_error(int steps, double *pressure)
 {
@@ -187,10 +224,8 @@ static void vessel_burns(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(explosion),
-        cmocka_unit_test(threshold),
-        cmocka_unit_test(volume_is_kept),
-        cmocka_unit_test(vessel_burns),
+        cmocka_unit_test(explosion),     cmocka_unit_test(threshold),    cmocka_unit_test(volume_is_kept),
+        cmocka_unit_test(surface_burns), cmocka_unit_test(vessel_burns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
