@@ -545,11 +545,40 @@ static void test_in_a_cell(void **unused)
     context_destroy(&ctx);
 }
 
+/* A body that only touches a side may leave it: what is there is no end of its surface. */
+static void test_leaves_side(void **unused)
+{
+    (void)unused;
+    context *ctx = context_create();
+    mesh m;
+    cut_surface c, next;
+    const double centre[3] = {2.0, 4.3, 4.6};
+    double before[4], after[4], velocity[3 * 6] = {0.0};
+    make_mesh(&m, ctx);
+    check_ok(ctx, cut_create(&c, ctx, &m));
+    check_ok(ctx, cut_create(&next, ctx, &m));
+    b.n = b.triangles = 0;
+    add_octahedron(2.0);
+    place(0, centre);
+    lay(&c, ctx, false, NULL);
+    check_true(c.vertex[0].x[0] == m.lower[0]);
+    check_ok(ctx, cut_find(&c));
+    held(&c, before);
+    for (int k = 0; k < b.n; ++k) velocity[3 * k] = 1.0;
+    check_ok(ctx, cut_ahead(&c, velocity, 0.4 * m.h[0], &next));
+    held(&next, after);
+    check_close(next.vertex[0].x[0], m.lower[0] + 0.4 * m.h[0], 1e-15);
+    check_close(after[0], before[0], 1e-10);
+    cut_destroy(&c);
+    cut_destroy(&next);
+    context_destroy(&ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bodies),  cmocka_unit_test(test_sides),     cmocka_unit_test(test_level),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_in_a_cell),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_in_a_cell), cmocka_unit_test(test_leaves_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -81,8 +81,36 @@ static void test_nearest(void **unused)
         }
 }
 
+/* Two fluids side by side on whole cells: where one is not, it has no mass, volume, energy or velocity, and what is there has its own. */
+static void test_absent(void **unused)
+{
+    (void)unused;
+    trial t;
+    coupled_begin(&t, 1, (const double[3]){1.0, 0.0, 0.0}, 0.1);
+    set_sides(&t, 0, BC_PERIODIC, BC_PERIODIC);
+    t.scene->coupling = COUPLING_ICE;
+    scene_body *b = coupled_body(&t, add_gas(&t, 1.6, 500.0),
+                                 make_box(&t, (const double[3]){0.3, 0.0, 0.0}, (const double[3]){0.7, 1.0, 1.0}), 2);
+    b->pressure = COUPLED_PRESSURE;
+    b->velocity[0] = 3.0;
+    coupled_start(&t);
+    const fields *f = t.sim->domain->fields[0];
+    for (int i = 0; i < 10; ++i)
+        for (int r = 0; r < 2; ++r) {
+            const ptrdiff_t at = mesh_index(&t.sim->mesh.block[0], i, 0, 0);
+            const bool here = (i >= 3 && i < 7) == (r == 1);
+            assert_int_equal(field_get(f, C_RHO, r, 0)[at] > 0.0, here);
+            check_close(field_get(f, C_VEL, r, 0)[at], here && r == 1 ? 3.0 : 0.0, here ? 1e-14 : 0.0);
+            check_close_relative(field_get(f, C_ENERGY, r, 0)[at],
+                                 here ? (r ? 500.0 : 717.5) * COUPLED_TEMPERATURE : 0.0, 1e-12);
+            assert_int_equal(field_get(f, C_VOL, r, 0)[at] > 0.0, here);
+        }
+    trial_end(&t);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_used), cmocka_unit_test(test_nearest)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_used), cmocka_unit_test(test_nearest),
+                                       cmocka_unit_test(test_absent)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
