@@ -74,11 +74,50 @@ static void two_fluids(void **state)
     check_true(step > 1e-4);
 }
 
+/* Three gases at pressures of their own, all of them, two or one in a cell: once they are at one pressure, each has the temperature that its law gives its
+ * volume and energy. */
+static void closed_states(void **state)
+{
+    (void)state;
+    static const double gamma[] = {1.4, 1.6, 1.2}, heat[] = {717.5, 300.0, 2000.0};
+    fixture f;
+    const int cells = CELLS;
+    fixture_create(&f, 1, &cells, (const double[]){1.0}, false);
+    for (int r = 0; r < 3; ++r) fixture_fluid(&f, "ideal", gamma[r], heat[r], 0.0);
+    fixture_fill(&f, 0, 1e5, 300.0, (double)NAN);
+    for (int r = 1; r < 3; ++r)
+        fixture_box(&f, r, (const double[]){0.3 * r}, (const double[]){0.3 * r + 0.1}, 1e5, 300.0, (double)NAN);
+    fixture_start(&f);
+    for (int i = 0; i < CELLS; ++i)
+        for (int r = 0; r < 3; ++r) {
+            const ptrdiff_t at = mesh_index(&f.mesh.block[0], i, 0, 0);
+            const int present = 3 - i % 3;
+            const double share = r < present ? 1.0 / present : 0.0;
+            set_share(&f, r, i, share);
+            if (share == 0.0) fixture_array(&f, C_VOL, r, 0)[at] = fixture_array(&f, C_ENERGY, r, 0)[at] = 0.0;
+            fixture_array(&f, C_ENERGY, r, 0)[at] *= 1.0 + 0.2 * r; /* pressures of their own */
+        }
+    check_ok(f.ctx, ice_boundary_ghosts(f.ice));
+    check_ok(f.ctx, ice_equilibrium_pressure(f.ice));
+    for (int i = 0; i < CELLS; ++i) {
+        const ptrdiff_t at = mesh_index(&f.mesh.block[0], i, 0, 0);
+        for (int r = 0; r < 3 - i % 3; ++r) {
+            const eos *law = &f.ice->material[r].eos;
+            const double rho = 1.0 / fixture_array(&f, C_VOL, r, 0)[at], e = fixture_array(&f, C_ENERGY, r, 0)[at];
+            double T;
+            law->model->temperature(law->par, 1, &rho, &e, &T);
+            check_close_relative(fixture_array(&f, C_TEMP, r, 0)[at], T, 1e-13);
+        }
+    }
+    fixture_destroy(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_fluid),
         cmocka_unit_test(two_fluids),
+        cmocka_unit_test(closed_states),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
