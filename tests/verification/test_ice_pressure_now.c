@@ -112,12 +112,33 @@ static void closed_states(void **state)
     fixture_destroy(&f);
 }
 
+/* Gases whose sound is slower than 1 m/s: of all cells the message names the one without a pressure. */
+static void cell_to_blame(void **state)
+{
+    (void)state;
+    fixture f;
+    const int cells = CELLS;
+    fixture_create(&f, 1, &cells, (const double[]){1.0}, false);
+    const int gas = fixture_fluid(&f, "ideal", 1.4, 1.0, 0.0);
+    const int other = fixture_fluid(&f, "ideal", 1.6, 1.0, 0.0);
+    fixture_box(&f, other, (const double[]){0.75}, (const double[]){2.0}, 0.1, (double)NAN, 1.0);
+    fixture_fill(&f, gas, 0.1, (double)NAN, 1.0);
+    fixture_start(&f);
+    fixture_array(&f, C_ENERGY, 0, 0)[mesh_index(&f.mesh.block[0], 23, 0, 0)] = -0.5;
+    const floe_status status = fixture_try(&f, 1e-4);
+    assert_non_null(strstr(context_message(f.ctx), "cell (23)"));
+    assert_non_null(strstr(context_message(f.ctx), "internal energy -0.5 J/kg"));
+    check_fails(f.ctx, status, FLOE_RETRY);
+    fixture_destroy(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_fluid),
         cmocka_unit_test(two_fluids),
         cmocka_unit_test(closed_states),
+        cmocka_unit_test(cell_to_blame),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

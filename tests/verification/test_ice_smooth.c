@@ -87,6 +87,41 @@ static void slow_kinks(void **state)
     check_close_relative(kink_excess(8e-3), 2.0 * kink_excess(4e-3), 0.1);
 }
 
+/* The sensor of contacts in the middle of a rise of the density by a half over two cells, with one of the pressure, in units of `size`. */
+static double contact_found(double rise, double size)
+{
+    fixture f;
+    const int cells = 16;
+    fixture_create(&f, 1, &cells, (const double[]){1.0}, false);
+    const int gas = fixture_fluid(&f, "ideal", 1.4, 1.0, 0.0);
+    fixture_fill(&f, gas, size, (double)NAN, size);
+    fixture_start(&f);
+    for (int i = 0; i < cells; ++i) {
+        const ptrdiff_t at = mesh_index(&f.mesh.block[0], i, 0, 0);
+        const double share = fmin(fmax(0.5 * (i - 7), 0.0), 1.0);
+        fixture_array(&f, C_RHO, 0, 0)[at] = size * (1.0 + 0.5 * share);
+        fixture_array(&f, C_ENERGY, 0, 0)[at] = (1.0 + rise * share) / (0.4 * (1.0 + 0.5 * share));
+    }
+    check_ok(f.ctx, fixture_try(&f, 1e-6));
+    const double found = fixture_array(&f, C_CONTACT, 0, 0)[mesh_index(&f.mesh.block[0], 8, 0, 0)];
+    fixture_destroy(&f);
+    return found;
+}
+
+/* A contact is one in full, in any units, but for what ten times the isentrope's change of density explains, |dp|/c^2: of what is left counts what is more
+ * than 5 % of the density, in full from 10 % on. */
+static void contacts(void **state)
+{
+    (void)state;
+    static const double rise[] = {0.0, 0.02, 0.049, 0.05, 0.07, -0.02, -0.045, -0.05};
+    for (size_t k = 0; k < sizeof rise / sizeof *rise; ++k)
+        for (double size = 1.0; size < 1e4; size *= 1e3) {
+            const double square = 1.4 * (1.0 + 0.5 * rise[k]) / 1.25;
+            const double left = (0.5 - 10.0 * fabs(rise[k]) / square) / 1.25 - 0.05;
+            check_close(contact_found(rise[k], size), fmin(fmax(20.0 * left, 0.0), 1.0), 1e-12);
+        }
+}
+
 static double vortex_error(int cells, ice_limiter limiter, double end)
 {
     fixture f;
@@ -174,10 +209,8 @@ static void columns_at_rest(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(simple_wave),
-        cmocka_unit_test(slow_kinks),
-        cmocka_unit_test(vortex),
-        cmocka_unit_test(columns_at_rest),
+        cmocka_unit_test(simple_wave), cmocka_unit_test(slow_kinks),      cmocka_unit_test(contacts),
+        cmocka_unit_test(vortex),      cmocka_unit_test(columns_at_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
