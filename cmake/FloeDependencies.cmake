@@ -15,7 +15,7 @@ pkg_check_modules(HDF5 IMPORTED_TARGET hdf5-serial)
 if(NOT HDF5_FOUND)
     pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
 endif()
-find_package(SUNDIALS 6.4 REQUIRED COMPONENTS nvecserial sunlinsolpcg sunlinsoldense sunmatrixdense sunnonlinsolfixedpoint cvode)
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS nvecserial sunlinsoldense sunmatrixdense sunnonlinsolfixedpoint cvode)
 
 # Short names for the modules' LINK lists.
 set(FLOE_GSL PkgConfig::GSL)
@@ -23,5 +23,5 @@ set(FLOE_FYAML PkgConfig::FYAML)
 set(FLOE_UDUNITS PkgConfig::UDUNITS)
 set(FLOE_JANSSON PkgConfig::JANSSON)
 set(FLOE_HDF5 PkgConfig::HDF5)
-set(FLOE_SUNDIALS SUNDIALS::nvecserial SUNDIALS::sunlinsolpcg SUNDIALS::sunlinsoldense SUNDIALS::sunmatrixdense
+set(FLOE_SUNDIALS SUNDIALS::nvecserial SUNDIALS::sunlinsoldense SUNDIALS::sunmatrixdense
     SUNDIALS::sunnonlinsolfixedpoint SUNDIALS::cvode)

@@ -19,6 +19,12 @@ solve_grid solve_grid_make(int dim, const int *n, const bool *periodic)
     return g;
 }
 
+solve_grid solve_grid_of_list(int n)
+{
+    return (solve_grid){
+        .dim = 1, .n = {n, 1, 1}, .tile = {mesh_tile_width(1), 1, 1}, .stride = {1, 0, 0}, .size = (size_t)n};
+}
+
 solve_grid solve_grid_of_cells(const mesh *m)
 {
     return solve_grid_make(m->dim, m->n, m->periodic);

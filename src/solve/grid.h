@@ -18,6 +18,8 @@ typedef struct solve_grid {
 
 /* A box of n[0] x n[1] x n[2] unknowns; `periodic` and `n` hold MESH_MAX_DIM entries, n is 1 along unused axes. */
 solve_grid solve_grid_make(int dim, const int *n, const bool *periodic);
+/* The entries of an array, one after the other without ghosts. */
+solve_grid solve_grid_of_list(int n);
 /* The cells of a mesh. */
 solve_grid solve_grid_of_cells(const mesh *m);
 

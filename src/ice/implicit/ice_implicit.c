@@ -81,7 +81,8 @@ static int solve_once(ice *s, double residual)
     const double cells = (double)w->grid.n[0] * w->grid.n[1] * w->grid.n[2];
     const double tolerance = fmin(ICE_SHARE_OF_TOLERANCE * s->scene->method.pressure_tolerance * sqrt(sqrt(cells)),
                                   ICE_SHARE_OF_RESIDUAL * residual);
-    return cg_solve(w->c, multigrid_apply, multigrid_cycle, w->m, w->b, w->weight, tolerance, w->x).iterations;
+    const cg_system system = {multigrid_apply, multigrid_cycle, w->m, CG_WEIGHTED, w->weight};
+    return cg_solve_afresh(w->c, &system, tolerance, w->b, w->x).iterations;
 }
 
 /* What the upwind theta^r,f need of the present u*. */

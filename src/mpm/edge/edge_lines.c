@@ -356,6 +356,8 @@ floe_status edges_create(mpm *s)
     TRY(memory_new(s->ctx, &e->memory, e->n_memory, sizeof *e->memory));
     for (size_t g = 0; g < groups; ++g) e->memory[e->travel + g] = 1.0; /* look at first */
     TRY(memory_new(s->ctx, &e->motion, (size_t)s->n_bodies, sizeof *e->motion));
+    const solve_grid empty = solve_grid_of_list(0);
+    TRY(cg_create(&e->solver, s->ctx, &empty, 1, MPM_EDGE_ITERATIONS));
     TRY(memory_new(s->ctx, &e->fill, nodes, sizeof *e->fill));
     TRY(memory_new(s->ctx, &e->owner, nodes, sizeof *e->owner));
     TRY(memory_new(s->ctx, &e->index, nodes, sizeof *e->index));
@@ -383,6 +385,7 @@ void edges_free(mpm *s)
         memory_free(ctx, &e->fill);
         memory_free(ctx, &e->owner);
         memory_free(ctx, &e->index);
+        cg_destroy(&e->solver);
         memory_free(ctx, &e->solve);
         memory_free(ctx, &e->motion);
     }

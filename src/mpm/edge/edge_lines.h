@@ -6,6 +6,7 @@
 #include "mpm/edge/edge.h"
 #include "mpm/mpm.h"
 #include "mpm/nodes/node.h"
+#include "solve/cg.h"
 
 enum { EDGE_TAPS = 5 };
 
@@ -98,7 +99,8 @@ typedef struct mpm_edges {
     int *owner;              /* the body that fills it; negative: none, or several. Owned */
     int *index;              /* per global node: index in the list that is being made, -1: not in it. Owned */
     edge_motion *motion;     /* of each body; owned */
-    double *solve;           /* scratch of the solver; owned */
+    cg *solver;              /* of the accelerations; owned */
+    double *solve;           /* scratch of vectors over the nodes; owned */
     size_t scratch_reserved; /* nodes */
     int nodes[MESH_MAX_DIM]; /* of the whole mesh; a periodic end is node 0 */
 } mpm_edges;

@@ -61,60 +61,39 @@ static void add_flowing(const edge_system *y, double factor, const double *p, do
     }
 }
 
-/* Ap = M p of the system's matrix M, in which constrained nodes have no rows. Gives p M p. */
-static double apply_matrix(const edge_system *y, const double *p, double *Ap)
+/* Ap = M p of the system's matrix M, in which constrained nodes have no rows. A cg_operator; user: the edge_system. */
+static void apply_matrix(void *user, double *p, double *Ap)
 {
+    const edge_system *y = user;
     const edge_group *g = y->group;
-    double curvature = 0.0;
     for (int n = 0; n < g->n_nodes; ++n)
         Ap[n] = edge_constrains(&g->node[n], y->c) ? 0.0 : y->mass[n] * p[n] + y->share * times_lines(y, n, p);
     add_flowing(y, 1.0 - y->share, p, Ap);
-    for (int n = 0; n < g->n_nodes; ++n) curvature += p[n] * Ap[n];
-    return curvature;
 }
 
-static double weighted_square(const edge_system *y)
+/* z = r over the diagonal. A cg_operator. */
+static void apply_inverse(void *user, double *r, double *z)
 {
-    double sum = 0.0;
-    for (int n = 0; n < y->group->n_nodes; ++n) sum += y->r[n] * y->r[n] * y->inverse[n];
-    return sum;
+    const edge_system *y = user;
+    for (int n = 0; n < y->group->n_nodes; ++n) z[n] = r[n] * y->inverse[n];
 }
 
-/* r = b - M x, p from it. Gives the square of b. */
-static double begin_solve(edge_system *y)
+/* r = b - M x. Gives the size of b. */
+static double find_residual(edge_system *y)
 {
     const edge_group *g = y->group;
-    double scale = 0.0;
-    (void)apply_matrix(y, y->x, y->Ap);
+    double square = 0.0;
+    apply_matrix(y, y->x, y->Ap);
     for (int n = 0; n < g->n_nodes; ++n) {
         const bool constrained = edge_constrains(&g->node[n], y->c);
         y->r[n] = constrained ? 0.0 : y->mass[n] * y->raw[n] - g->damping * times_lines(y, n, y->before);
     }
     add_flowing(y, g->damping, y->before, y->r);
     for (int n = 0; n < g->n_nodes; ++n) {
-        scale += y->r[n] * y->r[n] * y->inverse[n];
+        square += y->r[n] * y->r[n] * y->inverse[n];
         y->r[n] -= y->Ap[n];
-        y->p[n] = y->r[n] * y->inverse[n];
     }
-    return scale;
-}
-
-static void solve_edge_system(edge_system *y)
-{
-    const int n_nodes = y->group->n_nodes;
-    const double enough = MPM_EDGE_TOLERANCE * MPM_EDGE_TOLERANCE * begin_solve(y);
-    double square = weighted_square(y);
-    for (int k = 0; k < MPM_EDGE_ITERATIONS && square > enough; ++k) {
-        const double curvature = apply_matrix(y, y->p, y->Ap);
-        if (!(curvature > 0.0)) return;
-        const double step = square / curvature, before = square;
-        for (int n = 0; n < n_nodes; ++n) {
-            y->x[n] += step * y->p[n];
-            y->r[n] -= step * y->Ap[n];
-        }
-        square = weighted_square(y);
-        for (int n = 0; n < n_nodes; ++n) y->p[n] = y->r[n] * y->inverse[n] + square / before * y->p[n];
-    }
+    return sqrt(square);
 }
 
 /* Motion k of a body at a node: uniform, or along a coordinate from the centre of the body's nodes. */
@@ -144,7 +123,7 @@ static void sum_motions(edge_system *y, edge_motion *body, int motions)
             const edge_node *node = &g->node[n];
             y->p[n] = edge_constrains(node, y->c) ? 0.0 : motion_at(&body[node->body], node, k);
         }
-        (void)apply_matrix(y, y->p, y->Ap);
+        apply_matrix(y, y->p, y->Ap);
         for (int n = 0; n < g->n_nodes; ++n) {
             edge_motion *b = &body[g->node[n].body];
             b->share[k] += y->p[n] * y->r[n];
@@ -276,7 +255,9 @@ static void accelerate_nodes(mpm *s, int group, int c, double *scratch)
 {
     edge_group *g = &s->edges->group[group];
     edge_system y = load_system(s, group, c, scratch);
-    solve_edge_system(&y);
+    const double size = find_residual(&y);
+    const cg_system system = {apply_matrix, apply_inverse, &y, CG_PRECONDITIONED, NULL};
+    cg_solve(s->edges->solver, &system, MPM_EDGE_TOLERANCE * size, y.r, y.x);
     keep_linear_motion(s, &y);
     double moment[3] = {0.0};
     const double given = given_by_lines(s->mesh, &y, moment);
@@ -326,7 +307,9 @@ floe_status edges_accelerate(mpm *s, int group)
     mpm_edges *e = s->edges;
     edge_group *g = &e->group[group];
     double *scratch;
+    const solve_grid nodes = solve_grid_of_list(g->n_nodes);
     TRY(edges_scratch(s, g, V_COUNT, &scratch));
+    TRY(cg_resize(e->solver, &nodes, 1));
     edges_mark_flow(s, g);
     for (int c = 0; c < s->mesh->dim && g->n_nodes > 0; ++c) accelerate_nodes(s, group, c, scratch);
     g->travelled = (g->looked ? 0.0 : e->memory[e->travel + (size_t)group]) + way_of_nodes(s, group);

@@ -144,8 +144,8 @@ static floe_status solve_change(mpm *s, double tolerance)
     for (size_t k = 0; k < w->components; ++k)
         if (w->constrained[k]) w->residual[k] = 0.0;
     const double had = constrained_norm(w, w->residual);
-    const cg_result r =
-        cg_solve(w->krylov, multiply_tangent, apply_preconditioner, s, w->residual, NULL, tolerance, w->change);
+    const cg_system system = {multiply_tangent, apply_preconditioner, s, CG_WEIGHTED, NULL};
+    const cg_result r = cg_solve_afresh(w->krylov, &system, tolerance, w->residual, w->change);
     w->krylov_iterations += r.iterations;
     if (!r.converged && !(r.residual < 0.1 * had))
         return fail(s->ctx, FLOE_RETRY,
