@@ -340,6 +340,58 @@ static void solves_for_several_components(void **state)
     memory_free(ctx, &x);
 }
 
+/* On a list of any length, from any x: second differences with ends that are fixed. */
+enum { LONGEST_LIST = 300 };
+static int list_length(const void *user)
+{
+    return *(const int *)user;
+}
+static void times_differences(void *user, double *x, double *y)
+{
+    const int n = list_length(user);
+    for (int k = 0; k < n; ++k) y[k] = (2.0 + k % 7) * x[k] - (k > 0 ? x[k - 1] : 0.0) - (k + 1 < n ? x[k + 1] : 0.0);
+}
+static void over_diagonal(void *user, double *x, double *y)
+{
+    for (int k = 0; k < list_length(user); ++k) y[k] = x[k] / (2.0 + k % 7);
+}
+
+/* What is left is the residual of x, and its size is measured as it was asked for. */
+static void improves_lists(void **state)
+{
+    context *ctx = *state;
+    const int lengths[] = {3, LONGEST_LIST, 64, 65};
+    const double tolerance = 1e-9;
+    cg *c;
+    const solve_grid empty = solve_grid_of_list(0);
+    check_ok(ctx, cg_create(&c, ctx, &empty, 1, 500));
+    for (int i = 0; i < 8; ++i) {
+        const int n = lengths[i / 2];
+        double b[LONGEST_LIST], x[LONGEST_LIST], r[LONGEST_LIST], Ax[LONGEST_LIST], left[LONGEST_LIST], square = 0.0;
+        const cg_system system = {times_differences, over_diagonal, (void *)&n, i % 2 ? CG_PRECONDITIONED : CG_WEIGHTED,
+                                  NULL};
+        const solve_grid list = solve_grid_of_list(n);
+        uint64_t seed = 3;
+        for (int k = 0; k < n; ++k) {
+            x[k] = check_random(&seed, -1.0, 1.0);
+            b[k] = check_random(&seed, -1.0, 1.0);
+        }
+        times_differences((void *)&n, x, Ax);
+        for (int k = 0; k < n; ++k) r[k] = b[k] - Ax[k];
+        check_ok(ctx, cg_resize(c, &list, 1));
+        const cg_result result = cg_solve(c, &system, tolerance, r, x);
+        check_true(result.converged && result.residual <= tolerance && result.iterations > 1);
+        times_differences((void *)&n, x, Ax);
+        over_diagonal((void *)&n, r, left);
+        for (int k = 0; k < n; ++k) {
+            check_close(r[k], b[k] - Ax[k], 1e-14);
+            square += r[k] * (i % 2 ? left[k] : r[k]);
+        }
+        check_close(sqrt(square), result.residual, 1e-20);
+    }
+    cg_destroy(&c);
+}
+
 static void memory_may_run_out(void **state)
 {
     context *ctx = *state;
@@ -365,6 +417,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(agrees_with_a_dense_matrix),
+        cmocka_unit_test(improves_lists),
         cmocka_unit_test(cells_may_take_no_part),
         cmocka_unit_test(the_cycle_is_symmetric_and_positive),
         cmocka_unit_test(iterations_do_not_grow_with_the_mesh),
