@@ -44,6 +44,11 @@
  * every step: with a hundredth a cylinder that sinks in water (twice as heavy, four cells in radius) goes 0.053 m where it should go 0.0997,
  * with this 0.0941; with a hundredth of this it goes 0.0948, and ends in some scenes. */
 #define MPM_WALL_LEAST_NODE 1e-4
+/* A solid lighter than this share of the fluid has the fluid's velocity along the whole line. Areas share the closing as suits the fluid, and give
+ * nodes with little of a light solid any velocity: sound that meets a bar of 1e-3, 0.01, 0.03, 0.1 of its density gives it a velocity that is
+ * 103, 12, 6, 4 % wrong, with this 1.4, 1.1, 0.8, 4 %. Shares by reduced masses mend these too, but a cylinder that sinks in water then falls
+ * a third short. */
+#define MPM_WALL_LIGHT 0.05
 /* Of the mass at a node, so little fluid has no part in its heat: round-off. */
 #define MPM_DRY_NODE 1e-9
 

@@ -35,16 +35,32 @@ static void merge_node(wetted_node *n)
         n->v[FLUID][c] = n->v[SOLID][c] = (n->mass[FLUID] * n->v[FLUID][c] + n->mass[SOLID] * n->v[SOLID][c]) / mass;
 }
 
+/* Whether the solid of a line is so light that it goes with the fluid: its mass there says so, and that of the lightest solid. The masses
+ * alone would where a surface lies just so between nodes. */
+static bool is_light_wall(const mpm *s, const wetted_line *line)
+{
+    double mass[2] = {0.0}, density = 0.0;
+    for (int k = 0; k < line->n; ++k) {
+        const wetted_node *m = &s->wetted->node[line->member[k]];
+        const double size = sqrt(wetted_dot(m->area, m->area));
+        for (int g = 0; g < 2; ++g) mass[g] += size * m->mass[g];
+        density = fmax(density, m->mass[FLUID] / node_volume(s, s->wetted->fluid, m->at));
+    }
+    return mass[SOLID] < MPM_WALL_LIGHT * mass[FLUID] && s->wetted->density < MPM_WALL_LIGHT * density;
+}
+
 /* Merges nodes of a line that have almost none of one of the two, and drops them from the line. */
 static void merge_light_nodes(const mpm *s, wetted_line *line)
 {
     mpm_wetted *w = s->wetted;
     double most = 0.0;
     int apart = 0;
+    const bool light = is_light_wall(s, line);
     for (int k = 0; k < line->n; ++k) most = fmax(most, w->node[line->member[k]].mass[FLUID]);
     for (int k = 0; k < line->n; ++k) {
         wetted_node *m = &w->node[line->member[k]];
-        if (m->mass[FLUID] < MPM_WALL_LEAST_NODE * most || m->mass[SOLID] < MPM_WALL_LEAST_NODE * m->mass[FLUID]) {
+        if (light || m->mass[FLUID] < MPM_WALL_LEAST_NODE * most ||
+            m->mass[SOLID] < MPM_WALL_LEAST_NODE * m->mass[FLUID]) {
             merge_node(m);
             continue;
         }
