@@ -35,7 +35,7 @@ static double *param_at(const param_spec *spec, void *par)
 void param_fill_defaults(const param_spec *specs, size_t n, void *par)
 {
     for (size_t i = 0; i < n; i++) {
-        const int count = specs[i].count;
+        const int count = specs[i].kind == PARAM_NUMBERS ? specs[i].count : 0;
         double *to = param_at(&specs[i], par);
         for (int k = 0; k < (count < 0 ? -count : count); k++) to[k] = specs[i].fallback;
     }
@@ -44,7 +44,7 @@ void param_fill_defaults(const param_spec *specs, size_t n, void *par)
 double *param_find(const param_spec *specs, size_t n, void *par, const char *key)
 {
     for (size_t i = 0; i < n; i++) {
-        if (strcmp(specs[i].key, key) == 0) return param_at(&specs[i], par);
+        if (specs[i].kind == PARAM_NUMBERS && strcmp(specs[i].key, key) == 0) return param_at(&specs[i], par);
     }
     return NULL;
 }

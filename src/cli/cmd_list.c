@@ -18,6 +18,14 @@
 /* A default or "required", and the range. */
 static void print_param(const param_spec *p)
 {
+    static const char *const form[] = {[PARAM_POINTS] = "a list of positions",
+                                       [PARAM_MODEL] = "one more of these",
+                                       [PARAM_MODELS] = "a list of these",
+                                       [PARAM_FILE] = "the name of a file, from the deck's folder"};
+    if (p->kind != PARAM_NUMBERS) {
+        printf("      %-22s %s, required: %s\n", p->key ? p->key : "(its value)", form[p->kind], p->doc);
+        return;
+    }
     char range[128], fallback[48] = "required";
     param_describe_range(p, range, sizeof range);
     if (!isnan(p->fallback)) (void)snprintf(fallback, sizeof fallback, "default %g", p->fallback);

@@ -50,7 +50,14 @@ static void print_form(page *p, const key_spec *key)
     case KEY_BODY: strbuf_append(&p->out, "the name of a body"); break;
     case KEY_MAP: strbuf_append(&p->out, "a map, see below"); break;
     case KEY_NAMED: strbuf_append(&p->out, "`name: {...}` for each %s, see below", key->items->noun); break;
-    case KEY_MODEL: strbuf_append(&p->out, "`{name: {...}}` of one %s", key->family->noun); break;
+    case KEY_MODEL:
+        strbuf_append(&p->out, "`{name: {...}}` of one %s%s", key->family->noun, key->dim == 2 ? " of the plane" : "");
+        break;
+    case KEY_MODELS:
+        strbuf_append(&p->out, "a list, each `{name: {...}}` of one %s; %d or more", key->family->noun, key->least);
+        break;
+    case KEY_POINTS: strbuf_append(&p->out, "a list of positions, `[[x, y], ...]`; %d or more", key->least); break;
+    case KEY_FILE: strbuf_append(&p->out, "the name of a file, from the deck's folder"); break;
     case KEY_VARIANT: strbuf_append(&p->out, "`{kind: {...}}` of one %s", key->variants->noun); break;
     case KEY_SPECIAL: strbuf_append(&p->out, "%s", key->special->form); break;
     }
@@ -101,12 +108,12 @@ static void print_rows(page *p, const key_table *table)
     for (size_t i = 0; i < table->n; i++) print_row(p, &table->key[i]);
 }
 
-static void print_params(page *p, const model_entry *entry)
+static void print_params(page *p, const model_entry *entry, const model_family *family)
 {
     if (entry->n_params == 0) return;
     print_head(p);
     for (size_t i = 0; i < entry->n_params; i++) {
-        key_spec key = key_of_param(&entry->params[i]);
+        key_spec key = key_of_param(entry, i, family);
         char fallback[32];
         snprintf(fallback, sizeof fallback, "%g", entry->params[i].fallback);
         if (!key.required) key.fallback = fallback;
@@ -121,9 +128,10 @@ static void print_family(page *p, const char *title, const model_family *family)
     for (size_t i = 0; family->get(p->catalogue, i, &entry); i++) {
         strbuf_append(&p->out, "\n### %s\n\n", entry.name);
         print_sentence(p, entry.doc);
+        if (stands_alone(&entry)) strbuf_append(&p->out, " It is written `%s: [...]`.", entry.name);
         if (entry.cite && entry.cite[0]) strbuf_append(&p->out, " Source: %s.", entry.cite);
         strbuf_append(&p->out, "\n");
-        print_params(p, &entry);
+        print_params(p, &entry, family);
     }
 }
 
@@ -197,6 +205,7 @@ static const char preface[] =
     "* **Lists over the axes** have as many entries as `domain.dim`; in one dimension a number will do.\n"
     "* **Models** (laws, equations of state, shapes, exact solutions, references) are written `{name: {parameter: "
     "value}}`.\n"
+    "  Parameters of shapes may be shapes, to any depth.\n"
     "* **Names** of materials, bodies, loads and probes are letters, digits, `_` and `-`, a letter first.\n"
     "* `--set KEY=VALUE` replaces any key on the command line: `--set domain.cell=0.0125`,\n"
     "  `--set materials.steel.law.linear_elastic.bulk_modulus='120 GPa'`, `--set domain.lower.0=-1` (list entries "

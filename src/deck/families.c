@@ -29,15 +29,32 @@ static bool shape_fetch(const void *field, const char **name, const void **par)
     return true;
 }
 
-static const char *shape_check(const model_entry *entry, const void *par, int dim)
+static floe_status allocate_for_shape(void *owner, void *out, size_t size)
 {
-    const shape_model *m = entry->model;
-    if (m->min_dim > 0 && dim < m->min_dim) return "does not exist in a scene of so few dimensions";
-    if (m->max_dim > 0 && dim > m->max_dim) return "does not exist in a scene of so many dimensions";
-    return m->check ? m->check(par, dim) : NULL;
+    return scene_allocate(owner, out, size);
 }
 
-const model_family family_shape = {"shape", shape_get, shape_store, shape_fetch, shape_check, NULL};
+static floe_status shape_make_ready(scene *s, const model_entry *entry, void *par, int dim, char why[MODEL_WHY])
+{
+    const shape_model *m = entry->model;
+    const shape of = {m, par};
+    const shape_memory memory = {s->ctx, allocate_for_shape, s};
+    _Static_assert((int)MODEL_WHY == (int)SHAPE_WHY, "what is wrong with a shape is what is wrong with a model");
+    if (m->min_dim > 0 && dim < m->min_dim)
+        (void)snprintf(why, MODEL_WHY, "does not exist in a scene of so few dimensions");
+    else if (m->max_dim > 0 && dim > m->max_dim)
+        (void)snprintf(why, MODEL_WHY, "does not exist in a scene of so many dimensions");
+    else
+        return shape_prepare(&of, dim, &memory, why);
+    return FLOE_OK;
+}
+
+const model_family family_shape = {.noun = "shape",
+                                   .get = shape_get,
+                                   .store = shape_store,
+                                   .fetch = shape_fetch,
+                                   .field_size = sizeof(shape),
+                                   .prepare = shape_make_ready};
 
 static model_entry law_entry(const solid_model *m)
 {
@@ -89,7 +106,8 @@ static const char *law_check(const model_entry *entry, const void *par, int dim)
     return nu > -1.0 && nu <= 0.5 ? NULL : "Poisson's ratio is outside -1 ... 0.5";
 }
 
-const model_family family_law = {"law", law_get, law_store, law_fetch, law_check, law_chosen};
+const model_family family_law = {
+    .noun = "law", .get = law_get, .store = law_store, .fetch = law_fetch, .check = law_check, .chosen = law_chosen};
 
 static bool membrane_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -116,7 +134,8 @@ static bool membrane_fetch(const void *field, const char **name, const void **pa
     return true;
 }
 
-const model_family family_membrane = {"membrane law", membrane_get, membrane_store, membrane_fetch, NULL, NULL};
+const model_family family_membrane = {
+    .noun = "membrane law", .get = membrane_get, .store = membrane_store, .fetch = membrane_fetch};
 
 static bool normals_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -151,8 +170,11 @@ static const char *normals_check(const model_entry *entry, const void *par, int 
     return dim > 1 || m->connected ? NULL : "a line of one dimension has none to find";
 }
 
-const model_family family_normals = {"way to make normals", normals_get,   normals_store,
-                                     normals_fetch,         normals_check, NULL};
+const model_family family_normals = {.noun = "way to make normals",
+                                     .get = normals_get,
+                                     .store = normals_store,
+                                     .fetch = normals_fetch,
+                                     .check = normals_check};
 
 static model_entry eos_entry(const eos_model *m)
 {
@@ -197,7 +219,12 @@ static const char *eos_check(const model_entry *entry, const void *par, int dim)
     return m->check ? m->check(par) : NULL;
 }
 
-const model_family family_eos = {"equation of state", eos_get, eos_store, eos_fetch, eos_check, eos_chosen};
+const model_family family_eos = {.noun = "equation of state",
+                                 .get = eos_get,
+                                 .store = eos_store,
+                                 .fetch = eos_fetch,
+                                 .check = eos_check,
+                                 .chosen = eos_chosen};
 
 static bool exact_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -232,7 +259,8 @@ static const char *exact_check(const model_entry *entry, const void *par, int di
     return NULL;
 }
 
-const model_family family_exact = {"exact solution", exact_get, exact_store, exact_fetch, exact_check, NULL};
+const model_family family_exact = {
+    .noun = "exact solution", .get = exact_get, .store = exact_store, .fetch = exact_fetch, .check = exact_check};
 
 static bool reference_get(const deck_catalogue *catalogue, size_t i, model_entry *out)
 {
@@ -258,4 +286,5 @@ static bool reference_fetch(const void *field, const char **name, const void **p
     return true;
 }
 
-const model_family family_reference = {"reference", reference_get, reference_store, reference_fetch, NULL, NULL};
+const model_family family_reference = {
+    .noun = "reference", .get = reference_get, .store = reference_store, .fetch = reference_fetch};

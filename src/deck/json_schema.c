@@ -70,13 +70,23 @@ static void add_table_members(schema_writer *j, json_t *out, const key_table *ta
     }
 }
 
-static void add_model(schema_writer *j, json_t *any, const model_entry *entry)
+static json_t *reference_to(const char *definition)
 {
+    return json_pack("{s:s}", "$ref", definition);
+}
+
+static void add_model(schema_writer *j, json_t *any, const model_entry *entry, const model_family *family)
+{
+    if (stands_alone(entry)) {
+        const key_spec key = key_of_param(entry, 0, family);
+        add_key_members(j, begin_single_object(j, append_object(j, any), entry->name), &key);
+        return;
+    }
     json_t *model = begin_single_object(j, append_object(j, any), entry->name);
     json_t *properties = begin_closed_object(j, model);
     put_member(j, model, "type", json_pack("[s, s]", "object", "null"));
     for (size_t i = 0; i < entry->n_params; i++) {
-        const key_spec key = key_of_param(&entry->params[i]);
+        const key_spec key = key_of_param(entry, i, family);
         add_key_members(j, new_object(j, properties, key.key), &key);
     }
 }
@@ -87,7 +97,7 @@ static void add_family_members(schema_writer *j, json_t *out, const model_family
     json_t *any = new_list(j, out, "anyOf"), *names = new_list(j, append_object(j, any), "enum");
     for (size_t i = 0; family->get(j->catalogue, i, &entry); i++) {
         append_value(j, names, json_string(entry.name));
-        add_model(j, any, &entry);
+        add_model(j, any, &entry, family);
     }
     if (json_array_size(names) == 0) append_value(j, names, json_string("")); /* an empty list is no schema */
 }
@@ -100,11 +110,6 @@ static void add_variants_members(schema_writer *j, json_t *out, const variants *
         append_value(j, names, json_string(kind->name));
         if (kind->table) add_table_members(j, begin_single_object(j, append_object(j, any), kind->name), kind->table);
     }
-}
-
-static json_t *reference_to(const char *definition)
-{
-    return json_pack("{s:s}", "$ref", definition);
 }
 
 /* One kind for all sides, or an object of the named ones. */
@@ -148,6 +153,18 @@ static void add_special_members(schema_writer *j, json_t *out, const special_key
     }
 }
 
+/* Models that may have models of their registry as parameters are a definition: in a list, for drafts up to 7 take nothing
+ * beside a $ref. */
+static void add_model_members(schema_writer *j, json_t *out, const model_family *family)
+{
+    char definition[80];
+    (void)snprintf(definition, sizeof definition, "#/definitions/%s", family->noun);
+    if (family->field_size > 0)
+        append_value(j, new_list(j, out, "allOf"), reference_to(definition));
+    else
+        add_family_members(j, out, family);
+}
+
 static void add_type_members(schema_writer *j, json_t *out, const key_spec *key)
 {
     switch (key->type) {
@@ -164,7 +181,17 @@ static void add_type_members(schema_writer *j, json_t *out, const key_spec *key)
     case KEY_CHOICE: add_choices(j, out, key->choices); return;
     case KEY_MAP: add_table_members(j, out, key->table); return;
     case KEY_NAMED: add_named_members(j, out, key->items); return;
-    case KEY_MODEL: add_family_members(j, out, key->family); return;
+    case KEY_MODEL: add_model_members(j, out, key->family); return;
+    case KEY_MODELS:
+        put_member(j, out, "type", json_string("array"));
+        put_member(j, out, "minItems", json_integer(key->least));
+        add_model_members(j, new_object(j, out, "items"), key->family);
+        return;
+    case KEY_POINTS:
+        put_member(j, out, "type", json_string("array"));
+        put_member(j, out, "minItems", json_integer(key->least));
+        return;
+    case KEY_FILE: put_member(j, out, "type", json_string("string")); return;
     case KEY_VARIANT: add_variants_members(j, out, key->variants); return;
     case KEY_SPECIAL: add_special_members(j, out, key->special); return;
     }
@@ -185,6 +212,7 @@ static void add_definitions(schema_writer *j, json_t *out)
     static const char *const sides[] = {"lower", "upper"};
     json_t *definitions = new_object(j, out, "definitions");
     add_variants_members(j, new_object(j, definitions, "side"), &boundary_kinds);
+    add_family_members(j, new_object(j, definitions, family_shape.noun), &family_shape);
     add_boundaries(j, new_object(j, definitions, "axis"), sides, 2, "#/definitions/side");
 }
 

@@ -10,28 +10,17 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { LINE = 1024, PATH_MOST = 4096, ROWS_MOST = 10000000 };
+enum { LINE = 1024, ROWS_MOST = 10000000 };
 
 /* ---- in the deck ---- */
 
 static const key_spec place_key = {.key = "place", .type = KEY_NUMBER, .unit = "m"};
 
-static floe_status read_place(reader *r, deck_node *item, double place[3])
-{
-    const size_t dim = (size_t)r->scene->mesh.dim;
-    if (item->kind == NODE_SCALAR && dim == 1) return read_number(r, &place_key, item, &place[0]);
-    if (item->kind != NODE_LIST || item->n != dim)
-        return bad(r, item, "a list with a number for each axis", "this is no place of the scene");
-    size_t axis = 0;
-    for (deck_node *x = item->first; x; x = x->next) TRY(read_number(r, &place_key, x, &place[axis++]));
-    return FLOE_OK;
-}
-
 static floe_status read_list(reader *r, deck_node *node, curve_line *c)
 {
     TRY(scene_allocate(r->scene, &c->vertex, 3 * node->n * sizeof *c->vertex));
     for (deck_node *item = node->first; item; item = item->next)
-        TRY(read_place(r, item, c->vertex + 3 * (ptrdiff_t)c->n_vertices++));
+        TRY(read_position(r, &place_key, item, c->vertex + 3 * (ptrdiff_t)c->n_vertices++));
     return FLOE_OK;
 }
 
@@ -132,21 +121,6 @@ static floe_status read_point_rows(reader *r, table *t, curve_line *c)
     return FLOE_OK;
 }
 
-/* Where a file that the deck names is: beside the deck, told from the root, so that the resolved deck finds it from
- * anywhere. */
-static floe_status resolve_path(reader *r, deck_node *node, char path[PATH_MOST])
-{
-    const char *deck = r->scene->path, *slash = strrchr(deck, '/');
-    const int folder = slash ? (int)(slash - deck) + 1 : 0;
-    char here[PATH_MOST] = "";
-    const bool rooted = node->text[0] == '/';
-    if (!rooted && deck[0] != '/' && !getcwd(here, sizeof here))
-        return fail(r->ctx, FLOE_IO, "cannot tell the working directory: %s", strerror(errno));
-    const int n =
-        snprintf(path, PATH_MOST, "%s%s%.*s%s", here, here[0] ? "/" : "", rooted ? 0 : folder, deck, node->text);
-    return n < PATH_MOST ? FLOE_OK : bad(r, node, NULL, "the path is too long");
-}
-
 static floe_status refuse_unreadable(reader *r, deck_node *node, const char *path, const char *special)
 {
     if (!special) return bad(r, node, special_positions.form, "cannot open '%s': %s", path, strerror(errno));
@@ -155,9 +129,9 @@ static floe_status refuse_unreadable(reader *r, deck_node *node, const char *pat
 
 static floe_status read_table_file(reader *r, deck_node *node, curve_line *c)
 {
-    char path[PATH_MOST];
-    TRY(resolve_path(r, node, path));
-    if (node->bad) return FLOE_OK;
+    const char *path;
+    TRY(resolve_path(r, node, &path));
+    if (!path) return FLOE_OK;
     const char *special;
     const int descriptor = ordinary_open(path, O_RDONLY, &special);
     if (descriptor < 0) return refuse_unreadable(r, node, path, special);
@@ -171,10 +145,7 @@ static floe_status read_table_file(reader *r, deck_node *node, curve_line *c)
     fclose(t.file);
     TRY(status);
     if (t.fault[0]) return bad(r, node, NULL, "'%s': %s", path, t.fault);
-    char *kept;
-    TRY(scene_allocate(r->scene, &kept, strlen(path) + 1));
-    memcpy(kept, path, strlen(path) + 1);
-    c->file = kept;
+    c->file = path;
     return FLOE_OK;
 }
 
@@ -211,12 +182,8 @@ static void write_places(writer *w, const key_spec *key, const void *base)
         return;
     }
     for (int i = 0; i < c->n_vertices; i++) {
-        strbuf_append(&w->out, "%s[", i == 0 ? " [" : ", ");
-        for (int axis = 0; axis < w->scene->mesh.dim; axis++) {
-            strbuf_append(&w->out, "%s", axis == 0 ? "" : ", ");
-            write_number(&w->out, c->vertex[3 * i + axis]);
-        }
-        strbuf_append(&w->out, "]");
+        strbuf_append(&w->out, "%s", i == 0 ? " [" : ", ");
+        write_position(w, c->vertex + (ptrdiff_t)3 * i);
     }
     strbuf_append(&w->out, "]\n");
 }

@@ -108,7 +108,7 @@ static floe_status read_absent(reader *r, const key_spec *key, deck_node *map, v
 {
     if (key->required && map) {
         char form[WORDS / 2], expected[WORDS];
-        describe_expected(key, r->scene->mesh.dim, form, sizeof form);
+        describe_expected(key, reader_dim(r), form, sizeof form);
         snprintf(expected, sizeof expected, "%s: %s (%s)", key->key, form, key->doc);
         const char *quote = map->key ? "'" : "", *name = map->key ? map->key : "the deck";
         return bad_key(r, map, expected, NULL, "missing key '%s' in %s%.60s%s", key->key, quote, name, quote);
@@ -159,13 +159,16 @@ floe_status read_key(reader *r, const key_spec *key, deck_node *node, void *base
 {
     if (node_is_null(node) && key->type != KEY_MODEL && key->type != KEY_TEXT) {
         char expected[WORDS];
-        describe_expected(key, r->scene->mesh.dim, expected, sizeof expected);
+        describe_expected(key, reader_dim(r), expected, sizeof expected);
         return bad_key(r, node, expected, NULL, "'%s' has no value", key->key);
     }
     switch (key->type) {
     case KEY_MAP: return read_map(r, key, node, base);
     case KEY_NAMED: return read_named(r, key, node, base);
     case KEY_MODEL: return read_model(r, key, node, base);
+    case KEY_MODELS: return read_models(r, key, node, base);
+    case KEY_POINTS: return read_points(r, key, node, base);
+    case KEY_FILE: return read_file_key(r, key, node, base);
     case KEY_VARIANT: return read_variant(r, key->variants, node, (char *)base + key->offset);
     case KEY_SPECIAL: return key->special->read(r, key, node, base);
     default: return read_scalar(r, key, node, base);

@@ -7,17 +7,30 @@
 #include <stdio.h>
 #include <string.h>
 
-key_spec key_of_param(const param_spec *param)
+bool stands_alone(const model_entry *entry)
 {
-    key_spec key = {.key = param->key,
+    return entry->n_params == 1 && !entry->params[0].key;
+}
+
+key_spec key_of_param(const model_entry *entry, size_t i, const model_family *family)
+{
+    const param_spec *param = &entry->params[i];
+    key_spec key = {.key = param->key ? param->key : entry->name,
                     .unit = param->unit,
                     .range = param->range,
                     .lo = param->lo,
                     .hi = param->hi,
                     .offset = param->offset,
                     .required = isnan(param->fallback),
-                    .doc = param->doc};
-    if (param->count == 1) {
+                    .doc = param->doc,
+                    .family = family,
+                    .dim = param->dim,
+                    .least = param->least};
+    static const key_type type[] = {
+        [PARAM_POINTS] = KEY_POINTS, [PARAM_MODEL] = KEY_MODEL, [PARAM_MODELS] = KEY_MODELS, [PARAM_FILE] = KEY_FILE};
+    if (param->kind != PARAM_NUMBERS) {
+        key.type = type[param->kind];
+    } else if (param->count == 1) {
         key.type = KEY_NUMBER;
         key.size = sizeof(double);
     } else if (param->count == -3) {
@@ -85,22 +98,54 @@ static bool is_bare(const deck_node *named)
 }
 
 /* `named` stands for the model where it has no map of parameters. */
-static floe_status read_param(reader *r, const param_spec *param, deck_node *map, deck_node *named, char *par)
+static floe_status refuse_missing(reader *r, const key_spec *key, deck_node *named)
 {
-    const key_spec key = key_of_param(param);
-    deck_node *child = node_find(map, param->key);
-    if (child) return read_key(r, &key, child, par);
-    if (key.required) {
-        char form[256], expected[512];
-        describe_expected(&key, r->scene->mesh.dim, form, sizeof form);
-        snprintf(expected, sizeof expected, "%s: %s (%s)", param->key, form, param->doc);
-        if (is_bare(named)) return bad(r, named, expected, "missing key '%s' in '%.60s'", param->key, named->text);
-        return bad_key(r, named, expected, NULL, "missing key '%s' in '%.60s'", param->key, named->key);
-    }
+    char form[256], expected[512];
+    describe_expected(key, reader_dim(r), form, sizeof form);
+    snprintf(expected, sizeof expected, "%s: %s (%s)", key->key, form, key->doc);
+    if (is_bare(named)) return bad(r, named, expected, "missing key '%s' in '%.60s'", key->key, named->text);
+    return bad_key(r, named, expected, NULL, "missing key '%s' in '%.60s'", key->key, named->key);
+}
+
+static floe_status read_param(reader *r, const key_spec *key, const param_spec *param, deck_node *map, deck_node *named,
+                              char *par)
+{
+    deck_node *child = node_find(map, key->key);
+    if (child) return read_key(r, key, child, par);
+    if (key->required) return refuse_missing(r, key, named);
     double *field = (double *)(void *)(par + param->offset);
     const int n = param->count == -3 ? 3 : param->count;
     for (int i = 0; i < n; i++) field[i] = param->fallback;
     return FLOE_OK;
+}
+
+/* What is written as the value of the model itself. */
+static floe_status read_alone(reader *r, const key_spec *key, deck_node *named, char *par)
+{
+    if (!is_bare(named)) return read_key(r, key, named, par);
+    char expected[512];
+    describe_expected(key, reader_dim(r), expected, sizeof expected);
+    return bad(r, named, expected, "'%s' has no value", key->key);
+}
+
+/* Whether parameters of the model are models, points or files. */
+static bool has_others(const model_entry *entry)
+{
+    for (size_t i = 0; i < entry->n_params; i++)
+        if (entry->params[i].kind != PARAM_NUMBERS) return true;
+    return false;
+}
+
+static floe_status check_model(reader *r, const model_family *family, const model_entry *entry, deck_node *named,
+                               char *par)
+{
+    char why[MODEL_WHY] = "";
+    const char *wrong = family->check ? family->check(entry, par, reader_dim(r)) : NULL;
+    if (family->prepare) TRY(family->prepare(r->scene, entry, par, reader_dim(r), why));
+    if (why[0]) wrong = why;
+    if (!wrong) return FLOE_OK;
+    if (is_bare(named)) return bad(r, named, NULL, "%s '%s': %s", family->noun, entry->name, wrong);
+    return bad_key(r, named, NULL, NULL, "%s '%s': %s", family->noun, entry->name, wrong);
 }
 
 static floe_status read_params(reader *r, const model_family *family, const model_entry *entry, deck_node *map,
@@ -109,14 +154,26 @@ static floe_status read_params(reader *r, const model_family *family, const mode
     char *par;
     const size_t errors = r->errors->count;
     TRY(scene_allocate(r->scene, &par, entry->param_size > 0 ? entry->param_size : 1));
-    if (map) TRY(check_params(r, entry, map));
-    for (size_t i = 0; i < entry->n_params; i++) TRY(read_param(r, &entry->params[i], map, named, par));
+    if (map && !stands_alone(entry)) TRY(check_params(r, entry, map));
+    for (size_t i = 0; i < entry->n_params; i++) {
+        const key_spec key = key_of_param(entry, i, family);
+        TRY(stands_alone(entry) ? read_alone(r, &key, named, par)
+                                : read_param(r, &key, &entry->params[i], map, named, par));
+    }
+    if (errors != r->errors->count && has_others(entry)) return FLOE_OK; /* nobody may ask a shape without parts */
+    if (errors == r->errors->count) TRY(check_model(r, family, entry, named, par));
     family->store(field, entry, par);
-    if (errors != r->errors->count || !family->check) return FLOE_OK;
-    const char *wrong = family->check(entry, par, r->scene->mesh.dim);
-    if (!wrong) return FLOE_OK;
-    if (is_bare(named)) return bad(r, named, NULL, "%s '%s': %s", family->noun, entry->name, wrong);
-    return bad_key(r, named, NULL, NULL, "%s '%s': %s", family->noun, entry->name, wrong);
+    return FLOE_OK;
+}
+
+static floe_status bad_list(reader *r, const key_spec *key, deck_node *node)
+{
+    char found[80], expected[512];
+    node_describe(node, found, sizeof found);
+    describe_expected(key, reader_dim(r), expected, sizeof expected);
+    if (node->kind == NODE_LIST)
+        return bad(r, node, expected, "'%s' has %zu entries, of %d or more", key->key, node->n, key->least);
+    return bad(r, node, expected, "'%s' is %s, not a list", key->key, found);
 }
 
 /* The single entry of a one-key map, NULL after an error. */
@@ -131,6 +188,7 @@ static floe_status find_single(reader *r, deck_node *node, const char *noun, dec
     }
     if (node->n != 1) {
         deck_node *at = node->n > 1 ? node->first->next : node;
+        if (!at->key) return bad(r, at, "{name: {parameters}}", "no entry, where one %s is needed", noun);
         return bad_key(r, at, "{name: {parameters}}", NULL, "'%.60s' has %zu entries, one %s is needed",
                        node->key ? node->key : noun, node->n, noun);
     }
@@ -138,11 +196,9 @@ static floe_status find_single(reader *r, deck_node *node, const char *noun, dec
     return FLOE_OK;
 }
 
-floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *base)
+static floe_status read_model_at(reader *r, const model_family *family, deck_node *node, void *field)
 {
-    const model_family *family = key->family;
     const family_names names = {family, r->catalogue};
-    char *field = (char *)base + key->offset;
     model_entry entry;
     if (node->kind == NODE_SCALAR && !node_is_null(node)) {
         if (!find_entry(r, family, node->text, &entry))
@@ -154,12 +210,37 @@ floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *ba
     if (!single) return FLOE_OK;
     if (!find_entry(r, family, single->key, &entry))
         return bad_name(r, single, true, family->noun, family_name, &names);
-    if (single->kind != NODE_MAP && !node_is_null(single)) {
+    if (single->kind != NODE_MAP && !node_is_null(single) && !stands_alone(&entry)) {
         char found[80];
         node_describe(single, found, sizeof found);
         return bad(r, single, "{parameter: value, ...}", "'%.60s' is %s, not a map", single->key, found);
     }
     return read_params(r, family, &entry, single->kind == NODE_MAP ? single : NULL, single, field);
+}
+
+/* In a space of its own dimension, if it has one. */
+static floe_status read_model_in(reader *r, const key_spec *key, deck_node *node, void *field)
+{
+    const int outer = r->dim;
+    if (key->dim > 0) r->dim = key->dim;
+    const floe_status status = read_model_at(r, key->family, node, field);
+    r->dim = outer;
+    return status;
+}
+
+floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    return read_model_in(r, key, node, (char *)base + key->offset);
+}
+
+floe_status read_models(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    param_list *list = (param_list *)(void *)((char *)base + key->offset);
+    if (node->kind != NODE_LIST || node->n < (size_t)key->least) return bad_list(r, key, node);
+    TRY(scene_allocate(r->scene, &list->item, node->n * key->family->field_size));
+    for (deck_node *item = node->first; item; item = item->next, list->n++)
+        TRY(read_model_in(r, key, item, (char *)list->item + list->n * key->family->field_size));
+    return FLOE_OK;
 }
 
 static const char *variant_name(const void *user, size_t i)

@@ -36,6 +36,13 @@ static void describe_list(const key_spec *key, size_t n, bool alone, char *text,
     snprintf(text, size, "%sa list of %zu, each %s", alone ? "one for all axes, or " : "", n, number);
 }
 
+static void describe_positions(const key_spec *key, int dim, char *text, size_t size)
+{
+    static const char *const form[] = {"", "[x, x, ...]", "[[x, y], [x, y], ...]", "[[x, y, z], [x, y, z], ...]"};
+    snprintf(text, size, "a list of %d or more positions, %s", key->least, form[dim >= 1 && dim <= 3 ? dim : 0]);
+    if (has_unit(key)) text_add(text, size, " in %s, or with units", key->unit);
+}
+
 void describe_expected(const key_spec *key, int dim, char *text, size_t size)
 {
     switch (key->type) {
@@ -55,6 +62,12 @@ void describe_expected(const key_spec *key, int dim, char *text, size_t size)
     case KEY_MAP: snprintf(text, size, "a map: {key: value, ...}"); return;
     case KEY_NAMED: snprintf(text, size, "name: {...}, one entry for each %s", key->items->noun); return;
     case KEY_MODEL: snprintf(text, size, "{name: {parameters}} of one %s", key->family->noun); return;
+    case KEY_MODELS:
+        snprintf(text, size, "a list of %d or more, each {name: {parameters}} of one %s", key->least,
+                 key->family->noun);
+        return;
+    case KEY_POINTS: describe_positions(key, dim, text, size); return;
+    case KEY_FILE: snprintf(text, size, "the name of a file, from the deck's folder"); return;
     case KEY_VARIANT: snprintf(text, size, "{kind: {keys}} of one %s", key->variants->noun); return;
     case KEY_SPECIAL: snprintf(text, size, "%s", key->special->form); return;
     }
@@ -64,7 +77,7 @@ void describe_expected(const key_spec *key, int dim, char *text, size_t size)
 static floe_status bad_value(reader *r, const key_spec *key, deck_node *node, const char *why)
 {
     char expected[WORDS];
-    describe_expected(key, r->scene->mesh.dim, expected, sizeof expected);
+    describe_expected(key, reader_dim(r), expected, sizeof expected);
     return bad(r, node, expected, "'%s': %s", key->key, why);
 }
 
@@ -72,7 +85,7 @@ static floe_status bad_kind(reader *r, const key_spec *key, deck_node *node)
 {
     char found[80], expected[WORDS];
     node_describe(node, found, sizeof found);
-    describe_expected(key, r->scene->mesh.dim, expected, sizeof expected);
+    describe_expected(key, reader_dim(r), expected, sizeof expected);
     return bad(r, node, expected, "'%s' is %s", key->key, found);
 }
 
@@ -149,7 +162,7 @@ static floe_status read_numbers(reader *r, const key_spec *key, deck_node *node,
 
 static floe_status read_wholes(reader *r, const key_spec *key, deck_node *node, int *field)
 {
-    const size_t n = (size_t)r->scene->mesh.dim;
+    const size_t n = (size_t)reader_dim(r);
     long x = (long)key->lo;
     if (node->kind == NODE_SCALAR) {
         TRY(read_whole(r, key, node, &x));
@@ -250,7 +263,7 @@ floe_status read_scalar(reader *r, const key_spec *key, deck_node *node, void *b
 {
     char *field = (char *)base + key->offset;
     double *number = (double *)(void *)field;
-    const size_t dim = (size_t)r->scene->mesh.dim;
+    const size_t dim = (size_t)reader_dim(r);
     switch (key->type) {
     case KEY_NUMBER: return read_number(r, key, node, number);
     case KEY_NUMBERS: return read_numbers(r, key, node, key->size / sizeof *number, false, number);

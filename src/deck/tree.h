@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 enum {
-    TREE_MAX_DEPTH = 24,     /* nested maps and lists */
+    TREE_MAX_DEPTH = 100,    /* nested maps and lists */
     TREE_MAX_NODES = 100000, /* of one source */
     TREE_MAX_BYTES = 1 << 20 /* of one source */
 };

@@ -96,7 +96,7 @@ static bool is_unset(const key_spec *key, const void *field)
 
 static void write_wholes(writer *w, const int *x)
 {
-    for (int i = 0; i < w->scene->mesh.dim; i++) strbuf_append(&w->out, "%s%d", i == 0 ? " [" : ", ", x[i]);
+    for (int i = 0; i < writer_dim(w); i++) strbuf_append(&w->out, "%s%d", i == 0 ? " [" : ", ", x[i]);
     strbuf_append(&w->out, "]\n");
 }
 
@@ -104,7 +104,7 @@ static void write_scalar(writer *w, const key_spec *key, const void *base)
 {
     const char *field = (const char *)base + key->offset;
     const double *number = (const double *)(const void *)field;
-    const size_t dim = (size_t)w->scene->mesh.dim;
+    const size_t dim = (size_t)writer_dim(w);
     if (is_unset(key, field)) return;
     write_key_name(w, key->key);
     switch (key->type) {
@@ -138,30 +138,112 @@ static bool find_entry(writer *w, const model_family *family, const char *name, 
     return false;
 }
 
-static void write_model(writer *w, const key_spec *key, const void *base)
+static void write_models(writer *w, const key_spec *key, const param_list *list);
+static void write_model(writer *w, const key_spec *key, const void *base);
+
+/* In a comment, what the file held: a run that goes on compares resolved decks, and so sees that the file is another
+ * one. */
+static void write_file(writer *w, const param_file *file)
+{
+    strbuf_append(&w->out, " ");
+    write_quoted(&w->out, file->path);
+    strbuf_append(&w->out, " # %zu bytes, sha256 %s\n", file->size, file->digest);
+}
+
+static void write_points(writer *w, const param_list *list)
+{
+    const double(*position)[3] = list->item;
+    for (size_t i = 0; i < list->n; i++) {
+        strbuf_append(&w->out, "%s", i == 0 ? " [" : ", ");
+        write_position(w, position[i]);
+    }
+    strbuf_append(&w->out, "]\n");
+}
+
+static void write_param(writer *w, const key_spec *key, const char *par)
+{
+    const void *field = par + key->offset;
+    switch (key->type) {
+    case KEY_MODEL: write_model(w, key, par); break;
+    case KEY_MODELS:
+        write_key_name(w, key->key);
+        write_models(w, key, field);
+        break;
+    case KEY_POINTS:
+        write_key_name(w, key->key);
+        write_points(w, field);
+        break;
+    case KEY_FILE:
+        write_key_name(w, key->key);
+        write_file(w, field);
+        break;
+    default: write_scalar(w, key, par); break;
+    }
+}
+
+/* "name:" and its parameters, the name behind a dash in a list. */
+static void write_named_model(writer *w, const model_family *family, const model_entry *entry, const void *par)
+{
+    if (entry->n_params == 0) {
+        strbuf_append(&w->out, "%s\n", entry->name);
+    } else if (stands_alone(entry)) {
+        const key_spec alone = key_of_param(entry, 0, family);
+        strbuf_append(&w->out, "%s:", entry->name);
+        write_models(w, &alone, (const param_list *)(const void *)((const char *)par + alone.offset));
+    } else {
+        strbuf_append(&w->out, "%s:\n", entry->name);
+        w->indent++;
+        for (size_t i = 0; i < entry->n_params; i++) {
+            const key_spec param = key_of_param(entry, i, family);
+            write_param(w, &param, par);
+        }
+        w->indent--;
+    }
+}
+
+/* The entry that is set in a field, and its parameters; false: none is. */
+static bool fetch_entry(writer *w, const model_family *family, const void *field, model_entry *entry, const void **par)
 {
     const char *name;
-    const void *par;
-    model_entry entry;
-    const model_family *family = key->family;
-    const char *field = (const char *)base + key->offset;
-    if (!family->fetch(field, &name, &par)) return;
-    if (!(family->chosen ? family->chosen(field, &entry) : find_entry(w, family, name, &entry))) return;
-    write_key_name(w, key->key);
-    if (entry.n_params == 0) {
-        strbuf_append(&w->out, " %s\n", name);
-        return;
-    }
+    if (!family->fetch(field, &name, par)) return false;
+    return family->chosen ? family->chosen(field, entry) : find_entry(w, family, name, entry);
+}
+
+static void write_models(writer *w, const key_spec *key, const param_list *list)
+{
+    const int outer = w->dim;
+    if (key->dim > 0) w->dim = key->dim;
     strbuf_append(&w->out, "\n");
-    w->indent++;
-    write_key_name(w, name);
-    strbuf_append(&w->out, "\n");
-    w->indent++;
-    for (size_t i = 0; i < entry.n_params; i++) {
-        const key_spec param = key_of_param(&entry.params[i]);
-        write_scalar(w, &param, par);
+    w->indent += 2;
+    for (size_t i = 0; i < list->n; i++) {
+        const void *field = (const char *)list->item + i * key->family->field_size, *par;
+        model_entry entry;
+        if (!fetch_entry(w, key->family, field, &entry, &par)) continue;
+        strbuf_append(&w->out, "%*s- ", 2 * (w->indent - 1), "");
+        write_named_model(w, key->family, &entry, par);
     }
     w->indent -= 2;
+    w->dim = outer;
+}
+
+static void write_model(writer *w, const key_spec *key, const void *base)
+{
+    const void *par, *field = (const char *)base + key->offset;
+    const int outer = w->dim;
+    model_entry entry;
+    if (!fetch_entry(w, key->family, field, &entry, &par)) return;
+    if (key->dim > 0) w->dim = key->dim;
+    write_key_name(w, key->key);
+    if (entry.n_params > 0) {
+        w->indent++;
+        strbuf_append(&w->out, "\n%*s", 2 * w->indent, "");
+        write_named_model(w, key->family, &entry, par);
+        w->indent--;
+    } else {
+        strbuf_append(&w->out, " ");
+        write_named_model(w, key->family, &entry, par);
+    }
+    w->dim = outer;
 }
 
 /* After "key:", a table on lines of its own; " {}" when it has nothing to say. */

@@ -116,7 +116,7 @@ double compound_common_volume(const shape *a, const shape *b, int dim, const dou
                               const double h[3], bool weight_by_radius)
 {
     common_part part = {a, b};
-    const bool boxes = a->model->fills_bounds && b->model->fills_bounds;
+    const bool boxes = shape_fills_bounds(a, dim) && shape_fills_bounds(b, dim);
     const shape common = {boxes ? &common_box : &common_model, &part};
     return compound_volume(&common, dim, lo, hi, h, weight_by_radius);
 }

@@ -1,4 +1,4 @@
-/* The part of a box inside a shape. Of a shape that is a box too it is one. Else the box is halved along every axis where the surface may pass, `depth` times. The
+/* The part of a box inside a shape. Where the shape knows its moments they are taken. Else the box is halved along every axis where the surface may pass, `depth` times. The
  * smallest boxes are cut into simplices (2 triangles, 6 tetrahedra), and each simplex by the linear function through the
  * levels at its corners, exactly. */
 #include "geom/shape.h"
@@ -7,10 +7,7 @@
 
 #include <math.h>
 
-/* Integrals over the inside: of 1 and of x, or of r and of r x when weighted by the radius. */
-typedef struct moments {
-    double volume, first[3];
-} moments;
+typedef shape_moments moments;
 
 typedef struct cutter {
     const shape *s;
@@ -268,6 +265,19 @@ static void subdivide_box(cutter *c, const double lo[3], const double hi[3], int
     }
 }
 
+/* |level| is at most the distance from the surface: a box whose half diagonal is shorter than it is all in or all out. */
+static bool is_whole_or_empty(const shape *s, int dim, const double lo[3], const double hi[3], bool *inside)
+{
+    double centre[3] = {0.0}, diagonal2 = 0.0;
+    for (int k = 0; k < dim; k++) {
+        centre[k] = 0.5 * (lo[k] + hi[k]);
+        diagonal2 += (hi[k] - lo[k]) * (hi[k] - lo[k]);
+    }
+    const double level = shape_level(s, dim, centre);
+    *inside = level < 0.0;
+    return 4.0 * level * level >= diagonal2;
+}
+
 /* What the shape's bounds leave of the box. */
 static void clip_box(cutter *c, const double lo[3], const double hi[3])
 {
@@ -281,15 +291,39 @@ static void clip_box(cutter *c, const double lo[3], const double hi[3])
     add_box(c, part_lo, part_hi);
 }
 
+/* What is all of the box, or none, but for round-off. */
+static void clip_round_off(cutter *c, const double lo[3], const double hi[3])
+{
+    static const double round_off = 1e-14;
+    const moments all = box_moments(c, lo, hi);
+    if (c->sum.volume > (1.0 - round_off) * all.volume) c->sum = all;
+    if (c->sum.volume < round_off * all.volume) c->sum = (moments){.volume = 0.0};
+}
+
+bool shape_exact_moments(const shape *s, int dim, const double lo[3], const double hi[3], bool weight_by_radius,
+                         shape_moments *out)
+{
+    cutter c = {.s = s, .dim = dim, .weight_by_radius = weight_by_radius};
+    bool inside;
+    if (shape_fills_bounds(s, dim)) {
+        clip_box(&c, lo, hi);
+    } else if (!s->model->moments) {
+        return false;
+    } else if (is_whole_or_empty(s, dim, lo, hi, &inside)) {
+        if (inside) add_box(&c, lo, hi);
+    } else {
+        if (!s->model->moments(s->par, dim, lo, hi, weight_by_radius, &c.sum)) return false;
+        clip_round_off(&c, lo, hi);
+    }
+    *out = c.sum;
+    return true;
+}
+
 double shape_fraction(const shape *s, int dim, const double lo[3], const double hi[3], bool weight_by_radius, int depth,
                       double centroid[3])
 {
     cutter c = {.s = s, .dim = dim, .weight_by_radius = weight_by_radius};
-    if (s->model->fills_bounds) {
-        clip_box(&c, lo, hi);
-    } else {
-        subdivide_box(&c, lo, hi, depth);
-    }
+    if (!shape_exact_moments(s, dim, lo, hi, weight_by_radius, &c.sum)) subdivide_box(&c, lo, hi, depth);
     const moments all = box_moments(&c, lo, hi);
     for (int k = 0; k < dim; k++) {
         const double x = c.sum.volume > 0.0 ? c.sum.first[k] / c.sum.volume : 0.5 * (lo[k] + hi[k]);

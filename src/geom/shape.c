@@ -1,5 +1,7 @@
 #include "geom/shape.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 const shape_model *shape_find(const char *name)
@@ -40,4 +42,24 @@ double shape_crossing(const shape *s, int dim, double tolerance, const double in
         *(shape_level(s, dim, x) <= tolerance ? &lo : &hi) = middle;
     }
     return lo;
+}
+
+floe_status shape_prepare(const shape *s, int dim, const shape_memory *memory, char why[SHAPE_WHY])
+{
+    const char *wrong = s->model->check ? s->model->check(s->par, dim) : NULL;
+    (void)snprintf(why, SHAPE_WHY, "%s", wrong ? wrong : "");
+    return wrong || !s->model->prepare ? FLOE_OK : s->model->prepare(s->par, dim, memory, why);
+}
+
+bool shape_fills_bounds(const shape *s, int dim)
+{
+    return s->model->fills_bounds || (s->model->fills && s->model->fills(s->par, dim));
+}
+
+double shape_extent(const shape *s, int dim)
+{
+    double lo[3], hi[3], square = 0.0;
+    if (!s->model->bounds(s->par, dim, lo, hi)) return 0.0;
+    for (int k = 0; k < dim; k++) square += (hi[k] - lo[k]) * (hi[k] - lo[k]);
+    return sqrt(square);
 }

@@ -4,6 +4,7 @@
 #include "io/file.h"
 #include "run/catalogue.h"
 #include "run/pressure.h"
+#include "scene/layout.h"
 
 #include <fcntl.h>
 #include <math.h>
@@ -67,7 +68,7 @@ static void name_extra(run_output *o, const sim *s)
 static floe_status prepare_outputs(run_output *o, const sim *s, const char *dir)
 {
     *o = (run_output){.ctx = s->ctx, .dir = dir, .folder = -1};
-    TRY(echo_deck(o, s->scene));
+    TRY(echo_deck(o, s->layout ? s->layout->deck : s->scene)); /* shapes as the deck has them */
     o->checkpoint.deck = o->deck;
     o->checkpoint.identity = o->identity;
     name_extra(o, s);

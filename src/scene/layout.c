@@ -84,6 +84,7 @@ static floe_status begin_layout(layout_work *w)
     if (w->made) return FLOE_OK;
     TRY(memory_new(w->s->ctx, &w->made, 1, sizeof *w->made));
     w->made->scene = *w->s;
+    w->made->deck = w->s;
     return FLOE_OK;
 }
 

@@ -10,6 +10,7 @@
 typedef struct scene_layout {
     scene scene; /* the deck's, with the bodies' shapes as they are filled; nothing in it is owned */
     compound part[SCENE_MAX_BODIES];
+    const scene *deck; /* that it lays out; not owned */
 } scene_layout;
 
 /* Lays out the bodies of a scene for a coupling. *out stays NULL where the deck's shapes are what is filled; the caller

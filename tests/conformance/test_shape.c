@@ -2,15 +2,18 @@
  *
  * Parameters: the default where there is one; else the k-th required one (a vector counts as one) is 0.25 + 0.3 k, so that
  * lower < upper and inner < outer as the tables list them; check() must agree. A shape that is nothing when its places lie on
- * a line has them on a circle instead. Samples come from a fixed sequence. */
+ * a line has them on a circle instead. Points are a star. Shapes whose parameters are shapes are asked with each shape that has
+ * none in each of them, and with themselves within. Samples come from a fixed sequence. */
 #include "check.h"
 
+#include "base/memory.h"
 #include "geom/shape.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { MAX_PAR = 64, SAMPLES = 4000 };
+enum { MAX_PAR = 128, SAMPLES = 4000, LISTED = 3, STAR = 10, DEPTH = 3 };
 
 typedef struct sample {
     shape s;
@@ -18,50 +21,173 @@ typedef struct sample {
     double par[MAX_PAR];
 } sample;
 
-/* Required places a quarter turn apart. */
-static void put_on_circle(sample *a)
+/* What samples are made of, for as long as a test runs. */
+typedef struct maker {
+    context *ctx;
+    void *made[4096];
+    int n;
+} maker;
+
+static floe_status allocate(void *owner, void *out, size_t size)
 {
-    int required = 0;
-    for (size_t k = 0; k < a->s.model->n_params; k++) {
-        const param_spec *spec = &a->s.model->params[k];
-        if (!isnan(spec->fallback) || spec->count >= 0) continue;
-        const double angle = 0.3 + 1.5707963267948966 * required++;
-        a->par[spec->offset / sizeof(double)] = 0.1 + 0.8 * cos(angle);
-        a->par[spec->offset / sizeof(double) + 1] = 0.7 * sin(angle);
-    }
+    maker *m = owner;
+    check_true(m->n < (int)(sizeof m->made / sizeof *m->made));
+    TRY(memory_new(m->ctx, &m->made[m->n], 1, size));
+    memcpy(out, &m->made[m->n++], sizeof(void *));
+    return FLOE_OK;
 }
 
-static void sample_fill(sample *a, const shape_model *model, int dim)
+static void free_made(maker *m)
 {
-    memset(a, 0, sizeof *a);
-    a->s.model = model;
-    a->s.par = a->par;
-    a->dim = dim;
-    assert_true(model->param_size <= sizeof a->par);
+    while (m->n > 0) memory_free(m->ctx, &m->made[--m->n]);
+}
+
+/* Whether a shape has shapes among its parameters. */
+static bool is_compound(const shape_model *model)
+{
+    for (size_t k = 0; k < model->n_params; k++)
+        if (model->params[k].kind == PARAM_MODEL || model->params[k].kind == PARAM_MODELS) return true;
+    return false;
+}
+
+static bool has_dim(const shape_model *model, int dim)
+{
+    return model->min_dim <= dim && dim <= model->max_dim;
+}
+
+/* Required places a quarter turn apart. */
+static void put_on_circle(const shape_model *model, double *par)
+{
     int required = 0;
     for (size_t k = 0; k < model->n_params; k++) {
         const param_spec *spec = &model->params[k];
-        const double x = isnan(spec->fallback) ? 0.25 + 0.3 * required++ : spec->fallback;
-        check_true(param_in_range(spec, x));
-        const int count = spec->count < 0 ? dim : spec->count;
-        for (int j = 0; j < count; j++) a->par[spec->offset / sizeof(double) + (size_t)j] = x;
+        if (spec->kind != PARAM_NUMBERS || !isnan(spec->fallback) || spec->count >= 0) continue;
+        const double angle = 0.3 + 1.5707963267948966 * required++;
+        par[spec->offset / sizeof(double)] = 0.1 + 0.8 * cos(angle);
+        par[spec->offset / sizeof(double) + 1] = 0.7 * sin(angle);
     }
-    if (model->check(a->par, dim)) put_on_circle(a);
-    const char *wrong = model->check(a->par, dim);
-    if (wrong != NULL) print_error("%s: %s\n", model->name, wrong);
-    assert_null(wrong);
+}
+
+static void fill_numbers(const param_spec *spec, int dim, int *required, double *par)
+{
+    const double x = isnan(spec->fallback) ? 0.25 + 0.3 * (*required)++ : spec->fallback;
+    check_true(param_in_range(spec, x));
+    const int count = spec->count < 0 ? dim : spec->count;
+    for (int j = 0; j < count; j++) par[spec->offset / sizeof(double) + (size_t)j] = x;
+}
+
+static void fill_star(maker *m, param_list *list)
+{
+    double(*x)[3] = NULL;
+    check_ok(m->ctx, allocate(m, &x, STAR * sizeof *x));
+    for (int k = 0; k < STAR; k++) {
+        const double angle = 0.2 + 6.283185307179586 * k / STAR, r = k % 2 ? 0.9 : 0.4;
+        x[k][0] = 0.15 + r * cos(angle);
+        x[k][1] = 0.1 + r * sin(angle);
+    }
+    *list = (param_list){x, STAR};
+}
+
+static void *fill_shape(maker *m, const shape_model *model, int dim, const shape_model *inner, int depth);
+
+/* A shape among the parameters: the one that is asked for where it has that dimension, aside in each entry of a list. */
+static shape make_part(maker *m, const shape_model *outer, int dim, const shape_model *inner, int depth, double aside)
+{
+    const shape_model *model = depth > 0 ? outer : inner;
+    if (!has_dim(model, dim)) model = has_dim(inner, dim) ? inner : shape_find("box");
+    shape part = {model, fill_shape(m, model, dim, inner, depth - 1)};
+    if (aside == 0.0) return part;
+    const shape_model *moved = shape_find("moved");
+    double *par = NULL;
+    char why[SHAPE_WHY];
+    check_ok(m->ctx, allocate(m, &par, moved->param_size));
+    for (size_t k = 0; k < moved->n_params; k++)
+        if (moved->params[k].kind == PARAM_MODEL) memcpy((char *)par + moved->params[k].offset, &part, sizeof part);
+    for (int a = 0; a < dim; a++)
+        param_find(moved->params, moved->n_params, par, "by")[a] = -aside * (a == 1 ? -0.4 : 1.0);
+    const shape there = {moved, par};
+    check_ok(m->ctx, shape_prepare(&there, dim, &(shape_memory){m->ctx, allocate, m}, why));
+    return there;
+}
+
+static void fill_parts(maker *m, const param_spec *spec, const shape_model *outer, int dim, const shape_model *inner,
+                       int depth, char *par)
+{
+    const int of = spec->dim > 0 ? spec->dim : dim;
+    if (spec->kind == PARAM_MODEL) {
+        const shape part = make_part(m, outer, of, inner, depth, 0.0);
+        memcpy(par + spec->offset, &part, sizeof part);
+        return;
+    }
+    param_list list = {.n = LISTED};
+    check_ok(m->ctx, allocate(m, &list.item, LISTED * sizeof(shape)));
+    /* near enough for what they have in common, and far enough for what one leaves of another */
+    const double step = outer->params[0].kind == PARAM_MODEL ? 0.2 : 0.08;
+    for (int k = 0; k < LISTED; k++) ((shape *)list.item)[k] = make_part(m, outer, of, inner, depth, step * (k + 1));
+    memcpy(par + spec->offset, &list, sizeof list);
+}
+
+/* Filled and prepared. */
+static void *fill_shape(maker *m, const shape_model *model, int dim, const shape_model *inner, int depth)
+{
+    double *par = NULL;
+    char why[SHAPE_WHY] = "";
+    int required = 0;
+    check_ok(m->ctx, allocate(m, &par, model->param_size));
+    for (size_t k = 0; k < model->n_params; k++) {
+        const param_spec *spec = &model->params[k];
+        switch (spec->kind) {
+        case PARAM_NUMBERS: fill_numbers(spec, dim, &required, par); break;
+        case PARAM_POINTS: fill_star(m, (param_list *)(void *)((char *)par + spec->offset)); break;
+        case PARAM_MODEL:
+        case PARAM_MODELS: fill_parts(m, spec, model, dim, inner, depth, (char *)par); break;
+        case PARAM_FILE: check_true(false); break;
+        }
+    }
+    if (model->check(par, dim)) put_on_circle(model, par);
+    const shape made = {model, par};
+    check_ok(m->ctx, shape_prepare(&made, dim, &(shape_memory){m->ctx, allocate, m}, why));
+    if (why[0]) print_error("%s of %s: %s\n", model->name, inner->name, why);
+    check_true(why[0] == '\0');
+    return par;
+}
+
+static void ask_about(maker *m, const shape_model *model, int dim, const shape_model *inner, int depth,
+                      void (*check)(const sample *))
+{
+    sample a = {.dim = dim};
+    assert_true(model->param_size <= sizeof a.par);
+    a.s.model = model;
+    memcpy(a.par, fill_shape(m, model, dim, inner, depth), model->param_size);
+    a.s.par = a.par;
+    check(&a);
+    free_made(m);
+}
+
+/* A shape of shapes with every one that has none within, and with itself about that. */
+static void ask_with_each(maker *m, const shape_model *model, int dim, void (*check)(const sample *))
+{
+    int asked = 0;
+    if (!is_compound(model)) {
+        ask_about(m, model, dim, model, 0, check);
+        return;
+    }
+    for (size_t i = 0; i < shape_registry_size; i++) {
+        const shape_model *inner = shape_registry[i];
+        if (is_compound(inner) || (!has_dim(inner, dim) && !has_dim(inner, 2))) continue;
+        for (int depth = 0; depth < (asked++ == 0 ? DEPTH : 1); depth++) ask_about(m, model, dim, inner, depth, check);
+    }
 }
 
 static void on_each(void (*check)(const sample *))
 {
+    maker m = {.ctx = context_create()};
     check_true(shape_registry_size > 0);
-    for (size_t i = 0; i < shape_registry_size; i++) {
-        for (int dim = shape_registry[i]->min_dim; dim <= shape_registry[i]->max_dim; dim++) {
-            sample a;
-            sample_fill(&a, shape_registry[i], dim);
-            check(&a);
-        }
-    }
+    for (size_t i = 0; i < shape_registry_size; i++)
+        for (int dim = shape_registry[i]->min_dim; dim <= shape_registry[i]->max_dim; dim++)
+            ask_with_each(&m, shape_registry[i], dim, check);
+    assert_int_equal(memory_read_account(m.ctx).live_bytes, 0);
+    context_destroy(&m.ctx);
 }
 
 /* Uniform on [-1.5, 1.5] by the golden-ratio sequence of each axis (Roberts' R3). */
@@ -123,19 +249,24 @@ static void check_bounds(const sample *a)
         bool within = true;
         for (int k = 0; k < a->dim; k++) within = within && x[k] >= lo[k] && x[k] <= hi[k];
         if (shape_inside(&a->s, a->dim, x)) check_true(within);
-        if (within && a->s.model->fills_bounds) check_true(shape_inside(&a->s, a->dim, x));
+        if (within && shape_fills_bounds(&a->s, a->dim)) check_true(shape_inside(&a->s, a->dim, x));
     }
 }
 
-/* The fraction of [-1.5, 1.5]^dim, and its centroid, against counting the sample points. */
+/* The fraction of a box about the shape, and its centroid, against counting the sample points. */
 static void check_fraction(const sample *a)
 {
-    const double lo[3] = {-1.5, -1.5, -1.5}, hi[3] = {1.5, 1.5, 1.5};
-    double centroid[3], mean[3] = {0.0}, count = 0.0;
+    double lo[3], hi[3], centroid[3], mean[3] = {0.0}, count = 0.0;
+    const bool bounded = a->s.model->bounds(a->par, a->dim, lo, hi);
+    for (int k = 0; k < a->dim; k++) {
+        lo[k] = bounded ? lo[k] - 0.1 : -1.5;
+        hi[k] = bounded ? hi[k] + 0.15 : 1.5;
+    }
     const double fraction = shape_fraction(&a->s, a->dim, lo, hi, false, 6, centroid);
     for (int i = 0; i < SAMPLES; i++) {
         double x[3];
         sample_point(i, x);
+        for (int k = 0; k < a->dim; k++) x[k] = lo[k] + (x[k] + 1.5) / 3.0 * (hi[k] - lo[k]);
         if (!shape_inside(&a->s, a->dim, x)) continue;
         count += 1.0;
         for (int k = 0; k < a->dim; k++) mean[k] += x[k];

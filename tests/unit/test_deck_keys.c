@@ -21,6 +21,7 @@ typedef struct walk {
         int level;
     } line[MOST_LEVELS]; /* the way down to a table: "materials:", "x:", and what must stand beside a key */
     int depth, level;
+    const model_family *within;          /* whose models are walked */
     bool in_space;                       /* the deck is of a scene in 3-D */
     int keys, spoiled, wrong, misplaced; /* misplaced: refused because the key does not belong there */
 } walk;
@@ -216,6 +217,26 @@ static void spoil_whole(walk *w, const key_spec *key)
     refuse_value(w, key->key, text, key->key);
 }
 
+static void spoil_models(walk *w, const key_spec *key)
+{
+    refuse_value(w, key->key, "nonesuch", key->key);
+    refuse_value(w, key->key, "[]", key->key);
+    refuse_value(w, key->key, "[nonesuch]", "nonesuch");
+    refuse_value(w, key->key, "[{nonesuch: {a: 1}}]", "nonesuch");
+    refuse_value(w, key->key, "[{some: {a: 1}, others: {a: 1}}]", key->family->noun);
+}
+
+static void spoil_points(walk *w, const key_spec *key)
+{
+    char line[LINE];
+    refuse_value(w, key->key, "much", key->key);
+    refuse_value(w, key->key, "[]", key->key);
+    refuse_value(w, key->key, w->in_space ? "[[1, 2, 3], [2, 3, 4], [much, 1, 2]]" : "[[1, 2], [2, 3], [much, 1]]",
+                 key->key);
+    snprintf(line, sizeof line, "%s: [[1, 2], [2, 3], [1, 2, 3, 4]]\n", key->key);
+    refuse(w, line, 0, "no place");
+}
+
 /* Ways that belong to the type. */
 static void spoil_type(walk *w, const key_spec *key)
 {
@@ -246,6 +267,9 @@ static void spoil_type(walk *w, const key_spec *key)
     case KEY_VARIANT: refuse_value(w, key->key, "nonesuch", "nonesuch"); break;
     case KEY_MAP:
     case KEY_NAMED: refuse_value(w, key->key, "nonesuch", key->key); break;
+    case KEY_MODELS: spoil_models(w, key); break;
+    case KEY_POINTS: spoil_points(w, key); break;
+    case KEY_FILE: refuse_value(w, key->key, "nonesuch.stl", "nonesuch.stl"); break;
     case KEY_SPECIAL: break; /* test_deck_errors.c */
     }
 }
@@ -324,7 +348,12 @@ static void walk_family(walk *w, const model_family *family)
     for (size_t i = 0; family->get(w->catalogue, i, &entry); i++) {
         key_spec key[32];
         assert_in_range(entry.n_params, 0, 32);
-        for (size_t k = 0; k < entry.n_params; k++) key[k] = key_of_param(&entry.params[k]);
+        for (size_t k = 0; k < entry.n_params; k++) key[k] = key_of_param(&entry, k, family);
+        if (stands_alone(&entry)) {
+            w->keys++;
+            spoil_type(w, &key[0]);
+            continue;
+        }
         descend(w, entry.name);
         walk_table(w, &(key_table){key, entry.n_params});
         ascend(w);
@@ -361,7 +390,12 @@ static void walk_below(walk *w, const key_spec *key)
     descend(w, key->key);
     if (key->type == KEY_MAP) walk_table(w, key->table);
     if (key->type == KEY_NAMED) walk_items(w, key->items);
-    if (key->type == KEY_MODEL) walk_family(w, key->family);
+    if (key->type == KEY_MODEL && key->family != w->within) { /* models in models once */
+        const model_family *outer = w->within;
+        w->within = key->family;
+        walk_family(w, key->family);
+        w->within = outer;
+    }
     if (key->type == KEY_VARIANT) walk_variants(w, key->variants);
     ascend(w);
 }

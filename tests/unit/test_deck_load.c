@@ -273,6 +273,32 @@ static void null_of_what_is_not_there_changes_nothing(void **state)
 
 /* ---- echo ---- */
 
+static void check_same_shape(const shape *a, const shape *b)
+{
+    check_true(a->model == b->model);
+    for (size_t k = 0; a->model && k < a->model->n_params; k++) {
+        const param_spec *spec = &a->model->params[k];
+        const char *p = (const char *)a->par + spec->offset, *q = (const char *)b->par + spec->offset;
+        const param_list *list = (const param_list *)(const void *)p, *other = (const param_list *)(const void *)q;
+        const size_t count = (size_t)(spec->count < 0 ? -spec->count : spec->count);
+        switch (spec->kind) {
+        case PARAM_NUMBERS: assert_memory_equal(p, q, count * sizeof(double)); break;
+        case PARAM_MODEL: check_same_shape((const shape *)(const void *)p, (const shape *)(const void *)q); break;
+        case PARAM_POINTS:
+        case PARAM_MODELS:
+            assert_int_equal(list->n, other->n);
+            for (size_t i = 0; i < list->n && spec->kind == PARAM_MODELS; i++)
+                check_same_shape((const shape *)list->item + i, (const shape *)other->item + i);
+            if (spec->kind == PARAM_POINTS) assert_memory_equal(list->item, other->item, list->n * 3 * sizeof(double));
+            break;
+        case PARAM_FILE:
+            assert_string_equal(((const param_file *)(const void *)p)->digest,
+                                ((const param_file *)(const void *)q)->digest);
+            break;
+        }
+    }
+}
+
 static void check_round_trip(fixture *f, const scene *s)
 {
     char *first = echo(f, s);
@@ -287,15 +313,52 @@ static void check_round_trip(fixture *f, const scene *s)
     assert_memory_equal(&s->rest, &again->rest, sizeof s->rest);
     assert_memory_equal(&s->output, &again->output, sizeof s->output);
     for (int i = 0; i < s->n_bodies; i++) {
-        const shape *a = &s->body[i].shape, *b = &again->body[i].shape;
-        check_true(a->model == b->model);
-        if (a->model) assert_memory_equal(a->par, b->par, a->model->param_size);
+        check_same_shape(&s->body[i].shape, &again->body[i].shape);
         assert_memory_equal(&s->body[i].membrane.thickness, &again->body[i].membrane.thickness, sizeof(double));
         assert_memory_equal(s->body[i].velocity, again->body[i].velocity, 6 * sizeof(double));
     }
     memory_free(f->ctx, &first);
     memory_free(f->ctx, &second);
     scene_destroy(&again);
+}
+
+/* Shapes of shapes, down to any depth, in their own dimensions and units. */
+static void shapes_of_shapes(void **state)
+{
+    fixture *f = *state;
+    static const char text[] =
+        "floe: 1\n"
+        "coupling: mpm\n"
+        "domain: {dim: 3, lower: [0, 0, 0], upper: [1, 1, 1], cell: 0.1}\n"
+        "materials: {s: {density: 1, law: {neo_hookean: {bulk_modulus: 1, shear_modulus: 1}}}}\n"
+        "bodies:\n"
+        "  b:\n"
+        "    material: s\n"
+        "    shape:\n"
+        "      union:\n"
+        "        - extruded: {of: {polygon: {vertices: [[0, 0], [40 cm, 0], [0, 0.3]]}}, from: 0, to: 1}\n"
+        "        - difference:\n"
+        "            of: {moved: {of: {box: {lower: [0.5, 0, 0], upper: [1, 1, 1]}}, turned: 30 degree, axis: [0, 1, "
+        "1]}}\n"
+        "            without:\n"
+        "              - intersection: [{ball: {radius: 0.2}}, {revolved: {of: {ball: {centre: [0.1, 0], radius: "
+        "1}}}}]\n"
+        "              - union: [{union: [{union: [{union: [{union: [{union: [{ball: {radius: 0.1}}]}]}]}]}]}]\n"
+        "time: {end: 1}\n";
+    scene *s = load_text(f, text);
+    const shape_model *whole = s->body[0].shape.model;
+    assert_string_equal(whole->name, "union");
+    const param_list *list = s->body[0].shape.par;
+    const shape *part = list->item;
+    assert_int_equal(list->n, 2);
+    assert_string_equal(part[0].model->name, "extruded");
+    const shape *moved = part[1].par; /* `of` comes first */
+    check_close(*param_find(moved->model->params, moved->model->n_params, moved->par, "turned"), acos(-1.0) / 6.0,
+                1e-15);
+    check_true(shape_inside(&s->body[0].shape, 3, (const double[]){0.1, 0.1, 0.5}));
+    check_true(!shape_inside(&s->body[0].shape, 3, (const double[]){0.35, 0.1, 0.5}));
+    check_round_trip(f, s);
+    scene_destroy(&s);
 }
 
 static void every_input_loads_and_echoes(void **state)
@@ -484,6 +547,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(overrides_reach_any_key, set_up, tear_down),
         cmocka_unit_test_setup_teardown(null_takes_a_key_away, set_up, tear_down),
         cmocka_unit_test_setup_teardown(null_of_what_is_not_there_changes_nothing, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(shapes_of_shapes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(every_input_loads_and_echoes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(echo_keeps_every_key, set_up, tear_down),
         cmocka_unit_test_setup_teardown(values_are_found_by_key, set_up, tear_down),

@@ -100,7 +100,7 @@ FIXTURE mapped_par *map_shape(scene *s, const scene_map *m, shape *it)
     mapped_par *par;
     check_ok(s->ctx, scene_allocate(s, &par, sizeof *par));
     *par = (mapped_par){m, *it, 0.0, 0.0};
-    *it = (shape){it->model->fills_bounds ? &mapped_box : &mapped_model, par};
+    *it = (shape){shape_fills_bounds(it, m->dim) ? &mapped_box : &mapped_model, par};
     return par;
 }
 

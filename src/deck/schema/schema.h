@@ -22,6 +22,9 @@ typedef enum key_type {
     KEY_MAP,      /* a table of keys in a part of the struct */
     KEY_NAMED,    /* name: item, name: item ... */
     KEY_MODEL,    /* {name: {parameters}} of a registry */
+    KEY_MODELS,   /* param_list: a list of them */
+    KEY_POINTS,   /* param_list of double[3]: a list of positions */
+    KEY_FILE,     /* param_file: the name of a file beside the deck */
     KEY_VARIANT,  /* {kind: {keys}}, each kind with a table of its own */
     KEY_SPECIAL
 } key_type;
@@ -69,6 +72,8 @@ typedef struct model_entry {
     const void *model;
 } model_entry;
 
+enum { MODEL_WHY = 512 /* characters of what is wrong with a model */ };
+
 typedef struct model_family {
     const char *noun;                                                         /* "shape" */
     bool (*get)(const deck_catalogue *catalogue, size_t i, model_entry *out); /* false at the end */
@@ -78,6 +83,10 @@ typedef struct model_family {
     const char *(*check)(const model_entry *entry, const void *par, int dim);
     /* The entry that is set, where the registry does not hold all of them. NULL: it is found by its name. */
     bool (*chosen)(const void *field, model_entry *out);
+    size_t field_size; /* where models are parameters of models */
+    /* Checks the parameters, and makes what the model needs of them: `why` says what is wrong, "" if nothing is. In place
+     * of `check`. */
+    floe_status (*prepare)(scene *s, const model_entry *entry, void *par, int dim, char why[MODEL_WHY]);
 } model_family;
 
 /* Items of a KEY_NAMED: the array lies at the key's offset and each item begins with its name. */
@@ -118,7 +127,9 @@ struct key_spec {
     const key_table *table;     /* KEY_MAP */
     const named_items *items;   /* KEY_NAMED */
     const variants *variants;   /* KEY_VARIANT */
-    const model_family *family; /* KEY_MODEL */
+    const model_family *family; /* KEY_MODEL, KEY_MODELS */
+    int dim;                    /* KEY_MODEL, KEY_MODELS: of the space of the models; 0: that of what they stand in */
+    int least;                  /* KEY_MODELS, KEY_POINTS: fewest entries */
     const special_key *special; /* KEY_SPECIAL */
     size_t present;             /* 1 + offset of a bool that says whether the key was given; 0: none */
     size_t
@@ -153,6 +164,7 @@ struct reader {
     deck_arena *arena;
     error_list *errors;
     deck_node *root;
+    int dim; /* of the space that is read about; 0: the scene's */
 };
 
 struct writer {
@@ -160,18 +172,39 @@ struct writer {
     const scene *scene;
     const deck_catalogue *catalogue;
     int indent;
+    int dim; /* as the reader's */
 };
+
+static inline int reader_dim(const reader *r)
+{
+    return r->dim > 0 ? r->dim : r->scene->mesh.dim;
+}
+
+static inline int writer_dim(const writer *w)
+{
+    return w->dim > 0 ? w->dim : w->scene->mesh.dim;
+}
 
 /* Reading. A fault of the deck is entered in the errors and FLOE_OK returned; other failures are returned. */
 floe_status read_table(reader *r, const key_table *table, deck_node *map, void *base);
 floe_status read_key(reader *r, const key_spec *key, deck_node *node, void *base);
 floe_status read_scalar(reader *r, const key_spec *key, deck_node *node, void *base);
 floe_status read_model(reader *r, const key_spec *key, deck_node *node, void *base);
+floe_status read_models(reader *r, const key_spec *key, deck_node *node, void *base);
+floe_status read_points(reader *r, const key_spec *key, deck_node *node, void *base);
+floe_status read_file_key(reader *r, const key_spec *key, deck_node *node, void *base);
 floe_status read_variant(reader *r, const variants *kinds, deck_node *node, void *field);
 floe_status read_named(reader *r, const key_spec *key, deck_node *node, void *base);
 floe_status read_number(reader *r, const key_spec *key, deck_node *node, double *out);
-/* One parameter of a model as a key. */
-key_spec key_of_param(const param_spec *param);
+/* One parameter of a model as a key. A parameter without a name of its own has the model's. */
+key_spec key_of_param(const model_entry *entry, size_t i, const model_family *family);
+/* Whether the model is written as the value of its only parameter. */
+bool stands_alone(const model_entry *entry);
+/* A position as a list of numbers. */
+floe_status read_position(reader *r, const key_spec *key, deck_node *item, double position[3]);
+/* Where a file that the deck names is: beside the deck, told from the root, so that the resolved deck finds it from
+ * anywhere. An error has been entered where *path is NULL. It lives as long as the scene. */
+floe_status resolve_path(reader *r, deck_node *node, const char **path);
 
 /* Enters an error at a node, and marks it bad. */
 floe_status bad(reader *r, deck_node *node, const char *expected, const char *format, ...) FLOE_PRINTF(4, 5);
@@ -191,6 +224,7 @@ int find_body(const scene *s, const char *name);
 void write_table(writer *w, const key_table *table, const void *base);
 void write_key_name(writer *w, const char *key);
 void write_number(strbuf *out, double x);
+void write_position(writer *w, const double position[3]);
 void write_variant(writer *w, const variants *kinds, const void *field);
 void write_quoted(strbuf *out, const char *text);
 

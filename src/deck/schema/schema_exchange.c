@@ -43,8 +43,9 @@ static bool law_fetch(const void *field, const char **name, const void **par)
     return true;
 }
 
-const model_family family_momentum = {"exchange of momentum", momentum_get, law_store, law_fetch, NULL, NULL};
-const model_family family_heat = {"exchange of heat", heat_get, law_store, law_fetch, NULL, NULL};
+const model_family family_momentum = {
+    .noun = "exchange of momentum", .get = momentum_get, .store = law_store, .fetch = law_fetch};
+const model_family family_heat = {.noun = "exchange of heat", .get = heat_get, .store = law_store, .fetch = law_fetch};
 
 /* ---- between: [material, material] ---- */
 

@@ -28,7 +28,8 @@ static bool rate_fetch(const void *field, const char **name, const void **par)
     return true;
 }
 
-const model_family family_reaction = {"law of a reaction", rate_get, rate_store, rate_fetch, NULL, NULL};
+const model_family family_reaction = {
+    .noun = "law of a reaction", .get = rate_get, .store = rate_store, .fetch = rate_fetch};
 
 static const key_spec reaction_keys[] = {
     {"reactant", KEY_MATERIAL, AT(scene_reaction, reactant), .required = true,

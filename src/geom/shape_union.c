@@ -1,0 +1,71 @@
+/* What lies inside one shape of several, or on a side that two of them share. */
+#include "geom/boolean.h"
+
+#include <math.h>
+
+typedef struct union_par {
+    param_list shapes;
+    double extent; /* m */
+} union_par;
+
+static const param_spec union_params[] = {
+    PAR_MODELS_ALONE(union_par, shapes, 1, "what it is made of: they may touch and overlap"),
+};
+
+/* Outside a union is what lies outside all of its parts. */
+static boolean_operands operands_of(const union_par *u)
+{
+    return (boolean_operands){.part = u->shapes.item, .n = u->shapes.n, .outside = true, .extent = u->extent};
+}
+
+static double union_level(const void *par, int dim, const double x[3])
+{
+    const boolean_operands o = operands_of(par);
+    return -boolean_level(&o, dim, x);
+}
+
+static bool union_bounds(const void *par, int dim, double lo[3], double hi[3])
+{
+    const union_par *u = par;
+    const shape *part = u->shapes.item;
+    for (size_t k = 0; k < u->shapes.n; k++) {
+        double from[3], to[3];
+        if (!part[k].model->bounds(part[k].par, dim, from, to)) return false;
+        for (int a = 0; a < dim; a++) {
+            lo[a] = k > 0 ? fmin(lo[a], from[a]) : from[a];
+            hi[a] = k > 0 ? fmax(hi[a], to[a]) : to[a];
+        }
+    }
+    return true;
+}
+
+static const char *union_check(const void *par, int dim)
+{
+    (void)par;
+    (void)dim;
+    return NULL;
+}
+
+static floe_status union_prepare(void *par, int dim, const shape_memory *memory, char why[SHAPE_WHY])
+{
+    union_par *u = par;
+    const boolean_operands o = operands_of(u);
+    (void)memory;
+    (void)why;
+    u->extent = boolean_extent(&o, dim);
+    return FLOE_OK;
+}
+
+const shape_model shape_union = {
+    .name = "union",
+    .doc = "several shapes as one",
+    .param_size = sizeof(union_par),
+    .params = union_params,
+    .n_params = sizeof union_params / sizeof *union_params,
+    .min_dim = 1,
+    .max_dim = 3,
+    .level = union_level,
+    .bounds = union_bounds,
+    .check = union_check,
+    .prepare = union_prepare,
+};
