@@ -2,6 +2,7 @@
 #include "verification/coupled_fixture.h"
 
 #include "ice/start/ice_start.h"
+#include "ice/state/ice_cells.h"
 #include "ice/state/ice_state.h"
 
 /* A material is used that a body, the ambient, a reaction or an open side is of, and no other: the list of bodies ends where it ends. */
@@ -51,6 +52,7 @@ static void test_nearest(void **unused)
             trial t;
             const double size[3] = {1.0, 0.8, 0.6}, centre[3] = {0.1, 0.5, 0.3};
             coupled_begin(&t, dim, size, dim == 3 ? 0.1 : 0.04);
+            if (dim > 1) t.scene->mesh.cell[1] *= 2.0;
             if (periodic) set_sides(&t, 0, BC_PERIODIC, BC_PERIODIC);
             t.scene->coupling = COUPLING_ICE_MPM;
             t.scene->method.interface = INTERFACE_SMEARED;
@@ -79,6 +81,44 @@ static void test_nearest(void **unused)
             memory_free(t.ctx, &nearest);
             trial_end(&t);
         }
+}
+
+/* Places of cells and of their sides, in blocks. */
+static void test_places(void **unused)
+{
+    (void)unused;
+    trial t;
+    coupled_begin(&t, 2, (const double[3]){1.6, 0.8, 0.0}, 0.05);
+    for (int a = 0; a < 2; ++a) t.scene->mesh.blocks[a] = 2;
+    t.scene->mesh.lower[0] = -0.8;
+    t.scene->coupling = COUPLING_ICE;
+    coupled_body(&t, t.scene->ambient_material, make_ball(&t, (const double[3]){0.0, 0.4, 0.0}, 0.1), 2)->pressure =
+        COUPLED_PRESSURE;
+    coupled_start(&t);
+    const mesh *m = &t.sim->mesh;
+    assert_int_equal(m->n_blocks, 4);
+    for (int id = 0; id < m->n_blocks; ++id) {
+        const block *b = &m->block[id];
+        for (int j = 0; j < b->n[1]; ++j)
+            for (int i = 0; i < b->n[0]; ++i) {
+                double x[3], side[3];
+                int cell[3];
+                ice_cell_of(b, mesh_index(b, i, j, 0), cell);
+                assert_int_equal(cell[0], i);
+                assert_int_equal(cell[1], j);
+                ice_place_of(t.sim->ice, b, cell, x);
+                check_close(x[0], -0.8 + 0.05 * (b->lo[0] + i + 0.5), 1e-14);
+                check_close(x[1], 0.05 * (b->lo[1] + j + 0.5), 1e-14);
+                check_true(x[2] == 0.0);
+                for (int axis = 0; axis < 2; ++axis)
+                    for (int upper = 0; upper < 2; ++upper) {
+                        ice_side_place(t.sim->ice, b, axis, upper, cell, side);
+                        check_close(side[axis], x[axis] + (upper - 0.5) * 0.05, 1e-14);
+                        check_true(side[1 - axis] == x[1 - axis]);
+                    }
+            }
+    }
+    trial_end(&t);
 }
 
 /* Two fluids side by side on whole cells: where one is not, it has no mass, volume, energy or velocity, and what is there has its own. */
@@ -111,6 +151,6 @@ static void test_absent(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_used), cmocka_unit_test(test_nearest),
-                                       cmocka_unit_test(test_absent)};
+                                       cmocka_unit_test(test_absent), cmocka_unit_test(test_places)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,10 +7,10 @@
 static const double inner = 0.35, outer = 0.63;
 
 /* A shell about the corner of a box, whose sides through that corner are mirrors; lengths in units. */
-static void make_shell(trial *t, int dim, double unit)
+static void make_shell(trial *t, int dim, double h, double unit)
 {
     const double size = 0.8 * unit;
-    coupled_begin(t, dim, (const double[3]){size, size, size}, 0.1 * unit);
+    coupled_begin(t, dim, (const double[3]){size, size, size}, h * unit);
     for (int a = 0; a < dim; ++a) set_sides(t, a, BC_SYMMETRY, BC_SLIP);
     t->scene->method.interface = INTERFACE_SHARP;
     coupled_body(t, coupled_solid(t, 1e7, 6e6, 1000.0), make_ring(t, inner * unit, outer * unit), 2);
@@ -25,7 +25,7 @@ static void test_facing(void **unused)
             trial t;
             mesh m;
             int n[3];
-            make_shell(&t, dim, unit);
+            make_shell(&t, dim, 0.1, unit);
             const int gas[2] = {t.scene->ambient_material, add_gas(&t, 1.6, 500.0)};
             coupled_body(&t, gas[1], make_ball(&t, (const double[3]){0.0, 0.0, 0.0}, inner * unit), 2);
             check_ok(t.ctx, mesh_init(&m, t.ctx, &t.scene->mesh));
@@ -53,7 +53,7 @@ static void test_pins(void **unused)
     (void)unused;
     for (int dim = 2; dim <= 3; ++dim) {
         trial t;
-        make_shell(&t, dim, 1.0);
+        make_shell(&t, dim, 0.1, 1.0);
         coupled_start(&t);
         const surface_markers *k = &t.sim->mpm->surfaces->markers;
         int pinned = 0;
@@ -68,8 +68,43 @@ static void test_pins(void **unused)
     }
 }
 
+/* Gas at rest about the shell, cut cells included, has one density and energy; what one puts into closed cells lies beyond, in any block. */
+static void test_gas_beside(void **unused)
+{
+    (void)unused;
+    for (int blocks = 1; blocks <= 2; ++blocks) {
+        trial t;
+        double beyond = 0.0;
+        int cut = 0;
+        make_shell(&t, 2, 0.05, 1.0);
+        for (int a = 0; a < 2; ++a) t.scene->mesh.blocks[a] = blocks;
+        coupled_start(&t);
+        for (int id = 0; id < t.sim->mesh.n_blocks; ++id) {
+            const block *b = &t.sim->mesh.block[id];
+            const fields *f = t.sim->domain->fields[id];
+            for (int k = 0; k < b->n[0] * b->n[1]; ++k) {
+                const ptrdiff_t at = mesh_index(b, k % b->n[0], k / b->n[0], 0);
+                const double open = field_get(f, C_OPEN, 0, 0)[at];
+                double *rho = &field_get(f, C_RHO, 0, 0)[at];
+                cut += open > 0.0 && open < 1.0;
+                if (open > 0.0) {
+                    check_close_relative(*rho, COUPLED_PRESSURE / (0.4 * 717.5 * COUPLED_TEMPERATURE), 1e-12);
+                    check_close_relative(field_get(f, C_ENERGY, 0, 0)[at], 717.5 * COUPLED_TEMPERATURE, 1e-12);
+                } else {
+                    *rho = 2.0 + id;
+                    beyond += *rho * 0.0025;
+                }
+            }
+        }
+        check_true(cut > 8 && beyond > 0.1);
+        check_close_relative(ice_mass_beyond(t.sim->ice, 0), beyond, 1e-12);
+        trial_end(&t);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_facing), cmocka_unit_test(test_pins)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_facing), cmocka_unit_test(test_pins),
+                                       cmocka_unit_test(test_gas_beside)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
