@@ -81,6 +81,50 @@ static void test_step(void **unused)
         }
 }
 
+/* Points that spin, of the quadratic basis, whose weights spread by h^2/4 along each axis: m w h^2/2 about each
+ * axis, beside the moment of their motion; its size is taken about the middle of the mesh. */
+static void test_spin(void **unused)
+{
+    (void)unused;
+    for (int dim = 2; dim <= 3; ++dim) {
+        trial t;
+        const double h = 0.1, spin[3] = {3.0, -2.0, 5.0}, middle = 0.5;
+        double out[3], size[3], moment[3] = {0.0}, scale[3] = {0.0};
+        trial_begin(&t, dim, (const double[3]){1.0, 1.0, 1.0}, h);
+        set_method(&t, "quadratic", STRESS_MUSL, (double)NAN);
+        snprintf(t.scene->method.transfer, sizeof t.scene->method.transfer, "apic");
+        add_body(&t, add_solid(&t, "linear_elastic", 3.0, 1.0, 2.0),
+                 make_box(&t, (const double[3]){0.3, 0.3, 0.3}, (const double[3]){0.6, 0.7, 0.6}), 2);
+        trial_start(&t);
+        const fields *f = t.sim->domain->fields[0];
+        for (size_t k = 0; k < t.sim->mpm->points[0][0].n; ++k) {
+            const double sign = k % 3 ? 1.0 : -1.0, mass = field_get(f, P_MASS, 0, 0)[k];
+            double x[3] = {0.0}, v[3] = {0.0};
+            for (int e = dim == 2 ? 2 : 0; e < 3; ++e) {
+                const int a = (e + 1) % 3, b = (e + 2) % 3;
+                field_get(f, P_AFFINE, 0, dim * b + a)[k] = sign * spin[e];
+                field_get(f, P_AFFINE, 0, dim * a + b)[k] = -sign * spin[e];
+            }
+            for (int a = 0; a < dim; ++a) {
+                x[a] = field_get(f, P_POS, 0, a)[k];
+                v[a] = field_get(f, P_VEL, 0, a)[k] = 0.01 * (double)((k + 5 * (size_t)a) % 7);
+            }
+            for (int e = dim == 2 ? 2 : 0; e < 3; ++e) {
+                const int a = (e + 1) % 3, b = (e + 2) % 3;
+                const double carried = sign * spin[e] * h * h / 2.0;
+                moment[e] += mass * (x[a] * v[b] - x[b] * v[a] + carried);
+                scale[e] += mass * fabs((x[a] - middle) * v[b] - (x[b] - middle) * v[a] + carried);
+            }
+        }
+        mpm_angular_momentum(t.sim->mpm, 0, out, size);
+        for (int e = 0; e < 3; ++e) {
+            check_close(out[e], moment[e], 1e-14);
+            check_close(size[e], scale[e], 1e-14);
+        }
+        trial_end(&t);
+    }
+}
+
 /* A quarter of a circle between mirrors: gas anywhere in the quadrant is outside where it is farther from the centre than the line. */
 static void test_outside(void **unused)
 {
@@ -115,6 +159,6 @@ static void test_outside(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums), cmocka_unit_test(test_step),
-                                       cmocka_unit_test(test_outside)};
+                                       cmocka_unit_test(test_spin), cmocka_unit_test(test_outside)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -271,11 +271,38 @@ static void guarded_cells(void **unused)
     fixture_destroy(&f);
 }
 
+/* A trace that comes out of advection without a temperature keeps its mass, and has the cell's last temperature and pressure; the ledger has what that
+ * changes of its energy. */
+static void mended_trace(void **unused)
+{
+    (void)unused;
+    fixture f;
+    fixture_create(&f, 1, (const int[]){4}, (const double[]){1.0}, true);
+    fixture_fluid(&f, "ideal", 1.4, 717.5, 0.0);
+    fixture_fluid(&f, "ideal", 1.6, 300.0, 0.0);
+    fixture_share(&f, 0, 1.0 - 1e-7, 0.0, 300.0);
+    fixture_share(&f, 1, 1.0, 0.0, 300.0);
+    fixture_start(&f);
+    fixture_steps(&f, 1, 1e-6);
+    const ptrdiff_t at = mesh_index(&f.mesh.block[0], 2, 0, 0);
+    const double rho = fixture_array(&f, C_RHO, 1, 0)[at];
+    fixture_array(&f, C_ENERGY_L, 1, 0)[at] = -10.0;
+    check_ok(f.ctx, ice_advect(f.ice));
+    const fields *next = f.domain->fields[0];
+    printf("%g %g %g %g\n", rho, field_next(next, C_RHO, 1, 0)[at], field_next(next, C_ENERGY, 1, 0)[at],
+           f.ledger.pending[LEDGER_ENERGY][LEDGER_DEFECT]);
+    check_close_relative(field_next(next, C_RHO, 1, 0)[at], rho, 1e-9);
+    check_close_relative(field_next(next, C_ENERGY, 1, 0)[at], 300.0 * 300.0, 1e-9);
+    check_close_relative(f.ledger.pending[LEDGER_ENERGY][LEDGER_DEFECT], rho * (300.0 * 300.0 + 10.0) * 0.25, 1e-9);
+    fixture_destroy(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_step), cmocka_unit_test(three_step), cmocka_unit_test(three_order),
-        cmocka_unit_test(spheres),  cmocka_unit_test(owed_heat),  cmocka_unit_test(guarded_cells),
+        cmocka_unit_test(one_step),     cmocka_unit_test(three_step), cmocka_unit_test(three_order),
+        cmocka_unit_test(spheres),      cmocka_unit_test(owed_heat),  cmocka_unit_test(guarded_cells),
+        cmocka_unit_test(mended_trace),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
