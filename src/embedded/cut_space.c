@@ -141,7 +141,7 @@ typedef struct polygon_sums {
 
 static polygon_sums sum_polygon(const polygon *p, const int cell[3])
 {
-    polygon_sums s = {{0.0}, {0.0}, 0.0, {0.0}};
+    polygon_sums s = {.first = 0.0};
     double middle[2] = {0.0, 0.0};
     for (int k = 1; k + 1 < p->n; ++k) {
         double part[3];

@@ -137,6 +137,7 @@ static void test_outside(void **unused)
     double *x = field_get(f, P_POS, 0, 0), *y = field_get(f, P_POS, 0, 1);
     const double *mass = field_get(f, P_MASS, 0, 0);
     uint64_t seed = 11;
+    check_true(mpm_membrane_encloses(t.sim->mpm, 1) && !mpm_membrane_encloses(t.sim->mpm, 0));
     for (int pass = 0; pass < 4; ++pass) {
         membrane_enclosure room;
         double outside = 0.0;
