@@ -1,39 +1,44 @@
-/* One level of the hierarchy, and what is done on it and between it and the next. Only multigrid*.c include this. */
+/* What a kind of matrices gives to the cycle (multigrid.c). Only multigrid*.c include this. */
 #ifndef SOLVE_MULTIGRID_LEVEL_H
 #define SOLVE_MULTIGRID_LEVEL_H
 
-#include "base/compiler.h"
 #include "solve/multigrid.h"
 
-/* Arrays on its grid; owned by the multigrid. */
-typedef struct level {
-    solve_grid grid;
-    link_system system;
-    double *diagonal, *inverse; /* of the matrix; inverse 0 where a cell takes no part */
-    double *x, *y;              /* the solution, by turns */
-    double *b, *residual;       /* b is NULL on the finest level: it is the caller's */
-    double *share;              /* of a cell's value that comes from the coarse cell beyond, not from its own */
-    int axis;                   /* the next level has half the cells along it; -1: the coarsest */
-    bool smoothed;              /* else the level is passed through, on the way to coarsening another axis as well */
-} level;
+enum { MULTIGRID_LEVELS = 3 * 31 };
 
-/* The diagonal and its inverse from the links. */
-void level_complete(level *l);
-/* Links, sinks and shares of l for the next level. */
-void level_coarsen(level *l, level *coarse);
+/* One level of the hierarchy. */
+typedef struct multigrid_level {
+    void *own;     /* what the kind keeps of it; owned */
+    size_t size;   /* entries of an array */
+    double *x, *b; /* owned; b is NULL on the finest level: it is the caller's */
+} multigrid_level;
 
-/* y = A x. */
-void level_apply(const level *l, double *x, double *y);
-/* r = b - A x. */
-void level_residual(const level *l, double *x, const double *b, double *r);
-/* out = 0 and x = step D^-1 b: the first step of relaxation from 0. */
-void level_start(const level *l, const double *b, double step, double *x, double *out);
-/* out = x + memory (x - out) + step D^-1 (b - A x). */
-void level_relax(const level *l, double *x, double *out, const double *b, double memory, double step);
+typedef struct multigrid_kind {
+    void (*apply)(const multigrid_level *l, double *x, double *y); /* y = A x */
+    /* Improves l->x towards A x = b, from 0 where `fresh`. */
+    void (*smooth)(const multigrid_level *l, const double *b, bool fresh);
+    /* b of the next level from the residual of l->x. */
+    void (*restrict_residual)(const multigrid_level *l, const double *b, const multigrid_level *coarse);
+    /* Adds the next level's x to l->x. */
+    void (*prolong_correction)(const multigrid_level *l, const multigrid_level *coarse);
+    void (*solve)(const multigrid_level *l, const double *b); /* l->x of the last level */
+    /* Whether a level is solved for; else it is coarsened. */
+    bool (*is_last)(const multigrid_level *l);
+    /* The matrix of the next level, and what smoothing needs; what solving the last one needs. */
+    floe_status (*coarsen)(const multigrid_level *l, const multigrid_level *coarse);
+    floe_status (*prepare_last)(const multigrid_level *l);
+    void (*free)(context *ctx, void *own);
+} multigrid_kind;
 
-/* coarse->b = the transpose of the interpolation on r. */
-void level_restrict(const level *l, double *r, const level *coarse);
-/* x += the interpolation of the coarse solution; with `fresh` x = it. */
-void level_prolong(const level *l, double *x, const level *coarse, double *from, bool fresh);
+struct multigrid {
+    context *ctx;
+    const multigrid_kind *kind;
+    int n, last; /* levels; the one that is solved for */
+    multigrid_level level[MULTIGRID_LEVELS];
+};
+
+floe_status multigrid_new(multigrid **out, context *ctx, const multigrid_kind *kind);
+/* The next level, with `bytes` of its kind's. Errors: FLOE_NO_MEMORY. */
+floe_status multigrid_add(multigrid *m, size_t size, size_t bytes, void *own);
 
 #endif

@@ -1,5 +1,5 @@
-/* The smoother of node_multigrid: B, an approximate inverse of a node_matrix made of small exact ones, and Chebyshev
- * polynomials in B A. Only node_*.c include this. */
+/* The smoother of nodes in multigrid: B, an approximate inverse of a node_matrix made of small exact ones, and Chebyshev
+ * polynomials in B A. Only node_smooth.c and multigrid_nodes.c include this. */
 #ifndef SOLVE_NODE_SMOOTH_H
 #define SOLVE_NODE_SMOOTH_H
 

@@ -28,7 +28,7 @@ typedef struct problem {
 static void open_problem(problem *q, context *ctx, int dim, const int *n, const bool *periodic, const double *strength)
 {
     *q = (problem){.ctx = ctx, .grid = solve_grid_make(dim, n, periodic)};
-    check_ok(ctx, multigrid_create(&q->m, ctx, &q->grid, strength));
+    check_ok(ctx, multigrid_of_cells(&q->m, ctx, &q->grid, strength));
     check_ok(ctx, cg_create(&q->c, ctx, &q->grid, 1, MOST_ITERATIONS));
     check_ok(ctx, memory_new(ctx, &q->b, q->grid.size, sizeof(double)));
     check_ok(ctx, memory_new(ctx, &q->x, q->grid.size, sizeof(double)));
@@ -54,7 +54,7 @@ typedef enum side { WALL, OPEN } side;
 static void fill_system(problem *q, const double *strength, double sink, side upper, double (*density)(const int *cell))
 {
     const solve_grid *g = &q->grid;
-    const link_system s = multigrid_system(q->m);
+    const link_system s = multigrid_links(q->m);
     int cell[3];
     for (cell[2] = 0; cell[2] < g->n[2]; ++cell[2])
         for (cell[1] = 0; cell[1] < g->n[1]; ++cell[1])
@@ -70,7 +70,7 @@ static void fill_system(problem *q, const double *strength, double sink, side up
                         s.link[a][at + g->stride[a]] = upper == OPEN ? strength[a] * 2.0 / density(cell) : 0.0;
                 }
             }
-    multigrid_prepare(q->m);
+    check_ok(q->ctx, multigrid_prepare(q->m));
 }
 
 static double uniform(const int *cell)
@@ -189,11 +189,11 @@ static void cells_may_take_no_part(void **state)
     const double strength[3] = {1.0, 1.0, 1.0};
     open_problem(&q, *state, 2, n, (const bool[3]){false}, strength);
     fill_system(&q, strength, 1e-3, WALL, uniform);
-    const link_system s = multigrid_system(q.m);
+    const link_system s = multigrid_links(q.m);
     const ptrdiff_t out = solve_index(&q.grid, 4, 3, 0);
     s.sink[out] = 0.0;
     for (int a = 0; a < 2; ++a) s.link[a][out] = s.link[a][out + q.grid.stride[a]] = 0.0;
-    multigrid_prepare(q.m);
+    check_ok(q.ctx, multigrid_prepare(q.m));
     fill_random(&q, q.b, 3);
     q.b[out] = 0.0;
     const cg_result r = solve(&q, 1e-10);
@@ -401,7 +401,7 @@ static void memory_may_run_out(void **state)
         multigrid *m = NULL;
         cg *c = NULL;
         memory_inject_failure(ctx, n);
-        const floe_status first = multigrid_create(&m, ctx, &g, strength);
+        const floe_status first = multigrid_of_cells(&m, ctx, &g, strength);
         const floe_status second = first == FLOE_OK ? cg_create(&c, ctx, &g, 1, 3) : first;
         memory_inject_failure(ctx, 0);
         context_clear(ctx);

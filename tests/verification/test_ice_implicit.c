@@ -117,7 +117,7 @@ static double against_differences(const kind *k, double exchange, double size)
     check_ok(f.ctx, memory_new(f.ctx, &after, w->grid.size, sizeof(double)));
     check_ok(f.ctx, memory_new(f.ctx, &product, w->grid.size, sizeof(double)));
     residual(&f, before);
-    ice_implicit_matrix(s, g);
+    check_ok(f.ctx, ice_implicit_matrix(s, g));
     uint64_t seed = 4;
     for (int row = 0; row < solve_rows(&w->grid); ++row)
         for (int i = 0; i < w->grid.n[0]; ++i) w->x[solve_row(&w->grid, row) + i] = check_random(&seed, -size, size);

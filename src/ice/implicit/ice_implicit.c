@@ -38,7 +38,7 @@ static floe_status fill_implicit(const ice *s, ice_implicit *w)
     double strength[MESH_MAX_DIM];
     for (int a = 0; a < MESH_MAX_DIM; ++a) strength[a] = 1.0 / (s->mesh->h[a] * s->mesh->h[a]);
     w->grid = solve_grid_of_cells(s->mesh);
-    TRY(multigrid_create(&w->m, s->ctx, &w->grid, strength));
+    TRY(multigrid_of_cells(&w->m, s->ctx, &w->grid, strength));
     TRY(cg_create(&w->c, s->ctx, &w->grid, 1, ICE_MOST_CG));
     TRY(memory_new(s->ctx, &w->b, w->grid.size, sizeof(double)));
     TRY(memory_new(s->ctx, &w->x, w->grid.size, sizeof(double)));
@@ -112,7 +112,7 @@ static floe_status search_pressure_step(ice *s, const ice_region *g)
         if (!(residual < ICE_HOPELESS_RESIDUAL * best) || outer == ICE_MOST_OUTER)
             return give_up(s, residual, best, outer);
         best = fmin(best, residual);
-        if (outer == 0 || g->n > 1) ice_implicit_matrix(s, g);
+        if (outer == 0 || g->n > 1) TRY(ice_implicit_matrix(s, g));
         iterations += solve_once(s, residual);
         ice_implicit_take(s, g);
         ice_implicit_push(s, g);

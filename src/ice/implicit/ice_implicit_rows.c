@@ -216,7 +216,7 @@ double ice_implicit_residual(ice *s, const ice_region *g)
 static void sink_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     (void)axis;
-    double *sink = multigrid_system(s->rows->m).sink + grid_row(s, v->b, j, k);
+    double *sink = multigrid_links(s->rows->m).sink + grid_row(s, v->b, j, k);
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = mesh_index(v->b, 0, j, k) + i;
         const double phi = ice_implicit_phi(v, 0.5 * (1.0 + v->shock[at]));
@@ -230,7 +230,7 @@ static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     const double square = v->dt * v->dt * v->inv_h[axis] * v->inv_h[axis];
-    double *link = multigrid_system(s->rows->m).link[axis] + grid_row(s, v->b, j, k);
+    double *link = multigrid_links(s->rows->m).link[axis] + grid_row(s, v->b, j, k);
     for (ptrdiff_t i = 0; i < n; ++i) {
         const ptrdiff_t R = base + i, L = R - step;
         double mobility = 0.0;
@@ -246,7 +246,7 @@ static void link_row(const ice *s, const ice_view *v, int axis, int j, int k)
 static void constrain_cell(const ice *s, const ice_view *v, int i, int j, int k)
 {
     const solve_grid *g = &s->rows->grid;
-    const link_system q = multigrid_system(s->rows->m);
+    const link_system q = multigrid_links(s->rows->m);
     const int cell[MESH_MAX_DIM] = {v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k};
     const ptrdiff_t at = solve_index(g, cell[0], cell[1], cell[2]);
     for (int a = 0; a < g->dim; ++a)
@@ -262,7 +262,7 @@ static void constrain_cell(const ice *s, const ice_view *v, int i, int j, int k)
 
 static void drop_sink(const ice *s, const ice_view *v, int i, int j, int k)
 {
-    multigrid_system(s->rows->m).sink[grid_row(s, v->b, j, k) + i] = 0.0;
+    multigrid_links(s->rows->m).sink[grid_row(s, v->b, j, k) + i] = 0.0;
 }
 
 static void for_constrained(const ice *s, const ice_region *g,
@@ -274,7 +274,7 @@ static void for_constrained(const ice *s, const ice_region *g,
             if (ice_is_continued(&v, c.at)) visit(s, &v, c.in[0], c.in[1], c.in[2]);
 }
 
-void ice_implicit_matrix(ice *s, const ice_region *g)
+floe_status ice_implicit_matrix(ice *s, const ice_region *g)
 {
     for_face_rows(s, g, -1, sink_row);
     for (int axis = 0; axis < s->mesh->dim; ++axis) for_face_rows(s, g, axis, link_row);
@@ -282,7 +282,7 @@ void ice_implicit_matrix(ice *s, const ice_region *g)
         for_constrained(s, g, constrain_cell);
         for_constrained(s, g, drop_sink);
     }
-    multigrid_prepare(s->rows->m);
+    return multigrid_prepare(s->rows->m);
 }
 
 static void take_row(const ice *s, const ice_view *v, int axis, int j, int k)

@@ -23,7 +23,7 @@ void ice_implicit_push(const ice *s, const ice_region *g);
  * DBL_MAX where it is no number. */
 double ice_implicit_residual(ice *s, const ice_region *g);
 /* The matrix of the present u*. */
-void ice_implicit_matrix(ice *s, const ice_region *g);
+floe_status ice_implicit_matrix(ice *s, const ice_region *g);
 /* The solution as a step of pressure into the array of P, ghosts filled, and onto the sum of steps. */
 void ice_implicit_take(ice *s, const ice_region *g);
 /* The last step's sum of steps as the first guess, likewise. */

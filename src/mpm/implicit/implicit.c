@@ -58,7 +58,7 @@ static void solve_increment(mpm *s, const node_matrix *m)
 static void make_matrix(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
-    node_matrix *m = node_multigrid_matrix(w->solver);
+    node_matrix *m = multigrid_matrix(w->solver);
     implicit_assemble(s);
     implicit_assemble_edges(s, m);
     if (w->mass) motion_stiffen(s, m);
@@ -83,18 +83,18 @@ static floe_status renew_matrix(mpm *s)
     struct mpm_implicit *w = s->implicit;
     const bool first = !w->ready;
     TRY(implicit_tangents(s, w->u));
-    if (first) TRY(node_matrix_shape(node_multigrid_matrix(w->solver), w->row));
+    if (first) TRY(node_matrix_shape(multigrid_matrix(w->solver), w->row));
     make_matrix(s);
     if (first && !w->mass) TRY(check_free(s));
     w->ready = true;
-    return node_multigrid_prepare(w->solver);
+    return multigrid_prepare(w->solver);
 }
 
 static void apply_preconditioner(void *user, double *x, double *y)
 {
     const mpm *s = user;
     const struct mpm_implicit *w = s->implicit;
-    node_multigrid_cycle(w->solver, x, y);
+    multigrid_cycle(w->solver, x, y);
     for (size_t k = 0; k < w->components; ++k)
         if (w->constrained[k]) y[k] = 0.0;
     implicit_contact_project(s, y);
@@ -103,7 +103,7 @@ static void apply_preconditioner(void *user, double *x, double *y)
 static void multiply_tangent(void *user, double *x, double *y)
 {
     const mpm *s = user;
-    node_multigrid_apply(s->implicit->solver, x, y);
+    multigrid_apply(s->implicit->solver, x, y);
     enclosed_gases_stiffness(s->implicit, x, y);
 }
 

@@ -7,7 +7,7 @@
  * zero over the run. Shape functions are those of the points' positions at the start of the increment (updated
  * Lagrangian), so that the increment may have any strain. The tangents dT/d(grad u) are finite differences of the
  * material law at each point, made symmetric. The stiffness matrix of the nodes is assembled from them; conjugate
- * gradients with a multigrid preconditioner (solve/node_multigrid.h) solve for the increment. Walls are imposed by
+ * gradients with a multigrid preconditioner (solve/multigrid.h) solve for the increment. Walls are imposed by
  * folded shape functions, as in the explicit step. Private to the mpm module. */
 #ifndef MPM_IMPLICIT_H
 #define MPM_IMPLICIT_H
@@ -15,7 +15,7 @@
 #include "mpm/implicit/implicit_view.h"
 #include "mpm/mpm.h"
 #include "solve/cg.h"
-#include "solve/node_multigrid.h"
+#include "solve/multigrid.h"
 
 enum { IMPLICIT_GRADIENTS = 9, IMPLICIT_NODES = BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT * BASIS_MAX_SUPPORT };
 
@@ -63,7 +63,7 @@ struct mpm_implicit {
     int n_gases;
     struct curve_rest *curve;         /* owned; NULL: solids on the mesh */
     struct implicit_contact *contact; /* owned; NULL: no bodies in contact */
-    node_multigrid *solver;           /* owned */
+    multigrid *solver;                /* owned */
     cg *krylov;                       /* owned */
     int layers,
         layer

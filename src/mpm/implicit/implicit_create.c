@@ -75,7 +75,7 @@ static floe_status make_solver(mpm *s)
     w->components = (size_t)(dim * w->layers) * w->grid.size;
     choose_gradients(s, w);
     TRY(find_tiles(s));
-    TRY(node_multigrid_create(&w->solver, s->ctx, &w->grid, dim * w->layers, s->basis->support - 1, implicit_arm(s)));
+    TRY(multigrid_of_nodes(&w->solver, s->ctx, &w->grid, dim * w->layers, s->basis->support - 1, implicit_arm(s)));
     TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MPM_MOST_KRYLOV));
     TRY(enclosed_gases_find(s));
     TRY(implicit_contact_create(s));
@@ -121,7 +121,7 @@ void implicit_destroy(mpm *s)
     cg_destroy(&w->krylov);
     enclosed_gases_free(s);
     implicit_contact_free(s);
-    node_multigrid_destroy(&w->solver);
+    multigrid_destroy(&w->solver);
     memory_free(s->ctx, &w->external_first);
     memory_free(s->ctx, &w->unbalanced);
     void *owned[] = {&w->mass,     &w->velocity, &w->gas_force,  &w->weights,    &w->point_force,

@@ -91,7 +91,7 @@ static void assemble_tile(mpm *s, int blk, int tile, void *user)
 
 void implicit_assemble(mpm *s)
 {
-    node_matrix *m = node_multigrid_matrix(s->implicit->solver);
+    node_matrix *m = multigrid_matrix(s->implicit->solver);
     memset(m->value, 0,
            (size_t)m->rows * (size_t)m->slots * (size_t)(m->components * m->components) * sizeof *m->value);
     implicit_for_tiles(s, assemble_tile, m);

@@ -74,7 +74,7 @@ static int count_motions(const mpm *s)
 static void set_motion(const mpm *s, const int *part, int root, int motion, double *z)
 {
     const struct mpm_implicit *w = s->implicit;
-    const node_matrix *m = node_multigrid_matrix(w->solver);
+    const node_matrix *m = multigrid_matrix(w->solver);
     const int dim = s->mesh->dim;
     memset(z, 0, w->components * sizeof *z);
     for (int unit = 0; unit < m->rows * w->layers; ++unit) {
@@ -105,7 +105,7 @@ static void set_motion(const mpm *s, const int *part, int root, int motion, doub
 /* Sums over the rows of a part of x y, and of x y times the diagonal. */
 static double dot_rows(const mpm *s, const double *x, const double *y, bool diagonal)
 {
-    const node_matrix *m = node_multigrid_matrix(s->implicit->solver);
+    const node_matrix *m = multigrid_matrix(s->implicit->solver);
     double sum = 0.0;
     for (int row = 0; row < m->rows; ++row)
         for (int c = 0; c < m->components; ++c) {
@@ -130,7 +130,7 @@ static bool moves_freely(int n, double A[MOTIONS][MOTIONS], const double *scale)
 static floe_status check_part(mpm *s, const free_search *f, int root)
 {
     const struct mpm_implicit *w = s->implicit;
-    const node_matrix *m = node_multigrid_matrix(w->solver);
+    const node_matrix *m = multigrid_matrix(w->solver);
     const int n = count_motions(s);
     double A[MOTIONS][MOTIONS], scale[MOTIONS], x[3];
     for (int i = 0; i < n; ++i) set_motion(s, f->part, root, i, f->z[i]);
@@ -151,7 +151,7 @@ static floe_status check_part(mpm *s, const free_search *f, int root)
 /* Each body by itself, against others that stay; and what is connected by contacts. */
 static floe_status check_parts(mpm *s, const free_search *f)
 {
-    const node_matrix *m = node_multigrid_matrix(s->implicit->solver);
+    const node_matrix *m = multigrid_matrix(s->implicit->solver);
     const int layers = s->implicit->layers;
     for (int across = 0; across < (layers > 1 ? 2 : 1); ++across) {
         join_units(m, layers, across == 1, f->part);
@@ -164,7 +164,7 @@ static floe_status check_parts(mpm *s, const free_search *f)
 
 floe_status implicit_check_rigid_motions(mpm *s)
 {
-    const node_matrix *m = node_multigrid_matrix(s->implicit->solver);
+    const node_matrix *m = multigrid_matrix(s->implicit->solver);
     free_search f = {.part = NULL};
     floe_status status = memory_new(s->ctx, &f.part, (size_t)m->rows * (size_t)s->implicit->layers, sizeof *f.part);
     for (int k = 0; k < MOTIONS && status == FLOE_OK; ++k)

@@ -1,5 +1,5 @@
 /* The matrix of a level and the steps of its smoother, by rows; instantiated for each dimension. */
-#include "solve/multigrid_level.h"
+#include "solve/cell_level.h"
 
 /* Sum of link times neighbour. */
 FLOE_ALWAYS_INLINE double neighbours(const double *const *link, const double *x, const ptrdiff_t *stride, ptrdiff_t at,
@@ -12,7 +12,7 @@ FLOE_ALWAYS_INLINE double neighbours(const double *const *link, const double *x,
 
 /* What a row kernel works on; y and out must not overlap x. */
 typedef struct sweep {
-    const level *l;
+    const cell_level *l;
     const double *x, *b;
     double *out;
     double memory, step;
@@ -20,7 +20,7 @@ typedef struct sweep {
 
 FLOE_ALWAYS_INLINE void apply_row(const sweep *s, ptrdiff_t base, const int dim)
 {
-    const level *l = s->l;
+    const cell_level *l = s->l;
     const double *link[3] = {l->system.link[0], l->system.link[1], l->system.link[2]};
     const ptrdiff_t stride[3] = {l->grid.stride[0], l->grid.stride[1], l->grid.stride[2]};
     const double *restrict x = s->x, *restrict diagonal = l->diagonal;
@@ -32,7 +32,7 @@ FLOE_ALWAYS_INLINE void apply_row(const sweep *s, ptrdiff_t base, const int dim)
 
 FLOE_ALWAYS_INLINE void residual_row(const sweep *s, ptrdiff_t base, const int dim)
 {
-    const level *l = s->l;
+    const cell_level *l = s->l;
     const double *link[3] = {l->system.link[0], l->system.link[1], l->system.link[2]};
     const ptrdiff_t stride[3] = {l->grid.stride[0], l->grid.stride[1], l->grid.stride[2]};
     const double *restrict x = s->x, *restrict diagonal = l->diagonal, *restrict b = s->b;
@@ -44,7 +44,7 @@ FLOE_ALWAYS_INLINE void residual_row(const sweep *s, ptrdiff_t base, const int d
 
 FLOE_ALWAYS_INLINE void relax_row(const sweep *s, ptrdiff_t base, const int dim)
 {
-    const level *l = s->l;
+    const cell_level *l = s->l;
     const double *link[3] = {l->system.link[0], l->system.link[1], l->system.link[2]};
     const ptrdiff_t stride[3] = {l->grid.stride[0], l->grid.stride[1], l->grid.stride[2]};
     const double *restrict x = s->x, *restrict diagonal = l->diagonal, *restrict inverse = l->inverse,
@@ -81,25 +81,25 @@ static void for_rows(const sweep *s, row_kernel *const *kernel)
     for (int row = 0; row < solve_rows(g); ++row) row_of(s, solve_row(g, row));
 }
 
-void level_apply(const level *l, double *x, double *y)
+void cell_level_apply(const cell_level *l, double *x, double *y)
 {
     solve_fill_periodic(&l->grid, x);
     for_rows(&(sweep){.l = l, .x = x, .out = y}, apply_rows);
 }
 
-void level_residual(const level *l, double *x, const double *b, double *r)
+void cell_level_residual(const cell_level *l, double *x, const double *b, double *r)
 {
     solve_fill_periodic(&l->grid, x);
     for_rows(&(sweep){.l = l, .x = x, .b = b, .out = r}, residual_rows);
 }
 
-void level_relax(const level *l, double *x, double *out, const double *b, double memory, double step)
+void cell_level_relax(const cell_level *l, double *x, double *out, const double *b, double memory, double step)
 {
     solve_fill_periodic(&l->grid, x);
     for_rows(&(sweep){l, x, b, out, memory, step}, relax_rows);
 }
 
-void level_start(const level *l, const double *b, double step, double *x, double *out)
+void cell_level_start(const cell_level *l, const double *b, double step, double *x, double *out)
 {
     const solve_grid *g = &l->grid;
 #pragma omp parallel for schedule(static) if (solve_is_large(g))

@@ -4,13 +4,13 @@
  * resistances R = 1/link (R_m of the link inside a pair, none where a cell is left over at the end), two coarse cells
  * are linked by R_m/2 + R + R_m'/2 in series, and a fine cell takes of the coarse value beyond the share (R_m/2) /
  * (R_m/2 + R + R_m'/2): one quarter where links are alike. */
-#include "solve/multigrid_level.h"
+#include "solve/cell_level.h"
 
 /* Keeps 1/0 finite: far above any resistance. */
 static const double most_resistance = 1e150;
 
 /* Inside the pair of coarse cell I along the axis; `at` is the index of its first fine cell. */
-static double inner_resistance(const level *l, int pair, ptrdiff_t at)
+static double inner_resistance(const cell_level *l, int pair, ptrdiff_t at)
 {
     if (2 * pair + 1 >= l->grid.n[l->axis]) return 0.0;
     const double link = l->system.link[l->axis][at + l->grid.stride[l->axis]];
@@ -23,7 +23,7 @@ typedef struct crossing {
     ptrdiff_t last;             /* the last fine cell of the pair before; -1: the side of the domain */
 } crossing;
 
-static crossing links_across(const level *l, int pair, ptrdiff_t at)
+static crossing links_across(const cell_level *l, int pair, ptrdiff_t at)
 {
     const int n = l->grid.n[l->axis], pairs = (n + 1) / 2;
     const ptrdiff_t s = l->grid.stride[l->axis], start = at - 2 * pair * s;
@@ -42,7 +42,7 @@ static crossing links_across(const level *l, int pair, ptrdiff_t at)
 }
 
 /* Links across the axis add up, as do sinks. */
-static void add_pair(const level *l, level *coarse, ptrdiff_t at, ptrdiff_t to, bool two)
+static void add_pair(const cell_level *l, cell_level *coarse, ptrdiff_t at, ptrdiff_t to, bool two)
 {
     const ptrdiff_t s = l->grid.stride[l->axis];
     coarse->system.sink[to] = l->system.sink[at] + (two ? l->system.sink[at + s] : 0.0);
@@ -51,7 +51,7 @@ static void add_pair(const level *l, level *coarse, ptrdiff_t at, ptrdiff_t to, 
 }
 
 /* The row of fine cells along the axis from `at`, and the coarse one from `to`. */
-static void coarsen_line(level *l, level *coarse, ptrdiff_t at, ptrdiff_t to)
+static void coarsen_line(cell_level *l, cell_level *coarse, ptrdiff_t at, ptrdiff_t to)
 {
     const int n = l->grid.n[l->axis], pairs = coarse->grid.n[l->axis];
     const ptrdiff_t s = l->grid.stride[l->axis], t = coarse->grid.stride[l->axis];
@@ -94,7 +94,7 @@ static ptrdiff_t line_start(const solve_grid *g, int axis, int line)
 }
 
 /* Links of the upper sides across the axis, which lie a cell beyond the lines. */
-static void coarsen_upper_sides(const level *l, level *coarse)
+static void coarsen_upper_sides(const cell_level *l, cell_level *coarse)
 {
     const solve_grid *g = &l->grid, *h = &coarse->grid;
     for (int a = 0; a < g->dim; ++a) {
@@ -111,7 +111,7 @@ static void coarsen_upper_sides(const level *l, level *coarse)
     }
 }
 
-void level_coarsen(level *l, level *coarse)
+void cell_level_coarsen(cell_level *l, cell_level *coarse)
 {
     const int lines = lines_across(&l->grid, l->axis);
 #pragma omp parallel for schedule(static) if (solve_is_large(&l->grid))
@@ -121,7 +121,7 @@ void level_coarsen(level *l, level *coarse)
     solve_fill_periodic(&l->grid, l->share);
 }
 
-void level_complete(level *l)
+void cell_level_complete(cell_level *l)
 {
     const solve_grid *g = &l->grid;
     for (int a = 0; a < g->dim; ++a)
@@ -140,7 +140,7 @@ void level_complete(level *l)
 
 /* ---- transfer: along axis 0 the cells of a pair lie side by side in a row, along others in two rows ---- */
 
-static void restrict_along(const level *l, const double *restrict r, double *restrict b, ptrdiff_t from, int pairs)
+static void restrict_along(const cell_level *l, const double *restrict r, double *restrict b, ptrdiff_t from, int pairs)
 {
     const double *restrict share = l->share;
     const bool left = l->grid.n[0] % 2 != 0;
@@ -154,7 +154,7 @@ static void restrict_along(const level *l, const double *restrict r, double *res
     b[pairs - 1] = (1.0 - share[at]) * r[at] + share[at - 1] * r[at - 1] + share[at + 1] * r[at + 1];
 }
 
-static void restrict_across(const level *l, const double *restrict r, double *restrict b, ptrdiff_t from, bool two)
+static void restrict_across(const cell_level *l, const double *restrict r, double *restrict b, ptrdiff_t from, bool two)
 {
     const double *restrict share = l->share;
     const ptrdiff_t s = l->grid.stride[l->axis], n = l->grid.n[0], beyond = two ? 2 * s : s;
@@ -168,31 +168,32 @@ static void restrict_across(const level *l, const double *restrict r, double *re
     for (ptrdiff_t i = 0; i < n; ++i) b[i] += (1.0 - share[from + i + s]) * r[from + i + s];
 }
 
-void level_restrict(const level *l, double *r, const level *coarse)
+void cell_level_restrict(const cell_level *l, double *r, const cell_level *coarse, double *b)
 {
     const solve_grid *g = &l->grid, *h = &coarse->grid;
     solve_fill_periodic(g, r);
 #pragma omp parallel for schedule(static) if (solve_is_large(h))
     for (int row = 0; row < solve_rows(h); ++row) {
         int cell[MESH_MAX_DIM] = {0, row % h->n[1], row / h->n[1]};
-        double *b = coarse->b + solve_row(h, row);
+        double *to = b + solve_row(h, row);
         if (l->axis > 0) cell[l->axis] *= 2;
         const ptrdiff_t from = solve_index(g, 0, cell[1], cell[2]);
         if (l->axis == 0)
-            restrict_along(l, r, b, from, h->n[0]);
+            restrict_along(l, r, to, from, h->n[0]);
         else
-            restrict_across(l, r, b, from, cell[l->axis] + 1 < g->n[l->axis]);
+            restrict_across(l, r, to, from, cell[l->axis] + 1 < g->n[l->axis]);
     }
 }
 
 /* A fine cell's part of the correction; nothing where it takes no part. */
-FLOE_ALWAYS_INLINE double correction(const level *l, ptrdiff_t at, double own, double beyond)
+FLOE_ALWAYS_INLINE double correction(const cell_level *l, ptrdiff_t at, double own, double beyond)
 {
     const double value = own + l->share[at] * (beyond - own);
     return l->inverse[at] > 0.0 ? value : 0.0;
 }
 
-static void prolong_along(const level *l, double *restrict x, const double *restrict from, ptrdiff_t at, double keep)
+static void prolong_along(const cell_level *l, double *restrict x, const double *restrict from, ptrdiff_t at,
+                          double keep)
 {
     const int n = l->grid.n[0];
     for (int i = 0; i < n / 2; ++i) {
@@ -203,7 +204,7 @@ static void prolong_along(const level *l, double *restrict x, const double *rest
     if (n % 2) x[at + n - 1] = keep * x[at + n - 1] + correction(l, at + n - 1, from[n / 2], from[n / 2 - 1]);
 }
 
-static void prolong_across(const level *l, double *restrict x, const double *restrict from, ptrdiff_t at,
+static void prolong_across(const cell_level *l, double *restrict x, const double *restrict from, ptrdiff_t at,
                            ptrdiff_t beyond, double keep)
 {
     const ptrdiff_t n = l->grid.n[0];
@@ -211,7 +212,7 @@ static void prolong_across(const level *l, double *restrict x, const double *res
     for (ptrdiff_t i = 0; i < n; ++i) x[at + i] = keep * x[at + i] + correction(l, at + i, from[i], from[i + beyond]);
 }
 
-void level_prolong(const level *l, double *x, const level *coarse, double *from, bool fresh)
+void cell_level_prolong(const cell_level *l, double *x, const cell_level *coarse, double *from, bool fresh)
 {
     const solve_grid *g = &l->grid, *h = &coarse->grid;
     const double keep = fresh ? 0.0 : 1.0;

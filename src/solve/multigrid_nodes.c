@@ -1,11 +1,11 @@
-#include "solve/node_multigrid.h"
-
+/* Multigrid for matrices of nodes. */
 #include "base/memory.h"
+#include "solve/multigrid_level.h"
 #include "solve/node_smooth.h"
 
 #include <string.h>
 
-enum { MOST_LEVELS = 31, FEW_UNKNOWNS = 200, FEW_NODES = 4 /* along an axis, which is not coarsened then */ };
+enum { FEW_UNKNOWNS = 200, FEW_NODES = 4 /* along an axis, which is not coarsened then */ };
 /* Added to the diagonal of the coarsest matrix, as a share of it: what moves free must not be divided by nothing. */
 static const double floor_of_coarsest = 1e-12;
 
@@ -13,19 +13,17 @@ typedef struct node_level {
     node_matrix *matrix; /* owned */
     node_smoother smoother;
     bool coarsened[MESH_MAX_DIM]; /* the next level has half the nodes along this axis */
-    double *x, *b, *r;            /* owned; x and b are NULL on the finest level */
+    double *residual;             /* owned */
+    /* Of a level that is solved exactly: entries of its arrays, the factored matrix, scratch; owned. */
+    size_t *unknown;
+    double *factor, *exact;
+    int unknowns;
 } node_level;
 
-struct node_multigrid {
-    context *ctx;
-    int n;
-    node_level level[MOST_LEVELS];
-    int last;        /* the level that is solved exactly */
-    size_t *unknown; /* of it: entries of its arrays; owned */
-    double *factor;  /* owned */
-    double *exact;   /* scratch; owned */
-    int unknowns;
-};
+static node_level *nodes_of(const multigrid_level *l)
+{
+    return l->own;
+}
 
 /* The grid with every second node, the last one beyond the end where need be. False: no axis can be coarsened. */
 static bool coarse_grid(const solve_grid *g, bool *coarsened, solve_grid *out)
@@ -41,17 +39,15 @@ static bool coarse_grid(const solve_grid *g, bool *coarsened, solve_grid *out)
     return any;
 }
 
-static floe_status add_level(node_multigrid *m, const solve_grid *g, int components, int width, int arm)
+static floe_status add_level(multigrid *m, const solve_grid *g, int components, int width, int arm, node_level **out)
 {
-    node_level *l = &m->level[m->n++];
     const size_t size = (size_t)components * g->size;
+    TRY(multigrid_add(m, size, sizeof **out, out));
+    node_level *l = *out;
     TRY(node_matrix_create(&l->matrix, m->ctx, g, components, width, arm));
     /* Unknowns that lines bind to those within are light no more: patches about cells would leave out what they are bound to. */
     TRY(node_smoother_create(&l->smoother, l->matrix, m->n == 1 && arm == 0));
-    TRY(memory_new(m->ctx, &l->r, size, sizeof(double)));
-    if (m->n == 1) return FLOE_OK;
-    TRY(memory_new(m->ctx, &l->x, size, sizeof(double)));
-    return memory_new(m->ctx, &l->b, size, sizeof(double));
+    return memory_new(m->ctx, &l->residual, size, sizeof(double));
 }
 
 /* Half the width, rounded up, and one more node that linear values reach. */
@@ -60,57 +56,36 @@ static int coarse_width(int width)
     return (width + 2) / 2 > 1 ? (width + 2) / 2 : 1;
 }
 
-static floe_status fill_node_multigrid(node_multigrid *m, const solve_grid *g, int components, int width, int arm)
+static floe_status add_nodes(multigrid *m, const solve_grid *g, int components, int width, int arm)
 {
     solve_grid grid = *g, coarse;
-    TRY(add_level(m, &grid, components, width, arm));
+    node_level *l;
+    TRY(add_level(m, &grid, components, width, arm, &l));
     width += arm; /* coarse unknowns that an arm couples lie beside each other, too */
-    while (m->n < MOST_LEVELS && coarse_grid(&grid, m->level[m->n - 1].coarsened, &coarse)) {
+    while (coarse_grid(&grid, l->coarsened, &coarse)) {
         bool all = true;
-        for (int a = 0; a < grid.dim; ++a) all = all && m->level[m->n - 1].coarsened[a];
+        for (int a = 0; a < grid.dim; ++a) all = all && l->coarsened[a];
         width = all ? coarse_width(width) : width;
         grid = coarse;
-        TRY(add_level(m, &grid, components, width, 0));
+        TRY(add_level(m, &grid, components, width, 0, &l));
     }
     return FLOE_OK;
 }
 
-floe_status node_multigrid_create(node_multigrid **out, context *ctx, const solve_grid *g, int components, int width,
-                                  int arm)
+static void drop_exact(context *ctx, node_level *l)
 {
-    TRY(memory_new(ctx, out, 1, sizeof **out));
-    (*out)->ctx = ctx;
-    const floe_status status = fill_node_multigrid(*out, g, components, width, arm);
-    if (status != FLOE_OK) node_multigrid_destroy(out);
-    return status;
+    memory_free(ctx, &l->unknown);
+    memory_free(ctx, &l->factor);
+    memory_free(ctx, &l->exact);
 }
 
-static void drop_exact(node_multigrid *m)
+static void free_nodes(context *ctx, void *own)
 {
-    memory_free(m->ctx, &m->unknown);
-    memory_free(m->ctx, &m->factor);
-    memory_free(m->ctx, &m->exact);
-}
-
-void node_multigrid_destroy(node_multigrid **m)
-{
-    if (!m || !*m) return;
-    context *ctx = (*m)->ctx;
-    drop_exact(*m);
-    for (int k = 0; k < (*m)->n; ++k) {
-        node_level *l = &(*m)->level[k];
-        node_smoother_free(&l->smoother);
-        node_matrix_destroy(&l->matrix);
-        memory_free(ctx, &l->x);
-        memory_free(ctx, &l->b);
-        memory_free(ctx, &l->r);
-    }
-    memory_free(ctx, m);
-}
-
-node_matrix *node_multigrid_matrix(node_multigrid *m)
-{
-    return m->level[0].matrix;
+    node_level *l = own;
+    drop_exact(ctx, l);
+    node_smoother_free(&l->smoother);
+    node_matrix_destroy(&l->matrix);
+    memory_free(ctx, &l->residual);
 }
 
 /* Coarse nodes that a fine node's value comes from, and how much of each. */
@@ -225,21 +200,27 @@ static int count_unknowns(const node_matrix *m)
     return m->rows * m->components;
 }
 
-/* The whole matrix of the last level, factored. */
-static floe_status factor_last(node_multigrid *m)
+static bool has_few_unknowns(const multigrid_level *l)
 {
-    const node_matrix *a = m->level[m->last].matrix;
+    return count_unknowns(nodes_of(l)->matrix) <= FEW_UNKNOWNS;
+}
+
+/* The whole matrix of the last level, factored. */
+static floe_status factor_nodes(const multigrid_level *of)
+{
+    node_level *l = nodes_of(of);
+    const node_matrix *a = l->matrix;
     const int n = count_unknowns(a);
-    drop_exact(m);
-    TRY(memory_new(m->ctx, &m->unknown, (size_t)n, sizeof *m->unknown));
-    TRY(memory_new(m->ctx, &m->exact, (size_t)n, sizeof *m->exact));
-    TRY(memory_new(m->ctx, &m->factor, (size_t)n * (size_t)(n + 1) / 2, sizeof *m->factor));
-    m->unknowns = n;
+    drop_exact(a->ctx, l);
+    TRY(memory_new(a->ctx, &l->unknown, (size_t)n, sizeof *l->unknown));
+    TRY(memory_new(a->ctx, &l->exact, (size_t)n, sizeof *l->exact));
+    TRY(memory_new(a->ctx, &l->factor, (size_t)n * (size_t)(n + 1) / 2, sizeof *l->factor));
+    l->unknowns = n;
     double largest = 0.0;
     for (int i = 0; i < n; ++i) {
         const int row = i / a->components, c = i % a->components;
-        double *to = m->factor + (size_t)i * (size_t)(i + 1) / 2;
-        m->unknown[i] = (size_t)c * a->grid.size + (size_t)a->place[row];
+        double *to = l->factor + (size_t)i * (size_t)(i + 1) / 2;
+        l->unknown[i] = (size_t)c * a->grid.size + (size_t)a->place[row];
         for (int slot = 0; slot < a->slots; ++slot) {
             const int place = a->column[(size_t)row * (size_t)a->slots + (size_t)slot];
             if (place == a->place[row] && slot != a->slots / 2) continue;
@@ -250,31 +231,36 @@ static floe_status factor_last(node_multigrid *m)
         }
         largest = to[i] > largest ? to[i] : largest;
     }
-    packed_factor(n, m->factor, floor_of_coarsest * largest);
+    packed_factor(n, l->factor, floor_of_coarsest * largest);
     return FLOE_OK;
 }
 
-floe_status node_multigrid_prepare(node_multigrid *m)
+static floe_status coarsen_nodes(const multigrid_level *l, const multigrid_level *coarse)
 {
-    for (m->last = 0; m->last + 1 < m->n && count_unknowns(m->level[m->last].matrix) > FEW_UNKNOWNS; ++m->last) {
-        node_level *l = &m->level[m->last];
-        TRY(node_smoother_prepare(&l->smoother));
-        TRY(shape_coarse(l, l + 1));
-        fill_coarse(l, l + 1);
-    }
-    return factor_last(m);
+    TRY(node_smoother_prepare(&nodes_of(l)->smoother));
+    TRY(shape_coarse(nodes_of(l), nodes_of(coarse)));
+    fill_coarse(nodes_of(l), nodes_of(coarse));
+    return FLOE_OK;
 }
 
-void node_multigrid_apply(void *user, double *x, double *y)
+static void apply_nodes(const multigrid_level *l, double *x, double *y)
 {
-    const node_multigrid *m = user;
-    node_matrix_apply(m->level[0].matrix, x, y);
+    node_matrix_apply(nodes_of(l)->matrix, x, y);
 }
 
-static void restrict_to(const node_level *l, const double *r, node_level *coarse)
+static void smooth_nodes(const multigrid_level *l, const double *b, bool fresh)
 {
-    const node_matrix *fine = l->matrix, *to = coarse->matrix;
-    memset(coarse->b, 0, (size_t)to->components * to->grid.size * sizeof(double));
+    node_smoother_relax(&nodes_of(l)->smoother, b, l->x, fresh);
+}
+
+static void restrict_nodes(const multigrid_level *of, const double *b, const multigrid_level *coarse)
+{
+    const node_level *l = nodes_of(of);
+    const node_matrix *fine = l->matrix, *to = nodes_of(coarse)->matrix;
+    double *r = l->residual;
+    node_matrix_apply(fine, of->x, r);
+    for (size_t i = 0; i < of->size; ++i) r[i] = b[i] - r[i];
+    memset(coarse->b, 0, coarse->size * sizeof(double));
     for (int row = 0; row < fine->rows; ++row) {
         int at[MESH_MAX_DIM];
         node_of_place(&fine->grid, fine->place[row], at);
@@ -288,9 +274,10 @@ static void restrict_to(const node_level *l, const double *r, node_level *coarse
     }
 }
 
-static void prolong_correction(const node_level *l, double *x, const node_level *coarse)
+static void prolong_nodes(const multigrid_level *of, const multigrid_level *coarse)
 {
-    const node_matrix *fine = l->matrix, *from = coarse->matrix;
+    const node_level *l = nodes_of(of);
+    const node_matrix *fine = l->matrix, *from = nodes_of(coarse)->matrix;
 #pragma omp parallel for schedule(static) if (fine->rows > 2048)
     for (int row = 0; row < fine->rows; ++row) {
         int at[MESH_MAX_DIM];
@@ -300,42 +287,31 @@ static void prolong_correction(const node_level *l, double *x, const node_level 
             double sum = 0.0;
             for (int k = 0; k < p.n; ++k)
                 sum += p.share[k] * coarse->x[(size_t)c * from->grid.size + (size_t)node_index(&from->grid, p.at[k])];
-            x[(size_t)c * fine->grid.size + (size_t)fine->place[row]] += sum;
+            of->x[(size_t)c * fine->grid.size + (size_t)fine->place[row]] += sum;
         }
     }
 }
 
-static void solve_exactly(const node_multigrid *m, const double *b, double *x)
+static void solve_nodes(const multigrid_level *of, const double *b)
 {
-    const node_matrix *a = m->level[m->last].matrix;
-    memset(x, 0, (size_t)a->components * a->grid.size * sizeof *x);
-    for (int i = 0; i < m->unknowns; ++i) m->exact[i] = b[m->unknown[i]];
-    packed_solve(m->unknowns, m->factor, m->exact);
-    for (int i = 0; i < m->unknowns; ++i) x[m->unknown[i]] = m->exact[i];
+    const node_level *l = nodes_of(of);
+    memset(of->x, 0, of->size * sizeof *of->x);
+    for (int i = 0; i < l->unknowns; ++i) l->exact[i] = b[l->unknown[i]];
+    packed_solve(l->unknowns, l->factor, l->exact);
+    for (int i = 0; i < l->unknowns; ++i) of->x[l->unknown[i]] = l->exact[i];
 }
 
-/* Down to the exact solution, and up again. `x` and `b` of the finest level are the caller's. */
-static void run_v_cycle(node_multigrid *m, const double *b, double *x)
+floe_status multigrid_of_nodes(multigrid **out, context *ctx, const solve_grid *g, int components, int width, int arm)
 {
-    for (int k = 0; k < m->last; ++k) {
-        node_level *l = &m->level[k];
-        const size_t size = (size_t)l->matrix->components * l->matrix->grid.size;
-        const double *rhs = k ? l->b : b;
-        double *to = k ? l->x : x;
-        node_smoother_relax(&l->smoother, rhs, to, true);
-        node_matrix_apply(l->matrix, to, l->r);
-        for (size_t i = 0; i < size; ++i) l->r[i] = rhs[i] - l->r[i];
-        restrict_to(l, l->r, l + 1);
-    }
-    solve_exactly(m, m->last ? m->level[m->last].b : b, m->last ? m->level[m->last].x : x);
-    for (int k = m->last - 1; k >= 0; --k) {
-        node_level *l = &m->level[k];
-        prolong_correction(l, k ? l->x : x, l + 1);
-        node_smoother_relax(&l->smoother, k ? l->b : b, k ? l->x : x, false);
-    }
+    static const multigrid_kind nodes = {apply_nodes,      smooth_nodes,  restrict_nodes, prolong_nodes, solve_nodes,
+                                         has_few_unknowns, coarsen_nodes, factor_nodes,   free_nodes};
+    TRY(multigrid_new(out, ctx, &nodes));
+    const floe_status status = add_nodes(*out, g, components, width, arm);
+    if (status != FLOE_OK) multigrid_destroy(out);
+    return status;
 }
 
-void node_multigrid_cycle(void *user, double *x, double *y)
+node_matrix *multigrid_matrix(multigrid *m)
 {
-    run_v_cycle(user, x, y);
+    return nodes_of(&m->level[0])->matrix;
 }
