@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shapes of shapes and polygons as whole runs have them: gas at rest about each keeps still beside a sharp interface; what is the same shape in
+# Shapes of shapes, polygons and surfaces from files as whole runs have them: gas at rest about each keeps still beside a sharp interface; what is the same shape in
 # other words has the same result; loads, supports and bodies that yield take them; errors have their place.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
@@ -37,6 +37,26 @@ space=(--set 'domain={dim: 3, lower: [0, 0, 0], upper: [1, 1, 1], cell: 0.1}' --
 still "moved: {by: [0, 0, 0.03], of: {extruded: {from: 0.2, to: 0.8, of: {$l}}}}" "${space[@]}"
 still 'revolved: {centre: [0.5, 0.5, 0], of: {polygon: {vertices: [[0, 0.2], [0.37, 0.2], [0.37, 0.51], [0, 0.82]]}}}' "${space[@]}"
 still 'difference: {of: {box: {lower: [0.1, 0.1, 0.1], upper: [0.9, 0.9, 0.9]}}, without: [{box: {lower: [0.3, 0.3, 0.3], upper: [0.7, 0.7, 0.9]}}]}' "${space[@]}"
+
+# A ball of triangles, in millimetres, beside the deck; the resolved deck finds it from anywhere.
+mkdir deck
+cp "$deck" deck/deck.yaml
+awk 'function vertex(i, j) { i %= 24; return sprintf("vertex %.6f %.6f %.6f\n", 300 * sin(pi * j / 12) * cos(pi * i / 12) * (j % 12 != 0), 300 * sin(pi * j / 12) * sin(pi * i / 12) * (j % 12 != 0), 300 * cos(pi * j / 12)) }
+    function facet(a, b, c) { if (a != b && b != c && c != a) printf "facet normal 0 0 0\nouter loop\n%s%s%sendloop\nendfacet\n", a, b, c }
+    BEGIN { pi = atan2(0, -1); print "solid ball"
+            for (i = 0; i < 24; i++) for (j = 0; j < 12; j++) { facet(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1)); facet(vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)) }
+            print "endsolid ball" }' >deck/ball.stl
+own_deck=$deck
+deck=deck/deck.yaml
+still 'stl: {file: ball.stl, scale: 1 mm, shift: [0.5, 0.51, 0.49]}' "${space[@]}"
+deck=$own_deck
+expect 0 "$FLOE" run still/deck.yaml -o anew --quiet
+cmp still/history.csv anew/history.csv || fault 'the resolved deck has another ball'
+sed '0,/endfacet/d' deck/ball.stl | sed '1i solid ball' >deck/open.stl
+expect 2 "$FLOE" check deck/deck.yaml "${space[@]}" --set 'bodies.body.shape={stl: {file: open.stl}}'
+has stderr "open.stl': it is open at the side from ("
+expect 2 "$FLOE" check deck/deck.yaml "${space[@]}" --set 'bodies.body.shape={stl: {file: none.stl}}'
+has stderr "deck/none.stl': No such file or directory"
 
 # The same square in other words: a manufactured vibration along both axes has the same errors.
 square() {

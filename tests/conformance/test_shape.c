@@ -88,6 +88,19 @@ static void fill_star(maker *m, param_list *list)
     *list = (param_list){x, STAR};
 }
 
+/* A tetrahedron. */
+static void fill_file(param_file *file)
+{
+    static const char text[] =
+        "solid tetrahedron\n"
+        "facet normal 0 0 0 outer loop vertex -.7 -.5 -.6 vertex .1 .8 -.5 vertex .9 -.4 -.6 endloop endfacet\n"
+        "facet normal 0 0 0 outer loop vertex -.7 -.5 -.6 vertex .9 -.4 -.6 vertex 0 .1 .8 endloop endfacet\n"
+        "facet normal 0 0 0 outer loop vertex .9 -.4 -.6 vertex .1 .8 -.5 vertex 0 .1 .8 endloop endfacet\n"
+        "facet normal 0 0 0 outer loop vertex .1 .8 -.5 vertex -.7 -.5 -.6 vertex 0 .1 .8 endloop endfacet\n"
+        "endsolid\n";
+    *file = (param_file){.path = "tetrahedron.stl", .bytes = text, .size = sizeof text - 1};
+}
+
 static void *fill_shape(maker *m, const shape_model *model, int dim, const shape_model *inner, int depth);
 
 /* A shape among the parameters: the one that is asked for where it has that dimension, aside in each entry of a list. */
@@ -141,7 +154,7 @@ static void *fill_shape(maker *m, const shape_model *model, int dim, const shape
         case PARAM_POINTS: fill_star(m, (param_list *)(void *)((char *)par + spec->offset)); break;
         case PARAM_MODEL:
         case PARAM_MODELS: fill_parts(m, spec, model, dim, inner, depth, (char *)par); break;
-        case PARAM_FILE: check_true(false); break;
+        case PARAM_FILE: fill_file((param_file *)(void *)((char *)par + spec->offset)); break;
         }
     }
     if (model->check(par, dim)) put_on_circle(model, par);

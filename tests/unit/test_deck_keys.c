@@ -269,7 +269,7 @@ static void spoil_type(walk *w, const key_spec *key)
     case KEY_NAMED: refuse_value(w, key->key, "nonesuch", key->key); break;
     case KEY_MODELS: spoil_models(w, key); break;
     case KEY_POINTS: spoil_points(w, key); break;
-    case KEY_FILE: refuse_value(w, key->key, "nonesuch.stl", "nonesuch.stl"); break;
+    case KEY_FILE: refuse_value(w, key->key, "/nonesuch.stl", "/nonesuch.stl"); break;
     case KEY_SPECIAL: break; /* test_deck_errors.c */
     }
 }
