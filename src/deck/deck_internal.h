@@ -30,6 +30,8 @@ extern const special_key special_version, special_runs_as, special_stress_state,
     special_exchange, special_checkpoint_interval, special_preset, special_metrics, special_basis, special_transfer,
     special_normals, special_between;
 extern const choice coupling_choices[];
+/* motion_key.c */
+extern const special_key special_motion;
 /* columns.c */
 extern const special_key special_columns;
 /* deck_study.c */

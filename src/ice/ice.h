@@ -24,6 +24,7 @@ typedef struct ice_material {
     double energy_floor;    /* J/kg where the law's floor is constant, else NAN */
     /* Carried by material points: not advected on cells; no viscous or gravity source and no heat of compression here. */
     bool points;
+    bool prescribed; /* so are the motions of its bodies: nothing accelerates them (theory 4.17) */
 } ice_material;
 
 /* Gases: one inside each membrane, and one outside all. Positions of a boundary in a step: at its start (SEAL_NOW),

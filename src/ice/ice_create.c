@@ -25,6 +25,14 @@ static double least_pressure(const scene *s, const bool *used, double bulk_modul
     return fmax(least, -0.5 * bulk_modulus);
 }
 
+/* Whether bodies of the material move as prescribed; they have no other bodies beside them (scene/unsupported.h). */
+static bool is_prescribed(const scene *s, int material)
+{
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->body[b].material == material && motion_is_prescribed(&s->body[b].motion)) return true;
+    return false;
+}
+
 /* A solid as the cells see it: the bulk response of its law (theory 5.4). */
 static floe_status view_of_solid(ice *s, const scene_material *m, const bool *used, ice_material *out,
                                  eos_bulk_par *par)
@@ -68,6 +76,7 @@ static floe_status resolve_materials(ice *s, bool with_points)
                                   .bulk_viscosity = m->bulk_viscosity,
                                   .conductivity = m->conductivity};
         out->scene_material = r;
+        out->prescribed = out->points && is_prescribed(whole, r);
         s->with_points = s->with_points || out->points;
         out->energy_floor = constant_floor(&out->eos);
         s->n_materials++;

@@ -196,6 +196,26 @@ static void add_spin(line *l, int body, const char *label, const history_row *ro
         add_value(l, name, "N m s", spin[2]);
 }
 
+/* What others do to a body that does not deform. */
+static void add_motion_columns(line *l, int body, const char *label)
+{
+    const mesh *m = &l->s->mesh;
+    double force[3], moment[3];
+    char name[2 * NAME_SIZE];
+    if (!mpm_motion_force(l->s->mpm, body, force, moment)) return;
+    for (int a = 0; a < 3; a++) {
+        force[a] *= l->whole;
+        moment[a] *= l->whole;
+    }
+    (void)snprintf(name, sizeof name, "force_%s", label);
+    add_vector(l, name, "N", force);
+    (void)snprintf(name, sizeof name, "moment_%s", label);
+    if (m->dim == 3)
+        add_vector(l, name, "N m", moment);
+    else if (m->dim == 2 && m->geometry != MESH_AXISYMMETRIC)
+        add_value(l, name, "N m", moment[2]);
+}
+
 /* Where a body of points is and how it moves, as a whole; of an open membrane also its ends. */
 static void add_body_columns(line *l, int body, const history_row *row)
 {
@@ -214,6 +234,7 @@ static void add_body_columns(line *l, int body, const history_row *row)
     (void)snprintf(name, sizeof name, "velocity_%s", label);
     add_vector(l, name, "m/s", velocity);
     add_spin(l, body, label, row);
+    add_motion_columns(l, body, label);
     const bool ends = given->membrane.present && given->membrane.surface.kind == SHEET_NONE;
     for (int last = 0; last < 2 && ends && !curve_is_closed(&given->membrane.curve); last++) {
         if (row) mpm_membrane_end(l->s->mpm, body, last == 1, end);

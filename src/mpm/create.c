@@ -12,6 +12,7 @@
 #include "mpm/membrane/membrane_normal.h"
 #include "mpm/membrane/membrane_points.h"
 #include "mpm/membrane/membrane_sheet.h"
+#include "mpm/motion/motion.h"
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/nodes/wall_overlap.h"
@@ -37,6 +38,7 @@ static bool parts_fluids(const mpm *s)
  * material when the cells couple them. */
 static int group_of(const mpm *s, int index)
 {
+    if (motion_is_given(&s->scene->body[index].motion)) return s->n_groups;
     const bool apart = scene_in_contact(s->scene, index), fluid = s->body[s->n_bodies].fluid, parts = parts_fluids(s);
     for (int b = 0; b < s->n_bodies; ++b) {
         const bool same = s->cells == CELLS_SMEARED ? s->body[b].scene_material == s->scene->body[index].material
@@ -68,8 +70,23 @@ static void resolve_body(mpm *s, int index)
     for (int k = 0; k < sc->n_reactions; ++k)
         b->burns = b->burns || (s->cells == CELLS_SMEARED && sc->reaction[k].reactant == b->scene_material);
     if (b->law->n_history > s->n_history) s->n_history = b->law->n_history;
-    b->mean_strain = body_needs_mean_strain(s, b);
+    b->mean_strain = !motion_is_given(&sc->body[index].motion) && body_needs_mean_strain(s, b);
     s->n_bodies++;
+}
+
+/* Those that deform, then those with a motion of their own. */
+static void resolve_bodies(mpm *s, bool beside)
+{
+    const scene *sc = s->scene;
+    for (int given = 0; given < 2; ++given) {
+        for (int b = 0; b < sc->n_bodies; ++b)
+            if ((!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) &&
+                motion_is_given(&sc->body[b].motion) == (given == 1))
+                resolve_body(s, b);
+        if (given == 1) break;
+        s->n_deforming = s->n_bodies;
+        s->n_deforming_groups = s->n_groups;
+    }
 }
 
 bool keeps_shape(const mpm *s, int body)
@@ -121,6 +138,7 @@ static floe_status create_parts(mpm *s)
     TRY(memory_new(s->ctx, &s->moved, mesh_tiles(s->mesh), sizeof *s->moved));
     TRY(windows_create(s));
     TRY(scratch_create(s));
+    TRY(motions_create(s));
     TRY(memory_new(s->ctx, &s->supports, 1, sizeof *s->supports));
     TRY(memory_new(s->ctx, &s->surfaces, 1, sizeof *s->surfaces));
     TRY(memory_new(s->ctx, &s->springs, SCENE_MAX_SPRINGS, sizeof *s->springs));
@@ -159,8 +177,7 @@ static floe_status fill_solver(mpm *s, const scene *sc, const mesh *m, stage_lis
     s->order = order_of(s);
     s->share = s->transfer->share;
     if (isnan(s->share)) s->share = isnan(sc->method.flip) ? MPM_FLIP_SHARE : sc->method.flip;
-    for (int b = 0; b < sc->n_bodies; ++b)
-        if (!beside || sc->material[sc->body[b].material].kind == MATERIAL_SOLID) resolve_body(s, b);
+    resolve_bodies(s, beside);
     for (int id = 0; id < FIELD_COUNT; ++id)
         for (int b = 0; b < s->n_bodies; ++b) s->carries[id] = s->carries[id] || body_carries(s, b, (field_id)id);
     if (s->n_groups > MPM_MAX_GROUPS)
@@ -195,6 +212,7 @@ void mpm_destroy(mpm **s)
     context *ctx = (*s)->ctx;
     windows_free(*s);
     scratch_free(*s);
+    motions_free(*s);
     supports_free(*s);
     surfaces_free(*s);
     free_curves(*s);

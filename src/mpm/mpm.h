@@ -69,13 +69,13 @@ typedef struct mpm {
     double fastest; /* 1/s: most cells that a point of the current state crosses in a second (mpm_time_step) */
     int order;      /* of the transfer's filter or sum */
     mpm_body body[SCENE_MAX_BODIES];
-    int n_bodies;
-    int n_groups;
-    struct mpm_contact *contact;   /* owned; NULL: all bodies share one velocity field */
-    struct mpm_overlaps *overlaps; /* owned; NULL: no side releases bodies (wall_overlap.h) */
-    mpm_cells cells;               /* what is on cells beside the points */
-    bool carries[FIELD_COUNT];     /* point fields that some body carries, if a stage names them (create.c) */
-    int n_history;                 /* largest number of history variables of a law */
+    int n_bodies, n_deforming;        /* those that do not deform stand after those that do (motion/motion.h) */
+    int n_groups, n_deforming_groups; /* and so do their velocity fields */
+    struct mpm_contact *contact;      /* owned; NULL: all bodies share one velocity field */
+    struct mpm_overlaps *overlaps;    /* owned; NULL: no side releases bodies (wall_overlap.h) */
+    mpm_cells cells;                  /* what is on cells beside the points */
+    bool carries[FIELD_COUNT];        /* point fields that some body carries, if a stage names them (create.c) */
+    int n_history;                    /* largest number of history variables of a law */
     mpm_points points[MESH_MAX_BLOCKS][SCENE_MAX_BODIES];
     int body_group[SCENE_MAX_BODIES]; /* group of a scene body, -1: none of ours */
     double reference_mass;            /* kg: heaviest point, for the small-node rule (theory 4.4) */
@@ -98,6 +98,7 @@ typedef struct mpm {
     /* What a part of the module keeps, known to that part alone. Owned; NULL where the scene has nothing of the kind. */
     struct mpm_windows *windows;      /* transfer/windows.h */
     struct mpm_scratch *scratch;      /* transfer/scratch.h */
+    struct mpm_motions *motions;      /* motion/motion.h */
     struct mpm_supports *supports;    /* nodes/supports.h */
     struct mpm_edges *edges;          /* edge/edge.h */
     struct mpm_wetted *wetted;        /* fluid/wetted.h */
@@ -133,6 +134,10 @@ floe_status
 mpm_share_pressures(mpm *s); /* means over cells of bodies that are all but incompressible (mean_strain.h) */
 floe_status mpm_share_new_pressures(mpm *s); /* the same of the stress that the step has found (USF) */
 floe_status mpm_edge_force(mpm *s);          /* f_i of the penalty on edges of solids (edge.h) */
+floe_status mpm_begin_motions(mpm *s);       /* rigid motions of the step (motion/motion.h) */
+floe_status mpm_motion_momenta(mpm *s);      /* m_i v_i of their nodes */
+floe_status mpm_take_impulses(mpm *s);       /* what fluids have given these nodes */
+floe_status mpm_join_motions(mpm *s);        /* and contact; v_i^L of what sticks to them */
 floe_status mpm_node_update(mpm *s);         /* v_i^L with damping and walls */
 floe_status mpm_contact_velocity(mpm *s);    /* contact: v_i^L of bodies that meet */
 floe_status mpm_node_acceleration(mpm *s);   /* a_i = (v_i^L - v_i) / kick, after whatever changed v_i^L */
@@ -223,6 +228,9 @@ floe_status mpm_sum(mpm *s, mpm_totals *out);
 /* Moment of momentum of a body about the origin (kg m2/s; in the plane z alone), including that of C_p; not in
  * axisymmetric scenes. `size`: sum of its points' sizes, about the middle of the mesh. */
 void mpm_angular_momentum(mpm *s, int body, double out[3], double size[3]);
+/* Force (N) and moment (N m, about its centre of mass or the point about which it turns) of others on a body that does not deform, in the
+ * last step; body forces are none of theirs. False: the body deforms. */
+bool mpm_motion_force(const mpm *s, int body, double force[3], double moment[3]);
 /* Volume-weighted mean of a fluid body's pressure over points inside a region (all where region->model is NULL). */
 floe_status mpm_mean_pressure(mpm *s, int material, const shape *region, double *pressure);
 

@@ -63,6 +63,11 @@ static bool has_wetted(const mpm *s)
     return s->wetted != NULL;
 }
 
+static bool has_motions(const mpm *s)
+{
+    return s->motions != NULL;
+}
+
 static bool has_edges(const mpm *s)
 {
     return s->edges != NULL;
@@ -98,10 +103,12 @@ floe_status mpm_mass_stages(mpm *s)
           READS(P_ID, P_POS, P_NORMAL, P_SURFACE_1, P_SURFACE_2, P_VOLUME0, P_STRESS, P_J), WRITES(NOTHING));
     STAGE(s, force && s->carries[P_MEAN_PRESSURE], mpm_share_pressures, READS(P_POS, P_VOLUME0, POINT_STATE),
           WRITES(P_MEAN_PRESSURE));
+    STAGE(s, has_motions(s), mpm_begin_motions, READS(P_MASS, P_POS, P_VEL), WRITES(NOTHING));
     STAGE(s, ALWAYS, mpm_points_to_nodes,
           READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
                 WHEN(force && s->carries[P_MEAN_PRESSURE], P_MEAN_PRESSURE), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
+    STAGE(s, has_motions(s), mpm_motion_momenta, READS(N_MASS, N_MOMENTUM), WRITES(N_MOMENTUM));
     STAGE(s, has_wetted(s), mpm_wetted_area, READS(N_MASS, P_POS, P_VOLUME0, P_J, P_STRESS, DOMAINS),
           WRITES(N_WETTED_AREA));
     STAGE(s, walls_let_go(s), mpm_side_reach, READS(P_POS, P_VOLUME0, P_J, DOMAINS), WRITES(N_SIDE_REACH, N_SIDE_BODY));
@@ -169,11 +176,15 @@ static floe_status turn_stages(mpm *s)
 
 floe_status mpm_node_stages(mpm *s)
 {
+    STAGE(s, has_motions(s) && s->cells == CELLS_SMEARED, mpm_take_impulses, READS(N_MASS, N_VEL_L), WRITES(N_VEL_L));
     STAGE(s, has_contact(s), mpm_contact_velocity,
           READS(N_MASS, N_MOMENTUM, N_NORMAL, WHEN(meets_at_points(s), N_REACH), N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM, N_TOUCH));
     STAGE(s, has_wetted(s), mpm_constrain_wetted, READS(N_MASS, N_MOMENTUM, N_FORCE, N_WETTED_AREA, N_VEL_L),
           WRITES(N_VEL_L, N_MOMENTUM));
+    STAGE(s, has_motions(s) && has_wetted(s), mpm_take_impulses, READS(N_MASS, N_VEL_L), WRITES(N_VEL_L));
+    STAGE(s, has_motions(s), mpm_join_motions, READS(N_MASS, N_MOMENTUM, N_VEL_L, WHEN(has_contact(s), N_TOUCH)),
+          WRITES(N_VEL_L));
     STAGE(s, ALWAYS, mpm_node_acceleration, READS(N_MASS, N_MOMENTUM, N_VEL_L), WRITES(N_ACCEL, N_VEL_L));
     return FLOE_OK;
 }

@@ -12,6 +12,7 @@
 #include "material/eos.h"
 #include "material/membrane.h"
 #include "material/solid.h"
+#include "scene/scene_motion.h"
 #include "surface/surface.h"
 
 enum {
@@ -100,7 +101,8 @@ typedef struct scene_body {
     int material; /* index of scene.material */
     shape shape;  /* model NULL: membranes */
     scene_membrane membrane;
-    double velocity[3];      /* m/s */
+    double velocity[3]; /* m/s */
+    scene_motion motion;
     double pressure;         /* Pa absolute; fluids */
     double temperature;      /* K */
     double density;          /* kg/m3; fluids: NAN when given by pressure and temperature, else temperature is NAN */

@@ -224,6 +224,7 @@ floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling)
     TRY(refuse_materials(s, coupling));
     TRY(refuse_empty_membranes(s, coupling));
     TRY(refuse_interactions(s, coupling));
+    TRY(scene_refuse_motions(s, coupling));
     for (int l = 0; l < s->n_loads; ++l) TRY(refuse_load(s, coupling, &s->load[l]));
     return FLOE_OK;
 }

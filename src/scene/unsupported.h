@@ -12,4 +12,7 @@ floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling);
 /* Says which keys of the deck the scene's coupling does not read, unless another coupling of `runs_as` reads them. */
 void scene_remark_unused(const scene *s, remark_sink *say, void *user);
 
+/* The same of bodies with a motion of their own (unsupported_motion.c). */
+floe_status scene_refuse_motions(const scene *s, scene_coupling coupling);
+
 #endif

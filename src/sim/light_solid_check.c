@@ -14,10 +14,11 @@ static const double least_share = 0.9e-2;
 /* Of a cell: what smears into cells that solids fill, where they are squeezed or their motion spreads over cells, is no neighbour. */
 static const double trace = 0.05;
 
+/* Whether a fluid accelerates it. */
 static bool is_solid(const scene *s, int body)
 {
     const scene_material *m = &s->material[s->body[body].material];
-    return m->kind == MATERIAL_SOLID && m->law;
+    return m->kind == MATERIAL_SOLID && m->law && !motion_is_prescribed(&s->body[body].motion);
 }
 
 static double density_of(const scene *s, int body)

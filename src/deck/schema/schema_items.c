@@ -110,6 +110,12 @@ static bool body_has_shape(const scene *s, const void *body)
     return !body_is_membrane(s, body);
 }
 
+static bool body_is_solid(const scene *s, const void *body)
+{
+    return !body_is_fluid(s, body) || ((const scene_body *)body)->material < 0;
+}
+
+static const char solid_bodies[] = "bodies made of a solid";
 static const char fluid_bodies[] = "bodies made of a fluid";
 static const char shaped_bodies[] = "bodies that are no membranes: a membrane lies along its curve";
 static const char membrane_bodies[] = "bodies made of a material with a membrane law";
@@ -133,6 +139,13 @@ static const key_spec body_keys[] = {
      .present = 1 + offsetof(scene_body, membrane.present), .applies = body_is_membrane, .belongs = membrane_bodies,
      .doc = "where a membrane or string lies, and how it is made"},
     {"velocity", KEY_VECTOR, "m/s", AT(scene_body, velocity), .otherwise = "0", .doc = "at the start"},
+    {"motion", KEY_SPECIAL, AT(scene_body, motion), .special = &special_motion, .applies = body_is_solid,
+     .belongs = solid_bodies, .otherwise = "by its law",
+     .doc =
+         "of a solid that does not deform: fixed, moved as prescribed, or a free rigid body. A table is linear between "
+         "its times and constant beyond them; the spin is about a point that moves with the velocity, in space about "
+         "an "
+         "axis that stays; a rigid body starts with its `velocity` and that spin about its centre of mass"},
     {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .applies = body_is_fluid, .belongs = fluid_bodies,
      .doc = "absolute, at the start; a fluid needs two of pressure, temperature, density"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_body, temperature),

@@ -12,8 +12,9 @@
 /* One mixed cell: everything per cell volume. */
 typedef struct mixed_cell {
     int n, dim;
-    double mass[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[3][EXCHANGE_MAX];
-    double volume_ratio; /* TMV / V */
+    double mass[EXCHANGE_MAX], inertia[EXCHANGE_MAX], theta[EXCHANGE_MAX], u[3][EXCHANGE_MAX];
+    double entered[3][EXCHANGE_MAX]; /* u before the exchange */
+    double volume_ratio;             /* TMV / V */
 } mixed_cell;
 
 static void gather_mixture(const ice_view *v, ptrdiff_t at, double volume, mixed_cell *c)
@@ -24,14 +25,18 @@ static void gather_mixture(const ice_view *v, ptrdiff_t at, double volume, mixed
     for (int r = 0; r < c->n; ++r) {
         const ice_fluid *m = &v->m[r];
         c->mass[r] = m->rho[at];
+        c->inertia[r] = ice_inertia(v, r, m->rho[at]);
         c->theta[r] = m->theta[at];
         for (int a = 0; a < v->dim; ++a) {
             if (!v->material[r].points)
                 c->u[a][r] = m->ul[a][at];
+            else if (v->material[r].prescribed && m->rho[at] > 0.0) /* nothing accelerates it */
+                c->u[a][r] = m->mom[a][at] / (m->rho[at] * volume);
             else if (m->rho[at] > 0.0)
                 c->u[a][r] = (m->mom[a][at] + m->source[a][at]) / (m->rho[at] * volume);
             else
                 c->u[a][r] = 0.0;
+            c->entered[a][r] = c->u[a][r];
         }
     }
 }
@@ -135,7 +140,25 @@ static void relax_by_laws(const ice *s, const ice_view *v, ptrdiff_t at, mixed_c
         ice_wall_gradient(v, at, gradient);
         ice_pressure_slope(v, at, spot.slope);
     }
-    ice_relax_spot(s, v, c->mass, &spot, s->dt * c->volume_ratio, s->pairs->slips ? gradient : NULL, c->u);
+    ice_relax_spot(s, v, c->inertia, &spot, s->dt * c->volume_ratio, s->pairs->slips ? gradient : NULL, c->u);
+}
+
+/* What the fluids of a cell have lost to bodies with a prescribed motion, per volume: each has it by its share of their volume. */
+static void give_prescribed(const ice_view *v, ptrdiff_t at, double volume, const mixed_cell *c)
+{
+    double filled = 0.0;
+    for (int r = 0; r < c->n; ++r)
+        if (v->material[r].prescribed && c->mass[r] > 0.0) filled += c->theta[r];
+    for (int x = 0; x < c->dim && filled > 0.0; ++x) {
+        double lost = 0.0;
+        for (int r = 0; r < c->n; ++r)
+            if (!v->material[r].prescribed) lost -= c->mass[r] * (c->u[x][r] - c->entered[x][r]);
+        for (int r = 0; r < c->n; ++r) {
+            const ice_fluid *m = &v->m[r];
+            if (!v->material[r].prescribed || !(c->mass[r] > 0.0)) continue;
+            m->dv[x][at] = (m->source[x][at] / volume + lost * (c->theta[r] / filled)) / c->mass[r];
+        }
+    }
 }
 
 static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double volume)
@@ -162,6 +185,7 @@ static void exchange_momentum(ice *s, const ice_view *v, ptrdiff_t at, double vo
             else if (m->rho[at] > 0.0)
                 m->dv[x][at] = c.u[x][r] - m->mom[x][at] / (m->rho[at] * volume);
         }
+    if (s->pairs->prescribed) give_prescribed(v, at, volume, &c);
     deposit_friction(s, v, at, c.theta, lost, apart);
 }
 

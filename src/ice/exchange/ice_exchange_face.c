@@ -64,6 +64,16 @@ static void face_vector(const ice *s, const ice_view *v, int r, int axis, ptrdif
     }
 }
 
+/* The velocity of bodies with a prescribed motion, which nothing kicks. */
+static void prescribed_vector(const ice_view *v, int r, ptrdiff_t step, ptrdiff_t R, double u[3][EXCHANGE_MAX])
+{
+    const ice_fluid *m = &v->m[r];
+    const ptrdiff_t L = R - step;
+    const double sum = m->rho[L] + m->rho[R];
+    for (int a = 0; a < v->dim; ++a)
+        u[a][r] = sum > 0.0 ? (m->rho[L] * m->u[a][L] + m->rho[R] * m->u[a][R]) / sum : 0.0;
+}
+
 /* Momentum exchange at one face where coefficients depend on the state or pairs slip, of value[r][R]: u*, or what the pressure adds
  * to it along the axis (the mobility of the implicit pressure). */
 static void exchange_named_face(const ice *s, const ice_view *v, int axis, double *const *value, ptrdiff_t R)
@@ -81,11 +91,14 @@ static void exchange_named_face(const ice *s, const ice_view *v, int axis, doubl
         spot.theta[r] = 0.5 * (m->theta[L] + m->theta[R]);
         spot.density[r] = 2.0 / (m->v[L] + m->v[R]);
         spot.sound[r] = 0.5 * (m->c[L] + m->c[R]);
-        mass[r] = spot.theta[r] > 0.0 ? 0.5 * (m->rho[L] + m->rho[R]) : 0.0;
+        mass[r] = ice_inertia(v, r, spot.theta[r] > 0.0 ? 0.5 * (m->rho[L] + m->rho[R]) : 0.0);
         present += mass[r] > 0.0;
-        face_vector(s, v, r, axis, R, spot.u);
+        if (v->material[r].prescribed)
+            prescribed_vector(v, r, R - L, R, spot.u);
+        else
+            face_vector(s, v, r, axis, R, spot.u);
         for (int a = 0; a < v->dim && velocity; ++a) u[a][r] = spot.u[a][r];
-        u[axis][r] = value[r][R];
+        u[axis][r] = v->material[r].prescribed ? u[axis][r] : value[r][R];
     }
     if (present < 2) return;
     const bool slips = s->pairs->slips;

@@ -100,7 +100,8 @@ floe_status ice_pairs_create(ice *s)
             pairs->unlike = pairs->unlike || t->K[r][q] != t->K[0][1];
         }
     for (int i = 0; i < pairs->n; ++i) pairs->heat = pairs->heat || pairs->law[i].which == ICE_HEAT;
-    pairs->plain = pairs->n == 0 && !pairs->slips;
+    for (int r = 0; r < s->n_materials; ++r) pairs->prescribed = pairs->prescribed || s->material[r].prescribed;
+    pairs->plain = pairs->n == 0 && !pairs->slips && !pairs->prescribed;
     return FLOE_OK;
 }
 

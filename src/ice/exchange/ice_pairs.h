@@ -6,6 +6,8 @@
 #include "ice/exchange/ice_exchange.h"
 #include "ice/state/ice_lists.h"
 
+#include <math.h>
+
 /* Coefficients of exchange: of momentum along the normal of pairs that slip (of all momentum elsewhere), of
  * tangential momentum, of heat. */
 typedef enum ice_coefficient { ICE_NORMAL, ICE_TANGENTIAL, ICE_HEAT, ICE_COEFFICIENTS } ice_coefficient;
@@ -24,6 +26,7 @@ typedef struct ice_pairs {
     ice_pair_law law[3 * SCENE_MAX_EXCHANGES];
     int n;
     bool plain;                   /* constants alone */
+    bool prescribed;              /* some solid has a prescribed motion */
     bool unlike;                  /* of three or more materials, pairs have different constants */
     bool heat;                    /* some pair exchanges heat */
     bool slips;                   /* some pair has a tangential law of its own */
@@ -40,6 +43,12 @@ typedef struct ice_spot {
 static inline double ice_shocked(const ice_view *v, ptrdiff_t at, double heat)
 {
     return v->interface && heat > 0.0 ? v->shock[at] * (1.0 - v->interface[at]) : 0.0;
+}
+
+/* What resists an exchange: nothing accelerates bodies with a prescribed motion. */
+static inline double ice_inertia(const ice_view *v, int r, double mass)
+{
+    return v->material[r].prescribed && mass > 0.0 ? (double)INFINITY : mass;
 }
 
 /* Constants of the pairs of a view. */

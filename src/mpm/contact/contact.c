@@ -119,7 +119,8 @@ static contact_body shape_of(const mpm *s, const group_view *view, ptrdiff_t at,
     contact_body b = {.mass = g->mass[at],
                       .reach = g->reach ? g->reach[at] : 0.0,
                       .named = s->contact->named[group],
-                      .rank = s->contact->rank[group]};
+                      .rank = s->contact->rank[group],
+                      .given = group >= s->n_deforming_groups};
     for (int c = 0; c < s->mesh->dim; ++c) b.normal[c] = g->normal[c][at];
     return b;
 }
@@ -177,6 +178,10 @@ static double store_node(const node_pass *p, ptrdiff_t at, const int *group, con
     for (int k = 0; k < node->n; ++k) {
         const group_view *g = &p->group[group[k]];
         const contact_body *b = &node->body[k];
+        if (b->given) { /* what has been taken of it shows as a change of its nodes (motion/motion.h) */
+            for (int c = 0; c < node->dim; ++c) g->v[c][at] = b->v[c] + b->taken[c] / b->mass;
+            continue;
+        }
         for (int c = 0; c < node->dim; ++c) {
             const double freely = g->v[c][at] - g->momentum[c][at] / b->mass, kicked = b->v[c] - b->v0[c];
             work += 0.5 * b->mass * (kicked - freely) * (b->v0[c] + b->v[c]);

@@ -50,6 +50,8 @@ typedef struct contact_body {
     double reach;     /* m: of its points from the node along the normal */
     bool named;       /* a body of the contact; else all others */
     int rank;         /* index among the named, from 0 */
+    bool given;       /* it has a motion of its own, which contact does not change (motion/motion.h) */
+    double taken[3];  /* N s: impulses on such a body */
 } contact_body;
 
 typedef enum contact_state { CONTACT_FREE, CONTACT_SLIDES, CONTACT_STICKS } contact_state;

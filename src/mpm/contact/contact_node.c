@@ -33,6 +33,15 @@ static void unit_vector(const contact_node *node, const double x[3], double out[
     for (int c = 0; c < 3; ++c) out[c] = length > 0.0 ? out[c] / length : 0.0;
 }
 
+/* The heaviest body of a node with a motion of its own; NULL: there is none. */
+static const contact_body *given_body(const contact_node *node)
+{
+    const contact_body *found = NULL;
+    for (int k = 0; k < node->n; ++k)
+        if (node->body[k].given && (!found || node->body[k].mass > found->mass)) found = &node->body[k];
+    return found;
+}
+
 /* Velocities of the centre of mass, before and after the forces. */
 typedef struct common {
     double v0[3], v[3];
@@ -42,6 +51,12 @@ static common mean_velocity(const contact_node *node)
 {
     double mass = 0.0;
     common mean = {{0.0}, {0.0}};
+    const contact_body *leader = given_body(node);
+    if (leader) {
+        memcpy(mean.v0, leader->v0, sizeof mean.v0);
+        memcpy(mean.v, leader->v, sizeof mean.v);
+        return mean;
+    }
     for (int k = 0; k < node->n; ++k) {
         mass += node->body[k].mass;
         for (int c = 0; c < 3; ++c) {
@@ -90,6 +105,7 @@ static pair make_pair(const contact_node *node, int a, int b, bond kind)
 {
     const contact_body *A = &node->body[a], *B = &node->body[b];
     pair p = {.a = a, .b = b, .mass = A->mass * B->mass / (A->mass + B->mass), .bond = kind};
+    if (A->given != B->given) p.mass = A->given ? B->mass : A->mass;
     pair_normal(node, a, b, p.n);
     return p;
 }
@@ -111,6 +127,7 @@ int contact_find_meetings(const scene_contact *rule, const contact_node *node, c
     int n = 0;
     for (int a = 0; a < node->n; ++a)
         for (int b = a + 1; b < node->n; ++b) {
+            if (node->body[a].given && node->body[b].given) continue;
             contact_meeting m = {.a = a, .b = b, .named = node->body[a].named && node->body[b].named};
             if (!m.named && !sticks_outside(node, a, b)) continue;
             if (m.named && rule->touch == CONTACT_AT_POINTS) m.gap = -(node->body[a].reach + node->body[b].reach);
@@ -142,6 +159,23 @@ static int find_pairs(const scene_contact *rule, const contact_node *node, pair 
     return n;
 }
 
+/* Bodies that pairs join with one that has a motion of its own take its velocity, as at a support. */
+static void follow_given(contact_node *node, const int cluster[MPM_MAX_GROUPS], int first, const double v[3])
+{
+    contact_body *leader = NULL;
+    for (int k = 0; k < node->n; ++k)
+        if (cluster[k] == first && node->body[k].given && (!leader || node->body[k].mass > leader->mass))
+            leader = &node->body[k];
+    for (int k = 0; k < node->n; ++k) {
+        contact_body *b = &node->body[k];
+        if (cluster[k] != first || b->given || !leader) continue;
+        for (int c = 0; c < 3; ++c) {
+            leader->taken[c] += b->mass * (b->v[c] - v[c]);
+            b->v[c] = v[c];
+        }
+    }
+}
+
 /* Bodies that pairs join, directly or through others, move in the field of their common centre of mass (Y97 eqs 9.1 to
  * 9.3): they take its velocity, before the kick too, so that points receive the acceleration of that field and keep
  * their own difference from it, as points of one body do. */
@@ -160,6 +194,10 @@ static void join_bonded(contact_node *node, const pair *list, int n)
             if (cluster[k] == first) part.body[part.n++] = node->body[k];
         if (part.n < 2) continue;
         const common mean = mean_velocity(&part);
+        if (given_body(&part)) {
+            follow_given(node, cluster, first, mean.v);
+            continue;
+        }
         for (int k = 0; k < node->n; ++k) {
             if (cluster[k] != first) continue;
             memcpy(node->body[k].v0, mean.v0, sizeof mean.v0);
@@ -173,8 +211,14 @@ static void exchange_impulse(contact_node *node, const pair *p, const double imp
 {
     contact_body *a = &node->body[p->a], *b = &node->body[p->b];
     for (int c = 0; c < 3; ++c) {
-        a->v[c] -= impulse[c] / a->mass;
-        b->v[c] += impulse[c] / b->mass;
+        if (a->given)
+            a->taken[c] -= impulse[c];
+        else
+            a->v[c] -= impulse[c] / a->mass;
+        if (b->given)
+            b->taken[c] += impulse[c];
+        else
+            b->v[c] += impulse[c] / b->mass;
     }
 }
 

@@ -93,7 +93,7 @@ static floe_status push_group(mpm *s, int group)
 
 floe_status mpm_edge_force(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         TRY(edges_find(s, g, false));
         if (is_usf(s)) TRY(edges_strain(s, g, N_VEL));
         TRY(push_group(s, g));
@@ -146,7 +146,7 @@ static void commit_group(mpm *s, int group)
 
 void edges_commit(mpm *s)
 {
-    for (int g = 0; s->edges && g < s->n_groups; ++g) commit_group(s, g);
+    for (int g = 0; s->edges && g < s->n_deforming_groups; ++g) commit_group(s, g);
 }
 
 const double *edges_history(const mpm *s, size_t *n)
@@ -159,6 +159,6 @@ double *mpm_edges_state(mpm *s, size_t *n)
 {
     mpm_edges *e = s->edges;
     *n = e ? e->n_memory : 0;
-    for (int g = 0; e && g < s->n_groups; ++g) e->group[g].listed = false; /* who asks may write there */
+    for (int g = 0; e && g < s->n_deforming_groups; ++g) e->group[g].listed = false; /* who asks may write there */
     return e ? e->memory : NULL;
 }

@@ -148,7 +148,7 @@ static inline size_t edge_place(const mpm *s, int group, int axis, const int fir
 /* Whether a solid has edges: membranes have none. */
 static inline bool edge_body(const mpm *s, int body)
 {
-    return !s->body[body].fluid && !s->body[body].membrane.model;
+    return body < s->n_deforming && !s->body[body].fluid && !s->body[body].membrane.model;
 }
 
 /* Nodes and weights of the taps of a line along l->axis from a node on; false where one is beyond the mesh. */

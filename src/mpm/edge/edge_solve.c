@@ -320,7 +320,7 @@ floe_status edges_start(mpm *s)
 {
     double *scratch;
     if (s->edges) s->edges->starting = true;
-    for (int g = 0; s->edges && g < s->n_groups; ++g) {
+    for (int g = 0; s->edges && g < s->n_deforming_groups; ++g) {
         TRY(edges_find(s, g, true));
         TRY(edges_scratch(s, &s->edges->group[g], V_COUNT, &scratch));
     }

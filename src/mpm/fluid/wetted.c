@@ -22,7 +22,6 @@ floe_status wetted_create(mpm *s)
             w->fluid = s->body[b].group;
             w->viscous = w->viscous || m->shear_viscosity > 0.0;
         } else {
-            w->solid = s->body[b].group;
             w->density = fmin(w->density, m->density);
         }
     }
@@ -67,7 +66,11 @@ static floe_status store_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdi
     const wetted_node *n = &w->node[k];
     for (int g = 0; g < 2; ++g)
         for (int c = 0; c < s->mesh->dim; ++c) {
-            const int group = g == FLUID ? w->fluid : w->solid;
+            const int group = g == FLUID ? w->fluid : n->solid;
+            if (isinf(n->inertia[g])) { /* as impulses on other bodies stand (motion/motion.h) */
+                field_get(f, N_VEL_L, group, c)[local] += n->taken[c] / n->mass[g];
+                continue;
+            }
             field_get(f, N_VEL_L, group, c)[local] = n->v[g][c];
             field_get(f, N_MOMENTUM, group, c)[local] = n->mass[g] * n->before[g][c];
         }

@@ -13,8 +13,7 @@ static bool meets_in_window(const mpm *s, int blk, const tile_box *t)
 {
     const mpm_wetted *w = s->wetted;
     const block *b = &s->mesh->block[blk];
-    const double *fluid = field_get(s->domain->fields[blk], N_MASS, w->fluid, 0),
-                 *solid = field_get(s->domain->fields[blk], N_MASS, w->solid, 0);
+    const double *fluid = field_get(s->domain->fields[blk], N_MASS, w->fluid, 0);
     int lo[MESH_MAX_DIM] = {0, 0, 0}, end[MESH_MAX_DIM] = {1, 1, 1};
     for (int a = 0; a < s->mesh->dim; ++a) {
         lo[a] = t->first[a] - b->lo[a] - 1;
@@ -24,7 +23,7 @@ static bool meets_in_window(const mpm *s, int blk, const tile_box *t)
         for (int j = lo[1]; j < end[1]; ++j)
             for (int i = lo[0]; i < end[0]; ++i) {
                 const ptrdiff_t at = mesh_index(b, i, j, k);
-                if (fluid[at] > 0.0 && solid[at] > 0.0) return true;
+                if (fluid[at] > 0.0 && wetted_solid(s, blk, at) >= 0) return true;
             }
     return false;
 }

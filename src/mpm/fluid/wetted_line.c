@@ -16,20 +16,26 @@ typedef struct wetted_line {
 /* Change of the relative velocity per change of the fluid's, the solid getting the opposite impulse. */
 static double recoil_of(const wetted_node *n)
 {
-    return 1.0 + n->mass[FLUID] / n->mass[SOLID];
+    return 1.0 + n->mass[FLUID] / n->inertia[SOLID];
 }
 
 static void exchange_impulse(wetted_node *n, const double impulse[3])
 {
     for (int c = 0; c < 3; ++c) {
         n->v[FLUID][c] -= impulse[c] / n->mass[FLUID];
-        n->v[SOLID][c] += impulse[c] / n->mass[SOLID];
+        n->v[SOLID][c] += impulse[c] / n->inertia[SOLID];
+        n->taken[c] += impulse[c];
     }
 }
 
 /* One velocity for both. */
 static void merge_node(wetted_node *n)
 {
+    for (int c = 0; c < 3 && isinf(n->inertia[SOLID]); ++c) {
+        n->taken[c] += n->mass[FLUID] * (n->v[FLUID][c] - n->v[SOLID][c]);
+        n->v[FLUID][c] = n->v[SOLID][c];
+    }
+    if (isinf(n->inertia[SOLID])) return;
     const double mass = n->mass[FLUID] + n->mass[SOLID];
     for (int c = 0; c < 3; ++c)
         n->v[FLUID][c] = n->v[SOLID][c] = (n->mass[FLUID] * n->v[FLUID][c] + n->mass[SOLID] * n->v[SOLID][c]) / mass;
@@ -161,7 +167,7 @@ static void merge_filled_nodes(const mpm *s, const wetted_line *line)
 }
 
 /* Kinetic energy (J) that a node has lost to its constraint: impulses times the means of the velocities before and
- * after the forces. */
+ * after the forces. What has been work on a solid with a motion of its own is not lost. */
 static double lost_at(const wetted_node *n)
 {
     double lost = 0.0;
@@ -170,6 +176,7 @@ static double lost_at(const wetted_node *n)
             const double impulse = n->v[g][c] - n->before[g][c] - n->gained[g][c];
             lost -= n->mass[g] * impulse * n->v[g][c];
         }
+    for (int c = 0; c < 3 && isinf(n->inertia[SOLID]); ++c) lost -= n->taken[c] * n->v[SOLID][c];
     return lost;
 }
 

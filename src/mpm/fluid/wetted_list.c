@@ -2,23 +2,36 @@
 #include "base/memory.h"
 #include "mpm/fluid/wetted.h"
 #include "mpm/fluid/wetted_parts.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/constraints.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+int wetted_solid(const mpm *s, int blk, ptrdiff_t local)
+{
+    int found = -1;
+    double most = 0.0;
+    for (int g = 0; g < s->n_groups; ++g) {
+        const double mass = g == s->wetted->fluid ? 0.0 : field_get(s->domain->fields[blk], N_MASS, g, 0)[local];
+        if (!(mass > most)) continue;
+        most = mass;
+        found = g;
+    }
+    return found;
+}
 
 floe_status wetted_visit(mpm *s, int blk, const int lo[MESH_MAX_DIM], const int end[MESH_MAX_DIM],
                          shared_visitor *visit)
 {
     const mpm_wetted *w = s->wetted;
     const block *b = &s->mesh->block[blk];
-    const double *fluid = field_get(s->domain->fields[blk], N_MASS, w->fluid, 0),
-                 *solid = field_get(s->domain->fields[blk], N_MASS, w->solid, 0);
+    const double *fluid = field_get(s->domain->fields[blk], N_MASS, w->fluid, 0);
     for (int k = lo[2]; k < end[2]; ++k)
         for (int j = lo[1]; j < end[1]; ++j)
             for (int i = lo[0]; i < end[0]; ++i) {
                 const ptrdiff_t local = mesh_index(b, i, j, k);
-                if (!(fluid[local] > 0.0 && solid[local] > 0.0)) continue;
+                if (!(fluid[local] > 0.0 && wetted_solid(s, blk, local) >= 0)) continue;
                 TRY(visit(s, blk, (const int[]){b->lo[0] + i, b->lo[1] + j, b->lo[2] + k}, local));
             }
     return FLOE_OK;
@@ -44,10 +57,11 @@ static floe_status list_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdif
         TRY(memory_resize(s->ctx, &w->member, (size_t)w->reserved, sizeof *w->member));
         TRY(memory_resize(s->ctx, &w->first, (size_t)w->reserved + 1, sizeof *w->first));
     }
-    wetted_node n = {.at = {at[0], at[1], at[2]}, .number = wetted_number(w, at)};
+    wetted_node n = {.at = {at[0], at[1], at[2]}, .number = wetted_number(w, at), .solid = wetted_solid(s, blk, local)};
     for (int g = 0; g < 2; ++g) {
-        const int group = g == FLUID ? w->fluid : w->solid;
+        const int group = g == FLUID ? w->fluid : n.solid;
         n.mass[g] = field_get(f, N_MASS, group, 0)[local];
+        n.inertia[g] = motion_holds_group(s, group) ? (double)INFINITY : n.mass[g];
         for (int c = 0; c < s->mesh->dim; ++c) {
             n.v[g][c] = field_get(f, N_VEL_L, group, c)[local];
             n.before[g][c] = field_get(f, N_MOMENTUM, group, c)[local] / n.mass[g];

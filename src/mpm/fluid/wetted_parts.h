@@ -9,6 +9,9 @@ typedef struct wetted_node {
     int at[MESH_MAX_DIM]; /* global */
     size_t number;        /* of the node */
     double mass[2];       /* kg: of the fluid, of the solid */
+    double inertia[2];    /* the same, but that one with a prescribed motion has no end of it */
+    double taken[3];      /* N s: impulses on such a solid */
+    int solid;            /* velocity field of the solid */
     double area[3];       /* m2: N */
     double force[3];      /* N: on the fluid */
     double v[2][3];       /* m/s: v^L */
@@ -19,9 +22,9 @@ typedef struct wetted_node {
 } wetted_node;
 
 typedef struct mpm_wetted {
-    int fluid, solid; /* velocity fields */
-    double density;   /* kg/m3: of the lightest solid */
-    bool viscous;     /* some fluid is, and sticks to walls */
+    int fluid;      /* velocity field */
+    double density; /* kg/m3: of the lightest solid */
+    bool viscous;   /* some fluid is, and sticks to walls */
     int nodes[MESH_MAX_DIM];
     int *index;          /* per global node: in the list, -1: in none; owned */
     wetted_node *node;   /* owned */
@@ -42,6 +45,8 @@ static inline size_t wetted_number(const mpm_wetted *w, const int at[MESH_MAX_DI
     return (size_t)at[0] + (size_t)w->nodes[0] * ((size_t)at[1] + (size_t)w->nodes[1] * (size_t)at[2]);
 }
 
+/* The velocity field of solids with the largest mass at a node of a block; -1: none has any. */
+int wetted_solid(const mpm *s, int blk, ptrdiff_t local);
 /* Visits nodes of a block from `lo` to `end`, counted in it, at which both have mass. */
 typedef floe_status shared_visitor(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdiff_t local);
 floe_status wetted_visit(mpm *s, int blk, const int lo[MESH_MAX_DIM], const int end[MESH_MAX_DIM],

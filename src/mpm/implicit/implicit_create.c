@@ -27,6 +27,7 @@ const char *mpm_implicit_obstacle(const mpm *s, time_solver solver)
         return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
     if (s->cells != CELLS_NONE && solver == SOLVER_IMPLICIT) return "fluids on cells flow";
     if (s->scene->n_springs > 0) return "springs are stepped in time";
+    if (s->motions) return "a body has a motion of its own";
     if (s->curve) return solver == SOLVER_STATIC ? curve_rest_obstacle(s) : "membranes have no stiffness across";
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].fluid && !mpm_body_is_enclosed(s, s->body[b].scene_body))

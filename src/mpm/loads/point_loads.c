@@ -1,5 +1,6 @@
 /* Loads on points that act on their volume: body forces, energy. Those on surfaces: traction.c. */
 #include "mpm/loads/point_loads.h"
+#include "mpm/motion/motion.h"
 #include "scene/state.h"
 
 #include <string.h>
@@ -39,6 +40,7 @@ void set_body_forces(mpm *s)
             if (load->body < 0 || load->body == s->body[b].scene_body)
                 for (int a = 0; a < 3; ++a) s->acceleration[b][a] += load_now(s, load) * load->vector[a];
     }
+    motions_take_body_forces(s);
 }
 
 bool is_driven(const mpm *s, int body)

@@ -12,6 +12,7 @@
 
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/wall.h"
 #include "mpm/transfer/kernels.h"
@@ -142,14 +143,16 @@ static void take_residuals(mpm *s, int group)
 
 floe_status mpm_spare_light_nodes(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         start_residuals(s, g);
         subtract_mean(s, g, 0.0);
         keep_light(s, g);
         subtract_mean(s, g, -1.0);
     }
+    motions_still(s, N_RESIDUAL);
     if (s->contact) contact_velocities(s, CONTACT_RESTORE);
-    for (int g = 0; g < s->n_groups; ++g) {
+    motions_constrain(s, N_RESIDUAL, -1.0);
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         enter_mirrored_change(s, g, N_RESIDUAL, -1.0, false);
         extend_to_ghosts(s, g, N_RESIDUAL);
         take_residuals(s, g);

@@ -4,6 +4,7 @@
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/nodes/wall.h"
@@ -46,11 +47,14 @@ void divide_momenta(mpm *s, int group, field_id out)
 
 floe_status mpm_node_velocity(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
+    const bool first = s->scene->method.stress == STRESS_USF;
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         divide_momenta(s, g, N_VEL);
         impose_walls(s, g, N_VEL, 0.0);
     }
-    if (s->contact) contact_velocities(s, s->scene->method.stress == STRESS_USF ? CONTACT_FORESEE : CONTACT_REPEAT);
+    motions_impose(s, N_VEL, first);
+    if (s->contact) contact_velocities(s, first ? CONTACT_FORESEE : CONTACT_REPEAT);
+    motions_hold(s, N_VEL, first);
     for (int g = 0; g < s->n_groups; ++g) extend_to_ghosts(s, g, N_VEL);
     return FLOE_OK;
 }
@@ -183,12 +187,13 @@ static void enter_losses(mpm *s, int group)
 
 floe_status mpm_node_update(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         if (walls_let_go(s)) push_off_sides(s, g);
         for (int b = 0; b < s->mesh->n_blocks; ++b) advance_block(s, b, g);
         enter_losses(s, g);
         impose_walls(s, g, N_VEL_L, 1.0);
     }
+    motions_predict(s);
     return FLOE_OK;
 }
 
@@ -210,7 +215,7 @@ static void accelerate_block(const mpm *s, int blk, int group)
 
 floe_status mpm_node_acceleration(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         impose_walls(s, g, N_VEL_L, 1.0); /* again: the exchange with the cells may have moved them */
         for (int b = 0; b < s->mesh->n_blocks; ++b) accelerate_block(s, b, g);
         still_walls(s, g);
@@ -221,5 +226,6 @@ floe_status mpm_node_acceleration(mpm *s)
         extend_to_ghosts(s, g, N_VEL_L);
         extend_to_ghosts(s, g, N_ACCEL);
     }
+    motions_still(s, N_ACCEL);
     return FLOE_OK;
 }

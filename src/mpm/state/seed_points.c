@@ -6,6 +6,7 @@
 #include "mpm/edge/edge.h"
 #include "mpm/loads/spring.h"
 #include "mpm/membrane/membrane_points.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/state/seed_fill.h"
 #include "mpm/state/stress.h"
@@ -54,7 +55,7 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
     for (int a = 0; a < s->mesh->dim; ++a) field_get(f, P_VEL, body, a)[k] = velocity[a];
     for (int c = 0; c < field_component_count(FIELD_STRESS, s->mesh->dim); ++c)
         field_get(f, P_STRESS, body, c)[k] = stress[c];
-    s->reference_mass = fmax(s->reference_mass, density * volume);
+    if (body < s->n_deforming) s->reference_mass = fmax(s->reference_mass, density * volume);
     return FLOE_OK;
 }
 
@@ -82,7 +83,7 @@ static floe_status set_affine(const mpm *s, int blk, int body, size_t k, const d
         TRY(velocity_at(s, &s->body[body], behind, v[0]));
         for (int a = 0; a < dim; ++a)
             field_get(s->domain->fields[blk], P_AFFINE, body, dim * a + c)[k] =
-                ahead[c] > behind[c] ? (v[1][a] - v[0][a]) / (ahead[c] - behind[c]) : 0.0;
+                ahead[c] > behind[c] && body < s->n_deforming ? (v[1][a] - v[0][a]) / (ahead[c] - behind[c]) : 0.0;
     }
     return FLOE_OK;
 }
@@ -170,6 +171,7 @@ floe_status mpm_seed(mpm *s)
     if (s->cells == CELLS_CUT && scene_enclosing_body(s->scene) < 0) TRY(seed_markers(s));
     TRY(mpm_resort(s));
     TRY(start_membranes(s));
+    motions_start(s);
     TRY(start_supports(s));
     TRY(start_springs(s));
     return edges_start(s);

@@ -171,7 +171,7 @@ static bool bring_back(mpm *s, int blk, int body, size_t k)
         if (side < 0) continue;
         if (m->periodic[a])
             *x += (side == SIDE_LOWER ? 1.0 : -1.0) * (m->upper[a] - m->lower[a]);
-        else if (!is_open(s->scene->bc.side[a][side].kind))
+        else if (body < s->n_deforming && !is_open(s->scene->bc.side[a][side].kind))
             *x = side == SIDE_LOWER ? m->lower[a] : m->upper[a];
         else
             outside = true;

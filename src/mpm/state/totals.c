@@ -3,6 +3,7 @@
 #include "grid/tile_box.h"
 #include "mpm/loads/spring.h"
 #include "mpm/membrane/membrane_points.h"
+#include "mpm/motion/motion.h"
 #include "mpm/mpm_constants.h"
 #include "mpm/state/region.h"
 #include "mpm/state/stress.h"
@@ -188,8 +189,8 @@ floe_status mpm_time_step(mpm *s, step_limit *out)
     double worst = 0.0, fastest = 0.0;
     int limiting = 0;
     for (int body = 0; body < s->n_bodies; ++body) {
-        double rate = 0.0;
-        for (int b = 0; b < s->mesh->n_blocks; ++b) {
+        double rate = body < s->n_deforming ? 0.0 : motion_rate(s, body);
+        for (int b = 0; body < s->n_deforming && b < s->mesh->n_blocks; ++b) {
             const size_t n = s->points[b][body].n, chunks = (n + SOLID_CHUNK - 1) / SOLID_CHUNK;
 #pragma omp parallel for schedule(static) reduction(max : rate, fastest)
             for (size_t k = 0; k < chunks; ++k) {

@@ -323,8 +323,9 @@ void move_markers(mpm *s, int group)
         if (k->group[n] != group) continue;
         const surface_motion m = surface_motion_at(s, group, k->now[n].x);
         for (int a = 0; a < s->mesh->dim; ++a) {
-            k->next[n].v[a] = k->pin[n] >> a & 1 ? 0.0 : m.velocity[a];
-            k->next[n].x[a] = k->now[n].x[a] + s->dt * k->next[n].v[a];
+            const bool pinned = k->pin[n] >> a & 1;
+            k->next[n].v[a] = pinned ? 0.0 : m.after[a];
+            k->next[n].x[a] = k->now[n].x[a] + (pinned ? 0.0 : m.displacement[a]);
             k->path[3 * n + (size_t)a] = (s->substep > 0 ? k->path[3 * n + (size_t)a] : 0.0) + s->dt * m.working[a];
         }
     }

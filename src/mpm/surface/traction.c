@@ -6,6 +6,7 @@
 #include "math/small_solve.h"
 #include "mpm/implicit/implicit_view.h"
 #include "mpm/loads/point_loads.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/node.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/transfer/stencil.h"
@@ -282,6 +283,11 @@ static void add_force(void *user, ptrdiff_t at, double weight, double mass)
 
 void add_surface_force(const mpm *s, int group, const double x[3], const double force[3])
 {
+    body_motion *motion = motion_of_group(s, group);
+    if (motion) {
+        motion_load(s, motion, x, force);
+        return;
+    }
     const place_stencil st = surface_locate(s, group, x);
     for (int b = 0; b < s->mesh->n_blocks; ++b) {
         surface_force f = {.dim = s->mesh->dim};
@@ -340,8 +346,24 @@ static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
     }
 }
 
+/* Of a body that does not deform. */
+static surface_motion rigid_surface_motion(const mpm *s, const body_motion *motion, const double x[3])
+{
+    surface_motion out;
+    double next[3], path[3];
+    motion_of_place(s, motion, x, next, out.after, path);
+    for (int a = 0; a < 3; ++a) {
+        out.displacement[a] = next[a] - x[a];
+        out.velocity[a] = out.displacement[a] / s->dt;
+        out.working[a] = path[a] / s->dt;
+    }
+    return out;
+}
+
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
 {
+    const body_motion *motion = motion_of_group(s, group);
+    if (motion) return rigid_surface_motion(s, motion, x);
     const int b = place_block(s, x);
     motion_sum m = {.dim = s->mesh->dim, .kick = s->kick, .undamped = damping_left(s)};
     for (int a = 0; a < m.dim; ++a) {
@@ -350,6 +372,10 @@ surface_motion surface_motion_at(const mpm *s, int group, const double x[3])
     }
     const place_stencil st = surface_locate(s, group, x);
     visit_stencil(&s->mesh->block[b], &st, add_motion, &m);
+    for (int a = 0; a < 3; ++a) {
+        m.out.displacement[a] = s->dt * m.out.velocity[a];
+        m.out.after[a] = m.out.velocity[a];
+    }
     return m.out;
 }
 

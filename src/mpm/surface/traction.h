@@ -26,6 +26,7 @@ void add_surface_force(const mpm *s, int group, const double x[3], const double 
  * work on the nodes, the mean of start and end. */
 typedef struct surface_motion {
     double velocity[3], working[3];
+    double displacement[3], after[3]; /* m over the step, and m/s at its end */
 } surface_motion;
 surface_motion surface_motion_at(const mpm *s, int group, const double x[3]);
 

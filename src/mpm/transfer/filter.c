@@ -12,7 +12,7 @@
 static floe_status project_again(mpm *s)
 {
     TRY(sample_velocities(s, N_VEL));
-    for (int g = 0; g < s->n_groups; ++g) TRY(scatter_group(s, g, SCATTER_MOMENTUM, false, true));
+    for (int g = 0; g < s->n_deforming_groups; ++g) TRY(scatter_group(s, g, SCATTER_MOMENTUM, false, true));
     return FLOE_OK;
 }
 
@@ -20,7 +20,7 @@ static floe_status project_again(mpm *s)
  * stays with the points. */
 static void set_node_velocities(mpm *s, double undamped)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         divide_momenta(s, g, N_VEL);
         enter_mirrored_momenta(s, g, undamped);
         impose_walls(s, g, N_VEL, undamped);
@@ -50,7 +50,7 @@ floe_status mpm_filter_velocities(mpm *s)
         if (r > 1) TRY(project_again(s));
         set_node_velocities(s, undamped);
         undamped -= factor;
-        for (int g = 0; g < s->n_groups; ++g)
+        for (int g = 0; g < s->n_deforming_groups; ++g)
             for (int b = 0; b < s->mesh->n_blocks; ++b) add_share(s, b, g, factor, r == 1);
         factor *= -(double)(order - r) / (r + 1);
     }

@@ -5,6 +5,7 @@
 #include "mpm/edge/edge.h"
 #include "mpm/loads/point_loads.h"
 #include "mpm/membrane/membrane_points.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/light_nodes.h"
 #include "mpm/nodes/wall.h"
@@ -210,7 +211,7 @@ static floe_status pass_tile(mpm *s, int blk, int tile, tile_pass pass, solid_ba
     tile_box box = tile_box_of(s->mesh, &s->mesh->block[blk], tile);
     if (pass.stress) box.shared = shared_cells(s, blk, tile, &box);
     double *gain = s->scratch->tile_sum + (size_t)box.number * MPM_GAINS; /* zeroed by pass_points */
-    for (int body = 0; body < s->n_bodies; ++body) {
+    for (int body = 0; body < s->n_deforming; ++body) {
         const size_t *range = s->points[blk][body].tile_start + tile;
         const int group = s->body[body].group;
         if (range[0] == range[1]) continue;
@@ -254,6 +255,7 @@ static floe_status pass_points(mpm *s, tile_pass pass)
         }
     }
     if (worst == FLOE_OK) enter_gains(s);
+    if (pass.stress || pass.carry) motions_keep(s);
     return worst;
 }
 
@@ -278,6 +280,7 @@ floe_status mpm_nodes_to_points(mpm *s)
     const bool usl = s->scene->method.stress == STRESS_USL && !s->cell_mass;
     if (usl) TRY(set_heating(s));
     TRY(pass_points(s, (tile_pass){.velocity = N_VEL_L, .motion = true, .stress = usl, .carry = carries_gradient(s)}));
+    TRY(motions_move(s));
     for (int g = 0; g < s->n_groups; ++g) {
         move_surfaces(s, g);
         move_markers(s, g);
@@ -296,7 +299,7 @@ floe_status mpm_remap_stress(mpm *s)
     TRY(set_heating(s));
     for (int g = 0; g < s->n_groups; ++g) TRY(scatter_group(s, g, SCATTER_MOMENTUM, false, true));
     TRY(mpm_node_velocity(s));
-    for (int g = 0; s->edges && g < s->n_groups; ++g) TRY(edges_strain(s, g, N_VEL));
+    for (int g = 0; s->edges && g < s->n_deforming_groups; ++g) TRY(edges_strain(s, g, N_VEL));
     return pass_points(s, (tile_pass){.velocity = N_VEL, .stress = true});
 }
 

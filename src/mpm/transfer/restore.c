@@ -15,6 +15,7 @@
 #include "grid/tile_box.h"
 #include "mpm/contact/contact.h"
 #include "mpm/edge/edge.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/nodes/light_nodes.h"
 #include "mpm/nodes/wall.h"
@@ -119,14 +120,16 @@ static void add_residuals(mpm *s, int group, double share)
 /* The next residual from the last, on all nodes that points reach; `share` of what walls take of it goes into the ledger. */
 static void next_residuals(mpm *s, double share)
 {
-    for (int g = 0; g < s->n_groups; ++g) {
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         project_residuals(s, g);
         enter_mirrored_change(s, g, N_RESIDUAL, -share, true);
         subtract_projection(s, g);
         constrain_change(s, g, N_RESIDUAL, share);
     }
+    motions_still(s, N_RESIDUAL);
     if (s->contact) contact_velocities(s, CONTACT_RESTORE);
-    for (int g = 0; g < s->n_groups; ++g) {
+    motions_constrain(s, N_RESIDUAL, share);
+    for (int g = 0; g < s->n_deforming_groups; ++g) {
         enter_mirrored_change(s, g, N_RESIDUAL, share, false);
         extend_to_ghosts(s, g, N_RESIDUAL);
     }
@@ -134,18 +137,18 @@ static void next_residuals(mpm *s, double share)
 
 static void restore_accelerations(mpm *s)
 {
-    for (int g = 0; g < s->n_groups; ++g) start_residuals(s, g);
+    for (int g = 0; g < s->n_deforming_groups; ++g) start_residuals(s, g);
     for (int j = 1; j < s->order; ++j) {
         const double share = share_of_residual(s, j);
         next_residuals(s, share);
-        for (int g = 0; g < s->n_groups; ++g) add_residuals(s, g, share);
+        for (int g = 0; g < s->n_deforming_groups; ++g) add_residuals(s, g, share);
     }
 }
 
 floe_status mpm_restore_velocities(mpm *s)
 {
     restore_accelerations(s);
-    for (int g = 0; s->edges && s->scene->method.stress == STRESS_USL && g < s->n_groups; ++g)
+    for (int g = 0; s->edges && s->scene->method.stress == STRESS_USL && g < s->n_deforming_groups; ++g)
         TRY(edges_strain(s, g, N_VEL_L));
     return FLOE_OK;
 }

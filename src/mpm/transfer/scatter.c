@@ -4,6 +4,7 @@
 #include "grid/tile_box.h"
 #include "mpm/loads/spring.h"
 #include "mpm/membrane/enclosed_gas.h"
+#include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
@@ -80,6 +81,7 @@ floe_status scatter_group(mpm *s, int group, scatter_mode mode, bool next_stress
 
 void scatter_loads(mpm *s, int group)
 {
+    motion_clear_loads(s, group);
     scatter_surfaces(s, group); /* they look at the masses */
     scatter_springs(s, group);
     scatter_membrane_force(s, group);
