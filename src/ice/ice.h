@@ -71,6 +71,8 @@ typedef struct ice_cut_geometry {
     double (*side_aperture)(const ice *s, int region, const block *b, const int local[3], int axis, int side);
     /* Whether gravity on a cell is in the sums of merged cells. */
     bool (*is_merged)(const ice *s, int region, const block *b, int i, int j, int k);
+    /* Bounds what several fluids give through the faces of merged cells. */
+    void (*bound_outflow)(const ice *s, const ice_region *g);
 } ice_cut_geometry;
 
 struct ice {
@@ -82,7 +84,7 @@ struct ice {
     ledger *ledger;     /* not owned */
     ice_material material[ICE_MAX_MATERIALS];
     int n_materials;
-    ice_region region[ICE_MAX_MATERIALS]; /* one, or with embedded boundaries one a gas */
+    ice_region region[ICE_MAX_MATERIALS]; /* one, or with embedded boundaries that keep fluids apart one a fluid */
     int n_regions;
     const ice_cut_geometry *cut; /* NULL: all cells are whole */
     bool with_points;            /* some material is carried by points */

@@ -117,6 +117,11 @@
 
 /* A cell of which less than this is open to a gas is merged with a neighbour. Larger merges more cells than the step needs, smaller bounds the step. */
 #define ICE_SMALL_CELL 0.5
+/* Volume fractions of fluids in what is open of a cell that differ by more from those in the whole cell, by samples, are
+ * taken. Smaller would take the error of the samples for a difference. */
+#define ICE_SAMPLED_DIFFERENCE 0.1
+/* Volume fractions of cells that differ by less are those of one level: round-off. */
+#define ICE_SAME_LEVEL 1e-9
 /* A gap between bodies in contact, of a cell, and a density, of that at the start, below which it holds no gas: round-off of their surfaces. */
 #define ICE_GAP_FRACTION 1e-6
 #define ICE_GAP_DENSITY 1e-3

@@ -87,12 +87,13 @@ static floe_status resolve_materials(ice *s, bool with_points)
     return FLOE_OK;
 }
 
-/* One region; with embedded boundaries one a gas. */
+/* One region; with embedded boundaries that keep the fluids apart, one a fluid. */
 static void resolve_regions(ice *s)
 {
+    const bool apart = scene_is_cut(s->scene) && !s->scene->fluids_share;
     s->cut = scene_is_cut(s->scene) ? &ice_sealed_geometry : NULL;
-    s->n_regions = s->cut ? s->n_materials : 1;
-    for (int g = 0; g < s->n_regions; ++g) s->region[g] = (ice_region){g, g, s->cut ? 1 : s->n_materials};
+    s->n_regions = apart ? s->n_materials : 1;
+    for (int g = 0; g < s->n_regions; ++g) s->region[g] = (ice_region){g, g, apart ? 1 : s->n_materials};
 }
 
 static void resolve_gravity(ice *s)

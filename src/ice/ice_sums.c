@@ -123,7 +123,7 @@ floe_status ice_mean_pressure(ice *s, int material, const shape *region, double 
             const ice_fluid *m = &v.m[material];
             const double inside = m->rho[at] > 0.0 && region ? ice_region_share(s->mesh, region, c.cell) : 1.0;
             if (!(m->rho[at] > 0.0) || !(inside > 0.0)) continue;
-            const double share = v.multi ? m->rho[at] * m->vol[at] : m->open ? m->open[at] : 1.0;
+            const double share = (v.multi ? m->rho[at] * m->vol[at] : 1.0) * (m->open ? m->open[at] : 1.0);
             const double weight = inside * v.volume[c.in[0]] * share;
             double *t = tile + 2 * (size_t)mesh_tile_of(s->mesh, c.cell);
             t[0] += weight;

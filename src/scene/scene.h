@@ -354,6 +354,8 @@ typedef struct scene {
     int n_supports;
     scene_contact contact;
     scene_method method;
+    bool
+        fluids_share; /* beside a sharp interface several fluids share cells, as nothing keeps them apart (sim/interface.h) */
     char interface_reason[400]; /* what method.interface auto has become and why (sim/interface.h); "": the deck says */
     scene_time time;
     scene_damping damping;

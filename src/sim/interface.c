@@ -133,7 +133,7 @@ static floe_status needs_few_fluids(const scene *s, const mesh *m)
 {
     const int n = count_fluids(s);
     (void)m;
-    if (n <= SCENE_MAX_ENCLOSING) return FLOE_OK;
+    if (n <= SCENE_MAX_ENCLOSING || s->fluids_share) return FLOE_OK;
     return fail_key(s->ctx, KEY("method", "interface"), "sharp takes %d fluids, and the scene has %d: use smeared",
                     SCENE_MAX_ENCLOSING, n);
 }
@@ -225,26 +225,22 @@ static floe_status lay_bodies(const scene *s, const mesh *m, int fluid, cut_surf
     return FLOE_OK;
 }
 
-/* A cell that another fluid, or none, fills on the side of a fluid. */
+/* A cell that another fluid, or none, fills on the side of a fluid. Said where a scene was not settled. */
 static floe_status refuse_mixed(const scene *s, const mesh *m, int fluid, const int cell[3])
 {
     char place[64];
     double x[3];
     middle_of(m, cell, x);
     name_place(m->dim, x, place, sizeof place);
-    return fail_key(
-        s->ctx, KEY("method", "interface"),
-        "sharp takes one gas in each region between the solids, and at %s there is another beside %s: use smeared",
-        place, s->material[fluid].name);
+    return fail_key(s->ctx, KEY("method", "interface"), "sharp: at %s there is another fluid beside %s", place,
+                    s->material[fluid].name);
 }
 
 /* A fluid beside no solid, where others are. */
 static floe_status refuse_unbounded(const scene *s, int fluid)
 {
-    return fail_key(
-        s->ctx, KEY("method", "interface"),
-        "sharp takes one gas in each region between the solids, and %s shares one with another: use smeared",
-        s->material[fluid].name);
+    return fail_key(s->ctx, KEY("method", "interface"), "sharp: %s shares its region with another fluid",
+                    s->material[fluid].name);
 }
 
 /* Of several fluids each has regions to itself, between solids and the sides of the domain. */
@@ -293,9 +289,10 @@ static floe_status check_several(const scene *s, const mesh *m)
     return status;
 }
 
-static floe_status check_fluid(const scene *s, const mesh *m, int fluid)
+/* Those beside a fluid; -1: beside any. */
+static floe_status check_surfaces(const scene *s, const mesh *m, int fluid)
 {
-    const bool alone = count_fluids(s) == 1;
+    const bool alone = count_fluids(s) == 1 || fluid < 0;
     cut_surface line;
     floe_status status = cut_create(&line, s->ctx, m);
     if (status == FLOE_OK) status = lay_bodies(s, m, alone ? -1 : fluid, &line);
@@ -306,14 +303,41 @@ static floe_status check_fluid(const scene *s, const mesh *m, int fluid)
     return status;
 }
 
-/* Surfaces that cut the cells so that each part has its gas. */
+/* Surfaces that cut the cells so that each part has its gas, or several that share cells. */
 static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
 {
     bool used[SCENE_MAX_MATERIALS] = {false};
+    if (s->fluids_share) return check_surfaces(s, m, -1);
     if (count_fluids(s) > 1) TRY(check_several(s, m));
     ice_find_used(s, false, used);
     for (int r = 0; r < s->n_materials; ++r)
-        if (used[r]) TRY(check_fluid(s, m, r));
+        if (used[r]) TRY(check_surfaces(s, m, r));
+    return FLOE_OK;
+}
+
+static floe_status refuse_viscous(const scene *s, int material)
+{
+    return fail_key(
+        s->ctx, KEY("materials", s->material[material].name),
+        "sharp: fluids that share cells beside a solid have no viscosity there: leave it out, or use smeared");
+}
+
+/* The drag of cut cells is that of one fluid, and two that slip have a frame that their solids would bend. */
+static floe_status needs_plain_sharing(const scene *s, const mesh *m)
+{
+    bool used[SCENE_MAX_MATERIALS] = {false};
+    (void)m;
+    if (!s->fluids_share) return FLOE_OK;
+    ice_find_used(s, false, used);
+    for (int r = 0; r < s->n_materials; ++r)
+        if (used[r] && (s->material[r].shear_viscosity > 0.0 || s->material[r].bulk_viscosity > 0.0))
+            return refuse_viscous(s, r);
+    for (int k = 0; k < s->n_exchanges; ++k)
+        if (s->exchange[k].tangential.model)
+            return fail_key(
+                s->ctx, KEY("exchange", s->exchange[k].name, "tangential"),
+                "sharp: fluids that share cells beside a solid have no law of their own along their interface: "
+                "leave it out, or use smeared");
     return FLOE_OK;
 }
 
@@ -362,6 +386,7 @@ static const requirement requirements[] = {
     {needs_open_ends, OF_SURFACES | OF_AUTO},
     {needs_no_membrane, OF_SURFACES | OF_AUTO},
     {needs_few_fluids, OF_SURFACES | OF_AUTO},
+    {needs_plain_sharing, OF_SURFACES | OF_AUTO},
     {needs_membranes_alone, OF_MEMBRANES},
     {needs_plain_loads, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_explicit_pressure, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
@@ -383,6 +408,23 @@ static floe_status check_all(const scene *s, const mesh *m, requirement_of of)
 floe_status interface_check(const scene *s, const mesh *m)
 {
     return check_all(s, m, s->method.interface == INTERFACE_SHARP ? OF_SURFACES : OF_MEMBRANES);
+}
+
+/* Whether solids do not keep the fluids apart. */
+static floe_status find_sharing(scene *s, const mesh *m)
+{
+    bool used[SCENE_MAX_MATERIALS] = {false};
+    s->fluids_share = false;
+    if (count_fluids(s) < 2 || is_periodic(m)) return FLOE_OK;
+    ice_find_used(s, false, used);
+    floe_status status = needs_few_fluids(s, m);
+    if (status == FLOE_OK) status = check_several(s, m);
+    for (int r = 0; r < s->n_materials && status == FLOE_OK; ++r)
+        if (used[r]) status = check_surfaces(s, m, r);
+    if (status != FLOE_BAD_INPUT) return status;
+    context_clear(s->ctx);
+    s->fluids_share = true;
+    return FLOE_OK;
 }
 
 static bool runs_coupled(const scene *s)
@@ -407,6 +449,7 @@ static floe_status settle_auto(scene *s)
     if (!runs_coupled(s) || count_solids(s) == 0 || count_fluids(s) == 0 || scene_enclosing_body(s) >= 0)
         return FLOE_OK;
     floe_status status = mesh_init(&m, s->ctx, &s->mesh);
+    if (status == FLOE_OK) status = find_sharing(s, &m);
     if (status == FLOE_OK) status = check_all(s, &m, OF_AUTO);
     if (status == FLOE_OK) choose_interface(s, INTERFACE_SHARP, "");
     if (status != FLOE_BAD_INPUT) return status;
@@ -416,9 +459,21 @@ static floe_status settle_auto(scene *s)
     return FLOE_OK;
 }
 
+/* What an explicit `sharp` needs to know; what it does not support is said when the solver is made. */
+static floe_status settle_sharp(scene *s)
+{
+    mesh m;
+    if (!runs_coupled(s) || count_solids(s) == 0 || scene_enclosing_body(s) >= 0) return FLOE_OK;
+    TRY(mesh_init(&m, s->ctx, &s->mesh));
+    return find_sharing(s, &m);
+}
+
 floe_status interface_settle(scene *s)
 {
-    if (s->method.interface == INTERFACE_AUTO) TRY(settle_auto(s));
+    if (s->method.interface == INTERFACE_AUTO)
+        TRY(settle_auto(s));
+    else if (s->method.interface == INTERFACE_SHARP)
+        TRY(settle_sharp(s));
     if (s->time.substeps == SCENE_SUBSTEPS_OPEN) s->time.substeps = s->method.interface == INTERFACE_SHARP ? 0 : 1;
     return FLOE_OK;
 }

@@ -18,7 +18,8 @@ static floe_status create_line(sealed *t, const mesh *m, int holder, sealed_line
 
 floe_status sealed_create(sealed **out, sim *s)
 {
-    int holder[SCENE_MAX_ENCLOSING]; /* surfaces of solids have none, and a line for each fluid */
+    int holder
+        [SCENE_MAX_ENCLOSING]; /* surfaces of solids have none, and a line for each fluid, or one for all that share cells */
     const int n = scene_enclosing_bodies(s->scene, holder);
     TRY(interface_check(s->scene, &s->mesh));
     TRY(memory_new(s->ctx, out, 1, sizeof **out));
@@ -27,7 +28,7 @@ floe_status sealed_create(sealed **out, sim *s)
                   .stages = &s->stages,
                   .points = s->mpm,
                   .gases = s->ice,
-                  .n_lines = n > 0 ? n : s->ice->n_materials};
+                  .n_lines = n > 0 ? n : s->ice->n_regions};
     for (int l = 0; l < t->n_lines; ++l) {
         TRY(create_line(t, &s->mesh, n > 0 ? holder[l] : -1, &t->line[l]));
         if (n == 0) t->line[l].fluid = s->ice->material[l].scene_material;
@@ -85,7 +86,7 @@ static floe_status tell_of_line(const sealed *t, const sealed_line *line, floe_s
 static floe_status find_place(const sealed *t, const sealed_line *line, bool next, cut_surface *out)
 {
     if (line->fluid >= 0)
-        TRY(mpm_boundary_beside(t->points, line->fluid, next, out));
+        TRY(mpm_boundary_beside(t->points, t->points->scene->fluids_share ? -1 : line->fluid, next, out));
     else
         TRY(mpm_boundary_vertices(t->points, line->body, next, out));
     return tell_of_line(t, line, cut_find(out));

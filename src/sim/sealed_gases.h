@@ -9,7 +9,7 @@
 /* A boundary in the step: a membrane, or the surfaces of all solids beside a fluid. */
 typedef struct sealed_line {
     int body;  /* body of the membrane, of the points; 0 for surfaces */
-    int fluid; /* of surfaces: the fluid that they bound, by its number in the scene; -1: a membrane */
+    int fluid; /* of surfaces: the fluid that they bound, by its number in the scene, or the first of several that share cells; -1: a membrane */
     cut_surface place[SEAL_PLACES];  /* its positions, as in ice_seal_line */
     double *velocity, *path, *force; /* of the vertices, three numbers each; owned */
     int reserved;                    /* vertices for which these are allocated */

@@ -207,7 +207,6 @@ static void test_refused(void **unused)
 {
     (void)unused;
     static const char *const sets[][2] = {
-        {"bodies.behind.material=other", "materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 900}}}"},
         {"boundaries.y=periodic", "domain.upper=[1.5, 0.04]"},
         {"method={interface: sharp, pressure: implicit}", "title=implicit"},
         {"bodies.plate.shape={box: {lower: [-1, -1], upper: [2, 1]}}", "title=no surface"},

@@ -201,7 +201,7 @@ static const choice pressure_choices[] = {
 static const choice interface_choices[] = {
     {"auto", INTERFACE_AUTO, "sharp wherever it takes the scene, else smeared, which is warned of"},
     {"smeared", INTERFACE_SMEARED, "over the cells that they share, as in the papers"},
-    {"sharp", INTERFACE_SHARP, "on the surface of the solid, which cuts the cells of the gas: one gas a region"},
+    {"sharp", INTERFACE_SHARP, "on the surface of the solid, which cuts the cells of the fluids"},
     {0},
 };
 static const choice limiter_choices[] = {

@@ -426,8 +426,27 @@ static void extrapolate_gas_state(const mixture_row *q, const mixture_run *run, 
 
 /* ---- rows ---- */
 
+/* Cells that solids fill have no state, but for the step (ice_sealed_ghosts). */
+static bool in_a_solid(const mixture_row *q, const mixture_run *run)
+{
+    const double *open = q->v->m[0].open;
+    for (int i = 0; open && i < run->n; ++i)
+        if (open[run->from + i] > 0.0) return false;
+    return open != NULL;
+}
+
+static void leave_empty(const mixture_row *q, const mixture_run *run)
+{
+    for (int r = 0; r < q->v->n_materials; ++r)
+        for (int i = 0; i < run->n; ++i) q->v->m[r].theta[run->from + i] = 0.0;
+}
+
 static floe_status close_run(mixture_row *q, const mixture_run *run)
 {
+    if (run->count == 0 && in_a_solid(q, run)) {
+        leave_empty(q, run);
+        return FLOE_OK;
+    }
     if (run->count == 0) {
         char place[160];
         ice_place(q->s, q->v->b, run->from, -1, place, sizeof place);

@@ -239,7 +239,7 @@ static void enter_owed(const ice *s, const ice_view *v, const ice_cell_list *lis
         int cell[MESH_MAX_DIM];
         ice_cell_of(v->b, at, cell);
         double *tile = ice_tile(s, v->b, cell[0], cell[1], cell[2]);
-        tile[TILE_DEFECT] -= v->owed[at] * v->volume[cell[0]];
+        tile[TILE_DEFECT] -= v->owed[at] * v->volume[cell[0]] * (v->m[0].open ? v->m[0].open[at] : 1.0);
         tile[TILE_GUARDS] += 1.0;
     }
 }

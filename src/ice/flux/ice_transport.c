@@ -159,6 +159,7 @@ static void clip_traces(const ice *s, const ice_view *v, int r)
                 const double fraction = m->rho1[at] * m->vol1[at];
                 const bool starved = m->rho1[at] < ICE_LEAST_SHARE * v->rho_sum[at];
                 if (m->rho1[at] == 0.0 || (fraction >= ICE_TRACE_FRACTION && !starved)) continue;
+                if (s->cut && s->cut->is_merged(s, v->region, b, i, j, k)) continue; /* as merged cells */
                 double *tile = ice_tile(s, b, i, j, k), x[MESH_MAX_DIM];
                 ice_place_of(s, b, (const int[]){i, j, k}, x);
                 clip_roundoff(v, at, m, v->volume[i], x, tile);

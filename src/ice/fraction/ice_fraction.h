@@ -6,6 +6,8 @@
 
 /* Marks the cells at interfaces between fluids of a region (ice_interface.c). */
 floe_status ice_find_interfaces_of(ice *s, const ice_region *g);
+/* Takes marks to the ghosts, and notes where each row has some. */
+void ice_spread_interfaces(const ice *s, const ice_region *g);
 /* Volume fractions at faces and volume fluxes, of several materials (2.3). */
 void ice_face_fractions(const ice_view *v);
 /* For ice_face_fractions: at interfaces gradients are zero, and fractions at faces are those of a sharp profile. */

@@ -59,6 +59,13 @@ floe_status ice_find_interfaces_of(ice *s, const ice_region *g)
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) mark_row(&v, found, ice_row_start(v.b, q, row));
     }
+    ice_spread_interfaces(s, g);
+    return FLOE_OK;
+}
+
+void ice_spread_interfaces(const ice *s, const ice_region *g)
+{
+    ice_view v;
     ice_fill_ghosts(s, C_INTERFACE, g->number, FILL_CURRENT, GHOST_EVEN);
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
         ice_span *sharp = ice_interface_spans(s, v.b->id);
@@ -70,7 +77,6 @@ floe_status ice_find_interfaces_of(ice *s, const ice_region *g)
             sharp[ice_row_number(v.b, j, k)] = marked_in(&v, j, k);
         }
     }
-    return FLOE_OK;
 }
 
 void ice_flatten_interfaces(const ice_view *v)

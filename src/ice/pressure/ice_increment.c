@@ -133,8 +133,9 @@ void ice_find_increment(const ice *s, const ice_region *g)
 {
     const bool diffuses = ice_diffuses(s), reacts = ice_reaction_count(s) > 0;
     ice_view v;
+    for (int id = 0; g->n > 1 && ice_next_view(s, g, &id, &v);) ice_face_fractions(&v);
+    if (g->n > 1 && s->cut) s->cut->bound_outflow(s, g);
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        if (v.multi) ice_face_fractions(&v);
         ice_run_cells(&v, 0, increment_rows[v.dim - 1][v.multi]);
         if (reacts) ice_created_pressure(s, &v, v.P);
         for (int r = 0; r < v.n_materials && diffuses; ++r) ice_diffusion_pressure(s, &v, r, v.P);

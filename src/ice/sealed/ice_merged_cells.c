@@ -87,6 +87,7 @@ floe_status ice_seal_check(const ice *s, int place)
 void ice_clear_merged(ice_merged_cells *p)
 {
     memset(p->sum, 0, (size_t)p->count * MERGED_SUMS * sizeof *p->sum);
+    if (p->fluid) memset(p->fluid, 0, (size_t)(p->count * p->region->n) * FLUID_SUMS * sizeof *p->fluid);
 }
 
 static floe_status reserve_members(ice *s, ice_merged_cells *p)
@@ -96,6 +97,8 @@ static floe_status reserve_members(ice *s, ice_merged_cells *p)
     TRY(memory_resize(s->ctx, &p->member, wanted, sizeof *p->member));
     TRY(memory_resize(s->ctx, &p->lead, wanted, sizeof *p->lead));
     TRY(memory_resize(s->ctx, &p->sum, wanted * MERGED_SUMS, sizeof *p->sum));
+    if (p->region->n > 1)
+        TRY(memory_resize(s->ctx, &p->fluid, wanted * (size_t)p->region->n * FLUID_SUMS, sizeof *p->fluid));
     p->reserved = wanted;
     return FLOE_OK;
 }
@@ -129,13 +132,39 @@ static floe_status add_member(ice *s, int place, ice_merged_cells *p, const int 
     return FLOE_OK;
 }
 
+/* Shares of the fluids in a cell, by volume, as their densities at the start have it. */
+static void shares_in(const ice *s, const ice_region *g, const int cell[3], double *share)
+{
+    const int id = mesh_block_of(s->mesh, cell);
+    const block *b = &s->mesh->block[id];
+    const ptrdiff_t at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]);
+    double sum = 0.0;
+    for (int r = 0; r < g->n; ++r) {
+        share[r] = field_get(s->domain->fields[id], C_RHO, g->first + r, 0)[at] / s->sealing->usual[g->first + r];
+        sum += share[r];
+    }
+    for (int r = 0; r < g->n; ++r) share[r] = sum > 0.0 ? share[r] / sum : 0.0;
+}
+
+/* How alike two cells are in their fluids, from 0 to 1: merging mixes. The densities are those of the start of the step
+ * throughout it. */
+static double likeness(const ice *s, const ice_region *g, const ice_member *k, const int cell[3])
+{
+    double own[ICE_MAX_MATERIALS], other[ICE_MAX_MATERIALS], common = 0.0;
+    if (g->n == 1 || k->open == 0.0) return 1.0;
+    shares_in(s, g, k->cell, own);
+    shares_in(s, g, cell, other);
+    for (int r = 0; r < g->n; ++r) common += least(own[r], other[r]);
+    return pow(common, 8.0);
+}
+
 static bool is_in_domain(const mesh *m, const int cell[3])
 {
     return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1] && cell[2] >= 0 && cell[2] < m->n[2];
 }
 
 /* The neighbour with which a cell is merged: the one with the largest open fraction, larger than its own, behind a face
- * that is open with the boundaries at `through`. */
+ * that is open with the boundaries at `through`; where fluids share cells, one with the same. */
 static bool find_neighbour(const ice *s, const ice_region *g, int place, int through, const ice_member *k, int out[3])
 {
     double best = 0.0;
@@ -144,7 +173,8 @@ static bool find_neighbour(const ice *s, const ice_region *g, int place, int thr
         cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
         if (!is_in_domain(s->mesh, cell)) continue;
         const double open = fluid_volume_of_cell(s, g, place, cell);
-        const double score = open * ice_open_face(s, g->number, through, k->cell, f / 2, f % 2);
+        const double score =
+            open * ice_open_face(s, g->number, through, k->cell, f / 2, f % 2) * likeness(s, g, k, cell);
         if (!(open > k->open) || !(score > best)) continue;
         best = score;
         memcpy(out, cell, sizeof cell);
@@ -276,14 +306,14 @@ static floe_status new_merged_cells(const ice *s, const ice_region *g, ice_merge
     return FLOE_OK;
 }
 
-/* The boundaries and the material that each encloses; the surfaces of solids are one boundary beside each fluid. */
+/* The boundaries and the material that each encloses; the surfaces of solids are one boundary beside each region. */
 static void find_lines(ice *s)
 {
     int body[SCENE_MAX_ENCLOSING];
     const int holders = scene_enclosing_bodies(s->scene, body);
-    const int fluids = s->n_materials < SCENE_MAX_ENCLOSING ? s->n_materials : SCENE_MAX_ENCLOSING;
-    s->seal = (ice_seal){.n_lines = holders > 0 ? holders : fluids};
-    for (int l = 0; l < fluids && holders == 0; ++l) s->seal.line[l].enclosed = l;
+    const int regions = s->n_regions < SCENE_MAX_ENCLOSING ? s->n_regions : SCENE_MAX_ENCLOSING;
+    s->seal = (ice_seal){.n_lines = holders > 0 ? holders : regions};
+    for (int l = 0; l < regions && holders == 0; ++l) s->seal.line[l].enclosed = s->region[l].first;
     for (int l = 0; l < holders; ++l)
         s->seal.line[l].enclosed = ice_material_of(s, s->scene->body[body[l]].membrane.encloses);
 }
@@ -291,7 +321,7 @@ static void find_lines(ice *s)
 floe_status ice_sealing_create(ice *s)
 {
     find_lines(s);
-    if ((s->mesh->dim > 2 && scene_enclosing_body(s->scene) >= 0) || s->n_materials > s->seal.n_lines + 1)
+    if ((s->mesh->dim > 2 && scene_enclosing_body(s->scene) >= 0) || s->n_regions > s->seal.n_lines + 1)
         return fail_key(
             s->ctx, KEY("bodies"),
             "membranes enclose gas in two dimensions: each has one inside, and one gas or none is outside all");
@@ -302,6 +332,11 @@ floe_status ice_sealing_create(ice *s)
         TRY(new_merged_cells(s, &s->region[g], &w->next[g]));
         TRY(find_rest(s, s->region[g].first, &w->rest[g]));
     }
+    for (int r = 0; r < s->n_materials; ++r) {
+        fluid_state rest;
+        TRY(find_rest(s, r, &rest));
+        w->usual[r] = rest.density;
+    }
     return memory_new(s->ctx, &w->view, (size_t)s->mesh->n_blocks, sizeof *w->view);
 }
 
@@ -311,6 +346,7 @@ static void free_merged_cells(context *ctx, ice_merged_cells *p)
     memory_free(ctx, &p->lead);
     memory_free(ctx, &p->place);
     memory_free(ctx, &p->sum);
+    memory_free(ctx, &p->fluid);
 }
 
 void ice_sealing_destroy(context *ctx, ice_sealing **w)

@@ -9,7 +9,6 @@
 #define ICE_MERGED_CELLS_H
 
 #include "ice/sealed/ice_sealed.h"
-#include "ice/sides/ice_sides.h"
 #include "scene/state.h"
 
 /* A cut cell, or a cell that is merged with one. */
@@ -21,6 +20,15 @@ typedef struct ice_member {
     double above[3];   /* m: of the cell's centre from the open centroid of its merged cells; 0 without gravity */
     double face[3][2]; /* mean apertures of its faces in the step, by axis and side */
 } ice_member;
+
+/* Sums of each fluid of a merged cell that several share. */
+enum {
+    FLUID_MASS,
+    FLUID_VOLUME, /* m3: that its specific volume fills */
+    FLUID_ENERGY, /* J: internal and kinetic */
+    FLUID_MOMENTUM,
+    FLUID_SUMS = FLUID_MOMENTUM + MESH_MAX_DIM
+};
 
 enum {
     MERGED_VOLUME,
@@ -39,12 +47,14 @@ typedef struct ice_merged_cells {
     int *lead;                /* of each merged cell: its largest member; owned */
     int *place;               /* of every global cell: its index among the members, else -1; owned */
     double *sum;              /* MERGED_SUMS of each merged cell; owned */
+    double *fluid;            /* FLUID_SUMS of each fluid of each merged cell; NULL: one fluid; owned */
     size_t reserved;
 } ice_merged_cells;
 
 typedef struct ice_sealing {
     ice_merged_cells now[ICE_SEALED_GASES], next[ICE_SEALED_GASES];
     fluid_state rest[ICE_SEALED_GASES]; /* state of each gas in cells far from it */
+    double usual[ICE_MAX_MATERIALS];    /* kg/m3: density of each fluid at the start */
     ice_view *view;                     /* of every block, for one region at a time (ice_seal_views); owned */
 } ice_sealing;
 
@@ -76,6 +86,49 @@ bool ice_is_merged(const ice *s, int region, const block *b, int i, int j, int k
 void ice_merged_centring(const ice *s, const ice_region *g);
 void ice_merged_increment(const ice *s, const ice_region *g);
 void ice_merged_sources(const ice *s, const ice_region *g);
+
+/* Values of a member's faces and of its block. */
+double ice_member_area(const ice *s, const ice_member *k, int axis, int side);
+ptrdiff_t ice_member_face(const ice_view *v, const ice_member *k, int axis, int side);
+static inline const ice_view *ice_member_view(const ice *s, const ice_member *k)
+{
+    return &s->sealing->view[k->block];
+}
+/* What gravity does to merged cells, into the ledger: its impulse at their middle, and its work (J). */
+void ice_enter_weight(const ice *s, const ice_member *lead, const double *sum, double work);
+/* All blocks that have a cell, their own or as a ghost: for (int id = 0; ice_next_seen(s, cell, &id, &at);) with the view
+ * of block id - 1. */
+bool ice_next_seen(const ice *s, const int cell[3], int *id, ptrdiff_t *at);
+
+/* Way to cell c of those around, along axis 0 first. */
+static inline ptrdiff_t ice_way_to(const block *b, int c)
+{
+    ptrdiff_t way = (c % 3 - 1) * b->stride[0];
+    if (b->dim > 1) way += (c / 3 % 3 - 1) * b->stride[1];
+    return b->dim > 2 ? way + (c / 9 - 1) * b->stride[2] : way;
+}
+/* What is left in merged cells is no state: asks for a smaller step. */
+floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int merged, double e);
+
+/* ---- cells that several fluids share (ice_merged_fluids.c, ice_merged_flow.c) ---- */
+
+/* State of a cell without fluids: of the first at rest; the mean of its neighbours with marks of at least `least`. */
+void ice_rest_fluids(const ice *s, const ice_view *v, ptrdiff_t at);
+void ice_extrapolate_fluids(const ice_view *v, ptrdiff_t at, double least);
+/* Members that the boundary covers take the state of their merged cells. */
+void ice_join_covered(const ice *s, const ice_region *g);
+/* After the closure: one state for the members of merged cells, one mark of interfaces; and one Lagrangian state. */
+void ice_agree_closed(const ice *s, const ice_region *g);
+void ice_agree_interfaces(const ice *s, const ice_region *g);
+void ice_agree_exchanged(const ice *s, const ice_region *g);
+/* Volume fractions at the faces of merged cells that let none give more of a fluid than it has. */
+void ice_bound_merged(const ice *s, const ice_region *g);
+/* Lagrangian velocities and energies of the fluids of merged cells, from their sums (ice_merged_step.c). */
+void ice_advance_fluids(const ice *s, ice_merged_cells *p);
+/* The first states, those at the start of a step, and those after advection, of merged cells. */
+floe_status ice_start_fluids(ice *s, const ice_region *g);
+floe_status ice_remerge_fluids(ice *s, const ice_region *g);
+floe_status ice_renew_fluids(ice *s, const ice_region *g);
 
 /* Sets all sums to zero. */
 void ice_clear_merged(ice_merged_cells *p);

@@ -15,24 +15,20 @@
 #include "ice/ice_constants.h"
 #include "ice/shock/ice_shock.h"
 #include "ice/source/ice_source.h"
+#include "ice/state/ice_cells.h"
 #include "ice/state/ice_materials.h"
 
 #include <math.h>
 
 /* Area (m2) of the whole lower or upper face of a member's cell. */
-static double area_of(const ice *s, const ice_member *k, int axis, int side)
+double ice_member_area(const ice *s, const ice_member *k, int axis, int side)
 {
     return mesh_face_area(s->mesh, axis, k->cell[0] + (axis == 0 && side == SIDE_UPPER));
 }
 
-static ptrdiff_t face_of(const ice_view *v, const ice_member *k, int axis, int side)
+ptrdiff_t ice_member_face(const ice_view *v, const ice_member *k, int axis, int side)
 {
     return k->at + (side == SIDE_UPPER ? v->b->stride[axis] : 0);
-}
-
-static const ice_view *view_of(const ice *s, const ice_member *k)
-{
-    return &s->sealing->view[k->block];
 }
 
 static ice_merged_cells *merged_cells_of(const ice *s, const ice_region *g)
@@ -110,7 +106,7 @@ static void from_centre(const piece_walk *w, double x[3])
 static double pressure_on(const piece_walk *w)
 {
     static const double centre[3] = {0.0};
-    const double P = view_of(w->s, w->member)->P[w->member->at];
+    const double P = ice_member_view(w->s, w->member)->P[w->member->at];
     double x[3];
     if (!ice_has_weight(w->s)) return P;
     from_centre(w, x);
@@ -123,7 +119,7 @@ static void force_on(const piece_walk *w, double force[3])
     const ice *s = w->s;
     const cut_piece *q = w->piece;
     const ptrdiff_t at = w->member->at;
-    const ice_view *v = view_of(s, w->member);
+    const ice_view *v = ice_member_view(s, w->member);
     const double P = pressure_on(w);
     const double drag = 2.0 * v->material[0].shear_viscosity / v->finest * piece_size(q);
     for (int a = 0; a < s->mesh->dim; ++a)
@@ -135,25 +131,44 @@ void ice_merged_centring(const ice *s, const ice_region *g)
 {
     const ice_merged_cells *p = merged_cells_of(s, g);
     ice_seal_views(s, g);
-    for (int k = 0; k < p->n; ++k) view_of(s, &p->member[k])->shock[p->member[k].at] = 1.0;
+    for (int k = 0; k < p->n; ++k) ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
 }
 
 static void add_fluxes(const ice *s, ice_merged_cells *p)
 {
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
-        const ice_view *v = view_of(s, m);
+        const ice_view *v = ice_member_view(s, m);
         double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
         sum[MERGED_VOLUME] += m->open * mesh_cell_volume(s->mesh, m->cell[0]);
         for (int f = 0; f < 2 * s->mesh->dim; ++f) {
             const int axis = f / 2, side = f % 2;
             const double out = side == SIDE_UPPER ? 1.0 : -1.0;
-            sum[MERGED_FLUX] +=
-                out * m->face[axis][side] * area_of(s, m, axis, side) * v->flux[axis][face_of(v, m, axis, side)];
+            sum[MERGED_FLUX] += out * m->face[axis][side] * ice_member_area(s, m, axis, side) *
+                                v->flux[axis][ice_member_face(v, m, axis, side)];
         }
     }
     for (piece_walk w = first_piece(s, p); next_piece(&w);)
         p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_FLUX] += w.weight * along_area(&w, w.line->velocity);
+}
+
+/* That of all fluids of a cell together. */
+static double sound_speed(const ice_view *v, ptrdiff_t at)
+{
+    return v->multi ? sqrt(1.0 / (v->kappa_sum[at] * v->rho_sum[at])) : v->m[0].c[at];
+}
+
+/* Several fluids: the volumes of cells that solids fill stay. */
+static void still_elsewhere(const ice *s, const ice_merged_cells *p)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->sealing->view[id];
+        for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);) {
+            if (v->m[0].open[c.at] > 0.0 || p->place[cut_index(s->mesh, c.cell)] >= 0) continue;
+            v->dP[c.at] = 0.0;
+            v->P[c.at] = v->p[c.at];
+        }
+    }
 }
 
 void ice_merged_increment(const ice *s, const ice_region *g)
@@ -162,11 +177,12 @@ void ice_merged_increment(const ice *s, const ice_region *g)
     ice_seal_views(s, g);
     ice_clear_merged(p);
     add_fluxes(s, p);
+    if (g->n > 1) still_elsewhere(s, p);
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->merged]];
-        const ice_view *v = view_of(s, m), *of = view_of(s, lead);
+        const ice_view *v = ice_member_view(s, m), *of = ice_member_view(s, lead);
         const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
-        const double rho = of->m[0].rho[lead->at], c = of->m[0].c[lead->at];
+        const double rho = of->rho_sum[lead->at], c = sound_speed(of, lead->at);
         const double div = sum[MERGED_VOLUME] > 0.0 ? sum[MERGED_FLUX] / sum[MERGED_VOLUME] : 0.0;
         const double squeeze = div < 0.0 ? -v->finest * div : 0.0, dP = -s->dt * div * rho * c * c;
         v->dP[m->at] = dP;
@@ -191,12 +207,12 @@ static double add_weight(const ice *s, const ice_merged_cells *p, const ice_memb
 /* Impulse and work of the faces of a member on its merged cells. */
 static void add_faces(const ice *s, const ice_merged_cells *p, const ice_member *m, double *sum)
 {
-    const ice_view *v = view_of(s, m);
+    const ice_view *v = ice_member_view(s, m);
     const bool viscous = ice_is_viscous(s);
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         const int axis = f / 2, side = f % 2;
-        const ptrdiff_t at = face_of(v, m, axis, side);
-        const double area = (side == SIDE_UPPER ? s->dt : -s->dt) * area_of(s, m, axis, side);
+        const ptrdiff_t at = ice_member_face(v, m, axis, side);
+        const double area = (side == SIDE_UPPER ? s->dt : -s->dt) * ice_member_area(s, m, axis, side);
         const double P = v->P[m->at] + add_weight(s, p, m, axis, side, area, sum);
         sum[MERGED_MOMENTUM + axis] -= area * m->face[axis][side] * (v->fp[axis][at] - P);
         sum[MERGED_WORK] -= area * v->flux[axis][at] * v->fp[axis][at]; /* the flux is of the open part by now */
@@ -254,7 +270,7 @@ static void add_exact_sources(const ice *s, ice_merged_cells *p)
     for (int k = 0; k < p->n; ++k) {
         const ice_member *m = &p->member[k];
         double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
-        sum[MERGED_MASS] += view_of(s, m)->m[0].rho[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
+        sum[MERGED_MASS] += ice_member_view(s, m)->rho_sum[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
         add_faces(s, p, m, sum);
     }
     for (piece_walk w = first_piece(s, p); next_piece(&w);) {
@@ -280,26 +296,20 @@ typedef struct merged_state {
     double u[3], e;
 } merged_state;
 
-/* What gravity does to merged cells, into the ledger; its work (J) is that of its impulse on the mean velocity. */
-static double enter_weight(const ice *s, const ice_member *lead, const double *sum, const double u[3],
-                           const double ul[3])
+void ice_enter_weight(const ice *s, const ice_member *lead, const double *sum, double work)
 {
-    double work = 0.0, x[MESH_MAX_DIM] = {0.0};
+    double x[MESH_MAX_DIM] = {0.0};
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, lead->cell[a]) - lead->above[a];
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        if (sum[MERGED_WEIGHT + a] == 0.0) continue;
-        work += sum[MERGED_WEIGHT + a] * 0.5 * (u[a] + ul[a]);
-        if (a > 0 || s->mesh->geometry != MESH_AXISYMMETRIC)
+    for (int a = 0; a < s->mesh->dim; ++a)
+        if (sum[MERGED_WEIGHT + a] != 0.0 && (a > 0 || s->mesh->geometry != MESH_AXISYMMETRIC))
             ledger_push(s->ledger, LEDGER_SOURCE, a, sum[MERGED_WEIGHT + a], x);
-    }
     if (work != 0.0) ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_SOURCE, work);
-    return work;
 }
 
 static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p, int merged)
 {
     const ice_member *lead = &p->member[p->lead[merged]];
-    const ice_view *v = view_of(s, lead);
+    const ice_view *v = ice_member_view(s, lead);
     const ice_fluid *m = &v->m[0];
     const double *sum = p->sum + (size_t)merged * MERGED_SUMS, mass = sum[MERGED_MASS],
                  floor = v->material[0].energy_floor;
@@ -314,9 +324,10 @@ static merged_state advance_merged_cells(const ice *s, const ice_merged_cells *p
         kinetic += 0.5 * out.u[a] * out.u[a];
     }
     const double rho = m->rho[lead->at], c = m->c[lead->at], before = out.e;
-    double was[3] = {0.0};
-    for (int a = 0; a < s->mesh->dim; ++a) was[a] = m->u[a][lead->at];
-    const double fallen = enter_weight(s, lead, sum, was, out.u);
+    double fallen = 0.0;
+    for (int a = 0; a < s->mesh->dim; ++a)
+        if (sum[MERGED_WEIGHT + a] != 0.0) fallen += sum[MERGED_WEIGHT + a] * 0.5 * (m->u[a][lead->at] + out.u[a]);
+    ice_enter_weight(s, lead, sum, fallen);
     const double conserving = before + (sum[MERGED_WORK] + fallen) / mass - gain;
     const double plain = before + v->P[lead->at] * v->dP[lead->at] / (rho * rho * c * c);
     const bool usable =
@@ -334,17 +345,37 @@ static void keep_elsewhere(const ice *s)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const ice_view *v = &s->sealing->view[id];
-        const ice_fluid *m = &v->m[0];
+        const ice_fluid *m = v->m;
         const ice_rows q = ice_rows_of(v->b, -1, 0);
 #pragma omp parallel for schedule(static)
         for (int row = 0; row < q.n; ++row) {
             const ptrdiff_t base = ice_row_start(v->b, q, row);
             for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) {
-                if (m->open[at] > 0.0) continue;
-                for (int a = 0; a < s->mesh->dim; ++a) m->ul[a][at] = m->u[a][at];
-                m->el[at] = m->e[at];
+                if (m[0].open[at] > 0.0) continue;
+                for (int r = 0; r < v->n_materials; ++r) {
+                    for (int a = 0; a < s->mesh->dim; ++a) m[r].ul[a][at] = m[r].u[a][at];
+                    m[r].el[at] = m[r].e[at];
+                }
+                if (v->multi) v->owed[at] = 0.0;
             }
         }
+    }
+}
+
+static void advance_fluid(const ice *s, ice_merged_cells *p)
+{
+    for (int merged = 0; merged < p->count; ++merged) {
+        const merged_state now = advance_merged_cells(s, p, merged);
+        double *sum = p->sum + (size_t)merged * MERGED_SUMS;
+        for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] = now.u[a];
+        sum[MERGED_WORK] = now.e;
+    }
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k];
+        const ice_fluid *to = &ice_member_view(s, m)->m[0];
+        const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
+        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[MERGED_MOMENTUM + a];
+        to->el[m->at] = sum[MERGED_WORK];
     }
 }
 
@@ -356,19 +387,10 @@ void ice_merged_sources(const ice *s, const ice_region *g)
     ice_clear_merged(p);
     add_exact_sources(s, p);
     enter_surroundings(s, g);
-    for (int merged = 0; merged < p->count; ++merged) {
-        const merged_state now = advance_merged_cells(s, p, merged);
-        double *sum = p->sum + (size_t)merged * MERGED_SUMS;
-        for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] = now.u[a];
-        sum[MERGED_WORK] = now.e;
-    }
-    for (int k = 0; k < p->n; ++k) {
-        const ice_member *m = &p->member[k];
-        const ice_fluid *to = &view_of(s, m)->m[0];
-        const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
-        for (int a = 0; a < s->mesh->dim; ++a) to->ul[a][m->at] = sum[MERGED_MOMENTUM + a];
-        to->el[m->at] = sum[MERGED_WORK];
-    }
+    if (g->n > 1)
+        ice_advance_fluids(s, p);
+    else
+        advance_fluid(s, p);
 }
 
 /* Shares a force on a piece out to the vertices between which it lies. */

@@ -56,23 +56,31 @@ double ice_merged_rise(const ice *s, const ice_merged_cells *p, const ice_member
     const ice_member *lead = &p->member[p->lead[m->merged]];
     double sum = 0.0;
     for (int a = 0; a < s->mesh->dim; ++a) sum += s->gravity[a] * (m->above[a] + from_centre[a]);
-    return s->sealing->view[lead->block].m[0].rho[lead->at] * sum;
+    return s->sealing->view[lead->block].rho_sum[lead->at] * sum;
+}
+
+bool ice_next_seen(const ice *s, const int cell[3], int *id, ptrdiff_t *at)
+{
+    for (; *id < s->mesh->n_blocks; ++*id) {
+        const block *b = &s->mesh->block[*id];
+        bool seen = true;
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const int local = cell[a] - b->lo[a];
+            seen = seen && local >= -MESH_GHOST && local < b->n[a] + MESH_GHOST;
+        }
+        if (!seen) continue;
+        *at = mesh_index(b, cell[0] - b->lo[0], cell[1] - b->lo[1], cell[2] - b->lo[2]);
+        ++*id;
+        return true;
+    }
+    return false;
 }
 
 /* Sets the pressure of a cell in its block, and in those that see it as a ghost. */
 static void set_pressure(const ice *s, const ice_member *m, double p)
 {
-    for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const block *b = &s->mesh->block[id];
-        bool seen = true;
-        for (int a = 0; a < s->mesh->dim; ++a) {
-            const int local = m->cell[a] - b->lo[a];
-            seen = seen && local >= -MESH_GHOST && local < b->n[a] + MESH_GHOST;
-        }
-        if (seen)
-            s->sealing->view[id].p[mesh_index(b, m->cell[0] - b->lo[0], m->cell[1] - b->lo[1], m->cell[2] - b->lo[2])] =
-                p;
-    }
+    ptrdiff_t at;
+    for (int id = 0; ice_next_seen(s, m->cell, &id, &at);) s->sealing->view[id - 1].p[at] = p;
 }
 
 void ice_merged_lift(const ice *s, const ice_region *g)
@@ -107,11 +115,6 @@ typedef struct rest_fill {
     int *queue, n, next; /* cells reached; owned */
 } rest_fill;
 
-static const eos *law_of(const rest_fill *f)
-{
-    return &f->s->material[f->p->region->first].eos;
-}
-
 static void cell_at(const mesh *m, int number, int cell[3])
 {
     cell[0] = number % m->n[0];
@@ -127,32 +130,57 @@ static const ice_view *view_at(const ice *s, const int cell[3], ptrdiff_t *at)
     return v;
 }
 
-static double temperature_at(const ice *s, const int cell[3])
+/* What a cell has, of which the pressure is to be found: volume fractions and temperatures. */
+typedef struct filling {
+    const ice_view *v;
+    double theta[ICE_MAX_MATERIALS], T[ICE_MAX_MATERIALS];
+} filling;
+
+static filling filling_of(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
-    const ice_view *v = view_at(s, cell, &at);
-    const eos *law = &v->material[0].eos;
-    double T;
-    law->model->temperature(law->par, 1, &v->m[0].rho[at], &v->m[0].e[at], &T);
-    return T;
+    filling q = {.v = view_at(s, cell, &at)};
+    for (int r = 0; r < q.v->n_materials; ++r) {
+        const ice_fluid *m = &q.v->m[r];
+        const eos *law = &q.v->material[r].eos;
+        const double density = q.v->multi ? 1.0 / m->vol[at] : m->rho[at];
+        if (!(m->rho[at] > 0.0)) continue;
+        q.theta[r] = q.v->multi ? m->rho[at] * m->vol[at] : 1.0;
+        law->model->temperature(law->par, 1, &density, &m->e[at], &q.T[r]);
+    }
+    return q;
 }
 
+static double density_of(const filling *q, double p)
+{
+    double sum = 0.0;
+    for (int r = 0; r < q->v->n_materials; ++r)
+        if (q->theta[r] > 0.0) sum += q->theta[r] * ice_state_at(&q->v->material[r].eos, p, q->T[r]).rho;
+    return sum;
+}
+
+/* The pressure that a cell was given, of any fluid in it. */
 static double pressure_at(const ice *s, const int cell[3])
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
-    const eos *law = &v->material[0].eos;
-    double p, c2;
-    law->model->pressure(law->par, 1, &v->m[0].rho[at], &v->m[0].e[at], &p, &c2);
+    double p = 0.0, c2;
+    for (int r = 0; r < v->n_materials; ++r) {
+        const eos *law = &v->material[r].eos;
+        const double density = v->multi ? 1.0 / v->m[r].vol[at] : v->m[r].rho[at];
+        if (!(v->m[r].rho[at] > 0.0)) continue;
+        law->model->pressure(law->par, 1, &density, &v->m[r].e[at], &p, &c2);
+        break;
+    }
     return p;
 }
 
-/* Pressure p of a state of temperature T with p = base + weight (share rho(p) + other). */
-static double solve_pressure(const eos *law, double base, double weight, double share, double other, double T)
+/* Pressure p of a cell with p = base + weight (share rho(p) + other). */
+static double solve_pressure(const filling *q, double base, double weight, double share, double other)
 {
     double p = base;
     for (int pass = 0; pass < 60; ++pass) {
-        const double next = base + weight * (share * ice_state_at(law, p, T).rho + other);
+        const double next = base + weight * (share * density_of(q, p) + other);
         if (next == p) break;
         p = next;
     }
@@ -177,10 +205,10 @@ static void reach_beside(rest_fill *f, int number)
 {
     const ice *s = f->s;
     const mesh *m = s->mesh;
-    const eos *law = law_of(f);
     int here[3];
     cell_at(m, number, here);
-    const double rho = ice_state_at(law, f->pressure[number], temperature_at(s, here)).rho;
+    const filling own = filling_of(s, here);
+    const double rho = density_of(&own, f->pressure[number]);
     for (int side = 0; side < 2 * m->dim; ++side) {
         int cell[3] = {here[0], here[1], here[2]};
         const int axis = side / 2, step = side % 2 == SIDE_UPPER ? 1 : -1;
@@ -190,8 +218,8 @@ static void reach_beside(rest_fill *f, int number)
         const int other = (int)cut_index(m, cell);
         if (!isnan(f->pressure[other])) continue;
         const double weight = 0.5 * step * s->gravity[axis] * m->h[axis];
-        mark_reached(f, other,
-                     solve_pressure(law_of(f), f->pressure[number], weight, 1.0, rho, temperature_at(s, cell)));
+        const filling next = filling_of(s, cell);
+        mark_reached(f, other, solve_pressure(&next, f->pressure[number], weight, 1.0, rho));
     }
 }
 
@@ -218,17 +246,23 @@ static int highest_cell(const rest_fill *f, int cells)
     return found;
 }
 
-static void set_state(const ice *s, const int cell[3], ice_reservoir state)
+static void set_state(const ice *s, const int cell[3], const filling *q, double p)
 {
     ptrdiff_t at;
     const ice_view *v = view_at(s, cell, &at);
-    v->m[0].rho[at] = state.rho;
-    v->m[0].e[at] = state.e;
+    for (int r = 0; r < v->n_materials; ++r) {
+        if (!(q->theta[r] > 0.0)) continue;
+        const ice_reservoir state = ice_state_at(&v->material[r].eos, p, q->T[r]);
+        v->m[r].rho[at] = q->theta[r] * state.rho;
+        v->m[r].e[at] = state.e;
+        if (v->multi) v->m[r].vol[at] = state.v;
+    }
+    if (v->multi) field_get(s->domain->fields[v->b->id], C_PRESSURE, v->region, 0)[at] = p;
 }
 
 /* Pressure at the centre of merged cells: the one that balances that of a whole cell above or below it. Where it has none, that
  * of their largest cell. */
-static double balance_merged_cell(const rest_fill *f, int merged, double T)
+static double balance_merged_cell(const rest_fill *f, int merged, const filling *own)
 {
     const ice *s = f->s;
     const mesh *m = s->mesh;
@@ -243,30 +277,32 @@ static double balance_merged_cell(const rest_fill *f, int merged, double T)
             if (f->p->place[cut_index(m, cell)] >= 0 || !(q->open > 0.0) || !has_gas(s, cell)) continue;
             if (!(ice_open_face(s, f->p->region->number, SEAL_NOW, q->cell, axis, side % 2) > 0.0)) continue;
             ptrdiff_t at;
-            const double rho = view_at(s, cell, &at)->m[0].rho[at], half = 0.5 * step * s->gravity[axis] * m->h[axis];
+            const ice_view *v = view_at(s, cell, &at);
+            double rho = 0.0;
+            for (int r = 0; r < v->n_materials; ++r) rho += v->m[r].rho[at];
+            const double half = 0.5 * step * s->gravity[axis] * m->h[axis];
             double lever = 0.0;
             for (int a = 0; a < m->dim; ++a) lever += s->gravity[a] * q->above[a];
             /* p + rho' lever = p_cell - half (rho + rho') */
-            return solve_pressure(law_of(f), f->pressure[cut_index(m, cell)] - half * rho, -1.0, half + lever, 0.0, T);
+            return solve_pressure(own, f->pressure[cut_index(m, cell)] - half * rho, -1.0, half + lever, 0.0);
         }
     }
     double lever = 0.0;
     for (int a = 0; a < m->dim; ++a) lever += s->gravity[a] * lead->above[a];
-    return solve_pressure(law_of(f), f->pressure[cut_index(m, lead->cell)], -1.0, lever, 0.0, T);
+    return solve_pressure(own, f->pressure[cut_index(m, lead->cell)], -1.0, lever, 0.0);
 }
 
 static void fill_merged_cells(const rest_fill *f)
 {
     const ice *s = f->s;
-    const eos *law = law_of(f);
     for (int n = 0; n < f->p->count; ++n) {
         const ice_member *lead = &f->p->member[f->p->lead[n]];
         if (!has_gas(s, lead->cell)) continue;
-        const double T = temperature_at(s, lead->cell);
-        const ice_reservoir state = ice_state_at(law, balance_merged_cell(f, n, T), T);
+        const filling own = filling_of(s, lead->cell);
+        const double p = balance_merged_cell(f, n, &own);
         for (int k = 0; k < f->p->n; ++k)
             if (f->p->member[k].merged == n && has_gas(s, f->p->member[k].cell))
-                set_state(s, f->p->member[k].cell, state);
+                set_state(s, f->p->member[k].cell, &own, p);
     }
 }
 
@@ -285,8 +321,8 @@ static void fill_regions(rest_fill *f, int cells)
         int cell[3];
         cell_at(s->mesh, f->queue[k], cell);
         if (f->p->place[f->queue[k]] >= 0) continue;
-        const double T = temperature_at(s, cell);
-        set_state(s, cell, ice_state_at(law_of(f), f->pressure[f->queue[k]], T));
+        const filling own = filling_of(s, cell);
+        set_state(s, cell, &own, f->pressure[f->queue[k]]);
     }
     fill_merged_cells(f);
 }

@@ -6,9 +6,12 @@
 #include "ice/sealed/ice_merged_cells.h"
 
 #include "ice/equilibrium/ice_equilibrium.h"
+#include "ice/exchange/ice_exchange.h"
 #include "ice/flux/ice_flux.h"
+#include "ice/fraction/ice_fraction.h"
 #include "ice/ice_constants.h"
 #include "ice/pressure/ice_pressure.h"
+#include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_cells.h"
 
@@ -36,6 +39,10 @@ static void mark_open(const ice *s, const ice_region *g)
                 const ptrdiff_t at = mesh_index(v->b, i, j, k);
                 v->shock[at] = m->open[at] > 0.0 ? 1.0 : 0.0;
                 if (m->open[at] > 0.0) continue;
+                if (v->multi) {
+                    ice_rest_fluids(s, v, at);
+                    continue;
+                }
                 m->rho[at] = rest->density;
                 m->e[at] = rest->energy;
                 for (int a = 0; a < s->mesh->dim; ++a) m->u[a][at] = 0.0;
@@ -45,18 +52,13 @@ static void mark_open(const ice *s, const ice_region *g)
 
 static void fill_state(const ice *s, const ice_region *g)
 {
-    ice_fill_ghosts(s, C_RHO, g->first, FILL_CURRENT, GHOST_DENSITY);
-    ice_fill_ghosts(s, C_VEL, g->first, FILL_CURRENT, GHOST_VELOCITY);
-    ice_fill_ghosts(s, C_ENERGY, g->first, FILL_CURRENT, GHOST_ENERGY);
+    for (int r = g->first; r < g->first + g->n; ++r) {
+        ice_fill_ghosts(s, C_RHO, r, FILL_CURRENT, GHOST_DENSITY);
+        ice_fill_ghosts(s, C_VEL, r, FILL_CURRENT, GHOST_VELOCITY);
+        ice_fill_ghosts(s, C_ENERGY, r, FILL_CURRENT, GHOST_ENERGY);
+        if (g->n > 1) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
+    }
     ice_fill_ghosts(s, C_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
-}
-
-/* Way to cell c of those around, along axis 0 first. */
-static ptrdiff_t neighbour(const block *b, int c)
-{
-    ptrdiff_t way = (c % 3 - 1) * b->stride[0];
-    if (b->dim > 1) way += (c / 3 % 3 - 1) * b->stride[1];
-    return b->dim > 2 ? way + (c / 9 - 1) * b->stride[2] : way;
 }
 
 /* Extrapolates a state into a cell without the gas: the mean of its neighbours with marks of at least `least`. */
@@ -66,7 +68,7 @@ static void extrapolate_state(const ice_view *v, ptrdiff_t at, double least)
     double n = 0.0, rho = 0.0, e = 0.0, u[3] = {0.0};
     const int around = v->b->dim == 1 ? 3 : v->b->dim == 2 ? 9 : 27;
     for (int c = 0; c < around; ++c) {
-        const ptrdiff_t from = at + neighbour(v->b, c);
+        const ptrdiff_t from = at + ice_way_to(v->b, c);
         if (!(v->shock[from] >= least)) continue;
         n += 1.0;
         rho += m->rho[from];
@@ -92,7 +94,7 @@ static void extrapolate_layers(const ice *s, const ice_region *g)
             for (int row = 0; row < q.n; ++row) {
                 const ptrdiff_t base = mesh_index(v->b, 0, ice_row_j(q, row), ice_row_k(q, row));
                 for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at)
-                    if (v->shock[at] < least) extrapolate_state(v, at, least);
+                    if (v->shock[at] < least) (v->multi ? ice_extrapolate_fluids : extrapolate_state)(v, at, least);
             }
         }
     }
@@ -102,8 +104,10 @@ static floe_status extrapolate_states(ice *s, const ice_region *g)
 {
     TRY(ice_merge_cells(s, MERGE_BEFORE, &s->sealing->now[g->number]));
     ice_seal_views(s, g);
+    if (g->n > 1) TRY(ice_remerge_fluids(s, g));
     mark_open(s, g);
     extrapolate_layers(s, g);
+    if (g->n > 1) ice_join_covered(s, g);
     return FLOE_OK;
 }
 
@@ -118,7 +122,10 @@ floe_status ice_sealed_ghosts(ice *s)
 static floe_status find_pressure(ice *s, const ice_region *g)
 {
     TRY(ice_equilibrium_pressure_of(s, g));
+    if (g->n > 1) ice_agree_closed(s, g);
     if (ice_has_weight(s)) ice_merged_lift(s, g);
+    if (g->n > 1) TRY(ice_find_interfaces_of(s, g));
+    if (g->n > 1) ice_agree_interfaces(s, g);
     return FLOE_OK;
 }
 
@@ -164,7 +171,7 @@ static double side_aperture(const ice *s, int region, const block *b, const int 
                          side);
 }
 
-const ice_cut_geometry ice_sealed_geometry = {side_aperture, ice_is_merged};
+const ice_cut_geometry ice_sealed_geometry = {side_aperture, ice_is_merged, ice_bound_merged};
 
 /* ---- after the points have moved ---- */
 
@@ -190,12 +197,24 @@ static floe_status apply_apertures(ice *s, const ice_region *g)
 #pragma omp parallel for schedule(static)
             for (int row = 0; row < q.n; ++row) {
                 const int j = ice_row_j(q, row), k = ice_row_k(q, row);
-                for (int i = 0; i < v->b->n[0] + (axis == 0); ++i)
-                    v->m[0].fu[axis][mesh_index(v->b, i, j, k)] *= mean_open(s, g, v->b, axis, i, j, k);
+                for (int i = 0; i < v->b->n[0] + (axis == 0); ++i) {
+                    const ptrdiff_t face = mesh_index(v->b, i, j, k);
+                    const double share = mean_open(s, g, v->b, axis, i, j, k);
+                    for (int r = 0; r < v->n_materials; ++r) v->m[r].fu[axis][face] *= share;
+                    if (v->multi) v->flux[axis][face] *= share;
+                }
             }
         }
     }
     return FLOE_OK;
+}
+
+/* What several fluids of a cell do to each other is that of whole cells (theory 2.9, 2.10). */
+static floe_status exchange_among(ice *s, const ice_region *g)
+{
+    TRY(ice_exchange_of(s, g));
+    ice_agree_exchanged(s, g);
+    return ice_specific_volume_of(s, g);
 }
 
 /* Cells that the boundary uncovers in the step are merged by now: work is done on the gas that flows into them. */
@@ -206,7 +225,8 @@ static floe_status find_sources(ice *s, const ice_region *g)
     TRY(apply_apertures(s, g));
     ice_find_sources(s, g);
     ice_merged_sources(s, g);
-    return ice_finish_sources(s, g);
+    TRY(ice_finish_sources(s, g));
+    return g->n > 1 ? exchange_among(s, g) : FLOE_OK;
 }
 
 floe_status ice_sealed_sources(ice *s)
@@ -236,27 +256,32 @@ static void add_contents(const ice *s, const ice_member *k, double *sum)
     sum[MERGED_VOLUME] += k->open * volume;
 }
 
-/* Cells away from the boundary that are closed to the gas are empty. */
-static void empty_elsewhere(const ice *s, const ice_region *g)
+static void renew_open(const ice *s, const ice_region *g)
 {
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const ice_view *v = &s->sealing->view[id];
-        const ice_fluid *m = &v->m[0];
-        const ice_rows q = ice_rows_of(v->b, -1, 0);
-        for (int row = 0; row < q.n; ++row)
-            for (int i = 0; i < v->b->n[0]; ++i) {
-                const int j = ice_row_j(q, row), k = ice_row_k(q, row);
-                const ptrdiff_t at = mesh_index(v->b, i, j, k);
-                m->open1[at] = ice_open_cell(s, g->number, SEAL_NEXT,
-                                             (const int[]){v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k});
-                if (m->open1[at] > 0.0) continue;
-                m->rho1[at] = m->e1[at] = 0.0;
-                for (int a = 0; a < s->mesh->dim; ++a) m->u1[a][at] = 0.0;
+        for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);)
+            for (int r = 0; r < v->n_materials; ++r)
+                v->m[r].open1[c.at] = ice_open_cell(s, g->number, SEAL_NEXT, c.cell);
+    }
+}
+
+/* Cells away from the boundary that are closed to the gas are empty. */
+static void empty_elsewhere(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->sealing->view[id];
+        for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);)
+            for (int r = 0; r < v->n_materials; ++r) {
+                const ice_fluid *m = &v->m[r];
+                if (m->open1[c.at] > 0.0) continue;
+                m->rho1[c.at] = m->e1[c.at] = 0.0;
+                for (int a = 0; a < s->mesh->dim; ++a) m->u1[a][c.at] = 0.0;
             }
     }
 }
 
-static floe_status bad_merged_cells(const ice *s, const ice_merged_cells *p, int merged, double e)
+floe_status ice_bad_merged_cells(const ice *s, const ice_merged_cells *p, int merged, double e)
 {
     const double *sum = p->sum + (size_t)merged * MERGED_SUMS;
     const ice_member *lead = &p->member[p->lead[merged]];
@@ -305,7 +330,7 @@ static floe_status share_out(ice *s, const ice_merged_cells *p, bool next)
         const double rho = sum[MERGED_MASS] / sum[MERGED_VOLUME];
         const eos *law = &s->material[p->region->first].eos;
         if (!(rho > 0.0) || !isfinite(rho) || !(sum[MERGED_WORK] > law->model->energy_floor(law->par, rho)))
-            return bad_merged_cells(s, p, merged, sum[MERGED_WORK]);
+            return ice_bad_merged_cells(s, p, merged, sum[MERGED_WORK]);
         sum[MERGED_MASS] = rho;
     }
     for (int k = 0; k < p->n; ++k) {
@@ -331,9 +356,15 @@ static floe_status advect_gas(ice *s, const ice_region *g)
     ice_seal_views(s, g);
     TRY(ice_merge_cells(s, MERGE_AFTER, p));
     ledger_tally(s->ledger, COUNT_CELLS_MERGED, p->n - p->count);
+    renew_open(s, g);
+    if (g->n > 1) {
+        TRY(ice_renew_fluids(s, g));
+        empty_elsewhere(s);
+        return FLOE_OK;
+    }
     ice_clear_merged(p);
     for (int k = 0; k < p->n; ++k) add_contents(s, &p->member[k], p->sum + (size_t)p->member[k].merged * MERGED_SUMS);
-    empty_elsewhere(s, g);
+    empty_elsewhere(s);
     return share_out(s, p, true);
 }
 
@@ -360,6 +391,13 @@ static void add_first_contents(const ice *s, const ice_member *k, double *sum)
     sum[MERGED_VOLUME] += volume;
 }
 
+static bool holds_fluid(const ice_view *v, ptrdiff_t at)
+{
+    for (int r = 0; r < v->n_materials; ++r)
+        if (v->m[r].rho[at] > 0.0) return true;
+    return false;
+}
+
 /* Checks that bodies fill the open volume of every gas. */
 static floe_status find_empty(const ice *s)
 {
@@ -370,7 +408,7 @@ static floe_status find_empty(const ice *s)
             for (int i = 0; i < v->b->n[0]; ++i) {
                 const int j = ice_row_j(q, row), k = ice_row_k(q, row);
                 const ptrdiff_t at = mesh_index(v->b, i, j, k);
-                if (!(v->m[0].open[at] > 0.0) || v->m[0].rho[at] > 0.0) continue;
+                if (!(v->m[0].open[at] > 0.0) || holds_fluid(v, at)) continue;
                 return fail_key(
                     s->ctx, KEY("ambient"),
                     "the membrane leaves cell (%d, %d) at (%g, %g) to gas '%s', and no body of it is there: let "
@@ -389,9 +427,10 @@ static floe_status start_gas(ice *s, const ice_region *g)
     ice_seal_views(s, g);
     TRY(ice_merge_cells(s, MERGE_BEFORE, p));
     ice_clear_merged(p);
-    for (int k = 0; k < p->n; ++k)
+    if (g->n > 1) TRY(ice_start_fluids(s, g));
+    for (int k = 0; k < p->n && g->n == 1; ++k)
         add_first_contents(s, &p->member[k], p->sum + (size_t)p->member[k].merged * MERGED_SUMS);
-    TRY(share_out(s, p, false));
+    if (g->n == 1) TRY(share_out(s, p, false));
     return find_empty(s);
 }
 
@@ -404,24 +443,40 @@ floe_status ice_sealed_merge_start(ice *s)
 
 floe_status ice_sealed_pressure_stages(ice *s)
 {
-    STAGE(s, ALWAYS, ice_sealed_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN), WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK));
-    STAGE(s, ALWAYS, ice_sealed_pressure, READS(C_RHO, C_ENERGY), WRITES(C_PRESSURE, C_SOUND));
-    STAGE(s, ALWAYS, ice_sealed_velocity, READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND), WRITES(F_VEL, C_SHOCK));
-    STAGE(s, ALWAYS, ice_sealed_increment, READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK),
-          WRITES(C_DP, C_PRESSURE_ADVANCED));
-    STAGE(s, ALWAYS, ice_sealed_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO), WRITES(F_PRESSURE));
+    const bool m = ice_is_mixture(s);
+    STAGE(s, ALWAYS, ice_sealed_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
+          WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE)));
+    STAGE(s, ALWAYS, ice_sealed_pressure,
+          READS(C_RHO, C_ENERGY, WHEN(m, C_VEL), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_PRESSURE)),
+          WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
+                 WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
+                 WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND)));
+    STAGE(s, ALWAYS, ice_sealed_velocity,
+          READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL)),
+          WRITES(F_VEL, C_SHOCK));
+    STAGE(s, ALWAYS, ice_sealed_increment,
+          READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
+                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE)),
+          WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
+    STAGE(s, ALWAYS, ice_sealed_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)),
+          WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sealed_load, READS(C_PRESSURE_ADVANCED), WRITES(NOTHING));
     return FLOE_OK;
 }
 
 floe_status ice_sealed_flow_stages(ice *s)
 {
+    const bool m = ice_is_mixture(s);
     STAGE(s, ALWAYS, ice_sealed_sources,
-          READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE),
-          WRITES(C_VEL_L, C_ENERGY_L, F_VEL));
+          READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
+                WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
+                WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, C_SHOCK)),
+          WRITES(C_VEL_L, C_ENERGY_L, F_VEL, WHEN(m, F_FLUX), WHEN(m, C_HEAT_OWED), WHEN(m, C_VOLUME_L)));
     STAGE(s, ALWAYS, ice_sealed_advect,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, C_SOUND, C_VEL_L,
-                C_ENERGY_L),
-          WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L));
+                C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM),
+                WHEN(m, C_RHO_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, F_THETA)),
+          WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L)));
     return FLOE_OK;
 }

@@ -18,6 +18,10 @@ ice_face_diffusion ice_sealed_stress(const ice_view *v, int axis, ptrdiff_t R, p
 /* Radial force per volume of the hoop stress on a cell; 0 in the plane. */
 double ice_sealed_hoop(const ice_view *v, ptrdiff_t at, ptrdiff_t i);
 
+/* P dP of a cell (theory 2.7), and what a fluid among several gains by it per mass (2.8 i). */
+double ice_compression_work(const ice_view *v, ptrdiff_t at);
+double ice_reversible_gain(const ice_view *v, int r, ptrdiff_t at, double work);
+
 /* Lagrangian values of a region's fluids. Its parts: those of whole cells; what sides and loads do, and the tiles into the ledger. */
 floe_status ice_sources_of(ice *s, const ice_region *g);
 void ice_find_sources(ice *s, const ice_region *g);

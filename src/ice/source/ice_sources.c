@@ -66,6 +66,11 @@ FLOE_ALWAYS_INLINE double compression_work(const double *advanced, const double 
     return (dP < 0.0 && p < P ? p : P) * dP;
 }
 
+double ice_compression_work(const ice_view *v, ptrdiff_t at)
+{
+    return compression_work(v->P, v->p, v->dP, at);
+}
+
 /* One fluid, as its rows are worked on. */
 typedef struct single {
     pressed faces;
@@ -109,7 +114,7 @@ FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve
 
 /* A fluid's gain of energy per mass by the reversible work of dP: P dP, and where its volume changes by more than a twentieth, what its isentrope
  * has between the volumes (ice_volume.c), since a trace of gas in a liquid would else gain in one step what it expands against. */
-static double reversible_gain(const ice_view *v, int r, ptrdiff_t at, double work)
+double ice_reversible_gain(const ice_view *v, int r, ptrdiff_t at, double work)
 {
     const ice_fluid *m = &v->m[r];
     const double linear = m->theta[at] * m->kappa[at] * work / m->rho[at], squeeze = m->kappa[at] * v->dP[at];
@@ -173,7 +178,7 @@ FLOE_ALWAYS_INLINE int multi_row(const ice_view *v, int j, int k, bool conserve,
             if (points[r]) continue;
             const double theta = m->theta[at], trace_factor = !beside ? 1.0 : fmin(1.0, theta / ICE_FULL_HEAT);
             if (shared && m->rho[at] > 0.0) {
-                const double gained = reversible_gain(v, r, at, plain);
+                const double gained = ice_reversible_gain(v, r, at, plain);
                 m->el[at] = m->e[at] + gained;
                 given += m->rho[at] * gained;
                 continue;

@@ -91,7 +91,7 @@ static int first_beside(const surface_markers *k)
 /* Chains along which bodies are in touch are the first fluid's, which finds nothing there. */
 static bool holds_back(int beside, int fluid, int first)
 {
-    return beside == fluid || (beside < 0 && fluid == first);
+    return fluid < 0 || beside == fluid || (beside < 0 && fluid == first);
 }
 
 floe_status mpm_boundary_beside(mpm *s, int fluid, bool next, cut_surface *out)

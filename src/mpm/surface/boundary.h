@@ -19,7 +19,7 @@ int mpm_fluid_at(const scene *s, int dim, const double x[3]);
  * point is lost. */
 floe_status mpm_boundary_vertices(mpm *s, int body, bool next, cut_surface *out);
 /* With a sharp interface: vertices from the markers of all surfaces, and chains of those that bound a fluid, by its
- * number in the scene. The functions below use them for any body. */
+ * number in the scene; -1: any. The functions below use them for any body. */
 floe_status mpm_boundary_beside(mpm *s, int fluid, bool next, cut_surface *out);
 /* Velocities (m/s) of the vertices, three numbers each. */
 void mpm_boundary_velocity(const mpm *s, int body, const cut_surface *c, double *velocity);
