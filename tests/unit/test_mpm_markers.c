@@ -51,19 +51,26 @@ static void test_facing(void **unused)
 static void test_pins(void **unused)
 {
     (void)unused;
-    for (int dim = 2; dim <= 3; ++dim) {
+    for (int k = 0; k < 4; ++k) {
         trial t;
+        const int dim = 2 + k / 2;
+        const double corner = k % 2 ? 0.8 : 0.0;
         make_shell(&t, dim, 0.1, 1.0);
+        for (int a = 0; a < dim; ++a) {
+            set_sides(&t, a, BC_SYMMETRY, BC_SYMMETRY);
+            shape_number(&t.scene->body[0].shape, "centre", a, corner);
+        }
         coupled_start(&t);
-        const surface_markers *k = &t.sim->mpm->surfaces->markers;
+        const double *end = k % 2 ? t.sim->mesh.upper : t.sim->mesh.lower;
+        const surface_markers *m = &t.sim->mpm->surfaces->markers;
         int pinned = 0;
-        for (size_t i = 0; i < k->n; ++i) {
+        for (size_t i = 0; i < m->n; ++i) {
             int wanted = 0;
-            for (int a = 0; a < dim; ++a) wanted |= k->now[i].x[a] == 0.0 ? 1 << a : 0;
-            assert_int_equal(k->pin[i], wanted);
+            for (int a = 0; a < dim; ++a) wanted |= m->now[i].x[a] == end[a] ? 1 << a : 0;
+            assert_int_equal(m->pin[i], wanted);
             pinned += wanted > 0;
         }
-        check_true(pinned >= (dim == 2 ? 4 : 30) && pinned < (int)k->n);
+        check_true(pinned >= (dim == 2 ? 4 : 30) && pinned < (int)m->n);
         trial_end(&t);
     }
 }
