@@ -152,6 +152,16 @@ static floe_status needs_no_exchange(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
+/* Only where points fill a part of cells. */
+static floe_status needs_no_relaxation(const scene *s, const mesh *m)
+{
+    (void)m;
+    if (s->method.volume_relaxation == 0.0) return FLOE_OK;
+    return fail_key(
+        s->ctx, KEY("method", "volume_relaxation"),
+        "beside a sharp interface no cell has volume to be relaxed: leave it out, or use interface smeared");
+}
+
 static void name_place(int dim, const double x[3], char *place, size_t size)
 {
     if (dim == 1)
@@ -392,6 +402,7 @@ static const requirement requirements[] = {
     {needs_explicit_pressure, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_plain_gas, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_no_exchange, OF_SURFACES | OF_AUTO},
+    {needs_no_relaxation, OF_SURFACES | OF_AUTO},
     {suits_no_contact, OF_AUTO},
     {suits_no_sources, OF_AUTO},
     {suits_no_flight_out, OF_AUTO},

@@ -97,5 +97,5 @@ rid above
 : >above
 kill -CONT "$pid"
 ended 4
-has stderr "cannot be made anew"
+grep -qE 'cannot be made anew|was removed meanwhile' stderr || fault 'the run does not say that its folder has gone'
 has stderr 'there is no checkpoint'

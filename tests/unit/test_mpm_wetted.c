@@ -45,7 +45,7 @@ static void make_wall(wall *w, context *ctx, uint64_t *seed, int n, slip_rule ru
         *node = (wetted_node){.at = {5, 5, 3 + k}};
         w->member[k] = k;
         for (int g = 0; g < 2; ++g) {
-            node->mass[g] = check_random(seed, 0.1, 3.0);
+            node->mass[g] = node->inertia[g] = check_random(seed, 0.1, 3.0);
             random_vector(seed, node->before[g]);
             random_vector(seed, node->gained[g]);
             for (int c = 0; c < 3; ++c) node->v[g][c] = node->before[g][c] + node->gained[g][c];
@@ -127,7 +127,7 @@ static void test_merged(void **state)
             w.wetted.density = 1e4; /* a tenth of a cell's mass is 1 kg */
             for (int k = 0; k < n && no_wall; ++k)
                 for (int c = 0; c < 3; ++c) w.node[k].area[c] *= 0.01;
-            if (!no_wall) w.node[light].mass[part] *= 1e-6;
+            if (!no_wall) w.node[light].inertia[part] = w.node[light].mass[part] *= 1e-6;
             memcpy(was, w.node, sizeof was);
             wetted_constrain_line(&w.s, 0);
             (void)check_momenta(&w, was);
