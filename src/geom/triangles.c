@@ -88,7 +88,7 @@ static void look_at_triangles(const triangle_surface *t, const triangle_box *b, 
 double triangles_level(const triangle_surface *t, const double x[3])
 {
     int stack[STACK], depth = 0;
-    nearest_feature best = {.distance2 = HUGE_VAL};
+    nearest_feature best = {.distance2 = HUGE_VAL, .normal = t->triangle[0].normal[0]}; /* none is empty */
     stack[depth++] = 0;
     while (depth > 0) {
         const int at = stack[--depth];
@@ -223,12 +223,18 @@ static int by_position(const void *a, const void *b)
     return p->number - q->number;
 }
 
+/* By value: a zero with a sign is at the same place as one without. */
+static bool is_same_place(const double a[3], const double b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /* Corners at one position are one vertex. Triangles of which two corners are one are left out: nothing ends at them. */
 static void join_corners(triangle_surface *t, placed_corner *sorted, int n, double (*x)[3])
 {
-    qsort(sorted, (size_t)(3 * n), sizeof *sorted, by_position);
+    qsort(sorted, 3 * (size_t)n, sizeof *sorted, by_position);
     for (int i = 0; i < 3 * n; i++) {
-        const bool same = i > 0 && memcmp(sorted[i].x, sorted[i - 1].x, sizeof sorted[i].x) == 0;
+        const bool same = i > 0 && is_same_place(sorted[i].x, sorted[i - 1].x);
         if (!same) memcpy(x[t->n_vertices++], sorted[i].x, sizeof *x);
         t->triangle[sorted[i].number / 3].corner[sorted[i].number % 3] = t->n_vertices - 1;
     }

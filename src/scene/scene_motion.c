@@ -84,13 +84,19 @@ void motion_largest(const scene_motion *m, double t, double speed[3], double *sp
     *spin = fmax(*spin, fabs(m->spin[next]));
 }
 
+/* NAN, which stands for what is not given, is equal to itself here. */
+static bool are_equal(const double *a, const double *b, size_t n)
+{
+    for (size_t k = 0; k < n; ++k)
+        if (!(a[k] == b[k] || (isnan(a[k]) && isnan(b[k])))) return false;
+    return true;
+}
+
 bool motion_equal(const scene_motion *a, const scene_motion *b)
 {
     if (a->kind == MOTION_FIXED && b->kind == MOTION_FIXED) return true;
     if (a->kind != MOTION_DRIVEN || b->kind != MOTION_DRIVEN || a->n != b->n) return false;
     const size_t n = (size_t)a->n;
-    return memcmp(a->time, b->time, n * sizeof *a->time) == 0 &&
-           memcmp(a->velocity, b->velocity, n * sizeof *a->velocity) == 0 &&
-           memcmp(a->spin, b->spin, n * sizeof *a->spin) == 0 && memcmp(a->about, b->about, sizeof a->about) == 0 &&
-           memcmp(a->axis, b->axis, sizeof a->axis) == 0;
+    return are_equal(a->time, b->time, n) && are_equal(a->velocity[0], b->velocity[0], 3 * n) &&
+           are_equal(a->spin, b->spin, n) && are_equal(a->about, b->about, 3) && are_equal(a->axis, b->axis, 3);
 }
