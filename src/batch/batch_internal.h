@@ -1,4 +1,4 @@
-/* The parts of a batch. Private to src/study. */
+/* The parts of a batch. Private to src/batch. */
 #ifndef BATCH_BATCH_INTERNAL_H
 #define BATCH_BATCH_INTERNAL_H
 

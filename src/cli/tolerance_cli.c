@@ -39,10 +39,11 @@ int tolerance_cli_run(cli *c, const tolerance_arguments *a, const tolerance_run_
                                  .metric = a->metric,
                                  .budget = a->budget};
     c->quiet = run->quiet;
-    const floe_status status = tolerance_run(&result, c->ctx, &o);
+    floe_status status = tolerance_run(&result, c->ctx, &o);
     if ((status == FLOE_OK || status == FLOE_MISSED_BAR) && !run->quiet) {
-        tolerance_print(result, stdout);
+        const floe_status printed = tolerance_print(result, stdout);
         printf("results: %s; all cases: %s/cases\n", o.dir, o.dir);
+        if (status == FLOE_OK) status = printed;
     }
     tolerance_destroy(&result);
     return status == FLOE_OK ? 0 : cli_fail(c, status);

@@ -1,7 +1,6 @@
 #include "study/crossed.h"
 
 #include "base/memory.h"
-#include "io/file.h"
 
 #include <string.h>
 
@@ -70,33 +69,4 @@ json_t *axis_values_json(const char (*value)[SCENE_VALUE], int n)
     json_t *values = json_array();
     for (int i = 0; i < n; i++) json_array_append_new(values, json_string(value[i]));
     return values;
-}
-
-void csv_append_field(strbuf *out, const char *text)
-{
-    strbuf_append_csv(out, text);
-    strbuf_append(out, ",");
-}
-
-floe_status csv_write_rows(strbuf *rows, const char *dir, const char *stem)
-{
-    char path[4096];
-    (void)snprintf(path, sizeof path, "%s/%s.csv", dir, stem);
-    const floe_status status =
-        rows->status == FLOE_OK ? file_replace_text(rows->ctx, path, strbuf_string(rows)) : rows->status;
-    strbuf_free(rows);
-    return status;
-}
-
-int width_at_least(int width, const char *text)
-{
-    const int length = (int)strlen(text);
-    return length > width ? length : width;
-}
-
-int axis_width(const scene_axis *axis, const char *name, int least)
-{
-    int width = width_at_least(least, name);
-    for (int i = 0; i < axis->n_values; i++) width = width_at_least(width, axis->value[i]);
-    return width;
 }

@@ -1,5 +1,5 @@
-/* Cases of crossed axes, as study, compare, stability and runs to a tolerance all have them: combinations, the settings
- * that make a case of the deck, and how both are told in JSON, CSV and tables. */
+/* Cases of crossed axes, as study, compare, stability and runs to a tolerance all have them: combinations, and the
+ * settings that make a case of the deck. */
 #ifndef STUDY_CROSSED_H
 #define STUDY_CROSSED_H
 
@@ -31,14 +31,5 @@ void case_settings_pick(case_settings *c, const scene_axis *axis, int pick);
 /* {key: value} of a combination; [value, ...]. */
 json_t *crossed_json(const scene_axis *axis, int n, const int *pick);
 json_t *axis_values_json(const char (*value)[SCENE_VALUE], int n);
-
-/* A field of CSV with the comma behind it. */
-void csv_append_field(strbuf *out, const char *text);
-/* DIR/STEM.csv of the rows, which are freed whatever comes back. */
-floe_status csv_write_rows(strbuf *rows, const char *dir, const char *stem);
-
-/* The larger of a width and a text's length; the width of a column of an axis under the heading `name`. */
-int width_at_least(int width, const char *text);
-int axis_width(const scene_axis *axis, const char *name, int least);
 
 #endif

@@ -17,37 +17,71 @@ static void say_other_builds(const study *s)
                     n);
 }
 
-static floe_status write_all(const study *s)
+floe_status study_write(const study *s)
 {
     TRY(study_write_json(s));
     TRY(study_write_csv(s));
     return study_write_figures(s);
 }
 
-/* The cases, then the timed runs; when stopped on the way, what there is. */
-static floe_status run_all(study *s)
+/* A study as a judge: the cases are the first round, the timed runs the second one. */
+typedef struct studying {
+    study *s;
+    int rounds;
+    study_timed timed; /* owned */
+} studying;
+
+static floe_status want_next(void *of, case_round *round)
 {
-    batch_options batch = study_batch_options(s);
-    batch.go_on = !s->options->again;
-    floe_status status = batch_run(s->ctx, &batch, s->run, s->n);
-    if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
+    studying *r = of;
+    study *s = r->s;
+    round->batch = study_batch_options(s);
+    if (r->rounds == 0) {
+        round->batch.go_on = !s->options->again;
+        round->list = s->run;
+        round->n = s->n;
+    } else if (r->rounds == 1) {
+        TRY(study_list_timed(s, &r->timed, round));
+    }
+    r->rounds++;
+    return FLOE_OK;
+}
+
+static floe_status take_cases(void *of, const case_round *round)
+{
+    const studying *r = of;
+    study *s = r->s;
+    if (round->list != s->run) {
+        study_take_timed(s, &r->timed);
+        return FLOE_OK;
+    }
     say_other_builds(s);
     study_take_values(s);
     study_judge(s);
     if (s->options->spoil) TRY(study_spoil(s));
     study_take_times(s);
-    return status == FLOE_OK ? study_time(s) : status;
+    return FLOE_OK;
+}
+
+static floe_status write_results(void *of)
+{
+    return study_write(((const studying *)of)->s);
+}
+
+static floe_status check_results(void *of)
+{
+    return study_check_results(((const studying *)of)->s);
 }
 
 static floe_status run_study(study *s)
 {
+    static const case_judge judge = {want_next, take_cases, write_results, check_results};
+    studying r = {.s = s};
     TRY(study_make_plan(s));
-    const floe_status status = run_all(s);
-    if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
-    const floe_status written = write_all(s);
-    if (status != FLOE_OK) return status;
-    TRY(written);
-    return study_check_results(s);
+    const floe_status status = judge_cases(s->ctx, &judge, &r);
+    memory_free(s->ctx, &r.timed.list);
+    memory_free(s->ctx, &r.timed.index);
+    return status;
 }
 
 floe_status study_run(study **out, context *ctx, const study_options *options)

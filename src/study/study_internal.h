@@ -3,7 +3,9 @@
 #define STUDY_STUDY_PARTS_H
 
 #include "io/csv.h"
+#include "study/judge.h"
 #include "study/study.h"
+#include "study/table.h"
 #include "verify/richardson.h"
 
 /* study_plan.c: axes, cases, groups; every case's deck is checked. */
@@ -17,8 +19,16 @@ const char *study_over_label(const study *s);
 /* study_timing.c */
 /* Fills the timings by what the runs themselves took. */
 void study_take_times(study *s);
-/* After that: the timed runs, alone and on one thread, in DIR/timing. */
-floe_status study_time(study *s);
+/* The timed runs after that, alone and on one thread, in DIR/timing. */
+typedef struct study_timed {
+    batch_case *list; /* n; owned by the caller */
+    size_t *index;    /* of the case of each; likewise */
+    size_t n;
+    char dir[BATCH_PATH];
+} study_timed;
+/* Makes them the round's, whose batch is the study's. */
+floe_status study_list_timed(study *s, study_timed *timed, case_round *round);
+void study_take_timed(study *s, const study_timed *timed);
 /* True if any timed run was disturbed. */
 bool study_is_disturbed(const study *s);
 
@@ -120,7 +130,11 @@ void study_bar_text(const study *s, const study_bar_result *r, char *text, size_
  * case that is out of time has what it was given. */
 floe_status study_check_results(const study *s);
 
-/* study_json.c, study_write.c, study_figure.c: study.json, study.csv, and the figures with their data and scripts. */
+/* study_json.c, study_table.c, study_figure.c: study.json, study.csv, and the figures with their data and scripts; and all
+ * of them. */
+floe_status study_write(const study *s);
+/* A row a case; the caller frees it. */
+void study_case_table(const study *s, table *t);
 floe_status study_write_json(const study *s);
 floe_status study_write_csv(const study *s);
 floe_status study_write_figures(const study *s);

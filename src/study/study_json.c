@@ -8,67 +8,25 @@
 #include <math.h>
 #include <string.h>
 
-/* The axis that is varied within a group, as `compare.json` has always had it. */
-static json_t *place_json(const study *s, const study_case *one)
-{
-    if (s->over < 0) return json_object();
-    return crossed_json(&s->axes.axis[s->over], 1, &one->pick[s->over]);
-}
-
-static json_t *timing_json(const study *s, const study_case *one)
-{
-    const study_timing *t = &one->timing;
-    return json_pack("{s:o, s:b, s:o, s:o, s:o, s:o, s:o, s:b, s:b}", "best", json_number(t->best), "timed", t->n > 0,
-                     "all", json_numbers(t->seconds, (size_t)t->n), "cpu", json_number(t->least), "scatter",
-                     json_number(t->scatter), "all_cpu", json_numbers(t->cpu, (size_t)t->n), "other_cores",
-                     json_numbers(t->others, (size_t)t->n), "disturbed", t->disturbed, "same_results",
-                     s->plan.repeat == 0 || !t->differs);
-}
-
-static json_t *quantities_json(const study *s, const study_case *one)
-{
-    json_t *object = json_object();
-    for (int q = 0; q < s->plan.n_quantities; q++) json_put(object, s->plan.quantity[q], json_number(one->quantity[q]));
-    return object;
-}
-
-static json_t *verdict_json(const study *s, const study_case *one)
-{
-    const char *reason = one->verdict == STUDY_REFUSED ? study_refusal_of(s, one) : NULL;
-    char unnoticed[BATCH_MESSAGE];
-    study_unnoticed_text(one, unnoticed);
-    return json_pack("{s:s, s:o, s:o, s:s, s:o}", "is", study_verdict_name(one->verdict), "why",
-                     json_plain_text(one->why), "reason", reason ? json_plain_text(reason) : json_null(), "judged_by",
-                     study_kind_name(one), "unnoticed", json_plain_text(unnoticed));
-}
-
-/* The summary of a case, with its place in the study; a case that never came to one has the rest alone. */
-static json_t *case_json(const study *s, const study_case *one)
-{
-    const batch_case *run = one->run;
-    json_t *object =
-        run->ran ? summary_json(&run->summary) : json_pack("{s:s}", "coupling", coupling_name(one->coupling));
-    if (object && json_put(object, "status", json_string(batch_status_name(run))) &&
-        json_put(object, "message", json_plain_text(run->message)) &&
-        json_put(object, "directory", json_string(run->folder)) &&
-        json_put(object, "group", json_plain_text(s->group[one->group])) &&
-        json_put(object, "h", json_number(one->h)) && json_put(object, "axis", place_json(s, one)) &&
-        json_put(object, "settings", crossed_json(s->axes.axis, s->axes.n, one->pick)) &&
-        json_put(object, "quantities", quantities_json(s, one)) && json_put(object, "timing", timing_json(s, one)) &&
-        (!study_has_verdicts(s) || json_put(object, "verdict", verdict_json(s, one))))
-        return object;
-    json_decref(object);
-    return NULL;
-}
-
+/* The summary of each case, with its place in the study and what the study makes of it; of a case that never came to
+ * a summary the rest alone. */
 static json_t *runs_json(const study *s)
 {
-    json_t *list = json_array();
-    for (size_t i = 0; list && i < s->n; i++) {
-        if (json_array_append_new(list, case_json(s, &s->list[i])) == 0) continue;
-        json_decref(list);
-        return NULL;
+    table t;
+    study_case_table(s, &t);
+    json_t *rows = table_json(&t), *list = json_array();
+    table_free(&t);
+    for (size_t i = 0; i < json_array_size(rows); i++) {
+        json_t *one = s->run[i].ran ? summary_json(&s->run[i].summary)
+                                    : json_pack("{s:s}", "coupling", coupling_name(s->list[i].coupling));
+        (void)json_object_update(one, json_array_get(rows, i));
+        json_array_append_new(list, one);
     }
+    if (json_array_size(list) != s->n) {
+        json_decref(list);
+        list = NULL;
+    }
+    json_decref(rows);
     return list;
 }
 

@@ -374,10 +374,9 @@ static floe_status plan_cases(study *s, const scene *base, strbuf *errors)
 floe_status study_make_plan(study *s)
 {
     const batch_options batch = study_batch_options(s);
-    batch_case whole = {.set = s->options->set.text, .n_set = s->options->set.n};
     scene *base;
     strbuf errors;
-    TRY(batch_prepare(s->ctx, &batch, &whole, &base));
+    TRY(judge_base_scene(s->ctx, &batch, &s->options->set, &base));
     strbuf_init(&errors, s->ctx);
     const floe_status status = plan_cases(s, base, &errors);
     strbuf_free(&errors);

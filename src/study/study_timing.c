@@ -42,29 +42,41 @@ static int most_repeats(const study *s)
     return most;
 }
 
-/* The runs that are still to be made: the first one of a case may have been alone already. */
-static size_t list_runs(const study *s, batch_case *list, size_t *index)
+/* Adds a timed run, the k-th of a case. */
+static void add_timed(const study *s, size_t i, int k, study_timed *timed)
 {
-    size_t n = 0;
+    const batch_case *of = &s->run[i];
+    batch_case *one = &timed->list[timed->n];
+    *one = (batch_case){.set = of->set, .n_set = of->n_set, .end = of->end};
+    one->weight = of->summary.wall_seconds;
+    memcpy(one->hash, of->hash, sizeof one->hash);
+    (void)snprintf(one->label, sizeof one->label, "time %d of %d: %.120s", k + 1, repeats_of(s, i), of->label);
+    (void)snprintf(one->folder, sizeof one->folder, "%.240s-%d", of->folder, k + 1);
+    timed->index[timed->n++] = i;
+}
+
+floe_status study_list_timed(study *s, study_timed *timed, case_round *round)
+{
     const int most = most_repeats(s);
+    if (most == 0) return FLOE_OK;
+    TRY(memory_new(s->ctx, &timed->list, s->n * (size_t)most, sizeof *timed->list));
+    TRY(memory_new(s->ctx, &timed->index, s->n * (size_t)most, sizeof *timed->index));
     for (int k = 0; k < most; k++) {
         for (size_t i = 0; i < s->n; i++) {
-            const batch_case *of = &s->run[i];
-            if (!study_is_done(&s->list[i]) || k >= repeats_of(s, i) || (k == 0 && of->alone)) continue;
-            if (list) {
-                batch_case *one = &list[n];
-                *one = (batch_case){.set = of->set, .n_set = of->n_set, .end = of->end};
-                one->weight = of->summary.wall_seconds;
-                memcpy(one->hash, of->hash, sizeof one->hash);
-                (void)snprintf(one->label, sizeof one->label, "time %d of %d: %.120s", k + 1, repeats_of(s, i),
-                               of->label);
-                (void)snprintf(one->folder, sizeof one->folder, "%.240s-%d", of->folder, k + 1);
-                index[n] = i;
-            }
-            n++;
+            /* The first run of a case may have been alone already. */
+            const bool known = k == 0 && s->run[i].alone;
+            if (study_is_done(&s->list[i]) && k < repeats_of(s, i) && !known) add_timed(s, i, k, timed);
         }
     }
-    return n;
+    (void)snprintf(timed->dir, sizeof timed->dir, "%s/timing", round->batch.dir);
+    round->batch.dir = timed->dir;
+    round->batch.jobs = round->batch.threads = 1;
+    round->batch.thin = true;
+    round->list = timed->list;
+    round->n = timed->n;
+    if (timed->n > 0 && round->batch.progress)
+        (void)fprintf(round->batch.progress, "%zu timed runs, one at a time on one thread\n", timed->n);
+    return FLOE_OK;
 }
 
 static bool is_same_number(double a, double b)
@@ -120,43 +132,19 @@ static void note_scatter(study_case *one)
     if (t->disturbed || (t->n == 0 && !one->run->alone)) t->scatter = fmax(t->scatter, scatter_of_disturbed);
 }
 
-static floe_status run_timed(study *s, batch_case *list, size_t *index, size_t n)
+void study_take_timed(study *s, const study_timed *timed)
 {
-    char dir[BATCH_PATH];
-    batch_options o = study_batch_options(s);
-    (void)snprintf(dir, sizeof dir, "%s/timing", o.dir);
-    o.dir = dir;
-    o.jobs = o.threads = 1;
-    o.thin = true;
-    (void)list_runs(s, list, index);
-    if (o.progress) (void)fprintf(o.progress, "%zu timed runs, one at a time on one thread\n", n);
-    const floe_status status = batch_run(s->ctx, &o, list, n);
-    if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
-    for (size_t k = 0; k < n; k++) {
-        if (list[k].state != BATCH_ENDED) continue;
-        if (list[k].status == FLOE_OK)
-            note_time(&s->list[index[k]], &list[k]);
+    for (size_t k = 0; k < timed->n; k++) {
+        const batch_case *run = &timed->list[k];
+        if (run->state != BATCH_ENDED) continue;
+        if (run->status == FLOE_OK)
+            note_time(&s->list[timed->index[k]], run);
         else
-            context_log(s->ctx, LOG_WARNING, "a timed run of %s does not count: %s", list[k].label, list[k].message);
+            context_log(s->ctx, LOG_WARNING, "a timed run of %s does not count: %s", run->label, run->message);
     }
     for (size_t i = 0; i < s->n; i++) {
         if (study_is_done(&s->list[i])) note_scatter(&s->list[i]);
     }
-    return status;
-}
-
-floe_status study_time(study *s)
-{
-    batch_case *list;
-    size_t *index;
-    const size_t n = list_runs(s, NULL, NULL);
-    if (n == 0) return FLOE_OK;
-    TRY(memory_new(s->ctx, &list, n, sizeof *list));
-    floe_status status = memory_new(s->ctx, &index, n, sizeof *index);
-    if (status == FLOE_OK) status = run_timed(s, list, index, n);
-    memory_free(s->ctx, &index);
-    memory_free(s->ctx, &list);
-    return status;
 }
 
 void study_take_times(study *s)

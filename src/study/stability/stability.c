@@ -2,8 +2,7 @@
 #include "study/stability/stability_internal.h"
 
 #include "base/memory.h"
-#include "base/stop.h"
-#include "io/file.h"
+#include "study/judge.h"
 
 #include <string.h>
 
@@ -39,52 +38,92 @@ static bool is_open(const stability_set *set)
     return !set->broken && search_look(&set->search).outcome == SEARCH_OPEN;
 }
 
-/* What to run next: every open search has its share of the processes. */
-static size_t next_wishes(const stability *s, int jobs, stability_wish *wish)
+/* A search, or a map, as a judge. */
+typedef struct searching {
+    stability *s;
+    const stability_options *o;
+    stability_cases cases; /* of the round; owned */
+    size_t n;              /* its probes, behind those of s that have a verdict */
+    bool mapped;           /* the one round of a map has been asked for */
+} searching;
+
+static floe_status reserve_probes(searching *r, size_t more)
 {
-    size_t open = 0, n = 0;
+    r->n = 0;
+    return memory_resize(r->s->ctx, &r->s->probe, r->s->n_probes + more, sizeof *r->s->probe);
+}
+
+static void want_probe(searching *r, stability_probe probe)
+{
+    r->s->probe[r->s->n_probes + r->n++] = probe;
+}
+
+/* Every open search has its share of the processes. */
+static floe_status want_of_searches(searching *r)
+{
+    const stability *s = r->s;
+    const size_t jobs = r->o->batch.jobs > 0 ? (size_t)r->o->batch.jobs : 1;
     double x[SEARCH_MOST];
+    size_t open = 0;
     for (size_t k = 0; k < s->n_sets; k++) open += is_open(&s->set[k]);
-    if (open == 0) return 0;
-    const size_t share = (size_t)jobs / open;
+    TRY(reserve_probes(r, open * SEARCH_MOST));
+    const size_t share = open > 0 ? jobs / open : 0;
     for (size_t k = 0; k < s->n_sets; k++) {
         if (!is_open(&s->set[k])) continue;
         const size_t found = search_next(&s->set[k].search, share < 1 ? 1 : share > 15 ? 15 : share, x);
-        for (size_t i = 0; i < found; i++) wish[n++] = (stability_wish){.set = k, .x = x[i]};
+        for (size_t i = 0; i < found; i++) want_probe(r, stability_probe_at(s, k, x[i]));
     }
-    return n;
+    return FLOE_OK;
 }
 
-static floe_status run_search(stability *s, const stability_options *o)
+static floe_status want_map(searching *r)
 {
-    stability_wish *wish;
-    const int jobs = o->batch.jobs > 0 ? o->batch.jobs : 1;
-    floe_status status = memory_new(s->ctx, &wish, s->n_sets * SEARCH_MOST, sizeof *wish);
-    for (size_t n = 1; status == FLOE_OK && n > 0;) {
-        n = next_wishes(s, jobs, wish);
-        if (n > 0) status = stability_round(s, o, wish, n);
-    }
-    memory_free(s->ctx, &wish);
-    return status;
+    const size_t cells = crossed_count(r->s->over, 2), n = r->mapped ? 0 : r->s->n_sets * cells;
+    TRY(reserve_probes(r, n));
+    for (size_t i = 0; i < n; i++) want_probe(r, stability_probe_of_map(r->s, i / cells, i % cells));
+    r->mapped = true;
+    return FLOE_OK;
 }
 
-static floe_status run_map(stability *s, const stability_options *o)
+static floe_status want_next(void *of, case_round *round)
 {
-    const size_t cells = crossed_count(s->over, 2), n = s->n_sets * cells;
-    stability_wish *wish;
-    TRY(memory_new(s->ctx, &wish, n, sizeof *wish));
-    for (size_t i = 0; i < n; i++) {
-        wish[i].set = i / cells;
-        crossed_pick(s->over, 2, i % cells, wish[i].value);
+    searching *r = of;
+    stability *s = r->s;
+    TRY(stability_is_map(s) ? want_map(r) : want_of_searches(r));
+    stability_cases_free(s->ctx, &r->cases);
+    TRY(stability_cases_make(&r->cases, s, r->o, s->probe + s->n_probes, r->n));
+    *round = (case_round){stability_batch(s, r->o), r->cases.list, r->n};
+    return FLOE_OK;
+}
+
+/* Those that have ended move up behind the ones before. */
+static floe_status take_probes(void *of, const case_round *round)
+{
+    searching *r = of;
+    stability *s = r->s;
+    const bool stopped = r->o->batch.stop && *r->o->batch.stop;
+    for (size_t i = 0, first = s->n_probes; i < round->n; i++) {
+        const batch_case *one = &round->list[i];
+        /* A run that failed as all were stopped has failed for that. */
+        if (one->state != BATCH_ENDED || (stopped && one->status != FLOE_OK && one->status != FLOE_DIVERGED)) continue;
+        s->probe[s->n_probes] = s->probe[first + i];
+        TRY(stability_judge_case(s, &s->probe[s->n_probes], one));
+        s->n_probes++;
     }
-    const floe_status status = stability_round(s, o, wish, n);
-    memory_free(s->ctx, &wish);
-    return status;
+    return FLOE_OK;
+}
+
+static floe_status write_results(void *of)
+{
+    const searching *r = of;
+    TRY(stability_write(r->s));
+    return stability_plot(r->s);
 }
 
 /* A search that has ended without a verdict is no success. */
-static floe_status check_verdicts(const stability *s)
+static floe_status check_verdicts(void *of)
 {
+    const stability *s = ((const searching *)of)->s;
     for (size_t i = 0; i < s->n_probes; i++) {
         const stability_probe *p = &s->probe[i];
         if (!s->set[p->set].broken || p->verdict != VERDICT_NONE) continue;
@@ -95,18 +134,12 @@ static floe_status check_verdicts(const stability *s)
 
 static floe_status run_stability(stability *s, const stability_options *o)
 {
+    static const case_judge judge = {want_next, take_probes, write_results, check_verdicts};
+    searching r = {.s = s, .o = o};
     TRY(stability_setup(s, o));
-    TRY(folder_make(s->ctx, s->dir));
-    const floe_status status = stability_is_map(s) ? run_map(s, o) : run_search(s, o);
-    if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
-    TRY(stability_write(s));
-    TRY(stability_plot(s));
-    if (status == FLOE_OK) return check_verdicts(s);
-    char by[64] = "";
-    if (o->batch.stop) stop_request_text(*o->batch.stop, by);
-    context_clear(s->ctx);
-    return fail(s->ctx, FLOE_INTERRUPTED,
-                "stopped%s; what has ended is kept in '%s': the same command goes on from there", by, s->dir);
+    const floe_status status = judge_cases(s->ctx, &judge, &r);
+    stability_cases_free(s->ctx, &r.cases);
+    return status;
 }
 
 floe_status stability_run(stability **out, context *ctx, const stability_options *options)

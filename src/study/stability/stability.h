@@ -26,6 +26,7 @@ typedef struct stability_options {
 typedef struct stability_probe {
     size_t set;               /* which combination of `each` */
     double x[SCENE_MAX_OVER]; /* NAN for a word */
+    double wanted;            /* of a search: the value that it asked for, of which x is what the deck was given */
     char value[SCENE_MAX_OVER][SCENE_VALUE];
     char folder[256]; /* in the search's */
     verdict verdict;

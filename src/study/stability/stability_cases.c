@@ -17,50 +17,67 @@ batch_options stability_batch(const stability *s, const stability_options *o)
     return batch;
 }
 
-/* The text of the wish's value of an axis. */
-static void wish_value(const stability *s, const stability_wish *wish, int axis, char *text, size_t size)
+static stability_probe begin_probe(size_t set)
 {
-    if (stability_is_map(s))
-        (void)snprintf(text, size, "%s", s->over[axis].value[wish->value[axis]]);
-    else
-        (void)snprintf(text, size, "%.9g%s", wish->x, s->unit);
+    return (stability_probe){.set = set, .x = {NAN, NAN}};
 }
 
-static void name_folder(const stability *s, const stability_wish *wish, char folder[256])
+/* Sets the i-th value of a probe, and what number it is. */
+static void set_value(stability_probe *p, int i, const char *value)
 {
-    if (stability_is_map(s))
-        (void)snprintf(folder, 256, "%02zu-%02d-%02d", wish->set + 1, wish->value[0] + 1, wish->value[1] + 1);
-    else
-        (void)snprintf(folder, 256, "%02zu-%.9g", wish->set + 1, wish->x);
+    char *end;
+    (void)snprintf(p->value[i], SCENE_VALUE, "%s", value);
+    p->x[i] = strtod(value, &end);
+    if (end == value) p->x[i] = NAN;
+}
+
+stability_probe stability_probe_at(const stability *s, size_t set, double x)
+{
+    stability_probe p = begin_probe(set);
+    char value[SCENE_VALUE];
+    (void)snprintf(value, sizeof value, "%.9g%s", x, s->unit);
+    set_value(&p, 0, value);
+    p.wanted = x;
+    (void)snprintf(p.folder, sizeof p.folder, "%02zu-%.9g", set + 1, x);
+    return p;
+}
+
+stability_probe stability_probe_of_map(const stability *s, size_t set, size_t cell)
+{
+    stability_probe p = begin_probe(set);
+    int at[2];
+    crossed_pick(s->over, 2, cell, at);
+    for (int i = 0; i < 2; i++) set_value(&p, i, s->over[i].value[at[i]]);
+    (void)snprintf(p.folder, sizeof p.folder, "%02zu-%02d-%02d", set + 1, at[0] + 1, at[1] + 1);
+    return p;
 }
 
 /* Settings go from the outside in: the user's, those of the combination, the value. */
-static floe_status make_case(const stability *s, const stability_options *o, const stability_wish *wish,
+static floe_status make_case(const stability *s, const stability_options *o, const stability_probe *p,
                              case_settings *settings, batch_case *one)
 {
-    char value[SCENE_VALUE], label[STABILITY_LABEL];
+    char label[STABILITY_LABEL];
     TRY(case_settings_make(settings, s->ctx, &o->set, (size_t)(s->n_each + s->n_over)));
-    stability_set_label(s, wish->set, label);
-    for (int i = 0; i < s->n_each; i++) case_settings_pick(settings, &s->each[i], s->set[wish->set].value[i]);
+    stability_set_label(s, p->set, label);
+    for (int i = 0; i < s->n_each; i++) case_settings_pick(settings, &s->each[i], s->set[p->set].value[i]);
     for (int i = 0; i < s->n_over; i++) {
-        wish_value(s, wish, i, value, sizeof value);
-        case_settings_put(settings, s->over[i].key, value);
-        text_add(label, sizeof label, "%s%s=%s", label[0] ? ", " : "", s->over[i].key, value);
+        case_settings_put(settings, s->over[i].key, p->value[i]);
+        text_add(label, sizeof label, "%s%s=%s", label[0] ? ", " : "", s->over[i].key, p->value[i]);
     }
     *one = (batch_case){.set = settings->set, .n_set = settings->n};
     (void)snprintf(one->label, sizeof one->label, "%.159s", label);
-    name_folder(s, wish, one->folder);
+    (void)snprintf(one->folder, sizeof one->folder, "%s", p->folder);
     return FLOE_OK;
 }
 
 floe_status stability_cases_make(stability_cases *cases, const stability *s, const stability_options *o,
-                                 const stability_wish *wish, size_t n)
+                                 const stability_probe *probe, size_t n)
 {
     *cases = (stability_cases){0};
     TRY(memory_new(s->ctx, &cases->list, n, sizeof *cases->list));
     TRY(memory_new(s->ctx, &cases->settings, n, sizeof *cases->settings));
     for (cases->n = 0; cases->n < n; cases->n++)
-        TRY(make_case(s, o, &wish[cases->n], &cases->settings[cases->n], &cases->list[cases->n]));
+        TRY(make_case(s, o, &probe[cases->n], &cases->settings[cases->n], &cases->list[cases->n]));
     return FLOE_OK;
 }
 
@@ -69,6 +86,7 @@ void stability_cases_free(context *ctx, stability_cases *cases)
     for (size_t i = 0; i < cases->n; i++) case_settings_free(&cases->settings[i], ctx);
     memory_free(ctx, &cases->settings);
     memory_free(ctx, &cases->list);
+    cases->n = 0;
 }
 
 /* The energies of a run; a run that has ended before its first row has none. */
@@ -85,7 +103,7 @@ static floe_status read_energy(const stability *s, const batch_case *one, energy
     return status;
 }
 
-static void judge_case(const stability *s, const batch_case *one, stability_probe *p)
+static void judge_run(const stability *s, const batch_case *one, stability_probe *p)
 {
     if (one->status == FLOE_DIVERGED) {
         p->verdict = VERDICT_DIVERGED;
@@ -112,52 +130,18 @@ static search_answer answer_of(const stability_probe *p, const batch_case *one)
     return p->verdict == VERDICT_STABLE ? SEARCH_STABLE : SEARCH_UNSTABLE;
 }
 
-static floe_status note_case(stability *s, const stability_wish *wish, const batch_case *one)
+floe_status stability_judge_case(stability *s, stability_probe *p, const batch_case *one)
 {
-    stability_probe *p = &s->probe[s->n_probes];
-    *p = (stability_probe){.set = wish->set, .steps = one->summary.steps, .rejected = one->summary.rejected_steps};
+    stability_set *set = &s->set[p->set];
+    p->steps = one->summary.steps;
+    p->rejected = one->summary.rejected_steps;
     p->time = one->summary.time;
-    (void)snprintf(p->folder, sizeof p->folder, "%s", one->folder);
-    for (int i = 0; i < s->n_over; i++) {
-        char *end;
-        wish_value(s, wish, i, p->value[i], sizeof p->value[i]);
-        p->x[i] = strtod(p->value[i], &end);
-        if (end == p->value[i]) p->x[i] = NAN;
-    }
     if (one->ran) TRY(read_energy(s, one, &p->energy));
-    judge_case(s, one, p);
-    s->n_probes++;
+    judge_run(s, one, p);
     if (stability_is_map(s)) return FLOE_OK;
-    stability_set *set = &s->set[wish->set];
     if (p->verdict == VERDICT_NONE && one->status != FLOE_BAD_INPUT)
         set->broken = true;
     else
-        search_tell(&set->search, wish->x, answer_of(p, one));
+        search_tell(&set->search, p->wanted, answer_of(p, one));
     return FLOE_OK;
-}
-
-static floe_status run_cases(stability *s, const stability_options *o, const stability_wish *wish, batch_case *list,
-                             size_t n)
-{
-    const batch_options batch = stability_batch(s, o);
-    const floe_status status = batch_run(s->ctx, &batch, list, n);
-    if (status != FLOE_OK && status != FLOE_INTERRUPTED) return status;
-    const bool stopped = o->batch.stop && *o->batch.stop;
-    for (size_t i = 0; i < n; i++) {
-        /* A run that failed as all were stopped has failed for that. */
-        const bool spoilt = stopped && list[i].status != FLOE_OK && list[i].status != FLOE_DIVERGED;
-        if (list[i].state == BATCH_ENDED && !spoilt) TRY(note_case(s, &wish[i], &list[i]));
-    }
-    return status;
-}
-
-floe_status stability_round(stability *s, const stability_options *o, const stability_wish *wish, size_t n)
-{
-    stability_cases cases;
-    floe_status status = memory_resize(s->ctx, &s->probe, s->n_probes + n, sizeof *s->probe);
-    if (status != FLOE_OK) return status;
-    status = stability_cases_make(&cases, s, o, wish, n);
-    if (status == FLOE_OK) status = run_cases(s, o, wish, cases.list, n);
-    stability_cases_free(s->ctx, &cases);
-    return status;
 }

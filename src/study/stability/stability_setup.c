@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "run/catalogue.h"
+#include "study/judge.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -157,11 +158,11 @@ static floe_status make_sets(stability *s, const search_spec *spec)
 
 /* Every value that is known beforehand must make a deck: for searches the ends of the range and what comes between
  * them. */
-static floe_status check_wishes(stability *s, const stability_options *o, const stability_wish *wish, size_t n)
+static floe_status check_probes(stability *s, const stability_options *o, const stability_probe *probe, size_t n)
 {
     const batch_options batch = stability_batch(s, o);
     stability_cases cases;
-    floe_status status = stability_cases_make(&cases, s, o, wish, n);
+    floe_status status = stability_cases_make(&cases, s, o, probe, n);
     for (size_t i = 0; status == FLOE_OK && i < n; i++) status = batch_prepare(s->ctx, &batch, &cases.list[i], NULL);
     stability_cases_free(s->ctx, &cases);
     return status;
@@ -171,16 +172,16 @@ static floe_status check_search(stability *s, const stability_options *o, size_t
 {
     const search_spec *spec = &s->set[set].search.spec;
     const double a = spec->from, b = isnan(spec->to) ? a : spec->to;
-    const stability_wish wish[] = {{.set = set, .x = a}, {.set = set, .x = b}, {.set = set, .x = a + 0.382 * (b - a)}};
-    return check_wishes(s, o, wish, a == b ? 1 : 3);
+    const stability_probe probe[] = {stability_probe_at(s, set, a), stability_probe_at(s, set, b),
+                                     stability_probe_at(s, set, a + 0.382 * (b - a))};
+    return check_probes(s, o, probe, a == b ? 1 : 3);
 }
 
 static floe_status check_map(stability *s, const stability_options *o, size_t set)
 {
     for (size_t i = 0; i < crossed_count(s->over, 2); i++) {
-        stability_wish wish = {.set = set};
-        crossed_pick(s->over, 2, i, wish.value);
-        TRY(check_wishes(s, o, &wish, 1));
+        const stability_probe probe = stability_probe_of_map(s, set, i);
+        TRY(check_probes(s, o, &probe, 1));
     }
     return FLOE_OK;
 }
@@ -215,11 +216,10 @@ static floe_status take_scene(stability *s, const stability_options *o, const sc
 
 floe_status stability_setup(stability *s, const stability_options *o)
 {
-    batch_case plain = {.set = o->set.text, .n_set = o->set.n};
     scene *sc;
     TRY(memory_string(s->ctx, &s->deck_path, o->batch.deck));
     TRY(memory_string(s->ctx, &s->dir, o->batch.dir));
-    TRY(batch_prepare(s->ctx, &o->batch, &plain, &sc));
+    TRY(judge_base_scene(s->ctx, &o->batch, &o->set, &sc));
     const floe_status status = take_scene(s, o, sc);
     scene_destroy(&sc);
     return status;

@@ -68,9 +68,8 @@ static floe_status choose_metric(tolerance *t, const scene *of)
 static floe_status look_at_deck(tolerance *t)
 {
     const batch_options batch = study_batch_options(t->study);
-    batch_case whole = {.set = t->study_options.set.text, .n_set = t->study_options.set.n};
     scene *of;
-    TRY(batch_prepare(t->ctx, &batch, &whole, &of));
+    TRY(judge_base_scene(t->ctx, &batch, &t->study_options.set, &of));
     floe_status status = FLOE_OK;
     if (of->batches->study.n_axes == 0)
         status = fail(
@@ -212,42 +211,54 @@ static double seconds_left(const tolerance *t)
     return t->options->budget > 0.0 ? t->options->budget - tolerance_seconds(t) : (double)INFINITY;
 }
 
-static void decide_next_cases(tolerance *t)
+/* A run to a tolerance as a judge: case by case. */
+static floe_status want_next(void *of, case_round *round)
 {
-    const size_t needed = t->quantity < 0 ? 1 : 3;
-    take_results(t);
-    t->step = choose_next(t->curve, t->study->n_groups, t->options->tolerance, needed, seconds_left(t));
-}
-
-static floe_status run_case(tolerance *t)
-{
-    batch_options batch = study_batch_options(t->study);
-    const study_case *one = tolerance_case(t, t->step.curve, t->step.at);
-    const double left = seconds_left(t), predicted = t->curve[t->step.curve].next_seconds;
-    if (isfinite(left) && !(batch.max_wall > 0.0 && batch.max_wall < left)) batch.max_wall = left;
-    if (batch.progress) {
-        (void)fprintf(batch.progress, "%s", one->run->label);
-        if (isfinite(predicted)) (void)fprintf(batch.progress, ", about %.2g s", predicted);
-        (void)fprintf(batch.progress, "\n");
-    }
-    return batch_run(t->ctx, &batch, one->run, 1);
-}
-
-static floe_status run_cases(tolerance *t)
-{
-    const batch_options batch = study_batch_options(t->study);
-    TRY(batch_recall(t->ctx, &batch, t->study->run, t->study->n));
-    for (decide_next_cases(t); t->step.action == CHOOSE_RUN; decide_next_cases(t)) TRY(run_case(t));
+    tolerance *t = of;
+    t->step =
+        choose_next(t->curve, t->study->n_groups, t->options->tolerance, t->quantity < 0 ? 1 : 3, seconds_left(t));
     t->met = t->step.action == CHOOSE_REACHED;
+    if (t->step.action != CHOOSE_RUN) return FLOE_OK;
+    const double left = seconds_left(t), predicted = t->curve[t->step.curve].next_seconds;
+    const study_case *one = tolerance_case(t, t->step.curve, t->step.at);
+    batch_options *batch = &round->batch;
+    *round = (case_round){study_batch_options(t->study), one->run, 1};
+    if (isfinite(left) && !(batch->max_wall > 0.0 && batch->max_wall < left)) batch->max_wall = left;
+    if (batch->progress) {
+        (void)fprintf(batch->progress, "%s", one->run->label);
+        if (isfinite(predicted)) (void)fprintf(batch->progress, ", about %.2g s", predicted);
+        (void)fprintf(batch->progress, "\n");
+    }
+    return FLOE_OK;
+}
+
+static floe_status take_case(void *of, const case_round *round)
+{
+    (void)round;
+    take_results(of);
     return FLOE_OK;
 }
 
 /* The cases as a study: what `floe study` would go on with, and `floe report` reads. */
-static floe_status write_study(const tolerance *t)
+static floe_status write_results(void *of)
 {
-    TRY(study_write_json(t->study));
-    TRY(study_write_csv(t->study));
-    return study_write_figures(t->study);
+    return study_write(((const tolerance *)of)->study);
+}
+
+static floe_status publish_choice(void *of)
+{
+    tolerance *t = of;
+    if (t->step.curve < t->study->n_groups) TRY(tolerance_publish(t));
+    return t->met ? FLOE_OK : tolerance_refuse(t);
+}
+
+static floe_status run_cases(tolerance *t)
+{
+    static const case_judge judge = {want_next, take_case, write_results, publish_choice};
+    const batch_options batch = study_batch_options(t->study);
+    TRY(batch_recall(t->ctx, &batch, t->study->run, t->study->n));
+    take_results(t);
+    return judge_cases(t->ctx, &judge, t);
 }
 
 /* DIR is this run's alone while it lasts. */
@@ -258,11 +269,9 @@ static floe_status run_tolerance(tolerance *t)
     TRY(make_curves(t));
     TRY(folder_make(t->ctx, t->options->dir));
     TRY(folder_lock_take(&lock, t->ctx, t->options->dir));
-    floe_status status = run_cases(t);
-    if (status == FLOE_OK) status = write_study(t);
-    if (status == FLOE_OK && t->step.curve < t->study->n_groups) status = tolerance_publish(t);
+    const floe_status status = run_cases(t);
     folder_lock_release(&lock);
-    return status == FLOE_OK && !t->met ? tolerance_refuse(t) : status;
+    return status;
 }
 
 floe_status tolerance_run(tolerance **out, context *ctx, const tolerance_options *options)

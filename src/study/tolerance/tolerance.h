@@ -48,7 +48,7 @@ floe_status tolerance_run(tolerance **out, context *ctx, const tolerance_options
 void tolerance_destroy(tolerance **t);
 
 /* The cases that were run with error, time and why each was the last of its kind, and what was chosen. */
-void tolerance_print(const tolerance *t, FILE *file);
+floe_status tolerance_print(const tolerance *t, FILE *file);
 
 /* What a variant's quantity is off by. */
 typedef struct tolerance_estimate {

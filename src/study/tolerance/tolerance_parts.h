@@ -24,6 +24,9 @@ void tolerance_why_left(const tolerance *t, size_t curve, char text[TOLERANCE_TE
 /* FLOE_MISSED_BAR with how near the best case has come, and what the tolerance would take. */
 floe_status tolerance_refuse(const tolerance *t);
 
+/* tolerance_table.c: those that were run; NULL when memory is out. */
+json_t *tolerance_cases_json(const tolerance *t);
+
 /* tolerance_publish.c */
 /* Makes DIR of the chosen case: its outputs, and its summary with how it was chosen, which comes last. */
 floe_status tolerance_publish(tolerance *t);

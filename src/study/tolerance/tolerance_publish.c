@@ -8,28 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-static json_t *case_json(const tolerance *t, size_t curve, size_t at)
-{
-    const choose_case *c = &t->curve[curve].list[at];
-    const study_case *one = tolerance_case(t, curve, at);
-    return json_pack("{s:o, s:o, s:s, s:o, s:o, s:b}", "directory", json_plain_text(one->run->folder), "settings",
-                     crossed_json(t->study->axes.axis, t->study->axes.n, one->pick), "status",
-                     batch_status_name(one->run), "seconds",
-                     json_number(c->state == CHOOSE_DONE ? c->seconds : (double)NAN), "error", json_number(c->error),
-                     "sure", c->sure);
-}
-
-static json_t *cases_json(const tolerance *t)
-{
-    json_t *list = json_array();
-    for (size_t i = 0; i < t->study->n_groups; i++) {
-        for (size_t k = 0; k < t->curve[i].n; k++) {
-            if (t->curve[i].list[k].state != CHOOSE_OPEN) json_array_append_new(list, case_json(t, i, k));
-        }
-    }
-    return list;
-}
-
 static json_t *variants_json(const tolerance *t)
 {
     json_t *list = json_array();
@@ -59,7 +37,7 @@ static json_t *choice_json(const tolerance *t)
                      json_plain_text(one->run->folder), "reason", json_plain_text(reason), "seconds",
                      json_number(tolerance_seconds(t)), "budget",
                      json_number(t->options->budget > 0.0 ? t->options->budget : (double)NAN), "variants",
-                     variants_json(t), "cases", cases_json(t));
+                     variants_json(t), "cases", tolerance_cases_json(t));
 }
 
 static floe_status write_summary(const tolerance *t, const study_case *one, const char *path)

@@ -1,4 +1,5 @@
 /* A run to a tolerance as a table. */
+#include "study/table.h"
 #include "study/tolerance/tolerance_parts.h"
 
 #include "base/memory.h"
@@ -45,18 +46,55 @@ static void describe_case(const tolerance *t, size_t k, char text[TOLERANCE_TEXT
         tolerance_why_left(t, at.curve, text);
 }
 
-static void print_case(const tolerance *t, size_t k, FILE *file)
+static void add_case(const tolerance *t, size_t k, table *to)
 {
+    static const table_column stored = {.in = TABLE_JSON};
     char text[TOLERANCE_TEXT];
-    const study *s = t->study;
-    const study_case *one = &s->list[t->index[k]];
-    for (int i = 0; i < s->axes.n; i++)
-        (void)fprintf(file, "%-*s  ", axis_width(&s->axes.axis[i], study_axis_name(&s->axes.axis[i]), 0),
-                      s->axes.axis[i].value[one->pick[i]]);
-    tolerance_error_text(t, t->list[k].error, text);
-    (void)fprintf(file, "%14s  %8.3g s", text, t->list[k].seconds);
+    const choose_case *c = &t->list[k];
+    const study_case *one = &t->study->list[t->index[k]];
+    table_row(to);
+    table_text(to, "directory", stored, one->run->folder);
+    for (int i = 0; i < t->study->axes.n; i++) {
+        const scene_axis *axis = &t->study->axes.axis[i];
+        const char *name = study_axis_name(axis);
+        const table_column setting = {
+            .in = TABLE_JSON | TABLE_SHOWN, .object = "settings", .heading = name, .left = true};
+        table_text(to, axis->key, setting, axis->value[one->pick[i]]);
+    }
+    table_text(to, "status", stored, batch_status_name(one->run));
+    table_number(to, "seconds", stored, c->state == CHOOSE_DONE ? c->seconds : (double)NAN);
+    tolerance_error_text(t, c->error, text);
+    table_number_as(to, "error", (table_column){.in = TABLE_JSON | TABLE_SHOWN, .heading = t->metric, .width = 14},
+                    c->error, text);
+    table_flag(to, "sure", stored, c->sure);
+    table_number(to, "time", (table_column){.in = TABLE_SHOWN, .format = "%.3g s", .width = 10}, c->seconds);
     describe_case(t, k, text);
-    (void)fprintf(file, "%s%s\n", text[0] ? "  " : "", text);
+    table_text(to, "", (table_column){.in = TABLE_SHOWN, .left = true}, text);
+}
+
+json_t *tolerance_cases_json(const tolerance *t)
+{
+    table of;
+    table_init(&of, t->ctx);
+    for (size_t k = 0; k < t->study->n; k++)
+        if (has_run(t, k)) add_case(t, k, &of);
+    json_t *list = table_json(&of);
+    table_free(&of);
+    return list;
+}
+
+static floe_status print_cases(const tolerance *t, FILE *file)
+{
+    table of;
+    double seconds = -1.0;
+    table_init(&of, t->ctx);
+    for (size_t k = next_by_time(t, seconds, SIZE_MAX); k < t->study->n; k = next_by_time(t, seconds, k)) {
+        add_case(t, k, &of);
+        seconds = t->list[k].seconds;
+    }
+    const floe_status status = table_print(&of, file);
+    table_free(&of);
+    return status;
 }
 
 /* Variants of which nothing was run. */
@@ -70,21 +108,13 @@ static void print_untried(const tolerance *t, FILE *file)
     }
 }
 
-void tolerance_print(const tolerance *t, FILE *file)
+floe_status tolerance_print(const tolerance *t, FILE *file)
 {
     char text[TOLERANCE_TEXT], error[TOLERANCE_TEXT];
     const study *s = t->study;
-    if (!t->curve || !t->published) return;
+    if (!t->curve || !t->published) return FLOE_OK;
     if (s->title[0]) (void)fprintf(file, "%s\n", s->title);
-    for (int i = 0; i < s->axes.n; i++)
-        (void)fprintf(file, "%-*s  ", axis_width(&s->axes.axis[i], study_axis_name(&s->axes.axis[i]), 0),
-                      study_axis_name(&s->axes.axis[i]));
-    (void)fprintf(file, "%14s  %10s\n", t->metric, "time");
-    double seconds = -1.0;
-    for (size_t k = next_by_time(t, seconds, SIZE_MAX); k < s->n; k = next_by_time(t, seconds, k)) {
-        print_case(t, k, file);
-        seconds = t->list[k].seconds;
-    }
+    TRY(print_cases(t, file));
     print_untried(t, file);
     tolerance_error_text(t, t->curve[t->step.curve].list[t->step.at].error, error);
     tolerance_reason(t, text);
@@ -92,4 +122,5 @@ void tolerance_print(const tolerance *t, FILE *file)
                   tolerance_case(t, t->step.curve, t->step.at)->run->label, text);
     tolerance_how(t, text);
     (void)fprintf(file, "error: %s (%s); all cases took %.3g s\n", error, text, tolerance_seconds(t));
+    return FLOE_OK;
 }
