@@ -86,7 +86,8 @@ floe_status ice_pressure_stages(ice *s)
     STAGE(s, ALWAYS, ice_sources,
           READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED),
-                WHEN(d, C_DIFFUSION), WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_SHOCK), WHEN(k, C_DIFFUSION_T)),
+                WHEN(d, C_DIFFUSION), WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_SHOCK), WHEN(k, C_DIFFUSION_T),
+                WHEN(m && d, C_VEL_MEAN)),
           WRITES(C_VEL_L, C_ENERGY_L, WHEN(m, C_HEAT_OWED), WHEN(p, C_SOURCE), WHEN(d, C_DIFFUSION),
                  WHEN(k, C_DIFFUSION_T)));
     return FLOE_OK;

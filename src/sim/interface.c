@@ -85,17 +85,22 @@ static floe_status needs_plain_loads(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-/* Beside lines gas does nothing but flow. */
-static floe_status needs_plain_gas(const scene *s, const mesh *m)
+static floe_status needs_no_conduction(const scene *s, const mesh *m)
 {
-    static const char text[] = "gas beside a membrane around it, or a sharp interface, %s; leave it out";
     bool used[SCENE_MAX_MATERIALS] = {false};
     (void)m;
     ice_find_used(s, false, used);
     for (int r = 0; r < s->n_materials; ++r)
         if (used[r] && s->material[r].conductivity > 0.0)
-            return fail_key(s->ctx, KEY("materials", s->material[r].name, "conductivity"), text,
-                            "does not conduct heat");
+            return fail_key(s->ctx, KEY("materials", s->material[r].name, "conductivity"),
+                            "gas beside a membrane around it does not conduct heat; leave it out");
+    return FLOE_OK;
+}
+
+static floe_status needs_plain_gas(const scene *s, const mesh *m)
+{
+    static const char text[] = "gas beside a membrane around it, or a sharp interface, %s; leave it out";
+    (void)m;
     if (s->n_reactions > 0) return fail_key(s->ctx, KEY("reactions", s->reaction[0].name), text, "does not react");
     return s->driving ? fail_key(s->ctx, KEY("verify", "sources"), text, "has no sources") : FLOE_OK;
 }
@@ -325,23 +330,11 @@ static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-static floe_status refuse_viscous(const scene *s, int material)
-{
-    return fail_key(
-        s->ctx, KEY("materials", s->material[material].name),
-        "sharp: fluids that share cells beside a solid have no viscosity there: leave it out, or use smeared");
-}
-
-/* The drag of cut cells is that of one fluid, and two that slip have a frame that their solids would bend. */
+/* Two that slip have a frame that their solids would bend. */
 static floe_status needs_plain_sharing(const scene *s, const mesh *m)
 {
-    bool used[SCENE_MAX_MATERIALS] = {false};
     (void)m;
     if (!s->fluids_share) return FLOE_OK;
-    ice_find_used(s, false, used);
-    for (int r = 0; r < s->n_materials; ++r)
-        if (used[r] && (s->material[r].shear_viscosity > 0.0 || s->material[r].bulk_viscosity > 0.0))
-            return refuse_viscous(s, r);
     for (int k = 0; k < s->n_exchanges; ++k)
         if (s->exchange[k].tangential.model)
             return fail_key(
@@ -400,6 +393,7 @@ static const requirement requirements[] = {
     {needs_membranes_alone, OF_MEMBRANES},
     {needs_plain_loads, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_explicit_pressure, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_no_conduction, OF_MEMBRANES},
     {needs_plain_gas, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_no_exchange, OF_SURFACES | OF_AUTO},
     {needs_no_relaxation, OF_SURFACES | OF_AUTO},

@@ -322,29 +322,11 @@ static void test_bits(void **unused)
     same_bits_however_run(run);
 }
 
-/* ---- what is not sharp ---- */
-
-/* The drag of a surface is that of one fluid. */
-static void test_viscous(void **unused)
-{
-    (void)unused;
-    trial t;
-    const char *set[] = {
-        AIR, "materials.air.viscosity={shear: 1e-5}", WATER("6e8"),
-        "bodies.sea={material: water, shape: {box: {lower: [0, 0], upper: [0.4, 0.02]}}, pressure: 1e5, "
-        "density: 1000}"};
-    deck_begin(&t, "shock_plate", set, 6);
-    check_true(t.scene->method.interface == INTERFACE_SMEARED);
-    check_true(strstr(t.scene->interface_reason, "viscosity") != NULL);
-    trial_end(&t);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rest),    cmocka_unit_test(test_carried), cmocka_unit_test(test_film),
-        cmocka_unit_test(test_hammer),  cmocka_unit_test(test_shock),   cmocka_unit_test(test_bits),
-        cmocka_unit_test(test_viscous),
+        cmocka_unit_test(test_rest),   cmocka_unit_test(test_carried), cmocka_unit_test(test_film),
+        cmocka_unit_test(test_hammer), cmocka_unit_test(test_shock),   cmocka_unit_test(test_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -212,6 +212,34 @@ static void heat_only(const ice *s, const ice_view *v, ptrdiff_t at, int r, cons
     ledger_tally(s->ledger, COUNT_ENERGY_GUARDS, 1);
 }
 
+/* Viscosity, conduction and the drag of the boundary, summed by ice_merged_step.c. */
+static void add_stresses(const ice *s, const ice_merged_cells *p, int merged, const ice_view *v, ptrdiff_t at)
+{
+    const double volume = p->sum[(size_t)merged * MERGED_SUMS + MERGED_VOLUME];
+    for (int r = 0; r < v->n_materials; ++r) {
+        const double *own = p->fluid + (size_t)(merged * v->n_materials + r) * FLUID_SUMS;
+        const double mass = volume * v->m[r].rho[at];
+        double gain = 0.0;
+        if (!(mass > 0.0)) continue;
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double du = own[FLUID_MOMENTUM + a] / mass, old = v->m[r].ul[a][at];
+            v->m[r].ul[a][at] = old + du;
+            gain += du * (old + 0.5 * du);
+        }
+        v->m[r].el[at] += own[FLUID_ENERGY] / mass - gain;
+    }
+}
+
+static void heat_fluids(const ice *s, const ice_view *v, ptrdiff_t at, const merged_push *q)
+{
+    if (v->mixed[at] > 1.0) {
+        heat_several(s, v, at, q);
+        return;
+    }
+    for (int r = 0; r < v->n_materials; ++r)
+        if (v->m[r].rho[at] > 0.0) heat_only(s, v, at, r, q);
+}
+
 static void advance_lead(const ice *s, const ice_merged_cells *p, int merged)
 {
     const ice_member *lead = &p->member[p->lead[merged]];
@@ -220,12 +248,8 @@ static void advance_lead(const ice *s, const ice_merged_cells *p, int merged)
     merged_push q = push_of(s, sum);
     push_fluids(v, lead->at, &q);
     ice_enter_weight(s, lead, sum, q.fallen);
-    if (v->mixed[lead->at] > 1.0) {
-        heat_several(s, v, lead->at, &q);
-        return;
-    }
-    for (int r = 0; r < v->n_materials; ++r)
-        if (v->m[r].rho[lead->at] > 0.0) heat_only(s, v, lead->at, r, &q);
+    heat_fluids(s, v, lead->at, &q);
+    if (ice_has_diffusion(s)) add_stresses(s, p, merged, v, lead->at);
 }
 
 static void take_lead(const ice *s, const ice_member *m, const ice_member *lead)

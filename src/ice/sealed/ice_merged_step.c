@@ -7,8 +7,8 @@
  *     M de = -dt sum_f A_f u* P* - P sum_w A_w . d - M du . (u + u^L)/2           d: the displacement of the wall in the step
  *
  * Under gravity P is linear in the merged cells: dP has the value at their centre, the other sums that at the face or
- * piece, so that they include the weight of the cells (ice_merged_weight.c). A viscous gas sticks to it: over half a cell it drags the
- * wall with mu |A_w| (u - v)/(h/2), and is dragged as much. Where there is no gas on the other side, the reference
+ * piece, so that they include the weight of the cells (ice_merged_weight.c). A viscous fluid sticks to it: over half a cell it drags the
+ * wall with theta mu |A_w| (u - v)/(h/2), and is dragged as much. No heat passes. Where there is no gas on the other side, the reference
  * pressure pushes on the wall from there. */
 #include "ice/sealed/ice_merged_cells.h"
 
@@ -113,18 +113,28 @@ static double pressure_on(const piece_walk *w)
     return P + ice_merged_rise(w->s, w->p, w->member, x) - ice_merged_rise(w->s, w->p, w->member, centre);
 }
 
-/* Force (N) of the current gas on a piece: its pressure, and its drag. */
-static void force_on(const piece_walk *w, double force[3])
+/* Force (N) of the fluids on a piece: their pressure, and the drag of each. */
+typedef struct piece_force {
+    double all[3], drag[ICE_MAX_MATERIALS][3];
+} piece_force;
+
+static void force_on(const piece_walk *w, piece_force *f)
 {
     const ice *s = w->s;
     const cut_piece *q = w->piece;
     const ptrdiff_t at = w->member->at;
     const ice_view *v = ice_member_view(s, w->member);
     const double P = pressure_on(w);
-    const double drag = 2.0 * v->material[0].shear_viscosity / v->finest * piece_size(q);
-    for (int a = 0; a < s->mesh->dim; ++a)
-        force[a] =
-            w->outward * P * q->area[a] + drag * (v->m[0].u[a][at] - at_middle(q, s->mesh->dim, w->line->velocity, a));
+    for (int a = 0; a < s->mesh->dim; ++a) f->all[a] = w->outward * P * q->area[a];
+    for (int r = 0; r < v->n_materials; ++r) {
+        const double share = v->multi ? v->m[r].theta[at] : 1.0;
+        const double drag = share * (2.0 * v->material[r].shear_viscosity / v->finest * piece_size(q));
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double before = f->all[a];
+            f->all[a] = before + drag * (v->m[r].u[a][at] - at_middle(q, s->mesh->dim, w->line->velocity, a));
+            f->drag[r][a] = f->all[a] - before; /* what the fluid loses is what the piece has, to the bit */
+        }
+    }
 }
 
 void ice_merged_centring(const ice *s, const ice_region *g)
@@ -204,11 +214,48 @@ static double add_weight(const ice *s, const ice_merged_cells *p, const ice_memb
     return rise - ice_merged_rise(s, p, m, centre);
 }
 
+/* Where stresses and heat of a fluid of merged cells are summed: among several it has sums of its own. */
+typedef struct stress_sums {
+    double *momentum, *work;
+} stress_sums;
+
+static stress_sums stress_sums_of(const ice_merged_cells *p, int merged, int r)
+{
+    double *sum = p->sum + (size_t)merged * MERGED_SUMS;
+    if (!p->fluid) return (stress_sums){sum + MERGED_MOMENTUM, sum + MERGED_WORK};
+    double *own = p->fluid + (size_t)(merged * p->region->n + r) * FLUID_SUMS;
+    return (stress_sums){own + FLUID_MOMENTUM, own + FLUID_ENERGY};
+}
+
+/* Of a face: area, times the step, positive on the upper side. */
+static void add_face_stress(const ice *s, const ice_merged_cells *p, const ice_member *m, int axis, mesh_side side,
+                            double area)
+{
+    const ice_view *v = ice_member_view(s, m);
+    const ptrdiff_t at = ice_member_face(v, m, axis, side);
+    const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
+    for (int r = 0; r < p->region->n; ++r) {
+        const stress_sums to = stress_sums_of(p, m->merged, r);
+        const ice_face_diffusion t = ice_sealed_stress(v, r, axis, at, i),
+                                 other = ice_stress_between(s, v, r, axis, at, i, side);
+        for (int a = 0; a < s->mesh->dim; ++a) to.momentum[a] += area * m->face[axis][side] * (t.t[a] + other.t[a]);
+        *to.work += area * m->face[axis][side] * (t.power + other.power);
+    }
+}
+
+static void add_hoop(const ice *s, const ice_merged_cells *p, const ice_member *m)
+{
+    const ice_view *v = ice_member_view(s, m);
+    for (int r = 0; r < p->region->n; ++r)
+        stress_sums_of(p, m->merged, r).momentum[0] += s->dt * m->open * mesh_cell_volume(s->mesh, m->cell[0]) *
+                                                       ice_sealed_hoop(v, r, m->at, m->cell[0] - v->b->lo[0]);
+}
+
 /* Impulse and work of the faces of a member on its merged cells. */
 static void add_faces(const ice *s, const ice_merged_cells *p, const ice_member *m, double *sum)
 {
     const ice_view *v = ice_member_view(s, m);
-    const bool viscous = ice_is_viscous(s);
+    const bool diffuses = ice_has_diffusion(s);
     for (int f = 0; f < 2 * s->mesh->dim; ++f) {
         const int axis = f / 2, side = f % 2;
         const ptrdiff_t at = ice_member_face(v, m, axis, side);
@@ -216,15 +263,9 @@ static void add_faces(const ice *s, const ice_merged_cells *p, const ice_member 
         const double P = v->P[m->at] + add_weight(s, p, m, axis, side, area, sum);
         sum[MERGED_MOMENTUM + axis] -= area * m->face[axis][side] * (v->fp[axis][at] - P);
         sum[MERGED_WORK] -= area * v->flux[axis][at] * v->fp[axis][at]; /* the flux is of the open part by now */
-        if (!viscous || !(m->face[axis][side] > 0.0)) continue;
-        const int i = m->cell[0] - v->b->lo[0] + (axis == 0 && side == SIDE_UPPER);
-        const ice_face_diffusion t = ice_sealed_stress(v, axis, at, i);
-        for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] += area * m->face[axis][side] * t.t[a];
-        sum[MERGED_WORK] += area * m->face[axis][side] * t.power;
+        if (diffuses && m->face[axis][side] > 0.0) add_face_stress(s, p, m, axis, (mesh_side)side, area);
     }
-    if (viscous && m->open > 0.0)
-        sum[MERGED_MOMENTUM] += s->dt * m->open * mesh_cell_volume(s->mesh, m->cell[0]) *
-                                ice_sealed_hoop(v, m->at, m->cell[0] - v->b->lo[0]);
+    if (diffuses && m->open > 0.0) add_hoop(s, p, m);
 }
 
 /* Heat of an enclosed gas goes to its merged cells in proportion to their mass. */
@@ -265,6 +306,23 @@ static void enter_surroundings(const ice *s, const ice_region *g)
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, work);
 }
 
+/* The drag of each fluid on a piece; its work is in that of all. */
+static void add_drag(const piece_walk *w, const piece_force *f)
+{
+    const ice *s = w->s;
+    double *work = &w->p->sum[(size_t)w->member->merged * MERGED_SUMS + MERGED_WORK];
+    for (int r = 0; r < w->p->region->n; ++r) {
+        const stress_sums to = stress_sums_of(w->p, w->member->merged, r);
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            const double done = w->weight * f->drag[r][a] * at_middle(w->piece, s->mesh->dim, w->line->path, a);
+            to.momentum[a] -= w->weight * s->dt * f->drag[r][a];
+            if (to.work == work) continue;
+            *work += done;
+            *to.work -= done;
+        }
+    }
+}
+
 static void add_exact_sources(const ice *s, ice_merged_cells *p)
 {
     for (int k = 0; k < p->n; ++k) {
@@ -275,17 +333,16 @@ static void add_exact_sources(const ice *s, ice_merged_cells *p)
     }
     for (piece_walk w = first_piece(s, p); next_piece(&w);) {
         const ice_member *m = w.member;
-        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS, force[3], x[3];
-        const double P = pressure_on(&w);
+        double *sum = p->sum + (size_t)m->merged * MERGED_SUMS, x[3];
+        piece_force f;
         from_centre(&w, x);
-        force_on(&w, force);
+        force_on(&w, &f);
         for (int a = 0; a < s->mesh->dim; ++a) {
-            const double drag = force[a] - w.outward * P * w.piece->area[a];
-            sum[MERGED_MOMENTUM + a] -= w.weight * s->dt * drag;
             if (ice_has_weight(s))
                 sum[MERGED_WEIGHT + a] += w.weight * s->dt * w.outward * w.piece->area[a] * ice_merged_rise(s, p, m, x);
-            sum[MERGED_WORK] -= w.weight * force[a] * at_middle(w.piece, s->mesh->dim, w.line->path, a);
+            sum[MERGED_WORK] -= w.weight * f.all[a] * at_middle(w.piece, s->mesh->dim, w.line->path, a);
         }
+        add_drag(&w, &f);
     }
     add_gas_heat(s, p);
 }
@@ -407,8 +464,9 @@ static void load_vertices(const ice *s, const ice_region *g, double beyond)
     ice_seal_views(s, g);
     for (piece_walk w = first_piece(s, merged_cells_of(s, g)); next_piece(&w);) {
         double force[3];
-        force_on(&w, force);
-        for (int a = 0; a < s->mesh->dim; ++a) force[a] = w.weight * (force[a] - beyond * w.piece->area[a]);
+        piece_force f;
+        force_on(&w, &f);
+        for (int a = 0; a < s->mesh->dim; ++a) force[a] = w.weight * (f.all[a] - beyond * w.piece->area[a]);
         push_vertices(&w, force);
     }
 }

@@ -467,12 +467,14 @@ floe_status ice_sealed_pressure_stages(ice *s)
 
 floe_status ice_sealed_flow_stages(ice *s)
 {
-    const bool m = ice_is_mixture(s);
+    const bool m = ice_is_mixture(s), k = ice_conducts(s);
     STAGE(s, ALWAYS, ice_sealed_sources,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, C_SHOCK)),
-          WRITES(C_VEL_L, C_ENERGY_L, F_VEL, WHEN(m, F_FLUX), WHEN(m, C_HEAT_OWED), WHEN(m, C_VOLUME_L)));
+                WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, C_SHOCK),
+                WHEN(m && ice_has_diffusion(s), C_VEL_MEAN)),
+          WRITES(C_VEL_L, C_ENERGY_L, F_VEL, WHEN(m, F_FLUX), WHEN(m, C_HEAT_OWED), WHEN(m, C_VOLUME_L),
+                 WHEN(k, C_DIFFUSION_T)));
     STAGE(s, ALWAYS, ice_sealed_advect,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, C_SOUND, C_VEL_L,
                 C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM),

@@ -20,6 +20,23 @@
 
 #include <math.h>
 
+bool ice_conducts(const ice *s)
+{
+    for (int r = 0; r < s->n_materials; ++r)
+        if (s->material[r].conductivity > 0.0) return true;
+    return false;
+}
+
+bool ice_has_diffusion(const ice *s)
+{
+    return ice_is_viscous(s) || ice_conducts(s) || s->scene->driving;
+}
+
+bool ice_diffuses(const ice *s)
+{
+    return !s->cut && ice_has_diffusion(s);
+}
+
 /* Whether viscosity, conduction, or the sources of an exact solution act on a material of the cells. */
 static bool material_diffuses(const ice *s, const ice_material *m)
 {
@@ -70,19 +87,11 @@ FLOE_ALWAYS_INLINE void apply_row(const diffusing *d, const ice_view *v, int r, 
                                   const bool radial)
 {
     const ice_fluid *m = &v->m[r];
-    double *restrict el = m->el, *restrict ul[3] = {m->ul[0], m->ul[1], m->ul[2]};
 #pragma omp simd
     for (ptrdiff_t i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = base + i;
         const cell_diffusion c = diffusion_into(d, v, at, i, dim, radial);
-        const double per_mass = m->rho[at] > 0.0 ? v->dt / m->rho[at] : 0.0;
-        double gain = 0.0;
-        for (int a = 0; a < dim; ++a) {
-            const double du = per_mass * c.force[a], old = ul[a][at];
-            ul[a][at] = old + du;
-            gain += du * (old + 0.5 * du);
-        }
-        el[at] += per_mass * c.power - gain;
+        take_diffusion(m, at, m->rho[at] > 0.0 ? v->dt / m->rho[at] : 0.0, dim, &c);
     }
 }
 
@@ -367,39 +376,57 @@ void ice_diffuse(const ice *s, const ice_region *g)
     }
 }
 
-/* ---- gases that a membrane keeps apart ---- */
+/* ---- beside embedded boundaries ---- */
 
-static diffusing sealed_now(const ice_view *v)
+static diffusing sealed_now(const ice_view *v, int r)
 {
-    const ice_fluid *m = &v->m[0];
-    return diffusing_of(v, 0, (const double *const[3]){m->u[0], m->u[1], m->u[2]}, NULL);
+    const ice_fluid *m = &v->m[r];
+    return diffusing_of(v, r, (const double *const[3]){m->u[0], m->u[1], m->u[2]}, m->diffT);
+}
+
+static void apply_sealed(const ice *s, const ice_view *v, int r)
+{
+    (void)s;
+    const diffusing d = sealed_now(v, r);
+    each_row(v, r, &d, apply_rows);
 }
 
 static void enter_sealed_side(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
-    const diffusing d = sealed_now(v);
-    (void)r;
+    const diffusing d = sealed_now(v, r);
     enter_face(s, v, axis, side, at, &d);
 }
 
-ice_face_diffusion ice_sealed_stress(const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i)
+static void enter_sealed_sides(const ice *s, const ice_view *v, int r)
 {
-    const diffusing d = sealed_now(v);
+    ice_visit_sides(s, v, r, enter_sealed_side);
+}
+
+ice_face_diffusion ice_sealed_stress(const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i)
+{
+    const diffusing d = sealed_now(v, r);
     return diffusion_on(&d, axis, R, i, v->dim, is_radial(v, &d));
 }
 
-double ice_sealed_hoop(const ice_view *v, ptrdiff_t at, ptrdiff_t i)
+double ice_sealed_hoop(const ice_view *v, int r, ptrdiff_t at, ptrdiff_t i)
 {
-    const diffusing d = sealed_now(v);
+    const diffusing d = sealed_now(v, r);
     return is_radial(v, &d) ? diffusion_hoop(&d, at, i, v->dim) : 0.0;
 }
 
 void ice_diffuse_sealed(const ice *s, const ice_region *g)
 {
-    ice_view v;
-    for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        const diffusing d = sealed_now(&v);
-        each_row(&v, 0, &d, apply_rows);
-        ice_visit_sides(s, &v, 0, enter_sealed_side);
+    for (int r = 0; r < g->n; ++r) {
+        if (!material_diffuses(s, &s->material[g->first + r])) continue;
+        each_block(s, g, r, apply_sealed);
+        each_block(s, g, r, enter_sealed_sides);
+    }
+}
+
+void ice_find_temperatures(const ice *s, const ice_region *g)
+{
+    for (int r = 0; r < g->n; ++r) {
+        each_block(s, g, r, set_temperatures);
+        ice_fill_ghosts(s, C_DIFFUSION_T, g->first + r, FILL_CURRENT, GHOST_TEMPERATURE);
     }
 }

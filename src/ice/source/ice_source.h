@@ -4,19 +4,28 @@
 
 #include "ice/ice_view.h"
 
+bool ice_conducts(const ice *s);
+/* Some fluid is viscous or conducts, or an exact solution's sources drive it; the second, where no embedded boundary cuts cells: there its
+ * rates at the start of the step are known, and it is of second order in time. */
+bool ice_has_diffusion(const ice *s);
+bool ice_diffuses(const ice *s);
+
 /* Half a step's force on the face velocities, and half a step's heat on the advanced pressure (the array P); a whole step's of
  * both where the implicit pressure is at its end. */
 void ice_diffusion_face_velocity(const ice *s, const ice_view *v, int r, int axis);
 void ice_diffusion_pressure(const ice *s, const ice_view *v, int r, double *P);
 floe_status ice_diffusion_rates_of(ice *s, const ice_region *g);
-/* What stresses and hoop stresses of a region beside embedded boundaries do, of the state at t^n: on the lower face of `axis` at R, of
+/* What stresses and hoop stresses of a fluid beside embedded boundaries do, of the state at t^n: on the lower face of `axis` at R, of
  * local cell i along axis 0, and to a cell. */
 typedef struct ice_face_diffusion {
     double t[3], power; /* traction along the axes; power that crosses downwards, by stress and heat */
 } ice_face_diffusion;
-ice_face_diffusion ice_sealed_stress(const ice_view *v, int axis, ptrdiff_t R, ptrdiff_t i);
+ice_face_diffusion ice_sealed_stress(const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i);
+/* What unlike fluids of the next cell do besides to a fluid of the cell of which the face is the lower or the upper one. */
+ice_face_diffusion ice_stress_between(const ice *s, const ice_view *v, int r, int axis, ptrdiff_t R, ptrdiff_t i,
+                                      mesh_side side);
 /* Radial force per volume of the hoop stress on a cell; 0 in the plane. */
-double ice_sealed_hoop(const ice_view *v, ptrdiff_t at, ptrdiff_t i);
+double ice_sealed_hoop(const ice_view *v, int r, ptrdiff_t at, ptrdiff_t i);
 
 /* P dP of a cell (theory 2.7), and what a fluid among several gains by it per mass (2.8 i). */
 double ice_compression_work(const ice_view *v, ptrdiff_t at);

@@ -296,8 +296,10 @@ void ice_find_sources(ice *s, const ice_region *g)
     ice_clear_tiles(s);
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) source_rows(s, &v);
-    if (ice_diffuses(s)) ice_diffuse(s, g);
-    if (s->cut && ice_is_viscous(s)) ice_diffuse_sealed(s, g);
+    if (!ice_has_diffusion(s)) return;
+    if (s->cut && ice_conducts(s)) ice_find_temperatures(s, g);
+    (s->cut ? ice_diffuse_sealed : ice_diffuse)(s, g);
+    ice_diffuse_between(s, g);
 }
 
 floe_status ice_finish_sources(ice *s, const ice_region *g)

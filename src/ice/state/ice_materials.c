@@ -43,18 +43,6 @@ bool ice_is_viscous(const ice *s)
     return false;
 }
 
-bool ice_conducts(const ice *s)
-{
-    for (int r = 0; r < s->n_materials; ++r)
-        if (s->material[r].conductivity > 0.0) return true;
-    return false;
-}
-
-bool ice_diffuses(const ice *s)
-{
-    return !s->cut && (ice_is_viscous(s) || ice_conducts(s) || s->scene->driving);
-}
-
 bool ice_has_interfaces(const ice *s, const ice_region *g)
 {
     return g->n > 1 && !s->with_points;
