@@ -2,6 +2,7 @@
 #include "deck/deck_internal.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 /* ---- lists of any length ---- */
@@ -33,20 +34,7 @@ static floe_status read_times(reader *r, const key_spec *key, deck_node *node, v
     return FLOE_OK;
 }
 
-static floe_status read_spins(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    scene_motion *m = base;
-    int n = 0;
-    if (!node) return FLOE_OK;
-    TRY(check_list(r, key, node));
-    for (deck_node *item = node->first; item && !node->bad; item = item->next)
-        TRY(read_number(r, &spin_number, item, &m->spin[n++]));
-    if (!node->bad && n != m->n)
-        return bad(r, node, "a spin for each of the times", "there are %d spins and %d times", n, m->n);
-    return FLOE_OK;
-}
-
-static floe_status read_one_velocity(reader *r, deck_node *item, double v[3])
+static floe_status read_one_velocity(reader *r, deck_node *item, double *v)
 {
     const size_t dim = (size_t)r->scene->mesh.dim;
     if (item->kind == NODE_SCALAR && dim == 1) return read_number(r, &velocity_number, item, &v[0]);
@@ -56,17 +44,43 @@ static floe_status read_one_velocity(reader *r, deck_node *item, double v[3])
     return FLOE_OK;
 }
 
-static floe_status read_velocities(reader *r, const key_spec *key, deck_node *node, void *base)
+static floe_status read_one_spin(reader *r, deck_node *item, double *w)
 {
-    scene_motion *m = base;
+    return read_number(r, &spin_number, item, w);
+}
+
+/* A list with an entry for each of the times. */
+typedef struct timed_list {
+    const char *expected, *entries; /* in messages: what the list should be, and what its entries are */
+    floe_status (*read)(reader *r, deck_node *item, double *value);
+    double *value;
+    int stride; /* numbers from entry to entry */
+} timed_list;
+
+static floe_status read_timed(reader *r, const key_spec *key, deck_node *node, int times, const timed_list *list)
+{
     int n = 0;
     if (!node) return FLOE_OK;
     TRY(check_list(r, key, node));
     for (deck_node *item = node->first; item && !node->bad; item = item->next)
-        TRY(read_one_velocity(r, item, m->velocity[n++]));
-    if (!node->bad && n != m->n)
-        return bad(r, node, "a velocity for each of the times", "there are %d velocities and %d times", n, m->n);
-    return FLOE_OK;
+        TRY(list->read(r, item, list->value + (ptrdiff_t)list->stride * n++));
+    if (node->bad || n == times) return FLOE_OK;
+    return bad(r, node, list->expected, "there are %d %s and %d times", n, list->entries, times);
+}
+
+static floe_status read_spins(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_motion *m = base;
+    return read_timed(r, key, node, m->n,
+                      &(timed_list){"a spin for each of the times", "spins", read_one_spin, m->spin, 1});
+}
+
+static floe_status read_velocities(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_motion *m = base;
+    return read_timed(
+        r, key, node, m->n,
+        &(timed_list){"a velocity for each of the times", "velocities", read_one_velocity, m->velocity[0], 3});
 }
 
 static void write_numbers(writer *w, const char *key, const scene_motion *m, int dim, const double *value, int stride)

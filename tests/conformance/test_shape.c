@@ -4,10 +4,7 @@
  * lower < upper and inner < outer as the tables list them; check() must agree. A shape that is nothing when its places lie on
  * a line has them on a circle instead. Points are a star. Shapes whose parameters are shapes are asked with each shape that has
  * none in each of them, and with themselves within. Samples come from a fixed sequence. */
-#include "check.h"
-
-#include "base/memory.h"
-#include "geom/shape.h"
+#include "shape_fixture.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,27 +17,6 @@ typedef struct sample {
     int dim;
     double par[MAX_PAR];
 } sample;
-
-/* What samples are made of, for as long as a test runs. */
-typedef struct maker {
-    context *ctx;
-    void *made[4096];
-    int n;
-} maker;
-
-static floe_status allocate(void *owner, void *out, size_t size)
-{
-    maker *m = owner;
-    check_true(m->n < (int)(sizeof m->made / sizeof *m->made));
-    TRY(memory_new(m->ctx, &m->made[m->n], 1, size));
-    memcpy(out, &m->made[m->n++], sizeof(void *));
-    return FLOE_OK;
-}
-
-static void free_made(maker *m)
-{
-    while (m->n > 0) memory_free(m->ctx, &m->made[--m->n]);
-}
 
 /* Whether a shape has shapes among its parameters. */
 static bool is_compound(const shape_model *model)
@@ -194,13 +170,13 @@ static void ask_with_each(maker *m, const shape_model *model, int dim, void (*ch
 
 static void on_each(void (*check)(const sample *))
 {
-    maker m = {.ctx = context_create()};
+    maker m;
+    maker_begin(&m);
     check_true(shape_registry_size > 0);
     for (size_t i = 0; i < shape_registry_size; i++)
         for (int dim = shape_registry[i]->min_dim; dim <= shape_registry[i]->max_dim; dim++)
             ask_with_each(&m, shape_registry[i], dim, check);
-    assert_int_equal(memory_read_account(m.ctx).live_bytes, 0);
-    context_destroy(&m.ctx);
+    maker_end(&m);
 }
 
 /* Uniform on [-1.5, 1.5] by the golden-ratio sequence of each axis (Roberts' R3). */

@@ -395,6 +395,13 @@ static void make_sheet(int m, int axis, int kind, unsigned char *rim)
         }
 }
 
+/* Rims of the sheet as it is laid, inside (`below`) or not: sides run backwards where the corners do. */
+static void set_rims(cut_surface *c, bool below, const unsigned char *rim)
+{
+    for (int k = 0; k < b.triangles; ++k)
+        c->triangle[k].rim = below ? rim[k] : (unsigned char)((rim[k] & 2) | (rim[k] & 1) << 2 | (rim[k] & 4) >> 2);
+}
+
 /* Below it (in cells), by prisms. */
 static double below_sheet(int axis)
 {
@@ -424,8 +431,7 @@ static void test_sides(void **unused)
         const bool below = n / 9 % 2;
         make_sheet(1 + any_of(20), axis, n / 3 % 3, rim);
         lay(&c, ctx, below, NULL);
-        for (int k = 0; k < b.triangles; ++k) /* sides run backwards where the corners do */
-            c.triangle[k].rim = below ? rim[k] : (unsigned char)((rim[k] & 2) | (rim[k] & 1) << 2 | (rim[k] & 4) >> 2);
+        set_rims(&c, below, rim);
         check_ok(ctx, cut_find(&c));
         enclosed_moments(&c, gas);
         const double under = below_sheet(axis);
@@ -456,8 +462,7 @@ static void test_level(void **unused)
         make_sheet(3, axis, 2, rim);
         for (int v = 0; v < b.n; ++v) b.x[v][up] += share;
         lay(&c, ctx, below, NULL);
-        for (int k = 0; k < b.triangles; ++k)
-            c.triangle[k].rim = below ? rim[k] : (unsigned char)((rim[k] & 2) | (rim[k] & 1) << 2 | (rim[k] & 4) >> 2);
+        set_rims(&c, below, rim);
         check_ok(ctx, cut_find(&c));
         cell[up] = on_plane && below ? 5 : 6;
         beside = on_plane ? (below ? 6 : 5) : 7;

@@ -1,8 +1,7 @@
 /* Polygons, solids of revolution and compounds: volumes and centroids against exact ones, sides in common, what is refused, and the
  * points and surfaces that are made of them. */
-#include "check.h"
+#include "shape_fixture.h"
 
-#include "base/memory.h"
 #include "geom/compound.h"
 #include "geom/contour.h"
 #include "geom/seed.h"
@@ -13,38 +12,17 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* What shapes of a test are made of. */
-typedef struct maker {
-    context *ctx;
-    void *made[256];
-    int n;
-    char why[SHAPE_WHY];
-} maker;
-
-static floe_status allocate(void *owner, void *out, size_t size)
-{
-    maker *m = owner;
-    check_true(m->n < (int)(sizeof m->made / sizeof *m->made));
-    TRY(memory_new(m->ctx, &m->made[m->n], 1, size));
-    memcpy(out, &m->made[m->n++], sizeof(void *));
-    return FLOE_OK;
-}
-
 static int set_up(void **state)
 {
     static maker m;
-    memset(&m, 0, sizeof m);
-    m.ctx = context_create();
+    maker_begin(&m);
     *state = &m;
-    return m.ctx ? 0 : -1;
+    return 0;
 }
 
 static int tear_down(void **state)
 {
-    maker *m = *state;
-    while (m->n > 0) memory_free(m->ctx, &m->made[--m->n]);
-    assert_int_equal(memory_read_account(m->ctx).live_bytes, 0);
-    context_destroy(&m->ctx);
+    maker_end(*state);
     return 0;
 }
 

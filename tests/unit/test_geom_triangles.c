@@ -1,8 +1,5 @@
 /* Bodies from STL files: volumes and centroids, distances, either format, either sense, cavities; and what is refused, with its place. */
-#include "check.h"
-
-#include "base/memory.h"
-#include "geom/shape.h"
+#include "shape_fixture.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -14,45 +11,30 @@ enum { MOST = 20000, TEXT = 4 << 20 };
 static const double pi = 3.14159265358979323846;
 
 /* What a test makes, and the triangles of the file that it is at. */
-typedef struct maker {
-    context *ctx;
-    void *made[64];
-    int n;
-    char why[SHAPE_WHY];
+typedef struct stl_maker {
+    maker shapes;
     double x[3 * MOST][3];
     int n_triangles;
     char text[TEXT];
-} maker;
+} stl_maker;
 
-static maker the_maker;
-
-static floe_status allocate(void *owner, void *out, size_t size)
-{
-    maker *m = owner;
-    check_true(m->n < (int)(sizeof m->made / sizeof *m->made));
-    TRY(memory_new(m->ctx, &m->made[m->n], 1, size));
-    memcpy(out, &m->made[m->n++], sizeof(void *));
-    return FLOE_OK;
-}
+static stl_maker the_maker;
 
 static int set_up(void **state)
 {
     memset(&the_maker, 0, sizeof the_maker);
-    the_maker.ctx = context_create();
+    maker_begin(&the_maker.shapes);
     *state = &the_maker;
-    return the_maker.ctx ? 0 : -1;
+    return 0;
 }
 
 static int tear_down(void **state)
 {
-    maker *m = *state;
-    while (m->n > 0) memory_free(m->ctx, &m->made[--m->n]);
-    assert_int_equal(memory_read_account(m->ctx).live_bytes, 0);
-    context_destroy(&m->ctx);
+    maker_end(&((stl_maker *)*state)->shapes);
     return 0;
 }
 
-static void add_triangle(maker *m, const double *a, const double *b, const double *c)
+static void add_triangle(stl_maker *m, const double *a, const double *b, const double *c)
 {
     check_true(m->n_triangles < MOST);
     memcpy(m->x[3 * m->n_triangles], a, sizeof *m->x);
@@ -61,7 +43,7 @@ static void add_triangle(maker *m, const double *a, const double *b, const doubl
 }
 
 /* A box of twelve triangles that faces out, or in. */
-static void add_box(maker *m, const double lo[3], const double hi[3], bool in)
+static void add_box(stl_maker *m, const double lo[3], const double hi[3], bool in)
 {
     static const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     double v[8][3];
@@ -86,7 +68,7 @@ static void put_on_ball(const double *a, const double *b, double out[3])
     for (int k = 0; k < 3; k++) out[k] /= sqrt(size);
 }
 
-static void add_patch(maker *m, const double *a, const double *b, const double *c, int level)
+static void add_patch(stl_maker *m, const double *a, const double *b, const double *c, int level)
 {
     double ab[3], bc[3], ca[3];
     if (level == 0) {
@@ -103,7 +85,7 @@ static void add_patch(maker *m, const double *a, const double *b, const double *
 }
 
 /* A ball of radius 1, of 8 4^level triangles. */
-static void add_ball(maker *m, int level)
+static void add_ball(stl_maker *m, int level)
 {
     for (int k = 0; k < 8; k++) {
         const double a[3] = {k & 1 ? -1.0 : 1.0, 0.0, 0.0}, b[3] = {0.0, k & 2 ? -1.0 : 1.0, 0.0},
@@ -113,7 +95,7 @@ static void add_ball(maker *m, int level)
     }
 }
 
-static size_t write_words(maker *m)
+static size_t write_words(stl_maker *m)
 {
     size_t n = (size_t)snprintf(m->text, TEXT, "solid a body\n");
     for (int t = 0; t < m->n_triangles; t++) {
@@ -126,7 +108,7 @@ static size_t write_words(maker *m)
     return n + (size_t)snprintf(m->text + n, TEXT - n, "endsolid a body\n");
 }
 
-static size_t write_binary(maker *m)
+static size_t write_binary(stl_maker *m)
 {
     memset(m->text, 0, 84);
     memcpy(m->text, "solid as some name it", 21);
@@ -141,25 +123,25 @@ static size_t write_binary(maker *m)
 }
 
 /* The shape of the file in m->text. */
-static shape read_text(maker *m, size_t size, double scale, double shift)
+static shape read_text(stl_maker *m, size_t size, double scale, double shift)
 {
     shape s = {.model = shape_find("stl")};
-    check_ok(m->ctx, allocate(m, &s.par, s.model->param_size));
+    check_ok(m->shapes.ctx, allocate(&m->shapes, &s.par, s.model->param_size));
     param_fill_defaults(s.model->params, s.model->n_params, s.par);
     const param_file file = {.path = "body.stl", .bytes = m->text, .size = size};
     memcpy((char *)s.par + s.model->params[0].offset, &file, sizeof file);
     *param_find(s.model->params, s.model->n_params, s.par, "scale") = scale;
     for (int a = 0; a < 3; a++) param_find(s.model->params, s.model->n_params, s.par, "shift")[a] = shift;
-    check_ok(m->ctx, shape_prepare(&s, 3, &(shape_memory){m->ctx, allocate, m}, m->why));
+    check_ok(m->shapes.ctx, shape_prepare(&s, 3, &(shape_memory){m->shapes.ctx, allocate, &m->shapes}, m->shapes.why));
     m->n_triangles = 0;
     return s;
 }
 
-static shape sound(maker *m, size_t size, double scale, double shift)
+static shape sound(stl_maker *m, size_t size, double scale, double shift)
 {
     const shape s = read_text(m, size, scale, shift);
-    if (m->why[0]) print_error("%s\n", m->why);
-    check_true(m->why[0] == '\0');
+    if (m->shapes.why[0]) print_error("%s\n", m->shapes.why);
+    check_true(m->shapes.why[0] == '\0');
     return s;
 }
 
@@ -172,7 +154,7 @@ static double volume_of(const shape *s, double centroid[3])
 /* A cube in either format and either sense; and moved and made smaller. Its edges cost what those of any shape do. */
 static void test_cubes(void **state)
 {
-    maker *m = *state;
+    stl_maker *m = *state;
     double x[3];
     const double lo[3] = {-0.5, -0.4, -0.6}, hi[3] = {0.7, 0.8, 0.5};
     for (int k = 0; k < 4; k++) {
@@ -194,7 +176,7 @@ static void test_cubes(void **state)
 /* Balls of triangles have the ball's volume but for what lies over them, to the second order. */
 static void test_balls(void **state)
 {
-    maker *m = *state;
+    stl_maker *m = *state;
     double x[3], off[2];
     for (int k = 0; k < 2; k++) {
         add_ball(m, 3 + k);
@@ -224,7 +206,7 @@ static void test_balls(void **state)
 /* A box in a box is a cavity where it faces in. */
 static void test_cavities(void **state)
 {
-    maker *m = *state;
+    stl_maker *m = *state;
     for (int turned = 0; turned < 2; turned++) {
         BOX(m, -0.9, 0.9, turned);
         BOX(m, -0.5, 0.5, !turned);
@@ -239,17 +221,17 @@ static void test_cavities(void **state)
     }
 }
 
-static void refuse(maker *m, size_t size, const char *word)
+static void refuse(stl_maker *m, size_t size, const char *word)
 {
     read_text(m, size, 1.0, 0.0);
-    if (!strstr(m->why, word)) print_error("'%s' has no '%s'\n", m->why, word);
-    check_true(strstr(m->why, word) != NULL);
-    check_true(strstr(m->why, "body.stl") != NULL);
+    if (!strstr(m->shapes.why, word)) print_error("'%s' has no '%s'\n", m->shapes.why, word);
+    check_true(strstr(m->shapes.why, word) != NULL);
+    check_true(strstr(m->shapes.why, "body.stl") != NULL);
 }
 
 static void test_refused_surfaces(void **state)
 {
-    maker *m = *state;
+    stl_maker *m = *state;
     BOX(m, 0.0, 1.0, false);
     m->n_triangles--;
     refuse(m, write_words(m), "it is open at the side from (1, 0, 0) to (1, 0, 1)");
@@ -296,7 +278,7 @@ static void test_refused_files(void **state)
         {"solid x\nface\n", "line 2: 'face' where 'facet' should be"},
         {"solid x\nfacet normal 0 0", "'the end' where 'outer' should be"},
     };
-    maker *m = *state;
+    stl_maker *m = *state;
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
         strcpy(m->text, wrong[k].text);
         refuse(m, strlen(m->text), wrong[k].word);

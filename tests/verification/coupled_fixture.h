@@ -308,6 +308,29 @@ FIXTURE void same_after_resuming(begin_trial *begin, const void *one, const void
     checkpoint_place_remove(&place);
 }
 
+/* A scene on that many blocks along each axis, without its simulation. */
+typedef void begin_blocks(trial *t, int blocks);
+
+/* Twice `steps` steps; with a path the first half writes a checkpoint there, from which a run on one block goes on. */
+FIXTURE state run_in_halves(begin_blocks *begin, int steps, int blocks, int threads, const char *path)
+{
+    trial t;
+    begin(&t, blocks);
+    use_threads(threads);
+    check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
+    trial_steps(&t, steps);
+    if (path) {
+        check_ok(t.ctx, io_init(t.ctx));
+        write_checkpoint(&t, path);
+        trial_end(&t);
+        begin(&t, 1);
+        check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
+        read_checkpoint(&t, path);
+    }
+    trial_steps(&t, steps);
+    return trial_finish(&t);
+}
+
 /* Runs a scene on that many blocks along each axis and threads; with a path, through a checkpoint there on the way. */
 typedef state bits_run(int blocks, int threads, const char *path);
 

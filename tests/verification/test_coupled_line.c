@@ -2,9 +2,6 @@
  * at rest at a side and in touch; the same bits for any blocks, any threads and after a restart. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint/checkpoint.h"
-#include "io/io.h"
-
 static void begin(trial *t, const char *deck, const char *const *set, size_t n)
 {
     deck_begin(t, deck, set, n);
@@ -47,7 +44,7 @@ static void test_shock(void **unused)
     "ambient={material: air, pressure: 1e5, temperature: 300}", "bodies.behind=null", "method=null", \
         "boundaries={x: symmetry}", STEEL
 
-/* A block between two rooms of gas, 0.453 and 0.444 m: (omega/2 pi)^2 by gamma p (1/a + 1/b) over its mass and a third of the gas's; from rest in the
+/* A block between two columns of gas, 0.453 and 0.444 m: (omega/2 pi)^2 by gamma p (1/a + 1/b) over its mass and a third of the gas's; from rest in the
  * middle with 0.05 m/s. After a quarter of a swing it is farthest out, after a half back with what it had. Measured: the way and the speed
  * after a half 0.05 % short, the energy to 2e-13. */
 static void test_spring(void **unused)
@@ -121,7 +118,7 @@ static void test_weight(void **unused)
     trial_end(&t);
 }
 
-/* The room above the first block begins within a cell, most of which it fills with its neighbour: of both the state is that at their centre. */
+/* The gas above the first block begins within a cell, most of which it fills with its neighbour: of both the state is that at their centre. */
 static void check_centre(const trial *t)
 {
     double rho[50], e[50];
@@ -132,7 +129,7 @@ static void check_centre(const trial *t)
     check_close(rho[10], rho[11], 0.0);
 }
 
-/* Gas at rest above, below and between solids that are held, at any place in their cells: 9e-13 m/s after 800 steps measured. Two dimensions, beside a
+/* Gas at rest above, below and between fixed solids, at any place in their cells: 9e-13 m/s after 800 steps measured. Two dimensions, beside a
  * level floor 5e-13, about a ball 4e-8. */
 static void at_rest(const char *const *set, size_t n, double most)
 {
@@ -143,7 +140,7 @@ static void at_rest(const char *const *set, size_t n, double most)
     trial_steps(&t, 800);
     check_ok(t.ctx, ice_sum(t.sim->ice, &gas));
     const double speed = sqrt(2.0 * gas.kinetic[0] / gas.mass[0]);
-    print_message("held under gravity: gas at %.2g m/s\n", speed);
+    print_message("fixed solids under gravity: gas at %.2g m/s\n", speed);
     check_true(speed < most);
     check_true(ledger_worst(&t, LEDGER_ENERGY, LEDGER_ENERGY) < 1e-13);
     trial_end(&t);
@@ -170,7 +167,7 @@ static void test_hydrostatic(void **unused)
     at_rest(plane, 10, 9e-8);
 }
 
-/* ---- several fluids, each in rooms of its own ---- */
+/* ---- several fluids, each in regions of its own ---- */
 
 #define WATER "materials.water={eos: {stiffened: {gamma: 4.4, p_inf: 6e8, specific_heat: 1816}}}"
 
@@ -202,8 +199,8 @@ static void test_two_fluids(void **unused)
     }
 }
 
-/* Two in one room and one that enters another's room share cells; a plate that no place where surfaces are looked for lies in is refused. */
-static void test_rooms(void **unused)
+/* Two in one region and one that enters another's share cells; a plate that no place where surfaces are looked for lies in is refused. */
+static void test_regions(void **unused)
 {
     (void)unused;
     static const char *const last[] = {
@@ -255,21 +252,7 @@ static void waves_begin(trial *t, int blocks)
 
 static state run(int blocks, int threads, const char *path)
 {
-    trial t;
-    waves_begin(&t, blocks);
-    use_threads(threads);
-    check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-    trial_steps(&t, 60);
-    if (path) { /* written, and read into another run with other blocks */
-        check_ok(t.ctx, io_init(t.ctx));
-        write_checkpoint(&t, path);
-        trial_end(&t);
-        waves_begin(&t, 1);
-        check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-        read_checkpoint(&t, path);
-    }
-    trial_steps(&t, 60);
-    return trial_finish(&t);
+    return run_in_halves(waves_begin, 60, blocks, threads, path);
 }
 
 static void test_bits(void **unused)
@@ -299,6 +282,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_shock),       cmocka_unit_test(test_spring),     cmocka_unit_test(test_rest),
         cmocka_unit_test(test_bits),        cmocka_unit_test(test_ends),       cmocka_unit_test(test_weight),
-        cmocka_unit_test(test_hydrostatic), cmocka_unit_test(test_two_fluids), cmocka_unit_test(test_rooms)};
+        cmocka_unit_test(test_hydrostatic), cmocka_unit_test(test_two_fluids), cmocka_unit_test(test_regions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

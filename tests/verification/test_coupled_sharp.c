@@ -3,9 +3,6 @@
  * same bits for any blocks, any threads and after a restart. */
 #include "coupled_fixture.h"
 
-#include "io/checkpoint/checkpoint.h"
-#include "io/io.h"
-
 static void begin(trial *t, const char *deck, const char *const *set, size_t n)
 {
     deck_begin(t, deck, set, n);
@@ -179,21 +176,7 @@ static void ring_begin(trial *t, int blocks)
 
 static state run(int blocks, int threads, const char *path)
 {
-    trial t;
-    ring_begin(&t, blocks);
-    use_threads(threads);
-    check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-    trial_steps(&t, 30);
-    if (path) { /* written, and read into another run with other blocks */
-        check_ok(t.ctx, io_init(t.ctx));
-        write_checkpoint(&t, path);
-        trial_end(&t);
-        ring_begin(&t, 1);
-        check_ok(t.ctx, sim_create(&t.sim, t.ctx, t.scene, COUPLING_ICE_MPM));
-        read_checkpoint(&t, path);
-    }
-    trial_steps(&t, 30);
-    return trial_finish(&t);
+    return run_in_halves(ring_begin, 30, blocks, threads, path);
 }
 
 static void test_bits(void **unused)

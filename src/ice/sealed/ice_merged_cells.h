@@ -21,6 +21,14 @@ typedef struct ice_member {
     double face[3][2]; /* mean apertures of its faces in the step, by axis and side */
 } ice_member;
 
+/* What a stage leaves of a fluid in a member's cell: `advected` kg of its next state in the whole cell, less `closed` kg of
+ * its Lagrangian state beyond the boundary. */
+typedef struct ice_amount {
+    double advected, closed;
+    double energy; /* J: internal and kinetic */
+    double momentum[MESH_MAX_DIM];
+} ice_amount;
+
 /* Sums of each fluid of a merged cell that several share. */
 enum {
     FLUID_MASS,
@@ -94,6 +102,9 @@ static inline const ice_view *ice_member_view(const ice *s, const ice_member *k)
 {
     return &s->sealing->view[k->block];
 }
+/* The stage for whole cells has advected their full volume; the part beyond the boundary is subtracted again with its
+ * old state. */
+ice_amount ice_advected(const ice *s, const ice_member *k, const ice_fluid *m);
 /* What gravity does to merged cells, into the ledger: its impulse at their middle, and its work (J). */
 void ice_enter_weight(const ice *s, const ice_member *lead, const double *sum, double work);
 /* All blocks that have a cell, their own or as a ghost: for (int id = 0; ice_next_seen(s, cell, &id, &at);) with the view

@@ -148,38 +148,30 @@ void ice_agree_exchanged(const ice *s, const ice_region *g)
 
 /* ---- the next state ---- */
 
-/* What whole cells have of a fluid, times `share` of their volume. */
-static void add_state(const ice_fluid *m, int dim, ptrdiff_t at, double volume, double *sum)
+/* Adds a volume of a fluid's state in a cell, the next one or the present one. */
+static void add_state(const ice_fluid *m, int dim, ptrdiff_t at, bool next, double volume, double *sum)
 {
-    const double mass = volume * m->rho1[at];
-    double e = m->e1[at];
-    if (!(mass > 0.0)) return;
+    const double mass = volume * (next ? m->rho1 : m->rho)[at];
+    double e = (next ? m->e1 : m->e)[at];
+    if (!(mass > 0.0)) return; /* a small volume between the boundary and the body's shape: merging fills it */
     for (int a = 0; a < dim; ++a) {
-        sum[FLUID_MOMENTUM + a] += mass * m->u1[a][at];
-        e += 0.5 * m->u1[a][at] * m->u1[a][at];
+        const double u = (next ? m->u1 : m->u)[a][at];
+        sum[FLUID_MOMENTUM + a] += mass * u;
+        e += 0.5 * u * u;
     }
     sum[FLUID_MASS] += mass;
-    sum[FLUID_VOLUME] += mass * m->vol1[at];
+    sum[FLUID_VOLUME] += mass * (next ? m->vol1 : m->vol)[at];
     sum[FLUID_ENERGY] += mass * e;
 }
 
-/* The stage for whole cells has advected their full volume; the part beyond the boundary is subtracted again with its
- * old state. */
 static void add_advected(const ice *s, const ice_member *k, int r, double *sum)
 {
     const ice_fluid *m = &ice_member_view(s, k)->m[r];
-    const ptrdiff_t at = k->at;
-    const double volume = mesh_cell_volume(s->mesh, k->cell[0]);
-    const double gone = (1.0 - m->open[at]) * m->rho[at] * volume, left = m->rho1[at] * volume;
-    double old = m->el[at], now = m->e1[at];
-    for (int a = 0; a < s->mesh->dim; ++a) {
-        old += 0.5 * m->ul[a][at] * m->ul[a][at];
-        now += 0.5 * m->u1[a][at] * m->u1[a][at];
-        sum[FLUID_MOMENTUM + a] += left * m->u1[a][at] - gone * m->ul[a][at];
-    }
-    sum[FLUID_MASS] += left - gone;
-    sum[FLUID_VOLUME] += left * m->vol1[at] - gone * m->vl[at];
-    sum[FLUID_ENERGY] += left * now - gone * old;
+    const ice_amount fluid = ice_advected(s, k, m);
+    for (int a = 0; a < s->mesh->dim; ++a) sum[FLUID_MOMENTUM + a] += fluid.momentum[a];
+    sum[FLUID_MASS] += fluid.advected - fluid.closed;
+    sum[FLUID_VOLUME] += fluid.advected * m->vol1[k->at] - fluid.closed * m->vl[k->at];
+    sum[FLUID_ENERGY] += fluid.energy;
 }
 
 /* Of all cells that were merged in the step, and the volume that they have open after it. */
@@ -204,7 +196,7 @@ static void add_part(const ice *s, const ice_merged_cells *was, const ice_member
     for (int r = 0; r < p->region->n; ++r) {
         double *sum = fluid_sums(p, m->merged, r);
         if (before < 0) {
-            add_state(&v->m[r], v->dim, m->at, volume, sum);
+            add_state(&v->m[r], v->dim, m->at, true, volume, sum);
             continue;
         }
         const int merged = was->member[before].merged;
@@ -388,21 +380,7 @@ floe_status ice_renew_fluids(ice *s, const ice_region *g)
 
 /* ---- the start ---- */
 
-static void add_first(const ice_fluid *m, int dim, ptrdiff_t at, double volume, double *sum)
-{
-    const double mass = volume * m->rho[at];
-    double e = m->e[at];
-    if (!(mass > 0.0)) return; /* a small volume between the boundary and the body's shape: merging fills it */
-    for (int a = 0; a < dim; ++a) {
-        sum[FLUID_MOMENTUM + a] += mass * m->u[a][at];
-        e += 0.5 * m->u[a][at] * m->u[a][at];
-    }
-    sum[FLUID_MASS] += mass;
-    sum[FLUID_VOLUME] += mass * m->vol[at];
-    sum[FLUID_ENERGY] += mass * e;
-}
-
-static bool holds_some(const ice_view *v, ptrdiff_t at)
+static bool has_fluid(const ice_view *v, ptrdiff_t at)
 {
     for (int r = 0; r < v->n_materials; ++r)
         if (v->m[r].rho[at] > 0.0) return true;
@@ -417,9 +395,10 @@ static void sum_members(const ice *s, ice_merged_cells *p)
         const ice_member *m = &p->member[k];
         const ice_view *v = ice_member_view(s, m);
         const double volume = m->open * mesh_cell_volume(s->mesh, m->cell[0]);
-        if (!holds_some(v, m->at)) continue;
+        if (!has_fluid(v, m->at)) continue;
         p->sum[(size_t)m->merged * MERGED_SUMS + MERGED_VOLUME] += volume;
-        for (int r = 0; r < p->region->n; ++r) add_first(&v->m[r], v->dim, m->at, volume, fluid_sums(p, m->merged, r));
+        for (int r = 0; r < p->region->n; ++r)
+            add_state(&v->m[r], v->dim, m->at, false, volume, fluid_sums(p, m->merged, r));
     }
 }
 

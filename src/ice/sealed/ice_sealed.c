@@ -236,24 +236,28 @@ floe_status ice_sealed_sources(ice *s)
 
 /* ---- open fractions ---- */
 
-/* The stage for whole cells has advected their full volume; the part beyond the boundary is subtracted again with its
- * old state. */
-static void add_contents(const ice *s, const ice_member *k, double *sum)
+ice_amount ice_advected(const ice *s, const ice_member *k, const ice_fluid *m)
 {
-    const ice_view *v = &s->sealing->view[k->block];
-    const ice_fluid *m = &v->m[0];
     const ptrdiff_t at = k->at;
     const double volume = mesh_cell_volume(s->mesh, k->cell[0]);
-    const double gone = (1.0 - m->open[at]) * m->rho[at] * volume, left = m->rho1[at] * volume;
+    ice_amount out = {.advected = m->rho1[at] * volume, .closed = (1.0 - m->open[at]) * m->rho[at] * volume};
     double old = m->el[at], now = m->e1[at];
     for (int a = 0; a < s->mesh->dim; ++a) {
         old += 0.5 * m->ul[a][at] * m->ul[a][at];
         now += 0.5 * m->u1[a][at] * m->u1[a][at];
-        sum[MERGED_MOMENTUM + a] += left * m->u1[a][at] - gone * m->ul[a][at];
+        out.momentum[a] = out.advected * m->u1[a][at] - out.closed * m->ul[a][at];
     }
-    sum[MERGED_MASS] += left - gone;
-    sum[MERGED_WORK] += left * now - gone * old;
-    sum[MERGED_VOLUME] += k->open * volume;
+    out.energy = out.advected * now - out.closed * old;
+    return out;
+}
+
+static void add_contents(const ice *s, const ice_member *k, double *sum)
+{
+    const ice_amount gas = ice_advected(s, k, &ice_member_view(s, k)->m[0]);
+    for (int a = 0; a < s->mesh->dim; ++a) sum[MERGED_MOMENTUM + a] += gas.momentum[a];
+    sum[MERGED_MASS] += gas.advected - gas.closed;
+    sum[MERGED_WORK] += gas.energy;
+    sum[MERGED_VOLUME] += k->open * mesh_cell_volume(s->mesh, k->cell[0]);
 }
 
 static void renew_open(const ice *s, const ice_region *g)

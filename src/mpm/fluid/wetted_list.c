@@ -4,21 +4,14 @@
 #include "mpm/fluid/wetted_parts.h"
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/constraints.h"
+#include "mpm/nodes/node.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 int wetted_solid(const mpm *s, int blk, ptrdiff_t local)
 {
-    int found = -1;
-    double most = 0.0;
-    for (int g = 0; g < s->n_groups; ++g) {
-        const double mass = g == s->wetted->fluid ? 0.0 : field_get(s->domain->fields[blk], N_MASS, g, 0)[local];
-        if (!(mass > most)) continue;
-        most = mass;
-        found = g;
-    }
-    return found;
+    return heaviest_group(s, s->domain->fields[blk], local, 0, s->wetted->fluid);
 }
 
 floe_status wetted_visit(mpm *s, int blk, const int lo[MESH_MAX_DIM], const int end[MESH_MAX_DIM],
@@ -61,7 +54,7 @@ static floe_status list_node(mpm *s, int blk, const int at[MESH_MAX_DIM], ptrdif
     for (int g = 0; g < 2; ++g) {
         const int group = g == FLUID ? w->fluid : n.solid;
         n.mass[g] = field_get(f, N_MASS, group, 0)[local];
-        n.inertia[g] = motion_holds_group(s, group) ? (double)INFINITY : n.mass[g];
+        n.inertia[g] = motion_prescribes_group(s, group) ? (double)INFINITY : n.mass[g];
         for (int c = 0; c < s->mesh->dim; ++c) {
             n.v[g][c] = field_get(f, N_VEL_L, group, c)[local];
             n.before[g][c] = field_get(f, N_MOMENTUM, group, c)[local] / n.mass[g];

@@ -2,6 +2,7 @@
 #include "mpm/motion/motion.h"
 
 #include "base/memory.h"
+#include "math/tensor.h"
 
 #include <math.h>
 #include <string.h>
@@ -94,15 +95,10 @@ static double share_before(const mpm *s)
     return s->cells == CELLS_NONE ? 1.0 : 0.5;
 }
 
-static double motion_time(const mpm *s)
-{
-    return s->time;
-}
-
 static void start_prescribed(const mpm *s, body_motion *m)
 {
     double way[3], axis[3], angle, spin;
-    const double t = motion_time(s);
+    const double t = s->time;
     motion_rates(m->given, t, m->now.v, &spin);
     motion_axis(m->given, axis);
     motion_travel(m->given, 0.0, t, way, &angle);
@@ -208,10 +204,9 @@ void motion_clear_loads(mpm *s, int group)
 
 static void add_turn(const double r[3], const double impulse[3], double moment[3])
 {
-    for (int a = 0; a < 3; ++a) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3;
-        moment[a] += r[b] * impulse[c] - r[c] * impulse[b];
-    }
+    double turn[3];
+    vec_cross(r, impulse, turn);
+    vec_add_scaled(1.0, turn, moment);
 }
 
 void rigid_add_moment(const body_motion *m, const double x[3], const double impulse[3], double moment[3])

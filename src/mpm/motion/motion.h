@@ -62,7 +62,7 @@ static inline body_motion *motion_of_group(const mpm *s, int group)
 }
 
 /* Whether nothing that others do changes the motion of a group. */
-static inline bool motion_holds_group(const mpm *s, int group)
+static inline bool motion_prescribes_group(const mpm *s, int group)
 {
     return group >= s->n_deforming_groups && motion_is_prescribed(motion_of_group(s, group)->given);
 }
@@ -103,7 +103,7 @@ void motions_impose(mpm *s, field_id velocity, bool now);
 /* The velocity of their nodes by what surfaces and body forces give them. */
 void motions_predict(mpm *s);
 /* The same as motions_impose, also of what sticks to them. No one gets an impulse. */
-void motions_hold(mpm *s, field_id velocity, bool now);
+void motions_impose_tied(mpm *s, field_id velocity, bool now);
 /* Nothing of a change of velocities for their nodes. */
 void motions_still(mpm *s, field_id change);
 /* After contact: nothing of a change for what sticks to them; they get `share` of the impulses. */

@@ -163,45 +163,54 @@ typedef struct contact_change {
     rigid_field field;
 } contact_change;
 
+/* The change that a contact gives the others at a node. */
+typedef struct node_change {
+    free_contact contact;
+    double dv[3];     /* m/s */
+    uint32_t touched; /* N_TOUCH */
+} node_change;
+
+static bool change_at(const mpm *s, const contact_change *change, const fields *f, ptrdiff_t at, const double x[3],
+                      node_change *out)
+{
+    out->contact = look_at_contact(s, f, change->group, at, x);
+    if (!out->contact.found) return false;
+    rigid_velocity(&change->field, x, out->dv);
+    follow_change(&out->contact, out->dv);
+    out->touched = (uint32_t)field_get(f, N_TOUCH, change->group, 0)[at];
+    return true;
+}
+
 /* What contact gives the others, by the mean of velocities before and after: the change of it. */
 static void add_gain(mpm *s, int blk, ptrdiff_t at, const double x[3], const void *user, double *sum)
 {
-    const contact_change *change = user;
     const fields *f = s->domain->fields[blk];
-    const free_contact c = look_at_contact(s, f, change->group, at, x);
+    node_change c;
     bool slides;
-    double dv[3];
-    if (!c.found) return;
-    rigid_velocity(&change->field, x, dv);
-    follow_change(&c, dv);
-    const uint32_t bits = (uint32_t)field_get(f, N_TOUCH, change->group, 0)[at];
+    if (!change_at(s, user, f, at, x, &c)) return;
     for (int g = 0; g < s->n_deforming_groups; ++g) {
-        if (!touches(bits, g, &slides)) continue;
+        if (!touches(c.touched, g, &slides)) continue;
         const double mass = field_get(f, N_MASS, g, 0)[at];
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double v = field_get(f, N_VEL_L, g, a)[at], before = field_get(f, N_MOMENTUM, g, a)[at] / mass;
-            const double given = -c.impulse[a] * mass / c.mass;
-            *sum += 0.5 * (mass * dv[a] * (before + v + dv[a]) + given * dv[a]);
+            const double given = -c.contact.impulse[a] * mass / c.contact.mass;
+            *sum += 0.5 * (mass * c.dv[a] * (before + v + c.dv[a]) + given * c.dv[a]);
         }
     }
 }
 
 static void change_node(mpm *s, int blk, ptrdiff_t at, const double x[3], void *user)
 {
-    const contact_change *change = user;
+    const int group = ((const contact_change *)user)->group;
     const fields *f = s->domain->fields[blk];
-    const free_contact c = look_at_contact(s, f, change->group, at, x);
+    node_change c;
     bool slides;
-    double dv[3];
-    if (!c.found) return;
-    rigid_velocity(&change->field, x, dv);
-    follow_change(&c, dv);
-    const uint32_t bits = (uint32_t)field_get(f, N_TOUCH, change->group, 0)[at];
-    const double own = field_get(f, N_MASS, change->group, 0)[at];
+    if (!change_at(s, user, f, at, x, &c)) return;
+    const double own = field_get(f, N_MASS, group, 0)[at];
     for (int a = 0; a < s->mesh->dim; ++a) {
         for (int g = 0; g < s->n_deforming_groups; ++g)
-            if (touches(bits, g, &slides)) field_get(f, N_VEL_L, g, a)[at] += dv[a];
-        field_get(f, N_VEL_L, change->group, a)[at] -= c.mass / own * dv[a];
+            if (touches(c.touched, g, &slides)) field_get(f, N_VEL_L, g, a)[at] += c.dv[a];
+        field_get(f, N_VEL_L, group, a)[at] -= c.contact.mass / own * c.dv[a];
     }
 }
 

@@ -61,15 +61,7 @@ void motions_impose(mpm *s, field_id field, bool now)
 /* The group with a motion to which others stick at a node: that of the largest mass there; -1: there is none. */
 int leader_at(const mpm *s, const fields *f, ptrdiff_t at)
 {
-    int leader = -1;
-    double most = 0.0;
-    for (int g = s->n_deforming_groups; g < s->n_groups; ++g) {
-        const double mass = field_get(f, N_MASS, g, 0)[at];
-        if (!(mass > most)) continue;
-        most = mass;
-        leader = g;
-    }
-    return leader;
+    return heaviest_group(s, f, at, s->n_deforming_groups, -1);
 }
 
 /* Contact, cells and walls of fluid points have rules of their own. */
@@ -217,7 +209,7 @@ static void find_meeting(mpm *s, int blk, ptrdiff_t at, const double x[3], const
     for (int a = 0; a < s->mesh->dim; ++a) node[a] = (int)lround((x[a] - s->mesh->lower[a]) / s->mesh->h[a]);
     for (int g = s->n_deforming_groups; g < s->n_groups; ++g)
         for (int other = s->n_deforming_groups; other < g; ++other) {
-            if (motion_holds_group(s, g) && motion_holds_group(s, other)) continue;
+            if (motion_prescribes_group(s, g) && motion_prescribes_group(s, other)) continue;
             if (!(field_get(f, N_MASS, g, 0)[at] > 0.0) || !(field_get(f, N_MASS, other, 0)[at] > 0.0)) continue;
             if (!fills(s, f, g, at, node) || !fills(s, f, other, at, node)) continue;
             sum[0] += 1.0;
@@ -263,7 +255,7 @@ floe_status mpm_join_motions(mpm *s)
     return FLOE_OK;
 }
 
-void motions_hold(mpm *s, field_id velocity, bool now)
+void motions_impose_tied(mpm *s, field_id velocity, bool now)
 {
     imposed what = {velocity, now, false};
     if (!s->motions) return;

@@ -54,7 +54,7 @@ floe_status mpm_node_velocity(mpm *s)
     }
     motions_impose(s, N_VEL, first);
     if (s->contact) contact_velocities(s, first ? CONTACT_FORESEE : CONTACT_REPEAT);
-    motions_hold(s, N_VEL, first);
+    motions_impose_tied(s, N_VEL, first);
     for (int g = 0; g < s->n_groups; ++g) extend_to_ghosts(s, g, N_VEL);
     return FLOE_OK;
 }
