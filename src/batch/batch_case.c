@@ -173,7 +173,7 @@ static floe_status status_of(int wait_status)
     return code < sizeof of_exit / sizeof of_exit[0] ? of_exit[code] : FLOE_INTERNAL;
 }
 
-/* What the process has said, as far as there is room; its file goes when it is empty. */
+/* What the process has said, as far as there is space; its file goes when it is empty. */
 static void take_messages(const batch *b, batch_case *one)
 {
     char path[BATCH_PATH], *text;

@@ -35,7 +35,7 @@ typedef struct frame {
 
 /* Ticks with labels left of the frame and below it, names of the axes, and the frame itself. */
 void picture_draw_axes(sketch *k, frame f, const scale *x, const char *x_label, const scale *y, const char *y_label);
-/* Room that the labels of an upright axis of that height need; both in units. */
+/* Space that the labels of an upright axis of that height need; both in units. */
 double picture_tick_width(const scale *y, double height);
 
 /* Height in units of all that is below the head. */

@@ -23,7 +23,7 @@ static void widen_range(plot_axis *axis, double value)
     axis->any = true;
 }
 
-/* Room around the data, as parts of the range below and above. */
+/* Margins around the data, as parts of the range below and above. */
 static void add_margin(plot_axis *axis, double below, double above)
 {
     if (!axis->any) {
@@ -44,7 +44,7 @@ static void add_margin(plot_axis *axis, double below, double above)
     axis->hi += 0.5 * missing + above * fmax(span, least);
 }
 
-/* Points touch the frame unless there is room; a curve may start at it. */
+/* Points touch the frame unless there is a margin; a curve may start at it. */
 static bool has_points(const plot_panel *panel)
 {
     for (size_t i = 0; i < panel->n_series; i++) {
@@ -132,7 +132,7 @@ void plot_append_axis(strbuf *out, char name, const plot_axis *axis)
         if (span < 0.6) {
             append_even_tics(out, axis);
         } else {
-            append_decade_tics(out, axis, span, name == 'x' ? 1.8 : 2.6); /* labels side by side need more room */
+            append_decade_tics(out, axis, span, name == 'x' ? 1.8 : 2.6); /* labels side by side need more space */
         }
         strbuf_append(out, ")\n");
     } else {

@@ -33,7 +33,7 @@ typedef struct plot_axis {
 bool plot_drawable(bool log_axis, double value);
 /* Number of a series' points that can be drawn. */
 size_t plot_points(const plot_panel *panel, const plot_series *series);
-/* The two axes of a panel, with room around the data; `any` false on both when there are none. */
+/* The two axes of a panel, with margins around the data; `any` false on both when there are none. */
 void plot_axes(const plot_panel *panel, plot_axis *x, plot_axis *y);
 /* gnuplot's commands for the range and the tics of an axis, `name` being x or y. */
 void plot_append_axis(strbuf *out, char name, const plot_axis *axis);

@@ -33,7 +33,7 @@ static floe_status add_piece(cut_surface *c, const int cell[3], const int vertex
     return cut_add_piece(c, cell, &piece, &part);
 }
 
-/* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Held
+/* The line passes through the face on a side of a cell, at x, upwards along the axis or (direction -1) downwards. Enclosed
  * is what lies on its left: of a face across axis 0 the part above x, of one across axis 1 the part below. */
 static void pass(cut_surface *c, int at, int axis, int side, const double x[2], int direction)
 {

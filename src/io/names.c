@@ -86,7 +86,7 @@ const char *component_name(const sim *s, field_components components, int comp)
     return tensor_3[comp];
 }
 
-/* Appends one character, as far as there is room. */
+/* Appends one character, as far as there is space. */
 static void append_character(char plain[NAME_SIZE], size_t *at, char c)
 {
     if (*at + 1 < NAME_SIZE) plain[(*at)++] = c;

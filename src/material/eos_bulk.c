@@ -1,5 +1,5 @@
 /* What the cells see of a solid: its bulk response at the cell's pressure, independent of temperature (the points carry
- * the solid's own stress; this only says how much room a solid takes at a pressure).
+ * the solid's own stress; this only says how much volume a solid takes at a pressure).
  *
  *   p > p_s:  p - p_reference = K/2 (1/J - J),  J = v rho_0
  *   p < p_s:  x = x_s (v_s / v)^(K_s/x_s),      x = p - p_least,  K_s = -v dp/dv at p_s

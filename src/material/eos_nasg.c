@@ -1,5 +1,5 @@
 /* Noble-Abel stiffened gas: p + p_inf = (gamma - 1) c_v T / (v - b), e = c_v T + p_inf (v - b) + q. A stiffened gas
- * whose molecules take the room b; with p_inf = 0 the Noble-Abel gas of dense propellant gases. */
+ * whose molecules take the volume b; with p_inf = 0 the Noble-Abel gas of dense propellant gases. */
 #include "material/eos.h"
 
 #include <math.h>

@@ -15,7 +15,7 @@ static int find_text(const char *const *list, int n, const char *text)
     return -1;
 }
 
-/* Takes note of a text that is new; returns its number, or the last one when there is no more room. */
+/* Takes note of a text that is new; returns its number, or the last one when the list is full. */
 static int list_text_once(const char **list, int *n, int reserved, const char *text)
 {
     const int known = find_text(list, *n, text);

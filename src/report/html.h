@@ -26,7 +26,7 @@ void html_status(strbuf *out, const char *status);
 void html_facts_begin(strbuf *out);
 void html_fact(strbuf *out, const char *name); /* then its content, then html_fact_end */
 void html_fact_end(strbuf *out);
-/* A whole fact; nothing where the text is empty, and more room where it is long. */
+/* A whole fact; nothing where the text is empty, and more space where it is long. */
 void html_fact_text(strbuf *out, const char *name, const char *text);
 void html_facts_end(strbuf *out);
 

@@ -75,7 +75,7 @@ static int centre_slot(const node_matrix *m)
     return m->slots / 2;
 }
 
-/* Inverse of a diagonal block; components that are held, and have nothing, stay 0. */
+/* Inverse of a diagonal block; components that are constrained, and have nothing, stay 0. */
 static void invert_block(const node_matrix *m, int row, double *out)
 {
     const int n = m->components, centre = centre_slot(m);
@@ -147,7 +147,7 @@ static bool holds_points(const node_matrix *m, int row)
     return false;
 }
 
-/* Windows have width + 1 nodes along an axis; the widest are those of cubic splines with held edges. */
+/* Windows have width + 1 nodes along an axis; the widest are those of cubic splines with edges by the penalty. */
 enum { WINDOW_NODES = 5 * 5 * 5, PATCH_UNKNOWNS = WINDOW_NODES * NODE_MATRIX_COMPONENTS };
 
 static floe_status reserve_smoother(node_smoother *s, int unknowns)

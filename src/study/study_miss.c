@@ -8,7 +8,7 @@
 
 enum { MISS_TEXT = CONTEXT_MESSAGE_SIZE / 2 - 16, MISS_LINE = 400, MISS_LAST = 200 };
 
-/* Lines for the message; when there is no room, names without their reasons end it. */
+/* Lines for the message; where they do not fit, names without their reasons end it. */
 typedef struct misses {
     char line[MISS_TEXT], more[MISS_LAST];
     size_t n, n_more;

@@ -89,7 +89,7 @@ static void signs(void **unused)
     on_each(check_sign);
 }
 
-/* Faster slip is never held less: dissipation grows with it. */
+/* Faster slip never meets less drag: dissipation grows with it. */
 static void check_slip(const sample *a)
 {
     for (double slip = 1e-6; slip < 1e4; slip *= 3.0)

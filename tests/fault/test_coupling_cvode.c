@@ -6,13 +6,13 @@
 #include <nvector/nvector_serial.h>
 
 static int calls, fails_at; /* which call of N_VNew_Serial has no memory; -1: none */
-static realtype room[2][REACTION_MAX];
+static realtype memory[2][REACTION_MAX];
 
 /* In place of the library's: the same vector in the test's own memory, or none. */
 N_Vector N_VNew_Serial(sunindextype n, SUNContext sun)
 {
     const int call = calls++;
-    return call == fails_at || call > 1 ? NULL : N_VMake_Serial(n, room[call], sun);
+    return call == fails_at || call > 1 ? NULL : N_VMake_Serial(n, memory[call], sun);
 }
 
 static void each_vector_fails(void **state)

@@ -139,7 +139,7 @@ static void test_outside(void **unused)
     uint64_t seed = 11;
     check_true(mpm_membrane_encloses(t.sim->mpm, 1) && !mpm_membrane_encloses(t.sim->mpm, 0));
     for (int pass = 0; pass < 4; ++pass) {
-        membrane_enclosure room;
+        membrane_enclosure gas;
         double outside = 0.0;
         for (size_t k = 0; k < n; ++k) {
             double radius = check_random(&seed, 0.01, 0.99);
@@ -150,9 +150,9 @@ static void test_outside(void **unused)
             y[k] = radius * sin(angle);
             outside += radius > 0.5 ? mass[k] : 0.0;
         }
-        mpm_membrane_enclosure(t.sim->mpm, 1, &room);
-        check_close_relative(room.outside, outside, 1e-13);
-        check_close_relative(room.size, 0.25 * acos(-1.0) * 0.25, 1e-4);
+        mpm_membrane_enclosure(t.sim->mpm, 1, &gas);
+        check_close_relative(gas.outside, outside, 1e-13);
+        check_close_relative(gas.size, 0.25 * acos(-1.0) * 0.25, 1e-4);
     }
     trial_end(&t);
 }

@@ -20,7 +20,7 @@ static void slab_begin(trial *t, const char *const *more, size_t n)
 
 typedef struct burning {
     double solid, gas, energy,
-        pressure; /* kg, kg, J of the gas, Pa: of the gas by its energy and the room that the solid leaves */
+        pressure; /* kg, kg, J of the gas, Pa: of the gas by its energy and the volume that the solid leaves */
 } burning;
 
 static burning look(trial *t)

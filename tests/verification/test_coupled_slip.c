@@ -1,5 +1,5 @@
 /* Gas along a wall of points at 30 degrees to the mesh, periodic both ways: with `tangential: free` it keeps most of its momentum
- * along the wall, which one velocity in the mixed cells takes; across the wall it is held as before. */
+ * along the wall, which one velocity in the mixed cells takes; across the wall it is constrained as before. */
 #include "coupled_fixture.h"
 
 /* Momentum that the wall has gained along and across itself, over that of the gas at the start. */

@@ -5,7 +5,7 @@ typedef struct vessel {
     const char *basis;
     int per_cell;
     double kick;    /* m/s: size of the velocities at first, random */
-    double scatter; /* of the points about their positions, in shares of the room that their cell leaves them */
+    double scatter; /* of the points about their positions, in shares of the space that their cell leaves them */
 } vessel;
 
 static double chance(const fields *f, int body, size_t k, int number)

@@ -138,7 +138,7 @@ static void test_parting(void **state)
     }
 }
 
-/* A layer on a held one, periodic along x, under gravity that leans by `slope`: no edges, so that normals are exact. */
+/* A layer on a fixed one, periodic along x, under gravity that leans by `slope`: no edges, so that normals are exact. */
 static void make_slope(trial *t, const char *basis, const char *normals, double slope, double friction, double speed,
                        double ramp)
 {

@@ -12,7 +12,7 @@ static void test_who_gets_more(void **state)
 {
     static const slab slabs[] = {
         {{5, 10}, {35, 12}, 2, 4}, {{5, 10.3}, {35, 14.3}, 2, 4},
-        {{0, 10}, {35, 12}, 2, 4},                            /* beams, one held at its end */
+        {{0, 10}, {35, 12}, 2, 4},                            /* beams, one clamped at its end */
         {{5, 10}, {35, 15}, 2, 2},                            /* ten points across already */
         {{5, 10}, {13, 12}, 2, 2},                            /* a block */
         {{5, 0}, {35, 2}, 2, 2},   {{0, 10}, {40, 12}, 2, 2}, /* on a side; from side to side */

@@ -19,7 +19,7 @@ static const double cfl_step = 1e-3, impedance = 1e3; /* stress is counted in rh
 static const double light_node = 0.25;                /* of a point's mass (deviations.md) */
 
 typedef struct line {
-    bool ring;    /* periodic, else held at both ends */
+    bool ring;    /* periodic, else constrained at both ends */
     double place; /* of a point within its cell, 0 to 1 */
     stress_scheme stress;
 } line;
@@ -50,7 +50,7 @@ static bool is_enclosed_gas(const line *l, const shapes *s, int node)
     return !l->ring && (node == 0 || node == s->nodes - 1);
 }
 
-/* Means of the points' velocities at the nodes; held ones are at rest. */
+/* Means of the points' velocities at the nodes; constrained ones are at rest. */
 static void node_velocity(const line *l, const shapes *s, const double *v, double *out)
 {
     for (int i = 0; i < s->nodes; ++i) {

@@ -25,7 +25,7 @@ static floe_status check_fluid_body(reader *r, const scene_body *b, const scene_
                   b->pressure, m->eos.model->pressure_floor(m->eos.par));
 }
 
-/* A surface that holds gas points: they fill its room by their own volumes. */
+/* A surface that encloses gas points: they fill its volume by their own volumes. */
 static floe_status check_hold(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;

@@ -31,7 +31,7 @@ static floe_status read_time(context *ctx, const char *path, double *time)
     return status;
 }
 
-/* Adds one to the list, which has room, unless it is damaged. */
+/* Adds one to the list, which has space reserved, unless it is damaged. */
 static floe_status add_time(snapshot_times *out, context *ctx, const char *dir, long number)
 {
     char *path;
