@@ -29,8 +29,8 @@ static int on_side(const double *a, const double *b, double share, int feature, 
     return feature;
 }
 
-/* By the regions of its plane (C. Ericson, Real-Time Collision Detection (2005), section 5.1.5). */
-int triangle_nearest(const triangle_surface *t, const triangle *of, const double x[3], double nearest[3])
+/* Nearest point of a triangle to x, and the feature that it lies on: by the regions of its plane (C. Ericson, Real-Time Collision Detection (2005), section 5.1.5). */
+static int triangle_nearest(const triangle_surface *t, const triangle *of, const double x[3], double nearest[3])
 {
     const double *a = t->x[of->corner[0]], *b = t->x[of->corner[1]], *c = t->x[of->corner[2]];
     double ab[3], ac[3], from_a[3], from_b[3], from_c[3];

@@ -35,8 +35,6 @@ floe_status triangles_make(triangle_surface *out, const double (*corner)[3], int
                            char why[SHAPE_WHY]);
 /* The signed distance (m), negative inside. */
 double triangles_level(const triangle_surface *t, const double x[3]);
-/* Nearest point of a triangle to x, and the feature that it lies on. */
-int triangle_nearest(const triangle_surface *t, const triangle *of, const double x[3], double nearest[3]);
 /* triangles_check.c: refuses surfaces that are open or inconsistent; with the tree and normals of faces, those that cross
  * themselves; then those with pieces that face the wrong way, and turns over what faces in as a whole. */
 floe_status triangles_check_sides(const triangle_surface *t, context *ctx, char why[SHAPE_WHY]);

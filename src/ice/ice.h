@@ -100,7 +100,6 @@ struct ice {
     struct ice_reservoirs *reservoirs;
     struct ice_closure *closure;
     struct ice_continued *continued;
-    struct ice_interfaces *interfaces;
     struct ice_pairs *pairs;
     struct ice_reactions *reactions;
     struct ice_heated *heated;
@@ -196,8 +195,7 @@ typedef struct ice_totals {
     double mass[ICE_MAX_MATERIALS], internal[ICE_MAX_MATERIALS], kinetic[ICE_MAX_MATERIALS];
     double momentum[ICE_MAX_MATERIALS][3], momentum_scale[3]; /* scale: sum of |m u| */
     double moment[ICE_MAX_MATERIALS][3],
-        moment_scale[3];      /* kg m2/s: of momentum about the origin; scale: sum of sizes about the middle */
-    double max_volume_defect; /* max |TMV/V - 1| */
+        moment_scale[3]; /* kg m2/s: of momentum about the origin; scale: sum of sizes about the middle */
 } ice_totals;
 floe_status ice_sum(ice *s, ice_totals *out);
 /* The reaction (instance of C_REACTED) that consumes a material on points, or -1. */

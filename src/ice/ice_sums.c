@@ -69,23 +69,6 @@ static void sum_material(const ice *s, int r, double *tile, double *sum)
     domain_sum_tiles(s->mesh, tile, SUM_VALUES, sum);
 }
 
-/* Largest |TMV/V - 1|, from the last step's ratio. */
-static double volume_defect(const ice *s)
-{
-    double most = 0.0;
-    ice_view v;
-    for (int id = 0; ice_next_view(s, NULL, &id, &v);) {
-        if (!v.tmv) return 0.0;
-        const ice_rows q = ice_rows_of(v.b, -1, 0);
-        for (int row = 0; row < q.n; ++row)
-            for (int i = 0; i < v.b->n[0]; ++i) {
-                const ptrdiff_t at = mesh_index(v.b, i, ice_row_j(q, row), ice_row_k(q, row));
-                if (v.tmv[at] > 0.0) most = fmax(most, fabs(v.tmv[at] - 1.0));
-            }
-    }
-    return most;
-}
-
 floe_status ice_sum(ice *s, ice_totals *out)
 {
     memset(out, 0, sizeof *out);
@@ -107,7 +90,6 @@ floe_status ice_sum(ice *s, ice_totals *out)
             out->moment_scale[a] += sum[SUM_SIZE + a];
         }
     }
-    out->max_volume_defect = volume_defect(s);
     memory_free(s->ctx, &tile);
     return FLOE_OK;
 }

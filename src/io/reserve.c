@@ -33,11 +33,6 @@ floe_status disk_reserve_take(disk_reserve *r, context *ctx, const char *path, s
     return file_fail(ctx, "cannot reserve disk space as", path, error);
 }
 
-bool disk_reserve_is_taken(const disk_reserve *r)
-{
-    return r->path != NULL;
-}
-
 floe_status disk_reserve_move(disk_reserve *r, const char *path)
 {
     if (!r->path) return FLOE_OK;

@@ -12,7 +12,6 @@ typedef struct disk_reserve {
 /* Reserves `bytes` as the file `path`, replacing one of an earlier run. FLOE_IO where the disk has less; a file system
  * that cannot reserve space reserves none, which is no error. */
 floe_status disk_reserve_take(disk_reserve *r, context *ctx, const char *path, size_t bytes);
-bool disk_reserve_is_taken(const disk_reserve *r);
 /* The folder of the file was moved: `path` is its path now. */
 floe_status disk_reserve_move(disk_reserve *r, const char *path);
 /* Releases the space; a zeroed one is fine. */

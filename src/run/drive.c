@@ -44,7 +44,6 @@ typedef struct run {
     run_checkpoints checkpoints;
     bool checkpoint_wanted; /* at once: the earlier ones were removed */
     double made_anew;       /* time from which on the outputs are whole, s; NAN: from the start */
-    bool began;             /* outputs are open */
 } run;
 
 /* The status of a summary for which there is more than one: "done", "at_rest", "diverged", "interrupted", "failed". */
@@ -313,7 +312,6 @@ static floe_status begin_run(run *r)
     TRY(o->resume ? output_resume(&r->output, r->sim, o->dir) : output_begin(&r->output, r->sim, o->dir));
     r->putting_out += wall_seconds() - before;
     r->cpu_beside += cpu_seconds() - cpu;
-    r->began = true;
     r->earlier = r->output.checkpoint.wall_seconds;
     r->checkpoints = run_checkpoints_start(&r->output, r->sim, r->started, r->putting_out);
     truth_begin(&r->truth, r->sim);

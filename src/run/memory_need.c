@@ -15,7 +15,8 @@ double memory_cells(const mesh_spec *m)
     return cells;
 }
 
-floe_status coarse_begin(coarse_setup *c, scene *s, double cells)
+/* Sets the scene up on a mesh of about `cells` cells; it has that mesh until coarse_end, which is called in any case. */
+static floe_status coarse_begin(coarse_setup *c, scene *s, double cells)
 {
     mesh_spec *m = &s->mesh;
     const double own = memory_cells(m), coarser = pow(own / cells, 1.0 / m->dim);

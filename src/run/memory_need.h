@@ -30,8 +30,7 @@ typedef struct coarse_setup {
     double coarser; /* of the lengths of the cells, along the first axis */
 } coarse_setup;
 
-/* Sets the scene up on a mesh of about `cells` cells; it has that mesh until coarse_end, which is called in any case. */
-floe_status coarse_begin(coarse_setup *c, scene *s, double cells);
+/* Puts the scene's own mesh back. */
 void coarse_end(coarse_setup *c);
 
 /* What a scene that was made ready holds. */

@@ -83,20 +83,3 @@ void motion_largest(const scene_motion *m, double t, double speed[3], double *sp
     for (int a = 0; a < 3; ++a) speed[a] = fmax(speed[a], fabs(m->velocity[next][a]));
     *spin = fmax(*spin, fabs(m->spin[next]));
 }
-
-/* NAN, which stands for what is not given, is equal to itself here. */
-static bool are_equal(const double *a, const double *b, size_t n)
-{
-    for (size_t k = 0; k < n; ++k)
-        if (!(a[k] == b[k] || (isnan(a[k]) && isnan(b[k])))) return false;
-    return true;
-}
-
-bool motion_equal(const scene_motion *a, const scene_motion *b)
-{
-    if (a->kind == MOTION_FIXED && b->kind == MOTION_FIXED) return true;
-    if (a->kind != MOTION_DRIVEN || b->kind != MOTION_DRIVEN || a->n != b->n) return false;
-    const size_t n = (size_t)a->n;
-    return are_equal(a->time, b->time, n) && are_equal(a->velocity[0], b->velocity[0], 3 * n) &&
-           are_equal(a->spin, b->spin, n) && are_equal(a->about, b->about, 3) && are_equal(a->axis, b->axis, 3);
-}

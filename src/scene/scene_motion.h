@@ -49,7 +49,5 @@ void motion_travel(const scene_motion *m, double from, double to, double way[3],
 bool motion_velocity_at_start(const scene_motion *m, const double velocity[3], const double x[3], double out[3]);
 /* The largest speed (m/s) along each axis, and spin (1/s), between t and the end of the part of the table that t is in. */
 void motion_largest(const scene_motion *m, double t, double speed[3], double *spin);
-/* Whether two prescribed motions are the same. */
-bool motion_equal(const scene_motion *a, const scene_motion *b);
 
 #endif

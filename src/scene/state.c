@@ -140,7 +140,8 @@ static bool ramp_acts(const scene_load *load, const load_step *step)
     return load_fraction(load, step) > 0.0 && (load->hold || fraction_at(load, step->t, step->step) < 1.0);
 }
 
-bool load_heats(const scene_load *load, const load_step *step)
+/* Whether the power is on in the step: from its start on; with a ramp and no hold, until that ends. */
+static bool load_heats(const scene_load *load, const load_step *step)
 {
     const bool has_ramp = load->ramp > 0.0 || load->ramp_steps > 0;
     return has_ramp ? ramp_acts(load, step) : step->t_end > load->start;

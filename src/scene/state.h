@@ -44,8 +44,6 @@ scene_load load_until(const scene_load *load, double end);
 /* Fraction of a load's ramp reached at the end of the step: 0 before its start, 1 after the ramp; by steps where
  * ramp_steps is set. */
 double load_fraction(const scene_load *load, const load_step *step);
-/* LOAD_HEAT: whether the power is on in the step: from its start on; with a ramp and no hold, until that ends. */
-bool load_heats(const scene_load *load, const load_step *step);
 /* LOAD_HEAT: the time (s) in which the full power gives what the load gives in the step: a power with a ramp grows from nothing. */
 double load_heating_time(const scene_load *load, const load_step *step);
 /* LOAD_PRESSURISE: the absolute mean pressure (Pa) that the fluid should have at the end of the step; *active tells

@@ -77,7 +77,7 @@ bool scene_runs_as(const scene *s, scene_coupling coupling)
     return false;
 }
 
-bool scene_has_solids(const scene *s)
+static bool scene_has_solids(const scene *s)
 {
     for (int i = 0; i < s->n_bodies; i++) {
         const int m = s->body[i].material;

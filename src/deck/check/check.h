@@ -20,7 +20,6 @@ floe_status take_refusal(reader *r, floe_status status);
 
 /* Does a coupling belong to runs_as? */
 bool scene_runs_as(const scene *s, scene_coupling coupling);
-bool scene_has_solids(const scene *s);
 
 /* check.c, check_boundaries.c, check_bodies.c, check_contact.c, check_reactions.c, check_verify.c */
 floe_status check_scene(reader *r);

@@ -104,8 +104,7 @@ FLOE_ALWAYS_INLINE double ice_outflow(const ice_view *v, const ice_fluid *m, ptr
     return out * v->dt;
 }
 
-/* Doubles of one slab, and the division of a thread's buffer. */
-size_t ice_slab_size(const block *b);
+/* Division of a thread's buffer. */
 void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, int dim, bool multi);
 /* Outflow of a trace fraction (theta < 1e-6) is limited to its content. */
 void ice_advect_clip(ice_advect_buffers *w, const ice_advect_job *job, int slab);

@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-size_t ice_slab_size(const block *b)
+/* Doubles of one slab. */
+static size_t slab_size(const block *b)
 {
     const ptrdiff_t size = b->dim == 1 ? (ptrdiff_t)b->size : b->stride[b->dim - 1];
     return (size_t)(size + 7) / 8 * 8;
@@ -26,7 +27,7 @@ size_t ice_advect_buffer(const ice *s)
 {
     size_t largest = 0;
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
-        const size_t size = ice_slab_size(&s->mesh->block[id]);
+        const size_t size = slab_size(&s->mesh->block[id]);
         largest = size > largest ? size : largest;
     }
     return largest * count_slab_rows(s->mesh->dim, ice_is_mixture(s));
@@ -34,7 +35,7 @@ size_t ice_advect_buffer(const ice *s)
 
 void ice_advect_divide(ice_advect_buffers *w, double *buffer, const block *b, int dim, bool multi)
 {
-    const size_t size = ice_slab_size(b);
+    const size_t size = slab_size(b);
     const int nq = ADVECT_COUNT(dim, multi), inside = dim == 3 ? 2 : 1;
     *w = (ice_advect_buffers){.dim = dim};
     for (int ring = 0; ring < 3; ++ring)

@@ -37,7 +37,6 @@ struct curve_rest {
     double *length, *volume, *radius, *share;  /* m, m3, m; share of the mean volume of a point */
     double end_length[2], end_volume[2];       /* half a segment between an end and its image; 0: none */
     double *volume_gradient, *residual, *step; /* gradient of the enclosed volume (m); residual (N); step (m) */
-    double force_norm;                         /* N: norm of the segments' forces */
     double energy;                             /* J: of them all */
 };
 

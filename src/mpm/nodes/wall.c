@@ -28,8 +28,10 @@ static bool side_constrains_all(const mpm *s, int axis, int side)
     return kind == BC_NO_SLIP || kind == BC_VELOCITY || kind == BC_INLET;
 }
 
+typedef void wall_node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward);
+
 /* Visits the nodes of a side's plane, transverse ghosts included. */
-void wall_visit(const block *b, int axis, int side, wall_node_visitor *visit, void *user)
+static void wall_visit(const block *b, int axis, int side, wall_node_visitor *visit, void *user)
 {
     int lo[MESH_MAX_DIM] = {0, 0, 0}, hi[MESH_MAX_DIM] = {1, 1, 1};
     for (int a = 0; a < b->dim; ++a) {

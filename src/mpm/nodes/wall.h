@@ -23,9 +23,6 @@ void enter_mirrors(mpm *s, int group);
 /* The same for points that take only a share of their velocity from the nodes. */
 void enter_mirrored_momenta(mpm *s, int group, double share);
 
-typedef void wall_node_visitor(void *user, ptrdiff_t at, ptrdiff_t inward);
-/* Visits the nodes of a side's plane, transverse ghosts included. */
-void wall_visit(const block *b, int axis, int side, wall_node_visitor *visit, void *user);
 typedef void wall_side_visitor(void *user, int blk, const int node[MESH_MAX_DIM], ptrdiff_t at, ptrdiff_t inward);
 /* Visits each node of a side's plane once, in global order, in the block that owns it. */
 void wall_visit_once(const mesh *m, int axis, int side, wall_side_visitor *visit, void *user);

@@ -90,12 +90,6 @@ void overlaps_free(mpm *s)
     memory_free(s->ctx, &s->overlaps);
 }
 
-void overlaps_follow(mpm *s)
-{
-    memset(s->overlaps->next, 0, s->overlaps->n * sizeof *s->overlaps->next);
-    s->overlaps->followed = true;
-}
-
 void overlaps_commit(mpm *s)
 {
     struct mpm_overlaps *o = s->overlaps;
@@ -138,7 +132,8 @@ double overlap_energy(double overlap, double h)
 
 floe_status mpm_follow_overlaps(mpm *s)
 {
-    overlaps_follow(s);
+    memset(s->overlaps->next, 0, s->overlaps->n * sizeof *s->overlaps->next);
+    s->overlaps->followed = true;
     follow_sides(s);
     return FLOE_OK;
 }

@@ -41,8 +41,6 @@ floe_status overlaps_create(mpm *s);
 void overlaps_free(mpm *s);
 /* Commits the next overlaps. */
 void overlaps_commit(mpm *s);
-/* Sets the next overlaps to zero, before they are computed. */
-void overlaps_follow(mpm *s);
 /* Index among them; `node`: its index in the whole mesh, or that of a periodic image. */
 size_t overlap_of_side(const struct mpm_overlaps *o, int group, int axis, int side, const int node[MESH_MAX_DIM]);
 /* m w^2 of a mass (N/m) of a body with this speed of sound, at this spacing. */
