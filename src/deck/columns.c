@@ -52,11 +52,7 @@ static floe_status read_column(reader *r, deck_node *item, scene_verify *verify)
 static floe_status read_columns(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     if (!node) return FLOE_OK;
-    if (node->kind != NODE_MAP) {
-        char found[80];
-        node_describe(node, found, sizeof found);
-        return bad(r, node, special_columns.form, "'%s' is %s", key->key, found);
-    }
+    if (node->kind != NODE_MAP) return bad_form(r, key, node, special_columns.form);
     for (deck_node *item = node->first; item; item = item->next) TRY(read_column(r, item, base));
     return FLOE_OK;
 }

@@ -27,9 +27,10 @@ extern const special_key special_boundaries;
 extern const variants boundary_kinds;
 /* special_keys.c */
 extern const special_key special_version, special_runs_as, special_stress_state, special_cfl, special_substeps,
-    special_exchange, special_checkpoint_interval, special_preset, special_metrics, special_basis, special_transfer,
-    special_normals, special_between;
+    special_exchange, special_checkpoint_interval, special_preset;
 extern const choice coupling_choices[];
+/* special_names.c */
+extern const special_key special_metrics, special_basis, special_transfer, special_normals, special_between;
 /* motion_key.c */
 extern const special_key special_motion;
 /* columns.c */

@@ -200,12 +200,11 @@ static floe_status read_motion(reader *r, const key_spec *key, deck_node *node, 
     scene_motion *m = (scene_motion *)(void *)((char *)base + key->offset);
     *m = (scene_motion){.about = {NAN, NAN, NAN}, .axis = {0.0, 0.0, 1.0}};
     if (!node) return FLOE_OK;
-    const bool word = node->kind == NODE_SCALAR;
-    if (word && strcmp(node->text, "fixed") == 0) {
+    if (node_is_word(node, "fixed")) {
         m->kind = MOTION_FIXED;
         return FLOE_OK;
     }
-    if (word && strcmp(node->text, "rigid") == 0) {
+    if (node_is_word(node, "rigid")) {
         m->kind = MOTION_RIGID;
         return FLOE_OK;
     }

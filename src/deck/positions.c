@@ -157,9 +157,7 @@ static floe_status read_places(reader *r, const key_spec *key, deck_node *node, 
     if (node->kind == NODE_SCALAR && !node_is_null(node) && r->scene->mesh.dim > 0)
         return read_table_file(r, node, base);
     if (node->kind == NODE_LIST && node->n > 0) return read_list(r, node, base);
-    char found[80];
-    node_describe(node, found, sizeof found);
-    return bad(r, node, special_positions.form, "'%s' is %s", key->key, found);
+    return bad_form(r, key, node, special_positions.form);
 }
 
 /* In a comment, what the file held: a run that goes on compares resolved decks, and so sees that the list is another

@@ -30,6 +30,13 @@ floe_status bad(reader *r, deck_node *node, const char *expected, const char *fo
     return status;
 }
 
+floe_status bad_form(reader *r, const key_spec *key, deck_node *node, const char *form)
+{
+    char found[80];
+    node_describe(node, found, sizeof found);
+    return bad(r, node, form, "'%s' is %s", key->key, found);
+}
+
 floe_status bad_key(reader *r, deck_node *node, const char *expected, const char *hint, const char *format, ...)
 {
     va_list arguments;

@@ -56,11 +56,7 @@ floe_status read_file_key(reader *r, const key_spec *key, deck_node *node, void 
 {
     param_file *file = (param_file *)(void *)((char *)base + key->offset);
     const char *special;
-    if (node->kind != NODE_SCALAR) {
-        char found[80];
-        node_describe(node, found, sizeof found);
-        return bad(r, node, file_form, "'%s' is %s", key->key, found);
-    }
+    if (node->kind != NODE_SCALAR) return bad_form(r, key, node, file_form);
     TRY(resolve_path(r, node, &file->path));
     if (!file->path) return FLOE_OK;
     const int descriptor = ordinary_open(file->path, O_RDONLY, &special);

@@ -83,10 +83,9 @@ static floe_status bad_value(reader *r, const key_spec *key, deck_node *node, co
 
 static floe_status bad_kind(reader *r, const key_spec *key, deck_node *node)
 {
-    char found[80], expected[WORDS];
-    node_describe(node, found, sizeof found);
+    char expected[WORDS];
     describe_expected(key, reader_dim(r), expected, sizeof expected);
-    return bad(r, node, expected, "'%s' is %s", key->key, found);
+    return bad_form(r, key, node, expected);
 }
 
 /* false: *why says what is wrong. */

@@ -25,18 +25,13 @@ static const choice *find_choice(const choice *choices, const char *name)
     return NULL;
 }
 
-static bool is_word(const deck_node *node, const char *word)
-{
-    return node->kind == NODE_SCALAR && strcmp(node->text, word) == 0;
-}
-
 /* ---- floe: 1 ---- */
 
 static floe_status read_version(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     (void)base;
     if (!node) return FLOE_OK;
-    if (is_word(node, "1")) return FLOE_OK;
+    if (node_is_word(node, "1")) return FLOE_OK;
     char found[80];
     node_describe(node, found, sizeof found);
     return bad(r, node, special_version.form, "'%s' is %s: this floe reads version 1 of the deck format", key->key,
@@ -65,11 +60,7 @@ static floe_status read_runs_as(reader *r, const key_spec *key, deck_node *node,
     s->n_runs_as = 1;
     s->runs_as[0] = s->coupling;
     if (!node) return FLOE_OK;
-    if (node->kind != NODE_LIST || node->n == 0) {
-        char found[80];
-        node_describe(node, found, sizeof found);
-        return bad(r, node, special_runs_as.form, "'%s' is %s", key->key, found);
-    }
+    if (node->kind != NODE_LIST || node->n == 0) return bad_form(r, key, node, special_runs_as.form);
     s->n_runs_as = 0;
     for (deck_node *item = node->first; item; item = item->next) {
         const choice *c = item->kind == NODE_SCALAR ? find_choice(coupling_choices, item->text) : NULL;
@@ -224,7 +215,7 @@ static floe_status read_substeps(reader *r, const key_spec *key, deck_node *node
     scene_time *time = base;
     key_spec number = *key;
     if (!node) return FLOE_OK; /* scene_create has set the default */
-    if (is_word(node, "auto")) {
+    if (node_is_word(node, "auto")) {
         time->substeps = 0;
         return FLOE_OK;
     }
@@ -249,13 +240,22 @@ const special_key special_substeps = {
     .json = "{\"anyOf\": [{\"type\": \"integer\", \"minimum\": 1, \"maximum\": 128}, {\"const\": \"auto\"}]}",
 };
 
+/* A number, or the word that stands for it; NULL: none does. */
+static void write_number_or(writer *w, const key_spec *key, double value, const char *word)
+{
+    write_key_name(w, key->key);
+    strbuf_append(&w->out, " %s", word ? word : "");
+    if (!word) write_number(&w->out, value);
+    strbuf_append(&w->out, "\n");
+}
+
 /* ---- method.exchange: 1e7, or locked ---- */
 
 static floe_status read_exchange(reader *r, const key_spec *key, deck_node *node, void *base)
 {
     scene_method *method = base;
     if (!node) return FLOE_OK; /* scene_create has set the default */
-    if (is_word(node, "locked")) {
+    if (node_is_word(node, "locked")) {
         method->exchange = INFINITY;
         return FLOE_OK;
     }
@@ -264,16 +264,9 @@ static floe_status read_exchange(reader *r, const key_spec *key, deck_node *node
 
 static void write_exchange(writer *w, const key_spec *key, const void *base)
 {
-    const scene_method *method = base;
-    if (isnan(method->exchange)) return; /* not given */
-    write_key_name(w, key->key);
-    if (isinf(method->exchange)) {
-        strbuf_append(&w->out, " locked\n");
-        return;
-    }
-    strbuf_append(&w->out, " ");
-    write_number(&w->out, method->exchange);
-    strbuf_append(&w->out, "\n");
+    const double exchange = ((const scene_method *)base)->exchange;
+    if (isnan(exchange)) return; /* not given */
+    write_number_or(w, key, exchange, isinf(exchange) ? "locked" : NULL);
 }
 
 const special_key special_exchange = {
@@ -289,11 +282,11 @@ static floe_status read_checkpoint_interval(reader *r, const key_spec *key, deck
 {
     scene_output *output = &((scene *)base)->output;
     if (!node) return FLOE_OK; /* scene_create has set the default */
-    if (is_word(node, "auto")) {
+    if (node_is_word(node, "auto")) {
         output->checkpoint_interval = NAN;
         return FLOE_OK;
     }
-    if (is_word(node, "off")) {
+    if (node_is_word(node, "off")) {
         output->checkpoint_interval = INFINITY;
         return FLOE_OK;
     }
@@ -303,14 +296,7 @@ static floe_status read_checkpoint_interval(reader *r, const key_spec *key, deck
 static void write_checkpoint_interval(writer *w, const key_spec *key, const void *base)
 {
     const double interval = ((const scene *)base)->output.checkpoint_interval;
-    write_key_name(w, key->key);
-    if (!isfinite(interval)) {
-        strbuf_append(&w->out, isnan(interval) ? " auto\n" : " off\n");
-        return;
-    }
-    strbuf_append(&w->out, " ");
-    write_number(&w->out, interval);
-    strbuf_append(&w->out, "\n");
+    write_number_or(w, key, interval, isnan(interval) ? "auto" : isinf(interval) ? "off" : NULL);
 }
 
 const special_key special_checkpoint_interval = {
@@ -318,161 +304,4 @@ const special_key special_checkpoint_interval = {
     .write = write_checkpoint_interval,
     .form = "a number > 0, auto, or off",
     .json = "{\"anyOf\": [{\"type\": [\"number\", \"string\"]}, {\"enum\": [\"auto\", \"off\"]}]}",
-};
-
-/* ---- names out of a registry: method.basis, method.transfer, contact.normals ---- */
-
-static floe_status read_listed(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    const special_key *list = key->special;
-    char *name = (char *)base + key->offset;
-    if (!node) return FLOE_OK; /* scene_create has set the default */
-    for (size_t i = 0; node->kind == NODE_SCALAR && list->candidate(r->catalogue, i); i++) {
-        if (strcmp(list->candidate(r->catalogue, i), node->text) != 0) continue;
-        snprintf(name, key->size, "%s", node->text);
-        return FLOE_OK;
-    }
-    return bad_name(r, node, false, list->noun, list->candidate, r->catalogue);
-}
-
-static void write_listed(writer *w, const key_spec *key, const void *base)
-{
-    if (!((const char *)base + key->offset)[0]) return; /* as the scene asks */
-    write_key_name(w, key->key);
-    strbuf_append(&w->out, " %s\n", (const char *)base + key->offset);
-}
-
-static const char *basis_candidate(const void *user, size_t i)
-{
-    const deck_catalogue *catalogue = user;
-    return catalogue && i < catalogue->n_basis ? catalogue->basis[i].name : NULL;
-}
-
-static const char *transfer_candidate(const void *user, size_t i)
-{
-    const deck_catalogue *catalogue = user;
-    return catalogue && i < catalogue->n_transfer ? catalogue->transfer[i].name : NULL;
-}
-
-static const char *normal_candidate(const void *user, size_t i)
-{
-    const deck_catalogue *catalogue = user;
-    return catalogue && i < catalogue->n_normal ? catalogue->normal[i].name : NULL;
-}
-
-const special_key special_basis = {
-    .read = read_listed,
-    .write = write_listed,
-    .form = "the name of a basis",
-    .noun = "basis",
-    .candidate = basis_candidate,
-};
-const special_key special_transfer = {
-    .read = read_listed,
-    .write = write_listed,
-    .form = "the name of a transfer",
-    .noun = "transfer",
-    .candidate = transfer_candidate,
-};
-const special_key special_normals = {
-    .read = read_listed,
-    .write = write_listed,
-    .form = "the name of a kind of normals",
-    .noun = "kind of normals",
-    .candidate = normal_candidate,
-};
-
-/* ---- contact.between: all, or [body, body, ...] ---- */
-
-static const char *body_candidate(const void *user, size_t i)
-{
-    const scene *s = user;
-    return i < (size_t)s->n_bodies ? s->body[i].name : NULL;
-}
-
-static floe_status read_contact_body(reader *r, deck_node *item, scene_contact *contact)
-{
-    const int body = item->kind == NODE_SCALAR ? find_body(r->scene, item->text) : -1;
-    if (body < 0) return bad_name(r, item, false, "body", body_candidate, r->scene);
-    for (int i = 0; i < contact->n_bodies; i++) {
-        if (contact->body[i] == body) return bad(r, item, NULL, "body '%s' is listed twice", item->text);
-    }
-    if (contact->n_bodies == SCENE_MAX_CONTACT)
-        return bad(r, item, NULL, "more than %d bodies in contact", SCENE_MAX_CONTACT);
-    contact->body[contact->n_bodies++] = body;
-    return FLOE_OK;
-}
-
-static floe_status read_between(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    if (!node || is_word(node, "all")) return FLOE_OK;
-    if (node->kind != NODE_LIST || node->n < 2) {
-        char found[80];
-        node_describe(node, found, sizeof found);
-        return bad(r, node, special_between.form, "'%s' is %s", key->key,
-                   node->kind == NODE_LIST ? "too short" : found);
-    }
-    for (deck_node *item = node->first; item; item = item->next) TRY(read_contact_body(r, item, base));
-    return FLOE_OK;
-}
-
-static void write_between(writer *w, const key_spec *key, const void *base)
-{
-    const scene_contact *contact = base;
-    write_key_name(w, key->key);
-    for (int i = 0; i < contact->n_bodies; i++)
-        strbuf_append(&w->out, "%s%s", i == 0 ? " [" : ", ", w->scene->body[contact->body[i]].name);
-    strbuf_append(&w->out, contact->n_bodies > 0 ? "]\n" : " all\n");
-}
-
-const special_key special_between = {
-    .read = read_between,
-    .write = write_between,
-    .form = "all, or a list of two bodies or more",
-    .json = "{\"oneOf\": [{\"const\": \"all\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}, \"minItems\": "
-            "2}]}",
-};
-
-/* ---- verify.metrics: [eq13, l1_sigma_r] ---- */
-
-static floe_status read_metric(reader *r, deck_node *item, scene_verify *verify)
-{
-    if (item->kind != NODE_SCALAR || strlen(item->text) >= SCENE_NAME) {
-        return bad(r, item, "the name of a metric", "this is no name of a metric");
-    }
-    for (int i = 0; i < verify->n_metrics; i++) {
-        if (strcmp(verify->metric[i], item->text) == 0)
-            return bad(r, item, NULL, "metric '%s' is listed twice", item->text);
-    }
-    if (verify->n_metrics == SCENE_MAX_METRICS) return bad(r, item, NULL, "more than %d metrics", SCENE_MAX_METRICS);
-    snprintf(verify->metric[verify->n_metrics++], SCENE_NAME, "%s", item->text);
-    return FLOE_OK;
-}
-
-static floe_status read_metrics(reader *r, const key_spec *key, deck_node *node, void *base)
-{
-    if (!node) return FLOE_OK;
-    if (node->kind != NODE_LIST) {
-        char found[80];
-        node_describe(node, found, sizeof found);
-        return bad(r, node, special_metrics.form, "'%s' is %s", key->key, found);
-    }
-    for (deck_node *item = node->first; item; item = item->next) TRY(read_metric(r, item, base));
-    return FLOE_OK;
-}
-
-static void write_metrics(writer *w, const key_spec *key, const void *base)
-{
-    const scene_verify *verify = base;
-    if (verify->n_metrics == 0) return;
-    write_key_name(w, key->key);
-    for (int i = 0; i < verify->n_metrics; i++) strbuf_append(&w->out, "%s%s", i == 0 ? " [" : ", ", verify->metric[i]);
-    strbuf_append(&w->out, "]\n");
-}
-
-const special_key special_metrics = {
-    .read = read_metrics,
-    .write = write_metrics,
-    .form = "a list of names: [l1_density, ...]",
-    .json = "{\"type\": \"array\", \"items\": {\"type\": \"string\"}}",
 };

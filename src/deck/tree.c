@@ -145,6 +145,11 @@ bool node_is_null(const deck_node *node)
     return node->text[0] == '\0' || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0;
 }
 
+bool node_is_word(const deck_node *node, const char *word)
+{
+    return node->kind == NODE_SCALAR && strcmp(node->text, word) == 0;
+}
+
 void node_describe(const deck_node *node, char *text, size_t size)
 {
     if (node->kind == NODE_MAP) {

@@ -67,6 +67,7 @@ deck_node *node_at(const deck_node *node, size_t i);
 void node_describe(const deck_node *node, char *text, size_t size);
 /* true for an empty plain scalar, `~` and `null`. */
 bool node_is_null(const deck_node *node);
+bool node_is_word(const deck_node *node, const char *word);
 
 /* Parses YAML text into a tree (parse.c, the only file that sees libfyaml). On a syntax error *root is NULL and the
  * message, its place and FLOE_BAD_INPUT are returned in *error; other failures are in the context. */

@@ -48,6 +48,9 @@ typedef enum exact_quantity {
 /* A set of quantities, for exact_model.provides. */
 #define EXACT_BIT(quantity) (UINT32_C(1) << (quantity))
 #define EXACT_VELOCITIES (EXACT_BIT(EXACT_VELOCITY_X) | EXACT_BIT(EXACT_VELOCITY_Y) | EXACT_BIT(EXACT_VELOCITY_Z))
+#define EXACT_FLUID_STATE                                                                                         \
+    (EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) | EXACT_BIT(EXACT_INTERNAL_ENERGY) | \
+     EXACT_BIT(EXACT_TEMPERATURE))
 #define EXACT_DISPLACEMENTS \
     (EXACT_BIT(EXACT_DISPLACEMENT_X) | EXACT_BIT(EXACT_DISPLACEMENT_Y) | EXACT_BIT(EXACT_DISPLACEMENT_Z))
 #define EXACT_STRESSES                                                                      \

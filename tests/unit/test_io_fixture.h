@@ -9,6 +9,7 @@
 #include "io/file.h"
 #include "io/gather.h"
 #include "io/io.h"
+#include "io/snapshot/snapshot.h"
 #include "sim/sim.h"
 
 #include <math.h>
@@ -282,6 +283,21 @@ static inline void fixture_same_files(context *ctx, const char *a, const char *b
     assert_memory_equal(x, y, n);
     memory_free(ctx, &x);
     memory_free(ctx, &y);
+}
+
+/* A series of n snapshots, 0.1 apart. */
+static inline void fixture_write_times(fixture *f, const char *folder, int n)
+{
+    snapshot_series *series;
+    check_ok(f->ctx, snapshot_open(&series, f->ctx, folder, "floe: 1\n", -INFINITY));
+    for (int i = 0; i < n; i++) {
+        f->sim.time = 0.1 * i;
+        check_ok(f->ctx, snapshot_write(series, &f->sim));
+    }
+    assert_int_equal(snapshot_count(series), n);
+    check_close(snapshot_last_time(series), 0.1 * (n - 1), 0.0);
+    snapshot_close(&series);
+    snapshot_close(&series);
 }
 
 #endif

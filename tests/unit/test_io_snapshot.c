@@ -141,20 +141,6 @@ static page read_page(context *ctx, const char *folder)
     return p;
 }
 
-static void write_times(fixture *f, const char *folder, int n)
-{
-    snapshot_series *series;
-    check_ok(f->ctx, snapshot_open(&series, f->ctx, folder, "floe: 1\n", -INFINITY));
-    for (int i = 0; i < n; i++) {
-        f->sim.time = 0.1 * i;
-        check_ok(f->ctx, snapshot_write(series, &f->sim));
-    }
-    assert_int_equal(snapshot_count(series), n);
-    check_close(snapshot_last_time(series), 0.1 * (n - 1), 0.0);
-    snapshot_close(&series);
-    snapshot_close(&series);
-}
-
 static void page_fits_files(void **state)
 {
     (void)state;
@@ -170,7 +156,7 @@ static void page_fits_files(void **state)
         char folder[FIXTURE_PATH];
         fixture_folder(folder);
         fixture_make(&f, &specs[i]);
-        write_times(&f, folder, 3);
+        fixture_write_times(&f, folder, 3);
         const page p = read_page(f.ctx, folder);
         assert_int_equal(p.times, 3);
         assert_int_equal(p.grids, 3 * (specs[i].with_cells + (specs[i].with_points ? FIXTURE_BODIES : 0)));
@@ -202,7 +188,7 @@ static void values_are_those_of_fields(void **state)
     fixture_folder(folder);
     fixture_path(path, folder, "fields/000000.h5");
     fixture_make(&f, &coupled);
-    write_times(&f, folder, 1);
+    fixture_write_times(&f, folder, 1);
     const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     assert_true(file >= 0);
     read_set(file, "/cells/density_soft___wet", a);
@@ -242,7 +228,7 @@ static void blocks_do_not_show(void **state)
         fixture_folder(folder[i]);
         fixture_path(path[i], folder[i], "fields/000001.h5");
         fixture_make(&f[i], &spec);
-        write_times(&f[i], folder[i], 2);
+        fixture_write_times(&f[i], folder[i], 2);
         if (i == 0) (void)sleep(1); /* the hour of writing must not show either */
     }
     fixture_same_files(f[0].ctx, path[0], path[1]);
@@ -264,7 +250,7 @@ static void resuming_drops_what_is_later(void **state)
     fixture_path(remnant, folder, "fields/000005.h5.tmp");
     fixture_path(other, folder, "fields/notes.txt");
     fixture_make(&f, &coupled);
-    write_times(&f, folder, 5);
+    fixture_write_times(&f, folder, 5);
     check_ok(f.ctx, file_replace_text(f.ctx, remnant, "half"));
     check_ok(f.ctx, file_replace_text(f.ctx, other, "mine"));
     check_ok(f.ctx, snapshot_open(&series, f.ctx, folder, "floe: 1\n", 0.2));
@@ -304,7 +290,7 @@ static void passes_over_damaged_snapshots(void **state)
     fixture_folder(folder);
     fixture_path(path, folder, "fields/000001.h5");
     fixture_make(&f, &coupled);
-    write_times(&f, folder, 3);
+    fixture_write_times(&f, folder, 3);
     char *data = fixture_read(f.ctx, path, &size);
     data[size / 2] ^= 1;
     const file_part part = {data, size};

@@ -1,21 +1,9 @@
 /* Snapshots read back: what the library wrote of a simulation is what it reads, and what is damaged or foreign is refused. */
 #include "test_io_fixture.h"
 
-#include "io/snapshot/snapshot.h"
 #include "io/snapshot/snapshot_read.h"
 
 static const fixture_spec coupled = {.dim = 2, .cells = {24, 20}, .with_points = true, .with_cells = true};
-
-static void write_times(fixture *f, const char *folder, int n)
-{
-    snapshot_series *series;
-    check_ok(f->ctx, snapshot_open(&series, f->ctx, folder, "floe: 1\n", -INFINITY));
-    for (int i = 0; i < n; i++) {
-        f->sim.time = 0.1 * i;
-        check_ok(f->ctx, snapshot_write(series, &f->sim));
-    }
-    snapshot_close(&series);
-}
 
 static const snapshot_field *field_of(const snapshot_group *group, const char *name)
 {
@@ -43,7 +31,7 @@ static void head_tells_the_scene(void **state)
         char folder[FIXTURE_PATH];
         fixture_folder(folder);
         fixture_make(&f, spec);
-        write_times(&f, folder, 2);
+        fixture_write_times(&f, folder, 2);
         check_ok(f.ctx, snapshot_read(&s, f.ctx, folder, 1));
         assert_int_equal(s.dim, spec->dim);
         assert_true(s.axisymmetric == (spec->geometry == MESH_AXISYMMETRIC));
@@ -73,7 +61,7 @@ static void values_are_those_of_the_sim(void **state)
     char folder[FIXTURE_PATH];
     fixture_folder(folder);
     fixture_make(&f, &coupled);
-    write_times(&f, folder, 1);
+    fixture_write_times(&f, folder, 1);
     check_ok(f.ctx, snapshot_read(&s, f.ctx, folder, 0));
     const snapshot_field *of_density = field_of(&s.grid, "density_soft___wet");
     assert_string_equal(of_density->unit, "kg/m3");
@@ -140,7 +128,7 @@ static void refuses_what_is_missing_foreign_or_damaged(void **state)
     fixture_folder(folder);
     fixture_make(&f, &coupled);
     check_fails(f.ctx, snapshot_times_read(&times, f.ctx, folder), FLOE_IO); /* no run's folder */
-    write_times(&f, folder, 3);
+    fixture_write_times(&f, folder, 3);
     check_ok(f.ctx, snapshot_times_read(&times, f.ctx, folder));
     assert_int_equal(times.n, 3);
     for (int i = 0; i < 3; i++) assert_true(times.entry[i].number == i && times.entry[i].time == 0.1 * i);
@@ -177,7 +165,7 @@ static void reads_all_or_nothing_when_memory_runs_out(void **state)
     char folder[FIXTURE_PATH];
     fixture_folder(folder);
     fixture_make(&f, &coupled);
-    write_times(&f, folder, 2);
+    fixture_write_times(&f, folder, 2);
     const uint64_t before = memory_read_account(f.ctx).live_bytes;
     for (uint64_t n = 1; n <= 120; n++) {
         memory_inject_failure(f.ctx, n);

@@ -1,9 +1,7 @@
 /* Histories against their reference: rows written by hand whose errors are known, columns that are not there, and no memory. */
-#include "check.h"
+#include "deck_text_fixture.h"
 
 #include "base/memory.h"
-#include "floe/floe.h"
-#include "run/catalogue.h"
 #include "run/measure.h"
 
 #include <math.h>
@@ -54,17 +52,9 @@ static void write_rows(const char *path, const char *text)
 static void load(measured *m, const char *column)
 {
     char text[2048];
-    deck_catalogue *catalogue;
-    deck_report report = {0};
     *m = (measured){.ctx = context_create(), .path = "/tmp/floe_history_XXXXXX"};
-    assert_int_equal(floe_init(), FLOE_OK);
     (void)snprintf(text, sizeof text, deck, column);
-    check_ok(m->ctx, catalogue_create(&catalogue, m->ctx));
-    const floe_status status = deck_load_text(&m->scene, m->ctx, "test", text, strlen(text), NULL, catalogue, &report);
-    if (report.text) print_message("%s", report.text);
-    check_ok(m->ctx, status);
-    deck_report_free(&report);
-    catalogue_destroy(m->ctx, &catalogue);
+    m->scene = fixture_scene(m->ctx, text);
     check_ok(m->ctx, sim_create(&m->sim, m->ctx, m->scene, m->scene->coupling));
     const int file = mkstemp(m->path);
     check_true(file >= 0);

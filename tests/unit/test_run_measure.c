@@ -1,9 +1,7 @@
 /* What is measured against an exact solution: a state that is the exact one has no error, a state that is off by a known amount
  * has that error. */
-#include "check.h"
+#include "deck_text_fixture.h"
 
-#include "floe/floe.h"
-#include "run/catalogue.h"
 #include "run/initial.h"
 #include "run/measure.h"
 
@@ -20,16 +18,8 @@ typedef struct measured {
 
 static void load(measured *m, const char *text)
 {
-    deck_catalogue *catalogue;
-    deck_report report = {0};
     *m = (measured){.ctx = context_create()};
-    assert_int_equal(floe_init(), FLOE_OK);
-    check_ok(m->ctx, catalogue_create(&catalogue, m->ctx));
-    const floe_status status = deck_load_text(&m->scene, m->ctx, "test", text, strlen(text), NULL, catalogue, &report);
-    if (report.text) print_message("%s", report.text);
-    check_ok(m->ctx, status);
-    deck_report_free(&report);
-    catalogue_destroy(m->ctx, &catalogue);
+    m->scene = fixture_scene(m->ctx, text);
     check_ok(m->ctx, initial_exact(m->scene, &m->solution));
     initial_attach(m->scene, &m->solution);
     check_ok(m->ctx, sim_create(&m->sim, m->ctx, m->scene, m->scene->coupling));

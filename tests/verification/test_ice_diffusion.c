@@ -1,21 +1,11 @@
 /* Viscosity and conduction on the cells: orders against exact solutions in one, two and three dimensions, what closes to
  * round-off, and the same bits for any blocks and threads. */
 #include "ice_fixture.h"
-
-#include "verify/order.h"
+#include "order_fixture.h"
 
 #ifdef _OPENMP
 #include <omp.h>
 #endif
-
-static double order_of(size_t n, const double *h, const double *error)
-{
-    context *ctx = context_create();
-    order_fit fit;
-    check_ok(ctx, order_fit_power(ctx, n, h, error, &fit));
-    context_destroy(&ctx);
-    return fit.order;
-}
 
 /* L1 of a velocity component (or, with axis -1, of the temperature) against exact values at cell centres. */
 static double error_of(const fixture *f, int axis)
@@ -102,7 +92,7 @@ static void plates(void **state)
         if (cases[c][0] == 1)
             check_true(temperature[0] <= 1e-9 && temperature[1] <= 1e-9);
         else
-            check_true(order_of(2, h, temperature) >= 1.9);
+            check_true(fitted_order(2, h, temperature) >= 1.9);
         check_true(velocity[0] <= 1e-9 && velocity[1] <= 1e-9);
     }
 }
@@ -134,7 +124,7 @@ static void waves(void **state)
         heat[k] = wave_error(32 << k, true);
         sound[k] = wave_error(32 << k, false);
     }
-    const double of_heat = order_of(3, h, heat), of_sound = order_of(3, h, sound);
+    const double of_heat = fitted_order(3, h, heat), of_sound = fitted_order(3, h, sound);
     printf("waves: heat %.3e %.3e %.3e order %.3f; sound %.3e %.3e %.3e order %.3f\n", heat[0], heat[1], heat[2],
            of_heat, sound[0], sound[1], sound[2], of_sound);
     check_true(of_heat >= 1.95);
@@ -181,7 +171,7 @@ static void manufactured(void **state)
                 check_true(ledger_drift(&f.ledger, (ledger_quantity)q) <= 1e-12);
             fixture_destroy(&f);
         }
-        const double of_u = order_of(2, h, velocity), of_T = order_of(2, h, temperature);
+        const double of_u = fitted_order(2, h, velocity), of_T = fitted_order(2, h, temperature);
         printf("manufactured, %d-D: velocity %.3e %.3e order %.2f, temperature %.3e %.3e order %.2f\n", dim,
                velocity[0], velocity[1], of_u, temperature[0], temperature[1], of_T);
         check_true(of_u >= 1.9);
@@ -282,8 +272,8 @@ static void pipe(void **state)
         check_true(ledger_drift(&f.ledger, LEDGER_ENERGY) <= 1e-12);
         fixture_destroy(&f);
     }
-    printf("pipe: L1 %.3e %.3e order %.2f\n", error[0], error[1], order_of(2, h, error));
-    check_true(order_of(2, h, error) >= 1.9);
+    printf("pipe: L1 %.3e %.3e order %.2f\n", error[0], error[1], fitted_order(2, h, error));
+    check_true(fitted_order(2, h, error) >= 1.9);
 }
 
 /* Velocity and energy of every owned cell, in global order. */

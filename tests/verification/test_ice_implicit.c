@@ -1,19 +1,10 @@
 /* The implicit pressure (theory 3): its matrix against differences, order in time, independence of the Mach number, what it must
  * keep, what it says when it fails. */
 #include "ice_fixture.h"
+#include "order_fixture.h"
 
 #include "ice/fraction/ice_fraction.h"
 #include "ice/implicit/ice_implicit_rows.h"
-#include "verify/order.h"
-
-static double fitted(size_t n, const double *h, const double *error)
-{
-    context *ctx = context_create();
-    order_fit fit;
-    check_ok(ctx, order_fit_power(ctx, n, h, error, &fit));
-    context_destroy(&ctx);
-    return fit.order;
-}
 
 /* What kind of scene a matrix is taken of. */
 typedef struct kind {
@@ -203,7 +194,7 @@ static void order_in_time(void **state)
             for (int i = 0; i < 64; ++i) off[k] += fabs(next[i] - last[i]) / 64.0;
             memcpy(last, next, sizeof last);
         }
-        order[c] = fitted(3, h, off);
+        order[c] = fitted_order(3, h, off);
         printf("%s: changes %.3e %.3e %.3e, order %.3f in dt\n", c ? "midpoint" : "backward Euler", off[0], off[1],
                off[2], order[c]);
     }

@@ -1,16 +1,6 @@
 /* Smooth flow: the simple wave and the isentropic vortex show the order; columns at rest stay at rest. */
 #include "ice_fixture.h"
-
-#include "verify/order.h"
-
-static double fitted(size_t n, const double *h, const double *error)
-{
-    context *ctx = context_create();
-    order_fit fit;
-    check_ok(ctx, order_fit_power(ctx, n, h, error, &fit));
-    context_destroy(&ctx);
-    return fit.order;
-}
+#include "order_fixture.h"
 
 /* A sound wave of finite amplitude, over half a wavelength, both centrings. */
 static double wave_error(int cells, double amplitude, ice_centring centring, double end)
@@ -41,7 +31,8 @@ static void simple_wave(void **state)
         strong[k] = wave_error(200 << k, 0.1, ICE_CENTRING_AUTO, 0.5);
         full[k] = wave_error(100 << k, 1e-4, ICE_CENTRING_FULL, 1.0);
     }
-    const double order = fitted(3, h, weak), nonlinear = fitted(3, h, strong), first = fitted(3, h, full);
+    const double order = fitted_order(3, h, weak), nonlinear = fitted_order(3, h, strong),
+                 first = fitted_order(3, h, full);
     printf(
         "simple wave: L1 %.3e %.3e %.3e order %.3f; amplitude 0.1 c: %.3e %.3e %.3e order %.3f; phi = 1: order %.3f\n",
         weak[0], weak[1], weak[2], order, strong[0], strong[1], strong[2], nonlinear, first);

@@ -208,6 +208,8 @@ floe_status resolve_path(reader *r, deck_node *node, const char **path);
 
 /* Enters an error at a node, and marks it bad. */
 floe_status bad(reader *r, deck_node *node, const char *expected, const char *format, ...) FLOE_PRINTF(4, 5);
+/* What stands at a node is of no form that its key takes. */
+floe_status bad_form(reader *r, const key_spec *key, deck_node *node, const char *form);
 /* At the node's key, with a hint. */
 floe_status bad_key(reader *r, deck_node *node, const char *expected, const char *hint, const char *format, ...)
     FLOE_PRINTF(5, 6);

@@ -75,8 +75,7 @@ const exact_model exact_annulus_hot = {
     .n_params = COUNT_OF(annulus_params),
     .min_dim = 2,
     .max_dim = 3,
-    .provides = EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) | EXACT_BIT(EXACT_DENSITY) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE),
+    .provides = EXACT_FLUID_STATE,
     .sample = {.par = &sample_par, .dim = 3, .lo = {0.05, 0.03, 0.0}, .hi = {0.1, 0.1, 0.1}},
     .prepare = annulus_prepare,
     .value = annulus_value,

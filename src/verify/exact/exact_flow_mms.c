@@ -216,8 +216,7 @@ const exact_model exact_flow_mms = {
     .n_params = COUNT_OF(flow_params),
     .min_dim = 1,
     .max_dim = 3,
-    .provides = EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) | EXACT_BIT(EXACT_DENSITY) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE),
+    .provides = EXACT_FLUID_STATE,
     .sample = {.par = &sample_par, .dim = 3, .lo = {0.0, 0.0, 0.0}, .hi = {1.0, 1.0, 1.0}, .t = 0.3},
     .prepare = flow_prepare,
     .value = flow_value,

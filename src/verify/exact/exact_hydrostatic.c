@@ -67,8 +67,7 @@ const exact_model exact_hydrostatic = {
     .n_params = COUNT_OF(column_params),
     .min_dim = 1,
     .max_dim = 3,
-    .provides = EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE),
+    .provides = EXACT_FLUID_STATE,
     .sample = {.par = &sample_par, .dim = 2, .lo = {0.0, 0.0}, .hi = {1000.0, 1000.0}},
     .prepare = column_prepare,
     .value = column_value,

@@ -87,8 +87,7 @@ const exact_model exact_isentropic_vortex = {
     .n_params = COUNT_OF(vortex_params),
     .min_dim = 2,
     .max_dim = 3,
-    .provides = EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE),
+    .provides = EXACT_FLUID_STATE,
     .sample = {.par = &sample_par, .dim = 2, .lo = {4.0, 4.0}, .hi = {7.0, 7.0}, .t = 0.4},
     .prepare = vortex_prepare,
     .value = vortex_value,

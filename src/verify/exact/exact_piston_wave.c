@@ -98,8 +98,7 @@ const exact_model exact_piston_wave = {
     .n_params = COUNT_OF(wave_params),
     .min_dim = 1,
     .max_dim = 3,
-    .provides = EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE),
+    .provides = EXACT_FLUID_STATE,
     .sample = {.par = &sample_par, .dim = 1, .lo = {0.1}, .hi = {0.8}, .t = 1.0},
     .prepared_size = sizeof(wave_constants),
     .prepare = wave_prepare,

@@ -168,8 +168,7 @@ const exact_model exact_riemann = {
     .n_params = COUNT_OF(riemann_params),
     .min_dim = 1,
     .max_dim = 3,
-    .provides = EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE) | EXACT_BIT(EXACT_VOLUME_FRACTION),
+    .provides = EXACT_FLUID_STATE | EXACT_BIT(EXACT_VOLUME_FRACTION),
     .scalars = riemann_scalars,
     .n_scalars = COUNT_OF(riemann_scalars),
     .sample = {.par = &sod, .dim = 1, .lo = {0.35}, .hi = {0.47}, .t = 0.143},

@@ -120,8 +120,7 @@ const exact_model exact_simple_wave = {
     .n_params = COUNT_OF(wave_params),
     .min_dim = 1,
     .max_dim = 3,
-    .provides = EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE),
+    .provides = EXACT_FLUID_STATE,
     .scalars = wave_scalars,
     .n_scalars = COUNT_OF(wave_scalars),
     .sample = {.par = &sample_par, .dim = 1, .lo = {0.0}, .hi = {1.0}, .t = 0.5},

@@ -53,8 +53,7 @@ const exact_model exact_uniform = {
     .n_params = COUNT_OF(uniform_params),
     .min_dim = 1,
     .max_dim = 3,
-    .provides = EXACT_BIT(EXACT_DENSITY) | EXACT_VELOCITIES | EXACT_BIT(EXACT_PRESSURE) |
-                EXACT_BIT(EXACT_INTERNAL_ENERGY) | EXACT_BIT(EXACT_TEMPERATURE) | EXACT_BIT(EXACT_VOLUME_FRACTION),
+    .provides = EXACT_FLUID_STATE | EXACT_BIT(EXACT_VOLUME_FRACTION),
     .sample = {.par = &sample_par, .dim = 3, .lo = {0.0, 0.0, 0.0}, .hi = {1.0, 1.0, 1.0}},
     .value = uniform_value,
 };
