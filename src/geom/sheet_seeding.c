@@ -1,5 +1,6 @@
 #include "geom/sheet_seeding.h"
 
+#include "base/memory.h"
 #include "geom/layer.h"
 #include "math/tensor.h"
 
@@ -304,14 +305,23 @@ static floe_status fill_bands(seed_list *list, context *ctx, const banding *b, d
 
 /* ---- planes ---- */
 
+/* Points of a row, and rows. */
+static void plane_counts(const sheet_surface *s, const sheet_seeding *how, const seed_spec *grid, double count[2])
+{
+    const double first = vec_norm(s->first), second = vec_norm(s->second);
+    const double along = sqrt(points_asked(s, how, grid) * first / second);
+    count[0] = fmax(1.0, round(along));
+    count[1] = fmax(1.0, round(along * second / first));
+}
+
 static floe_status fill_plane(seed_list *list, context *ctx, const sheet_surface *s, const sheet_seeding *how,
                               const seed_spec *grid)
 {
     const double area = plane_area(s), first = vec_norm(s->first), second = vec_norm(s->second);
-    const double along = sqrt(points_asked(s, how, grid) * first / second);
-    const double rows = fmax(1.0, round(along * second / first)), row_points = fmax(1.0, round(along));
-    TRY(layer_check_number(ctx, rows * row_points));
-    const long n = (long)row_points, m = (long)rows;
+    double count[2];
+    plane_counts(s, how, grid, count);
+    TRY(layer_check_number(ctx, count[0] * count[1]));
+    const long n = (long)count[0], m = (long)count[1];
     TRY(layer_reserve(list, ctx, (size_t)(n * m), 3));
     for (long i = 0; i < n * m; i++) {
         const long row = i / n;
@@ -361,4 +371,105 @@ floe_status seed_sheet(seed_list *out, context *ctx, const sheet_surface *s, con
     const floe_status status = place_sheet_points(out, ctx, s, how, grid);
     if (status != FLOE_OK) seed_list_free(ctx, out);
     return status;
+}
+
+/* ---- rows ---- */
+
+/* Sides of the mesh on which a coordinate lies. */
+static unsigned sides_at(const seed_spec *grid, int axis, double x)
+{
+    const int half = half_of(grid, axis, x);
+    return half == 0 ? 0 : 1u << (2 * axis + (half < 0));
+}
+
+/* Where a profile ends. */
+static void end_profile(const sheet_surface *s, const seed_spec *grid, int which, sheet_rows *out)
+{
+    const profile_piece p = profile_segment(s, grid, which ? count_pieces(s) - 1 : 0);
+    double r, z;
+    piece_place(&p, which, &r, &z);
+    out->end_side[which] = sides_at(grid, s->axis, z);
+    out->end[which] = out->end_side[which]          ? SHEET_ENDS_ON_SIDE
+                      : r < 1e-9 * layer_cell(grid) ? SHEET_ENDS_AT_AXIS
+                                                    : SHEET_ENDS_INSIDE;
+}
+
+/* The side on which rows of a part of the circle begin or end, at an angle. */
+static unsigned side_at_angle(const sheet_surface *s, const seed_spec *grid, double angle)
+{
+    const int axis = (s->axis + (fabs(cos(angle)) > 0.5 ? 2 : 1)) % 3;
+    return sides_at(grid, axis, s->centre[axis]);
+}
+
+static bool is_profile_closed(const sheet_surface *s)
+{
+    return s->kind == SHEET_REVOLVED && curve_is_closed(&s->curve);
+}
+
+static void list_bands(const banding *b, sheet_rows *out)
+{
+    const sector *of = &b->sector;
+    out->closed = of->width > 1.5 * pi;
+    for (int k = 0; k < b->bands; k++) out->first[k + 1] = out->first[k] + (size_t)band_count(b, k);
+    for (int end = 0; end < 2; end++) {
+        end_profile(b->s, b->grid, end, out);
+        if (is_profile_closed(b->s)) out->end[end] = SHEET_ENDS_JOINED;
+        if (!out->closed)
+            out->row_side[end] = side_at_angle(b->s, b->grid, of->middle + (end ? 0.5 : -0.5) * of->width);
+    }
+}
+
+/* Side of the mesh on which an edge of a plane lies, from a corner on. */
+static unsigned side_of_edge(const seed_spec *grid, const double corner[3], const double along[3])
+{
+    for (int a = 0; a < 3; a++)
+        if (sides_at(grid, a, corner[a]) && sides_at(grid, a, corner[a]) == sides_at(grid, a, corner[a] + along[a]))
+            return sides_at(grid, a, corner[a]);
+    return 0;
+}
+
+static void list_plane_rows(const sheet_surface *s, const seed_spec *grid, size_t n, sheet_rows *out)
+{
+    double beyond[2][3];
+    for (int k = 0; k < out->n; k++) out->first[k + 1] = out->first[k] + n;
+    for (int a = 0; a < 3; a++) {
+        beyond[0][a] = s->corner[a] + s->first[a];
+        beyond[1][a] = s->corner[a] + s->second[a];
+    }
+    out->row_side[0] = side_of_edge(grid, s->corner, s->second);
+    out->row_side[1] = side_of_edge(grid, beyond[0], s->second);
+    out->end_side[0] = side_of_edge(grid, s->corner, s->first);
+    out->end_side[1] = side_of_edge(grid, beyond[1], s->first);
+    for (int end = 0; end < 2; end++) out->end[end] = out->end_side[end] ? SHEET_ENDS_ON_SIDE : SHEET_ENDS_INSIDE;
+    vec_cross(s->first, s->second, out->outward);
+}
+
+floe_status sheet_rows_make(sheet_rows *out, context *ctx, const sheet_surface *s, const sheet_seeding *how,
+                            const seed_spec *grid)
+{
+    double count[2] = {0.0, 0.0};
+    *out = (sheet_rows){.n = 0};
+    if (s->kind == SHEET_POINTS)
+        return fail(ctx, FLOE_BAD_INPUT,
+                    "listed points have no neighbours, between which it could keep gas: give a sphere, a cylinder, a "
+                    "plane or what a curve turns out");
+    if (s->kind == SHEET_PLANE) {
+        plane_counts(s, how, grid, count);
+        out->n = (int)count[1];
+    } else {
+        out->n = banding_of(s, how, grid).bands;
+    }
+    TRY(memory_new(ctx, &out->first, (size_t)out->n + 1, sizeof *out->first));
+    if (s->kind == SHEET_PLANE) {
+        list_plane_rows(s, grid, (size_t)count[0], out);
+        return FLOE_OK;
+    }
+    const banding b = banding_of(s, how, grid);
+    list_bands(&b, out);
+    return FLOE_OK;
+}
+
+void sheet_rows_free(context *ctx, sheet_rows *rows)
+{
+    memory_free(ctx, &rows->first);
 }

@@ -46,4 +46,29 @@ double sheet_area(const sheet_surface *s, const seed_spec *grid);
 floe_status seed_sheet(seed_list *out, context *ctx, const sheet_surface *s, const sheet_seeding *how,
                        const seed_spec *grid);
 
+/* How a surface ends before its first row, or after its last. */
+typedef enum sheet_end {
+    SHEET_ENDS_INSIDE, /* the domain: it is open */
+    SHEET_ENDS_ON_SIDE,
+    SHEET_ENDS_AT_AXIS, /* it closes there */
+    SHEET_ENDS_JOINED   /* the last row is beside the first */
+} sheet_end;
+
+/* The rows in which points of a surface lie: bands about its axis, or rows of a plane. Sides of the mesh are bits
+ * 2 axis + side. */
+typedef struct sheet_rows {
+    size_t *first; /* point with which each begins, counted from 0, and the number of all; n + 1; owned */
+    int n;
+    bool closed; /* the last point of a row is beside its first */
+    sheet_end end[2];
+    unsigned end_side[2]; /* where the rows end: ENDS_ON_SIDE */
+    unsigned row_side[2]; /* sides on which each row begins and ends; 0: closed, or inside the domain */
+    double outward[3];    /* of a plane: first x second; else 0, and it surrounds something */
+} sheet_rows;
+
+/* The rows of what seed_sheet makes of a surface, in its order. FLOE_BAD_INPUT for listed points, which have none. */
+floe_status sheet_rows_make(sheet_rows *out, context *ctx, const sheet_surface *s, const sheet_seeding *how,
+                            const seed_spec *grid);
+void sheet_rows_free(context *ctx, sheet_rows *rows);
+
 #endif

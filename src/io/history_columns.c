@@ -163,14 +163,14 @@ static void add_probe(line *l, int n)
 static void add_enclosed_gas_columns(line *l, int body, const char *label, const history_row *row)
 {
     const int holds = l->s->scene->body[l->s->mpm->body[body].scene_body].membrane.encloses;
-    const bool radial = l->s->mesh.geometry == MESH_AXISYMMETRIC;
+    const bool radial = l->s->mesh.geometry == MESH_AXISYMMETRIC, space = l->s->mesh.dim == 3;
     membrane_enclosure enclosure = {0};
     if (row) mpm_membrane_enclosure(l->s->mpm, body, &enclosure);
     if (row && l->s->sealed && holds >= 0) { /* the gas is on the cells */
         enclosure.pressure = row->mean_pressure ? row->mean_pressure[holds] : (double)NAN;
         enclosure.outside = ice_mass_beyond(l->s->ice, ice_material_of(l->s->ice, holds));
     }
-    if (radial)
+    if (radial || space)
         add_named(l, "volume", label, "m3", l->whole * enclosure.size);
     else
         add_named(l, "area", label, "m2", enclosure.size);

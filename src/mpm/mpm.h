@@ -254,10 +254,10 @@ void mpm_membrane_end(const mpm *s, int body, bool last, double x[3]);
 /* Area that a membrane encloses: a closed one, or one that ends on mirrors, in the plane or axisymmetric
  * (membrane_volume.c). */
 typedef struct membrane_enclosure {
-    double size;     /* m2; about an axis m3 per radian */
+    double size;     /* m2; about an axis m3 per radian; of a surface in space m3 */
     double pressure; /* Pa: of all fluid points, their volumes times pressure over the size */
     double outside;  /* kg per metre of depth (per radian): of fluid points outside */
-    double stress;   /* Pa: along the membrane, the mean by volume at rest */
+    double stress;   /* Pa: along the membrane, the mean by volume at rest; of a surface the mean of its two */
     double hoop;     /* Pa: the same around the axis; 0 in the plane */
 } membrane_enclosure;
 bool mpm_membrane_encloses(const mpm *s, int body);

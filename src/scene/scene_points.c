@@ -10,11 +10,22 @@ static bool any_order(const scene_membrane *m)
     return m->normals && !m->normals->connected && !isnan(m->length) && m->encloses < 0;
 }
 
+static sheet_seeding sheet_seeding_of(const scene_body *b)
+{
+    return (sheet_seeding){b->membrane.number, b->per_cell[0], b->membrane.thickness};
+}
+
+floe_status body_rows(const scene_body *b, context *ctx, const seed_spec *grid, sheet_rows *out)
+{
+    const sheet_seeding spread = sheet_seeding_of(b);
+    return sheet_rows_make(out, ctx, &b->membrane.surface, &spread, grid);
+}
+
 floe_status body_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out)
 {
     if (!b->membrane.present) return seed_shape(out, ctx, &b->shape, grid);
     const scene_membrane *m = &b->membrane;
-    const sheet_seeding spread = {m->number, b->per_cell[0], m->thickness};
+    const sheet_seeding spread = sheet_seeding_of(b);
     if (m->surface.kind != SHEET_NONE) return seed_sheet(out, ctx, &m->surface, &spread, grid);
     const curve_seeding along = {.number = curve_count(&m->curve, m->number, b->per_cell[0], grid),
                                  .thickness = m->thickness,

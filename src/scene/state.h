@@ -27,6 +27,8 @@ floe_status body_solid_state(const scene *s, int body, const double x[3], double
 seed_spec body_seed_spec(const scene *s, const mesh *m, const scene_body *b);
 /* Its points, with their volumes; ids number them in this order. FLOE_BAD_INPUT says why they cannot be placed. */
 floe_status body_points(const scene_body *b, context *ctx, const seed_spec *grid, seed_list *out);
+/* The rows in which the points of a membrane on a surface lie. */
+floe_status body_rows(const scene_body *b, context *ctx, const seed_spec *grid, sheet_rows *out);
 
 /* What a scene's masses, forces and energies are multiplied by in outputs: the thickness in 2-D, 2 pi when
  * axisymmetric, else 1. Inside they are for a metre of depth, or a radian. */

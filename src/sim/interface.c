@@ -47,10 +47,10 @@ static bool is_periodic(const mesh *m)
     return m->periodic[0] || m->periodic[1] || m->periodic[2];
 }
 
-static floe_status needs_plane(const scene *s, const mesh *m)
+static floe_status needs_surfaces(const scene *s, const mesh *m)
 {
-    if (m->dim == 2 && !is_periodic(m)) return FLOE_OK;
-    return no_lines(s, "needs a domain in two dimensions, plane or axisymmetric, without periodic sides", "mpm");
+    if (m->dim > 1 && !is_periodic(m)) return FLOE_OK;
+    return no_lines(s, "needs a domain in two or three dimensions without periodic sides", "mpm");
 }
 
 static floe_status needs_open_ends(const scene *s, const mesh *m)
@@ -385,7 +385,7 @@ typedef struct requirement {
 
 /* Cheap ones first: the last traces the surfaces. */
 static const requirement requirements[] = {
-    {needs_plane, OF_MEMBRANES},
+    {needs_surfaces, OF_MEMBRANES},
     {needs_open_ends, OF_SURFACES | OF_AUTO},
     {needs_no_membrane, OF_SURFACES | OF_AUTO},
     {needs_few_fluids, OF_SURFACES | OF_AUTO},

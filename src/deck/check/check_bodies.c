@@ -45,7 +45,7 @@ static floe_status check_hold(reader *r, const scene_body *b)
     return FLOE_OK;
 }
 
-/* Beside cells each membrane holds a gas of its own; one surface in space holds gas points. */
+/* Beside cells each membrane holds a gas of its own; alone one surface in space holds gas points. */
 static floe_status check_holder(reader *r, const scene_body *b)
 {
     const scene *s = r->scene;
@@ -53,8 +53,10 @@ static floe_status check_holder(reader *r, const scene_body *b)
     for (const scene_body *other = s->body; other < b; ++other) {
         if (!other->membrane.present || other->membrane.encloses < 0) continue;
         before++;
-        if (b->membrane.surface.kind != SHEET_NONE || other->membrane.surface.kind != SHEET_NONE)
-            return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "one surface around a gas", NULL,
+        const bool surface = b->membrane.surface.kind != SHEET_NONE || other->membrane.surface.kind != SHEET_NONE;
+        if (surface && scene_runs_as(s, COUPLING_MPM))
+            return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"),
+                          "one surface around gas points; more beside cells (ice-mpm)", NULL,
                           "membrane '%s' encloses a gas already", other->name);
         if (other->membrane.encloses == b->membrane.encloses)
             return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"),
@@ -75,7 +77,8 @@ static floe_status check_membrane(reader *r, const scene_body *b)
         return bad_at(r, KEY("bodies", b->name, "membrane", "encloses"), "the name of a fluid", NULL, "'%s' is a solid",
                       s->material[b->membrane.encloses].name);
     if (b->membrane.encloses >= 0) TRY(check_holder(r, b));
-    if (b->membrane.encloses >= 0 && b->membrane.surface.kind != SHEET_NONE) TRY(check_hold(r, b));
+    if (b->membrane.encloses >= 0 && b->membrane.surface.kind != SHEET_NONE && scene_runs_as(s, COUPLING_MPM))
+        TRY(check_hold(r, b));
     if (!scene_runs_as(s, COUPLING_ICE_MPM) || scene_enclosing_body(s) >= 0) return FLOE_OK;
     return bad_at(r, KEY("bodies", b->name, "membrane"), "encloses: the gas on its left; or coupling: mpm", NULL,
                   "cells do not see membrane '%s' unless it encloses a gas", b->name);

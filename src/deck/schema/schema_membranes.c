@@ -200,9 +200,10 @@ static const key_spec membrane_keys[] = {
     {"heavy_mass", KEY_NUMBER, "kg", PARAM_POSITIVE, AT(scene_membrane, heavy_mass), .otherwise = "as the others",
      .doc = "its mass, of the whole scene (for domain.thickness, or the full circle)"},
     {"encloses", KEY_MATERIAL, AT(scene_membrane, encloses), .formerly = "holds", .otherwise = "none",
-     .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, which it separates from the gas on its "
-            "right; this boundary joins the points in their order, whatever `normals`. Of a surface "
-            "(mpm): the gas points inside, which fill the enclosed volume"},
+     .doc = "beside cells (ice-mpm): the gas on its left, seen along the curve, or inside the surface (behind first x "
+            "second of a plane), which it separates from the gas on its other side; this boundary joins the points in "
+            "their order, whatever `normals`. As mpm, of a surface: the gas points inside, which fill the enclosed "
+            "volume"},
 };
 const key_table membrane_table = TABLE(membrane_keys);
 

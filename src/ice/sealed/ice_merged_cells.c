@@ -321,10 +321,9 @@ static void find_lines(ice *s)
 floe_status ice_sealing_create(ice *s)
 {
     find_lines(s);
-    if ((s->mesh->dim > 2 && scene_enclosing_body(s->scene) >= 0) || s->n_regions > s->seal.n_lines + 1)
-        return fail_key(
-            s->ctx, KEY("bodies"),
-            "membranes enclose gas in two dimensions: each has one inside, and one gas or none is outside all");
+    if (s->n_regions > s->seal.n_lines + 1)
+        return fail_key(s->ctx, KEY("bodies"),
+                        "of membranes that enclose gas each has one inside, and one gas or none is outside all");
     TRY(memory_new(s->ctx, &s->sealing, 1, sizeof *s->sealing));
     ice_sealing *w = s->sealing;
     for (int g = 0; g < s->n_regions; ++g) {

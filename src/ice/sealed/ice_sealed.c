@@ -16,6 +16,7 @@
 #include "ice/state/ice_cells.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static floe_status for_regions(ice *s, floe_status (*stage)(ice *, const ice_region *))
 {
@@ -402,6 +403,18 @@ static bool holds_fluid(const ice_view *v, ptrdiff_t at)
     return false;
 }
 
+static floe_status refuse_empty(const ice *s, const ice_view *v, const int cell[3])
+{
+    char place[64];
+    (void)snprintf(place, sizeof place, s->mesh->dim == 3 ? "(%g, %g, %g)" : "(%g, %g)", mesh_node(s->mesh, 0, cell[0]),
+                   mesh_node(s->mesh, 1, cell[1]), mesh_node(s->mesh, 2, cell[2]));
+    return fail_key(s->ctx, KEY("ambient"),
+                    "the membrane leaves the cell at %s to gas '%s', and no body of it is there: let bodies fill its "
+                    "side of the membrane (the gas that a membrane `encloses` is on the left of a curve, inside a "
+                    "surface, and behind first x second of a plane), or make it the `ambient`",
+                    place, s->scene->material[v->material[0].scene_material].name);
+}
+
 /* Checks that bodies fill the open volume of every gas. */
 static floe_status find_empty(const ice *s)
 {
@@ -413,13 +426,7 @@ static floe_status find_empty(const ice *s)
                 const int j = ice_row_j(q, row), k = ice_row_k(q, row);
                 const ptrdiff_t at = mesh_index(v->b, i, j, k);
                 if (!(v->m[0].open[at] > 0.0) || holds_fluid(v, at)) continue;
-                return fail_key(
-                    s->ctx, KEY("ambient"),
-                    "the membrane leaves cell (%d, %d) at (%g, %g) to gas '%s', and no body of it is there: let "
-                    "bodies fill its side of the membrane (the gas that a membrane `encloses` is on its left), or "
-                    "make it the `ambient`",
-                    v->b->lo[0] + i, v->b->lo[1] + j, mesh_node(s->mesh, 0, v->b->lo[0] + i),
-                    mesh_node(s->mesh, 1, v->b->lo[1] + j), s->scene->material[v->material[0].scene_material].name);
+                return refuse_empty(s, v, (const int[]){v->b->lo[0] + i, v->b->lo[1] + j, v->b->lo[2] + k});
             }
     }
     return FLOE_OK;

@@ -8,7 +8,7 @@
 #include "mpm/membrane/membrane_normal.h"
 #include "mpm/membrane/membrane_sheet.h"
 #include "mpm/state/stress.h"
-#include "mpm/surface/surface_markers.h"
+#include "mpm/surface/membrane_boundary.h"
 
 #include <math.h>
 #include <string.h>

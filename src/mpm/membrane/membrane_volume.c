@@ -1,7 +1,7 @@
-/* Area or volume that a membrane encloses, in the plane or axisymmetric: a closed one, or one whose ends lie on
- * mirrors. */
+/* Area or volume that a membrane encloses: a closed one, or one whose ends lie on mirrors; of a surface in space what its triangles have. */
 #include "grid/tile_box.h"
 #include "mpm/membrane/membrane_curve.h"
+#include "mpm/surface/membrane_boundary.h"
 #include "mpm/transfer/scratch.h"
 
 #include <math.h>
@@ -9,6 +9,7 @@
 
 bool mpm_membrane_encloses(const mpm *s, int body)
 {
+    if (s->mesh->dim == 3) return membrane_is_joined(s, body);
     if (s->mesh->dim != 2 || !s->body[body].membrane.model) return false;
     const membrane_curve *curve = &s->curve[body];
     return curve->n > 2 && curve->ordered && (curve->closed || (curve->end[0].axis >= 0 && curve->end[1].axis >= 0));
@@ -146,9 +147,11 @@ static void add_membrane(const mpm *s, int blk, int tile, int body, double *sum)
     const fields *f = s->domain->fields[blk];
     const size_t *at = s->points[blk][body].tile_start;
     const double *volume0 = field_get(f, P_VOLUME0, body, 0), *stress[3];
+    const bool surface = s->mesh->dim == 3;
     for (int c = 0; c < 3; ++c) stress[c] = field_get(f, P_STRESS, body, c);
     for (size_t k = at[tile]; k < at[tile + 1]; ++k) {
-        sum[SUM_STRESS] += volume0[k] * (stress[0][k] + stress[1][k]);
+        sum[SUM_STRESS] +=
+            volume0[k] * (surface ? 0.5 * (stress[0][k] + stress[1][k] + stress[2][k]) : stress[0][k] + stress[1][k]);
         sum[SUM_HOOP] += volume0[k] * stress[2][k];
         sum[SUM_VOLUME] += volume0[k];
     }
@@ -162,7 +165,7 @@ typedef struct enclosure_sum {
 static void add_tile(mpm *s, int blk, int tile, void *user, double *sum)
 {
     const enclosure_sum *e = user;
-    for (int k = 0; k < s->n_bodies; ++k)
+    for (int k = 0; k < s->n_bodies && s->mesh->dim == 2; ++k)
         if (s->body[k].fluid) add_fluid(s, blk, tile, k, e->o, sum);
     add_membrane(s, blk, tile, e->body, sum);
 }
@@ -173,7 +176,7 @@ void mpm_membrane_enclosure(mpm *s, int body, membrane_enclosure *out)
     double sum[MEMBRANE_SUMS];
     membrane_curve_update(s, body, false);
     sum_over_tiles(s, MEMBRANE_SUMS, add_tile, &(enclosure_sum){&o, body}, sum);
-    out->size = size_of(&o, NULL);
+    out->size = s->mesh->dim == 3 ? membrane_volume(s, body) : size_of(&o, NULL);
     out->pressure = sum[SUM_PRESSURE] / out->size;
     out->outside = sum[SUM_OUTSIDE];
     out->stress = sum[SUM_STRESS] / sum[SUM_VOLUME];

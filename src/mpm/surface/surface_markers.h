@@ -1,20 +1,10 @@
-/* Forces of gas on cells on membranes and surfaces of solids. Private to the mpm module; boundary.h is for the
- * cells. */
+/* Forces of gas on cells on surfaces of solids. Private to the mpm module; boundary.h is for the cells. */
 #ifndef MPM_SURFACE_MARKERS_H
 #define MPM_SURFACE_MARKERS_H
 
 #include "geom/contour.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/surface/traction.h"
-
-/* ---- on membranes (boundary.c) ---- */
-
-/* Allocates the forces on membranes that enclose gas. */
-floe_status start_membrane_force(mpm *s);
-/* Adds the forces to N_FORCE of a group. */
-void scatter_membrane_force(mpm *s, int group);
-
-/* ---- on solids, at markers on their surfaces (surface_markers.c) ---- */
 
 /* The fluid of the cells beside a chain, by its number in the scene, or an mpm_no_fluid. */
 int fluid_beside(const scene *s, const mesh *m, const contour *o, size_t chain);

@@ -3,6 +3,7 @@
 #define MPM_SURFACES_H
 
 #include "embedded/cut.h"
+#include "geom/sheet_triangles.h"
 #include "mpm/mpm.h"
 
 /* Loaded surface points: massless, moved by the nodes, each with an area vector (m2) and the load that acts on it. */
@@ -13,12 +14,13 @@ typedef struct surface_point {
     int body;     /* of the scene: the body in contact whose surface this is (implicit_gap.c); -1: none */
 } surface_point;
 
-/* Forces of gas on a membrane (boundary.c), by number of its points. Owned arrays. */
+/* Forces of gas on a membrane (membrane_boundary.c), by number of its points. Owned arrays. */
 typedef struct membrane_force {
-    size_t n;      /* 0: the body encloses no gas of the cells */
-    double *x;     /* m, three each: positions of the points at the start of the step */
-    double *v;     /* m/s, two each: scratch */
-    double *force; /* N, two each */
+    size_t n;               /* 0: the body encloses no gas of the cells */
+    double *x;              /* m, three each: positions of the points at the start of the step */
+    double *v;              /* m/s, as many each as the mesh has dimensions: scratch */
+    double *force;          /* N, the same */
+    sheet_triangles joined; /* of a surface in space: between the points; else none */
 } membrane_force;
 
 /* A marker on the surface of a solid. */

@@ -6,6 +6,7 @@
 #include "mpm/membrane/enclosed_gas.h"
 #include "mpm/motion/motion.h"
 #include "mpm/nodes/ghosts.h"
+#include "mpm/surface/membrane_boundary.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
 #include "mpm/surface/traction.h"
