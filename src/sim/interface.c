@@ -97,12 +97,21 @@ static floe_status needs_no_conduction(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-static floe_status needs_plain_gas(const scene *s, const mesh *m)
+static floe_status needs_no_reaction(const scene *s, const mesh *m)
 {
-    static const char text[] = "gas beside a membrane around it, or a sharp interface, %s; leave it out";
     (void)m;
-    if (s->n_reactions > 0) return fail_key(s->ctx, KEY("reactions", s->reaction[0].name), text, "does not react");
-    return s->driving ? fail_key(s->ctx, KEY("verify", "sources"), text, "has no sources") : FLOE_OK;
+    return s->n_reactions == 0 ? FLOE_OK
+                               : fail_key(s->ctx, KEY("reactions", s->reaction[0].name),
+                                          "gas beside a membrane around it does not react; leave it out");
+}
+
+static floe_status needs_no_driving(const scene *s, const mesh *m)
+{
+    (void)m;
+    return !s->driving
+               ? FLOE_OK
+               : fail_key(s->ctx, KEY("verify", "sources"),
+                          "gas beside a membrane around it, or a sharp interface, has no sources; leave it out");
 }
 
 /* On cells only the membranes exist, and no other body: another body may be in the vacuum outside them, not in a
@@ -330,17 +339,14 @@ static floe_status needs_clear_surfaces(const scene *s, const mesh *m)
     return FLOE_OK;
 }
 
-/* Two that slip have a frame that their solids would bend. */
-static floe_status needs_plain_sharing(const scene *s, const mesh *m)
+/* A surface does not recede from its points. */
+static floe_status needs_no_burning(const scene *s, const mesh *m)
 {
     (void)m;
-    if (!s->fluids_share) return FLOE_OK;
-    for (int k = 0; k < s->n_exchanges; ++k)
-        if (s->exchange[k].tangential.model)
-            return fail_key(
-                s->ctx, KEY("exchange", s->exchange[k].name, "tangential"),
-                "sharp: fluids that share cells beside a solid have no law of their own along their interface: "
-                "leave it out, or use smeared");
+    for (int k = 0; k < s->n_reactions; ++k)
+        if (s->material[s->reaction[k].reactant].kind == MATERIAL_SOLID)
+            return fail_key(s->ctx, KEY("reactions", s->reaction[k].name),
+                            "sharp: the surface of a solid that burns does not recede: use smeared");
     return FLOE_OK;
 }
 
@@ -389,12 +395,13 @@ static const requirement requirements[] = {
     {needs_open_ends, OF_SURFACES | OF_AUTO},
     {needs_no_membrane, OF_SURFACES | OF_AUTO},
     {needs_few_fluids, OF_SURFACES | OF_AUTO},
-    {needs_plain_sharing, OF_SURFACES | OF_AUTO},
     {needs_membranes_alone, OF_MEMBRANES},
     {needs_plain_loads, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_explicit_pressure, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_no_conduction, OF_MEMBRANES},
-    {needs_plain_gas, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
+    {needs_no_reaction, OF_MEMBRANES},
+    {needs_no_burning, OF_SURFACES | OF_AUTO},
+    {needs_no_driving, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_no_exchange, OF_SURFACES | OF_AUTO},
     {needs_no_relaxation, OF_SURFACES | OF_AUTO},
     {suits_no_contact, OF_AUTO},
@@ -421,6 +428,8 @@ static floe_status find_sharing(scene *s, const mesh *m)
     bool used[SCENE_MAX_MATERIALS] = {false};
     s->fluids_share = false;
     if (count_fluids(s) < 2 || is_periodic(m)) return FLOE_OK;
+    s->fluids_share = s->n_reactions > 0; /* a product comes to be where its reactant is */
+    if (s->fluids_share) return FLOE_OK;
     ice_find_used(s, false, used);
     floe_status status = needs_few_fluids(s, m);
     if (status == FLOE_OK) status = check_several(s, m);

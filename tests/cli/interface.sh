@@ -62,6 +62,12 @@ done
 expect 0 "$FLOE" check "$tube" --set bodies.driver.material=other --set materials.air.conductivity=0.03 \
     --set 'materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 900}}, viscosity: {shear: 1e-5}, conductivity: 0.02}'
 ! grep -q smeared stderr || fault 'fluids that are viscous and conduct are smeared'
+two=(--set bodies.driver.material=other --set 'materials.other={eos: {ideal: {gamma: 1.3, specific_heat: 900}}}')
+expect 0 "$FLOE" check "$tube" "${two[@]}" --set 'runs_as=[ice-mpm]' --set compare=null --set 'exchange={pair: {between: [other, air], tangential: free}}' \
+    --set 'reactions={burn: {reactant: other, product: air, rate: {threshold: {temperature: 900, time: 1e-3}}, heat: 1e5}}'
+! grep -q smeared stderr || fault 'fluids that slip and react beside a sharp interface are smeared'
+expect 0 "$FLOE" check "$FLOE_SOURCE/inputs/burning_block.yaml"
+has stderr 'the surface of a solid that burns does not recede'
 expect 0 "$FLOE" check "$tube" --set 'loads={fall: {gravity: {acceleration: [0, -10]}}}'
 [ ! -s stderr ] || fault 'gravity beside a sharp interface is warned of'
 not_sharp 'the pressure is explicit' method.pressure=implicit

@@ -23,6 +23,7 @@ bool ice_burns(const ice *s, int k);
 bool ice_some_solid_burns(const ice *s);
 /* The pressure of new volume, added to the array P in owned cells. */
 void ice_created_pressure(const ice *s, const ice_view *v, double *P);
+double ice_created_pressure_at(const ice *s, const ice_view *v, ptrdiff_t at); /* Pa: of a cell, of the whole step */
 
 /* The stages of a region. */
 floe_status ice_wall_fraction_of(ice *s, const ice_region *g);

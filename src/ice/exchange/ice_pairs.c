@@ -163,26 +163,31 @@ static double wall_fraction(const ice *s, const ice_view *v, ptrdiff_t at)
     return sum;
 }
 
-/* Binomial weights over five cells along each axis. A normal that is off by eps takes sin^2(eps) of the slip a step from gas that is
+/* Binomial weights over five cells along each axis, of those that no solid with a sharp surface fills. A normal that is off by eps takes sin^2(eps) of the slip a step from gas that is
  * locked along it: the smoother the fraction, the less (SMOOTH). */
 static double smoothed_fraction(const ice *s, const ice_view *v, ptrdiff_t at)
 {
     static const double weight[5] = {1.0 / 16.0, 4.0 / 16.0, 6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0};
     const ptrdiff_t *st = v->b->stride;
     const int nb = v->dim > 1 ? 2 : 0, nc = v->dim > 2 ? 2 : 0;
-    double sum = 0.0;
+    const double *open = v->m[0].open;
+    double sum = 0.0, all = 0.0;
     for (int k = -nc; k <= nc; ++k)
         for (int j = -nb; j <= nb; ++j)
             for (int i = -2; i <= 2; ++i) {
                 const double w = weight[i + 2] * (nb ? weight[j + 2] : 1.0) * (nc ? weight[k + 2] : 1.0);
-                sum += w * wall_fraction(s, v, at + i * st[0] + (nb ? j * st[1] : 0) + (nc ? k * st[2] : 0));
+                const ptrdiff_t there = at + i * st[0] + (nb ? j * st[1] : 0) + (nc ? k * st[2] : 0);
+                if (open && !(open[there] > 0.0)) continue;
+                sum += w * wall_fraction(s, v, there);
+                all += w;
             }
-    return sum;
+    return all > 0.0 ? sum / all : 0.0; /* (all weights add up to 1 to the bit) */
 }
 
 floe_status ice_wall_fraction_of(ice *s, const ice_region *g)
 {
     ice_view v;
+    if (s->cut) ice_fill_ghosts(s, C_OPEN, g->first, FILL_CURRENT, GHOST_EVEN);
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
         const ice_rows q = ice_rows_of(v.b, -1, 0);
 #pragma omp parallel for schedule(static)

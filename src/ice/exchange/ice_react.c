@@ -99,6 +99,7 @@ static bool gather_reaction_cell(const ice *s, const ice_view *v, ptrdiff_t at, 
 {
     const ice_reactions *all = s->reactions;
     bool any = false;
+    if (v->m[0].open && !(v->m[0].open[at] > 0.0)) return false; /* a solid fills it */
     for (int k = 0; k < all->n; ++k) any = any || v->m[all->list[k].reactant].rho[at] > 0.0;
     if (!any) return false;
     c->n = v->n_materials;
@@ -176,6 +177,11 @@ ice_creation ice_created(const ice *s, const ice_view *v, ptrdiff_t at)
     return c;
 }
 
+double ice_created_pressure_at(const ice *s, const ice_view *v, ptrdiff_t at)
+{
+    return ice_created(s, v, at).dP;
+}
+
 void ice_created_pressure(const ice *s, const ice_view *v, double *P)
 {
     const ice_rows q = ice_rows_of(v->b, -1, 0);
@@ -223,7 +229,8 @@ static void exchange_row(const ice *s, const ice_view *v, int j, int k)
                 add_to_product(s, v, q, reacted, at);
             /* The heat of solids is not in the ledger (their temperature is that of the scene): it is entered here. */
             const double brought = q->heat + (all->burns[n] ? v->m[q->reactant].e[at] : 0.0);
-            ice_tile(s, v->b, i, j, k)[TILE_SOURCE_ENERGY] += reacted * brought * v->volume[i];
+            const double volume = v->volume[i] * (v->m[0].open ? v->m[0].open[at] : 1.0);
+            ice_tile(s, v->b, i, j, k)[TILE_SOURCE_ENERGY] += reacted * brought * volume;
         }
     }
 }

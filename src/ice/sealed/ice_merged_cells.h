@@ -130,6 +130,7 @@ void ice_extrapolate_fluids(const ice_view *v, ptrdiff_t at, double least);
 void ice_join_covered(const ice *s, const ice_region *g);
 /* After the closure: one state for the members of merged cells, one mark of interfaces; and one Lagrangian state. */
 void ice_agree_closed(const ice *s, const ice_region *g);
+void ice_agree_reacted(const ice *s, const ice_region *g);
 void ice_agree_interfaces(const ice *s, const ice_region *g);
 void ice_agree_exchanged(const ice *s, const ice_region *g);
 /* Volume fractions at the faces of merged cells that let none give more of a fluid than it has. */

@@ -4,6 +4,7 @@
 #include "ice/sealed/ice_merged_cells.h"
 
 #include "base/memory.h"
+#include "ice/exchange/ice_exchange.h"
 #include "ice/fraction/ice_fraction.h"
 #include "ice/ice_constants.h"
 
@@ -114,6 +115,16 @@ void ice_agree_closed(const ice *s, const ice_region *g)
         if (!(lead->open > 0.0)) continue;
         for (int id = 0; ice_next_seen(s, m->cell, &id, &at);)
             copy_closed(&s->sealing->view[id - 1], at, ice_member_view(s, lead), lead->at);
+    }
+}
+
+void ice_agree_reacted(const ice *s, const ice_region *g)
+{
+    const ice_merged_cells *p = &s->sealing->now[g->number];
+    for (int k = 0; k < p->n; ++k) {
+        const ice_member *m = &p->member[k], *lead = lead_of(p, m);
+        for (int n = 0; n < ice_reaction_count(s); ++n)
+            ice_member_view(s, m)->reacted[n][m->at] = ice_member_view(s, lead)->reacted[n][lead->at];
     }
 }
 

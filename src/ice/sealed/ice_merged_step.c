@@ -12,6 +12,7 @@
  * pressure pushes on the wall from there. */
 #include "ice/sealed/ice_merged_cells.h"
 
+#include "ice/exchange/ice_exchange.h"
 #include "ice/ice_constants.h"
 #include "ice/shock/ice_shock.h"
 #include "ice/source/ice_source.h"
@@ -198,6 +199,7 @@ void ice_merged_increment(const ice *s, const ice_region *g)
         v->dP[m->at] = dP;
         const double p0 = ice_has_weight(s) ? v->p[m->at] : of->p[lead->at];
         v->P[m->at] = p0 + dP + ice_bulk_pressure(rho, c, squeeze, 1.0);
+        if (ice_reaction_count(s) > 0) v->P[m->at] += ice_created_pressure_at(s, of, lead->at);
     }
 }
 

@@ -120,10 +120,20 @@ floe_status ice_sealed_ghosts(ice *s)
 
 /* ---- the plain stages, gas by gas ---- */
 
+/* In merged cells as in their lead. */
+static floe_status react_alike(ice *s, const ice_region *g)
+{
+    TRY(ice_react_of(s, g));
+    ice_agree_reacted(s, g);
+    return FLOE_OK;
+}
+
 static floe_status find_pressure(ice *s, const ice_region *g)
 {
     TRY(ice_equilibrium_pressure_of(s, g));
     if (g->n > 1) ice_agree_closed(s, g);
+    if (ice_reaction_count(s) > 0) TRY(react_alike(s, g));
+    if (ice_some_pair_slips(s)) TRY(ice_wall_fraction_of(s, g));
     if (ice_has_weight(s)) ice_merged_lift(s, g);
     if (g->n > 1) TRY(ice_find_interfaces_of(s, g));
     if (g->n > 1) ice_agree_interfaces(s, g);
@@ -213,6 +223,7 @@ static floe_status apply_apertures(ice *s, const ice_region *g)
 /* What several fluids of a cell do to each other is that of whole cells (theory 2.9, 2.10). */
 static floe_status exchange_among(ice *s, const ice_region *g)
 {
+    if (ice_reaction_count(s) > 0) TRY(ice_mass_exchange_of(s, g));
     TRY(ice_exchange_of(s, g));
     ice_agree_exchanged(s, g);
     return ice_specific_volume_of(s, g);
@@ -359,6 +370,7 @@ static floe_status advect_gas(ice *s, const ice_region *g)
     ice_merged_cells *p = &s->sealing->next[g->number];
     TRY(ice_advect_of(s, g));
     ice_seal_views(s, g);
+    for (int id = 0; id < s->mesh->n_blocks; ++id) ice_view_lagrangian(&s->sealing->view[id]);
     TRY(ice_merge_cells(s, MERGE_AFTER, p));
     ledger_tally(s->ledger, COUNT_CELLS_MERGED, p->n - p->count);
     renew_open(s, g);
@@ -454,21 +466,23 @@ floe_status ice_sealed_merge_start(ice *s)
 
 floe_status ice_sealed_pressure_stages(ice *s)
 {
-    const bool m = ice_is_mixture(s);
+    const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, slips = m && ice_some_pair_slips(s);
     STAGE(s, ALWAYS, ice_sealed_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE)));
     STAGE(s, ALWAYS, ice_sealed_pressure,
-          READS(C_RHO, C_ENERGY, WHEN(m, C_VEL), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_PRESSURE)),
+          READS(C_RHO, C_ENERGY, WHEN(m, C_VEL), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_PRESSURE),
+                WHEN(slips, C_OPEN)),
           WRITES(C_PRESSURE, C_SOUND, WHEN(m, C_VEL), WHEN(m, C_ENERGY), WHEN(m, C_VOL), WHEN(m, C_TEMP),
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
-                 WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND)));
+                 WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND),
+                 WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
     STAGE(s, ALWAYS, ice_sealed_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL)),
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(slips, C_WALL)),
           WRITES(F_VEL, C_SHOCK));
     STAGE(s, ALWAYS, ice_sealed_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
-                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE)),
+                WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(r, C_REACTED)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
     STAGE(s, ALWAYS, ice_sealed_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)),
           WRITES(F_PRESSURE));
@@ -478,18 +492,21 @@ floe_status ice_sealed_pressure_stages(ice *s)
 
 floe_status ice_sealed_flow_stages(ice *s)
 {
-    const bool m = ice_is_mixture(s), k = ice_conducts(s);
+    const bool m = ice_is_mixture(s), k = ice_conducts(s), r = ice_reaction_count(s) > 0,
+               slips = m && ice_some_pair_slips(s);
     STAGE(s, ALWAYS, ice_sealed_sources,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, C_SHOCK),
-                WHEN(m && ice_has_diffusion(s), C_VEL_MEAN)),
+                WHEN(m && ice_has_diffusion(s), C_VEL_MEAN), WHEN(r, C_REACTED), WHEN(slips, C_WALL)),
           WRITES(C_VEL_L, C_ENERGY_L, F_VEL, WHEN(m, F_FLUX), WHEN(m, C_HEAT_OWED), WHEN(m, C_VOLUME_L),
-                 WHEN(k, C_DIFFUSION_T)));
+                 WHEN(k, C_DIFFUSION_T), WHEN(r, C_RHO_L)));
     STAGE(s, ALWAYS, ice_sealed_advect,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, C_SOUND, C_VEL_L,
                 C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM),
-                WHEN(m, C_RHO_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, F_THETA)),
-          WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L)));
+                WHEN(m, C_RHO_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, F_THETA),
+                WHEN(r, C_RHO_L)),
+          WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L),
+                 WHEN(r, C_RHO_L)));
     return FLOE_OK;
 }
