@@ -29,8 +29,10 @@
 #include "floe/law.h"
 #include "floe/status.h"
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #if defined(__GNUC__)
 #define FLOE_API __attribute__((visibility("default")))
@@ -58,8 +60,8 @@ FLOE_API const char *floe_version(void);
 /* A context, which the caller owns; NULL only when memory is out. */
 FLOE_API floe_context *floe_create(void);
 FLOE_API void floe_destroy(floe_context **floe);
-/* What went wrong in the last call that failed, with places in the deck; "" if nothing. Owned by the context, valid until
- * the next call. */
+/* What went wrong in the last call that failed; "" if nothing. Of a deck that is refused: a line for each error, with its
+ * place, and at the end how many there are. Owned by the context, valid until the next call. */
 FLOE_API const char *floe_message(const floe_context *floe);
 
 typedef enum floe_log_level { FLOE_LOG_ERROR, FLOE_LOG_WARNING, FLOE_LOG_INFO, FLOE_LOG_DETAIL } floe_log_level;
@@ -83,7 +85,47 @@ FLOE_API floe_status floe_load(floe_context *floe, const char *path, const char 
 /* The same of a deck in memory, which `name` stands for in messages. */
 FLOE_API floe_status floe_load_text(floe_context *floe, const char *name, const char *text, const char *const *set,
                                     size_t n_set, floe_deck **deck);
+/* As floe_load, and every value of the deck's axes (compare, study, stability) must make a deck, too: for whoever writes
+ * decks. */
+FLOE_API floe_status floe_validate(floe_context *floe, const char *path, const char *const *set, size_t n_set,
+                                   floe_deck **deck);
 FLOE_API void floe_deck_destroy(floe_deck **deck);
+
+/* What a deck says. Texts are the deck's. */
+typedef struct floe_description {
+    const char *title;    /* "": none */
+    const char *coupling; /* "mpm", "ice" or "ice-mpm" */
+    bool dimensionless;   /* `units: none` */
+    int dimension;        /* 1, 2 or 3 */
+    double cells[3];      /* of the mesh along each axis; 1 along unused ones */
+    int materials, bodies;
+    bool compares, studies; /* whether `floe compare` and `floe study` have cases */
+} floe_description;
+FLOE_API floe_description floe_describe(const floe_deck *deck);
+
+/* How a run would begin. */
+typedef struct floe_start {
+    bool ready;        /* false: of more than a million cells it was not made ready */
+    double cells;      /* of the mesh */
+    size_t points;     /* of material */
+    double step;       /* s, the first one */
+    double steps;      /* about how many of its kind the run would need */
+    const char *limit; /* what limits the step, in words that stay; NULL if it is not ready */
+} floe_start;
+/* Does what a run does before its first step, and leaves it at that; warnings about the scene go to the log. FLOE_BAD_INPUT,
+ * FLOE_DIVERGED: what a run would end with. */
+FLOE_API floe_status floe_rehearse(floe_deck *deck, floe_start *start);
+
+/* What a run would do and hold: stages of a step with what they read and write, fields with their bytes, memory, disk and
+ * steps; as text for people, or as JSON. Of more than a million cells it is estimated from coarser meshes. */
+FLOE_API floe_status floe_plan(floe_deck *deck, bool json, FILE *file);
+
+/* ---- what decks can name ---- */
+
+/* The i-th list, "materials", "shapes", ..., and what it is of (`doc` may be NULL); NULL past the last. */
+FLOE_API const char *floe_list_name(int i, const char **doc);
+/* Writes a list with parameters, units, defaults and sources. FLOE_BAD_INPUT: there is none of that name. */
+FLOE_API floe_status floe_list(floe_context *floe, const char *name, FILE *file);
 
 /* ---- runs: from start to end, with outputs ---- */
 
@@ -99,6 +141,10 @@ typedef struct floe_options {
     floe_callback *before_step; /* before and after each step; NULL: none */
     floe_callback *after_step;
     void *user; /* handed to both */
+    /* Of floe_execute alone: becomes non-zero, as in a handler of signals, when the run is to end in order, with
+     * FLOE_INTERRUPTED and a checkpoint; NULL: never. */
+    const volatile sig_atomic_t *stop;
+    FILE *progress; /* likewise: where progress is shown; NULL: nowhere */
 } floe_options;
 
 /* Runs the deck to its end. *run, which the caller owns, holds what was reached, whatever the result; NULL only when
@@ -111,8 +157,14 @@ FLOE_API void floe_run_destroy(floe_run **run);
  * peak_rss_bytes, conservation.mass (momentum, angular_momentum, energy), errors.METRIC, counters.NAME,
  * seconds_by_stage.NAME; NAN if there is none. */
 FLOE_API double floe_value(const floe_run *run, const char *name);
+/* The i-th metric that has an error ("l1_density": floe_value knows it as "errors.l1_density"); NULL past the last. Owned by
+ * the run. */
+FLOE_API const char *floe_error_name(const floe_run *run, int i);
 /* "done", "at_rest", "diverged", "interrupted" or "failed". Owned by the run. */
 FLOE_API const char *floe_run_status(const floe_run *run);
+/* A text of the run's summary: coupling, interface, message, notes, pressure, solver, status, substeps; "" where there is
+ * nothing to say, NULL if there is none of that name. Owned by the run. */
+FLOE_API const char *floe_text(const floe_run *run, const char *name);
 
 /* ---- simulations: stepped by the program ---- */
 

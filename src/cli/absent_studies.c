@@ -29,11 +29,11 @@ int cmd_stability(cli *c, int argc, char **argv)
     return refuse_studies(c, "stability");
 }
 
-floe_status cli_check_batches(const cli *c, const cli_deck *d, const scene *s)
+floe_status cli_check_batches(const cli *c, const cli_deck *d, const floe_description *of)
 {
     (void)c;
     (void)d;
-    (void)s;
+    (void)of;
     return FLOE_OK; /* nothing here could run them */
 }
 

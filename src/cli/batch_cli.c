@@ -14,11 +14,12 @@ error_t batch_cli_option(batch_arguments *a, int key, char *arg, struct argp_sta
     }
 }
 
-floe_status batch_cli_begin(cli *c, batch_arguments *a, const char *name)
+int batch_cli_begin(cli *c, batch_arguments *a, const char *name)
 {
-    scene *s;
-    TRY(cli_load(c, &a->deck, &s));
-    scene_destroy(&s);
+    floe_deck *deck;
+    const floe_status status = cli_load(c, &a->deck, false, &deck);
+    if (status != FLOE_OK) return cli_refused(c, status);
+    floe_deck_destroy(&deck);
     cli_default_folder(&a->deck, name, a->dir, sizeof a->dir);
     batch_find_program(a->program, program_invocation_name);
     c->quiet = a->quiet;
@@ -27,5 +28,5 @@ floe_status batch_cli_begin(cli *c, batch_arguments *a, const char *name)
     a->batch.program = a->program;
     a->batch.stop = c->stop;
     a->batch.progress = a->quiet ? NULL : stderr;
-    return FLOE_OK;
+    return 0;
 }

@@ -18,7 +18,7 @@ enum { BATCH_KEY_MAX_WALL = 3100 };
  * ARGP_ERR_UNKNOWN for others. */
 error_t batch_cli_option(batch_arguments *a, int key, char *arg, struct argp_state *state);
 /* Shows the errors of the deck as `check` shows them, and sets what is left of the batch: its folder is by default
- * out/DECK-NAME. */
-floe_status batch_cli_begin(cli *c, batch_arguments *a, const char *name);
+ * out/DECK-NAME. The exit status; 0: go on. */
+int batch_cli_begin(cli *c, batch_arguments *a, const char *name);
 
 #endif

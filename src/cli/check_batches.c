@@ -22,14 +22,13 @@ static floe_status rehearse_cases(const cli *c, const cli_deck *d, bool compare)
     return FLOE_OK;
 }
 
-floe_status cli_check_batches(const cli *c, const cli_deck *d, const scene *s)
+floe_status cli_check_batches(const cli *c, const cli_deck *d, const floe_description *of)
 {
     struct stat about;
-    const bool batches = s->n_runs_as > 1 || s->batches->compare.n_values > 0 || s->batches->study.n_axes > 0;
-    if (batches && stat(d->path, &about) == 0 && !S_ISREG(about.st_mode)) {
+    if ((of->compares || of->studies) && stat(d->path, &about) == 0 && !S_ISREG(about.st_mode)) {
         printf("cases: not made ready, as each reads the deck anew and '%s' can be read once: give a file\n", d->path);
         return FLOE_OK;
     }
-    if (s->n_runs_as > 1 || s->batches->compare.n_values > 0) TRY(rehearse_cases(c, d, true));
-    return s->batches->study.n_axes > 0 ? rehearse_cases(c, d, false) : FLOE_OK;
+    if (of->compares) TRY(rehearse_cases(c, d, true));
+    return of->studies ? rehearse_cases(c, d, false) : FLOE_OK;
 }

@@ -2,7 +2,8 @@
 #ifndef CLI_CLI_H
 #define CLI_CLI_H
 
-#include "deck/deck.h"
+#include "base/context.h"
+#include "floe/floe.h"
 
 #include <argp.h>
 #include <signal.h>
@@ -10,7 +11,8 @@
 enum { CLI_MAX_SET = 128, CLI_PATH = 4096, CLI_SUFFIX = 192 };
 
 typedef struct cli {
-    context *ctx;                      /* not owned */
+    floe_context *floe;                /* of what stands on the library; not owned */
+    context *ctx;                      /* of batches, pictures and pages; not owned */
     const volatile sig_atomic_t *stop; /* becomes the number of a signal that asks to end */
     bool colour;                       /* standard error is a terminal */
     bool quiet;                        /* the log's warnings are not shown */
@@ -49,7 +51,7 @@ typedef struct cli_deck {
 } cli_deck;
 
 /* Makes the cases of the deck's study and comparison ready, as their runs would be, and prints how many there are. */
-floe_status cli_check_batches(const cli *c, const cli_deck *d, const scene *s);
+floe_status cli_check_batches(const cli *c, const cli_deck *d, const floe_description *of);
 
 /* Takes an argument that several commands share: the deck, --set (key 's'), --coupling (key 'c'). ARGP_ERR_UNKNOWN for
  * others. */
@@ -64,16 +66,18 @@ error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *stat
         "coupling", 'c', "NAME", 0, "How fluids are represented: mpm, ice, ice-mpm (default: the deck's)", 0 \
     }
 
-/* Loads the deck into *out, which the caller owns; errors are printed. */
-floe_status cli_load(const cli *c, const cli_deck *d, scene **out);
-/* The same, with the values of the deck's axes. */
-floe_status cli_check(const cli *c, const cli_deck *d, scene **out);
-/* Prints the context's message as an error and returns the exit status that belongs to `status`. */
+/* Loads the deck into *out, which the caller owns; `axes`: the values of its axes, too. Errors are printed, and what the
+ * command returns is cli_refused. */
+floe_status cli_load(const cli *c, const cli_deck *d, bool axes, floe_deck **out);
+int cli_refused(const cli *c, floe_status status);
+/* The exit status that belongs to `status`, after the library's message, if there is one, or the context's. */
+int cli_end(const cli *c, floe_status status);
 int cli_fail(const cli *c, floe_status status);
 /* Prints "floe: error: ..." with the word in colour on a terminal. */
 void cli_error(const cli *c, const char *format, ...) FLOE_PRINTF(2, 3);
-/* A sink that prints warnings and errors; `user` is the cli. */
+/* Print warnings and errors; `user` is the cli. */
 void cli_sink(void *user, log_level level, const char *line);
+void cli_log(void *user, floe_log_level level, const char *line);
 
 /* Raises the stop flag as SIGTERM does once `parent` is not this process's parent any more (main.c). */
 void cli_end_with_parent(int parent);

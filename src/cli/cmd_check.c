@@ -1,6 +1,5 @@
 /* floe check DECK */
 #include "cli/cli.h"
-#include "run/ready.h"
 
 static error_t parse_check_option(int key, char *arg, struct argp_state *state)
 {
@@ -18,48 +17,42 @@ static const struct argp argp = {
            "not be right is warned of, with figures. Nothing is written.",
 };
 
-static void print_cells(const scene *s)
+static void print_deck(const cli_deck *d, const floe_description *of)
 {
-    for (int a = 0; a < s->mesh.dim; a++) {
-        const double cells = (s->mesh.upper[a] - s->mesh.lower[a]) / s->mesh.cell[a];
-        printf("%s%.0f", a ? " x " : "", cells);
-    }
+    printf("%s: deck is valid: %s%s%d-D, ", d->path, of->title, of->title[0] ? ", " : "", of->dimension);
+    for (int a = 0; a < of->dimension; a++) printf("%s%.0f", a ? " x " : "", of->cells[a]);
+    printf(" cells, %d material%s, %d bod%s, coupling %s\n", of->materials, of->materials == 1 ? "" : "s", of->bodies,
+           of->bodies == 1 ? "y" : "ies", of->coupling);
 }
 
-static void print_check_warning(void *user, const char *text)
+static void print_start(const floe_description *of, const floe_start *start)
 {
-    context_log(user, LOG_WARNING, "%s", text);
-}
-
-static void print_start(const scene *s, const run_ready *ready)
-{
-    if (ready->done)
-        printf("ready to run: %zu points, first step %.3g%s, about %.0f steps\n", ready->points, ready->step,
-               scene_time_unit(s), ready->steps);
+    if (start->ready)
+        printf("ready to run: %zu points, first step %.3g%s, about %.0f steps\n", start->points, start->step,
+               of->dimensionless ? "" : " s", start->steps);
     else
         printf("not made ready, as it has %.3g cells (%.0e at most): `floe plan` does, and says what memory it takes\n",
-               ready->cells, RUN_READY_CELLS);
+               start->cells, 1e6);
 }
 
 int cmd_check(cli *c, int argc, char **argv)
 {
     cli_deck d = {0};
-    scene *s;
+    floe_deck *deck;
+    floe_start start;
     argp_parse(&argp, argc, argv, 0, NULL, &d);
-    run_ready ready;
-    floe_status status = cli_check(c, &d, &s);
-    if (status != FLOE_OK) return cli_fail(c, status);
-    status = run_make_ready(s, &ready, print_check_warning, c->ctx);
+    floe_status status = cli_load(c, &d, true, &deck);
+    if (status != FLOE_OK) return cli_refused(c, status);
+    status = floe_rehearse(deck, &start);
     if (status != FLOE_OK) {
-        scene_destroy(&s);
-        return cli_fail(c, status);
+        const int exit_status = cli_end(c, status);
+        floe_deck_destroy(&deck);
+        return exit_status;
     }
-    printf("%s: deck is valid: %s%s%d-D, ", d.path, s->title, s->title[0] ? ", " : "", s->mesh.dim);
-    print_cells(s);
-    printf(" cells, %d material%s, %d bod%s, coupling %s\n", s->n_materials, s->n_materials == 1 ? "" : "s",
-           s->n_bodies, s->n_bodies == 1 ? "y" : "ies", coupling_name(s->coupling));
-    print_start(s, &ready);
-    status = cli_check_batches(c, &d, s);
-    scene_destroy(&s);
+    const floe_description of = floe_describe(deck);
+    print_deck(&d, &of);
+    print_start(&of, &start);
+    status = cli_check_batches(c, &d, &of);
+    floe_deck_destroy(&deck);
     return status == FLOE_OK ? 0 : cli_fail(c, status);
 }

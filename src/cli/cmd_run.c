@@ -1,13 +1,13 @@
 /* floe run DECK */
 #include "cli/tolerance_cli.h"
-#include "run/run.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct arguments {
     cli_deck deck;
-    run_options options;
+    floe_options options;
     tolerance_arguments tolerance;
     bool quiet;
     int parent; /* process that the run ends with; 0: none */
@@ -20,7 +20,7 @@ static error_t parse_run_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     switch (key) {
-    case 'o': a->options.dir = arg; return 0;
+    case 'o': a->options.directory = arg; return 0;
     case 't': a->options.threads = cli_whole(state, "threads", arg); return 0;
     case 'q': a->quiet = true; return 0;
     case KEY_RESUME: a->options.resume = true; return 0;
@@ -61,63 +61,78 @@ static const struct argp argp = {
            "with a checkpoint.",
 };
 
-static long long counter_of(const run_summary *r, const char *name)
+static long long count_of(const floe_run *r, const char *name)
 {
-    for (int i = 0; i < r->n_counters; i++)
-        if (strcmp(r->counters[i].name, name) == 0) return r->counters[i].value;
-    return 0;
+    const double n = floe_value(r, name);
+    return isnan(n) ? 0 : (long long)n;
 }
 
-static void print_solver(const run_summary *r)
+static void print_solver(const floe_run *r)
 {
-    if (r->solver[0] == '\0' || strncmp(r->solver, "dynamic", 7) == 0) return;
-    printf("solver %s; %lld steps, %lld iterations of Newton's method, %lld of conjugate gradients\n", r->solver,
-           r->steps, counter_of(r, "balance_iterations"), counter_of(r, "balance_cg_iterations"));
+    const char *solver = floe_text(r, "solver");
+    if (solver[0] == '\0' || strncmp(solver, "dynamic", 7) == 0) return;
+    printf("solver %s; %lld steps, %lld iterations of Newton's method, %lld of conjugate gradients\n", solver,
+           count_of(r, "steps"), count_of(r, "counters.balance_iterations"),
+           count_of(r, "counters.balance_cg_iterations"));
 }
 
-static void print_result(const run_summary *r, const char *dir)
+static void print_result(const floe_run *r, bool dimensionless, const char *dir)
 {
-    printf("%s: t = %.6g%s, %lld steps (%lld rejected), %.3g s of wall time\n", r->status, r->time,
-           r->dimensionless ? "" : " s", r->steps, r->rejected_steps, r->wall_seconds);
+    const double moment = floe_value(r, "conservation.angular_momentum");
+    const char *metric;
+    printf("%s: t = %.6g%s, %lld steps (%lld rejected), %.3g s of wall time\n", floe_run_status(r),
+           floe_value(r, "time"), dimensionless ? "" : " s", count_of(r, "steps"), count_of(r, "rejected_steps"),
+           floe_value(r, "wall_seconds"));
     print_solver(r);
-    printf("drift: mass %.1e, momentum %.1e, ", r->drift_mass, r->drift_momentum);
-    if (!isnan(r->drift_moment)) printf("moment of momentum %.1e, ", r->drift_moment);
-    printf("energy %.1e\n", r->drift_energy);
-    for (int i = 0; i < r->n_errors; i++) printf("%s: %.6g\n", r->errors[i].name, r->errors[i].value);
+    printf("drift: mass %.1e, momentum %.1e, ", floe_value(r, "conservation.mass"),
+           floe_value(r, "conservation.momentum"));
+    if (!isnan(moment)) printf("moment of momentum %.1e, ", moment);
+    printf("energy %.1e\n", floe_value(r, "conservation.energy"));
+    for (int i = 0; (metric = floe_error_name(r, i)); i++) {
+        char name[128];
+        (void)snprintf(name, sizeof name, "errors.%s", metric);
+        printf("%s: %.6g\n", metric, floe_value(r, name));
+    }
     printf("results: %s (fields.xdmf opens in ParaView with its XDMF Reader)\n", dir);
-    if (r->notes[0]) printf("note: %s\n", r->notes);
+    if (floe_text(r, "notes")[0]) printf("note: %s\n", floe_text(r, "notes"));
+}
+
+/* Runs the deck, and says what it has come to. */
+static int run_deck(cli *c, arguments *a, floe_deck *deck)
+{
+    const floe_description of = floe_describe(deck);
+    floe_run *run;
+    if (!a->options.directory) {
+        cli_default_folder(&a->deck, of.coupling, a->dir, sizeof a->dir);
+        a->options.directory = a->dir;
+    }
+    a->options.stop = c->stop;
+    a->options.progress = a->quiet ? NULL : stderr;
+    const floe_status status = floe_execute(deck, &a->options, &run);
+    if (status == FLOE_OK && !a->quiet) print_result(run, of.dimensionless, a->options.directory);
+    /* Of a quiet run only what makes its answer doubtful. */
+    if (status == FLOE_OK && a->quiet && strstr(floe_text(run, "notes"), "WARNING"))
+        (void)fprintf(stderr, "floe: %s\n", floe_text(run, "notes"));
+    floe_run_destroy(&run);
+    return cli_end(c, status);
 }
 
 int cmd_run(cli *c, int argc, char **argv)
 {
     arguments a = {0};
-    run_summary summary;
-    scene *s;
+    floe_deck *deck;
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    floe_status status = cli_load(c, &a.deck, &s);
-    if (status != FLOE_OK) return cli_fail(c, status);
+    const floe_status loaded = cli_load(c, &a.deck, false, &deck);
+    if (loaded != FLOE_OK) return cli_refused(c, loaded);
     if (a.tolerance.tolerance > 0.0) {
-        scene_destroy(&s);
+        floe_deck_destroy(&deck);
         return tolerance_cli_run(
             c, &a.tolerance,
-            &(tolerance_run_arguments){&a.deck, a.options.dir, a.options.threads, a.options.max_wall, a.quiet});
-    }
-    if (!a.options.dir) {
-        cli_default_folder(&a.deck, coupling_name(s->coupling), a.dir, sizeof a.dir);
-        a.options.dir = a.dir;
+            &(tolerance_run_arguments){&a.deck, a.options.directory, a.options.threads, a.options.max_wall, a.quiet});
     }
     c->quiet = a.quiet;
     if (a.parent > 0) cli_end_with_parent(a.parent);
-    a.options.stop = c->stop;
-    a.options.progress = a.quiet ? NULL : stderr;
-    a.options.sink = cli_sink;
-    a.options.sink_user = c;
-    a.options.sink_detail = LOG_WARNING;
-    status = run_scene(c->ctx, s, &a.options, &summary);
-    scene_destroy(&s);
-    if (status != FLOE_OK) return cli_fail(c, status);
-    if (!a.quiet) print_result(&summary, a.options.dir);
-    /* Of a quiet run only what makes its answer doubtful. */
-    if (a.quiet && strstr(summary.notes, "WARNING")) (void)fprintf(stderr, "floe: %s\n", summary.notes);
-    return 0;
+    const int status = run_deck(c, &a, deck);
+    floe_deck_destroy(&deck);
+    return status;
 }

@@ -66,13 +66,13 @@ int cmd_stability(cli *c, int argc, char **argv)
     stability *result = NULL;
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     stability_options *o = &a.options;
-    floe_status status = batch_cli_begin(c, &a.batch, "stability");
-    if (status != FLOE_OK) return cli_fail(c, status);
+    const int refused = batch_cli_begin(c, &a.batch, "stability");
+    if (refused) return refused;
     o->batch = a.batch.batch;
     o->set = (deck_overrides){a.batch.deck.set, a.batch.deck.n_set};
     o->over = a.over;
     o->each = a.each;
-    status = stability_run(&result, c->ctx, o);
+    floe_status status = stability_run(&result, c->ctx, o);
     if (result && result->n_probes > 0 && !c->quiet) {
         (void)fprintf(stderr, "\n");
         const floe_status printed = stability_print(result, stdout);

@@ -1,9 +1,6 @@
 /* What the commands share. */
 #include "cli/cli.h"
 
-#include "base/memory.h"
-#include "run/catalogue.h"
-
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -32,9 +29,8 @@ void cli_error(const cli *c, const char *format, ...)
     va_end(arguments);
 }
 
-int cli_fail(const cli *c, floe_status status)
+static int fail_with(const cli *c, floe_status status, const char *message)
 {
-    const char *message = context_message(c->ctx);
     if (status == FLOE_INTERRUPTED) {
         (void)fprintf(stderr, "floe: %s\n", message);
     } else {
@@ -43,53 +39,53 @@ int cli_fail(const cli *c, floe_status status)
     return status_exit(status);
 }
 
-void cli_sink(void *user, log_level level, const char *line)
+int cli_fail(const cli *c, floe_status status)
 {
-    const cli *c = user;
-    if (level == LOG_ERROR) {
+    return fail_with(c, status, context_message(c->ctx));
+}
+
+int cli_end(const cli *c, floe_status status)
+{
+    return status == FLOE_OK ? 0 : fail_with(c, status, floe_message(c->floe));
+}
+
+static void print_line(const cli *c, bool is_error, bool is_warning, const char *line)
+{
+    if (is_error) {
         cli_error(c, "%s", line);
-    } else if (level == LOG_WARNING && !c->quiet) {
+    } else if (is_warning && !c->quiet) {
         (void)fprintf(stderr, "floe: warning: %s\n", line);
     }
 }
 
-/* The report of a deck, the word "error:" in colour on a terminal. */
-static void print_report(const cli *c, const char *text)
+void cli_sink(void *user, log_level level, const char *line)
+{
+    print_line(user, level == LOG_ERROR, level == LOG_WARNING, line);
+}
+
+void cli_log(void *user, floe_log_level level, const char *line)
+{
+    print_line(user, level == FLOE_LOG_ERROR, level == FLOE_LOG_WARNING, line);
+}
+
+floe_status cli_load(const cli *c, const cli_deck *d, bool axes, floe_deck **out)
+{
+    return axes ? floe_validate(c->floe, d->path, d->set, d->n_set, out)
+                : floe_load(c->floe, d->path, d->set, d->n_set, out);
+}
+
+/* The errors of a deck, the word "error:" in colour on a terminal; the last line says how many there are. */
+int cli_refused(const cli *c, floe_status status)
 {
     static const char word[] = "error:";
-    for (const char *at = strstr(text, word); at; at = strstr(text, word)) {
+    const char *text = floe_message(c->floe), *last = strrchr(text, '\n');
+    if (!last) return cli_end(c, status);
+    for (const char *at = strstr(text, word); at && at < last; at = strstr(text, word)) {
         (void)fprintf(stderr, "%.*s%s%s%s", (int)(at - text), text, red_escape(c), word, plain_escape(c));
         text = at + strlen(word);
     }
-    (void)fputs(text, stderr);
-}
-
-/* deck_load and deck_check. */
-typedef floe_status deck_loader(scene **out, context *ctx, const char *path, const deck_overrides *set,
-                                const deck_catalogue *catalogue, deck_report *report);
-
-static floe_status load_with(deck_loader *loader, const cli *c, const cli_deck *d, scene **out)
-{
-    const deck_overrides set = {d->set, d->n_set};
-    deck_catalogue *catalogue;
-    deck_report report = {0};
-    floe_status status = catalogue_create(&catalogue, c->ctx);
-    *out = NULL;
-    if (status == FLOE_OK) status = loader(out, c->ctx, d->path, &set, catalogue, &report);
-    if (report.text) print_report(c, report.text);
-    catalogue_destroy(c->ctx, &catalogue);
-    deck_report_free(&report);
-    return status;
-}
-
-floe_status cli_load(const cli *c, const cli_deck *d, scene **out)
-{
-    return load_with(deck_load, c, d, out);
-}
-
-floe_status cli_check(const cli *c, const cli_deck *d, scene **out)
-{
-    return load_with(deck_check, c, d, out);
+    (void)fprintf(stderr, "%.*s", (int)(last + 1 - text), text);
+    return fail_with(c, status, last + 1);
 }
 
 error_t cli_deck_option(cli_deck *d, int key, char *arg, struct argp_state *state)

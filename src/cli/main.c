@@ -1,7 +1,6 @@
 /* floe COMMAND ...: finds the command and hands over. */
 #include "cli/cli.h"
 #include "cli/signals.h"
-#include "deck/deck_errors.h"
 #include "floe/floe.h"
 #include "floe_build.h"
 
@@ -111,6 +110,7 @@ static int run_command(cli *c, const top *t, int argc, char **argv)
         return t->command->run(c, 2, (char **)asked);
     }
     context_set_sink(c->ctx, cli_sink, c, LOG_WARNING);
+    floe_log(c->floe, cli_log, c, FLOE_LOG_WARNING);
     if (t->command->ends_in_order) cli_catch_signals();
     return t->command->run(c, argc - t->first, argv + t->first);
 }
@@ -131,8 +131,11 @@ int main(int argc, char **argv)
     argp_program_version_hook = print_version;
     argp_parse(&top_argp, argc, argv, ARGP_IN_ORDER, NULL, &t);
 
-    cli c = {.ctx = context_create(), .stop = cli_stop_signal(), .colour = isatty(STDERR_FILENO) != 0};
-    if (!c.ctx) {
+    cli c = {.floe = floe_create(),
+             .ctx = context_create(),
+             .stop = cli_stop_signal(),
+             .colour = isatty(STDERR_FILENO) != 0};
+    if (!c.floe || !c.ctx) {
         (void)fprintf(stderr, "floe: no memory\n");
         return status_exit(FLOE_NO_MEMORY);
     }
@@ -141,5 +144,6 @@ int main(int argc, char **argv)
     int status = ready == FLOE_OK ? run_command(&c, &t, argc, argv) : cli_fail(&c, ready);
     if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) status = end_of_output(&c);
     context_destroy(&c.ctx);
+    floe_destroy(&c.floe);
     return status;
 }

@@ -24,12 +24,12 @@ int study_cli_run(cli *c, study_arguments *a)
 {
     study *result;
     study_options *o = &a->options;
-    floe_status status = batch_cli_begin(c, &a->batch, o->name);
-    if (status != FLOE_OK) return cli_fail(c, status);
+    const int refused = batch_cli_begin(c, &a->batch, o->name);
+    if (refused) return refused;
     o->batch = a->batch.batch;
     o->set = (deck_overrides){a->batch.deck.set, a->batch.deck.n_set};
     o->axis = a->axis;
-    status = study_run(&result, c->ctx, o);
+    floe_status status = study_run(&result, c->ctx, o);
     if ((status == FLOE_OK || status == FLOE_INTERRUPTED || status == FLOE_MISSED_BAR) && !c->quiet) {
         (void)fprintf(stderr, "\n");
         const floe_status printed = study_print(result, stdout);

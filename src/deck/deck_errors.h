@@ -28,8 +28,4 @@ const char *error_first(const error_list *list);
 /* Prints all errors. */
 void errors_print(const error_list *list, strbuf *out);
 
-/* The candidate nearest to `name` by edit distance, NULL when none is near enough to be meant. `candidate(user, i)`
- * returns the i-th name, NULL at the end. */
-const char *nearest_name(const char *name, const char *(*candidate)(const void *user, size_t i), const void *user);
-
 #endif

@@ -2,6 +2,7 @@
 #include "library/library_internal.h"
 
 #include "base/memory.h"
+#include "base/strbuf.h"
 #include "floe_build.h"
 #include "io/io.h"
 #include "run/catalogue.h"
@@ -102,40 +103,68 @@ static floe_status make_catalogue(const floe_context *floe, deck_catalogue **out
     return FLOE_OK;
 }
 
-/* `text` NULL: of the file. */
-static floe_status read_deck(floe_deck *deck, const char *path, const char *text, const deck_overrides *set)
+/* A deck, as it is asked for. */
+typedef struct source {
+    const char *path, *text; /* `text` NULL: of the file */
+    deck_overrides set;
+    bool axes; /* every value of its axes, too */
+} source;
+
+/* The errors, and behind them how many there are. */
+static void end_report(floe_context *floe)
+{
+    char *whole;
+    strbuf text;
+    if (!floe->report.text) return;
+    strbuf_init(&text, floe->ctx);
+    strbuf_append(&text, "%s%s", floe->report.text, context_message(floe->ctx));
+    if (strbuf_take(&text, &whole) == FLOE_OK) {
+        memory_free(floe->ctx, &floe->report.text);
+        floe->report.text = whole;
+    }
+    strbuf_free(&text);
+}
+
+static floe_status read_deck(floe_deck *deck, const source *from)
 {
     floe_context *floe = deck->floe;
     deck_catalogue *catalogue;
     TRY(make_catalogue(floe, &catalogue));
     const floe_status status =
-        text ? deck_load_text(&deck->scene, floe->ctx, path, text, strlen(text), set, catalogue, &floe->report)
-             : deck_load(&deck->scene, floe->ctx, path, set, catalogue, &floe->report);
+        from->text   ? deck_load_text(&deck->scene, floe->ctx, from->path, from->text, strlen(from->text), &from->set,
+                                      catalogue, &floe->report)
+        : from->axes ? deck_check(&deck->scene, floe->ctx, from->path, &from->set, catalogue, &floe->report)
+                     : deck_load(&deck->scene, floe->ctx, from->path, &from->set, catalogue, &floe->report);
     catalogue_destroy(floe->ctx, &catalogue);
+    end_report(floe);
     return status;
 }
 
-static floe_status load_deck(floe_context *floe, const char *path, const char *text, const deck_overrides *set,
-                             floe_deck **deck)
+static floe_status load_deck(floe_context *floe, source from, floe_deck **deck)
 {
     *deck = NULL;
     library_clear_messages(floe);
     TRY(memory_new(floe->ctx, deck, 1, sizeof **deck));
     (*deck)->floe = floe;
-    const floe_status status = read_deck(*deck, path, text, set);
+    const floe_status status = read_deck(*deck, &from);
     if (status != FLOE_OK) floe_deck_destroy(deck);
     return status;
 }
 
 floe_status floe_load(floe_context *floe, const char *path, const char *const *set, size_t n_set, floe_deck **deck)
 {
-    return load_deck(floe, path, NULL, &(deck_overrides){set, n_set}, deck);
+    return load_deck(floe, (source){.path = path, .set = {set, n_set}}, deck);
+}
+
+floe_status floe_validate(floe_context *floe, const char *path, const char *const *set, size_t n_set, floe_deck **deck)
+{
+    return load_deck(floe, (source){.path = path, .set = {set, n_set}, .axes = true}, deck);
 }
 
 floe_status floe_load_text(floe_context *floe, const char *name, const char *text, const char *const *set, size_t n_set,
                            floe_deck **deck)
 {
-    return load_deck(floe, name, text, &(deck_overrides){set, n_set}, deck);
+    return load_deck(floe, (source){.path = name, .text = text, .set = {set, n_set}}, deck);
 }
 
 void floe_deck_destroy(floe_deck **deck)

@@ -38,6 +38,8 @@ static floe_status run_deck(floe_deck *deck, const floe_options *options, run_su
                            .resume = options->resume,
                            .max_wall = options->max_wall,
                            .threads = options->threads,
+                           .stop = options->stop,
+                           .progress = options->progress,
                            .sink = deck->floe->log ? library_log : NULL,
                            .sink_user = deck->floe,
                            .sink_detail = deck->floe->detail,
@@ -126,6 +128,24 @@ double floe_value(const floe_run *run, const char *name)
     if (rest_after_prefix(name, "seconds_by_stage"))
         return find_value(r->seconds_by_stage, r->n_stages, rest_after_prefix(name, "seconds_by_stage"));
     return find_summary_number(r, name);
+}
+
+const char *floe_error_name(const floe_run *run, int i)
+{
+    return i >= 0 && i < run->summary.n_errors ? run->summary.errors[i].name : NULL;
+}
+
+const char *floe_text(const floe_run *run, const char *name)
+{
+    const run_summary *r = &run->summary;
+    const struct {
+        const char *name, *text;
+    } texts[] = {{"coupling", r->coupling}, {"interface", r->interface}, {"message", r->message},
+                 {"notes", r->notes},       {"pressure", r->pressure},   {"solver", r->solver},
+                 {"status", r->status},     {"substeps", r->substeps}};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        if (strcmp(texts[i].name, name) == 0) return texts[i].text;
+    return NULL;
 }
 
 const char *floe_run_status(const floe_run *run)

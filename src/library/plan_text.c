@@ -1,4 +1,4 @@
-#include "cli/plan.h"
+#include "library/plan.h"
 
 #include "base/context.h"
 #include "sim/interface.h"

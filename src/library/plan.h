@@ -1,6 +1,6 @@
 /* The plan of a scene as text and as JSON. */
-#ifndef CLI_PLAN_H
-#define CLI_PLAN_H
+#ifndef LIBRARY_PLAN_H
+#define LIBRARY_PLAN_H
 
 #include "run/disk_need.h"
 

@@ -1,4 +1,4 @@
-#include "cli/plan.h"
+#include "library/plan.h"
 
 #include "base/json_value.h"
 #include "base/memory.h"
