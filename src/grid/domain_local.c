@@ -82,7 +82,8 @@ static void fill_component(const domain *d, field_id id, int instance, fill_whic
     const mesh *m = d->mesh;
     double *(*get)(const fields *, field_id, int, int) = which == FILL_NEXT ? field_next : field_get;
     int reach[MESH_MAX_DIM];
-    for (int a = 0; a < MESH_MAX_DIM; ++a) reach[a] = m->periodic[a] ? 1 : 0;
+    for (int a = 0; a < MESH_MAX_DIM; ++a)
+        reach[a] = m->periodic[a] ? (MESH_GHOST + m->n[a] - 1) / m->n[a] : 0; /* images that ghosts see */
     for (int t = 0; t < m->n_blocks; ++t)
         for (int s = 0; s < m->n_blocks; ++s)
             for (int z = -reach[2]; z <= reach[2]; ++z)

@@ -13,7 +13,7 @@
 
 enum {
     MESH_MAX_DIM = 3,
-    MESH_GHOST = 2, /* ghost layers of cells, nodes and faces on each side of a used axis */
+    MESH_GHOST = 3, /* ghost layers of cells, nodes and faces on each side of a used axis */
     MESH_MAX_BLOCKS = 64
 };
 

@@ -48,8 +48,7 @@ static void extrapolate_beyond_side(const block *b, int axis, mesh_side side, do
                 const ptrdiff_t at = mesh_index(b, i, j, k);
                 const double last = a[at] - a[at - out], before = a[at - out] - a[at - 2 * out];
                 const double slope = last * before > 0.0 ? copysign(fmin(fabs(last), fabs(before)), last) : 0.0;
-                a[at + out] = a[at] + slope;
-                a[at + 2 * out] = a[at] + 2.0 * slope;
+                for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = a[at] + n * slope;
             }
 }
 

@@ -139,7 +139,7 @@ void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axi
                             : kind == GHOST_VOLUME ? now.v
                                                    : now.T;
                 }
-                a[at + out] = a[at + 2 * out] = value;
+                for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = value;
             }
 }
 
