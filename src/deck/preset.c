@@ -15,17 +15,14 @@ typedef struct preset {
 
 /* Guilkey et al. 2003: trilinear basis functions; stress from the velocities that the points bring to the nodes, before
  * the forces (equations 6 to 8); points that take the nodes' acceleration (9); internal energy; solids as materials of the mixture, at one velocity
- * with their fluid, of which liquids do not slip either (section 2.4). */
+ * with their fluid, of which liquids do not slip either (section 2.4); faces
+ * by means of both cells (steps 3 and 12). */
 static const preset_key g03[] = {
-    {"basis", "linear", NULL, NULL},
-    {"stress", "usf", NULL, NULL},
-    {"transfer", "flip", NULL, NULL},
-    {"flip", "1", "transfer", "flip"},
-    {"edge_penalty", "0", NULL, NULL},
-    {"energy", "internal", NULL, NULL},
-    {"pressure", "explicit", NULL, NULL},
-    {"interface", "smeared", NULL, NULL},
-    {"exchange", "locked", "interface", "smeared"},
+    {"basis", "linear", NULL, NULL},      {"stress", "usf", NULL, NULL},
+    {"transfer", "flip", NULL, NULL},     {"flip", "1", "transfer", "flip"},
+    {"edge_penalty", "0", NULL, NULL},    {"energy", "internal", NULL, NULL},
+    {"limiter", "van_leer", NULL, NULL},  {"pressure", "explicit", NULL, NULL},
+    {"interface", "smeared", NULL, NULL}, {"exchange", "locked", "interface", "smeared"},
 };
 
 static const preset presets[] = {{"g03", g03, sizeof g03 / sizeof *g03}};

@@ -133,6 +133,7 @@
       "is left over")                                                                                                \
     X(C_SHOCK, "shock_sensor", CELL, SCALAR, "1", SCRATCH, "s: 0 smooth, 1 at a shock; phi = (1 + s) / 2")           \
     X(C_CONTACT, "contact_sensor", CELL, SCALAR, "1", SCRATCH, "of one fluid: 0 smooth, 1 across a contact")         \
+    X(C_SLOW_SHOCK, "slow_shock", CELL, VECTOR, "1", SCRATCH, "by axis: 0, or 1 in a shock that stands on the mesh") \
     X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")               \
     X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")    \
     X(C_INTERFACE, "interface", CELL, SCALAR, "1", SCRATCH, "1 at an interface between fluids, else 0")              \
@@ -152,6 +153,10 @@
     X(F_MOBILITY, "face_mobility", FACE, VECTOR, "m3/kg", SCRATCH,                                                   \
       "implicit: velocity that a gradient of pressure gives a material, after exchange")                             \
     X(F_PRESSURE, "face_pressure", FACE, VECTOR, "Pa", SCRATCH, "P*")                                                \
+    X(F_DONOR_DENSITY, "donor_density", FACE, VECTOR, "kg/m3", SCRATCH, "of what crosses the face")                  \
+    X(F_DONOR_ENERGY, "donor_energy", FACE, VECTOR, "J/kg", SCRATCH, "internal energy of what crosses the face")     \
+    X(F_DONOR_VEL, "donor_velocity", FACE, GRADIENT, "m/s", SCRATCH,                                                 \
+      "of what crosses the face: the components for axis 0, then for axis 1")                                        \
     X(F_FLUX, "volume_flux", FACE, VECTOR, "m/s", SCRATCH, "sum of theta^r,f u*^r: volume per area and time")
 
 #endif

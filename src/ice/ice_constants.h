@@ -58,6 +58,34 @@
 #define ICE_LEAST_SLAB 0.5
 #define ICE_MOST_SLAB 1.5
 
+/* ---- states at faces, traced in characteristic variables (theory 2.17) ---- */
+
+/* Contacts (Colella and Woodward 1984, eqs 1.16 and 3.2, their values): least jump of density over two cells; how much of it pressure may explain; and
+ * the inflection from which a contact is steepened, and the rise. */
+#define ICE_TRACE_CONTACT 0.01
+#define ICE_TRACE_COMPRESSION 0.1
+#define ICE_TRACE_BEND_FOOT 0.05
+#define ICE_TRACE_BEND_RISE 20.0
+/* Shocks that are flattened (the same, appendix, their values): jump of pressure, over the lower one; share of the jump over four cells that lies in two,
+ * and the rise. */
+#define ICE_TRACE_STRONG 0.33
+#define ICE_TRACE_STEEP_FOOT 0.75
+#define ICE_TRACE_STEEP_RISE 10.0
+/* And only such as all but stand on the mesh: their speed of the fastest wave's, and of the pressure's jump what momentum has not yet taken. Measured:
+ * flattening at all shocks costs a quarter in velocity; 0.05 to 0.3 and 0.1 to 0.3 do as well. */
+#define ICE_TRACE_SLOW_SPEED 0.2
+#define ICE_TRACE_SLOW_THRUST 0.3
+/* Velocity's rise over two cells, of the speed of sound, from which pressure and velocity are limited in place of waves: towards a vacuum. */
+#define ICE_TRACE_TORN 1.5
+/* Changes in half a step by what other axes do are at most this share of the state; of which at least this share must be left at a face. */
+#define ICE_TRACE_MOST_CHANGE 0.3
+#define ICE_TRACE_LEAST_LEFT 0.05
+/* Mach number over which the viscous part of P* comes in: 1 over that at which it is full. Less damps vortices far below the speed of sound, more
+ * lets them grow: the window is 3 to 4 (measured). */
+#define ICE_TRACE_SLOW 4.0
+/* 1 over the change of pressure over two cells, of rho c^2, from which such flow is limited as any other. */
+#define ICE_TRACE_UNEVEN 20.0
+
 /* ---- interfaces of several fluids (theory 2.15) ---- */
 
 /* Less than this share of a cell is no other fluid: round-off. */

@@ -8,6 +8,8 @@
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_state.h"
+#include "ice/state/ice_traced.h"
+#include "ice/trace/ice_trace.h"
 
 #include "base/memory.h"
 
@@ -225,7 +227,8 @@ floe_status ice_register(ice *s, domain *d)
     s->domain = d;
     TRY(register_fields(s, d));
     if (s->cut) TRY(ice_sealing_create(s));
-    TRY(ice_storage_create(s, ice_advect_buffer(s), ice_is_mixture(s) && ice_reaction_count(s) == 0));
+    const size_t advect = ice_advect_buffer(s), trace = ice_may_trace(s) ? ice_trace_buffer(s) : 0;
+    TRY(ice_storage_create(s, advect > trace ? advect : trace, ice_is_mixture(s) && ice_reaction_count(s) == 0));
     if (ice_is_mixture(s)) TRY(ice_closure_create(s));
     if (s->with_points) TRY(ice_continued_create(s));
     return s->scene->method.pressure == PRESSURE_EXPLICIT ? FLOE_OK : ice_implicit_create(s);

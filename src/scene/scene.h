@@ -196,7 +196,12 @@ typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AU
 /* How gas on cells acts on a solid: over the cells that both share, or on the surface of the solid (theory, sharp
  * interface). */
 typedef enum solid_interface { INTERFACE_SMEARED, INTERFACE_SHARP, INTERFACE_AUTO } solid_interface;
-typedef enum ice_limiter { ICE_LIMITER_DEFAULT, ICE_LIMITER_NONE, ICE_LIMITER_FIRST_ORDER } ice_limiter;
+typedef enum ice_limiter {
+    ICE_LIMITER_DEFAULT, /* faces of a fluid that is alone are traced (theory 2.17); else van Leer's */
+    ICE_LIMITER_VAN_LEER,
+    ICE_LIMITER_NONE,
+    ICE_LIMITER_FIRST_ORDER
+} ice_limiter;
 
 typedef struct scene_method {
     char basis[SCENE_NAME]; /* linear, gimp, quadratic, cubic, cpdi: basis_registry */

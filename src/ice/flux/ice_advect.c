@@ -261,6 +261,38 @@ FLOE_ALWAYS_INLINE void find_face_fluxes(const faces *f, ptrdiff_t t, const int 
     f->flux[1 + nq][t] = 0.5 * w * square / (mass + ICE_ROUND_OFF * most(donor[0], 0.0) + ICE_TINY);
 }
 
+/* The same where the state that crosses is known (theory 2.17). */
+typedef struct traced_faces {
+    const double *velocity, *rho, *e, *u[3];
+    double *flux[ADVECT_Q + 2];
+} traced_faces;
+
+FLOE_ALWAYS_INLINE traced_faces traced_faces_of(const ice_view *v, int axis, ptrdiff_t start, double *const *flux,
+                                                const int dim)
+{
+    traced_faces f = {
+        .velocity = v->m[0].fu[axis] + start, .rho = v->donor_rho[axis] + start, .e = v->donor_e[axis] + start};
+    for (int a = 0; a < dim; ++a) f.u[a] = v->donor_u[axis][a] + start;
+    for (int i = 0; i < dim + 3; ++i) f.flux[i] = flux[i];
+    return f;
+}
+
+FLOE_ALWAYS_INLINE void traced_flux_row(const traced_faces *f, ptrdiff_t from, ptrdiff_t to, const int dim)
+{
+#pragma omp simd
+    for (ptrdiff_t t = from; t < to; ++t) {
+        const double mass = f->velocity[t] * f->rho[t];
+        double square = 0.0;
+        f->flux[0][t] = mass;
+        for (int a = 0; a < dim; ++a) {
+            f->flux[1 + a][t] = mass * f->u[a][t];
+            square += f->u[a][t] * f->u[a][t];
+        }
+        f->flux[1 + dim][t] = mass * f->e[t];
+        f->flux[2 + dim][t] = 0.5 * mass * square;
+    }
+}
+
 /* Fluxes through the lower faces of a row. */
 FLOE_ALWAYS_INLINE void flux_row(const faces *f, ptrdiff_t from, ptrdiff_t to, const int dim, const bool multi)
 {
@@ -369,6 +401,54 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep_slabs(const ice_advect_job *job, cons
     }
     return result;
 }
+
+/* The same of one fluid whose faces are traced: without donors. */
+FLOE_ALWAYS_INLINE ice_advect_result sweep_traced(const ice_advect_job *job, const int dim)
+{
+    const ice_view *v = job->v;
+    const int slow = dim - 1, rows_lo = ice_slab_first(dim, 0), rows_hi = ice_slab_last(v->b, dim, 0),
+              last = dim > 1 ? job->last : 0;
+    ice_advect_buffers w;
+    ice_advect_divide(&w, job->buffer, v->b, dim, false);
+    ice_advect_result result = {0, 0};
+    for (int slab = dim > 1 ? job->first : 0; slab <= last; ++slab) {
+        const ptrdiff_t start = ice_slab_start(v->b, dim, slab);
+        if (dim > 1) { /* through the face between slab - 1 and slab, then slab - 1 is complete */
+            const traced_faces f = traced_faces_of(v, slow, start, w.flux_across[(slab + 2) & 1], dim);
+            for (int k = rows_lo; k < rows_hi; ++k) {
+                const ptrdiff_t row = ice_slab_row(v->b, dim, k);
+                traced_flux_row(&f, row, row + v->b->n[0], dim);
+            }
+            ice_advect_tally_across(&w, job, slab);
+            for (int k = rows_lo; k < rows_hi && slab > job->first; ++k) {
+                if (update_row(&w, v, job, slab - 1, ice_slab_row(v->b, dim, k), dim, false))
+                    ice_advect_check(&w, job, slab - 1, k, &result);
+            }
+            if (slab == last) break;
+        }
+        for (int a = 0; a < (dim > 1 ? dim - 1 : 1); ++a) {
+            const traced_faces f = traced_faces_of(v, a, start, w.flux[a], dim);
+            for (int k = rows_lo; k < rows_hi + (a == 1); ++k) {
+                const ptrdiff_t row = ice_slab_row(v->b, dim, k);
+                traced_flux_row(&f, row, row + v->b->n[0] + (a == 0), dim);
+            }
+        }
+        ice_advect_tally_along(&w, job, slab);
+        if (dim == 1 && update_row(&w, v, job, 0, ice_slab_row(v->b, dim, 0), dim, false))
+            ice_advect_check(&w, job, 0, 0, &result);
+    }
+    return result;
+}
+
+#define TRACED(d)                                                                   \
+    FLOE_WIDE static ice_advect_result advect_traced_##d(const ice_advect_job *job) \
+    {                                                                               \
+        return sweep_traced(job, d);                                                \
+    }
+TRACED(1)
+TRACED(2)
+TRACED(3)
+ice_advect_slabs *const ice_advect_traced[3] = {advect_traced_1, advect_traced_2, advect_traced_3};
 
 #define INSTANCE(d, m)                                                             \
     FLOE_WIDE static ice_advect_result advect_##d##_##m(const ice_advect_job *job) \

@@ -22,6 +22,8 @@ typedef struct ice_advect_result {
 /* Indexed [dim - 1][multi]. */
 typedef ice_advect_result ice_advect_slabs(const ice_advect_job *job);
 extern ice_advect_slabs *const ice_advect_kernels[3][2];
+/* Of a fluid whose faces are traced, [dim - 1]. */
+extern ice_advect_slabs *const ice_advect_traced[3];
 
 /* Mass-specific quantities: u, e, and v with several materials. */
 enum { ADVECT_Q = 5 };

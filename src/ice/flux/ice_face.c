@@ -15,6 +15,8 @@
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_materials.h"
+#include "ice/state/ice_traced.h"
+#include "ice/trace/ice_trace.h"
 
 #include <math.h>
 
@@ -87,9 +89,9 @@ static void find_axis_velocity(const ice *s, const ice_view *v, int axis)
     const bool diffuses = ice_diffuses(s);
     double *velocity[ICE_MAX_MATERIALS];
     for (int r = 0; r < v->n_materials; ++r) {
-        ice_run_faces(v, r, axis, face_velocity_rows[v->dim - 1][v->multi]);
+        if (!v->traced) ice_run_faces(v, r, axis, face_velocity_rows[v->dim - 1][v->multi]);
         if (v->material[r].points) ice_stress_face_velocity(s, v, r, axis);
-        if (diffuses) ice_diffusion_face_velocity(s, v, r, axis);
+        if (diffuses && !v->traced) ice_diffusion_face_velocity(s, v, r, axis);
         velocity[r] = v->m[r].fu[axis];
     }
     if (v->multi) ice_exchange_faces(s, v, axis, velocity);
@@ -99,10 +101,12 @@ void ice_find_face_velocity(const ice *s, const ice_region *g)
 {
     ice_fill_ghosts(s, C_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
     if (ice_sharpens_contacts(s)) ice_fill_ghosts(s, C_CONTACT, g->number, FILL_CURRENT, GHOST_EVEN);
+    if (ice_is_traced(s, g)) ice_trace_faces(s, g);
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
         for (int axis = 0; axis < v.dim; ++axis) find_axis_velocity(s, &v, axis);
         for (int r = 0; r < v.n_materials; ++r) ice_boundary_face_velocity(s, &v, r);
+        if (v.traced) ice_trace_follow(s, &v);
     }
     for (int r = g->first; g->n > 1 && r < g->first + g->n; ++r) ice_fill_faces(s, F_VEL, r);
 }
@@ -133,7 +137,7 @@ floe_status ice_face_pressure_of(ice *s, const ice_region *g)
 {
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        for (int axis = 0; axis < v.dim; ++axis) ice_run_faces(&v, 0, axis, face_pressure_row);
+        for (int axis = 0; axis < v.dim && !v.traced; ++axis) ice_run_faces(&v, 0, axis, face_pressure_row);
         ice_boundary_face_pressure(s, &v);
     }
     return FLOE_OK;

@@ -43,7 +43,9 @@ static ice_advect_result advect_block(ice *s, const ice_view *v, int r)
                                     .conserve = s->scene->method.conserve_energy,
                                     .energy_floor = isnan(floor) ? -DBL_MAX : floor,
                                     .buffer = ice_buffer(s, c)};
-        const ice_advect_result result = ice_advect_kernels[v->dim - 1][v->multi](&job);
+        ice_advect_slabs *const sweep =
+            v->traced ? ice_advect_traced[v->dim - 1] : ice_advect_kernels[v->dim - 1][v->multi];
+        const ice_advect_result result = sweep(&job);
         bad += result.bad;
         guarded += result.guarded;
     }

@@ -1,6 +1,7 @@
 /* Questions about the materials of the cells. */
 
 #include "ice/state/ice_materials.h"
+#include "ice/state/ice_traced.h"
 
 #include <math.h>
 
@@ -58,7 +59,9 @@ bool ice_follows_isentropes(const ice *s, const ice_region *g)
 
 bool ice_sharpens_contacts(const ice *s)
 {
-    return !ice_is_mixture(s) && !s->cut && s->scene->method.limiter == ICE_LIMITER_DEFAULT;
+    return !ice_is_mixture(s) && !s->cut &&
+           (s->scene->method.limiter == ICE_LIMITER_DEFAULT || s->scene->method.limiter == ICE_LIMITER_VAN_LEER) &&
+           !ice_may_trace(s);
 }
 
 ice_reservoir ice_state_at(const eos *law, double p, double T)

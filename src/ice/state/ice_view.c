@@ -1,6 +1,7 @@
 /* A block's arrays and metrics, gathered for the kernels. */
 #include "ice/state/ice_materials.h"
 #include "ice/state/ice_storage.h"
+#include "ice/state/ice_traced.h"
 
 #include <math.h>
 
@@ -63,6 +64,11 @@ static void gather_shared(const fields *f, ice_view *v)
     v->wall = field_get(f, C_WALL, instance, 0);
     v->owed = field_get(f, C_HEAT_OWED, instance, 0);
     view_vector(f, field_get, F_PRESSURE, instance, dim, v->fp);
+    view_vector(f, field_get, C_SLOW_SHOCK, instance, dim, v->flat);
+    view_vector(f, field_get, F_DONOR_DENSITY, instance, dim, v->donor_rho);
+    view_vector(f, field_get, F_DONOR_ENERGY, instance, dim, v->donor_e);
+    for (int a = 0; a < dim; ++a)
+        for (int n = 0; n < dim; ++n) v->donor_u[a][n] = field_get(f, F_DONOR_VEL, instance, a * dim + n);
     v->rho_sum = v->multi ? field_get(f, C_RHO_SUM, instance, 0) : v->m[0].rho;
     for (int a = 0; a < dim; ++a) {
         v->mean[a] = v->multi ? field_get(f, C_VEL_MEAN, instance, a) : v->m[0].u[a];
@@ -130,6 +136,7 @@ void ice_view_make(const ice *s, const ice_region *g, int block_id, ice_view *v)
         v->n_materials = g->n;
         v->multi = g->n > 1;
     }
+    v->traced = g && ice_is_traced(s, g);
     set_spacings(s, block_id, v);
     set_scheme(s, v);
     v->reconcile = v->multi && ice_follows_isentropes(s, g ? g : &s->region[0]);

@@ -1,0 +1,147 @@
+/* The states at faces of a region (theory 2.17): its sensor, threads and storage. */
+#include "ice/ice_constants.h"
+#include "ice/sides/ice_sides.h"
+#include "ice/source/ice_source.h"
+#include "ice/state/ice_state.h"
+#include "ice/trace/ice_trace_rows.h"
+
+#include <math.h>
+#include <string.h>
+
+size_t ice_trace_buffer(const ice *s)
+{
+    const int dim = s->mesh->dim;
+    size_t largest = 0;
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const block *b = &s->mesh->block[id];
+        const size_t length = ((size_t)b->n[0] + 2 + 7) / 8 * 8,
+                     rows = (size_t)dim * (2 * WAVES + SLOPES) + 2 * STATES + 2;
+        const size_t kept = dim == 1 ? 0 : STATES * (size_t)(dim == 3 ? b->n[1] + 1 : 1);
+        largest = length * (rows + kept) > largest ? length * (rows + kept) : largest;
+    }
+    return largest;
+}
+
+/* How much of a shock lies in a cell that moves slowly over the mesh, 0 to 1: such a one rings behind itself unless its states are flattened (Colella and
+ * Woodward 1984, appendix; Quirk 1994). It is steep (the pressure's change over two cells is that over four), and both the speed of its mass and its
+ * momentum say that it stands. */
+FLOE_ALWAYS_INLINE double slow_shock_at(const double *restrict rho, const double *restrict u, const double *restrict p,
+                                        const double *restrict c, double floor, ptrdiff_t at, ptrdiff_t st)
+{
+    const double near = p[at + st] - p[at - st], far = p[at + 2 * st] - p[at - 2 * st];
+    const bool strong =
+        fabs(near) > ICE_TRACE_STRONG * (least(p[at + st], p[at - st]) - floor) && u[at - st] > u[at + st];
+    const double steep = ICE_TRACE_STEEP_RISE * (near * far / (far * far + ICE_TINY) - ICE_TRACE_STEEP_FOOT);
+    const double lower = rho[at - 2 * st], upper = rho[at + 2 * st],
+                 flow = upper * u[at + 2 * st] - lower * u[at - 2 * st];
+    const double speed = fabs(flow) / (fabs(upper - lower) + ICE_TINY),
+                 fastest = most(fabs(u[at - st]) + c[at - st], fabs(u[at + st]) + c[at + st]);
+    const double thrust = fabs(far + upper * u[at + 2 * st] * u[at + 2 * st] - lower * u[at - 2 * st] * u[at - 2 * st]);
+    const double stands = least(2.0 - 2.0 * speed / (ICE_TRACE_SLOW_SPEED * fastest),
+                                2.0 - 2.0 * thrust / (ICE_TRACE_SLOW_THRUST * fabs(far) + ICE_TINY));
+    const double share = least(most(steep, 0.0), 1.0) * least(most(stands, 0.0), 1.0);
+    return strong ? share : 0.0;
+}
+
+FLOE_WIDE static void slow_shock_row(const ice_view *v, int j, int k)
+{
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    const eos *law = &v->material[0].eos;
+    const double floor = law->model->pressure_floor(law->par);
+    for (int a = 0; a < v->dim; ++a) {
+        const ptrdiff_t st = v->b->stride[a];
+        const double *restrict rho = v->m[0].rho, *restrict u = v->m[0].u[a], *restrict p = v->p,
+                               *restrict c = v->m[0].c;
+        double *restrict found = v->flat[a];
+#pragma omp simd
+        for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) found[at] = slow_shock_at(rho, u, p, c, floor, at, st);
+    }
+}
+
+static void trace_block_faces(const ice *s, const ice_view *v)
+{
+    const block *b = v->b;
+    const eos *law = &v->material[0].eos;
+    const int slow = b->dim - 1, most_chunks = b->dim == 1 ? 1 : b->tiles[slow],
+              chunks = ice_threads(s) < most_chunks ? ice_threads(s) : most_chunks;
+#pragma omp parallel for schedule(static, 1)
+    for (int c = 0; c < chunks; ++c) {
+        const int tile = s->mesh->tile[slow], first = most_chunks * c / chunks * tile,
+                  end = most_chunks * (c + 1) / chunks * tile;
+        const trace_job job = {.v = v,
+                               .first = first,
+                               .last = end < b->n[slow] ? end : b->n[slow],
+                               .end = c == chunks - 1,
+                               .buffer = ice_buffer(s, c),
+                               .pressure_floor = law->model->pressure_floor(law->par)};
+        ice_trace_kernels[b->dim - 1][v->m[0].diff[0] != NULL](&job);
+    }
+}
+
+/* Pressure of half a step's heat, in the array of the advanced pressure, which is not yet in use. */
+static void find_warming(const ice *s, const ice_region *g)
+{
+    ice_view v;
+    for (int id = 0; ice_next_view(s, g, &id, &v);) {
+        memset(v.P, 0, (size_t)v.b->size * sizeof *v.P);
+        ice_diffusion_pressure(s, &v, 0, v.P);
+    }
+    ice_fill_ghosts(s, C_PRESSURE_ADVANCED, g->number, FILL_CURRENT, GHOST_EVEN);
+    ice_fill_ghosts(s, C_DIFFUSION_HEAT, g->first, FILL_CURRENT, GHOST_EVEN);
+}
+
+/* Beyond a wall the pressure is mirrored less the weight: that of a column goes on. */
+static void continue_column(const ice_view *v, int axis, mesh_side side)
+{
+    const ptrdiff_t out = side == SIDE_LOWER ? -v->b->stride[axis] : v->b->stride[axis];
+    const double half = (side == SIDE_LOWER ? -0.5 : 0.5) * v->gravity[axis] * v->h[axis], *rho = v->m[0].rho;
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    for (int layer = 1; layer <= MESH_GHOST; ++layer) {
+        bc_layers(v->b, axis, side, layer, layer, lo, hi);
+        for (int k = lo[2]; k < hi[2]; ++k)
+            for (int j = lo[1]; j < hi[1]; ++j)
+                for (int i = lo[0]; i < hi[0]; ++i) {
+                    const ptrdiff_t at = mesh_index(v->b, i, j, k);
+                    v->p[at] = v->p[at - out] + half * (rho[at] + rho[at - out]);
+                }
+    }
+}
+
+static void continue_columns(const ice *s, const ice_view *v)
+{
+    for (int axis = 0; axis < v->dim; ++axis)
+        for (int side = 0; side < 2; ++side)
+            if (v->gravity[axis] != 0.0 && v->b->at_side[axis][side] && !s->mesh->periodic[axis] &&
+                ice_is_wall(s->scene->bc.side[axis][side].kind))
+                continue_column(v, axis, (mesh_side)side);
+}
+
+void ice_trace_faces(const ice *s, const ice_region *g)
+{
+    ice_view v;
+    if (fields_has(s->domain->fields[0], C_DIFFUSION_HEAT, g->first)) find_warming(s, g);
+    for (int id = 0; ice_next_view(s, g, &id, &v);) continue_columns(s, &v);
+    for (int id = 0; ice_next_view(s, g, &id, &v);) ice_run_cells(&v, 0, slow_shock_row);
+    ice_fill_ghosts(s, C_SLOW_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
+    for (int id = 0; ice_next_view(s, g, &id, &v);) trace_block_faces(s, &v);
+}
+
+static void follow_side(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
+{
+    const ice_fluid *m = &v->m[r];
+    const ptrdiff_t beyond = side == SIDE_LOWER ? at.cell - v->b->stride[axis] : at.cell + v->b->stride[axis];
+    const double u = m->fu[axis][at.face];
+    const bool enters = u * at.outward < 0.0, given = s->scene->bc.side[axis][side].kind == BC_INLET;
+    if (given || (u > 0.0) != (v->donor_u[axis][axis][at.face] > 0.0)) {
+        const ptrdiff_t from = enters ? beyond : at.cell;
+        v->donor_rho[axis][at.face] = m->rho[from];
+        v->donor_e[axis][at.face] = m->e[from];
+        for (int a = 0; a < v->dim; ++a) v->donor_u[axis][a][at.face] = m->u[a][from];
+    }
+    v->donor_u[axis][axis][at.face] = u;
+}
+
+void ice_trace_follow(const ice *s, const ice_view *v)
+{
+    ice_visit_sides(s, v, 0, follow_side);
+}
