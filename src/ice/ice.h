@@ -43,6 +43,7 @@ enum {
  * step before the stages that read it. */
 typedef struct ice_seal_line {
     int enclosed;             /* material inside, a different one for each membrane; beside solids the only gas */
+    int within;               /* the line of the membrane about this one; -1: none is. Found by ice_seal_nest */
     const cut_surface *place; /* SEAL_PLACES: at the start, predicted, and at the end; not owned */
     const double *velocity;   /* m/s: of the vertices now, three each; not owned */
     const double *path; /* m: their displacement in the step, over which the force does work, three each; not owned */
@@ -50,7 +51,7 @@ typedef struct ice_seal_line {
     double heat;        /* J: heat of the enclosed gas, of the energy that points have lost in the step */
 } ice_seal_line;
 
-/* All boundaries: a gas that none encloses is outside all. */
+/* All boundaries: a gas that none encloses is outside all, and what a membrane encloses is outside those inside it. */
 typedef struct ice_seal {
     ice_seal_line line[SCENE_MAX_ENCLOSING];
     int n_lines;
@@ -171,8 +172,9 @@ floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */
 floe_status ice_sealed_load(ice *s);          /* forces on the boundaries */
 floe_status ice_sealed_sources(ice *s);       /* 2.6, 2.8, with the work on the boundaries */
 floe_status ice_sealed_advect(ice *s);        /* 2.11, with the new open fractions */
-/* FLOE_RETRY where boundaries cross each other at a position (SEAL_NOW to SEAL_NEXT), or one lies inside another; the
- * message says where. */
+/* Which membranes are inside which, from where they are (SEAL_NOW). They stay so. */
+void ice_seal_nest(ice *s);
+/* FLOE_RETRY where boundaries cross each other at a position (SEAL_NOW to SEAL_NEXT); the message says where. */
 floe_status ice_seal_check(const ice *s, int place);
 /* Open fractions and states at the start, with the boundaries at their current positions. */
 floe_status ice_sealed_initialise(ice *s);

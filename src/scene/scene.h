@@ -24,7 +24,7 @@ enum {
     SCENE_MAX_EXCHANGES = 66, /* all pairs of materials */
     SCENE_MAX_SPRINGS = 64,
     SCENE_MAX_SUPPORTS = 16,
-    SCENE_MAX_ENCLOSING = 3, /* membranes that enclose gas on cells */
+    SCENE_MAX_ENCLOSING = 8, /* membranes that enclose gas on cells */
     SCENE_MAX_SUBSTEPS = 128,
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,

@@ -66,17 +66,14 @@ static floe_status needs_explicit_pressure(const scene *s, const mesh *m)
                     "beside a membrane around gas, or a sharp interface, the pressure is explicit: leave it out");
 }
 
-/* Heat goes to what cells have of one gas, and gravity, beside solids, to all of it; other loads on gas do not support
- * cut cells. */
+/* Heat goes to what cells have of one gas, and gravity to all of it; other loads on gas do not support cut cells. */
 static floe_status needs_plain_loads(const scene *s, const mesh *m)
 {
     (void)m;
     for (int l = 0; l < s->n_loads; ++l) {
         const scene_load *load = &s->load[l];
         const bool heat = load->kind == LOAD_HEAT || load->kind == LOAD_PRESSURISE;
-        if (heat ? count_fluids(s) == 1
-                 : load->kind != LOAD_BODY_FORCE || load->body >= 0 || scene_enclosing_body(s) < 0)
-            continue;
+        if (!heat || count_fluids(s) == 1) continue;
         return fail_key(
             s->ctx, KEY("loads", load->name),
             "it acts on gas beside a membrane or a sharp interface, which cut cells do not take; use mpm, or "

@@ -112,11 +112,14 @@ static floe_status sealed_find_now(sealed *t)
         sealed_line *line = &t->line[l];
         TRY(find_line_now(t, line));
         t->gases->seal.line[l] = (ice_seal_line){.enclosed = t->gases->seal.line[l].enclosed,
+                                                 .within = t->gases->seal.line[l].within,
                                                  .place = line->place,
                                                  .velocity = line->velocity,
                                                  .path = line->path,
                                                  .force = line->force};
     }
+    if (!t->nested) ice_seal_nest(t->gases);
+    t->nested = true;
     for (int place = SEAL_NOW; place < SEAL_NEXT; ++place) TRY(ice_seal_check(t->gases, place));
     return FLOE_OK;
 }
@@ -126,7 +129,8 @@ floe_status sealed_find_still(sealed *t)
     for (int l = 0; l < t->n_lines; ++l) {
         sealed_line *line = &t->line[l];
         TRY(find_place(t, line, false, &line->place[SEAL_NOW]));
-        t->gases->seal.line[l] = (ice_seal_line){.enclosed = t->gases->seal.line[l].enclosed, .place = line->place};
+        t->gases->seal.line[l] = (ice_seal_line){
+            .enclosed = t->gases->seal.line[l].enclosed, .within = t->gases->seal.line[l].within, .place = line->place};
     }
     return ice_seal_check(t->gases, SEAL_NOW);
 }

@@ -23,6 +23,7 @@ typedef struct sealed {
     ice *gases;         /* not owned */
     sealed_line line[SCENE_MAX_ENCLOSING];
     int n_lines;
+    bool nested; /* it is known which membranes are inside which */
 } sealed;
 
 floe_status sealed_create(struct sealed **out, sim *s);

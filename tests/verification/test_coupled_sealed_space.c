@@ -71,6 +71,57 @@ static void test_stream(void **unused)
     trial_end(&t);
 }
 
+/* ---- one inside another, with weight ---- */
+
+/* A sphere in a sphere, of gases that weigh 1, 2 and 5 at rest: of the inner membrane lift and weight are exact, and all stay in the account. */
+static void test_nested(void **unused)
+{
+    (void)unused;
+    static const char *const set[] = {
+        "coupling=ice-mpm",
+        AIR,
+        PLAIN,
+        GAS,
+        "materials.other={eos: {ideal: {gamma: 1.4, specific_heat: 1}}}",
+        "ambient={material: air, pressure: 1000, temperature: 500}",
+        "domain={dim: 3, lower: [0, 0, 0], upper: [0.8, 0.8, 0.8], cell: 0.1}",
+        "boundaries={x: symmetry, y: symmetry, z: symmetry}",
+        "bodies.gas={material: gas, shape: {ball: {centre: [0.41, 0.38, 0.43], radius: 0.13}}, pressure: 1000, "
+        "temperature: 2500}",
+        "bodies.more={material: other, shape: {ball: {centre: [0.4, 0.4, 0.4], radius: 0.25}}, pressure: 1000, "
+        "temperature: 1250}",
+        "bodies.skin.points=2",
+        "bodies.skin.membrane={surface: {sphere: {centre: [0.41, 0.38, 0.43], radius: 0.12}}, thickness: 0.1, "
+        "encloses: gas}",
+        "bodies.second={material: skin, points: 2, membrane: {surface: {sphere: {centre: [0.4, 0.4, 0.4], radius: "
+        "0.24}}, thickness: 0.1, encloses: other}}",
+        "loads={fall: {gravity: {acceleration: [0, 0, -0.1]}}}"};
+    trial t;
+    ice_totals before, after;
+    mpm_totals points;
+    membrane_enclosure in[2];
+    sealed_begin(&t, "membrane_sphere", set, sizeof set / sizeof *set);
+    assert_int_equal(t.sim->ice->seal.line[0].within, 1);
+    check_ok(t.ctx, ice_sum(t.sim->ice, &before));
+    for (int k = 0; k < 2; ++k) mpm_membrane_enclosure(t.sim->mpm, k, &in[k]);
+    trial_steps(&t, 1);
+    check_ok(t.ctx, mpm_sum(t.sim->mpm, &points));
+    for (int gas = 0; gas < 3; ++gas)
+        for (int a = 0; a < 3; ++a) check_close(deviation_of(&t, C_VEL, gas, a, 0.0).inside, 0.0, 1e-8);
+    /* the gas between them presses on both; its weight, and that of all inside, is theirs. Walls are farther than their nodes reach */
+    const double both = points.momentum[0][2] + points.momentum[1][2];
+    const double enclosed =
+        in[1].size * 1000.175 / (0.4 * 500.0) - (before.mass[0] + before.mass[2]) - points.mass[0] - points.mass[1];
+    print_message("lift of both: %.3e off\n", both / t.sim->mpm->dt / (0.1 * enclosed) - 1.0);
+    check_close_relative(both / t.sim->mpm->dt, 0.1 * enclosed, 1e-6);
+    trial_steps(&t, 50);
+    check_ok(t.ctx, ice_sum(t.sim->ice, &after));
+    for (int gas = 0; gas < 3; ++gas) check_close_relative(after.mass[gas], before.mass[gas], 1e-13);
+    check_ok(t.ctx, sim_update_ledger(t.sim));
+    check_true(ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Z) < 1e-11);
+    trial_end(&t);
+}
+
 /* ---- the balance of gas and membrane ---- */
 
 /* An eighth of the balloon of inputs/membrane_sphere.yaml from its exact rest, in a gas of 500: p_in - p_out = 2 sigma t/r. */
@@ -227,7 +278,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rest),      cmocka_unit_test(test_stream), cmocka_unit_test(test_balloon),
-        cmocka_unit_test(test_breathing), cmocka_unit_test(test_bits),   cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_breathing), cmocka_unit_test(test_nested), cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

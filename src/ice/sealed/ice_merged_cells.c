@@ -14,35 +14,39 @@ bool ice_encloses(const ice *s, int line, int region)
     return r >= 0 && ice_region_of(s, r)->number == region;
 }
 
-/* The boundary that encloses a region; -1: none does. */
-static int line_of(const ice *s, int region)
+int ice_line_about(const ice *s, int region)
 {
     for (int l = 0; l < s->seal.n_lines; ++l)
         if (ice_encloses(s, l, region)) return l;
     return -1;
 }
 
-static double outside_share(const ice *s, double enclosed)
+/* What the boundary about a region has of a cell or face, less what those inside it take. */
+static double share_left(const ice *s, double whole, double enclosed)
 {
-    return s->seal.n_lines > 1 && fabs(1.0 - enclosed) < ICE_OPEN_ROUND_OFF ? 0.0 : 1.0 - enclosed;
+    return s->seal.n_lines > 1 && fabs(whole - enclosed) < ICE_OPEN_ROUND_OFF ? 0.0 : whole - enclosed;
 }
 
 double ice_open_cell(const ice *s, int region, int place, const int cell[3])
 {
-    const int own = line_of(s, region);
+    const ice_seal_line *line = s->seal.line;
+    const int about = ice_line_about(s, region);
+    const double whole = about < 0 ? 1.0 : cut_open(&line[about].place[place], cell);
     double enclosed = 0.0;
-    if (own >= 0) return cut_open(&s->seal.line[own].place[place], cell);
-    for (int l = 0; l < s->seal.n_lines; ++l) enclosed += cut_open(&s->seal.line[l].place[place], cell);
-    return outside_share(s, enclosed);
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        if (line[l].within == about && l != about) enclosed += cut_open(&line[l].place[place], cell);
+    return enclosed == 0.0 ? whole : share_left(s, whole, enclosed);
 }
 
 double ice_open_face(const ice *s, int region, int place, const int cell[3], int axis, int side)
 {
-    const int own = line_of(s, region);
+    const ice_seal_line *line = s->seal.line;
+    const int about = ice_line_about(s, region);
+    const double whole = about < 0 ? 1.0 : cut_face(&line[about].place[place], cell, axis, side);
     double enclosed = 0.0;
-    if (own >= 0) return cut_face(&s->seal.line[own].place[place], cell, axis, side);
-    for (int l = 0; l < s->seal.n_lines; ++l) enclosed += cut_face(&s->seal.line[l].place[place], cell, axis, side);
-    return outside_share(s, enclosed);
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        if (line[l].within == about && l != about) enclosed += cut_face(&line[l].place[place], cell, axis, side);
+    return enclosed == 0.0 ? whole : share_left(s, whole, enclosed);
 }
 
 double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int side)
@@ -54,17 +58,53 @@ double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int 
 
 double ice_outward(const ice *s, int region, int line)
 {
-    const int own = line_of(s, region);
-    return own < 0 ? -1.0 : own == line ? 1.0 : 0.0;
+    const int about = ice_line_about(s, region);
+    return about == line ? 1.0 : s->seal.line[line].within == about ? -1.0 : 0.0;
 }
 
-/* What is left outside all lines, at least, of a cell and of its faces. */
-static double least_outside(const ice *s, int place, const int cell[3])
+/* A region, or where nobody is. */
+static int region_about(const ice *s, int line)
 {
-    const int nobody = -1;
-    double least = ice_open_cell(s, nobody, place, cell);
-    for (int f = 0; f < 2 * s->mesh->dim; ++f) least = fmin(least, ice_open_face(s, nobody, place, cell, f / 2, f % 2));
+    const int within = s->seal.line[line].within;
+    return within < 0 ? -1 : ice_region_of(s, s->seal.line[within].enclosed)->number;
+}
+
+/* What is left about a line, at least, of a cell and of its faces. */
+static double least_about(const ice *s, int line, int place, const int cell[3])
+{
+    const int region = region_about(s, line);
+    double least = ice_open_cell(s, region, place, cell);
+    for (int f = 0; f < 2 * s->mesh->dim; ++f) least = fmin(least, ice_open_face(s, region, place, cell, f / 2, f % 2));
     return least;
+}
+
+/* All that a line encloses lies in what another does. */
+static bool lies_in(const ice *s, int line, int other)
+{
+    const mesh *m = s->mesh;
+    const cut_surface *in = &s->seal.line[line].place[SEAL_NOW], *about = &s->seal.line[other].place[SEAL_NOW];
+    double less = 0.0;
+    for (int k = 0; k < m->n[2]; ++k)
+        for (int j = 0; j < m->n[1]; ++j)
+            for (int i = 0; i < m->n[0]; ++i) {
+                const int cell[3] = {i, j, k};
+                const double open = cut_open(in, cell), around = cut_open(about, cell);
+                if (open > 0.0 && around < open - ICE_OPEN_ROUND_OFF) return false;
+                less += around - open;
+            }
+    return less > 0.0;
+}
+
+/* The innermost of those about it is the one that lies in all others about it. */
+void ice_seal_nest(ice *s)
+{
+    for (int l = 0; l < s->seal.n_lines; ++l) s->seal.line[l].within = -1;
+    if (scene_enclosing_body(s->scene) < 0) return; /* surfaces of solids are beside each other */
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        for (int k = 0; k < s->seal.n_lines; ++k) {
+            const int within = s->seal.line[l].within;
+            if (k != l && lies_in(s, l, k) && (within < 0 || lies_in(s, k, within))) s->seal.line[l].within = k;
+        }
 }
 
 floe_status ice_seal_check(const ice *s, int place)
@@ -74,10 +114,10 @@ floe_status ice_seal_check(const ice *s, int place)
         const cut_surface *c = &s->seal.line[l].place[place];
         for (int k = 0; k < c->n_cells; ++k) {
             const int *cell = c->cell[k].cell;
-            if (least_outside(s, place, cell) >= -overlap) continue;
-            return fail(s->ctx, FLOE_RETRY,
-                        "%s cross each other, or one stands in the other, in cell (%d, %d) at (%g, %g)",
-                        overlap > 0.0 ? "solids" : "membranes that hold gas", cell[0], cell[1],
+            if (least_about(s, l, place, cell) >= -overlap) continue;
+            return fail(s->ctx, FLOE_RETRY, "%s cross each other%s, in cell (%d, %d) at (%g, %g)",
+                        overlap > 0.0 ? "solids" : "membranes that hold gas",
+                        overlap > 0.0 ? ", or one stands in the other" : "", cell[0], cell[1],
                         mesh_centre(s->mesh, 0, cell[0]), mesh_centre(s->mesh, 1, cell[1]));
         }
     }
@@ -313,6 +353,7 @@ static void find_lines(ice *s)
     const int holders = scene_enclosing_bodies(s->scene, body);
     const int regions = s->n_regions < SCENE_MAX_ENCLOSING ? s->n_regions : SCENE_MAX_ENCLOSING;
     s->seal = (ice_seal){.n_lines = holders > 0 ? holders : regions};
+    for (int l = 0; l < s->seal.n_lines; ++l) s->seal.line[l].within = -1;
     for (int l = 0; l < regions && holders == 0; ++l) s->seal.line[l].enclosed = s->region[l].first;
     for (int l = 0; l < holders; ++l)
         s->seal.line[l].enclosed = ice_material_of(s, s->scene->body[body[l]].membrane.encloses);

@@ -144,10 +144,12 @@ floe_status ice_renew_fluids(ice *s, const ice_region *g);
 
 /* Sets all sums to zero. */
 void ice_clear_merged(ice_merged_cells *p);
-/* Sign of a boundary's area vectors for a region: +1 for the one that it encloses, -1 for the one outside; 0: it does not
+/* Sign of a boundary's area vectors for a region: +1 for the one that it encloses, -1 for the one about it; 0: it does not
  * bound the region. */
 double ice_outward(const ice *s, int region, int line);
-/* Whether a boundary encloses a region. */
+/* Whether a boundary encloses a region, next to it. */
 bool ice_encloses(const ice *s, int line, int region);
+/* The boundary that encloses a region; -1: none does. */
+int ice_line_about(const ice *s, int region);
 
 #endif

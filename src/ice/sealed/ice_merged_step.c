@@ -290,15 +290,22 @@ static double pressure_beyond(const ice *s)
     return s->n_regions == s->seal.n_lines ? s->scene->reference_pressure : 0.0;
 }
 
+/* The same on the other side of a line: inside another there is its gas. */
+static double pressure_behind(const ice *s, int line)
+{
+    return s->seal.line[line].within < 0 ? pressure_beyond(s) : 0.0;
+}
+
 /* What the reference pressure does to the membranes about the current gas, or to the surfaces, in the step: into the
  * ledger. */
 static void enter_surroundings(const ice *s, const ice_region *g)
 {
-    const double beyond = pressure_beyond(s);
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
     double work = 0.0;
-    if (beyond == 0.0) return;
+    if (pressure_beyond(s) == 0.0) return;
     for (piece_walk w = first_piece(s, merged_cells_of(s, g)); next_piece(&w);) {
+        const double beyond = pressure_behind(s, w.number);
+        if (beyond == 0.0) continue;
         double x[MESH_MAX_DIM] = {0.0};
         for (int a = 0; a < s->mesh->dim; ++a) x[a] = at_middle(w.piece, s->mesh->dim, w.line->path, a);
         for (int a = radial; a < s->mesh->dim; ++a)
@@ -461,10 +468,11 @@ static void push_vertices(const piece_walk *w, const double force[3])
 }
 
 /* Forces of a region on the boundaries beside it. */
-static void load_vertices(const ice *s, const ice_region *g, double beyond)
+static void load_vertices(const ice *s, const ice_region *g)
 {
     ice_seal_views(s, g);
     for (piece_walk w = first_piece(s, merged_cells_of(s, g)); next_piece(&w);) {
+        const double beyond = pressure_behind(s, w.number);
         double force[3];
         piece_force f;
         force_on(&w, &f);
@@ -475,9 +483,8 @@ static void load_vertices(const ice *s, const ice_region *g, double beyond)
 
 floe_status ice_sealed_load(ice *s)
 {
-    const double beyond = pressure_beyond(s);
     for (int l = 0; l < s->seal.n_lines; ++l)
         for (int k = 0; k < 3 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
-    for (int g = 0; g < s->n_regions; ++g) load_vertices(s, &s->region[g], beyond);
+    for (int g = 0; g < s->n_regions; ++g) load_vertices(s, &s->region[g]);
     return FLOE_OK;
 }

@@ -18,13 +18,14 @@ bool ice_has_weight(const ice *s)
 /* Moment (m) of what a gas has of a cell about the cell's centre, over the cell's volume. */
 static double moment_of(const ice *s, int region, int place, const int cell[3], int axis)
 {
+    const ice_seal_line *line = s->seal.line;
+    const int about = ice_line_about(s, region);
     double enclosed = 0.0;
-    for (int l = 0; l < s->seal.n_lines; ++l) {
-        const double moment = cut_moment(&s->seal.line[l].place[place], cell, axis);
-        if (ice_encloses(s, l, region)) return moment;
-        enclosed += moment;
-    }
-    return -enclosed;
+    for (int l = 0; l < s->seal.n_lines; ++l)
+        if (line[l].within == about && l != about) enclosed += cut_moment(&line[l].place[place], cell, axis);
+    if (about < 0) return -enclosed;
+    const double whole = cut_moment(&line[about].place[place], cell, axis);
+    return enclosed == 0.0 ? whole : whole - enclosed;
 }
 
 void ice_merged_centre(const ice *s, int place, ice_merged_cells *p)
