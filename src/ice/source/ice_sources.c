@@ -78,6 +78,7 @@ typedef struct single {
     const double *P, *p, *dP;
     double gravity_impulse[3], floor; /* m/s: gravity's in the step; J/kg */
     bool conserve;
+    bool whole; /* the energy of the whole step is looked at after advection alone (theory 2.17) */
 } single;
 
 /* u^L and e^L of a cell. Returns whether it fell back to 2.7. */
@@ -95,7 +96,7 @@ FLOE_ALWAYS_INLINE bool single_cell(const single *g, ptrdiff_t at, ptrdiff_t i, 
     }
     const double conserving = m->e[at] + f.work * inverse - gain;
     const double plain = m->e[at] + compression_work(g->P, g->p, g->dP, at) * (inverse * inverse * inv_c * inv_c);
-    const bool usable = g->conserve && conserving - g->floor > ICE_THERMAL_SHARE * kinetic;
+    const bool usable = g->conserve && (g->whole || conserving - g->floor > ICE_THERMAL_SHARE * kinetic);
     m->el[at] = usable ? conserving : plain;
     return g->conserve && !usable;
 }
@@ -103,7 +104,7 @@ FLOE_ALWAYS_INLINE bool single_cell(const single *g, ptrdiff_t at, ptrdiff_t i, 
 /* Returns how many cells fell back to 2.7. */
 FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve, double floor, const int dim)
 {
-    single g = {pressed_of(v), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve};
+    single g = {pressed_of(v), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve, v->traced};
     for (int a = 0; a < dim; ++a) g.gravity_impulse[a] = v->dt * v->gravity[a];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     int guarded = 0;
