@@ -88,7 +88,7 @@ static floe_status add_row(joining *j, int number, unsigned foot, vertex_row *ou
 
 static int row_vertex(const vertex_row *r, int k)
 {
-    return r->first + k % r->n;
+    return r->n > 1 ? r->first + k % r->n : r->first;
 }
 
 static int nearest_in_row(const joining *j, const vertex_row *r, int vertex)
