@@ -2,6 +2,7 @@
  * stage itself. */
 #include "ice/flux/ice_advect.h"
 #include "ice/sides/ice_sides.h"
+#include "ice/source/ice_source.h"
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_tiles.h"
 
@@ -183,6 +184,15 @@ static double defect_of(const ice_advect_buffers *w, const ice_advect_job *job, 
     return m->rho1[at] * after - (m->rho[at] * before - flown);
 }
 
+/* Where what flows in does not make a traced cell whole (2.17), it gets the heat of its compression as by 2.7, which is entered as a defect. */
+static void mend_traced(const ice_view *v, const ice_advect_job *job, ptrdiff_t at)
+{
+    const ice_fluid *m = &v->m[0];
+    if (m->e1[at] > job->energy_floor || !job->conserve) return;
+    const double z = m->rho[at] * m->c[at], plain = m->e[at] + ice_compression_work(v, at) / (z * z);
+    m->e1[at] += most(plain - m->el[at], 0.0) * m->rho[at] / m->rho1[at];
+}
+
 void ice_advect_check(const ice_advect_buffers *w, const ice_advect_job *job, int slab, int k,
                       ice_advect_result *result)
 {
@@ -195,6 +205,7 @@ void ice_advect_check(const ice_advect_buffers *w, const ice_advect_job *job, in
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = start + row + i;
         const bool present = !job->v->multi || m->theta[at] > ICE_TRACE_FRACTION;
+        if (v->traced) mend_traced(v, job, at);
         if (!ice_mass_stands(m, at, job->v->multi) ||
             (present && (!(ice_outflow(v, m, at, i, dim) <= 1.0) || !(m->e1[at] > job->energy_floor)))) {
             result->bad++;
