@@ -213,20 +213,16 @@ static void heat_only(const ice *s, const ice_view *v, ptrdiff_t at, int r, cons
 }
 
 /* Viscosity, conduction and the drag of the boundary, summed by ice_merged_step.c. */
-static void add_stresses(const ice *s, const ice_merged_cells *p, int merged, const ice_view *v, ptrdiff_t at)
+static void add_stresses(const ice_merged_cells *p, int merged, const ice_view *v, ptrdiff_t at)
 {
     const double volume = p->sum[(size_t)merged * MERGED_SUMS + MERGED_VOLUME];
     for (int r = 0; r < v->n_materials; ++r) {
         const double *own = p->fluid + (size_t)(merged * v->n_materials + r) * FLUID_SUMS;
         const double mass = volume * v->m[r].rho[at];
-        double gain = 0.0;
+        double du[3];
         if (!(mass > 0.0)) continue;
-        for (int a = 0; a < s->mesh->dim; ++a) {
-            const double du = own[FLUID_MOMENTUM + a] / mass, old = v->m[r].ul[a][at];
-            v->m[r].ul[a][at] = old + du;
-            gain += du * (old + 0.5 * du);
-        }
-        v->m[r].el[at] += own[FLUID_ENERGY] / mass - gain;
+        for (int a = 0; a < v->dim; ++a) du[a] = own[FLUID_MOMENTUM + a] / mass;
+        ice_add_change(&v->m[r], at, v->dim, du, own[FLUID_ENERGY] / mass);
     }
 }
 
@@ -249,7 +245,7 @@ static void advance_lead(const ice *s, const ice_merged_cells *p, int merged)
     push_fluids(v, lead->at, &q);
     ice_enter_weight(s, lead, sum, q.fallen);
     heat_fluids(s, v, lead->at, &q);
-    if (ice_has_diffusion(s)) add_stresses(s, p, merged, v, lead->at);
+    if (ice_has_diffusion(s)) add_stresses(p, merged, v, lead->at);
 }
 
 static void take_lead(const ice *s, const ice_member *m, const ice_member *lead)

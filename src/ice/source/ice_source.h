@@ -36,6 +36,19 @@ floe_status ice_sources_of(ice *s, const ice_region *g);
 void ice_find_sources(ice *s, const ice_region *g);
 floe_status ice_finish_sources(ice *s, const ice_region *g);
 
+/* A change of velocity and a gain of total energy per mass onto a fluid's Lagrangian values: heat is what motion does not take. */
+FLOE_ALWAYS_INLINE void ice_add_change(const ice_fluid *m, ptrdiff_t at, const int dim, const double du[3],
+                                       double energy)
+{
+    double kinetic = 0.0;
+    for (int a = 0; a < dim; ++a) {
+        const double old = m->ul[a][at];
+        m->ul[a][at] = old + du[a];
+        kinetic += du[a] * (old + 0.5 * du[a]);
+    }
+    m->el[at] += energy - kinetic;
+}
+
 /* Cells of the loads that heat fluids; none without such loads. Some load adds energy to a fluid. */
 floe_status ice_heated_create(ice *s);
 void ice_heated_destroy(context *ctx, struct ice_heated **w);

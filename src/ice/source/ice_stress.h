@@ -79,13 +79,9 @@ FLOE_ALWAYS_INLINE cell_diffusion diffusion_into(const diffusing *d, const ice_v
 FLOE_ALWAYS_INLINE void take_diffusion(const ice_fluid *m, ptrdiff_t at, double per_mass, const int dim,
                                        const cell_diffusion *c)
 {
-    double gain = 0.0;
-    for (int a = 0; a < dim; ++a) {
-        const double du = per_mass * c->force[a], old = m->ul[a][at];
-        m->ul[a][at] = old + du;
-        gain += du * (old + 0.5 * du);
-    }
-    m->el[at] += per_mass * c->power - gain;
+    double du[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < dim; ++a) du[a] = per_mass * c->force[a];
+    ice_add_change(m, at, dim, du, per_mass * c->power);
 }
 
 #endif
