@@ -105,8 +105,9 @@ FLOE_API floe_description floe_describe(const floe_deck *deck);
 
 /* How a run would begin. */
 typedef struct floe_start {
-    bool ready;        /* false: of more than a million cells it was not made ready */
+    bool ready;        /* false: it has too many cells and was not made ready */
     double cells;      /* of the mesh */
+    double most_cells; /* of a mesh that is made ready */
     size_t points;     /* of material */
     double step;       /* s, the first one */
     double steps;      /* about how many of its kind the run would need */

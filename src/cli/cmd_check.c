@@ -32,7 +32,7 @@ static void print_start(const floe_description *of, const floe_start *start)
                of->dimensionless ? "" : " s", start->steps);
     else
         printf("not made ready, as it has %.3g cells (%.0e at most): `floe plan` does, and says what memory it takes\n",
-               start->cells, 1e6);
+               start->cells, start->most_cells);
 }
 
 int cmd_check(cli *c, int argc, char **argv)

@@ -41,7 +41,8 @@ floe_status floe_rehearse(floe_deck *deck, floe_start *start)
     *start = (floe_start){0};
     TRY(begin_use(deck));
     TRY(run_make_ready(deck->scene, &ready, log_warning, deck->floe->ctx));
-    *start = (floe_start){ready.done, ready.cells, ready.points, ready.step, ready.steps, ready.reason};
+    *start =
+        (floe_start){ready.done, ready.cells, RUN_READY_CELLS, ready.points, ready.step, ready.steps, ready.reason};
     return FLOE_OK;
 }
 
@@ -81,6 +82,6 @@ static floe_status plan_large(scene *s, bool json, FILE *file)
 floe_status floe_plan(floe_deck *deck, bool json, FILE *file)
 {
     TRY(begin_use(deck));
-    return memory_cells(&deck->scene->mesh) > MEMORY_NEED_CELLS ? plan_large(deck->scene, json, file)
-                                                                : plan_scene(deck->scene, json, file);
+    return memory_cells(&deck->scene->mesh) > RUN_READY_CELLS ? plan_large(deck->scene, json, file)
+                                                              : plan_scene(deck->scene, json, file);
 }

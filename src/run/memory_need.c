@@ -123,7 +123,7 @@ floe_status memory_refuse(scene *s)
     static const double plainly = 1.5;
     coarse_setup c = {0};
     memory_need need;
-    if (!(memory_cells(&s->mesh) > MEMORY_NEED_CELLS)) return FLOE_OK;
+    if (!(memory_cells(&s->mesh) > RUN_READY_CELLS)) return FLOE_OK;
     const floe_status status = memory_need_estimate(s, &c, &need);
     coarse_end(&c);
     if (status == FLOE_OK) return need.bytes > plainly * need.available ? refuse_for_memory(s, &need) : FLOE_OK;

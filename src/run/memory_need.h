@@ -5,9 +5,6 @@
 
 #include "run/setup.h"
 
-/* Scenes of more cells are estimated, and not made ready to be measured. */
-#define MEMORY_NEED_CELLS 1e6
-
 typedef struct memory_need {
     double cells;         /* of the scene's own mesh */
     double bytes;         /* that a run holds: fields, points, work */
@@ -39,7 +36,7 @@ void memory_need_of(const sim *s, memory_need *out);
 floe_status memory_need_estimate(scene *s, coarse_setup *c, memory_need *out);
 
 /* FLOE_BAD_INPUT before a run that does not fit into memory, with what would fit: a scene of more than
- * MEMORY_NEED_CELLS whose need is half as much again as what is available. */
+ * RUN_READY_CELLS whose need is half as much again as what is available. */
 floe_status memory_refuse(scene *s);
 
 #endif

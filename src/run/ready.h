@@ -4,9 +4,6 @@
 
 #include "scene/remark.h"
 
-/* A scene of more cells is not set up by `floe check`. */
-#define RUN_READY_CELLS 1e6
-
 /* How a run of a scene would begin. */
 typedef struct run_ready {
     bool done;          /* it was set up; false: it has too many cells, or is refused */
@@ -16,7 +13,7 @@ typedef struct run_ready {
     const char *reason; /* what limits the step */
 } run_ready;
 
-/* Does with a scene what a run does before its first step, unless it has more than RUN_READY_CELLS. FLOE_BAD_INPUT, with
+/* Does with a scene what a run does before its first step, unless it has more than RUN_READY_CELLS (setup.h). FLOE_BAD_INPUT, with
  * its place, or FLOE_DIVERGED: what the run would end with. `say` takes the remarks on the scene as it is laid out, a run's own (NULL: nobody). */
 floe_status run_make_ready(scene *s, run_ready *out, remark_sink *say, void *user);
 

@@ -5,6 +5,9 @@
 #include "run/initial.h"
 #include "sim/sim.h"
 
+/* Scenes of more cells are not made ready only to be looked at (`floe check`, `floe plan`): what they need is estimated. */
+#define RUN_READY_CELLS 1e6
+
 typedef struct run_setup {
     scene *scene;             /* not owned */
     exact solution;           /* of verify.exact; owned */

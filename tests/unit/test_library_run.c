@@ -113,6 +113,7 @@ static void a_deck_is_described(void **state)
     assert_int_equal(floe_rehearse(deck, &start), FLOE_OK);
     check_true(start.ready && start.step > 0.0 && start.steps > 1.0 && start.limit);
     check_close(start.cells, 20.0, 0.0);
+    check_close(start.most_cells, 1e6, 0.0);
     assert_int_equal(floe_plan(deck, true, file), FLOE_OK);
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
