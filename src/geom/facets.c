@@ -210,13 +210,6 @@ static floe_status put_vertex(lattice *l, const int box[3])
     return facets_add_vertex(l, x, normal, number);
 }
 
-static double distance2(const double a[3], const double b[3])
-{
-    double sum = 0.0;
-    for (int k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-    return sum;
-}
-
 /* The vertices of the four boxes about an edge, as two triangles along the shorter diagonal. */
 static floe_status put_facets(lattice *l, const int from[3], int axis)
 {
@@ -233,7 +226,7 @@ static floe_status put_facets(lattice *l, const int from[3], int axis)
         v[k] = l->vertex[box_number(l, box)];
     }
     const double(*x)[3] = (const double(*)[3])l->out->x;
-    const bool turn = distance2(x[v[1]], x[v[3]]) < (1.0 - 1e-9) * distance2(x[v[0]], x[v[2]]);
+    const bool turn = vec_distance2(x[v[1]], x[v[3]]) < (1.0 - 1e-9) * vec_distance2(x[v[0]], x[v[2]]);
     TRY(facets_add_facet(l, v[turn], v[turn + 1], v[turn + 2]));
     return facets_add_facet(l, v[turn + 2], v[(turn + 3) % 4], v[turn]);
 }

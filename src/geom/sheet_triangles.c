@@ -44,7 +44,7 @@ static double distance2(const joining *j, int a, int b)
     double p[3], q[3];
     vertex_at(j, a, p);
     vertex_at(j, b, q);
-    return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
+    return vec_distance2(p, q);
 }
 
 static floe_status reserve_one(joining *j, int which, void *array, int n, size_t size)

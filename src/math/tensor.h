@@ -26,6 +26,13 @@ static inline double vec_norm(const double a[3])
     return sqrt(vec_dot(a, a));
 }
 
+/* |a - b|^2. */
+static inline double vec_distance2(const double a[3], const double b[3])
+{
+    const double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return vec_dot(d, d);
+}
+
 static inline void vec_cross(const double a[3], const double b[3], double c[3])
 {
     c[0] = a[1] * b[2] - a[2] * b[1];

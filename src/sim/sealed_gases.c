@@ -92,6 +92,14 @@ static floe_status find_place(const sealed *t, const sealed_line *line, bool nex
     return tell_of_line(t, line, cut_find(out));
 }
 
+/* A line as the gases see it: what it encloses stays, the rest is of this step. */
+static ice_seal_line *renew_seal(const sealed *t, int l)
+{
+    ice_seal_line *seal = &t->gases->seal.line[l];
+    *seal = (ice_seal_line){.enclosed = seal->enclosed, .within = seal->within, .place = t->line[l].place};
+    return seal;
+}
+
 static floe_status find_line_now(sealed *t, sealed_line *line)
 {
     cut_surface *now = &line->place[SEAL_NOW];
@@ -111,12 +119,10 @@ static floe_status sealed_find_now(sealed *t)
     for (int l = 0; l < t->n_lines; ++l) {
         sealed_line *line = &t->line[l];
         TRY(find_line_now(t, line));
-        t->gases->seal.line[l] = (ice_seal_line){.enclosed = t->gases->seal.line[l].enclosed,
-                                                 .within = t->gases->seal.line[l].within,
-                                                 .place = line->place,
-                                                 .velocity = line->velocity,
-                                                 .path = line->path,
-                                                 .force = line->force};
+        ice_seal_line *seal = renew_seal(t, l);
+        seal->velocity = line->velocity;
+        seal->path = line->path;
+        seal->force = line->force;
     }
     if (!t->nested) ice_seal_nest(t->gases);
     t->nested = true;
@@ -129,8 +135,7 @@ floe_status sealed_find_still(sealed *t)
     for (int l = 0; l < t->n_lines; ++l) {
         sealed_line *line = &t->line[l];
         TRY(find_place(t, line, false, &line->place[SEAL_NOW]));
-        t->gases->seal.line[l] = (ice_seal_line){
-            .enclosed = t->gases->seal.line[l].enclosed, .within = t->gases->seal.line[l].within, .place = line->place};
+        (void)renew_seal(t, l);
     }
     return ice_seal_check(t->gases, SEAL_NOW);
 }

@@ -34,6 +34,7 @@ static void vectors(void **state)
         check_close(vec_dot(a, c), 0.0, 4 * DBL_EPSILON);
         check_close(vec_dot(c, c) + vec_dot(a, b) * vec_dot(a, b), vec_dot(a, a) * vec_dot(b, b), 20 * DBL_EPSILON);
         const double length = vec_norm(a);
+        check_close(vec_distance2(a, b), vec_dot(a, a) + vec_dot(b, b) - 2 * vec_dot(a, b), 20 * DBL_EPSILON);
         check_close(vec_normalize(a), length, 0.0);
         check_close(vec_norm(a), 1.0, 4 * DBL_EPSILON);
         vec_add_scaled(-1.0, a, a);
