@@ -9,7 +9,7 @@ if [ -w /dev/shm ]; then
     work=$(mktemp -d -p /dev/shm)
     cd "$work"
 fi
-scene=("$cylinder" --coupling mpm --set domain.cell=0.025 --set output.interval=4e-4 --set time.end=4e-3)
+scene=("$cylinder" --coupling mpm --set domain.cell=0.025 --set output.interval=2e-4 --set time.end=2e-3)
 
 # await FILE PID: until the file is there, or the process is not.
 await() {
@@ -40,7 +40,7 @@ same_results whole part
 has part/run.log 'resume'
 
 # Checkpoints often enough for two to be there; then the newest is cut, changed in the middle, and gone.
-often=("${scene[@]}" --set domain.cell=0.05 --set output.checkpoint_interval=0.015)
+often=("${scene[@]}" --set domain.cell=0.05 --set output.interval=4e-4 --set time.end=4e-3 --set output.checkpoint_interval=0.015)
 expect 0 "$FLOE" run "${often[@]}" -o whole-often --quiet
 killed_at two fields/000005.h5 "$FLOE" run "${often[@]}" --quiet
 is_there two/checkpoint.h5 two/checkpoint-previous.h5
@@ -85,7 +85,7 @@ has stderr 'another deck'
 # Far more snapshots than there is time for checkpoints: spaced out, and so said.
 expect 0 "$FLOE" run "${scene[@]}" --set domain.cell=0.05 --set output.interval=2e-5 -o many --quiet
 has many/run.log 'checkpoints are spaced out'
-below "$(sed -n 's/.*checkpoints on the way: \([0-9]*\),.*/\1/p' many/run.log)" 100
+below "$(sed -n 's/.*checkpoints on the way: \([0-9]*\),.*/\1/p' many/run.log)" 50
 
 # None on the way, where the deck says so; the one of the end is there.
 expect 0 "$FLOE" run "${scene[@]}" --set output.checkpoint_interval=off -o none --quiet

@@ -33,7 +33,7 @@ still 'union: [{box: {lower: [0.2, 0.2], upper: [0.8, 0.4]}}, {box: {lower: [0.2
 still 'difference: {of: {box: {lower: [0.2, 0.2], upper: [0.8, 0.8]}}, without: [{box: {lower: [0.4, 0.4], upper: [0.8, 0.8]}}]}'
 still 'moved: {turned: 0.4, about: [0.5, 0.5], of: {difference: {of: {ellipsoid: {centre: [0.5, 0.5], radii: [0.35, 0.25]}}, without: [{ball: {centre: [0.5, 0.5], radius: 0.12}}]}}}'
 still 'union: [{box: {lower: 0.2, upper: 0.32}}, {box: {lower: 0.6, upper: 0.77}}]' --set 'domain={dim: 1, lower: 0, upper: 1, cell: 0.05}'
-space=(--set 'domain={dim: 3, lower: [0, 0, 0], upper: [1, 1, 1], cell: 0.1}' --set time.max_steps=10)
+space=(--set 'domain={dim: 3, lower: [0, 0, 0], upper: [1, 1, 1], cell: 0.1}' --set time.max_steps=4)
 still "moved: {by: [0, 0, 0.03], of: {extruded: {from: 0.2, to: 0.8, of: {$l}}}}" "${space[@]}"
 still 'revolved: {centre: [0.5, 0.5, 0], of: {polygon: {vertices: [[0, 0.2], [0.37, 0.2], [0.37, 0.51], [0, 0.82]]}}}' "${space[@]}"
 still 'difference: {of: {box: {lower: [0.1, 0.1, 0.1], upper: [0.9, 0.9, 0.9]}}, without: [{box: {lower: [0.3, 0.3, 0.3], upper: [0.7, 0.7, 0.9]}}]}' "${space[@]}"
@@ -41,10 +41,10 @@ still 'difference: {of: {box: {lower: [0.1, 0.1, 0.1], upper: [0.9, 0.9, 0.9]}},
 # A ball of triangles, in millimetres, beside the deck; the resolved deck finds it from anywhere.
 mkdir deck
 cp "$deck" deck/deck.yaml
-awk 'function vertex(i, j) { i %= 24; return sprintf("vertex %.6f %.6f %.6f\n", 300 * sin(pi * j / 12) * cos(pi * i / 12) * (j % 12 != 0), 300 * sin(pi * j / 12) * sin(pi * i / 12) * (j % 12 != 0), 300 * cos(pi * j / 12)) }
+awk 'function vertex(i, j) { i %= 12; return sprintf("vertex %.6f %.6f %.6f\n", 300 * sin(pi * j / 6) * cos(pi * i / 6) * (j % 6 != 0), 300 * sin(pi * j / 6) * sin(pi * i / 6) * (j % 6 != 0), 300 * cos(pi * j / 6)) }
     function facet(a, b, c) { if (a != b && b != c && c != a) printf "facet normal 0 0 0\nouter loop\n%s%s%sendloop\nendfacet\n", a, b, c }
     BEGIN { pi = atan2(0, -1); print "solid ball"
-            for (i = 0; i < 24; i++) for (j = 0; j < 12; j++) { facet(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1)); facet(vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)) }
+            for (i = 0; i < 12; i++) for (j = 0; j < 6; j++) { facet(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1)); facet(vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)) }
             print "endsolid ball" }' >deck/ball.stl
 own_deck=$deck
 deck=deck/deck.yaml

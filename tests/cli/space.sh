@@ -28,7 +28,7 @@ below "$(last rest/history.csv kinetic)" 1e-20
 below "$(json rest/summary.json mass)" 1e-13
 for body in 'cylinder: {start: [0.3, 0.35, 0.25], end: [0.7, 0.62, 0.72], radius: 0.18}' 'cylinder: {start: [0.52, 0.43, -0.2], end: [0.52, 0.43, 0.53], radius: 0.27}' \
     'box: {lower: [0.3, 0.2, 0.4], upper: [0.6, 0.8, 0.7]}' 'box: {lower: [0.313, -1, 0.42], upper: [0.55, 2, 0.731]}'; do
-    expect 0 "$FLOE" run "$shell" -o still --quiet --set bodies.inside=null --set materials.argon=null --set "bodies.shell.shape={$body}"
+    expect 0 "$FLOE" run "$shell" -o still --quiet --set time.max_steps=6 --set bodies.inside=null --set materials.argon=null --set "bodies.shell.shape={$body}"
     [ "$(json still/summary.json interface)" = 'auto: sharp' ] || fault "$body is not sharp"
     below "$(last still/history.csv kinetic)" 1e-20
 done
@@ -43,8 +43,8 @@ below "$(json charge/summary.json mass)" 1e-13
 below "$(json charge/summary.json energy)" 1e-7
 
 # Bits.
-expect 0 "$FLOE" run "$shell" -o blocks --quiet "${charge[@]}" --threads=2 --set time.end=1e-3 --set output.interval=1e-3 --set 'domain.blocks=[2, 1, 2]'
-expect 0 "$FLOE" run "$shell" -o whole --quiet "${charge[@]}" --threads=1 --set time.end=1e-3 --set output.interval=1e-3
+expect 0 "$FLOE" run "$shell" -o blocks --quiet "${charge[@]}" --threads=2 --set time.end=4e-4 --set output.interval=4e-4 --set 'domain.blocks=[2, 1, 2]'
+expect 0 "$FLOE" run "$shell" -o whole --quiet "${charge[@]}" --threads=1 --set time.end=4e-4 --set output.interval=4e-4
 cmp blocks/history.csv whole/history.csv || fault 'bits hang on blocks or threads'
 
 # A strip is a line: one step for both, and substeps of the solid that are as many.

@@ -39,6 +39,7 @@ expect 0 "${study[@]}" -o whole
 
 # It goes on: fewer steps are taken, all else is the same.
 killed part "${study[@]}"
+for copy in damaged other anew; do cp -r part $copy; done
 expect 0 "${study[@]}" -o part
 read -r how from < <(start_of part)
 [ "$how" = resume ] || fault "a case that was cut short is run by '$how'"
@@ -55,17 +56,14 @@ awk -F, -v row="$row" 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/ \(.*/, "", $i
     part/study.csv || fault "times of a case of two legs: $row"
 
 # What has no whole checkpoint, what is another deck's, and what --again asks for, is begun anew.
-killed damaged "${study[@]}"
 for file in damaged/$case/checkpoint*.h5; do printf x >"$file"; done
 expect 0 "${study[@]}" -o damaged
 has stderr 'is begun anew'
 [ "$(start_of damaged)" = 'start 0' ] || fault 'a damaged checkpoint was gone on with'
 same_results "whole/$case" "damaged/$case"
-killed other "${study[@]}"
 expect 0 "${study[@]}" --set output.interval=2e-4 -o other
 [ "$(start_of other)" = 'start 0' ] || fault 'a case of another deck was gone on with'
 [ "$(find other/$case/fields -name '*.h5' | wc -l)" -lt "$(find whole/$case/fields -name '*.h5' | wc -l)" ] || fault 'snapshots of another deck'
-killed anew "${study[@]}"
 expect 0 "${study[@]}" --again -o anew
 [ "$(start_of anew)" = 'start 0' ] || fault '--again went on with a case'
 

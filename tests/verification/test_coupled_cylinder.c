@@ -72,7 +72,8 @@ static void test_defaults(void **state)
     }
     static const char *const smeared[] = {"method.interface=smeared"};
     check_true(run("ice-mpm", 0.1, 1, smeared).eq13 <= 0.08);
-    check_true(run("ice-mpm", 0.05, 1, smeared).eq13 <= 0.015);
+    if (check_at_length())
+        check_true(run("ice-mpm", 0.05, 1, smeared).eq13 <= 0.015); /* the paper's settings below are smeared too */
 }
 
 /* With the paper's settings, the linear basis and 2x2 points on a lattice: first order, 0.89 within two standard errors. */

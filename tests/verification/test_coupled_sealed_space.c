@@ -15,7 +15,7 @@ static const double pi = 3.14159265358979323846;
 /* ---- at rest ---- */
 
 /* Two gases of one pressure inside and outside of a whole sphere, anywhere in its cells. A pressure of 1000 is even to 1e-13 of itself, of which
- * 300 steps make at most 6e-12 m/s (test_coupled_sealed.c). */
+ * 100 steps make at most 6e-12 m/s (test_coupled_sealed.c). */
 static void test_rest(void **unused)
 {
     (void)unused;
@@ -33,7 +33,7 @@ static void test_rest(void **unused)
     ice_totals before, after;
     sealed_begin(&t, "membrane_sphere", set, sizeof set / sizeof *set);
     check_ok(t.ctx, ice_sum(t.sim->ice, &before));
-    trial_steps(&t, 300);
+    trial_steps(&t, 100);
     check_ok(t.ctx, ice_sum(t.sim->ice, &after));
     for (int gas = 0; gas < 2; ++gas) {
         check_close_relative(after.mass[gas], before.mass[gas], 1e-13);
@@ -165,9 +165,10 @@ static void test_balloon(void **unused)
     (void)unused;
     double pressure[2], stress[2];
     rest_of_balloon("domain.cell=0.1", &pressure[0], &stress[0]);
-    rest_of_balloon("domain.cell=0.06", &pressure[1], &stress[1]);
     check_true(fabs(pressure[0]) < 8e-4);
     check_true(fabs(stress[0]) < 7e-3);
+    if (!check_at_length()) return;
+    rest_of_balloon("domain.cell=0.06", &pressure[1], &stress[1]);
     check_true(fabs(pressure[1]) < 0.5 * fabs(pressure[0])); /* second order: 0.36 */
     check_true(fabs(stress[1]) < 0.5 * fabs(stress[0]));
 }
@@ -217,10 +218,12 @@ static void test_breathing(void **unused)
 {
     (void)unused;
     const double expected = pi / 71.288;
-    const double coarse = half_period("domain.cell=0.1") / expected - 1.0,
-                 fine = half_period("domain.cell=0.06") / expected - 1.0;
-    print_message("half period of a balloon: %.2e off at h = R/5, %.2e at R/8\n", coarse, fine);
+    const double coarse = half_period("domain.cell=0.1") / expected - 1.0;
+    print_message("half period of a balloon: %.2e off at h = R/5\n", coarse);
     check_true(fabs(coarse) < 0.02);
+    if (!check_at_length()) return;
+    const double fine = half_period("domain.cell=0.06") / expected - 1.0;
+    print_message("%.2e at R/8\n", fine);
     check_true(fabs(fine) < 0.4 * fabs(coarse));
 }
 
