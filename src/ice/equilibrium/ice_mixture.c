@@ -4,7 +4,7 @@
  * that every neighbour finds a sensible value. All of it is done in ghosts too, from the same numbers. */
 #include "base/text.h"
 #include "base/threads.h"
-#include "ice/equilibrium/ice_closure.h"
+#include "ice/equilibrium/ice_mixture_row.h"
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_lists.h"
 #include "ice/state/ice_state.h"
@@ -12,30 +12,6 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
-
-/* One row of cells, and the thread's storage. Index i counts cells from `from`. */
-typedef struct mixture_row {
-    ice *s;
-    const ice_view *v;
-    ptrdiff_t from;
-    int n;
-    bool owned;               /* no row of ghosts */
-    const double *guess;      /* Pa: the last equilibrium pressure */
-    unsigned *set;            /* of each cell, its materials: bit r is material r's */
-    double *a, *b, *c, *d;    /* values of a run */
-    ice_closing_cells *mixed; /* of a run */
-    long cells, iterations, fallbacks;
-} mixture_row;
-
-/* Cells [from, from + n) with one set of materials. */
-typedef struct mixture_run {
-    ptrdiff_t from;
-    int n;
-    int first;                       /* of them in the row */
-    int count;                       /* of materials present */
-    int material[ICE_MAX_MATERIALS]; /* those present, in order */
-    bool points;                     /* some of them are carried by points */
-} mixture_run;
 
 static void find_sets(const mixture_row *q)
 {
@@ -198,100 +174,6 @@ static floe_status explain_mixture_fault(const mixture_row *q, const mixture_run
                 place, b->iterations[i], b->p[i], b->residual[i], text);
 }
 
-/* A frozen T will not do. In laws whose energy depends on volume at a given temperature v(p, T) belongs to another energy than the cell's, and an
- * error of v comes back larger by (gamma - 1) p_inf/(p + p_inf) in each step, 3.4 times in water of gamma 4.4. And what upwinding carries ahead of a
- * shock would expand to v = R T/p without doing work, to be compressed anew in the next step: its energy grows by up to p_2/p_1 in each cell that
- * the shock passes. So scenes of several fluids close the cell along isentropes. */
-static const isentrope *choose_paths(const mixture_row *q, const mixture_run *run, int k)
-{
-    const int r = run->material[k];
-    const ice_fluid *m = &q->v->m[r];
-    isentrope *path = q->mixed->path[k];
-    if (!q->v->reconcile || q->v->material[r].points) return NULL;
-    isentropes_through(&q->v->material[r].eos, run->n, m->vol + run->from, m->e + run->from, path);
-    return path;
-}
-
-/* Near one pressure there is nothing to expand, and heat that has changed hands is to do no work: T is frozen in such cells, as far as the laws
- * bear it, those whose energy is one of temperature alone. */
-static void freeze_near(const mixture_row *q, const mixture_run *run)
-{
-    const equilibrium_batch *b = &q->mixed->batch;
-    bool *frozen = q->mixed->frozen, bears = q->v->reconcile;
-    for (int k = 0; k < run->count && bears; ++k)
-        bears = b->path[k] && !isnan(q->v->material[run->material[k]].energy_floor);
-    for (int i = 0; i < run->n; ++i) frozen[i] = bears;
-    for (int k = 0; k < run->count && bears; ++k)
-        for (int i = 0; i < run->n; ++i) frozen[i] = frozen[i] && ice_near_pressure(&b->path[k][i], b->p[i]);
-    for (int k = 0; k < run->count && bears; ++k)
-        for (int i = 0; i < run->n; ++i)
-            if (frozen[i]) q->mixed->path[k][i].exponent = 0.0;
-}
-
-/* Energy at the end of material k's paths in a run, and c_v and T there. */
-static void end_paths(const mixture_row *q, const mixture_run *run, int k)
-{
-    const equilibrium_batch *b = &q->mixed->batch;
-    const eos *law = b->eos[k];
-    double *e = q->mixed->e[k], *cv = q->mixed->cv[k], *T = q->mixed->T[k];
-    for (int i = 0; i < run->n; ++i) q->a[i] = 1.0 / b->v[k][i];
-    law->model->energy(law->par, (size_t)run->n, q->a, b->T[k], e);
-    for (int i = 0; i < run->n; ++i)
-        if (b->path[k][i].exponent > 0.0) e[i] = isentrope_energy(&b->path[k][i], b->v[k][i]);
-    law->model->heat(law->par, (size_t)run->n, q->a, e, cv, q->d);
-    law->model->temperature(law->par, (size_t)run->n, q->a, e, T);
-}
-
-/* Materials at unlike pressures do not do opposite work as they come to one; the difference goes to all alike, so that the cell keeps its energy:
- * as one change of temperature, or, where energy is missing, by one factor on the temperatures, below zero none. */
-static void share_rest(const mixture_row *q, const mixture_run *run, int i)
-{
-    const equilibrium_batch *b = &q->mixed->batch;
-    const ice_closing_cells *c = q->mixed;
-    const ptrdiff_t at = run->from + i;
-    double over = 0.0, capacity = 0.0, content = 0.0;
-    int paths = 0;
-    for (int k = 0; k < run->count; ++k) {
-        const ice_fluid *m = &q->v->m[run->material[k]];
-        if (!b->path[k]) continue;
-        over += m->rho[at] * (m->e[at] - c->e[k][i]);
-        capacity += m->rho[at] * c->cv[k][i];
-        content += m->rho[at] * c->cv[k][i] * most(c->T[k][i], 0.0);
-        paths++;
-    }
-    const bool factor = paths > 1 && over < 0.0 && content > 0.0;
-    for (int k = 0; k < run->count; ++k) {
-        const ice_fluid *m = &q->v->m[run->material[k]];
-        if (!b->path[k]) continue;
-        const double warming = factor ? most(c->T[k][i], 0.0) * (over / content) : over / capacity;
-        m->e[at] = c->e[k][i] + c->cv[k][i] * warming;
-        m->vol[at] = b->v[k][i];
-    }
-}
-
-/* What the paths of a run end in; frozen cells keep their energies. Materials without a path take e(v, T). */
-static void follow_paths(const mixture_row *q, const mixture_run *run)
-{
-    const equilibrium_batch *b = &q->mixed->batch;
-    const bool *frozen = q->mixed->frozen;
-    int moved = 0;
-    for (int i = 0; i < run->n; ++i) moved += !frozen[i];
-    if (moved == 0) return;
-    for (int k = 0; k < run->count; ++k)
-        if (b->path[k]) end_paths(q, run, k);
-    for (int i = 0; i < run->n; ++i)
-        if (!frozen[i]) share_rest(q, run, i);
-    for (int k = 0; k < run->count; ++k) {
-        const ice_fluid *m = &q->v->m[run->material[k]];
-        const eos *law = b->eos[k];
-        for (int i = 0; i < run->n && b->path[k]; ++i) {
-            const ptrdiff_t at = run->from + i;
-            const double density = 1.0 / m->vol[at];
-            if (!frozen[i]) law->model->temperature(law->par, 1, &density, &m->e[at], &m->T[at]);
-        }
-    }
-}
-
 /* Where fluids have almost no volume the last pressure was extrapolated into the solid (ice_continue.c). What the solid
  * itself had is in its volume, which the last step has carried on: without it these cells, a third of those beside a
  * cylinder, take six iterations for one or two. */
@@ -319,11 +201,11 @@ static void load_batch(const mixture_row *q, const mixture_run *run)
     for (int k = 0; k < run->count; ++k) {
         const ice_fluid *m = &q->v->m[run->material[k]];
         b->eos[k] = &q->v->material[run->material[k]].eos;
-        b->path[k] = choose_paths(q, run, k);
+        b->path[k] = ice_choose_path(q, run, k);
         memcpy(b->T[k], m->T + run->from, (size_t)run->n * sizeof *b->T[k]);
         for (int i = 0; i < run->n; ++i) b->a[k][i] = m->rho[run->from + i] * q->a[i];
     }
-    freeze_near(q, run);
+    ice_freeze_near(q, run);
 }
 
 static floe_status solve_batch(mixture_row *q, const mixture_run *run)
@@ -370,7 +252,7 @@ static void store_batch(const mixture_row *q, const mixture_run *run)
     const bool reconcile = q->v->reconcile;
     double *sum = q->v->kappa_sum + run->from;
     memcpy(q->v->p + run->from, b->p, (size_t)run->n * sizeof *b->p);
-    if (reconcile) follow_paths(q, run);
+    if (reconcile) ice_follow_paths(q, run);
     for (int k = 0; k < run->count; ++k) {
         const int r = run->material[k];
         double *theta = q->v->m[r].theta + run->from, *kappa = q->v->m[r].kappa + run->from;
