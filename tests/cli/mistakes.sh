@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Three hundred and ten plausible mistakes: two hundred and ten in ten classes, more than half of them written down (tests/mistakes/list.txt), half made from
 # the schema by a seed (FLOE_SEED); and a hundred numbers that slips of units or sign leave, drawn from tests/mistakes/slips.txt. Each
-# is refused or warned of with its place, what is wrong and what to do; none is silent, and no signal ends floe.
+# is refused or warned of with its place, what is wrong and what to do; none is silent, and no signal ends floe. `run` judges those of the list as `check` does.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 seed=${FLOE_SEED:-17}
 echo "seed $seed (FLOE_SEED)"
-failed=0 total=0
+failed=0 total=0 checked=0
 # What to do: to give, take or say something else, what would do, or a question about what was meant.
 remedy='[Gg]ive |[Tt]ake |[Ss]ay |[Tt]urn |[Ll]eave |[Nn]ame |[Uu]se |expected:|hint:|or |needs |must |instead|is meant|[Aa]re |\?'
 
@@ -26,6 +26,7 @@ mistake() {
     for one in $3; do arguments+=(--set "$one"); done
     total=$((total + 1))
     "$FLOE" check "$deck" "${arguments[@]}" >stdout 2>stderr || status=$?
+    checked=$status
     IFS= read -r -d '' said <stderr || true # no more processes than floe's own: there are three hundred
     if [ "$status" -ne 2 ] && { [ "$status" -ne 0 ] || [[ $said != *warning:* ]]; }; then
         echo "$class: $2, $3: status $status without a word"
@@ -41,6 +42,19 @@ mistake() {
     failed=$((failed + 1))
 }
 
+# run_judges_alike DECK SETTINGS: what `check` has just refused, by `checked` and ./stderr, `run` refuses in the same words, and it refuses nothing else.
+run_judges_alike() {
+    local ran=0 arguments=() one IFS=';'
+    for one in $2; do arguments+=(--set "$one"); done
+    "$FLOE" run "$FLOE_SOURCE/tests/mistakes/$1.yaml" "${arguments[@]}" --set time.max_steps=1 --quiet -o ran.out >/dev/null 2>ran || ran=$?
+    rm -rf ran.out
+    sed -i '/warning:/d' stderr ran
+    if [ "$ran" -ne "$checked" ] || { [ "$ran" -ne 0 ] && ! cmp -s stderr ran; }; then
+        echo "$1, $2: check $checked, run $ran: $(head -c 300 ran)"
+        failed=$((failed + 1))
+    fi
+}
+
 # The decks themselves are without a fault.
 for deck in solid gas contact ball static; do
     expect 0 "$FLOE" check "$FLOE_SOURCE/tests/mistakes/$deck.yaml"
@@ -50,6 +64,7 @@ done
 while IFS='|' read -r class deck settings words; do
     case $class in '#'* | '') continue ;; esac
     mistake "$class" "$deck" "$settings" "$words"
+    run_judges_alike "$deck" "$settings"
 done < <(sed -E 's/^ +//; s/ +$//; s/ *\| */|/g' "$FLOE_SOURCE/tests/mistakes/list.txt")
 
 # Made from the schema: its keys with a letter lost, in the map of a class; and values of another kind.

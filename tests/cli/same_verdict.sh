@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `check` refuses `run` refuses in the same words, and the other way about: the mistakes of tests/mistakes, decks of inputs/ under
-# every coupling, and what was found apart. FLOE_EVERY: all decks, and each run goes on from its checkpoint; FLOE_STEPS: of each run (1);
+# What `check` refuses `run` refuses in the same words, and the other way about: decks of inputs/ under every coupling, and what was found
+# apart; of the mistakes mistakes.sh tells. FLOE_EVERY: all decks, the mistakes too, and each run goes on from its checkpoint; FLOE_STEPS: of each run (1);
 # FLOE_TOTALS: a file for the totals. So `scripts/nightly.sh decks` takes programs with sanitizers through every deck.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
@@ -45,8 +45,10 @@ verdicts() {
     fi
 }
 
+# At length only: every day mistakes.sh does so.
 while IFS='|' read -r class deck settings _; do
     case $class in '#'* | '') continue ;; esac
+    [ -n "${FLOE_EVERY:-}" ] || break
     read -r deck <<<"$deck"
     IFS=';' read -ra list <<<"$(sed -E 's/^ +//; s/ +$//' <<<"$settings")"
     verdicts "$FLOE_SOURCE/tests/mistakes/$deck.yaml" "${list[@]}"
