@@ -53,9 +53,9 @@ static void check_hammer(const char *interface, double bound)
     check_close(high, low, 0.2 * bound);
 }
 
-/* Steel, four cells of wall, twice as long along the tube: measured 1.0030 and 1.0019, smeared; 1.0075 and 1.0060, sharp; 0.35 below it before walls kept water and water slipped
- * along them. The tube breathes about Korteweg's pressure, which is that of a wall without inertia: beside a sharp wall with FLIP's blend of 0.99,
- * 1.0052. */
+/* Steel, four cells of wall, twice as long along the tube: measured 1.0030 and 1.0019, smeared; 1.0075 and 1.0060, sharp; 0.35 below it before
+ * walls kept water and water slipped along them. The tube breathes about Korteweg's pressure, which is that of a wall without inertia: beside a
+ * sharp wall with FLIP's blend of 0.99, 1.0052. */
 static void test_hammer(void **unused)
 {
     (void)unused;
