@@ -7,8 +7,9 @@
 
 /* Shares this close to none or all are that: round-off of sums of passages. */
 static const double snap = 1e-13;
-/* Lines that cross hold more than all of a cell, or less than none, by more than this: bodies of a deck touch to some nine digits. */
-static const double crossing = 1e-6;
+
+/* Solids that may overlap in a node of the mesh. */
+enum { MOST_IN_A_NODE = 8 };
 
 floe_status cut_create(cut_surface *c, context *ctx, const mesh *m)
 {
@@ -171,7 +172,7 @@ static double enclosed_volume(const cut_surface *c)
 static floe_status mark_nodes(cut_surface *c)
 {
     const int nodes = cut_nodes(c->mesh);
-    const int overlap = c->mesh->dim == 1;
+    const int overlap = c->overlap > 0.0 ? MOST_IN_A_NODE : c->mesh->dim == 1;
     int least, most;
     if (c->mesh->dim == 3)
         number_nodes_in_space(c);
@@ -184,43 +185,58 @@ static floe_status mark_nodes(cut_surface *c)
     if (most - least > 1 + overlap)
         return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses itself or another: gas would lie on both its sides");
     for (int k = 0; k < nodes; ++k) c->node[k] = (signed char)(c->node[k] - most + 1);
-    return overlap ? cut_join_points(c) : FLOE_OK;
+    return c->mesh->dim == 1 ? cut_join_points(c) : FLOE_OK;
 }
 
-double cut_snapped_share(double share, bool *sound)
+static double snapped(double share, double beyond, cut_shares *of)
 {
-    *sound = *sound && share >= -crossing && share <= 1.0 + crossing;
+    of->sound = of->sound && share >= -beyond && share <= 1.0 + beyond;
+    of->overlap = of->overlap || share < -cut_crossing || share > 1.0 + cut_crossing;
     return share < snap ? 0.0 : share > 1.0 - snap ? 1.0 : share;
 }
 
+double cut_snapped_volume(const cut_surface *c, double share, cut_shares *of)
+{
+    return snapped(share, fmax(cut_crossing, c->overlap), of);
+}
+
+double cut_snapped_face(const cut_surface *c, double share, cut_shares *of)
+{
+    return snapped(share, c->overlap > 0.0 ? HUGE_VAL : cut_crossing, of);
+}
+
 /* Shares of a cell of the plane from what the walk has gathered. */
-static bool finish_in_plane(const cut_surface *c, cut_cell *k)
+static cut_shares finish_in_plane(const cut_surface *c, cut_cell *k)
 {
     const mesh *m = c->mesh;
     const int row = m->n[0] + 1, *i = k->cell;
     const signed char *node = c->node + i[1] * row + i[0];
     const double across = cut_weight_to(m, mesh_node(m, 0, i[0] + 1)) - cut_weight_to(m, mesh_node(m, 0, i[0]));
     const double inside[2][2] = {{node[0], node[1]}, {node[0], node[row]}}; /* lower end of each face */
-    bool sound = true;
+    cut_shares found = {.sound = true};
+    double upper = 0.0;
     for (int axis = 0; axis < 2; ++axis)
-        for (int side = 0; side < 2; ++side)
-            k->face[axis][side] =
-                cut_snapped_share(inside[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across), &sound);
-    k->open = cut_snapped_share(k->face[0][SIDE_UPPER] + k->open / (across * m->h[1]), &sound);
+        for (int side = 0; side < 2; ++side) {
+            const double share = inside[axis][side] + k->face[axis][side] / (axis == 0 ? m->h[1] : across);
+            k->face[axis][side] = cut_snapped_face(c, share, &found);
+            if (axis == 0 && side == SIDE_UPPER)
+                upper = fabs(share - k->face[axis][side]) > cut_crossing ? share : k->face[axis][side];
+        }
+    k->open = cut_snapped_volume(c, upper + k->open / (across * m->h[1]), &found);
     k->moment[0] /= across * m->h[1];
     k->moment[1] = (k->upper + k->moment[1] / across) / m->h[1];
-    return sound;
+    return found;
 }
 
 /* The same of a cell of a line: its faces are nodes. */
-static bool finish_on_line(const cut_surface *c, cut_cell *k)
+static cut_shares finish_on_line(const cut_surface *c, cut_cell *k)
 {
     const signed char *node = c->node + k->cell[0];
-    bool sound = true;
-    k->open = cut_snapped_share(node[1] + k->open / c->mesh->h[0], &sound);
+    cut_shares found = {.sound = true};
+    k->open = cut_snapped_volume(c, node[1] + k->open / c->mesh->h[0], &found);
     k->moment[0] /= c->mesh->h[0];
     for (int side = 0; side < 2; ++side) k->face[0][side] = node[side] > 0 ? 1.0 : 0.0;
-    return sound;
+    return found;
 }
 
 /* Gas on two sides of a solid in one cell would share it: so much is left of a solid that is pressed together. */
@@ -235,9 +251,11 @@ static floe_status check_thickness(const cut_surface *c, const cut_cell *k)
 
 static floe_status finish_cell(cut_surface *c, cut_cell *k)
 {
-    if (c->mesh->dim == 1 ? finish_on_line(c, k) : finish_in_plane(c, k)) return check_thickness(c, k);
-    return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses itself or another in cell (%d, %d)", k->cell[0],
-                k->cell[1]);
+    const cut_shares found = c->mesh->dim == 1 ? finish_on_line(c, k) : finish_in_plane(c, k);
+    k->overlap = found.overlap;
+    if (found.sound) return check_thickness(c, k);
+    return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses itself or another in cell (%d, %d), at (%g, %g)",
+                k->cell[0], k->cell[1], mesh_centre(c->mesh, 0, k->cell[0]), mesh_centre(c->mesh, 1, k->cell[1]));
 }
 
 /* A cell that no surface cuts: of it a node below none lies in two bodies, by more than round-off. */
@@ -267,7 +285,7 @@ floe_status cut_find(cut_surface *c)
                 int *at = &c->at[cut_index(m, (const int[]){i, j, k})];
                 if (*at == CUT_NEW) TRY(finish_whole(c, i, j, k, at));
             }
-    return FLOE_OK;
+    return c->overlap > 0.0 ? cut_close_contacts(c) : FLOE_OK;
 }
 
 /* On an axis whose side an end lies on, it stays there. */

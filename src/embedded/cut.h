@@ -19,6 +19,7 @@
 typedef struct cut_vertex {
     double x[3]; /* m */
     int point;
+    int body; /* of its surface, by number; bodies that touch are thin only by themselves */
 } cut_vertex;
 
 /* A piece of the boundary in one cell. */
@@ -55,6 +56,7 @@ typedef struct cut_cell {
     /* Scratch. In the plane crossings of each face, by axis and side; on a line those along the cell, in [0][0]; in space
      * those of the edges along each axis (cut_space.c). */
     int jump[3][4];
+    bool overlap; /* solids overlap here, or touch in one of its faces */
 } cut_cell;
 
 enum { CUT_INSIDE = -1, CUT_OUTSIDE = -2 };
@@ -71,7 +73,9 @@ typedef struct cut_surface {
     int n_cells, n_pieces; /* in the order of the polylines, or triangles */
     int *at;               /* of every global cell: its index in `cell`, or CUT_INSIDE, CUT_OUTSIDE; owned */
     signed char *node;     /* of every global node: 1 inside; owned */
-    size_t capacity[5];    /* reserved vertices, cells, pieces, chains, triangles */
+    double
+        overlap; /* solids in contact may overlap each other, or a side of the mesh, by this share of a cell; 0: lines that cross are refused */
+    size_t capacity[5]; /* reserved vertices, cells, pieces, chains, triangles */
 } cut_surface;
 
 floe_status cut_create(cut_surface *c, context *ctx, const mesh *m);
@@ -87,7 +91,7 @@ floe_status cut_find_thin(const cut_surface *c, bool *thin, double x[3]);
  * As cut_find; `from` does not change. Ends stay on the sides of the mesh. */
 floe_status cut_ahead(const cut_surface *from, const double *velocity, double time, cut_surface *out);
 /* Finds the cut cells from the vertices. Open polylines, and rims of triangles, must end on sides of the mesh. FLOE_RETRY where boundaries
- * cross so that a gas would lie on both their sides. */
+ * cross so that a gas would lie on both their sides, or solids overlap by more than they may. */
 floe_status cut_find(cut_surface *c);
 
 /* Index of a global cell in `at` and similar arrays. */

@@ -26,8 +26,19 @@ floe_status cut_finish_in_space(cut_surface *c);
 /* Space for one more than n items of a kind, growing by half. */
 enum { CAPACITY_VERTICES, CAPACITY_CELLS, CAPACITY_PIECES, CAPACITY_CHAINS, CAPACITY_TRIANGLES };
 floe_status cut_grow(cut_surface *c, int which, void *array, size_t n, size_t size);
-/* A share that round-off keeps from none or all is that; unsound where it is far outside. */
-double cut_snapped_share(double share, bool *sound);
+/* Lines that cross hold more than all of a cell, or less than none, by more than this: bodies of a deck touch to some nine digits. */
+static const double cut_crossing = 1e-6;
+
+/* Shares of one cell that round-off keeps from none or all are that; unsound where one is far outside, but for
+ * apertures of solids that overlap. */
+typedef struct cut_shares {
+    bool sound, overlap; /* overlap: less than none was open */
+} cut_shares;
+
+double cut_snapped_volume(const cut_surface *c, double share, cut_shares *of);
+double cut_snapped_face(const cut_surface *c, double share, cut_shares *of);
+/* Closes cells in which solids overlap (cut_contact.c). */
+floe_status cut_close_contacts(cut_surface *c);
 /* Nodes of the mesh, and number of one in `node`. */
 int cut_nodes(const mesh *m);
 static inline ptrdiff_t cut_node(const mesh *m, const int node[3])

@@ -286,19 +286,23 @@ floe_status cut_triangles(cut_surface *c)
 static bool finish_shares(const cut_surface *c, cut_cell *k)
 {
     const mesh *m = c->mesh;
-    bool sound = true;
+    cut_shares found = {.sound = true};
+    double upper = 0.0;
     for (int axis = 0; axis < 3; ++axis)
         for (int side = 0; side < 2; ++side) {
             int node[3] = {k->cell[0], k->cell[1], k->cell[2]};
             node[axis] += side;
             const double share = c->node[cut_node(m, node)] + k->face[axis][side];
-            k->face[axis][side] = cut_snapped_share(share, &sound);
+            k->face[axis][side] = cut_snapped_face(c, share, &found);
+            if (axis == 0 && side == SIDE_UPPER)
+                upper = fabs(share - k->face[axis][side]) > cut_crossing ? share : k->face[axis][side];
         }
-    k->open = cut_snapped_share(k->face[0][SIDE_UPPER] + k->open, &sound);
+    k->open = cut_snapped_volume(c, upper + k->open, &found);
     for (int axis = 0; axis < 3; ++axis)
         k->moment[axis] =
             m->h[axis] * (0.125 * (k->face[axis][SIDE_UPPER] - k->face[axis][SIDE_LOWER]) + k->moment[axis]);
-    return sound;
+    k->overlap = found.overlap;
+    return found.sound;
 }
 
 /* Cells that are only touched are whole: the list keeps those with pieces, in order. */
@@ -337,8 +341,10 @@ floe_status cut_finish_in_space(cut_surface *c)
     for (int k = 0; k < c->n_cells; ++k) {
         if (finish_shares(c, &c->cell[k])) continue;
         const int *cell = c->cell[k].cell;
-        return fail(c->ctx, FLOE_RETRY, "a boundary of gas crosses itself or another in cell (%d, %d, %d)", cell[0],
-                    cell[1], cell[2]);
+        return fail(c->ctx, FLOE_RETRY,
+                    "a boundary of gas crosses itself or another in cell (%d, %d, %d), at (%g, %g, %g)", cell[0],
+                    cell[1], cell[2], mesh_centre(c->mesh, 0, cell[0]), mesh_centre(c->mesh, 1, cell[1]),
+                    mesh_centre(c->mesh, 2, cell[2]));
     }
     return drop_whole_cells(c);
 }

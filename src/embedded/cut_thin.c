@@ -30,6 +30,7 @@ static bool are_back_to_back(const cut_surface *c, const cut_piece *q, const cut
 {
     const int dim = c->mesh->dim;
     double from[3], to[3], way[3];
+    if (c->vertex[q->vertex[0]].body != c->vertex[r->vertex[0]].body) return false;
     middle_of(c, q, from);
     middle_of(c, r, to);
     for (int a = 0; a < dim; ++a) way[a] = to[a] - from[a];

@@ -153,6 +153,8 @@
 /* A gap between bodies in contact, of a cell, and a density, of that at the start, below which it holds no gas: round-off of their surfaces. */
 #define ICE_GAP_FRACTION 1e-6
 #define ICE_GAP_DENSITY 1e-3
+/* Of a cell: a gap between solids that is thinner has the state of the gas at its end. */
+#define ICE_THIN_GAP 0.1
 /* Solids in contact may overlap by this share of a cell, and what is left outside several boundaries be off by that: round-off. */
 #define ICE_CONTACT_OVERLAP 1e-6
 #define ICE_OPEN_ROUND_OFF 1e-13

@@ -349,14 +349,6 @@ static floe_status needs_no_burning(const scene *s, const mesh *m)
 
 /* ---- what surfaces support, though smeared is the better choice for the scene ---- */
 
-/* Bodies that touch share a side, which gas does not enter when they part; and gas between bodies that come to touch ends the run. */
-static floe_status suits_no_contact(const scene *s, const mesh *m)
-{
-    (void)m;
-    if (!s->contact.enabled || count_solids(s) < 2) return FLOE_OK;
-    return fail_key(s->ctx, KEY("contact"), "bodies that come to touch with gas between end a sharp run");
-}
-
 static floe_status suits_no_sources(const scene *s, const mesh *m)
 {
     (void)m;
@@ -401,7 +393,6 @@ static const requirement requirements[] = {
     {needs_no_driving, OF_MEMBRANES | OF_SURFACES | OF_AUTO},
     {needs_no_exchange, OF_SURFACES | OF_AUTO},
     {needs_no_relaxation, OF_SURFACES | OF_AUTO},
-    {suits_no_contact, OF_AUTO},
     {suits_no_sources, OF_AUTO},
     {suits_no_flight_out, OF_AUTO},
     {needs_clear_surfaces, OF_SURFACES | OF_AUTO},

@@ -6,13 +6,19 @@
 
 #include <stdio.h>
 
+/* Of a cell: solids in contact overlap by less, but for those that the nodes do not keep apart. */
+static const double contact_overlap = 0.25;
+
 static floe_status create_line(sealed *t, const mesh *m, int holder, sealed_line *line)
 {
     line->share = 1.0;
     line->fluid = -1;
     for (int b = 0; b < t->points->n_bodies; ++b)
         if (t->points->body[b].scene_body == holder) line->body = b;
-    for (int k = 0; k < SEAL_PLACES; ++k) TRY(cut_create(&line->place[k], t->ctx, m));
+    for (int k = 0; k < SEAL_PLACES; ++k) {
+        TRY(cut_create(&line->place[k], t->ctx, m));
+        line->place[k].overlap = holder < 0 ? contact_overlap : 0.0;
+    }
     return FLOE_OK;
 }
 

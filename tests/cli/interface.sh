@@ -74,9 +74,6 @@ not_sharp 'the pressure is explicit' method.pressure=implicit
 not_sharp 'has no exchange over cells' method.exchange=1e7
 not_sharp 'has no exchange over cells' 'exchange={pair: {between: [air, steel], momentum: free}}'
 not_sharp 'thinner than a cell' 'bodies.wall.shape={box: {lower: [1.503, 0], upper: [1.512, 0.04]}}'
-not_sharp 'end a sharp run' - 'contact={kind: release}' \
-    'materials.iron={density: 7850, specific_heat: 460, law: {linear_elastic: {bulk_modulus: 160 GPa, shear_modulus: 80 GPa}}}' \
-    'bodies.more={material: iron, shape: {box: {lower: [1.3, 0], upper: [1.4, 0.04]}}}'
 
 # ---- a run, its results, and its end ----
 

@@ -28,7 +28,7 @@ static void arc(cut_surface *c, context *ctx, int n, double radius, double from,
     c->chain[0] = (cut_chain){0, n, closed, 0};
     for (int k = 0; k < n; ++k) {
         const double angle = from + (to - from) * k / (closed ? n : n - 1);
-        c->vertex[k] = (cut_vertex){{centre[0] + radius * cos(angle), centre[1] + radius * sin(angle)}, k};
+        c->vertex[k] = (cut_vertex){{centre[0] + radius * cos(angle), centre[1] + radius * sin(angle)}, k, 0};
     }
 }
 
@@ -89,7 +89,7 @@ static double enclosed_moment(const cut_surface *c, const double corner[2], int 
 }
 
 /* Axial areas of the open faces and of the pieces of each cell add up to nothing; in the plane the others too. */
-static void check_closed(const cut_surface *c)
+static void check_closed_to(const cut_surface *c, double tolerance)
 {
     const bool radial = c->mesh->geometry == MESH_AXISYMMETRIC;
     for (int k = 0; k < c->n_cells; ++k) {
@@ -100,9 +100,14 @@ static void check_closed(const cut_surface *c)
                           mesh_face_area(c->mesh, f / 2, cell->cell[0] + (f == SIDE_UPPER));
         for (int n = 0; n < c->n_pieces; ++n)
             for (int a = 0; a < 2 && c->piece[n].cell == k; ++a) sum[a] += c->piece[n].area[a];
-        if (!radial) check_close(sum[0], 0.0, 1e-15);
-        check_close(sum[1], 0.0, 1e-15);
+        if (!radial) check_close(sum[0], 0.0, tolerance);
+        check_close(sum[1], 0.0, tolerance);
     }
+}
+
+static void check_closed(const cut_surface *c)
+{
+    check_closed_to(c, 1e-15);
 }
 
 static void check_line(cut_surface *c, context *ctx, const double corner[2])
@@ -188,7 +193,7 @@ static void test_on_the_mesh(void **unused)
         c.chain[0] = (cut_chain){0, 9, false, 0};
         for (int k = 0; k < 9; ++k) {
             const double y = 0.125 * k, wiggle = kind == 1 ? (k % 3 - 1) * 1e-16 : 0.0;
-            c.vertex[k] = (cut_vertex){{kind == 2 ? 1.0 - y : 0.5 + wiggle, y}, k};
+            c.vertex[k] = (cut_vertex){{kind == 2 ? 1.0 - y : 0.5 + wiggle, y}, k, 0};
         }
         check_ok(ctx, cut_find(&c));
         check_close(enclosed_volume(&c), 0.5, 1e-14);
@@ -250,11 +255,11 @@ static void test_two_chains(void **unused)
     c.chain[1] = (cut_chain){90, 40, false, 0};
     for (int k = 0; k < 90; ++k) {
         const double angle = -2.0 * pi * k / 90.0;
-        c.vertex[k] = (cut_vertex){{0.7 + 0.21 * cos(angle), 0.7 + 0.21 * sin(angle)}, k};
+        c.vertex[k] = (cut_vertex){{0.7 + 0.21 * cos(angle), 0.7 + 0.21 * sin(angle)}, k, 0};
     }
     for (int k = 0; k < 40; ++k) {
         const double angle = 0.5 * pi * (1.0 - k / 39.0);
-        c.vertex[90 + k] = (cut_vertex){{0.3 * cos(angle), 0.3 * sin(angle)}, 90 + k};
+        c.vertex[90 + k] = (cut_vertex){{0.3 * cos(angle), 0.3 * sin(angle)}, 90 + k, 0};
     }
     c.vertex[90].x[0] = c.vertex[129].x[1] = 0.0;
     check_ok(ctx, cut_find(&c));
@@ -319,7 +324,7 @@ static void test_edge(void **unused)
             c.chain[0] = (cut_chain){0, count, true, 0};
             for (int k = 0; k < count; ++k) { /* clockwise: the gas is on the left */
                 const double *at = whole ? edge[(first + count - k) % count] : blade[(first + count - k) % count];
-                c.vertex[k] = (cut_vertex){{at[0], at[1]}, k};
+                c.vertex[k] = (cut_vertex){{at[0], at[1]}, k, 0};
             }
             check_ok(ctx, cut_find(&c));
             assert_int_equal(is_thin(&c, x), !whole);
@@ -379,17 +384,72 @@ static void test_refused(void **unused)
     const double eight[4][2] = {{0.25, 0.25}, {0.75, 0.75}, {0.25, 0.75}, {0.75, 0.25}};
     check_ok(ctx, cut_reserve(&c, 4, 1));
     c.chain[0] = (cut_chain){0, 4, true, 0};
-    for (int k = 0; k < 4; ++k) c.vertex[k] = (cut_vertex){{eight[k][0], eight[k][1]}, k};
+    for (int k = 0; k < 4; ++k) c.vertex[k] = (cut_vertex){{eight[k][0], eight[k][1]}, k, 0};
+    check_fails(ctx, cut_find(&c), FLOE_RETRY);
+    end_plane(ctx, &c);
+}
+
+/* Two blocks, counterclockwise as the gas is on their right, the upper one let into the lower by `depth`, or both into the lowest side of the mesh by it. */
+static void lay_blocks(cut_surface *c, context *ctx, double depth, bool on_side)
+{
+    static const double corner[4][2] = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}};
+    check_ok(ctx, cut_reserve(c, 8, 2));
+    for (int n = 0; n < 2; ++n) {
+        const double lower[2] = {n == 0 ? 0.2 : 0.33, (n == 0 ? 0.2 : 0.5) - (n == 1 ? depth : 0.0)},
+                     size[2] = {n == 0 ? 0.5 : 0.31, 0.3};
+        c->chain[n] = (cut_chain){4 * n, 4, true, 0};
+        for (int k = 0; k < 4; ++k) {
+            c->vertex[4 * n + k] = (cut_vertex){.point = k, .body = n};
+            for (int a = 0; a < 2; ++a) c->vertex[4 * n + k].x[a] = lower[a] + size[a] * corner[k][a];
+            if (on_side) c->vertex[4 * n + k].x[1] -= 0.2 + depth;
+        }
+    }
+}
+
+/* Sum of the areas of pieces of a block along axis 1 that face up, or down. */
+static double facing(const cut_surface *c, int body, double up)
+{
+    double sum = 0.0;
+    for (int n = 0; n < c->n_pieces; ++n)
+        if (c->vertex[c->piece[n].vertex[0]].body == body) sum += fmax(up * c->piece[n].area[1], 0.0);
+    return sum;
+}
+
+/* Blocks that overlap a little in a face between cells, off it, and a side of the mesh: cells close, what is under another block
+ * has no area, and all that is open is outside both. Where lines may not overlap, they are refused. */
+static void test_overlap(void **unused)
+{
+    (void)unused;
+    mesh m;
+    cut_surface c;
+    context *ctx = begin_plane(&m, &c, 0.1);
+    static const double depth[] = {1e-9, 1e-6, 1e-3, 8e-3};
+    for (int side = 0; side < 2; ++side)
+        for (int k = 0; k < 4; ++k) {
+            c.overlap = 0.0;
+            lay_blocks(&c, ctx, depth[k], side);
+            if (k > 1 && !side) check_fails(ctx, cut_find(&c), FLOE_RETRY);
+            c.overlap = 0.25;
+            check_ok(ctx, cut_find(&c));
+            check_closed_to(&c, depth[k] <= 1e-6 ? depth[k] : 1e-15); /* less than that is round-off */
+            check_close(facing(&c, 0, -1.0) - facing(&c, 1, 1.0), 0.5 - 0.31, 10.0 * depth[k]);
+            check_close(facing(&c, 1, -1.0), 0.31, 10.0 * depth[k]);
+            if (!side) check_close(facing(&c, 1, 1.0), 0.0, 10.0 * depth[k]);
+            if (!side) check_close(facing(&c, 0, 1.0), 0.5, 10.0 * depth[k]);
+            for (int n = 0; n < c.n_cells; ++n) check_true(c.cell[n].open >= 0.0 && c.cell[n].open <= 1.0);
+            check_close(enclosed_volume(&c), 1.0 - 0.15 - 0.093 + (side ? 0.5 : 0.31) * depth[k], 1.1 * depth[k]);
+        }
+    lay_blocks(&c, ctx, 0.05, false);
     check_fails(ctx, cut_find(&c), FLOE_RETRY);
     end_plane(ctx, &c);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_quarter),     cmocka_unit_test(test_closed),
-                                       cmocka_unit_test(test_on_the_mesh), cmocka_unit_test(test_two_chains),
-                                       cmocka_unit_test(test_thin),        cmocka_unit_test(test_enclosed_twice),
-                                       cmocka_unit_test(test_refused),     cmocka_unit_test(test_off_the_mesh),
-                                       cmocka_unit_test(test_storage),     cmocka_unit_test(test_edge)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_quarter),    cmocka_unit_test(test_closed),       cmocka_unit_test(test_on_the_mesh),
+        cmocka_unit_test(test_two_chains), cmocka_unit_test(test_thin),         cmocka_unit_test(test_enclosed_twice),
+        cmocka_unit_test(test_refused),    cmocka_unit_test(test_off_the_mesh), cmocka_unit_test(test_storage),
+        cmocka_unit_test(test_edge),       cmocka_unit_test(test_overlap)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

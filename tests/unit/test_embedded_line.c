@@ -26,7 +26,7 @@ static void lay(cut_surface *c, context *ctx, int n, const double *at, int outwa
 {
     check_ok(ctx, cut_reserve(c, n, n));
     for (int k = 0; k < n; ++k) {
-        c->vertex[k] = (cut_vertex){{c->mesh->lower[0] + at[k] * c->mesh->h[0], 0.0, 0.0}, k};
+        c->vertex[k] = (cut_vertex){{c->mesh->lower[0] + at[k] * c->mesh->h[0], 0.0, 0.0}, k, 0};
         c->chain[k] = (cut_chain){k, 1, false, k % 2 ? -outward : outward};
     }
 }

@@ -49,6 +49,11 @@ double ice_open_face(const ice *s, int region, int place, const int cell[3], int
     return enclosed == 0.0 ? whole : share_left(s, whole, enclosed);
 }
 
+static bool is_in_domain(const mesh *m, const int cell[3])
+{
+    return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1] && cell[2] >= 0 && cell[2] < m->n[2];
+}
+
 double ice_mean_face(const ice *s, int region, const int cell[3], int axis, int side)
 {
     double sum = 0.0;
@@ -198,11 +203,6 @@ static double likeness(const ice *s, const ice_region *g, const ice_member *k, c
     return pow(common, 8.0);
 }
 
-static bool is_in_domain(const mesh *m, const int cell[3])
-{
-    return cell[0] >= 0 && cell[0] < m->n[0] && cell[1] >= 0 && cell[1] < m->n[1] && cell[2] >= 0 && cell[2] < m->n[2];
-}
-
 /* The neighbour with which a cell is merged: the one with the largest open fraction, larger than its own, behind a face
  * that is open with the boundaries at `through`; where fluids share cells, one with the same. */
 static bool find_neighbour(const ice *s, const ice_region *g, int place, int through, const ice_member *k, int out[3])
@@ -275,6 +275,51 @@ static floe_status root_member(ice *s, const step_places *l, ice_merged_cells *p
     return FLOE_OK;
 }
 
+/* The member at the end of the chain of those with which one is merged. */
+static int end_of_chain(const ice_merged_cells *p, int k)
+{
+    while (p->member[k].merged != k) k = p->member[k].merged;
+    return k;
+}
+
+static bool is_thin(const ice_merged_cells *p, int k)
+{
+    return p->member[k].open < ICE_THIN_GAP;
+}
+
+/* A neighbour through an open face, now or at another time of the step, whose merged cell is more than a thin gap; -1: none is. */
+static int way_out(const ice *s, const step_places *l, const ice_merged_cells *p, int k)
+{
+    const ice_member *m = &p->member[k];
+    for (int n = 0; n < l->n; ++n)
+        for (int f = 0; f < 2 * s->mesh->dim; ++f) {
+            int cell[3] = {m->cell[0], m->cell[1], m->cell[2]};
+            cell[f / 2] += f % 2 == SIDE_UPPER ? 1 : -1;
+            if (!is_in_domain(s->mesh, cell)) continue;
+            const int other = p->place[cut_index(s->mesh, cell)];
+            if (other < 0 || is_thin(p, end_of_chain(p, other))) continue;
+            if (ice_open_face(s, p->region->number, l->at[n], m->cell, f / 2, f % 2) > 0.0) return other;
+        }
+    return -1;
+}
+
+/* A gap thinner than a tenth of a cell, all along, has the state of the gas at its end: its own would follow neither the
+ * walls that close it nor those that open it (theory 7.2). From its ends inwards, a cell a round. */
+static void join_thin_gaps(const ice *s, const step_places *l, ice_merged_cells *p)
+{
+    bool found = true;
+    while (found) {
+        found = false;
+        for (int k = 0; k < p->n; ++k)
+            p->lead[k] = p->member[k].merged == k && is_thin(p, k) ? way_out(s, l, p, k) : -1;
+        for (int k = 0; k < p->n; ++k) {
+            if (p->lead[k] < 0) continue;
+            p->member[k].merged = p->lead[k];
+            found = true;
+        }
+    }
+}
+
 /* Numbers the merged cells from the chains of members. */
 static void number_merged_cells(ice_merged_cells *p)
 {
@@ -309,6 +354,7 @@ floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out)
     out->n = 0;
     for (int k = 0; k < l.n; ++k) TRY(add_cut_cells(s, l.at[0], l.at[k], out));
     for (int k = 0; k < out->n; ++k) TRY(root_member(s, &l, out, k));
+    join_thin_gaps(s, &l, out);
     number_merged_cells(out);
     if (ice_has_weight(s)) ice_merged_centre(s, l.at[0], out);
     return FLOE_OK;

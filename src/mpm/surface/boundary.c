@@ -94,7 +94,7 @@ floe_status mpm_boundary_beside(mpm *s, int fluid, bool next, cut_surface *out)
         if (holds_back(k->facing[n], fluid, first)) out->triangle[out->n_triangles++] = k->triangle[n];
     for (int n = 0; n < (int)k->n; ++n) {
         const double *x = (next ? k->next : k->now)[n].x;
-        out->vertex[n] = (cut_vertex){{x[0], x[1], x[2]}, n};
+        out->vertex[n] = (cut_vertex){{x[0], x[1], x[2]}, n, 0};
     }
     return FLOE_OK;
 }

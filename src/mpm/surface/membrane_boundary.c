@@ -19,7 +19,7 @@ static bool end_on_mirror(const membrane_curve *line, bool last, cut_vertex *out
     const size_t point = last ? line->n - 1 : 0;
     const double *x = line->x + 3 * point;
     if (end->axis < 0 || x[end->axis] == end->plane) return false;
-    *out = (cut_vertex){{x[0], x[1], 0.0}, (int)point};
+    *out = (cut_vertex){{x[0], x[1], 0.0}, (int)point, 0};
     out->x[end->axis] = end->plane;
     return true;
 }
@@ -44,7 +44,7 @@ static floe_status curve_vertices(mpm *s, int body, cut_surface *out)
     for (size_t k = 0; k < line->n; ++k, ++n) {
         const double *x = line->x + 3 * k;
         if (isnan(x[0])) return has_lost(s, body, k);
-        out->vertex[n] = (cut_vertex){{x[0], x[1], 0.0}, (int)k};
+        out->vertex[n] = (cut_vertex){{x[0], x[1], 0.0}, (int)k, 0};
     }
     n += !line->closed && end_on_mirror(line, true, &out->vertex[n]);
     out->n_vertices = n;

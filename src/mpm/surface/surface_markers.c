@@ -221,15 +221,17 @@ static floe_status add_facets(mpm *s, const mpm_body *b, const facet_surface *o)
     return FLOE_OK;
 }
 
-static floe_status lay_facets(const scene *s, const mesh *m, const facet_surface *o, int fluid, cut_surface *out)
+static floe_status lay_facets(const scene *s, const mesh *m, const scene_body *body, const facet_surface *o, int fluid,
+                              cut_surface *out)
 {
+    const int number = (int)(body - s->body);
     const int vertices = out->n_vertices, triangles = out->n_triangles;
     int *facing = NULL;
     TRY(cut_reserve(out, vertices + o->n, 0));
     TRY(cut_reserve_triangles(out, triangles + o->n_facets));
     out->n_triangles = triangles;
     for (int k = 0; k < o->n; ++k)
-        out->vertex[vertices + k] = (cut_vertex){{o->x[k][0], o->x[k][1], o->x[k][2]}, vertices + k};
+        out->vertex[vertices + k] = (cut_vertex){{o->x[k][0], o->x[k][1], o->x[k][2]}, vertices + k, number};
     TRY(memory_new(s->ctx, &facing, (size_t)o->n_facets + 1, sizeof *facing));
     const floe_status status = find_facing(s, m, o, facing);
     for (int n = 0; n < o->n_facets && status == FLOE_OK; ++n) {
@@ -250,13 +252,15 @@ floe_status mpm_boundary_trace(const scene *s, const mesh *m, const scene_body *
     return contour_trace(out, s->ctx, &body->shape, &grid, CONTOUR_DIVISIONS);
 }
 
-static floe_status lay_chains(const scene *s, const mesh *m, const contour *o, int fluid, cut_surface *out)
+static floe_status lay_chains(const scene *s, const mesh *m, const scene_body *body, const contour *o, int fluid,
+                              cut_surface *out)
 {
+    const int number = (int)(body - s->body);
     const int vertices = out->n_vertices, chains = out->n_chains;
     TRY(cut_reserve(out, vertices + (int)o->n, chains + (int)o->n_chains));
     out->n_chains = chains;
     for (size_t k = 0; k < o->n; ++k)
-        out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1], 0.0}, vertices + (int)k};
+        out->vertex[vertices + (int)k] = (cut_vertex){{o->x[k][0], o->x[k][1], 0.0}, vertices + (int)k, number};
     for (size_t c = 0; c < o->n_chains; ++c) {
         if (fluid >= 0 && fluid_beside(s, m, o, c) != fluid) continue;
         out->chain[out->n_chains++] =
@@ -270,13 +274,13 @@ floe_status mpm_boundary_add(const scene *s, const mesh *m, const scene_body *bo
     if (m->dim == 3) {
         facet_surface f;
         TRY(make_facets(s, m, body, &f));
-        const floe_status laid = lay_facets(s, m, &f, fluid, out);
+        const floe_status laid = lay_facets(s, m, body, &f, fluid, out);
         facets_free(s->ctx, &f);
         return laid;
     }
     contour o;
     TRY(mpm_boundary_trace(s, m, body, &o));
-    const floe_status status = lay_chains(s, m, &o, fluid, out);
+    const floe_status status = lay_chains(s, m, body, &o, fluid, out);
     contour_free(s->ctx, &o);
     return status;
 }
