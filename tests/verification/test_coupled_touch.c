@@ -144,7 +144,7 @@ static void test_leave(void **unused)
             pressures(&t, range);
         }
         print_message("leaves: %.4f m/s, pressure %.4f to %.4f\n", velocity_of(&t, 1, 1), range[0], range[1]);
-        check_close(velocity_of(&t, 1, 1), 3.0, 0.15);
+        check_close(velocity_of(&t, 1, 1), 3.0, 0.045); /* with each gap a state of its own: 0.047 and 0.058 */
         check_true(range[0] > 0.9 && range[1] < 1.1);
         check_ledger(&t);
         trial_end(&t);
