@@ -119,7 +119,7 @@
 #define ICE_FULL_HEAT 1e-2
 /* Volume fraction below which a specific volume changes at most by a factor, and that factor: traces keep a physical
  * state in spite of round-off. */
-#define ICE_BOUND_FRACTION 1e-4
+#define ICE_BOUND_FRACTION 1e-3
 #define ICE_MOST_VOLUME_CHANGE 10.0
 
 /* A liquid in a cell of which it has less than this share is dragged by the solid, times so many times the rate at which the pressure across the solid

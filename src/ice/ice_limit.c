@@ -8,6 +8,7 @@
  * they leave of a cell is the solids'), so that a resumed run takes the same steps. */
 #include "base/threads.h"
 #include "ice/ice_constants.h"
+#include "ice/state/ice_cells.h"
 #include "ice/state/ice_state.h"
 
 #include <math.h>
@@ -165,6 +166,27 @@ static step_limit limit_of(const ice *s, const rates *largest, double gravity, b
     return out;
 }
 
+/* The first cell of a block without a state, as a message. */
+static floe_status explain_rates(const ice *s, const ice_view *v, int r)
+{
+    const ice_fluid *m = &v->m[r];
+    const eos *law = &s->material[r].eos;
+    char place[160] = "a cell";
+    double density = 0.0, energy = 0.0, p, c2;
+    for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);) {
+        const bool here = v->multi ? m->rho[c.at] * m->vol[c.at] > ICE_TRACE_FRACTION : !m->open || m->open[c.at] > 0.0;
+        if (!here) continue;
+        density = v->multi ? 1.0 / m->vol[c.at] : m->rho[c.at];
+        energy = m->e[c.at];
+        law->model->pressure(law->par, 1, &density, &energy, &p, &c2);
+        if (c2 > 0.0 && isfinite(c2)) continue;
+        ice_place(s, v->b, c.at, r, place, sizeof place);
+        break;
+    }
+    return fail(s->ctx, FLOE_DIVERGED, "time step, %s: no sound speed at t = %.6g s (density %g kg/m3, energy %g J/kg)",
+                place, s->time, density, energy);
+}
+
 floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, double *acoustic)
 {
     rates largest = {0.0, 0.0, 0.0, 0.0};
@@ -173,9 +195,7 @@ floe_status ice_time_steps(ice *s, step_limit *direct, step_limit *implicit, dou
     for (int id = 0; ice_next_view(s, NULL, &id, &v);) {
         for (int a = 0; a < v.dim; ++a) gravity = fmax(gravity, fabs(s->gravity[a]) / v.h[a]);
         for (int r = 0; r < s->n_materials; ++r)
-            if (!s->material[r].points && !block_rates(s, &v, r, &largest))
-                return fail(s->ctx, FLOE_DIVERGED, "time step: a cell of material %d has no sound speed at t = %.6g s",
-                            r, s->time);
+            if (!s->material[r].points && !block_rates(s, &v, r, &largest)) return explain_rates(s, &v, r);
     }
     *direct = limit_of(s, &largest, gravity, false);
     *implicit = limit_of(s, &largest, gravity, true);

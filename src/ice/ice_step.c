@@ -60,7 +60,7 @@ floe_status ice_state_stages(ice *s)
 floe_status ice_pressure_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), p = s->with_points, d = ice_diffuses(s), k = ice_conducts(s),
-               t = ice_may_trace(s);
+               t = ice_may_trace(s), part = t && ice_traces_in_part(s);
     const bool plan = s->stages->planning;
     const pressure_scheme scheme = s->scene->method.pressure;
     const bool implicit = plan ? scheme != PRESSURE_EXPLICIT : s->implicit,
@@ -71,9 +71,9 @@ floe_status ice_pressure_stages(ice *s)
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL),
                 WHEN(p, C_STRESS_ACCEL), WHEN(t, C_ENERGY), WHEN(t && d, C_DIFFUSION_HEAT)),
-          WRITES(F_VEL, C_SHOCK, WHEN(ice_sharpens_contacts(s), C_CONTACT), WHEN(t, C_SLOW_SHOCK), WHEN(t, F_PRESSURE),
-                 WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL), WHEN(t, C_PRESSURE),
-                 WHEN(t && d, C_DIFFUSION_HEAT), WHEN(t && d, C_PRESSURE_ADVANCED)));
+          WRITES(F_VEL, C_SHOCK, WHEN(ice_sharpens_contacts(s), C_CONTACT), WHEN(t, C_SLOW_SHOCK), WHEN(part, C_ALONE),
+                 WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL),
+                 WHEN(t, C_PRESSURE), WHEN(t && d, C_DIFFUSION_HEAT), WHEN(t && d, C_PRESSURE_ADVANCED)));
     STAGE(s, implicit, ice_implicit_pressure,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, C_PRESSURE_STEP, WHEN(m, C_THETA),
                 WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
@@ -86,7 +86,8 @@ floe_status ice_pressure_stages(ice *s)
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(p, C_TMV_RATIO),
                 WHEN(d, C_DIFFUSION_HEAT), WHEN(d, C_ENERGY), WHEN(m, C_VOL), WHEN(r, C_REACTED), WHEN(f, C_INTERFACE)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
-    STAGE(s, ALWAYS, ice_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM), WHEN(t, F_PRESSURE)),
+    STAGE(s, ALWAYS, ice_face_pressure,
+          READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM), WHEN(t, F_PRESSURE), WHEN(part, C_ALONE)),
           WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sources,
           READS(C_RHO, C_VEL, C_ENERGY, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
@@ -122,13 +123,13 @@ floe_status ice_exchange_stages(ice *s)
 floe_status ice_advection_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, f = ice_has_interfaces(s, &s->region[0]),
-               t = ice_may_trace(s);
+               t = ice_may_trace(s), part = t && ice_traces_in_part(s);
     STAGE(s, ALWAYS, ice_advect,
           READS(C_RHO, C_VEL, C_ENERGY, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK,
                 WHEN(ice_sharpens_contacts(s), C_CONTACT), C_SOUND, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL),
                 WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP),
                 WHEN(r, C_RHO_L), WHEN(f, C_INTERFACE), WHEN(f, F_THETA), WHEN(t, F_DONOR_DENSITY),
-                WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)),
+                WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL), WHEN(part, C_ALONE)),
           WRITES(C_RHO, C_VEL, C_ENERGY, WHEN(m, C_VOL), C_VEL_L, C_ENERGY_L, WHEN(m, C_VOLUME_L), WHEN(r, C_RHO_L)));
     return FLOE_OK;
 }

@@ -60,7 +60,8 @@ typedef struct ice_view {
     double *flat[3]; /* by axis: 1 in a shock that stands on the mesh */
     double *donor_rho[3], *donor_e[3],
         *donor_u[3][3];        /* what crosses faces that are traced; u: by axis, then component */
-    bool traced;               /* they are in this step (theory 2.17) */
+    bool traced;               /* some are in this step (theory 2.17) */
+    double *alone;             /* C_ALONE: which are; NULL: all */
     double base, slope;        /* shock sensor: s = base + slope * sensor */
     double limit_lo, limit_hi; /* limiter factors lie between these: none 1,1; default 0,1; first order 0,0 */
     double length, finest;     /* m: the largest spacing and the smallest */

@@ -16,10 +16,10 @@ tube() {
 }
 # error NAME METRIC
 error() { json "$1/summary.json" "$2"; }
-# as_one NAME: errors over those of one name (measured: 0.67 to 0.70 of density, 1.12 of velocity, 1.22 as a strip; from 400 cells on 0.6 and 1.0).
+# as_one NAME: errors over those of one name (measured: 0.60 of density, 0.94 to 0.97 of velocity; 0.70 and 0.96 as a strip).
 as_one() {
     below "$(error "$1" l1rel_density)" "$(awk -v x="$(error one l1rel_density)" 'BEGIN { print 0.8 * x }')"
-    below "$(error "$1" l1rel_velocity_x)" "$(awk -v x="$(error one l1rel_velocity_x)" 'BEGIN { print 1.35 * x }')"
+    below "$(error "$1" l1rel_velocity_x)" "$(awk -v x="$(error one l1rel_velocity_x)" 'BEGIN { print 1.1 * x }')"
 }
 
 # One name by the faces that several fluids have: alone, by its waves, it has half of that error (theory 2.17).
@@ -29,7 +29,7 @@ tube three g1_three
 as_one two
 as_one three
 # The interface is where it is to be, two cells wide; with limiter first_order it is carried as it was.
-below "$(error two l1_volume_fraction)" 0.0015
+below "$(error two l1_volume_fraction)" 0.002
 tube wide g1_two --set method.limiter=first_order
 below 0.01 "$(error wide l1_volume_fraction)"
 below "$(json two/summary.json steps)" "$(awk -v n="$(json one/summary.json steps)" 'BEGIN { print 1.1 * n }')"

@@ -206,22 +206,23 @@ static void test_heat(void **unused)
 /* Air of 50 bar drives a plate into water, both viscous and conducting. */
 static void shock_begin(trial *t, int blocks)
 {
-    const char *set[] = {"ambient={material: air, pressure: 1e5, temperature: 300}",
-                         "bodies.behind=null",
-                         "method=null",
-                         "materials.water={eos: {stiffened: {gamma: 4.4, p_inf: 6e8, specific_heat: 1816}}, viscosity: "
-                         "{shear: 300}, conductivity: 5e4}",
-                         "materials.air.viscosity={shear: 3, bulk: 1}",
-                         "materials.air.conductivity=1e3",
-                         "materials.plate={density: 2700, specific_heat: 900, law: {linear_elastic: {bulk_modulus: "
-                         "70e9, shear_modulus: 26e9}}}",
-                         "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [1, 0.4], cell: 0.025}",
-                         "boundaries={x: {outlet: {pressure: 1e5}}, y: slip}",
-                         "bodies.plate={material: plate, shape: {box: {lower: [0.4031, 0.1], upper: [0.4531, 0.3]}}}",
-                         "bodies.driver={material: air, shape: {box: {lower: [0.05, 0], upper: [0.25, 0.4]}}, "
-                         "pressure: 50e5, temperature: 600}",
-                         "bodies.sea={material: water, shape: {box: {lower: [0.4531, 0.13], upper: [0.6, 0.27]}}, "
-                         "pressure: 1e5, density: 1000}"};
+    const char *set[] = {
+        "ambient={material: air, pressure: 1e5, temperature: 300}",
+        "bodies.behind=null",
+        "method=null",
+        "materials.water={eos: {stiffened: {gamma: 4.4, p_inf: 6e8, specific_heat: 1816}}, viscosity: "
+        "{shear: 300}, conductivity: 5e4}",
+        "materials.air.viscosity={shear: 3, bulk: 1}",
+        "materials.air.conductivity=1e3",
+        "materials.plate={density: 2700, specific_heat: 900, law: {linear_elastic: {bulk_modulus: "
+        "70e9, shear_modulus: 26e9}}}",
+        "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [1, 0.4], cell: 0.025}",
+        "boundaries={x: {outlet: {pressure: 1e5}}, y: slip}",
+        "bodies.plate={material: plate, shape: {box: {lower: [0.4031, 0.1007], upper: [0.4531, 0.2993]}}}",
+        "bodies.driver={material: air, shape: {box: {lower: [0.05, 0], upper: [0.25, 0.4]}}, "
+        "pressure: 50e5, temperature: 600}",
+        "bodies.sea={material: water, shape: {box: {lower: [0.4531, 0.13], upper: [0.6, 0.27]}}, "
+        "pressure: 1e5, density: 1000}"};
     deck_begin(t, "shock_plate", set, sizeof set / sizeof *set);
     check_true(t->scene->fluids_share);
     for (int a = 0; a < 2; ++a) t->scene->mesh.blocks[a] = blocks;

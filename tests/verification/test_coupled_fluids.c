@@ -271,7 +271,7 @@ static void shock_begin(trial *t, int blocks)
         PLATE("70e9", "26e9"),
         "domain={dim: 2, stress_state: plane_strain, lower: [0, 0], upper: [1, 0.4], cell: 0.025}",
         "boundaries={x: {outlet: {pressure: 1e5}}, y: slip}",
-        "bodies.plate={material: plate, shape: {box: {lower: [0.4031, 0.1], upper: [0.4531, 0.3]}}}",
+        "bodies.plate={material: plate, shape: {box: {lower: [0.4031, 0.1007], upper: [0.4531, 0.2993]}}}",
         "bodies.driver={material: air, shape: {box: {lower: [0.05, 0], upper: [0.25, 0.4]}}, pressure: "
         "50e5, temperature: 600}",
         "bodies.sea={material: water, shape: {box: {lower: [0.4531, 0.13], upper: [0.6, 0.27]}}, "

@@ -206,7 +206,7 @@ static const choice interface_choices[] = {
 };
 static const choice limiter_choices[] = {
     {"default", ICE_LIMITER_DEFAULT,
-     "a fluid that is alone: parabolas in characteristic variables, traced to half the step; else as van_leer"},
+     "where a fluid is alone, parabolas in characteristic variables, traced to half the step; elsewhere as van_leer"},
     {"van_leer", ICE_LIMITER_VAN_LEER, "second order, limited, as in the papers"},
     {"none", ICE_LIMITER_NONE, "second order, for smooth flow"},
     {"first_order", ICE_LIMITER_FIRST_ORDER, "upwind"},

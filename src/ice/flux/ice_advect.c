@@ -20,6 +20,7 @@
 
 #include "base/choice.h"
 #include "ice/flux/ice_expansion.h"
+#include "ice/state/ice_traced.h"
 
 #include <math.h>
 
@@ -261,23 +262,32 @@ FLOE_ALWAYS_INLINE void find_face_fluxes(const faces *f, ptrdiff_t t, const int 
     f->flux[1 + nq][t] = 0.5 * w * square / (mass + ICE_ROUND_OFF * most(donor[0], 0.0) + ICE_TINY);
 }
 
+/* Fluxes through the lower faces of a row. */
+FLOE_ALWAYS_INLINE void flux_row(const faces *f, ptrdiff_t from, ptrdiff_t to, const int dim, const bool multi)
+{
+#pragma omp simd
+    for (ptrdiff_t t = from; t < to; ++t) find_face_fluxes(f, t, dim, multi);
+}
+
 /* The same where the state that crosses is known (theory 2.17). */
 typedef struct traced_faces {
-    const double *velocity, *rho, *e, *u[3];
+    const double *velocity, *rho, *e, *u[3], *fraction;
     double *flux[ADVECT_Q + 2];
 } traced_faces;
 
-FLOE_ALWAYS_INLINE traced_faces traced_faces_of(const ice_view *v, int axis, ptrdiff_t start, double *const *flux,
-                                                const int dim)
+FLOE_ALWAYS_INLINE traced_faces traced_faces_of(const ice_view *v, int r, int axis, ptrdiff_t start,
+                                                double *const *flux, const int dim, const bool multi)
 {
     traced_faces f = {
-        .velocity = v->m[0].fu[axis] + start, .rho = v->donor_rho[axis] + start, .e = v->donor_e[axis] + start};
+        .velocity = v->m[r].fu[axis] + start, .rho = v->donor_rho[axis] + start, .e = v->donor_e[axis] + start};
     for (int a = 0; a < dim; ++a) f.u[a] = v->donor_u[axis][a] + start;
-    for (int i = 0; i < dim + 3; ++i) f.flux[i] = flux[i];
+    if (multi) f.fraction = v->m[r].ft[axis] + start;
+    for (int i = 0; i < ADVECT_COUNT(dim, multi) + 2; ++i) f.flux[i] = flux[i];
     return f;
 }
 
-FLOE_ALWAYS_INLINE void traced_flux_row(const traced_faces *f, ptrdiff_t from, ptrdiff_t to, const int dim)
+FLOE_ALWAYS_INLINE void traced_flux_row(const traced_faces *f, ptrdiff_t from, ptrdiff_t to, const int dim,
+                                        const bool multi)
 {
 #pragma omp simd
     for (ptrdiff_t t = from; t < to; ++t) {
@@ -289,15 +299,42 @@ FLOE_ALWAYS_INLINE void traced_flux_row(const traced_faces *f, ptrdiff_t from, p
             square += f->u[a][t] * f->u[a][t];
         }
         f->flux[1 + dim][t] = mass * f->e[t];
-        f->flux[2 + dim][t] = 0.5 * mass * square;
+        if (multi) f->flux[2 + dim][t] = f->velocity[t] * f->fraction[t];
+        f->flux[1 + ADVECT_COUNT(dim, multi)][t] = 0.5 * mass * square;
     }
 }
 
-/* Fluxes through the lower faces of a row. */
-FLOE_ALWAYS_INLINE void flux_row(const faces *f, ptrdiff_t from, ptrdiff_t to, const int dim, const bool multi)
+/* Those faces of a row, local cells [0, end), on both sides of which the fluid is alone. */
+FLOE_ALWAYS_INLINE void alone_flux_row(const traced_faces *f, const ice_advect_job *job, int axis, ptrdiff_t start,
+                                       ptrdiff_t row, int end, const int dim, const bool multi)
 {
-#pragma omp simd
-    for (ptrdiff_t t = from; t < to; ++t) find_face_fluxes(f, t, dim, multi);
+    const ice_view *v = job->v;
+    for (ice_span run = {0, 0}; ice_next_alone(v, job->material, start + row, v->b->stride[axis], end, &run);)
+        traced_flux_row(f, row + run.first, row + run.end, dim, multi);
+}
+
+/* Fluxes through the lower faces normal to an axis of a slab's rows [first, last) of `end` cells. traced: of all of them the state that crosses is known. */
+FLOE_ALWAYS_INLINE void slab_fluxes(const ice_advect_job *job, double *const *lower, double *const *upper,
+                                    double *const *flux, int axis, int slab, ice_span rows, int end, const int dim,
+                                    const bool multi, const bool traced)
+{
+    const ice_view *v = job->v;
+    const int r = job->material;
+    const ptrdiff_t start = ice_slab_start(v->b, dim, slab), back = dim == 1 || axis < dim - 1 ? v->b->stride[axis] : 0;
+    const bool known = traced || v->traced;
+    const traced_faces t = known ? traced_faces_of(v, r, axis, start, flux, dim, multi) : (traced_faces){0};
+    if (traced) {
+        for (int k = rows.first; k < rows.end; ++k)
+            traced_flux_row(&t, ice_slab_row(v->b, dim, k), ice_slab_row(v->b, dim, k) + end, dim, multi);
+        return;
+    }
+    const faces f = faces_of(v, r, axis, start, lower, upper, back, flux, dim, multi);
+    for (int k = rows.first; k < rows.end; ++k) {
+        const ptrdiff_t row = ice_slab_row(v->b, dim, k);
+        flux_row(&f, row, row + end, dim, multi);
+        if (multi && v->sharp) ice_advect_sharpen(job, axis, slab, k, flux);
+        if (known) alone_flux_row(&t, job, axis, start, row, end, dim, multi);
+    }
 }
 
 /* What the update of a row reads and writes, besides the material's own arrays. */
@@ -348,94 +385,57 @@ FLOE_ALWAYS_INLINE int update_row(const ice_advect_buffers *w, const ice_view *v
     return bad;
 }
 
-/* Sweeps slabs [first, last) of a block. */
-FLOE_ALWAYS_INLINE ice_advect_result sweep_slabs(const ice_advect_job *job, const int dim, const bool multi)
+/* Updates the rows of a slab whose fluxes are known. */
+FLOE_ALWAYS_INLINE void update_slab(const ice_advect_buffers *w, const ice_advect_job *job, int slab, ice_span rows,
+                                    ice_advect_result *result, const int dim, const bool multi)
+{
+    for (int k = rows.first; k < rows.end; ++k)
+        if (update_row(w, job->v, job, slab, ice_slab_row(job->v->b, dim, k), dim, multi))
+            ice_advect_check(w, job, slab, k, result);
+}
+
+/* Donors of a slab and of its rows about it. */
+FLOE_ALWAYS_INLINE void find_donors(ice_advect_buffers *w, const ice_advect_job *job, int slab, const int dim,
+                                    const bool multi)
 {
     const ice_view *v = job->v;
-    const int r = job->material, slow = dim - 1, rows_lo = ice_slab_first(dim, 0),
-              rows_hi = ice_slab_last(v->b, dim, 0);
+    centre_slab(w, v, job->material, dim > 1 ? slab + 1 : 0, dim, multi);
+    if (multi) ice_advect_clip(w, job, slab);
+    const donors d = donors_of(w, v, job->material, slab, dim, multi);
+    for (int k = ice_slab_first(dim, 1); k < ice_slab_last(v->b, dim, 1); ++k) {
+        const ptrdiff_t row = ice_slab_row(v->b, dim, k);
+        donor_row(&d, row - 1, row + v->b->n[0] + 1, dim, multi);
+        if (multi && v->sharp) ice_advect_flatten(w, job, slab, k);
+    }
+}
+
+/* Sweeps slabs [first, last) of a block. traced: all faces are, and no donors are needed. */
+FLOE_ALWAYS_INLINE ice_advect_result sweep_slabs(const ice_advect_job *job, const int dim, const bool multi,
+                                                 const bool traced)
+{
+    const ice_view *v = job->v;
+    const int slow = dim - 1, n = v->b->n[0], last = dim > 1 ? job->last : 0, before = dim > 1 && !traced;
+    const ice_span rows = {ice_slab_first(dim, 0), ice_slab_last(v->b, dim, 0)};
     ice_advect_buffers w;
     ice_advect_divide(&w, job->buffer, v->b, dim, multi);
     ice_advect_result result = {0, 0};
-    if (dim > 1) {
-        centre_slab(&w, v, r, job->first - 2, dim, multi);
-        centre_slab(&w, v, r, job->first - 1, dim, multi);
-    }
-    for (int slab = dim > 1 ? job->first - 1 : 0; slab <= (dim > 1 ? job->last : 0); ++slab) {
-        const ptrdiff_t start = ice_slab_start(v->b, dim, slab);
+    for (int slab = job->first - 2; before && slab < job->first; ++slab)
+        centre_slab(&w, v, job->material, slab, dim, multi);
+    for (int slab = dim > 1 ? job->first - before : 0; slab <= last; ++slab) {
         const int ring = (slab + 2) & 1;
-        centre_slab(&w, v, r, dim > 1 ? slab + 1 : 0, dim, multi);
-        if (multi) ice_advect_clip(&w, job, slab);
-        const donors d = donors_of(&w, v, r, slab, dim, multi);
-        for (int k = ice_slab_first(dim, 1); k < ice_slab_last(v->b, dim, 1); ++k) {
-            const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-            donor_row(&d, row - 1, row + v->b->n[0] + 1, dim, multi);
-            if (multi && v->sharp) ice_advect_flatten(&w, job, slab, k);
-        }
+        if (!traced) find_donors(&w, job, slab, dim, multi);
         if (dim > 1 && slab >= job->first) { /* through the face between slab - 1 and slab, then slab - 1 is complete */
-            const faces f =
-                faces_of(v, r, slow, start, w.across[ring ^ 1], w.across[ring], 0, w.flux_across[ring], dim, multi);
-            for (int k = rows_lo; k < rows_hi; ++k) {
-                const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-                flux_row(&f, row, row + v->b->n[0], dim, multi);
-                if (multi && v->sharp) ice_advect_sharpen(job, slow, slab, k, w.flux_across[ring]);
-            }
+            slab_fluxes(job, w.across[ring ^ 1], w.across[ring], w.flux_across[ring], slow, slab, rows, n, dim, multi,
+                        traced);
             ice_advect_tally_across(&w, job, slab);
-            for (int k = rows_lo; k < rows_hi && slab > job->first; ++k) {
-                if (update_row(&w, v, job, slab - 1, ice_slab_row(v->b, dim, k), dim, multi))
-                    ice_advect_check(&w, job, slab - 1, k, &result);
-            }
+            if (slab > job->first) update_slab(&w, job, slab - 1, rows, &result, dim, multi);
         }
-        if (dim > 1 && (slab < job->first || slab == job->last)) continue;
-        for (int a = 0; a < (dim > 1 ? dim - 1 : 1); ++a) {
-            const faces f = faces_of(v, r, a, start, w.along[a], w.along[a], v->b->stride[a], w.flux[a], dim, multi);
-            for (int k = rows_lo; k < rows_hi + (a == 1); ++k) {
-                const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-                flux_row(&f, row, row + v->b->n[0] + (a == 0), dim, multi);
-                if (multi && v->sharp) ice_advect_sharpen(job, a, slab, k, w.flux[a]);
-            }
-        }
+        if (dim > 1 && (slab < job->first || slab == last)) continue;
+        for (int a = 0; a < (dim > 1 ? dim - 1 : 1); ++a)
+            slab_fluxes(job, w.along[a], w.along[a], w.flux[a], a, slab, (ice_span){rows.first, rows.end + (a == 1)},
+                        n + (a == 0), dim, multi, traced);
         ice_advect_tally_along(&w, job, slab);
-        if (dim == 1 && update_row(&w, v, job, 0, ice_slab_row(v->b, dim, 0), dim, multi))
-            ice_advect_check(&w, job, 0, 0, &result);
-    }
-    return result;
-}
-
-/* The same of one fluid whose faces are traced: without donors. */
-FLOE_ALWAYS_INLINE ice_advect_result sweep_traced(const ice_advect_job *job, const int dim)
-{
-    const ice_view *v = job->v;
-    const int slow = dim - 1, rows_lo = ice_slab_first(dim, 0), rows_hi = ice_slab_last(v->b, dim, 0),
-              last = dim > 1 ? job->last : 0;
-    ice_advect_buffers w;
-    ice_advect_divide(&w, job->buffer, v->b, dim, false);
-    ice_advect_result result = {0, 0};
-    for (int slab = dim > 1 ? job->first : 0; slab <= last; ++slab) {
-        const ptrdiff_t start = ice_slab_start(v->b, dim, slab);
-        if (dim > 1) { /* through the face between slab - 1 and slab, then slab - 1 is complete */
-            const traced_faces f = traced_faces_of(v, slow, start, w.flux_across[(slab + 2) & 1], dim);
-            for (int k = rows_lo; k < rows_hi; ++k) {
-                const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-                traced_flux_row(&f, row, row + v->b->n[0], dim);
-            }
-            ice_advect_tally_across(&w, job, slab);
-            for (int k = rows_lo; k < rows_hi && slab > job->first; ++k) {
-                if (update_row(&w, v, job, slab - 1, ice_slab_row(v->b, dim, k), dim, false))
-                    ice_advect_check(&w, job, slab - 1, k, &result);
-            }
-            if (slab == last) break;
-        }
-        for (int a = 0; a < (dim > 1 ? dim - 1 : 1); ++a) {
-            const traced_faces f = traced_faces_of(v, a, start, w.flux[a], dim);
-            for (int k = rows_lo; k < rows_hi + (a == 1); ++k) {
-                const ptrdiff_t row = ice_slab_row(v->b, dim, k);
-                traced_flux_row(&f, row, row + v->b->n[0] + (a == 0), dim);
-            }
-        }
-        ice_advect_tally_along(&w, job, slab);
-        if (dim == 1 && update_row(&w, v, job, 0, ice_slab_row(v->b, dim, 0), dim, false))
-            ice_advect_check(&w, job, 0, 0, &result);
+        if (dim == 1) update_slab(&w, job, 0, rows, &result, dim, multi);
     }
     return result;
 }
@@ -443,7 +443,7 @@ FLOE_ALWAYS_INLINE ice_advect_result sweep_traced(const ice_advect_job *job, con
 #define TRACED(d)                                                                   \
     FLOE_WIDE static ice_advect_result advect_traced_##d(const ice_advect_job *job) \
     {                                                                               \
-        return sweep_traced(job, d);                                                \
+        return sweep_slabs(job, d, false, true);                                    \
     }
 TRACED(1)
 TRACED(2)
@@ -453,7 +453,7 @@ ice_advect_slabs *const ice_advect_traced[3] = {advect_traced_1, advect_traced_2
 #define INSTANCE(d, m)                                                             \
     FLOE_WIDE static ice_advect_result advect_##d##_##m(const ice_advect_job *job) \
     {                                                                              \
-        return sweep_slabs(job, d, m);                                             \
+        return sweep_slabs(job, d, m, false);                                      \
     }
 ICE_EACH(INSTANCE)
 ice_advect_slabs *const ice_advect_kernels[3][2] = ICE_TABLE(advect);

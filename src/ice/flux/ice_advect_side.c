@@ -205,7 +205,7 @@ void ice_advect_check(const ice_advect_buffers *w, const ice_advect_job *job, in
     for (int i = 0; i < v->b->n[0]; ++i) {
         const ptrdiff_t at = start + row + i;
         const bool present = !job->v->multi || m->theta[at] > ICE_TRACE_FRACTION;
-        if (v->traced) mend_traced(v, job, at);
+        if (v->traced && !v->alone) mend_traced(v, job, at);
         if (!ice_mass_stands(m, at, job->v->multi) ||
             (present && (!(ice_outflow(v, m, at, i, dim) <= 1.0) || !(m->e1[at] > job->energy_floor)))) {
             result->bad++;

@@ -89,9 +89,9 @@ static void find_axis_velocity(const ice *s, const ice_view *v, int axis)
     const bool diffuses = ice_diffuses(s);
     double *velocity[ICE_MAX_MATERIALS];
     for (int r = 0; r < v->n_materials; ++r) {
-        if (!v->traced) ice_run_faces(v, r, axis, face_velocity_rows[v->dim - 1][v->multi]);
+        ice_run_faces(v, r, axis, face_velocity_rows[v->dim - 1][v->multi]);
         if (v->material[r].points) ice_stress_face_velocity(s, v, r, axis);
-        if (diffuses && !v->traced) ice_diffusion_face_velocity(s, v, r, axis);
+        if (diffuses) ice_diffusion_face_velocity(s, v, r, axis);
         velocity[r] = v->m[r].fu[axis];
     }
     if (v->multi) ice_exchange_faces(s, v, axis, velocity);
@@ -101,10 +101,12 @@ void ice_find_face_velocity(const ice *s, const ice_region *g)
 {
     ice_fill_ghosts(s, C_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
     if (ice_sharpens_contacts(s)) ice_fill_ghosts(s, C_CONTACT, g->number, FILL_CURRENT, GHOST_EVEN);
-    if (ice_is_traced(s, g)) ice_trace_faces(s, g);
+    const bool traced = ice_is_traced(s, g), centred = !traced || ice_traces_in_part(s);
     ice_view v;
-    for (int id = 0; ice_next_view(s, g, &id, &v);) {
+    for (int id = 0; centred && ice_next_view(s, g, &id, &v);)
         for (int axis = 0; axis < v.dim; ++axis) find_axis_velocity(s, &v, axis);
+    if (traced) ice_trace_faces(s, g);
+    for (int id = 0; ice_next_view(s, g, &id, &v);) {
         for (int r = 0; r < v.n_materials; ++r) ice_boundary_face_velocity(s, &v, r);
         if (v.traced) ice_trace_follow(s, &v);
     }
@@ -125,11 +127,14 @@ FLOE_WIDE static void face_pressure_row(const ice_view *v, int r, int axis, int 
     const ptrdiff_t base = mesh_index(v->b, 0, j, k), n = v->b->n[0] + (axis == 0), step = v->b->stride[axis];
     const double *restrict P = v->P, *restrict rho = v->rho_sum;
     double *restrict face = v->fp[axis];
+    const double *alone = v->traced ? v->alone : NULL;
 #pragma omp simd
     for (ptrdiff_t i = 0; i < n; ++i) {
         const ptrdiff_t R = base + i, L = R - step;
+        const double found = face[R];
         /* P_L plus a part of the difference: exact where P is uniform */
-        face[R] = P[L] + rho[L] / (rho[L] + rho[R]) * (P[R] - P[L]);
+        const double centred = P[L] + rho[L] / (rho[L] + rho[R]) * (P[R] - P[L]);
+        face[R] = alone && alone[R] > 0.0 && alone[R] == alone[L] ? found : centred;
     }
 }
 
@@ -137,7 +142,8 @@ floe_status ice_face_pressure_of(ice *s, const ice_region *g)
 {
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
-        for (int axis = 0; axis < v.dim && !v.traced; ++axis) ice_run_faces(&v, 0, axis, face_pressure_row);
+        for (int axis = 0; axis < v.dim && !(v.traced && !v.alone); ++axis)
+            ice_run_faces(&v, 0, axis, face_pressure_row);
         ice_boundary_face_pressure(s, &v);
     }
     return FLOE_OK;

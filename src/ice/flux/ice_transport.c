@@ -22,29 +22,26 @@ static void fill_lagrangian(const ice *s, const ice_region *g)
     }
 }
 
-/* Chunks are whole layers of tiles, so that no two threads meet in a tile; what they compute does not depend on
- * them. */
+/* What threads compute does not depend on their number. */
 static ice_advect_result advect_block(ice *s, const ice_view *v, int r)
 {
     const block *b = v->b;
-    const int slow = b->dim - 1, tile = s->mesh->tile[slow];
-    const int most_chunks = b->dim == 1 ? 1 : b->tiles[slow],
-              chunks = ice_threads(s) < most_chunks ? ice_threads(s) : most_chunks;
+    const int chunks = ice_chunks(s, b);
     const double floor = v->material[r].energy_floor;
+    ice_advect_slabs *const sweep =
+        v->traced && !v->alone ? ice_advect_traced[v->dim - 1] : ice_advect_kernels[v->dim - 1][v->multi];
     int bad = 0, guarded = 0;
 #pragma omp parallel for schedule(static, 1) reduction(+ : bad, guarded)
     for (int c = 0; c < chunks; ++c) {
-        const int first = most_chunks * c / chunks * tile, end = most_chunks * (c + 1) / chunks * tile;
+        const ice_span slabs = ice_chunk_of(s, b, c, chunks);
         const ice_advect_job job = {.s = s,
                                     .v = v,
                                     .material = r,
-                                    .first = first,
-                                    .last = end < b->n[slow] ? end : b->n[slow],
+                                    .first = slabs.first,
+                                    .last = slabs.end,
                                     .conserve = s->scene->method.conserve_energy,
                                     .energy_floor = isnan(floor) ? -DBL_MAX : floor,
                                     .buffer = ice_buffer(s, c)};
-        ice_advect_slabs *const sweep =
-            v->traced ? ice_advect_traced[v->dim - 1] : ice_advect_kernels[v->dim - 1][v->multi];
         const ice_advect_result result = sweep(&job);
         bad += result.bad;
         guarded += result.guarded;

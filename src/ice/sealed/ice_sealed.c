@@ -14,6 +14,7 @@
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_cells.h"
+#include "ice/state/ice_traced.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -466,7 +467,8 @@ floe_status ice_sealed_merge_start(ice *s)
 
 floe_status ice_sealed_pressure_stages(ice *s)
 {
-    const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, slips = m && ice_some_pair_slips(s);
+    const bool m = ice_is_mixture(s), r = ice_reaction_count(s) > 0, slips = m && ice_some_pair_slips(s),
+               t = ice_may_trace(s);
     STAGE(s, ALWAYS, ice_sealed_ghosts, READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, WHEN(m, C_VOL)),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_SHOCK, WHEN(m, C_VOL), WHEN(m, C_PRESSURE)));
     STAGE(s, ALWAYS, ice_sealed_pressure,
@@ -478,13 +480,16 @@ floe_status ice_sealed_pressure_stages(ice *s)
                  WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
     STAGE(s, ALWAYS, ice_sealed_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
-                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(slips, C_WALL)),
-          WRITES(F_VEL, C_SHOCK));
+                WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(slips, C_WALL), WHEN(t, C_ENERGY),
+                WHEN(t, C_OPEN)),
+          WRITES(F_VEL, C_SHOCK, WHEN(t, C_OPEN), WHEN(t, C_PRESSURE), WHEN(t, C_SLOW_SHOCK), WHEN(t, C_ALONE),
+                 WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)));
     STAGE(s, ALWAYS, ice_sealed_increment,
           READS(F_VEL, C_RHO, C_VEL, C_PRESSURE, C_SOUND, C_SHOCK, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(r, C_REACTED)),
           WRITES(C_DP, C_PRESSURE_ADVANCED, WHEN(m, C_LIMITER), WHEN(m, F_THETA), WHEN(m, F_FLUX)));
-    STAGE(s, ALWAYS, ice_sealed_face_pressure, READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM)),
+    STAGE(s, ALWAYS, ice_sealed_face_pressure,
+          READS(C_PRESSURE_ADVANCED, C_RHO, WHEN(m, C_RHO_SUM), WHEN(t, F_PRESSURE), WHEN(t, C_ALONE)),
           WRITES(F_PRESSURE));
     STAGE(s, ALWAYS, ice_sealed_load, READS(C_PRESSURE_ADVANCED), WRITES(NOTHING));
     return FLOE_OK;
@@ -493,7 +498,7 @@ floe_status ice_sealed_pressure_stages(ice *s)
 floe_status ice_sealed_flow_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), k = ice_conducts(s), r = ice_reaction_count(s) > 0,
-               slips = m && ice_some_pair_slips(s);
+               slips = m && ice_some_pair_slips(s), t = ice_may_trace(s);
     STAGE(s, ALWAYS, ice_sealed_sources,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
@@ -505,7 +510,8 @@ floe_status ice_sealed_flow_stages(ice *s)
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_PRESSURE, F_VEL, F_PRESSURE, C_DP, C_SHOCK, C_SOUND, C_VEL_L,
                 C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L), WHEN(m, C_THETA), WHEN(m, C_KAPPA_SUM),
                 WHEN(m, C_RHO_SUM), WHEN(m, C_LIMITER), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, F_THETA),
-                WHEN(r, C_RHO_L)),
+                WHEN(r, C_RHO_L), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL),
+                WHEN(t, C_ALONE)),
           WRITES(C_RHO, C_VEL, C_ENERGY, C_OPEN, C_VEL_L, C_ENERGY_L, WHEN(m, C_VOL), WHEN(m, C_VOLUME_L),
                  WHEN(r, C_RHO_L)));
     return FLOE_OK;

@@ -306,7 +306,7 @@ static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side si
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
     (void)r;
-    if (v->traced && (ice_is_wall(wall->kind) || wall->kind == BC_FREE))
+    if (v->traced && (!v->alone || v->alone[at.cell] > 0.0) && (ice_is_wall(wall->kind) || wall->kind == BC_FREE))
         return; /* by the waves between cell and ghost */
     if (wall->kind == BC_OUTLET)
         v->fp[axis][at.face] = wall->pressure;

@@ -104,7 +104,7 @@ FLOE_ALWAYS_INLINE bool single_cell(const single *g, ptrdiff_t at, ptrdiff_t i, 
 /* Returns how many cells fell back to 2.7. */
 FLOE_ALWAYS_INLINE int single_row(const ice_view *v, int j, int k, bool conserve, double floor, const int dim)
 {
-    single g = {pressed_of(v), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve, v->traced};
+    single g = {pressed_of(v), v->m[0], v->P, v->p, v->dP, {0.0}, floor, conserve, v->traced && !v->alone};
     for (int a = 0; a < dim; ++a) g.gravity_impulse[a] = v->dt * v->gravity[a];
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
     int guarded = 0;

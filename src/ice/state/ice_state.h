@@ -7,6 +7,9 @@
 /* A thread's row of scratch: 16 times the cells of the longest row, or what it needs to advect. */
 double *ice_buffer(const ice *s, int thread);
 int ice_threads(const ice *s);
+/* Chunks of a block for the threads, layers of cells across its slowest axis [first, end): whole tiles, so that no two threads meet in one. */
+int ice_chunks(const ice *s, const block *b);
+ice_span ice_chunk_of(const ice *s, const block *b, int chunk, int chunks);
 /* Allocates tiles, buffers, and where `spans` the rows' spans. sweep: doubles that one thread needs to advect. */
 floe_status ice_storage_create(ice *s, size_t sweep, bool spans);
 void ice_storage_destroy(context *ctx, struct ice_storage **w);

@@ -87,6 +87,23 @@ int ice_threads(const ice *s)
     return s->storage->threads;
 }
 
+static int tile_layers(const block *b)
+{
+    return b->dim == 1 ? 1 : b->tiles[b->dim - 1];
+}
+
+int ice_chunks(const ice *s, const block *b)
+{
+    return ice_threads(s) < tile_layers(b) ? ice_threads(s) : tile_layers(b);
+}
+
+ice_span ice_chunk_of(const ice *s, const block *b, int chunk, int chunks)
+{
+    const int slow = b->dim - 1, tile = s->mesh->tile[slow], layers = tile_layers(b),
+              end = layers * (chunk + 1) / chunks * tile;
+    return (ice_span){layers * chunk / chunks * tile, end < b->n[slow] ? end : b->n[slow]};
+}
+
 ice_span *ice_interface_spans(const ice *s, int block_id)
 {
     return s->storage->sharp[block_id];

@@ -1,14 +1,72 @@
-/* Which fluids have their faces from waves: those alone on whole cells, with the explicit pressure. */
+/* Which fluids have their faces from waves, with the explicit pressure: those alone on whole cells. */
 #include "ice/state/ice_traced.h"
+
+#include "ice/ice_constants.h"
+
+#include <string.h>
 
 bool ice_may_trace(const ice *s)
 {
     const scene_method *method = &s->scene->method;
-    return !ice_is_mixture(s) && !s->cut && method->limiter == ICE_LIMITER_DEFAULT &&
-           method->centring == ICE_CENTRING_AUTO && method->pressure != PRESSURE_IMPLICIT;
+    return method->limiter == ICE_LIMITER_DEFAULT && method->centring == ICE_CENTRING_AUTO &&
+           method->pressure != PRESSURE_IMPLICIT;
+}
+
+bool ice_traces_in_part(const ice *s)
+{
+    return ice_is_mixture(s) || s->cut;
 }
 
 bool ice_is_traced(const ice *s, const ice_region *g)
 {
-    return g->n == 1 && ice_may_trace(s) && !s->implicit;
+    (void)g;
+    return ice_may_trace(s) && !s->implicit;
+}
+
+/* 1 where the fluid is alone in a cell, and the cell whole, but for traces: what a surface on the cell's face cuts by round-off must not choose the method.
+ * theta and open; NULL: 1. */
+FLOE_ALWAYS_INLINE double is_whole(const double *theta, const double *open, ptrdiff_t at, const bool multi,
+                                   const bool cut)
+{
+    const double alone = !multi || theta[at] > 1.0 - ICE_TRACE_FRACTION ? 1.0 : 0.0;
+    return !cut || open[at] > 1.0 - ICE_TRACE_FRACTION ? alone : 0.0;
+}
+
+/* Parabolas reach two cells along each axis. */
+FLOE_ALWAYS_INLINE void mark_row(const ice_view *v, int r, ptrdiff_t base, const bool multi, const bool cut)
+{
+    const double *theta = v->m[r].theta, *open = v->m[r].open;
+    double *restrict found = v->alone;
+    const double number = 1 + r;
+#pragma omp simd
+    for (ptrdiff_t at = base - 1; at < base + v->b->n[0] + 1; ++at) {
+        double alone = is_whole(theta, open, at, multi, cut);
+        for (int a = 0; a < v->dim; ++a) {
+            const ptrdiff_t st = v->b->stride[a];
+            alone *= is_whole(theta, open, at - st, multi, cut) * is_whole(theta, open, at + st, multi, cut);
+            alone *= is_whole(theta, open, at - 2 * st, multi, cut) * is_whole(theta, open, at + 2 * st, multi, cut);
+        }
+        found[at] = alone > 0.0 ? number : found[at];
+    }
+}
+
+FLOE_WIDE static void find_alone_row(const ice_view *v, int j, int k)
+{
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    memset(v->alone + base - 1, 0, ((size_t)v->b->n[0] + 2) * sizeof *v->alone);
+    for (int r = 0; r < v->n_materials; ++r) {
+        if (v->material[r].points) continue;
+        if (!v->multi)
+            mark_row(v, r, base, false, true);
+        else if (v->m[r].open)
+            mark_row(v, r, base, true, true);
+        else
+            mark_row(v, r, base, true, false);
+    }
+}
+
+void ice_find_alone(const ice *s, const ice_region *g)
+{
+    ice_view v;
+    for (int id = 0; ice_next_view(s, g, &id, &v);) ice_run_cells(&v, 1, find_alone_row);
 }

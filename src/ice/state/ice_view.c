@@ -67,6 +67,7 @@ static void gather_shared(const fields *f, ice_view *v)
     view_vector(f, field_get, C_SLOW_SHOCK, instance, dim, v->flat);
     view_vector(f, field_get, F_DONOR_DENSITY, instance, dim, v->donor_rho);
     view_vector(f, field_get, F_DONOR_ENERGY, instance, dim, v->donor_e);
+    v->alone = field_get(f, C_ALONE, instance, 0);
     for (int a = 0; a < dim; ++a)
         for (int n = 0; n < dim; ++n) v->donor_u[a][n] = field_get(f, F_DONOR_VEL, instance, a * dim + n);
     v->rho_sum = v->multi ? field_get(f, C_RHO_SUM, instance, 0) : v->m[0].rho;

@@ -14,8 +14,7 @@ size_t ice_trace_buffer(const ice *s)
     size_t largest = 0;
     for (int id = 0; id < s->mesh->n_blocks; ++id) {
         const block *b = &s->mesh->block[id];
-        const size_t length = ((size_t)b->n[0] + 2 + 7) / 8 * 8,
-                     rows = (size_t)dim * (2 * WAVES + SLOPES) + 2 * STATES + 2;
+        const size_t length = trace_row_length(b), rows = (size_t)dim * (2 * WAVES + SLOPES) + 2 * STATES + 2;
         const size_t kept = dim == 1 ? 0 : STATES * (size_t)(dim == 3 ? b->n[1] + 1 : 1);
         largest = length * (rows + kept) > largest ? length * (rows + kept) : largest;
     }
@@ -43,38 +42,43 @@ FLOE_ALWAYS_INLINE double slow_shock_at(const double *restrict rho, const double
     return strong ? share : 0.0;
 }
 
+FLOE_ALWAYS_INLINE void slow_shock_run(const ice_view *v, int r, int axis, ptrdiff_t from, ptrdiff_t to, double floor)
+{
+    const ptrdiff_t st = v->b->stride[axis];
+    const double *restrict rho = v->m[r].rho, *restrict u = v->m[r].u[axis], *restrict p = v->p,
+                           *restrict c = v->m[r].c;
+    double *restrict found = v->flat[axis];
+#pragma omp simd
+    for (ptrdiff_t at = from; at < to; ++at) found[at] = slow_shock_at(rho, u, p, c, floor, at, st);
+}
+
 FLOE_WIDE static void slow_shock_row(const ice_view *v, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
-    const eos *law = &v->material[0].eos;
-    const double floor = law->model->pressure_floor(law->par);
-    for (int a = 0; a < v->dim; ++a) {
-        const ptrdiff_t st = v->b->stride[a];
-        const double *restrict rho = v->m[0].rho, *restrict u = v->m[0].u[a], *restrict p = v->p,
-                               *restrict c = v->m[0].c;
-        double *restrict found = v->flat[a];
-#pragma omp simd
-        for (ptrdiff_t at = base; at < base + v->b->n[0]; ++at) found[at] = slow_shock_at(rho, u, p, c, floor, at, st);
+    const int n = v->b->n[0];
+    for (int a = 0; a < v->dim && v->alone; ++a) memset(v->flat[a] + base, 0, (size_t)n * sizeof(double));
+    for (int r = 0; r < v->n_materials; ++r) {
+        const eos *law = &v->material[r].eos;
+        const double floor = law->model->pressure_floor(law->par);
+        for (ice_span run = {0, 0}; ice_next_alone(v, r, base, 0, n, &run);)
+            for (int a = 0; a < v->dim; ++a) slow_shock_run(v, r, a, base + run.first, base + run.end, floor);
     }
 }
 
-static void trace_block_faces(const ice *s, const ice_view *v)
+static void trace_block_faces(const ice *s, const ice_view *v, int r)
 {
     const block *b = v->b;
-    const eos *law = &v->material[0].eos;
-    const int slow = b->dim - 1, most_chunks = b->dim == 1 ? 1 : b->tiles[slow],
-              chunks = ice_threads(s) < most_chunks ? ice_threads(s) : most_chunks;
+    const int chunks = ice_chunks(s, b);
 #pragma omp parallel for schedule(static, 1)
     for (int c = 0; c < chunks; ++c) {
-        const int tile = s->mesh->tile[slow], first = most_chunks * c / chunks * tile,
-                  end = most_chunks * (c + 1) / chunks * tile;
+        const ice_span slabs = ice_chunk_of(s, b, c, chunks);
         const trace_job job = {.v = v,
-                               .first = first,
-                               .last = end < b->n[slow] ? end : b->n[slow],
+                               .fluid = r,
+                               .first = slabs.first,
+                               .last = slabs.end,
                                .end = c == chunks - 1,
-                               .buffer = ice_buffer(s, c),
-                               .pressure_floor = law->model->pressure_floor(law->par)};
-        ice_trace_kernels[b->dim - 1][v->m[0].diff[0] != NULL](&job);
+                               .buffer = ice_buffer(s, c)};
+        ice_trace_kernels[b->dim - 1][v->m[r].diff[0] != NULL](&job);
     }
 }
 
@@ -84,17 +88,20 @@ static void find_warming(const ice *s, const ice_region *g)
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
         memset(v.P, 0, (size_t)v.b->size * sizeof *v.P);
-        ice_diffusion_pressure(s, &v, 0, v.P);
+        for (int r = 0; r < v.n_materials; ++r)
+            if (v.m[r].heat) ice_diffusion_pressure(s, &v, r, v.P);
     }
     ice_fill_ghosts(s, C_PRESSURE_ADVANCED, g->number, FILL_CURRENT, GHOST_EVEN);
-    ice_fill_ghosts(s, C_DIFFUSION_HEAT, g->first, FILL_CURRENT, GHOST_EVEN);
+    for (int r = g->first; r < g->first + g->n; ++r)
+        if (fields_has(s->domain->fields[0], C_DIFFUSION_HEAT, r))
+            ice_fill_ghosts(s, C_DIFFUSION_HEAT, r, FILL_CURRENT, GHOST_EVEN);
 }
 
 /* Beyond a wall the pressure is mirrored less the weight: that of a column goes on. */
 static void continue_column(const ice_view *v, int axis, mesh_side side)
 {
     const ptrdiff_t out = side == SIDE_LOWER ? -v->b->stride[axis] : v->b->stride[axis];
-    const double half = (side == SIDE_LOWER ? -0.5 : 0.5) * v->gravity[axis] * v->h[axis], *rho = v->m[0].rho;
+    const double half = (side == SIDE_LOWER ? -0.5 : 0.5) * v->gravity[axis] * v->h[axis], *rho = v->rho_sum;
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
     for (int layer = 1; layer <= MESH_GHOST; ++layer) {
         bc_layers(v->b, axis, side, layer, layer, lo, hi);
@@ -119,15 +126,20 @@ static void continue_columns(const ice *s, const ice_view *v)
 void ice_trace_faces(const ice *s, const ice_region *g)
 {
     ice_view v;
-    if (fields_has(s->domain->fields[0], C_DIFFUSION_HEAT, g->first)) find_warming(s, g);
+    if (ice_diffuses(s)) find_warming(s, g);
+    for (int r = g->first; s->cut && r < g->first + g->n; ++r) ice_fill_ghosts(s, C_OPEN, r, FILL_CURRENT, GHOST_EVEN);
+    if (ice_traces_in_part(s)) ice_find_alone(s, g);
     for (int id = 0; ice_next_view(s, g, &id, &v);) continue_columns(s, &v);
     for (int id = 0; ice_next_view(s, g, &id, &v);) ice_run_cells(&v, 0, slow_shock_row);
     ice_fill_ghosts(s, C_SLOW_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
-    for (int id = 0; ice_next_view(s, g, &id, &v);) trace_block_faces(s, &v);
+    for (int id = 0; ice_next_view(s, g, &id, &v);)
+        for (int r = 0; r < v.n_materials; ++r)
+            if (!v.material[r].points) trace_block_faces(s, &v, r);
 }
 
 static void follow_side(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
+    if (!ice_traced_by(v, r, at.cell)) return;
     const ice_fluid *m = &v->m[r];
     const ptrdiff_t beyond = side == SIDE_LOWER ? at.cell - v->b->stride[axis] : at.cell + v->b->stride[axis];
     const double u = m->fu[axis][at.face];
@@ -143,5 +155,6 @@ static void follow_side(const ice *s, const ice_view *v, int axis, mesh_side sid
 
 void ice_trace_follow(const ice *s, const ice_view *v)
 {
-    ice_visit_sides(s, v, 0, follow_side);
+    for (int r = 0; r < v->n_materials; ++r)
+        if (!v->material[r].points) ice_visit_sides(s, v, r, follow_side);
 }

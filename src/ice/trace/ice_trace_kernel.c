@@ -13,7 +13,7 @@ typedef struct trace_block {
         *restrict heat, *restrict warming; /* of viscosity and conduction: N/m3, W/m3; Pa in half the step */
     const double *lower0, *upper0;
     ptrdiff_t stride[3];
-    double courant[3], weight[3], gravity[3]; /* dt/h; m2/s2: of a cell's height; m/s2 */
+    double courant[3], weight[3]; /* dt/h; m2/s2: of a cell's height */
     double dt, floor;
     bool radial;
 } trace_block;
@@ -21,28 +21,39 @@ typedef struct trace_block {
 FLOE_ALWAYS_INLINE trace_block trace_block_of(const trace_job *job, const int dim)
 {
     const ice_view *v = job->v;
-    const ice_fluid *m = &v->m[0];
+    const ice_fluid *m = &v->m[job->fluid];
+    const eos *law = &v->material[job->fluid].eos;
     trace_block b = {.rho = m->rho,
                      .p = v->p,
                      .e = m->e,
                      .c = m->c,
+                     .heat = m->heat,
+                     .warming = v->P,
                      .lower0 = v->lower0,
                      .upper0 = v->upper0,
                      .dt = v->dt,
-                     .floor = job->pressure_floor,
+                     .floor = law->model->pressure_floor(law->par),
                      .radial = v->radial};
-    b.heat = m->heat;
-    b.warming = v->P;
     for (int a = 0; a < dim; ++a) {
         b.force[a] = m->diff[a];
         b.u[a] = m->u[a];
         b.flat[a] = v->flat[a];
         b.stride[a] = v->b->stride[a];
         b.courant[a] = v->dt * v->inv_h[a];
-        b.gravity[a] = v->gravity[a];
         b.weight[a] = v->gravity[a] * v->h[a];
     }
     return b;
+}
+
+/* A cell as its waves see it, with its own speed of sound frozen. */
+typedef struct medium {
+    double rho, p, c, z, inv_c2, enthalpy; /* z: kg/(m2 s), impedance; enthalpy: rho h over rho c2 */
+} medium;
+
+FLOE_ALWAYS_INLINE medium medium_of(const trace_block *b, ptrdiff_t at)
+{
+    const double rho = b->rho[at], p = b->p[at], c = b->c[at], inv_c2 = 1.0 / (c * c);
+    return (medium){rho, p, c, rho * c, inv_c2, (b->e[at] + p / rho) * inv_c2};
 }
 
 FLOE_ALWAYS_INLINE ice_five five_of(const double *restrict q, ptrdiff_t at, ptrdiff_t step)
@@ -97,62 +108,83 @@ FLOE_ALWAYS_INLINE double dilatation_share(const trace_block *b, ptrdiff_t at, c
     return least(div * div / all, 1.0);
 }
 
+/* A cell and two on either side of it along an axis; p: less a column at rest. */
+typedef struct stencil {
+    ice_five rho, u, e, p;
+} stencil;
+
+/* Edges of the waves; where the cell is torn, of pressure, velocity and density themselves: the waves of one cell say little of the next. */
+FLOE_ALWAYS_INLINE void limit_waves(const stencil *s, const medium *m, bool torn, double lines, double flat,
+                                    ice_edges *q)
+{
+    const double up_u = torn ? 0.0 : m->z, down_p = torn ? 0.0 : 1.0, down_u = torn ? 1.0 : -m->z,
+                 heat_p = torn ? 0.0 : m->inv_c2;
+    const ice_five up = sum_of(s->p, up_u, s->u), entropy = sum_of(s->rho, -heat_p, s->p);
+    ice_five down, energy;
+    for (int n = 0; n < 5; ++n) {
+        down.q[n] = down_p * s->p.q[n] + down_u * s->u.q[n];
+        energy.q[n] = s->rho.q[n] * s->e.q[n] - m->enthalpy * s->p.q[n];
+    }
+    q[WAVE_UP] = ice_blend_edges(ice_parabola_edges(up), lines, ice_line_edges(up));
+    q[WAVE_DOWN] = ice_blend_edges(ice_parabola_edges(down), lines, ice_line_edges(down));
+    q[WAVE_ENTROPY] = ice_steepen_edges(ice_parabola_edges(entropy), contact_share(s->rho, s->p, m->z * m->c), entropy);
+    q[WAVE_ENERGY] = ice_parabola_edges(energy);
+    const double mean[WAVE_ACROSS] = {up.q[2], down.q[2], entropy.q[2], energy.q[2]};
+    for (int n = 0; n < WAVE_ACROSS; ++n) q[n] = ice_blend_edges(q[n], flat, (ice_edges){mean[n], mean[n]});
+}
+
+/* From pressure, velocity and density to waves, where the cell is torn. */
+FLOE_ALWAYS_INLINE void join_waves(const medium *m, bool torn, ice_edges *q)
+{
+    const ice_edges p = q[WAVE_UP], u = q[WAVE_DOWN], rho = q[WAVE_ENTROPY];
+    q[WAVE_UP] = (ice_edges){torn ? p.lower + m->z * u.lower : p.lower, torn ? p.upper + m->z * u.upper : p.upper};
+    q[WAVE_DOWN] = (ice_edges){torn ? p.lower - m->z * u.lower : u.lower, torn ? p.upper - m->z * u.upper : u.upper};
+    q[WAVE_ENTROPY] = (ice_edges){torn ? rho.lower - m->inv_c2 * p.lower : rho.lower,
+                                  torn ? rho.upper - m->inv_c2 * p.upper : rho.upper};
+}
+
+/* Edges, and the differences between them in the flow's own quantities. */
+FLOE_ALWAYS_INLINE void put_edges(const trace_row *w, int axis, ptrdiff_t t, const medium *m, const ice_edges *q,
+                                  const int dim)
+{
+    double d[WAVES];
+    for (int n = 0; n < WAVE_ACROSS + dim - 1; ++n) {
+        w->lower[axis][n][t] = q[n].lower;
+        w->upper[axis][n][t] = q[n].upper;
+        d[n] = q[n].upper - q[n].lower;
+    }
+    const double d_p = 0.5 * (d[WAVE_UP] + d[WAVE_DOWN]);
+    w->slope[axis][SLOPE_PRESSURE][t] = d_p;
+    w->slope[axis][SLOPE_DENSITY][t] = d[WAVE_ENTROPY] + d_p * m->inv_c2;
+    w->slope[axis][SLOPE_ENERGY][t] = d[WAVE_ENERGY] + d_p * m->enthalpy;
+    w->slope[axis][SLOPE_VELOCITY + axis][t] = 0.5 * (d[WAVE_UP] - d[WAVE_DOWN]) / m->z;
+    for (int n = 0; n < dim - 1; ++n) w->slope[axis][SLOPE_VELOCITY + (axis + 1 + n) % dim][t] = d[WAVE_ACROSS + n];
+}
+
 /* Edges of a cell along an axis, and their differences. */
 FLOE_ALWAYS_INLINE void find_edges(const trace_block *b, const trace_row *w, int axis, ptrdiff_t at, ptrdiff_t t,
                                    const int dim)
 {
     const ptrdiff_t step = b->stride[axis];
-    const double c = b->c[at], rho0 = b->rho[at], z = rho0 * c, inv_c2 = 1.0 / (c * c),
-                 enthalpy = (b->e[at] + b->p[at] / rho0) * inv_c2;
-    const ice_five rho = five_of(b->rho, at, step), u = five_of(b->u[axis], at, step), e = five_of(b->e, at, step),
-                   p = without_weight(five_of(b->p, at, step), rho, b->weight[axis]);
-    /* Towards a vacuum pressure and velocity are limited themselves: the waves of one cell say little of the next. */
-    const bool torn = u.q[3] - u.q[1] > ICE_TRACE_TORN * c;
-    const double up_u = torn ? 0.0 : z, down_p = torn ? 0.0 : 1.0, down_u = torn ? 1.0 : -z,
-                 heat_p = torn ? 0.0 : inv_c2;
-    ice_five up = sum_of(p, up_u, u), down, entropy = sum_of(rho, -heat_p, p), energy;
-    for (int n = 0; n < 5; ++n) {
-        down.q[n] = down_p * p.q[n] + down_u * u.q[n];
-        energy.q[n] = rho.q[n] * e.q[n] - enthalpy * p.q[n];
-    }
+    const medium m = medium_of(b, at);
+    stencil s = {.rho = five_of(b->rho, at, step), .u = five_of(b->u[axis], at, step), .e = five_of(b->e, at, step)};
+    s.p = without_weight(five_of(b->p, at, step), s.rho, b->weight[axis]);
+    const double *p = s.p.q, *u = s.u.q, *slow_shock = b->flat[axis];
+    const bool torn = u[3] - u[1] > ICE_TRACE_TORN * m.c; /* towards a vacuum */
+    const double flat = most(slow_shock[at], p[3] < p[1] ? slow_shock[at + step] : slow_shock[at - step]);
     /* In slow flow without dilatation the differences of the axes must cancel as they do in div u: lines. Jumps of pressure are none of it. */
     const double slow = most(1.0 - w->mach[t], 0.0),
-                 even = most(1.0 - ICE_TRACE_UNEVEN * fabs(p.q[3] - p.q[1]) / (z * c), 0.0),
+                 even = most(1.0 - ICE_TRACE_UNEVEN * fabs(p[3] - p[1]) / (m.z * m.c), 0.0),
                  lines = slow * slow * even * (1.0 - w->dilatation[t]);
     ice_edges q[WAVES];
-    q[WAVE_UP] = ice_blend_edges(ice_parabola_edges(up), lines, ice_line_edges(up));
-    q[WAVE_DOWN] = ice_blend_edges(ice_parabola_edges(down), lines, ice_line_edges(down));
-    q[WAVE_ENTROPY] = ice_steepen_edges(ice_parabola_edges(entropy), contact_share(rho, p, z * c), entropy);
-    q[WAVE_ENERGY] = ice_parabola_edges(energy);
-    double mean[WAVES] = {up.q[2], down.q[2], entropy.q[2], energy.q[2]};
+    limit_waves(&s, &m, torn, lines, flat, q);
     for (int n = 0; n < dim - 1; ++n) {
         const ice_five across = five_of(b->u[(axis + 1 + n) % dim], at, step);
-        q[WAVE_ACROSS + n] = ice_blend_edges(ice_parabola_edges(across), lines, ice_smooth_edges(across));
-        mean[WAVE_ACROSS + n] = across.q[2];
+        const ice_edges edges = ice_blend_edges(ice_parabola_edges(across), lines, ice_smooth_edges(across));
+        q[WAVE_ACROSS + n] = ice_blend_edges(edges, flat, (ice_edges){across.q[2], across.q[2]});
     }
-    const double *slow_shock = b->flat[axis];
-    const double flat = most(slow_shock[at], p.q[3] < p.q[1] ? slow_shock[at + step] : slow_shock[at - step]);
-    for (int n = 0; n < WAVE_ACROSS + dim - 1; ++n) q[n] = ice_blend_edges(q[n], flat, (ice_edges){mean[n], mean[n]});
-    /* From there on in waves alone. */
-    const ice_edges first = q[WAVE_UP], second = q[WAVE_DOWN], third = q[WAVE_ENTROPY];
-    q[WAVE_UP] = (ice_edges){torn ? first.lower + z * second.lower : first.lower,
-                             torn ? first.upper + z * second.upper : first.upper};
-    q[WAVE_DOWN] = (ice_edges){torn ? first.lower - z * second.lower : second.lower,
-                               torn ? first.upper - z * second.upper : second.upper};
-    q[WAVE_ENTROPY] = (ice_edges){torn ? third.lower - inv_c2 * first.lower : third.lower,
-                                  torn ? third.upper - inv_c2 * first.upper : third.upper};
-    for (int n = 0; n < WAVE_ACROSS + dim - 1; ++n) {
-        w->lower[axis][n][t] = q[n].lower;
-        w->upper[axis][n][t] = q[n].upper;
-    }
-    const double d_up = q[WAVE_UP].upper - q[WAVE_UP].lower, d_down = q[WAVE_DOWN].upper - q[WAVE_DOWN].lower,
-                 d_p = 0.5 * (d_up + d_down);
-    w->slope[axis][SLOPE_PRESSURE][t] = d_p;
-    w->slope[axis][SLOPE_DENSITY][t] = q[WAVE_ENTROPY].upper - q[WAVE_ENTROPY].lower + d_p * inv_c2;
-    w->slope[axis][SLOPE_ENERGY][t] = q[WAVE_ENERGY].upper - q[WAVE_ENERGY].lower + d_p * enthalpy;
-    w->slope[axis][SLOPE_VELOCITY + axis][t] = 0.5 * (d_up - d_down) / z;
-    for (int n = 0; n < dim - 1; ++n)
-        w->slope[axis][SLOPE_VELOCITY + (axis + 1 + n) % dim][t] = q[WAVE_ACROSS + n].upper - q[WAVE_ACROSS + n].lower;
+    join_waves(&m, torn, q);
+    put_edges(w, axis, t, &m, q, dim);
 }
 
 /* Changes of a cell in half the step. */
@@ -161,11 +193,12 @@ typedef struct half_step {
 } half_step;
 
 /* What the flow along the other axes, and a radius, do; bounded beside the state there is. */
-FLOE_ALWAYS_INLINE half_step changes_across(const trace_block *b, const trace_row *w, int axis, ptrdiff_t at,
-                                            ptrdiff_t i, ptrdiff_t t, const int dim, const bool diffuses)
+FLOE_ALWAYS_INLINE half_step changes_across(const trace_block *b, const trace_row *w, const medium *m, int axis,
+                                            ptrdiff_t at, ptrdiff_t i, const int dim, const bool diffuses)
 {
     half_step d = {0.0, 0.0, 0.0, {0.0, 0.0, 0.0}};
-    const double rho = b->rho[at], c = b->c[at], p = b->p[at], stiffness = rho * c * c, energy = rho * b->e[at];
+    const ptrdiff_t t = 1 + i;
+    const double rho = m->rho, p = m->p, stiffness = rho * m->c * m->c, energy = rho * b->e[at];
     for (int a = 0; a < dim; ++a) {
         if (a == axis) continue;
         const double k = -0.5 * b->courant[a], u = b->u[a][at], du = w->slope[a][SLOPE_VELOCITY + a][t],
@@ -198,24 +231,20 @@ FLOE_ALWAYS_INLINE half_step changes_across(const trace_block *b, const trace_ro
     return d;
 }
 
-/* State at one face of a cell: the waves at it, the changes across, and the cell's own values where too little would be left. */
-FLOE_ALWAYS_INLINE void put_state(const trace_block *b, const trace_row *w, int axis, ptrdiff_t at, ptrdiff_t t,
-                                  const double *wave, double early, double weight, const half_step *d,
-                                  double *const *to, const int dim)
+/* State at one face of a cell: the waves at it, the changes across, and the cell's own values where too little would be left. weight: Pa, from the
+ * cell's centre to the face. */
+FLOE_ALWAYS_INLINE void put_state(const trace_block *b, const medium *m, int axis, ptrdiff_t at, ptrdiff_t t,
+                                  const double *wave, double weight, const half_step *d, double *const *to,
+                                  const int dim)
 {
-    const double rho0 = b->rho[at], p0 = b->p[at], c = b->c[at], z = rho0 * c, inv_c2 = 1.0 / (c * c),
-                 enthalpy = (b->e[at] + p0 / rho0) * inv_c2, sound = 0.5 * (wave[WAVE_UP] + wave[WAVE_DOWN]);
-    const double p = sound + weight + d->p, rho = wave[WAVE_ENTROPY] + sound * inv_c2 + d->rho,
-                 energy = wave[WAVE_ENERGY] + enthalpy * (sound + weight) + d->energy;
-    const bool whole = p - b->floor > ICE_TRACE_LEAST_LEFT * (p0 - b->floor) && rho > ICE_TRACE_LEAST_LEFT * rho0 &&
-                       energy > -HUGE_VAL;
-    to[STATE_DENSITY][t] = whole ? rho : rho0;
-    to[STATE_PRESSURE][t] = whole ? p : p0;
-    to[STATE_ENERGY][t] = whole ? energy : rho0 * b->e[at];
-    to[STATE_EARLY][t] = early;
-    to[STATE_MACH][t] = w->mach[t];
-    to[STATE_DILATATION][t] = w->dilatation[t];
-    const double normal = 0.5 * (wave[WAVE_UP] - wave[WAVE_DOWN]) / z + d->u[axis];
+    const double sound = 0.5 * (wave[WAVE_UP] + wave[WAVE_DOWN]);
+    const double p = sound + weight + d->p, rho = wave[WAVE_ENTROPY] + sound * m->inv_c2 + d->rho,
+                 energy = wave[WAVE_ENERGY] + m->enthalpy * (sound + weight) + d->energy;
+    const bool whole = p - b->floor > ICE_TRACE_LEAST_LEFT * (m->p - b->floor) && rho > ICE_TRACE_LEAST_LEFT * m->rho;
+    to[STATE_DENSITY][t] = whole ? rho : m->rho;
+    to[STATE_PRESSURE][t] = whole ? p : m->p;
+    to[STATE_ENERGY][t] = whole ? energy : m->rho * b->e[at];
+    const double normal = 0.5 * (wave[WAVE_UP] - wave[WAVE_DOWN]) / m->z + d->u[axis];
     to[STATE_VELOCITY + axis][t] = whole ? normal : b->u[axis][at];
     for (int n = 0; n < dim - 1; ++n) {
         const int a = (axis + 1 + n) % dim;
@@ -223,29 +252,40 @@ FLOE_ALWAYS_INLINE void put_state(const trace_block *b, const trace_row *w, int 
     }
 }
 
+/* What the Riemann problem asks of the cell besides. */
+FLOE_ALWAYS_INLINE void put_cell(const trace_row *w, double early, ptrdiff_t t, double *const *to)
+{
+    to[STATE_EARLY][t] = early;
+    to[STATE_MACH][t] = w->mach[t];
+    to[STATE_DILATATION][t] = w->dilatation[t];
+}
+
 /* Traces a cell's waves to its lower and upper face. */
 FLOE_ALWAYS_INLINE void trace_cell(const trace_block *b, const trace_row *w, int axis, ptrdiff_t at, ptrdiff_t i,
-                                   ptrdiff_t t, double *const *below, double *const *above, const int dim,
-                                   const bool diffuses)
+                                   double *const *above, const int dim, const bool diffuses)
 {
-    const double rho = b->rho[at], c = b->c[at], z = rho * c, u = b->u[axis][at], k = b->courant[axis], p = b->p[at],
-                 inv_c2 = 1.0 / (c * c), enthalpy = (b->e[at] + p / rho) * inv_c2;
-    const double speed[WAVES] = {u + c, u - c, u, u, u, u},
-                 mean[WAVE_ACROSS] = {p + z * u, p - z * u, rho - p * inv_c2, rho * b->e[at] - enthalpy * p};
-    double lower[WAVES], upper[WAVES];
+    const ptrdiff_t t = 1 + i;
+    const medium m = medium_of(b, at);
+    const double u = b->u[axis][at], k = b->courant[axis];
+    const double speed[WAVES] = {u + m.c, u - m.c, u, u, u, u},
+                 mean[WAVE_ACROSS] = {m.p + m.z * u, m.p - m.z * u, m.rho - m.p * m.inv_c2,
+                                      m.rho * b->e[at] - m.enthalpy * m.p};
+    double *const *edge[2] = {w->lower[axis], w->upper[axis]};
+    double lower[WAVES], upper[WAVES], early[2];
+    for (int side = 0; side < 2; ++side) early[side] = 0.5 * (edge[side][WAVE_UP][t] - edge[side][WAVE_DOWN][t]) / m.z;
     for (int n = 0; n < WAVE_ACROSS + dim - 1; ++n) {
-        const ice_edges e = {w->lower[axis][n][t], w->upper[axis][n][t]};
-        const double m = n < WAVE_ACROSS ? mean[n] : b->u[(axis + 1 + n - WAVE_ACROSS) % dim][at];
-        lower[n] = ice_mean_above_lower(e, m, most(-speed[n] * k, -1.0));
-        upper[n] = ice_mean_below_upper(e, m, most(speed[n] * k, -1.0));
+        const ice_edges e = {edge[0][n][t], edge[1][n][t]};
+        const double own = n < WAVE_ACROSS ? mean[n] : b->u[(axis + 1 + n - WAVE_ACROSS) % dim][at];
+        lower[n] = ice_mean_above_lower(e, own, most(-speed[n] * k, -1.0));
+        upper[n] = ice_mean_below_upper(e, own, most(speed[n] * k, -1.0));
     }
-    half_step d = changes_across(b, w, axis, at, i, t, dim, diffuses);
-    const double weight = 0.5 * b->weight[axis] * rho; /* of half the cell; and as the column passes by */
-    d.p -= 0.5 * k * u * b->weight[axis] * rho;
-    put_state(b, w, axis, at, t, lower, 0.5 * (w->lower[axis][WAVE_UP][t] - w->lower[axis][WAVE_DOWN][t]) / z, -weight,
-              &d, below, dim);
-    put_state(b, w, axis, at, t, upper, 0.5 * (w->upper[axis][WAVE_UP][t] - w->upper[axis][WAVE_DOWN][t]) / z, weight,
-              &d, above, dim);
+    half_step d = changes_across(b, w, &m, axis, at, i, dim, diffuses);
+    const double weight = 0.5 * b->weight[axis] * m.rho; /* of half the cell; and as the column passes by */
+    d.p -= 0.5 * k * u * b->weight[axis] * m.rho;
+    put_state(b, &m, axis, at, t, lower, -weight, &d, w->below, dim);
+    put_state(b, &m, axis, at, t, upper, weight, &d, above, dim);
+    put_cell(w, early[0], t, w->below);
+    put_cell(w, early[1], t, above);
 }
 
 FLOE_ALWAYS_INLINE ice_side_of_face side_at(double *const *state, ptrdiff_t t, double c, const int dim)
@@ -268,29 +308,30 @@ FLOE_ALWAYS_INLINE double slow_share(double mach, double dilatation, double jump
 }
 
 /* One face, between the upper state of the cell below it, number `from` of its row, and the lower state of the cell above it. */
-FLOE_ALWAYS_INLINE void find_face(const trace_block *b, const ice_view *v, int axis, ptrdiff_t at, double *const *lower,
-                                  ptrdiff_t from, double *const *upper, ptrdiff_t t, const int dim)
+FLOE_ALWAYS_INLINE void find_face(const trace_block *b, const trace_job *job, int axis, ptrdiff_t at,
+                                  double *const *lower, ptrdiff_t from, double *const *upper, ptrdiff_t t,
+                                  const int dim)
 {
-    const ice_fluid *m = &v->m[0];
     const ptrdiff_t L = at - b->stride[axis];
     const ice_side_of_face left = side_at(lower, from, b->c[L], dim), right = side_at(upper, t, b->c[at], dim);
     const double slow = slow_share(most(lower[STATE_MACH][from], upper[STATE_MACH][t]),
                                    most(lower[STATE_DILATATION][from], upper[STATE_DILATATION][t]),
                                    b->u[axis][at] - b->u[axis][L], least(b->c[L], b->c[at]));
     const ice_star s = ice_star_of(&left, &right, axis, slow, dim);
-    m->fu[axis][at] = s.u[axis];
+    const ice_view *v = job->v;
+    v->m[job->fluid].fu[axis][at] = s.u[axis];
     v->fp[axis][at] = s.p;
     v->donor_rho[axis][at] = s.rho;
     v->donor_e[axis][at] = s.e;
     for (int a = 0; a < dim; ++a) v->donor_u[axis][a][at] = s.u[a];
 }
 
-/* Edges of the cells -1 to n of a row. */
-FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w, ptrdiff_t base, ptrdiff_t n,
+/* Edges of some cells of a row. */
+FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w, ptrdiff_t base, ice_span cells,
                                        const int dim)
 {
 #pragma omp simd
-    for (ptrdiff_t i = -1; i <= n; ++i) {
+    for (ptrdiff_t i = cells.first; i < cells.end; ++i) {
         const ptrdiff_t at = base + i;
         double square = 0.0;
         for (int a = 0; a < dim; ++a) square += b->u[a][at] * b->u[a][at];
@@ -299,44 +340,57 @@ FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w,
     }
     for (int axis = 0; axis < dim; ++axis) {
 #pragma omp simd
-        for (ptrdiff_t i = -1; i <= n; ++i) find_edges(b, w, axis, base + i, 1 + i, dim);
+        for (ptrdiff_t i = cells.first; i < cells.end; ++i) find_edges(b, w, axis, base + i, 1 + i, dim);
     }
 }
 
 FLOE_ALWAYS_INLINE void trace_row_states(const trace_block *b, const trace_row *w, int axis, ptrdiff_t base,
-                                         ptrdiff_t n, double *const *above, const int dim, const bool diffuses)
+                                         ice_span cells, const int dim, const bool diffuses)
 {
 #pragma omp simd
-    for (ptrdiff_t i = -1; i <= n; ++i) trace_cell(b, w, axis, base + i, i, 1 + i, w->below, above, dim, diffuses);
+    for (ptrdiff_t i = cells.first; i < cells.end; ++i) trace_cell(b, w, axis, base + i, i, w->above, dim, diffuses);
+}
+
+/* Faces along a row between cells [first, end). */
+FLOE_ALWAYS_INLINE void find_row_faces(const trace_block *b, const trace_job *job, const trace_row *w, ptrdiff_t base,
+                                       ice_span cells, const int dim)
+{
+#pragma omp simd
+    for (ptrdiff_t i = cells.first + 1; i < cells.end; ++i)
+        find_face(b, job, 0, base + i, w->above, i, w->below, 1 + i, dim);
 }
 
 /* Faces between a row and the one before it along an axis, whose upper states are kept; and then those of this row. */
 FLOE_ALWAYS_INLINE void cross_row(const trace_block *b, const trace_job *job, const trace_store *s, int axis,
                                   ptrdiff_t base, double *const *kept, bool faces, const int dim, const bool diffuses)
 {
-    const ptrdiff_t n = job->v->b->n[0];
-    trace_row_states(b, &s->row, axis, base, n, s->row.above, dim, diffuses);
-    if (faces) {
+    const int n = job->v->b->n[0];
+    for (ice_span run = {-1, -1}; ice_next_alone(job->v, job->fluid, base, 0, n + 1, &run);)
+        trace_row_states(b, &s->row, axis, base, run, dim, diffuses);
+    for (ice_span run = {0, 0}; faces && ice_next_alone(job->v, job->fluid, base, b->stride[axis], n, &run);) {
 #pragma omp simd
-        for (ptrdiff_t i = 0; i < n; ++i) find_face(b, job->v, axis, base + i, kept, 1 + i, s->row.below, 1 + i, dim);
+        for (ptrdiff_t i = run.first; i < run.end; ++i)
+            find_face(b, job, axis, base + i, kept, 1 + i, s->row.below, 1 + i, dim);
     }
     for (int q = 0; q < STATE_VELOCITY + dim; ++q) memcpy(kept[q], s->row.above[q], s->length * sizeof(double));
 }
 
-/* All faces of one row. inner: its cells are the sweep's own; whole: of the slab in hand, not of the one before or after. */
+/* All faces of one row of a slab: those along it where it is the sweep's own, and those to the rows before it. */
 FLOE_ALWAYS_INLINE void sweep_row(const trace_block *b, const trace_job *job, const trace_store *s, int slab, int row,
                                   const int dim, const bool diffuses)
 {
     const ice_view *v = job->v;
-    const int slow = dim - 1, rows = dim == 3 ? v->b->n[1] : 1;
+    const int slow = dim - 1, rows = dim == 3 ? v->b->n[1] : 1, n = v->b->n[0];
     const bool own_row = row >= 0 && row < rows, own_slab = dim == 1 || (slab >= job->first && slab < job->last);
-    const ptrdiff_t base = mesh_index(v->b, 0, dim == 3 ? row : slab, dim == 3 ? slab : 0), n = v->b->n[0];
-    find_row_edges(b, &s->row, base, n, dim);
-    if (own_row && own_slab) {
-        trace_row_states(b, &s->row, 0, base, n, s->row.above, dim, diffuses);
-#pragma omp simd
-        for (ptrdiff_t i = 0; i <= n; ++i) find_face(b, v, 0, base + i, s->row.above, i, s->row.below, 1 + i, dim);
+    const ptrdiff_t base = mesh_index(v->b, 0, dim == 3 ? row : slab, dim == 3 ? slab : 0);
+    bool some = false;
+    for (ice_span run = {-1, -1}; ice_next_alone(v, job->fluid, base, 0, n + 1, &run); some = true) {
+        find_row_edges(b, &s->row, base, run, dim);
+        if (!own_row || !own_slab) continue;
+        trace_row_states(b, &s->row, 0, base, run, dim, diffuses);
+        find_row_faces(b, job, &s->row, base, run, dim);
     }
+    if (!some) return;
     if (dim == 3 && own_slab) cross_row(b, job, s, 1, base, s->kept[1], row >= 0, dim, diffuses);
     if (dim > 1 && own_row) {
         double *kept[STATES];
@@ -354,7 +408,7 @@ FLOE_ALWAYS_INLINE double *take_rows(double *from, double **rows, int n, size_t 
 FLOE_ALWAYS_INLINE trace_store divide_buffer(const trace_job *job, const int dim)
 {
     const block *b = job->v->b;
-    trace_store s = {.length = ((size_t)b->n[0] + 2 + 7) / 8 * 8};
+    trace_store s = {.length = trace_row_length(b)};
     double *rest = job->buffer;
     for (int a = 0; a < dim; ++a) {
         rest = take_rows(rest, s.row.lower[a], WAVES, s.length);

@@ -2,6 +2,7 @@
 #ifndef ICE_ICE_TRACE_ROWS_H
 #define ICE_ICE_TRACE_ROWS_H
 
+#include "ice/state/ice_traced.h"
 #include "ice/trace/ice_trace.h"
 
 /* Waves along an axis, as they are limited: those of sound that run up and down, entropy, energy that pressure does not account for, and the velocities
@@ -32,6 +33,12 @@ typedef struct trace_row {
     double *above[STATES];     /* at the upper face, while faces along the row are found */
 } trace_row;
 
+/* Doubles of such a row. */
+static inline size_t trace_row_length(const block *b)
+{
+    return ((size_t)b->n[0] + 2 + 7) / 8 * 8;
+}
+
 /* A thread's storage: the row in hand, and upper states of the rows before it along the other axes, one or a slab of them. */
 typedef struct trace_store {
     trace_row row;
@@ -42,10 +49,10 @@ typedef struct trace_store {
 /* Sweeps slabs [first, last) of a block, layers of cells across its slowest axis, and finds their lower faces; and the last upper ones where `end`. */
 typedef struct trace_job {
     const ice_view *v;
+    int fluid; /* number in the view */
     int first, last;
     bool end;
     double *buffer;
-    double pressure_floor; /* Pa: the law's */
 } trace_job;
 
 typedef void trace_slabs(const trace_job *job);
