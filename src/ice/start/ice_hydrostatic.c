@@ -2,7 +2,7 @@
  * rho_j+1)/2 from each cell to the one below it, for which face velocities and face pressures balance to round-off. One
  * gravity axis, and the highest cells keep the pressure that they were given. */
 #include "ice/start/ice_start.h"
-#include "ice/state/ice_cells.h"
+#include "ice/state/ice_cell_numbers.h"
 #include "ice/state/ice_materials.h"
 
 #include <math.h>

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "ice/ice_constants.h"
 #include "ice/sealed/ice_sealed.h"
+#include "ice/state/ice_cell_numbers.h"
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_materials.h"
 #include "scene/state.h"

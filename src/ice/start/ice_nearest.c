@@ -3,7 +3,7 @@
  * Beside a smeared solid cells have volume left that lies inside the solid. It belongs to the fluid on the near side, not to the ambient: a
  * wall between water and air would start with air against the water. */
 #include "ice/start/ice_start.h"
-#include "ice/state/ice_cells.h"
+#include "ice/state/ice_cell_numbers.h"
 
 #include "base/memory.h"
 

@@ -1,6 +1,7 @@
 /* Cells by their numbers: where they are, which block owns them, what messages say of them. */
 
 #include "ice/state/ice_cells.h"
+#include "ice/state/ice_cell_numbers.h"
 #include "ice/state/ice_lists.h"
 
 #include "base/memory.h"

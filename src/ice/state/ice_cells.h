@@ -1,4 +1,4 @@
-/* Cells by their numbers: where they are, which block owns them, what messages say of them. */
+/* Cells of a block: where they are, what messages say of them. */
 #ifndef ICE_CELLS_H
 #define ICE_CELLS_H
 
@@ -18,16 +18,6 @@ typedef struct ice_walk {
         .in = { -1 } \
     }
 bool ice_next_cell(const block *b, ice_walk *c);
-/* Number of a cell of the mesh, row by row, and which cell has a number. */
-int ice_cell_number(const mesh *m, const int cell[MESH_MAX_DIM]);
-void ice_numbered_cell(const mesh *m, int number, int cell[MESH_MAX_DIM]);
-/* A cell of the mesh in the block that owns it. */
-typedef struct ice_owned_cell {
-    const block *b;
-    const fields *f;
-    ptrdiff_t at;
-} ice_owned_cell;
-ice_owned_cell ice_find_cell(const ice *s, const int cell[MESH_MAX_DIM]);
 /* Local (i, j, k) of a linear index. */
 void ice_cell_of(const block *b, ptrdiff_t at, int cell[MESH_MAX_DIM]);
 /* "cell (3, 4), material 0 (air)" for messages. */
