@@ -4,6 +4,7 @@
 # Layers, lowest first; the modules of one layer do not see each other.
 set(FLOE_LAYERS
     "base math"
+    "expression"
     "grid geom material"
     "surface embedded"
     "coupling scene solve"

@@ -27,7 +27,7 @@ complain 'more than 700 lines: split the file' \
 complain 'compilers are known to src/base/compiler.h and floe.h, threads to src/base/threads.c: no #if or attribute elsewhere' \
     "$(grep -rnE '#( *)if|__attribute__|__builtin_' src include bench --include='*.[ch]' | grep -vE '#ifndef [A-Z0-9_]+_H$' |
         grep -vE '^(src/base/(compiler\.h|threads\.c)|include/floe/floe\.h):')"
-only_in 'gsl/' coupling surface verify library
+only_in 'gsl/' coupling expression surface verify library
 only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)/' coupling verify
 only_in 'hdf5' io
 only_in 'cairo' draw

@@ -19,6 +19,15 @@ extern const special_key special_pair;
 /* schema_reactions.c */
 extern const named_items items_reactions;
 extern const model_family family_reaction;
+/* formula_key.c */
+extern const named_items items_constants;
+/* A number of any dimension, or a formula of numbers and constants. *why: what is wrong; "": nothing is. */
+floe_status read_any_number(reader *r, const deck_node *node, double *out, expression_dimension *dimension,
+                            char why[EXPRESSION_WHY]);
+/* Refuses what cannot be the name of a constant or of a table. */
+floe_status check_formula_name(reader *r, deck_node *node, const char *name);
+/* tables.c */
+extern const named_items items_tables;
 /* families.c */
 extern const model_family family_shape, family_law, family_membrane, family_normals, family_eos, family_exact,
     family_reference;

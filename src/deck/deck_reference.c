@@ -62,6 +62,11 @@ static void print_form(page *p, const key_spec *key)
     case KEY_SPECIAL: strbuf_append(&p->out, "%s", key->special->form); break;
     }
     if (has_unit(key)) strbuf_append(&p->out, " [%s]", key->unit);
+    if (key->varies)
+        strbuf_append(&p->out, "; or a formula of %s",
+                      key->varies == VARIES_BY_PLACE  ? "place"
+                      : key->varies == VARIES_BY_TIME ? "time"
+                                                      : "place and time");
 }
 
 static void print_default(page *p, const key_spec *key)
@@ -158,6 +163,33 @@ static void print_title(page *p, const char *name, const char *doc)
     strbuf_append(&p->out, "\n");
 }
 
+static const char about_formulas[] =
+    "\n## Formulas\n\n"
+    "Any number may be a formula of numbers and `constants`: `cell: L / 40`, `pressure: 2 * p0`. Where a key says so, "
+    "it may "
+    "change with place (`x`, `y`, `z`,\n"
+    "or `r`, `z` about an axis, in m) and with time (`t`, in s): `pressure: 1 atm + 10 kPa * exp(-(x / 5 cm)^2)`. Of a "
+    "fluid on "
+    "cells the first state\n"
+    "is averaged over each cell, on points it is that of the point.\n\n"
+    "* A number may carry a unit behind a blank, as anywhere in a deck; it ends before ` `, `+`, `-`, `*`, `(`. Where "
+    "any number of "
+    "a formula carries one,\n"
+    "  sums of unlike units and a result of another unit than the key's are refused; a number without a unit may stand "
+    "for "
+    "anything.\n"
+    "* Operators: `+ - * /`, `^` or `**` (before a sign: `-x^2` is `-(x^2)`), `< <= > >= == !=`, `and`, `or`, `not`; "
+    "what holds is "
+    "1, what does not 0.\n"
+    "* `pi`, the deck's `constants`, its `tables` (`push(t)`), and these functions:\n\n";
+
+static void print_formulas(page *p)
+{
+    const char *form, *doc;
+    strbuf_append(&p->out, "%s", about_formulas);
+    for (size_t i = 0; expression_describe(i, &form, &doc); i++) strbuf_append(&p->out, "* `%s`: %s\n", form, doc);
+}
+
 /* The maps below a table, each in a section of its own; `path` names where it hangs. */
 static void print_sections(page *p, const key_table *table, const char *path)
 {
@@ -174,7 +206,10 @@ static void print_sections(page *p, const key_table *table, const char *path)
             snprintf(name + strlen(name), sizeof name - strlen(name), ".NAME");
             if (key->items->table) print_rows(p, key->items->table);
             if (key->items->variants) print_variants(p, key->items->variants);
-            if (key->items->value)
+            const key_spec *value = key->items->value;
+            if (value && value->type == KEY_SPECIAL)
+                strbuf_append(&p->out, "\n`NAME: value`: %s.\n", value->special->form);
+            else if (value)
                 strbuf_append(&p->out, "\n`NAME: [x, y, z]`: a list, one number for each axis, in m.\n");
             if (key->items->table) print_sections(p, key->items->table, name);
         } else if (key->type == KEY_VARIANT) {
@@ -221,6 +256,7 @@ floe_status deck_reference(char **text, context *ctx, const deck_catalogue *cata
     strbuf_append(&p.out, "%s", preface);
     print_rows(&p, &schema_deck);
     print_sections(&p, &schema_deck, "");
+    print_formulas(&p);
     print_family(&p, "Shapes", &family_shape);
     print_family(&p, "Laws of solids", &family_law);
     print_family(&p, "Laws of membranes", &family_membrane);

@@ -20,6 +20,10 @@ static void describe_number(const key_spec *key, char *text, size_t size)
     const param_spec spec = {.range = key->range, .lo = key->lo, .hi = key->hi};
     param_describe_range(&spec, text, size);
     if (has_unit(key)) text_add(text, size, " in %s, or with its unit", key->unit);
+    if (key->varies)
+        text_add(text, size, "; or a formula of %s%s%s", key->varies & VARIES_BY_PLACE ? "place" : "",
+                 key->varies == VARIES_BY_PLACE + VARIES_BY_TIME ? " and " : "",
+                 key->varies & VARIES_BY_TIME ? "time" : "");
 }
 
 static void describe_choices(const key_spec *key, char *text, size_t size)
@@ -113,9 +117,15 @@ floe_status read_number(reader *r, const key_spec *key, deck_node *node, double 
     char why[WHY_SIZE];
     double x;
     if (node->kind != NODE_SCALAR || node_is_null(node)) return bad_kind(r, key, node);
-    if (!convert_number(r, key, node->text, &x, why)) return bad_value(r, key, node, why);
-    *out = x;
-    return FLOE_OK;
+    if (convert_number(r, key, node->text, &x, why)) {
+        *out = x;
+        return FLOE_OK;
+    }
+    char formula_why[EXPRESSION_WHY];
+    bool meant;
+    TRY(read_formula(r, key, node, out, &meant, formula_why));
+    if (meant && !formula_why[0]) return FLOE_OK;
+    return bad_value(r, key, node, meant ? formula_why : why);
 }
 
 static floe_status read_whole(reader *r, const key_spec *key, deck_node *node, long *out)

@@ -1,6 +1,7 @@
 /* The only file that sees udunits2. */
 #include "deck/units.h"
 
+#include "base/text.h"
 #include "deck/deck.h"
 
 #include <udunits2.h>
@@ -8,6 +9,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The parsers of udunits2, of its database and of units, are the whole process's, and so are the units that it knows, once read: whoever is
@@ -76,6 +78,71 @@ bool units_convert(double *x, const char *from, const char *to, char *why)
 {
     (void)pthread_mutex_lock(&book.lock);
     const bool ok = convert_named(x, from, to, why);
+    (void)pthread_mutex_unlock(&book.lock);
+    return ok;
+}
+
+/* Exponents of the base units that a definition of udunits2 names, "m-1.kg.s-2" behind a factor. */
+static void read_base_units(const char *text, expression_dimension *dimension)
+{
+    static const char *const base[] = {"m", "kg", "s", "K", "mol", "A", "cd"};
+    *dimension = (expression_dimension){.known = true};
+    for (const char *at = text; *at;) {
+        const size_t letters = strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        if (letters == 0) {
+            at++;
+            continue;
+        }
+        char *end;
+        const long power = strtol(at + letters, &end, 10);
+        const signed char exponent = (signed char)(end == at + letters ? 1 : power);
+        for (size_t i = 0; i < sizeof base / sizeof base[0]; i++)
+            if (strlen(base[i]) == letters && strncmp(at, base[i], letters) == 0)
+                dimension->power[i] = (signed char)(dimension->power[i] + exponent);
+        at = end;
+    }
+}
+
+/* Converts to the base units alone: those of the definition, without its factor and origin. */
+static bool convert_to_base(const ut_unit *unit, const char *name, double *value, expression_dimension *dimension,
+                            char *why)
+{
+    char definition[200], base[200] = "";
+    const int n = ut_format(unit, definition, sizeof definition, UT_ASCII | UT_DEFINITION);
+    if (n < 0 || (size_t)n >= sizeof definition) {
+        snprintf(why, WHY_SIZE, "unit '%.40s' is not known", name);
+        return false;
+    }
+    read_base_units(definition, dimension);
+    static const char *const si[] = {"m", "kg", "s", "K", "mol", "A", "cd"};
+    for (size_t i = 0; i < sizeof si / sizeof si[0]; i++)
+        if (dimension->power[i] != 0)
+            text_add(base, sizeof base, "%s%s%d", base[0] ? "." : "", si[i], dimension->power[i]);
+    ut_unit *to = ut_parse(book.system, base[0] ? base : "1", UT_ASCII);
+    const bool ok = to && convert_unit(unit, to, value, name, base[0] ? base : "1", why);
+    if (!to) snprintf(why, WHY_SIZE, "unit '%.40s' is not known", name);
+    ut_free(to);
+    return ok;
+}
+
+static bool convert_given(const char *name, double *value, expression_dimension *dimension, char *why)
+{
+    if (!open_book(why)) return false;
+    ut_unit *unit = ut_parse(book.system, name, UT_UTF8);
+    if (!unit) {
+        snprintf(why, WHY_SIZE, "unit '%.40s' is not known", name);
+        return false;
+    }
+    const bool ok = convert_to_base(unit, name, value, dimension, why);
+    ut_free(unit);
+    return ok;
+}
+
+bool units_to_si(const char *unit, double given, double *value, expression_dimension *dimension, char *why)
+{
+    *value = given;
+    (void)pthread_mutex_lock(&book.lock);
+    const bool ok = convert_given(unit, value, dimension, why);
     (void)pthread_mutex_unlock(&book.lock);
     return ok;
 }

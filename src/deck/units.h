@@ -3,6 +3,7 @@
 #define DECK_UNITS_H
 
 #include "base/context.h"
+#include "expression/expression.h"
 
 #include <stdbool.h>
 
@@ -10,6 +11,9 @@ enum { WHY_SIZE = 200 };
 
 /* Converts *x from unit `from` to unit `to`, of those known to udunits2. false: *why says what is wrong with `from` (size WHY_SIZE). */
 bool units_convert(double *x, const char *from, const char *to, char *why);
+
+/* `given` of a unit in SI, with its dimension: expression_unit of formulas. */
+bool units_to_si(const char *unit, double given, double *value, expression_dimension *dimension, char *why);
 
 /* Splits "117 GPa" into 117 and "GPa" (*unit points into text, "" when there is none). false: *why says what is wrong.
  * Refused: octal, hexadecimal, nan, inf, underscores, overflow, a unit without a space before it. */

@@ -1,5 +1,6 @@
 /* The echo: a scene written back through the tables that read it. */
 #include "deck/deck_internal.h"
+#include "scene/formula.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,13 +39,23 @@ void write_quoted(strbuf *out, const char *text)
     strbuf_append(out, "\"");
 }
 
-static void write_numbers(strbuf *out, const double *x, size_t n)
+/* A number, or the formula that gives it. */
+static void write_number_of(writer *w, const double *x)
+{
+    const expression *formula = scene_formula_of(w->scene, x);
+    if (formula)
+        write_quoted(&w->out, expression_text(formula));
+    else
+        write_number(&w->out, *x);
+}
+
+static void write_numbers(writer *w, const double *x, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
-        strbuf_append(out, "%s", i == 0 ? " [" : ", ");
-        write_number(out, x[i]);
+        strbuf_append(&w->out, "%s", i == 0 ? " [" : ", ");
+        write_number_of(w, &x[i]);
     }
-    strbuf_append(out, "]\n");
+    strbuf_append(&w->out, "]\n");
 }
 
 static long load_whole(const key_spec *key, const void *field)
@@ -110,11 +121,11 @@ static void write_scalar(writer *w, const key_spec *key, const void *base)
     switch (key->type) {
     case KEY_NUMBER:
         strbuf_append(&w->out, " ");
-        write_number(&w->out, *number);
+        write_number_of(w, number);
         break;
-    case KEY_NUMBERS: write_numbers(&w->out, number, key->size / sizeof *number); return;
+    case KEY_NUMBERS: write_numbers(w, number, key->size / sizeof *number); return;
     case KEY_VECTOR:
-    case KEY_SPREAD: write_numbers(&w->out, number, dim); return;
+    case KEY_SPREAD: write_numbers(w, number, dim); return;
     case KEY_WHOLES: write_wholes(w, (const int *)(const void *)field); return;
     case KEY_WHOLE: strbuf_append(&w->out, " %ld", load_whole(key, field)); break;
     case KEY_BOOL: strbuf_append(&w->out, " %s", *(const bool *)(const void *)field ? "true" : "false"); break;
@@ -300,7 +311,10 @@ static void write_named(writer *w, const key_spec *key, const void *base)
         if (items->value) {
             key_spec value = *items->value;
             value.key = item;
-            write_scalar(w, &value, item);
+            if (value.type == KEY_SPECIAL)
+                value.special->write(w, &value, item);
+            else
+                write_scalar(w, &value, item);
             continue;
         }
         write_key_name(w, item);

@@ -1,6 +1,7 @@
 #include "scene/layout.h"
 
 #include "base/memory.h"
+#include "scene/formula.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -125,7 +126,8 @@ static double highest_pressure(const scene *s)
 {
     double most = fabs(s->ambient_pressure);
     for (int b = 0; b < s->n_bodies; ++b)
-        if (is_fluid(s, b)) most = fmax(most, s->body[b].pressure); /* fmax: NAN where an exact solution gives it */
+        if (is_fluid(s, b))
+            most = fmax(most, scene_largest_pressure(s, &s->body[b])); /* fmax: NAN where an exact solution gives it */
     return most;
 }
 
@@ -133,7 +135,11 @@ static double highest_pressure(const scene *s)
 static floe_status check_without_points(const scene *s)
 {
     const double little = 1e-3, *v = s->ambient_velocity;
-    if (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0)
+    if (scene_formula_of(s, &s->ambient_pressure))
+        return fail_key(s->ctx, KEY("ambient", "points"),
+                        "mpm: without points, the ambient is what acts as reference_pressure, and its own changes with "
+                        "place: give it points");
+    if (v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0 || scene_varies(s, v, sizeof s->ambient_velocity))
         return fail_key(s->ctx, KEY("ambient", "velocity"),
                         "mpm: without points the ambient is what acts as reference_pressure, and has no inertia: give "
                         "it points, or leave its velocity out");
@@ -222,6 +228,9 @@ static floe_status add_ambient(layout_work *w)
     for (int a = 0; a < MESH_MAX_DIM; ++a) b->per_cell[a] = a < w->m->dim ? s->ambient_points : 1;
     for (int a = 0; a < MESH_MAX_DIM; ++a) b->velocity[a] = s->ambient_velocity[a];
     filled->n_bodies++;
+    TRY(scene_share_formula(filled, &b->pressure, &filled->ambient_pressure));
+    TRY(scene_share_formula(filled, &b->temperature, &filled->ambient_temperature));
+    for (int a = 0; a < w->m->dim; ++a) TRY(scene_share_formula(filled, &b->velocity[a], &filled->ambient_velocity[a]));
     return name_ambient(s, b->name);
 }
 

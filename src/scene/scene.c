@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "scene/batches.h"
+#include "scene/formula.h"
 
 #include <math.h>
 #include <string.h>
@@ -92,7 +93,7 @@ const char *scene_transfer(const scene *s)
 
 double scene_body_pressure(const scene *s, const scene_body *b)
 {
-    double most = fmax(b->pressure, 0.0); /* fmax: NAN where an exact solution gives it */
+    double most = fmax(scene_largest_pressure(s, b), 0.0); /* fmax: NAN where an exact solution gives it */
     for (int l = 0; l < s->n_loads; ++l)
         if (s->load[l].kind == LOAD_PRESSURISE && s->load[l].material == b->material)
             most = fmax(most, s->reference_pressure + s->load[l].target);
@@ -201,6 +202,7 @@ void scene_destroy(scene **s)
     if (!s || !*s) return;
     scene_box *box = (scene_box *)*s;
     context *ctx = box->scene.ctx;
+    scene_free_formulas(&box->scene);
     while (box->owned) {
         owned *next = box->owned->next;
         memory_free(ctx, &box->owned->data);

@@ -4,6 +4,8 @@
 #define SCENE_SCENE_H
 
 #include "base/context.h"
+#include "base/param.h"
+#include "expression/expression.h"
 #include "geom/seed.h"
 #include "geom/shape.h"
 #include "geom/sheet_seeding.h"
@@ -28,6 +30,9 @@ enum {
     SCENE_MAX_SUBSTEPS = 128,
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,
+    SCENE_MAX_CONSTANTS = 64,
+    SCENE_MAX_TABLES = 16,
+    SCENE_MAX_FORMULAS = 128,
     SCENE_MAX_CONTACT = 15, /* bodies in contact: each has a velocity field of its own */
     SCENE_NAME = 64
 };
@@ -320,6 +325,28 @@ typedef struct scene_verify {
     double probe_pressure; /* Pa: pressure P of eq. 13 and of the gas error, NAN if unused */
 } scene_verify;
 
+/* A number of the scene that a formula gives (scene/formula.h). */
+typedef struct scene_formula {
+    size_t number; /* bytes from the start of the scene to it */
+    expression *formula;
+    bool owned; /* false: it is that of another number */
+    param_range range;
+    double lo, hi;           /* of PARAM_BETWEEN */
+    const char *const *path; /* its key */
+} scene_formula;
+
+/* A function of one number for formulas, by its entries. */
+typedef struct scene_table {
+    char name[SCENE_NAME];
+    char from[SCENE_NAME], to[SCENE_NAME]; /* columns of the file; "": the first, the second */
+    const char *path;                      /* of the file; NULL: the entries are in the deck */
+    double *at, *value;                    /* n */
+    size_t n;
+    value_table_between between;
+    value_table_beyond beyond;
+    value_table *curve;
+} scene_table;
+
 typedef struct scene_key scene_key; /* scene/deck_location.h */
 
 typedef struct scene {
@@ -330,9 +357,15 @@ typedef struct scene {
     mesh_spec mesh;
     /* Of the lattices that bodies are seeded on, against the mesh; in point spacings, -0.5 to 0.5. */
     double lattice_offset[3];
-    double thickness;          /* m, of 2-D scenes in outputs */
-    stress_state stress_state; /* of points */
-    bool dimensionless;        /* units: none */
+    double thickness;                                  /* m, of 2-D scenes in outputs */
+    stress_state stress_state;                         /* of points */
+    bool dimensionless;                                /* units: none */
+    expression_constant constant[SCENE_MAX_CONSTANTS]; /* of formulas */
+    int n_constants;
+    scene_table table[SCENE_MAX_TABLES];
+    int n_tables;
+    scene_formula formula[SCENE_MAX_FORMULAS];
+    int n_formulas;
     double reference_pressure; /* Pa */
     scene_coupling coupling;
     scene_coupling runs_as[COUPLING_COUNT];

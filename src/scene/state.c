@@ -1,5 +1,7 @@
 #include "scene/state.h"
 
+#include "scene/formula.h"
+
 #include <math.h>
 
 /* e with p(rho, e) = p by Newton, from p/rho, which is of its size in any units; pressure is linear in e for most
@@ -85,8 +87,11 @@ static floe_status check_begins(const scene *s, const scene_body *b, const fluid
 floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3])
 {
     const scene_body *b = &s->body[body];
-    double pressure = b->pressure, temperature = b->temperature, density = b->density;
-    for (int a = 0; a < 3; ++a) velocity[a] = b->velocity[a];
+    double pressure, temperature, density;
+    TRY(scene_number(s, &b->pressure, x, 0.0, &pressure));
+    TRY(scene_number(s, &b->temperature, x, 0.0, &temperature));
+    TRY(scene_number(s, &b->density, x, 0.0, &density));
+    for (int a = 0; a < 3; ++a) TRY(scene_number(s, &b->velocity[a], x, 0.0, &velocity[a]));
     if (b->initial_from_exact) {
         pressure = initial_value(s, INITIAL_PRESSURE, 0, x, pressure);
         density = initial_value(s, INITIAL_DENSITY, 0, x, density);
@@ -101,10 +106,20 @@ floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_
     return b->initial_from_exact ? check_begins(s, b, out) : FLOE_OK;
 }
 
+floe_status ambient_fluid_state(const scene *s, const double x[3], fluid_state *out, double velocity[3])
+{
+    const eos *law = &s->material[s->ambient_material].eos;
+    double pressure, temperature;
+    TRY(scene_number(s, &s->ambient_pressure, x, 0.0, &pressure));
+    TRY(scene_number(s, &s->ambient_temperature, x, 0.0, &temperature));
+    for (int a = 0; a < 3; ++a) TRY(scene_number(s, &s->ambient_velocity[a], x, 0.0, &velocity[a]));
+    return fail_under(s->ctx, fluid_state_of(s->ctx, law, pressure, temperature, (double)NAN, out), KEY("ambient"));
+}
+
 floe_status body_solid_state(const scene *s, int body, const double x[3], double velocity[3], double stress[6])
 {
     const scene_body *b = &s->body[body];
-    for (int a = 0; a < 3; ++a) velocity[a] = b->velocity[a];
+    for (int a = 0; a < 3; ++a) TRY(scene_number(s, &b->velocity[a], x, 0.0, &velocity[a]));
     for (int c = 0; c < 6; ++c) stress[c] = 0.0;
     if (motion_is_given(&b->motion)) (void)motion_velocity_at_start(&b->motion, b->velocity, x, velocity);
     if (!b->initial_from_exact) return FLOE_OK;

@@ -13,9 +13,12 @@ typedef struct fluid_state {
 floe_status fluid_state_of(context *ctx, const eos *law, double pressure, double temperature, double density,
                            fluid_state *out);
 
-/* Initial state of a fluid body at x: from the deck, or from the exact solution at t = 0 (with its velocity); a
+/* Initial state of a fluid body at x: from the deck, its formulas there, or from the exact solution at t = 0 (with its velocity); a
  * temperature in the deck replaces the exact density. */
 floe_status body_fluid_state(const scene *s, int body, const double x[3], fluid_state *out, double velocity[3]);
+
+/* The same of the ambient. */
+floe_status ambient_fluid_state(const scene *s, const double x[3], fluid_state *out, double velocity[3]);
 
 /* Whether the velocity that a body starts with is known at x: one from an exact solution is so where the solution is. */
 bool body_velocity_known(const scene *s, int body, const double x[3]);

@@ -1,6 +1,8 @@
 /* What a coupling cannot do. Each rule is a row: what is looked at, the couplings that cannot do it, and why. */
 #include "scene/unsupported.h"
 
+#include "scene/formula.h"
+
 #include "scene/scene_reach.h"
 
 #include <math.h>
@@ -226,5 +228,5 @@ floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling)
     TRY(refuse_interactions(s, coupling));
     TRY(scene_refuse_motions(s, coupling));
     for (int l = 0; l < s->n_loads; ++l) TRY(refuse_load(s, coupling, &s->load[l]));
-    return FLOE_OK;
+    return scene_check_first_states(s);
 }

@@ -38,10 +38,12 @@ static const key_table domain_table = TABLE(domain_keys);
 
 static const key_spec ambient_keys[] = {
     {"material", KEY_MATERIAL, AT(scene, ambient_material), .required = true, .doc = "a fluid"},
-    {"pressure", KEY_NUMBER, "Pa", AT(scene, ambient_pressure), .required = true, .doc = "absolute pressure"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene, ambient_temperature), .required = true,
-     .doc = "temperature"},
-    {"velocity", KEY_VECTOR, "m/s", AT(scene, ambient_velocity), .otherwise = "0", .doc = "at the start"},
+    {"pressure", KEY_NUMBER, "Pa", AT(scene, ambient_pressure), .varies = VARIES_BY_PLACE, .required = true,
+     .doc = "absolute pressure"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene, ambient_temperature), .varies = VARIES_BY_PLACE,
+     .required = true, .doc = "temperature"},
+    {"velocity", KEY_VECTOR, "m/s", AT(scene, ambient_velocity), .varies = VARIES_BY_PLACE, .otherwise = "0",
+     .doc = "at the start"},
     {"points", KEY_WHOLE, NULL, WITHIN(0, 16), AT(scene, ambient_points), .fallback = "2",
      .doc =
          "as mpm: material points along each axis of a cell; 0: it is left out, and reference_pressure stands for it"},
@@ -376,6 +378,10 @@ static const key_spec deck_keys[] = {
     {"source", KEY_TEXT, AT(scene, source), .otherwise = "none", .doc = "where the scene comes from"},
     {"units", KEY_CHOICE, AT(scene, dimensionless), .fallback = "si", .choices = unit_choices,
      .doc = "whether numbers have units"},
+    {"constants", KEY_NAMED, AT(scene, constant), .items = &items_constants,
+     .doc = "numbers with names, for formulas: `constants: {p0: 1 atm, L: 5 cm}`"},
+    {"tables", KEY_NAMED, AT(scene, table), .items = &items_tables,
+     .doc = "functions of one number by their entries, for formulas: `push(t)`"},
     {"coupling", KEY_CHOICE, AT(scene, coupling), .required = true, .choices = coupling_choices,
      .doc = "how fluids are represented"},
     {"runs_as", KEY_SPECIAL, .special = &special_runs_as, .otherwise = "[coupling]",

@@ -4,6 +4,7 @@
 #define DECK_SCHEMA_H
 
 #include "deck/deck_errors.h"
+#include "expression/expression.h"
 
 #include <string.h>
 
@@ -112,6 +113,9 @@ typedef struct special_key {
     const char *(*candidate)(const void *user, size_t i);
 } special_key;
 
+/* What a formula may name that gives a number; 0: it is one number for the whole run. */
+enum { VARIES_BY_PLACE = 1, VARIES_BY_TIME = 2 };
+
 struct key_spec {
     const char *key;
     key_type type;
@@ -119,6 +123,7 @@ struct key_spec {
     param_range range;
     double lo, hi;       /* PARAM_BETWEEN */
     size_t offset, size; /* in the struct that the table describes; size 0: not stored */
+    int varies; /* VARIES_BY_PLACE + VARIES_BY_TIME: a formula of these may give it; its field must be in the scene itself */
     bool required;
     const char *fallback;  /* default, written as in a deck; NULL: the value is left alone */
     const char *otherwise; /* with no fallback: what holds when the key is absent, in words */
@@ -196,6 +201,10 @@ floe_status read_file_key(reader *r, const key_spec *key, deck_node *node, void 
 floe_status read_variant(reader *r, const variants *kinds, deck_node *node, void *field);
 floe_status read_named(reader *r, const key_spec *key, deck_node *node, void *base);
 floe_status read_number(reader *r, const key_spec *key, deck_node *node, double *out);
+/* A number that is no plain one: a formula (formula_key.c), if the text can be meant as one, which *meant tells. Of place or
+ * time it becomes a formula of the scene, where the key varies. *why: what is wrong; "": nothing is, and *out is the number. */
+floe_status read_formula(reader *r, const key_spec *key, const deck_node *node, double *out, bool *meant,
+                         char why[EXPRESSION_WHY]);
 /* One parameter of a model as a key. A parameter without a name of its own has the model's. */
 key_spec key_of_param(const model_entry *entry, size_t i, const model_family *family);
 /* Whether the model is written as the value of its only parameter. */

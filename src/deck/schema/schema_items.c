@@ -1,5 +1,6 @@
 /* Materials, bodies, loads and probes. */
 #include "deck/deck_internal.h"
+#include "scene/formula.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -138,7 +139,8 @@ static const key_spec body_keys[] = {
     {"membrane", KEY_MAP, AT(scene_body, membrane), .table = &membrane_table, .required = true,
      .present = 1 + offsetof(scene_body, membrane.present), .applies = body_is_membrane, .belongs = membrane_bodies,
      .doc = "where a membrane or string lies, and how it is made"},
-    {"velocity", KEY_VECTOR, "m/s", AT(scene_body, velocity), .otherwise = "0", .doc = "at the start"},
+    {"velocity", KEY_VECTOR, "m/s", AT(scene_body, velocity), .varies = VARIES_BY_PLACE, .otherwise = "0",
+     .doc = "at the start"},
     {"motion", KEY_SPECIAL, AT(scene_body, motion), .special = &special_motion, .applies = body_is_solid,
      .belongs = solid_bodies, .otherwise = "by its law",
      .doc =
@@ -146,14 +148,14 @@ static const key_spec body_keys[] = {
          "its times and constant beyond them; the spin is about a point that moves with the velocity, in space about "
          "an "
          "axis that stays; a rigid body starts with its `velocity` and that spin about its centre of mass"},
-    {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .applies = body_is_fluid, .belongs = fluid_bodies,
-     .doc = "absolute, at the start; a fluid needs two of pressure, temperature, density"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_body, temperature),
+    {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .varies = VARIES_BY_PLACE, .applies = body_is_fluid,
+     .belongs = fluid_bodies, .doc = "absolute, at the start; a fluid needs two of pressure, temperature, density"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_body, temperature), .varies = VARIES_BY_PLACE,
      .otherwise = "solids: the ambient temperature, or 300", .doc = "at the start"},
-    {"density", KEY_NUMBER, "kg/m3", PARAM_POSITIVE, AT(scene_body, density), .applies = body_is_fluid,
-     .belongs = fluid_bodies, .doc = "at the start"},
-    {"fraction", KEY_NUMBER, NULL, WITHIN(1e-12, 1.0), AT(scene_body, fraction), .fallback = "1",
-     .applies = body_is_fluid, .belongs = fluid_bodies,
+    {"density", KEY_NUMBER, "kg/m3", PARAM_POSITIVE, AT(scene_body, density), .varies = VARIES_BY_PLACE,
+     .applies = body_is_fluid, .belongs = fluid_bodies, .doc = "at the start"},
+    {"fraction", KEY_NUMBER, NULL, WITHIN(1e-12, 1.0), AT(scene_body, fraction), .varies = VARIES_BY_PLACE,
+     .fallback = "1", .applies = body_is_fluid, .belongs = fluid_bodies,
      .doc = "share of its shape's volume that it takes, in cells; the rest is left to bodies after it and the ambient"},
     {"state", KEY_CHOICE, AT(scene_body, initial_from_exact), .fallback = "given", .choices = state_choices,
      .doc = "where the state at the start comes from"},
@@ -193,11 +195,23 @@ static void resolve_state(const scene_material *m, scene_body *b)
     b->temperature = NAN;
 }
 
+static floe_status end_solid(reader *r, deck_node *node, const scene_body *b)
+{
+    if (scene_formula_of(r->scene, &b->temperature))
+        return bad_key(r, node_find(node, "temperature"), "a number", NULL,
+                       "a solid has one temperature; formulas are for those of fluids");
+    if (b->motion.kind != MOTION_BY_LAW && scene_varies(r->scene, b->velocity, sizeof b->velocity))
+        return bad_key(r, node_find(node, "velocity"), "a list of numbers", NULL,
+                       "a body that does not deform has one velocity, and its spin");
+    return FLOE_OK;
+}
+
 static floe_status end_body(reader *r, deck_node *node, void *item)
 {
     scene_body *b = item;
     if (b->membrane.present && !node->bad) TRY(end_membrane(r, node, b));
-    if (b->material < 0 || node->bad || r->scene->material[b->material].kind == MATERIAL_SOLID) return FLOE_OK;
+    if (b->material < 0 || node->bad) return FLOE_OK;
+    if (r->scene->material[b->material].kind == MATERIAL_SOLID) return end_solid(r, node, b);
     const int given = !isnan(b->pressure) + !isnan(b->temperature) + !isnan(b->density);
     if (given == 3) {
         return bad_key(r, node, "two of pressure, temperature, density", "the equation of state gives the third",
@@ -207,7 +221,8 @@ static floe_status end_body(reader *r, deck_node *node, void *item)
         return bad_key(r, node, "two of pressure, temperature, density; or 'state: exact'", NULL,
                        "fluid body '%s' has no state", b->name);
     }
-    if (given == 2 && isnan(b->pressure) && r->scene->material[b->material].eos.model) {
+    const bool varies = scene_formula_of(r->scene, &b->density) || scene_formula_of(r->scene, &b->temperature);
+    if (given == 2 && isnan(b->pressure) && !varies && r->scene->material[b->material].eos.model) {
         resolve_state(&r->scene->material[b->material], b);
     }
     return FLOE_OK;

@@ -4,6 +4,7 @@
 #include "ice/start/ice_start.h"
 #include "ice/state/ice_cell_numbers.h"
 #include "ice/state/ice_materials.h"
+#include "scene/formula.h"
 
 #include <math.h>
 
@@ -13,9 +14,9 @@ bool ice_asks_for_rest(const ice *s)
     for (int b = 0; b < given->n_bodies; ++b) {
         const scene_body *body = &given->body[b];
         if (given->material[body->material].kind != MATERIAL_FLUID) continue;
-        if (body->initial_from_exact || !isnan(body->density)) return false;
+        if (body->initial_from_exact || !isnan(body->density) || scene_formula_of(given, &body->pressure)) return false;
         for (int a = 0; a < s->mesh->dim; ++a)
-            if (body->velocity[a] != 0.0) return false;
+            if (body->velocity[a] != 0.0 || scene_formula_of(given, &body->velocity[a])) return false;
     }
     return true;
 }

@@ -7,6 +7,7 @@
 #include "ice/state/ice_cell_numbers.h"
 #include "ice/state/ice_cells.h"
 #include "ice/state/ice_materials.h"
+#include "scene/formula.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -29,8 +30,27 @@ static void add_content(content *c, int dim, double fraction, const fluid_state 
     c->energy += fraction * state->density * (state->energy + 0.5 * square);
 }
 
-/* Three Gauss points an axis: the average of a smooth exact state to sixth order. */
-static floe_status add_exact_content(const ice *s, content *c, int body, double fraction, const double lo[3])
+enum { AMBIENT = -1 /* in place of a body */ };
+
+static floe_status state_at(const ice *s, int body, const double x[3], fluid_state *state, double velocity[3])
+{
+    if (body == AMBIENT) return ambient_fluid_state(s->scene, x, state, velocity);
+    return body_fluid_state(s->scene, body, x, state, velocity);
+}
+
+/* Whether the first state of a body, or of the ambient, changes with place. */
+static bool varies_by_place(const scene *s, int body)
+{
+    if (body != AMBIENT)
+        return (s->body[body].initial_from_exact && s->initial) ||
+               scene_varies(s, &s->body[body], sizeof s->body[body]);
+    return scene_varies(s, &s->ambient_pressure, sizeof s->ambient_pressure) ||
+           scene_varies(s, &s->ambient_temperature, sizeof s->ambient_temperature) ||
+           scene_varies(s, s->ambient_velocity, sizeof s->ambient_velocity);
+}
+
+/* Three Gauss points an axis: the average of a smooth state to sixth order. */
+static floe_status add_average(const ice *s, content *c, int body, double fraction, const double lo[3])
 {
     static const double at[3] = {0.1127016653792583, 0.5, 0.8872983346207417},
                         weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
@@ -43,44 +63,55 @@ static floe_status add_exact_content(const ice *s, content *c, int body, double 
             share *= weight[rest % 3];
         }
         if (s->mesh->geometry == MESH_AXISYMMETRIC) share *= x[0] / (lo[0] + 0.5 * s->mesh->h[0]);
-        TRY(body_fluid_state(s->scene, body, x, &state, velocity));
+        TRY(state_at(s, body, x, &state, velocity));
         add_content(c, dim, share, &state, velocity);
     }
     return FLOE_OK;
 }
 
-static floe_status add_body_content(const ice *s, content *c, int body, double fraction, const double lo[3])
+static floe_status add_fluid(const ice *s, content *c, int body, double fraction, const double lo[3])
 {
     double velocity[3];
     fluid_state state;
-    if (s->scene->body[body].initial_from_exact && s->scene->initial)
-        return add_exact_content(s, c, body, fraction, lo);
-    TRY(body_fluid_state(s->scene, body, lo, &state, velocity));
+    if (varies_by_place(s->scene, body)) return add_average(s, c, body, fraction, lo);
+    TRY(state_at(s, body, lo, &state, velocity));
     add_content(c, s->mesh->dim, fraction, &state, velocity);
     return FLOE_OK;
 }
 
-static floe_status add_ambient_content(const ice *s, content *contents, double free)
+static floe_status add_ambient_content(const ice *s, content *contents, double free, const double lo[3])
 {
-    const scene *given = s->scene;
-    const int r = ice_material_of(s, given->ambient_material);
-    fluid_state state;
-    TRY(fail_under(
-        s->ctx,
-        fluid_state_of(s->ctx, &s->material[r].eos, given->ambient_pressure, given->ambient_temperature, NAN, &state),
-        KEY("ambient")));
-    add_content(&contents[r], s->mesh->dim, free, &state, given->ambient_velocity);
-    return FLOE_OK;
+    return add_fluid(s, &contents[ice_material_of(s, s->scene->ambient_material)], AMBIENT, free, lo);
 }
 
-/* Share of a cell that a body covers. */
+/* Share of its shape's volume that a body takes at x; a formula's value is cut to 0 to 1. */
+static double share_at(const scene *s, const scene_body *body, const double x[3])
+{
+    const expression *formula = scene_formula_of(s, &body->fraction);
+    if (formula) return fmin(1.0, fmax(0.0, expression_value(formula, x, 0.0)));
+    return body->fraction > 0.0 ? body->fraction : 1.0;
+}
+
+static double mean_share(const ice *s, const scene_body *body, const double lo[3], const double hi[3])
+{
+    const int each = 3, whole = s->mesh->dim == 1 ? 3 : s->mesh->dim == 2 ? 9 : 27;
+    double sum = 0.0, x[3];
+    if (!scene_formula_of(s->scene, &body->fraction)) return share_at(s->scene, body, lo);
+    for (int i = 0; i < whole; ++i) {
+        scene_sample_place(s->scene, lo, hi, each, i, x);
+        sum += share_at(s->scene, body, x);
+    }
+    return sum / whole;
+}
+
+/* Share of a cell that a body takes. */
 static double covered_by(const ice *s, const scene_body *body, const double lo[3])
 {
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
     double hi[3] = {0.0, 0.0, 0.0}, centroid[3];
     for (int a = 0; a < s->mesh->dim; ++a) hi[a] = lo[a] + s->mesh->h[a];
-    const double fraction = shape_fraction(&body->shape, s->mesh->dim, lo, hi, radial, 5, centroid);
-    return fraction > 1.0 - 1e-12 ? 1.0 : fraction;
+    const double inside = shape_fraction(&body->shape, s->mesh->dim, lo, hi, radial, 5, centroid);
+    return (inside > 1.0 - 1e-12 ? 1.0 : inside) * mean_share(s, body, lo, hi);
 }
 
 /* The contents of one cell of the bodies that yield, or of those that do not, earlier bodies first; *left is the free
@@ -94,12 +125,11 @@ static floe_status add_bodies_that(const ice *s, bool yield, const double lo[3],
         const int r = ice_material_of(s, body->material);
         if (r < 0 || s->material[r].points || body->yields != yield) continue;
         double fraction = covered_by(s, body, lo);
-        if (body->fraction > 0.0) fraction *= body->fraction;
         if (fraction > free) fraction = free;
         if (!(fraction > 1e-12)) continue;
         free -= fraction;
         if (free < 1e-12) free = 0.0;
-        TRY(add_body_content(s, &contents[r], b, fraction, lo));
+        TRY(add_fluid(s, &contents[r], b, fraction, lo));
     }
     *left = free;
     return FLOE_OK;
@@ -116,7 +146,7 @@ static floe_status add_bodies(const ice *s, const double lo[3], double *left, co
 static floe_status fill_cell(const ice *s, const double lo[3], double free, content *contents)
 {
     TRY(add_bodies(s, lo, &free, contents));
-    return free > 0.0 && s->scene->has_ambient ? add_ambient_content(s, contents, free) : FLOE_OK;
+    return free > 0.0 && s->scene->has_ambient ? add_ambient_content(s, contents, free, lo) : FLOE_OK;
 }
 
 /* Share of a cell that is the ambient's: no body covers it, of fluid or of solid. */
@@ -126,7 +156,7 @@ static double ambient_share(const ice *s, const double lo[3])
     for (int b = 0; b < s->scene->n_bodies && left > 0.0; ++b) {
         const scene_body *body = &s->scene->body[b];
         if (ice_material_of(s, body->material) < 0) continue;
-        left -= covered_by(s, body, lo) * (body->fraction > 0.0 ? body->fraction : 1.0);
+        left -= covered_by(s, body, lo);
     }
     return left > 1e-9 ? left : 0.0;
 }
@@ -139,7 +169,7 @@ static floe_status add_like(const ice *s, const double lo[3], double free, conte
     memset(like, 0, sizeof like);
     TRY(add_bodies(s, lo, &left, like));
     const double ambient = fmin(left, ambient_share(s, lo));
-    if (ambient > 0.0) TRY(add_ambient_content(s, like, ambient));
+    if (ambient > 0.0) TRY(add_ambient_content(s, like, ambient, lo));
     for (int r = 0; r < s->n_materials; ++r) filled += like[r].fraction;
     for (int r = 0; r < s->n_materials && filled > 0.0; ++r) {
         content *c = &contents[r];
@@ -149,7 +179,7 @@ static floe_status add_like(const ice *s, const double lo[3], double free, conte
         c->energy += share * like[r].energy;
         for (int a = 0; a < s->mesh->dim; ++a) c->momentum[a] += share * like[r].momentum[a];
     }
-    return filled > 0.0 || !s->scene->has_ambient ? FLOE_OK : add_ambient_content(s, contents, free);
+    return filled > 0.0 || !s->scene->has_ambient ? FLOE_OK : add_ambient_content(s, contents, free, lo);
 }
 
 /* A cell that a solid shares: what no fluid covers of it lies inside the solid, and is filled as the nearest cell outside, so
@@ -158,12 +188,12 @@ static floe_status fill_beside(const ice *s, const double lo[3], double free, in
 {
     TRY(add_bodies(s, lo, &free, contents));
     const double ambient = fmin(free, ambient_share(s, lo));
-    if (ambient > 0.0) TRY(add_ambient_content(s, contents, ambient));
+    if (ambient > 0.0) TRY(add_ambient_content(s, contents, ambient, lo));
     free -= ambient;
     if (!(free > 0.0)) return FLOE_OK;
     int cell[MESH_MAX_DIM] = {0};
     double beside[3] = {0.0, 0.0, 0.0};
-    if (nearest < 0) return s->scene->has_ambient ? add_ambient_content(s, contents, free) : FLOE_OK;
+    if (nearest < 0) return s->scene->has_ambient ? add_ambient_content(s, contents, free, lo) : FLOE_OK;
     ice_numbered_cell(s->mesh, nearest, cell);
     for (int a = 0; a < s->mesh->dim; ++a) beside[a] = mesh_node(s->mesh, a, cell[a]);
     return add_like(s, beside, free, contents);
@@ -271,7 +301,7 @@ static floe_status fill_open(const ice *s, const int cell[3], const double lo[3]
         const bool ambient = s->scene->has_ambient && ice_material_of(s, s->scene->ambient_material) == r;
         content *c = &contents[r];
         if (open == 0.0) memset(c, 0, sizeof *c);
-        if (ambient && c->fraction < open) TRY(add_ambient_content(s, contents, open - c->fraction));
+        if (ambient && c->fraction < open) TRY(add_ambient_content(s, contents, open - c->fraction, lo));
     }
     return FLOE_OK;
 }
@@ -289,7 +319,7 @@ static bool find_fractions_at(const ice *s, const double x[3], double *fraction)
             const scene_body *body = &given->body[b];
             const int r = ice_material_of(s, body->material);
             if (r < 0 || body->yields != (pass == 1) || !shape_inside(&body->shape, s->mesh->dim, x)) continue;
-            const double share = fmin(free, body->fraction > 0.0 ? body->fraction : 1.0);
+            const double share = fmin(free, share_at(given, body, x));
             fraction[r] += share;
             free -= share;
         }
