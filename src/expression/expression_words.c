@@ -109,13 +109,14 @@ static size_t unit_word(const char *text)
  * what the number is divided by. */
 static size_t unit_length(const expression_words *w)
 {
-    size_t n = unit_word(w->at);
+    const bool inverse = strncmp(w->at, "1/", 2) == 0; /* "5 1/s" */
+    size_t n = inverse ? 1 : unit_word(w->at);
     while (n > 0 && w->at[n] == '/') {
         const size_t next = unit_word(w->at + n + 1);
         if (next == 0 || words_known(w->scope, w->at + n + 1, next)) break;
         n += 1 + next;
     }
-    return n;
+    return inverse && n == 1 ? 0 : n;
 }
 
 static bool is_keyword(const char *text, size_t n)

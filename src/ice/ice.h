@@ -114,6 +114,8 @@ static inline bool ice_is_mixture(const ice *s)
     return s->region[0].n > 1;
 }
 
+/* Gravity of the scene's loads at t (s), for the step to come. */
+void ice_set_gravity(ice *s, double t);
 /* Resolves the scene's fluids (and, with solids as points, their cell view) into *out; registers nothing. */
 floe_status ice_create(ice **out, context *ctx, const scene *s, const mesh *m, stage_list *stages, ledger *l,
                        bool with_points);

@@ -12,6 +12,7 @@
 #include "ice/trace/ice_trace.h"
 
 #include "base/memory.h"
+#include "scene/state.h"
 
 #include <math.h>
 
@@ -98,12 +99,15 @@ static void resolve_regions(ice *s)
     for (int g = 0; g < s->n_regions; ++g) s->region[g] = (ice_region){g, g, apart ? 1 : s->n_materials};
 }
 
-static void resolve_gravity(ice *s)
+void ice_set_gravity(ice *s, double t)
 {
+    for (int a = 0; a < s->mesh->dim; ++a) s->gravity[a] = 0.0;
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
-        if (load->kind == LOAD_BODY_FORCE && load->body < 0)
-            for (int a = 0; a < s->mesh->dim; ++a) s->gravity[a] += load->vector[a];
+        double acceleration[3];
+        if (load->kind != LOAD_BODY_FORCE || load->body >= 0) continue;
+        load_acceleration(s->scene, load, t, acceleration);
+        for (int a = 0; a < s->mesh->dim; ++a) s->gravity[a] += acceleration[a];
     }
 }
 
@@ -111,7 +115,7 @@ static floe_status resolve_states(ice *s, bool with_points)
 {
     TRY(resolve_materials(s, with_points));
     resolve_regions(s);
-    resolve_gravity(s);
+    ice_set_gravity(s, 0.0);
     TRY(ice_pairs_create(s));
     TRY(ice_reservoirs_create(s));
     TRY(ice_heated_create(s));

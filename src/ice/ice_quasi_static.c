@@ -211,8 +211,10 @@ static floe_status apply_load(const ice *s, ice_quasi_static *r, const scene_loa
     const double heating = load.kind == LOAD_HEAT ? load_heating_time(&load, &step) : 0.0;
     for (int k = 0; k < cells && (active || heating > 0.0); ++k) {
         int cell[MESH_MAX_DIM];
+        double x[3] = {0.0, 0.0, 0.0};
         if (r->of[k] < 0) continue;
         ice_numbered_cell(s->mesh, k, cell);
+        for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
         const double share = ice_region_share(s->mesh, &load.region, cell);
         if (!(share > 0.0)) continue;
         /* A trace of gas within a wall belongs to whichever side is nearer: it does not say what is pressurised. */
@@ -221,8 +223,8 @@ static floe_status apply_load(const ice *s, ice_quasi_static *r, const scene_loa
         if (load.kind == LOAD_PRESSURISE)
             TRY(pressurise_region(s, g, &load, pressure));
         else
-            g->heat += load.target * heating * share * gas_share_of_cell(s, r->material, cell) *
-                       mesh_cell_volume(s->mesh, cell[0]);
+            g->heat += load_target(s->scene, given, x, s->time + 0.5 * s->dt) * heating * share *
+                       gas_share_of_cell(s, r->material, cell) * mesh_cell_volume(s->mesh, cell[0]);
     }
     return FLOE_OK;
 }

@@ -84,7 +84,8 @@ typedef struct mpm {
     double dt, dt_previous; /* s; dt_previous 0 before the first step */
     double kick;            /* s: the time over which forces change velocities in the step */
     double acceleration[SCENE_MAX_BODIES][3]; /* m/s2: body forces now */
-    double heat[SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa) or energy per volume (J/m3) */
+    double heat
+        [SCENE_MAX_LOADS]; /* what each heating load adds this step: pressure (Pa), or the time (s) in which its power does */
     double
         lost; /* J: energy lost by points and nodes in the step, heat of a gas on cells; 0 where losses are not heat */
     bool burnt;                    /* P_MASS_LEFT is the mass of reacting points for the rest of the step */

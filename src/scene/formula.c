@@ -179,6 +179,22 @@ floe_status scene_check_first_states(const scene *s)
     return s->has_ambient && varies ? sample_first_states(&(first_states){.s = s, .body = -1}) : FLOE_OK;
 }
 
+floe_status scene_check_formulas_in_time(const scene *s)
+{
+    const int samples = 200;
+    for (int i = 0; i < s->n_formulas; ++i) {
+        const scene_formula *f = &s->formula[i];
+        if (!expression_has_time(f->formula) || expression_has_place(f->formula)) continue;
+        for (int k = 0; k <= samples; ++k) {
+            const double t = s->time.end * k / samples,
+                         *number = (const double *)(const void *)((const char *)s + f->number);
+            double value;
+            TRY(scene_number(s, number, (const double[3]){0.0, 0.0, 0.0}, t, &value));
+        }
+    }
+    return FLOE_OK;
+}
+
 void scene_free_formulas(scene *s)
 {
     for (int i = 0; i < s->n_formulas; ++i)

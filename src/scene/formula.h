@@ -26,6 +26,8 @@ double scene_largest_pressure(const scene *s, const scene_body *b);
 /* Whether the first state of every fluid body, and of the ambient, is one of its fluid, as samples have it: else FLOE_BAD_INPUT
  * with the key. */
 floe_status scene_check_first_states(const scene *s);
+/* Whether every formula of time alone has a value that its key takes throughout the run, as samples have it. */
+floe_status scene_check_formulas_in_time(const scene *s);
 /* Takes formulas and tables away. */
 void scene_free_formulas(scene *s);
 

@@ -149,6 +149,21 @@ double load_fraction(const scene_load *load, const load_step *step)
     return fraction_at(load, step->t_end, step->step + 1);
 }
 
+double load_target(const scene *s, const scene_load *load, const double x[3], double t)
+{
+    const expression *formula = scene_formula_of(s, &load->target);
+    return formula ? expression_value(formula, x, t) : load->target;
+}
+
+void load_acceleration(const scene *s, const scene_load *load, double t, double out[3])
+{
+    const double nowhere[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < 3; ++a) {
+        const expression *formula = scene_formula_of(s, &load->vector[a]);
+        out[a] = formula ? expression_value(formula, nowhere, t) : load->vector[a];
+    }
+}
+
 /* Whether a ramp is in progress in the step, or held after it. */
 static bool ramp_acts(const scene_load *load, const load_step *step)
 {

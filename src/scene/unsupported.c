@@ -183,6 +183,12 @@ static floe_status refuse_load(const scene *s, scene_coupling coupling, const sc
         return fail_key(s->ctx, KEY("loads", load->name, load->kind == LOAD_HEAT ? "heat" : "pressurise", "material"),
                         "there is no '%s' in the scene: give a body of it, or leave the load out",
                         s->material[load->material].name);
+    const expression *power = load->kind == LOAD_HEAT ? scene_formula_of(s, &load->target) : NULL;
+    if (power && expression_has_place(power) && coupling == COUPLING_MPM && s->time.solver != SOLVER_DYNAMIC)
+        return fail_key(s->ctx, KEY("loads", load->name, "heat", "power"),
+                        "%s: gas at rest takes the heat of all of it, and this power changes with place: take one that "
+                        "changes with time alone, or 'solver: dynamic'",
+                        coupling_name(coupling));
     if (load->kind != LOAD_BODY_FORCE || load->body < 0 || coupling == COUPLING_MPM) return FLOE_OK;
     if (s->material[s->body[load->body].material].kind != MATERIAL_FLUID) return FLOE_OK;
     return fail_key(s->ctx, KEY("loads", load->name, "body_force", "body"),
@@ -228,5 +234,6 @@ floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling)
     TRY(refuse_interactions(s, coupling));
     TRY(scene_refuse_motions(s, coupling));
     for (int l = 0; l < s->n_loads; ++l) TRY(refuse_load(s, coupling, &s->load[l]));
+    TRY(scene_check_formulas_in_time(s));
     return scene_check_first_states(s);
 }

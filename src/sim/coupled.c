@@ -63,6 +63,7 @@ floe_status coupled_step(sim *s)
     transfer *t = s->transfer;
     TRY(mpm_begin_step(p));
     t->dt = s->ice->dt;
+    memcpy(t->gravity, s->ice->gravity, sizeof t->gravity);
     TRY(mpm_mass_stages(p));
     STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM), WRITES(C_RHO, C_VEL, C_TEMP));
     TRY(ice_state_stages(s->ice));

@@ -98,6 +98,7 @@ static void set_step(sim *s, double dt)
         s->ice->dt = dt;
         s->ice->time = s->time;
         s->ice->step = s->steps;
+        ice_set_gravity(s->ice, s->time + 0.5 * dt);
     }
 }
 

@@ -21,6 +21,9 @@ static bool unit_of_test(const char *unit, double given, double *value, expressi
         dimension->power[0] = -1;
         dimension->power[1] = 1;
         dimension->power[2] = -2;
+    } else if (strcmp(unit, "1/s") == 0) {
+        *value = given;
+        dimension->power[2] = -1;
     } else if (strcmp(unit, "cm/s") == 0) {
         *value = 0.01 * given;
         dimension->power[0] = 1;
@@ -66,6 +69,7 @@ static void test_values_are_those_of_c(void **state)
         {"3 cm + x", 0.03 + x},
         {"5 cm/s*t", 0.05 * t},
         {"5 cm/t", 0.05 / t},
+        {"5 1/s * t", 5.0 * t},
         {"p0 - 1 bar", 1e5},
         {"n * x / y", 3.0 * x / y},
         {"sin(x) + cos(y) * tan(t)", sin(x) + cos(y) * tan(t)},
@@ -123,6 +127,7 @@ static void test_what_is_wrong_is_refused(void **state)
         {"(1 + 2", "not closed"},
         {"1 2", "over before its end"},
         {"2 x", "no sign between two factors"},
+        {"5 1/x", "over before its end"},
         {"2x", "no blank"},
         {"3 foot", "not known"},
         {"foo + 1", "'foo' is not known"},

@@ -273,7 +273,8 @@ static const key_table pressurise_table = TABLE(pressurise_keys);
 static const key_spec heat_keys[] = {
     {"material", KEY_MATERIAL, AT(scene_load, material), .required = true, .doc = "the fluid that is heated"},
     {"region", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .otherwise = "everywhere", .doc = "where"},
-    {"power", KEY_NUMBER, "W/m3", AT(scene_load, target), .required = true, .doc = "power per volume"},
+    {"power", KEY_NUMBER, "W/m3", AT(scene_load, target), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
+     .doc = "power per volume"},
     RAMP_KEYS,
     .doc = "true: the power stays on after the ramp; false: it is then off"},
 }
@@ -284,7 +285,7 @@ static const key_spec traction_keys[] = {
     {"body", KEY_BODY, AT(scene_load, body), .required = true, .doc = "the body that is loaded"},
     {"surface", KEY_MODEL, AT(scene_load, region), .family = &family_shape, .required = true,
      .doc = "the surface of this shape is loaded; the body lies on one side of it"},
-    {"pressure", KEY_NUMBER, "Pa", AT(scene_load, target), .required = true,
+    {"pressure", KEY_NUMBER, "Pa", AT(scene_load, target), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
      .doc = "normal pressure on it, above reference_pressure; compression positive"},
     {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, start), .fallback = "0", .doc = "the load begins"},
     {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(scene_load, ramp), .fallback = "0",
@@ -293,13 +294,15 @@ static const key_spec traction_keys[] = {
 static const key_table traction_table = TABLE(traction_keys);
 
 static const key_spec gravity_keys[] = {
-    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .required = true, .doc = "of everything"},
+    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .varies = VARIES_BY_TIME, .required = true,
+     .doc = "of everything"},
 };
 static const key_table gravity_table = TABLE(gravity_keys);
 
 static const key_spec body_force_keys[] = {
     {"body", KEY_BODY, AT(scene_load, body), .required = true, .doc = "the body that it acts on"},
-    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .required = true, .doc = "force per mass"},
+    {"acceleration", KEY_VECTOR, "m/s2", AT(scene_load, vector), .varies = VARIES_BY_TIME, .required = true,
+     .doc = "force per mass"},
 };
 static const key_table body_force_table = TABLE(body_force_keys);
 

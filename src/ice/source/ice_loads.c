@@ -82,6 +82,16 @@ static double heat_by_mass(const ice_view *v, int r, ptrdiff_t at, double amount
     return v->m[r].rho[at] * amount;
 }
 
+/* What a load gives a cell in the step: `amount` as it is, or as the time (s) of its power. */
+static double amount_at(const ice *s, int l, const int cell[MESH_MAX_DIM], double amount)
+{
+    const scene_load *load = &s->scene->load[l];
+    double x[3] = {0.0, 0.0, 0.0};
+    if (load->kind != LOAD_HEAT) return amount;
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, cell[a]);
+    return load_target(s->scene, load, x, s->time + 0.5 * s->dt) * amount;
+}
+
 static void add_heat(ice *s, const ice_region *g, int l, int r, heat_function *heat, double amount)
 {
     ice_view v;
@@ -92,7 +102,8 @@ static void add_heat(ice *s, const ice_region *g, int l, int r, heat_function *h
             if (!(v.m[r].rho[at] > 0.0)) continue;
             int cell[MESH_MAX_DIM];
             ice_cell_of(v.b, at, cell);
-            const double added = ice_region_share(s->mesh, &s->scene->load[l].region, cell) * heat(&v, r, at, amount);
+            const double added = ice_region_share(s->mesh, &s->scene->load[l].region, cell) *
+                                 heat(&v, r, at, amount_at(s, l, cell, amount));
             v.m[r].el[at] += added / v.m[r].rho[at];
             ice_tile(s, v.b, cell[0], cell[1], cell[2])[TILE_SOURCE_ENERGY] +=
                 added * v.volume[cell[0]] * open_share(&v.m[r], at);
@@ -151,10 +162,10 @@ static void set_gas_pressure(ice *s, const ice_region *g, int l, int r)
     add_heat(s, g, l, r, heat_by_mass, (scheduled - mean.pressure) / mean.slope);
 }
 
-/* What a load by power gives in the step (J/m3). */
-static double heat_of_step(const ice *s, const scene_load *load)
+/* The time (s) in which the full power of a load gives what it gives in the step. */
+static double heating_time(const ice *s, const scene_load *load)
 {
-    return load->target * load_heating_time(load, &(load_step){s->time, s->time + s->dt, s->step});
+    return load_heating_time(load, &(load_step){s->time, s->time + s->dt, s->step});
 }
 
 /* The fluid of a region that a load heats in this step, -1: none. */
@@ -162,7 +173,7 @@ static int heated_by(const ice *s, const ice_region *g, const scene_load *load)
 {
     const int material = adds_heat(load) ? ice_material_of(s, load->material) : -1, r = material - g->first;
     if (r < 0 || r >= g->n || s->material[material].points || !(s->time + s->dt > load->start)) return -1;
-    return load->kind == LOAD_PRESSURISE || heat_of_step(s, load) != 0.0 ? r : -1;
+    return load->kind == LOAD_PRESSURISE || heating_time(s, load) != 0.0 ? r : -1;
 }
 
 floe_status ice_apply_loads(ice *s, const ice_region *g)
@@ -175,12 +186,12 @@ floe_status ice_apply_loads(ice *s, const ice_region *g)
         if (load->kind == LOAD_PRESSURISE)
             set_gas_pressure(s, g, l, r);
         else
-            add_heat(s, g, l, r, heat_by_power, heat_of_step(s, load));
+            add_heat(s, g, l, r, heat_by_power, heating_time(s, load));
     }
     return FLOE_OK;
 }
 
-static void add_pressure(ice *s, const ice_region *g, int l, int r, double heat)
+static void add_pressure(ice *s, const ice_region *g, int l, int r, double seconds)
 {
     ice_view v;
     for (int id = 0; ice_next_view(s, g, &id, &v);) {
@@ -195,7 +206,7 @@ static void add_pressure(ice *s, const ice_region *g, int l, int r, double heat)
             const double volume = v.multi ? m->v[at] : 1.0 / m->rho[at],
                          part = share * (v.multi ? m->kappa[at] / v.kappa_sum[at] : 1.0);
             v.dP[at] += ice_implicit_phi(&v, 0.5 * (1.0 + v.shock[at])) * part * volume * pressure_slope(&v, r, at) *
-                        heat_by_power(&v, r, at, heat);
+                        heat_by_power(&v, r, at, amount_at(s, l, cell, seconds));
         }
     }
 }
@@ -207,7 +218,7 @@ floe_status ice_load_pressure(ice *s, const ice_region *g)
         const int r = load->kind == LOAD_HEAT ? heated_by(s, g, load) : -1;
         if (r < 0) continue;
         TRY(find_regions(s, l));
-        add_pressure(s, g, l, r, heat_of_step(s, load));
+        add_pressure(s, g, l, r, heating_time(s, load));
     }
     return FLOE_OK;
 }

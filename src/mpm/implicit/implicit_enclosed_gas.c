@@ -104,6 +104,8 @@ static double share_in_region(const mpm *s, const enclosed_gas *r, const shape *
 static void read_loads(const mpm *s, enclosed_gas *r)
 {
     const load_step step = {s->time, s->time + s->dt, s->step};
+    const double nowhere[3] = {0.0, 0.0,
+                               0.0}; /* a power that changes with place is refused here (scene/unsupported.c) */
     r->scheduled = (double)NAN;
     r->heat = 0.0;
     for (int l = 0; l < s->scene->n_loads; ++l) {
@@ -113,7 +115,9 @@ static void read_loads(const mpm *s, enclosed_gas *r)
         const double share = heats || pressurises ? share_in_region(s, r, &load.region) : 0.0;
         bool active = false;
         if (!(share > MPM_ENCLOSED_SHARE)) continue;
-        if (heats) r->heat += load.target * load_heating_time(&load, &step) * share * r->volume_first;
+        if (heats)
+            r->heat += load_target(s->scene, &s->scene->load[l], nowhere, s->time + 0.5 * s->dt) *
+                       load_heating_time(&load, &step) * share * r->volume_first;
         if (!pressurises) continue;
         const double scheduled = load_scheduled_pressure(s->scene, &load, &step, &active);
         if (active) r->scheduled = scheduled;

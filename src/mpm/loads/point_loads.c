@@ -30,15 +30,24 @@ double load_now(const mpm *s, const scene_load *load)
     return load_fraction(load, &(load_step){s->time, s->time, s->step - 1});
 }
 
+/* When the forces of a step are taken: points that move alone have their velocities half a step before it. */
+double load_time(const mpm *s)
+{
+    if (s->implicit) return implicit_time(s);
+    return s->cells == CELLS_NONE ? s->time : s->time + 0.5 * s->dt;
+}
+
 void set_body_forces(mpm *s)
 {
     memset(s->acceleration, 0, sizeof s->acceleration);
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
         if (load->kind != LOAD_BODY_FORCE) continue;
+        double acceleration[3];
+        load_acceleration(s->scene, load, load_time(s), acceleration);
         for (int b = 0; b < s->n_bodies; ++b)
             if (load->body < 0 || load->body == s->body[b].scene_body)
-                for (int a = 0; a < 3; ++a) s->acceleration[b][a] += load_now(s, load) * load->vector[a];
+                for (int a = 0; a < 3; ++a) s->acceleration[b][a] += load_now(s, load) * acceleration[a];
     }
     motions_take_body_forces(s);
 }
@@ -85,8 +94,8 @@ floe_status set_heating(mpm *s)
     for (int l = 0; l < s->scene->n_loads; ++l) {
         const scene_load *load = &s->scene->load[l];
         s->heat[l] = 0.0;
-        if (s->cells != CELLS_NONE) continue; /* the fluids are on the cells */
-        if (load->kind == LOAD_HEAT) s->heat[l] = load->target * load_heating_time(load, &step);
+        if (s->cells != CELLS_NONE) continue;                                     /* the fluids are on the cells */
+        if (load->kind == LOAD_HEAT) s->heat[l] = load_heating_time(load, &step); /* times the power at each point */
         if (load->kind != LOAD_PRESSURISE) continue;
         bool active;
         const double scheduled = load_scheduled_pressure(s->scene, load, &step, &active);

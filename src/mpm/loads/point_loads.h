@@ -14,6 +14,8 @@ scene_load load_as_solved(const mpm *s, const scene_load *load);
 /* Fraction of the load at the start of the step; solved for at its end (implicit.h), where one without a ramp grows
  * until the run ends. */
 double load_now(const mpm *s, const scene_load *load);
+/* The time (s) of the forces of the step. */
+double load_time(const mpm *s);
 /* What heating loads add in this step, into s->heat. */
 floe_status set_heating(mpm *s);
 

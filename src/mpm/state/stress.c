@@ -6,6 +6,7 @@
 #include "material/artificial_viscosity.h"
 #include "mpm/membrane/enclosed_gas.h"
 #include "mpm/state/region.h"
+#include "scene/state.h"
 
 #include <math.h>
 #include <string.h>
@@ -226,6 +227,14 @@ double point_region_share(const mpm *s, const fields *f, int body, size_t k, con
     return region_share(region, s->mesh->dim, lo, hi, radial);
 }
 
+/* Power (W/m3) of a load at a point, in the middle of the step. */
+static double power_at(const mpm *s, const fields *f, int body, size_t k, const scene_load *load)
+{
+    double x[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = field_get(f, P_POS, body, a)[k];
+    return load_target(s->scene, load, x, s->time + 0.5 * s->dt);
+}
+
 /* Energy of the heating loads into points of a fluid: e += dp / (dp/de), or power dt / rho. Returns what was added (J). */
 static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batch *b)
 {
@@ -242,7 +251,9 @@ static double add_heat(const mpm *s, int blk, int body, size_t start, solid_batc
         if (!by_power) m->fluid_par.eos.model->dpde(m->fluid_par.eos.par, b->n, rho, b->energy, dpde);
         for (size_t k = 0; k < b->n; ++k) {
             const double share = point_region_share(s, f, body, start + k, &load->region);
-            const double de = share * s->heat[l] / (by_power ? rho[k] : dpde[k]);
+            if (!(share > 0.0)) continue;
+            const double amount = by_power ? power_at(s, f, body, start + k, load) * s->heat[l] : s->heat[l];
+            const double de = share * amount / (by_power ? rho[k] : dpde[k]);
             b->energy[k] += de;
             added += de * mass[start + k];
         }

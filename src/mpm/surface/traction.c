@@ -315,7 +315,7 @@ void scatter_surfaces(mpm *s, int group)
         if (p->load < 0) continue;
         const scene_load *load = &s->scene->load[p->load];
         if (s->body_group[load->body] != group) continue;
-        const double pressure = load->target * load_now(s, load);
+        const double pressure = load_target(s->scene, load, p->x, load_time(s)) * load_now(s, load);
         const double force[3] = {pressure * p->area[0], pressure * p->area[1], pressure * p->area[2]};
         add_surface_force(s, group, p->x, force);
         for (int a = 0; a < s->mesh->dim; ++a) {
