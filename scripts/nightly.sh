@@ -83,7 +83,7 @@ part_metamorphic() {
 }
 
 part_meshes() {
-    local tests=(verification_coupled_{cylinder,sealed_space} verification_ice_smooth verification_mpm_{annulus,normals,states}) test status=0
+    local tests=(verification_coupled_{cylinder,sealed_space,touch} verification_ice_smooth verification_mpm_{annulus,normals,states}) test status=0
     scripts/build.sh release "${tests[@]}" || return
     for test in "${tests[@]}"; do
         FLOE_EVERY=1 OMP_NUM_THREADS=1 "build/release/tests/$test" >"$totals/$test.txt" 2>&1 || status=1

@@ -16,9 +16,8 @@ static scene_body *put_block(trial *t, const double lo[3], const double hi[3], c
     return b;
 }
 
-static void begin(trial *t, int dim, double h, double pressure)
+static void begin(trial *t, int dim, const double upper[3], double h, double pressure)
 {
-    static const double upper[3] = {1.2, 1.2, 1.2};
     coupled_begin(t, dim, upper, h);
     t->scene->method.interface = INTERFACE_SHARP;
     t->scene->ambient_pressure = t->scene->reference_pressure = pressure;
@@ -40,46 +39,47 @@ static double energy_of_solids(const trial *t)
     return sum;
 }
 
-static void check_ledger(trial *t)
+static void check_ledger(trial *t, double most)
 {
     const double mass = ledger_worst(t, LEDGER_MASS, LEDGER_MASS),
                  momentum = ledger_worst(t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y);
     print_message("  drift of mass %.1e, of momentum %.1e\n", mass, momentum);
     check_true(mass <= 1e-14);
-    check_true(momentum <= 6e-10);
+    check_true(momentum <= most);
 }
 
 /* A block that hits a slip side flat, at a slant and in space gains no energy by the gas that it presses out, and flies off again. */
 static void test_side(void **unused)
 {
     (void)unused;
-    static const double lo[3] = {0.4, 0.43, 0.4}, hi[3] = {0.8, 0.83, 0.8};
+    static const double upper[3] = {0.6, 0.6, 0.6}, lo[3] = {0.15, 0.13, 0.15}, hi[3] = {0.45, 0.43, 0.45};
     static const struct {
         int dim;
         double velocity[3];
     } trials[] = {{2, {0.0, -5.0, 0.0}}, {2, {-5.0, -4.7, 0.0}}, {2, {1.7, 5.0, 0.0}}, {3, {0.5, -5.0, 0.0}}};
     for (int n = 0; n < 4; ++n) {
         trial t;
-        begin(&t, trials[n].dim, 0.1, COUPLED_PRESSURE);
+        begin(&t, trials[n].dim, upper, 0.1, COUPLED_PRESSURE);
         put_block(&t, lo, hi, trials[n].velocity);
         coupled_start(&t);
         const double before = energy_of_solids(&t);
-        trial_run(&t, 0.12);
+        trial_run(&t, 0.045);
         const double back = velocity_of(&t, 0, 1) / trials[n].velocity[1], left = energy_of_solids(&t) / before;
         print_message("thrown at a side: comes back with %.3f of its velocity, %.3f of its energy\n", -back, left);
-        check_true(back < -0.3);
-        check_true(left < 1.0);
-        check_ledger(&t);
+        check_close(back, -0.917, 0.02); /* with thin gaps of their own 0.89 */
+        check_true(left < 0.9);
+        check_ledger(&t, 1e-14);
         trial_end(&t);
     }
 }
 
-/* Two equal blocks that meet in thin gas at two meshes exchange their velocities, but for what points lose without a gas too. */
+/* Two equal blocks that meet in thin gas exchange their velocities, but for what points lose without a gas too; at length on a
+ * finer mesh. Measured: 2.6 %. */
 static double collide(bool gas, double h)
 {
-    static const double size[2][2][3] = {{{0.2, 0.4, 0.0}, {0.5, 0.8, 0.0}}, {{0.7, 0.4, 0.0}, {1.0, 0.8, 0.0}}};
+    static const double size[2][2][3] = {{{0.2, 0.2, 0.0}, {0.5, 0.6, 0.0}}, {{0.7, 0.2, 0.0}, {1.0, 0.6, 0.0}}};
     trial t;
-    begin(&t, 2, h, 1e3);
+    begin(&t, 2, (const double[]){1.2, 0.8, 0.0}, h, 1e3);
     t.scene->contact.enabled = true;
     t.scene->contact.kind = CONTACT_RELEASE;
     if (!gas) {
@@ -90,11 +90,11 @@ static double collide(bool gas, double h)
     for (int k = 0; k < 2; ++k)
         put_block(&t, size[k][0], size[k][1], (const double[]){k == 0 ? 10.0 : -10.0, 0.0, 0.0});
     coupled_start(&t);
-    trial_run(&t, 0.03);
+    trial_run(&t, 0.02);
     const double v[2] = {velocity_of(&t, 0, 0), velocity_of(&t, 1, 0)};
     print_message("h %g, %s: %.4f and %.4f m/s\n", h, gas ? "thin gas" : "no gas", v[0], v[1]);
     check_close(v[0], -v[1], 5e-3);
-    if (gas) check_ledger(&t);
+    if (gas) check_ledger(&t, 6e-11);
     trial_end(&t);
     return v[0];
 }
@@ -102,10 +102,8 @@ static double collide(bool gas, double h)
 static void test_collide(void **unused)
 {
     (void)unused;
-    for (int n = 0; n < 2; ++n) {
-        const double h = n == 0 ? 0.05 : 0.025;
-        check_close_relative(collide(true, h), collide(false, h), 0.05);
-    }
+    check_close_relative(collide(true, 0.05), collide(false, 0.05), 0.05);
+    if (check_at_length()) check_close_relative(collide(true, 0.025), collide(false, 0.025), 0.025);
 }
 
 /* Lowest and highest pressure of open cells over that at the start. */
@@ -131,7 +129,7 @@ static void test_leave(void **unused)
     for (int n = 0; n < 2; ++n) {
         trial t;
         double range[2] = {1.0, 1.0};
-        begin(&t, 2, n == 0 ? 0.1 : 0.05, COUPLED_PRESSURE);
+        begin(&t, 2, (const double[]){1.2, 1.2, 0.0}, n == 0 ? 0.1 : 0.05, COUPLED_PRESSURE);
         t.scene->contact.enabled = true;
         t.scene->contact.kind = CONTACT_RELEASE;
         put_block(&t, (const double[]){0.4, 0.2, 0.0}, (const double[]){0.8, 0.5, 0.0},
@@ -146,7 +144,7 @@ static void test_leave(void **unused)
         print_message("leaves: %.4f m/s, pressure %.4f to %.4f\n", velocity_of(&t, 1, 1), range[0], range[1]);
         check_close(velocity_of(&t, 1, 1), 3.0, 0.045); /* with each gap a state of its own: 0.047 and 0.058 */
         check_true(range[0] > 0.9 && range[1] < 1.1);
-        check_ledger(&t);
+        check_ledger(&t, 1e-14);
         trial_end(&t);
     }
 }
