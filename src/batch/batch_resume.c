@@ -38,9 +38,20 @@ static bool has_checkpoint(const batch *b, const batch_case *one)
     return false;
 }
 
+/* What has diverged has left the state that was refused: from there it would diverge otherwise. */
+static bool has_diverged(const batch *b, const batch_case *one)
+{
+    char path[BATCH_PATH];
+    batch_path(b->o, one, "summary.json", path);
+    json_t *object = json_load_file(path, 0, NULL);
+    const bool diverged = has_text(object, "status", "diverged");
+    json_decref(object);
+    return diverged;
+}
+
 bool batch_case_goes_on(const batch *b, const batch_case *one)
 {
-    return b->o->go_on && !one->start_over && was_begun(b, one) && has_checkpoint(b, one);
+    return b->o->go_on && !one->start_over && was_begun(b, one) && has_checkpoint(b, one) && !has_diverged(b, one);
 }
 
 floe_status batch_case_begin(batch *b, const batch_case *one)
