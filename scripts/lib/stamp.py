@@ -90,6 +90,7 @@ def bare_lines(text):
     return "\n".join(line.rstrip() for line in lines if line.strip() and not line.lstrip().startswith("#"))
 
 
+@functools.cache
 def bare(path, text):
     if path.endswith((".c", ".h", ".in")):
         return bare_c(text)
@@ -271,6 +272,13 @@ def imported(tree, path):
                         yield candidate
 
 
+@functools.cache
+def pieces_of(module):
+    """Its pieces, and which modules of ours it imports."""
+    source = (ROOT / module).read_text(encoding="utf-8")
+    return list(definitions(module, source)), list(imported(ast.parse(source), module))
+
+
 def python_parts(path):
     """All of the script, and of what it imports the pieces that its names reach."""
     text = (ROOT / path).read_text(encoding="utf-8")
@@ -281,9 +289,8 @@ def python_parts(path):
         module = waiting.pop()
         if module in modules or module == path:
             continue
-        source = (ROOT / module).read_text(encoding="utf-8")
-        modules[module] = list(definitions(module, source))
-        waiting += imported(ast.parse(source), module)
+        modules[module], further = pieces_of(module)
+        waiting += further
     left = [piece for pieces in modules.values() for piece in pieces]
     grown = True
     while grown:

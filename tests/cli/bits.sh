@@ -36,29 +36,43 @@ cp scripts/results/tube.py scripts/results/odd.py
 cp scripts/results/tube.py scripts/results/long.py
 echo '# none' >scripts/results/unstamped.txt
 echo '  "coupling": "ice-mpm",' >runs/both/summary.json
-# The program: what it gives is what its sources say, of the coupling and of the basis; a run of long.yaml makes no step.
-cat >floe <<'END'
+# The program: what it gives is what its sources say, of the coupling and of the basis; a run of long.yaml makes no step. It is asked hundreds of
+# times, and starts no other programs but for its folder.
+cat >floe <<END
 #!/usr/bin/env bash
-tree=$(dirname "$(realpath "$0")")
+tree=$tree
+END
+cat >>floe <<'END'
 case $1 in
 --version)
-    printf 'floe 0.1 (%s)\nGNU %s\n' "$(git -C "$tree" rev-parse --short=12 HEAD)" "$(cat "$tree/compiler" 2>/dev/null || echo 12)"
+    compiler=12
+    [ ! -f "$tree/compiler" ] || read -r compiler <"$tree/compiler"
+    printf 'floe 0.1 (%s)\nGNU %s\n' "$(git -C "$tree" rev-parse --short=12 HEAD)" "$compiler"
     exit
     ;;
 esac
-said=$(sed -n 's/.* gives //p' "$tree"/src/sim/*.c | tr '\n' ' ') folder=
+said='' folder=''
+gives() { # FILE...: what stands behind `gives` in each
+    local line file
+    for file in "$@"; do
+        while read -r line; do [[ $line != *' gives '* ]] || said+="${line#* gives } "; done <"$file"
+    done
+}
+gives "$tree"/src/sim/*.c
 words=("$@")
 for ((i = 0; i < $#; i++)); do
     case ${words[i]} in
     -o) folder=${words[i + 1]} ;;
-    ice) said+=$(sed -n 's/.* gives //p' "$tree"/src/ice/*.c) ;;
-    mpm) said+=$(sed -n 's/.* gives //p' "$tree"/src/mpm/*.c) ;;
-    ice-mpm) said+=$(sed -n 's/.* gives //p' "$tree"/src/{ice,mpm}/*.c) ;;
-    method.basis=linear) said+=$(cat "$tree/src/mpm/linear.h" 2>/dev/null) ;;
+    ice) gives "$tree"/src/ice/*.c ;;
+    mpm) gives "$tree"/src/mpm/*.c ;;
+    ice-mpm) gives "$tree"/src/{ice,mpm}/*.c ;;
+    method.basis=linear) [ ! -f "$tree/src/mpm/linear.h" ] || said+=$(<"$tree/src/mpm/linear.h") ;;
     esac
 done
 mkdir -p "$folder"
-[ "$1" = run ] || { printf 'h,errors,cpu_seconds (s)\n1,%s,%s\n' "$(cat "$tree/src/sim/orders.h" 2>/dev/null)" $RANDOM >"$folder/$1.csv"; exit; }
+orders=''
+[ ! -f "$tree/src/sim/orders.h" ] || read -r orders <"$tree/src/sim/orders.h"
+[ "$1" = run ] || { printf 'h,errors,cpu_seconds (s)\n1,%s,%s\n' "$orders" $RANDOM >"$folder/$1.csv"; exit; }
 steps=3
 case $* in *long.yaml*) steps=0 ;; esac
 printf 'time (s),mass\n0,%s\n' "$said" >"$folder/history.csv"

@@ -8,8 +8,9 @@ for deck in "$FLOE_SOURCE"/inputs/extreme/*.yaml; do
 done
 expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/vacuum.yaml" --couplings ice -o vacuum
 has stdout '12 cases: 12 right, 0 refused, 0 wrong'
-expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --couplings ice-mpm --axis materials.plate.density=0.014,1.4e-06 --axis method.interface=sharp --axis time.cfl=0.9 -o light
-has stdout '4 cases: 2 right, 2 refused, 0 wrong'
+expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --couplings ice-mpm --axis materials.plate.density=0.014,1.4e-06 --axis method.interface=sharp --axis time.cfl=0.9 \
+    --axis materials.fluid.eos.stiffened.gamma=4.4 -o light
+has stdout '2 cases: 1 right, 1 refused, 0 wrong'
 expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=0.0014 -o lighter
 has stderr "is 0.001 times as heavy as the fluid beside it (1.4 kg/m3), and no interface bears less than 0.009"
 
@@ -25,11 +26,11 @@ spoil() { # DECK OPTION...
 }
 spoil impact --axis materials.right.density=1
 spoil unfolded --axis method.transfer=apic --axis method.basis=cubic --axis bodies.string.membrane.strain=rate
-spoil pressure_ratio --axis 'title="p 1e1, rho 1e6","p 1e10, rho 1e-4"'
+spoil pressure_ratio --axis 'title="p 1e1, rho 1e4","p 1e10, rho 1e4"'
 spoil crumpled_points --axis method.transfer=apic --axis method.basis=quadratic --axis materials.skin.one_way=true --axis bodies.skin.membrane.strain=rate
 spoil torn --axis method.basis=gimp
 spoil tension --couplings ice-mpm,mpm --axis verify.exact.standing_bar.amplitude=1e-6
-spoil vessel --couplings mpm --axis time.solver=dynamic --axis method.interface=smeared --axis materials.wall.law.linear_elastic.bulk_modulus=1e5
+spoil vessel --couplings mpm --axis time.solver=static --axis method.interface=smeared --axis materials.wall.law.linear_elastic.bulk_modulus=1e5
 spoil foam --couplings mpm --axis materials.foam.density=1.4e-3 --axis 'bodies.lid.velocity=[0.1, 0]'
 spoil places --axis method.basis=cubic --axis 'domain.lattice_offset=[0, 0]'
 spoil sliver_stream --axis 'bodies.block.shape.box.lower=[0.402, 0]'

@@ -10,7 +10,7 @@ cylinder() { # BULK SETTING...
     local bulk=$1
     shift
     rm -rf out
-    expect 0 "$FLOE" run "$deck" -o out --quiet --set study=null --set time.solver=dynamic --set time.end=15 --set damping.rate=2 --set domain.cell=0.1 \
+    expect 0 "$FLOE" run "$deck" -o out --quiet --set study=null --set time.solver=dynamic --set time.end=8 --set damping.rate=2 --set domain.cell=0.1 \
         --set "materials.rubber.law={linear_elastic: {bulk_modulus: $bulk, shear_modulus: 0.375}}" --set "verify.exact.lame.bulk_modulus=$bulk" "$@"
 }
 cylinder 18.75

@@ -18,18 +18,18 @@ near() {
         fault "$1 is not within $3 of $2"
 }
 
-# The starter: gas of points fills the box as cells do, none of it is lost, and the block goes the same way: 2.10 and 1.01 mm at
-# h = 0.05, 1.51 and 1.08 at h/2, 1.26 and 1.14 at h/4.
+# The starter: gas of points fills the box as cells do, none of it is lost, and the block goes the same way: 4.7 % less
+# far beside points, measured.
 expect 0 "$FLOE" new 'Block in a blast'
 mv stdout block.yaml
 for coupling in mpm ice-mpm; do
-    expect 0 "$FLOE" run block.yaml --coupling "$coupling" --set domain.cell=0.0125 -o "$coupling"
+    expect 0 "$FLOE" run block.yaml --coupling "$coupling" --set domain.cell=0.025 -o "$coupling"
     if grep -q 'does not read' stderr; then fault 'a key of the starter is not read'; fi
     near "$(value "$coupling" mass_air)" 0.63548780487804873 1e-9
 done
 [ "$(json mpm/summary.json points_lost)" = 0 ] || fault 'points are lost'
 near "$(awk -v a="$(value mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" \
-    "$(awk -v a="$(value ice-mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" 0.22
+    "$(awk -v a="$(value ice-mpm centre_block_x last)" 'BEGIN { print a - 0.5 }')" 0.09
 
 # Fluids yield to solids and to the fluids before them; exact masses: 0.36 and 0.64 - 0.09 pi of a gas of 1.1614401858 kg/m3.
 cat >lap.yaml <<'END'

@@ -28,7 +28,7 @@ same_results whole-coupled part-coupled
 [ "$(json part-coupled/summary.json eq13)" = "$(json whole-coupled/summary.json eq13)" ] || fault 'another error'
 
 # The same with bodies in contact.
-bars=("$FLOE_SOURCE/inputs/two_bars.yaml" --set domain.cell=0.25 --set time.end=0.3)
+bars=("$FLOE_SOURCE/inputs/two_bars.yaml" --set domain.cell=0.25 --set time.end=0.15)
 expect 0 "$FLOE" run "${bars[@]}" -o whole-bars --quiet
 expect 5 "$FLOE" run "${bars[@]}" -o part-bars --max-wall 0.05
 below "$(json part-bars/summary.json steps)" "$(json whole-bars/summary.json steps)"
@@ -37,9 +37,9 @@ same_results whole-bars part-bars
 [ "$(json part-bars/summary.json contact_stick)" = "$(json whole-bars/summary.json contact_stick)" ] || fault 'other contacts'
 
 # The same with a block that rests on a side.
-block=("$FLOE_SOURCE/inputs/defaults/e3_block.yaml" --set domain.cell=0.0125 --set time.end=0.06 --set 'bodies.block.velocity=[0.5,0]' --set 'loads={weight: {gravity: {acceleration: [0,-10]}}}')
+block=("$FLOE_SOURCE/inputs/defaults/e3_block.yaml" --set domain.cell=0.025 --set time.end=0.06 --set 'bodies.block.velocity=[0.5,0]' --set 'loads={weight: {gravity: {acceleration: [0,-10]}}}')
 expect 0 "$FLOE" run "${block[@]}" -o whole-block --quiet
-expect 5 "$FLOE" run "${block[@]}" -o part-block --max-wall 0.3
+expect 5 "$FLOE" run "${block[@]}" -o part-block --max-wall 0.05
 below "$(json part-block/summary.json steps)" "$(json whole-block/summary.json steps)"
 expect 0 "$FLOE" run "${block[@]}" -o part-block --resume --quiet
 same_results whole-block part-block

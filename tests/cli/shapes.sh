@@ -33,7 +33,7 @@ still 'union: [{box: {lower: [0.2, 0.2], upper: [0.8, 0.4]}}, {box: {lower: [0.2
 still 'difference: {of: {box: {lower: [0.2, 0.2], upper: [0.8, 0.8]}}, without: [{box: {lower: [0.4, 0.4], upper: [0.8, 0.8]}}]}'
 still 'moved: {turned: 0.4, about: [0.5, 0.5], of: {difference: {of: {ellipsoid: {centre: [0.5, 0.5], radii: [0.35, 0.25]}}, without: [{ball: {centre: [0.5, 0.5], radius: 0.12}}]}}}'
 still 'union: [{box: {lower: 0.2, upper: 0.32}}, {box: {lower: 0.6, upper: 0.77}}]' --set 'domain={dim: 1, lower: 0, upper: 1, cell: 0.05}'
-space=(--set 'domain={dim: 3, lower: [0, 0, 0], upper: [1, 1, 1], cell: 0.1}' --set time.max_steps=4)
+space=(--set 'domain={dim: 3, lower: [0, 0, 0], upper: [1, 1, 1], cell: 0.125}' --set time.max_steps=4)
 still "moved: {by: [0, 0, 0.03], of: {extruded: {from: 0.2, to: 0.8, of: {$l}}}}" "${space[@]}"
 still 'revolved: {centre: [0.5, 0.5, 0], of: {polygon: {vertices: [[0, 0.2], [0.37, 0.2], [0.37, 0.51], [0, 0.82]]}}}' "${space[@]}"
 still 'difference: {of: {box: {lower: [0.1, 0.1, 0.1], upper: [0.9, 0.9, 0.9]}}, without: [{box: {lower: [0.3, 0.3, 0.3], upper: [0.7, 0.7, 0.9]}}]}' "${space[@]}"

@@ -22,13 +22,13 @@ near() {
 }
 
 # At rest: a tenth of a joule would be 1e-3 of the speed of sound. One rod lies at an angle, one post stands on a side under another gas's end.
-expect 0 "$FLOE" run "$shell" -o rest --quiet
+expect 0 "$FLOE" run "$shell" -o rest --quiet --set time.end=4e-4 --set output.interval=4e-4
 [ "$(json rest/summary.json interface)" = 'auto: sharp' ] || fault 'a hollow ball is not sharp'
 below "$(last rest/history.csv kinetic)" 1e-20
 below "$(json rest/summary.json mass)" 1e-13
 for body in 'cylinder: {start: [0.3, 0.35, 0.25], end: [0.7, 0.62, 0.72], radius: 0.18}' 'cylinder: {start: [0.52, 0.43, -0.2], end: [0.52, 0.43, 0.53], radius: 0.27}' \
     'box: {lower: [0.3, 0.2, 0.4], upper: [0.6, 0.8, 0.7]}' 'box: {lower: [0.313, -1, 0.42], upper: [0.55, 2, 0.731]}'; do
-    expect 0 "$FLOE" run "$shell" -o still --quiet --set time.max_steps=6 --set bodies.inside=null --set materials.argon=null --set "bodies.shell.shape={$body}"
+    expect 0 "$FLOE" run "$shell" -o still --quiet --set time.max_steps=6 --set domain.cell=0.125 --set bodies.inside=null --set materials.argon=null --set "bodies.shell.shape={$body}"
     [ "$(json still/summary.json interface)" = 'auto: sharp' ] || fault "$body is not sharp"
     below "$(last still/history.csv kinetic)" 1e-20
 done

@@ -2,9 +2,9 @@
 # floe study and compare: a case that was killed on its way goes on from its checkpoint, to the bits of one that was not.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
-scene=("$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --set output.interval=1e-4 --set time.end=2e-3)
-study=("$FLOE" study "${scene[@]}" --axis domain.cell=0.1,0.025 --repeat 0)
-case=0.025
+scene=("$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --set output.interval=2e-4 --set time.end=4e-3)
+study=("$FLOE" study "${scene[@]}" --axis domain.cell=0.1,0.05 --repeat 0)
+case=0.05
 
 # start_of DIR: from which time the last leg of the case went on.
 start_of() {
@@ -51,7 +51,7 @@ done
 grep -q '"resumed": true' "part/$case/case.json" || fault 'case.json does not say that it is of two legs'
 [ ! -e "part/$case/begun.json" ] || fault 'a case that has ended still says that it was begun'
 # Nobody takes the time of its last leg for its own.
-row=$(grep '"0.025"' part/study.csv)
+row=$(grep '"0.05"' part/study.csv)
 awk -F, -v row="$row" 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/ \(.*/, "", $i); at[$i] = i }; split(row, f, ","); exit !(f[at["cpu_seconds"]] !~ /^[0-9]/ && f[at["run_seconds"]] !~ /^[0-9]/) }' \
     part/study.csv || fault "times of a case of two legs: $row"
 
@@ -61,20 +61,20 @@ expect 0 "${study[@]}" -o damaged
 has stderr 'is begun anew'
 [ "$(start_of damaged)" = 'start 0' ] || fault 'a damaged checkpoint was gone on with'
 same_results "whole/$case" "damaged/$case"
-expect 0 "${study[@]}" --set output.interval=2e-4 -o other
+expect 0 "${study[@]}" --set output.interval=4e-4 -o other
 [ "$(start_of other)" = 'start 0' ] || fault 'a case of another deck was gone on with'
 [ "$(find other/$case/fields -name '*.h5' | wc -l)" -lt "$(find whole/$case/fields -name '*.h5' | wc -l)" ] || fault 'snapshots of another deck'
 expect 0 "${study[@]}" --again -o anew
 [ "$(start_of anew)" = 'start 0' ] || fault '--again went on with a case'
 
 # A comparison goes on as well; its times are those of a run by itself.
-comparison=("$FLOE" compare "${scene[@]}" --axis domain.cell=0.1,0.025)
-case=mpm-0.025
+comparison=("$FLOE" compare "${scene[@]}" --axis domain.cell=0.1,0.05)
+case=mpm-0.05
 killed compared "${comparison[@]}"
 expect 0 "${comparison[@]}" -o compared
 read -r how from < <(start_of compared)
 [ "$how" = resume ] || fault "a case of a comparison that was cut short is run by '$how'"
-same_results whole/0.025 "compared/$case"
-row=$(grep '"0.025"' compared/compare.csv)
+same_results whole/0.05 "compared/$case"
+row=$(grep '"0.05"' compared/compare.csv)
 awk -F, -v row="$row" 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/ \(.*/, "", $i); at[$i] = i }; split(row, f, ","); exit !(f[at["cpu_seconds"]] > 0) }' \
     compared/compare.csv || fault "no time of a case of two legs: $row"

@@ -3,7 +3,7 @@
 # to come and a checkpoint; where that cannot be, the run ends with status 4, in words.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
-scene=("$cylinder" --coupling mpm --set domain.cell=0.025 --set output.interval=1.25e-4 --set time.end=1.25e-3)
+scene=("$cylinder" --coupling mpm --set domain.cell=0.025 --set output.interval=1.25e-4 --set time.end=7.5e-4)
 
 # started FOLDER: a run into it in the background, $pid, once it has two snapshots.
 started() {
