@@ -22,7 +22,7 @@ function(floe_example_source out file)
 endfunction()
 
 # floe_example(folder prefix name header type BATTERIES tests...): the example src/<folder>/<prefix>_<name>.c with a registry that has it
-# beside floe's own, and each battery with these two; the linker then takes neither from the archive.
+# beside floe's own, and each battery with these two, asked of the example alone; the linker then takes neither from the archive.
 function(floe_example folder prefix name header type)
     cmake_parse_arguments(PARSE_ARGV 5 example "" "" "BATTERIES")
     floe_example_source(source "src/${folder}/${prefix}_${name}.c")
@@ -52,6 +52,7 @@ const size_t @prefix@_registry_size = @size@;
     foreach(battery IN LISTS example_BATTERIES)
         string(REGEX REPLACE ".*/test_" "" test "${battery}")
         floe_test(example_${prefix}_${test} SOURCES "${CMAKE_CURRENT_SOURCE_DIR}/${battery}.c" "${source}" "${registry}")
+        set_property(TEST example_${prefix}_${test} APPEND PROPERTY ENVIRONMENT "FLOE_MODEL=${name}")
     endforeach()
 endfunction()
 

@@ -5,7 +5,7 @@
 #   faults        every allocation and every write of whole runs fails once
 #   combinations  decks with a few keys set at random (FLOE_COMBINATIONS, 1000): each runs, or is refused with its place
 #   metamorphic   every deck in other units with every method; and mirrored, turned, moved, told in another order
-#   meshes        tests of the solvers on finer meshes than every day's
+#   meshes        tests of the solvers on finer meshes than every day's, in more places, and checkpoints with more damages
 #   fuzz          libFuzzer on decks and checkpoints (FLOE_SECONDS each, 1800), with the address and undefined-behaviour sanitizers
 #   sanitize      the tests with the address and undefined-behaviour sanitizers
 #   decks         every deck of inputs/ in every coupling: some steps, and as many more from its checkpoint, with the address and
@@ -83,7 +83,8 @@ part_metamorphic() {
 }
 
 part_meshes() {
-    local tests=(verification_coupled_{cylinder,sealed_space,touch} verification_ice_smooth verification_mpm_{annulus,normals,states}) test status=0
+    local tests=(unit_io_checkpoint verification_coupled_{cylinder,sealed_space,touch} verification_ice_smooth
+        verification_mpm_{annulus,limit,normals,states}) test status=0
     scripts/build.sh release "${tests[@]}" || return
     for test in "${tests[@]}"; do
         FLOE_EVERY=1 OMP_NUM_THREADS=1 "build/release/tests/$test" >"$totals/$test.txt" 2>&1 || status=1

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Written as !(error <= bound) so that a NaN on any side fails; equal infinities have no finite difference. */
 static void check_error(double a, double b, double bound, const char *a_text, const char *b_text, const char *file,
@@ -56,6 +57,12 @@ double check_random(uint64_t *seed, double lo, double hi)
 bool check_at_length(void)
 {
     return getenv("FLOE_EVERY") != NULL;
+}
+
+bool check_asks_for(const char *model)
+{
+    const char *wanted = getenv("FLOE_MODEL");
+    return !wanted || strcmp(wanted, model) == 0;
 }
 
 int check_make_context(void **state)

@@ -31,6 +31,9 @@ double check_random(uint64_t *seed, double lo, double hi);
 /* Whether the test is run at length (nightly: FLOE_EVERY is set), with what takes too long for every day: finer meshes, all combinations. */
 bool check_at_length(void);
 
+/* Whether a test of a registry asks this entry, by name: all, but for the examples of docs/extending.md, which ask their own (FLOE_MODEL). */
+bool check_asks_for(const char *model);
+
 /* Set-up and tear-down of a group of tests whose state is a context. */
 int check_make_context(void **state);
 int check_drop_context(void **state);

@@ -6,15 +6,15 @@
 # Time: each case alone, several times; an error that is met, an order that is missed.
 bars=('study.require=[{metric: eq13, order: 9, where: {coupling: mpm}}, {metric: eq13, error: 99}]')
 short=(--set study=null --set time.end=2e-3 --set output.interval=1e-3)
-expect 6 "$FLOE" study "$cylinder" "${short[@]}" --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --jobs 2
+expect 6 "$FLOE" study "$cylinder" "${short[@]}" --axis domain.cell=0.1,0.075 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --jobs 2
 has stderr 'order of eq13, mpm'
 has stderr 'required: at least 9.00'
 has stdout 'MISSED: order of eq13, mpm'
-has stdout 'met: error of eq13, domain.cell=0.2, ice-mpm'
+has stdout 'met: error of eq13, domain.cell=0.075, ice-mpm'
 has stdout 'the best of 2, alone on one thread'
 grep -qE ' choose | are not told apart' stdout || fault 'no word on what to choose'
-is_there bars/study.json bars/errors.gp bars/timing/0.2-mpm-2/summary.json bars/0.2-mpm/fields.xdmf
-[ ! -e bars/timing/0.2-mpm-2/fields ] || fault 'timed runs keep their snapshots'
+is_there bars/study.json bars/errors.gp bars/timing/0.1-mpm-2/summary.json bars/0.1-mpm/fields.xdmf
+[ ! -e bars/timing/0.1-mpm-2/fields ] || fault 'timed runs keep their snapshots'
 [ "$(grep -c '"met": true' bars/study.json)" -eq 2 ] || fault 'not two bars met'
 [ "$(grep -c '"met": false' bars/study.json)" -eq 1 ] || fault 'not one bar missed'
 [ "$(grep -c '"same_results": true' bars/study.json)" -eq 4 ] || fault 'repeated runs gave other results'
@@ -39,7 +39,7 @@ even_columns bars
 best_of_all bars/study.json || fault 'the best time is not the least of all'
 least_of_all bars/study.json || fault 'the processor time is not the least of all, or its scatter not what they say'
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >before
-expect 6 "$FLOE" study "$cylinder" "${short[@]}" --axis domain.cell=0.4,0.2 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
+expect 6 "$FLOE" study "$cylinder" "${short[@]}" --axis domain.cell=0.1,0.075 --couplings mpm,ice-mpm --repeat 2 --set "${bars[0]}" -o bars --quiet
 find bars -name summary.json -exec stat -c '%n %y' {} + | sort >after
 cmp before after || fault 'a timed run was made again'
 

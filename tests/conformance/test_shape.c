@@ -158,11 +158,12 @@ static void ask_with_each(maker *m, const shape_model *model, int dim, void (*ch
 {
     int asked = 0;
     if (!is_compound(model)) {
-        ask_about(m, model, dim, model, 0, check);
+        if (check_asks_for(model->name)) ask_about(m, model, dim, model, 0, check);
         return;
     }
     for (size_t i = 0; i < shape_registry_size; i++) {
         const shape_model *inner = shape_registry[i];
+        if (!check_asks_for(model->name) && !check_asks_for(inner->name)) continue;
         if (is_compound(inner) || (!has_dim(inner, dim) && !has_dim(inner, 2))) continue;
         for (int depth = 0; depth < (asked++ == 0 ? DEPTH : 1); depth++) ask_about(m, model, dim, inner, depth, check);
     }

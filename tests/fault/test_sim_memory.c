@@ -22,7 +22,7 @@ static const deck_variant variants[] = {
     {"sub-steps", "shock_plate", COUPLING_ICE_MPM, 1, 2, {"domain.cell=0.02", "time.substeps=2"}},
     {"contact", "two_bars", COUPLING_MPM, 1, 1, {"domain.cell=0.25"}},
     {"membrane that holds gas", "membrane_circle", COUPLING_ICE_MPM, 1, 1, {"domain.cell=0.25"}},
-    {"surface that holds gas points", "membrane_sphere", COUPLING_MPM, 1, 1, {"domain.cell=0.2"}},
+    {"surface that holds gas points", "membrane_sphere", COUPLING_MPM, 1, 1, {"domain.cell=0.3"}},
     {"unconnected membrane",
      "membrane_circle",
      COUPLING_MPM,

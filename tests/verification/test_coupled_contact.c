@@ -29,7 +29,7 @@ static double collide(bool contact, contact_kind kind, double exchange, double *
         coupled_body(&t, rubber(&t), make_ball(&t, (const double[]){k == 0 ? 0.5 : 1.1, 0.3, 0.0}, 0.22), 2)
             ->velocity[0] = k == 0 ? 5.0 : -5.0;
     coupled_start(&t);
-    trial_run(&t, 0.05);
+    trial_run(&t, 0.04);
     const double v = mean_velocity(&t, 0);
     *drift = ledger_worst(&t, LEDGER_MOMENTUM_X, LEDGER_MOMENTUM_Y);
     trial_end(&t);

@@ -34,7 +34,7 @@ static double plateau_of(const char *interface, double E, double b, double refer
     (void)snprintf(water, sizeof water, "bodies.water.pressure=%.17g", reference);
     (void)snprintf(about, sizeof about, "reference_pressure=%.17g", reference);
     (void)snprintf(choice, sizeof choice, "method.interface=%s", interface);
-    const char *const set[] = {bulk, shear, outer, ambient, water, about, choice, "domain.cell=[0.005, 0.01]"};
+    const char *const set[] = {bulk, shear, outer, ambient, water, about, choice, "domain.cell=[0.005, 0.02]"};
     trial t;
     deck_begin(&t, "defaults/e10_hammer", set, 8);
     coupled_start(&t);
@@ -53,14 +53,14 @@ static void check_hammer(const char *interface, double bound)
     check_close(high, low, 0.2 * bound);
 }
 
-/* Steel, four cells of wall, twice as long along the tube: measured 1.0030 and 1.0019, smeared; 1.0075 and 1.0060, sharp; 0.35 below it before
- * walls kept water and water slipped along them. The tube breathes about Korteweg's pressure, which is that of a wall without inertia: beside a
- * sharp wall with FLIP's blend of 0.99, 1.0052. */
+/* Steel, four cells of wall, four times as long along the tube: measured 0.9935 and 0.9920, smeared; 0.9966 and 0.9962, sharp (with half their length
+ * 1.0009 and 1.0004, 1.0045 and 1.0044); 0.35 below it before walls kept water and water slipped along them. The tube breathes about Korteweg's
+ * pressure, which is that of a wall without inertia. */
 static void test_hammer(void **unused)
 {
     (void)unused;
-    check_hammer("smeared", 6e-3);
-    check_hammer("auto", 0.01);
+    check_hammer("smeared", 0.013);
+    check_hammer("auto", 7.5e-3);
 }
 
 /* Water of 2 bar at rest in a tube, air of 1 bar outside: the wall bears the difference, which must stay (less what the tube's widening takes: the
@@ -75,10 +75,11 @@ static void check_rest(const char *interface, double bound)
                                "bodies.water.shape.box.upper=[0.05, 0.02]",
                                "materials.wall.law.linear_elastic.bulk_modulus=66666666667",
                                "time.end=2 ms",
+                               "domain.cell=[0.005, 0.02]",
                                "materials.wall.law.linear_elastic.shear_modulus=100e9"};
     const double square = 4.4 * 5.001e8 / 1000.0, yield = 2e3 * square / 200e9 * (0.0049 + 0.0025) / (0.0049 - 0.0025);
     trial t;
-    deck_begin(&t, "defaults/e10_hammer", set, 9);
+    deck_begin(&t, "defaults/e10_hammer", set, 10);
     coupled_start(&t);
     double mean = 0.0;
     for (int k = 1; k <= 20; ++k) {
@@ -91,12 +92,12 @@ static void check_rest(const char *interface, double bound)
     trial_end(&t);
 }
 
-/* Measured: smeared 0.870 for 0.936 (all gone where the faces of the wall knew the pressure alone), sharp 0.9354. */
+/* Measured: smeared 0.914 for 0.9365 (all gone where the faces of the wall knew the pressure alone), sharp 0.9357. */
 static void test_rest(void **unused)
 {
     (void)unused;
-    check_rest("method.interface=smeared", 0.1);
-    check_rest("method.interface=auto", 2e-3);
+    check_rest("method.interface=smeared", 0.045);
+    check_rest("method.interface=auto", 1.6e-3);
 }
 
 int main(void)

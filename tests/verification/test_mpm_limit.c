@@ -67,14 +67,15 @@ static void check_ringing(const ringing *r)
 
 static void test_bars(void **state)
 {
-    static const double places[] = {0.0123, 0.21, 0.51};
+    static const double places[] = {0.0123, 0.51, 0.21};
     static const int counts[] = {1, 2, 5};
+    const size_t of_each = check_at_length() ? 3 : 2;
     (void)state;
     for (size_t b = 0; b < sizeof bases / sizeof *bases; ++b)
         for (size_t k = 0; k < transfer_registry_size; ++k)
             for (int stress = STRESS_USL; stress <= STRESS_MUSL; ++stress)
-                for (size_t c = 0; c < sizeof counts / sizeof *counts; ++c)
-                    for (size_t p = 0; p < sizeof places / sizeof *places; ++p)
+                for (size_t c = 0; c < of_each; ++c)
+                    for (size_t p = 0; p < of_each; ++p)
                         check_ringing(&(ringing){bases[b], transfer_registry[k]->name, (stress_scheme)stress, 1,
                                                  counts[c], 0, places[p]});
 }

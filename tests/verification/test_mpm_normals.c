@@ -109,6 +109,13 @@ static angles measure(const setup *u)
     return out;
 }
 
+/* The first from `n` on that is asked for. */
+static size_t next_asked(size_t n)
+{
+    while (n < normal_registry_size && !check_asks_for(normal_registry[n]->name)) ++n;
+    return n;
+}
+
 static double rms(angles a)
 {
     return sqrt(a.sum / a.n);
@@ -119,7 +126,7 @@ static void test_aligned(void **state)
 {
     (void)state;
     FOR_CONTACT_BASES(i)
-    for (size_t n = 0; n < normal_registry_size; ++n) {
+    for (size_t n = next_asked(0); n < normal_registry_size; n = next_asked(n + 1)) {
         const angles a =
             measure(&(setup){PLANE, 2, 0.1, 0.0, basis_registry[i]->name, normal_registry[n]->name, SEED_FITTED});
         check_true(a.n > 3 && a.worst <= 1e-5);
@@ -134,7 +141,7 @@ static void test_angles(void **state)
     (void)state;
     static const double plane[] = {0.05, 0.025, 0.0125}, space[] = {0.0625};
     const int spacings = check_at_length() ? 3 : 2;
-    for (size_t n = 0; n < normal_registry_size; ++n) FOR_CONTACT_BASES(i)
+    for (size_t n = next_asked(0); n < normal_registry_size; n = next_asked(n + 1)) FOR_CONTACT_BASES(i)
     for (int seeding = 0; seeding < 2; ++seeding)
         for (int scene_kind = 0; scene_kind < 3; ++scene_kind) {
             const bool colour = strcmp(normal_registry[n]->name, "colour") == 0;
@@ -160,7 +167,7 @@ static void test_angles(void **state)
 static void test_net(void **state)
 {
     (void)state;
-    for (size_t n = 0; n < normal_registry_size; ++n) FOR_CONTACT_BASES(i)
+    for (size_t n = next_asked(0); n < normal_registry_size; n = next_asked(n + 1)) FOR_CONTACT_BASES(i)
         {
             const angles a =
                 measure(&(setup){NET, 2, 0.05, 0.0, basis_registry[i]->name, normal_registry[n]->name, SEED_LATTICE});
