@@ -6,18 +6,22 @@
 #include <string.h>
 
 static const key_spec inlet_keys[] = {
-    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .required = true, .doc = "of what enters"},
-    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, of what enters"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .required = true,
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
      .doc = "of what enters"},
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
+     .doc = "absolute, of what enters"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature),
+     .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true, .doc = "of what enters"},
     {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
      .doc = "what enters"},
 };
 static const key_table inlet_table = TABLE(inlet_keys);
 
 static const key_spec outlet_keys[] = {
-    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, at the faces"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .otherwise = "the temperature inside",
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
+     .doc = "absolute, at the faces"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature),
+     .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "the temperature inside",
      .doc = "of the reservoir behind, should flow turn back"},
     {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
      .doc = "what is behind"},
@@ -25,9 +29,12 @@ static const key_spec outlet_keys[] = {
 static const key_table outlet_table = TABLE(outlet_keys);
 
 static const key_spec non_reflecting_keys[] = {
-    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, far outside"},
-    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .otherwise = "0", .doc = "far outside"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .otherwise = "the temperature inside",
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
+     .doc = "absolute, far outside"},
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "0",
+     .doc = "far outside"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature),
+     .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "the temperature inside",
      .doc = "outside, should flow turn back"},
     {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
      .doc = "what is outside"},
@@ -35,29 +42,33 @@ static const key_spec non_reflecting_keys[] = {
 static const key_table non_reflecting_table = TABLE(non_reflecting_keys);
 
 static const key_spec reservoir_keys[] = {
-    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .required = true, .doc = "absolute, of the fluid at rest"},
-    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature), .required = true,
-     .doc = "of the fluid at rest"},
+    {"pressure", KEY_NUMBER, "Pa", AT(bc_side, pressure), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
+     .doc = "absolute, of the fluid at rest"},
+    {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(bc_side, temperature),
+     .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true, .doc = "of the fluid at rest"},
     {"material", KEY_MATERIAL, AT(bc_side, material), .otherwise = "the fluid, where there is one only",
      .doc = "what enters"},
 };
 static const key_table reservoir_table = TABLE(reservoir_keys);
 
-#define WALL_HEAT_KEYS                                                                                                \
-    {"temperature",                                                                                                   \
-     KEY_NUMBER,                                                                                                      \
-     "K",                                                                                                             \
-     PARAM_POSITIVE,                                                                                                  \
-     AT(bc_side, temperature),                                                                                        \
-     .otherwise = "an insulated wall",                                                                                \
-     .doc = "of the wall, for fluids that conduct heat"},                                                             \
-    {                                                                                                                 \
-        "heat_flux", KEY_NUMBER, "W/m2", AT(bc_side, heat_flux),                                                      \
-            .otherwise = "0", .doc = "heat that the wall gives to fluids that conduct heat, instead of a temperature" \
+#define WALL_HEAT_KEYS                                                                              \
+    {"temperature",                                                                                 \
+     KEY_NUMBER,                                                                                    \
+     "K",                                                                                           \
+     PARAM_POSITIVE,                                                                                \
+     AT(bc_side, temperature),                                                                      \
+     .varies = VARIES_BY_PLACE + VARIES_BY_TIME,                                                    \
+     .otherwise = "an insulated wall",                                                              \
+     .doc = "of the wall, for fluids that conduct heat"},                                           \
+    {                                                                                               \
+        "heat_flux", KEY_NUMBER, "W/m2", AT(bc_side, heat_flux),                                    \
+            .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "0",                           \
+            .doc = "heat that the wall gives to fluids that conduct heat, instead of a temperature" \
     }
 
 static const key_spec no_slip_keys[] = {
-    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .otherwise = "0", .doc = "of the wall, along itself"},
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "0",
+     .doc = "of the wall, along itself"},
     WALL_HEAT_KEYS,
 };
 static const key_table no_slip_table = TABLE(no_slip_keys);
@@ -66,7 +77,8 @@ static const key_spec slip_keys[] = {WALL_HEAT_KEYS};
 static const key_table slip_table = TABLE(slip_keys);
 
 static const key_spec velocity_keys[] = {
-    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .required = true, .doc = "imposed"},
+    {"velocity", KEY_VECTOR, "m/s", AT(bc_side, velocity), .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .required = true,
+     .doc = "imposed"},
     {"start", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(bc_side, course.start), .fallback = "0",
      .doc = "the motion begins"},
     {"ramp", KEY_NUMBER, "s", PARAM_NONNEGATIVE, AT(bc_side, course.ramp), .fallback = "0",
@@ -136,13 +148,16 @@ static bool is_kind(const deck_node *node)
     return false;
 }
 
+/* One kind for several sides that follow each other. Each is read, for formulas are those of one number. */
+static floe_status read_alike(reader *r, deck_node *node, bc_side *side, int n)
+{
+    for (int i = 0; i < n && !node->bad; i++) TRY(read_variant(r, &boundary_kinds, node, &side[i]));
+    return FLOE_OK;
+}
+
 static floe_status read_boundary_axis(reader *r, deck_node *node, bc_side side[2])
 {
-    if (is_kind(node)) {
-        TRY(read_variant(r, &boundary_kinds, node, &side[0]));
-        side[1] = side[0];
-        return FLOE_OK;
-    }
+    if (is_kind(node)) return read_alike(r, node, side, 2);
     if (node->kind != NODE_MAP) {
         return bad(r, node, "a kind, or {lower: ..., upper: ...}", "boundary '%.60s' is a list", node->key);
     }
@@ -184,13 +199,7 @@ static floe_status read_boundaries(reader *r, const key_spec *key, deck_node *no
     scene *s = base;
     set_free(s);
     if (!node) return FLOE_OK;
-    if (is_kind(node)) {
-        bc_side side[2];
-        choose_side(&side[0], BC_FREE);
-        TRY(read_boundary_axis(r, node, side));
-        for (int axis = 0; axis < s->mesh.dim; axis++) s->bc.side[axis][0] = s->bc.side[axis][1] = side[0];
-        return FLOE_OK;
-    }
+    if (is_kind(node)) return read_alike(r, node, s->bc.side[0], 2 * s->mesh.dim);
     if (node->kind != NODE_MAP) return bad(r, node, special_boundaries.form, "'boundaries' is a list");
     for (deck_node *child = node->first; child; child = child->next) {
         const int axis = find_axis(&s->mesh, child->key);
@@ -231,4 +240,64 @@ const special_key special_boundaries = {
     .write = write_boundaries,
     .form = "{x: {lower: kind, upper: kind}, y: kind, ...} (r, z when axisymmetric), or one kind for every side",
     .json = NULL,
+};
+
+/* ---- parts of sides ---- */
+
+/* "x.lower" */
+static floe_status read_side_name(reader *r, const key_spec *key, deck_node *node, void *base)
+{
+    scene_side_part *part = base;
+    const mesh_spec *spec = &r->scene->mesh;
+    if (!node) return FLOE_OK; /* required: an error has been entered */
+    for (int k = 0; node->kind == NODE_SCALAR && k < 2 * spec->dim; k++) {
+        char name[16];
+        snprintf(name, sizeof name, "%s.%s", axis_name(spec, k / 2), k % 2 == SIDE_LOWER ? "lower" : "upper");
+        if (strcmp(node->text, name) != 0) continue;
+        part->axis = k / 2;
+        part->end = k % 2;
+        return FLOE_OK;
+    }
+    return bad_form(r, key, node, key->special->form);
+}
+
+static void write_side_name(writer *w, const key_spec *key, const void *base)
+{
+    const scene_side_part *part = base;
+    write_key_name(w, key->key);
+    strbuf_append(&w->out, " %s.%s\n", axis_name(&w->scene->mesh, part->axis),
+                  part->end == SIDE_LOWER ? "lower" : "upper");
+}
+
+static const special_key special_side = {
+    .read = read_side_name,
+    .write = write_side_name,
+    .form = "x.lower, x.upper, y.lower, ... (r, z when axisymmetric)",
+    .json = "{\"type\": \"string\"}",
+};
+
+static const key_spec part_keys[] = {
+    {"side", KEY_SPECIAL, .special = &special_side, .required = true, .doc = "the side that it is part of"},
+    {"where", KEY_MODEL, AT(scene_side_part, where), .family = &family_shape, .required = true,
+     .doc = "faces of the side whose middle is in this shape; of several parts the first"},
+    {"condition", KEY_VARIANT, AT(scene_side_part, condition), .variants = &boundary_kinds, .required = true,
+     .doc = "what holds there instead of the side's own condition"},
+};
+static const key_table part_table = TABLE(part_keys);
+
+static floe_status begin_part(reader *r, deck_node *node, void *item)
+{
+    (void)r;
+    (void)node;
+    choose_side(&((scene_side_part *)item)->condition, BC_FREE);
+    return FLOE_OK;
+}
+
+const named_items items_parts = {
+    .noun = "part of a side",
+    .item_size = sizeof(scene_side_part),
+    .count_offset = offsetof(scene, n_parts),
+    .most = SCENE_MAX_PARTS,
+    .table = &part_table,
+    .begin = begin_part,
 };

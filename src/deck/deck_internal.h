@@ -33,6 +33,7 @@ extern const model_family family_shape, family_law, family_membrane, family_norm
     family_reference;
 /* boundaries.c */
 extern const special_key special_boundaries;
+extern const named_items items_parts;
 extern const variants boundary_kinds;
 /* special_keys.c */
 extern const special_key special_version, special_runs_as, special_stress_state, special_cfl, special_substeps,

@@ -212,7 +212,7 @@ static void print_sections(page *p, const key_table *table, const char *path)
             else if (value)
                 strbuf_append(&p->out, "\n`NAME: [x, y, z]`: a list, one number for each axis, in m.\n");
             if (key->items->table) print_sections(p, key->items->table, name);
-        } else if (key->type == KEY_VARIANT) {
+        } else if (key->type == KEY_VARIANT && key->variants != &boundary_kinds) { /* they stand under `boundaries` */
             print_title(p, name, key->doc);
             print_variants(p, key->variants);
         } else if (key->special == &special_boundaries) {

@@ -1,6 +1,7 @@
 /* Defaults that depend on more than one key. */
 #include "deck/deck_internal.h"
 #include "scene/deck_location.h"
+#include "scene/side_parts.h"
 #include "scene/slender.h"
 
 #include <math.h>
@@ -57,13 +58,12 @@ static int only_fluid(const scene *s)
 static void finish_inlets(scene *s)
 {
     const int fluid = only_fluid(s);
-    for (int axis = 0; axis < s->mesh.dim; axis++) {
-        for (int i = 0; i < 2; i++) {
-            bc_side *side = &s->bc.side[axis][i];
-            const bool flows = side->kind == BC_INLET || side->kind == BC_OUTLET || side->kind == BC_RESERVOIR ||
-                               side->kind == BC_NON_REFLECTING;
-            if (flows && side->material < 0) side->material = fluid;
-        }
+    scene_condition at;
+    for (int i = 0; scene_next_condition(s, &i, &at);) {
+        bc_side *side = at.part ? &s->part[i - 1 - 2 * s->mesh.dim].condition : &s->bc.side[at.axis][at.end];
+        const bool flows = side->kind == BC_INLET || side->kind == BC_OUTLET || side->kind == BC_RESERVOIR ||
+                           side->kind == BC_NON_REFLECTING;
+        if (flows && side->material < 0) side->material = fluid;
     }
 }
 

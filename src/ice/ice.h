@@ -98,7 +98,7 @@ struct ice {
     eos_bulk_par bulk[ICE_MAX_MATERIALS]; /* parameters of the solids' cell view */
     /* Storage of the parts of the solver, each known to its part alone; owned. NULL where the scene has no use for it. */
     struct ice_storage *storage;
-    struct ice_reservoirs *reservoirs;
+    struct ice_side_table *sides;
     struct ice_closure *closure;
     struct ice_continued *continued;
     struct ice_pairs *pairs;

@@ -117,7 +117,7 @@ static floe_status resolve_states(ice *s, bool with_points)
     resolve_regions(s);
     ice_set_gravity(s, 0.0);
     TRY(ice_pairs_create(s));
-    TRY(ice_reservoirs_create(s));
+    TRY(ice_sides_create(s));
     TRY(ice_heated_create(s));
     return ice_reactions_create(s);
 }
@@ -150,7 +150,7 @@ void ice_destroy(ice **s)
     ice_pairs_destroy(ctx, &w->pairs);
     ice_continued_destroy(ctx, &w->continued);
     ice_closure_destroy(ctx, &w->closure);
-    ice_reservoirs_destroy(ctx, &w->reservoirs);
+    ice_sides_destroy(ctx, &w->sides);
     ice_storage_destroy(ctx, &w->storage);
     memory_free(ctx, s);
 }

@@ -9,6 +9,7 @@
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_cell_numbers.h"
 #include "ice/state/ice_materials.h"
+#include "scene/side_parts.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -28,6 +29,9 @@ static int only_fluid(const ice *s)
 
 static const char *obstacle_at_sides(const ice *s)
 {
+    for (int a = 0; a < s->mesh->dim; ++a)
+        for (int side = 0; side < 2; ++side)
+            if (scene_side_varies(s->scene, a, side)) return "a side of the domain changes along itself, or in time";
     for (int a = 0; a < s->mesh->dim; ++a)
         for (int side = 0; side < 2 && !s->mesh->periodic[a]; ++side) {
             const bc_kind kind = s->scene->bc.side[a][side].kind;

@@ -30,6 +30,7 @@ enum {
     SCENE_MAX_SUBSTEPS = 128,
     SCENE_MAX_METRICS = 24,
     SCENE_MAX_COLUMNS = 12,
+    SCENE_MAX_PARTS = 32, /* of sides */
     SCENE_MAX_CONSTANTS = 64,
     SCENE_MAX_TABLES = 16,
     SCENE_MAX_FORMULAS = 128,
@@ -325,6 +326,14 @@ typedef struct scene_verify {
     double probe_pressure; /* Pa: pressure P of eq. 13 and of the gas error, NAN if unused */
 } scene_verify;
 
+/* Part of a side of the domain with a condition of its own. */
+typedef struct scene_side_part {
+    char name[SCENE_NAME];
+    int axis, end; /* of the side; end: mesh_side */
+    shape where;   /* asked at the middle of each face of the side */
+    bc_side condition;
+} scene_side_part;
+
 /* A number of the scene that a formula gives (scene/formula.h). */
 typedef struct scene_formula {
     size_t number; /* bytes from the start of the scene to it */
@@ -371,6 +380,8 @@ typedef struct scene {
     scene_coupling runs_as[COUPLING_COUNT];
     int n_runs_as;
     bc_table bc;
+    scene_side_part part[SCENE_MAX_PARTS]; /* of sides; earlier ones go before later ones */
+    int n_parts;
     bool has_ambient;
     int ambient_material;
     double ambient_pressure, ambient_temperature;

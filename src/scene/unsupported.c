@@ -2,8 +2,8 @@
 #include "scene/unsupported.h"
 
 #include "scene/formula.h"
-
 #include "scene/scene_reach.h"
+#include "scene/side_parts.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -63,6 +63,15 @@ static bool wall_cannot_drag(const scene *s, const bc_side *side)
     return side->velocity[0] != 0.0 || side->velocity[1] != 0.0 || side->velocity[2] != 0.0;
 }
 
+static bool velocity_has_place(const scene *s, const bc_side *side)
+{
+    for (int a = 0; a < s->mesh.dim; ++a) {
+        const expression *formula = scene_formula_of(s, &side->velocity[a]);
+        if (formula && expression_has_place(formula)) return true;
+    }
+    return false;
+}
+
 static const struct {
     unsigned couplings;
     bool (*applies)(const scene *s, const bc_side *side);
@@ -80,6 +89,9 @@ static const struct {
     {AS_MPM, side_has_heat,
      "fluids of material points do not conduct heat, so that the wall's heat has no effect: leave it out, or take ice "
      "or ice-mpm"},
+    {AS_MPM, velocity_has_place,
+     "material points see one velocity on all of a side, and this one changes with place: take one that changes with "
+     "time alone, or ice or ice-mpm"},
     {AS_ICE, wall_cannot_drag,
      "no fluid is viscous, so that the wall's velocity has no effect: give a fluid a 'viscosity', or take 'slip'"},
 };
@@ -92,14 +104,18 @@ static const char *side_axis_name(const scene *s, int axis)
 
 static floe_status refuse_sides(const scene *s, scene_coupling coupling)
 {
-    for (int a = 0; a < s->mesh.dim; ++a)
-        for (int i = 0; i < 2; ++i)
-            for (size_t k = 0; k < sizeof side_rules / sizeof side_rules[0]; ++k) {
-                if (!is_concerned(coupling, side_rules[k].couplings) || !side_rules[k].applies(s, &s->bc.side[a][i]))
-                    continue;
-                return fail_key(s->ctx, KEY("boundaries", side_axis_name(s, a), i == SIDE_LOWER ? "lower" : "upper"),
-                                "%s: %s", coupling_name(coupling), side_rules[k].why);
-            }
+    scene_condition at;
+    if (coupling == COUPLING_MPM && s->n_parts > 0)
+        return fail_key(s->ctx, KEY("boundary_parts", s->part[0].name),
+                        "mpm: parts of sides are for the fluids of the cells, and points meet whole sides: take ice or "
+                        "ice-mpm");
+    for (int i = 0; scene_next_condition(s, &i, &at);)
+        for (size_t k = 0; k < sizeof side_rules / sizeof side_rules[0]; ++k) {
+            if (!is_concerned(coupling, side_rules[k].couplings) || !side_rules[k].applies(s, at.side)) continue;
+            const char *end = at.end == SIDE_LOWER ? "lower" : "upper", *axis = side_axis_name(s, at.axis);
+            return fail_key(s->ctx, at.part ? KEY("boundary_parts", at.part) : KEY("boundaries", axis, end), "%s: %s",
+                            coupling_name(coupling), side_rules[k].why);
+        }
     return FLOE_OK;
 }
 
@@ -120,11 +136,9 @@ static floe_status refuse_materials(const scene *s, scene_coupling coupling)
 static bool is_present(const scene *s, int material)
 {
     if (has_body_of(s, material) || (s->has_ambient && s->ambient_material == material)) return true;
-    for (int a = 0; a < s->mesh.dim; ++a)
-        for (int i = 0; i < 2; ++i) {
-            const bc_side *side = &s->bc.side[a][i];
-            if ((side->kind == BC_INLET || side->kind == BC_RESERVOIR) && side->material == material) return true;
-        }
+    scene_condition at;
+    for (int i = 0; scene_next_condition(s, &i, &at);)
+        if ((at.side->kind == BC_INLET || at.side->kind == BC_RESERVOIR) && at.side->material == material) return true;
     for (int k = 0; k < s->n_reactions; ++k)
         if (s->reaction[k].product == material) return true;
     return false;

@@ -1,6 +1,7 @@
 /* Keys that a coupling does not read, because it has no cells or no points of that kind. Only keys that stand in the
  * deck, with a value other than the default, are remarked on. */
 #include "scene/deck_location.h"
+#include "scene/side_parts.h"
 #include "scene/unsupported.h"
 
 #include <math.h>
@@ -172,8 +173,8 @@ static void remark_idle_materials(const unused_list *list)
             used = used || s->body[b].material == m || s->body[b].membrane.encloses == m;
         for (int k = 0; k < s->n_reactions; ++k)
             used = used || s->reaction[k].product == m || s->reaction[k].reactant == m;
-        for (int a = 0; a < s->mesh.dim; ++a)
-            for (int i = 0; i < 2; ++i) used = used || s->bc.side[a][i].material == m;
+        scene_condition at;
+        for (int i = 0; scene_next_condition(s, &i, &at);) used = used || at.side->material == m;
         if (used) continue;
         char text[TEXT_SIZE], path[PATH_SIZE];
         (void)snprintf(text, sizeof text, "nothing is made of material '%s'", s->material[m].name);

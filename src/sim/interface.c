@@ -4,6 +4,7 @@
 #include "ice/ice.h"
 #include "mpm/surface/boundary.h"
 #include "scene/flight.h"
+#include "scene/side_parts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -283,16 +284,18 @@ static floe_status check_regions(const scene *s, const mesh *m, int fluid, const
 /* A side brings the fluid of the region that it bounds. */
 static floe_status check_side(const scene *s, const mesh *m, int axis, int side)
 {
-    const bc_side *given = &s->bc.side[axis][side];
     const int e = (axis + 1) % 3, f = (axis + 2) % 3;
     int cell[3] = {0, 0, 0};
-    if (given->kind != BC_INLET && given->kind != BC_RESERVOIR) return FLOE_OK;
     cell[axis] = side == SIDE_UPPER ? m->n[axis] - 1 : 0;
     for (int k = 0; k < m->n[e] * m->n[f]; ++k) {
         double x[3];
         cell[e] = k % m->n[e];
         cell[f] = k / m->n[e];
         middle_of(m, cell, x);
+        double face[3] = {x[0], x[1], x[2]};
+        face[axis] = side == SIDE_UPPER ? m->upper[axis] : m->lower[axis];
+        const bc_side *given = scene_condition_at(s, axis, side, face);
+        if (given->kind != BC_INLET && given->kind != BC_RESERVOIR) continue;
         const int found = mpm_fluid_at(s, m->dim, x);
         if (found >= 0 && found != given->material) return refuse_mixed(s, m, given->material, cell);
     }

@@ -2,6 +2,7 @@
 #include "deck/check/check.h"
 
 #include "deck/deck_internal.h"
+#include "scene/side_parts.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -103,29 +104,58 @@ static floe_status check_open(reader *r, const bc_side *side, const char *const 
     return check_exists(r, m, side->pressure, path);
 }
 
-static floe_status check_side(reader *r, int axis, int i)
+static floe_status check_periodic(reader *r, const scene_condition *at, const char *const *path)
 {
-    scene *s = r->scene;
-    const bc_side *side = &s->bc.side[axis][i];
-    const char *name = axis_name(&s->mesh, axis), *end = i == SIDE_LOWER ? "lower" : "upper";
-    const char *const *path = KEY("boundaries", name, end);
-    if (side->kind == BC_PERIODIC && !s->mesh.periodic[axis]) {
+    const scene *s = r->scene;
+    const char *name = axis_name(&s->mesh, at->axis);
+    if (at->part && (at->side->kind == BC_PERIODIC || s->mesh.periodic[at->axis]))
+        return bad_at(r, path, "another condition", NULL, "a periodic side has no parts");
+    if (at->side->kind != BC_PERIODIC) return FLOE_OK;
+    if (!s->mesh.periodic[at->axis])
         return bad_at(r, path, "periodic on both sides, or on none", NULL,
                       "one side of %s is periodic, the other is not", name);
-    }
-    if (side->kind == BC_PERIODIC && s->mesh.geometry == MESH_AXISYMMETRIC && axis == 0) {
+    if (s->mesh.geometry == MESH_AXISYMMETRIC && at->axis == 0)
         return bad_at(r, path, NULL, NULL, "a radius cannot be periodic");
+    return FLOE_OK;
+}
+
+/* A part has faces: the middle of some face of its side is in it. */
+static floe_status check_part(reader *r, const scene_condition *at)
+{
+    const scene *s = r->scene;
+    int n[3] = {1, 1, 1};
+    for (int a = 0; a < s->mesh.dim; a++)
+        n[a] = a == at->axis ? 1 : (int)fmin(1e4, rint((s->mesh.upper[a] - s->mesh.lower[a]) / s->mesh.cell[a]));
+    for (int k = 0; k < n[0] * n[1] * n[2]; k++) {
+        const int face[3] = {k % n[0], k / n[0] % n[1], k / n[0] / n[1]};
+        double x[3] = {0.0, 0.0, 0.0};
+        for (int a = 0; a < s->mesh.dim; a++) x[a] = s->mesh.lower[a] + (face[a] + 0.5) * s->mesh.cell[a];
+        x[at->axis] = at->end == SIDE_LOWER ? s->mesh.lower[at->axis] : s->mesh.upper[at->axis];
+        if (scene_condition_at(s, at->axis, at->end, x) == at->side) return FLOE_OK;
     }
+    return bad_at(
+        r, KEY("boundary_parts", at->part, "where"), "a shape that contains the middle of a face of the side", NULL,
+        "no face of the side is part '%s': its faces are %g m wide, and a shape that ends on the side has none of it",
+        at->part, s->mesh.cell[at->axis == 0 && s->mesh.dim > 1 ? 1 : 0]);
+}
+
+static floe_status check_condition(reader *r, const scene_condition *at)
+{
+    const bc_side *side = at->side;
+    const char *name = axis_name(&r->scene->mesh, at->axis), *end = at->end == SIDE_LOWER ? "lower" : "upper";
+    const char *const *path = at->part ? KEY("boundary_parts", at->part) : KEY("boundaries", name, end);
+    if (at->part && !is_clean(r->root, path)) return FLOE_OK;
+    TRY(check_periodic(r, at, path));
+    if (at->part) TRY(check_part(r, at));
     if (side->kind == BC_SLIP || side->kind == BC_NO_SLIP) TRY(check_wall(r, side, path));
-    if (side->kind == BC_NO_SLIP) TRY(check_drag(r, side, axis, path));
+    if (side->kind == BC_NO_SLIP) TRY(check_drag(r, side, at->axis, path));
     return check_open(r, side, path);
 }
 
 floe_status check_boundaries(reader *r)
 {
+    scene_condition at;
     if (!is_clean(r->root, KEY("boundaries")) || !is_clean(r->root, KEY("domain"))) return FLOE_OK;
-    for (int axis = 0; axis < r->scene->mesh.dim; axis++) {
-        for (int side = 0; side < 2; side++) TRY(check_side(r, axis, side));
-    }
+    for (int i = 0; scene_next_condition(r->scene, &i, &at);) TRY(check_condition(r, &at));
     return FLOE_OK;
 }

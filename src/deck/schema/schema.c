@@ -396,6 +396,9 @@ static const key_spec deck_keys[] = {
      .doc = "the fluid that fills what no body fills"},
     {"boundaries", KEY_SPECIAL, AT(scene, bc), .special = &special_boundaries,
      .otherwise = "free (symmetry at the axis r = 0)", .doc = "conditions on the sides of the domain"},
+    {"boundary_parts", KEY_NAMED, AT(scene, part), .items = &items_parts,
+     .doc = "conditions on parts of sides, for the fluids of the cells: `nozzle: {side: x.lower, where: {box: ...}, "
+            "condition: {inlet: ...}}`"},
     {"bodies", KEY_NAMED, AT(scene, body), .items = &items_bodies,
      .doc = "regions filled with a material at the start"},
     {"loads", KEY_NAMED, AT(scene, load), .items = &items_loads, .doc = "what acts on the scene from outside"},

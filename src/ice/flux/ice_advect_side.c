@@ -110,10 +110,14 @@ static void enter_fluxes(const ice_advect_job *job, double *const *flux, ptrdiff
     tile[TILE_ENERGY] += scale * (flux[1 + dim][t] + flux[1 + nq][t]);
 }
 
+static bool is_open(bc_kind kind)
+{
+    return !ice_is_wall(kind);
+}
+
 static bool open_side(const ice_advect_job *job, int axis, mesh_side side)
 {
-    return job->v->b->at_side[axis][side] && !ice_is_wall(job->s->scene->bc.side[axis][side].kind) &&
-           !job->s->mesh->periodic[axis];
+    return job->v->b->at_side[axis][side] && !job->s->mesh->periodic[axis] && ice_side_has(job->s, axis, side, is_open);
 }
 
 void ice_advect_tally_across(const ice_advect_buffers *w, const ice_advect_job *job, int slab)

@@ -4,7 +4,7 @@
 #include "ice/exchange/ice_exchange.h"
 #include "ice/sides/ice_sides.h"
 #include "ice/state/ice_cells.h"
-#include "ice/state/ice_materials.h"
+#include "ice/state/ice_fluid_state.h"
 #include "ice/state/ice_state.h"
 #include "ice/state/ice_tiles.h"
 
@@ -169,23 +169,41 @@ static void clip_traces(const ice *s, const ice_view *v, int r)
             }
 }
 
+/* Speed (m/s) that a face of a side imposes. */
+static double imposed_speed(const ice *s, const bc_side *given, int axis)
+{
+    if (given->kind == BC_VELOCITY) return bc_velocity(given, axis, s->time + 0.5 * s->dt);
+    return given->kind == BC_INLET ? given->velocity[axis] : 0.0;
+}
+
 /* A side has no volume that could run out, so nothing else bounds what it lets in. */
 static floe_status check_sides(const ice *s)
 {
     const mesh *m = s->mesh;
+    double most[MESH_MAX_DIM][2] = {{0.0}};
+    ice_view v;
+    for (int id = 0; ice_next_view(s, NULL, &id, &v);)
+        for (int a = 0; a < m->dim; ++a)
+            for (int side = 0; side < 2; ++side) {
+                if (!v.b->at_side[a][side]) continue;
+                int hi[MESH_MAX_DIM] = {v.b->n[0], v.b->n[1], v.b->n[2]};
+                hi[a] = 1;
+                if (!ice_side_differs(s, a, (mesh_side)side)) hi[0] = hi[1] = hi[2] = 1;
+                for (int k = 0; k < hi[2]; ++k)
+                    for (int j = 0; j < hi[1]; ++j)
+                        for (int i = 0; i < hi[0]; ++i) {
+                            const bc_side *given = ice_condition_at(s, v.b, a, (mesh_side)side, i, j, k);
+                            most[a][side] = fmax(most[a][side], fabs(imposed_speed(s, given, a)));
+                        }
+            }
     for (int a = 0; a < m->dim; ++a)
-        for (int side = 0; side < 2; ++side) {
-            const bc_side *given = &s->scene->bc.side[a][side];
-            double speed = 0.0;
-            if (given->kind == BC_VELOCITY) speed = bc_velocity(given, a, s->time + 0.5 * s->dt);
-            if (given->kind == BC_INLET) speed = given->velocity[a];
-            if (fabs(speed) * s->dt <= m->h[a]) continue;
-            return fail(
-                s->ctx, FLOE_RETRY,
-                "advection: the velocity of %g m/s at the %s side of axis %d crosses more than a cell (%g m) in a "
-                "step of %g s",
-                speed, side == SIDE_LOWER ? "lower" : "upper", a, m->h[a], s->dt);
-        }
+        for (int side = 0; side < 2; ++side)
+            if (!(most[a][side] * s->dt <= m->h[a]))
+                return fail(
+                    s->ctx, FLOE_RETRY,
+                    "advection: the velocity of %g m/s at the %s side of axis %d crosses more than a cell (%g m) in a "
+                    "step of %g s",
+                    most[a][side], side == SIDE_LOWER ? "lower" : "upper", a, m->h[a], s->dt);
     return FLOE_OK;
 }
 

@@ -17,7 +17,6 @@
 #include "ice/shock/ice_shock.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_cells.h"
-#include "ice/state/ice_materials.h"
 
 #include <math.h>
 

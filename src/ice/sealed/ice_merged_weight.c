@@ -3,7 +3,7 @@
  * weight (Gauss). At the centres of its cells that is what the stages of whole cells ask for, whose differences then
  * balance as those of a plain column do (theory 2.4). */
 #include "ice/sealed/ice_merged_cells.h"
-#include "ice/state/ice_materials.h"
+#include "ice/state/ice_fluid_state.h"
 
 #include "base/memory.h"
 

@@ -23,49 +23,31 @@ typedef enum ghost_act { ACT_MIRROR, ACT_NEAREST, ACT_LINEAR, ACT_VALUE, ACT_ODD
 typedef struct ghost_rule {
     ghost_act act;
     double value;
-} ghost_rule; /* MIRROR: value + mirror; ODD: 2 value - mirror */
+    bool positive; /* of ACT_LINEAR: as densities are */
+} ghost_rule;      /* MIRROR: value + mirror; ODD: 2 value - mirror */
 
-/* Ghosts beyond one side, with `value` added. */
-static void add_to_ghosts(const block *b, int axis, mesh_side side, double value, double *a)
+/* Continues an array in a straight line beyond a face, by the smaller of the last two differences, none where they
+ * differ in sign; what is positive falls to half at most. */
+static void extrapolate_beyond(bool positive, double *a, ptrdiff_t at, ptrdiff_t out)
 {
-    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
-    bc_layers(b, axis, side, 1, MESH_GHOST, lo, hi);
-    for (int k = lo[2]; k < hi[2]; ++k)
-        for (int j = lo[1]; j < hi[1]; ++j)
-            for (int i = lo[0]; i < hi[0]; ++i) a[mesh_index(b, i, j, k)] += value;
+    const double last = a[at] - a[at - out], before = a[at - out] - a[at - 2 * out];
+    double slope = last * before > 0.0 ? copysign(fmin(fabs(last), fabs(before)), last) : 0.0;
+    if (positive) slope = fmax(slope, -0.5 / MESH_GHOST * fabs(a[at]));
+    for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = a[at] + n * slope;
 }
 
-/* Continues an array in a straight line beyond a side, by the smaller of the last two differences, none where they
- * differ in sign. */
-static void extrapolate_beyond_side(const block *b, int axis, mesh_side side, double *a)
+/* Ghosts beyond the face of one owned cell; `deep`: owned cells behind it, itself included. */
+static void apply_rule(ghost_rule rule, double *a, ptrdiff_t at, ptrdiff_t out, int deep)
 {
-    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
-    bc_layers(b, axis, side, 0, 0, lo, hi);
-    const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
-    for (int k = lo[2]; k < hi[2]; ++k)
-        for (int j = lo[1]; j < hi[1]; ++j)
-            for (int i = lo[0]; i < hi[0]; ++i) {
-                const ptrdiff_t at = mesh_index(b, i, j, k);
-                const double last = a[at] - a[at - out], before = a[at - out] - a[at - 2 * out];
-                const double slope = last * before > 0.0 ? copysign(fmin(fabs(last), fabs(before)), last) : 0.0;
-                for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = a[at] + n * slope;
-            }
-}
-
-static void apply_rule(const block *b, int axis, mesh_side side, ghost_rule rule, double *a)
-{
-    switch (rule.act) {
-    case ACT_MIRROR:
-        bc_reflect(b, axis, side, BC_EVEN, a);
-        if (rule.value != 0.0) add_to_ghosts(b, axis, side, rule.value, a);
-        break;
-    case ACT_NEAREST: bc_extrapolate(b, axis, side, a); break;
-    case ACT_LINEAR: extrapolate_beyond_side(b, axis, side, a); break;
-    case ACT_VALUE: bc_constant(b, axis, side, rule.value, a); break;
-    case ACT_ODD:
-        bc_reflect(b, axis, side, BC_ODD, a);
-        if (rule.value != 0.0) add_to_ghosts(b, axis, side, 2.0 * rule.value, a);
-        break;
+    for (int n = 1; n <= MESH_GHOST; ++n) {
+        const ptrdiff_t ghost = at + n * out, image = at - (n - 1 < deep ? n - 1 : deep - 1) * out;
+        switch (rule.act) {
+        case ACT_MIRROR: a[ghost] = rule.value != 0.0 ? a[image] + rule.value : a[image]; break;
+        case ACT_NEAREST: a[ghost] = a[at]; break;
+        case ACT_VALUE: a[ghost] = rule.value; break;
+        case ACT_ODD: a[ghost] = rule.value != 0.0 ? -a[image] + 2.0 * rule.value : -a[image]; break;
+        case ACT_LINEAR: extrapolate_beyond(rule.positive, a, at, out); return;
+        }
     }
 }
 
@@ -76,10 +58,10 @@ static bool shares_cells(const ice *s, int r, int side_material)
     return brought < 0 ? !s->cut : ice_region_of(s, r) == ice_region_of(s, brought);
 }
 
-static double reservoir_value(const ice *s, int axis, mesh_side side, int r, ice_ghost kind, bool *given)
+static double reservoir_value(const ice *s, const ice_side_face *here, int r, ice_ghost kind, bool *given)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
-    const ice_reservoir *in = &s->reservoirs->state[axis][side];
+    const bc_side *wall = here->condition;
+    const ice_reservoir *in = &here->behind;
     const bool enters = s->material[r].scene_material == wall->material;
     *given = enters || (kind == GHOST_DENSITY && shares_cells(s, r, wall->material));
     switch (kind) {
@@ -90,63 +72,77 @@ static double reservoir_value(const ice *s, int axis, mesh_side side, int r, ice
     }
 }
 
-static ghost_rule velocity_rule(const ice *s, int axis, mesh_side side, int component)
+static ghost_rule velocity_rule(const ice *s, const bc_side *wall, int axis, int component)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
     const bool normal = component == axis, viscous = ice_is_viscous(s);
     const double given =
         wall->kind == BC_VELOCITY ? bc_velocity(wall, component, s->time + 0.5 * s->dt) : wall->velocity[component];
     switch (wall->kind) {
     case BC_SYMMETRY:
-    case BC_SLIP: return (ghost_rule){normal ? ACT_ODD : ACT_MIRROR, 0.0};
+    case BC_SLIP: return (ghost_rule){.act = normal ? ACT_ODD : ACT_MIRROR};
     case BC_NO_SLIP:
     case BC_VELOCITY:
-        if (normal) return (ghost_rule){ACT_ODD, wall->kind == BC_VELOCITY ? given : 0.0};
-        return (ghost_rule){viscous ? ACT_ODD : ACT_MIRROR, viscous ? given : 0.0};
-    case BC_INLET: return (ghost_rule){ACT_VALUE, wall->velocity[component]};
-    case BC_NON_REFLECTING: return (ghost_rule){ACT_LINEAR, 0.0};
-    default: return (ghost_rule){ACT_NEAREST, 0.0};
+        if (normal) return (ghost_rule){.act = ACT_ODD, .value = wall->kind == BC_VELOCITY ? given : 0.0};
+        return (ghost_rule){.act = viscous ? ACT_ODD : ACT_MIRROR, .value = viscous ? given : 0.0};
+    case BC_INLET: return (ghost_rule){.act = ACT_VALUE, .value = wall->velocity[component]};
+    case BC_NON_REFLECTING: return (ghost_rule){.act = ACT_LINEAR};
+    default: return (ghost_rule){.act = ACT_NEAREST};
     }
 }
 
 /* Beyond a wall: its temperature on the face, or the difference of a cell that its heat flux makes, k (T_ghost -
  * T)/h. */
-static ghost_rule temperature_rule(const ice *s, int axis, mesh_side side, int r)
+static ghost_rule temperature_rule(const ice *s, const bc_side *wall, int axis, int r)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
     const double k = s->material[r].conductivity;
-    if (wall->kind != BC_SLIP && wall->kind != BC_NO_SLIP) return (ghost_rule){ACT_MIRROR, 0.0};
-    if (wall->temperature > 0.0) return (ghost_rule){ACT_ODD, wall->temperature};
-    return (ghost_rule){ACT_MIRROR, k > 0.0 ? wall->heat_flux * s->mesh->h[axis] / k : 0.0};
+    if (wall->kind != BC_SLIP && wall->kind != BC_NO_SLIP) return (ghost_rule){.act = ACT_MIRROR};
+    if (wall->temperature > 0.0) return (ghost_rule){.act = ACT_ODD, .value = wall->temperature};
+    return (ghost_rule){.act = ACT_MIRROR, .value = k > 0.0 ? wall->heat_flux * s->mesh->h[axis] / k : 0.0};
 }
 
-static ghost_rule rule_of(const ice *s, int axis, mesh_side side, int r, int component, ice_ghost kind)
+static ghost_rule rule_of(const ice *s, const ice_side_face *here, int axis, int r, int component, ice_ghost kind)
 {
-    const bc_kind side_kind = s->scene->bc.side[axis][side].kind;
+    const bc_side *wall = here->condition;
+    const bc_kind side_kind = wall->kind;
     const bool open =
         side_kind == BC_INLET || side_kind == BC_OUTLET || side_kind == BC_FREE || by_characteristics(side_kind);
-    if (kind == GHOST_VELOCITY) return velocity_rule(s, axis, side, component);
-    const bool crossed = side_kind == BC_NON_REFLECTING ||
-                         (side_kind == BC_VELOCITY && s->scene->bc.side[axis][side].velocity[axis] != 0.0);
-    if (crossed && (kind == GHOST_DENSITY || kind == GHOST_ENERGY)) return (ghost_rule){ACT_LINEAR, 0.0};
-    if (!open && kind == GHOST_TEMPERATURE) return temperature_rule(s, axis, side, r);
-    if (!open) return (ghost_rule){ACT_MIRROR, 0.0};
-    if (kind == GHOST_ZERO_OPEN) return (ghost_rule){ACT_VALUE, 0.0};
+    if (kind == GHOST_VELOCITY) return velocity_rule(s, wall, axis, component);
+    const bool crossed = side_kind == BC_NON_REFLECTING || (side_kind == BC_VELOCITY && wall->velocity[axis] != 0.0);
+    if (crossed && (kind == GHOST_DENSITY || kind == GHOST_ENERGY))
+        return (ghost_rule){.act = ACT_LINEAR, .positive = true};
+    if (!open && kind == GHOST_TEMPERATURE) return temperature_rule(s, wall, axis, r);
+    if (!open) return (ghost_rule){.act = ACT_MIRROR};
+    if (kind == GHOST_ZERO_OPEN) return (ghost_rule){.act = ACT_VALUE};
     if (side_kind == BC_INLET && kind != GHOST_EVEN) {
         bool given;
-        const double value = reservoir_value(s, axis, side, r, kind, &given);
-        if (given) return (ghost_rule){ACT_VALUE, value};
+        const double value = reservoir_value(s, here, r, kind, &given);
+        if (given) return (ghost_rule){.act = ACT_VALUE, .value = value};
     }
-    return (ghost_rule){ACT_NEAREST, 0.0};
+    return (ghost_rule){.act = ACT_NEAREST};
 }
 
 static void fill_beyond(const ice *s, const block *b, int axis, mesh_side side, int r, int component, ice_ghost kind,
                         double *a)
 {
-    const bool state = kind == GHOST_VELOCITY || kind == GHOST_DENSITY || kind == GHOST_ENERGY || kind == GHOST_VOLUME;
-    apply_rule(b, axis, side, rule_of(s, axis, side, r, component, kind), a);
-    if (state && s->scene->bc.side[axis][side].kind == BC_RESERVOIR)
-        ice_reservoir_ghosts(s, b, s->domain->fields[b->id], axis, side, r, kind, component, a);
+    const bool state = kind == GHOST_VELOCITY || kind == GHOST_DENSITY || kind == GHOST_ENERGY || kind == GHOST_VOLUME,
+               differs = ice_side_differs(s, axis, side);
+    const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
+    const ice_side_face *here = ice_side_at(s, b, axis, side, 0, 0, 0);
+    ghost_rule rule = rule_of(s, here, axis, r, component, kind);
+    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
+    bc_layers(b, axis, side, 0, 0, lo, hi);
+    for (int k = lo[2]; k < hi[2]; ++k)
+        for (int j = lo[1]; j < hi[1]; ++j)
+            for (int i = lo[0]; i < hi[0]; ++i) {
+                const ptrdiff_t at = mesh_index(b, i, j, k);
+                if (differs) {
+                    here = ice_side_at(s, b, axis, side, i, j, k);
+                    rule = rule_of(s, here, axis, r, component, kind);
+                }
+                apply_rule(rule, a, at, out, b->n[axis]);
+                if (state && here->condition->kind == BC_RESERVOIR)
+                    ice_reservoir_ghosts(s, b, s->domain->fields[b->id], here, at, axis, side, r, kind, component, a);
+            }
 }
 
 void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, ice_ghost kind)
@@ -167,32 +163,43 @@ void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, 
     }
 }
 
+/* Sides through which fluid may come back from a reservoir of which it knows but the state. */
+static bool lets_back(bc_kind kind)
+{
+    return kind == BC_OUTLET || kind == BC_NON_REFLECTING;
+}
+
 /* Beyond an outlet or non-reflecting side through which fluid comes back lies the side's reservoir: its density and
  * energy enter. */
 static void fill_backflow(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
-    const ice_reservoir *in = &s->reservoirs->state[axis][side];
-    const bool enters = s->material[r].scene_material == wall->material;
     const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
     double *rho = field_get(f, C_RHO, r, 0), *e = field_get(f, C_ENERGY, r, 0), *vol = field_get(f, C_VOL, r, 0);
+    const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
     int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
-    if (!shares_cells(s, r, wall->material)) return; /* a membrane keeps it from this side */
-    bc_layers(b, axis, side, 1, MESH_GHOST, lo, hi);
+    bc_layers(b, axis, side, 0, 0, lo, hi);
     for (int k = lo[2]; k < hi[2]; ++k)
         for (int j = lo[1]; j < hi[1]; ++j)
             for (int i = lo[0]; i < hi[0]; ++i) {
-                const ptrdiff_t at = mesh_index(b, i, j, k);
-                if (!(inward * u[at] > 0.0)) continue;
-                rho[at] = enters ? in->rho : 0.0;
-                if (enters) e[at] = in->e;
-                if (enters && vol) vol[at] = in->v;
+                const ice_side_face *here = ice_side_at(s, b, axis, side, i, j, k);
+                const bc_side *wall = here->condition;
+                if (!lets_back(wall->kind) || !(here->behind.rho > 0.0)) continue;
+                if (!shares_cells(s, r, wall->material)) continue; /* a membrane keeps it from this side */
+                const bool enters = s->material[r].scene_material == wall->material;
+                for (int n = 1; n <= MESH_GHOST; ++n) {
+                    const ptrdiff_t at = mesh_index(b, i, j, k) + n * out;
+                    if (!(inward * u[at] > 0.0)) continue;
+                    rho[at] = enters ? here->behind.rho : 0.0;
+                    if (enters) e[at] = here->behind.e;
+                    if (enters && vol) vol[at] = here->behind.v;
+                }
             }
 }
 
 floe_status ice_boundary_ghosts(ice *s)
 {
     const mesh *m = s->mesh;
+    TRY(ice_renew_sides(s));
     for (int r = 0; r < s->n_materials; ++r) {
         ice_fill_ghosts(s, C_RHO, r, FILL_CURRENT, GHOST_DENSITY);
         ice_fill_ghosts(s, C_VEL, r, FILL_CURRENT, GHOST_VELOCITY);
@@ -206,10 +213,8 @@ floe_status ice_boundary_ghosts(ice *s)
         if (ice_region_of(s, r)->n > 1) ice_fill_ghosts(s, C_VOL, r, FILL_CURRENT, GHOST_VOLUME);
         for (int axis = 0; axis < m->dim; ++axis)
             for (int side = 0; side < 2; ++side) {
-                const bc_kind kind = s->scene->bc.side[axis][side].kind;
-                if (m->periodic[axis] || (kind != BC_OUTLET && kind != BC_NON_REFLECTING) || s->material[r].points)
+                if (m->periodic[axis] || s->material[r].points || !ice_side_has(s, axis, (mesh_side)side, lets_back))
                     continue;
-                if (!(s->reservoirs->state[axis][side].rho > 0.0)) continue;
                 for (int id = 0; id < m->n_blocks; ++id)
                     if (m->block[id].at_side[axis][side])
                         fill_backflow(s, &m->block[id], s->domain->fields[id], axis, (mesh_side)side, r);
@@ -240,11 +245,16 @@ void ice_visit_sides(const ice *s, const ice_view *v, int r, side_visitor *visit
         }
 }
 
+static const bc_side *condition_at(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at)
+{
+    return ice_condition_at(s, v->b, axis, side, at.i, at.j, at.k);
+}
+
 /* Given pressure on the face: the same difference as inside, over half a cell. */
 static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const ice_fluid *m = &v->m[r];
-    const double phi = 0.5 * (1.0 + v->shock[at.cell]), given = s->scene->bc.side[axis][side].pressure;
+    const double phi = 0.5 * (1.0 + v->shock[at.cell]), given = condition_at(s, v, axis, side, at)->pressure;
     const double theta = v->multi ? m->theta[at.cell] : 1.0,
                  mobility = m->rho[at.cell] > 0.0 ? theta / m->rho[at.cell] : 0.0;
     const double gradient = at.outward * (given - v->p[at.cell]) * 2.0 * v->inv_h[axis];
@@ -256,11 +266,12 @@ static double outlet_velocity(const ice *s, const ice_view *v, int axis, mesh_si
 static void set_side_mobility(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
     const ice_fluid *m = &v->m[r];
-    const bool gives = s->scene->bc.side[axis][side].kind == BC_OUTLET && m->rho[at.cell] > 0.0;
+    const bc_side *wall = condition_at(s, v, axis, side, at);
+    const bool gives = wall->kind == BC_OUTLET && m->rho[at.cell] > 0.0;
     m->mobility[axis][at.face] = gives ? 2.0 * (v->multi ? m->theta[at.cell] : 1.0) / m->rho[at.cell] : 0.0;
     if (!gives) return;
     const double now = 0.5 * (1.0 + v->shock[at.cell]), change = ice_implicit_phi(v, now) - now;
-    const double gradient = at.outward * (s->scene->bc.side[axis][side].pressure - v->p[at.cell]) * v->inv_h[axis];
+    const double gradient = at.outward * (wall->pressure - v->p[at.cell]) * v->inv_h[axis];
     m->fu[axis][at.face] += change * v->dt * (v->gravity[axis] - m->mobility[axis][at.face] * gradient);
 }
 
@@ -271,7 +282,7 @@ void ice_boundary_mobility(const ice *s, const ice_view *v, int r)
 
 static void set_velocity(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const bc_side *wall = condition_at(s, v, axis, side, at);
     double *face = v->m[r].fu[axis];
     switch (wall->kind) {
     case BC_SYMMETRY:
@@ -295,20 +306,22 @@ void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r)
 }
 
 /* Of the fluid at a side with a velocity: the side's own, and what the fluid has by passing it. */
-static double side_acceleration(const ice *s, const ice_view *v, int axis, const bc_side *wall, side_face at)
+static double side_acceleration(const ice *s, const ice_view *v, int axis, const ice_side_face *here, side_face at)
 {
+    const bc_side *wall = here->condition;
     const double t = s->time + 0.5 * s->dt, u = bc_velocity(wall, axis, t);
     const double slope = 2.0 * at.outward * (u - v->mean[axis][at.cell]) * v->inv_h[axis];
-    return wall->velocity[axis] * swing_rate(&wall->course, t) + u * slope;
+    return wall->velocity[axis] * swing_rate(&wall->course, t) + here->acceleration[axis] + u * slope;
 }
 
 static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const ice_side_face *here = ice_side_at(s, v->b, axis, side, at.i, at.j, at.k);
+    const bc_side *wall = here->condition;
     (void)r;
     if (v->traced && (!v->alone || v->alone[at.cell] > 0.0) && (ice_is_wall(wall->kind) || wall->kind == BC_FREE))
         return; /* by the waves between cell and ghost */
-    if (wall->kind == BC_OUTLET)
+    if (wall->kind == BC_OUTLET || ice_enters_supersonic(s, here, axis, side))
         v->fp[axis][at.face] = wall->pressure;
     else if (wall->kind == BC_FREE)
         v->fp[axis][at.face] = v->P[at.cell];
@@ -316,7 +329,7 @@ static void set_pressure(const ice *s, const ice_view *v, int axis, mesh_side si
         v->fp[axis][at.face] = ice_characteristic(s, v, axis, side, at).pressure;
     else {
         double body_acceleration = v->gravity[axis];
-        if (wall->kind == BC_VELOCITY) body_acceleration -= side_acceleration(s, v, axis, wall, at);
+        if (wall->kind == BC_VELOCITY) body_acceleration -= side_acceleration(s, v, axis, here, at);
         v->fp[axis][at.face] = v->P[at.cell] + 0.5 * at.outward * v->rho_sum[at.cell] * body_acceleration * v->h[axis];
     }
 }

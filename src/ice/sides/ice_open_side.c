@@ -10,37 +10,9 @@
 #include "ice/sides/ice_open_side.h"
 #include "ice/state/ice_materials.h"
 
-#include "base/memory.h"
-
 #include <math.h>
 
 /* ---- reservoirs ---- */
-
-/* Sides behind which a state of a fluid lies. */
-static bool has_reservoir(bc_kind kind)
-{
-    return kind == BC_INLET || kind == BC_OUTLET || kind == BC_NON_REFLECTING || kind == BC_RESERVOIR;
-}
-
-/* States that enter at inlets, in reservoirs, and behind outlets that name one. */
-floe_status ice_reservoirs_create(ice *s)
-{
-    TRY(memory_new(s->ctx, &s->reservoirs, 1, sizeof *s->reservoirs));
-    for (int a = 0; a < s->mesh->dim; ++a)
-        for (int side = 0; side < 2; ++side) {
-            const bc_side *wall = &s->scene->bc.side[a][side];
-            if (!has_reservoir(wall->kind)) continue;
-            const int r = ice_material_of(s, wall->material);
-            if (r < 0 || s->material[r].points || !(wall->temperature > 0.0)) continue;
-            s->reservoirs->state[a][side] = ice_state_at(&s->material[r].eos, wall->pressure, wall->temperature);
-        }
-    return FLOE_OK;
-}
-
-void ice_reservoirs_destroy(context *ctx, ice_reservoirs **w)
-{
-    memory_free(ctx, w);
-}
 
 /* Decrease of pressure, density and energy with the speed along an isentrope. */
 typedef struct gas_state {
@@ -80,11 +52,9 @@ static ice_reservoir expand_isentropically(const eos *law, double p0, const ice_
     return out;
 }
 
-/* The speed beyond which a reservoir's gas is not led: the one of sound at rest. */
-static double sound_speed_at_rest(const ice *s, int axis, mesh_side side, int r)
+/* Speed of sound of the fluid behind a face; a reservoir's gas is not led beyond that. */
+static double sound_speed_behind(const eos *law, const ice_reservoir *rest)
 {
-    const ice_reservoir *rest = &s->reservoirs->state[axis][side];
-    const eos *law = &s->material[r].eos;
     double p, c2;
     law->model->pressure(law->par, 1, &rest->rho, &rest->e, &p, &c2);
     return sqrt(c2);
@@ -92,19 +62,18 @@ static double sound_speed_at_rest(const ice *s, int axis, mesh_side side, int r)
 
 /* Inflow w >= 0 with p(w) - z w = R on the isentrope; negative where the fluid leaves against the reservoir's
  * pressure. */
-static ice_side_state from_reservoir(const ice *s, int axis, mesh_side side, double R, double z)
+static ice_side_state from_reservoir(const ice *s, const ice_side_face *here, double R, double z)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
-    const ice_reservoir *rest = &s->reservoirs->state[axis][side];
-    const int r = ice_material_of(s, wall->material);
+    const bc_side *wall = here->condition;
+    const eos *law = &s->material[ice_material_of(s, wall->material)].eos;
     double w = (wall->pressure - R) / z, p = wall->pressure;
     if (!(w > 0.0)) return (ice_side_state){wall->pressure, -w};
-    const double most_speed = sound_speed_at_rest(s, axis, side, r);
+    const double most_speed = sound_speed_behind(law, &here->behind);
     w = fmin(w, most_speed);
     for (int k = 0; k < 8; ++k) {
-        const ice_reservoir now = expand_isentropically(&s->material[r].eos, wall->pressure, rest, w);
+        const ice_reservoir now = expand_isentropically(law, wall->pressure, &here->behind, w);
         double c2;
-        s->material[r].eos.model->pressure(s->material[r].eos.par, 1, &now.rho, &now.e, &p, &c2);
+        law->model->pressure(law->par, 1, &now.rho, &now.e, &p, &c2);
         const double step = (p - z * w - R) / (now.rho * w + z);
         w = fmin(fmax(w + step, 0.0), most_speed);
         if (fabs(step) <= 1e-13 * most_speed) break;
@@ -112,38 +81,35 @@ static ice_side_state from_reservoir(const ice *s, int axis, mesh_side side, dou
     return (ice_side_state){p, -w};
 }
 
-/* Beyond a side with a reservoir, the state that flows in at the speed of the cell beside it; where that leaves,
+/* Beyond a face with a reservoir, the state that flows in at the speed of the cell beside it; where that leaves,
  * nothing is changed. */
-void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, int axis, mesh_side side, int r,
-                          ice_ghost kind, int component, double *a)
+void ice_reservoir_ghosts(const ice *s, const block *b, const fields *f, const ice_side_face *here, ptrdiff_t at,
+                          int axis, mesh_side side, int r, ice_ghost kind, int component, double *a)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const bc_side *wall = here->condition;
     if (s->material[r].scene_material != wall->material) return;
-    const ice_reservoir *rest = &s->reservoirs->state[axis][side];
-    const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0,
-                 most_speed = sound_speed_at_rest(s, axis, side, r);
-    int lo[MESH_MAX_DIM], hi[MESH_MAX_DIM];
-    bc_layers(b, axis, side, 0, 0, lo, hi);
-    for (int k = lo[2]; k < hi[2]; ++k)
-        for (int j = lo[1]; j < hi[1]; ++j)
-            for (int i = lo[0]; i < hi[0]; ++i) {
-                const ptrdiff_t at = mesh_index(b, i, j, k),
-                                out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
-                const double speed = fmin(inward * u[at], most_speed);
-                if (!(speed > 0.0)) continue;
-                double value = component == axis ? inward * speed : 0.0;
-                if (kind != GHOST_VELOCITY) {
-                    const ice_reservoir now = expand_isentropically(&s->material[r].eos, wall->pressure, rest, speed);
-                    value = kind == GHOST_DENSITY  ? now.rho
-                            : kind == GHOST_ENERGY ? now.e
-                            : kind == GHOST_VOLUME ? now.v
-                                                   : now.T;
-                }
-                for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = value;
-            }
+    const eos *law = &s->material[r].eos;
+    const double *u = field_get(f, C_VEL, r, axis), inward = side == SIDE_LOWER ? 1.0 : -1.0;
+    const double speed = fmin(inward * u[at], sound_speed_behind(law, &here->behind));
+    const ptrdiff_t out = side == SIDE_LOWER ? -b->stride[axis] : b->stride[axis];
+    if (!(speed > 0.0)) return;
+    double value = component == axis ? inward * speed : 0.0;
+    if (kind != GHOST_VELOCITY) {
+        const ice_reservoir now = expand_isentropically(law, wall->pressure, &here->behind, speed);
+        value = kind == GHOST_DENSITY ? now.rho : kind == GHOST_ENERGY ? now.e : kind == GHOST_VOLUME ? now.v : now.T;
+    }
+    for (int n = 1; n <= MESH_GHOST; ++n) a[at + n * out] = value;
 }
 
 /* ---- faces ---- */
+
+bool ice_enters_supersonic(const ice *s, const ice_side_face *here, int axis, mesh_side side)
+{
+    const bc_side *wall = here->condition;
+    const double speed = side == SIDE_LOWER ? wall->velocity[axis] : -wall->velocity[axis];
+    if (wall->kind != BC_INLET || !(here->behind.rho > 0.0) || !(speed > 0.0)) return false;
+    return speed >= sound_speed_behind(&s->material[ice_material_of(s, wall->material)].eos, &here->behind);
+}
 
 /* Mean of z between a cell and the pressure outside, along the isentrope: what a wave of finite strength meets. */
 static double mean_impedance(const ice_view *v, ptrdiff_t c, double z, double outside)
@@ -160,7 +126,8 @@ static double mean_impedance(const ice_view *v, ptrdiff_t c, double z, double ou
 
 ice_side_state ice_characteristic(const ice *s, const ice_view *v, int axis, mesh_side side, side_face at)
 {
-    const bc_side *wall = &s->scene->bc.side[axis][side];
+    const ice_side_face *here = ice_side_at(s, v->b, axis, side, at.i, at.j, at.k);
+    const bc_side *wall = here->condition;
     const ptrdiff_t c = at.cell, in = c - (side == SIDE_LOWER ? -1 : 1) * v->b->stride[axis];
     const double rho = v->rho_sum[c], sound = v->multi ? 1.0 / sqrt(rho * v->kappa_sum[c]) : v->m[0].c[c],
                  z = rho * sound;
@@ -169,7 +136,7 @@ ice_side_state ice_characteristic(const ice *s, const ice_view *v, int axis, mes
     const double smooth = v->limit_hi * (1.0 - v->shock[c]), courant = fmin(fmax((u + sound) * v->dt / h, 0.0), 1.0);
     const double rise = v->p[c] - v->p[in] - weight + z * (u - at.outward * v->mean[axis][in]);
     const double R = v->p[c] + z * u + 0.5 * weight + 0.5 * smooth * (1.0 - courant) * rise;
-    if (wall->kind == BC_RESERVOIR) return from_reservoir(s, axis, side, R, z);
+    if (wall->kind == BC_RESERVOIR) return from_reservoir(s, here, R, z);
     if (!(u < sound)) return (ice_side_state){v->p[c] + 0.5 * weight, u};
     const double zq = mean_impedance(v, c, z, wall->pressure), far = at.outward * wall->velocity[axis],
                  velocity = (R - wall->pressure + zq * far) / (z + zq);

@@ -4,9 +4,9 @@
 
 #include "ice/ice_view.h"
 
-/* States of the fluids at inlets, in reservoirs, and behind outlets that name one. */
-floe_status ice_reservoirs_create(ice *s);
-void ice_reservoirs_destroy(context *ctx, struct ice_reservoirs **w);
+/* Conditions of the faces, and the fluids at inlets, in reservoirs, and behind outlets that name one. */
+floe_status ice_sides_create(ice *s);
+void ice_sides_destroy(context *ctx, struct ice_side_table **w);
 
 /* How ghost cells beyond a side are set. */
 typedef enum ice_ghost {
@@ -23,6 +23,12 @@ void ice_fill_ghosts(const ice *s, field_id id, int instance, fill_which which, 
 /* Sets ghost faces of F_VEL, so that the outflow of ghost cells is known. */
 void ice_fill_faces(const ice *s, field_id id, int instance);
 bool ice_is_wall(bc_kind kind);
+/* The condition of the face of a side beside an owned cell, local; its numbers are those at the face, at the middle of the step. */
+const bc_side *ice_condition_at(const ice *s, const block *b, int axis, mesh_side side, int i, int j, int k);
+/* Whether the faces of a side differ, so that each is asked for. */
+bool ice_side_differs(const ice *s, int axis, mesh_side side);
+/* Whether any face of a side has one of these kinds of condition. */
+bool ice_side_has(const ice *s, int axis, mesh_side side, bool (*kind)(bc_kind kind));
 /* Values that the sides impose on faces. */
 void ice_boundary_face_velocity(const ice *s, const ice_view *v, int r);
 void ice_boundary_face_pressure(const ice *s, const ice_view *v);

@@ -3,6 +3,7 @@
  * gravity axis, and the highest cells keep the pressure that they were given. */
 #include "ice/start/ice_start.h"
 #include "ice/state/ice_cell_numbers.h"
+#include "ice/state/ice_fluid_state.h"
 #include "ice/state/ice_materials.h"
 #include "scene/formula.h"
 

@@ -1,7 +1,9 @@
 /* Questions about the materials of the cells. */
 
 #include "ice/state/ice_materials.h"
+#include "ice/state/ice_fluid_state.h"
 #include "ice/state/ice_traced.h"
+#include "scene/side_parts.h"
 
 #include <math.h>
 
@@ -13,14 +15,14 @@ void ice_find_used(const scene *s, bool with_points, bool *used)
     }
     if (s->has_ambient) used[s->ambient_material] = true;
     for (int k = 0; k < s->n_reactions; ++k) used[s->reaction[k].product] = true;
-    for (int a = 0; a < s->mesh.dim; ++a)
-        for (int side = 0; side < 2; ++side) {
-            const bc_side *wall = &s->bc.side[a][side];
-            const bool fluid = wall->material >= 0 && wall->material < s->n_materials &&
-                               s->material[wall->material].kind == MATERIAL_FLUID;
-            if ((wall->kind == BC_INLET || wall->kind == BC_RESERVOIR) && fluid && !s->mesh.periodic[a])
-                used[wall->material] = true;
-        }
+    scene_condition at;
+    for (int i = 0; scene_next_condition(s, &i, &at);) {
+        const bc_side *wall = at.side;
+        const bool fluid = wall->material >= 0 && wall->material < s->n_materials &&
+                           s->material[wall->material].kind == MATERIAL_FLUID;
+        if ((wall->kind == BC_INLET || wall->kind == BC_RESERVOIR) && fluid && !s->mesh.periodic[at.axis])
+            used[wall->material] = true;
+    }
 }
 
 int ice_material_of(const ice *s, int wanted)

@@ -13,11 +13,5 @@ bool ice_has_interfaces(const ice *s, const ice_region *g);
 bool ice_follows_isentropes(const ice *s, const ice_region *g);
 /* Whether contact discontinuities of a single fluid are sharpened (C_CONTACT). */
 bool ice_sharpens_contacts(const ice *s);
-/* Density, energy and specific volume of a fluid. */
-typedef struct ice_reservoir {
-    double rho, e, T, v;
-} ice_reservoir;
-/* State of a law at a pressure and a temperature. */
-ice_reservoir ice_state_at(const eos *law, double p, double T);
 
 #endif

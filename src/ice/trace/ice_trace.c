@@ -98,7 +98,7 @@ static void find_warming(const ice *s, const ice_region *g)
 }
 
 /* Beyond a wall the pressure is mirrored less the weight: that of a column goes on. */
-static void continue_column(const ice_view *v, int axis, mesh_side side)
+static void continue_column(const ice *s, const ice_view *v, int axis, mesh_side side)
 {
     const ptrdiff_t out = side == SIDE_LOWER ? -v->b->stride[axis] : v->b->stride[axis];
     const double half = (side == SIDE_LOWER ? -0.5 : 0.5) * v->gravity[axis] * v->h[axis], *rho = v->rho_sum;
@@ -109,7 +109,8 @@ static void continue_column(const ice_view *v, int axis, mesh_side side)
             for (int j = lo[1]; j < hi[1]; ++j)
                 for (int i = lo[0]; i < hi[0]; ++i) {
                     const ptrdiff_t at = mesh_index(v->b, i, j, k);
-                    v->p[at] = v->p[at - out] + half * (rho[at] + rho[at - out]);
+                    if (ice_is_wall(ice_condition_at(s, v->b, axis, side, i, j, k)->kind))
+                        v->p[at] = v->p[at - out] + half * (rho[at] + rho[at - out]);
                 }
     }
 }
@@ -119,8 +120,8 @@ static void continue_columns(const ice *s, const ice_view *v)
     for (int axis = 0; axis < v->dim; ++axis)
         for (int side = 0; side < 2; ++side)
             if (v->gravity[axis] != 0.0 && v->b->at_side[axis][side] && !s->mesh->periodic[axis] &&
-                ice_is_wall(s->scene->bc.side[axis][side].kind))
-                continue_column(v, axis, (mesh_side)side);
+                ice_side_has(s, axis, (mesh_side)side, ice_is_wall))
+                continue_column(s, v, axis, (mesh_side)side);
 }
 
 void ice_trace_faces(const ice *s, const ice_region *g)
@@ -143,7 +144,8 @@ static void follow_side(const ice *s, const ice_view *v, int axis, mesh_side sid
     const ice_fluid *m = &v->m[r];
     const ptrdiff_t beyond = side == SIDE_LOWER ? at.cell - v->b->stride[axis] : at.cell + v->b->stride[axis];
     const double u = m->fu[axis][at.face];
-    const bool enters = u * at.outward < 0.0, given = s->scene->bc.side[axis][side].kind == BC_INLET;
+    const bool enters = u * at.outward < 0.0,
+               given = ice_condition_at(s, v->b, axis, side, at.i, at.j, at.k)->kind == BC_INLET;
     if (given || (u > 0.0) != (v->donor_u[axis][axis][at.face] > 0.0)) {
         const ptrdiff_t from = enters ? beyond : at.cell;
         v->donor_rho[axis][at.face] = m->rho[from];

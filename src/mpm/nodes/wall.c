@@ -10,7 +10,9 @@
 #include "mpm/nodes/sides.h"
 #include "mpm/nodes/supports.h"
 #include "mpm/transfer/windows.h"
+#include "scene/formula.h"
 
+#include <math.h>
 #include <string.h>
 
 bool wall_mirrors(const mpm *s, int group, int axis, int side)
@@ -174,11 +176,26 @@ bool wall_constrains(const mpm *s, int group, int axis, int side, int component)
     return side_constrains_all(s, axis, side) || (wall_mirrors(s, group, axis, side) && component == axis);
 }
 
+/* A velocity that changes with place is for fluids on cells: points see that in the middle of the side (scene/unsupported.c). */
+static double value_at_middle(const mpm *s, const expression *formula, int axis, int side, double t)
+{
+    const mesh *m = s->mesh;
+    double x[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < m->dim; ++a) x[a] = 0.5 * (m->lower[a] + m->upper[a]);
+    x[axis] = side == SIDE_LOWER ? m->lower[axis] : m->upper[axis];
+    return expression_value(formula, x, t);
+}
+
 double wall_target(const mpm *s, int axis, int side, int component)
 {
     const bc_side *wall = &s->scene->bc.side[axis][side];
     if (!side_constrains_all(s, axis, side)) return 0.0;
-    return wall->kind == BC_VELOCITY ? bc_velocity(wall, component, s->time + s->dt) : wall->velocity[component];
+    const double t = s->time + s->dt;
+    const expression *formula = scene_formula_of(s->scene, &wall->velocity[component]);
+    if (formula)
+        return (wall->kind == BC_VELOCITY ? swing_at(&wall->course, t) : 1.0) *
+               value_at_middle(s, formula, axis, side, t);
+    return wall->kind == BC_VELOCITY ? bc_velocity(wall, component, t) : wall->velocity[component];
 }
 
 static wall_rule wall_rule_of(const mpm *s, int axis, int side, int group, field_id field)
