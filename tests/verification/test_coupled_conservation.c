@@ -175,7 +175,7 @@ static void test_rest(void **unused)
                                       : make_ball(&t, (const double[]){0.35, 0.36, 0.0}, 0.21),
                          2);
             coupled_start(&t);
-            trial_steps(&t, 400);
+            trial_steps(&t, 200);
             const noise n = measure(&t, NULL);
             print_message("%s %-9s at rest: p %.1e, gas %.1e m/s, solid %.1e m/s, stress %.1e Pa\n", in->name,
                           basis_registry[i]->name, n.pressure, n.gas, n.solid, n.stress);

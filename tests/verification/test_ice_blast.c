@@ -4,7 +4,7 @@
 #include "ice_fixture.h"
 #include "order_fixture.h"
 
-enum { REFERENCE = 4000 };
+enum { REFERENCE = 3000 };
 
 static const double ratio = 1.4, burst = 0.4, end_time = 0.25;
 
