@@ -66,7 +66,8 @@ static void check_guard(const unsigned char *block, size_t size)
 
 void __wrap_free(void *block)
 {
-    if (block == NULL || (uintptr_t)block % SPACE != 0 || mark_of(block).own != block) {
+    /* Other blocks have no mark: to look for one is to read before them, which tools that watch storage tell of. */
+    if (block == NULL || (uintptr_t)block % SPACE != 0 || getenv("FLOE_NO_GUARD") || mark_of(block).own != block) {
         __real_free(block);
         return;
     }
