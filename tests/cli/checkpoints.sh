@@ -32,8 +32,8 @@ expect 0 "$FLOE" run "${scene[@]}" -o whole --quiet
 [ "$(find whole/fields -name '*.h5' | wc -l)" -eq 11 ] || fault 'not eleven snapshots'
 has whole/run.log 'checkpoints on the way: '
 
-# Nine of eleven snapshots, and SIGKILL.
-killed_at part fields/000008.h5 "$FLOE" run "${scene[@]}" --quiet
+# A checkpoint on the way, and SIGKILL.
+killed_at part checkpoint.h5 "$FLOE" run "${scene[@]}" --quiet
 is_there part/checkpoint.h5
 expect 0 "$FLOE" run "${scene[@]}" -o part --resume --quiet
 same_results whole part

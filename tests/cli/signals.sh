@@ -2,8 +2,8 @@
 # Every signal of terminals and batch systems ends a run with a checkpoint, status 5 and a last line that names it.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
-# Steps of a moment, more of them than any of these runs will take: none ends by itself however late its signal comes.
-long=("$cylinder" --coupling mpm --set domain.cell=0.1 --set time.end=1000 --set stop=null --set output.checkpoint_interval=off)
+# Steps of a moment, and half a minute of them: none of these runs ends by itself before its signal comes, however late.
+long=("$cylinder" --coupling mpm --set domain.cell=0.1 --set time.end=0.5 --set stop=null --set output.checkpoint_interval=off)
 
 # started FOLDER COMMAND...: the command in the background, $pid, once it has begun its steps.
 started() {

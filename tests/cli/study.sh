@@ -77,7 +77,7 @@ expect 0 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 --set time.end=1
 [ "$(json changed/0.4/summary.json time | cut -c 1-5)" = 0.001 ] || fault 'results of another deck were kept'
 
 # Stopped by a signal: status 5, and the runs are stopped too.
-"$FLOE" study "$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --set stop=null --set time.end=1000 --axis domain.cell=0.1,0.08 -o stopped --jobs 2 >stdout 2>stderr &
+"$FLOE" study "$cylinder" --set study=null --set coupling=mpm --set 'runs_as=[mpm]' --set stop=null --set time.end=0.5 --axis domain.cell=0.1,0.08 -o stopped --jobs 2 >stdout 2>stderr &
 pid=$!
 until [ -s stopped/0.08/history.csv ] && [ -s stopped/0.1/history.csv ]; do sleep 0.02; done
 "$FLOE" study "${scene[@]}" --axis domain.cell=0.4,0.2 -o stopped 2>refused && fault 'two studies in one folder'
