@@ -83,11 +83,11 @@ static void test_paper(void **state)
     static const char *const paper[] = {"method.basis=linear", "method.interface=smeared",
                                         "bodies.cylinder.seeding=lattice"};
     const bool all = check_at_length();
-    const double h[] = {all ? 0.025 : 0.2, 0.1, 0.05};
+    const double h[] = {all ? 0.025 : 0.2, 0.1, all ? 0.05 : 0.08};
     double error[3];
     for (int k = 0; k < 3; ++k) {
         error[k] = run("ice-mpm", h[k], 3, paper).eq13;
-        check_true(error[k] <= 2.5 * h[k]); /* 38.3, 20.3 and 10.9 % are measured */
+        check_true(error[k] <= 2.5 * h[k]); /* 38.3, 20.1 and 16.5 % are measured */
     }
     order_fit fit;
     context *ctx = context_create();
@@ -95,7 +95,7 @@ static void test_paper(void **state)
     context_destroy(&ctx);
     print_message("slope %.3f +- %.3f\n", fit.order, fit.standard_error);
     check_true(fit.order >= 0.89 - 2.0 * fit.standard_error);
-    check_true(fit.standard_error <= (all ? 0.04 : 0.015)); /* the order rises from 0.88 to 0.965: 0.024 is measured */
+    check_true(fit.standard_error <= (all ? 0.04 : 0.012)); /* the order rises from 0.88 to 0.965: 0.024 is measured */
 }
 
 int main(void)
