@@ -239,6 +239,18 @@ static void test_profile_at_an_inlet(void **state)
     end(&t);
 }
 
+/* Formulas are asked for no value beyond the domain, where roots have none. */
+static void test_formulas_end_with_the_domain(void **state)
+{
+    (void)state;
+    const char *const set[] = {"boundaries.x.lower={inlet: {velocity: [\"sqrt(y * (1 - y))\", 0], pressure: 1000, "
+                               "temperature: \"1 + sqrt(1 - y)\"}}"};
+    bench t;
+    begin(&t, channel, set, 1);
+    run_until(&t, 0.01);
+    end(&t);
+}
+
 static void test_what_is_refused(void **state)
 {
     (void)state;
@@ -273,7 +285,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_what_enters_by_a_part),   cmocka_unit_test(test_parts_that_say_the_same),
         cmocka_unit_test(test_kinds_beside_each_other), cmocka_unit_test(test_piston_by_formula),
-        cmocka_unit_test(test_profile_at_an_inlet),     cmocka_unit_test(test_what_is_refused),
+        cmocka_unit_test(test_profile_at_an_inlet),     cmocka_unit_test(test_formulas_end_with_the_domain),
+        cmocka_unit_test(test_what_is_refused),
     };
     deck_init();
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -104,6 +104,14 @@ static floe_status resolve_condition(const ice *s, const bc_side *given, const d
     return FLOE_OK;
 }
 
+/* Middle of a column along an axis. Beyond the domain formulas need have no value: a ghost column has the place of the cell that it
+ * repeats, or of the nearest. */
+static double place_along(const mesh *m, int a, int cell)
+{
+    if (m->periodic[a]) return mesh_centre(m, a, (cell + m->n[a]) % m->n[a]);
+    return mesh_centre(m, a, cell < 0 ? 0 : cell < m->n[a] ? cell : m->n[a] - 1);
+}
+
 static floe_status resolve_block(const ice *s, const block *b, int axis, int side)
 {
     const double t = s->time + 0.5 * s->dt;
@@ -114,7 +122,7 @@ static floe_status resolve_block(const ice *s, const block *b, int axis, int sid
             for (int i = lo[0]; i < hi[0]; ++i) {
                 const int local[3] = {i, j, k};
                 double x[3] = {0.0, 0.0, 0.0};
-                for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, b->lo[a] + local[a]);
+                for (int a = 0; a < s->mesh->dim; ++a) x[a] = place_along(s->mesh, a, b->lo[a] + local[a]);
                 x[axis] = side == SIDE_LOWER ? s->mesh->lower[axis] : s->mesh->upper[axis];
                 ice_side_face *face = &s->sides->face[b->id][axis][side][face_number(b, axis, i, j, k)];
                 TRY(resolve_condition(s, scene_condition_at(s->scene, axis, side, x), x, t, face));
