@@ -60,6 +60,11 @@ FIXTURE void scale_params(const scaling *by, const param_spec *params, size_t n,
 {
     for (size_t k = 0; k < n; ++k) {
         double *x = (double *)(void *)((char *)par + params[k].offset);
+        if (params[k].kind == PARAM_POINTS) {
+            const param_list *list = (const param_list *)(const void *)x;
+            scale_numbers(list->item, 3 * list->n, scale_power(by, params[k].unit));
+        }
+        if (params[k].kind != PARAM_NUMBERS) continue;
         scale_numbers(x, params[k].count > 0 ? (size_t)params[k].count : 3, scale_power(by, params[k].unit));
     }
 }
