@@ -102,6 +102,17 @@ static const char *side_axis_name(const scene *s, int axis)
     return name[s->mesh.geometry == MESH_AXISYMMETRIC][axis];
 }
 
+/* A solid of points stands at a side where it would see one velocity, and the fluid another at each place. */
+static bool solid_at_changing_side(const scene *s, const scene_condition *at)
+{
+    if (at->part || !velocity_has_place(s, at->side)) return false;
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->material[s->body[b].material].kind == MATERIAL_SOLID &&
+            body_reaches_side(s, &s->body[b], at->axis, at->end))
+            return true;
+    return false;
+}
+
 static floe_status refuse_sides(const scene *s, scene_coupling coupling)
 {
     scene_condition at;
@@ -109,6 +120,12 @@ static floe_status refuse_sides(const scene *s, scene_coupling coupling)
         return fail_key(s->ctx, KEY("boundary_parts", s->part[0].name),
                         "mpm: parts of sides are for the fluids of the cells, and points meet whole sides: take ice or "
                         "ice-mpm");
+    for (int i = 0; scene_next_condition(s, &i, &at);)
+        if (coupling == COUPLING_ICE_MPM && solid_at_changing_side(s, &at))
+            return fail_key(s->ctx,
+                            KEY("boundaries", side_axis_name(s, at.axis), at.end == SIDE_LOWER ? "lower" : "upper"),
+                            "ice-mpm: a solid reaches this side, and its points see one velocity on all of it, while "
+                            "this one changes with place: take one that changes with time alone, or move the solid");
     for (int i = 0; scene_next_condition(s, &i, &at);)
         for (size_t k = 0; k < sizeof side_rules / sizeof side_rules[0]; ++k) {
             if (!is_concerned(coupling, side_rules[k].couplings) || !side_rules[k].applies(s, at.side)) continue;

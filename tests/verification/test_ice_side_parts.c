@@ -251,6 +251,38 @@ static void test_formulas_end_with_the_domain(void **state)
     end(&t);
 }
 
+static const char block_in_stream[] =
+    "floe: 1\n"
+    "units: none\n"
+    "coupling: ice-mpm\n"
+    "constants: {from: 0.4}\n"
+    "domain: {dim: 2, lower: [0, 0], upper: [1, 1], cell: 0.1}\n"
+    "reference_pressure: 1000\n"
+    "materials: {gas: {eos: {ideal: {gamma: 1.4, specific_heat: 1000}}}, m: {density: 100, specific_heat: 1000, law: "
+    "{linear_elastic: {bulk_modulus: 1e6, shear_modulus: 1e6}}}}\n"
+    "ambient: {material: gas, pressure: 1000, temperature: 2.5}\n"
+    "bodies: {block: {material: m, shape: {box: {lower: [from, 0.4], upper: [0.7, 0.7]}}}}\n"
+    "boundaries: {x: {lower: {inlet: {velocity: [\"y * (1 - y)\", 0], pressure: 1000, temperature: 2.5}}}}\n"
+    "time: {end: 10}\n";
+
+/* Points would see one velocity where the gas has a profile. */
+static void test_solids_at_a_profile(void **state)
+{
+    (void)state;
+    const struct {
+        const char *from;
+        floe_status status;
+    } row[] = {{"constants.from=0.4", FLOE_OK}, {"constants.from=0", FLOE_BAD_INPUT}};
+    for (int i = 0; i < 2; ++i) {
+        deck_report report;
+        bench t;
+        assert_int_equal(load(&t, block_in_stream, &row[i].from, 1, &report), FLOE_OK);
+        deck_report_free(&report);
+        assert_int_equal(scene_refuse_unsupported(t.scene, COUPLING_ICE_MPM), row[i].status);
+        end(&t);
+    }
+}
+
 static void test_what_is_refused(void **state)
 {
     (void)state;
@@ -286,7 +318,7 @@ int main(void)
         cmocka_unit_test(test_what_enters_by_a_part),   cmocka_unit_test(test_parts_that_say_the_same),
         cmocka_unit_test(test_kinds_beside_each_other), cmocka_unit_test(test_piston_by_formula),
         cmocka_unit_test(test_profile_at_an_inlet),     cmocka_unit_test(test_formulas_end_with_the_domain),
-        cmocka_unit_test(test_what_is_refused),
+        cmocka_unit_test(test_solids_at_a_profile),     cmocka_unit_test(test_what_is_refused),
     };
     deck_init();
     return cmocka_run_group_tests(tests, NULL, NULL);
