@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """same_bits.py: does a change of the sources change a bit of a result?
 
     scripts/same_bits.py keep DIR [DECK...]      runs decks for a few steps and keeps their histories and snapshots in DIR
