@@ -64,6 +64,7 @@ PICTURES = {
     "string_mass": ("", "-t 0.0202 -c none", "tension of the string, t = 0.02"),
     "taylor_bar": ("", "", "von Mises stress"),
     "taylor_green": ("", "-c velocity_liquid_x", "velocity along x"),
+    "turek_hron_csm": ("", "-c none", "von Mises stress of a flag that hangs from a clamp by its own weight"),
     "two_bags": ("", "", "stress of two bags at rest, and the density of the air about them"),
     "two_bars": ("", "-t 0.25", "von Mises stress while they touch"),
     "water_impact": ("", "-p velocity_x -c pressure", "pressure of the water before and behind the block"),

@@ -49,6 +49,8 @@ typedef struct solid_model {
     double (*shear_modulus)(const void *par);
     /* Stress (Pa) in uniaxial tension at which it first flows; NULL: it never does. */
     double (*yield_stress)(const void *par);
+    /* Stretch along one axis beyond which the law may have no state of plane or uniaxial stress; 0: it has all. */
+    double largest_stretch;
 } solid_model;
 
 extern const solid_model *const solid_registry[];

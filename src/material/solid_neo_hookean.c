@@ -3,14 +3,13 @@
  *   P = mu (F - F^-T) + lambda ln J F^-T,
  *   sigma = mu/J (B - I) + lambda ln J / J I. */
 #include "material/elastic_moduli.h"
+#include "material/hyperelastic.h"
 #include "material/solid_checks.h"
 
 #include <math.h>
 
 /* The moduli at rest: K = lambda + 2 mu / 3 and mu. */
 static const param_spec neo_hookean_params[] = {ELASTIC_MODULI};
-
-enum { XX, YY, ZZ, XY, YZ, ZX };
 
 static double lame_lambda(const elastic_moduli *a)
 {
@@ -21,13 +20,6 @@ static double lame_lambda(const elastic_moduli *a)
 static void logarithms_of_volume(const solid_batch *b, double *restrict ln_J)
 {
     for (size_t i = 0; i < b->n; i++) ln_J[i] = log(b->J[i]);
-}
-
-/* Row r of F times row s of F: B_rs. */
-FLOE_ALWAYS_INLINE double left_cauchy_green(const solid_batch *b, int r, int s, size_t i)
-{
-    return b->F[3 * r][i] * b->F[3 * s][i] + b->F[3 * r + 1][i] * b->F[3 * s + 1][i] +
-           b->F[3 * r + 2][i] * b->F[3 * s + 2][i];
 }
 
 static size_t neo_hookean_stress(const void *par, double p_ref, solid_batch *restrict b)
@@ -49,18 +41,6 @@ static size_t neo_hookean_stress(const void *par, double p_ref, solid_batch *res
         b->stress[ZX][i] = shear * left_cauchy_green(b, 2, 0, i);
     }
     return 0;
-}
-
-/* An upper bound of the largest eigenvalue of B, mean + sqrt(2/3) |dev B|: exact at rest and for a stretch along one
- * axis. */
-FLOE_ALWAYS_INLINE double largest_square_stretch(const solid_batch *b, size_t i)
-{
-    const double xx = left_cauchy_green(b, 0, 0, i), yy = left_cauchy_green(b, 1, 1, i),
-                 zz = left_cauchy_green(b, 2, 2, i);
-    const double xy = left_cauchy_green(b, 0, 1, i), yz = left_cauchy_green(b, 1, 2, i),
-                 zx = left_cauchy_green(b, 2, 0, i);
-    const double mean = (xx + yy + zz) / 3.0, dx = xx - mean, dy = yy - mean, dz = zz - mean;
-    return mean + sqrt(2.0 / 3.0 * (dx * dx + dy * dy + dz * dz + 2.0 * (xy * xy + yz * yz + zx * zx)));
 }
 
 /* The acoustic tensor of direction n is mu (n.Bn) I + [mu + lambda (1 - ln J)] n n, over rho0: so the fastest wave has
@@ -86,8 +66,7 @@ static void neo_hookean_strain_energy(const void *par, const solid_batch *b, dou
     double ln_J[SOLID_CHUNK];
     logarithms_of_volume(b, ln_J);
     for (size_t i = 0; i < b->n; i++) {
-        const double trace =
-            left_cauchy_green(b, 0, 0, i) + left_cauchy_green(b, 1, 1, i) + left_cauchy_green(b, 2, 2, i);
+        const double trace = trace_of_left_cauchy_green(b, i);
         psi[i] = 0.5 * mu * (trace - 3.0) - mu * ln_J[i] + 0.5 * lambda * ln_J[i] * ln_J[i];
     }
 }
