@@ -5,7 +5,7 @@
 #include "deck/schema/schema.h"
 
 /* schema_items.c */
-extern const named_items items_materials, items_bodies, items_loads, items_probes;
+extern const named_items items_materials, items_bodies, items_loads, items_probes, items_tracers;
 /* schema_membranes.c */
 extern const key_table membrane_table;
 /* positions.c */

@@ -2,6 +2,7 @@
 
 #include "io/names.h"
 #include "io/probe.h"
+#include "sim/tracer.h"
 
 #include <math.h>
 
@@ -159,6 +160,32 @@ static void add_probe(line *l, int n)
     add_vector(l, velocity, "m/s", value.velocity);
 }
 
+/* A tracer's displacement, velocity and, where its body has one, stress. */
+static void add_tracer(line *l, int n, const tracer_value *value)
+{
+    char label[NAME_SIZE], name[NAME_SIZE + 16];
+    if (!tracer_is_of_points(l->s, n)) return;
+    tracer_label(l->s, n, label);
+    (void)snprintf(name, sizeof name, "%s_displacement", label);
+    add_vector(l, name, "m", value->displacement);
+    (void)snprintf(name, sizeof name, "%s_velocity", label);
+    add_vector(l, name, "m/s", value->velocity);
+    const field_components components = field_describe(P_STRESS)->components;
+    for (int c = 0; c < field_component_count(components, l->s->mesh.dim) && tracer_has_stress(l->s, n); c++) {
+        char stress[sizeof label + 16];
+        (void)snprintf(stress, sizeof stress, "%s_stress", label);
+        add_named(l, stress, component_name(l->s, components, c), "Pa", value->stress[c]);
+    }
+}
+
+static void add_tracers(line *l)
+{
+    tracer_value value[SCENE_MAX_TRACERS] = {0};
+    if (!l->s->tracers) return;
+    if (!l->names) tracers_read(l->s, value);
+    for (int n = 0; n < l->s->scene->n_tracers; n++) add_tracer(l, n, &value[n]);
+}
+
 /* What a membrane encloses. */
 static void add_enclosed_gas_columns(line *l, int body, const char *label, const history_row *row)
 {
@@ -276,6 +303,7 @@ static floe_status visit_columns(const sim *s, const history_row *row, strbuf *o
     for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++) add_body_columns(&l, b, row);
     add_ledger(&l);
     for (int p = 0; p < s->scene->n_probes; p++) add_probe(&l, p);
+    add_tracers(&l);
     strbuf_append(out, "\n");
     return out->status;
 }

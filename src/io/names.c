@@ -43,6 +43,11 @@ static const char *name_of_probe(const scene *s, int n)
     return s->probe[n].name;
 }
 
+static const char *name_of_tracer(const scene *s, int n)
+{
+    return s->tracer[n].name;
+}
+
 static void make_label(const scene *s, namer *name_of, int n, char label[NAME_SIZE])
 {
     char other[SCENE_NAME];
@@ -69,6 +74,11 @@ void material_label(const sim *s, int material, char label[NAME_SIZE])
 void probe_label(const sim *s, int probe, char label[NAME_SIZE])
 {
     make_label(s->scene, name_of_probe, probe, label);
+}
+
+void tracer_label(const sim *s, int tracer, char label[NAME_SIZE])
+{
+    make_label(s->scene, name_of_tracer, tracer, label);
 }
 
 const char *component_name(const sim *s, field_components components, int comp)

@@ -17,6 +17,7 @@ const char *output_unit(const sim *s, const char *unit);
 void body_label(const sim *s, int body, char label[NAME_SIZE]);
 void material_label(const sim *s, int material, char label[NAME_SIZE]);
 void probe_label(const sim *s, int probe, char label[NAME_SIZE]);
+void tracer_label(const sim *s, int tracer, char label[NAME_SIZE]);
 
 /* "xx", "yy", ... of a component of a stress or a deformation gradient; "rr", "zz", "tt", ... when axisymmetric. */
 const char *component_name(const sim *s, field_components components, int comp);

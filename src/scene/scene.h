@@ -22,6 +22,7 @@ enum {
     SCENE_MAX_BODIES = 32,
     SCENE_MAX_LOADS = 16,
     SCENE_MAX_PROBES = 32,
+    SCENE_MAX_TRACERS = 32,
     SCENE_MAX_REACTIONS = 8,
     SCENE_MAX_EXCHANGES = 66, /* all pairs of materials */
     SCENE_MAX_SPRINGS = 64,
@@ -299,6 +300,13 @@ typedef struct scene_probe {
     double position[3]; /* m */
 } scene_probe;
 
+/* A place of a body of points that the history follows as the body moves. */
+typedef struct scene_tracer {
+    char name[SCENE_NAME];
+    int body;           /* of the scene */
+    double position[3]; /* m, at the start */
+} scene_tracer;
+
 typedef struct scene_output {
     double interval;            /* s between field snapshots; INFINITY: first and last only */
     double history_interval;    /* s between history rows; NAN: interval / 50 */
@@ -412,6 +420,8 @@ typedef struct scene {
     scene_output output;
     scene_probe probe[SCENE_MAX_PROBES];
     int n_probes;
+    scene_tracer tracer[SCENE_MAX_TRACERS];
+    int n_tracers;
     scene_verify verify;
     struct scene_batches
         *batches;              /* of compare, study and stability (scene/batches.h); no run reads them. NULL: none */

@@ -138,6 +138,15 @@ static void add_body_keys(const unused_list *list, const scene_body *b)
     if (b->merge != usual_merge) add_key_of(list, AS_ICE | AS_ICE_MPM, "bodies", b->name, "merge");
 }
 
+/* Tracers move with points: fluids on the cells have none. */
+static void add_tracers(const unused_list *list)
+{
+    const scene *s = list->s;
+    for (int n = 0; n < s->n_tracers; ++n)
+        if (s->material[s->body[s->tracer[n].body].material].kind == MATERIAL_FLUID)
+            add_key_of(list, AS_ICE | AS_ICE_MPM, "output.tracers", s->tracer[n].name, "body");
+}
+
 /* What points lose heats gas points, or the gas that surfaces of points hold. */
 static void add_losses(const unused_list *list)
 {
@@ -231,6 +240,7 @@ void scene_remark_unused(const scene *s, remark_sink *say, void *user)
     const unused_list list = {.s = s, .say = say, .user = user};
     add_scene_keys(&list);
     add_losses(&list);
+    add_tracers(&list);
     add_filter_order(&list);
     add_reference_pressure(&list);
     for (int m = 0; m < s->n_materials; ++m) add_material_keys(&list, &s->material[m]);

@@ -10,6 +10,7 @@
 #include "sim/quasi_static_gas.h"
 #include "sim/sealed_gases.h"
 #include "sim/statics.h"
+#include "sim/tracer.h"
 
 #include <math.h>
 #include <string.h>
@@ -91,6 +92,7 @@ static floe_status set_initial_state(sim *s)
         TRY(sealed_initialise(s));
     else if (s->ice)
         TRY(ice_initialise(s->ice, NULL));
+    if (s->scene->n_tracers > 0) TRY(tracers_create(&s->tracers, s));
     return light_solid_check(s);
 }
 
@@ -133,6 +135,7 @@ void sim_destroy(sim **s)
     if (!s || !*s) return;
     context *ctx = (*s)->ctx;
     quasi_static_gas_destroy(&(*s)->quasi_static_gas);
+    tracers_destroy(ctx, &(*s)->tracers);
     transfer_destroy(&(*s)->transfer);
     sealed_destroy(&(*s)->sealed);
     ice_destroy(&(*s)->ice);

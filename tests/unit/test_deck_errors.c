@@ -207,7 +207,7 @@ static const spoiled cases[] = {
      "{moved: {of: {extruded: {of: {ball: {radius: 1}}, from: 0, to: 1}}}}",
      "12:48",
      {"does not exist in a scene of so few dimensions"}},
-    {"linear_elastic", "hookean", "7:32", {"unknown law 'hookean'", "linear_elastic, neo_hookean"}},
+    {"linear_elastic", "hookean", "7:32", {"unknown law 'hookean'", "linear_elastic, mooney_rivlin"}},
     {"ideal", "idael", "8:15", {"unknown equation of state 'idael' (did you mean 'ideal'?)"}},
     {"slip", "sleep", "10:17", {"unknown boundary condition 'sleep'"}},
     {"outlet", "outlett", "10:52", {"unknown boundary condition 'outlett' (did you mean 'outlet'?)"}},

@@ -239,6 +239,7 @@ FIXTURE void map_scene(scene *s, const scene_map *m)
     for (int i = 0; i < s->n_springs; ++i)
         for (int e = 0; e < 2; ++e) map_place(m, s->spring[i].end[e].place);
     for (int i = 0; i < s->n_probes; ++i) map_place(m, s->probe[i].position);
+    for (int i = 0; i < s->n_tracers; ++i) map_place(m, s->tracer[i].position);
 }
 
 #endif

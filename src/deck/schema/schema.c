@@ -305,6 +305,9 @@ static const key_spec output_keys[] = {
          "% of it; "
          "`off`: none on the way. One is written at the end, on a signal and when an output fails, whatever this says"},
     {"probes", KEY_NAMED, AT(scene, probe), .items = &items_probes, .doc = "places whose state goes into history.csv"},
+    {"tracers", KEY_NAMED, AT(scene, tracer), .items = &items_tracers,
+     .doc = "places of bodies of points, which move with them: their displacement, velocity and stress go into "
+            "history.csv"},
 };
 static const key_table output_table = TABLE(output_keys);
 

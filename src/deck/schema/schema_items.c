@@ -1,4 +1,4 @@
-/* Materials, bodies, loads and probes. */
+/* Materials, bodies, loads, probes and tracers. */
 #include "deck/deck_internal.h"
 #include "scene/formula.h"
 
@@ -360,4 +360,30 @@ const named_items items_probes = {
     .count_offset = offsetof(scene, n_probes),
     .most = SCENE_MAX_PROBES,
     .value = &probe_value,
+};
+
+/* ---- tracers ---- */
+
+static const key_spec tracer_keys[] = {
+    {"body", KEY_BODY, AT(scene_tracer, body), .required = true, .doc = "the body that it moves with"},
+    {"position", KEY_VECTOR, "m", AT(scene_tracer, position), .required = true,
+     .doc = "at the start, in the body or on its surface"},
+};
+static const key_table tracer_table = TABLE(tracer_keys);
+
+static floe_status begin_tracer(reader *r, deck_node *node, void *item)
+{
+    (void)r;
+    (void)node;
+    ((scene_tracer *)item)->body = -1;
+    return FLOE_OK;
+}
+
+const named_items items_tracers = {
+    .noun = "tracer",
+    .item_size = sizeof(scene_tracer),
+    .count_offset = offsetof(scene, n_tracers),
+    .most = SCENE_MAX_TRACERS,
+    .table = &tracer_table,
+    .begin = begin_tracer,
 };
