@@ -20,6 +20,15 @@ static void for_each_row(const transfer *t, row_function *row)
     }
 }
 
+/* T_c = sum w C_i T_i / (m_c c), `mass` being m_c. */
+static void temperatures_from_nodes(const strip *s, const fields *f, const transfer_pair *pair, const double *mass,
+                                    double *T)
+{
+    if (pair->warms) strip_sum(s, field_get(f, N_HEAT, pair->group, 0), NULL, T, STRIP_SUM);
+    for (ptrdiff_t at = s->at; at < s->at + s->n; ++at)
+        T[at] = pair->warms && mass[at] > 0.0 ? T[at] / (mass[at] * pair->specific_heat) : pair->temperature;
+}
+
 static void cells_from_nodes(const transfer *t, int blk, const transfer_pair *pair, int j, int k)
 {
     const mesh *m = t->mesh;
@@ -30,15 +39,14 @@ static void cells_from_nodes(const transfer *t, int blk, const transfer_pair *pa
     double *rho = field_get(f, C_RHO, pair->material, 0), *rho_next = field_next(f, C_RHO, pair->material, 0);
     double *T = field_get(f, C_TEMP, pair->material, 0);
     strip_sum(&s, field_get(f, N_MASS, pair->group, 0), NULL, rho, STRIP_SUM);
+    temperatures_from_nodes(&s, f, pair, rho, T);
     for (int a = 0; a < m->dim; ++a) {
         double *u = field_get(f, C_VEL, pair->material, a), *u_next = field_next(f, C_VEL, pair->material, a);
         strip_sum(&s, field_get(f, N_MOMENTUM, pair->group, a), NULL, u, STRIP_SUM);
         for (ptrdiff_t at = s.at; at < s.at + s.n; ++at) u[at] = u_next[at] = rho[at] > 0.0 ? u[at] / rho[at] : 0.0;
     }
-    for (int i = 0; i < s.n; ++i) {
+    for (int i = 0; i < s.n; ++i)
         rho[s.at + i] = rho_next[s.at + i] = rho[s.at + i] / mesh_cell_volume(m, b->lo[0] + i);
-        T[s.at + i] = pair->temperature;
-    }
 }
 
 floe_status transfer_nodes_to_cells(transfer *t)
@@ -165,6 +173,23 @@ static void burnt_from_nodes(const transfer *t, int blk, const transfer_pair *pa
 floe_status transfer_burnt_to_cells(transfer *t)
 {
     for_each_row(t, burnt_from_nodes);
+    return FLOE_OK;
+}
+
+static void node_temperature_change(const transfer *t, int blk, const transfer_pair *pair, const strip *s)
+{
+    const fields *f = t->domain->fields[blk];
+    strip_sum(s, field_get(f, C_TEMP_CHANGE, pair->material, 0), field_get(f, N_CAPACITY, pair->group, 0),
+              field_get(f, N_TEMP_CHANGE, pair->group, 0), STRIP_ADD_WHERE);
+}
+
+floe_status transfer_temperature_to_nodes(transfer *t)
+{
+    for (int p = 0; p < t->n_pairs; ++p) {
+        if (!t->pair[p].exchanges) continue;
+        domain_fill(t->domain, C_TEMP_CHANGE, t->pair[p].material, FILL_CURRENT);
+        for (int blk = 0; blk < t->mesh->n_blocks; ++blk) for_node_rows(t, blk, &t->pair[p], node_temperature_change);
+    }
     return FLOE_OK;
 }
 

@@ -15,8 +15,11 @@ enum { TRANSFER_MAX_PAIRS = 8 };
 /* A solid: its velocity group at the nodes and its material in the cells. */
 typedef struct transfer_pair {
     int group, material;
-    double temperature; /* K, in the cells */
-    int reaction;       /* that uses it up: instance of C_REACTED; -1: none */
+    double temperature;   /* K, in the cells, of points that carry none */
+    double specific_heat; /* J/kg/K */
+    bool warms;           /* its points carry a temperature */
+    bool exchanges;       /* and fluids in the cells change it */
+    int reaction;         /* that uses it up: instance of C_REACTED; -1: none */
 } transfer_pair;
 
 typedef struct transfer {
@@ -38,6 +41,8 @@ floe_status transfer_pressure_to_nodes(transfer *t);
 floe_status transfer_momentum_to_cells(transfer *t);
 /* v_i^L += sum w dv_c, from C_VELOCITY_CHANGE. */
 floe_status transfer_change_to_nodes(transfer *t);
+/* dT_i += sum w dT_c, from C_TEMP_CHANGE, of the solids that exchange heat: sum C_i dT_i = sum m_c c dT_c to round-off. */
+floe_status transfer_temperature_to_nodes(transfer *t);
 /* C_STRESS_ACCEL of the solids: what the nodes got from stress, loads, supports and contact in the step, and not from the
  * cells or from gravity. The first has the momentum of v_i^L with what the cells gave and before supports and contact act
  * again, the second that after them. */

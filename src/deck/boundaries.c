@@ -51,19 +51,19 @@ static const key_spec reservoir_keys[] = {
 };
 static const key_table reservoir_table = TABLE(reservoir_keys);
 
-#define WALL_HEAT_KEYS                                                                              \
-    {"temperature",                                                                                 \
-     KEY_NUMBER,                                                                                    \
-     "K",                                                                                           \
-     PARAM_POSITIVE,                                                                                \
-     AT(bc_side, temperature),                                                                      \
-     .varies = VARIES_BY_PLACE + VARIES_BY_TIME,                                                    \
-     .otherwise = "an insulated wall",                                                              \
-     .doc = "of the wall, for fluids that conduct heat"},                                           \
-    {                                                                                               \
-        "heat_flux", KEY_NUMBER, "W/m2", AT(bc_side, heat_flux),                                    \
-            .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "0",                           \
-            .doc = "heat that the wall gives to fluids that conduct heat, instead of a temperature" \
+#define WALL_HEAT_KEYS                                                                                         \
+    {"temperature",                                                                                            \
+     KEY_NUMBER,                                                                                               \
+     "K",                                                                                                      \
+     PARAM_POSITIVE,                                                                                           \
+     AT(bc_side, temperature),                                                                                 \
+     .varies = VARIES_BY_PLACE + VARIES_BY_TIME,                                                               \
+     .otherwise = "an insulated wall",                                                                         \
+     .doc = "of the wall, for fluids and solids that conduct heat"},                                           \
+    {                                                                                                          \
+        "heat_flux", KEY_NUMBER, "W/m2", AT(bc_side, heat_flux),                                               \
+            .varies = VARIES_BY_PLACE + VARIES_BY_TIME, .otherwise = "0",                                      \
+            .doc = "heat that the wall gives to fluids and solids that conduct heat, instead of a temperature" \
     }
 
 static const key_spec no_slip_keys[] = {

@@ -48,6 +48,13 @@
     X(P_HISTORY_6, "history_6", POINT, SCALAR, "1", STATE, "number 6 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_7, "history_7", POINT, SCALAR, "1", STATE, "number 7 of those that the law remembers (solid.h)")     \
     X(P_HISTORY_8, "history_8", POINT, SCALAR, "1", STATE, "number 8 of those that the law remembers (solid.h)")     \
+    X(P_TEMP, "temperature", POINT, SCALAR, "K", STATE, "T_p of solids that have one (scene/solid_heat.h)")          \
+    X(P_TEMP_GRADIENT, "temperature_gradient", POINT, VECTOR, "K/m", STATE,                                          \
+      "grad T at the point, of solids that conduct heat")                                                            \
+    X(P_THERMAL_STRETCH, "thermal_stretch", POINT, SCALAR, "1", STATE,                                               \
+      "1 + alpha (T - T_0), of which the stress already knows")                                                      \
+    X(P_DISSIPATED, "dissipated_heat", POINT, SCALAR, "J/kg", SCRATCH,                                               \
+      "heat of plastic and artificial viscous work in the step")                                                     \
     X(P_DRIVE, "manufactured_force", POINT, VECTOR, "m/s2", SCRATCH,                                                 \
       "b_p(X_p, t): force per mass that the exact solution needs")                                                   \
     X(P_MASS_LEFT, "mass_left", POINT, SCALAR, "kg", SCRATCH,                                                        \
@@ -91,6 +98,11 @@
       "mass that points about the node lose to reactions in the step")                                               \
     X(N_BURNT_MOMENTUM, "node_burnt_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "momentum that goes with it")        \
     X(N_BURNT_ENERGY, "node_burnt_energy", NODE, SCALAR, "J", SCRATCH, "kinetic and strain energy that go with it")  \
+    X(N_CAPACITY, "node_heat_capacity", NODE, SCALAR, "J/K", SCRATCH, "C_i = sum of S_ip m_p c")                     \
+    X(N_HEAT, "node_heat", NODE, SCALAR, "J", SCRATCH, "C_i T_i = sum of S_ip m_p c (T_p + grad T_p (x_i - x_p))")   \
+    X(N_HEAT_GRADIENT, "node_heat_gradient", NODE, VECTOR, "J/m", SCRATCH, "sum of S_ip m_p c grad T_p")             \
+    X(N_TEMP, "node_temperature", NODE, SCALAR, "K", SCRATCH, "T_i, at the end of the step once points take it")     \
+    X(N_TEMP_CHANGE, "node_temperature_change", NODE, SCALAR, "K", SCRATCH, "dT_i of the step")                      \
     /* cells, instance: material */                                                                                  \
     X(C_RHO, "density", CELL, SCALAR, "kg/m3", STATE, "rho^r: mass of material r per cell volume")                   \
     X(C_VEL, "velocity", CELL, VECTOR, "m/s", STATE, "u^r")                                                          \
@@ -119,6 +131,8 @@
       "of materials carried by points: what stress, supports and contact gave them in the last step")                \
     X(C_SOURCE, "momentum_source", CELL, VECTOR, "kg m/s", SCRATCH, "pressure-gradient impulse of step 8")           \
     X(C_VELOCITY_CHANGE, "velocity_change", CELL, VECTOR, "m/s", SCRATCH, "dv_c handed back to the nodes")           \
+    X(C_TEMP_CHANGE, "temperature_change", CELL, SCALAR, "K", SCRATCH,                                               \
+      "dT_c of materials carried by points, by heat exchange: handed back to the nodes")                             \
     /* cells, shared by all materials (instance 0) */                                                                \
     X(C_PRESSURE, "pressure", CELL, SCALAR, "Pa", STATE, "p equilibrium pressure; also the next Newton guess")       \
     X(C_PRESSURE_STEP, "pressure_step", CELL, SCALAR, "Pa", STATE,                                                   \

@@ -25,6 +25,7 @@ typedef struct ice_material {
     /* Carried by material points: not advected on cells; no viscous or gravity source and no heat of compression here. */
     bool points;
     bool prescribed; /* so are the motions of its bodies: nothing accelerates them (theory 4.17) */
+    bool warms;      /* its points carry a temperature (theory 12.1) */
 } ice_material;
 
 /* Gases: one inside each membrane, and one outside all. Positions of a boundary in a step: at its start (SEAL_NOW),
@@ -89,6 +90,7 @@ struct ice {
     int n_regions;
     const ice_cut_geometry *cut; /* NULL: all cells are whole */
     bool with_points;            /* some material is carried by points */
+    bool heats_points;           /* heat exchange changes the temperature of some of them */
     bool implicit;               /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     ice_seal seal;
     double gravity[3];       /* m/s2 */

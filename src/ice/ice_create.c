@@ -12,6 +12,7 @@
 #include "ice/trace/ice_trace.h"
 
 #include "base/memory.h"
+#include "scene/solid_heat.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -80,6 +81,7 @@ static floe_status resolve_materials(ice *s, bool with_points)
                                   .conductivity = m->conductivity};
         out->scene_material = r;
         out->prescribed = out->points && is_prescribed(whole, r);
+        out->warms = out->points && scene_solid_has_temperature(whole, r, true);
         s->with_points = s->with_points || out->points;
         out->energy_floor = constant_floor(&out->eos);
         s->n_materials++;
@@ -117,6 +119,9 @@ static floe_status resolve_states(ice *s, bool with_points)
     resolve_regions(s);
     ice_set_gravity(s, 0.0);
     TRY(ice_pairs_create(s));
+    for (int r = 0; r < s->n_materials; ++r)
+        s->heats_points = s->heats_points ||
+                          (s->material[r].warms && scene_solid_exchanges_heat(s->scene, s->material[r].scene_material));
     TRY(ice_sides_create(s));
     TRY(ice_heated_create(s));
     return ice_reactions_create(s);
@@ -192,7 +197,8 @@ static field_owner owner_of(field_id id)
     case C_STRESS_ACCEL:
     case C_SOURCE:
     case C_MOMENTUM_L:
-    case C_VELOCITY_CHANGE: return OWNER_POINTS;
+    case C_VELOCITY_CHANGE:
+    case C_TEMP_CHANGE: return OWNER_POINTS;
     case C_REACTED: return OWNER_REACTIONS;
     case C_BURNT_MOMENTUM:
     case C_BURNT_ENERGY: return OWNER_BURNS;

@@ -34,6 +34,7 @@ typedef struct ice_fluid {
     double *e_found, *vol_found;      /* before the closure of mixed cells; NULL where that changes no state */
     double *rhol;                     /* after the mass exchange, of solids too; NULL without reactions */
     double *source[3], *mom[3], *dv[3], *stress[3]; /* materials carried by points; stress: C_STRESS_ACCEL */
+    double *dT;                                     /* of these, by heat exchange; NULL: there is none */
     double *diff[3], *heat, *diffT;                 /* ice_diffusion.c */
     double *mobility[3];                            /* at faces, of the implicit pressure */
     const ice_span *near; /* of each row, with ghosts: cells that may be near the material; NULL: all */

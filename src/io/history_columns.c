@@ -92,6 +92,14 @@ static void add_named(line *l, const char *quantity, const char *label, const ch
     add_value(l, name, unit, value);
 }
 
+/* Whether the points of a material carry a temperature. */
+static bool material_warms(const sim *s, int material)
+{
+    for (int b = 0; s->mpm && b < s->mpm->n_bodies; b++)
+        if (s->mpm->body[b].scene_material == material && s->mpm->body[b].warms) return true;
+    return false;
+}
+
 static void add_material_columns(line *l, int material, const history_row *row)
 {
     const scene_material *m = &l->s->scene->material[material];
@@ -105,7 +113,7 @@ static void add_material_columns(line *l, int material, const history_row *row)
     add_named(l, "mass", label, "kg", whole * sum.mass);
     add_named(l, "kinetic", label, "J", whole * sum.kinetic);
     if (!fluid) add_named(l, "strain", label, "J", whole * sum.strain);
-    if (fluid || (m->law && m->law->needs & SOLID_HAS_ENERGY))
+    if (fluid || (m->law && m->law->needs & SOLID_HAS_ENERGY) || material_warms(l->s, material))
         add_named(l, "internal", label, "J", whole * sum.internal);
     if (fluid) add_named(l, "pressure", label, "Pa", sum.pressure);
 }
@@ -260,6 +268,10 @@ static void add_body_columns(line *l, int body, const history_row *row)
     add_vector(l, name, "m", centre);
     (void)snprintf(name, sizeof name, "velocity_%s", label);
     add_vector(l, name, "m/s", velocity);
+    if (b->warms) {
+        const mpm_totals *t = row ? &row->totals->mpm : NULL;
+        add_named(l, "temperature", label, "K", t ? t->heat[body] / (t->mass[body] * b->specific_heat) : 0.0);
+    }
     add_spin(l, body, label, row);
     add_motion_columns(l, body, label);
     const bool ends = given->membrane.present && given->membrane.surface.kind == SHEET_NONE;

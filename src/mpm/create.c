@@ -20,9 +20,11 @@
 #include "mpm/state/stress.h"
 #include "mpm/step.h"
 #include "mpm/surface/surfaces.h"
+#include "mpm/thermal/thermal.h"
 #include "mpm/transfer/lanes.h"
 #include "mpm/transfer/scratch.h"
 #include "mpm/transfer/windows.h"
+#include "scene/solid_heat.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -63,6 +65,11 @@ static void resolve_body(mpm *s, int index)
     b->law_par = b->fluid ? (const void *)&b->fluid_par : m->law_par;
     if (m->membrane) b->law_par = &b->membrane;
     b->specific_heat = m->specific_heat;
+    b->warms = scene_solid_has_temperature(sc, b->scene_material, s->cells == CELLS_SMEARED);
+    b->conductivity = b->warms ? m->conductivity : 0.0;
+    b->plastic_heat = scene_plastic_heat(m);
+    b->expansion = b->warms && !motion_is_given(&sc->body[index].motion) ? m->expansion : 0.0;
+    b->stress_free_temperature = m->stress_free_temperature;
     b->artificial[0] = m->artificial_linear;
     b->artificial[1] = m->artificial_quadratic;
     b->group = group_of(s, index);
@@ -114,6 +121,10 @@ static bool body_carries(const mpm *s, int body, field_id id)
     if (id == P_ENERGY) return (b->law->needs & SOLID_HAS_ENERGY) != 0;
     if (id == P_VISCOUS_PRESSURE) return has_artificial(b);
     if (id == P_DENSITY) return b->fluid;
+    if (id == P_TEMP) return b->warms;
+    if (id == P_TEMP_GRADIENT) return b->warms && b->conductivity > 0.0;
+    if (id == P_THERMAL_STRETCH) return b->expansion != 0.0;
+    if (id == P_DISSIPATED) return dissipates_heat(s, body);
     if (id == P_SHARE || id == P_MASS_LEFT) return b->burns;
     if (id == P_MEAN_PRESSURE) return b->mean_strain;
     if (id >= P_HISTORY_1 && id <= P_HISTORY_8) return (int)(id - P_HISTORY_1) < b->law->n_history;

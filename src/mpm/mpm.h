@@ -23,8 +23,13 @@ typedef struct mpm_body {
     int scene_material;
     const solid_model *law;
     const void *law_par;
-    solid_fluid_par fluid_par; /* law_par points here for fluids */
-    double specific_heat;      /* J/kg/K, of solids, for the cells' view */
+    solid_fluid_par fluid_par;      /* law_par points here for fluids */
+    double specific_heat;           /* J/kg/K, of solids */
+    bool warms;                     /* its points carry a temperature (thermal/thermal.h) */
+    double conductivity;            /* W/m/K, of one that warms; 0: it does not conduct */
+    double plastic_heat;            /* share of plastic work that heats it */
+    double expansion;               /* 1/K, of one that warms */
+    double stress_free_temperature; /* K */
     bool fluid;
     bool burns;                 /* a reaction uses it up */
     bool mean_strain;           /* one rate of volume and one pressure a cell (state/mean_strain.h) */
@@ -160,6 +165,10 @@ floe_status mpm_turn_membranes(mpm *s); /* tangents from the positions of the po
  * burnt mass on the nodes (burn.c). */
 floe_status mpm_burn(mpm *s);
 
+/* Heat of solids (thermal/thermal.h). */
+floe_status mpm_heat_to_nodes(mpm *s);    /* C_i, T_i */
+floe_status mpm_conduct(mpm *s);          /* dT_i by conduction and by heat that sides give */
+floe_status mpm_heat_to_points(mpm *s);   /* T_p, grad T_p */
 floe_status mpm_give_heat(mpm *s);        /* lost kinetic energy as heat of fluid points (heat.c) */
 floe_status mpm_wetted_area(mpm *s);      /* wetted area of fluid points at nodes (wetted.c) */
 floe_status mpm_constrain_wetted(mpm *s); /* constrains normal velocities of fluids and walls to each other */
@@ -173,6 +182,8 @@ floe_status mpm_begin_step(mpm *s);
  * masses, forces, motion of nodes and points. */
 floe_status mpm_mass_stages(mpm *s);
 floe_status mpm_burn_stages(mpm *s); /* after masses and N_BURNT_SHARE are known; nothing where nothing burns */
+/* After forces: what conducts changes the temperatures of its nodes; nothing where nothing does. */
+floe_status mpm_conduction_stages(mpm *s);
 floe_status mpm_force_stages(mpm *s);
 floe_status mpm_motion_stages(mpm *s);
 /* The last group in two: motion of the nodes with contact and supports, and update of the points. */
@@ -221,6 +232,7 @@ floe_status mpm_time_step(mpm *s, step_limit *out);
 typedef struct mpm_totals {
     double mass[SCENE_MAX_BODIES], kinetic[SCENE_MAX_BODIES], strain[SCENE_MAX_BODIES], internal[SCENE_MAX_BODIES],
         volume[SCENE_MAX_BODIES];
+    double heat[SCENE_MAX_BODIES]; /* J: sum of m_p c T_p, of bodies with a temperature; part of `internal` */
     double momentum[SCENE_MAX_BODIES][3], momentum_scale[3];
     double springs;                     /* J: energy of springs */
     double moment[SCENE_MAX_BODIES][3]; /* kg m: sum of m_p x_p, which is the mass times the centre of mass */

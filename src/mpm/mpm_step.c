@@ -5,6 +5,7 @@
 #include "mpm/nodes/light_nodes.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/step.h"
+#include "mpm/thermal/thermal.h"
 #include "mpm/transfer/carry.h"
 #include "mpm/transfer/scatter.h"
 
@@ -41,7 +42,10 @@ floe_status mpm_begin_step(mpm *s)
 #define POINT_STATE                                                                                        \
     P_STRESS, P_J, WHEN(s->carries[P_ENERGY], P_ENERGY), WHEN(s->carries[P_F], P_F),                       \
         WHEN(s->carries[P_VISCOUS_PRESSURE], P_VISCOUS_PRESSURE), WHEN(s->carries[P_BOX], P_BOX), HISTORY, \
-        MEMBRANE_STRAIN, SURFACE_VECTORS
+        MEMBRANE_STRAIN, SURFACE_VECTORS, WHEN(s->carries[P_THERMAL_STRETCH], P_THERMAL_STRETCH)
+/* What stress also reads and writes of bodies that have a temperature. */
+#define EXPANDING WHEN(s->carries[P_THERMAL_STRETCH], P_TEMP)
+#define DISSIPATED WHEN(s->carries[P_DISSIPATED], P_DISSIPATED)
 
 static bool is_usf(const mpm *s)
 {
@@ -108,6 +112,9 @@ floe_status mpm_mass_stages(mpm *s)
           READS(P_ID, P_MASS, P_VOLUME0, P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), DOMAINS, WHEN(drive, P_DRIVE),
                 WHEN(force && s->carries[P_MEAN_PRESSURE], P_MEAN_PRESSURE), POINT_STATE),
           WRITES(N_MASS, N_MOMENTUM, WHEN(force, N_FORCE)));
+    STAGE(s, group_gives_heat(s, -1), mpm_heat_to_nodes,
+          READS(P_MASS, P_POS, DOMAINS, P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)),
+          WRITES(N_CAPACITY, N_HEAT, N_TEMP, N_TEMP_CHANGE, WHEN(conducts(s), N_HEAT_GRADIENT)));
     STAGE(s, has_motions(s), mpm_motion_momenta, READS(N_MASS, N_MOMENTUM), WRITES(N_MOMENTUM));
     STAGE(s, has_wetted(s), mpm_wetted_area, READS(N_MASS, P_POS, P_VOLUME0, P_J, P_STRESS, DOMAINS),
           WRITES(N_WETTED_AREA));
@@ -127,6 +134,13 @@ floe_status mpm_burn_stages(mpm *s)
     return FLOE_OK;
 }
 
+floe_status mpm_conduction_stages(mpm *s)
+{
+    STAGE(s, conducts(s), mpm_conduct, READS(N_CAPACITY, N_TEMP, N_TEMP_CHANGE, P_POS, P_VOLUME0, P_J, DOMAINS),
+          WRITES(N_TEMP, N_TEMP_CHANGE));
+    return FLOE_OK;
+}
+
 floe_status mpm_force_stages(mpm *s)
 {
     const bool usf = is_usf(s), apart = s->cells == CELLS_SMEARED || usf;
@@ -135,8 +149,8 @@ floe_status mpm_force_stages(mpm *s)
                 WHEN(meets_at_points(s), N_REACH)),
           WRITES(N_VEL));
     STAGE(s, usf && s->cell_mass, mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
-    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, WHEN(s->cell_mass, P_DENSITY)),
-          WRITES(POINT_STATE));
+    STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, EXPANDING, WHEN(s->cell_mass, P_DENSITY)),
+          WRITES(POINT_STATE, DISSIPATED));
     const bool shared = apart && s->carries[P_MEAN_PRESSURE];
     STAGE(s, shared && usf, mpm_share_new_pressures,
           READS(P_POS, P_VOLUME0, POINT_STATE, WHEN(s->cells == CELLS_SMEARED, P_GRID_PRESSURE)),
@@ -192,6 +206,7 @@ floe_status mpm_node_stages(mpm *s)
 floe_status mpm_point_stages(mpm *s)
 {
     const bool usl = is_usl(s) && !s->cell_mass; /* stress in the pass that moves the points */
+    const bool nodes = group_gives_heat(s, -1);
     STAGE(s, spares_light_nodes(s), mpm_spare_light_nodes,
           READS(N_MASS, N_VEL_L, N_ACCEL, WHEN(has_contact(s), N_NORMAL), WHEN(has_contact(s), N_TOUCH), P_MASS, P_POS),
           WRITES(N_FILL, N_RESIDUAL, N_MOMENTUM, N_VEL_L, N_ACCEL));
@@ -203,19 +218,24 @@ floe_status mpm_point_stages(mpm *s)
           WRITES(N_RESIDUAL, N_MOMENTUM, N_VEL_L));
     STAGE(s, walls_let_go(s), mpm_follow_overlaps, READS(N_MASS, N_VEL_L, N_SIDE_REACH, N_SIDE_BODY), WRITES(NOTHING));
     STAGE(s, usl, mpm_nodes_to_points,
-          READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->carries[P_DRIVE], P_DRIVE), TANGENT, POINT_STATE),
-          WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE));
+          READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->carries[P_DRIVE], P_DRIVE), TANGENT, POINT_STATE,
+                EXPANDING),
+          WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE, DISSIPATED));
     STAGE(s, !usl, mpm_nodes_to_points,
           READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->carries[P_DRIVE], P_DRIVE)),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE)));
     STAGE(s, advects_points(s) && !carries_gradient(s), mpm_carry_moments, READS(N_VEL_L, P_POS), WRITES(P_AFFINE));
     STAGE(s, s->cell_mass && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
-    STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE),
-          WRITES(POINT_STATE));
+    STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE, EXPANDING),
+          WRITES(POINT_STATE, DISSIPATED));
     STAGE(s, is_musl(s), mpm_remap_stress,
           READS(P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL),
-                WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE, WHEN(s->cell_mass, P_DENSITY)),
-          WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE));
+                WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE, EXPANDING, WHEN(s->cell_mass, P_DENSITY)),
+          WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE, DISSIPATED));
+    STAGE(s, has_temperature(s), mpm_heat_to_points,
+          READS(WHEN(nodes, N_CAPACITY), WHEN(nodes, N_HEAT), WHEN(nodes, N_TEMP), WHEN(nodes, N_TEMP_CHANGE), P_POS,
+                P_TEMP, DOMAINS, DISSIPATED),
+          WRITES(WHEN(nodes, N_TEMP), WHEN(nodes, N_TEMP_CHANGE), P_TEMP, WHEN(conducts(s), P_TEMP_GRADIENT)));
     STAGE(s, advects_points(s), mpm_stretch_gradients, READS(P_AFFINE), WRITES(P_AFFINE));
     STAGE(s, s->normals, mpm_membrane_normals, READS(P_ID, P_POS, P_NORMAL), WRITES(P_NORMAL));
     TRY(turn_stages(s));
@@ -261,6 +281,7 @@ floe_status mpm_step(mpm *s)
     if (s->implicit) return implicit_stages(s);
     TRY(mpm_begin_step(s));
     TRY(mpm_mass_stages(s));
+    TRY(mpm_conduction_stages(s));
     TRY(mpm_force_stages(s));
     return mpm_motion_stages(s);
 }

@@ -49,19 +49,22 @@ typedef struct scene_material {
     char name[SCENE_NAME];
     material_kind kind;
     double density;         /* kg/m3 of a solid at rest; unused for fluids */
-    double specific_heat;   /* J/kg/K of a solid, for the cells' view */
+    double specific_heat;   /* J/kg/K of a solid; NAN: not given */
     double tension_switch;  /* Pa > 0: a solid's eos switches to its tension branch below this (theory 5.4) */
     const solid_model *law; /* solids; NULL for fluids and membranes */
     void *law_par;
     const membrane_model *membrane; /* solids that are membranes or strings; else NULL */
     void *membrane_par;
-    bool one_way;                /* membranes: wrinkle instead of bearing compression */
-    eos eos;                     /* fluids; model NULL for solids */
-    double shear_viscosity;      /* Pa s */
-    double bulk_viscosity;       /* Pa s */
-    double conductivity;         /* W/m/K, of a fluid */
-    double artificial_linear;    /* A1 of Wilkins' artificial viscosity, 0 switches it off (Y00 eq. 24) */
-    double artificial_quadratic; /* A2 */
+    bool one_way;           /* membranes: wrinkle instead of bearing compression */
+    eos eos;                /* fluids; model NULL for solids */
+    double shear_viscosity; /* Pa s */
+    double bulk_viscosity;  /* Pa s */
+    double conductivity;    /* W/m/K; 0: none */
+    double plastic_heat;    /* share of a solid's plastic work that heats it; NAN: not given (scene/solid_heat.h) */
+    double expansion;       /* 1/K: linear thermal expansion of a solid; 0: none */
+    double stress_free_temperature; /* K: at which a solid that expands has no thermal strain */
+    double artificial_linear;       /* A1 of Wilkins' artificial viscosity, 0 switches it off (Y00 eq. 24) */
+    double artificial_quadratic;    /* A2 */
 } scene_material;
 
 /* Quantities of an initial state. */

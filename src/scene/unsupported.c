@@ -4,9 +4,11 @@
 #include "scene/formula.h"
 #include "scene/scene_reach.h"
 #include "scene/side_parts.h"
+#include "scene/solid_heat.h"
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 enum { AS_MPM = 1 << COUPLING_MPM, AS_ICE = 1 << COUPLING_ICE, AS_ICE_MPM = 1 << COUPLING_ICE_MPM };
 
@@ -55,6 +57,27 @@ static bool side_has_heat(const scene *s, const bc_side *side)
     return wall && (side->temperature > 0.0 || side->heat_flux != 0.0);
 }
 
+static bool some_solid_conducts(const scene *s)
+{
+    for (int m = 0; m < s->n_materials; ++m)
+        if (s->material[m].kind == MATERIAL_SOLID && s->material[m].conductivity > 0.0) return true;
+    return false;
+}
+
+static bool side_heats_nothing(const scene *s, const bc_side *side)
+{
+    return side_has_heat(s, side) && !some_solid_conducts(s);
+}
+
+/* Beside fluids on points a slip side is a mirror to all points, beyond which temperatures are those of the image. */
+static bool mirror_has_temperature(const scene *s, const bc_side *side)
+{
+    if (side->kind != BC_SLIP || !(side->temperature > 0.0)) return false;
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (s->material[s->body[b].material].kind == MATERIAL_FLUID) return true;
+    return s->has_ambient && s->ambient_points > 0;
+}
+
 static bool wall_cannot_drag(const scene *s, const bc_side *side)
 {
     if (side->kind != BC_NO_SLIP) return false;
@@ -86,9 +109,11 @@ static const struct {
     {AS_MPM, side_has_other_pressure,
      "outside of material points there is reference_pressure, and the outlet has another pressure: make them the same, "
      "or take ice or ice-mpm"},
-    {AS_MPM, side_has_heat,
+    {AS_MPM, side_heats_nothing,
      "fluids of material points do not conduct heat, so that the wall's heat has no effect: leave it out, or take ice "
      "or ice-mpm"},
+    {AS_MPM, mirror_has_temperature,
+     "a slip side is a mirror beside fluids on points, and gives solids no temperature: take no_slip"},
     {AS_MPM, velocity_has_place,
      "material points see one velocity on all of a side, and this one changes with place: take one that changes with "
      "time alone, or ice or ice-mpm"},
@@ -145,6 +170,40 @@ static floe_status refuse_materials(const scene *s, scene_coupling coupling)
         if (of->kind != MATERIAL_FLUID || !(of->conductivity > 0.0) || !has_body_of(s, m)) continue;
         return fail_key(s->ctx, KEY("materials", of->name, "conductivity"),
                         "mpm: fluids of material points do not conduct heat; leave it out, or take ice or ice-mpm");
+    }
+    return FLOE_OK;
+}
+
+/* Whether the points of a material conduct, are heated or expand, whatever they share cells with. */
+static const char *heat_key(const scene_material *m)
+{
+    return m->conductivity > 0.0 ? "conductivity" : m->plastic_heat > 0.0 ? "plastic_heat" : "expansion";
+}
+
+static floe_status refuse_heat_of_solid(const scene *s, const scene_material *m)
+{
+    const char *const *key = KEY("materials", m->name, heat_key(m));
+    const int number = (int)(m - s->material);
+    if (scene_material_burns(s, number))
+        return fail_key(s->ctx, key, "a solid that burns carries no temperature: leave it out");
+    if (m->conductivity > 0.0 && strcmp(s->method.basis, "linear") == 0)
+        return fail_key(s->ctx, key,
+                        "with method.basis linear conduction has no stable step where nodes are light: take quadratic, "
+                        "cubic, gimp or cpdi");
+    if (s->time.solver == SOLVER_STATIC || s->time.solver == SOLVER_IMPLICIT)
+        return fail_key(s->ctx, key,
+                        "time.solver static and implicit keep the temperatures of solids as they are, and know no "
+                        "thermal strain: take explicit steps");
+    return FLOE_OK;
+}
+
+/* Of solids with a temperature by a key of their own. */
+static floe_status refuse_heat_of_solids(const scene *s, scene_coupling coupling)
+{
+    for (int m = 0; m < s->n_materials && coupling != COUPLING_ICE; ++m) {
+        const scene_material *of = &s->material[m];
+        if (of->kind != MATERIAL_SOLID || !has_body_of(s, m)) continue;
+        if (of->conductivity > 0.0 || of->plastic_heat > 0.0 || of->expansion != 0.0) TRY(refuse_heat_of_solid(s, of));
     }
     return FLOE_OK;
 }
@@ -261,6 +320,7 @@ floe_status scene_refuse_unsupported(const scene *s, scene_coupling coupling)
     TRY(refuse_sides(s, coupling));
     TRY(refuse_open_liquids(s, coupling));
     TRY(refuse_materials(s, coupling));
+    TRY(refuse_heat_of_solids(s, coupling));
     TRY(refuse_empty_membranes(s, coupling));
     TRY(refuse_interactions(s, coupling));
     TRY(scene_refuse_motions(s, coupling));

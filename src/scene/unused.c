@@ -2,6 +2,7 @@
  * deck, with a value other than the default, are remarked on. */
 #include "scene/deck_location.h"
 #include "scene/side_parts.h"
+#include "scene/solid_heat.h"
 #include "scene/unsupported.h"
 
 #include <math.h>
@@ -117,7 +118,8 @@ static void add_material_keys(const unused_list *list, const scene_material *m)
     if (m->artificial_linear > 0.0 || m->artificial_quadratic > 0.0)
         add_key_of(list, solid ? AS_ICE : AS_ICE | AS_ICE_MPM, "materials", m->name, "artificial_viscosity");
     if (!solid) return;
-    if (!isnan(m->specific_heat)) add_key_of(list, AS_MPM | AS_ICE, "materials", m->name, "specific_heat");
+    if (!isnan(m->specific_heat) && !scene_solid_has_temperature(list->s, (int)(m - list->s->material), false))
+        add_key_of(list, AS_MPM | AS_ICE, "materials", m->name, "specific_heat");
     if (!isnan(m->tension_switch)) add_key_of(list, AS_MPM | AS_ICE, "materials", m->name, "tension_switch");
 }
 
@@ -129,7 +131,8 @@ static void add_body_keys(const unused_list *list, const scene_body *b)
     if (list->s->material[b->material].kind == MATERIAL_SOLID) {
         if (b->membrane.encloses >= 0 && b->membrane.surface.kind == SHEET_NONE)
             add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "membrane.encloses");
-        if (b->temperature != usual_temperature) add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "temperature");
+        if (b->temperature != usual_temperature && !scene_solid_has_temperature(list->s, b->material, false))
+            add_key_of(list, AS_MPM | AS_ICE, "bodies", b->name, "temperature");
         return;
     }
     for (int a = 0; a < list->s->mesh.dim; ++a) other_points = other_points || b->per_cell[a] != USUAL_POINTS;

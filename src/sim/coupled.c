@@ -7,12 +7,23 @@
 
 #include <string.h>
 
-/* Temperature of a solid's cells (K): that of its first body. Heat is not carried by the points. */
+/* Temperature of the cells of a solid whose points carry none (K): that of its first body. */
 static double temperature_of(const scene *s, int material)
 {
     for (int b = 0; b < s->n_bodies; ++b)
         if (s->body[b].material == material) return s->body[b].temperature;
     return s->ambient_temperature;
+}
+
+static transfer_pair pair_of(const sim *s, const mpm_body *b, int material)
+{
+    return (transfer_pair){.group = b->group,
+                           .material = material,
+                           .temperature = temperature_of(s->scene, b->scene_material),
+                           .specific_heat = b->specific_heat,
+                           .warms = b->warms,
+                           .exchanges = b->warms && s->ice->heats_points,
+                           .reaction = ice_burning_of(s->ice, material)};
 }
 
 /* One pair for every solid: its velocity group at the nodes, its material in the cells. */
@@ -25,9 +36,7 @@ static floe_status make_pairs(transfer *t, const sim *s)
             if (t->n_pairs == TRANSFER_MAX_PAIRS)
                 return fail_key(s->ctx, KEY("materials"), "more than %d solid materials cannot be coupled",
                                 TRANSFER_MAX_PAIRS);
-            t->pair[t->n_pairs++] =
-                (transfer_pair){s->mpm->body[b].group, r, temperature_of(s->scene, s->mpm->body[b].scene_material),
-                                ice_burning_of(s->ice, r)};
+            t->pair[t->n_pairs++] = pair_of(s, &s->mpm->body[b], r);
             break;
         }
     }
@@ -54,6 +63,7 @@ void transfer_destroy(transfer **t)
 floe_status coupled_refresh(sim *s)
 {
     TRY(mpm_points_to_nodes(s->mpm));
+    if (s->mpm->carries[P_TEMP]) TRY(mpm_heat_to_nodes(s->mpm)); /* beside cells all heat is on the nodes */
     return transfer_nodes_to_cells(s->transfer);
 }
 
@@ -65,7 +75,9 @@ floe_status coupled_step(sim *s)
     t->dt = s->ice->dt;
     memcpy(t->gravity, s->ice->gravity, sizeof t->gravity);
     TRY(mpm_mass_stages(p));
-    STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM), WRITES(C_RHO, C_VEL, C_TEMP));
+    STAGE(t, ALWAYS, transfer_nodes_to_cells, READS(N_MASS, N_MOMENTUM, WHEN(p->carries[P_TEMP], N_HEAT)),
+          WRITES(C_RHO, C_VEL, C_TEMP));
+    TRY(mpm_conduction_stages(p));
     TRY(ice_state_stages(s->ice));
     STAGE(t, p->carries[P_SHARE], transfer_share_to_nodes, READS(C_REACTED, C_RHO), WRITES(C_REACTED, N_BURNT_SHARE));
     TRY(mpm_burn_stages(p));
@@ -79,6 +91,8 @@ floe_status coupled_step(sim *s)
     TRY(ice_exchange_stages(s->ice));
     STAGE(t, ALWAYS, transfer_change_to_nodes, READS(C_VELOCITY_CHANGE, N_MASS, N_VEL_L),
           WRITES(C_VELOCITY_CHANGE, N_VEL_L)); /* ghosts of the cells are filled */
+    STAGE(t, s->ice->heats_points, transfer_temperature_to_nodes, READS(C_TEMP_CHANGE, N_CAPACITY, N_TEMP_CHANGE),
+          WRITES(C_TEMP_CHANGE, N_TEMP_CHANGE)); /* likewise */
     STAGE(t, ALWAYS, transfer_momentum_before, READS(N_MASS, N_VEL_L), WRITES(C_STRESS_ACCEL));
     TRY(mpm_node_stages(p));
     STAGE(t, ALWAYS, transfer_stress_to_cells, READS(N_MASS, N_VEL_L, C_MOMENTUM_L, C_RHO, C_VEL, C_STRESS_ACCEL),

@@ -1,5 +1,7 @@
 /* Bodies and loads against the rest of the scene. */
 #include "deck/check/check.h"
+#include "scene/formula.h"
+#include "scene/solid_heat.h"
 
 #include <math.h>
 
@@ -84,12 +86,33 @@ static floe_status check_membrane(reader *r, const scene_body *b)
                   "cells do not see membrane '%s' unless it encloses a gas", b->name);
 }
 
+/* A solid that conducts, expands or is heated by plastic work has a temperature; one without has no use for a formula. */
+static floe_status check_temperature(reader *r, const scene_body *b, const scene_material *m)
+{
+    const scene *s = r->scene;
+    const char *asks = m->conductivity > 0.0   ? "conductivity"
+                       : m->expansion != 0.0   ? "expansion"
+                       : m->plastic_heat > 0.0 ? "plastic_heat"
+                                               : NULL;
+    if (!is_clean(r->root, KEY("materials", m->name))) return FLOE_OK;
+    if (asks && isnan(m->specific_heat))
+        return bad_at(r, KEY("materials", m->name, "specific_heat"), "specific_heat: a number > 0 in J/kg/K", NULL,
+                      "solid '%s' has '%s', and no specific heat", m->name, asks);
+    if (scene_formula_of(s, &b->temperature) && !scene_solid_has_temperature(s, b->material, true))
+        return bad_at(
+            r, KEY("bodies", b->name, "temperature"), "a number", NULL,
+            "solid '%s' has one temperature: formulas are for those with conductivity, plastic_heat, expansion "
+            "or heat exchange",
+            b->name);
+    return FLOE_OK;
+}
+
 /* What the cells of a coupled run need to know of a solid; beside a membrane around gas they see none. */
 static floe_status check_solid_body(reader *r, const scene_body *b, const scene_material *m)
 {
+    TRY(check_temperature(r, b, m));
     if (!scene_runs_as(r->scene, COUPLING_ICE_MPM) || !is_clean(r->root, KEY("materials", m->name))) return FLOE_OK;
     if (scene_enclosing_body(r->scene) >= 0) return FLOE_OK;
-    (void)b;
     if (isnan(m->specific_heat)) {
         return bad_at(r, KEY("materials", m->name, "specific_heat"), "specific_heat: a number > 0 in J/kg/K", NULL,
                       "'ice-mpm' needs the specific heat of solid '%s'", m->name);

@@ -7,6 +7,13 @@
 #include <math.h>
 #include <stddef.h>
 
+static bool some_solid_conducts(const scene *s)
+{
+    for (int i = 0; i < s->n_materials; i++)
+        if (s->material[i].kind == MATERIAL_SOLID && s->material[i].conductivity > 0.0) return true;
+    return false;
+}
+
 /* Some fluid of the scene has a coefficient above zero. */
 static bool some_fluid(const scene *s, size_t coefficient)
 {
@@ -17,7 +24,7 @@ static bool some_fluid(const scene *s, size_t coefficient)
     return false;
 }
 
-/* Heat of a wall needs a fluid that conducts, and is given in one way. */
+/* Heat of a wall needs a fluid or a solid that conducts, and is given in one way. */
 static floe_status check_wall(reader *r, const bc_side *side, const char *const *path)
 {
     const bool temperature = side->temperature > 0.0, flux = side->heat_flux != 0.0;
@@ -26,9 +33,10 @@ static floe_status check_wall(reader *r, const bc_side *side, const char *const 
                       "a wall has a temperature (%g K) or a heat flux (%g W/m2), not both", side->temperature,
                       side->heat_flux);
     }
-    if ((temperature || flux) && !some_fluid(r->scene, offsetof(scene_material, conductivity))) {
-        return bad_at(r, path, NULL, "give a fluid a 'conductivity', or leave the wall's heat out",
-                      "no fluid conducts heat: the wall's %s would have no effect",
+    if ((temperature || flux) && !some_fluid(r->scene, offsetof(scene_material, conductivity)) &&
+        !some_solid_conducts(r->scene)) {
+        return bad_at(r, path, NULL, "give a fluid or a solid a 'conductivity', or leave the wall's heat out",
+                      "no fluid or solid conducts heat: the wall's %s would have no effect",
                       temperature ? "temperature" : "heat flux");
     }
     return FLOE_OK;

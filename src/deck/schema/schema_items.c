@@ -29,9 +29,15 @@ static bool material_has_law(const scene *s, const void *material)
     return material_is_solid(s, material) && !((const scene_material *)material)->membrane;
 }
 
+static bool material_conducts(const scene *s, const void *material)
+{
+    return !material_is_membrane(s, material);
+}
+
 static const char solids_only[] = "solids: materials with a 'law' or a 'membrane' and no 'eos'";
 static const char laws_only[] = "solids: materials without 'membrane' and 'eos'";
 static const char membranes_only[] = "membranes: materials with a 'membrane'";
+static const char conductors_only[] = "fluids and solids: materials with an 'eos' or a 'law'";
 static const char fluids_only[] = "fluids: materials with an 'eos'";
 
 static const key_spec viscosity_keys[] = {
@@ -62,15 +68,27 @@ static const key_spec material_keys[] = {
     {"density", KEY_NUMBER, "kg/m3", PARAM_POSITIVE, AT(scene_material, density), .required = true,
      .applies = material_is_solid, .belongs = solids_only, .doc = "density at rest"},
     {"specific_heat", KEY_NUMBER, "J/kg/K", PARAM_POSITIVE, AT(scene_material, specific_heat),
-     .applies = material_is_solid, .belongs = solids_only, .otherwise = "not used; needed by ice-mpm",
-     .doc = "specific heat at constant volume, for the cells' view of the solid"},
+     .applies = material_is_solid, .belongs = solids_only,
+     .otherwise = "not used; needed by ice-mpm, and by solids with a temperature",
+     .doc = "specific heat of a solid. Its points carry a temperature where something heats it or responds to that: "
+            "with `conductivity`, `plastic_heat`, `expansion`, or heat exchange with a fluid"},
     {"tension_switch", KEY_NUMBER, "Pa", PARAM_POSITIVE, AT(scene_material, tension_switch),
      .applies = material_is_solid, .belongs = solids_only, .otherwise = "the ambient pressure",
      .doc = "absolute pressure below which the cells' view of the solid switches to its tension branch"},
     {"viscosity", KEY_MAP, .table = &viscosity_table, .applies = material_is_fluid, .belongs = fluids_only,
      .doc = "viscosity of a fluid"},
     {"conductivity", KEY_NUMBER, "W/m/K", PARAM_NONNEGATIVE, AT(scene_material, conductivity), .fallback = "0",
-     .applies = material_is_fluid, .belongs = fluids_only, .doc = "thermal conductivity of a fluid on the cells"},
+     .applies = material_conducts, .belongs = conductors_only,
+     .doc = "thermal conductivity of a fluid on the cells, or of a solid"},
+    {"plastic_heat", KEY_NUMBER, NULL, WITHIN(0.0, 1.0), AT(scene_material, plastic_heat), .applies = material_has_law,
+     .belongs = laws_only, .otherwise = "0.9 of solids that have a temperature",
+     .doc = "share of plastic work that heats the solid (Taylor and Quinney); the rest is stored"},
+    {"expansion", KEY_NUMBER, "1/K", WITHIN(-0.1, 0.1), AT(scene_material, expansion), .fallback = "0",
+     .applies = material_has_law, .belongs = laws_only,
+     .doc = "linear thermal expansion: an unloaded solid is longer by this share for each kelvin"},
+    {"stress_free_temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_material, stress_free_temperature),
+     .applies = material_has_law, .belongs = laws_only, .otherwise = "the ambient temperature, or 300",
+     .doc = "at which a solid with `expansion` has its shape without stress"},
     {"artificial_viscosity", KEY_MAP, .table = &artificial_table,
      .doc = "Wilkins' artificial viscosity of material points"},
 };
@@ -80,6 +98,7 @@ static floe_status begin_material(reader *r, deck_node *node, void *item)
 {
     scene_material *m = item;
     m->density = m->specific_heat = m->tension_switch = NAN;
+    m->plastic_heat = m->stress_free_temperature = NAN;
     const bool law = node_find(node, "law") || node_find(node, "membrane");
     const bool solid = !node_find(node, "eos") && (law || node_find(node, "density"));
     m->kind = solid ? MATERIAL_SOLID : MATERIAL_FLUID;
@@ -151,7 +170,8 @@ static const key_spec body_keys[] = {
     {"pressure", KEY_NUMBER, "Pa", AT(scene_body, pressure), .varies = VARIES_BY_PLACE, .applies = body_is_fluid,
      .belongs = fluid_bodies, .doc = "absolute, at the start; a fluid needs two of pressure, temperature, density"},
     {"temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_body, temperature), .varies = VARIES_BY_PLACE,
-     .otherwise = "solids: the ambient temperature, or 300", .doc = "at the start"},
+     .otherwise = "solids: the ambient temperature, or 300",
+     .doc = "at the start; of solids used with heat exchange, conduction, plastic heat or expansion"},
     {"density", KEY_NUMBER, "kg/m3", PARAM_POSITIVE, AT(scene_body, density), .varies = VARIES_BY_PLACE,
      .applies = body_is_fluid, .belongs = fluid_bodies, .doc = "at the start"},
     {"fraction", KEY_NUMBER, NULL, WITHIN(1e-12, 1.0), AT(scene_body, fraction), .varies = VARIES_BY_PLACE,
@@ -197,9 +217,6 @@ static void resolve_state(const scene_material *m, scene_body *b)
 
 static floe_status end_solid(reader *r, deck_node *node, const scene_body *b)
 {
-    if (scene_formula_of(r->scene, &b->temperature))
-        return bad_key(r, node_find(node, "temperature"), "a number", NULL,
-                       "a solid has one temperature; formulas are for those of fluids");
     if (b->motion.kind != MOTION_BY_LAW && scene_varies(r->scene, b->velocity, sizeof b->velocity))
         return bad_key(r, node_find(node, "velocity"), "a list of numbers", NULL,
                        "a body that does not deform has one velocity, and its spin");

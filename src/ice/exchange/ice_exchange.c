@@ -8,6 +8,7 @@
 #include "ice/state/ice_tiles.h"
 
 #include <math.h>
+#include <string.h>
 
 /* One mixed cell: everything per cell volume. */
 typedef struct mixed_cell {
@@ -210,8 +211,20 @@ static void exchange_heat(ice *s, const ice_view *v, ptrdiff_t at)
     exchange_couple(v->n_materials, ice_coefficients(s, v, ICE_HEAT, &spot, own), spot.theta,
                     s->dt * (v->tmv ? v->tmv[at] : 1.0), a);
     exchange_relax(v->n_materials, mass, a, 1, T);
+    for (int r = 0; r < v->n_materials; ++r) {
+        if (!(v->m[r].rho[at] > 0.0)) continue;
+        if (!v->material[r].points)
+            v->m[r].el[at] += cv[r] * (T[0][r] - before[r]);
+        else if (v->m[r].dT && v->material[r].warms)
+            v->m[r].dT[at] = T[0][r] - before[r];
+    }
+}
+
+/* No exchange where a solid is alone. */
+static void clear_temperature_change(const ice_view *v)
+{
     for (int r = 0; r < v->n_materials; ++r)
-        if (!v->material[r].points && v->m[r].rho[at] > 0.0) v->m[r].el[at] += cv[r] * (T[0][r] - before[r]);
+        if (v->m[r].dT) memset(v->m[r].dT, 0, v->b->size * sizeof(double));
 }
 
 /* Where a solid is alone, the pressure gradient is all that reaches its nodes. */
@@ -276,6 +289,7 @@ floe_status ice_exchange_of(ice *s, const ice_region *g)
         const ice_cell_list *mixed = ice_mixed_cells(s, &v);
         for (int r = 0; r < v.n_materials; ++r)
             if (v.material[r].points) move_lone_points(&v, r);
+        clear_temperature_change(&v);
         if (exchange_cells(s, &v, mixed) == 0) continue;
         if (owing++ == 0) ice_clear_tiles(s);
         enter_owed(s, &v, mixed);

@@ -32,6 +32,7 @@ static void gather_material(const fields *f, int r, int dim, ice_fluid *m)
     m->rhol = field_get(f, C_RHO_L, r, 0);
     m->heat = field_get(f, C_DIFFUSION_HEAT, r, 0);
     m->diffT = field_get(f, C_DIFFUSION_T, r, 0);
+    m->dT = field_get(f, C_TEMP_CHANGE, r, 0);
     view_vector(f, field_get, C_DIFFUSION, r, dim, m->diff);
     view_vector(f, field_get, C_VEL, r, dim, m->u);
     view_vector(f, field_next, C_VEL, r, dim, m->u1);

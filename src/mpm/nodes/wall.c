@@ -119,6 +119,40 @@ void fold_numbers(mpm *s, int group, field_id id)
     fold_components(s, group, id, false);
 }
 
+/* A field of numbers with its gradient along the side's axis. */
+typedef struct linear_rule {
+    double *a;
+    const double *gradient;
+    double outward; /* m: from a node of the side to the ghost */
+    bool mirror;
+} linear_rule;
+
+static void fold_linear_node(void *user, ptrdiff_t at, ptrdiff_t inward)
+{
+    const linear_rule *r = user;
+    const double ghost = r->a[at - inward], rise = -r->outward * r->gradient[at - inward];
+    if (!r->mirror) r->a[at] += 2.0 * (ghost + rise);
+    r->a[at + inward] += r->mirror ? ghost : -(ghost + 2.0 * rise);
+}
+
+void fold_linear(mpm *s, int group, field_id id, field_id gradient)
+{
+    if (s->windows->reach == 0) return;
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int axis = 0; axis < s->mesh->dim; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                const fields *f = s->domain->fields[b];
+                if (!s->mesh->block[b].at_side[axis][side] || s->mesh->periodic[axis]) continue;
+                linear_rule rule = {.a = field_get(f, id, group, 0),
+                                    .gradient = field_get(f, gradient, group, axis),
+                                    .outward = (side == SIDE_LOWER ? -1.0 : 1.0) * s->mesh->h[axis],
+                                    .mirror = wall_mirrors(s, group, axis, side)};
+                wall_visit(&s->mesh->block[b], axis, side, fold_linear_node, &rule);
+                for (int c = 0; c < s->mesh->dim; ++c)
+                    fold_array(s, b, group, axis, side, c == axis, field_get(f, gradient, group, c));
+            }
+}
+
 void fold_walls(mpm *s, int group, bool momentum, bool force)
 {
     if (s->windows->reach == 0) return;

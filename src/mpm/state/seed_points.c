@@ -11,6 +11,7 @@
 #include "mpm/state/seed_fill.h"
 #include "mpm/state/stress.h"
 #include "mpm/surface/surface_markers.h"
+#include "scene/formula.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -34,6 +35,16 @@ static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double 
     return FLOE_OK;
 }
 
+static floe_status set_temperature(mpm *s, int blk, int body, size_t k, const double x[3])
+{
+    const fields *f = s->domain->fields[blk];
+    const scene_body *given = &s->scene->body[s->body[body].scene_body];
+    if (fields_has(f, P_TEMP, body))
+        TRY(scene_number(s->scene, &given->temperature, x, 0.0, &field_get(f, P_TEMP, body, 0)[k]));
+    if (fields_has(f, P_THERMAL_STRETCH, body)) field_get(f, P_THERMAL_STRETCH, body, 0)[k] = 1.0;
+    return FLOE_OK;
+}
+
 /* Density at rest and state of one point. Fluids: stress -(p - p_ref) I. */
 static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x[3], double volume)
 {
@@ -50,6 +61,7 @@ static floe_status set_state(mpm *s, int blk, int body, size_t k, const double x
         TRY(body_solid_state(s->scene, b->scene_body, x, velocity, stress));
         if (fields_has(f, P_ENERGY, body)) field_get(f, P_ENERGY, body, 0)[k] = 0.0;
         if (b->law->needs & SOLID_NEEDS_F) TRY(set_strain(s, blk, body, k, stress));
+        TRY(set_temperature(s, blk, body, k, x));
     }
     field_get(f, P_MASS, body, 0)[k] = density * volume;
     for (int a = 0; a < s->mesh->dim; ++a) field_get(f, P_VEL, body, a)[k] = velocity[a];

@@ -148,8 +148,9 @@ static void enter_loss(mpm *s, int blk, int body, size_t k)
         ledger_push(s->ledger, LEDGER_BOUNDARY, a, -mass * v, x);
         kinetic += 0.5 * mass * v * v;
     }
-    const double *energy = field_get(f, P_ENERGY, body, 0);
-    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, -(kinetic + (energy ? mass * energy[k] : 0.0)));
+    const double *energy = field_get(f, P_ENERGY, body, 0), *T = field_get(f, P_TEMP, body, 0);
+    const double heat = (energy ? energy[k] : 0.0) + (T ? s->body[body].specific_heat * T[k] : 0.0);
+    ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, -(kinetic + mass * heat));
     ledger_tally(s->ledger, COUNT_POINTS_LOST, 1);
 }
 

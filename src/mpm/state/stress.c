@@ -6,6 +6,7 @@
 #include "material/artificial_viscosity.h"
 #include "mpm/membrane/enclosed_gas.h"
 #include "mpm/state/region.h"
+#include "mpm/thermal/thermal_stress.h"
 #include "scene/state.h"
 
 #include <math.h>
@@ -330,8 +331,11 @@ floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, s
     if (fields_has(s->domain->fields[blk], P_VISCOUS_PRESSURE, body)) set_artificial(s, m, b);
     if (m->fluid) gain[GAIN_HEAT] += add_heat(s, blk, body, start, b);
     const stress_state state = m->fluid ? STRESS_FULL : s->scene->stress_state;
+    thermal_batch thermal;
+    if (m->warms) begin_thermal_stress(s, blk, body, start, b, &thermal);
     const size_t bad = solid_stress_state(m->law, m->law_par, s->scene->reference_pressure, state, b);
     if (bad) return beyond_law(s, blk, body, start + bad - 1, b, bad - 1);
+    if (m->warms) end_thermal_stress(s, blk, body, start, b, &thermal);
     if (m->fluid) gain[GAIN_REFERENCE] -= reference_work(s, blk, body, start, b);
     store_batch(s, blk, body, start, b);
     return FLOE_OK;

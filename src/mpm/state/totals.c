@@ -7,6 +7,8 @@
 #include "mpm/mpm_constants.h"
 #include "mpm/state/region.h"
 #include "mpm/state/stress.h"
+#include "mpm/thermal/thermal.h"
+#include "mpm/thermal/thermal_stress.h"
 #include "mpm/transfer/scratch.h"
 
 #include <math.h>
@@ -22,7 +24,8 @@ enum {
     SUM_MOMENTUM,
     SUM_SCALE = SUM_MOMENTUM + 3,
     SUM_MOMENT = SUM_SCALE + 3,
-    SUM_END = SUM_MOMENT + 3
+    SUM_HEAT = SUM_MOMENT + 3,
+    SUM_END
 };
 
 static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch, double *sum)
@@ -31,9 +34,13 @@ static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end,
     const fields *f = s->domain->fields[blk];
     double psi[SOLID_CHUNK] = {0};
     load_batch(s, blk, body, start, end, false, batch);
-    if (b->law->strain_energy) b->law->strain_energy(b->law_par, batch, psi);
+    if (b->law->strain_energy && b->expansion != 0.0 && (b->law->needs & SOLID_NEEDS_F))
+        thermal_strain_energy(s, blk, body, start, batch, psi);
+    else if (b->law->strain_energy)
+        b->law->strain_energy(b->law_par, batch, psi);
     if (b->membrane.model) membrane_energies(s, blk, body, start, end, psi);
-    const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0);
+    const double *mass = field_get(f, P_MASS, body, 0), *volume = field_get(f, P_VOLUME0, body, 0),
+                 *T = field_get(f, P_TEMP, body, 0);
     const double *velocity[3], *place[3];
     for (int a = 0; a < s->mesh->dim; ++a) {
         velocity[a] = field_get(f, P_VEL, body, a);
@@ -52,6 +59,7 @@ static void sum_chunk(const mpm *s, int blk, int body, size_t start, size_t end,
         sum[SUM_KINETIC] += 0.5 * mass[k] * square;
         sum[SUM_STRAIN] += volume[k] * psi[k - start];
         if (b->law->needs & SOLID_HAS_ENERGY) sum[SUM_INTERNAL] += mass[k] * batch->energy[k - start];
+        if (T) sum[SUM_HEAT] += mass[k] * b->specific_heat * T[k];
         sum[SUM_VOLUME] += volume[k] * batch->J[k - start];
     }
 }
@@ -75,7 +83,8 @@ floe_status mpm_sum(mpm *s, mpm_totals *out)
         out->mass[b] = sum[SUM_MASS];
         out->kinetic[b] = sum[SUM_KINETIC];
         out->strain[b] = sum[SUM_STRAIN];
-        out->internal[b] = sum[SUM_INTERNAL];
+        out->internal[b] = sum[SUM_INTERNAL] + sum[SUM_HEAT];
+        out->heat[b] = sum[SUM_HEAT];
         out->volume[b] = sum[SUM_VOLUME];
         for (int a = 0; a < 3; ++a) {
             out->momentum[b][a] = sum[SUM_MOMENTUM + a];
@@ -184,6 +193,15 @@ static double stable_share_here(const mpm *s)
     return s->mesh->dim == 1 ? stable_share(s) : fmin(1.0, MPM_STEP_IN_SPACE * stable_share(s));
 }
 
+static void limit_by_conduction(const mpm *s, step_limit *out)
+{
+    int body = 0;
+    const double step = conduction_step(s, &body);
+    if (!(step < out->dt)) return;
+    out->dt = step;
+    out->reason = s->scene->body[body].name;
+}
+
 floe_status mpm_time_step(mpm *s, step_limit *out)
 {
     double worst = 0.0, fastest = 0.0;
@@ -216,5 +234,6 @@ floe_status mpm_time_step(mpm *s, step_limit *out)
     else
         out->reason = s->scene->body[s->body[limiting].scene_body].name;
     out->dt = worst > 0.0 ? fmin(s->scene->time.cfl_mpm, stable_share_here(s)) / worst : (double)INFINITY;
+    limit_by_conduction(s, out);
     return FLOE_OK;
 }

@@ -13,5 +13,7 @@ void spread_numbers(const mpm *s, const tile_box *t, const point_arrays *p, size
 /* Sums of active tiles become sums at the nodes, periodic ends and walls folded, in `count` fields of a group: their
  * components in order, each a number of its own, so that walls keep the sum of every one. */
 void gather_numbers(mpm *s, int group, const field_id *id, int count);
+/* The same without what sides do: ghost nodes beyond them keep what they got. */
+void gather_unfolded(mpm *s, int group, const field_id *id, int count);
 
 #endif

@@ -1,0 +1,76 @@
+#include "mpm/thermal/thermal_stress.h"
+
+#include "mpm/thermal/thermal.h"
+
+#include <math.h>
+#include <string.h>
+
+static bool goes_by_F(const mpm_body *b)
+{
+    return (b->law->needs & SOLID_NEEDS_F) != 0;
+}
+
+/* F and J times powers of `stretch` or of its inverse. */
+static void scale_deformation(solid_batch *b, const double *stretch, bool inverse)
+{
+    for (size_t k = 0; k < b->n; ++k) {
+        const double x = inverse ? 1.0 / stretch[k] : stretch[k], cube = x * x * x;
+        for (int c = 0; c < 9; ++c) b->F[c][k] *= x;
+        b->J[k] *= cube;
+        b->J_old[k] *= cube;
+    }
+}
+
+/* Elastic rates are those of the motion less the rate of the thermal stretch. In a step without duration nothing strains. */
+static void take_out_strain(const mpm_body *m, const double *T, double *known, const double *old, solid_batch *b)
+{
+    for (size_t k = 0; k < b->n; ++k) {
+        known[k] = b->dt > 0.0 ? 1.0 + m->expansion * (T[k] - m->stress_free_temperature) : old[k];
+        const double rate = b->dt > 0.0 ? log(known[k] / old[k]) / b->dt : 0.0;
+        for (int a = 0; a < 3; ++a) b->L[4 * a][k] -= rate;
+    }
+}
+
+void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, thermal_batch *t)
+{
+    const fields *f = s->domain->fields[blk];
+    const mpm_body *m = &s->body[body];
+    if (m->law->needs & SOLID_HAS_ENERGY) memcpy(t->energy, b->energy, b->n * sizeof *t->energy);
+    if (m->expansion == 0.0) return;
+    take_out_strain(m, field_get(f, P_TEMP, body, 0) + start, t->stretch,
+                    field_get(f, P_THERMAL_STRETCH, body, 0) + start, b);
+    if (goes_by_F(m)) scale_deformation(b, t->stretch, true);
+}
+
+/* Artificial viscosity makes heat alone; of plastic work a share becomes heat, and the rest stays energy of the law. */
+static void put_heat_aside(const mpm *s, int blk, int body, size_t start, solid_batch *b, const double *before)
+{
+    const double share = s->body[body].plastic_heat;
+    double *heat = field_get(s->domain->fields[blk], P_DISSIPATED, body, 0) + start;
+    for (size_t k = 0; k < b->n; ++k) {
+        const double work = b->energy[k] - before[k], viscous = -b->q[k] * (b->J[k] - b->J_old[k]) / b->rho0[k];
+        heat[k] = viscous + share * (work - viscous);
+        b->energy[k] -= heat[k];
+    }
+}
+
+void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, const thermal_batch *t)
+{
+    const mpm_body *m = &s->body[body];
+    if (dissipates_heat(s, body)) put_heat_aside(s, blk, body, start, b, t->energy);
+    if (m->expansion == 0.0) return;
+    if (goes_by_F(m)) scale_deformation(b, t->stretch, false);
+    memcpy(field_next(s->domain->fields[blk], P_THERMAL_STRETCH, body, 0) + start, t->stretch,
+           b->n * sizeof *t->stretch);
+}
+
+/* Moduli are those of the solid at rest as large as it has grown: per initial volume the energy is that much larger. */
+void thermal_strain_energy(const mpm *s, int blk, int body, size_t start, solid_batch *b, double *psi)
+{
+    const mpm_body *m = &s->body[body];
+    const double *stretch = field_get(s->domain->fields[blk], P_THERMAL_STRETCH, body, 0) + start;
+    scale_deformation(b, stretch, true);
+    m->law->strain_energy(m->law_par, b, psi);
+    scale_deformation(b, stretch, false);
+    for (size_t k = 0; k < b->n; ++k) psi[k] *= stretch[k] * stretch[k] * stretch[k];
+}

@@ -1,0 +1,37 @@
+#include "scene/solid_heat.h"
+
+#include <math.h>
+
+/* Metals store about a tenth of the plastic work in their dislocations (Taylor and Quinney 1934). */
+static const double USUAL_PLASTIC_HEAT = 0.9;
+
+bool scene_solid_exchanges_heat(const scene *s, int material)
+{
+    if (s->method.heat_exchange > 0.0) return true;
+    for (int k = 0; k < s->n_exchanges; ++k) {
+        const scene_exchange *e = &s->exchange[k];
+        if (e->heat.model && (e->material[0] == material || e->material[1] == material)) return true;
+    }
+    return false;
+}
+
+bool scene_material_burns(const scene *s, int material)
+{
+    for (int k = 0; k < s->n_reactions; ++k)
+        if (s->reaction[k].reactant == material) return true;
+    return false;
+}
+
+bool scene_solid_has_temperature(const scene *s, int material, bool smeared)
+{
+    const scene_material *m = &s->material[material];
+    if (m->kind != MATERIAL_SOLID || !m->law || !(m->specific_heat > 0.0) || scene_material_burns(s, material))
+        return false;
+    return m->conductivity > 0.0 || m->expansion != 0.0 || m->plastic_heat > 0.0 ||
+           (smeared && scene_solid_exchanges_heat(s, material));
+}
+
+double scene_plastic_heat(const scene_material *m)
+{
+    return isnan(m->plastic_heat) ? USUAL_PLASTIC_HEAT : m->plastic_heat;
+}
