@@ -37,6 +37,7 @@ void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_b
     const mpm_body *m = &s->body[body];
     if (m->law->needs & SOLID_HAS_ENERGY) memcpy(t->energy, b->energy, b->n * sizeof *t->energy);
     if (m->expansion == 0.0) return;
+    for (int a = 0; a < 3; ++a) memcpy(t->rate[a], b->L[4 * a], b->n * sizeof *t->rate[a]);
     take_out_strain(m, field_get(f, P_TEMP, body, 0) + start, t->stretch,
                     field_get(f, P_THERMAL_STRETCH, body, 0) + start, b);
     if (goes_by_F(m)) scale_deformation(b, t->stretch, true);
@@ -60,6 +61,8 @@ void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_bat
     if (dissipates_heat(s, body)) put_heat_aside(s, blk, body, start, b, t->energy);
     if (m->expansion == 0.0) return;
     if (goes_by_F(m)) scale_deformation(b, t->stretch, false);
+    /* along a line and in the plane nothing else sets the rates across */
+    for (int a = 0; a < 3; ++a) memcpy(b->L[4 * a], t->rate[a], b->n * sizeof *t->rate[a]);
     memcpy(field_next(s->domain->fields[blk], P_THERMAL_STRETCH, body, 0) + start, t->stretch,
            b->n * sizeof *t->stretch);
 }
