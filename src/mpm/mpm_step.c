@@ -271,8 +271,8 @@ static floe_status implicit_stages(mpm *s)
     STAGE(s, ALWAYS, mpm_implicit_loads, READS(N_MASS), WRITES(N_FORCE));
     STAGE(s, ALWAYS, mpm_implicit_solve,
           READS(N_MASS, N_MOMENTUM, WHEN(has_contact(s), N_NORMAL), WHEN(meets_at_points(s), N_REACH), P_MASS,
-                P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->carries[P_DRIVE], P_DRIVE), POINT_STATE),
-          WRITES(P_POS, P_VEL, POINT_STATE, WHEN(has_edges(s), N_FILL)));
+                P_VOLUME0, P_POS, P_VEL, DOMAINS, WHEN(s->carries[P_DRIVE], P_DRIVE), POINT_STATE, EXPANDING),
+          WRITES(P_POS, P_VEL, POINT_STATE, EXPANDING, WHEN(has_edges(s), N_FILL)));
     return FLOE_OK;
 }
 

@@ -190,10 +190,11 @@ static floe_status refuse_heat_of_solid(const scene *s, const scene_material *m)
         return fail_key(s->ctx, key,
                         "with method.basis linear conduction has no stable step where nodes are light: take quadratic, "
                         "cubic, gimp or cpdi");
-    if (s->time.solver == SOLVER_STATIC || s->time.solver == SOLVER_IMPLICIT)
+    const bool changes = m->conductivity > 0.0 || m->plastic_heat > 0.0 || (m->law && m->law->needs & SOLID_HAS_ENERGY);
+    if (changes && (s->time.solver == SOLVER_STATIC || s->time.solver == SOLVER_IMPLICIT))
         return fail_key(s->ctx, key,
-                        "time.solver static and implicit keep the temperatures of solids as they are, and know no "
-                        "thermal strain: take explicit steps");
+                        "time.solver static and implicit keep the temperatures of solids as they are, which conduction "
+                        "and plastic work change: take explicit steps");
     return FLOE_OK;
 }
 

@@ -45,7 +45,9 @@ static void rig_make(rig *r, const rig_case *c)
     check_ok(r->ctx, domain_add(r->domain, N_PRESSURE, 0));
     stage_list_init(&r->stages, r->ctx);
     r->t = (transfer){.ctx = r->ctx, .mesh = &r->mesh, .domain = r->domain, .stages = &r->stages, .n_pairs = SOLIDS};
-    for (int i = 0; i < SOLIDS; ++i) r->t.pair[i] = (transfer_pair){i, SOLIDS - 1 - i, 300.0 + i, -1};
+    for (int i = 0; i < SOLIDS; ++i)
+        r->t.pair[i] =
+            (transfer_pair){.group = i, .material = SOLIDS - 1 - i, .temperature = 300.0 + i, .reaction = -1};
     r->t.reference_pressure = 1e5;
 }
 

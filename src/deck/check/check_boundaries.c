@@ -35,7 +35,7 @@ static floe_status check_wall(reader *r, const bc_side *side, const char *const 
     }
     if ((temperature || flux) && !some_fluid(r->scene, offsetof(scene_material, conductivity)) &&
         !some_solid_conducts(r->scene)) {
-        return bad_at(r, path, NULL, "give a fluid or a solid a 'conductivity', or leave the wall's heat out",
+        return bad_at(r, path, NULL, "give a fluid a 'conductivity', or a solid, or leave the wall's heat out",
                       "no fluid or solid conducts heat: the wall's %s would have no effect",
                       temperature ? "temperature" : "heat flux");
     }

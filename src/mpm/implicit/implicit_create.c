@@ -6,6 +6,7 @@
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
 #include "mpm/surface/traction.h"
+#include "mpm/thermal/thermal.h"
 
 static const char *obstacle_to_motion(const mpm *s)
 {
@@ -23,7 +24,8 @@ bool mpm_body_is_enclosed(const mpm *s, int body)
 const char *mpm_implicit_obstacle(const mpm *s, time_solver solver)
 {
     if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
-    if (s->carries[P_TEMP]) return "the temperatures of solids change in explicit steps alone";
+    if (group_gives_heat(s, -1) || s->carries[P_DISSIPATED])
+        return "the temperatures of solids change in explicit steps alone";
     if (s->basis->fact.shaped)
         return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
     if (s->cells != CELLS_NONE && solver == SOLVER_IMPLICIT) return "fluids on cells flow";

@@ -4,6 +4,7 @@
 #include "mpm/implicit/implicit.h"
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/state/stress.h"
+#include "mpm/thermal/thermal_stress.h"
 #include "mpm/transfer/point_arrays.h"
 #include "mpm/transfer/scratch.h"
 
@@ -72,7 +73,11 @@ static size_t run_law(const mpm *s, int blk, int body, size_t start, size_t end,
         set_increment(b, k, g);
         if (!(b->J[k] > 0.0)) return 1 + k;
     }
-    return solid_stress_state(m->law, m->law_par, s->scene->reference_pressure, s->scene->stress_state, b);
+    thermal_batch thermal;
+    if (m->warms) begin_thermal_stress(s, blk, body, start, b, &thermal);
+    const size_t bad = solid_stress_state(m->law, m->law_par, s->scene->reference_pressure, s->scene->stress_state, b);
+    if (m->warms && !bad) end_thermal_stress(s, blk, body, start, b, &thermal);
+    return bad;
 }
 
 /* V0 T of point k of a batch, at the components that the scene has. */
@@ -339,6 +344,8 @@ floe_status implicit_move(mpm *s)
             const fields *f = s->domain->fields[b];
             const size_t n = s->points[b][body].n;
             for (size_t k = 0; k < n && !s->body[body].fluid; ++k) TRY(move_point(s, b, body, k));
+            if (fields_has(f, P_TEMP, body)) /* nothing warms it */
+                memcpy(field_next(f, P_TEMP, body, 0), field_get(f, P_TEMP, body, 0), n * sizeof(double));
             for (int c = 0; fields_has(f, P_AFFINE, body) && c < gradients; ++c)
                 memset(field_next(f, P_AFFINE, body, c), 0, n * sizeof(double));
         }

@@ -203,7 +203,8 @@ static void add_own_heat(const mpm *s, int blk, int body)
 static void advance_nodes(const mpm *s, int blk, int group)
 {
     const fields *f = s->domain->fields[blk];
-    const double *restrict capacity = field_get(f, N_CAPACITY, group, 0), *restrict heat = field_get(f, N_HEAT, group, 0),
+    const double *restrict capacity = field_get(f, N_CAPACITY, group, 0),
+                           *restrict heat = field_get(f, N_HEAT, group, 0),
                            *restrict change = field_get(f, N_TEMP_CHANGE, group, 0);
     double *restrict T = field_get(f, N_TEMP, group, 0);
     for (size_t k = 0; k < s->mesh->block[blk].size; ++k)

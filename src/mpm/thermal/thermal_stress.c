@@ -21,11 +21,20 @@ static void scale_deformation(solid_batch *b, const double *stretch, bool invers
     }
 }
 
-/* Elastic rates are those of the motion less the rate of the thermal stretch. In a step without duration nothing strains. */
-static void take_out_strain(const mpm_body *m, const double *T, double *known, const double *old, solid_batch *b)
+/* Of the thermal strain, what is there at the end of the step: load increments to rest add it up in proportion, as they do loads at once. */
+static double strain_share(const mpm *s)
 {
+    if (s->solver != SOLVER_STATIC) return 1.0;
+    return fmin(1.0, (s->time + s->dt) / s->scene->time.end);
+}
+
+/* Elastic rates are those of the motion less the rate of the thermal stretch. In a step without duration nothing strains. */
+static void take_out_strain(const mpm_body *m, double share, const double *T, double *known, const double *old,
+                            solid_batch *b)
+{
+    const double expansion = share * m->expansion;
     for (size_t k = 0; k < b->n; ++k) {
-        known[k] = b->dt > 0.0 ? 1.0 + m->expansion * (T[k] - m->stress_free_temperature) : old[k];
+        known[k] = b->dt > 0.0 ? 1.0 + expansion * (T[k] - m->stress_free_temperature) : old[k];
         const double rate = b->dt > 0.0 ? log(known[k] / old[k]) / b->dt : 0.0;
         for (int a = 0; a < 3; ++a) b->L[4 * a][k] -= rate;
     }
@@ -38,7 +47,7 @@ void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_b
     if (m->law->needs & SOLID_HAS_ENERGY) memcpy(t->energy, b->energy, b->n * sizeof *t->energy);
     if (m->expansion == 0.0) return;
     for (int a = 0; a < 3; ++a) memcpy(t->rate[a], b->L[4 * a], b->n * sizeof *t->rate[a]);
-    take_out_strain(m, field_get(f, P_TEMP, body, 0) + start, t->stretch,
+    take_out_strain(m, strain_share(s), field_get(f, P_TEMP, body, 0) + start, t->stretch,
                     field_get(f, P_THERMAL_STRETCH, body, 0) + start, b);
     if (goes_by_F(m)) scale_deformation(b, t->stretch, true);
 }

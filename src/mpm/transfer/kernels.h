@@ -5,17 +5,19 @@
 
 #include "base/compiler.h"
 #include "grid/mesh.h"
+#include "grid/tile_box.h"
 #include "mpm/basis/basis.h"
-#include "mpm/transfer/point_arrays.h"
 #include "mpm/transfer/scatter_mode.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+struct point_arrays;
+
 /* Adds the contributions of points [start, end) to the nodes of their tile's window, `out`: a record per node, mass and
  * momentum in lanes_of(1 + dim) doubles (if requested), then force in lanes_of(dim) (if requested). */
-typedef void scatter_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+typedef void scatter_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
                             double *out);
 
 /* What a gather writes. */
@@ -35,7 +37,7 @@ typedef enum gather_mode { GATHER_MOTION, GATHER_GRADIENT, GATHER_BOTH, GATHER_M
 
 /* From the nodes of a tile's window to points [start, end). A node's record is v^L (or v), then a
  * where points move, in lanes_reserved(lanes_of(.)) doubles. */
-typedef void gather_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+typedef void gather_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
                            const double *window, const gather_step *step, const gather_result *out);
 
 /* Light nodes matter (kernels_gather.h) where the linear basis takes gradients of accelerated velocities. */
@@ -45,12 +47,12 @@ FLOE_ALWAYS_INLINE bool gather_needs_mass(bool kinks, bool motion, bool gradient
 }
 
 /* One scalar per node to the points: out[0] for `start`, out[1] for the next, as far as `end`. */
-typedef void sample_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+typedef void sample_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
                            const double *window, double *out);
 
 /* Adds to the nodes of a window, `out`, the momentum that points [start, end) would give back of the velocities in another, `window`,
  * which they take with the moments about them; lanes_of(dim) doubles a node in both. */
-typedef void project_kernel(const mesh *m, const tile_box *t, const point_arrays *p, size_t start, size_t end,
+typedef void project_kernel(const mesh *m, const tile_box *t, const struct point_arrays *p, size_t start, size_t end,
                             const double *window, double *out);
 
 typedef struct kernel_set {

@@ -4,6 +4,7 @@
 
 #include "mpm/basis/basis_inline.h"
 #include "mpm/transfer/kernels.h"
+#include "mpm/transfer/point_arrays.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,0 +1,54 @@
+/* Heat of solids that does not go where a deck may expect it to (theory 12.1). */
+#include "scene/remark_internal.h"
+#include "scene/solid_heat.h"
+
+#include <stdio.h>
+
+/* Beside fluids on cells heat passes the surface of a solid by heat exchange alone, which a sharp interface does not have. */
+static void remark_insulated(remark_speaker *w, int material)
+{
+    const scene *s = w->s;
+    const scene_material *m = &s->material[material];
+    const bool sharp = s->method.interface == INTERFACE_SHARP;
+    if (s->coupling != COUPLING_ICE_MPM || scene_enclosing_body(s) >= 0) return;
+    if (!scene_solid_has_temperature(s, material, false) || (!sharp && scene_solid_exchanges_heat(s, material))) return;
+    remark_set_key(w, "materials", m->name, "");
+    remark_key(
+        w,
+        "solid '%s' has a temperature, and exchanges no heat with the fluids about it: its surface is insulated. "
+        "Heat passes by method.heat_exchange, or a pair of `exchange` with `heat`, over the cells of a smeared "
+        "interface",
+        m->name);
+}
+
+/* What burns keeps the temperature of the deck, whatever its fluids give it. */
+static void remark_burning(remark_speaker *w, int material)
+{
+    const scene *s = w->s;
+    const scene_material *m = &s->material[material];
+    if (s->coupling != COUPLING_ICE_MPM || !scene_material_burns(s, material) ||
+        !scene_solid_exchanges_heat(s, material))
+        return;
+    remark_set_key(w, "materials", m->name, "");
+    remark_key(w, "solid '%s' burns and keeps its temperature: the heat that fluids exchange with it is lost", m->name);
+}
+
+static void remark_no_plastic_work(remark_speaker *w, const scene_material *m)
+{
+    if (!(m->plastic_heat > 0.0) || !m->law || (m->law->needs & SOLID_HAS_ENERGY)) return;
+    remark_set_key(w, "materials", m->name, "plastic_heat");
+    remark_key(w, "law '%s' has no plastic work: it makes no heat", m->law->name);
+}
+
+void remark_heat(const scene *s, remark_sink *say, void *user)
+{
+    remark_speaker w = {.s = s, .say = say, .user = user};
+    for (int m = 0; m < s->n_materials; ++m) {
+        bool used = false;
+        for (int b = 0; b < s->n_bodies; ++b) used = used || s->body[b].material == m;
+        if (!used || !remark_is_solid(&s->material[m]) || s->coupling == COUPLING_ICE) continue;
+        remark_insulated(&w, m);
+        remark_burning(&w, m);
+        remark_no_plastic_work(&w, &s->material[m]);
+    }
+}
