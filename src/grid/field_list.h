@@ -54,7 +54,7 @@
     X(P_THERMAL_STRETCH, "thermal_stretch", POINT, SCALAR, "1", STATE,                                               \
       "1 + alpha (T - T_0), of which the stress already knows")                                                      \
     X(P_DISSIPATED, "dissipated_heat", POINT, SCALAR, "J/kg", SCRATCH,                                               \
-      "heat of plastic and artificial viscous work in the step")                                                     \
+      "heat of plastic and artificial viscous work in the step, and of stress on thermal strain")                    \
     X(P_DRIVE, "manufactured_force", POINT, VECTOR, "m/s2", SCRATCH,                                                 \
       "b_p(X_p, t): force per mass that the exact solution needs")                                                   \
     X(P_MASS_LEFT, "mass_left", POINT, SCALAR, "kg", SCRATCH,                                                        \

@@ -24,8 +24,9 @@ bool mpm_body_is_enclosed(const mpm *s, int body)
 const char *mpm_implicit_obstacle(const mpm *s, time_solver solver)
 {
     if (solver == SOLVER_IMPLICIT && obstacle_to_motion(s)) return obstacle_to_motion(s);
-    if (group_gives_heat(s, -1) || s->carries[P_DISSIPATED])
-        return "the temperatures of solids change in explicit steps alone";
+    for (int b = 0; b < s->n_bodies; ++b)
+        if (heat_goes_to_nodes(s, b) || dissipates_heat(s, b))
+            return "the temperatures of solids change in explicit steps alone";
     if (s->basis->fact.shaped)
         return "the basis cpdi has no weights along the axes, of which its matrix is made; quadratic has";
     if (s->cells != CELLS_NONE && solver == SOLVER_IMPLICIT) return "fluids on cells flow";

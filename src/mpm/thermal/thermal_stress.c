@@ -29,13 +29,15 @@ static double strain_share(const mpm *s)
 }
 
 /* Elastic rates are those of the motion less the rate of the thermal stretch. In a step without duration nothing strains. */
-static void take_out_strain(const mpm_body *m, double share, const double *T, double *known, const double *old,
-                            solid_batch *b)
+static void take_out_strain(const mpm_body *m, double share, const double *T, const double *old, solid_batch *b,
+                            thermal_batch *t)
 {
     const double expansion = share * m->expansion;
     for (size_t k = 0; k < b->n; ++k) {
-        known[k] = b->dt > 0.0 ? 1.0 + expansion * (T[k] - m->stress_free_temperature) : old[k];
-        const double rate = b->dt > 0.0 ? log(known[k] / old[k]) / b->dt : 0.0;
+        t->stretch[k] = b->dt > 0.0 ? 1.0 + expansion * (T[k] - m->stress_free_temperature) : old[k];
+        t->growth[k] = log(t->stretch[k] / old[k]);
+        t->trace[k] = b->stress[0][k] + b->stress[1][k] + b->stress[2][k];
+        const double rate = b->dt > 0.0 ? t->growth[k] / b->dt : 0.0;
         for (int a = 0; a < 3; ++a) b->L[4 * a][k] -= rate;
     }
 }
@@ -47,8 +49,8 @@ void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_b
     if (m->law->needs & SOLID_HAS_ENERGY) memcpy(t->energy, b->energy, b->n * sizeof *t->energy);
     if (m->expansion == 0.0) return;
     for (int a = 0; a < 3; ++a) memcpy(t->rate[a], b->L[4 * a], b->n * sizeof *t->rate[a]);
-    take_out_strain(m, strain_share(s), field_get(f, P_TEMP, body, 0) + start, t->stretch,
-                    field_get(f, P_THERMAL_STRETCH, body, 0) + start, b);
+    take_out_strain(m, strain_share(s), field_get(f, P_TEMP, body, 0) + start,
+                    field_get(f, P_THERMAL_STRETCH, body, 0) + start, b, t);
     if (goes_by_F(m)) scale_deformation(b, t->stretch, true);
 }
 
@@ -64,12 +66,28 @@ static void put_heat_aside(const mpm *s, int blk, int body, size_t start, solid_
     }
 }
 
+/* What the stress does on the thermal strain is neither motion nor strain energy: it is the heat's, so that the energy of the step is closed. */
+static void take_thermal_work(const mpm *s, int blk, int body, size_t start, const solid_batch *b,
+                              const thermal_batch *t)
+{
+    const fields *f = s->domain->fields[blk];
+    const double *mass = field_get(f, P_MASS, body, 0) + start, *volume = field_get(f, P_VOLUME0, body, 0) + start;
+    double *heat = field_get(f, P_DISSIPATED, body, 0);
+    if (!heat) return; /* in steps that are solved for temperatures stay */
+    for (size_t k = 0; k < b->n; ++k) {
+        const double trace = 0.5 * (t->trace[k] + b->stress[0][k] + b->stress[1][k] + b->stress[2][k]);
+        const double work = trace * t->growth[k] * b->J[k] * volume[k] / mass[k];
+        heat[start + k] = work + (dissipates_heat(s, body) ? heat[start + k] : 0.0);
+    }
+}
+
 void end_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_batch *b, const thermal_batch *t)
 {
     const mpm_body *m = &s->body[body];
     if (dissipates_heat(s, body)) put_heat_aside(s, blk, body, start, b, t->energy);
     if (m->expansion == 0.0) return;
     if (goes_by_F(m)) scale_deformation(b, t->stretch, false);
+    take_thermal_work(s, blk, body, start, b, t);
     /* along a line and in the plane nothing else sets the rates across */
     for (int a = 0; a < 3; ++a) memcpy(b->L[4 * a], t->rate[a], b->n * sizeof *t->rate[a]);
     memcpy(field_next(s->domain->fields[blk], P_THERMAL_STRETCH, body, 0) + start, t->stretch,

@@ -9,6 +9,8 @@ typedef struct thermal_batch {
     double energy[SOLID_CHUNK];  /* J/kg: before the law */
     double stretch[SOLID_CHUNK]; /* of which the law sees none */
     double rate[3][SOLID_CHUNK]; /* 1/s: normal rates of the motion */
+    double growth[SOLID_CHUNK];  /* logarithm of the thermal stretch of the step */
+    double trace[SOLID_CHUNK];   /* Pa: of the stress before the law */
 } thermal_batch;
 
 /* Before the law: takes the thermal strain out of rates, or out of F and J. */
