@@ -23,8 +23,6 @@ static void finish_materials(scene *s)
         scene_material *m = &s->material[i];
         if (m->kind != MATERIAL_SOLID) continue;
         if (isnan(m->tension_switch) && s->has_ambient) m->tension_switch = s->ambient_pressure;
-        if (isnan(m->stress_free_temperature) && m->expansion != 0.0)
-            m->stress_free_temperature = s->has_ambient ? s->ambient_temperature : ROOM_TEMPERATURE;
     }
 }
 

@@ -23,6 +23,8 @@
     X(P_HALF, "half_width", POINT, VECTOR, "m", FIXED, "GIMP half width of the point's domain")                      \
     X(P_REST, "rest_position", POINT, VECTOR, "m", FIXED,                                                            \
       "X_p: where the point was seeded, if a manufactured force acts on it")                                         \
+    X(P_STRESS_FREE, "stress_free_temperature", POINT, SCALAR, "K", FIXED,                                           \
+      "T_0 of a solid that expands: without stress it has its shape at rest there")                                  \
     X(P_POS, "position", POINT, VECTOR, "m", STATE, "x_p")                                                           \
     X(P_VEL, "velocity", POINT, VECTOR, "m/s", STATE, "v_p at n-1/2 in pure MPM, n when coupled")                    \
     X(P_AFFINE, "affine_velocity", POINT, GRADIENT, "1/s", STATE,                                                    \

@@ -123,7 +123,7 @@ static bool body_carries(const mpm *s, int body, field_id id)
     if (id == P_DENSITY) return b->fluid;
     if (id == P_TEMP) return b->warms;
     if (id == P_TEMP_GRADIENT) return b->warms && b->conductivity > 0.0;
-    if (id == P_THERMAL_STRETCH) return b->expansion != 0.0;
+    if (id == P_THERMAL_STRETCH || id == P_STRESS_FREE) return b->expansion != 0.0;
     if (id == P_DISSIPATED) return dissipates_heat(s, body) || b->expansion != 0.0;
     if (id == P_SHARE || id == P_MASS_LEFT) return b->burns;
     if (id == P_MEAN_PRESSURE) return b->mean_strain;

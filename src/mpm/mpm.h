@@ -29,7 +29,7 @@ typedef struct mpm_body {
     double conductivity;            /* W/m/K, of one that warms; 0: it does not conduct */
     double plastic_heat;            /* share of plastic work that heats it */
     double expansion;               /* 1/K, of one that warms */
-    double stress_free_temperature; /* K */
+    double stress_free_temperature; /* K; NAN: that at the start */
     bool fluid;
     bool burns;                 /* a reaction uses it up */
     bool mean_strain;           /* one rate of volume and one pressure a cell (state/mean_strain.h) */

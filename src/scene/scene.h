@@ -62,9 +62,10 @@ typedef struct scene_material {
     double conductivity;    /* W/m/K; 0: none */
     double plastic_heat;    /* share of a solid's plastic work that heats it; NAN: not given (scene/solid_heat.h) */
     double expansion;       /* 1/K: linear thermal expansion of a solid; 0: none */
-    double stress_free_temperature; /* K: at which a solid that expands has no thermal strain */
-    double artificial_linear;       /* A1 of Wilkins' artificial viscosity, 0 switches it off (Y00 eq. 24) */
-    double artificial_quadratic;    /* A2 */
+    double
+        stress_free_temperature; /* K: at which a solid that expands has no thermal strain; NAN: that of each point at the start */
+    double artificial_linear;    /* A1 of Wilkins' artificial viscosity, 0 switches it off (Y00 eq. 24) */
+    double artificial_quadratic; /* A2 */
 } scene_material;
 
 /* Quantities of an initial state. */

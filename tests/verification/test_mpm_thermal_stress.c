@@ -107,6 +107,26 @@ static void check_uniform(const bar_state *s, int component, double value, doubl
     check_close(s->most[component], value, tolerance);
 }
 
+/* Unless the deck says at which temperature it is without stress, a solid is so as it begins. */
+static void test_begins_free(void **state)
+{
+    (void)state;
+    trial t;
+    sim_totals sum;
+    const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
+    trial_begin(&t, 1, hi, 0.1);
+    set_sides(&t, 0, BC_SYMMETRY, BC_SYMMETRY);
+    set_method(&t, "quadratic", STRESS_USL, 1.0);
+    const int solid = add_expanding(&t, "linear_elastic");
+    t.scene->material[solid].stress_free_temperature = (double)NAN;
+    add_body(&t, solid, make_box(&t, lo, hi), 2)->temperature = first + 5.0;
+    trial_start(&t);
+    trial_steps(&t, 10);
+    check_ok(t.ctx, sim_sum(t.sim, &sum));
+    check_close(sum.strain, 0.0, 0.0);
+    trial_end(&t);
+}
+
 /* Held on all sides F stays one, and the law sees 1/stretch. */
 static void test_held_bar(void **state)
 {
@@ -310,8 +330,8 @@ static void test_plastic_heat(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_energy), cmocka_unit_test(test_held_bar),
-                                       cmocka_unit_test(test_free_bar), cmocka_unit_test(test_cylinder),
-                                       cmocka_unit_test(test_plastic_heat)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_energy),   cmocka_unit_test(test_begins_free),
+                                       cmocka_unit_test(test_held_bar), cmocka_unit_test(test_free_bar),
+                                       cmocka_unit_test(test_cylinder), cmocka_unit_test(test_plastic_heat)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,7 @@ static const key_spec material_keys[] = {
      .applies = material_has_law, .belongs = laws_only,
      .doc = "linear thermal expansion: an unloaded solid is longer by this share for each kelvin"},
     {"stress_free_temperature", KEY_NUMBER, "K", PARAM_POSITIVE, AT(scene_material, stress_free_temperature),
-     .applies = material_has_law, .belongs = laws_only, .otherwise = "the ambient temperature, or 300",
+     .applies = material_has_law, .belongs = laws_only, .otherwise = "that of each point at the start",
      .doc = "at which a solid with `expansion` has its shape without stress"},
     {"artificial_viscosity", KEY_MAP, .table = &artificial_table,
      .doc = "Wilkins' artificial viscosity of material points"},

@@ -344,7 +344,7 @@ floe_status implicit_move(mpm *s)
             const fields *f = s->domain->fields[b];
             const size_t n = s->points[b][body].n;
             for (size_t k = 0; k < n && !s->body[body].fluid; ++k) TRY(move_point(s, b, body, k));
-            if (fields_has(f, P_TEMP, body)) /* nothing warms it */
+            if (fields_has(f, P_TEMP, body)) /* nothing warms it in a step */
                 memcpy(field_next(f, P_TEMP, body, 0), field_get(f, P_TEMP, body, 0), n * sizeof(double));
             for (int c = 0; fields_has(f, P_AFFINE, body) && c < gradients; ++c)
                 memset(field_next(f, P_AFFINE, body, c), 0, n * sizeof(double));

@@ -35,13 +35,18 @@ static floe_status set_strain(mpm *s, int blk, int body, size_t k, const double 
     return FLOE_OK;
 }
 
+/* Unless the deck says at which temperature it is without stress, a solid that expands is so at the start. */
 static floe_status set_temperature(mpm *s, int blk, int body, size_t k, const double x[3])
 {
     const fields *f = s->domain->fields[blk];
-    const scene_body *given = &s->scene->body[s->body[body].scene_body];
-    if (fields_has(f, P_TEMP, body))
-        TRY(scene_number(s->scene, &given->temperature, x, 0.0, &field_get(f, P_TEMP, body, 0)[k]));
-    if (fields_has(f, P_THERMAL_STRETCH, body)) field_get(f, P_THERMAL_STRETCH, body, 0)[k] = 1.0;
+    const mpm_body *b = &s->body[body];
+    double T;
+    if (!fields_has(f, P_TEMP, body)) return FLOE_OK;
+    TRY(scene_number(s->scene, &s->scene->body[b->scene_body].temperature, x, 0.0, &T));
+    field_get(f, P_TEMP, body, 0)[k] = T;
+    if (!fields_has(f, P_THERMAL_STRETCH, body)) return FLOE_OK;
+    field_get(f, P_THERMAL_STRETCH, body, 0)[k] = 1.0;
+    field_get(f, P_STRESS_FREE, body, 0)[k] = isnan(b->stress_free_temperature) ? T : b->stress_free_temperature;
     return FLOE_OK;
 }
 

@@ -29,12 +29,11 @@ static double strain_share(const mpm *s)
 }
 
 /* Elastic rates are those of the motion less the rate of the thermal stretch. In a step without duration nothing strains. */
-static void take_out_strain(const mpm_body *m, double share, const double *T, const double *old, solid_batch *b,
+static void take_out_strain(double expansion, const double *T, const double *free, const double *old, solid_batch *b,
                             thermal_batch *t)
 {
-    const double expansion = share * m->expansion;
     for (size_t k = 0; k < b->n; ++k) {
-        t->stretch[k] = b->dt > 0.0 ? 1.0 + expansion * (T[k] - m->stress_free_temperature) : old[k];
+        t->stretch[k] = b->dt > 0.0 ? 1.0 + expansion * (T[k] - free[k]) : old[k];
         t->growth[k] = log(t->stretch[k] / old[k]);
         t->trace[k] = b->stress[0][k] + b->stress[1][k] + b->stress[2][k];
         const double rate = b->dt > 0.0 ? t->growth[k] / b->dt : 0.0;
@@ -49,8 +48,9 @@ void begin_thermal_stress(const mpm *s, int blk, int body, size_t start, solid_b
     if (m->law->needs & SOLID_HAS_ENERGY) memcpy(t->energy, b->energy, b->n * sizeof *t->energy);
     if (m->expansion == 0.0) return;
     for (int a = 0; a < 3; ++a) memcpy(t->rate[a], b->L[4 * a], b->n * sizeof *t->rate[a]);
-    take_out_strain(m, strain_share(s), field_get(f, P_TEMP, body, 0) + start,
-                    field_get(f, P_THERMAL_STRETCH, body, 0) + start, b, t);
+    take_out_strain(strain_share(s) * m->expansion, field_get(f, P_TEMP, body, 0) + start,
+                    field_get(f, P_STRESS_FREE, body, 0) + start, field_get(f, P_THERMAL_STRETCH, body, 0) + start, b,
+                    t);
     if (goes_by_F(m)) scale_deformation(b, t->stretch, true);
 }
 
