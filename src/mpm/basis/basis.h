@@ -25,7 +25,6 @@ typedef struct basis_facts {
     double ghost_share; /* cells: integral over the mesh of the first ghost's shape function beyond a side */
     double axis_moment; /* cells^2: integral over r > 0 of r times the shape function of a node on the axis */
     double least_mass;  /* of the heaviest point's: lighter nodes take no force (node.c) */
-    double most_bulk;   /* bulk over shear modulus with which loads are balanced without locking (implicit_locking.c) */
     double usl_share;   /* most of h/c that a step takes with USL (totals.c, theory 4.6) */
     double carried_share;     /* of points that carry the motion about them */
     double restored_share[4]; /* of affine FMPM of orders 2, 4, 6 and more */

@@ -41,7 +41,6 @@ static const basis_model basis_gimp = {
             0.0,                      /* ghost_share */
             1.0 / 6.0,                /* axis_moment */
             1e-9,                     /* least_mass */
-            10.0,                     /* most_bulk */
             0.4,                      /* usl_share */
             0.45,                     /* carried_share */
             {0.45, 0.45, 0.45, 0.45}, /* restored_share */

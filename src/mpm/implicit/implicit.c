@@ -3,6 +3,7 @@
 
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
+#include "mpm/implicit/implicit_volume.h"
 #include "mpm/surface/surface_markers.h"
 
 #include <math.h>
@@ -55,16 +56,29 @@ static void solve_increment(mpm *s, const node_matrix *m)
     implicit_contact_project(s, w->residual);
 }
 
+static void assemble_all(mpm *s, node_matrix *m, const double *tangent)
+{
+    implicit_assemble(s, m, tangent);
+    implicit_assemble_edges(s, m);
+    if (s->implicit->mass) motion_stiffen(s, m);
+}
+
+static void constrain_matrix(mpm *s, node_matrix *m)
+{
+    implicit_contact_project_matrix(s, m);
+    node_matrix_constrain(m, s->implicit->constrained);
+}
+
+/* The matrix of the displacements, and where bodies share changes of volume another to precondition it with (implicit_volume.h). */
 static void make_matrix(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
-    node_matrix *m = multigrid_matrix(w->solver);
-    implicit_assemble(s);
-    implicit_assemble_edges(s, m);
-    if (w->mass) motion_stiffen(s, m);
-    if (find_constraint_step(s)) solve_increment(s, m);
-    implicit_contact_project_matrix(s, m);
-    node_matrix_constrain(m, w->constrained);
+    node_matrix *m = multigrid_matrix(w->solver), *exact = w->volume ? w->volume->exact : m;
+    assemble_all(s, exact, w->tangent);
+    if (w->volume) assemble_all(s, m, w->volume->tangent);
+    if (find_constraint_step(s)) solve_increment(s, exact);
+    constrain_matrix(s, exact);
+    if (w->volume) constrain_matrix(s, m);
 }
 
 /* Nothing may be free to move; what is comes to rest on what it meets, if it meets anything. */
@@ -84,6 +98,7 @@ static floe_status renew_matrix(mpm *s)
     const bool first = !w->ready;
     TRY(implicit_tangents(s, w->u));
     if (first) TRY(node_matrix_shape(multigrid_matrix(w->solver), w->row));
+    if (first && w->volume) TRY(node_matrix_shape(w->volume->exact, w->row));
     make_matrix(s);
     if (first && !w->mass) TRY(check_free(s));
     w->ready = true;
@@ -144,6 +159,7 @@ static floe_status solve_change(mpm *s, double tolerance)
     for (size_t k = 0; k < w->components; ++k)
         if (w->constrained[k]) w->residual[k] = 0.0;
     const double had = constrained_norm(w, w->residual);
+    if (w->volume) return implicit_solve_volume(s, had > 0.0 ? tolerance / had : 1.0);
     const cg_system system = {multiply_tangent, apply_preconditioner, s, CG_WEIGHTED, NULL};
     const cg_result r = cg_solve_afresh(w->krylov, &system, tolerance, w->residual, w->change);
     w->krylov_iterations += r.iterations;
@@ -239,6 +255,7 @@ static floe_status prepare_system(mpm *s)
 {
     struct mpm_implicit *w = s->implicit;
     TRY(implicit_locate(s));
+    TRY(implicit_find_patches(s));
     TRY(implicit_find_edges(s));
     implicit_constrain(s);
     implicit_find_reached(s);

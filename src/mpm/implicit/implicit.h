@@ -63,6 +63,7 @@ struct mpm_implicit {
     int n_gases;
     struct curve_rest *curve;         /* owned; NULL: solids on the mesh */
     struct implicit_contact *contact; /* owned; NULL: no bodies in contact */
+    struct implicit_volume *volume;   /* owned; NULL: no body is all but incompressible */
     multigrid *solver;                /* owned */
     cg *krylov;                       /* owned */
     int layers,
@@ -138,8 +139,8 @@ void implicit_assemble_edges(mpm *s, node_matrix *m);
 /* Enters the energy that they store in the increment into the ledger. */
 void implicit_enter_edges(mpm *s);
 
-/* Assembles the matrix of the tangents (implicit_matrix.c). */
-void implicit_assemble(mpm *s);
+/* Assembles a matrix of tangents, as many a point as `tangent` below (implicit_matrix.c). */
+void implicit_assemble(mpm *s, node_matrix *m, const double *tangent);
 
 /* Components that walls and supports constrain, and their prescribed displacements (implicit_constraints.c). */
 void implicit_constrain(mpm *s);

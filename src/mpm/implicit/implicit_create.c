@@ -5,6 +5,7 @@
 #include "mpm/implicit/implicit.h"
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
+#include "mpm/implicit/implicit_volume.h"
 #include "mpm/surface/traction.h"
 #include "mpm/thermal/thermal.h"
 
@@ -84,6 +85,7 @@ static floe_status make_solver(mpm *s)
     TRY(cg_create(&w->krylov, s->ctx, &w->grid, dim * w->layers, MPM_MOST_KRYLOV));
     TRY(enclosed_gases_find(s));
     TRY(implicit_contact_create(s));
+    TRY(implicit_volume_create(s));
     double **array[] = {&w->gas_force, &w->u,        &w->change, &w->external,   &w->internal_first,
                         &w->internal,  &w->residual, &w->trial,  &w->prescribed, &w->constraint_step};
     for (size_t k = 0; k < sizeof array / sizeof *array; ++k)
@@ -126,6 +128,7 @@ void implicit_destroy(mpm *s)
     cg_destroy(&w->krylov);
     enclosed_gases_free(s);
     implicit_contact_free(s);
+    implicit_volume_free(s);
     multigrid_destroy(&w->solver);
     memory_free(s->ctx, &w->external_first);
     memory_free(s->ctx, &w->unbalanced);

@@ -67,9 +67,16 @@ static void add_column(const mpm *s, node_matrix *m, const weighted_node *node, 
     }
 }
 
+/* Which tangents become which matrix. */
+typedef struct assembly {
+    node_matrix *matrix;
+    const double *tangent; /* as mpm_implicit has it */
+} assembly;
+
 static void assemble_tile(mpm *s, int blk, int tile, void *user)
 {
     const struct mpm_implicit *w = s->implicit;
+    const assembly *of = user;
     const size_t square = (size_t)w->n_gradient * (size_t)w->n_gradient;
     for (int body = 0; body < s->n_bodies; ++body) {
         if (s->body[body].fluid) continue;
@@ -82,17 +89,16 @@ static void assemble_tile(mpm *s, int blk, int tile, void *user)
             for (int j = 0; j < n; ++j)
                 for (int c = 0; c < s->mesh->dim && w->reached[implicit_index(w, w->layer[body], c, node[j].at)]; ++c) {
                     double pull[IMPLICIT_GRADIENTS];
-                    pull_of_node(s, &node[j], w->tangent + number * square, radius, c, pull);
-                    add_column(s, user, node, n, j, w->layer[body] * s->mesh->dim, c, pull, radius);
+                    pull_of_node(s, &node[j], of->tangent + number * square, radius, c, pull);
+                    add_column(s, of->matrix, node, n, j, w->layer[body] * s->mesh->dim, c, pull, radius);
                 }
         }
     }
 }
 
-void implicit_assemble(mpm *s)
+void implicit_assemble(mpm *s, node_matrix *m, const double *tangent)
 {
-    node_matrix *m = multigrid_matrix(s->implicit->solver);
     memset(m->value, 0,
            (size_t)m->rows * (size_t)m->slots * (size_t)(m->components * m->components) * sizeof *m->value);
-    implicit_for_tiles(s, assemble_tile, m);
+    implicit_for_tiles(s, assemble_tile, &(assembly){m, tangent});
 }

@@ -1,0 +1,117 @@
+/* Patches of cells and projections on them (volume_patch.h). */
+#include "mpm/state/volume_patch.h"
+
+#include "mpm/mpm_constants.h"
+
+#include <math.h>
+#include <string.h>
+
+int patch_of_point(const mesh *m, const tile_box *t, const patch_points *p, size_t k)
+{
+    int number = 0;
+    for (int a = m->dim - 1; a >= 0; --a) {
+        const int last = t->cells[a] - 1, cell = mesh_cell_of(m, a, p->x[a][k]) - t->first[a];
+        number = number * ((t->cells[a] + 1) / 2) + (cell < 0 ? 0 : cell > last ? last : cell) / 2;
+    }
+    return number;
+}
+
+void patch_modes(const mesh *m, const volume_patch *patch, const patch_points *p, size_t k, double phi[PATCH_MODES])
+{
+    phi[0] = patch->mean;
+    for (int r = 1; r < patch->modes; ++r) {
+        double sum = 0.0;
+        for (int a = 0; a < m->dim; ++a) sum += patch->slope[r - 1][a] * (p->x[a][k] - patch->centre[a]);
+        phi[r] = patch->mean * sum;
+    }
+    for (int r = patch->modes; r < PATCH_MODES; ++r) phi[r] = 0.0;
+}
+
+/* Volume and moments of the points of a patch. */
+typedef struct patch_sums {
+    double volume, first[MESH_MAX_DIM], second[MESH_MAX_DIM][MESH_MAX_DIM];
+} patch_sums;
+
+static void sum_patches(const mesh *m, const tile_box *t, const patch_points *p, const size_t range[2],
+                        patch_sums sum[PATCHES_OF_TILE])
+{
+    memset(sum, 0, PATCHES_OF_TILE * sizeof *sum);
+    for (size_t k = range[0]; k < range[1]; ++k) {
+        patch_sums *own = &sum[patch_of_point(m, t, p, k)];
+        const double volume = p->volume0[k] * p->J[k];
+        own->volume += volume;
+        for (int a = 0; a < m->dim; ++a) own->first[a] += volume * p->x[a][k];
+    }
+    for (int n = 0; n < PATCHES_OF_TILE; ++n)
+        for (int a = 0; a < m->dim && sum[n].volume > 0.0; ++a) sum[n].first[a] /= sum[n].volume;
+    for (size_t k = range[0]; k < range[1]; ++k) {
+        patch_sums *own = &sum[patch_of_point(m, t, p, k)];
+        const double volume = p->volume0[k] * p->J[k];
+        for (int a = 0; a < m->dim; ++a)
+            for (int b = 0; b <= a; ++b)
+                own->second[a][b] += volume * (p->x[a][k] - own->first[a]) * (p->x[b][k] - own->first[b]);
+    }
+}
+
+/* The inverse of the Cholesky factor of the variance of the points' places. False: they lie along a line, or nearly. */
+static bool find_slopes(const mesh *m, const patch_sums *sum, volume_patch *out)
+{
+    double factor[MESH_MAX_DIM][MESH_MAX_DIM] = {{0.0}};
+    for (int i = 0; i < m->dim; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double left = sum->second[i][j] / sum->volume;
+            for (int k = 0; k < j; ++k) left -= factor[i][k] * factor[j][k];
+            if (i == j && !(left > MPM_PATCH_LEAST_VARIANCE * m->h[i] * m->h[i])) return false;
+            factor[i][j] = i == j ? sqrt(left) : left / factor[j][j];
+        }
+    for (int i = 0; i < m->dim; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double left = i == j ? 1.0 : 0.0;
+            for (int k = j; k < i; ++k) left -= factor[i][k] * out->slope[k][j];
+            out->slope[i][j] = left / factor[i][i];
+        }
+    return true;
+}
+
+/* m3: of two cells along each axis; about an axis per radian, at the radius of the points there. */
+static double whole_patch(const mesh *m, const patch_sums *sum)
+{
+    double volume = m->geometry == MESH_AXISYMMETRIC ? sum->first[0] : 1.0;
+    for (int a = 0; a < m->dim; ++a) volume *= 2.0 * m->h[a];
+    return volume;
+}
+
+void patches_find(const mesh *m, const tile_box *t, const patch_points *p, const size_t range[2],
+                  volume_patch out[PATCHES_OF_TILE])
+{
+    patch_sums sum[PATCHES_OF_TILE];
+    sum_patches(m, t, p, range, sum);
+    for (int n = 0; n < PATCHES_OF_TILE; ++n) {
+        volume_patch *v = &out[n];
+        memset(v, 0, sizeof *v);
+        if (!(sum[n].volume > 0.0)) continue;
+        v->modes = 1;
+        v->mean = 1.0 / sqrt(sum[n].volume);
+        memcpy(v->centre, sum[n].first, sizeof v->centre);
+        if (sum[n].volume > MPM_PATCH_FILL * whole_patch(m, &sum[n]) && find_slopes(m, &sum[n], v))
+            v->modes = 1 + m->dim;
+    }
+}
+
+void patches_project(const mesh *m, const tile_box *t, const patch_points *p, const size_t range[2],
+                     const volume_patch *patch, double *value)
+{
+    double moment[PATCHES_OF_TILE][PATCH_MODES] = {{0.0}}, phi[PATCH_MODES];
+    for (size_t k = range[0]; k < range[1]; ++k) {
+        const int n = patch_of_point(m, t, p, k);
+        patch_modes(m, &patch[n], p, k, phi);
+        for (int r = 0; r < PATCH_MODES; ++r) moment[n][r] += p->volume0[k] * p->J[k] * phi[r] * value[k];
+    }
+    for (size_t k = range[0]; k < range[1]; ++k) {
+        const int n = patch_of_point(m, t, p, k);
+        double sum = 0.0;
+        patch_modes(m, &patch[n], p, k, phi);
+        for (int r = 0; r < PATCH_MODES; ++r) sum += moment[n][r] * phi[r];
+        value[k] = sum;
+    }
+}
