@@ -79,7 +79,7 @@ static floe_status list_tile(mpm *s, int blk, int tile, int body)
             const size_t number = s->implicit->first[blk][body] + k;
             v->volume[number] = p.volume0[k] * p.J[k];
             v->point[v->listed] = number;
-            patch_modes(s->mesh, &patch[n], &p, k, v->phi[v->listed++]);
+            patch_modes(s->mesh, &box, &patch[n], &p, k, v->phi[v->listed++]);
         }
         own->n = v->listed - own->first;
     }

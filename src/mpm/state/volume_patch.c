@@ -6,30 +6,48 @@
 #include <math.h>
 #include <string.h>
 
+/* Cell of a point along an axis, counted from its tile's first. */
+static int cell_in_tile(const mesh *m, const tile_box *t, const patch_points *p, size_t k, int axis)
+{
+    const int last = t->cells[axis] - 1, cell = mesh_cell_of(m, axis, p->x[axis][k]) - t->first[axis];
+    return cell < 0 ? 0 : cell > last ? last : cell;
+}
+
 int patch_of_point(const mesh *m, const tile_box *t, const patch_points *p, size_t k)
 {
     int number = 0;
-    for (int a = m->dim - 1; a >= 0; --a) {
-        const int last = t->cells[a] - 1, cell = mesh_cell_of(m, a, p->x[a][k]) - t->first[a];
-        number = number * ((t->cells[a] + 1) / 2) + (cell < 0 ? 0 : cell > last ? last : cell) / 2;
-    }
+    for (int a = m->dim - 1; a >= 0; --a) number = number * ((t->cells[a] + 1) / 2) + cell_in_tile(m, t, p, k, a) / 2;
     return number;
 }
 
-void patch_modes(const mesh *m, const volume_patch *patch, const patch_points *p, size_t k, double phi[PATCH_MODES])
+/* Which cell of its patch a point is in. */
+static int cell_in_patch(const mesh *m, const tile_box *t, const patch_points *p, size_t k)
 {
-    phi[0] = patch->mean;
+    int number = 0;
+    for (int a = m->dim - 1; a >= 0; --a) number = 2 * number + cell_in_tile(m, t, p, k, a) % 2;
+    return number;
+}
+
+void patch_modes(const mesh *m, const tile_box *t, const volume_patch *patch, const patch_points *p, size_t k,
+                 double phi[PATCH_MODES])
+{
+    memset(phi, 0, PATCH_MODES * sizeof *phi);
+    if (!patch->linear) {
+        const int cell = cell_in_patch(m, t, p, k);
+        phi[cell] = patch->mean[cell];
+        return;
+    }
+    phi[0] = patch->mean[0];
     for (int r = 1; r < patch->modes; ++r) {
         double sum = 0.0;
         for (int a = 0; a < m->dim; ++a) sum += patch->slope[r - 1][a] * (p->x[a][k] - patch->centre[a]);
-        phi[r] = patch->mean * sum;
+        phi[r] = patch->mean[0] * sum;
     }
-    for (int r = patch->modes; r < PATCH_MODES; ++r) phi[r] = 0.0;
 }
 
 /* Volume and moments of the points of a patch. */
 typedef struct patch_sums {
-    double volume, first[MESH_MAX_DIM], second[MESH_MAX_DIM][MESH_MAX_DIM];
+    double volume, cell[PATCH_MODES], first[MESH_MAX_DIM], second[MESH_MAX_DIM][MESH_MAX_DIM];
 } patch_sums;
 
 static void sum_patches(const mesh *m, const tile_box *t, const patch_points *p, const size_t range[2],
@@ -40,6 +58,7 @@ static void sum_patches(const mesh *m, const tile_box *t, const patch_points *p,
         patch_sums *own = &sum[patch_of_point(m, t, p, k)];
         const double volume = p->volume0[k] * p->J[k];
         own->volume += volume;
+        own->cell[cell_in_patch(m, t, p, k)] += volume;
         for (int a = 0; a < m->dim; ++a) own->first[a] += volume * p->x[a][k];
     }
     for (int n = 0; n < PATCHES_OF_TILE; ++n)
@@ -90,11 +109,12 @@ void patches_find(const mesh *m, const tile_box *t, const patch_points *p, const
         volume_patch *v = &out[n];
         memset(v, 0, sizeof *v);
         if (!(sum[n].volume > 0.0)) continue;
-        v->modes = 1;
-        v->mean = 1.0 / sqrt(sum[n].volume);
         memcpy(v->centre, sum[n].first, sizeof v->centre);
-        if (sum[n].volume > MPM_PATCH_FILL * whole_patch(m, &sum[n]) && find_slopes(m, &sum[n], v))
-            v->modes = 1 + m->dim;
+        v->linear = sum[n].volume > MPM_PATCH_FILL * whole_patch(m, &sum[n]) && find_slopes(m, &sum[n], v);
+        v->modes = v->linear ? 1 + m->dim : 1 << m->dim;
+        if (v->linear) v->mean[0] = 1.0 / sqrt(sum[n].volume);
+        for (int c = 0; c < v->modes && !v->linear; ++c)
+            v->mean[c] = sum[n].cell[c] > 0.0 ? 1.0 / sqrt(sum[n].cell[c]) : 0.0;
     }
 }
 
@@ -104,14 +124,14 @@ void patches_project(const mesh *m, const tile_box *t, const patch_points *p, co
     double moment[PATCHES_OF_TILE][PATCH_MODES] = {{0.0}}, phi[PATCH_MODES];
     for (size_t k = range[0]; k < range[1]; ++k) {
         const int n = patch_of_point(m, t, p, k);
-        patch_modes(m, &patch[n], p, k, phi);
-        for (int r = 0; r < PATCH_MODES; ++r) moment[n][r] += p->volume0[k] * p->J[k] * phi[r] * value[k];
+        patch_modes(m, t, &patch[n], p, k, phi);
+        for (int r = 0; r < patch[n].modes; ++r) moment[n][r] += p->volume0[k] * p->J[k] * phi[r] * value[k];
     }
     for (size_t k = range[0]; k < range[1]; ++k) {
         const int n = patch_of_point(m, t, p, k);
         double sum = 0.0;
-        patch_modes(m, &patch[n], p, k, phi);
-        for (int r = 0; r < PATCH_MODES; ++r) sum += moment[n][r] * phi[r];
+        patch_modes(m, t, &patch[n], p, k, phi);
+        for (int r = 0; r < patch[n].modes; ++r) sum += moment[n][r] * phi[r];
         value[k] = sum;
     }
 }

@@ -4,20 +4,24 @@
  *     P f (x) = sum_k phi_k(x) sum_p V_p phi_k(x_p) f_p,
  *
  * phi_k: 1, x - x_c, y - y_c ... made orthonormal with the points' volumes as weights. P is symmetric in these, and gives back what it is given.
- * Where a body fills no more than half a patch, or its points there lie along a line, only the mean is left of that. */
+ * Where a body fills no more than half a patch, or its points there lie along a line, each cell of the patch has its mean: phi_k is 1 in the cell
+ * k alone. */
 #ifndef MPM_VOLUME_PATCH_H
 #define MPM_VOLUME_PATCH_H
 
 #include "grid/tile_box.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
-enum { PATCH_MODES = 1 + MESH_MAX_DIM, PATCHES_OF_TILE = 16 };
+enum { PATCH_MODES = 8, PATCHES_OF_TILE = 16 };
 
 typedef struct volume_patch {
-    int modes;                   /* 0: it has no points; 1: the mean alone; else one more than the mesh has axes */
+    int modes;   /* 0: it has no points; else one more than the mesh has axes, or as many as it has cells */
+    bool linear; /* the former */
     double centre[MESH_MAX_DIM]; /* m: of its points' volumes */
-    double mean;                 /* phi_0, in 1/m^(3/2): 1 over the root of their sum */
+    double
+        mean[PATCH_MODES]; /* 1 over the root of the volume: of all its points in the first, or of those of each cell */
     double slope[MESH_MAX_DIM]
                 [MESH_MAX_DIM]; /* phi_k = mean sum_a slope[k - 1][a] (x_a - centre_a), 1/m: a lower triangle */
 } volume_patch;
@@ -33,7 +37,8 @@ int patch_of_point(const mesh *m, const tile_box *t, const patch_points *p, size
 void patches_find(const mesh *m, const tile_box *t, const patch_points *p, const size_t range[2],
                   volume_patch out[PATCHES_OF_TILE]);
 /* phi_k at point k, as many as the patch has modes. */
-void patch_modes(const mesh *m, const volume_patch *patch, const patch_points *p, size_t k, double phi[PATCH_MODES]);
+void patch_modes(const mesh *m, const tile_box *t, const volume_patch *patch, const patch_points *p, size_t k,
+                 double phi[PATCH_MODES]);
 /* Values of those points, the first of which is value[range[0]], become P f. */
 void patches_project(const mesh *m, const tile_box *t, const patch_points *p, const size_t range[2],
                      const volume_patch *patch, double *value);
