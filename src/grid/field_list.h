@@ -64,7 +64,8 @@
     X(P_DENSITY, "cell_density", POINT, SCALAR, "kg/m3", SCRATCH, "rho_p of a fluid from the masses of cells")       \
     X(P_GRID_PRESSURE, "grid_pressure", POINT, SCALAR, "Pa", SCRATCH, "p_p: cell pressure at the point less p_ref")  \
     X(P_MEAN_PRESSURE, "mean_pressure", POINT, SCALAR, "Pa", SCRATCH,                                                \
-      "what the mean over the points of a cell adds to a point's normal stresses, and p_p")                          \
+      "what points share of their pressures adds to their normal stresses, and p_p")                                 \
+    X(P_VOLUME_RATE, "volume_rate", POINT, SCALAR, "1/s", SCRATCH, "what points share of their rates of volume")     \
     /* nodes, instance: velocity group */                                                                            \
     X(N_MASS, "node_mass", NODE, SCALAR, "kg", SCRATCH, "m_i")                                                       \
     X(N_MOMENTUM, "node_momentum", NODE, VECTOR, "kg m/s", SCRATCH, "m_i v_i")                                       \

@@ -39,6 +39,7 @@ floe_status mpm_begin_step(mpm *s)
 #define SURFACE_VECTORS WHEN(s->carries[P_SURFACE_1], P_SURFACE_1), WHEN(s->carries[P_SURFACE_1], P_SURFACE_2)
 #define DOMAINS WHEN(s->basis->fact.sized, P_HALF), WHEN(s->carries[P_BOX], P_BOX), WHEN(s->basis->fact.shaped, P_F)
 #define TANGENT WHEN(s->carries[P_TANGENT], P_TANGENT)
+#define VOLUME_RATE WHEN(s->carries[P_VOLUME_RATE], P_VOLUME_RATE)
 #define POINT_STATE                                                                                        \
     P_STRESS, P_J, WHEN(s->carries[P_ENERGY], P_ENERGY), WHEN(s->carries[P_F], P_F),                       \
         WHEN(s->carries[P_VISCOUS_PRESSURE], P_VISCOUS_PRESSURE), WHEN(s->carries[P_BOX], P_BOX), HISTORY, \
@@ -150,7 +151,7 @@ floe_status mpm_force_stages(mpm *s)
           WRITES(N_VEL));
     STAGE(s, usf && s->cell_mass, mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
     STAGE(s, usf, mpm_stress_first, READS(N_VEL, P_POS, TANGENT, POINT_STATE, EXPANDING, WHEN(s->cell_mass, P_DENSITY)),
-          WRITES(POINT_STATE, DISSIPATED));
+          WRITES(VOLUME_RATE, POINT_STATE, DISSIPATED));
     const bool shared = apart && s->carries[P_MEAN_PRESSURE];
     STAGE(s, shared && usf, mpm_share_new_pressures,
           READS(P_POS, P_VOLUME0, POINT_STATE, WHEN(s->cells == CELLS_SMEARED, P_GRID_PRESSURE)),
@@ -220,18 +221,18 @@ floe_status mpm_point_stages(mpm *s)
     STAGE(s, usl, mpm_nodes_to_points,
           READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->carries[P_DRIVE], P_DRIVE), TANGENT, POINT_STATE,
                 EXPANDING),
-          WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), POINT_STATE, DISSIPATED));
+          WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE), VOLUME_RATE, POINT_STATE, DISSIPATED));
     STAGE(s, !usl, mpm_nodes_to_points,
           READS(N_MASS, N_VEL_L, N_ACCEL, P_POS, P_VEL, WHEN(s->carries[P_DRIVE], P_DRIVE)),
           WRITES(P_POS, P_VEL, WHEN(carries_gradient(s), P_AFFINE)));
     STAGE(s, advects_points(s) && !carries_gradient(s), mpm_carry_moments, READS(N_VEL_L, P_POS), WRITES(P_AFFINE));
     STAGE(s, s->cell_mass && !is_usf(s), mpm_cell_density, READS(P_MASS, P_POS), WRITES(P_DENSITY));
     STAGE(s, is_usl(s) && !usl, mpm_stress_last, READS(N_VEL_L, P_POS, P_DENSITY, TANGENT, POINT_STATE, EXPANDING),
-          WRITES(POINT_STATE, DISSIPATED));
+          WRITES(VOLUME_RATE, POINT_STATE, DISSIPATED));
     STAGE(s, is_musl(s), mpm_remap_stress,
           READS(P_POS, P_VEL, WHEN(advects_points(s), P_AFFINE), WHEN(has_contact(s), N_NORMAL),
                 WHEN(has_contact(s), N_TOUCH), TANGENT, POINT_STATE, EXPANDING, WHEN(s->cell_mass, P_DENSITY)),
-          WRITES(N_MASS, N_MOMENTUM, N_VEL, POINT_STATE, DISSIPATED));
+          WRITES(N_MASS, N_MOMENTUM, N_VEL, VOLUME_RATE, POINT_STATE, DISSIPATED));
     STAGE(s, has_temperature(s), mpm_heat_to_points,
           READS(WHEN(nodes, N_CAPACITY), WHEN(nodes, N_HEAT), WHEN(nodes, N_TEMP), WHEN(nodes, N_TEMP_CHANGE), P_POS,
                 P_TEMP, DOMAINS, DISSIPATED),

@@ -127,6 +127,13 @@ static void centre_rates(const mpm *s, solid_batch *b)
         add_square_in_plane(b, half);
 }
 
+void rates_of_volume(const mpm *s, solid_batch *b, double *out)
+{
+    b->dt = strain_step(s);
+    centre_rates(s, b);
+    for (size_t k = 0; k < b->n; ++k) out[k] = b->L[0][k] + b->L[4][k] + b->L[8][k];
+}
+
 /* F <- (I + A + A^2/2) F with A = dt L, and J = det F: second order, and exact in volume to third. */
 FLOE_WIDE static void advance_F(solid_batch *b)
 {

@@ -18,6 +18,8 @@ enum {
 /* Strain, artificial viscosity, heating and the law, for points [start, end) whose L stands in the batch (stress.c). */
 floe_status update_stress(mpm *s, int blk, int body, size_t start, size_t end, solid_batch *batch,
                           double gain[MPM_GAINS]);
+/* Rates of volume (1/s) of a batch whose L stands in it, as laws take them; L is then that of the middle of the step (stress.c). */
+void rates_of_volume(const mpm *s, solid_batch *batch, double *out);
 /* The time (s) over which stress is advanced (stress.c). */
 double strain_step(const mpm *s);
 /* Fills a batch with the state that wave speeds of points [start, end) need (stress.c). */

@@ -177,24 +177,55 @@ static void store_affine(const mpm *s, int blk, int body, size_t start, size_t e
                    (end - start) * sizeof(double));
 }
 
+/* How a pass gathers from the nodes of a tile. */
+typedef struct tile_gather {
+    gather_kernel *kernel;
+    const double *window;
+    gather_step step;
+    gather_result out;
+} tile_gather;
+
+static tile_gather gather_of(const mpm *s, int blk, int body, tile_pass pass, const pass_window *window,
+                             solid_batch *batch)
+{
+    const double kick = spares_light_nodes(s) ? 0.0 : s->kick; /* gradients then see all of the acceleration */
+    tile_gather g = {kernel_of(s, pass), window->record, {.mass = window->mass}, result_of(s, blk, body, pass, batch)};
+    if (!pass.sample) g.step = (gather_step){kick, s->dt, s->share, window->mass};
+    return g;
+}
+
+/* Rates of volume of points that share them over patches of cells: what is gathered here is gathered again, when all of a patch are known. */
+static void find_shared_rates(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], const tile_gather *g,
+                              solid_batch *batch)
+{
+    const point_arrays p = points_of(s, blk, body, false, false);
+    double *rate = field_get(s->domain->fields[blk], P_VOLUME_RATE, body, 0);
+    gather_result out = g->out; /* a filter has left velocities in the next state */
+    memcpy(out.v_next, out.x_next, sizeof out.v_next);
+    for (size_t k = range[0], stop; k < range[1]; k = stop) {
+        stop = mean_strain_chunk(s, body, p.x, k, range[1]);
+        batch->n = stop - k;
+        g->kernel(s->mesh, t, &p, k, stop, g->window, &g->step, &out);
+        rates_of_volume(s, batch, rate + k);
+    }
+    share_rates(s, blk, body, t, range);
+}
+
 /* One body's points in one tile, by chunks that stay in the first cache from the nodes to the stress. */
 static floe_status pass_body(mpm *s, int blk, int body, const tile_box *t, const size_t range[2], tile_pass pass,
                              const pass_window *window, solid_batch *batch, double *gain)
 {
     const point_arrays p = points_of(s, blk, body, false, pass.motion && !pass.sample && s->transfer->filter);
-    const gather_result out = result_of(s, blk, body, pass, batch);
-    gather_step step = {.mass = window->mass};
-    const double kick = spares_light_nodes(s) ? 0.0 : s->kick; /* gradients then see all of the acceleration */
-    if (!pass.sample) step = (gather_step){kick, s->dt, s->share, window->mass};
-    gather_kernel *gather = kernel_of(s, pass);
+    const tile_gather g = gather_of(s, blk, body, pass, window, batch);
+    if (pass.stress && shares_over_patches(s, body)) find_shared_rates(s, blk, body, t, range, &g, batch);
     for (size_t k = range[0], stop; k < range[1]; k = stop) {
         stop = mean_strain_chunk(s, body, p.x, k, range[1]);
         if (pass.stress) clear_free_rates(s, batch);
-        gather(s->mesh, t, &p, k, stop, window->record, &step, &out);
+        g.kernel(s->mesh, t, &p, k, stop, g.window, &g.step, &g.out);
         if (pass.carry) store_affine(s, blk, body, k, stop, batch);
         if (pass.sample) continue;
-        if (pass.motion) add_fall(s, &p, &out, k, stop, gain);
-        if (pass.motion) TRY(check_motion(s, body, t->number, motion_of(s->mesh, k, stop, &p, &out)));
+        if (pass.motion) add_fall(s, &p, &g.out, k, stop, gain);
+        if (pass.motion) TRY(check_motion(s, body, t->number, motion_of(s->mesh, k, stop, &p, &g.out)));
         if (!pass.stress) continue;
         if (s->body[body].membrane.model)
             TRY(strain_membrane(s, blk, body, k, stop, batch));
