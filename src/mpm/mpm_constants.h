@@ -27,10 +27,12 @@
 /* Bulk over shear modulus above which the points of a patch of cells share a change of volume (a Poisson's ratio of 0.41). Measured
  * on the thick cylinder: below it that changes the stress by less than a tenth of its error. */
 #define MPM_STIFF_BULK 5.0
-/* Share of a patch that a body has to fill for changes of volume to be linear there, and the least variance of its points' places along an axis, in
- * squares of a cell (a patch full of points has a third). Measured on thick cylinders (theory 4.16): with 0.3 or 0.6 stresses are as good; with one mean for
- * the patch a wall of half a cell is held by a fifth too little, and stresses that vary have a half more error. */
-#define MPM_PATCH_FILL 0.5
+/* Shares of a patch that a body has to fill for changes of volume to be linear there, and for one mean; with less each cell has its own. And
+ * the least variance of its points' places along an axis, in squares of a cell (a patch full of points has a third). Measured on thick cylinders and thin ones
+ * (theory 4.16): linear from 0.5 on the hoop stress has a fifth more error, from 0.75 on stresses that vary have a half more; without means of
+ * cells a wall of half a cell is held by a fifth too little, and with them up to 0.5 the hoop stress has a tenth more. */
+#define MPM_PATCH_LINEAR 0.6
+#define MPM_PATCH_WHOLE 0.4
 #define MPM_PATCH_LEAST_VARIANCE 0.02
 
 /* ---- fluids on points (theory 4.9) ---- */

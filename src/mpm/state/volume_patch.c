@@ -32,7 +32,7 @@ void patch_modes(const mesh *m, const tile_box *t, const volume_patch *patch, co
                  double phi[PATCH_MODES])
 {
     memset(phi, 0, PATCH_MODES * sizeof *phi);
-    if (!patch->linear) {
+    if (patch->modes > 1 + m->dim) {
         const int cell = cell_in_patch(m, t, p, k);
         phi[cell] = patch->mean[cell];
         return;
@@ -110,10 +110,11 @@ void patches_find(const mesh *m, const tile_box *t, const patch_points *p, const
         memset(v, 0, sizeof *v);
         if (!(sum[n].volume > 0.0)) continue;
         memcpy(v->centre, sum[n].first, sizeof v->centre);
-        v->linear = sum[n].volume > MPM_PATCH_FILL * whole_patch(m, &sum[n]) && find_slopes(m, &sum[n], v);
-        v->modes = v->linear ? 1 + m->dim : 1 << m->dim;
-        if (v->linear) v->mean[0] = 1.0 / sqrt(sum[n].volume);
-        for (int c = 0; c < v->modes && !v->linear; ++c)
+        const double fill = sum[n].volume / whole_patch(m, &sum[n]);
+        const bool linear = fill > MPM_PATCH_LINEAR && find_slopes(m, &sum[n], v);
+        v->modes = linear ? 1 + m->dim : fill > MPM_PATCH_WHOLE ? 1 : 1 << m->dim;
+        if (v->modes <= 1 + m->dim) v->mean[0] = 1.0 / sqrt(sum[n].volume);
+        for (int c = 0; c < v->modes && v->modes > 1 + m->dim; ++c)
             v->mean[c] = sum[n].cell[c] > 0.0 ? 1.0 / sqrt(sum[n].cell[c]) : 0.0;
     }
 }

@@ -4,8 +4,8 @@
  *     P f (x) = sum_k phi_k(x) sum_p V_p phi_k(x_p) f_p,
  *
  * phi_k: 1, x - x_c, y - y_c ... made orthonormal with the points' volumes as weights. P is symmetric in these, and gives back what it is given.
- * Where a body fills no more than half a patch, or its points there lie along a line, each cell of the patch has its mean: phi_k is 1 in the cell
- * k alone. */
+ * Where a body fills less of a patch, or its points there lie along a line, its mean alone is left; and where it fills still less, each cell
+ * of the patch has its own: phi_k is constant in the cell k alone. */
 #ifndef MPM_VOLUME_PATCH_H
 #define MPM_VOLUME_PATCH_H
 
@@ -17,8 +17,7 @@
 enum { PATCH_MODES = 8, PATCHES_OF_TILE = 16 };
 
 typedef struct volume_patch {
-    int modes;   /* 0: it has no points; else one more than the mesh has axes, or as many as it has cells */
-    bool linear; /* the former */
+    int modes; /* 0: it has no points; else one more than the mesh has axes, or 1, or as many as it has cells */
     double centre[MESH_MAX_DIM]; /* m: of its points' volumes */
     double
         mean[PATCH_MODES]; /* 1 over the root of the volume: of all its points in the first, or of those of each cell */
