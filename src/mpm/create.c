@@ -166,11 +166,20 @@ static floe_status create_parts(mpm *s)
     return overlaps_create(s);
 }
 
-/* Beside cells two terms: spin is kept as by four, at a third of their cost (docs/defaults.md). */
+static bool any_shares_over_patches(const mpm *s)
+{
+    bool any = false;
+    for (int b = 0; b < s->n_bodies; ++b) any = any || shares_over_patches(s, b);
+    return any;
+}
+
+/* Beside cells two terms: spin is kept as by four, at a third of their cost (docs/defaults.md). With hat functions two for bodies that are all but
+ * incompressible, too: with three and more they swing up at 500 times their shear modulus, whatever the step. */
 static int order_of(const mpm *s)
 {
     if (s->scene->method.filter_order > 0) return s->scene->method.filter_order;
-    return s->cells != CELLS_NONE && s->transfer->restore ? 2 : s->transfer->order;
+    const bool few = s->cells != CELLS_NONE || (s->basis->smoothness == 0 && any_shares_over_patches(s));
+    return few && s->transfer->restore ? 2 : s->transfer->order;
 }
 
 static floe_status fill_solver(mpm *s, const scene *sc, const mesh *m, stage_list *stages, ledger *l, bool beside)
@@ -186,10 +195,10 @@ static floe_status fill_solver(mpm *s, const scene *sc, const mesh *m, stage_lis
     s->transfer = transfer_find(scene_transfer(sc));
     if (!s->transfer)
         return fail_key(s->ctx, KEY("method", "transfer"), "there is no transfer '%s'", scene_transfer(sc));
-    s->order = order_of(s);
     s->share = s->transfer->share;
     if (isnan(s->share)) s->share = isnan(sc->method.flip) ? MPM_FLIP_SHARE : sc->method.flip;
     resolve_bodies(s, beside);
+    s->order = order_of(s);
     for (int id = 0; id < FIELD_COUNT; ++id)
         for (int b = 0; b < s->n_bodies; ++b) s->carries[id] = s->carries[id] || body_carries(s, b, (field_id)id);
     if (s->n_groups > MPM_MAX_GROUPS)
