@@ -71,7 +71,7 @@ static void swap_arrays(double **a, double **b)
     *b = kept;
 }
 
-/* The next Lanczos vector, from y = B old of length `beta`: y becomes B of it, and `alfa` the diagonal entry. Returns its length. */
+/* The next Lanczos vector, from y = B old of length `beta`: y becomes B of it, and `alfa` the diagonal entry. Returns the square of its length. */
 static double extend_basis(minres *m, const minres_system *s, double beta, double beta_before, double *alfa)
 {
     for (size_t k = 0; k < m->n; ++k) m->v[k] = m->y[k] / beta;
@@ -82,7 +82,7 @@ static double extend_basis(minres *m, const minres_system *s, double beta, doubl
     swap_arrays(&m->older, &m->old);
     swap_arrays(&m->old, &m->y);
     s->preconditioner(s->user, m->old, m->y);
-    return sqrt(fmax(0.0, dot_product(m->n, m->old, m->y)));
+    return dot_product(m->n, m->old, m->y);
 }
 
 /* The rotation that the factors of the tridiagonal matrix have come to. */
@@ -118,19 +118,21 @@ minres_result minres_solve(minres *m, const minres_system *s, double tolerance, 
     memset(m->older, 0, bytes);
     memcpy(m->old, b, bytes);
     s->preconditioner(s->user, m->old, m->y);
-    double beta = sqrt(fmax(0.0, dot_product(m->n, m->old, m->y))), before = 0.0;
+    double square = dot_product(m->n, m->old, m->y), before = 0.0;
+    double beta = sqrt(fmax(0.0, square)), left = beta;
     const double all = beta;
-    double left = beta;
     rotation r = {.cosine = -1.0};
     while (left > tolerance * all && beta > 0.0 && out.iterations < m->most_iterations) {
         double alfa;
-        const double next = extend_basis(m, s, beta, before, &alfa);
+        square = extend_basis(m, s, beta, before, &alfa);
+        const double next = sqrt(fmax(0.0, square));
         left = take_step(m, &r, alfa, next, left, x);
         before = beta;
         beta = next;
         out.iterations++;
     }
     out.residual = all > 0.0 ? left / all : 0.0;
-    out.converged = left <= tolerance * all;
+    out.definite = square >= 0.0;
+    out.converged = out.definite && left <= tolerance * all;
     return out;
 }

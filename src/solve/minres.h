@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct minres minres;
@@ -28,6 +29,7 @@ typedef struct minres_result {
     int iterations;
     double residual; /* over that at the start, both in the norm of the preconditioner */
     bool converged;  /* it is `tolerance` at most */
+    bool definite;   /* the preconditioner has shown no direction in which it is negative; it ends there */
 } minres_result;
 
 /* Solves from x = 0 until the residual is that share of b. */

@@ -40,6 +40,10 @@ floe_status multigrid_of_nodes(multigrid **out, context *ctx, const solve_grid *
 /* The finest matrix of nodes, for the caller to shape and fill. */
 node_matrix *multigrid_matrix(multigrid *m);
 
+/* Of nodes: the largest eigenvalues, which smoothers estimate from below, are taken to be larger by this factor (1.1 at first). With too small a one the
+ * cycle is not positive definite. From the next preparation on. */
+void multigrid_widen(multigrid *m, double margin);
+
 void multigrid_destroy(multigrid **m);
 
 /* Coarsens the finest matrix; to be called whenever it has changed. Errors: FLOE_NO_MEMORY, of nodes alone. */

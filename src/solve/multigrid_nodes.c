@@ -315,3 +315,8 @@ node_matrix *multigrid_matrix(multigrid *m)
 {
     return nodes_of(&m->level[0])->matrix;
 }
+
+void multigrid_widen(multigrid *m, double margin)
+{
+    for (int k = 0; k < m->n; ++k) nodes_of(&m->level[k])->smoother.margin = margin;
+}

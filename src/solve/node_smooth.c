@@ -9,7 +9,7 @@
 enum { DEGREE = 3 /* of the polynomial */, POWER_STEPS = 12 };
 /* The polynomial is small down to this share of the largest eigenvalue; the coarse level does the rest. */
 static const double lowest = 1.0 / 8.0;
-static const double margin = 1.1; /* the power method comes from below */
+static const double first_margin = 1.1; /* the power method comes from below */
 /* A node with less of the largest diagonal than this is one at the edge. */
 static const double light = 0.5;
 /* What patches add to their diagonals, scaled to 1: modes that no point sees would be divided by nothing. */
@@ -56,7 +56,7 @@ void packed_solve(int n, const double *a, double *b)
 floe_status node_smoother_create(node_smoother *s, const node_matrix *matrix, bool patched)
 {
     const size_t size = (size_t)matrix->components * matrix->grid.size;
-    *s = (node_smoother){.ctx = matrix->ctx, .matrix = matrix, .patched = patched};
+    *s = (node_smoother){.ctx = matrix->ctx, .matrix = matrix, .patched = patched, .margin = first_margin};
     TRY(memory_new(s->ctx, &s->residual, size, sizeof(double)));
     TRY(memory_new(s->ctx, &s->step, size, sizeof(double)));
     return memory_new(s->ctx, &s->to, size, sizeof(double));
@@ -308,7 +308,7 @@ floe_status node_smoother_prepare(node_smoother *s)
     for (int row = 0; row < m->rows; ++row) invert_block(m, row, s->block + (size_t)row * n);
     if (s->patched) TRY(find_patches(s));
     share_unknowns(s);
-    s->largest = margin * largest_eigenvalue(s);
+    s->largest = s->margin * largest_eigenvalue(s);
     return FLOE_OK;
 }
 

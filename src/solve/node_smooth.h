@@ -24,7 +24,7 @@ typedef struct node_smoother {
     double *share;   /* square roots of how much of an unknown a patch has; owned */
     double *factor;  /* owned */
     size_t unknowns, unknowns_reserved, factors, factors_reserved;
-    double largest;               /* eigenvalue of B A, with a margin */
+    double largest, margin;       /* eigenvalue of B A, with a margin, as a factor */
     double *residual, *step, *to; /* scratch on the grid; owned */
 } node_smoother;
 

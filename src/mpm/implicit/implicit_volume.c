@@ -22,6 +22,8 @@ floe_status implicit_volume_create(mpm *s)
     TRY(memory_new(s->ctx, &w->volume, 1, sizeof *w->volume));
     TRY(node_matrix_create(&w->volume->exact, s->ctx, &w->grid, s->mesh->dim * w->layers, s->basis->support - 1,
                            implicit_arm(s)));
+    w->volume->margin = MPM_VOLUME_MARGIN;
+    multigrid_widen(w->solver, w->volume->margin);
     return minres_create(&w->volume->solver, s->ctx, MPM_MOST_KRYLOV);
 }
 
@@ -329,8 +331,15 @@ floe_status implicit_solve_volume(mpm *s, double share)
     changes_of_volume(s, w->constraint_step, v->rhs + w->components);
     for (size_t r = w->components; r < w->components + v->modes; ++r) v->rhs[r] = -v->rhs[r];
     memcpy(v->rhs, w->residual, w->components * sizeof *v->rhs);
-    const minres_result result = minres_solve(v->solver, &system, tolerance, v->rhs, v->x);
+    minres_result result = minres_solve(v->solver, &system, tolerance, v->rhs, v->x);
     w->krylov_iterations += result.iterations;
+    while (!result.definite && v->margin < MPM_VOLUME_MOST_MARGIN) {
+        v->margin *= MPM_VOLUME_WIDER;
+        multigrid_widen(w->solver, v->margin);
+        TRY(multigrid_prepare(w->solver));
+        result = minres_solve(v->solver, &system, tolerance, v->rhs, v->x);
+        w->krylov_iterations += result.iterations;
+    }
     memcpy(w->change, v->x, w->components * sizeof *w->change);
     if (!result.converged && !(result.residual < 0.1 * share))
         return fail(

@@ -45,6 +45,7 @@ struct implicit_volume {
     double *change;     /* c: for each mode and component one a node of the patch (m2 and less); owned */
     node_matrix *exact; /* A; owned */
     minres *solver;     /* owned */
+    double margin;      /* of the multigrid (multigrid_widen) */
     double *rhs, *x;    /* displacements, then pressures; owned */
     size_t unknowns_reserved;
 };
