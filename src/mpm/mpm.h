@@ -32,7 +32,7 @@ typedef struct mpm_body {
     double stress_free_temperature; /* K; NAN: that at the start */
     bool fluid;
     bool burns;                 /* a reaction uses it up */
-    bool mean_strain;           /* one rate of volume and one pressure a cell (state/mean_strain.h) */
+    bool mean_strain;           /* its points share changes of volume and pressures (state/mean_strain.h) */
     int group;                  /* velocity field it moves in: instance of the node fields */
     double artificial[2];       /* A1, A2 */
     membrane_response membrane; /* model NULL: it is none */
@@ -137,7 +137,7 @@ floe_status mpm_node_velocity(mpm *s);     /* v_i, walls, contact */
 floe_status mpm_stress_first(mpm *s);      /* USF: stress from v_i^n */
 floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) grad S + external */
 floe_status
-mpm_share_pressures(mpm *s); /* means over cells of bodies that are all but incompressible (mean_strain.h) */
+mpm_share_pressures(mpm *s); /* what points share of bodies that are all but incompressible (mean_strain.h) */
 floe_status mpm_share_new_pressures(mpm *s); /* the same of the stress that the step has found (USF) */
 floe_status mpm_edge_force(mpm *s);          /* f_i of the penalty on edges of solids (edge.h) */
 floe_status mpm_begin_motions(mpm *s);       /* rigid motions of the step (motion/motion.h) */
@@ -198,8 +198,8 @@ const char *mpm_implicit_obstacle(const mpm *s, time_solver solver);
 /* Largest ratio of bulk to shear modulus of the solids, 0 where there is none; *body becomes the scene's body that has
  * it, and is otherwise unchanged. */
 double mpm_implicit_bulk_ratio(const mpm *s, int *body);
-/* The largest ratio at which the basis does not lock. */
-double mpm_implicit_most_bulk_ratio(const mpm *s);
+/* The largest ratio that steps are solved for with. */
+double mpm_implicit_most_bulk_ratio(void);
 /* Whether solids enclose a fluid body of the scene on all sides. */
 bool mpm_body_is_enclosed(const mpm *s, int body);
 floe_status mpm_implicit_masses(mpm *s);      /* m_i */

@@ -14,16 +14,16 @@ static const char *obstacle_to(const sim *s, time_solver solver, bool guess)
     return obstacle || !s->ice ? obstacle : quasi_static_gas_obstacle(s, guess);
 }
 
-static floe_status check_locking(const sim *s)
+static floe_status check_bulk(const sim *s)
 {
     int body = 0;
-    const double ratio = mpm_implicit_bulk_ratio(s->mpm, &body), most = mpm_implicit_most_bulk_ratio(s->mpm);
+    const double ratio = mpm_implicit_bulk_ratio(s->mpm, &body), most = mpm_implicit_most_bulk_ratio();
     if (ratio <= most) return FLOE_OK;
-    return fail_key(s->ctx, KEY("time", "solver"),
-                    "static: the bulk modulus of body '%s' is %.3g times its shear modulus, with which basis "
-                    "%s locks: its stresses would be wrong. Take %g times at most%s",
-                    s->scene->body[body].name, ratio, s->mpm->basis->name, most,
-                    most < 100.0 ? ", or a quadratic or cubic basis" : " (a Poisson's ratio of 0.495)");
+    return fail_key(
+        s->ctx, KEY("time", "solver"),
+        "static: the bulk modulus of body '%s' is %.3g times its shear modulus: round-off of volumes would be "
+        "a stress. Take %g times at most",
+        s->scene->body[body].name, ratio, most);
 }
 
 /* Why `auto` would not solve for the state of rest, or NULL. */
@@ -31,8 +31,8 @@ static const char *obstacle_to_rest(const sim *s)
 {
     int body = 0;
     if (!s->scene->rest.enabled) return "the deck asks for no state of rest";
-    if (mpm_implicit_bulk_ratio(s->mpm, &body) > mpm_implicit_most_bulk_ratio(s->mpm))
-        return "a solid is all but incompressible, and would lock";
+    if (mpm_implicit_bulk_ratio(s->mpm, &body) > mpm_implicit_most_bulk_ratio())
+        return "of a solid that hardly changes its volume round-off would be a stress";
     return obstacle_to(s, SOLVER_STATIC, true);
 }
 
@@ -60,7 +60,7 @@ floe_status sim_choose_solver(sim *s)
     if (solver == SOLVER_DYNAMIC) return FLOE_OK;
     const char *obstacle = obstacle_to(s, solver, false);
     if (obstacle) return fail_key(s->ctx, KEY("time", "solver"), "%s: %s; use dynamic", solver_name(solver), obstacle);
-    if (solver == SOLVER_STATIC) TRY(check_locking(s));
+    if (solver == SOLVER_STATIC) TRY(check_bulk(s));
     TRY(mpm_solve_steps(s->mpm, solver));
     return s->ice ? quasi_static_gas_create(&s->quasi_static_gas, s) : FLOE_OK;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Bodies that are all but incompressible, in explicit steps: one rate of volume and one pressure a cell (theory 4.16).
+# Bodies that are all but incompressible, in explicit steps: changes of volume that are linear over patches of cells (theory 4.16).
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 

@@ -470,7 +470,14 @@ static const deck_variant ring[] = {
      1,
      4,
      {"time.solver=implicit", "time.increments=12", "domain.cell=0.05", "time.end=1e-3"}},
-    {"pressed cylinder", "pressed_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.025", "time.increments=2"}}};
+    {"pressed cylinder", "pressed_cylinder", COUPLING_MPM, 1, 2, {"domain.cell=0.025", "time.increments=2"}},
+    {"all but incompressible ring",
+     "annulus_traction",
+     COUPLING_MPM,
+     1,
+     4,
+     {"time.solver=static", "time.increments=3", "domain.cell=0.05",
+      "materials.steel.law.linear_elastic.shear_modulus=1e8"}}};
 
 static state solved(const deck_variant *v, int blocks, int threads)
 {

@@ -1,7 +1,5 @@
-/* Solids that are all but incompressible. A displacement of the basis that keeps the volume at every point is next to
- * none, so that they take their load by bulk stress that cancels between points: they lock. On a cylinder of ten cells
- * under pressure (docs/results/extreme.md, load_at_once) a Poisson's ratio of 0.49 leaves 2 and 1 % in the hoop stress
- * with quadratic and cubic splines, 50 % with hat functions; one of 0.4999 leaves more than the stress itself. */
+/* The largest bulk modulus over a shear modulus of a scene's solids. Whatever it is, nothing locks (implicit_volume.h); but the change of volume that a
+ * stress asks for falls as it grows, to round-off in the end. */
 #include "mpm/implicit/implicit.h"
 #include "mpm/implicit/implicit_constants.h"
 
@@ -12,9 +10,8 @@ static double ratio_of(const mpm_body *b)
     return shear > 0.0 ? b->law->bulk_modulus(b->law_par) / shear : 0.0;
 }
 
-double mpm_implicit_most_bulk_ratio(const mpm *s)
+double mpm_implicit_most_bulk_ratio(void)
 {
-    (void)s;
     return MPM_MOST_BULK;
 }
 
