@@ -1,4 +1,4 @@
-/* Bodies that are all but incompressible, in steps that are solved for (theory 9.2). Their points have the change of volume 1 + e that is linear
+/* Bodies that are all but incompressible, in steps that are solved for (theory 9.8). Their points have the change of volume 1 + e that is linear
  * over patches of cells (state/volume_patch.h), e = P (det f - 1) with f = I + grad u of the increment, and
  *
  *     f_bar = ((1 + e)/det f)^(1/m) f,    T = V (1 + e) (sigma - s I) f^-T + V (det f) P s f^-T,    s = tr sigma/m,
