@@ -12,7 +12,6 @@
 #ifndef MPM_IMPLICIT_H
 #define MPM_IMPLICIT_H
 
-#include "mpm/implicit/implicit_view.h"
 #include "mpm/mpm.h"
 #include "solve/cg.h"
 #include "solve/multigrid.h"

@@ -1,5 +1,6 @@
 /* Contact in the balance of forces: what binds, and what it takes of displacements and forces. */
 #include "mpm/implicit/implicit_contact.h"
+#include "mpm/implicit/implicit_view.h"
 
 #include "base/memory.h"
 #include "mpm/contact/contact.h"

@@ -5,6 +5,7 @@
 #include "mpm/implicit/implicit.h"
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
+#include "mpm/implicit/implicit_view.h"
 #include "mpm/implicit/implicit_volume.h"
 #include "mpm/surface/traction.h"
 #include "mpm/thermal/thermal.h"

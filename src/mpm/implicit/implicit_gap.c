@@ -7,6 +7,7 @@
  * spacing. Points by themselves say it to a tenth of a cell. */
 #include "mpm/implicit/implicit_constants.h"
 #include "mpm/implicit/implicit_contact.h"
+#include "mpm/implicit/implicit_view.h"
 #include "mpm/mpm_constants.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/surface/surfaces.h"
