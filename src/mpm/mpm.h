@@ -139,6 +139,7 @@ floe_status mpm_node_force(mpm *s);        /* f_i = -sum V (sigma - p_p - q) gra
 floe_status
 mpm_share_pressures(mpm *s); /* what points share of bodies that are all but incompressible (mean_strain.h) */
 floe_status mpm_share_new_pressures(mpm *s); /* the same of the stress that the step has found (USF) */
+floe_status mpm_find_wall_pressures(mpm *s); /* f_i of fluids that give way to light solids (surface/inertia.h) */
 floe_status mpm_edge_force(mpm *s);          /* f_i of the penalty on edges of solids (edge.h) */
 floe_status mpm_begin_motions(mpm *s);       /* rigid motions of the step (motion/motion.h) */
 floe_status mpm_motion_momenta(mpm *s);      /* m_i v_i of their nodes */

@@ -5,6 +5,7 @@
 #include "mpm/nodes/light_nodes.h"
 #include "mpm/nodes/sides.h"
 #include "mpm/step.h"
+#include "mpm/surface/surfaces.h"
 #include "mpm/thermal/thermal.h"
 #include "mpm/transfer/carry.h"
 #include "mpm/transfer/scatter.h"
@@ -71,6 +72,11 @@ static bool has_wetted(const mpm *s)
 static bool has_motions(const mpm *s)
 {
     return s->motions != NULL;
+}
+
+static bool has_yielding_fluids(const mpm *s)
+{
+    return s->surfaces && s->surfaces->fluids;
 }
 
 static bool has_edges(const mpm *s)
@@ -165,6 +171,8 @@ floe_status mpm_force_stages(mpm *s)
           WRITES(N_FORCE));
     STAGE(s, has_edges(s), mpm_edge_force, READS(N_MASS, WHEN(usf, N_VEL), P_POS, P_VOLUME0, P_J, DOMAINS, N_FORCE),
           WRITES(N_FILL, N_FORCE));
+    STAGE(s, has_yielding_fluids(s), mpm_find_wall_pressures, READS(N_MASS, N_MOMENTUM, N_FORCE),
+          WRITES(N_FORCE, N_VEL_L));
     STAGE(s, ALWAYS, mpm_node_update, READS(N_MASS, N_MOMENTUM, N_FORCE, WHEN(walls_let_go(s), N_SIDE_BODY)),
           WRITES(WHEN(walls_let_go(s), N_FORCE), N_VEL_L));
     return FLOE_OK;

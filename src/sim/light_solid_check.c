@@ -26,8 +26,7 @@ static double density_of(const scene *s, int body)
     return s->material[s->body[body].material].density;
 }
 
-/* The lightest solid of the scene that is no membrane; -1: there is none. */
-static int lightest_body(const scene *s)
+int lightest_moved_solid(const scene *s)
 {
     int found = -1;
     for (int b = 0; b < s->n_bodies; ++b)
@@ -117,9 +116,8 @@ static floe_status look_at_bodies(sim *s, double fluid)
 floe_status light_solid_check(sim *s)
 {
     double range[2];
-    const bool sharp = s->scene->method.interface == INTERFACE_SHARP;
-    const int body = s->mpm && s->ice ? lightest_body(s->scene) : -1;
-    if (body < 0 || (s->sealed && !sharp) || sim_is_static(s)) return FLOE_OK;
+    const int body = s->mpm && s->ice ? lightest_moved_solid(s->scene) : -1;
+    if (body < 0 || s->sealed || sim_is_static(s)) return FLOE_OK;
     ice_densities(s->ice, range);
     s->has_light = s->has_light || density_of(s->scene, body) < least_share * range[1];
     return s->has_light ? look_at_bodies(s, range[1]) : FLOE_OK;
@@ -129,7 +127,7 @@ floe_status light_solid_check(sim *s)
 static double least_ratio(const sim *s)
 {
     double range[2];
-    const int body = lightest_body(s->scene);
+    const int body = lightest_moved_solid(s->scene);
     if (body < 0) return INFINITY;
     ice_densities(s->ice, range);
     return density_of(s->scene, body) / range[1];
@@ -147,5 +145,12 @@ bool has_dense_fluid(const sim *s, double share)
 double light_solid_step(const sim *s, double crossing)
 {
     static const double share = 0.35;
-    return s->scene->method.interface == INTERFACE_SHARP ? share * crossing * sqrt(least_ratio(s)) : (double)INFINITY;
+    const bool bound = s->scene->method.interface == INTERFACE_SHARP && !fluids_give_way(s);
+    return bound ? share * crossing * sqrt(least_ratio(s)) : (double)INFINITY;
+}
+
+bool fluids_give_way(const sim *s)
+{
+    static const double lightest = 1.0;
+    return s->scene->method.interface == INTERFACE_SHARP && !sim_solves(s) && least_ratio(s) < lightest;
 }

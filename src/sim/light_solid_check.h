@@ -5,10 +5,14 @@
 #include "sim/sim.h"
 
 /* Refuses solids that are lighter than the fluid beside them (in the cells of their points and adjacent ones) by more
- * than the interface is stable with: FLOE_BAD_INPUT before the first step, else FLOE_DIVERGED, with the remedy. States
+ * than the smeared interface is stable with: FLOE_BAD_INPUT before the first step, else FLOE_DIVERGED, with the remedy. States
  * of points and cells must be valid. Sets s->has_light. */
 floe_status light_solid_check(sim *s);
-/* Largest stable time step (s) of a sharp interface beside fluid heavier than the solid; `crossing` (s) is that of the
+/* The lightest solid of the scene that fluids move, by its number; -1: there is none. */
+int lightest_moved_solid(const scene *s);
+/* Whether in the next step the pressure of the fluids on sharp surfaces gives way to these (theory 7.6). */
+bool fluids_give_way(const sim *s);
+/* Largest stable time step (s) of a sharp interface whose fluids do not, beside fluid heavier than the solid; `crossing` (s) is that of the
  * cells at a CFL number of one. INFINITY where there is no such solid. */
 double light_solid_step(const sim *s, double crossing);
 /* Whether some fluid has more than this share of the density of the scene's lightest solid. */

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "mpm/surface/boundary.h"
 #include "sim/interface.h"
+#include "sim/light_solid_check.h"
 
 #include <stdio.h>
 
@@ -34,7 +35,9 @@ floe_status sealed_create(sealed **out, sim *s)
                   .stages = &s->stages,
                   .points = s->mpm,
                   .gases = s->ice,
-                  .n_lines = n > 0 ? n : s->ice->n_regions};
+                  .n_lines = n > 0 ? n : s->ice->n_regions,
+                  .walls = {.ctx = s->ctx}};
+    sealed_give_way(t, n == 0 && lightest_moved_solid(s->scene) >= 0); /* stages that some step may need are planned */
     for (int l = 0; l < t->n_lines; ++l) {
         TRY(create_line(t, &s->mesh, n > 0 ? holder[l] : -1, &t->line[l]));
         if (n == 0) t->line[l].fluid = s->ice->material[l].scene_material;
@@ -53,7 +56,14 @@ void sealed_destroy(sealed **t)
         memory_free(ctx, &line->path);
         memory_free(ctx, &line->force);
     }
+    wall_response_free(&(*t)->walls);
     memory_free(ctx, t);
+}
+
+void sealed_give_way(sealed *t, bool gives_way)
+{
+    t->gases->walls = gives_way ? &t->walls : NULL;
+    mpm_boundary_responds(t->points, t->gases->walls);
 }
 
 static floe_status reserve_vertices(const sealed *t, sealed_line *line, int vertices)

@@ -3,6 +3,7 @@
 #ifndef SIM_SEALED_GASES_H
 #define SIM_SEALED_GASES_H
 
+#include "coupling/wall_response.h"
 #include "embedded/cut.h"
 #include "sim/sim.h"
 
@@ -23,7 +24,8 @@ typedef struct sealed {
     ice *gases;         /* not owned */
     sealed_line line[SCENE_MAX_ENCLOSING];
     int n_lines;
-    bool nested; /* it is known which membranes are inside which */
+    wall_response walls; /* how the fluids beside light solids give way (theory 7.6) */
+    bool nested;         /* it is known which membranes are inside which */
 } sealed;
 
 floe_status sealed_create(struct sealed **out, sim *s);
@@ -31,6 +33,8 @@ void sealed_destroy(struct sealed **t);
 /* Initial state of the cells; the points have been seeded. */
 floe_status sealed_initialise(sim *s);
 floe_status sealed_step(sim *s);
+/* Whether in the next step the pressure of the fluids gives way to the surfaces (theory 7.6). */
+void sealed_give_way(sealed *t, bool gives_way);
 /* For implicit steps: finds the cut cells at the current positions, and at the next positions of the points. Errors: as
  * mpm_boundary_vertices, cut_find. */
 floe_status sealed_find_still(sealed *t);

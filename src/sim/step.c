@@ -1,6 +1,7 @@
 /* Time steps: chosen, taken, and, where they go bad, taken again smaller (docs/structure.md, A step). */
 #include "sim/light_solid_check.h"
 #include "sim/quasi_static_gas.h"
+#include "sim/sealed_gases.h"
 #include "sim/statics.h"
 
 #include <math.h>
@@ -148,6 +149,7 @@ floe_status sim_step(sim *s, double until)
     const char *reason;
     if (s->has_light) TRY(light_solid_check(s));
     TRY(sim_choose_pressure(s));
+    if (s->sealed) sealed_give_way(s->sealed, fluids_give_way(s));
     TRY(choose_step(s, until, &dt, &reason));
     const bool last = dt == until - s->time;
     const double full = dt;

@@ -10,7 +10,7 @@
  * piece, so that they include the weight of the cells (ice_merged_weight.c). A viscous fluid sticks to it: over half a cell it drags the
  * wall with theta mu |A_w| (u - v)/(h/2), and is dragged as much. No heat passes. Where there is no gas on the other side, the reference
  * pressure pushes on the wall from there. */
-#include "ice/sealed/ice_merged_cells.h"
+#include "ice/sealed/ice_merged_pieces.h"
 
 #include "ice/exchange/ice_exchange.h"
 #include "ice/ice_constants.h"
@@ -31,70 +31,13 @@ ptrdiff_t ice_member_face(const ice_view *v, const ice_member *k, int axis, int 
     return k->at + (side == SIDE_UPPER ? v->b->stride[axis] : 0);
 }
 
-static ice_merged_cells *merged_cells_of(const ice *s, const ice_region *g)
-{
-    return &s->sealing->now[g->number];
-}
-
-/* All pieces of the lines beside the current gas, where the step takes them to pass: each with the member of its cell,
- * the weight of its place, and the sign of its area, outward from the gas. */
-typedef struct piece_walk {
-    const ice *s;
-    const ice_merged_cells *p;
-    int number, place, n; /* of the line, of its places, of the piece */
-    double weight, outward;
-    const ice_seal_line *line;
-    const cut_piece *piece;
-    const ice_member *member;
-} piece_walk;
-
-static piece_walk first_piece(const ice *s, const ice_merged_cells *p)
-{
-    return (piece_walk){.s = s, .p = p, .place = SEAL_MEAN, .n = -1, .weight = 1.0 / ICE_SEAL_PLACES};
-}
-
-static bool next_piece(piece_walk *w)
-{
-    const ice_seal *seal = &w->s->seal;
-    for (w->n++; w->number < seal->n_lines; w->number++, w->place = SEAL_MEAN, w->n = 0) {
-        const ice_seal_line *line = &seal->line[w->number];
-        w->outward = ice_outward(w->s, w->p->region->number, w->number);
-        if (w->outward == 0.0) continue;
-        for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
-        if (w->place == SEAL_NEXT) continue;
-        const cut_surface *c = &line->place[w->place];
-        w->line = line;
-        w->piece = &c->piece[w->n];
-        w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];
-        return true;
-    }
-    return false;
-}
-
 static double piece_size(const cut_piece *q)
 {
     return q->area[2] == 0.0 ? hypot(q->area[0], q->area[1]) : hypot(hypot(q->area[0], q->area[1]), q->area[2]);
 }
 
-/* Component of a vector of the vertices in the middle of a piece. */
-static double at_middle(const cut_piece *q, int dim, const double *vertex, int a)
-{
-    double sum = q->weight[0] * vertex[3 * q->vertex[0] + a];
-    for (int k = 1; k < dim; ++k) sum += q->weight[k] * vertex[3 * q->vertex[k] + a];
-    return sum;
-}
-
-/* The same along the piece's area, outward from the current gas. */
-static double along_area(const piece_walk *w, const double *vertex)
-{
-    const cut_piece *q = w->piece;
-    double sum = 0.0;
-    for (int a = 0; a < w->s->mesh->dim; ++a) sum += q->area[a] * at_middle(q, w->s->mesh->dim, vertex, a);
-    return w->outward * sum;
-}
-
 /* Of the middle of a piece from the centre of its cell. */
-static void from_centre(const piece_walk *w, double x[3])
+static void from_centre(const ice_piece_walk *w, double x[3])
 {
     const cut_surface *c = &w->line->place[w->place];
     const cut_piece *q = w->piece;
@@ -103,7 +46,7 @@ static void from_centre(const piece_walk *w, double x[3])
 }
 
 /* Pressure of the current gas on a piece. */
-static double pressure_on(const piece_walk *w)
+static double pressure_on(const ice_piece_walk *w)
 {
     static const double centre[3] = {0.0};
     const double P = ice_member_view(w->s, w->member)->P[w->member->at];
@@ -118,7 +61,7 @@ typedef struct piece_force {
     double all[3], drag[ICE_MAX_MATERIALS][3];
 } piece_force;
 
-static void force_on(const piece_walk *w, piece_force *f)
+static void force_on(const ice_piece_walk *w, piece_force *f)
 {
     const ice *s = w->s;
     const cut_piece *q = w->piece;
@@ -131,7 +74,7 @@ static void force_on(const piece_walk *w, piece_force *f)
         const double drag = share * (2.0 * v->material[r].shear_viscosity / v->finest * piece_size(q));
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double before = f->all[a];
-            f->all[a] = before + drag * (v->m[r].u[a][at] - at_middle(q, s->mesh->dim, w->line->velocity, a));
+            f->all[a] = before + drag * (v->m[r].u[a][at] - ice_at_middle(q, s->mesh->dim, w->line->velocity, a));
             f->drag[r][a] = f->all[a] - before; /* what the fluid loses is what the piece has, to the bit */
         }
     }
@@ -139,7 +82,7 @@ static void force_on(const piece_walk *w, piece_force *f)
 
 void ice_merged_centring(const ice *s, const ice_region *g)
 {
-    const ice_merged_cells *p = merged_cells_of(s, g);
+    const ice_merged_cells *p = ice_merged_cells_of(s, g);
     ice_seal_views(s, g);
     for (int k = 0; k < p->n; ++k) ice_member_view(s, &p->member[k])->shock[p->member[k].at] = 1.0;
 }
@@ -158,14 +101,8 @@ static void add_fluxes(const ice *s, ice_merged_cells *p)
                                 v->flux[axis][ice_member_face(v, m, axis, side)];
         }
     }
-    for (piece_walk w = first_piece(s, p); next_piece(&w);)
-        p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_FLUX] += w.weight * along_area(&w, w.line->velocity);
-}
-
-/* That of all fluids of a cell together. */
-static double sound_speed(const ice_view *v, ptrdiff_t at)
-{
-    return v->multi ? sqrt(1.0 / (v->kappa_sum[at] * v->rho_sum[at])) : v->m[0].c[at];
+    for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);)
+        p->sum[(size_t)w.member->merged * MERGED_SUMS + MERGED_FLUX] += w.weight * ice_along_area(&w, w.line->velocity);
 }
 
 /* Several fluids: the volumes of cells that solids fill stay. */
@@ -183,7 +120,7 @@ static void still_elsewhere(const ice *s, const ice_merged_cells *p)
 
 void ice_merged_increment(const ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = merged_cells_of(s, g);
+    ice_merged_cells *p = ice_merged_cells_of(s, g);
     ice_seal_views(s, g);
     ice_clear_merged(p);
     add_fluxes(s, p);
@@ -192,7 +129,7 @@ void ice_merged_increment(const ice *s, const ice_region *g)
         const ice_member *m = &p->member[k], *lead = &p->member[p->lead[m->merged]];
         const ice_view *v = ice_member_view(s, m), *of = ice_member_view(s, lead);
         const double *sum = p->sum + (size_t)m->merged * MERGED_SUMS;
-        const double rho = of->rho_sum[lead->at], c = sound_speed(of, lead->at);
+        const double rho = of->rho_sum[lead->at], c = ice_merged_sound(of, lead->at);
         const double div = sum[MERGED_VOLUME] > 0.0 ? sum[MERGED_FLUX] / sum[MERGED_VOLUME] : 0.0;
         const double squeeze = div < 0.0 ? -v->finest * div : 0.0, dP = -s->dt * div * rho * c * c;
         v->dP[m->at] = dP;
@@ -302,27 +239,27 @@ static void enter_surroundings(const ice *s, const ice_region *g)
     const bool radial = s->mesh->geometry == MESH_AXISYMMETRIC;
     double work = 0.0;
     if (pressure_beyond(s) == 0.0) return;
-    for (piece_walk w = first_piece(s, merged_cells_of(s, g)); next_piece(&w);) {
+    for (ice_piece_walk w = ice_first_piece(s, ice_merged_cells_of(s, g)); ice_next_piece(&w);) {
         const double beyond = pressure_behind(s, w.number);
         if (beyond == 0.0) continue;
         double x[MESH_MAX_DIM] = {0.0};
-        for (int a = 0; a < s->mesh->dim; ++a) x[a] = at_middle(w.piece, s->mesh->dim, w.line->path, a);
+        for (int a = 0; a < s->mesh->dim; ++a) x[a] = ice_at_middle(w.piece, s->mesh->dim, w.line->path, a);
         for (int a = radial; a < s->mesh->dim; ++a)
             ledger_push(s->ledger, LEDGER_BOUNDARY, a, -w.weight * s->dt * beyond * w.piece->area[a], x);
-        work -= w.weight * beyond * along_area(&w, w.line->path);
+        work -= w.weight * beyond * ice_along_area(&w, w.line->path);
     }
     ledger_add(s->ledger, LEDGER_ENERGY, LEDGER_BOUNDARY, work);
 }
 
 /* The drag of each fluid on a piece; its work is in that of all. */
-static void add_drag(const piece_walk *w, const piece_force *f)
+static void add_drag(const ice_piece_walk *w, const piece_force *f)
 {
     const ice *s = w->s;
     double *work = &w->p->sum[(size_t)w->member->merged * MERGED_SUMS + MERGED_WORK];
     for (int r = 0; r < w->p->region->n; ++r) {
         const stress_sums to = stress_sums_of(w->p, w->member->merged, r);
         for (int a = 0; a < s->mesh->dim; ++a) {
-            const double done = w->weight * f->drag[r][a] * at_middle(w->piece, s->mesh->dim, w->line->path, a);
+            const double done = w->weight * f->drag[r][a] * ice_at_middle(w->piece, s->mesh->dim, w->line->path, a);
             to.momentum[a] -= w->weight * s->dt * f->drag[r][a];
             if (to.work == work) continue;
             *work += done;
@@ -339,7 +276,7 @@ static void add_exact_sources(const ice *s, ice_merged_cells *p)
         sum[MERGED_MASS] += ice_member_view(s, m)->rho_sum[m->at] * m->open * mesh_cell_volume(s->mesh, m->cell[0]);
         add_faces(s, p, m, sum);
     }
-    for (piece_walk w = first_piece(s, p); next_piece(&w);) {
+    for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);) {
         const ice_member *m = w.member;
         double *sum = p->sum + (size_t)m->merged * MERGED_SUMS, x[3];
         piece_force f;
@@ -348,7 +285,7 @@ static void add_exact_sources(const ice *s, ice_merged_cells *p)
         for (int a = 0; a < s->mesh->dim; ++a) {
             if (ice_has_weight(s))
                 sum[MERGED_WEIGHT + a] += w.weight * s->dt * w.outward * w.piece->area[a] * ice_merged_rise(s, p, m, x);
-            sum[MERGED_WORK] -= w.weight * f.all[a] * at_middle(w.piece, s->mesh->dim, w.line->path, a);
+            sum[MERGED_WORK] -= w.weight * f.all[a] * ice_at_middle(w.piece, s->mesh->dim, w.line->path, a);
         }
         add_drag(&w, &f);
     }
@@ -446,7 +383,7 @@ static void advance_fluid(const ice *s, ice_merged_cells *p)
 
 void ice_merged_sources(const ice *s, const ice_region *g)
 {
-    ice_merged_cells *p = merged_cells_of(s, g);
+    ice_merged_cells *p = ice_merged_cells_of(s, g);
     ice_seal_views(s, g);
     keep_elsewhere(s);
     ice_clear_merged(p);
@@ -459,7 +396,7 @@ void ice_merged_sources(const ice *s, const ice_region *g)
 }
 
 /* Shares a force on a piece out to the vertices between which it lies. */
-static void push_vertices(const piece_walk *w, const double force[3])
+static void push_vertices(const ice_piece_walk *w, const double force[3])
 {
     const cut_piece *q = w->piece;
     for (int k = 0; k < w->s->mesh->dim; ++k)
@@ -470,7 +407,7 @@ static void push_vertices(const piece_walk *w, const double force[3])
 static void load_vertices(const ice *s, const ice_region *g)
 {
     ice_seal_views(s, g);
-    for (piece_walk w = first_piece(s, merged_cells_of(s, g)); next_piece(&w);) {
+    for (ice_piece_walk w = ice_first_piece(s, ice_merged_cells_of(s, g)); ice_next_piece(&w);) {
         const double beyond = pressure_behind(s, w.number);
         double force[3];
         piece_force f;
@@ -485,5 +422,5 @@ floe_status ice_sealed_load(ice *s)
     for (int l = 0; l < s->seal.n_lines; ++l)
         for (int k = 0; k < 3 * s->seal.line[l].place[SEAL_NOW].n_vertices; ++k) s->seal.line[l].force[k] = 0.0;
     for (int g = 0; g < s->n_regions; ++g) load_vertices(s, &s->region[g]);
-    return FLOE_OK;
+    return s->walls ? ice_merged_response(s) : FLOE_OK;
 }

@@ -499,6 +499,9 @@ floe_status ice_sealed_flow_stages(ice *s)
 {
     const bool m = ice_is_mixture(s), k = ice_conducts(s), r = ice_reaction_count(s) > 0,
                slips = m && ice_some_pair_slips(s), t = ice_may_trace(s);
+    STAGE(s, s->walls, ice_sealed_give_way,
+          READS(C_DP, C_PRESSURE_ADVANCED, C_RHO, F_PRESSURE, WHEN(m, C_RHO_SUM), WHEN(t, C_ALONE)),
+          WRITES(C_DP, C_PRESSURE_ADVANCED, F_PRESSURE));
     STAGE(s, ALWAYS, ice_sealed_sources,
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),

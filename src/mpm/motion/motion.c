@@ -227,13 +227,25 @@ void motion_load(const mpm *s, body_motion *m, const double x[3], const double f
     for (int a = 0; a < 3; ++a) m->load_work += force[a] * path[a];
 }
 
+void motions_solve(mpm *s)
+{
+    for (int i = 0; s->motions && i < s->motions->n; ++i)
+        if (!motion_is_prescribed(s->motions->body[i].given)) solve_free(s, &s->motions->body[i]);
+}
+
 /* Nodes move as forces on the surface and on the volume say. */
 void motions_predict(mpm *s)
 {
-    if (!s->motions) return;
-    for (int i = 0; i < s->motions->n; ++i)
-        if (!motion_is_prescribed(s->motions->body[i].given)) solve_free(s, &s->motions->body[i]);
-    motions_impose(s, N_VEL_L, false);
+    motions_solve(s);
+    if (s->motions) motions_impose(s, N_VEL_L, false);
+}
+
+void motion_change(const body_motion *m, const double impulse[3], const double moment[3], rigid_field *out)
+{
+    *out = (rigid_field){.c = {m->now.c[0], m->now.c[1], m->now.c[2]}};
+    if (motion_is_prescribed(m->given) || !(m->sums.mass > 0.0)) return;
+    for (int a = 0; a < 3; ++a) out->v[a] = m->slides[a] ? impulse[a] / m->sums.mass : 0.0;
+    rigid_spin(m->sums.inertia, m->turns, moment, out->w);
 }
 
 void motion_give(mpm *s, body_motion *m, const double impulse[3], const double moment[3], double work,

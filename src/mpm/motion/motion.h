@@ -100,8 +100,12 @@ void motion_give(mpm *s, body_motion *m, const double impulse[3], const double m
 /* Sets a node field of every group with a motion: the rigid velocity at the start of the step (`now`), or in it; of
  * N_MOMENTUM times the mass. */
 void motions_impose(mpm *s, field_id velocity, bool now);
-/* The velocity of their nodes by what surfaces and body forces give them. */
+/* How they move by what surfaces and body forces give them. */
+void motions_solve(mpm *s);
+/* The velocity of their nodes by that. */
 void motions_predict(mpm *s);
+/* Change of the rigid field at the end of the step (v and w of `out`) by an impulse (N s) and a moment about the body's centre. */
+void motion_change(const body_motion *m, const double impulse[3], const double moment[3], rigid_field *out);
 /* The same as motions_impose, also of what sticks to them. No one gets an impulse. */
 void motions_impose_tied(mpm *s, field_id velocity, bool now);
 /* Nothing of a change of velocities for their nodes. */

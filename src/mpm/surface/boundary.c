@@ -1,6 +1,7 @@
 #include "mpm/surface/boundary.h"
 
 #include "base/memory.h"
+#include "mpm/surface/inertia.h"
 #include "mpm/surface/membrane_boundary.h"
 #include "mpm/surface/surface_markers.h"
 #include "mpm/surface/surfaces.h"
@@ -123,6 +124,11 @@ void mpm_boundary_clear(mpm *s)
         memset(s->surfaces->markers.force, 0, 3 * s->surfaces->markers.n * sizeof *s->surfaces->markers.force);
 }
 
+void mpm_boundary_responds(mpm *s, wall_response *w)
+{
+    s->surfaces->fluids = w;
+}
+
 void mpm_boundary_displacement(const mpm *s, int body, const cut_surface *c, double *path)
 {
     if (s->surfaces->markers.n > 0)
@@ -141,6 +147,7 @@ void surfaces_free(mpm *s)
     if (!s->surfaces) return;
     free_membrane_force(s);
     free_markers(s->ctx, &s->surfaces->markers);
+    inertia_free(s);
     memory_free(s->ctx, &s->surfaces->loaded);
     memory_free(s->ctx, &s->surfaces->loaded_next);
     memory_free(s->ctx, &s->surfaces);

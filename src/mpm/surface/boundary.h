@@ -3,6 +3,7 @@
 #ifndef MPM_BOUNDARY_H
 #define MPM_BOUNDARY_H
 
+#include "coupling/wall_response.h"
 #include "embedded/cut.h"
 #include "geom/contour.h"
 #include "mpm/mpm.h"
@@ -27,6 +28,9 @@ void mpm_boundary_velocity(const mpm *s, int body, const cut_surface *c, double 
  * they are cleared. */
 void mpm_boundary_force(mpm *s, int body, const cut_surface *c, const double *force);
 void mpm_boundary_clear(mpm *s);
+/* How these forces change with the motion of the markers in the next step (theory 7.6), whose vertices are by number the markers:
+ * the step finds the changes and adds them to the forces. NULL: they do not change. Borrowed until the step is over. */
+void mpm_boundary_responds(mpm *s, wall_response *w);
 /* The displacement (m) over which these forces do work in the step: that of the nodes, with the mean of their
  * velocities at its start and end. */
 void mpm_boundary_displacement(const mpm *s, int body, const cut_surface *c, double *path);

@@ -346,6 +346,19 @@ static void add_motion(void *user, ptrdiff_t at, double weight, double mass)
     }
 }
 
+surface_shares surface_shares_at(const mpm *s, int group, const double x[3])
+{
+    const place_stencil st = surface_locate(s, group, x);
+    surface_shares out; /* most of it stays unused: it is not cleared */
+    out.n = st.n;
+    for (int i = 0; i < st.n; ++i) {
+        memcpy(out.node[i], st.node[i], sizeof out.node[i]);
+        out.w[i] = st.w[i];
+        out.moved[i] = fmin(st.mass[i] / steady_mass, 1.0);
+    }
+    return out;
+}
+
 /* Of a body that does not deform. */
 static surface_motion rigid_surface_motion(const mpm *s, const body_motion *motion, const double x[3])
 {

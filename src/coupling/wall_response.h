@@ -1,0 +1,61 @@
+/* How the pressure of fluids on walls gives way as the walls move (theory 7.6): the cells of the fluids at a wall, and the
+ * vertices of the wall on which they push. The fluids fill it in, the solids find the changes of pressure, and both
+ * take them. */
+#ifndef COUPLING_WALL_RESPONSE_H
+#define COUPLING_WALL_RESPONSE_H
+
+#include "base/context.h"
+
+#include <math.h>
+
+/* What a cell's pressure does to a vertex. */
+typedef struct wall_push {
+    int vertex;
+    double area[3]; /* m2: out of the fluid; of the pieces of the wall that the vertex moves, by their shares */
+    int next;       /* push of the same cell; -1: none */
+} wall_push;
+
+/* A cell, or several that have one pressure. With y (m3/s) more flux out of it its pressure changes by
+ * -stiffness y + q(squeeze - per_flux y) - q(squeeze), q(w) = linear w + square w^2 where w > 0. */
+typedef struct wall_cell {
+    int first;             /* push; -1: none */
+    double stiffness;      /* Pa s/m3 */
+    double squeeze;        /* m/s: rate of compression over a cell; below 0 it expands */
+    double per_flux;       /* 1/m2 */
+    double linear, square; /* Pa s/m, Pa s2/m2: of the bulk viscosity */
+    double change, flux;   /* Pa, m3/s: found */
+} wall_cell;
+
+typedef struct wall_response {
+    context *ctx;    /* not owned */
+    wall_cell *cell; /* owned */
+    wall_push *push; /* owned */
+    int n_cells, n_pushes, reserved_cells, reserved_pushes;
+} wall_response;
+
+void wall_response_free(wall_response *w);
+/* Empties it. */
+void wall_response_clear(wall_response *w);
+/* Adds `n` cells without pushes and pressures. */
+floe_status wall_response_add_cells(wall_response *w, int n);
+/* Adds an area (m2, three numbers) of a cell to what it has at a vertex. */
+floe_status wall_response_add_push(wall_response *w, int cell, int vertex, const double area[3]);
+
+static inline double wall_bulk_pressure(const wall_cell *c, double squeeze)
+{
+    return squeeze > 0.0 ? squeeze * (c->linear + c->square * squeeze) : 0.0;
+}
+
+/* Change of pressure (Pa) with y (m3/s) more flux, and what it falls by per flux (Pa s/m3, above 0). */
+static inline double wall_pressure_change(const wall_cell *c, double y)
+{
+    return -c->stiffness * y + wall_bulk_pressure(c, c->squeeze - c->per_flux * y) - wall_bulk_pressure(c, c->squeeze);
+}
+
+static inline double wall_pressure_slope(const wall_cell *c, double y)
+{
+    const double squeeze = c->squeeze - c->per_flux * y;
+    return c->stiffness + (squeeze > 0.0 ? c->per_flux * (c->linear + 2.0 * c->square * squeeze) : 0.0);
+}
+
+#endif

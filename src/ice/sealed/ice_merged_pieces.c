@@ -1,0 +1,122 @@
+/* Pieces of boundaries (ice_merged_pieces.h), and how the pressure on them gives way to their motion (theory 7.6): the
+ * merged cells take the change of pressure that goes with the motion of the step, found with the inertia of what is
+ * behind the pieces (coupling/wall_response.h). */
+#include "ice/sealed/ice_merged_pieces.h"
+
+#include "coupling/wall_response.h"
+#include "ice/flux/ice_flux.h"
+#include "ice/ice_constants.h"
+#include "ice/pressure/ice_pressure.h"
+
+#include <math.h>
+
+ice_merged_cells *ice_merged_cells_of(const ice *s, const ice_region *g)
+{
+    return &s->sealing->now[g->number];
+}
+
+double ice_merged_sound(const ice_view *v, ptrdiff_t at)
+{
+    return v->multi ? sqrt(1.0 / (v->kappa_sum[at] * v->rho_sum[at])) : v->m[0].c[at];
+}
+
+ice_piece_walk ice_first_piece(const ice *s, const ice_merged_cells *p)
+{
+    return (ice_piece_walk){.s = s, .p = p, .place = SEAL_MEAN, .n = -1, .weight = 1.0 / ICE_SEAL_PLACES};
+}
+
+bool ice_next_piece(ice_piece_walk *w)
+{
+    const ice_seal *seal = &w->s->seal;
+    for (w->n++; w->number < seal->n_lines; w->number++, w->place = SEAL_MEAN, w->n = 0) {
+        const ice_seal_line *line = &seal->line[w->number];
+        w->outward = ice_outward(w->s, w->p->region->number, w->number);
+        if (w->outward == 0.0) continue;
+        for (; w->place < SEAL_NEXT && w->n >= line->place[w->place].n_pieces; w->place++) w->n = 0;
+        if (w->place == SEAL_NEXT) continue;
+        const cut_surface *c = &line->place[w->place];
+        w->line = line;
+        w->piece = &c->piece[w->n];
+        w->member = &w->p->member[w->p->place[cut_index(c->mesh, c->cell[w->piece->cell].cell)]];
+        return true;
+    }
+    return false;
+}
+
+double ice_at_middle(const cut_piece *q, int dim, const double *vertex, int a)
+{
+    double sum = q->weight[0] * vertex[3 * q->vertex[0] + a];
+    for (int k = 1; k < dim; ++k) sum += q->weight[k] * vertex[3 * q->vertex[k] + a];
+    return sum;
+}
+
+double ice_along_area(const ice_piece_walk *w, const double *vertex)
+{
+    const cut_piece *q = w->piece;
+    double sum = 0.0;
+    for (int a = 0; a < w->s->mesh->dim; ++a) sum += q->area[a] * ice_at_middle(q, w->s->mesh->dim, vertex, a);
+    return w->outward * sum;
+}
+
+/* What the increment of ice_merged_step.c makes of more flux. */
+static void set_cell(const ice *s, const ice_merged_cells *p, int merged, wall_cell *out)
+{
+    const ice_member *lead = &p->member[p->lead[merged]];
+    const ice_view *v = ice_member_view(s, lead);
+    const double *sum = p->sum + (size_t)merged * MERGED_SUMS, volume = sum[MERGED_VOLUME];
+    const double rho = v->rho_sum[lead->at], c = ice_merged_sound(v, lead->at);
+    if (!(volume > 0.0)) return;
+    out->stiffness = s->dt * rho * c * c / volume;
+    out->per_flux = v->finest / volume;
+    out->squeeze = -out->per_flux * sum[MERGED_FLUX];
+    out->linear = ICE_SHOCK_LINEAR * rho * c;
+    out->square = ICE_SHOCK_QUADRATIC * rho;
+}
+
+static floe_status add_region(ice *s, const ice_region *g)
+{
+    const ice_merged_cells *p = ice_merged_cells_of(s, g);
+    const int first = s->walls->n_cells;
+    ice_seal_views(s, g);
+    TRY(wall_response_add_cells(s->walls, p->count));
+    for (int k = 0; k < p->count; ++k) set_cell(s, p, k, &s->walls->cell[first + k]);
+    for (ice_piece_walk w = ice_first_piece(s, p); ice_next_piece(&w);) {
+        const int cell = first + w.member->merged;
+        if (!(s->walls->cell[cell].stiffness > 0.0)) continue;
+        for (int k = 0; k < s->mesh->dim; ++k) {
+            double area[3] = {0.0};
+            for (int a = 0; a < s->mesh->dim; ++a)
+                area[a] = w.weight * w.outward * w.piece->weight[k] * w.piece->area[a];
+            TRY(wall_response_add_push(s->walls, cell, w.piece->vertex[k], area));
+        }
+    }
+    return FLOE_OK;
+}
+
+floe_status ice_merged_response(ice *s)
+{
+    wall_response_clear(s->walls);
+    for (int g = 0; g < s->n_regions; ++g) TRY(add_region(s, &s->region[g]));
+    return FLOE_OK;
+}
+
+/* Takes the changes of pressure that have been found. */
+floe_status ice_sealed_give_way(ice *s)
+{
+    const wall_cell *cell = s->walls->cell;
+    for (int n = 0; n < s->n_regions; ++n) {
+        const ice_region *g = &s->region[n];
+        const ice_merged_cells *p = ice_merged_cells_of(s, g);
+        ice_seal_views(s, g);
+        for (int k = 0; k < p->n; ++k) {
+            const ice_view *v = ice_member_view(s, &p->member[k]);
+            const wall_cell *of = &cell[p->member[k].merged];
+            v->P[p->member[k].at] += of->change;
+            v->dP[p->member[k].at] -= of->stiffness * of->flux;
+        }
+        cell += p->count;
+        ice_fill_increment(s, g);
+        TRY(ice_face_pressure_of(s, g));
+    }
+    return FLOE_OK;
+}

@@ -1,0 +1,165 @@
+/* The pressures of fluids on light solids (theory 7.6): with p the changes of pressure of the cells, y the flux out of them beyond
+ * what the fluids have taken it to be, y0 that by the forces so far, and S p what p adds to it by the inertia of what is behind the walls,
+ *
+ *     p = f(y),   y = y0 + S p
+ *
+ * by Newton's method, f falling with y (wall_response.h); each of its steps is (1/K + S) p = f(y)/K + y - y0, K = -f'(y),
+ * symmetric and positive definite: by conjugate gradients, scaled by the diagonal. What is left of p - f(y) is a pressure
+ * all the same, the same for both sides. */
+#include "base/memory.h"
+#include "mpm/surface/inertia.h"
+#include "mpm/surface/surface_markers.h"
+#include "mpm/surface/surfaces.h"
+#include "mpm/surface/traction.h"
+#include "mpm/transfer/scatter.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NEWTON_STEPS = 8, GRADIENT_STEPS = 200 };
+static const double tolerance = 1e-9; /* of the largest change of pressure, or of what the first flux would make */
+
+enum { OWN, SLOPE, PRESSURE, FLUX, FIRST, RESIDUAL, SCALED, SEARCH, APPLIED, VECTORS };
+
+/* Vectors of one number a cell; 0 in cells that push nothing. */
+typedef struct cell_vectors {
+    double *of[VECTORS];
+    int n;
+} cell_vectors;
+
+static floe_status get_vectors(mpm *s, int n, cell_vectors *v)
+{
+    marker_inertia *t = s->surfaces->inertia;
+    const size_t needed = (size_t)VECTORS * (size_t)n;
+    if (needed > t->reserved_values) {
+        TRY(memory_resize(s->ctx, &t->value, 2 * needed, sizeof *t->value));
+        t->reserved_values = 2 * needed;
+    }
+    memset(t->value, 0, needed * sizeof *t->value);
+    v->n = n;
+    for (int k = 0; k < VECTORS; ++k) v->of[k] = t->value + (size_t)k * (size_t)n;
+    return FLOE_OK;
+}
+
+static double inner_product(const cell_vectors *v, int a, int b)
+{
+    double sum = 0.0;
+    for (int c = 0; c < v->n; ++c) sum += v->of[a][c] * v->of[b][c];
+    return sum;
+}
+
+static void scale_residual(const cell_vectors *v)
+{
+    for (int c = 0; c < v->n; ++c) v->of[SCALED][c] = v->of[RESIDUAL][c] / (1.0 / v->of[SLOPE][c] + v->of[OWN][c]);
+}
+
+/* (1/K + S) of a vector, into APPLIED. */
+static void apply(const mpm *s, const wall_response *w, const cell_vectors *v, int from)
+{
+    inertia_flux_of(s, w, v->of[from], v->of[APPLIED]);
+    for (int c = 0; c < v->n; ++c) v->of[APPLIED][c] += v->of[from][c] / v->of[SLOPE][c];
+}
+
+/* Improves PRESSURE until its residual is small beside that of no pressure. */
+static void solve_linear(const mpm *s, const wall_response *w, const cell_vectors *v)
+{
+    for (int c = 0; c < v->n; ++c) {
+        const wall_cell *of = &w->cell[c];
+        const double slope = of->first < 0 ? 1.0 : wall_pressure_slope(of, v->of[FLUX][c]);
+        v->of[SLOPE][c] = slope;
+        v->of[RESIDUAL][c] =
+            of->first < 0 ? 0.0 : wall_pressure_change(of, v->of[FLUX][c]) / slope + v->of[FLUX][c] - v->of[FIRST][c];
+    }
+    scale_residual(v);
+    const double whole = inner_product(v, RESIDUAL, SCALED);
+    apply(s, w, v, PRESSURE);
+    for (int c = 0; c < v->n; ++c) v->of[RESIDUAL][c] -= v->of[APPLIED][c];
+    scale_residual(v);
+    memcpy(v->of[SEARCH], v->of[SCALED], (size_t)v->n * sizeof(double));
+    double left = inner_product(v, RESIDUAL, SCALED);
+    for (int k = 0; k < GRADIENT_STEPS && left > tolerance * tolerance * whole; ++k) {
+        apply(s, w, v, SEARCH);
+        const double part = left / inner_product(v, SEARCH, APPLIED);
+        for (int c = 0; c < v->n; ++c) {
+            v->of[PRESSURE][c] += part * v->of[SEARCH][c];
+            v->of[RESIDUAL][c] -= part * v->of[APPLIED][c];
+        }
+        scale_residual(v);
+        const double now = inner_product(v, RESIDUAL, SCALED), kept = now / left;
+        for (int c = 0; c < v->n; ++c) v->of[SEARCH][c] = v->of[SCALED][c] + kept * v->of[SEARCH][c];
+        left = now;
+    }
+    inertia_flux_of(s, w, v->of[PRESSURE], v->of[FLUX]);
+    for (int c = 0; c < v->n; ++c) v->of[FLUX][c] += v->of[FIRST][c];
+}
+
+/* Whether p = f(y) in all cells. */
+static bool is_solved(const wall_response *w, const cell_vectors *v)
+{
+    double off = 0.0, largest = 0.0;
+    for (int c = 0; c < v->n; ++c) {
+        if (w->cell[c].first < 0) continue;
+        off = fmax(off, fabs(v->of[PRESSURE][c] - wall_pressure_change(&w->cell[c], v->of[FLUX][c])));
+        largest = fmax(largest, fabs(wall_pressure_change(&w->cell[c], v->of[FIRST][c])));
+    }
+    return off <= tolerance * largest;
+}
+
+static void find_pressures(mpm *s, wall_response *w, const cell_vectors *v)
+{
+    inertia_first_flux(s, w, v->of[FIRST]);
+    memcpy(v->of[FLUX], v->of[FIRST], (size_t)v->n * sizeof(double));
+    for (int c = 0; c < v->n; ++c)
+        if (w->cell[c].first >= 0) v->of[OWN][c] = inertia_own_flux(s, w, c);
+    for (int k = 0; k < NEWTON_STEPS && !is_solved(w, v); ++k) solve_linear(s, w, v);
+    for (int c = 0; c < v->n; ++c) {
+        w->cell[c].change = w->cell[c].first < 0 ? 0.0 : v->of[PRESSURE][c];
+        w->cell[c].flux = w->cell[c].first < 0 ? 0.0 : v->of[FLUX][c];
+    }
+    inertia_force_of(s, w, v->of[PRESSURE]);
+}
+
+/* ---- forces ---- */
+
+/* Every node of the block and its ghosts. */
+static void move_forces(const mpm *s, int group, bool back)
+{
+    for (int b = 0; b < s->mesh->n_blocks; ++b)
+        for (int a = 0; a < s->mesh->dim; ++a) {
+            double *force = field_get(s->domain->fields[b], N_FORCE, group, a);
+            double *aside = field_get(s->domain->fields[b], N_VEL_L, group, a);
+            for (size_t k = 0; k < s->mesh->block[b].size; ++k) {
+                if (!back) aside[k] = force[k];
+                force[k] = back ? force[k] + aside[k] : 0.0;
+            }
+        }
+}
+
+/* Adds the forces of the changes to those of the markers, and to the nodes; sides fold both alike. */
+static void add_forces(mpm *s)
+{
+    const marker_inertia *t = s->surfaces->inertia;
+    for (int g = 0; g < s->n_groups; ++g) {
+        move_forces(s, g, false);
+        for (int n = 0; n < t->n_markers; ++n) {
+            const int vertex = t->marker[n].vertex;
+            if (s->surfaces->markers.group[vertex] == g)
+                add_surface_force(s, g, s->surfaces->markers.now[vertex].x, t->marker[n].force);
+        }
+        fold_forces(s, g);
+        move_forces(s, g, true);
+    }
+    for (int n = 0; n < t->n_markers; ++n)
+        for (int a = 0; a < 3; ++a) s->surfaces->markers.force[3 * t->marker[n].vertex + a] += t->marker[n].force[a];
+}
+
+floe_status mpm_find_wall_pressures(mpm *s)
+{
+    wall_response *w = s->surfaces->fluids;
+    cell_vectors v;
+    TRY(inertia_find(s, w));
+    TRY(get_vectors(s, w->n_cells, &v));
+    find_pressures(s, w, &v);
+    add_forces(s);
+    return FLOE_OK;
+}
