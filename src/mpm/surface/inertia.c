@@ -62,7 +62,7 @@ static floe_status double_slots(mpm *s, marker_inertia *t)
 }
 
 /* Velocity (m/s) that sides or supports prescribe. */
-static double held_velocity(const mpm *s, int group, const int node[3], int c)
+static double prescribed_velocity(const mpm *s, int group, const int node[3], int c)
 {
     double v = 0.0;
     for (int a = 0; a < s->mesh->dim; ++a)
@@ -84,7 +84,7 @@ static void describe_node(const mpm *s, inertia_node *n)
     const fields *f = s->domain->fields[blk];
     const ptrdiff_t at = mesh_index(b, n->node[0] - b->lo[0], n->node[1] - b->lo[1], n->node[2] - b->lo[2]);
     const double mass = field_get(f, N_MASS, n->group, 0)[at], undamped = damping_left(s);
-    const unsigned held = node_constraints(s, n->group, n->node);
+    const unsigned fixed = node_constraints(s, n->group, n->node);
     for (int c = 0; c < s->mesh->dim; ++c) {
         const bool bears = mass > small_node(s);
         const double momentum = field_get(f, N_MOMENTUM, n->group, c)[at],
@@ -92,9 +92,9 @@ static void describe_node(const mpm *s, inertia_node *n)
         n->before[c] = mass > 0.0 ? momentum / mass : 0.0;
         n->give[c] = bears ? s->kick / mass : 0.0;
         n->to[c] = undamped * n->before[c] + n->give[c] * force;
-        if (!is_constrained(held, c)) continue;
+        if (!is_constrained(fixed, c)) continue;
         n->give[c] = 0.0;
-        n->before[c] = n->to[c] = held_velocity(s, n->group, n->node, c);
+        n->before[c] = n->to[c] = prescribed_velocity(s, n->group, n->node, c);
     }
 }
 
