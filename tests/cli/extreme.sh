@@ -8,11 +8,15 @@ for deck in "$FLOE_SOURCE"/inputs/extreme/*.yaml; do
 done
 expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/vacuum.yaml" --couplings ice -o vacuum
 has stdout '12 cases: 12 right, 0 refused, 0 wrong'
-expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --couplings ice-mpm --axis materials.plate.density=0.014,1.4e-06 --axis method.interface=sharp --axis time.cfl=0.9 \
+expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --couplings ice-mpm --axis materials.plate.density=0.00014,1.4e-06 --axis method.interface=sharp --axis time.cfl=0.9 \
     --axis materials.fluid.eos.stiffened.gamma=4.4 -o light
 has stdout '2 cases: 1 right, 1 refused, 0 wrong'
-expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=0.0014 -o lighter
-has stderr "is 0.001 times as heavy as the fluid beside it (1.4 kg/m3), and no interface bears less than 0.009"
+expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=0.0014 --set method.interface=smeared -o lighter
+has stderr "is 0.001 times as heavy as the fluid beside it (1.4 kg/m3), and the smeared interface bears no less than 0.009: use method.interface: sharp with basis: quadratic,"
+expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=0.0014 --set method.basis=gimp -o lighter
+has stderr "and a surface with this basis bears no less than 0.009"
+expect 2 "$FLOE" run "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --set materials.plate.density=1.4e-06 -o lighter
+has stderr "is 1e-06 times as heavy as the fluid beside it (1.4 kg/m3), and a surface bears no less than 9e-05: make it heavier"
 
 # A liquid at next to no pressure slips along a wall a million times as heavy: its viscosity there is that of the liquid alone.
 expect 0 "$FLOE" study "$FLOE_SOURCE/inputs/extreme/impedance.yaml" --couplings ice-mpm --axis materials.plate.density=1400000 --axis method.interface=smeared -o heavy
