@@ -50,9 +50,9 @@ typedef struct cut_cell {
     int cell[3];       /* global */
     double open;       /* open fraction: share of its volume inside the boundary */
     double face[3][2]; /* apertures of its faces, by axis and side */
-    double
-        moment[3]; /* m: of its open part, about the cell's centre, over the cell's volume; about an axis not of [0] */
-    double upper;  /* m2: moment along axis 1 of its upper face across axis 0: scratch of the walk */
+    double moment
+        [3];      /* m: of its open part, about the cell's centre, about an axis its centroid, over the cell's volume */
+    double upper; /* m2: moment along axis 1 of its upper face across axis 0: scratch of the walk */
     /* Scratch. In the plane crossings of each face, by axis and side; on a line those along the cell, in [0][0]; in space
      * those of the edges along each axis (cut_space.c). */
     int jump[3][4];

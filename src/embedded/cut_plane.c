@@ -3,17 +3,27 @@
 
 #include <math.h>
 
+/* Integral of the weight of areas times the distance from the cell's centroid, along axis 0 from its lower side. */
+static double moment_to(const mesh *m, int cell, double x)
+{
+    if (m->geometry != MESH_AXISYMMETRIC) {
+        const double across = x - mesh_centre(m, 0, cell), half = 0.5 * m->h[0];
+        return 0.5 * (across * across - half * half);
+    }
+    const double low = mesh_node(m, 0, cell), high = mesh_node(m, 0, cell + 1);
+    const double centroid = 2.0 / 3.0 * (low * low + low * high + high * high) / (low + high);
+    return (x * x * x - low * low * low) / 3.0 - 0.5 * centroid * (x * x - low * low);
+}
+
 /* Green's theorem, by Simpson's rule, which is exact for what is cubic along a straight piece. */
 static cut_part part_of(const mesh *m, const int cell[3], const double from[2], const double to[2])
 {
     static const double weight[3] = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
-    const double left = cut_weight_to(m, mesh_node(m, 0, cell[0])), half = 0.5 * m->h[0], up = to[1] - from[1];
-    const bool plane = m->geometry != MESH_AXISYMMETRIC;
+    const double left = cut_weight_to(m, mesh_node(m, 0, cell[0])), up = to[1] - from[1];
     cut_part p = {0.0, {0.0}};
     for (int k = 0; k < 3; ++k) {
         const double x = from[0] + 0.5 * k * (to[0] - from[0]), y = from[1] + 0.5 * k * up;
-        const double across = x - mesh_centre(m, 0, cell[0]);
-        if (plane) p.moment[0] += weight[k] * up * 0.5 * (across * across - half * half);
+        p.moment[0] += weight[k] * up * moment_to(m, cell[0], x);
         p.moment[1] += weight[k] * up * (cut_weight_to(m, x) - left) * (y - mesh_centre(m, 1, cell[1]));
     }
     const double middle = 0.5 * (from[0] + to[0]);

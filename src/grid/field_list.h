@@ -128,6 +128,8 @@
     X(C_DIFFUSION_HEAT, "diffusion_heat", CELL, SCALAR, "W/m3", SCRATCH, "dissipation and conduction into fluids")   \
     X(C_DIFFUSION_T, "diffusion_temperature", CELL, SCALAR, "K", SCRATCH,                                            \
       "T of fluids that conduct; at half the step after the sources")                                                \
+    X(C_VEL_CENTRED, "velocity_centred", CELL, VECTOR, "m/s", SCRATCH,                                               \
+      "u^r of viscous fluids at the centres of cells, those that embedded boundaries cut and next to them included") \
     X(C_MOMENTUM_L, "momentum_lagrangian", CELL, VECTOR, "kg m/s", SCRATCH,                                          \
       "(m u)^r,L of materials carried by points")                                                                    \
     X(C_STRESS_ACCEL, "stress_acceleration", CELL, VECTOR, "m/s2", STATE,                                            \

@@ -145,6 +145,11 @@
 
 /* A cell of which less than this is open to a gas is merged with a neighbour. Larger merges more cells than the step needs, smaller bounds the step. */
 #define ICE_SMALL_CELL 0.5
+/* The flow beside a boundary is fitted to values that lie beyond it by less than this, of a cell (theory 7.6): larger would see what is
+ * behind a wall of one cell, smaller less of the flow about a bent one. */
+#define ICE_WALL_BEYOND 0.5
+/* Least distance, of a cell, over which a fluid's own velocity drags a boundary: smaller would bound the step, larger leave more to the fit. */
+#define ICE_WALL_DISTANCE 0.25
 /* Volume fractions of fluids in what is open of a cell that differ by more from those in the whole cell, by samples, are
  * taken. Smaller would take the error of the samples for a difference. */
 #define ICE_SAMPLED_DIFFERENCE 0.1

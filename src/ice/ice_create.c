@@ -192,6 +192,7 @@ static field_owner owner_of(field_id id)
     case C_ENERGY_FOUND:
     case C_VOLUME_FOUND:
     case C_DIFFUSION:
+    case C_VEL_CENTRED:
     case C_DIFFUSION_HEAT:
     case C_DIFFUSION_T: return OWNER_FLUIDS;
     case C_STRESS_ACCEL:

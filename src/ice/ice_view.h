@@ -36,7 +36,9 @@ typedef struct ice_fluid {
     double *source[3], *mom[3], *dv[3], *stress[3]; /* materials carried by points; stress: C_STRESS_ACCEL */
     double *dT;                                     /* of these, by heat exchange; NULL: there is none */
     double *diff[3], *heat, *diffT;                 /* ice_diffusion.c */
-    double *mobility[3];                            /* at faces, of the implicit pressure */
+    double *
+        centred[3]; /* beside embedded boundaries: velocities at the centres of cells; NULL where no fluid is viscous */
+    double *mobility[3];  /* at faces, of the implicit pressure */
     const ice_span *near; /* of each row, with ghosts: cells that may be near the material; NULL: all */
 } ice_fluid;
 

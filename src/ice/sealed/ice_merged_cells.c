@@ -1,5 +1,6 @@
 /* Merged cells: which cells share a state (ice_merged_cells.h). */
 #include "ice/sealed/ice_merged_cells.h"
+#include "ice/sealed/ice_wall_flow.h"
 
 #include "base/memory.h"
 #include "ice/ice_constants.h"
@@ -356,7 +357,7 @@ floe_status ice_merge_cells(ice *s, ice_merge_time when, ice_merged_cells *out)
     for (int k = 0; k < out->n; ++k) TRY(root_member(s, &l, out, k));
     join_thin_gaps(s, &l, out);
     number_merged_cells(out);
-    if (ice_has_weight(s)) ice_merged_centre(s, l.at[0], out);
+    if (ice_has_weight(s) || ice_is_viscous(s)) ice_merged_centre(s, l.at[0], out);
     return FLOE_OK;
 }
 
@@ -441,6 +442,7 @@ void ice_sealing_destroy(context *ctx, ice_sealing **w)
     for (int g = 0; g < ICE_SEALED_GASES; ++g) {
         free_merged_cells(ctx, &(*w)->now[g]);
         free_merged_cells(ctx, &(*w)->next[g]);
+        ice_wall_flow_destroy(ctx, &(*w)->wall[g]);
     }
     memory_free(ctx, &(*w)->view);
     memory_free(ctx, w);

@@ -17,7 +17,8 @@ typedef struct ice_member {
     int block, merged; /* merged: index of its merged cell */
     ptrdiff_t at;      /* index in the block */
     double open;       /* open fraction of the gas */
-    double above[3];   /* m: of the cell's centre from the open centroid of its merged cells; 0 without gravity */
+    double above
+        [3]; /* m: of the cell's centre from the open centroid of its merged cells; 0 without gravity or viscosity */
     double face[3][2]; /* mean apertures of its faces in the step, by axis and side */
 } ice_member;
 
@@ -61,9 +62,10 @@ typedef struct ice_merged_cells {
 
 typedef struct ice_sealing {
     ice_merged_cells now[ICE_SEALED_GASES], next[ICE_SEALED_GASES];
-    fluid_state rest[ICE_SEALED_GASES]; /* state of each gas in cells far from it */
-    double usual[ICE_MAX_MATERIALS];    /* kg/m3: density of each fluid at the start */
-    ice_view *view;                     /* of every block, for one region at a time (ice_seal_views); owned */
+    fluid_state rest[ICE_SEALED_GASES];           /* state of each gas in cells far from it */
+    double usual[ICE_MAX_MATERIALS];              /* kg/m3: density of each fluid at the start */
+    struct ice_wall_flow *wall[ICE_SEALED_GASES]; /* NULL where no fluid is viscous; owned */
+    ice_view *view;                               /* of every block, for one region at a time (ice_seal_views); owned */
 } ice_sealing;
 
 /* At which positions of the boundaries cells are merged: before the points move, over the step, and after it. */

@@ -10,7 +10,9 @@
  * piece, so that they include the weight of the cells (ice_merged_weight.c). A viscous fluid sticks to it: over half a cell it drags the
  * wall with theta mu |A_w| (u - v)/(h/2), and is dragged as much. No heat passes. Where there is no gas on the other side, the reference
  * pressure pushes on the wall from there. */
+#include "ice/sealed/ice_merged_cells.h"
 #include "ice/sealed/ice_merged_pieces.h"
+#include "ice/sealed/ice_wall_flow.h"
 
 #include "ice/exchange/ice_exchange.h"
 #include "ice/ice_constants.h"
@@ -19,6 +21,7 @@
 #include "ice/state/ice_cells.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Area (m2) of the whole lower or upper face of a member's cell. */
 double ice_member_area(const ice *s, const ice_member *k, int axis, int side)
@@ -29,11 +32,6 @@ double ice_member_area(const ice *s, const ice_member *k, int axis, int side)
 ptrdiff_t ice_member_face(const ice_view *v, const ice_member *k, int axis, int side)
 {
     return k->at + (side == SIDE_UPPER ? v->b->stride[axis] : 0);
-}
-
-static double piece_size(const cut_piece *q)
-{
-    return q->area[2] == 0.0 ? hypot(q->area[0], q->area[1]) : hypot(hypot(q->area[0], q->area[1]), q->area[2]);
 }
 
 /* Of the middle of a piece from the centre of its cell. */
@@ -61,6 +59,18 @@ typedef struct piece_force {
     double all[3], drag[ICE_MAX_MATERIALS][3];
 } piece_force;
 
+static wall_place place_of(const ice_piece_walk *w)
+{
+    const cut_surface *c = &w->line->place[w->place];
+    wall_place to = {.cell = w->member->cell};
+    for (int a = 0; a < w->s->mesh->dim; ++a) {
+        to.x[a] = cut_at_middle(c, w->piece, a);
+        to.v[a] = ice_at_middle(w->piece, w->s->mesh->dim, w->line->velocity, a);
+        to.area[a] = w->outward * w->piece->area[a];
+    }
+    return to;
+}
+
 static void force_on(const ice_piece_walk *w, piece_force *f)
 {
     const ice *s = w->s;
@@ -69,12 +79,18 @@ static void force_on(const ice_piece_walk *w, piece_force *f)
     const ice_view *v = ice_member_view(s, w->member);
     const double P = pressure_on(w);
     for (int a = 0; a < s->mesh->dim; ++a) f->all[a] = w->outward * P * q->area[a];
+    if (!s->sealing->wall[w->p->region->number]) {
+        memset(f->drag, 0, sizeof f->drag);
+        return;
+    }
+    const wall_place place = place_of(w);
     for (int r = 0; r < v->n_materials; ++r) {
         const double share = v->multi ? v->m[r].theta[at] : 1.0;
-        const double drag = share * (2.0 * v->material[r].shear_viscosity / v->finest * piece_size(q));
+        double drag[3];
+        ice_wall_drag(s, w->p->region, r, &place, drag);
         for (int a = 0; a < s->mesh->dim; ++a) {
             const double before = f->all[a];
-            f->all[a] = before + drag * (v->m[r].u[a][at] - ice_at_middle(q, s->mesh->dim, w->line->velocity, a));
+            f->all[a] = before + share * drag[a];
             f->drag[r][a] = f->all[a] - before; /* what the fluid loses is what the piece has, to the bit */
         }
     }

@@ -4,6 +4,7 @@
  * the step; and the state of a gas is extrapolated into cells without it, for the differences near the boundary.
  * Nothing crosses the boundary, whatever the step, the mesh or the pressures. */
 #include "ice/sealed/ice_merged_cells.h"
+#include "ice/sealed/ice_wall_flow.h"
 
 #include "ice/equilibrium/ice_equilibrium.h"
 #include "ice/exchange/ice_exchange.h"
@@ -14,6 +15,7 @@
 #include "ice/sides/ice_sides.h"
 #include "ice/source/ice_source.h"
 #include "ice/state/ice_cells.h"
+#include "ice/state/ice_materials.h"
 #include "ice/state/ice_traced.h"
 
 #include <math.h>
@@ -144,6 +146,12 @@ static floe_status find_pressure(ice *s, const ice_region *g)
 floe_status ice_sealed_pressure(ice *s)
 {
     return for_regions(s, find_pressure);
+}
+
+/* What viscous fluids see of the boundaries in the step. */
+floe_status ice_sealed_wall_flow(ice *s)
+{
+    return for_regions(s, ice_find_wall_flow);
 }
 
 static floe_status find_velocity(ice *s, const ice_region *g)
@@ -478,6 +486,7 @@ floe_status ice_sealed_pressure_stages(ice *s)
                  WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM), WHEN(m, C_VEL_MEAN),
                  WHEN(m, C_MIXED), WHEN(m, C_INTERFACE), WHEN(m, C_ENERGY_FOUND), WHEN(m, C_VOLUME_FOUND),
                  WHEN(r, C_REACTED), WHEN(slips, C_WALL), WHEN(slips, C_OPEN)));
+    STAGE(s, ice_is_viscous(s), ice_sealed_wall_flow, READS(C_RHO, C_VEL, C_OPEN), WRITES(C_VEL_CENTRED));
     STAGE(s, ALWAYS, ice_sealed_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(slips, C_WALL), WHEN(t, C_ENERGY),
@@ -506,7 +515,8 @@ floe_status ice_sealed_flow_stages(ice *s)
           READS(C_RHO, C_VEL, C_ENERGY, C_OPEN, F_PRESSURE, F_VEL, C_DP, C_PRESSURE_ADVANCED, C_SOUND, C_PRESSURE,
                 WHEN(m, F_FLUX), WHEN(m, C_THETA), WHEN(m, C_KAPPA), WHEN(m, C_KAPPA_SUM), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(m, C_TEMP), WHEN(m, C_INTERFACE), WHEN(m, C_SHOCK),
-                WHEN(m && ice_has_diffusion(s), C_VEL_MEAN), WHEN(r, C_REACTED), WHEN(slips, C_WALL)),
+                WHEN(m && ice_has_diffusion(s), C_VEL_MEAN), WHEN(ice_is_viscous(s), C_VEL_CENTRED), WHEN(r, C_REACTED),
+                WHEN(slips, C_WALL)),
           WRITES(C_VEL_L, C_ENERGY_L, F_VEL, WHEN(m, F_FLUX), WHEN(m, C_HEAT_OWED), WHEN(m, C_VOLUME_L),
                  WHEN(k, C_DIFFUSION_T), WHEN(r, C_RHO_L)));
     STAGE(s, ALWAYS, ice_sealed_advect,

@@ -378,10 +378,12 @@ void ice_diffuse(const ice *s, const ice_region *g)
 
 /* ---- beside embedded boundaries ---- */
 
+/* At t^n, with velocities at the centres of cells where a fluid is viscous (theory 7.6). */
 static diffusing sealed_now(const ice_view *v, int r)
 {
     const ice_fluid *m = &v->m[r];
-    return diffusing_of(v, r, (const double *const[3]){m->u[0], m->u[1], m->u[2]}, m->diffT);
+    double *const *u = m->centred[0] ? m->centred : m->u;
+    return diffusing_of(v, r, (const double *const[3]){u[0], u[1], u[2]}, m->diffT);
 }
 
 static void apply_sealed(const ice *s, const ice_view *v, int r)

@@ -34,6 +34,7 @@ static void gather_material(const fields *f, int r, int dim, ice_fluid *m)
     m->diffT = field_get(f, C_DIFFUSION_T, r, 0);
     m->dT = field_get(f, C_TEMP_CHANGE, r, 0);
     view_vector(f, field_get, C_DIFFUSION, r, dim, m->diff);
+    view_vector(f, field_get, C_VEL_CENTRED, r, dim, m->centred);
     view_vector(f, field_get, C_VEL, r, dim, m->u);
     view_vector(f, field_next, C_VEL, r, dim, m->u1);
     view_vector(f, field_get, C_VEL_L, r, dim, m->ul);

@@ -1,0 +1,464 @@
+/* The flow beside embedded boundaries (ice_wall_flow.h; theory 7.6). In every cell that a boundary cuts, and in covered ones beside them, a
+ * polynomial of the second degree is fitted to the velocities about it by least squares,
+ *
+ *     u(x) = u_0 + P(x),    sum_i w_i |P(x_i) - (u_i - u_0)|^2 = min,    w = share / (1/4 + |x_i - x_0|^2/h^2)^2,
+ *
+ * of fluid at the centroids of what is open, and of the boundary at the middle of its pieces. Values of what is beyond a thin wall are left out. The
+ * fit has no say over a state of its own: a cell's velocity is taken from its centroid to its centre by the fit's difference, and the
+ * gradient at a piece has the fit's miss at the boundary less that at the centroid over their distance. So each cell feels its own drag, whatever the
+ * fit smooths. */
+#include "ice/sealed/ice_wall_flow.h"
+
+#include "base/memory.h"
+#include "ice/ice_constants.h"
+#include "ice/sides/ice_sides.h"
+#include "ice/state/ice_cells.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    TERMS = 10, /* 1, x, y, z, xx, yy, zz, yz, zx, xy */
+    AROUND = 2  /* cells to each side */
+};
+
+/* Of a fluid: its state, what the fit misses there, and the coefficients. */
+typedef struct fluid_fit {
+    double u[3], miss[3], term[3][TERMS];
+} fluid_fit;
+
+/* A cell with a fit. */
+typedef struct fit_cell {
+    int cell[3], host;             /* global; the fit whose state a covered cell starts from; itself where it is open */
+    double centre[3], centroid[3]; /* m: of the fit; of the state of its merged cells */
+    double outward[3], wall[3];    /* normal of the wall beside it and a place there; 0 where none is near */
+} fit_cell;
+
+/* A piece of a boundary at t^n. */
+typedef struct wall_sample {
+    wall_place place;
+    double size;
+    int next; /* in the same cell; -1: none */
+} wall_sample;
+
+typedef struct ice_wall_flow {
+    int *fit_of;         /* of every global cell; -1: it has none; owned */
+    int *first;          /* of each fit the first piece in its cell; -1: none; owned */
+    fit_cell *cell;      /* owned */
+    fluid_fit *fluid;    /* of each fit, as many as fluids in the region; owned */
+    wall_sample *sample; /* owned */
+    int n, n_samples;
+    size_t reserved, reserved_samples;
+} ice_wall_flow;
+
+void ice_wall_flow_destroy(context *ctx, ice_wall_flow **w)
+{
+    if (!*w) return;
+    memory_free(ctx, &(*w)->fit_of);
+    memory_free(ctx, &(*w)->first);
+    memory_free(ctx, &(*w)->cell);
+    memory_free(ctx, &(*w)->fluid);
+    memory_free(ctx, &(*w)->sample);
+    memory_free(ctx, w);
+}
+
+static floe_status flow_of(ice *s, const ice_region *g, ice_wall_flow **out)
+{
+    ice_wall_flow **w = &s->sealing->wall[g->number];
+    if (!*w) {
+        const size_t cells = mesh_cells(s->mesh);
+        TRY(memory_new(s->ctx, w, 1, sizeof **w));
+        TRY(memory_new(s->ctx, &(*w)->fit_of, cells, sizeof *(*w)->fit_of));
+        for (size_t k = 0; k < cells; ++k) (*w)->fit_of[k] = -1;
+    }
+    *out = *w;
+    return FLOE_OK;
+}
+
+/* ---- which cells ---- */
+
+static floe_status add_fit(ice *s, const ice_region *g, ice_wall_flow *w, const int cell[3], int host)
+{
+    if ((size_t)w->n >= w->reserved) {
+        const size_t wanted = w->reserved + w->reserved / 2 + 64;
+        TRY(memory_resize(s->ctx, &w->cell, wanted, sizeof *w->cell));
+        TRY(memory_resize(s->ctx, &w->first, wanted, sizeof *w->first));
+        TRY(memory_resize(s->ctx, &w->fluid, wanted * (size_t)g->n, sizeof *w->fluid));
+        w->reserved = wanted;
+    }
+    fit_cell *f = &w->cell[w->n];
+    memset(f, 0, sizeof *f);
+    memcpy(f->cell, cell, sizeof f->cell);
+    f->host = host < 0 ? w->n : host;
+    for (int a = 0; a < s->mesh->dim; ++a) f->centre[a] = f->centroid[a] = mesh_centre(s->mesh, a, cell[a]);
+    w->first[w->n] = -1;
+    w->fit_of[cut_index(s->mesh, cell)] = w->n++;
+    return FLOE_OK;
+}
+
+/* Another cell by steps along the axes, around periodic sides; false beyond the others. shift: m, of its place from where it
+ * seems to be. */
+static bool step_to(const mesh *m, const int from[3], const int step[3], int cell[3], double shift[3])
+{
+    for (int a = 0; a < 3; ++a) {
+        cell[a] = from[a] + step[a];
+        shift[a] = 0.0;
+        if (cell[a] >= 0 && cell[a] < m->n[a]) continue;
+        if (a >= m->dim || !m->periodic[a]) return false;
+        const int turns = cell[a] < 0 ? -1 : 1;
+        cell[a] -= turns * m->n[a];
+        shift[a] = turns * (m->upper[a] - m->lower[a]);
+        if (cell[a] < 0 || cell[a] >= m->n[a]) return false;
+    }
+    return true;
+}
+
+/* Steps to the cells around, up to `reach` to each side: for (int n = 0; next_step(dim, reach, &n, step);). */
+static bool next_step(int dim, int reach, int *n, int step[3])
+{
+    const int wide = 2 * reach + 1, count = dim == 1 ? wide : dim == 2 ? wide * wide : wide * wide * wide;
+    if (*n >= count) return false;
+    step[0] = *n % wide - reach;
+    step[1] = dim > 1 ? *n / wide % wide - reach : 0;
+    step[2] = dim > 2 ? *n / wide / wide - reach : 0;
+    ++*n;
+    return true;
+}
+
+static floe_status add_cells(ice *s, const ice_region *g, const ice_merged_cells *p, ice_wall_flow *w)
+{
+    for (int k = 0; k < w->n; ++k) w->fit_of[cut_index(s->mesh, w->cell[k].cell)] = -1;
+    w->n = 0;
+    for (int k = 0; k < p->n; ++k) {
+        TRY(add_fit(s, g, w, p->member[k].cell, -1));
+        for (int a = 0; a < s->mesh->dim; ++a) w->cell[k].centroid[a] -= p->member[k].above[a];
+    }
+    for (int k = 0; k < p->n; ++k) {
+        int step[3], cell[3];
+        double shift[3];
+        if (!(p->member[k].open > 0.0)) continue;
+        for (int n = 0; next_step(s->mesh->dim, 1, &n, step);) {
+            if (!step_to(s->mesh, p->member[k].cell, step, cell, shift)) continue;
+            const int fit = w->fit_of[cut_index(s->mesh, cell)];
+            if (fit < 0 && ice_open_cell(s, g->number, SEAL_NOW, cell) == 0.0) TRY(add_fit(s, g, w, cell, k));
+            if (fit >= 0 && fit < p->n && !(p->member[fit].open > 0.0) && w->cell[fit].host == fit)
+                w->cell[fit].host = k;
+        }
+    }
+    return FLOE_OK;
+}
+
+/* ---- the boundaries ---- */
+
+static double length_of(const double a[3])
+{
+    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+static void set_sample(const ice *s, const ice_seal_line *line, const cut_piece *q, double outward, wall_sample *out)
+{
+    const cut_surface *c = &line->place[SEAL_NOW];
+    *out = (wall_sample){.place = {.cell = c->cell[q->cell].cell}, .next = -1};
+    for (int a = 0; a < s->mesh->dim; ++a) {
+        out->place.x[a] = cut_at_middle(c, q, a);
+        for (int k = 0; k < s->mesh->dim; ++k) out->place.v[a] += q->weight[k] * line->velocity[3 * q->vertex[k] + a];
+        out->place.area[a] = outward * q->area[a];
+    }
+    if (s->mesh->geometry == MESH_AXISYMMETRIC)
+        for (int a = 0; a < 2; ++a) out->place.area[a] /= most(out->place.x[0], ICE_TINY);
+    out->size = length_of(out->place.area);
+}
+
+static floe_status add_samples(ice *s, const ice_region *g, ice_wall_flow *w)
+{
+    w->n_samples = 0;
+    for (int l = 0; l < s->seal.n_lines; ++l) {
+        const ice_seal_line *line = &s->seal.line[l];
+        const cut_surface *c = &line->place[SEAL_NOW];
+        const double outward = ice_outward(s, g->number, l);
+        if (outward == 0.0) continue;
+        const size_t wanted = (size_t)(w->n_samples + c->n_pieces);
+        if (wanted > w->reserved_samples) {
+            TRY(memory_resize(s->ctx, &w->sample, wanted + wanted / 2, sizeof *w->sample));
+            w->reserved_samples = wanted + wanted / 2;
+        }
+        for (int n = 0; n < c->n_pieces; ++n) {
+            wall_sample *q = &w->sample[w->n_samples];
+            set_sample(s, line, &c->piece[n], outward, q);
+            const int fit = w->fit_of[cut_index(s->mesh, q->place.cell)];
+            if (fit < 0 || !(q->size > 0.0)) continue;
+            q->next = w->first[fit];
+            w->first[fit] = w->n_samples++;
+        }
+    }
+    return FLOE_OK;
+}
+
+/* The wall of the cell itself: the mean of its pieces, with their mean normal where they do not face each other. */
+static bool own_wall(const ice_wall_flow *w, fit_cell *f, int fit)
+{
+    double size = 0.0, x[3] = {0.0}, area[3] = {0.0};
+    for (int k = w->first[fit]; k >= 0; k = w->sample[k].next) {
+        const wall_sample *q = &w->sample[k];
+        size += q->size;
+        for (int a = 0; a < 3; ++a) {
+            x[a] += q->size * q->place.x[a];
+            area[a] += q->place.area[a];
+        }
+    }
+    if (!(size > 0.0)) return false;
+    const double length = length_of(area);
+    for (int a = 0; a < 3; ++a) {
+        f->wall[a] = f->centre[a] = x[a] / size;
+        if (length > 0.1 * size) f->outward[a] = area[a] / length;
+    }
+    return true;
+}
+
+/* That of the nearest piece around. */
+static void near_wall(const mesh *m, const ice_wall_flow *w, fit_cell *f)
+{
+    double nearest = INFINITY;
+    int step[3], cell[3];
+    double shift[3];
+    for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
+        if (!step_to(m, f->cell, step, cell, shift)) continue;
+        const int fit = w->fit_of[cut_index(m, cell)];
+        for (int k = fit < 0 ? -1 : w->first[fit]; k >= 0; k = w->sample[k].next) {
+            const wall_sample *q = &w->sample[k];
+            double away = 0.0;
+            for (int a = 0; a < m->dim; ++a) away += pow((q->place.x[a] + shift[a] - f->centre[a]) / m->h[a], 2.0);
+            if (!(away < nearest)) continue;
+            nearest = away;
+            for (int a = 0; a < m->dim; ++a) {
+                f->wall[a] = q->place.x[a] + shift[a];
+                f->outward[a] = q->place.area[a] / q->size;
+            }
+        }
+    }
+}
+
+/* ---- the fit ---- */
+
+/* Least squares of up to three components at once. */
+typedef struct squares {
+    double matrix[TERMS][TERMS], right[3][TERMS], weight;
+    int terms, samples; /* samples: of fluid */
+} squares;
+
+/* Of the terms and, where asked for, of their slopes (1/m). */
+static void terms_at(const mesh *m, const fit_cell *f, const double x[3], double t[TERMS], double slope[3][TERMS])
+{
+    double y[3] = {0.0};
+    for (int a = 0; a < m->dim; ++a) y[a] = (x[a] - f->centre[a]) / m->h[a];
+    t[0] = 1.0;
+    for (int a = 0; a < 3; ++a) {
+        t[1 + a] = y[a];
+        t[4 + a] = y[a] * y[a];
+        t[7 + a] = y[(a + 1) % 3] * y[(a + 2) % 3];
+    }
+    if (!slope) return;
+    for (int b = 0; b < m->dim; ++b) {
+        memset(slope[b], 0, TERMS * sizeof(double));
+        slope[b][1 + b] = 1.0 / m->h[b];
+        slope[b][4 + b] = 2.0 * y[b] / m->h[b];
+        slope[b][7 + (b + 1) % 3] = y[(b + 2) % 3] / m->h[b];
+        slope[b][7 + (b + 2) % 3] = y[(b + 1) % 3] / m->h[b];
+    }
+}
+
+/* A value at x beside the cell's wall, not beyond it. */
+static void add_value(const mesh *m, const fit_cell *f, const double x[3], double share, const double value[3],
+                      squares *q)
+{
+    double beyond = 0.0, away = 0.0, t[TERMS];
+    for (int a = 0; a < m->dim; ++a) {
+        beyond += f->outward[a] * (x[a] - f->wall[a]) / m->h[a];
+        away += pow((x[a] - f->centre[a]) / m->h[a], 2.0);
+    }
+    if (beyond > ICE_WALL_BEYOND) return;
+    const double weight = share / pow(0.25 + away, 2.0);
+    terms_at(m, f, x, t, NULL);
+    for (int i = 0; i < TERMS; ++i) {
+        for (int j = 0; j <= i; ++j) q->matrix[i][j] += weight * t[i] * t[j];
+        for (int a = 0; a < m->dim; ++a) q->right[a][i] += weight * t[i] * value[a];
+    }
+    q->weight += weight;
+}
+
+/* By Cholesky's method. A little of the weight on every term keeps those small of which the values say nothing. */
+static void solve_squares(squares *q, int dim, double term[3][TERMS])
+{
+    for (int i = 1; i < TERMS; ++i) q->matrix[i][i] += q->weight * (i < 4 ? 1e-9 : 1e-5);
+    for (int i = 0; i < TERMS; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double sum = q->matrix[i][j];
+            for (int k = 0; k < j; ++k) sum -= q->matrix[i][k] * q->matrix[j][k];
+            q->matrix[i][j] = i == j ? sqrt(sum) : sum / q->matrix[j][j];
+        }
+    for (int a = 0; a < dim; ++a) {
+        double *x = term[a];
+        for (int i = 0; i < TERMS; ++i) {
+            x[i] = q->right[a][i];
+            for (int k = 0; k < i; ++k) x[i] -= q->matrix[i][k] * x[k];
+            x[i] /= q->matrix[i][i];
+        }
+        for (int i = TERMS; i-- > 0;) {
+            for (int k = i + 1; k < TERMS; ++k) x[i] -= q->matrix[k][i] * x[k];
+            x[i] /= q->matrix[i][i];
+        }
+    }
+}
+
+/* Velocity of fluid r in a cell; returns what is open of the cell, 0 where there is none of the fluid. */
+static double state_in(const ice *s, int r, const int cell[3], double u[3])
+{
+    const ice_view *v = &s->sealing->view[mesh_block_of(s->mesh, cell)];
+    const ptrdiff_t at = mesh_index(v->b, cell[0] - v->b->lo[0], cell[1] - v->b->lo[1], cell[2] - v->b->lo[2]);
+    const ice_fluid *m = &v->m[r];
+    for (int a = 0; a < s->mesh->dim; ++a) u[a] = m->u[a][at];
+    return m->rho[at] > 0.0 ? m->open[at] : 0.0;
+}
+
+static void add_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, const double u0[3], squares *q)
+{
+    const mesh *m = s->mesh;
+    int step[3], cell[3];
+    double shift[3], x[3] = {0.0}, u[3] = {0.0};
+    for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
+        if (!step_to(m, f->cell, step, cell, shift)) continue;
+        const double open = state_in(s, r, cell, u);
+        if (!(open > 0.0)) continue;
+        const int fit = w->fit_of[cut_index(m, cell)];
+        for (int a = 0; a < m->dim; ++a) {
+            x[a] = (fit < 0 ? mesh_centre(m, a, cell[a]) : w->cell[fit].centroid[a]) + shift[a];
+            u[a] -= u0[a];
+        }
+        add_value(m, f, x, open, u, q);
+        q->samples++;
+    }
+}
+
+static void add_walls(const mesh *m, const ice_wall_flow *w, const fit_cell *f, const double u0[3], squares *q)
+{
+    int step[3], cell[3];
+    double shift[3], x[3] = {0.0}, u[3] = {0.0}, across = 1.0;
+    for (int a = 0; a < m->dim; ++a) across = a == 0 ? m->h[a] : least(across, m->h[a]);
+    const double area = m->dim == 1 ? 1.0 : m->dim == 2 ? across : across * across;
+    for (int n = 0; next_step(m->dim, AROUND, &n, step);) {
+        if (!step_to(m, f->cell, step, cell, shift)) continue;
+        const int fit = w->fit_of[cut_index(m, cell)];
+        for (int k = fit < 0 ? -1 : w->first[fit]; k >= 0; k = w->sample[k].next) {
+            const wall_sample *p = &w->sample[k];
+            for (int a = 0; a < m->dim; ++a) {
+                x[a] = p->place.x[a] + shift[a];
+                u[a] = p->place.v[a] - u0[a];
+            }
+            add_value(m, f, x, 2.0 * least(1.0, p->size / area), u, q);
+        }
+    }
+}
+
+static double sum_of(const double t[TERMS], const double term[TERMS])
+{
+    double sum = 0.0;
+    for (int i = 0; i < TERMS; ++i) sum += t[i] * term[i];
+    return sum;
+}
+
+static void fit_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, fluid_fit *out)
+{
+    squares q = {.weight = 0.0};
+    double t[TERMS];
+    memset(out, 0, sizeof *out);
+    (void)state_in(s, r, w->cell[f->host].cell, out->u);
+    add_fluid(s, w, f, r, out->u, &q);
+    if (q.samples <= s->mesh->dim) return;
+    add_walls(s->mesh, w, f, out->u, &q);
+    solve_squares(&q, s->mesh->dim, out->term);
+    terms_at(s->mesh, f, f->centroid, t, NULL);
+    for (int a = 0; a < s->mesh->dim; ++a) out->miss[a] = -sum_of(t, out->term[a]);
+}
+
+/* ---- what it gives ---- */
+
+/* The velocity at the centre of the cell. */
+static void store_centre(const ice *s, const ice_wall_flow *w, const fit_cell *f, int r, const fluid_fit *of)
+{
+    const ice_view *v = &s->sealing->view[mesh_block_of(s->mesh, f->cell)];
+    const ptrdiff_t at = mesh_index(v->b, f->cell[0] - v->b->lo[0], f->cell[1] - v->b->lo[1], f->cell[2] - v->b->lo[2]);
+    const bool open = &w->cell[f->host] == f;
+    double x[3] = {0.0}, t[TERMS];
+    for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, f->cell[a]);
+    terms_at(s->mesh, f, x, t, NULL);
+    for (int a = 0; a < s->mesh->dim; ++a)
+        v->m[r].centred[a][at] = of->u[a] + sum_of(t, of->term[a]) + (open ? of->miss[a] : 0.0);
+}
+
+static void copy_velocities(const ice *s)
+{
+    for (int id = 0; id < s->mesh->n_blocks; ++id) {
+        const ice_view *v = &s->sealing->view[id];
+        for (ice_walk c = ICE_FIRST; ice_next_cell(v->b, &c);)
+            for (int r = 0; r < v->n_materials; ++r)
+                for (int a = 0; a < v->dim; ++a) v->m[r].centred[a][c.at] = v->m[r].u[a][c.at];
+    }
+}
+
+floe_status ice_find_wall_flow(ice *s, const ice_region *g)
+{
+    ice_wall_flow *w;
+    TRY(flow_of(s, g, &w));
+    ice_seal_views(s, g);
+    TRY(add_cells(s, g, &s->sealing->now[g->number], w));
+    TRY(add_samples(s, g, w));
+    copy_velocities(s);
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < w->n; ++k) {
+        fit_cell *f = &w->cell[k];
+        if (!own_wall(w, f, k)) near_wall(s->mesh, w, f);
+        for (int r = 0; r < g->n; ++r) {
+            fluid_fit *of = &w->fluid[k * g->n + r];
+            fit_fluid(s, w, f, r, of);
+            store_centre(s, w, f, r, of);
+        }
+    }
+    for (int r = 0; r < g->n; ++r) ice_fill_ghosts(s, C_VEL_CENTRED, g->first + r, FILL_CURRENT, GHOST_VELOCITY);
+    return FLOE_OK;
+}
+
+/* Gradient of the velocity, by component and axis. */
+static void gradient_at(const ice *s, const fit_cell *f, const fluid_fit *of, const wall_place *w, double G[3][3])
+{
+    const mesh *m = s->mesh;
+    const double size = length_of(w->area);
+    double t[TERMS], slope[3][TERMS], away = 0.0, finest = m->h[0];
+    for (int a = 0; a < m->dim; ++a) {
+        away -= w->area[a] / size * (f->centroid[a] - w->x[a]);
+        finest = least(finest, m->h[a]);
+    }
+    away = most(away, ICE_WALL_DISTANCE * finest);
+    terms_at(m, f, w->x, t, slope);
+    for (int a = 0; a < m->dim; ++a) {
+        const double rest = of->miss[a] - (w->v[a] - of->u[a] - sum_of(t, of->term[a]));
+        for (int b = 0; b < m->dim; ++b) G[a][b] = sum_of(slope[b], of->term[a]) - rest / away * w->area[b] / size;
+    }
+}
+
+void ice_wall_drag(const ice *s, const ice_region *g, int r, const wall_place *w, double drag[3])
+{
+    const ice_wall_flow *flow = s->sealing->wall[g->number];
+    const ice_material *m = &s->material[g->first + r];
+    const int dim = s->mesh->dim, fit = flow->fit_of[cut_index(s->mesh, w->cell)];
+    const double mu = m->shear_viscosity, dilatation = m->bulk_viscosity - 2.0 / 3.0 * mu;
+    double G[3][3], div = 0.0;
+    for (int a = 0; a < dim; ++a) drag[a] = 0.0;
+    if (fit < 0 || !(length_of(w->area) > 0.0)) return;
+    gradient_at(s, &flow->cell[fit], &flow->fluid[fit * g->n + r], w, G);
+    for (int a = 0; a < dim; ++a) div += G[a][a];
+    if (s->mesh->geometry == MESH_AXISYMMETRIC) div += w->x[0] > 0.0 ? w->v[0] / w->x[0] : G[0][0];
+    for (int a = 0; a < dim; ++a) {
+        for (int b = 0; b < dim; ++b) drag[a] -= mu * (G[a][b] + G[b][a]) * w->area[b];
+        drag[a] -= dilatation * div * w->area[a];
+    }
+}
