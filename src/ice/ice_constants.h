@@ -150,6 +150,9 @@
 #define ICE_WALL_BEYOND 0.5
 /* Least distance, of a cell, over which a fluid's own velocity drags a boundary: smaller would bound the step, larger leave more to the fit. */
 #define ICE_WALL_DISTANCE 0.25
+/* Of the largest step of viscosity, so much is taken in scenes with such boundaries, however small their cells: a cell that is open by half
+ * has its wall at a quarter of a cell. At 0.7 a cylinder and its flow are stable, at 1 not. */
+#define ICE_WALL_DIFFUSION 0.5
 /* Volume fractions of fluids in what is open of a cell that differ by more from those in the whole cell, by samples, are
  * taken. Smaller would take the error of the samples for a difference. */
 #define ICE_SAMPLED_DIFFERENCE 0.1

@@ -1,6 +1,6 @@
 /* The time step (theory 2.14): dt <= C / max over cells and materials of [sum |u_i|/h_i + b c (sum h_i^-2)^1/2], b = sqrt 2
  * where phi = 1, else 1; with the implicit pressure C / max sum |u_i|/h_i, and sound may cross acoustic_cfl cells; diffusion
- * dt <= 0.9 / (2 D sum h_i^-2), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces
+ * dt <= 0.9 / (2 D sum h_i^-2) (half of that of viscosity beside embedded boundaries), D the larger of (4/3 mu + zeta)/rho and k/(rho c_v); gravity dt <= (h/|g|)^1/2. Traces
  * (theta < 1e-6) are left out.
  *
  * A fluid that is tied to the others of its cell faster than sound crosses the cell carries sound at Wood's speed of the mixture,
@@ -26,7 +26,7 @@ static void raise_to(rates *to, rates x)
     to->diffusion = most(to->diffusion, x.diffusion);
 }
 
-/* What is the same in all cells of a material: b, (sum h_i^-2)^1/2, 4/3 mu + zeta and k. */
+/* What is the same in all cells of a material: b, (sum h_i^-2)^1/2, 4/3 mu + zeta, beside embedded boundaries as if by that much larger, and k. */
 typedef struct rate_factors {
     double centring, root, viscosity, conductivity;
 } rate_factors;
@@ -38,7 +38,8 @@ static rate_factors factors_of(const ice *s, const ice_view *v, int r)
     double inverse_square = 0.0;
     for (int a = 0; a < v->dim; ++a) inverse_square += v->inv_h[a] * v->inv_h[a];
     return (rate_factors){full ? sqrt(2.0) : 1.0, sqrt(inverse_square),
-                          4.0 / 3.0 * m->shear_viscosity + m->bulk_viscosity, m->conductivity};
+                          (4.0 / 3.0 * m->shear_viscosity + m->bulk_viscosity) / (s->cut ? ICE_WALL_DIFFUSION : 1.0),
+                          m->conductivity};
 }
 
 static rates cell_rates(const ice_view *v, int r, const rate_factors *f, ptrdiff_t at, double rho, double c, double cv)

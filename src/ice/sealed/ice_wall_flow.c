@@ -18,7 +18,7 @@
 #include <string.h>
 
 enum {
-    TERMS = 10, /* 1, x, y, z, xx, yy, zz, yz, zx, xy */
+    TERMS = 10, /* 1, x, xx, y, yy, xy, z, zz, yz, zx: as many as the mesh has dimensions, 3, 6 or 10 */
     AROUND = 2  /* cells to each side */
 };
 
@@ -243,27 +243,40 @@ static void near_wall(const mesh *m, const ice_wall_flow *w, fit_cell *f)
 /* Least squares of up to three components at once. */
 typedef struct squares {
     double matrix[TERMS][TERMS], right[3][TERMS], weight;
-    int terms, samples; /* samples: of fluid */
+    int samples; /* of fluid */
 } squares;
 
-/* Of the terms and, where asked for, of their slopes (1/m). */
-static void terms_at(const mesh *m, const fit_cell *f, const double x[3], double t[TERMS], double slope[3][TERMS])
+static int count_terms(int dim)
+{
+    return (dim + 1) * (dim + 2) / 2;
+}
+
+/* Where the terms of an axis, of its square, and of its product with the next stand. */
+static const int linear[3] = {1, 3, 6}, square[3] = {2, 4, 7}, product[3] = {5, 8, 9};
+
+static void terms_at(const mesh *m, const fit_cell *f, const double x[3], double t[TERMS])
 {
     double y[3] = {0.0};
     for (int a = 0; a < m->dim; ++a) y[a] = (x[a] - f->centre[a]) / m->h[a];
     t[0] = 1.0;
     for (int a = 0; a < 3; ++a) {
-        t[1 + a] = y[a];
-        t[4 + a] = y[a] * y[a];
-        t[7 + a] = y[(a + 1) % 3] * y[(a + 2) % 3];
+        t[linear[a]] = y[a];
+        t[square[a]] = y[a] * y[a];
+        t[product[a]] = y[a] * y[(a + 1) % 3];
     }
-    if (!slope) return;
-    for (int b = 0; b < m->dim; ++b) {
-        memset(slope[b], 0, TERMS * sizeof(double));
-        slope[b][1 + b] = 1.0 / m->h[b];
-        slope[b][4 + b] = 2.0 * y[b] / m->h[b];
-        slope[b][7 + (b + 1) % 3] = y[(b + 2) % 3] / m->h[b];
-        slope[b][7 + (b + 2) % 3] = y[(b + 1) % 3] / m->h[b];
+}
+
+/* Their slopes (1/m) along the axes. */
+static void slopes_at(const mesh *m, const fit_cell *f, const double x[3], double slope[3][TERMS])
+{
+    double y[3] = {0.0};
+    for (int a = 0; a < m->dim; ++a) y[a] = (x[a] - f->centre[a]) / m->h[a];
+    memset(slope, 0, 3 * sizeof slope[0]);
+    for (int a = 0; a < m->dim; ++a) {
+        slope[a][linear[a]] = 1.0 / m->h[a];
+        slope[a][square[a]] = 2.0 * y[a] / m->h[a];
+        slope[a][product[a]] = y[(a + 1) % 3] / m->h[a];
+        slope[a][product[(a + 2) % 3]] = y[(a + 2) % 3] / m->h[a];
     }
 }
 
@@ -274,12 +287,14 @@ static void add_value(const mesh *m, const fit_cell *f, const double x[3], doubl
     double beyond = 0.0, away = 0.0, t[TERMS];
     for (int a = 0; a < m->dim; ++a) {
         beyond += f->outward[a] * (x[a] - f->wall[a]) / m->h[a];
-        away += pow((x[a] - f->centre[a]) / m->h[a], 2.0);
+        const double y = (x[a] - f->centre[a]) / m->h[a];
+        away += y * y;
     }
     if (beyond > ICE_WALL_BEYOND) return;
-    const double weight = share / pow(0.25 + away, 2.0);
-    terms_at(m, f, x, t, NULL);
-    for (int i = 0; i < TERMS; ++i) {
+    const double near = 0.25 + away, weight = share / (near * near);
+    terms_at(m, f, x, t);
+    const int terms = count_terms(m->dim);
+    for (int i = 0; i < terms; ++i) {
         for (int j = 0; j <= i; ++j) q->matrix[i][j] += weight * t[i] * t[j];
         for (int a = 0; a < m->dim; ++a) q->right[a][i] += weight * t[i] * value[a];
     }
@@ -289,8 +304,10 @@ static void add_value(const mesh *m, const fit_cell *f, const double x[3], doubl
 /* By Cholesky's method. A little of the weight on every term keeps those small of which the values say nothing. */
 static void solve_squares(squares *q, int dim, double term[3][TERMS])
 {
-    for (int i = 1; i < TERMS; ++i) q->matrix[i][i] += q->weight * (i < 4 ? 1e-9 : 1e-5);
-    for (int i = 0; i < TERMS; ++i)
+    const int terms = count_terms(dim);
+    for (int i = 1; i < terms; ++i)
+        q->matrix[i][i] += q->weight * (i == linear[0] || i == linear[1] || i == linear[2] ? 1e-9 : 1e-5);
+    for (int i = 0; i < terms; ++i)
         for (int j = 0; j <= i; ++j) {
             double sum = q->matrix[i][j];
             for (int k = 0; k < j; ++k) sum -= q->matrix[i][k] * q->matrix[j][k];
@@ -298,13 +315,13 @@ static void solve_squares(squares *q, int dim, double term[3][TERMS])
         }
     for (int a = 0; a < dim; ++a) {
         double *x = term[a];
-        for (int i = 0; i < TERMS; ++i) {
+        for (int i = 0; i < terms; ++i) {
             x[i] = q->right[a][i];
             for (int k = 0; k < i; ++k) x[i] -= q->matrix[i][k] * x[k];
             x[i] /= q->matrix[i][i];
         }
-        for (int i = TERMS; i-- > 0;) {
-            for (int k = i + 1; k < TERMS; ++k) x[i] -= q->matrix[k][i] * x[k];
+        for (int i = terms; i-- > 0;) {
+            for (int k = i + 1; k < terms; ++k) x[i] -= q->matrix[k][i] * x[k];
             x[i] /= q->matrix[i][i];
         }
     }
@@ -376,7 +393,7 @@ static void fit_fluid(const ice *s, const ice_wall_flow *w, const fit_cell *f, i
     if (q.samples <= s->mesh->dim) return;
     add_walls(s->mesh, w, f, out->u, &q);
     solve_squares(&q, s->mesh->dim, out->term);
-    terms_at(s->mesh, f, f->centroid, t, NULL);
+    terms_at(s->mesh, f, f->centroid, t);
     for (int a = 0; a < s->mesh->dim; ++a) out->miss[a] = -sum_of(t, out->term[a]);
 }
 
@@ -390,7 +407,7 @@ static void store_centre(const ice *s, const ice_wall_flow *w, const fit_cell *f
     const bool open = &w->cell[f->host] == f;
     double x[3] = {0.0}, t[TERMS];
     for (int a = 0; a < s->mesh->dim; ++a) x[a] = mesh_centre(s->mesh, a, f->cell[a]);
-    terms_at(s->mesh, f, x, t, NULL);
+    terms_at(s->mesh, f, x, t);
     for (int a = 0; a < s->mesh->dim; ++a)
         v->m[r].centred[a][at] = of->u[a] + sum_of(t, of->term[a]) + (open ? of->miss[a] : 0.0);
 }
@@ -438,7 +455,8 @@ static void gradient_at(const ice *s, const fit_cell *f, const fluid_fit *of, co
         finest = least(finest, m->h[a]);
     }
     away = most(away, ICE_WALL_DISTANCE * finest);
-    terms_at(m, f, w->x, t, slope);
+    terms_at(m, f, w->x, t);
+    slopes_at(m, f, w->x, slope);
     for (int a = 0; a < m->dim; ++a) {
         const double rest = of->miss[a] - (w->v[a] - of->u[a] - sum_of(t, of->term[a]));
         for (int b = 0; b < m->dim; ++b) G[a][b] = sum_of(slope[b], of->term[a]) - rest / away * w->area[b] / size;
