@@ -2,8 +2,6 @@
 #include "scene/remark_internal.h"
 #include "scene/solid_heat.h"
 
-#include <stdio.h>
-
 /* Beside fluids on cells heat passes the surface of a solid by heat exchange alone, which a sharp interface does not have. */
 static void remark_insulated(remark_speaker *w, int material)
 {
@@ -40,6 +38,13 @@ static void remark_no_plastic_work(remark_speaker *w, const scene_material *m)
     remark_key(w, "law '%s' has no plastic work: it makes no heat", m->law->name);
 }
 
+static void remark_no_expansion(remark_speaker *w, const scene_material *m)
+{
+    if (!(m->stress_free_temperature > 0.0) || m->expansion != 0.0) return;
+    remark_set_key(w, "materials", m->name, "stress_free_temperature");
+    remark_key(w, "solid '%s' has no `expansion`: its temperature strains nothing", m->name);
+}
+
 void remark_heat(const scene *s, remark_sink *say, void *user)
 {
     remark_speaker w = {.s = s, .say = say, .user = user};
@@ -50,5 +55,6 @@ void remark_heat(const scene *s, remark_sink *say, void *user)
         remark_insulated(&w, m);
         remark_burning(&w, m);
         remark_no_plastic_work(&w, &s->material[m]);
+        remark_no_expansion(&w, &s->material[m]);
     }
 }

@@ -5,6 +5,7 @@
 
 #include "mpm/transfer/kernels.h"
 #include "mpm/transfer/lanes.h"
+#include "mpm/transfer/point_arrays.h"
 
 #include <math.h>
 #include <stdlib.h>
