@@ -136,5 +136,6 @@ static floe_status tangent_chunk(mpm *s, int blk, int body, size_t start, size_t
 floe_status implicit_tangents(mpm *s, const double *u)
 {
     TRY(visit_chunks(s, u, tangent_chunk));
-    return implicit_couple_patches(s);
+    if (s->implicit->volume) implicit_couple_patches(s);
+    return FLOE_OK;
 }

@@ -216,13 +216,11 @@ static void couple_patch(const mpm *s, body_patch *patch, double *change)
     patch->bulk = bulk / volume;
 }
 
-floe_status implicit_couple_patches(mpm *s)
+void implicit_couple_patches(mpm *s)
 {
     struct implicit_volume *v = s->implicit->volume;
-    if (!v) return FLOE_OK;
 #pragma omp parallel for schedule(static)
     for (size_t n = 0; n < v->patches; ++n) couple_patch(s, &v->patch[n], v->change + v->patch[n].change);
-    return FLOE_OK;
 }
 
 /* Adds c.u of every mode to `out`. */

@@ -59,8 +59,8 @@ bool implicit_shares_volume(const mpm *s, int body);
 floe_status implicit_find_patches(mpm *s);
 /* The values of points, by their numbers, become P f. */
 void implicit_project_volumes(mpm *s, double *value);
-/* c of every mode, and kappa, with the tangents. Errors: FLOE_NO_MEMORY. */
-floe_status implicit_couple_patches(mpm *s);
+/* c of every mode, and kappa, with the tangents; where bodies share changes of volume. */
+void implicit_couple_patches(mpm *s);
 /* Solves for the change of the displacement that the residual asks for, `share` of which may be left. */
 floe_status implicit_solve_volume(mpm *s, double share);
 
