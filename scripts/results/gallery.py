@@ -20,6 +20,7 @@ PICTURES = {
     "closed_box": ("", "", "pressure"),
     "closed_vessel_burn": ("", "-c pressure", "pressure, the same everywhere"),
     "couette": ("", "-c velocity_gas_x", "velocity"),
+    "cylinder_channel": ("", "-c velocity_liquid_x", "velocity along the channel"),
     "double_mach": ("--set constants.h=0.00833333333333333333", "-c density_gas", "density at t = 0.2"),
     "flow_mms": ("", "", "pressure"),
     "fluid_stream": ("", "-c density_water", "density of water"),
