@@ -154,7 +154,7 @@
     X(C_CONTACT, "contact_sensor", CELL, SCALAR, "1", SCRATCH, "of one fluid: 0 smooth, 1 across a contact")         \
     X(C_SLOW_SHOCK, "slow_shock", CELL, VECTOR, "1", SCRATCH, "by axis: 0, or 1 in a shock that stands on the mesh") \
     X(C_ALONE, "alone", CELL, SCALAR, "1", SCRATCH,                                                                  \
-      "1 + number of the fluid that is alone within two cells, and they are whole; else 0")                          \
+      "1 + number of the fluid that is alone, 1 + all fluids where several are, cells about it whole; else 0")       \
     X(C_VEL_MEAN, "mean_velocity", CELL, VECTOR, "m/s", SCRATCH, "sum of rho^r u^r over sum of rho^r")               \
     X(C_LIMITER, "fraction_limiter", CELL, SCALAR, "1", SCRATCH, "common factor on the gradients of all theta^r")    \
     X(C_INTERFACE, "interface", CELL, SCALAR, "1", SCRATCH, "1 at an interface between fluids, else 0")              \

@@ -291,7 +291,7 @@ FLOE_ALWAYS_INLINE void traced_flux_row(const traced_faces *f, ptrdiff_t from, p
 {
 #pragma omp simd
     for (ptrdiff_t t = from; t < to; ++t) {
-        const double mass = f->velocity[t] * f->rho[t];
+        const double volume = multi ? f->velocity[t] * f->fraction[t] : f->velocity[t], mass = volume * f->rho[t];
         double square = 0.0;
         f->flux[0][t] = mass;
         for (int a = 0; a < dim; ++a) {
@@ -299,18 +299,26 @@ FLOE_ALWAYS_INLINE void traced_flux_row(const traced_faces *f, ptrdiff_t from, p
             square += f->u[a][t] * f->u[a][t];
         }
         f->flux[1 + dim][t] = mass * f->e[t];
-        if (multi) f->flux[2 + dim][t] = f->velocity[t] * f->fraction[t];
+        if (multi) f->flux[2 + dim][t] = volume;
         f->flux[1 + ADVECT_COUNT(dim, multi)][t] = 0.5 * mass * square;
     }
 }
 
-/* Those faces of a row, local cells [0, end), on both sides of which the fluid is alone. */
+/* Those traced faces of a row, local cells [0, end), whose donor holds the fluid alone. */
 FLOE_ALWAYS_INLINE void alone_flux_row(const traced_faces *f, const ice_advect_job *job, int axis, ptrdiff_t start,
                                        ptrdiff_t row, int end, const int dim, const bool multi)
 {
     const ice_view *v = job->v;
-    for (ice_span run = {0, 0}; ice_next_alone(v, job->material, start + row, v->b->stride[axis], end, &run);)
+    const ptrdiff_t step = v->b->stride[axis];
+    for (ice_span run = {0, 0}; ice_next_alone(v, job->material, start + row, step, end, &run);)
         traced_flux_row(f, row + run.first, row + run.end, dim, multi);
+    for (ice_span run = {0, 0}; multi && ice_next_traced(v, start + row, step, end, &run);)
+        for (ptrdiff_t t = row + run.first; t < row + run.end; ++t) {
+            const double *alone = v->alone + start + t;
+            const bool upwind = f->velocity[t] > 0.0;
+            if (alone[0] != alone[-step] && (upwind ? alone[-step] : alone[0]) == 1 + job->material)
+                traced_flux_row(f, t, t + 1, dim, multi);
+        }
 }
 
 /* Fluxes through the lower faces normal to an axis of a slab's rows [first, last) of `end` cells. traced: of all of them the state that crosses is known. */

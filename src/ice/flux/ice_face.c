@@ -134,7 +134,7 @@ FLOE_WIDE static void face_pressure_row(const ice_view *v, int r, int axis, int 
         const double found = face[R];
         /* P_L plus a part of the difference: exact where P is uniform */
         const double centred = P[L] + rho[L] / (rho[L] + rho[R]) * (P[R] - P[L]);
-        face[R] = alone && alone[R] > 0.0 && alone[R] == alone[L] ? found : centred;
+        face[R] = alone && alone[R] > 0.0 && alone[L] > 0.0 ? found : centred;
     }
 }
 

@@ -1,7 +1,9 @@
 /* Which fluids have their faces from waves, with the explicit pressure: those alone on whole cells. */
 #include "ice/state/ice_traced.h"
 
+#include "coupling/exchange_law.h"
 #include "ice/ice_constants.h"
+#include "ice/state/ice_materials.h"
 
 #include <string.h>
 
@@ -15,6 +17,15 @@ bool ice_may_trace(const ice *s)
 bool ice_traces_in_part(const ice *s)
 {
     return ice_is_mixture(s) || s->cut;
+}
+
+bool ice_traces_shared(const ice *s, const ice_region *g)
+{
+    if (!ice_has_interfaces(s, g)) return false;
+    for (int r = g->first; r < g->first + g->n; ++r)
+        for (int q = g->first; q < r; ++q)
+            if (s->exchange.K[r][q] < EXCHANGE_LOCKED || s->exchange.Kt[r][q] < EXCHANGE_LOCKED) return false;
+    return true;
 }
 
 bool ice_is_traced(const ice *s, const ice_region *g)
@@ -50,6 +61,37 @@ FLOE_ALWAYS_INLINE void mark_row(const ice_view *v, int r, ptrdiff_t base, const
     }
 }
 
+/* Where fluids move as one: whole cells within two cells along each axis that fluids fill, and in them the fluid that is alone, or that several share. */
+FLOE_ALWAYS_INLINE void mark_shared_row(const ice_view *v, ptrdiff_t base, const bool cut)
+{
+    double *restrict found = v->alone;
+    const double shared = ice_shared_number(v), *open = v->m[0].open;
+    for (ptrdiff_t at = base - 1; at < base + v->b->n[0] + 1; ++at) found[at] = shared;
+    for (int r = 0; r < v->n_materials; ++r) {
+        const double *restrict theta = v->m[r].theta, number = 1 + r;
+#pragma omp simd
+        for (ptrdiff_t at = base - 1; at < base + v->b->n[0] + 1; ++at)
+            found[at] = theta[at] > 1.0 - ICE_TRACE_FRACTION ? number : found[at];
+    }
+    for (ptrdiff_t at = base - 1; cut && at < base + v->b->n[0] + 1; ++at) {
+        double whole = is_whole(NULL, open, at, false, true);
+        for (int a = 0; a < v->dim; ++a)
+            for (int n = 1; n <= 2; ++n)
+                whole *= is_whole(NULL, open, at - n * v->b->stride[a], false, true) *
+                         is_whole(NULL, open, at + n * v->b->stride[a], false, true);
+        found[at] *= whole;
+    }
+}
+
+FLOE_WIDE static void find_shared_row(const ice_view *v, int j, int k)
+{
+    const ptrdiff_t base = mesh_index(v->b, 0, j, k);
+    if (v->m[0].open)
+        mark_shared_row(v, base, true);
+    else
+        mark_shared_row(v, base, false);
+}
+
 FLOE_WIDE static void find_alone_row(const ice_view *v, int j, int k)
 {
     const ptrdiff_t base = mesh_index(v->b, 0, j, k);
@@ -68,5 +110,6 @@ FLOE_WIDE static void find_alone_row(const ice_view *v, int j, int k)
 void ice_find_alone(const ice *s, const ice_region *g)
 {
     ice_view v;
-    for (int id = 0; ice_next_view(s, g, &id, &v);) ice_run_cells(&v, 1, find_alone_row);
+    ice_row *const row = ice_traces_shared(s, g) ? find_shared_row : find_alone_row;
+    for (int id = 0; ice_next_view(s, g, &id, &v);) ice_run_cells(&v, 1, row);
 }

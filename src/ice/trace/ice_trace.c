@@ -65,20 +65,22 @@ FLOE_WIDE static void slow_shock_row(const ice_view *v, int j, int k)
     }
 }
 
-static void trace_block_faces(const ice *s, const ice_view *v, int r)
+static void trace_block_faces(const ice *s, const ice_region *g, const ice_view *v)
 {
     const block *b = v->b;
     const int chunks = ice_chunks(s, b);
+    const bool shares = ice_traces_shared(s, g);
+    trace_slabs *const sweep = (v->multi ? ice_trace_several_kernels : ice_trace_kernels)[b->dim - 1][ice_diffuses(s)];
 #pragma omp parallel for schedule(static, 1)
     for (int c = 0; c < chunks; ++c) {
         const ice_span slabs = ice_chunk_of(s, b, c, chunks);
         const trace_job job = {.v = v,
-                               .fluid = r,
+                               .shares = shares,
                                .first = slabs.first,
                                .last = slabs.end,
                                .end = c == chunks - 1,
                                .buffer = ice_buffer(s, c)};
-        ice_trace_kernels[b->dim - 1][v->m[r].diff[0] != NULL](&job);
+        sweep(&job);
     }
 }
 
@@ -133,22 +135,20 @@ void ice_trace_faces(const ice *s, const ice_region *g)
     for (int id = 0; ice_next_view(s, g, &id, &v);) continue_columns(s, &v);
     for (int id = 0; ice_next_view(s, g, &id, &v);) ice_run_cells(&v, 0, slow_shock_row);
     ice_fill_ghosts(s, C_SLOW_SHOCK, g->number, FILL_CURRENT, GHOST_EVEN);
-    for (int id = 0; ice_next_view(s, g, &id, &v);)
-        for (int r = 0; r < v.n_materials; ++r)
-            if (!v.material[r].points) trace_block_faces(s, &v, r);
+    for (int id = 0; ice_next_view(s, g, &id, &v);) trace_block_faces(s, g, &v);
 }
 
 static void follow_side(const ice *s, const ice_view *v, int axis, mesh_side side, int r, side_face at)
 {
-    if (!ice_traced_by(v, r, at.cell)) return;
     const ice_fluid *m = &v->m[r];
     const ptrdiff_t beyond = side == SIDE_LOWER ? at.cell - v->b->stride[axis] : at.cell + v->b->stride[axis];
     const double u = m->fu[axis][at.face];
     const bool enters = u * at.outward < 0.0,
                given = ice_condition_at(s, v->b, axis, side, at.i, at.j, at.k)->kind == BC_INLET;
+    const ptrdiff_t from = enters ? beyond : at.cell;
+    if (!ice_traced_by(v, r, v->multi ? from : at.cell)) return;
     if (given || (u > 0.0) != (v->donor_u[axis][axis][at.face] > 0.0)) {
-        const ptrdiff_t from = enters ? beyond : at.cell;
-        v->donor_rho[axis][at.face] = m->rho[from];
+        v->donor_rho[axis][at.face] = v->multi ? 1.0 / m->v[from] : m->rho[from];
         v->donor_e[axis][at.face] = m->e[from];
         for (int a = 0; a < v->dim; ++a) v->donor_u[axis][a][at.face] = m->u[a][from];
     }

@@ -4,11 +4,17 @@
 #include "ice/trace/ice_star.h"
 #include "ice/trace/ice_trace_rows.h"
 
+#include <float.h>
 #include <string.h>
+
+/* What a cell holds: the one fluid that there is; one of several, but for traces of others; or several. */
+typedef enum trace_kind { TRACE_ONE, TRACE_ALONE, TRACE_SHARED } trace_kind;
 
 /* What the kernels read of a block, apart from the view, so that the compiler knows that no store changes it. */
 typedef struct trace_block {
     const double *restrict rho, *restrict p, *restrict e, *restrict c, *restrict u[3], *restrict flat[3];
+    const double *restrict volume, *restrict theta; /* of one of several: v and volume fraction */
+    const double *restrict kappa;                   /* of several: sum of theta kappa */
     const double *restrict force[3],
         *restrict heat, *restrict warming; /* of viscosity and conduction: N/m3, W/m3; Pa in half the step */
     const double *lower0, *upper0;
@@ -18,25 +24,38 @@ typedef struct trace_block {
     bool radial;
 } trace_block;
 
-FLOE_ALWAYS_INLINE trace_block trace_block_of(const trace_job *job, const int dim)
+/* Least pressure that a fluid bears; of several, the largest of these. */
+static double floor_of(const ice_view *v, int fluid)
 {
-    const ice_view *v = job->v;
-    const ice_fluid *m = &v->m[job->fluid];
-    const eos *law = &v->material[job->fluid].eos;
-    trace_block b = {.rho = m->rho,
+    double floor = -DBL_MAX;
+    for (int r = 0; r < v->n_materials; ++r) {
+        const eos *law = &v->material[r].eos;
+        if (fluid == r || fluid == v->n_materials) floor = most(floor, law->model->pressure_floor(law->par));
+    }
+    return floor;
+}
+
+/* Cells of a fluid, or, its number being that of all fluids, of several, whose velocity and density is then that of all. */
+FLOE_ALWAYS_INLINE trace_block trace_block_of(const ice_view *v, int fluid, bool shares, const int dim)
+{
+    const ice_fluid *m = &v->m[fluid < v->n_materials ? fluid : 0];
+    trace_block b = {.rho = shares ? v->rho_sum : m->rho,
                      .p = v->p,
                      .e = m->e,
                      .c = m->c,
+                     .volume = m->v,
+                     .theta = m->theta,
+                     .kappa = v->kappa_sum,
                      .heat = m->heat,
                      .warming = v->P,
                      .lower0 = v->lower0,
                      .upper0 = v->upper0,
                      .dt = v->dt,
-                     .floor = law->model->pressure_floor(law->par),
+                     .floor = floor_of(v, fluid),
                      .radial = v->radial};
     for (int a = 0; a < dim; ++a) {
         b.force[a] = m->diff[a];
-        b.u[a] = m->u[a];
+        b.u[a] = shares ? v->mean[a] : m->u[a];
         b.flat[a] = v->flat[a];
         b.stride[a] = v->b->stride[a];
         b.courant[a] = v->dt * v->inv_h[a];
@@ -48,17 +67,49 @@ FLOE_ALWAYS_INLINE trace_block trace_block_of(const trace_job *job, const int di
 /* A cell as its waves see it, with its own speed of sound frozen. */
 typedef struct medium {
     double rho, p, c, z, inv_c2, enthalpy; /* z: kg/(m2 s), impedance; enthalpy: rho h over rho c2 */
+    double all;                            /* kg/m3: of all that the cell holds */
+    double energy;                         /* J/m3: rho e; of several 0, none of which crosses a face as one */
 } medium;
 
-FLOE_ALWAYS_INLINE medium medium_of(const trace_block *b, ptrdiff_t at)
+FLOE_ALWAYS_INLINE medium medium_of(const trace_block *b, ptrdiff_t at, const trace_kind kind)
 {
-    const double rho = b->rho[at], p = b->p[at], c = b->c[at], inv_c2 = 1.0 / (c * c);
-    return (medium){rho, p, c, rho * c, inv_c2, (b->e[at] + p / rho) * inv_c2};
+    const double all = b->rho[at], p = b->p[at], c = kind == TRACE_SHARED ? 1.0 / sqrt(all * b->kappa[at]) : b->c[at],
+                 inv_c2 = 1.0 / (c * c);
+    if (kind == TRACE_SHARED) return (medium){all, p, c, all * c, inv_c2, 0.0, all, 0.0};
+    const double rho = kind == TRACE_ONE ? all : 1.0 / b->volume[at], e = b->e[at];
+    return (medium){rho, p, c, all * c, inv_c2, (e + p / rho) * inv_c2, all, rho * e};
 }
 
 FLOE_ALWAYS_INLINE ice_five five_of(const double *restrict q, ptrdiff_t at, ptrdiff_t step)
 {
     return (ice_five){{q[at - 2 * step], q[at - step], q[at], q[at + step], q[at + 2 * step]}};
+}
+
+/* Of one of several fluids: cells without it are as the nearest with it. */
+FLOE_ALWAYS_INLINE ice_five own_five(const trace_block *b, const double *restrict q, ptrdiff_t at, ptrdiff_t step)
+{
+    ice_five x = five_of(q, at, step);
+    const ice_five theta = five_of(b->theta, at, step);
+    x.q[1] = theta.q[1] > ICE_TRACE_FRACTION ? x.q[1] : x.q[2];
+    x.q[3] = theta.q[3] > ICE_TRACE_FRACTION ? x.q[3] : x.q[2];
+    x.q[0] = least(theta.q[0], theta.q[1]) > ICE_TRACE_FRACTION ? x.q[0] : x.q[1];
+    x.q[4] = least(theta.q[4], theta.q[3]) > ICE_TRACE_FRACTION ? x.q[4] : x.q[3];
+    return x;
+}
+
+/* Densities, of one of several fluids its own; and energies per mass. */
+FLOE_ALWAYS_INLINE ice_five densities_of(const trace_block *b, ptrdiff_t at, ptrdiff_t step, const trace_kind kind)
+{
+    if (kind != TRACE_ALONE) return five_of(b->rho, at, step);
+    ice_five x = own_five(b, b->volume, at, step);
+    for (int n = 0; n < 5; ++n) x.q[n] = 1.0 / x.q[n];
+    return x;
+}
+
+FLOE_ALWAYS_INLINE ice_five energies_of(const trace_block *b, ptrdiff_t at, ptrdiff_t step, const trace_kind kind)
+{
+    if (kind == TRACE_SHARED) return (ice_five){{0.0}};
+    return kind == TRACE_ONE ? five_of(b->e, at, step) : own_five(b, b->e, at, step);
 }
 
 FLOE_ALWAYS_INLINE ice_five sum_of(ice_five a, double factor, ice_five b)
@@ -163,12 +214,14 @@ FLOE_ALWAYS_INLINE void put_edges(const trace_row *w, int axis, ptrdiff_t t, con
 
 /* Edges of a cell along an axis, and their differences. */
 FLOE_ALWAYS_INLINE void find_edges(const trace_block *b, const trace_row *w, int axis, ptrdiff_t at, ptrdiff_t t,
-                                   const int dim)
+                                   const int dim, const trace_kind kind)
 {
     const ptrdiff_t step = b->stride[axis];
-    const medium m = medium_of(b, at);
-    stencil s = {.rho = five_of(b->rho, at, step), .u = five_of(b->u[axis], at, step), .e = five_of(b->e, at, step)};
-    s.p = without_weight(five_of(b->p, at, step), s.rho, b->weight[axis]);
+    const medium m = medium_of(b, at, kind);
+    stencil s = {.rho = densities_of(b, at, step, kind),
+                 .u = five_of(b->u[axis], at, step),
+                 .e = energies_of(b, at, step, kind)};
+    s.p = without_weight(five_of(b->p, at, step), five_of(b->rho, at, step), b->weight[axis]);
     const double *p = s.p.q, *u = s.u.q, *slow_shock = b->flat[axis];
     const bool torn = u[3] - u[1] > ICE_TRACE_TORN * m.c; /* towards a vacuum */
     const double flat = most(slow_shock[at], p[3] < p[1] ? slow_shock[at + step] : slow_shock[at - step]);
@@ -198,16 +251,16 @@ FLOE_ALWAYS_INLINE half_step changes_across(const trace_block *b, const trace_ro
 {
     half_step d = {0.0, 0.0, 0.0, {0.0, 0.0, 0.0}};
     const ptrdiff_t t = 1 + i;
-    const double rho = m->rho, p = m->p, stiffness = rho * m->c * m->c, energy = rho * b->e[at];
+    const double rho = m->rho, p = m->p, stiffness = m->all * m->c * m->c, energy = m->energy;
     for (int a = 0; a < dim; ++a) {
         if (a == axis) continue;
         const double k = -0.5 * b->courant[a], u = b->u[a][at], du = w->slope[a][SLOPE_VELOCITY + a][t],
                      dp = w->slope[a][SLOPE_PRESSURE][t];
         d.rho += k * (u * w->slope[a][SLOPE_DENSITY][t] + rho * du);
-        d.p += k * (u * (dp + b->weight[a] * rho) + stiffness * du);
+        d.p += k * (u * (dp + b->weight[a] * m->all) + stiffness * du);
         d.energy += k * (u * w->slope[a][SLOPE_ENERGY][t] + (energy + p) * du);
         for (int n = 0; n < dim; ++n) d.u[n] += k * u * w->slope[a][SLOPE_VELOCITY + n][t];
-        d.u[a] += k * dp / rho;
+        d.u[a] += k * dp / m->all;
     }
     if (b->radial) {
         const double rate = -0.5 * b->dt * b->u[0][at] * (b->upper0[i] - b->lower0[i]);
@@ -226,7 +279,7 @@ FLOE_ALWAYS_INLINE half_step changes_across(const trace_block *b, const trace_ro
     if (diffuses) {
         d.p += b->warming[at];
         d.energy += 0.5 * b->dt * b->heat[at];
-        for (int n = 0; n < dim; ++n) d.u[n] += 0.5 * b->dt * b->force[n][at] / rho;
+        for (int n = 0; n < dim; ++n) d.u[n] += 0.5 * b->dt * b->force[n][at] / m->all;
     }
     return d;
 }
@@ -243,7 +296,7 @@ FLOE_ALWAYS_INLINE void put_state(const trace_block *b, const medium *m, int axi
     const bool whole = p - b->floor > ICE_TRACE_LEAST_LEFT * (m->p - b->floor) && rho > ICE_TRACE_LEAST_LEFT * m->rho;
     to[STATE_DENSITY][t] = whole ? rho : m->rho;
     to[STATE_PRESSURE][t] = whole ? p : m->p;
-    to[STATE_ENERGY][t] = whole ? energy : m->rho * b->e[at];
+    to[STATE_ENERGY][t] = whole ? energy : m->energy;
     const double normal = 0.5 * (wave[WAVE_UP] - wave[WAVE_DOWN]) / m->z + d->u[axis];
     to[STATE_VELOCITY + axis][t] = whole ? normal : b->u[axis][at];
     for (int n = 0; n < dim - 1; ++n) {
@@ -253,8 +306,10 @@ FLOE_ALWAYS_INLINE void put_state(const trace_block *b, const medium *m, int axi
 }
 
 /* What the Riemann problem asks of the cell besides. */
-FLOE_ALWAYS_INLINE void put_cell(const trace_row *w, double early, ptrdiff_t t, double *const *to)
+FLOE_ALWAYS_INLINE void put_cell(const trace_row *w, const medium *m, double early, ptrdiff_t t, double *const *to,
+                                 const trace_kind kind)
 {
+    if (kind != TRACE_ONE) to[STATE_SOUND][t] = m->c;
     to[STATE_EARLY][t] = early;
     to[STATE_MACH][t] = w->mach[t];
     to[STATE_DILATATION][t] = w->dilatation[t];
@@ -262,14 +317,14 @@ FLOE_ALWAYS_INLINE void put_cell(const trace_row *w, double early, ptrdiff_t t, 
 
 /* Traces a cell's waves to its lower and upper face. */
 FLOE_ALWAYS_INLINE void trace_cell(const trace_block *b, const trace_row *w, int axis, ptrdiff_t at, ptrdiff_t i,
-                                   double *const *above, const int dim, const bool diffuses)
+                                   double *const *above, const int dim, const bool diffuses, const trace_kind kind)
 {
     const ptrdiff_t t = 1 + i;
-    const medium m = medium_of(b, at);
+    const medium m = medium_of(b, at, kind);
     const double u = b->u[axis][at], k = b->courant[axis];
     const double speed[WAVES] = {u + m.c, u - m.c, u, u, u, u},
                  mean[WAVE_ACROSS] = {m.p + m.z * u, m.p - m.z * u, m.rho - m.p * m.inv_c2,
-                                      m.rho * b->e[at] - m.enthalpy * m.p};
+                                      m.energy - m.enthalpy * m.p};
     double *const *edge[2] = {w->lower[axis], w->upper[axis]};
     double lower[WAVES], upper[WAVES], early[2];
     for (int side = 0; side < 2; ++side) early[side] = 0.5 * (edge[side][WAVE_UP][t] - edge[side][WAVE_DOWN][t]) / m.z;
@@ -280,12 +335,12 @@ FLOE_ALWAYS_INLINE void trace_cell(const trace_block *b, const trace_row *w, int
         upper[n] = ice_mean_below_upper(e, own, most(speed[n] * k, -1.0));
     }
     half_step d = changes_across(b, w, &m, axis, at, i, dim, diffuses);
-    const double weight = 0.5 * b->weight[axis] * m.rho; /* of half the cell; and as the column passes by */
-    d.p -= 0.5 * k * u * b->weight[axis] * m.rho;
+    const double weight = 0.5 * b->weight[axis] * m.all; /* of half the cell; and as the column passes by */
+    d.p -= 0.5 * k * u * b->weight[axis] * m.all;
     put_state(b, &m, axis, at, t, lower, -weight, &d, w->below, dim);
     put_state(b, &m, axis, at, t, upper, weight, &d, above, dim);
-    put_cell(w, early[0], t, w->below);
-    put_cell(w, early[1], t, above);
+    put_cell(w, &m, early[0], t, w->below, kind);
+    put_cell(w, &m, early[1], t, above, kind);
 }
 
 FLOE_ALWAYS_INLINE ice_side_of_face side_at(double *const *state, ptrdiff_t t, double c, const int dim)
@@ -307,98 +362,146 @@ FLOE_ALWAYS_INLINE double slow_share(double mach, double dilatation, double jump
     return (1.0 - fast) * (1.0 - dilatation);
 }
 
-/* One face, between the upper state of the cell below it, number `from` of its row, and the lower state of the cell above it. */
-FLOE_ALWAYS_INLINE void find_face(const trace_block *b, const trace_job *job, int axis, ptrdiff_t at,
-                                  double *const *lower, ptrdiff_t from, double *const *upper, ptrdiff_t t,
-                                  const int dim)
+/* A face between the upper state of the cell below it, number `from` of its row, and the lower state of the cell above it. */
+FLOE_ALWAYS_INLINE ice_star star_at(const trace_block *b, int axis, ptrdiff_t at, double *const *lower, ptrdiff_t from,
+                                    double *const *upper, ptrdiff_t t, const int dim, const bool several)
 {
     const ptrdiff_t L = at - b->stride[axis];
-    const ice_side_of_face left = side_at(lower, from, b->c[L], dim), right = side_at(upper, t, b->c[at], dim);
+    const double below = several ? lower[STATE_SOUND][from] : b->c[L],
+                 above = several ? upper[STATE_SOUND][t] : b->c[at];
+    const ice_side_of_face left = side_at(lower, from, below, dim), right = side_at(upper, t, above, dim);
     const double slow = slow_share(most(lower[STATE_MACH][from], upper[STATE_MACH][t]),
                                    most(lower[STATE_DILATATION][from], upper[STATE_DILATATION][t]),
-                                   b->u[axis][at] - b->u[axis][L], least(b->c[L], b->c[at]));
-    const ice_star s = ice_star_of(&left, &right, axis, slow, dim);
-    const ice_view *v = job->v;
-    v->m[job->fluid].fu[axis][at] = s.u[axis];
-    v->fp[axis][at] = s.p;
-    v->donor_rho[axis][at] = s.rho;
-    v->donor_e[axis][at] = s.e;
-    for (int a = 0; a < dim; ++a) v->donor_u[axis][a][at] = s.u[a];
+                                   b->u[axis][at] - b->u[axis][L], least(below, above));
+    return ice_star_of(&left, &right, axis, slow, dim);
+}
+
+/* The faces of some cells [first, end) of a row, normal to an axis. `back`: from a cell to that below it in the rows of states. */
+FLOE_ALWAYS_INLINE void find_faces(const trace_block *b, const ice_view *v, int r, int axis, ptrdiff_t base,
+                                   ice_span cells, double *const *lower, ptrdiff_t back, double *const *upper,
+                                   const int dim, const bool several)
+{
+#pragma omp simd
+    for (ptrdiff_t i = cells.first; i < cells.end; ++i) {
+        const ptrdiff_t at = base + i;
+        const ice_star s = star_at(b, axis, at, lower, 1 + i - back, upper, 1 + i, dim, several);
+        v->m[r].fu[axis][at] = s.u[axis];
+        v->fp[axis][at] = s.p;
+        v->donor_rho[axis][at] = s.rho;
+        v->donor_e[axis][at] = s.e;
+        for (int a = 0; a < dim; ++a) v->donor_u[axis][a][at] = s.u[a];
+    }
 }
 
 /* Edges of some cells of a row. */
 FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w, ptrdiff_t base, ice_span cells,
-                                       const int dim)
+                                       const int dim, const trace_kind kind)
 {
 #pragma omp simd
     for (ptrdiff_t i = cells.first; i < cells.end; ++i) {
         const ptrdiff_t at = base + i;
         double square = 0.0;
         for (int a = 0; a < dim; ++a) square += b->u[a][at] * b->u[a][at];
-        w->mach[1 + i] = sqrt(square) / b->c[at];
+        w->mach[1 + i] = sqrt(square) / (kind == TRACE_SHARED ? medium_of(b, at, kind).c : b->c[at]);
         w->dilatation[1 + i] = dilatation_share(b, at, dim);
     }
     for (int axis = 0; axis < dim; ++axis) {
 #pragma omp simd
-        for (ptrdiff_t i = cells.first; i < cells.end; ++i) find_edges(b, w, axis, base + i, 1 + i, dim);
+        for (ptrdiff_t i = cells.first; i < cells.end; ++i) find_edges(b, w, axis, base + i, 1 + i, dim, kind);
     }
 }
 
 FLOE_ALWAYS_INLINE void trace_row_states(const trace_block *b, const trace_row *w, int axis, ptrdiff_t base,
-                                         ice_span cells, const int dim, const bool diffuses)
+                                         ice_span cells, const int dim, const bool diffuses, const trace_kind kind)
 {
 #pragma omp simd
-    for (ptrdiff_t i = cells.first; i < cells.end; ++i) trace_cell(b, w, axis, base + i, i, w->above, dim, diffuses);
+    for (ptrdiff_t i = cells.first; i < cells.end; ++i)
+        trace_cell(b, w, axis, base + i, i, w->above, dim, diffuses, kind);
 }
 
-/* Faces along a row between cells [first, end). */
-FLOE_ALWAYS_INLINE void find_row_faces(const trace_block *b, const trace_job *job, const trace_row *w, ptrdiff_t base,
-                                       ice_span cells, const int dim)
+/* What a row of a region is traced with: a block a fluid, and one where several share cells. */
+typedef struct trace_blocks {
+    trace_block of[ICE_MAX_MATERIALS + 1];
+} trace_blocks;
+
+/* Edges of the cells of a row, where `axis` is none, else their states at the faces along it. Returns whether there are any. */
+FLOE_ALWAYS_INLINE bool trace_row_cells(const trace_blocks *blocks, const trace_job *job, const trace_row *w, int axis,
+                                        ptrdiff_t base, const int dim, const bool diffuses, const bool several)
 {
-#pragma omp simd
-    for (ptrdiff_t i = cells.first + 1; i < cells.end; ++i)
-        find_face(b, job, 0, base + i, w->above, i, w->below, 1 + i, dim);
+    const ice_view *v = job->v;
+    const int n = v->b->n[0];
+    bool some = false;
+    for (int r = several ? 0 : job->fluid; r < (several ? v->n_materials : job->fluid + 1); ++r) {
+        if (several && v->material[r].points) continue;
+        const trace_kind kind = several ? TRACE_ALONE : TRACE_ONE;
+        for (ice_span run = {-1, -1}; ice_next_alone(v, r, base, 0, n + 1, &run); some = true)
+            if (axis < 0)
+                find_row_edges(&blocks->of[r], w, base, run, dim, kind);
+            else
+                trace_row_states(&blocks->of[r], w, axis, base, run, dim, diffuses, kind);
+    }
+    if (!several || !job->shares) return some;
+    const trace_block *shared = &blocks->of[v->n_materials];
+    for (ice_span run = {-1, -1}; ice_next_alone(v, v->n_materials, base, 0, n + 1, &run); some = true)
+        if (axis < 0)
+            find_row_edges(shared, w, base, run, dim, TRACE_SHARED);
+        else
+            trace_row_states(shared, w, axis, base, run, dim, diffuses, TRACE_SHARED);
+    return some;
+}
+
+/* Faces of a row normal to an axis, local cells [0, end). Fluids that share cells have one velocity. */
+FLOE_ALWAYS_INLINE void find_row_faces(const trace_blocks *blocks, const trace_job *job, int axis, ptrdiff_t base,
+                                       int end, double *const *lower, double *const *upper, const int dim,
+                                       const bool several)
+{
+    const ice_view *v = job->v;
+    const ptrdiff_t step = v->b->stride[axis], back = axis == 0 ? 1 : 0;
+    for (ice_span run = {0, 0}; several && job->shares && ice_next_traced(v, base, step, end, &run);) {
+        find_faces(&blocks->of[0], v, 0, axis, base, run, lower, back, upper, dim, true);
+        for (int r = 1; r < v->n_materials; ++r)
+            memcpy(v->m[r].fu[axis] + base + run.first, v->m[0].fu[axis] + base + run.first,
+                   (size_t)(run.end - run.first) * sizeof(double));
+    }
+    for (int r = several ? 0 : job->fluid; r < (several ? v->n_materials : job->fluid + 1); ++r) {
+        if (several && (job->shares || v->material[r].points)) continue;
+        for (ice_span run = {0, 0}; ice_next_alone(v, r, base, step, end, &run);)
+            find_faces(&blocks->of[r], v, r, axis, base, run, lower, back, upper, dim, several);
+    }
 }
 
 /* Faces between a row and the one before it along an axis, whose upper states are kept; and then those of this row. */
-FLOE_ALWAYS_INLINE void cross_row(const trace_block *b, const trace_job *job, const trace_store *s, int axis,
-                                  ptrdiff_t base, double *const *kept, bool faces, const int dim, const bool diffuses)
+FLOE_ALWAYS_INLINE void cross_row(const trace_blocks *blocks, const trace_job *job, const trace_store *s, int axis,
+                                  ptrdiff_t base, double *const *kept, bool faces, const int dim, const bool diffuses,
+                                  const bool several)
 {
-    const int n = job->v->b->n[0];
-    for (ice_span run = {-1, -1}; ice_next_alone(job->v, job->fluid, base, 0, n + 1, &run);)
-        trace_row_states(b, &s->row, axis, base, run, dim, diffuses);
-    for (ice_span run = {0, 0}; faces && ice_next_alone(job->v, job->fluid, base, b->stride[axis], n, &run);) {
-#pragma omp simd
-        for (ptrdiff_t i = run.first; i < run.end; ++i)
-            find_face(b, job, axis, base + i, kept, 1 + i, s->row.below, 1 + i, dim);
-    }
+    trace_row_cells(blocks, job, &s->row, axis, base, dim, diffuses, several);
+    if (faces) find_row_faces(blocks, job, axis, base, job->v->b->n[0], kept, s->row.below, dim, several);
     for (int q = 0; q < STATE_VELOCITY + dim; ++q) memcpy(kept[q], s->row.above[q], s->length * sizeof(double));
+    if (several) memcpy(kept[STATE_SOUND], s->row.above[STATE_SOUND], s->length * sizeof(double));
 }
 
 /* All faces of one row of a slab: those along it where it is the sweep's own, and those to the rows before it. */
-FLOE_ALWAYS_INLINE void sweep_row(const trace_block *b, const trace_job *job, const trace_store *s, int slab, int row,
-                                  const int dim, const bool diffuses)
+FLOE_ALWAYS_INLINE void sweep_row(const trace_blocks *blocks, const trace_job *job, const trace_store *s, int slab,
+                                  int row, const int dim, const bool diffuses, const bool several)
 {
     const ice_view *v = job->v;
     const int slow = dim - 1, rows = dim == 3 ? v->b->n[1] : 1, n = v->b->n[0];
     const bool own_row = row >= 0 && row < rows, own_slab = dim == 1 || (slab >= job->first && slab < job->last);
     const ptrdiff_t base = mesh_index(v->b, 0, dim == 3 ? row : slab, dim == 3 ? slab : 0);
-    bool some = false;
-    for (ice_span run = {-1, -1}; ice_next_alone(v, job->fluid, base, 0, n + 1, &run); some = true) {
-        find_row_edges(b, &s->row, base, run, dim);
-        if (!own_row || !own_slab) continue;
-        trace_row_states(b, &s->row, 0, base, run, dim, diffuses);
-        find_row_faces(b, job, &s->row, base, run, dim);
+    if (!trace_row_cells(blocks, job, &s->row, -1, base, dim, diffuses, several)) return;
+    if (own_row && own_slab) {
+        trace_row_cells(blocks, job, &s->row, 0, base, dim, diffuses, several);
+        find_row_faces(blocks, job, 0, base, n + 1, s->row.above, s->row.below, dim, several);
     }
-    if (!some) return;
-    if (dim == 3 && own_slab) cross_row(b, job, s, 1, base, s->kept[1], row >= 0, dim, diffuses);
+    if (dim == 3 && own_slab) cross_row(blocks, job, s, 1, base, s->kept[1], row >= 0, dim, diffuses, several);
     if (dim > 1 && own_row) {
         double *kept[STATES];
         for (int q = 0; q < STATES; ++q) kept[q] = s->kept[slow][q] + (size_t)row * s->length;
-        cross_row(b, job, s, slow, base, kept, slab >= job->first && (slab < job->last || job->end), dim, diffuses);
+        cross_row(blocks, job, s, slow, base, kept, slab >= job->first && (slab < job->last || job->end), dim, diffuses,
+                  several);
     }
 }
-
 FLOE_ALWAYS_INLINE double *take_rows(double *from, double **rows, int n, size_t length)
 {
     for (int q = 0; q < n; ++q, from += length) rows[q] = from;
@@ -423,21 +526,33 @@ FLOE_ALWAYS_INLINE trace_store divide_buffer(const trace_job *job, const int dim
     return s;
 }
 
-FLOE_ALWAYS_INLINE void sweep_block(const trace_job *job, const int dim, const bool diffuses)
+FLOE_ALWAYS_INLINE void sweep_block(const trace_job *job, const int dim, const bool diffuses, const bool several)
 {
-    const trace_block b = trace_block_of(job, dim);
+    const ice_view *v = job->v;
     const trace_store s = divide_buffer(job, dim);
-    const int rows = dim == 3 ? job->v->b->n[1] : 1, ghost = dim == 3 ? 1 : 0;
+    const int rows = dim == 3 ? v->b->n[1] : 1, ghost = dim == 3 ? 1 : 0;
+    trace_blocks blocks;
+    for (int r = several ? 0 : job->fluid; r < (several ? v->n_materials + job->shares : job->fluid + 1); ++r)
+        blocks.of[r] = trace_block_of(v, r, several && job->shares, dim);
     for (int slab = dim > 1 ? job->first - 1 : 0; slab <= (dim > 1 ? job->last : 0); ++slab) {
         if (dim > 1 && slab == job->last && !job->end) break;
-        for (int row = -ghost; row < rows + ghost; ++row) sweep_row(&b, job, &s, slab, row, dim, diffuses);
+        for (int row = -ghost; row < rows + ghost; ++row)
+            sweep_row(&blocks, job, &s, slab, row, dim, diffuses, several);
     }
 }
 
 #define INSTANCE(d, diffuses)                                          \
     FLOE_WIDE static void trace_##d##_##diffuses(const trace_job *job) \
     {                                                                  \
-        sweep_block(job, d, diffuses);                                 \
+        sweep_block(job, d, diffuses, false);                          \
     }
 ICE_EACH(INSTANCE)
 trace_slabs *const ice_trace_kernels[3][2] = ICE_TABLE(trace);
+
+#define SEVERAL(d, diffuses)                                             \
+    FLOE_WIDE static void several_##d##_##diffuses(const trace_job *job) \
+    {                                                                    \
+        sweep_block(job, d, diffuses, true);                             \
+    }
+ICE_EACH(SEVERAL)
+trace_slabs *const ice_trace_several_kernels[3][2] = ICE_TABLE(several);

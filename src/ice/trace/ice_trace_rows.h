@@ -21,7 +21,8 @@ enum {
     STATE_MACH,
     STATE_DILATATION,
     STATE_VELOCITY,
-    STATES = STATE_VELOCITY + 3
+    STATE_SOUND = STATE_VELOCITY + 3, /* where fluids share cells */
+    STATES
 };
 
 /* Rows of cells -1 to n, each at index 1 + i. */
@@ -49,14 +50,15 @@ typedef struct trace_store {
 /* Sweeps slabs [first, last) of a block, layers of cells across its slowest axis, and finds their lower faces; and the last upper ones where `end`. */
 typedef struct trace_job {
     const ice_view *v;
-    int fluid; /* number in the view */
+    int fluid;   /* of a region of one */
+    bool shares; /* cells of several fluids are traced too */
     int first, last;
     bool end;
     double *buffer;
 } trace_job;
 
 typedef void trace_slabs(const trace_job *job);
-/* [dim - 1][whether the fluid is viscous, conducts, or is driven] */
-extern trace_slabs *const ice_trace_kernels[3][2];
+/* [dim - 1][whether a fluid is viscous, conducts, or is driven]; of regions of one fluid, and of several. */
+extern trace_slabs *const ice_trace_kernels[3][2], *const ice_trace_several_kernels[3][2];
 
 #endif
