@@ -212,6 +212,15 @@ FLOE_ALWAYS_INLINE void put_edges(const trace_row *w, int axis, ptrdiff_t t, con
     for (int n = 0; n < dim - 1; ++n) w->slope[axis][SLOPE_VELOCITY + (axis + 1 + n) % dim][t] = d[WAVE_ACROSS + n];
 }
 
+/* Share of a cell's own state at the faces of one that fluids share beside others of far higher or lower density: what waves bring of one of them into
+ * the next is no wave of the next. */
+FLOE_ALWAYS_INLINE double contrast_share(const trace_block *b, ptrdiff_t at, ptrdiff_t step)
+{
+    const double below = b->rho[at - step], here = b->rho[at], above = b->rho[at + step];
+    const double ratio = least(least(below, here), above) / most(most(below, here), above);
+    return least(most(1.1 - 33.0 * ratio, 0.0), 1.0);
+}
+
 /* Edges of a cell along an axis, and their differences. */
 FLOE_ALWAYS_INLINE void find_edges(const trace_block *b, const trace_row *w, int axis, ptrdiff_t at, ptrdiff_t t,
                                    const int dim, const trace_kind kind)
@@ -224,7 +233,8 @@ FLOE_ALWAYS_INLINE void find_edges(const trace_block *b, const trace_row *w, int
     s.p = without_weight(five_of(b->p, at, step), five_of(b->rho, at, step), b->weight[axis]);
     const double *p = s.p.q, *u = s.u.q, *slow_shock = b->flat[axis];
     const bool torn = u[3] - u[1] > ICE_TRACE_TORN * m.c; /* towards a vacuum */
-    const double flat = most(slow_shock[at], p[3] < p[1] ? slow_shock[at + step] : slow_shock[at - step]);
+    double flat = most(slow_shock[at], p[3] < p[1] ? slow_shock[at + step] : slow_shock[at - step]);
+    if (kind == TRACE_SHARED) flat = most(flat, contrast_share(b, at, step));
     /* In slow flow without dilatation the differences of the axes must cancel as they do in div u: lines. Jumps of pressure are none of it. */
     const double slow = most(1.0 - w->mach[t], 0.0),
                  even = most(1.0 - ICE_TRACE_UNEVEN * fabs(p[3] - p[1]) / (m.z * m.c), 0.0),
