@@ -85,6 +85,9 @@
 #define ICE_TRACE_SLOW 4.0
 /* 1 over the change of pressure over two cells, of rho c^2, from which such flow is limited as any other. */
 #define ICE_TRACE_UNEVEN 20.0
+/* Volume fraction, and share of the compressibility, from which the fluid that a cell holds most of crosses its faces in the state that waves bring; of
+ * others the cell's own does. Less would expand it by what the others do. */
+#define ICE_TRACE_MAJORITY 0.5
 
 /* ---- interfaces of several fluids (theory 2.15) ---- */
 

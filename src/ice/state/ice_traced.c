@@ -68,10 +68,11 @@ FLOE_ALWAYS_INLINE void mark_shared_row(const ice_view *v, ptrdiff_t base, const
     const double shared = ice_shared_number(v), *open = v->m[0].open;
     for (ptrdiff_t at = base - 1; at < base + v->b->n[0] + 1; ++at) found[at] = shared;
     for (int r = 0; r < v->n_materials; ++r) {
-        const double *restrict theta = v->m[r].theta, number = 1 + r;
+        const double *restrict theta = v->m[r].theta, *restrict kappa = v->m[r].kappa, *restrict all = v->kappa_sum,
+                               number = 1 + r;
 #pragma omp simd
         for (ptrdiff_t at = base - 1; at < base + v->b->n[0] + 1; ++at)
-            found[at] = theta[at] > 1.0 - ICE_TRACE_FRACTION ? number : found[at];
+            found[at] = least(theta[at], theta[at] * kappa[at] / all[at]) > ICE_TRACE_MAJORITY ? number : found[at];
     }
     for (ptrdiff_t at = base - 1; cut && at < base + v->b->n[0] + 1; ++at) {
         double whole = is_whole(NULL, open, at, false, true);

@@ -73,10 +73,10 @@ typedef struct medium {
 
 FLOE_ALWAYS_INLINE medium medium_of(const trace_block *b, ptrdiff_t at, const trace_kind kind)
 {
-    const double all = b->rho[at], p = b->p[at], c = kind == TRACE_SHARED ? 1.0 / sqrt(all * b->kappa[at]) : b->c[at],
-                 inv_c2 = 1.0 / (c * c);
-    if (kind == TRACE_SHARED) return (medium){all, p, c, all * c, inv_c2, 0.0, all, 0.0};
-    const double rho = kind == TRACE_ONE ? all : 1.0 / b->volume[at], e = b->e[at];
+    const double all = b->rho[at], p = b->p[at], c = kind == TRACE_ONE ? b->c[at] : 1.0 / sqrt(all * b->kappa[at]);
+    if (kind == TRACE_SHARED) return (medium){all, p, c, all * c, 1.0 / (c * c), 0.0, all, 0.0};
+    const double rho = kind == TRACE_ONE ? all : 1.0 / b->volume[at], e = b->e[at],
+                 inv_c2 = 1.0 / (b->c[at] * b->c[at]);
     return (medium){rho, p, c, all * c, inv_c2, (e + p / rho) * inv_c2, all, rho * e};
 }
 
@@ -412,7 +412,7 @@ FLOE_ALWAYS_INLINE void find_row_edges(const trace_block *b, const trace_row *w,
         const ptrdiff_t at = base + i;
         double square = 0.0;
         for (int a = 0; a < dim; ++a) square += b->u[a][at] * b->u[a][at];
-        w->mach[1 + i] = sqrt(square) / (kind == TRACE_SHARED ? medium_of(b, at, kind).c : b->c[at]);
+        w->mach[1 + i] = sqrt(square) / (kind == TRACE_ONE ? b->c[at] : medium_of(b, at, kind).c);
         w->dilatation[1 + i] = dilatation_share(b, at, dim);
     }
     for (int axis = 0; axis < dim; ++axis) {
