@@ -70,7 +70,8 @@ floe_status ice_pressure_stages(ice *s)
     STAGE(s, ALWAYS, ice_face_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(d, C_DIFFUSION), WHEN(named, C_VOL), WHEN(slips, C_WALL),
-                WHEN(p, C_STRESS_ACCEL), WHEN(t, C_ENERGY), WHEN(t && d, C_DIFFUSION_HEAT)),
+                WHEN(p, C_STRESS_ACCEL), WHEN(t, C_ENERGY), WHEN(m && t, C_VOL), WHEN(m && t, C_KAPPA),
+                WHEN(t && f, C_INTERFACE), WHEN(t && d, C_DIFFUSION_HEAT)),
           WRITES(F_VEL, C_SHOCK, WHEN(ice_sharpens_contacts(s), C_CONTACT), WHEN(t, C_SLOW_SHOCK), WHEN(part, C_ALONE),
                  WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL),
                  WHEN(t, C_PRESSURE), WHEN(t && d, C_DIFFUSION_HEAT), WHEN(t && d, C_PRESSURE_ADVANCED)));

@@ -490,7 +490,7 @@ floe_status ice_sealed_pressure_stages(ice *s)
     STAGE(s, ALWAYS, ice_sealed_velocity,
           READS(C_RHO, C_VEL, C_PRESSURE, C_SOUND, WHEN(m, C_THETA), WHEN(m, C_VEL_MEAN), WHEN(m, C_RHO_SUM),
                 WHEN(m, C_KAPPA_SUM), WHEN(m, C_MIXED), WHEN(m, C_VOL), WHEN(slips, C_WALL), WHEN(t, C_ENERGY),
-                WHEN(t, C_OPEN)),
+                WHEN(t, C_OPEN), WHEN(m && t, C_KAPPA), WHEN(m && t, C_INTERFACE)),
           WRITES(F_VEL, C_SHOCK, WHEN(t, C_OPEN), WHEN(t, C_PRESSURE), WHEN(t, C_SLOW_SHOCK), WHEN(t, C_ALONE),
                  WHEN(t, F_PRESSURE), WHEN(t, F_DONOR_DENSITY), WHEN(t, F_DONOR_ENERGY), WHEN(t, F_DONOR_VEL)));
     STAGE(s, ALWAYS, ice_sealed_increment,
