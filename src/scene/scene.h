@@ -208,7 +208,7 @@ typedef enum pressure_scheme { PRESSURE_EXPLICIT, PRESSURE_IMPLICIT, PRESSURE_AU
  * interface). */
 typedef enum solid_interface { INTERFACE_SMEARED, INTERFACE_SHARP, INTERFACE_AUTO } solid_interface;
 typedef enum ice_limiter {
-    ICE_LIMITER_DEFAULT, /* faces where a fluid is alone are traced (theory 2.17); others van Leer's */
+    ICE_LIMITER_DEFAULT, /* faces are traced where they can be (theory 2.17); others van Leer's */
     ICE_LIMITER_VAN_LEER,
     ICE_LIMITER_NONE,
     ICE_LIMITER_FIRST_ORDER

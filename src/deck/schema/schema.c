@@ -208,7 +208,8 @@ static const choice interface_choices[] = {
 };
 static const choice limiter_choices[] = {
     {"default", ICE_LIMITER_DEFAULT,
-     "where a fluid is alone, parabolas in characteristic variables, traced to half the step; elsewhere as van_leer"},
+     "parabolas in characteristic variables, traced to half the step, beside points and cut cells where a fluid is "
+     "alone; elsewhere as van_leer"},
     {"van_leer", ICE_LIMITER_VAN_LEER, "second order, limited, as in the papers"},
     {"none", ICE_LIMITER_NONE, "second order, for smooth flow"},
     {"first_order", ICE_LIMITER_FIRST_ORDER, "upwind"},
