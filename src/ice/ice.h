@@ -171,7 +171,7 @@ floe_status ice_sealed_flow_stages(ice *s);
 /* Their stages (ice_sealed.c). Each applies the plain stages to one gas after the other. */
 floe_status ice_sealed_ghosts(ice *s);        /* extrapolates states into cells without the gas, for differences */
 floe_status ice_sealed_pressure(ice *s);      /* 2.1 */
-floe_status ice_sealed_wall_flow(ice *s);     /* 7.6 */
+floe_status ice_sealed_wall_flow(ice *s);     /* 7.7 */
 floe_status ice_sealed_velocity(ice *s);      /* 2.2 */
 floe_status ice_sealed_increment(ice *s);     /* 2.3 */
 floe_status ice_sealed_face_pressure(ice *s); /* 2.4 */

@@ -150,7 +150,7 @@
 
 /* A cell of which less than this is open to a gas is merged with a neighbour. Larger merges more cells than the step needs, smaller bounds the step. */
 #define ICE_SMALL_CELL 0.5
-/* The flow beside a boundary is fitted to values that lie beyond it by less than this, of a cell (theory 7.6): larger would see what is
+/* The flow beside a boundary is fitted to values that lie beyond it by less than this, of a cell (theory 7.7): larger would see what is
  * behind a wall of one cell, smaller less of the flow about a bent one. */
 #define ICE_WALL_BEYOND 0.5
 /* Least distance, of a cell, over which a fluid's own velocity drags a boundary: smaller would bound the step, larger leave more to the fit. */

@@ -1,4 +1,4 @@
-/* Viscous fluids beside sharp walls that lie anywhere in their cells (theory 7.6): flow between plates and in a pipe, between turning cylinders. */
+/* Viscous fluids beside sharp walls that lie anywhere in their cells (theory 7.7): flow between plates and in a pipe, between turning cylinders. */
 #include "coupled_fixture.h"
 
 #define LIQUID(mu)                                                                                      \

@@ -1,4 +1,4 @@
-/* The flow beside embedded boundaries (ice_wall_flow.h; theory 7.6). In every cell that a boundary cuts, and in covered ones beside them, a
+/* The flow beside embedded boundaries (ice_wall_flow.h; theory 7.7). In every cell that a boundary cuts, and in covered ones beside them, a
  * polynomial of the second degree is fitted to the velocities about it by least squares,
  *
  *     u(x) = u_0 + P(x),    sum_i w_i |P(x_i) - (u_i - u_0)|^2 = min,    w = share / (1/4 + |x_i - x_0|^2/h^2)^2,

@@ -1,4 +1,4 @@
-/* The flow beside embedded boundaries that viscous fluids see (theory 7.6): velocities at the centres of cells that boundaries cut, and
+/* The flow beside embedded boundaries that viscous fluids see (theory 7.7): velocities at the centres of cells that boundaries cut, and
  * its gradient at the boundaries. Only this folder includes it. */
 #ifndef ICE_WALL_FLOW_H
 #define ICE_WALL_FLOW_H

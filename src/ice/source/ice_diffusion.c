@@ -378,7 +378,7 @@ void ice_diffuse(const ice *s, const ice_region *g)
 
 /* ---- beside embedded boundaries ---- */
 
-/* At t^n, with velocities at the centres of cells where a fluid is viscous (theory 7.6). */
+/* At t^n, with velocities at the centres of cells where a fluid is viscous (theory 7.7). */
 static diffusing sealed_now(const ice_view *v, int r)
 {
     const ice_fluid *m = &v->m[r];
