@@ -1,0 +1,93 @@
+"""What a picture shows of a snapshot: fields by their names, components of vectors, what is chosen where nothing is asked for."""
+from typing import NamedTuple
+
+import numpy
+
+from . import units
+from .files import Refused
+from .snapshots import SealedSnapshot
+
+
+class Choice(NamedTuple):
+    """A quantity to show: a field, or a component of a vector; `body` is None for the cells."""
+    field: str
+    component: int | None
+    label: str
+    signed: bool
+    body: str | None
+
+
+def axes_of(snapshot: SealedSnapshot) -> str:
+    """The names of the axes: "x", "xy", "xyz", "rz"."""
+    return ("rz" if snapshot.geometry == "axisymmetric" else "xyz")[:snapshot.dim]
+
+
+def names_of(snapshot: SealedSnapshot, body: str | None) -> list[str]:
+    return snapshot.fields if body is None else snapshot.bodies[body]
+
+
+def _is_vector(snapshot: SealedSnapshot, body: str | None, name: str) -> bool:
+    return snapshot.components(body, name) == 3
+
+
+def find(snapshot: SealedSnapshot, body: str | None, name: str) -> Choice | None:
+    """The quantity of that name: a field (a vector by its magnitude), or velocity_x; None if there is none."""
+    names, axes = names_of(snapshot, body), axes_of(snapshot)
+    signed = name.startswith(("stress_", "sigma_"))
+    if name in names:
+        return Choice(name, None, units.words(name), signed, body)
+    vector, _, axis = name.rpartition("_")
+    if vector in names and axis in axes and axis and _is_vector(snapshot, body, vector):
+        return Choice(vector, axes.index(axis), units.words(name), True, body)
+    return None
+
+
+def _first(snapshot: SealedSnapshot, body: str | None, names: list[str]) -> Choice | None:
+    return next((one for one in (find(snapshot, body, name) for name in names) if one), None)
+
+
+def usual_of_body(snapshot: SealedSnapshot, body: str) -> Choice | None:
+    """What colours points where nothing is asked for."""
+    if snapshot.phases[body] == "fluid":
+        return _first(snapshot, body, ["pressure", "velocity"])
+    return _first(snapshot, body, (["stress_xx"] if snapshot.dim == 1 else []) + ["von_mises", "velocity"])
+
+
+def usual_of_cells(snapshot: SealedSnapshot) -> Choice | None:
+    return _first(snapshot, None, ["pressure"] + [name for name in snapshot.fields if name.startswith("density")])
+
+
+def unknown(snapshot: SealedSnapshot, points: bool, name: str) -> Refused:
+    """That there is no such field, with those that there are."""
+    axes, found = axes_of(snapshot), []
+    what = "points" if points else "cells"
+    for body in (snapshot.bodies if points else [None]):
+        for one in names_of(snapshot, body):
+            parts = f" ({', '.join('_' + axis for axis in axes)})" if _is_vector(snapshot, body, one) else ""
+            if one + parts not in found:
+                found.append(one + parts)
+    if not found:
+        return Refused(f"'{snapshot.path}' holds no {what} to colour by '{name}'", 2)
+    return Refused(f"there is no field '{name}' of {what} in '{snapshot.path}'; there are: {', '.join(found)}, none", 2)
+
+
+def _fraction_of(snapshot: SealedSnapshot, body: str | None, field: str) -> str | None:
+    """The volume fraction of the material whose field this is, by its name."""
+    prefix = "volume_fraction"
+    for one in names_of(snapshot, body):
+        material = one[len(prefix):]
+        if one.startswith(prefix) and one != field and len(material) > 1 and field.endswith(material):
+            return one
+    return None
+
+
+def values(snapshot: SealedSnapshot, choice: Choice) -> tuple[numpy.ndarray, str]:
+    """The numbers of a quantity, and their unit. A material's field is NaN where there is next to none of it."""
+    quantity = snapshot.read(choice.body, choice.field)
+    out = numpy.array(quantity.values, dtype=float)
+    if _is_vector(snapshot, choice.body, choice.field):
+        out = out[..., choice.component] if choice.component is not None else numpy.sqrt((out ** 2).sum(axis=-1))
+    fraction = _fraction_of(snapshot, choice.body, choice.field)
+    if fraction:
+        out = numpy.where(snapshot.read(choice.body, fraction).values >= 1e-3, out, numpy.nan)
+    return out, quantity.unit
