@@ -6,9 +6,10 @@ pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl>=2.7)
 pkg_check_modules(FYAML REQUIRED IMPORTED_TARGET libfyaml>=0.7)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson>=2.13)
-if(FLOE_PICTURES)
-    pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo>=1.16)
-    set(FLOE_CAIRO PkgConfig::CAIRO)
+# Pictures, plots and pages are made by Python when they are asked for; nothing is linked.
+find_program(FLOE_PYTHON NAMES python3 HINTS /usr/bin NO_CMAKE_PATH NO_SYSTEM_ENVIRONMENT_PATH DOC "Python that makes pictures, plots and pages; FLOE_PYTHON of the environment comes first")
+if(NOT FLOE_PYTHON)
+    set(FLOE_PYTHON python3)
 endif()
 # The serial library by name: plain "hdf5" may be the MPI one where both are installed.
 pkg_check_modules(HDF5 IMPORTED_TARGET hdf5-serial)

@@ -11,9 +11,9 @@ set(FLOE_LAYERS
     "mpm ice"
     "sim"
     "deck io verify"
-    "run draw"
+    "run plot"
     "batch library"
-    "study report"
+    "study"
     "cli")
 string(REPLACE " " ";" FLOE_ALL_MODULES "${FLOE_LAYERS}")
 
@@ -25,9 +25,6 @@ if(NOT FLOE_CLI)
 endif()
 if(NOT FLOE_STUDIES)
     list(REMOVE_ITEM FLOE_BUILT_MODULES batch study)
-endif()
-if(NOT FLOE_PICTURES)
-    list(REMOVE_ITEM FLOE_BUILT_MODULES report)
 endif()
 if(NOT (FLOE_CLI AND FLOE_STUDIES AND FLOE_PICTURES AND FLOE_VERIFICATION))
     set(FLOE_WHOLE OFF)
@@ -265,25 +262,4 @@ function(floe_executable)
     target_link_libraries(floe PRIVATE floe_archive)
     add_dependencies(floe floe_shared) # so that what is installed is there once the program is
     install(TARGETS floe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endfunction()
-
-# floe_embed(module file symbol), before the module's floe_module: src/<module>/<file> as
-#     const unsigned char <symbol>[];   const size_t <symbol>_size;
-function(floe_embed module file symbol)
-    set(source "${CMAKE_SOURCE_DIR}/src/${module}/${file}")
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
-    file(READ "${source}" bytes HEX)
-    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
-    string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
-    set(output "${CMAKE_BINARY_DIR}/generated/${module}/${symbol}.c")
-    file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT "/* Generated from src/@module@/@file@. */
-#include <stddef.h>
-
-extern const unsigned char @symbol@[];
-extern const size_t @symbol@_size;
-const unsigned char @symbol@[] = {
-@bytes@};
-const size_t @symbol@_size = sizeof @symbol@;
-")
-    set_property(GLOBAL APPEND PROPERTY FLOE_GENERATED_${module} "${output}")
 endfunction()

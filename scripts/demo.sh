@@ -19,6 +19,9 @@ The numbers above, and all others, are in $results:
     */history.csv                energies, momentum and mass over time
     */fields.xdmf                the fields: in ParaView, File > Open, choose "XDMF Reader", press Apply,
                                  and colour the points by stress and the cells by pressure
+A page of all of it, to read and to hand on:
+    build/release/floe report $results
+
 The deck is $deck; change it, or set any key on the command line:
     build/release/floe compare $deck --set domain.cell=0.0125
 END

@@ -55,8 +55,8 @@ def least_time():
 
 
 def floe(*words, **options):
-    """Runs floe on one thread; its exit status is negative where it took too long."""
-    return subprocess.run([FLOE, *map(str, words)], check=False, preexec_fn=least_time, env=dict(os.environ, OMP_NUM_THREADS="1"), **options)
+    """Runs floe on one thread, without plots; its exit status is negative where it took too long."""
+    return subprocess.run([FLOE, *map(str, words)], check=False, preexec_fn=least_time, env=dict(os.environ, OMP_NUM_THREADS="1", **({} if words[0] == "picture" else {"FLOE_PYTHON": "true"})), **options)
 
 
 def run(deck, coupling, folder):

@@ -19,14 +19,15 @@ missing_packages() {
 # Commands, pkg-config modules and CMake packages: the same needs, in the words of any system.
 missing_elsewhere() {
     local name
-    for name in cc cmake ninja pkg-config git gnuplot clang-format clang-tidy; do
+    for name in cc cmake ninja pkg-config git python3 clang-format clang-tidy; do
         command -v "$name" >/dev/null || echo "command $name"
     done
     command -v pkg-config >/dev/null || return 0
-    for name in gsl libfyaml udunits jansson cairo cmocka; do
+    for name in gsl libfyaml udunits jansson cmocka; do
         pkg-config --exists "$name" || echo "library $name (pkg-config)"
     done
     pkg-config --exists hdf5-serial || pkg-config --exists hdf5 || echo "library hdf5 (pkg-config)"
+    python3 -c 'import numpy, h5py, matplotlib, jinja2' 2>/dev/null || echo 'Python packages numpy, h5py, matplotlib, jinja2'
     [ -n "$(find /usr/lib /usr/local/lib /opt -name SUNDIALSConfig.cmake -print -quit 2>/dev/null)" ] ||
         echo "library SUNDIALS 6.4 or later (CMake package)"
 }

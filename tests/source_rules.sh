@@ -30,9 +30,8 @@ complain 'compilers are known to src/base/compiler.h and floe.h, threads to src/
 only_in 'gsl/' coupling expression surface verify library
 only_in '(sundials|nvector|sunlinsol|sunmatrix|sunnonlinsol|kinsol|cvode|arkode)/' coupling verify
 only_in 'hdf5' io
-only_in 'cairo' draw
 only_in '(libfyaml|udunits)' deck
-only_in 'jansson' base deck io batch study library report cli
+only_in 'jansson' base deck io batch plot study library cli
 only_in 'argp' cli
 complain 'decks without a picture in docs/results/gallery.md (GALLERY_KEEP=1 scripts/results.sh gallery)' \
     "$(for deck in inputs/*.yaml; do

@@ -15,7 +15,7 @@ ONLY_NAMED = ("mutants",)  # of scripts/mutants.py (hours)
 
 ABOUT = """
 The last line of a page names what it was made from: a hash of `include`, the CMake files and the modules of `src` that its runs entered
-(cells alone: all but `mpm` and `surface`; points alone: all but `ice`; single runs: all but `study` and `batch`; `draw` and `report` only where floe drew its figures),
+(cells alone: all but `mpm` and `surface`; points alone: all but `ice`; single runs: all but `study`, `batch` and `plot`),
 one of its decks, one of its script; comments and blanks do not count. Where the sources alone are other ones, a page is fresh all the same if a record shows the same
 bits under both (`bits/`, one file for each recorded state of the sources, by `scripts/same_bits.py record`): of each of its decks in each of its couplings, in 40 steps, of every
 recorded choice of a key that it sets (bases, transfers, solvers, interfaces, ...; `scripts/lib/variants.py`), on a small deck each, of the commands that it uses and of the tests whose figures it shows. That is good evidence and

@@ -8,8 +8,9 @@ A stamp names content, no commit: a hash of the sources that the page's runs use
 `include`, the CMake files, and the modules of `src` but those that the runs cannot have entered:
 
 * `mpm`, `surface` where every run was on cells alone (`ice`); `ice` where every run was of points alone (`mpm`);
-* `study`, `batch` where the page has only single runs;
-* `draw`, `report` where floe has drawn no figure of the page.
+* `study`, `batch`, `plot` where the page has only single runs.
+
+Modules that are gone (GONE) may be named by earlier stamps.
 
 Comments and blanks do not count, neither in C nor in CMake, decks and scripts. Of the modules that a script in Python imports only the
 definitions that it can reach count; what makes every page (pages.py, pages_index.py) does not. A page whose program was not built from the sources that lay there says `modified`: that is a fault.
@@ -30,6 +31,7 @@ import bits
 
 ROOT = pathlib.Path(os.environ.get("FLOE_SOURCE", pathlib.Path(__file__).resolve().parents[2]))
 SCRIPTS = "scripts/results"
+GONE = ("draw", "report")  # they drew figures and pages; no file of theirs is left
 LIBRARIES = ("python", "scripts/lib", SCRIPTS)
 STAMP = re.compile(r"^\*Made from sources (?P<sources>[0-9a-f]{16})(?P<modified>-modified)?(?: without (?P<without>[a-z ]+))?"
                    r"(?:, also (?P<also>[\w/. ]+))?; decks (?P<decks>[0-9a-f]{16})(?: of (?P<names>[^;]+))?; script (?P<script>[0-9a-f]{16})\.\*$")
@@ -119,11 +121,8 @@ def left_out(tree, couplings, commands, text):
     if couplings == {"mpm"}:
         out |= {"ice"}
     if couplings and commands:
-        out |= {"report"} - commands
-        if not commands & {"report", "picture"}:
-            out |= {"draw"}
         if commands <= {"run", "picture"} and "tolerance" not in text:
-            out |= {"study", "batch"}
+            out |= {"study", "batch", "plot"}
     return out & set(modules(tree))
 
 
@@ -143,8 +142,8 @@ def sources_names(tree, others):
     """The hash of the sources by the modules that a page may leave out, as its stamp has them (left_out), and by the files of `others` that it hangs on besides."""
     text_of = functools.cache(lambda path: bare(path, tree.text(path)))
     names = {}
-    for entered in itertools.product(((), ("mpm", "surface"), ("ice",)), ((), ("report",)), ((), ("draw",)), ((), ("study", "batch"))):
-        without = sorted(set(itertools.chain(*entered)) & set(modules(tree)))
+    for entered in itertools.product(((), ("mpm", "surface"), ("ice",)), ((), ("report",)), ((), ("draw",)), ((), ("study", "batch"), ("study", "batch", "plot"))):
+        without = sorted(set(itertools.chain(*entered)) & {*modules(tree), *GONE})
         for also in ((), *others):
             names.setdefault(name_of(without, also), sources_hash(tree, without, also, text_of))
     return names

@@ -85,24 +85,6 @@ void strbuf_append_csv(strbuf *t, const char *text)
     strbuf_append(t, "\"");
 }
 
-void strbuf_append_base64(strbuf *t, const void *data, size_t size)
-{
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const unsigned char *byte = data;
-    if (!reserve_bytes(t, 4 * ((size + 2) / 3))) return;
-    for (size_t i = 0; i < size; i += 3) {
-        const unsigned b = i + 1 < size ? byte[i + 1] : 0, c = i + 2 < size ? byte[i + 2] : 0;
-        const unsigned group = (unsigned)byte[i] << 16 | b << 8 | c;
-        char *out = t->data + t->length;
-        out[0] = digit[group >> 18];
-        out[1] = digit[group >> 12 & 63u];
-        out[2] = i + 1 < size ? digit[group >> 6 & 63u] : '=';
-        out[3] = i + 2 < size ? digit[group & 63u] : '=';
-        t->length += 4;
-    }
-    t->data[t->length] = '\0';
-}
-
 const char *strbuf_string(const strbuf *t)
 {
     return t->data ? t->data : "";

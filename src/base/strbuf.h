@@ -24,8 +24,6 @@ floe_status strbuf_take(strbuf *t, char **out);
 void strbuf_append_xml(strbuf *t, const char *plain);
 /* Appends a field of CSV, in quotes, those inside doubled; control characters become blanks. */
 void strbuf_append_csv(strbuf *t, const char *text);
-/* Appends bytes as base64, without line breaks. */
-void strbuf_append_base64(strbuf *t, const void *data, size_t size);
 /* The content, "" while empty. */
 const char *strbuf_string(const strbuf *t);
 

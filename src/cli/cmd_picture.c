@@ -1,21 +1,28 @@
-/* floe picture DIR */
+/* floe picture DIR: looks at the arguments and hands over to python/floe. */
 #include "cli/cli.h"
-#include "draw/field_picture.h"
-#include "draw/picture.h"
-#include "io/file.h"
+#include "plot/plot.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+enum { MOST_WIDTH = 8000, MAX_ARGUMENTS = 16 };
+
+/* What is handed over: words of its own, as "--width=720". */
 typedef struct arguments {
     const char *dir;
-    const char *file;
-    double time; /* s; NAN: the last */
-    bool all;
-    field_picture_options options;
+    bool all, dark, timed, named;
     int ranges;
+    size_t n;
+    char word[MAX_ARGUMENTS][CLI_PATH];
 } arguments;
+
+static void hand_over(arguments *a, struct argp_state *state, const char *option, const char *value)
+{
+    if (a->n == MAX_ARGUMENTS) argp_error(state, "too many options");
+    const int length = snprintf(a->word[a->n++], CLI_PATH, "%s=%s", option, value);
+    if (length >= CLI_PATH) argp_error(state, "%s: the text is too long", option);
+}
 
 static void take_range(arguments *a, const char *arg, struct argp_state *state)
 {
@@ -26,49 +33,87 @@ static void take_range(arguments *a, const char *arg, struct argp_state *state)
     if (colon == arg || !end || end == colon + 1 || *end != '\0' || !isfinite(lower) || !isfinite(upper) ||
         !(lower < upper))
         argp_error(state, "--range takes LO:HI, two numbers with LO < HI, not '%s'", arg);
-    if (a->ranges == 2) argp_error(state, "--range: a picture has two colour bars, not more");
-    a->options.range[a->ranges++] = (field_range){lower, upper};
+    if (a->ranges++ == 2) argp_error(state, "--range: a picture has two colour bars, not more");
+    hand_over(a, state, "--range", arg);
 }
 
-static double take_time(const char *arg, struct argp_state *state)
+static void check_time(const char *arg, struct argp_state *state)
 {
     char *end;
     const double time = strtod(arg, &end);
     if (end == arg || *end != '\0' || !isfinite(time))
         argp_error(state, "--time takes a number of seconds, not '%s'", arg);
-    return time;
 }
 
-static int take_width(const char *arg, struct argp_state *state)
+static void check_width(const char *arg, struct argp_state *state)
 {
     char *end;
     const long width = strtol(arg, &end, 10);
-    if (end == arg || *end != '\0' || width < 240 || width > PICTURE_MAX_WIDTH)
-        argp_error(state, "--width takes a whole number of pixels from 240 to %d, not '%s'", PICTURE_MAX_WIDTH, arg);
-    return (int)width;
+    if (end == arg || *end != '\0' || width < 240 || width > MOST_WIDTH)
+        argp_error(state, "--width takes a whole number of pixels from 240 to %d, not '%s'", MOST_WIDTH, arg);
+}
+
+/* "z=0.5" */
+static void check_plane(const char *arg, struct argp_state *state)
+{
+    char *end = NULL;
+    const bool named = arg[0] >= 'x' && arg[0] <= 'z' && arg[1] == '=';
+    const double place = named ? strtod(arg + 2, &end) : 0.0;
+    if (!named || end == arg + 2 || *end != '\0' || !isfinite(place))
+        argp_error(state, "--plane takes an axis and a place on it, as in --plane z=0.5, not '%s'", arg);
+}
+
+static void check_mirror(const char *arg, struct argp_state *state)
+{
+    if (strcmp(arg, "x") != 0 && strcmp(arg, "y") != 0 && strcmp(arg, "xy") != 0)
+        argp_error(state, "--mirror takes x, y or xy, not '%s'", arg);
+}
+
+static void end_of_arguments(const arguments *a, struct argp_state *state)
+{
+    if (!a->dir) argp_error(state, "which run? (the folder that `floe run` has written)");
+    if (a->all && a->timed) argp_error(state, "--all and --time exclude each other");
+    if (a->all && a->named) argp_error(state, "--output names one file; --all writes DIR/pictures");
+}
+
+static void take_dir(arguments *a, const char *arg, struct argp_state *state)
+{
+    if (a->dir) argp_error(state, "one run at a time: '%s' is too much", arg);
+    a->dir = arg;
 }
 
 static error_t parse_picture_option(int key, char *arg, struct argp_state *state)
 {
     arguments *a = state->input;
     switch (key) {
-    case 't': a->time = take_time(arg, state); return 0;
+    case 't':
+        check_time(arg, state);
+        a->timed = true;
+        hand_over(a, state, "--time", arg);
+        return 0;
     case 'a': a->all = true; return 0;
-    case 'p': a->options.points = arg; return 0;
-    case 'c': a->options.cells = arg; return 0;
+    case 'p': hand_over(a, state, "--points", arg); return 0;
+    case 'c': hand_over(a, state, "--cells", arg); return 0;
     case 'r': take_range(a, arg, state); return 0;
-    case 'd': a->options.dark = true; return 0;
-    case 'w': a->options.width = take_width(arg, state); return 0;
-    case 'o': a->file = arg; return 0;
-    case ARGP_KEY_ARG:
-        if (a->dir) argp_error(state, "one run at a time: '%s' is too much", arg);
-        a->dir = arg;
+    case 'l':
+        check_plane(arg, state);
+        hand_over(a, state, "--plane", arg);
         return 0;
-    case ARGP_KEY_END:
-        if (!a->dir) argp_error(state, "which run? (the folder that `floe run` has written)");
-        if (a->all && !isnan(a->time)) argp_error(state, "--all and --time exclude each other");
-        if (a->all && a->file) argp_error(state, "--output names one file; --all writes DIR/pictures");
+    case 'm':
+        check_mirror(arg, state);
+        hand_over(a, state, "--mirror", arg);
         return 0;
+    case 'd': a->dark = true; return 0;
+    case 'w':
+        check_width(arg, state);
+        hand_over(a, state, "--width", arg);
+        return 0;
+    case 'o':
+        a->named = true;
+        hand_over(a, state, "--output", arg);
+        return 0;
+    case ARGP_KEY_ARG: take_dir(a, arg, state); return 0;
+    case ARGP_KEY_END: end_of_arguments(a, state); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -82,6 +127,11 @@ static const struct argp_option options[] = {
      "What colours the cells, and a fluid's points beside solids; none leaves them out (default: pressure)", 0},
     {"range", 'r', "LO:HI", 0,
      "The range of the first colour bar, in the unit of the field; given again: of the second", 0},
+    {"plane", 'l', "AXIS=PLACE", 0, "The plane of a run in 3-D, as in z=0.5 (default: the middle one along z)", 0},
+    {"mirror", 'm', "AXES", 0,
+     "Complete a symmetric scene at the lower side of the picture's horizontal axis (x), its upright one (y), or both "
+     "(xy)",
+     0},
     {"dark", 'd', NULL, 0, "For a dark page", 0},
     {"width", 'w', "PX", 0, "Width of the picture (default: 720)", 0},
     {"output", 'o', "FILE", 0, "The picture's file (default: DIR/pictures/NUMBER.png)", 0},
@@ -93,76 +143,22 @@ static const struct argp argp = {
     .args_doc = "DIR",
     .doc = "Draw snapshots of a run as PNG: points coloured by one field over cells coloured by another, with axes and "
            "colour bars. DIR is the folder that `floe run` has written. A vector is shown by its magnitude, or by a "
-           "component: velocity_x. A run in 1-D gives curves over x, one in 3-D the plane through its middle.",
+           "component: velocity_x. A run in 1-D gives curves over x, one in 3-D a plane. Python draws them "
+           "(FLOE_PYTHON; numpy, h5py, matplotlib).",
 };
-
-/* "DIR/pictures/000004-sigma_r-dark.png": what was asked for tells pictures of one snapshot apart. */
-static void name_file(const arguments *a, long number, char path[2 * CLI_PATH])
-{
-    const field_picture_options *o = &a->options;
-    (void)snprintf(path, (size_t)2 * CLI_PATH, "%s/pictures/%06ld%s%.100s%s%.100s%s.png", a->dir, number,
-                   o->points ? "-" : "", o->points ? o->points : "", o->cells ? "-" : "", o->cells ? o->cells : "",
-                   o->dark ? "-dark" : "");
-}
-
-static floe_status make_folder(cli *c, const char *dir)
-{
-    char path[2 * CLI_PATH];
-    (void)snprintf(path, sizeof path, "%s/pictures", dir);
-    return folder_make(c->ctx, path);
-}
-
-static floe_status draw_snapshot(cli *c, const arguments *a, long number)
-{
-    char path[2 * CLI_PATH];
-    name_file(a, number, path);
-    if (!a->file) TRY(make_folder(c, a->dir));
-    TRY(field_picture_write(c->ctx, a->dir, number, &a->options, a->file ? a->file : path, NULL));
-    printf("%s\n", a->file ? a->file : path);
-    return FLOE_OK;
-}
-
-static floe_status draw_last(cli *c, const arguments *a)
-{
-    snapshot_time last;
-    TRY(snapshot_last(&last, c->ctx, a->dir));
-    return draw_snapshot(c, a, last.number);
-}
-
-/* The snapshot nearest to the wanted time. */
-static floe_status draw_nearest(cli *c, const arguments *a, const snapshot_times *t)
-{
-    size_t best = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        if (fabs(t->entry[i].time - a->time) < fabs(t->entry[best].time - a->time)) best = i;
-    }
-    return draw_snapshot(c, a, t->entry[best].number);
-}
-
-static floe_status draw_all(cli *c, arguments *a, const snapshot_times *t)
-{
-    TRY(field_picture_common_range(c->ctx, a->dir, t, &a->options));
-    for (size_t i = 0; i < t->n; i++) {
-        if (*c->stop) return fail(c->ctx, FLOE_INTERRUPTED, "stopped after %zu of %zu pictures", i, t->n);
-        TRY(draw_snapshot(c, a, t->entry[i].number));
-    }
-    return FLOE_OK;
-}
-
-static floe_status draw_chosen(cli *c, arguments *a)
-{
-    snapshot_times times;
-    if (!a->all && isnan(a->time)) return draw_last(c, a);
-    TRY(snapshot_times_read(&times, c->ctx, a->dir));
-    const floe_status status = a->all ? draw_all(c, a, &times) : draw_nearest(c, a, &times);
-    snapshot_times_free(c->ctx, &times);
-    return status;
-}
 
 int cmd_picture(cli *c, int argc, char **argv)
 {
-    arguments a = {.time = NAN};
+    arguments a = {0};
+    const char *word[MAX_ARGUMENTS + 5] = {"picture"};
+    size_t n = 1;
+    int exit_status = 0;
     argp_parse(&argp, argc, argv, 0, NULL, &a);
-    const floe_status status = draw_chosen(c, &a);
-    return status == FLOE_OK ? 0 : cli_fail(c, status);
+    for (size_t i = 0; i < a.n; i++) word[n++] = a.word[i];
+    if (a.all) word[n++] = "--all";
+    if (a.dark) word[n++] = "--dark";
+    word[n++] = "--";
+    word[n++] = a.dir;
+    const floe_status status = python_run(c->ctx, word, n, c->stop, &exit_status);
+    return status == FLOE_OK ? exit_status : cli_fail(c, status);
 }

@@ -70,12 +70,11 @@ void curves_point_in_order(curves *c, double x, double y)
     c->y[at] = y;
 }
 
-floe_status curves_write(const curves *c, const char *dir, plot_figure figure, bool *missing)
+floe_status curves_write(const curves *c, const char *dir, plot_figure figure, plot_names *names)
 {
     if (c->n_panels == 0) return FLOE_OK;
     if (figure.columns == 0) figure.columns = c->n_panels > 1 ? 2 : 1;
     figure.panel = c->panel;
     figure.n_panels = c->n_panels;
-    TRY(plot_write_data(c->ctx, dir, &figure));
-    return *missing ? FLOE_OK : plots_draw(c->ctx, dir, &figure, 1, missing);
+    return plot_write_data(c->ctx, dir, &figure, names);
 }

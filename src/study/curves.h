@@ -3,7 +3,7 @@
 #ifndef STUDY_CURVES_H
 #define STUDY_CURVES_H
 
-#include "draw/plot.h"
+#include "plot/plot.h"
 
 enum { CURVES_TEXT = 640 };
 
@@ -31,9 +31,8 @@ plot_series *curves_series(curves *c, plot_series like);
 void curves_point(curves *c, double x, double y);
 void curves_point_in_order(curves *c, double x, double y);
 
-/* Writes the figure with these panels, in two columns if there are several and it names no number of them. Nothing
- * without a panel. *missing: gnuplot was found to be missing; once it was, data and script alone, without another
- * warning. */
-floe_status curves_write(const curves *c, const char *dir, plot_figure figure, bool *missing);
+/* Writes the data of a figure with these panels, in two columns if there are several and it names no number of them.
+ * Nothing without a panel. `names`: what is to be drawn of the folder (plots_draw). */
+floe_status curves_write(const curves *c, const char *dir, plot_figure figure, plot_names *names);
 
 #endif

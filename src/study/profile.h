@@ -2,7 +2,7 @@
 #ifndef STUDY_PROFILE_H
 #define STUDY_PROFILE_H
 
-#include "base/context.h"
+#include "plot/plot.h"
 
 typedef struct profile_source {
     const char *name;
@@ -11,11 +11,10 @@ typedef struct profile_source {
     char path[4096]; /* of a run's profile.csv; it need not be there */
 } profile_source;
 
-/* Writes DIR/profiles.csv, the rows of all sources with their names and h before them, and DIR/profile.csv, .gp and,
- * with gnuplot, .svg: a panel for every quantity that has an exact value, with at most 400 points of a curve
- * (profiles.csv has all). Nothing is done when no source is there, or none has such a quantity. `exact` names the exact
- * solution; *missing as in curves_write. */
-floe_status profile_draw(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
-                         bool dimensionless, bool *missing);
+/* Writes DIR/profiles.csv, the rows of all sources with their names and h before them, and the data of a figure, DIR/profile.csv and
+ * .json: a panel for every quantity that has an exact value. Nothing is done when no source is there, or none has such a
+ * quantity. `exact` names the exact solution; `names` as in curves_write. */
+floe_status profile_write(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
+                          bool dimensionless, plot_names *names);
 
 #endif

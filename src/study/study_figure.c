@@ -77,7 +77,7 @@ static bool has_data(const study *s, const char *metric)
     return false;
 }
 
-static floe_status draw_errors(const study *s, bool *missing)
+static floe_status write_errors(const study *s, plot_names *names)
 {
     static const study_cost order[PANELS] = {STUDY_H, STUDY_UPDATES, STUDY_SECONDS};
     curves c;
@@ -86,7 +86,7 @@ static floe_status draw_errors(const study *s, bool *missing)
         for (int k = 0; k < PANELS && has_data(s, s->metric[m]); k++) add_error_panel(s, &c, s->metric[m], order[k]);
     }
     const plot_figure figure = {.name = "errors", .title = s->title, .columns = PANELS};
-    if (status == FLOE_OK) status = curves_write(&c, s->options->batch.dir, figure, missing);
+    if (status == FLOE_OK) status = curves_write(&c, s->options->batch.dir, figure, names);
     curves_free(&c);
     return status;
 }
@@ -102,13 +102,13 @@ static void add_quantity_panel(const study *s, curves *c, int q)
     }
 }
 
-static floe_status draw_quantities(const study *s, bool *missing)
+static floe_status write_quantities(const study *s, plot_names *names)
 {
     curves c;
     floe_status status = make_curves(&c, s, (size_t)s->plan.n_quantities);
     for (int q = 0; q < s->plan.n_quantities && status == FLOE_OK; q++) add_quantity_panel(s, &c, q);
     const plot_figure figure = {.name = "quantities", .title = s->title};
-    if (status == FLOE_OK) status = curves_write(&c, s->options->batch.dir, figure, missing);
+    if (status == FLOE_OK) status = curves_write(&c, s->options->batch.dir, figure, names);
     curves_free(&c);
     return status;
 }
@@ -124,7 +124,7 @@ static const study_case *finest_profile(const study *s, size_t group)
     return best;
 }
 
-static floe_status draw_profile(const study *s, bool *missing)
+static floe_status write_profile(const study *s, plot_names *names)
 {
     profile_source source[PLOT_COLOURS];
     size_t n = 0;
@@ -139,13 +139,14 @@ static floe_status draw_profile(const study *s, bool *missing)
                        one->run->folder);
         n++;
     }
-    return profile_draw(s->ctx, s->options->batch.dir, s->exact, source, n, s->dimensionless, missing);
+    return profile_write(s->ctx, s->options->batch.dir, s->exact, source, n, s->dimensionless, names);
 }
 
 floe_status study_write_figures(const study *s)
 {
-    bool missing = false; /* gnuplot: said once */
-    TRY(draw_errors(s, &missing));
-    TRY(draw_quantities(s, &missing));
-    return draw_profile(s, &missing);
+    plot_names names = {0};
+    TRY(write_errors(s, &names));
+    TRY(write_quantities(s, &names));
+    TRY(write_profile(s, &names));
+    return plots_draw(s->ctx, s->options->batch.dir, &names);
 }

@@ -130,7 +130,7 @@ void study_bar_text(const study *s, const study_bar_result *r, char *text, size_
  * case that is out of time has what it was given. */
 floe_status study_check_results(const study *s);
 
-/* study_json.c, study_table.c, study_figure.c: study.json, study.csv, and the figures with their data and scripts; and all
+/* study_json.c, study_table.c, study_figure.c: study.json, study.csv, and the figures with their data; and all
  * of them. */
 floe_status study_write(const study *s);
 /* A row a case; the caller frees it. */

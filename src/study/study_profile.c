@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-enum { MAX_PANELS = 64, MOST_POINTS = 400 /* of a curve in the figure */ };
+enum { MAX_PANELS = 64 };
 
 typedef struct drawing {
     context *ctx; /* not owned */
@@ -111,7 +111,7 @@ static void add_panels(drawing *f, const csv_table *finest)
     }
 }
 
-static floe_status draw_profiles(drawing *f, const char *dir, bool *missing)
+static floe_status write_profiles(drawing *f, const char *dir, plot_names *names)
 {
     const csv_table *finest = NULL;
     char path[4096];
@@ -125,17 +125,17 @@ static floe_status draw_profiles(drawing *f, const char *dir, bool *missing)
     TRY(file_replace_text(f->ctx, path, strbuf_string(&f->rows)));
     TRY(curves_make(&f->curves, f->ctx, MAX_PANELS, (f->n + 1) * MAX_PANELS, 0, 2 * MAX_PANELS));
     add_panels(f, finest);
-    return curves_write(&f->curves, dir, (plot_figure){.name = "profile", .most = MOST_POINTS}, missing);
+    return curves_write(&f->curves, dir, (plot_figure){.name = "profile"}, names);
 }
 
-floe_status profile_draw(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
-                         bool dimensionless, bool *missing)
+floe_status profile_write(context *ctx, const char *dir, const char *exact, const profile_source *source, size_t n,
+                          bool dimensionless, plot_names *names)
 {
     drawing f = {
         .ctx = ctx, .curves.ctx = ctx, .source = source, .n = n, .exact = exact, .dimensionless = dimensionless};
     strbuf_init(&f.rows, ctx);
     TRY(memory_new(ctx, &f.table, n, sizeof *f.table));
-    const floe_status status = draw_profiles(&f, dir, missing);
+    const floe_status status = write_profiles(&f, dir, names);
     for (size_t i = 0; i < n; i++) csv_free(&f.table[i]);
     memory_free(ctx, &f.table);
     strbuf_free(&f.rows);

@@ -4,7 +4,6 @@
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 export PYTHONDONTWRITEBYTECODE=1
-python=${FLOE_PYTHON:-/usr/bin/python3}
 "$python" -c 'import sys, h5py; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || {
     echo 'skipped: no Python 3.11 or later with h5py'
     exit 77

@@ -40,6 +40,16 @@ expect 0 "$cc" "${flags[@]}" "$FLOE_SOURCE/examples/sod_steps.c" -o sod_steps "$
 expect 0 ./sod_steps
 has stdout 't = 0.200'
 
+# Pictures and pages by the moved program, with the package that is beside it.
+if python_is_whole; then
+    expect 0 env FLOE_PYTHON="$python" "$work/moved/bin/floe" picture out -o out.png
+    is_there out.png
+    mv "$work/moved/share/floe/python/floe/command.py" kept
+    echo 'def main(): return 5' >"$work/moved/share/floe/python/floe/command.py"
+    expect 5 env FLOE_PYTHON="$python" "$work/moved/bin/floe" picture out
+    mv kept "$work/moved/share/floe/python/floe/command.py"
+fi
+
 # The CMake package of the moved tree, as a project of its own uses it.
 mkdir project
 cat >project/CMakeLists.txt <<EOF

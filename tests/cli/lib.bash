@@ -3,6 +3,13 @@ set -euo pipefail
 # One thread, for tests run side by side; where more are meant, the test says so.
 export OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive
 : "${FLOE:?the floe program}" "${FLOE_SOURCE:?the source tree}"
+# Python with the packages for pictures, plots and pages. Tests that are not of them draw nothing, and take no time for it:
+# those that are set FLOE_PYTHON=$python, and skip what they ask where `python_is_whole` fails.
+python=${FLOE_PYTHON:-/usr/bin/python3}
+export FLOE_PYTHON=true PYTHONDONTWRITEBYTECODE=1
+python_is_whole() {
+    "$python" -c 'import numpy, h5py, matplotlib, jinja2' 2>/dev/null
+}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

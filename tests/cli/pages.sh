@@ -4,7 +4,6 @@
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
 export PYTHONDONTWRITEBYTECODE=1
-python=${FLOE_PYTHON:-/usr/bin/python3}
 "$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || {
     echo 'skipped: no Python 3.11 or later'
     exit 77
@@ -15,13 +14,13 @@ cat stdout
 
 # A tree with two pages, one of cells alone, one of cells and points.
 tree=$work/tree
-mkdir -p "$tree"/{src/{mpm,ice,sim,report},include,cmake,inputs,scripts/{lib,results},python,docs/results,runs/ice,runs/both}
+mkdir -p "$tree"/{src/{mpm,ice,sim,plot},include,cmake,inputs,scripts/{lib,results},python,docs/results,runs/ice,runs/both}
 cd "$tree"
 git init -q . && git config user.email a@b && git config user.name a
 echo 'int ice(void) { return 1; }' >src/ice/ice.c
 echo 'int mpm(void) { return 1; }' >src/mpm/mpm.c
 echo 'int sim(void) { return 1; }' >src/sim/sim.c
-echo 'int page(void) { return 1; }' >src/report/page.c
+echo 'int page(void) { return 1; }' >src/plot/page.c
 echo 'project(x) # a name' >CMakeLists.txt
 echo 'time: {end: 1}' >inputs/a.yaml
 printf 'import lib\nlib.used()\n' >scripts/results/one.py
@@ -49,14 +48,14 @@ says() {
 }
 stamp_now one ice
 stamp_now two both
-has docs/results/one.md 'without mpm report'
-has docs/results/two.md 'without report'
+has docs/results/one.md 'without mpm plot'
+has docs/results/two.md 'without plot'
 says 0 '3 pages: 2 fresh, 1 stale, 0 faulty'
 says 1 'stale: old: no stamp' --strict
 
 # What cannot change a figure makes nothing stale: comments, blanks, docstrings, definitions that are not reached, modules that are not entered.
 printf '/* Returns one. */\nint ice(void)   { // always\n\n    return 1; }\n' >src/ice/ice.c
-echo 'int page(void) { return 2; }' >src/report/page.c
+echo 'int page(void) { return 2; }' >src/plot/page.c
 printf '# A deck.\n\ntime: {end: 1} # s\n' >inputs/a.yaml
 printf 'import lib\n# Calls it.\nlib.used()\n' >scripts/results/one.py
 printf 'def used():\n    """Says 1."""\n    return 1\n\n\ndef other():\n    return 3\n' >scripts/lib/lib.py

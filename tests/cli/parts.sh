@@ -6,11 +6,11 @@
 off=(-DFLOE_STUDIES=OFF -DFLOE_PICTURES=OFF -DFLOE_VERIFICATION=OFF)
 expect 0 cmake -S "$FLOE_SOURCE" -B small "${off[@]}" -DCMAKE_C_FLAGS='-O2 -g'
 commands=small/compile_commands.json
-for part in src/study src/batch src/report draw/canvas exact_riemann cmd_picture cmd_study; do
+for part in src/study src/batch exact_riemann cmd_study; do
     grep -q "$part" $commands && fault "$part is in a build without it"
 done
-for part in src/library src/cli/absent_studies src/cli/absent_pictures draw/plot src/verify/norms; do
-    grep -q "$part" $commands || fault "$part is not in a build without studies, pictures and verification"
+for part in src/library src/cli/absent_studies src/verify/norms; do
+    grep -q "$part" $commands || fault "$part is not in a build without studies and verification"
 done
 grep -q -- '-O2 -g' $commands || fault "the user's flags are not in the build"
 grep -qE -- '-O3|-Werror' $commands && fault "the build has an -O3 or a -Werror that the user did not ask for"
@@ -28,8 +28,9 @@ FLOE=$work/small-prefix/bin/floe
 expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/sod.yaml" --set verify=null --quiet -o out
 expect 2 "$FLOE" study "$FLOE_SOURCE/inputs/sod.yaml"
 has stderr FLOE_STUDIES=ON
-expect 2 "$FLOE" picture out
+expect 4 "$FLOE" picture out
 has stderr FLOE_PICTURES=ON
+[ ! -e "$work/small-prefix/share/floe/python" ] || fault "python/floe is in a build without it"
 expect 2 "$FLOE" check "$FLOE_SOURCE/inputs/sod.yaml"
 has stderr 'in this build of floe'
 PKG_CONFIG_PATH=$(dirname "$(find bare-prefix -name floe.pc)")

@@ -2,6 +2,11 @@
 # floe picture: PNG of any snapshot, by default and as asked for; errors that name what there is.
 # shellcheck source=tests/cli/lib.bash
 . "$(dirname "$0")/lib.bash"
+python_is_whole || {
+    echo 'skipped: no Python with numpy, h5py, matplotlib and jinja2'
+    exit 77
+}
+export FLOE_PYTHON=$python
 
 # png FILE [WIDTH]: it is one, of that width (bytes 16 to 19), whole to its last chunk.
 png() {
@@ -17,36 +22,26 @@ expect 0 "$FLOE" run "${tiny[@]}" "${short[@]}" -o mpm
 expect 0 "$FLOE" run "${tiny[@]}" "${short[@]}" --coupling ice-mpm -o ice-mpm
 expect 0 "$FLOE" run "$FLOE_SOURCE/inputs/sod.yaml" --quiet --coupling ice --set time.max_steps=5 -o sod
 
-for run in mpm ice-mpm sod; do
-    last=$(find $run/fields -name '*.h5' | sort | tail -n 1)
-    expect 0 "$FLOE" picture $run
-    has stdout "$run/pictures/$(basename "$last" .h5).png"
-    png "$run/pictures/$(basename "$last" .h5).png"
-done
+last=$(basename "$(find mpm/fields -name '*.h5' | sort | tail -n 1)" .h5)
+expect 0 "$FLOE" picture mpm
+has stdout "mpm/pictures/$last.png"
+png "mpm/pictures/$last.png"
 
 # What is asked for is in the name; --all gives one a snapshot.
 expect 0 "$FLOE" picture mpm --time 0 --points sigma_theta --range -1e6:1e6 --dark --width 400
 png mpm/pictures/000000-sigma_theta-dark.png 400
-cmp -s mpm/pictures/000000-sigma_theta-dark.png mpm/pictures/000000.png && fault 'the same picture for another field'
-expect 0 "$FLOE" picture ice-mpm --points velocity_x --cells density_gas -o some.png
-png some.png
 expect 0 "$FLOE" picture ice-mpm --points none --all
 [ "$(wc -l <stdout)" = "$(find ice-mpm/fields -name '*.h5' | wc -l)" ] || fault 'not one picture a snapshot'
 while read -r file; do png "$file"; done <stdout
 
 # The same input, the same bytes.
 expect 0 "$FLOE" picture mpm -o a.png
-expect 0 "$FLOE" picture mpm -o b.png
-cmp a.png b.png || fault 'pictures of one snapshot differ'
+cmp a.png "mpm/pictures/$last.png" || fault 'pictures of one snapshot differ'
 
 # Errors: what there is instead.
 expect 2 "$FLOE" picture mpm --points stress
 has stderr "there is no field 'stress' of points"
 has stderr 'sigma_r, sigma_theta, stress_xx'
-expect 2 "$FLOE" picture ice-mpm --cells temperature
-has stderr 'density_gas'
-expect 2 "$FLOE" picture mpm --points none --cells none
-has stderr 'nothing to draw'
 expect 2 "$FLOE" picture
 expect 2 "$FLOE" picture mpm --range 3
 expect 2 "$FLOE" picture mpm --range 3:2
@@ -54,6 +49,8 @@ expect 2 "$FLOE" picture mpm --time soon
 expect 2 "$FLOE" picture mpm --all --time 1
 expect 2 "$FLOE" picture mpm --all -o one.png
 expect 2 "$FLOE" picture mpm --width 20
+expect 2 "$FLOE" picture mpm --plane 0.5
+expect 2 "$FLOE" picture mpm --mirror z
 expect 4 "$FLOE" picture nowhere
 has stderr 'nowhere'
 expect 4 "$FLOE" picture mpm -o no/such/folder/a.png
@@ -65,3 +62,12 @@ expect 0 "$FLOE" picture mpm --time 0 -o next.png
 has stderr 'damaged'
 for file in mpm/fields/*.h5; do printf 'x' | dd of="$file" bs=1 seek=4000 conv=notrunc status=none; done
 expect 4 "$FLOE" picture mpm
+
+# Without Python: one line that says what to install.
+expect 4 env FLOE_PYTHON="$work/none" "$FLOE" picture sod
+[ "$(wc -l <stderr)" -eq 1 ] || fault 'not one line'
+has stderr 'install python3-numpy, python3-h5py, python3-matplotlib and python3-jinja2'
+mkdir empty
+echo 'raise ModuleNotFoundError("No module named x", name="numpy")' >empty/numpy.py
+expect 4 env PYTHONPATH="$work/empty" "$FLOE" picture sod
+has stderr 'lacks a package'

@@ -10,6 +10,7 @@ within() {
     expect "$wanted" timeout "$seconds" "$@"
 }
 
+python_is_whole && export FLOE_PYTHON=$python
 expect 0 "$FLOE" run "${tiny[@]}" -o out --quiet --set time.max_steps=3
 
 # Outputs: the page, the picture, the tables, the log.
@@ -20,10 +21,12 @@ echo mine >victim
 ln -s victim link
 for place in pipe folder device link; do
     before=$(stat -c %F "$place")
-    within 60 4 "$FLOE" report out -o "$place"
-    has stderr 'not an ordinary file'
-    within 60 4 "$FLOE" picture out -o "$place"
-    has stderr 'not an ordinary file'
+    if python_is_whole; then # python/floe/files.py writes both
+        command=picture
+        [ "$place" = link ] && command=report
+        within 60 4 "$FLOE" $command out -o "$place"
+        has stderr 'not an ordinary file'
+    fi
     within 60 2 "$FLOE" new -o "$place"
     [ "$(stat -c %F "$place")" = "$before" ] || fault "$place was replaced"
 done
@@ -52,12 +55,14 @@ within 60 0 "$FLOE" run "${tiny[@]}" -o blocked --quiet --set time.max_steps=3
 [ "$(cat victim)" = mine ] || fault 'a link of a passing name was written through'
 same_results blocked out
 ln -s "$work/victim" out/report.html.tmp
-within 60 0 "$FLOE" report out
-[ "$(cat victim)" = mine ] || fault 'the page was written through a link'
-is_there out/report.html
+if python_is_whole; then
+    within 60 0 "$FLOE" report out
+    [ "$(cat victim)" = mine ] || fault 'the page was written through a link'
+    is_there out/report.html
+fi
 
 # What a case of a study says goes to a new file.
-study=("$FLOE" study "${tiny[@]}" --set study=null --axis "time.max_steps=1,2" --quiet -o cases)
+study=(env FLOE_PYTHON=true "$FLOE" study "${tiny[@]}" --set study=null --axis "time.max_steps=1,2" --quiet -o cases)
 "${study[@]}" >stdout 2>stderr || true
 for case in cases/mpm-1 cases/mpm-2; do ln -sf "$work/victim" "$case/stderr.txt"; done
 within 60 4 "${study[@]}" --again
@@ -79,7 +84,9 @@ for name in summary.json checkpoint.h5 fields/000000.h5; do
     cp -r out copy
     rm "copy/$name"
     mkfifo "copy/$name"
-    for command in "report copy -o page.html" "picture copy -o picture.png" "run ${tiny[*]} -o copy --resume --quiet"; do
+    commands=("report copy -o page.html" "picture copy -o picture.png")
+    [ "$name" = checkpoint.h5 ] && commands=() # neither reads it
+    for command in "${commands[@]}" "run ${tiny[*]} -o copy --resume --quiet"; do
         got=0
         # shellcheck disable=SC2086 # words
         timeout 60 "$FLOE" $command >stdout 2>stderr || got=$?

@@ -7,11 +7,11 @@ line=$FLOE_SOURCE/inputs/stability_line.yaml
 # The eigenvalues of tests/verification/test_mpm_stability.c, over h/c: in brackets of 2 %, by one command.
 expect 0 "$FLOE" stability "$line" -o b8 --jobs 2 --over time.fixed_step=0.0006:0.0024 --tolerance 0.02 --set time.max_steps=1000 --quiet \
     --each domain.lattice_offset=0,-0.4999 --each method.stress=usl,musl
-is_there b8/stability.json b8/stability.csv b8/energy.csv b8/energy.gp
+is_there b8/stability.json b8/stability.csv b8/energy.csv b8/energy.json
 # A panel for each value of the first key, a line for each of the others in each, and a point for each run.
-for text in "set xlabel 'time.fixed_step / 0.001'" 'set logscale x' "set title 'domain.lattice_offset=0'" "set title 'domain.lattice_offset=-0.4999'" \
-    "title 'usl'" "title 'musl'"; do
-    has b8/energy.gp "$text"
+for text in '"x_label": "time.fixed_step / 0.001"' '"log_x": true' '"title": "domain.lattice_offset=0"' '"title": "domain.lattice_offset=-0.4999"' \
+    '"name": "usl"' '"name": "musl"'; do
+    has b8/energy.json "$text"
 done
 [ "$(wc -l <b8/energy.csv)" -eq "$(wc -l <b8/stability.csv)" ] || fault 'not every run is in the figure'
 is_there b8/limits.csv
@@ -54,12 +54,11 @@ grep -Eq '^ *usl +\. +[\^rD] +[\^rD]$' stdout || fault 'no row of usl'
 grep -Eq '^ *musl +\. +\. +[\^rD]$' stdout || fault 'no row of musl'
 [ "$(wc -l <map/stability.csv)" -eq 7 ] || fault 'not six runs'
 is_there map/01-0{1,2}-0{1,2,3}/summary.json
-has map/map.gp "set ylabel 'method.stress: 1 usl, 2 musl'"
+has map/map.json '"y_label": "method.stress: 1 usl, 2 musl"'
 # By verdict, step and place on the axis of words, the figure has what the table has.
 sed -E '1d; s/^"[^"]*","(usl|musl)","([^"]*)",([a-z ]+),.*/\3 \2 \1/; s/ usl$/ 1/; s/ musl$/ 2/' map/stability.csv | sort >table
 sed -E '1d; s/"//g' map/map.csv | awk -F, '{ printf "%s %g %s\n", $2, $3, $4 }' | sort >figure
 cmp table figure || fault 'the figure of the map is not its table'
-if command -v gnuplot >/dev/null; then is_there map/map.svg one/energy.svg; fi
 
 # Refused before anything runs.
 refused() {

@@ -21,7 +21,7 @@ axes=(--axis 'domain.cell=0.4,0.2' --axis 'time.cfl={mpm: 0.3},0.5' --axis 'time
 expect 6 "$FLOE" study "${scene[@]}" "${axes[@]}" -o whole --jobs 2
 has stderr '4 of 12 cases have not come to their end'
 named_last 'diverged, .*time.fixed_step=5e-4|and [0-9]+ more: .*time.fixed_step=5e-4'
-is_there whole/study.json whole/study.csv whole/errors.csv whole/errors.gp
+is_there whole/study.json whole/study.csv whole/errors.csv whole/errors.json
 [ "$(wc -l <whole/study.csv)" -eq 13 ] || fault 'not 12 cases'
 [ "$(grep -c ',diverged,' whole/study.csv)" -eq 4 ] || fault 'not every third case has diverged'
 [ "$(grep -c '"status": "diverged"' whole/study.json)" -eq 4 ] || fault 'study.json knows other cases to have diverged'
@@ -113,7 +113,7 @@ for units in none si; do
     awk '/^coupling/ { n = split($0, c, /l1_density( \(kg\/m3\))?/); end = length($0) - length(c[2]); next }
          /^(ice|mpm) / && (substr($0, end, 1) !~ /[0-9]/ || substr($0, end + 1, 1) != " ") { exit 1 }' "table_$units" || fault 'a table that is not aligned'
 done
-! grep -nE 'kg/m3|J/kg|m/s|\(m\)|\(Pa\)|[0-9] Pa' units_none/*.csv units_none/*.gp units_none/study.json table_none units_none/*/profile.csv >&2 || fault 'units of a dimensionless scene'
+! grep -nE 'kg/m3|J/kg|m/s|\(m\)|\(Pa\)|[0-9] Pa' units_none/*.csv units_none/errors.json units_none/profile.json units_none/study.json table_none units_none/*/profile.csv >&2 || fault 'units of a dimensionless scene'
 has table_si 'l1_density (kg/m3)'
 has units_si/study.csv 'l1_density (kg/m3)'
 has units_si/ice-0.02/profile.csv 'density (kg/m3)'

@@ -13,7 +13,7 @@ has stdout 'MISSED: order of eq13, mpm'
 has stdout 'met: error of eq13, domain.cell=0.075, ice-mpm'
 has stdout 'the best of 2, alone on one thread'
 grep -qE ' choose | are not told apart' stdout || fault 'no word on what to choose'
-is_there bars/study.json bars/errors.gp bars/timing/0.1-mpm-2/summary.json bars/0.1-mpm/fields.xdmf
+is_there bars/study.json bars/errors.json bars/timing/0.1-mpm-2/summary.json bars/0.1-mpm/fields.xdmf
 [ ! -e bars/timing/0.1-mpm-2/fields ] || fault 'timed runs keep their snapshots'
 [ "$(grep -c '"met": true' bars/study.json)" -eq 2 ] || fault 'not two bars met'
 [ "$(grep -c '"met": false' bars/study.json)" -eq 1 ] || fault 'not one bar missed'

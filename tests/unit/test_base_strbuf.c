@@ -19,28 +19,6 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* The examples of RFC 4648, section 10, and every byte value. */
-static void base64_is_that_of_the_rfc(void **state)
-{
-    static const char *const example[][2] = {{"", ""},
-                                             {"f", "Zg=="},
-                                             {"fo", "Zm8="},
-                                             {"foo", "Zm9v"},
-                                             {"foob", "Zm9vYg=="},
-                                             {"fooba", "Zm9vYmE="},
-                                             {"foobar", "Zm9vYmFy"}};
-    strbuf t;
-    strbuf_init(&t, *state);
-    for (size_t i = 0; i < sizeof example / sizeof example[0]; i++) {
-        strbuf_append_base64(&t, example[i][0], strlen(example[i][0]));
-        assert_string_equal(strbuf_string(&t), example[i][1]);
-        strbuf_free(&t);
-    }
-    strbuf_append_base64(&t, "\xff\xfe\x00\x80", 4);
-    assert_string_equal(strbuf_string(&t), "//4AgA==");
-    strbuf_free(&t);
-}
-
 static void fields_and_markup_are_escaped(void **state)
 {
     strbuf t;
@@ -73,7 +51,6 @@ static void a_text_is_handed_over(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(base64_is_that_of_the_rfc, set_up, tear_down),
         cmocka_unit_test_setup_teardown(fields_and_markup_are_escaped, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_text_is_handed_over, set_up, tear_down),
     };

@@ -205,12 +205,12 @@ static void a_search_is_drawn(void **state)
                "\"stress=musl\",\"0\",2,1.25,\n"
                "\"stress=musl\",\"0.5\",0.5,1,\n");
     char text[2 * TEXT];
-    read_file(f, "energy.gp", text);
-    check_true(strstr(text, "\nset logscale x") && strstr(text, "\nset logscale y"));
+    read_file(f, "energy.json", text);
+    check_true(strstr(text, "\"log_x\": true") && strstr(text, "\"log_y\": true"));
     f->probe[0].x[0] = 0.0; /* no place on a logarithmic axis */
     check_ok(f->ctx, stability_plot(&f->s));
-    read_file(f, "energy.gp", text);
-    check_true(!strstr(text, "\nset logscale x") && strstr(text, "\nset logscale y"));
+    read_file(f, "energy.json", text);
+    check_true(!strstr(text, "\"log_x\": true") && strstr(text, "\"log_y\": true"));
     /* One key names the lines; one panel has no title. */
     f->probe[0].x[0] = 1.0;
     f->s.n_each = 1;
@@ -265,14 +265,14 @@ static void a_map_is_drawn(void **state)
                   "     2 or so         .\n"
                   ". stable, r rejected steps, ^ energy grows, ! not finite, D diverged, ? no verdict\n");
     char text[2 * TEXT];
-    read_file(f, "map.gp", text);
-    check_true(strstr(text, "\nset logscale x") &&
-               !strstr(text, "\nset logscale y")); /* 6/0.5 > 10; words have no ratio */
+    read_file(f, "map.json", text);
+    check_true(strstr(text, "\"log_x\": true") &&
+               !strstr(text, "\"log_y\": true")); /* 6/0.5 > 10; words have no ratio */
     check_true(strstr(text, "basis: 1 linear, 2 2 or so") != NULL);
     (void)snprintf(f->s.over[1].value[1], SCENE_VALUE, "5"); /* a decade is no more than one */
     check_ok(f->ctx, stability_plot(&f->s));
-    read_file(f, "map.gp", text);
-    check_true(!strstr(text, "\nset logscale x"));
+    read_file(f, "map.json", text);
+    check_true(!strstr(text, "\"log_x\": true"));
 }
 
 int main(void)

@@ -39,10 +39,9 @@ static void add_energies(const stability *s, curves *c, size_t set, int colour)
     }
 }
 
-static floe_status plot_energy(const stability *s)
+static floe_status write_energy(const stability *s, plot_names *names)
 {
     const size_t panels = s->n_each > 1 ? (size_t)s->each[0].n_values : 1, each = s->n_sets / panels;
-    bool missing = false;
     char x_label[256];
     curves c;
     if (isfinite(s->relative_to))
@@ -59,8 +58,7 @@ static floe_status plot_energy(const stability *s)
                 .title = title, .x_label = x_label, .y_label = "energy ratio", .log_x = is_positive(s), .log_y = true});
         for (size_t i = 0; i < each; i++) add_energies(s, &c, k * each + i, (int)i);
     }
-    if (status == FLOE_OK)
-        status = curves_write(&c, s->dir, (plot_figure){.name = "energy", .title = s->title}, &missing);
+    if (status == FLOE_OK) status = curves_write(&c, s->dir, (plot_figure){.name = "energy", .title = s->title}, names);
     curves_free(&c);
     return status;
 }
@@ -114,9 +112,8 @@ static void add_verdicts(const stability *s, curves *c, size_t set)
     }
 }
 
-static floe_status plot_map(const stability *s)
+static floe_status write_map(const stability *s, plot_names *names)
 {
-    bool missing = false;
     char label[2][512];
     curves c;
     for (int i = 0; i < 2; i++) label_axis(&s->over[i], label[i], sizeof label[i]);
@@ -131,13 +128,15 @@ static floe_status plot_map(const stability *s)
                                       .log_y = is_logarithmic(&s->over[0])});
         add_verdicts(s, &c, k);
     }
-    if (status == FLOE_OK) status = curves_write(&c, s->dir, (plot_figure){.name = "map", .title = s->title}, &missing);
+    if (status == FLOE_OK) status = curves_write(&c, s->dir, (plot_figure){.name = "map", .title = s->title}, names);
     curves_free(&c);
     return status;
 }
 
 floe_status stability_plot(const stability *s)
 {
+    plot_names names = {0};
     if (s->n_probes == 0) return FLOE_OK;
-    return stability_is_map(s) ? plot_map(s) : plot_energy(s);
+    TRY(stability_is_map(s) ? write_map(s, &names) : write_energy(s, &names));
+    return plots_draw(s->ctx, s->dir, &names);
 }
