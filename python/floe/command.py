@@ -3,6 +3,7 @@
 Exit status: 0 done; 2 bad input; 4 input or output failed; 5 interrupted; 69 a package is missing.
 """
 import argparse
+import logging
 import math
 import pathlib
 import sys
@@ -66,9 +67,10 @@ def _picture_name(a: argparse.Namespace, stem: str) -> pathlib.Path:
 
 
 def _picture(a: argparse.Namespace) -> None:
-    from . import files, pictures, snapshots
-    options = pictures.Options(a.points, a.cells, a.range, a.dark, a.width, a.plane, a.mirror)
+    from . import files, snapshots
     found = snapshots.snapshots(a.folder, _warn, None if a.all or not math.isnan(a.time) else 1)
+    from . import pictures  # and matplotlib, once there is something to draw
+    options = pictures.Options(a.points, a.cells, a.range, a.dark, a.width, a.plane, a.mirror)
     if not a.all and not math.isnan(a.time):
         found = [min(found, key=lambda one: abs(one.time - a.time))]
     ranges = pictures.common_ranges(pictures.make_sheet(one, options) for one in found) if a.all else None
@@ -95,6 +97,7 @@ def _plots(a: argparse.Namespace) -> None:
 def main(arguments: list[str] | None = None) -> int:
     """Runs a command; returns its exit status."""
     a = _parser().parse_args(arguments)
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # that it keeps its list of fonts elsewhere is of no interest here
     try:
         from .files import Refused
         try:

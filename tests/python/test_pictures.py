@@ -307,8 +307,8 @@ def test_files():
         os.symlink("mine", place / "link")
         os.mkfifo(place / "pipe")
         (place / "sub").mkdir()
-        for name in ("link", "pipe", "sub"):
-            refused("not an ordinary file", files.replace, place / name, b"x", status=4)
+        for one in (place / "link", place / "pipe", place / "sub", pathlib.Path("/dev/null")):
+            refused("not an ordinary file", files.replace, one, b"x", status=4)
         refused("no/such", files.replace, place / "no/such/a", b"x", status=4)
         os.symlink(place / "mine", place / "a.tmp")
         files.replace(place / "a", "first")
