@@ -193,19 +193,15 @@ has stderr 'a free side holds no pressure against a liquid'
 has stderr 'take outlet or non_reflecting'
 expect 0 "$FLOE" check "${wet[@]}" --set 'boundaries.x={lower: {outlet: {pressure: 1e5}}, upper: slip}' --set reference_pressure=1e5
 
-# What would lock is warned of; explicit steps take one rate of volume a cell and do not (incompressible.sh); static balance refuses (statics.sh).
+# Nothing locks (incompressible.sh), and nothing is said, but of implicit steps, in which pressures swing.
 annulus=$FLOE_SOURCE/inputs/annulus_traction.yaml
 rubber=(--set domain.cell=0.1 --set materials.steel.law.linear_elastic.shear_modulus=1e8)
 expect 0 "$FLOE" check "$annulus" "${rubber[@]}" --set study=null
 [ ! -s stderr ] || fault 'explicit steps with quadratic splines are warned of'
 expect 0 "$FLOE" check "$annulus" "${rubber[@]}" --set method.basis=cubic
-has stderr "the bulk modulus of body 'cylinder' is 1.17e+03 times its shear modulus, with which basis cubic locks"
-has stderr '33 % at 5000'
+! grep -q 'times its shear modulus' stderr || fault 'explicit steps with cubic splines are warned of'
 expect 0 "$FLOE" check "$annulus" "${rubber[@]}" --set time.solver=implicit --set time.increments=10 --set stop=null --set study=null
-has stderr 'with which basis quadratic locks'
-has stderr '21 % at 500'
-expect 0 "$FLOE" check "$annulus" "${rubber[@]}" --set method.basis=linear
-has stderr '9 % off at 50'
+has stderr "the bulk modulus of body 'cylinder' is 1.17e+03 times its shear modulus: in implicit steps the pressure"
 expect 0 "$FLOE" check "$annulus" --set domain.cell=0.1 --set method.basis=cubic --set materials.steel.law.linear_elastic.shear_modulus=1e10
 [ ! -s stderr ] || fault 'cubic splines bear a ratio of 11.7'
 
