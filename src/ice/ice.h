@@ -93,8 +93,9 @@ struct ice {
     bool heats_points;           /* heat exchange changes the temperature of some of them */
     bool implicit;               /* this step's pressure is implicit; kept by the owner of the run, and checkpointed */
     ice_seal seal;
-    struct wall_response *walls; /* how pressures at boundaries give way in the step; not owned; NULL: they do not (theory 7.6) */
-    double gravity[3];       /* m/s2 */
+    struct wall_response
+        *walls;        /* how pressures at boundaries give way in the step; not owned; NULL: they do not (theory 7.6) */
+    double gravity[3]; /* m/s2 */
     exchange_table exchange; /* K_rs and R_rs */
     double time, dt;         /* s: of the current step */
     long step;               /* committed steps so far, kept by the owner of the run (ramps counted in steps) */

@@ -177,7 +177,7 @@ static floe_status add_samples(ice *s, const ice_region *g, ice_wall_flow *w)
         const cut_surface *c = &line->place[SEAL_NOW];
         const double outward = ice_outward(s, g->number, l);
         if (outward == 0.0) continue;
-        const size_t wanted = (size_t)(w->n_samples + c->n_pieces);
+        const size_t wanted = (size_t)w->n_samples + (size_t)c->n_pieces;
         if (wanted > w->reserved_samples) {
             TRY(memory_resize(s->ctx, &w->sample, wanted + wanted / 2, sizeof *w->sample));
             w->reserved_samples = wanted + wanted / 2;

@@ -541,9 +541,12 @@ FLOE_ALWAYS_INLINE void sweep_block(const trace_job *job, const int dim, const b
     const ice_view *v = job->v;
     const trace_store s = divide_buffer(job, dim);
     const int rows = dim == 3 ? v->b->n[1] : 1, ghost = dim == 3 ? 1 : 0;
+    const int end = several ? v->n_materials + job->shares : job->fluid + 1;
+    int r = several ? 0 : job->fluid;
     trace_blocks blocks;
-    for (int r = several ? 0 : job->fluid; r < (several ? v->n_materials + job->shares : job->fluid + 1); ++r)
+    do { /* there is one fluid at least */
         blocks.of[r] = trace_block_of(v, r, several && job->shares, dim);
+    } while (++r < end);
     for (int slab = dim > 1 ? job->first - 1 : 0; slab <= (dim > 1 ? job->last : 0); ++slab) {
         if (dim > 1 && slab == job->last && !job->end) break;
         for (int row = -ghost; row < rows + ghost; ++row)

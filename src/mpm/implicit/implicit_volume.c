@@ -144,7 +144,7 @@ floe_status implicit_find_patches(mpm *s)
         const node_box box = nodes_about(s, p);
         p->node = nodes;
         p->change = changes;
-        p->nodes = (size_t)(box.count[0] * box.count[1] * box.count[2]);
+        p->nodes = (size_t)box.count[0] * (size_t)box.count[1] * (size_t)box.count[2];
         nodes += p->nodes;
         changes += p->nodes * (size_t)(p->modes * s->mesh->dim);
     }

@@ -96,16 +96,17 @@ FLOE_ALWAYS_INLINE void locate_points(stencils *s, const tile_frame *f, const po
                                       const int dim, const int basis, const bool centre)
 {
     const int width = window_width(dim, basis);
+    const bool boxes = basis_has_boxes(basis);
     tile_places places;
     find_places(&places, f, p, start, n, dim);
     memcpy(s->radius, p->x[0] + start, (size_t)n * sizeof *s->radius);
     if (centre) centre_places(&places, s->radius, f, n, dim, basis);
     memset(s->node, 0, sizeof s->node);
     for (int a = 0, row = 1; a < dim; ++a, row *= width) {
-        const double inv_h = f->inv_h[a], *restrict own = basis_has_boxes(basis) ? p->half[a] + start : NULL;
+        const double inv_h = f->inv_h[a], *restrict own = boxes ? p->half[a] + start : NULL;
         for (int j = 0; j < n; ++j) {
             /* Fluids may swell beyond what three nodes hold. */
-            const double half = basis_has_boxes(basis) && own[j] * inv_h < 0.5 ? own[j] * inv_h : 0.5;
+            const double half = boxes && own[j] * inv_h < 0.5 ? own[j] * inv_h : 0.5;
             double w[BASIS_MAX_SUPPORT], dw[BASIS_MAX_SUPPORT];
             const int first =
                 places.cell[a][j] + basis_weights(basis, places.at[a][j] - places.cell[a][j], half, inv_h, w, dw);
