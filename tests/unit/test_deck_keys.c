@@ -454,9 +454,15 @@ typedef struct misplacement {
 #define A_GAS "eos: {ideal: {specific_heat: 1}}"
 #define A_LAW "law: {linear_elastic: {bulk_modulus: 1, shear_modulus: 1}}"
 static const misplacement misplacements[] = {
-    {"materials", "x", A_GAS, {"law", "membrane", "one_way", "density", "specific_heat", "tension_switch", "plastic_heat", "expansion"}},
+    {"materials",
+     "x",
+     A_GAS,
+     {"law", "membrane", "one_way", "density", "specific_heat", "tension_switch", "plastic_heat", "expansion"}},
     {"materials", "x", A_LAW, {"one_way", "viscosity"}},
-    {"materials", "x", "membrane: {plane_stress: {modulus: 1}}", {"law", "viscosity", "conductivity", "plastic_heat", "expansion", "stress_free_temperature"}},
+    {"materials",
+     "x",
+     "membrane: {plane_stress: {modulus: 1}}",
+     {"law", "viscosity", "conductivity", "plastic_heat", "expansion", "stress_free_temperature"}},
     {"bodies", "x", "material: gas", {"membrane"}},
     {"bodies", "x", "material: string", {"shape", "pressure", "density", "fraction"}},
     {"contact", NULL, "kind: stick", {"criterion", "friction"}},
