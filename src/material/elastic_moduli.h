@@ -15,6 +15,12 @@ typedef struct elastic_moduli {
     PAR_POSITIVE(elastic_moduli, bulk_modulus, "Pa", NAN, "bulk modulus K, at rest"), \
         PAR_POSITIVE(elastic_moduli, shear_modulus, "Pa", NAN, "shear modulus G, at rest")
 
+/* Lame's first parameter (Pa), K - 2 G / 3. */
+static inline double lame_lambda(const elastic_moduli *a)
+{
+    return a->bulk_modulus - 2.0 / 3.0 * a->shear_modulus;
+}
+
 /* Entries of solid_model (material/solid.h); par begins with an elastic_moduli. */
 double elastic_bulk_modulus(const void *par);
 double elastic_shear_modulus(const void *par);

@@ -26,6 +26,17 @@ static void isochoric_factors(const solid_batch *b, double *restrict factor)
     }
 }
 
+/* B1 = J^(-2/3) B and its square, of point i whose J^(-2/3) is `factor`; their invariants I1 and I2. */
+FLOE_ALWAYS_INLINE void isochoric_strain(const solid_batch *b, size_t i, double factor, double B[6], double square[6],
+                                         double *first, double *second)
+{
+    left_cauchy_green_at(b, i, B);
+    for (int k = 0; k < 6; k++) B[k] *= factor;
+    symmetric_square(B, square);
+    *first = B[XX] + B[YY] + B[ZZ];
+    *second = 0.5 * (*first * *first - (square[XX] + square[YY] + square[ZZ]));
+}
+
 static size_t mooney_rivlin_stress(const void *par, double p_ref, solid_batch *restrict b)
 {
     const mooney_rivlin_par *a = par;
@@ -35,11 +46,9 @@ static size_t mooney_rivlin_stress(const void *par, double p_ref, solid_batch *r
     double factor[SOLID_CHUNK];
     isochoric_factors(b, factor);
     for (size_t i = 0; i < b->n; i++) {
-        double B[6], square[6], s[6];
-        left_cauchy_green_at(b, i, B);
-        for (int k = 0; k < 6; k++) B[k] *= factor[i];
-        symmetric_square(B, square);
-        const double first = B[XX] + B[YY] + B[ZZ], twice = 2.0 / b->J[i];
+        double B[6], square[6], s[6], first, second;
+        isochoric_strain(b, i, factor[i], B, square, &first, &second);
+        const double twice = 2.0 / b->J[i];
         for (int k = 0; k < 6; k++) s[k] = twice * ((a->c1 + a->c2 * first) * B[k] - a->c2 * square[k]);
         const double mean = (s[XX] + s[YY] + s[ZZ]) / 3.0;
         const double pressure = 0.5 * a->bulk_modulus * (b->J[i] - 1.0 / b->J[i]);
@@ -60,12 +69,9 @@ static void mooney_rivlin_wave_speed(const void *par, double p_ref, const solid_
     double factor[SOLID_CHUNK];
     isochoric_factors(b, factor);
     for (size_t i = 0; i < b->n; i++) {
-        double B[6], square[6];
-        left_cauchy_green_at(b, i, B);
-        for (int k = 0; k < 6; k++) B[k] *= factor[i];
-        symmetric_square(B, square);
-        const double first = B[XX] + B[YY] + B[ZZ], squares = square[XX] + square[YY] + square[ZZ];
-        const double second = 0.5 * (first * first - squares);
+        double B[6], square[6], first, second;
+        isochoric_strain(b, i, factor[i], B, square, &first, &second);
+        const double squares = square[XX] + square[YY] + square[ZZ];
         /* of a tensor with trace t and squares s the eigenvalues are within t/3 +- sqrt(2/3 (s - t^2/3)) */
         const double spread = sqrt(2.0 / 3.0 * fmax(squares - first * first / 3.0, 0.0));
         const double inverse_squares = second * second - 2.0 * first;
@@ -83,12 +89,8 @@ static void mooney_rivlin_strain_energy(const void *par, const solid_batch *b, d
     double factor[SOLID_CHUNK];
     isochoric_factors(b, factor);
     for (size_t i = 0; i < b->n; i++) {
-        double B[6], square[6];
-        left_cauchy_green_at(b, i, B);
-        for (int k = 0; k < 6; k++) B[k] *= factor[i];
-        symmetric_square(B, square);
-        const double first = B[XX] + B[YY] + B[ZZ];
-        const double second = 0.5 * (first * first - (square[XX] + square[YY] + square[ZZ]));
+        double B[6], square[6], first, second;
+        isochoric_strain(b, i, factor[i], B, square, &first, &second);
         const double volumetric = 0.25 * a->bulk_modulus * (b->J[i] * b->J[i] - 1.0 - 2.0 * log(b->J[i]));
         psi[i] = a->c1 * (first - 3.0) + a->c2 * (second - 3.0) + volumetric;
     }

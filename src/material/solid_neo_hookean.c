@@ -11,11 +11,6 @@
 /* The moduli at rest: K = lambda + 2 mu / 3 and mu. */
 static const param_spec neo_hookean_params[] = {ELASTIC_MODULI};
 
-static double lame_lambda(const elastic_moduli *a)
-{
-    return a->bulk_modulus - 2.0 / 3.0 * a->shear_modulus;
-}
-
 /* The logarithm has a loop of its own: it is a call, and would keep the other from being vectorised. */
 static void logarithms_of_volume(const solid_batch *b, double *restrict ln_J)
 {

@@ -10,11 +10,6 @@
 /* The moduli at rest: K = lambda + 2 mu / 3 and mu. */
 static const param_spec st_venant_kirchhoff_params[] = {ELASTIC_MODULI};
 
-static double lame_lambda(const elastic_moduli *a)
-{
-    return a->bulk_modulus - 2.0 / 3.0 * a->shear_modulus;
-}
-
 /* B - I and tr(E) = tr(B - I)/2. Small strains keep their digits: the stress is written in B - I. */
 FLOE_ALWAYS_INLINE double green_trace(const solid_batch *b, size_t i, double more[6])
 {
