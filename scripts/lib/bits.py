@@ -2,7 +2,7 @@
 
 A record holds what a program made of those sources gives for every deck in each coupling in its first steps, for settings beyond the decks' own and for
 commands that make tables of cases: a hash of every value. By two records a page is as good as made anew if what its decks give is the same bit by bit
-under the sources that it was made from and under those that stand. What was not run, and what two machines or compilers say, proves nothing.
+under the sources that it was made from and under those that stand, even if two machines or compilers say so. What was not run proves nothing.
 
 The columns: `what` (made: by which compiler, on which machine, in how many steps; sources: the hash of the sources without those modules, with those other files; as: the record that this one
 is like, but for its rows; test: a test program whose figures a page shows; else the command of floe), the deck or the test's source, its coupling, the settings, a hash of that file, and what came of it: 'not run: ...', 'exit status N' and the hash
@@ -139,8 +139,6 @@ def unrecorded(rows, commands, decks, also, texts):
 
 def differences(before, after, commands, decks, also, deck_hash, texts):
     """Why two records do not show that a page's results are the same; nothing: they are. `deck_hash(name)`: of a deck or a test as it is."""
-    if before.made != after.made:
-        return ["recorded by another compiler, on another machine or in other steps"]
     if not re.search(r"^ *floe \w+", commands, re.MULTILINE):
         return ["no command of floe is on the page"]
     why = list(unrecorded(after.rows, commands, decks, also, texts))
@@ -154,4 +152,6 @@ def differences(before, after, commands, decks, also, deck_hash, texts):
             why.append(f"{name} was not run")
         elif old != new:
             why.append(f"other bits of {name}")
+    if before.made != after.made and why:  # equal results of two machines say as much as those of one; unequal ones may be the machines'
+        why.insert(0, "recorded by another compiler, on another machine or in other steps")
     return why

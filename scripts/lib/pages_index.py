@@ -19,8 +19,8 @@ The last line of a page names what it was made from: a hash of `include`, the CM
 one of its decks, one of its script; comments and blanks do not count. Where the sources alone are other ones, a page is fresh all the same if a record shows the same
 bits under both (`bits/`, one file for each recorded state of the sources, by `scripts/same_bits.py record`): of each of its decks in each of its couplings, in 40 steps, of every
 recorded choice of a key that it sets (bases, transfers, solvers, interfaces, ...; `scripts/lib/variants.py`), on a small deck each, of the commands that it uses and of the tests whose figures it shows. That is good evidence and
-no proof: it sees 40 steps of the decks as they are, no finer mesh and nothing that begins later. What was not run counts as changed; so does what another machine or compiler recorded,
-and what a page has from benchmarks. Times on a page are those of the program that it was made with. `scripts/results.sh stale` lists the pages that no longer agree and why, and those
+no proof: it sees 40 steps of the decks as they are, no finer mesh and nothing that begins later. What was not run counts as changed, and so does what a page
+has from benchmarks. Another machine or compiler proves as much where its bits are the same, and its own differences count as changes. Times on a page are those of the program that it was made with. `scripts/results.sh stale` lists the pages that no longer agree and why, and those
 of before there were stamps (`scripts/results/unstamped.txt`). A page is made anew for its figures, and never to mark it.
 """
 

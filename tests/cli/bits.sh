@@ -137,9 +137,15 @@ git mv src/sim/step.c src/sim/steps.c
 echo 13 >compiler
 git add -A && git commit -qm compiler
 record
-says 'stale: bar: other sources: recorded by another compiler, on another machine or in other steps'
-has stdout ' 0 fresh'
-git reset -q --hard HEAD~1
+has stdout '2 records'
+says '5 fresh'
+
+# now by another compiler that gives other bits
+echo 'mpm gives 2' >src/mpm/mpm.c
+git add -A && git commit -qm 'another compiler, other bits'
+record
+says 'stale: bar: other sources: recorded by another compiler, on another machine or in other steps; other bits of inputs/bar_mms.yaml ice-mpm'
+git reset -q --hard HEAD~2
 git clean -qfd
 
 # A deck that changes makes its pages stale whatever is recorded of it.
