@@ -101,7 +101,7 @@ static floe_status take_over_folder(snapshot_series *series, const char *folder,
 {
     snapshot_numbers list = {0};
     TRY(folder_make(series->ctx, folder));
-    floe_status status = snapshot_numbers_list(series->ctx, folder, true, &list);
+    floe_status status = snapshot_numbers_list(series->ctx, folder, &list);
     if (status == FLOE_OK) status = sort_out(series, &list, keep_until);
     if (status == FLOE_OK) status = folder_sync(series->ctx, folder);
     memory_free(series->ctx, &list.number);

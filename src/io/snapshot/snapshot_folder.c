@@ -55,29 +55,25 @@ static floe_status add_number(context *ctx, snapshot_numbers *list, long number)
     return FLOE_OK;
 }
 
-static floe_status take_entry(context *ctx, const char *folder, const char *name, bool tidy, snapshot_numbers *list)
+static floe_status list_or_remove(context *ctx, const char *folder, const char *name, snapshot_numbers *list)
 {
     const long number = number_of(name);
     char *path;
     if (number >= 0) return add_number(ctx, list, number);
-    if (!tidy || !is_remnant(name)) return FLOE_OK;
+    if (!is_remnant(name)) return FLOE_OK;
     TRY(snapshot_join(ctx, &path, folder, name));
     const floe_status status = file_is_ordinary(path) ? file_remove(ctx, path) : FLOE_OK;
     memory_free(ctx, &path);
     return status;
 }
 
-floe_status snapshot_numbers_list(context *ctx, const char *folder, bool tidy, snapshot_numbers *out)
+floe_status snapshot_numbers_list(context *ctx, const char *folder, snapshot_numbers *out)
 {
     DIR *directory = opendir(folder);
-    if (!directory && errno == ENOENT)
-        return fail(ctx, FLOE_IO, "there is no folder '%s': name a folder that `floe run` has written", folder);
     if (!directory) return file_fail(ctx, "cannot list the folder", folder, errno);
     floe_status status = FLOE_OK;
     const struct dirent *entry;
-    while (status == FLOE_OK && (entry = readdir(directory))) {
-        status = take_entry(ctx, folder, entry->d_name, tidy, out);
-    }
+    while (status == FLOE_OK && (entry = readdir(directory))) status = list_or_remove(ctx, folder, entry->d_name, out);
     (void)closedir(directory);
     if (out->n > 0) qsort(out->number, out->n, sizeof *out->number, compare_numbers);
     return status;

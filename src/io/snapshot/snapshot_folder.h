@@ -12,9 +12,9 @@ typedef struct snapshot_numbers {
     size_t n, capacity;
 } snapshot_numbers;
 
-/* Lists a folder of snapshots (DIR/fields) into a zeroed `out`; with `tidy`, what a kill has left half written is
- * removed. Free out->number whatever comes back. FLOE_IO when there is no such folder. */
-floe_status snapshot_numbers_list(context *ctx, const char *folder, bool tidy, snapshot_numbers *out);
+/* Lists a folder of snapshots (DIR/fields) into a zeroed `out`, and removes files that a killed run has left half
+ * written. Free out->number whatever comes back. */
+floe_status snapshot_numbers_list(context *ctx, const char *folder, snapshot_numbers *out);
 
 /* "fields/NNNNNN.h5" */
 void snapshot_file_name(char name[SNAPSHOT_NAME], long number);
